@@ -1,0 +1,1 @@
+//! Blade or branch? A support vector machine on three features (002 §4.1).

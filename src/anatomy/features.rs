@@ -1,0 +1,1 @@
+//! Stroke features for the classifier (002 §4.1).

@@ -1,0 +1,121 @@
+//! What a drawing means, still flat: parts, landmarks, flowers, branch hierarchy, filled outlines (000 chs. 2–3, 002
+//! §§3–4).
+//!
+//! All positions are canvas pixels (x right, y down); every length threshold is a share of the drawing's diagonal or
+//! of a blade's own size, so that the same drawing at another scale means the same plant.
+
+pub mod classify;
+pub mod features;
+
+use crate::sketch::{StrokeId, Warning};
+use glam::Vec2;
+use serde::Serialize;
+
+/// What a stroke was understood as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Part {
+    /// Blade of a flower.
+    Petal,
+    /// Blade on its own.
+    Leaf,
+    /// Skeleton of a branch.
+    Branch,
+    /// Region to fill with twigs.
+    BranchOutline,
+    /// Region to fill with leaves.
+    LeafOutline,
+    /// Too small to mean anything.
+    Ignored,
+}
+
+/// A pen sample after preprocessing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Canvas position in pixels.
+    pub position: Vec2,
+    /// Pen pressure 0 to 1.
+    pub pressure: f32,
+    /// Pen tilt in degrees.
+    pub tilt_deg: Vec2,
+}
+
+/// The verdict on one stroke, in the order of the drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mark {
+    /// The stroke.
+    pub stroke: StrokeId,
+    /// What it is.
+    pub part: Part,
+    /// How sure that is, 0 to 1; 1 where the artist chose the tool.
+    pub confidence: f32,
+}
+
+/// A petal or leaf in the drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlatBlade {
+    /// The stroke that drew it, `None` for a copy inside a leaf outline.
+    pub stroke: Option<StrokeId>,
+    /// Closed outline, first sample not repeated, from the root round to the root.
+    pub outline: Vec<Sample>,
+    /// Where it is attached.
+    pub root: Vec2,
+    /// Its far, sharp end.
+    pub tip: Vec2,
+    /// Leaf from which an affine copy was made: index into [`Anatomy::templates`].
+    pub template: Option<u32>,
+}
+
+impl FlatBlade {
+    /// Vector from root to tip in pixels.
+    pub fn axis(&self) -> Vec2 {
+        self.tip - self.root
+    }
+}
+
+/// A branch in the drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlatBranch {
+    /// The stroke that drew it, `None` for a generated twig.
+    pub stroke: Option<StrokeId>,
+    /// Skeleton from base to end, at least two samples.
+    pub line: Vec<Sample>,
+    /// Index of the branch that carries it, always smaller than its own.
+    pub parent: Option<usize>,
+    /// Arc length along the parent at which it is attached, pixels.
+    pub attached_at: f32,
+    /// 0 for a trunk, one more for each parent.
+    pub level: u32,
+}
+
+/// A flower in the drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlatFlower {
+    /// Indices into [`Anatomy::petals`].
+    pub petals: Vec<usize>,
+    /// Mean of the petals' roots.
+    pub center: Vec2,
+}
+
+/// What a drawing means.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Anatomy {
+    /// Diagonal of the drawing's bounding box in pixels.
+    pub diagonal: f32,
+    /// Bounding box of the strokes: smallest and largest corner in pixels.
+    pub bounds: (Vec2, Vec2),
+    /// A verdict for each stroke, in drawing order.
+    pub marks: Vec<Mark>,
+    /// Branches, parents before children; generated twigs among them.
+    pub branches: Vec<FlatBranch>,
+    /// Petals of all flowers.
+    pub petals: Vec<FlatBlade>,
+    /// Flowers over those petals.
+    pub flowers: Vec<FlatFlower>,
+    /// Leaves, drawn and generated.
+    pub leaves: Vec<FlatBlade>,
+    /// Outlines from which generated leaves were copied, root at the origin, tip at (0, 1), v toward the tip.
+    pub templates: Vec<Vec<Vec2>>,
+    /// Remarks about odd input.
+    pub warnings: Vec<Warning>,
+}

@@ -1,0 +1,38 @@
+//! The command line: one file per verb.
+//!
+//! Exit codes: 0 done, 1 bad input or failure with one message on stderr, 2 wrong usage (clap's).
+
+pub mod check;
+pub mod render;
+
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+/// Turns pen strokes into 3D plants.
+#[derive(Debug, Parser)]
+#[command(name = "penstemon", version, arg_required_else_help = true)]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub verb: Verb,
+}
+
+/// The verbs.
+#[derive(Debug, Subcommand)]
+pub enum Verb {
+    /// Mesh quality report of an OBJ or GLB file; exit code 1 when a defect is found.
+    Check(check::Args),
+    /// Picture of a sketch or model.
+    Render(render::Args),
+}
+
+/// Runs one command line.
+///
+/// # Errors
+/// Anything that kept the verb from its result, ready to be shown.
+pub fn run(cli: Cli) -> anyhow::Result<ExitCode> {
+    match cli.verb {
+        Verb::Check(args) => check::run(&args),
+        Verb::Render(args) => render::run(&args),
+    }
+}

@@ -1,0 +1,1 @@
+//! Pose of a flower from the projection of its cone.

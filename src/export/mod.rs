@@ -1,0 +1,1 @@
+//! Finished models to files: one trait, one file per format.

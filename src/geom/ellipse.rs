@@ -1,0 +1,1 @@
+//! Ellipse through points, by direct least squares.

@@ -1,0 +1,3 @@
+//! Mathematics that knows no plant: polylines, frames, polygons, ellipse fit, mean shift.
+
+pub mod ellipse;

@@ -1,0 +1,31 @@
+//! Penstemon turns pen strokes into 3D plants.
+//!
+//! Data flows down this list; a module uses only modules above it (and [`geom`] and [`params`]):
+//!
+//! | module | purpose |
+//! | --- | --- |
+//! | [`params`] | described parameters, one struct per stage |
+//! | [`geom`] | polylines, frames, polygons, ellipses: mathematics that knows no plant |
+//! | [`sketch`] | the document: strokes, tools, file formats |
+//! | [`plant`] | the waist: branches and organs in space |
+//! | [`anatomy`] | what the strokes mean, still flat |
+//! | [`depth`] | anatomy to plant |
+//! | [`species`] | what the drawing does not say: materials, forms, hearts of flowers |
+//! | [`model`] | plant to meshes |
+//! | [`pipeline`] | all of these in a row |
+//! | [`export`] | OBJ and glTF files |
+//! | [`render`] | pictures |
+//! | [`cli`] | the command line |
+
+pub mod anatomy;
+pub mod cli;
+pub mod depth;
+pub mod export;
+pub mod geom;
+pub mod model;
+pub mod params;
+pub mod pipeline;
+pub mod plant;
+pub mod render;
+pub mod sketch;
+pub mod species;

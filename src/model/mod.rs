@@ -1,0 +1,68 @@
+//! Plant to meshes: every branch and organ becomes a [`Part`] of a [`Model`].
+//!
+//! Blades and tubes are closed and manifold, wound counter-clockwise seen from outside, with UVs that fit the part's
+//! texture. Nothing here knows a drawing: the input is a [`Plant`](crate::plant::Plant), the output plain arrays.
+
+pub mod mesh;
+pub mod quality;
+
+pub use mesh::{Mesh, Vertex};
+
+use crate::plant::{Material, OrganKind};
+use glam::Vec3;
+
+/// What a part is; `g` groups in OBJ and the part colours of the debugging view.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum PartKind {
+    /// A branch.
+    Wood,
+    /// Anything that grows on one.
+    Organ(OrganKind),
+}
+
+/// One connected piece of the plant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// Unique name, such as `branch_3` or `petal_12`.
+    pub name: String,
+    /// What it is.
+    pub kind: PartKind,
+    /// Index of the part that carries it: a branch's parent branch, an organ's branch. Always smaller than its own.
+    pub parent: Option<usize>,
+    /// Index of the plant within the drawing, counted from 0; all parts of one plant have the same number.
+    pub specimen: usize,
+    /// Where the part is attached, metres: the origin of its node in exported files.
+    pub pivot: Vec3,
+    /// Index into [`Model::materials`].
+    pub material: usize,
+    /// The surface in world metres.
+    pub mesh: Mesh,
+}
+
+/// A finished plant, ready to be drawn or exported.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Model {
+    /// Parts, carriers before what they carry.
+    pub parts: Vec<Part>,
+    /// The looks that parts refer to.
+    pub materials: Vec<Material>,
+}
+
+impl Model {
+    /// Vertices over all parts, as a renderer counts them.
+    pub fn vertex_count(&self) -> usize {
+        self.parts.iter().map(|p| p.mesh.vertices.len()).sum()
+    }
+
+    /// Triangles over all parts.
+    pub fn triangle_count(&self) -> usize {
+        self.parts.iter().map(|p| p.mesh.triangles.len()).sum()
+    }
+
+    /// Smallest and largest corner over all parts, `None` for an empty model.
+    pub fn bounds(&self) -> Option<(Vec3, Vec3)> {
+        let mut points = self.parts.iter().flat_map(|p| &p.mesh.points).copied();
+        let first = points.next()?;
+        Some(points.fold((first, first), |(lo, hi), p| (lo.min(p), hi.max(p))))
+    }
+}

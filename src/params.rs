@@ -1,0 +1,316 @@
+//! Parameters: one struct beside each stage, described once and read by everybody.
+//!
+//! [`parameters!`] declares a struct of plain numbers together with what an artist needs to know of each field:
+//! help text (the field's own doc comment), default, unit and range. Panels, the command line (`--set PATH=VALUE`),
+//! species files and sketch files all go through the same description, so nothing is said twice.
+//! [`parameter_groups!`] nests such structs; a field's path is the field names joined by dots.
+//!
+//! Limits: a parameter is a number, an integer or a switch. Anything richer belongs in a species file.
+
+use serde::{Serialize, de::DeserializeOwned};
+use serde_json::{Map, Value};
+use thiserror::Error;
+
+/// What a panel or a help page shows for one parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Description {
+    /// Dotted path, such as `anatomy.preprocess.spacing`.
+    pub path: String,
+    /// One line for the artist.
+    pub help: String,
+    /// Unit of the value, empty for plain counts and factors.
+    pub unit: &'static str,
+    /// Smallest allowed value.
+    pub min: f64,
+    /// Largest allowed value.
+    pub max: f64,
+    /// Value when nothing is said; switches are 0 or 1.
+    pub default: f64,
+}
+
+/// A parameter that cannot be used.
+#[derive(Debug, Error, PartialEq)]
+pub enum ParamError {
+    /// The path names no parameter.
+    #[error("there is no parameter `{path}`{}", suggestion(.nearest))]
+    Unknown {
+        /// The path as it was given.
+        path: String,
+        /// The known path that looks most like it.
+        nearest: Option<String>,
+    },
+    /// The value has the wrong type.
+    #[error("parameter `{path}`: {reason}")]
+    Type {
+        /// Path of the parameter.
+        path: String,
+        /// What was expected.
+        reason: String,
+    },
+    /// The value lies outside its range.
+    #[error("parameter `{path}` is {value}, outside {min} to {max}")]
+    Range {
+        /// Path of the parameter.
+        path: String,
+        /// The refused value.
+        value: f64,
+        /// Smallest allowed value.
+        min: f64,
+        /// Largest allowed value.
+        max: f64,
+    },
+}
+
+fn suggestion(nearest: &Option<String>) -> String {
+    nearest.as_ref().map(|path| format!("; did you mean `{path}`?")).unwrap_or_default()
+}
+
+/// A struct whose fields are described parameters, or groups of them.
+pub trait Parameters: Serialize + DeserializeOwned + Default {
+    /// Appends the description of every field below `prefix`, in declaration order.
+    fn describe_into(prefix: &str, out: &mut Vec<Description>);
+
+    /// Every parameter of this struct, in declaration order.
+    fn describe() -> Vec<Description> {
+        let mut out = Vec::new();
+        Self::describe_into("", &mut out);
+        out
+    }
+}
+
+/// A value that a parameter can hold; switches count as 0 and 1.
+pub trait ParamValue: Copy {
+    /// The value as a number, for ranges and panels.
+    fn as_number(self) -> f64;
+}
+
+macro_rules! numeric_param {
+    ($($ty:ty),*) => { $(impl ParamValue for $ty { fn as_number(self) -> f64 { self as f64 } })* };
+}
+numeric_param!(f32, u32, usize, i32);
+
+impl ParamValue for bool {
+    fn as_number(self) -> f64 {
+        f64::from(u8::from(self))
+    }
+}
+
+/// Joins a group's prefix and a field name into a path.
+pub fn join(prefix: &str, name: &str) -> String {
+    if prefix.is_empty() { name.to_owned() } else { format!("{prefix}.{name}") }
+}
+
+/// Declares a struct of parameters. Each field reads
+/// `/// help` `name: type = default, min..=max, "unit";`.
+#[macro_export]
+macro_rules! parameters {
+    ($(#[doc = $about:literal])* $vis:vis struct $name:ident {
+        $($(#[doc = $help:literal])+ $field:ident: $ty:ty = $default:expr, $min:literal ..= $max:literal, $unit:literal;)*
+    }) => {
+        $(#[doc = $about])*
+        #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+        #[serde(default, deny_unknown_fields)]
+        $vis struct $name {
+            $($(#[doc = $help])+
+              #[doc = concat!(" Default `", stringify!($default), "`, range `", stringify!($min), "..=", stringify!($max), "` ", $unit, ".")]
+              pub $field: $ty,)*
+        }
+
+        impl Default for $name {
+            fn default() -> Self {
+                Self { $($field: $default,)* }
+            }
+        }
+
+        impl $crate::params::Parameters for $name {
+            fn describe_into(prefix: &str, out: &mut Vec<$crate::params::Description>) {
+                use $crate::params::ParamValue;
+                let default = Self::default();
+                $(out.push($crate::params::Description {
+                    path: $crate::params::join(prefix, stringify!($field)),
+                    help: concat!($($help),+).trim().to_owned(),
+                    unit: $unit,
+                    min: f64::from($min),
+                    max: f64::from($max),
+                    default: default.$field.as_number(),
+                });)*
+            }
+        }
+    };
+}
+
+/// Declares a struct whose fields are themselves parameter structs.
+#[macro_export]
+macro_rules! parameter_groups {
+    ($(#[doc = $about:literal])* $vis:vis struct $name:ident {
+        $($(#[doc = $help:literal])+ $field:ident: $ty:ty;)*
+    }) => {
+        $(#[doc = $about])*
+        #[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
+        #[serde(default, deny_unknown_fields)]
+        $vis struct $name {
+            $($(#[doc = $help])+ pub $field: $ty,)*
+        }
+
+        impl $crate::params::Parameters for $name {
+            fn describe_into(prefix: &str, out: &mut Vec<$crate::params::Description>) {
+                $(<$ty as $crate::params::Parameters>::describe_into(
+                    &$crate::params::join(prefix, stringify!($field)), out);)*
+            }
+        }
+    };
+}
+
+/// A set of parameters with overrides laid over the defaults, one path at a time.
+///
+/// Later layers win: species file, then sketch file, then command line.
+pub struct Overrides {
+    known: Vec<Description>,
+    values: Value,
+}
+
+impl Overrides {
+    /// Starts from the defaults of `P`.
+    pub fn new<P: Parameters>() -> Self {
+        let values = serde_json::to_value(P::default()).unwrap_or_else(|_| Value::Object(Map::new()));
+        Self { known: P::describe(), values }
+    }
+
+    /// Lays a tree of values (`{"anatomy": {"preprocess": {…}}}`) over what is there; dotted keys work at any depth.
+    ///
+    /// # Errors
+    /// The first unknown path, wrong type or value out of range.
+    pub fn merge(&mut self, tree: &Map<String, Value>) -> Result<(), ParamError> {
+        self.merge_below("", tree)
+    }
+
+    fn merge_below(&mut self, prefix: &str, tree: &Map<String, Value>) -> Result<(), ParamError> {
+        for (key, value) in tree {
+            let path = join(prefix, key);
+            match value {
+                Value::Object(inner) => self.merge_below(&path, inner)?,
+                leaf => self.set(&path, leaf.clone())?,
+            }
+        }
+        Ok(())
+    }
+
+    /// Sets one parameter from `PATH=VALUE` as typed on a command line.
+    ///
+    /// # Errors
+    /// A text without `=`, an unknown path, a wrong type or a value out of range.
+    pub fn set_text(&mut self, assignment: &str) -> Result<(), ParamError> {
+        let Some((path, text)) = assignment.split_once('=') else {
+            let reason = "write it as PATH=VALUE".to_owned();
+            return Err(ParamError::Type { path: assignment.to_owned(), reason });
+        };
+        let value = serde_json::from_str(text.trim()).unwrap_or_else(|_| Value::String(text.to_owned()));
+        self.set(path.trim(), value)
+    }
+
+    fn set(&mut self, path: &str, value: Value) -> Result<(), ParamError> {
+        let Some(known) = self.known.iter().find(|d| d.path == path) else {
+            return Err(ParamError::Unknown { path: path.to_owned(), nearest: self.nearest(path) });
+        };
+        let number = match &value {
+            Value::Bool(on) => f64::from(u8::from(*on)),
+            Value::Number(n) => n.as_f64().unwrap_or(f64::NAN),
+            other => return Err(type_error(path, &format!("needs a number or true/false, not {other}"))),
+        };
+        if !(known.min..=known.max).contains(&number) {
+            return Err(ParamError::Range { path: path.to_owned(), value: number, min: known.min, max: known.max });
+        }
+        let slot = path.split('.').try_fold(&mut self.values, |tree, key| tree.get_mut(key));
+        let Some(slot) = slot else {
+            return Err(ParamError::Unknown { path: path.to_owned(), nearest: None });
+        };
+        *slot = coerced(slot, value, number).map_err(|reason| type_error(path, reason))?;
+        Ok(())
+    }
+
+    /// The parameters with every override applied.
+    ///
+    /// # Errors
+    /// A value that the struct cannot hold.
+    pub fn finish<P: Parameters>(self) -> Result<P, ParamError> {
+        serde_json::from_value(self.values).map_err(|e| type_error("parameters", &e.to_string()))
+    }
+
+    fn nearest(&self, path: &str) -> Option<String> {
+        let shared = |known: &str| {
+            let tail = |s: &str| s.rsplit('.').next().unwrap_or_default().to_owned();
+            let (a, b) = (tail(known), tail(path));
+            a.chars().zip(b.chars()).take_while(|(x, y)| x == y).count()
+        };
+        let best = self.known.iter().max_by_key(|d| shared(&d.path))?;
+        (shared(&best.path) >= 3).then(|| best.path.clone())
+    }
+}
+
+/// Keeps the JSON type that the struct expects: switches stay switches, counts stay whole.
+fn coerced(slot: &Value, value: Value, number: f64) -> Result<Value, &'static str> {
+    match (slot, &value) {
+        (Value::Bool(_), Value::Bool(_)) => Ok(value),
+        (Value::Bool(_), _) => Err("needs true or false"),
+        (_, Value::Bool(_)) => Err("needs a number"),
+        (Value::Number(old), _) if old.is_u64() && number.fract() == 0.0 => Ok(Value::from(number as u64)),
+        (Value::Number(old), _) if old.is_u64() => Err("needs a whole number"),
+        _ => Ok(value),
+    }
+}
+
+fn type_error(path: &str, reason: &str) -> ParamError {
+    ParamError::Type { path: path.to_owned(), reason: reason.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    parameters! {
+        /// Parameters of a stage that exists only here.
+        struct Inner {
+            /// How far.
+            reach: f32 = 0.5, 0.0..=1.0, "of the diagonal";
+            /// How many.
+            count: u32 = 3, 1..=9, "";
+            /// Whether at all.
+            on: bool = true, 0..=1, "";
+        }
+    }
+    parameter_groups! {
+        /// A group.
+        struct Outer {
+            /// The inner stage.
+            inner: Inner;
+        }
+    }
+
+    #[test]
+    fn descriptions_carry_path_help_and_range() {
+        let all = Outer::describe();
+        assert_eq!(all[0].path, "inner.reach");
+        assert_eq!(all[0].help, "How far.");
+        assert_eq!((all[1].min, all[1].max, all[1].default), (1.0, 9.0, 3.0));
+    }
+
+    #[test]
+    fn overrides_reach_the_struct() {
+        let mut o = Overrides::new::<Outer>();
+        o.set_text("inner.reach=0.25").unwrap();
+        o.set_text("inner.on=false").unwrap();
+        let outer: Outer = o.finish().unwrap();
+        assert_eq!(outer, Outer { inner: Inner { reach: 0.25, count: 3, on: false } });
+    }
+
+    #[test]
+    fn refusals_say_which_parameter_and_why() {
+        let mut o = Overrides::new::<Outer>();
+        let message = |r: Result<(), ParamError>| r.unwrap_err().to_string();
+        assert!(message(o.set_text("inner.reahc=1")).contains("did you mean `inner.reach`?"));
+        assert!(message(o.set_text("inner.reach=2")).contains("outside 0 to 1"));
+        assert!(message(o.set_text("inner.count=2.5")).contains("whole number"));
+        assert!(message(o.set_text("inner.on=1")).contains("true or false"));
+        assert!(message(o.set_text("inner.reach")).contains("PATH=VALUE"));
+    }
+}

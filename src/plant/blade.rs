@@ -1,0 +1,102 @@
+//! A blade: petal, leaf or sepal as an outline on a rest surface, with the form that bends it.
+//!
+//! The outline lives in the blade's own plane: v along the axis from base to tip, u to the right of it, in metres. The
+//! rest surface says where that plane stands in the world; the form (000 eqs. 5.1 to 5.3) is what the plant, not the
+//! drawing, adds: bending, cupping, thickness. The model stage turns all three into a mesh.
+
+use super::Cone;
+use glam::{Vec2, Vec3};
+use serde::{Deserialize, Serialize};
+
+/// How a blade departs from its rest surface; lengths are shares of the blade's length.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct BladeForm {
+    /// Quartic term of bending away from the face, 000 eq. 5.1 `A`; −1 to 1.
+    pub bend_quartic: f32,
+    /// Quadratic term of bending away from the face, 000 eq. 5.1 `B`; −1 to 1.
+    pub bend_quadratic: f32,
+    /// Depth of the hollow, 000 eqs. 5.2 and 5.3 `A·B`; −2 to 2, negative bulges.
+    pub cup: f32,
+    /// Height of the fold along the midrib: both halves rise from it like a V; −1 to 1.
+    pub fold: f32,
+    /// Amplitude of waves along the margin; 0 to 0.3.
+    pub ruffle: f32,
+    /// Waves along the whole margin; 0 to 40.
+    pub ruffle_waves: f32,
+    /// Thickness in the middle; 0.001 to 0.1.
+    pub thickness: f32,
+}
+
+impl Default for BladeForm {
+    fn default() -> Self {
+        Self {
+            bend_quartic: 0.04,
+            bend_quadratic: 0.08,
+            cup: 0.3,
+            fold: 0.0,
+            ruffle: 0.0,
+            ruffle_waves: 0.0,
+            thickness: 0.01,
+        }
+    }
+}
+
+/// Where the blade's plane stands in the world before it bends.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RestSurface {
+    /// The plane through `base` spanned by `u` and `v`.
+    Plane,
+    /// The side of a cone seen from the front: x and y from the plane, which is parallel to the drawing, z from the
+    /// cone's sheet near `hint`.
+    Cone {
+        /// The cone, in world metres.
+        cone: Cone,
+        /// Depth of the blade's tip: tells which of the cone's two depths is meant.
+        hint: f32,
+    },
+}
+
+/// A petal, leaf or sepal.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Blade {
+    /// Closed outline in (u, v) metres, counter-clockwise, first point not repeated, at least three points, simple.
+    pub outline: Vec<Vec2>,
+    /// Pen pressure's curl at each outline point, −1 (away from the face) to 1 (toward it), 0 for none; empty for none.
+    pub curl: Vec<f32>,
+    /// World position of the base, (u, v) = 0.
+    pub base: Vec3,
+    /// World vector of u, unit length unless the blade is an affine copy.
+    pub u: Vec3,
+    /// World vector of v, unit length unless the blade is an affine copy.
+    pub v: Vec3,
+    /// Distance from base to tip along v, in (u, v) metres, positive.
+    pub length: f32,
+    /// Where the plane stands.
+    pub rest: RestSurface,
+    /// How the blade departs from it.
+    pub form: BladeForm,
+    /// Blades with the same number have the same outline and curl and may share their triangulation.
+    pub template: Option<u32>,
+}
+
+impl Blade {
+    /// World position of the base.
+    pub fn base(&self) -> Vec3 {
+        self.base
+    }
+
+    /// World position of plane coordinates on the rest surface.
+    pub fn at_rest(&self, uv: Vec2) -> Vec3 {
+        let p = self.base + self.u * uv.x + self.v * uv.y;
+        match &self.rest {
+            RestSurface::Plane => p,
+            RestSurface::Cone { cone, hint } => {
+                let share = (uv.y / self.length).clamp(0.0, 1.0);
+                let hint = cone.apex.z + (hint - cone.apex.z) * share;
+                Vec3::new(p.x, p.y, cone.depth_near(p.truncate(), hint))
+            }
+        }
+    }
+}

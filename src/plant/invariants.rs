@@ -1,0 +1,75 @@
+//! What must hold for every [`Plant`]; called by tests, property tests, fuzz targets and debug builds.
+
+use super::{Blade, Organ, Plant, Shape};
+use glam::Vec3;
+
+impl Plant {
+    /// Checks indices, topological order, finite numbers and positive sizes.
+    ///
+    /// # Errors
+    /// The first violation, in words.
+    pub fn check_invariants(&self) -> Result<(), String> {
+        let scale = self.world_from_canvas.scale;
+        ensure(scale.is_finite() && scale > 0.0, || format!("scale {scale}"))?;
+        for (i, branch) in self.branches.iter().enumerate() {
+            let here = |what: &str| format!("branch {i}: {what}");
+            ensure(branch.parent.is_none_or(|p| p < i), || here("parent stands after it"))?;
+            ensure(branch.points.len() >= 2, || here("fewer than two points"))?;
+            ensure(branch.points.len() == branch.radii.len(), || here("points and radii differ in number"))?;
+            ensure(branch.points.iter().all(|p| p.is_finite()), || here("point not finite"))?;
+            ensure(branch.points.windows(2).all(|w| w[0] != w[1]), || here("repeated point"))?;
+            ensure(branch.radii.iter().all(|r| r.is_finite() && *r > 0.0), || here("radius not positive"))?;
+            ensure(branch.material < self.materials.len(), || here("material out of range"))?;
+        }
+        for (i, flower) in self.flowers.iter().enumerate() {
+            let here = |what: &str| format!("flower {i}: {what}");
+            ensure(flower.branch.is_none_or(|b| b < self.branches.len()), || here("branch out of range"))?;
+            ensure(is_unit(flower.cone.axis), || here("axis is not a unit vector"))?;
+            ensure(flower.cone.apex.is_finite(), || here("apex not finite"))?;
+            ensure(flower.reach.is_finite() && flower.reach > 0.0, || here("reach not positive"))?;
+        }
+        self.organs.iter().enumerate().try_for_each(|(i, organ)| self.check_organ(i, organ))
+    }
+
+    fn check_organ(&self, i: usize, organ: &Organ) -> Result<(), String> {
+        let here = |what: &str| format!("organ {i} ({:?}): {what}", organ.kind);
+        ensure(organ.branch.is_none_or(|b| b < self.branches.len()), || here("branch out of range"))?;
+        ensure(organ.flower.is_none_or(|f| f < self.flowers.len()), || here("flower out of range"))?;
+        ensure(organ.material < self.materials.len(), || here("material out of range"))?;
+        match &organ.shape {
+            Shape::Blade(blade) => check_blade(blade).map_err(|what| here(&what)),
+            Shape::Dome { base, axis, radius, height } => {
+                ensure(base.is_finite() && is_unit(*axis), || here("pose"))?;
+                ensure(*radius > 0.0 && *height > 0.0, || here("size not positive"))
+            }
+            Shape::Filament { points, radius, head, head_material } => {
+                ensure(points.len() >= 2 && points.iter().all(|p| p.is_finite()), || here("points"))?;
+                ensure(points.windows(2).all(|w| w[0] != w[1]), || here("repeated point"))?;
+                ensure(*radius > 0.0 && head.min_element() >= 0.0, || here("size not positive"))?;
+                ensure(*head_material < self.materials.len(), || here("head material out of range"))
+            }
+            Shape::Lathe { base, axis, profile } => {
+                ensure(base.is_finite() && is_unit(*axis), || here("pose"))?;
+                ensure(profile.len() >= 3 && profile.iter().all(|p| p.is_finite()), || here("profile"))
+            }
+        }
+    }
+}
+
+fn check_blade(blade: &Blade) -> Result<(), String> {
+    ensure(blade.outline.len() >= 3, || "outline of fewer than three points".into())?;
+    ensure(blade.outline.iter().all(|p| p.is_finite()), || "outline not finite".into())?;
+    let curls = blade.curl.len();
+    ensure(curls == 0 || curls == blade.outline.len(), || "curl and outline differ in number".into())?;
+    ensure(blade.curl.iter().all(|c| (-1.0..=1.0).contains(c)), || "curl out of range".into())?;
+    ensure(blade.length.is_finite() && blade.length > 0.0, || "length not positive".into())?;
+    ensure(blade.base.is_finite() && blade.u.is_finite() && blade.v.is_finite(), || "pose not finite".into())
+}
+
+fn is_unit(v: Vec3) -> bool {
+    (v.length_squared() - 1.0).abs() < 1e-3
+}
+
+fn ensure(holds: bool, what: impl FnOnce() -> String) -> Result<(), String> {
+    if holds { Ok(()) } else { Err(what()) }
+}

@@ -1,0 +1,1 @@
+//! Pictures of models through wgpu, offscreen or in a window.

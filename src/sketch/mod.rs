@@ -1,0 +1,150 @@
+//! The document: what the artist drew, before anybody understands it.
+//!
+//! A [`Sketch`] is plain data: strokes of raw pen samples in canvas pixels (x right, y down), the tool each was drawn
+//! with, and the choices that belong to the drawing (species, seed, parameters). [`read`] opens `.penstemon` JSON and
+//! SVG; [`json`] also writes. Reading is total: any bytes end in a sketch or in a [`SketchError`] that says what is
+//! wrong and where. Limits are constants in [`limits`].
+
+pub mod error;
+pub mod json;
+pub mod limits;
+pub mod read;
+pub mod svg;
+
+pub use error::SketchError;
+pub use read::read;
+
+use glam::Vec2;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+/// Name of a stroke within its drawing; unique, kept over saving and loading.
+pub type StrokeId = u64;
+
+/// What a stroke was drawn as.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Tool {
+    /// Petal, leaf or branch: the classifier decides.
+    #[default]
+    Auto,
+    /// Outline of a petal.
+    Petal,
+    /// Outline of a leaf.
+    Leaf,
+    /// Skeleton of a branch.
+    Branch,
+    /// Region to fill with twigs.
+    BranchOutline,
+    /// Region to fill with leaves.
+    LeafOutline,
+}
+
+impl Tool {
+    /// Every tool, in the order in which help and panels list them.
+    pub const ALL: [Tool; 6] =
+        [Tool::Auto, Tool::Petal, Tool::Leaf, Tool::Branch, Tool::BranchOutline, Tool::LeafOutline];
+
+    /// The name used in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Tool::Auto => "auto",
+            Tool::Petal => "petal",
+            Tool::Leaf => "leaf",
+            Tool::Branch => "branch",
+            Tool::BranchOutline => "branch_outline",
+            Tool::LeafOutline => "leaf_outline",
+        }
+    }
+}
+
+/// One raw sample of the pen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StrokePoint {
+    /// Canvas position in pixels, x right, y down.
+    pub position: Vec2,
+    /// Pen pressure 0 to 1; a mouse or a finger has [`StrokePoint::NEUTRAL_PRESSURE`].
+    pub pressure: f32,
+    /// Pen tilt in degrees, −90 to 90: x toward the right, y toward the artist.
+    pub tilt_deg: Vec2,
+    /// Milliseconds since the stroke began.
+    pub time_ms: f32,
+}
+
+impl StrokePoint {
+    /// Pressure of a device that has none; gives the behaviour of the papers.
+    pub const NEUTRAL_PRESSURE: f32 = 0.5;
+
+    /// A sample from a device that knows nothing but its position.
+    pub fn at(position: Vec2) -> Self {
+        Self { position, pressure: Self::NEUTRAL_PRESSURE, tilt_deg: Vec2::ZERO, time_ms: 0.0 }
+    }
+}
+
+/// One pen-down to pen-up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stroke {
+    /// Name within the drawing.
+    pub id: StrokeId,
+    /// What it was drawn as.
+    pub tool: Tool,
+    /// Raw samples in the order drawn; never empty in a sketch that was read.
+    pub points: Vec<StrokePoint>,
+}
+
+/// Size of the drawing surface in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Canvas {
+    /// Width in pixels, positive.
+    pub width: f32,
+    /// Height in pixels, positive.
+    pub height: f32,
+}
+
+/// A drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sketch {
+    /// Drawing surface; the strokes' bounding box when the file said nothing.
+    pub canvas: Canvas,
+    /// Built-in species name or path of a species file; `None` leaves the choice to the program.
+    pub species: Option<String>,
+    /// Seed of everything random in the plant.
+    pub seed: u64,
+    /// Parameter overrides by dotted path or nested object.
+    pub params: Map<String, Value>,
+    /// The strokes, oldest first.
+    pub strokes: Vec<Stroke>,
+}
+
+impl Sketch {
+    /// Smallest and largest corner over all samples, `None` without samples.
+    pub fn bounds(&self) -> Option<(Vec2, Vec2)> {
+        let mut positions = self.strokes.iter().flat_map(|s| &s.points).map(|p| p.position);
+        let first = positions.next()?;
+        Some(positions.fold((first, first), |(lo, hi), p| (lo.min(p), hi.max(p))))
+    }
+
+    /// Diagonal of [`Sketch::bounds`] in pixels: the yardstick of every scale-free length. Zero without samples.
+    pub fn diagonal(&self) -> f32 {
+        self.bounds().map_or(0.0, |(lo, hi)| (hi - lo).length())
+    }
+}
+
+/// A remark about an odd drawing that was built all the same.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Warning {
+    /// The stroke it is about, when it is about one.
+    pub stroke: Option<StrokeId>,
+    /// What was odd and what was done about it.
+    pub message: String,
+}
+
+impl std::fmt::Display for Warning {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.stroke {
+            Some(id) => write!(f, "stroke {id}: {}", self.message),
+            None => f.write_str(&self.message),
+        }
+    }
+}
