@@ -1,3 +1,7 @@
-//! Mathematics that knows no plant: polylines, frames, polygons, ellipse fit, mean shift.
+//! Mathematics that knows no plant: polylines, loops, regions, clusters, frames, ellipses.
 
 pub mod ellipse;
+pub mod mean_shift;
+pub mod polyline;
+pub mod region;
+pub mod simple_loop;
