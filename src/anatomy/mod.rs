@@ -4,8 +4,12 @@
 //! All positions are canvas pixels (x right, y down); every length threshold is a share of the drawing's diagonal or
 //! of a blade's own size, so that the same drawing at another scale means the same plant.
 
+pub mod blade_outline;
 pub mod classify;
 pub mod features;
+pub mod flowers;
+pub mod hierarchy;
+pub mod preprocess;
 
 use crate::sketch::{StrokeId, Warning};
 use glam::Vec2;
@@ -38,6 +42,17 @@ pub struct Sample {
     pub pressure: f32,
     /// Pen tilt in degrees.
     pub tilt_deg: Vec2,
+}
+
+impl Sample {
+    /// The sample between two others, `share` of the way from `a` to `b`.
+    pub fn lerp(a: &Sample, b: &Sample, share: f32) -> Sample {
+        Sample {
+            position: a.position.lerp(b.position, share),
+            pressure: a.pressure + (b.pressure - a.pressure) * share,
+            tilt_deg: a.tilt_deg.lerp(b.tilt_deg, share),
+        }
+    }
 }
 
 /// The verdict on one stroke, in the order of the drawing.

@@ -1,0 +1,138 @@
+//! Landmarks of a blade: clean outline, root, tip (000 §3.2).
+//!
+//! The root is the middle between the stroke's ends; where the hand overshot and the ends cross, the tails are cut off
+//! first, and the crossing is the root. The tip is the farthest and sharpest place. 000 eq. 3.2 compares slopes (and is
+//! misprinted); slopes have no meaning on vertical tangents, so sharpness is the turning angle over a short stretch of
+//! outline, and distance is measured against the farthest sample: both are free of scale and direction.
+
+use super::{FlatBlade, Sample, preprocess::turning};
+use crate::geom::simple_loop;
+use crate::sketch::StrokeId;
+use glam::Vec2;
+
+crate::parameters! {
+    /// How the tip of a blade is found.
+    pub struct TipParams {
+        /// Weight of being far from the root.
+        distance_weight: f32 = 1.0, 0.0..=10.0, "";
+        /// Weight of being sharp; 000 eq. 3.2 takes half of the distance's.
+        sharpness_weight: f32 = 0.5, 0.0..=10.0, "";
+    }
+}
+
+/// Stretch of outline on each side of a place over which its turn is measured, as a share of the samples.
+const TURN_SHARE: f32 = 0.05;
+
+/// A blade from the samples of its stroke; `None` when nothing is enclosed.
+pub fn blade(stroke: StrokeId, samples: &[Sample], params: &TipParams) -> Option<FlatBlade> {
+    let (first, last) = (samples.first()?, samples.last()?);
+    let mut outline = simple_loop::make_simple(without_repeated_end(samples), |s| s.position, Sample::lerp);
+    if outline.len() < 3 || simple_loop::signed_area(outline.iter().map(|s| s.position)) == 0.0 {
+        return None;
+    }
+    let root = if outline[0] == *first {
+        first.position.midpoint(last.position)
+    } else {
+        begin_between(&mut outline, first.position, last.position);
+        outline[0].position
+    };
+    let tip = outline[tip_index(&outline, root, params)].position;
+    Some(FlatBlade { stroke: Some(stroke), outline, root, tip, template: None })
+}
+
+/// The samples of a loop: where the hand returned to its first sample, that one is not repeated.
+fn without_repeated_end(samples: &[Sample]) -> Vec<Sample> {
+    let start = samples[0].position;
+    let span = samples.iter().map(|s| s.position.distance(start)).fold(0.0, f32::max);
+    let kept = samples.iter().rposition(|s| s.position.distance(start) > 1e-3 * span).map_or(1, |i| i + 1);
+    samples[..kept].to_vec()
+}
+
+/// Rotates a loop whose tails were cut to begin at the cut: the sample nearest to both ends of the stroke.
+fn begin_between(outline: &mut [Sample], first: Vec2, last: Vec2) {
+    let ends = |s: &Sample| s.position.distance(first) + s.position.distance(last);
+    let start = (0..outline.len()).min_by(|&a, &b| ends(&outline[a]).total_cmp(&ends(&outline[b]))).unwrap_or(0);
+    outline.rotate_left(start);
+}
+
+/// Index of the sample that is farthest and sharpest.
+fn tip_index(outline: &[Sample], root: Vec2, params: &TipParams) -> usize {
+    let n = outline.len();
+    let farthest = outline.iter().map(|s| s.position.distance(root)).fold(f32::MIN_POSITIVE, f32::max);
+    let reach = ((n as f32 * TURN_SHARE) as usize).clamp(1, n - 1);
+    let score = |i: usize| {
+        let here = outline[i].position;
+        let before = here - outline[i.saturating_sub(reach)].position;
+        let after = outline[(i + reach).min(n - 1)].position - here;
+        params.distance_weight * here.distance(root) / farthest
+            + params.sharpness_weight * turning(before, after) / std::f32::consts::PI
+    };
+    let scores = (reach..n - reach).map(|i| (i, score(i)));
+    scores.max_by(|a, b| a.1.total_cmp(&b.1)).map_or(n / 2, |(i, _)| i)
+}
+
+/// Turns a blade round whose stroke began at its tip.
+pub fn swap_ends(blade: &mut FlatBlade) {
+    let tip = blade.tip;
+    let at = (0..blade.outline.len())
+        .min_by(|&a, &b| {
+            let d = |i: usize| blade.outline[i].position.distance_squared(tip);
+            d(a).total_cmp(&d(b))
+        })
+        .unwrap_or(0);
+    blade.outline.rotate_left(at);
+    std::mem::swap(&mut blade.root, &mut blade.tip);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn samples(points: impl Iterator<Item = Vec2>) -> Vec<Sample> {
+        points.map(|position| Sample { position, pressure: 0.5, tilt_deg: Vec2::ZERO }).collect()
+    }
+
+    /// A pointed leaf from the origin to (0, 100), `turn` radians away from up.
+    fn leaf(turn: f32) -> Vec<Sample> {
+        let half = |k: usize| k as f32 / 20.0;
+        let right = (0..=20).map(|k| Vec2::new(half(k) * (1.0 - half(k)) * 80.0, half(k) * 100.0));
+        let left = (0..20).rev().map(|k| Vec2::new(-half(k) * (1.0 - half(k)) * 80.0, half(k) * 100.0));
+        samples(right.chain(left).map(|p| Vec2::from_angle(turn).rotate(p)))
+    }
+
+    #[test]
+    fn root_and_tip_in_every_direction() {
+        for k in 0..8 {
+            let turn = k as f32 * 0.8;
+            let blade = blade(1, &leaf(turn), &TipParams::default()).unwrap();
+            assert!(blade.root.length() < 1e-3);
+            assert!(blade.tip.distance(Vec2::from_angle(turn).rotate(Vec2::new(0.0, 100.0))) < 1e-2);
+        }
+    }
+
+    #[test]
+    fn crossing_tails_are_cut_and_the_crossing_is_the_root() {
+        let mut tailed = samples([Vec2::new(-6.0, -10.0)].into_iter());
+        tailed.extend(leaf(0.0)[1..40].iter().copied());
+        tailed.extend(samples([Vec2::new(6.0, -10.0)].into_iter()));
+        let blade = blade(1, &tailed, &TipParams::default()).unwrap();
+        assert!(blade.root.distance(Vec2::ZERO) < 4.0, "{}", blade.root);
+        assert!(blade.outline.iter().all(|s| s.position.y > -6.0));
+    }
+
+    #[test]
+    fn swapping_ends_keeps_the_outline() {
+        let mut blade = blade(1, &leaf(0.0), &TipParams::default()).unwrap();
+        let n = blade.outline.len();
+        swap_ends(&mut blade);
+        assert_eq!(blade.outline.len(), n);
+        assert!(blade.root.y > 99.0 && blade.tip.y < 1.0);
+        assert_eq!(blade.outline[0].position, blade.root);
+    }
+
+    #[test]
+    fn a_straight_stroke_encloses_nothing() {
+        let line = samples((0..10).map(|k| Vec2::new(k as f32, 0.0)));
+        assert!(blade(1, &line, &TipParams::default()).is_none());
+    }
+}
