@@ -1,3 +1,7 @@
 //! From the flat drawing to the plant in space (000 ch. 4, 002 §5).
 
+mod cone_fit;
 pub mod cone_pose;
+#[cfg(test)]
+mod cone_pose_tests;
+mod petal_tip;
