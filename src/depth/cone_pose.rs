@@ -1,1 +1,265 @@
-//! Pose of a flower from the projection of its cone.
+//! Pose of a flower from the projection of its cone (000 §4.1, 002 §5.1).
+//!
+//! The petals of a flower stand on a cone whose apex is the flower's centre, their tips on its rim. In the drawing the
+//! apex is the mean of the petals' roots and the rim an ellipse through the tips: its flatness gives the angle between
+//! axis and drawing, its centre's distance from the apex the height.
+//!
+//! How. Tips are first estimated without the cone; the cone's start comes from the ellipse through them (direct least
+//! squares) and from their mean and covariance; a robust fit (`cone_fit`) improves it, and since the true tip
+//! of a round petal depends on the cone, tips and cone are improved in turn. Tips of flat petals, tangent to the cone,
+//! are best found without it, so the unrefined fit competes too: the least misfit wins. A last fit
+//! weighs the tips by how well they lie on any ellipse, and lets priors speak where the drawing is silent:
+//! an opening angle for flowers seen face-on, evenly spread petals for half flowers and for fewer than five petals.
+//!
+//! Departs from the papers: h = l / cos θ where both print l / sin θ; the free ellipse is only a start, as it has one
+//! unknown more than the cone and needs five tips. Limits: one whorl per flower (two whorls get a cone between them);
+//! a front view cannot tell a flower that faces the viewer from one that faces away: [`ConeParams::flip`] chooses.
+
+use super::cone_fit::{ConeFit, Moments, Rim, Trust, improve};
+use super::petal_tip::Petal;
+pub use super::petal_tip::PetalOutline;
+use crate::geom::ellipse::{Ellipse, fit_ellipse};
+use glam::{DVec2, Vec2, Vec3};
+
+crate::parameters! {
+    /// How a flower's cone is understood from its petals.
+    pub struct ConeParams {
+        /// Angle between axis and petals of a flower drawn face-on, which does not show it.
+        opening_prior: f32 = 65.0, 10.0..=85.0, "degrees";
+        /// Sine of the angle between axis and drawing from which the opening prior gains weight, fully at 1.
+        face_on: f32 = 0.985, 0.5..=0.999, "";
+        /// Whether flowers face away from the viewer.
+        flip: bool = false, 0..=1, "";
+        /// Most rounds of finding the tips on the cone and the cone through the tips.
+        rounds: u32 = 5, 0..=50, "";
+    }
+}
+
+/// The cone of a flower; lengths in canvas pixels.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlowerPose {
+    /// Unit axis from the flower's centre outward, world directions: x right, y up, z toward the viewer.
+    pub axis: Vec3,
+    /// Angle between axis and petals, radians, 8° to 85°.
+    pub opening_rad: f32,
+    /// Distance from the centre to the middle of the rim.
+    pub height_px: f32,
+    /// Distance from the centre to the tips.
+    pub slant_px: f32,
+    /// The cone's apex on the canvas: mean of the petals' roots.
+    pub center: Vec2,
+    /// Tip of each petal on the canvas, in the order of the petals.
+    pub tips: Vec<Vec2>,
+    /// Depth of each tip toward the viewer, counted from the centre: tells which of the cone's two sides a petal is on.
+    pub tip_depths: Vec<f32>,
+    /// Whether the drawing alone determines the pose; otherwise priors had a large part in it.
+    pub determined: bool,
+    /// Root mean square distance of the tips from the projected rim, as a share of the slant.
+    pub residual: f32,
+}
+
+/// Standard deviation of tips that a careful hand draws, in units of the petals' length.
+const TIP: f64 = 0.005;
+/// Opening's standard deviation, radians: where the drawing shows it, and where it does not.
+const OPENING: (f64, f64) = (0.5, 0.03);
+/// Evenness's standard deviation: where petals stand all around, and where they stand on one side only.
+const EVENNESS: (f64, f64) = (0.3, 0.02);
+/// Gap between neighbouring petals around the axis at which a flower begins, and ceases, to be one-sided, radians.
+const GAP: (f64, f64) = (2.3, 3.3);
+/// Residual above which the tips lie on no ellipse.
+const LOOSE: f64 = 0.08;
+/// Most steps of a fit from a rough start, and of one between two looks at the tips.
+const STEPS: (u32, u32) = (10, 2);
+
+/// Pose of the flower that `petals` draw. Any outlines give a finite pose; without a usable petal it is a face-on
+/// flower of size 0.
+pub fn flower_pose(petals: &[PetalOutline<'_>], params: &ConeParams) -> FlowerPose {
+    let Some(flower) = Flower::new(petals) else {
+        return without_petals(petals, params);
+    };
+    let prior = f64::from(params.opening_prior).to_radians();
+    let trust = Trust { tip: TIP, opening: (prior, OPENING.0), evenness: EVENNESS.0 };
+    let best = flower.best_fit(&trust, params.rounds);
+    let (cone, trusted) = settled(&best, &trust, params);
+    flower.pose(cone, &best.tips, trusted && best.tips.len() >= 5, params, petals)
+}
+
+/// Petals counted from the flower's centre, in units of their mean length, y down.
+struct Flower {
+    petals: Vec<Petal>,
+    /// For each petal of the input its place in `petals`, `None` for one without shape.
+    place: Vec<Option<usize>>,
+    center: DVec2,
+    size: f64,
+}
+
+/// Tips and the cone through them.
+struct Fitted {
+    cone: ConeFit,
+    cost: f64,
+    tips: Vec<DVec2>,
+}
+
+impl Flower {
+    fn new(outlines: &[PetalOutline<'_>]) -> Option<Self> {
+        let usable: Vec<_> = outlines.iter().map(PetalOutline::is_usable).collect();
+        let used = || outlines.iter().zip(&usable).filter(|(_, ok)| **ok).map(|(outline, _)| outline);
+        let count = used().count();
+        if count == 0 {
+            return None;
+        }
+        let center = used().map(|p| p.root.as_dvec2()).sum::<DVec2>() / count as f64;
+        let size = used().map(PetalOutline::reach).sum::<f64>() / count as f64;
+        let petals = used().map(|p| Petal::new(p, center, size)).collect();
+        let mut places = 0..count;
+        let place = usable.iter().map(|&ok| if ok { places.next() } else { None }).collect();
+        Some(Self { petals, place, center, size })
+    }
+
+    fn best_fit(&self, trust: &Trust, rounds: u32) -> Fitted {
+        let tips: Vec<DVec2> = self.petals.iter().map(|p| p.free_tip).collect();
+        let moments = Moments::of(&tips);
+        let free = |start| {
+            let (cone, cost) = improve(start, &tips, &moments, trust, STEPS.0);
+            Fitted { cone, cost, tips: tips.clone() }
+        };
+        let lesser = |a: Fitted, b: Fitted| if b.cost < a.cost { b } else { a };
+        let mut start = free(start_from_moments(&tips, &moments, trust));
+        if let Some(ellipse) = fit_ellipse(&tips) {
+            start = lesser(start, free(from_ellipse(&ellipse)));
+        }
+        lesser(self.refined(&start, trust, rounds), start)
+    }
+
+    /// Finds the tips on the cone and the cone through the tips in turn.
+    fn refined(&self, from: &Fitted, trust: &Trust, rounds: u32) -> Fitted {
+        let (mut cone, mut cost, mut tips) = (from.cone, from.cost, from.tips.clone());
+        for _ in 0..rounds {
+            let rim = cone.rim();
+            for (tip, petal) in tips.iter_mut().zip(&self.petals) {
+                *tip = petal.tip_on(&rim, *tip);
+            }
+            let before = cone;
+            (cone, cost) = improve(cone, &tips, &Moments::of(&tips), trust, STEPS.1);
+            if cone.is_close_to(&before) {
+                break;
+            }
+        }
+        Fitted { cone, cost, tips }
+    }
+
+    fn pose(
+        &self,
+        cone: ConeFit,
+        tips: &[DVec2],
+        determined: bool,
+        params: &ConeParams,
+        outlines: &[PetalOutline<'_>],
+    ) -> FlowerPose {
+        let rim = cone.rim();
+        let toward = if params.flip { -1.0 } else { 1.0 };
+        let axis = cone.axis();
+        let tip_of = |(place, outline): (&Option<usize>, &PetalOutline<'_>)| match place {
+            Some(k) => (self.center + tips[*k] * self.size).as_vec2(),
+            None if outline.root.is_finite() => outline.root,
+            None => self.center.as_vec2(),
+        };
+        let depth_of = |place: &Option<usize>| match place {
+            Some(k) => (toward * self.size * rim.depth(tips[*k])) as f32,
+            None => 0.0,
+        };
+        FlowerPose {
+            axis: Vec3::new(axis.x as f32, -axis.y as f32, (toward * axis.z) as f32),
+            opening_rad: cone.opening as f32,
+            height_px: (cone.height() * self.size) as f32,
+            slant_px: (cone.slant() * self.size) as f32,
+            center: self.center.as_vec2(),
+            tips: self.place.iter().zip(outlines).map(tip_of).collect(),
+            tip_depths: self.place.iter().map(depth_of).collect(),
+            determined,
+            residual: (misfit(&rim, tips) / cone.slant()) as f32,
+        }
+    }
+}
+
+/// The last fit, with each kind of knowledge weighed by what the first fit showed; and whether the tips alone
+/// determined it. All weights change smoothly with the drawing, so the pose does not jump while the pen moves.
+fn settled(best: &Fitted, trust: &Trust, params: &ConeParams) -> (ConeFit, bool) {
+    let rim = best.cone.rim();
+    let tip = spread_of_tips(&rim, &best.tips);
+    let face_on = smooth_step(f64::from(params.face_on), 1.0, rim.sin2.sqrt());
+    let one_sided = smooth_step(GAP.0, GAP.1, rim.largest_gap(&best.tips));
+    let trust = Trust {
+        tip,
+        opening: (trust.opening.0, OPENING.0 * (OPENING.1 / OPENING.0).powf(face_on)),
+        evenness: EVENNESS.0 * (EVENNESS.1 / EVENNESS.0).powf(one_sided),
+    };
+    let moments = Moments::of(&best.tips);
+    let mut last = improve(best.cone, &best.tips, &moments, &trust, STEPS.0);
+    if one_sided > 0.0 || tip > 4.0 * TIP {
+        let start = start_from_moments(&best.tips, &moments, &trust);
+        let anew = improve(start, &best.tips, &moments, &trust, STEPS.0);
+        if anew.1 < last.1 {
+            last = anew;
+        }
+    }
+    (last.0, face_on < 0.5 && one_sided < 0.5 && tip < LOOSE)
+}
+
+fn start_from_moments(tips: &[DVec2], moments: &Moments, trust: &Trust) -> ConeFit {
+    if tips.len() >= 3 {
+        return moments.cone();
+    }
+    // One or two petals: a flower of the likely opening that leans halfway toward them.
+    let lean = moments.mean.normalize_or_zero() * 0.5f64.sqrt();
+    let (sin, cos) = trust.opening.0.sin_cos();
+    ConeFit::from_rim(lean * cos, sin, lean)
+}
+
+/// The cone whose rim an ellipse about the apex would be.
+fn from_ellipse(e: &Ellipse) -> ConeFit {
+    let minor = e.major.perp();
+    let axis = if minor.dot(e.center) < 0.0 { -minor } else { minor };
+    let cos = (1.0 - (e.semi_minor / e.semi_major).powi(2)).max(0.0).sqrt();
+    ConeFit::from_rim(axis * axis.dot(e.center), e.semi_major, axis * cos)
+}
+
+/// Root mean square distance of the tips from the rim's ellipse.
+fn misfit(rim: &Rim, tips: &[DVec2]) -> f64 {
+    (tips.iter().map(|&q| rim.distance(q).powi(2)).sum::<f64>() / tips.len().max(1) as f64).sqrt()
+}
+
+/// Standard deviation of the tips about the ellipse, by the upper quartile of their distances, which a few odd petals
+/// do not reach.
+fn spread_of_tips(rim: &Rim, tips: &[DVec2]) -> f64 {
+    /// Upper quartile of the size of a standard normal variable.
+    const QUARTILE: f64 = 1.15;
+    let mut sizes: Vec<f64> = tips.iter().map(|&q| rim.distance(q).abs()).collect();
+    sizes.sort_by(f64::total_cmp);
+    let quartile = sizes.get(tips.len() * 3 / 4).map_or(0.0, |d| d / QUARTILE);
+    let count = tips.len() as f64;
+    // As if two tips more had been drawn with a careful hand: few tips always lie on some ellipse.
+    ((2.0 * TIP * TIP + count * quartile * quartile) / (2.0 + (count - 4.0).max(0.0))).sqrt()
+}
+
+fn smooth_step(from: f64, to: f64, x: f64) -> f64 {
+    let share = ((x - from) / (to - from)).clamp(0.0, 1.0);
+    share * share * (3.0 - 2.0 * share)
+}
+
+fn without_petals(outlines: &[PetalOutline<'_>], params: &ConeParams) -> FlowerPose {
+    let sound = |p: Vec2| if p.is_finite() { p } else { Vec2::ZERO };
+    let roots: Vec<Vec2> = outlines.iter().map(|p| sound(p.root)).collect();
+    let mean = roots.iter().map(|r| r.as_dvec2()).sum::<DVec2>() / roots.len().max(1) as f64;
+    FlowerPose {
+        axis: if params.flip { Vec3::NEG_Z } else { Vec3::Z },
+        opening_rad: params.opening_prior.to_radians(),
+        height_px: 0.0,
+        slant_px: 0.0,
+        center: mean.as_vec2(),
+        tip_depths: vec![0.0; roots.len()],
+        tips: roots,
+        determined: false,
+        residual: 0.0,
+    }
+}

@@ -1,0 +1,360 @@
+//! Fit of a flower's cone to the tips of its petals in the drawing.
+//!
+//! What is fitted. With t the axis projected onto the drawing plane (|t| = cos θ, θ the angle between axis and plane),
+//! rim radius R, opening ω and height h = R / tan ω, the rim is a circle about apex + h · axis. From the front it is
+//! the ellipse `|d|² + (t·d)² / (1 − |t|²) = R²` with `d = q − h · t`, q counted from the projected apex:
+//! minor/major = sin θ, and the apex lies on the minor axis at h cos θ from the centre (000 §4.1, 002 §5.1, with
+//! h = l / cos θ where both print l / sin θ). That is one unknown less than a free ellipse has.
+//!
+//! How. Levenberg–Marquardt on the distances of the tips from the ellipse (first order, Sampson) with Huber weights,
+//! plus weak residuals that only speak where the tips are silent:
+//! * opening: a flower seen face-on does not determine its height;
+//! * evenness: petals spread evenly around the axis have their mean tip at the ellipse's centre and a covariance of
+//!   `R²/2 · (1 − ttᵀ)`. It settles flowers of three or four petals and half flowers.
+//!
+//! The axis is (τ, 1)/|(τ, 1)| with τ any vector, so that nothing happens to the parameters when a flower is seen
+//! face-on and no step can leave the half space toward the viewer.
+
+use glam::{DVec2, DVec3};
+
+/// Flattest cone: opening in radians.
+const WIDEST: f64 = 85.0 * std::f64::consts::PI / 180.0;
+/// Steepest cone: opening in radians.
+const NARROWEST: f64 = 8.0 * std::f64::consts::PI / 180.0;
+/// Longest τ: the axis stays 3° off the drawing plane, where the ellipse is a line.
+const LONGEST_TILT: f64 = 19.0;
+/// Size of a Huber residual beyond which it counts linearly, in standard deviations.
+const HUBER: f64 = 2.5;
+const UNKNOWNS: usize = 4;
+
+/// A cone as the fit sees it: apex at the origin of the drawing plane, y down, axis toward the viewer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct ConeFit {
+    /// Axis divided by its part toward the viewer, x and y.
+    pub tilt: DVec2,
+    /// Angle between axis and side, radians.
+    pub opening: f64,
+    /// Radius of the rim.
+    pub radius: f64,
+}
+
+/// The ellipse of the rim, with what its distances need.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rim {
+    /// Projected unit axis, |t| = cos θ.
+    pub t: DVec2,
+    /// Centre, from the projected apex.
+    pub center: DVec2,
+    /// Radius of the rim, the ellipse's major semi-axis.
+    pub radius: f64,
+    /// sin²θ = 1 − |t|².
+    pub sin2: f64,
+    /// Distance from the apex to the rim's plane.
+    pub height: f64,
+}
+
+impl ConeFit {
+    /// Unit axis, y down, z toward the viewer.
+    pub(super) fn axis(&self) -> DVec3 {
+        self.tilt.extend(1.0).normalize()
+    }
+
+    /// Distance from the apex to the rim's plane.
+    pub(super) fn height(&self) -> f64 {
+        self.radius / self.opening.tan()
+    }
+
+    /// Distance from the apex to the rim.
+    pub(super) fn slant(&self) -> f64 {
+        self.radius / self.opening.sin()
+    }
+
+    pub(super) fn rim(&self) -> Rim {
+        let sin2 = 1.0 / (1.0 + self.tilt.length_squared());
+        let t = self.tilt * sin2.sqrt();
+        let height = self.height();
+        Rim { t, center: t * height, radius: self.radius, sin2, height }
+    }
+
+    /// The cone whose rim has this centre, radius and axis.
+    pub(super) fn from_rim(center: DVec2, radius: f64, t: DVec2) -> Self {
+        let cos = t.length().min(0.998);
+        let height = center.length() / cos.max(1e-3);
+        let tilt = t.normalize_or_zero() * (cos / (1.0 - cos * cos).sqrt());
+        Self { tilt, opening: radius.atan2(height), radius }.sane()
+    }
+
+    /// Whether two cones are the same to far less than a pixel.
+    pub(super) fn is_close_to(&self, other: &Self) -> bool {
+        let scale = 1e-4 * (1.0 + self.tilt.length_squared());
+        self.tilt.distance(other.tilt) < scale
+            && (self.opening - other.opening).abs() < 1e-4
+            && (self.radius - other.radius).abs() < 1e-4 * self.radius
+    }
+
+    fn sane(self) -> Self {
+        Self {
+            tilt: self.tilt.clamp_length_max(LONGEST_TILT),
+            opening: self.opening.clamp(NARROWEST, WIDEST),
+            radius: self.radius.max(1e-6),
+        }
+    }
+
+    fn stepped(&self, step: [f64; UNKNOWNS]) -> Self {
+        Self {
+            tilt: self.tilt + DVec2::new(step[0], step[1]),
+            opening: self.opening + step[2],
+            radius: self.radius * step[3].clamp(-1.0, 1.0).exp(),
+        }
+        .sane()
+    }
+}
+
+impl Rim {
+    /// Size of the ellipse about the rim's centre through `d`, counted from there; the rim's own is 1.
+    fn gauge(&self, d: DVec2) -> f64 {
+        (d.length_squared() + self.t.dot(d).powi(2) / self.sin2).sqrt() / self.radius
+    }
+
+    /// Signed distance of a point from the ellipse to first order, positive outside.
+    pub(super) fn distance(&self, q: DVec2) -> f64 {
+        let d = q - self.center;
+        let gauge = self.gauge(d);
+        (gauge - 1.0) / self.slope(d, gauge)
+    }
+
+    /// Length of the gauge's gradient at `d`, positive; at the centre, which has none, that of the minor axis.
+    fn slope(&self, d: DVec2, gauge: f64) -> f64 {
+        let slope = (d + self.t * (self.t.dot(d) / self.sin2)).length() / (self.radius * self.radius * gauge);
+        if slope > 0.0 && slope.is_finite() { slope } else { 1.0 / (self.radius * self.sin2.sqrt()) }
+    }
+
+    /// Slant at which the cone's side passes over `q`, in units of the rim's slant: on the far side of the cone, or on
+    /// the near side, which only a cone seen from outside has. Outside the silhouette the closest approach counts.
+    pub(super) fn slant_share(&self, q: DVec2, near: bool) -> f64 {
+        let along = |a: DVec2, b: DVec2| a.dot(b) + self.t.dot(a) * self.t.dot(b) / self.sin2;
+        let (qq, qm) = (along(q, q), along(q, self.center));
+        let excess = along(self.center, self.center) - self.radius * self.radius;
+        if excess > 0.0 && qm <= 0.0 {
+            return 0.0;
+        }
+        let root = (qm * qm - excess * qq).max(0.0).sqrt();
+        let denominator = if near && excess > 0.0 { qm - root } else { qm + root };
+        if denominator > 0.0 { qq / denominator } else { 0.0 }
+    }
+
+    /// Depth, from the apex toward the viewer, of the rim over `q`; where `q` lies off the rim, of the rim beside it.
+    pub(super) fn depth(&self, q: DVec2) -> f64 {
+        let cos = self.t.length();
+        if cos < 1e-9 {
+            return self.height;
+        }
+        // Along the projected axis the rim spans ±R sin θ in the drawing and ∓R cos θ in depth.
+        let sin = self.sin2.sqrt();
+        let share = ((q - self.center).dot(self.t) / (cos * self.radius * sin)).clamp(-1.0, 1.0);
+        self.height * sin - share * self.radius * cos
+    }
+
+    /// Largest angle around the axis without a tip, radians.
+    pub(super) fn largest_gap(&self, tips: &[DVec2]) -> f64 {
+        let minor = self.t.try_normalize().unwrap_or(DVec2::Y);
+        let around = |&q: &DVec2| {
+            let d = q - self.center;
+            d.perp_dot(minor).atan2(d.dot(minor) / self.sin2.sqrt())
+        };
+        let mut angles: Vec<f64> = tips.iter().map(around).collect();
+        angles.sort_by(f64::total_cmp);
+        let (Some(first), Some(last)) = (angles.first(), angles.last()) else {
+            return std::f64::consts::TAU;
+        };
+        let across = first + std::f64::consts::TAU - last;
+        angles.windows(2).map(|pair| pair[1] - pair[0]).fold(across, f64::max)
+    }
+
+    /// Whether the rim's nearest point to `q` lies on the arc toward the apex, where the cone is seen from outside.
+    pub(super) fn is_near(&self, q: DVec2) -> bool {
+        let (far, near) = (self.slant_share(q, false), self.slant_share(q, true));
+        (near - 1.0).abs() < (far - 1.0).abs()
+    }
+}
+
+/// How much each kind of knowledge weighs.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Trust {
+    /// Standard deviation of the tips, in units of their mean distance from the apex.
+    pub tip: f64,
+    /// Likely opening, radians, and its standard deviation.
+    pub opening: (f64, f64),
+    /// Standard deviation of the evenness of petals, in units of the tips' mean distance from the apex.
+    pub evenness: f64,
+}
+
+/// Mean and covariance of the tips.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Moments {
+    pub mean: DVec2,
+    /// Covariance xx, xy, yy.
+    pub spread: [f64; 3],
+    /// 1 from three tips on; fewer have no meaningful covariance and count 0.
+    weight: f64,
+}
+
+impl Moments {
+    pub(super) fn of(tips: &[DVec2]) -> Self {
+        let count = tips.len().max(1) as f64;
+        let mean = tips.iter().sum::<DVec2>() / count;
+        let mut spread = [0.0; 3];
+        for d in tips.iter().map(|&q| q - mean) {
+            spread[0] += d.x * d.x / count;
+            spread[1] += d.x * d.y / count;
+            spread[2] += d.y * d.y / count;
+        }
+        Self { mean, spread, weight: if tips.len() >= 3 { 1.0 } else { 0.0 } }
+    }
+
+    /// The cone whose evenly spread tips would have these moments.
+    pub(super) fn cone(&self) -> ConeFit {
+        let [xx, xy, yy] = self.spread;
+        let (middle, split) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
+        let minor = DVec2::from_angle(0.5 * (-2.0 * xy).atan2(yy - xx));
+        let sin2 = ((middle - split) / (middle + split).max(1e-12)).clamp(0.0, 1.0);
+        let sign = if minor.dot(self.mean) < 0.0 { -1.0 } else { 1.0 };
+        // Along the mean where the covariance is round and has no direction of its own.
+        let t = minor * sign * (1.0 - sin2).sqrt();
+        ConeFit::from_rim(self.mean, (2.0 * (middle + split)).sqrt().max(1e-6), t)
+    }
+}
+
+/// Cost of a cone with the normal equations of the next step.
+struct Normal {
+    cost: f64,
+    matrix: [[f64; UNKNOWNS]; UNKNOWNS],
+    gradient: [f64; UNKNOWNS],
+}
+
+/// Residuals that do not belong to a tip: opening, mean (2), covariance (3).
+const PRIORS: usize = 6;
+
+/// In standard deviations; the covariance is compared in units of the squared mean distance of the tips.
+fn priors(cone: &ConeFit, rim: &Rim, moments: &Moments, trust: &Trust) -> [f64; PRIORS] {
+    let weight = moments.weight / trust.evenness;
+    let off = (moments.mean - rim.center) * weight;
+    let half = 0.5 * rim.radius * rim.radius;
+    let t = rim.t;
+    let even = [1.0 - t.x * t.x, -t.x * t.y, 1.0 - t.y * t.y];
+    let spread = |k: usize| (moments.spread[k] - half * even[k]) * weight;
+    let opening = (cone.opening - trust.opening.0) / trust.opening.1;
+    [opening, off.x, off.y, spread(0), spread(1), spread(2)]
+}
+
+/// Loss of a residual and its weight in the normal equations.
+fn huber(r: f64) -> (f64, f64) {
+    let size = r.abs();
+    if size <= HUBER { (r * r, 1.0) } else { (HUBER * (2.0 * size - HUBER), HUBER / size) }
+}
+
+/// What [`improve`] makes small: Huber losses of the tips and squares of the priors.
+fn cost(cone: &ConeFit, tips: &[DVec2], moments: &Moments, trust: &Trust) -> f64 {
+    let rim = cone.rim();
+    let of_tips: f64 = tips.iter().map(|&q| huber(rim.distance(q) / trust.tip).0).sum();
+    of_tips + priors(cone, &rim, moments, trust).iter().map(|r| r * r).sum::<f64>()
+}
+
+/// Cost, gradient and Gauss–Newton matrix at a cone, by forward differences.
+fn normal(cone: &ConeFit, tips: &[DVec2], moments: &Moments, trust: &Trust) -> Normal {
+    const H: f64 = 1e-6;
+    let rim = cone.rim();
+    // Away from the bounds, at which a step outward would change nothing.
+    let widening = if cone.opening > 0.5 * (WIDEST + NARROWEST) { -H } else { H };
+    let h = [-H.copysign(cone.tilt.x), -H.copysign(cone.tilt.y), widening, H];
+    let moved: [ConeFit; UNKNOWNS] = std::array::from_fn(|k| {
+        let mut step = [0.0; UNKNOWNS];
+        step[k] = h[k];
+        cone.stepped(step)
+    });
+    let rims = moved.map(|c| c.rim());
+    let mut out = Normal { cost: 0.0, matrix: [[0.0; UNKNOWNS]; UNKNOWNS], gradient: [0.0; UNKNOWNS] };
+    let mut add = |r: f64, at: [f64; UNKNOWNS], loss: (f64, f64)| {
+        let slope: [f64; UNKNOWNS] = std::array::from_fn(|k| (at[k] - r) / h[k]);
+        out.cost += loss.0;
+        for i in 0..UNKNOWNS {
+            out.gradient[i] += loss.1 * slope[i] * r;
+            for j in i..UNKNOWNS {
+                out.matrix[i][j] += loss.1 * slope[i] * slope[j];
+            }
+        }
+    };
+    for &q in tips {
+        let r = rim.distance(q) / trust.tip;
+        let gauge = rim.gauge(q - rim.center);
+        // Near the ellipse only the gauge changes, not its slope: half the work for the same step.
+        let per_gauge = 1.0 / (trust.tip * rim.slope(q - rim.center, gauge));
+        add(r, rims.map(|rim| r + (rim.gauge(q - rim.center) - gauge) * per_gauge), huber(r));
+    }
+    let here = priors(cone, &rim, moments, trust);
+    let there: [_; UNKNOWNS] = std::array::from_fn(|k| priors(&moved[k], &rims[k], moments, trust));
+    for (i, &r) in here.iter().enumerate() {
+        add(r, there.map(|all| all[i]), (r * r, 1.0));
+    }
+    for i in 1..UNKNOWNS {
+        for j in 0..i {
+            out.matrix[i][j] = out.matrix[j][i];
+        }
+    }
+    out
+}
+
+/// Improves a cone by at most `steps` Levenberg–Marquardt steps; returns it with its cost.
+pub(super) fn improve(
+    mut cone: ConeFit,
+    tips: &[DVec2],
+    moments: &Moments,
+    trust: &Trust,
+    steps: u32,
+) -> (ConeFit, f64) {
+    let mut damping = 1e-3;
+    let mut now = normal(&cone, tips, moments, trust);
+    for _ in 0..steps {
+        let mut matrix = now.matrix;
+        for (i, row) in matrix.iter_mut().enumerate() {
+            row[i] += damping * row[i].max(1e-9);
+        }
+        let Some(step) = solve(matrix, now.gradient.map(|g| -g)) else { break };
+        let next = cone.stepped(step);
+        let next_cost = cost(&next, tips, moments, trust);
+        if next_cost < now.cost {
+            let gain = now.cost - next_cost;
+            cone = next;
+            damping = (damping * 0.1).max(1e-9);
+            if gain < 1e-6 * now.cost {
+                break;
+            }
+            now = normal(&cone, tips, moments, trust);
+        } else {
+            damping *= 10.0;
+            if damping > 1e6 {
+                break;
+            }
+        }
+    }
+    (cone, now.cost)
+}
+
+/// Solves a positive definite system by Cholesky elimination; `None` where it is singular.
+fn solve(mut m: [[f64; UNKNOWNS]; UNKNOWNS], mut v: [f64; UNKNOWNS]) -> Option<[f64; UNKNOWNS]> {
+    for i in 0..UNKNOWNS {
+        if !(m[i][i] > 0.0 && m[i][i].is_finite()) {
+            return None;
+        }
+        for j in i + 1..UNKNOWNS {
+            let (pivot, share) = (m[i], m[j][i] / m[i][i]);
+            m[j].iter_mut().zip(pivot).for_each(|(x, p)| *x -= share * p);
+            v[j] -= share * v[i];
+        }
+    }
+    for i in (0..UNKNOWNS).rev() {
+        let known: f64 = (i + 1..UNKNOWNS).map(|k| m[i][k] * v[k]).sum();
+        v[i] = (v[i] - known) / m[i][i];
+    }
+    v.iter().all(|x| x.is_finite()).then_some(v)
+}
