@@ -6,6 +6,7 @@
 
 pub mod classify;
 pub mod features;
+pub mod svm;
 
 use crate::sketch::{StrokeId, Warning};
 use glam::Vec2;
