@@ -33,12 +33,21 @@ fn synthetic_strokes(out: &mut impl Write) -> io::Result<()> {
     }
     writeln!(out, "synthetic strokes, seed {HELD_OUT_SEED}\n{all}")?;
     for (family, confusion) in families {
-        writeln!(out, "{family:<24} wrong {:>3} of {}", confusion.wrong(), confusion.right() + confusion.wrong())?;
+        writeln!(
+            out,
+            "{family:<24} wrong {:>3} of {}",
+            confusion.wrong(),
+            confusion.right() + confusion.wrong()
+        )?;
     }
     Ok(())
 }
 
-fn real_half<'a>(out: &mut impl Write, half: &str, strokes: impl Iterator<Item = &'a RealStroke>) -> io::Result<()> {
+fn real_half<'a>(
+    out: &mut impl Write,
+    half: &str,
+    strokes: impl Iterator<Item = &'a RealStroke>,
+) -> io::Result<()> {
     let mut all = Confusion::default();
     let mut kinds: BTreeMap<(&str, &str), [usize; 2]> = BTreeMap::new();
     let mut wrong = Vec::new();

@@ -18,7 +18,7 @@ use std::io;
 
 const PER_CLASS: usize = 715;
 const FOLDS: usize = 4;
-const GAMMAS: [f64; 5] = [0.1, 0.2, 0.4, 0.8, 1.6];
+const GAMMAS: [f64; 5] = [0.05, 0.1, 0.2, 0.4, 0.8];
 const PENALTIES: [f64; 5] = [10.0, 30.0, 100.0, 300.0, 1000.0];
 /// The solver stops when the optimality conditions hold this closely.
 const PRECISION: f64 = 1e-3;
@@ -55,7 +55,8 @@ struct Candidate {
 /// The text of a newly trained model.
 pub fn train() -> anyhow::Result<String> {
     let strokes = synthetic::strokes(PER_CLASS, TRAINING_SEED);
-    let raw: Vec<Point> = strokes.iter().map(|s| stroke_features(&s.points).as_array().map(f64::from)).collect();
+    let raw: Vec<Point> =
+        strokes.iter().map(|s| stroke_features(&s.points).as_array().map(f64::from)).collect();
     let scaling = Scaling::of(&raw);
     let samples = Samples {
         points: raw.into_iter().map(|p| scaling.standardise(p)).collect(),
@@ -91,8 +92,8 @@ fn report(line: &str) -> io::Result<()> {
 
 fn cross_validated(samples: &Samples, setting: Setting) -> anyhow::Result<Candidate> {
     let mut unseen = vec![0.0; samples.points.len()];
-    // Strokes come in pairs, a blade and a branch; a pair stays together, so that the folds are balanced.
-    let fold_of = |i: usize| (i / 2) % FOLDS;
+    // The families take turns, so that a run of strokes has its share of each.
+    let fold_of = |i: usize| i * FOLDS / samples.points.len();
     for fold in 0..FOLDS {
         let machine = fit(samples, setting, |i| fold_of(i) != fold)?;
         for (i, point) in samples.points.iter().enumerate().filter(|(i, _)| fold_of(*i) == fold) {
@@ -120,7 +121,8 @@ fn fit(samples: &Samples, setting: Setting, takes: impl Fn(usize) -> bool) -> an
 impl Machine {
     fn decision(&self, point: &Point) -> f64 {
         let squared = |v: &Point| v.iter().zip(point).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
-        self.vectors.iter().map(|(w, v)| w * (-self.setting.gamma * squared(v)).exp()).sum::<f64>() - self.offset
+        self.vectors.iter().map(|(w, v)| w * (-self.setting.gamma * squared(v)).exp()).sum::<f64>()
+            - self.offset
     }
 }
 

@@ -30,10 +30,11 @@ pub struct Classifier {
 }
 
 /// Read by the compiler: a model file that is broken or too large does not build.
-static BUILT_IN: Classifier = match Classifier::parse(include_str!("../../assets/classifier/blade_or_branch.txt")) {
-    Ok(classifier) => classifier,
-    Err(_) => panic!("assets/classifier/blade_or_branch.txt is not a usable model"),
-};
+static BUILT_IN: Classifier =
+    match Classifier::parse(include_str!("../../assets/classifier/blade_or_branch.txt")) {
+        Ok(classifier) => classifier,
+        Err(_) => panic!("assets/classifier/blade_or_branch.txt is not a usable model"),
+    };
 
 impl Classifier {
     /// The classifier that ships with the program.

@@ -133,8 +133,11 @@ mod tests {
     #[test]
     fn sampling_density_does_not_matter() {
         let even = circle(96);
-        let crowded: Vec<Vec2> =
-            even.windows(2).enumerate().flat_map(|(i, p)| subdivided(p, if i < 20 { 9 } else { 1 })).collect();
+        let crowded: Vec<Vec2> = even
+            .windows(2)
+            .enumerate()
+            .flat_map(|(i, p)| subdivided(p, if i < 20 { 9 } else { 1 }))
+            .collect();
         assert_close(stroke_features(&crowded), stroke_features(&even[..96]), 0.02);
     }
 

@@ -31,7 +31,9 @@ pub const MAX_VECTORS: usize = 60;
 
 /// A model text that cannot be used.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
-#[error("classifier model, line {line}: expected {expected}; train it again with the example `train_classifier`")]
+#[error(
+    "classifier model, line {line}: expected {expected}; train it again with the example `train_classifier`"
+)]
 pub struct ModelError {
     /// Line of the model text, from 1.
     pub line: u32,

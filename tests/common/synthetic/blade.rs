@@ -110,7 +110,9 @@ fn heart(rng: &mut Pcg64Mcg) -> Vec<Vec2> {
 fn oak(rng: &mut Pcg64Mcg) -> Vec<Vec2> {
     let (lobes, depth) = (rng.random_range(2..6) as f32, rng.random_range(0.15..0.5));
     let shape = profile(rng.random_range(0.3..0.9), rng.random_range(0.4..0.65), rng.random_range(0.5..1.0));
-    let line = outline(rng.random_range(-0.2..0.2), |t| shape(t) * (1.0 - depth * (0.5 + 0.5 * (TAU * lobes * t).cos())));
+    let line = outline(rng.random_range(-0.2..0.2), |t| {
+        shape(t) * (1.0 - depth * (0.5 + 0.5 * (TAU * lobes * t).cos()))
+    });
     ends(line, rng)
 }
 
@@ -118,14 +120,17 @@ fn oak(rng: &mut Pcg64Mcg) -> Vec<Vec2> {
 fn polar(stretch: f32, turns: f32, radius: impl Fn(f32) -> f32) -> Vec<Vec2> {
     let at = |i: usize| {
         let turn = turns * i as f32 / (2 * STEPS) as f32;
-        Vec2::from_angle(TAU * turn - PI / 2.0) * 0.5 * radius(turn) * Vec2::new(stretch, 1.0) + Vec2::new(0.0, 0.5)
+        Vec2::from_angle(TAU * turn - PI / 2.0) * 0.5 * radius(turn) * Vec2::new(stretch, 1.0)
+            + Vec2::new(0.0, 0.5)
     };
     (0..=2 * STEPS).map(at).collect()
 }
 
 fn maple(rng: &mut Pcg64Mcg) -> Vec<Vec2> {
     let (lobes, depth) = (rng.random_range(3..8) as f32, rng.random_range(0.2..0.6));
-    let line = polar(rng.random_range(0.6..1.2), 1.0, |turn| 1.0 - depth * (PI * lobes * turn).sin().abs().powf(0.6));
+    let line = polar(rng.random_range(0.6..1.2), 1.0, |turn| {
+        1.0 - depth * (PI * lobes * turn).sin().abs().powf(0.6)
+    });
     ends(line, rng)
 }
 
@@ -172,7 +177,7 @@ fn open_v(rng: &mut Pcg64Mcg) -> Vec<Vec2> {
 
 fn stalked(rng: &mut Pcg64Mcg) -> Vec<Vec2> {
     let line = simple(rng, (0.3, 1.0), (0.5, 1.2));
-    let stalk = Vec2::new(rng.random_range(-0.1..0.1), -rng.random_range(0.1..0.45));
+    let stalk = Vec2::new(rng.random_range(-0.1..0.1), -rng.random_range(0.1..0.65));
     [vec![stalk], ends(line, rng)].concat()
 }
 

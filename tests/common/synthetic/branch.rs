@@ -16,6 +16,7 @@ pub const FAMILIES: &[Family] = &[
     ("hook", hook),
     ("wavy", wavy),
     ("zigzag", zigzag),
+    ("gnarled", gnarled),
     ("tendril", tendril),
     ("spiral", spiral),
     ("doubling back", doubling_back),
@@ -24,6 +25,8 @@ pub const FAMILIES: &[Family] = &[
 ];
 
 const STEPS: usize = 240;
+/// Smallest distance between the ends of a gnarled twig, as a share of its length.
+const GNARLED_REACH: f32 = 0.45;
 
 /// A line of unit length whose direction at the share s of its length is `heading(s)` (radians).
 fn curve(heading: impl Fn(f32) -> f32) -> Vec<Vec2> {
@@ -75,9 +78,22 @@ fn zigzag(rng: &mut Pcg64Mcg) -> Vec<Vec2> {
     (0..corners).map(corner).collect()
 }
 
+/// An old twig that keeps changing its mind, but gets away from where it began.
+fn gnarled(rng: &mut Pcg64Mcg) -> Vec<Vec2> {
+    loop {
+        let waves: Vec<(f32, f32, f32)> =
+            (1..=5).map(|k| (k as f32, rng.random_range(0.0..1.6), rng.random_range(0.0..TAU))).collect();
+        let line =
+            curve(|s| waves.iter().map(|&(k, sway, phase)| sway * (phase + TAU * k * s / 2.0).sin()).sum());
+        if line[0].distance(line[STEPS]) > GNARLED_REACH {
+            return line;
+        }
+    }
+}
+
 fn tendril(rng: &mut Pcg64Mcg) -> Vec<Vec2> {
     let (lead, turns, tightening) =
-        (rng.random_range(0.25..0.6), rng.random_range(0.8..2.5), rng.random_range(1.0..1.8));
+        (rng.random_range(0.25..0.6), rng.random_range(1.2..2.5), rng.random_range(1.0..1.8));
     let bow = rng.random_range(-0.5..0.5);
     curve(|s: f32| bow * s + TAU * turns * ((s - lead) / (1.0 - lead)).max(0.0).powf(tightening))
 }

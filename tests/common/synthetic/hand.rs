@@ -5,10 +5,10 @@ use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use std::f32::consts::TAU;
 
-/// Slow waves of the hand, each of at most this share of the drawn thing's extent.
-const WOBBLE: f32 = 0.012;
-/// Fast tremor, share of the extent.
-const TREMOR: f32 = 0.003;
+/// Slow waves of the least steady hand, each of at most this share of the drawn thing's extent.
+const WOBBLE: f32 = 0.02;
+/// Fast tremor of the least steady hand, share of the extent.
+const TREMOR: f32 = 0.005;
 /// Share of strokes that begin or end in a hook.
 const HOOKS: f64 = 0.2;
 
@@ -33,7 +33,8 @@ fn extent(points: &[Vec2]) -> f32 {
 
 /// `samples` points along the line, closer together where the hand is slow.
 fn at_uneven_speed(line: &[Vec2], samples: usize, rng: &mut Pcg64Mcg) -> Vec<Vec2> {
-    let (depth, waves, phase) = (rng.random_range(0.0..0.8), rng.random_range(1.0..4.0), rng.random_range(0.0..TAU));
+    let (depth, waves, phase) =
+        (rng.random_range(0.0..0.8), rng.random_range(1.0..4.0), rng.random_range(0.0..TAU));
     let speeds: Vec<f32> =
         (1..samples).map(|i| 1.0 + depth * (phase + TAU * waves * i as f32 / samples as f32).sin()).collect();
     let total: f32 = speeds.iter().sum();
@@ -64,7 +65,8 @@ fn along(line: &[Vec2], shares: &[f32]) -> Vec<Vec2> {
 }
 
 fn with_wobble(points: &[Vec2], rng: &mut Pcg64Mcg) -> Vec<Vec2> {
-    let size = extent(points);
+    // Rulers, mice and steady hands leave hardly any wobble.
+    let size = extent(points) * rng.random_range(0.0_f32..1.0);
     let waves: Vec<(f32, f32, Vec2)> = (1..=4)
         .map(|k| {
             let reach = size * rng.random_range(0.0..WOBBLE);
@@ -74,7 +76,8 @@ fn with_wobble(points: &[Vec2], rng: &mut Pcg64Mcg) -> Vec<Vec2> {
         .collect();
     let last = (points.len() - 1) as f32;
     let shaken = |(i, &p): (usize, &Vec2)| {
-        let slow: Vec2 = waves.iter().map(|&(f, phase, v)| v * (phase + TAU * f * i as f32 / last).sin()).sum();
+        let slow: Vec2 =
+            waves.iter().map(|&(f, phase, v)| v * (phase + TAU * f * i as f32 / last).sin()).sum();
         let fast = Vec2::new(rng.random_range(-1.0..1.0), rng.random_range(-1.0..1.0));
         p + slow + fast * size * TREMOR
     };
