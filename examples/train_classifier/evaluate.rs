@@ -2,18 +2,22 @@
 
 use crate::confusion::Confusion;
 use crate::real_strokes::{self, RealStroke};
-use crate::synthetic::{self, HELD_OUT_SEED};
+use crate::synthetic::{self, HELD_OUT_SEED, LabelledStroke};
 use penstemon::anatomy::classify::Classifier;
+use penstemon::anatomy::features::stroke_features;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
+use std::time::{Duration, Instant};
 
 const PER_CLASS: usize = 1430;
 
 /// Prints every figure on standard output.
-pub fn evaluate() -> anyhow::Result<()> {
+pub(crate) fn evaluate() -> anyhow::Result<()> {
     let mut out = io::stdout().lock();
     writeln!(out, "support vectors: {}\n", Classifier::built_in().svm().vector_count())?;
-    synthetic_strokes(&mut out)?;
+    let strokes = synthetic::strokes(PER_CLASS, HELD_OUT_SEED);
+    time(&mut out, &strokes)?;
+    synthetic_strokes(&mut out, &strokes)?;
     let Some(strokes) = real_strokes::load()? else {
         return Ok(writeln!(out, "not run: no drawings in {}", real_strokes::folder().display())?);
     };
@@ -23,10 +27,20 @@ pub fn evaluate() -> anyhow::Result<()> {
     Ok(())
 }
 
-fn synthetic_strokes(out: &mut impl Write) -> io::Result<()> {
+fn time(out: &mut impl Write, strokes: &[LabelledStroke]) -> io::Result<()> {
+    let begin = Instant::now();
+    let features: Vec<_> = strokes.iter().map(|s| stroke_features(&s.points).as_array()).collect();
+    let measured = begin.elapsed();
+    let blades = features.iter().filter(|&&f| Classifier::built_in().svm().probability(f) >= 0.5).count();
+    let judged = begin.elapsed() - measured;
+    let each = |time: Duration| time.as_nanos() / strokes.len() as u128;
+    writeln!(out, "features {} ns a stroke, verdict {} ns ({blades} blades)\n", each(measured), each(judged))
+}
+
+fn synthetic_strokes(out: &mut impl Write, strokes: &[LabelledStroke]) -> io::Result<()> {
     let mut all = Confusion::default();
     let mut families: BTreeMap<&str, Confusion> = BTreeMap::new();
-    for stroke in synthetic::strokes(PER_CLASS, HELD_OUT_SEED) {
+    for stroke in strokes {
         let verdict = Classifier::built_in().classify(&stroke.points);
         all.add(stroke.blade, verdict.blade);
         families.entry(stroke.family).or_default().add(stroke.blade, verdict.blade);

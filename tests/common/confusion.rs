@@ -4,20 +4,20 @@ use std::fmt;
 
 /// How often each class was taken for each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Confusion {
+pub(crate) struct Confusion {
     /// Blades taken for blades.
-    pub blade_as_blade: usize,
+    pub(crate) blade_as_blade: usize,
     /// Blades taken for branches.
-    pub blade_as_branch: usize,
+    pub(crate) blade_as_branch: usize,
     /// Branches taken for branches.
-    pub branch_as_branch: usize,
+    pub(crate) branch_as_branch: usize,
     /// Branches taken for blades.
-    pub branch_as_blade: usize,
+    pub(crate) branch_as_blade: usize,
 }
 
 impl Confusion {
     /// Counts one stroke.
-    pub fn add(&mut self, is_blade: bool, taken_for_blade: bool) {
+    pub(crate) fn add(&mut self, is_blade: bool, taken_for_blade: bool) {
         *match (is_blade, taken_for_blade) {
             (true, true) => &mut self.blade_as_blade,
             (true, false) => &mut self.blade_as_branch,
@@ -27,17 +27,17 @@ impl Confusion {
     }
 
     /// Strokes that were taken for what they are.
-    pub fn right(&self) -> usize {
+    pub(crate) fn right(&self) -> usize {
         self.blade_as_blade + self.branch_as_branch
     }
 
     /// Strokes that were taken for the other class.
-    pub fn wrong(&self) -> usize {
+    pub(crate) fn wrong(&self) -> usize {
         self.blade_as_branch + self.branch_as_blade
     }
 
     /// Share of right verdicts, 0 to 1; NaN without strokes.
-    pub fn accuracy(&self) -> f64 {
+    pub(crate) fn accuracy(&self) -> f64 {
         self.right() as f64 / (self.right() + self.wrong()) as f64
     }
 }

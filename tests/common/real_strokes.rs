@@ -11,17 +11,17 @@ use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
 /// One labelled stroke of a person.
-pub struct RealStroke {
+pub(crate) struct RealStroke {
     /// Drawing and number of the stroke in it.
-    pub name: String,
+    pub(crate) name: String,
     /// `blade`, `branch` or `neither`.
-    pub label: String,
+    pub(crate) label: String,
     /// What it shows, such as `petal` or `texture`.
-    pub kind: String,
+    pub(crate) kind: String,
     /// `development` (errors were looked at while the synthetic shapes were made) or `held_out`.
-    pub half: String,
+    pub(crate) half: String,
     /// Positions as recorded.
-    pub points: Vec<Vec2>,
+    pub(crate) points: Vec<Vec2>,
 }
 
 #[derive(Deserialize)]
@@ -31,7 +31,7 @@ struct Drawing {
 }
 
 /// Folder that should hold the drawings.
-pub fn folder() -> PathBuf {
+pub(crate) fn folder() -> PathBuf {
     let beside = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data/strokes");
     env::var_os("PENSTEMON_STROKES").map_or_else(beside, PathBuf::from)
 }
@@ -40,7 +40,7 @@ pub fn folder() -> PathBuf {
 ///
 /// # Errors
 /// A drawing or the table of labels that cannot be read.
-pub fn load() -> io::Result<Option<Vec<RealStroke>>> {
+pub(crate) fn load() -> io::Result<Option<Vec<RealStroke>>> {
     let folder = folder();
     if !folder.is_dir() {
         return Ok(None);

@@ -11,10 +11,10 @@ use rand_pcg::Pcg64Mcg;
 use std::f32::consts::{PI, TAU};
 
 /// Largest distance between the ends of a petal left open, as a share of the stroke's length.
-pub const WIDEST_GAP: f32 = 0.35;
+pub(crate) const WIDEST_GAP: f32 = 0.35;
 
 /// Every family, each with the same share of the blades.
-pub const FAMILIES: &[Family] = &[
+pub(crate) const FAMILIES: &[Family] = &[
     ("willow leaf", willow),
     ("ovate leaf", ovate),
     ("round petal", round_petal),
@@ -192,7 +192,7 @@ fn midribbed(rng: &mut Pcg64Mcg) -> Vec<Vec2> {
 fn corolla(rng: &mut Pcg64Mcg) -> Vec<Vec2> {
     open(rng, |rng| {
         let petals = rng.random_range(3..9) as f32;
-        let (heart, blunt) = (rng.random_range(0.2..0.7), rng.random_range(0.4..1.0));
+        let (heart, blunt) = (rng.random_range(0.05..0.7), rng.random_range(0.4..1.0));
         let turns = rng.random_range(0.6..1.03);
         polar(rng.random_range(0.5..1.0), turns, |turn| {
             heart + (1.0 - heart) * (PI * petals * turn).sin().abs().powf(blunt)

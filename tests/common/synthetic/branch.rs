@@ -9,7 +9,7 @@ use rand_pcg::Pcg64Mcg;
 use std::f32::consts::{PI, TAU};
 
 /// Every family, each with the same share of the branches.
-pub const FAMILIES: &[Family] = &[
+pub(crate) const FAMILIES: &[Family] = &[
     ("straight", straight),
     ("C arc", arc),
     ("S curve", s_curve),
@@ -27,6 +27,8 @@ pub const FAMILIES: &[Family] = &[
 const STEPS: usize = 240;
 /// Smallest distance between the ends of a gnarled twig, as a share of its length.
 const GNARLED_REACH: f32 = 0.45;
+/// The same for a spiral; one that ends nearer to its beginning looks like the outline of a flower.
+const SPIRAL_REACH: f32 = 0.2;
 
 /// A line of unit length whose direction at the share s of its length is `heading(s)` (radians).
 fn curve(heading: impl Fn(f32) -> f32) -> Vec<Vec2> {
@@ -37,6 +39,16 @@ fn curve(heading: impl Fn(f32) -> f32) -> Vec<Vec2> {
         line.push(at);
     }
     line
+}
+
+/// Draws curves of unit length until one ends at least `reach` from where it began.
+fn reaching(reach: f32, rng: &mut Pcg64Mcg, shape: impl Fn(&mut Pcg64Mcg) -> Vec<Vec2>) -> Vec<Vec2> {
+    loop {
+        let line = shape(rng);
+        if line[0].distance(line[STEPS]) >= reach {
+            return line;
+        }
+    }
 }
 
 fn straight(rng: &mut Pcg64Mcg) -> Vec<Vec2> {
@@ -80,15 +92,11 @@ fn zigzag(rng: &mut Pcg64Mcg) -> Vec<Vec2> {
 
 /// An old twig that keeps changing its mind, but gets away from where it began.
 fn gnarled(rng: &mut Pcg64Mcg) -> Vec<Vec2> {
-    loop {
+    reaching(GNARLED_REACH, rng, |rng| {
         let waves: Vec<(f32, f32, f32)> =
             (1..=5).map(|k| (k as f32, rng.random_range(0.0..1.6), rng.random_range(0.0..TAU))).collect();
-        let line =
-            curve(|s| waves.iter().map(|&(k, sway, phase)| sway * (phase + TAU * k * s / 2.0).sin()).sum());
-        if line[0].distance(line[STEPS]) > GNARLED_REACH {
-            return line;
-        }
-    }
+        curve(|s| waves.iter().map(|&(k, sway, phase)| sway * (phase + TAU * k * s / 2.0).sin()).sum())
+    })
 }
 
 fn tendril(rng: &mut Pcg64Mcg) -> Vec<Vec2> {
@@ -99,8 +107,10 @@ fn tendril(rng: &mut Pcg64Mcg) -> Vec<Vec2> {
 }
 
 fn spiral(rng: &mut Pcg64Mcg) -> Vec<Vec2> {
-    let (turns, tightening) = (rng.random_range(1.3..3.0), rng.random_range(1.6..2.6));
-    curve(|s| TAU * turns * s.powf(tightening))
+    reaching(SPIRAL_REACH, rng, |rng| {
+        let (turns, tightening) = (rng.random_range(1.3..3.0), rng.random_range(1.6..2.6));
+        curve(|s| TAU * turns * s.powf(tightening))
+    })
 }
 
 /// A stem whose last part is drawn back over itself.

@@ -13,7 +13,7 @@ const TREMOR: f32 = 0.005;
 const HOOKS: f64 = 0.2;
 
 /// Draws `ideal` at a random place, size (20 to 2,000 pixels), angle, handedness and sense.
-pub fn draw(ideal: &[Vec2], rng: &mut Pcg64Mcg) -> Vec<Vec2> {
+pub(crate) fn draw(ideal: &[Vec2], rng: &mut Pcg64Mcg) -> Vec<Vec2> {
     let samples = rng.random_range(16..120);
     let mut points = with_wobble(&at_uneven_speed(ideal, samples, rng), rng);
     add_hook(&mut points, rng);

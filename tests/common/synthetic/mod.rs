@@ -3,34 +3,34 @@
 //! A family of shapes ([`blade`], [`branch`]) gives an ideal line of unit size; [`hand`] draws it as a person would.
 //! Every random choice comes from the seed. Families take turns, so that each has the same share of its class.
 
-pub mod blade;
-pub mod branch;
-pub mod hand;
+pub(crate) mod blade;
+pub(crate) mod branch;
+pub(crate) mod hand;
 
 use glam::Vec2;
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
 /// Seed of the strokes that the shipped model was trained on.
-pub const TRAINING_SEED: u64 = 1;
+pub(crate) const TRAINING_SEED: u64 = 1;
 /// Seed of strokes that no model was trained on.
-pub const HELD_OUT_SEED: u64 = 2;
+pub(crate) const HELD_OUT_SEED: u64 = 2;
 
 /// One way to draw a part: its name and its ideal line.
-pub type Family = (&'static str, fn(&mut Pcg64Mcg) -> Vec<Vec2>);
+pub(crate) type Family = (&'static str, fn(&mut Pcg64Mcg) -> Vec<Vec2>);
 
 /// A stroke and what it is.
-pub struct LabelledStroke {
+pub(crate) struct LabelledStroke {
     /// The shape it was made from.
-    pub family: &'static str,
+    pub(crate) family: &'static str,
     /// Petal or leaf; otherwise branch.
-    pub blade: bool,
+    pub(crate) blade: bool,
     /// Positions in pixels, as a pen would report them.
-    pub points: Vec<Vec2>,
+    pub(crate) points: Vec<Vec2>,
 }
 
 /// `per_class` blades and as many branches, taking turns.
-pub fn strokes(per_class: usize, seed: u64) -> Vec<LabelledStroke> {
+pub(crate) fn strokes(per_class: usize, seed: u64) -> Vec<LabelledStroke> {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     let mut draw = |families: &[Family], turn: usize, blade| {
         let (family, ideal) = families[turn % families.len()];
