@@ -10,6 +10,7 @@ pub mod features;
 pub mod flowers;
 pub mod hierarchy;
 pub mod preprocess;
+pub mod svm;
 
 use crate::sketch::{StrokeId, Warning};
 use glam::Vec2;
