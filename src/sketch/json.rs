@@ -1,1 +1,35 @@
-//! Placeholder.
+//! The sketch file: UTF-8 JSON, extension `.penstemon`, readable and diffable.
+//!
+//! ```json
+//! {
+//!   "format": "penstemon-sketch",
+//!   "version": 1,
+//!   "canvas": {"width": 1024, "height": 768},
+//!   "species": "daisy",
+//!   "seed": 1,
+//!   "params": {},
+//!   "strokes": [
+//!     {"id": 1, "tool": "petal", "points": [[10, 20], [11, 22]]}
+//!   ]
+//! }
+//! ```
+//!
+//! A point is `[x, y]`, `[x, y, pressure]`, `[x, y, pressure, tilt_x, tilt_y]` or all these and the time. Only `format`,
+//! `version`, `strokes` and each stroke's `points` are required. Unknown fields are errors, so that a typing mistake does
+//! not pass unseen. [`write()`] and [`parse`] are inverse to each other, bit by bit.
+
+mod fault;
+mod params;
+mod parse;
+mod point;
+mod progress;
+mod write;
+
+pub(super) use parse::parse;
+pub use write::write;
+
+/// What the `format` field says.
+pub const FORMAT: &str = "penstemon-sketch";
+
+/// What the `version` field says; the only version so far.
+pub const VERSION: u32 = 1;

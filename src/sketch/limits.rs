@@ -1,1 +1,49 @@
-//! Placeholder.
+//! How much a drawing file may hold.
+//!
+//! Generous for any hand that draws, tight enough that a hostile file can cost neither all memory nor minutes: size is
+//! checked before parsing, counts while parsing. Past a limit there is an error that names it.
+
+/// Largest file in bytes: room for [`MAX_POINTS`] samples with all that a tablet reports.
+pub const MAX_FILE_BYTES: u64 = 512 << 20;
+
+/// Most samples in one drawing, all strokes together (in SVG: after curves were turned into polylines).
+pub const MAX_POINTS: usize = 10_000_000;
+
+/// Most strokes in one drawing.
+pub const MAX_STROKES: usize = 1_000_000;
+
+/// Largest distance from the origin along x or y, in canvas pixels; beyond it `f32` no longer resolves a pixel.
+pub const MAX_COORDINATE: f32 = 1e7;
+
+/// Largest tilt of the pen from upright, in degrees, either way.
+pub const MAX_TILT_DEG: f32 = 90.0;
+
+/// Longest stroke in milliseconds (eleven days).
+pub const MAX_TIME_MS: f32 = 1e9;
+
+/// Most parameters set by one drawing.
+pub const MAX_PARAMS: usize = 4096;
+
+/// Deepest nesting of parameter groups.
+pub const MAX_PARAM_DEPTH: usize = 16;
+
+/// Most remarks kept; the rest is counted.
+pub const MAX_WARNINGS: usize = 100;
+
+/// Most elements, texts and comments in an SVG, `<use>` copies included.
+pub const MAX_SVG_NODES: usize = 2_000_000;
+
+/// Most attributes in an SVG.
+pub const MAX_SVG_ATTRIBUTES: usize = 8_000_000;
+
+/// Most steps that the XML reader may spend comparing attribute names; it compares every two in an element.
+pub const MAX_SVG_COMPARISONS: u64 = 2_000_000_000;
+
+/// Most namespace entries that the XML reader may copy; it copies all in scope for every element that adds one.
+pub const MAX_SVG_NAMESPACE_COPIES: u64 = 50_000_000;
+
+/// Deepest chain of `<use>` elements that refer to each other.
+pub const MAX_SVG_USE_DEPTH: usize = 16;
+
+/// Most bytes of attributes that `<use>` may have read again.
+pub const MAX_SVG_COPIED_BYTES: usize = 64 << 20;

@@ -5,14 +5,17 @@
 //! SVG; [`json`] also writes. Reading is total: any bytes end in a sketch or in a [`SketchError`] that says what is
 //! wrong and where. Limits are constants in [`limits`].
 
+mod draft;
 pub mod error;
+mod invariants;
 pub mod json;
 pub mod limits;
 pub mod read;
 pub mod svg;
+mod warnings;
 
 pub use error::SketchError;
-pub use read::read;
+pub use read::{from_bytes, read};
 
 use glam::Vec2;
 use serde::{Deserialize, Serialize};

@@ -1,0 +1,153 @@
+//! From what a parser found to a [`Sketch`]: the checks and repairs that every format shares.
+//!
+//! Strokes get ids, pressure, tilt and time are brought into range (with a remark), strokes without samples are left
+//! out (with a remark), coordinates are checked against [`limits`], and a missing canvas becomes the bounding box.
+
+use super::error::{Fault, Place};
+use super::warnings::Warnings;
+use super::{Canvas, Sketch, Stroke, StrokeId, StrokePoint, Tool, limits};
+use glam::Vec2;
+use serde_json::{Map, Value};
+use std::collections::HashMap;
+
+/// A drawing as its file tells it.
+#[derive(Debug, Default)]
+pub(super) struct Draft {
+    pub(super) canvas: Option<Canvas>,
+    pub(super) species: Option<String>,
+    pub(super) seed: u64,
+    pub(super) params: Map<String, Value>,
+    pub(super) strokes: Vec<DraftStroke>,
+}
+
+/// A stroke as its file tells it.
+#[derive(Debug)]
+pub(super) struct DraftStroke {
+    pub(super) id: Option<StrokeId>,
+    pub(super) tool: Tool,
+    pub(super) points: Vec<StrokePoint>,
+}
+
+/// A fault and its place, before the file's name is added.
+pub(super) type Flaw = (Place, Fault);
+
+impl Draft {
+    /// The finished sketch.
+    ///
+    /// # Errors
+    /// The first duplicate id or coordinate out of range; a drawing in which no stroke moves.
+    pub(super) fn finish(self, warnings: &mut Warnings) -> Result<Sketch, Flaw> {
+        let mut ids = Ids::of(&self.strokes)?;
+        let mut strokes = Vec::with_capacity(self.strokes.len());
+        for (index, DraftStroke { id, tool, mut points }) in self.strokes.into_iter().enumerate() {
+            check_coordinates(&points).map_err(|(point, fault)| {
+                let id = id.map(|id| id.to_string());
+                (Place { stroke: Some(index + 1), id, point: Some(point + 1), line_column: None }, fault)
+            })?;
+            if points.is_empty() {
+                warnings
+                    .add(id, || format!("stroke {} of the file has no points and was left out", index + 1));
+                continue;
+            }
+            let id = id.unwrap_or_else(|| ids.next_unused());
+            bring_into_range(id, &mut points, warnings);
+            strokes.push(Stroke { id, tool, points });
+        }
+        if strokes.is_empty() {
+            return Err((Place::default(), Fault::NoStrokes));
+        }
+        if strokes.iter().all(is_dot) {
+            return Err((Place::default(), Fault::OnlyDots));
+        }
+        let placeholder = Canvas { width: 1.0, height: 1.0 };
+        let Self { species, seed, params, .. } = self;
+        let mut sketch =
+            Sketch { canvas: self.canvas.unwrap_or(placeholder), species, seed, params, strokes };
+        if self.canvas.is_none() {
+            sketch.canvas = bounding_canvas(&sketch);
+        }
+        Ok(sketch)
+    }
+}
+
+/// The ids in use, and a source of unused ones.
+struct Ids {
+    first_use: HashMap<StrokeId, usize>,
+    last_assigned: StrokeId,
+}
+
+impl Ids {
+    fn of(strokes: &[DraftStroke]) -> Result<Self, Flaw> {
+        let mut first_use = HashMap::new();
+        for (index, id) in strokes.iter().enumerate().filter_map(|(i, s)| Some((i, s.id?))) {
+            if let Some(first) = first_use.insert(id, index) {
+                let place = Place { stroke: Some(index + 1), id: Some(id.to_string()), ..Place::default() };
+                return Err((place, Fault::DuplicateId { id, first: first + 1 }));
+            }
+        }
+        Ok(Self { first_use, last_assigned: 0 })
+    }
+
+    /// Counts up from 1, so that a drawing without ids numbers its strokes.
+    fn next_unused(&mut self) -> StrokeId {
+        loop {
+            self.last_assigned += 1;
+            if !self.first_use.contains_key(&self.last_assigned) {
+                return self.last_assigned;
+            }
+        }
+    }
+}
+
+fn check_coordinates(points: &[StrokePoint]) -> Result<(), (usize, Fault)> {
+    let inside = |p: &StrokePoint| p.position.abs().cmple(Vec2::splat(limits::MAX_COORDINATE)).all();
+    match points.iter().position(|p| !inside(p)) {
+        None => Ok(()),
+        Some(at) => Err((at, coordinate_fault(points[at].position.to_array()))),
+    }
+}
+
+/// The fault of two coordinates that are not both in range.
+pub(super) fn coordinate_fault<T: Copy + Into<f64> + std::fmt::LowerExp>([x, y]: [T; 2]) -> Fault {
+    let (x_size, y_size) = (x.into().abs(), y.into().abs());
+    let worse = if x_size.is_nan() || x_size >= y_size { x } else { y };
+    let found = format!("{worse:e}");
+    if worse.into().is_nan() { Fault::NotFinite { found } } else { Fault::CoordinateTooLarge { found } }
+}
+
+fn bring_into_range(id: StrokeId, points: &mut [StrokePoint], warnings: &mut Warnings) {
+    let (mut pressures, mut tilts, mut times) = (0_usize, 0_usize, 0_usize);
+    let max_tilt = Vec2::splat(limits::MAX_TILT_DEG);
+    for point in points {
+        let pressure = point.pressure.clamp(0.0, 1.0);
+        let tilt_deg = point.tilt_deg.clamp(-max_tilt, max_tilt);
+        let time_ms = point.time_ms.clamp(0.0, limits::MAX_TIME_MS);
+        pressures += usize::from(pressure != point.pressure);
+        tilts += usize::from(tilt_deg != point.tilt_deg);
+        times += usize::from(time_ms != point.time_ms);
+        *point = StrokePoint { position: point.position, pressure, tilt_deg, time_ms };
+    }
+    for (count, what, range) in [
+        (pressures, "pressure", "0 to 1"),
+        (tilts, "tilt", "−90 to 90 degrees"),
+        (times, "time", "0 to 1e9 milliseconds"),
+    ] {
+        if count > 0 {
+            warnings.add(Some(id), || {
+                format!("{what} of {count} points lay outside {range} and was brought into it")
+            });
+        }
+    }
+}
+
+/// Whether the pen never left its first position.
+fn is_dot(stroke: &Stroke) -> bool {
+    stroke.points.iter().all(|p| p.position == stroke.points[0].position)
+}
+
+/// Bounding box; a side without extent takes the other's, so that the canvas has an area.
+fn bounding_canvas(sketch: &Sketch) -> Canvas {
+    let size = sketch.bounds().map_or(Vec2::ONE, |(lo, hi)| hi - lo);
+    let side = |own: f32, other: f32| if own > 0.0 { own } else { other };
+    Canvas { width: side(size.x, size.y), height: side(size.y, size.x) }
+}

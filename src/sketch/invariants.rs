@@ -1,0 +1,44 @@
+//! What must hold for every [`Sketch`] that was read; called by tests, property tests and fuzz targets.
+
+use super::{Sketch, Stroke, StrokePoint, limits};
+use glam::Vec2;
+use std::collections::HashSet;
+
+impl Sketch {
+    /// Checks that ids are unique, strokes are not empty, and every number is finite and in range.
+    ///
+    /// # Errors
+    /// The first violation, in words.
+    pub fn check_invariants(&self) -> Result<(), String> {
+        let positive = |side: f32| side > 0.0 && side.is_finite();
+        if !positive(self.canvas.width) || !positive(self.canvas.height) {
+            return Err(format!("canvas {:?}", self.canvas));
+        }
+        let mut ids = HashSet::new();
+        for stroke in &self.strokes {
+            if !ids.insert(stroke.id) {
+                return Err(format!("stroke {}: id used twice", stroke.id));
+            }
+            check_stroke(stroke).map_err(|what| format!("stroke {}: {what}", stroke.id))?;
+        }
+        Ok(())
+    }
+}
+
+fn check_stroke(stroke: &Stroke) -> Result<(), String> {
+    if stroke.points.is_empty() {
+        return Err("no points".into());
+    }
+    match stroke.points.iter().position(|p| !is_in_range(p)) {
+        Some(at) => Err(format!("point {at} out of range: {:?}", stroke.points[at])),
+        None => Ok(()),
+    }
+}
+
+fn is_in_range(point: &StrokePoint) -> bool {
+    let within = |v: Vec2, most: f32| v.abs().cmple(Vec2::splat(most)).all();
+    within(point.position, limits::MAX_COORDINATE)
+        && (0.0..=1.0).contains(&point.pressure)
+        && within(point.tilt_deg, limits::MAX_TILT_DEG)
+        && (0.0..=limits::MAX_TIME_MS).contains(&point.time_ms)
+}

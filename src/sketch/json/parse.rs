@@ -1,0 +1,197 @@
+//! JSON text to a [`Draft`], in one pass and without intermediate values.
+
+use super::params::GroupSeed;
+use super::point::PointsSeed;
+use super::progress::{Progress, set_once};
+use super::{VERSION, fault};
+use crate::sketch::draft::{Draft, DraftStroke, Flaw};
+use crate::sketch::error::Fault;
+use crate::sketch::{Canvas, Tool, limits};
+use serde::Deserialize;
+use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use std::cell::Cell;
+use std::fmt;
+
+/// Parses a sketch file of version [`VERSION`].
+///
+/// # Errors
+/// The first fault, with line and column, and with stroke and point where there is one.
+pub(in crate::sketch) fn parse(text: &str) -> Result<Draft, Flaw> {
+    let progress = Progress::default();
+    let mut deserializer = serde_json::Deserializer::from_str(text);
+    let parsed = SketchSeed(&progress).deserialize(&mut deserializer);
+    parsed.and_then(|draft| deserializer.end().map(|()| draft)).map_err(|e| fault::flaw(&e, text, &progress))
+}
+
+#[derive(Deserialize)]
+#[serde(field_identifier, rename_all = "snake_case")]
+enum SketchField {
+    Format,
+    Version,
+    Canvas,
+    Species,
+    Seed,
+    Params,
+    Strokes,
+}
+
+struct SketchSeed<'p>(&'p Progress);
+
+impl<'de> DeserializeSeed<'de> for SketchSeed<'_> {
+    type Value = Draft;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Draft, D::Error> {
+        deserializer.deserialize_map(self)
+    }
+}
+
+impl<'de> Visitor<'de> for SketchSeed<'_> {
+    type Value = Draft;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a sketch object")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Draft, A::Error> {
+        let progress = self.0;
+        let (mut format, mut version, mut canvas, mut species) = (None, None, None, None);
+        let (mut seed, mut params, mut strokes) = (None, None, None);
+        while let Some(field) = map.next_key()? {
+            match field {
+                SketchField::Format => {
+                    set_once(&mut format, map.next_value::<String>()?, "format")?;
+                    fault::check_format(format.as_deref()).map_err(|fault| progress.refuse(fault))?;
+                }
+                SketchField::Version => {
+                    let found = map.next_value()?;
+                    fault::check_version(found).map_err(|fault| progress.refuse(fault))?;
+                    set_once(&mut version, found, "version")?;
+                }
+                SketchField::Canvas => set_once(&mut canvas, map.next_value::<Option<Canvas>>()?, "canvas")?,
+                SketchField::Species => {
+                    set_once(&mut species, map.next_value::<Option<String>>()?, "species")?
+                }
+                SketchField::Seed => set_once(&mut seed, map.next_value()?, "seed")?,
+                SketchField::Params => {
+                    let group = GroupSeed { progress, count: &Cell::new(0), depth: 1 };
+                    set_once(&mut params, map.next_value_seed(group)?, "params")?;
+                }
+                SketchField::Strokes => {
+                    set_once(&mut strokes, map.next_value_seed(StrokesSeed(progress))?, "strokes")?;
+                }
+            }
+        }
+        fault::check_format(format.as_deref()).map_err(|fault| progress.refuse(fault))?;
+        if version.is_none() {
+            return Err(progress.malformed(format!("the `version` is missing; write \"version\": {VERSION}")));
+        }
+        let strokes =
+            strokes.ok_or_else(|| progress.malformed("the sketch has no `strokes`; add a list of them"))?;
+        let canvas = canvas.flatten();
+        check_canvas(canvas).map_err(|message| progress.malformed(message))?;
+        Ok(Draft {
+            canvas,
+            species: species.flatten(),
+            seed: seed.unwrap_or_default(),
+            params: params.unwrap_or_default(),
+            strokes,
+        })
+    }
+}
+
+fn check_canvas(canvas: Option<Canvas>) -> Result<(), String> {
+    let fits = |side: f32| side > 0.0 && side <= limits::MAX_COORDINATE;
+    match canvas {
+        Some(Canvas { width, height }) if !fits(width) || !fits(height) => {
+            let limit = limits::MAX_COORDINATE;
+            Err(format!(
+                "the canvas is {width} by {height}; its sides must lie between 0 and {limit:e}, or leave it out"
+            ))
+        }
+        _ => Ok(()),
+    }
+}
+
+struct StrokesSeed<'p>(&'p Progress);
+
+impl<'de> DeserializeSeed<'de> for StrokesSeed<'_> {
+    type Value = Vec<DraftStroke>;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
+        deserializer.deserialize_seq(self)
+    }
+}
+
+impl<'de> Visitor<'de> for StrokesSeed<'_> {
+    type Value = Vec<DraftStroke>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a list of strokes")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Self::Value, A::Error> {
+        let progress = self.0;
+        let mut strokes = Vec::new();
+        progress.stroke.set(1);
+        while let Some(stroke) = seq.next_element_seed(StrokeSeed(progress))? {
+            if strokes.len() == limits::MAX_STROKES {
+                return Err(progress.refuse(Fault::TooMany { what: "strokes", limit: limits::MAX_STROKES }));
+            }
+            strokes.push(stroke);
+            progress.id.set(None);
+            progress.stroke.set(strokes.len() + 1);
+        }
+        progress.stroke.set(0);
+        Ok(strokes)
+    }
+}
+
+#[derive(Deserialize)]
+#[serde(field_identifier, rename_all = "snake_case")]
+enum StrokeField {
+    Id,
+    Tool,
+    Points,
+}
+
+struct StrokeSeed<'p>(&'p Progress);
+
+impl<'de> DeserializeSeed<'de> for StrokeSeed<'_> {
+    type Value = DraftStroke;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<DraftStroke, D::Error> {
+        deserializer.deserialize_map(self)
+    }
+}
+
+impl<'de> Visitor<'de> for StrokeSeed<'_> {
+    type Value = DraftStroke;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a stroke object")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<DraftStroke, A::Error> {
+        let progress = self.0;
+        let (mut id, mut tool, mut points) = (None, None, None);
+        while let Some(field) = map.next_key()? {
+            match field {
+                StrokeField::Id => {
+                    set_once(&mut id, map.next_value()?, "id")?;
+                    progress.id.set(id);
+                }
+                StrokeField::Tool => {
+                    let name: String = map.next_value()?;
+                    let known = Tool::ALL.into_iter().find(|tool| tool.name() == name);
+                    let known = known.ok_or_else(|| progress.refuse(Fault::UnknownTool { name }))?;
+                    set_once(&mut tool, known, "tool")?;
+                }
+                StrokeField::Points => {
+                    set_once(&mut points, map.next_value_seed(PointsSeed(progress))?, "points")?
+                }
+            }
+        }
+        let points = points.ok_or_else(|| A::Error::missing_field("points"))?;
+        Ok(DraftStroke { id, tool: tool.unwrap_or_default(), points })
+    }
+}

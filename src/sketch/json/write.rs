@@ -1,0 +1,66 @@
+//! Sketch to JSON text: one stroke per line, so that a version control system shows which strokes changed.
+//!
+//! Numbers are the shortest that read back to the same bits; a stroke's points carry no more numbers than it needs.
+
+use super::{FORMAT, VERSION};
+use crate::sketch::{Sketch, Stroke, StrokePoint};
+use serde_json::json;
+
+/// The sketch as a `.penstemon` file. The same sketch always gives the same text.
+pub fn write(sketch: &Sketch) -> String {
+    let samples: usize = sketch.strokes.iter().map(|s| s.points.len()).sum();
+    let mut out = String::with_capacity(256 + 64 * sketch.strokes.len() + 24 * samples);
+    out.push_str(&format!("{{\n  \"format\": {},\n  \"version\": {VERSION},\n", json!(FORMAT)));
+    out.push_str("  \"canvas\": {\"width\": ");
+    push_number(&mut out, sketch.canvas.width);
+    out.push_str(", \"height\": ");
+    push_number(&mut out, sketch.canvas.height);
+    out.push_str("},\n");
+    if let Some(species) = &sketch.species {
+        out.push_str(&format!("  \"species\": {},\n", json!(species)));
+    }
+    out.push_str(&format!("  \"seed\": {},\n  \"params\": {},\n", sketch.seed, json!(sketch.params)));
+    out.push_str("  \"strokes\": [");
+    for (i, stroke) in sketch.strokes.iter().enumerate() {
+        out.push_str(if i == 0 { "\n    " } else { ",\n    " });
+        push_stroke(&mut out, stroke);
+    }
+    out.push_str("\n  ]\n}\n");
+    out
+}
+
+fn push_stroke(out: &mut String, stroke: &Stroke) {
+    out.push_str(&format!("{{\"id\": {}, \"tool\": {}, \"points\": [", stroke.id, json!(stroke.tool)));
+    let arity = stroke.points.iter().map(arity).max().unwrap_or(2);
+    for (i, p) in stroke.points.iter().enumerate() {
+        out.push_str(if i == 0 { "[" } else { ", [" });
+        let numbers = [p.position.x, p.position.y, p.pressure, p.tilt_deg.x, p.tilt_deg.y, p.time_ms];
+        for (k, number) in numbers[..arity].iter().enumerate() {
+            out.push_str(if k == 0 { "" } else { ", " });
+            push_number(out, *number);
+        }
+        out.push(']');
+    }
+    out.push_str("]}");
+}
+
+/// How many numbers it takes to tell this sample.
+fn arity(point: &StrokePoint) -> usize {
+    let plain = StrokePoint::at(point.position);
+    if point.time_ms != plain.time_ms {
+        6
+    } else if point.tilt_deg != plain.tilt_deg {
+        5
+    } else if point.pressure != plain.pressure {
+        3
+    } else {
+        2
+    }
+}
+
+/// Shortest decimal that reads back to `number`; whole numbers without `.0`.
+fn push_number(out: &mut String, number: f32) {
+    let mut buffer = ryu::Buffer::new();
+    let text = buffer.format(number);
+    out.push_str(text.strip_suffix(".0").unwrap_or(text));
+}

@@ -1,0 +1,116 @@
+//! Page size, units and `viewBox`: from user units to CSS pixels (SVG 1.1, sections 7.2, 7.7, 7.8 and 7.10).
+//!
+//! 1 in = 96 px = 72 pt = 25.4 mm. Percentages and what cannot be read count as not given.
+
+use crate::sketch::warnings::Warnings;
+use crate::sketch::{Canvas, limits};
+use kurbo::{Affine, Size, Vec2};
+use roxmltree::Node;
+use svgtypes::{Align, AspectRatio, Length, LengthUnit, ViewBox};
+
+/// The page.
+pub(super) struct Viewport {
+    /// Page size in pixels, `None` when the document gives none.
+    pub(super) canvas: Option<Canvas>,
+    /// From the root's user units to canvas pixels.
+    pub(super) user_to_canvas: Affine,
+}
+
+impl Viewport {
+    /// The page that a root `<svg>` describes; remarks on sizes that make no sense.
+    pub(super) fn of_page(root: Node<'_, '_>, warnings: &mut Warnings) -> Self {
+        for name in ["width", "height", "viewBox"] {
+            if let Some(text) = root.attribute(name).filter(|text| is_unusable(name, text)) {
+                warnings.add(None, || {
+                    format!("the page's {name} `{text:.40}` cannot be used and was passed over")
+                });
+            }
+        }
+        let size = size_of(root, root);
+        let fits = |side: f64| side > 0.0 && side <= f64::from(limits::MAX_COORDINATE);
+        let size = size.filter(|size| fits(size.width) && fits(size.height));
+        let canvas = size.map(|size| Canvas { width: size.width as f32, height: size.height as f32 });
+        let user_to_canvas = size.map_or(Affine::IDENTITY, |size| user_to_viewport(root, size));
+        Self { canvas, user_to_canvas }
+    }
+}
+
+/// From the user units inside an inner `<svg>` or a used `<symbol>` to those around it; `sized` is the element that
+/// carries width and height. Without a size it keeps its own units.
+pub(super) fn inner_transform(viewport: Node<'_, '_>, sized: Node<'_, '_>) -> Affine {
+    size_of(viewport, sized).map_or(Affine::IDENTITY, |size| user_to_viewport(viewport, size))
+}
+
+/// The attribute as user units.
+pub(super) fn length(node: Node<'_, '_>, name: &str) -> Option<f64> {
+    node.attribute(name).and_then(pixels)
+}
+
+fn is_unusable(name: &str, text: &str) -> bool {
+    match name {
+        "viewBox" => text.parse::<ViewBox>().is_err(),
+        _ => !text.trim().ends_with('%') && pixels(text).is_none_or(|side| side <= 0.0),
+    }
+}
+
+fn pixels(text: &str) -> Option<f64> {
+    let Length { number, unit } = text.trim().parse().ok()?;
+    let pixels_per_unit = match unit {
+        LengthUnit::None | LengthUnit::Px => 1.0,
+        LengthUnit::In => 96.0,
+        LengthUnit::Cm => 96.0 / 2.54,
+        LengthUnit::Mm => 96.0 / 25.4,
+        LengthUnit::Pt => 96.0 / 72.0,
+        LengthUnit::Pc => 16.0,
+        // The browsers' default font: 16 px, its x half as high.
+        LengthUnit::Em => 16.0,
+        LengthUnit::Ex => 8.0,
+        LengthUnit::Percent => return None,
+    };
+    Some(number * pixels_per_unit)
+}
+
+fn view_box(node: Node<'_, '_>) -> Option<ViewBox> {
+    node.attribute("viewBox")?.parse().ok()
+}
+
+/// Width and height; one that is missing follows from the `viewBox`.
+fn size_of(viewport: Node<'_, '_>, sized: Node<'_, '_>) -> Option<Size> {
+    let side = |name| length(sized, name).filter(|side| *side > 0.0);
+    let view = view_box(viewport);
+    match (side("width"), side("height"), view) {
+        (Some(width), Some(height), _) => Some(Size::new(width, height)),
+        (Some(width), None, Some(view)) => Some(Size::new(width, width * view.h / view.w)),
+        (None, Some(height), Some(view)) => Some(Size::new(height * view.w / view.h, height)),
+        (None, None, Some(view)) => Some(Size::new(view.w, view.h)),
+        _ => None,
+    }
+}
+
+/// Fits the `viewBox` into `size` as `preserveAspectRatio` asks.
+fn user_to_viewport(viewport: Node<'_, '_>, size: Size) -> Affine {
+    let Some(view) = view_box(viewport) else { return Affine::IDENTITY };
+    let aspect = viewport.attribute("preserveAspectRatio").and_then(|text| text.parse().ok());
+    let AspectRatio { align, slice, .. } = aspect.unwrap_or_default();
+    let (sx, sy) = (size.width / view.w, size.height / view.h);
+    let uniform = if slice { sx.max(sy) } else { sx.min(sy) };
+    let (sx, sy) = if align == Align::None { (sx, sy) } else { (uniform, uniform) };
+    let (at_x, at_y) = alignment(align);
+    let slack = Vec2::new(at_x * (size.width - view.w * sx), at_y * (size.height - view.h * sy));
+    Affine::translate(slack) * Affine::scale_non_uniform(sx, sy) * Affine::translate((-view.x, -view.y))
+}
+
+/// Which share of the free space comes before the content.
+fn alignment(align: Align) -> (f64, f64) {
+    match align {
+        Align::None | Align::XMinYMin => (0.0, 0.0),
+        Align::XMidYMin => (0.5, 0.0),
+        Align::XMaxYMin => (1.0, 0.0),
+        Align::XMinYMid => (0.0, 0.5),
+        Align::XMidYMid => (0.5, 0.5),
+        Align::XMaxYMid => (1.0, 0.5),
+        Align::XMinYMax => (0.0, 1.0),
+        Align::XMidYMax => (0.5, 1.0),
+        Align::XMaxYMax => (1.0, 1.0),
+    }
+}

@@ -1,0 +1,249 @@
+//! From the XML tree to outlines in canvas pixels: which elements are drawn, through which transforms, with which tool.
+//!
+//! The walk keeps its own stack, so nesting costs no call depth; `<use>` copies count like elements, so that copies of
+//! copies end at the limit.
+
+use super::path_data::{PathData, parse_path, parse_points};
+use super::{Outline, naming, viewport};
+use crate::sketch::draft::{Flaw, coordinate_fault};
+use crate::sketch::error::{Fault, Place};
+use crate::sketch::warnings::Warnings;
+use crate::sketch::{Tool, limits};
+use kurbo::{Affine, BezPath, PathEl, Point};
+use roxmltree::{Document, Node, NodeId};
+use std::collections::HashMap;
+use svgtypes::Transform;
+
+const SVG: &str = "http://www.w3.org/2000/svg";
+const XLINK: &str = "http://www.w3.org/1999/xlink";
+const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
+
+/// Visible elements that an artist may take for strokes but that are none.
+const LEFT_OUT: [&str; 5] = ["rect", "circle", "ellipse", "text", "image"];
+
+/// Every drawn outline of `document`, in document order.
+pub(super) fn outlines(
+    document: &Document<'_>,
+    user_to_canvas: Affine,
+    warnings: &mut Warnings,
+) -> Result<Vec<Outline>, Flaw> {
+    let walk = Walk {
+        document,
+        warnings,
+        by_id: None,
+        outlines: Vec::new(),
+        room: limits::MAX_POINTS,
+        left_out: [0; LEFT_OUT.len()],
+    };
+    walk.run(user_to_canvas)
+}
+
+/// What an element inherits.
+#[derive(Clone, Copy)]
+struct Inherited {
+    to_canvas: Affine,
+    tool: Tool,
+    hidden: bool,
+    use_depth: usize,
+}
+
+struct Walk<'d, 'i, 'w> {
+    document: &'d Document<'i>,
+    warnings: &'w mut Warnings,
+    /// Elements by id; made when the first `<use>` asks.
+    by_id: Option<HashMap<&'d str, NodeId>>,
+    outlines: Vec<Outline>,
+    /// Path elements that still fit.
+    room: usize,
+    /// How many of each of [`LEFT_OUT`] were met.
+    left_out: [usize; LEFT_OUT.len()],
+}
+
+impl<'d, 'i> Walk<'d, 'i, '_> {
+    fn run(mut self, user_to_canvas: Affine) -> Result<Vec<Outline>, Flaw> {
+        let page = Inherited { to_canvas: user_to_canvas, tool: Tool::Auto, hidden: false, use_depth: 0 };
+        let mut stack = Vec::new();
+        push_children(&mut stack, self.document.root_element(), page);
+        let (mut visited, mut copied_bytes) = (0, 0);
+        while let Some((node, inherited)) = stack.pop() {
+            visited += 1;
+            if inherited.use_depth > 0 {
+                copied_bytes += node.attributes().map(|a| a.value().len()).sum::<usize>();
+            }
+            if visited + stack.len() > limits::MAX_SVG_NODES || copied_bytes > limits::MAX_SVG_COPIED_BYTES {
+                let message =
+                    "the SVG has too many elements, or copies them too often with <use>; thin it out";
+                return Err((Place::default(), Fault::Malformed(message.into())));
+            }
+            if is_svg_element(node) {
+                self.visit(node, inherited, &mut stack)?;
+            }
+        }
+        for (name, count) in LEFT_OUT.iter().zip(self.left_out).filter(|(_, count)| *count > 0) {
+            self.warnings.add(None, || {
+                format!("{count} <{name}> left out: only paths and lines are strokes (Inkscape: Path > Object to Path)")
+            });
+        }
+        Ok(self.outlines)
+    }
+
+    fn visit(&mut self, node: Node<'d, 'i>, from: Inherited, stack: &mut Stack<'d, 'i>) -> Result<(), Flaw> {
+        let Some(here) = self.inherit(node, from)? else { return Ok(()) };
+        match node.tag_name().name() {
+            "g" | "a" | "switch" => push_children(stack, node, here),
+            "svg" => {
+                let to_canvas = here.to_canvas * offset(node) * viewport::inner_transform(node, node);
+                push_children(stack, node, Inherited { to_canvas, ..here });
+            }
+            "use" => self.follow(node, here, stack),
+            _ if here.hidden => {}
+            "path" => {
+                let data = parse_path(node.attribute("d").unwrap_or_default(), self.room);
+                self.add(node, here, data)?;
+            }
+            shape @ ("polyline" | "polygon") => {
+                let points = node.attribute("points").unwrap_or_default();
+                self.add(node, here, parse_points(points, shape == "polygon", self.room))?;
+            }
+            "line" => {
+                let [x1, y1, x2, y2] =
+                    ["x1", "y1", "x2", "y2"].map(|n| viewport::length(node, n).unwrap_or(0.0));
+                let path = [PathEl::MoveTo(Point::new(x1, y1)), PathEl::LineTo(Point::new(x2, y2))];
+                self.add(node, here, PathData { path: BezPath::from_vec(path.to_vec()), error: None })?;
+            }
+            other => {
+                if let Some(at) = LEFT_OUT.iter().position(|name| *name == other) {
+                    self.left_out[at] += 1;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// What holds at `node`, `None` if neither it nor anything inside is displayed.
+    fn inherit(&mut self, node: Node<'d, 'i>, from: Inherited) -> Result<Option<Inherited>, Flaw> {
+        if property(node, "display") == Some("none") {
+            return Ok(None);
+        }
+        let hidden = match property(node, "visibility") {
+            Some("hidden" | "collapse") => true,
+            Some("visible") => false,
+            _ => from.hidden,
+        };
+        let transform = node.attribute("transform").map(str::parse::<Transform>);
+        let own = match transform {
+            None => Affine::IDENTITY,
+            Some(Ok(Transform { a, b, c, d, e, f })) => Affine::new([a, b, c, d, e, f]),
+            Some(Err(error)) => {
+                self.warnings.add(None, || format!("{}: transform passed over: {error}", title(node)));
+                Affine::IDENTITY
+            }
+        };
+        let tool = self.tool(node)?.unwrap_or(from.tool);
+        Ok(Some(Inherited { to_canvas: from.to_canvas * own, tool, hidden, use_depth: from.use_depth }))
+    }
+
+    /// The tool that this very element names.
+    fn tool(&self, node: Node<'d, 'i>) -> Result<Option<Tool>, Flaw> {
+        if let Some(name) = node.attribute("data-tool") {
+            let known = naming::tool_in(name);
+            let fault = || Fault::UnknownTool { name: name.chars().take(80).collect() };
+            return known.map(Some).ok_or_else(|| (self.place(node), fault()));
+        }
+        let names = [node.attribute((INKSCAPE, "label")), node.attribute("id")];
+        Ok(names.into_iter().flatten().find_map(naming::tool_in))
+    }
+
+    /// Puts what a `<use>` refers to on the stack.
+    fn follow(&mut self, node: Node<'d, 'i>, here: Inherited, stack: &mut Stack<'d, 'i>) {
+        let link = node.attribute("href").or_else(|| node.attribute((XLINK, "href"))).unwrap_or_default();
+        let document = self.document;
+        let by_id = self.by_id.get_or_insert_with(|| {
+            document.descendants().filter_map(|n| Some((n.attribute("id")?, n.id()))).collect()
+        });
+        let target =
+            link.strip_prefix('#').and_then(|id| by_id.get(id)).and_then(|id| document.get_node(*id));
+        let Some(target) = target.filter(|_| here.use_depth < limits::MAX_SVG_USE_DEPTH) else {
+            self.warnings.add(None, || {
+                format!("{}: what it refers to was not found or refers to itself", title(node))
+            });
+            return;
+        };
+        let to_canvas = here.to_canvas * offset(node);
+        let there = Inherited { to_canvas, use_depth: here.use_depth + 1, ..here };
+        if target.tag_name().name() == "symbol" {
+            let to_canvas = to_canvas * viewport::inner_transform(target, node);
+            push_children(stack, target, Inherited { to_canvas, ..there });
+        } else {
+            stack.push((target, there));
+        }
+    }
+
+    fn add(&mut self, node: Node<'d, 'i>, here: Inherited, data: PathData) -> Result<(), Flaw> {
+        let PathData { mut path, error } = data;
+        if let Some(error) = error {
+            self.warnings.add(None, || format!("{}: only its beginning was read: {error}", title(node)));
+        }
+        path.apply_affine(here.to_canvas);
+        if let Some(outside) = first_outside(&path) {
+            return Err((self.place(node), coordinate_fault([outside.x, outside.y])));
+        }
+        let fault = Fault::TooMany { what: "points", limit: limits::MAX_POINTS };
+        self.room = self.room.checked_sub(path.elements().len()).ok_or((Place::default(), fault))?;
+        if path.elements().len() > 1 {
+            self.outlines.push(Outline { path, tool: here.tool });
+        }
+        Ok(())
+    }
+
+    fn place(&self, node: Node<'_, '_>) -> Place {
+        let at = self.document.text_pos_at(node.range().start);
+        Place { id: node.attribute("id").map(str::to_owned), ..Place::at(at.row as usize, at.col as usize) }
+    }
+}
+
+type Stack<'d, 'i> = Vec<(Node<'d, 'i>, Inherited)>;
+
+/// Children go on the stack backwards, so that they come off it in document order.
+fn push_children<'d, 'i>(stack: &mut Stack<'d, 'i>, node: Node<'d, 'i>, inherited: Inherited) {
+    stack.extend(node.children().rev().map(|child| (child, inherited)));
+}
+
+fn is_svg_element(node: Node<'_, '_>) -> bool {
+    node.is_element() && matches!(node.tag_name().namespace(), None | Some(SVG))
+}
+
+/// The shift by an element's `x` and `y`.
+fn offset(node: Node<'_, '_>) -> Affine {
+    let at = |name| viewport::length(node, name).unwrap_or(0.0);
+    Affine::translate((at("x"), at("y")))
+}
+
+/// A presentation property, from `style` or from the attribute of its name.
+fn property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
+    let declarations = node.attribute("style").unwrap_or_default().split(';');
+    let mut styled = declarations.filter_map(|d| d.split_once(':')).filter(|(key, _)| key.trim() == name);
+    styled.next_back().map(|(_, value)| value).or_else(|| node.attribute(name)).map(str::trim)
+}
+
+/// The element as a remark names it.
+fn title(node: Node<'_, '_>) -> String {
+    let name = node.tag_name().name();
+    match node.attribute("id") {
+        Some(id) => format!("<{name}> `{id:.80}`"),
+        None => format!("a <{name}> without id"),
+    }
+}
+
+/// The first point that is not finite or too far out.
+fn first_outside(path: &BezPath) -> Option<Point> {
+    let limit = f64::from(limits::MAX_COORDINATE);
+    let inside = |p: &Point| p.x.abs() <= limit && p.y.abs() <= limit;
+    let points = path.elements().iter().flat_map(|element| match *element {
+        PathEl::MoveTo(p) | PathEl::LineTo(p) => [p; 3],
+        PathEl::QuadTo(p1, p2) => [p1, p2, p2],
+        PathEl::CurveTo(p1, p2, p3) => [p1, p2, p3],
+        PathEl::ClosePath => [Point::ORIGIN; 3],
+    });
+    points.into_iter().find(|p| !inside(p))
+}

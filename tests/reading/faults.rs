@@ -1,0 +1,276 @@
+//! Every way a drawing file can be bad, and what the message says: file, stroke, reason, remedy.
+
+use super::{read, with_points, with_strokes};
+use penstemon::sketch::error::Fault;
+use penstemon::sketch::{from_bytes, json, limits};
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// Reads `text`, which must fail with a message that holds all of `parts` after the file's name.
+#[track_caller]
+fn assert_message(text: &str, parts: &[&str]) {
+    let message = read(text).unwrap_err().to_string();
+    assert!(message.starts_with("drawing: "), "{message}");
+    for part in parts {
+        assert!(message.contains(part), "`{part}` is not in: {message}");
+    }
+}
+
+const GOOD: &str = r#"{"format": "penstemon-sketch", "version": 1, "canvas": {"width": 9, "height": 9},
+  "strokes": [
+    {"id": 3, "tool": "petal", "points": [[0, 0], [1, 1]]},
+    {"id": 4, "tool": "branch", "points": [[0, 0], [2, 1], [3, 1]]}
+  ]
+}"#;
+
+#[test]
+fn a_file_cut_off_anywhere_is_an_error_and_says_where() {
+    for end in 1..GOOD.len() - 1 {
+        let message = read(&GOOD[..end]).unwrap_err().to_string();
+        assert!(message.contains("ends too early") && message.contains("line "), "{end}: {message}");
+    }
+    let cut = &GOOD[..GOOD.find("[2, 1]").unwrap() + 3];
+    let column = cut.lines().last().unwrap().len();
+    assert_message(cut, &["stroke 2 (id `4`), point 2, line 4", &format!("column {column}: ")]);
+}
+
+#[test]
+fn a_file_that_cannot_be_opened() {
+    let missing = penstemon::sketch::read(Path::new("no/such/drawing.penstemon")).unwrap_err().to_string();
+    assert!(missing.starts_with("no/such/drawing.penstemon: cannot be read: "), "{missing}");
+    assert!(penstemon::sketch::read(Path::new("tests")).is_err());
+}
+
+#[cfg(unix)]
+#[test]
+fn an_endless_file_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("huge.penstemon");
+    std::fs::File::create(&path).unwrap().set_len(limits::MAX_FILE_BYTES + 1).unwrap();
+    let error = penstemon::sketch::read(&path).unwrap_err();
+    assert!(matches!(error.fault, Fault::FileTooLarge), "{error}");
+}
+
+#[test]
+fn files_of_other_kinds() {
+    assert_message("", &["is empty"]);
+    assert_message(" \n\t", &["is empty"]);
+    assert_message("v 0 0 0\n", &["is not a drawing"]);
+    assert_message("<html><body/></html>", &["its root is not <svg>"]);
+    let compressed = from_bytes(b"\x1f\x8b\x08\0", "a.svgz").unwrap_err().to_string();
+    assert!(compressed.contains("save it as plain .svg"), "{compressed}");
+    assert_message(r#"{"strokes": []}"#, &["`format` is missing"]);
+    assert_message(
+        r#"{"format": "excalidraw", "elements": []}"#,
+        &["\"excalidraw\", not \"penstemon-sketch\""],
+    );
+    assert_message(
+        r#"{"elements": [], "format": "excalidraw"}"#,
+        &["\"excalidraw\", not \"penstemon-sketch\""],
+    );
+}
+
+#[test]
+fn other_versions() {
+    let newer = r#"{"format": "penstemon-sketch", "layers": [], "version": 2, "strokes": []}"#;
+    assert_message(newer, &["version 2", "reads version 1", "newer Penstemon"]);
+    assert_message(&GOOD.replace("\"version\": 1", "\"version\": 0"), &["version 0", "reads version 1"]);
+    assert_message(&GOOD.replace("\"version\": 1,", ""), &["`version` is missing"]);
+    assert_message(&GOOD.replace("\"version\": 1", "\"version\": \"one\""), &["\"one\"", "line 1"]);
+}
+
+#[test]
+fn numbers_that_are_none() {
+    for number in ["NaN", "-Infinity", "1e999", "-1e400", "null", "1e39"] {
+        let text = with_strokes(&format!(
+            r#"{{"points": [[0,0]]}}, {{"id": 8, "points": [[0, 1], [2, {number}]]}}"#
+        ));
+        assert_message(&text, &["stroke 2 (id `8`), point 2, line 1", number, "no finite number"]);
+    }
+}
+
+#[test]
+fn coordinates_too_far_out() {
+    assert_message(&with_points("[[0, 0], [0, -1e30]]"), &["stroke 1, point 2: coordinate -1e30", "±1e7"]);
+    assert!(read(&with_points("[[0, 0], [1e7, -1e7]]")).is_ok());
+    let far = r#"<svg><path id="far" d="M0 0 L1e30 5"/></svg>"#;
+    assert_message(far, &["element `far`, line 1, column 6: coordinate 1e30", "±1e7"]);
+    let far =
+        r#"<svg><g transform="scale(1e200)"><g transform="scale(1e200)"><path d="M0 0 L1 5"/></g></g></svg>"#;
+    assert_message(far, &["line 1, column 62: `NaN` is no finite number"]);
+}
+
+#[test]
+fn drawings_without_a_line() {
+    assert_message(&with_strokes(""), &["no stroke", "draw at least one"]);
+    assert_message(&with_points("[]"), &["no stroke"]);
+    assert_message(&with_points("[[3, 4]]"), &["dot"]);
+    assert_message("<svg/>", &["no stroke"]);
+    assert_message(r#"<svg><path d="M 5 5"/></svg>"#, &["no stroke"]);
+    assert_message(r#"<svg><path d="M 5 5 Z"/></svg>"#, &["dot"]);
+}
+
+#[test]
+fn empty_strokes_are_left_out_and_dots_kept_when_there_is_a_line() {
+    let text = with_strokes(r#"{"id": 5, "points": []}, {"points": [[1, 1]]}, {"points": [[0, 0], [5, 5]]}"#);
+    let (sketch, warnings) = read(&text).unwrap();
+    assert_eq!(sketch.strokes.iter().map(|s| s.points.len()).collect::<Vec<_>>(), [1, 2]);
+    assert_eq!(warnings.len(), 1);
+    assert_eq!(warnings[0].to_string(), "stroke 5: stroke 1 of the file has no points and was left out");
+}
+
+#[test]
+fn remarks_are_bounded() {
+    let text = with_strokes(&format!(r#"{}{{"points": [[0,0],[1,1]]}}"#, r#"{"points": []},"#.repeat(5000)));
+    let (_, warnings) = read(&text).unwrap();
+    assert_eq!(warnings.len(), limits::MAX_WARNINGS + 1);
+    assert_eq!(warnings[limits::MAX_WARNINGS].message, "and 4900 more remarks like these");
+}
+
+#[test]
+fn too_many_points() {
+    let text = with_points(&format!("[{}[0,0]]", "[1,2],".repeat(limits::MAX_POINTS)));
+    assert_message(&text, &["stroke 1, point 10000001", "more than 10000000 points"]);
+}
+
+#[test]
+fn pressure_tilt_and_time_are_brought_into_range() {
+    let (sketch, warnings) = read(&with_points("[[0,0,-1], [1,1,7,100,-100,-3], [2,2,0.3]]")).unwrap();
+    let points = &sketch.strokes[0].points;
+    assert_eq!(points.iter().map(|p| p.pressure).collect::<Vec<_>>(), [0.0, 1.0, 0.3]);
+    assert_eq!((points[1].tilt_deg.to_array(), points[1].time_ms), ([90.0, -90.0], 0.0));
+    let messages: Vec<_> = warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(messages[0], "stroke 1: pressure of 2 points lay outside 0 to 1 and was brought into it");
+    assert_eq!(messages.len(), 3, "{messages:?}");
+}
+
+#[test]
+fn ids_used_twice() {
+    let text =
+        with_strokes(r#"{"id": 9, "points": [[0,0]]}, {"points": [[0,0]]}, {"id": 9, "points": [[0,0]]}"#);
+    assert_message(&text, &["stroke 3 (id `9`)", "already names stroke 1"]);
+    assert_message(&with_strokes(r#"{"id": -1, "points": []}"#), &["stroke 1", "whole number"]);
+}
+
+#[test]
+fn tools_that_do_not_exist() {
+    let known = "auto, petal, leaf, branch, branch_outline, leaf_outline";
+    assert_message(
+        &with_strokes(r#"{"id": 2, "tool": "lawnmower", "points": []}"#),
+        &["stroke 1 (id `2`)", "unknown tool `lawnmower`", known],
+    );
+    assert_message(
+        r#"<svg><path id="x" data-tool="mower" d="M0 0L1 1"/></svg>"#,
+        &["element `x`", "`mower`", known],
+    );
+}
+
+#[test]
+fn fields_that_do_not_exist_are_missing_or_repeated() {
+    assert_message(&GOOD.replace("\"canvas\"", "\"canvass\""), &["unknown field `canvass`", "line 1"]);
+    assert_message(
+        &GOOD.replace("\"height\"", "\"hight\""),
+        &["unknown field `hight`", "`width` or `height`"],
+    );
+    assert_message(
+        &GOOD.replace("\"id\": 4", "\"colour\": 4"),
+        &["stroke 2", "unknown field `colour`", "line 4"],
+    );
+    assert_message(&with_strokes(r#"{"id": 3}"#), &["stroke 1 (id `3`)", "missing field `points`"]);
+    assert_message(
+        &with_strokes(r#"{"id": 3, "id": 4, "points": []}"#),
+        &["stroke 1", "duplicate field `id`"],
+    );
+    assert_message(r#"{"format": "penstemon-sketch", "version": 1}"#, &["no `strokes`"]);
+    assert_message(&GOOD.replace("\"width\": 9", "\"width\": -9"), &["canvas is -9 by 9"]);
+}
+
+#[test]
+fn points_of_the_wrong_shape() {
+    for (point, says) in [
+        ("[]", "length 0"),
+        ("[1]", "length 1"),
+        ("[1, 2, 3, 4]", "length 4"),
+        ("[1, 2, 3, 4, 5, 6, 7]", "length 7"),
+        ("{}", "map"),
+        ("5", "integer `5`"),
+        (r#"["1", 2]"#, "expected a number"),
+    ] {
+        assert_message(&with_points(&format!("[[0, 0], {point}]")), &["stroke 1, point 2, line 1", says]);
+    }
+    assert_message(&format!("{GOOD} x"), &["trailing characters"]);
+}
+
+#[test]
+fn parameters_of_the_wrong_shape() {
+    let with_params = |params: &str| GOOD.replace("\"canvas\"", &format!("\"params\": {params}, \"canvas\""));
+    assert_message(&with_params("[]"), &["object of parameters"]);
+    assert_message(&with_params(r#"{"a": [1]}"#), &["number, true or false, a name"]);
+    assert_message(&with_params(r#"{"a": 1, "a": 2}"#), &["parameter `a` is set twice"]);
+    let deep = format!("{}1{}", r#"{"a":"#.repeat(20), "}".repeat(20));
+    assert_message(&with_params(&deep), &["nested too deeply"]);
+    let many: Vec<String> = (0..=limits::MAX_PARAMS).map(|i| format!("\"p{i}\": 1")).collect();
+    assert_message(&with_params(&format!("{{{}}}", many.join(","))), &["more than 4096 parameters"]);
+}
+
+#[test]
+fn bytes_that_are_no_text() {
+    let mut bytes = GOOD.as_bytes().to_vec();
+    bytes[40] = 0xff;
+    let message = from_bytes(&bytes, "drawing").unwrap_err().to_string();
+    assert!(message.contains("byte 40 is not valid UTF-8"), "{message}");
+}
+
+#[test]
+fn deep_nesting_is_refused_without_recursion() {
+    let depth = 1_000_000;
+    assert_message(
+        &format!("{}\"points\": {}", r#"{"strokes": [{"#, "[".repeat(depth)),
+        &["stroke 1", "point 1"],
+    );
+    assert_message(&format!("{}{}", r#"{"x":"#, "[".repeat(depth)), &["unknown field `x`"]);
+    let nested = format!("<svg>{}<line x2='3'/>{}</svg>", "<g>".repeat(depth / 2), "</g>".repeat(depth / 2));
+    assert!(read(&nested).is_ok());
+    assert!(read(&format!("<svg>{}", "<g>".repeat(depth))).is_err());
+    assert!(read(&format!("<svg><path d='M0 0L1 1{}'/></svg>", "z".repeat(depth))).is_ok());
+}
+
+#[test]
+fn damaged_svg() {
+    let text = r#"<svg width="9"><g><path d="M0 0L5 5"/></g></svg>"#;
+    for end in 1..text.len() {
+        assert!(read(&text[..end]).is_err(), "{}", &text[..end]);
+    }
+    assert_message(&text[..text.len() - 4], &["line 1, column 45", "ends too early"]);
+    assert_message("<svg>\n<path></g></svg>", &["line 2, column 7", "not well-formed XML"]);
+    assert_message("<!DOCTYPE svg [<!ENTITY a 'b'>]><svg>&a;</svg>", &["entities", "plain SVG"]);
+}
+
+/// Documents made to cost quadratic time or memory must not.
+#[test]
+fn hostile_svg_ends_soon() {
+    let start = Instant::now();
+    let many_attributes: String = (0..300_000).map(|i| format!(" a{i}=''")).collect();
+    assert!(read(&format!("<svg{many_attributes}/>")).is_err());
+    let prefixes: String = (0..30_000).map(|i| format!(" xmlns:n{i}='u'")).collect();
+    let declaring = "<g xmlns:x='u'/>".repeat(100_000);
+    assert!(read(&format!("<svg{prefixes}>{declaring}</svg>")).is_err());
+    let copies = r##"<use href="#p"/>"##.repeat(100_000);
+    let spaces = " ".repeat(1 << 20);
+    assert!(read(&format!("<svg><path id='p' d='M0 0{spaces}L1 1'/>{copies}</svg>")).is_err());
+    let levels: String = (1..16)
+        .map(|i| {
+            let use_twenty = format!("<use href='#l{}'/>", i - 1).repeat(20);
+            format!("<g id='l{i}'>{use_twenty}</g>")
+        })
+        .collect();
+    assert!(read(&format!("<svg><g id='l0'><line x2='9'/></g>{levels}</svg>")).is_err());
+    assert!(start.elapsed() < Duration::from_secs(60), "{:?}", start.elapsed());
+}
+
+#[test]
+fn the_good_file_is_good() {
+    let (sketch, warnings) = read(GOOD).unwrap();
+    assert_eq!((sketch.strokes.len(), warnings.len()), (2, 0));
+    assert_eq!(read(&json::write(&sketch)).unwrap().0, sketch);
+}

@@ -1,0 +1,155 @@
+//! The sketch file: what it means, and that writing and reading are inverse.
+
+use super::{read, with_points, with_strokes};
+use glam::vec2;
+use penstemon::sketch::{Canvas, Sketch, Stroke, StrokePoint, Tool, from_bytes, json, limits};
+use proptest::prelude::*;
+use serde_json::{Map, Value};
+
+#[test]
+fn only_format_version_strokes_and_points_are_needed() {
+    let (sketch, warnings) = read(&with_points("[[10, 20], [30, 25]]")).unwrap();
+    assert_eq!(warnings, []);
+    assert_eq!(sketch.canvas, Canvas { width: 20.0, height: 5.0 });
+    assert_eq!((sketch.species, sketch.seed, sketch.params.len()), (None, 0, 0));
+    let expected = [vec2(10.0, 20.0), vec2(30.0, 25.0)].map(StrokePoint::at).to_vec();
+    assert_eq!(sketch.strokes, [Stroke { id: 1, tool: Tool::Auto, points: expected }]);
+}
+
+#[test]
+fn a_point_has_2_3_5_or_6_numbers() {
+    let text = with_points("[[1,2], [1,2,0.25], [1,3,0.25,-10,20], [1,2,0.25,-10,20,7.5]]");
+    let points = &read(&text).unwrap().0.strokes[0].points;
+    let told: Vec<_> = points.iter().map(|p| (p.pressure, p.tilt_deg, p.time_ms)).collect();
+    let tilt = vec2(-10.0, 20.0);
+    assert_eq!(
+        told,
+        [(0.5, vec2(0.0, 0.0), 0.0), (0.25, vec2(0.0, 0.0), 0.0), (0.25, tilt, 0.0), (0.25, tilt, 7.5)]
+    );
+}
+
+#[test]
+fn missing_ids_are_filled_with_unused_ones() {
+    let stroke = r#"{"points": [[0,0],[1,1]]}"#;
+    let text = with_strokes(&format!(r#"{stroke}, {{"id": 1, "points": [[0,0],[1,1]]}}, {stroke}"#));
+    let ids: Vec<_> = read(&text).unwrap().0.strokes.iter().map(|s| s.id).collect();
+    assert_eq!(ids, [2, 1, 3]);
+}
+
+#[test]
+fn a_stroke_is_one_line_of_text() {
+    let text = with_strokes(r#"{"id": 7, "tool": "leaf", "points": [[0.5, 1], [100, -3.25, 1]]}"#);
+    let written = json::write(&read(&text).unwrap().0);
+    let expected = r#"{
+  "format": "penstemon-sketch",
+  "version": 1,
+  "canvas": {"width": 99.5, "height": 4.25},
+  "seed": 0,
+  "params": {},
+  "strokes": [
+    {"id": 7, "tool": "leaf", "points": [[0.5, 1, 0.5], [100, -3.25, 1]]}
+  ]
+}
+"#;
+    assert_eq!(written, expected);
+}
+
+#[test]
+fn a_byte_order_mark_is_no_obstacle() {
+    assert!(read(&format!("\u{feff}{}", with_points("[[0,0],[1,1]]"))).is_ok());
+}
+
+#[test]
+fn a_straight_stroke_still_has_a_canvas_with_an_area() {
+    let (sketch, _) = read(&with_points("[[0,5],[80,5]]")).unwrap();
+    assert_eq!(sketch.canvas, Canvas { width: 80.0, height: 80.0 });
+}
+
+#[test]
+fn params_keep_numbers_switches_names_and_groups() {
+    let text = r#"{"format": "penstemon-sketch", "version": 1, "seed": 18446744073709551615,
+        "species": "daisy", "params": {"a.b": 0.1, "c": {"d": true, "e": -3, "f": "x", "g": 1e-7}},
+        "strokes": [{"points": [[0,0],[1,1]]}]}"#;
+    let (sketch, _) = read(text).unwrap();
+    assert_eq!(sketch.seed, u64::MAX);
+    let expected: Value =
+        serde_json::from_str(r#"{"a.b": 0.1, "c": {"d": true, "e": -3, "f": "x", "g": 1e-7}}"#).unwrap();
+    assert_eq!(Value::Object(sketch.params.clone()), expected);
+    assert_eq!(read(&json::write(&sketch)).unwrap().0, sketch);
+}
+
+fn point() -> impl Strategy<Value = StrokePoint> {
+    let most = limits::MAX_COORDINATE;
+    let position = (-most..=most, -most..=most).prop_map(|(x, y)| vec2(x, y));
+    let pressure = prop_oneof![Just(0.5_f32), 0.0_f32..=1.0];
+    let tilt =
+        prop_oneof![Just(vec2(0.0, 0.0)), (-90.0_f32..=90.0, -90.0_f32..=90.0).prop_map(|(x, y)| vec2(x, y))];
+    let time = prop_oneof![Just(0.0_f32), 0.0_f32..1e6];
+    (position, pressure, tilt, time).prop_map(|(position, pressure, tilt_deg, time_ms)| StrokePoint {
+        position,
+        pressure,
+        tilt_deg,
+        time_ms,
+    })
+}
+
+fn param() -> impl Strategy<Value = Value> {
+    let leaf = prop_oneof![
+        any::<bool>().prop_map(Value::from),
+        any::<i64>().prop_map(Value::from),
+        prop::num::f64::NORMAL.prop_map(Value::from),
+        ".{0,8}".prop_map(Value::from),
+    ];
+    leaf.prop_recursive(3, 16, 4, |inner| {
+        prop::collection::btree_map(".{1,8}", inner, 0..4)
+            .prop_map(|group| Value::Object(group.into_iter().collect::<Map<_, _>>()))
+    })
+}
+
+prop_compose! {
+    fn sketch()(
+        size in (1e-3_f32..1e6, 1e-3_f32..1e6),
+        species in prop::option::of(".{0,12}"),
+        seed in any::<u64>(),
+        params in prop::collection::btree_map(".{1,8}", param(), 0..4),
+        strokes in prop::collection::btree_map(
+            any::<u64>(),
+            (prop::sample::select(&Tool::ALL[..]), prop::collection::vec(point(), 2..20)),
+            1..8,
+        ),
+    ) -> Sketch {
+        let strokes = strokes.into_iter().map(|(id, (tool, points))| Stroke { id, tool, points }).collect();
+        let canvas = Canvas { width: size.0, height: size.1 };
+        Sketch { canvas, species, seed, params: params.into_iter().collect(), strokes }
+    }
+}
+
+proptest! {
+    #[test]
+    fn written_sketches_read_back_bit_by_bit(sketch in sketch()) {
+        let text = json::write(&sketch);
+        let (again, warnings) = read(&text).unwrap();
+        prop_assert_eq!(&again, &sketch);
+        prop_assert_eq!(warnings, vec![]);
+        prop_assert_eq!(json::write(&again), text);
+    }
+
+    #[test]
+    fn any_bytes_end_in_a_sketch_or_a_message(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
+        if let Err(error) = from_bytes(&bytes, "noise") {
+            prop_assert!(error.to_string().starts_with("noise: "));
+        }
+    }
+
+    #[test]
+    fn a_file_with_one_byte_changed_ends_in_a_sketch_or_a_message(
+        sketch in sketch(), at in any::<prop::sample::Index>(), byte in any::<u8>(),
+    ) {
+        let mut bytes = json::write(&sketch).into_bytes();
+        let at = at.index(bytes.len());
+        bytes[at] = byte;
+        if let Ok((changed, _)) = from_bytes(&bytes, "changed") {
+            prop_assert_eq!(changed.check_invariants(), Ok(()));
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! SVG as Inkscape, Krita and people write it. The expected boxes are Inkscape's own, see `tests/fixtures/svg/README.md`.
+
+use super::read;
+use glam::{Vec2, vec2};
+use penstemon::sketch::{Canvas, Stroke, Tool};
+
+const INKSCAPE: &str = include_str!("../fixtures/svg/inkscape-layers.svg");
+const INKSCAPE_PLAIN: &str = include_str!("../fixtures/svg/inkscape-plain.svg");
+const KRITA: &str = include_str!("../fixtures/svg/krita-shapes.svg");
+const HANDMADE: &str = include_str!("../fixtures/svg/handmade.svg");
+
+/// The boxes of `inkscape-layers.svg`: left, top, width, height in pixels, in document order.
+const INKSCAPE_BOXES: [[f32; 4]; 9] = [
+    [206.398, 36.1732, 81.1035, 155.294],
+    [229.974, 172.92, 159.352, 82.2326],
+    [149.05, 196.187, 111.374, 171.556],
+    [74.4876, 164.973, 147.906, 69.5718],
+    [226.772, 196.535, 7.55906, 332.598],
+    [217.701, 424.819, 89.1969, 38.5512],
+    [173.858, 264.567, 56.6929, 98.2677],
+    [230.551, 366.614, 90.7087, 11.3386],
+    [415.748, 105.827, 302.362, 226.772],
+];
+
+fn positions(stroke: &Stroke) -> Vec<Vec2> {
+    stroke.points.iter().map(|p| p.position).collect()
+}
+
+/// Compares to a fiftieth of a pixel: the flattening tolerance of the largest of these drawings.
+fn assert_boxes(strokes: &[Stroke], expected: &[[f32; 4]]) {
+    assert_eq!(strokes.len(), expected.len());
+    for (stroke, [left, top, width, height]) in strokes.iter().zip(expected) {
+        let all = positions(stroke);
+        let lo = all.iter().copied().reduce(Vec2::min).unwrap();
+        let hi = all.iter().copied().reduce(Vec2::max).unwrap();
+        let found = [lo.x, lo.y, hi.x, hi.y];
+        let expected = [*left, *top, left + width, top + height];
+        let same = found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 0.02);
+        assert!(same, "stroke {}: {found:?}, Inkscape says {expected:?}", stroke.id);
+    }
+}
+
+fn tools(strokes: &[Stroke]) -> Vec<Tool> {
+    strokes.iter().map(|s| s.tool).collect()
+}
+
+fn svg(content: &str) -> String {
+    format!(r#"<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100">{content}</svg>"#)
+}
+
+#[test]
+fn inkscape_layers_lie_where_inkscape_draws_them() {
+    let (sketch, warnings) = read(INKSCAPE).unwrap();
+    assert_eq!(warnings, []);
+    let Canvas { width, height } = sketch.canvas;
+    assert!((width - 793.701).abs() < 1e-3 && (height - 559.370).abs() < 1e-3);
+    assert_boxes(&sketch.strokes, &INKSCAPE_BOXES);
+}
+
+#[test]
+fn inkscape_layer_names_are_tools_and_hidden_layers_are_not_drawn() {
+    let (sketch, _) = read(INKSCAPE).unwrap();
+    let expected = [[Tool::Petal; 4], [Tool::Branch; 4]].concat();
+    assert_eq!(tools(&sketch.strokes), [expected, vec![Tool::LeafOutline]].concat());
+}
+
+#[test]
+fn plain_svg_from_inkscape_is_the_same_drawing() {
+    let (sketch, warnings) = read(INKSCAPE_PLAIN).unwrap();
+    assert_eq!(warnings, []);
+    assert_boxes(&sketch.strokes, &INKSCAPE_BOXES);
+}
+
+#[test]
+fn krita_shapes_lie_where_inkscape_draws_them() {
+    let (sketch, warnings) = read(KRITA).unwrap();
+    assert_eq!(warnings, []);
+    assert_eq!(sketch.canvas, Canvas { width: 768.0, height: 576.0 });
+    assert_eq!(tools(&sketch.strokes), [Tool::Auto, Tool::Auto, Tool::Branch]);
+    let expected = [
+        [160.321, 129.006, 54.4632, 105.234],
+        [190.24, 141.706, 94.114, 76.4123],
+        [210.495, 234.24, 3.58544, 268.8],
+    ];
+    assert_boxes(&sketch.strokes, &expected);
+}
+
+#[test]
+fn nested_transforms_viewports_symbols_and_all_path_commands() {
+    let (sketch, warnings) = read(HANDMADE).unwrap();
+    // The symbol's circle has radius 5 in a box that leaves it 5 units of free space to the left.
+    let bud = [112.5, 50.0, 25.0, 25.0];
+    let nested = [211.141, 61.5363, 37.6799, 25.9637];
+    let smooth = [100.0, 25.0, 100.0, 25.0];
+    let arcs = [262.309, 50.0, 37.6905, 35.193];
+    let (closed, second_subpath) = (&sketch.strokes[2], &sketch.strokes[3]);
+    assert_boxes(&[&sketch.strokes[..2], &sketch.strokes[4..]].concat(), &[nested, bud, smooth, arcs]);
+    assert_eq!(positions(closed).first(), positions(closed).last());
+    assert_eq!(positions(second_subpath), [vec2(230.0, 105.0), vec2(235.0, 110.0)]);
+    let messages: Vec<_> = warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(messages.len(), 1, "{messages:?}");
+    assert!(messages[0].starts_with("1 <rect> left out"), "{messages:?}");
+}
+
+#[test]
+fn subpaths_are_strokes_of_their_own_and_a_close_returns_to_the_start() {
+    let (sketch, _) = read(&svg(r#"<path d="M0 0 L10 0 M 5 5 M1 1 h2 v2 z l 5 5 M9 9"/>"#)).unwrap();
+    let found: Vec<_> = sketch.strokes.iter().map(positions).collect();
+    let triangle = vec![vec2(1.0, 1.0), vec2(3.0, 1.0), vec2(3.0, 3.0), vec2(1.0, 1.0)];
+    let expected = [vec![vec2(0.0, 0.0), vec2(10.0, 0.0)], triangle, vec![vec2(1.0, 1.0), vec2(6.0, 6.0)]];
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn polylines_polygons_and_lines_are_strokes() {
+    let shapes = r#"<polyline points="0,0 1,2 3,4 5"/><polygon points="0 0 2 0 2 2"/>
+        <line x1="1mm" x2="10"/>"#;
+    let (sketch, _) = read(&svg(shapes)).unwrap();
+    assert_eq!(positions(&sketch.strokes[0]), [vec2(0.0, 0.0), vec2(1.0, 2.0), vec2(3.0, 4.0)]);
+    assert_eq!(positions(&sketch.strokes[1]).len(), 4);
+    assert_eq!(positions(&sketch.strokes[2]), [vec2(96.0 / 25.4, 0.0), vec2(10.0, 0.0)]);
+}
+
+#[test]
+fn the_nearest_name_is_the_tool() {
+    let line = r#"<line x2="9"/>"#;
+    let text = format!(
+        r#"{line}<g id="leaves">{line}<g id="g12">{line}<g data-tool="branch">{line}</g></g>
+        <g inkscape:label="Petals" id="leaf1">{line}</g><line id="auto" x2="9"/></g>"#
+    );
+    let with_namespace = svg(&text).replacen(
+        "<svg ",
+        r#"<svg xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" "#,
+        1,
+    );
+    let (sketch, _) = read(&with_namespace).unwrap();
+    let expected = [Tool::Auto, Tool::Leaf, Tool::Leaf, Tool::Branch, Tool::Petal, Tool::Auto];
+    assert_eq!(tools(&sketch.strokes), expected);
+}
+
+#[test]
+fn what_is_not_rendered_is_not_drawn() {
+    let line = r#"<line x2="9"/>"#;
+    let hidden = format!(
+        r#"<defs>{line}</defs><clipPath>{line}</clipPath><symbol>{line}</symbol><marker>{line}</marker>
+        <g display="none">{line}</g><g style="fill:none; display : none">{line}</g>
+        <g visibility="hidden">{line}<line y2="7" visibility="visible"/></g>"#
+    );
+    let (sketch, _) = read(&svg(&hidden)).unwrap();
+    assert_eq!(sketch.strokes.len(), 1);
+    assert_eq!(positions(&sketch.strokes[0])[1], vec2(0.0, 7.0));
+}
+
+#[test]
+fn curves_are_as_smooth_in_millimetres_as_in_pixels() {
+    let circle = r#"<path d="M 0 5 a 5 5 0 1 1 10 0 a 5 5 0 1 1 -10 0"/>"#;
+    let at = |factor: f32| {
+        let size = 10.0 * factor;
+        let text = format!(r#"<svg width="{size}" height="{size}" viewBox="0 0 10 10">{circle}</svg>"#);
+        let sketch = read(&text).unwrap().0;
+        let radius_error = |p: Vec2| ((p / factor - vec2(5.0, 5.0)).length() - 5.0).abs();
+        let worst = positions(&sketch.strokes[0]).into_iter().map(radius_error).fold(0.0, f32::max);
+        assert!(worst < 1e-4, "{worst}");
+        sketch.strokes[0].points.len()
+    };
+    let count = at(1.0);
+    assert!((100..1000).contains(&count), "{count}");
+    // Rounding may move a subdivision by one.
+    assert!(at(1000.0).abs_diff(count) <= 2);
+    assert!(at(0.001).abs_diff(count) <= 2);
+}
+
+#[test]
+fn the_readable_part_of_a_damaged_path_is_kept_with_a_remark() {
+    let (sketch, warnings) = read(&svg(r#"<path id="p1" d="M0 0 L10 10 L NaN 5"/>"#)).unwrap();
+    assert_eq!(positions(&sketch.strokes[0]), [vec2(0.0, 0.0), vec2(10.0, 10.0)]);
+    assert!(warnings[0].to_string().contains("`p1`: only its beginning was read"), "{warnings:?}");
+}
+
+#[test]
+fn a_page_without_size_is_as_large_as_the_drawing() {
+    let (sketch, _) = read(r#"<svg><line x1="5" x2="25" y2="10"/></svg>"#).unwrap();
+    assert_eq!(sketch.canvas, Canvas { width: 20.0, height: 10.0 });
+    let (sketch, _) = read(r#"<svg width="100%" viewBox="0 0 40 30"><line x2="2"/></svg>"#).unwrap();
+    assert_eq!(sketch.canvas, Canvas { width: 40.0, height: 30.0 });
+}
+
+#[test]
+fn copies_that_contain_themselves_end() {
+    let text = svg(r##"<g id="a"><line x2="9"/><use href="#a"/></g><use href="#nothing"/>"##);
+    let (sketch, warnings) = read(&text).unwrap();
+    assert!(sketch.strokes.len() > 1);
+    assert!(warnings.len() == 2, "{warnings:?}");
+}
