@@ -1,15 +1,79 @@
-//! stub
+//! `penstemon check`: is this mesh fit for a modeller, a game engine, a printer?
 
+use crate::export::read;
+use crate::model::quality::{Report, judge};
+use anyhow::Context;
+use serde::Serialize;
+use std::io::Write;
+use std::path::PathBuf;
 use std::process::ExitCode;
+
+/// How many of the faulty meshes are named.
+const NAMED: usize = 5;
 
 /// Arguments.
 #[derive(Debug, clap::Args)]
-pub struct Args {}
+pub struct Args {
+    /// The model, OBJ or GLB.
+    model: PathBuf,
+    /// Print one JSON object instead of text.
+    #[arg(long)]
+    json: bool,
+}
 
-/// Runs the verb.
+/// What was found in a file.
+#[derive(Serialize)]
+struct Verdict {
+    clean: bool,
+    #[serde(flatten)]
+    report: Report,
+    /// Names of faulty meshes, at most [`NAMED`].
+    faulty: Vec<String>,
+}
+
+/// Runs the verb: prints the report; exit code 1 when a defect was found.
 ///
 /// # Errors
-/// What went wrong, ready to be shown.
-pub fn run(_args: &Args) -> anyhow::Result<ExitCode> {
-    Ok(ExitCode::SUCCESS)
+/// A file that cannot be read, or an output that cannot be written.
+pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
+    let mut report = Report::default();
+    let mut faulty = Vec::new();
+    for surface in read(&args.model)? {
+        let one = judge(&surface.mesh, surface.has);
+        if !one.is_clean() && !surface.name.is_empty() && faulty.len() < NAMED {
+            faulty.push(surface.name);
+        }
+        report.add(&one);
+    }
+    let verdict = Verdict { clean: report.is_clean(), report, faulty };
+    let text =
+        if args.json { format!("{}\n", serde_json::to_string(&verdict)?) } else { described(args, &verdict) };
+    std::io::stdout().write_all(text.as_bytes()).context("cannot print the report")?;
+    Ok(if verdict.clean { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+fn described(args: &Args, verdict: &Verdict) -> String {
+    let report = &verdict.report;
+    let mut text = format!(
+        "{}: {} points, {} triangles, {} components",
+        args.model.display(),
+        report.points,
+        report.triangles,
+        report.components
+    );
+    if let Some(range) = report.uv_range {
+        text +=
+            &format!(", UVs from ({}, {}) to ({}, {})", range.min.x, range.min.y, range.max.x, range.max.y);
+    }
+    text.push('\n');
+    for (what, count) in report.defects() {
+        text += &format!("  {count} {what}\n");
+    }
+    if !verdict.faulty.is_empty() {
+        text += &format!("  among others in: {}\n", verdict.faulty.join(", "));
+    }
+    if verdict.clean {
+        text += "  no defects\n";
+    }
+    text
 }

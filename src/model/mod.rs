@@ -3,8 +3,12 @@
 //! Blades and tubes are closed and manifold, wound counter-clockwise seen from outside, with UVs that fit the part's
 //! texture. Nothing here knows a drawing: the input is a [`Plant`](crate::plant::Plant), the output plain arrays.
 
+mod disjoint_sets;
+pub mod invariants;
 pub mod mesh;
 pub mod quality;
+mod topology;
+pub mod weld;
 
 pub use mesh::{Mesh, Vertex};
 

@@ -1,0 +1,282 @@
+//! Binary glTF 2.0: one file with everything in it.
+//!
+//! Two chunks: the JSON document, then one buffer: interleaved vertices (position, normal, UV; 32 bytes each), 32-bit
+//! indices, 16-bit indices for meshes that need no more, pictures. One buffer view per region; accessors point into
+//! them. The node tree is in [`gltf_tree`](super::gltf_tree), looks in [`gltf_materials`](super::gltf_materials).
+//!
+//! Positions are relative to their part's pivot; v runs downward in glTF, so v' = 1 − v. The document is written
+//! straight into the result, and so are vertices and indices: besides the result only the document's tree is held.
+
+use super::gltf_materials::push_materials;
+use super::gltf_tree::push_nodes;
+use super::{Encoded, ExportError, Exporter, Pictures, Scene};
+use crate::model::{Mesh, Model, Part};
+use glam::Vec3;
+use gltf_json as json;
+use json::accessor::{ComponentType, GenericComponentType, Type};
+use json::buffer::{Stride, Target, View};
+use json::mesh::Semantic;
+use json::validation::{Checked::Valid, USize64};
+use json::{Accessor, Index};
+
+/// Binary glTF 2.0.
+#[derive(Debug)]
+pub struct Glb;
+
+const VERTEX_BYTES: usize = 32;
+const NORMAL_OFFSET: usize = 12;
+const UV_OFFSET: usize = 24;
+const HEADER_BYTES: usize = 12;
+const CHUNK_HEADER_BYTES: usize = 8;
+
+impl Exporter for Glb {
+    fn extension(&self) -> &'static str {
+        "glb"
+    }
+
+    fn encode(&self, scene: &Scene<'_>) -> Result<Encoded, ExportError> {
+        scene.surfaces()?;
+        let pictures = Pictures::of(scene)?;
+        let regions = Regions::of(scene.model, &pictures);
+        let document = document(scene, &pictures, &regions);
+        let mut out = Vec::new();
+        out.resize(HEADER_BYTES + CHUNK_HEADER_BYTES, 0);
+        serde_json::to_writer(&mut out, &document)?;
+        pad(&mut out, b' ');
+        let json_bytes = out.len() - HEADER_BYTES - CHUNK_HEADER_BYTES;
+        let total = out.len() as u64 + CHUNK_HEADER_BYTES as u64 + regions.end as u64;
+        let total_bytes = u32::try_from(total).map_err(|_| ExportError::TooLarge { bytes: total })?;
+        out[..4].copy_from_slice(b"glTF");
+        out[4..8].copy_from_slice(&2u32.to_le_bytes());
+        out[8..12].copy_from_slice(&total_bytes.to_le_bytes());
+        out[12..16].copy_from_slice(&(json_bytes as u32).to_le_bytes());
+        out[16..20].copy_from_slice(b"JSON");
+        out.reserve_exact(CHUNK_HEADER_BYTES + regions.end);
+        out.extend_from_slice(&(regions.end as u32).to_le_bytes());
+        out.extend_from_slice(b"BIN\0");
+        write_buffer(&mut out, scene.model, &pictures);
+        Ok(Encoded { bytes: out, companions: Vec::new() })
+    }
+}
+
+/// Whether 16 bits reach every vertex; the largest 16-bit value is reserved.
+fn is_narrow(mesh: &Mesh) -> bool {
+    mesh.vertices.len() <= usize::from(u16::MAX)
+}
+
+/// Where each kind of data begins in the buffer, in bytes.
+struct Regions {
+    wide: usize,
+    narrow: usize,
+    pictures: usize,
+    end: usize,
+}
+
+impl Regions {
+    fn of(model: &Model, pictures: &Pictures) -> Self {
+        let surfaces = || model.parts.iter().map(|part| &part.mesh).filter(|mesh| !mesh.triangles.is_empty());
+        let indices = |narrow| -> usize {
+            surfaces().filter(|m| is_narrow(m) == narrow).map(|m| 3 * m.triangles.len()).sum()
+        };
+        let wide = VERTEX_BYTES * surfaces().map(|mesh| mesh.vertices.len()).sum::<usize>();
+        let narrow = wide + 4 * indices(false);
+        let first_picture = (narrow + 2 * indices(true)).next_multiple_of(4);
+        let picture_bytes: usize = pictures.all.iter().map(|p| p.bytes.len().next_multiple_of(4)).sum();
+        Self { wide, narrow, pictures: first_picture, end: first_picture + picture_bytes }
+    }
+}
+
+fn document(scene: &Scene<'_>, pictures: &Pictures, regions: &Regions) -> json::Root {
+    let mut root = json::Root::default();
+    root.asset.generator = Some("Penstemon".to_owned());
+    root.push(json::Buffer {
+        byte_length: USize64::from(regions.end),
+        name: None,
+        uri: None,
+        extensions: None,
+        extras: Default::default(),
+    });
+    let materials = push_materials(&mut root, scene, pictures);
+    let mut cursor = Cursor::new(&mut root, scene.model, regions);
+    let mesh_of_part: Vec<_> = scene
+        .model
+        .parts
+        .iter()
+        .map(|part| {
+            (!part.mesh.triangles.is_empty())
+                .then(|| cursor.push_mesh(&mut root, part, materials[part.material]))
+        })
+        .collect();
+    push_images(&mut root, pictures, regions);
+    push_nodes(&mut root, scene.model, &mesh_of_part);
+    root
+}
+
+fn push_images(root: &mut json::Root, pictures: &Pictures, regions: &Regions) {
+    let mut offset = regions.pictures;
+    for picture in &pictures.all {
+        let view = root.push(view(offset, picture.bytes.len(), None));
+        offset += picture.bytes.len().next_multiple_of(4);
+        root.push(json::Image {
+            buffer_view: Some(view),
+            mime_type: Some(json::image::MimeType(picture.format.media_type().to_owned())),
+            name: Some(picture.stem.clone()),
+            uri: None,
+            extensions: None,
+            extras: Default::default(),
+        });
+    }
+}
+
+fn view(offset: usize, length: usize, target: Option<Target>) -> View {
+    let interleaved = target == Some(Target::ArrayBuffer);
+    View {
+        buffer: Index::new(0),
+        byte_length: USize64::from(length),
+        byte_offset: Some(USize64::from(offset)),
+        byte_stride: interleaved.then_some(Stride(VERTEX_BYTES)),
+        name: None,
+        target: target.map(Valid),
+        extensions: None,
+        extras: Default::default(),
+    }
+}
+
+/// The views of vertices and indices, and how far each is used up.
+struct Cursor {
+    vertices: (Index<View>, usize),
+    wide: (Option<Index<View>>, usize),
+    narrow: (Option<Index<View>>, usize),
+}
+
+impl Cursor {
+    fn new(root: &mut json::Root, model: &Model, regions: &Regions) -> Self {
+        let narrow_bytes: usize = {
+            let narrow = model.parts.iter().filter(|part| is_narrow(&part.mesh));
+            narrow.map(|part| 6 * part.mesh.triangles.len()).sum()
+        };
+        let vertices = root.push(view(0, regions.wide, Some(Target::ArrayBuffer)));
+        let mut indices = |from: usize, length: usize| {
+            (length > 0).then(|| root.push(view(from, length, Some(Target::ElementArrayBuffer))))
+        };
+        let wide = indices(regions.wide, regions.narrow - regions.wide);
+        let narrow = indices(regions.narrow, narrow_bytes);
+        Self { vertices: (vertices, 0), wide: (wide, 0), narrow: (narrow, 0) }
+    }
+
+    fn push_mesh(
+        &mut self,
+        root: &mut json::Root,
+        part: &Part,
+        material: Option<Index<json::Material>>,
+    ) -> Index<json::Mesh> {
+        let mesh = &part.mesh;
+        let (view, start) = (self.vertices.0, self.vertices.1);
+        self.vertices.1 += VERTEX_BYTES * mesh.vertices.len();
+        let attribute = |offset, kind| {
+            accessor(Some(view), start + offset, mesh.vertices.len(), ComponentType::F32, kind)
+        };
+        let mut positions = attribute(0, Type::Vec3);
+        let (low, high) = local_bounds(part);
+        positions.min = Some(low.to_array().to_vec().into());
+        positions.max = Some(high.to_array().to_vec().into());
+        let attributes = [
+            (Valid(Semantic::Positions), root.push(positions)),
+            (Valid(Semantic::Normals), root.push(attribute(NORMAL_OFFSET, Type::Vec3))),
+            (Valid(Semantic::TexCoords(0)), root.push(attribute(UV_OFFSET, Type::Vec2))),
+        ];
+        let indices = root.push(self.indices(mesh));
+        let primitive = json::mesh::Primitive {
+            attributes: attributes.into(),
+            indices: Some(indices),
+            material,
+            mode: Valid(json::mesh::Mode::Triangles),
+            targets: None,
+            extensions: None,
+            extras: Default::default(),
+        };
+        root.push(json::Mesh {
+            name: Some(part.name.clone()),
+            primitives: vec![primitive],
+            weights: None,
+            extensions: None,
+            extras: Default::default(),
+        })
+    }
+
+    fn indices(&mut self, mesh: &Mesh) -> Accessor {
+        let (region, component, size) = if is_narrow(mesh) {
+            (&mut self.narrow, ComponentType::U16, 2)
+        } else {
+            (&mut self.wide, ComponentType::U32, 4)
+        };
+        let count = 3 * mesh.triangles.len();
+        let offset = region.1;
+        region.1 += size * count;
+        accessor(region.0, offset, count, component, Type::Scalar)
+    }
+}
+
+fn accessor(
+    view: Option<Index<View>>,
+    offset: usize,
+    count: usize,
+    component: ComponentType,
+    kind: Type,
+) -> Accessor {
+    Accessor {
+        buffer_view: view,
+        byte_offset: Some(USize64::from(offset)),
+        count: USize64::from(count),
+        component_type: Valid(GenericComponentType(component)),
+        type_: Valid(kind),
+        min: None,
+        max: None,
+        name: None,
+        normalized: false,
+        sparse: None,
+        extensions: None,
+        extras: Default::default(),
+    }
+}
+
+/// Smallest and largest coordinates of the positions as they are written.
+fn local_bounds(part: &Part) -> (Vec3, Vec3) {
+    part.mesh.vertices.iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), vertex| {
+        let p = part.mesh.points[vertex.point as usize] - part.pivot;
+        (low.min(p), high.max(p))
+    })
+}
+
+fn write_buffer(out: &mut Vec<u8>, model: &Model, pictures: &Pictures) {
+    let surfaces = || model.parts.iter().filter(|part| !part.mesh.triangles.is_empty());
+    surfaces().for_each(|part| write_vertices(out, part));
+    for part in surfaces().filter(|part| !is_narrow(&part.mesh)) {
+        out.extend(part.mesh.triangles.iter().flatten().flat_map(|v| v.to_le_bytes()));
+    }
+    for part in surfaces().filter(|part| is_narrow(&part.mesh)) {
+        for triangle in &part.mesh.triangles {
+            let [[a, b], [c, d], [e, f]] = triangle.map(|v| (v as u16).to_le_bytes());
+            out.extend_from_slice(&[a, b, c, d, e, f]);
+        }
+    }
+    pad(out, 0);
+    for picture in &pictures.all {
+        out.extend_from_slice(&picture.bytes);
+        pad(out, 0);
+    }
+}
+
+fn write_vertices(out: &mut Vec<u8>, part: &Part) {
+    for vertex in &part.mesh.vertices {
+        let [x, y, z] = (part.mesh.points[vertex.point as usize] - part.pivot).to_array();
+        let [nx, ny, nz] = vertex.normal.to_array();
+        let values = [x, y, z, nx, ny, nz, vertex.uv.x, 1.0 - vertex.uv.y].map(f32::to_le_bytes);
+        out.extend_from_slice(values.as_flattened());
+    }
+}
+
+/// Fills up to a multiple of four bytes; both chunks begin at one.
+fn pad(out: &mut Vec<u8>, filler: u8) {
+    out.resize(out.len().next_multiple_of(4), filler);
+}

@@ -1,0 +1,133 @@
+//! The pictures that a model's materials need, each once, as the bytes that go into files.
+//!
+//! Pictures are never decoded here: PNG and JPEG are what both OBJ and glTF carry, told apart by their first bytes.
+
+use super::{ExportError, Scene};
+use crate::plant::{Material, Texture};
+use std::borrow::Cow;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+/// Largest picture that is taken from a user, in bytes.
+pub const MAX_PICTURE_BYTES: u64 = 256 << 20;
+
+/// Serves the program's own textures by file name; `None` where there is none of that name.
+pub type BuiltInTextures<'a> = dyn Fn(&str) -> Option<Cow<'static, [u8]>> + 'a;
+
+/// How a picture is encoded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PictureFormat {
+    /// Portable Network Graphics.
+    Png,
+    /// JPEG.
+    Jpeg,
+}
+
+impl PictureFormat {
+    /// The format that the bytes begin with.
+    pub fn of(bytes: &[u8]) -> Option<Self> {
+        if bytes.starts_with(b"\x89PNG\r\n\x1a\n") {
+            Some(Self::Png)
+        } else if bytes.starts_with(b"\xff\xd8\xff") {
+            Some(Self::Jpeg)
+        } else {
+            None
+        }
+    }
+
+    /// The usual file extension.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Self::Png => "png",
+            Self::Jpeg => "jpg",
+        }
+    }
+
+    /// The media type that glTF wants.
+    pub fn media_type(self) -> &'static str {
+        match self {
+            Self::Png => "image/png",
+            Self::Jpeg => "image/jpeg",
+        }
+    }
+}
+
+/// One picture.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// File name without folder and extension.
+    pub stem: String,
+    /// Encoding of `bytes`.
+    pub format: PictureFormat,
+    /// The encoded picture.
+    pub bytes: Cow<'static, [u8]>,
+}
+
+/// Every picture in use.
+#[derive(Clone, Debug, Default)]
+pub struct Pictures {
+    /// Each picture once, in the order in which materials first name them.
+    pub all: Vec<Picture>,
+    /// For each material of the model the index of its picture; `None` too for materials that no part has.
+    pub of_material: Vec<Option<usize>>,
+}
+
+impl Pictures {
+    /// Fetches the pictures of all materials that parts use.
+    ///
+    /// # Errors
+    /// A texture that does not exist, cannot be read or is no picture.
+    pub fn of(scene: &Scene<'_>) -> Result<Self, ExportError> {
+        let mut pictures = Self::default();
+        let mut known: Vec<&Texture> = Vec::new();
+        for (material, used) in scene.model.materials.iter().zip(scene.used_materials()) {
+            let Some(texture) = material.texture.as_ref().filter(|_| used) else {
+                pictures.of_material.push(None);
+                continue;
+            };
+            let index = match known.iter().position(|k| *k == texture) {
+                Some(index) => index,
+                None => {
+                    pictures.all.push(fetch(material, texture, scene.built_in)?);
+                    known.push(texture);
+                    known.len() - 1
+                }
+            };
+            pictures.of_material.push(Some(index));
+        }
+        Ok(pictures)
+    }
+}
+
+fn fetch(
+    material: &Material,
+    texture: &Texture,
+    built_in: &BuiltInTextures<'_>,
+) -> Result<Picture, ExportError> {
+    let wanted_by = || material.name.clone();
+    let (path, bytes) = match texture {
+        Texture::BuiltIn(name) => {
+            let missing = || ExportError::NoSuchTexture { material: wanted_by(), name: name.clone() };
+            (Path::new(name), built_in(name).ok_or_else(missing)?)
+        }
+        Texture::File(path) => {
+            let failed =
+                |source| ExportError::ReadPicture { material: wanted_by(), path: path.clone(), source };
+            (path.as_path(), Cow::Owned(read_limited(path).map_err(failed)?))
+        }
+    };
+    let strange = || ExportError::NotAPicture { material: wanted_by(), picture: path.display().to_string() };
+    let format = PictureFormat::of(&bytes).ok_or_else(strange)?;
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    Ok(Picture { stem, format, bytes })
+}
+
+fn read_limited(path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    File::open(path)?.take(MAX_PICTURE_BYTES + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > MAX_PICTURE_BYTES {
+        return Err(io::Error::other(format!("it is larger than {} MiB", MAX_PICTURE_BYTES >> 20)));
+    }
+    Ok(bytes)
+}

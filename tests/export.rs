@@ -1,0 +1,286 @@
+//! Files out: what is written reads back, is the same every time, and is whole or not there.
+
+mod common;
+
+use common::{leafy, textures, two_specimens};
+use gltf_json as json;
+use penstemon::export::read::{ReadFormat, from_bytes};
+use penstemon::export::{Encoded, ExportError, FORMATS, Scene, export, format_of, glb, plant_json};
+use penstemon::model::quality::{Report, judge, judge_model};
+use penstemon::model::{Model, Vertex};
+use penstemon::plant::{Plant, Texture};
+use std::fs;
+use std::path::Path;
+
+fn encoded(file: &str, model: &Model, plant: &Plant) -> Encoded {
+    let path = Path::new(file);
+    let stem = path.file_stem().unwrap().to_string_lossy();
+    let scene = Scene::new(model, plant, &textures, stem).unwrap();
+    format_of(path).unwrap().encode(&scene).unwrap()
+}
+
+fn judged(format: ReadFormat, bytes: &[u8]) -> Report {
+    let mut sum = Report::default();
+    for surface in from_bytes(format, bytes).unwrap() {
+        assert!(surface.has.normals && surface.has.uvs);
+        sum.add(&judge(&surface.mesh, surface.has));
+    }
+    sum
+}
+
+fn document(glb: &[u8]) -> json::Root {
+    let length = u32::from_le_bytes(glb[12..16].try_into().unwrap()) as usize;
+    json::Root::from_slice(&glb[20..20 + length]).unwrap()
+}
+
+#[test]
+fn the_fixture_is_clean() {
+    let report = judge_model(&two_specimens().0);
+    assert!(report.is_clean(), "{report:?}");
+    assert_eq!(report.components, 8);
+}
+
+#[test]
+fn both_formats_read_back_as_the_same_surface() {
+    let (model, plant) = two_specimens();
+    let direct = judge_model(&model);
+    let obj = judged(ReadFormat::Obj, &encoded("a.obj", &model, &plant).bytes);
+    let glb = judged(ReadFormat::Glb, &encoded("a.glb", &model, &plant).bytes);
+    assert_eq!(obj, direct);
+    assert_eq!(
+        (glb.points, glb.triangles, glb.components),
+        (direct.points, direct.triangles, direct.components)
+    );
+    assert!(glb.is_clean(), "{glb:?}");
+}
+
+#[test]
+fn the_same_model_gives_the_same_bytes() {
+    for format in FORMATS {
+        let file = format!("plant.{}", format.extension());
+        let (first, second) = (leafy(50), leafy(50));
+        let (a, b) = (encoded(&file, &first.0, &first.1), encoded(&file, &second.0, &second.1));
+        assert_eq!(a.bytes, b.bytes, "{file}");
+        assert_eq!(a.companions, b.companions, "{file}");
+    }
+}
+
+#[test]
+fn obj_lines_are_what_other_programs_expect() {
+    let (model, plant) = two_specimens();
+    let text = String::from_utf8(encoded("my plant.obj", &model, &plant).bytes).unwrap();
+    let count = |keyword: &str| text.lines().filter(|l| l.split(' ').next() == Some(keyword)).count();
+    let points: usize = model.parts.iter().map(|p| p.mesh.points.len()).sum();
+    assert_eq!((count("o"), count("g"), count("usemtl")), (2, 8, 8));
+    assert_eq!((count("v"), count("vt"), count("vn")), (points, model.vertex_count(), model.vertex_count()));
+    assert_eq!(count("f"), model.triangle_count());
+    assert!(text.lines().all(|l| !l.starts_with("usemtl") || l.split(' ').count() == 2));
+}
+
+#[test]
+fn obj_positions_lose_nothing() {
+    let (model, plant) = two_specimens();
+    let obj = encoded("a.obj", &model, &plant).bytes;
+    let mut lines = std::str::from_utf8(&obj).unwrap().lines().filter_map(|l| l.strip_prefix("v "));
+    for point in model.parts.iter().flat_map(|part| &part.mesh.points) {
+        let read: Vec<f32> = lines.next().unwrap().split(' ').map(|n| n.parse().unwrap()).collect();
+        assert_eq!(read, point.to_array());
+    }
+}
+
+#[test]
+fn mtl_names_materials_and_pictures_that_exist() {
+    let (model, plant) = two_specimens();
+    let obj = encoded("my plant#2.obj", &model, &plant);
+    let text = std::str::from_utf8(&obj.bytes).unwrap();
+    let files: Vec<&str> = obj.companions.iter().map(|(name, _)| name.as_str()).collect();
+    assert!(files.iter().all(|f| !f.contains([' ', '#'])), "{files:?}");
+    let (mtl_file, mtl) = obj.companions.last().unwrap();
+    assert!(text.contains(&format!("\nmtllib {mtl_file}\n")));
+    let mtl = std::str::from_utf8(mtl).unwrap();
+    for word in text.lines().filter_map(|l| l.strip_prefix("usemtl ")) {
+        assert!(mtl.contains(&format!("newmtl {word}\n")), "{word}");
+    }
+    let pictures: Vec<&str> = mtl.lines().filter_map(|l| l.strip_prefix("map_Kd ")).collect();
+    assert_eq!(pictures.len(), 3);
+    assert!(pictures.iter().all(|p| files.contains(p)), "{pictures:?} in {files:?}");
+    assert_eq!(mtl.matches("map_d ").count(), 1);
+    assert!(mtl.contains("newmtl 叶\n") && !mtl.contains("newmtl unused"));
+    assert!(
+        ["\nKa ", "\nKd ", "\nKs ", "\nNs ", "\nillum 2"].iter().all(|key| mtl.matches(key).count() == 3)
+    );
+}
+
+#[test]
+fn glb_nodes_follow_the_branch_tree_with_pivots_at_the_base() {
+    let (model, plant) = two_specimens();
+    let root = document(&encoded("a.glb", &model, &plant).bytes);
+    assert_eq!(root.scenes[0].nodes.len(), 2);
+    let mut pivots = vec![glam::Vec3::ZERO; root.nodes.len()];
+    let mut names = vec![String::new(); root.nodes.len()];
+    let mut open: Vec<usize> = root.scenes[0].nodes.iter().map(|n| n.value()).collect();
+    open.iter().for_each(|&i| pivots[i] = root.nodes[i].translation.unwrap_or_default().into());
+    while let Some(i) = open.pop() {
+        for child in root.nodes[i].children.iter().flatten().map(|c| c.value()) {
+            pivots[child] = pivots[i] + glam::Vec3::from(root.nodes[child].translation.unwrap_or_default());
+            names[child] = root.nodes[i].name.clone().unwrap();
+            open.push(child);
+        }
+    }
+    for part in &model.parts {
+        let node = root.nodes.iter().position(|n| n.name.as_ref() == Some(&part.name)).unwrap();
+        assert!(pivots[node].abs_diff_eq(part.pivot, 1e-6), "{}", part.name);
+        let carrier =
+            part.parent.map_or(format!("plant_{}", part.specimen + 1), |p| model.parts[p].name.clone());
+        assert_eq!(names[node], carrier, "{}", part.name);
+    }
+}
+
+fn index_types(root: &json::Root) -> Vec<&'static str> {
+    use json::accessor::{ComponentType, GenericComponentType};
+    use json::validation::Checked::Valid;
+    let indices = root.meshes.iter().map(|m| &root.accessors[m.primitives[0].indices.unwrap().value()]);
+    let name = |accessor: &json::Accessor| match accessor.component_type {
+        Valid(GenericComponentType(ComponentType::U16)) => "U16",
+        Valid(GenericComponentType(ComponentType::U32)) => "U32",
+        _ => "another",
+    };
+    indices.map(name).collect()
+}
+
+#[test]
+fn glb_materials_and_indices_fit() {
+    use json::validation::Checked::Valid;
+    let (model, plant) = two_specimens();
+    let root = document(&encoded("a.glb", &model, &plant).bytes);
+    let names: Vec<&str> = root.materials.iter().map(|m| m.name.as_deref().unwrap()).collect();
+    assert_eq!(names, ["bark #1 rough", "leaf", "叶"]);
+    let leaf = &root.materials[1];
+    assert!(leaf.double_sided && leaf.alpha_mode == Valid(json::material::AlphaMode::Mask));
+    assert_eq!((root.images.len(), root.textures.len()), (2, 2));
+    assert_eq!(index_types(&root), ["U16"; 8]);
+}
+
+#[test]
+fn large_meshes_get_wide_indices() {
+    let (mut model, plant) = two_specimens();
+    let vertices = &mut model.parts[0].mesh.vertices;
+    let filler: Vertex = vertices[0];
+    vertices.resize(65_536, filler);
+    vertices.push(filler);
+    model.parts[0].mesh.triangles[0][0] = 65_536;
+    let glb = encoded("a.glb", &model, &plant).bytes;
+    assert_eq!(judged(ReadFormat::Glb, &glb).triangles, model.triangle_count());
+    assert_eq!(index_types(&document(&glb)), ["U32", "U16", "U16", "U16", "U16", "U16", "U16", "U16"]);
+}
+
+#[test]
+fn plant_json_reads_back_as_the_plant() {
+    let (_, plant) = two_specimens();
+    let bytes = plant_json::to_bytes(&plant).unwrap();
+    let read: Plant = serde_json::from_slice(&bytes).unwrap();
+    assert_eq!(read, plant);
+    let value: serde_json::Value = serde_json::from_slice(&bytes).unwrap();
+    assert_eq!(value["world_from_canvas"]["origin"], serde_json::json!([512.0, 700.0]));
+    assert_eq!(value["branches"][0]["stroke"], 7);
+    assert!(value["branches"][0]["points"][1][1].is_f64() && value["organs"].is_array());
+}
+
+#[test]
+fn export_writes_all_files_and_nothing_else() {
+    let (model, plant) = two_specimens();
+    let folder = tempfile::tempdir().unwrap();
+    let size = export(&folder.path().join("plant.obj"), &model, &plant, &textures).unwrap();
+    let names = || {
+        let mut names: Vec<_> =
+            fs::read_dir(folder.path()).unwrap().map(|e| e.unwrap().file_name()).collect();
+        names.sort();
+        names
+    };
+    let files = names();
+    assert_eq!(files.len(), 4, "{files:?}");
+    let on_disk: u64 =
+        fs::read_dir(folder.path()).unwrap().map(|e| e.unwrap().metadata().unwrap().len()).sum();
+    assert_eq!(on_disk, size as u64);
+    export(&folder.path().join("plant.obj"), &model, &plant, &textures).unwrap();
+    assert_eq!(names(), files);
+}
+
+fn refused(path: &Path, model: &Model, plant: &Plant) -> String {
+    export(path, model, plant, &textures).unwrap_err().to_string()
+}
+
+#[test]
+fn unwritable_targets_are_one_message_and_no_file() {
+    let (model, plant) = two_specimens();
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("file"), b"").unwrap();
+    fs::create_dir(folder.path().join("folder.obj")).unwrap();
+    for (target, reason) in [
+        ("nowhere/plant.obj", "there is no folder"),
+        ("file/plant.glb", "there is no folder"),
+        ("folder.obj", "there is a folder of this name"),
+        (
+            "plant.fbx",
+            "`fbx` is no format that can be written; name the output with one of the extensions obj, glb, json",
+        ),
+        ("plant", "no extension"),
+    ] {
+        let message = refused(&folder.path().join(target), &model, &plant);
+        assert!(message.contains(reason) && message.contains(target), "{message}");
+        assert!(!message.contains('\n'));
+    }
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
+}
+
+#[test]
+fn textures_that_cannot_be_had_are_named_with_their_material() {
+    let (model, plant) = two_specimens();
+    let folder = tempfile::tempdir().unwrap();
+    let text = folder.path().join("notes.png");
+    fs::write(&text, b"no picture at all").unwrap();
+    for (texture, reason) in [
+        (Texture::BuiltIn("rose.png".into()), "no built-in texture `rose.png`"),
+        (Texture::File(folder.path().join("gone.png")), "cannot read the picture"),
+        (Texture::File(text), "neither PNG nor JPEG"),
+    ] {
+        for target in ["plant.obj", "plant.glb"] {
+            let mut model = model.clone();
+            model.materials[1].texture = Some(texture.clone());
+            let message = refused(&folder.path().join(target), &model, &plant);
+            assert!(message.contains("material `leaf`") && message.contains(reason), "{message}");
+            assert!(!folder.path().join(target).exists());
+        }
+    }
+}
+
+#[test]
+fn a_users_picture_of_the_same_name_is_not_overwritten() {
+    let (mut model, plant) = two_specimens();
+    let folder = tempfile::tempdir().unwrap();
+    let own = folder.path().join("leaf.png");
+    let jpeg = b"\xff\xd8\xff a picture for this test".to_vec();
+    fs::write(&own, &jpeg).unwrap();
+    model.materials[2].texture = Some(Texture::File(own.clone()));
+    export(&folder.path().join("plant.obj"), &model, &plant, &textures).unwrap();
+    assert_eq!(fs::read(&own).unwrap(), jpeg);
+    assert_eq!(fs::read(folder.path().join("plant_leaf_2.jpg")).unwrap(), jpeg);
+}
+
+#[test]
+fn models_that_are_not_sound_or_empty_are_refused() {
+    let (model, plant) = two_specimens();
+    let message = |model: &Model| match Scene::new(model, &plant, &textures, "a".into()) {
+        Err(error) => error.to_string(),
+        Ok(scene) => penstemon::export::Exporter::encode(&glb::Glb, &scene).unwrap_err().to_string(),
+    };
+    let mut bad = model.clone();
+    bad.parts[3].mesh.points[0].x = f32::NAN;
+    assert!(message(&bad).contains("part 3 `leaf_3`: point 0 is not finite"));
+    bad = model.clone();
+    bad.parts[1].mesh.triangles[2][1] = 99_999;
+    assert!(message(&bad).contains("triangle 2 has a vertex out of range"));
+    assert!(message(&Model::default()).contains("nothing to write"));
+    assert!(matches!(format_of(Path::new("x.OBJ")).map(|f| f.extension()), Ok("obj")));
+    assert!(matches!(format_of(Path::new("x")), Err(ExportError::UnknownFormat { .. })));
+}
