@@ -1,0 +1,28 @@
+// One view of the scene: what every pass that draws into the picture knows about it.
+// Mirrors `FrameUniform` in src/render/frame.rs.
+
+struct Frame {
+    clip_from_world: mat4x4<f32>,
+    world_from_clip: mat4x4<f32>,
+    // The eye's position with w = 1, or the direction toward a parallel viewer with w = 0.
+    eye: vec4<f32>,
+    // Linear colour in the middle of the backdrop; w is the height of the ground, metres.
+    backdrop_centre: vec4<f32>,
+    // Linear colour in the corners of the backdrop.
+    backdrop_edge: vec4<f32>,
+    // Middle of the plant's foot on the ground; w is the distance in metres over which its shadow fades out.
+    foot: vec4<f32>,
+};
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+// Backdrop at a position in clip space: bright in the middle, a little darker toward the corners, as a lit paper is.
+fn backdrop(clip: vec2<f32>) -> vec3<f32> {
+    let out = smoothstep(0.1, 1.5, length(clip - vec2(0.0, 0.05)));
+    return mix(frame.backdrop_centre.rgb, frame.backdrop_edge.rgb, out);
+}
+
+// Unit vector from a world point to the eye.
+fn toward_eye(world: vec3<f32>) -> vec3<f32> {
+    return normalize(frame.eye.xyz - world * frame.eye.w);
+}

@@ -1,0 +1,81 @@
+// The plant itself: Blinn-Phong, two-sided, with light shining through.
+
+struct Corner {
+    // The same in the depth pass and in the colour pass, to the last bit.
+    @builtin(position) @invariant clip: vec4<f32>,
+    @location(0) world: vec3<f32>,
+    @location(1) normal: vec3<f32>,
+    @location(2) uv: vec2<f32>,
+};
+
+@vertex
+fn vertex(@location(0) world: vec3<f32>, @location(1) normal: vec3<f32>, @location(2) uv: vec2<f32>) -> Corner {
+    return Corner(frame.clip_from_world * vec4(world, 1.0), world, normal, vec2(uv.x, 1.0 - uv.y));
+}
+
+// Light that arrives from a lamp: x on the side that is seen, y through the surface from the other side.
+fn incidence(normal: vec3<f32>, toward: vec3<f32>) -> vec2<f32> {
+    let cosine = dot(normal, toward);
+    return max(vec2(cosine, -cosine), vec2(0.0));
+}
+
+// Where to look up a lamp's shadow: a little off the surface on the lamp's side, so that it does not shade itself;
+// for light from behind, through the thickness of the blade.
+fn lifted(world: vec3<f32>, normal: vec3<f32>, lamp: vec4<f32>) -> vec3<f32> {
+    let facing = dot(normal, lamp.xyz) >= 0.0;
+    return world + normal * select(-(lamp.w + light.penumbra.z), lamp.w, facing);
+}
+
+// Colour of light that went through pigment: the same brightness as reflected light, but deeper.
+fn through(colour: vec3<f32>) -> vec3<f32> {
+    let brightness = dot(colour, vec3(0.2126, 0.7152, 0.0722));
+    return colour * mix(vec3(1.0), colour / max(brightness, 0.02), 0.6);
+}
+
+// Khronos PBR Neutral tone mapping: colours up to 0.8 stay as they are, brighter ones bend toward white.
+fn tone_mapped(colour: vec3<f32>) -> vec3<f32> {
+    let start = 0.76;
+    let peak = max(colour.r, max(colour.g, colour.b));
+    if peak < start { return colour; }
+    let span = 1.0 - start;
+    let mapped = 1.0 - span * span / (peak + span - start);
+    let whiteness = 1.0 - 1.0 / (0.15 * (peak - mapped) + 1.0);
+    return mix(colour * (mapped / peak), vec3(mapped), whiteness);
+}
+
+@fragment
+fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
+    let texel = textureSample(picture, picture_sampler, corner.uv);
+    // One pixel wide around the middle of the picture's alpha: what alpha-to-coverage turns into a smooth edge.
+    let edge = clamp((texel.a - 0.5) / max(fwidth(texel.a), 1e-4) + 0.5, 0.0, 1.0);
+    let alpha = select(1.0, edge, material.diffuse.w > 0.5);
+
+    let normal = normalize(corner.normal) * select(-1.0, 1.0, front);
+    let eye = toward_eye(corner.world);
+    let colour = material.diffuse.rgb * texel.rgb;
+    let translucency = material.ambient.w;
+    let glow = through(colour) * translucency;
+    let matt = colour * (1.0 - 0.4 * translucency);
+
+    let up = 0.5 + 0.5 * normal.y;
+    var seen = material.ambient.rgb * texel.rgb * mix(light.ambient_below.rgb, light.ambient_above.rgb, up);
+    let sheen = pow(1.0 - max(dot(normal, eye), 0.0), 4.0) * material.specular.rgb;
+    for (var i = 0u; i < SKY_LAMPS; i++) {
+        let lamp = light.sky[i];
+        let arriving = incidence(normal, lamp.toward.xyz);
+        if arriving.x + arriving.y * translucency <= 0.0 { continue; }
+        let visible = sky_visibility(i, lifted(corner.world, normal, lamp.toward), vec2(0.0));
+        seen += visible * lamp.radiance.rgb * (matt * arriving.x + glow * arriving.y + sheen * arriving.x);
+    }
+
+    let sun = light.sun;
+    let arriving = incidence(normal, sun.toward.xyz);
+    if arriving.x + arriving.y * translucency > 0.0 {
+        let halfway = normalize(sun.toward.xyz + eye);
+        let shine = pow(max(dot(normal, halfway), 0.0), max(material.specular.w, 1.0));
+        let sharp = material.specular.rgb * select(0.0, shine, arriving.x > 0.0);
+        let visible = sun_visibility(lifted(corner.world, normal, sun.toward), corner.clip.xy);
+        seen += visible * sun.radiance.rgb * (matt * arriving.x + glow * arriving.y + sharp);
+    }
+    return vec4(tone_mapped(seen), alpha);
+}

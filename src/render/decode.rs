@@ -1,0 +1,119 @@
+//! Texture files to pixels: PNG and JPEG, recognised by their first bytes.
+
+use std::io::Cursor;
+use zune_jpeg::zune_core::{colorspace::ColorSpace, options::DecoderOptions};
+
+/// Longest side of a texture in pixels that is read at all.
+const SIDE_LIMIT: u32 = 8192;
+
+/// A picture in memory: straight alpha, sRGB, rows from the top.
+#[derive(Debug, PartialEq)]
+pub(super) struct Rgba {
+    pub(super) width: u32,
+    pub(super) height: u32,
+    /// Four bytes per pixel.
+    pub(super) pixels: Vec<u8>,
+}
+
+/// Decodes a PNG or JPEG file.
+///
+/// # Errors
+/// What is wrong with it, in words that follow “texture X cannot be used:”.
+pub(super) fn decode(bytes: &[u8]) -> Result<Rgba, String> {
+    if bytes.starts_with(b"\x89PNG") {
+        decode_png(bytes)
+    } else if bytes.starts_with(&[0xff, 0xd8]) {
+        decode_jpeg(bytes)
+    } else {
+        Err("it is neither a PNG nor a JPEG file".to_owned())
+    }
+}
+
+fn decode_png(bytes: &[u8]) -> Result<Rgba, String> {
+    let mut decoder = png::Decoder::new(Cursor::new(bytes));
+    decoder.set_transformations(png::Transformations::normalize_to_color8() | png::Transformations::ALPHA);
+    let header = decoder.read_header_info().map_err(|e| e.to_string())?;
+    let (width, height) = checked_size(header.width, header.height)?;
+    let mut reader = decoder.read_info().map_err(|e| e.to_string())?;
+    let size = reader.output_buffer_size().ok_or("it is too large")?;
+    let mut pixels = vec![0; size];
+    reader.next_frame(&mut pixels).map_err(|e| e.to_string())?;
+    if reader.output_color_type().0 == png::ColorType::GrayscaleAlpha {
+        pixels = pixels.as_chunks().0.iter().flat_map(|&[grey, alpha]| [grey, grey, grey, alpha]).collect();
+    }
+    Ok(Rgba { width, height, pixels })
+}
+
+fn decode_jpeg(bytes: &[u8]) -> Result<Rgba, String> {
+    let options = DecoderOptions::default().jpeg_set_out_colorspace(ColorSpace::RGBA);
+    let mut decoder = zune_jpeg::JpegDecoder::new_with_options(Cursor::new(bytes), options);
+    decoder.decode_headers().map_err(|e| e.to_string())?;
+    let info = decoder.info().ok_or("its header is incomplete")?;
+    let (width, height) = checked_size(info.width.into(), info.height.into())?;
+    let pixels = decoder.decode().map_err(|e| e.to_string())?;
+    if pixels.len() != width as usize * height as usize * 4 {
+        return Err("its colours are stored in a way that is not understood; save it as an RGB JPEG".to_owned());
+    }
+    Ok(Rgba { width, height, pixels })
+}
+
+fn checked_size(width: u32, height: u32) -> Result<(u32, u32), String> {
+    if width == 0 || height == 0 || width > SIDE_LIMIT || height > SIDE_LIMIT {
+        return Err(format!("it has {width}×{height} pixels; each side must be 1 to {SIDE_LIMIT}"));
+    }
+    Ok((width, height))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn png_of(width: u32, height: u32, colour: png::ColorType, data: &[u8]) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, width, height);
+        encoder.set_color(colour);
+        encoder.set_depth(png::BitDepth::Eight);
+        encoder.write_header().unwrap().write_image_data(data).unwrap();
+        bytes
+    }
+
+    #[test]
+    fn every_kind_of_png_becomes_rgba() {
+        let cases: [(png::ColorType, &[u8], [u8; 4]); 4] = [
+            (png::ColorType::Grayscale, &[7], [7, 7, 7, 255]),
+            (png::ColorType::GrayscaleAlpha, &[7, 9], [7, 7, 7, 9]),
+            (png::ColorType::Rgb, &[1, 2, 3], [1, 2, 3, 255]),
+            (png::ColorType::Rgba, &[1, 2, 3, 4], [1, 2, 3, 4]),
+        ];
+        for (colour, data, expected) in cases {
+            let picture = decode(&png_of(1, 1, colour, data)).unwrap();
+            assert_eq!(picture.pixels, expected, "{colour:?}");
+        }
+    }
+
+    #[test]
+    fn a_truncated_png_is_an_error() {
+        let whole = png_of(4, 4, png::ColorType::Rgb, &[50; 48]);
+        for length in [4, 20, whole.len() / 2] {
+            assert!(decode(&whole[..length]).is_err(), "{length} bytes");
+        }
+    }
+
+    #[test]
+    fn a_jpeg_that_ends_after_its_mark_is_an_error() {
+        assert!(decode(&[0xff, 0xd8, 0xff, 0xe0]).is_err());
+    }
+
+    #[test]
+    fn other_files_are_named_as_such() {
+        assert!(decode(b"GIF89a").unwrap_err().contains("neither"));
+    }
+
+    #[test]
+    fn a_giant_is_refused_before_its_pixels_are_read() {
+        let mut header = png_of(1, 1, png::ColorType::Rgb, &[0; 3]);
+        header[16..20].copy_from_slice(&100_000_u32.to_be_bytes());
+        assert!(decode(&header).is_err());
+        assert!(checked_size(100_000, 1).unwrap_err().contains("100000"));
+    }
+}

@@ -1,0 +1,83 @@
+//! The graphics device: chosen once, and every failure of it turned into a [`RenderError`].
+//!
+//! Hardware is taken before software, Vulkan before OpenGL ES. wgpu reports failures out of band; [`Gpu`] collects
+//! them and [`Gpu::check`] hands over the first, so that no failure of a driver can end in a panic.
+
+use super::RenderError;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+/// Longest wait for the device in one go; software drivers need seconds for the largest pictures.
+const PATIENCE: Duration = Duration::from_secs(120);
+
+/// An open device with its queue.
+pub(super) struct Gpu {
+    pub(super) device: wgpu::Device,
+    pub(super) queue: wgpu::Queue,
+    /// Name of the adapter and the interface through which it is used.
+    pub(super) adapter: String,
+    fault: Arc<Mutex<Option<String>>>,
+}
+
+impl Gpu {
+    /// Opens the best adapter among `backends`; `WGPU_BACKEND` in the environment narrows them further.
+    ///
+    /// # Errors
+    /// No adapter, or one that refuses to open.
+    pub(super) fn open(backends: wgpu::Backends) -> Result<Self, RenderError> {
+        let mut wanted = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+        wanted.backends &= backends;
+        let options = wgpu::RequestAdapterOptions {
+            power_preference: wgpu::PowerPreference::HighPerformance,
+            ..Default::default()
+        };
+        let adapter = pollster::block_on(wgpu::Instance::new(wanted).request_adapter(&options))
+            .map_err(|e| RenderError::NoAdapter { reason: e.to_string() })?;
+        let info = adapter.get_info();
+        let name = format!("{} ({})", info.name, info.backend);
+        let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
+            label: Some("penstemon"),
+            required_limits: wgpu::Limits::downlevel_defaults().using_resolution(adapter.limits()),
+            memory_hints: wgpu::MemoryHints::MemoryUsage,
+            ..Default::default()
+        }))
+        .map_err(|e| RenderError::Device { adapter: name.clone(), reason: e.to_string() })?;
+        let fault = Arc::new(Mutex::new(None));
+        let (uncaptured, lost) = (Arc::clone(&fault), Arc::clone(&fault));
+        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| note(&uncaptured, error.to_string())));
+        device.set_device_lost_callback(move |_, message| note(&lost, format!("the device was lost: {message}")));
+        Ok(Self { device, queue, adapter: name, fault })
+    }
+
+    /// The first failure since the last check.
+    ///
+    /// # Errors
+    /// That failure.
+    pub(super) fn check(&self) -> Result<(), RenderError> {
+        match self.fault.lock().unwrap_or_else(PoisonError::into_inner).take() {
+            Some(reason) => Err(self.failure(reason)),
+            None => Ok(()),
+        }
+    }
+
+    /// Waits until everything submitted is done.
+    ///
+    /// # Errors
+    /// A lost device, or one that takes longer than two minutes.
+    pub(super) fn wait(&self) -> Result<(), RenderError> {
+        let wait = wgpu::PollType::Wait { submission_index: None, timeout: Some(PATIENCE) };
+        let waited = self.device.poll(wait);
+        self.check()?;
+        waited.map(drop).map_err(|e| self.failure(e.to_string()))
+    }
+
+    /// A failure of this device in words.
+    pub(super) fn failure(&self, reason: String) -> RenderError {
+        RenderError::Gpu { adapter: self.adapter.clone(), reason }
+    }
+}
+
+/// Keeps the first failure: later ones are usually its consequences.
+fn note(fault: &Mutex<Option<String>>, reason: String) {
+    fault.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(reason);
+}

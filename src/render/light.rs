@@ -1,0 +1,167 @@
+//! The studio's light as the shaders read it: one sun and a dome of sky lamps, each fitted to the model.
+//!
+//! Every lamp sees the model in parallel projection; its map covers the model's box and a rim of nothing, so that whatever
+//! falls outside the map is lit. The sky's lamps stand on a Fibonacci spiral over the hemisphere, evenly by solid angle.
+//! Strengths are normalised: level open ground receives [`studio::SKY_RADIANCE`] from the sky.
+
+use super::camera::Axes;
+use super::studio;
+use bytemuck::{Pod, Zeroable};
+use glam::{Mat4, Vec2, Vec3, Vec4};
+
+/// Number of sky lamps; `SKY_LAMPS` in `light.wgsl`.
+pub(super) const SKY_LAMPS: usize = 16;
+/// Width of the sun's shadow map in texels.
+pub(super) const SUN_MAP_SIZE: u32 = 2048;
+/// Width of each sky lamp's shadow map in texels.
+pub(super) const SKY_MAP_SIZE: u32 = 512;
+/// Share of a map's width kept empty on each side.
+const RIM: f32 = 0.02;
+
+/// One lamp as in `light.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub(super) struct Lamp {
+    /// World to the lamp's map: x and y −1 to 1, z 0 near the lamp to 1.
+    pub(super) lamp_from_world: Mat4,
+    /// Unit vector to the lamp; w: offset along the normal before a shadow is looked up, metres.
+    toward: Vec4,
+    radiance: Vec4,
+}
+
+/// All lamps as in `light.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub(super) struct LightUniform {
+    pub(super) sky: [Lamp; SKY_LAMPS],
+    pub(super) sun: Lamp,
+    penumbra: Vec4,
+    ambient_above: Vec4,
+    ambient_below: Vec4,
+}
+
+impl LightUniform {
+    /// The studio for a model inside `bounds`, turned with a level viewer's axes.
+    pub(super) fn new(bounds: (Vec3, Vec3), viewer: &Axes) -> Self {
+        let turned = |v: Vec3| viewer.world_from_view(v.normalize());
+        let sun = LampBox::new(bounds, turned(studio::SUN_TOWARD));
+        let penumbra = Vec2::splat(studio::SUN_SPREAD * sun.range) / (2.0 * sun.half);
+        let glow_depth = studio::GLOW_DEPTH * (bounds.1 - bounds.0).length();
+        let irradiance: Vec3 = (0..SKY_LAMPS).map(sky_toward).map(|d| sky_colour(d) * d.y).sum();
+        let sky = std::array::from_fn(|i| {
+            let toward = sky_toward(i);
+            let radiance = studio::SKY_RADIANCE * sky_colour(toward) / irradiance;
+            LampBox::new(bounds, turned(toward)).lamp(radiance, SKY_MAP_SIZE)
+        });
+        Self {
+            sky,
+            sun: sun.lamp(studio::SUN_RADIANCE, SUN_MAP_SIZE),
+            penumbra: penumbra.extend(glow_depth).extend(0.0),
+            ambient_above: studio::AMBIENT_ABOVE.extend(0.0),
+            ambient_below: studio::AMBIENT_BELOW.extend(0.0),
+        }
+    }
+
+    /// Every lamp with a shadow map, the sky's first.
+    pub(super) fn lamps(&self) -> impl Iterator<Item = &Lamp> {
+        self.sky.iter().chain(std::iter::once(&self.sun))
+    }
+}
+
+/// Unit direction of the i-th sky lamp in a level viewer's axes. None is so low that its shadows never end.
+fn sky_toward(i: usize) -> Vec3 {
+    let height = 1.0 - 0.9 * (i as f32 + 0.5) / SKY_LAMPS as f32;
+    let (sin, cos) = (i as f32 * std::f32::consts::PI * (3.0 - 5.0_f32.sqrt())).sin_cos();
+    let level = (1.0 - height * height).sqrt();
+    Vec3::new(level * cos, height, level * sin)
+}
+
+fn sky_colour(toward: Vec3) -> Vec3 {
+    studio::SKY_HORIZON.lerp(Vec3::ONE, toward.y)
+}
+
+/// The model's box as a lamp sees it.
+struct LampBox {
+    right: Vec3,
+    up: Vec3,
+    toward: Vec3,
+    centre: Vec2,
+    /// Half width and half height of the map in metres.
+    half: Vec2,
+    /// Nearest place to the lamp, metres along `toward`.
+    near: f32,
+    /// Length of the map's depth in metres.
+    range: f32,
+}
+
+impl LampBox {
+    fn new(bounds: (Vec3, Vec3), toward: Vec3) -> Self {
+        let (right, up) = toward.any_orthonormal_pair();
+        let middle = (bounds.0 + bounds.1) / 2.0;
+        let half_box = ((bounds.1 - bounds.0) / 2.0).max(Vec3::splat(1e-6));
+        let reach = |axis: Vec3| half_box.dot(axis.abs());
+        let range = 2.0 * reach(toward) * (1.0 + 2.0 * RIM);
+        Self {
+            right,
+            up,
+            toward,
+            centre: Vec2::new(middle.dot(right), middle.dot(up)),
+            half: Vec2::new(reach(right), reach(up)) * (1.0 + 2.0 * RIM),
+            near: middle.dot(toward) + range / 2.0,
+            range,
+        }
+    }
+
+    fn lamp(&self, radiance: Vec3, map_size: u32) -> Lamp {
+        let row = |axis: Vec3, middle: f32, half: f32| (axis / half).extend(-middle / half);
+        let lamp_from_world = Mat4::from_cols(
+            row(self.right, self.centre.x, self.half.x),
+            row(self.up, self.centre.y, self.half.y),
+            row(-self.toward, -self.near, self.range),
+            Vec4::W,
+        )
+        .transpose();
+        // A texel and a half covers the error of a map that sees the surface at a slant.
+        let offset = 1.5 * 2.0 * self.half.max_element() / map_size as f32;
+        Lamp { lamp_from_world, toward: self.toward.extend(offset), radiance: radiance.extend(0.0) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::camera::View;
+    use super::*;
+
+    #[test]
+    fn every_lamp_sees_the_whole_box_inside_its_rim() {
+        let (lo, hi) = (Vec3::new(-0.3, 0.0, -0.1), Vec3::new(0.5, 2.0, 0.2));
+        let view = View { turn_deg: 40.0, ..View::default() };
+        let light = LightUniform::new((lo, hi), &view.level_axes());
+        for (n, lamp) in light.lamps().enumerate() {
+            for i in 0..8 {
+                let corner = Vec3::select(glam::BVec3::new(i & 1 > 0, i & 2 > 0, i & 4 > 0), hi, lo);
+                let map = lamp.lamp_from_world.transform_point3(corner);
+                assert!(map.x.abs() < 0.99 && map.y.abs() < 0.99, "lamp {n}: {map}");
+                assert!((0.005..0.995).contains(&map.z), "lamp {n}: {map}");
+            }
+        }
+    }
+
+    #[test]
+    fn open_level_ground_receives_the_sky_as_described() {
+        let light = LightUniform::new((Vec3::ZERO, Vec3::ONE), &View::default().level_axes());
+        let ground: Vec3 = light.sky.iter().map(|l| l.radiance.truncate() * l.toward.y).sum();
+        assert!((ground - studio::SKY_RADIANCE).length() < 1e-4, "{ground}");
+    }
+
+    #[test]
+    fn lamps_turn_with_the_viewer() {
+        let at = |turn_deg| {
+            let view = View { turn_deg, ..View::default() };
+            LightUniform::new((Vec3::ZERO, Vec3::ONE), &view.level_axes()).sun.toward.truncate()
+        };
+        let (front, back) = (at(0.0), at(180.0));
+        assert!((front.x + back.x).abs() < 1e-5 && (front.z + back.z).abs() < 1e-5);
+        assert!((front.y - back.y).abs() < 1e-5);
+    }
+}

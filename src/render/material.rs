@@ -1,0 +1,170 @@
+//! Materials on the GPU: colours and picture of each, in bind group 1.
+
+use super::RenderError;
+use super::decode::{self, Rgba};
+use super::gpu::Gpu;
+use super::mipmap::{MipmapRenderer, TEXTURE_FORMAT};
+use super::pipeline::{entry, texture, uniform};
+use super::renderer::TextureSource;
+use crate::plant::{Material, Texture};
+use bytemuck::{Pod, Zeroable};
+use glam::{Vec3, Vec4};
+use wgpu::ShaderStages;
+use wgpu::util::DeviceExt;
+
+/// Samples along the longer axis of a pixel's footprint; leaves are often seen at a slant.
+const ANISOTROPY: u16 = 4;
+
+/// `Material` in `material.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+struct MaterialUniform {
+    ambient: Vec4,
+    diffuse: Vec4,
+    specular: Vec4,
+}
+
+impl From<&Material> for MaterialUniform {
+    fn from(m: &Material) -> Self {
+        let cut_out = f32::from(u8::from(m.cut_out && m.texture.is_some()));
+        Self {
+            ambient: Vec3::from(m.ambient).extend(m.translucency),
+            diffuse: Vec3::from(m.diffuse).extend(cut_out),
+            specular: Vec3::from(m.specular).extend(m.shininess),
+        }
+    }
+}
+
+/// What all materials share.
+pub(super) struct MaterialLayout {
+    pub(super) layout: wgpu::BindGroupLayout,
+    /// For pictures that lie once on a surface.
+    clamped: wgpu::Sampler,
+    /// For pictures that repeat, such as bark.
+    repeated: wgpu::Sampler,
+    mipmaps: MipmapRenderer,
+}
+
+impl MaterialLayout {
+    pub(super) fn new(gpu: &Gpu) -> Self {
+        let fragment = ShaderStages::FRAGMENT;
+        let colour = wgpu::TextureSampleType::Float { filterable: true };
+        let layout = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("material"),
+            entries: &[
+                entry(0, fragment, uniform(size_of::<MaterialUniform>(), false)),
+                entry(1, fragment, texture(colour, wgpu::TextureViewDimension::D2)),
+                entry(2, fragment, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)),
+            ],
+        });
+        let sampler = |mode| {
+            gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+                label: Some("picture"),
+                address_mode_u: mode,
+                address_mode_v: mode,
+                mag_filter: wgpu::FilterMode::Linear,
+                min_filter: wgpu::FilterMode::Linear,
+                mipmap_filter: wgpu::MipmapFilterMode::Linear,
+                anisotropy_clamp: ANISOTROPY,
+                ..Default::default()
+            })
+        };
+        Self {
+            layout,
+            clamped: sampler(wgpu::AddressMode::ClampToEdge),
+            repeated: sampler(wgpu::AddressMode::Repeat),
+            mipmaps: MipmapRenderer::new(gpu),
+        }
+    }
+
+    /// Bind groups of all `materials`; `repeats` says for each whether its picture repeats.
+    ///
+    /// # Errors
+    /// A texture that is missing or unreadable.
+    pub(super) fn upload(
+        &self,
+        gpu: &Gpu,
+        materials: &[Material],
+        repeats: &[bool],
+        textures: &TextureSource<'_>,
+    ) -> Result<Vec<wgpu::BindGroup>, RenderError> {
+        let white = Rgba { width: 1, height: 1, pixels: vec![255; 4] };
+        let mut pictures = vec![(None, self.upload_picture(gpu, &white))];
+        for material in materials {
+            if !pictures.iter().any(|(name, _)| *name == material.texture.as_ref()) {
+                let picture = material.texture.as_ref().map(|texture| load(texture, textures)).transpose()?;
+                let view = self.upload_picture(gpu, picture.as_ref().unwrap_or(&white));
+                pictures.push((material.texture.as_ref(), view));
+            }
+        }
+        let groups = materials.iter().zip(repeats).map(|(material, &repeat)| {
+            let found = pictures.iter().find(|(name, _)| *name == material.texture.as_ref());
+            let view = &found.unwrap_or(&pictures[0]).1;
+            self.bind(gpu, material, view, if repeat { &self.repeated } else { &self.clamped })
+        });
+        Ok(groups.collect())
+    }
+
+    fn bind(
+        &self,
+        gpu: &Gpu,
+        material: &Material,
+        picture: &wgpu::TextureView,
+        sampler: &wgpu::Sampler,
+    ) -> wgpu::BindGroup {
+        let colours = gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: Some(&material.name),
+            contents: bytemuck::bytes_of(&MaterialUniform::from(material)),
+            usage: wgpu::BufferUsages::UNIFORM,
+        });
+        gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some(&material.name),
+            layout: &self.layout,
+            entries: &[
+                wgpu::BindGroupEntry { binding: 0, resource: colours.as_entire_binding() },
+                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(picture) },
+                wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::Sampler(sampler) },
+            ],
+        })
+    }
+
+    fn upload_picture(&self, gpu: &Gpu, picture: &Rgba) -> wgpu::TextureView {
+        let size =
+            wgpu::Extent3d { width: picture.width, height: picture.height, depth_or_array_layers: 1 };
+        let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("picture"),
+            size,
+            mip_level_count: size.max_mips(wgpu::TextureDimension::D2),
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: TEXTURE_FORMAT,
+            usage: wgpu::TextureUsages::TEXTURE_BINDING
+                | wgpu::TextureUsages::COPY_DST
+                | wgpu::TextureUsages::RENDER_ATTACHMENT,
+            view_formats: &[],
+        });
+        let rows = wgpu::TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: Some(4 * picture.width),
+            rows_per_image: None,
+        };
+        gpu.queue.write_texture(texture.as_image_copy(), &picture.pixels, rows, size);
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        self.mipmaps.fill(gpu, &mut encoder, &texture);
+        gpu.queue.submit([encoder.finish()]);
+        texture.create_view(&Default::default())
+    }
+}
+
+fn load(texture: &Texture, textures: &TextureSource<'_>) -> Result<Rgba, RenderError> {
+    let refused = |reason: String| RenderError::Texture { name: name_of(texture), reason };
+    let bytes = textures(texture).map_err(|e| refused(e.to_string()))?;
+    decode::decode(&bytes).map_err(refused)
+}
+
+fn name_of(texture: &Texture) -> String {
+    match texture {
+        Texture::BuiltIn(name) => format!("`{name}` of the program"),
+        Texture::File(path) => format!("`{}`", path.display()),
+    }
+}

@@ -1,0 +1,205 @@
+//! The renderer: owns the GPU and draws models and drawings into pictures.
+
+use super::camera::Framing;
+use super::frame::FrameUniform;
+use super::gpu::Gpu;
+use super::ground::GroundRenderer;
+use super::ink::{InkDrawData, InkRenderer};
+use super::light::LightUniform;
+use super::material::MaterialLayout;
+use super::scene::Scene;
+use super::shadow::ShadowRenderer;
+use super::surface::{SurfaceDrawData, SurfaceRenderer};
+use super::target::OffscreenTarget;
+use super::{Picture, RenderError, View};
+use crate::model::Model;
+use crate::plant::Texture;
+use crate::sketch::Sketch;
+use bytemuck::Zeroable;
+use glam::{Vec2, Vec3};
+use std::borrow::Cow;
+use std::error::Error;
+
+/// Where the bytes of a texture's file come from.
+pub type TextureSource<'a> = dyn Fn(&Texture) -> Result<Cow<'a, [u8]>, Box<dyn Error + Send + Sync>> + 'a;
+
+/// How a picture is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PictureOptions {
+    /// Width in pixels.
+    pub width: u32,
+    /// Height in pixels.
+    pub height: u32,
+    /// No paper and no shadow on it: only the plant, everything else clear.
+    pub transparent: bool,
+}
+
+impl Default for PictureOptions {
+    fn default() -> Self {
+        Self { width: 1200, height: 900, transparent: false }
+    }
+}
+
+/// A model on the GPU, ready to be drawn from many sides.
+pub struct ModelDrawData {
+    surface: SurfaceDrawData,
+    points: Vec<Vec3>,
+    bounds: (Vec3, Vec3),
+}
+
+/// Draws pictures.
+pub struct Renderer {
+    gpu: Gpu,
+    scene: Scene,
+    materials: MaterialLayout,
+    shadow: ShadowRenderer,
+    ground: GroundRenderer,
+    surface: SurfaceRenderer,
+    ink: InkRenderer,
+    target: Option<OffscreenTarget>,
+}
+
+impl Renderer {
+    /// Opens the best graphics adapter of the machine: hardware if there is any, otherwise software.
+    ///
+    /// # Errors
+    /// [`RenderError::NoAdapter`] names the package to install; [`RenderError::Device`] and [`RenderError::Gpu`] are
+    /// a driver's own failures.
+    pub fn new() -> Result<Self, RenderError> {
+        Self::with_backends(wgpu::Backends::VULKAN | wgpu::Backends::GL)
+    }
+
+    /// The same among chosen interfaces to the graphics driver.
+    ///
+    /// # Errors
+    /// As [`Renderer::new`].
+    pub fn with_backends(backends: wgpu::Backends) -> Result<Self, RenderError> {
+        let gpu = Gpu::open(backends)?;
+        let scene = Scene::new(&gpu);
+        let materials = MaterialLayout::new(&gpu);
+        let renderer = Self {
+            shadow: ShadowRenderer::new(&gpu, &materials),
+            ground: GroundRenderer::new(&gpu, &scene),
+            surface: SurfaceRenderer::new(&gpu, &scene, &materials),
+            ink: InkRenderer::new(&gpu),
+            target: None,
+            scene,
+            materials,
+            gpu,
+        };
+        renderer.gpu.check()?;
+        Ok(renderer)
+    }
+
+    /// Name of the adapter that draws.
+    pub fn adapter(&self) -> &str {
+        &self.gpu.adapter
+    }
+
+    /// Uploads a model with its textures.
+    ///
+    /// # Errors
+    /// An empty or contradictory model, a texture that cannot be used, or a failure of the driver.
+    pub fn upload(&self, model: &Model, textures: &TextureSource<'_>) -> Result<ModelDrawData, RenderError> {
+        let bounds = model.bounds().filter(|_| model.triangle_count() > 0);
+        let bounds = bounds.ok_or(RenderError::Empty { what: "the model" })?;
+        let surface = SurfaceDrawData::new(&self.gpu, &self.materials, model, textures)?;
+        self.gpu.check()?;
+        let points = model.parts.iter().flat_map(|p| &p.mesh.points).copied().collect();
+        Ok(ModelDrawData { surface, points, bounds })
+    }
+
+    /// One picture of a model.
+    ///
+    /// # Errors
+    /// As [`Renderer::upload`] and [`Renderer::pictures`].
+    pub fn picture(
+        &mut self,
+        model: &Model,
+        textures: &TextureSource<'_>,
+        view: &View,
+        options: &PictureOptions,
+    ) -> Result<Picture, RenderError> {
+        let model = self.upload(model, textures)?;
+        let mut pictures = self.pictures(&model, std::slice::from_ref(view), options);
+        pictures.next().unwrap_or(Err(RenderError::Empty { what: "the list of views" }))
+    }
+
+    /// A picture for each view, all framed alike: the frames of a turntable. The views must share a projection.
+    ///
+    /// # Errors
+    /// Each picture's own: [`RenderError::Size`], or a failure of the driver.
+    pub fn pictures<'a>(
+        &'a mut self,
+        model: &'a ModelDrawData,
+        views: &'a [View],
+        options: &PictureOptions,
+    ) -> impl Iterator<Item = Result<Picture, RenderError>> + use<'a> {
+        let options = *options;
+        let aspect = options.width.max(1) as f32 / options.height.max(1) as f32;
+        let framing = Framing::new(&model.points, model.bounds, views, aspect);
+        views.iter().map(move |view| {
+            let frame = FrameUniform::new(&framing.camera(view), model.bounds);
+            let light = LightUniform::new(model.bounds, &view.level_axes());
+            self.draw_model(model, &frame, &light, &options)
+        })
+    }
+
+    fn draw_model(
+        &mut self,
+        model: &ModelDrawData,
+        frame: &FrameUniform,
+        light: &LightUniform,
+        options: &PictureOptions,
+    ) -> Result<Picture, RenderError> {
+        let target = sized(&mut self.target, &self.gpu, options)?;
+        self.scene.set(&self.gpu, frame, light);
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        self.shadow.draw(&self.gpu, &mut encoder, light, &self.scene.maps, &model.surface);
+        let mut pass = target.begin_depth(&mut encoder);
+        pass.set_bind_group(0, &self.scene.group, &[]);
+        self.surface.draw_depth(&mut pass, &model.surface);
+        drop(pass);
+        let mut pass = target.begin(&mut encoder);
+        pass.set_bind_group(0, &self.scene.group, &[]);
+        if !options.transparent {
+            self.ground.draw(&mut pass);
+        }
+        self.surface.draw(&mut pass, &model.surface);
+        drop(pass);
+        target.finish(&self.gpu, encoder)
+    }
+
+    /// A drawing as ink on paper, filling the picture up to its margin. Always on paper, even if `options` ask for
+    /// a transparent picture.
+    ///
+    /// # Errors
+    /// An empty drawing, [`RenderError::Size`], or a failure of the driver.
+    pub fn drawing(&mut self, sketch: &Sketch, options: &PictureOptions) -> Result<Picture, RenderError> {
+        let ink = InkDrawData::new(&self.gpu, sketch)?;
+        let target = sized(&mut self.target, &self.gpu, options)?;
+        self.scene.set(&self.gpu, &FrameUniform::paper(), &LightUniform::zeroed());
+        self.ink.set(&self.gpu, &ink, Vec2::new(options.width as f32, options.height as f32));
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+        drop(target.begin_depth(&mut encoder));
+        let mut pass = target.begin(&mut encoder);
+        pass.set_bind_group(0, &self.scene.group, &[]);
+        self.ground.draw(&mut pass);
+        self.ink.draw(&mut pass, &ink);
+        drop(pass);
+        target.finish(&self.gpu, encoder)
+    }
+}
+
+/// The kept target if it has the right size, otherwise a new one in its place.
+fn sized<'a>(
+    kept: &'a mut Option<OffscreenTarget>,
+    gpu: &Gpu,
+    options: &PictureOptions,
+) -> Result<&'a OffscreenTarget, RenderError> {
+    let target = match kept.take().filter(|t| t.has_size(options.width, options.height)) {
+        Some(target) => target,
+        None => OffscreenTarget::new(gpu, options.width, options.height)?,
+    };
+    Ok(kept.insert(target))
+}

@@ -1,0 +1,43 @@
+//! Every number that decides how pictures look: paper, sun, sky, camera.
+//!
+//! Colours are linear RGB. Angles are relative to the camera: the studio's lamps turn with the viewer, so that a plant on a
+//! turntable is lit the same way from all sides.
+
+use glam::{Vec2, Vec3};
+
+/// Vertical opening of the perspective camera.
+pub(super) const FIELD_OF_VIEW_DEG: f32 = 28.0;
+/// Share of the picture's half width and half height left free around the plant.
+pub(super) const MARGIN: f32 = 0.1;
+
+/// Warm white paper where the light falls, linear.
+pub(super) const PAPER_CENTRE: Vec3 = Vec3::new(0.955, 0.915, 0.845);
+/// The same paper in the corners, linear.
+pub(super) const PAPER_EDGE: Vec3 = Vec3::new(0.80, 0.745, 0.66);
+/// Colour of ink on it, linear.
+pub(super) const INK: Vec3 = Vec3::new(0.018, 0.016, 0.026);
+/// Radius of the pen's line at full pressure, as a share of the drawing's diagonal.
+pub(super) const INK_RADIUS: f32 = 0.0032;
+
+/// Direction of the sun as the viewer sees it: to the right, above, toward the viewer.
+pub(super) const SUN_TOWARD: Vec3 = Vec3::new(-0.55, 0.75, 0.5);
+/// Colour and strength of the sun.
+pub(super) const SUN_RADIANCE: Vec3 = Vec3::new(1.32, 1.22, 1.06);
+/// Tangent of half the angle under which the sun is seen: how fast shadows soften.
+pub(super) const SUN_SPREAD: f32 = 0.035;
+
+/// Irradiance of the whole open sky on level ground.
+pub(super) const SKY_RADIANCE: Vec3 = Vec3::new(0.60, 0.66, 0.74);
+/// How much warmer and dimmer the sky is at the horizon than overhead.
+pub(super) const SKY_HORIZON: Vec3 = Vec3::new(0.95, 0.85, 0.72);
+/// Light from everywhere above, beyond sun and sky; multiplies a material's ambient colour.
+pub(super) const AMBIENT_ABOVE: Vec3 = Vec3::new(0.30, 0.30, 0.32);
+/// Light thrown back by the paper from below; multiplies a material's ambient colour.
+pub(super) const AMBIENT_BELOW: Vec3 = Vec3::new(0.46, 0.41, 0.34);
+/// Thickness through which light shines, as a share of the model's size.
+pub(super) const GLOW_DEPTH: f32 = 0.006;
+
+/// Camera elevation in degrees for front and side in perspective: enough to see the ground.
+pub(super) const LEVEL_ELEVATION_DEG: f32 = 7.0;
+/// Azimuth and elevation in degrees of the three-quarter view.
+pub(super) const THREE_QUARTER_DEG: Vec2 = Vec2::new(35.0, 22.0);

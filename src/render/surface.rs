@@ -1,0 +1,195 @@
+//! The plant: its corners in one buffer, grouped by material, and the pipelines that shade them.
+
+use super::RenderError;
+use super::gpu::Gpu;
+use super::material::MaterialLayout;
+use super::pipeline::{Into, PipelineSpec};
+use super::renderer::TextureSource;
+use super::scene::Scene;
+use super::shaders;
+use crate::model::{Model, Part};
+use bytemuck::{Pod, Zeroable};
+use glam::{Vec2, Vec3};
+use std::ops::Range;
+use wgpu::util::DeviceExt;
+
+/// A corner as `surface.wgsl` and `shadow.wgsl` read it.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+struct Corner {
+    world: Vec3,
+    normal: Vec3,
+    uv: Vec2,
+}
+
+/// Layout of a vertex buffer of corners.
+pub(super) const VERTEX_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: size_of::<Corner>() as u64,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x2],
+};
+
+/// Triangles of one material.
+pub(super) struct Batch {
+    material: wgpu::BindGroup,
+    indices: Range<u32>,
+    pub(super) cut_out: bool,
+    double_sided: bool,
+}
+
+/// One uploaded model.
+pub(super) struct SurfaceDrawData {
+    corners: wgpu::Buffer,
+    indices: wgpu::Buffer,
+    batches: Vec<Batch>,
+}
+
+impl SurfaceDrawData {
+    /// Uploads a model with its textures.
+    ///
+    /// # Errors
+    /// A model that contradicts itself, or a texture that cannot be used.
+    pub(super) fn new(
+        gpu: &Gpu,
+        materials: &MaterialLayout,
+        model: &Model,
+        textures: &TextureSource<'_>,
+    ) -> Result<Self, RenderError> {
+        let gathered = Gathered::from_model(model)?;
+        let groups = materials.upload(gpu, &model.materials, &gathered.repeats, textures)?;
+        let buffer = |label, contents: &[u8], usage| {
+            gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+                label: Some(label),
+                contents,
+                usage,
+            })
+        };
+        let batches = model.materials.iter().zip(groups).zip(gathered.ranges);
+        let batches = batches.filter(|(_, indices)| !indices.is_empty()).map(|((m, material), indices)| Batch {
+            material,
+            indices,
+            cut_out: m.cut_out && m.texture.is_some(),
+            double_sided: m.double_sided,
+        });
+        Ok(Self {
+            corners: buffer("corners", bytemuck::cast_slice(&gathered.corners), wgpu::BufferUsages::VERTEX),
+            indices: buffer("indices", bytemuck::cast_slice(&gathered.indices), wgpu::BufferUsages::INDEX),
+            batches: batches.collect(),
+        })
+    }
+
+    /// Draws the batches for which a pipeline is chosen.
+    pub(super) fn draw<'a>(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        pipeline: impl Fn(&Batch) -> Option<&'a wgpu::RenderPipeline>,
+    ) {
+        pass.set_vertex_buffer(0, self.corners.slice(..));
+        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
+        for (batch, pipeline) in self.batches.iter().filter_map(|b| Some((b, pipeline(b)?))) {
+            pass.set_pipeline(pipeline);
+            pass.set_bind_group(1, &batch.material, &[]);
+            pass.draw_indexed(batch.indices.clone(), 0, 0..1);
+        }
+    }
+}
+
+/// A model's parts in one array, ordered by material.
+struct Gathered {
+    corners: Vec<Corner>,
+    indices: Vec<u32>,
+    /// Indices of each material.
+    ranges: Vec<Range<u32>>,
+    /// For each material, whether any UV lies outside the picture, so that it must repeat.
+    repeats: Vec<bool>,
+}
+
+impl Gathered {
+    fn from_model(model: &Model) -> Result<Self, RenderError> {
+        if let Some(part) = model.parts.iter().find(|p| p.material >= model.materials.len()) {
+            return Err(contradiction(part, "its material does not exist"));
+        }
+        let mut all = Self {
+            corners: Vec::with_capacity(model.vertex_count()),
+            indices: Vec::with_capacity(3 * model.triangle_count()),
+            ranges: Vec::with_capacity(model.materials.len()),
+            repeats: Vec::with_capacity(model.materials.len()),
+        };
+        for material in 0..model.materials.len() {
+            let first_index = all.indices.len() as u32;
+            let first_corner = all.corners.len();
+            for part in model.parts.iter().filter(|p| p.material == material) {
+                all.append(part)?;
+            }
+            let inside = |c: &Corner| (-1e-3..=1.001).contains(&c.uv.min_element()) && c.uv.max_element() <= 1.001;
+            all.ranges.push(first_index..all.indices.len() as u32);
+            all.repeats.push(!all.corners[first_corner..].iter().all(inside));
+        }
+        Ok(all)
+    }
+
+    fn append(&mut self, part: &Part) -> Result<(), RenderError> {
+        let mesh = &part.mesh;
+        let base = self.corners.len() as u32;
+        for vertex in &mesh.vertices {
+            let point = mesh.points.get(vertex.point as usize);
+            let world = *point.ok_or_else(|| contradiction(part, "a corner refers to a point that does not exist"))?;
+            if !world.is_finite() {
+                return Err(contradiction(part, "a point is not a finite number"));
+            }
+            self.corners.push(Corner { world, normal: vertex.normal, uv: vertex.uv });
+        }
+        if mesh.triangles.iter().flatten().any(|&i| i as usize >= mesh.vertices.len()) {
+            return Err(contradiction(part, "a triangle refers to a corner that does not exist"));
+        }
+        self.indices.extend(mesh.triangles.iter().flatten().map(|i| base + i));
+        Ok(())
+    }
+}
+
+fn contradiction(part: &Part, reason: &'static str) -> RenderError {
+    RenderError::Model { part: part.name.clone(), reason }
+}
+
+/// Shades surfaces.
+pub(super) struct SurfaceRenderer {
+    /// By `double_sided`.
+    depth: [wgpu::RenderPipeline; 2],
+    /// By `[cut_out][double_sided]`.
+    colour: [[wgpu::RenderPipeline; 2]; 2],
+}
+
+impl SurfaceRenderer {
+    pub(super) fn new(gpu: &Gpu, scene: &Scene, materials: &MaterialLayout) -> Self {
+        let build = |double_sided: bool, into| {
+            PipelineSpec {
+                label: "surface",
+                wgsl: shaders::SURFACE,
+                groups: &[&scene.layout, &materials.layout],
+                buffers: &[VERTEX_LAYOUT],
+                topology: wgpu::PrimitiveTopology::TriangleList,
+                cull: !double_sided,
+                fragment: matches!(into, Into::Picture { .. }),
+                into,
+            }
+            .build(gpu)
+        };
+        let blend = wgpu::BlendComponent::REPLACE;
+        let colour = |coverage_from_alpha| Into::Picture { blend, solid: true, coverage_from_alpha };
+        let both = [false, true];
+        Self {
+            depth: both.map(|double| build(double, Into::PictureDepth)),
+            colour: both.map(|cut_out| both.map(|double| build(double, colour(cut_out)))),
+        }
+    }
+
+    /// Draws the depth of everything solid, so that only what is seen is shaded.
+    pub(super) fn draw_depth(&self, pass: &mut wgpu::RenderPass<'_>, surface: &SurfaceDrawData) {
+        surface.draw(pass, |b| (!b.cut_out).then_some(&self.depth[usize::from(b.double_sided)]));
+    }
+
+    /// Draws into a pass with the scene's bind group already set.
+    pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, surface: &SurfaceDrawData) {
+        surface.draw(pass, |b| Some(&self.colour[usize::from(b.cut_out)][usize::from(b.double_sided)]));
+    }
+}
