@@ -27,7 +27,7 @@ pub(super) const SUN_RADIANCE: Vec3 = Vec3::new(1.32, 1.22, 1.06);
 pub(super) const SUN_SPREAD: f32 = 0.035;
 
 /// Irradiance of the whole open sky on level ground.
-pub(super) const SKY_RADIANCE: Vec3 = Vec3::new(0.60, 0.66, 0.74);
+pub(super) const SKY_RADIANCE: Vec3 = Vec3::new(0.62, 0.65, 0.70);
 /// How much warmer and dimmer the sky is at the horizon than overhead.
 pub(super) const SKY_HORIZON: Vec3 = Vec3::new(0.95, 0.85, 0.72);
 /// Light from everywhere above, beyond sun and sky; multiplies a material's ambient colour.
