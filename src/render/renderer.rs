@@ -68,7 +68,7 @@ impl Renderer {
     /// [`RenderError::NoAdapter`] names the package to install; [`RenderError::Device`] and [`RenderError::Gpu`] are
     /// a driver's own failures.
     pub fn new() -> Result<Self, RenderError> {
-        // OpenGL is asked second because merely asking starts a driver that complains about missing displays.
+        // OpenGL is asked second: starting its driver takes time and is rarely needed.
         Self::with_backends(wgpu::Backends::VULKAN).or_else(|_| Self::with_backends(wgpu::Backends::GL))
     }
 
