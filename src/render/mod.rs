@@ -1,8 +1,8 @@
 //! Pictures: a [`Model`](crate::model::Model) or a drawing seen by a camera, drawn by wgpu into memory.
 //!
 //! A [`Renderer`] owns the GPU and its pipelines, [`ModelDrawData`] is one uploaded model, and a target is what is
-//! drawn into, so far a [`Picture`]. Each kind of thing that is drawn is a trio of
-//! draw data, renderer and a WGSL file of one name:
+//! drawn into, so far a [`Picture`]. Each kind of thing that is drawn is a trio of draw data, renderer and a WGSL file
+//! of one name:
 //!
 //! | file | shader | draws |
 //! | --- | --- | --- |
