@@ -1,7 +1,7 @@
 // Backdrop and ground in one: a paper without horizon on which only the plant's shadow shows where the ground is.
 
 // Each lamp stands for a wide piece of sky: looked up this far away at most, in map widths, it draws no shadow of its own.
-const SKY_BLUR: f32 = 0.06;
+const SKY_BLUR: f32 = 0.035;
 
 struct Corner {
     @builtin(position) clip: vec4<f32>,

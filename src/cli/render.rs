@@ -1,15 +1,232 @@
-//! stub
+//! `penstemon render`: a picture of a sketch or a model, a turntable of pictures, or the drawing itself.
 
+use crate::model::Model;
+use crate::plant::Texture;
+use crate::render::{Direction, PictureOptions, Projection, Renderer, View};
+use crate::sketch::Sketch;
+use anyhow::{Context, Result, bail};
+use std::borrow::Cow;
+use std::error::Error;
+use std::ffi::OsString;
+use std::io::Write;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Arguments.
+/// What is seen, and from where.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum ViewName {
+    /// As it was drawn.
+    Front,
+    /// From its right.
+    Side,
+    /// From above.
+    Top,
+    /// From the front right and a little above.
+    ThreeQuarter,
+    /// Not the plant but the drawing, as ink on paper.
+    Drawing,
+}
+
+impl ViewName {
+    fn direction(self) -> Direction {
+        match self {
+            ViewName::Front | ViewName::Drawing => Direction::Front,
+            ViewName::Side => Direction::Side,
+            ViewName::Top => Direction::Top,
+            ViewName::ThreeQuarter => Direction::ThreeQuarter,
+        }
+    }
+}
+
+/// Width and height of a picture in pixels, written `1200x900`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Size {
+    width: u32,
+    height: u32,
+}
+
+impl std::str::FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let explain =
+            || format!("`{text}` is not a size; write it as WIDTHxHEIGHT in pixels, such as 1200x900");
+        let (width, height) = text.split_once('x').ok_or_else(explain)?;
+        let number = |digits: &str| digits.parse().map_err(|_| explain());
+        Ok(Self { width: number(width)?, height: number(height)? })
+    }
+}
+
+/// Arguments of `penstemon render`.
 #[derive(Debug, clap::Args)]
-pub struct Args {}
+pub struct Args {
+    /// Sketch (.penstemon, .svg) or model (.obj, .glb).
+    input: PathBuf,
+    /// The picture, a PNG file; the pictures of a turntable get a number before the ending.
+    #[arg(short, long, value_name = "OUT.png")]
+    output: PathBuf,
+    /// Width and height of each picture in pixels.
+    #[arg(long, value_name = "WxH", default_value = "1200x900")]
+    size: Size,
+    /// From where the plant is seen.
+    #[arg(long, value_enum, default_value_t = ViewName::Front)]
+    view: ViewName,
+    /// Without perspective, exactly level from front and side.
+    #[arg(long)]
+    orthographic: bool,
+    /// Pictures all around the plant, this many.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=3600), conflicts_with = "with_drawing")]
+    turntable: Option<u32>,
+    /// Only the plant: no paper, no shadow on it.
+    #[arg(long, conflicts_with = "with_drawing")]
+    transparent: bool,
+    /// Puts the drawing to the left of the plant, each of the given size.
+    #[arg(long)]
+    with_drawing: bool,
+}
+
+impl Args {
+    fn options(&self) -> PictureOptions {
+        PictureOptions { width: self.size.width, height: self.size.height, transparent: self.transparent }
+    }
+
+    fn first_view(&self) -> View {
+        let projection = if self.orthographic { Projection::Orthographic } else { Projection::Perspective };
+        View { direction: self.view.direction(), projection, turn_deg: 0.0 }
+    }
+}
 
 /// Runs the verb.
 ///
 /// # Errors
 /// What went wrong, ready to be shown.
-pub fn run(_args: &Args) -> anyhow::Result<ExitCode> {
+pub fn run(args: &Args) -> Result<ExitCode> {
+    if args.view == ViewName::Drawing && (args.with_drawing || args.turntable.is_some() || args.transparent) {
+        bail!(
+            "`--view drawing` shows the drawing alone; leave out --with-drawing, --turntable and --transparent"
+        );
+    }
+    if args.view == ViewName::Drawing {
+        let sketch = load_drawing(&args.input)?;
+        let picture = Renderer::new()?.drawing(&sketch, &args.options())?;
+        write_file(&args.output, &picture.to_png()?)?;
+    } else if args.with_drawing {
+        let (sketch, model) = (load_drawing(&args.input)?, load(&args.input)?);
+        let mut renderer = Renderer::new()?;
+        let plant = renderer.picture(&model, &texture_bytes, &args.first_view(), &args.options())?;
+        let drawing = renderer.drawing(&sketch, &args.options())?;
+        write_file(&args.output, &drawing.beside(&plant).to_png()?)?;
+    } else {
+        render_model(args, &load(&args.input)?)?;
+    }
     Ok(ExitCode::SUCCESS)
+}
+
+/// Writes the pictures of a model that `args` ask for.
+fn render_model(args: &Args, model: &Model) -> Result<()> {
+    let mut renderer = Renderer::new()?;
+    let uploaded = renderer.upload(model, &texture_bytes)?;
+    let views: Vec<View> = args.first_view().turntable(args.turntable.unwrap_or(1)).collect();
+    for (i, picture) in renderer.pictures(&uploaded, &views, &args.options()).enumerate() {
+        let path = match args.turntable {
+            Some(_) => numbered(&args.output, i),
+            None => args.output.clone(),
+        };
+        write_file(&path, &picture?.to_png()?)?;
+    }
+    Ok(())
+}
+
+/// The model in a file, or the plant of a sketch.
+fn load(path: &Path) -> Result<Model> {
+    bail!("{}: reading models and building sketches is not connected yet", path.display())
+}
+
+/// The drawing in a file.
+fn load_drawing(path: &Path) -> Result<Sketch> {
+    bail!("{}: reading drawings is not connected yet", path.display())
+}
+
+/// The file of a texture.
+fn texture_bytes(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
+    match texture {
+        Texture::File(path) => Ok(std::fs::read(path)?.into()),
+        Texture::BuiltIn(_) => Err("the program's own textures are not connected yet".into()),
+    }
+}
+
+/// `plant.png` becomes `plant-007.png`.
+fn numbered(path: &Path, number: usize) -> PathBuf {
+    let mut name = path.file_stem().map(OsString::from).unwrap_or_default();
+    name.push(format!("-{number:03}."));
+    name.push(path.extension().unwrap_or("png".as_ref()));
+    path.with_file_name(name)
+}
+
+/// Writes a file whole or not at all.
+fn write_file(path: &Path, bytes: &[u8]) -> Result<()> {
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let write = || -> std::io::Result<()> {
+        let mut file = tempfile::NamedTempFile::new_in(folder)?;
+        file.write_all(bytes)?;
+        file.persist(path)?;
+        Ok(())
+    };
+    write().with_context(|| format!("{} could not be written", path.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::{Cli, Verb};
+    use clap::Parser;
+
+    fn parse(line: &str) -> Result<Args, clap::Error> {
+        match Cli::try_parse_from(line.split_whitespace())?.verb {
+            Verb::Render(args) => Ok(args),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn a_size_is_two_numbers() {
+        assert_eq!("1200x900".parse(), Ok(Size { width: 1200, height: 900 }));
+        for wrong in ["1200", "x", "12x", "-1x5", "1.5x2", "5000000000x1"] {
+            assert!(wrong.parse::<Size>().unwrap_err().contains("1200x900"), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn arguments_become_a_view_and_options() {
+        let args =
+            parse("penstemon render a.obj -o b.png --view three-quarter --size 8x6 --transparent").unwrap();
+        assert_eq!(args.options(), PictureOptions { width: 8, height: 6, transparent: true });
+        assert_eq!(args.first_view().direction, Direction::ThreeQuarter);
+        assert_eq!(args.first_view().projection, Projection::Perspective);
+    }
+
+    #[test]
+    fn what_excludes_each_other_is_wrong_usage() {
+        for options in
+            ["--turntable 0", "--turntable 3 --with-drawing", "--transparent --with-drawing", "--view up"]
+        {
+            assert!(parse(&format!("penstemon render a -o b {options}")).is_err(), "{options}");
+        }
+        let drawing = parse("penstemon render a -o b --view drawing --turntable 3").unwrap();
+        assert!(run(&drawing).unwrap_err().to_string().contains("--turntable"));
+    }
+
+    #[test]
+    fn turntable_pictures_are_numbered_before_the_ending() {
+        assert_eq!(numbered(Path::new("out/plant.png"), 7), Path::new("out/plant-007.png"));
+        assert_eq!(numbered(Path::new("plant"), 12), Path::new("plant-012.png"));
+    }
+
+    #[test]
+    fn a_missing_folder_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("no/such/picture.png");
+        let message = write_file(&path, b"picture").unwrap_err().to_string();
+        assert!(message.contains("picture.png"), "{message}");
+    }
 }

@@ -170,7 +170,14 @@ impl Framing {
         // A flat model seen edge-on must not end up touching the eye.
         let distance = distances.max_element().max(reach.back.y + 0.05 * size);
         let depth = Vec2::new(distance - reach.back.y, distance - reach.back.x);
-        Self { pivot, centre: (reach.high + reach.low) / 2.0, distance, half, depth, projection: Projection::Perspective }
+        Self {
+            pivot,
+            centre: (reach.high + reach.low) / 2.0,
+            distance,
+            half,
+            depth,
+            projection: Projection::Perspective,
+        }
     }
 
     fn orthographic(points: &[Vec3], pivot: Vec3, size: f32, views: &[View], aspect: f32) -> Self {
@@ -188,13 +195,9 @@ impl Framing {
     pub(super) fn camera(&self, view: &View) -> Camera {
         let axes = view.axes();
         let eye = self.pivot + axes.world_from_view(self.centre.extend(self.distance));
-        let rotation = Mat4::from_cols(
-            axes.right.extend(0.0),
-            axes.up.extend(0.0),
-            axes.back.extend(0.0),
-            Vec4::W,
-        )
-        .transpose();
+        let rotation =
+            Mat4::from_cols(axes.right.extend(0.0), axes.up.extend(0.0), axes.back.extend(0.0), Vec4::W)
+                .transpose();
         let view_from_world = rotation * Mat4::from_translation(-eye);
         let (near, far) = (self.depth.x * 0.5, self.depth.y * 2.0);
         let (half, eye) = (self.half, (eye, axes.back));

@@ -23,7 +23,9 @@ pub enum RenderError {
         reason: String,
     },
     /// Width or height is zero or more than can be drawn.
-    #[error("a picture of {width}×{height} pixels cannot be made: each side must be 1 to {limit}, and all pixels at most {pixels}")]
+    #[error(
+        "a picture of {width}×{height} pixels cannot be made: each side must be 1 to {limit}, and all pixels at most {pixels}"
+    )]
     Size {
         /// Asked width in pixels.
         width: u32,

@@ -1,6 +1,6 @@
 //! The graphics device: chosen once, and every failure of it turned into a [`RenderError`].
 //!
-//! Hardware is taken before software, Vulkan before OpenGL ES. wgpu reports failures out of band; [`Gpu`] collects
+//! Hardware is taken before software. wgpu reports failures out of band; [`Gpu`] collects
 //! them and [`Gpu::check`] hands over the first, so that no failure of a driver can end in a panic.
 
 use super::RenderError;
@@ -45,8 +45,22 @@ impl Gpu {
         let fault = Arc::new(Mutex::new(None));
         let (uncaptured, lost) = (Arc::clone(&fault), Arc::clone(&fault));
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| note(&uncaptured, error.to_string())));
-        device.set_device_lost_callback(move |_, message| note(&lost, format!("the device was lost: {message}")));
+        device.set_device_lost_callback(move |_, message| {
+            note(&lost, format!("the device was lost: {message}"))
+        });
         Ok(Self { device, queue, adapter: name, fault })
+    }
+
+    /// A buffer with these contents. (wgpu's own helper maps the new buffer and panics when there is no memory for it.)
+    pub(super) fn buffer(&self, label: &str, contents: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {
+        let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(label),
+            size: contents.len() as u64,
+            usage: usage | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        self.queue.write_buffer(&buffer, 0, contents);
+        buffer
     }
 
     /// The first failure since the last check.
@@ -80,4 +94,52 @@ impl Gpu {
 /// Keeps the first failure: later ones are usually its consequences.
 fn note(fault: &Mutex<Option<String>>, reason: String) {
     fault.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(reason);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Mesh, Model, Part, PartKind, Vertex};
+    use crate::plant::Material;
+    use crate::render::{PictureOptions, Renderer, View};
+    use glam::{Vec2, Vec3};
+
+    #[test]
+    fn a_refused_command_is_an_error_once() {
+        let renderer = Renderer::new().unwrap();
+        let gpu = renderer.gpu();
+        let endless = wgpu::BufferDescriptor {
+            label: None,
+            size: u64::MAX / 2,
+            usage: wgpu::BufferUsages::VERTEX,
+            mapped_at_creation: false,
+        };
+        drop(gpu.device.create_buffer(&endless));
+        assert!(matches!(gpu.check(), Err(RenderError::Gpu { .. })));
+        assert!(gpu.check().is_ok());
+    }
+
+    fn triangle() -> Model {
+        let points = vec![Vec3::ZERO, Vec3::X, Vec3::Y];
+        let corner = |point| Vertex { point, normal: Vec3::Z, uv: Vec2::ZERO };
+        let mesh = Mesh { points, vertices: [0, 1, 2].map(corner).to_vec(), triangles: vec![[0, 1, 2]] };
+        let name = "branch_0".to_owned();
+        let (kind, pivot) = (PartKind::Wood, Vec3::ZERO);
+        let part = Part { name, kind, parent: None, specimen: 0, pivot, material: 0, mesh };
+        Model { parts: vec![part], materials: vec![Material::plain("bark", [0.5; 3])] }
+    }
+
+    #[test]
+    fn a_lost_device_is_an_error() {
+        let mut renderer = Renderer::new().unwrap();
+        let options = PictureOptions { width: 8, height: 8, transparent: false };
+        let uploaded = renderer.upload(&triangle(), &|_| Err("none".into())).unwrap();
+        let draw =
+            |renderer: &mut Renderer| renderer.pictures(&uploaded, &[View::default()], &options).next();
+        assert!(matches!(draw(&mut renderer), Some(Ok(_))));
+        renderer.gpu().device.destroy();
+        assert!(matches!(draw(&mut renderer), Some(Err(RenderError::Gpu { .. }))));
+        let again = renderer.upload(&triangle(), &|_| Err("none".into()));
+        assert!(matches!(again, Err(RenderError::Gpu { .. })));
+    }
 }

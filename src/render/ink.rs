@@ -9,7 +9,6 @@ use super::{RenderError, shaders, studio};
 use crate::sketch::{Sketch, Stroke, StrokePoint};
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3, Vec4};
-use wgpu::util::DeviceExt;
 
 /// Share of the full line width that the lightest touch draws.
 const LIGHTEST: f32 = 0.25;
@@ -46,11 +45,7 @@ impl InkDrawData {
         let bounds = sketch.bounds().ok_or(RenderError::Empty { what: "the drawing" })?;
         let radius = studio::INK_RADIUS * sketch.diagonal().max(1e-6);
         let segments: Vec<Segment> = sketch.strokes.iter().flat_map(|s| segments(s, radius)).collect();
-        let buffer = gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-            label: Some("ink"),
-            contents: bytemuck::cast_slice(&segments),
-            usage: wgpu::BufferUsages::VERTEX,
-        });
+        let buffer = gpu.buffer("ink", bytemuck::cast_slice(&segments), wgpu::BufferUsages::VERTEX);
         Ok(Self { segments: buffer, count: segments.len() as u32, bounds })
     }
 }
@@ -77,7 +72,11 @@ impl InkRenderer {
     pub(super) fn new(gpu: &Gpu) -> Self {
         let layout = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("ink"),
-            entries: &[entry(0, wgpu::ShaderStages::VERTEX_FRAGMENT, uniform(size_of::<SheetUniform>(), false))],
+            entries: &[entry(
+                0,
+                wgpu::ShaderStages::VERTEX_FRAGMENT,
+                uniform(size_of::<SheetUniform>(), false),
+            )],
         });
         let sheet = gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("sheet"),

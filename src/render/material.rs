@@ -10,7 +10,6 @@ use crate::plant::{Material, Texture};
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec3, Vec4};
 use wgpu::ShaderStages;
-use wgpu::util::DeviceExt;
 
 /// Samples along the longer axis of a pixel's footprint; leaves are often seen at a slant.
 const ANISOTROPY: u16 = 4;
@@ -90,15 +89,13 @@ impl MaterialLayout {
     ) -> Result<Vec<wgpu::BindGroup>, RenderError> {
         let white = Rgba { width: 1, height: 1, pixels: vec![255; 4] };
         let mut pictures = vec![(None, self.upload_picture(gpu, &white))];
-        for material in materials {
-            if !pictures.iter().any(|(name, _)| *name == material.texture.as_ref()) {
-                let picture = material.texture.as_ref().map(|texture| load(texture, textures)).transpose()?;
-                let view = self.upload_picture(gpu, picture.as_ref().unwrap_or(&white));
-                pictures.push((material.texture.as_ref(), view));
+        for texture in materials.iter().filter_map(|m| m.texture.as_ref()) {
+            if !pictures.iter().any(|(known, _)| *known == Some(texture)) {
+                pictures.push((Some(texture), self.upload_picture(gpu, &load(texture, textures)?)));
             }
         }
         let groups = materials.iter().zip(repeats).map(|(material, &repeat)| {
-            let found = pictures.iter().find(|(name, _)| *name == material.texture.as_ref());
+            let found = pictures.iter().find(|(known, _)| *known == material.texture.as_ref());
             let view = &found.unwrap_or(&pictures[0]).1;
             self.bind(gpu, material, view, if repeat { &self.repeated } else { &self.clamped })
         });
@@ -112,11 +109,8 @@ impl MaterialLayout {
         picture: &wgpu::TextureView,
         sampler: &wgpu::Sampler,
     ) -> wgpu::BindGroup {
-        let colours = gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-            label: Some(&material.name),
-            contents: bytemuck::bytes_of(&MaterialUniform::from(material)),
-            usage: wgpu::BufferUsages::UNIFORM,
-        });
+        let uniform = MaterialUniform::from(material);
+        let colours = gpu.buffer(&material.name, bytemuck::bytes_of(&uniform), wgpu::BufferUsages::UNIFORM);
         gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some(&material.name),
             layout: &self.layout,
@@ -129,8 +123,7 @@ impl MaterialLayout {
     }
 
     fn upload_picture(&self, gpu: &Gpu, picture: &Rgba) -> wgpu::TextureView {
-        let size =
-            wgpu::Extent3d { width: picture.width, height: picture.height, depth_or_array_layers: 1 };
+        let size = wgpu::Extent3d { width: picture.width, height: picture.height, depth_or_array_layers: 1 };
         let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("picture"),
             size,

@@ -15,10 +15,8 @@ pub(super) struct MipmapRenderer {
 
 impl MipmapRenderer {
     pub(super) fn new(gpu: &Gpu) -> Self {
-        let above = texture(
-            wgpu::TextureSampleType::Float { filterable: true },
-            wgpu::TextureViewDimension::D2,
-        );
+        let above =
+            texture(wgpu::TextureSampleType::Float { filterable: true }, wgpu::TextureViewDimension::D2);
         let layout = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("mipmap"),
             entries: &[entry(0, wgpu::ShaderStages::FRAGMENT, above)],

@@ -1,18 +1,18 @@
 //! Pictures: a [`Model`](crate::model::Model) or a drawing seen by a camera, drawn by wgpu into memory.
 //!
 //! A [`Renderer`] owns the GPU and its pipelines, [`ModelDrawData`] is one uploaded model, and a target is what is
-//! drawn into: a [`Picture`] today, a window's surface on the day there is one. Each kind of thing that is drawn is a trio of
-//! draw data, renderer and a WGSL file of one name:
+//! drawn into, so far a [`Picture`]. Each kind of thing that is drawn is a trio of draw data, renderer and a WGSL file
+//! of one name:
 //!
 //! | file | shader | draws |
 //! | --- | --- | --- |
-//! | [`surface`] | `surface.wgsl` | the plant: Blinn-Phong (000 §6.1), two-sided, with light shining through |
-//! | [`shadow`] | `shadow.wgsl` | the plant's depth as each lamp sees it |
-//! | [`ground`] | `ground.wgsl` | backdrop, and the shadow on it |
-//! | [`ink`] | `ink.wgsl` | a drawing's strokes on paper |
-//! | [`mipmap`] | `mipmap.wgsl` | the smaller levels of a texture |
+//! | `surface` | `surface.wgsl` | the plant: Blinn-Phong (000 §6.1), two-sided, with light shining through |
+//! | `shadow` | `shadow.wgsl` | the plant's depth as each lamp sees it |
+//! | `ground` | `ground.wgsl` | backdrop, and the shadow on it |
+//! | `ink` | `ink.wgsl` | a drawing's strokes on paper |
+//! | `mipmap` | `mipmap.wgsl` | the smaller levels of a texture |
 //!
-//! [`camera`] and [`light`] are the mathematics of view and light and know no GPU; [`studio`] holds every number that
+//! [`camera`] and `light` are the mathematics of view and light and know no GPU; `studio` holds every number that
 //! decides the look. The same picture drawn twice on one machine is the same bytes.
 //!
 //! Variables that change space say so: `clip_from_world` takes world points to clip space.

@@ -123,7 +123,8 @@ mod tests {
 
     #[test]
     fn padding_between_rows_is_left_out() {
-        let picture = Picture::from_see_through_rows(1, 2, &[1, 2, 3, 0, 9, 9, 9, 9, 4, 5, 6, 0, 9, 9, 9, 9], 8);
+        let picture =
+            Picture::from_see_through_rows(1, 2, &[1, 2, 3, 0, 9, 9, 9, 9, 4, 5, 6, 0, 9, 9, 9, 9], 8);
         assert_eq!(picture.pixels(), [1, 2, 3, 255, 4, 5, 6, 255]);
     }
 

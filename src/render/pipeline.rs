@@ -102,7 +102,11 @@ impl PipelineSpec<'_> {
         Some(wgpu::DepthStencilState {
             format: DEPTH_FORMAT,
             depth_write_enabled: Some(solid),
-            depth_compare: Some(if solid { wgpu::CompareFunction::LessEqual } else { wgpu::CompareFunction::Always }),
+            depth_compare: Some(if solid {
+                wgpu::CompareFunction::LessEqual
+            } else {
+                wgpu::CompareFunction::Always
+            }),
             stencil: Default::default(),
             bias: Default::default(),
         })

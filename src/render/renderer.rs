@@ -20,8 +20,9 @@ use glam::{Vec2, Vec3};
 use std::borrow::Cow;
 use std::error::Error;
 
-/// Where the bytes of a texture's file come from.
-pub type TextureSource<'a> = dyn Fn(&Texture) -> Result<Cow<'a, [u8]>, Box<dyn Error + Send + Sync>> + 'a;
+/// Where the bytes of a texture's file come from; its errors complete “texture X cannot be used:”.
+pub type TextureSource<'a> =
+    dyn Fn(&Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> + 'a;
 
 /// How a picture is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,13 +61,15 @@ pub struct Renderer {
 }
 
 impl Renderer {
-    /// Opens the best graphics adapter of the machine: hardware if there is any, otherwise software.
+    /// Opens the best graphics adapter of the machine: Vulkan, and OpenGL ES where there is none; hardware if there is
+    /// any, otherwise software.
     ///
     /// # Errors
     /// [`RenderError::NoAdapter`] names the package to install; [`RenderError::Device`] and [`RenderError::Gpu`] are
     /// a driver's own failures.
     pub fn new() -> Result<Self, RenderError> {
-        Self::with_backends(wgpu::Backends::VULKAN | wgpu::Backends::GL)
+        // OpenGL is asked second: starting its driver takes time and is rarely needed.
+        Self::with_backends(wgpu::Backends::VULKAN).or_else(|_| Self::with_backends(wgpu::Backends::GL))
     }
 
     /// The same among chosen interfaces to the graphics driver.
@@ -94,6 +97,11 @@ impl Renderer {
     /// Name of the adapter that draws.
     pub fn adapter(&self) -> &str {
         &self.gpu.adapter
+    }
+
+    #[cfg(test)]
+    pub(super) fn gpu(&self) -> &Gpu {
+        &self.gpu
     }
 
     /// Uploads a model with its textures.

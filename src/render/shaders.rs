@@ -24,8 +24,10 @@ mod tests {
     #[test]
     fn every_module_is_valid() {
         for (name, source) in MODULES {
-            let module = wgsl::parse_str(source).unwrap_or_else(|e| panic!("{name}: {}", e.emit_to_string(source)));
-            let mut validator = valid::Validator::new(valid::ValidationFlags::all(), valid::Capabilities::empty());
+            let module =
+                wgsl::parse_str(source).unwrap_or_else(|e| panic!("{name}: {}", e.emit_to_string(source)));
+            let mut validator =
+                valid::Validator::new(valid::ValidationFlags::all(), valid::Capabilities::empty());
             validator.validate(&module).unwrap_or_else(|e| panic!("{name}: {}", e.emit_to_string(source)));
             assert!(!module.entry_points.is_empty(), "{name} has no entry point");
         }

@@ -10,10 +10,10 @@ pub(super) const FIELD_OF_VIEW_DEG: f32 = 28.0;
 /// Share of the picture's half width and half height left free around the plant.
 pub(super) const MARGIN: f32 = 0.1;
 
-/// Warm white paper where the light falls, linear.
-pub(super) const PAPER_CENTRE: Vec3 = Vec3::new(0.955, 0.915, 0.845);
+/// Warm paper where the light falls, toned so that white petals stand out from it, linear.
+pub(super) const PAPER_CENTRE: Vec3 = Vec3::new(0.80, 0.745, 0.65);
 /// The same paper in the corners, linear.
-pub(super) const PAPER_EDGE: Vec3 = Vec3::new(0.80, 0.745, 0.66);
+pub(super) const PAPER_EDGE: Vec3 = Vec3::new(0.62, 0.56, 0.455);
 /// Colour of ink on it, linear.
 pub(super) const INK: Vec3 = Vec3::new(0.018, 0.016, 0.026);
 /// Radius of the pen's line at full pressure, as a share of the drawing's diagonal.
@@ -22,12 +22,12 @@ pub(super) const INK_RADIUS: f32 = 0.0032;
 /// Direction of the sun as the viewer sees it: to the right, above, toward the viewer.
 pub(super) const SUN_TOWARD: Vec3 = Vec3::new(-0.55, 0.75, 0.5);
 /// Colour and strength of the sun.
-pub(super) const SUN_RADIANCE: Vec3 = Vec3::new(1.32, 1.22, 1.06);
+pub(super) const SUN_RADIANCE: Vec3 = Vec3::new(1.18, 1.10, 0.98);
 /// Tangent of half the angle under which the sun is seen: how fast shadows soften.
 pub(super) const SUN_SPREAD: f32 = 0.035;
 
 /// Irradiance of the whole open sky on level ground.
-pub(super) const SKY_RADIANCE: Vec3 = Vec3::new(0.60, 0.66, 0.74);
+pub(super) const SKY_RADIANCE: Vec3 = Vec3::new(0.56, 0.59, 0.63);
 /// How much warmer and dimmer the sky is at the horizon than overhead.
 pub(super) const SKY_HORIZON: Vec3 = Vec3::new(0.95, 0.85, 0.72);
 /// Light from everywhere above, beyond sun and sky; multiplies a material's ambient colour.

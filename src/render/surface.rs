@@ -11,7 +11,6 @@ use crate::model::{Model, Part};
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
 use std::ops::Range;
-use wgpu::util::DeviceExt;
 
 /// A corner as `surface.wgsl` and `shadow.wgsl` read it.
 #[repr(C)]
@@ -57,23 +56,25 @@ impl SurfaceDrawData {
     ) -> Result<Self, RenderError> {
         let gathered = Gathered::from_model(model)?;
         let groups = materials.upload(gpu, &model.materials, &gathered.repeats, textures)?;
-        let buffer = |label, contents: &[u8], usage| {
-            gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-                label: Some(label),
-                contents,
-                usage,
-            })
-        };
         let batches = model.materials.iter().zip(groups).zip(gathered.ranges);
-        let batches = batches.filter(|(_, indices)| !indices.is_empty()).map(|((m, material), indices)| Batch {
-            material,
-            indices,
-            cut_out: m.cut_out && m.texture.is_some(),
-            double_sided: m.double_sided,
-        });
+        let batches =
+            batches.filter(|(_, indices)| !indices.is_empty()).map(|((m, material), indices)| Batch {
+                material,
+                indices,
+                cut_out: m.cut_out && m.texture.is_some(),
+                double_sided: m.double_sided,
+            });
         Ok(Self {
-            corners: buffer("corners", bytemuck::cast_slice(&gathered.corners), wgpu::BufferUsages::VERTEX),
-            indices: buffer("indices", bytemuck::cast_slice(&gathered.indices), wgpu::BufferUsages::INDEX),
+            corners: gpu.buffer(
+                "corners",
+                bytemuck::cast_slice(&gathered.corners),
+                wgpu::BufferUsages::VERTEX,
+            ),
+            indices: gpu.buffer(
+                "indices",
+                bytemuck::cast_slice(&gathered.indices),
+                wgpu::BufferUsages::INDEX,
+            ),
             batches: batches.collect(),
         })
     }
@@ -121,7 +122,8 @@ impl Gathered {
             for part in model.parts.iter().filter(|p| p.material == material) {
                 all.append(part)?;
             }
-            let inside = |c: &Corner| (-1e-3..=1.001).contains(&c.uv.min_element()) && c.uv.max_element() <= 1.001;
+            let inside =
+                |c: &Corner| (-1e-3..=1.001).contains(&c.uv.min_element()) && c.uv.max_element() <= 1.001;
             all.ranges.push(first_index..all.indices.len() as u32);
             all.repeats.push(!all.corners[first_corner..].iter().all(inside));
         }
@@ -133,7 +135,8 @@ impl Gathered {
         let base = self.corners.len() as u32;
         for vertex in &mesh.vertices {
             let point = mesh.points.get(vertex.point as usize);
-            let world = *point.ok_or_else(|| contradiction(part, "a corner refers to a point that does not exist"))?;
+            let world = *point
+                .ok_or_else(|| contradiction(part, "a corner refers to a point that does not exist"))?;
             if !world.is_finite() {
                 return Err(contradiction(part, "a point is not a finite number"));
             }

@@ -105,7 +105,11 @@ impl OffscreenTarget {
     ///
     /// # Errors
     /// Any failure of the driver since the last check.
-    pub(super) fn finish(&self, gpu: &Gpu, mut encoder: wgpu::CommandEncoder) -> Result<Picture, RenderError> {
+    pub(super) fn finish(
+        &self,
+        gpu: &Gpu,
+        mut encoder: wgpu::CommandEncoder,
+    ) -> Result<Picture, RenderError> {
         let rows = wgpu::TexelCopyBufferLayout {
             offset: 0,
             bytes_per_row: Some(self.bytes_per_row),
