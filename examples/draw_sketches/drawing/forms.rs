@@ -11,14 +11,30 @@ pub const DAISY_PETAL: Form = Form {
 
 /// Sepal-petal of a hepatica: an oval.
 pub const HEPATICA_PETAL: Form = Form {
-    runs: &[&[(0.07, 0.025), (0.2, 0.11), (0.45, 0.225), (0.68, 0.25), (0.87, 0.165), (0.965, 0.07), (1.0, 0.0)]],
+    runs: &[&[
+        (0.07, 0.025),
+        (0.2, 0.11),
+        (0.45, 0.225),
+        (0.68, 0.25),
+        (0.87, 0.165),
+        (0.965, 0.07),
+        (1.0, 0.0),
+    ]],
     tip: Tip::Round,
     margin: Margin::Entire,
 };
 
 /// Corolla lobe of a jasmine: oblong, acute, narrow at the throat.
 pub const JASMINE_PETAL: Form = Form {
-    runs: &[&[(0.07, 0.022), (0.22, 0.075), (0.45, 0.185), (0.66, 0.215), (0.85, 0.12), (0.95, 0.045), (1.0, 0.0)]],
+    runs: &[&[
+        (0.07, 0.022),
+        (0.22, 0.075),
+        (0.45, 0.185),
+        (0.66, 0.215),
+        (0.85, 0.12),
+        (0.95, 0.045),
+        (1.0, 0.0),
+    ]],
     tip: Tip::Sharp,
     margin: Margin::Entire,
 };
@@ -60,12 +76,12 @@ pub const BALLOON_PETAL: Form = Form {
 pub const PLUMERIA_PETAL: Form = Form {
     runs: &[&[
         (0.05, 0.03),
-        (0.2, 0.1),
-        (0.42, 0.21),
-        (0.66, 0.305),
-        (0.84, 0.285),
-        (0.95, 0.175),
-        (0.995, 0.06),
+        (0.18, 0.12),
+        (0.4, 0.27),
+        (0.64, 0.385),
+        (0.83, 0.35),
+        (0.95, 0.215),
+        (0.995, 0.075),
         (1.0, 0.0),
     ]],
     tip: Tip::Round,
@@ -74,7 +90,15 @@ pub const PLUMERIA_PETAL: Form = Form {
 
 /// Petal of an oxalis: a wedge with an almost straight end.
 pub const OXALIS_PETAL: Form = Form {
-    runs: &[&[(0.06, 0.022), (0.28, 0.1), (0.55, 0.22), (0.8, 0.29), (0.94, 0.22), (0.99, 0.1), (0.985, 0.0)]],
+    runs: &[&[
+        (0.06, 0.022),
+        (0.28, 0.1),
+        (0.55, 0.22),
+        (0.8, 0.29),
+        (0.94, 0.22),
+        (0.99, 0.1),
+        (0.985, 0.0),
+    ]],
     tip: Tip::Round,
     margin: Margin::Entire,
 };
@@ -115,7 +139,15 @@ pub const HEPATICA_LEAF: Form = Form {
 
 /// Leaflet of a jasmine: ovate with a long point.
 pub const JASMINE_LEAF: Form = Form {
-    runs: &[&[(0.0, 0.015), (0.08, 0.09), (0.25, 0.185), (0.45, 0.2), (0.68, 0.125), (0.87, 0.04), (1.0, 0.0)]],
+    runs: &[&[
+        (0.0, 0.015),
+        (0.08, 0.09),
+        (0.25, 0.185),
+        (0.45, 0.2),
+        (0.68, 0.125),
+        (0.87, 0.04),
+        (1.0, 0.0),
+    ]],
     tip: Tip::Sharp,
     margin: Margin::Entire,
 };
@@ -133,7 +165,16 @@ pub const MALLOW_LEAF: Form = Form {
 
 /// Leaf of a balloon flower: lance-shaped, sharply toothed.
 pub const BALLOON_LEAF: Form = Form {
-    runs: &[&[(0.0, 0.018), (0.1, 0.085), (0.28, 0.17), (0.48, 0.165), (0.7, 0.1), (0.88, 0.035), (1.0, 0.0)]],
+    runs: &[&[
+        (0.0, 0.014),
+        (0.09, 0.05),
+        (0.22, 0.15),
+        (0.38, 0.195),
+        (0.54, 0.175),
+        (0.7, 0.115),
+        (0.88, 0.04),
+        (1.0, 0.0),
+    ]],
     tip: Tip::Sharp,
     margin: Margin::Serrate(Teeth { count: 10, depth: 0.022, from: 0.12 }),
 };

@@ -134,7 +134,9 @@ impl Hand {
         let steadiness = (total / 350.0).clamp(0.3, 1.0);
         let waves: Vec<(f64, f64, DVec2)> = DRIFT
             .iter()
-            .flat_map(|&(wavelength, amplitude)| [(wavelength, amplitude, DVec2::X), (wavelength, amplitude, DVec2::Y)])
+            .flat_map(|&(wavelength, amplitude)| {
+                [(wavelength, amplitude, DVec2::X), (wavelength, amplitude, DVec2::Y)]
+            })
             .map(|(wavelength, amplitude, axis)| {
                 let stretched = wavelength * (0.8 + 0.4 * self.rng.random::<f64>());
                 (TAU / stretched, self.rng.random::<f64>() * TAU, axis * amplitude * steadiness)

@@ -53,7 +53,8 @@ impl Leaf {
         let place = |p: &DVec2| {
             let s = p.x * arc;
             let on = |s: f64| spline::interpolate(&knots, &midrib, s);
-            let tangent = (on((s + 0.04 * arc).max(0.08 * arc)) - on((s - 0.04 * arc).min(0.92 * arc))).normalize();
+            let tangent =
+                (on((s + 0.04 * arc).max(0.08 * arc)) - on((s - 0.04 * arc).min(0.92 * arc))).normalize();
             let beyond = (s - s.clamp(0.0, arc)) * tangent;
             let right = DVec2::new(-tangent.y, tangent.x);
             let side = if p.y >= 0.0 { self.sides[0] } else { self.sides[1] };

@@ -43,10 +43,12 @@ impl Drawing {
 }
 
 const ASSETS: &str = "assets/sketches";
+const FIXTURES: &str = "tests/fixtures/sketches";
 
 /// Every drawing, in the order of the documentation.
 pub fn all() -> Vec<Drawing> {
     let asset = |name, sheet| Drawing { name, folder: ASSETS, sheet };
+    let trial = |name, sheet| Drawing { name, folder: FIXTURES, sheet };
     vec![
         asset("daisy", plants::daisy::draw()),
         asset("hepatica_red", plants::hepatica::red()),
@@ -60,5 +62,9 @@ pub fn all() -> Vec<Drawing> {
         asset("tree_round", plants::tree_round::draw()),
         asset("tree_willow", plants::tree_willow::draw()),
         asset("bouquet", plants::bouquet::draw()),
+        asset("sample", plants::sample::draw()),
+        trial("two_plants", plants::trials::two_plants()),
+        trial("crossing_branches", plants::trials::crossing_branches()),
+        trial("many_scales", plants::trials::many_scales()),
     ]
 }

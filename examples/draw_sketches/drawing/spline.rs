@@ -30,7 +30,8 @@ pub fn through(points: &[DVec2]) -> Vec<DVec2> {
 /// Closed version of [`through`]: the line returns to the first point, which is repeated at the end.
 pub fn around(points: &[DVec2]) -> Vec<DVec2> {
     let n = points.len();
-    let spans = (0..n).map(|i| [points[(i + n - 1) % n], points[i], points[(i + 1) % n], points[(i + 2) % n]]);
+    let spans =
+        (0..n).map(|i| [points[(i + n - 1) % n], points[i], points[(i + 1) % n], points[(i + 2) % n]]);
     let mut line: Vec<DVec2> = spans.flat_map(span).collect();
     line.extend(points.first());
     line

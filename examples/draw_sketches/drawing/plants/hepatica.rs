@@ -13,14 +13,14 @@ struct Scape<'a> {
     through: &'a [DVec2],
 }
 
-/// A leaf with the base and the middle of its stalk.
+/// A leaf with the base and the middle of its stalk, which is drawn from the leaf down.
 struct Stalked {
     leaf: Leaf,
     from: DVec2,
     over: DVec2,
 }
 
-/// The red one: four flowers over five leaves.
+/// The red one: four flowers over four leaves.
 pub fn red() -> Sheet {
     let mut hand = Hand::new("hepatica_red", [1024, 768], 11);
     let flower = |x, y, size, faces, lift, petals, turn| Flower {
@@ -31,77 +31,83 @@ pub fn red() -> Sheet {
     };
     let scapes = [
         Scape {
-            flower: flower(498.0, 196.0, 138.0, 78.0, 54.0, 8, 10.0),
-            through: &[at(512.0, 690.0), at(524.0, 560.0), at(508.0, 400.0)],
+            flower: flower(468.0, 190.0, 164.0, 84.0, 58.0, 8, 10.0),
+            through: &[at(508.0, 694.0), at(526.0, 560.0), at(494.0, 400.0)],
         },
         Scape {
-            flower: Flower { opening: 60.0, ..flower(262.0, 262.0, 118.0, 132.0, 42.0, 7, 20.0) },
-            through: &[at(500.0, 692.0), at(452.0, 570.0), at(360.0, 420.0)],
+            flower: Flower { opening: 58.0, ..flower(206.0, 320.0, 134.0, 134.0, 44.0, 7, 20.0) },
+            through: &[at(494.0, 696.0), at(438.0, 580.0), at(316.0, 452.0)],
         },
         Scape {
-            flower: flower(748.0, 246.0, 122.0, 48.0, 46.0, 7, 0.0),
-            through: &[at(526.0, 692.0), at(590.0, 560.0), at(668.0, 400.0)],
+            flower: flower(762.0, 228.0, 146.0, 46.0, 50.0, 7, 0.0),
+            through: &[at(526.0, 696.0), at(622.0, 576.0), at(704.0, 400.0)],
         },
         Scape {
-            flower: Flower { opening: 50.0, ..flower(636.0, 398.0, 84.0, 62.0, 36.0, 6, 12.0) },
-            through: &[at(519.0, 690.0), at(556.0, 590.0), at(600.0, 500.0)],
+            flower: Flower { opening: 48.0, ..flower(598.0, 442.0, 92.0, 82.0, 36.0, 6, 12.0) },
+            through: &[at(517.0, 694.0), at(556.0, 628.0), at(590.0, 540.0)],
         },
     ];
+    let leaf = |x, y, aim, length, bend: f64| Leaf::new(at(x, y), aim, length).bent(bend, -bend);
     let leaves = [
         Stalked {
-            leaf: Leaf::new(at(238.0, 556.0), 158.0, 172.0).bent(-10.0, 8.0).turned(1.0, 0.8),
-            from: at(494.0, 696.0),
-            over: at(370.0, 588.0),
+            leaf: leaf(252.0, 576.0, 150.0, 190.0, -10.0).turned(1.0, 0.74),
+            from: at(487.0, 701.0),
+            over: at(370.0, 600.0),
         },
         Stalked {
-            leaf: Leaf::new(at(806.0, 548.0), 24.0, 176.0).bent(10.0, -8.0).turned(0.8, 1.0),
-            from: at(532.0, 696.0),
-            over: at(668.0, 584.0),
+            leaf: leaf(800.0, 530.0, 34.0, 196.0, 10.0).turned(0.76, 1.0),
+            from: at(532.0, 700.0),
+            over: at(668.0, 582.0),
         },
         Stalked {
-            leaf: Leaf::new(at(352.0, 660.0), 196.0, 138.0).bent(-8.0, 10.0).turned(0.85, 1.0),
-            from: at(498.0, 700.0),
-            over: at(424.0, 664.0),
+            leaf: leaf(368.0, 688.0, 190.0, 142.0, -8.0).turned(0.7, 0.92),
+            from: at(490.0, 706.0),
+            over: at(430.0, 684.0),
         },
         Stalked {
-            leaf: Leaf::new(at(676.0, 664.0), -12.0, 132.0).bent(8.0, -8.0).turned(1.0, 0.85),
-            from: at(530.0, 700.0),
-            over: at(602.0, 668.0),
+            leaf: leaf(688.0, 678.0, -4.0, 156.0, 8.0).turned(0.9, 0.68),
+            from: at(528.0, 706.0),
+            over: at(610.0, 678.0),
         },
     ];
     draw(&mut hand, &scapes, &leaves);
     hand.finish()
 }
 
-/// The blue one, simpler: three flowers over three leaves.
+/// The blue one, simpler: three flowers over two leaves.
 pub fn blue() -> Sheet {
     let mut hand = Hand::new("hepatica_blue", [768, 1024], 12);
     let flower = |x, y, size, faces, lift, petals, turn| Flower {
         petals,
         turn,
-        opening: 66.0,
+        opening: 65.0,
         ..Flower::new(at(x, y), size, faces, lift)
     };
     let scapes = [
         Scape {
-            flower: flower(430.0, 236.0, 172.0, 70.0, 52.0, 6, 24.0),
-            through: &[at(392.0, 900.0), at(416.0, 720.0), at(404.0, 470.0)],
+            flower: flower(432.0, 240.0, 212.0, 70.0, 58.0, 6, 24.0),
+            through: &[at(388.0, 908.0), at(420.0, 740.0), at(384.0, 500.0)],
         },
         Scape {
-            flower: flower(186.0, 430.0, 134.0, 128.0, 40.0, 6, 0.0),
-            through: &[at(378.0, 902.0), at(342.0, 740.0), at(262.0, 590.0)],
+            flower: Flower { opening: 60.0, ..flower(166.0, 456.0, 156.0, 130.0, 46.0, 7, 0.0) },
+            through: &[at(372.0, 910.0), at(346.0, 760.0), at(240.0, 600.0)],
+        },
+        Scape {
+            flower: Flower { opening: 44.0, ..flower(602.0, 520.0, 112.0, 64.0, 40.0, 6, 8.0) },
+            through: &[at(398.0, 908.0), at(446.0, 800.0), at(556.0, 650.0)],
         },
     ];
+    let leaf = |x, y, aim, length, bend: f64| Leaf::new(at(x, y), aim, length).bent(bend, -bend);
     let leaves = [
         Stalked {
-            leaf: Leaf::new(at(240.0, 760.0), 150.0, 196.0).bent(-8.0, 8.0).turned(1.0, 0.82),
-            from: at(374.0, 906.0),
-            over: at(322.0, 806.0),
+            leaf: leaf(230.0, 786.0, 150.0, 212.0, -8.0).turned(1.0, 0.8),
+            from: at(366.0, 916.0),
+            over: at(310.0, 826.0),
         },
         Stalked {
-            leaf: Leaf::new(at(532.0, 690.0), 36.0, 226.0).bent(8.0, -10.0).turned(0.8, 1.0),
-            from: at(402.0, 906.0),
-            over: at(462.0, 770.0),
+            leaf: leaf(530.0, 864.0, 24.0, 206.0, 8.0).turned(0.78, 1.0),
+            from: at(402.0, 916.0),
+            over: at(462.0, 876.0),
         },
     ];
     draw(&mut hand, &scapes, &leaves);
@@ -114,7 +120,7 @@ fn draw(hand: &mut Hand, scapes: &[Scape], leaves: &[Stalked]) {
         flower.draw(hand, &HEPATICA_PETAL);
     }
     for Stalked { leaf, from, over } in leaves {
-        hand.branch(&[*from, *over, leaf.base], [0.48, 0.3]);
+        hand.branch_reversed(&[*from, *over, leaf.base], [0.48, 0.3]);
         leaf.draw(hand, &HEPATICA_LEAF);
     }
 }

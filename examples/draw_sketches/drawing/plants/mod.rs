@@ -9,5 +9,7 @@ pub mod mallow;
 pub mod oxalis;
 pub mod plumeria;
 pub mod potted_plant;
+pub mod sample;
 pub mod tree_round;
 pub mod tree_willow;
+pub mod trials;
