@@ -11,6 +11,7 @@ mod disc;
 mod leaf;
 mod noise;
 mod petal;
+mod petals;
 mod picture;
 
 use anyhow::Context;

@@ -35,24 +35,21 @@ pub(crate) struct Petal {
     pub(crate) seed: u32,
 }
 
-impl Default for Petal {
-    fn default() -> Self {
-        Self {
-            base: 0xf4f0d8,
-            body: 0xfaf7f2,
-            tip: 0xfdfbf8,
-            turn: [0.05, 0.45],
-            margin: (0xffffff, 0.0),
-            vein: 0xd8cfc0,
-            vein_strength: 0.35,
-            veins: 9.0,
-            net: 0.0,
-            parallel: 0.0,
-            groove: 0.012,
-            seed: 1,
-        }
-    }
-}
+/// A white petal with fine veins, from which the others depart.
+pub(crate) const PLAIN: Petal = Petal {
+    base: 0xf4f0d8,
+    body: 0xfaf7f2,
+    tip: 0xfdfbf8,
+    turn: [0.05, 0.45],
+    margin: (0xffffff, 0.0),
+    vein: 0xd8cfc0,
+    vein_strength: 0.35,
+    veins: 9.0,
+    net: 0.0,
+    parallel: 0.0,
+    groove: 0.012,
+    seed: 1,
+};
 
 impl Petal {
     /// Colour at (u, v), v from base to tip.

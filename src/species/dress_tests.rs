@@ -94,7 +94,7 @@ prop_compose! {
         let mut plant = bare(branches, leaves);
         for (axis, opening, heart, petals) in flowers {
             let axis = if face_on { Vec3::Z } else { Vec3::from(axis).normalize_or(Vec3::Z) };
-            add_flower(&mut plant, Vec3::from(axis) * 0.1, axis, opening, heart, petals);
+            add_flower(&mut plant, axis * 0.1, axis, opening, heart, petals);
         }
         plant
     }

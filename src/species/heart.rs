@@ -16,6 +16,8 @@ const MOST_THREADS: usize = 1500;
 const MANY_FLOWERS: usize = 60;
 /// How much wider a cup along the stem is than the stem.
 const AROUND_STEM: f32 = 1.15;
+/// How far at most a leaning cup moves down the stem, in radii.
+const LARGEST_SINK: f32 = 0.6;
 
 /// What is known of a flower's petals.
 #[derive(Clone, Copy, Default)]
@@ -112,10 +114,14 @@ fn cup(look: &CupLook, seat: &Seat, stem: Option<(Vec3, f32)>) -> Option<Shape> 
         Vec2::ZERO,
         at(0.12, 0.02),
         at(0.45, 0.15),
-        at(0.8, 0.5),
-        at(1.0, 0.9),
-        at(0.94, 0.99),
+        at(0.8, 0.45),
+        at(1.0, 0.8),
+        at(0.85, 0.94),
+        Vec2::new(0.4 * radius, length * 0.99),
         Vec2::new(0.0, length),
     ];
-    Some(Shape::Lathe { base: seat.apex - direction * length, axis: direction, profile })
+    // the round end of a cup that leans against the axis must not rise above the petals
+    let rise = 1.0 - direction.dot(seat.axis).clamp(0.0, 1.0);
+    let sunk = radius * rise.min(LARGEST_SINK);
+    Some(Shape::Lathe { base: seat.apex - direction * (length + sunk), axis: direction, profile })
 }

@@ -11,6 +11,8 @@ use glam::{Quat, Vec3};
 const LARGEST_DISC: (f32, f32) = (0.6, 0.55);
 /// How far a disc goes beyond the petals' roots so that it covers them.
 const OVERLAP: f32 = 1.08;
+/// How far a disc lies above the petals, as a share of its radius, because their margins rise from the cone.
+const CLEARANCE: f32 = 0.06;
 
 /// Frame and proportions of a flower's heart, metres.
 pub(super) struct Seat {
@@ -50,7 +52,7 @@ impl Seat {
             opening_rad,
             reach: *reach,
             radius,
-            floor: radius / opening_rad.tan(),
+            floor: radius * (1.0 / opening_rad.tan() + CLEARANCE),
             height: radius * disc_height,
         }
     }
