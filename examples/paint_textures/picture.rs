@@ -1,0 +1,113 @@
+//! From a painted function to a PNG of at most 256 colours.
+//!
+//! Each pixel is the mean of four samples. Colours are reduced by median cut: pigments of one petal lie close
+//! together, so 256 of them are enough and the files stay small.
+
+use crate::color::{Lab, srgb8};
+use glam::Vec2;
+use std::collections::BTreeMap;
+
+/// Most colours in a picture.
+const COLOURS: usize = 256;
+const SAMPLES: [Vec2; 4] =
+    [Vec2::new(0.25, 0.25), Vec2::new(0.75, 0.25), Vec2::new(0.25, 0.75), Vec2::new(0.75, 0.75)];
+
+/// A picture with its own palette.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Picture {
+    /// Width in pixels.
+    pub(crate) width: u32,
+    /// Height in pixels.
+    pub(crate) height: u32,
+    /// Colours.
+    pub(crate) palette: Vec<[u8; 3]>,
+    /// Index into the palette for each pixel, top row first.
+    pub(crate) pixels: Vec<u8>,
+}
+
+impl Picture {
+    /// Paints `paint(u, v)`, u to the right and v upward, both 0 to 1.
+    pub(crate) fn new(width: u32, height: u32, paint: impl Fn(Vec2) -> Lab) -> Self {
+        let pixel = |i: u32| {
+            let corner = Vec2::new((i % width) as f32, (i / width) as f32);
+            let sample = |s: &Vec2| {
+                let p = (corner + s) / Vec2::new(width as f32, height as f32);
+                paint(Vec2::new(p.x, 1.0 - p.y))
+            };
+            srgb8(SAMPLES.iter().map(sample).sum::<Lab>() / SAMPLES.len() as f32)
+        };
+        let colours: Vec<[u8; 3]> = (0..width * height).map(pixel).collect();
+        let (palette, index) = reduce(&colours);
+        let pixels = colours.iter().map(|c| index[&coarse(*c)]).collect();
+        Self { width, height, palette, pixels }
+    }
+
+    /// The picture as a PNG file.
+    pub(crate) fn to_png(&self) -> Result<Vec<u8>, png::EncodingError> {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, self.width, self.height);
+        encoder.set_color(png::ColorType::Indexed);
+        encoder.set_palette(self.palette.concat());
+        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+        encoder.set_compression(png::Compression::High);
+        encoder.set_filter(png::Filter::NoFilter);
+        let mut writer = encoder.write_header()?;
+        writer.write_image_data(&self.pixels)?;
+        writer.finish()?;
+        Ok(bytes)
+    }
+}
+
+/// Colours that differ by less than this are one when the palette is made.
+fn coarse(c: [u8; 3]) -> [u8; 3] {
+    c.map(|x| x >> 2)
+}
+
+struct Bin {
+    key: [u8; 3],
+    sum: [u32; 3],
+    count: u32,
+}
+
+/// Median cut: the palette, and the palette index of each coarse colour.
+fn reduce(colours: &[[u8; 3]]) -> (Vec<[u8; 3]>, BTreeMap<[u8; 3], u8>) {
+    let mut bins: BTreeMap<[u8; 3], Bin> = BTreeMap::new();
+    for c in colours {
+        let key = coarse(*c);
+        let bin = bins.entry(key).or_insert(Bin { key, sum: [0; 3], count: 0 });
+        (0..3).for_each(|k| bin.sum[k] += u32::from(c[k]));
+        bin.count += 1;
+    }
+    let mut boxes = vec![bins.into_values().collect::<Vec<_>>()];
+    while boxes.len() < COLOURS {
+        let weight =
+            |b: &Vec<Bin>| widest(b).1 as u64 * b.iter().map(|bin| u64::from(bin.count)).sum::<u64>().isqrt();
+        let Some(at) = (0..boxes.len()).max_by_key(|i| weight(&boxes[*i])) else { break };
+        if boxes[at].len() < 2 {
+            break;
+        }
+        let mut low = boxes.swap_remove(at);
+        let axis = widest(&low).0;
+        low.sort_by_key(|bin| (bin.key[axis], bin.key));
+        let high = low.split_off(low.len() / 2);
+        boxes.extend([low, high]);
+    }
+    let mut index = BTreeMap::new();
+    let mut palette = Vec::new();
+    for (i, members) in boxes.iter().enumerate() {
+        let count: u32 = members.iter().map(|bin| bin.count).sum();
+        let sum = |k: usize| members.iter().map(|bin| bin.sum[k]).sum::<u32>();
+        palette.push([0, 1, 2].map(|k| ((sum(k) + count / 2) / count) as u8));
+        index.extend(members.iter().map(|bin| (bin.key, i as u8)));
+    }
+    (palette, index)
+}
+
+/// Channel in which a box is widest, and how wide.
+fn widest(members: &[Bin]) -> (usize, u8) {
+    let span = |k: usize| {
+        let values = || members.iter().map(|bin| bin.key[k]);
+        values().max().unwrap_or(0) - values().min().unwrap_or(0)
+    };
+    (0..3).map(|k| (k, span(k))).max_by_key(|(_, span)| *span).unwrap_or((0, 0))
+}

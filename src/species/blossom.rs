@@ -1,0 +1,99 @@
+//! A tree in blossom: some of its leaves stand as small flowers.
+//!
+//! A tree is drawn with leaf outlines, hundreds of leaves at once; nobody draws its petals. The chosen leaves give
+//! their place and direction to a flower of the species' first look, which the rest of [`super::dress`] treats like
+//! any drawn flower.
+
+use super::looks::BlossomLook;
+use super::sepals::blade_at;
+use crate::plant::{Blade, BladeForm, Cone, Flower, Organ, OrganKind, Plant, Shape};
+use glam::{Quat, Vec2, Vec3};
+use rand::RngExt;
+use rand_pcg::Pcg64Mcg;
+use std::f32::consts::TAU;
+
+/// Radius of the heart, as a share of the reach.
+const HEART: f32 = 0.08;
+
+/// Replaces leaves by flowers; their petals share the outline number `template`.
+pub(super) fn blossom(plant: &mut Plant, look: &BlossomLook, template: u32, rng: &mut Pcg64Mcg) {
+    let Some(length) = mean_leaf_length(plant) else { return };
+    let reach = length * look.reach;
+    let outline = notched(reach * (1.0 - HEART), look);
+    let room = 1.0 + look.share * look.petals as f32;
+    let mut kept = Vec::with_capacity((plant.organs.len() as f32 * room) as usize);
+    for organ in std::mem::take(&mut plant.organs) {
+        let generated = organ.kind == OrganKind::Leaf && organ.stroke.is_none();
+        match &organ.shape {
+            Shape::Blade(leaf) if generated && rng.random_bool(f64::from(look.share)) => {
+                let flower = Flower { look: 0, ..pose(leaf, organ.branch, reach, look) };
+                kept.extend(petals(&flower, plant.flowers.len(), look, &outline, template, rng));
+                plant.flowers.push(flower);
+            }
+            _ => kept.push(organ),
+        }
+    }
+    plant.organs = kept;
+}
+
+fn mean_leaf_length(plant: &Plant) -> Option<f32> {
+    let length = |organ: &Organ| match &organ.shape {
+        Shape::Blade(leaf) if organ.kind == OrganKind::Leaf && organ.stroke.is_none() => {
+            Some(leaf.length * leaf.v.length())
+        }
+        _ => None,
+    };
+    let lengths: Vec<f32> = plant.organs.iter().filter_map(length).collect();
+    let mean = lengths.iter().sum::<f32>() / lengths.len().max(1) as f32;
+    (mean.is_finite() && mean > 0.0).then_some(mean)
+}
+
+/// The flower in a leaf's place: it looks between the leaf's direction and the side that the leaf shows.
+fn pose(leaf: &Blade, branch: Option<usize>, reach: f32, look: &BlossomLook) -> Flower {
+    let out = leaf.v.normalize_or(Vec3::Y);
+    let face = leaf.u.cross(leaf.v).normalize_or(Vec3::Z);
+    let axis = (out + face).normalize_or(Vec3::Y);
+    let opening_rad = look.opening_deg.clamp(5.0, 85.0).to_radians();
+    let cone =
+        Cone { apex: leaf.base + out * (0.4 * reach), axis, opening_rad, height: reach * opening_rad.cos() };
+    Flower { branch, cone, heart_radius: HEART * reach, reach, look: 0 }
+}
+
+fn petals<'a>(
+    flower: &'a Flower,
+    index: usize,
+    look: &BlossomLook,
+    outline: &'a [Vec2],
+    template: u32,
+    rng: &mut Pcg64Mcg,
+) -> impl Iterator<Item = Organ> + 'a {
+    let Cone { apex, axis, opening_rad, .. } = flower.cone;
+    let turn = rng.random_range(0.0..TAU);
+    let count = look.petals;
+    let side = axis.any_orthonormal_vector();
+    (0..count).map(move |k| {
+        let radial = Quat::from_axis_angle(axis, turn + TAU * k as f32 / count as f32) * side;
+        let v = axis * opening_rad.cos() + radial * opening_rad.sin();
+        let face = axis * opening_rad.sin() - radial * opening_rad.cos();
+        let (heart, length) = (HEART * flower.reach, (1.0 - HEART) * flower.reach);
+        let blade = blade_at(apex + v * heart, v, face, outline, length, BladeForm::default(), template);
+        Organ {
+            kind: OrganKind::Petal,
+            stroke: None,
+            branch: flower.branch,
+            flower: Some(index),
+            material: 0,
+            shape: Shape::Blade(blade),
+        }
+    })
+}
+
+/// Petal outline, widest near the tip, with a notch in it.
+fn notched(length: f32, look: &BlossomLook) -> Vec<Vec2> {
+    let half = 0.5 * look.width.max(0.1);
+    let right = [(0.22, 0.1), (0.75, 0.35), (1.0, 0.65), (0.78, 0.9), (0.3, 1.0)];
+    let at = |side: f32, (u, v): (f32, f32)| Vec2::new(side * half * u, v) * length;
+    let left = right.iter().rev().map(|p| at(-1.0, *p));
+    let notch = Vec2::new(0.0, 1.0 - look.notch.min(0.5)) * length;
+    std::iter::once(Vec2::ZERO).chain(right.iter().map(|p| at(1.0, *p))).chain([notch]).chain(left).collect()
+}

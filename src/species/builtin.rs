@@ -1,0 +1,85 @@
+//! The species and textures that are part of the program.
+
+use super::{Species, SpeciesError, file, nearest::nearest};
+use include_dir::{Dir, include_dir};
+
+static SPECIES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/assets/species");
+static TEXTURES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/assets/textures");
+
+/// The bytes of a built-in texture, a PNG file, by its file name such as `petal_daisy.png`.
+pub fn builtin_texture(name: &str) -> Option<&'static [u8]> {
+    TEXTURES.get_file(name).map(|file| file.contents())
+}
+
+/// File names of all built-in textures, sorted.
+pub fn texture_names() -> Vec<&'static str> {
+    names(&TEXTURES)
+}
+
+impl Species {
+    /// Names of all built-in species, sorted.
+    pub fn names() -> Vec<&'static str> {
+        names(&SPECIES).iter().filter_map(|name| name.strip_suffix(".toml")).collect()
+    }
+
+    /// The built-in species of that name; case, spaces and hyphens do not matter: `Red hepatica` is `red_hepatica`.
+    ///
+    /// # Errors
+    /// An unknown name, with the nearest known one and all others.
+    pub fn built_in(name: &str) -> Result<Self, SpeciesError> {
+        let plain = name.trim().to_lowercase().replace([' ', '-'], "_");
+        let path = format!("{plain}.toml");
+        let Some(text) = SPECIES.get_file(&path).and_then(|file| file.contents_utf8()) else {
+            let known = Self::names();
+            let nearest = nearest(&plain, known.iter().copied()).map(str::to_owned);
+            return Err(SpeciesError::Unknown { name: name.to_owned(), nearest, known: known.join(", ") });
+        };
+        file::parse(text, &path, None)
+    }
+}
+
+fn names(dir: &'static Dir<'static>) -> Vec<&'static str> {
+    let mut names: Vec<_> = dir.files().filter_map(|file| file.path().to_str()).collect();
+    names.sort_unstable();
+    names
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_built_in_species_is_read_and_named_as_its_file() {
+        let names = Species::names();
+        assert!(names.len() >= 17, "{names:?}");
+        for name in names {
+            let species = Species::built_in(name).unwrap_or_else(|error| panic!("{error}"));
+            assert_eq!(species.name, name);
+            assert!(species.params["depth"]["world"]["height"].as_f64().unwrap() > 0.0);
+        }
+    }
+
+    #[test]
+    fn an_unknown_name_brings_the_nearest() {
+        let error = Species::built_in("dasiy").unwrap_err().to_string();
+        assert!(error.contains("did you mean `daisy`?") && error.contains("sunflower"), "{error}");
+        assert_eq!(Species::built_in("Red Hepatica").unwrap().name, "red_hepatica");
+    }
+
+    #[test]
+    fn every_texture_is_used_and_decodes() {
+        let used: Vec<String> = Species::names()
+            .into_iter()
+            .flat_map(|name| std::mem::take(&mut Species::built_in(name).unwrap().materials).into_values())
+            .filter_map(|look| look.built_in_texture().map(str::to_owned))
+            .collect();
+        for name in texture_names() {
+            assert!(used.iter().any(|u| u == name), "{name} is not used by any species");
+            let bytes = builtin_texture(name).unwrap();
+            let reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
+            assert!(reader.info().width >= 128 && reader.info().height >= 128, "{name}");
+        }
+        let total: usize = texture_names().iter().map(|name| builtin_texture(name).unwrap().len()).sum();
+        assert!(total <= 4 << 20, "textures take {total} bytes");
+    }
+}

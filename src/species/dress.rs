@@ -1,0 +1,180 @@
+//! Dressing a plant: materials and forms for what was drawn, and the parts that nobody draws.
+//!
+//! Pure and deterministic: the same plant, species and seed give the same plant. Every blade, flower and branch has
+//! a random stream of its own, so that one more petal does not change all the others.
+
+use super::blossom::blossom;
+use super::form;
+use super::heart::{Petals, heart};
+use super::looks::{PetalLook, Species};
+use super::palette::Palette;
+use super::part::Part;
+use super::pot::pot;
+use super::thorns::thorns;
+use crate::plant::{Blade, BladeForm, Organ, OrganKind, Plant, Shape};
+use glam::Vec2;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+/// What a random stream is for.
+#[derive(Clone, Copy)]
+enum Purpose {
+    Blade = 1,
+    Heart,
+    Thorns,
+    Blossom,
+}
+
+fn stream(seed: u64, purpose: Purpose, index: usize) -> Pcg64Mcg {
+    let key = ((purpose as u64) << 48) ^ index as u64;
+    Pcg64Mcg::seed_from_u64(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ key)
+}
+
+/// Gives the plant its species' materials and forms and adds what the drawing does not say: hearts of flowers,
+/// sepals, blossom, thorns, pot.
+///
+/// Expects a plant as [`crate::depth`] leaves it; the materials it had are replaced. The flowers' looks are taken in
+/// turn. Petals of a species without flowers are dressed as leaves.
+pub fn dress(plant: &mut Plant, species: &Species, seed: u64) {
+    let mut palette = Palette::new(species);
+    dress_branches(plant, species, &mut palette);
+    if let Some(look) = species.blossom.as_ref().filter(|_| !species.flowers.is_empty()) {
+        blossom(plant, look, next_template(plant), &mut stream(seed, Purpose::Blossom, 0));
+    }
+    for (index, flower) in plant.flowers.iter_mut().enumerate() {
+        flower.look = index % species.flowers.len().max(1);
+    }
+    let petals = petals_of(plant);
+    dress_blades(plant, species, &petals, seed, &mut palette);
+    let mut added = hearts(plant, species, &petals, seed, &mut palette);
+    added.extend(thorny(plant, species, seed, &mut palette));
+    added.extend(potted(plant, species, &mut palette));
+    plant.organs.append(&mut added);
+    plant.materials = palette.finish();
+}
+
+fn dress_branches(plant: &mut Plant, species: &Species, palette: &mut Palette<'_>) {
+    let look = &species.stem;
+    let stem = palette.index(Part::Stem, &look.material);
+    for branch in &mut plant.branches {
+        branch.material = match &look.twig {
+            Some(twig) if branch.level >= look.twig_level => palette.index(Part::Twig, twig),
+            _ => stem,
+        };
+    }
+}
+
+/// Gives petals and leaves their material and form.
+fn dress_blades(
+    plant: &mut Plant,
+    species: &Species,
+    petals: &[Petals],
+    seed: u64,
+    palette: &mut Palette<'_>,
+) {
+    let mut dressed = vec![0; plant.flowers.len()];
+    let leaf_materials = palette.indices(Part::Leaf, &species.leaf.materials);
+    let looks = species.flowers.iter().map(|look| &look.petals);
+    let looks: Vec<_> = looks.map(|look| (look, palette.indices(Part::Petal, &look.materials))).collect();
+    for (index, organ) in plant.organs.iter_mut().enumerate() {
+        let Shape::Blade(blade) = &mut organ.shape else { continue };
+        let rng = &mut stream(seed, Purpose::Blade, index);
+        let flower = organ.flower.filter(|_| organ.kind == OrganKind::Petal);
+        match flower.and_then(|f| Some((f, looks.get(plant.flowers[f].look)?))) {
+            Some((flower, (look, materials))) => {
+                organ.material = materials[dressed[flower] % materials.len()];
+                dressed[flower] += 1;
+                blade.form = form::varied(&petal_form(look, blade, petals[flower].longest), look.vary, rng);
+            }
+            None => {
+                organ.material = leaf_materials[rng.random_range(0..leaf_materials.len())];
+                blade.form = form::varied(&species.leaf.form, species.leaf.vary, rng);
+            }
+        }
+    }
+}
+
+/// The form of a petal between the longest, outer ones and those half as long, the inner ones.
+fn petal_form(look: &PetalLook, blade: &Blade, longest: f32) -> BladeForm {
+    match &look.inner {
+        Some(inner) => form::blend(&look.form, inner, (2.0 - 2.0 * blade.length / longest).clamp(0.0, 1.0)),
+        None => look.form,
+    }
+}
+
+/// What is known of the petals of each flower.
+fn petals_of(plant: &Plant) -> Vec<Petals> {
+    let mut petals = vec![Petals::default(); plant.flowers.len()];
+    for organ in plant.organs.iter().filter(|organ| organ.kind == OrganKind::Petal) {
+        if let (Some(flower), Shape::Blade(blade)) = (organ.flower, &organ.shape) {
+            let of = &mut petals[flower];
+            of.count += 1;
+            of.longest = of.longest.max(blade.length);
+            of.first_tip.get_or_insert_with(|| blade.at_rest(Vec2::new(0.0, blade.length)));
+        }
+    }
+    petals
+}
+
+fn hearts(
+    plant: &Plant,
+    species: &Species,
+    petals: &[Petals],
+    seed: u64,
+    palette: &mut Palette<'_>,
+) -> Vec<Organ> {
+    let first_template = next_template(plant);
+    let mut out = Vec::new();
+    for (index, flower) in plant.flowers.iter().enumerate() {
+        let Some(look) = species.flowers.get(flower.look) else { continue };
+        let rng = &mut stream(seed, Purpose::Heart, index);
+        out.extend(heart(plant, index, &petals[index], look, first_template + index as u32, palette, rng));
+    }
+    out
+}
+
+fn thorny(plant: &Plant, species: &Species, seed: u64, palette: &mut Palette<'_>) -> Vec<Organ> {
+    let Some(look) = &species.thorns else { return Vec::new() };
+    let material = palette.index(Part::Thorn, &look.material);
+    let on = |(index, branch)| {
+        let shapes = thorns(look, branch, &mut stream(seed, Purpose::Thorns, index));
+        shapes.into_iter().map(move |shape| Organ {
+            kind: OrganKind::Thorn,
+            stroke: None,
+            branch: Some(index),
+            flower: None,
+            material,
+            shape,
+        })
+    };
+    plant.branches.iter().enumerate().flat_map(on).collect()
+}
+
+fn potted(plant: &Plant, species: &Species, palette: &mut Palette<'_>) -> Vec<Organ> {
+    let Some((look, shapes)) = species.pot.as_ref().and_then(|look| Some((look, pot(look, plant)?))) else {
+        return Vec::new();
+    };
+    let materials = [palette.index(Part::Pot, &look.material), palette.index(Part::Soil, &look.soil)];
+    let organ = |(shape, material)| Organ {
+        kind: OrganKind::Pot,
+        stroke: None,
+        branch: None,
+        flower: None,
+        material,
+        shape,
+    };
+    shapes.into_iter().zip(materials).map(organ).collect()
+}
+
+/// The first outline number that no blade has.
+fn next_template(plant: &Plant) -> u32 {
+    let used = plant.organs.iter().filter_map(|organ| match &organ.shape {
+        Shape::Blade(blade) => blade.template,
+        _ => None,
+    });
+    used.max().map_or(0, |last| last + 1)
+}
+
+#[cfg(test)]
+#[path = "dress_tests.rs"]
+mod tests;

@@ -1,0 +1,288 @@
+//! Tests of dressing, on plants built by hand: shut and open flowers, seen from any side, or none at all.
+
+use super::*;
+use crate::plant::{Branch, Cone, Flower, Material, RestSurface, Texture, WorldFromCanvas};
+use crate::species::seat::Seat;
+use glam::{Quat, Vec3};
+use proptest::prelude::*;
+use std::f32::consts::TAU;
+
+fn leaf(base: Vec3, branch: Option<usize>, stroke: Option<u64>, length: f32) -> Organ {
+    let outline =
+        vec![Vec2::ZERO, Vec2::new(0.3, 0.5) * length, Vec2::Y * length, Vec2::new(-0.3, 0.5) * length];
+    let (u, v) = (Vec3::X, Vec3::Y);
+    let rest = RestSurface::Plane;
+    let form = BladeForm::default();
+    let blade = Blade {
+        outline,
+        curl: Vec::new(),
+        base,
+        u,
+        v,
+        length,
+        rest,
+        form,
+        template: stroke.is_none().then_some(3),
+    };
+    Organ { kind: OrganKind::Leaf, stroke, branch, flower: None, material: 0, shape: Shape::Blade(blade) }
+}
+
+/// Adds a flower of `petals` petals whose axis is `axis`.
+fn add_flower(plant: &mut Plant, at: Vec3, axis: Vec3, opening_rad: f32, heart_radius: f32, petals: u32) {
+    let index = plant.flowers.len();
+    let reach = 0.04;
+    let branch = (!plant.branches.is_empty()).then_some(0);
+    let cone = Cone { apex: at, axis, opening_rad, height: reach * opening_rad.cos() };
+    plant.flowers.push(Flower { branch, cone, heart_radius, reach, look: 0 });
+    let side = axis.any_orthonormal_vector();
+    for k in 0..petals {
+        let around = Quat::from_axis_angle(axis, TAU * k as f32 / petals as f32) * side;
+        let direction = axis * opening_rad.cos() + around * opening_rad.sin();
+        let v = Vec3::new(direction.x, direction.y, 0.0).normalize_or(Vec3::Y);
+        let rest = RestSurface::Cone { cone, hint: (at + direction * reach).z };
+        let mut petal = leaf(at + direction * 0.1 * reach, branch, Some(u64::from(k)), 0.9 * reach);
+        petal.kind = OrganKind::Petal;
+        petal.flower = Some(index);
+        if let Shape::Blade(blade) = &mut petal.shape {
+            (blade.v, blade.u, blade.rest) = (v, v.cross(Vec3::Z), rest);
+        }
+        plant.organs.push(petal);
+    }
+}
+
+fn bare(branches: usize, leaves: usize) -> Plant {
+    let branch = |i: usize| Branch {
+        stroke: Some(i as u64),
+        parent: i.checked_sub(1),
+        level: i as u32,
+        points: (0..6).map(|k| Vec3::new(0.03 * i as f32, 0.03 * (k + i) as f32, 0.01)).collect(),
+        radii: vec![0.003; 6],
+        material: 0,
+    };
+    Plant {
+        world_from_canvas: WorldFromCanvas { scale: 0.001, origin: Vec2::ZERO },
+        branches: (0..branches).map(branch).collect(),
+        flowers: Vec::new(),
+        organs: (0..leaves)
+            .map(|k| leaf(Vec3::Y * 0.01 * k as f32, (branches > 0).then_some(0), None, 0.02))
+            .collect(),
+        materials: vec![Material::plain("plant", [0.5; 3])],
+    }
+}
+
+/// A plant with one flower, half open and turned half to the viewer.
+fn flowering() -> Plant {
+    let mut plant = bare(2, 6);
+    add_flower(&mut plant, Vec3::new(0.0, 0.15, 0.01), Vec3::new(0.2, 0.6, 0.8).normalize(), 1.1, 0.006, 5);
+    plant
+}
+
+fn dressed(plant: &Plant, species: &str, seed: u64) -> Plant {
+    let mut plant = plant.clone();
+    dress(&mut plant, &Species::built_in(species).unwrap(), seed);
+    plant
+}
+
+prop_compose! {
+    fn any_plant()(
+        branches in 0_usize..4,
+        leaves in 0_usize..20,
+        flowers in prop::collection::vec(
+            (prop::array::uniform3(-1.0..1.0_f32), 0.01..1.57_f32, 0.0..0.08_f32, 0_u32..22), 0..4),
+        face_on in any::<bool>(),
+    ) -> Plant {
+        let mut plant = bare(branches, leaves);
+        for (axis, opening, heart, petals) in flowers {
+            let axis = if face_on { Vec3::Z } else { Vec3::from(axis).normalize_or(Vec3::Z) };
+            add_flower(&mut plant, axis * 0.1, axis, opening, heart, petals);
+        }
+        plant
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn any_plant_stays_sound_in_any_species(plant in any_plant(), seed in any::<u64>()) {
+        plant.check_invariants().unwrap();
+        for name in Species::names() {
+            let out = dressed(&plant, name, seed);
+            out.check_invariants().unwrap_or_else(|why| panic!("{name}: {why}"));
+            prop_assert!(out == dressed(&plant, name, seed), "{} differs from run to run", name);
+        }
+    }
+
+    #[test]
+    fn hearts_stay_inside_the_petals(plant in any_plant(), seed in any::<u64>()) {
+        for name in ["mallow", "daisy", "balloon_flower", "red_hepatica", "oxalis"] {
+            for organ in dressed(&plant, name, seed).organs {
+                let Some(Flower { cone, reach, .. }) = organ.flower.map(|f| &plant.flowers[f]) else { continue };
+                let angle = |p: Vec3| (p - cone.apex).angle_between(cone.axis);
+                match &organ.shape {
+                    Shape::Filament { points, .. } => {
+                        let tip = points[points.len() - 1];
+                        prop_assert!(angle(tip) <= cone.opening_rad.max(0.06) + 0.02, "{name}: {}", angle(tip));
+                    }
+                    Shape::Dome { base, radius, .. } => {
+                        let floor = (*base - cone.apex).dot(cone.axis);
+                        prop_assert!(*radius <= floor * cone.opening_rad.clamp(0.05, 1.55).tan() * 1.01 + 1e-6);
+                        prop_assert!(*radius <= 0.61 * reach);
+                    }
+                    _ => {}
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_was_drawn_stays_where_it_was() {
+    let plant = flowering();
+    for name in Species::names() {
+        let out = dressed(&plant, name, 7);
+        for (before, after) in plant.branches.iter().zip(&out.branches) {
+            assert_eq!((&before.points, &before.radii), (&after.points, &after.radii), "{name}");
+        }
+        let drawn = |plant: &Plant| -> Vec<_> {
+            let blades = plant.organs.iter().filter(|organ| organ.stroke.is_some());
+            blades.map(|organ| (organ.stroke, organ.base())).collect()
+        };
+        assert_eq!(drawn(&plant), drawn(&out), "{name}");
+    }
+}
+
+#[test]
+fn the_seed_changes_forms_but_not_numbers() {
+    let (a, b) = (dressed(&flowering(), "daisy", 1), dressed(&flowering(), "daisy", 2));
+    assert_ne!(a.organs, b.organs);
+    assert_eq!(a.organs.len(), b.organs.len());
+}
+
+#[test]
+fn a_daisy_has_a_floret_disc_bracts_and_no_threads() {
+    let daisy = dressed(&flowering(), "daisy", 1);
+    let kinds = |kind| daisy.organs.iter().filter(|organ| organ.kind == kind).collect::<Vec<_>>();
+    assert_eq!(kinds(OrganKind::Sepal).len(), 13);
+    assert!(kinds(OrganKind::Stamen).is_empty());
+    let disc = kinds(OrganKind::Receptacle)[0];
+    assert_eq!(daisy.materials[disc.material].texture, Some(Texture::BuiltIn("disc_daisy.png".into())));
+}
+
+#[test]
+fn sepals_stand_behind_the_petals_and_between_them() {
+    let plant = flowering();
+    let cone = plant.flowers[0].cone;
+    let mallow = dressed(&plant, "mallow", 1);
+    let sepals: Vec<_> = mallow.organs.iter().filter(|organ| organ.kind == OrganKind::Sepal).collect();
+    assert_eq!(sepals.len(), 5);
+    let side = cone.axis.any_orthonormal_vector();
+    for organ in sepals {
+        let Shape::Blade(blade) = &organ.shape else { panic!("a sepal is a blade") };
+        assert!(blade.v.angle_between(cone.axis) > cone.opening_rad + 0.05);
+        let nearest = (0..5).map(|k| {
+            let petal = Quat::from_axis_angle(cone.axis, TAU * k as f32 / 5.0) * side;
+            petal.angle_between(blade.v.reject_from_normalized(cone.axis))
+        });
+        assert!(nearest.fold(f32::MAX, f32::min) > 0.5, "a sepal hides behind a petal");
+    }
+}
+
+#[test]
+fn flowers_of_a_bouquet_take_the_looks_in_turn() {
+    let mut plant = bare(1, 0);
+    for k in 0..4 {
+        add_flower(&mut plant, Vec3::X * 0.1 * k as f32, Vec3::Z, 1.2, 0.004, 6);
+    }
+    let bouquet = dressed(&plant, "bouquet", 1);
+    assert_eq!(bouquet.flowers.iter().map(|f| f.look).collect::<Vec<_>>(), [0, 1, 2, 0]);
+    let petal =
+        |flower| bouquet.organs.iter().find(|o| o.flower == Some(flower) && o.kind == OrganKind::Petal);
+    let names: Vec<_> = (0..4).map(|f| bouquet.materials[petal(f).unwrap().material].name.as_str()).collect();
+    assert_eq!(names, ["rose", "daisy", "hepatica", "rose"]);
+}
+
+#[test]
+fn an_artists_picture_replaces_every_material_of_its_part_only() {
+    let picture = tempfile::NamedTempFile::new().unwrap();
+    let mut rose = Species::built_in("rose").unwrap();
+    rose.set_texture("petal", picture.path()).unwrap();
+    let mut plant = flowering();
+    dress(&mut plant, &rose, 1);
+    plant.check_invariants().unwrap();
+    for organ in &plant.organs {
+        let pictured =
+            plant.materials[organ.material].texture == Some(Texture::File(picture.path().to_owned()));
+        assert_eq!(pictured, organ.kind == OrganKind::Petal, "{:?}", organ.kind);
+    }
+    assert_eq!(plant.materials.iter().filter(|m| m.name == "petal-picture").count(), 1);
+}
+
+#[test]
+fn inner_petals_of_a_rose_are_more_cupped() {
+    let rose = Species::built_in("rose").unwrap();
+    let look = &rose.flowers[0].petals;
+    let Shape::Blade(mut blade) = leaf(Vec3::ZERO, None, None, 1.0).shape else {
+        panic!("a leaf is a blade")
+    };
+    let outer = petal_form(look, &blade, 1.0);
+    blade.length = 0.5;
+    let inner = petal_form(look, &blade, 1.0);
+    assert_eq!((outer.cup, inner.cup), (look.form.cup, look.inner.unwrap().cup));
+}
+
+#[test]
+fn a_cherry_tree_blossoms_in_place_of_generated_leaves_only() {
+    let mut plant = bare(3, 400);
+    plant.organs.push(leaf(Vec3::Y, Some(0), Some(9), 0.02));
+    let cherry = dressed(&plant, "cherry", 5);
+    let leaves = cherry.organs.iter().filter(|organ| organ.kind == OrganKind::Leaf);
+    assert!(leaves.clone().any(|leaf| leaf.stroke == Some(9)));
+    assert_eq!(leaves.count() + cherry.flowers.len(), 401);
+    assert!((180..300).contains(&cherry.flowers.len()), "{}", cherry.flowers.len());
+    let petals = cherry.organs.iter().filter(|organ| organ.kind == OrganKind::Petal).count();
+    assert_eq!(petals, 5 * cherry.flowers.len());
+    let threads = cherry.organs.iter().filter(|o| matches!(o.shape, Shape::Filament { .. })).count();
+    assert!(threads <= 6 * cherry.flowers.len(), "{threads}");
+    cherry.check_invariants().unwrap();
+}
+
+#[test]
+fn the_pot_stands_below_the_lowest_trunk_and_holds_all_of_it() {
+    let mut plant = bare(1, 0);
+    plant.branches[0].radii = vec![0.05; 6];
+    let potted = dressed(&plant, "potted", 1);
+    let pots: Vec<_> = potted.organs.iter().filter(|organ| organ.kind == OrganKind::Pot).collect();
+    assert_eq!(pots.len(), 2);
+    let foot = plant.branches[0].points[0];
+    let Shape::Lathe { base, profile, .. } = &pots[0].shape else { panic!("a pot is turned") };
+    assert!((base.x, base.z) == (foot.x, foot.z) && base.y < foot.y);
+    assert!(profile.iter().map(|p| p.x).fold(0.0, f32::max) > 0.05);
+    let Shape::Dome { base, height, .. } = &pots[1].shape else { panic!("earth is a mound") };
+    assert!((base.y..base.y + height).contains(&foot.y));
+    assert!(dressed(&bare(0, 3), "potted", 1).organs.iter().all(|organ| organ.kind != OrganKind::Pot));
+}
+
+#[test]
+fn only_used_materials_are_kept_and_named_once() {
+    let maple = dressed(&bare(1, 0), "maple", 1);
+    let mut names: Vec<_> = maple.materials.iter().map(|m| m.name.clone()).collect();
+    names.sort_unstable();
+    let all = names.len();
+    names.dedup();
+    assert_eq!(names.len(), all);
+    assert!(!names.contains(&"twig".to_owned()), "{names:?}");
+}
+
+#[test]
+fn a_wide_drawn_heart_widens_the_disc() {
+    let radius = |heart_radius| {
+        let mut plant = bare(0, 0);
+        add_flower(&mut plant, Vec3::ZERO, Vec3::Z, 1.3, heart_radius, 5);
+        Seat::new(&plant.flowers[0], Vec3::X, 0.1, 0.5).radius
+    };
+    assert_eq!(radius(0.0), 0.1 * 0.04);
+    assert!(radius(0.01) > 0.01);
+    assert!(radius(f32::NAN) > 0.0);
+    assert!(radius(1.0) <= 0.6 * 0.04);
+}

@@ -1,0 +1,239 @@
+//! Reading species files: TOML, every key known, every number in range, every name and picture there.
+//!
+//! A texture is looked for beside the species file first, then among the built-in ones.
+
+use super::builtin::{builtin_texture, texture_names};
+use super::looks::{FlowerLook, Species};
+use super::nearest::{did_you_mean, nearest};
+use super::part::Part;
+use crate::plant::Texture;
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+
+/// Largest species file that is read, bytes.
+pub const MAX_BYTES: u64 = 1 << 20;
+
+/// A species that cannot be used.
+#[derive(Debug, Error)]
+pub enum SpeciesError {
+    /// No built-in species has that name.
+    #[error(
+        "there is no species `{name}`{}; built in are {known}; for one of your own give the path of its .toml file",
+        did_you_mean(.nearest)
+    )]
+    Unknown {
+        /// The name as it was given.
+        name: String,
+        /// The built-in name that looks most like it.
+        nearest: Option<String>,
+        /// All built-in names.
+        known: String,
+    },
+    /// The file cannot be read.
+    #[error("cannot read the species file {}: {source}", .file.display())]
+    Unreadable {
+        /// The file.
+        file: PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// The file is too large to be a species.
+    #[error("the species file {} is larger than {MAX_BYTES} bytes; is it really a species?", .file.display())]
+    TooLarge {
+        /// The file.
+        file: PathBuf,
+    },
+    /// Not TOML, an unknown key, a wrong type or a number out of range.
+    #[error("{file}, line {line}, `{text}`: {reason}")]
+    Invalid {
+        /// The file.
+        file: String,
+        /// Line number, from 1.
+        line: usize,
+        /// What stands in that line.
+        text: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A material's name would be ambiguous in exported files.
+    #[error("{file}: the material name `{name}` may hold only letters, digits and _; rename it")]
+    MaterialName {
+        /// The file.
+        file: String,
+        /// The refused name.
+        name: String,
+    },
+    /// A section refers to a material that is not there.
+    #[error("{file}: {key}: there is no material `{name}`{}; add a section [materials.{name}]", did_you_mean(.nearest))]
+    NoMaterial {
+        /// The file.
+        file: String,
+        /// The key that refers to it.
+        key: String,
+        /// The missing material.
+        name: String,
+        /// The material that looks most like it.
+        nearest: Option<String>,
+    },
+    /// A material's texture is neither beside the file nor built in.
+    #[error(
+        "{file}: materials.{material}.texture: `{texture}` is neither a file beside the species file nor a built-in \
+         texture{}; write the path of a PNG or JPEG relative to the species file",
+        did_you_mean(.nearest)
+    )]
+    NoTexture {
+        /// The species file.
+        file: String,
+        /// The material.
+        material: String,
+        /// The missing texture.
+        texture: String,
+        /// The built-in texture that looks most like it.
+        nearest: Option<String>,
+    },
+    /// A plant has no such part.
+    #[error("there is no part `{name}`{}; parts are {}", did_you_mean(.nearest), part_names())]
+    NoPart {
+        /// The name as it was given.
+        name: String,
+        /// The part that looks most like it.
+        nearest: Option<String>,
+    },
+    /// The artist's picture for a part is not there.
+    #[error("the picture for `{part}`, {}, is not a file; check the path", .file.display())]
+    NoPicture {
+        /// The part.
+        part: &'static str,
+        /// The missing picture.
+        file: PathBuf,
+    },
+}
+
+fn part_names() -> String {
+    Part::ALL.iter().map(|part| part.name()).collect::<Vec<_>>().join(", ")
+}
+
+impl Species {
+    /// Reads a species file.
+    ///
+    /// # Errors
+    /// An unreadable or too large file, invalid TOML, an unknown key, a value out of range, a material or texture
+    /// that is not there.
+    pub fn read(path: &Path) -> Result<Self, SpeciesError> {
+        let unreadable = |source| SpeciesError::Unreadable { file: path.to_owned(), source };
+        if std::fs::metadata(path).map_err(unreadable)?.len() > MAX_BYTES {
+            return Err(SpeciesError::TooLarge { file: path.to_owned() });
+        }
+        let text = std::fs::read_to_string(path).map_err(unreadable)?;
+        parse(&text, &path.display().to_string(), Some(path.parent().unwrap_or(Path::new(""))))
+    }
+
+    /// Gives every material of a part the artist's own picture.
+    ///
+    /// # Errors
+    /// A part that no plant has (the message lists all, see [`Part`]), or a picture that is not there.
+    pub fn set_texture(&mut self, part: &str, picture: &Path) -> Result<(), SpeciesError> {
+        let part = Part::from_name(part).map_err(|nearest| SpeciesError::NoPart {
+            name: part.to_owned(),
+            nearest: nearest.map(str::to_owned),
+        })?;
+        if !picture.is_file() {
+            return Err(SpeciesError::NoPicture { part: part.name(), file: picture.to_owned() });
+        }
+        self.pictures.insert(part, picture.to_owned());
+        Ok(())
+    }
+
+    /// Every material name that a section refers to, with the key that does.
+    fn references(&self) -> Vec<(String, &str)> {
+        let mut out: Vec<(String, &str)> = vec![("stem.material".into(), &self.stem.material)];
+        out.extend(self.stem.twig.iter().map(|m| ("stem.twig".into(), m.as_str())));
+        out.extend(self.leaf.materials.0.iter().map(|m| ("leaf.materials".into(), m.as_str())));
+        out.extend(self.thorns.iter().map(|t| ("thorns.material".into(), t.material.as_str())));
+        if let Some(pot) = &self.pot {
+            out.extend([
+                ("pot.material".into(), pot.material.as_str()),
+                ("pot.soil".into(), pot.soil.as_str()),
+            ]);
+        }
+        for (i, flower) in self.flowers.iter().enumerate() {
+            flower_references(flower, |key, name| out.push((format!("flowers[{i}].{key}"), name)));
+        }
+        out
+    }
+}
+
+fn flower_references<'a>(look: &'a FlowerLook, mut add: impl FnMut(&str, &'a str)) {
+    look.petals.materials.0.iter().for_each(|m| add("petals.materials", m));
+    look.sepals.iter().for_each(|s| add("sepals.material", &s.material));
+    look.cup.iter().for_each(|c| add("cup.material", &c.material));
+    add("disc.material", &look.disc.material);
+    for (group, threads) in [("stamens", &look.stamens), ("pistils", &look.pistils)] {
+        for thread in threads {
+            add(&format!("{group}.material"), &thread.material);
+            thread.head_material.iter().for_each(|m| add(&format!("{group}.head_material"), m));
+        }
+    }
+}
+
+/// Reads a species from text. `file` is its name in messages, `beside` the folder in which its pictures are looked for.
+pub(super) fn parse(text: &str, file: &str, beside: Option<&Path>) -> Result<Species, SpeciesError> {
+    let mut species: Species = toml::from_str(text).map_err(|error| invalid(text, file, &error))?;
+    for (name, look) in &mut species.materials {
+        if name.is_empty() || !name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') {
+            return Err(SpeciesError::MaterialName { file: file.to_owned(), name: name.clone() });
+        }
+        if let Some(Texture::BuiltIn(texture)) = &look.texture {
+            look.texture = Some(resolve(texture, name, file, beside)?);
+        }
+    }
+    for (key, name) in species.references() {
+        if !species.materials.contains_key(name) {
+            let known = species.materials.keys().map(String::as_str);
+            let nearest = nearest(name, known).map(str::to_owned);
+            return Err(SpeciesError::NoMaterial {
+                file: file.to_owned(),
+                key,
+                name: name.to_owned(),
+                nearest,
+            });
+        }
+    }
+    Ok(species)
+}
+
+fn resolve(
+    texture: &str,
+    material: &str,
+    file: &str,
+    beside: Option<&Path>,
+) -> Result<Texture, SpeciesError> {
+    if let Some(path) = beside.map(|folder| folder.join(texture)).filter(|path| path.is_file()) {
+        return Ok(Texture::File(path));
+    }
+    if builtin_texture(texture).is_some() {
+        return Ok(Texture::BuiltIn(texture.to_owned()));
+    }
+    Err(SpeciesError::NoTexture {
+        file: file.to_owned(),
+        material: material.to_owned(),
+        texture: texture.to_owned(),
+        nearest: nearest(texture, texture_names()).map(str::to_owned),
+    })
+}
+
+fn invalid(text: &str, file: &str, error: &toml::de::Error) -> SpeciesError {
+    let start = error.span().map_or(0, |span| span.start.min(text.len()));
+    let before = text.get(..start).unwrap_or_default();
+    let line = before.matches('\n').count();
+    SpeciesError::Invalid {
+        file: file.to_owned(),
+        line: line + 1,
+        text: text.lines().nth(line).unwrap_or_default().trim().to_owned(),
+        reason: error.message().to_owned(),
+    }
+}
+
+#[cfg(test)]
+#[path = "file_tests.rs"]
+mod tests;

@@ -1,0 +1,84 @@
+//! Blade forms as rows of numbers: ranges, blending, and the slight variation from blade to blade.
+
+use crate::plant::BladeForm;
+use rand::RngExt;
+use rand_pcg::Pcg64Mcg;
+
+/// Name, smallest and largest value of each number, in the order of [`to_row`].
+const RANGES: [(&str, f32, f32); 7] = [
+    ("bend_quartic", -1.0, 1.0),
+    ("bend_quadratic", -1.0, 1.0),
+    ("cup", -2.0, 2.0),
+    ("fold", -1.0, 1.0),
+    ("ruffle", 0.0, 0.3),
+    ("ruffle_waves", 0.0, 40.0),
+    ("thickness", 0.001, 0.1),
+];
+
+/// How many numbers of the row vary from blade to blade: all but the waves' number and the thickness.
+const VARYING: usize = 5;
+
+fn to_row(form: &BladeForm) -> [f32; 7] {
+    let BladeForm { bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness } = *form;
+    [bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness]
+}
+
+fn from_row(row: [f32; 7]) -> BladeForm {
+    let [bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness] = row;
+    BladeForm { bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness }
+}
+
+/// Checks every number's range.
+///
+/// # Errors
+/// The first number outside its range, by name.
+pub(super) fn check(form: &BladeForm) -> Result<(), String> {
+    let row = to_row(form);
+    match row.iter().zip(RANGES).find(|(value, (_, min, max))| !(*min..=*max).contains(*value)) {
+        Some((value, (name, min, max))) => Err(format!("`{name}`: {value} is outside {min} to {max}")),
+        None => Ok(()),
+    }
+}
+
+/// The form between `a` (share 0) and `b` (share 1).
+pub(super) fn blend(a: &BladeForm, b: &BladeForm, share: f32) -> BladeForm {
+    let (a, b) = (to_row(a), to_row(b));
+    from_row(std::array::from_fn(|k| a[k] + (b[k] - a[k]) * share))
+}
+
+/// The form with each number changed by up to `vary` of itself, and a little lean so that even flat blades differ.
+pub(super) fn varied(form: &BladeForm, vary: f32, rng: &mut Pcg64Mcg) -> BladeForm {
+    let mut row = to_row(form);
+    for value in &mut row[..VARYING] {
+        *value *= 1.0 + vary * rng.random_range(-1.0..1.0_f32);
+    }
+    row[1] += 0.12 * vary * rng.random_range(-1.0..1.0_f32);
+    for (value, (_, min, max)) in row.iter_mut().zip(RANGES) {
+        *value = value.clamp(min, max);
+    }
+    from_row(row)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::SeedableRng;
+
+    #[test]
+    fn variation_stays_in_range_and_changes_something() {
+        let form = BladeForm { cup: 2.0, ruffle: 0.3, ruffle_waves: 9.0, ..BladeForm::default() };
+        let mut rng = Pcg64Mcg::seed_from_u64(1);
+        for _ in 0..200 {
+            let varied = varied(&form, 1.0, &mut rng);
+            check(&varied).unwrap();
+            assert_ne!(varied, form);
+            assert_eq!(varied.ruffle_waves, 9.0);
+        }
+    }
+
+    #[test]
+    fn no_variation_keeps_the_form() {
+        let form = BladeForm::default();
+        assert_eq!(varied(&form, 0.0, &mut Pcg64Mcg::seed_from_u64(1)), form);
+    }
+}

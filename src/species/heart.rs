@@ -1,0 +1,127 @@
+//! The heart of a flower: disc, stamens, styles, sepals and the cup that carries the petals.
+
+use super::looks::{Along, CupLook, FlowerLook};
+use super::palette::Palette;
+use super::part::Part;
+use super::seat::Seat;
+use super::sepals::sepals;
+use super::threads::threads;
+use crate::plant::{Organ, OrganKind, Plant, Shape};
+use glam::{Vec2, Vec3};
+use rand_pcg::Pcg64Mcg;
+
+/// Threads that all flowers of a plant have together, at most; each flower has three at least.
+const MOST_THREADS: usize = 1500;
+/// From this number on flowers are so small in the picture that sepals and cup are left out.
+const MANY_FLOWERS: usize = 60;
+/// How much wider a cup along the stem is than the stem.
+const AROUND_STEM: f32 = 1.15;
+/// How far at most a leaning cup moves down the stem, in radii.
+const LARGEST_SINK: f32 = 0.6;
+
+/// What is known of a flower's petals.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Petals {
+    /// How many there are.
+    pub(super) count: usize,
+    /// Length of the longest, metres.
+    pub(super) longest: f32,
+    /// World position of the first one's tip before it bends.
+    pub(super) first_tip: Option<Vec3>,
+}
+
+/// What is added to flower `flower` of `plant`, which has these petals. Sepals share the outline number `template`.
+pub(super) fn heart(
+    plant: &Plant,
+    flower: usize,
+    petals: &Petals,
+    look: &FlowerLook,
+    template: u32,
+    palette: &mut Palette<'_>,
+    rng: &mut Pcg64Mcg,
+) -> Vec<Organ> {
+    let pose = &plant.flowers[flower];
+    let first_tip = petals.first_tip.unwrap_or(pose.cone.apex);
+    let seat = Seat::new(pose, first_tip, look.disc.radius, look.disc.height);
+    let disc = Shape::Dome {
+        base: seat.apex + seat.axis * seat.floor,
+        axis: seat.axis,
+        radius: seat.radius,
+        height: seat.height,
+    };
+    let organ = Organ {
+        kind: OrganKind::Receptacle,
+        stroke: None,
+        branch: pose.branch,
+        flower: Some(flower),
+        material: palette.index(Part::Disc, &look.disc.material),
+        shape: disc,
+    };
+    let mut out = vec![organ.clone()];
+    let mut left = (MOST_THREADS / plant.flowers.len()).max(3);
+    for (kind, groups) in [(OrganKind::Stamen, &look.stamens), (OrganKind::Pistil, &look.pistils)] {
+        for group in groups {
+            let grown = threads(group, &seat, left, &Organ { kind, ..organ.clone() }, palette, rng);
+            left -= grown.len();
+            out.extend(grown);
+        }
+    }
+    if plant.flowers.len() >= MANY_FLOWERS {
+        return out;
+    }
+    if let Some(cup_look) = &look.cup {
+        let material = palette.index(Part::Cup, &cup_look.material);
+        out.extend(cup(cup_look, &seat, stem_end(plant, flower)).map(|shape| Organ {
+            material,
+            shape,
+            ..organ.clone()
+        }));
+    }
+    if let Some(sepal_look) = &look.sepals {
+        let material = palette.index(Part::Sepal, &sepal_look.material);
+        let blades = sepals(sepal_look, &seat, petals.count, &look.petals.form, template);
+        out.extend(blades.into_iter().map(|blade| Organ {
+            kind: OrganKind::Sepal,
+            material,
+            shape: Shape::Blade(blade),
+            ..organ.clone()
+        }));
+    }
+    out
+}
+
+/// Direction and radius of the end of the branch that carries a flower.
+fn stem_end(plant: &Plant, flower: usize) -> Option<(Vec3, f32)> {
+    let branch = &plant.branches[plant.flowers[flower].branch?];
+    let [.., before, last] = branch.points.as_slice() else { return None };
+    Some(((last - before).try_normalize()?, *branch.radii.last()?))
+}
+
+/// Solid of revolution that swells from the stem to the petals.
+fn cup(look: &CupLook, seat: &Seat, stem: Option<(Vec3, f32)>) -> Option<Shape> {
+    let (direction, stem_radius) = match (look.along, stem) {
+        (Along::Stem, Some((direction, radius))) => (direction, radius),
+        (_, stem) => (seat.axis, stem.map_or(0.0, |(_, radius)| radius)),
+    };
+    let length = look.length * seat.reach;
+    let neck = stem_radius * AROUND_STEM;
+    let radius = (look.radius * seat.reach).max(neck);
+    if length <= 0.0 || radius <= 0.0 {
+        return None;
+    }
+    let at = |r: f32, h: f32| Vec2::new(neck + (radius - neck) * r, length * h);
+    let profile = vec![
+        Vec2::ZERO,
+        at(0.12, 0.02),
+        at(0.45, 0.15),
+        at(0.8, 0.45),
+        at(1.0, 0.8),
+        at(0.85, 0.94),
+        Vec2::new(0.4 * radius, length * 0.99),
+        Vec2::new(0.0, length),
+    ];
+    // the round end of a cup that leans against the axis must not rise above the petals
+    let rise = 1.0 - direction.dot(seat.axis).clamp(0.0, 1.0);
+    let sunk = radius * rise.min(LARGEST_SINK);
+    Some(Shape::Lathe { base: seat.apex - direction * (length + sunk), axis: direction, profile })
+}

@@ -1,0 +1,70 @@
+//! Where the parts of one flower sit: the frame and proportions of its heart.
+//!
+//! Everything stands inside the petals' cone. A ring of radius r touches the cone at height r / tan(opening) above the
+//! apex, so a disc of that radius put there covers the petals' roots and is not pierced by them; in a narrow, shut
+//! flower the disc shrinks so that it still lies deep between the petals.
+
+use crate::plant::Flower;
+use glam::{Quat, Vec3};
+
+/// Largest disc, as a share of the reach and of the rim's radius.
+const LARGEST_DISC: (f32, f32) = (0.6, 0.55);
+/// How far a disc goes beyond the petals' roots so that it covers them.
+const OVERLAP: f32 = 1.08;
+/// How far a disc lies above the petals, as a share of its radius, because their margins rise from the cone.
+const CLEARANCE: f32 = 0.06;
+
+/// Frame and proportions of a flower's heart, metres.
+pub(super) struct Seat {
+    /// Where the petals meet.
+    pub(super) apex: Vec3,
+    /// Direction in which the flower opens.
+    pub(super) axis: Vec3,
+    /// Unit vector across the axis, toward the middle of the first petal.
+    pub(super) side: Vec3,
+    /// Angle between axis and petals, radians.
+    pub(super) opening_rad: f32,
+    /// Distance from the centre to the petals' tips.
+    pub(super) reach: f32,
+    /// Radius of the disc.
+    pub(super) radius: f32,
+    /// Height of the disc's underside above the apex.
+    pub(super) floor: f32,
+    /// Height of the disc above its underside.
+    pub(super) height: f32,
+}
+
+impl Seat {
+    /// The seat of a flower whose first petal points at `first_petal` and whose disc has at least the radius `disc_radius` (share of the reach) and the height
+    /// `disc_height` (share of its radius).
+    pub(super) fn new(flower: &Flower, first_petal: Vec3, disc_radius: f32, disc_height: f32) -> Self {
+        let Flower { cone, heart_radius, reach, .. } = flower;
+        let axis = cone.axis.normalize();
+        let side = (first_petal - cone.apex).reject_from_normalized(axis).try_normalize();
+        let opening_rad = cone.opening_rad.clamp(0.05, 1.55);
+        let drawn = if heart_radius.is_finite() { heart_radius * OVERLAP } else { 0.0 };
+        let largest = (LARGEST_DISC.0 * reach).min(LARGEST_DISC.1 * reach * opening_rad.sin());
+        let radius = drawn.max(disc_radius * reach).min(largest).max(0.01 * reach);
+        Self {
+            apex: cone.apex,
+            axis,
+            side: side.unwrap_or_else(|| axis.any_orthonormal_vector()),
+            opening_rad,
+            reach: *reach,
+            radius,
+            floor: radius * (1.0 / opening_rad.tan() + CLEARANCE),
+            height: radius * disc_height,
+        }
+    }
+
+    /// Unit vector across the axis at an angle from the first petal.
+    pub(super) fn around(&self, angle_rad: f32) -> Vec3 {
+        Quat::from_axis_angle(self.axis, angle_rad) * self.side
+    }
+
+    /// Height of the disc's surface above the apex at a distance from the axis.
+    pub(super) fn surface(&self, distance: f32) -> f32 {
+        let share = (distance / self.radius).clamp(0.0, 1.0);
+        self.floor + self.height * (1.0 - share * share).sqrt()
+    }
+}

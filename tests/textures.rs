@@ -1,0 +1,56 @@
+//! The shipped textures are what their painter paints.
+
+#[path = "../examples/paint_textures/bark.rs"]
+mod bark;
+#[path = "../examples/paint_textures/catalogue.rs"]
+mod catalogue;
+#[path = "../examples/paint_textures/color.rs"]
+mod color;
+#[path = "../examples/paint_textures/disc.rs"]
+mod disc;
+#[path = "../examples/paint_textures/leaf.rs"]
+mod leaf;
+#[path = "../examples/paint_textures/noise.rs"]
+mod noise;
+#[path = "../examples/paint_textures/petal.rs"]
+mod petal;
+#[path = "../examples/paint_textures/petals.rs"]
+mod petals;
+#[path = "../examples/paint_textures/picture.rs"]
+mod picture;
+
+use penstemon::species::{builtin::texture_names, builtin_texture};
+
+#[test]
+fn every_shipped_texture_has_a_painter() {
+    let mut painted: Vec<String> = catalogue::all().iter().map(|t| format!("{}.png", t.name)).collect();
+    painted.sort_unstable();
+    assert_eq!(painted, texture_names());
+}
+
+/// One of each family: painting all of them would take half a minute.
+#[test]
+fn painting_again_gives_the_same_bytes() {
+    for name in ["petal_mallow", "leaf_oxalis", "bark_cherry", "disc_green"] {
+        let texture = catalogue::all().into_iter().find(|t| t.name == name).unwrap();
+        let painted = texture.picture().to_png().unwrap();
+        assert!(Some(&painted[..]) == builtin_texture(&format!("{name}.png")), "paint {name} again");
+    }
+}
+
+#[test]
+fn bark_tiles_in_both_directions() {
+    for name in ["bark_fissured", "bark_birch", "bark_bamboo", "stem_green", "terracotta"] {
+        let texture = catalogue::all().into_iter().find(|t| t.name == name).unwrap();
+        let picture = texture.picture();
+        let (w, h) = (picture.width as usize, picture.height as usize);
+        let at = |x: usize, y: usize| picture.palette[picture.pixels[y * w + x] as usize];
+        let step = |a: [u8; 3], b: [u8; 3]| (0..3).map(|k| a[k].abs_diff(b[k]) as usize).sum::<usize>();
+        let across = |x: usize, next: usize| (0..h).map(|y| step(at(x, y), at(next, y))).sum::<usize>();
+        let along = |y: usize, next: usize| (0..w).map(|x| step(at(x, y), at(x, next))).sum::<usize>();
+        let roughest_across = (1..w).map(|x| across(x - 1, x)).max().unwrap();
+        let roughest_along = (1..h).map(|y| along(y - 1, y)).max().unwrap();
+        assert!(across(w - 1, 0) <= roughest_across, "{name} has a seam from left to right");
+        assert!(along(h - 1, 0) <= roughest_along, "{name} has a seam from top to bottom");
+    }
+}
