@@ -2,10 +2,10 @@
 //!
 //! Two chunks: the JSON document, then one buffer: interleaved vertices (position, normal, UV; 32 bytes each), 32-bit
 //! indices, 16-bit indices for meshes that need no more, pictures. One buffer view per region; accessors point into
-//! them. The node tree is in [`gltf_tree`](super::gltf_tree), looks in [`gltf_materials`](super::gltf_materials).
+//! them. The node tree is in `gltf_tree.rs`, looks in `gltf_materials.rs`.
 //!
 //! Positions are relative to their part's pivot; v runs downward in glTF, so v' = 1 − v. The document is written
-//! straight into the result, its tree freed, then vertices and indices; no second copy of anything large is held.
+//! straight into the result, its tree freed, then vertices and indices, so that no second copy of anything large is held.
 
 use super::gltf_materials::push_materials;
 use super::gltf_tree::push_nodes;
