@@ -2,6 +2,12 @@
 //!
 //! `cargo bench --bench export`. The throughput is that of the finished file's bytes.
 
+#![allow(
+    clippy::unwrap_used,
+    missing_docs,
+    reason = "a failure here stops the bench; criterion's macros have no docs"
+)]
+
 #[path = "../tests/common/mod.rs"]
 mod common;
 

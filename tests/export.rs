@@ -1,5 +1,7 @@
 //! Files out: what is written reads back, is the same every time, and is whole or not there.
 
+#![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
+
 mod common;
 
 use common::{leafy, textures, two_specimens};

@@ -2,10 +2,10 @@
 //!
 //! Two chunks: the JSON document, then one buffer: interleaved vertices (position, normal, UV; 32 bytes each), 32-bit
 //! indices, 16-bit indices for meshes that need no more, pictures. One buffer view per region; accessors point into
-//! them. The node tree is in [`gltf_tree`](super::gltf_tree), looks in [`gltf_materials`](super::gltf_materials).
+//! them. The node tree is in `gltf_tree.rs`, looks in `gltf_materials.rs`.
 //!
 //! Positions are relative to their part's pivot; v runs downward in glTF, so v' = 1 − v. The document is written
-//! straight into the result, and so are vertices and indices: besides the result only the document's tree is held.
+//! straight into the result, its tree freed, then vertices and indices, so that no second copy of anything large is held.
 
 use super::gltf_materials::push_materials;
 use super::gltf_tree::push_nodes;
@@ -38,10 +38,8 @@ impl Exporter for Glb {
         scene.surfaces()?;
         let pictures = Pictures::of(scene)?;
         let regions = Regions::of(scene.model, &pictures);
-        let document = document(scene, &pictures, &regions);
-        let mut out = Vec::new();
-        out.resize(HEADER_BYTES + CHUNK_HEADER_BYTES, 0);
-        serde_json::to_writer(&mut out, &document)?;
+        let mut out = vec![0; HEADER_BYTES + CHUNK_HEADER_BYTES];
+        serde_json::to_writer(&mut out, &document(scene, &pictures, &regions))?;
         pad(&mut out, b' ');
         let json_bytes = out.len() - HEADER_BYTES - CHUNK_HEADER_BYTES;
         let total = out.len() as u64 + CHUNK_HEADER_BYTES as u64 + regions.end as u64;

@@ -3,8 +3,8 @@
 //! Closed, manifold surfaces built without the program's own modelling, so that files out and the judge of meshes are
 //! tested on their own.
 
-// Every test and bench takes only what it needs.
-#![allow(dead_code)]
+#![allow(dead_code, reason = "every test and bench takes only what it needs")]
+#![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
 use glam::{Vec2, Vec3};
 use penstemon::model::{Mesh, Model, Part, PartKind, Vertex};
@@ -13,7 +13,7 @@ use std::borrow::Cow;
 use std::f32::consts::TAU;
 
 /// A straight closed tube with flat caps.
-pub fn tube(base: Vec3, top: Vec3, radius: f32, sides: u32) -> Mesh {
+pub(crate) fn tube(base: Vec3, top: Vec3, radius: f32, sides: u32) -> Mesh {
     let axis = (top - base).normalize();
     let (side, front) = axis.any_orthonormal_pair();
     let outward = |k: u32| {
@@ -49,7 +49,7 @@ pub fn tube(base: Vec3, top: Vec3, radius: f32, sides: u32) -> Mesh {
 
 /// A lens-shaped leaf, closed, in the plane of `u` and `v`: `rings` circles of `sides` points on either face, which
 /// meet in the last circle.
-pub fn leaf(base: Vec3, u: Vec3, v: Vec3, rings: u32, sides: u32) -> Mesh {
+pub(crate) fn leaf(base: Vec3, u: Vec3, v: Vec3, rings: u32, sides: u32) -> Mesh {
     let normal = u.cross(v).normalize();
     let mut mesh = Mesh::default();
     let mut push = |x: f32, y: f32, lift: f32| {
@@ -93,7 +93,7 @@ pub fn leaf(base: Vec3, u: Vec3, v: Vec3, rings: u32, sides: u32) -> Mesh {
 }
 
 /// A tiny valid PNG: one green pixel.
-pub fn picture() -> Vec<u8> {
+pub(crate) fn picture() -> Vec<u8> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, 1, 1);
     encoder.set_color(png::ColorType::Rgba);
@@ -102,7 +102,7 @@ pub fn picture() -> Vec<u8> {
 }
 
 /// The built-in textures of the fixtures: `leaf.png` and `bark one.png`.
-pub fn textures(name: &str) -> Option<Cow<'static, [u8]>> {
+pub(crate) fn textures(name: &str) -> Option<Cow<'static, [u8]>> {
     ["leaf.png", "bark one.png"].contains(&name).then(|| picture().into())
 }
 
@@ -134,7 +134,7 @@ fn part(
 }
 
 /// Two specimens: each a trunk with a branch, and a leaf on either.
-pub fn two_specimens() -> (Model, Plant) {
+pub(crate) fn two_specimens() -> (Model, Plant) {
     let mut parts = Vec::new();
     for specimen in 0..2 {
         let base = Vec3::new(specimen as f32 * 0.4, 0.0, 0.1);
@@ -159,7 +159,7 @@ pub fn two_specimens() -> (Model, Plant) {
 }
 
 /// A trunk with `leaves` leaves of 170 points each.
-pub fn leafy(leaves: usize) -> (Model, Plant) {
+pub(crate) fn leafy(leaves: usize) -> (Model, Plant) {
     let trunk =
         part("branch_0".into(), PartKind::Wood, None, 0, Vec3::ZERO, tube(Vec3::ZERO, Vec3::Y, 0.02, 8));
     let mut parts = vec![trunk];
