@@ -1,7 +1,9 @@
 //! Mathematics that knows no plant: polylines, loops, regions, clusters, frames, ellipses.
 
 pub mod ellipse;
+pub mod frame;
 pub mod mean_shift;
 pub mod polyline;
 pub mod region;
 pub mod simple_loop;
+pub mod simplify;

@@ -1,1 +1,164 @@
-//! stub
+//! Blades to closed meshes: two faces and a rim (000 §5.1, §5.2).
+//!
+//! The flat triangulation is put on its rest surface, raised by its relief along the rest surface's normals, and
+//! doubled: both faces lie half the thickness from that middle surface along its own smooth normals, a little closer
+//! at the margin. A band of faces joins their margins. The rim shares the points of the faces but has vertices of its
+//! own, so that faces shade smoothly up to a crisp edge.
+//!
+//! Where we depart: the paper copies the surface along the flower's axis, which leaves no thickness on steep petals.
+//! On a cone the face of a petal is its inner side, toward the flower's axis, whichever side the viewer sees.
+//!
+//! UV: v runs along the axis over the outline's whole height (base 0, tip 1 unless lobes reach below the base), u
+//! across with ½ on the axis, scaled by the larger half width; the back wears the same picture.
+//!
+//! Limits: thickness is at most a fifth of the mean width. A blade of less than a ten-thousandth of its distance from
+//! the origin has no mesh, for its faces would drown in the rounding of its coordinates.
+
+use super::flat::{BladeMeshParams, FlatBlade};
+use super::mesh::{Mesh, Vertex};
+use super::relief::Relief;
+use crate::plant::{Blade, RestSurface};
+use glam::{Vec2, Vec3};
+
+/// Memory that is used again for every blade.
+#[derive(Default)]
+pub(super) struct BladeScratch {
+    middle: Vec<Vec3>,
+    normals: Vec<Vec3>,
+}
+
+/// The mesh of a blade whose outline has been triangulated; `None` for one too small or too collapsed to be seen.
+pub(super) fn mesh(
+    blade: &Blade,
+    flat: &FlatBlade,
+    params: &BladeMeshParams,
+    scratch: &mut BladeScratch,
+) -> Option<Mesh> {
+    let facing = blade.u.cross(blade.v).try_normalize()?;
+    let size = flat.size * blade.v.length().max(blade.u.length());
+    let far = blade.base.abs().max_element() + size;
+    if size < 1e-4 * far || !far.is_finite() {
+        return None;
+    }
+    put_on_rest(blade, flat, facing, scratch);
+    raise(blade, &Relief::new(blade, flat, params), flat, facing, scratch);
+    smooth_normals(&flat.triangles, &scratch.middle, facing, &mut scratch.normals);
+    let mean_width = 2.0 * flat.area / flat.perimeter * size;
+    let thickness = (blade.form.thickness * blade.length * blade.v.length()).min(0.2 * mean_width);
+    let half = (0.5 * thickness).max(4e-6 * far);
+    let mut mesh = doubled(flat, scratch, half, half * params.margin_thickness);
+    add_rim(flat, scratch, &mut mesh);
+    mesh.split_disagreeing_corners();
+    Some(mesh)
+}
+
+/// Fills `middle` with rest positions and `normals` with the rest surface's normals on the side of `facing`.
+fn put_on_rest(blade: &Blade, flat: &FlatBlade, facing: Vec3, scratch: &mut BladeScratch) {
+    scratch.middle.clear();
+    scratch.middle.extend(flat.points.iter().map(|p| blade.at_rest(*p)));
+    match blade.rest {
+        RestSurface::Plane => {
+            scratch.normals.clear();
+            scratch.normals.resize(flat.points.len(), facing);
+        }
+        RestSurface::Cone { .. } => {
+            smooth_normals(&flat.triangles, &scratch.middle, facing, &mut scratch.normals);
+        }
+    }
+}
+
+/// Moves the points of `middle` from the rest surface to the relief's height over it.
+fn raise(blade: &Blade, relief: &Relief<'_>, flat: &FlatBlade, facing: Vec3, scratch: &mut BladeScratch) {
+    let toward_face = if faces_forward(blade, facing, scratch) { 1.0 } else { -1.0 };
+    let metres = toward_face * blade.v.length();
+    for ((point, normal), p) in scratch.middle.iter_mut().zip(&scratch.normals).zip(&flat.points) {
+        *point += *normal * (relief.height(*p) * metres);
+    }
+}
+
+/// Whether the blade's face, which on a cone is the inner side, is the side of `facing`.
+fn faces_forward(blade: &Blade, facing: Vec3, scratch: &BladeScratch) -> bool {
+    let RestSurface::Cone { cone, .. } = &blade.rest else { return true };
+    let mean: Vec3 = scratch.normals.iter().sum();
+    let from_apex = blade.at_rest(Vec2::new(0.0, 0.5 * blade.length)) - cone.apex;
+    let away = from_apex.reject_from_normalized(cone.axis);
+    let inner = cone.axis * (away.length() * cone.opening_rad.tan()) - away;
+    let forward = mean.dot(inner);
+    if forward == 0.0 { facing.z >= 0.0 } else { forward > 0.0 }
+}
+
+/// Unit normals at the points, faces weighted by their area; `fallback` where they cancel.
+fn smooth_normals(triangles: &[[u32; 3]], points: &[Vec3], fallback: Vec3, normals: &mut Vec<Vec3>) {
+    normals.clear();
+    normals.resize(points.len(), Vec3::ZERO);
+    for &[a, b, c] in triangles {
+        let (a, b, c) = (a as usize, b as usize, c as usize);
+        let cross = (points[b] - points[a]).cross(points[c] - points[a]);
+        normals[a] += cross;
+        normals[b] += cross;
+        normals[c] += cross;
+    }
+    for normal in normals {
+        let squared = normal.length_squared();
+        *normal =
+            if squared > f32::MIN_POSITIVE { *normal / squared.sqrt() } else { unit_or(*normal, fallback) };
+    }
+}
+
+/// Tiny faces have cross products whose squares vanish; they still have a direction.
+fn unit_or(v: Vec3, fallback: Vec3) -> Vec3 {
+    let largest = v.abs().max_element();
+    if largest > 0.0 { (v / largest).normalize() } else { fallback }
+}
+
+/// Front and back face. The front's points and vertices come first, in the order of the flat blade.
+fn doubled(flat: &FlatBlade, scratch: &BladeScratch, half: f32, margin_half: f32) -> Mesh {
+    let (count, margin) = (flat.points.len(), flat.margin);
+    let mut mesh = Mesh {
+        points: Vec::with_capacity(2 * count),
+        vertices: Vec::with_capacity(2 * (count + margin)),
+        triangles: Vec::with_capacity(2 * (flat.triangles.len() + margin)),
+    };
+    let sections = &flat.sections;
+    let tall = 1.0 / (sections.high - sections.low) / flat.size;
+    let wide = 0.5 / (sections.widest * flat.size);
+    let low = sections.low * flat.size;
+    let uv = |p: Vec2| Vec2::new(0.5 + p.x * wide, (p.y - low) * tall).clamp(Vec2::ZERO, Vec2::ONE);
+    for side in [1.0, -1.0] {
+        let first = mesh.points.len() as u32;
+        for (i, (point, normal)) in scratch.middle.iter().zip(&scratch.normals).enumerate() {
+            let normal = *normal * side;
+            mesh.points.push(*point + normal * if i < margin { margin_half } else { half });
+            mesh.vertices.push(Vertex { point: first + i as u32, normal, uv: uv(flat.points[i]) });
+        }
+    }
+    let back = count as u32;
+    mesh.triangles.extend_from_slice(&flat.triangles);
+    mesh.triangles.extend(flat.triangles.iter().map(|[a, b, c]| [back + a, back + c, back + b]));
+    mesh
+}
+
+/// Closes the gap between the margins of front and back.
+fn add_rim(flat: &FlatBlade, scratch: &BladeScratch, mesh: &mut Mesh) {
+    let n = flat.margin;
+    let back = flat.points.len() as u32;
+    let rim = mesh.vertices.len() as u32;
+    let outward = |i: usize, j: usize| {
+        let edge = scratch.middle[j] - scratch.middle[i];
+        unit_or(edge.cross(scratch.normals[i] + scratch.normals[j]), Vec3::ZERO)
+    };
+    let mut before = outward(n - 1, 0);
+    for i in 0..n {
+        let next = if i + 1 == n { 0 } else { i + 1 };
+        let after = outward(i, next);
+        let normal = unit_or(before + after, scratch.normals[i]);
+        before = after;
+        for side in [0, back] {
+            let point = side + i as u32;
+            mesh.vertices.push(Vertex { point, normal, uv: mesh.vertices[i].uv });
+        }
+        let (front_i, front_next) = (rim + 2 * i as u32, rim + 2 * next as u32);
+        mesh.triangles.push([front_next, front_i, front_i + 1]);
+        mesh.triangles.push([front_next, front_i + 1, front_next + 1]);
+    }
+}

@@ -21,7 +21,7 @@ impl Model {
             if !part.pivot.is_finite() {
                 return Err(here("pivot is not finite"));
             }
-            part.mesh.check_invariants().map_err(|what| here(&what))?;
+            part.mesh.check_indices().map_err(|what| here(&what))?;
         }
         Ok(())
     }
@@ -32,7 +32,7 @@ impl Mesh {
     ///
     /// # Errors
     /// The first violation, in words.
-    pub fn check_invariants(&self) -> Result<(), String> {
+    pub fn check_indices(&self) -> Result<(), String> {
         let (points, vertices) = (self.points.len(), self.vertices.len());
         if let Some(i) = self.points.iter().position(|p| !p.is_finite()) {
             return Err(format!("point {i} is not finite"));

@@ -38,4 +38,183 @@ impl Mesh {
     pub fn corners(&self, triangle: [u32; 3]) -> [Vec3; 3] {
         self.point_triangle(triangle).map(|p| self.points[p as usize])
     }
+
+    /// Gives a corner whose normal points away from its face's outside a vertex of its own with the face's normal.
+    ///
+    /// Smooth normals fail where a surface folds back on itself; there the crease is shown as a crease.
+    pub fn split_disagreeing_corners(&mut self) {
+        for t in 0..self.triangles.len() {
+            let [a, b, c] = self.corners(self.triangles[t]);
+            let cross = (b - a).cross(c - a);
+            for corner in 0..3 {
+                let vertex = self.vertices[self.triangles[t][corner] as usize];
+                if vertex.normal.dot(cross) > 0.0 {
+                    continue;
+                }
+                // Scaled before squaring, because the cross product of a tiny face has a square of zero.
+                let scaled = cross / cross.abs().max_element();
+                if scaled.is_finite() {
+                    self.triangles[t][corner] = self.vertices.len() as u32;
+                    self.vertices.push(Vertex { normal: scaled.normalize(), ..vertex });
+                }
+            }
+        }
+    }
+
+    /// Checks what every mesh of a model promises: finite numbers, indices in range, unit normals that agree with the
+    /// winding, no point twice, no face twice or without area, closed and manifold.
+    ///
+    /// # Errors
+    /// The first violation, in words.
+    pub fn check_invariants(&self) -> Result<(), String> {
+        self.check_numbers()?;
+        (0..self.triangles.len()).try_for_each(|t| self.check_face(t))?;
+        let mut places: Vec<[u32; 3]> =
+            self.points.iter().map(|p| (*p + Vec3::ZERO).to_array().map(f32::to_bits)).collect();
+        places.sort_unstable();
+        ensure(places.windows(2).all(|w| w[0] != w[1]), || "two points at one place".into())?;
+        self.check_edges()?;
+        self.check_fans()
+    }
+
+    fn check_numbers(&self) -> Result<(), String> {
+        for (i, point) in self.points.iter().enumerate() {
+            ensure(point.is_finite(), || format!("point {i} is {point}"))?;
+        }
+        for (i, vertex) in self.vertices.iter().enumerate() {
+            ensure((vertex.point as usize) < self.points.len(), || {
+                format!("vertex {i}: point out of range")
+            })?;
+            ensure(vertex.uv.is_finite(), || format!("vertex {i}: uv {}", vertex.uv))?;
+            let length = vertex.normal.length();
+            ensure((length - 1.0).abs() < 1e-3, || format!("vertex {i}: normal of length {length}"))?;
+        }
+        let in_range = |t: &[u32; 3]| t.iter().all(|v| (*v as usize) < self.vertices.len());
+        ensure(self.triangles.iter().all(in_range), || "triangle index out of range".into())
+    }
+
+    fn check_face(&self, t: usize) -> Result<(), String> {
+        let [a, b, c] = self.corners(self.triangles[t]).map(|p| p.as_dvec3());
+        let cross = (b - a).cross(c - a);
+        let longest = (b - a).length().max((c - b).length()).max((a - c).length());
+        ensure(cross.length() > 1e-9 * longest * longest, || format!("face {t} has no area: {a} {b} {c}"))?;
+        self.triangles[t].iter().try_for_each(|v| {
+            let cosine = self.vertices[*v as usize].normal.as_dvec3().dot(cross) / cross.length();
+            ensure(cosine > -1e-3, || format!("face {t}: normal of vertex {v} at cosine {cosine}"))
+        })
+    }
+
+    /// Every edge has exactly two faces that run along it in opposite directions.
+    fn check_edges(&self) -> Result<(), String> {
+        let mut edges: Vec<[u32; 2]> = Vec::with_capacity(3 * self.triangles.len());
+        for triangle in &self.triangles {
+            let [a, b, c] = self.point_triangle(*triangle);
+            edges.extend([[a, b], [b, c], [c, a]]);
+        }
+        edges.sort_unstable();
+        for w in edges.windows(2) {
+            ensure(w[0] != w[1], || format!("edge {:?} is used twice in one direction", w[0]))?;
+        }
+        edges.iter().try_for_each(|&[a, b]| {
+            ensure(edges.binary_search(&[b, a]).is_ok(), || format!("edge {a}-{b} has one face"))
+        })
+    }
+
+    /// The faces around every point form one closed fan, and no face appears twice.
+    fn check_fans(&self) -> Result<(), String> {
+        let mut wedges: Vec<[u32; 3]> = Vec::with_capacity(3 * self.triangles.len());
+        for triangle in &self.triangles {
+            let [a, b, c] = self.point_triangle(*triangle);
+            wedges.extend([[a, b, c], [b, c, a], [c, a, b]]);
+        }
+        wedges.sort_unstable();
+        for fan in wedges.chunk_by(|x, y| x[0] == y[0]) {
+            let mut at = fan[0][1];
+            for step in 1..=fan.len() {
+                let next = fan
+                    .binary_search_by_key(&at, |w| w[1])
+                    .map_err(|_| format!("open fan at {}", fan[0][0]))?;
+                at = fan[next][2];
+                let closed = at == fan[0][1];
+                ensure(closed == (step == fan.len()), || format!("point {} joins two surfaces", fan[0][0]))?;
+            }
+            ensure(fan.len() > 2, || format!("point {} has only two faces", fan[0][0]))?;
+        }
+        let used = wedges.chunk_by(|x, y| x[0] == y[0]).count();
+        ensure(used == self.points.len(), || format!("{used} of {} points are used", self.points.len()))
+    }
+}
+
+fn ensure(holds: bool, what: impl FnOnce() -> String) -> Result<(), String> {
+    if holds { Ok(()) } else { Err(what()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn tetrahedron() -> Mesh {
+        let points = vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z];
+        let mut mesh = Mesh { points, ..Mesh::default() };
+        for face in [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]] {
+            let [a, b, c] = face.map(|p| mesh.points[p as usize]);
+            let normal = (b - a).cross(c - a).normalize();
+            let first = mesh.vertices.len() as u32;
+            mesh.vertices.extend(face.map(|point| Vertex { point, normal, uv: Vec2::ZERO }));
+            mesh.triangles.push([first, first + 1, first + 2]);
+        }
+        mesh
+    }
+
+    fn complaint(spoil: impl FnOnce(&mut Mesh)) -> String {
+        let mut mesh = tetrahedron();
+        spoil(&mut mesh);
+        mesh.check_invariants().unwrap_err()
+    }
+
+    #[test]
+    fn a_tetrahedron_is_sound() {
+        assert_eq!(tetrahedron().check_invariants(), Ok(()));
+    }
+
+    #[test]
+    fn every_defect_is_named() {
+        assert!(complaint(|m| m.points[1].x = f32::NAN).contains("point 1"));
+        assert!(complaint(|m| m.vertices[2].point = 9).contains("point out of range"));
+        assert!(complaint(|m| m.vertices[2].normal = Vec3::ONE).contains("normal of length"));
+        assert!(complaint(|m| m.vertices[2].normal = Vec3::Z).contains("cosine"));
+        assert!(complaint(|m| m.triangles[0] = [0, 0, 1]).contains("no area"));
+        assert!(complaint(|m| m.triangles[0][0] = 99).contains("index out of range"));
+        assert!(complaint(|m| m.triangles.push(m.triangles[0])).contains("used twice"));
+        assert!(complaint(|m| drop(m.triangles.pop())).contains("one face"));
+        assert!(complaint(|m| m.points.push(Vec3::ONE)).contains("points are used"));
+        assert!(complaint(|m| m.points.push(Vec3::X)).contains("one place"));
+    }
+
+    #[test]
+    fn two_bodies_that_share_a_point_are_not_manifold() {
+        let mut mesh = tetrahedron();
+        let other = tetrahedron();
+        mesh.points.extend(other.points[1..].iter().map(|p| -*p));
+        let (points, vertices) = (3, mesh.vertices.len() as u32);
+        let moved = |v: &Vertex| Vertex {
+            point: if v.point == 0 { 0 } else { v.point + points },
+            normal: -v.normal,
+            ..*v
+        };
+        mesh.vertices.extend(other.vertices.iter().map(moved));
+        mesh.triangles
+            .extend(other.triangles.iter().map(|t| [t[0] + vertices, t[2] + vertices, t[1] + vertices]));
+        // Mirroring a body turns its faces inside out, so they are wound the other way.
+        assert!(mesh.check_invariants().unwrap_err().contains("joins two surfaces"));
+    }
+
+    #[test]
+    fn corners_that_look_away_are_split() {
+        let mut mesh = tetrahedron();
+        mesh.vertices[0].normal = Vec3::Z;
+        mesh.split_disagreeing_corners();
+        assert_eq!(mesh.vertices.len(), 13);
+        assert_eq!(mesh.check_invariants(), Ok(()));
+    }
 }

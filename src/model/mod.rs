@@ -1,16 +1,43 @@
 //! Plant to meshes: every branch and organ becomes a [`Part`] of a [`Model`].
 //!
 //! Blades and tubes are closed and manifold, wound counter-clockwise seen from outside, with UVs that fit the part's
-//! texture. Nothing here knows a drawing: the input is a [`Plant`](crate::plant::Plant), the output plain arrays.
+//! texture. Nothing here knows a drawing: the input is a [`Plant`](crate::plant::Plant), the output plain arrays. [`build`] is the stage.
+//!
+//! | file | what |
+//! | --- | --- |
+//! | `parts` | names, carriers, specimens |
+//! | `outline`, `sections`, `interior`, `flat` | a blade in its plane, triangulated |
+//! | `relief`, `blade` | the blade bent and given thickness |
+//! | `spine`, `tube` | branches |
+//! | `solids`, `filaments` | hearts of flowers, fruits, pots |
+//! | `build` | all parts at once, on all cores |
 
+mod blade;
+mod build;
 mod disjoint_sets;
+mod filaments;
+mod flat;
+mod interior;
 pub mod invariants;
 pub mod mesh;
+mod outline;
+mod parts;
 pub mod quality;
+mod relief;
+mod sections;
+mod solids;
+mod spine;
+#[cfg(test)]
+mod tests;
 mod topology;
+mod tube;
 pub mod weld;
 
+pub use build::{ModelParams, build};
+pub use flat::{BladeMeshParams, PlanarGraph, triangulation_input};
 pub use mesh::{Mesh, Vertex};
+pub use solids::SolidParams;
+pub use tube::TubeParams;
 
 use crate::plant::{Material, OrganKind};
 use glam::Vec3;

@@ -1,1 +1,202 @@
-//! stub
+//! Domes, ellipsoids and lathed bodies: closed surfaces of revolution.
+//!
+//! All are one sweep of a profile about an axis. Its ends lie on the axis and become poles; where the profile turns
+//! sharply (a pot's rim, a dome's lower edge) each side keeps its own normals.
+//!
+//! UV: around and along the profile, 0 to 1; a dome is seen from above, `½ + ½·(x, y)/radius`, so that the picture of
+//! a daisy's disc fits.
+
+use super::mesh::{Mesh, Vertex};
+use crate::geom::frame;
+use glam::{Vec2, Vec3};
+use std::f32::consts::{FRAC_PI_2, PI, TAU};
+
+crate::parameters! {
+    /// How finely hearts of flowers, fruits and pots are modelled.
+    pub struct SolidParams {
+        /// Sides of domes, fruits and pots.
+        sides: u32 = 20, 3..=128, "";
+        /// Rows of a dome between edge and top.
+        dome_rows: u32 = 5, 1..=64, "";
+        /// Sides of filaments.
+        filament_sides: u32 = 4, 3..=16, "";
+        /// Sides of anthers and stigmas.
+        head_sides: u32 = 6, 3..=32, "";
+        /// Rows of anthers and stigmas from pole to pole.
+        head_rows: u32 = 4, 2..=32, "";
+    }
+}
+
+/// Profiles that turn by more than the angle of this cosine have a crease.
+const CREASE: f32 = 0.75;
+
+/// Where a body of revolution stands.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stand {
+    /// The axis at height 0, metres.
+    pub(super) base: Vec3,
+    /// Unit direction of the axis.
+    pub(super) axis: Vec3,
+}
+
+/// How a body of revolution takes its picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Picture {
+    /// Wrapped around the axis.
+    Wrapped,
+    /// Laid on from above.
+    FromAbove,
+}
+
+/// A half ellipsoid, closed underneath.
+pub(super) fn dome(stand: Stand, (radius, height): (f32, f32), params: &SolidParams) -> Mesh {
+    let rows = params.dome_rows;
+    let arc =
+        (0..=rows).map(|i| Vec2::from_angle(FRAC_PI_2 * i as f32 / rows as f32) * Vec2::new(radius, height));
+    let profile: Vec<Vec2> = std::iter::once(Vec2::ZERO).chain(arc).collect();
+    revolved(stand, &profile, params.sides, Picture::FromAbove)
+}
+
+/// Appends an ellipsoid around the stand's base; `size` is its radius and half length in metres.
+pub(super) fn append_ellipsoid(mesh: &mut Mesh, stand: Stand, size: Vec2, params: &SolidParams) {
+    let rows = params.head_rows;
+    let arc = (0..=rows).map(|i| Vec2::from_angle(PI * i as f32 / rows as f32 - FRAC_PI_2) * size);
+    revolve(mesh, stand, &arc.collect::<Vec<_>>(), params.head_sides, Picture::Wrapped);
+}
+
+/// A lathed body; `profile` holds (radius, height) along the outside and back along the inside, metres.
+pub(super) fn lathe(stand: Stand, profile: &[Vec2], params: &SolidParams) -> Mesh {
+    revolved(stand, profile, params.sides, Picture::Wrapped)
+}
+
+fn revolved(stand: Stand, profile: &[Vec2], sides: u32, picture: Picture) -> Mesh {
+    let mut mesh = Mesh::default();
+    revolve(&mut mesh, stand, profile, sides, picture);
+    mesh.split_disagreeing_corners();
+    mesh
+}
+
+/// The profile from pole to pole, its inner points off the axis, none repeated, outside to the right.
+fn closed_profile(profile: &[Vec2]) -> Vec<Vec2> {
+    let size = profile.iter().fold(0.0f32, |m, p| m.max(p.abs().max_element()));
+    let off_axis = 1e-3 * size;
+    let mut inner: Vec<Vec2> = Vec::with_capacity(profile.len() + 2);
+    for p in profile {
+        let p = Vec2::new(p.x.abs(), p.y);
+        let repeats = inner.last().is_some_and(|q| q.distance(p) < off_axis);
+        if p.x >= off_axis && !repeats {
+            inner.push(p);
+        }
+    }
+    let pole = |end: Option<&Vec2>| Vec2::new(0.0, end.map_or(0.0, |p| p.y));
+    let mut closed = vec![pole(profile.first())];
+    closed.append(&mut inner);
+    closed.push(pole(profile.last()));
+    if crate::geom::simple_loop::signed_area(closed.iter().copied()) < 0.0 {
+        closed.reverse();
+    }
+    closed
+}
+
+/// Normals of a profile point toward the segment before it and the one after it; equal where it is smooth.
+fn profile_normals(profile: &[Vec2], i: usize) -> (Vec2, Vec2) {
+    let outside = |a: Vec2, b: Vec2| -(b - a).perp().normalize_or_zero();
+    let before = (i > 0).then(|| outside(profile[i - 1], profile[i]));
+    let after = (i + 1 < profile.len()).then(|| outside(profile[i], profile[i + 1]));
+    match (before, after) {
+        (Some(b), Some(a)) if b.dot(a) > CREASE => ((a + b).normalize(), (a + b).normalize()),
+        (b, a) => (b.or(a).unwrap_or(Vec2::X), a.or(b).unwrap_or(Vec2::X)),
+    }
+}
+
+/// A profile on its way around an axis.
+struct Sweep {
+    stand: Stand,
+    side: Vec3,
+    other: Vec3,
+    sides: u32,
+    picture: Picture,
+    widest: f32,
+}
+
+/// Appends the sweep of a profile around an axis, nothing if the profile encloses nothing.
+fn revolve(mesh: &mut Mesh, stand: Stand, profile: &[Vec2], sides: u32, picture: Picture) {
+    let profile = closed_profile(profile);
+    let last = profile.len() - 1;
+    if last < 2 {
+        return;
+    }
+    let side = frame::hidden_side(stand.axis);
+    let widest = profile.iter().fold(f32::MIN_POSITIVE, |m, p| m.max(p.x));
+    let sweep = Sweep { stand, side, other: stand.axis.cross(side), sides, picture, widest };
+    let length: f32 = profile.windows(2).map(|w| w[0].distance(w[1])).sum();
+    let mut first_point = sweep.points(mesh, profile[0]);
+    let mut bottom = sweep.row(mesh, profile[0], profile_normals(&profile, 0).1, 0.0, first_point);
+    let mut along = 0.0;
+    for i in 1..=last {
+        along += profile[i - 1].distance(profile[i]) / length;
+        first_point = sweep.points(mesh, profile[i]);
+        let (below, above) = profile_normals(&profile, i);
+        let top = sweep.row(mesh, profile[i], below, along, first_point);
+        sweep.join(mesh, (bottom, i == 1), (top, i == last));
+        let crease = i < last && below != above;
+        bottom = if crease { sweep.row(mesh, profile[i], above, along, first_point) } else { top };
+    }
+}
+
+impl Sweep {
+    fn direction(&self, j: u32) -> Vec3 {
+        let c = Vec2::from_angle(TAU * (j % self.sides) as f32 / self.sides as f32);
+        self.side * c.x + self.other * c.y
+    }
+
+    /// Appends the points of one profile point, a single one on the axis, and returns the first's index.
+    fn points(&self, mesh: &mut Mesh, p: Vec2) -> u32 {
+        let first = mesh.points.len() as u32;
+        let centre = self.stand.base + self.stand.axis * p.y;
+        if p.x > 0.0 {
+            mesh.points.extend((0..self.sides).map(|j| centre + self.direction(j) * p.x));
+        } else {
+            mesh.points.push(centre);
+        }
+        first
+    }
+
+    /// Appends the vertices of one profile point: a ring with its seam twice, or a pole once for every side.
+    fn row(&self, mesh: &mut Mesh, p: Vec2, normal: Vec2, along: f32, first_point: u32) -> u32 {
+        let first = mesh.vertices.len() as u32;
+        let pole = p.x <= 0.0;
+        let count = if pole { self.sides } else { self.sides + 1 };
+        mesh.vertices.extend((0..count).map(|j| {
+            let direction = self.direction(j);
+            let around = (j as f32 + if pole { 0.5 } else { 0.0 }) / self.sides as f32;
+            let uv = match self.picture {
+                Picture::Wrapped => Vec2::new(around, along.min(1.0)),
+                Picture::FromAbove => {
+                    let c = Vec2::from_angle(TAU * around) * (0.5 * p.x / self.widest);
+                    (Vec2::splat(0.5) + c).clamp(Vec2::ZERO, Vec2::ONE)
+                }
+            };
+            let point = if pole { first_point } else { first_point + j % self.sides };
+            // At a pole the sideways parts cancel; one that is only sideways (a spike) has none to keep.
+            let outward = if pole { Vec3::ZERO } else { direction * normal.x };
+            let normal = outward + self.stand.axis * normal.y;
+            Vertex { point, normal: normal.try_normalize().unwrap_or(self.stand.axis), uv }
+        }));
+        first
+    }
+
+    /// Appends the faces between two rows, either of which may be a pole.
+    fn join(&self, mesh: &mut Mesh, (low, low_pole): (u32, bool), (high, high_pole): (u32, bool)) {
+        for j in 0..self.sides {
+            if !low_pole {
+                let top = if high_pole { high + j } else { high + j + 1 };
+                mesh.triangles.push([low + j, low + j + 1, top]);
+            }
+            if !high_pole {
+                let top = [high + j + 1, high + j];
+                mesh.triangles.push([low + j, top[0], top[1]]);
+            }
+        }
+    }
+}

@@ -1,1 +1,173 @@
-//! stub
+//! Branches to closed tubes (000 §5.3.3, 002 §6.5).
+//!
+//! A regular polygon is carried along the skeleton on rotation-minimising frames (`geom::frame`); its number of sides
+//! grows with the root of the radius, 8 for an ordinary stem. The base, which is sunk in the parent, is closed flat,
+//! the end by a blunt cone. Normals lean with the taper.
+//!
+//! UV: u runs around with a seam at the back, a whole number of bark pictures, more on thicker branches; v grows with
+//! arc length over circumference, so that bark is never stretched. Both leave 0 to 1: bark repeats.
+//!
+//! Where we depart: the paper turns a fixed front vector about cross products that vanish on straight runs.
+//! Limits: a branch that bends more tightly than its own radius may cut into itself; the surface stays closed.
+
+use super::mesh::{Mesh, Vertex};
+use super::spine::{self, Ring, SpineScratch};
+use crate::geom::frame;
+use crate::plant::Branch;
+use glam::{Vec2, Vec3};
+use std::f32::consts::TAU;
+
+crate::parameters! {
+    /// How finely branches and stems are modelled.
+    pub struct TubeParams {
+        /// Sides of an ordinary stem; thinner twigs have fewer, thicker trunks more.
+        sides: u32 = 8, 3..=64, "";
+        /// Radius of an ordinary stem.
+        ordinary_radius: f32 = 0.006, 0.0001..=0.1, "of the plant's size";
+        /// Fewest sides, on the thinnest twigs.
+        fewest_sides: u32 = 5, 3..=64, "";
+        /// Most sides, on the thickest trunks.
+        most_sides: u32 = 24, 3..=64, "";
+        /// How far the tube may leave the skeleton.
+        tolerance: f32 = 0.12, 0.005..=1.0, "of the radius";
+        /// Width of the bark picture.
+        bark_width: f32 = 0.08, 0.005..=1.0, "of the plant's size";
+        /// Length of the cone at a branch's end.
+        tip: f32 = 0.7, 0.05..=4.0, "of the radius";
+    }
+}
+
+/// However thick a branch is, it leaves its skeleton by no more than this share of the plant's size.
+const FARTHEST: f32 = 0.002;
+/// Bark shrinks with the branch, but not beyond this share of the radius at its base.
+const FINEST_BARK: f32 = 0.3;
+
+/// Look of one tube.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct TubeLook {
+    pub(super) sides: u32,
+    /// Pictures around the tube.
+    pub(super) repeats: f32,
+    /// Length of the end's cone in radii.
+    pub(super) tip: f32,
+    pub(super) detail: spine::Detail,
+}
+
+/// Memory that is used again for every tube.
+#[derive(Default)]
+pub(super) struct TubeScratch {
+    spine: SpineScratch,
+    rings: Vec<Ring>,
+    circle: Vec<Vec2>,
+}
+
+/// The mesh of a branch in a plant of the given size in metres.
+pub(super) fn branch(
+    branch: &Branch,
+    params: &TubeParams,
+    plant_size: f32,
+    scratch: &mut TubeScratch,
+) -> Mesh {
+    let base = branch.radii.first().copied().unwrap_or(0.0);
+    let (fewest, most) = (params.fewest_sides.max(3), params.most_sides.max(params.fewest_sides).max(3));
+    let thickness = base / (params.ordinary_radius * plant_size);
+    let around = TAU * base / (params.bark_width * plant_size);
+    let look = TubeLook {
+        sides: ((params.sides as f32 * thickness.sqrt()).round() as u32).clamp(fewest, most),
+        repeats: around.round().clamp(1.0, 8.0),
+        tip: params.tip,
+        detail: spine::Detail { of_radius: params.tolerance, metres: FARTHEST * plant_size },
+    };
+    let mut mesh = Mesh::default();
+    append(&mut mesh, branch.points.iter().copied().zip(branch.radii.iter().copied()), look, scratch);
+    mesh.split_disagreeing_corners();
+    mesh
+}
+
+/// Appends a closed tube around a skeleton of at least two points.
+pub(super) fn append(
+    mesh: &mut Mesh,
+    skeleton: impl Iterator<Item = (Vec3, f32)>,
+    look: TubeLook,
+    scratch: &mut TubeScratch,
+) {
+    spine::rings(skeleton, look.detail, &mut scratch.spine, &mut scratch.rings);
+    scratch.circle.clear();
+    scratch.circle.extend((0..look.sides).map(|j| Vec2::from_angle(TAU * j as f32 / look.sides as f32)));
+    let (rings, circle) = (&scratch.rings[..], &scratch.circle[..]);
+    let (k, count) = (look.sides as usize, rings.len());
+    mesh.points.reserve(count * k + 1);
+    mesh.vertices.reserve(count * (k + 1) + 2 * k);
+    mesh.triangles.reserve(2 * (count - 1) * k + 2 * k - 2);
+    let first = (mesh.points.len() as u32, mesh.vertices.len() as u32);
+    let v = wall(mesh, rings, circle, look.repeats);
+    base_cap(mesh, first.0, rings[0].tangent, circle);
+    tip_cap(mesh, &rings[count - 1], look, v);
+    join_rings(mesh, first.1, look.sides, count as u32 - 1);
+}
+
+/// Appends points and vertices of all rings and returns the last ring's v.
+fn wall(mesh: &mut Mesh, rings: &[Ring], circle: &[Vec2], repeats: f32) -> f32 {
+    let k = circle.len() as u32;
+    let mut side = frame::hidden_side(rings[0].tangent);
+    let mut v = 0.0;
+    for (i, ring) in rings.iter().enumerate() {
+        let before = &rings[i.saturating_sub(1)];
+        let after = &rings[(i + 1).min(rings.len() - 1)];
+        if i > 0 {
+            side = frame::transport(side, (before.at, before.tangent), (ring.at, ring.tangent));
+            let radius = (0.5 * (before.radius + ring.radius)).max(FINEST_BARK * rings[0].radius);
+            v += before.at.distance(ring.at) * repeats / (TAU * radius);
+        }
+        let other = ring.tangent.cross(side);
+        let taper = (after.radius - before.radius) / after.at.distance(before.at);
+        let upright = 1.0 / (1.0 + taper * taper).sqrt();
+        let lean = ring.tangent * (-taper * upright);
+        let first = mesh.points.len() as u32;
+        let direction = |c: &Vec2| side * c.x + other * c.y;
+        mesh.points.extend(circle.iter().map(|c| ring.at + direction(c) * ring.radius));
+        mesh.vertices.extend((0..=k).map(|j| {
+            let around = if j == k { 0 } else { j };
+            let normal = direction(&circle[around as usize]) * upright + lean;
+            let uv = Vec2::new(repeats * j as f32 / k as f32, v);
+            Vertex { point: first + around, normal, uv }
+        }));
+    }
+    v
+}
+
+fn join_rings(mesh: &mut Mesh, first_vertex: u32, sides: u32, spans: u32) {
+    for span in 0..spans {
+        let (low, high) = (first_vertex + span * (sides + 1), first_vertex + (span + 1) * (sides + 1));
+        for j in 0..sides {
+            mesh.triangles.push([low + j, low + j + 1, high + j + 1]);
+            mesh.triangles.push([low + j, high + j + 1, high + j]);
+        }
+    }
+}
+
+/// Closes the first ring with a flat polygon.
+fn base_cap(mesh: &mut Mesh, first_point: u32, tangent: Vec3, circle: &[Vec2]) {
+    let first = mesh.vertices.len() as u32;
+    mesh.vertices.extend(circle.iter().enumerate().map(|(j, c)| Vertex {
+        point: first_point + j as u32,
+        normal: -tangent,
+        uv: Vec2::splat(0.5) + *c * 0.5,
+    }));
+    mesh.triangles.extend((1..circle.len() as u32 - 1).map(|j| [first, first + j + 1, first + j]));
+}
+
+/// Closes the last ring, whose vertices are the latest but for the base cap's, with a cone.
+fn tip_cap(mesh: &mut Mesh, ring: &Ring, look: TubeLook, v: f32) {
+    let k = look.sides;
+    let last_ring = mesh.vertices.len() as u32 - k - (k + 1);
+    let apex = mesh.points.len() as u32;
+    mesh.points.push(ring.at + ring.tangent * (look.tip * ring.radius));
+    let first = mesh.vertices.len() as u32;
+    mesh.vertices.extend((0..k).map(|j| Vertex {
+        point: apex,
+        normal: ring.tangent,
+        uv: Vec2::new(look.repeats * (j as f32 + 0.5) / k as f32, v + look.repeats * look.tip / TAU),
+    }));
+    mesh.triangles.extend((0..k).map(|j| [last_ring + j, last_ring + j + 1, first + j]));
+}

@@ -1,0 +1,142 @@
+//! The model stage against `spade` alone on the same points, and its growth with the number of leaves.
+
+use criterion::{BatchSize, BenchmarkId, Criterion, criterion_group, criterion_main};
+use glam::{Vec2, Vec3};
+use penstemon::model::{BladeMeshParams, ModelParams, PlanarGraph, build, triangulation_input};
+use penstemon::plant::{
+    Blade, BladeForm, Branch, Cone, Flower, Material, Organ, OrganKind, Plant, RestSurface, Shape,
+    WorldFromCanvas,
+};
+use spade::{ConstrainedDelaunayTriangulation, Point2};
+use std::f32::consts::TAU;
+use std::hint::black_box;
+
+/// A petal as a pen draws it: 140 points, a notch at the tip, a little wobble.
+fn outline(length: f32, wobble: f32) -> Vec<Vec2> {
+    let at = |k: usize| {
+        let s = k as f32 / 70.0;
+        let (side, s) = if s < 1.0 { (1.0, s) } else { (-1.0, 2.0 - s) };
+        let width = 0.28 * (s * 2.9).sin().abs() * (0.6 + 0.5 * s) + 0.002 * (k as f32 * wobble).sin();
+        Vec2::new(side * width, s - 0.1 * ((s - 0.85).max(0.0) * 6.0).powi(2)) * length
+    };
+    (0..140).map(at).collect()
+}
+
+fn blade(length: f32, turn: f32, rest: RestSurface, base: Vec3, template: Option<u32>) -> Blade {
+    let (sin, cos) = turn.sin_cos();
+    Blade {
+        outline: outline(length, 1.0 + turn),
+        curl: Vec::new(),
+        base,
+        u: Vec3::new(cos, sin, 0.0),
+        v: Vec3::new(-sin, cos, 0.0),
+        length,
+        rest,
+        form: BladeForm::default(),
+        template,
+    }
+}
+
+fn organ(kind: OrganKind, flower: Option<usize>, blade: Blade) -> Organ {
+    Organ { kind, stroke: None, branch: Some(0), flower, material: 0, shape: Shape::Blade(blade) }
+}
+
+fn branch(parent: Option<usize>, base: Vec3, radius: f32) -> Branch {
+    let points: Vec<Vec3> = (0..60)
+        .map(|k| {
+            base + Vec3::new(0.05 * (k as f32 * 0.05).sin(), k as f32 * 0.01, 0.02 * (k as f32 * 0.07).cos())
+        })
+        .collect();
+    let radii = (0..60).map(|k| radius * (1.0 - 0.01 * k as f32)).collect();
+    Branch { stroke: None, parent, level: 0, points, radii, material: 0 }
+}
+
+/// A flower of 13 petals on a stem with two side branches and 4 leaves.
+fn flower() -> Plant {
+    let apex = Vec3::new(0.0, 0.6, 0.0);
+    let cone = Cone { apex, axis: Vec3::new(0.0, 0.5, 0.866), opening_rad: 1.1, height: 0.05 };
+    let petals = (0..13).map(|k| {
+        let rest = RestSurface::Cone { cone, hint: 0.03 };
+        organ(OrganKind::Petal, Some(0), blade(0.1, TAU * k as f32 / 13.0, rest, apex, None))
+    });
+    let leaves = (0..4).map(|k| {
+        let base = Vec3::Y * (0.1 + 0.1 * k as f32);
+        organ(OrganKind::Leaf, None, blade(0.15, 0.8 * k as f32, RestSurface::Plane, base, None))
+    });
+    Plant {
+        world_from_canvas: WorldFromCanvas { scale: 0.001, origin: Vec2::ZERO },
+        branches: vec![
+            branch(None, Vec3::ZERO, 0.006),
+            branch(Some(0), Vec3::Y * 0.2, 0.004),
+            branch(Some(0), Vec3::Y * 0.3, 0.004),
+        ],
+        flowers: vec![Flower { branch: Some(0), cone, heart_radius: 0.01, reach: 0.1, look: 0 }],
+        organs: petals.chain(leaves).collect(),
+        materials: vec![Material::plain("plant", [0.4; 3])],
+    }
+}
+
+/// Copies of one leaf, all over.
+fn foliage(count: usize) -> Plant {
+    let leaf = |k: usize| {
+        let base = Vec3::new((k as f32 * 0.37).sin(), k as f32 / count as f32, (k as f32 * 0.61).cos());
+        let turned = blade(0.05, 0.0, RestSurface::Plane, base, Some(0));
+        let turn = glam::Quat::from_rotation_y(k as f32);
+        organ(OrganKind::Leaf, None, Blade { u: turn * turned.u, v: turn * turned.v, ..turned })
+    };
+    Plant { organs: (0..count).map(leaf).collect(), flowers: Vec::new(), ..flower() }
+}
+
+fn graphs(plant: &Plant) -> Vec<PlanarGraph> {
+    let params = BladeMeshParams::default();
+    let blades = plant.organs.iter().filter_map(|organ| match &organ.shape {
+        Shape::Blade(blade) => Some(blade),
+        _ => None,
+    });
+    blades.filter_map(|blade| triangulation_input(blade, &params)).collect()
+}
+
+fn against_spade(c: &mut Criterion) {
+    let plant = flower();
+    let graphs = graphs(&plant);
+    let single = rayon::ThreadPoolBuilder::new().num_threads(1).build().ok();
+    let mut group = c.benchmark_group("flower");
+    group.bench_function("spade_alone", |b| {
+        b.iter_batched(
+            || graphs.iter().map(PlanarGraph::spade_input).collect::<Vec<_>>(),
+            |inputs| {
+                for (points, edges) in inputs {
+                    let cdt = ConstrainedDelaunayTriangulation::<Point2<f64>>::try_bulk_load_cdt(
+                        points,
+                        edges,
+                        |_| (),
+                    );
+                    let _ = black_box(cdt);
+                }
+            },
+            BatchSize::SmallInput,
+        );
+    });
+    group.bench_function("model", |b| {
+        let run = || build(black_box(&plant), &ModelParams::default());
+        b.iter(|| single.as_ref().map(|pool| pool.install(run)));
+    });
+    group.finish();
+}
+
+fn leaves(c: &mut Criterion) {
+    let mut group = c.benchmark_group("template_leaves");
+    let single = rayon::ThreadPoolBuilder::new().num_threads(1).build().ok();
+    for count in [10, 100, 1_000, 10_000, 100_000] {
+        let plant = foliage(count);
+        group.sample_size(if count > 10_000 { 10 } else { 50 });
+        group.bench_with_input(BenchmarkId::from_parameter(count), &plant, |b, plant| {
+            let run = || build(black_box(plant), &ModelParams::default());
+            b.iter(|| single.as_ref().map(|pool| pool.install(run)));
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, against_spade, leaves);
+criterion_main!(benches);

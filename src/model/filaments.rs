@@ -1,0 +1,50 @@
+//! Stamens, pistils and thorns: threads with swollen ends.
+//!
+//! A flower has dozens of them, so all of one flower's threads that look alike are one part (`stamens_3`) and their
+//! heads another (`anthers_3`), or the same part if they share a material.
+
+use super::mesh::Mesh;
+use super::solids::{self, SolidParams, Stand};
+use super::spine;
+use super::tube::{self, TubeLook, TubeScratch};
+use crate::plant::{Organ, Shape};
+use glam::Vec3;
+
+/// Threads are thin: they may leave their skeleton by half their radius, and end round.
+const TOLERANCE: f32 = 0.5;
+const TIP: f32 = 0.8;
+
+/// What of a filament goes into a part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Piece {
+    /// The thread.
+    Thread,
+    /// The swollen end.
+    Head,
+}
+
+/// The mesh of the given pieces of organs; those that are no filaments add nothing.
+pub(super) fn mesh<'a>(
+    pieces: impl Iterator<Item = (&'a Organ, Piece)>,
+    params: &SolidParams,
+    scratch: &mut TubeScratch,
+) -> Mesh {
+    let mut mesh = Mesh::default();
+    for (organ, piece) in pieces {
+        let Shape::Filament { points, radius, head, .. } = &organ.shape else { continue };
+        match piece {
+            Piece::Thread => {
+                let detail = spine::Detail { of_radius: TOLERANCE, metres: f32::INFINITY };
+                let look = TubeLook { sides: params.filament_sides.max(3), repeats: 1.0, tip: TIP, detail };
+                tube::append(&mut mesh, points.iter().map(|p| (*p, *radius)), look, scratch);
+            }
+            Piece::Head => {
+                let [.., before, end] = points[..] else { continue };
+                let axis = (end - before).try_normalize().unwrap_or(Vec3::Y);
+                solids::append_ellipsoid(&mut mesh, Stand { base: end, axis }, *head, params);
+            }
+        }
+    }
+    mesh.split_disagreeing_corners();
+    mesh
+}

@@ -1,0 +1,230 @@
+//! Prepares a blade's outline for triangulation: counter-clockwise, evenly dense, no needless points.
+//!
+//! Points that stand closer together than a face may be small are merged, points that do not carry the shape are
+//! dropped (Douglas–Peucker between base and tip, so both stay), and long straight runs are divided so that the blade
+//! can bend there. Coordinates are in blade sizes: 1 is the larger of the blade's length and extent.
+//!
+//! Limits: the result stays within the tolerance of the drawn outline but may cross itself by as much; the
+//! triangulation notices and [`untangled`] cuts the crossing off.
+
+use crate::geom::{simple_loop, simplify};
+use glam::Vec2;
+
+/// One point of a prepared outline.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct MarginPoint {
+    /// Position (u, v) in blade sizes.
+    pub(super) at: Vec2,
+    /// Pen pressure's curl there, −1 to 1.
+    pub(super) curl: f32,
+}
+
+impl MarginPoint {
+    fn lerp(&self, other: &Self, share: f32) -> Self {
+        Self { at: self.at.lerp(other.at, share), curl: self.curl + (other.curl - self.curl) * share }
+    }
+}
+
+/// How closely an outline is followed; all in blade sizes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Detail {
+    /// Largest distance between the drawn and the prepared outline.
+    pub(super) tolerance: f32,
+    /// Edges longer than this are divided.
+    pub(super) longest_edge: f32,
+}
+
+/// No edge of a prepared outline is shorter, in blade sizes.
+const SHORTEST_EDGE: f32 = 1e-3;
+
+/// Memory that is used again for every blade.
+#[derive(Default)]
+pub(super) struct OutlineScratch {
+    spaced: Vec<MarginPoint>,
+    kept: Vec<bool>,
+    pending: Vec<(usize, usize)>,
+}
+
+/// Writes the prepared outline to `out`: at least three points, or none when the outline has no area.
+pub(super) fn prepare(
+    (outline, curl): (&[Vec2], &[f32]),
+    size: f32,
+    detail: Detail,
+    scratch: &mut OutlineScratch,
+    out: &mut Vec<MarginPoint>,
+) {
+    out.clear();
+    space((outline, curl), 1.0 / size, &mut scratch.spaced);
+    let spaced = &mut scratch.spaced;
+    if spaced.len() < 3 {
+        return;
+    }
+    if simple_loop::signed_area(spaced.iter().map(|m| m.at)) < 0.0 {
+        spaced.reverse();
+    }
+    let base = best(spaced, |m| -m.at.length_squared());
+    spaced.rotate_left(base);
+    spaced.push(spaced[0]);
+    let tip = best(&spaced[1..spaced.len() - 1], |m| m.at.y) + 1;
+    scratch.kept.clear();
+    scratch.kept.resize(spaced.len(), false);
+    for span in [(0, tip), (tip, spaced.len() - 1)] {
+        simplify::mark(span, &mut scratch.kept, &mut scratch.pending, |a, b| {
+            distance_from_chord(spaced, a, b, detail.tolerance)
+        });
+    }
+    divide(spaced, &scratch.kept, detail.longest_edge, out);
+    if out.len() < 3 {
+        out.clear();
+    }
+}
+
+/// Copies the outline, leaving out points that nearly repeat the one before them.
+fn space((outline, curl): (&[Vec2], &[f32]), scale: f32, out: &mut Vec<MarginPoint>) {
+    out.clear();
+    let far = |a: Vec2, b: Vec2| a.distance_squared(b) > SHORTEST_EDGE * SHORTEST_EDGE;
+    for (i, point) in outline.iter().enumerate() {
+        let at = *point * scale;
+        if out.last().is_none_or(|last| far(last.at, at)) {
+            out.push(MarginPoint { at, curl: curl.get(i).copied().unwrap_or(0.0) });
+        }
+    }
+    while out.len() > 1 && !far(out[0].at, out[out.len() - 1].at) {
+        out.pop();
+    }
+}
+
+fn best(points: &[MarginPoint], merit: impl Fn(&MarginPoint) -> f32) -> usize {
+    let better = |best: (usize, f32), (i, m): (usize, &MarginPoint)| {
+        let merit = merit(m);
+        if merit > best.1 { (i, merit) } else { best }
+    };
+    points.iter().enumerate().fold((0, f32::NEG_INFINITY), better).0
+}
+
+/// Distance of a point from the segment `a`–`b` as a multiple of the tolerance; the curl counts too, because a
+/// straight margin may still be pressed unevenly.
+fn distance_from_chord(
+    points: &[MarginPoint],
+    a: usize,
+    b: usize,
+    tolerance: f32,
+) -> impl Fn(usize) -> f32 + use<'_> {
+    const CURL_TOLERANCE: f32 = 0.15;
+    let (from, to) = (points[a], points[b]);
+    let along = to.at - from.at;
+    let inverse = 1.0 / along.length_squared().max(f32::MIN_POSITIVE);
+    let per_tolerance = 1.0 / tolerance;
+    move |i| {
+        let share = ((points[i].at - from.at).dot(along) * inverse).clamp(0.0, 1.0);
+        let chord = from.lerp(&to, share);
+        let off = points[i].at.distance(chord.at) * per_tolerance;
+        off.max((points[i].curl - chord.curl).abs() * (1.0 / CURL_TOLERANCE))
+    }
+}
+
+/// Writes the kept points of the closed chain (first point repeated at the end), with long edges divided evenly.
+fn divide(chain: &[MarginPoint], kept: &[bool], longest_edge: f32, out: &mut Vec<MarginPoint>) {
+    let mut from = chain[0];
+    for (to, _) in chain.iter().zip(kept).skip(1).filter(|(_, kept)| **kept) {
+        let pieces = (from.at.distance(to.at) / longest_edge).ceil().clamp(1.0, 64.0) as u32;
+        out.extend((0..pieces).map(|k| from.lerp(to, k as f32 / pieces as f32)));
+        from = *to;
+    }
+}
+
+/// The largest part of the outline that does not cross itself.
+pub(super) fn untangled(outline: &[MarginPoint]) -> Vec<MarginPoint> {
+    let mut simple = simple_loop::make_simple(outline.to_vec(), |m| m.at, MarginPoint::lerp);
+    simple.dedup_by(|b, a| a.at.distance_squared(b.at) < SHORTEST_EDGE * SHORTEST_EDGE);
+    if simple_loop::signed_area(simple.iter().map(|m| m.at)) < 0.0 {
+        simple.reverse();
+    }
+    simple
+}
+
+/// The convex hull of the outline (Andrew's monotone chain), counter-clockwise.
+pub(super) fn convex_hull(outline: &[MarginPoint]) -> Vec<MarginPoint> {
+    let mut sorted = outline.to_vec();
+    sorted.sort_by(|a, b| a.at.x.total_cmp(&b.at.x).then(a.at.y.total_cmp(&b.at.y)));
+    let half = |points: &mut dyn Iterator<Item = &MarginPoint>| {
+        let mut chain: Vec<MarginPoint> = Vec::new();
+        for point in points {
+            while let [.., a, b] = chain[..] {
+                if (b.at - a.at).perp_dot(point.at - b.at) > 0.0 {
+                    break;
+                }
+                chain.pop();
+            }
+            chain.push(*point);
+        }
+        chain.pop();
+        chain
+    };
+    let mut hull = half(&mut sorted.iter());
+    hull.extend(half(&mut sorted.iter().rev()));
+    hull
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geom::polyline;
+
+    const FINE: Detail = Detail { tolerance: 0.001, longest_edge: 0.2 };
+
+    fn prepared(outline: &[Vec2], curl: &[f32], detail: Detail) -> Vec<MarginPoint> {
+        let mut out = Vec::new();
+        prepare((outline, curl), 1.0, detail, &mut OutlineScratch::default(), &mut out);
+        out
+    }
+
+    fn notched_petal() -> Vec<Vec2> {
+        let half = (0..60).map(|k| {
+            let s = k as f32 / 60.0;
+            Vec2::new(0.4 * (s * 3.0).sin(), s - 0.12 * (s - 0.8).max(0.0) * 5.0)
+        });
+        let right: Vec<Vec2> = half.collect();
+        right.iter().copied().chain(right.iter().rev().map(|p| Vec2::new(-p.x, p.y))).collect()
+    }
+
+    #[test]
+    fn the_drawn_outline_stays_within_a_fifth_of_a_percent() {
+        let drawn = notched_petal();
+        let prepared = prepared(&drawn, &[], FINE);
+        assert!(prepared.len() < drawn.len());
+        let mut closed: Vec<Vec2> = prepared.iter().map(|m| m.at).collect();
+        closed.push(closed[0]);
+        for p in drawn {
+            let (distance, _) = polyline::nearest(&closed, p).unwrap();
+            assert!(distance < 0.002, "{distance} at {p}");
+        }
+    }
+
+    #[test]
+    fn clockwise_outlines_turn_round_with_their_curl() {
+        let drawn = [Vec2::ZERO, Vec2::new(-0.5, 0.5), Vec2::Y, Vec2::new(0.5, 0.5)];
+        let out = prepared(&drawn, &[0.0, -1.0, 0.0, 1.0], Detail { longest_edge: 9.0, ..FINE });
+        assert_eq!(out.iter().map(|m| m.curl).collect::<Vec<_>>(), [0.0, 1.0, 0.0, -1.0]);
+        assert!(simple_loop::signed_area(out.iter().map(|m| m.at)) > 0.0);
+    }
+
+    #[test]
+    fn long_edges_are_divided_and_repeats_dropped() {
+        let drawn = [Vec2::ZERO, Vec2::new(1e-5, 0.0), Vec2::X, Vec2::ONE, Vec2::ONE, Vec2::Y];
+        let out = prepared(&drawn, &[], FINE);
+        assert_eq!(out.len(), 20);
+        assert!(out.windows(2).all(|w| w[0].at.distance(w[1].at) < 0.2001));
+    }
+
+    #[test]
+    fn a_hull_has_no_dents() {
+        let star: Vec<MarginPoint> = (0..20)
+            .map(|k| MarginPoint {
+                at: Vec2::from_angle(k as f32 * 0.314) * (1.0 + (k % 2) as f32),
+                curl: 0.0,
+            })
+            .collect();
+        assert_eq!(convex_hull(&star).len(), 10);
+    }
+}

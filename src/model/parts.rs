@@ -1,0 +1,186 @@
+//! Which parts a plant has: names, carriers, specimens and what each is made from, before any mesh exists.
+//!
+//! Branches come first, one part each and with the same index; then organs in their order, a flower's filaments
+//! gathered where the first of them stands. Names are unique: `branch_3`, `leaf_12`, `petal_0_4` (flower, then number
+//! within the flower), `stamens_0`, `anthers_0`.
+//!
+//! A specimen is one plant of the drawing: a trunk with all it carries, a flower without a stem, a lone organ.
+
+use super::PartKind;
+use super::filaments::Piece;
+use crate::plant::{Organ, OrganKind, Plant, Shape};
+use glam::Vec3;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+/// What a part's mesh is made from.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Source {
+    /// The branch of this index.
+    Branch(usize),
+    /// The blade, dome or lathed body of the organ of this index.
+    Organ(usize),
+    /// Pieces of the filaments of these indices.
+    Filaments(Vec<(usize, Piece)>),
+}
+
+/// A part without its mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Plan {
+    pub(super) name: String,
+    pub(super) kind: PartKind,
+    pub(super) parent: Option<usize>,
+    pub(super) specimen: usize,
+    pub(super) pivot: Vec3,
+    pub(super) material: usize,
+    pub(super) source: Source,
+}
+
+/// Key of a part that gathers filaments: flower or, without one, organ; kind; material.
+type Gathering = (Option<usize>, Option<usize>, OrganKind, usize);
+
+/// Plans all parts of a plant, carriers first.
+pub(super) fn plan(plant: &Plant) -> Vec<Plan> {
+    let specimens = Specimens::new(plant);
+    let mut plans: Vec<Plan> = Vec::with_capacity(plant.branches.len() + plant.organs.len());
+    plans.extend(plant.branches.iter().enumerate().map(|(i, branch)| Plan {
+        name: format!("branch_{i}"),
+        kind: PartKind::Wood,
+        parent: branch.parent,
+        specimen: specimens.of_branch[i],
+        pivot: branch.points.first().copied().unwrap_or(Vec3::ZERO),
+        material: branch.material,
+        source: Source::Branch(i),
+    }));
+    let mut names = Names::default();
+    let mut gathered: BTreeMap<Gathering, usize> = BTreeMap::new();
+    let mut lone = specimens.first_lone;
+    for (i, organ) in plant.organs.iter().enumerate() {
+        let carrier = carrier(plant, organ);
+        let specimen = match (carrier, organ.flower) {
+            (Some(branch), _) => specimens.of_branch[branch],
+            (None, Some(flower)) => specimens.of_flower[flower],
+            (None, None) => {
+                lone += 1;
+                lone - 1
+            }
+        };
+        let template = |name, material, source| Plan {
+            name,
+            kind: PartKind::Organ(organ.kind),
+            parent: carrier,
+            specimen,
+            pivot: organ.base(),
+            material,
+            source,
+        };
+        let Shape::Filament { head, head_material, .. } = &organ.shape else {
+            plans.push(template(names.single(organ), organ.material, Source::Organ(i)));
+            continue;
+        };
+        let has_head = head.min_element() > 0.0;
+        for (piece, material) in [(Piece::Thread, organ.material), (Piece::Head, *head_material)] {
+            if piece == Piece::Head && !has_head {
+                continue;
+            }
+            let lone_organ = organ.flower.is_none().then_some(i);
+            let part =
+                *gathered.entry((organ.flower, lone_organ, organ.kind, material)).or_insert_with(|| {
+                    plans.push(template(
+                        names.gathered(organ, piece),
+                        material,
+                        Source::Filaments(Vec::new()),
+                    ));
+                    plans.len() - 1
+                });
+            if let Source::Filaments(pieces) = &mut plans[part].source {
+                pieces.push((i, piece));
+            }
+        }
+    }
+    plans
+}
+
+/// The branch that carries an organ, its own or its flower's.
+fn carrier(plant: &Plant, organ: &Organ) -> Option<usize> {
+    organ.branch.or_else(|| organ.flower.and_then(|f| plant.flowers[f].branch))
+}
+
+/// Numbers of the plants in a drawing: trunks first, then flowers without a stem, then lone organs.
+struct Specimens {
+    of_branch: Vec<usize>,
+    of_flower: Vec<usize>,
+    first_lone: usize,
+}
+
+impl Specimens {
+    fn new(plant: &Plant) -> Self {
+        let mut count = 0;
+        let mut next = || {
+            count += 1;
+            count - 1
+        };
+        let mut of_branch: Vec<usize> = Vec::with_capacity(plant.branches.len());
+        for branch in &plant.branches {
+            let specimen = branch.parent.map_or_else(&mut next, |p| of_branch[p]);
+            of_branch.push(specimen);
+        }
+        let of_flower =
+            plant.flowers.iter().map(|f| f.branch.map_or_else(&mut next, |b| of_branch[b])).collect();
+        Self { of_branch, of_flower, first_lone: count }
+    }
+}
+
+/// Counts what has been named so far.
+#[derive(Default)]
+struct Names {
+    singles: BTreeMap<(Option<usize>, OrganKind), usize>,
+    gathered: BTreeMap<String, usize>,
+    lone_filaments: BTreeMap<OrganKind, usize>,
+}
+
+impl Names {
+    fn single(&mut self, organ: &Organ) -> String {
+        let number = next(self.singles.entry((organ.flower, organ.kind)).or_default());
+        let kind = kind_name(organ.kind);
+        organ.flower.map_or_else(|| format!("{kind}_{number}"), |flower| format!("{kind}_{flower}_{number}"))
+    }
+
+    fn gathered(&mut self, organ: &Organ, piece: Piece) -> String {
+        let what = match (organ.kind, piece) {
+            (OrganKind::Stamen, Piece::Head) => "anthers".to_owned(),
+            (OrganKind::Pistil, Piece::Head) => "stigmas".to_owned(),
+            (kind, Piece::Thread) => format!("{}s", kind_name(kind)),
+            (kind, Piece::Head) => format!("{}_heads", kind_name(kind)),
+        };
+        let mut name = match organ.flower {
+            Some(flower) => format!("{what}_{flower}"),
+            None => format!("{what}_lone_{}", next(self.lone_filaments.entry(organ.kind).or_default())),
+        };
+        let twin = next(self.gathered.entry(name.clone()).or_default());
+        if twin > 0 {
+            // Writing to a string cannot fail.
+            let _ = write!(name, "_{twin}");
+        }
+        name
+    }
+}
+
+fn next(counter: &mut usize) -> usize {
+    *counter += 1;
+    *counter - 1
+}
+
+fn kind_name(kind: OrganKind) -> &'static str {
+    match kind {
+        OrganKind::Leaf => "leaf",
+        OrganKind::Petal => "petal",
+        OrganKind::Sepal => "sepal",
+        OrganKind::Receptacle => "receptacle",
+        OrganKind::Stamen => "stamen",
+        OrganKind::Pistil => "pistil",
+        OrganKind::Fruit => "fruit",
+        OrganKind::Thorn => "thorn",
+        OrganKind::Pot => "pot",
+    }
+}

@@ -1,0 +1,225 @@
+//! Prepares a skeleton for its rings: few points, no kink sharper than a ring can follow.
+//!
+//! Points that neither the skeleton's course nor its radius needs are dropped (Douglas–Peucker in space and radius),
+//! sharp turns are cut to two blunter ones, and rings that would run into each other inside a bend are left out.
+//! The first and the last point always stay.
+
+use crate::geom::simplify;
+use glam::Vec3;
+
+/// One ring of a tube.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Ring {
+    /// Centre in metres.
+    pub(super) at: Vec3,
+    /// Radius in metres, positive.
+    pub(super) radius: f32,
+    /// Unit direction of the skeleton.
+    pub(super) tangent: Vec3,
+}
+
+/// Memory that is used again for every tube.
+#[derive(Default)]
+pub(super) struct SpineScratch {
+    spaced: Vec<Ring>,
+    kept: Vec<bool>,
+    pending: Vec<(usize, usize)>,
+    blunt: Vec<Ring>,
+}
+
+/// How closely a skeleton is followed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Detail {
+    /// Largest distance from the skeleton as a share of the radius there.
+    pub(super) of_radius: f32,
+    /// Largest distance from the skeleton in metres.
+    pub(super) metres: f32,
+}
+
+/// Neighbouring rings stand at least this share of their radius apart.
+const CLOSEST: f32 = 0.1;
+/// Turns with a smaller cosine than this are cut.
+const SHARP: f32 = 0.5;
+
+/// Writes the rings of a skeleton of at least two points to `out`: at least two, never at the same place.
+pub(super) fn rings(
+    skeleton: impl Iterator<Item = (Vec3, f32)>,
+    detail: Detail,
+    scratch: &mut SpineScratch,
+    out: &mut Vec<Ring>,
+) {
+    space(skeleton, &mut scratch.spaced);
+    let spaced = &scratch.spaced;
+    scratch.kept.clear();
+    scratch.kept.resize(spaced.len(), false);
+    simplify::mark((0, spaced.len() - 1), &mut scratch.kept, &mut scratch.pending, |a, b| {
+        distance_from_chord(spaced, a, b, detail)
+    });
+    out.clear();
+    out.extend(spaced.iter().zip(&scratch.kept).filter(|(_, kept)| **kept).map(|(ring, _)| *ring));
+    blunt_turns(out, &mut scratch.blunt);
+    set_tangents(out);
+    drop_overlapping(out);
+    set_tangents(out);
+}
+
+/// Copies the skeleton, leaving out points that nearly repeat the one before them.
+fn space(skeleton: impl Iterator<Item = (Vec3, f32)>, out: &mut Vec<Ring>) {
+    out.clear();
+    let mut last = None;
+    for (at, radius) in skeleton {
+        // Thinner than this drowns in the rounding of the coordinates.
+        let radius = radius.max(at.abs().max_element() * 1e-5).max(f32::MIN_POSITIVE * 1e20);
+        let ring = Ring { at, radius, tangent: Vec3::Y };
+        if out.last().is_none_or(|before: &Ring| before.at.distance(at) >= CLOSEST * radius) {
+            out.push(ring);
+        }
+        last = Some(ring);
+    }
+    let Some(last) = last else { return };
+    while out.len() > 1 && out[out.len() - 1].at.distance(last.at) < CLOSEST * last.radius {
+        out.pop();
+    }
+    let from = out[0];
+    if from.at.distance(last.at) >= CLOSEST * last.radius {
+        out.push(last);
+    } else if out.len() == 1 {
+        let along = (last.at - from.at).try_normalize().unwrap_or(Vec3::Y);
+        out.push(Ring { at: from.at + along * (CLOSEST * last.radius.max(from.radius)), ..last });
+    }
+}
+
+/// Distance of a skeleton point from the chord's tube as a multiple of the tolerance.
+fn distance_from_chord(
+    rings: &[Ring],
+    a: usize,
+    b: usize,
+    detail: Detail,
+) -> impl Fn(usize) -> f32 + use<'_> {
+    let (from, to) = (rings[a], rings[b]);
+    let along = to.at - from.at;
+    let inverse = 1.0 / along.length_squared().max(f32::MIN_POSITIVE);
+    move |i| {
+        let ring = rings[i];
+        let share = ((ring.at - from.at).dot(along) * inverse).clamp(0.0, 1.0);
+        let off = ring.at.distance(from.at + along * share);
+        let thicker = (ring.radius - from.radius - (to.radius - from.radius) * share).abs();
+        off.max(thicker) / (detail.of_radius * ring.radius).min(detail.metres)
+    }
+}
+
+/// Cuts corners sharper than 60 degrees, twice, so that even a hairpin turns in four steps.
+fn blunt_turns(rings: &mut Vec<Ring>, blunt: &mut Vec<Ring>) {
+    for share in [0.45, 0.3] {
+        let sharp = |w: &[Ring]| {
+            let (before, after) = (w[1].at - w[0].at, w[2].at - w[1].at);
+            before.dot(after) < SHARP * before.length() * after.length()
+        };
+        if !rings.windows(3).any(sharp) {
+            return;
+        }
+        blunt.clear();
+        blunt.push(rings[0]);
+        for w in rings.windows(3) {
+            if !sharp(w) {
+                blunt.push(w[1]);
+                continue;
+            }
+            for other in [w[0], w[2]] {
+                let leg = other.at - w[1].at;
+                let cut = (w[1].radius / leg.length().max(f32::MIN_POSITIVE)).min(share);
+                let radius = w[1].radius + (other.radius - w[1].radius) * cut;
+                blunt.push(Ring { at: w[1].at + leg * cut, radius, ..w[1] });
+            }
+        }
+        blunt.push(rings[rings.len() - 1]);
+        std::mem::swap(rings, blunt);
+    }
+}
+
+/// Tangents half way between the directions of the segments on both sides.
+fn set_tangents(rings: &mut [Ring]) {
+    let last = rings.len() - 1;
+    let mut before = None;
+    for i in 0..=last {
+        let after = (i < last).then(|| (rings[i + 1].at - rings[i].at).try_normalize()).flatten().or(before);
+        let (b, a) = (before.or(after).unwrap_or(Vec3::Y), after.unwrap_or(Vec3::Y));
+        rings[i].tangent = (a + b).try_normalize().unwrap_or(b);
+        before = after;
+    }
+}
+
+/// Leaves out rings that would cut through the ring before them: inside a bend, a ring comes nearer by the radius
+/// times the turn.
+fn drop_overlapping(rings: &mut Vec<Ring>) {
+    let clear = |a: &Ring, b: &Ring| {
+        let radius = a.radius.max(b.radius);
+        a.at.distance(b.at) > radius * (a.tangent.distance(b.tangent) * 0.9).max(CLOSEST * 0.5)
+    };
+    let Some(end) = rings.pop() else { return };
+    let mut kept = 1;
+    for i in 1..rings.len() {
+        if clear(&rings[kept - 1], &rings[i]) {
+            rings[kept] = rings[i];
+            kept += 1;
+        }
+    }
+    rings.truncate(kept);
+    while rings.len() > 1 && !clear(&rings[rings.len() - 1], &end) {
+        rings.pop();
+    }
+    rings.push(end);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const DETAIL: Detail = Detail { of_radius: 0.1, metres: 1.0 };
+
+    fn prepared(points: &[Vec3], radius: f32) -> Vec<Ring> {
+        let mut out = Vec::new();
+        rings(points.iter().map(|p| (*p, radius)), DETAIL, &mut SpineScratch::default(), &mut out);
+        out
+    }
+
+    #[test]
+    fn straight_branches_need_two_rings() {
+        let points: Vec<Vec3> = (0..50).map(|k| Vec3::Z * k as f32).collect();
+        let out = prepared(&points, 0.5);
+        assert_eq!(out.len(), 2);
+        assert!(out.iter().all(|r| r.tangent == Vec3::Z));
+    }
+
+    #[test]
+    fn a_bend_keeps_its_course_within_a_tenth_of_the_radius() {
+        let points: Vec<Vec3> =
+            (0..=60).map(|k| Vec3::new((k as f32 * 0.05).sin(), k as f32 * 0.05, 0.0)).collect();
+        let out = prepared(&points, 0.1);
+        assert!(out.len() < 40);
+        for p in points {
+            let off = out.windows(2).map(|w| {
+                let along = w[1].at - w[0].at;
+                let share = ((p - w[0].at).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+                p.distance(w[0].at + along * share)
+            });
+            assert!(off.fold(f32::INFINITY, f32::min) <= 0.0101);
+        }
+    }
+
+    #[test]
+    fn a_hairpin_turns_in_steps() {
+        let out = prepared(&[Vec3::ZERO, Vec3::Y * 3.0, Vec3::new(0.3, 0.0, 0.0)], 0.05);
+        assert!(out.len() >= 5);
+        assert!(out.windows(2).all(|w| w[0].tangent.dot(w[1].tangent) > -0.2), "{out:?}");
+    }
+
+    #[test]
+    fn knots_thinner_than_their_radius_shrink_to_a_stub() {
+        let points: Vec<Vec3> =
+            (0..40).map(|k| Vec3::new((k as f32).sin(), (k as f32).cos(), 0.0) * 0.01).collect();
+        let out = prepared(&points, 1.0);
+        assert_eq!(out.len(), 2);
+        assert!(out[0].at != out[1].at);
+    }
+}

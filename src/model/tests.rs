@@ -1,0 +1,250 @@
+//! Property tests of the whole stage over random plants: outlines of every kind, skeletons that loop and fold back.
+
+use super::*;
+use crate::plant::{
+    Blade, BladeForm, Branch, Cone, Flower, Organ, Plant, RestSurface, Shape, WorldFromCanvas,
+};
+use glam::{Quat, Vec2};
+use proptest::prelude::*;
+use std::f32::consts::TAU;
+
+/// A blade's outline in blade lengths, base near the origin.
+fn outline() -> impl Strategy<Value = Vec<Vec2>> {
+    let smooth = |n: usize, radius: fn(f32, f32, f32) -> f32| {
+        (0.004f32..1.2, 0.0f32..1.0, 2.0f32..17.0).prop_map(move |(width, depth, teeth)| {
+            let at = |k: usize| {
+                let a = TAU * k as f32 / n as f32 - 1.57;
+                Vec2::from_angle(a) * Vec2::new(width, 0.5) * radius(a, depth, teeth.round()) + Vec2::Y * 0.5
+            };
+            (0..n).map(at).collect::<Vec<_>>()
+        })
+    };
+    let notched = (0.05f32..0.6, 0.05f32..0.6, 0.0f32..0.1).prop_map(|(width, notch, slit)| {
+        let corner = |x: f32, y| Vec2::new(x * width, y);
+        vec![
+            corner(0.0, 0.0),
+            corner(1.0, 0.5),
+            corner(0.8, 1.0),
+            corner(slit, 1.0),
+            corner(0.0, 1.0 - notch),
+        ]
+        .into_iter()
+        .chain([corner(-slit, 1.0), corner(-0.8, 1.0), corner(-1.0, 0.5)])
+        .collect()
+    });
+    let scribble = prop::collection::vec((-1.0f32..1.0, -0.2f32..1.2), 3..40)
+        .prop_map(|points| points.into_iter().map(Vec2::from).collect());
+    prop_oneof![
+        3 => smooth(90, |_, _, _| 1.0),
+        2 => smooth(160, |a, depth, teeth| 1.0 - 0.9 * depth * (a * teeth).cos().abs()),
+        2 => smooth(64, |a, depth, _| 1.0 - 0.7 * depth * if ((a * 10.2) as i32) % 2 == 0 { 0.0 } else { 1.0 }),
+        2 => notched,
+        1 => scribble,
+    ]
+}
+
+fn form() -> impl Strategy<Value = BladeForm> {
+    let bends = (-1.0f32..1.0, -1.0f32..1.0, -2.0f32..2.0, -1.0f32..1.0);
+    (bends, 0.0f32..0.3, 0.0f32..40.0, 0.001f32..0.1).prop_map(|(b, ruffle, ruffle_waves, thickness)| {
+        BladeForm {
+            bend_quartic: b.0,
+            bend_quadratic: b.1,
+            cup: b.2,
+            fold: b.3,
+            ruffle,
+            ruffle_waves,
+            thickness,
+        }
+    })
+}
+
+fn vector() -> impl Strategy<Value = Vec3> {
+    (-1.0f32..1.0, -1.0f32..1.0, -1.0f32..1.0).prop_map(Vec3::from)
+}
+
+fn direction() -> impl Strategy<Value = Vec3> {
+    vector().prop_map(|v| v.try_normalize().unwrap_or(Vec3::Y))
+}
+
+fn blade() -> impl Strategy<Value = Blade> {
+    let rest = prop_oneof![
+        Just(None),
+        (direction(), 0.2f32..1.4).prop_map(|(axis, opening_rad)| Some((axis, opening_rad)))
+    ];
+    let pose = (vector(), direction(), 0.0f32..TAU, -2.5f32..0.5);
+    (outline(), form(), pose, rest, prop::option::of(0u32..3), -1.0f32..1.0, 0.5f32..2.0).prop_map(
+        |(outline, form, (base, turn, angle, scale), rest, template, curl, stretch)| {
+            let length = 10f32.powf(scale);
+            let turn = if rest.is_some() {
+                Quat::from_rotation_z(angle)
+            } else {
+                Quat::from_axis_angle(turn, angle)
+            };
+            let rest = rest.map_or(RestSurface::Plane, |(axis, opening_rad)| {
+                let cone = Cone { apex: base, axis, opening_rad, height: length * opening_rad.cos() };
+                RestSurface::Cone { cone, hint: base.z + 0.3 * length }
+            });
+            let curl = (0..outline.len()).map(|k| curl * (k as f32 * 0.1).sin()).collect();
+            let outline = outline.into_iter().map(|p| p * length).collect();
+            let (u, v) = (turn * Vec3::X * stretch, turn * Vec3::Y);
+            Blade { outline, curl, base, u, v, length, rest, form, template }
+        },
+    )
+}
+
+fn skeleton() -> impl Strategy<Value = Vec<Vec3>> {
+    let walk = prop::collection::vec(vector(), 2..40).prop_map(|steps| {
+        let walk = steps.iter().scan(Vec3::ZERO, |at, step| {
+            *at += *step * 0.1;
+            Some(*at)
+        });
+        walk.collect()
+    });
+    let straight = (direction(), 2usize..30).prop_map(|(d, n)| (0..n).map(|k| d * k as f32 * 0.05).collect());
+    let upright = (2usize..9).prop_map(|n| (0..n).map(|k| Vec3::Z * k as f32 * 0.1).collect());
+    let hairpin =
+        (direction(), vector()).prop_map(|(d, off)| vec![Vec3::ZERO, d, d * 0.1 + off * 1e-3, d * 2.0]);
+    let spiral = (0.005f32..0.5, 0.0f32..0.2, 4usize..80).prop_map(|(radius, rise, n)| {
+        let at =
+            |k: usize| (Vec2::from_angle(k as f32 * 0.4) * radius).extend(rise * k as f32 + k as f32 * 1e-4);
+        (0..n).map(at).collect()
+    });
+    prop_oneof![walk, straight, upright, hairpin, spiral]
+}
+
+fn branch() -> impl Strategy<Value = Branch> {
+    (skeleton(), vector(), -4.0f32..0.0, 0.01f32..1.2).prop_map(|(points, base, thick, taper)| {
+        let points: Vec<Vec3> = points.into_iter().map(|p| p + base).collect();
+        let mut points = points;
+        points.dedup();
+        let share = |k: usize| k as f32 / points.len() as f32;
+        let radii = (0..points.len()).map(|k| 10f32.powf(thick) * (1.0 + (taper - 1.0) * share(k))).collect();
+        Branch { stroke: None, parent: None, level: 0, points, radii, material: 0 }
+    })
+}
+
+fn solid() -> impl Strategy<Value = (OrganKind, Shape)> {
+    let size = (0.01f32..0.5, 0.01f32..0.5);
+    let dome = (vector(), direction(), size.clone()).prop_map(|(base, axis, (radius, height))| {
+        (OrganKind::Receptacle, Shape::Dome { base, axis, radius, height })
+    });
+    let thread =
+        (skeleton(), 0.001f32..0.02, size, 0usize..2).prop_map(|(mut points, radius, head, material)| {
+            points.dedup();
+            let head = Vec2::from(head) * 0.1;
+            (OrganKind::Stamen, Shape::Filament { points, radius, head, head_material: material })
+        });
+    let profile = prop::collection::vec((0.0f32..1.0, 0.0f32..1.0), 3..9);
+    let pot = (vector(), direction(), profile).prop_map(|(base, axis, profile)| {
+        (OrganKind::Pot, Shape::Lathe { base, axis, profile: profile.into_iter().map(Vec2::from).collect() })
+    });
+    prop_oneof![dome, thread, pot]
+}
+
+fn plant() -> impl Strategy<Value = Plant> {
+    let branches = prop::collection::vec(branch(), 1..6);
+    let blades = prop::collection::vec(blade(), 0..10);
+    (branches, blades, prop::collection::vec(solid(), 0..5)).prop_map(|(mut branches, blades, solids)| {
+        for (i, branch) in branches.iter_mut().enumerate() {
+            branch.parent = i.checked_sub(2);
+        }
+        let blades = blades.into_iter().map(|b| (OrganKind::Petal, Shape::Blade(b)));
+        let organs = blades.chain(solids).enumerate().map(|(i, (kind, shape))| Organ {
+            kind,
+            stroke: None,
+            branch: (i % 3 == 0).then_some(0),
+            flower: (i % 3 == 1).then_some(i % 2),
+            material: 0,
+            shape,
+        });
+        let cone = Cone { apex: Vec3::ZERO, axis: Vec3::Y, opening_rad: 0.7, height: 0.1 };
+        let flower = |branch| Flower { branch, cone, heart_radius: 0.01, reach: 0.1, look: 0 };
+        Plant {
+            world_from_canvas: WorldFromCanvas { scale: 0.001, origin: Vec2::ZERO },
+            organs: organs.collect(),
+            branches,
+            flowers: vec![flower(Some(0)), flower(None)],
+            materials: vec![Material::plain("a", [0.5; 3]), Material::plain("b", [0.5; 3])],
+        }
+    })
+}
+
+fn check(model: &Model) -> Result<(), String> {
+    let mut names = std::collections::BTreeSet::new();
+    for (i, part) in model.parts.iter().enumerate() {
+        let here = |what: String| format!("{}: {what}", part.name);
+        part.mesh.check_invariants().map_err(here)?;
+        let in_picture = |uv: Vec2| uv.cmpge(Vec2::ZERO).all() && uv.cmple(Vec2::ONE).all();
+        if part.kind != PartKind::Wood && !part.mesh.vertices.iter().all(|v| in_picture(v.uv)) {
+            return Err(here("uv outside the picture".into()));
+        }
+        if !names.insert(&part.name) {
+            return Err(here("name is not unique".into()));
+        }
+        if part.parent.is_some_and(|p| p >= i || model.parts[p].specimen != part.specimen) {
+            return Err(here("carrier".into()));
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(96))]
+
+    #[test]
+    fn any_plant_becomes_sound_meshes(plant in plant()) {
+        prop_assert_eq!(plant.check_invariants(), Ok(()));
+        let model = build(&plant, &ModelParams::default());
+        prop_assert_eq!(check(&model), Ok(()));
+        for i in 0..plant.branches.len() {
+            prop_assert_eq!(&model.parts[i].name, &format!("branch_{i}"));
+        }
+    }
+
+    #[test]
+    fn threads_change_nothing(plant in plant()) {
+        let with = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| format!("{:?}", build(&plant, &ModelParams::default())))
+        };
+        prop_assert_eq!(with(1), with(8));
+    }
+
+    #[test]
+    fn ordinary_outlines_always_become_blades(blade in blade()) {
+        let area = crate::geom::simple_loop::signed_area(blade.outline.iter().copied()).abs();
+        prop_assume!(area > 1e-3 * blade.length * blade.length);
+        let graph = triangulation_input(&blade, &BladeMeshParams::default());
+        prop_assert!(graph.is_some());
+    }
+}
+
+#[test]
+fn filaments_of_a_flower_are_gathered_by_material() {
+    let stamen = |x: f32, head_material| Organ {
+        kind: OrganKind::Stamen,
+        stroke: None,
+        branch: None,
+        flower: Some(0),
+        material: 0,
+        shape: Shape::Filament {
+            points: vec![Vec3::X * x, Vec3::X * x + Vec3::Y],
+            radius: 0.02,
+            head: Vec2::new(0.05, 0.1),
+            head_material,
+        },
+    };
+    let cone = Cone { apex: Vec3::ZERO, axis: Vec3::Y, opening_rad: 0.7, height: 0.1 };
+    let plant = Plant {
+        world_from_canvas: WorldFromCanvas { scale: 1.0, origin: Vec2::ZERO },
+        branches: Vec::new(),
+        flowers: vec![Flower { branch: None, cone, heart_radius: 0.1, reach: 1.0, look: 0 }],
+        organs: vec![stamen(0.0, 1), stamen(1.0, 1), stamen(2.0, 0)],
+        materials: vec![Material::plain("thread", [0.9; 3]), Material::plain("pollen", [0.9, 0.7, 0.1])],
+    };
+    let model = build(&plant, &ModelParams::default());
+    let names: Vec<&str> = model.parts.iter().map(|p| p.name.as_str()).collect();
+    assert_eq!(names, ["stamens_0", "anthers_0"]);
+    assert!(model.parts.iter().all(|p| p.specimen == 0));
+    assert_eq!(check(&model), Ok(()));
+}
