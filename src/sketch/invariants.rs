@@ -10,8 +10,8 @@ impl Sketch {
     /// # Errors
     /// The first violation, in words.
     pub fn check_invariants(&self) -> Result<(), String> {
-        let positive = |side: f32| side > 0.0 && side.is_finite();
-        if !positive(self.canvas.width) || !positive(self.canvas.height) {
+        let fits = |side: f32| side > 0.0 && side <= limits::MAX_CANVAS_SIDE;
+        if !fits(self.canvas.width) || !fits(self.canvas.height) {
             return Err(format!("canvas {:?}", self.canvas));
         }
         let mut ids = HashSet::new();

@@ -16,7 +16,7 @@
 //!
 //! A point is `[x, y]`, `[x, y, pressure]`, `[x, y, pressure, tilt_x, tilt_y]` or all these and the time. Only `format`,
 //! `version`, `strokes` and each stroke's `points` are required. Unknown fields are errors, so that a typing mistake does
-//! not pass unseen. [`write()`] and [`parse`] are inverse to each other, bit by bit.
+//! not pass unseen. Reading what [`write()`] wrote gives the same sketch, bit by bit.
 
 mod fault;
 mod params;

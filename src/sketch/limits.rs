@@ -15,6 +15,9 @@ pub const MAX_STROKES: usize = 1_000_000;
 /// Largest distance from the origin along x or y, in canvas pixels; beyond it `f32` no longer resolves a pixel.
 pub const MAX_COORDINATE: f32 = 1e7;
 
+/// Longest side of the canvas in pixels: the widest that a drawing within [`MAX_COORDINATE`] can be.
+pub const MAX_CANVAS_SIDE: f32 = 2.0 * MAX_COORDINATE;
+
 /// Largest tilt of the pen from upright, in degrees, either way.
 pub const MAX_TILT_DEG: f32 = 90.0;
 
@@ -36,11 +39,9 @@ pub const MAX_SVG_NODES: usize = 2_000_000;
 /// Most attributes in an SVG.
 pub const MAX_SVG_ATTRIBUTES: usize = 8_000_000;
 
-/// Most steps that the XML reader may spend comparing attribute names; it compares every two in an element.
-pub const MAX_SVG_COMPARISONS: u64 = 2_000_000_000;
-
-/// Most namespace entries that the XML reader may copy; it copies all in scope for every element that adds one.
-pub const MAX_SVG_NAMESPACE_COPIES: u64 = 50_000_000;
+/// Most steps that the XML reader may spend on comparing names: it compares every two attributes of an element, and every
+/// name with all namespaces in scope.
+pub const MAX_SVG_COMPARISONS: u64 = 500_000_000;
 
 /// Deepest chain of `<use>` elements that refer to each other.
 pub const MAX_SVG_USE_DEPTH: usize = 16;

@@ -1,7 +1,7 @@
 //! The document: what the artist drew, before anybody understands it.
 //!
 //! A [`Sketch`] is plain data: strokes of raw pen samples in canvas pixels (x right, y down), the tool each was drawn
-//! with, and the choices that belong to the drawing (species, seed, parameters). [`read`] opens `.penstemon` JSON and
+//! with, and the choices that belong to the drawing (species, seed, parameters). [`read()`] opens `.penstemon` JSON and
 //! SVG; [`json`] also writes. Reading is total: any bytes end in a sketch or in a [`SketchError`] that says what is
 //! wrong and where. Limits are constants in [`limits`].
 

@@ -65,6 +65,13 @@ fn a_straight_stroke_still_has_a_canvas_with_an_area() {
     assert_eq!(sketch.canvas, Canvas { width: 80.0, height: 80.0 });
 }
 
+/// Found by fuzzing: the canvas was held to the limit of coordinates, which lie on both sides of zero.
+#[test]
+fn the_widest_drawing_has_a_canvas_that_can_be_read_again() {
+    let (sketch, _) = read(&with_points("[[-1e7, 1e7], [1e7, -1e7]]")).unwrap();
+    assert_eq!(read(&json::write(&sketch)).unwrap().0, sketch);
+}
+
 #[test]
 fn params_keep_numbers_switches_names_and_groups() {
     let text = r#"{"format": "penstemon-sketch", "version": 1, "seed": 18446744073709551615,

@@ -100,10 +100,10 @@ impl<'de> Visitor<'de> for SketchSeed<'_> {
 }
 
 fn check_canvas(canvas: Option<Canvas>) -> Result<(), String> {
-    let fits = |side: f32| side > 0.0 && side <= limits::MAX_COORDINATE;
+    let fits = |side: f32| side > 0.0 && side <= limits::MAX_CANVAS_SIDE;
     match canvas {
         Some(Canvas { width, height }) if !fits(width) || !fits(height) => {
-            let limit = limits::MAX_COORDINATE;
+            let limit = limits::MAX_CANVAS_SIDE;
             Err(format!(
                 "the canvas is {width} by {height}; its sides must lie between 0 and {limit:e}, or leave it out"
             ))

@@ -27,7 +27,7 @@ impl Viewport {
             }
         }
         let size = size_of(root, root);
-        let fits = |side: f64| side > 0.0 && side <= f64::from(limits::MAX_COORDINATE);
+        let fits = |side: f64| side > 0.0 && side <= f64::from(limits::MAX_CANVAS_SIDE);
         let size = size.filter(|size| fits(size.width) && fits(size.height));
         let canvas = size.map(|size| Canvas { width: size.width as f32, height: size.height as f32 });
         let user_to_canvas = size.map_or(Affine::IDENTITY, |size| user_to_viewport(root, size));
