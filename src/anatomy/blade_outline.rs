@@ -1,12 +1,16 @@
 //! Landmarks of a blade: clean outline, root, tip (000 §3.2).
 //!
-//! The root is the middle between the stroke's ends; where the hand overshot and the ends cross, the tails are cut off
-//! first, and the crossing is the root. The tip is the farthest and sharpest place. 000 eq. 3.2 compares slopes (and is
-//! misprinted); slopes have no meaning on vertical tangents, so sharpness is the turning angle over a short stretch of
-//! outline, and distance is measured against the farthest sample: both are free of scale and direction.
+//! The root is the middle between the stroke's ends. Where the hand overshot and the ends cross and spread, the tails
+//! are cut off first, and the crossing is the root; ends that lie close together stay the root even if a narrow base
+//! is tangled. A blade seen edge-on is drawn out and back along nearly one line, and its two sides cross many times: its
+//! outline is then the hull of the stroke.
+//!
+//! The tip is the farthest and sharpest place. 000 eq. 3.2 compares slopes (and is misprinted); slopes have no meaning
+//! on vertical tangents, so sharpness is the turning angle over a short stretch of outline, and distance is measured
+//! against the farthest sample: both are free of scale and direction.
 
 use super::{FlatBlade, Sample, preprocess::turning};
-use crate::geom::simple_loop;
+use crate::geom::{convex_hull::convex_hull, simple_loop};
 use crate::sketch::StrokeId;
 use glam::Vec2;
 
@@ -23,21 +27,39 @@ crate::parameters! {
 /// Stretch of outline on each side of a place over which its turn is measured, as a share of the samples.
 const TURN_SHARE: f32 = 0.05;
 
+/// Share of a stroke's reach that its outline must keep for the rest to be tails.
+const KEPT_REACH: f32 = 0.75;
+
 /// A blade from the samples of its stroke; `None` when nothing is enclosed.
 pub fn blade(stroke: StrokeId, samples: &[Sample], params: &TipParams) -> Option<FlatBlade> {
-    let (first, last) = (samples.first()?, samples.last()?);
-    let mut outline = simple_loop::make_simple(without_repeated_end(samples), |s| s.position, Sample::lerp);
+    let ends = (samples.first()?.position, samples.last()?.position);
+    let open = without_repeated_end(samples);
+    let mut outline = simple_loop::make_simple(open.clone(), |s| s.position, Sample::lerp);
+    let mut root = ends.0.midpoint(ends.1);
+    if outline.first() != samples.first() {
+        if reach(&outline, root) < KEPT_REACH * reach(&open, root) {
+            outline = convex_hull(&open, |s| s.position);
+            begin_between(&mut outline, ends);
+        } else {
+            begin_between(&mut outline, ends);
+            let cut = outline.first()?.position;
+            if ends.0.distance(ends.1) < root.distance(cut) {
+                outline.insert(0, Sample { position: root, ..samples[0] });
+            } else {
+                root = cut;
+            }
+        }
+    }
     if outline.len() < 3 || simple_loop::signed_area(outline.iter().map(|s| s.position)) == 0.0 {
         return None;
     }
-    let root = if outline[0] == *first {
-        first.position.midpoint(last.position)
-    } else {
-        begin_between(&mut outline, first.position, last.position);
-        outline[0].position
-    };
     let tip = outline[tip_index(&outline, root, params)].position;
-    Some(FlatBlade { stroke: Some(stroke), outline, root, tip, template: None })
+    Some(FlatBlade { stroke: Some(stroke), outline, root, tip, copy_of: None, attachment: None })
+}
+
+/// Distance of the farthest sample from a place.
+fn reach(samples: &[Sample], from: Vec2) -> f32 {
+    samples.iter().map(|s| s.position.distance(from)).fold(0.0, f32::max)
 }
 
 /// The samples of a loop: where the hand returned to its first sample, that one is not repeated.
@@ -48,11 +70,11 @@ fn without_repeated_end(samples: &[Sample]) -> Vec<Sample> {
     samples[..kept].to_vec()
 }
 
-/// Rotates a loop whose tails were cut to begin at the cut: the sample nearest to both ends of the stroke.
-fn begin_between(outline: &mut [Sample], first: Vec2, last: Vec2) {
-    let ends = |s: &Sample| s.position.distance(first) + s.position.distance(last);
+/// Rotates a loop to begin at the sample nearest to both ends of the stroke.
+fn begin_between(outline: &mut [Sample], (first, last): (Vec2, Vec2)) {
+    let away = |s: &Sample| s.position.distance(first) + s.position.distance(last);
     let start =
-        (0..outline.len()).min_by(|&a, &b| ends(&outline[a]).total_cmp(&ends(&outline[b]))).unwrap_or(0);
+        (0..outline.len()).min_by(|&a, &b| away(&outline[a]).total_cmp(&away(&outline[b]))).unwrap_or(0);
     outline.rotate_left(start);
 }
 
@@ -119,6 +141,16 @@ mod tests {
         let blade = blade(1, &tailed, &TipParams::default()).unwrap();
         assert!(blade.root.distance(Vec2::ZERO) < 4.0, "{}", blade.root);
         assert!(blade.outline.iter().all(|s| s.position.y > -6.0));
+    }
+
+    #[test]
+    fn a_blade_seen_edge_on_keeps_its_root_and_tip() {
+        let wobble = |k: usize| if k % 2 == 0 { 1.0 } else { -1.0 };
+        let out = (0..=30).map(|k| Vec2::new(wobble(k), 5.0 * k as f32));
+        let back = (0..30).rev().map(|k| Vec2::new(-wobble(k), 5.0 * k as f32));
+        let blade = blade(1, &samples(out.chain(back)), &TipParams::default()).unwrap();
+        assert!(blade.root.length() < 5.0, "{}", blade.root);
+        assert!(blade.tip.y > 140.0, "{}", blade.tip);
     }
 
     #[test]

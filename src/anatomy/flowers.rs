@@ -68,7 +68,11 @@ impl Gathering {
         self.petals.extend(blades);
         let petals = &self.petals[first..];
         let center = petals.iter().map(|p| p.root).sum::<Vec2>() / petals.len() as f32;
-        self.flowers.push(FlatFlower { petals: (first..self.petals.len()).collect(), center });
+        self.flowers.push(FlatFlower {
+            petals: (first..self.petals.len()).collect(),
+            center,
+            attachment: None,
+        });
     }
 }
 
@@ -81,7 +85,14 @@ mod tests {
         let side = axis.perp() * 0.3;
         let outline = [root, root + axis * 0.5 + side, root + axis, root + axis * 0.5 - side]
             .map(|position| Sample { position, pressure: 0.5, tilt_deg: Vec2::ZERO });
-        FlatBlade { stroke: Some(id), outline: outline.to_vec(), root, tip: root + axis, template: None }
+        FlatBlade {
+            stroke: Some(id),
+            outline: outline.to_vec(),
+            root,
+            tip: root + axis,
+            copy_of: None,
+            attachment: None,
+        }
     }
 
     fn ring(first: u64, center: Vec2, count: usize, size: f32, tool: Tool) -> Vec<(FlatBlade, Tool)> {

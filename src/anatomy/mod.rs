@@ -4,15 +4,24 @@
 //! All positions are canvas pixels (x right, y down); every length threshold is a share of the drawing's diagonal or
 //! of a blade's own size, so that the same drawing at another scale means the same plant.
 
+pub mod analyse;
+pub mod attach;
 pub mod blade_outline;
 pub mod classify;
 pub mod features;
+pub mod fill_leaves;
+pub mod fill_twigs;
 pub mod flowers;
+pub mod growth_points;
 pub mod hierarchy;
+pub mod leaf_twigs;
 pub mod preprocess;
 pub mod svm;
+pub mod vein;
 
-use crate::sketch::{StrokeId, Warning};
+pub use analyse::{AnatomyParams, analyse};
+
+use crate::sketch::{StrokeId, StrokePoint, Warning};
 use glam::Vec2;
 use serde::Serialize;
 
@@ -46,6 +55,11 @@ pub struct Sample {
 }
 
 impl Sample {
+    /// A sample that no pen made.
+    pub fn neutral(position: Vec2) -> Self {
+        Self { position, pressure: StrokePoint::NEUTRAL_PRESSURE, tilt_deg: Vec2::ZERO }
+    }
+
     /// The sample between two others, `share` of the way from `a` to `b`.
     pub fn lerp(a: &Sample, b: &Sample, share: f32) -> Sample {
         Sample {
@@ -72,14 +86,35 @@ pub struct Mark {
 pub struct FlatBlade {
     /// The stroke that drew it, `None` for a copy inside a leaf outline.
     pub stroke: Option<StrokeId>,
-    /// Closed outline, first sample not repeated, from the root round to the root.
+    /// Closed outline, first sample not repeated, from the root round to the root; empty for a copy, which has its
+    /// template's.
     pub outline: Vec<Sample>,
     /// Where it is attached.
     pub root: Vec2,
     /// Its far, sharp end.
     pub tip: Vec2,
-    /// Leaf from which an affine copy was made: index into [`Anatomy::templates`].
-    pub template: Option<u32>,
+    /// Set for an affine copy of another leaf.
+    pub copy_of: Option<Copy>,
+    /// The place on a branch where it grows.
+    pub attachment: Option<Attachment>,
+}
+
+/// How a generated leaf is made from a template.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Copy {
+    /// Index into [`Anatomy::templates`].
+    pub template: u32,
+    /// Width relative to the template's at the same length.
+    pub aspect: f32,
+}
+
+/// A place on a branch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Attachment {
+    /// Index into [`Anatomy::branches`].
+    pub branch: usize,
+    /// Arc length from the branch's base, pixels.
+    pub at: f32,
 }
 
 impl FlatBlade {
@@ -111,6 +146,8 @@ pub struct FlatFlower {
     pub petals: Vec<usize>,
     /// Mean of the petals' roots.
     pub center: Vec2,
+    /// The place on a branch where it grows.
+    pub attachment: Option<Attachment>,
 }
 
 /// What a drawing means.

@@ -1,5 +1,6 @@
 //! Mathematics that knows no plant: polylines, loops, regions, clusters, frames, ellipses.
 
+pub mod convex_hull;
 pub mod ellipse;
 pub mod frame;
 pub mod mean_shift;

@@ -1,0 +1,236 @@
+//! Leaves for leaf outlines (000 §3.5.2, 002 §4.3).
+//!
+//! A vein grows from every growth point as a twig would; a leaf drawn by the artist, chosen at random, is laid on it by
+//! an affine map: root on the vein's beginning, tip on its end. A leaf grows no longer than the drawn ones (with some
+//! variation), so one sample leaf sets the size of a whole crown. Without a drawn leaf a plain ovate one is used;
+//! without a branch inside the outline, leaves are strewn over it.
+
+use super::{
+    Attachment, Copy, FlatBlade, FlatBranch,
+    fill_twigs::point_rng,
+    growth_points::{GrowthPoint, growth_points},
+    vein::{self, Walk},
+};
+use crate::geom::region::Region;
+use glam::Vec2;
+use rand::RngExt;
+use rayon::prelude::*;
+
+crate::parameters! {
+    /// How leaf outlines are filled with leaves.
+    pub struct LeafFillParams {
+        /// Attraction of the vein to the outline (k_p).
+        outline_pull: f32 = 0.3, 0.0..=1.0, "";
+        /// Attraction of the vein along its branch (k_b).
+        parent_pull: f32 = 0.2, 0.0..=1.0, "";
+        /// Direction memory of the vein (k_m).
+        memory: f32 = 0.7, 0.0..=1.0, "";
+        /// Distance between leaves along a branch.
+        spacing: f32 = 0.3, 0.05..=5.0, "of the leaf's length";
+        /// Length of a leaf where none was drawn.
+        default_length: f32 = 0.03, 0.002..=0.3, "of the drawing's diagonal";
+        /// Width of a leaf where none was drawn.
+        default_width: f32 = 0.5, 0.02..=2.0, "of its length";
+        /// Random change of length, up to.
+        variation: f32 = 0.25, 0.0..=0.9, "";
+        /// Distance from the outline at which a vein ends.
+        stop_distance: f32 = 0.004, 0.0..=0.2, "of the drawing's diagonal";
+        /// Angle between a branch and its leaves.
+        departure: f32 = 50.0, 0.0..=150.0, "degrees";
+        /// Random change of that angle, up to.
+        scatter: f32 = 25.0, 0.0..=90.0, "degrees";
+        /// Most generated leaves in a drawing.
+        max_leaves: u32 = 100000, 1..=1000000, "";
+    }
+}
+
+/// Steps of a vein that is not stopped.
+const STEPS: usize = 5;
+
+/// Shortest vein, as a share of the full length, that still carries a leaf.
+const SHORTEST: f32 = 0.4;
+
+/// Random change of a copy's width, up to.
+const ASPECT_VARIATION: f32 = 0.15;
+
+/// The outlines that generated leaves are copied from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Templates {
+    /// Closed outlines with the root at the origin and the tip at (0, 1).
+    pub outlines: Vec<Vec<Vec2>>,
+    /// Mean length of the drawn leaves, pixels.
+    pub length: f32,
+}
+
+impl Templates {
+    /// Templates from the drawn leaves, or the default leaf.
+    pub fn new(drawn: &[FlatBlade], diagonal: f32, params: &LeafFillParams) -> Self {
+        let usable: Vec<&FlatBlade> = drawn.iter().filter(|leaf| leaf.axis().length() > 0.0).collect();
+        if usable.is_empty() {
+            return Self {
+                outlines: vec![ovate_leaf(params.default_width)],
+                length: params.default_length * diagonal,
+            };
+        }
+        let length = usable.iter().map(|leaf| leaf.axis().length()).sum::<f32>() / usable.len() as f32;
+        Self { outlines: usable.iter().map(|leaf| upright(leaf)).collect(), length }
+    }
+}
+
+/// The leaf's outline, moved, turned and scaled so that the axis runs from the origin to (0, 1).
+fn upright(leaf: &FlatBlade) -> Vec<Vec2> {
+    let axis = leaf.axis();
+    let scale = 1.0 / axis.length_squared();
+    // Canvas y points down, so the perpendicular is what the eye calls right.
+    let right = axis.perp();
+    let place = |p: Vec2| Vec2::new((p - leaf.root).dot(right), (p - leaf.root).dot(axis)) * scale;
+    leaf.outline.iter().map(|s| place(s.position)).collect()
+}
+
+/// A pointed oval of length 1: broadest below the middle, as most leaves are.
+fn ovate_leaf(width: f32) -> Vec<Vec2> {
+    const HALF: usize = 12;
+    let half_width = |v: f32| 0.5 * width * 1.75 * v.powf(0.6) * (1.0 - v).powf(0.9);
+    let side = |k: usize| k as f32 / HALF as f32;
+    let right = (0..=HALF).map(|k| Vec2::new(half_width(side(k)), side(k)));
+    let left = (1..HALF).rev().map(|k| Vec2::new(-half_width(side(k)), side(k)));
+    right.chain(left).collect()
+}
+
+/// One leaf outline to fill.
+pub struct LeafFill<'a> {
+    /// The outline.
+    pub region: &'a Region,
+    /// What leaves are copied from.
+    pub templates: &'a Templates,
+    /// The drawing's diagonal, pixels.
+    pub diagonal: f32,
+    /// Seed of everything random.
+    pub seed: u64,
+    /// How to fill it.
+    pub params: &'a LeafFillParams,
+}
+
+impl LeafFill<'_> {
+    /// The leaves, in the order of their places on the branches.
+    pub fn fill(&self, branches: &[FlatBranch]) -> Vec<FlatBlade> {
+        let spacing = (self.params.spacing * self.templates.length).max(1e-3 * self.diagonal);
+        let mut points = growth_points(branches.iter().enumerate(), self.region, spacing);
+        let on_branches = !points.is_empty();
+        if !on_branches {
+            points = strewn(self.region, 2.0 * spacing);
+        }
+        points.truncate(self.params.max_leaves as usize);
+        let leaf = |point: &GrowthPoint| {
+            let attachment = on_branches.then_some(point.attachment);
+            self.leaf(point).map(|leaf| FlatBlade { attachment, ..leaf })
+        };
+        points.par_iter().with_min_len(32).filter_map(leaf).collect()
+    }
+
+    /// The leaf of one growth point, `None` when there is no room for it.
+    fn leaf(&self, point: &GrowthPoint) -> Option<FlatBlade> {
+        let params = self.params;
+        let mut rng = point_rng(self.seed, point);
+        let turn = point.side() * params.departure + params.scatter * rng.random_range(-1.0..1.0f32);
+        let first = Vec2::from_angle(turn.to_radians()).rotate(point.direction);
+        let size = 1.0 + params.variation * rng.random_range(-1.0..1.0f32);
+        let rule = Walk {
+            outline_pull: params.outline_pull,
+            parent_pull: params.parent_pull,
+            memory: params.memory,
+            step: self.templates.length * size / STEPS as f32,
+            max_steps: STEPS,
+            stop_distance: params.stop_distance * self.diagonal,
+        };
+        let places = vein::walk(self.region, point.position, point.direction, first, &rule);
+        let tip = *places.last()?;
+        let template = rng.random_range(0..self.templates.outlines.len() as u32);
+        let aspect = 1.0 + ASPECT_VARIATION * rng.random_range(-1.0..1.0f32);
+        (tip.distance(point.position) >= SHORTEST * self.templates.length).then_some(FlatBlade {
+            stroke: None,
+            outline: Vec::new(),
+            root: point.position,
+            tip,
+            copy_of: Some(Copy { template, aspect }),
+            attachment: Some(point.attachment),
+        })
+    }
+}
+
+/// Growth points on a grid over the region, for an outline without a branch.
+fn strewn(region: &Region, spacing: f32) -> Vec<GrowthPoint> {
+    let corners = region.outline().iter();
+    let (low, high) =
+        corners.fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(lo, hi), p| (lo.min(*p), hi.max(*p)));
+    let size = high - low;
+    if !size.is_finite() {
+        return Vec::new();
+    }
+    let (columns, rows) = ((size.x / spacing).min(300.0) as usize, (size.y / spacing).min(300.0) as usize);
+    let middle = low.midpoint(high);
+    let cells = (0..=rows).flat_map(|row| (0..=columns).map(move |column| (row, column)));
+    cells
+        .map(|(row, column)| {
+            (low + spacing * Vec2::new(column as f32 + 0.5 * (row % 2) as f32, row as f32), row, column)
+        })
+        .filter(|(position, ..)| region.contains(*position))
+        .map(|(position, row, column)| GrowthPoint {
+            position,
+            direction: (position - middle).normalize_or(Vec2::NEG_Y),
+            attachment: Attachment { branch: row, at: 0.0 },
+            number: column,
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::anatomy::Sample;
+
+    fn square(size: f32) -> Region {
+        Region::new([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|p| size * Vec2::from(p)).to_vec())
+    }
+
+    fn stem() -> Vec<FlatBranch> {
+        let line = (0..=50).map(|k| Sample::neutral(Vec2::new(500.0, 990.0 - 19.0 * k as f32))).collect();
+        vec![FlatBranch { stroke: Some(1), line, parent: None, attached_at: 0.0, level: 0 }]
+    }
+
+    fn filled(branches: &[FlatBranch]) -> Vec<FlatBlade> {
+        let params = LeafFillParams::default();
+        let templates = Templates::new(&[], 1400.0, &params);
+        let region = &square(1000.0);
+        LeafFill { region, templates: &templates, diagonal: 1400.0, seed: 5, params: &params }.fill(branches)
+    }
+
+    #[test]
+    fn leaves_grow_from_the_branch_and_stay_inside() {
+        let leaves = filled(&stem());
+        assert!(leaves.len() > 30, "{}", leaves.len());
+        for leaf in &leaves {
+            assert!((leaf.root.x - 500.0).abs() < 1e-3 && square(1000.0).contains(leaf.tip));
+            assert_eq!(leaf.attachment.unwrap().branch, 0);
+        }
+    }
+
+    #[test]
+    fn an_outline_without_branch_is_strewn() {
+        let leaves = filled(&[]);
+        assert!(leaves.len() > 100 && leaves.iter().all(|l| l.attachment.is_none()));
+    }
+
+    #[test]
+    fn templates_stand_upright() {
+        let outline = [(10.0, 10.0), (20.0, 0.0), (30.0, 10.0), (20.0, 20.0)]
+            .map(|p| Sample::neutral(Vec2::from(p)))
+            .to_vec();
+        let (root, tip) = (Vec2::new(10.0, 10.0), Vec2::new(30.0, 10.0));
+        let drawn = FlatBlade { stroke: Some(1), outline, root, tip, copy_of: None, attachment: None };
+        let templates = Templates::new(&[drawn], 100.0, &LeafFillParams::default());
+        assert_eq!(templates.length, 20.0);
+        // y points down on the canvas: the stroke's upper side lies left of an axis that points right.
+        assert_eq!(templates.outlines[0], [(0.0, 0.0), (-0.5, 0.5), (0.0, 1.0), (0.5, 0.5)].map(Vec2::from));
+    }
+}

@@ -1,0 +1,226 @@
+//! Twigs that carry the leaves of a leaf outline out to its border.
+//!
+//! The papers let each leaf's vein run from the branch to the outline, so leaves of a wide crown become as long as the
+//! crown is. Here leaves keep the size that was drawn, and where the outline is wider than that, thin twigs grow first
+//! (002 eq. 2, like those of branch outlines) until no place inside is farther than about a leaf from wood. A grid over
+//! the outline remembers where wood is; a twig ends before it runs into another. An outline that hugs its branch gets
+//! none.
+
+use super::{
+    Attachment, FlatBranch, Sample,
+    fill_twigs::point_rng,
+    growth_points::{GrowthPoint, growth_points},
+    vein::{self, Walk},
+};
+use crate::geom::{polyline, region::Region};
+use glam::Vec2;
+use rand::RngExt;
+
+crate::parameters! {
+    /// Twigs that carry the leaves of leaf outlines.
+    pub struct LeafTwigParams {
+        /// Whether wide leaf outlines grow twigs at all.
+        enabled: bool = true, 0..=1, "";
+        /// Distance between twigs.
+        spacing: f32 = 0.55, 0.2..=10.0, "of the leaf's length";
+        /// How often twigs sprout twigs.
+        generations: u32 = 7, 1..=12, "";
+        /// Attraction to the outline (k_p).
+        outline_pull: f32 = 0.12, 0.0..=1.0, "";
+        /// Attraction along the parent branch (k_b).
+        parent_pull: f32 = 0.15, 0.0..=1.0, "";
+        /// Direction memory (k_m).
+        memory: f32 = 0.8, 0.0..=1.0, "";
+        /// Angle between a branch and a twig that leaves it.
+        departure: f32 = 50.0, 0.0..=120.0, "degrees";
+        /// Random change of that angle, up to.
+        scatter: f32 = 20.0, 0.0..=90.0, "degrees";
+    }
+}
+
+/// Number of the growth point at a branch's end.
+const END: usize = usize::MAX;
+
+/// Step of a twig as a share of the distance between twigs.
+const STEP: f32 = 0.4;
+
+/// Distance from the outline at which a twig ends, as a share of the leaf's length: the last leaf reaches it.
+const STOP: f32 = 0.45;
+
+/// Most steps of one twig.
+const MAX_STEPS: usize = 60;
+
+/// Most cells of the grid along one side.
+const MAX_CELLS: usize = 1024;
+
+/// One leaf outline that grows the twigs it needs.
+pub struct LeafTwigs<'a> {
+    /// The outline.
+    pub region: &'a Region,
+    /// Length of its leaves, pixels.
+    pub leaf_length: f32,
+    /// Seed of everything random.
+    pub seed: u64,
+    /// How to grow them.
+    pub params: &'a LeafTwigParams,
+}
+
+impl LeafTwigs<'_> {
+    /// Adds twigs to the forest; they stand after the branches they grow on.
+    pub fn grow(&self, branches: &mut Vec<FlatBranch>) {
+        let spacing = self.params.spacing * self.leaf_length;
+        if !self.params.enabled || spacing <= 0.0 {
+            return;
+        }
+        let mut wood = Wood::new(self.region, spacing);
+        for branch in branches.iter() {
+            wood.mark(branch.line.iter().map(|s| s.position));
+        }
+        let mut parents = 0..branches.len();
+        for _ in 0..self.params.generations {
+            let alive = parents.clone().map(|i| (i, &branches[i]));
+            let ends = alive.clone().filter_map(|(i, branch)| self.end_of(i, branch));
+            let points: Vec<_> = ends.chain(growth_points(alive.clone(), self.region, spacing)).collect();
+            let first_new = branches.len();
+            for point in &points {
+                let places = self.twig(point, spacing, &wood);
+                if places.len() >= 3 {
+                    wood.mark(places.iter().copied());
+                    branches.push(twig_on(branches, point, places));
+                }
+            }
+            parents = first_new..branches.len();
+        }
+    }
+
+    /// The end of a branch, which grows straight on.
+    fn end_of(&self, index: usize, branch: &FlatBranch) -> Option<GrowthPoint> {
+        let [.., before, end] = branch.line.as_slice() else { return None };
+        let direction = (end.position - before.position).try_normalize()?;
+        let at = polyline::arc_lengths(branch.line.iter().map(|s| s.position)).last().copied()?;
+        let attachment = Attachment { branch: index, at };
+        let point = GrowthPoint { position: end.position, direction, attachment, number: END };
+        self.region.contains(end.position).then_some(point)
+    }
+
+    /// Places of the twig of one growth point, up to where other wood is.
+    fn twig(&self, point: &GrowthPoint, spacing: f32, wood: &Wood) -> Vec<Vec2> {
+        let params = self.params;
+        let mut rng = point_rng(self.seed, point);
+        let departure = if point.number == END { 0.0 } else { point.side() * params.departure };
+        let turn = departure + params.scatter * rng.random_range(-1.0..1.0f32);
+        let first = Vec2::from_angle(turn.to_radians()).rotate(point.direction);
+        let rule = Walk {
+            outline_pull: params.outline_pull,
+            parent_pull: params.parent_pull,
+            memory: params.memory,
+            step: STEP * spacing,
+            max_steps: MAX_STEPS,
+            stop_distance: STOP * self.leaf_length,
+        };
+        let mut places = vein::walk(self.region, point.position, point.direction, first, &rule);
+        let leaves_parent = |p: Vec2| p.distance(point.position) > spacing;
+        let end = places.iter().position(|&p| leaves_parent(p) && wood.is_at(p)).unwrap_or(places.len());
+        places.truncate(end);
+        places
+    }
+}
+
+fn twig_on(branches: &[FlatBranch], point: &GrowthPoint, places: Vec<Vec2>) -> FlatBranch {
+    let parent = point.attachment.branch;
+    FlatBranch {
+        stroke: None,
+        line: places.into_iter().map(Sample::neutral).collect(),
+        parent: Some(parent),
+        attached_at: point.attachment.at,
+        level: branches[parent].level + 1,
+    }
+}
+
+/// Cells of a grid over an outline in which there is wood.
+struct Wood {
+    low: Vec2,
+    cell: f32,
+    columns: usize,
+    rows: usize,
+    taken: Vec<bool>,
+}
+
+impl Wood {
+    /// A grid whose cells are about `spacing` wide; larger where that would be too many.
+    fn new(region: &Region, spacing: f32) -> Self {
+        let corners = region.outline().iter();
+        let (low, high) =
+            corners.fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(lo, hi), p| (lo.min(*p), hi.max(*p)));
+        let size = (high - low).max(Vec2::ZERO);
+        let cell = (0.8 * spacing).max(size.max_element() / (MAX_CELLS - 1) as f32);
+        let count = |extent: f32| (extent / cell) as usize + 1;
+        let (columns, rows) = (count(size.x), count(size.y));
+        Self { low, cell, columns, rows, taken: vec![false; columns * rows] }
+    }
+
+    fn index(&self, p: Vec2) -> Option<usize> {
+        let at = (p - self.low) / self.cell;
+        let inside = at.cmpge(Vec2::ZERO).all() && at.x < self.columns as f32 && at.y < self.rows as f32;
+        inside.then(|| at.y as usize * self.columns + at.x as usize)
+    }
+
+    fn mark(&mut self, places: impl Iterator<Item = Vec2>) {
+        for p in places {
+            if let Some(i) = self.index(p) {
+                self.taken[i] = true;
+            }
+        }
+    }
+
+    fn is_at(&self, p: Vec2) -> bool {
+        self.index(p).is_some_and(|i| self.taken[i])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stem() -> Vec<FlatBranch> {
+        let line = (0..=50).map(|k| Sample::neutral(Vec2::new(0.0, 300.0 - 12.0 * k as f32))).collect();
+        vec![FlatBranch { stroke: Some(1), line, parent: None, attached_at: 0.0, level: 0 }]
+    }
+
+    fn oval(half_width: f32) -> Region {
+        let corner = |k: usize| Vec2::from_angle(k as f32 * 0.1309) * Vec2::new(half_width, 280.0);
+        Region::new((0..48).map(corner).collect())
+    }
+
+    fn grown(half_width: f32) -> Vec<FlatBranch> {
+        let mut branches = stem();
+        let params = LeafTwigParams::default();
+        LeafTwigs { region: &oval(half_width), leaf_length: 30.0, seed: 3, params: &params }
+            .grow(&mut branches);
+        branches
+    }
+
+    #[test]
+    fn a_wide_outline_is_filled_with_wood() {
+        let branches = grown(250.0);
+        let region = oval(250.0);
+        let wood: Vec<Vec2> = branches.iter().flat_map(|b| &b.line).map(|s| s.position).collect();
+        let near = |p: Vec2| wood.iter().any(|w| w.distance(p) < 60.0);
+        let grid = (-12..=12).flat_map(|x| (-14..=14).map(move |y| 20.0 * Vec2::new(x as f32, y as f32)));
+        let inside: Vec<Vec2> = grid.filter(|&p| region.contains(p)).collect();
+        let covered = inside.iter().filter(|&&p| near(p)).count();
+        assert!(covered * 100 > 93 * inside.len(), "{covered} of {}", inside.len());
+        assert!(branches[1..].iter().flat_map(|b| &b.line).all(|s| region.contains(s.position)));
+    }
+
+    #[test]
+    fn an_outline_that_hugs_its_branch_grows_none() {
+        assert_eq!(grown(12.0).len(), 1);
+    }
+
+    #[test]
+    fn parents_stand_before_their_twigs() {
+        let branches = grown(200.0);
+        assert!(branches.iter().enumerate().skip(1).all(|(i, b)| b.parent.is_some_and(|p| p < i)));
+    }
+}

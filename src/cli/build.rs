@@ -1,0 +1,48 @@
+//! `penstemon build SKETCH -o OUT`: drawing to plant.
+
+use super::common::{self, BuildOptions, Setup};
+use crate::export;
+use anyhow::ensure;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Arguments of `build`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// The drawing: .penstemon or .svg.
+    pub sketch: PathBuf,
+    /// Where the plant goes: .glb, .obj (with .mtl and textures) or .json; may be given again.
+    #[arg(short, long = "out", value_name = "FILE", required = true)]
+    pub out: Vec<PathBuf>,
+    #[command(flatten)]
+    #[allow(missing_docs)]
+    pub options: BuildOptions,
+    /// Print times and counts as one JSON object.
+    #[arg(long)]
+    pub stats: bool,
+}
+
+/// Runs `build`.
+///
+/// # Errors
+/// A drawing that cannot be read or holds nothing to build, an output that cannot be written.
+pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
+    for out in &args.out {
+        export::format_of(out)?;
+    }
+    let setup = Setup::open(&args.sketch, &args.options)?;
+    let built = setup.build(&args.sketch);
+    ensure!(
+        !built.model.parts.is_empty(),
+        "{}: no stroke is long enough to be a petal, a leaf or a branch; draw something larger",
+        args.sketch.display()
+    );
+    let mut bytes = 0;
+    for out in &args.out {
+        bytes += export::export(out, &built.model, &built.plant, &common::built_in_texture)?;
+    }
+    if args.stats {
+        common::print(&common::stats(&built, bytes).to_string())?;
+    }
+    Ok(ExitCode::SUCCESS)
+}

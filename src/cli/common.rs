@@ -1,0 +1,104 @@
+//! What the building verbs share: opening a sketch, choosing species and parameters, reporting.
+
+use crate::pipeline::{self, Built, Params};
+use crate::sketch::{self, Sketch};
+use crate::species::{self, Species};
+use anyhow::Context;
+use serde_json::{Map, Value, json};
+use std::borrow::Cow;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// Options of every verb that builds a plant from a sketch.
+#[derive(Debug, clap::Args)]
+pub struct BuildOptions {
+    /// Species: a built-in name or a species file; instead of the sketch's own.
+    #[arg(long, value_name = "SPECIES")]
+    pub species: Option<String>,
+    /// Seed of everything random; instead of the sketch's own.
+    #[arg(long, value_name = "N")]
+    pub seed: Option<u64>,
+    /// Any parameter by its path, for instance depth.world.height=0.4; may be given again.
+    #[arg(long = "set", value_name = "PARAM=VALUE")]
+    pub assignments: Vec<String>,
+    /// Your own picture for a part, for instance petal=photo.jpg; may be given again.
+    #[arg(long = "texture", value_name = "PART=FILE")]
+    pub textures: Vec<String>,
+}
+
+/// A sketch with all that is needed to build it.
+pub struct Setup {
+    /// The drawing.
+    pub sketch: Sketch,
+    /// Its species.
+    pub species: Species,
+    /// Its parameters.
+    pub params: Params,
+}
+
+impl Setup {
+    /// Reads a sketch and applies the options; warnings go to stderr.
+    ///
+    /// # Errors
+    /// A sketch, species, parameter or picture that cannot be used.
+    pub fn open(path: &Path, options: &BuildOptions) -> anyhow::Result<Self> {
+        let (mut sketch, warnings) = sketch::read(path)?;
+        for warning in &warnings {
+            tracing::warn!("{}: {warning}", path.display());
+        }
+        sketch.seed = options.seed.unwrap_or(sketch.seed);
+        let beside_sketch = path.parent().unwrap_or(Path::new(""));
+        let folder = if options.species.is_some() { Path::new("") } else { beside_sketch };
+        if options.species.is_some() {
+            sketch.species.clone_from(&options.species);
+        }
+        let mut species = pipeline::species_of(&sketch, folder)?;
+        for assignment in &options.textures {
+            let (part, file) = assignment
+                .split_once('=')
+                .with_context(|| format!("--texture {assignment}: write it as PART=FILE"))?;
+            species.set_texture(part, &PathBuf::from(file))?;
+        }
+        let params = pipeline::params_of(&sketch, &species, &options.assignments)?;
+        Ok(Self { sketch, species, params })
+    }
+
+    /// Builds the plant; remarks about odd strokes go to stderr.
+    pub fn build(&self, path: &Path) -> Built {
+        let built = pipeline::build(&self.sketch, &self.species, &self.params);
+        for warning in &built.anatomy.warnings {
+            tracing::warn!("{}: {warning}", path.display());
+        }
+        built
+    }
+}
+
+/// The program's own textures, for exporters and renderers.
+pub fn built_in_texture(name: &str) -> Option<Cow<'static, [u8]>> {
+    species::builtin_texture(name).map(Cow::Borrowed)
+}
+
+/// The `--stats` object; `bytes` is the size of what was written.
+pub fn stats(built: &Built, bytes: usize) -> Value {
+    let ms = |d: std::time::Duration| (d.as_secs_f64() * 1e6).round() / 1e3;
+    let stages: Map<String, Value> =
+        built.stages.iter().map(|&(name, time)| (name.to_owned(), ms(time).into())).collect();
+    json!({
+        "total_ms": ms(built.stages.iter().map(|s| s.1).sum()),
+        "stages": stages,
+        "vertices": built.model.vertex_count(),
+        "triangles": built.model.triangle_count(),
+        "bytes": bytes,
+    })
+}
+
+/// Writes text to stdout; a reader that went away is no error.
+///
+/// # Errors
+/// A stdout that cannot be written for another reason.
+pub fn print(text: &str) -> anyhow::Result<()> {
+    match writeln!(std::io::stdout(), "{text}") {
+        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(e).context("cannot write to stdout"),
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,159 @@
+//! `penstemon inspect SKETCH`: what the analysis understood, as JSON.
+
+use super::common::{self, BuildOptions, Setup};
+use crate::anatomy::{Anatomy, Attachment, FlatBlade, Part};
+use crate::plant::Plant;
+use crate::sketch::StrokeId;
+use crate::{anatomy, depth};
+use glam::Vec2;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Arguments of `inspect`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// The drawing: .penstemon or .svg.
+    pub sketch: PathBuf,
+    #[command(flatten)]
+    #[allow(missing_docs)]
+    pub options: BuildOptions,
+}
+
+/// What the analysis understood of a drawing.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Report {
+    /// Every stroke, in drawing order.
+    pub strokes: Vec<StrokeReport>,
+    /// Flowers.
+    pub flowers: Vec<FlowerReport>,
+    /// What outlines were filled with.
+    pub generated: Generated,
+}
+
+/// One stroke.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StrokeReport {
+    /// The stroke's id.
+    pub id: StrokeId,
+    /// What it is.
+    pub part: Part,
+    /// Index of the flower it belongs to.
+    pub flower: Option<usize>,
+    /// Stroke of the branch that carries it.
+    pub parent: Option<StrokeId>,
+    /// Level in the branch hierarchy; branches only.
+    pub level: Option<u32>,
+    /// Where it is attached, canvas pixels; its first point where it has no root.
+    pub root: Option<[f32; 2]>,
+    /// Its far end, canvas pixels.
+    pub tip: Option<[f32; 2]>,
+    /// How sure the classification is, 0 to 1.
+    pub confidence: f32,
+}
+
+/// One flower.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FlowerReport {
+    /// Strokes of its petals.
+    pub petals: Vec<StrokeId>,
+    /// Mean of the petals' roots, canvas pixels.
+    pub center: [f32; 2],
+    /// Unit direction of the flower: x right, y up, z toward the viewer.
+    pub axis: [f32; 3],
+    /// Angle between axis and petals, degrees.
+    pub opening_deg: f32,
+    /// Height of the petals' cone, canvas pixels.
+    pub cone_height: f32,
+}
+
+/// What outlines were filled with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Generated {
+    /// Twigs.
+    pub branches: usize,
+    /// Leaves.
+    pub leaves: usize,
+}
+
+/// Runs `inspect`.
+///
+/// # Errors
+/// A drawing that cannot be read.
+pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
+    let setup = Setup::open(&args.sketch, &args.options)?;
+    let anatomy = anatomy::analyse(&setup.sketch, &setup.params.anatomy);
+    let plant = depth::recover(&anatomy, setup.sketch.seed, &setup.params.depth);
+    for warning in &anatomy.warnings {
+        tracing::warn!("{}: {warning}", args.sketch.display());
+    }
+    common::print(&serde_json::to_string_pretty(&report(&setup.sketch, &anatomy, &plant))?)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// What is known of a stroke besides its mark.
+#[derive(Clone, Copy, Default)]
+struct Known {
+    flower: Option<usize>,
+    parent: Option<StrokeId>,
+    level: Option<u32>,
+    ends: Option<(Vec2, Vec2)>,
+}
+
+/// The report on an analysed drawing and the plant it became.
+pub fn report(sketch: &crate::sketch::Sketch, anatomy: &Anatomy, plant: &Plant) -> Report {
+    let known = known_strokes(anatomy);
+    let strokes = anatomy.marks.iter().zip(&sketch.strokes).map(|(mark, stroke)| {
+        let known = known.get(&mark.stroke).copied().unwrap_or_default();
+        let drawn = stroke.points.first().zip(stroke.points.last()).map(|(a, b)| (a.position, b.position));
+        let ends = known.ends.or(drawn);
+        StrokeReport {
+            id: mark.stroke,
+            part: mark.part,
+            flower: known.flower,
+            parent: known.parent,
+            level: known.level,
+            root: ends.map(|(root, _)| root.to_array()),
+            tip: ends.map(|(_, tip)| tip.to_array()),
+            confidence: mark.confidence,
+        }
+    });
+    let scale = plant.world_from_canvas.scale;
+    let flowers = anatomy.flowers.iter().zip(&plant.flowers).map(|(flat, flower)| FlowerReport {
+        petals: flat.petals.iter().filter_map(|&p| anatomy.petals[p].stroke).collect(),
+        center: flat.center.to_array(),
+        axis: flower.cone.axis.to_array(),
+        opening_deg: flower.cone.opening_rad.to_degrees(),
+        cone_height: flower.cone.height / scale,
+    });
+    Report {
+        strokes: strokes.collect(),
+        flowers: flowers.collect(),
+        generated: Generated {
+            branches: anatomy.branches.iter().filter(|b| b.stroke.is_none()).count(),
+            leaves: anatomy.leaves.iter().filter(|l| l.copy_of.is_some()).count(),
+        },
+    }
+}
+
+fn known_strokes(anatomy: &Anatomy) -> BTreeMap<StrokeId, Known> {
+    let carrier = |place: Option<Attachment>| place.and_then(|p| anatomy.branches[p.branch].stroke);
+    let blade = |b: &FlatBlade, place, flower| Known {
+        flower,
+        parent: carrier(place),
+        level: None,
+        ends: Some((b.root, b.tip)),
+    };
+    let branches = anatomy.branches.iter().filter_map(|b| {
+        let ends = b.line.first().zip(b.line.last()).map(|(a, z)| (a.position, z.position));
+        let parent = b.parent.and_then(|p| anatomy.branches[p].stroke);
+        Some((b.stroke?, Known { flower: None, parent, level: Some(b.level), ends }))
+    });
+    let leaves = anatomy.leaves.iter().filter_map(|l| Some((l.stroke?, blade(l, l.attachment, None))));
+    let petals = anatomy.flowers.iter().enumerate().flat_map(|(index, flower)| {
+        let members = flower.petals.iter().map(|&p| &anatomy.petals[p]);
+        members.filter_map(move |p| Some((p.stroke?, blade(p, flower.attachment, Some(index)))))
+    });
+    branches.chain(leaves).chain(petals).collect()
+}

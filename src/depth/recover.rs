@@ -1,0 +1,288 @@
+//! The whole depth stage: anatomy in, plant out.
+
+use super::{
+    branch_depth::{self, BranchDepthParams},
+    cone_pose::{ConeParams, FlowerPose, PetalOutline, flower_pose},
+    flower_stem::{self, Goal, StemParams},
+    leaves::{LeafParams, LeafPoser},
+    petals::{self, CurlParams},
+    radii::{self, RadiusParams},
+};
+use crate::anatomy::{Anatomy, Attachment, FlatBlade, FlatBranch, FlatFlower};
+use crate::geom::polyline;
+use crate::plant::{Blade, Branch, Cone, Flower, Material, Organ, OrganKind, Plant, Shape, WorldFromCanvas};
+use glam::{Vec2, Vec3};
+use rayon::prelude::*;
+
+crate::parameter_groups! {
+    /// Everything that decides how a flat drawing stands in space.
+    pub struct DepthParams {
+        /// Size of the plant.
+        world: WorldParams;
+        /// Pose of flowers.
+        cone: ConeParams;
+        /// Stems near flowers.
+        stem: StemParams;
+        /// Spread of branches.
+        branches: BranchDepthParams;
+        /// Thickness of branches.
+        radii: RadiusParams;
+        /// Pose of leaves.
+        leaves: LeafParams;
+        /// Curl of blades by pressure.
+        curl: CurlParams;
+    }
+}
+
+crate::parameters! {
+    /// Size of the plant.
+    pub struct WorldParams {
+        /// What the height of the drawing is in the world.
+        height: f32 = 0.3, 0.001..=200.0, "metres";
+    }
+}
+
+/// Gap between a leaf and its branch, as a share of the leaf's length, from which a petiole bridges it.
+const PETIOLE_GAP: f32 = 0.06;
+
+/// Thickness of a petiole as a share of its branch's at that place.
+const PETIOLE_SHARE: f32 = 0.5;
+
+/// Least and largest radius of a flower's heart, as shares of the petals' reach.
+const HEART: (f32, f32) = (0.05, 0.4);
+
+/// Lifts an anatomy into space. The plant's only material is a placeholder; forms are plain: both are the species'.
+pub fn recover(anatomy: &Anatomy, seed: u64, params: &DepthParams) -> Plant {
+    let mut skeleton = Skeleton::new(anatomy, seed, params);
+    let poses: Vec<FlowerPose> =
+        anatomy.flowers.iter().map(|f| pose_of(f, &anatomy.petals, &params.cone)).collect();
+    let centers = skeleton.lead_stems(anatomy, &poses, &params.stem);
+
+    let world = world_from_canvas(anatomy, &params.world);
+    let mut plant = Plant {
+        world_from_canvas: world,
+        branches: skeleton.branches(anatomy.diagonal, &world, &params.radii),
+        flowers: Vec::with_capacity(poses.len()),
+        organs: Vec::new(),
+        materials: vec![Material::plain("plant", [0.4, 0.6, 0.3])],
+    };
+    for (i, (flat, pose)) in anatomy.flowers.iter().zip(&poses).enumerate() {
+        let flower = flower(flat, pose, centers[i], &anatomy.petals, &world);
+        plant.organs.extend(flower_petals(i, flat, pose, &flower, anatomy, &world, &params.curl));
+        plant.flowers.push(flower);
+    }
+    add_leaves(&mut plant, &skeleton, anatomy, seed, params);
+    plant
+}
+
+/// The scale that makes the drawing as high as the plant, the origin at its lowest root.
+fn world_from_canvas(anatomy: &Anatomy, params: &WorldParams) -> WorldFromCanvas {
+    let (low, high) = anatomy.bounds;
+    // A drawing without height (one level stroke) is sized by its width.
+    let extent = if high.y - low.y > 0.05 * anatomy.diagonal { high.y - low.y } else { anatomy.diagonal };
+    let trunks = anatomy.branches.iter().filter(|b| b.parent.is_none()).filter_map(|b| b.line.first());
+    let lowest = |a: &Vec2, b: &Vec2| a.y.total_cmp(&b.y);
+    let origin = trunks
+        .map(|s| s.position)
+        .max_by(lowest)
+        .or_else(|| anatomy.flowers.iter().map(|f| f.center).max_by(lowest))
+        .or_else(|| anatomy.leaves.iter().map(|l| l.root).max_by(lowest))
+        .unwrap_or(low.midpoint(high));
+    WorldFromCanvas { scale: params.height / extent.max(f32::MIN_POSITIVE), origin }
+}
+
+fn pose_of(flower: &FlatFlower, petals: &[FlatBlade], params: &ConeParams) -> FlowerPose {
+    let points: Vec<Vec<Vec2>> =
+        flower.petals.iter().map(|&p| petals[p].outline.iter().map(|s| s.position).collect()).collect();
+    let outlines: Vec<PetalOutline> = flower
+        .petals
+        .iter()
+        .zip(&points)
+        .map(|(&p, points)| PetalOutline { points, root: petals[p].root })
+        .collect();
+    flower_pose(&outlines, params)
+}
+
+/// Branches with arc length and depth of their samples, pixels; depth grows toward the viewer.
+struct Skeleton {
+    branches: Vec<FlatBranch>,
+    arcs: Vec<Vec<f32>>,
+    depths: Vec<Vec<f32>>,
+}
+
+impl Skeleton {
+    fn new(anatomy: &Anatomy, seed: u64, params: &DepthParams) -> Self {
+        let depths = branch_depth::branch_depths(&anatomy.branches, &params.branches, seed);
+        let arcs = anatomy.branches.iter().map(arcs_of).collect();
+        Self { branches: anatomy.branches.clone(), arcs, depths }
+    }
+
+    /// Leads every stem that ends in a flower to it; gives the depth of each flower's centre.
+    fn lead_stems(&mut self, anatomy: &Anatomy, poses: &[FlowerPose], params: &StemParams) -> Vec<f32> {
+        let mut last_child = vec![0.0f32; self.branches.len()];
+        let organs = anatomy.leaves.iter().filter_map(|leaf| leaf.attachment);
+        let twigs =
+            self.branches.iter().filter_map(|b| Some(Attachment { branch: b.parent?, at: b.attached_at }));
+        for place in organs.chain(twigs) {
+            last_child[place.branch] = last_child[place.branch].max(place.at);
+        }
+        let mut led = vec![false; self.branches.len()];
+        let lead = |(flower, pose): (&FlatFlower, &FlowerPose)| {
+            let Some(place) = flower.attachment else { return 0.0 };
+            let i = place.branch;
+            let at_end = self.arcs[i].last().is_none_or(|&length| place.at >= length);
+            if !at_end || led[i] {
+                return self.depth(place);
+            }
+            led[i] = true;
+            let last_child_at = last_child[i];
+            let goal = Goal { center: flower.center, axis: pose.axis, reach: pose.slant_px, last_child_at };
+            let depth =
+                flower_stem::lead_to_flower(&mut self.branches[i], &mut self.depths[i], &goal, params);
+            self.arcs[i] = arcs_of(&self.branches[i]);
+            depth
+        };
+        anatomy.flowers.iter().zip(poses).map(lead).collect()
+    }
+
+    /// Depth at a place on a branch, pixels.
+    fn depth(&self, place: Attachment) -> f32 {
+        radii::at(&self.arcs[place.branch], &self.depths[place.branch], place.at)
+    }
+
+    /// World point at a place on a branch.
+    fn point(&self, place: Attachment, world: &WorldFromCanvas) -> Vec3 {
+        let line = &self.branches[place.branch].line;
+        let (i, share) = polyline::locate(&self.arcs[place.branch], place.at);
+        let next = line.get(i + 1).unwrap_or(&line[i]);
+        world.point(line[i].position.lerp(next.position, share)).with_z(self.depth(place) * world.scale)
+    }
+
+    fn branches(&self, diagonal: f32, world: &WorldFromCanvas, params: &RadiusParams) -> Vec<Branch> {
+        let radii = radii::radii(&self.branches, diagonal, params);
+        let lifted = |(i, (flat, radii)): (usize, (&FlatBranch, Vec<f32>))| {
+            let point =
+                |(s, &z): (&crate::anatomy::Sample, &f32)| world.point(s.position).with_z(z * world.scale);
+            let points = flat.line.iter().zip(&self.depths[i]).map(point);
+            let (points, radii) = without_repeats(points.zip(radii.into_iter().map(|r| r * world.scale)));
+            Branch { stroke: flat.stroke, parent: flat.parent, level: flat.level, points, radii, material: 0 }
+        };
+        self.branches.iter().zip(radii).enumerate().map(lifted).collect()
+    }
+}
+
+fn arcs_of(branch: &FlatBranch) -> Vec<f32> {
+    polyline::arc_lengths(branch.line.iter().map(|s| s.position))
+}
+
+/// Drops points that coincide with the one before.
+fn without_repeats(samples: impl Iterator<Item = (Vec3, f32)>) -> (Vec<Vec3>, Vec<f32>) {
+    let mut last = None;
+    samples.filter(|&(p, _)| last.replace(p) != Some(p)).unzip()
+}
+
+fn flower(
+    flat: &FlatFlower,
+    pose: &FlowerPose,
+    center_depth: f32,
+    petals: &[FlatBlade],
+    world: &WorldFromCanvas,
+) -> Flower {
+    let apex = world.point(flat.center).with_z(center_depth * world.scale);
+    let reach = (pose.slant_px * world.scale).max(1e-6);
+    let cone =
+        Cone { apex, axis: pose.axis, opening_rad: pose.opening_rad, height: reach * pose.opening_rad.cos() };
+    let members = flat.petals.iter().map(|&p| &petals[p]);
+    let heart = petals::root_distance(members, flat.center) * world.scale;
+    Flower {
+        branch: flat.attachment.map(|place| place.branch),
+        cone,
+        heart_radius: heart.clamp(HEART.0 * reach, HEART.1 * reach),
+        reach,
+        look: 0,
+    }
+}
+
+fn flower_petals(
+    index: usize,
+    flat: &FlatFlower,
+    pose: &FlowerPose,
+    flower: &Flower,
+    anatomy: &Anatomy,
+    world: &WorldFromCanvas,
+    curl: &CurlParams,
+) -> Vec<Organ> {
+    let members = flat.petals.iter().zip(&pose.tip_depths);
+    members
+        .map(|(&p, tip_depth)| {
+            let petal = &anatomy.petals[p];
+            let tip_depth = flower.cone.apex.z + tip_depth * world.scale;
+            let blade = petals::petal(petal, &flower.cone, tip_depth, world, curl);
+            organ(OrganKind::Petal, petal.stroke, flower.branch, Some(index), blade)
+        })
+        .collect()
+}
+
+fn organ(
+    kind: OrganKind,
+    stroke: Option<u64>,
+    branch: Option<usize>,
+    flower: Option<usize>,
+    blade: Blade,
+) -> Organ {
+    Organ { kind, stroke, branch, flower, material: 0, shape: Shape::Blade(blade) }
+}
+
+/// Adds leaves, with petioles where the hand left a gap to the branch.
+fn add_leaves(plant: &mut Plant, skeleton: &Skeleton, anatomy: &Anatomy, seed: u64, params: &DepthParams) {
+    let world = plant.world_from_canvas;
+    let poser = LeafPoser { world, seed, params: &params.leaves, curl: &params.curl };
+    let posed: Vec<(Option<usize>, Vec3, Blade)> = anatomy
+        .leaves
+        .par_iter()
+        .with_min_len(64)
+        .enumerate()
+        .map(|(number, leaf)| {
+            let on_branch = leaf.attachment.map(|place| skeleton.point(place, &world));
+            let foot = on_branch.unwrap_or(world.point(leaf.root));
+            let blade = match leaf.copy_of {
+                Some(copy) => {
+                    let template = &anatomy.templates[copy.template as usize];
+                    poser.copied(leaf, copy, template, foot, number as u64)
+                }
+                None => poser.drawn(leaf, foot.z, number as u64),
+            };
+            (leaf.attachment.map(|place| place.branch), foot, blade)
+        })
+        .collect();
+    for ((branch, foot, blade), leaf) in posed.into_iter().zip(&anatomy.leaves) {
+        let carrier = match branch {
+            Some(branch) if foot.distance(blade.base) > PETIOLE_GAP * blade.length => {
+                add_petiole(plant, branch, foot, blade.base)
+            }
+            carrier => carrier,
+        };
+        plant.organs.push(organ(OrganKind::Leaf, leaf.stroke, carrier, None, blade));
+    }
+}
+
+/// A short generated branch from a place on `branch` to a leaf's base.
+fn add_petiole(plant: &mut Plant, branch: usize, foot: Vec3, base: Vec3) -> Option<usize> {
+    let parent = &plant.branches[branch];
+    let nearest = parent
+        .points
+        .iter()
+        .zip(&parent.radii)
+        .min_by(|a, b| a.0.distance_squared(foot).total_cmp(&b.0.distance_squared(foot)));
+    let radius = PETIOLE_SHARE * nearest.map_or(0.0, |(_, r)| *r);
+    let petiole = Branch {
+        stroke: None,
+        parent: Some(branch),
+        level: parent.level + 1,
+        points: vec![foot, foot.midpoint(base), base],
+        radii: vec![radius, 0.8 * radius, 0.7 * radius],
+        material: parent.material,
+    };
+    plant.branches.push(petiole);
+    Some(plant.branches.len() - 1)
+}

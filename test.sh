@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# Runs every check of Penstemon on a fresh clone: formatting, lints, tests, short fuzzing, third-party judges.
+#
+# Installs the system packages the checks need. What cannot run on this machine is counted and named at the end.
+set -uo pipefail
+cd "$(dirname "$0")"
+. scripts/packages.sh
+need cc gcc gcc gcc
+need git git git git
+need python3 python3 python3 python
+need '/usr/lib/python3*/ensurepip' python3-venv python3 python
+need node nodejs nodejs nodejs
+need npm npm npm npm
+need '/usr/share/vulkan/icd.d/lvp_icd*' mesa-vulkan-drivers mesa-vulkan-drivers vulkan-swrast
+need '/usr/lib*/*/libvulkan.so.1' libvulkan1 vulkan-loader vulkan-icd-loader
+install_needed || echo "some packages could not be installed; checks that need them will say so" >&2
+
+passed=()
+failed=()
+not_run=()
+
+# check NAME COMMAND…: exit status 77 means that the check cannot run here.
+check() {
+    local name=$1
+    shift
+    echo
+    echo "== $name"
+    "$@"
+    case $? in
+        0) passed+=("$name") ;;
+        77) not_run+=("$name") ;;
+        *) failed+=("$name") ;;
+    esac
+}
+
+build_sketches() {
+    local folder=target/interop sketch name
+    rm -rf "$folder" && mkdir -p "$folder" || return 1
+    for sketch in assets/sketches/*.penstemon; do
+        name=$(basename "$sketch" .penstemon)
+        target/debug/penstemon build "$sketch" -o "$folder/$name.glb" -o "$folder/$name.obj" || return 1
+        target/debug/penstemon check "$folder/$name.glb" >/dev/null || return 1
+        target/debug/penstemon check "$folder/$name.obj" >/dev/null || return 1
+    done
+}
+
+check "formatting" cargo fmt --check
+check "lints" cargo clippy --quiet --all-targets -- -D warnings
+check "tests" cargo test --no-fail-fast
+check "documentation" env RUSTDOCFLAGS="-D warnings" cargo doc --quiet --no-deps
+check "program" cargo build --quiet
+check "sketches build and pass our own judge" build_sketches
+check "trimesh, MeshLab and the Khronos validator" tests/interop.sh target/interop
+check "fuzzing, ${FUZZ_SECONDS:-15} s a reader" fuzz/run.sh "${FUZZ_SECONDS:-15}"
+
+echo
+for name in "${not_run[@]+"${not_run[@]}"}"; do echo "not run here: $name"; done
+for name in "${failed[@]+"${failed[@]}"}"; do echo "FAILED: $name"; done
+echo "checks: ${#passed[@]} passed, ${#failed[@]} failed, ${#not_run[@]} skipped"
+[ ${#failed[@]} -eq 0 ]

@@ -1,0 +1,158 @@
+//! The program as a user meets it: exit codes, messages, files.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn penstemon(args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_penstemon")).args(args).output().unwrap()
+}
+
+fn sketch(name: &str) -> String {
+    format!("{}/assets/sketches/{name}.penstemon", env!("CARGO_MANIFEST_DIR"))
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// Runs and expects exit code 1 and one message that holds every given piece.
+fn refused(args: &[&str], pieces: &[&str]) {
+    let output = penstemon(args);
+    let message = stderr(&output);
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    for piece in pieces {
+        assert!(message.contains(piece), "`{piece}` is not in: {message}");
+    }
+    assert!(!message.contains("panicked"), "{message}");
+}
+
+fn written(folder: &Path) -> Vec<PathBuf> {
+    let mut files: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
+    files.sort();
+    files
+}
+
+#[test]
+fn build_writes_every_format_and_check_finds_them_clean() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = |ext: &str| folder.path().join(format!("daisy.{ext}")).display().to_string();
+    let (glb, obj, json) = (out("glb"), out("obj"), out("json"));
+    let built = penstemon(&["build", &sketch("daisy"), "-o", &glb, "-o", &obj, "-o", &json, "--stats"]);
+    assert!(built.status.success(), "{}", stderr(&built));
+    let stats: serde_json::Value = serde_json::from_slice(&built.stdout).unwrap();
+    assert!(stats["triangles"].as_u64().unwrap() > 1000);
+    assert!(stats["total_ms"].as_f64().unwrap() > 0.0);
+    let bytes: u64 = written(folder.path()).iter().map(|f| fs::metadata(f).unwrap().len()).sum();
+    assert_eq!(stats["bytes"].as_u64(), Some(bytes));
+    for model in [&glb, &obj] {
+        let checked = penstemon(&["check", model]);
+        assert!(checked.status.success(), "{}", String::from_utf8_lossy(&checked.stdout));
+    }
+    let plant: serde_json::Value = serde_json::from_slice(&fs::read(&json).unwrap()).unwrap();
+    assert!(plant["world_from_canvas"]["scale"].as_f64().unwrap() > 0.0);
+    assert_eq!(plant["world_from_canvas"]["origin"].as_array().unwrap().len(), 2);
+    assert!(plant["branches"][0]["points"][0].as_array().unwrap().len() == 3);
+    assert!(plant["branches"][0]["radii"].as_array().is_some() && plant["organs"].as_array().is_some());
+}
+
+#[test]
+fn the_same_sketch_gives_the_same_bytes_and_another_seed_others() {
+    let folder = tempfile::tempdir().unwrap();
+    let build = |name: &str, seed: &str| {
+        let out = folder.path().join(name);
+        let args = ["build", &sketch("jasmine"), "--seed", seed, "-o", &out.display().to_string()];
+        assert!(penstemon(&args).status.success());
+        fs::read(out).unwrap()
+    };
+    let first = build("a.glb", "5");
+    assert!(first == build("b.glb", "5"));
+    assert!(first != build("c.glb", "6"));
+}
+
+#[test]
+fn inspect_prints_the_promised_fields() {
+    let output = penstemon(&["inspect", &sketch("daisy")]);
+    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let stroke = &report["strokes"][0];
+    for field in ["id", "part", "flower", "parent", "level", "root", "tip", "confidence"] {
+        assert!(stroke.get(field).is_some(), "{field}");
+    }
+    let flower = &report["flowers"][0];
+    for field in ["petals", "center", "axis", "opening_deg", "cone_height"] {
+        assert!(flower.get(field).is_some(), "{field}");
+    }
+    assert!(report["generated"]["branches"].is_u64() && report["generated"]["leaves"].is_u64());
+}
+
+#[test]
+fn parameters_reach_the_plant_and_wrong_ones_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("tall.json").display().to_string();
+    let set = |assignment: &str| penstemon(&["build", &sketch("daisy"), "-o", &out, "--set", assignment]);
+    assert!(set("depth.world.height=3").status.success());
+    let plant: serde_json::Value = serde_json::from_slice(&fs::read(&out).unwrap()).unwrap();
+    let tops = plant["branches"].as_array().unwrap().iter().flat_map(|b| b["points"].as_array().unwrap());
+    let top = tops.map(|p| p[1].as_f64().unwrap()).fold(0.0, f64::max);
+    assert!((1.0..3.5).contains(&top), "{top}");
+    refused(
+        &["build", &sketch("daisy"), "-o", &out, "--set", "depth.world.hieght=3"],
+        &["--set", "did you mean"],
+    );
+    refused(&["build", &sketch("daisy"), "-o", &out, "--set", "depth.world.height=-1"], &["outside"]);
+}
+
+#[test]
+fn bad_input_is_one_clear_message() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        fs::write(&path, text).unwrap();
+        path.display().to_string()
+    };
+    let out = folder.path().join("never.glb").display().to_string();
+    refused(&["build", "/nowhere/drawing.penstemon", "-o", &out], &["/nowhere/drawing.penstemon"]);
+    let empty = file("empty.penstemon", r#"{"format":"penstemon-sketch","version":1,"strokes":[]}"#);
+    refused(&["build", &empty, "-o", &out], &["empty.penstemon", "stroke"]);
+    let cut = file("cut.penstemon", r#"{"format":"penstemon-sketch","version":1,"strokes":[{"id":1,"po"#);
+    refused(&["build", &cut, "-o", &out], &["cut.penstemon"]);
+    let dots =
+        r#"{"format":"penstemon-sketch","version":1,"strokes":[{"points":[[5,5]]},{"points":[[9,9]]}]}"#;
+    refused(
+        &["build", &file("dots.penstemon", dots), "-o", &out],
+        &["dots.penstemon", "no stroke is long enough"],
+    );
+    let odd =
+        r#"{"format":"penstemon-sketch","version":1,"species":"dasy","strokes":[{"points":[[0,0],[9,9]]}]}"#;
+    refused(&["build", &file("odd.penstemon", odd), "-o", &out], &["dasy", "daisy"]);
+    assert!(!Path::new(&out).exists());
+}
+
+#[test]
+fn unwritable_targets_leave_nothing_behind() {
+    let folder = tempfile::tempdir().unwrap();
+    let missing = folder.path().join("no/such/folder/a.obj").display().to_string();
+    refused(&["build", &sketch("daisy"), "-o", &missing], &["no/such/folder"]);
+    let odd = folder.path().join("a.stl").display().to_string();
+    refused(&["build", &sketch("daisy"), "-o", &odd], &["stl", "glb"]);
+    assert!(written(folder.path()).is_empty());
+}
+
+#[test]
+fn wrong_usage_is_exit_code_2() {
+    assert_eq!(penstemon(&["bulid"]).status.code(), Some(2));
+    assert_eq!(penstemon(&["build"]).status.code(), Some(2));
+}
+
+#[test]
+fn odd_strokes_warn_and_the_rest_is_built() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = r#"{"format":"penstemon-sketch","version":1,
+        "strokes":[{"id":7,"points":[[5,5],[5,5]]},{"id":8,"tool":"branch","points":[[0,400],[10,200],[0,0]]}]}"#;
+    let drawing = folder.path().join("dot.penstemon");
+    fs::write(&drawing, text).unwrap();
+    let out = folder.path().join("dot.glb").display().to_string();
+    let built = penstemon(&["build", &drawing.display().to_string(), "-o", &out]);
+    assert!(built.status.success());
+    assert!(stderr(&built).contains("stroke 7"), "{}", stderr(&built));
+}
