@@ -1,8 +1,19 @@
 //! From the flat drawing to the plant in space (000 ch. 4, 002 §5).
+//!
+//! Flowers get the cone that their petals project from, branches the depths that spread them best, leaves the pose that
+//! seeks the light. Seen from the front, branches and petals cover the strokes that drew them.
 
 pub mod branch_depth;
 mod cone_fit;
 pub mod cone_pose;
 #[cfg(test)]
 mod cone_pose_tests;
+pub mod flower_stem;
+pub mod leaves;
+pub mod outline;
 mod petal_tip;
+pub mod petals;
+pub mod radii;
+pub mod recover;
+
+pub use recover::{DepthParams, recover};
