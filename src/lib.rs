@@ -1,9 +1,10 @@
 //! Penstemon turns pen strokes into 3D plants.
 //!
-//! Data flows down this list; a module uses only modules above it (and [`geom`] and [`params`]):
+//! Data flows down this list; a module uses only modules above it:
 //!
 //! | module | purpose |
 //! | --- | --- |
+//! | [`suggest`] | the known word nearest to a mistyped one |
 //! | [`params`] | described parameters, one struct per stage |
 //! | [`geom`] | polylines, frames, polygons, ellipses: mathematics that knows no plant |
 //! | [`sketch`] | the document: strokes, tools, file formats |
@@ -29,3 +30,4 @@ pub mod plant;
 pub mod render;
 pub mod sketch;
 pub mod species;
+pub mod suggest;

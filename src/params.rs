@@ -7,6 +7,7 @@
 //!
 //! Limits: a parameter is a number, an integer or a switch. Anything richer belongs in a species file.
 
+use crate::suggest::{did_you_mean, nearest};
 use serde::{Serialize, de::DeserializeOwned};
 use serde_json::{Map, Value};
 use thiserror::Error;
@@ -32,7 +33,7 @@ pub struct Description {
 #[derive(Debug, Error, PartialEq)]
 pub enum ParamError {
     /// The path names no parameter.
-    #[error("there is no parameter `{path}`{}", suggestion(.nearest))]
+    #[error("there is no parameter `{path}`{}", did_you_mean(.nearest))]
     Unknown {
         /// The path as it was given.
         path: String,
@@ -59,10 +60,6 @@ pub enum ParamError {
         /// Largest allowed value.
         max: f64,
     },
-}
-
-fn suggestion(nearest: &Option<String>) -> String {
-    nearest.as_ref().map(|path| format!("; did you mean `{path}`?")).unwrap_or_default()
 }
 
 /// A struct whose fields are described parameters, or groups of them.
@@ -210,7 +207,9 @@ impl Overrides {
 
     fn set(&mut self, path: &str, value: Value) -> Result<(), ParamError> {
         let Some(known) = self.known.iter().find(|d| d.path == path) else {
-            return Err(ParamError::Unknown { path: path.to_owned(), nearest: self.nearest(path) });
+            let known = self.known.iter().map(|d| d.path.as_str());
+            let nearest = nearest(path, known).map(str::to_owned);
+            return Err(ParamError::Unknown { path: path.to_owned(), nearest });
         };
         let number = match &value {
             Value::Bool(on) => f64::from(u8::from(*on)),
@@ -239,16 +238,6 @@ impl Overrides {
     /// A value that the struct cannot hold.
     pub fn finish<P: Parameters>(self) -> Result<P, ParamError> {
         serde_json::from_value(self.values).map_err(|e| type_error("parameters", &e.to_string()))
-    }
-
-    fn nearest(&self, path: &str) -> Option<String> {
-        let shared = |known: &str| {
-            let tail = |s: &str| s.rsplit('.').next().unwrap_or_default().to_owned();
-            let (a, b) = (tail(known), tail(path));
-            a.chars().zip(b.chars()).take_while(|(x, y)| x == y).count()
-        };
-        let best = self.known.iter().max_by_key(|d| shared(&d.path))?;
-        (shared(&best.path) >= 3).then(|| best.path.clone())
     }
 }
 

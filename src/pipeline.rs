@@ -1,1 +1,107 @@
 //! From a sketch to a model: every stage in a row.
+//!
+//! The one place that knows the order of the stages, and how a species file, a sketch file and the command line lay
+//! their parameters over each other. In memory only: reading and writing files are the callers'.
+
+use crate::anatomy::{self, Anatomy, AnatomyParams};
+use crate::depth::{self, DepthParams};
+use crate::model::{self, Model, ModelParams};
+use crate::params::{Overrides, ParamError};
+use crate::plant::Plant;
+use crate::sketch::Sketch;
+use crate::species::{self, Species, SpeciesError};
+use std::path::Path;
+use std::time::{Duration, Instant};
+use thiserror::Error;
+
+/// Species of a sketch that names none.
+pub const DEFAULT_SPECIES: &str = "plant";
+
+crate::parameter_groups! {
+    /// Every parameter of the way from drawing to model.
+    pub struct Params {
+        /// What strokes mean.
+        anatomy: AnatomyParams;
+        /// How the flat drawing stands in space.
+        depth: DepthParams;
+        /// How the plant becomes surfaces.
+        model: ModelParams;
+    }
+}
+
+/// Why a sketch cannot be set up for building.
+#[derive(Debug, Error)]
+pub enum SetupError {
+    /// The species cannot be used.
+    #[error(transparent)]
+    Species(#[from] SpeciesError),
+    /// A parameter cannot be used.
+    #[error("{whose}: {fault}")]
+    Param {
+        /// Who asked for it.
+        whose: &'static str,
+        /// What is wrong.
+        fault: ParamError,
+    },
+}
+
+/// The species that a sketch names: a file when the name looks like one, relative to `folder`, else a built-in.
+///
+/// # Errors
+/// An unknown name, or a file that cannot be used.
+pub fn species_of(sketch: &Sketch, folder: &Path) -> Result<Species, SpeciesError> {
+    match sketch.species.as_deref() {
+        Some(name) if name.ends_with(".toml") => Species::read(&folder.join(name)),
+        Some(name) => Species::built_in(name),
+        None => Species::built_in(DEFAULT_SPECIES),
+    }
+}
+
+/// Parameters for a sketch: defaults, then the species', then the sketch's own, then `PATH=VALUE` assignments.
+///
+/// # Errors
+/// The first unknown path, wrong type or value out of range, and whose it was.
+pub fn params_of(sketch: &Sketch, species: &Species, assignments: &[String]) -> Result<Params, SetupError> {
+    let by = |whose| move |fault| SetupError::Param { whose, fault };
+    let mut overrides = Overrides::new::<Params>();
+    overrides.merge(&species.params).map_err(by("the species"))?;
+    overrides.merge(&sketch.params).map_err(by("the sketch"))?;
+    for assignment in assignments {
+        overrides.set_text(assignment).map_err(by("--set"))?;
+    }
+    overrides.finish().map_err(by("parameters"))
+}
+
+/// Everything between a sketch and its model.
+#[derive(Clone, Debug)]
+pub struct Built {
+    /// What the strokes mean.
+    pub anatomy: Anatomy,
+    /// The plant in space.
+    pub plant: Plant,
+    /// The plant as surfaces.
+    pub model: Model,
+    /// Time that each stage took, in order.
+    pub stages: Vec<(&'static str, Duration)>,
+}
+
+/// Builds a plant. Same input, same output, on any number of threads. A sketch without anything to build gives an
+/// empty model.
+pub fn build(sketch: &Sketch, species: &Species, params: &Params) -> Built {
+    let mut stages = Vec::with_capacity(4);
+    let mut last = Instant::now();
+    let mut finish = |stage| {
+        let now = Instant::now();
+        stages.push((stage, now - std::mem::replace(&mut last, now)));
+    };
+    let anatomy = anatomy::analyse(sketch, &params.anatomy);
+    finish("anatomy");
+    let mut plant = depth::recover(&anatomy, sketch.seed, &params.depth);
+    finish("depth");
+    species::dress(&mut plant, species, sketch.seed);
+    finish("species");
+    debug_assert_eq!(plant.check_invariants(), Ok(()));
+    let model = model::build(&plant, &params.model);
+    finish("model");
+    Built { anatomy, plant, model, stages }
+}

@@ -2,7 +2,10 @@
 //!
 //! Exit codes: 0 done, 1 bad input or failure with one message on stderr, 2 wrong usage (clap's).
 
+pub mod build;
 pub mod check;
+pub mod common;
+pub mod inspect;
 pub mod render;
 
 use clap::{Parser, Subcommand};
@@ -20,6 +23,10 @@ pub struct Cli {
 /// The verbs.
 #[derive(Debug, Subcommand)]
 pub enum Verb {
+    /// Drawing to plant: OBJ, GLB or the plant itself as JSON.
+    Build(build::Args),
+    /// What the analysis understood of a drawing, as JSON.
+    Inspect(inspect::Args),
     /// Mesh quality report of an OBJ or GLB file; exit code 1 when a defect is found.
     Check(check::Args),
     /// Picture of a sketch or model.
@@ -32,6 +39,8 @@ pub enum Verb {
 /// Anything that kept the verb from its result, ready to be shown.
 pub fn run(cli: Cli) -> anyhow::Result<ExitCode> {
     match cli.verb {
+        Verb::Build(args) => build::run(&args),
+        Verb::Inspect(args) => inspect::run(&args),
         Verb::Check(args) => check::run(&args),
         Verb::Render(args) => render::run(&args),
     }

@@ -1,14 +1,16 @@
 //! `penstemon render`: a picture of a sketch or a model, a turntable of pictures, or the drawing itself.
 
-use crate::model::Model;
-use crate::plant::Texture;
+use super::common::{self, BuildOptions, Setup};
+use crate::export::{self, Surface};
+use crate::model::{Model, Part, PartKind};
+use crate::plant::{Material, Texture};
 use crate::render::{Direction, PictureOptions, Projection, Renderer, View};
 use crate::sketch::Sketch;
 use anyhow::{Context, Result, bail};
+use glam::Vec3;
 use std::borrow::Cow;
 use std::error::Error;
 use std::ffi::OsString;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -83,6 +85,8 @@ pub struct Args {
     /// Puts the drawing to the left of the plant, each of the given size.
     #[arg(long)]
     with_drawing: bool,
+    #[command(flatten)]
+    build: BuildOptions,
 }
 
 impl Args {
@@ -106,18 +110,17 @@ pub fn run(args: &Args) -> Result<ExitCode> {
             "`--view drawing` shows the drawing alone; leave out --with-drawing, --turntable and --transparent"
         );
     }
+    let scene = Scene::open(args)?;
     if args.view == ViewName::Drawing {
-        let sketch = load_drawing(&args.input)?;
-        let picture = Renderer::new()?.drawing(&sketch, &args.options())?;
-        write_file(&args.output, &picture.to_png()?)?;
+        let picture = Renderer::new()?.drawing(scene.drawing(args)?, &args.options())?;
+        export::write_atomically(&args.output, &picture.to_png()?)?;
     } else if args.with_drawing {
-        let (sketch, model) = (load_drawing(&args.input)?, load(&args.input)?);
         let mut renderer = Renderer::new()?;
-        let plant = renderer.picture(&model, &texture_bytes, &args.first_view(), &args.options())?;
-        let drawing = renderer.drawing(&sketch, &args.options())?;
-        write_file(&args.output, &drawing.beside(&plant).to_png()?)?;
+        let plant = renderer.picture(&scene.model, &texture_bytes, &args.first_view(), &args.options())?;
+        let drawing = renderer.drawing(scene.drawing(args)?, &args.options())?;
+        export::write_atomically(&args.output, &drawing.beside(&plant).to_png()?)?;
     } else {
-        render_model(args, &load(&args.input)?)?;
+        render_model(args, &scene.model)?;
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -132,26 +135,61 @@ fn render_model(args: &Args, model: &Model) -> Result<()> {
             Some(_) => numbered(&args.output, i),
             None => args.output.clone(),
         };
-        write_file(&path, &picture?.to_png()?)?;
+        export::write_atomically(&path, &picture?.to_png()?)?;
     }
     Ok(())
 }
 
-/// The model in a file, or the plant of a sketch.
-fn load(path: &Path) -> Result<Model> {
-    bail!("{}: reading models and building sketches is not connected yet", path.display())
+/// What a picture is made of.
+struct Scene {
+    model: Model,
+    /// The drawing, where the input is one.
+    sketch: Option<Sketch>,
 }
 
-/// The drawing in a file.
-fn load_drawing(path: &Path) -> Result<Sketch> {
-    bail!("{}: reading drawings is not connected yet", path.display())
+impl Scene {
+    /// Opens a model file, or builds the plant of a sketch.
+    fn open(args: &Args) -> Result<Self> {
+        let extension = args.input.extension().map(|e| e.to_string_lossy().to_lowercase());
+        match extension.as_deref() {
+            Some("obj" | "glb") => Ok(Self { model: clay(export::read(&args.input)?), sketch: None }),
+            _ => {
+                let setup = Setup::open(&args.input, &args.build)?;
+                let model = setup.build(&args.input).model;
+                Ok(Self { model, sketch: Some(setup.sketch) })
+            }
+        }
+    }
+
+    /// The drawing.
+    fn drawing(&self, args: &Args) -> Result<&Sketch> {
+        let path = args.input.display();
+        self.sketch
+            .as_ref()
+            .with_context(|| format!("{path} is a model; only a sketch has a drawing to show"))
+    }
+}
+
+/// A model file's surfaces in one plain material.
+fn clay(surfaces: Vec<Surface>) -> Model {
+    let parts = surfaces.into_iter().map(|surface| Part {
+        name: surface.name,
+        kind: PartKind::Wood,
+        parent: None,
+        specimen: 0,
+        pivot: Vec3::ZERO,
+        material: 0,
+        mesh: surface.mesh,
+    });
+    Model { parts: parts.collect(), materials: vec![Material::plain("clay", [0.6, 0.55, 0.5])] }
 }
 
 /// The file of a texture.
 fn texture_bytes(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
     match texture {
         Texture::File(path) => Ok(std::fs::read(path)?.into()),
-        Texture::BuiltIn(_) => Err("the program's own textures are not connected yet".into()),
+        Texture::BuiltIn(name) => common::built_in_texture(name)
+            .ok_or_else(|| format!("there is no built-in texture {name}").into()),
     }
 }
 
@@ -161,18 +199,6 @@ fn numbered(path: &Path, number: usize) -> PathBuf {
     name.push(format!("-{number:03}."));
     name.push(path.extension().unwrap_or("png".as_ref()));
     path.with_file_name(name)
-}
-
-/// Writes a file whole or not at all.
-fn write_file(path: &Path, bytes: &[u8]) -> Result<()> {
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let write = || -> std::io::Result<()> {
-        let mut file = tempfile::NamedTempFile::new_in(folder)?;
-        file.write_all(bytes)?;
-        file.persist(path)?;
-        Ok(())
-    };
-    write().with_context(|| format!("{} could not be written", path.display()))
 }
 
 #[cfg(test)]
@@ -220,13 +246,5 @@ mod tests {
     fn turntable_pictures_are_numbered_before_the_ending() {
         assert_eq!(numbered(Path::new("out/plant.png"), 7), Path::new("out/plant-007.png"));
         assert_eq!(numbered(Path::new("plant"), 12), Path::new("plant-012.png"));
-    }
-
-    #[test]
-    fn a_missing_folder_is_named() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("no/such/picture.png");
-        let message = write_file(&path, b"picture").unwrap_err().to_string();
-        assert!(message.contains("picture.png"), "{message}");
     }
 }

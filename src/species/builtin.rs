@@ -1,6 +1,7 @@
 //! The species and textures that are part of the program.
 
-use super::{Species, SpeciesError, file, nearest::nearest};
+use super::{Species, SpeciesError, file};
+use crate::suggest::nearest;
 use include_dir::{Dir, include_dir};
 
 static SPECIES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/assets/species");
@@ -22,7 +23,7 @@ impl Species {
         names(&SPECIES).iter().filter_map(|name| name.strip_suffix(".toml")).collect()
     }
 
-    /// The built-in species of that name; case, spaces and hyphens do not matter: `Red hepatica` is `red_hepatica`.
+    /// The built-in species of that name; case, spaces and hyphens do not matter: `Red hepatica` is `hepatica_red`.
     ///
     /// # Errors
     /// An unknown name, with the nearest known one and all others.
@@ -63,7 +64,7 @@ mod tests {
     fn an_unknown_name_brings_the_nearest() {
         let error = Species::built_in("dasiy").unwrap_err().to_string();
         assert!(error.contains("did you mean `daisy`?") && error.contains("sunflower"), "{error}");
-        assert_eq!(Species::built_in("Red Hepatica").unwrap().name, "red_hepatica");
+        assert_eq!(Species::built_in("Hepatica Red").unwrap().name, "hepatica_red");
     }
 
     #[test]

@@ -115,7 +115,7 @@ proptest! {
 
     #[test]
     fn hearts_stay_inside_the_petals(plant in any_plant(), seed in any::<u64>()) {
-        for name in ["mallow", "daisy", "balloon_flower", "red_hepatica", "oxalis"] {
+        for name in ["mallow", "daisy", "balloon_flower", "hepatica_red", "oxalis"] {
             for organ in dressed(&plant, name, seed).organs {
                 let Some(Flower { cone, reach, .. }) = organ.flower.map(|f| &plant.flowers[f]) else { continue };
                 let angle = |p: Vec3| (p - cone.apex).angle_between(cone.axis);

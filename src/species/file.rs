@@ -4,9 +4,9 @@
 
 use super::builtin::{builtin_texture, texture_names};
 use super::looks::{FlowerLook, Species};
-use super::nearest::{did_you_mean, nearest};
 use super::part::Part;
 use crate::plant::Texture;
+use crate::suggest::{did_you_mean, nearest};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 

@@ -15,7 +15,6 @@ pub mod file;
 pub mod form;
 pub mod heart;
 pub mod looks;
-pub mod nearest;
 pub mod palette;
 pub mod part;
 pub mod pot;

@@ -1,6 +1,6 @@
 //! The parts of a plant that can be given a picture of their own.
 
-use super::nearest::nearest;
+use crate::suggest::nearest;
 
 macro_rules! parts {
     ($($(#[doc = $about:literal])+ $part:ident = $name:literal,)*) => {
