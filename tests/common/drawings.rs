@@ -43,7 +43,13 @@ pub(crate) fn blade(root: Vec2, tip: Vec2, width: f32) -> Vec<Vec2> {
 }
 
 /// Petals on a cone, projected straight onto the sheet. `axis` in world directions (y up), `opening` in radians.
-pub(crate) fn cone_flower(center: Vec2, axis: Vec3, opening: f32, slant: f32, petals: usize) -> Vec<Vec<Vec2>> {
+pub(crate) fn cone_flower(
+    center: Vec2,
+    axis: Vec3,
+    opening: f32,
+    slant: f32,
+    petals: usize,
+) -> Vec<Vec<Vec2>> {
     let across = axis.any_orthonormal_vector();
     let half_width = 0.8 * std::f32::consts::PI / petals as f32;
     let on_cone = |s: f32, around: f32| {
