@@ -4,7 +4,8 @@ use criterion::{BatchSize, BenchmarkId, Criterion, criterion_group, criterion_ma
 use glam::{Vec2, Vec3};
 use penstemon::model::{BladeMeshParams, ModelParams, PlanarGraph, build, triangulation_input};
 use penstemon::plant::{
-    Blade, BladeForm, Branch, Cone, Flower, Material, Organ, OrganKind, Plant, RestSurface, Shape, WorldFromCanvas,
+    Blade, BladeForm, Branch, Cone, Flower, Material, Organ, OrganKind, Plant, RestSurface, Shape,
+    WorldFromCanvas,
 };
 use spade::{ConstrainedDelaunayTriangulation, Point2};
 use std::f32::consts::TAU;
@@ -42,7 +43,9 @@ fn organ(kind: OrganKind, flower: Option<usize>, blade: Blade) -> Organ {
 
 fn branch(parent: Option<usize>, base: Vec3, radius: f32) -> Branch {
     let points: Vec<Vec3> = (0..60)
-        .map(|k| base + Vec3::new(0.05 * (k as f32 * 0.05).sin(), k as f32 * 0.01, 0.02 * (k as f32 * 0.07).cos()))
+        .map(|k| {
+            base + Vec3::new(0.05 * (k as f32 * 0.05).sin(), k as f32 * 0.01, 0.02 * (k as f32 * 0.07).cos())
+        })
         .collect();
     let radii = (0..60).map(|k| radius * (1.0 - 0.01 * k as f32)).collect();
     Branch { stroke: None, parent, level: 0, points, radii, material: 0 }
@@ -103,12 +106,21 @@ fn against_spade(c: &mut Criterion) {
             || graphs.iter().map(PlanarGraph::spade_input).collect::<Vec<_>>(),
             |inputs| {
                 for (points, edges) in inputs {
-                    let cdt = ConstrainedDelaunayTriangulation::<Point2<f64>>::try_bulk_load_cdt(points, edges, |_| ());
+                    let cdt = ConstrainedDelaunayTriangulation::<Point2<f64>>::try_bulk_load_cdt(
+                        points,
+                        edges,
+                        |_| (),
+                    );
                     let _ = black_box(cdt);
                 }
             },
             BatchSize::SmallInput,
         );
+    });
+    group.bench_function("spade_in_row_order", |b| {
+        b.iter(|| {
+            graphs.iter().filter_map(|graph| black_box(graph).triangulate()).map(|t| t.len()).sum::<usize>()
+        });
     });
     group.bench_function("model", |b| {
         let run = || build(black_box(&plant), &ModelParams::default());

@@ -16,7 +16,10 @@ pub fn hidden_side(tangent: Vec3) -> Vec3 {
     if back.length_squared() > 0.01 {
         return back.normalize();
     }
-    Vec3::X.reject_from_normalized(tangent).try_normalize().unwrap_or_else(|| tangent.any_orthonormal_vector())
+    Vec3::X
+        .reject_from_normalized(tangent)
+        .try_normalize()
+        .unwrap_or_else(|| tangent.any_orthonormal_vector())
 }
 
 /// Carries `reference`, square to the unit tangent `t0` at `p0`, to the unit tangent `t1` at `p1`.

@@ -100,7 +100,8 @@ fn smooth_normals(triangles: &[[u32; 3]], points: &[Vec3], fallback: Vec3, norma
     }
     for normal in normals {
         let squared = normal.length_squared();
-        *normal = if squared > f32::MIN_POSITIVE { *normal / squared.sqrt() } else { unit_or(*normal, fallback) };
+        *normal =
+            if squared > f32::MIN_POSITIVE { *normal / squared.sqrt() } else { unit_or(*normal, fallback) };
     }
 }
 

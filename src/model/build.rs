@@ -50,14 +50,18 @@ struct Workshop<'a> {
 /// Builds the meshes of a plant that keeps its invariants.
 pub fn build(plant: &Plant, params: &ModelParams) -> Model {
     let plans = parts::plan(plant);
-    let workshop = Workshop { plant, params, templates: templates(plant, params), plant_size: size_of(plant) };
+    let workshop =
+        Workshop { plant, params, templates: templates(plant, params), plant_size: size_of(plant) };
     let meshes: Vec<Mesh> = plans
         .par_iter()
         .with_min_len(BATCH)
         .map_init(Scratch::default, |scratch, plan| workshop.mesh(&plan.source, scratch))
         .collect();
     let seen = |(plan, mesh): (Plan, Mesh)| (!mesh.triangles.is_empty()).then(|| part(plan, mesh));
-    Model { parts: plans.into_iter().zip(meshes).filter_map(seen).collect(), materials: plant.materials.clone() }
+    Model {
+        parts: plans.into_iter().zip(meshes).filter_map(seen).collect(),
+        materials: plant.materials.clone(),
+    }
 }
 
 /// Branches always have meshes, so they keep their indices and carriers need no renumbering.
@@ -82,7 +86,10 @@ fn templates(plant: &Plant, params: &ModelParams) -> BTreeMap<u32, Option<FlatBl
         }
     }
     let mut scratch = FlatScratch::default();
-    firsts.into_iter().map(|(template, blade)| (template, flat::flatten(blade, &params.blade, &mut scratch))).collect()
+    firsts
+        .into_iter()
+        .map(|(template, blade)| (template, flat::flatten(blade, &params.blade, &mut scratch)))
+        .collect()
 }
 
 /// The largest extent of the skeleton and of where organs stand, metres: the unit of all branch tolerances.

@@ -43,19 +43,22 @@ impl Mesh {
     ///
     /// Smooth normals fail where a surface folds back on itself; there the crease is shown as a crease.
     pub fn split_disagreeing_corners(&mut self) {
-        for t in 0..self.triangles.len() {
-            let [a, b, c] = self.corners(self.triangles[t]);
+        let Self { points, vertices, triangles } = self;
+        for triangle in triangles {
+            let corners = triangle.map(|v| &vertices[v as usize]);
+            let [a, b, c] = corners.map(|vertex| points[vertex.point as usize]);
             let cross = (b - a).cross(c - a);
-            for corner in 0..3 {
-                let vertex = self.vertices[self.triangles[t][corner] as usize];
-                if vertex.normal.dot(cross) > 0.0 {
-                    continue;
-                }
-                // Scaled before squaring, because the cross product of a tiny face has a square of zero.
-                let scaled = cross / cross.abs().max_element();
-                if scaled.is_finite() {
-                    self.triangles[t][corner] = self.vertices.len() as u32;
-                    self.vertices.push(Vertex { normal: scaled.normalize(), ..vertex });
+            let agree = corners.map(|vertex| vertex.normal.dot(cross) > 0.0);
+            if agree == [true; 3] {
+                continue;
+            }
+            // Scaled before squaring, because the cross product of a tiny face has a square of zero.
+            let scaled = cross / cross.abs().max_element();
+            for (corner, agrees) in triangle.iter_mut().zip(agree) {
+                if !agrees && scaled.is_finite() {
+                    let own = Vertex { normal: scaled.normalize(), ..vertices[*corner as usize] };
+                    *corner = vertices.len() as u32;
+                    vertices.push(own);
                 }
             }
         }
@@ -82,7 +85,9 @@ impl Mesh {
             ensure(point.is_finite(), || format!("point {i} is {point}"))?;
         }
         for (i, vertex) in self.vertices.iter().enumerate() {
-            ensure((vertex.point as usize) < self.points.len(), || format!("vertex {i}: point out of range"))?;
+            ensure((vertex.point as usize) < self.points.len(), || {
+                format!("vertex {i}: point out of range")
+            })?;
             ensure(vertex.uv.is_finite(), || format!("vertex {i}: uv {}", vertex.uv))?;
             let length = vertex.normal.length();
             ensure((length - 1.0).abs() < 1e-3, || format!("vertex {i}: normal of length {length}"))?;
@@ -129,7 +134,9 @@ impl Mesh {
         for fan in wedges.chunk_by(|x, y| x[0] == y[0]) {
             let mut at = fan[0][1];
             for step in 1..=fan.len() {
-                let next = fan.binary_search_by_key(&at, |w| w[1]).map_err(|_| format!("open fan at {}", fan[0][0]))?;
+                let next = fan
+                    .binary_search_by_key(&at, |w| w[1])
+                    .map_err(|_| format!("open fan at {}", fan[0][0]))?;
                 at = fan[next][2];
                 let closed = at == fan[0][1];
                 ensure(closed == (step == fan.len()), || format!("point {} joins two surfaces", fan[0][0]))?;
@@ -182,7 +189,7 @@ mod tests {
         assert!(complaint(|m| m.triangles[0] = [0, 0, 1]).contains("no area"));
         assert!(complaint(|m| m.triangles[0][0] = 99).contains("index out of range"));
         assert!(complaint(|m| m.triangles.push(m.triangles[0])).contains("used twice"));
-        assert!(complaint(|m| drop(m.triangles.pop())).contains("one face"));
+        assert!(complaint(|m| m.triangles.truncate(3)).contains("one face"));
         assert!(complaint(|m| m.points.push(Vec3::ONE)).contains("points are used"));
         assert!(complaint(|m| m.points.push(Vec3::X)).contains("one place"));
     }
@@ -193,9 +200,14 @@ mod tests {
         let other = tetrahedron();
         mesh.points.extend(other.points[1..].iter().map(|p| -*p));
         let (points, vertices) = (3, mesh.vertices.len() as u32);
-        let moved = |v: &Vertex| Vertex { point: if v.point == 0 { 0 } else { v.point + points }, normal: -v.normal, ..*v };
+        let moved = |v: &Vertex| Vertex {
+            point: if v.point == 0 { 0 } else { v.point + points },
+            normal: -v.normal,
+            ..*v
+        };
         mesh.vertices.extend(other.vertices.iter().map(moved));
-        mesh.triangles.extend(other.triangles.iter().map(|t| [t[0] + vertices, t[2] + vertices, t[1] + vertices]));
+        mesh.triangles
+            .extend(other.triangles.iter().map(|t| [t[0] + vertices, t[2] + vertices, t[1] + vertices]));
         // Mirroring a body turns its faces inside out, so they are wound the other way.
         assert!(mesh.check_invariants().unwrap_err().contains("joins two surfaces"));
     }

@@ -84,10 +84,15 @@ pub(super) fn plan(plant: &Plant) -> Vec<Plan> {
                 continue;
             }
             let lone_organ = organ.flower.is_none().then_some(i);
-            let part = *gathered.entry((organ.flower, lone_organ, organ.kind, material)).or_insert_with(|| {
-                plans.push(template(names.gathered(organ, piece), material, Source::Filaments(Vec::new())));
-                plans.len() - 1
-            });
+            let part =
+                *gathered.entry((organ.flower, lone_organ, organ.kind, material)).or_insert_with(|| {
+                    plans.push(template(
+                        names.gathered(organ, piece),
+                        material,
+                        Source::Filaments(Vec::new()),
+                    ));
+                    plans.len() - 1
+                });
             if let Source::Filaments(pieces) = &mut plans[part].source {
                 pieces.push((i, piece));
             }
@@ -120,7 +125,8 @@ impl Specimens {
             let specimen = branch.parent.map_or_else(&mut next, |p| of_branch[p]);
             of_branch.push(specimen);
         }
-        let of_flower = plant.flowers.iter().map(|f| f.branch.map_or_else(&mut next, |b| of_branch[b])).collect();
+        let of_flower =
+            plant.flowers.iter().map(|f| f.branch.map_or_else(&mut next, |b| of_branch[b])).collect();
         Self { of_branch, of_flower, first_lone: count }
     }
 }

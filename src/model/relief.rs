@@ -94,8 +94,9 @@ mod tests {
     use glam::Vec3;
 
     fn oval(form: BladeForm, curl: f32) -> Blade {
-        let outline: Vec<Vec2> =
-            (0..60).map(|k| Vec2::from_angle(k as f32 * 0.1047) * Vec2::new(0.3, 0.5) + Vec2::Y * 0.5).collect();
+        let outline: Vec<Vec2> = (0..60)
+            .map(|k| Vec2::from_angle(k as f32 * 0.1047) * Vec2::new(0.3, 0.5) + Vec2::Y * 0.5)
+            .collect();
         Blade {
             curl: vec![curl; outline.len()],
             outline,
@@ -160,7 +161,8 @@ mod tests {
     fn waves_need_the_margin() {
         let form = BladeForm { ruffle: 0.05, ruffle_waves: 10.0, ..STILL };
         let highest = |radius: f32| {
-            let at = |k: i32| Vec2::new(0.3, 0.5) * radius * Vec2::from_angle(k as f32 * 0.01) + Vec2::Y * 0.5;
+            let at =
+                |k: i32| Vec2::new(0.3, 0.5) * radius * Vec2::from_angle(k as f32 * 0.01) + Vec2::Y * 0.5;
             (0..628).map(|k| height(form, 0.0, at(k)).abs()).fold(0.0, f32::max)
         };
         assert!(highest(1.0) > 0.03 && highest(0.0) < 1e-6);

@@ -37,8 +37,13 @@ impl Sections {
             high = high.max(point.at.y);
             widest = widest.max(point.at.x.abs());
         }
-        let mut sections =
-            Self { low, high, widest, right: [HalfSection::default(); COUNT], left: [HalfSection::default(); COUNT] };
+        let mut sections = Self {
+            low,
+            high,
+            widest,
+            right: [HalfSection::default(); COUNT],
+            left: [HalfSection::default(); COUNT],
+        };
         let mut from = outline[outline.len() - 1];
         for &to in outline {
             sections.add_edge(from, to);

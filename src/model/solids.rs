@@ -51,7 +51,8 @@ enum Picture {
 /// A half ellipsoid, closed underneath.
 pub(super) fn dome(stand: Stand, (radius, height): (f32, f32), params: &SolidParams) -> Mesh {
     let rows = params.dome_rows;
-    let arc = (0..=rows).map(|i| Vec2::from_angle(FRAC_PI_2 * i as f32 / rows as f32) * Vec2::new(radius, height));
+    let arc =
+        (0..=rows).map(|i| Vec2::from_angle(FRAC_PI_2 * i as f32 / rows as f32) * Vec2::new(radius, height));
     let profile: Vec<Vec2> = std::iter::once(Vec2::ZERO).chain(arc).collect();
     revolved(stand, &profile, params.sides, Picture::FromAbove)
 }

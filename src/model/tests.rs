@@ -1,7 +1,9 @@
 //! Property tests of the whole stage over random plants: outlines of every kind, skeletons that loop and fold back.
 
 use super::*;
-use crate::plant::{Blade, BladeForm, Branch, Cone, Flower, Organ, Plant, RestSurface, Shape, WorldFromCanvas};
+use crate::plant::{
+    Blade, BladeForm, Branch, Cone, Flower, Organ, Plant, RestSurface, Shape, WorldFromCanvas,
+};
 use glam::{Quat, Vec2};
 use proptest::prelude::*;
 use std::f32::consts::TAU;
@@ -19,10 +21,16 @@ fn outline() -> impl Strategy<Value = Vec<Vec2>> {
     };
     let notched = (0.05f32..0.6, 0.05f32..0.6, 0.0f32..0.1).prop_map(|(width, notch, slit)| {
         let corner = |x: f32, y| Vec2::new(x * width, y);
-        vec![corner(0.0, 0.0), corner(1.0, 0.5), corner(0.8, 1.0), corner(slit, 1.0), corner(0.0, 1.0 - notch)]
-            .into_iter()
-            .chain([corner(-slit, 1.0), corner(-0.8, 1.0), corner(-1.0, 0.5)])
-            .collect()
+        vec![
+            corner(0.0, 0.0),
+            corner(1.0, 0.5),
+            corner(0.8, 1.0),
+            corner(slit, 1.0),
+            corner(0.0, 1.0 - notch),
+        ]
+        .into_iter()
+        .chain([corner(-slit, 1.0), corner(-0.8, 1.0), corner(-1.0, 0.5)])
+        .collect()
     });
     let scribble = prop::collection::vec((-1.0f32..1.0, -0.2f32..1.2), 3..40)
         .prop_map(|points| points.into_iter().map(Vec2::from).collect());
@@ -37,14 +45,16 @@ fn outline() -> impl Strategy<Value = Vec<Vec2>> {
 
 fn form() -> impl Strategy<Value = BladeForm> {
     let bends = (-1.0f32..1.0, -1.0f32..1.0, -2.0f32..2.0, -1.0f32..1.0);
-    (bends, 0.0f32..0.3, 0.0f32..40.0, 0.001f32..0.1).prop_map(|(b, ruffle, ruffle_waves, thickness)| BladeForm {
-        bend_quartic: b.0,
-        bend_quadratic: b.1,
-        cup: b.2,
-        fold: b.3,
-        ruffle,
-        ruffle_waves,
-        thickness,
+    (bends, 0.0f32..0.3, 0.0f32..40.0, 0.001f32..0.1).prop_map(|(b, ruffle, ruffle_waves, thickness)| {
+        BladeForm {
+            bend_quartic: b.0,
+            bend_quadratic: b.1,
+            cup: b.2,
+            fold: b.3,
+            ruffle,
+            ruffle_waves,
+            thickness,
+        }
     })
 }
 
@@ -65,7 +75,11 @@ fn blade() -> impl Strategy<Value = Blade> {
     (outline(), form(), pose, rest, prop::option::of(0u32..3), -1.0f32..1.0, 0.5f32..2.0).prop_map(
         |(outline, form, (base, turn, angle, scale), rest, template, curl, stretch)| {
             let length = 10f32.powf(scale);
-            let turn = if rest.is_some() { Quat::from_rotation_z(angle) } else { Quat::from_axis_angle(turn, angle) };
+            let turn = if rest.is_some() {
+                Quat::from_rotation_z(angle)
+            } else {
+                Quat::from_axis_angle(turn, angle)
+            };
             let rest = rest.map_or(RestSurface::Plane, |(axis, opening_rad)| {
                 let cone = Cone { apex: base, axis, opening_rad, height: length * opening_rad.cos() };
                 RestSurface::Cone { cone, hint: base.z + 0.3 * length }
@@ -88,18 +102,25 @@ fn skeleton() -> impl Strategy<Value = Vec<Vec3>> {
     });
     let straight = (direction(), 2usize..30).prop_map(|(d, n)| (0..n).map(|k| d * k as f32 * 0.05).collect());
     let upright = (2usize..9).prop_map(|n| (0..n).map(|k| Vec3::Z * k as f32 * 0.1).collect());
-    let hairpin = (direction(), vector()).prop_map(|(d, off)| vec![Vec3::ZERO, d, d * 0.1 + off * 1e-3, d * 2.0]);
+    let hairpin =
+        (direction(), vector()).prop_map(|(d, off)| vec![Vec3::ZERO, d, d * 0.1 + off * 1e-3, d * 2.0]);
     let spiral = (0.005f32..0.5, 0.0f32..0.2, 4usize..80).prop_map(|(radius, rise, n)| {
-        let at = |k: usize| (Vec2::from_angle(k as f32 * 0.4) * radius).extend(rise * k as f32 + k as f32 * 1e-4);
+        let at =
+            |k: usize| (Vec2::from_angle(k as f32 * 0.4) * radius).extend(rise * k as f32 + k as f32 * 1e-4);
         (0..n).map(at).collect()
     });
-    prop_oneof![walk, straight, upright, hairpin, spiral]
+    prop_oneof![walk, straight, upright, hairpin, spiral].prop_map(|mut points: Vec<Vec3>| {
+        points.dedup();
+        if points.len() < 2 {
+            points = vec![Vec3::ZERO, Vec3::X];
+        }
+        points
+    })
 }
 
 fn branch() -> impl Strategy<Value = Branch> {
     (skeleton(), vector(), -4.0f32..0.0, 0.01f32..1.2).prop_map(|(points, base, thick, taper)| {
-        let points: Vec<Vec3> = points.into_iter().map(|p| p + base).collect();
-        let mut points = points;
+        let mut points: Vec<Vec3> = points.into_iter().map(|p| p + base).collect();
         points.dedup();
         let share = |k: usize| k as f32 / points.len() as f32;
         let radii = (0..points.len()).map(|k| 10f32.powf(thick) * (1.0 + (taper - 1.0) * share(k))).collect();
@@ -112,11 +133,11 @@ fn solid() -> impl Strategy<Value = (OrganKind, Shape)> {
     let dome = (vector(), direction(), size.clone()).prop_map(|(base, axis, (radius, height))| {
         (OrganKind::Receptacle, Shape::Dome { base, axis, radius, height })
     });
-    let thread = (skeleton(), 0.001f32..0.02, size, 0usize..2).prop_map(|(mut points, radius, head, material)| {
-        points.dedup();
-        let head = Vec2::from(head) * 0.1;
-        (OrganKind::Stamen, Shape::Filament { points, radius, head, head_material: material })
-    });
+    let thread =
+        (skeleton(), 0.001f32..0.02, size, 0usize..2).prop_map(|(points, radius, head, material)| {
+            let head = Vec2::from(head) * 0.1;
+            (OrganKind::Stamen, Shape::Filament { points, radius, head, head_material: material })
+        });
     let profile = prop::collection::vec((0.0f32..1.0, 0.0f32..1.0), 3..9);
     let pot = (vector(), direction(), profile).prop_map(|(base, axis, profile)| {
         (OrganKind::Pot, Shape::Lathe { base, axis, profile: profile.into_iter().map(Vec2::from).collect() })
@@ -197,8 +218,8 @@ proptest! {
     fn ordinary_outlines_always_become_blades(blade in blade()) {
         let area = crate::geom::simple_loop::signed_area(blade.outline.iter().copied()).abs();
         prop_assume!(area > 1e-3 * blade.length * blade.length);
-        let graph = triangulation_input(&blade, &BladeMeshParams::default());
-        prop_assert!(graph.is_some());
+        let flat = flat::flatten(&blade, &BladeMeshParams::default(), &mut flat::FlatScratch::default());
+        prop_assert!(flat.is_some());
     }
 }
 

@@ -42,12 +42,21 @@ const FARTHEST: f32 = 0.002;
 /// Bark shrinks with the branch, but not beyond this share of the radius at its base.
 const FINEST_BARK: f32 = 0.3;
 
+/// How a tube takes its picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Picture {
+    /// Bark that repeats this many times around, and along as often as keeps it square.
+    Bark(f32),
+    /// One picture from base to tip.
+    Whole,
+}
+
 /// Look of one tube.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TubeLook {
     pub(super) sides: u32,
-    /// Pictures around the tube.
-    pub(super) repeats: f32,
+    /// What the tube wears.
+    pub(super) picture: Picture,
     /// Length of the end's cone in radii.
     pub(super) tip: f32,
     pub(super) detail: spine::Detail,
@@ -62,14 +71,19 @@ pub(super) struct TubeScratch {
 }
 
 /// The mesh of a branch in a plant of the given size in metres.
-pub(super) fn branch(branch: &Branch, params: &TubeParams, plant_size: f32, scratch: &mut TubeScratch) -> Mesh {
+pub(super) fn branch(
+    branch: &Branch,
+    params: &TubeParams,
+    plant_size: f32,
+    scratch: &mut TubeScratch,
+) -> Mesh {
     let base = branch.radii.first().copied().unwrap_or(0.0);
     let (fewest, most) = (params.fewest_sides.max(3), params.most_sides.max(params.fewest_sides).max(3));
     let thickness = base / (params.ordinary_radius * plant_size);
     let around = TAU * base / (params.bark_width * plant_size);
     let look = TubeLook {
         sides: ((params.sides as f32 * thickness.sqrt()).round() as u32).clamp(fewest, most),
-        repeats: around.round().clamp(1.0, 8.0),
+        picture: Picture::Bark(around.round().clamp(1.0, 8.0)),
         tip: params.tip,
         detail: spine::Detail { of_radius: params.tolerance, metres: FARTHEST * plant_size },
     };
@@ -95,9 +109,19 @@ pub(super) fn append(
     mesh.vertices.reserve(count * (k + 1) + 2 * k);
     mesh.triangles.reserve(2 * (count - 1) * k + 2 * k - 2);
     let first = (mesh.points.len() as u32, mesh.vertices.len() as u32);
-    let v = wall(mesh, rings, circle, look.repeats);
+    let end = &rings[count - 1];
+    let repeats = if let Picture::Bark(repeats) = look.picture { repeats } else { 1.0 };
+    let v = wall(mesh, rings, circle, repeats);
     base_cap(mesh, first.0, rings[0].tangent, circle);
-    tip_cap(mesh, &rings[count - 1], look, v);
+    tip_cap(mesh, end, look, Vec2::new(repeats, v + repeats * look.tip / TAU));
+    if look.picture == Picture::Whole {
+        let whole = 1.0 / (v + repeats * look.tip / TAU);
+        let (walls, rest) = mesh.vertices[first.1 as usize..].split_at_mut(count * (k + 1));
+        walls
+            .iter_mut()
+            .chain(&mut rest[k..])
+            .for_each(|vertex| vertex.uv.y = (vertex.uv.y * whole).min(1.0));
+    }
     join_rings(mesh, first.1, look.sides, count as u32 - 1);
 }
 
@@ -152,8 +176,9 @@ fn base_cap(mesh: &mut Mesh, first_point: u32, tangent: Vec3, circle: &[Vec2]) {
     mesh.triangles.extend((1..circle.len() as u32 - 1).map(|j| [first, first + j + 1, first + j]));
 }
 
-/// Closes the last ring, whose vertices are the latest but for the base cap's, with a cone.
-fn tip_cap(mesh: &mut Mesh, ring: &Ring, look: TubeLook, v: f32) {
+/// Closes the last ring, whose vertices are the latest but for the base cap's, with a cone whose point has the v of
+/// `uv_end`.
+fn tip_cap(mesh: &mut Mesh, ring: &Ring, look: TubeLook, uv_end: Vec2) {
     let k = look.sides;
     let last_ring = mesh.vertices.len() as u32 - k - (k + 1);
     let apex = mesh.points.len() as u32;
@@ -162,7 +187,7 @@ fn tip_cap(mesh: &mut Mesh, ring: &Ring, look: TubeLook, v: f32) {
     mesh.vertices.extend((0..k).map(|j| Vertex {
         point: apex,
         normal: ring.tangent,
-        uv: Vec2::new(look.repeats * (j as f32 + 0.5) / k as f32, v + look.repeats * look.tip / TAU),
+        uv: Vec2::new((j as f32 + 0.5) / k as f32, 1.0) * uv_end,
     }));
     mesh.triangles.extend((0..k).map(|j| [last_ring + j, last_ring + j + 1, first + j]));
 }
