@@ -65,6 +65,6 @@ mod tests {
         let hook = [(0.0, 0.0), (1.0, 0.05), (2.0, 0.0), (2.0, 1.0), (2.05, 2.0), (2.0, 3.0)];
         let hook = hook.map(Vec2::from);
         assert_eq!(simplified(&hook, 0.1), [0, 2, 5]);
-        assert_eq!(simplified(&hook, 0.01), [0, 1, 2, 4, 5]);
+        assert_eq!(simplified(&hook, 0.03), [0, 1, 2, 4, 5]);
     }
 }

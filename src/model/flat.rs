@@ -117,8 +117,8 @@ fn follows(a: usize, b: usize, margin: usize) -> bool {
 }
 
 fn is_inside([a, b, c]: [usize; 3], margin: usize) -> bool {
-    let in_order = (a < b && b < c) || (b < c && c < a) || (c < a && a < b);
-    in_order || a >= margin || b >= margin || c >= margin
+    let ascents = [(a, b), (b, c), (c, a)].iter().filter(|(from, to)| from < to).count();
+    ascents == 2 || a >= margin || b >= margin || c >= margin
 }
 
 /// A triangulated blade before it is bent; shared by all blades of one template.

@@ -191,3 +191,42 @@ fn tip_cap(mesh: &mut Mesh, ring: &Ring, look: TubeLook, uv_end: Vec2) {
     }));
     mesh.triangles.extend((0..k).map(|j| [last_ring + j, last_ring + j + 1, first + j]));
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stem(points: Vec<Vec3>, radius: f32) -> Mesh {
+        let radii = vec![radius; points.len()];
+        let stem = Branch { stroke: None, parent: None, level: 0, points, radii, material: 0 };
+        let mesh = branch(&stem, &TubeParams::default(), 1.0, &mut TubeScratch::default());
+        mesh.check_invariants().unwrap();
+        mesh
+    }
+
+    #[test]
+    fn sides_grow_with_the_radius_within_limits() {
+        // Two rings of sides and the point of the cone.
+        let sides = |radius| (stem(vec![Vec3::ZERO, Vec3::Y], radius).points.len() - 1) / 2;
+        assert_eq!([0.0001, 0.006, 0.024, 0.5].map(sides), [5, 8, 16, 24]);
+    }
+
+    #[test]
+    fn a_straight_stem_has_its_radius_and_ends_in_a_cone() {
+        let mesh = stem(vec![Vec3::ZERO, Vec3::Z], 0.006);
+        for p in &mesh.points[..16] {
+            assert!((p.truncate().length() - 0.006).abs() < 1e-6);
+        }
+        assert!((mesh.points[16].z - 1.0 - 0.7 * 0.006).abs() < 1e-6);
+    }
+
+    #[test]
+    fn bark_is_as_dense_along_as_around() {
+        let mesh = stem(vec![Vec3::ZERO, Vec3::X * 0.5, Vec3::new(1.0, 0.2, 0.0)], 0.03);
+        let around = TAU * 0.03;
+        let u = mesh.vertices.iter().map(|v| v.uv.x).fold(0.0, f32::max);
+        assert_eq!(u, 2.0);
+        let second_ring = mesh.vertices.iter().find(|v| v.point == 18).unwrap();
+        assert!((second_ring.uv.y / 0.5 - u / around).abs() < 0.1 * u / around, "{}", second_ring.uv.y);
+    }
+}
