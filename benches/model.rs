@@ -117,6 +117,11 @@ fn against_spade(c: &mut Criterion) {
             BatchSize::SmallInput,
         );
     });
+    group.bench_function("spade_in_row_order", |b| {
+        b.iter(|| {
+            graphs.iter().filter_map(|graph| black_box(graph).triangulate()).map(|t| t.len()).sum::<usize>()
+        });
+    });
     group.bench_function("model", |b| {
         let run = || build(black_box(&plant), &ModelParams::default());
         b.iter(|| single.as_ref().map(|pool| pool.install(run)));

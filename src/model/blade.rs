@@ -162,3 +162,89 @@ fn add_rim(flat: &FlatBlade, scratch: &BladeScratch, mesh: &mut Mesh) {
         mesh.triangles.push([front_next, front_i + 1, front_next + 1]);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::flat::{FlatScratch, flatten};
+    use super::*;
+    use crate::plant::{BladeForm, Cone};
+
+    const STILL: BladeForm = BladeForm {
+        bend_quartic: 0.0,
+        bend_quadratic: 0.0,
+        cup: 0.0,
+        fold: 0.0,
+        ruffle: 0.0,
+        ruffle_waves: 0.0,
+        thickness: 0.01,
+    };
+
+    fn oval(rest: RestSurface, form: BladeForm) -> Blade {
+        let point = |k: usize| Vec2::from_angle(k as f32 * 0.1047) * Vec2::new(0.2, 0.5) + Vec2::Y * 0.5;
+        let outline: Vec<Vec2> = (0..60).map(point).collect();
+        let base = Vec3::new(0.3, 0.2, -0.1);
+        Blade { outline, curl: vec![], base, u: Vec3::X, v: Vec3::Y, length: 1.0, rest, form, template: None }
+    }
+
+    fn built(blade: &Blade) -> (FlatBlade, Mesh) {
+        let params = BladeMeshParams::default();
+        let flat = flatten(blade, &params, &mut FlatScratch::default()).unwrap();
+        let mesh = mesh(blade, &flat, &params, &mut BladeScratch::default()).unwrap();
+        mesh.check_invariants().unwrap();
+        (flat, mesh)
+    }
+
+    #[test]
+    fn a_still_blade_shows_its_outline_from_the_front() {
+        let blade = oval(RestSurface::Plane, STILL);
+        let (flat, mesh) = built(&blade);
+        for (point, drawn) in mesh.points.iter().zip(&flat.points) {
+            assert!((point.truncate() - blade.base.truncate()).distance(*drawn) < 1e-6);
+        }
+    }
+
+    #[test]
+    fn faces_stand_one_thickness_apart_and_closer_at_the_margin() {
+        let (flat, mesh) = built(&oval(RestSurface::Plane, STILL));
+        let apart = |i: usize| mesh.points[i].distance(mesh.points[i + flat.points.len()]);
+        assert!((apart(0) - 0.005).abs() < 1e-5);
+        assert!((apart(flat.margin) - 0.01).abs() < 1e-5);
+    }
+
+    #[test]
+    fn the_picture_fits_from_base_to_tip() {
+        let (_, mesh) = built(&oval(RestSurface::Plane, STILL));
+        let uvs = || mesh.vertices.iter().map(|v| v.uv);
+        let (lo, hi) = uvs().fold((Vec2::ONE, Vec2::ZERO), |(lo, hi), uv| (lo.min(uv), hi.max(uv)));
+        assert!(lo.length() < 0.01 && (hi - Vec2::ONE).length() < 0.01);
+    }
+
+    #[test]
+    fn petals_hollow_away_from_the_flowers_axis() {
+        let hollow = BladeForm { cup: 0.4, ..STILL };
+        for axis in [Vec3::new(0.0, 0.5, 0.866), Vec3::new(0.0, 0.9, -0.436)] {
+            let apex = Vec3::new(0.3, 0.2, -0.1);
+            let cone = Cone { apex, axis: axis.normalize(), opening_rad: 0.8, height: 1.0 };
+            let rest = RestSurface::Cone { cone, hint: -0.1 };
+            let ((flat, still), (_, bent)) = (built(&oval(rest, STILL)), built(&oval(rest, hollow)));
+            let to_axis = |p: Vec3| (p - apex).reject_from_normalized(cone.axis).length();
+            let middle =
+                (0..flat.points.len()).find(|i| flat.points[*i].distance(Vec2::Y * 0.5) < 0.01).unwrap();
+            assert!(to_axis(bent.points[middle]) > to_axis(still.points[middle]) + 0.01, "axis {axis}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_seen_has_no_mesh() {
+        let params = BladeMeshParams::default();
+        let blade = oval(RestSurface::Plane, STILL);
+        let flat = flatten(&blade, &params, &mut FlatScratch::default()).unwrap();
+        for spoilt in [
+            Blade { u: Vec3::ZERO, ..blade.clone() },
+            Blade { u: Vec3::Y, ..blade.clone() },
+            Blade { base: Vec3::X * 1e6, ..blade.clone() },
+        ] {
+            assert!(mesh(&spoilt, &flat, &params, &mut BladeScratch::default()).is_none());
+        }
+    }
+}

@@ -6,7 +6,7 @@
 use super::mesh::Mesh;
 use super::solids::{self, SolidParams, Stand};
 use super::spine;
-use super::tube::{self, TubeLook, TubeScratch};
+use super::tube::{self, Picture, TubeLook, TubeScratch};
 use crate::plant::{Organ, Shape};
 use glam::Vec3;
 
@@ -35,7 +35,12 @@ pub(super) fn mesh<'a>(
         match piece {
             Piece::Thread => {
                 let detail = spine::Detail { of_radius: TOLERANCE, metres: f32::INFINITY };
-                let look = TubeLook { sides: params.filament_sides.max(3), repeats: 1.0, tip: TIP, detail };
+                let look = TubeLook {
+                    sides: params.filament_sides.max(3),
+                    picture: Picture::Whole,
+                    tip: TIP,
+                    detail,
+                };
                 tube::append(&mut mesh, points.iter().map(|p| (*p, *radius)), look, scratch);
             }
             Piece::Head => {

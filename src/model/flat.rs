@@ -15,7 +15,10 @@ use super::{
 };
 use crate::plant::Blade;
 use glam::Vec2;
+use spade::handles::FixedVertexHandle;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
+
+type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
 crate::parameters! {
     /// How finely petals, leaves and sepals are modelled.
@@ -50,35 +53,23 @@ pub struct PlanarGraph {
 
 impl PlanarGraph {
     /// Points and constraints as `spade` takes them.
-    ///
-    /// Every point is moved by about a millionth of the blade, because symmetric blades are full of points on common
-    /// circles, whose triangulation would depend on the order in which a hash set is read.
     pub fn spade_input(&self) -> (Vec<Point2<f64>>, Vec<[usize; 2]>) {
-        let moved = |(i, p): (usize, &Vec2)| {
-            let hash = (i as u32 + 1).wrapping_mul(0x9E37_79B9);
-            let share = |bits: u32| (f64::from(bits & 0xFFFF) / 65536.0 - 0.5) * 2e-6;
-            Point2::new(f64::from(p.x) + share(hash), f64::from(p.y) + share(hash >> 16))
-        };
-        let points = self.points.iter().enumerate().map(moved).collect();
-        let edges = (0..self.margin).map(|i| [i, if i + 1 == self.margin { 0 } else { i + 1 }]).collect();
-        (points, edges)
+        let point = |p: &Vec2| Point2::new(f64::from(p.x), f64::from(p.y));
+        let edges = (0..self.margin).map(|i| [i, (i + 1) % self.margin]).collect();
+        (self.points.iter().map(point).collect(), edges)
     }
 
     /// The faces inside the outline, counter-clockwise; `None` if the outline crosses or touches itself.
-    fn triangulate(&self) -> Option<Vec<[u32; 3]>> {
-        let (points, edges) = self.spade_input();
-        let mut conflicts = 0;
-        let cdt: ConstrainedDelaunayTriangulation<Point2<f64>> =
-            ConstrainedDelaunayTriangulation::try_bulk_load_cdt(points, edges, |_| conflicts += 1).ok()?;
-        if conflicts > 0 || cdt.num_vertices() != self.points.len() {
-            return None;
-        }
+    pub fn triangulate(&self) -> Option<Vec<[u32; 3]>> {
+        let (cdt, handles) = self.constrained()?;
+        let mut index = vec![0; handles.len()];
+        handles.iter().enumerate().for_each(|(i, handle)| index[handle.index()] = i);
         let n = self.margin;
         let expected = n + 2 * (self.points.len() - n) - 2;
         let mut triangles = Vec::with_capacity(expected);
         let mut margin_edges = 0;
         for face in cdt.inner_faces() {
-            let corners = face.vertices().map(|v| v.fix().index());
+            let corners = face.vertices().map(|v| index[v.fix().index()]);
             if is_inside(corners, n) {
                 let [a, b, c] = corners;
                 margin_edges += [(a, b), (b, c), (c, a)].iter().filter(|e| follows(e.0, e.1, n)).count();
@@ -88,15 +79,46 @@ impl PlanarGraph {
         // A disc with this many points has exactly this many faces; anything else means a touching outline.
         (triangles.len() == expected && margin_edges == n).then_some(triangles)
     }
+
+    /// The constrained Delaunay triangulation and the vertex of every point; `None` if points coincide.
+    ///
+    /// Points go in one after the other, each next to the one before: rows first, then around the outline, whose edges
+    /// then mostly exist already. On a blade this takes half the time of spade's bulk loading, and unlike that does
+    /// not depend on the order of a hash set where points lie on common circles.
+    fn constrained(&self) -> Option<(Cdt, Vec<FixedVertexHandle>)> {
+        let (points, edges) = self.spade_input();
+        let count = points.len();
+        let mut cdt = Cdt::with_capacity(count, 3 * count, 2 * count);
+        let mut handles = vec![FixedVertexHandle::from_index(0); count];
+        let mut last = None;
+        for i in (self.margin..count).chain(0..self.margin) {
+            let inserted = match last {
+                Some(hint) => cdt.insert_with_hint(points[i], hint),
+                None => cdt.insert(points[i]),
+            };
+            handles[i] = inserted.ok()?;
+            last = Some(handles[i]);
+        }
+        if cdt.num_vertices() != count {
+            return None;
+        }
+        let missing = |[a, b]: &[usize; 2]| cdt.get_edge_from_neighbors(handles[*a], handles[*b]).is_none();
+        if edges.iter().any(missing) {
+            for [a, b] in edges {
+                cdt.try_add_constraint(handles[a], handles[b]);
+            }
+        }
+        Some((cdt, handles))
+    }
 }
 
 fn follows(a: usize, b: usize, margin: usize) -> bool {
-    a < margin && (b == a + 1 || (b == 0 && a + 1 == margin))
+    (b == a + 1 && b < margin) || (b == 0 && a + 1 == margin)
 }
 
 fn is_inside([a, b, c]: [usize; 3], margin: usize) -> bool {
-    let in_order = (a < b && b < c) || (b < c && c < a) || (c < a && a < b);
-    in_order || a >= margin || b >= margin || c >= margin
+    let ascents = [(a, b), (b, c), (c, a)].iter().filter(|(from, to)| from < to).count();
+    ascents == 2 || a >= margin || b >= margin || c >= margin
 }
 
 /// A triangulated blade before it is bent; shared by all blades of one template.
@@ -206,4 +228,77 @@ fn graph(
     points.extend(margin.iter().map(|m| m.at));
     interior::fill(margin, &sections, density, scratch, &mut points);
     Some((PlanarGraph { points, margin: margin.len() }, sections))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geom::simple_loop::signed_area;
+    use crate::plant::{BladeForm, RestSurface};
+    use glam::Vec3;
+
+    fn flat(outline: &[(f32, f32)], template: Option<u32>) -> Option<FlatBlade> {
+        let outline: Vec<Vec2> = outline.iter().copied().map(Vec2::from).collect();
+        let blade = Blade {
+            outline,
+            curl: Vec::new(),
+            base: Vec3::ZERO,
+            u: Vec3::X,
+            v: Vec3::Y,
+            length: 1.0,
+            rest: RestSurface::Plane,
+            form: BladeForm::default(),
+            template,
+        };
+        flatten(&blade, &BladeMeshParams::default(), &mut FlatScratch::default())
+    }
+
+    fn covered(flat: &FlatBlade) -> f32 {
+        let corner = |t: &[u32; 3]| t.map(|i| flat.points[i as usize]);
+        flat.triangles.iter().map(corner).map(|t| signed_area(t.into_iter())).sum()
+    }
+
+    #[test]
+    fn a_notch_stays_open() {
+        let heart = [(0.0, 0.0), (0.5, 0.6), (0.3, 1.0), (0.0, 0.7), (-0.3, 1.0), (-0.5, 0.6)];
+        let flat = flat(&heart, None).unwrap();
+        let drawn = signed_area(heart.into_iter().map(Vec2::from));
+        assert!((covered(&flat) - drawn).abs() < 1e-4);
+        assert!((40..=130).contains(&flat.triangles.len()), "{} faces", flat.triangles.len());
+    }
+
+    #[test]
+    fn an_outline_that_crosses_itself_keeps_its_larger_part() {
+        let tail = [(0.754, 0.98), (-0.764, 0.87), (0.0, 0.0), (0.801, 0.0), (0.833, -0.06), (0.0, 0.505)];
+        let flat = flat(&tail, None).unwrap();
+        assert!(covered(&flat) > 0.5);
+        assert!(flat.points[..flat.margin].iter().all(|p| p.y > -1e-3));
+    }
+
+    #[test]
+    fn a_narrow_template_keeps_its_two_sides() {
+        let oval: Vec<(f32, f32)> =
+            (0..90).map(|k| (0.004 * (k as f32 * 0.07).cos(), 0.5 + 0.5 * (k as f32 * 0.07).sin())).collect();
+        let flat = flat(&oval, Some(0)).unwrap();
+        assert!((covered(&flat) - 0.00628).abs() < 1e-3);
+    }
+
+    #[test]
+    fn an_outline_without_area_has_no_triangulation() {
+        assert!(flat(&[(0.0, 0.0), (0.0, 0.5), (0.0, 1.0)], None).is_none());
+        assert!(flat(&[(0.0, 0.0), (0.0, 0.0), (0.0, 0.0)], None).is_none());
+    }
+
+    #[test]
+    fn template_leaves_are_light() {
+        let leaf: Vec<(f32, f32)> = (0..120)
+            .map(|k| {
+                let a = k as f32 * std::f32::consts::TAU / 120.0;
+                (0.22 * a.sin() * (1.0 + 0.3 * a.cos()), 0.5 - 0.5 * a.cos())
+            })
+            .collect();
+        let flat = flat(&leaf, Some(0)).unwrap();
+        let closed = 2 * flat.triangles.len() + 2 * flat.margin;
+        assert!(closed <= 56, "{closed} faces");
+    }
 }

@@ -43,19 +43,22 @@ impl Mesh {
     ///
     /// Smooth normals fail where a surface folds back on itself; there the crease is shown as a crease.
     pub fn split_disagreeing_corners(&mut self) {
-        for t in 0..self.triangles.len() {
-            let [a, b, c] = self.corners(self.triangles[t]);
+        let Self { points, vertices, triangles } = self;
+        for triangle in triangles {
+            let corners = triangle.map(|v| &vertices[v as usize]);
+            let [a, b, c] = corners.map(|vertex| points[vertex.point as usize]);
             let cross = (b - a).cross(c - a);
-            for corner in 0..3 {
-                let vertex = self.vertices[self.triangles[t][corner] as usize];
-                if vertex.normal.dot(cross) > 0.0 {
-                    continue;
-                }
-                // Scaled before squaring, because the cross product of a tiny face has a square of zero.
-                let scaled = cross / cross.abs().max_element();
-                if scaled.is_finite() {
-                    self.triangles[t][corner] = self.vertices.len() as u32;
-                    self.vertices.push(Vertex { normal: scaled.normalize(), ..vertex });
+            let agree = corners.map(|vertex| vertex.normal.dot(cross) > 0.0);
+            if agree == [true; 3] {
+                continue;
+            }
+            // Scaled before squaring, because the cross product of a tiny face has a square of zero.
+            let scaled = cross / cross.abs().max_element();
+            for (corner, agrees) in triangle.iter_mut().zip(agree) {
+                if !agrees && scaled.is_finite() {
+                    let own = Vertex { normal: scaled.normalize(), ..vertices[*corner as usize] };
+                    *corner = vertices.len() as u32;
+                    vertices.push(own);
                 }
             }
         }
@@ -186,7 +189,7 @@ mod tests {
         assert!(complaint(|m| m.triangles[0] = [0, 0, 1]).contains("no area"));
         assert!(complaint(|m| m.triangles[0][0] = 99).contains("index out of range"));
         assert!(complaint(|m| m.triangles.push(m.triangles[0])).contains("used twice"));
-        assert!(complaint(|m| m.triangles.truncate(m.triangles.len() - 1)).contains("one face"));
+        assert!(complaint(|m| m.triangles.truncate(3)).contains("one face"));
         assert!(complaint(|m| m.points.push(Vec3::ONE)).contains("points are used"));
         assert!(complaint(|m| m.points.push(Vec3::X)).contains("one place"));
     }

@@ -59,9 +59,12 @@ pub(super) fn prepare(
     if spaced.len() < 3 {
         return;
     }
-    if simple_loop::signed_area(spaced.iter().map(|m| m.at)) < 0.0 {
+    let area = simple_loop::signed_area(spaced.iter().map(|m| m.at));
+    if area < 0.0 {
         spaced.reverse();
     }
+    // The two sides of a narrow blade must not fall together: its area is its mean width.
+    let tolerance = detail.tolerance.min(0.25 * area.abs()).max(f32::MIN_POSITIVE);
     let base = best(spaced, |m| -m.at.length_squared());
     spaced.rotate_left(base);
     spaced.push(spaced[0]);
@@ -70,7 +73,7 @@ pub(super) fn prepare(
     scratch.kept.resize(spaced.len(), false);
     for span in [(0, tip), (tip, spaced.len() - 1)] {
         simplify::mark(span, &mut scratch.kept, &mut scratch.pending, |a, b| {
-            distance_from_chord(spaced, a, b, detail.tolerance)
+            distance_from_chord(spaced, a, b, tolerance)
         });
     }
     divide(spaced, &scratch.kept, detail.longest_edge, out);
@@ -102,8 +105,8 @@ fn best(points: &[MarginPoint], merit: impl Fn(&MarginPoint) -> f32) -> usize {
     points.iter().enumerate().fold((0, f32::NEG_INFINITY), better).0
 }
 
-/// Distance of a point from the segment `a`–`b` as a multiple of the tolerance; the curl counts too, because a
-/// straight margin may still be pressed unevenly.
+/// Squared distance of a point from the segment `a`–`b` as a multiple of the squared tolerance; the curl counts too,
+/// because a straight margin may still be pressed unevenly.
 fn distance_from_chord(
     points: &[MarginPoint],
     a: usize,
@@ -113,13 +116,13 @@ fn distance_from_chord(
     const CURL_TOLERANCE: f32 = 0.15;
     let (from, to) = (points[a], points[b]);
     let along = to.at - from.at;
-    let inverse = 1.0 / along.length_squared().max(f32::MIN_POSITIVE);
-    let per_tolerance = 1.0 / tolerance;
+    let (inverse, curled) = (1.0 / along.length_squared().max(f32::MIN_POSITIVE), to.curl - from.curl);
+    let per_tolerance = 1.0 / (tolerance * tolerance);
     move |i| {
-        let share = ((points[i].at - from.at).dot(along) * inverse).clamp(0.0, 1.0);
-        let chord = from.lerp(&to, share);
-        let off = points[i].at.distance(chord.at) * per_tolerance;
-        off.max((points[i].curl - chord.curl).abs() * (1.0 / CURL_TOLERANCE))
+        let (from_start, curl) = (points[i].at - from.at, points[i].curl - from.curl);
+        let share = (from_start.dot(along) * inverse).clamp(0.0, 1.0);
+        let off = from_start.distance_squared(along * share) * per_tolerance;
+        off.max((curl - curled * share).powi(2) * (1.0 / (CURL_TOLERANCE * CURL_TOLERANCE)))
     }
 }
 

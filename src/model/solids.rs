@@ -79,7 +79,7 @@ fn revolved(stand: Stand, profile: &[Vec2], sides: u32, picture: Picture) -> Mes
 /// The profile from pole to pole, its inner points off the axis, none repeated, outside to the right.
 fn closed_profile(profile: &[Vec2]) -> Vec<Vec2> {
     let size = profile.iter().fold(0.0f32, |m, p| m.max(p.abs().max_element()));
-    let off_axis = 1e-3 * size;
+    let off_axis = (1e-3 * size).max(f32::MIN_POSITIVE);
     let mut inner: Vec<Vec2> = Vec::with_capacity(profile.len() + 2);
     for p in profile {
         let p = Vec2::new(p.x.abs(), p.y);
@@ -198,5 +198,61 @@ impl Sweep {
                 mesh.triangles.push([low + j, top[0], top[1]]);
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const UPRIGHT: Stand = Stand { base: Vec3::ZERO, axis: Vec3::Y };
+
+    #[test]
+    fn a_dome_wears_its_picture_from_above() {
+        let mesh = dome(UPRIGHT, (2.0, 1.0), &SolidParams::default());
+        mesh.check_invariants().unwrap();
+        for vertex in &mesh.vertices {
+            let p = mesh.points[vertex.point as usize];
+            let from_middle = Vec2::new(p.x, p.z).length() / 2.0;
+            assert!((vertex.uv.distance(Vec2::splat(0.5)) * 2.0 - from_middle).abs() < 1e-4);
+        }
+        let top = mesh.points.iter().map(|p| p.y).fold(0.0, f32::max);
+        assert_eq!(top, 1.0);
+    }
+
+    #[test]
+    fn a_pot_is_hollow_and_its_rim_is_a_crease() {
+        let profile =
+            [(0.0, 0.0), (0.6, 0.0), (1.0, 1.0), (0.9, 1.0), (0.5, 0.1), (0.0, 0.1)].map(Vec2::from);
+        let mesh = lathe(UPRIGHT, &profile, &SolidParams::default());
+        mesh.check_invariants().unwrap();
+        let volume: f32 =
+            mesh.triangles.iter().map(|t| mesh.corners(*t)).map(|[a, b, c]| a.dot(b.cross(c))).sum();
+        assert!((0.3..0.9).contains(&(volume / 6.0)), "{}", volume / 6.0);
+        assert!(
+            mesh.vertices
+                .iter()
+                .any(|v| v.normal.distance(Vec3::Y) < 1e-3 && mesh.points[v.point as usize].y == 1.0)
+        );
+    }
+
+    #[test]
+    fn profiles_drawn_the_other_way_round_face_outward_too() {
+        let up = [(0.0, 0.0), (0.5, 0.5), (0.0, 1.0)].map(Vec2::from);
+        let down = [up[2], up[1], up[0]];
+        for profile in [up, down] {
+            let mesh = lathe(UPRIGHT, &profile, &SolidParams::default());
+            mesh.check_invariants().unwrap();
+            assert!(
+                mesh.vertices
+                    .iter()
+                    .all(|v| v.normal.dot(mesh.points[v.point as usize] - Vec3::Y * 0.5) > 0.0)
+            );
+        }
+    }
+
+    #[test]
+    fn a_profile_without_body_has_no_faces() {
+        assert!(lathe(UPRIGHT, &[Vec2::ZERO; 3], &SolidParams::default()).triangles.is_empty());
     }
 }

@@ -1,7 +1,7 @@
 //! Prepares a skeleton for its rings: few points, no kink sharper than a ring can follow.
 //!
 //! Points that neither the skeleton's course nor its radius needs are dropped (Douglas–Peucker in space and radius),
-//! sharp turns are cut to two blunter ones, and rings that would run into each other inside a bend are left out.
+//! sharp turns get rings close by on either side, and rings that would run into each other inside a bend are left out.
 //! The first and the last point always stay.
 
 use crate::geom::simplify;
@@ -24,7 +24,7 @@ pub(super) struct SpineScratch {
     spaced: Vec<Ring>,
     kept: Vec<bool>,
     pending: Vec<(usize, usize)>,
-    blunt: Vec<Ring>,
+    flanked: Vec<Ring>,
 }
 
 /// How closely a skeleton is followed.
@@ -38,8 +38,9 @@ pub(super) struct Detail {
 
 /// Neighbouring rings stand at least this share of their radius apart.
 const CLOSEST: f32 = 0.1;
-/// Turns with a smaller cosine than this are cut.
+/// Turns with a smaller cosine than this get a ring on either side, at this many radii.
 const SHARP: f32 = 0.5;
+const FLANK: f32 = 1.5;
 
 /// Writes the rings of a skeleton of at least two points to `out`: at least two, never at the same place.
 pub(super) fn rings(
@@ -57,7 +58,7 @@ pub(super) fn rings(
     });
     out.clear();
     out.extend(spaced.iter().zip(&scratch.kept).filter(|(_, kept)| **kept).map(|(ring, _)| *ring));
-    blunt_turns(out, &mut scratch.blunt);
+    flank_turns(out, &mut scratch.flanked);
     set_tangents(out);
     drop_overlapping(out);
     set_tangents(out);
@@ -108,33 +109,25 @@ fn distance_from_chord(
     }
 }
 
-/// Cuts corners sharper than 60 degrees, twice, so that even a hairpin turns in four steps.
-fn blunt_turns(rings: &mut Vec<Ring>, blunt: &mut Vec<Ring>) {
-    for share in [0.45, 0.3] {
-        let sharp = |w: &[Ring]| {
-            let (before, after) = (w[1].at - w[0].at, w[2].at - w[1].at);
-            before.dot(after) < SHARP * before.length() * after.length()
+/// Puts rings close before and after turns sharper than 60 degrees, so that only the turn itself narrows the tube.
+fn flank_turns(rings: &mut Vec<Ring>, flanked: &mut Vec<Ring>) {
+    flanked.clear();
+    flanked.push(rings[0]);
+    for w in rings.windows(3) {
+        let legs = [w[0].at - w[1].at, w[2].at - w[1].at];
+        let lengths = legs.map(Vec3::length);
+        let sharp = -legs[0].dot(legs[1]) < SHARP * lengths[0] * lengths[1];
+        let flank = |k: usize| {
+            let share = FLANK * w[1].radius / lengths[k].max(f32::MIN_POSITIVE);
+            let radius = w[1].radius + (w[2 * k].radius - w[1].radius) * share;
+            (sharp && share < 0.45).then(|| Ring { at: w[1].at + legs[k] * share, radius, ..w[1] })
         };
-        if !rings.windows(3).any(sharp) {
-            return;
-        }
-        blunt.clear();
-        blunt.push(rings[0]);
-        for w in rings.windows(3) {
-            if !sharp(w) {
-                blunt.push(w[1]);
-                continue;
-            }
-            for other in [w[0], w[2]] {
-                let leg = other.at - w[1].at;
-                let cut = (w[1].radius / leg.length().max(f32::MIN_POSITIVE)).min(share);
-                let radius = w[1].radius + (other.radius - w[1].radius) * cut;
-                blunt.push(Ring { at: w[1].at + leg * cut, radius, ..w[1] });
-            }
-        }
-        blunt.push(rings[rings.len() - 1]);
-        std::mem::swap(rings, blunt);
+        flanked.extend(flank(0));
+        flanked.push(w[1]);
+        flanked.extend(flank(1));
     }
+    flanked.push(rings[rings.len() - 1]);
+    std::mem::swap(rings, flanked);
 }
 
 /// Tangents half way between the directions of the segments on both sides.
@@ -210,8 +203,9 @@ mod tests {
     #[test]
     fn a_hairpin_turns_in_steps() {
         let out = prepared(&[Vec3::ZERO, Vec3::Y * 3.0, Vec3::new(0.3, 0.0, 0.0)], 0.05);
-        assert!(out.len() >= 5);
+        assert_eq!(out.len(), 5);
         assert!(out.windows(2).all(|w| w[0].tangent.dot(w[1].tangent) > -0.2), "{out:?}");
+        assert!(out[1].at.distance(Vec3::Y * 3.0) < 0.1);
     }
 
     #[test]

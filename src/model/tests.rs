@@ -109,13 +109,18 @@ fn skeleton() -> impl Strategy<Value = Vec<Vec3>> {
             |k: usize| (Vec2::from_angle(k as f32 * 0.4) * radius).extend(rise * k as f32 + k as f32 * 1e-4);
         (0..n).map(at).collect()
     });
-    prop_oneof![walk, straight, upright, hairpin, spiral]
+    prop_oneof![walk, straight, upright, hairpin, spiral].prop_map(|mut points: Vec<Vec3>| {
+        points.dedup();
+        if points.len() < 2 {
+            points = vec![Vec3::ZERO, Vec3::X];
+        }
+        points
+    })
 }
 
 fn branch() -> impl Strategy<Value = Branch> {
     (skeleton(), vector(), -4.0f32..0.0, 0.01f32..1.2).prop_map(|(points, base, thick, taper)| {
-        let points: Vec<Vec3> = points.into_iter().map(|p| p + base).collect();
-        let mut points = points;
+        let mut points: Vec<Vec3> = points.into_iter().map(|p| p + base).collect();
         points.dedup();
         let share = |k: usize| k as f32 / points.len() as f32;
         let radii = (0..points.len()).map(|k| 10f32.powf(thick) * (1.0 + (taper - 1.0) * share(k))).collect();
@@ -129,8 +134,7 @@ fn solid() -> impl Strategy<Value = (OrganKind, Shape)> {
         (OrganKind::Receptacle, Shape::Dome { base, axis, radius, height })
     });
     let thread =
-        (skeleton(), 0.001f32..0.02, size, 0usize..2).prop_map(|(mut points, radius, head, material)| {
-            points.dedup();
+        (skeleton(), 0.001f32..0.02, size, 0usize..2).prop_map(|(points, radius, head, material)| {
             let head = Vec2::from(head) * 0.1;
             (OrganKind::Stamen, Shape::Filament { points, radius, head, head_material: material })
         });
@@ -214,8 +218,8 @@ proptest! {
     fn ordinary_outlines_always_become_blades(blade in blade()) {
         let area = crate::geom::simple_loop::signed_area(blade.outline.iter().copied()).abs();
         prop_assume!(area > 1e-3 * blade.length * blade.length);
-        let graph = triangulation_input(&blade, &BladeMeshParams::default());
-        prop_assert!(graph.is_some());
+        let flat = flat::flatten(&blade, &BladeMeshParams::default(), &mut flat::FlatScratch::default());
+        prop_assert!(flat.is_some());
     }
 }
 

@@ -42,12 +42,21 @@ const FARTHEST: f32 = 0.002;
 /// Bark shrinks with the branch, but not beyond this share of the radius at its base.
 const FINEST_BARK: f32 = 0.3;
 
+/// How a tube takes its picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Picture {
+    /// Bark that repeats this many times around, and along as often as keeps it square.
+    Bark(f32),
+    /// One picture from base to tip.
+    Whole,
+}
+
 /// Look of one tube.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TubeLook {
     pub(super) sides: u32,
-    /// Pictures around the tube.
-    pub(super) repeats: f32,
+    /// What the tube wears.
+    pub(super) picture: Picture,
     /// Length of the end's cone in radii.
     pub(super) tip: f32,
     pub(super) detail: spine::Detail,
@@ -74,7 +83,7 @@ pub(super) fn branch(
     let around = TAU * base / (params.bark_width * plant_size);
     let look = TubeLook {
         sides: ((params.sides as f32 * thickness.sqrt()).round() as u32).clamp(fewest, most),
-        repeats: around.round().clamp(1.0, 8.0),
+        picture: Picture::Bark(around.round().clamp(1.0, 8.0)),
         tip: params.tip,
         detail: spine::Detail { of_radius: params.tolerance, metres: FARTHEST * plant_size },
     };
@@ -100,9 +109,19 @@ pub(super) fn append(
     mesh.vertices.reserve(count * (k + 1) + 2 * k);
     mesh.triangles.reserve(2 * (count - 1) * k + 2 * k - 2);
     let first = (mesh.points.len() as u32, mesh.vertices.len() as u32);
-    let v = wall(mesh, rings, circle, look.repeats);
+    let end = &rings[count - 1];
+    let repeats = if let Picture::Bark(repeats) = look.picture { repeats } else { 1.0 };
+    let v = wall(mesh, rings, circle, repeats);
     base_cap(mesh, first.0, rings[0].tangent, circle);
-    tip_cap(mesh, &rings[count - 1], look, v);
+    tip_cap(mesh, end, look, Vec2::new(repeats, v + repeats * look.tip / TAU));
+    if look.picture == Picture::Whole {
+        let whole = 1.0 / (v + repeats * look.tip / TAU);
+        let (walls, rest) = mesh.vertices[first.1 as usize..].split_at_mut(count * (k + 1));
+        walls
+            .iter_mut()
+            .chain(&mut rest[k..])
+            .for_each(|vertex| vertex.uv.y = (vertex.uv.y * whole).min(1.0));
+    }
     join_rings(mesh, first.1, look.sides, count as u32 - 1);
 }
 
@@ -157,8 +176,9 @@ fn base_cap(mesh: &mut Mesh, first_point: u32, tangent: Vec3, circle: &[Vec2]) {
     mesh.triangles.extend((1..circle.len() as u32 - 1).map(|j| [first, first + j + 1, first + j]));
 }
 
-/// Closes the last ring, whose vertices are the latest but for the base cap's, with a cone.
-fn tip_cap(mesh: &mut Mesh, ring: &Ring, look: TubeLook, v: f32) {
+/// Closes the last ring, whose vertices are the latest but for the base cap's, with a cone whose point has the v of
+/// `uv_end`.
+fn tip_cap(mesh: &mut Mesh, ring: &Ring, look: TubeLook, uv_end: Vec2) {
     let k = look.sides;
     let last_ring = mesh.vertices.len() as u32 - k - (k + 1);
     let apex = mesh.points.len() as u32;
@@ -167,7 +187,46 @@ fn tip_cap(mesh: &mut Mesh, ring: &Ring, look: TubeLook, v: f32) {
     mesh.vertices.extend((0..k).map(|j| Vertex {
         point: apex,
         normal: ring.tangent,
-        uv: Vec2::new(look.repeats * (j as f32 + 0.5) / k as f32, v + look.repeats * look.tip / TAU),
+        uv: Vec2::new((j as f32 + 0.5) / k as f32, 1.0) * uv_end,
     }));
     mesh.triangles.extend((0..k).map(|j| [last_ring + j, last_ring + j + 1, first + j]));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stem(points: Vec<Vec3>, radius: f32) -> Mesh {
+        let radii = vec![radius; points.len()];
+        let stem = Branch { stroke: None, parent: None, level: 0, points, radii, material: 0 };
+        let mesh = branch(&stem, &TubeParams::default(), 1.0, &mut TubeScratch::default());
+        mesh.check_invariants().unwrap();
+        mesh
+    }
+
+    #[test]
+    fn sides_grow_with_the_radius_within_limits() {
+        // Two rings of sides and the point of the cone.
+        let sides = |radius| (stem(vec![Vec3::ZERO, Vec3::Y], radius).points.len() - 1) / 2;
+        assert_eq!([0.0001, 0.006, 0.024, 0.5].map(sides), [5, 8, 16, 24]);
+    }
+
+    #[test]
+    fn a_straight_stem_has_its_radius_and_ends_in_a_cone() {
+        let mesh = stem(vec![Vec3::ZERO, Vec3::Z], 0.006);
+        for p in &mesh.points[..16] {
+            assert!((p.truncate().length() - 0.006).abs() < 1e-6);
+        }
+        assert!((mesh.points[16].z - 1.0 - 0.7 * 0.006).abs() < 1e-6);
+    }
+
+    #[test]
+    fn bark_is_as_dense_along_as_around() {
+        let mesh = stem(vec![Vec3::ZERO, Vec3::X * 0.5, Vec3::new(1.0, 0.2, 0.0)], 0.03);
+        let around = TAU * 0.03;
+        let u = mesh.vertices.iter().map(|v| v.uv.x).fold(0.0, f32::max);
+        assert_eq!(u, 2.0);
+        let second_ring = mesh.vertices.iter().find(|v| v.point == 18).unwrap();
+        assert!((second_ring.uv.y / 0.5 - u / around).abs() < 0.1 * u / around, "{}", second_ring.uv.y);
+    }
 }
