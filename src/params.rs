@@ -218,12 +218,7 @@ impl Overrides {
             other => return Err(type_error(path, &format!("needs a number or true/false, not {other}"))),
         };
         if !(known.min..=known.max).contains(&number) {
-            return Err(ParamError::Range {
-                path: path.to_owned(),
-                value: number,
-                min: known.min,
-                max: known.max,
-            });
+            return Err(ParamError::Range { path: path.to_owned(), value: number, min: known.min, max: known.max });
         }
         let slot = path.split('.').try_fold(&mut self.values, |tree, key| tree.get_mut(key));
         let Some(slot) = slot else {

@@ -51,8 +51,7 @@ fn without_repeated_end(samples: &[Sample]) -> Vec<Sample> {
 /// Rotates a loop whose tails were cut to begin at the cut: the sample nearest to both ends of the stroke.
 fn begin_between(outline: &mut [Sample], first: Vec2, last: Vec2) {
     let ends = |s: &Sample| s.position.distance(first) + s.position.distance(last);
-    let start =
-        (0..outline.len()).min_by(|&a, &b| ends(&outline[a]).total_cmp(&ends(&outline[b]))).unwrap_or(0);
+    let start = (0..outline.len()).min_by(|&a, &b| ends(&outline[a]).total_cmp(&ends(&outline[b]))).unwrap_or(0);
     outline.rotate_left(start);
 }
 

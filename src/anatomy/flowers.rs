@@ -36,8 +36,7 @@ pub struct Gathering {
 
 /// Sorts blades, each with the tool of its stroke, into flowers and leaves. Order of drawing is kept within each.
 pub fn gather(blades: Vec<(FlatBlade, Tool)>, params: &FlowerParams) -> Gathering {
-    let (drawn_leaves, candidates): (Vec<_>, Vec<_>) =
-        blades.into_iter().partition(|(_, tool)| *tool == Tool::Leaf);
+    let (drawn_leaves, candidates): (Vec<_>, Vec<_>) = blades.into_iter().partition(|(_, tool)| *tool == Tool::Leaf);
     let roots: Vec<Vec2> = candidates.iter().map(|(b, _)| b.root).collect();
     let reach: Vec<f32> = candidates.iter().map(|(b, _)| params.bandwidth * b.axis().length()).collect();
     let labels = mean_shift::cluster(&roots, &reach, MERGE);
@@ -47,8 +46,7 @@ pub fn gather(blades: Vec<(FlatBlade, Tool)>, params: &FlowerParams) -> Gatherin
     for (blade, label) in candidates.into_iter().zip(labels) {
         members[label].push(blade);
     }
-    let mut out =
-        Gathering { leaves: drawn_leaves.into_iter().map(|(b, _)| b).collect(), ..Default::default() };
+    let mut out = Gathering { leaves: drawn_leaves.into_iter().map(|(b, _)| b).collect(), ..Default::default() };
     for cluster in members {
         let explicit = cluster.iter().any(|(_, tool)| *tool == Tool::Petal);
         let blades = cluster.into_iter().map(|(b, _)| b);

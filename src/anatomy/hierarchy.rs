@@ -53,8 +53,7 @@ pub fn arrange(
     diagonal: f32,
     params: &HierarchyParams,
 ) -> Vec<FlatBranch> {
-    let flat: Vec<Vec<Vec2>> =
-        lines.iter().map(|(_, line)| line.iter().map(|s| s.position).collect()).collect();
+    let flat: Vec<Vec<Vec2>> = lines.iter().map(|(_, line)| line.iter().map(|s| s.position).collect()).collect();
     let lengths: Vec<f32> = flat.iter().map(|line| polyline::length(line)).collect();
     let touches = find_touches(&flat, &lengths, diagonal, params);
     let mut touched_by = vec![Vec::new(); lines.len()];
@@ -77,25 +76,16 @@ pub fn arrange(
     forest.into_branches(lines, &flat)
 }
 
-fn find_touches(
-    flat: &[Vec<Vec2>],
-    lengths: &[f32],
-    diagonal: f32,
-    params: &HierarchyParams,
-) -> Vec<Touches> {
+fn find_touches(flat: &[Vec<Vec2>], lengths: &[f32], diagonal: f32, params: &HierarchyParams) -> Vec<Touches> {
     let index = SegmentIndex::new(flat.iter().map(Vec::as_slice));
     let touches_of = |(i, line): (usize, &Vec<Vec2>)| {
         let radius = (params.attach_distance * diagonal).min(params.attach_share * lengths[i]);
         let ends = line.first().map(|&p| (p, false)).into_iter().chain(line.last().map(|&p| (p, true)));
         let mut all: Vec<Touch> = ends
-            .flat_map(|(end, by_last)| {
-                index.within(end, radius).into_iter().map(move |place| Touch { place, by_last })
-            })
+            .flat_map(|(end, by_last)| index.within(end, radius).into_iter().map(move |place| Touch { place, by_last }))
             .filter(|touch| touch.place.line != i)
             .collect();
-        all.sort_by(|a, b| {
-            a.place.distance.total_cmp(&b.place.distance).then(a.place.line.cmp(&b.place.line))
-        });
+        all.sort_by(|a, b| a.place.distance.total_cmp(&b.place.distance).then(a.place.line.cmp(&b.place.line)));
         let good = all.first().map_or(0.0, |t| t.place.distance) + PATIENCE * radius;
         let close = all.partition_point(|t| t.place.distance <= good);
         Touches { all, close }
@@ -167,8 +157,7 @@ impl Forest {
             let Some(&touch) = eligible(&self.touches[child]).iter().find(is_parent) else { continue };
             let parent = touch.place.line;
             let level = self.seats[parent].map_or(0, |seat| seat.level) + 1;
-            self.seats[child] =
-                Some(Seat { parent: Some((parent, touch.place)), level, reversed: touch.by_last });
+            self.seats[child] = Some(Seat { parent: Some((parent, touch.place)), level, reversed: touch.by_last });
             self.order.push(child);
             placed.push(child);
         }
@@ -176,11 +165,7 @@ impl Forest {
     }
 
     /// The forest as branches, every line turned to begin at its base.
-    fn into_branches(
-        self,
-        mut lines: Vec<(Option<StrokeId>, Vec<Sample>)>,
-        flat: &[Vec<Vec2>],
-    ) -> Vec<FlatBranch> {
+    fn into_branches(self, mut lines: Vec<(Option<StrokeId>, Vec<Sample>)>, flat: &[Vec<Vec2>]) -> Vec<FlatBranch> {
         let mut index_of = vec![0; lines.len()];
         for (new, &old) in self.order.iter().enumerate() {
             index_of[old] = new;
@@ -215,8 +200,7 @@ mod tests {
     use super::*;
 
     fn line(id: StrokeId, points: &[(f32, f32)]) -> (Option<StrokeId>, Vec<Sample>) {
-        let sample =
-            |&(x, y): &(f32, f32)| Sample { position: Vec2::new(x, y), pressure: 0.5, tilt_deg: Vec2::ZERO };
+        let sample = |&(x, y): &(f32, f32)| Sample { position: Vec2::new(x, y), pressure: 0.5, tilt_deg: Vec2::ZERO };
         (Some(id), points.iter().map(sample).collect())
     }
 

@@ -100,11 +100,12 @@ impl SegmentIndex {
 
     /// The nearest place on every polyline with a segment within `radius` of `p`, by polyline number.
     pub fn within(&self, p: Vec2, radius: f32) -> Vec<Near> {
-        let mut found: Vec<Near> =
-            self.tree.locate_within_distance(p.to_array(), radius * radius).map(|hit| near(hit, p)).collect();
-        found.sort_by(|a, b| {
-            a.line.cmp(&b.line).then(a.distance.total_cmp(&b.distance)).then(a.segment.cmp(&b.segment))
-        });
+        let mut found: Vec<Near> = self
+            .tree
+            .locate_within_distance(p.to_array(), radius * radius)
+            .map(|hit| near(hit, p))
+            .collect();
+        found.sort_by(|a, b| a.line.cmp(&b.line).then(a.distance.total_cmp(&b.distance)).then(a.segment.cmp(&b.segment)));
         found.dedup_by_key(|n| n.line);
         found
     }

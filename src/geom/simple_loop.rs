@@ -30,8 +30,7 @@ pub fn make_simple<T: Clone>(
         let n = points.len();
         let cut = blend(&points[i], &points[(i + 1) % n], ti);
         let inner: Vec<T> = std::iter::once(cut.clone()).chain(points[i + 1..=j].iter().cloned()).collect();
-        let outer: Vec<T> =
-            points[..=i].iter().cloned().chain([cut]).chain(points[j + 1..].iter().cloned()).collect();
+        let outer: Vec<T> = points[..=i].iter().cloned().chain([cut]).chain(points[j + 1..].iter().cloned()).collect();
         let area = |part: &[T]| signed_area(part.iter().map(&position)).abs();
         let kept = if area(&inner) > area(&outer) { inner } else { outer };
         if kept.len() >= n {
@@ -97,8 +96,7 @@ mod tests {
     #[test]
     fn overshooting_ends_are_trimmed() {
         // A triangle whose first and last strokes cross and stick out.
-        let drawn =
-            [Vec2::new(-1.0, -1.0), Vec2::new(10.0, 10.0), Vec2::new(-10.0, 10.0), Vec2::new(1.0, -1.0)];
+        let drawn = [Vec2::new(-1.0, -1.0), Vec2::new(10.0, 10.0), Vec2::new(-10.0, 10.0), Vec2::new(1.0, -1.0)];
         let kept = simple(&drawn);
         assert_eq!(kept.len(), 3);
         assert!((signed_area(kept.iter().copied()).abs() - 100.0).abs() < 1e-3);
@@ -106,8 +104,7 @@ mod tests {
 
     #[test]
     fn a_simple_outline_is_left_alone() {
-        let star: Vec<Vec2> =
-            (0..40).map(|k| Vec2::from_angle(k as f32 * 0.157) * (2.0 + (k % 2) as f32)).collect();
+        let star: Vec<Vec2> = (0..40).map(|k| Vec2::from_angle(k as f32 * 0.157) * (2.0 + (k % 2) as f32)).collect();
         assert_eq!(simple(&star), star);
     }
 

@@ -1,2 +1,2 @@
 //! Placeholder.
-pub fn read() {}
+pub fn read(){}
