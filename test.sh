@@ -34,7 +34,7 @@ check() {
 }
 
 build_sketches() {
-    local folder=target/interop sketch name
+    local folder=target/sketches sketch name
     rm -rf "$folder" && mkdir -p "$folder" || return 1
     for sketch in assets/sketches/*.penstemon; do
         name=$(basename "$sketch" .penstemon)
@@ -50,7 +50,7 @@ check "tests" cargo test --no-fail-fast
 check "documentation" env RUSTDOCFLAGS="-D warnings" cargo doc --quiet --no-deps
 check "program" cargo build --quiet
 check "sketches build and pass our own judge" build_sketches
-check "trimesh, MeshLab and the Khronos validator" tests/interop.sh target/interop
+check "trimesh, MeshLab and the Khronos validator" tests/interop.sh target/sketches
 check "fuzzing, ${FUZZ_SECONDS:-15} s a reader" fuzz/run.sh "${FUZZ_SECONDS:-15}"
 
 echo

@@ -116,11 +116,11 @@ fn bad_input_is_one_clear_message() {
     refused(&["build", &empty, "-o", &out], &["empty.penstemon", "stroke"]);
     let cut = file("cut.penstemon", r#"{"format":"penstemon-sketch","version":1,"strokes":[{"id":1,"po"#);
     refused(&["build", &cut, "-o", &out], &["cut.penstemon"]);
-    let dots =
-        r#"{"format":"penstemon-sketch","version":1,"strokes":[{"points":[[5,5]]},{"points":[[9,9]]}]}"#;
+    let specks = r#"{"format":"penstemon-sketch","version":1,
+        "strokes":[{"points":[[5,5],[6,6]]},{"points":[[905,905],[906,906]]}]}"#;
     refused(
-        &["build", &file("dots.penstemon", dots), "-o", &out],
-        &["dots.penstemon", "no stroke is long enough"],
+        &["build", &file("specks.penstemon", specks), "-o", &out],
+        &["specks.penstemon", "no stroke is long"],
     );
     let odd =
         r#"{"format":"penstemon-sketch","version":1,"species":"dasy","strokes":[{"points":[[0,0],[9,9]]}]}"#;

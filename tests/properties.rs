@@ -97,7 +97,14 @@ fn scale_does_not_matter() {
         for factor in [0.1, 10.0] {
             let scaled = build(&drawings::scaled(&sketch, factor));
             let name = path.display();
-            assert_eq!(scaled.model.triangle_count(), original.model.triangle_count(), "{name} × {factor}");
+            assert_eq!(scaled.plant.branches.len(), original.plant.branches.len(), "{name} × {factor}");
+            assert_eq!(scaled.plant.organs.len(), original.plant.organs.len(), "{name} × {factor}");
+            // Rounding may keep or drop a point here and there.
+            let (ours, theirs) = (scaled.model.triangle_count(), original.model.triangle_count());
+            assert!(
+                ours.abs_diff(theirs) * 200 <= theirs,
+                "{name} × {factor}: {ours} and {theirs} triangles"
+            );
             let ((lo, hi), (low, high)) = (scaled.model.bounds().unwrap(), original.model.bounds().unwrap());
             let off = lo.distance(low) + hi.distance(high);
             assert!(off < 0.01 * high.distance(low), "{name} × {factor}: bounds are {off} m off");

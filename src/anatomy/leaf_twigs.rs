@@ -35,6 +35,8 @@ crate::parameters! {
         departure: f32 = 50.0, 0.0..=120.0, "degrees";
         /// Random change of that angle, up to.
         scatter: f32 = 20.0, 0.0..=90.0, "degrees";
+        /// Most branches and twigs in a drawing.
+        max_twigs: u32 = 20000, 1..=1000000, "";
     }
 }
 
@@ -84,7 +86,7 @@ impl LeafTwigs<'_> {
             let first_new = branches.len();
             for point in &points {
                 let places = self.twig(point, spacing, &wood);
-                if places.len() >= 3 {
+                if places.len() >= 3 && branches.len() < self.params.max_twigs as usize {
                     wood.mark(places.iter().copied());
                     branches.push(twig_on(branches, point, places));
                 }

@@ -19,11 +19,11 @@ crate::parameters! {
         /// Rows of a dome between edge and top.
         dome_rows: u32 = 5, 1..=64, "";
         /// Sides of filaments.
-        filament_sides: u32 = 4, 3..=16, "";
+        filament_sides: u32 = 3, 3..=16, "";
         /// Sides of anthers and stigmas.
-        head_sides: u32 = 6, 3..=32, "";
+        head_sides: u32 = 5, 3..=32, "";
         /// Rows of anthers and stigmas from pole to pole.
-        head_rows: u32 = 4, 2..=32, "";
+        head_rows: u32 = 3, 2..=32, "";
     }
 }
 

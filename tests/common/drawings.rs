@@ -100,7 +100,7 @@ pub(crate) fn leafy_tree(leaves: usize) -> Sketch {
     strokes.push((Tool::BranchOutline, (0..64).map(crown).collect()));
     strokes.push((Tool::LeafOutline, (0..64).map(crown).collect()));
     let mut tree = sketch(strokes);
-    let length = (8.0e-2 / (leaves as f64).sqrt()).clamp(0.002, 0.3);
+    let length = (1.4 / (leaves as f64).sqrt()).clamp(0.002, 0.3);
     tree.params.insert("anatomy.leaf_fill.default_length".into(), length.into());
     tree.params.insert("anatomy.leaf_fill.max_leaves".into(), leaves.into());
     tree
