@@ -120,29 +120,35 @@ impl Skeleton {
     /// Leads every stem that ends in a flower to it; gives the depth of each flower's centre.
     fn lead_stems(&mut self, anatomy: &Anatomy, poses: &[FlowerPose], params: &StemParams) -> Vec<f32> {
         let mut last_child = vec![0.0f32; self.branches.len()];
-        let organs = anatomy.leaves.iter().filter_map(|leaf| leaf.attachment);
+        let leaves = anatomy.leaves.iter().filter_map(|leaf| leaf.attachment);
+        let flowers = anatomy.flowers.iter().filter_map(|flower| flower.attachment);
+        let flowers = flowers.filter(|place| !self.is_end(*place));
         let twigs =
             self.branches.iter().filter_map(|b| Some(Attachment { branch: b.parent?, at: b.attached_at }));
-        for place in organs.chain(twigs) {
+        for place in leaves.chain(flowers).chain(twigs) {
             last_child[place.branch] = last_child[place.branch].max(place.at);
         }
         let mut led = vec![false; self.branches.len()];
         let lead = |(flower, pose): (&FlatFlower, &FlowerPose)| {
             let Some(place) = flower.attachment else { return 0.0 };
             let i = place.branch;
-            let at_end = self.arcs[i].last().is_none_or(|&length| place.at >= length);
-            if !at_end || led[i] {
+            if !self.is_end(place) || led[i] {
                 return self.depth(place);
             }
             led[i] = true;
             let last_child_at = last_child[i];
-            let goal = Goal { center: flower.center, axis: pose.axis, reach: pose.slant_px, last_child_at };
+            let goal = Goal { center: pose.center, axis: pose.axis, reach: pose.slant_px, last_child_at };
             let depth =
                 flower_stem::lead_to_flower(&mut self.branches[i], &mut self.depths[i], &goal, params);
             self.arcs[i] = arcs_of(&self.branches[i]);
             depth
         };
         anatomy.flowers.iter().zip(poses).map(lead).collect()
+    }
+
+    /// Whether a place is the end of its branch, as drawn.
+    fn is_end(&self, place: Attachment) -> bool {
+        self.arcs[place.branch].last().is_none_or(|&length| place.at >= length)
     }
 
     /// Depth at a place on a branch, pixels.
@@ -188,12 +194,12 @@ fn flower(
     petals: &[FlatBlade],
     world: &WorldFromCanvas,
 ) -> Flower {
-    let apex = world.point(flat.center).with_z(center_depth * world.scale);
+    let apex = world.point(pose.center).with_z(center_depth * world.scale);
     let reach = (pose.slant_px * world.scale).max(1e-6);
     let cone =
-        Cone { apex, axis: pose.axis, opening_rad: pose.opening_rad, height: reach * pose.opening_rad.cos() };
+        Cone { apex, axis: pose.axis, opening_rad: pose.opening_rad, height: pose.height_px * world.scale };
     let members = flat.petals.iter().map(|&p| &petals[p]);
-    let heart = petals::root_distance(members, flat.center) * world.scale;
+    let heart = petals::root_distance(members, pose.center) * world.scale;
     Flower {
         branch: flat.attachment.map(|place| place.branch),
         cone,
