@@ -81,7 +81,7 @@ pub fn analyse(sketch: &Sketch, params: &AnatomyParams) -> Anatomy {
         (gathering.petals, gathering.flowers, gathering.leaves);
     attach_organs(&mut anatomy, &params.attach);
     fill_outlines(&mut anatomy, &readings, sketch.seed, params);
-    anatomy.marks = marks(&readings, &anatomy.petals);
+    anatomy.marks = marks(&readings, &anatomy.petals, &gathering.hearts);
     anatomy
 }
 
@@ -184,11 +184,12 @@ fn fill_outlines(anatomy: &mut Anatomy, readings: &[Reading], seed: u64, params:
 }
 
 /// The verdicts in drawing order; blades that gathered to flowers are petals.
-fn marks(readings: &[Reading], petals: &[FlatBlade]) -> Vec<Mark> {
+fn marks(readings: &[Reading], petals: &[FlatBlade], hearts: &[StrokeId]) -> Vec<Mark> {
     let mut petal_ids: Vec<StrokeId> = petals.iter().filter_map(|p| p.stroke).collect();
     petal_ids.sort_unstable();
     let part = |r: &Reading| match r.part {
         Part::Leaf if petal_ids.binary_search(&r.id).is_ok() => Part::Petal,
+        Part::Leaf if hearts.contains(&r.id) => Part::Ignored,
         part => part,
     };
     readings.iter().map(|r| Mark { stroke: r.id, part: part(r), confidence: r.confidence }).collect()

@@ -124,14 +124,24 @@ mod tests {
 
     #[test]
     fn a_flower_takes_the_end_of_a_stem_that_stops_short() {
-        let mut flower = FlatFlower { petals: Vec::new(), center: Vec2::new(5.0, -18.0), attachment: None };
+        let mut flower = FlatFlower {
+            petals: Vec::new(),
+            center: Vec2::new(5.0, -18.0),
+            heart_radius: None,
+            attachment: None,
+        };
         stem().attach_flower(&mut flower, 20.0, &AttachParams::default());
         assert_eq!(flower.attachment, Some(Attachment { branch: 0, at: 100.0 }));
     }
 
     #[test]
     fn a_flower_in_the_middle_of_a_stem_sits_there() {
-        let mut flower = FlatFlower { petals: Vec::new(), center: Vec2::new(1.0, 50.0), attachment: None };
+        let mut flower = FlatFlower {
+            petals: Vec::new(),
+            center: Vec2::new(1.0, 50.0),
+            heart_radius: None,
+            attachment: None,
+        };
         stem().attach_flower(&mut flower, 20.0, &AttachParams::default());
         assert!((flower.attachment.unwrap().at - 50.0).abs() < 1e-3);
     }

@@ -4,10 +4,14 @@
 //! radius within which roots see each other is a share of the blade's own length, so flowers of several scales live
 //! in one drawing. As in 002, clusters of more than two are flowers; blades drawn with the petal tool are petals in
 //! any number, those drawn with the leaf tool never are.
+//!
+//! Two habits of hands that the papers do not know: many draw a flower's heart as a circle and petals around it, whose
+//! roots keep a distance (an open flower: a wider search, accepted only if the petals stand all round and point away
+//! from the middle); and the circle itself is no petal: a blade that lies around the flower's centre is its heart.
 
-use super::{FlatBlade, FlatFlower};
+use super::{FlatBlade, FlatFlower, flower_heart};
 use crate::geom::mean_shift;
-use crate::sketch::Tool;
+use crate::sketch::{StrokeId, Tool};
 use glam::Vec2;
 
 crate::parameters! {
@@ -15,13 +19,20 @@ crate::parameters! {
     pub struct FlowerParams {
         /// Radius within which roots belong together.
         bandwidth: f32 = 0.3, 0.02..=2.0, "of the blade's length";
+        /// The same for flowers that are drawn around an open heart.
+        open_bandwidth: f32 = 0.75, 0.02..=2.0, "of the blade's length";
         /// Fewest blades that make a flower where the artist did not say petal.
         min_petals: u32 = 3, 1..=50, "";
+        /// Widest angle without a petal in a flower with an open heart.
+        open_gap: f32 = 150.0, 30.0..=360.0, "degrees";
     }
 }
 
 /// Share of a bandwidth within which two modes are the same cluster.
 const MERGE: f32 = 0.7;
+
+/// Fewest petals around an open heart.
+const OPEN_PETALS: usize = 4;
 
 /// Blades sorted into flowers and leaves.
 #[derive(Debug, Default, PartialEq)]
@@ -32,47 +43,89 @@ pub struct Gathering {
     pub flowers: Vec<FlatFlower>,
     /// The rest.
     pub leaves: Vec<FlatBlade>,
+    /// Strokes that draw the heart of a flower.
+    pub hearts: Vec<StrokeId>,
 }
 
-/// Sorts blades, each with the tool of its stroke, into flowers and leaves. Order of drawing is kept within each.
-pub fn gather(blades: Vec<(FlatBlade, Tool)>, params: &FlowerParams) -> Gathering {
+type Drawn = (FlatBlade, Tool);
+
+/// Sorts blades, each with the tool of its stroke, into flowers and leaves.
+pub fn gather(blades: Vec<Drawn>, params: &FlowerParams) -> Gathering {
     let (drawn_leaves, candidates): (Vec<_>, Vec<_>) =
         blades.into_iter().partition(|(_, tool)| *tool == Tool::Leaf);
-    let roots: Vec<Vec2> = candidates.iter().map(|(b, _)| b.root).collect();
-    let reach: Vec<f32> = candidates.iter().map(|(b, _)| params.bandwidth * b.axis().length()).collect();
-    let labels = mean_shift::cluster(&roots, &reach, MERGE);
-
-    let clusters = labels.iter().max().map_or(0, |m| m + 1);
-    let mut members = vec![Vec::new(); clusters];
-    for (blade, label) in candidates.into_iter().zip(labels) {
-        members[label].push(blade);
-    }
     let mut out =
         Gathering { leaves: drawn_leaves.into_iter().map(|(b, _)| b).collect(), ..Default::default() };
-    for cluster in members {
+    let mut alone = Vec::new();
+    for cluster in clusters(candidates, params.bandwidth) {
         let explicit = cluster.iter().any(|(_, tool)| *tool == Tool::Petal);
-        let blades = cluster.into_iter().map(|(b, _)| b);
-        if explicit || blades.len() >= params.min_petals as usize {
-            out.add_flower(blades);
+        if explicit || cluster.len() >= params.min_petals as usize {
+            out.add_flower(cluster);
         } else {
-            out.leaves.extend(blades);
+            alone.extend(cluster);
+        }
+    }
+    for cluster in clusters(alone, params.open_bandwidth) {
+        if is_open_flower(&cluster, params.open_gap.to_radians()) {
+            out.add_flower(cluster);
+        } else {
+            out.leaves.extend(cluster.into_iter().map(|(b, _)| b));
         }
     }
     out.leaves.sort_by_key(|leaf| leaf.stroke);
     out
 }
 
+/// Blades by the place where their roots gather.
+fn clusters(blades: Vec<Drawn>, bandwidth: f32) -> Vec<Vec<Drawn>> {
+    let roots: Vec<Vec2> = blades.iter().map(|(b, _)| b.root).collect();
+    let reach: Vec<f32> = blades.iter().map(|(b, _)| bandwidth * b.axis().length()).collect();
+    let labels = mean_shift::cluster(&roots, &reach, MERGE);
+    let mut members = vec![Vec::new(); labels.iter().max().map_or(0, |m| m + 1)];
+    for (blade, label) in blades.into_iter().zip(labels) {
+        members[label].push(blade);
+    }
+    members
+}
+
+fn center_of(blades: &[Drawn]) -> Vec2 {
+    blades.iter().map(|(b, _)| b.root).sum::<Vec2>() / blades.len().max(1) as f32
+}
+
+/// Whether blades stand all round a common centre and point away from it, their heart left out.
+fn is_open_flower(blades: &[Drawn], widest_gap: f32) -> bool {
+    let center = center_of(blades);
+    let petals: Vec<&FlatBlade> =
+        blades.iter().map(|(b, _)| b).filter(|b| !flower_heart::is_heart(b, center)).collect();
+    let outward = |b: &&FlatBlade| {
+        let out = (b.tip - center).normalize_or_zero();
+        b.axis().normalize_or_zero().dot(out) > 0.7 && b.root.distance(center) < 0.6 * b.tip.distance(center)
+    };
+    if petals.len() < OPEN_PETALS || !petals.iter().all(outward) {
+        return false;
+    }
+    let mut directions: Vec<f32> = petals.iter().map(|b| (b.tip - center).to_angle()).collect();
+    directions.sort_by(f32::total_cmp);
+    let around = directions.first().map(|first| first + std::f32::consts::TAU);
+    let next = directions.iter().copied().skip(1).chain(around);
+    directions.iter().zip(next).all(|(a, b)| b - a <= widest_gap)
+}
+
 impl Gathering {
-    fn add_flower(&mut self, blades: impl ExactSizeIterator<Item = FlatBlade>) {
+    fn add_flower(&mut self, blades: Vec<Drawn>) {
+        let center = center_of(&blades);
+        let is_heart = |(blade, tool): &Drawn| *tool == Tool::Auto && flower_heart::is_heart(blade, center);
+        let (hearts, petals): (Vec<Drawn>, Vec<Drawn>) = blades.into_iter().partition(is_heart);
+        if petals.is_empty() {
+            self.leaves.extend(hearts.into_iter().map(|(b, _)| b));
+            return;
+        }
+        let center = center_of(&petals);
+        let heart_radius = hearts.iter().map(|(b, _)| flower_heart::radius(b)).reduce(f32::max);
+        self.hearts.extend(hearts.iter().filter_map(|(b, _)| b.stroke));
         let first = self.petals.len();
-        self.petals.extend(blades);
-        let petals = &self.petals[first..];
-        let center = petals.iter().map(|p| p.root).sum::<Vec2>() / petals.len() as f32;
-        self.flowers.push(FlatFlower {
-            petals: (first..self.petals.len()).collect(),
-            center,
-            attachment: None,
-        });
+        self.petals.extend(petals.into_iter().map(|(b, _)| b));
+        let petals = (first..self.petals.len()).collect();
+        self.flowers.push(FlatFlower { petals, center, heart_radius, attachment: None });
     }
 }
 
@@ -125,6 +178,43 @@ mod tests {
         assert_eq!(gathering.leaves.len(), 4);
         assert_eq!(gathering.flowers.len(), 1);
         assert!(gathering.flowers[0].center.distance(Vec2::new(500.0, 0.0)) < 1e-3);
+    }
+
+    /// Five petals whose roots keep away from a drawn circle.
+    fn open_flower() -> Vec<(FlatBlade, Tool)> {
+        let mut blades: Vec<(FlatBlade, Tool)> = (0..5)
+            .map(|k| {
+                let out = Vec2::from_angle(k as f32 * std::f32::consts::TAU / 5.0);
+                (blade(1 + k as u64, out * 40.0, out * 80.0), Tool::Auto)
+            })
+            .collect();
+        let mut circle = blade(9, Vec2::new(30.0, 0.0), Vec2::new(-60.0, 0.0));
+        for (k, sample) in (0..).zip(&mut circle.outline) {
+            sample.position = 30.0 * Vec2::from_angle(k as f32 * std::f32::consts::FRAC_PI_2);
+        }
+        blades.push((circle, Tool::Auto));
+        blades
+    }
+
+    #[test]
+    fn petals_around_an_open_heart_are_a_flower_and_the_circle_is_its_heart() {
+        let gathering = gather(open_flower(), &FlowerParams::default());
+        assert_eq!(gathering.flowers.len(), 1);
+        assert_eq!(gathering.flowers[0].petals.len(), 5);
+        assert_eq!(gathering.hearts, [9]);
+        let radius = gathering.flowers[0].heart_radius.unwrap();
+        assert!((20.0..32.0).contains(&radius), "{radius}");
+    }
+
+    #[test]
+    fn leaves_along_a_stem_are_no_open_flower() {
+        let leaves = (0..8).map(|k| {
+            let side = if k % 2 == 0 { 1.0 } else { -1.0 };
+            (blade(k, Vec2::new(0.0, -40.0 * k as f32), Vec2::new(80.0 * side, -50.0)), Tool::Auto)
+        });
+        let gathering = gather(leaves.collect(), &FlowerParams::default());
+        assert!(gathering.flowers.is_empty());
+        assert_eq!(gathering.leaves.len(), 8);
     }
 
     #[test]

@@ -199,7 +199,8 @@ fn flower(
     let cone =
         Cone { apex, axis: pose.axis, opening_rad: pose.opening_rad, height: pose.height_px * world.scale };
     let members = flat.petals.iter().map(|&p| &petals[p]);
-    let heart = petals::root_distance(members, pose.center) * world.scale;
+    let heart =
+        flat.heart_radius.unwrap_or_else(|| petals::root_distance(members, pose.center)) * world.scale;
     Flower {
         branch: flat.attachment.map(|place| place.branch),
         cone,
