@@ -16,6 +16,7 @@ use crate::geom::{
 };
 use crate::sketch::StrokeId;
 use glam::Vec2;
+use std::ops::Range;
 
 crate::parameters! {
     /// How branches find the branch they grow on.
@@ -29,6 +30,10 @@ crate::parameters! {
 
 /// How much farther than its nearest neighbour a branch may be from the parent it takes, as a share of the threshold.
 const PATIENCE: f32 = 0.2;
+
+/// Most neighbours that an end remembers. Where more meet in one spot, the longest of those that are as good as the
+/// nearest are kept, so that the trunk is among them.
+const MOST_TOUCHES: usize = 16;
 
 /// Height difference, as a share of length, below which a trunk lies level.
 const LEVEL_SHARE: f32 = 0.1;
@@ -67,8 +72,8 @@ pub fn arrange(
     let mut longest_first: Vec<usize> = (0..lines.len()).collect();
     longest_first.sort_by(|&a, &b| lengths[b].total_cmp(&lengths[a]).then(a.cmp(&b)));
 
-    let (seats, wave_of) = (vec![None; lines.len()], vec![0; lines.len()]);
-    let mut forest = Forest { touches, touched_by, lengths, seats, order: Vec::new(), wave: 0, wave_of };
+    let (seats, placed_as) = (vec![None; lines.len()], vec![usize::MAX; lines.len()]);
+    let mut forest = Forest { touches, touched_by, lengths, seats, order: Vec::new(), placed_as };
     for trunk in longest_first {
         if forest.seats[trunk].is_none() {
             forest.plant(trunk, is_upside_down(&flat[trunk], forest.lengths[trunk]));
@@ -89,9 +94,11 @@ fn find_touches(
         let ends = line.first().map(|&p| (p, false)).into_iter().chain(line.last().map(|&p| (p, true)));
         let mut all: Vec<Touch> = ends
             .flat_map(|(end, by_last)| {
-                index.within(end, radius).into_iter().map(move |place| Touch { place, by_last })
+                let mut places = index.within(end, radius);
+                places.retain(|place| place.line != i);
+                keep_best(&mut places, lengths, PATIENCE * radius);
+                places.into_iter().map(move |place| Touch { place, by_last })
             })
-            .filter(|touch| touch.place.line != i)
             .collect();
         all.sort_by(|a, b| {
             a.place.distance.total_cmp(&b.place.distance).then(a.place.line.cmp(&b.place.line))
@@ -101,6 +108,20 @@ fn find_touches(
         Touches { all, close }
     };
     flat.iter().enumerate().map(touches_of).collect()
+}
+
+/// Keeps [`MOST_TOUCHES`] places: first the longest lines among those within `slack` of the nearest, then the nearest.
+fn keep_best(places: &mut Vec<Near>, lengths: &[f32], slack: f32) {
+    if places.len() <= MOST_TOUCHES {
+        return;
+    }
+    let good = places.iter().map(|p| p.distance).fold(f32::INFINITY, f32::min) + slack;
+    let rank = |p: &Near| if p.distance <= good { (0.0, -lengths[p.line]) } else { (p.distance, 0.0) };
+    places.sort_by(|a, b| {
+        let (a_rank, b_rank) = (rank(a), rank(b));
+        a_rank.0.total_cmp(&b_rank.0).then(a_rank.1.total_cmp(&b_rank.1)).then(a.line.cmp(&b.line))
+    });
+    places.truncate(MOST_TOUCHES);
 }
 
 fn is_upside_down(line: &[Vec2], length: f32) -> bool {
@@ -126,53 +147,54 @@ struct Forest {
     seats: Vec<Option<Seat>>,
     /// Branches in the order in which they were placed.
     order: Vec<usize>,
-    /// Number of the current search for children, and for every branch the last one in which it was a parent.
-    wave: u32,
-    wave_of: Vec<u32>,
+    /// For every branch its index in `order`, `usize::MAX` while it has none.
+    placed_as: Vec<usize>,
 }
 
 impl Forest {
-    /// Places a trunk and everything that hangs on it.
+    /// Places a trunk and everything that hangs on it. Branches that only touch from afar wait until no others are left.
     fn plant(&mut self, trunk: usize, reversed: bool) {
         let first = self.order.len();
-        self.seats[trunk] = Some(Seat { parent: None, level: 0, reversed });
-        self.order.push(trunk);
-        let mut frontier = vec![trunk];
-        while !frontier.is_empty() {
-            frontier = self.next_level(&frontier, |t| &t.all[..t.close]);
-            if frontier.is_empty() {
-                let tree = self.order[first..].to_vec();
-                frontier = self.next_level(&tree, |t| &t.all);
+        self.place(trunk, Seat { parent: None, level: 0, reversed });
+        let (mut parents, mut waiting) = (first..self.order.len(), Vec::new());
+        while !parents.is_empty() {
+            let touched = parents.clone().flat_map(|k| &self.touched_by[self.order[k]]).copied().collect();
+            let end = self.order.len();
+            waiting.extend(self.next_level(touched, parents, |t| &t.all[..t.close]));
+            if self.order.len() == end {
+                // Each of these touches the tree, so that none of them is left over.
+                self.next_level(std::mem::take(&mut waiting), first..end, |t| &t.all);
             }
+            parents = end..self.order.len();
         }
     }
 
-    /// Places the branches that touch one of `parents`, longest first, each on the nearest.
-    fn next_level(&mut self, parents: &[usize], eligible: impl Fn(&Touches) -> &[Touch]) -> Vec<usize> {
-        self.wave += 1;
-        for &parent in parents {
-            self.wave_of[parent] = self.wave;
-        }
-        let mut children: Vec<usize> = parents
-            .iter()
-            .flat_map(|&p| &self.touched_by[p])
-            .copied()
-            .filter(|&child| self.seats[child].is_none())
-            .collect();
+    fn place(&mut self, branch: usize, seat: Seat) {
+        self.seats[branch] = Some(seat);
+        self.placed_as[branch] = self.order.len();
+        self.order.push(branch);
+    }
+
+    /// Places those of `children` that touch one of the `parents` (a stretch of `order`), longest first, each on the
+    /// nearest; gives those that found none.
+    fn next_level(
+        &mut self,
+        mut children: Vec<usize>,
+        parents: Range<usize>,
+        eligible: impl Fn(&Touches) -> &[Touch],
+    ) -> Vec<usize> {
+        children.retain(|&child| self.seats[child].is_none());
         children.sort_by(|&a, &b| self.lengths[b].total_cmp(&self.lengths[a]).then(a.cmp(&b)));
         children.dedup();
-        let mut placed = Vec::new();
-        for child in children {
-            let is_parent = |t: &&Touch| self.wave_of[t.place.line] == self.wave;
-            let Some(&touch) = eligible(&self.touches[child]).iter().find(is_parent) else { continue };
+        children.retain(|&child| {
+            let is_parent = |t: &&Touch| parents.contains(&self.placed_as[t.place.line]);
+            let Some(&touch) = eligible(&self.touches[child]).iter().find(is_parent) else { return true };
             let parent = touch.place.line;
             let level = self.seats[parent].map_or(0, |seat| seat.level) + 1;
-            self.seats[child] =
-                Some(Seat { parent: Some((parent, touch.place)), level, reversed: touch.by_last });
-            self.order.push(child);
-            placed.push(child);
-        }
-        placed
+            self.place(child, Seat { parent: Some((parent, touch.place)), level, reversed: touch.by_last });
+            false
+        });
+        children
     }
 
     /// The forest as branches, every line turned to begin at its base.
@@ -266,6 +288,20 @@ mod tests {
             line(3, &[(515.0, 400.0), (620.0, 330.0)]),
         ];
         assert_eq!(arranged(&lines)[2], (3, Some(2), 2));
+    }
+
+    #[test]
+    fn many_branches_from_one_spot_remember_few_of_each_other() {
+        let tip = |k: usize| Vec2::from_angle(k as f32) * (100.0 + k as f32);
+        let flat: Vec<Vec<Vec2>> = (0..300).map(|k| vec![Vec2::ZERO, tip(k)]).collect();
+        let lengths: Vec<f32> = flat.iter().map(|line| polyline::length(line)).collect();
+        let touches = find_touches(&flat, &lengths, 800.0, &HierarchyParams::default());
+        assert!(touches.iter().all(|t| t.all.len() <= 2 * MOST_TOUCHES));
+
+        let sample = |line: &Vec<Vec2>| (None, line.iter().map(|&p| Sample::neutral(p)).collect());
+        let branches = arrange(flat.iter().map(sample).collect(), 800.0, &HierarchyParams::default());
+        assert_eq!(branches.iter().filter(|b| b.parent.is_none()).count(), 1);
+        assert!(branches[1..].iter().all(|b| b.parent == Some(0)));
     }
 
     #[test]

@@ -91,10 +91,14 @@ pub fn smooth(samples: &[Sample], params: &PreprocessParams) -> Vec<Sample> {
 /// Ends and corners: indices that smoothing must not move, ascending.
 fn fixed_samples(samples: &[Sample], corner_rad: f32) -> Vec<usize> {
     let last = samples.len() - 1;
+    let gentle = (0.99 * corner_rad).cos();
     let turn = |i: usize| {
         let before = samples[i].position - samples[i.saturating_sub(TURN_REACH)].position;
         let after = samples[(i + TURN_REACH).min(last)].position - samples[i].position;
-        turning(before, after)
+        // The arc tangent is dear and most samples lie on gentle curves.
+        let is_gentle =
+            before.dot(after) > gentle * (before.length_squared() * after.length_squared()).sqrt();
+        if is_gentle { 0.0 } else { turning(before, after) }
     };
     let mut fixed = vec![0];
     let turns: Vec<f32> = (0..=last).map(turn).collect();

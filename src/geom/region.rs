@@ -1,13 +1,18 @@
-//! The inside of a closed outline: containment and the nearest point of its boundary, both in logarithmic time.
+//! The inside of a closed outline: containment and the nearest point of its boundary.
 //!
-//! Containment counts crossings of a horizontal ray (even–odd rule) and looks only at the edges of the point's slab;
-//! the nearest boundary point comes from an R-tree over the edges. Self-crossing outlines are allowed.
+//! Containment counts crossings of a horizontal ray (even–odd rule) and looks only at the edges of the point's slab: a
+//! handful on a hand-drawn outline, all of them at worst. There are fewer slabs the more of them an edge spans, so
+//! that the table stays linear in the edges. The nearest boundary point comes from an R-tree over the edges.
+//! Self-crossing outlines are allowed.
 
 use glam::Vec2;
 use rstar::{
-    PointDistance, RTree,
-    primitives::{GeomWithData, Line},
+    RTree,
+    primitives::{GeomWithData, Line, Rectangle},
 };
+
+/// Slabs that an edge may lie in, on average.
+const SLABS_PER_EDGE: f32 = 6.0;
 
 /// A filled outline.
 pub struct Region {
@@ -24,7 +29,9 @@ impl Region {
         let lines = edges(&points).map(|(a, b)| Line::new(a.to_array(), b.to_array())).collect();
         let low = points.iter().map(|p| p.y).fold(f32::INFINITY, f32::min);
         let high = points.iter().map(|p| p.y).fold(f32::NEG_INFINITY, f32::max);
-        let count = points.len().max(1);
+        let climb: f32 = edges(&points).map(|(a, b)| (a.y - b.y).abs()).sum();
+        let most = SLABS_PER_EDGE * points.len() as f32 * ((high - low) / climb).min(1.0);
+        let count = points.len().min(most as usize).max(1);
         let slab_height = ((high - low) / count as f32).max(f32::MIN_POSITIVE);
         let mut slabs = vec![Vec::new(); count];
         let slab = |y: f32| (((y - low) / slab_height) as usize).min(count - 1);
@@ -69,9 +76,24 @@ fn edges(points: &[Vec2]) -> impl Iterator<Item = (Vec2, Vec2)> + '_ {
     (0..points.len()).map(|i| (points[i], points[(i + 1) % points.len()]))
 }
 
+/// Segments that share one box in a [`SegmentIndex`]: few enough to test one by one, many enough to keep the tree small.
+const RUN: usize = 16;
+
 /// An index over the segments of many polylines: which lie within a distance of a point.
 pub struct SegmentIndex {
-    tree: RTree<GeomWithData<Line<[f32; 2]>, (u32, u32)>>,
+    points: Vec<Vec2>,
+    runs: RTree<GeomWithData<Rectangle<[f32; 2]>, Run>>,
+}
+
+/// Consecutive segments of one polyline.
+#[derive(Clone, Copy)]
+struct Run {
+    line: u32,
+    /// Number of the first segment within its polyline, and how many there are.
+    segment: u32,
+    segments: u32,
+    /// Index of the first point.
+    point: u32,
 }
 
 /// A segment near a point.
@@ -90,18 +112,30 @@ pub struct Near {
 impl SegmentIndex {
     /// Indexes polylines by their number.
     pub fn new<'a>(lines: impl Iterator<Item = &'a [Vec2]>) -> Self {
-        let segments = lines.enumerate().flat_map(|(i, line)| {
-            line.windows(2).enumerate().map(move |(k, w)| {
-                GeomWithData::new(Line::new(w[0].to_array(), w[1].to_array()), (i as u32, k as u32))
-            })
-        });
-        Self { tree: RTree::bulk_load(segments.collect()) }
+        let (mut points, mut runs) = (Vec::new(), Vec::new());
+        for (number, line) in lines.enumerate() {
+            for segment in (0..line.len().saturating_sub(1)).step_by(RUN) {
+                let held = &line[segment..(segment + RUN + 1).min(line.len())];
+                let low = held.iter().copied().fold(Vec2::INFINITY, Vec2::min);
+                let high = held.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
+                let run = Run {
+                    line: number as u32,
+                    segment: segment as u32,
+                    segments: held.len() as u32 - 1,
+                    point: (points.len() + segment) as u32,
+                };
+                runs.push(GeomWithData::new(Rectangle::from_corners(low.to_array(), high.to_array()), run));
+            }
+            points.extend_from_slice(line);
+        }
+        Self { points, runs: RTree::bulk_load(runs) }
     }
 
     /// The nearest place on every polyline with a segment within `radius` of `p`, by polyline number.
     pub fn within(&self, p: Vec2, radius: f32) -> Vec<Near> {
-        let mut found: Vec<Near> =
-            self.tree.locate_within_distance(p.to_array(), radius * radius).map(|hit| near(hit, p)).collect();
+        let runs = self.runs.locate_within_distance(p.to_array(), radius * radius);
+        let nearest = runs.filter_map(|run| self.nearest_in(run.data, p));
+        let mut found: Vec<Near> = nearest.filter(|near| near.distance <= radius).collect();
         found.sort_by(|a, b| {
             a.line.cmp(&b.line).then(a.distance.total_cmp(&b.distance)).then(a.segment.cmp(&b.segment))
         });
@@ -111,17 +145,29 @@ impl SegmentIndex {
 
     /// The nearest place over all polylines; ties go to the lowest number.
     pub fn nearest(&self, p: Vec2) -> Option<Near> {
-        let radius2 = self.tree.nearest_neighbor(p.to_array())?.distance_2(&p.to_array());
-        let ties = self.tree.locate_within_distance(p.to_array(), radius2 * (1.0 + 1e-5) + f32::MIN_POSITIVE);
-        ties.map(|hit| near(hit, p)).min_by(|a, b| (a.line, a.segment).cmp(&(b.line, b.segment)))
+        let mut best: Option<Near> = None;
+        for (run, gap2) in self.runs.nearest_neighbor_iter_with_distance_2(p.to_array()) {
+            if best.is_some_and(|near| gap2 > near.distance * near.distance * (1.0 + 1e-5)) {
+                break;
+            }
+            best = best.into_iter().chain(self.nearest_in(run.data, p)).min_by(|a, b| {
+                a.distance.total_cmp(&b.distance).then((a.line, a.segment).cmp(&(b.line, b.segment)))
+            });
+        }
+        best
     }
-}
 
-fn near(hit: &GeomWithData<Line<[f32; 2]>, (u32, u32)>, p: Vec2) -> Near {
-    let (a, b) = (Vec2::from_array(hit.geom().from), Vec2::from_array(hit.geom().to));
-    let share = super::polyline::nearest_share(a, b, p, Vec2::dot);
-    let (line, segment) = (hit.data.0 as usize, hit.data.1 as usize);
-    Near { line, segment, share, distance: p.distance(a.lerp(b, share)) }
+    /// The nearest place on one run; ties go to the earlier segment.
+    fn nearest_in(&self, run: Run, p: Vec2) -> Option<Near> {
+        let (first, line) = (run.point as usize, run.line as usize);
+        let points = &self.points[first..=first + run.segments as usize];
+        let places = points.windows(2).enumerate().map(|(k, w)| {
+            let share = super::polyline::nearest_share(w[0], w[1], p, Vec2::dot);
+            let distance = p.distance(w[0].lerp(w[1], share));
+            Near { line, segment: run.segment as usize + k, share, distance }
+        });
+        places.min_by(|a, b| a.distance.total_cmp(&b.distance))
+    }
 }
 
 #[cfg(test)]
@@ -154,7 +200,38 @@ mod tests {
         assert_eq!(region.nearest_boundary(Vec2::ZERO), None);
     }
 
+    #[test]
+    fn a_zigzag_does_not_fill_every_slab() {
+        let n = 2000;
+        let tooth = |k: usize| Vec2::new(k as f32, if k % 2 == 0 { 0.0 } else { 100.0 });
+        let region = Region::new((0..n).map(tooth).collect());
+        assert!(region.slabs.iter().map(Vec::len).sum::<usize>() <= 8 * n);
+    }
+
     proptest! {
+        #[test]
+        fn runs_agree_with_testing_every_segment(
+            corners in prop::collection::vec((-9.0f32..9.0, -9.0f32..9.0), 2..80),
+            probe in (-10.0f32..10.0, -10.0f32..10.0),
+            radius in 0.5f32..10.0,
+        ) {
+            let points: Vec<Vec2> = corners.into_iter().map(Vec2::from).collect();
+            let lines = [&points[..points.len() / 2], &points[points.len() / 2..]];
+            let index = SegmentIndex::new(lines.into_iter());
+            let p = Vec2::from(probe);
+            let gaps = lines.map(|line| if line.len() < 2 { None } else { super::super::polyline::nearest(line, p) });
+            let gap = |i: usize| gaps[i].map_or(f32::INFINITY, |(gap, _)| gap);
+            let found = index.within(p, radius);
+            for i in 0..2 {
+                if (gap(i) - radius).abs() > 1e-3 {
+                    prop_assert_eq!(found.iter().any(|near| near.line == i), gap(i) < radius);
+                }
+            }
+            let nearest = index.nearest(p).map_or(f32::INFINITY, |near| near.distance);
+            let least = gap(0).min(gap(1));
+            prop_assert!(nearest == least || (nearest - least).abs() < 1e-4);
+        }
+
         #[test]
         fn slabs_agree_with_testing_every_edge(
             corners in prop::collection::vec((-9.0f32..9.0, -9.0f32..9.0), 3..24),
