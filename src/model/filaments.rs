@@ -34,7 +34,7 @@ pub(super) fn mesh<'a>(
         let Shape::Filament { points, radius, head, .. } = &organ.shape else { continue };
         match piece {
             Piece::Thread => {
-                let detail = spine::Detail { of_radius: TOLERANCE, metres: f32::INFINITY };
+                let detail = spine::Detail { of_radius: TOLERANCE, metres: (0.0, f32::INFINITY) };
                 let look = TubeLook {
                     sides: params.filament_sides.max(3),
                     picture: Picture::Whole,

@@ -13,6 +13,7 @@ use super::{
     outline::{self, Detail, MarginPoint, OutlineScratch},
     sections::Sections,
 };
+use crate::geom::convex_hull::convex_hull;
 use crate::plant::Blade;
 use glam::Vec2;
 use spade::handles::FixedVertexHandle;
@@ -24,15 +25,17 @@ crate::parameters! {
     /// How finely petals, leaves and sepals are modelled.
     pub struct BladeMeshParams {
         /// How far a blade's margin may leave the drawn outline.
-        outline_tolerance: f32 = 0.001, 0.0001..=0.002, "of the blade's size";
+        outline_tolerance: f32 = 0.002, 0.0001..=0.002, "of the blade's size";
         /// Rows of points between base and tip; more rows bend more smoothly.
-        rows: u32 = 7, 0..=64, "";
+        rows: u32 = 5, 0..=64, "";
         /// Columns of points between midrib and margin at the widest place.
         columns: u32 = 2, 0..=32, "";
         /// The same tolerance for generated leaves, which are many and small.
         template_tolerance: f32 = 0.02, 0.0001..=0.1, "of the blade's size";
+        /// Most points that carry a generated leaf's outline; a five-lobed leaf needs ten.
+        template_outline_points: u32 = 10, 4..=200, "";
         /// Rows of points in generated leaves.
-        template_rows: u32 = 2, 0..=64, "";
+        template_rows: u32 = 1, 0..=64, "";
         /// Columns of points in generated leaves.
         template_columns: u32 = 0, 0..=32, "";
         /// Thickness at the margin as a share of the thickness in the middle.
@@ -166,7 +169,7 @@ pub(super) fn flatten(
     let FlatScratch { margin, interior, .. } = scratch;
     let (graph, sections, triangles) = triangulated(margin, density, interior)
         .or_else(|| triangulated(&outline::untangled(margin), density, interior))
-        .or_else(|| triangulated(&outline::convex_hull(margin), density, interior))?;
+        .or_else(|| triangulated(&convex_hull(margin, |m| m.at), density, interior))?;
     let size = size_of(blade);
     let rim = &graph.points[..graph.margin];
     let perimeter = (0..rim.len()).map(|i| rim[i].distance(rim[(i + 1) % rim.len()])).sum();
@@ -205,10 +208,13 @@ fn prepare_margin(blade: &Blade, params: &BladeMeshParams, scratch: &mut FlatScr
     let tolerance =
         if blade.template.is_some() { params.template_tolerance } else { params.outline_tolerance };
     // A wave needs a few points; the outline of a blade is about two and a half times as long as the blade.
-    let wave = if blade.form.ruffle > 0.0 { 0.6 / blade.form.ruffle_waves.max(1.0) } else { f32::INFINITY };
+    let wavy = blade.form.ruffle > 0.0 && blade.template.is_none();
+    let wave = if wavy { 0.6 / blade.form.ruffle_waves.max(1.0) } else { f32::INFINITY };
     let longest_edge = (1.5 / (rows + 1) as f32).min(wave).max(0.01);
     let outline = (&blade.outline[..], &blade.curl[..]);
-    let detail = Detail { tolerance, longest_edge };
+    let most_points =
+        if blade.template.is_some() { params.template_outline_points as usize } else { usize::MAX };
+    let detail = Detail { tolerance, longest_edge, most_points };
     outline::prepare(outline, size_of(blade), detail, &mut scratch.outline, &mut scratch.margin);
 }
 
@@ -291,14 +297,17 @@ mod tests {
 
     #[test]
     fn template_leaves_are_light() {
-        let leaf: Vec<(f32, f32)> = (0..120)
-            .map(|k| {
-                let a = k as f32 * std::f32::consts::TAU / 120.0;
-                (0.22 * a.sin() * (1.0 + 0.3 * a.cos()), 0.5 - 0.5 * a.cos())
-            })
-            .collect();
-        let flat = flat(&leaf, Some(0)).unwrap();
-        let closed = 2 * flat.triangles.len() + 2 * flat.margin;
-        assert!(closed <= 56, "{closed} faces");
+        let closed = |radius: fn(f32) -> f32| {
+            let point = |k: usize| {
+                let a = k as f32 * std::f32::consts::TAU / 240.0;
+                (0.5 * radius(a) * a.sin(), 0.5 - 0.5 * radius(a) * a.cos())
+            };
+            let leaf: Vec<(f32, f32)> = (0..240).map(point).collect();
+            let flat = flat(&leaf, Some(0)).unwrap();
+            2 * flat.triangles.len() + 2 * flat.margin
+        };
+        let oval = closed(|a| 0.5 + 0.5 * a.cos().powi(2));
+        let maple = closed(|a| 1.0 - 0.5 * (2.5 * a).cos().powi(2));
+        assert!(oval <= 40 && maple <= 40, "{oval} and {maple} faces");
     }
 }

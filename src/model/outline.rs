@@ -2,7 +2,7 @@
 //!
 //! Points that stand closer together than a face may be small are merged, points that do not carry the shape are
 //! dropped (Douglas–Peucker between base and tip, so both stay), and long straight runs are divided so that the blade
-//! can bend there. Coordinates are in blade sizes: 1 is the larger of the blade's length and extent.
+//! can bend there. Outlines that may have only a few points keep those that enclose the most area. Coordinates are in blade sizes: 1 is the larger of the blade's length and extent.
 //!
 //! Limits: the result stays within the tolerance of the drawn outline but may cross itself by as much; the
 //! triangulation notices and [`untangled`] cuts the crossing off.
@@ -32,6 +32,8 @@ pub(super) struct Detail {
     pub(super) tolerance: f32,
     /// Edges longer than this are divided.
     pub(super) longest_edge: f32,
+    /// The least important points beyond this number are left out before edges are divided, whatever the tolerance.
+    pub(super) most_points: usize,
 }
 
 /// No edge of a prepared outline is shorter, in blade sizes.
@@ -76,6 +78,7 @@ pub(super) fn prepare(
             distance_from_chord(spaced, a, b, tolerance)
         });
     }
+    thin(spaced, &mut scratch.kept, tip, detail.most_points);
     divide(spaced, &scratch.kept, detail.longest_edge, out);
     if out.len() < 3 {
         out.clear();
@@ -126,6 +129,27 @@ fn distance_from_chord(
     }
 }
 
+/// Leaves out kept points of the closed chain, the one that encloses the least area with its neighbours first, until
+/// `most` remain (Visvalingam and Whyatt 1993). Base and tip stay.
+///
+/// Quadratic in the number of kept points, which the tolerance has already made few.
+fn thin(chain: &[MarginPoint], kept: &mut [bool], tip: usize, most: usize) {
+    if most >= chain.len() {
+        return;
+    }
+    let mut left: Vec<usize> = (0..chain.len()).filter(|&i| kept[i]).collect();
+    let importance = |w: &[usize]| {
+        let [a, b, c] = [w[0], w[1], w[2]].map(|i| chain[i].at);
+        if w[1] == tip { f32::INFINITY } else { (b - a).perp_dot(c - a).abs() }
+    };
+    // The base stands at both ends of the chain and counts once.
+    while left.len() > most.max(3) + 1 {
+        let least = left.windows(3).map(importance).enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+        let Some((before, _)) = least else { return };
+        kept[left.remove(before + 1)] = false;
+    }
+}
+
 /// Writes the kept points of the closed chain (first point repeated at the end), with long edges divided evenly.
 fn divide(chain: &[MarginPoint], kept: &[bool], longest_edge: f32, out: &mut Vec<MarginPoint>) {
     let mut from = chain[0];
@@ -146,35 +170,12 @@ pub(super) fn untangled(outline: &[MarginPoint]) -> Vec<MarginPoint> {
     simple
 }
 
-/// The convex hull of the outline (Andrew's monotone chain), counter-clockwise.
-pub(super) fn convex_hull(outline: &[MarginPoint]) -> Vec<MarginPoint> {
-    let mut sorted = outline.to_vec();
-    sorted.sort_by(|a, b| a.at.x.total_cmp(&b.at.x).then(a.at.y.total_cmp(&b.at.y)));
-    let half = |points: &mut dyn Iterator<Item = &MarginPoint>| {
-        let mut chain: Vec<MarginPoint> = Vec::new();
-        for point in points {
-            while let [.., a, b] = chain[..] {
-                if (b.at - a.at).perp_dot(point.at - b.at) > 0.0 {
-                    break;
-                }
-                chain.pop();
-            }
-            chain.push(*point);
-        }
-        chain.pop();
-        chain
-    };
-    let mut hull = half(&mut sorted.iter());
-    hull.extend(half(&mut sorted.iter().rev()));
-    hull
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::geom::polyline;
 
-    const FINE: Detail = Detail { tolerance: 0.001, longest_edge: 0.2 };
+    const FINE: Detail = Detail { tolerance: 0.001, longest_edge: 0.2, most_points: usize::MAX };
 
     fn prepared(outline: &[Vec2], curl: &[f32], detail: Detail) -> Vec<MarginPoint> {
         let mut out = Vec::new();
@@ -221,13 +222,18 @@ mod tests {
     }
 
     #[test]
-    fn a_hull_has_no_dents() {
-        let star: Vec<MarginPoint> = (0..20)
-            .map(|k| MarginPoint {
-                at: Vec2::from_angle(k as f32 * 0.314) * (1.0 + (k % 2) as f32),
-                curl: 0.0,
-            })
-            .collect();
-        assert_eq!(convex_hull(&star).len(), 10);
+    fn a_star_thinned_to_its_corners_keeps_all_of_them() {
+        let corner =
+            |k: usize| Vec2::from_angle(k as f32 * 0.628 - 1.57) * if k % 2 == 0 { 0.5 } else { 0.2 };
+        let corners: Vec<Vec2> = (0..10).map(|k| corner(k) + Vec2::Y * 0.5).collect();
+        let between = |k: usize| (0..6).map(move |j| (k, j as f32 / 6.0));
+        let drawn: Vec<Vec2> =
+            (0..10).flat_map(between).map(|(k, s)| corners[k].lerp(corners[(k + 1) % 10], s)).collect();
+        let out = prepared(&drawn, &[], Detail { longest_edge: 9.0, most_points: 10, ..FINE });
+        assert_eq!(out.len(), 10);
+        for corner in corners {
+            assert!(out.iter().any(|m| m.at.distance(corner) < 1e-3), "{corner} is lost");
+        }
+        assert_eq!(prepared(&drawn, &[], Detail { longest_edge: 9.0, most_points: 6, ..FINE }).len(), 6);
     }
 }

@@ -4,7 +4,8 @@
 //! gathered where the first of them stands. Names are unique: `branch_3`, `leaf_12`, `petal_0_4` (flower, then number
 //! within the flower), `stamens_0`, `anthers_0`.
 //!
-//! A specimen is one plant of the drawing: a trunk with all it carries, a flower without a stem, a lone organ.
+//! A specimen is one plant of the drawing: a trunk with all it carries and the pot it stands in, a flower without a
+//! stem. Leaves strewn about without a branch are one specimen together.
 
 use super::PartKind;
 use super::filaments::Piece;
@@ -54,16 +55,12 @@ pub(super) fn plan(plant: &Plant) -> Vec<Plan> {
     }));
     let mut names = Names::default();
     let mut gathered: BTreeMap<Gathering, usize> = BTreeMap::new();
-    let mut lone = specimens.first_lone;
     for (i, organ) in plant.organs.iter().enumerate() {
         let carrier = carrier(plant, organ);
         let specimen = match (carrier, organ.flower) {
             (Some(branch), _) => specimens.of_branch[branch],
             (None, Some(flower)) => specimens.of_flower[flower],
-            (None, None) => {
-                lone += 1;
-                lone - 1
-            }
+            (None, None) => specimens.of_lone(plant, organ),
         };
         let template = |name, material, source| Plan {
             name,
@@ -106,11 +103,11 @@ fn carrier(plant: &Plant, organ: &Organ) -> Option<usize> {
     organ.branch.or_else(|| organ.flower.and_then(|f| plant.flowers[f].branch))
 }
 
-/// Numbers of the plants in a drawing: trunks first, then flowers without a stem, then lone organs.
+/// Numbers of the plants in a drawing: trunks first, then flowers without a stem, then all lone organs together.
 struct Specimens {
     of_branch: Vec<usize>,
     of_flower: Vec<usize>,
-    first_lone: usize,
+    lone: usize,
 }
 
 impl Specimens {
@@ -127,7 +124,19 @@ impl Specimens {
         }
         let of_flower =
             plant.flowers.iter().map(|f| f.branch.map_or_else(&mut next, |b| of_branch[b])).collect();
-        Self { of_branch, of_flower, first_lone: count }
+        Self { of_branch, of_flower, lone: count }
+    }
+
+    /// The specimen of an organ that neither branch nor flower carries: a pot belongs to the trunk nearest to it.
+    fn of_lone(&self, plant: &Plant, organ: &Organ) -> usize {
+        let away =
+            |i: usize| plant.branches[i].points.first().map_or(f32::INFINITY, |p| p.distance(organ.base()));
+        let trunks = (0..plant.branches.len()).filter(|&i| plant.branches[i].parent.is_none());
+        let held = trunks.min_by(|a, b| away(*a).total_cmp(&away(*b)));
+        match held {
+            Some(trunk) if organ.kind == OrganKind::Pot => self.of_branch[trunk],
+            _ => self.lone,
+        }
     }
 }
 

@@ -15,9 +15,9 @@ crate::parameters! {
     /// How finely hearts of flowers, fruits and pots are modelled.
     pub struct SolidParams {
         /// Sides of domes, fruits and pots.
-        sides: u32 = 20, 3..=128, "";
+        sides: u32 = 14, 3..=128, "";
         /// Rows of a dome between edge and top.
-        dome_rows: u32 = 5, 1..=64, "";
+        dome_rows: u32 = 4, 1..=64, "";
         /// Sides of filaments.
         filament_sides: u32 = 3, 3..=16, "";
         /// Sides of anthers and stigmas.

@@ -32,8 +32,8 @@ pub(super) struct SpineScratch {
 pub(super) struct Detail {
     /// Largest distance from the skeleton as a share of the radius there.
     pub(super) of_radius: f32,
-    /// Largest distance from the skeleton in metres.
-    pub(super) metres: f32,
+    /// The least and the most that the distance is ever limited to, metres.
+    pub(super) metres: (f32, f32),
 }
 
 /// Neighbouring rings stand at least this share of their radius apart.
@@ -105,7 +105,9 @@ fn distance_from_chord(
         let share = ((ring.at - from.at).dot(along) * inverse).clamp(0.0, 1.0);
         let off = ring.at.distance(from.at + along * share);
         let thicker = (ring.radius - from.radius - (to.radius - from.radius) * share).abs();
-        off.max(thicker) / (detail.of_radius * ring.radius).min(detail.metres)
+        let (nearest, farthest) = detail.metres;
+        let tolerance = (detail.of_radius * ring.radius).min(farthest);
+        (off / tolerance.max(nearest)).max(thicker / tolerance)
     }
 }
 
@@ -168,7 +170,7 @@ fn drop_overlapping(rings: &mut Vec<Ring>) {
 mod tests {
     use super::*;
 
-    const DETAIL: Detail = Detail { of_radius: 0.1, metres: 1.0 };
+    const DETAIL: Detail = Detail { of_radius: 0.1, metres: (0.0, 1.0) };
 
     fn prepared(points: &[Vec3], radius: f32) -> Vec<Ring> {
         let mut out = Vec::new();

@@ -25,11 +25,11 @@ crate::parameters! {
         /// Radius of an ordinary stem.
         ordinary_radius: f32 = 0.006, 0.0001..=0.1, "of the plant's size";
         /// Fewest sides, on the thinnest twigs.
-        fewest_sides: u32 = 5, 3..=64, "";
+        fewest_sides: u32 = 4, 3..=64, "";
         /// Most sides, on the thickest trunks.
         most_sides: u32 = 24, 3..=64, "";
         /// How far the tube may leave the skeleton.
-        tolerance: f32 = 0.12, 0.005..=1.0, "of the radius";
+        tolerance: f32 = 0.25, 0.005..=1.0, "of the radius";
         /// Width of the bark picture.
         bark_width: f32 = 0.08, 0.005..=1.0, "of the plant's size";
         /// Length of the cone at a branch's end.
@@ -37,7 +37,9 @@ crate::parameters! {
     }
 }
 
-/// However thick a branch is, it leaves its skeleton by no more than this share of the plant's size.
+/// However thin a branch is, it need not follow its skeleton more closely than this share of the plant's size; nor may
+/// it, however thick, leave it by more than the other.
+const NEAREST: f32 = 0.001;
 const FARTHEST: f32 = 0.002;
 /// Bark shrinks with the branch, but not beyond this share of the radius at its base.
 const FINEST_BARK: f32 = 0.3;
@@ -85,7 +87,10 @@ pub(super) fn branch(
         sides: ((params.sides as f32 * thickness.sqrt()).round() as u32).clamp(fewest, most),
         picture: Picture::Bark(around.round().clamp(1.0, 8.0)),
         tip: params.tip,
-        detail: spine::Detail { of_radius: params.tolerance, metres: FARTHEST * plant_size },
+        detail: spine::Detail {
+            of_radius: params.tolerance,
+            metres: (NEAREST * plant_size, FARTHEST * plant_size),
+        },
     };
     let mut mesh = Mesh::default();
     append(&mut mesh, branch.points.iter().copied().zip(branch.radii.iter().copied()), look, scratch);
@@ -208,7 +213,7 @@ mod tests {
     fn sides_grow_with_the_radius_within_limits() {
         // Two rings of sides and the point of the cone.
         let sides = |radius| (stem(vec![Vec3::ZERO, Vec3::Y], radius).points.len() - 1) / 2;
-        assert_eq!([0.0001, 0.006, 0.024, 0.5].map(sides), [5, 8, 16, 24]);
+        assert_eq!([0.0001, 0.006, 0.024, 0.5].map(sides), [4, 8, 16, 24]);
     }
 
     #[test]

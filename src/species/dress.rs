@@ -1,7 +1,8 @@
 //! Dressing a plant: materials and forms for what was drawn, and the parts that nobody draws.
 //!
 //! Pure and deterministic: the same plant, species and seed give the same plant. Every blade, flower and branch has
-//! a random stream of its own, so that one more petal does not change all the others.
+//! a random stream of its own, so that one more petal does not change all the others: blades and branches are told
+//! apart by the stroke that drew them, or by where they stand if they were generated; flowers by their order.
 
 use super::blossom::blossom;
 use super::form;
@@ -11,8 +12,8 @@ use super::palette::Palette;
 use super::part::Part;
 use super::pot::pot;
 use super::thorns::thorns;
-use crate::plant::{Blade, BladeForm, Organ, OrganKind, Plant, Shape};
-use glam::Vec2;
+use crate::plant::{Blade, BladeForm, Branch, Organ, OrganKind, Plant, Shape};
+use glam::{Vec2, Vec3};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -25,9 +26,20 @@ enum Purpose {
     Blossom,
 }
 
-fn stream(seed: u64, purpose: Purpose, index: usize) -> Pcg64Mcg {
-    let key = ((purpose as u64) << 48) ^ index as u64;
+fn stream(seed: u64, purpose: Purpose, key: u64) -> Pcg64Mcg {
+    let key = ((purpose as u64) << 48) ^ key;
     Pcg64Mcg::seed_from_u64(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ key)
+}
+
+/// What tells a blade or branch from the others, whatever their number and order: its stroke or, without one, its place
+/// to a tenth of a millimetre and its direction.
+fn identity(stroke: Option<u64>, base: Vec3, direction: Vec3) -> u64 {
+    let mixed =
+        |key: u64, x: f32| (key ^ u64::from(x.round() as i32 as u32)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    stroke.unwrap_or_else(|| {
+        let places = (base * 1e4).to_array().into_iter().chain((direction * 1e3).to_array());
+        places.fold(1, |key, x| mixed(key, x).rotate_left(23))
+    })
 }
 
 /// Gives the plant its species' materials and forms and adds what the drawing does not say: hearts of flowers,
@@ -76,9 +88,9 @@ fn dress_blades(
     let leaf_materials = palette.indices(Part::Leaf, &species.leaf.materials);
     let looks = species.flowers.iter().map(|look| &look.petals);
     let looks: Vec<_> = looks.map(|look| (look, palette.indices(Part::Petal, &look.materials))).collect();
-    for (index, organ) in plant.organs.iter_mut().enumerate() {
+    for organ in &mut plant.organs {
         let Shape::Blade(blade) = &mut organ.shape else { continue };
-        let rng = &mut stream(seed, Purpose::Blade, index);
+        let rng = &mut stream(seed, Purpose::Blade, identity(organ.stroke, blade.base, blade.v));
         let flower = organ.flower.filter(|_| organ.kind == OrganKind::Petal);
         match flower.and_then(|f| Some((f, looks.get(plant.flowers[f].look)?))) {
             Some((flower, (look, materials))) => {
@@ -127,7 +139,7 @@ fn hearts(
     let mut out = Vec::new();
     for (index, flower) in plant.flowers.iter().enumerate() {
         let Some(look) = species.flowers.get(flower.look) else { continue };
-        let rng = &mut stream(seed, Purpose::Heart, index);
+        let rng = &mut stream(seed, Purpose::Heart, index as u64);
         out.extend(heart(plant, index, &petals[index], look, first_template + index as u32, palette, rng));
     }
     out
@@ -136,8 +148,11 @@ fn hearts(
 fn thorny(plant: &Plant, species: &Species, seed: u64, palette: &mut Palette<'_>) -> Vec<Organ> {
     let Some(look) = &species.thorns else { return Vec::new() };
     let material = palette.index(Part::Thorn, &look.material);
-    let on = |(index, branch)| {
-        let shapes = thorns(look, branch, &mut stream(seed, Purpose::Thorns, index));
+    let on = |(index, branch): (usize, &Branch)| {
+        let ends = branch.points.first().zip(branch.points.last());
+        let (base, end) = ends.map_or((Vec3::ZERO, Vec3::Y), |(base, end)| (*base, *end));
+        let key = identity(branch.stroke, base, end - base);
+        let shapes = thorns(look, branch, &mut stream(seed, Purpose::Thorns, key));
         shapes.into_iter().map(move |shape| Organ {
             kind: OrganKind::Thorn,
             stroke: None,
