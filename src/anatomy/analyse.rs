@@ -235,3 +235,59 @@ fn marks(readings: &[Reading], petals: &[FlatBlade]) -> Vec<Mark> {
     };
     readings.iter().map(|r| Mark { stroke: r.id, part: part(r), confidence: r.confidence }).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn drawing(name: &str) -> Sketch {
+        let path = format!("{}/assets/sketches/{name}.penstemon", env!("CARGO_MANIFEST_DIR"));
+        crate::sketch::read(std::path::Path::new(&path)).unwrap().0
+    }
+
+    /// Adds a branch of a few points from `from` to `to`.
+    fn add(sketch: &mut Sketch, from: Vec2, to: Vec2) -> StrokeId {
+        let mut stroke = sketch.strokes[0].clone();
+        stroke.id = 1_000_000;
+        stroke.tool = Tool::Branch;
+        stroke.points.truncate(4);
+        let last = stroke.points.len() - 1;
+        for (k, point) in stroke.points.iter_mut().enumerate() {
+            point.position = from.lerp(to, k as f32 / last as f32);
+        }
+        sketch.strokes.push(stroke);
+        1_000_000
+    }
+
+    #[test]
+    fn a_far_dot_changes_nothing() {
+        let params = AnatomyParams::default();
+        let mut sketch = drawing("daisy");
+        let before = analyse(&sketch, &params);
+        let far = before.bounds.1 + 10.0 * before.diagonal;
+        let dot = add(&mut sketch, far, far);
+        let after = analyse(&sketch, &params);
+        assert_eq!((before.bounds, &before.branches), (after.bounds, &after.branches));
+        assert_eq!((&before.petals, &before.leaves), (&after.petals, &after.leaves));
+        assert!(after.warnings.iter().any(|w| w.stroke == Some(dot)));
+    }
+
+    #[test]
+    fn an_unrelated_stroke_leaves_the_crown_as_it_was() {
+        let params = AnatomyParams::default();
+        let mut sketch = drawing("tree_round");
+        let before = analyse(&sketch, &params);
+        let corner = Vec2::new(before.bounds.0.x, before.bounds.1.y);
+        add(&mut sketch, corner, corner + 0.05 * before.diagonal * Vec2::new(0.3, -1.0));
+        let after = analyse(&sketch, &params);
+        let twigs = |a: &Anatomy| -> Vec<Vec<Sample>> {
+            a.branches.iter().filter(|b| b.stroke.is_none()).map(|b| b.line.clone()).collect()
+        };
+        let leaves = |a: &Anatomy| -> Vec<_> {
+            a.leaves.iter().filter(|l| l.stroke.is_none()).map(|l| (l.root, l.tip, l.copy_of)).collect()
+        };
+        assert!(leaves(&before).len() > 500, "{}", leaves(&before).len());
+        assert_eq!(twigs(&before), twigs(&after));
+        assert_eq!(leaves(&before), leaves(&after));
+    }
+}
