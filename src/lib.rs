@@ -6,6 +6,7 @@
 //! | --- | --- |
 //! | [`suggest`] | the known word nearest to a mistyped one |
 //! | [`params`] | described parameters, one struct per stage |
+//! | [`random`] | random streams named by what they decide |
 //! | [`geom`] | polylines, frames, polygons, ellipses: mathematics that knows no plant |
 //! | [`sketch`] | the document: strokes, tools, file formats |
 //! | [`plant`] | the waist: branches and organs in space |
@@ -27,6 +28,7 @@ pub mod model;
 pub mod params;
 pub mod pipeline;
 pub mod plant;
+pub mod random;
 pub mod render;
 pub mod sketch;
 pub mod species;

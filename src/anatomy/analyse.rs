@@ -6,14 +6,16 @@ use super::{
     blade_outline::{self, TipParams},
     classify::Classifier,
     fill_leaves::{LeafFill, LeafFillParams, Templates},
-    fill_twigs::{TwigFill, TwigParams},
+    fill_twigs::{Growth, TwigFill, TwigParams},
     flowers::{self, FlowerParams},
+    growth_points::Forest,
     hierarchy::{self, HierarchyParams},
     leaf_twigs::{LeafTwigParams, LeafTwigs},
     preprocess::{PreprocessParams, preprocess},
 };
 use crate::geom::{polyline, region::Region};
-use crate::sketch::{Sketch, Stroke, StrokeId, Tool, Warning};
+use crate::sketch::warnings::Warnings;
+use crate::sketch::{Sketch, Stroke, StrokeId, Tool};
 use glam::Vec2;
 use rayon::prelude::*;
 
@@ -63,30 +65,63 @@ struct Reading {
 
 /// Finds out what every stroke is and how the parts hang together; generates what outlines ask for.
 pub fn analyse(sketch: &Sketch, params: &AnatomyParams) -> Anatomy {
-    let diagonal = sketch.diagonal();
+    let (bounds, dots) = bounds_without_dots(&sketch.strokes);
+    let diagonal = bounds.0.distance(bounds.1);
     let readings: Vec<Reading> = sketch
         .strokes
         .par_iter()
         .with_min_len(16)
-        .map(|stroke| read_stroke(stroke, diagonal, params))
+        .zip(dots.par_iter())
+        .map(|(stroke, &dot)| read_stroke(stroke, dot, diagonal, params))
         .collect();
 
-    let mut anatomy = Anatomy { diagonal, bounds: sketch.bounds().unwrap_or_default(), ..Anatomy::default() };
-    anatomy.warnings = readings.iter().filter_map(Reading::warning).collect();
+    let mut anatomy = Anatomy { diagonal, bounds, ..Anatomy::default() };
+    let mut warnings = Warnings::default();
+    for reading in &readings {
+        if let Some(message) = reading.warning {
+            warnings.add(Some(reading.id), || message.to_owned());
+        }
+    }
     let lines = readings.iter().filter(|r| r.part == Part::Branch).map(|r| (Some(r.id), r.samples.clone()));
     anatomy.branches = hierarchy::arrange(lines.collect(), diagonal, &params.hierarchy);
     let blades = readings.iter().filter_map(|r| r.blade.clone().map(|blade| (blade, r.tool))).collect();
     let gathering = flowers::gather(blades, &params.flowers);
     (anatomy.petals, anatomy.flowers, anatomy.leaves) =
         (gathering.petals, gathering.flowers, gathering.leaves);
+    for &heart in &gathering.hearts {
+        warnings
+            .add(Some(heart), || "is taken for the heart of a flower, which the species draws".to_owned());
+    }
     attach_organs(&mut anatomy, &params.attach);
-    fill_outlines(&mut anatomy, &readings, sketch.seed, params);
+    fill_outlines(&mut anatomy, &readings, sketch.seed, params, &mut warnings);
+    anatomy.warnings = warnings.into_vec();
     anatomy.marks = marks(&readings, &anatomy.petals, &gathering.hearts);
     anatomy
 }
 
+/// Largest extent of a dot, as a share of the median stroke's and of the whole drawing's.
+const DOT: (f32, f32) = (0.05, 0.004);
+
+/// Bounds of all strokes but dots, and which strokes are dots: a slip of the pen far away must not set the scale.
+fn bounds_without_dots(strokes: &[Stroke]) -> ((Vec2, Vec2), Vec<bool>) {
+    const NOTHING: (Vec2, Vec2) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+    let union = |a: (Vec2, Vec2), b: (Vec2, Vec2)| (a.0.min(b.0), a.1.max(b.1));
+    let box_of = |s: &Stroke| s.points.iter().fold(NOTHING, |b, p| union(b, (p.position, p.position)));
+    let boxes: Vec<(Vec2, Vec2)> = strokes.iter().map(box_of).collect();
+    let extent = |b: &(Vec2, Vec2)| if b.0.cmple(b.1).all() { b.0.distance(b.1) } else { 0.0 };
+    let mut extents: Vec<f32> = boxes.iter().map(extent).collect();
+    let whole = extent(&boxes.iter().copied().fold(NOTHING, union));
+    let middle = extents.len() / 2;
+    let median =
+        if extents.is_empty() { 0.0 } else { *extents.select_nth_unstable_by(middle, f32::total_cmp).1 };
+    let is_dot = |b| extent(b) < (DOT.0 * median).min(DOT.1 * whole);
+    let dots: Vec<bool> = boxes.iter().map(is_dot).collect();
+    let bounds = boxes.iter().zip(&dots).filter(|(_, dot)| !**dot).map(|(b, _)| *b).fold(NOTHING, union);
+    (if bounds.0.cmple(bounds.1).all() { bounds } else { Default::default() }, dots)
+}
+
 /// Evens out one stroke and decides what it is.
-fn read_stroke(stroke: &Stroke, diagonal: f32, params: &AnatomyParams) -> Reading {
+fn read_stroke(stroke: &Stroke, dot: bool, diagonal: f32, params: &AnatomyParams) -> Reading {
     let samples = preprocess(&stroke.points, diagonal, &params.preprocess);
     let (id, tool) = (stroke.id, stroke.tool);
     let reading = |samples, part, confidence, blade, warning| Reading {
@@ -99,7 +134,7 @@ fn read_stroke(stroke: &Stroke, diagonal: f32, params: &AnatomyParams) -> Readin
         warning,
     };
     let positions: Vec<Vec2> = samples.iter().map(|s| s.position).collect();
-    if samples.len() < 2 || polyline::length(&positions) < params.ignore.shorter_than * diagonal {
+    if dot || samples.len() < 2 || polyline::length(&positions) < params.ignore.shorter_than * diagonal {
         return reading(
             samples,
             Part::Ignored,
@@ -130,12 +165,6 @@ fn read_stroke(stroke: &Stroke, diagonal: f32, params: &AnatomyParams) -> Readin
     }
 }
 
-impl Reading {
-    fn warning(&self) -> Option<Warning> {
-        self.warning.map(|message| Warning { stroke: Some(self.id), message: message.to_owned() })
-    }
-}
-
 fn attach_organs(anatomy: &mut Anatomy, params: &AttachParams) {
     let branches = Branches::new(&anatomy.branches);
     for leaf in &mut anatomy.leaves {
@@ -148,38 +177,55 @@ fn attach_organs(anatomy: &mut Anatomy, params: &AttachParams) {
 }
 
 /// Fills branch outlines with twigs, then leaf outlines with leaves on all that is there by then.
-fn fill_outlines(anatomy: &mut Anatomy, readings: &[Reading], seed: u64, params: &AnatomyParams) {
+fn fill_outlines(
+    anatomy: &mut Anatomy,
+    readings: &[Reading],
+    seed: u64,
+    params: &AnatomyParams,
+    warnings: &mut Warnings,
+) {
     let diagonal = anatomy.diagonal;
-    let outlines = |part: Part| {
-        readings
-            .iter()
-            .filter(move |r| r.part == part)
-            .map(|r| (r.id, Region::new(r.samples.iter().map(|s| s.position).collect())))
+    let outlines = |part: Part| -> Vec<(StrokeId, Region)> {
+        let inside = readings.iter().filter(|r| r.part == part);
+        inside.map(|r| (r.id, Region::new(r.samples.iter().map(|s| s.position).collect()))).collect()
     };
-    for (id, region) in outlines(Part::BranchOutline) {
-        let before = anatomy.branches.len();
-        let fill = TwigFill { region: &region, diagonal, seed: seed ^ id, params: &params.twigs };
-        fill.fill(&mut anatomy.branches);
-        if anatomy.branches.len() == before {
-            let message = "no branch runs through this outline, so no twig could grow in it".to_owned();
-            anatomy.warnings.push(Warning { stroke: Some(id), message });
+    let mut forest = Forest::new(std::mem::take(&mut anatomy.branches));
+    for (outline, region) in &outlines(Part::BranchOutline) {
+        let fill = TwigFill { outline: *outline, region, diagonal, seed, params: &params.twigs };
+        if let Some(message) = shortfall(fill.fill(&mut forest)) {
+            warnings.add(Some(*outline), || message.to_owned());
         }
     }
     let templates = Templates::new(&anatomy.leaves, diagonal, &params.leaf_fill);
-    for (id, region) in outlines(Part::LeafOutline) {
-        let twigs = LeafTwigs {
-            region: &region,
-            leaf_length: templates.length,
-            seed: seed ^ id,
-            params: &params.leaf_twigs,
-        };
-        twigs.grow(&mut anatomy.branches);
-        let params = &params.leaf_fill;
-        let fill = LeafFill { region: &region, templates: &templates, diagonal, seed: seed ^ id, params };
-        anatomy.leaves.extend(fill.fill(&anatomy.branches));
+    let (leaf_outlines, mut room) = (outlines(Part::LeafOutline), params.leaf_fill.max_leaves as usize);
+    for (i, (outline, region)) in leaf_outlines.iter().enumerate() {
+        let (outline, leaf_length) = (*outline, templates.length);
+        let twigs = LeafTwigs { outline, region, leaf_length, diagonal, seed, params: &params.leaf_twigs };
+        let all_twigs = twigs.grow(&mut forest);
+        let templates = &templates;
+        let fill = LeafFill { outline, region, templates, diagonal, seed, params: &params.leaf_fill };
+        // What an outline leaves of its share goes to those after it.
+        let (leaves, thinned) = fill.fill(&forest, room / (leaf_outlines.len() - i));
+        room -= leaves.len();
+        anatomy.leaves.extend(leaves);
+        if thinned || !all_twigs {
+            let message = "was filled more thinly: the drawing has as many generated parts as it may";
+            warnings.add(Some(outline), || message.to_owned());
+        }
     }
+    anatomy.branches = forest.into_branches();
     if anatomy.leaves.iter().any(|leaf| leaf.copy_of.is_some()) {
         anatomy.templates = templates.outlines;
+    }
+}
+
+/// Why an outline has fewer twigs than it asks for.
+fn shortfall(growth: Growth) -> Option<&'static str> {
+    match growth {
+        Growth::Full => None,
+        Growth::Capped => Some("has fewer twigs than it asks for: the drawing has as many as it may"),
+        Growth::NoBranch => Some("no branch runs through this outline, so no twig could grow in it"),
+        Growth::NoRoom => Some("leaves no room beside its branches, so no twig could grow in it"),
     }
 }
 
@@ -193,4 +239,60 @@ fn marks(readings: &[Reading], petals: &[FlatBlade], hearts: &[StrokeId]) -> Vec
         part => part,
     };
     readings.iter().map(|r| Mark { stroke: r.id, part: part(r), confidence: r.confidence }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn drawing(name: &str) -> Sketch {
+        let path = format!("{}/assets/sketches/{name}.penstemon", env!("CARGO_MANIFEST_DIR"));
+        crate::sketch::read(std::path::Path::new(&path)).unwrap().0
+    }
+
+    /// Adds a branch of a few points from `from` to `to`.
+    fn add(sketch: &mut Sketch, from: Vec2, to: Vec2) -> StrokeId {
+        let mut stroke = sketch.strokes[0].clone();
+        stroke.id = 1_000_000;
+        stroke.tool = Tool::Branch;
+        stroke.points.truncate(4);
+        let last = stroke.points.len() - 1;
+        for (k, point) in stroke.points.iter_mut().enumerate() {
+            point.position = from.lerp(to, k as f32 / last as f32);
+        }
+        sketch.strokes.push(stroke);
+        1_000_000
+    }
+
+    #[test]
+    fn a_far_dot_changes_nothing() {
+        let params = AnatomyParams::default();
+        let mut sketch = drawing("daisy");
+        let before = analyse(&sketch, &params);
+        let far = before.bounds.1 + 10.0 * before.diagonal;
+        let dot = add(&mut sketch, far, far);
+        let after = analyse(&sketch, &params);
+        assert_eq!((before.bounds, &before.branches), (after.bounds, &after.branches));
+        assert_eq!((&before.petals, &before.leaves), (&after.petals, &after.leaves));
+        assert!(after.warnings.iter().any(|w| w.stroke == Some(dot)));
+    }
+
+    #[test]
+    fn an_unrelated_stroke_leaves_the_crown_as_it_was() {
+        let params = AnatomyParams::default();
+        let mut sketch = drawing("tree_round");
+        let before = analyse(&sketch, &params);
+        let corner = Vec2::new(before.bounds.0.x, before.bounds.1.y);
+        add(&mut sketch, corner, corner + 0.05 * before.diagonal * Vec2::new(0.3, -1.0));
+        let after = analyse(&sketch, &params);
+        let twigs = |a: &Anatomy| -> Vec<Vec<Sample>> {
+            a.branches.iter().filter(|b| b.stroke.is_none()).map(|b| b.line.clone()).collect()
+        };
+        let leaves = |a: &Anatomy| -> Vec<_> {
+            a.leaves.iter().filter(|l| l.stroke.is_none()).map(|l| (l.root, l.tip, l.copy_of)).collect()
+        };
+        assert!(leaves(&before).len() > 500, "{}", leaves(&before).len());
+        assert_eq!(twigs(&before), twigs(&after));
+        assert_eq!(leaves(&before), leaves(&after));
+    }
 }

@@ -6,12 +6,13 @@
 //! without a branch inside the outline, leaves are strewn over it.
 
 use super::{
-    Attachment, Copy, FlatBlade, FlatBranch,
-    fill_twigs::point_rng,
-    growth_points::{GrowthPoint, growth_points},
+    Copy, FlatBlade,
+    growth_points::{Forest, GrowthPoint, Thinned, side},
     vein::{self, Walk},
 };
 use crate::geom::region::Region;
+use crate::random::{mix, stream};
+use crate::sketch::StrokeId;
 use glam::Vec2;
 use rand::RngExt;
 use rayon::prelude::*;
@@ -43,6 +44,9 @@ crate::parameters! {
         max_leaves: u32 = 100000, 1..=1000000, "";
     }
 }
+
+/// Most places along one side of the grid over an outline without a branch.
+const MAX_PLACES: f32 = 300.0;
 
 /// Steps of a vein that is not stopped.
 const STEPS: usize = 5;
@@ -99,6 +103,8 @@ fn ovate_leaf(width: f32) -> Vec<Vec2> {
 
 /// One leaf outline to fill.
 pub struct LeafFill<'a> {
+    /// The outline's stroke.
+    pub outline: StrokeId,
     /// The outline.
     pub region: &'a Region,
     /// What leaves are copied from.
@@ -112,28 +118,24 @@ pub struct LeafFill<'a> {
 }
 
 impl LeafFill<'_> {
-    /// The leaves, in the order of their places on the branches.
-    pub fn fill(&self, branches: &[FlatBranch]) -> Vec<FlatBlade> {
+    /// At most `limit` leaves, in the order of their places on the branches, and whether the limit thinned them.
+    pub fn fill(&self, forest: &Forest, limit: usize) -> (Vec<FlatBlade>, bool) {
         let spacing = (self.params.spacing * self.templates.length).max(1e-3 * self.diagonal);
-        let mut points = growth_points(branches.iter().enumerate(), self.region, spacing);
-        let on_branches = !points.is_empty();
-        if !on_branches {
-            points = strewn(self.region, 2.0 * spacing);
+        let mut points = Thinned::new(limit);
+        let all = 0..forest.branches().len();
+        forest.growth_points(all, (self.outline, self.region), spacing, &mut points);
+        if points.is_empty() {
+            strewn(self.region, self.outline, 2.0 * spacing).for_each(|point| points.add(point));
         }
-        points.truncate(self.params.max_leaves as usize);
-        let leaf = |point: &GrowthPoint| {
-            let attachment = on_branches.then_some(point.attachment);
-            self.leaf(point).map(|leaf| FlatBlade { attachment, ..leaf })
-        };
-        points.par_iter().with_min_len(32).filter_map(leaf).collect()
+        let leaf = |point: &GrowthPoint| self.leaf(point);
+        (points.kept().par_iter().with_min_len(32).filter_map(leaf).collect(), points.is_thinned())
     }
 
     /// The leaf of one growth point, `None` when there is no room for it.
     fn leaf(&self, point: &GrowthPoint) -> Option<FlatBlade> {
         let params = self.params;
-        let mut rng = point_rng(self.seed, point);
-        let turn = point.side() * params.departure + params.scatter * rng.random_range(-1.0..1.0f32);
-        let first = Vec2::from_angle(turn.to_radians()).rotate(point.direction);
+        let mut rng = stream(self.seed, "leaf", point.key);
+        let first = point.heading(params.departure, params.scatter, &mut rng);
         let size = 1.0 + params.variation * rng.random_range(-1.0..1.0f32);
         let rule = Walk {
             outline_pull: params.outline_pull,
@@ -153,41 +155,34 @@ impl LeafFill<'_> {
             root: point.position,
             tip,
             copy_of: Some(Copy { template, aspect }),
-            attachment: Some(point.attachment),
+            attachment: point.attachment,
         })
     }
 }
 
-/// Growth points on a grid over the region, for an outline without a branch.
-fn strewn(region: &Region, spacing: f32) -> Vec<GrowthPoint> {
-    let corners = region.outline().iter();
-    let (low, high) =
-        corners.fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(lo, hi), p| (lo.min(*p), hi.max(*p)));
+/// Growth points on a grid over the region, for an outline without a branch; wider where they would be too many.
+fn strewn(region: &Region, outline: StrokeId, spacing: f32) -> impl Iterator<Item = GrowthPoint> {
+    let (low, high) = region.bounds().unwrap_or((Vec2::ZERO, Vec2::NEG_ONE));
     let size = high - low;
-    if !size.is_finite() {
-        return Vec::new();
-    }
-    let (columns, rows) = ((size.x / spacing).min(300.0) as usize, (size.y / spacing).min(300.0) as usize);
+    let spacing = spacing.max(size.max_element() / MAX_PLACES);
+    let last = |extent: f32| (extent >= 0.0).then_some((extent / spacing) as usize);
+    let (columns, rows) = (last(size.x), last(size.y));
     let middle = low.midpoint(high);
-    let cells = (0..=rows).flat_map(|row| (0..=columns).map(move |column| (row, column)));
-    cells
-        .map(|(row, column)| {
-            (low + spacing * Vec2::new(column as f32 + 0.5 * (row % 2) as f32, row as f32), row, column)
-        })
-        .filter(|(position, ..)| region.contains(*position))
-        .map(|(position, row, column)| GrowthPoint {
-            position,
-            direction: (position - middle).normalize_or(Vec2::NEG_Y),
-            attachment: Attachment { branch: row, at: 0.0 },
-            number: column,
-        })
-        .collect()
+    let places = (0..rows.map_or(0, |r| r + 1))
+        .flat_map(move |row| (0..columns.map_or(0, |c| c + 1)).map(move |column| (row, column)));
+    places.filter_map(move |(row, column)| {
+        let position = low + spacing * Vec2::new(column as f32 + 0.5 * (row % 2) as f32, row as f32);
+        let direction = (position - middle).normalize_or(Vec2::NEG_Y);
+        let key = mix(mix(outline, row as u64), column as u64);
+        let point = GrowthPoint { position, direction, attachment: None, side: side(column), key };
+        region.contains(position).then_some(point)
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::anatomy::Sample;
+    use crate::anatomy::{FlatBranch, Sample};
 
     fn square(size: f32) -> Region {
         Region::new([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|p| size * Vec2::from(p)).to_vec())
@@ -202,7 +197,9 @@ mod tests {
         let params = LeafFillParams::default();
         let templates = Templates::new(&[], 1400.0, &params);
         let region = &square(1000.0);
-        LeafFill { region, templates: &templates, diagonal: 1400.0, seed: 5, params: &params }.fill(branches)
+        let params = &params;
+        let fill = LeafFill { outline: 9, region, templates: &templates, diagonal: 1400.0, seed: 5, params };
+        fill.fill(&Forest::new(branches.to_vec()), 1000).0
     }
 
     #[test]

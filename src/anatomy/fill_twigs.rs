@@ -5,14 +5,14 @@
 //! twig knows the branch and the place it grew from, which is the same forest without guessing.
 
 use super::{
-    FlatBranch, Sample,
-    growth_points::{GrowthPoint, growth_points},
+    growth_points::{Forest, GrowthPoint, Thinned},
     vein::{self, Walk},
 };
 use crate::geom::region::Region;
+use crate::random::stream;
+use crate::sketch::StrokeId;
 use glam::Vec2;
-use rand::{RngExt, SeedableRng};
-use rand_pcg::Pcg64Mcg;
+use rand::RngExt;
 use rayon::prelude::*;
 
 crate::parameters! {
@@ -40,13 +40,28 @@ crate::parameters! {
         departure: f32 = 45.0, 0.0..=120.0, "degrees";
         /// Random change of that angle, up to.
         scatter: f32 = 15.0, 0.0..=90.0, "degrees";
-        /// Most twigs in a drawing.
+        /// Most generated twigs in a drawing.
         max_twigs: u32 = 20000, 1..=1000000, "";
     }
 }
 
+/// What came of filling an outline.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Growth {
+    /// All that was asked for.
+    Full,
+    /// Fewer or none, because there are as many as a drawing may have.
+    Capped,
+    /// Nothing: no branch runs through the outline.
+    NoBranch,
+    /// Nothing: the outline leaves no room beside its branches.
+    NoRoom,
+}
+
 /// One branch outline to fill.
 pub struct TwigFill<'a> {
+    /// The outline's stroke.
+    pub outline: StrokeId,
     /// The outline.
     pub region: &'a Region,
     /// The drawing's diagonal, pixels.
@@ -59,26 +74,39 @@ pub struct TwigFill<'a> {
 
 impl TwigFill<'_> {
     /// Adds twigs to the forest; they stand after the branches they grow on.
-    pub fn fill(&self, branches: &mut Vec<FlatBranch>) {
-        let mut parents = 0..branches.len();
+    pub fn fill(&self, forest: &mut Forest) -> Growth {
+        let before = forest.generated();
+        let (mut thinned, mut sprouts) = (false, false);
+        let mut parents = 0..forest.branches().len();
         for generation in 0..self.params.generations {
             let shrink = self.params.shrink.powi(generation as i32);
-            let alive = parents.clone().map(|i| (i, &branches[i]));
-            let points = growth_points(alive, self.region, self.params.spacing * shrink * self.diagonal);
-            let room = (self.params.max_twigs as usize).saturating_sub(branches.len());
-            let sprout = |point| self.twig(point, branches, shrink);
-            let twigs: Vec<FlatBranch> = points.par_iter().take(room).filter_map(sprout).collect();
-            parents = branches.len()..branches.len() + twigs.len();
-            branches.extend(twigs);
+            let room = (self.params.max_twigs as usize).saturating_sub(forest.generated());
+            let mut points = Thinned::new(room);
+            let spacing = self.params.spacing * shrink * self.diagonal;
+            forest.growth_points(parents, (self.outline, self.region), spacing, &mut points);
+            sprouts |= !points.is_empty();
+            thinned |= points.is_thinned();
+            let grow = |point: &GrowthPoint| self.twig(point, shrink);
+            let twigs: Vec<Vec<Vec2>> = points.kept().par_iter().map(grow).collect();
+            let first_new = forest.branches().len();
+            for (point, places) in points.kept().iter().zip(twigs).filter(|(_, places)| places.len() >= 3) {
+                forest.sprout(point, places);
+            }
+            parents = first_new..forest.branches().len();
+        }
+        match (thinned, sprouts) {
+            (true, _) => Growth::Capped,
+            (_, false) => Growth::NoBranch,
+            _ if forest.generated() == before => Growth::NoRoom,
+            _ => Growth::Full,
         }
     }
 
-    /// The twig of one growth point, `None` when there is no room for it.
-    fn twig(&self, point: &GrowthPoint, branches: &[FlatBranch], shrink: f32) -> Option<FlatBranch> {
+    /// Places of the twig of one growth point.
+    fn twig(&self, point: &GrowthPoint, shrink: f32) -> Vec<Vec2> {
         let params = self.params;
-        let mut rng = point_rng(self.seed, point);
-        let turn = point.side() * params.departure + params.scatter * rng.random_range(-1.0..1.0f32);
-        let first = Vec2::from_angle(turn.to_radians()).rotate(point.direction);
+        let mut rng = stream(self.seed, "twig", point.key);
+        let first = point.heading(params.departure, params.scatter, &mut rng);
         let vigour = shrink * rng.random_range(0.7..1.0f32);
         let rule = Walk {
             outline_pull: params.outline_pull,
@@ -88,27 +116,14 @@ impl TwigFill<'_> {
             max_steps: ((params.max_steps as f32 * vigour) as usize).max(2),
             stop_distance: params.stop_distance * self.diagonal,
         };
-        let places = vein::walk(self.region, point.position, point.direction, first, &rule);
-        let parent = point.attachment.branch;
-        (places.len() >= 3).then(|| FlatBranch {
-            stroke: None,
-            line: places.into_iter().map(Sample::neutral).collect(),
-            parent: Some(parent),
-            attached_at: point.attachment.at,
-            level: branches[parent].level + 1,
-        })
+        vein::walk(self.region, point.position, point.direction, first, &rule)
     }
-}
-
-/// Randomness of one growth point: depends on its place in the forest alone, not on the order of work.
-pub(super) fn point_rng(seed: u64, point: &GrowthPoint) -> Pcg64Mcg {
-    let place = ((point.attachment.branch as u64) << 24) ^ point.number as u64;
-    Pcg64Mcg::seed_from_u64(seed ^ place.wrapping_mul(0x9e37_79b9_7f4a_7c15))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::anatomy::{FlatBranch, Sample};
 
     fn trunk() -> Vec<FlatBranch> {
         let line = (0..=40).map(|k| Sample::neutral(Vec2::new(0.0, 400.0 - 10.0 * k as f32))).collect();
@@ -120,11 +135,15 @@ mod tests {
         Region::new(disc.collect())
     }
 
+    fn grown(seed: u64, params: &TwigParams) -> Vec<FlatBranch> {
+        let mut forest = Forest::new(trunk());
+        TwigFill { outline: 9, region: &crown(), diagonal: 600.0, seed, params }.fill(&mut forest);
+        forest.into_branches()
+    }
+
     #[test]
     fn twigs_stay_inside_and_follow_their_parents() {
-        let mut branches = trunk();
-        TwigFill { region: &crown(), diagonal: 600.0, seed: 7, params: &TwigParams::default() }
-            .fill(&mut branches);
+        let branches = grown(7, &TwigParams::default());
         assert!(branches.len() > 20, "{}", branches.len());
         for (i, twig) in branches.iter().enumerate().skip(1) {
             assert!(twig.parent.unwrap() < i);
@@ -137,14 +156,9 @@ mod tests {
 
     #[test]
     fn same_seed_same_twigs_and_a_cap() {
-        let grown = |seed, params: &TwigParams| {
-            let mut branches = trunk();
-            TwigFill { region: &crown(), diagonal: 600.0, seed, params }.fill(&mut branches);
-            branches
-        };
         let params = TwigParams::default();
         assert_eq!(grown(3, &params), grown(3, &params));
         assert_ne!(grown(3, &params), grown(4, &params));
-        assert!(grown(3, &TwigParams { max_twigs: 5, ..params }).len() <= 5);
+        assert!(grown(3, &TwigParams { max_twigs: 5, ..params }).len() <= 6);
     }
 }

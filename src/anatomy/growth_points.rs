@@ -1,56 +1,207 @@
 //! Where twigs and leaves sprout: places at equal distance along the branches inside an outline (000 §3.5.1, steps 3
 //! and 4).
 
-use super::{Attachment, FlatBranch};
-use crate::geom::{polyline, region::Region};
+use super::{Attachment, FlatBranch, Sample};
+use crate::geom::region::Region;
+use crate::random::mix;
+use crate::sketch::StrokeId;
 use glam::Vec2;
+use rand::RngExt;
+use rand_pcg::Pcg64Mcg;
+use std::ops::Range;
 
-/// A place on a branch from which something grows.
+/// A place from which something grows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GrowthPoint {
     /// Canvas position, pixels.
     pub position: Vec2,
     /// Unit direction of the branch there.
     pub direction: Vec2,
-    /// The branch and the arc length on it.
-    pub attachment: Attachment,
-    /// Count along the branch, from its base: even and odd ones grow to different sides.
-    pub number: usize,
+    /// The branch and the arc length on it; `None` where there is no branch.
+    pub attachment: Option<Attachment>,
+    /// The side to which it grows: 1 or −1, 0 for straight on.
+    pub side: f32,
+    /// Name of its random streams; what grows here inherits it.
+    pub key: u64,
 }
 
 impl GrowthPoint {
-    /// The side to which it grows: 1 or −1, alternating along the branch.
-    pub fn side(&self) -> f32 {
-        if self.number.is_multiple_of(2) { 1.0 } else { -1.0 }
+    /// The unit direction in which something leaves, `departure` ± `scatter` degrees from the branch's.
+    pub fn heading(&self, departure: f32, scatter: f32, rng: &mut Pcg64Mcg) -> Vec2 {
+        let turn = self.side * departure + scatter * rng.random_range(-1.0..1.0f32);
+        Vec2::from_angle(turn.to_radians()).rotate(self.direction)
     }
 }
 
-/// Growth points `spacing` pixels apart on `branches` (each with its index), as far as they lie inside the region.
-pub fn growth_points<'a>(
-    branches: impl Iterator<Item = (usize, &'a FlatBranch)>,
-    region: &Region,
-    spacing: f32,
-) -> Vec<GrowthPoint> {
-    let mut points = Vec::new();
-    for (branch, flat) in branches {
-        let line: Vec<Vec2> = flat.line.iter().map(|s| s.position).collect();
-        let arcs = polyline::arc_lengths(line.iter().copied());
-        let length = arcs.last().copied().unwrap_or(0.0);
-        let count = (length / spacing) as usize;
-        for number in 1..=count {
-            let at = (number as f32 * spacing).min(length);
-            let place = polyline::locate(&arcs, at);
-            let position = polyline::interpolate(&line, place);
-            if region.contains(position) {
-                let direction = (line[place.0 + 1] - line[place.0]).normalize_or(Vec2::NEG_Y);
-                points.push(GrowthPoint {
-                    position,
-                    direction,
-                    attachment: Attachment { branch, at },
-                    number,
-                });
+/// The side of the `number`-th growth point: they alternate.
+pub fn side(number: usize) -> f32 {
+    if number.is_multiple_of(2) { 1.0 } else { -1.0 }
+}
+
+/// Branches as they grow: parents before children, drawn ones first.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Forest {
+    branches: Vec<FlatBranch>,
+    keys: Vec<u64>,
+    /// Smallest and largest corner of each branch.
+    boxes: Vec<(Vec2, Vec2)>,
+    drawn: usize,
+}
+
+impl Forest {
+    /// The drawn branches.
+    pub fn new(branches: Vec<FlatBranch>) -> Self {
+        let keys = branches.iter().zip(0..).map(|(b, i)| b.stroke.unwrap_or(i)).collect();
+        let boxes = branches.iter().map(box_of).collect();
+        Self { drawn: branches.len(), branches, keys, boxes }
+    }
+
+    /// All branches.
+    pub fn branches(&self) -> &[FlatBranch] {
+        &self.branches
+    }
+
+    /// All branches, by value.
+    pub fn into_branches(self) -> Vec<FlatBranch> {
+        self.branches
+    }
+
+    /// Number of generated twigs.
+    pub fn generated(&self) -> usize {
+        self.branches.len() - self.drawn
+    }
+
+    /// Indices among `of` of the branches that may have a piece inside the region.
+    pub fn near<'a>(&'a self, region: &Region, of: Range<usize>) -> impl Iterator<Item = usize> + 'a {
+        let bounds = region.bounds();
+        of.filter(move |&i| {
+            let ((low, high), (from, to)) = (self.boxes[i], bounds.unwrap_or_default());
+            bounds.is_some() && low.cmple(to).all() && high.cmpge(from).all()
+        })
+    }
+
+    /// Adds the twig that grew along `places` from a point on a branch; a point without a branch gives none.
+    pub fn sprout(&mut self, point: &GrowthPoint, places: Vec<Vec2>) {
+        let Some(Attachment { branch, at }) = point.attachment else { return };
+        let twig = FlatBranch {
+            stroke: None,
+            line: places.into_iter().map(Sample::neutral).collect(),
+            parent: Some(branch),
+            attached_at: at,
+            level: self.branches[branch].level + 1,
+        };
+        self.boxes.push(box_of(&twig));
+        self.keys.push(point.key);
+        self.branches.push(twig);
+    }
+
+    /// Adds to `points` the growth points `spacing` pixels apart on the branches `of`, as far as they lie inside the
+    /// region of the outline's stroke.
+    pub fn growth_points(
+        &self,
+        of: Range<usize>,
+        (outline, region): (StrokeId, &Region),
+        spacing: f32,
+        points: &mut Thinned<GrowthPoint>,
+    ) {
+        for branch in self.near(region, of) {
+            let (mut arc, mut number) = (0.0, 1);
+            for w in self.branches[branch].line.windows(2) {
+                let (from, to) = (w[0].position, w[1].position);
+                let span = from.distance(to);
+                while number as f32 * spacing <= arc + span && span > 0.0 {
+                    let at = number as f32 * spacing;
+                    let position = from.lerp(to, ((at - arc) / span).clamp(0.0, 1.0));
+                    if region.contains(position) {
+                        points.add(GrowthPoint {
+                            position,
+                            direction: (to - from) / span,
+                            attachment: Some(Attachment { branch, at }),
+                            side: side(number),
+                            key: self.key(branch, number, outline),
+                        });
+                    }
+                    number += 1;
+                }
+                arc += span;
             }
         }
     }
-    points
+
+    /// Name of the `number`-th growth point of a branch inside an outline.
+    pub fn key(&self, branch: usize, number: usize, outline: StrokeId) -> u64 {
+        mix(mix(self.keys[branch], number as u64), outline)
+    }
+}
+
+fn box_of(branch: &FlatBranch) -> (Vec2, Vec2) {
+    let corners = branch.line.iter().map(|s| s.position);
+    corners.fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(lo, hi), p| (lo.min(p), hi.max(p)))
+}
+
+/// At most `limit` of any number of things, evenly thinned: every k-th, k a power of two.
+#[derive(Clone, Debug)]
+pub struct Thinned<T> {
+    kept: Vec<T>,
+    limit: usize,
+    stride: usize,
+    seen: usize,
+}
+
+impl<T> Thinned<T> {
+    /// Room for `limit` things.
+    pub fn new(limit: usize) -> Self {
+        Self { kept: Vec::new(), limit, stride: 1, seen: 0 }
+    }
+
+    /// Takes one more into account.
+    pub fn add(&mut self, thing: T) {
+        self.seen += 1;
+        if self.limit == 0 || !(self.seen - 1).is_multiple_of(self.stride) {
+            return;
+        }
+        if self.kept.len() == self.limit {
+            let mut count = 0;
+            self.kept.retain(|_| {
+                count += 1;
+                count % 2 == 1
+            });
+            self.stride *= 2;
+            if !(self.seen - 1).is_multiple_of(self.stride) {
+                return;
+            }
+        }
+        if self.kept.len() < self.limit {
+            self.kept.push(thing);
+        }
+    }
+
+    /// Whether nothing was seen.
+    pub fn is_empty(&self) -> bool {
+        self.seen == 0
+    }
+
+    /// Whether some were left out.
+    pub fn is_thinned(&self) -> bool {
+        self.kept.len() < self.seen
+    }
+
+    /// What was kept, in order.
+    pub fn kept(&self) -> &[T] {
+        &self.kept
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thinning_is_even() {
+        let mut thinned = Thinned::new(10);
+        (0..1000).for_each(|k| thinned.add(k));
+        let kept = thinned.kept();
+        assert!(kept.len() <= 10 && kept.len() >= 5 && thinned.is_thinned());
+        assert!(kept.windows(2).all(|w| w[1] - w[0] == kept[1] - kept[0]));
+    }
 }

@@ -7,14 +7,14 @@
 //! none.
 
 use super::{
-    Attachment, FlatBranch, Sample,
-    fill_twigs::point_rng,
-    growth_points::{GrowthPoint, growth_points},
+    Attachment,
+    growth_points::{Forest, GrowthPoint, Thinned},
     vein::{self, Walk},
 };
 use crate::geom::{polyline, region::Region};
+use crate::random::stream;
+use crate::sketch::StrokeId;
 use glam::Vec2;
-use rand::RngExt;
 
 crate::parameters! {
     /// Twigs that carry the leaves of leaf outlines.
@@ -35,7 +35,7 @@ crate::parameters! {
         departure: f32 = 50.0, 0.0..=120.0, "degrees";
         /// Random change of that angle, up to.
         scatter: f32 = 20.0, 0.0..=90.0, "degrees";
-        /// Most branches and twigs in a drawing.
+        /// Most generated twigs in a drawing, those of branch outlines included.
         max_twigs: u32 = 20000, 1..=1000000, "";
     }
 }
@@ -57,10 +57,14 @@ const MAX_CELLS: usize = 1024;
 
 /// One leaf outline that grows the twigs it needs.
 pub struct LeafTwigs<'a> {
+    /// The outline's stroke.
+    pub outline: StrokeId,
     /// The outline.
     pub region: &'a Region,
     /// Length of its leaves, pixels.
     pub leaf_length: f32,
+    /// The drawing's diagonal, pixels.
+    pub diagonal: f32,
     /// Seed of everything random.
     pub seed: u64,
     /// How to grow them.
@@ -68,50 +72,58 @@ pub struct LeafTwigs<'a> {
 }
 
 impl LeafTwigs<'_> {
-    /// Adds twigs to the forest; they stand after the branches they grow on.
-    pub fn grow(&self, branches: &mut Vec<FlatBranch>) {
-        let spacing = self.params.spacing * self.leaf_length;
+    /// Adds twigs to the forest; they stand after the branches they grow on. False where the cap left some out.
+    pub fn grow(&self, forest: &mut Forest) -> bool {
+        let spacing = (self.params.spacing * self.leaf_length).max(1e-3 * self.diagonal);
         if !self.params.enabled || spacing <= 0.0 {
-            return;
+            return true;
         }
         let mut wood = Wood::new(self.region, spacing);
-        for branch in branches.iter() {
-            wood.mark(branch.line.iter().map(|s| s.position));
+        for i in forest.near(self.region, 0..forest.branches().len()) {
+            wood.mark(forest.branches()[i].line.iter().map(|s| s.position));
         }
-        let mut parents = 0..branches.len();
+        let mut parents = 0..forest.branches().len();
+        let most = self.params.max_twigs as usize;
         for _ in 0..self.params.generations {
-            let alive = parents.clone().map(|i| (i, &branches[i]));
-            let ends = alive.clone().filter_map(|(i, branch)| self.end_of(i, branch));
-            let points: Vec<_> = ends.chain(growth_points(alive.clone(), self.region, spacing)).collect();
-            let first_new = branches.len();
-            for point in &points {
+            let mut points = Thinned::new(most.saturating_sub(forest.generated()));
+            let ends = forest.near(self.region, parents.clone()).filter_map(|i| self.end_of(i, forest));
+            ends.for_each(|end| points.add(end));
+            forest.growth_points(parents, (self.outline, self.region), spacing, &mut points);
+            let first_new = forest.branches().len();
+            for point in points.kept() {
                 let places = self.twig(point, spacing, &wood);
-                if places.len() >= 3 && branches.len() < self.params.max_twigs as usize {
+                if places.len() >= 3 {
                     wood.mark(places.iter().copied());
-                    branches.push(twig_on(branches, point, places));
+                    forest.sprout(point, places);
                 }
             }
-            parents = first_new..branches.len();
+            if points.is_thinned() {
+                return false;
+            }
+            parents = first_new..forest.branches().len();
         }
+        true
     }
 
     /// The end of a branch, which grows straight on.
-    fn end_of(&self, index: usize, branch: &FlatBranch) -> Option<GrowthPoint> {
-        let [.., before, end] = branch.line.as_slice() else { return None };
+    fn end_of(&self, index: usize, forest: &Forest) -> Option<GrowthPoint> {
+        let line = forest.branches()[index].line.as_slice();
+        let [.., before, end] = line else { return None };
         let direction = (end.position - before.position).try_normalize()?;
-        let at = polyline::arc_lengths(branch.line.iter().map(|s| s.position)).last().copied()?;
-        let attachment = Attachment { branch: index, at };
-        let point = GrowthPoint { position: end.position, direction, attachment, number: END };
-        self.region.contains(end.position).then_some(point)
+        if !self.region.contains(end.position) {
+            return None;
+        }
+        let at = polyline::arc_lengths(line.iter().map(|s| s.position)).last().copied()?;
+        let attachment = Some(Attachment { branch: index, at });
+        let key = forest.key(index, END, self.outline);
+        Some(GrowthPoint { position: end.position, direction, attachment, side: 0.0, key })
     }
 
     /// Places of the twig of one growth point, up to where other wood is.
     fn twig(&self, point: &GrowthPoint, spacing: f32, wood: &Wood) -> Vec<Vec2> {
         let params = self.params;
-        let mut rng = point_rng(self.seed, point);
-        let departure = if point.number == END { 0.0 } else { point.side() * params.departure };
-        let turn = departure + params.scatter * rng.random_range(-1.0..1.0f32);
-        let first = Vec2::from_angle(turn.to_radians()).rotate(point.direction);
+        let mut rng = stream(self.seed, "leaf twig", point.key);
+        let first = point.heading(params.departure, params.scatter, &mut rng);
         let rule = Walk {
             outline_pull: params.outline_pull,
             parent_pull: params.parent_pull,
@@ -128,17 +140,6 @@ impl LeafTwigs<'_> {
     }
 }
 
-fn twig_on(branches: &[FlatBranch], point: &GrowthPoint, places: Vec<Vec2>) -> FlatBranch {
-    let parent = point.attachment.branch;
-    FlatBranch {
-        stroke: None,
-        line: places.into_iter().map(Sample::neutral).collect(),
-        parent: Some(parent),
-        attached_at: point.attachment.at,
-        level: branches[parent].level + 1,
-    }
-}
-
 /// Cells of a grid over an outline in which there is wood.
 struct Wood {
     low: Vec2,
@@ -151,9 +152,7 @@ struct Wood {
 impl Wood {
     /// A grid whose cells are about `spacing` wide; larger where that would be too many.
     fn new(region: &Region, spacing: f32) -> Self {
-        let corners = region.outline().iter();
-        let (low, high) =
-            corners.fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(lo, hi), p| (lo.min(*p), hi.max(*p)));
+        let (low, high) = region.bounds().unwrap_or_default();
         let size = (high - low).max(Vec2::ZERO);
         let cell = (0.8 * spacing).max(size.max_element() / (MAX_CELLS - 1) as f32);
         let count = |extent: f32| (extent / cell) as usize + 1;
@@ -183,6 +182,7 @@ impl Wood {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::anatomy::{FlatBranch, Sample};
 
     fn stem() -> Vec<FlatBranch> {
         let line = (0..=50).map(|k| Sample::neutral(Vec2::new(0.0, 300.0 - 12.0 * k as f32))).collect();
@@ -195,11 +195,12 @@ mod tests {
     }
 
     fn grown(half_width: f32) -> Vec<FlatBranch> {
-        let mut branches = stem();
-        let params = LeafTwigParams::default();
-        LeafTwigs { region: &oval(half_width), leaf_length: 30.0, seed: 3, params: &params }
-            .grow(&mut branches);
-        branches
+        let (mut forest, region) = (Forest::new(stem()), oval(half_width));
+        let params = &LeafTwigParams::default();
+        let twigs =
+            LeafTwigs { outline: 9, region: &region, leaf_length: 30.0, diagonal: 600.0, seed: 3, params };
+        assert!(twigs.grow(&mut forest));
+        forest.into_branches()
     }
 
     #[test]

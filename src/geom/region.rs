@@ -48,6 +48,12 @@ impl Region {
         &self.points
     }
 
+    /// Smallest and largest corner; `None` for an empty outline.
+    pub fn bounds(&self) -> Option<(Vec2, Vec2)> {
+        let first = *self.points.first()?;
+        Some(self.points.iter().fold((first, first), |(lo, hi), p| (lo.min(*p), hi.max(*p))))
+    }
+
     /// Whether a point lies inside.
     pub fn contains(&self, p: Vec2) -> bool {
         if !(p.y >= self.low) {

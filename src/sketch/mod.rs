@@ -12,7 +12,7 @@ pub mod json;
 pub mod limits;
 pub mod read;
 pub mod svg;
-mod warnings;
+pub(crate) mod warnings;
 
 pub use error::SketchError;
 pub use read::{from_bytes, read};

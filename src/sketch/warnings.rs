@@ -4,14 +4,14 @@ use super::{StrokeId, Warning, limits};
 
 /// Collects up to [`limits::MAX_WARNINGS`] remarks and counts the rest.
 #[derive(Debug, Default)]
-pub(super) struct Warnings {
+pub(crate) struct Warnings {
     kept: Vec<Warning>,
     dropped: usize,
 }
 
 impl Warnings {
     /// Adds a remark; the message is only made if there is room for it.
-    pub(super) fn add(&mut self, stroke: Option<StrokeId>, message: impl FnOnce() -> String) {
+    pub(crate) fn add(&mut self, stroke: Option<StrokeId>, message: impl FnOnce() -> String) {
         if self.kept.len() < limits::MAX_WARNINGS {
             self.kept.push(Warning { stroke, message: message() });
         } else {
@@ -20,7 +20,7 @@ impl Warnings {
     }
 
     /// All remarks, closed by a count of those left out.
-    pub(super) fn into_vec(mut self) -> Vec<Warning> {
+    pub(crate) fn into_vec(mut self) -> Vec<Warning> {
         if self.dropped > 0 {
             let message = format!("and {} more remarks like these", self.dropped);
             self.kept.push(Warning { stroke: None, message });
