@@ -102,7 +102,7 @@ pub(crate) fn leafy_tree(leaves: usize) -> Sketch {
     let mut tree = sketch(strokes);
     let length = (1.4 / (leaves as f64).sqrt()).clamp(0.002, 0.3);
     tree.params.insert("anatomy.leaf_fill.default_length".into(), length.into());
-    tree.params.insert("anatomy.leaf_fill.max_leaves".into(), leaves.into());
+    tree.params.insert("anatomy.leaf_fill.max_leaves".into(), (2 * leaves).into());
     tree
 }
 
