@@ -145,7 +145,7 @@ impl LeafFill<'_> {
             max_steps: STEPS,
             stop_distance: params.stop_distance * self.diagonal,
         };
-        let places = vein::walk(self.region, point.position, point.direction, first, &rule);
+        let places = vein::walk(self.region, point.position, (point.direction, first), &rule, |_| false);
         let tip = *places.last()?;
         let template = rng.random_range(0..self.templates.outlines.len() as u32);
         let aspect = 1.0 + ASPECT_VARIATION * rng.random_range(-1.0..1.0f32);

@@ -116,7 +116,7 @@ impl TwigFill<'_> {
             max_steps: ((params.max_steps as f32 * vigour) as usize).max(2),
             stop_distance: params.stop_distance * self.diagonal,
         };
-        vein::walk(self.region, point.position, point.direction, first, &rule)
+        vein::walk(self.region, point.position, (point.direction, first), &rule, |_| false)
     }
 }
 

@@ -132,11 +132,8 @@ impl LeafTwigs<'_> {
             max_steps: MAX_STEPS,
             stop_distance: STOP * self.leaf_length,
         };
-        let mut places = vein::walk(self.region, point.position, point.direction, first, &rule);
-        let leaves_parent = |p: Vec2| p.distance(point.position) > spacing;
-        let end = places.iter().position(|&p| leaves_parent(p) && wood.is_at(p)).unwrap_or(places.len());
-        places.truncate(end);
-        places
+        let in_wood = |p: Vec2| p.distance(point.position) > spacing && wood.is_at(p);
+        vein::walk(self.region, point.position, (point.direction, first), &rule, in_wood)
     }
 }
 

@@ -27,8 +27,14 @@ pub struct Walk {
 }
 
 /// The places of a walk from `start`, whose parent branch runs along `parent` (unit) and which sets out along `first`
-/// (unit). All places lie inside the region; the first is `start` itself.
-pub fn walk(region: &Region, start: Vec2, parent: Vec2, first: Vec2, rule: &Walk) -> Vec<Vec2> {
+/// (unit). All places lie inside the region and none but the first, `start` itself, where `blocked` says so.
+pub fn walk(
+    region: &Region,
+    start: Vec2,
+    (parent, first): (Vec2, Vec2),
+    rule: &Walk,
+    blocked: impl Fn(Vec2) -> bool,
+) -> Vec<Vec2> {
     let mut places = vec![start];
     let (mut at, mut before) = (start, first);
     for _ in 0..rule.max_steps {
@@ -40,7 +46,7 @@ pub fn walk(region: &Region, start: Vec2, parent: Vec2, first: Vec2, rule: &Walk
         let heading = rule.outline_pull * pull + rule.parent_pull * parent + rule.memory * before;
         let Some(heading) = heading.try_normalize() else { break };
         let next = at + rule.step * heading;
-        if !region.contains(next) {
+        if blocked(next) || !region.contains(next) {
             break;
         }
         places.push(next);
@@ -71,7 +77,7 @@ mod tests {
     #[test]
     fn a_walk_stays_inside_and_ends_near_the_outline() {
         let region = disc(100.0);
-        let places = walk(&region, Vec2::new(10.0, 0.0), Vec2::Y, Vec2::X, &RULE);
+        let places = walk(&region, Vec2::new(10.0, 0.0), (Vec2::Y, Vec2::X), &RULE, |_| false);
         assert!(places.iter().all(|&p| region.contains(p)));
         let last = places[places.len() - 1];
         assert!(region.nearest_boundary(last).unwrap().1 <= RULE.stop_distance + RULE.step);
@@ -81,13 +87,13 @@ mod tests {
     fn more_outline_pull_leads_more_directly_outward() {
         let end = |outline_pull: f32, parent_pull: f32| {
             let rule = Walk { outline_pull, parent_pull, ..RULE };
-            *walk(&disc(100.0), Vec2::new(20.0, 0.0), Vec2::Y, Vec2::X, &rule).last().unwrap()
+            *walk(&disc(100.0), Vec2::new(20.0, 0.0), (Vec2::Y, Vec2::X), &rule, |_| false).last().unwrap()
         };
         assert!(end(0.7, 0.2).y < end(0.3, 0.6).y);
     }
 
     #[test]
     fn outside_there_is_no_walk() {
-        assert_eq!(walk(&disc(1.0), Vec2::new(9.0, 0.0), Vec2::Y, Vec2::X, &RULE).len(), 1);
+        assert_eq!(walk(&disc(1.0), Vec2::new(9.0, 0.0), (Vec2::Y, Vec2::X), &RULE, |_| false).len(), 1);
     }
 }
