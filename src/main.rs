@@ -5,16 +5,13 @@ use penstemon::cli::{self, Cli};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let level = if std::env::var_os("PENSTEMON_DEBUG").is_some() {
-        tracing::Level::DEBUG
-    } else {
-        tracing::Level::WARN
-    };
+    let cli = Cli::parse();
+    let level = if cli.verbose { tracing::Level::DEBUG } else { tracing::Level::WARN };
     tracing_subscriber::fmt().with_max_level(level).with_writer(std::io::stderr).without_time().init();
-    match cli::run(Cli::parse()) {
+    match cli::run(cli) {
         Ok(code) => code,
         Err(error) => {
-            eprintln!("penstemon: {error:#}");
+            eprintln!("penstemon: {}", cli::one_line(&error));
             ExitCode::FAILURE
         }
     }

@@ -17,9 +17,6 @@ pub struct Args {
     #[command(flatten)]
     #[allow(missing_docs)]
     pub options: BuildOptions,
-    /// Print times and counts as one JSON object.
-    #[arg(long)]
-    pub stats: bool,
 }
 
 /// Runs `build`.
@@ -30,7 +27,7 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     for out in &args.out {
         export::format_of(out)?;
     }
-    let setup = Setup::open(&args.sketch, &args.options)?;
+    let setup = Setup::open(&args.sketch, &args.options.setup)?;
     let built = setup.build(&args.sketch);
     ensure!(
         !built.model.parts.is_empty(),
@@ -41,8 +38,8 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     for out in &args.out {
         bytes += export::export(out, &built.model, &built.plant, &common::built_in_texture)?;
     }
-    if args.stats {
-        common::print(&common::stats(&built, bytes).to_string())?;
+    if args.options.stats {
+        common::print(&common::stats(&built.stages, &built.model, bytes).to_string())?;
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -1,10 +1,9 @@
 //! `penstemon check`: is this mesh fit for a modeller, a game engine, a printer?
 
+use super::common;
 use crate::export::read;
 use crate::model::quality::{Report, judge};
-use anyhow::Context;
 use serde::Serialize;
-use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -46,9 +45,8 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         report.add(&one);
     }
     let verdict = Verdict { clean: report.is_clean(), report, faulty };
-    let text =
-        if args.json { format!("{}\n", serde_json::to_string(&verdict)?) } else { described(args, &verdict) };
-    std::io::stdout().write_all(text.as_bytes()).context("cannot print the report")?;
+    let text = if args.json { serde_json::to_string(&verdict)? } else { described(args, &verdict) };
+    common::print(&text)?;
     Ok(if verdict.clean { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
@@ -65,15 +63,14 @@ fn described(args: &Args, verdict: &Verdict) -> String {
         text +=
             &format!(", UVs from ({}, {}) to ({}, {})", range.min.x, range.min.y, range.max.x, range.max.y);
     }
-    text.push('\n');
     for (what, count) in report.defects() {
-        text += &format!("  {count} {what}\n");
+        text += &format!("\n  {count} {what}");
     }
     if !verdict.faulty.is_empty() {
-        text += &format!("  among others in: {}\n", verdict.faulty.join(", "));
+        text += &format!("\n  among others in: {}", verdict.faulty.join(", "));
     }
     if verdict.clean {
-        text += "  no defects\n";
+        text += "\n  no defects";
     }
     text
 }

@@ -1,5 +1,6 @@
 //! What the building verbs share: opening a sketch, choosing species and parameters, reporting.
 
+use crate::model::Model;
 use crate::pipeline::{self, Built, Params};
 use crate::sketch::{self, Sketch};
 use crate::species::{self, Species};
@@ -8,10 +9,37 @@ use serde_json::{Map, Value, json};
 use std::borrow::Cow;
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// Options of every verb that builds a plant from a sketch.
 #[derive(Debug, clap::Args)]
 pub struct BuildOptions {
+    #[command(flatten)]
+    #[allow(missing_docs)]
+    pub setup: SetupOptions,
+    /// Print times, counts and bytes written as one JSON object.
+    #[arg(long)]
+    pub stats: bool,
+}
+
+impl BuildOptions {
+    /// The options that were given, as they are typed.
+    pub fn given(&self) -> Vec<&'static str> {
+        let Self { setup, stats } = self;
+        let options = [
+            ("--species", setup.species.is_some()),
+            ("--seed", setup.seed.is_some()),
+            ("--set", !setup.assignments.is_empty()),
+            ("--texture", !setup.textures.is_empty()),
+            ("--stats", *stats),
+        ];
+        options.into_iter().filter(|(_, given)| *given).map(|(name, _)| name).collect()
+    }
+}
+
+/// Options of every verb that sets up a sketch for building.
+#[derive(Debug, clap::Args)]
+pub struct SetupOptions {
     /// Species: a built-in name or a species file; instead of the sketch's own.
     #[arg(long, value_name = "SPECIES")]
     pub species: Option<String>,
@@ -24,6 +52,18 @@ pub struct BuildOptions {
     /// Your own picture for a part, for instance petal=photo.jpg; may be given again.
     #[arg(long = "texture", value_name = "PART=FILE")]
     pub textures: Vec<String>,
+}
+
+/// Reads a sketch; warnings go to stderr.
+///
+/// # Errors
+/// A sketch that cannot be used.
+pub fn open_sketch(path: &Path) -> anyhow::Result<Sketch> {
+    let (sketch, warnings) = sketch::read(path)?;
+    for warning in &warnings {
+        tracing::warn!("{}: {warning}", path.display());
+    }
+    Ok(sketch)
 }
 
 /// A sketch with all that is needed to build it.
@@ -41,25 +81,24 @@ impl Setup {
     ///
     /// # Errors
     /// A sketch, species, parameter or picture that cannot be used.
-    pub fn open(path: &Path, options: &BuildOptions) -> anyhow::Result<Self> {
-        let (mut sketch, warnings) = sketch::read(path)?;
-        for warning in &warnings {
-            tracing::warn!("{}: {warning}", path.display());
-        }
+    pub fn open(path: &Path, options: &SetupOptions) -> anyhow::Result<Self> {
+        let mut sketch = open_sketch(path)?;
         sketch.seed = options.seed.unwrap_or(sketch.seed);
-        let beside_sketch = path.parent().unwrap_or(Path::new(""));
-        let folder = if options.species.is_some() { Path::new("") } else { beside_sketch };
+        let mut folder = path.parent().unwrap_or(Path::new(""));
+        let mut whose = path.display().to_string();
         if options.species.is_some() {
             sketch.species.clone_from(&options.species);
+            (folder, whose) = (Path::new(""), "--species".to_owned());
         }
-        let mut species = pipeline::species_of(&sketch, folder)?;
+        let mut species = pipeline::species_of(&sketch, folder).context(whose)?;
         for assignment in &options.textures {
             let (part, file) = assignment
                 .split_once('=')
                 .with_context(|| format!("--texture {assignment}: write it as PART=FILE"))?;
             species.set_texture(part, &PathBuf::from(file))?;
         }
-        let params = pipeline::params_of(&sketch, &species, &options.assignments)?;
+        let params = pipeline::params_of(&sketch, &species, &options.assignments)
+            .with_context(|| path.display().to_string())?;
         Ok(Self { sketch, species, params })
     }
 
@@ -68,6 +107,9 @@ impl Setup {
         let built = pipeline::build(&self.sketch, &self.species, &self.params);
         for warning in &built.anatomy.warnings {
             tracing::warn!("{}: {warning}", path.display());
+        }
+        for (stage, time) in &built.stages {
+            tracing::debug!("{}: {stage} took {:.1} ms", path.display(), time.as_secs_f64() * 1e3);
         }
         built
     }
@@ -78,16 +120,19 @@ pub fn built_in_texture(name: &str) -> Option<Cow<'static, [u8]>> {
     species::builtin_texture(name).map(Cow::Borrowed)
 }
 
+/// Time that each stage took, in order.
+pub type Stages = Vec<(&'static str, Duration)>;
+
 /// The `--stats` object; `bytes` is the size of what was written.
-pub fn stats(built: &Built, bytes: usize) -> Value {
-    let ms = |d: std::time::Duration| (d.as_secs_f64() * 1e6).round() / 1e3;
-    let stages: Map<String, Value> =
-        built.stages.iter().map(|&(name, time)| (name.to_owned(), ms(time).into())).collect();
+pub fn stats(stages: &Stages, model: &Model, bytes: usize) -> Value {
+    let ms = |d: Duration| (d.as_secs_f64() * 1e6).round() / 1e3;
+    let per_stage: Map<String, Value> =
+        stages.iter().map(|&(name, time)| (name.to_owned(), ms(time).into())).collect();
     json!({
-        "total_ms": ms(built.stages.iter().map(|s| s.1).sum()),
-        "stages": stages,
-        "vertices": built.model.vertex_count(),
-        "triangles": built.model.triangle_count(),
+        "total_ms": ms(stages.iter().map(|s| s.1).sum()),
+        "stages": per_stage,
+        "vertices": model.vertex_count(),
+        "triangles": model.triangle_count(),
         "bytes": bytes,
     })
 }

@@ -1,6 +1,6 @@
 //! `penstemon inspect SKETCH`: what the analysis understood, as JSON.
 
-use super::common::{self, BuildOptions, Setup};
+use super::common::{self, Setup, SetupOptions};
 use crate::anatomy::{Anatomy, Attachment, FlatBlade, Part};
 use crate::plant::Plant;
 use crate::sketch::StrokeId;
@@ -18,7 +18,7 @@ pub struct Args {
     pub sketch: PathBuf,
     #[command(flatten)]
     #[allow(missing_docs)]
-    pub options: BuildOptions,
+    pub options: SetupOptions,
 }
 
 /// What the analysis understood of a drawing.

@@ -15,6 +15,9 @@ use std::process::ExitCode;
 #[derive(Debug, Parser)]
 #[command(name = "penstemon", version, arg_required_else_help = true)]
 pub struct Cli {
+    /// Also tell on stderr how long each stage takes and which driver draws.
+    #[arg(long, global = true)]
+    pub verbose: bool,
     /// What to do.
     #[command(subcommand)]
     pub verb: Verb,
@@ -33,6 +36,18 @@ pub enum Verb {
     Render(render::Args),
 }
 
+/// An error with its causes as one message. Many errors quote their cause; it is not said twice.
+pub fn one_line(error: &anyhow::Error) -> String {
+    error.chain().fold(String::new(), |message, cause| {
+        let cause = cause.to_string();
+        match message.as_str() {
+            "" => cause,
+            told if told.ends_with(&cause) => message,
+            told => format!("{told}: {cause}"),
+        }
+    })
+}
+
 /// Runs one command line.
 ///
 /// # Errors
@@ -43,5 +58,17 @@ pub fn run(cli: Cli) -> anyhow::Result<ExitCode> {
         Verb::Inspect(args) => inspect::run(&args),
         Verb::Check(args) => check::run(&args),
         Verb::Render(args) => render::run(&args),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use anyhow::anyhow;
+
+    #[test]
+    fn a_cause_that_was_quoted_is_not_said_again() {
+        let error = anyhow!("no such file").context("plant.obj: no such file").context("--texture");
+        assert_eq!(one_line(&error), "--texture: plant.obj: no such file");
     }
 }

@@ -1,13 +1,15 @@
 //! `penstemon render`: a picture of a sketch or a model, a turntable of pictures, or the drawing itself.
 
 use super::common::{self, BuildOptions, Setup};
-use crate::export::{self, Surface};
-use crate::model::{Model, Part, PartKind};
-use crate::plant::{Material, Texture};
-use crate::render::{Direction, PictureOptions, Projection, Renderer, View};
+use crate::export::pictures::fetch;
+use crate::export::read::ReadFormat;
+use crate::export::{self, Embedded, Loaded, load};
+use crate::model::Model;
+use crate::pipeline::Built;
+use crate::plant::Texture;
+use crate::render::{Direction, Picture, PictureOptions, Projection, Renderer, View};
 use crate::sketch::Sketch;
-use anyhow::{Context, Result, bail};
-use glam::Vec3;
+use anyhow::{Result, bail, ensure};
 use std::borrow::Cow;
 use std::error::Error;
 use std::ffi::OsString;
@@ -66,7 +68,7 @@ pub struct Args {
     input: PathBuf,
     /// The picture, a PNG file; the pictures of a turntable get a number before the ending.
     #[arg(short, long, value_name = "OUT.png")]
-    output: PathBuf,
+    out: PathBuf,
     /// Width and height of each picture in pixels.
     #[arg(long, value_name = "WxH", default_value = "1200x900")]
     size: Size,
@@ -105,91 +107,115 @@ impl Args {
 /// # Errors
 /// What went wrong, ready to be shown.
 pub fn run(args: &Args) -> Result<ExitCode> {
-    if args.view == ViewName::Drawing && (args.with_drawing || args.turntable.is_some() || args.transparent) {
-        bail!(
-            "`--view drawing` shows the drawing alone; leave out --with-drawing, --turntable and --transparent"
-        );
+    if args.view == ViewName::Drawing {
+        return render_drawing(args);
     }
     let scene = Scene::open(args)?;
-    if args.view == ViewName::Drawing {
-        let picture = Renderer::new()?.drawing(scene.drawing(args)?, &args.options())?;
-        export::write_atomically(&args.output, &picture.to_png()?)?;
-    } else if args.with_drawing {
-        let mut renderer = Renderer::new()?;
-        let plant = renderer.picture(&scene.model, &texture_bytes, &args.first_view(), &args.options())?;
-        let drawing = renderer.drawing(scene.drawing(args)?, &args.options())?;
-        export::write_atomically(&args.output, &drawing.beside(&plant).to_png()?)?;
-    } else {
-        render_model(args, &scene.model)?;
+    let mut renderer = Renderer::new()?;
+    tracing::debug!("drawn by {}", renderer.adapter());
+    let bytes = match &scene.drawn {
+        Some(drawn) if args.with_drawing => {
+            let drawing = renderer.drawing(&drawn.sketch, &args.options())?;
+            let plant =
+                renderer.picture(&scene.model, &scene.textures(), &args.first_view(), &args.options())?;
+            write(&args.out, &drawing.beside(&plant))?
+        }
+        _ => render_views(args, &scene, &mut renderer)?,
+    };
+    if let Some(drawn) = scene.drawn.filter(|_| args.build.stats) {
+        common::print(&common::stats(&drawn.stages, &scene.model, bytes).to_string())?;
     }
     Ok(ExitCode::SUCCESS)
 }
 
-/// Writes the pictures of a model that `args` ask for.
-fn render_model(args: &Args, model: &Model) -> Result<()> {
-    let mut renderer = Renderer::new()?;
-    let uploaded = renderer.upload(model, &texture_bytes)?;
+/// Writes the drawing alone; no plant is built.
+fn render_drawing(args: &Args) -> Result<ExitCode> {
+    if args.with_drawing || args.turntable.is_some() || args.transparent || args.build.stats {
+        bail!(
+            "`--view drawing` shows the drawing alone; leave out --with-drawing, --turntable, --transparent and --stats"
+        );
+    }
+    if ReadFormat::of(&args.input).is_some() {
+        bail!(no_drawing(&args.input));
+    }
+    let sketch = common::open_sketch(&args.input)?;
+    write(&args.out, &Renderer::new()?.drawing(&sketch, &args.options())?)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Writes the pictures of a model that `args` ask for and returns their size in bytes.
+fn render_views(args: &Args, scene: &Scene, renderer: &mut Renderer) -> Result<usize> {
+    let uploaded = renderer.upload(&scene.model, &scene.textures())?;
     let views: Vec<View> = args.first_view().turntable(args.turntable.unwrap_or(1)).collect();
+    let mut bytes = 0;
     for (i, picture) in renderer.pictures(&uploaded, &views, &args.options()).enumerate() {
         let path = match args.turntable {
-            Some(_) => numbered(&args.output, i),
-            None => args.output.clone(),
+            Some(_) => numbered(&args.out, i),
+            None => args.out.clone(),
         };
-        export::write_atomically(&path, &picture?.to_png()?)?;
+        bytes += write(&path, &picture?)?;
     }
-    Ok(())
+    Ok(bytes)
+}
+
+fn write(path: &Path, picture: &Picture) -> Result<usize> {
+    let bytes = picture.to_png()?;
+    export::write_atomically(path, &bytes)?;
+    Ok(bytes.len())
+}
+
+fn no_drawing(path: &Path) -> String {
+    format!("{} is a model; only a sketch has a drawing to show", path.display())
 }
 
 /// What a picture is made of.
 struct Scene {
     model: Model,
-    /// The drawing, where the input is one.
-    sketch: Option<Sketch>,
+    /// Pictures inside a model file.
+    embedded: Embedded,
+    /// Where the plant was drawn.
+    drawn: Option<Drawn>,
+}
+
+/// A drawing, and what it took to build it.
+struct Drawn {
+    sketch: Sketch,
+    stages: common::Stages,
 }
 
 impl Scene {
     /// Opens a model file, or builds the plant of a sketch.
     fn open(args: &Args) -> Result<Self> {
-        let extension = args.input.extension().map(|e| e.to_string_lossy().to_lowercase());
-        match extension.as_deref() {
-            Some("obj" | "glb") => Ok(Self { model: clay(export::read(&args.input)?), sketch: None }),
-            _ => {
-                let setup = Setup::open(&args.input, &args.build)?;
-                let model = setup.build(&args.input).model;
-                Ok(Self { model, sketch: Some(setup.sketch) })
-            }
+        if ReadFormat::of(&args.input).is_some() {
+            return Self::read(args);
         }
+        let setup = Setup::open(&args.input, &args.build.setup)?;
+        let Built { model, stages, .. } = setup.build(&args.input);
+        Ok(Self { model, embedded: Embedded::default(), drawn: Some(Drawn { sketch: setup.sketch, stages }) })
     }
 
-    /// The drawing.
-    fn drawing(&self, args: &Args) -> Result<&Sketch> {
+    fn read(args: &Args) -> Result<Self> {
+        let given = args.build.given();
         let path = args.input.display();
-        self.sketch
-            .as_ref()
-            .with_context(|| format!("{path} is a model; only a sketch has a drawing to show"))
+        ensure!(
+            given.is_empty(),
+            "{path} is a model and drawn as it is; leave out {}, which shape the plant of a sketch",
+            given.join(", ")
+        );
+        ensure!(!args.with_drawing, no_drawing(&args.input));
+        let Loaded { model, embedded, warnings } = load(&args.input)?;
+        for warning in warnings {
+            tracing::warn!("{path}: {warning}");
+        }
+        Ok(Self { model, embedded, drawn: None })
     }
-}
 
-/// A model file's surfaces in one plain material.
-fn clay(surfaces: Vec<Surface>) -> Model {
-    let parts = surfaces.into_iter().map(|surface| Part {
-        name: surface.name,
-        kind: PartKind::Wood,
-        parent: None,
-        specimen: 0,
-        pivot: Vec3::ZERO,
-        material: 0,
-        mesh: surface.mesh,
-    });
-    Model { parts: parts.collect(), materials: vec![Material::plain("clay", [0.6, 0.55, 0.5])] }
-}
-
-/// The file of a texture.
-fn texture_bytes(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
-    match texture {
-        Texture::File(path) => Ok(std::fs::read(path)?.into()),
-        Texture::BuiltIn(name) => common::built_in_texture(name)
-            .ok_or_else(|| format!("there is no built-in texture {name}").into()),
+    /// The files of the textures.
+    fn textures(&self) -> impl Fn(&Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
+        |texture| match self.embedded.get(texture) {
+            Some(bytes) => Ok(bytes.to_vec().into()),
+            None => Ok(fetch(texture, &common::built_in_texture)?),
+        }
     }
 }
 

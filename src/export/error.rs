@@ -1,5 +1,6 @@
 //! Why a model could not be written.
 
+use super::pictures::FetchError;
 use std::path::PathBuf;
 use thiserror::Error;
 
@@ -28,23 +29,13 @@ pub enum ExportError {
         /// Size of the file if it were written.
         bytes: u64,
     },
-    /// A material names a texture that the program does not have.
-    #[error("material `{material}`: there is no built-in texture `{name}`")]
-    NoSuchTexture {
+    /// A material names a texture that is not there or cannot be read.
+    #[error("material `{material}`: {fault}")]
+    Texture {
         /// The material that wants it.
         material: String,
-        /// The texture's name.
-        name: String,
-    },
-    /// A user's picture could not be read.
-    #[error("material `{material}`: cannot read the picture {}: {source}", .path.display())]
-    ReadPicture {
-        /// The material that wants it.
-        material: String,
-        /// The picture.
-        path: PathBuf,
-        /// Why.
-        source: std::io::Error,
+        /// Why it cannot be had.
+        fault: FetchError,
     },
     /// A picture is in no format that model files can carry.
     #[error(

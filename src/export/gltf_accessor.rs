@@ -7,6 +7,7 @@
 
 use super::read::Malformed;
 use gltf_json::accessor::{ComponentType, Type};
+use gltf_json::buffer::View;
 use gltf_json::validation::Checked;
 use gltf_json::{Accessor, Index, Root};
 
@@ -107,21 +108,27 @@ impl<'a> Data<'a> {
     fn view(&self, accessor: &Accessor, size: usize) -> Result<(&'a [u8], usize), String> {
         let index = accessor.buffer_view.ok_or("it has no buffer view; compressed meshes are not read")?;
         let view = self.root.buffer_views.get(index.value()).ok_or("its buffer view does not exist")?;
-        let inside = view.buffer.value() == 0 && self.root.buffers.first().is_some_and(|b| b.uri.is_none());
-        if !inside {
+        if !self.is_inside(view) {
             return Err("its data are outside the file; only self-contained files are read".to_owned());
         }
-        let number = |n: Option<gltf_json::validation::USize64>| usize::try_from(n.map_or(0, |n| n.0)).ok();
-        let bytes = || {
-            let start = number(view.byte_offset)?;
-            let whole = self.buffer.get(start..start.checked_add(number(Some(view.byte_length))?)?)?;
-            whole.get(number(accessor.byte_offset)?..)
-        };
+        let start = accessor.byte_offset.map_or(Some(0), |offset| usize::try_from(offset.0).ok());
+        let bytes = self.region(index).zip(start).and_then(|(region, start)| region.get(start..));
         let stride = view.byte_stride.map_or(size, |stride| stride.0);
         if stride < size {
             return Err(format!("its stride of {stride} bytes is shorter than an element"));
         }
-        Ok((bytes().ok_or("it reaches beyond the file's data")?, stride))
+        Ok((bytes.ok_or("it reaches beyond the file's data")?, stride))
+    }
+
+    /// The bytes of a buffer view, if they are in the file.
+    pub(super) fn region(&self, index: Index<View>) -> Option<&'a [u8]> {
+        let view = self.root.buffer_views.get(index.value()).filter(|view| self.is_inside(view))?;
+        let start = usize::try_from(view.byte_offset.map_or(0, |offset| offset.0)).ok()?;
+        self.buffer.get(start..start.checked_add(usize::try_from(view.byte_length.0).ok()?)?)
+    }
+
+    fn is_inside(&self, view: &View) -> bool {
+        view.buffer.value() == 0 && self.root.buffers.first().is_some_and(|b| b.uri.is_none())
     }
 }
 

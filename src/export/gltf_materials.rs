@@ -77,3 +77,8 @@ fn converted(material: &Material, texture: Option<Index<json::Texture>>) -> json
 fn roughness(shininess: f32) -> f32 {
     (2.0 / (shininess.max(0.0) + 2.0)).powf(0.25)
 }
+
+/// The exponent of a highlight as wide as that of a roughness; the other way round.
+pub(super) fn shininess(roughness: f32) -> f32 {
+    (2.0 / roughness.clamp(0.05, 1.0).powi(4) - 2.0).clamp(0.0, 1000.0)
+}

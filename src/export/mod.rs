@@ -2,7 +2,7 @@
 //!
 //! An [`Exporter`] makes the bytes in memory, [`export`] also writes them ([`atomic`]: whole or not at all, companions such
 //! as MTL and pictures first). Same model, same bytes. [`read`] opens OBJ and GLB files for
-//! [`quality`](crate::model::quality).
+//! [`quality`](crate::model::quality), [`load`] opens them with their materials to be looked at.
 
 pub mod atomic;
 pub mod error;
@@ -11,6 +11,9 @@ mod glb_container;
 mod gltf_accessor;
 mod gltf_materials;
 mod gltf_tree;
+pub mod load;
+mod load_glb;
+mod load_obj;
 pub mod mtl;
 mod names;
 pub mod obj;
@@ -23,6 +26,7 @@ pub mod scene;
 
 pub use atomic::{WriteError, write_atomically};
 pub use error::ExportError;
+pub use load::{Embedded, Loaded, load};
 pub use pictures::{BuiltInTextures, Pictures};
 pub use read::{ReadError, Surface, read};
 pub use scene::Scene;

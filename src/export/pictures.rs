@@ -7,13 +7,30 @@ use crate::plant::{Material, Texture};
 use std::borrow::Cow;
 use std::fs::File;
 use std::io::{self, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use thiserror::Error;
 
 /// Largest picture that is taken from a user, in bytes.
 pub const MAX_PICTURE_BYTES: u64 = 256 << 20;
 
 /// Serves the program's own textures by file name; `None` where there is none of that name.
 pub type BuiltInTextures<'a> = dyn Fn(&str) -> Option<Cow<'static, [u8]>> + 'a;
+
+/// A texture whose file is not to be had.
+#[derive(Debug, Error)]
+pub enum FetchError {
+    /// The program has no texture of that name.
+    #[error("there is no built-in texture `{0}`")]
+    NotBuiltIn(String),
+    /// A user's picture could not be read.
+    #[error("cannot read the picture {}: {cause}", .path.display())]
+    Unreadable {
+        /// The picture.
+        path: PathBuf,
+        /// What the system says; part of the message, so not a source of its own.
+        cause: io::Error,
+    },
+}
 
 /// How a picture is encoded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,7 +106,7 @@ impl Pictures {
             let index = match known.iter().position(|k| *k == texture) {
                 Some(index) => index,
                 None => {
-                    pictures.all.push(fetch(material, texture, scene.built_in)?);
+                    pictures.all.push(picture(material, texture, scene.built_in)?);
                     known.push(texture);
                     known.len() - 1
                 }
@@ -100,27 +117,36 @@ impl Pictures {
     }
 }
 
-fn fetch(
+fn picture(
     material: &Material,
     texture: &Texture,
     built_in: &BuiltInTextures<'_>,
 ) -> Result<Picture, ExportError> {
     let wanted_by = || material.name.clone();
-    let (path, bytes) = match texture {
-        Texture::BuiltIn(name) => {
-            let missing = || ExportError::NoSuchTexture { material: wanted_by(), name: name.clone() };
-            (Path::new(name), built_in(name).ok_or_else(missing)?)
-        }
-        Texture::File(path) => {
-            let failed =
-                |source| ExportError::ReadPicture { material: wanted_by(), path: path.clone(), source };
-            (path.as_path(), Cow::Owned(read_limited(path).map_err(failed)?))
-        }
+    let bytes =
+        fetch(texture, built_in).map_err(|fault| ExportError::Texture { material: wanted_by(), fault })?;
+    let path = match texture {
+        Texture::BuiltIn(name) => Path::new(name),
+        Texture::File(path) => path,
     };
     let strange = || ExportError::NotAPicture { material: wanted_by(), picture: path.display().to_string() };
     let format = PictureFormat::of(&bytes).ok_or_else(strange)?;
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     Ok(Picture { stem, format, bytes })
+}
+
+/// The file of a texture, whatever it holds.
+///
+/// # Errors
+/// A name that is not built in; a file that cannot be read or is larger than [`MAX_PICTURE_BYTES`].
+pub fn fetch(texture: &Texture, built_in: &BuiltInTextures<'_>) -> Result<Cow<'static, [u8]>, FetchError> {
+    match texture {
+        Texture::BuiltIn(name) => built_in(name).ok_or_else(|| FetchError::NotBuiltIn(name.clone())),
+        Texture::File(path) => match read_limited(path) {
+            Ok(bytes) => Ok(bytes.into()),
+            Err(cause) => Err(FetchError::Unreadable { path: path.clone(), cause }),
+        },
+    }
 }
 
 fn read_limited(path: &Path) -> io::Result<Vec<u8>> {

@@ -93,6 +93,12 @@ impl ReadFormat {
 /// # Errors
 /// [`ReadError`], naming the file and, inside it, the place.
 pub fn read(path: &Path) -> Result<Vec<Surface>, ReadError> {
+    let (format, bytes) = file(path)?;
+    from_bytes(format, &bytes).map_err(|malformed| ReadError::Malformed { path: path.to_owned(), malformed })
+}
+
+/// A model file's format and contents.
+pub(super) fn file(path: &Path) -> Result<(ReadFormat, Vec<u8>), ReadError> {
     let format = ReadFormat::of(path).ok_or_else(|| ReadError::UnknownFormat(path.to_owned()))?;
     let failed = |source| ReadError::Io { path: path.to_owned(), source };
     let mut bytes = Vec::new();
@@ -102,7 +108,7 @@ pub fn read(path: &Path) -> Result<Vec<Surface>, ReadError> {
     if bytes.len() as u64 > MAX_FILE_BYTES {
         return Err(ReadError::TooLarge(path.to_owned()));
     }
-    from_bytes(format, &bytes).map_err(|malformed| ReadError::Malformed { path: path.to_owned(), malformed })
+    Ok((format, bytes))
 }
 
 /// Reads a model from memory.

@@ -39,7 +39,7 @@ pub(super) fn surfaces(bytes: &[u8]) -> Result<Vec<Surface>, Malformed> {
 }
 
 /// Meshes must exist and every node hang on at most one other, none on itself.
-fn check_nodes(root: &json::Root) -> Result<(), Malformed> {
+pub(super) fn check_nodes(root: &json::Root) -> Result<(), Malformed> {
     let count = root.nodes.len();
     let mut parents = vec![None; count];
     for (i, node) in root.nodes.iter().enumerate() {
@@ -76,7 +76,7 @@ struct Soup {
     triangles: Vec<[u32; 3]>,
 }
 
-fn assembled(
+pub(super) fn assembled(
     name: String,
     primitives: &[Primitive],
     data: Data<'_>,

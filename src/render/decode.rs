@@ -1,5 +1,6 @@
 //! Texture files to pixels: PNG and JPEG, recognised by their first bytes.
 
+use crate::export::pictures::PictureFormat;
 use std::io::Cursor;
 use zune_jpeg::zune_core::{colorspace::ColorSpace, options::DecoderOptions};
 
@@ -8,24 +9,24 @@ const SIDE_LIMIT: u32 = 8192;
 
 /// A picture in memory: straight alpha, sRGB, rows from the top.
 #[derive(Debug, PartialEq)]
-pub(super) struct Rgba {
-    pub(super) width: u32,
-    pub(super) height: u32,
+pub struct Rgba {
+    /// Width in pixels.
+    pub width: u32,
+    /// Height in pixels.
+    pub height: u32,
     /// Four bytes per pixel.
-    pub(super) pixels: Vec<u8>,
+    pub pixels: Vec<u8>,
 }
 
 /// Decodes a PNG or JPEG file.
 ///
 /// # Errors
 /// What is wrong with it, in words that follow “texture X cannot be used:”.
-pub(super) fn decode(bytes: &[u8]) -> Result<Rgba, String> {
-    if bytes.starts_with(b"\x89PNG") {
-        decode_png(bytes)
-    } else if bytes.starts_with(&[0xff, 0xd8]) {
-        decode_jpeg(bytes)
-    } else {
-        Err("it is neither a PNG nor a JPEG file".to_owned())
+pub fn decode(bytes: &[u8]) -> Result<Rgba, String> {
+    match PictureFormat::of(bytes) {
+        Some(PictureFormat::Png) => decode_png(bytes),
+        Some(PictureFormat::Jpeg) => decode_jpeg(bytes),
+        None => Err("it is neither a PNG nor a JPEG file".to_owned()),
     }
 }
 

@@ -18,10 +18,10 @@
 //! Variables that change space say so: `clip_from_world` takes world points to clip space.
 
 pub mod camera;
+pub mod decode;
 pub mod error;
 pub mod picture;
 
-mod decode;
 mod frame;
 mod gpu;
 mod ground;

@@ -128,6 +128,14 @@ impl Species {
         parse(&text, &path.display().to_string(), Some(path.parent().unwrap_or(Path::new(""))))
     }
 
+    /// Reads a species from text; `name` stands for the file in messages. Its textures must be built-in ones.
+    ///
+    /// # Errors
+    /// As [`Species::read`], less the system's own.
+    pub fn from_toml(text: &str, name: &str) -> Result<Self, SpeciesError> {
+        parse(text, name, None)
+    }
+
     /// Gives every material of a part the artist's own picture.
     ///
     /// # Errors

@@ -1,0 +1,140 @@
+//! OBJ with MTL to a model that can be drawn.
+//!
+//! The geometry comes from `read_obj.rs`, which keeps the faces in the file's order; here each run of faces after a
+//! `usemtl` gets its material. MTL has no sidedness: both sides are shown.
+//!
+//! Limits: of an MTL file `Ka Kd Ks Ns map_Kd map_d`; libraries and pictures beside the OBJ file only, which is where
+//! exporters put them.
+
+use super::load::{Loaded, clay, is_picture};
+use super::pictures::fetch;
+use super::read::Malformed;
+use super::read_obj;
+use crate::model::{Mesh, Vertex};
+use crate::plant::{Material, Texture};
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{self, BufReader, Read};
+use std::path::Path;
+
+/// Largest MTL file that is read, in bytes.
+const MAX_LIBRARY_BYTES: u64 = 16 << 20;
+
+pub(super) fn load(bytes: &[u8], folder: &Path) -> Result<Loaded, Malformed> {
+    let mut loaded = Loaded::default();
+    let plain = loaded.push_material(clay());
+    let uses = Uses::of(bytes);
+    let mut materials = BTreeMap::new();
+    for library in &uses.libraries {
+        if let Err(reason) = load_library(&folder.join(library), &mut loaded, &mut materials) {
+            loaded.warnings.push(format!("material library `{library}`: {reason}; its surfaces stay plain"));
+        }
+    }
+    for surface in read_obj::surfaces(bytes)? {
+        let mut meshes: BTreeMap<usize, Mesh> = BTreeMap::new();
+        for (i, triangle) in surface.mesh.triangles.iter().enumerate() {
+            let material = uses.of_triangle(i).and_then(|name| materials.get(name)).unwrap_or(&plain);
+            push_triangle(meshes.entry(*material).or_default(), &surface.mesh, triangle);
+        }
+        for (material, mesh) in meshes {
+            loaded.push(loaded.model.materials[material].name.clone(), mesh, material);
+        }
+    }
+    Ok(loaded)
+}
+
+/// Copies a triangle with corners of its own.
+fn push_triangle(mesh: &mut Mesh, from: &Mesh, triangle: &[u32; 3]) {
+    let first = mesh.vertices.len() as u32;
+    for &corner in triangle {
+        let vertex = &from.vertices[corner as usize];
+        let point = mesh.points.len() as u32;
+        mesh.points.push(from.points[vertex.point as usize]);
+        mesh.vertices.push(Vertex { point, ..*vertex });
+    }
+    mesh.triangles.push([first, first + 1, first + 2]);
+}
+
+/// What an OBJ file says of materials.
+#[derive(Default)]
+struct Uses {
+    libraries: Vec<String>,
+    /// The triangle from which on a material is used, counted as polygons are cut into fans.
+    runs: Vec<(usize, String)>,
+}
+
+impl Uses {
+    fn of(bytes: &[u8]) -> Self {
+        let mut uses = Self::default();
+        let mut triangles = 0;
+        for line in bytes.split(|b| *b == b'\n') {
+            let (word, rest) =
+                line.split_at(line.iter().position(u8::is_ascii_whitespace).unwrap_or(line.len()));
+            let rest = || String::from_utf8_lossy(rest).trim().to_owned();
+            match word {
+                b"mtllib" => uses.libraries.push(rest()),
+                b"usemtl" => uses.runs.push((triangles, rest())),
+                b"f" => triangles += rest().split_whitespace().count().saturating_sub(2),
+                _ => {}
+            }
+        }
+        uses
+    }
+
+    fn of_triangle(&self, triangle: usize) -> Option<&str> {
+        let next = self.runs.partition_point(|(first, _)| *first <= triangle);
+        Some(&self.runs.get(next.checked_sub(1)?)?.1)
+    }
+}
+
+fn load_library(
+    path: &Path,
+    loaded: &mut Loaded,
+    index_of_name: &mut BTreeMap<String, usize>,
+) -> Result<(), String> {
+    let file = regular(path).map_err(|e| e.to_string())?;
+    let mut text = BufReader::new(file.take(MAX_LIBRARY_BYTES));
+    let (materials, _) = tobj::load_mtl_buf(&mut text).map_err(|e| e.to_string())?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    for material in materials {
+        let converted = converted(&material, folder, &mut loaded.warnings);
+        let index = loaded.push_material(converted);
+        index_of_name.insert(material.name, index);
+    }
+    Ok(())
+}
+
+fn converted(material: &tobj::Material, folder: &Path, warnings: &mut Vec<String>) -> Material {
+    let plain = Material::plain(&material.name, material.diffuse.unwrap_or([1.0; 3]));
+    let texture = material.diffuse_texture.as_ref().map(|name| Texture::File(folder.join(name)));
+    Material {
+        ambient: material.ambient.unwrap_or(plain.ambient),
+        specular: material.specular.unwrap_or(plain.specular),
+        shininess: material.shininess.unwrap_or(plain.shininess),
+        cut_out: material.dissolve_texture.is_some(),
+        texture: texture.filter(|texture| is_usable(texture, &material.name, warnings)),
+        double_sided: true,
+        ..plain
+    }
+}
+
+/// Whether a texture is there and a picture; warns if not.
+fn is_usable(texture: &Texture, material: &str, warnings: &mut Vec<String>) -> bool {
+    let Texture::File(path) = texture else { return false };
+    let reason = match regular(path).map(|_| fetch(texture, &|_| None)) {
+        Ok(Ok(bytes)) if is_picture(&bytes) => return true,
+        Ok(Ok(_)) => format!("{} is neither PNG nor JPEG", path.display()),
+        Ok(Err(fault)) => fault.to_string(),
+        Err(cause) => format!("{}: {cause}", path.display()),
+    };
+    warnings.push(format!("material `{material}`: {reason}; it stays plain"));
+    false
+}
+
+/// Opens a file that is one: a model may name a pipe or device, which would never end.
+fn regular(path: &Path) -> io::Result<File> {
+    if !std::fs::metadata(path)?.is_file() {
+        return Err(io::Error::other("it is no file"));
+    }
+    File::open(path)
+}
