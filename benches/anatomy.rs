@@ -1,6 +1,8 @@
 //! Understanding a drawing, alone: the daisy on one thread, growing meadows, and drawings that are meant to be hard.
 //! `cargo bench --bench anatomy`.
 
+#![allow(clippy::unwrap_used, reason = "a bench that cannot go on has failed")]
+
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use glam::Vec2;
 use penstemon::anatomy::{AnatomyParams, analyse};

@@ -1,6 +1,8 @@
 //! The whole way from drawing to meshes: the eight reference plants against `spade` alone on the same points, and
 //! growing drawings. `cargo bench --bench pipeline`.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
+
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use penstemon::model::{BladeMeshParams, triangulation_input};
 use penstemon::pipeline::{self, Params};

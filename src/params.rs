@@ -1,9 +1,9 @@
 //! Parameters: one struct beside each stage, described once and read by everybody.
 //!
-//! [`parameters!`] declares a struct of plain numbers together with what an artist needs to know of each field:
+//! [`parameters!`](crate::parameters!) declares a struct of plain numbers together with what an artist needs to know of each field:
 //! help text (the field's own doc comment), default, unit and range. Panels, the command line (`--set PATH=VALUE`),
 //! species files and sketch files all go through the same description, so nothing is said twice.
-//! [`parameter_groups!`] nests such structs; a field's path is the field names joined by dots.
+//! [`parameter_groups!`](crate::parameter_groups!) nests such structs; a field's path is the field names joined by dots.
 //!
 //! Limits: a parameter is a number, an integer or a switch. Anything richer belongs in a species file.
 

@@ -1,5 +1,7 @@
 //! The program as a user meets it: exit codes, messages, files.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

@@ -1,5 +1,7 @@
 //! How well the whole analysis recovers the pose of flowers projected from known cones, over several hundred drawings.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
+
 #[path = "common/drawings.rs"]
 mod drawings;
 

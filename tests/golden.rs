@@ -2,6 +2,8 @@
 //!
 //! Blessed by one variable: `INSTA_UPDATE=always cargo test --test golden`.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
+
 use penstemon::cli::inspect;
 use penstemon::pipeline;
 use penstemon::plant::OrganKind;

@@ -1,6 +1,8 @@
 //! What must hold for every drawing: no panic, sound plants and meshes, the drawing seen from the front, the same bytes
 //! on any number of threads, the same plant at any scale.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
+
 #[path = "common/drawings.rs"]
 mod drawings;
 

@@ -145,7 +145,7 @@ mod tests {
 
     #[test]
     fn a_blade_seen_edge_on_keeps_its_root_and_tip() {
-        let wobble = |k: usize| if k % 2 == 0 { 1.0 } else { -1.0 };
+        let wobble = |k: usize| if k.is_multiple_of(2) { 1.0 } else { -1.0 };
         let out = (0..=30).map(|k| Vec2::new(wobble(k), 5.0 * k as f32));
         let back = (0..30).rev().map(|k| Vec2::new(-wobble(k), 5.0 * k as f32));
         let blade = blade(1, &samples(out.chain(back)), &TipParams::default()).unwrap();

@@ -223,8 +223,9 @@ mod tests {
 
     #[test]
     fn a_star_thinned_to_its_corners_keeps_all_of_them() {
-        let corner =
-            |k: usize| Vec2::from_angle(k as f32 * 0.628 - 1.57) * if k % 2 == 0 { 0.5 } else { 0.2 };
+        let corner = |k: usize| {
+            Vec2::from_angle(k as f32 * 0.628 - 1.57) * if k.is_multiple_of(2) { 0.5 } else { 0.2 }
+        };
         let corners: Vec<Vec2> = (0..10).map(|k| corner(k) + Vec2::Y * 0.5).collect();
         let between = |k: usize| (0..6).map(move |j| (k, j as f32 / 6.0));
         let drawn: Vec<Vec2> =

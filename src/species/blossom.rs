@@ -1,7 +1,7 @@
 //! A tree in blossom: some of its leaves stand as small flowers.
 //!
 //! A tree is drawn with leaf outlines, hundreds of leaves at once; nobody draws its petals. The chosen leaves give
-//! their place and direction to a flower of the species' first look, which the rest of [`super::dress`] treats like
+//! their place and direction to a flower of the species' first look, which the rest of [`super::dress()`] treats like
 //! any drawn flower.
 
 use super::looks::BlossomLook;
