@@ -1,5 +1,7 @@
 //! The program as a user meets it: exit codes, messages, files.
 
+#![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

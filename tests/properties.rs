@@ -1,6 +1,8 @@
 //! What must hold for every drawing: no panic, sound plants and meshes, the drawing seen from the front, the same bytes
 //! on any number of threads, the same plant at any scale.
 
+#![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
+
 #[path = "common/drawings.rs"]
 mod drawings;
 
