@@ -215,7 +215,7 @@ proptest! {
         petals in 5usize..=21,
         opening_deg in 20.0f32..75.0,
         elevation_deg in 25.0f32..80.0,
-        heading in 0.0f32..6.28,
+        heading in 0.0f32..std::f32::consts::TAU,
     ) {
         let flat = Vec2::from_angle(heading) * elevation_deg.to_radians().cos();
         let axis = flat.extend(elevation_deg.to_radians().sin());
