@@ -51,7 +51,7 @@ check "documentation" env RUSTDOCFLAGS="-D warnings" cargo doc --quiet --no-deps
 check "program" cargo build --quiet
 check "sketches build and pass our own judge" build_sketches
 check "trimesh, MeshLab and the Khronos validator" tests/interop.sh target/sketches
-check "fuzzing, ${FUZZ_SECONDS:-15} s a reader" fuzz/run.sh "${FUZZ_SECONDS:-15}"
+check "fuzzing, ${FUZZ_SECONDS:-15} s a reader" fuzz/run.sh "${FUZZ_SECONDS:-15}" sketch_json sketch_svg species model_reader
 
 echo
 for name in "${not_run[@]+"${not_run[@]}"}"; do echo "not run here: $name"; done

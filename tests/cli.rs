@@ -1,6 +1,6 @@
 //! The program as a user meets it: exit codes, messages, files.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
+#![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -27,6 +27,11 @@ fn refused(args: &[&str], pieces: &[&str]) {
         assert!(message.contains(piece), "`{piece}` is not in: {message}");
     }
     assert!(!message.contains("panicked"), "{message}");
+    assert_eq!(
+        message.trim_end().lines().filter(|line| line.starts_with("penstemon:")).count(),
+        1,
+        "{message}"
+    );
 }
 
 fn written(folder: &Path) -> Vec<PathBuf> {
@@ -126,7 +131,10 @@ fn bad_input_is_one_clear_message() {
     );
     let odd =
         r#"{"format":"penstemon-sketch","version":1,"species":"dasy","strokes":[{"points":[[0,0],[9,9]]}]}"#;
-    refused(&["build", &file("odd.penstemon", odd), "-o", &out], &["dasy", "daisy"]);
+    refused(&["build", &file("odd.penstemon", odd), "-o", &out], &["odd.penstemon", "dasy", "daisy"]);
+    let unknown = r#"{"format":"penstemon-sketch","version":1,"params":{"depth.wrld.height":1},
+        "strokes":[{"points":[[0,0],[9,9]]}]}"#;
+    refused(&["inspect", &file("unknown.penstemon", unknown)], &["unknown.penstemon", "depth.wrld.height"]);
     assert!(!Path::new(&out).exists());
 }
 
@@ -157,4 +165,57 @@ fn odd_strokes_warn_and_the_rest_is_built() {
     let built = penstemon(&["build", &drawing.display().to_string(), "-o", &out]);
     assert!(built.status.success());
     assert!(stderr(&built).contains("stroke 7"), "{}", stderr(&built));
+}
+
+#[test]
+fn a_cause_is_said_once() {
+    let output = penstemon(&["check", "/nowhere/plant.obj"]);
+    assert_eq!(stderr(&output).matches("No such file").count(), 1, "{}", stderr(&output));
+}
+
+#[test]
+fn a_model_is_drawn_as_it_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let (model, picture) = (path("daisy.obj"), path("daisy.png"));
+    assert!(penstemon(&["build", &sketch("daisy"), "-o", &model]).status.success());
+    for option in [["--seed", "3"], ["--set", "depth.world.height=1"], ["--texture", "leaf=a.png"]] {
+        let args = ["render", &model, "-o", &picture, option[0], option[1]];
+        refused(&args, &["daisy.obj is a model", option[0]]);
+    }
+    refused(&["render", &model, "-o", &picture, "--view", "drawing"], &["daisy.obj is a model", "drawing"]);
+    assert!(!Path::new(&picture).exists());
+}
+
+#[test]
+fn render_counts_what_it_writes() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("turn.png").display().to_string();
+    let args = ["render", &sketch("daisy"), "-o", &out, "--size", "80x60", "--turntable", "2", "--stats"];
+    let output = penstemon(&args);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let stats: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let files = written(folder.path());
+    let bytes: u64 = files.iter().map(|f| fs::metadata(f).unwrap().len()).sum();
+    assert_eq!((files.len(), stats["bytes"].as_u64()), (2, Some(bytes)));
+}
+
+#[test]
+fn verbose_tells_the_stages() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("daisy.glb").display().to_string();
+    let output = penstemon(&["build", &sketch("daisy"), "-o", &out, "--verbose"]);
+    assert!(stderr(&output).contains("anatomy took"), "{}", stderr(&output));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_that_goes_away_is_no_failure() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("daisy.glb").display().to_string();
+    assert!(penstemon(&["build", &sketch("daisy"), "-o", &out]).status.success());
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader);
+    let status = Command::new(env!("CARGO_BIN_EXE_penstemon")).args(["check", &out]).stdout(writer).status();
+    assert!(status.unwrap().success());
 }

@@ -5,9 +5,11 @@
 mod common;
 
 use common::{leafy, textures, two_specimens};
+use glam::{Vec2, Vec3};
 use gltf_json as json;
+use penstemon::export::pictures::fetch;
 use penstemon::export::read::{ReadFormat, from_bytes};
-use penstemon::export::{Encoded, ExportError, FORMATS, Scene, export, format_of, glb, plant_json};
+use penstemon::export::{Encoded, ExportError, FORMATS, Scene, export, format_of, glb, load, plant_json};
 use penstemon::model::quality::{Report, judge, judge_model};
 use penstemon::model::{Model, Vertex};
 use penstemon::plant::{Plant, Texture};
@@ -285,4 +287,70 @@ fn models_that_are_not_sound_or_empty_are_refused() {
     assert!(message(&Model::default()).contains("nothing to write"));
     assert!(matches!(format_of(Path::new("x.OBJ")).map(|f| f.extension()), Ok("obj")));
     assert!(matches!(format_of(Path::new("x")), Err(ExportError::UnknownFormat { .. })));
+}
+
+/// All corners of a model: where they are and their colour. Names of materials become words in OBJ.
+fn corners(model: &Model) -> Vec<(Vec3, Vec2, [f32; 3])> {
+    let mut corners = Vec::new();
+    for part in &model.parts {
+        for &corner in part.mesh.triangles.iter().flatten() {
+            let vertex = &part.mesh.vertices[corner as usize];
+            let point = part.mesh.points[vertex.point as usize];
+            corners.push((point, vertex.uv, model.materials[part.material].diffuse));
+        }
+    }
+    // Formats order parts in their own way; neighbours within rounding must not swap.
+    let key = |(p, uv, colour): &(Vec3, Vec2, [f32; 3])| {
+        let cell = |x: f32| (x * 1e3).round() as i64;
+        (colour.map(f32::to_bits), cell(p.x), cell(p.y), cell(p.z), cell(uv.x), cell(uv.y))
+    };
+    corners.sort_by_key(key);
+    corners
+}
+
+#[test]
+fn a_model_that_was_written_is_loaded_in_its_place_and_colours() {
+    let folder = tempfile::tempdir().unwrap();
+    let (model, plant) = two_specimens();
+    for file in ["a.glb", "a.obj"] {
+        let path = folder.path().join(file);
+        export(&path, &model, &plant, &textures).unwrap();
+        let loaded = load(&path).unwrap();
+        assert!(loaded.warnings.is_empty(), "{file}: {:?}", loaded.warnings);
+        for ((p, uv, colour), (point, own_uv, own)) in corners(&loaded.model).iter().zip(corners(&model)) {
+            let near = p.distance(point) < 2e-3 && uv.distance(own_uv) < 2e-3;
+            assert!(near && *colour == own, "{file}: {p} {uv} {colour:?}, not {point} {own_uv} {own:?}");
+        }
+        assert_eq!(loaded.model.triangle_count(), model.triangle_count());
+        for material in model.materials.iter().filter(|m| m.texture.is_some()) {
+            let found = loaded.model.materials.iter().find(|m| m.diffuse == material.diffuse).unwrap();
+            assert_eq!(found.cut_out, material.cut_out, "{file}");
+            assert!((found.shininess - material.shininess).abs() < 0.1, "{file}: {}", found.shininess);
+            let texture = found.texture.as_ref().unwrap();
+            let bytes = match loaded.embedded.get(texture) {
+                Some(bytes) => bytes.to_vec(),
+                None => fetch(texture, &textures).unwrap().into_owned(),
+            };
+            assert_eq!(bytes, *fetch(material.texture.as_ref().unwrap(), &textures).unwrap(), "{file}");
+        }
+    }
+}
+
+#[test]
+fn a_missing_picture_or_library_is_a_warning() {
+    let folder = tempfile::tempdir().unwrap();
+    let (model, plant) = two_specimens();
+    let path = folder.path().join("a.obj");
+    export(&path, &model, &plant, &textures).unwrap();
+    for entry in fs::read_dir(folder.path()).unwrap().map(|e| e.unwrap().path()) {
+        if entry.extension().is_some_and(|e| e == "png" || e == "jpg") {
+            fs::remove_file(entry).unwrap();
+        }
+    }
+    let loaded = load(&path).unwrap();
+    assert!(!loaded.warnings.is_empty() && loaded.model.materials.iter().all(|m| m.texture.is_none()));
+    fs::remove_file(folder.path().join("a.mtl")).unwrap();
+    let loaded = load(&path).unwrap();
+    assert!(loaded.warnings[0].contains("a.mtl"), "{:?}", loaded.warnings);
+    assert_eq!(loaded.model.triangle_count(), model.triangle_count());
 }

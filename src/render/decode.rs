@@ -36,6 +36,10 @@ fn decode_png(bytes: &[u8]) -> Result<Rgba, String> {
     let header = decoder.read_header_info().map_err(|e| e.to_string())?;
     let (width, height) = checked_size(header.width, header.height)?;
     let mut reader = decoder.read_info().map_err(|e| e.to_string())?;
+    // The decoder takes the palette three bytes at a time and panics on what is left over.
+    if reader.info().palette.as_ref().is_some_and(|palette| palette.len() % 3 != 0) {
+        return Err("its palette is damaged".to_owned());
+    }
     let size = reader.output_buffer_size().ok_or("it is too large")?;
     let mut pixels = vec![0; size];
     reader.next_frame(&mut pixels).map_err(|e| e.to_string())?;
@@ -100,6 +104,16 @@ mod tests {
         for length in [4, 20, whole.len() / 2] {
             assert!(decode(&whole[..length]).is_err(), "{length} bytes");
         }
+    }
+
+    #[test]
+    fn a_palette_of_broken_colours_is_an_error() {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, 1, 1);
+        encoder.set_color(png::ColorType::Indexed);
+        encoder.set_palette(vec![1, 2, 3, 4]);
+        encoder.write_header().unwrap().write_image_data(&[0]).unwrap();
+        assert!(decode(&bytes).unwrap_err().contains("palette"));
     }
 
     /// 8×8 pixels of grey 200.

@@ -106,6 +106,26 @@ pub(crate) fn leafy_tree(leaves: usize) -> Sketch {
     tree
 }
 
+/// What a calm hand draws, anywhere on the sheet: bent branches and blades of petals, each said to be one.
+pub(crate) fn gentle(seed: u64, branches: usize, petals: usize) -> Sketch {
+    let mut rng = Pcg64Mcg::seed_from_u64(seed);
+    let mut reach = |least: f32, most: f32| {
+        let from = Vec2::new(rng.random_range(0.0..1000.0), rng.random_range(0.0..800.0));
+        let way = Vec2::from_angle(rng.random_range(0.0..6.3)) * rng.random_range(least..most);
+        (from, from + way, rng.random_range(0.0..1.0f32))
+    };
+    let mut strokes = Vec::new();
+    for _ in 0..branches {
+        let (from, to, share) = reach(150.0, 500.0);
+        strokes.push((Tool::Branch, curve(from, to, 0.6 * share - 0.3)));
+    }
+    for _ in 0..petals {
+        let (root, tip, share) = reach(60.0, 200.0);
+        strokes.push((Tool::Petal, blade(root, tip, 0.2 + 0.6 * share)));
+    }
+    sketch(strokes)
+}
+
 /// Anything a hand might do: wild strokes with every tool.
 pub(crate) fn scribble(seed: u64, strokes: usize) -> Sketch {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
