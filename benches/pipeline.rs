@@ -35,8 +35,11 @@ fn single_threaded<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap().install(work)
 }
 
-/// The points and edges that spade is given for every blade of a plant.
-fn spade_inputs(plant: &Plant, params: &BladeMeshParams) -> Vec<(Vec<Point2<f64>>, Vec<[usize; 2]>)> {
+/// Points and edges of one blade.
+type SpadeInput = (Vec<Point2<f64>>, Vec<[usize; 2]>);
+
+/// What spade is given for every blade of a plant.
+fn spade_inputs(plant: &Plant, params: &BladeMeshParams) -> Vec<SpadeInput> {
     let blades = plant.organs.iter().filter_map(|organ| match &organ.shape {
         Shape::Blade(blade) => triangulation_input(blade, params),
         _ => None,

@@ -165,8 +165,11 @@ fn scale_does_not_matter() {
             }
             let ((lo, hi), (low, high)) = (scaled.model.bounds().unwrap(), original.model.bounds().unwrap());
             let off = lo.distance(low) + hi.distance(high);
-            // A rose of two whorls fits no single cone well: rounding turns its pose by a few degrees.
-            assert!(off < 0.03 * high.distance(low), "{name} × {factor}: bounds are {off} m off");
+            // A rose of two whorls fits no single cone well: rounding turns its pose by a few degrees. In a crown a
+            // rounded step may send a twig elsewhere, and the outermost leaf with it.
+            let generated = original.anatomy.leaves.iter().any(|leaf| leaf.copy_of.is_some());
+            let allowed = if generated { 0.1 } else { 0.03 };
+            assert!(off < allowed * high.distance(low), "{name} × {factor}: bounds are {off} m off");
         }
     }
 }
