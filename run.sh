@@ -17,7 +17,7 @@ need '/usr/lib*/*/libvulkan.so.1' libvulkan1 vulkan-loader vulkan-icd-loader
 install_needed
 
 cargo build --release --quiet
-program=target/release/penstemon
+program=${CARGO_TARGET_DIR:-target}/release/penstemon
 if [ $# -gt 0 ]; then
     exec "$program" "$@"
 fi

@@ -34,13 +34,13 @@ check() {
 }
 
 build_sketches() {
-    local folder=target/sketches sketch name
+    local folder=target/sketches program=${CARGO_TARGET_DIR:-target}/debug/penstemon sketch name
     rm -rf "$folder" && mkdir -p "$folder" || return 1
     for sketch in assets/sketches/*.penstemon; do
         name=$(basename "$sketch" .penstemon)
-        target/debug/penstemon build "$sketch" -o "$folder/$name.glb" -o "$folder/$name.obj" || return 1
-        target/debug/penstemon check "$folder/$name.glb" >/dev/null || return 1
-        target/debug/penstemon check "$folder/$name.obj" >/dev/null || return 1
+        "$program" build "$sketch" -o "$folder/$name.glb" -o "$folder/$name.obj" || return 1
+        "$program" check "$folder/$name.glb" >/dev/null || return 1
+        "$program" check "$folder/$name.obj" >/dev/null || return 1
     done
 }
 
@@ -51,7 +51,7 @@ check "documentation" env RUSTDOCFLAGS="-D warnings" cargo doc --quiet --no-deps
 check "program" cargo build --quiet
 check "sketches build and pass our own judge" build_sketches
 check "trimesh, MeshLab and the Khronos validator" tests/interop.sh target/sketches
-check "fuzzing, ${FUZZ_SECONDS:-15} s a reader" fuzz/run.sh "${FUZZ_SECONDS:-15}" sketch_json sketch_svg species model_reader
+check "fuzzing, ${FUZZ_SECONDS:-8} s a reader" fuzz/run.sh "${FUZZ_SECONDS:-8}" sketch_json sketch_svg species model_reader
 
 echo
 for name in "${not_run[@]+"${not_run[@]}"}"; do echo "not run here: $name"; done
