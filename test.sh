@@ -6,6 +6,7 @@ set -uo pipefail
 cd "$(dirname "$0")"
 . scripts/packages.sh
 need cc gcc gcc gcc
+need c++ g++ gcc-c++ gcc
 need git git git git
 need python3 python3 python3 python
 need '/usr/lib/python3*/ensurepip' python3-venv python3 python
