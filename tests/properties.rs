@@ -174,6 +174,23 @@ fn scale_does_not_matter() {
     }
 }
 
+/// Powers of two scale without rounding, so nothing at all may change.
+#[test]
+fn doubling_the_canvas_gives_exactly_the_same_plant() {
+    for (path, sketch) in reference_sketches() {
+        let original = build(&sketch);
+        for factor in [0.5, 2.0] {
+            let scaled = build(&drawings::scaled(&sketch, factor));
+            let name = path.display();
+            assert_eq!(scaled.model.triangle_count(), original.model.triangle_count(), "{name} × {factor}");
+            assert_eq!(scaled.plant.organs.len(), original.plant.organs.len(), "{name} × {factor}");
+            let ((lo, hi), (low, high)) = (scaled.model.bounds().unwrap(), original.model.bounds().unwrap());
+            let off = lo.distance(low) + hi.distance(high);
+            assert!(off < 1e-4 * high.distance(low), "{name} × {factor}: bounds are {off} m off");
+        }
+    }
+}
+
 #[test]
 fn several_plants_and_crossing_branches_are_built() {
     let meadow = build(&drawings::meadow(44));
