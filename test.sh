@@ -16,6 +16,9 @@ need '/usr/share/vulkan/icd.d/lvp_icd*' mesa-vulkan-drivers mesa-vulkan-drivers 
 need '/usr/lib*/*/libvulkan.so.1' libvulkan1 vulkan-loader vulkan-icd-loader
 install_needed || echo "some packages could not be installed; checks that need them will say so" >&2
 
+# One commit gives one answer; new inputs are what the fuzzers look for.
+export PROPTEST_RNG_SEED=${PROPTEST_RNG_SEED:-2026}
+
 passed=()
 failed=()
 not_run=()
