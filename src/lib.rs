@@ -9,6 +9,7 @@
 //! | [`random`] | random streams named by what they decide |
 //! | [`geom`] | polylines, frames, polygons, ellipses: mathematics that knows no plant |
 //! | [`sketch`] | the document: strokes, tools, file formats |
+//! | [`pen`] | what every pointing device says, in one form |
 //! | [`plant`] | the waist: branches and organs in space |
 //! | [`anatomy`] | what the strokes mean, still flat |
 //! | [`depth`] | anatomy to plant |
@@ -17,15 +18,18 @@
 //! | [`pipeline`] | all of these in a row |
 //! | [`export`] | OBJ and glTF files |
 //! | [`render`] | pictures |
+//! | [`app`] | the window |
 //! | [`cli`] | the command line |
 
 pub mod anatomy;
+pub mod app;
 pub mod cli;
 pub mod depth;
 pub mod export;
 pub mod geom;
 pub mod model;
 pub mod params;
+pub mod pen;
 pub mod pipeline;
 pub mod plant;
 pub mod random;

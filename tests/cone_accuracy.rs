@@ -11,6 +11,7 @@ use penstemon::sketch::Tool;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use std::path::Path;
+use std::sync::Arc;
 
 /// Angle in degrees between the axis drawn and the axis recovered; `noise` is a share of the drawing's diagonal.
 fn error_deg(rng: &mut Pcg64Mcg, noise: f32) -> f32 {
@@ -22,7 +23,7 @@ fn error_deg(rng: &mut Pcg64Mcg, noise: f32) -> f32 {
     let drawn = drawings::cone_flower(Vec2::splat(500.0), axis, opening, 300.0, petals);
     let mut sketch = drawings::sketch(drawn.into_iter().map(|p| (Tool::Petal, p)));
     let shake = noise * sketch.diagonal();
-    for point in sketch.strokes.iter_mut().flat_map(|s| &mut s.points) {
+    for point in sketch.strokes.iter_mut().flat_map(|s| &mut Arc::make_mut(s).points) {
         // Sum of uniforms: close enough to a Gaussian of standard deviation `shake`.
         let mut wobble = || (0..12).map(|_| rng.random_range(-0.5..0.5f32)).sum::<f32>();
         point.position += shake * Vec2::new(wobble(), wobble());

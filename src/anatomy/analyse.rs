@@ -18,6 +18,7 @@ use crate::sketch::warnings::Warnings;
 use crate::sketch::{Sketch, Stroke, StrokeId, Tool};
 use glam::Vec2;
 use rayon::prelude::*;
+use std::sync::Arc;
 
 crate::parameter_groups! {
     /// Everything that decides what a drawing means.
@@ -103,10 +104,10 @@ pub fn analyse(sketch: &Sketch, params: &AnatomyParams) -> Anatomy {
 const DOT: (f32, f32) = (0.05, 0.004);
 
 /// Bounds of all strokes but dots, and which strokes are dots: a slip of the pen far away must not set the scale.
-fn bounds_without_dots(strokes: &[Stroke]) -> ((Vec2, Vec2), Vec<bool>) {
+fn bounds_without_dots(strokes: &[Arc<Stroke>]) -> ((Vec2, Vec2), Vec<bool>) {
     const NOTHING: (Vec2, Vec2) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
     let union = |a: (Vec2, Vec2), b: (Vec2, Vec2)| (a.0.min(b.0), a.1.max(b.1));
-    let box_of = |s: &Stroke| s.points.iter().fold(NOTHING, |b, p| union(b, (p.position, p.position)));
+    let box_of = |s: &Arc<Stroke>| s.points.iter().fold(NOTHING, |b, p| union(b, (p.position, p.position)));
     let boxes: Vec<(Vec2, Vec2)> = strokes.iter().map(box_of).collect();
     let extent = |b: &(Vec2, Vec2)| if b.0.cmple(b.1).all() { b.0.distance(b.1) } else { 0.0 };
     let mut extents: Vec<f32> = boxes.iter().map(extent).collect();
@@ -252,7 +253,7 @@ mod tests {
 
     /// Adds a branch of a few points from `from` to `to`.
     fn add(sketch: &mut Sketch, from: Vec2, to: Vec2) -> StrokeId {
-        let mut stroke = sketch.strokes[0].clone();
+        let mut stroke = Stroke::clone(&sketch.strokes[0]);
         stroke.id = 1_000_000;
         stroke.tool = Tool::Branch;
         stroke.points.truncate(4);
@@ -260,7 +261,7 @@ mod tests {
         for (k, point) in stroke.points.iter_mut().enumerate() {
             point.position = from.lerp(to, k as f32 / last as f32);
         }
-        sketch.strokes.push(stroke);
+        sketch.strokes.push(stroke.into());
         1_000_000
     }
 

@@ -9,6 +9,7 @@ use super::{Canvas, Sketch, Stroke, StrokeId, StrokePoint, Tool, limits};
 use glam::Vec2;
 use serde_json::{Map, Value};
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// A drawing as its file tells it.
 #[derive(Debug, Default)]
@@ -61,6 +62,7 @@ impl Draft {
         }
         let placeholder = Canvas { width: 1.0, height: 1.0 };
         let Self { species, seed, params, .. } = self;
+        let strokes = strokes.into_iter().map(Arc::new).collect();
         let mut sketch =
             Sketch { canvas: self.canvas.unwrap_or(placeholder), species, seed, params, strokes };
         if self.canvas.is_none() {

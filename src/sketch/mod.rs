@@ -20,6 +20,7 @@ pub use read::{from_bytes, read};
 use glam::Vec2;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
+use std::sync::Arc;
 
 /// Name of a stroke within its drawing; unique, kept over saving and loading.
 pub type StrokeId = u64;
@@ -117,7 +118,7 @@ pub struct Sketch {
     /// Parameter overrides by dotted path or nested object.
     pub params: Map<String, Value>,
     /// The strokes, oldest first.
-    pub strokes: Vec<Stroke>,
+    pub strokes: Vec<Arc<Stroke>>,
 }
 
 impl Sketch {

@@ -7,6 +7,7 @@ use penstemon::sketch::{Canvas, Sketch, Stroke, StrokePoint, Tool};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use serde_json::Map;
+use std::sync::Arc;
 
 /// A drawing from strokes given as a tool and positions.
 pub(crate) fn sketch(strokes: impl IntoIterator<Item = (Tool, Vec<Vec2>)>) -> Sketch {
@@ -15,13 +16,13 @@ pub(crate) fn sketch(strokes: impl IntoIterator<Item = (Tool, Vec<Vec2>)>) -> Sk
         Stroke { id, tool, points }
     });
     let canvas = Canvas { width: 1024.0, height: 768.0 };
-    Sketch { canvas, species: None, seed: 1, params: Map::new(), strokes: strokes.collect() }
+    Sketch { canvas, species: None, seed: 1, params: Map::new(), strokes: strokes.map(Arc::new).collect() }
 }
 
 /// The same drawing at another size.
 pub(crate) fn scaled(sketch: &Sketch, factor: f32) -> Sketch {
     let mut scaled = sketch.clone();
-    for point in scaled.strokes.iter_mut().flat_map(|s| &mut s.points) {
+    for point in scaled.strokes.iter_mut().flat_map(|s| &mut Arc::make_mut(s).points) {
         point.position *= factor;
     }
     scaled
@@ -144,7 +145,7 @@ pub(crate) fn scribble(seed: u64, strokes: usize) -> Sketch {
         (tool, walk.collect())
     };
     let mut drawn = sketch((0..strokes).map(&mut stroke));
-    for point in drawn.strokes.iter_mut().flat_map(|s| &mut s.points) {
+    for point in drawn.strokes.iter_mut().flat_map(|s| &mut Arc::make_mut(s).points) {
         point.pressure = rng.random_range(0.0..=1.0);
         point.tilt_deg = Vec2::new(rng.random_range(-90.0..90.0), rng.random_range(-90.0..90.0));
     }

@@ -3,6 +3,7 @@
 use super::read;
 use glam::{Vec2, vec2};
 use penstemon::sketch::{Canvas, Stroke, Tool};
+use std::sync::Arc;
 
 const INKSCAPE: &str = include_str!("../fixtures/svg/inkscape-layers.svg");
 const INKSCAPE_PLAIN: &str = include_str!("../fixtures/svg/inkscape-plain.svg");
@@ -27,7 +28,7 @@ fn positions(stroke: &Stroke) -> Vec<Vec2> {
 }
 
 /// Compares to a fiftieth of a pixel: the flattening tolerance of the largest of these drawings.
-fn assert_boxes(strokes: &[Stroke], expected: &[[f32; 4]]) {
+fn assert_boxes(strokes: &[Arc<Stroke>], expected: &[[f32; 4]]) {
     assert_eq!(strokes.len(), expected.len());
     for (stroke, [left, top, width, height]) in strokes.iter().zip(expected) {
         let all = positions(stroke);
@@ -40,7 +41,7 @@ fn assert_boxes(strokes: &[Stroke], expected: &[[f32; 4]]) {
     }
 }
 
-fn tools(strokes: &[Stroke]) -> Vec<Tool> {
+fn tools(strokes: &[Arc<Stroke>]) -> Vec<Tool> {
     strokes.iter().map(|s| s.tool).collect()
 }
 
@@ -105,7 +106,7 @@ fn nested_transforms_viewports_symbols_and_all_path_commands() {
 #[test]
 fn subpaths_are_strokes_of_their_own_and_a_close_returns_to_the_start() {
     let (sketch, _) = read(&svg(r#"<path d="M0 0 L10 0 M 5 5 M1 1 h2 v2 z l 5 5 M9 9"/>"#)).unwrap();
-    let found: Vec<_> = sketch.strokes.iter().map(positions).collect();
+    let found: Vec<_> = sketch.strokes.iter().map(|s| positions(s)).collect();
     let triangle = vec![vec2(1.0, 1.0), vec2(3.0, 1.0), vec2(3.0, 3.0), vec2(1.0, 1.0)];
     let expected = [vec![vec2(0.0, 0.0), vec2(10.0, 0.0)], triangle, vec![vec2(1.0, 1.0), vec2(6.0, 6.0)]];
     assert_eq!(found, expected);

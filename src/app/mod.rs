@@ -1,0 +1,5 @@
+//! The window: draw on the left, the plant grows on the right.
+
+pub mod action;
+
+pub use action::Action;
