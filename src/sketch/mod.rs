@@ -5,6 +5,7 @@
 //! SVG; [`json`] also writes. Reading is total: any bytes end in a sketch or in a [`SketchError`] that says what is
 //! wrong and where. Limits are constants in [`limits`].
 
+pub mod change;
 mod draft;
 pub mod error;
 mod invariants;
