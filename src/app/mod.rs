@@ -1,5 +1,6 @@
 //! The window: draw on the left, the plant grows on the right.
 
 pub mod action;
+pub mod egui_input;
 
 pub use action::Action;
