@@ -2,5 +2,6 @@
 
 pub mod action;
 pub mod egui_input;
+pub mod surface;
 
 pub use action::Action;
