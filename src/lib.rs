@@ -22,7 +22,9 @@
 //! | [`cli`] | the command line |
 
 pub mod anatomy;
+#[cfg(feature = "program")]
 pub mod app;
+#[cfg(feature = "program")]
 pub mod cli;
 pub mod depth;
 pub mod export;
@@ -33,6 +35,7 @@ pub mod pen;
 pub mod pipeline;
 pub mod plant;
 pub mod random;
+#[cfg(feature = "program")]
 pub mod render;
 pub mod sketch;
 pub mod species;

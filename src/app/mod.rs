@@ -2,6 +2,8 @@
 
 pub mod action;
 pub mod egui_input;
+mod frame;
 pub mod surface;
+pub mod transfer;
 
 pub use action::Action;

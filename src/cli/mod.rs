@@ -9,18 +9,21 @@ pub mod inspect;
 pub mod render;
 
 use clap::{Parser, Subcommand};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Turns pen strokes into 3D plants.
 #[derive(Debug, Parser)]
-#[command(name = "penstemon", version, arg_required_else_help = true)]
+#[command(name = "penstemon", version, args_conflicts_with_subcommands = true)]
 pub struct Cli {
     /// Also tell on stderr how long each stage takes and which driver draws.
     #[arg(long, global = true)]
     pub verbose: bool,
-    /// What to do.
+    /// Opens the window on this drawing (.penstemon or .svg); without it, on a sample or an empty drawing.
+    pub file: Option<PathBuf>,
+    /// What to do without a window.
     #[command(subcommand)]
-    pub verb: Verb,
+    pub verb: Option<Verb>,
 }
 
 /// The verbs.
@@ -54,10 +57,11 @@ pub fn one_line(error: &anyhow::Error) -> String {
 /// Anything that kept the verb from its result, ready to be shown.
 pub fn run(cli: Cli) -> anyhow::Result<ExitCode> {
     match cli.verb {
-        Verb::Build(args) => build::run(&args),
-        Verb::Inspect(args) => inspect::run(&args),
-        Verb::Check(args) => check::run(&args),
-        Verb::Render(args) => render::run(&args),
+        None => anyhow::bail!("the window is not there yet"),
+        Some(Verb::Build(args)) => build::run(&args),
+        Some(Verb::Inspect(args)) => inspect::run(&args),
+        Some(Verb::Check(args)) => check::run(&args),
+        Some(Verb::Render(args)) => render::run(&args),
     }
 }
 

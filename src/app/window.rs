@@ -1,0 +1,353 @@
+//! The window: hears the system, hands every event to whom it belongs, and draws when there is something new.
+//!
+//! Pens, mice and fingers on the canvas go to the canvas sample by sample, everything else goes to egui. A press decides:
+//! what went down on the canvas stays the canvas's until it is lifted. Nothing is drawn that nobody asked for: an idle
+//! window sleeps until the next event, or until the moment that egui or the editor named.
+
+use super::editor::Editor;
+use super::egui_input::{self, EguiInput};
+use super::graphics::Graphics;
+use super::transfer::{self, Arrival};
+use crate::pen::from_winit::WinitPen;
+use crate::pen::{PenEvent, PenPhase, PenTool};
+use anyhow::Context as _;
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use winit::application::ApplicationHandler;
+use winit::cursor::Cursor;
+use winit::dpi::LogicalSize;
+use winit::event::WindowEvent;
+use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop};
+use winit::window::{ImeCapabilities, ImeEnableRequest, ImeRequest, ImeRequestData};
+use winit::window::{Window, WindowAttributes, WindowId};
+
+/// Size of a first window in logical pixels.
+const FIRST_SIZE: (f64, f64) = (1280.0, 800.0);
+/// Smallest window that still shows everything.
+const SMALLEST: (f64, f64) = (640.0, 480.0);
+/// Longest sleep that egui can ask for; longer means never.
+const NEVER: Duration = Duration::from_secs(3600);
+
+/// Opens the window and stays until it is closed.
+///
+/// # Errors
+/// No display, no graphics driver, or a drawing named on the command line that cannot be opened at all.
+pub fn run(file: Option<PathBuf>) -> anyhow::Result<()> {
+    let event_loop = EventLoop::new().context(
+        "the window cannot be opened: there is no display (neither DISPLAY nor WAYLAND_DISPLAY leads to one); \
+         `penstemon build` and `penstemon render` work without",
+    )?;
+    let failure = Arc::new(std::sync::Mutex::new(None));
+    let app = App { file, running: None, failure: Arc::clone(&failure) };
+    event_loop.run_app(app).context("the connection to the display broke; the drawing is kept and offered at the next start")?;
+    let failed = failure.lock().unwrap_or_else(std::sync::PoisonError::into_inner).take();
+    failed.map_or(Ok(()), Err)
+}
+
+/// What the event loop calls.
+struct App {
+    file: Option<PathBuf>,
+    running: Option<Running>,
+    /// Why the window could not be opened.
+    failure: Arc<std::sync::Mutex<Option<anyhow::Error>>>,
+}
+
+impl ApplicationHandler for App {
+    fn can_create_surfaces(&mut self, event_loop: &dyn ActiveEventLoop) {
+        if self.running.is_some() {
+            return;
+        }
+        match Running::open(event_loop, self.file.take()) {
+            Ok(running) => self.running = Some(running),
+            Err(error) => {
+                *self.failure.lock().unwrap_or_else(std::sync::PoisonError::into_inner) = Some(error);
+                event_loop.exit();
+            }
+        }
+    }
+
+    fn proxy_wake_up(&mut self, _: &dyn ActiveEventLoop) {
+        if let Some(running) = &mut self.running {
+            running.editor.collect();
+            running.window.request_redraw();
+        }
+    }
+
+    fn window_event(&mut self, event_loop: &dyn ActiveEventLoop, _: WindowId, event: WindowEvent) {
+        if let Some(running) = &mut self.running {
+            running.on_event(event_loop, &event);
+        }
+    }
+
+    fn about_to_wait(&mut self, event_loop: &dyn ActiveEventLoop) {
+        let Some(running) = &mut self.running else { return };
+        running.editor.submit();
+        if running.editor.is_closed() {
+            running.editor.shut_down();
+            event_loop.exit();
+            return;
+        }
+        running.sleep(event_loop);
+    }
+
+    fn destroy_surfaces(&mut self, _: &dyn ActiveEventLoop) {
+        if let Some(running) = &mut self.running {
+            running.editor.snapshot();
+        }
+    }
+}
+
+/// An open window.
+struct Running {
+    window: Arc<dyn Window>,
+    graphics: Graphics,
+    egui: egui::Context,
+    input: EguiInput,
+    pen: WinitPen,
+    editor: Editor,
+    /// Pointers that went down on the canvas and were not lifted yet.
+    captured: BTreeSet<PointerName>,
+    /// Whether the pointer was over the canvas when last seen, so that egui hears once that it left.
+    over_canvas: bool,
+    /// Where the pointer was last seen, points.
+    pointer: egui::Pos2,
+    /// When egui wants to be drawn again.
+    repaint_at: Option<Instant>,
+    cursor: egui::CursorIcon,
+    composes_text: bool,
+    started: Instant,
+}
+
+/// Tells pointers apart: fingers by their number, everything else is one pointer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum PointerName {
+    Pointer,
+    Finger(u64),
+}
+
+impl PointerName {
+    fn of(tool: PenTool) -> Self {
+        match tool {
+            PenTool::Finger(number) => Self::Finger(number),
+            PenTool::Pen | PenTool::Eraser | PenTool::Mouse => Self::Pointer,
+        }
+    }
+}
+
+impl Running {
+    fn open(event_loop: &dyn ActiveEventLoop, file: Option<PathBuf>) -> anyhow::Result<Self> {
+        let attributes = WindowAttributes::default()
+            .with_title("Penstemon")
+            .with_surface_size(LogicalSize::new(FIRST_SIZE.0, FIRST_SIZE.1))
+            .with_min_surface_size(LogicalSize::new(SMALLEST.0, SMALLEST.1));
+        let window: Arc<dyn Window> =
+            Arc::from(event_loop.create_window(attributes).context("the window cannot be opened")?);
+        let egui = egui::Context::default();
+        let proxy = event_loop.create_proxy();
+        let editor = Editor::open(file, move || proxy.wake_up())?;
+        let graphics = Graphics::open(event_loop, &window, &editor)?;
+        tracing::debug!("the window is drawn by {}", graphics.adapter());
+        let input = EguiInput::new(window.scale_factor() as f32);
+        window.request_redraw();
+        Ok(Self {
+            window,
+            graphics,
+            egui,
+            input,
+            pen: WinitPen::default(),
+            editor,
+            captured: BTreeSet::new(),
+            over_canvas: false,
+            pointer: egui::Pos2::ZERO,
+            repaint_at: None,
+            cursor: egui::CursorIcon::Default,
+            composes_text: false,
+            started: Instant::now(),
+        })
+    }
+
+    fn on_event(&mut self, event_loop: &dyn ActiveEventLoop, event: &WindowEvent) {
+        match event {
+            WindowEvent::RedrawRequested => return self.redraw(event_loop),
+            WindowEvent::CloseRequested => self.editor.ask_to_quit(),
+            WindowEvent::SurfaceResized(size) => self.graphics.resize(*size),
+            WindowEvent::Focused(false) => self.editor.snapshot(),
+            WindowEvent::DragEntered { id, .. } => transfer::welcome(event_loop, *id),
+            WindowEvent::DragDropped { id, .. } => transfer::fetch_files(event_loop, *id),
+            WindowEvent::DataTransferReceived { value, .. } => match transfer::arrival(&**value) {
+                Some(Arrival::Text(text)) => self.input.paste(text),
+                Some(Arrival::Files(files)) => self.editor.drop_files(files),
+                Some(Arrival::Picture(bytes)) => self.editor.paste_picture(bytes),
+                None => {}
+            },
+            _ => {}
+        }
+        if let Some(pen) = self.pen.event(event, self.now_ms()) {
+            if self.on_pen(pen) {
+                self.window.request_redraw();
+                return;
+            }
+        } else if self.on_canvas_event(event) {
+            self.window.request_redraw();
+            return;
+        }
+        if let WindowEvent::KeyboardInput { event: key, .. } = event
+            && !self.egui.egui_wants_keyboard_input()
+            && let Some(name) = egui_input::key(&key.logical_key)
+            && self.editor.key(name, self.input.modifiers(), key.state.is_pressed(), key.repeat)
+        {
+            self.window.request_redraw();
+            return;
+        }
+        if self.input.on_event(event) || matches!(event, WindowEvent::SurfaceResized(_)) {
+            self.window.request_redraw();
+        }
+        if self.input.take_paste_request() {
+            transfer::fetch_clipboard(event_loop);
+        }
+    }
+
+    fn now_ms(&self) -> f64 {
+        self.started.elapsed().as_secs_f64() * 1e3
+    }
+
+    /// Whether a place belongs to the canvas: inside it, and nothing of egui's floats above.
+    fn is_canvas(&self, at: egui::Pos2) -> bool {
+        self.editor.layout().canvas.contains(at)
+            && self.egui.layer_id_at(at).is_none_or(|layer| layer.order == egui::Order::Background)
+    }
+
+    /// Hands a sample to the canvas if it is the canvas's; whether it was.
+    fn on_pen(&mut self, event: PenEvent) -> bool {
+        let name = PointerName::of(event.sample.tool);
+        let scale = f64::from(self.input.pixels_per_point());
+        let at = event.sample.position / scale;
+        self.pointer = egui::pos2(at.x as f32, at.y as f32);
+        let over = self.is_canvas(self.pointer);
+        let ours = match event.phase {
+            PenPhase::Down => over && { self.captured.insert(name) },
+            PenPhase::Move => self.captured.contains(&name),
+            PenPhase::Up | PenPhase::Cancel => self.captured.remove(&name),
+            PenPhase::Enter | PenPhase::Hover => over && self.captured.is_empty(),
+            PenPhase::Leave => std::mem::take(&mut self.over_canvas),
+        };
+        if ours {
+            if !std::mem::replace(&mut self.over_canvas, true) {
+                self.input.pointer_gone();
+            }
+            self.editor.pen(event);
+            self.graphics.grow_stroke(&self.editor);
+        } else if std::mem::take(&mut self.over_canvas) {
+            let left = PenEvent { phase: PenPhase::Leave, ..event };
+            self.editor.pen(left);
+        }
+        ours
+    }
+
+    /// Wheel and pinch over the canvas.
+    fn on_canvas_event(&mut self, event: &WindowEvent) -> bool {
+        if !self.is_canvas(self.pointer) {
+            return false;
+        }
+        let scale = f64::from(self.input.pixels_per_point());
+        let at = glam::DVec2::new(f64::from(self.pointer.x), f64::from(self.pointer.y)) * scale;
+        match event {
+            WindowEvent::MouseWheel { delta, .. } => {
+                self.editor.wheel(at, egui_input::wheel_lines(delta, scale), self.input.modifiers())
+            }
+            WindowEvent::PinchGesture { delta, .. } => self.editor.pinch(at, delta.exp()),
+            _ => return false,
+        }
+        true
+    }
+
+    fn redraw(&mut self, event_loop: &dyn ActiveEventLoop) {
+        if self.graphics.is_lost() {
+            self.editor.snapshot();
+            match Graphics::open(event_loop, &self.window, &self.editor) {
+                Ok(graphics) => {
+                    self.graphics = graphics;
+                    // egui believes that its pictures are on the device: a new context sends them again.
+                    self.egui = egui::Context::default();
+                    self.editor.forget_textures();
+                }
+                Err(error) => {
+                    tracing::error!("the graphics device is gone: {error}");
+                    self.editor.ask_to_quit();
+                    return;
+                }
+            }
+        }
+        let raw = self.input.take(self.graphics.size());
+        let (editor, plant) = (&mut self.editor, self.graphics.plant_texture());
+        let mut output = self.egui.run_ui(raw, |ui| editor.ui(ui, plant));
+        self.heed(event_loop, &mut output);
+        self.graphics.draw(&self.egui, output, &mut self.editor);
+    }
+
+    /// Carries out what egui asks of the system.
+    fn heed(&mut self, event_loop: &dyn ActiveEventLoop, output: &mut egui::FullOutput) {
+        let delay = output.viewport_output.get(&egui::ViewportId::ROOT).map_or(NEVER, |v| v.repaint_delay);
+        self.repaint_at = (delay < NEVER).then(|| Instant::now() + delay);
+        for command in output.platform_output.commands.drain(..) {
+            match command {
+                egui::OutputCommand::CopyText(text) => transfer::copy_text(event_loop, text),
+                egui::OutputCommand::CopyImage(picture) => transfer::copy_picture(event_loop, &picture),
+                egui::OutputCommand::OpenUrl(_) | egui::OutputCommand::TextSelectionSettled(_) => {}
+            }
+        }
+        if let Some(picture) = self.editor.take_copied_picture() {
+            transfer::copy_picture(event_loop, &picture);
+        }
+        let cursor = if self.over_canvas { self.editor.cursor() } else { output.platform_output.cursor_icon };
+        if std::mem::replace(&mut self.cursor, cursor) != cursor {
+            self.window.set_cursor_visible(cursor != egui::CursorIcon::None);
+            if let Some(icon) = egui_input::cursor(cursor) {
+                self.window.set_cursor(Cursor::Icon(icon));
+            }
+        }
+        if let Some(title) = self.editor.take_title() {
+            self.window.set_title(&title);
+        }
+        self.compose_text(output.platform_output.ime);
+    }
+
+    /// Tells the system's text composition where text is written, and when no longer.
+    fn compose_text(&mut self, wanted: Option<egui::output::IMEOutput>) {
+        let Some(ime) = wanted else {
+            if std::mem::take(&mut self.composes_text) {
+                // Switching off what is off is no matter.
+                let _ = self.window.request_ime_update(ImeRequest::Disable);
+            }
+            return;
+        };
+        let scale = f64::from(self.input.pixels_per_point());
+        let (corner, size) = (ime.cursor_rect.min, ime.cursor_rect.size());
+        let position = winit::dpi::LogicalPosition::new(f64::from(corner.x), f64::from(corner.y));
+        let size = winit::dpi::LogicalSize::new(f64::from(size.x.max(1.0)), f64::from(size.y));
+        let position = winit::dpi::Position::Physical(position.to_physical(scale));
+        let data = ImeRequestData::default().with_cursor_area(position, winit::dpi::Size::Logical(size));
+        let request = if self.composes_text {
+            Some(ImeRequest::Update(data))
+        } else {
+            let able = ImeCapabilities::new().with_cursor_area();
+            ImeEnableRequest::new(able, data).map(ImeRequest::Enable)
+        };
+        // A system without text composition refuses; plain keys still write.
+        if let Some(request) = request {
+            self.composes_text = self.window.request_ime_update(request).is_ok();
+        }
+    }
+
+    /// Sleeps until the next event or the next moment that somebody named.
+    fn sleep(&mut self, event_loop: &dyn ActiveEventLoop) {
+        if self.editor.wants_frame() || self.repaint_at.is_some_and(|at| at <= Instant::now()) {
+            self.repaint_at = None;
+            self.window.request_redraw();
+        }
+        let wake = [self.repaint_at, self.editor.wakes_at()].into_iter().flatten().min();
+        event_loop.set_control_flow(wake.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
+    }
+}

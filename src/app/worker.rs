@@ -1,0 +1,176 @@
+//! The live worker: a thread that turns the newest drawing into a model while the pen moves.
+//!
+//! The window hands over snapshots and never waits. At most one snapshot is queued; a newer one takes its place, and
+//! also cancels the build that runs, unless the artist has seen nothing new for [`PATIENCE`]: then that build is
+//! allowed to finish, so that a plant slower to build than the pen is to move still grows on the screen. What is built
+//! last is always the newest snapshot.
+//!
+//! Species files and the parts of the plant that did not change are kept from build to build.
+
+use crate::model::Cache;
+use crate::pipeline::{self, Built};
+use crate::sketch::Sketch;
+use crate::species::Species;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+
+/// Longest time without a new picture before a build may no longer be cancelled.
+pub const PATIENCE: Duration = Duration::from_millis(100);
+
+/// What to build.
+#[derive(Clone, Debug)]
+pub struct Snapshot {
+    /// Grows with every snapshot; the result carries it.
+    pub revision: u64,
+    /// The drawing with the stroke under the pen.
+    pub sketch: Sketch,
+    /// Where the drawing's species and picture files are looked for.
+    pub folder: PathBuf,
+}
+
+/// A finished build.
+#[derive(Debug)]
+pub struct Update {
+    /// Revision of the snapshot.
+    pub revision: u64,
+    /// The plant, or what kept it from being built, in words for the artist.
+    pub result: Result<Arc<Built>, String>,
+    /// Time from the moment the worker took the snapshot.
+    pub took: Duration,
+}
+
+/// What window and worker share.
+#[derive(Default)]
+struct Shared {
+    desk: Mutex<Desk>,
+    news: Condvar,
+    cancel: AtomicBool,
+}
+
+#[derive(Default)]
+struct Desk {
+    next: Option<Snapshot>,
+    done: Option<Update>,
+    last_finish: Option<Instant>,
+    closing: bool,
+}
+
+impl Shared {
+    fn desk(&self) -> MutexGuard<'_, Desk> {
+        self.desk.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// The worker's end in the window; dropping it ends the thread.
+pub struct Worker {
+    shared: Arc<Shared>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Worker {
+    /// Starts the thread. `wake` is called on it whenever a result is ready.
+    ///
+    /// # Errors
+    /// A system that gives no thread.
+    pub fn start(wake: impl Fn() + Send + 'static) -> std::io::Result<Self> {
+        let shared = Arc::new(Shared::default());
+        let theirs = Arc::clone(&shared);
+        let thread = std::thread::Builder::new().name("live worker".into()).spawn(move || work(&theirs, &wake))?;
+        Ok(Self { shared, thread: Some(thread) })
+    }
+
+    /// Hands over the newest drawing; never waits for a build.
+    pub fn submit(&self, snapshot: Snapshot) {
+        let mut desk = self.shared.desk();
+        desk.next = Some(snapshot);
+        if desk.last_finish.is_some_and(|at| at.elapsed() < PATIENCE) {
+            self.shared.cancel.store(true, Ordering::Relaxed);
+        }
+        drop(desk);
+        self.shared.news.notify_one();
+    }
+
+    /// The newest result that was not taken yet.
+    pub fn take(&self) -> Option<Update> {
+        self.shared.desk().done.take()
+    }
+}
+
+impl Drop for Worker {
+    fn drop(&mut self) {
+        self.shared.desk().closing = true;
+        self.shared.cancel.store(true, Ordering::Relaxed);
+        self.shared.news.notify_one();
+        if let Some(thread) = self.thread.take() {
+            // A worker that panicked has been reported by the panic hook; the window closes all the same.
+            let _ = thread.join();
+        }
+    }
+}
+
+/// What the worker keeps between builds.
+#[derive(Default)]
+struct Bench {
+    cache: Cache,
+    species: Option<(Option<String>, PathBuf, Species)>,
+}
+
+fn work(shared: &Shared, wake: &dyn Fn()) {
+    let mut bench = Bench::default();
+    while let Some(snapshot) = next(shared) {
+        let begun = Instant::now();
+        let revision = snapshot.revision;
+        let build = std::panic::AssertUnwindSafe(|| bench.build(&snapshot, &shared.cancel));
+        let result = match std::panic::catch_unwind(build) {
+            Ok(Ok(Some(built))) => Ok(Arc::new(built)),
+            Ok(Ok(None)) => continue,
+            Ok(Err(reason)) => Err(reason),
+            Err(_) => {
+                // A defect of ours must not take the drawing with it: the window says so and the artist goes on.
+                bench = Bench::default();
+                Err("building this plant failed inside the program; undo the last stroke or save the drawing and \
+                     report it"
+                    .to_owned())
+            }
+        };
+        let mut desk = shared.desk();
+        desk.done = Some(Update { revision, result, took: begun.elapsed() });
+        desk.last_finish = Some(Instant::now());
+        drop(desk);
+        wake();
+    }
+}
+
+/// Waits for the next snapshot; `None` when the window closes.
+fn next(shared: &Shared) -> Option<Snapshot> {
+    let mut desk = shared.desk();
+    loop {
+        if desk.closing {
+            return None;
+        }
+        if let Some(snapshot) = desk.next.take() {
+            shared.cancel.store(false, Ordering::Relaxed);
+            return Some(snapshot);
+        }
+        desk = shared.news.wait(desk).unwrap_or_else(PoisonError::into_inner);
+    }
+}
+
+impl Bench {
+    /// `Ok(None)` where it was cancelled.
+    fn build(&mut self, snapshot: &Snapshot, cancel: &AtomicBool) -> Result<Option<Built>, String> {
+        let Snapshot { sketch, folder, .. } = snapshot;
+        let known = self.species.take().filter(|(name, at, _)| *name == sketch.species && at == folder);
+        let species = match known {
+            Some((_, _, species)) => species,
+            None => pipeline::species_of(sketch, folder).map_err(|e| e.to_string())?,
+        };
+        let (_, _, species) = self.species.insert((sketch.species.clone(), folder.clone(), species));
+        let params = pipeline::params_of(sketch, species, &[]).map_err(|e| e.to_string())?;
+        let cancelled = || cancel.load(Ordering::Relaxed);
+        Ok(pipeline::build_with(&mut self.cache, sketch, species, &params, &cancelled))
+    }
+}
