@@ -10,6 +10,7 @@ use glam::Vec3;
 use penstemon::export::export;
 use penstemon::model::{Mesh, Vertex};
 use std::path::Path;
+use std::sync::Arc;
 
 type Damage = fn(&mut Mesh);
 
@@ -46,7 +47,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     for (name, damage) in DAMAGES {
         let mut model = model.clone();
-        damage(&mut model.parts[2].mesh);
+        damage(Arc::make_mut(&mut model.parts[2].mesh));
         export(&folder.join(format!("broken_{name}.obj")), &model, &plant, &common::textures)?;
     }
     Ok(())

@@ -5,12 +5,13 @@
 
 use crate::anatomy::{self, Anatomy, AnatomyParams};
 use crate::depth::{self, DepthParams};
-use crate::model::{self, Model, ModelParams};
+use crate::model::{self, Cache, Model, ModelParams};
 use crate::params::{Overrides, ParamError};
 use crate::plant::Plant;
 use crate::sketch::Sketch;
 use crate::species::{self, Species, SpeciesError};
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use thiserror::Error;
 
@@ -88,20 +89,63 @@ pub struct Built {
 /// Builds a plant. Same input, same output, on any number of threads. A sketch without anything to build gives an
 /// empty model.
 pub fn build(sketch: &Sketch, species: &Species, params: &Params) -> Built {
-    let mut stages = Vec::with_capacity(4);
-    let mut last = Instant::now();
-    let mut finish = |stage| {
-        let now = Instant::now();
-        stages.push((stage, now - std::mem::replace(&mut last, now)));
+    let mut clock = Clock::start();
+    let anatomy = clock.time("anatomy", || anatomy::analyse(sketch, &params.anatomy));
+    let plant = clock.time("depth", || depth::recover(&anatomy, sketch.seed, &params.depth));
+    let plant = clock.time("species", || dressed(plant, species, sketch.seed));
+    let model = clock.time("model", || model::build(&plant, &params.model));
+    Built { anatomy, plant, model, stages: clock.stages }
+}
+
+/// Builds the very plant that [`build`] gives, again and again while a drawing changes: parts that are the same as when
+/// the cache was last used keep their meshes. `stop` is asked between the stages and inside the long ones, from any
+/// thread; once it says yes the build ends soon and gives nothing. The cache survives that.
+pub fn build_with(
+    cache: &mut Cache,
+    sketch: &Sketch,
+    species: &Species,
+    params: &Params,
+    stop: &(dyn Fn() -> bool + Sync),
+) -> Option<Built> {
+    let stopped = AtomicBool::new(false);
+    // The stages count on a yes that stays.
+    let stop = || {
+        if !stopped.load(Ordering::Relaxed) && stop() {
+            stopped.store(true, Ordering::Relaxed);
+        }
+        stopped.load(Ordering::Relaxed)
     };
-    let anatomy = anatomy::analyse(sketch, &params.anatomy);
-    finish("anatomy");
-    let mut plant = depth::recover(&anatomy, sketch.seed, &params.depth);
-    finish("depth");
-    species::dress(&mut plant, species, sketch.seed);
-    finish("species");
+    let mut clock = Clock::start();
+    let anatomy = clock.time("anatomy", || anatomy::analyse_unless(sketch, &params.anatomy, &stop))?;
+    let plant = clock.time("depth", || depth::recover(&anatomy, sketch.seed, &params.depth));
+    if stop() {
+        return None;
+    }
+    let plant = clock.time("species", || dressed(plant, species, sketch.seed));
+    let model = clock.time("model", || model::rebuild(&plant, &params.model, cache, &stop))?;
+    Some(Built { anatomy, plant, model, stages: clock.stages })
+}
+
+fn dressed(mut plant: Plant, species: &Species, seed: u64) -> Plant {
+    species::dress(&mut plant, species, seed);
     debug_assert_eq!(plant.check_invariants(), Ok(()));
-    let model = model::build(&plant, &params.model);
-    finish("model");
-    Built { anatomy, plant, model, stages }
+    plant
+}
+
+/// Measures the stages.
+struct Clock {
+    stages: Vec<(&'static str, Duration)>,
+}
+
+impl Clock {
+    fn start() -> Self {
+        Self { stages: Vec::with_capacity(4) }
+    }
+
+    fn time<T>(&mut self, stage: &'static str, work: impl FnOnce() -> T) -> T {
+        let start = Instant::now();
+        let made = work();
+        self.stages.push((stage, start.elapsed()));
+        made
+    }
 }

@@ -12,6 +12,7 @@ use proptest::prelude::*;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
+use std::sync::Arc;
 
 fn check(path: &Path, more: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_penstemon")).arg("check").arg(path).args(more).output().unwrap()
@@ -45,8 +46,8 @@ fn clean_models_pass() {
 #[test]
 fn defects_are_told_with_their_mesh_and_exit_code_1() {
     let (mut model, plant) = two_specimens();
-    model.parts[2].mesh.triangles.remove(0);
-    model.parts[3].mesh.triangles[5].swap(0, 1);
+    Arc::make_mut(&mut model.parts[2].mesh).triangles.remove(0);
+    Arc::make_mut(&mut model.parts[3].mesh).triangles[5].swap(0, 1);
     let folder = tempfile::tempdir().unwrap();
     for name in ["plant.obj", "plant.glb"] {
         let path = folder.path().join(name);

@@ -15,6 +15,7 @@ use penstemon::model::{Model, Vertex};
 use penstemon::plant::{Plant, Texture};
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
 fn encoded(file: &str, model: &Model, plant: &Plant) -> Encoded {
     let path = Path::new(file);
@@ -168,11 +169,12 @@ fn glb_materials_and_indices_fit() {
 #[test]
 fn large_meshes_get_wide_indices() {
     let (mut model, plant) = two_specimens();
-    let vertices = &mut model.parts[0].mesh.vertices;
+    let mesh = Arc::make_mut(&mut model.parts[0].mesh);
+    let vertices = &mut mesh.vertices;
     let filler: Vertex = vertices[0];
     vertices.resize(65_536, filler);
     vertices.push(filler);
-    model.parts[0].mesh.triangles[0][0] = 65_536;
+    mesh.triangles[0][0] = 65_536;
     let glb = encoded("a.glb", &model, &plant).bytes;
     assert_eq!(judged(ReadFormat::Glb, &glb).triangles, model.triangle_count());
     assert_eq!(index_types(&document(&glb)), ["U32", "U16", "U16", "U16", "U16", "U16", "U16", "U16"]);
@@ -279,10 +281,10 @@ fn models_that_are_not_sound_or_empty_are_refused() {
         Ok(scene) => penstemon::export::Exporter::encode(&glb::Glb, &scene).unwrap_err().to_string(),
     };
     let mut bad = model.clone();
-    bad.parts[3].mesh.points[0].x = f32::NAN;
+    Arc::make_mut(&mut bad.parts[3].mesh).points[0].x = f32::NAN;
     assert!(message(&bad).contains("part 3 `leaf_3`: point 0 is not finite"));
     bad = model.clone();
-    bad.parts[1].mesh.triangles[2][1] = 99_999;
+    Arc::make_mut(&mut bad.parts[1].mesh).triangles[2][1] = 99_999;
     assert!(message(&bad).contains("triangle 2 has a vertex out of range"));
     assert!(message(&Model::default()).contains("nothing to write"));
     assert!(matches!(format_of(Path::new("x.OBJ")).map(|f| f.extension()), Ok("obj")));

@@ -9,6 +9,7 @@ use penstemon::render::{Direction, Picture, PictureOptions, Projection, RenderEr
 use penstemon::sketch::{Canvas, Sketch, Stroke, StrokePoint, Tool};
 use std::borrow::Cow;
 use std::error::Error;
+use std::sync::Arc;
 
 const GREEN: [f32; 3] = [0.1, 0.4, 0.05];
 const BROWN: [f32; 3] = [0.25, 0.12, 0.05];
@@ -61,7 +62,7 @@ fn model(parts: impl IntoIterator<Item = (Mesh, Material)>) -> Model {
             specimen: 0,
             pivot: Vec3::ZERO,
             material: i,
-            mesh,
+            mesh: mesh.into(),
         });
         model.materials.push(material);
     }
@@ -201,9 +202,9 @@ fn contradictory_models_are_refused_by_name() {
     };
     let cases: [&dyn Fn(&mut Model); 4] = [
         &|m| m.parts[1].material = 7,
-        &|m| m.parts[1].mesh.vertices[2].point = 99,
-        &|m| m.parts[1].mesh.triangles[0] = [0, 1, 4],
-        &|m| m.parts[1].mesh.points[0].x = f32::NAN,
+        &|m| Arc::make_mut(&mut m.parts[1].mesh).vertices[2].point = 99,
+        &|m| Arc::make_mut(&mut m.parts[1].mesh).triangles[0] = [0, 1, 4],
+        &|m| Arc::make_mut(&mut m.parts[1].mesh).points[0].x = f32::NAN,
     ];
     for change in cases {
         let error = refused(change);

@@ -1,7 +1,7 @@
 //! The whole analysis: strokes in, anatomy out.
 
 use super::{
-    Anatomy, FlatBlade, Mark, Part, Sample,
+    Anatomy, FlatBlade, Mark, Part, Sample, Stop,
     attach::{AttachParams, Branches},
     blade_outline::{self, TipParams},
     classify::Classifier,
@@ -66,6 +66,17 @@ struct Reading {
 
 /// Finds out what every stroke is and how the parts hang together; generates what outlines ask for.
 pub fn analyse(sketch: &Sketch, params: &AnatomyParams) -> Anatomy {
+    analysis(sketch, params, &|| false)
+}
+
+/// The same, or nothing if `stop` ever said yes.
+pub fn analyse_unless(sketch: &Sketch, params: &AnatomyParams, stop: Stop) -> Option<Anatomy> {
+    let anatomy = analysis(sketch, params, stop);
+    (!stop()).then_some(anatomy)
+}
+
+/// The whole analysis; once `stop` says yes it hurries to its end, and what it gives is of no use.
+fn analysis(sketch: &Sketch, params: &AnatomyParams, stop: Stop) -> Anatomy {
     let (bounds, dots) = bounds_without_dots(&sketch.strokes);
     let diagonal = bounds.0.distance(bounds.1);
     let readings: Vec<Reading> = sketch
@@ -77,6 +88,9 @@ pub fn analyse(sketch: &Sketch, params: &AnatomyParams) -> Anatomy {
         .collect();
 
     let mut anatomy = Anatomy { diagonal, bounds, ..Anatomy::default() };
+    if stop() {
+        return anatomy;
+    }
     let mut warnings = Warnings::default();
     for reading in &readings {
         if let Some(message) = reading.warning {
@@ -94,7 +108,7 @@ pub fn analyse(sketch: &Sketch, params: &AnatomyParams) -> Anatomy {
             .add(Some(heart), || "is taken for the heart of a flower, which the species draws".to_owned());
     }
     attach_organs(&mut anatomy, &params.attach);
-    fill_outlines(&mut anatomy, &readings, sketch.seed, params, &mut warnings);
+    fill_outlines(&mut anatomy, &readings, sketch.seed, params, stop, &mut warnings);
     anatomy.warnings = warnings.into_vec();
     anatomy.marks = marks(&readings, &anatomy.petals, &gathering.hearts);
     anatomy
@@ -183,6 +197,7 @@ fn fill_outlines(
     readings: &[Reading],
     seed: u64,
     params: &AnatomyParams,
+    stop: Stop,
     warnings: &mut Warnings,
 ) {
     let diagonal = anatomy.diagonal;
@@ -192,7 +207,7 @@ fn fill_outlines(
     };
     let mut forest = Forest::new(std::mem::take(&mut anatomy.branches));
     for (outline, region) in &outlines(Part::BranchOutline) {
-        let fill = TwigFill { outline: *outline, region, diagonal, seed, params: &params.twigs };
+        let fill = TwigFill { outline: *outline, region, diagonal, seed, params: &params.twigs, stop };
         if let Some(message) = shortfall(fill.fill(&mut forest)) {
             warnings.add(Some(*outline), || message.to_owned());
         }
@@ -201,10 +216,11 @@ fn fill_outlines(
     let (leaf_outlines, mut room) = (outlines(Part::LeafOutline), params.leaf_fill.max_leaves as usize);
     for (i, (outline, region)) in leaf_outlines.iter().enumerate() {
         let (outline, leaf_length) = (*outline, templates.length);
-        let twigs = LeafTwigs { outline, region, leaf_length, diagonal, seed, params: &params.leaf_twigs };
+        let twigs =
+            LeafTwigs { outline, region, leaf_length, diagonal, seed, params: &params.leaf_twigs, stop };
         let all_twigs = twigs.grow(&mut forest);
         let templates = &templates;
-        let fill = LeafFill { outline, region, templates, diagonal, seed, params: &params.leaf_fill };
+        let fill = LeafFill { outline, region, templates, diagonal, seed, params: &params.leaf_fill, stop };
         // What an outline leaves of its share goes to those after it.
         let (leaves, thinned) = fill.fill(&forest, room / (leaf_outlines.len() - i));
         room -= leaves.len();

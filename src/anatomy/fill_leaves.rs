@@ -6,7 +6,7 @@
 //! without a branch inside the outline, leaves are strewn over it.
 
 use super::{
-    Copy, FlatBlade,
+    Copy, FlatBlade, Stop,
     growth_points::{Forest, GrowthPoint, Thinned, side},
     vein::{self, Walk},
 };
@@ -115,6 +115,8 @@ pub struct LeafFill<'a> {
     pub seed: u64,
     /// How to fill it.
     pub params: &'a LeafFillParams,
+    /// Nothing grows any more once it says yes.
+    pub stop: Stop<'a>,
 }
 
 impl LeafFill<'_> {
@@ -127,7 +129,7 @@ impl LeafFill<'_> {
         if points.is_empty() {
             strewn(self.region, self.outline, 2.0 * spacing).for_each(|point| points.add(point));
         }
-        let leaf = |point: &GrowthPoint| self.leaf(point);
+        let leaf = |point: &GrowthPoint| if (self.stop)() { None } else { self.leaf(point) };
         (points.kept().par_iter().with_min_len(32).filter_map(leaf).collect(), points.is_thinned())
     }
 
@@ -198,7 +200,15 @@ mod tests {
         let templates = Templates::new(&[], 1400.0, &params);
         let region = &square(1000.0);
         let params = &params;
-        let fill = LeafFill { outline: 9, region, templates: &templates, diagonal: 1400.0, seed: 5, params };
+        let fill = LeafFill {
+            outline: 9,
+            region,
+            templates: &templates,
+            diagonal: 1400.0,
+            seed: 5,
+            params,
+            stop: &|| false,
+        };
         fill.fill(&Forest::new(branches.to_vec()), 1000).0
     }
 

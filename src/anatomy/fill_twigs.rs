@@ -5,6 +5,7 @@
 //! twig knows the branch and the place it grew from, which is the same forest without guessing.
 
 use super::{
+    Stop,
     growth_points::{Forest, GrowthPoint, Thinned},
     vein::{self, Walk},
 };
@@ -70,6 +71,8 @@ pub struct TwigFill<'a> {
     pub seed: u64,
     /// How to fill it.
     pub params: &'a TwigParams,
+    /// Nothing grows any more once it says yes.
+    pub stop: Stop<'a>,
 }
 
 impl TwigFill<'_> {
@@ -86,7 +89,8 @@ impl TwigFill<'_> {
             forest.growth_points(parents, (self.outline, self.region), spacing, &mut points);
             sprouts |= !points.is_empty();
             thinned |= points.is_thinned();
-            let grow = |point: &GrowthPoint| self.twig(point, shrink);
+            let grow =
+                |point: &GrowthPoint| if (self.stop)() { Vec::new() } else { self.twig(point, shrink) };
             let twigs: Vec<Vec<Vec2>> = points.kept().par_iter().map(grow).collect();
             let first_new = forest.branches().len();
             for (point, places) in points.kept().iter().zip(twigs).filter(|(_, places)| places.len() >= 3) {
@@ -137,7 +141,8 @@ mod tests {
 
     fn grown(seed: u64, params: &TwigParams) -> Vec<FlatBranch> {
         let mut forest = Forest::new(trunk());
-        TwigFill { outline: 9, region: &crown(), diagonal: 600.0, seed, params }.fill(&mut forest);
+        TwigFill { outline: 9, region: &crown(), diagonal: 600.0, seed, params, stop: &|| false }
+            .fill(&mut forest);
         forest.into_branches()
     }
 

@@ -7,7 +7,7 @@
 //! none.
 
 use super::{
-    Attachment,
+    Attachment, Stop,
     growth_points::{Forest, GrowthPoint, Thinned},
     vein::{self, Walk},
 };
@@ -69,6 +69,8 @@ pub struct LeafTwigs<'a> {
     pub seed: u64,
     /// How to grow them.
     pub params: &'a LeafTwigParams,
+    /// Nothing grows any more once it says yes.
+    pub stop: Stop<'a>,
 }
 
 impl LeafTwigs<'_> {
@@ -91,6 +93,9 @@ impl LeafTwigs<'_> {
             forest.growth_points(parents, (self.outline, self.region), spacing, &mut points);
             let first_new = forest.branches().len();
             for point in points.kept() {
+                if (self.stop)() {
+                    return false;
+                }
                 let places = self.twig(point, spacing, &wood);
                 if places.len() >= 3 {
                     wood.mark(places.iter().copied());
@@ -194,8 +199,15 @@ mod tests {
     fn grown(half_width: f32) -> Vec<FlatBranch> {
         let (mut forest, region) = (Forest::new(stem()), oval(half_width));
         let params = &LeafTwigParams::default();
-        let twigs =
-            LeafTwigs { outline: 9, region: &region, leaf_length: 30.0, diagonal: 600.0, seed: 3, params };
+        let twigs = LeafTwigs {
+            outline: 9,
+            region: &region,
+            leaf_length: 30.0,
+            diagonal: 600.0,
+            seed: 3,
+            params,
+            stop: &|| false,
+        };
         assert!(twigs.grow(&mut forest));
         forest.into_branches()
     }

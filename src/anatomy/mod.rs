@@ -20,11 +20,14 @@ pub mod preprocess;
 pub mod svm;
 pub mod vein;
 
-pub use analyse::{AnatomyParams, analyse};
+pub use analyse::{AnatomyParams, analyse, analyse_unless};
 
 use crate::sketch::{StrokeId, StrokePoint, Warning};
 use glam::Vec2;
 use serde::Serialize;
+
+/// Asked again and again, from any thread, whether the work is still wanted; yes to stop, and yes from then on.
+pub type Stop<'a> = &'a (dyn Fn() -> bool + Sync);
 
 /// What a stroke was understood as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

@@ -45,7 +45,15 @@ impl Loaded {
     /// Adds a surface with the material of that index.
     pub(super) fn push(&mut self, name: String, mesh: Mesh, material: usize) {
         let (kind, pivot) = (PartKind::Wood, Vec3::ZERO);
-        self.model.parts.push(Part { name, kind, parent: None, specimen: 0, pivot, material, mesh });
+        self.model.parts.push(Part {
+            name,
+            kind,
+            parent: None,
+            specimen: 0,
+            pivot,
+            material,
+            mesh: mesh.into(),
+        });
     }
 
     /// Adds a material and returns its index.

@@ -6,8 +6,10 @@
 //! Limits: a blade too small or too thin to be seen has no mesh and no part.
 
 use super::blade::{self, BladeScratch};
-use super::flat::{self, BladeMeshParams, FlatBlade, FlatScratch};
+use super::cache::{Cache, Made, Template};
+use super::flat::{self, BladeMeshParams, FlatScratch};
 use super::parts::{self, Plan, Source};
+use super::recipe::Recipe;
 use super::solids::{self, SolidParams, Stand};
 use super::tube::{self, TubeParams, TubeScratch};
 use super::{Mesh, Model, Part, filaments};
@@ -15,6 +17,7 @@ use crate::plant::{Blade, Organ, Plant, Shape};
 use glam::Vec3;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 crate::parameter_groups! {
     /// How finely a plant is modelled.
@@ -37,37 +40,70 @@ struct Scratch {
     flat: FlatScratch,
     blade: BladeScratch,
     tube: TubeScratch,
+    recipe: Recipe,
 }
 
 /// What the parts of one plant have in common.
 struct Workshop<'a> {
     plant: &'a Plant,
     params: &'a ModelParams,
-    templates: BTreeMap<u32, Option<FlatBlade>>,
+    templates: BTreeMap<u32, Template>,
     plant_size: f32,
 }
 
 /// Builds the meshes of a plant that keeps its invariants.
 pub fn build(plant: &Plant, params: &ModelParams) -> Model {
     let plans = parts::plan(plant);
-    let workshop =
-        Workshop { plant, params, templates: templates(plant, params), plant_size: size_of(plant) };
-    let meshes: Vec<Mesh> = plans
-        .par_iter()
-        .with_min_len(BATCH)
-        .map_init(Scratch::default, |scratch, plan| workshop.mesh(&plan.source, scratch))
-        .collect();
-    let seen = |(plan, mesh): (Plan, Mesh)| (!mesh.triangles.is_empty()).then(|| part(plan, mesh));
-    Model {
-        parts: plans.into_iter().zip(meshes).filter_map(seen).collect(),
-        materials: plant.materials.clone(),
-    }
+    let workshop = Workshop::new(plant, params, &mut Cache::default());
+    let mesh = |scratch: &mut Scratch, plan: &Plan| Arc::new(workshop.mesh(&plan.source, scratch));
+    let meshes: Vec<Arc<Mesh>> =
+        plans.par_iter().with_min_len(BATCH).map_init(Scratch::default, mesh).collect();
+    assembled(plant, plans, meshes)
 }
 
-/// Branches always have meshes, so they keep their indices and carriers need no renumbering.
-fn part(plan: Plan, mesh: Mesh) -> Part {
-    let Plan { name, kind, parent, specimen, pivot, material, .. } = plan;
-    Part { name, kind, parent, specimen, pivot, material, mesh }
+/// Builds the same model as [`build`], taking from the cache what has not changed since it was last used. `stop` is
+/// asked before every part, from any thread; where it ever says yes there is no model.
+pub fn rebuild(
+    plant: &Plant,
+    params: &ModelParams,
+    cache: &mut Cache,
+    stop: &(dyn Fn() -> bool + Sync),
+) -> Option<Model> {
+    cache.begin(params);
+    let plans = parts::plan(plant);
+    let workshop = Workshop::new(plant, params, cache);
+    let known = &cache.meshes;
+    let make = |scratch: &mut Scratch, plan: &Plan| {
+        if stop() {
+            return None;
+        }
+        workshop.write_recipe(&plan.source, &mut scratch.recipe);
+        let (hash, words) = (scratch.recipe.hash(), scratch.recipe.words());
+        if let Some(mesh) = known.get(hash, words) {
+            return Some(Made { hash, recipe: None, mesh: mesh.clone() });
+        }
+        let recipe = Some(words.into());
+        Some(Made { hash, recipe, mesh: Arc::new(workshop.mesh(&plan.source, scratch)) })
+    };
+    let made: Vec<Option<Made>> =
+        plans.par_iter().with_min_len(BATCH).map_init(Scratch::default, make).collect();
+    let meshes: Vec<Arc<Mesh>> = made.into_iter().flatten().map(|made| cache.keep(made)).collect();
+    if meshes.len() < plans.len() {
+        return None;
+    }
+    cache.finish();
+    Some(assembled(plant, plans, meshes))
+}
+
+/// Puts plans and meshes together; what cannot be seen is left out. Branches always have meshes, so they keep their
+/// indices and carriers need no renumbering.
+fn assembled(plant: &Plant, plans: Vec<Plan>, meshes: Vec<Arc<Mesh>>) -> Model {
+    let part = |(plan, mesh): (Plan, Arc<Mesh>)| {
+        let Plan { name, kind, parent, specimen, pivot, material, .. } = plan;
+        (!mesh.triangles.is_empty()).then_some(Part { name, kind, parent, specimen, pivot, material, mesh })
+    };
+    let parts = plans.into_iter().zip(meshes).filter_map(part).collect();
+    Model { parts, materials: plant.materials.clone() }
 }
 
 fn blade_of(organ: &Organ) -> Option<&Blade> {
@@ -78,30 +114,56 @@ fn blade_of(organ: &Organ) -> Option<&Blade> {
 }
 
 /// The triangulations of all templates.
-fn templates(plant: &Plant, params: &ModelParams) -> BTreeMap<u32, Option<FlatBlade>> {
+fn templates(plant: &Plant, params: &ModelParams, cache: &mut Cache) -> BTreeMap<u32, Template> {
     let mut firsts: BTreeMap<u32, &Blade> = BTreeMap::new();
     for blade in plant.organs.iter().filter_map(blade_of) {
         if let Some(template) = blade.template {
             firsts.entry(template).or_insert(blade);
         }
     }
-    let mut scratch = FlatScratch::default();
-    firsts
-        .into_iter()
-        .map(|(template, blade)| (template, flat::flatten(blade, &params.blade, &mut scratch)))
-        .collect()
+    let (mut scratch, mut recipe) = (FlatScratch::default(), Recipe::default());
+    let mut triangulated = |(number, blade): (u32, &Blade)| {
+        recipe.template(blade);
+        (number, cache.template(&recipe, || flat::flatten(blade, &params.blade, &mut scratch)))
+    };
+    firsts.into_iter().map(&mut triangulated).collect()
 }
 
-/// The largest extent of the skeleton and of where organs stand, metres: the unit of all branch tolerances.
+/// The largest extent of the skeleton and of where organs stand, metres: the unit of all branch tolerances. It goes in
+/// steps of √2, so that most strokes of a growing drawing leave the tubes of the others alone.
 fn size_of(plant: &Plant) -> f32 {
     let skeleton = plant.branches.iter().flat_map(|b| b.points.iter().copied());
     let points = skeleton.chain(plant.organs.iter().map(Organ::base));
     let (lo, hi) = points.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(lo, hi), p| (lo.min(p), hi.max(p)));
     let size = (hi - lo).max_element();
-    if size > 0.0 { size } else { 1.0 }
+    if size > 0.0 { (0.5 * (2.0 * size.log2()).round()).exp2() } else { 1.0 }
 }
 
-impl Workshop<'_> {
+impl<'a> Workshop<'a> {
+    fn new(plant: &'a Plant, params: &'a ModelParams, cache: &mut Cache) -> Self {
+        let templates = templates(plant, params, cache);
+        Self { plant, params, templates, plant_size: size_of(plant) }
+    }
+
+    /// Everything that [`Self::mesh`] reads but the parameters.
+    fn write_recipe(&self, source: &Source, recipe: &mut Recipe) {
+        match source {
+            Source::Branch(i) => recipe.branch(&self.plant.branches[*i], self.plant_size),
+            Source::Filaments(pieces) => {
+                recipe.filaments(pieces.iter().map(|(i, piece)| (&self.plant.organs[*i].shape, *piece)));
+            }
+            Source::Organ(i) => match &self.plant.organs[*i].shape {
+                Shape::Blade(blade) => recipe.blade(blade, self.template(blade).map(|shared| shared.name)),
+                solid => recipe.solid(solid),
+            },
+        }
+    }
+
+    /// The triangulation that a blade shares with others.
+    fn template(&self, blade: &Blade) -> Option<&Template> {
+        blade.template.and_then(|number| self.templates.get(&number))
+    }
+
     fn mesh(&self, source: &Source, scratch: &mut Scratch) -> Mesh {
         let params = self.params;
         match source {
@@ -130,8 +192,10 @@ impl Workshop<'_> {
 
     fn blade(&self, blade: &Blade, scratch: &mut Scratch) -> Option<Mesh> {
         let params = &self.params.blade;
-        match blade.template.and_then(|t| self.templates.get(&t)) {
-            Some(flat) => blade::mesh(blade, flat.as_ref()?, params, &mut scratch.blade),
+        match self.template(blade) {
+            Some(Template { flat, .. }) => {
+                blade::mesh(blade, flat.as_ref().as_ref()?, params, &mut scratch.blade)
+            }
             None => {
                 let flat = flat::flatten(blade, params, &mut scratch.flat)?;
                 blade::mesh(blade, &flat, params, &mut scratch.blade)

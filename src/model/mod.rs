@@ -11,9 +11,11 @@
 //! | `spine`, `tube` | branches |
 //! | `solids`, `filaments` | hearts of flowers, fruits, pots |
 //! | `build` | all parts at once, on all cores |
+//! | `recipe`, `cache` | which parts are the same as last time |
 
 mod blade;
 mod build;
+mod cache;
 mod disjoint_sets;
 mod filaments;
 mod flat;
@@ -23,6 +25,7 @@ pub mod mesh;
 mod outline;
 mod parts;
 pub mod quality;
+mod recipe;
 mod relief;
 mod sections;
 mod solids;
@@ -33,7 +36,8 @@ mod topology;
 mod tube;
 pub mod weld;
 
-pub use build::{ModelParams, build};
+pub use build::{ModelParams, build, rebuild};
+pub use cache::Cache;
 pub use flat::{BladeMeshParams, PlanarGraph, triangulation_input};
 pub use mesh::{Mesh, Vertex};
 pub use solids::SolidParams;
@@ -41,6 +45,7 @@ pub use tube::TubeParams;
 
 use crate::plant::{Material, OrganKind};
 use glam::Vec3;
+use std::sync::Arc;
 
 /// What a part is; `g` groups in OBJ and the part colours of the debugging view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -66,8 +71,8 @@ pub struct Part {
     pub pivot: Vec3,
     /// Index into [`Model::materials`].
     pub material: usize,
-    /// The surface in world metres.
-    pub mesh: Mesh,
+    /// The surface in world metres; shared with other models built with the same [`Cache`] if it has not changed.
+    pub mesh: Arc<Mesh>,
 }
 
 /// A finished plant, ready to be drawn or exported.

@@ -215,6 +215,26 @@ proptest! {
     }
 
     #[test]
+    fn a_cache_changes_nothing_and_keeps_what_is_equal(plants in prop::collection::vec(plant(), 1..4)) {
+        let (params, mut cache) = (ModelParams::default(), Cache::default());
+        for plant in plants.iter().chain(&plants) {
+            let kept = rebuild(plant, &params, &mut cache, &|| false);
+            let kept = kept.ok_or_else(|| TestCaseError::fail("nobody stopped it"))?;
+            prop_assert_eq!(&kept, &build(plant, &params));
+            let again = rebuild(plant, &params, &mut cache, &|| false);
+            let again = again.ok_or_else(|| TestCaseError::fail("nobody stopped it"))?;
+            for (a, b) in kept.parts.iter().zip(&again.parts) {
+                prop_assert!(Arc::ptr_eq(&a.mesh, &b.mesh), "{} was made again", a.name);
+            }
+            let mut moved = plant.clone();
+            moved.branches[0].radii[0] *= 1.5;
+            moved.organs.truncate(plant.organs.len() / 2);
+            let next = rebuild(&moved, &params, &mut cache, &|| false);
+            prop_assert_eq!(next, Some(build(&moved, &params)));
+        }
+    }
+
+    #[test]
     fn ordinary_outlines_always_become_blades(blade in blade()) {
         let area = crate::geom::simple_loop::signed_area(blade.outline.iter().copied()).abs();
         prop_assume!(area > 1e-3 * blade.length * blade.length);

@@ -125,7 +125,7 @@ mod tests {
         let mesh = Mesh { points, vertices: [0, 1, 2].map(corner).to_vec(), triangles: vec![[0, 1, 2]] };
         let name = "branch_0".to_owned();
         let (kind, pivot) = (PartKind::Wood, Vec3::ZERO);
-        let part = Part { name, kind, parent: None, specimen: 0, pivot, material: 0, mesh };
+        let part = Part { name, kind, parent: None, specimen: 0, pivot, material: 0, mesh: mesh.into() };
         Model { parts: vec![part], materials: vec![Material::plain("bark", [0.5; 3])] }
     }
 

@@ -1,0 +1,142 @@
+//! Meshes from one build to the next, so that a stroke more costs only the parts that it changes.
+//!
+//! Meshes are kept by the recipe of their part (`recipe`): found by its hash, taken only if every word is the same. So
+//! a plant built with a cache has the same bytes as one built without, and an unchanged part has the very same
+//! [`Arc`], which a renderer recognises by its pointer. What a finished build did not use is forgotten; a stopped
+//! build forgets nothing, so its work is not lost.
+//!
+//! Limits: a plant whose scale changes, as when the drawing grows higher, has new parts throughout; so has one built
+//! with other parameters.
+
+use super::flat::FlatBlade;
+use super::recipe::Recipe;
+use super::{Mesh, ModelParams};
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// What was built before.
+#[derive(Debug, Default)]
+pub struct Cache {
+    params: ModelParams,
+    round: u64,
+    pub(super) meshes: Shelf<Arc<Mesh>>,
+    pub(super) templates: Shelf<Template>,
+    names: u64,
+}
+
+/// The triangulation that the blades of one template share; none where the outline has no area.
+#[derive(Clone, Debug)]
+pub(super) struct Template {
+    /// Tells it from all other triangulations that the cache ever held.
+    pub(super) name: u64,
+    pub(super) flat: Arc<Option<FlatBlade>>,
+}
+
+impl Cache {
+    /// How many meshes it holds.
+    pub fn len(&self) -> usize {
+        self.meshes.held.len()
+    }
+
+    /// Whether it holds none.
+    pub fn is_empty(&self) -> bool {
+        self.meshes.held.is_empty()
+    }
+
+    /// Begins a build with these parameters; those of a build with others are of no use.
+    pub(super) fn begin(&mut self, params: &ModelParams) {
+        if self.params != *params {
+            self.params = params.clone();
+            self.meshes.held.clear();
+            self.templates.held.clear();
+        }
+        self.round += 1;
+    }
+
+    /// Ends a build: what it did not use is forgotten.
+    pub(super) fn finish(&mut self) {
+        self.meshes.forget_before(self.round);
+        self.templates.forget_before(self.round);
+    }
+
+    /// The triangulation of a template with this recipe, made by `flatten` if it is new.
+    pub(super) fn template(
+        &mut self,
+        recipe: &Recipe,
+        flatten: impl FnOnce() -> Option<FlatBlade>,
+    ) -> Template {
+        let hash = recipe.hash();
+        let template = self.templates.get(hash, recipe.words()).cloned().unwrap_or_else(|| {
+            self.names += 1;
+            Template { name: self.names, flat: Arc::new(flatten()) }
+        });
+        self.templates.keep(hash, recipe.words().into(), template, self.round)
+    }
+
+    /// Keeps the mesh of a part in the running build; of twins, which were made at once, the first.
+    pub(super) fn keep(&mut self, Made { hash, recipe, mesh }: Made) -> Arc<Mesh> {
+        match recipe {
+            Some(recipe) => self.meshes.keep(hash, recipe, mesh, self.round),
+            None => {
+                self.meshes.touch(hash, self.round);
+                mesh
+            }
+        }
+    }
+}
+
+/// The mesh of one part, on its way into the cache.
+pub(super) struct Made {
+    pub(super) hash: u64,
+    /// None where the mesh came out of the cache.
+    pub(super) recipe: Option<Box<[u32]>>,
+    pub(super) mesh: Arc<Mesh>,
+}
+
+/// Things by the recipe that made them; of two recipes with one hash the later stays.
+#[derive(Debug)]
+pub(super) struct Shelf<T> {
+    held: HashMap<u64, Held<T>>,
+}
+
+#[derive(Debug)]
+struct Held<T> {
+    recipe: Box<[u32]>,
+    thing: T,
+    /// The last build that used it.
+    round: u64,
+}
+
+impl<T> Default for Shelf<T> {
+    fn default() -> Self {
+        Self { held: HashMap::new() }
+    }
+}
+
+impl<T: Clone> Shelf<T> {
+    /// The thing with this recipe.
+    pub(super) fn get(&self, hash: u64, recipe: &[u32]) -> Option<&T> {
+        self.held.get(&hash).filter(|held| *held.recipe == *recipe).map(|held| &held.thing)
+    }
+
+    /// Keeps a thing, or the one with the same recipe that is there already; gives the one that stays.
+    fn keep(&mut self, hash: u64, recipe: Box<[u32]>, thing: T, round: u64) -> T {
+        if let Some(known) = self.get(hash, &recipe).cloned() {
+            self.touch(hash, round);
+            return known;
+        }
+        self.held.insert(hash, Held { recipe, thing: thing.clone(), round });
+        thing
+    }
+
+    /// Marks a thing as used.
+    fn touch(&mut self, hash: u64, round: u64) {
+        if let Some(held) = self.held.get_mut(&hash) {
+            held.round = round;
+        }
+    }
+
+    fn forget_before(&mut self, round: u64) {
+        self.held.retain(|_, held| held.round >= round);
+    }
+}

@@ -1,0 +1,131 @@
+//! What the mesh of a part depends on, written down: two parts with equal recipes have equal meshes.
+//!
+//! A recipe is a row of words: what kind of part it is, then the bits of every number that its meshing reads, lists with
+//! their lengths first. Names, carriers, materials and places in a list are left out, for they do not shape a mesh; nor
+//! are parameters in it, for they are the same for the whole plant. Structures are taken apart by all their fields, so
+//! that the compiler asks about a new one. A blade of a template names the template's triangulation instead of telling
+//! its outline.
+
+use super::filaments::Piece;
+use crate::plant::{Blade, BladeForm, Branch, Cone, RestSurface, Shape};
+use crate::random::mix;
+use glam::{Vec2, Vec3};
+
+/// A row of words, used again for every part.
+#[derive(Debug, Default)]
+pub(super) struct Recipe(Vec<u32>);
+
+impl Recipe {
+    /// Begins anew with the kind of part.
+    fn begin(&mut self, kind: u32) -> &mut Self {
+        self.0.clear();
+        self.word(kind)
+    }
+
+    /// The recipe of a branch whose tolerances are shares of `unit` metres.
+    pub(super) fn branch(&mut self, branch: &Branch, unit: f32) {
+        let Branch { stroke: _, parent: _, level: _, points, radii, material: _ } = branch;
+        self.begin(0).real(unit).points(points).length(radii.len());
+        self.0.extend(radii.iter().map(|radius| radius.to_bits()));
+    }
+
+    /// The recipe of the outline that blades of one template have in common.
+    pub(super) fn template(&mut self, blade: &Blade) {
+        self.begin(1).outline(blade);
+    }
+
+    /// The recipe of a blade; `template` is the name of its triangulation where that is shared.
+    pub(super) fn blade(&mut self, blade: &Blade, template: Option<u64>) {
+        let Blade { outline: _, curl: _, base, u, v, length, rest, form, template: _ } = blade;
+        match template {
+            Some(name) => self.begin(2).word(name as u32).word((name >> 32) as u32),
+            None => self.begin(3).outline(blade),
+        };
+        self.point(*base).point(*u).point(*v).real(*length);
+        match rest {
+            RestSurface::Plane => self.word(0),
+            RestSurface::Cone { cone, hint } => {
+                let Cone { apex, axis, opening_rad, height } = cone;
+                self.word(1).point(*apex).point(*axis).real(*opening_rad).real(*height).real(*hint)
+            }
+        };
+        let BladeForm { bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness } = form;
+        let form = [bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness];
+        self.0.extend(form.map(|value| value.to_bits()));
+    }
+
+    /// The recipe of pieces of filaments.
+    pub(super) fn filaments<'a>(&mut self, pieces: impl Iterator<Item = (&'a Shape, Piece)>) {
+        self.begin(4);
+        for (shape, piece) in pieces {
+            self.word(u32::from(piece == Piece::Head)).shape(shape);
+        }
+    }
+
+    /// The recipe of a shape that is no blade.
+    pub(super) fn solid(&mut self, shape: &Shape) {
+        self.begin(5).shape(shape);
+    }
+
+    /// The words.
+    pub(super) fn words(&self) -> &[u32] {
+        &self.0
+    }
+
+    /// A number that tells nearly all recipes apart.
+    pub(super) fn hash(&self) -> u64 {
+        let pairs =
+            self.0.chunks(2).map(|pair| u64::from(pair[0]) << 32 | pair.get(1).map_or(0, |&w| w.into()));
+        pairs.fold(self.0.len() as u64, mix)
+    }
+
+    fn outline(&mut self, blade: &Blade) -> &mut Self {
+        self.plane(&blade.outline).length(blade.curl.len());
+        self.0.extend(blade.curl.iter().map(|curl| curl.to_bits()));
+        self
+    }
+
+    fn shape(&mut self, shape: &Shape) -> &mut Self {
+        match shape {
+            // Blades have recipes of their own.
+            Shape::Blade(_) => self.word(0),
+            Shape::Dome { base, axis, radius, height } => {
+                self.word(1).point(*base).point(*axis).real(*radius).real(*height)
+            }
+            Shape::Filament { points, radius, head, head_material: _ } => {
+                self.word(2).points(points).real(*radius).real(head.x).real(head.y)
+            }
+            Shape::Lathe { base, axis, profile } => self.word(3).point(*base).point(*axis).plane(profile),
+        }
+    }
+
+    fn word(&mut self, word: u32) -> &mut Self {
+        self.0.push(word);
+        self
+    }
+
+    fn length(&mut self, count: usize) -> &mut Self {
+        self.word(count as u32)
+    }
+
+    fn real(&mut self, value: f32) -> &mut Self {
+        self.word(value.to_bits())
+    }
+
+    fn point(&mut self, point: Vec3) -> &mut Self {
+        self.0.extend(point.to_array().map(f32::to_bits));
+        self
+    }
+
+    fn points(&mut self, points: &[Vec3]) -> &mut Self {
+        self.length(points.len());
+        self.0.extend(points.iter().flat_map(|p| p.to_array().map(f32::to_bits)));
+        self
+    }
+
+    fn plane(&mut self, points: &[Vec2]) -> &mut Self {
+        self.length(points.len());
+        self.0.extend(points.iter().flat_map(|p| p.to_array().map(f32::to_bits)));
+        self
+    }
+}

@@ -1,0 +1,134 @@
+//! Building while a drawing changes: the same plant as from scratch, what has not changed shared, and a stop heeded.
+
+#![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
+
+#[path = "common/drawings.rs"]
+mod drawings;
+
+use glam::Vec2;
+use penstemon::model::{Cache, Model};
+use penstemon::pipeline::{self, Built};
+use penstemon::sketch::{self, Sketch, Stroke, Tool};
+use proptest::prelude::*;
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+fn reference(name: &str) -> Sketch {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("assets/sketches/{name}.penstemon"));
+    sketch::read(&path).unwrap().0
+}
+
+/// Builds with a cache, asking `stop` now and then, and checks the result against a build from scratch.
+fn built_with(cache: &mut Cache, sketch: &Sketch, stop: &(dyn Fn() -> bool + Sync)) -> Option<Built> {
+    let species = pipeline::species_of(sketch, Path::new("")).unwrap();
+    let params = pipeline::params_of(sketch, &species, &[]).unwrap();
+    pipeline::build_with(cache, sketch, &species, &params, stop)
+}
+
+fn live(cache: &mut Cache, sketch: &Sketch) -> Built {
+    built_with(cache, sketch, &|| false).unwrap()
+}
+
+fn fresh(sketch: &Sketch) -> Model {
+    live(&mut Cache::default(), sketch).model
+}
+
+/// How many parts of `after` have the very mesh of a part of `before`.
+fn shared(before: &Model, after: &Model) -> usize {
+    let is_old = |mesh: &Arc<_>| before.parts.iter().any(|part| Arc::ptr_eq(&part.mesh, mesh));
+    after.parts.iter().filter(|part| is_old(&part.mesh)).count()
+}
+
+/// A small edit: which one, where, and how far.
+fn edit(sketch: &mut Sketch, (what, which, by): (u8, usize, f32)) {
+    let count = sketch.strokes.len();
+    if count == 0 {
+        return;
+    }
+    let chosen = which % count;
+    match what {
+        0 => drop(sketch.strokes.remove(chosen)),
+        1 => {
+            let mut copy = Stroke::clone(&sketch.strokes[chosen]);
+            copy.id = 1 + sketch.strokes.iter().map(|s| s.id).max().unwrap();
+            copy.points.iter_mut().for_each(|p| p.position += Vec2::splat(by));
+            sketch.strokes.push(copy.into());
+        }
+        2 => {
+            let stroke = Arc::make_mut(&mut sketch.strokes[chosen]);
+            stroke.points.iter_mut().for_each(|p| p.position.x += by);
+        }
+        3 => Arc::make_mut(&mut sketch.strokes[chosen]).tool = Tool::ALL[which % Tool::ALL.len()],
+        4 => sketch.seed = which as u64,
+        5 => drop(sketch.params.insert("model.blade.rows".into(), (which % 9).into())),
+        _ => sketch.strokes.swap(chosen, 0),
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn edits_give_the_plant_that_a_fresh_build_gives(
+        seed: u64,
+        edits in prop::collection::vec((0u8..7, 0usize..1000, -80.0f32..80.0), 1..8),
+    ) {
+        let mut cache = Cache::default();
+        let mut sketch = drawings::scribble(seed, 12);
+        prop_assert_eq!(live(&mut cache, &sketch).model, fresh(&sketch));
+        for change in edits {
+            edit(&mut sketch, change);
+            prop_assert_eq!(live(&mut cache, &sketch).model, fresh(&sketch));
+        }
+    }
+}
+
+#[test]
+fn what_does_not_change_is_the_very_same() {
+    for name in ["daisy", "jasmine", "bouquet", "tree_round"] {
+        let (mut cache, sketch) = (Cache::default(), reference(name));
+        let first = live(&mut cache, &sketch).model;
+        let again = live(&mut cache, &sketch).model;
+        assert_eq!(shared(&first, &again), again.parts.len(), "{name}");
+        assert!(cache.len() <= first.parts.len());
+    }
+}
+
+#[test]
+fn an_unrelated_stroke_leaves_all_other_parts_alone() {
+    for name in ["daisy", "hepatica_red", "mallow", "bouquet"] {
+        let (mut cache, mut sketch) = (Cache::default(), reference(name));
+        let first = live(&mut cache, &sketch);
+        // Beside the plant and well inside its bounds, so that neither place nor scale changes.
+        let (low, high) = first.anatomy.bounds;
+        let root = Vec2::new(low.x + 0.3 * (high.x - low.x), high.y - 0.15 * (high.y - low.y));
+        let leaf = drawings::blade(root, root + 0.05 * (high - low) * Vec2::new(0.5, -1.0), 0.3);
+        let mut drawn = Stroke::clone(&drawings::sketch([(Tool::Leaf, leaf)]).strokes[0]);
+        drawn.id = 1_000_000;
+        sketch.strokes.push(drawn.into());
+        let second = live(&mut cache, &sketch).model;
+        let (same, all) = (shared(&first.model, &second), second.parts.len());
+        assert_eq!(same + 1, all, "{name}");
+    }
+}
+
+#[test]
+fn a_stopped_build_gives_nothing_and_the_next_one_is_whole() {
+    let (mut cache, sketch) = (Cache::default(), reference("tree_round"));
+    let expected = fresh(&sketch);
+    let mut questions = 1;
+    loop {
+        let asked = AtomicUsize::new(0);
+        // Only one yes: the build must remember it.
+        let stop = || asked.fetch_add(1, Ordering::Relaxed) + 1 == questions;
+        match built_with(&mut cache, &sketch, &stop) {
+            None => questions *= 3,
+            Some(built) => {
+                assert_eq!(built.model, expected);
+                break;
+            }
+        }
+    }
+    assert!(questions > 1000, "stop is asked only {questions} times");
+}
