@@ -89,7 +89,9 @@ impl EguiInput {
             WindowEvent::PointerButton { state, position, button, primary, .. } => {
                 self.on_button(*state, *position, button, *primary);
             }
-            WindowEvent::PointerLeft { kind, primary: true, .. } if !matches!(kind, PointerKind::Touch(_)) => {
+            WindowEvent::PointerLeft { kind, primary: true, .. }
+                if !matches!(kind, PointerKind::Touch(_)) =>
+            {
                 self.pointer_gone();
             }
             WindowEvent::MouseWheel { delta, phase, .. } => self.on_wheel(delta, *phase),
@@ -127,12 +129,7 @@ impl EguiInput {
     fn on_moved(&mut self, position: PhysicalPosition<f64>, source: &PointerSource, primary: bool) {
         let pos = self.point(position);
         if let PointerSource::Touch { finger_id, force } = source {
-            self.raw.events.push(touch(
-                finger_id.into_raw(),
-                egui::TouchPhase::Move,
-                pos,
-                force.as_ref(),
-            ));
+            self.raw.events.push(touch(finger_id.into_raw(), egui::TouchPhase::Move, pos, force.as_ref()));
         }
         if primary {
             self.raw.events.push(Event::PointerMoved(pos));
@@ -338,8 +335,10 @@ pub fn cursor(icon: egui::CursorIcon) -> Option<CursorIcon> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use winit::event::{FingerId, Modifiers as WinitModifiers, TabletToolButton, TabletToolData, TabletToolKind};
-    use winit::keyboard::{KeyLocation, PhysicalKey, NativeKeyCode, SmolStr};
+    use winit::event::{
+        FingerId, Modifiers as WinitModifiers, TabletToolButton, TabletToolData, TabletToolKind,
+    };
+    use winit::keyboard::{KeyLocation, NativeKeyCode, PhysicalKey, SmolStr};
 
     fn at(x: f64, y: f64) -> PhysicalPosition<f64> {
         PhysicalPosition::new(x, y)
@@ -382,7 +381,12 @@ mod tests {
     fn positions_are_in_points() {
         let mut input = EguiInput::new(2.0);
         let source = PointerSource::Mouse;
-        input.on_event(&WindowEvent::PointerMoved { device_id: None, position: at(30.0, 50.0), primary: true, source });
+        input.on_event(&WindowEvent::PointerMoved {
+            device_id: None,
+            position: at(30.0, 50.0),
+            primary: true,
+            source,
+        });
         assert_eq!(events(&mut input), [Event::PointerMoved(Pos2::new(15.0, 25.0))]);
         assert_eq!(input.take((800, 600)).screen_rect.unwrap().max, Pos2::new(400.0, 300.0));
     }
@@ -428,7 +432,10 @@ mod tests {
         input.on_event(&typed(character("z"), Some("z")));
         input.on_event(&typed(character("c"), None));
         let all = events(&mut input);
-        assert!(all.iter().any(|e| matches!(e, Event::Key { key: egui::Key::Z, modifiers, .. } if modifiers.command)));
+        assert!(
+            all.iter()
+                .any(|e| matches!(e, Event::Key { key: egui::Key::Z, modifiers, .. } if modifiers.command))
+        );
         assert!(all.contains(&Event::Copy));
         assert!(!all.iter().any(|e| matches!(e, Event::Text(_))));
     }
@@ -458,6 +465,9 @@ mod tests {
         input.on_event(&WindowEvent::Ime(Ime::Preedit("花".into(), Some((0, 3)))));
         input.on_event(&WindowEvent::Ime(Ime::Commit("花".into())));
         let preedit = egui::ImeEvent::Preedit { text: "花".into(), active_range_chars: Some(0..1) };
-        assert_eq!(events(&mut input), [Event::Ime(preedit), Event::Ime(egui::ImeEvent::Commit("花".into()))]);
+        assert_eq!(
+            events(&mut input),
+            [Event::Ime(preedit), Event::Ime(egui::ImeEvent::Commit("花".into()))]
+        );
     }
 }

@@ -5,5 +5,6 @@ pub mod egui_input;
 mod frame;
 pub mod surface;
 pub mod transfer;
+pub mod worker;
 
 pub use action::Action;

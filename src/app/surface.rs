@@ -77,8 +77,8 @@ impl Surface {
             .get_default_config(&adapter, size.width.max(1), size.height.max(1))
             .ok_or_else(|| refused("it cannot draw on this window".into()))?;
         let capabilities = surface.get_capabilities(&adapter);
-        config.format =
-            egui_wgpu::preferred_framebuffer_format(&capabilities.formats).map_err(|e| refused(e.to_string()))?;
+        config.format = egui_wgpu::preferred_framebuffer_format(&capabilities.formats)
+            .map_err(|e| refused(e.to_string()))?;
         // Newest picture first: what the pen drew must not wait behind older frames.
         let mailbox = capabilities.present_modes.contains(&wgpu::PresentMode::Mailbox);
         config.present_mode = if mailbox { wgpu::PresentMode::Mailbox } else { wgpu::PresentMode::Fifo };

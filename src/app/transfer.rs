@@ -61,7 +61,8 @@ fn fetch(event_loop: &dyn ActiveEventLoop, id: DataTransferId, types: &[TypeHint
 pub fn arrival(data: &dyn TypedData) -> Option<Arrival> {
     match data.type_().hint()? {
         TypeHint::UriList => {
-            let files: Vec<PathBuf> = data.try_as_uris().ok()?.iter().filter_map(|uri| local_file(uri)).collect();
+            let files: Vec<PathBuf> =
+                data.try_as_uris().ok()?.iter().filter_map(|uri| local_file(uri)).collect();
             (!files.is_empty()).then_some(Arrival::Files(files))
         }
         TypeHint::Image { .. } => data.try_as_bytes().ok().map(Arrival::Picture),
@@ -100,8 +101,9 @@ pub fn copy_text(event_loop: &dyn ActiveEventLoop, text: String) {
 pub fn copy_picture(event_loop: &dyn ActiveEventLoop, picture: &egui::ColorImage) {
     match png_bytes(picture) {
         Ok(png) => {
-            let offer =
-                DataTransferSendBuilder::new(png).with_type(PNG, |png: &Vec<u8>, _| Some(png.clone())).build();
+            let offer = DataTransferSendBuilder::new(png)
+                .with_type(PNG, |png: &Vec<u8>, _| Some(png.clone()))
+                .build();
             send(event_loop, offer);
         }
         Err(error) => tracing::warn!("the picture cannot be put on the clipboard: {error}"),
@@ -132,8 +134,12 @@ mod tests {
     #[test]
     fn addresses_of_local_files() {
         assert_eq!(local_file("file:///home/ann/a%20rose.png"), Some(PathBuf::from("/home/ann/a rose.png")));
-        assert_eq!(local_file("file://desk/tmp/%E8%8A%B1.penstemon\r"), Some(PathBuf::from("/tmp/花.penstemon")));
-        for bad in ["https://example.org/a.png", "file://", "file:///a%2", "file:///a%zz", "file:///%ff", ""] {
+        assert_eq!(
+            local_file("file://desk/tmp/%E8%8A%B1.penstemon\r"),
+            Some(PathBuf::from("/tmp/花.penstemon"))
+        );
+        for bad in ["https://example.org/a.png", "file://", "file:///a%2", "file:///a%zz", "file:///%ff", ""]
+        {
             assert_eq!(local_file(bad), None, "{bad}");
         }
     }

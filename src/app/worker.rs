@@ -78,7 +78,8 @@ impl Worker {
     pub fn start(wake: impl Fn() + Send + 'static) -> std::io::Result<Self> {
         let shared = Arc::new(Shared::default());
         let theirs = Arc::clone(&shared);
-        let thread = std::thread::Builder::new().name("live worker".into()).spawn(move || work(&theirs, &wake))?;
+        let thread =
+            std::thread::Builder::new().name("live worker".into()).spawn(move || work(&theirs, &wake))?;
         Ok(Self { shared, thread: Some(thread) })
     }
 
@@ -172,5 +173,101 @@ impl Bench {
         let params = pipeline::params_of(sketch, species, &[]).map_err(|e| e.to_string())?;
         let cancelled = || cancel.load(Ordering::Relaxed);
         Ok(pipeline::build_with(&mut self.cache, sketch, species, &params, &cancelled))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::mpsc::{Receiver, channel};
+
+    fn drawing(name: &str) -> Sketch {
+        let path = format!("{}/assets/sketches/{name}.penstemon", env!("CARGO_MANIFEST_DIR"));
+        crate::sketch::read(std::path::Path::new(&path)).unwrap().0
+    }
+
+    fn start() -> (Worker, Receiver<()>) {
+        let (send, wakes) = channel();
+        let worker = Worker::start(move || send.send(()).unwrap_or(())).unwrap();
+        (worker, wakes)
+    }
+
+    fn snapshot(revision: u64, sketch: &Sketch) -> Snapshot {
+        Snapshot { revision, sketch: sketch.clone(), folder: PathBuf::new() }
+    }
+
+    /// Waits for the result of a revision.
+    fn result(worker: &Worker, wakes: &Receiver<()>, revision: u64) -> Result<Arc<Built>, String> {
+        loop {
+            wakes.recv_timeout(Duration::from_secs(60)).unwrap();
+            match worker.take() {
+                Some(update) if update.revision == revision => return update.result,
+                _ => {}
+            }
+        }
+    }
+
+    #[test]
+    fn the_newest_of_many_snapshots_is_built() {
+        let (worker, wakes) = start();
+        let daisy = drawing("daisy");
+        for count in 1..=daisy.strokes.len() {
+            let mut part = daisy.clone();
+            part.strokes.truncate(count);
+            worker.submit(snapshot(count as u64, &part));
+        }
+        let built = result(&worker, &wakes, daisy.strokes.len() as u64).unwrap();
+        let species = pipeline::species_of(&daisy, std::path::Path::new("")).unwrap();
+        let params = pipeline::params_of(&daisy, &species, &[]).unwrap();
+        assert_eq!(built.model, pipeline::build(&daisy, &species, &params).model);
+    }
+
+    #[test]
+    fn parts_that_did_not_change_are_the_very_same() {
+        let (worker, wakes) = start();
+        let mut daisy = drawing("daisy");
+        worker.submit(snapshot(1, &daisy));
+        let before = result(&worker, &wakes, 1).unwrap();
+        // The last petal is redrawn a little shorter.
+        let petal = daisy.strokes.iter().rposition(|s| s.tool == daisy.strokes[0].tool).unwrap();
+        let middle = daisy.strokes[petal].points[0].position;
+        for point in &mut Arc::make_mut(&mut daisy.strokes[petal]).points {
+            point.position = middle + 0.98 * (point.position - middle);
+        }
+        worker.submit(snapshot(2, &daisy));
+        let after = result(&worker, &wakes, 2).unwrap();
+        let old: Vec<_> = before.model.parts.iter().map(|p| Arc::as_ptr(&p.mesh)).collect();
+        let kept = after.model.parts.iter().filter(|p| old.contains(&Arc::as_ptr(&p.mesh))).count();
+        assert!(
+            kept > 0 && kept < after.model.parts.len(),
+            "{kept} of {} parts kept",
+            after.model.parts.len()
+        );
+    }
+
+    #[test]
+    fn a_plant_that_cannot_be_built_says_why_and_the_next_is_built() {
+        let (worker, wakes) = start();
+        let mut daisy = drawing("daisy");
+        let species = daisy.species.replace("dasy".into());
+        worker.submit(snapshot(1, &daisy));
+        let reason = result(&worker, &wakes, 1).unwrap_err();
+        assert!(reason.contains("dasy") && reason.contains("daisy"), "{reason}");
+        daisy.species = species;
+        worker.submit(snapshot(2, &daisy));
+        assert!(result(&worker, &wakes, 2).is_ok());
+    }
+
+    #[test]
+    fn a_storm_of_snapshots_still_shows_a_plant_and_ends_with_the_newest() {
+        let (worker, wakes) = start();
+        let tree = drawing("tree_round");
+        for revision in 1..=200 {
+            worker.submit(snapshot(revision, &tree));
+            std::thread::sleep(Duration::from_millis(2));
+        }
+        // Many were finished on the way, although each newer one cancels.
+        let built = result(&worker, &wakes, 200).unwrap();
+        assert!(built.model.triangle_count() > 0);
     }
 }

@@ -235,7 +235,7 @@ mod tests {
 
     fn parse(line: &str) -> Result<Args, clap::Error> {
         match Cli::try_parse_from(line.split_whitespace())?.verb {
-            Verb::Render(args) => Ok(args),
+            Some(Verb::Render(args)) => Ok(args),
             other => panic!("{other:?}"),
         }
     }
