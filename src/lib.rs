@@ -8,6 +8,7 @@
 //! | [`params`] | described parameters, one struct per stage |
 //! | [`random`] | random streams named by what they decide |
 //! | [`geom`] | polylines, frames, polygons, ellipses: mathematics that knows no plant |
+//! | [`atomic`] | files written whole or not at all |
 //! | [`sketch`] | the document: strokes, tools, file formats |
 //! | [`pen`] | what every pointing device says, in one form |
 //! | [`plant`] | the waist: branches and organs in space |
@@ -24,6 +25,7 @@
 pub mod anatomy;
 #[cfg(feature = "program")]
 pub mod app;
+pub mod atomic;
 #[cfg(feature = "program")]
 pub mod cli;
 pub mod depth;

@@ -297,7 +297,7 @@ fn drawing() -> Sketch {
     };
     let stroke = Stroke { id: 1, tool: Tool::Auto, points: (0..=20).map(sample).collect() };
     let canvas = Canvas { width: 1000.0, height: 600.0 };
-    Sketch { canvas, species: None, seed: 0, params: Default::default(), strokes: vec![stroke.into()] }
+    Sketch { canvas, seed: 0, strokes: vec![stroke.into()], ..Sketch::empty() }
 }
 
 #[test]

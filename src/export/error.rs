@@ -52,7 +52,7 @@ pub enum ExportError {
     Json(#[from] serde_json::Error),
     /// The bytes could not be put on disk.
     #[error(transparent)]
-    Write(#[from] super::atomic::WriteError),
+    Write(#[from] crate::atomic::WriteError),
 }
 
 fn unknown(extension: &Option<String>) -> String {

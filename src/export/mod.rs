@@ -1,10 +1,9 @@
 //! Finished models to files: one trait, one file per format; and back, for the judge of meshes.
 //!
-//! An [`Exporter`] makes the bytes in memory, [`export`] also writes them ([`atomic`]: whole or not at all, companions such
+//! An [`Exporter`] makes the bytes in memory, [`export`] also writes them ([`crate::atomic`]: whole or not at all, companions such
 //! as MTL and pictures first). Same model, same bytes. [`read()`] opens OBJ and GLB files for
 //! [`quality`](crate::model::quality), [`load()`] opens them with their materials to be looked at.
 
-pub mod atomic;
 pub mod error;
 pub mod glb;
 mod glb_container;
@@ -24,7 +23,7 @@ mod read_glb;
 mod read_obj;
 pub mod scene;
 
-pub use atomic::{WriteError, write_atomically};
+pub use crate::atomic::{WriteError, write_atomically};
 pub use error::ExportError;
 pub use load::{Embedded, Loaded, load};
 pub use pictures::{BuiltInTextures, Pictures};
@@ -94,6 +93,6 @@ pub fn export(
     let mut files: Vec<(PathBuf, &[u8])> =
         encoded.companions.iter().map(|(name, bytes)| (path.with_file_name(name), bytes.as_ref())).collect();
     files.push((path.to_owned(), &encoded.bytes));
-    atomic::write_group_atomically(&files)?;
+    crate::atomic::write_group_atomically(&files)?;
     Ok(files.iter().map(|(_, bytes)| bytes.len()).sum())
 }

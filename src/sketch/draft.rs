@@ -5,6 +5,8 @@
 
 use super::error::{Fault, Place};
 use super::warnings::Warnings;
+use super::reference::Reference;
+use super::textures::Textures;
 use super::{Canvas, Sketch, Stroke, StrokeId, StrokePoint, Tool, limits};
 use glam::Vec2;
 use serde_json::{Map, Value};
@@ -18,7 +20,18 @@ pub(super) struct Draft {
     pub(super) species: Option<String>,
     pub(super) seed: u64,
     pub(super) params: Map<String, Value>,
+    pub(super) textures: Textures,
+    pub(super) reference: Option<Arc<Reference>>,
     pub(super) strokes: Vec<DraftStroke>,
+}
+
+/// What a drawing is read for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Purpose {
+    /// To make a plant of it: there must be a line.
+    Build,
+    /// To draw on in it: an empty sheet is as good as any.
+    Edit,
 }
 
 /// A stroke as its file tells it.
@@ -36,11 +49,11 @@ impl Draft {
     /// The finished sketch.
     ///
     /// # Errors
-    /// The first duplicate id or coordinate out of range; a drawing in which no stroke moves.
-    pub(super) fn finish(self, warnings: &mut Warnings) -> Result<Sketch, Flaw> {
+    /// The first duplicate id or coordinate out of range; to build from, a drawing in which no stroke moves.
+    pub(super) fn finish(mut self, purpose: Purpose, warnings: &mut Warnings) -> Result<Sketch, Flaw> {
         let mut ids = Ids::of(&self.strokes)?;
         let mut strokes = Vec::with_capacity(self.strokes.len());
-        for (index, DraftStroke { id, tool, mut points }) in self.strokes.into_iter().enumerate() {
+        for (index, DraftStroke { id, tool, mut points }) in std::mem::take(&mut self.strokes).into_iter().enumerate() {
             check_coordinates(&points).map_err(|(point, fault)| {
                 let id = id.map(|id| id.to_string());
                 (Place { stroke: Some(index + 1), id, point: Some(point + 1), line_column: None }, fault)
@@ -54,18 +67,17 @@ impl Draft {
             bring_into_range(id, &mut points, warnings);
             strokes.push(Stroke { id, tool, points });
         }
-        if strokes.is_empty() {
+        if strokes.is_empty() && purpose == Purpose::Build {
             return Err((Place::default(), Fault::NoStrokes));
         }
-        if strokes.iter().all(is_dot) {
+        if strokes.iter().all(is_dot) && purpose == Purpose::Build {
             return Err((Place::default(), Fault::OnlyDots));
         }
-        let placeholder = Canvas { width: 1.0, height: 1.0 };
-        let Self { species, seed, params, .. } = self;
+        let Self { canvas, species, seed, params, textures, reference, strokes: _ } = self;
         let strokes = strokes.into_iter().map(Arc::new).collect();
-        let mut sketch =
-            Sketch { canvas: self.canvas.unwrap_or(placeholder), species, seed, params, strokes };
-        if self.canvas.is_none() {
+        let sheet = canvas.unwrap_or(Canvas::DEFAULT);
+        let mut sketch = Sketch { canvas: sheet, species, seed, params, textures, reference, strokes };
+        if canvas.is_none() {
             sketch.canvas = bounding_canvas(&sketch);
         }
         Ok(sketch)
@@ -147,9 +159,12 @@ fn is_dot(stroke: &Stroke) -> bool {
     stroke.points.iter().all(|p| p.position == stroke.points[0].position)
 }
 
-/// Bounding box; a side without extent takes the other's, so that the canvas has an area.
+/// Bounding box; a side without extent takes the other's, so that the canvas has an area. The default without extent.
 fn bounding_canvas(sketch: &Sketch) -> Canvas {
-    let size = sketch.bounds().map_or(Vec2::ONE, |(lo, hi)| hi - lo);
+    let size = sketch.bounds().map_or(Vec2::ZERO, |(lo, hi)| hi - lo);
+    if size == Vec2::ZERO {
+        return Canvas::DEFAULT;
+    }
     let side = |own: f32, other: f32| if own > 0.0 { own } else { other };
     Canvas { width: side(size.x, size.y), height: side(size.y, size.x) }
 }

@@ -4,6 +4,7 @@
 
 use super::json::VERSION;
 use super::limits;
+use super::reference::ReferenceError;
 use std::fmt;
 use thiserror::Error;
 
@@ -139,6 +140,9 @@ pub enum Fault {
         /// The name as written.
         name: String,
     },
+    /// A picture that cannot lie under the drawing.
+    #[error(transparent)]
+    Reference(#[from] ReferenceError),
     /// Nothing to build from.
     #[error("there is no stroke in the drawing; draw at least one line")]
     NoStrokes,

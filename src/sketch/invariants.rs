@@ -1,11 +1,11 @@
 //! What must hold for every [`Sketch`] that was read; called by tests, property tests and fuzz targets.
 
-use super::{Sketch, Stroke, StrokePoint, limits};
+use super::{Sketch, Stroke, StrokePoint, limits, textures};
 use glam::Vec2;
 use std::collections::HashSet;
 
 impl Sketch {
-    /// Checks that ids are unique, strokes are not empty, and every number is finite and in range.
+    /// Checks that ids are unique, strokes are not empty, textures belong to parts, and every number is finite and in range.
     ///
     /// # Errors
     /// The first violation, in words.
@@ -21,11 +21,13 @@ impl Sketch {
             }
             check_stroke(stroke).map_err(|what| format!("stroke {}: {what}", stroke.id))?;
         }
-        Ok(())
+        textures::check(&self.textures)?;
+        self.reference.as_ref().map_or(Ok(()), |reference| reference.check().map_err(|e| e.to_string()))
     }
 }
 
-fn check_stroke(stroke: &Stroke) -> Result<(), String> {
+/// What is wrong with a stroke, in words.
+pub(super) fn check_stroke(stroke: &Stroke) -> Result<(), String> {
     if stroke.points.is_empty() {
         return Err("no points".into());
     }
@@ -35,7 +37,8 @@ fn check_stroke(stroke: &Stroke) -> Result<(), String> {
     }
 }
 
-fn is_in_range(point: &StrokePoint) -> bool {
+/// Whether every number of a sample is finite and within [`limits`].
+pub(super) fn is_in_range(point: &StrokePoint) -> bool {
     let within = |v: Vec2, most: f32| v.abs().cmple(Vec2::splat(most)).all();
     within(point.position, limits::MAX_COORDINATE)
         && (0.0..=1.0).contains(&point.pressure)

@@ -24,6 +24,15 @@ pub const MAX_TILT_DEG: f32 = 90.0;
 /// Longest stroke in milliseconds (eleven days).
 pub const MAX_TIME_MS: f32 = 1e9;
 
+/// Largest reference picture in bytes, as the picture's own file has it.
+pub const MAX_REFERENCE_BYTES: usize = 32 << 20;
+
+/// Largest turn of the reference picture in degrees, either way.
+pub const MAX_REFERENCE_ROTATION_DEG: f32 = 360.0;
+
+/// Longest name or path of a texture in bytes.
+pub const MAX_TEXTURE_NAME_BYTES: usize = 4096;
+
 /// Most parameters set by one drawing.
 pub const MAX_PARAMS: usize = 4096;
 

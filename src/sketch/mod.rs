@@ -5,18 +5,29 @@
 //! SVG; [`json`] also writes. Reading is total: any bytes end in a sketch or in a [`SketchError`] that says what is
 //! wrong and where. Limits are constants in [`limits`].
 
+mod base64;
 pub mod change;
+pub mod document;
 mod draft;
 pub mod error;
 mod invariants;
 pub mod json;
 pub mod limits;
 pub mod read;
+pub mod reference;
+mod sound;
+pub mod step;
 pub mod svg;
+pub mod textures;
 pub(crate) mod warnings;
 
+pub use change::{Change, StrokeChange};
+pub use document::{ChangeError, Document};
 pub use error::SketchError;
-pub use read::{from_bytes, read};
+pub use read::{editable_from_bytes, from_bytes, read};
+pub use reference::{Picture, Reference, ReferenceError};
+pub use step::Step;
+pub use textures::Textures;
 
 use glam::Vec2;
 use serde::{Deserialize, Serialize};
@@ -107,6 +118,11 @@ pub struct Canvas {
     pub height: f32,
 }
 
+impl Canvas {
+    /// The sheet of a new drawing.
+    pub const DEFAULT: Self = Self { width: 1024.0, height: 768.0 };
+}
+
 /// A drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sketch {
@@ -118,11 +134,28 @@ pub struct Sketch {
     pub seed: u64,
     /// Parameter overrides by dotted path or nested object.
     pub params: Map<String, Value>,
+    /// Textures that the artist chose.
+    pub textures: Textures,
+    /// The picture under the drawing.
+    pub reference: Option<Arc<Reference>>,
     /// The strokes, oldest first.
     pub strokes: Vec<Arc<Stroke>>,
 }
 
 impl Sketch {
+    /// A sheet without strokes.
+    pub fn empty() -> Self {
+        Self {
+            canvas: Canvas::DEFAULT,
+            species: None,
+            seed: 1,
+            params: Map::new(),
+            textures: Textures::new(),
+            reference: None,
+            strokes: Vec::new(),
+        }
+    }
+
     /// Smallest and largest corner over all samples, `None` without samples.
     pub fn bounds(&self) -> Option<(Vec2, Vec2)> {
         let mut positions = self.strokes.iter().flat_map(|s| &s.points).map(|p| p.position);

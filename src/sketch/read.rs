@@ -3,7 +3,7 @@
 //! The content decides, not the file name: `{` begins a sketch file, `<` an SVG. Reading is total; size is checked
 //! before anything is parsed, see [`super::limits`].
 
-use super::draft::Flaw;
+use super::draft::{Flaw, Purpose};
 use super::error::{Fault, Place};
 use super::warnings::Warnings;
 use super::{Sketch, SketchError, Warning, json, limits, svg};
@@ -16,9 +16,7 @@ use std::path::Path;
 /// # Errors
 /// A file that cannot be opened, is too large, or holds no drawing; the message names file, stroke, reason and remedy.
 pub fn read(path: &Path) -> Result<(Sketch, Vec<Warning>), SketchError> {
-    let name = path.display().to_string();
-    let bytes = load(path).map_err(|fault| fault.at(Place::default(), &name))?;
-    from_bytes(&bytes, &name)
+    from_bytes(&load(path)?, &path.display().to_string())
 }
 
 /// Reads a drawing that is already in memory; `name` stands for the file in error messages.
@@ -26,13 +24,32 @@ pub fn read(path: &Path) -> Result<(Sketch, Vec<Warning>), SketchError> {
 /// # Errors
 /// As [`read`], but for opening the file.
 pub fn from_bytes(bytes: &[u8], name: &str) -> Result<(Sketch, Vec<Warning>), SketchError> {
+    finished(bytes, name, Purpose::Build)
+}
+
+/// As [`from_bytes`], but to draw on in it: a sketch file may then hold no stroke yet, or mere dots.
+///
+/// # Errors
+/// As [`from_bytes`], but for drawings in which no stroke moves; of an SVG, which only brings strokes, one is asked.
+pub fn editable_from_bytes(bytes: &[u8], name: &str) -> Result<(Sketch, Vec<Warning>), SketchError> {
+    finished(bytes, name, Purpose::Edit)
+}
+
+fn finished(bytes: &[u8], name: &str, purpose: Purpose) -> Result<(Sketch, Vec<Warning>), SketchError> {
     let mut warnings = Warnings::default();
-    let sketch = parse(bytes, &mut warnings).map_err(|(place, fault)| fault.at(place, name))?;
+    let sketch = parse(bytes, purpose, &mut warnings).map_err(|(place, fault)| fault.at(place, name))?;
     Ok((sketch, warnings.into_vec()))
 }
 
 /// The file's bytes; reads no further than the limit, so that an endless device ends as well.
-fn load(path: &Path) -> Result<Vec<u8>, Fault> {
+///
+/// # Errors
+/// A file that cannot be opened or is too large.
+pub(super) fn load(path: &Path) -> Result<Vec<u8>, SketchError> {
+    load_limited(path).map_err(|fault| fault.at(Place::default(), &path.display().to_string()))
+}
+
+fn load_limited(path: &Path) -> Result<Vec<u8>, Fault> {
     let file = File::open(path)?;
     let length = file.metadata()?.len();
     if length > limits::MAX_FILE_BYTES {
@@ -44,7 +61,7 @@ fn load(path: &Path) -> Result<Vec<u8>, Fault> {
     Ok(bytes)
 }
 
-fn parse(bytes: &[u8], warnings: &mut Warnings) -> Result<Sketch, Flaw> {
+fn parse(bytes: &[u8], purpose: Purpose, warnings: &mut Warnings) -> Result<Sketch, Flaw> {
     let nowhere = |fault| (Place::default(), fault);
     if bytes.len() as u64 > limits::MAX_FILE_BYTES {
         return Err(nowhere(Fault::FileTooLarge));
@@ -54,13 +71,12 @@ fn parse(bytes: &[u8], warnings: &mut Warnings) -> Result<Sketch, Flaw> {
     }
     let text = str::from_utf8(bytes).map_err(|e| nowhere(Fault::NotUtf8 { offset: e.valid_up_to() }))?;
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let draft = match text.trim_start().chars().next() {
-        Some('{') => json::parse(text)?,
-        Some('<') => svg::parse(text, warnings)?,
-        None => return Err(nowhere(Fault::Empty)),
-        Some(_) => return Err(nowhere(Fault::NotADrawing { found: "it begins with neither `{` nor `<`" })),
-    };
-    draft.finish(warnings)
+    match text.trim_start().chars().next() {
+        Some('{') => json::parse(text)?.finish(purpose, warnings),
+        Some('<') => svg::parse(text, warnings)?.finish(Purpose::Build, warnings),
+        None => Err(nowhere(Fault::Empty)),
+        Some(_) => Err(nowhere(Fault::NotADrawing { found: "it begins with neither `{` nor `<`" })),
+    }
 }
 
 /// Names a binary format that is easily taken for a drawing.

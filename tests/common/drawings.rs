@@ -6,7 +6,6 @@ use glam::{Quat, Vec2, Vec3};
 use penstemon::sketch::{Canvas, Sketch, Stroke, StrokePoint, Tool};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
-use serde_json::Map;
 use std::sync::Arc;
 
 /// A drawing from strokes given as a tool and positions.
@@ -16,7 +15,7 @@ pub(crate) fn sketch(strokes: impl IntoIterator<Item = (Tool, Vec<Vec2>)>) -> Sk
         Stroke { id, tool, points }
     });
     let canvas = Canvas { width: 1024.0, height: 768.0 };
-    Sketch { canvas, species: None, seed: 1, params: Map::new(), strokes: strokes.map(Arc::new).collect() }
+    Sketch { canvas, strokes: strokes.map(Arc::new).collect(), ..Sketch::empty() }
 }
 
 /// The same drawing at another size.

@@ -115,11 +115,29 @@ fn param() -> impl Strategy<Value = Value> {
 }
 
 prop_compose! {
+    fn reference()(
+        jpeg in any::<bool>(),
+        at in (-1e7_f32..=1e7, -1e7_f32..=1e7),
+        width in 1e-3_f32..1e7,
+        rotation_deg in -360.0_f32..=360.0,
+        opacity in 0.0_f32..=1.0,
+        locked in any::<bool>(),
+        visible in any::<bool>(),
+    ) -> Arc<Reference> {
+        let picture = if jpeg { SMALL_JPEG } else { SMALL_PNG };
+        let plain = Reference::new(Picture::new(picture).unwrap(), at.into(), width);
+        Arc::new(Reference { rotation_deg, opacity, locked, visible, ..plain })
+    }
+}
+
+prop_compose! {
     fn sketch()(
         size in (1e-3_f32..1e6, 1e-3_f32..1e6),
         species in prop::option::of(".{0,12}"),
         seed in any::<u64>(),
         params in prop::collection::btree_map(".{1,8}", param(), 0..4),
+        textures in prop::collection::btree_map(prop::sample::select(&textures::PARTS[..]).prop_map(str::to_owned), ".{1,12}", 0..3),
+        reference in prop::option::of(reference()),
         strokes in prop::collection::btree_map(
             any::<u64>(),
             (prop::sample::select(&Tool::ALL[..]), prop::collection::vec(point(), 2..20)),
@@ -128,7 +146,7 @@ prop_compose! {
     ) -> Sketch {
         let strokes = strokes.into_iter().map(|(id, (tool, points))| Arc::new(Stroke { id, tool, points })).collect();
         let canvas = Canvas { width: size.0, height: size.1 };
-        Sketch { canvas, species, seed, params: params.into_iter().collect(), strokes }
+        Sketch { canvas, species, seed, params: params.into_iter().collect(), textures, reference, strokes }
     }
 }
 

@@ -3,14 +3,17 @@
 use super::params::GroupSeed;
 use super::point::PointsSeed;
 use super::progress::{Progress, set_once};
+use super::reference::ReferenceSeed;
 use super::{VERSION, fault};
 use crate::sketch::draft::{Draft, DraftStroke, Flaw};
 use crate::sketch::error::Fault;
+use crate::sketch::textures::{self, Textures};
 use crate::sketch::{Canvas, Tool, limits};
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use std::cell::Cell;
 use std::fmt;
+use std::sync::Arc;
 
 /// Parses a sketch file of version [`VERSION`].
 ///
@@ -32,6 +35,8 @@ enum SketchField {
     Species,
     Seed,
     Params,
+    Textures,
+    Reference,
     Strokes,
 }
 
@@ -56,6 +61,7 @@ impl<'de> Visitor<'de> for SketchSeed<'_> {
         let progress = self.0;
         let (mut format, mut version, mut canvas, mut species) = (None, None, None, None);
         let (mut seed, mut params, mut strokes) = (None, None, None);
+        let (mut textures, mut reference) = (None, None);
         while let Some(field) = map.next_key()? {
             match field {
                 SketchField::Format => {
@@ -76,6 +82,14 @@ impl<'de> Visitor<'de> for SketchSeed<'_> {
                     let group = GroupSeed { progress, count: &Cell::new(0), depth: 1 };
                     set_once(&mut params, map.next_value_seed(group)?, "params")?;
                 }
+                SketchField::Textures => {
+                    set_once(&mut textures, map.next_value::<Textures>()?, "textures")?;
+                    let found = textures.as_ref().map_or(Ok(()), textures::check);
+                    found.map_err(|message| progress.malformed(message))?;
+                }
+                SketchField::Reference => {
+                    set_once(&mut reference, map.next_value_seed(ReferenceSeed(progress))?, "reference")?;
+                }
                 SketchField::Strokes => {
                     set_once(&mut strokes, map.next_value_seed(StrokesSeed(progress))?, "strokes")?;
                 }
@@ -94,6 +108,8 @@ impl<'de> Visitor<'de> for SketchSeed<'_> {
             species: species.flatten(),
             seed: seed.unwrap_or_default(),
             params: params.unwrap_or_default(),
+            textures: textures.unwrap_or_default(),
+            reference: reference.flatten().map(Arc::new),
             strokes,
         })
     }
@@ -154,7 +170,8 @@ enum StrokeField {
     Points,
 }
 
-struct StrokeSeed<'p>(&'p Progress);
+/// Reads one stroke.
+pub(super) struct StrokeSeed<'p>(pub(super) &'p Progress);
 
 impl<'de> DeserializeSeed<'de> for StrokeSeed<'_> {
     type Value = DraftStroke;

@@ -3,13 +3,16 @@
 //! Numbers are the shortest that read back to the same bits; a stroke's points carry no more numbers than it needs.
 
 use super::{FORMAT, VERSION};
+use crate::sketch::base64;
+use crate::sketch::reference::Reference;
 use crate::sketch::{Sketch, Stroke, StrokePoint};
 use serde_json::json;
 
 /// The sketch as a `.penstemon` file. The same sketch always gives the same text.
 pub fn write(sketch: &Sketch) -> String {
+    let picture = sketch.reference.as_ref().map_or(0, |r| r.picture.bytes().len() * 4 / 3);
     let samples: usize = sketch.strokes.iter().map(|s| s.points.len()).sum();
-    let mut out = String::with_capacity(256 + 64 * sketch.strokes.len() + 24 * samples);
+    let mut out = String::with_capacity(256 + 64 * sketch.strokes.len() + 24 * samples + picture);
     out.push_str(&format!("{{\n  \"format\": {},\n  \"version\": {VERSION},\n", json!(FORMAT)));
     out.push_str("  \"canvas\": {\"width\": ");
     push_number(&mut out, sketch.canvas.width);
@@ -20,16 +23,44 @@ pub fn write(sketch: &Sketch) -> String {
         out.push_str(&format!("  \"species\": {},\n", json!(species)));
     }
     out.push_str(&format!("  \"seed\": {},\n  \"params\": {},\n", sketch.seed, json!(sketch.params)));
+    if !sketch.textures.is_empty() {
+        out.push_str(&format!("  \"textures\": {},\n", json!(sketch.textures)));
+    }
     out.push_str("  \"strokes\": [");
     for (i, stroke) in sketch.strokes.iter().enumerate() {
         out.push_str(if i == 0 { "\n    " } else { ",\n    " });
         push_stroke(&mut out, stroke);
     }
-    out.push_str("\n  ]\n}\n");
+    out.push_str("\n  ]");
+    if let Some(reference) = &sketch.reference {
+        out.push_str(",\n  \"reference\": {");
+        push_placement(&mut out, reference);
+        out.push_str(", \"picture\":\n    \"");
+        base64::encode_into(reference.picture.bytes(), &mut out);
+        out.push_str("\"}");
+    }
+    out.push_str("\n}\n");
     out
 }
 
-fn push_stroke(out: &mut String, stroke: &Stroke) {
+/// How the reference lies, without its picture and without braces.
+pub(super) fn push_placement(out: &mut String, reference: &Reference) {
+    let Reference { picture: _, center, width, rotation_deg, opacity, locked, visible } = reference;
+    for (name, number) in [
+        ("\"center\": [", center.x),
+        (", ", center.y),
+        ("], \"width\": ", *width),
+        (", \"rotation_deg\": ", *rotation_deg),
+        (", \"opacity\": ", *opacity),
+    ] {
+        out.push_str(name);
+        push_number(out, number);
+    }
+    out.push_str(&format!(", \"locked\": {locked}, \"visible\": {visible}"));
+}
+
+/// One stroke on one line.
+pub(super) fn push_stroke(out: &mut String, stroke: &Stroke) {
     out.push_str(&format!("{{\"id\": {}, \"tool\": {}, \"points\": [", stroke.id, json!(stroke.tool)));
     let arity = stroke.points.iter().map(arity).max().unwrap_or(2);
     for (i, p) in stroke.points.iter().enumerate() {
@@ -59,7 +90,7 @@ fn arity(point: &StrokePoint) -> usize {
 }
 
 /// Shortest decimal that reads back to `number`; whole numbers without `.0`.
-fn push_number(out: &mut String, number: f32) {
+pub(in crate::sketch) fn push_number(out: &mut String, number: f32) {
     let mut buffer = ryu::Buffer::new();
     let text = buffer.format(number);
     out.push_str(text.strip_suffix(".0").unwrap_or(text));
