@@ -6,8 +6,9 @@
 
 const SKY_LAMPS: u32 = 16u;
 const GOLDEN_ANGLE: f32 = 2.3999632;
-const BLOCKER_TAPS: u32 = 16u;
-const SUN_TAPS: u32 = 48u;
+// Looks at the sun's map per pixel; a hurried picture takes fewer.
+override BLOCKER_TAPS: u32 = 16u;
+override SUN_TAPS: u32 = 48u;
 
 struct Lamp {
     lamp_from_world: mat4x4<f32>,

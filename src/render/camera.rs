@@ -53,7 +53,17 @@ pub(super) struct Axes {
 }
 
 impl Axes {
-    fn view_from_world(&self, v: Vec3) -> Vec3 {
+    /// A viewer who stands `azimuth_deg` counter-clockwise from the front, seen from above, and looks down by
+    /// `elevation_deg`.
+    pub(super) fn at(azimuth_deg: f32, elevation_deg: f32) -> Self {
+        let (sin, cos) = azimuth_deg.to_radians().sin_cos();
+        let (sin_up, cos_up) = elevation_deg.to_radians().sin_cos();
+        let right = Vec3::new(cos, 0.0, -sin);
+        let back = Vec3::new(sin * cos_up, sin_up, cos * cos_up);
+        Self { right, up: back.cross(right), back }
+    }
+
+    pub(super) fn view_from_world(&self, v: Vec3) -> Vec3 {
         Vec3::new(v.dot(self.right), v.dot(self.up), v.dot(self.back))
     }
 
@@ -66,32 +76,32 @@ impl Axes {
 impl View {
     /// Axes of a viewer who is turned like this view but looks level, as the studio's lamps stand.
     pub(super) fn level_axes(&self) -> Axes {
-        self.axes_at(0.0)
+        Axes::at(self.azimuth_deg(), 0.0)
     }
 
     fn axes(&self) -> Axes {
+        Axes::at(self.azimuth_deg(), self.elevation_deg())
+    }
+
+    pub(super) fn elevation_deg(&self) -> f32 {
         let level = match self.projection {
             Projection::Perspective => studio::LEVEL_ELEVATION_DEG,
             Projection::Orthographic => 0.0,
         };
-        self.axes_at(match self.direction {
+        match self.direction {
             Direction::Front | Direction::Side => level,
             Direction::Top => 90.0,
             Direction::ThreeQuarter => studio::THREE_QUARTER_DEG.y,
-        })
+        }
     }
 
-    fn axes_at(&self, elevation_deg: f32) -> Axes {
+    pub(super) fn azimuth_deg(&self) -> f32 {
         let azimuth_deg = match self.direction {
             Direction::Front | Direction::Top => 0.0,
             Direction::Side => 90.0,
             Direction::ThreeQuarter => studio::THREE_QUARTER_DEG.x,
         };
-        let (sin, cos) = (azimuth_deg + self.turn_deg).to_radians().sin_cos();
-        let (sin_up, cos_up) = elevation_deg.to_radians().sin_cos();
-        let right = Vec3::new(cos, 0.0, -sin);
-        let back = Vec3::new(sin * cos_up, sin_up, cos * cos_up);
-        Axes { right, up: back.cross(right), back }
+        azimuth_deg + self.turn_deg
     }
 
     /// The views of a turntable of `frames` pictures, beginning with this one.
@@ -101,7 +111,7 @@ impl View {
 }
 
 /// A placed camera.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Camera {
     /// World to clip space; depth 0 near, 1 far.
     pub(super) clip_from_world: Mat4,
@@ -109,16 +119,37 @@ pub(super) struct Camera {
     pub(super) eye: Vec4,
 }
 
+impl Camera {
+    /// A camera at `eye` that sees from `depth.x` to `depth.y` metres in front of it; `half` holds the tangents of the half
+    /// angles, or half width and half height in metres.
+    pub(super) fn placed(axes: &Axes, eye: Vec3, half: Vec2, depth: Vec2, projection: Projection) -> Self {
+        let rotation =
+            Mat4::from_cols(axes.right.extend(0.0), axes.up.extend(0.0), axes.back.extend(0.0), Vec4::W)
+                .transpose();
+        let view_from_world = rotation * Mat4::from_translation(-eye);
+        let (clip_from_view, eye) = match projection {
+            Projection::Perspective => {
+                (proj::perspective(2.0 * half.y.atan(), half.x / half.y, depth.x, depth.y), eye.extend(1.0))
+            }
+            Projection::Orthographic => (
+                proj::orthographic(-half.x, half.x, -half.y, half.y, depth.x, depth.y),
+                axes.back.extend(0.0),
+            ),
+        };
+        Self { clip_from_world: clip_from_view * view_from_world, eye }
+    }
+}
+
 /// A camera's place in the axes of any of the views that share it, relative to `pivot`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Framing {
-    pivot: Vec3,
+    pub(super) pivot: Vec3,
     /// Centre of the picture: right and up in metres; for a perspective camera the eye's place.
-    centre: Vec2,
+    pub(super) centre: Vec2,
     /// Eye's distance in front of the pivot in metres; parallel cameras stand clear of the model.
-    distance: f32,
+    pub(super) distance: f32,
     /// Tangents of the half angles, or half width and half height in metres.
-    half: Vec2,
+    pub(super) half: Vec2,
     /// Nearest and farthest point of the model, metres from the eye.
     depth: Vec2,
     projection: Projection,
@@ -132,10 +163,10 @@ struct Reach {
 }
 
 impl Reach {
-    fn of(points: &[Vec3], pivot: Vec3, views: &[View], slope: Vec2) -> Self {
+    fn of(points: &[Vec3], pivot: Vec3, views: &[Axes], slope: Vec2) -> Self {
         let (min, max) = (Vec2::splat(f32::INFINITY), Vec2::splat(f32::NEG_INFINITY));
         let mut reach = Self { low: min, high: max, back: Vec2::new(min.x, max.x) };
-        for axes in views.iter().map(View::axes) {
+        for axes in views {
             for &point in points {
                 let p = axes.view_from_world(point - pivot);
                 let lean = slope * p.z;
@@ -153,6 +184,18 @@ impl Framing {
     /// `bounds` are the corners of the points' box, `aspect` is width over height.
     pub(super) fn new(points: &[Vec3], bounds: (Vec3, Vec3), views: &[View], aspect: f32) -> Self {
         let projection = views.first().copied().unwrap_or_default().projection;
+        let views: Vec<Axes> = views.iter().map(View::axes).collect();
+        Self::of(points, bounds, &views, projection, aspect)
+    }
+
+    /// The same for viewers given by their axes.
+    pub(super) fn of(
+        points: &[Vec3],
+        bounds: (Vec3, Vec3),
+        views: &[Axes],
+        projection: Projection,
+        aspect: f32,
+    ) -> Self {
         let pivot = (bounds.0 + bounds.1) / 2.0;
         let size = (bounds.1 - bounds.0).length().max(1e-3);
         match projection {
@@ -161,7 +204,7 @@ impl Framing {
         }
     }
 
-    fn perspective(points: &[Vec3], pivot: Vec3, size: f32, views: &[View], aspect: f32) -> Self {
+    fn perspective(points: &[Vec3], pivot: Vec3, size: f32, views: &[Axes], aspect: f32) -> Self {
         let tan = (studio::FIELD_OF_VIEW_DEG / 2.0).to_radians().tan();
         let half = Vec2::new(tan * aspect, tan);
         let slope = half * (1.0 - studio::MARGIN);
@@ -180,7 +223,7 @@ impl Framing {
         }
     }
 
-    fn orthographic(points: &[Vec3], pivot: Vec3, size: f32, views: &[View], aspect: f32) -> Self {
+    fn orthographic(points: &[Vec3], pivot: Vec3, size: f32, views: &[Axes], aspect: f32) -> Self {
         let reach = Reach::of(points, pivot, views, Vec2::ZERO);
         let extent = (reach.high - reach.low) / (2.0 * (1.0 - studio::MARGIN));
         let height = extent.y.max(extent.x / aspect).max(0.01 * size);
@@ -195,21 +238,8 @@ impl Framing {
     pub(super) fn camera(&self, view: &View) -> Camera {
         let axes = view.axes();
         let eye = self.pivot + axes.world_from_view(self.centre.extend(self.distance));
-        let rotation =
-            Mat4::from_cols(axes.right.extend(0.0), axes.up.extend(0.0), axes.back.extend(0.0), Vec4::W)
-                .transpose();
-        let view_from_world = rotation * Mat4::from_translation(-eye);
-        let (near, far) = (self.depth.x * 0.5, self.depth.y * 2.0);
-        let (half, eye) = (self.half, (eye, axes.back));
-        let (clip_from_view, eye) = match self.projection {
-            Projection::Perspective => {
-                (proj::perspective(2.0 * half.y.atan(), half.x / half.y, near, far), eye.0.extend(1.0))
-            }
-            Projection::Orthographic => {
-                (proj::orthographic(-half.x, half.x, -half.y, half.y, near, far), eye.1.extend(0.0))
-            }
-        };
-        Camera { clip_from_world: clip_from_view * view_from_world, eye }
+        let depth = self.depth * Vec2::new(0.5, 2.0);
+        Camera::placed(&axes, eye, self.half, depth, self.projection)
     }
 }
 

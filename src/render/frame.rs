@@ -1,7 +1,7 @@
 //! One view of the scene as the shaders read it.
 
 use super::camera::Camera;
-use super::studio;
+use super::look::Background;
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec3, Vec4};
 
@@ -19,15 +19,16 @@ pub(super) struct FrameUniform {
 
 impl FrameUniform {
     /// A model inside `bounds` seen by `camera`; the ground touches the model's lowest point.
-    pub(super) fn new(camera: &Camera, bounds: (Vec3, Vec3)) -> Self {
+    pub(super) fn new(camera: &Camera, bounds: (Vec3, Vec3), background: Background) -> Self {
         let (lo, hi) = bounds;
+        let (centre, edge) = background.colours();
         let foot = ((lo + hi) / 2.0).with_y(lo.y);
         Self {
             clip_from_world: camera.clip_from_world,
             world_from_clip: camera.clip_from_world.inverse(),
             eye: camera.eye,
-            backdrop_centre: studio::PAPER_CENTRE.extend(lo.y),
-            backdrop_edge: studio::PAPER_EDGE.extend(0.0),
+            backdrop_centre: centre.extend(lo.y),
+            backdrop_edge: edge.extend(0.0),
             foot: foot.extend(1.6 * (hi - lo).length().max(1e-6)),
         }
     }
@@ -35,6 +36,6 @@ impl FrameUniform {
     /// An empty sheet of paper: a level parallel camera, which sees no ground.
     pub(super) fn paper() -> Self {
         let camera = Camera { clip_from_world: Mat4::IDENTITY, eye: Vec4::Z };
-        Self::new(&camera, (Vec3::ZERO, Vec3::ZERO))
+        Self::new(&camera, (Vec3::ZERO, Vec3::ZERO), Background::Paper)
     }
 }

@@ -1,9 +1,11 @@
 //! The graphics device: chosen once, and every failure of it turned into a [`RenderError`].
 //!
-//! Hardware is taken before software. wgpu reports failures out of band; [`Gpu`] collects
-//! them and [`Gpu::check`] hands over the first, so that no failure of a driver can end in a panic.
+//! Hardware is taken before software; the window opens its own device, because it must fit the screen, and shares it.
+//! wgpu reports failures out of band; [`Gpu`] collects them and [`Gpu::check`] hands over the first, so that no failure
+//! of a driver can end in a panic. A device that was lost once stays lost: everything on it must be made anew.
 
 use super::RenderError;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
@@ -16,7 +18,10 @@ pub(super) struct Gpu {
     pub(super) queue: wgpu::Queue,
     /// Name of the adapter and the interface through which it is used.
     pub(super) adapter: String,
+    /// Whether the processor does the drawing.
+    pub(super) software: bool,
     fault: Arc<Mutex<Option<String>>>,
+    lost: Arc<AtomicBool>,
 }
 
 impl Gpu {
@@ -34,21 +39,35 @@ impl Gpu {
         let adapter = pollster::block_on(wgpu::Instance::new(wanted).request_adapter(&options))
             .map_err(|e| RenderError::NoAdapter { reason: e.to_string() })?;
         let info = adapter.get_info();
-        let name = format!("{} ({})", info.name, info.backend);
+        let name = name_of(&info);
         let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
             label: Some("penstemon"),
             required_limits: wgpu::Limits::downlevel_defaults().using_resolution(adapter.limits()),
             memory_hints: wgpu::MemoryHints::MemoryUsage,
             ..Default::default()
         }))
-        .map_err(|e| RenderError::Device { adapter: name.clone(), reason: e.to_string() })?;
+        .map_err(|e| RenderError::Device { adapter: name, reason: e.to_string() })?;
+        Ok(Self::from_parts(device, queue, &info))
+    }
+
+    /// Takes over a device that somebody else opened: from here on its failures are collected here.
+    pub(super) fn from_parts(device: wgpu::Device, queue: wgpu::Queue, adapter: &wgpu::AdapterInfo) -> Self {
         let fault = Arc::new(Mutex::new(None));
-        let (uncaptured, lost) = (Arc::clone(&fault), Arc::clone(&fault));
+        let lost = Arc::new(AtomicBool::new(false));
+        let uncaptured = Arc::clone(&fault);
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| note(&uncaptured, error.to_string())));
+        let (why, gone) = (Arc::clone(&fault), Arc::clone(&lost));
         device.set_device_lost_callback(move |_, message| {
-            note(&lost, format!("the device was lost: {message}"))
+            gone.store(true, Ordering::Release);
+            note(&why, format!("the device was lost: {message}"));
         });
-        Ok(Self { device, queue, adapter: name, fault })
+        let software = adapter.device_type == wgpu::DeviceType::Cpu;
+        Self { device, queue, adapter: name_of(adapter), software, fault, lost }
+    }
+
+    /// Whether the device is gone for good.
+    pub(super) fn is_lost(&self) -> bool {
+        self.lost.load(Ordering::Acquire)
     }
 
     /// A buffer with these contents. (wgpu's own helper maps the new buffer and panics when there is no memory for it.)
@@ -89,6 +108,11 @@ impl Gpu {
     pub(super) fn failure(&self, reason: String) -> RenderError {
         RenderError::Gpu { adapter: self.adapter.clone(), reason }
     }
+}
+
+/// Name of an adapter and the interface through which it is used.
+fn name_of(adapter: &wgpu::AdapterInfo) -> String {
+    format!("{} ({})", adapter.name, adapter.backend)
 }
 
 /// Keeps the first failure: later ones are usually its consequences.

@@ -2,7 +2,7 @@
 
 use super::gpu::Gpu;
 use super::pipeline::{Into, PipelineSpec};
-use super::scene::Scene;
+use super::scene::SceneLayout;
 use super::shaders;
 
 /// Fills the picture with paper and shadow, behind everything.
@@ -11,7 +11,8 @@ pub(super) struct GroundRenderer {
 }
 
 impl GroundRenderer {
-    pub(super) fn new(gpu: &Gpu, scene: &Scene) -> Self {
+    /// `taps` are the constants of `light.wgsl`.
+    pub(super) fn new(gpu: &Gpu, scene: &SceneLayout, taps: &[(&str, f64)]) -> Self {
         let pipeline = PipelineSpec {
             label: "ground",
             wgsl: shaders::GROUND,
@@ -25,6 +26,7 @@ impl GroundRenderer {
                 solid: false,
                 coverage_from_alpha: false,
             },
+            constants: taps,
         }
         .build(gpu);
         Self { pipeline }

@@ -108,6 +108,7 @@ impl InkRenderer {
             cull: false,
             fragment: true,
             into: Into::Picture { blend: darkest, solid: false, coverage_from_alpha: false },
+            constants: &[],
         }
         .build(gpu);
         Self { pipeline, sheet, group }

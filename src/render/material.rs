@@ -34,6 +34,22 @@ impl From<&Material> for MaterialUniform {
     }
 }
 
+/// Uploaded pictures by their texture; the one without a texture is white.
+#[derive(Default)]
+pub(super) struct Pictures(Vec<(Option<Texture>, wgpu::TextureView)>);
+
+impl Pictures {
+    /// Pictures in memory.
+    pub(super) fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Forgets pictures that none of `materials` wears.
+    pub(super) fn keep_only(&mut self, materials: &[Material]) {
+        self.0.retain(|(texture, _)| materials.iter().any(|m| m.texture == *texture));
+    }
+}
+
 /// What all materials share.
 pub(super) struct MaterialLayout {
     pub(super) layout: wgpu::BindGroupLayout,
@@ -87,28 +103,46 @@ impl MaterialLayout {
         repeats: &[bool],
         textures: &TextureSource<'_>,
     ) -> Result<Vec<wgpu::BindGroup>, RenderError> {
-        let white = Rgba { width: 1, height: 1, pixels: vec![255; 4] };
-        let mut pictures = vec![(None, self.upload_picture(gpu, &white))];
-        for texture in materials.iter().filter_map(|m| m.texture.as_ref()) {
-            if !pictures.iter().any(|(known, _)| *known == Some(texture)) {
-                pictures.push((Some(texture), self.upload_picture(gpu, &load(texture, textures)?)));
-            }
-        }
+        let mut pictures = Pictures::default();
         let groups = materials.iter().zip(repeats).map(|(material, &repeat)| {
-            let found = pictures.iter().find(|(known, _)| *known == material.texture.as_ref());
-            let view = &found.unwrap_or(&pictures[0]).1;
-            self.bind(gpu, material, view, if repeat { &self.repeated } else { &self.clamped })
+            let picture = self.picture(gpu, &mut pictures, material.texture.as_ref(), textures)?;
+            Ok(self.bind(gpu, material, &picture, repeat))
         });
-        Ok(groups.collect())
+        groups.collect()
     }
 
-    fn bind(
+    /// A material's picture, uploaded unless it is among `known`; white for a material without.
+    ///
+    /// # Errors
+    /// A texture that is missing or unreadable.
+    pub(super) fn picture(
+        &self,
+        gpu: &Gpu,
+        known: &mut Pictures,
+        texture: Option<&Texture>,
+        textures: &TextureSource<'_>,
+    ) -> Result<wgpu::TextureView, RenderError> {
+        if let Some((_, view)) = known.0.iter().find(|(known, _)| known.as_ref() == texture) {
+            return Ok(view.clone());
+        }
+        let picture = match texture {
+            Some(texture) => load(texture, textures)?,
+            None => Rgba { width: 1, height: 1, pixels: vec![255; 4] },
+        };
+        let view = self.upload_picture(gpu, &picture);
+        known.0.push((texture.cloned(), view.clone()));
+        Ok(view)
+    }
+
+    /// The bind group of a material; `repeat` says whether its picture repeats.
+    pub(super) fn bind(
         &self,
         gpu: &Gpu,
         material: &Material,
         picture: &wgpu::TextureView,
-        sampler: &wgpu::Sampler,
+        repeat: bool,
     ) -> wgpu::BindGroup {
+        let sampler = if repeat { &self.repeated } else { &self.clamped };
         let uniform = MaterialUniform::from(material);
         let colours = gpu.buffer(&material.name, bytemuck::bytes_of(&uniform), wgpu::BufferUsages::UNIFORM);
         gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
@@ -122,7 +156,8 @@ impl MaterialLayout {
         })
     }
 
-    fn upload_picture(&self, gpu: &Gpu, picture: &Rgba) -> wgpu::TextureView {
+    /// Uploads a picture with all its smaller levels.
+    pub(super) fn upload_picture(&self, gpu: &Gpu, picture: &Rgba) -> wgpu::TextureView {
         let size = wgpu::Extent3d { width: picture.width, height: picture.height, depth_or_array_layers: 1 };
         let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("picture"),

@@ -30,6 +30,7 @@ impl MipmapRenderer {
             cull: false,
             fragment: true,
             into: Into::Texture(TEXTURE_FORMAT),
+            constants: &[],
         }
         .build(gpu);
         Self { pipeline, layout }

@@ -11,9 +11,12 @@
 //! | `ground` | `ground.wgsl` | backdrop, and the shadow on it |
 //! | `ink` | `ink.wgsl` | a drawing's strokes on paper |
 //! | `mipmap` | `mipmap.wgsl` | the smaller levels of a texture |
+//! | `debug` | `debug.wgsl` | part colours and edges instead of materials |
+//! | `present` | `present.wgsl` | a finished picture into the texture that the window shows |
 //!
-//! [`camera`] and `light` are the mathematics of view and light and know no GPU; `studio` holds every number that
-//! decides the look. The same picture drawn twice on one machine is the same bytes.
+//! [`camera`], [`orbit`] and `light` are the mathematics of view and light and know no GPU; `studio` holds every number that
+//! decides the look. [`viewport`] is a live view for the window: `resident` keeps a changing model on the GPU, in `pool`s
+//! whose places an `arena` hands out. The same picture drawn twice on one machine is the same bytes.
 //!
 //! Variables that change space say so: `clip_from_world` takes world points to clip space.
 
@@ -21,16 +24,24 @@ pub mod camera;
 pub mod decode;
 pub mod error;
 pub mod picture;
+pub mod viewport;
 
+mod arena;
+mod debug;
 mod frame;
 mod gpu;
 mod ground;
 mod ink;
 mod light;
+mod look;
 mod material;
 mod mipmap;
+pub mod orbit;
 mod pipeline;
+mod pool;
+mod present;
 mod renderer;
+mod resident;
 mod scene;
 mod shaders;
 mod shadow;
@@ -40,5 +51,10 @@ mod target;
 
 pub use camera::{Direction, Projection, View};
 pub use error::RenderError;
+pub use light::LightParams;
+pub use look::{Background, Look, Mode, Quality};
+pub use orbit::OrbitCamera;
 pub use picture::Picture;
 pub use renderer::{ModelDrawData, PictureOptions, Renderer, TextureSource};
+pub use resident::UploadStats;
+pub use viewport::Viewport;

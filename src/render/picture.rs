@@ -48,6 +48,20 @@ impl Picture {
         Self { width, height, pixels }
     }
 
+    /// A picture from rows of encoded colours multiplied by their opacity.
+    pub(super) fn from_premultiplied_rows(width: u32, height: u32, rows: &[u8], bytes_per_row: u32) -> Self {
+        let used = 4 * width as usize;
+        let mut pixels = Vec::with_capacity(used * height as usize);
+        for row in rows.chunks(bytes_per_row as usize) {
+            pixels.extend(row[..used].as_chunks().0.iter().flat_map(|&[r, g, b, alpha]| {
+                let full = u32::from(alpha.max(1));
+                let [r, g, b] = [r, g, b].map(|c| ((u32::from(c) * 255 + full / 2) / full).min(255) as u8);
+                [r, g, b, alpha]
+            }));
+        }
+        Self { width, height, pixels }
+    }
+
     /// Both pictures side by side, `self` left; the shorter one is continued with its lowest row.
     pub fn beside(&self, right: &Picture) -> Picture {
         let height = self.height.max(right.height);

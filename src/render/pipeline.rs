@@ -33,6 +33,8 @@ pub(super) struct PipelineSpec<'a> {
     pub(super) cull: bool,
     pub(super) fragment: bool,
     pub(super) into: Into,
+    /// Values of the module's `override` constants.
+    pub(super) constants: &'a [(&'a str, f64)],
 }
 
 impl PipelineSpec<'_> {
@@ -50,10 +52,11 @@ impl PipelineSpec<'_> {
         });
         let buffers: Vec<_> = self.buffers.iter().cloned().map(Some).collect();
         let target = self.colour_target();
+        let constants = wgpu::PipelineCompilationOptions { constants: self.constants, ..Default::default() };
         let fragment = self.fragment.then(|| wgpu::FragmentState {
             module: &module,
             entry_point: Some("fragment"),
-            compilation_options: Default::default(),
+            compilation_options: constants.clone(),
             targets: target.as_slice(),
         });
         gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
@@ -62,7 +65,7 @@ impl PipelineSpec<'_> {
             vertex: wgpu::VertexState {
                 module: &module,
                 entry_point: Some("vertex"),
-                compilation_options: Default::default(),
+                compilation_options: constants.clone(),
                 buffers: &buffers,
             },
             primitive: wgpu::PrimitiveState {

@@ -5,9 +5,10 @@ use super::frame::FrameUniform;
 use super::gpu::Gpu;
 use super::ground::GroundRenderer;
 use super::ink::{InkDrawData, InkRenderer};
-use super::light::LightUniform;
+use super::light::{LightParams, LightUniform, SUN_MAP_SIZE};
+use super::look::Background;
 use super::material::MaterialLayout;
-use super::scene::Scene;
+use super::scene::{Scene, SceneLayout, SkyMaps};
 use super::shadow::ShadowRenderer;
 use super::surface::{SurfaceDrawData, SurfaceRenderer};
 use super::target::OffscreenTarget;
@@ -50,12 +51,13 @@ pub struct ModelDrawData {
 
 /// Draws pictures.
 pub struct Renderer {
-    gpu: Gpu,
+    pub(super) gpu: Gpu,
+    pub(super) scenes: SceneLayout,
     scene: Scene,
-    materials: MaterialLayout,
-    shadow: ShadowRenderer,
-    ground: GroundRenderer,
-    surface: SurfaceRenderer,
+    pub(super) materials: MaterialLayout,
+    pub(super) shadow: ShadowRenderer,
+    pub(super) ground: GroundRenderer,
+    pub(super) surface: SurfaceRenderer,
     ink: InkRenderer,
     target: Option<OffscreenTarget>,
 }
@@ -77,15 +79,33 @@ impl Renderer {
     /// # Errors
     /// As [`Renderer::new`].
     pub fn with_backends(backends: wgpu::Backends) -> Result<Self, RenderError> {
-        let gpu = Gpu::open(backends)?;
-        let scene = Scene::new(&gpu);
+        Self::on(Gpu::open(backends)?)
+    }
+
+    /// A renderer on a device that somebody else opened, so that both can show each other's textures. From here on the
+    /// device's uncaptured errors and its loss are collected by this renderer: [`Renderer::check`], [`Renderer::is_lost`].
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] when the device cannot do what is needed.
+    pub fn with_device(
+        device: wgpu::Device,
+        queue: wgpu::Queue,
+        adapter: &wgpu::AdapterInfo,
+    ) -> Result<Self, RenderError> {
+        Self::on(Gpu::from_parts(device, queue, adapter))
+    }
+
+    fn on(gpu: Gpu) -> Result<Self, RenderError> {
+        let scenes = SceneLayout::new(&gpu);
+        let scene = Scene::new(&gpu, &scenes, &SkyMaps::new(&gpu), SUN_MAP_SIZE);
         let materials = MaterialLayout::new(&gpu);
         let renderer = Self {
             shadow: ShadowRenderer::new(&gpu, &materials),
-            ground: GroundRenderer::new(&gpu, &scene),
-            surface: SurfaceRenderer::new(&gpu, &scene, &materials),
+            ground: GroundRenderer::new(&gpu, &scenes, &[]),
+            surface: SurfaceRenderer::new(&gpu, &scenes, &materials, &[]),
             ink: InkRenderer::new(&gpu),
             target: None,
+            scenes,
             scene,
             materials,
             gpu,
@@ -97,6 +117,34 @@ impl Renderer {
     /// Name of the adapter that draws.
     pub fn adapter(&self) -> &str {
         &self.gpu.adapter
+    }
+
+    /// Whether the device was lost. It does not come back: open a new one, and make everything on it anew.
+    pub fn is_lost(&self) -> bool {
+        self.gpu.is_lost()
+    }
+
+    /// The first failure of the device since the last check, also of commands that others gave to a shared device.
+    ///
+    /// # Errors
+    /// That failure.
+    pub fn check(&self) -> Result<(), RenderError> {
+        self.gpu.check()
+    }
+
+    /// Whether the processor draws because there is no graphics hardware: [`Quality::Draft`](super::Quality) is made for it.
+    pub fn is_software(&self) -> bool {
+        self.gpu.software
+    }
+
+    /// The device, to share it.
+    pub fn device(&self) -> &wgpu::Device {
+        &self.gpu.device
+    }
+
+    /// The device's queue.
+    pub fn queue(&self) -> &wgpu::Queue {
+        &self.gpu.queue
     }
 
     #[cfg(test)]
@@ -144,11 +192,12 @@ impl Renderer {
         options: &PictureOptions,
     ) -> impl Iterator<Item = Result<Picture, RenderError>> + use<'a> {
         let options = *options;
+        let lamps = LightParams::default();
         let aspect = options.width.max(1) as f32 / options.height.max(1) as f32;
         let framing = Framing::new(&model.points, model.bounds, views, aspect);
         views.iter().map(move |view| {
-            let frame = FrameUniform::new(&framing.camera(view), model.bounds);
-            let light = LightUniform::new(model.bounds, &view.level_axes());
+            let frame = FrameUniform::new(&framing.camera(view), model.bounds, Background::Paper);
+            let light = LightUniform::new(model.bounds, &view.level_axes(), &lamps, SUN_MAP_SIZE);
             self.draw_model(model, &frame, &light, &options)
         })
     }
@@ -163,12 +212,13 @@ impl Renderer {
         let target = sized(&mut self.target, &self.gpu, options)?;
         self.scene.set(&self.gpu, frame, light);
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-        self.shadow.draw(&self.gpu, &mut encoder, light, &self.scene.maps, &model.surface);
-        let mut pass = target.begin_depth(&mut encoder);
+        let lamps = light.lamps().zip(&self.scene.maps).enumerate().map(|(i, (lamp, map))| (i, lamp, map));
+        self.shadow.draw(&self.gpu, &mut encoder, lamps, &model.surface);
+        let mut pass = target.buffers.begin_depth(&mut encoder);
         pass.set_bind_group(0, &self.scene.group, &[]);
         self.surface.draw_depth(&mut pass, &model.surface);
         drop(pass);
-        let mut pass = target.begin(&mut encoder);
+        let mut pass = target.buffers.begin(&mut encoder);
         pass.set_bind_group(0, &self.scene.group, &[]);
         if !options.transparent {
             self.ground.draw(&mut pass);
@@ -189,8 +239,8 @@ impl Renderer {
         self.scene.set(&self.gpu, &FrameUniform::paper(), &LightUniform::zeroed());
         self.ink.set(&self.gpu, &ink, Vec2::new(options.width as f32, options.height as f32));
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-        drop(target.begin_depth(&mut encoder));
-        let mut pass = target.begin(&mut encoder);
+        drop(target.buffers.begin_depth(&mut encoder));
+        let mut pass = target.buffers.begin(&mut encoder);
         pass.set_bind_group(0, &self.scene.group, &[]);
         self.ground.draw(&mut pass);
         self.ink.draw(&mut pass, &ink);
@@ -205,7 +255,7 @@ fn sized<'a>(
     gpu: &Gpu,
     options: &PictureOptions,
 ) -> Result<&'a OffscreenTarget, RenderError> {
-    let target = match kept.take().filter(|t| t.has_size(options.width, options.height)) {
+    let target = match kept.take().filter(|t| t.buffers.has_size(options.width, options.height)) {
         Some(target) => target,
         None => OffscreenTarget::new(gpu, options.width, options.height)?,
     };

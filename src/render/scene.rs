@@ -2,29 +2,18 @@
 
 use super::frame::FrameUniform;
 use super::gpu::Gpu;
-use super::light::{LightUniform, SKY_LAMPS, SKY_MAP_SIZE, SUN_MAP_SIZE};
+use super::light::{LightUniform, SKY_LAMPS, SKY_MAP_SIZE};
 use super::pipeline::{DEPTH_FORMAT, entry, texture, uniform};
 use wgpu::{ShaderStages, TextureSampleType, TextureViewDimension};
 
-/// Shadow maps and uniforms, kept from picture to picture.
-pub(super) struct Scene {
+/// What all scenes share.
+pub(super) struct SceneLayout {
     pub(super) layout: wgpu::BindGroupLayout,
-    pub(super) group: wgpu::BindGroup,
-    /// One map per lamp in the order of [`LightUniform::lamps`].
-    pub(super) maps: Vec<wgpu::TextureView>,
-    frame: wgpu::Buffer,
-    light: wgpu::Buffer,
+    sampler: wgpu::Sampler,
 }
 
-impl Scene {
+impl SceneLayout {
     pub(super) fn new(gpu: &Gpu) -> Self {
-        let layout = layout(gpu);
-        let frame = uniform_buffer(gpu, "frame", size_of::<FrameUniform>());
-        let light = uniform_buffer(gpu, "light", size_of::<LightUniform>());
-        let sun = shadow_map(gpu, "sun", SUN_MAP_SIZE, 1);
-        let sky = shadow_map(gpu, "sky", SKY_MAP_SIZE, SKY_LAMPS as u32);
-        let sun_view = sun.create_view(&Default::default());
-        let sky_view = sky.create_view(&Default::default());
         let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("shadow"),
             mag_filter: wgpu::FilterMode::Linear,
@@ -32,13 +21,54 @@ impl Scene {
             compare: Some(wgpu::CompareFunction::LessEqual),
             ..Default::default()
         });
+        Self { layout: layout(gpu), sampler }
+    }
+}
+
+/// The sky lamps' shadow maps.
+pub(super) struct SkyMaps {
+    all: wgpu::TextureView,
+    each: Vec<wgpu::TextureView>,
+}
+
+impl SkyMaps {
+    pub(super) fn new(gpu: &Gpu) -> Self {
+        let maps = shadow_map(gpu, "sky", SKY_MAP_SIZE, SKY_LAMPS as u32);
+        let layer = |i| wgpu::TextureViewDescriptor {
+            dimension: Some(TextureViewDimension::D2),
+            base_array_layer: i,
+            array_layer_count: Some(1),
+            ..Default::default()
+        };
+        let each = (0..SKY_LAMPS as u32).map(|i| maps.create_view(&layer(i))).collect();
+        Self { all: maps.create_view(&Default::default()), each }
+    }
+}
+
+/// Shadow maps and uniforms, kept from picture to picture.
+pub(super) struct Scene {
+    pub(super) group: wgpu::BindGroup,
+    /// One map per lamp in the order of [`LightUniform::lamps`].
+    pub(super) maps: Vec<wgpu::TextureView>,
+    /// Width of the sun's map in texels.
+    pub(super) sun_map_size: u32,
+    frame: wgpu::Buffer,
+    light: wgpu::Buffer,
+}
+
+impl Scene {
+    /// A scene with a sun's map of its own; the sky's maps may be shared with other scenes.
+    pub(super) fn new(gpu: &Gpu, layout: &SceneLayout, sky: &SkyMaps, sun_map_size: u32) -> Self {
+        let frame = uniform_buffer(gpu, "frame", size_of::<FrameUniform>());
+        let light = uniform_buffer(gpu, "light", size_of::<LightUniform>());
+        let sun = shadow_map(gpu, "sun", sun_map_size, 1).create_view(&Default::default());
         let resources = [
             frame.as_entire_binding(),
             light.as_entire_binding(),
-            wgpu::BindingResource::Sampler(&sampler),
-            wgpu::BindingResource::TextureView(&sun_view),
-            wgpu::BindingResource::TextureView(&sun_view),
-            wgpu::BindingResource::TextureView(&sky_view),
+            wgpu::BindingResource::Sampler(&layout.sampler),
+            wgpu::BindingResource::TextureView(&sun),
+            wgpu::BindingResource::TextureView(&sun),
+            wgpu::BindingResource::TextureView(&sky.all),
         ];
         let entries: Vec<_> = (0..)
             .zip(resources)
@@ -46,18 +76,11 @@ impl Scene {
             .collect();
         let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("scene"),
-            layout: &layout,
+            layout: &layout.layout,
             entries: &entries,
         });
-        let layer = |i| wgpu::TextureViewDescriptor {
-            dimension: Some(TextureViewDimension::D2),
-            base_array_layer: i,
-            array_layer_count: Some(1),
-            ..Default::default()
-        };
-        let mut maps: Vec<_> = (0..SKY_LAMPS as u32).map(|i| sky.create_view(&layer(i))).collect();
-        maps.push(sun_view);
-        Self { layout, group, maps, frame, light }
+        let maps = sky.each.iter().cloned().chain([sun]).collect();
+        Self { group, maps, sun_map_size, frame, light }
     }
 
     /// Sets the view and the light of the next picture.

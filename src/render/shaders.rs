@@ -12,14 +12,23 @@ pub(super) const SHADOW: &str = wgsl!("material", "shadow");
 pub(super) const GROUND: &str = wgsl!("frame", "light", "ground");
 pub(super) const INK: &str = wgsl!("ink");
 pub(super) const MIPMAP: &str = wgsl!("mipmap");
+pub(super) const PRESENT: &str = wgsl!("present");
+pub(super) const DEBUG: &str = wgsl!("frame", "debug");
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use wgpu::naga::{front::wgsl, valid};
 
-    const MODULES: [(&str, &str); 5] =
-        [("surface", SURFACE), ("shadow", SHADOW), ("ground", GROUND), ("ink", INK), ("mipmap", MIPMAP)];
+    const MODULES: [(&str, &str); 7] = [
+        ("surface", SURFACE),
+        ("shadow", SHADOW),
+        ("ground", GROUND),
+        ("ink", INK),
+        ("mipmap", MIPMAP),
+        ("present", PRESENT),
+        ("debug", DEBUG),
+    ];
 
     #[test]
     fn every_module_is_valid() {

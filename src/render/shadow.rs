@@ -1,7 +1,7 @@
 //! Shadow maps: the plant's depth as each lamp sees it.
 
 use super::gpu::Gpu;
-use super::light::{LightUniform, SKY_LAMPS};
+use super::light::{Lamp, SKY_LAMPS};
 use super::material::MaterialLayout;
 use super::pipeline::{Into, PipelineSpec, entry, uniform};
 use super::shaders;
@@ -53,23 +53,23 @@ impl ShadowRenderer {
                 cull: false,
                 fragment,
                 into: Into::ShadowMap,
+                constants: &[],
             }
             .build(gpu)
         };
         Self { solid: build(false), cut_out: build(true), matrices, group }
     }
 
-    /// Draws every lamp's map.
-    pub(super) fn draw(
+    /// Draws the maps of some lamps, each given with its number among all lamps, the sun's last.
+    pub(super) fn draw<'a>(
         &self,
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
-        light: &LightUniform,
-        maps: &[wgpu::TextureView],
+        lamps: impl Iterator<Item = (usize, &'a Lamp, &'a wgpu::TextureView)>,
         surface: &SurfaceDrawData,
     ) {
-        for ((lamp, map), i) in light.lamps().zip(maps).zip(0..) {
-            let offset = i * STRIDE as u32;
+        for (i, lamp, map) in lamps {
+            let offset = (i * STRIDE) as u32;
             gpu.queue.write_buffer(&self.matrices, offset.into(), bytemuck::bytes_of(&lamp.lamp_from_world));
             let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
                 label: Some("shadow"),

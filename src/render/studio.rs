@@ -14,17 +14,17 @@ pub(super) const MARGIN: f32 = 0.1;
 pub(super) const PAPER_CENTRE: Vec3 = Vec3::new(0.80, 0.745, 0.65);
 /// The same paper in the corners, linear.
 pub(super) const PAPER_EDGE: Vec3 = Vec3::new(0.62, 0.56, 0.455);
-/// Colour of ink on it, linear.
+/// Dark sheet for the dark theme where the light falls, linear.
+pub(super) const DARK_CENTRE: Vec3 = Vec3::new(0.046, 0.048, 0.052);
+/// The same sheet in the corners, linear.
+pub(super) const DARK_EDGE: Vec3 = Vec3::new(0.019, 0.020, 0.023);
+/// Colour of ink on paper, linear.
 pub(super) const INK: Vec3 = Vec3::new(0.018, 0.016, 0.026);
 /// Radius of the pen's line at full pressure, as a share of the drawing's diagonal.
 pub(super) const INK_RADIUS: f32 = 0.0032;
 
-/// Direction of the sun as the viewer sees it: to the right, above, toward the viewer.
-pub(super) const SUN_TOWARD: Vec3 = Vec3::new(-0.55, 0.75, 0.5);
-/// Colour and strength of the sun.
+/// Colour and strength of the sun. Its place is in [`LightParams`](super::LightParams).
 pub(super) const SUN_RADIANCE: Vec3 = Vec3::new(1.18, 1.10, 0.98);
-/// Tangent of half the angle under which the sun is seen: how fast shadows soften.
-pub(super) const SUN_SPREAD: f32 = 0.035;
 
 /// Irradiance of the whole open sky on level ground.
 pub(super) const SKY_RADIANCE: Vec3 = Vec3::new(0.56, 0.59, 0.63);

@@ -5,20 +5,60 @@ use super::gpu::Gpu;
 use super::material::MaterialLayout;
 use super::pipeline::{Into, PipelineSpec};
 use super::renderer::TextureSource;
-use super::scene::Scene;
+use super::scene::SceneLayout;
 use super::shaders;
 use crate::model::{Model, Part};
+use crate::plant::Material;
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
 use std::ops::Range;
 
 /// A corner as `surface.wgsl` and `shadow.wgsl` read it.
 #[repr(C)]
-#[derive(Clone, Copy, Pod, Zeroable)]
-struct Corner {
-    world: Vec3,
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub(super) struct Corner {
+    pub(super) world: Vec3,
     normal: Vec3,
     uv: Vec2,
+}
+
+impl Corner {
+    /// Whether its place in the picture lies outside, so that the picture must repeat.
+    pub(super) fn repeats(&self) -> bool {
+        !((-1e-3..=1.001).contains(&self.uv.min_element()) && self.uv.max_element() <= 1.001)
+    }
+}
+
+/// The corners of a part, ready for the GPU.
+///
+/// # Errors
+/// A part that contradicts itself.
+pub(super) fn corners_of(part: &Part, out: &mut Vec<Corner>) -> Result<(), RenderError> {
+    let mesh = &part.mesh;
+    for vertex in &mesh.vertices {
+        let point = mesh.points.get(vertex.point as usize);
+        let world =
+            *point.ok_or_else(|| contradiction(part, "a corner refers to a point that does not exist"))?;
+        if !world.is_finite() {
+            return Err(contradiction(part, "a point is not a finite number"));
+        }
+        out.push(Corner { world, normal: vertex.normal, uv: vertex.uv });
+    }
+    if mesh.triangles.iter().flatten().any(|&i| i as usize >= mesh.vertices.len()) {
+        return Err(contradiction(part, "a triangle refers to a corner that does not exist"));
+    }
+    Ok(())
+}
+
+/// Refuses a model whose parts name materials that are not there.
+///
+/// # Errors
+/// The first such part.
+pub(super) fn check_materials(model: &Model) -> Result<(), RenderError> {
+    match model.parts.iter().find(|p| p.material >= model.materials.len()) {
+        Some(part) => Err(contradiction(part, "its material does not exist")),
+        None => Ok(()),
+    }
 }
 
 /// Layout of a vertex buffer of corners.
@@ -30,17 +70,38 @@ pub(super) const VERTEX_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::Vertex
 
 /// Triangles of one material.
 pub(super) struct Batch {
-    material: wgpu::BindGroup,
-    indices: Range<u32>,
+    corners: wgpu::Buffer,
+    indices: wgpu::Buffer,
+    range: Range<u32>,
+    group: wgpu::BindGroup,
     pub(super) cut_out: bool,
     double_sided: bool,
 }
 
+impl Batch {
+    /// Triangles `range` of the buffers in a material whose bind group is `group`.
+    pub(super) fn new(
+        material: &Material,
+        group: wgpu::BindGroup,
+        corners: &wgpu::Buffer,
+        indices: &wgpu::Buffer,
+        range: Range<u32>,
+    ) -> Self {
+        Self {
+            corners: corners.clone(),
+            indices: indices.clone(),
+            range,
+            group,
+            cut_out: material.cut_out && material.texture.is_some(),
+            double_sided: material.double_sided,
+        }
+    }
+}
+
 /// One uploaded model.
+#[derive(Default)]
 pub(super) struct SurfaceDrawData {
-    corners: wgpu::Buffer,
-    indices: wgpu::Buffer,
-    batches: Vec<Batch>,
+    pub(super) batches: Vec<Batch>,
 }
 
 impl SurfaceDrawData {
@@ -56,27 +117,15 @@ impl SurfaceDrawData {
     ) -> Result<Self, RenderError> {
         let gathered = Gathered::from_model(model)?;
         let groups = materials.upload(gpu, &model.materials, &gathered.repeats, textures)?;
+        let corners = bytemuck::cast_slice(&gathered.corners);
+        let corners = gpu.buffer("corners", corners, wgpu::BufferUsages::VERTEX);
+        let indices = bytemuck::cast_slice(&gathered.indices);
+        let indices = gpu.buffer("indices", indices, wgpu::BufferUsages::INDEX);
         let batches = model.materials.iter().zip(groups).zip(gathered.ranges);
-        let batches =
-            batches.filter(|(_, indices)| !indices.is_empty()).map(|((m, material), indices)| Batch {
-                material,
-                indices,
-                cut_out: m.cut_out && m.texture.is_some(),
-                double_sided: m.double_sided,
-            });
-        Ok(Self {
-            corners: gpu.buffer(
-                "corners",
-                bytemuck::cast_slice(&gathered.corners),
-                wgpu::BufferUsages::VERTEX,
-            ),
-            indices: gpu.buffer(
-                "indices",
-                bytemuck::cast_slice(&gathered.indices),
-                wgpu::BufferUsages::INDEX,
-            ),
-            batches: batches.collect(),
-        })
+        let batches = batches
+            .filter(|(_, range)| !range.is_empty())
+            .map(|((material, group), range)| Batch::new(material, group, &corners, &indices, range));
+        Ok(Self { batches: batches.collect() })
     }
 
     /// Draws the batches for which a pipeline is chosen.
@@ -85,12 +134,12 @@ impl SurfaceDrawData {
         pass: &mut wgpu::RenderPass<'_>,
         pipeline: impl Fn(&Batch) -> Option<&'a wgpu::RenderPipeline>,
     ) {
-        pass.set_vertex_buffer(0, self.corners.slice(..));
-        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
         for (batch, pipeline) in self.batches.iter().filter_map(|b| Some((b, pipeline(b)?))) {
             pass.set_pipeline(pipeline);
-            pass.set_bind_group(1, &batch.material, &[]);
-            pass.draw_indexed(batch.indices.clone(), 0, 0..1);
+            pass.set_bind_group(1, &batch.group, &[]);
+            pass.set_vertex_buffer(0, batch.corners.slice(..));
+            pass.set_index_buffer(batch.indices.slice(..), wgpu::IndexFormat::Uint32);
+            pass.draw_indexed(batch.range.clone(), 0, 0..1);
         }
     }
 }
@@ -107,9 +156,7 @@ struct Gathered {
 
 impl Gathered {
     fn from_model(model: &Model) -> Result<Self, RenderError> {
-        if let Some(part) = model.parts.iter().find(|p| p.material >= model.materials.len()) {
-            return Err(contradiction(part, "its material does not exist"));
-        }
+        check_materials(model)?;
         let mut all = Self {
             corners: Vec::with_capacity(model.vertex_count()),
             indices: Vec::with_capacity(3 * model.triangle_count()),
@@ -122,30 +169,16 @@ impl Gathered {
             for part in model.parts.iter().filter(|p| p.material == material) {
                 all.append(part)?;
             }
-            let inside =
-                |c: &Corner| (-1e-3..=1.001).contains(&c.uv.min_element()) && c.uv.max_element() <= 1.001;
             all.ranges.push(first_index..all.indices.len() as u32);
-            all.repeats.push(!all.corners[first_corner..].iter().all(inside));
+            all.repeats.push(all.corners[first_corner..].iter().any(Corner::repeats));
         }
         Ok(all)
     }
 
     fn append(&mut self, part: &Part) -> Result<(), RenderError> {
-        let mesh = &part.mesh;
         let base = self.corners.len() as u32;
-        for vertex in &mesh.vertices {
-            let point = mesh.points.get(vertex.point as usize);
-            let world = *point
-                .ok_or_else(|| contradiction(part, "a corner refers to a point that does not exist"))?;
-            if !world.is_finite() {
-                return Err(contradiction(part, "a point is not a finite number"));
-            }
-            self.corners.push(Corner { world, normal: vertex.normal, uv: vertex.uv });
-        }
-        if mesh.triangles.iter().flatten().any(|&i| i as usize >= mesh.vertices.len()) {
-            return Err(contradiction(part, "a triangle refers to a corner that does not exist"));
-        }
-        self.indices.extend(mesh.triangles.iter().flatten().map(|i| base + i));
+        corners_of(part, &mut self.corners)?;
+        self.indices.extend(part.mesh.triangles.iter().flatten().map(|i| base + i));
         Ok(())
     }
 }
@@ -163,7 +196,13 @@ pub(super) struct SurfaceRenderer {
 }
 
 impl SurfaceRenderer {
-    pub(super) fn new(gpu: &Gpu, scene: &Scene, materials: &MaterialLayout) -> Self {
+    /// `taps` are the constants of `light.wgsl`.
+    pub(super) fn new(
+        gpu: &Gpu,
+        scene: &SceneLayout,
+        materials: &MaterialLayout,
+        taps: &[(&str, f64)],
+    ) -> Self {
         let build = |double_sided: bool, into| {
             PipelineSpec {
                 label: "surface",
@@ -174,6 +213,7 @@ impl SurfaceRenderer {
                 cull: !double_sided,
                 fragment: matches!(into, Into::Picture { .. }),
                 into,
+                constants: taps,
             }
             .build(gpu)
         };

@@ -1,4 +1,5 @@
-//! What is drawn into: an offscreen picture whose buffers are kept while its size stays.
+//! What is drawn into: the buffers of a picture, and an offscreen picture that comes back to memory. They are kept while
+//! the size stays.
 
 use super::gpu::Gpu;
 use super::pipeline::{COLOUR_FORMAT, DEPTH_FORMAT, SAMPLES};
@@ -7,8 +8,8 @@ use super::{Picture, RenderError};
 /// Most pixels of a picture: about 1.4 GB of buffers at four samples each.
 pub(super) const PIXEL_LIMIT: u32 = 8192 * 4096;
 
-/// An offscreen picture on the GPU.
-pub(super) struct OffscreenTarget {
+/// The buffers of a picture.
+pub(super) struct PictureBuffers {
     width: u32,
     height: u32,
     /// Four samples per pixel.
@@ -16,12 +17,10 @@ pub(super) struct OffscreenTarget {
     depth: wgpu::TextureView,
     /// One sample per pixel.
     resolved: wgpu::Texture,
-    resolved_view: wgpu::TextureView,
-    readback: wgpu::Buffer,
-    bytes_per_row: u32,
+    pub(super) resolved_view: wgpu::TextureView,
 }
 
-impl OffscreenTarget {
+impl PictureBuffers {
     /// Makes the buffers of a picture.
     ///
     /// # Errors
@@ -48,17 +47,15 @@ impl OffscreenTarget {
         let nothing = wgpu::TextureUsages::empty();
         let colour = make("colour", COLOUR_FORMAT, SAMPLES, nothing).create_view(&Default::default());
         let depth = make("depth", DEPTH_FORMAT, SAMPLES, nothing).create_view(&Default::default());
-        let resolved = make("resolved", COLOUR_FORMAT, 1, wgpu::TextureUsages::COPY_SRC);
-        let bytes_per_row = (4 * width).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-        let readback = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("readback"),
-            size: u64::from(bytes_per_row) * u64::from(height),
-            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-            mapped_at_creation: false,
-        });
+        let resolved = make(
+            "resolved",
+            COLOUR_FORMAT,
+            1,
+            wgpu::TextureUsages::COPY_SRC | wgpu::TextureUsages::TEXTURE_BINDING,
+        );
         gpu.check()?;
         let resolved_view = resolved.create_view(&Default::default());
-        Ok(Self { width, height, colour, depth, resolved, resolved_view, readback, bytes_per_row })
+        Ok(Self { width, height, colour, depth, resolved, resolved_view })
     }
 
     /// Whether a picture of this size fits exactly.
@@ -100,32 +97,83 @@ impl OffscreenTarget {
         let depth_ops = Some(wgpu::Operations { load, store });
         wgpu::RenderPassDepthStencilAttachment { view: &self.depth, depth_ops, stencil_ops: None }
     }
+}
 
-    /// Submits the passes and brings the picture back.
+/// A way from a texture of four bytes per pixel back to memory.
+pub(super) struct Readback {
+    buffer: wgpu::Buffer,
+    bytes_per_row: u32,
+}
+
+impl Readback {
+    pub(super) fn new(gpu: &Gpu, width: u32, height: u32) -> Self {
+        let bytes_per_row = (4 * width).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("readback"),
+            size: u64::from(bytes_per_row) * u64::from(height),
+            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        });
+        Self { buffer, bytes_per_row }
+    }
+
+    /// Submits the passes and brings back `texture`, which must have this size; `read` gets its rows and their length.
     ///
     /// # Errors
     /// Any failure of the driver since the last check.
-    pub(super) fn finish(
+    pub(super) fn finish<T>(
         &self,
         gpu: &Gpu,
         mut encoder: wgpu::CommandEncoder,
-    ) -> Result<Picture, RenderError> {
+        texture: &wgpu::Texture,
+        read: impl FnOnce(&[u8], u32) -> T,
+    ) -> Result<T, RenderError> {
         let rows = wgpu::TexelCopyBufferLayout {
             offset: 0,
             bytes_per_row: Some(self.bytes_per_row),
             rows_per_image: None,
         };
-        let into = wgpu::TexelCopyBufferInfo { buffer: &self.readback, layout: rows };
-        encoder.copy_texture_to_buffer(self.resolved.as_image_copy(), into, self.resolved.size());
+        let into = wgpu::TexelCopyBufferInfo { buffer: &self.buffer, layout: rows };
+        encoder.copy_texture_to_buffer(texture.as_image_copy(), into, texture.size());
         gpu.queue.submit([encoder.finish()]);
         gpu.check()?;
         // A failed mapping shows when its range is asked for.
-        self.readback.map_async(wgpu::MapMode::Read, .., |_| ());
+        self.buffer.map_async(wgpu::MapMode::Read, .., |_| ());
         gpu.wait()?;
-        let mapped = self.readback.get_mapped_range(..).map_err(|e| gpu.failure(e.to_string()))?;
-        let picture = Picture::from_see_through_rows(self.width, self.height, &mapped, self.bytes_per_row);
+        let mapped = self.buffer.get_mapped_range(..).map_err(|e| gpu.failure(e.to_string()))?;
+        let result = read(&mapped, self.bytes_per_row);
         drop(mapped);
-        self.readback.unmap();
-        Ok(picture)
+        self.buffer.unmap();
+        Ok(result)
+    }
+}
+
+/// An offscreen picture on the GPU.
+pub(super) struct OffscreenTarget {
+    pub(super) buffers: PictureBuffers,
+    readback: Readback,
+}
+
+impl OffscreenTarget {
+    /// Makes the buffers of a picture.
+    ///
+    /// # Errors
+    /// A side or an area out of range, or too little memory.
+    pub(super) fn new(gpu: &Gpu, width: u32, height: u32) -> Result<Self, RenderError> {
+        let buffers = PictureBuffers::new(gpu, width, height)?;
+        let readback = Readback::new(gpu, width, height);
+        gpu.check()?;
+        Ok(Self { buffers, readback })
+    }
+
+    /// Submits the passes and brings the picture back.
+    ///
+    /// # Errors
+    /// Any failure of the driver since the last check.
+    pub(super) fn finish(&self, gpu: &Gpu, encoder: wgpu::CommandEncoder) -> Result<Picture, RenderError> {
+        let PictureBuffers { width, height, ref resolved, .. } = self.buffers;
+        self.readback.finish(gpu, encoder, resolved, |rows, bytes_per_row| {
+            Picture::from_see_through_rows(width, height, rows, bytes_per_row)
+        })
     }
 }

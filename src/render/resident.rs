@@ -1,0 +1,304 @@
+//! A changing model that stays on the GPU: only parts whose mesh changed are uploaded.
+//!
+//! A part is known again by a fingerprint of its mesh and then by [`same_mesh`], not by its name: a new petal may give its
+//! neighbours other names. Parts of one material share a [`Pool`] and are drawn in one call. A refused model changes
+//! nothing: what was there before stays.
+
+use super::RenderError;
+use super::debug::{self, Tint};
+use super::gpu::Gpu;
+use super::material::{MaterialLayout, Pictures};
+use super::pool::{Place, Pool};
+use super::renderer::TextureSource;
+use super::surface::{self, Batch, Corner, SurfaceDrawData};
+use crate::model::{Mesh, Model, Part, PartKind};
+use crate::plant::Material;
+use glam::Vec3;
+use std::collections::BTreeMap;
+
+/// Pictures that are kept although nothing wears them, so that changing one's mind is free.
+const SPARE_PICTURES: usize = 64;
+/// Points of a mesh that its fingerprint looks at.
+const FINGERPRINT_POINTS: usize = 8;
+
+/// How a part's mesh is kept for comparison.
+type KeptMesh = Mesh;
+
+/// Whether a mesh is the one that was uploaded.
+fn same_mesh(uploaded: &KeptMesh, now: &KeptMesh) -> bool {
+    uploaded == now
+}
+
+/// What an update of a live model did.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct UploadStats {
+    /// Parts of the model.
+    pub parts: usize,
+    /// Parts whose mesh went to the GPU.
+    pub uploaded_parts: usize,
+    /// Parts that were there before and are no more.
+    pub removed_parts: usize,
+    /// Pictures that went to the GPU.
+    pub uploaded_textures: usize,
+    /// Bytes of meshes that went to the GPU, including overwritten places.
+    pub bytes: u64,
+}
+
+/// A part on the GPU.
+struct Resident {
+    material: usize,
+    fingerprint: u64,
+    mesh: KeptMesh,
+    place: Place,
+    tint: Tint,
+    repeats: bool,
+    bounds: (Vec3, Vec3),
+}
+
+/// A changing model on the GPU.
+#[derive(Default)]
+pub(super) struct ResidentModel {
+    residents: Vec<Resident>,
+    /// By material.
+    pools: Vec<Option<Pool>>,
+    materials: Vec<Material>,
+    /// By material: whether its picture repeats, and the bind group.
+    groups: Vec<(bool, wgpu::BindGroup)>,
+    pictures: Pictures,
+    /// What the shaded view draws.
+    pub(super) surface: SurfaceDrawData,
+    /// Smallest and largest corner; none without parts.
+    pub(super) bounds: Option<(Vec3, Vec3)>,
+    /// Grows with every change.
+    pub(super) version: u64,
+    /// Pairs of corners, by material, and the version they belong to.
+    edges: Option<(u64, Vec<Option<wgpu::Buffer>>)>,
+}
+
+/// A part of the next model: known already, or its corners.
+enum Next {
+    Known(Resident),
+    New(Vec<Corner>),
+}
+
+impl ResidentModel {
+    /// Makes the model on the GPU this one.
+    ///
+    /// # Errors
+    /// A model that contradicts itself or a texture that cannot be used, both without any change; or a failure of the
+    /// driver.
+    pub(super) fn update(
+        &mut self,
+        gpu: &Gpu,
+        layout: &MaterialLayout,
+        model: &Model,
+        textures: &TextureSource<'_>,
+    ) -> Result<UploadStats, RenderError> {
+        surface::check_materials(model)?;
+        let known_pictures = self.pictures.len();
+        let views = self.load_pictures(gpu, layout, &model.materials, textures)?;
+        let mut stats = UploadStats {
+            parts: model.parts.len(),
+            uploaded_textures: self.pictures.len() - known_pictures,
+            ..Default::default()
+        };
+        let corners = self.new_corners(model)?;
+        self.place(gpu, model, corners, &mut stats);
+        self.pools.resize_with(model.materials.len(), || None);
+        for pool in self.pools.iter_mut().flatten() {
+            stats.bytes += pool.flush(gpu);
+        }
+        let materials_changed = self.bind(gpu, layout, model, &views);
+        if stats.uploaded_parts + stats.removed_parts > 0 || materials_changed || self.version == 0 {
+            self.version += 1;
+        }
+        let boxes = self.residents.iter().map(|r| r.bounds).filter(|(lo, _)| lo.is_finite());
+        self.bounds = boxes.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
+        gpu.check()?;
+        Ok(stats)
+    }
+
+    fn load_pictures(
+        &mut self,
+        gpu: &Gpu,
+        layout: &MaterialLayout,
+        materials: &[Material],
+        textures: &TextureSource<'_>,
+    ) -> Result<Vec<wgpu::TextureView>, RenderError> {
+        if self.pictures.len() > SPARE_PICTURES {
+            self.pictures.keep_only(&self.materials);
+        }
+        let pictures = &mut self.pictures;
+        materials.iter().map(|m| layout.picture(gpu, pictures, m.texture.as_ref(), textures)).collect()
+    }
+
+    /// For each part the resident that it is, or its corners. Residents that are left over stay in the list.
+    fn new_corners(&mut self, model: &Model) -> Result<Vec<Next>, RenderError> {
+        let mut by_mesh: BTreeMap<(usize, u64), Vec<usize>> = BTreeMap::new();
+        for (i, resident) in self.residents.iter().enumerate().rev() {
+            if !self.pools[resident.material].as_ref().is_none_or(Pool::is_sparse) {
+                by_mesh.entry((resident.material, resident.fingerprint)).or_default().push(i);
+            }
+        }
+        let mut claimed = vec![None; model.parts.len()];
+        let mut corners: Vec<Option<Vec<Corner>>> = Vec::with_capacity(model.parts.len());
+        for (part, claim) in model.parts.iter().zip(&mut claimed) {
+            let alike = by_mesh.get_mut(&(part.material, fingerprint(&part.mesh)));
+            *claim = alike.and_then(|alike| {
+                let found = alike.iter().rposition(|&i| same_mesh(&self.residents[i].mesh, &part.mesh))?;
+                Some(alike.remove(found))
+            });
+            corners.push(match claim {
+                Some(_) => None,
+                None => {
+                    let mut own = Vec::with_capacity(part.mesh.vertices.len());
+                    surface::corners_of(part, &mut own)?;
+                    Some(own)
+                }
+            });
+        }
+        // From here on nothing fails.
+        let mut residents: Vec<Option<Resident>> = self.residents.drain(..).map(Some).collect();
+        let next = claimed.into_iter().zip(corners).filter_map(|(claim, corners)| match corners {
+            Some(corners) => Some(Next::New(corners)),
+            None => residents.get_mut(claim?)?.take().map(Next::Known),
+        });
+        let next = next.collect();
+        self.residents = residents.into_iter().flatten().collect();
+        Ok(next)
+    }
+
+    /// Lets the residents go that are left over, and puts the next ones in their place.
+    fn place(&mut self, gpu: &Gpu, model: &Model, next: Vec<Next>, stats: &mut UploadStats) {
+        self.pools.resize_with(self.pools.len().max(model.materials.len()), || None);
+        for resident in self.residents.drain(..) {
+            stats.removed_parts += 1;
+            if let Some(pool) = &mut self.pools[resident.material] {
+                pool.remove(&resident.place);
+            }
+        }
+        let mut used = vec![false; self.pools.len()];
+        let levels = levels(model);
+        for ((part, next), level) in model.parts.iter().zip(next).zip(levels) {
+            used[part.material] = true;
+            let pool = self.pools[part.material].get_or_insert_with(|| Pool::new(gpu));
+            let tint = debug::tint(part.kind, level, &part.name);
+            self.residents.push(match next {
+                Next::Known(resident) => {
+                    if resident.tint != tint {
+                        pool.set_tint(&resident.place, tint);
+                    }
+                    Resident { tint, ..resident }
+                }
+                Next::New(corners) => {
+                    stats.uploaded_parts += 1;
+                    resident(part, tint, &corners, pool.insert(&corners, &part.mesh.triangles, tint))
+                }
+            });
+        }
+        for (pool, used) in self.pools.iter_mut().zip(used) {
+            pool.take_if(|_| !used);
+        }
+    }
+
+    /// Binds materials that changed and lists what is drawn; whether any changed.
+    fn bind(
+        &mut self,
+        gpu: &Gpu,
+        layout: &MaterialLayout,
+        model: &Model,
+        views: &[wgpu::TextureView],
+    ) -> bool {
+        let mut repeats = vec![false; model.materials.len()];
+        for resident in &self.residents {
+            repeats[resident.material] |= resident.repeats;
+        }
+        let mut changed = self.materials.len() != model.materials.len();
+        let mut groups = Vec::with_capacity(repeats.len());
+        for (i, (material, repeat)) in model.materials.iter().zip(repeats).enumerate() {
+            let kept =
+                self.groups.get(i).filter(|g| g.0 == repeat && self.materials.get(i) == Some(material));
+            groups.push(kept.cloned().unwrap_or_else(|| {
+                changed = true;
+                (repeat, layout.bind(gpu, material, &views[i], repeat))
+            }));
+        }
+        self.groups = groups;
+        self.materials.clone_from(&model.materials);
+        let pools = self.pools.iter().zip(&self.materials).zip(&self.groups);
+        let batches = pools.filter_map(|((pool, material), (_, group))| {
+            let pool = pool.as_ref().filter(|p| !p.index_range().is_empty())?;
+            Some(Batch::new(material, group.clone(), pool.corners(), pool.indices(), pool.index_range()))
+        });
+        self.surface = SurfaceDrawData { batches: batches.collect() };
+        changed
+    }
+
+    /// Pools with parts.
+    pub(super) fn pools(&self) -> impl Iterator<Item = &Pool> {
+        self.pools.iter().flatten()
+    }
+
+    /// Pools with the edges of their triangles, uploaded when they are first asked for.
+    pub(super) fn pools_with_edges(&mut self, gpu: &Gpu) -> impl Iterator<Item = (&Pool, &wgpu::Buffer)> {
+        let version = self.version;
+        if self.edges.as_ref().is_none_or(|(of, _)| *of != version) {
+            self.edges = Some((version, self.upload_edges(gpu)));
+        }
+        let edges = self.edges.iter().flat_map(|(_, edges)| edges);
+        self.pools.iter().zip(edges).filter_map(|(pool, edges)| pool.as_ref().zip(edges.as_ref()))
+    }
+
+    /// Lets the edges go.
+    pub(super) fn forget_edges(&mut self) {
+        self.edges = None;
+    }
+
+    fn upload_edges(&self, gpu: &Gpu) -> Vec<Option<wgpu::Buffer>> {
+        let mut pairs = vec![Vec::new(); self.pools.len()];
+        for resident in &self.residents {
+            let first = resident.place.first_corner();
+            for &[a, b, c] in &resident.mesh.triangles {
+                pairs[resident.material].extend([a, b, b, c, c, a].map(|i| first + i));
+            }
+        }
+        let upload = |pairs: Vec<u32>| {
+            let bytes = bytemuck::cast_slice(&pairs);
+            (!pairs.is_empty()).then(|| gpu.buffer("edges", bytes, wgpu::BufferUsages::INDEX))
+        };
+        pairs.into_iter().map(upload).collect()
+    }
+}
+
+fn resident(part: &Part, tint: Tint, corners: &[Corner], place: Place) -> Resident {
+    let (lo, hi) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+    let bounds = corners.iter().fold((lo, hi), |(lo, hi), c| (lo.min(c.world), hi.max(c.world)));
+    Resident {
+        material: part.material,
+        fingerprint: fingerprint(&part.mesh),
+        mesh: part.mesh.clone(),
+        place,
+        tint,
+        repeats: corners.iter().any(Corner::repeats),
+        bounds,
+    }
+}
+
+/// For each part how many branches carry its branch.
+fn levels(model: &Model) -> Vec<usize> {
+    let mut levels: Vec<usize> = Vec::with_capacity(model.parts.len());
+    for part in &model.parts {
+        let carrier = part.parent.filter(|_| part.kind == PartKind::Wood);
+        levels.push(carrier.and_then(|p| levels.get(p)).map_or(0, |level| level + 1));
+    }
+    levels
+}
+
+/// A number that differs between most meshes, from a few of their points.
+fn fingerprint(mesh: &Mesh) -> u64 {
+    let step = (mesh.points.len() / FINGERPRINT_POINTS).max(1);
+    let points = mesh.points.iter().step_by(step).flat_map(|p| p.to_array()).map(|c| u64::from(c.to_bits()));
+    let counts = [mesh.points.len(), mesh.vertices.len(), mesh.triangles.len()].map(|n| n as u64);
+    let mix = |hash: u64, v: u64| (hash ^ v).wrapping_mul(0x0100_0000_01b3).rotate_left(23);
+    counts.into_iter().chain(points).fold(0xcbf2_9ce4_8422_2325, mix)
+}

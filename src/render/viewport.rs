@@ -1,0 +1,336 @@
+//! A live view: one changing model, drawn into a texture that the window shows.
+//!
+//! The texture is [`wgpu::TextureFormat::Rgba8Unorm`] and holds encoded (gamma) colours multiplied by their opacity, which
+//! is what egui blends on a surface without sRGB: register [`Viewport::view`] once, and again whenever
+//! [`Viewport::revision`] has changed.
+//!
+//! Shadow maps are kept. A lamp's map is drawn again when the model changed or the lamp moved; moving the camera without
+//! turning it costs no map at all. In [`Quality::Draft`] the sky's lamps stay where they are while the viewer turns, and
+//! after a change of the model a software driver renews only a few of them per picture; it also draws fewer pixels and
+//! stretches them. [`Quality::Full`] is the picture that [`Renderer::picture`] makes.
+
+use super::debug::DebugRenderer;
+use super::frame::FrameUniform;
+use super::ground::GroundRenderer;
+use super::light::{LightUniform, SKY_LAMPS, SUN_MAP_SIZE};
+use super::present::{PresentRenderer, SHOWN_FORMAT};
+use super::resident::ResidentModel;
+use super::scene::{Scene, SkyMaps};
+use super::surface::SurfaceRenderer;
+use super::target::{PictureBuffers, Readback};
+use super::{
+    Background, Look, Mode, OrbitCamera, Picture, Quality, RenderError, Renderer, TextureSource, UploadStats,
+};
+use crate::model::Model;
+use glam::{Mat4, Vec3};
+
+/// Constants of `light.wgsl` for drafts.
+const DRAFT_TAPS: [(&str, f64); 2] = [("BLOCKER_TAPS", 4.0), ("SUN_TAPS", 8.0)];
+/// Width of the sun's shadow map in drafts, texels.
+const DRAFT_SUN_MAP_SIZE: u32 = 1024;
+/// Sky lamps whose maps a draft renews after a change of the model, when the processor draws.
+const SKY_LAMPS_PER_DRAFT: usize = 2;
+/// Share of the width and height at which drafts are drawn when the processor draws.
+const DRAFT_SCALE: f32 = 0.5;
+/// What is lit when there is no model.
+const NOTHING: (Vec3, Vec3) = (Vec3::new(-0.5, 0.0, -0.5), Vec3::new(0.5, 1.0, 0.5));
+
+/// What decides a picture: the same twice is the same picture.
+#[derive(Clone, PartialEq)]
+struct Shown {
+    camera: OrbitCamera,
+    look: Look,
+    version: u64,
+    /// How often the texture was replaced.
+    revision: u64,
+}
+
+/// What a shadow map shows: the lamp's place and the model's version.
+type MapState = Option<(Mat4, u64)>;
+
+/// A scene with what its sun's map shows.
+struct LitScene {
+    scene: Scene,
+    sun: MapState,
+}
+
+/// A live view of one model.
+pub struct Viewport {
+    model: ResidentModel,
+    full: LitScene,
+    draft: LitScene,
+    sky: [MapState; SKY_LAMPS],
+    /// The light as it was last drawn: its sky lamps are those of the maps.
+    light: Option<LightUniform>,
+    draft_surface: SurfaceRenderer,
+    draft_ground: GroundRenderer,
+    debug: DebugRenderer,
+    present: PresentRenderer,
+    size: (u32, u32),
+    /// By quality: draft, full.
+    buffers: [Option<PictureBuffers>; 2],
+    output: wgpu::Texture,
+    view: wgpu::TextureView,
+    revision: u64,
+    shown: Option<Shown>,
+}
+
+impl Viewport {
+    /// A view of nothing, without size.
+    ///
+    /// # Errors
+    /// A failure of the driver.
+    pub fn new(renderer: &Renderer) -> Result<Self, RenderError> {
+        let Renderer { gpu, scenes, materials, .. } = renderer;
+        let maps = SkyMaps::new(gpu);
+        let scene =
+            |sun_map_size| LitScene { scene: Scene::new(gpu, scenes, &maps, sun_map_size), sun: None };
+        let output = output(renderer, 1, 1);
+        let viewport = Self {
+            model: ResidentModel::default(),
+            full: scene(SUN_MAP_SIZE),
+            draft: scene(DRAFT_SUN_MAP_SIZE),
+            sky: [None; SKY_LAMPS],
+            light: None,
+            draft_surface: SurfaceRenderer::new(gpu, scenes, materials, &DRAFT_TAPS),
+            draft_ground: GroundRenderer::new(gpu, scenes, &DRAFT_TAPS),
+            debug: DebugRenderer::new(gpu, scenes),
+            present: PresentRenderer::new(gpu),
+            size: (0, 0),
+            buffers: [None, None],
+            view: output.create_view(&Default::default()),
+            output,
+            revision: 0,
+            shown: None,
+        };
+        gpu.check()?;
+        Ok(viewport)
+    }
+
+    /// Sets the size of the next pictures in physical pixels; buffers are made when they are needed. Nothing is drawn
+    /// while a side is zero.
+    pub fn set_size(&mut self, width: u32, height: u32) {
+        self.size = (width, height);
+    }
+
+    /// Shows another model: only parts whose mesh changed go to the GPU, pictures once.
+    ///
+    /// # Errors
+    /// A model that contradicts itself or a texture that cannot be used, both with the view unchanged; or a failure of
+    /// the driver.
+    pub fn update(
+        &mut self,
+        renderer: &Renderer,
+        model: &Model,
+        textures: &TextureSource<'_>,
+    ) -> Result<UploadStats, RenderError> {
+        self.model.update(&renderer.gpu, &renderer.materials, model, textures)
+    }
+
+    /// Smallest and largest corner of the model, `None` without one.
+    pub fn bounds(&self) -> Option<(Vec3, Vec3)> {
+        self.model.bounds
+    }
+
+    /// The texture to show, valid until [`Viewport::revision`] changes.
+    pub fn view(&self) -> &wgpu::TextureView {
+        &self.view
+    }
+
+    /// Changes whenever a call of [`Viewport::draw`] has replaced the texture.
+    pub fn revision(&self) -> u64 {
+        self.revision
+    }
+
+    /// Width over height; 1 without a size.
+    pub fn aspect(&self) -> f32 {
+        self.size.0.max(1) as f32 / self.size.1.max(1) as f32
+    }
+
+    /// Draws unless the picture would be the one that is shown already; says whether it drew.
+    ///
+    /// # Errors
+    /// [`RenderError::Size`], or a failure of the driver; [`Renderer::is_lost`] tells whether it is for good.
+    pub fn draw(
+        &mut self,
+        renderer: &Renderer,
+        camera: &OrbitCamera,
+        look: &Look,
+    ) -> Result<bool, RenderError> {
+        if self.size.0 == 0 || self.size.1 == 0 {
+            return Ok(false);
+        }
+        self.make_room(renderer, look.quality)?;
+        let version = self.model.version;
+        let next = Shown { camera: *camera, look: look.clone(), version, revision: self.revision };
+        if self.shown.as_ref() == Some(&next) {
+            return Ok(false);
+        }
+        self.shown = None;
+        let mut encoder = renderer.gpu.device.create_command_encoder(&Default::default());
+        self.light(renderer, &mut encoder, camera, look);
+        self.paint(renderer, &mut encoder, look);
+        if let Some(buffers) = &self.buffers[slot(look.quality)] {
+            self.present.draw(&renderer.gpu, &mut encoder, buffers, &self.view);
+        }
+        renderer.gpu.queue.submit([encoder.finish()]);
+        renderer.gpu.check()?;
+        self.shown = Some(next);
+        Ok(true)
+    }
+
+    /// The picture that is shown, brought back to memory.
+    ///
+    /// # Errors
+    /// A failure of the driver.
+    pub fn snapshot(&self, renderer: &Renderer) -> Result<Picture, RenderError> {
+        let (width, height) = (self.output.width(), self.output.height());
+        let encoder = renderer.gpu.device.create_command_encoder(&Default::default());
+        let readback = Readback::new(&renderer.gpu, width, height);
+        readback.finish(&renderer.gpu, encoder, &self.output, |rows, bytes_per_row| {
+            Picture::from_premultiplied_rows(width, height, rows, bytes_per_row)
+        })
+    }
+
+    /// Makes the buffers for pictures of the set size.
+    fn make_room(&mut self, renderer: &Renderer, quality: Quality) -> Result<(), RenderError> {
+        let (width, height) = self.size;
+        let scale = match quality {
+            Quality::Draft if renderer.is_software() => DRAFT_SCALE,
+            Quality::Draft | Quality::Full => 1.0,
+        };
+        let scaled = |side: u32| ((side as f32 * scale).round() as u32).max(1);
+        let buffers = &mut self.buffers[slot(quality)];
+        let fitting = buffers.take().filter(|b| b.has_size(scaled(width), scaled(height)));
+        let made = match fitting {
+            Some(buffers) => buffers,
+            None => PictureBuffers::new(&renderer.gpu, scaled(width), scaled(height))?,
+        };
+        *buffers = Some(made);
+        if (self.output.width(), self.output.height()) != (width, height) {
+            let output = output(renderer, width, height);
+            renderer.gpu.check()?;
+            self.view = output.create_view(&Default::default());
+            self.output = output;
+            self.revision += 1;
+        }
+        Ok(())
+    }
+
+    /// Sets view and light, and draws the shadow maps that are out of date.
+    fn light(
+        &mut self,
+        renderer: &Renderer,
+        encoder: &mut wgpu::CommandEncoder,
+        camera: &OrbitCamera,
+        look: &Look,
+    ) {
+        let bounds = self.model.bounds.unwrap_or(NOTHING);
+        let frame = FrameUniform::new(&camera.camera(bounds, self.aspect()), bounds, look.background);
+        let lit = match look.quality {
+            Quality::Draft => &mut self.draft,
+            Quality::Full => &mut self.full,
+        };
+        let axes = camera.level_axes();
+        let mut light = LightUniform::new(bounds, &axes, &look.light, lit.scene.sun_map_size);
+        if look.mode == Mode::Shaded || look.background != Background::Transparent {
+            let version = self.model.version;
+            let hurried = look.quality == Quality::Draft;
+            let per_draft = if renderer.is_software() { SKY_LAMPS_PER_DRAFT } else { SKY_LAMPS };
+            let mut renewed = renewed_sky(&mut self.sky, &light, version, hurried.then_some(per_draft));
+            if let Some(drawn) = &self.light {
+                for (i, lamp) in light.sky.iter_mut().enumerate().filter(|(i, _)| !renewed.contains(i)) {
+                    *lamp = drawn.sky[i].with_radiance_of(lamp);
+                }
+            }
+            let sun = Some((light.sun.lamp_from_world, version));
+            if lit.sun != sun {
+                lit.sun = sun;
+                renewed.push(SKY_LAMPS);
+            }
+            let lamps = light.lamps().zip(&lit.scene.maps).enumerate().map(|(i, (lamp, map))| (i, lamp, map));
+            let lamps = lamps.filter(|(i, ..)| renewed.contains(i));
+            renderer.shadow.draw(&renderer.gpu, encoder, lamps, &self.model.surface);
+            self.light = Some(light);
+        }
+        lit.scene.set(&renderer.gpu, &frame, &light);
+    }
+
+    /// Draws the picture into the buffers of its quality.
+    fn paint(&mut self, renderer: &Renderer, encoder: &mut wgpu::CommandEncoder, look: &Look) {
+        let (scene, surface, ground) = match look.quality {
+            Quality::Draft => (&self.draft.scene, &self.draft_surface, &self.draft_ground),
+            Quality::Full => (&self.full.scene, &renderer.surface, &renderer.ground),
+        };
+        let Some(buffers) = &self.buffers[slot(look.quality)] else { return };
+        let mut pass = buffers.begin_depth(encoder);
+        pass.set_bind_group(0, &scene.group, &[]);
+        if look.mode == Mode::Shaded {
+            surface.draw_depth(&mut pass, &self.model.surface);
+        }
+        drop(pass);
+        let mut pass = buffers.begin(encoder);
+        pass.set_bind_group(0, &scene.group, &[]);
+        if look.background != Background::Transparent {
+            ground.draw(&mut pass);
+        }
+        if look.mode == Mode::Shaded {
+            surface.draw(&mut pass, &self.model.surface);
+            return;
+        }
+        self.model.pools().for_each(|pool| self.debug.draw_faces(&mut pass, pool));
+        if look.mode == Mode::Wireframe {
+            for (pool, edges) in self.model.pools_with_edges(&renderer.gpu) {
+                self.debug.draw_edges(&mut pass, pool, edges);
+            }
+        } else {
+            self.model.forget_edges();
+        }
+    }
+}
+
+/// Sky lamps whose maps are to be drawn now, with `state` as it is afterwards. All that moved or show an older model;
+/// within a limit only those that show an older model, the oldest first, but all that show nothing yet.
+fn renewed_sky(
+    state: &mut [MapState; SKY_LAMPS],
+    light: &LightUniform,
+    version: u64,
+    limit: Option<usize>,
+) -> Vec<usize> {
+    let lamps = 0..SKY_LAMPS;
+    let mut renewed: Vec<usize> = match limit {
+        None => lamps.filter(|&i| state[i] != Some((light.sky[i].lamp_from_world, version))).collect(),
+        Some(_) => lamps.filter(|&i| state[i].is_none_or(|(_, shown)| shown != version)).collect(),
+    };
+    if let Some(limit) = limit {
+        let empty = renewed.iter().filter(|&&i| state[i].is_none()).count();
+        renewed.sort_by_key(|&i| state[i].map(|(_, shown)| shown));
+        renewed.truncate(limit.max(empty));
+    }
+    for &i in &renewed {
+        state[i] = Some((light.sky[i].lamp_from_world, version));
+    }
+    renewed
+}
+
+fn slot(quality: Quality) -> usize {
+    match quality {
+        Quality::Draft => 0,
+        Quality::Full => 1,
+    }
+}
+
+fn output(renderer: &Renderer, width: u32, height: u32) -> wgpu::Texture {
+    renderer.gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("viewport"),
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: SHOWN_FORMAT,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT
+            | wgpu::TextureUsages::TEXTURE_BINDING
+            | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[],
+    })
+}
