@@ -2,9 +2,24 @@
 //!
 //! A source turns what its device reports into [`PenEvent`]s; nobody after it asks which device it was. Positions are
 //! physical pixels of the window, x right, y down, with the fractions that the device knows; the canvas maps them to the
-//! drawing. Every raw sample is an event of its own: a source never merges samples.
+//! drawing. Every raw sample is an event of its own: a source never merges samples. [`grammar`] says in which order events
+//! may come; every source is held against it.
+
+pub mod from_winit;
+pub mod grammar;
+pub mod palm_gate;
+pub mod pressure;
+#[cfg(test)]
+pub(crate) mod tests;
+
+pub use from_winit::WinitPen;
+pub use palm_gate::PalmGate;
+pub use pressure::PressureCurve;
 
 use glam::{DVec2, Vec2};
+
+/// Farthest from the window's corner that a position may be, in physical pixels; a source drops what lies beyond.
+pub const MAX_POSITION_PX: f64 = 1e6;
 
 /// Which end of which thing touches the surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
