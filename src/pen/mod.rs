@@ -5,6 +5,7 @@
 //! drawing. Every raw sample is an event of its own: a source never merges samples. [`grammar`] says in which order events
 //! may come; every source is held against it.
 
+#[cfg(feature = "program")]
 pub mod from_winit;
 pub mod grammar;
 pub mod palm_gate;
@@ -12,6 +13,7 @@ pub mod pressure;
 #[cfg(test)]
 pub(crate) mod tests;
 
+#[cfg(feature = "program")]
 pub use from_winit::WinitPen;
 pub use palm_gate::PalmGate;
 pub use pressure::PressureCurve;

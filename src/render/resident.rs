@@ -15,6 +15,7 @@ use crate::model::{Mesh, Model, Part, PartKind};
 use crate::plant::Material;
 use glam::Vec3;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Pictures that are kept although nothing wears them, so that changing one's mind is free.
 const SPARE_PICTURES: usize = 64;
@@ -22,11 +23,11 @@ const SPARE_PICTURES: usize = 64;
 const FINGERPRINT_POINTS: usize = 8;
 
 /// How a part's mesh is kept for comparison.
-type KeptMesh = Mesh;
+type KeptMesh = Arc<Mesh>;
 
 /// Whether a mesh is the one that was uploaded.
 fn same_mesh(uploaded: &KeptMesh, now: &KeptMesh) -> bool {
-    uploaded == now
+    Arc::ptr_eq(uploaded, now) || uploaded == now
 }
 
 /// What an update of a live model did.
