@@ -1,0 +1,386 @@
+//! The editor: the open drawing with everything around it, without window and without graphics card.
+//!
+//! It owns the document, the canvas, the worker, the journal, the settings and what the panels show. The window hands it
+//! events and draws what it says; every wish of the artist, from whichever button or key, ends in
+//! [`Editor::perform`]. Whatever goes wrong becomes a notice, and the drawing stays.
+
+mod files;
+mod keys;
+mod outcomes;
+mod perform;
+mod reference;
+mod snapshot;
+mod task;
+
+use super::action::Action;
+use super::canvas::{Canvas, CanvasOutcome};
+use super::fonts::ChineseFont;
+use super::layout::Layout;
+use super::messages::{Messages, Msg};
+use super::panels::snapshot::{Dialog, Notice, PartMenu, PenUsed};
+use super::plant_view::PlantView;
+use super::settings::Settings;
+use super::worker::{self, Update, Worker};
+use crate::pipeline::{Built, DEFAULT_SPECIES};
+use crate::sketch::document::Document;
+use crate::sketch::journal::{JournalWriter, Recoverable, Recovery};
+use crate::sketch::save::FileStamp;
+use crate::sketch::{Change, Step};
+use crate::species::Species;
+use anyhow::Context as _;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use task::Task;
+
+/// Longest wait of a new stroke for the one before to be on disk.
+const DURABLE_WAIT: Duration = Duration::from_millis(200);
+/// How long good news stay on the screen.
+const GOOD_NEWS: Duration = Duration::from_secs(6);
+
+/// Folders of the program.
+#[derive(Clone, Debug)]
+pub struct Places {
+    /// Settings and presets.
+    pub config: PathBuf,
+    /// Journals of open drawings.
+    pub state: PathBuf,
+}
+
+impl Places {
+    /// Where the system wants them.
+    ///
+    /// # Errors
+    /// A user without a home.
+    pub fn of_system() -> anyhow::Result<Self> {
+        use etcetera::BaseStrategy;
+        let base = etcetera::choose_base_strategy()
+            .context("the home folder is not known; set HOME and start again")?;
+        let state = base.state_dir().unwrap_or_else(|| base.data_dir());
+        Ok(Self { config: base.config_dir().join("penstemon"), state: state.join("penstemon") })
+    }
+
+    fn presets(&self) -> PathBuf {
+        self.config.join("presets")
+    }
+}
+
+/// A drawing's own file.
+#[derive(Clone, Debug, Default)]
+struct OwnFile {
+    path: Option<PathBuf>,
+    /// What the file held when it was last read or written here.
+    stamp: Option<FileStamp>,
+}
+
+impl OwnFile {
+    fn folder(&self) -> PathBuf {
+        self.path.as_deref().and_then(Path::parent).map(Path::to_owned).unwrap_or_default()
+    }
+
+    fn name(&self) -> Option<String> {
+        Some(self.path.as_ref()?.file_stem()?.to_string_lossy().into_owned())
+    }
+}
+
+/// How the plant's building stands.
+#[derive(Debug, Default)]
+struct Building {
+    /// Revision of the newest snapshot.
+    submitted: u64,
+    /// The drawing changed since.
+    is_stale: bool,
+    is_running: bool,
+    last: Option<Duration>,
+    /// Why the last one failed.
+    failure: Option<String>,
+}
+
+/// What the graphics card must hear of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Versions {
+    /// Strokes, their colours or their preview.
+    pub drawing: u64,
+    /// The plant.
+    pub plant: u64,
+    /// The picture under the drawing.
+    pub reference: u64,
+}
+
+/// The editor.
+pub struct Editor {
+    pub(super) document: Document,
+    pub(super) canvas: Canvas,
+    pub(super) plant: PlantView,
+    pub(super) settings: Settings,
+    pub(super) messages: Messages,
+    pub(super) layout: Layout,
+    pub(super) built: Option<Arc<Built>>,
+    pub(super) versions: Versions,
+    places: Places,
+    file: OwnFile,
+    /// The species of the drawing, for the panels; `None` where it cannot be read.
+    species: Option<(String, Species)>,
+    outcomes: Vec<CanvasOutcome>,
+    worker: Worker,
+    building: Building,
+    recovery: Recovery,
+    journal: Option<JournalWriter>,
+    found: Vec<Recoverable>,
+    dialog: Option<Dialog>,
+    /// What waits for the answer about unsaved changes.
+    held_up: Option<Action>,
+    part_menu: Option<PartMenu>,
+    notices: Vec<(Notice, Instant)>,
+    notice_count: u64,
+    chinese: Option<Option<ChineseFont>>,
+    fonts_are_set: bool,
+    task: Option<Task>,
+    pen_used: PenUsed,
+    copied: Option<egui::ColorImage>,
+    title: Option<String>,
+    shown_title: String,
+    wake: Arc<dyn Fn() + Send + Sync>,
+    closed: bool,
+}
+
+impl Editor {
+    /// Opens the editor on a drawing, on what was left from before, or on the sample. `wake` is called from other threads when there is
+    /// something to [`Editor::collect`].
+    ///
+    /// # Errors
+    /// A user without a home, or a system without threads. A drawing that cannot be opened is told in a notice.
+    pub fn open(file: Option<PathBuf>, wake: impl Fn() + Send + Sync + 'static) -> anyhow::Result<Self> {
+        Self::open_in(Places::of_system()?, file, wake)
+    }
+
+    /// The same with folders of the caller's choice.
+    ///
+    /// # Errors
+    /// As [`Editor::open`].
+    pub fn open_in(
+        places: Places,
+        file: Option<PathBuf>,
+        wake: impl Fn() + Send + Sync + 'static,
+    ) -> anyhow::Result<Self> {
+        let messages = Messages::new(super::messages::Language::of_system());
+        let (settings, broken) = Settings::load(&places.config, &messages);
+        let is_first_start = !places.config.join(super::settings::FILE_NAME).exists();
+        let wake: Arc<dyn Fn() + Send + Sync> = Arc::new(wake);
+        let theirs = Arc::clone(&wake);
+        let worker = Worker::start(move || theirs()).context("no thread for the live plant")?;
+        let recovery = Recovery::at(&places.state);
+        let mut editor = Self {
+            document: Document::empty(),
+            canvas: Canvas::default(),
+            plant: PlantView::default(),
+            messages: Messages::new(settings.language()),
+            layout: Layout::default(),
+            built: None,
+            versions: Versions::default(),
+            file: OwnFile::default(),
+            species: None,
+            outcomes: Vec::new(),
+            worker,
+            building: Building::default(),
+            journal: None,
+            found: Vec::new(),
+            dialog: None,
+            held_up: None,
+            part_menu: None,
+            notices: Vec::new(),
+            notice_count: 0,
+            chinese: None,
+            fonts_are_set: false,
+            task: None,
+            pen_used: PenUsed::default(),
+            copied: None,
+            title: None,
+            shown_title: String::new(),
+            wake,
+            closed: false,
+            places,
+            recovery,
+            settings,
+        };
+        editor.apply_settings();
+        broken.into_iter().for_each(|notice| editor.tell(notice));
+        match file {
+            Some(file) => editor.open_file(&file),
+            None if is_first_start => editor.open_sample(),
+            None => editor.start_empty(),
+        }
+        editor.look_for_lost_drawings();
+        editor.save_settings();
+        Ok(editor)
+    }
+
+    /// Takes what other threads have finished.
+    pub fn collect(&mut self) {
+        if let Some(update) = self.worker.take() {
+            self.take_update(update);
+        }
+        self.collect_task();
+    }
+
+    fn take_update(&mut self, update: Update) {
+        self.building.is_running = update.revision < self.building.submitted;
+        self.building.last = Some(update.took);
+        match update.result {
+            Ok(built) => {
+                self.building.failure = None;
+                tracing::debug!(
+                    "built revision={} strokes={} flowers={} vertices={} triangles={} took={:.1}ms",
+                    update.revision,
+                    built.anatomy.marks.len(),
+                    built.plant.flowers.len(),
+                    built.model.vertex_count(),
+                    built.model.triangle_count(),
+                    update.took.as_secs_f64() * 1e3
+                );
+                self.built = Some(built);
+                self.versions.plant += 1;
+                self.versions.drawing += 1;
+            }
+            Err(reason) => {
+                if self.building.failure.as_ref() != Some(&reason) {
+                    self.tell(Notice::error(reason.clone(), ""));
+                }
+                self.building.failure = Some(reason);
+            }
+        }
+    }
+
+    /// Hands the newest drawing to the worker if it changed. Called once after all events of a moment.
+    pub fn submit(&mut self) {
+        if !std::mem::take(&mut self.building.is_stale) {
+            return;
+        }
+        let mut sketch = self.document.sketch().clone();
+        sketch.strokes = self.canvas.previewed(&sketch.strokes);
+        if let Some(growing) = self.canvas.growing() {
+            sketch.strokes.push(Arc::new(growing.snapshot()));
+        }
+        sketch.species.get_or_insert_with(|| DEFAULT_SPECIES.to_owned());
+        self.building.submitted += 1;
+        self.building.is_running = true;
+        let (revision, folder) = (self.building.submitted, self.file.folder());
+        self.worker.submit(worker::Snapshot { revision, sketch, folder });
+    }
+
+    /// Applies a change as one step: to the document, the journal, the canvas and the plant.
+    fn change(&mut self, change: Change) {
+        match self.document.apply(change) {
+            Ok(Some(step)) => self.changed(&step),
+            Ok(None) => {}
+            Err(error) => self.tell(Notice::error(error.to_string(), "")),
+        }
+    }
+
+    /// The same for a slider on its way: one step from press to release.
+    fn change_merging(&mut self, change: Change, key: &str) {
+        match self.document.apply_merging(change, key) {
+            Ok(Some(step)) => self.changed(&step),
+            Ok(None) => {}
+            Err(error) => self.tell(Notice::error(error.to_string(), "")),
+        }
+    }
+
+    fn changed(&mut self, step: &Arc<Step>) {
+        if let Some(journal) = &mut self.journal {
+            journal.append(step);
+        }
+        self.drawing_changed();
+    }
+
+    /// After any change of the drawing, also by undo or another file.
+    fn drawing_changed(&mut self) {
+        let mut outcomes = std::mem::take(&mut self.outcomes);
+        self.canvas.drawing_changed(&self.document.sketch().strokes, &mut outcomes);
+        self.outcomes = outcomes;
+        self.building.is_stale = true;
+        self.versions.drawing += 1;
+        self.versions.reference += 1;
+        self.refresh_species();
+        self.refresh_title();
+    }
+
+    /// Keeps the panels' copy of the species true.
+    fn refresh_species(&mut self) {
+        let sketch = self.document.sketch();
+        let name = sketch.species.clone().unwrap_or_else(|| DEFAULT_SPECIES.to_owned());
+        if self.species.as_ref().is_none_or(|(known, _)| *known != name) {
+            let read = crate::pipeline::species_of(sketch, &self.file.folder());
+            self.species = read.ok().map(|species| (name, species));
+        }
+    }
+
+    fn refresh_title(&mut self) {
+        let name = self.file.name().unwrap_or_else(|| self.messages.get(Msg::Untitled).to_owned());
+        let mark = if self.document.is_saved() { "" } else { "• " };
+        let title = format!("{mark}{name} – Penstemon");
+        if title != self.shown_title {
+            self.shown_title.clone_from(&title);
+            self.title = Some(title);
+        }
+    }
+
+    /// A new title for the window.
+    pub fn take_title(&mut self) -> Option<String> {
+        self.title.take()
+    }
+
+    /// A picture for the clipboard.
+    pub fn take_copied_picture(&mut self) -> Option<egui::ColorImage> {
+        self.copied.take()
+    }
+
+    /// Shows a message.
+    pub(super) fn tell(&mut self, notice: Notice) {
+        tracing::debug!("notice: {} {}", notice.what, notice.remedy);
+        if self.notices.iter().any(|(shown, _)| shown.what == notice.what) {
+            return;
+        }
+        self.notice_count += 1;
+        self.notices.push((Notice { id: self.notice_count, ..notice }, Instant::now()));
+    }
+
+    /// Where things are in the window.
+    pub fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    /// Keeps a snapshot now: the window lost the focus or is about to go.
+    pub fn snapshot(&mut self) {
+        self.canvas.release_keys();
+        if let Some(journal) = &self.journal {
+            journal.snapshot();
+        }
+    }
+
+    /// Whether the window should close.
+    pub fn is_closed(&self) -> bool {
+        self.closed
+    }
+
+    /// Ends everything; called once when the window closes.
+    pub fn shut_down(&mut self) {
+        self.save_settings();
+        self.cancel_task();
+        if let Some(journal) = self.journal.take() {
+            journal.close();
+        }
+    }
+
+    /// Whether something on the screen moves by itself.
+    pub fn wants_frame(&self) -> bool {
+        self.plant.is_moving()
+    }
+
+    /// When something on the screen changes by itself.
+    pub fn wakes_at(&self) -> Option<Instant> {
+        let news = self.notices.iter().filter(|(n, _)| n.is_good_news()).map(|(_, at)| *at + GOOD_NEWS).min();
+        let saving = self.journal.as_ref().is_some_and(|j| j.is_busy()).then(|| Instant::now() + Duration::from_millis(250));
+        [news, saving, self.plant.wakes_at()].into_iter().flatten().min()
+    }
+}

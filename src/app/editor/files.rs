@@ -1,0 +1,299 @@
+//! Drawings on disk: new, open, save, recover, import; and the questions that come before.
+
+use super::{Editor, OwnFile};
+use crate::app::action::Action;
+use crate::app::canvas::Canvas;
+use crate::app::dialogs;
+use crate::app::panels::snapshot::{Dialog, Notice, PathPurpose};
+use crate::sketch::document::Document;
+use crate::sketch::journal::{JournalWriter, Meta, Recoverable};
+use crate::sketch::save::{self, Opened};
+use crate::sketch::{self, Change};
+use std::path::{Path, PathBuf};
+
+/// The drawing that a first start shows.
+const SAMPLE: &str = include_str!("../../../assets/sketches/sample.penstemon");
+/// Extensions of drawings, of pictures, and of species files.
+const DRAWINGS: [&str; 2] = ["penstemon", "svg"];
+const PICTURES: [&str; 3] = ["png", "jpg", "jpeg"];
+const SPECIES: [&str; 1] = ["toml"];
+
+impl Editor {
+    /// The window's close button, or the key for it.
+    pub fn ask_to_quit(&mut self) {
+        self.perform_if_saved(Action::Quit);
+    }
+
+    /// Carries out what replaces the drawing, after asking about unsaved changes.
+    pub(super) fn perform_if_saved(&mut self, action: Action) {
+        if self.document.is_saved() {
+            self.replace(action);
+        } else {
+            self.held_up = Some(action);
+            self.dialog = Some(Dialog::Unsaved);
+        }
+    }
+
+    /// Saves, and goes on where that worked.
+    pub(super) fn save_and_continue(&mut self) {
+        self.dialog = None;
+        if self.file.path.is_none() {
+            // Goes on once a name is chosen.
+            self.choose(PathPurpose::SaveDrawing);
+        } else if self.save() {
+            self.go_on();
+        }
+    }
+
+    /// Carries out what was held up.
+    pub(super) fn go_on(&mut self) {
+        self.dialog = None;
+        if let Some(action) = self.held_up.take() {
+            self.replace(action);
+        }
+    }
+
+    pub(super) fn close_dialog(&mut self) {
+        self.dialog = None;
+        self.held_up = None;
+    }
+
+    fn replace(&mut self, action: Action) {
+        match action {
+            Action::New => self.start_empty(),
+            Action::Open => self.choose(PathPurpose::OpenDrawing),
+            Action::OpenPath(path) => self.open_file(&path),
+            Action::Recover(path) => self.recover(&path),
+            Action::Quit => self.closed = true,
+            _ => {}
+        }
+    }
+
+    /// An empty sheet.
+    pub(super) fn start_empty(&mut self) {
+        self.take_over(Document::empty(), OwnFile::default());
+    }
+
+    /// The drawing of a first start: the artist's own from the first stroke on.
+    pub(super) fn open_sample(&mut self) {
+        match sketch::from_bytes(SAMPLE.as_bytes(), "the sample") {
+            Ok((sample, _)) => self.take_over(Document::new(sample), OwnFile::default()),
+            Err(error) => {
+                self.tell(Notice::error(error.to_string(), ""));
+                self.start_empty();
+            }
+        }
+    }
+
+    /// Opens a drawing; where that fails the one that is open stays.
+    pub(super) fn open_file(&mut self, path: &Path) {
+        let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        match save::open(&path) {
+            Ok(Opened { sketch, warnings, stamp }) => {
+                for warning in &warnings {
+                    self.tell(Notice::warning(warning.to_string(), ""));
+                }
+                // An imported SVG has no file of its own yet.
+                let own = stamp.is_some();
+                let document = if own { Document::new(sketch) } else { Document::unsaved(sketch) };
+                self.take_over(document, OwnFile { path: own.then(|| path.clone()), stamp });
+                self.settings.remember(&path);
+                self.save_settings();
+            }
+            Err(error) => {
+                self.tell(Notice::error(error.to_string(), ""));
+                if self.journal.is_none() {
+                    self.start_empty();
+                }
+            }
+        }
+    }
+
+    /// Begins to work on another drawing. The journal of the one before ends: it is saved, or was given up.
+    fn take_over(&mut self, document: Document, file: OwnFile) {
+        let meta = meta_of(&file);
+        let started = self.recovery.start(document.sketch(), meta, document.is_saved());
+        let journal = started.map_err(|error| self.tell(Notice::error(error.to_string(), ""))).ok();
+        self.take_over_with(document, file, journal);
+    }
+
+    fn take_over_with(&mut self, document: Document, file: OwnFile, journal: Option<JournalWriter>) {
+        if let Some(old) = self.journal.take() {
+            old.close();
+        }
+        self.journal = journal;
+        self.document = document;
+        self.file = file;
+        self.species = None;
+        self.part_menu = None;
+        let settings = self.canvas.settings;
+        let tool = self.canvas.tool();
+        self.canvas = Canvas::new(settings);
+        self.layout.forget();
+        self.perform(Action::SetTool(tool));
+        self.plant.show_front();
+        self.drawing_changed();
+    }
+
+    /// Saves under the drawing's name, or asks for one. Whether it is saved now.
+    pub(super) fn save(&mut self) -> bool {
+        match self.file.path.clone() {
+            Some(path) => self.save_to(path, self.file.stamp),
+            None => {
+                self.choose(PathPurpose::SaveDrawing);
+                false
+            }
+        }
+    }
+
+    fn save_to(&mut self, path: PathBuf, expected: Option<save::FileStamp>) -> bool {
+        match save::save(&path, self.document.sketch(), expected.as_ref()) {
+            Ok(stamp) => {
+                tracing::debug!("saved {}", path.display());
+                self.file = OwnFile { path: Some(path.clone()), stamp: Some(stamp) };
+                self.document.mark_saved();
+                if let Some(journal) = &self.journal {
+                    journal.saved(meta_of(&self.file));
+                }
+                self.settings.remember(&path);
+                self.save_settings();
+                self.refresh_title();
+                true
+            }
+            Err(error) => {
+                self.tell(Notice::error(error.to_string(), ""));
+                false
+            }
+        }
+    }
+
+    /// Asks for a file: the system's dialog, or ours where it has none.
+    pub(super) fn choose(&mut self, purpose: PathPurpose) {
+        let name = self.file.name();
+        let folder = self.file.path.as_deref().and_then(Path::parent).map(Path::to_owned);
+        let export = self.settings.export.format.extension();
+        let extensions: Vec<&'static str> = match purpose {
+            PathPurpose::OpenDrawing => DRAWINGS.to_vec(),
+            PathPurpose::SaveDrawing => vec!["penstemon"],
+            PathPurpose::Export => vec![export],
+            PathPurpose::Texture(_) | PathPurpose::Reference => PICTURES.to_vec(),
+            PathPurpose::Species => SPECIES.to_vec(),
+        };
+        let name = match purpose {
+            PathPurpose::SaveDrawing => format!("{}.penstemon", name.as_deref().unwrap_or("plant")),
+            PathPurpose::Export => format!("{}.{export}", name.as_deref().unwrap_or("plant")),
+            _ => String::new(),
+        };
+        let request = dialogs::request(purpose, folder, name, extensions);
+        match dialogs::ask(request, &self.answers, std::sync::Arc::clone(&self.wake)) {
+            Ok(()) => {}
+            Err(request) => self.dialog = Some(Dialog::Path(request)),
+        }
+    }
+
+    /// Uses a file that was asked for.
+    pub(super) fn chosen(&mut self, purpose: PathPurpose, path: PathBuf) {
+        self.dialog = None;
+        match purpose {
+            PathPurpose::OpenDrawing => self.open_file(&path),
+            PathPurpose::SaveDrawing => {
+                // The dialog asked whether to replace what is there.
+                if self.save_to(with_extension(path, "penstemon"), None) {
+                    self.go_on();
+                }
+            }
+            PathPurpose::Export => {
+                let extension = self.settings.export.format.extension();
+                self.begin_export(with_extension(path, extension));
+            }
+            PathPurpose::Texture(organ) => {
+                let texture = Some(path.to_string_lossy().into_owned());
+                self.perform(Action::SetTexture { organ, texture });
+            }
+            PathPurpose::Species => self.change(Change::species(Some(path.to_string_lossy().into_owned()))),
+            PathPurpose::Reference => self.put_reference(&path),
+        }
+    }
+
+    /// Files dropped on the window: a drawing is opened, a picture lies under the drawing, a species is used.
+    pub fn drop_files(&mut self, files: Vec<PathBuf>) {
+        let Some(file) = files.into_iter().next() else { return };
+        let extension = file.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
+        let is_one_of = |known: &[&str]| known.contains(&extension.as_str());
+        if is_one_of(&PICTURES) {
+            self.put_reference(&file);
+        } else if is_one_of(&SPECIES) {
+            self.chosen(PathPurpose::Species, file);
+        } else {
+            self.perform(Action::OpenPath(file));
+        }
+    }
+
+    /// Offers what windows left that are gone.
+    pub(super) fn look_for_lost_drawings(&mut self) {
+        match self.recovery.list() {
+            Ok(found) => self.found = found,
+            Err(error) => self.tell(Notice::warning(error.to_string(), "")),
+        }
+        if !self.found.is_empty() {
+            tracing::debug!("recoverable count={} strokes={}", self.found.len(), self.found[0].strokes());
+            self.dialog = Some(self.recovery_dialog());
+        }
+    }
+
+    fn recover(&mut self, path: &Path) {
+        let Some(found) = self.take_found(path) else { return };
+        match self.recovery.resume(found) {
+            Ok((restored, meta, journal)) => {
+                for warning in restored.warnings {
+                    self.tell(Notice::warning(warning, ""));
+                }
+                let file = OwnFile { path: meta.path, stamp: meta.stamp };
+                self.take_over_with(Document::unsaved(restored.sketch), file, Some(journal));
+                self.dialog = (!self.found.is_empty()).then(|| self.recovery_dialog());
+            }
+            Err(error) => self.tell(Notice::error(error.to_string(), "")),
+        }
+    }
+
+    pub(super) fn discard_recovery(&mut self, path: &Path) {
+        if let Some(found) = self.take_found(path) {
+            let discarded = self.recovery.discard(found);
+            self.or_tell(discarded);
+        }
+        self.dialog = (!self.found.is_empty()).then(|| self.recovery_dialog());
+    }
+
+    fn take_found(&mut self, path: &Path) -> Option<Recoverable> {
+        let at = self.found.iter().position(|found| found.folder() == path)?;
+        Some(self.found.remove(at))
+    }
+}
+
+fn meta_of(file: &OwnFile) -> Meta {
+    Meta { title: file.name().unwrap_or_default(), path: file.path.clone(), stamp: file.stamp }
+}
+
+/// The path with an extension, where it has none of its own.
+fn with_extension(path: PathBuf, extension: &str) -> PathBuf {
+    let has = path.extension().is_some_and(|e| e.eq_ignore_ascii_case(extension));
+    if has {
+        return path;
+    }
+    let mut name = path.into_os_string();
+    name.push(".");
+    name.push(extension);
+    name.into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_get_their_extension() {
+        assert_eq!(with_extension("a/rose".into(), "glb"), PathBuf::from("a/rose.glb"));
+        assert_eq!(with_extension("a/rose.v2".into(), "glb"), PathBuf::from("a/rose.v2.glb"));
+        assert_eq!(with_extension("a/rose.GLB".into(), "glb"), PathBuf::from("a/rose.GLB"));
+    }
+}

@@ -1,0 +1,95 @@
+//! What keys mean when no text is being written.
+
+use super::Editor;
+use crate::app::action::Action;
+use crate::app::canvas::CanvasKey;
+use crate::app::panels::snapshot::Dialog;
+use crate::app::panels::toolbar;
+use egui::{Key, Modifiers};
+
+impl Editor {
+    /// Hears a key; whether it meant something here.
+    pub fn key(&mut self, key: Key, modifiers: Modifiers, pressed: bool, repeat: bool) -> bool {
+        if let Some(canvas_key) = canvas_key(key) {
+            // A held key repeats its press; the canvas hears it once.
+            if !repeat {
+                self.on_canvas(|canvas, _, out| canvas.key(canvas_key, pressed, out));
+            }
+            return key == Key::Space && self.dialog.is_none();
+        }
+        if !pressed || self.dialog.is_some() {
+            return false;
+        }
+        if repeat && !matches!(key, Key::Z | Key::Y) {
+            return false;
+        }
+        let action = if modifiers.command { command(key, modifiers.shift) } else { self.plain(key, modifiers) };
+        let known = action.is_some();
+        if let Some(action) = action {
+            self.perform(action);
+        }
+        known
+    }
+
+    /// Modifier keys, which the canvas hears of too.
+    pub fn modifiers(&mut self, before: Modifiers, now: Modifiers) {
+        for (key, was, is) in
+            [(CanvasKey::Shift, before.shift, now.shift), (CanvasKey::Ctrl, before.ctrl, now.ctrl)]
+        {
+            if was != is {
+                self.on_canvas(|canvas, _, out| canvas.key(key, is, out));
+            }
+        }
+    }
+
+    fn plain(&self, key: Key, modifiers: Modifiers) -> Option<Action> {
+        if modifiers.alt {
+            return None;
+        }
+        match key {
+            Key::Delete | Key::Backspace => Some(Action::DeleteSelected),
+            Key::Home | Key::Num0 => Some(Action::FitCanvas),
+            Key::V => Some(Action::FrontView),
+            Key::F1 => Some(Action::ShowDialog(Dialog::About)),
+            _ => toolbar::TOOLS.iter().find(|entry| entry.key == key).map(|entry| Action::SetTool(entry.tool)),
+        }
+    }
+}
+
+fn canvas_key(key: Key) -> Option<CanvasKey> {
+    match key {
+        Key::Space => Some(CanvasKey::Space),
+        Key::Escape => Some(CanvasKey::Escape),
+        _ => None,
+    }
+}
+
+/// Keys with Ctrl, or Cmd on a Mac.
+fn command(key: Key, shift: bool) -> Option<Action> {
+    Some(match (key, shift) {
+        (Key::Z, false) => Action::Undo,
+        (Key::Z, true) | (Key::Y, false) => Action::Redo,
+        (Key::N, false) => Action::New,
+        (Key::O, false) => Action::Open,
+        (Key::S, false) => Action::Save,
+        (Key::S, true) => Action::SaveAs,
+        (Key::E, false) => Action::ShowExport,
+        (Key::A, false) => Action::SelectAll,
+        (Key::D, false) => Action::DuplicateSelected,
+        (Key::Q, false) => Action::Quit,
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn undo_and_redo_have_their_usual_keys() {
+        assert_eq!(command(Key::Z, false), Some(Action::Undo));
+        assert_eq!(command(Key::Z, true), Some(Action::Redo));
+        assert_eq!(command(Key::Y, false), Some(Action::Redo));
+        assert_eq!(command(Key::B, false), None);
+    }
+}

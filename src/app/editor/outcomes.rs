@@ -1,0 +1,93 @@
+//! Pens, wheels and fingers on the canvas, and what comes of them.
+
+use super::{DURABLE_WAIT, Editor};
+use crate::app::canvas::{CanvasOutcome, Drawing, Scroll};
+use crate::app::panels::snapshot::{PartMenu, PenUsed};
+use crate::pen::{PenEvent, PenPhase, PenTool};
+use crate::sketch::Change;
+use glam::DVec2;
+
+impl Editor {
+    /// A sample of a pointer over the canvas, or of one that went down over it.
+    pub fn pen(&mut self, event: PenEvent) {
+        if event.phase == PenPhase::Down {
+            self.pen_used = match event.sample.tool {
+                PenTool::Mouse => PenUsed::Mouse,
+                PenTool::Finger(_) => PenUsed::Touch,
+                PenTool::Pen | PenTool::Eraser => PenUsed::Pen(None),
+            };
+            self.part_menu = None;
+            self.make_durable();
+        }
+        self.on_canvas(|canvas, drawing, out| canvas.pen(&event, drawing, out));
+    }
+
+    /// The stroke before is on disk before the next begins; on a healthy disk it long is.
+    fn make_durable(&mut self) {
+        if let Some(journal) = &self.journal {
+            journal.flush(DURABLE_WAIT);
+        }
+    }
+
+    /// The wheel over the canvas, at a place in physical pixels.
+    pub fn wheel(&mut self, scroll: Scroll, at: DVec2) {
+        self.on_canvas(|canvas, _, out| canvas.wheel(scroll, at, out));
+    }
+
+    /// A pinch on a touchpad over the canvas: growth as a share and turn, at a place in physical pixels.
+    pub fn pinch(&mut self, delta: f64, turn_deg: f64, at: DVec2) {
+        self.on_canvas(|canvas, _, out| canvas.pinch(delta, turn_deg, at, out));
+    }
+
+    /// Lets the canvas do something and follows what comes of it.
+    pub(super) fn on_canvas<T>(
+        &mut self,
+        act: impl FnOnce(&mut crate::app::canvas::Canvas, &mut Drawing<'_>, &mut Vec<CanvasOutcome>) -> T,
+    ) -> T {
+        let mut outcomes = std::mem::take(&mut self.outcomes);
+        let mut last = self.document.next_id();
+        let mut new_id = || {
+            last += 1;
+            last - 1
+        };
+        let mut drawing = Drawing { strokes: &self.document.sketch().strokes, new_id: &mut new_id };
+        let made = act(&mut self.canvas, &mut drawing, &mut outcomes);
+        for outcome in outcomes.drain(..) {
+            self.follow(outcome);
+        }
+        if self.outcomes.is_empty() {
+            self.outcomes = outcomes;
+        }
+        made
+    }
+
+    fn follow(&mut self, outcome: CanvasOutcome) {
+        match outcome {
+            CanvasOutcome::StrokeBegan(_) | CanvasOutcome::StrokeGrew { .. } => self.building.is_stale = true,
+            CanvasOutcome::StrokeCancelled(_) => {
+                self.building.is_stale = true;
+                self.versions.drawing += 1;
+            }
+            CanvasOutcome::StrokeFinished(stroke) => self.change(Change::put(stroke)),
+            CanvasOutcome::Changed(changes) => self.change(Change::strokes(changes)),
+            CanvasOutcome::PreviewChanged => {
+                self.building.is_stale = true;
+                self.versions.drawing += 1;
+            }
+            CanvasOutcome::SelectionChanged => {
+                self.versions.drawing += 1;
+                self.part_menu = None;
+            }
+            CanvasOutcome::ViewChanged => self.part_menu = None,
+            CanvasOutcome::OverlayChanged => {}
+            CanvasOutcome::Action(action) => self.perform(action),
+            CanvasOutcome::TapOnStroke { id, at } => {
+                let strokes = &self.document.sketch().strokes;
+                let Some(stroke) = strokes.iter().find(|s| s.id == id) else { return };
+                let at = at / self.layout.pixels_per_point();
+                self.part_menu =
+                    Some(PartMenu { stroke: Some(id), tool: stroke.tool, at: [at.x as f32, at.y as f32] });
+            }
+        }
+    }
+}
