@@ -51,7 +51,9 @@ impl Eraser {
         let mut changed = false;
         for id in index.near_line(from, place, self.radius) {
             let Some(stroke) = index.get(id).map(Arc::clone) else { continue };
-            let left = if self.partial { cut(&stroke, from, place, self.radius) } else { Some(Vec::new()) };
+            let is_whole = !self.changes.contains_key(&id);
+            let sweep = Sweep { from, to: place, radius: self.radius };
+            let left = if self.partial { cut(&stroke, is_whole, &sweep) } else { Some(Vec::new()) };
             let Some(left) = left else { continue };
             changed = true;
             self.replace(&stroke, left, index, new_id);
@@ -108,14 +110,23 @@ fn length(points: &[StrokePoint]) -> f64 {
     points.windows(2).map(|w| f64::from(w[0].position.distance(w[1].position))).sum()
 }
 
-/// What is left of a stroke under a sweep; `None` where the sweep does not touch it.
-fn cut(stroke: &Stroke, from: DVec2, to: DVec2, radius: f64) -> Option<Vec<Vec<StrokePoint>>> {
+/// A disc that moves from one place to another.
+#[derive(Clone, Copy)]
+struct Sweep {
+    from: DVec2,
+    to: DVec2,
+    radius: f64,
+}
+
+/// What is left of a stroke under a sweep; `None` where the sweep does not touch it. Only a stroke that this drag has not
+/// cut before can be a closed outline: the ends of a piece may be near each other because of the cut.
+fn cut(stroke: &Stroke, is_whole: bool, sweep: &Sweep) -> Option<Vec<Vec<StrokePoint>>> {
     let points = &stroke.points;
     let mut pieces: Vec<Vec<StrokePoint>> = vec![vec![*points.first()?]];
     let mut touched = false;
     for (i, (p, q)) in segments(stroke).enumerate() {
         let (a, b) = (&points[i], points.get(i + 1).unwrap_or(&points[i]));
-        let Some((enters, leaves)) = under_sweep(p, q, from, to, radius) else {
+        let Some((enters, leaves)) = sweep.covers(p, q) else {
             let piece = pieces.last_mut()?;
             if piece.is_empty() {
                 piece.push(*a);
@@ -138,18 +149,26 @@ fn cut(stroke: &Stroke, from: DVec2, to: DVec2, radius: f64) -> Option<Vec<Vec<S
     if !touched {
         return None;
     }
-    let first = points.first()?.position;
-    let last = points.last()?.position;
-    let is_closed = f64::from(first.distance(last)) <= CLOSED_GAP_SHARE * length(points);
+    let is_closed = is_whole && is_closed(points, sweep);
     let keeps_ends =
         pieces.last().is_some_and(|p| !p.is_empty()) && pieces.first().is_some_and(|p| !p.is_empty());
     if is_closed && keeps_ends && pieces.len() > 1 {
         let head = pieces.remove(0);
         join(pieces.last_mut()?, head);
     }
-    pieces.retain(|piece| piece.len() > 1 && length(piece) >= CRUMB_RADII * radius && length(piece) > 0.0);
+    pieces.retain(|piece| {
+        piece.len() > 1 && length(piece) >= CRUMB_RADII * sweep.radius && length(piece) > 0.0
+    });
     pieces.iter_mut().for_each(|piece| restart_time(piece));
     Some(pieces)
+}
+
+/// Whether a stroke ends where it began, with a seam that is not itself erased.
+fn is_closed(points: &[StrokePoint], sweep: &Sweep) -> bool {
+    let (Some(first), Some(last)) = (points.first(), points.last()) else { return false };
+    let gap = f64::from(first.position.distance(last.position));
+    gap <= CLOSED_GAP_SHARE * length(points)
+        && sweep.covers(last.position.as_dvec2(), first.position.as_dvec2()).is_none()
 }
 
 /// Appends the beginning of a closed outline to its end; time runs on.
@@ -176,11 +195,14 @@ fn between(a: &StrokePoint, b: &StrokePoint, share: f32) -> StrokePoint {
     }
 }
 
-/// Shares of the segment `p`–`q` between which it lies under a disc that sweeps from `a` to `b`; `None` where it does not.
-fn under_sweep(p: DVec2, q: DVec2, a: DVec2, b: DVec2, radius: f64) -> Option<(f64, f64)> {
-    let mut found = [in_disc(p, q, a, radius), in_disc(p, q, b, radius), in_band(p, q, a, b, radius)];
-    let hull = |x: (f64, f64), y: (f64, f64)| (x.0.min(y.0), x.1.max(y.1));
-    found.iter_mut().filter_map(|interval| interval.take()).reduce(hull)
+impl Sweep {
+    /// Shares of the segment `p`–`q` between which it lies under the sweep; `None` where it does not.
+    fn covers(&self, p: DVec2, q: DVec2) -> Option<(f64, f64)> {
+        let Self { from, to, radius } = *self;
+        let parts = [in_disc(p, q, from, radius), in_disc(p, q, to, radius), in_band(p, q, from, to, radius)];
+        let hull = |x: (f64, f64), y: (f64, f64)| (x.0.min(y.0), x.1.max(y.1));
+        parts.into_iter().flatten().reduce(hull)
+    }
 }
 
 fn in_disc(p: DVec2, q: DVec2, center: DVec2, radius: f64) -> Option<(f64, f64)> {

@@ -18,6 +18,9 @@ const RUN: usize = 16;
 /// Share of the strokes above which building anew is faster than changing.
 const REBUILD_SHARE: f64 = 0.25;
 
+/// Most strokes that are added on top without comparing all others by name.
+const FEW: usize = 16;
+
 /// Boxes of a stroke's runs, by its id.
 type Run = GeomWithData<Rectangle<[f32; 2]>, StrokeId>;
 
@@ -34,10 +37,13 @@ pub struct StrokeIndex {
 impl StrokeIndex {
     /// Brings the index in step with the drawing.
     pub fn sync(&mut self, strokes: &[Arc<Stroke>]) {
-        let is_same = self.in_step
-            && self.order.len() == strokes.len()
-            && self.order.iter().zip(strokes).all(|(a, b)| Arc::ptr_eq(a, b));
-        if is_same {
+        let same = self.order.iter().zip(strokes).take_while(|(a, b)| Arc::ptr_eq(a, b)).count();
+        if self.in_step && same == self.order.len() && strokes.len() <= same + FEW {
+            for stroke in &strokes[same..] {
+                self.take_out(stroke.id);
+                self.put_in(Arc::clone(stroke));
+                self.order.push(Arc::clone(stroke));
+            }
             return;
         }
         let now: BTreeMap<StrokeId, &Arc<Stroke>> = strokes.iter().map(|s| (s.id, s)).collect();

@@ -8,8 +8,11 @@ use super::view::{CanvasView, Rect};
 use crate::sketch::{Stroke, StrokePoint, limits};
 use glam::{DAffine2, DVec2, Vec2};
 
-/// Side of a handle's touch target in logical pixels.
-pub const HANDLE_REACH: f64 = 20.0;
+/// Distance from which a pen or mouse takes hold of a handle, in logical pixels.
+pub const HANDLE_REACH: f64 = 10.0;
+
+/// Distance from which a finger takes hold of a handle, in logical pixels.
+pub const FINGER_HANDLE_REACH: f64 = 20.0;
 
 /// Distance of the turning handle from the top edge in logical pixels.
 pub const TURN_HANDLE_DISTANCE: f64 = 32.0;
@@ -63,15 +66,21 @@ impl Handle {
         }
     }
 
-    /// The handle at a window position: the nearest within reach, else the inside of the box; `None` outside.
-    pub fn at(window: DVec2, bounds: Rect, view: &CanvasView, scale_factor: f64) -> Option<Handle> {
+    /// The handle at a window position: the nearest within `reach` logical pixels, else the inside of the box; `None`
+    /// outside.
+    pub fn at(
+        window: DVec2,
+        bounds: Rect,
+        view: &CanvasView,
+        (scale_factor, reach): (f64, f64),
+    ) -> Option<Handle> {
         let per_logical_px = scale_factor / view.zoom();
         let gap = |handle: Handle| view.to_window(handle.place(bounds, per_logical_px)).distance(window);
-        let within = Self::ALL.into_iter().filter(|h| gap(*h) <= HANDLE_REACH * scale_factor * 0.5);
+        let within = Self::ALL.into_iter().filter(|h| gap(*h) <= reach * scale_factor);
         let nearest = within.min_by(|a, b| gap(*a).total_cmp(&gap(*b)));
         let place = view.to_canvas(window);
         // A thin box still has an inside that can be hit.
-        let slack = HANDLE_REACH * per_logical_px * 0.5;
+        let slack = reach * per_logical_px;
         let is_inside = place.cmpge(bounds.min - slack).all() && place.cmple(bounds.max + slack).all();
         nearest.or(is_inside.then_some(Handle::Inside))
     }
@@ -174,11 +183,11 @@ mod tests {
         view.zoom_about(DVec2::ZERO, 3.0);
         for handle in Handle::ALL {
             let window = view.to_window(handle.place(bounds(), 2.0 / view.zoom()));
-            assert_eq!(Handle::at(window, bounds(), &view, 2.0), Some(handle));
+            assert_eq!(Handle::at(window, bounds(), &view, (2.0, 10.0)), Some(handle));
         }
         let inside = view.to_window(DVec2::new(40.0, 40.0));
-        assert_eq!(Handle::at(inside, bounds(), &view, 1.0), Some(Handle::Inside));
-        assert_eq!(Handle::at(DVec2::splat(-500.0), bounds(), &view, 1.0), None);
+        assert_eq!(Handle::at(inside, bounds(), &view, (1.0, 10.0)), Some(Handle::Inside));
+        assert_eq!(Handle::at(DVec2::splat(-500.0), bounds(), &view, (1.0, 10.0)), None);
     }
 
     #[test]
