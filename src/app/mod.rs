@@ -6,5 +6,6 @@ mod frame;
 pub mod surface;
 pub mod transfer;
 pub mod worker;
+pub mod canvas;
 
 pub use action::Action;
