@@ -1,5 +1,11 @@
 //! The window: draw on the left, the plant grows on the right.
 
 pub mod action;
+pub mod fonts;
+pub mod messages;
+pub mod panels;
+pub mod presets;
+pub mod settings;
+pub mod theme;
 
 pub use action::Action;
