@@ -7,11 +7,16 @@
 //!
 //! Everything that can be touched is 40 logical pixels wide and high at least, and nothing needs a keyboard.
 
+pub mod dialogs;
+pub mod export;
+pub mod frame;
 pub mod icons;
 pub mod legend;
 pub mod materials;
+pub mod notices;
 pub mod parameters;
 pub mod part_menu;
+mod path_dialog;
 pub mod presets;
 pub mod rail;
 pub mod seed;

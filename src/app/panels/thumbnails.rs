@@ -12,14 +12,14 @@ static SPECIES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/assets/species-thumb
 const SIDE: u32 = 160;
 
 /// The picture of a built-in species, `None` where there is none or it is not decoded yet.
-pub fn of_species(ctx: &Context, name: &str) -> Option<TextureHandle> {
+pub(super) fn of_species(ctx: &Context, name: &str) -> Option<TextureHandle> {
     cached(ctx, Id::unique(("species thumbnail", name)), || {
         SPECIES.get_file(format!("{name}.png")).map(|file| file.contents())
     })
 }
 
 /// The picture of a built-in texture, `None` where there is none or it is not decoded yet.
-pub fn of_texture(ctx: &Context, name: &str) -> Option<TextureHandle> {
+pub(super) fn of_texture(ctx: &Context, name: &str) -> Option<TextureHandle> {
     cached(ctx, Id::unique(("texture thumbnail", name)), || builtin_texture(name))
 }
 
