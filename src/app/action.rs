@@ -3,8 +3,11 @@
 //! Panels and keys produce [`Action`]s and change nothing themselves; the application carries them out in one place.
 //! So a panel is tested without a window, and a key and a button cannot drift apart.
 
+use super::messages::Language;
+use super::panels::snapshot::{Dialog, ExportChoice, LightChoice, PathPurpose, Shading};
+use super::settings::{Handedness, Stabiliser, ThemeChoice};
 use crate::plant::OrganKind;
-use crate::sketch::Tool;
+use crate::sketch::{StrokeId, Tool};
 use serde_json::Value;
 use std::path::PathBuf;
 
@@ -22,6 +25,12 @@ pub enum CanvasTool {
     Select,
     /// Moves the canvas.
     Pan,
+}
+
+impl Default for CanvasTool {
+    fn default() -> Self {
+        Self::Draw(Tool::Auto)
+    }
 }
 
 /// One wish.
@@ -47,6 +56,15 @@ pub enum Action {
     SetTool(CanvasTool),
     /// Change what selected strokes are.
     SetPart(Tool),
+    /// Change what one stroke is.
+    SetStrokePart {
+        /// The stroke.
+        stroke: StrokeId,
+        /// What it is.
+        tool: Tool,
+    },
+    /// Close the menu that asks what a stroke is.
+    ClosePartMenu,
     /// Remove the selected strokes.
     DeleteSelected,
     /// Copy the selected strokes beside themselves.
@@ -59,8 +77,19 @@ pub enum Action {
     FrontView,
     /// Choose a species by name or file.
     SetSpecies(String),
+    /// Ask for a file and use it for this.
+    ChooseFile(PathPurpose),
+    /// The path dialog's answer.
+    PathChosen {
+        /// What the dialog was for.
+        purpose: PathPurpose,
+        /// The chosen file.
+        path: PathBuf,
+    },
     /// Choose the seed.
     SetSeed(u64),
+    /// Choose a seed by chance.
+    RollSeed,
     /// Set one parameter by its path; `None` returns to the default.
     SetParam {
         /// Dotted path.
@@ -77,8 +106,62 @@ pub enum Action {
         /// Built-in name or file.
         texture: Option<String>,
     },
+    /// Keep species, textures and parameters as a preset of this name.
+    SavePreset(String),
+    /// Use a preset.
+    ApplyPreset(PathBuf),
+    /// Remove a preset.
+    DeletePreset(PathBuf),
     /// Ask for a reference picture and put it under the drawing.
     OpenReference,
+    /// How visible the reference picture is, 0 to 1.
+    SetReferenceOpacity(f32),
+    /// Whether the reference picture stays where it is.
+    LockReference(bool),
+    /// Take the reference picture away.
+    RemoveReference,
+    /// How the plant is lit.
+    SetLight(LightChoice),
+    /// How the plant is shown.
+    SetShading(Shading),
+    /// Without perspective.
+    SetOrthographic(bool),
+    /// Turn the plant slowly.
+    SetTurntable(bool),
+    /// Copy the picture of the plant to the clipboard.
+    CopyPicture,
+    /// Remember what the export dialog says.
+    SetExport(ExportChoice),
+    /// Ask for a name and export.
+    Export(ExportChoice),
+    /// Stop what the progress bar shows.
+    CancelTask,
+    /// Show a dialog.
+    ShowDialog(Dialog),
+    /// Close the dialog without doing anything.
+    CloseDialog,
+    /// Save, then go on with what the question about unsaved changes held up.
+    SaveAndContinue,
+    /// Go on without saving.
+    DiscardAndContinue,
+    /// Open a drawing that was found again.
+    Recover(PathBuf),
+    /// Delete a drawing that was found again.
+    DiscardRecovery(PathBuf),
+    /// Take a notice away.
+    DismissNotice(u64),
+    /// Choose the language of the interface.
+    SetLanguage(Language),
+    /// Choose dark or light.
+    SetTheme(ThemeChoice),
+    /// Choose the side of tools and panels.
+    SetHandedness(Handedness),
+    /// How much strokes are smoothed while they are drawn.
+    SetStabiliser(Stabiliser),
+    /// Show or hide the side panel.
+    ShowSide(bool),
+    /// The side panel was made this wide, logical pixels.
+    SetSideWidth(f32),
     /// Close the window, asking about unsaved changes.
     Quit,
 }

@@ -7,5 +7,11 @@ pub mod surface;
 pub mod transfer;
 pub mod worker;
 pub mod canvas;
+pub mod fonts;
+pub mod messages;
+pub mod panels;
+pub mod presets;
+pub mod settings;
+pub mod theme;
 
 pub use action::Action;

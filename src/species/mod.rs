@@ -21,6 +21,7 @@ pub mod pot;
 pub mod ranges;
 pub mod seat;
 pub mod sepals;
+pub mod textures;
 pub mod thorns;
 pub mod threads;
 

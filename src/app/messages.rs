@@ -1,0 +1,177 @@
+//! All text of the interface, in English and Simplified Chinese.
+//!
+//! Texts live in `assets/messages/*.toml`, one flat list per language. Code asks by [`Msg`], never by text, so a message
+//! without a name does not compile, and the tests hold the files to the same keys and the same `{placeholders}`. Names
+//! of species, parts, units and parameters are looked up by their own name; the English help of parameters is the doc
+//! comment in the code, only translations of it are in the files.
+//!
+//! Limits: messages of the engine itself (files that cannot be read, warnings about a drawing) are English.
+
+mod keys;
+
+pub use keys::Msg;
+
+use crate::params::Description;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use toml::{Table, Value};
+
+/// A language of the interface.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Language {
+    /// English.
+    #[default]
+    #[serde(rename = "en")]
+    English,
+    /// Simplified Chinese.
+    #[serde(rename = "zh-CN")]
+    Chinese,
+}
+
+impl Language {
+    /// Every language, in the order in which menus list them.
+    pub const ALL: [Language; 2] = [Language::English, Language::Chinese];
+
+    /// The language for a locale such as `zh_CN.UTF-8` or `en-GB`; English where there is no better one.
+    pub fn from_locale(locale: &str) -> Self {
+        let tag = locale.to_lowercase();
+        if tag.split(['-', '_', '.']).next() == Some("zh") { Self::Chinese } else { Self::English }
+    }
+
+    /// The language of the system.
+    pub fn of_system() -> Self {
+        sys_locale::get_locale().map_or(Self::English, |locale| Self::from_locale(&locale))
+    }
+
+    /// The language's own name; its letters may need a font that the interface has not loaded.
+    pub fn own_name(self) -> &'static str {
+        match self {
+            Self::English => "English",
+            Self::Chinese => "简体中文",
+        }
+    }
+
+    /// The name in Latin letters, for a system without a font for [`Language::own_name`].
+    pub fn latin_name(self) -> &'static str {
+        match self {
+            Self::English => "English",
+            Self::Chinese => "Chinese (Zhongwen)",
+        }
+    }
+
+    fn file(self) -> &'static str {
+        match self {
+            Self::English => include_str!("../../assets/messages/en.toml"),
+            Self::Chinese => include_str!("../../assets/messages/zh-CN.toml"),
+        }
+    }
+}
+
+/// Kinds of things that have a name in every language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Named {
+    /// A built-in species.
+    Species,
+    /// A kind of part.
+    Organ,
+    /// The unit of a parameter.
+    Unit,
+    /// A group of parameters.
+    Group,
+}
+
+impl Named {
+    fn section(self) -> &'static str {
+        match self {
+            Self::Species => "species",
+            Self::Organ => "organ",
+            Self::Unit => "unit",
+            Self::Group => "group",
+        }
+    }
+}
+
+/// The texts of one language.
+#[derive(Clone, Debug)]
+pub struct Messages {
+    language: Language,
+    texts: Vec<String>,
+    names: BTreeMap<String, String>,
+    params: BTreeMap<String, (String, String)>,
+}
+
+impl Messages {
+    /// The texts of a language.
+    pub fn new(language: Language) -> Self {
+        let table: Table = language.file().parse().unwrap_or_default();
+        let text = |msg: &Msg| {
+            let found = msg.name().split_once('.').and_then(|(section, key)| table.get(section)?.get(key));
+            found.and_then(Value::as_str).unwrap_or(msg.name()).to_owned()
+        };
+        let mut names = BTreeMap::new();
+        for (section, entries) in table_at(&table, "name") {
+            for (name, value) in entries.as_table().into_iter().flatten() {
+                names.insert(format!("{section}/{name}"), value.as_str().unwrap_or_default().to_owned());
+            }
+        }
+        let param = |(path, entry): (&String, &Value)| {
+            let field = |key: &str| entry.get(key).and_then(Value::as_str).unwrap_or_default().to_owned();
+            (path.clone(), (field("name"), field("help")))
+        };
+        let params = table_at(&table, "param").map(param).collect();
+        Self { language, texts: Msg::ALL.iter().map(text).collect(), names, params }
+    }
+
+    /// The language of these texts.
+    pub fn language(&self) -> Language {
+        self.language
+    }
+
+    /// One text.
+    pub fn get(&self, msg: Msg) -> &str {
+        self.texts.get(msg as usize).map_or(msg.name(), String::as_str)
+    }
+
+    /// One text with its `{placeholders}` filled.
+    pub fn fill(&self, msg: Msg, values: &[(&str, &dyn std::fmt::Display)]) -> String {
+        let mut text = self.get(msg).to_owned();
+        for (name, value) in values {
+            text = text.replace(&format!("{{{name}}}"), &value.to_string());
+        }
+        text
+    }
+
+    /// What a thing is called; its own name with spaces where the files do not know it.
+    pub fn name(&self, kind: Named, name: &str) -> String {
+        let known = self.names.get(&format!("{}/{name}", kind.section()));
+        known.cloned().unwrap_or_else(|| spoken(name))
+    }
+
+    /// A short name of a parameter.
+    pub fn param_name(&self, path: &str) -> String {
+        let known = self.params.get(path).map(|(name, _)| name.clone());
+        known.unwrap_or_else(|| spoken(path.rsplit('.').next().unwrap_or(path)))
+    }
+
+    /// One line about a parameter.
+    pub fn param_help(&self, of: &Description) -> String {
+        self.params.get(&of.path).map_or_else(|| of.help.clone(), |(_, help)| help.clone())
+    }
+}
+
+fn table_at<'a>(table: &'a Table, key: &str) -> impl Iterator<Item = (&'a String, &'a Value)> {
+    table.get(key).and_then(Value::as_table).into_iter().flatten()
+}
+
+/// `leaf_twigs` as people say it: `Leaf twigs`.
+fn spoken(name: &str) -> String {
+    let mut letters = name.replace('_', " ").chars().collect::<Vec<_>>();
+    if let Some(first) = letters.first_mut() {
+        *first = first.to_ascii_uppercase();
+    }
+    letters.into_iter().collect()
+}
+
+#[cfg(test)]
+#[path = "messages/tests.rs"]
+mod tests;

@@ -1,0 +1,32 @@
+//! Everything around the canvas: bars, side panel, menus and dialogs.
+//!
+//! Every panel is a function over the same four things: where to show itself, the [`Snapshot`] of the application, the
+//! [`Messages`](crate::app::messages::Messages) of the chosen language, and a list of
+//! [`Action`](crate::app::Action)s to which it adds what the artist asks for. Panels change nothing themselves; only
+//! what concerns a panel alone (a search text, a folder that is looked at) is kept in egui's memory.
+//!
+//! Everything that can be touched is 40 logical pixels wide and high at least, and nothing needs a keyboard.
+
+pub mod dialogs;
+pub mod export;
+pub mod frame;
+pub mod icons;
+pub mod legend;
+pub mod materials;
+pub mod notices;
+pub mod parameters;
+pub mod part_menu;
+mod path_dialog;
+pub mod presets;
+pub mod rail;
+pub mod seed;
+pub mod snapshot;
+pub mod species;
+pub mod status;
+mod thumbnails;
+mod tiles;
+pub mod toolbar;
+pub mod view;
+mod widgets;
+
+pub use snapshot::Snapshot;

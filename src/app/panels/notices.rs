@@ -1,0 +1,66 @@
+//! Messages that wait to be read: what happened, what can be done, and a way to put them away.
+
+use super::icons::{self, Icon};
+use super::snapshot::{Notice, Severity, Snapshot};
+use super::widgets::{ICON, IconButton, note, palette};
+use crate::app::action::Action;
+use crate::app::messages::{Messages, Msg};
+use crate::app::theme::TARGET;
+use egui::{
+    Align2, Area, Context, CornerRadius, Frame, Id, Margin, Order, Rect, RichText, Sense, Stroke, Ui, Vec2,
+    vec2,
+};
+
+/// Width of a message, logical pixels, where there is room.
+const WIDTH: f32 = 420.0;
+/// Most messages shown at once; the newest wait.
+const SHOWN: usize = 3;
+
+/// The messages at the upper edge of `canvas`.
+pub fn show(ctx: &Context, canvas: Rect, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<Action>) {
+    if snapshot.notices.is_empty() {
+        return;
+    }
+    let at = canvas.center_top() + vec2(0.0, 12.0);
+    let area =
+        Area::new(Id::unique("notices")).order(Order::Foreground).pivot(Align2::CENTER_TOP).fixed_pos(at);
+    area.constrain_to(canvas).show(ctx, |ui| {
+        ui.set_width(WIDTH.min(canvas.width() - 24.0));
+        for notice in snapshot.notices.iter().take(SHOWN) {
+            one(ui, notice, messages, out);
+        }
+    });
+}
+
+fn one(ui: &mut Ui, notice: &Notice, messages: &Messages, out: &mut Vec<Action>) {
+    let p = palette(ui);
+    let (icon, colour) = match notice.severity {
+        Severity::Info => (Icon::Check, p.good),
+        Severity::Warning => (Icon::Warning, p.warning),
+        Severity::Error => (Icon::Warning, p.error),
+    };
+    let frame = Frame::NONE
+        .fill(p.panel)
+        .stroke(Stroke::new(1.5, colour))
+        .corner_radius(CornerRadius::same(12))
+        .inner_margin(Margin::symmetric(12, 8))
+        .shadow(ui.visuals().popup_shadow);
+    frame.show(ui, |ui| {
+        ui.horizontal(|ui| {
+            let (rect, _) = ui.allocate_exact_size(Vec2::splat(ICON), Sense::hover());
+            icons::paint(ui.painter(), rect, icon, colour);
+            let width = ui.available_width() - TARGET - 8.0;
+            ui.vertical(|ui| {
+                ui.set_width(width);
+                ui.spacing_mut().item_spacing.y = 3.0;
+                ui.label(RichText::new(&notice.what).color(p.text));
+                if !notice.remedy.is_empty() {
+                    note(ui, &messages.fill(Msg::NoticeWhatToDo, &[("remedy", &notice.remedy)]));
+                }
+            });
+            if IconButton::new(Icon::Close, messages.get(Msg::NoticeDismiss)).show(ui).clicked() {
+                out.push(Action::DismissNotice(notice.id));
+            }
+        });
+    });
+}

@@ -1,0 +1,109 @@
+//! What is this stroke? One tap corrects a wrong guess. And what can be done with selected strokes.
+
+use super::icons::Icon;
+use super::snapshot::{PartMenu, Snapshot};
+use super::widgets::{IconButton, card, note, palette};
+use crate::app::action::Action;
+use crate::app::messages::{Messages, Msg};
+use crate::app::theme::TOOL;
+use crate::sketch::Tool;
+use egui::{Align2, Area, Context, Id, Order, Rect, Ui, pos2, vec2};
+
+/// What a stroke can be, as the menu shows it.
+const PARTS: [(Tool, Icon, Msg); 6] = [
+    (Tool::Petal, Icon::Petal, Msg::ToolPetal),
+    (Tool::Leaf, Icon::Leaf, Msg::ToolLeaf),
+    (Tool::Branch, Icon::Branch, Msg::ToolBranch),
+    (Tool::BranchOutline, Icon::BranchOutline, Msg::ToolBranchOutline),
+    (Tool::LeafOutline, Icon::LeafOutline, Msg::ToolLeafOutline),
+    (Tool::Auto, Icon::Pen, Msg::PartAuto),
+];
+/// Distance from the place that was tapped.
+const BESIDE: f32 = 18.0;
+
+/// The menu beside a stroke, inside `canvas`.
+pub fn show(ctx: &Context, canvas: Rect, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<Action>) {
+    let Some(menu) = snapshot.part_menu else { return };
+    let at = pos2(menu.at[0], menu.at[1]) + vec2(BESIDE, BESIDE);
+    let id = Id::unique("part menu");
+    let area = Area::new(id).order(Order::Foreground).fixed_pos(at).constrain_to(canvas.shrink(8.0));
+    let shown = area.show(ctx, |ui| {
+        card(ui).show(ui, |ui| choices(ui, &menu, messages, out));
+    });
+    if ctx.input(|i| i.pointer.any_pressed()) {
+        let outside =
+            ctx.input(|i| i.pointer.interact_pos()).is_some_and(|p| !shown.response.rect.contains(p));
+        if outside {
+            out.push(Action::ClosePartMenu);
+        }
+    }
+}
+
+fn choices(ui: &mut Ui, menu: &PartMenu, messages: &Messages, out: &mut Vec<Action>) {
+    ui.set_width(3.0 * TOOL + 8.0);
+    note(ui, messages.get(Msg::PartTitle));
+    ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
+    for row in PARTS.chunks(3) {
+        ui.horizontal(|ui| {
+            for (tool, icon, name) in row {
+                let mut button =
+                    IconButton::new(*icon, messages.get(*name)).side(TOOL).chosen(menu.tool == *tool);
+                if *tool != Tool::Auto {
+                    button = button.colour(palette(ui).tool(*tool));
+                }
+                if button.show(ui).clicked() {
+                    out.push(match menu.stroke {
+                        Some(stroke) => Action::SetStrokePart { stroke, tool: *tool },
+                        None => Action::SetPart(*tool),
+                    });
+                    out.push(Action::ClosePartMenu);
+                }
+            }
+        });
+    }
+}
+
+/// What can be done with selected strokes, at the lower edge of `canvas`.
+pub fn selection(
+    ctx: &Context,
+    canvas: Rect,
+    snapshot: &Snapshot,
+    messages: &Messages,
+    out: &mut Vec<Action>,
+) {
+    if snapshot.selected == 0 || snapshot.part_menu.is_some() {
+        return;
+    }
+    let at = canvas.center_bottom() - vec2(0.0, 14.0);
+    let area =
+        Area::new(Id::unique("selection")).order(Order::Middle).pivot(Align2::CENTER_BOTTOM).fixed_pos(at);
+    area.constrain_to(canvas).show(ctx, |ui| {
+        card(ui).show(ui, |ui| {
+            note(ui, &messages.fill(Msg::PartSelected, &[("count", &snapshot.selected)]));
+            ui.horizontal(|ui| {
+                ui.spacing_mut().item_spacing.x = 2.0;
+                for (tool, icon, name) in PARTS {
+                    let mut button = IconButton::new(icon, messages.get(name));
+                    if tool != Tool::Auto {
+                        button = button.colour(palette(ui).tool(tool));
+                    }
+                    if button.show(ui).clicked() {
+                        out.push(Action::SetPart(tool));
+                    }
+                }
+                ui.add_space(8.0);
+                if IconButton::new(Icon::Duplicate, messages.get(Msg::EditDuplicate)).show(ui).clicked() {
+                    out.push(Action::DuplicateSelected);
+                }
+                let colour = palette(ui).error;
+                if IconButton::new(Icon::Delete, messages.get(Msg::EditDelete))
+                    .colour(colour)
+                    .show(ui)
+                    .clicked()
+                {
+                    out.push(Action::DeleteSelected);
+                }
+            });
+        });
+    });
+}

@@ -1,0 +1,33 @@
+//! The seed, with dice.
+
+use super::icons::Icon;
+use super::snapshot::Snapshot;
+use super::widgets::{IconButton, section, text_button_sized};
+use crate::app::action::Action;
+use crate::app::messages::{Messages, Msg};
+use crate::app::theme::TARGET;
+use egui::{Label, Ui, vec2};
+
+/// The seed of everything random in the plant.
+pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<Action>) {
+    section(ui, messages.get(Msg::SeedTitle), |ui| {
+        ui.horizontal(|ui| {
+            let dice = (ui.available_width() * 0.48).max(TARGET);
+            let roll =
+                text_button_sized(ui, Some(Icon::Dice), messages.get(Msg::SeedRoll), false, Some(dice));
+            if roll.on_hover_text(messages.get(Msg::SeedHint)).clicked() {
+                out.push(Action::RollSeed);
+            }
+            ui.spacing_mut().item_spacing.x = 0.0;
+            if IconButton::new(Icon::Minus, messages.get(Msg::SeedLess)).show(ui).clicked() {
+                out.push(Action::SetSeed(snapshot.seed.wrapping_sub(1)));
+            }
+            let number = messages.fill(Msg::SeedNumber, &[("number", &snapshot.seed)]);
+            let room = vec2((ui.available_width() - TARGET).max(0.0), TARGET);
+            ui.add_sized(room, Label::new(number.as_str()).truncate()).on_hover_text(number);
+            if IconButton::new(Icon::Plus, messages.get(Msg::SeedMore)).show(ui).clicked() {
+                out.push(Action::SetSeed(snapshot.seed.wrapping_add(1)));
+            }
+        });
+    });
+}

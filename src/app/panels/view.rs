@@ -1,0 +1,118 @@
+//! How the plant is shown: light, what it is shown as, camera.
+
+use super::icons::Icon;
+use super::rail::{Rail, Scale};
+use super::snapshot::{LightChoice, ReferenceState, Shading, Snapshot};
+use super::widgets::{palette, section, segments, switch, text_button_sized};
+use crate::app::action::Action;
+use crate::app::messages::{Messages, Msg};
+use crate::app::theme::TARGET;
+use egui::{Color32, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
+
+/// Colours of the sun, linear RGB.
+const COLOURS: [(Msg, [f32; 3]); 4] = [
+    (Msg::ViewColourWarm, [1.0, 0.93, 0.83]),
+    (Msg::ViewColourDay, [1.0, 1.0, 1.0]),
+    (Msg::ViewColourCool, [0.80, 0.90, 1.0]),
+    (Msg::ViewColourPink, [1.0, 0.72, 0.66]),
+];
+
+/// View of the plant, and the reference picture under the drawing.
+pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<Action>) {
+    section(ui, messages.get(Msg::ViewShading), |ui| {
+        let choices = [
+            (Shading::Shaded, messages.get(Msg::ViewShaded)),
+            (Shading::Wireframe, messages.get(Msg::ViewWireframe)),
+            (Shading::Parts, messages.get(Msg::ViewParts)),
+        ];
+        out.extend(segments(ui, &choices, snapshot.view.shading).map(Action::SetShading));
+        let orthographic = switch(ui, messages.get(Msg::ViewOrthographic), snapshot.view.orthographic);
+        out.extend(orthographic.map(Action::SetOrthographic));
+        let turntable = switch(ui, messages.get(Msg::ViewTurntable), snapshot.view.turntable);
+        out.extend(turntable.map(Action::SetTurntable));
+        let mut button = |icon, msg, action| {
+            let width = ui.available_width();
+            if text_button_sized(ui, Some(icon), messages.get(msg), false, Some(width)).clicked() {
+                out.push(action);
+            }
+        };
+        button(Icon::Plant, Msg::EditFront, Action::FrontView);
+        button(Icon::Picture, Msg::ViewCopyPicture, Action::CopyPicture);
+    });
+    section(ui, messages.get(Msg::ViewLight), |ui| light(ui, &snapshot.view.light, messages, out));
+    if let Some(state) = snapshot.reference {
+        section(ui, messages.get(Msg::ReferenceTitle), |ui| reference(ui, state, messages, out));
+    }
+}
+
+fn light(ui: &mut Ui, light: &LightChoice, messages: &Messages, out: &mut Vec<Action>) {
+    let rail = |ui: &mut Ui, msg, value: f32, (min, max), unit: &str, changed: bool| {
+        let scale = Scale { min, max, whole: false };
+        let text = format!("{}{unit}", scale.text(f64::from(value)));
+        let label = messages.get(msg);
+        let width = ui.available_width();
+        Rail { label, text: &text, scale, value: f64::from(value), changed }
+            .show(ui, width)
+            .1
+            .map(|v| v as f32)
+    };
+    let start = LightChoice::default();
+    let differs = |a: f32, b: f32| (a - b).abs() > 1e-4;
+    let azimuth = differs(light.azimuth_deg, start.azimuth_deg);
+    if let Some(azimuth_deg) = rail(ui, Msg::ViewAzimuth, light.azimuth_deg, (-180.0, 180.0), "°", azimuth) {
+        out.push(Action::SetLight(LightChoice { azimuth_deg, ..*light }));
+    }
+    let elevation = differs(light.elevation_deg, start.elevation_deg);
+    if let Some(elevation_deg) =
+        rail(ui, Msg::ViewElevation, light.elevation_deg, (5.0, 90.0), "°", elevation)
+    {
+        out.push(Action::SetLight(LightChoice { elevation_deg, ..*light }));
+    }
+    let strength = differs(light.strength, start.strength);
+    if let Some(strength) = rail(ui, Msg::ViewStrength, light.strength, (0.0, 2.0), "×", strength) {
+        out.push(Action::SetLight(LightChoice { strength, ..*light }));
+    }
+    ui.label(messages.get(Msg::ViewColour));
+    ui.horizontal(|ui| {
+        let width = (ui.available_width() - 8.0 * (COLOURS.len() - 1) as f32) / COLOURS.len() as f32;
+        for (msg, colour) in COLOURS {
+            if swatch(ui, width, messages.get(msg), colour, light.colour == colour) {
+                out.push(Action::SetLight(LightChoice { colour, ..*light }));
+            }
+        }
+    });
+    if *light != start {
+        let width = ui.available_width();
+        if text_button_sized(ui, Some(Icon::Reset), messages.get(Msg::ViewResetLight), false, Some(width))
+            .clicked()
+        {
+            out.push(Action::SetLight(start));
+        }
+    }
+}
+
+fn swatch(ui: &mut Ui, width: f32, name: &str, colour: [f32; 3], chosen: bool) -> bool {
+    let (rect, response) = ui.allocate_exact_size(vec2(width, TARGET), Sense::click());
+    let p = palette(ui);
+    let [r, g, b] = colour;
+    let fill = Color32::from(egui::Rgba::from_rgb(r, g, b));
+    let line = if chosen { Stroke::new(3.0, p.accent) } else { Stroke::new(1.0, p.line) };
+    ui.painter().rect(rect, 9, fill, line, egui::StrokeKind::Inside);
+    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, chosen, name));
+    response.on_hover_text(name).clicked()
+}
+
+fn reference(ui: &mut Ui, state: ReferenceState, messages: &Messages, out: &mut Vec<Action>) {
+    let scale = Scale { min: 0.0, max: 100.0, whole: true };
+    let value = f64::from(state.opacity * 100.0);
+    let text = format!("{} %", scale.text(value));
+    let width = ui.available_width();
+    let rail = Rail { label: messages.get(Msg::ReferenceOpacity), text: &text, scale, value, changed: false };
+    out.extend(rail.show(ui, width).1.map(|percent| Action::SetReferenceOpacity(percent as f32 / 100.0)));
+    out.extend(switch(ui, messages.get(Msg::ReferenceLock), state.locked).map(Action::LockReference));
+    if text_button_sized(ui, Some(Icon::Delete), messages.get(Msg::ReferenceRemove), false, Some(width))
+        .clicked()
+    {
+        out.push(Action::RemoveReference);
+    }
+}

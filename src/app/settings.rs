@@ -1,0 +1,275 @@
+//! What the artist chose for the program, as opposed to for one drawing: a small TOML file.
+//!
+//! Reading never fails. A file that cannot be read as settings is put aside as `settings.toml.broken` and told about by
+//! a [`Notice`]; unknown keys and values out of range fall back one by one, so a file of a newer version keeps what this
+//! one understands. Writing is atomic.
+//!
+//! Limits: two windows that change settings at once: the last one wins.
+
+use super::messages::{Language, Messages, Msg};
+use super::panels::snapshot::{ExportChoice, Notice};
+use crate::export::{WriteError, write_atomically};
+use serde::{Deserialize, Serialize, de::DeserializeOwned};
+use std::fs;
+use std::path::{Path, PathBuf};
+use toml::{Table, Value};
+
+/// Name of the file in the configuration folder.
+pub const FILE_NAME: &str = "settings.toml";
+/// Most recent files that are remembered.
+pub const MAX_RECENT: usize = 12;
+/// Largest settings file that is read, bytes.
+const MAX_BYTES: u64 = 1 << 20;
+/// Width of the side panel in logical pixels: least, at first, most.
+pub const SIDE_WIDTH: (f32, f32, f32) = (300.0, 320.0, 520.0);
+
+/// Which hand holds the pen; tools stand on the other side.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Handedness {
+    /// Tools on the left, panels on the right.
+    #[default]
+    Right,
+    /// The mirror image.
+    Left,
+}
+
+/// How much strokes are smoothed while they are drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Stabiliser {
+    /// As drawn.
+    Off,
+    /// A little.
+    #[default]
+    Light,
+    /// Much.
+    Strong,
+}
+
+impl Stabiliser {
+    /// Every strength, weakest first.
+    pub const ALL: [Stabiliser; 3] = [Self::Off, Self::Light, Self::Strong];
+}
+
+/// Colours of the interface.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ThemeChoice {
+    /// Light paper colours.
+    #[default]
+    Light,
+    /// Dark greens.
+    Dark,
+}
+
+/// What the artist chose for the program.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Settings {
+    /// Language; `None` follows the system.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub language: Option<Language>,
+    /// Colours.
+    pub theme: ThemeChoice,
+    /// The hand that holds the pen.
+    pub handedness: Handedness,
+    /// Smoothing of strokes.
+    pub stabiliser: Stabiliser,
+    /// Whether the side panel is shown.
+    pub side_shown: bool,
+    /// Width of the side panel, logical pixels.
+    pub side_width: f32,
+    /// Drawings opened or saved last, the newest first.
+    pub recent: Vec<PathBuf>,
+    /// What was chosen for the last export.
+    pub export: ExportChoice,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            language: None,
+            theme: ThemeChoice::default(),
+            handedness: Handedness::default(),
+            stabiliser: Stabiliser::default(),
+            side_shown: true,
+            side_width: SIDE_WIDTH.1,
+            recent: Vec::new(),
+            export: ExportChoice::default(),
+        }
+    }
+}
+
+impl Settings {
+    /// The settings kept in a folder, and what went wrong: then they are the defaults and the old file is kept aside.
+    pub fn load(folder: &Path, messages: &Messages) -> (Self, Option<Notice>) {
+        let path = folder.join(FILE_NAME);
+        match read(&path) {
+            Ok(None) => (Self::default(), None),
+            Ok(Some(table)) => (Self::from_table(&table), None),
+            Err(reason) => {
+                let aside = put_aside(&path);
+                let what = messages.fill(Msg::NoticeSettingsBroken, &[("file", &aside.display())]);
+                (Self::default(), Some(Notice::warning(format!("{what} ({reason})"), "")))
+            }
+        }
+    }
+
+    /// Keeps the settings in a folder, which is created if it is missing.
+    ///
+    /// # Errors
+    /// A folder that cannot be written; settings on disk stay as they were.
+    pub fn save(&self, folder: &Path) -> Result<(), WriteError> {
+        let path = folder.join(FILE_NAME);
+        let failed = |source| WriteError::Io { path: path.clone(), source };
+        fs::create_dir_all(folder).map_err(failed)?;
+        let text = toml::to_string_pretty(self).map_err(|e| failed(std::io::Error::other(e)))?;
+        write_atomically(&path, text.as_bytes())
+    }
+
+    /// Puts a drawing first among the recent ones.
+    pub fn remember(&mut self, path: &Path) {
+        self.recent.retain(|known| known != path);
+        self.recent.insert(0, path.to_owned());
+        self.recent.truncate(MAX_RECENT);
+    }
+
+    /// The language to start with.
+    pub fn language(&self) -> Language {
+        self.language.unwrap_or_else(Language::of_system)
+    }
+
+    fn from_table(table: &Table) -> Self {
+        let default = Self::default();
+        let width = field(table, "side_width").filter(|w: &f32| w.is_finite());
+        let mut recent: Vec<PathBuf> = field(table, "recent").unwrap_or_default();
+        recent.truncate(MAX_RECENT);
+        Self {
+            language: field(table, "language"),
+            theme: field(table, "theme").unwrap_or(default.theme),
+            handedness: field(table, "handedness").unwrap_or(default.handedness),
+            stabiliser: field(table, "stabiliser").unwrap_or(default.stabiliser),
+            side_shown: field(table, "side_shown").unwrap_or(default.side_shown),
+            side_width: width.map_or(default.side_width, |w| w.clamp(SIDE_WIDTH.0, SIDE_WIDTH.2)),
+            recent,
+            export: field(table, "export").map_or(default.export, ExportChoice::sane),
+        }
+    }
+}
+
+fn field<T: DeserializeOwned>(table: &Table, key: &str) -> Option<T> {
+    table.get(key).cloned().and_then(|value: Value| value.try_into().ok())
+}
+
+/// The file as a table, `None` where there is no file yet.
+fn read(path: &Path) -> Result<Option<Table>, String> {
+    match fs::metadata(path) {
+        Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+        Err(e) => return Err(e.to_string()),
+        Ok(data) if data.len() > MAX_BYTES => return Err(format!("larger than {MAX_BYTES} bytes")),
+        Ok(_) => {}
+    }
+    let text = fs::read_to_string(path).map_err(|e| e.to_string())?;
+    text.parse().map(Some).map_err(|e: toml::de::Error| e.message().to_owned())
+}
+
+/// Moves a broken file out of the way, never over another one, and says where it is now.
+fn put_aside(path: &Path) -> PathBuf {
+    let names = std::iter::once(String::from("broken")).chain((2..100).map(|n| format!("broken-{n}")));
+    let free = names.map(|end| path.with_extension(format!("toml.{end}"))).find(|aside| !aside.exists());
+    match free {
+        Some(aside) if fs::rename(path, &aside).is_ok() => aside,
+        _ => path.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn load(folder: &Path) -> (Settings, Option<Notice>) {
+        Settings::load(folder, &Messages::new(Language::English))
+    }
+
+    #[test]
+    fn what_was_saved_is_loaded() {
+        let folder = tempfile::tempdir().unwrap();
+        let below = folder.path().join("new/folder");
+        let mut settings = Settings {
+            language: Some(Language::Chinese),
+            theme: ThemeChoice::Dark,
+            handedness: Handedness::Left,
+            stabiliser: Stabiliser::Strong,
+            side_shown: false,
+            side_width: 400.0,
+            ..Settings::default()
+        };
+        settings.export.transparent = true;
+        settings.remember(Path::new("/drawings/daisy.penstemon"));
+        settings.save(&below).unwrap();
+        assert_eq!(load(&below), (settings, None));
+    }
+
+    #[test]
+    fn no_file_gives_the_defaults_without_a_word() {
+        assert_eq!(load(tempfile::tempdir().unwrap().path()), (Settings::default(), None));
+    }
+
+    #[test]
+    fn a_broken_file_is_kept_aside_and_told_about() {
+        let folder = tempfile::tempdir().unwrap();
+        for (round, aside) in ["settings.toml.broken", "settings.toml.broken-2"].into_iter().enumerate() {
+            let text = format!("theme = [[[ {round}");
+            fs::write(folder.path().join(FILE_NAME), &text).unwrap();
+            let (settings, notice) = load(folder.path());
+            assert_eq!(settings, Settings::default());
+            assert!(notice.unwrap().what.contains(aside));
+            assert_eq!(fs::read_to_string(folder.path().join(aside)).unwrap(), text);
+            assert!(!folder.path().join(FILE_NAME).exists());
+        }
+    }
+
+    #[test]
+    fn bytes_that_are_no_text_are_no_settings() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join(FILE_NAME), [0xff, 0xfe, 0, 1]).unwrap();
+        assert!(load(folder.path()).1.is_some());
+    }
+
+    #[test]
+    fn what_one_version_does_not_understand_costs_only_itself() {
+        let folder = tempfile::tempdir().unwrap();
+        let text = "theme = \"dark\"\nlanguage = \"klingon\"\nside_width = 1e9\nhologram = true\n\
+                    stabiliser = 7\n[export]\nwidth = 0\n";
+        fs::write(folder.path().join(FILE_NAME), text).unwrap();
+        let (settings, notice) = load(folder.path());
+        assert_eq!(notice, None);
+        assert_eq!(settings.theme, ThemeChoice::Dark);
+        assert_eq!(settings.language, None);
+        assert_eq!(settings.stabiliser, Stabiliser::default());
+        assert!((settings.side_width - SIDE_WIDTH.2).abs() < 1e-6);
+        assert!(settings.export.width >= 16);
+    }
+
+    #[test]
+    fn recent_files_are_few_and_each_once() {
+        let mut settings = Settings::default();
+        for n in 0..40 {
+            settings.remember(Path::new(&format!("{}.penstemon", n % 15)));
+        }
+        assert_eq!(settings.recent.len(), MAX_RECENT);
+        assert_eq!(settings.recent[0], Path::new("9.penstemon"));
+        let mut sorted = settings.recent.clone();
+        sorted.sort();
+        sorted.dedup();
+        assert_eq!(sorted.len(), MAX_RECENT);
+    }
+
+    #[test]
+    fn a_place_that_cannot_be_written_is_an_error_and_no_panic() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("file");
+        fs::write(&file, "").unwrap();
+        assert!(Settings::default().save(&file.join("below")).is_err());
+    }
+}
