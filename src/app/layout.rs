@@ -1,0 +1,202 @@
+//! One frame of the interface: panels at the edges, the canvas and the plant side by side between them.
+//!
+//! egui lays out; the canvas itself is not egui's: its rectangle is left open and the drawing is painted below. What
+//! belongs to the canvas but not to the drawing (lasso, handles, the eraser's circle) is painted by egui over it.
+
+use super::canvas::{CursorShape, Rect as CanvasRect};
+use super::editor::Editor;
+use super::panels::frame;
+use super::settings::Handedness;
+use super::theme::{self, Palette};
+use super::{fonts, plant_view};
+use egui::{Color32, Pos2, Rect, Sense, Shape, Stroke, Ui, UiBuilder, pos2, vec2};
+use glam::DVec2;
+
+/// Share of the room that the canvas has.
+const CANVAS_SHARE: f32 = 0.5;
+/// Least and largest share that the divider can give it.
+const SHARES: (f32, f32) = (0.2, 0.8);
+/// Width on which the divider can be taken hold of, points.
+const GRIP: f32 = 12.0;
+
+/// Where things are, in points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Layout {
+    /// The drawing.
+    pub canvas: Rect,
+    /// The plant.
+    pub plant: Rect,
+    pixels_per_point: f64,
+    share: f32,
+    /// The drawing was fitted into the canvas once.
+    is_fitted: bool,
+}
+
+impl Default for Layout {
+    fn default() -> Self {
+        let none = Rect::NOTHING;
+        Self { canvas: none, plant: none, pixels_per_point: 1.0, share: CANVAS_SHARE, is_fitted: false }
+    }
+}
+
+impl Layout {
+    /// Physical pixels per point.
+    pub fn pixels_per_point(&self) -> f64 {
+        self.pixels_per_point
+    }
+
+    /// The canvas in physical pixels.
+    pub fn canvas_px(&self) -> CanvasRect {
+        let px = |p: Pos2| DVec2::new(p.x.into(), p.y.into()) * self.pixels_per_point;
+        if self.canvas.is_finite() {
+            CanvasRect::new(px(self.canvas.min), px(self.canvas.max))
+        } else {
+            CanvasRect::new(DVec2::ZERO, DVec2::ONE)
+        }
+    }
+
+    /// Another drawing: it is fitted into the canvas with the next frame.
+    pub fn forget(&mut self) {
+        self.is_fitted = false;
+    }
+}
+
+impl Editor {
+    /// Lays out one frame; `plant` is the texture with the plant's picture.
+    pub fn ui(&mut self, ui: &mut Ui, plant: egui::TextureId) {
+        self.prepare_context(ui.ctx());
+        let snapshot = self.panel_snapshot();
+        let mut actions = Vec::new();
+        let room = frame::show(ui, &snapshot, &self.messages, &mut actions);
+        let before = self.layout;
+        self.divide(ui, room);
+        self.layout.pixels_per_point = f64::from(ui.ctx().pixels_per_point());
+        if self.layout.canvas != before.canvas || self.layout.plant != before.plant {
+            self.tell_layout();
+        }
+        self.canvas.set_viewport(self.layout.canvas_px(), self.layout.pixels_per_point);
+        if !std::mem::replace(&mut self.layout.is_fitted, true) {
+            self.fit_drawing();
+        }
+        let mut side = ui.new_child(UiBuilder::new().max_rect(self.layout.plant));
+        self.plant.show(&mut side, plant);
+        self.paint_overlay(ui);
+        frame::overlays(ui, self.layout.canvas, &snapshot, &self.messages, &mut actions);
+        for action in actions {
+            self.perform(action);
+        }
+        self.end_of_frame(ui);
+    }
+
+    /// Gives egui theme and fonts where they changed.
+    fn prepare_context(&mut self, ctx: &egui::Context) {
+        let (theme, language) = self.looks();
+        let shown: Option<(super::settings::ThemeChoice, f32)> =
+            ctx.data(|data| data.get_temp(egui::Id::unique("theme")));
+        let now = (theme, ctx.pixels_per_point());
+        if shown.is_none_or(|shown| shown != now) {
+            theme::apply(ctx, theme);
+            ctx.data_mut(|data| data.insert_temp(egui::Id::unique("theme"), now));
+        }
+        if self.needs_fonts() {
+            ctx.set_fonts(fonts::definitions(self.chinese_font(language)));
+        }
+    }
+
+    /// Divides the room between canvas and plant; the canvas lies at the hand that draws.
+    fn divide(&mut self, ui: &mut Ui, room: Rect) {
+        let canvas_first = self.settings.handedness == Handedness::Right;
+        let share = if canvas_first { self.layout.share } else { 1.0 - self.layout.share };
+        let x = (room.left() + share * room.width()).round();
+        let grip = Rect::from_x_y_ranges(x - GRIP / 2.0..=x + GRIP / 2.0, room.y_range());
+        let response = ui.interact(grip, egui::Id::unique("divider"), Sense::drag());
+        let response = response.on_hover_and_drag_cursor(egui::CursorIcon::ResizeHorizontal);
+        if response.dragged()
+            && let Some(pointer) = response.interact_pointer_pos()
+        {
+            let share = ((pointer.x - room.left()) / room.width().max(1.0)).clamp(SHARES.0, SHARES.1);
+            self.layout.share = if canvas_first { share } else { 1.0 - share };
+        }
+        let (left, right) = room.split_left_right_at_x(x);
+        (self.layout.canvas, self.layout.plant) = if canvas_first { (left, right) } else { (right, left) };
+        frame::divider(ui, x, room);
+    }
+
+    fn tell_layout(&self) {
+        let scale = self.layout.pixels_per_point as f32;
+        let area = |r: Rect| {
+            let numbers = [r.left(), r.top(), r.width(), r.height()].map(|x| (x * scale).round());
+            format!("{},{},{},{}", numbers[0], numbers[1], numbers[2], numbers[3])
+        };
+        tracing::debug!("layout canvas={} plant={}", area(self.layout.canvas), area(self.layout.plant));
+    }
+
+    /// Lasso, selection box, handles and eraser.
+    fn paint_overlay(&self, ui: &Ui) {
+        let scale = self.layout.pixels_per_point;
+        let point = |p: DVec2| pos2((p.x / scale) as f32, (p.y / scale) as f32);
+        let palette = Palette::in_use(ui.visuals());
+        let painter = ui.painter().with_clip_rect(self.layout.canvas);
+        let line = Stroke::new(1.5, palette.selection);
+        let overlay = self.canvas.overlay();
+        if overlay.lasso.len() > 1 {
+            let lasso: Vec<Pos2> = overlay.lasso.iter().map(|p| point(*p)).collect();
+            painter.extend(Shape::dashed_line(&lasso, line, 5.0, 4.0));
+        }
+        if let Some(frame) = overlay.frame {
+            painter.add(Shape::closed_line(frame.map(point).to_vec(), line));
+        }
+        for (handle, at) in &overlay.handles {
+            let at = point(*at);
+            if matches!(handle, super::canvas::transform::Handle::Turn) {
+                painter.circle(at, 6.0, palette.panel, line);
+            } else {
+                painter.rect(Rect::from_center_size(at, vec2(10.0, 10.0)), 2.0, palette.panel, line, egui::StrokeKind::Middle);
+            }
+        }
+        if let Some((middle, radius)) = self.canvas.cursor().circle {
+            let radius = (radius / scale) as f32;
+            painter.circle_stroke(point(middle), radius + 1.0, Stroke::new(1.0, Color32::from_white_alpha(180)));
+            painter.circle_stroke(point(middle), radius, Stroke::new(1.0, palette.text));
+        }
+        if self.document.sketch().strokes.is_empty() && self.canvas.growing().is_none() {
+            plant_view::invite(&painter, self.layout.canvas, &self.messages, palette);
+        }
+    }
+
+    /// The cursor over the canvas.
+    pub fn cursor(&self) -> egui::CursorIcon {
+        match self.canvas.cursor().shape {
+            CursorShape::Draw | CursorShape::Select => egui::CursorIcon::Crosshair,
+            CursorShape::Erase => egui::CursorIcon::None,
+            CursorShape::Move => egui::CursorIcon::Move,
+            CursorShape::Stretch(along) => stretch_cursor(along),
+            CursorShape::Turn => egui::CursorIcon::Alias,
+            CursorShape::Grab => egui::CursorIcon::Grab,
+            CursorShape::Grabbing => egui::CursorIcon::Grabbing,
+            CursorShape::Zoom => egui::CursorIcon::ZoomIn,
+        }
+    }
+}
+
+/// The arrow nearest to a direction on the screen, radians clockwise from right.
+fn stretch_cursor(along: f64) -> egui::CursorIcon {
+    use egui::CursorIcon::{ResizeHorizontal, ResizeNeSw, ResizeNwSe, ResizeVertical};
+    let eighth = (along / std::f64::consts::FRAC_PI_4).round().rem_euclid(4.0) as usize;
+    [ResizeHorizontal, ResizeNwSe, ResizeVertical, ResizeNeSw][eighth.min(3)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stretch_cursors_point_where_the_handle_goes() {
+        use std::f64::consts::PI;
+        assert_eq!(stretch_cursor(0.0), egui::CursorIcon::ResizeHorizontal);
+        assert_eq!(stretch_cursor(PI), egui::CursorIcon::ResizeHorizontal);
+        assert_eq!(stretch_cursor(-PI / 2.0), egui::CursorIcon::ResizeVertical);
+        assert_eq!(stretch_cursor(PI / 4.0), egui::CursorIcon::ResizeNwSe);
+        assert_eq!(stretch_cursor(-PI / 4.0), egui::CursorIcon::ResizeNeSw);
+    }
+}

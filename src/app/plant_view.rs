@@ -1,0 +1,275 @@
+//! The plant's side of the window: camera, light and what they hear from the pointer.
+//!
+//! Drag turns, right or middle drag (or Shift) moves, wheel and pinch zoom, a double tap shows the front as it was drawn.
+//! The camera follows the plant's growth until the artist takes hold of it; camera moves that were asked for by a button
+//! are shown as a short flight. Pictures are drafts while anything moves and finished ones when it rests.
+
+use super::panels::snapshot::{LightChoice, Shading, ViewState};
+use super::settings::ThemeChoice;
+use crate::plant::Texture;
+use crate::render::{Background, LightParams, Look, Mode, OrbitCamera, Projection, Quality};
+use egui::{PointerButton, Response, Sense, Ui};
+use glam::{Vec2, Vec3};
+use std::borrow::Cow;
+use std::error::Error;
+use std::time::{Duration, Instant};
+
+/// Length of a flight of the camera.
+const FLIGHT: Duration = Duration::from_millis(280);
+/// Turn of the turntable, degrees per second.
+const TURNTABLE: f32 = 24.0;
+/// How long the view must rest before it is finished.
+const REST: Duration = Duration::from_millis(220);
+/// Zoom of one point of scrolling.
+const ZOOM_PER_POINT: f32 = 1.0025;
+
+/// What the camera does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Guide {
+    /// Shows all of the plant from the front while it grows.
+    FollowsPlant,
+    /// Stays where the artist put it.
+    Artist,
+}
+
+/// The view of the plant.
+#[derive(Debug)]
+pub struct PlantView {
+    /// What the panels show and set.
+    pub state: ViewState,
+    /// The artist asked for the picture.
+    pub wants_copy: bool,
+    camera: OrbitCamera,
+    guide: Guide,
+    flight: Option<(OrbitCamera, Instant)>,
+    last_step: Option<Instant>,
+    /// When something last moved, and whether the finished picture of it is due.
+    moved: Option<Instant>,
+    aspect: f32,
+    bounds: Option<(Vec3, Vec3)>,
+}
+
+impl Default for PlantView {
+    fn default() -> Self {
+        Self {
+            state: ViewState { orthographic: true, ..ViewState::default() },
+            wants_copy: false,
+            camera: OrbitCamera::default(),
+            guide: Guide::FollowsPlant,
+            flight: None,
+            last_step: None,
+            moved: None,
+            aspect: 1.0,
+            bounds: None,
+        }
+    }
+}
+
+impl PlantView {
+    /// Shows the texture with the plant, filling what is left of `ui`, and hears the pointer.
+    pub fn show(&mut self, ui: &mut Ui, texture: egui::TextureId) {
+        let size = ui.available_size();
+        let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
+        self.aspect = (size.x / size.y.max(1.0)).max(0.01);
+        egui::Image::from_texture((texture, size)).paint_at(ui, rect);
+        self.hear(ui, &response);
+        self.step();
+        if self.is_moving() {
+            ui.ctx().request_repaint();
+        } else if let Some(at) = self.wakes_at() {
+            ui.ctx().request_repaint_after(at.saturating_duration_since(Instant::now()));
+        }
+    }
+
+    fn hear(&mut self, ui: &Ui, response: &Response) {
+        let rect = response.rect;
+        // Shares of the view's height from its centre, y down, as the camera has them.
+        let share = |p: egui::Vec2| Vec2::new(p.x, p.y) / rect.height().max(1.0);
+        let from_centre = |p: egui::Pos2| share(p - rect.center());
+        if response.double_clicked() {
+            self.show_front();
+            return;
+        }
+        let drag = share(response.drag_delta());
+        if drag != Vec2::ZERO {
+            let (shift, touches) = ui.input(|i| (i.modifiers.shift, i.multi_touch().is_some()));
+            let moves = shift
+                || response.dragged_by(PointerButton::Secondary)
+                || response.dragged_by(PointerButton::Middle);
+            if !touches {
+                self.take_hold();
+                if moves { self.camera.pan(drag) } else { self.camera.orbit(drag) }
+            }
+        }
+        if !response.hovered() && !response.dragged() {
+            return;
+        }
+        let (scroll, pinch, at, touch) = ui.input(|i| {
+            (i.smooth_scroll_delta().y, i.zoom_delta(), i.pointer.hover_pos(), i.multi_touch())
+        });
+        if let Some(touch) = touch {
+            self.take_hold();
+            self.camera.pan(share(touch.translation_delta));
+            self.camera.zoom(touch.zoom_delta, from_centre(touch.center_pos));
+            self.camera.turn(-touch.rotation_delta.to_degrees());
+        } else if scroll != 0.0 || pinch != 1.0 {
+            self.take_hold();
+            let about = at.map_or(Vec2::ZERO, from_centre);
+            self.camera.zoom(ZOOM_PER_POINT.powf(scroll) * pinch, about);
+        }
+    }
+
+    fn take_hold(&mut self) {
+        self.guide = Guide::Artist;
+        self.flight = None;
+        self.stir();
+    }
+
+    /// Something moved: drafts until it rests.
+    fn stir(&mut self) {
+        self.moved = Some(Instant::now());
+    }
+
+    /// Hears of a new plant.
+    pub fn set_bounds(&mut self, bounds: Option<(Vec3, Vec3)>) {
+        self.bounds = bounds;
+        self.stir();
+        self.follow();
+    }
+
+    fn follow(&mut self) {
+        if self.guide == Guide::FollowsPlant && self.flight.is_none()
+            && let Some(bounds) = self.bounds
+        {
+            self.camera = self.front(bounds);
+        }
+    }
+
+    fn front(&self, bounds: (Vec3, Vec3)) -> OrbitCamera {
+        let mut camera = OrbitCamera { projection: self.projection(), ..OrbitCamera::facing(Vec2::ZERO, 1.0) };
+        camera.fit(bounds, self.aspect);
+        camera
+    }
+
+    fn projection(&self) -> Projection {
+        if self.state.orthographic { Projection::Orthographic } else { Projection::Perspective }
+    }
+
+    /// Flies to the front, as it was drawn, and follows the plant again.
+    pub fn show_front(&mut self) {
+        self.state.turntable = false;
+        self.guide = Guide::FollowsPlant;
+        self.flight = self.bounds.is_some().then(|| (self.camera, Instant::now()));
+        self.stir();
+    }
+
+    /// Switches between parallel and perspective.
+    pub fn set_orthographic(&mut self, on: bool) {
+        self.state.orthographic = on;
+        self.camera.projection = self.projection();
+        self.stir();
+    }
+
+    /// Moves what moves by itself.
+    fn step(&mut self) {
+        let now = Instant::now();
+        let passed = self.last_step.replace(now).map_or(0.0, |last| (now - last).as_secs_f32().min(0.1));
+        if let (Some((from, begun)), Some(bounds)) = (self.flight, self.bounds) {
+            let t = (begun.elapsed().as_secs_f32() / FLIGHT.as_secs_f32()).min(1.0);
+            let eased = t * t * (3.0 - 2.0 * t);
+            self.camera = from.lerp(&self.front(bounds), eased);
+            if t >= 1.0 {
+                self.flight = None;
+            }
+            self.stir();
+        } else if self.state.turntable {
+            self.guide = Guide::Artist;
+            self.camera.turn(TURNTABLE * passed);
+            self.stir();
+        } else {
+            self.follow();
+        }
+    }
+
+    /// Whether the next frame differs by itself.
+    pub fn is_moving(&self) -> bool {
+        self.flight.is_some() || self.state.turntable
+    }
+
+    /// When the finished picture is due.
+    pub fn wakes_at(&self) -> Option<Instant> {
+        self.moved.map(|at| at + REST)
+    }
+
+    /// The camera as it stands.
+    pub fn camera(&self) -> OrbitCamera {
+        self.camera
+    }
+
+    /// How the next picture looks: a draft while anything moves.
+    pub fn look(&mut self, theme: ThemeChoice) -> Look {
+        let rests = self.moved.is_none_or(|at| at.elapsed() >= REST);
+        if rests {
+            self.moved = None;
+        }
+        Look {
+            mode: match self.state.shading {
+                Shading::Shaded => Mode::Shaded,
+                Shading::Wireframe => Mode::Wireframe,
+                Shading::Parts => Mode::PartColours,
+            },
+            quality: if rests { Quality::Full } else { Quality::Draft },
+            background: match theme {
+                ThemeChoice::Light => Background::Paper,
+                ThemeChoice::Dark => Background::Dark,
+            },
+            light: light_params(&self.state.light),
+        }
+    }
+}
+
+fn light_params(choice: &LightChoice) -> LightParams {
+    LightParams {
+        sun_azimuth_deg: choice.azimuth_deg,
+        sun_elevation_deg: choice.elevation_deg,
+        sun_strength: choice.strength,
+        sun_temperature_k: choice.temperature_k,
+        ..LightParams::default()
+    }
+}
+
+/// The bytes of a texture's file: the program's own or the artist's.
+pub fn texture(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
+    let built_in = crate::cli::common::built_in_texture;
+    Ok(crate::export::pictures::fetch(texture, &built_in)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BOX: (Vec3, Vec3) = (Vec3::new(-0.2, 0.0, -0.2), Vec3::new(0.2, 1.0, 0.2));
+
+    #[test]
+    fn the_camera_follows_the_plant_until_the_artist_takes_hold() {
+        let mut view = PlantView::default();
+        view.set_bounds(Some(BOX));
+        let small = view.camera();
+        view.set_bounds(Some((BOX.0, BOX.1 * 3.0)));
+        assert!(view.camera().distance > small.distance);
+        view.take_hold();
+        let held = view.camera();
+        view.set_bounds(Some(BOX));
+        assert_eq!(view.camera(), held);
+    }
+
+    #[test]
+    fn drafts_while_moving_and_a_finished_picture_at_rest() {
+        let mut view = PlantView::default();
+        view.set_bounds(Some(BOX));
+        assert_eq!(view.look(ThemeChoice::Light).quality, Quality::Draft);
+        view.moved = Some(Instant::now() - REST);
+        assert_eq!(view.look(ThemeChoice::Light).quality, Quality::Full);
+        assert_eq!(view.wakes_at(), None);
+    }
+}
