@@ -33,7 +33,7 @@ pub enum WriteError {
         what: &'static str,
     },
     /// No right to create files there.
-    #[error("cannot write {}: no permission to create files in {}", .path.display(), .folder.display())]
+    #[error("cannot write {}: no permission to create files in {}; choose another folder", .path.display(), .folder.display())]
     Denied {
         /// The file.
         path: PathBuf,
@@ -56,6 +56,23 @@ pub enum WriteError {
     },
 }
 
+impl WriteError {
+    /// What the system's `source` means for writing `target`.
+    pub fn of(target: &Path, source: io::Error) -> Self {
+        let (path, folder) = (target.to_owned(), folder_of(target).to_owned());
+        match source.kind() {
+            io::ErrorKind::NotFound | io::ErrorKind::NotADirectory => Self::NoFolder { path, folder },
+            io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
+                Self::Denied { path, folder }
+            }
+            io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded | io::ErrorKind::FileTooLarge => {
+                Self::DiskFull { path }
+            }
+            _ => Self::Io { path, source },
+        }
+    }
+}
+
 /// Writes one file, whole or not at all. An existing file is replaced; a symbolic link keeps its place and its target
 /// is replaced.
 ///
@@ -63,6 +80,20 @@ pub enum WriteError {
 /// [`WriteError`], with what was there before left as it was.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     write_group_atomically(&[(path.to_owned(), bytes)])
+}
+
+/// As [`write_atomically`], but asks `permit` about the target, symbolic links resolved, when all but the renaming is done.
+///
+/// # Errors
+/// [`WriteError`] or what `permit` says, with what was there before left as it was.
+pub fn write_atomically_if<E: From<WriteError>>(
+    path: &Path,
+    bytes: &[u8],
+    permit: impl FnOnce(&Path) -> Result<(), E>,
+) -> Result<(), E> {
+    let staged = Staged::new(path, |file| file.write_all(bytes))?;
+    permit(&staged.target)?;
+    Ok(staged.commit()?)
 }
 
 /// Writes several files: all are staged before the first takes its name, and they take their names in order.
@@ -90,8 +121,12 @@ impl Staged {
     fn new(path: &Path, write: impl FnOnce(&mut File) -> io::Result<()>) -> Result<Self, WriteError> {
         let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         refuse_occupied(&target)?;
-        let explain = |error| explain(&target, error);
+        let explain = |error| WriteError::of(&target, error);
         let mut temporary = temporary_beside(&target).map_err(explain)?;
+        // Who could read the old file can read the new one, and nobody else.
+        if let Ok(there) = fs::metadata(&target) {
+            let _ = temporary.as_file().set_permissions(there.permissions());
+        }
         write(temporary.as_file_mut()).map_err(explain)?;
         temporary.as_file().sync_all().map_err(explain)?;
         Ok(Self { temporary, target })
@@ -99,11 +134,15 @@ impl Staged {
 
     fn commit(self) -> Result<(), WriteError> {
         let folder = folder_of(&self.target);
-        self.temporary.persist(&self.target).map_err(|failed| explain(&self.target, failed.error))?;
-        // Some file systems cannot flush a folder; the file itself is safe by now.
-        let _ = File::open(folder).and_then(|folder| folder.sync_all());
+        self.temporary.persist(&self.target).map_err(|failed| WriteError::of(&self.target, failed.error))?;
+        flush_folder(folder);
         Ok(())
     }
+}
+
+/// Flushes the names in a folder to the disk. Some file systems cannot; the files themselves are safe without.
+pub fn flush_folder(folder: &Path) {
+    let _ = File::open(folder).and_then(|folder| folder.sync_all());
 }
 
 fn refuse_occupied(target: &Path) -> Result<(), WriteError> {
@@ -127,22 +166,11 @@ fn temporary_beside(target: &Path) -> io::Result<NamedTempFile> {
     builder.tempfile_in(folder_of(target))
 }
 
-fn folder_of(target: &Path) -> &Path {
+/// The folder that holds `target`.
+pub fn folder_of(target: &Path) -> &Path {
     match target.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
-    }
-}
-
-fn explain(target: &Path, source: io::Error) -> WriteError {
-    let (path, folder) = (target.to_owned(), folder_of(target).to_owned());
-    match source.kind() {
-        io::ErrorKind::NotFound | io::ErrorKind::NotADirectory => WriteError::NoFolder { path, folder },
-        io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
-            WriteError::Denied { path, folder }
-        }
-        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => WriteError::DiskFull { path },
-        _ => WriteError::Io { path, source },
     }
 }
 

@@ -17,19 +17,20 @@ use super::canvas::{Canvas, CanvasOutcome};
 use super::fonts::ChineseFont;
 use super::layout::Layout;
 use super::messages::{Messages, Msg};
-use super::panels::snapshot::{Dialog, Notice, PartMenu, PenUsed};
+use super::panels::snapshot::{Dialog, Notice, PartMenu, PenUsed, Severity};
 use super::plant_view::PlantView;
 use super::settings::Settings;
 use super::worker::{self, Update, Worker};
 use crate::pipeline::{Built, DEFAULT_SPECIES};
 use crate::sketch::document::Document;
-use crate::sketch::journal::{JournalWriter, Recoverable, Recovery};
+use crate::sketch::journal::{JournalState, JournalWriter, Recoverable, Recovery};
 use crate::sketch::save::FileStamp;
 use crate::sketch::{Change, Step};
 use crate::species::Species;
 use anyhow::Context as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
 use task::Task;
 
@@ -133,6 +134,9 @@ pub struct Editor {
     part_menu: Option<PartMenu>,
     notices: Vec<(Notice, Instant)>,
     notice_count: u64,
+    listed_presets: Vec<super::presets::Listed>,
+    answers: Sender<Action>,
+    answered: Receiver<Action>,
     chinese: Option<Option<ChineseFont>>,
     fonts_are_set: bool,
     task: Option<Task>,
@@ -170,6 +174,7 @@ impl Editor {
         let theirs = Arc::clone(&wake);
         let worker = Worker::start(move || theirs()).context("no thread for the live plant")?;
         let recovery = Recovery::at(&places.state);
+        let (answers, answered) = channel();
         let mut editor = Self {
             document: Document::empty(),
             canvas: Canvas::default(),
@@ -190,6 +195,9 @@ impl Editor {
             part_menu: None,
             notices: Vec::new(),
             notice_count: 0,
+            listed_presets: Vec::new(),
+            answers,
+            answered,
             chinese: None,
             fonts_are_set: false,
             task: None,
@@ -204,6 +212,7 @@ impl Editor {
             settings,
         };
         editor.apply_settings();
+        editor.list_presets();
         broken.into_iter().for_each(|notice| editor.tell(notice));
         match file {
             Some(file) => editor.open_file(&file),
@@ -221,6 +230,9 @@ impl Editor {
             self.take_update(update);
         }
         self.collect_task();
+        while let Ok(action) = self.answered.try_recv() {
+            self.perform(action);
+        }
     }
 
     fn take_update(&mut self, update: Update) {
@@ -316,7 +328,7 @@ impl Editor {
     }
 
     fn refresh_title(&mut self) {
-        let name = self.file.name().unwrap_or_else(|| self.messages.get(Msg::Untitled).to_owned());
+        let name = self.file.name().unwrap_or_else(|| self.messages.get(Msg::AppUntitled).to_owned());
         let mark = if self.document.is_saved() { "" } else { "• " };
         let title = format!("{mark}{name} – Penstemon");
         if title != self.shown_title {
@@ -379,8 +391,8 @@ impl Editor {
 
     /// When something on the screen changes by itself.
     pub fn wakes_at(&self) -> Option<Instant> {
-        let news = self.notices.iter().filter(|(n, _)| n.is_good_news()).map(|(_, at)| *at + GOOD_NEWS).min();
-        let saving = self.journal.as_ref().is_some_and(|j| j.is_busy()).then(|| Instant::now() + Duration::from_millis(250));
+        let news = self.notices.iter().filter(|(n, _)| n.severity == Severity::Info).map(|(_, at)| *at + GOOD_NEWS).min();
+        let saving = self.journal.as_ref().is_some_and(|j| j.state() == JournalState::Saving).then(|| Instant::now() + Duration::from_millis(250));
         [news, saving, self.plant.wakes_at()].into_iter().flatten().min()
     }
 }

@@ -1,17 +1,36 @@
 //! The window: draw on the left, the plant grows on the right.
+//!
+//! | file | what |
+//! | --- | --- |
+//! | `window` | hears the system and hands every event to whom it belongs |
+//! | [`editor`] | the open drawing with everything around it, without window or graphics card |
+//! | [`action`] | every wish of the artist |
+//! | [`canvas`] | what pens, fingers and keys do to the drawing |
+//! | [`worker`] | the thread that builds the plant while the pen moves |
+//! | [`plant_view`] | camera and light of the plant |
+//! | [`panels`] | bars, side panel, menus and dialogs |
+//! | `layout` | all of these in one frame |
+//! | `graphics` | the same frame on the graphics card |
 
 pub mod action;
-pub mod egui_input;
-mod frame;
-pub mod surface;
-pub mod transfer;
-pub mod worker;
 pub mod canvas;
+pub mod editor;
+pub mod egui_input;
+mod file_dialog;
 pub mod fonts;
+mod frame;
+mod graphics;
+mod layout;
 pub mod messages;
 pub mod panels;
+pub mod plant_view;
 pub mod presets;
 pub mod settings;
+mod surface;
 pub mod theme;
+mod transfer;
+mod window;
+pub mod worker;
 
 pub use action::Action;
+pub use window::run;

@@ -4,8 +4,10 @@
 //! The camera follows the plant's growth until the artist takes hold of it; camera moves that were asked for by a button
 //! are shown as a short flight. Pictures are drafts while anything moves and finished ones when it rests.
 
+use super::messages::{Messages, Msg};
 use super::panels::snapshot::{LightChoice, Shading, ViewState};
 use super::settings::ThemeChoice;
+use super::theme::Palette;
 use crate::plant::Texture;
 use crate::render::{Background, LightParams, Look, Mode, OrbitCamera, Projection, Quality};
 use egui::{PointerButton, Response, Sense, Ui};
@@ -236,6 +238,16 @@ fn light_params(choice: &LightChoice) -> LightParams {
         sun_temperature_k: choice.temperature_k,
         ..LightParams::default()
     }
+}
+
+/// Says on an empty canvas what to do first.
+pub(super) fn invite(painter: &egui::Painter, canvas: egui::Rect, messages: &Messages, palette: &Palette) {
+    let font = egui::FontId::proportional(19.0);
+    let (first, then) = (messages.get(Msg::CanvasInvite), messages.get(Msg::CanvasInviteHint));
+    let middle = canvas.center();
+    painter.text(middle, egui::Align2::CENTER_BOTTOM, first, font, palette.weak);
+    let small = egui::FontId::proportional(14.0);
+    painter.text(middle + egui::vec2(0.0, 8.0), egui::Align2::CENTER_TOP, then, small, palette.weak);
 }
 
 /// The bytes of a texture's file: the program's own or the artist's.

@@ -24,7 +24,8 @@ const fn values() -> [u8; 256] {
 pub(super) fn encode_into(bytes: &[u8], out: &mut String) {
     out.reserve(bytes.len().div_ceil(3) * 4);
     for group in bytes.chunks(3) {
-        let bits = group.iter().fold(0_u32, |bits, byte| bits << 8 | u32::from(*byte)) << (8 * (3 - group.len()));
+        let bits =
+            group.iter().fold(0_u32, |bits, byte| bits << 8 | u32::from(*byte)) << (8 * (3 - group.len()));
         for place in 0..4 {
             let six = (bits >> (18 - 6 * place)) as usize & 63;
             out.push(char::from(if place <= group.len() { ALPHABET[six] } else { PADDING }));
@@ -93,9 +94,15 @@ mod tests {
 
     #[test]
     fn what_is_not_sound_is_refused_and_placed() {
-        for (text, at) in
-            [("Zg=", 0), ("Zm9vYg", 4), ("Z===", 0), ("Zg==Zg==", 0), ("Zm9v Zm9v", 4), ("Zh==", 0), ("====", 0)]
-        {
+        for (text, at) in [
+            ("Zg=", 0),
+            ("Zm9vYg", 4),
+            ("Z===", 0),
+            ("Zg==Zg==", 0),
+            ("Zm9v Zm9v", 4),
+            ("Zh==", 0),
+            ("====", 0),
+        ] {
             assert_eq!(decode(text), Err(at), "{text}");
         }
     }

@@ -108,7 +108,9 @@ impl Document {
         let step = Arc::new(step);
         self.newest_state += 1;
         let (state_before, state_after) = (self.state, self.newest_state);
-        let joins = key.is_some() && self.redo.is_empty() && self.undo.last().is_some_and(|e| e.key.as_deref() == key);
+        let joins = key.is_some()
+            && self.redo.is_empty()
+            && self.undo.last().is_some_and(|e| e.key.as_deref() == key);
         self.redo.clear();
         self.carry_out(&step, state_after);
         match self.undo.last_mut().filter(|_| joins) {

@@ -6,7 +6,11 @@ use glam::{Vec2, vec2};
 use serde_json::{Map, Value, json};
 
 fn stroke(id: StrokeId, x: f32) -> Stroke {
-    Stroke { id, tool: Tool::Auto, points: vec![StrokePoint::at(vec2(x, 0.0)), StrokePoint::at(vec2(x, 9.0))] }
+    Stroke {
+        id,
+        tool: Tool::Auto,
+        points: vec![StrokePoint::at(vec2(x, 0.0)), StrokePoint::at(vec2(x, 9.0))],
+    }
 }
 
 /// Strokes 1 to `count`.
@@ -145,7 +149,8 @@ fn samples_that_are_no_numbers_stay_out() {
     odd.points.push(StrokePoint::at(Vec2::splat(1e9)));
     document.apply(Change::put(odd)).unwrap();
     let kept = &document.sketch().strokes[0].points;
-    let expected = StrokePoint { pressure: 1.0, tilt_deg: vec2(0.0, -90.0), ..StrokePoint::at(vec2(0.0, 9.0)) };
+    let expected =
+        StrokePoint { pressure: 1.0, tilt_deg: vec2(0.0, -90.0), ..StrokePoint::at(vec2(0.0, 9.0)) };
     assert_eq!(kept, &[expected]);
     let nothing = Stroke { id: 2, tool: Tool::Leaf, points: vec![StrokePoint::at(Vec2::NAN)] };
     assert_eq!(document.apply(Change::put(nothing)), Ok(None));

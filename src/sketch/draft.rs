@@ -4,9 +4,9 @@
 //! out (with a remark), coordinates are checked against [`limits`], and a missing canvas becomes the bounding box.
 
 use super::error::{Fault, Place};
-use super::warnings::Warnings;
 use super::reference::Reference;
 use super::textures::Textures;
+use super::warnings::Warnings;
 use super::{Canvas, Sketch, Stroke, StrokeId, StrokePoint, Tool, limits};
 use glam::Vec2;
 use serde_json::{Map, Value};
@@ -53,7 +53,9 @@ impl Draft {
     pub(super) fn finish(mut self, purpose: Purpose, warnings: &mut Warnings) -> Result<Sketch, Flaw> {
         let mut ids = Ids::of(&self.strokes)?;
         let mut strokes = Vec::with_capacity(self.strokes.len());
-        for (index, DraftStroke { id, tool, mut points }) in std::mem::take(&mut self.strokes).into_iter().enumerate() {
+        for (index, DraftStroke { id, tool, mut points }) in
+            std::mem::take(&mut self.strokes).into_iter().enumerate()
+        {
             check_coordinates(&points).map_err(|(point, fault)| {
                 let id = id.map(|id| id.to_string());
                 (Place { stroke: Some(index + 1), id, point: Some(point + 1), line_column: None }, fault)

@@ -25,9 +25,12 @@ mod parse;
 mod point;
 mod progress;
 mod reference;
+pub(super) mod step;
 mod write;
 
+pub use fault::newer_version;
 pub(super) use parse::parse;
+pub(super) use write::push_number;
 pub use write::write;
 
 /// What the `format` field says.

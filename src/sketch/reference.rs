@@ -23,7 +23,9 @@ pub enum ReferenceError {
     #[error("the reference picture is larger than {} MiB; scale it down", limits::MAX_REFERENCE_BYTES >> 20)]
     TooLarge,
     /// The picture's text in a drawing file is no base64.
-    #[error("the data of the reference picture is damaged at character {offset} of its base64 text; restore the file from a backup, or remove its `reference`")]
+    #[error(
+        "the data of the reference picture is damaged at character {offset} of its base64 text; restore the file from a backup, or remove its `reference`"
+    )]
     NotBase64 {
         /// Offset of the first group of four characters that is wrong.
         offset: usize,
@@ -161,7 +163,11 @@ impl Reference {
         let turn = limits::MAX_REFERENCE_ROTATION_DEG;
         let rules = [
             (self.center.abs().cmple(far).all(), "center", "within 1e7 pixels of the origin"),
-            (self.width > 0.0 && self.width <= limits::MAX_CANVAS_SIDE, "width", "more than 0 and at most 2e7 pixels"),
+            (
+                self.width > 0.0 && self.width <= limits::MAX_CANVAS_SIDE,
+                "width",
+                "more than 0 and at most 2e7 pixels",
+            ),
             (self.rotation_deg.abs() <= turn, "rotation_deg", "−360 to 360"),
             ((0.0..=1.0).contains(&self.opacity), "opacity", "0 to 1"),
         ];

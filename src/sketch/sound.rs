@@ -28,7 +28,9 @@ pub enum ChangeError {
         height: String,
     },
     /// A parameter that no file can hold.
-    #[error("parameter `{path}` cannot be kept in a drawing; a parameter is a number, true or false, or a name")]
+    #[error(
+        "parameter `{path}` cannot be kept in a drawing; a parameter is a number, true or false, or a name"
+    )]
     Param {
         /// Which.
         path: String,

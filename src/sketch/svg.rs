@@ -4,14 +4,18 @@
 //! The canvas is the page in CSS pixels (96 per inch), so that units, `viewBox` and nested transforms are all resolved
 //! here. Curves become polylines within [`TOLERANCE`] of the drawing's diagonal. `data-tool`, or the label or id of the
 //! nearest group that names a tool, says what a stroke was drawn as. Pressure and tilt are unknown to SVG: strokes have
-//! the neutral ones. Not read: style sheets, basic shapes, text, and stroke width (a remark counts what was left out).
+//! the neutral ones, but for polylines with `data-pressure`, a list of one number per point, which [`write()`] adds. Not read: style sheets, basic shapes, text, and stroke width (a remark counts what was left out).
 //! Source: SVG 1.1 second edition, chapters 5, 7, 8 and 9.
 
 mod guard;
 mod naming;
 mod path_data;
+mod pressure;
 mod viewport;
 mod walk;
+mod write;
+
+pub use write::write;
 
 use super::draft::{Draft, DraftStroke, Flaw};
 use super::error::{Fault, Place};
@@ -28,6 +32,8 @@ pub const TOLERANCE: f64 = 2e-5;
 struct Outline {
     path: BezPath,
     tool: Tool,
+    /// One for each point; then the path is a single polyline, or a dot.
+    pressures: Option<Vec<f32>>,
 }
 
 /// Parses an SVG document.
@@ -80,7 +86,11 @@ fn flattened(outlines: &[Outline]) -> Result<Vec<DraftStroke>, Flaw> {
     for outline in outlines {
         // A subpath of one element is a move after which nothing was drawn.
         for subpath in outline.path.subpaths().filter(|elements| elements.len() > 1) {
-            let points = polyline(subpath, tolerance, room);
+            let mut points = polyline(subpath, tolerance, room);
+            if let Some(pressures) = &outline.pressures {
+                points.truncate(pressures.len());
+                points.iter_mut().zip(pressures).for_each(|(point, pressure)| point.pressure = *pressure);
+            }
             let too_many = |what, limit| Err((Place::default(), Fault::TooMany { what, limit }));
             if points.len() > room {
                 return too_many("points", limits::MAX_POINTS);

@@ -17,7 +17,10 @@ pub(super) fn check(textures: &Textures) -> Result<(), String> {
     for (part, texture) in textures {
         if !PARTS.contains(&part.as_str()) {
             let part: String = part.chars().take(80).collect();
-            return Err(format!("there is no part `{part}` to give a texture; the parts are {}", PARTS.join(", ")));
+            return Err(format!(
+                "there is no part `{part}` to give a texture; the parts are {}",
+                PARTS.join(", ")
+            ));
         }
         if texture.is_empty() || texture.len() > limits::MAX_TEXTURE_NAME_BYTES {
             return Err(format!(

@@ -2,10 +2,15 @@
 
 use super::{read, with_points, with_strokes};
 use glam::vec2;
-use penstemon::sketch::{Canvas, Sketch, Stroke, StrokePoint, Tool, from_bytes, json, limits};
+use penstemon::sketch::{
+    Canvas, Picture, Reference, Sketch, Stroke, StrokePoint, Tool, from_bytes, json, limits, textures,
+};
 use proptest::prelude::*;
 use serde_json::{Map, Value};
 use std::sync::Arc;
+
+const SMALL_PNG: &[u8] = include_bytes!("../fixtures/reference/small.png");
+const SMALL_JPEG: &[u8] = include_bytes!("../fixtures/reference/small.jpg");
 
 #[test]
 fn only_format_version_strokes_and_points_are_needed() {

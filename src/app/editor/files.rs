@@ -3,7 +3,7 @@
 use super::{Editor, OwnFile};
 use crate::app::action::Action;
 use crate::app::canvas::Canvas;
-use crate::app::dialogs;
+use crate::app::file_dialog;
 use crate::app::panels::snapshot::{Dialog, Notice, PathPurpose};
 use crate::sketch::document::Document;
 use crate::sketch::journal::{JournalWriter, Meta, Recoverable};
@@ -184,8 +184,8 @@ impl Editor {
             PathPurpose::Export => format!("{}.{export}", name.as_deref().unwrap_or("plant")),
             _ => String::new(),
         };
-        let request = dialogs::request(purpose, folder, name, extensions);
-        match dialogs::ask(request, &self.answers, std::sync::Arc::clone(&self.wake)) {
+        let request = file_dialog::request(purpose, folder, name, extensions);
+        match file_dialog::ask(request, &self.answers, std::sync::Arc::clone(&self.wake)) {
             Ok(()) => {}
             Err(request) => self.dialog = Some(Dialog::Path(request)),
         }

@@ -41,7 +41,10 @@ impl Editor {
             Action::SetTexture { organ, texture } => self.set_texture(organ, texture),
             Action::SavePreset(name) => self.save_preset(name),
             Action::ApplyPreset(path) => self.apply_preset(&path),
-            Action::DeletePreset(path) => self.or_tell(presets::remove(&path)),
+            Action::DeletePreset(path) => {
+                self.or_tell(presets::remove(&path));
+                self.list_presets();
+            }
             Action::OpenReference => self.choose(PathPurpose::Reference),
             Action::SetReferenceOpacity(opacity) => self.edit_reference(|r| r.opacity = opacity),
             Action::LockReference(locked) => self.edit_reference(|r| r.locked = locked),
@@ -134,7 +137,7 @@ impl Editor {
 
     fn set_texture(&mut self, organ: Option<OrganKind>, texture: Option<String>) {
         let mut textures = self.document.sketch().textures.clone();
-        let part = crate::species::textures::part_name(organ);
+        let part = crate::species::textures::key(organ);
         match texture {
             Some(texture) => _ = textures.insert(part.to_owned(), texture),
             None => _ = textures.remove(part),
@@ -152,6 +155,7 @@ impl Editor {
         };
         let saved = presets::save(&self.places.presets(), &preset);
         self.or_tell(saved);
+        self.list_presets();
     }
 
     fn apply_preset(&mut self, path: &Path) {

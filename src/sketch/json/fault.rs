@@ -30,6 +30,13 @@ fn header_fault(text: &str) -> Option<Fault> {
     format.and_then(|()| header.version.map_or(Ok(()), check_version)).err()
 }
 
+/// The version of a sketch file that is too new for this program; `None` for any other bytes.
+pub fn newer_version(bytes: &[u8]) -> Option<f64> {
+    let header: Header = serde_json::from_slice(bytes).ok()?;
+    check_format(header.format.as_deref()).ok()?;
+    header.version.filter(|version| *version > f64::from(VERSION))
+}
+
 /// Whether the `format` field names this program's sketches.
 pub(super) fn check_format(format: Option<&str>) -> Result<(), Fault> {
     match format {

@@ -4,7 +4,7 @@
 //! copies end at the limit.
 
 use super::path_data::{PathData, parse_path, parse_points};
-use super::{Outline, naming, viewport};
+use super::{Outline, naming, pressure, viewport};
 use crate::sketch::draft::{Flaw, coordinate_fault};
 use crate::sketch::error::{Fault, Place};
 use crate::sketch::warnings::Warnings;
@@ -191,7 +191,17 @@ impl<'d, 'i> Walk<'d, 'i, '_> {
         let fault = Fault::TooMany { what: "points", limit: limits::MAX_POINTS };
         self.room = self.room.checked_sub(path.elements().len()).ok_or((Place::default(), fault))?;
         if path.elements().len() > 1 {
-            self.outlines.push(Outline { path, tool: here.tool });
+            let listed = node.attribute("data-pressure");
+            let pressures = listed.and_then(|text| pressure::parse(text, path.elements()));
+            if listed.is_some() && pressures.is_none() {
+                self.warnings.add(None, || {
+                    format!(
+                        "{}: data-pressure passed over: it needs a polyline with one number per point",
+                        title(node)
+                    )
+                });
+            }
+            self.outlines.push(Outline { path, tool: here.tool, pressures });
         }
         Ok(())
     }

@@ -1,0 +1,173 @@
+//! What the panels show of the editor, copied together once per frame.
+
+use super::{Editor, GOOD_NEWS};
+use crate::anatomy::Part;
+use crate::app::fonts::{self, ChineseFont};
+use crate::app::messages::Language;
+use crate::app::panels::Snapshot;
+use crate::app::panels::snapshot::{
+    Autosave, Dialog, Found, ParamValues, Recovered, ReferenceState, Severity, Status,
+};
+use crate::app::presets;
+use crate::app::settings::ThemeChoice;
+use crate::pipeline::DEFAULT_SPECIES;
+use crate::sketch::Tool;
+use crate::sketch::journal::JournalState;
+use serde_json::Map;
+use std::time::{Duration, SystemTime};
+
+/// Bytes of a GLB or OBJ file per triangle, as measured on the sample drawings; textures come on top.
+const BYTES_PER_TRIANGLE: (u64, u64) = (50, 120);
+
+impl Editor {
+    /// The panels' state of the application.
+    pub(in crate::app) fn panel_snapshot(&mut self) -> Snapshot {
+        self.notices.retain(|(n, at)| n.severity != Severity::Info || at.elapsed() < GOOD_NEWS);
+        let sketch = self.document.sketch();
+        let none = Map::new();
+        let of_species = self.species.as_ref().map_or(&none, |(_, species)| &species.params);
+        let reference =
+            sketch.reference.as_ref().map(|r| ReferenceState { opacity: r.opacity, locked: r.locked });
+        Snapshot {
+            name: self.file.name(),
+            unsaved: !self.document.is_saved(),
+            tool: self.canvas.tool(),
+            can_undo: self.document.can_undo(),
+            can_redo: self.document.can_redo(),
+            selected: self.canvas.selection().ids().len(),
+            chinese_font: self.chinese.as_ref().is_none_or(Option::is_some),
+            species: sketch.species.clone().unwrap_or_else(|| DEFAULT_SPECIES.to_owned()),
+            textures: sketch.textures.clone(),
+            seed: sketch.seed,
+            params: ParamValues::of(of_species, &sketch.params),
+            presets: self.presets(),
+            reference,
+            view: self.plant.state,
+            status: self.status(),
+            found: self.found_parts(),
+            part_menu: self.part_menu,
+            dialog: self.dialog.clone(),
+            export_bytes: self.export_bytes(),
+            task: self.task_state(),
+            notices: self.notices.iter().map(|(notice, _)| notice.clone()).collect(),
+            ..Snapshot::default()
+        }
+        .with_settings(&self.settings)
+    }
+
+    /// The presets' folder is read when something may have changed in it, not with every frame.
+    fn presets(&self) -> Vec<presets::Listed> {
+        self.listed_presets.clone()
+    }
+
+    pub(super) fn list_presets(&mut self) {
+        self.listed_presets = presets::list(&self.places.presets());
+    }
+
+    fn status(&self) -> Status {
+        let built = self.built.as_deref();
+        Status {
+            strokes: self.document.sketch().strokes.len(),
+            flowers: built.map_or(0, |b| b.plant.flowers.len()),
+            vertices: built.map_or(0, |b| b.model.vertex_count()),
+            triangles: built.map_or(0, |b| b.model.triangle_count()),
+            build_ms: self.building.last.map(|took| took.as_secs_f32() * 1e3),
+            // A build of a few milliseconds is not worth a flicker.
+            building: self.building.is_running && self.building.last.is_some_and(|t| t > Duration::from_millis(150)),
+            pen: self.pen_used.clone(),
+            autosave: self.autosave(),
+        }
+    }
+
+    fn autosave(&self) -> Autosave {
+        let state = self.journal.as_ref().map(|journal| journal.state());
+        match state {
+            None | Some(JournalState::Failed(_)) => Autosave::Failed,
+            Some(JournalState::Saving) => Autosave::Writing,
+            Some(JournalState::Saved) if self.document.is_saved() => Autosave::Saved,
+            Some(JournalState::Saved) => Autosave::Journaled,
+        }
+    }
+
+    fn found_parts(&self) -> Found {
+        let Some(built) = self.built.as_deref() else { return Found::default() };
+        let has = |part: Part| built.anatomy.marks.iter().any(|mark| mark.part == part);
+        let drawn = |tool: Tool| self.document.sketch().strokes.iter().any(|s| s.tool == tool);
+        let levels = built.plant.branches.iter().map(|b| b.level + 1).max().unwrap_or(0);
+        Found {
+            petals: has(Part::Petal),
+            leaves: has(Part::Leaf),
+            branch_levels: levels,
+            branch_outlines: drawn(Tool::BranchOutline),
+            leaf_outlines: drawn(Tool::LeafOutline),
+            ignored: has(Part::Ignored),
+        }
+    }
+
+    fn export_bytes(&self) -> Option<u64> {
+        let triangles = self.built.as_ref()?.model.triangle_count() as u64;
+        let (glb, obj) = BYTES_PER_TRIANGLE;
+        let per_triangle = if self.settings.export.format.extension() == "obj" { obj } else { glb };
+        Some(triangles * per_triangle)
+    }
+
+    /// The list of drawings that were found again.
+    pub(super) fn recovery_dialog(&self) -> Dialog {
+        let recovered = self.found.iter().map(|found| Recovered {
+            path: found.folder().to_owned(),
+            name: found.meta.title.clone(),
+            strokes: found.strokes(),
+            when: ago(found.modified),
+            thumbnail: None,
+        });
+        Dialog::Recovery(recovered.collect())
+    }
+
+    /// Theme and language as chosen.
+    pub(in crate::app) fn looks(&self) -> (ThemeChoice, Language) {
+        (self.settings.theme, self.messages.language())
+    }
+
+    /// Whether egui has not been given the fonts of the language yet.
+    pub(in crate::app) fn needs_fonts(&mut self) -> bool {
+        !std::mem::replace(&mut self.fonts_are_set, true)
+    }
+
+    /// The system's Chinese font where the language needs it; a notice where there is none.
+    pub(in crate::app) fn chinese_font(&mut self, language: Language) -> Option<&ChineseFont> {
+        if language != Language::Chinese {
+            return None;
+        }
+        if self.chinese.is_none() {
+            self.chinese = Some(ChineseFont::of_system());
+        }
+        if let Some(None) = self.chinese {
+            self.tell(fonts::missing_notice(&self.messages));
+            self.messages = crate::app::messages::Messages::new(Language::English);
+        }
+        self.chinese.as_ref().and_then(Option::as_ref)
+    }
+
+    /// Shows the whole drawing, or the sheet where nothing is drawn.
+    pub(in crate::app) fn fit_drawing(&mut self) {
+        self.perform(crate::app::action::Action::FitCanvas);
+    }
+
+    /// What follows from a frame.
+    pub(in crate::app) fn end_of_frame(&mut self, ui: &egui::Ui) {
+        // A slider that was let go: its next move is a step of its own.
+        if ui.input(|input| input.pointer.any_released()) {
+            self.document.end_merging();
+        }
+    }
+}
+
+/// How long ago something was, in hours or days.
+fn ago(then: SystemTime) -> String {
+    let minutes = then.elapsed().unwrap_or_default().as_secs() / 60;
+    match minutes {
+        0..=59 => format!("{minutes} min"),
+        60..=2879 => format!("{} h", minutes / 60),
+        _ => format!("{} d", minutes / 1440),
+    }
+}

@@ -1,0 +1,166 @@
+//! A step as one line of JSON, for the journal: which places changed and what lies there after.
+//!
+//! ```json
+//! {"strokes": [{"at": 4, "insert": {"id": 9, "tool": "petal", "points": [[1, 2], [3, 4]]}}, {"at": 0, "remove": true}], "seed": 3}
+//! ```
+//!
+//! What was before is not written: whoever replays has it. A reference names its picture by its hash.
+
+use super::parse::StrokeSeed;
+use super::progress::Progress;
+use super::write::{push_placement, push_stroke};
+use crate::sketch::invariants::check_stroke;
+use crate::sketch::step::{Settings, Step, Swap};
+use crate::sketch::{Canvas, Picture, Reference, Sketch, Stroke, Textures};
+use glam::Vec2;
+use serde::de::{DeserializeSeed, Deserializer, Error};
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value, json};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Pictures by their hash.
+pub(in crate::sketch) type Pictures = BTreeMap<u64, Picture>;
+
+/// The step as text.
+pub(in crate::sketch) fn write(step: &Step) -> String {
+    let mut out = String::with_capacity(64 + 24 * step.samples());
+    out.push_str("{\"strokes\": [");
+    for (i, Swap { at, before, after }) in step.strokes.iter().enumerate() {
+        let (comma, verb) =
+            (if i == 0 { "" } else { ", " }, if before.is_some() { "replace" } else { "insert" });
+        out.push_str(&format!("{comma}{{\"at\": {at}, "));
+        match after {
+            Some(stroke) => {
+                out.push_str(&format!("\"{verb}\": "));
+                push_stroke(&mut out, stroke);
+            }
+            None => out.push_str("\"remove\": true"),
+        }
+        out.push('}');
+    }
+    out.push(']');
+    let Settings { canvas, species, seed, params, textures, reference } = &step.after;
+    push_field(&mut out, "canvas", canvas);
+    push_field(&mut out, "species", species);
+    push_field(&mut out, "seed", seed);
+    push_field(&mut out, "params", params);
+    push_field(&mut out, "textures", textures);
+    match reference {
+        None => {}
+        Some(None) => out.push_str(", \"reference\": null"),
+        Some(Some(reference)) => {
+            out.push_str(", \"reference\": {");
+            push_placement(&mut out, reference);
+            out.push_str(&format!(", \"picture\": {}}}", reference.picture.hash()));
+        }
+    }
+    out.push('}');
+    out
+}
+
+fn push_field(out: &mut String, name: &str, value: &Option<impl Serialize>) {
+    if let Some(value) = value {
+        out.push_str(&format!(", \"{name}\": {}", json!(value)));
+    }
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StepText {
+    #[serde(default)]
+    strokes: Vec<SwapText>,
+    canvas: Option<Canvas>,
+    #[serde(default, deserialize_with = "given")]
+    species: Option<Option<String>>,
+    seed: Option<u64>,
+    params: Option<Map<String, Value>>,
+    textures: Option<Textures>,
+    #[serde(default, deserialize_with = "given")]
+    reference: Option<Option<ReferenceText>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SwapText {
+    at: usize,
+    insert: Option<StrokeText>,
+    replace: Option<StrokeText>,
+    #[serde(default)]
+    remove: bool,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ReferenceText {
+    center: [f32; 2],
+    width: f32,
+    rotation_deg: f32,
+    opacity: f32,
+    locked: bool,
+    visible: bool,
+    picture: u64,
+}
+
+/// Tells `null` from a field that is not there.
+fn given<'de, D: Deserializer<'de>, T: Deserialize<'de>>(deserializer: D) -> Result<Option<T>, D::Error> {
+    T::deserialize(deserializer).map(Some)
+}
+
+struct StrokeText(Arc<Stroke>);
+
+impl<'de> Deserialize<'de> for StrokeText {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let draft = StrokeSeed(&Progress::default()).deserialize(deserializer)?;
+        let id = draft.id.ok_or_else(|| D::Error::missing_field("id"))?;
+        let stroke = Stroke { id, tool: draft.tool, points: draft.points };
+        check_stroke(&stroke).map_err(D::Error::custom)?;
+        Ok(Self(Arc::new(stroke)))
+    }
+}
+
+/// Carries out the step that `text` tells; returns it.
+///
+/// # Errors
+/// Text that is no step or does not fit the sketch, in words; the sketch is as it was then.
+pub(in crate::sketch) fn replay(text: &[u8], sketch: &mut Sketch, pictures: &Pictures) -> Result<(), String> {
+    let text: StepText = serde_json::from_slice(text).map_err(|e| e.to_string())?;
+    let reference = match text.reference {
+        None => None,
+        Some(None) => Some(None),
+        Some(Some(reference)) => Some(Some(Arc::new(found_reference(reference, pictures)?))),
+    };
+    let mut done = Step::default();
+    for swap in text.strokes {
+        let fits = carry_out(swap, &mut sketch.strokes).map(|swap| done.strokes.push(swap));
+        if fits.is_none() {
+            done.reversed().carry_out(sketch);
+            return Err("it changes a stroke that is not there".to_owned());
+        }
+    }
+    let StepText { canvas, species, seed, params, textures, .. } = text;
+    Settings { canvas, species, seed, params, textures, reference }.carry_out(sketch);
+    Ok(())
+}
+
+fn carry_out(text: SwapText, strokes: &mut Vec<Arc<Stroke>>) -> Option<Swap> {
+    let SwapText { at, insert, replace, remove } = text;
+    let (is_new, after) = match (insert, replace, remove) {
+        (Some(stroke), None, false) => (true, Some(stroke.0)),
+        (None, Some(stroke), false) => (false, Some(stroke.0)),
+        (None, None, true) => (false, None),
+        _ => return None,
+    };
+    let before = if is_new { None } else { Some(strokes.get(at)?.clone()) };
+    let swap = Swap { at, before, after };
+    swap.carry_out(strokes).then_some(swap)
+}
+
+fn found_reference(text: ReferenceText, pictures: &Pictures) -> Result<Reference, String> {
+    let ReferenceText { center, width, rotation_deg, opacity, locked, visible, picture } = text;
+    let picture = pictures.get(&picture).cloned().ok_or("the reference picture is missing")?;
+    let center = Vec2::from(center);
+    let reference = Reference { picture, center, width, rotation_deg, opacity, locked, visible };
+    reference.check().map_err(|fault| fault.to_string())?;
+    Ok(reference)
+}
