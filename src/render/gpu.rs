@@ -82,15 +82,22 @@ impl Gpu {
         buffer
     }
 
-    /// The first failure since the last check.
+    /// The first failure since the last check; a lost device fails every time.
     ///
     /// # Errors
     /// That failure.
     pub(super) fn check(&self) -> Result<(), RenderError> {
         match self.fault.lock().unwrap_or_else(PoisonError::into_inner).take() {
             Some(reason) => Err(self.failure(reason)),
+            None if self.is_lost() => Err(self.failure("the device was lost".to_owned())),
             None => Ok(()),
         }
+    }
+
+    /// Lets the device report what happened, such as its loss, without waiting.
+    pub(super) fn poll(&self) {
+        // A failure to poll shows in the next check.
+        let _ = self.device.poll(wgpu::PollType::Poll);
     }
 
     /// Waits until everything submitted is done.

@@ -11,6 +11,7 @@
 //! | `ground` | `ground.wgsl` | backdrop, and the shadow on it |
 //! | `ink` | `ink.wgsl` | a drawing's strokes on paper |
 //! | `mipmap` | `mipmap.wgsl` | the smaller levels of a texture |
+//! | `canvas` | `paper.wgsl`, `reference.wgsl`, `stroke.wgsl` | the living drawing, into the window |
 //! | `debug` | `debug.wgsl` | part colours and edges instead of materials |
 //! | `present` | `present.wgsl` | a finished picture into the texture that the window shows |
 //!
@@ -21,6 +22,7 @@
 //! Variables that change space say so: `clip_from_world` takes world points to clip space.
 
 pub mod camera;
+pub mod canvas;
 pub mod decode;
 pub mod error;
 pub mod picture;
@@ -50,6 +52,7 @@ mod surface;
 mod target;
 
 pub use camera::{Direction, Projection, View};
+pub use canvas::{CanvasLayer, CanvasView};
 pub use error::RenderError;
 pub use light::LightParams;
 pub use look::{Background, Look, Mode, Quality};

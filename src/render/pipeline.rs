@@ -21,6 +21,8 @@ pub(super) enum Into {
     ShadowMap,
     /// A level of a texture.
     Texture(wgpu::TextureFormat),
+    /// The window's own surface: one sample, colours multiplied by their opacity.
+    Window(wgpu::TextureFormat),
 }
 
 /// What is particular about one pipeline. Entry points are named `vertex` and `fragment`.
@@ -86,6 +88,14 @@ impl PipelineSpec<'_> {
             Into::Picture { blend, .. } => (COLOUR_FORMAT, Some(blend)),
             Into::PictureDepth | Into::ShadowMap => return None,
             Into::Texture(format) => (format, None),
+            Into::Window(format) => {
+                let blend = Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
+                return Some(Some(wgpu::ColorTargetState {
+                    format,
+                    blend,
+                    write_mask: wgpu::ColorWrites::ALL,
+                }));
+            }
         };
         let covered = wgpu::BlendComponent {
             src_factor: wgpu::BlendFactor::Zero,
@@ -100,7 +110,7 @@ impl PipelineSpec<'_> {
         let solid = match self.into {
             Into::Picture { solid, .. } => solid,
             Into::PictureDepth | Into::ShadowMap => true,
-            Into::Texture(_) => return None,
+            Into::Texture(_) | Into::Window(_) => return None,
         };
         Some(wgpu::DepthStencilState {
             format: DEPTH_FORMAT,
@@ -119,7 +129,7 @@ impl PipelineSpec<'_> {
         let (count, alpha_to_coverage_enabled) = match self.into {
             Into::Picture { coverage_from_alpha, .. } => (SAMPLES, coverage_from_alpha),
             Into::PictureDepth => (SAMPLES, false),
-            Into::ShadowMap | Into::Texture(_) => (1, false),
+            Into::ShadowMap | Into::Texture(_) | Into::Window(_) => (1, false),
         };
         wgpu::MultisampleState { count, alpha_to_coverage_enabled, ..Default::default() }
     }

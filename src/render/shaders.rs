@@ -13,6 +13,9 @@ pub(super) const GROUND: &str = wgsl!("frame", "light", "ground");
 pub(super) const INK: &str = wgsl!("ink");
 pub(super) const MIPMAP: &str = wgsl!("mipmap");
 pub(super) const PRESENT: &str = wgsl!("present");
+pub(super) const PAPER: &str = wgsl!("canvas", "paper");
+pub(super) const REFERENCE: &str = wgsl!("canvas", "reference");
+pub(super) const STROKE: &str = wgsl!("canvas", "stroke");
 pub(super) const DEBUG: &str = wgsl!("frame", "debug");
 
 #[cfg(test)]
@@ -20,7 +23,7 @@ mod tests {
     use super::*;
     use wgpu::naga::{front::wgsl, valid};
 
-    const MODULES: [(&str, &str); 7] = [
+    const MODULES: [(&str, &str); 10] = [
         ("surface", SURFACE),
         ("shadow", SHADOW),
         ("ground", GROUND),
@@ -28,6 +31,9 @@ mod tests {
         ("mipmap", MIPMAP),
         ("present", PRESENT),
         ("debug", DEBUG),
+        ("paper", PAPER),
+        ("reference", REFERENCE),
+        ("stroke", STROKE),
     ];
 
     #[test]

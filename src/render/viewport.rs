@@ -174,6 +174,7 @@ impl Viewport {
             self.present.draw(&renderer.gpu, &mut encoder, buffers, &self.view);
         }
         renderer.gpu.queue.submit([encoder.finish()]);
+        renderer.gpu.poll();
         renderer.gpu.check()?;
         self.shown = Some(next);
         Ok(true)

@@ -1,0 +1,287 @@
+//! The canvas of the window: paper, a picture to trace, and the strokes, drawn live at any zoom.
+//!
+//! A [`CanvasLayer`] paints into a render pass of the window itself, inside whatever scissor rectangle is set there; the
+//! pass must have one sample, no depth, and a viewport over the whole framebuffer. Colours are encoded sRGB and are blended
+//! that way, as the user interface around the canvas is.
+//!
+//! | file | what |
+//! | --- | --- |
+//! | `curve` | samples to a smooth line, one sample at a time |
+//! | `ink` | all lines in one array, and what of it changed |
+//! | `reference` | the picture under the drawing |
+//!
+//! The first two know no GPU: what a sample costs the processor can be measured on them alone. Limits: ink is drawn over
+//! what is below, so a see-through stroke is darker where it crosses itself.
+
+mod curve;
+mod ink;
+mod reference;
+
+pub use curve::StrokeCurve;
+pub use ink::{InkBuffer, InkPoint};
+
+use super::decode::Rgba;
+use super::gpu::Gpu;
+use super::pipeline::{Into, PipelineSpec, entry, uniform};
+use super::{RenderError, Renderer, shaders};
+use crate::sketch::{StrokeId, StrokePoint};
+use bytemuck::{Pod, Zeroable};
+use glam::{Affine2, Vec2, Vec3, Vec4};
+use reference::Reference;
+
+/// Points that the first buffer holds.
+const FIRST_CAPACITY: usize = 1 << 14;
+/// Points that a piece of a stroke looks at: its ends and their neighbours.
+const POINTS_PER_PIECE: usize = 4;
+
+/// Where the canvas is seen, and on what.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CanvasView {
+    /// Canvas to framebuffer pixels, x right, y down; rotation, even scale and shift.
+    pub pixel_from_canvas: Affine2,
+    /// Width and height of the framebuffer in pixels.
+    pub framebuffer: (u32, u32),
+    /// Encoded colour of the sheet.
+    pub paper: [u8; 3],
+    /// Encoded colour around the sheet.
+    pub desk: [u8; 3],
+    /// Width and height of the sheet in canvas units; `None` for a sheet without end.
+    pub sheet: Option<Vec2>,
+}
+
+/// `Sheet` in `canvas.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+struct SheetUniform {
+    clip_from_pixel: Vec4,
+    pixel_axes: Vec4,
+    pixel_origin: Vec4,
+    canvas_axes: Vec4,
+    canvas_origin: Vec4,
+    paper: Vec4,
+    desk: Vec4,
+    size: Vec4,
+}
+
+impl SheetUniform {
+    fn new(view: &CanvasView, decode: bool) -> Self {
+        let to_pixel = view.pixel_from_canvas;
+        let to_canvas = to_pixel.inverse();
+        let axes = |m: &Affine2| Vec4::from((m.matrix2.x_axis, m.matrix2.y_axis));
+        let scale = to_pixel.matrix2.determinant().abs().sqrt();
+        let framebuffer = Vec2::new(view.framebuffer.0.max(1) as f32, view.framebuffer.1.max(1) as f32);
+        let colour = |rgb: [u8; 3]| (Vec3::from(rgb.map(f32::from)) / 255.0).extend(1.0);
+        Self {
+            clip_from_pixel: Vec4::from((Vec2::new(2.0, -2.0) / framebuffer, Vec2::new(-1.0, 1.0))),
+            pixel_axes: axes(&to_pixel),
+            pixel_origin: to_pixel.translation.extend(scale).extend(f32::from(u8::from(decode))),
+            canvas_axes: axes(&to_canvas),
+            canvas_origin: to_canvas.translation.extend(0.0).extend(0.0),
+            paper: colour(view.paper),
+            desk: colour(view.desk),
+            size: view.sheet.unwrap_or(Vec2::ZERO).extend(0.0).extend(0.0),
+        }
+    }
+}
+
+/// The drawing on the GPU.
+pub struct CanvasLayer {
+    ink: InkBuffer,
+    /// Points as `stroke.wgsl` reads them, with room to grow.
+    points: wgpu::Buffer,
+    capacity: usize,
+    sheet: wgpu::Buffer,
+    group: wgpu::BindGroup,
+    paper: wgpu::RenderPipeline,
+    strokes: wgpu::RenderPipeline,
+    reference: Reference,
+    /// Whether the target decodes sRGB by itself.
+    decode: bool,
+    /// How many points [`CanvasLayer::paint`] draws.
+    ready: usize,
+}
+
+impl CanvasLayer {
+    /// An empty drawing for a window whose surface has this format.
+    ///
+    /// # Errors
+    /// A failure of the driver.
+    pub fn new(renderer: &Renderer, target: wgpu::TextureFormat) -> Result<Self, RenderError> {
+        let gpu = &renderer.gpu;
+        let layout = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("canvas"),
+            entries: &[entry(
+                0,
+                wgpu::ShaderStages::VERTEX_FRAGMENT,
+                uniform(size_of::<SheetUniform>(), false),
+            )],
+        });
+        let sheet = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("sheet"),
+            size: size_of::<SheetUniform>() as u64,
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("canvas"),
+            layout: &layout,
+            entries: &[wgpu::BindGroupEntry { binding: 0, resource: sheet.as_entire_binding() }],
+        });
+        let paper = PipelineSpec {
+            label: "paper",
+            wgsl: shaders::PAPER,
+            groups: &[&layout],
+            buffers: &[],
+            topology: wgpu::PrimitiveTopology::TriangleList,
+            cull: false,
+            fragment: true,
+            into: Into::Window(target),
+            constants: &[],
+        }
+        .build(gpu);
+        let layer = Self {
+            ink: InkBuffer::default(),
+            points: point_buffer(gpu, FIRST_CAPACITY),
+            capacity: FIRST_CAPACITY,
+            sheet,
+            group,
+            paper,
+            strokes: stroke_pipeline(gpu, &layout, target),
+            reference: Reference::new(gpu, &layout, target),
+            decode: target.is_srgb(),
+            ready: 0,
+        };
+        gpu.check()?;
+        Ok(layer)
+    }
+
+    /// Puts a stroke in, on top of all others, or replaces it in its place. `colour` is encoded red, green, blue and
+    /// opacity; `width` is the line's width at full pressure in canvas units.
+    pub fn set_stroke(&mut self, id: StrokeId, samples: &[StrokePoint], colour: [u8; 4], width: f32) {
+        self.ink.set(id, samples, colour, width);
+    }
+
+    /// Continues a stroke with its next samples; `false` when there is none of this name. Costs what the samples cost,
+    /// however large the drawing is.
+    pub fn append_points(&mut self, id: StrokeId, samples: &[StrokePoint]) -> bool {
+        self.ink.append(id, samples)
+    }
+
+    /// Gives a stroke another colour.
+    pub fn set_colour(&mut self, id: StrokeId, colour: [u8; 4]) {
+        self.ink.recolour(id, colour);
+    }
+
+    /// Takes a stroke out; one that is not there stays away.
+    pub fn remove_stroke(&mut self, id: StrokeId) {
+        self.ink.remove(id);
+    }
+
+    /// Takes every stroke out.
+    pub fn clear(&mut self) {
+        self.ink.clear();
+    }
+
+    /// Draws strokes in this order, the last on top; strokes that are not named come above them as they were.
+    pub fn set_order(&mut self, order: &[StrokeId]) {
+        self.ink.set_order(order);
+    }
+
+    /// The picture under the drawing, or none.
+    ///
+    /// # Errors
+    /// A picture larger than the device's textures, or a failure of the driver.
+    pub fn set_reference(&mut self, renderer: &Renderer, picture: Option<&Rgba>) -> Result<(), RenderError> {
+        self.reference.set(renderer, picture)
+    }
+
+    /// Where that picture lies, from a square of side 1 (y down) to the canvas, and how opaque it is, 0 to 1.
+    pub fn place_reference(&mut self, canvas_from_unit: Affine2, opacity: f32) {
+        self.reference.place(canvas_from_unit, opacity);
+    }
+
+    /// Sends what changed to the GPU and sets the view of the next [`CanvasLayer::paint`]. Returns how many bytes of
+    /// strokes were sent.
+    ///
+    /// # Errors
+    /// A failure of the driver, such as too little memory; the strokes are kept and sent again by the next call.
+    pub fn prepare(&mut self, renderer: &Renderer, view: &CanvasView) -> Result<u64, RenderError> {
+        let gpu = &renderer.gpu;
+        let sheet = SheetUniform::new(view, self.decode);
+        gpu.queue.write_buffer(&self.sheet, 0, bytemuck::bytes_of(&sheet));
+        self.reference.prepare(gpu);
+        let points = self.ink.points().len();
+        if points > self.capacity {
+            self.capacity = points.next_power_of_two();
+            self.points = point_buffer(gpu, self.capacity);
+            self.ink.touch_all();
+        }
+        let mut bytes = 0;
+        for range in self.ink.take_dirty() {
+            let range = range.start.min(points)..range.end.min(points);
+            let run: &[u8] = bytemuck::cast_slice(&self.ink.points()[range.clone()]);
+            gpu.queue.write_buffer(&self.points, (range.start * size_of::<InkPoint>()) as u64, run);
+            bytes += run.len() as u64;
+        }
+        self.ready = points;
+        gpu.check().inspect_err(|_| {
+            self.ink.touch_all();
+            self.capacity = 0;
+            self.ready = 0;
+        })?;
+        Ok(bytes)
+    }
+
+    /// Paints paper, picture and strokes as prepared.
+    pub fn paint(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_bind_group(0, &self.group, &[]);
+        pass.set_pipeline(&self.paper);
+        pass.draw(0..3, 0..1);
+        self.reference.paint(pass);
+        let Some(pieces) = self.ready.checked_sub(POINTS_PER_PIECE - 1) else { return };
+        pass.set_pipeline(&self.strokes);
+        for slot in 0..POINTS_PER_PIECE {
+            pass.set_vertex_buffer(slot as u32, self.points.slice((slot * size_of::<InkPoint>()) as u64..));
+        }
+        pass.draw(0..4, 0..pieces as u32);
+    }
+}
+
+fn point_buffer(gpu: &Gpu, capacity: usize) -> wgpu::Buffer {
+    gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("strokes"),
+        size: (capacity * size_of::<InkPoint>()) as u64,
+        usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    })
+}
+
+fn stroke_pipeline(
+    gpu: &Gpu,
+    layout: &wgpu::BindGroupLayout,
+    target: wgpu::TextureFormat,
+) -> wgpu::RenderPipeline {
+    // The same points four times, each time one point further on.
+    let points = |attributes| wgpu::VertexBufferLayout {
+        array_stride: size_of::<InkPoint>() as u64,
+        step_mode: wgpu::VertexStepMode::Instance,
+        attributes,
+    };
+    PipelineSpec {
+        label: "stroke",
+        wgsl: shaders::STROKE,
+        groups: &[layout],
+        buffers: &[
+            points(&wgpu::vertex_attr_array![0 => Float32x3]),
+            points(&wgpu::vertex_attr_array![1 => Float32x3, 4 => Unorm8x4]),
+            points(&wgpu::vertex_attr_array![2 => Float32x3]),
+            points(&wgpu::vertex_attr_array![3 => Float32x3]),
+        ],
+        topology: wgpu::PrimitiveTopology::TriangleStrip,
+        cull: false,
+        fragment: true,
+        into: Into::Window(target),
+        constants: &[],
+    }
+    .build(gpu)
+}

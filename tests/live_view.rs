@@ -1,0 +1,308 @@
+//! The live view of the window: it shows what finished pictures show, uploads only what changed, and survives odd sizes.
+//!
+//! Pictures to look at are left in `target/tmp/live_view`.
+
+#![allow(clippy::unwrap_used, reason = "a test's helper may fail the test")]
+
+use glam::{Vec2, Vec3};
+use penstemon::cli::common::built_in_texture;
+use penstemon::export::pictures::fetch;
+use penstemon::model::Model;
+use penstemon::pipeline::{build, params_of, species_of};
+use penstemon::plant::Texture;
+use penstemon::render::{
+    Background, Direction, Look, Mode, OrbitCamera, Picture, PictureOptions, Projection, Quality,
+    RenderError, Renderer, View, Viewport,
+};
+use std::borrow::Cow;
+use std::error::Error;
+use std::path::Path;
+
+const SIZE: (u32, u32) = (240, 280);
+
+fn textures(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
+    Ok(fetch(texture, &built_in_texture)?)
+}
+
+fn plant(name: &str) -> Model {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/sketches");
+    let (sketch, _) = penstemon::sketch::read(&folder.join(format!("{name}.penstemon"))).unwrap();
+    let species = species_of(&sketch, &folder).unwrap();
+    let params = params_of(&sketch, &species, &[]).unwrap();
+    build(&sketch, &species, &params).model
+}
+
+/// A renderer and a view of this model.
+fn opened(model: &Model) -> (Renderer, Viewport) {
+    let renderer = Renderer::new().unwrap();
+    let mut viewport = Viewport::new(&renderer).unwrap();
+    viewport.set_size(SIZE.0, SIZE.1);
+    viewport.update(&renderer, model, &textures).unwrap();
+    (renderer, viewport)
+}
+
+fn points(model: &Model) -> Vec<Vec3> {
+    model.parts.iter().flat_map(|p| &p.mesh.points).copied().collect()
+}
+
+/// The camera that makes the finished picture of a view.
+fn camera(model: &Model, view: &View) -> OrbitCamera {
+    let mut camera = OrbitCamera::of_view(view);
+    camera.fit_points(&points(model), model.bounds().unwrap(), SIZE.0 as f32 / SIZE.1 as f32);
+    camera
+}
+
+fn shot(renderer: &Renderer, viewport: &mut Viewport, camera: &OrbitCamera, look: &Look) -> Picture {
+    viewport.draw(renderer, camera, look).unwrap();
+    viewport.snapshot(renderer).unwrap()
+}
+
+fn keep(name: &str, picture: &Picture) {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("live_view");
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join(format!("{name}.png")), picture.to_png().unwrap()).unwrap();
+}
+
+/// Mean difference of the channels, and the share of pixels that differ by more than `much`, of 255.
+fn difference(a: &Picture, b: &Picture, much: u8) -> (f32, f32) {
+    assert_eq!((a.width(), a.height()), (b.width(), b.height()));
+    let pairs = || a.pixels().iter().zip(b.pixels()).map(|(a, b)| a.abs_diff(*b));
+    let mean = pairs().map(f32::from).sum::<f32>() / a.pixels().len() as f32;
+    let far = a.pixels().as_chunks::<4>().0.iter().zip(b.pixels().as_chunks::<4>().0);
+    let far = far.filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > much)).count();
+    (mean, far as f32 / (a.width() * a.height()) as f32)
+}
+
+fn draft() -> Look {
+    Look { quality: Quality::Draft, ..Look::default() }
+}
+
+#[test]
+fn a_full_view_is_the_finished_picture() {
+    let model = plant("daisy");
+    let (mut renderer, mut viewport) = opened(&model);
+    let views = [
+        View::default(),
+        View { direction: Direction::ThreeQuarter, ..View::default() },
+        View { projection: Projection::Orthographic, turn_deg: 70.0, ..View::default() },
+        View { direction: Direction::Top, ..View::default() },
+    ];
+    for (i, view) in views.iter().enumerate() {
+        for transparent in [false, true] {
+            let options = PictureOptions { width: SIZE.0, height: SIZE.1, transparent };
+            let finished = renderer.picture(&model, &textures, view, &options).unwrap();
+            let background = if transparent { Background::Transparent } else { Background::Paper };
+            let look = Look { background, ..Look::default() };
+            let live = shot(&renderer, &mut viewport, &camera(&model, view), &look);
+            keep(&format!("full_{i}_{}", u8::from(transparent)), &live);
+            let (mean, far) = difference(&finished, &live, 24);
+            assert!(mean < 0.6 && far < 0.004, "{view:?} transparent {transparent}: {mean} {far}");
+        }
+    }
+}
+
+#[test]
+fn a_draft_looks_much_like_the_full_picture() {
+    let model = plant("daisy");
+    let (renderer, mut viewport) = opened(&model);
+    let camera = camera(&model, &View::default());
+    let drafted = shot(&renderer, &mut viewport, &camera, &draft());
+    keep("draft", &drafted);
+    let full = shot(&renderer, &mut viewport, &camera, &Look::default());
+    let (mean, far) = difference(&drafted, &full, 60);
+    assert!(mean < 5.0 && far < 0.06, "{mean} {far}");
+    assert!(mean > 0.0, "they are different pictures");
+}
+
+#[test]
+fn drafts_in_between_leave_no_trace_in_the_full_picture() {
+    let (daisy, tree) = (plant("daisy"), plant("tree_round"));
+    let (renderer, mut viewport) = opened(&daisy);
+    let turned = camera(&daisy, &View { turn_deg: 50.0, ..View::default() });
+    let straight = shot(&renderer, &mut viewport, &turned, &Look::default());
+    viewport.update(&renderer, &tree, &textures).unwrap();
+    let tree_camera = camera(&tree, &View::default());
+    shot(&renderer, &mut viewport, &tree_camera, &draft());
+    viewport.update(&renderer, &daisy, &textures).unwrap();
+    shot(&renderer, &mut viewport, &camera(&daisy, &View::default()), &draft());
+    let again = shot(&renderer, &mut viewport, &turned, &Look::default());
+    let (mean, far) = difference(&straight, &again, 8);
+    assert!(mean < 0.01 && far < 1e-3, "{mean} {far}");
+}
+
+#[test]
+fn only_changed_parts_are_uploaded() {
+    let mut model = plant("daisy");
+    let (renderer, mut viewport) = opened(&model);
+    let same = viewport.update(&renderer, &model, &textures).unwrap();
+    assert_eq!((same.uploaded_parts, same.removed_parts, same.bytes, same.uploaded_textures), (0, 0, 0, 0));
+
+    let petal = model.parts.iter().position(|p| p.name.starts_with("petal")).unwrap();
+    let mut mesh = model.parts[petal].mesh.clone();
+    mesh.points.iter_mut().for_each(|p| *p += Vec3::new(0.0, 0.004, 0.0));
+    let vertices = mesh.vertices.len() as u64;
+    model.parts[petal].mesh = mesh;
+    let moved = viewport.update(&renderer, &model, &textures).unwrap();
+    assert_eq!((moved.parts, moved.uploaded_parts, moved.removed_parts), (model.parts.len(), 1, 1));
+    assert!(moved.bytes < vertices * 36 + 2 * 4 * 3 * 3 * vertices, "{} bytes", moved.bytes);
+
+    let mut without = model.clone();
+    without.parts.remove(petal);
+    without.parts.iter_mut().for_each(|p| p.name = format!("other_{}", p.name));
+    let removed = viewport.update(&renderer, &without, &textures).unwrap();
+    assert_eq!((removed.uploaded_parts, removed.removed_parts), (0, 1), "other names are no other meshes");
+
+    let back = viewport.update(&renderer, &model, &textures).unwrap();
+    assert_eq!((back.uploaded_parts, back.removed_parts), (1, 0));
+    let camera = camera(&model, &View::default());
+    let live = shot(&renderer, &mut viewport, &camera, &Look::default());
+    let (renderer, mut fresh) = opened(&model);
+    let (mean, far) = difference(&live, &shot(&renderer, &mut fresh, &camera, &Look::default()), 8);
+    assert!(mean < 0.01 && far < 1e-3, "{mean} {far}");
+}
+
+#[test]
+fn a_model_may_change_wholly_and_vanish() {
+    let (daisy, tree) = (plant("daisy"), plant("tree_round"));
+    let (renderer, mut viewport) = opened(&daisy);
+    let to_tree = viewport.update(&renderer, &tree, &textures).unwrap();
+    assert_eq!((to_tree.uploaded_parts, to_tree.removed_parts), (tree.parts.len(), daisy.parts.len()));
+    viewport.update(&renderer, &Model::default(), &textures).unwrap();
+    assert_eq!(viewport.bounds(), None);
+    let empty = shot(&renderer, &mut viewport, &OrbitCamera::default(), &Look::default());
+    let [r, g, b, a] = empty.pixel(SIZE.0 / 2, SIZE.1 / 2).unwrap();
+    assert!(r > 200 && g > 200 && b > 180 && a == 255, "paper {r} {g} {b} {a}");
+    let again = viewport.update(&renderer, &daisy, &textures).unwrap();
+    assert_eq!((again.uploaded_parts, again.uploaded_textures), (daisy.parts.len(), 0));
+}
+
+#[test]
+fn a_refused_model_leaves_the_view_as_it_was() {
+    let model = plant("daisy");
+    let (renderer, mut viewport) = opened(&model);
+    let camera = camera(&model, &View::default());
+    let before = shot(&renderer, &mut viewport, &camera, &Look::default());
+    let mut broken = model.clone();
+    broken.parts[2].mesh.points[0].x = f32::NAN;
+    let refused = viewport.update(&renderer, &broken, &textures);
+    assert!(matches!(refused, Err(RenderError::Model { .. })), "{refused:?}");
+    let mut missing = model.clone();
+    missing.materials[0].texture = Some(Texture::File("nowhere.png".into()));
+    assert!(matches!(viewport.update(&renderer, &missing, &textures), Err(RenderError::Texture { .. })));
+    let unchanged = viewport.update(&renderer, &model, &textures).unwrap();
+    assert_eq!((unchanged.uploaded_parts, unchanged.removed_parts), (0, 0));
+    assert_eq!(before, shot(&renderer, &mut viewport, &camera, &Look::default()));
+}
+
+#[test]
+fn nothing_is_drawn_twice_or_without_size() {
+    let model = plant("daisy");
+    let (renderer, mut viewport) = opened(&model);
+    let camera = camera(&model, &View::default());
+    assert!(viewport.draw(&renderer, &camera, &draft()).unwrap());
+    assert!(!viewport.draw(&renderer, &camera, &draft()).unwrap(), "nothing changed");
+    let mut turned = camera;
+    turned.orbit(Vec2::new(0.1, 0.0));
+    assert!(viewport.draw(&renderer, &turned, &draft()).unwrap());
+    let revision = viewport.revision();
+    for size in [(0, 10), (10, 0), (0, 0)] {
+        viewport.set_size(size.0, size.1);
+        assert!(!viewport.draw(&renderer, &camera, &draft()).unwrap(), "{size:?}");
+    }
+    for size in [(1, 1), (7, 300), (333, 5)] {
+        viewport.set_size(size.0, size.1);
+        assert!(viewport.draw(&renderer, &camera, &draft()).unwrap());
+        let shown = viewport.snapshot(&renderer).unwrap();
+        assert_eq!((shown.width(), shown.height()), size);
+    }
+    assert!(viewport.revision() > revision);
+    viewport.set_size(1_000_000, 2);
+    assert!(matches!(viewport.draw(&renderer, &camera, &draft()), Err(RenderError::Size { .. })));
+    viewport.set_size(20, 20);
+    assert!(viewport.draw(&renderer, &camera, &draft()).unwrap(), "it goes on after a refusal");
+}
+
+#[test]
+fn the_same_view_is_the_same_bytes() {
+    let model = plant("daisy");
+    let looks = [draft(), Look::default(), Look { mode: Mode::Wireframe, ..Look::default() }];
+    for look in looks {
+        let pictures = [(); 2].map(|()| {
+            let (renderer, mut viewport) = opened(&model);
+            shot(&renderer, &mut viewport, &camera(&model, &View::default()), &look)
+        });
+        assert!(pictures[0] == pictures[1], "{look:?}");
+    }
+}
+
+#[test]
+fn debugging_views_show_parts_and_edges() {
+    let model = plant("daisy");
+    let (renderer, mut viewport) = opened(&model);
+    let camera = camera(&model, &View::default());
+    let mut look = Look { mode: Mode::PartColours, background: Background::Transparent, ..Look::default() };
+    let parts = shot(&renderer, &mut viewport, &camera, &look);
+    keep("part_colours", &parts);
+    look.mode = Mode::Wireframe;
+    let edges = shot(&renderer, &mut viewport, &camera, &look);
+    keep("wireframe", &edges);
+    let count = |picture: &Picture, wanted: &dyn Fn([u8; 4]) -> bool| {
+        picture.pixels().as_chunks::<4>().0.iter().filter(|p| wanted(**p)).count()
+    };
+    let solid = |p: [u8; 4]| p[3] == 255;
+    let pink = |p: [u8; 4]| solid(p) && p[0] > p[1] + 20 && p[2] > p[1] + 10;
+    assert!(count(&parts, &pink) > 500, "petals {}", count(&parts, &pink));
+    assert!(count(&parts, &|p| solid(p) && p[1] > p[0] && p[1] > p[2]) > 100, "leaves");
+    let dark = |p: [u8; 4]| solid(p) && p[..3].iter().all(|c| *c < 90);
+    assert!(count(&edges, &dark) > 10 * count(&parts, &dark).max(20), "edges are dark lines");
+}
+
+#[test]
+fn the_panel_moves_the_sun_and_the_theme_darkens_the_sheet() {
+    let model = plant("daisy");
+    let (renderer, mut viewport) = opened(&model);
+    let camera = camera(&model, &View::default());
+    let plain = shot(&renderer, &mut viewport, &camera, &Look::default());
+    let dark = Look { background: Background::Dark, ..Look::default() };
+    let dark = shot(&renderer, &mut viewport, &camera, &dark);
+    keep("dark", &dark);
+    assert!(dark.pixel(5, 5).unwrap()[..3].iter().all(|c| *c < 60));
+    let mut evening = Look::default();
+    evening.light.sun_azimuth_deg = 60.0;
+    evening.light.sun_elevation_deg = 12.0;
+    evening.light.sun_temperature_k = 2600.0;
+    let evening = shot(&renderer, &mut viewport, &camera, &evening);
+    keep("evening", &evening);
+    let warmth = |p: &Picture| {
+        p.pixels().as_chunks::<4>().0.iter().map(|p| f32::from(p[0]) - f32::from(p[2])).sum::<f32>()
+    };
+    assert!(warmth(&evening) > warmth(&plain));
+    let mut night = Look { background: Background::Transparent, ..Look::default() };
+    night.light.sun_strength = 0.0;
+    night.light.sky_strength = 0.3;
+    let night = shot(&renderer, &mut viewport, &camera, &night);
+    let brightness = |p: &Picture| {
+        let seen = p.pixels().as_chunks::<4>().0.iter().filter(|p| p[3] == 255);
+        let (sum, count) = seen.fold((0.0, 0.0), |(s, n), p| (s + f32::from(p[1]), n + 1.0));
+        sum / count
+    };
+    let transparent = Look { background: Background::Transparent, ..Look::default() };
+    let day = shot(&renderer, &mut viewport, &camera, &transparent);
+    assert!(brightness(&night) < 0.75 * brightness(&day), "{} {}", brightness(&night), brightness(&day));
+}
+
+#[test]
+fn a_lost_device_is_said_and_nothing_panics() {
+    let model = plant("daisy");
+    let (renderer, mut viewport) = opened(&model);
+    assert!(!renderer.is_lost());
+    let camera = camera(&model, &View::default());
+    viewport.draw(&renderer, &camera, &Look::default()).unwrap();
+    renderer.device().destroy();
+    let mut turned = camera;
+    turned.turn(10.0);
+    assert!(matches!(viewport.draw(&renderer, &turned, &draft()), Err(RenderError::Gpu { .. })));
+    let _ = renderer.device().poll(wgpu::PollType::Poll);
+    assert!(renderer.is_lost());
+    assert!(viewport.snapshot(&renderer).is_err());
+}
