@@ -5,9 +5,10 @@
 #[path = "common/drawings.rs"]
 mod drawings;
 
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 use penstemon::model::{Cache, Model};
 use penstemon::pipeline::{self, Built};
+use penstemon::plant::{OrganKind, Shape};
 use penstemon::sketch::{self, Sketch, Stroke, Tool};
 use proptest::prelude::*;
 use std::path::Path;
@@ -110,6 +111,40 @@ fn an_unrelated_stroke_leaves_all_other_parts_alone() {
         let second = live(&mut cache, &sketch).model;
         let (same, all) = (shared(&first.model, &second), second.parts.len());
         assert_eq!(same + 1, all, "{name}");
+    }
+}
+
+/// What was generated, in space: every twig's skeleton and every leaf's pose.
+fn crown(built: &Built) -> (Vec<Vec<Vec3>>, Vec<(Vec3, Vec3, Vec3)>) {
+    let twigs = built.plant.branches.iter().filter(|b| b.stroke.is_none()).map(|b| b.points.clone());
+    let leaves = built.plant.organs.iter().filter(|o| o.kind == OrganKind::Leaf && o.stroke.is_none());
+    let poses = leaves.filter_map(|organ| match &organ.shape {
+        Shape::Blade(blade) => Some((blade.base, blade.u, blade.v)),
+        _ => None,
+    });
+    (twigs.collect(), poses.collect())
+}
+
+#[test]
+fn an_unrelated_stroke_leaves_the_crown_as_it_stands_in_space() {
+    for name in ["tree_round", "tree_willow"] {
+        let (mut cache, mut sketch) = (Cache::default(), reference(name));
+        let before = live(&mut cache, &sketch);
+        // A herb beside the trunk, above its foot, first in the drawing so that everything else moves up by one.
+        let ((low, high), trunk) = (before.anatomy.bounds, before.anatomy.branches[0].line[0].position);
+        let size = high - low;
+        let foot = trunk + Vec2::new(0.2 * size.x, -0.02 * size.y);
+        let stem = drawings::curve(foot, foot - Vec2::new(0.0, 0.08 * size.y), 0.1);
+        let mut drawn = Stroke::clone(&drawings::sketch([(Tool::Branch, stem)]).strokes[0]);
+        drawn.id = 1_000_000;
+        sketch.strokes.insert(0, drawn.into());
+        let after = live(&mut cache, &sketch);
+        assert_eq!(after.plant.branches.len(), before.plant.branches.len() + 1, "{name}");
+        let ((twigs, leaves), (twigs_after, leaves_after)) = (crown(&before), crown(&after));
+        assert!(leaves.len() > 500, "{name}: {}", leaves.len());
+        assert_eq!(twigs, twigs_after, "{name}");
+        assert_eq!(leaves, leaves_after, "{name}");
+        assert_eq!(shared(&before.model, &after.model) + 1, after.model.parts.len(), "{name}");
     }
 }
 

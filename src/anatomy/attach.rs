@@ -89,7 +89,14 @@ mod tests {
 
     fn stem() -> Branches {
         let line = (0..=10).map(|k| Sample::neutral(Vec2::new(0.0, 100.0 - 10.0 * k as f32))).collect();
-        Branches::new(&[FlatBranch { stroke: Some(1), line, parent: None, attached_at: 0.0, level: 0 }])
+        Branches::new(&[FlatBranch {
+            stroke: Some(1),
+            key: 1,
+            line,
+            parent: None,
+            attached_at: 0.0,
+            level: 0,
+        }])
     }
 
     fn leaf(root: Vec2, tip: Vec2) -> FlatBlade {

@@ -42,7 +42,6 @@ pub fn side(number: usize) -> f32 {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Forest {
     branches: Vec<FlatBranch>,
-    keys: Vec<u64>,
     /// Smallest and largest corner of each branch.
     boxes: Vec<(Vec2, Vec2)>,
     drawn: usize,
@@ -51,9 +50,8 @@ pub struct Forest {
 impl Forest {
     /// The drawn branches.
     pub fn new(branches: Vec<FlatBranch>) -> Self {
-        let keys = branches.iter().zip(0..).map(|(b, i)| b.stroke.unwrap_or(i)).collect();
         let boxes = branches.iter().map(box_of).collect();
-        Self { drawn: branches.len(), branches, keys, boxes }
+        Self { drawn: branches.len(), branches, boxes }
     }
 
     /// All branches.
@@ -85,13 +83,13 @@ impl Forest {
         let Some(Attachment { branch, at }) = point.attachment else { return };
         let twig = FlatBranch {
             stroke: None,
+            key: point.key,
             line: places.into_iter().map(Sample::neutral).collect(),
             parent: Some(branch),
             attached_at: at,
             level: self.branches[branch].level + 1,
         };
         self.boxes.push(box_of(&twig));
-        self.keys.push(point.key);
         self.branches.push(twig);
     }
 
@@ -130,7 +128,7 @@ impl Forest {
 
     /// Name of the `number`-th growth point of a branch inside an outline.
     pub fn key(&self, branch: usize, number: usize, outline: StrokeId) -> u64 {
-        mix(mix(self.keys[branch], number as u64), outline)
+        mix(mix(self.branches[branch].key, number as u64), outline)
     }
 }
 

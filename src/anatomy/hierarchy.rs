@@ -222,6 +222,7 @@ impl Forest {
             }
             FlatBranch {
                 stroke,
+                key: stroke.unwrap_or(old as u64),
                 line,
                 parent: seat.parent.map(|(parent, _)| index_of[parent]),
                 attached_at: seat.parent.map_or(0.0, |(parent, place)| attached_at(place, parent)),

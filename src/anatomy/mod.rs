@@ -110,6 +110,8 @@ pub struct Copy {
     pub template: u32,
     /// Width relative to the template's at the same length.
     pub aspect: f32,
+    /// Name of its random streams: that of the place it grew from.
+    pub key: u64,
 }
 
 /// A place on a branch.
@@ -122,6 +124,12 @@ pub struct Attachment {
 }
 
 impl FlatBlade {
+    /// Name of its random streams: the stroke's id or, for a copy, the name of the place it grew from. Another stroke
+    /// elsewhere in the drawing does not change it.
+    pub fn key(&self) -> u64 {
+        self.copy_of.map(|copy| copy.key).or(self.stroke).unwrap_or(0)
+    }
+
     /// Vector from root to tip in pixels.
     pub fn axis(&self) -> Vec2 {
         self.tip - self.root
@@ -133,6 +141,9 @@ impl FlatBlade {
 pub struct FlatBranch {
     /// The stroke that drew it, `None` for a generated twig.
     pub stroke: Option<StrokeId>,
+    /// Name of its random streams: the stroke's id or, for a twig, the name of the place it grew from. Another stroke
+    /// elsewhere in the drawing does not change it.
+    pub key: u64,
     /// Skeleton from base to end, at least two samples.
     pub line: Vec<Sample>,
     /// Index of the branch that carries it, always smaller than its own.

@@ -16,8 +16,9 @@
 //! branches, also where one branch carries thousands. Limit: branches of different parents do not see each other.
 
 use crate::anatomy::FlatBranch;
+use crate::random::stream;
 use glam::{Vec2, Vec3};
-use rand::{RngExt, SeedableRng};
+use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use std::f32::consts::TAU;
 
@@ -64,7 +65,7 @@ pub fn branch_depths(branches: &[FlatBranch], params: &BranchDepthParams, seed: 
     let mut depths: Vec<Vec<f32>> = branches.iter().map(|b| vec![0.0; b.line.len()]).collect();
     for (parent, mut siblings) in children.into_iter().enumerate() {
         siblings.sort_by(|&a, &b| branches[a].attached_at.total_cmp(&branches[b].attached_at));
-        let mut around: Vec<Child> = siblings.iter().map(|&i| Child::new(&branches[i], i, seed)).collect();
+        let mut around: Vec<Child> = siblings.iter().map(|&i| Child::new(&branches[i], seed)).collect();
         spread(&mut around, &grid, jitter);
         let run = arc_lengths(&branches[parent]);
         for (&i, child) in siblings.iter().zip(&around) {
@@ -97,12 +98,10 @@ struct Child {
 }
 
 impl Child {
-    fn new(branch: &FlatBranch, index: usize, seed: u64) -> Self {
+    fn new(branch: &FlatBranch, seed: u64) -> Self {
         let ends = branch.line.first().zip(branch.line.last());
         let chord = ends.map_or(Vec2::ZERO, |(base, end)| end.position - base.position);
-        // Keyed by stroke where there is one, so that a new stroke does not shake the others.
-        let key = branch.stroke.unwrap_or((index as u64) << 32);
-        let chance = normal(&mut Pcg64Mcg::seed_from_u64(seed ^ key.wrapping_mul(0x9E37_79B9_7F4A_7C15)));
+        let chance = normal(&mut stream(seed, "branch depth", branch.key));
         Self { chord, heading: chord.normalize_or_zero(), angle: 0.0, chance }
     }
 

@@ -14,9 +14,9 @@ use super::petals::CurlParams;
 use crate::anatomy::{Copy, FlatBlade};
 use crate::geom::simple_loop;
 use crate::plant::{Blade, BladeForm, RestSurface, WorldFromCanvas};
+use crate::random::stream;
 use glam::{Quat, Vec2, Vec3};
-use rand::{RngExt, SeedableRng};
-use rand_pcg::Pcg64Mcg;
+use rand::RngExt;
 
 crate::parameters! {
     /// How leaves turn.
@@ -53,10 +53,10 @@ pub struct LeafPoser<'a> {
 }
 
 impl LeafPoser<'_> {
-    /// A drawn leaf whose root lies at the world depth `depth`. `number` tells leaves apart for the seed.
-    pub fn drawn(&self, flat: &FlatBlade, depth: f32, number: u64) -> Blade {
+    /// A drawn leaf whose root lies at the world depth `depth`.
+    pub fn drawn(&self, flat: &FlatBlade, depth: f32) -> Blade {
         let params = self.params;
-        let mut rng = self.rng(number);
+        let mut rng = stream(self.seed, "leaf pose", flat.key());
         let frame = BladeFrame::new(flat, &self.world, false);
         let (mut outline, curl) = outline_of(flat, &frame, &self.world, self.curl);
         let away = (params.scatter * rng.random_range(-1.0..1.0f32)).to_radians();
@@ -75,9 +75,9 @@ impl LeafPoser<'_> {
     }
 
     /// A copied leaf at `base`: its template's outline under an affine map that takes (0, 1) to the tip.
-    pub fn copied(&self, flat: &FlatBlade, copy: Copy, template: &[Vec2], base: Vec3, number: u64) -> Blade {
+    pub fn copied(&self, flat: &FlatBlade, copy: Copy, template: &[Vec2], base: Vec3) -> Blade {
         let params = self.params;
-        let mut rng = self.rng(number);
+        let mut rng = stream(self.seed, "leaf pose", flat.key());
         let drawn = self.world.vector(flat.axis());
         let away = (params.generated_scatter * rng.random_range(-1.0..1.0f32)).to_radians();
         let axis = (drawn.normalize_or(Vec3::Y) * away.cos()).with_z(away.sin());
@@ -100,10 +100,6 @@ impl LeafPoser<'_> {
             form: BladeForm::default(),
             template: Some(copy.template),
         }
-    }
-
-    fn rng(&self, number: u64) -> Pcg64Mcg {
-        Pcg64Mcg::seed_from_u64(self.seed.wrapping_add(number.wrapping_mul(0x9e37_79b9_7f4a_7c15)))
     }
 }
 
@@ -141,7 +137,7 @@ mod tests {
     }
 
     fn posed(flat: &FlatBlade, seed: u64, params: &LeafParams) -> Blade {
-        LeafPoser { world: WORLD, seed, params, curl: &CurlParams::default() }.drawn(flat, 0.02, 1)
+        LeafPoser { world: WORLD, seed, params, curl: &CurlParams::default() }.drawn(flat, 0.02)
     }
 
     #[test]
@@ -177,7 +173,7 @@ mod tests {
     #[test]
     fn copies_reach_from_root_to_length() {
         let template = [Vec2::ZERO, Vec2::new(-0.2, 0.5), Vec2::Y, Vec2::new(0.2, 0.5)];
-        let copy = Copy { template: 4, aspect: 1.1 };
+        let copy = Copy { template: 4, aspect: 1.1, key: 9 };
         let base = Vec3::new(0.3, 0.2, 0.1);
         let (params, curl) = (&LeafParams::default(), &CurlParams::default());
         let blade = LeafPoser { world: WORLD, seed: 1, params, curl }.copied(
@@ -185,7 +181,6 @@ mod tests {
             copy,
             &template,
             base,
-            9,
         );
         assert_eq!(blade.template, Some(4));
         assert!((blade.at_rest(Vec2::Y).distance(base) - 0.1166).abs() < 1e-3);

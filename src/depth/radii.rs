@@ -90,7 +90,7 @@ mod tests {
 
     fn branch(parent: Option<usize>, attached_at: f32) -> FlatBranch {
         let line = (0..=20).map(|k| Sample::neutral(Vec2::new(0.0, -10.0 * k as f32))).collect();
-        FlatBranch { stroke: None, line, parent, attached_at, level: parent.is_some().into() }
+        FlatBranch { stroke: None, key: 0, line, parent, attached_at, level: parent.is_some().into() }
     }
 
     #[test]

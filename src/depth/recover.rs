@@ -248,16 +248,15 @@ fn add_leaves(plant: &mut Plant, skeleton: &Skeleton, anatomy: &Anatomy, seed: u
         .leaves
         .par_iter()
         .with_min_len(64)
-        .enumerate()
-        .map(|(number, leaf)| {
+        .map(|leaf| {
             let on_branch = leaf.attachment.map(|place| skeleton.point(place, &world));
             let foot = on_branch.unwrap_or(world.point(leaf.root));
             let blade = match leaf.copy_of {
                 Some(copy) => {
                     let template = &anatomy.templates[copy.template as usize];
-                    poser.copied(leaf, copy, template, foot, number as u64)
+                    poser.copied(leaf, copy, template, foot)
                 }
-                None => poser.drawn(leaf, foot.z, number as u64),
+                None => poser.drawn(leaf, foot.z),
             };
             (leaf.attachment.map(|place| place.branch), foot, blade)
         })
