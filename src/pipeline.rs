@@ -92,7 +92,7 @@ pub fn build(sketch: &Sketch, species: &Species, params: &Params) -> Built {
     let mut clock = Clock::start();
     let anatomy = clock.time("anatomy", || anatomy::analyse(sketch, &params.anatomy));
     let plant = clock.time("depth", || depth::recover(&anatomy, sketch.seed, &params.depth));
-    let plant = clock.time("species", || dressed(plant, species, sketch.seed));
+    let plant = clock.time("species", || dressed(plant, species, sketch));
     let model = clock.time("model", || model::build(&plant, &params.model));
     Built { anatomy, plant, model, stages: clock.stages }
 }
@@ -121,13 +121,14 @@ pub fn build_with(
     if stop() {
         return None;
     }
-    let plant = clock.time("species", || dressed(plant, species, sketch.seed));
+    let plant = clock.time("species", || dressed(plant, species, sketch));
     let model = clock.time("model", || model::rebuild(&plant, &params.model, cache, &stop))?;
     Some(Built { anatomy, plant, model, stages: clock.stages })
 }
 
-fn dressed(mut plant: Plant, species: &Species, seed: u64) -> Plant {
-    species::dress(&mut plant, species, seed);
+fn dressed(mut plant: Plant, species: &Species, sketch: &Sketch) -> Plant {
+    species::dress(&mut plant, species, sketch.seed);
+    species::textures::lay_over(&mut plant, &sketch.textures);
     debug_assert_eq!(plant.check_invariants(), Ok(()));
     plant
 }

@@ -22,6 +22,7 @@ use super::plant_view::PlantView;
 use super::settings::Settings;
 use super::worker::{self, Update, Worker};
 use crate::pipeline::{Built, DEFAULT_SPECIES};
+use crate::render::RenderError;
 use crate::sketch::document::Document;
 use crate::sketch::journal::{JournalState, JournalWriter, Recoverable, Recovery};
 use crate::sketch::save::FileStamp;
@@ -357,9 +358,25 @@ impl Editor {
         self.notices.push((Notice { id: self.notice_count, ..notice }, Instant::now()));
     }
 
+    /// Tells that the graphics card could not show something.
+    pub(super) fn tell_render_failure(&mut self, error: &RenderError) {
+        self.tell(Notice::error(error.to_string(), ""));
+    }
+
+    /// Puts a picture where the window fetches it for the clipboard.
+    pub(super) fn copy_picture(&mut self, picture: egui::ColorImage) {
+        self.copied = Some(picture);
+    }
+
     /// Where things are in the window.
     pub fn layout(&self) -> &Layout {
         &self.layout
+    }
+
+    /// A new egui context knows no fonts.
+    pub(super) fn forget_textures(&mut self) {
+        self.fonts_are_set = false;
+        self.layout.forget_context();
     }
 
     /// Keeps a snapshot now: the window lost the focus or is about to go.

@@ -279,17 +279,6 @@ fn named_key(key: NamedKey) -> Option<egui::Key> {
     })
 }
 
-/// How far a wheel was turned, in lines of text; `scale` is pixels per point.
-pub fn wheel_lines(delta: &MouseScrollDelta, scale: f64) -> glam::DVec2 {
-    /// Points that a touchpad moves for one line.
-    const LINE: f64 = 40.0;
-    match delta {
-        MouseScrollDelta::LineDelta(x, y) => glam::DVec2::new(f64::from(*x), f64::from(*y)),
-        MouseScrollDelta::PixelDelta(by) => glam::DVec2::new(by.x, by.y) / (scale * LINE),
-        _ => glam::DVec2::ZERO,
-    }
-}
-
 /// The cursor that egui asks for; `None` hides it.
 pub fn cursor(icon: egui::CursorIcon) -> Option<CursorIcon> {
     use egui::CursorIcon as E;

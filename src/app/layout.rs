@@ -55,6 +55,11 @@ impl Layout {
         }
     }
 
+    /// A new egui context: nothing of ours is in its memory.
+    pub(super) fn forget_context(&mut self) {
+        self.pixels_per_point = 1.0;
+    }
+
     /// Another drawing: it is fitted into the canvas with the next frame.
     pub fn forget(&mut self) {
         self.is_fitted = false;

@@ -6,6 +6,7 @@
 //!
 //! Limits: two windows that change settings at once: the last one wins.
 
+pub use super::canvas::Stabiliser;
 use super::messages::{Language, Messages, Msg};
 use super::panels::snapshot::{ExportChoice, Notice};
 use crate::export::{WriteError, write_atomically};
@@ -32,24 +33,6 @@ pub enum Handedness {
     Right,
     /// The mirror image.
     Left,
-}
-
-/// How much strokes are smoothed while they are drawn.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Stabiliser {
-    /// As drawn.
-    Off,
-    /// A little.
-    #[default]
-    Light,
-    /// Much.
-    Strong,
-}
-
-impl Stabiliser {
-    /// Every strength, weakest first.
-    pub const ALL: [Stabiliser; 3] = [Self::Off, Self::Light, Self::Strong];
 }
 
 /// Colours of the interface.
@@ -91,7 +74,7 @@ impl Default for Settings {
             language: None,
             theme: ThemeChoice::default(),
             handedness: Handedness::default(),
-            stabiliser: Stabiliser::default(),
+            stabiliser: Stabiliser::Light,
             side_shown: true,
             side_width: SIDE_WIDTH.1,
             recent: Vec::new(),
@@ -246,7 +229,7 @@ mod tests {
         assert_eq!(notice, None);
         assert_eq!(settings.theme, ThemeChoice::Dark);
         assert_eq!(settings.language, None);
-        assert_eq!(settings.stabiliser, Stabiliser::default());
+        assert_eq!(settings.stabiliser, Stabiliser::Light);
         assert!((settings.side_width - SIDE_WIDTH.2).abs() < 1e-6);
         assert!(settings.export.width >= 16);
     }

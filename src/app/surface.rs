@@ -18,8 +18,8 @@ pub struct Surface {
     surface: wgpu::Surface<'static>,
     /// How the surface is set up; its size is never zero.
     config: wgpu::SurfaceConfiguration,
-    /// The adapter's name and interface.
-    pub adapter: String,
+    /// The adapter that draws.
+    pub info: wgpu::AdapterInfo,
     /// The device, shared by everything that draws in the window.
     pub device: wgpu::Device,
     /// Its queue.
@@ -85,7 +85,7 @@ impl Surface {
         config.desired_maximum_frame_latency = 1;
         surface.configure(&device, &config);
         let (window, hidden) = (Arc::clone(window), false);
-        Ok(Self { window, instance, surface, config, adapter: name, device, queue, lost, hidden })
+        Ok(Self { window, instance, surface, config, info, device, queue, lost, hidden })
     }
 
     /// Width and height in pixels, at least 1.

@@ -4,13 +4,14 @@
 //! what went down on the canvas stays the canvas's until it is lifted. Nothing is drawn that nobody asked for: an idle
 //! window sleeps until the next event, or until the moment that egui or the editor named.
 
+use super::canvas::Scroll;
 use super::editor::Editor;
 use super::egui_input::{self, EguiInput};
 use super::graphics::Graphics;
 use super::transfer::{self, Arrival};
-use crate::pen::from_winit::WinitPen;
-use crate::pen::{PenEvent, PenPhase, PenTool};
+use crate::pen::{PenEvent, PenPhase, PenTool, WinitPen};
 use anyhow::Context as _;
+use glam::DVec2;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -18,7 +19,7 @@ use std::time::{Duration, Instant};
 use winit::application::ApplicationHandler;
 use winit::cursor::Cursor;
 use winit::dpi::LogicalSize;
-use winit::event::WindowEvent;
+use winit::event::{MouseScrollDelta, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop};
 use winit::window::{ImeCapabilities, ImeEnableRequest, ImeRequest, ImeRequestData};
 use winit::window::{Window, WindowAttributes, WindowId};
@@ -106,6 +107,8 @@ struct Running {
     egui: egui::Context,
     input: EguiInput,
     pen: WinitPen,
+    /// Room for the samples of one event.
+    samples: Vec<PenEvent>,
     editor: Editor,
     /// Pointers that went down on the canvas and were not lifted yet.
     captured: BTreeSet<PointerName>,
@@ -147,7 +150,7 @@ impl Running {
         let egui = egui::Context::default();
         let proxy = event_loop.create_proxy();
         let editor = Editor::open(file, move || proxy.wake_up())?;
-        let graphics = Graphics::open(event_loop, &window, &editor)?;
+        let graphics = Graphics::open(event_loop, &window)?;
         tracing::debug!("the window is drawn by {}", graphics.adapter());
         let input = EguiInput::new(window.scale_factor() as f32);
         window.request_redraw();
@@ -156,7 +159,8 @@ impl Running {
             graphics,
             egui,
             input,
-            pen: WinitPen::default(),
+            pen: WinitPen::new(),
+            samples: Vec::new(),
             editor,
             captured: BTreeSet::new(),
             over_canvas: false,
@@ -184,12 +188,7 @@ impl Running {
             },
             _ => {}
         }
-        if let Some(pen) = self.pen.event(event, self.now_ms()) {
-            if self.on_pen(pen) {
-                self.window.request_redraw();
-                return;
-            }
-        } else if self.on_canvas_event(event) {
+        if self.on_pointer(event) || self.on_canvas_event(event) {
             self.window.request_redraw();
             return;
         }
@@ -201,7 +200,10 @@ impl Running {
             self.window.request_redraw();
             return;
         }
-        if self.input.on_event(event) || matches!(event, WindowEvent::SurfaceResized(_)) {
+        let before = self.input.modifiers();
+        let heard = self.input.on_event(event);
+        self.editor.modifiers(before, self.input.modifiers());
+        if heard || matches!(event, WindowEvent::SurfaceResized(_)) {
             self.window.request_redraw();
         }
         if self.input.take_paste_request() {
@@ -217,6 +219,18 @@ impl Running {
     fn is_canvas(&self, at: egui::Pos2) -> bool {
         self.editor.layout().canvas.contains(at)
             && self.egui.layer_id_at(at).is_none_or(|layer| layer.order == egui::Order::Background)
+    }
+
+    /// Hands an event of a pointer to the canvas, sample by sample; whether it was the canvas's.
+    fn on_pointer(&mut self, event: &WindowEvent) -> bool {
+        let mut samples = std::mem::take(&mut self.samples);
+        self.pen.event(event, self.now_ms(), &mut samples);
+        let mut ours = false;
+        for sample in samples.drain(..) {
+            ours |= self.on_pen(sample);
+        }
+        self.samples = samples;
+        ours
     }
 
     /// Hands a sample to the canvas if it is the canvas's; whether it was.
@@ -252,12 +266,16 @@ impl Running {
             return false;
         }
         let scale = f64::from(self.input.pixels_per_point());
-        let at = glam::DVec2::new(f64::from(self.pointer.x), f64::from(self.pointer.y)) * scale;
+        let at = DVec2::new(f64::from(self.pointer.x), f64::from(self.pointer.y)) * scale;
         match event {
-            WindowEvent::MouseWheel { delta, .. } => {
-                self.editor.wheel(at, egui_input::wheel_lines(delta, scale), self.input.modifiers())
+            WindowEvent::MouseWheel { delta: MouseScrollDelta::LineDelta(x, y), .. } => {
+                self.editor.wheel(Scroll::Lines(DVec2::new(f64::from(*x), f64::from(*y))), at);
             }
-            WindowEvent::PinchGesture { delta, .. } => self.editor.pinch(at, delta.exp()),
+            WindowEvent::MouseWheel { delta: MouseScrollDelta::PixelDelta(by), .. } => {
+                self.editor.wheel(Scroll::Pixels(DVec2::new(by.x, by.y)), at);
+            }
+            WindowEvent::PinchGesture { delta, .. } => self.editor.pinch(*delta, 0.0, at),
+            WindowEvent::RotationGesture { delta, .. } => self.editor.pinch(0.0, f64::from(*delta), at),
             _ => return false,
         }
         true
@@ -266,7 +284,7 @@ impl Running {
     fn redraw(&mut self, event_loop: &dyn ActiveEventLoop) {
         if self.graphics.is_lost() {
             self.editor.snapshot();
-            match Graphics::open(event_loop, &self.window, &self.editor) {
+            match Graphics::open(event_loop, &self.window) {
                 Ok(graphics) => {
                     self.graphics = graphics;
                     // egui believes that its pictures are on the device: a new context sends them again.

@@ -57,7 +57,7 @@ pub fn one_line(error: &anyhow::Error) -> String {
 /// Anything that kept the verb from its result, ready to be shown.
 pub fn run(cli: Cli) -> anyhow::Result<ExitCode> {
     match cli.verb {
-        None => anyhow::bail!("the window is not there yet"),
+        None => crate::app::run(cli.file).map(|()| ExitCode::SUCCESS),
         Some(Verb::Build(args)) => build::run(&args),
         Some(Verb::Inspect(args)) => inspect::run(&args),
         Some(Verb::Check(args)) => check::run(&args),

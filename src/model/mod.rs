@@ -85,6 +85,26 @@ pub struct Model {
 }
 
 impl Model {
+    /// Leaves out every part that `keep` does not want; what it carried stands on its own.
+    pub fn keep_parts(&mut self, keep: impl Fn(&Part) -> bool) {
+        let mut kept = 0;
+        let places: Vec<Option<usize>> = self
+            .parts
+            .iter()
+            .map(|part| {
+                keep(part).then(|| {
+                    kept += 1;
+                    kept - 1
+                })
+            })
+            .collect();
+        let mut is_kept = places.iter().map(Option::is_some);
+        self.parts.retain(|_| is_kept.next().unwrap_or(false));
+        for part in &mut self.parts {
+            part.parent = part.parent.and_then(|parent| places[parent]);
+        }
+    }
+
     /// Vertices over all parts, as a renderer counts them.
     pub fn vertex_count(&self) -> usize {
         self.parts.iter().map(|p| p.mesh.vertices.len()).sum()

@@ -31,6 +31,9 @@ pub enum Stabiliser {
 }
 
 impl Stabiliser {
+    /// Every strength, weakest first.
+    pub const ALL: [Stabiliser; 3] = [Self::Off, Self::Light, Self::Strong];
+
     /// Samples on either side that a point is smoothed with.
     pub fn reach(self) -> usize {
         match self {

@@ -154,13 +154,13 @@ pub struct LightChoice {
     pub elevation_deg: f32,
     /// Strength, 1 as designed, 0 to 2.
     pub strength: f32,
-    /// Colour, linear RGB, the brightest component 1.
-    pub colour: [f32; 3],
+    /// Colour, as the temperature of a black body in kelvin; 5500 as designed, 2000 to 12000.
+    pub temperature_k: f32,
 }
 
 impl Default for LightChoice {
     fn default() -> Self {
-        Self { azimuth_deg: -48.0, elevation_deg: 45.0, strength: 1.0, colour: [1.0, 0.93, 0.83] }
+        Self { azimuth_deg: -48.0, elevation_deg: 45.0, strength: 1.0, temperature_k: 5500.0 }
     }
 }
 

@@ -9,12 +9,12 @@ use crate::app::messages::{Messages, Msg};
 use crate::app::theme::TARGET;
 use egui::{Color32, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
 
-/// Colours of the sun, linear RGB.
-const COLOURS: [(Msg, [f32; 3]); 4] = [
-    (Msg::ViewColourWarm, [1.0, 0.93, 0.83]),
-    (Msg::ViewColourDay, [1.0, 1.0, 1.0]),
-    (Msg::ViewColourCool, [0.80, 0.90, 1.0]),
-    (Msg::ViewColourPink, [1.0, 0.72, 0.66]),
+/// Colours of the sun: kelvin, and the swatch that stands for it, linear RGB.
+const COLOURS: [(Msg, f32, [f32; 3]); 4] = [
+    (Msg::ViewColourPink, 3600.0, [1.0, 0.72, 0.52]),
+    (Msg::ViewColourWarm, 5500.0, [1.0, 0.93, 0.83]),
+    (Msg::ViewColourDay, 6500.0, [1.0, 1.0, 1.0]),
+    (Msg::ViewColourCool, 9000.0, [0.80, 0.90, 1.0]),
 ];
 
 /// View of the plant, and the reference picture under the drawing.
@@ -75,9 +75,10 @@ fn light(ui: &mut Ui, light: &LightChoice, messages: &Messages, out: &mut Vec<Ac
     ui.label(messages.get(Msg::ViewColour));
     ui.horizontal(|ui| {
         let width = (ui.available_width() - 8.0 * (COLOURS.len() - 1) as f32) / COLOURS.len() as f32;
-        for (msg, colour) in COLOURS {
-            if swatch(ui, width, messages.get(msg), colour, light.colour == colour) {
-                out.push(Action::SetLight(LightChoice { colour, ..*light }));
+        for (msg, temperature_k, colour) in COLOURS {
+            let chosen = !differs(light.temperature_k, temperature_k);
+            if swatch(ui, width, messages.get(msg), colour, chosen) {
+                out.push(Action::SetLight(LightChoice { temperature_k, ..*light }));
             }
         }
     });

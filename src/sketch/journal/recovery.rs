@@ -7,7 +7,7 @@ use super::writer::JournalWriter;
 use crate::sketch::Sketch;
 use std::fs;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 /// The state folder in which every window keeps a folder of its own.
@@ -38,6 +38,11 @@ pub struct Recoverable {
 }
 
 impl Recoverable {
+    /// The folder in which it lies, which names it.
+    pub fn folder(&self) -> &Path {
+        &self.session.folder
+    }
+
     /// Number of strokes, 0 if the drawing cannot be had.
     pub fn strokes(&self) -> usize {
         self.content.as_ref().map_or(0, |restored| restored.sketch.strokes.len())
