@@ -2,7 +2,7 @@
 //!
 //! One thing happens at a time and belongs to the tool that began it; what other tools do meanwhile is not heard. Fingers
 //! pass the palm gate, then the gestures, and draw like any other tool. What a tool does on the drawing is in
-//! [`super::activity`], what actions do in [`super::commands`], what is shown of it in [`super::overlay`].
+//! `activity.rs`, what actions do in `commands.rs`, what is shown of it in [`super::overlay`].
 //!
 //! Changes reach the drawing only through outcomes. Where a change is still being made (an eraser or a handle on its way)
 //! [`Canvas::preview`] says what the drawing will look like.

@@ -63,7 +63,7 @@ pub enum CanvasKey {
     Escape,
 }
 
-/// How far something scrolled; y grows downward as winit has it: positive scrolls up.
+/// How far something scrolled, as winit has it: positive moves what is seen right and down, and a wheel zooms in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Scroll {
     /// Notches of a wheel.

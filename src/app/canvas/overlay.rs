@@ -3,7 +3,7 @@
 
 use super::activity::{Doing, ViewDrag};
 use super::controller::Canvas;
-use super::transform::{HANDLE_REACH, Handle, transformed};
+use super::transform::{HANDLE_REACH, Handle, frame, transformed};
 use crate::app::action::CanvasTool;
 use crate::pen::PenTool;
 use crate::sketch::change::StrokeChange;
@@ -140,10 +140,10 @@ impl Canvas {
             let drag = self.activity.as_ref().and_then(|a| a.drag());
             let moved = drag.map_or(DAffine2::IDENTITY, |drag| drag.transform(self.keys.shift));
             let window = |place: DVec2| self.view.to_window(moved.transform_point2(place));
-            overlay.frame = Some(bounds.corners().map(window));
+            let per_logical_px = self.scale_factor / self.view.zoom();
+            overlay.frame = Some(frame(bounds, per_logical_px).corners().map(window));
             // While one is dragged, the others are in the way.
             if drag.is_none() {
-                let per_logical_px = self.scale_factor / self.view.zoom();
                 overlay.handles =
                     Handle::ALL.iter().map(|h| (*h, window(h.place(bounds, per_logical_px)))).collect();
             }

@@ -102,6 +102,13 @@ impl Selection {
     }
 }
 
+/// Makes one stroke something else, as when a wrong guess is corrected with a tap; `None` where it is that already, or is
+/// no more.
+pub fn corrected(strokes: &[Arc<Stroke>], id: StrokeId, tool: Tool) -> Option<StrokeChange> {
+    let stroke = strokes.iter().find(|s| s.id == id && s.tool != tool)?;
+    Some(put(Stroke { id, tool, points: stroke.points.clone() }))
+}
+
 fn put(stroke: Stroke) -> StrokeChange {
     StrokeChange::Put(Arc::new(stroke))
 }
@@ -175,6 +182,15 @@ mod tests {
         assert_eq!((leaf.id, leaf.tool), (2, Tool::Leaf));
         selection.toggle(2);
         assert!(selection.is_empty() && selection.bounds(&index).is_none());
+    }
+
+    #[test]
+    fn one_stroke_is_corrected_by_its_name() {
+        let strokes: Vec<_> = index().strokes().cloned().collect();
+        let Some(StrokeChange::Put(petal)) = corrected(&strokes, 2, Tool::Petal) else { panic!() };
+        assert_eq!((petal.id, petal.tool, &petal.points), (2, Tool::Petal, &strokes[1].points));
+        assert_eq!(corrected(&strokes, 2, Tool::Auto), None);
+        assert_eq!(corrected(&strokes, 77, Tool::Petal), None);
     }
 
     proptest! {

@@ -1,7 +1,8 @@
 //! The box around the selection: handles that move, scale and turn it.
 //!
 //! The box stands upright on the canvas. Its corners scale evenly, or freely with Shift; its edges stretch one way; the
-//! handle above turns, in steps with Shift; inside the box it moves. Scaling is about the opposite corner or edge and
+//! handle above turns, in steps with Shift; inside the box it moves. The frame lies a little outside the strokes, and
+//! where the box is small its middle moves rather than its handles. Scaling is about the opposite corner or edge and
 //! never turns the selection inside out. Handles have a size on the screen, not on the canvas.
 
 use super::view::{CanvasView, Rect};
@@ -13,6 +14,9 @@ pub const HANDLE_REACH: f64 = 10.0;
 
 /// Distance from which a finger takes hold of a handle, in logical pixels.
 pub const FINGER_HANDLE_REACH: f64 = 20.0;
+
+/// Distance of the frame from the strokes, in logical pixels.
+pub const FRAME_MARGIN: f64 = 10.0;
 
 /// Distance of the turning handle from the top edge in logical pixels.
 pub const TURN_HANDLE_DISTANCE: f64 = 32.0;
@@ -58,7 +62,7 @@ impl Handle {
 
     /// Where it is on the canvas. `per_logical_px` is canvas pixels per logical pixel.
     pub fn place(self, bounds: Rect, per_logical_px: f64) -> DVec2 {
-        let half = bounds.size() * 0.5;
+        let half = frame(bounds, per_logical_px).size() * 0.5;
         match self {
             Handle::Inside => bounds.center(),
             Handle::Scale { x, y } => bounds.center() + half * DVec2::new(x.into(), y.into()),
@@ -76,14 +80,19 @@ impl Handle {
     ) -> Option<Handle> {
         let per_logical_px = scale_factor / view.zoom();
         let gap = |handle: Handle| view.to_window(handle.place(bounds, per_logical_px)).distance(window);
-        let within = Self::ALL.into_iter().filter(|h| gap(*h) <= reach * scale_factor);
+        let most = (reach * scale_factor).min(gap(Handle::Inside));
+        let within = Self::ALL.into_iter().filter(|h| gap(*h) <= most);
         let nearest = within.min_by(|a, b| gap(*a).total_cmp(&gap(*b)));
-        let place = view.to_canvas(window);
-        // A thin box still has an inside that can be hit.
-        let slack = reach * per_logical_px;
-        let is_inside = place.cmpge(bounds.min - slack).all() && place.cmple(bounds.max + slack).all();
+        let (place, frame) = (view.to_canvas(window), frame(bounds, per_logical_px));
+        let is_inside = place.cmpge(frame.min).all() && place.cmple(frame.max).all();
         nearest.or(is_inside.then_some(Handle::Inside))
     }
+}
+
+/// The frame around the box of the strokes, on the canvas.
+pub fn frame(bounds: Rect, per_logical_px: f64) -> Rect {
+    let margin = FRAME_MARGIN * per_logical_px;
+    Rect { min: bounds.min - margin, max: bounds.max + margin }
 }
 
 /// A handle being dragged.
@@ -187,6 +196,8 @@ mod tests {
         }
         let inside = view.to_window(DVec2::new(40.0, 40.0));
         assert_eq!(Handle::at(inside, bounds(), &view, (1.0, 10.0)), Some(Handle::Inside));
+        let dot = Rect::new(DVec2::ONE, DVec2::ONE);
+        assert_eq!(Handle::at(view.to_window(DVec2::ONE), dot, &view, (1.0, 20.0)), Some(Handle::Inside));
         assert_eq!(Handle::at(DVec2::splat(-500.0), bounds(), &view, (1.0, 10.0)), None);
     }
 
