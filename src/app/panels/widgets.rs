@@ -181,7 +181,7 @@ pub(super) fn segments<T: Copy + PartialEq>(ui: &mut Ui, choices: &[(T, &str)], 
             ui.painter().rect_filled(inner, CornerRadius::same(ROUND - 2), p.card_hover);
         }
         let colour = if chosen { p.accent } else { p.text };
-        fitted_text(ui, inner, label, colour);
+        fitted_text(ui, inner, label, TextStyle::Button.resolve(ui.style()).size, colour);
         response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, chosen, *label));
         if response.clicked() && !chosen {
             pressed = Some(*value);
@@ -190,9 +190,10 @@ pub(super) fn segments<T: Copy + PartialEq>(ui: &mut Ui, choices: &[(T, &str)], 
     pressed
 }
 
-/// A text in the middle of a rectangle, smaller where it would not fit.
-pub(super) fn fitted_text(ui: &Ui, rect: Rect, text: &str, colour: Color32) {
-    let FontId { mut size, family } = TextStyle::Button.resolve(ui.style());
+/// A text in the middle of a rectangle, smaller than `largest` where it would not fit.
+pub(super) fn fitted_text(ui: &Ui, rect: Rect, text: &str, largest: f32, colour: Color32) {
+    let family = TextStyle::Button.resolve(ui.style()).family;
+    let mut size = largest;
     loop {
         let font = FontId::new(size, family.clone());
         let galley = ui.painter().layout_no_wrap(text.to_owned(), font, colour);
