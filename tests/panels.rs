@@ -38,7 +38,7 @@ const ROLES: [Role; 6] = [
 type Shot = (&'static str, Language, Option<Msg>, fn(&mut penstemon::app::panels::Snapshot));
 
 /// States whose pictures are written for people to look at.
-const SHOTS: [Shot; 9] = [
+const SHOTS: [Shot; 12] = [
     ("chinese", Language::Chinese, None, |_| ()),
     ("shape", Language::English, Some(Msg::TabShape), |s| {
         s.params.own =
@@ -46,6 +46,13 @@ const SHOTS: [Shot; 9] = [
     }),
     ("view", Language::Chinese, Some(Msg::TabView), |s| {
         s.reference = Some(ReferenceState { opacity: 0.5, locked: true });
+    }),
+    ("settings", Language::English, Some(Msg::SettingsTitle), |_| ()),
+    ("files", Language::Chinese, Some(Msg::FileMenu), |_| ()),
+    ("textures", Language::English, None, |s| {
+        s.textures.insert("petal".into(), "petal_rose".into());
+        s.presets = vec![Listed { name: "Evening".into(), path: "/presets/evening.toml".into() }];
+        s.part_menu = Some(PartMenu { stroke: Some(9), tool: Tool::Petal, at: [400.0, 300.0] });
     }),
     ("export", Language::English, None, |s| {
         s.dialog = Some(Dialog::Export);
@@ -173,10 +180,12 @@ fn settings_are_a_tap_each() {
         ("Dark", Action::SetTheme(ThemeChoice::Dark)),
         ("Left", Action::SetHandedness(Handedness::Left)),
         ("Strong", Action::SetStabiliser(Stabiliser::Strong)),
+        ("Stabiliser: Light", Action::SetStabiliser(Stabiliser::Strong)),
     ] {
         press(&mut harness, label);
         assert_eq!(asked(&mut harness), [action], "{label}");
     }
+    press(&mut harness, "Settings");
     let chinese = if stage::chinese_font().is_some() { "简体中文" } else { "Chinese (Zhongwen)" };
     press(&mut harness, chinese);
     assert_eq!(asked(&mut harness), [Action::SetLanguage(Language::Chinese)]);
@@ -293,22 +302,41 @@ fn whole_numbers_and_switches_keep_their_kind() {
 fn every_value_that_a_rail_gives_is_accepted_by_the_pipeline() {
     use penstemon::params::{Overrides, Parameters};
     use penstemon::pipeline::Params;
-    for description in Params::describe() {
-        let mut harness = searched(&description.path);
-        let label = english().param_name(&description.path);
-        let Some(rail) = harness.query_by_label(&label) else { continue };
-        if rail.accesskit_node().role() != Role::Slider {
-            continue;
-        }
-        drag(&mut harness, &label, vec2(-37.0, 0.0));
-        for action in asked(&mut harness) {
-            let Action::SetParam { path, value: Some(value) } = action else { panic!("{action:?}") };
-            let tree = Map::from_iter([(path.clone(), value.clone())]);
-            let mut overrides = Overrides::new::<Params>();
-            overrides.merge(&tree).unwrap_or_else(|e| panic!("{path} = {value}: {e}"));
-            overrides.finish::<Params>().unwrap_or_else(|e| panic!("{path} = {value}: {e}"));
+    let described = Params::describe();
+    let mut groups: Vec<&str> = described.iter().filter_map(|d| Some(d.path.rsplit_once('.')?.0)).collect();
+    groups.dedup();
+    let mut moved = 0;
+    for group in groups {
+        let mut harness = searched(&format!("{group}."));
+        for description in
+            described.iter().filter(|d| d.path.rsplit_once('.').is_some_and(|(g, _)| g == group))
+        {
+            let label = english().param_name(&description.path);
+            if harness.query_by_role_and_label(Role::Slider, &label).is_none() {
+                continue;
+            }
+            harness.get_by_label(&label).scroll_to_me();
+            harness.run();
+            drag(&mut harness, &label, vec2(-37.0, 0.0));
+            let mut actions = asked(&mut harness);
+            if actions.is_empty() {
+                // it stood there already
+                drag(&mut harness, &label, vec2(90.0, 0.0));
+                actions = asked(&mut harness);
+            }
+            assert!(!actions.is_empty(), "{} does not move", description.path);
+            moved += 1;
+            for action in actions {
+                let Action::SetParam { path, value: Some(value) } = action else { panic!("{action:?}") };
+                assert_eq!(path, description.path);
+                let tree = Map::from_iter([(path.clone(), value.clone())]);
+                let mut overrides = Overrides::new::<Params>();
+                overrides.merge(&tree).unwrap_or_else(|e| panic!("{path} = {value}: {e}"));
+                overrides.finish::<Params>().unwrap_or_else(|e| panic!("{path} = {value}: {e}"));
+            }
         }
     }
+    assert!(moved + 2 >= described.len(), "only {moved} of {} rails were moved", described.len());
 }
 
 #[test]
@@ -693,6 +721,10 @@ fn the_graphics_card_draws_the_interface_in_both_themes() {
             let mut harness = stage::stage_of(snapshot, language, vec2(1280.0, 800.0), 1.0, textures);
             if let Some(page) = page {
                 press(&mut harness, Messages::new(language).get(page));
+            }
+            if name == "textures" {
+                harness.get_by_label("Save this look").scroll_to_me();
+                harness.run();
             }
             let (size, pixels) = painter.borrow_mut().draw(&harness, p.paper);
             write(&folder.join(format!("panels-{theme:?}-{name}.png")), size, &pixels);

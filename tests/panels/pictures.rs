@@ -7,7 +7,7 @@ use std::path::Path;
 use std::rc::Rc;
 
 /// Draws what a harness shows.
-pub struct Painter {
+pub(super) struct Painter {
     device: wgpu::Device,
     queue: wgpu::Queue,
     renderer: egui_wgpu::Renderer,
@@ -17,7 +17,7 @@ const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 impl Painter {
     /// Opens any adapter.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
         let adapter =
             pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default())).unwrap();
@@ -31,7 +31,11 @@ impl Painter {
     }
 
     /// What the harness shows over a ground colour, as RGBA.
-    pub fn draw(&mut self, harness: &Harness<'_, Stage>, ground: egui::Color32) -> ([u32; 2], Vec<u8>) {
+    pub(super) fn draw(
+        &mut self,
+        harness: &Harness<'_, Stage>,
+        ground: egui::Color32,
+    ) -> ([u32; 2], Vec<u8>) {
         let scale = harness.ctx.pixels_per_point();
         let logical = harness.ctx.content_rect().size();
         let size = [logical.x, logical.y].map(|side| (side * scale).round() as u32);
@@ -87,7 +91,7 @@ impl Painter {
 }
 
 /// Hands the textures of a harness to a painter.
-pub struct Textures(pub Rc<RefCell<Painter>>);
+pub(super) struct Textures(pub(super) Rc<RefCell<Painter>>);
 
 impl TestRenderer for Textures {
     fn handle_delta(&mut self, delta: &mut egui::TexturesDelta) {
@@ -102,7 +106,7 @@ impl TestRenderer for Textures {
 }
 
 /// Writes a picture as PNG.
-pub fn write(path: &Path, size: [u32; 2], pixels: &[u8]) {
+pub(super) fn write(path: &Path, size: [u32; 2], pixels: &[u8]) {
     let file = std::io::BufWriter::new(std::fs::File::create(path).unwrap());
     let mut encoder = png::Encoder::new(file, size[0], size[1]);
     encoder.set_color(png::ColorType::Rgba);

@@ -13,19 +13,19 @@ use penstemon::sketch::Tool;
 use std::sync::OnceLock;
 
 /// What a test sees.
-pub struct Stage {
+pub(super) struct Stage {
     /// What panels read.
-    pub snapshot: Snapshot,
+    pub(super) snapshot: Snapshot,
     /// Texts.
-    pub messages: Messages,
+    pub(super) messages: Messages,
     /// What panels asked for since the last look.
-    pub actions: Vec<Action>,
+    pub(super) actions: Vec<Action>,
     /// What bars and panels left over.
-    pub canvas: Rect,
+    pub(super) canvas: Rect,
 }
 
 /// A snapshot of somebody in the middle of work.
-pub fn busy() -> Snapshot {
+pub(super) fn busy() -> Snapshot {
     let settings = settings::Settings {
         recent: vec!["/home/ada/garden/daisy.penstemon".into(), "/home/ada/rose.penstemon".into()],
         ..Default::default()
@@ -62,19 +62,19 @@ pub fn busy() -> Snapshot {
 }
 
 /// A Chinese font of this machine, looked for once.
-pub fn chinese_font() -> Option<&'static ChineseFont> {
+pub(super) fn chinese_font() -> Option<&'static ChineseFont> {
     static FONT: OnceLock<Option<ChineseFont>> = OnceLock::new();
     FONT.get_or_init(ChineseFont::of_system).as_ref()
 }
 
 /// All panels with this snapshot in a window of 1280 × 800.
-pub fn stage(snapshot: Snapshot, language: Language) -> Harness<'static, Stage> {
+pub(super) fn stage(snapshot: Snapshot, language: Language) -> Harness<'static, Stage> {
     let size = egui::vec2(1280.0, 800.0);
     stage_of(snapshot, language, size, 1.0, None)
 }
 
 /// The same in a window of another size, in logical pixels, at a scale.
-pub fn stage_of(
+pub(super) fn stage_of(
     snapshot: Snapshot,
     language: Language,
     size: egui::Vec2,
@@ -114,6 +114,6 @@ pub fn stage_of(
 }
 
 /// What was asked for since the last look.
-pub fn asked(harness: &mut Harness<'_, Stage>) -> Vec<Action> {
+pub(super) fn asked(harness: &mut Harness<'_, Stage>) -> Vec<Action> {
     std::mem::take(&mut harness.state_mut().actions)
 }
