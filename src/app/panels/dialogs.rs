@@ -152,6 +152,8 @@ fn about(ui: &mut Ui, height: f32, messages: &Messages, out: &mut Vec<Action>) {
             });
         });
         widgets::section(ui, messages.get(Msg::AboutStartTitle), |ui| {
+            ui.spacing_mut().interact_size.y = 28.0;
+            ui.spacing_mut().item_spacing.y = 3.0;
             for (number, msg) in
                 [Msg::AboutStart1, Msg::AboutStart2, Msg::AboutStart3].into_iter().enumerate()
             {

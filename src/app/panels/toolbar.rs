@@ -185,7 +185,7 @@ fn title(ui: &Ui, snapshot: &Snapshot, messages: &Messages, bar: Rect, left: f32
 fn file_menu(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<Action>) {
     let button = IconButton::new(Icon::Menu, messages.get(Msg::FileMenu)).show(ui);
     Popup::menu(&button).show(|ui| {
-        ui.set_min_width(260.0);
+        ui.set_width(270.0);
         ui.spacing_mut().item_spacing.y = 2.0;
         let lines = [
             (Icon::New, Msg::FileNew, "Ctrl+N", Action::New),
