@@ -21,8 +21,11 @@ pub fn show(ctx: &Context, snapshot: &Snapshot, messages: &Messages, out: &mut V
         Dialog::Path(_) | Dialog::Recovery(_) => 560.0,
         Dialog::Unsaved | Dialog::Export => 440.0,
     };
-    let modal = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
-        ui.set_width(f32::min(width, screen.width() - 80.0));
+    let style = ctx.global_style();
+    let margin = style.spacing.window_margin;
+    let frame = egui::Frame::window(&style).inner_margin(margin);
+    let modal = Modal::new(Id::unique("dialog")).frame(frame).show(ctx, |ui| {
+        ui.set_width(f32::min(width, screen.width() - 100.0));
         ui.set_max_height(screen.height() - 80.0);
         ui.label(RichText::new(messages.get(title(dialog))).heading().strong());
         ui.add_space(4.0);
@@ -137,7 +140,7 @@ fn recovered(ui: &mut Ui, one: &Recovered, messages: &Messages, out: &mut Vec<Ac
 
 fn about(ui: &mut Ui, height: f32, messages: &Messages, out: &mut Vec<Action>) {
     let p = palette(ui);
-    ScrollArea::vertical().max_height((height - 240.0).max(160.0)).show(ui, |ui| {
+    ScrollArea::vertical().max_height((height - 200.0).max(160.0)).show(ui, |ui| {
         ui.horizontal(|ui| {
             let (rect, _) = ui.allocate_exact_size(Vec2::splat(64.0), Sense::hover());
             ui.painter().rect_filled(rect, CornerRadius::same(16), p.accent);
@@ -149,6 +152,8 @@ fn about(ui: &mut Ui, height: f32, messages: &Messages, out: &mut Vec<Action>) {
             });
         });
         widgets::section(ui, messages.get(Msg::AboutStartTitle), |ui| {
+            ui.spacing_mut().interact_size.y = 28.0;
+            ui.spacing_mut().item_spacing.y = 3.0;
             for (number, msg) in
                 [Msg::AboutStart1, Msg::AboutStart2, Msg::AboutStart3].into_iter().enumerate()
             {

@@ -15,10 +15,10 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages) {
     }
     card(ui).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 3.0;
+        ui.spacing_mut().interact_size.y = 18.0;
         ui.label(RichText::new(messages.get(Msg::LegendTitle)).size(12.0).color(p.weak));
         for (msg, colour) in entries {
             ui.horizontal(|ui| {
-                ui.spacing_mut().interact_size.y = 18.0;
                 let (rect, _) = ui.allocate_exact_size(vec2(22.0, 18.0), Sense::hover());
                 let line = Rect::from_center_size(rect.center(), vec2(20.0, 4.0));
                 ui.painter().rect_filled(line, CornerRadius::same(2), colour);

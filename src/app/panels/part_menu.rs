@@ -2,7 +2,7 @@
 
 use super::icons::Icon;
 use super::snapshot::{PartMenu, Snapshot};
-use super::widgets::{IconButton, card, note, palette};
+use super::widgets::{CAPTIONED, IconButton, card, note, palette};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
 use crate::app::theme::TOOL;
@@ -40,14 +40,16 @@ pub fn show(ctx: &Context, canvas: Rect, snapshot: &Snapshot, messages: &Message
 }
 
 fn choices(ui: &mut Ui, menu: &PartMenu, messages: &Messages, out: &mut Vec<Action>) {
-    ui.set_width(3.0 * TOOL + 8.0);
+    ui.set_width(3.0 * CAPTIONED + 8.0);
     note(ui, messages.get(Msg::PartTitle));
     ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
     for row in PARTS.chunks(3) {
         ui.horizontal(|ui| {
             for (tool, icon, name) in row {
-                let mut button =
-                    IconButton::new(*icon, messages.get(*name)).side(TOOL).chosen(menu.tool == *tool);
+                let mut button = IconButton::new(*icon, messages.get(*name))
+                    .side(TOOL)
+                    .captioned()
+                    .chosen(menu.tool == *tool);
                 if *tool != Tool::Auto {
                     button = button.colour(palette(ui).tool(*tool));
                 }

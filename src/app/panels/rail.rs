@@ -11,6 +11,8 @@ use egui::{Align2, CornerRadius, Rect, Response, Role, Sense, TextStyle, Ui, Wid
 const LOG_FROM: f64 = 100.0;
 /// Distance of the rail's ends from the widget's sides: the radius of the knob.
 const INSET: f32 = 8.0;
+/// Height of a rail with its name.
+const HEIGHT: f32 = TARGET + 6.0;
 /// Digits that a value keeps.
 const DIGITS: i32 = 3;
 
@@ -93,7 +95,7 @@ pub struct Rail<'a> {
 impl Rail<'_> {
     /// Shows it and returns the new value where it was moved.
     pub fn show(&self, ui: &mut Ui, width: f32) -> (Response, Option<f64>) {
-        let (rect, response) = ui.allocate_exact_size(vec2(width, TARGET + 4.0), Sense::click_and_drag());
+        let (rect, response) = ui.allocate_exact_size(vec2(width, HEIGHT), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::slider(true, self.value, self.label));
         let moved = self.moved(ui, rect, &response).map(|share| self.scale.value(share));
         if ui.is_rect_visible(rect) {
@@ -125,7 +127,7 @@ impl Rail<'_> {
         let painter = ui.painter();
         let body = TextStyle::Body.resolve(ui.style());
         let colour = if self.changed { p.accent } else { p.text };
-        let line = rect.top() + 13.0;
+        let line = rect.top() + 11.0;
         let value_text =
             painter.layout_no_wrap(self.text.to_owned(), TextStyle::Small.resolve(ui.style()), p.weak);
         let value_left = rect.right() - 2.0 - value_text.size().x;
@@ -135,8 +137,8 @@ impl Rail<'_> {
         clipped.text(pos2(rect.left() + 2.0, line), Align2::LEFT_CENTER, self.label, body, colour);
 
         let rail = Rect::from_min_max(
-            pos2(rect.left() + INSET, rect.bottom() - 15.0),
-            pos2(rect.right() - INSET, rect.bottom() - 10.0),
+            pos2(rect.left() + INSET, rect.bottom() - 14.0),
+            pos2(rect.right() - INSET, rect.bottom() - 9.0),
         );
         let knob = pos2(egui::lerp(rail.left()..=rail.right(), self.scale.share(value)), rail.center().y);
         painter.rect_filled(rail.expand2(vec2(INSET * 0.5, 0.0)), CornerRadius::same(3), p.card_hover);

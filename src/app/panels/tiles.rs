@@ -3,10 +3,12 @@
 use super::widgets::{fitted_text, palette};
 use crate::app::theme::ROUND;
 use egui::{
-    Color32, CornerRadius, Rect, Response, Role, Sense, Stroke, StrokeKind, TextureHandle, Ui, Vec2,
-    WidgetInfo, pos2, vec2,
+    CornerRadius, Rect, Response, Role, Sense, Stroke, StrokeKind, TextureHandle, Ui, Vec2, WidgetInfo, pos2,
+    vec2,
 };
 
+/// Largest size of names below pictures.
+const CAPTION: f32 = 12.0;
 /// Space between tiles.
 const GAP: f32 = 6.0;
 
@@ -56,7 +58,7 @@ pub(super) fn picture(
     }
     if named {
         let line = Rect::from_min_max(pos2(rect.left() + 2.0, image.bottom()), rect.max - vec2(2.0, 0.0));
-        caption(ui, line, name, if chosen { p.accent } else { p.text });
+        fitted_text(ui, line, name, CAPTION, if chosen { p.accent } else { p.text });
     }
     if chosen {
         ui.painter().rect_stroke(rect, corner, Stroke::new(2.5, p.accent), StrokeKind::Inside);
@@ -80,13 +82,6 @@ pub(super) fn text(ui: &mut Ui, size: Vec2, label: &str, chosen: bool) -> Respon
     let place = rect.center() - galley.size() * 0.5;
     ui.painter().with_clip_rect(rect.intersect(ui.clip_rect())).galley(place, galley, p.text);
     response
-}
-
-fn caption(ui: &mut Ui, rect: Rect, name: &str, colour: Color32) {
-    ui.scope(|ui| {
-        ui.style_mut().text_styles.insert(egui::TextStyle::Button, egui::FontId::proportional(12.0));
-        fitted_text(ui, rect, name, colour);
-    });
 }
 
 /// The middle of a picture that fills a place of other proportions.

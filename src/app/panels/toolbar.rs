@@ -65,13 +65,7 @@ pub fn tools(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Ve
     ScrollArea::vertical().show(ui, |ui| {
         for (i, entry) in TOOLS.iter().enumerate() {
             if i == 6 || i == 8 {
-                ui.add_space(2.0);
-                let (rect, _) = ui.allocate_exact_size(vec2(TOOL, 5.0), egui::Sense::hover());
-                ui.painter().hline(
-                    rect.shrink2(vec2(8.0, 0.0)).x_range(),
-                    rect.center().y,
-                    (1.0, palette(ui).line),
-                );
+                strip_gap(ui);
             }
             let name = messages.get(entry.name);
             let hint = format!("{name} ({})\n{}", entry.key.name(), messages.get(entry.hint));
@@ -86,7 +80,40 @@ pub fn tools(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Ve
                 out.push(Action::SetTool(entry.tool));
             }
         }
+        strip_gap(ui);
+        stabiliser(ui, snapshot, messages, out);
     });
+}
+
+fn strip_gap(ui: &mut Ui) {
+    ui.add_space(2.0);
+    let (rect, _) = ui.allocate_exact_size(vec2(TOOL, 5.0), egui::Sense::hover());
+    ui.painter().hline(rect.shrink2(vec2(8.0, 0.0)).x_range(), rect.center().y, (1.0, palette(ui).line));
+}
+
+fn strength_name(strength: Stabiliser) -> Msg {
+    match strength {
+        Stabiliser::Off => Msg::SettingsStabiliserOff,
+        Stabiliser::Light => Msg::SettingsStabiliserLight,
+        Stabiliser::Strong => Msg::SettingsStabiliserStrong,
+    }
+}
+
+/// One tap goes on to the next strength; dots below the icon show which it is.
+fn stabiliser(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<Action>) {
+    let name = messages.get(Msg::SettingsStabiliser);
+    let label = format!("{name}: {}", messages.get(strength_name(snapshot.stabiliser)));
+    let p = palette(ui);
+    let strength = Stabiliser::ALL.iter().position(|s| *s == snapshot.stabiliser).unwrap_or(0);
+    let colour = if strength == 0 { p.weak } else { p.text };
+    let response = IconButton::new(Icon::Stabiliser, &label).side(TOOL).colour(colour).show(ui);
+    for dot in 1..Stabiliser::ALL.len() {
+        let at = response.rect.center_bottom() + vec2((dot as f32 - 1.5) * 9.0, -8.0);
+        ui.painter().circle_filled(at, 2.2, if dot <= strength { p.accent } else { p.line });
+    }
+    if response.clicked() {
+        out.push(Action::SetStabiliser(Stabiliser::ALL[(strength + 1) % Stabiliser::ALL.len()]));
+    }
 }
 
 /// The bar above the canvas: files, undo, views, settings, export.
@@ -158,7 +185,7 @@ fn title(ui: &Ui, snapshot: &Snapshot, messages: &Messages, bar: Rect, left: f32
 fn file_menu(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<Action>) {
     let button = IconButton::new(Icon::Menu, messages.get(Msg::FileMenu)).show(ui);
     Popup::menu(&button).show(|ui| {
-        ui.set_min_width(260.0);
+        ui.set_width(270.0);
         ui.spacing_mut().item_spacing.y = 2.0;
         let lines = [
             (Icon::New, Msg::FileNew, "Ctrl+N", Action::New),
@@ -211,11 +238,7 @@ fn settings_menu(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mu
         ];
         out.extend(segments(ui, &hands, snapshot.handedness).map(Action::SetHandedness));
         note(ui, messages.get(Msg::SettingsStabiliser));
-        let strengths = [
-            (Stabiliser::Off, messages.get(Msg::SettingsStabiliserOff)),
-            (Stabiliser::Light, messages.get(Msg::SettingsStabiliserLight)),
-            (Stabiliser::Strong, messages.get(Msg::SettingsStabiliserStrong)),
-        ];
+        let strengths = Stabiliser::ALL.map(|strength| (strength, messages.get(strength_name(strength))));
         out.extend(segments(ui, &strengths, snapshot.stabiliser).map(Action::SetStabiliser));
     });
 }

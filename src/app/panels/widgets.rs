@@ -10,6 +10,9 @@ use egui::{
 /// Side of an icon inside a button.
 pub(super) const ICON: f32 = 22.0;
 
+/// Width of a button whose name stands below its icon.
+pub(super) const CAPTIONED: f32 = 92.0;
+
 /// The colours that a piece of interface is shown in.
 pub(super) fn palette(ui: &Ui) -> &'static Palette {
     Palette::in_use(ui.visuals())
@@ -21,6 +24,7 @@ pub(super) struct IconButton<'a> {
     label: &'a str,
     hint: String,
     side: f32,
+    captioned: bool,
     chosen: bool,
     enabled: bool,
     colour: Option<Color32>,
@@ -30,7 +34,7 @@ impl<'a> IconButton<'a> {
     /// A button that is called `label` in its tooltip and by screen readers.
     pub(super) fn new(icon: Icon, label: &'a str) -> Self {
         let hint = label.to_owned();
-        Self { icon, label, hint, side: TARGET, chosen: false, enabled: true, colour: None }
+        Self { icon, label, hint, side: TARGET, captioned: false, chosen: false, enabled: true, colour: None }
     }
 
     /// What the tooltip says.
@@ -41,6 +45,11 @@ impl<'a> IconButton<'a> {
     /// Width and height.
     pub(super) fn side(self, side: f32) -> Self {
         Self { side, ..self }
+    }
+
+    /// Writes the name below the icon, for those who have no tooltips.
+    pub(super) fn captioned(self) -> Self {
+        Self { captioned: true, ..self }
     }
 
     /// Whether it is shown as chosen.
@@ -61,18 +70,21 @@ impl<'a> IconButton<'a> {
     /// Shows it.
     pub(super) fn show(self, ui: &mut Ui) -> Response {
         let sense = if self.enabled { Sense::click() } else { Sense::hover() };
-        let (rect, response) = ui.allocate_exact_size(Vec2::splat(self.side), sense);
+        let size = if self.captioned { vec2(CAPTIONED, self.side + 12.0) } else { Vec2::splat(self.side) };
+        let (rect, response) = ui.allocate_exact_size(size, sense);
         let p = palette(ui);
         let fill = ground(p, &response, self.chosen);
         ui.painter().rect_filled(rect.shrink(1.0), CornerRadius::same(ROUND), fill);
         let colour = self.colour.unwrap_or(if self.chosen { p.accent } else { p.text });
         let colour = if self.enabled { colour } else { colour.gamma_multiply(0.3) };
-        icons::paint(
-            ui.painter(),
-            Rect::from_center_size(rect.center(), Vec2::splat(ICON)),
-            self.icon,
-            colour,
-        );
+        let mut middle = rect.center();
+        if self.captioned {
+            middle.y -= 8.0;
+            let line =
+                Rect::from_min_max(pos2(rect.left() + 6.0, rect.bottom() - 24.0), rect.max - vec2(2.0, 4.0));
+            fitted_text(ui, line, self.label, 12.0, p.text);
+        }
+        icons::paint(ui.painter(), Rect::from_center_size(middle, Vec2::splat(ICON)), self.icon, colour);
         if self.chosen {
             let mark = Rect::from_center_size(
                 pos2(rect.left() + 3.5, rect.center().y),
@@ -181,7 +193,7 @@ pub(super) fn segments<T: Copy + PartialEq>(ui: &mut Ui, choices: &[(T, &str)], 
             ui.painter().rect_filled(inner, CornerRadius::same(ROUND - 2), p.card_hover);
         }
         let colour = if chosen { p.accent } else { p.text };
-        fitted_text(ui, inner, label, colour);
+        fitted_text(ui, inner, label, TextStyle::Button.resolve(ui.style()).size, colour);
         response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, chosen, *label));
         if response.clicked() && !chosen {
             pressed = Some(*value);
@@ -190,9 +202,10 @@ pub(super) fn segments<T: Copy + PartialEq>(ui: &mut Ui, choices: &[(T, &str)], 
     pressed
 }
 
-/// A text in the middle of a rectangle, smaller where it would not fit.
-pub(super) fn fitted_text(ui: &Ui, rect: Rect, text: &str, colour: Color32) {
-    let FontId { mut size, family } = TextStyle::Button.resolve(ui.style());
+/// A text in the middle of a rectangle, smaller than `largest` where it would not fit.
+pub(super) fn fitted_text(ui: &Ui, rect: Rect, text: &str, largest: f32, colour: Color32) {
+    let family = TextStyle::Button.resolve(ui.style()).family;
+    let mut size = largest;
     loop {
         let font = FontId::new(size, family.clone());
         let galley = ui.painter().layout_no_wrap(text.to_owned(), font, colour);

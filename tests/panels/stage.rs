@@ -1,0 +1,119 @@
+//! A stage on which panels are shown without a window: a snapshot, a language, and the wishes that came out.
+
+use super::pictures::Textures;
+use egui::Rect;
+use egui_kittest::Harness;
+use penstemon::app::action::{Action, CanvasTool};
+use penstemon::app::fonts::{ChineseFont, definitions};
+use penstemon::app::messages::{Language, Messages};
+use penstemon::app::panels::snapshot::{Autosave, Found, PenUsed, Status};
+use penstemon::app::panels::{Snapshot, frame};
+use penstemon::app::{settings, theme};
+use penstemon::sketch::Tool;
+use std::sync::OnceLock;
+
+/// What a test sees.
+pub(super) struct Stage {
+    /// What panels read.
+    pub(super) snapshot: Snapshot,
+    /// Texts.
+    pub(super) messages: Messages,
+    /// What panels asked for since the last look.
+    pub(super) actions: Vec<Action>,
+    /// What bars and panels left over.
+    pub(super) canvas: Rect,
+}
+
+/// A snapshot of somebody in the middle of work.
+pub(super) fn busy() -> Snapshot {
+    let settings = settings::Settings {
+        recent: vec!["/home/ada/garden/daisy.penstemon".into(), "/home/ada/rose.penstemon".into()],
+        ..Default::default()
+    };
+    let snapshot = Snapshot {
+        name: Some("Meadow".into()),
+        unsaved: true,
+        tool: CanvasTool::Draw(Tool::Auto),
+        can_undo: true,
+        chinese_font: chinese_font().is_some(),
+        species: "daisy".into(),
+        seed: 17,
+        found: Found {
+            petals: true,
+            leaves: true,
+            branch_levels: 3,
+            branch_outlines: false,
+            leaf_outlines: true,
+            ignored: true,
+        },
+        status: Status {
+            strokes: 42,
+            flowers: 3,
+            vertices: 18_240,
+            triangles: 33_912,
+            build_ms: Some(6.4),
+            building: false,
+            pen: PenUsed::Pen(Some("Wacom Intuos".into())),
+            autosave: Autosave::Journaled,
+        },
+        ..Default::default()
+    };
+    snapshot.with_settings(&settings)
+}
+
+/// A Chinese font of this machine, looked for once.
+pub(super) fn chinese_font() -> Option<&'static ChineseFont> {
+    static FONT: OnceLock<Option<ChineseFont>> = OnceLock::new();
+    FONT.get_or_init(ChineseFont::of_system).as_ref()
+}
+
+/// All panels with this snapshot in a window of 1280 × 800.
+pub(super) fn stage(snapshot: Snapshot, language: Language) -> Harness<'static, Stage> {
+    let size = egui::vec2(1280.0, 800.0);
+    stage_of(snapshot, language, size, 1.0, None)
+}
+
+/// The same in a window of another size, in logical pixels, at a scale.
+pub(super) fn stage_of(
+    snapshot: Snapshot,
+    language: Language,
+    size: egui::Vec2,
+    scale: f32,
+    textures: Option<Textures>,
+) -> Harness<'static, Stage> {
+    let theme = snapshot.theme;
+    let state =
+        Stage { snapshot, messages: Messages::new(language), actions: Vec::new(), canvas: Rect::NOTHING };
+    let mut ready = false;
+    // boxes for missing letters are looked for by a test of their own, which knows whether there is a Chinese font
+    let builder = Harness::builder()
+        .with_size(size)
+        .with_pixels_per_point(scale)
+        .with_max_steps(120)
+        .allow_missing_glyphs();
+    let builder = match textures {
+        Some(textures) => builder.renderer(textures),
+        None => builder,
+    };
+    let mut harness = builder.build_ui_state(
+        move |ui, stage: &mut Stage| {
+            if !ready {
+                ready = true;
+                ui.ctx().set_fonts(definitions(chinese_font()));
+                theme::apply(ui.ctx(), theme);
+                ui.ctx().request_repaint();
+            }
+            let Stage { snapshot, messages, actions, canvas } = stage;
+            *canvas = frame::show(ui, snapshot, messages, actions);
+            frame::overlays(ui, *canvas, snapshot, messages, actions);
+        },
+        state,
+    );
+    harness.run();
+    harness
+}
+
+/// What was asked for since the last look.
+pub(super) fn asked(harness: &mut Harness<'_, Stage>) -> Vec<Action> {
+    std::mem::take(&mut harness.state_mut().actions)
+}
