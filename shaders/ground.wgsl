@@ -2,6 +2,8 @@
 
 // Each lamp stands for a wide piece of sky: looked up this far away at most, in map widths, it draws no shadow of its own.
 const SKY_BLUR: f32 = 0.035;
+// Every how many-th lamp of the sky is looked at.
+override SKY_STEP: u32 = 1u;
 
 struct Corner {
     @builtin(position) clip: vec4<f32>,
@@ -26,7 +28,7 @@ fn light_on_ground(world: vec3<f32>, pixel: vec2<f32>) -> vec3<f32> {
     let sun = light.sun.radiance.rgb * light.sun.toward.y;
     var open = sun;
     var here = sun * sun_visibility(world, pixel);
-    for (var i = 0u; i < SKY_LAMPS; i++) {
+    for (var i = 0u; i < SKY_LAMPS; i += SKY_STEP) {
         let lamp = light.sky[i];
         let sky = lamp.radiance.rgb * lamp.toward.y;
         open += sky;

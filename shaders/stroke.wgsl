@@ -37,7 +37,7 @@ fn vertex(
     let b = seen(end);
     let axis = b.xy - a.xy;
     let long = length(axis);
-    let forward = select(vec2(1.0, 0.0), axis / long, long > 1e-6);
+    let forward = select(vec2(1.0, 0.0), axis / max(long, 1e-6), long > 1e-6);
     let reach = max(max(a.z, b.z), THINNEST) + 1.0;
     let first = select(-reach, -1.0, before.z >= 0.0 && long > 1e-6);
     let at = a.xy + forward * mix(first, long + reach, from_end.x)
@@ -66,7 +66,8 @@ fn fragment(corner: Corner) -> @location(0) vec4<f32> {
         if own.y <= 0.0 || piece(at, corner.before, corner.begin).x < own.x - TIE { discard; }
     }
     if corner.after.z >= 0.0 {
-        if piece(at, corner.end, corner.after).x < own.x - TIE { discard; }
+        let next = piece(at, corner.end, corner.after);
+        if (own.y >= 1.0 && next.y > 0.0) || next.x < own.x - TIE { discard; }
     }
     let radius = mix(corner.begin.z, corner.end.z, own.y);
     let coverage = clamp(0.5 - own.x, 0.0, 1.0) * min(radius / THINNEST, 1.0);

@@ -1,16 +1,33 @@
 // The plant itself: Blinn-Phong, two-sided, with light shining through.
 
+// Light from the sky at the corners instead of at every pixel: for drafts.
+override SKY_PER_CORNER: bool = false;
+
 struct Corner {
     // The same in the depth pass and in the colour pass, to the last bit.
     @builtin(position) @invariant clip: vec4<f32>,
     @location(0) world: vec3<f32>,
     @location(1) normal: vec3<f32>,
     @location(2) uv: vec2<f32>,
+    @location(3) sky_front: vec3<f32>,
+    @location(4) sky_through: vec3<f32>,
+};
+
+// Light from the sky on the side that is seen, and through the surface from the other side.
+struct SkyLight {
+    front: vec3<f32>,
+    through: vec3<f32>,
 };
 
 @vertex
 fn vertex(@location(0) world: vec3<f32>, @location(1) normal: vec3<f32>, @location(2) uv: vec2<f32>) -> Corner {
-    return Corner(frame.clip_from_world * vec4(world, 1.0), world, normal, vec2(uv.x, 1.0 - uv.y));
+    var sky = SkyLight(vec3(0.0), vec3(0.0));
+    if SKY_PER_CORNER {
+        let seen = dot(normal, toward_eye(world)) >= 0.0;
+        sky = sky_light(world, normal * select(-1.0, 1.0, seen), true);
+    }
+    let clip = frame.clip_from_world * vec4(world, 1.0);
+    return Corner(clip, world, normal, vec2(uv.x, 1.0 - uv.y), sky.front, sky.through);
 }
 
 // Light that arrives from a lamp: x on the side that is seen, y through the surface from the other side.
@@ -24,6 +41,19 @@ fn incidence(normal: vec3<f32>, toward: vec3<f32>) -> vec2<f32> {
 fn lifted(world: vec3<f32>, normal: vec3<f32>, lamp: vec4<f32>) -> vec3<f32> {
     let facing = dot(normal, lamp.xyz) >= 0.0;
     return world + normal * select(-(lamp.w + light.penumbra.z), lamp.w, facing);
+}
+
+fn sky_light(world: vec3<f32>, normal: vec3<f32>, translucent: bool) -> SkyLight {
+    var sky = SkyLight(vec3(0.0), vec3(0.0));
+    for (var i = 0u; i < SKY_LAMPS; i++) {
+        let lamp = light.sky[i];
+        let arriving = incidence(normal, lamp.toward.xyz);
+        if arriving.x <= 0.0 && !translucent { continue; }
+        let visible = sky_visibility(i, lifted(world, normal, lamp.toward), vec2(0.0));
+        sky.front += visible * lamp.radiance.rgb * arriving.x;
+        sky.through += visible * lamp.radiance.rgb * arriving.y;
+    }
+    return sky;
 }
 
 // Colour of light that went through pigment: the same brightness as reflected light, but deeper.
@@ -60,13 +90,9 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) 
     let up = 0.5 + 0.5 * normal.y;
     var seen = material.ambient.rgb * texel.rgb * mix(light.ambient_below.rgb, light.ambient_above.rgb, up);
     let sheen = pow(1.0 - max(dot(normal, eye), 0.0), 4.0) * material.specular.rgb;
-    for (var i = 0u; i < SKY_LAMPS; i++) {
-        let lamp = light.sky[i];
-        let arriving = incidence(normal, lamp.toward.xyz);
-        if arriving.x + arriving.y * translucency <= 0.0 { continue; }
-        let visible = sky_visibility(i, lifted(corner.world, normal, lamp.toward), vec2(0.0));
-        seen += visible * lamp.radiance.rgb * (matt * arriving.x + glow * arriving.y + sheen * arriving.x);
-    }
+    var sky = SkyLight(corner.sky_front, corner.sky_through);
+    if !SKY_PER_CORNER { sky = sky_light(corner.world, normal, translucency > 0.0); }
+    seen += (matt + sheen) * sky.front + glow * sky.through;
 
     let sun = light.sun;
     let arriving = incidence(normal, sun.toward.xyz);

@@ -11,7 +11,7 @@ pub(super) struct GroundRenderer {
 }
 
 impl GroundRenderer {
-    /// `taps` are the constants of `light.wgsl`.
+    /// `taps` are constants of `light.wgsl` and `ground.wgsl`.
     pub(super) fn new(gpu: &Gpu, scene: &SceneLayout, taps: &[(&str, f64)]) -> Self {
         let pipeline = PipelineSpec {
             label: "ground",

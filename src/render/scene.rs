@@ -98,11 +98,11 @@ fn layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
         label: Some("scene"),
         entries: &[
             entry(0, both, uniform(size_of::<FrameUniform>(), false)),
-            entry(1, fragment, uniform(size_of::<LightUniform>(), false)),
-            entry(2, fragment, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison)),
+            entry(1, both, uniform(size_of::<LightUniform>(), false)),
+            entry(2, both, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison)),
             entry(3, fragment, texture(TextureSampleType::Depth, TextureViewDimension::D2)),
             entry(4, fragment, texture(raw, TextureViewDimension::D2)),
-            entry(5, fragment, texture(TextureSampleType::Depth, TextureViewDimension::D2Array)),
+            entry(5, both, texture(TextureSampleType::Depth, TextureViewDimension::D2Array)),
         ],
     })
 }

@@ -196,14 +196,14 @@ pub(super) struct SurfaceRenderer {
 }
 
 impl SurfaceRenderer {
-    /// `taps` are the constants of `light.wgsl`.
+    /// `taps` are constants of `light.wgsl` and `surface.wgsl`.
     pub(super) fn new(
         gpu: &Gpu,
         scene: &SceneLayout,
         materials: &MaterialLayout,
         taps: &[(&str, f64)],
     ) -> Self {
-        let build = |double_sided: bool, into| {
+        let build = |double_sided: bool, constants, into| {
             PipelineSpec {
                 label: "surface",
                 wgsl: shaders::SURFACE,
@@ -213,7 +213,7 @@ impl SurfaceRenderer {
                 cull: !double_sided,
                 fragment: matches!(into, Into::Picture { .. }),
                 into,
-                constants: taps,
+                constants,
             }
             .build(gpu)
         };
@@ -221,8 +221,8 @@ impl SurfaceRenderer {
         let colour = |coverage_from_alpha| Into::Picture { blend, solid: true, coverage_from_alpha };
         let both = [false, true];
         Self {
-            depth: both.map(|double| build(double, Into::PictureDepth)),
-            colour: both.map(|cut_out| both.map(|double| build(double, colour(cut_out)))),
+            depth: both.map(|double| build(double, &[], Into::PictureDepth)),
+            colour: both.map(|cut_out| both.map(|double| build(double, taps, colour(cut_out)))),
         }
     }
 

@@ -5,7 +5,7 @@
 //! [`Viewport::revision`] has changed.
 //!
 //! Shadow maps are kept. A lamp's map is drawn again when the model changed or the lamp moved; moving the camera without
-//! turning it costs no map at all. In [`Quality::Draft`] the sky's lamps stay where they are while the viewer turns, and
+//! turning it costs no map at all. In [`Quality::Draft`] the sky lights corners instead of pixels, its lamps stay where they are while the viewer turns, and
 //! after a change of the model a software driver renews only a few of them per picture; it also draws fewer pixels and
 //! stretches them. [`Quality::Full`] is the picture that [`Renderer::picture`] makes.
 
@@ -24,8 +24,10 @@ use super::{
 use crate::model::Model;
 use glam::{Mat4, Vec3};
 
-/// Constants of `light.wgsl` for drafts.
-const DRAFT_TAPS: [(&str, f64); 2] = [("BLOCKER_TAPS", 4.0), ("SUN_TAPS", 8.0)];
+/// Constants of `light.wgsl` and `surface.wgsl` for drafts.
+const DRAFT_SURFACE: [(&str, f64); 3] = [("BLOCKER_TAPS", 4.0), ("SUN_TAPS", 6.0), ("SKY_PER_CORNER", 1.0)];
+/// Constants of `light.wgsl` and `ground.wgsl` for drafts.
+const DRAFT_GROUND: [(&str, f64); 3] = [("BLOCKER_TAPS", 4.0), ("SUN_TAPS", 6.0), ("SKY_STEP", 4.0)];
 /// Width of the sun's shadow map in drafts, texels.
 const DRAFT_SUN_MAP_SIZE: u32 = 1024;
 /// Sky lamps whose maps a draft renews after a change of the model, when the processor draws.
@@ -92,8 +94,8 @@ impl Viewport {
             draft: scene(DRAFT_SUN_MAP_SIZE),
             sky: [None; SKY_LAMPS],
             light: None,
-            draft_surface: SurfaceRenderer::new(gpu, scenes, materials, &DRAFT_TAPS),
-            draft_ground: GroundRenderer::new(gpu, scenes, &DRAFT_TAPS),
+            draft_surface: SurfaceRenderer::new(gpu, scenes, materials, &DRAFT_SURFACE),
+            draft_ground: GroundRenderer::new(gpu, scenes, &DRAFT_GROUND),
             debug: DebugRenderer::new(gpu, scenes),
             present: PresentRenderer::new(gpu),
             size: (0, 0),

@@ -11,7 +11,7 @@ use glam::{Vec2, Vec3};
 /// Share of the full line width that the lightest touch draws.
 const LIGHTEST: f32 = 0.25;
 /// How far the flattened line may stray from the spline, as a share of the full line width.
-const TOLERANCE: f32 = 0.01;
+const TOLERANCE: f32 = 0.004;
 /// Most pieces between two samples.
 const MOST_PIECES: f32 = 32.0;
 

@@ -63,7 +63,7 @@ impl Default for InkBuffer {
             points: vec![InkPoint::GAP],
             slots: BTreeMap::new(),
             order: Vec::new(),
-            dirty: Vec::new(),
+            dirty: vec![0..1],
             gaps: 0,
             scratch: Vec::new(),
         }
@@ -155,7 +155,7 @@ impl InkBuffer {
 
     /// Takes every stroke out.
     pub fn clear(&mut self) {
-        *self = Self { dirty: vec![0..1], ..Self::default() };
+        *self = Self::default();
     }
 
     /// Draws strokes in this order, the last on top; strokes that are not named come above them as they were.
@@ -326,7 +326,7 @@ mod tests {
                 4 => ink.recolour(id, [id as u8, step as u8, 0, 255]),
                 _ => ink.set_order(&[id, (id + 3) % 9]),
             }
-            copy.resize(ink.points.len(), InkPoint::GAP);
+            copy.resize(ink.points.len(), InkPoint::zeroed());
             for range in ink.take_dirty() {
                 let range = range.start.min(copy.len())..range.end.min(copy.len());
                 copy[range.clone()].copy_from_slice(&ink.points[range]);
