@@ -22,6 +22,7 @@ use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::Duration;
 
@@ -182,9 +183,11 @@ fn states(seed: u64) -> Vec<Sketch> {
 fn killed_at_200_random_moments_every_finished_stroke_is_found() {
     const KILLS: u64 = 200;
     const AT_ONCE: u64 = 4;
-    let kill_some = |worker: u64| {
+    let in_the_middle = AtomicUsize::new(0);
+    let kill_some = &|worker: u64| {
         for seed in (worker..KILLS).step_by(AT_ONCE as usize) {
             let (reported, found) = kill_once(seed);
+            in_the_middle.fetch_add(usize::from((1..STEPS).contains(&reported)), Ordering::Relaxed);
             let states = states(seed);
             let sketch = match found.as_slice() {
                 [] => &states[0],
@@ -208,6 +211,11 @@ fn killed_at_200_random_moments_every_finished_stroke_is_found() {
             scope.spawn(move || kill_some(worker));
         }
     });
+    let in_the_middle = in_the_middle.into_inner();
+    assert!(
+        in_the_middle > KILLS as usize * 3 / 4,
+        "only {in_the_middle} children were killed while they drew"
+    );
 }
 
 fn stroke(id: u64) -> Stroke {
@@ -304,6 +312,34 @@ fn only_what_changed_and_is_not_saved_is_recovered() {
     assert_eq!(titles(&recovery), ["import"]);
 }
 
+#[test]
+fn a_journal_with_any_byte_changed_restores_what_came_before() {
+    let state = tempfile::tempdir().unwrap();
+    let recovery = Recovery::at(state.path());
+    let mut artist = Artist::new(11);
+    let mut states = vec![artist.document.sketch().clone()];
+    let mut writer = recovery.start(artist.document.sketch(), Meta::default(), false).unwrap();
+    for _ in 0..12 {
+        writer.append(&artist.act());
+        states.push(artist.document.sketch().clone());
+    }
+    assert_eq!(writer.flush(PATIENCE), JournalState::Saved);
+    drop(writer);
+    let journal = file(state.path(), "journal");
+    let whole = fs::read(&journal).unwrap();
+    let mut rng = Pcg64Mcg::seed_from_u64(5);
+    for _ in 0..300 {
+        let mut changed = whole.clone();
+        let at = rng.random_range(0..changed.len());
+        changed[at] ^= 1 << rng.random_range(0..8);
+        fs::write(&journal, &changed).unwrap();
+        match recovery.list().unwrap().pop().unwrap().content {
+            Ok(restored) => assert!(states.contains(&restored.sketch), "byte {at}"),
+            Err(error) => assert!(matches!(error, JournalError::NewerVersion { .. }), "byte {at}: {error}"),
+        }
+    }
+}
+
 /// The only file below `state` whose name begins so.
 fn file(state: &Path, start: &str) -> PathBuf {
     let session = fs::read_dir(state).unwrap().next().unwrap().unwrap().path();
@@ -330,7 +366,7 @@ fn a_journal_cut_anywhere_restores_the_finished_steps() {
     let journal = file(state.path(), "journal");
     let whole = fs::read(&journal).unwrap();
     // Every byte near the ends of records, and a few hundred others.
-    let near = |cut: u64| ends.iter().any(|end| end.abs_diff(cut) < 12) || cut < 40 || cut % 23 == 0;
+    let near = |cut: u64| ends.iter().any(|end| end.abs_diff(cut) < 12) || cut < 40 || cut.is_multiple_of(23);
     for cut in (0..=whole.len() as u64).filter(|cut| near(*cut)) {
         fs::write(&journal, &whole[..cut as usize]).unwrap();
         let finished = ends.iter().filter(|end| **end <= cut).count();
