@@ -16,6 +16,10 @@ pub use super::sound::ChangeError;
 /// Which settings a merging change belongs to, so that one drag of one slider is one step.
 pub type MergeKey = String;
 
+/// A state that a document was in, to be told later that it was the one saved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SavePoint(u64);
+
 /// An open drawing with its history.
 #[derive(Debug)]
 pub struct Document {
@@ -184,7 +188,17 @@ impl Document {
 
     /// Says that the drawing is on disk as it is now.
     pub fn mark_saved(&mut self) {
-        self.saved_state = Some(self.state);
+        self.mark_saved_at(self.save_point());
+    }
+
+    /// The state as it is now, for saving beside the drawing.
+    pub fn save_point(&self) -> SavePoint {
+        SavePoint(self.state)
+    }
+
+    /// Says that the drawing is on disk as it was then.
+    pub fn mark_saved_at(&mut self, point: SavePoint) {
+        self.saved_state = Some(point.0);
         self.end_merging();
     }
 

@@ -129,6 +129,18 @@ fn undo_comes_back_to_what_was_saved() {
 }
 
 #[test]
+fn what_is_drawn_while_saving_is_not_saved() {
+    let mut document = Document::empty();
+    document.apply(Change::seed(2)).unwrap();
+    let point = document.save_point();
+    document.apply(Change::seed(3)).unwrap();
+    document.mark_saved_at(point);
+    assert!(!document.is_saved());
+    document.undo();
+    assert!(document.is_saved());
+}
+
+#[test]
 fn saving_in_the_middle_of_a_drag_begins_a_new_step() {
     let mut document = Document::empty();
     document.apply_merging(Change::seed(2), "seed").unwrap();

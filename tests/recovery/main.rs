@@ -111,7 +111,7 @@ fn only_what_changed_and_is_not_saved_is_recovered() {
     drop(untouched);
     let (mut document, mut writer) = begin(&recovery, "saved");
     draw(&mut document, &mut writer, 2);
-    writer.saved(Meta::default());
+    writer.saved(Meta::default(), writer.last_step());
     drop(writer);
     assert_eq!(titles(&recovery), Vec::<String>::new());
     let imported =
