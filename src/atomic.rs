@@ -82,7 +82,8 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     write_group_atomically(&[(path.to_owned(), bytes)])
 }
 
-/// As [`write_atomically`], but asks `permit` about the target, symbolic links resolved, when all but the renaming is done.
+/// As [`write_atomically`], but asks `permit` about the target, symbolic links resolved, when all but the renaming is
+/// done.
 ///
 /// # Errors
 /// [`WriteError`] or what `permit` says, with what was there before left as it was.

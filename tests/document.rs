@@ -4,6 +4,7 @@
 
 use glam::vec2;
 use penstemon::atomic::write_atomically;
+use penstemon::pipeline;
 use penstemon::sketch::document::Document;
 use penstemon::sketch::journal::{JournalState, Meta, Recovery};
 use penstemon::sketch::save::{FileStamp, SaveError, open, save};
@@ -188,6 +189,15 @@ fn an_empty_drawing_can_be_saved_and_opened_again_but_not_built() {
     let opened = open(&path).unwrap();
     assert_eq!((opened.sketch, opened.stamp), (Sketch::empty(), Some(stamp)));
     assert!(penstemon::sketch::read(&path).unwrap_err().to_string().contains("no stroke"));
+}
+
+#[test]
+fn an_empty_drawing_gives_an_empty_plant() {
+    let sketch = Sketch::empty();
+    let species = pipeline::species_of(&sketch, Path::new(".")).unwrap();
+    let params = pipeline::params_of(&sketch, &species, &[]).unwrap();
+    let built = pipeline::build(&sketch, &species, &params);
+    assert_eq!(built.plant.check_invariants(), Ok(()));
 }
 
 #[test]

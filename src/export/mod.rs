@@ -1,7 +1,7 @@
 //! Finished models to files: one trait, one file per format; and back, for the judge of meshes.
 //!
-//! An [`Exporter`] makes the bytes in memory, [`export`] also writes them ([`crate::atomic`]: whole or not at all, companions such
-//! as MTL and pictures first). Same model, same bytes. [`read()`] opens OBJ and GLB files for
+//! An [`Exporter`] makes the bytes in memory, [`export`] also writes them ([`crate::atomic`]: whole or not at all,
+//! companions such as MTL and pictures first). Same model, same bytes. [`read()`] opens OBJ and GLB files for
 //! [`quality`](crate::model::quality), [`load()`] opens them with their materials to be looked at.
 
 pub mod error;

@@ -16,6 +16,10 @@ pub use super::sound::ChangeError;
 /// Which settings a merging change belongs to, so that one drag of one slider is one step.
 pub type MergeKey = String;
 
+/// A state that a document was in, to be told later that it was the one saved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SavePoint(u64);
+
 /// An open drawing with its history.
 #[derive(Debug)]
 pub struct Document {
@@ -101,7 +105,7 @@ impl Document {
 
     fn change(&mut self, change: Change, key: Option<&str>) -> Result<Option<Arc<Step>>, ChangeError> {
         let change = sound::made_sound(change)?;
-        let step = self.step_of(change)?;
+        let step = self.tried(change)?;
         if step.is_empty() {
             return Ok(None);
         }
@@ -112,7 +116,7 @@ impl Document {
             && self.redo.is_empty()
             && self.undo.last().is_some_and(|e| e.key.as_deref() == key);
         self.redo.clear();
-        self.carry_out(&step, state_after);
+        self.count(&step, state_after);
         match self.undo.last_mut().filter(|_| joins) {
             Some(last) => {
                 let first = std::mem::take(&mut last.step);
@@ -133,7 +137,8 @@ impl Document {
         let mut entry = self.undo.pop()?;
         entry.key = None;
         let back = Arc::new(entry.step.reversed());
-        self.carry_out(&back, entry.state_before);
+        back.carry_out(&mut self.sketch);
+        self.count(&back, entry.state_before);
         self.end_merging();
         self.redo.push(entry);
         Some(back)
@@ -143,7 +148,8 @@ impl Document {
     pub fn redo(&mut self) -> Option<Arc<Step>> {
         let entry = self.redo.pop()?;
         let step = entry.step.clone();
-        self.carry_out(&step, entry.state_after);
+        step.carry_out(&mut self.sketch);
+        self.count(&step, entry.state_after);
         self.undo.push(entry);
         Some(step)
     }
@@ -182,47 +188,59 @@ impl Document {
 
     /// Says that the drawing is on disk as it is now.
     pub fn mark_saved(&mut self) {
-        self.saved_state = Some(self.state);
+        self.mark_saved_at(self.save_point());
+    }
+
+    /// The state as it is now, for saving beside the drawing.
+    pub fn save_point(&self) -> SavePoint {
+        SavePoint(self.state)
+    }
+
+    /// Says that the drawing is on disk as it was then.
+    pub fn mark_saved_at(&mut self, point: SavePoint) {
+        self.saved_state = Some(point.0);
         self.end_merging();
     }
 
-    fn carry_out(&mut self, step: &Step, state: u64) {
-        step.carry_out(&mut self.sketch);
-        for Swap { before, after, .. } in &step.strokes {
-            let samples = |stroke: &Option<Arc<Stroke>>| stroke.as_ref().map_or(0, |s| s.points.len());
-            self.samples = (self.samples + samples(after)).saturating_sub(samples(before));
-            self.last_id = self.last_id.max(after.as_ref().map_or(0, |s| s.id));
-        }
+    /// Takes note of a step that was carried out and led to `state`.
+    fn count(&mut self, step: &Step, state: u64) {
+        self.samples = samples_after(self.samples, &step.strokes);
+        let ids = step.strokes.iter().filter_map(|swap| swap.after.as_ref()).map(|stroke| stroke.id);
+        self.last_id = ids.fold(self.last_id, StrokeId::max);
         self.state = state;
         self.revision += 1;
     }
 
-    /// What `change` means for the drawing as it is.
-    fn step_of(&self, change: Change) -> Result<Step, ChangeError> {
+    /// Carries out `change` and says what it did, or leaves everything as it was.
+    fn tried(&mut self, change: Change) -> Result<Step, ChangeError> {
         let Change { strokes: changes, canvas, species, seed, params, textures, reference } = change;
-        let (before, after) =
-            Settings { canvas, species, seed, params, textures, reference }.against(&self.sketch);
-        // Only changes of strokes need a list to try them out on.
-        let swaps = if changes.is_empty() { Vec::new() } else { self.swaps(changes) };
-        let mut samples = self.samples;
-        let mut count = self.sketch.strokes.len();
-        for Swap { before, after, .. } in &swaps {
-            samples += after.as_ref().map_or(0, |s| s.points.len());
-            samples -= before.as_ref().map_or(0, |s| s.points.len());
-            count = count + usize::from(after.is_some()) - usize::from(before.is_some());
+        let settings = Settings { canvas, species, seed, params, textures, reference };
+        let (before, after) = settings.against(&self.sketch);
+        let strokes_before = self.sketch.strokes.len();
+        let step = Step { strokes: self.swapped(changes), before, after };
+        if let Err(full) = self.check_room(strokes_before, &step.strokes) {
+            Step { strokes: step.strokes, ..Step::default() }.reversed().carry_out(&mut self.sketch);
+            return Err(full);
         }
-        // What only shrinks is welcome even in a drawing that is too large.
+        step.after.carry_out(&mut self.sketch);
+        Ok(step)
+    }
+
+    /// Whether the drawing can still be read after `swaps`; what only shrinks is welcome in one that is too large.
+    fn check_room(&self, strokes_before: usize, swaps: &[Swap]) -> Result<(), ChangeError> {
+        let (samples, strokes) = (samples_after(self.samples, swaps), self.sketch.strokes.len());
         if samples > limits::MAX_POINTS && samples > self.samples {
             return Err(ChangeError::Full { what: "points", limit: limits::MAX_POINTS });
         }
-        if count > limits::MAX_STROKES && count > self.sketch.strokes.len() {
+        if strokes > limits::MAX_STROKES && strokes > strokes_before {
             return Err(ChangeError::Full { what: "strokes", limit: limits::MAX_STROKES });
         }
-        Ok(Step { strokes: swaps, before, after })
+        Ok(())
     }
 
-    fn swaps(&self, changes: Vec<StrokeChange>) -> Vec<Swap> {
-        let mut strokes = self.sketch.strokes.clone();
+    /// Changes the strokes, and tells what lay where before and after.
+    fn swapped(&mut self, changes: Vec<StrokeChange>) -> Vec<Swap> {
+        let strokes = &mut self.sketch.strokes;
         let (mut hint, mut newest) = (0, self.last_id);
         let mut swaps = Vec::with_capacity(changes.len());
         for change in changes {
@@ -230,12 +248,12 @@ impl Document {
                 StrokeChange::Put(stroke) => (stroke.id, Some(stroke)),
                 StrokeChange::Remove(id) => (id, None),
             };
-            let found = if id > newest { None } else { place_of(id, &strokes, hint) };
+            let found = if id > newest { None } else { place_of(id, strokes, hint) };
             newest = newest.max(id);
             let at = found.unwrap_or(strokes.len());
             let before = found.map(|at| strokes[at].clone());
             let swap = Swap { at, before, after };
-            if swap.before != swap.after && swap.carry_out(&mut strokes) {
+            if swap.before != swap.after && swap.carry_out(strokes) {
                 swaps.push(swap);
             }
             hint = at;
@@ -248,6 +266,12 @@ impl Document {
         let past = steps.flat_map(|swap| [&swap.before, &swap.after]).flatten();
         self.sketch.strokes.iter().chain(past).map(|stroke| stroke.id)
     }
+}
+
+/// Samples in a drawing that had `samples`, after `swaps`.
+fn samples_after(samples: usize, swaps: &[Swap]) -> usize {
+    let count = |stroke: &Option<Arc<Stroke>>| stroke.as_ref().map_or(0, |s| s.points.len());
+    swaps.iter().fold(samples, |sum, swap| (sum + count(&swap.after)).saturating_sub(count(&swap.before)))
 }
 
 /// Where the stroke with this id lies; looks around `hint` first, for changes mostly come in order.

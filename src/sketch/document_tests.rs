@@ -129,6 +129,18 @@ fn undo_comes_back_to_what_was_saved() {
 }
 
 #[test]
+fn what_is_drawn_while_saving_is_not_saved() {
+    let mut document = Document::empty();
+    document.apply(Change::seed(2)).unwrap();
+    let point = document.save_point();
+    document.apply(Change::seed(3)).unwrap();
+    document.mark_saved_at(point);
+    assert!(!document.is_saved());
+    document.undo();
+    assert!(document.is_saved());
+}
+
+#[test]
 fn saving_in_the_middle_of_a_drag_begins_a_new_step() {
     let mut document = Document::empty();
     document.apply_merging(Change::seed(2), "seed").unwrap();
@@ -180,6 +192,15 @@ fn a_full_drawing_takes_no_more_but_lets_go() {
     document.apply(Change::put(Stroke { id: 1, tool: Tool::Auto, points })).unwrap();
     let error = document.apply(Change::put(stroke(2, 0.0))).unwrap_err().to_string();
     assert!(error.contains("10000000 points") && error.contains("new one"), "{error}");
+    let many = vec![
+        StrokeChange::Remove(7),
+        StrokeChange::Put(stroke(3, 0.0).into()),
+        StrokeChange::Put(stroke(4, 0.0).into()),
+    ];
+    let change = Change { seed: Some(99), ..Change::strokes(many) };
+    let before = document.sketch().clone();
+    document.apply(change).unwrap_err();
+    assert_eq!(document.sketch(), &before, "a refused change does nothing at all");
     assert_eq!(ids(&document), [1]);
     document.apply(Change::remove([1])).unwrap();
     document.apply(Change::put(stroke(2, 0.0))).unwrap();

@@ -5,7 +5,8 @@ use glam::Vec2;
 use std::collections::HashSet;
 
 impl Sketch {
-    /// Checks that ids are unique, strokes are not empty, textures belong to parts, and every number is finite and in range.
+    /// Checks that ids are unique, strokes are not empty, textures belong to parts, and every number is finite and in
+    /// range.
     ///
     /// # Errors
     /// The first violation, in words.

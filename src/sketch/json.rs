@@ -15,9 +15,10 @@
 //! ```
 //!
 //! A point is `[x, y]`, `[x, y, pressure]`, `[x, y, pressure, tilt_x, tilt_y]` or all these and the time. Only `format`,
-//! `version`, `strokes` and each stroke's `points` are required. Beside what is shown there may be `textures` (an object: part to
-//! texture) and, behind the strokes, a `reference` (picture under the drawing, in base64). `docs/sketches.md` says it all. Unknown fields are errors, so that a typing mistake does
-//! not pass unseen. Reading what [`write()`] wrote gives the same sketch, bit by bit.
+//! `version`, `strokes` and each stroke's `points` are required. Beside what is shown there may be `textures` (an object:
+//! part to texture) and, behind the strokes, a `reference` (the picture under the drawing, in base64); all of it is told
+//! in `docs/sketches.md`. Unknown fields are errors, so that a typing mistake does not pass unseen. Reading what [`write()`]
+//! wrote gives the same sketch, bit by bit.
 
 mod fault;
 mod params;

@@ -125,10 +125,13 @@ pub fn save(path: &Path, sketch: &Sketch, expected: Option<&FileStamp>) -> Resul
     }
     // Held until the new file has its name.
     let mut folder_lock = None;
-    write_atomically_if(path, text.as_bytes(), |target| {
+    let written = write_atomically_if(path, text.as_bytes(), |target| {
         folder_lock = locked_folder(target);
         check_target(target, expected)
-    })?;
+    });
+    // Closing it would not be enough: a process that is just being started may still hold a copy.
+    let _ = folder_lock.as_ref().map(File::unlock);
+    written?;
     Ok(FileStamp::of_bytes(text.as_bytes()))
 }
 

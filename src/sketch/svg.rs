@@ -4,7 +4,8 @@
 //! The canvas is the page in CSS pixels (96 per inch), so that units, `viewBox` and nested transforms are all resolved
 //! here. Curves become polylines within [`TOLERANCE`] of the drawing's diagonal. `data-tool`, or the label or id of the
 //! nearest group that names a tool, says what a stroke was drawn as. Pressure and tilt are unknown to SVG: strokes have
-//! the neutral ones, but for polylines with `data-pressure`, a list of one number per point, which [`write()`] adds. Not read: style sheets, basic shapes, text, and stroke width (a remark counts what was left out).
+//! the neutral ones, but for polylines with `data-pressure`, a list of one number per point, which [`write()`] adds. Not
+//! read: style sheets, basic shapes, text, and stroke width (a remark counts what was left out).
 //! Source: SVG 1.1 second edition, chapters 5, 7, 8 and 9.
 
 mod guard;

@@ -155,6 +155,67 @@ prop_compose! {
     }
 }
 
+/// A sketch file with this reference and one stroke.
+fn with_reference(reference: &str) -> String {
+    let file = with_points("[[0, 0], [1, 1]]");
+    format!("{}, \"reference\": {reference}}}", file.strip_suffix('}').unwrap())
+}
+
+/// A file with a sound reference, as it is written.
+fn traced() -> String {
+    let (mut sketch, _) = read(&with_points("[[0, 0], [1, 1]]")).unwrap();
+    let picture = Picture::new(SMALL_PNG).unwrap();
+    sketch.reference = Some(Arc::new(Reference::new(picture, vec2(3.0, 4.0), 50.0)));
+    json::write(&sketch)
+}
+
+#[test]
+fn a_reference_needs_only_its_picture_and_place() {
+    let written = traced();
+    let picture = written.split("\"picture\":\n    ").nth(1).unwrap().split('}').next().unwrap();
+    let text = with_reference(&format!(r#"{{"center": [3, 4], "width": 50, "picture": {picture}}}"#));
+    let reference = read(&text).unwrap().0.reference.unwrap();
+    assert_eq!(reference.picture.bytes().as_ref(), SMALL_PNG);
+    let plain = Reference::new(Picture::new(SMALL_PNG).unwrap(), vec2(3.0, 4.0), 50.0);
+    assert_eq!(*reference, plain);
+    assert_eq!(read(&with_reference("null")).unwrap().0.reference, None);
+}
+
+#[test]
+fn a_bad_reference_is_named() {
+    let says = |text: &str, part: &str| {
+        let message = read(text).unwrap_err().to_string();
+        assert!(message.contains(part), "`{part}` is not in: {message}");
+    };
+    let written = traced();
+    says(&written.replace("iVBORw0K", "iVB*Rw0K"), "damaged at character 0 of its base64 text");
+    says(&written.replace("iVBORw0K", "AAAAAAAA"), "neither PNG nor JPEG");
+    says(
+        &written.replace("\"opacity\": 0.5", "\"opacity\": 1.5"),
+        "opacity is out of range; it must be 0 to 1",
+    );
+    says(&written.replace("\"width\": 50", "\"width\": 0"), "width is out of range");
+    says(&with_reference(r#"{"center": [0, 0], "width": 5}"#), "missing field `picture`");
+    says(&with_reference(r#"{"tilt": 1}"#), "unknown field `tilt`");
+    let huge = "A".repeat(limits::MAX_REFERENCE_BYTES / 3 * 4 + 100);
+    says(&with_reference(&format!(r#"{{"picture": "{huge}"}}"#)), "larger than 32 MiB");
+}
+
+#[test]
+fn textures_belong_to_parts() {
+    let file = with_points("[[0, 0], [1, 1]]");
+    let with = |textures: &str| format!("{}, \"textures\": {textures}}}", file.strip_suffix('}').unwrap());
+    let (sketch, _) = read(&with(r#"{"leaf": "oak", "branch": "/a/b.png"}"#)).unwrap();
+    assert_eq!(sketch.textures["branch"], "/a/b.png");
+    let message = |text: &str| read(text).unwrap_err().to_string();
+    assert!(
+        message(&with(r#"{"stem": "oak"}"#))
+            .contains("no part `stem` to give a texture; the parts are branch, leaf")
+    );
+    assert!(message(&with(r#"{"leaf": ""}"#)).contains("the texture of `leaf`"));
+    assert!(message(&with(r#"{"leaf": 3}"#)).contains("expected a string"));
+}
+
 proptest! {
     #[test]
     fn written_sketches_read_back_bit_by_bit(sketch in sketch()) {

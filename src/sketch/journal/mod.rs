@@ -10,9 +10,9 @@
 //!                      journal-3              every step since
 //! ```
 //!
-//! A *generation* is a snapshot and the journal that goes on from it. For a new one the next journal is begun, the snapshot
-//! is written beside the running drawing, and only then the old generation goes; so at any moment the newest whole
-//! snapshot and the journals from its number on give the drawing. A journal may end in half a record: that step
+//! A *generation* is a snapshot and the journal that goes on from it. For a new one the next journal is begun, the
+//! snapshot is written beside the running drawing, and only then the old generation goes; so at any moment the newest
+//! whole snapshot and the journals from its number on give the drawing. A journal may end in half a record: that step
 //! was not finished. After any failure to write (disk full, folder gone) the writer keeps a copy of the drawing
 //! in memory and tries again with a whole new generation.
 //!

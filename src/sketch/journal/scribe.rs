@@ -36,8 +36,8 @@ pub(super) enum Command {
     Begin,
     /// Write a snapshot if the newest is not up to date.
     Snapshot,
-    /// The drawing is safe in its file.
-    Saved(Meta),
+    /// The drawing is safe in its file as it was after the step of this number.
+    Saved(Meta, u64),
     /// Another title or file.
     Meta(Meta),
     /// Remove everything.
@@ -148,8 +148,8 @@ impl Scribe {
                 Command::Step(..) => {}
                 Command::Begin => self.begin_generation(),
                 Command::Snapshot => self.snapshot(),
-                Command::Saved(meta) => self.forget(meta),
-                Command::Meta(meta) => self.set_meta(meta),
+                Command::Saved(meta, up_to) if up_to >= self.last => self.forget(meta),
+                Command::Saved(meta, _) | Command::Meta(meta) => self.set_meta(meta),
                 Command::Close => {
                     self.close();
                     return true;

@@ -151,7 +151,10 @@ fn a_saved_drawing_leaves_nothing_to_recover_until_it_changes() {
     let state = tempfile::tempdir().unwrap();
     let mut desk = Desk::new(state.path());
     desk.draw();
-    desk.scribe.carry_out(std::iter::once(Command::Saved(Meta::default())));
+    desk.draw();
+    desk.scribe.carry_out(std::iter::once(Command::Saved(Meta::default(), 1)));
+    assert_eq!(files(&desk.scribe).len(), 4, "something was drawn while it was being saved");
+    desk.scribe.carry_out(std::iter::once(Command::Saved(Meta::default(), 2)));
     assert_eq!(files(&desk.scribe), ["lock", "meta.json"]);
     desk.draw();
     let expected = desk.document.sketch().clone();

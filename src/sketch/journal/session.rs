@@ -36,7 +36,14 @@ pub struct Meta {
 #[derive(Debug)]
 pub(super) struct Session {
     pub(super) folder: PathBuf,
-    _lock: Option<File>,
+    lock: Option<File>,
+}
+
+impl Drop for Session {
+    /// Closing the file would not be enough: a process that is just being started may still hold a copy of it.
+    fn drop(&mut self) {
+        let _ = self.lock.as_ref().map(File::unlock);
+    }
 }
 
 impl Session {
@@ -58,7 +65,7 @@ impl Session {
         fs::rename(unfinished.path(), &folder).map_err(explain)?;
         // It no longer exists under the old name, so nothing is removed.
         drop(unfinished);
-        let session = Self { folder, _lock: Some(lock) };
+        let session = Self { folder, lock: Some(lock) };
         session.write_meta(meta)?;
         flush_folder(state);
         Ok(session)
@@ -69,7 +76,7 @@ impl Session {
         let lock = File::options().write(true).create(true).truncate(false).open(folder.join(LOCK)).ok();
         match lock.as_ref().map(File::try_lock) {
             Some(Err(TryLockError::WouldBlock)) => None,
-            _ => Some(Self { folder, _lock: lock }),
+            _ => Some(Self { folder, lock }),
         }
     }
 

@@ -141,10 +141,15 @@ impl JournalWriter {
         self.send(Command::Snapshot);
     }
 
-    /// The drawing is saved in its file as it is now (the document says so): there is nothing to recover until the
-    /// next step.
-    pub fn saved(&self, meta: Meta) {
-        self.send(Command::Saved(meta));
+    /// Number of the last step handed over.
+    pub fn last_step(&self) -> u64 {
+        self.appended
+    }
+
+    /// The drawing is saved in its file as it was after step `up_to`. If nothing came after that, there is nothing to
+    /// recover until the next step.
+    pub fn saved(&self, meta: Meta, up_to: u64) {
+        self.send(Command::Saved(meta, up_to));
     }
 
     /// The drawing's title or file is another now.

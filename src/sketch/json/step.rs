@@ -164,3 +164,57 @@ fn found_reference(text: ReferenceText, pictures: &Pictures) -> Result<Reference
     reference.check().map_err(|fault| fault.to_string())?;
     Ok(reference)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sketch::{StrokePoint, Tool};
+
+    fn stroke(id: u64) -> Arc<Stroke> {
+        let points = [[0.5, 1e-7], [3.0, -4.25]].map(|p| StrokePoint::at(p.into())).to_vec();
+        Arc::new(Stroke { id, tool: Tool::BranchOutline, points })
+    }
+
+    #[test]
+    fn a_step_and_its_reverse_are_replayed_exactly() {
+        let start = Sketch { strokes: vec![stroke(1), stroke(2), stroke(3)], ..Sketch::empty() };
+        let swap = |at, before, after| Swap { at, before, after };
+        let strokes = vec![
+            swap(1, Some(stroke(2)), None),
+            swap(0, Some(stroke(1)), Some(stroke(9))),
+            swap(2, None, Some(stroke(4))),
+        ];
+        let new = Settings { seed: Some(7), species: Some(Some("a \"b\"".into())), ..Settings::default() };
+        let (before, after) = new.against(&start);
+        let step = Step { strokes, before, after };
+        let mut expected = start.clone();
+        step.carry_out(&mut expected);
+        let mut replayed = start.clone();
+        replay(write(&step).as_bytes(), &mut replayed, &Pictures::new()).unwrap();
+        assert_eq!(replayed, expected);
+        replay(write(&step.reversed()).as_bytes(), &mut replayed, &Pictures::new()).unwrap();
+        assert_eq!(replayed, start);
+    }
+
+    #[test]
+    fn text_that_does_not_fit_changes_nothing() {
+        let start = Sketch { strokes: vec![stroke(1)], ..Sketch::empty() };
+        let good = r#"{"at": 0, "remove": true}"#;
+        let points = r#""points": [[1, 2], [3, 4]]"#;
+        for bad in [
+            "{".to_owned(),
+            r#"{"strokes": [], "sheet": 1}"#.to_owned(),
+            format!(r#"{{"strokes": [{good}, {good}]}}"#),
+            format!(r#"{{"strokes": [{good}, {{"at": 5, "insert": {{"id": 2, {points}}}}}]}}"#),
+            format!(r#"{{"strokes": [{good}, {{"at": 0}}]}}"#),
+            format!(r#"{{"strokes": [{good}, {{"at": 0, "insert": {{{points}}}}}]}}"#),
+            format!(r#"{{"strokes": [{good}, {{"at": 0, "insert": {{"id": 2, "points": []}}}}]}}"#),
+            format!(r#"{{"strokes": [{good}, {{"at": 0, "insert": {{"id": 2, "points": [[1e9, 0]]}}}}]}}"#),
+            r#"{"reference": {"center": [0, 0], "width": 1, "rotation_deg": 0, "opacity": 1, "locked": true, "visible": true, "picture": 3}}"#.to_owned(),
+        ] {
+            let mut sketch = start.clone();
+            assert!(replay(bad.as_bytes(), &mut sketch, &Pictures::new()).is_err(), "{bad}");
+            assert_eq!(sketch, start, "{bad}");
+        }
+    }
+}

@@ -8,7 +8,7 @@ use crate::sketch::json::push_number;
 use crate::sketch::{Sketch, Stroke, StrokePoint, Tool};
 
 /// Width of a line at full pressure, as a share of the sheet's diagonal.
-const FULL_WIDTH: f32 = 0.004;
+const FULL_WIDTH: f32 = 0.003;
 
 /// Share of that width which the lightest touch draws.
 const LIGHTEST: f32 = 0.25;
