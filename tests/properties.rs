@@ -193,6 +193,30 @@ fn several_plants_and_crossing_branches_are_built() {
     assert_eq!(meadow.plant.branches.iter().filter(|b| b.parent.is_none() && b.stroke.is_some()).count(), 4);
 }
 
+/// Ten thousand strokes of one tool that all begin in one spot, short ones among long ones.
+fn crowd(tool: sketch::Tool) -> Sketch {
+    let spot = Vec2::new(500.0, 500.0);
+    let stroke = |k: usize| {
+        let end = spot + Vec2::from_angle(k as f32 * 0.618) * (100.0 + (k % 97) as f32);
+        let is_line = tool == sketch::Tool::Branch;
+        (tool, if is_line { drawings::curve(spot, end, 0.1) } else { drawings::blade(spot, end, 0.2) })
+    };
+    drawings::sketch((0..10_000).map(stroke))
+}
+
+#[test]
+fn crowds_of_strokes_in_one_spot_are_understood() {
+    for tool in [sketch::Tool::Branch, sketch::Tool::Petal, sketch::Tool::Leaf] {
+        let sketch = crowd(tool);
+        let anatomy = penstemon::anatomy::analyse(&sketch, &Default::default());
+        let plant = penstemon::depth::recover(&anatomy, sketch.seed, &Default::default());
+        assert_eq!(plant.check_invariants(), Ok(()));
+        assert_eq!(plant.branches.len() + plant.organs.len(), 10_000, "{tool:?}");
+        let trunks = plant.branches.iter().filter(|b| b.parent.is_none()).count();
+        assert!(trunks <= 1 && plant.flowers.len() <= 1, "{tool:?}: {trunks} trunks");
+    }
+}
+
 #[test]
 fn a_leaf_outline_gives_a_crown() {
     let tree = build(&drawings::leafy_tree(800));
