@@ -250,9 +250,11 @@ fn shortfall(growth: Growth) -> Option<&'static str> {
 fn marks(readings: &[Reading], petals: &[FlatBlade], hearts: &[StrokeId]) -> Vec<Mark> {
     let mut petal_ids: Vec<StrokeId> = petals.iter().filter_map(|p| p.stroke).collect();
     petal_ids.sort_unstable();
+    let mut hearts = hearts.to_vec();
+    hearts.sort_unstable();
     let part = |r: &Reading| match r.part {
         Part::Leaf if petal_ids.binary_search(&r.id).is_ok() => Part::Petal,
-        Part::Leaf if hearts.contains(&r.id) => Part::Ignored,
+        Part::Leaf if hearts.binary_search(&r.id).is_ok() => Part::Ignored,
         part => part,
     };
     readings.iter().map(|r| Mark { stroke: r.id, part: part(r), confidence: r.confidence }).collect()

@@ -2,7 +2,7 @@
 //!
 //! The root is the middle between the stroke's ends. Where the hand overshot and the ends cross and spread, the tails
 //! are cut off first, and the crossing is the root; ends that lie close together stay the root even if a narrow base
-//! is tangled. A blade seen edge-on is drawn out and back along nearly one line, and its two sides cross many times: its
+//! is tangled. Where the sides cross just before the tip, the loop with the tip is kept. A blade seen edge-on is drawn out and back along nearly one line, and its two sides cross many times: its
 //! outline is then the hull of the stroke.
 //!
 //! The tip is the farthest and sharpest place. 000 eq. 3.2 compares slopes (and is misprinted); slopes have no meaning
@@ -34,10 +34,13 @@ const KEPT_REACH: f32 = 0.75;
 pub fn blade(stroke: StrokeId, samples: &[Sample], params: &TipParams) -> Option<FlatBlade> {
     let ends = (samples.first()?.position, samples.last()?.position);
     let open = without_repeated_end(samples);
-    let mut outline = simple_loop::make_simple(open.clone(), |s| s.position, Sample::lerp);
     let mut root = ends.0.midpoint(ends.1);
+    let far = reach(&open, root);
+    let is_farthest = |s: &Sample| s.position.distance(root) == far;
+    let mut outline =
+        simple_loop::make_simple_keeping(open.clone(), |s| s.position, Sample::lerp, is_farthest);
     if outline.first() != samples.first() {
-        if reach(&outline, root) < KEPT_REACH * reach(&open, root) {
+        if reach(&outline, root) < KEPT_REACH * far {
             outline = convex_hull(&open, |s| s.position);
             begin_between(&mut outline, ends);
         } else {
@@ -83,15 +86,26 @@ fn tip_index(outline: &[Sample], root: Vec2, params: &TipParams) -> usize {
     let n = outline.len();
     let farthest = outline.iter().map(|s| s.position.distance(root)).fold(f32::MIN_POSITIVE, f32::max);
     let reach = ((n as f32 * TURN_SHARE) as usize).clamp(1, n - 1);
-    let score = |i: usize| {
+    let sharpness = |i: usize| {
         let here = outline[i].position;
         let before = here - outline[i.saturating_sub(reach)].position;
         let after = outline[(i + reach).min(n - 1)].position - here;
-        params.distance_weight * here.distance(root) / farthest
-            + params.sharpness_weight * turning(before, after) / std::f32::consts::PI
+        params.sharpness_weight * turning(before, after) / std::f32::consts::PI
     };
-    let scores = (reach..n - reach).map(|i| (i, score(i)));
-    scores.max_by(|a, b| a.1.total_cmp(&b.1)).map_or(n / 2, |(i, _)| i)
+    let mut best = (n / 2, f32::NEG_INFINITY);
+    // Of equals the last wins.
+    for i in (reach..n - reach).rev() {
+        let distance = params.distance_weight * outline[i].position.distance(root) / farthest;
+        // The arc tangent is dear and seldom needed: no turn is worth more than the whole weight.
+        if distance + params.sharpness_weight <= best.1 {
+            continue;
+        }
+        let score = distance + sharpness(i);
+        if score > best.1 {
+            best = (i, score);
+        }
+    }
+    best.0
 }
 
 /// Turns a blade round whose stroke began at its tip.

@@ -2,8 +2,10 @@
 //!
 //! The thesis starts from points chosen at random; here every point climbs from its own place and clusters are named
 //! in the order of their first point, so the result depends on the input alone. Each point has its own bandwidth,
-//! because blades of different size gather at different distances. Cost: near-linear through an R-tree.
+//! because blades of different size gather at different distances. Cost: near-linear, also where all points stand in one
+//! spot (`disc_sums`).
 
+use super::disc_sums::DiscSums;
 use glam::Vec2;
 use rstar::{RTree, primitives::GeomWithData};
 
@@ -16,20 +18,15 @@ const MAX_ROUNDS: usize = 32;
 /// cluster when their modes lie closer than `merge` × the smaller of their bandwidths.
 pub fn cluster(points: &[Vec2], bandwidth: &[f32], merge: f32) -> Vec<usize> {
     debug_assert_eq!(points.len(), bandwidth.len());
-    let tree = RTree::bulk_load(
-        points.iter().enumerate().map(|(i, p)| GeomWithData::new(p.to_array(), i)).collect::<Vec<_>>(),
-    );
-    let modes: Vec<Vec2> = points.iter().zip(bandwidth).map(|(&p, &h)| climb(&tree, p, h)).collect();
+    let sums = DiscSums::new(points.to_vec());
+    let modes: Vec<Vec2> = points.iter().zip(bandwidth).map(|(&p, &h)| climb(&sums, p, h)).collect();
     join(&modes, bandwidth, merge)
 }
 
-fn climb(tree: &RTree<GeomWithData<[f32; 2], usize>>, start: Vec2, bandwidth: f32) -> Vec2 {
+fn climb(sums: &DiscSums, start: Vec2, bandwidth: f32) -> Vec2 {
     let mut at = start;
     for _ in 0..MAX_ROUNDS {
-        let (sum, count) = tree
-            .locate_within_distance(at.to_array(), bandwidth * bandwidth)
-            .fold((Vec2::ZERO, 0.0), |(sum, n), q| (sum + Vec2::from_array(*q.geom()), n + 1.0));
-        let next = if count > 0.0 { sum / count } else { at };
+        let next = sums.mean_within(at, bandwidth).unwrap_or(at);
         if next.distance(at) <= 1e-3 * bandwidth {
             return next;
         }

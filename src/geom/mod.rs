@@ -1,6 +1,7 @@
 //! Mathematics that knows no plant: polylines, loops, regions, clusters, frames, ellipses.
 
 pub mod convex_hull;
+pub mod disc_sums;
 pub mod ellipse;
 pub mod frame;
 pub mod mean_shift;

@@ -85,6 +85,10 @@ fn edges(points: &[Vec2]) -> impl Iterator<Item = (Vec2, Vec2)> + '_ {
 /// Segments that share one box in a [`SegmentIndex`]: few enough to test one by one, many enough to keep the tree small.
 const RUN: usize = 16;
 
+/// Most runs that one question to a [`SegmentIndex`] looks at, the nearest first. Only where more of them lie in one
+/// spot, such as the feet of hundreds of branches, does an answer leave some out.
+const MOST_RUNS: usize = 512;
+
 /// An index over the segments of many polylines: which lie within a distance of a point.
 pub struct SegmentIndex {
     points: Vec<Vec2>,
@@ -139,8 +143,9 @@ impl SegmentIndex {
 
     /// The nearest place on every polyline with a segment within `radius` of `p`, by polyline number.
     pub fn within(&self, p: Vec2, radius: f32) -> Vec<Near> {
-        let runs = self.runs.locate_within_distance(p.to_array(), radius * radius);
-        let nearest = runs.filter_map(|run| self.nearest_in(run.data, p));
+        let runs = self.runs.nearest_neighbor_iter_with_distance_2(p.to_array()).take(MOST_RUNS);
+        let runs = runs.take_while(|(_, gap2)| *gap2 <= radius * radius);
+        let nearest = runs.filter_map(|(run, _)| self.nearest_in(run.data, p));
         let mut found: Vec<Near> = nearest.filter(|near| near.distance <= radius).collect();
         found.sort_by(|a, b| {
             a.line.cmp(&b.line).then(a.distance.total_cmp(&b.distance)).then(a.segment.cmp(&b.segment))
@@ -152,7 +157,7 @@ impl SegmentIndex {
     /// The nearest place over all polylines; ties go to the lowest number.
     pub fn nearest(&self, p: Vec2) -> Option<Near> {
         let mut best: Option<Near> = None;
-        for (run, gap2) in self.runs.nearest_neighbor_iter_with_distance_2(p.to_array()) {
+        for (run, gap2) in self.runs.nearest_neighbor_iter_with_distance_2(p.to_array()).take(MOST_RUNS) {
             if best.is_some_and(|near| gap2 > near.distance * near.distance * (1.0 + 1e-5)) {
                 break;
             }

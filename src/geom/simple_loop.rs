@@ -1,11 +1,17 @@
 //! Makes a hand-drawn closed outline simple: no edge crosses another.
 //!
 //! Hands overshoot: the end of a petal's outline crosses its beginning and leaves two tails. Wherever two edges
-//! cross, the loop is cut there and the piece with the larger area is kept, until no crossing is left. Edges are
-//! grouped into runs with bounding boxes, so an outline without crossings costs little more than one pass.
+//! cross, the loop is cut there and the piece with the larger area is kept, until no crossing is left. Where the smaller
+//! piece must stay, because a petal's two sides cross just before its tip, its sense is turned instead, which takes the
+//! crossing apart and keeps both.
 //!
-//! Limits: a figure-eight keeps only its larger half; edges that merely touch count as crossing.
+//! Edges are grouped into runs with bounding boxes; a run along which the outline always goes forward cannot cross
+//! itself. So an outline without crossings costs little more than one pass.
+//!
+//! Limits: edges that merely touch count as crossing. After [`MOST_CUTS`] cuts what is left is a scribble, of which the
+//! convex hull is given, so that a knot costs no more than that many passes.
 
+use super::convex_hull::convex_hull;
 use glam::Vec2;
 
 const RUN: usize = 8;
@@ -17,46 +23,95 @@ pub fn signed_area(points: impl Iterator<Item = Vec2> + Clone) -> f32 {
     points.zip(next).map(|(a, b)| (a - first).perp_dot(b - first)).sum::<f32>() * 0.5
 }
 
+/// Most crossings that are taken out of one outline.
+pub const MOST_CUTS: usize = 64;
+
 /// Cuts crossings out of a closed loop of anything with a position. `blend(a, b, t)` makes the point where an edge
-/// is cut. Ends after at most as many cuts as there are points; the result may have fewer than three points.
+/// is cut. The result may have fewer than three points.
 pub fn make_simple<T: Clone>(
-    mut points: Vec<T>,
+    points: Vec<T>,
     position: impl Fn(&T) -> Vec2,
     blend: impl Fn(&T, &T, f32) -> T,
 ) -> Vec<T> {
-    while points.len() > 3 {
-        let flat: Vec<Vec2> = points.iter().map(&position).collect();
-        let Some((i, j, ti)) = first_crossing(&flat) else { break };
-        let n = points.len();
-        let cut = blend(&points[i], &points[(i + 1) % n], ti);
-        let inner: Vec<T> = std::iter::once(cut.clone()).chain(points[i + 1..=j].iter().cloned()).collect();
-        let outer: Vec<T> =
-            points[..=i].iter().cloned().chain([cut]).chain(points[j + 1..].iter().cloned()).collect();
-        let area = |part: &[T]| signed_area(part.iter().map(&position)).abs();
-        let kept = if area(&inner) > area(&outer) { inner } else { outer };
-        if kept.len() >= n {
-            return kept;
+    make_simple_keeping(points, position, blend, |_| false)
+}
+
+/// The same, but an inner loop with a point that must stay is turned instead of cut off.
+pub fn make_simple_keeping<T: Clone>(
+    mut points: Vec<T>,
+    position: impl Fn(&T) -> Vec2,
+    blend: impl Fn(&T, &T, f32) -> T,
+    must_stay: impl Fn(&T) -> bool,
+) -> Vec<T> {
+    let mut flat: Vec<Vec2> = points.iter().map(&position).collect();
+    let mut cuts = 0;
+    while let Some((i, j, ti)) = first_crossing(&flat) {
+        cuts += 1;
+        if cuts > MOST_CUTS {
+            return convex_hull(&points, &position);
         }
-        points = kept;
+        let cut = blend(&points[i], &points[(i + 1) % points.len()], ti);
+        let at = position(&cut);
+        let inner = signed_area(flat[i + 1..=j].iter().copied().chain([at])).abs();
+        let outer = signed_area(flat[..=i].iter().copied().chain([at]).chain(flat[j + 1..].iter().copied()));
+        if inner > outer.abs() {
+            points.truncate(j + 1);
+            points.drain(..=i);
+            points.insert(0, cut);
+        } else if points[i + 1..=j].iter().any(&must_stay) {
+            points[i + 1..=j].reverse();
+        } else {
+            points.splice(i + 1..=j, [cut]);
+        }
+        flat.clear();
+        flat.extend(points.iter().map(&position));
     }
     points
+}
+
+/// Consecutive edges.
+struct Run {
+    low: Vec2,
+    high: Vec2,
+    /// From the first point to the last.
+    chord: Vec2,
+}
+
+impl Run {
+    /// All runs of a closed loop.
+    fn of(points: &[Vec2]) -> Vec<Self> {
+        let n = points.len();
+        let run = |start: usize| {
+            let end = (start + RUN).min(n);
+            let held = points[start..end].iter().copied().chain([points[end % n]]);
+            let (low, high) =
+                held.fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(lo, hi), p| (lo.min(p), hi.max(p)));
+            Self { low, high, chord: points[end % n] - points[start] }
+        };
+        (0..n).step_by(RUN).map(run).collect()
+    }
+
+    fn is_apart_from(&self, other: &Self) -> bool {
+        self.low.cmpgt(other.high).any() || other.low.cmpgt(self.high).any()
+    }
 }
 
 /// The first pair of edges `(i, j)`, `i < j`, that cross, and the share of edge `i` before the crossing.
 fn first_crossing(points: &[Vec2]) -> Option<(usize, usize, f32)> {
     let n = points.len();
-    let edge = |i: usize| (points[i], points[(i + 1) % n]);
-    let boxes: Vec<(Vec2, Vec2)> = (0..n)
-        .step_by(RUN)
-        .map(|start| {
-            (start..=(start + RUN).min(n))
-                .map(|i| points[i % n])
-                .fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(lo, hi), p| (lo.min(p), hi.max(p)))
-        })
-        .collect();
-    for (a, box_a) in boxes.iter().enumerate() {
-        for (b, box_b) in boxes.iter().enumerate().skip(a) {
-            if box_a.0.cmpgt(box_b.1).any() || box_b.0.cmpgt(box_a.1).any() {
+    if n <= 3 {
+        return None;
+    }
+    let edge = |i: usize| (points[i], points[if i + 1 == n { 0 } else { i + 1 }]);
+    let runs = Run::of(points);
+    // An outline that always goes forward along a direction cannot come back to itself.
+    let goes_forward = |a: usize, b: usize| {
+        let along = if a == b { runs[a].chord } else { runs[a].chord + runs[b].chord };
+        (a * RUN..((b + 1) * RUN).min(n)).map(edge).all(|(from, to)| (to - from).dot(along) > 0.0)
+    };
+    for a in 0..runs.len() {
+        for b in a..runs.len() {
+            if runs[a].is_apart_from(&runs[b]) || (b <= a + 1 && goes_forward(a, b)) {
                 continue;
             }
             for i in a * RUN..((a + 1) * RUN).min(n) {
@@ -112,6 +167,26 @@ mod tests {
     }
 
     #[test]
+    fn a_loop_that_must_stay_is_turned() {
+        // A tall petal whose sides cross near the tip.
+        let drawn = [(0.0, 0.0), (4.0, 5.0), (-1.0, 11.0), (0.0, 12.0), (1.0, 11.0), (-4.0, 5.0)];
+        let drawn = drawn.map(Vec2::from).to_vec();
+        let lerp = |a: &Vec2, b: &Vec2, t: f32| a.lerp(*b, t);
+        assert!(simple(&drawn).iter().all(|p| p.y < 11.0));
+        let kept = make_simple_keeping(drawn, |p| *p, lerp, |p| p.y == 12.0);
+        assert!(first_crossing(&kept).is_none());
+        assert_eq!(kept.iter().map(|p| p.x).collect::<Vec<_>>(), [0.0, 4.0, 1.0, 0.0, -1.0, -4.0]);
+    }
+
+    #[test]
+    fn a_knot_becomes_its_hull() {
+        let knot: Vec<Vec2> =
+            (0..1000).map(|k| Vec2::from_angle(k as f32 * 2.4) * (200.0 - k as f32 * 0.1)).collect();
+        let kept = simple(&knot);
+        assert!(kept.len() > 2 && first_crossing(&kept).is_none());
+    }
+
+    #[test]
     fn area_is_signed_by_sense() {
         let ccw = [Vec2::ZERO, Vec2::X, Vec2::ONE];
         assert_eq!(signed_area(ccw.into_iter()), 0.5);
@@ -119,6 +194,17 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn runs_hide_no_crossing(corners in prop::collection::vec((-9.0f32..9.0, -9.0f32..9.0), 4..60)) {
+            let points: Vec<Vec2> = corners.into_iter().map(Vec2::from).collect();
+            let n = points.len();
+            let edge = |i: usize| (points[i], points[(i + 1) % n]);
+            let pairs = (0..n).flat_map(|i| (i + 2..n).map(move |j| (i, j)));
+            let mut apart = pairs.filter(|&(i, j)| i != 0 || j != n - 1);
+            let crosses = apart.any(|(i, j)| crossing(edge(i), edge(j)).is_some());
+            prop_assert_eq!(first_crossing(&points).is_some(), crosses);
+        }
+
         #[test]
         fn any_scribble_becomes_simple(corners in prop::collection::vec((-9.0f32..9.0, -9.0f32..9.0), 3..60)) {
             let points: Vec<Vec2> = corners.into_iter().map(Vec2::from).collect();

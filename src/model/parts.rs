@@ -129,14 +129,14 @@ impl Specimens {
 
     /// The specimen of an organ that neither branch nor flower carries: a pot belongs to the trunk nearest to it.
     fn of_lone(&self, plant: &Plant, organ: &Organ) -> usize {
+        if organ.kind != OrganKind::Pot {
+            return self.lone;
+        }
         let away =
             |i: usize| plant.branches[i].points.first().map_or(f32::INFINITY, |p| p.distance(organ.base()));
         let trunks = (0..plant.branches.len()).filter(|&i| plant.branches[i].parent.is_none());
         let held = trunks.min_by(|a, b| away(*a).total_cmp(&away(*b)));
-        match held {
-            Some(trunk) if organ.kind == OrganKind::Pot => self.of_branch[trunk],
-            _ => self.lone,
-        }
+        held.map_or(self.lone, |trunk| self.of_branch[trunk])
     }
 }
 

@@ -1,0 +1,125 @@
+//! How many points lie in a disc, and where their middle is, without looking at each.
+//!
+//! A k-d tree whose nodes know the sum of their points: a node wholly inside the disc is counted at once. So a disc over
+//! thousands of points in one spot costs no more than one over a few, which a list of neighbours would not allow.
+
+use glam::Vec2;
+use std::ops::Range;
+
+/// Points that are looked at one by one.
+const LEAF: usize = 12;
+
+/// Points, ready to be summed over discs.
+#[derive(Clone, Debug)]
+pub struct DiscSums {
+    points: Vec<Vec2>,
+    nodes: Vec<Node>,
+}
+
+#[derive(Clone, Debug)]
+struct Node {
+    low: Vec2,
+    high: Vec2,
+    sum: Vec2,
+    held: Range<usize>,
+    /// Index of the second child; the first follows the node itself. None for a leaf.
+    second: Option<usize>,
+}
+
+impl DiscSums {
+    /// Takes finite points.
+    pub fn new(points: Vec<Vec2>) -> Self {
+        let mut sums = Self { nodes: Vec::with_capacity(4 * points.len() / LEAF + 1), points };
+        if !sums.points.is_empty() {
+            sums.grow(0..sums.points.len());
+        }
+        sums
+    }
+
+    /// Adds the node of a stretch of points and all below it.
+    fn grow(&mut self, held: Range<usize>) {
+        let points = &mut self.points[held.clone()];
+        let low = points.iter().copied().fold(Vec2::INFINITY, Vec2::min);
+        let high = points.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
+        let node = self.nodes.len();
+        self.nodes.push(Node { low, high, sum: points.iter().sum(), held: held.clone(), second: None });
+        if points.len() <= LEAF {
+            return;
+        }
+        let size = high - low;
+        let along = if size.x >= size.y { Vec2::X } else { Vec2::Y };
+        let middle = points.len() / 2;
+        points.select_nth_unstable_by(middle, |a, b| a.dot(along).total_cmp(&b.dot(along)));
+        let middle = held.start + middle;
+        self.grow(held.start..middle);
+        self.nodes[node].second = Some(self.nodes.len());
+        self.grow(middle..held.end);
+    }
+
+    /// Middle of the points within `radius` of `center`; `None` where there are none.
+    pub fn mean_within(&self, center: Vec2, radius: f32) -> Option<Vec2> {
+        let (mut sum, mut count) = (Vec2::ZERO, 0);
+        if !self.nodes.is_empty() {
+            self.add(0, center, radius * radius, (&mut sum, &mut count));
+        }
+        (count > 0).then(|| sum / count as f32)
+    }
+
+    fn add(&self, index: usize, center: Vec2, radius2: f32, (sum, count): (&mut Vec2, &mut usize)) {
+        let node = &self.nodes[index];
+        if center.distance_squared(center.clamp(node.low, node.high)) > radius2 {
+            return;
+        }
+        let farthest = (center - node.low).max(node.high - center);
+        if farthest.length_squared() <= radius2 {
+            *sum += node.sum;
+            *count += node.held.len();
+        } else if let Some(second) = node.second {
+            self.add(index + 1, center, radius2, (sum, count));
+            self.add(second, center, radius2, (sum, count));
+        } else {
+            for point in &self.points[node.held.clone()] {
+                if point.distance_squared(center) <= radius2 {
+                    *sum += point;
+                    *count += 1;
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn nothing_has_no_middle() {
+        assert_eq!(DiscSums::new(Vec::new()).mean_within(Vec2::ZERO, 9.0), None);
+        assert_eq!(DiscSums::new(vec![Vec2::X]).mean_within(Vec2::ZERO, 0.9), None);
+    }
+
+    #[test]
+    fn one_spot_is_one_look() {
+        let sums = DiscSums::new(vec![Vec2::ONE; 10_000]);
+        assert_eq!(sums.mean_within(Vec2::ZERO, 2.0), Some(Vec2::ONE));
+    }
+
+    proptest! {
+        #[test]
+        fn means_agree_with_looking_at_every_point(
+            places in prop::collection::vec((-9i8..9, -9i8..9), 0..200),
+            (x, y) in (-10.0f32..10.0, -10.0f32..10.0),
+            radius in 0.1f32..15.0,
+        ) {
+            let points: Vec<Vec2> = places.into_iter().map(|(x, y)| Vec2::new(x.into(), y.into())).collect();
+            let center = Vec2::new(x, y);
+            prop_assume!(points.iter().all(|p| (p.distance(center) - radius).abs() > 1e-4));
+            let near: Vec<Vec2> = points.iter().copied().filter(|p| p.distance(center) <= radius).collect();
+            let expected = (!near.is_empty()).then(|| near.iter().sum::<Vec2>() / near.len() as f32);
+            let found = DiscSums::new(points).mean_within(center, radius);
+            prop_assert_eq!(found.is_some(), expected.is_some());
+            prop_assert!(found.unwrap_or_default().distance(expected.unwrap_or_default()) < 1e-4);
+        }
+    }
+}
