@@ -3,6 +3,7 @@
 //! egui lays out; the canvas itself is not egui's: its rectangle is left open and the drawing is painted below. What
 //! belongs to the canvas but not to the drawing (lasso, handles, the eraser's circle) is painted by egui over it.
 
+use super::action::Action;
 use super::canvas::{CursorShape, Rect as CanvasRect};
 use super::editor::Editor;
 use super::panels::frame;
@@ -28,14 +29,16 @@ pub struct Layout {
     pub plant: Rect,
     pixels_per_point: f64,
     share: f32,
-    /// The drawing was fitted into the canvas once.
-    is_fitted: bool,
+    /// All of the drawing is shown, and stays so when the canvas changes its size, until the artist moves it.
+    pub(super) shows_all: bool,
+    /// Another drawing was opened: it is fitted into the canvas with the next frame.
+    is_new: bool,
 }
 
 impl Default for Layout {
     fn default() -> Self {
         let none = Rect::NOTHING;
-        Self { canvas: none, plant: none, pixels_per_point: 1.0, share: CANVAS_SHARE, is_fitted: false }
+        Self { canvas: none, plant: none, pixels_per_point: 1.0, share: CANVAS_SHARE, shows_all: true, is_new: true }
     }
 }
 
@@ -62,7 +65,7 @@ impl Layout {
 
     /// Another drawing: it is fitted into the canvas with the next frame.
     pub fn forget(&mut self) {
-        self.is_fitted = false;
+        self.is_new = true;
     }
 }
 
@@ -80,8 +83,9 @@ impl Editor {
             self.tell_layout();
         }
         self.canvas.set_viewport(self.layout.canvas_px(), self.layout.pixels_per_point);
-        if !std::mem::replace(&mut self.layout.is_fitted, true) {
-            self.fit_drawing();
+        let is_new = std::mem::take(&mut self.layout.is_new);
+        if is_new || (self.layout.shows_all && self.layout.canvas != before.canvas) {
+            self.perform(Action::FitCanvas);
         }
         let mut side = ui.new_child(UiBuilder::new().max_rect(self.layout.plant));
         self.plant.show(&mut side, plant);

@@ -253,9 +253,12 @@ impl Running {
             }
             self.editor.pen(event);
             self.graphics.grow_stroke(&self.editor);
+        } else if matches!(event.sample.tool, PenTool::Pen | PenTool::Eraser) && !is_contact(event.phase) {
+            // A pen near a panel still keeps the palm from drawing.
+            self.editor.pen(event);
+            self.over_canvas = false;
         } else if std::mem::take(&mut self.over_canvas) {
-            let left = PenEvent { phase: PenPhase::Leave, ..event };
-            self.editor.pen(left);
+            self.editor.pen(PenEvent { phase: PenPhase::Leave, ..event });
         }
         ours
     }
@@ -368,4 +371,9 @@ impl Running {
         let wake = [self.repaint_at, self.editor.wakes_at()].into_iter().flatten().min();
         event_loop.set_control_flow(wake.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
     }
+}
+
+/// Whether the tool touches or just did.
+fn is_contact(phase: PenPhase) -> bool {
+    matches!(phase, PenPhase::Down | PenPhase::Move | PenPhase::Up)
 }

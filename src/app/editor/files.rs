@@ -153,7 +153,7 @@ impl Editor {
                 self.file = OwnFile { path: Some(path.clone()), stamp: Some(stamp) };
                 self.document.mark_saved();
                 if let Some(journal) = &self.journal {
-                    journal.saved(meta_of(&self.file));
+                    journal.saved(meta_of(&self.file), journal.last_step());
                 }
                 self.settings.remember(&path);
                 self.save_settings();

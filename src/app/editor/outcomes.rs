@@ -78,7 +78,10 @@ impl Editor {
                 self.versions.drawing += 1;
                 self.part_menu = None;
             }
-            CanvasOutcome::ViewChanged => self.part_menu = None,
+            CanvasOutcome::ViewChanged => {
+                self.part_menu = None;
+                self.layout.shows_all = false;
+            }
             CanvasOutcome::OverlayChanged => {}
             CanvasOutcome::Action(action) => self.perform(action),
             CanvasOutcome::TapOnStroke { id, at } => {

@@ -17,6 +17,7 @@ impl Editor {
     pub fn perform(&mut self, action: Action) {
         if self.on_canvas(|canvas, drawing, out| canvas.act(&action, drawing, out)) {
             self.part_menu = None;
+            self.layout.shows_all |= action == Action::FitCanvas;
             return;
         }
         match action {

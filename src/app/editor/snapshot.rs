@@ -148,11 +148,6 @@ impl Editor {
         self.chinese.as_ref().and_then(Option::as_ref)
     }
 
-    /// Shows the whole drawing, or the sheet where nothing is drawn.
-    pub(in crate::app) fn fit_drawing(&mut self) {
-        self.perform(crate::app::action::Action::FitCanvas);
-    }
-
     /// What follows from a frame.
     pub(in crate::app) fn end_of_frame(&mut self, ui: &egui::Ui) {
         // A slider that was let go: its next move is a step of its own.
