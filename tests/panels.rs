@@ -444,7 +444,7 @@ fn with_dialog(dialog: Dialog) -> Harness<'static, Stage> {
 /// Presses the last thing of this name: dialogs stand above everything else.
 fn press_last(harness: &mut Harness<'_, Stage>, label: &str) {
     let touched = |node: &egui_kittest::Node<'_>| ROLES.contains(&node.accesskit_node().role());
-    harness.query_all_by_label(label).filter(touched).next_back().unwrap().click();
+    harness.query_all_by_label(label).rfind(touched).unwrap().click();
     harness.run();
 }
 
