@@ -444,7 +444,7 @@ fn with_dialog(dialog: Dialog) -> Harness<'static, Stage> {
 /// Presses the last thing of this name: dialogs stand above everything else.
 fn press_last(harness: &mut Harness<'_, Stage>, label: &str) {
     let touched = |node: &egui_kittest::Node<'_>| ROLES.contains(&node.accesskit_node().role());
-    harness.query_all_by_label(label).filter(touched).last().unwrap().click();
+    harness.query_all_by_label(label).rfind(touched).unwrap().click();
     harness.run();
 }
 
@@ -673,7 +673,7 @@ fn an_idle_interface_asks_for_no_more_frames() {
 #[test]
 fn chinese_has_no_boxes_where_a_font_was_found() {
     let Some(font) = stage::chinese_font() else {
-        println!(
+        eprintln!(
             "no Chinese font on this machine: {}",
             Messages::new(Language::English).get(Msg::NoticeInstallFont)
         );

@@ -122,17 +122,40 @@ fn unique_name(taken: &[Material], wish: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pipeline;
-    use crate::sketch;
-    use crate::species::Species;
+    use crate::plant::{Branch, Organ, WorldFromCanvas};
+    use glam::{Vec2, Vec3};
 
-    /// A sample drawing, dressed.
-    fn plant(sketch: &str, species: &str) -> Plant {
-        let path = format!("{}/assets/sketches/{sketch}.penstemon", env!("CARGO_MANIFEST_DIR"));
-        let (sketch, _) = sketch::from_bytes(&std::fs::read(&path).unwrap(), &path).unwrap();
-        let species = Species::built_in(species).unwrap();
-        let params = pipeline::params_of(&sketch, &species, &[]).unwrap();
-        pipeline::build(&sketch, &species, &params).plant
+    /// A plant with a stem and one organ of each kind, each with a material of its own, and a stamen whose head has
+    /// another one.
+    fn plant() -> Plant {
+        let mut plant = Plant {
+            world_from_canvas: WorldFromCanvas { scale: 0.001, origin: Vec2::ZERO },
+            branches: vec![Branch {
+                stroke: Some(1),
+                parent: None,
+                level: 0,
+                points: vec![Vec3::ZERO, Vec3::Y],
+                radii: vec![0.1; 2],
+                material: 0,
+            }],
+            flowers: Vec::new(),
+            organs: Vec::new(),
+            materials: vec![Material::plain("stem", [0.2, 0.4, 0.2])],
+        };
+        for kind in KINDS.into_iter().flatten() {
+            let material = plant.materials.len();
+            plant.materials.push(Material::plain(key(Some(kind)), [0.1, 0.2, 0.3]));
+            let shape = if kind == OrganKind::Stamen {
+                plant.materials.push(Material::plain("anther", [0.9, 0.8, 0.1]));
+                let points = vec![Vec3::Y, 2.0 * Vec3::Y];
+                Shape::Filament { points, radius: 0.01, head: Vec2::splat(0.02), head_material: material + 1 }
+            } else {
+                Shape::Dome { base: Vec3::Y, axis: Vec3::Y, radius: 0.1, height: 0.1 }
+            };
+            plant.organs.push(Organ { kind, stroke: None, branch: Some(0), flower: None, material, shape });
+        }
+        assert_eq!(plant.check_invariants(), Ok(()));
+        plant
     }
 
     fn choices(pairs: &[(&str, &str)]) -> BTreeMap<String, String> {
@@ -153,7 +176,7 @@ mod tests {
 
     #[test]
     fn only_the_chosen_kind_of_part_changes() {
-        let before = plant("daisy", "daisy");
+        let before = plant();
         let mut after = before.clone();
         lay_over(&mut after, &choices(&[("petal", "petal_rose"), ("branch", "/photos/bark.jpg")]));
         assert_eq!(after.check_invariants(), Ok(()));
@@ -162,14 +185,14 @@ mod tests {
             ["Some(BuiltIn(\"petal_rose.png\"))".to_owned()].into()
         );
         assert_eq!(textures_of(&after, None), ["Some(File(\"/photos/bark.jpg\"))".to_owned()].into());
-        for kind in [OrganKind::Leaf, OrganKind::Receptacle, OrganKind::Sepal] {
+        for kind in [OrganKind::Leaf, OrganKind::Receptacle, OrganKind::Sepal, OrganKind::Stamen] {
             assert_eq!(textures_of(&after, Some(kind)), textures_of(&before, Some(kind)), "{kind:?}");
         }
     }
 
     #[test]
     fn a_material_worn_by_two_kinds_of_parts_is_split() {
-        let mut plant = plant("daisy", "daisy");
+        let mut plant = plant();
         visit(&mut plant, |_, material| *material = 0);
         plant.materials.truncate(1);
         lay_over(&mut plant, &choices(&[("leaf", "leaf_maple.png")]));
@@ -177,6 +200,13 @@ mod tests {
         assert_ne!(plant.materials[0].name, plant.materials[1].name);
         assert_ne!(textures_of(&plant, None), textures_of(&plant, Some(OrganKind::Leaf)));
         assert_eq!(plant.check_invariants(), Ok(()));
+    }
+
+    #[test]
+    fn threads_wear_the_texture_with_their_heads() {
+        let mut plant = plant();
+        lay_over(&mut plant, &choices(&[("stamen", "petal_daisy")]));
+        assert_eq!(textures_of(&plant, Some(OrganKind::Stamen)).len(), 1);
     }
 
     #[test]
@@ -189,10 +219,14 @@ mod tests {
 
     #[test]
     fn no_choice_changes_nothing() {
-        let before = plant("potted_plant", "potted");
+        let before = plant();
         let mut after = before.clone();
-        lay_over(&mut after, &choices(&[("nonsense", "x.png"), ("petal", "petal_rose")]));
+        lay_over(&mut after, &choices(&[("nonsense", "x.png")]));
         assert_eq!(before, after);
+        after.organs.retain(|organ| organ.kind != OrganKind::Petal);
+        let bare = after.clone();
+        lay_over(&mut after, &choices(&[("petal", "petal_rose")]));
+        assert_eq!(bare, after);
     }
 
     #[test]

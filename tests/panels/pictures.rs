@@ -94,6 +94,7 @@ impl Painter {
 pub(super) struct Textures(pub(super) Rc<RefCell<Painter>>);
 
 impl TestRenderer for Textures {
+    #[allow(clippy::iter_over_hash_type, reason = "textures are independent of each other")]
     fn handle_delta(&mut self, delta: &mut egui::TexturesDelta) {
         let Painter { device, queue, renderer } = &mut *self.0.borrow_mut();
         for (id, changes) in &delta.set {
