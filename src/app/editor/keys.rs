@@ -49,7 +49,7 @@ impl Editor {
         match key {
             Key::Delete | Key::Backspace => Some(Action::DeleteSelected),
             Key::Home | Key::Num0 => Some(Action::FitCanvas),
-            Key::V => Some(Action::FrontView),
+            Key::Num1 => Some(Action::FrontView),
             Key::F1 => Some(Action::ShowDialog(Dialog::About)),
             _ => toolbar::TOOLS.iter().find(|entry| entry.key == key).map(|entry| Action::SetTool(entry.tool)),
         }
