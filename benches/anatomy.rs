@@ -73,10 +73,22 @@ fn knot() -> Sketch {
     drawings::sketch([(Tool::Petal, (0..MANY).map(around).collect())])
 }
 
+/// Leaves that all begin in one spot.
+fn tuft() -> Sketch {
+    let root = Vec2::new(500.0, 500.0);
+    let leaf = |k: usize| {
+        let tip = root + Vec2::from_angle(k as f32 * 0.618) * (100.0 + (k % 89) as f32);
+        (Tool::Auto, drawings::blade(root, tip, 0.2))
+    };
+    drawings::sketch((0..MANY).map(leaf))
+}
+
 fn hard(c: &mut Criterion) {
     let mut group = c.benchmark_group("anatomy/hard");
     group.sample_size(10);
-    for (name, sketch) in [("broom", broom()), ("chains", chains()), ("pompon", pompon()), ("knot", knot())] {
+    for (name, sketch) in
+        [("broom", broom()), ("chains", chains()), ("pompon", pompon()), ("knot", knot()), ("tuft", tuft())]
+    {
         group.bench_function(name, |b| b.iter(|| black_box(analyse(&sketch, &AnatomyParams::default()))));
     }
     group.finish();

@@ -9,6 +9,7 @@ mod drawings;
 use glam::{Vec2, Vec3};
 use penstemon::export::{Scene, format_of};
 use penstemon::geom::polyline;
+use penstemon::model::PartKind;
 use penstemon::pipeline::{self, Built};
 use penstemon::plant::{OrganKind, Shape};
 use penstemon::sketch::{self, Sketch};
@@ -191,6 +192,34 @@ fn several_plants_and_crossing_branches_are_built() {
     assert_sound(&meadow);
     assert_eq!(meadow.plant.flowers.len(), 4);
     assert_eq!(meadow.plant.branches.iter().filter(|b| b.parent.is_none() && b.stroke.is_some()).count(), 4);
+}
+
+#[test]
+fn leaf_outlines_share_what_leaves_a_drawing_may_have() {
+    let mut sketch = drawings::leafy_tree(800);
+    let ring = (0..40).map(|k| Vec2::new(1500.0, 500.0) + 300.0 * Vec2::from_angle(k as f32 * 0.157));
+    let mut second =
+        sketch::Stroke::clone(&drawings::sketch([(sketch::Tool::LeafOutline, ring.collect())]).strokes[0]);
+    second.id = 1_000_000;
+    sketch.strokes.push(second.into());
+    sketch.params.insert("anatomy.leaf_fill.max_leaves".into(), 200.into());
+    let anatomy = build(&sketch).anatomy;
+    let generated: Vec<Vec2> =
+        anatomy.leaves.iter().filter(|leaf| leaf.copy_of.is_some()).map(|leaf| leaf.root).collect();
+    let beside = generated.iter().filter(|root| root.x > 1150.0).count();
+    assert!((100..=200).contains(&generated.len()), "{}", generated.len());
+    assert!(beside > 20 && beside < generated.len() - 20, "{beside} of {}", generated.len());
+    assert!(anatomy.warnings.iter().any(|w| w.message.contains("more thinly")), "{:?}", anatomy.warnings);
+}
+
+#[test]
+fn pot_and_earth_belong_to_the_plant_that_stands_in_them() {
+    let potted = reference_sketches().into_iter().find(|(path, _)| path.ends_with("potted_plant.penstemon"));
+    let model = build(&potted.unwrap().1).model;
+    let pots = model.parts.iter().filter(|part| part.kind == PartKind::Organ(OrganKind::Pot));
+    let specimens: Vec<usize> = pots.map(|part| part.specimen).collect();
+    let trunk = model.parts.iter().find(|part| part.kind == PartKind::Wood && part.parent.is_none()).unwrap();
+    assert_eq!(specimens, [trunk.specimen; 2]);
 }
 
 /// Ten thousand strokes of one tool that all begin in one spot, short ones among long ones.

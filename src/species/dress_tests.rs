@@ -248,6 +248,26 @@ fn a_cherry_tree_blossoms_in_place_of_generated_leaves_only() {
 }
 
 #[test]
+fn a_drawn_leaf_more_leaves_the_form_of_the_others() {
+    let form_of = |plant: &Plant, stroke: u64| {
+        let organ = plant.organs.iter().find(|organ| organ.stroke == Some(stroke)).unwrap();
+        let Shape::Blade(blade) = &organ.shape else { panic!("a leaf is a blade") };
+        (blade.form, organ.material)
+    };
+    for name in ["plant", "maple"] {
+        let mut plant = bare(1, 0);
+        plant.organs = [7, 9].map(|stroke| leaf(Vec3::Y * 0.02, Some(0), Some(stroke), 0.02)).to_vec();
+        let before = dressed(&plant, name, 1);
+        plant.organs.insert(0, leaf(Vec3::Y * 0.05, Some(0), Some(3), 0.02));
+        let after = dressed(&plant, name, 1);
+        for stroke in [7, 9] {
+            assert_eq!(form_of(&before, stroke), form_of(&after, stroke), "{name}: leaf {stroke}");
+        }
+        assert_ne!(form_of(&after, 7).0, form_of(&after, 9).0, "{name}");
+    }
+}
+
+#[test]
 fn the_pot_stands_below_the_lowest_trunk_and_holds_all_of_it() {
     let mut plant = bare(1, 0);
     plant.branches[0].radii = vec![0.05; 6];
