@@ -17,6 +17,7 @@ use penstemon::render::{
 use std::borrow::Cow;
 use std::error::Error;
 use std::path::Path;
+use std::sync::Arc;
 
 const SIZE: (u32, u32) = (240, 280);
 
@@ -43,7 +44,7 @@ fn opened(model: &Model) -> (Renderer, Viewport) {
 
 /// The mesh of a part, to be changed.
 fn mesh_mut(part: &mut Part) -> &mut Mesh {
-    &mut part.mesh
+    Arc::make_mut(&mut part.mesh)
 }
 
 fn points(model: &Model) -> Vec<Vec3> {

@@ -408,8 +408,17 @@ impl Editor {
 
     /// When something on the screen changes by itself.
     pub fn wakes_at(&self) -> Option<Instant> {
-        let news = self.notices.iter().filter(|(n, _)| n.severity == Severity::Info).map(|(_, at)| *at + GOOD_NEWS).min();
-        let saving = self.journal.as_ref().is_some_and(|j| j.state() == JournalState::Saving).then(|| Instant::now() + Duration::from_millis(250));
+        let news = self
+            .notices
+            .iter()
+            .filter(|(n, _)| n.severity == Severity::Info)
+            .map(|(_, at)| *at + GOOD_NEWS)
+            .min();
+        let saving = self
+            .journal
+            .as_ref()
+            .is_some_and(|j| j.state() == JournalState::Saving)
+            .then(|| Instant::now() + Duration::from_millis(250));
         [news, saving, self.plant.wakes_at()].into_iter().flatten().min()
     }
 }

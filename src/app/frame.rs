@@ -8,41 +8,41 @@ use egui::{ClippedPrimitive, TexturesDelta};
 use egui_wgpu::ScreenDescriptor;
 
 /// Paints egui's shapes.
-pub struct EguiPainter {
+pub(super) struct EguiPainter {
     renderer: egui_wgpu::Renderer,
 }
 
 /// What one run of egui wants on the screen.
-pub struct EguiFrame {
+pub(super) struct EguiFrame {
     /// Tessellated shapes.
-    pub primitives: Vec<ClippedPrimitive>,
+    pub(super) primitives: Vec<ClippedPrimitive>,
     /// Pictures to upload and to forget.
-    pub textures: TexturesDelta,
+    pub(super) textures: TexturesDelta,
     /// Pixels per point it was laid out for.
-    pub pixels_per_point: f32,
+    pub(super) pixels_per_point: f32,
 }
 
 impl EguiPainter {
     /// A painter for this surface.
-    pub fn new(surface: &Surface) -> Self {
+    pub(super) fn new(surface: &Surface) -> Self {
         let options = egui_wgpu::RendererOptions::default();
         Self { renderer: egui_wgpu::Renderer::new(&surface.device, surface.format(), options) }
     }
 
     /// Makes a texture of ours known to egui.
-    pub fn register(&mut self, surface: &Surface, view: &wgpu::TextureView) -> egui::TextureId {
+    pub(super) fn register(&mut self, surface: &Surface, view: &wgpu::TextureView) -> egui::TextureId {
         self.renderer.register_native_texture(&surface.device, view, wgpu::FilterMode::Linear)
     }
 
     /// Lets a known texture show another view, after a resize.
-    pub fn replace(&mut self, surface: &Surface, id: egui::TextureId, view: &wgpu::TextureView) {
+    pub(super) fn replace(&mut self, surface: &Surface, id: egui::TextureId, view: &wgpu::TextureView) {
         let filter = wgpu::FilterMode::Linear;
         self.renderer.update_egui_texture_from_wgpu_texture(&surface.device, view, filter, id);
     }
 
     /// Uploads egui's pictures, then paints `below` and the shapes on the surface and shows the frame. `false` where
     /// the surface had no frame to give; nothing is lost then but the frame.
-    pub fn paint(
+    pub(super) fn paint(
         &mut self,
         surface: &mut Surface,
         mut frame: EguiFrame,

@@ -38,7 +38,14 @@ pub struct Layout {
 impl Default for Layout {
     fn default() -> Self {
         let none = Rect::NOTHING;
-        Self { canvas: none, plant: none, pixels_per_point: 1.0, share: CANVAS_SHARE, shows_all: true, is_new: true }
+        Self {
+            canvas: none,
+            plant: none,
+            pixels_per_point: 1.0,
+            share: CANVAS_SHARE,
+            shows_all: true,
+            is_new: true,
+        }
     }
 }
 
@@ -160,12 +167,22 @@ impl Editor {
             if matches!(handle, super::canvas::transform::Handle::Turn) {
                 painter.circle(at, 6.0, palette.panel, line);
             } else {
-                painter.rect(Rect::from_center_size(at, vec2(10.0, 10.0)), 2.0, palette.panel, line, egui::StrokeKind::Middle);
+                painter.rect(
+                    Rect::from_center_size(at, vec2(10.0, 10.0)),
+                    2.0,
+                    palette.panel,
+                    line,
+                    egui::StrokeKind::Middle,
+                );
             }
         }
         if let Some((middle, radius)) = self.canvas.cursor().circle {
             let radius = (radius / scale) as f32;
-            painter.circle_stroke(point(middle), radius + 1.0, Stroke::new(1.0, Color32::from_white_alpha(180)));
+            painter.circle_stroke(
+                point(middle),
+                radius + 1.0,
+                Stroke::new(1.0, Color32::from_white_alpha(180)),
+            );
             painter.circle_stroke(point(middle), radius, Stroke::new(1.0, palette.text));
         }
         if self.document.sketch().strokes.is_empty() && self.canvas.growing().is_none() {

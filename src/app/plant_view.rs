@@ -106,9 +106,8 @@ impl PlantView {
         if !response.hovered() && !response.dragged() {
             return;
         }
-        let (scroll, pinch, at, touch) = ui.input(|i| {
-            (i.smooth_scroll_delta().y, i.zoom_delta(), i.pointer.hover_pos(), i.multi_touch())
-        });
+        let (scroll, pinch, at, touch) =
+            ui.input(|i| (i.smooth_scroll_delta().y, i.zoom_delta(), i.pointer.hover_pos(), i.multi_touch()));
         if let Some(touch) = touch {
             self.take_hold();
             self.camera.pan(share(touch.translation_delta));
@@ -140,7 +139,8 @@ impl PlantView {
     }
 
     fn follow(&mut self) {
-        if self.guide == Guide::FollowsPlant && self.flight.is_none()
+        if self.guide == Guide::FollowsPlant
+            && self.flight.is_none()
             && let Some(bounds) = self.bounds
         {
             self.camera = self.front(bounds);
@@ -148,7 +148,8 @@ impl PlantView {
     }
 
     fn front(&self, bounds: (Vec3, Vec3)) -> OrbitCamera {
-        let mut camera = OrbitCamera { projection: self.projection(), ..OrbitCamera::facing(Vec2::ZERO, 1.0) };
+        let mut camera =
+            OrbitCamera { projection: self.projection(), ..OrbitCamera::facing(Vec2::ZERO, 1.0) };
         camera.fit(bounds, self.aspect);
         camera
     }

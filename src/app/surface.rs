@@ -12,18 +12,18 @@ use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
 
 /// A window's surface with the device that draws on it.
-pub struct Surface {
+pub(super) struct Surface {
     window: Arc<dyn Window>,
     instance: wgpu::Instance,
     surface: wgpu::Surface<'static>,
     /// How the surface is set up; its size is never zero.
     config: wgpu::SurfaceConfiguration,
     /// The adapter that draws.
-    pub info: wgpu::AdapterInfo,
+    pub(super) info: wgpu::AdapterInfo,
     /// The device, shared by everything that draws in the window.
-    pub device: wgpu::Device,
+    pub(super) device: wgpu::Device,
     /// Its queue.
-    pub queue: wgpu::Queue,
+    pub(super) queue: wgpu::Queue,
     lost: Arc<AtomicBool>,
     hidden: bool,
 }
@@ -33,7 +33,10 @@ impl Surface {
     ///
     /// # Errors
     /// [`RenderError::NoAdapter`] names the package to install; otherwise the driver's own failure.
-    pub fn open(event_loop: &dyn ActiveEventLoop, window: Arc<dyn Window>) -> Result<Self, RenderError> {
+    pub(super) fn open(
+        event_loop: &dyn ActiveEventLoop,
+        window: Arc<dyn Window>,
+    ) -> Result<Self, RenderError> {
         Self::with_backends(event_loop, &window, wgpu::Backends::PRIMARY)
             .or_else(|_| Self::with_backends(event_loop, &window, wgpu::Backends::GL))
     }
@@ -89,22 +92,22 @@ impl Surface {
     }
 
     /// Width and height in pixels, at least 1.
-    pub fn size(&self) -> (u32, u32) {
+    pub(super) fn size(&self) -> (u32, u32) {
         (self.config.width, self.config.height)
     }
 
     /// Format of the frames; colours are written gamma-encoded.
-    pub fn format(&self) -> wgpu::TextureFormat {
+    pub(super) fn format(&self) -> wgpu::TextureFormat {
         self.config.format
     }
 
     /// Whether the device is gone and everything on it must be made again.
-    pub fn is_lost(&self) -> bool {
+    pub(super) fn is_lost(&self) -> bool {
         self.lost.load(Ordering::Relaxed)
     }
 
     /// Follows the window's size; a window without area keeps the last one.
-    pub fn resize(&mut self, size: PhysicalSize<u32>) {
+    pub(super) fn resize(&mut self, size: PhysicalSize<u32>) {
         self.hidden = size.width == 0 || size.height == 0;
         if self.hidden || (size.width, size.height) == self.size() {
             return;
@@ -117,7 +120,7 @@ impl Surface {
 
     /// The next frame to draw on; `None` where there is none to be had now. The window asks again with its next change
     /// or, where the surface was set up anew, at once.
-    pub fn acquire(&mut self) -> Option<wgpu::SurfaceTexture> {
+    pub(super) fn acquire(&mut self) -> Option<wgpu::SurfaceTexture> {
         use wgpu::CurrentSurfaceTexture as Current;
         if self.hidden || self.is_lost() {
             return None;
@@ -152,7 +155,7 @@ impl Surface {
     }
 
     /// Shows a frame.
-    pub fn present(&self, frame: wgpu::SurfaceTexture) {
+    pub(super) fn present(&self, frame: wgpu::SurfaceTexture) {
         self.window.pre_present_notify();
         self.queue.present(frame);
     }

@@ -12,7 +12,7 @@ use winit::event_loop::{ActiveEventLoop, DndAction};
 
 /// Something that arrived.
 #[derive(Debug, PartialEq)]
-pub enum Arrival {
+pub(super) enum Arrival {
     /// Text.
     Text(String),
     /// Local files.
@@ -25,7 +25,7 @@ const PNG: TypeHint = TypeHint::Image { extension_hint: Some("png") };
 const JPEG: TypeHint = TypeHint::Image { extension_hint: Some("jpg") };
 
 /// Lets files be dropped.
-pub fn welcome(event_loop: &dyn ActiveEventLoop, id: DataTransferId) {
+pub(super) fn welcome(event_loop: &dyn ActiveEventLoop, id: DataTransferId) {
     let has_files = event_loop.data_transfer(id).is_ok_and(|offer| offer.has_type(&TypeHint::UriList));
     let actions: &[DndAction] = if has_files { &[DndAction::Copy] } else { &[] };
     if let Err(error) = event_loop.set_valid_dnd_actions(id, actions) {
@@ -34,12 +34,12 @@ pub fn welcome(event_loop: &dyn ActiveEventLoop, id: DataTransferId) {
 }
 
 /// Asks for the addresses of dropped files.
-pub fn fetch_files(event_loop: &dyn ActiveEventLoop, id: DataTransferId) {
+pub(super) fn fetch_files(event_loop: &dyn ActiveEventLoop, id: DataTransferId) {
     fetch(event_loop, id, &[TypeHint::UriList]);
 }
 
 /// Asks for what the clipboard holds: a picture or files before text.
-pub fn fetch_clipboard(event_loop: &dyn ActiveEventLoop) {
+pub(super) fn fetch_clipboard(event_loop: &dyn ActiveEventLoop) {
     match event_loop.clipboard() {
         Ok(Some(id)) => fetch(event_loop, id, &[PNG, JPEG, TypeHint::UriList, TypeHint::Plaintext]),
         Ok(None) => {}
@@ -58,7 +58,7 @@ fn fetch(event_loop: &dyn ActiveEventLoop, id: DataTransferId, types: &[TypeHint
 }
 
 /// What an arrived piece of data is; `None` for what the program cannot use.
-pub fn arrival(data: &dyn TypedData) -> Option<Arrival> {
+pub(super) fn arrival(data: &dyn TypedData) -> Option<Arrival> {
     match data.type_().hint()? {
         TypeHint::UriList => {
             let files: Vec<PathBuf> =
@@ -90,7 +90,7 @@ fn local_file(uri: &str) -> Option<PathBuf> {
 }
 
 /// Puts text on the clipboard.
-pub fn copy_text(event_loop: &dyn ActiveEventLoop, text: String) {
+pub(super) fn copy_text(event_loop: &dyn ActiveEventLoop, text: String) {
     let offer = DataTransferSendBuilder::new(text)
         .with_type(TypeHint::Plaintext, |text: &String, _| Some(text.clone()))
         .build();
@@ -98,7 +98,7 @@ pub fn copy_text(event_loop: &dyn ActiveEventLoop, text: String) {
 }
 
 /// Puts a picture on the clipboard, as PNG.
-pub fn copy_picture(event_loop: &dyn ActiveEventLoop, picture: &egui::ColorImage) {
+pub(super) fn copy_picture(event_loop: &dyn ActiveEventLoop, picture: &egui::ColorImage) {
     match png_bytes(picture) {
         Ok(png) => {
             let offer = DataTransferSendBuilder::new(png)

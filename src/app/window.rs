@@ -42,7 +42,9 @@ pub fn run(file: Option<PathBuf>) -> anyhow::Result<()> {
     )?;
     let failure = Arc::new(std::sync::Mutex::new(None));
     let app = App { file, running: None, failure: Arc::clone(&failure) };
-    event_loop.run_app(app).context("the connection to the display broke; the drawing is kept and offered at the next start")?;
+    event_loop
+        .run_app(app)
+        .context("the connection to the display broke; the drawing is kept and offered at the next start")?;
     let failed = failure.lock().unwrap_or_else(std::sync::PoisonError::into_inner).take();
     failed.map_or(Ok(()), Err)
 }

@@ -495,13 +495,7 @@ proptest! {
             let overlay = desk.canvas.overlay();
             prop_assert!(overlay.frame.is_none_or(|f| f.iter().all(|p| p.is_finite())));
             let seen = desk.canvas.previewed(&desk.strokes);
-            let sketch = crate::sketch::Sketch {
-                canvas: crate::sketch::Canvas { width: 1.0, height: 1.0 },
-                species: None,
-                seed: 0,
-                params: Default::default(),
-                strokes: seen,
-            };
+            let sketch = crate::sketch::Sketch { strokes: seen, ..crate::sketch::Sketch::empty() };
             prop_assert_eq!(sketch.check_invariants(), Ok(()));
             prop_assert!(desk.selected().iter().all(|id| desk.ids().contains(id)));
         }

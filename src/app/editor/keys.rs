@@ -23,7 +23,8 @@ impl Editor {
         if repeat && !matches!(key, Key::Z | Key::Y) {
             return false;
         }
-        let action = if modifiers.command { command(key, modifiers.shift) } else { self.plain(key, modifiers) };
+        let action =
+            if modifiers.command { command(key, modifiers.shift) } else { self.plain(key, modifiers) };
         let known = action.is_some();
         if let Some(action) = action {
             self.perform(action);
@@ -51,7 +52,9 @@ impl Editor {
             Key::Home | Key::Num0 => Some(Action::FitCanvas),
             Key::Num1 => Some(Action::FrontView),
             Key::F1 => Some(Action::ShowDialog(Dialog::About)),
-            _ => toolbar::TOOLS.iter().find(|entry| entry.key == key).map(|entry| Action::SetTool(entry.tool)),
+            _ => {
+                toolbar::TOOLS.iter().find(|entry| entry.key == key).map(|entry| Action::SetTool(entry.tool))
+            }
         }
     }
 }

@@ -73,7 +73,8 @@ impl Editor {
             triangles: built.map_or(0, |b| b.model.triangle_count()),
             build_ms: self.building.last.map(|took| took.as_secs_f32() * 1e3),
             // A build of a few milliseconds is not worth a flicker.
-            building: self.building.is_running && self.building.last.is_some_and(|t| t > Duration::from_millis(150)),
+            building: self.building.is_running
+                && self.building.last.is_some_and(|t| t > Duration::from_millis(150)),
             pen: self.pen_used.clone(),
             autosave: self.autosave(),
         }

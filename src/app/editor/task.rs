@@ -4,17 +4,17 @@
 //! written stay.
 
 use super::Editor;
-use crate::app::panels::snapshot::{self, ExportChoice, ExportFormat, Notice};
 use crate::app::messages::Msg;
+use crate::app::panels::snapshot::{self, ExportChoice, ExportFormat, Notice};
 use crate::export;
 use crate::model::{Model, PartKind};
 use crate::pipeline::Built;
 use crate::render::{OrbitCamera, Renderer};
 use crate::sketch::Sketch;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
-use std::sync::Arc;
 
 /// An export under way.
 pub(super) struct Task {
