@@ -330,7 +330,12 @@ fn a_device_that_somebody_else_opened_will_do() {
     let model = plant("daisy");
     viewport.update(&renderer, &model, &textures).unwrap();
     let picture = shot(&renderer, &mut viewport, &camera(&model, &View::default()), &draft());
-    let green = picture.pixels().as_chunks::<4>().0.iter().filter(|p| p[1] > p[0] + 20 && p[1] > p[2] + 20);
+    let green = picture
+        .pixels()
+        .as_chunks::<4>()
+        .0
+        .iter()
+        .filter(|p| p[1] > p[0].saturating_add(20) && p[1] > p[2].saturating_add(20));
     assert!(green.count() > 1000, "leaves");
     let endless = wgpu::BufferDescriptor {
         label: None,
