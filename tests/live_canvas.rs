@@ -278,7 +278,7 @@ fn the_canvas_turns() {
     let (renderer, mut layer) = open();
     layer.set_stroke(1, &samples([(Vec2::ZERO, 1.0), (Vec2::new(100.0, 0.0), 1.0)]), INK, 10.0);
     let mut turned = view(1.0, Vec2::ZERO);
-    turned.pixel_from_canvas = turned.pixel_from_canvas * Affine2::from_angle(std::f32::consts::FRAC_PI_2);
+    turned.pixel_from_canvas *= Affine2::from_angle(std::f32::consts::FRAC_PI_2);
     let picture = shown(&renderer, &mut layer, &turned);
     assert_eq!(pixel(&picture, 240, 260), INK, "a quarter turn takes right to down");
     assert_eq!(pixel(&picture, 320, 180)[..3], PAPER);

@@ -318,3 +318,33 @@ fn a_lost_device_is_said_and_nothing_panics() {
     }
     assert!(viewport.snapshot(&renderer).is_err());
 }
+
+#[test]
+fn a_device_that_somebody_else_opened_will_do() {
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+    let adapter = pollster::block_on(instance.request_adapter(&Default::default())).unwrap();
+    let (device, queue) = pollster::block_on(adapter.request_device(&Default::default())).unwrap();
+    let renderer = Renderer::with_device(device.clone(), queue, &adapter.get_info()).unwrap();
+    assert!(renderer.adapter().contains(&adapter.get_info().name));
+    let mut viewport = Viewport::new(&renderer).unwrap();
+    viewport.set_size(SIZE.0, SIZE.1);
+    let model = plant("daisy");
+    viewport.update(&renderer, &model, &textures).unwrap();
+    let picture = shot(&renderer, &mut viewport, &camera(&model, &View::default()), &draft());
+    let green = picture
+        .pixels()
+        .as_chunks::<4>()
+        .0
+        .iter()
+        .filter(|p| p[1] > p[0].saturating_add(20) && p[1] > p[2].saturating_add(20));
+    assert!(green.count() > 1000, "leaves");
+    let endless = wgpu::BufferDescriptor {
+        label: None,
+        size: u64::MAX / 2,
+        usage: wgpu::BufferUsages::VERTEX,
+        mapped_at_creation: false,
+    };
+    drop(device.create_buffer(&endless));
+    assert!(renderer.check().is_err(), "failures of the other one's commands are collected too");
+    assert!(!renderer.is_lost() && renderer.check().is_ok());
+}

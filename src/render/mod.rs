@@ -25,6 +25,7 @@ pub mod camera;
 pub mod canvas;
 pub mod decode;
 pub mod error;
+pub mod orbit;
 pub mod picture;
 pub mod viewport;
 
@@ -38,7 +39,6 @@ mod light;
 mod look;
 mod material;
 mod mipmap;
-pub mod orbit;
 mod pipeline;
 mod pool;
 mod present;

@@ -63,7 +63,7 @@ impl Default for InkBuffer {
             points: vec![InkPoint::GAP],
             slots: BTreeMap::new(),
             order: Vec::new(),
-            dirty: vec![0..1],
+            dirty: std::iter::once(0..1).collect(),
             gaps: 0,
             scratch: Vec::new(),
         }
