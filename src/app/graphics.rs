@@ -17,13 +17,52 @@ use anyhow::Context as _;
 use egui::Color32;
 use glam::{Affine2, DAffine2, DVec2, Vec2};
 use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 use winit::dpi::PhysicalSize;
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
 
 /// Width of a line at full pressure, canvas units per unit of the drawing's height on a usual sheet.
 const LINE_WIDTH: f32 = 4.0;
+
+/// Longest wait before asking again whether a picture is finished.
+const ASK_AGAIN: Duration = Duration::from_millis(8);
+
+/// Spaces the plant's drafts, so that a slow graphics driver has as much time for the stroke under the pen as for the plant.
+#[derive(Default)]
+struct Pace {
+    /// How long the last picture took, once it is finished.
+    finished: Arc<Mutex<Option<Duration>>>,
+    is_busy: bool,
+    next: Option<Instant>,
+}
+
+impl Pace {
+    /// A picture was sent to the card.
+    fn begin(&mut self, queue: &wgpu::Queue) {
+        let (begun, finished) = (Instant::now(), Arc::clone(&self.finished));
+        self.is_busy = true;
+        queue.on_submitted_work_done(move || {
+            *finished.lock().unwrap_or_else(PoisonError::into_inner) = Some(begun.elapsed());
+        });
+    }
+
+    /// When the next draft may be drawn; `None` for now.
+    fn waits_until(&mut self, device: &wgpu::Device) -> Option<Instant> {
+        // A lost device is found out elsewhere.
+        let _ = device.poll(wgpu::PollType::Poll);
+        let now = Instant::now();
+        if let Some(took) = self.finished.lock().unwrap_or_else(PoisonError::into_inner).take() {
+            self.is_busy = false;
+            self.next = Some(now + took);
+        }
+        if self.is_busy {
+            return Some(now + ASK_AGAIN);
+        }
+        self.next.filter(|next| *next > now)
+    }
+}
 
 /// Everything on the graphics card.
 pub(super) struct Graphics {
@@ -32,6 +71,7 @@ pub(super) struct Graphics {
     renderer: Renderer,
     viewport: Viewport,
     canvas: CanvasLayer,
+    pace: Pace,
     plant: egui::TextureId,
     /// Revision of the texture that egui knows.
     plant_revision: u64,
@@ -62,6 +102,7 @@ impl Graphics {
             renderer,
             viewport,
             canvas,
+            pace: Pace::default(),
             plant,
             plant_revision,
             shown: Versions::default(),
@@ -148,6 +189,10 @@ impl Graphics {
         if area.is_finite() {
             self.viewport.set_size(side(area.width()), side(area.height()));
         }
+        if let Some(until) = self.pace.waits_until(&self.surface.device) {
+            editor.plant.draw_at(until);
+            return Ok(());
+        }
         if self.shown.plant != editor.versions.plant
             && let Some(built) = &editor.built
         {
@@ -158,7 +203,9 @@ impl Graphics {
         }
         let look = editor.plant.look(editor.settings.theme);
         let camera = editor.plant.camera();
-        self.viewport.draw(&self.renderer, &camera, &look)?;
+        if self.viewport.draw(&self.renderer, &camera, &look)? {
+            self.pace.begin(&self.surface.queue);
+        }
         if self.viewport.revision() != self.plant_revision {
             self.plant_revision = self.viewport.revision();
             self.painter.replace(&self.surface, self.plant, self.viewport.view());

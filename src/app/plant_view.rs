@@ -21,7 +21,7 @@ const FLIGHT: Duration = Duration::from_millis(280);
 /// Turn of the turntable, degrees per second.
 const TURNTABLE: f32 = 24.0;
 /// How long the view must rest before it is finished.
-const REST: Duration = Duration::from_millis(220);
+const REST: Duration = Duration::from_millis(450);
 /// Zoom of one point of scrolling.
 const ZOOM_PER_POINT: f32 = 1.0025;
 
@@ -47,6 +47,8 @@ pub struct PlantView {
     last_step: Option<Instant>,
     /// When something last moved, and whether the finished picture of it is due.
     moved: Option<Instant>,
+    /// When a draft that had to wait may be drawn.
+    delayed: Option<Instant>,
     aspect: f32,
     bounds: Option<(Vec3, Vec3)>,
 }
@@ -61,6 +63,7 @@ impl Default for PlantView {
             flight: None,
             last_step: None,
             moved: None,
+            delayed: None,
             aspect: 1.0,
             bounds: None,
         }
@@ -199,9 +202,14 @@ impl PlantView {
         self.flight.is_some() || self.state.turntable
     }
 
-    /// When the finished picture is due.
+    /// When the next draft or the finished picture is due.
     pub fn wakes_at(&self) -> Option<Instant> {
-        self.moved.map(|at| at + REST)
+        [self.delayed, self.moved.map(|at| at + REST)].into_iter().flatten().min()
+    }
+
+    /// The graphics card is busy: the picture is drawn a little later.
+    pub(super) fn draw_at(&mut self, then: Instant) {
+        self.delayed = Some(then);
     }
 
     /// The camera as it stands.
@@ -211,6 +219,7 @@ impl PlantView {
 
     /// How the next picture looks: a draft while anything moves.
     pub fn look(&mut self, theme: ThemeChoice) -> Look {
+        self.delayed = None;
         let rests = self.moved.is_none_or(|at| at.elapsed() >= REST);
         if rests {
             self.moved = None;

@@ -366,12 +366,14 @@ impl Running {
 
     /// Sleeps until the next event or the next moment that somebody named.
     fn sleep(&mut self, event_loop: &dyn ActiveEventLoop) {
-        if self.editor.wants_frame() || self.repaint_at.is_some_and(|at| at <= Instant::now()) {
+        let wake = [self.repaint_at, self.editor.wakes_at()].into_iter().flatten().min();
+        let is_due = wake.is_some_and(|at| at <= Instant::now());
+        if self.editor.wants_frame() || is_due {
             self.repaint_at = None;
             self.window.request_redraw();
         }
-        let wake = [self.repaint_at, self.editor.wakes_at()].into_iter().flatten().min();
-        event_loop.set_control_flow(wake.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
+        let later = wake.filter(|_| !is_due);
+        event_loop.set_control_flow(later.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
     }
 }
 
