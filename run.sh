@@ -31,8 +31,9 @@ install_for_desktop() {
     install -Dm755 "$program" "$prefix/bin/penstemon"
     install -Dm644 assets/desktop/org.penstemon.Penstemon.desktop -t "$share/applications"
     install -Dm644 assets/desktop/org.penstemon.Penstemon.metainfo.xml -t "$share/metainfo"
-    install -Dm644 assets/desktop/org.penstemon.Penstemon.xml -t "$share/mime/packages"
+    install -Dm644 assets/desktop/org.penstemon.Penstemon.mime.xml "$share/mime/packages/org.penstemon.Penstemon.xml"
     install -Dm644 assets/desktop/penstemon.svg "$share/icons/hicolor/scalable/apps/org.penstemon.Penstemon.svg"
+    install -Dm644 assets/desktop/penstemon-256.png "$share/icons/hicolor/256x256/apps/org.penstemon.Penstemon.png"
     command -v update-mime-database >/dev/null && update-mime-database "$share/mime" || true
     command -v update-desktop-database >/dev/null && update-desktop-database "$share/applications" || true
     echo "installed below $prefix; start it with $prefix/bin/penstemon or from the applications menu"

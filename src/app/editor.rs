@@ -129,10 +129,14 @@ pub struct Editor {
     recovery: Recovery,
     journal: Option<JournalWriter>,
     found: Vec<Recoverable>,
+    /// Pictures of them, in their order.
+    found_pictures: Vec<(PathBuf, egui::TextureHandle)>,
     dialog: Option<Dialog>,
     /// What waits for the answer about unsaved changes.
     held_up: Option<Action>,
     part_menu: Option<PartMenu>,
+    /// The picture under the drawing is being moved or scaled.
+    hold: Option<reference::Hold>,
     notices: Vec<(Notice, Instant)>,
     notice_count: u64,
     listed_presets: Vec<super::presets::Listed>,
@@ -191,9 +195,11 @@ impl Editor {
             building: Building::default(),
             journal: None,
             found: Vec::new(),
+            found_pictures: Vec::new(),
             dialog: None,
             held_up: None,
             part_menu: None,
+            hold: None,
             notices: Vec::new(),
             notice_count: 0,
             listed_presets: Vec::new(),
@@ -375,6 +381,7 @@ impl Editor {
 
     /// A new egui context knows no fonts.
     pub(super) fn forget_textures(&mut self) {
+        self.found_pictures.clear();
         self.fonts_are_set = false;
         self.layout.forget_context();
     }

@@ -114,6 +114,7 @@ impl Editor {
             theme::apply(ctx, theme);
             ctx.data_mut(|data| data.insert_temp(egui::Id::unique("theme"), now));
         }
+        self.picture_found_drawings(ctx);
         if self.needs_fonts() {
             ctx.set_fonts(fonts::definitions(self.chinese_font(language)));
         }
@@ -175,6 +176,15 @@ impl Editor {
                     egui::StrokeKind::Middle,
                 );
             }
+        }
+        if let Some((corners, middle)) = self.reference_frame() {
+            let line = Stroke::new(1.5, palette.accent);
+            painter.add(Shape::closed_line(corners.map(point).to_vec(), line));
+            for corner in corners {
+                let square = Rect::from_center_size(point(corner), vec2(12.0, 12.0));
+                painter.rect(square, 2.0, palette.panel, line, egui::StrokeKind::Middle);
+            }
+            painter.circle(point(middle), 8.0, palette.panel, line);
         }
         if let Some((middle, radius)) = self.canvas.cursor().circle {
             let radius = (radius / scale) as f32;

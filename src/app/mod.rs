@@ -28,6 +28,7 @@ pub mod presets;
 pub mod settings;
 mod surface;
 pub mod theme;
+mod thumbnail;
 mod transfer;
 mod window;
 pub mod worker;

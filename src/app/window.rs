@@ -147,6 +147,7 @@ impl Running {
             .with_title("Penstemon")
             .with_surface_size(LogicalSize::new(FIRST_SIZE.0, FIRST_SIZE.1))
             .with_min_surface_size(LogicalSize::new(SMALLEST.0, SMALLEST.1));
+        let attributes = named(event_loop, attributes);
         let window: Arc<dyn Window> =
             Arc::from(event_loop.create_window(attributes).context("the window cannot be opened")?);
         let egui = egui::Context::default();
@@ -375,6 +376,25 @@ impl Running {
         let later = wake.filter(|_| !is_due);
         event_loop.set_control_flow(later.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
     }
+}
+
+/// Names the window as the menu entry is named, so that the desktop shows its icon.
+#[cfg(target_os = "linux")]
+fn named(event_loop: &dyn ActiveEventLoop, attributes: WindowAttributes) -> WindowAttributes {
+    use winit::platform::{wayland, x11};
+    const NAME: &str = "org.penstemon.Penstemon";
+    if wayland::ActiveEventLoopExtWayland::is_wayland(event_loop) {
+        let named = wayland::WindowAttributesWayland::default().with_name(NAME, "penstemon");
+        attributes.with_platform_attributes(Box::new(named))
+    } else {
+        let named = x11::WindowAttributesX11::default().with_name(NAME, "penstemon");
+        attributes.with_platform_attributes(Box::new(named))
+    }
+}
+
+#[cfg(not(target_os = "linux"))]
+fn named(_: &dyn ActiveEventLoop, attributes: WindowAttributes) -> WindowAttributes {
+    attributes
 }
 
 /// Whether the tool touches or just did.

@@ -19,7 +19,9 @@ impl Editor {
             self.part_menu = None;
             self.make_durable();
         }
-        self.on_canvas(|canvas, drawing, out| canvas.pen(&event, drawing, out));
+        if !self.hold_reference(&event) {
+            self.on_canvas(|canvas, drawing, out| canvas.pen(&event, drawing, out));
+        }
     }
 
     /// The stroke before is on disk before the next begins; on a healthy disk it long is.

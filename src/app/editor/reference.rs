@@ -1,9 +1,15 @@
 //! The picture under the drawing that artists trace.
+//!
+//! With the selection tool in hand an unlocked picture shows a frame: its corners scale it about the opposite corner, its
+//! edges and its middle move it. What lies inside the frame stays the lasso's. One drag is one step to undo.
 
 use super::Editor;
+use crate::app::action::CanvasTool;
 use crate::app::panels::snapshot::Notice;
+use crate::pen::{PenEvent, PenPhase};
 use crate::sketch::reference::{Picture, Reference};
 use crate::sketch::{Change, limits};
+use glam::{DVec2, Vec2};
 use std::io::Read;
 use std::path::Path;
 use std::sync::Arc;
@@ -11,7 +17,68 @@ use std::sync::Arc;
 /// Share of the visible canvas that a new picture fills.
 const FILL: f64 = 0.8;
 
+/// Distance within which a handle is taken hold of, points.
+const GRIP: f64 = 14.0;
+/// Smallest width of a picture, canvas pixels.
+const LEAST_WIDTH: f32 = 4.0;
+
+/// The picture being moved or scaled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Hold {
+    /// Moved: from the pointer to the picture's middle, canvas pixels.
+    Move(Vec2),
+    /// Scaled about this corner; the other is opposite.
+    Scale { fixed: Vec2, from_fixed: Vec2, width: f32 },
+}
+
 impl Editor {
+    /// Corners of the picture's frame and its middle, in physical pixels of the window; `None` where it has none to show.
+    pub(in crate::app) fn reference_frame(&self) -> Option<([DVec2; 4], DVec2)> {
+        let reference = self.document.sketch().reference.as_ref().filter(|r| r.visible && !r.locked)?;
+        if self.canvas.tool() != CanvasTool::Select {
+            return None;
+        }
+        let window = |p: Vec2| self.canvas.view().to_window(p.as_dvec2());
+        Some((corners(reference).map(window), window(reference.center)))
+    }
+
+    /// Hears a pointer before the canvas does; whether it is at work on the picture.
+    pub(super) fn hold_reference(&mut self, event: &PenEvent) -> bool {
+        let at = event.sample.position;
+        match (event.phase, self.hold) {
+            (PenPhase::Down, None) => {
+                self.hold = self.grip(at);
+                self.hold.is_some()
+            }
+            (PenPhase::Move, Some(hold)) => {
+                let pointer = self.canvas.view().to_canvas(at).as_vec2();
+                self.edit_reference(|reference| drag(reference, hold, pointer));
+                true
+            }
+            (PenPhase::Up | PenPhase::Cancel, Some(_)) => {
+                self.hold = None;
+                self.document.end_merging();
+                true
+            }
+            (_, hold) => hold.is_some(),
+        }
+    }
+
+    /// What of the frame is under the pointer.
+    fn grip(&self, at: DVec2) -> Option<Hold> {
+        let (frame, middle) = self.reference_frame()?;
+        let reference = self.document.sketch().reference.as_ref()?;
+        let reach = GRIP * self.layout.pixels_per_point();
+        if let Some(corner) = frame.iter().position(|c| c.distance(at) <= reach) {
+            let places = corners(reference);
+            let fixed = places[(corner + 2) % 4];
+            return Some(Hold::Scale { fixed, from_fixed: places[corner] - fixed, width: reference.width });
+        }
+        let on_edge = (0..4).any(|i| distance_to_side(at, frame[i], frame[(i + 1) % 4]) <= 0.5 * reach);
+        let pointer = self.canvas.view().to_canvas(at).as_vec2();
+        (on_edge || middle.distance(at) <= reach).then(|| Hold::Move(reference.center - pointer))
+    }
+
     /// Puts a picture file under the drawing.
     pub(super) fn put_reference(&mut self, path: &Path) {
         match read(path) {
@@ -56,10 +123,70 @@ impl Editor {
     }
 }
 
+/// Corners of a picture on the canvas, around.
+fn corners(reference: &Reference) -> [Vec2; 4] {
+    let half = 0.5 * Vec2::new(reference.width, reference.height());
+    let turn = Vec2::from_angle(reference.rotation_deg.to_radians());
+    let corner = |x: f32, y: f32| reference.center + turn.rotate(half * Vec2::new(x, y));
+    [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)]
+}
+
+fn drag(reference: &mut Reference, hold: Hold, pointer: Vec2) {
+    match hold {
+        Hold::Move(to_center) => reference.center = pointer + to_center,
+        Hold::Scale { fixed, from_fixed, width } => {
+            // The corner follows the pointer along the diagonal.
+            let along = (pointer - fixed).dot(from_fixed) / from_fixed.length_squared().max(1e-6);
+            reference.width = (width * along).max(LEAST_WIDTH);
+            reference.center = fixed + from_fixed * (0.5 * reference.width / width);
+        }
+    }
+}
+
+fn distance_to_side(p: DVec2, a: DVec2, b: DVec2) -> f64 {
+    let t = ((p - a).dot(b - a) / (b - a).length_squared().max(1e-12)).clamp(0.0, 1.0);
+    p.distance(a + (b - a) * t)
+}
+
 /// A file's bytes, no more than a picture may have.
 fn read(path: &Path) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let most = limits::MAX_REFERENCE_BYTES as u64 + 1;
     std::fs::File::open(path)?.take(most).read_to_end(&mut bytes)?;
     Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn picture() -> Picture {
+        let mut bytes = std::io::Cursor::new(Vec::new());
+        let mut encoder = png::Encoder::new(&mut bytes, 4, 2);
+        encoder.set_color(png::ColorType::Rgb);
+        let mut writer = encoder.write_header().unwrap();
+        writer.write_image_data(&[200; 24]).unwrap();
+        writer.finish().unwrap();
+        Picture::new(bytes.into_inner()).unwrap()
+    }
+
+    #[test]
+    fn a_dragged_corner_scales_about_the_opposite_one() {
+        let mut reference = Reference::new(picture(), Vec2::new(100.0, 50.0), 200.0);
+        let [first, _, third, _] = corners(&reference);
+        assert_eq!((first, third), (Vec2::ZERO, Vec2::new(200.0, 100.0)));
+        let hold = Hold::Scale { fixed: first, from_fixed: third - first, width: 200.0 };
+        drag(&mut reference, hold, Vec2::new(400.0, 200.0));
+        assert_eq!((reference.width, reference.center), (400.0, Vec2::new(200.0, 100.0)));
+        assert_eq!(corners(&reference)[0], Vec2::ZERO);
+        drag(&mut reference, hold, Vec2::new(-500.0, -500.0));
+        assert_eq!(reference.width, LEAST_WIDTH);
+    }
+
+    #[test]
+    fn a_moved_picture_keeps_its_place_under_the_pointer() {
+        let mut reference = Reference::new(picture(), Vec2::new(100.0, 50.0), 200.0);
+        drag(&mut reference, Hold::Move(Vec2::new(10.0, 0.0)), Vec2::new(30.0, 40.0));
+        assert_eq!(reference.center, Vec2::new(40.0, 40.0));
+    }
 }

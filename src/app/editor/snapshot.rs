@@ -10,11 +10,17 @@ use crate::app::panels::snapshot::{
 };
 use crate::app::presets;
 use crate::app::settings::ThemeChoice;
+use crate::app::theme::Palette;
+use crate::app::thumbnail;
 use crate::pipeline::DEFAULT_SPECIES;
 use crate::sketch::Tool;
 use crate::sketch::journal::JournalState;
 use serde_json::Map;
+use std::path::Path;
 use std::time::{Duration, SystemTime};
+
+/// Width and height of a found drawing's picture in pixels.
+const THUMBNAIL: [usize; 2] = [192, 144];
 
 /// Bytes of a GLB or OBJ file per triangle, as measured on the sample drawings; textures come on top.
 const BYTES_PER_TRIANGLE: (u64, u64) = (50, 120);
@@ -119,9 +125,32 @@ impl Editor {
             name: found.meta.title.clone(),
             strokes: found.strokes(),
             when: ago(found.modified),
-            thumbnail: None,
+            thumbnail: self.picture_of(found.folder()),
         });
         Dialog::Recovery(recovered.collect())
+    }
+
+    fn picture_of(&self, folder: &Path) -> Option<egui::TextureId> {
+        self.found_pictures.iter().find(|(of, _)| of == folder).map(|(_, picture)| picture.id())
+    }
+
+    /// Draws what was found again, once egui is there to keep the pictures.
+    pub(in crate::app) fn picture_found_drawings(&mut self, ctx: &egui::Context) {
+        if self.found.len() <= self.found_pictures.len() {
+            return;
+        }
+        let palette = Palette::of(self.settings.theme);
+        for found in &self.found {
+            let known = self.picture_of(found.folder()).is_some();
+            if let Some(restored) = found.content.as_ref().ok().filter(|_| !known) {
+                let picture = thumbnail::of_drawing(&restored.sketch, THUMBNAIL, palette.paper, palette.ink);
+                let handle = ctx.load_texture("found drawing", picture, egui::TextureOptions::LINEAR);
+                self.found_pictures.push((found.folder().to_owned(), handle));
+            }
+        }
+        if matches!(self.dialog, Some(Dialog::Recovery(_))) {
+            self.dialog = Some(self.recovery_dialog());
+        }
     }
 
     /// Theme and language as chosen.
