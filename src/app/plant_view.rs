@@ -262,8 +262,12 @@ pub(super) fn invite(painter: &egui::Painter, canvas: egui::Rect, messages: &Mes
 
 /// The bytes of a texture's file: the program's own or the artist's.
 pub fn texture(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
-    let built_in = crate::cli::common::built_in_texture;
-    Ok(crate::export::pictures::fetch(texture, &built_in)?)
+    Ok(crate::export::pictures::fetch(texture, &built_in_texture)?)
+}
+
+/// The program's own textures, for the exporters.
+pub(super) fn built_in_texture(name: &str) -> Option<Cow<'static, [u8]>> {
+    crate::species::builtin_texture(name).map(Cow::Borrowed)
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@
 use super::Editor;
 use crate::app::messages::Msg;
 use crate::app::panels::snapshot::{self, ExportChoice, ExportFormat, Notice};
+use crate::app::plant_view::{self, built_in_texture};
 use crate::export;
 use crate::model::{Model, PartKind};
 use crate::pipeline::Built;
@@ -111,9 +112,9 @@ fn export(order: &Order, shared: &Shared) -> Result<usize, String> {
         }
         ExportFormat::Obj | ExportFormat::Glb => {
             let model = chosen_parts(&order.built.model, &order.choice);
-            let built_in = crate::cli::common::built_in_texture;
             shared.advance(0.3);
-            export::export(&order.path, &model, &order.built.plant, &built_in).map_err(|e| e.to_string())
+            export::export(&order.path, &model, &order.built.plant, &built_in_texture)
+                .map_err(|e| e.to_string())
         }
         ExportFormat::Png => pictures(order, shared),
     }
@@ -161,7 +162,7 @@ fn picture(renderer: &mut Renderer, order: &Order, camera: &OrbitCamera) -> Resu
     let told = |e: crate::render::RenderError| e.to_string();
     let mut viewport = Viewport::new(renderer).map_err(told)?;
     viewport.set_size(order.choice.width, order.choice.height);
-    viewport.update(renderer, &order.built.model, &crate::app::plant_view::texture).map_err(told)?;
+    viewport.update(renderer, &order.built.model, &plant_view::texture).map_err(told)?;
     let background = if order.choice.transparent { Background::Transparent } else { Background::Paper };
     let look = Look { background, ..Look::default() };
     viewport.draw(renderer, camera, &look).map_err(told)?;
