@@ -1,13 +1,13 @@
 //! The whole analysis: strokes in, anatomy out.
 
 use super::{
-    Anatomy, FlatBlade, Mark, Part, Sample, Stop,
+    Anatomy, FlatBlade, FlatBranch, Mark, Part, Sample, Stop,
     attach::{AttachParams, Branches},
     blade_outline::{self, TipParams},
     classify::Classifier,
     fill_leaves::{LeafFill, LeafFillParams, Templates},
     fill_twigs::{Growth, TwigFill, TwigParams},
-    flowers::{self, FlowerParams},
+    flowers::{self, FlowerParams, Stem},
     growth_points::Forest,
     hierarchy::{self, HierarchyParams},
     leaf_twigs::{LeafTwigParams, LeafTwigs},
@@ -100,7 +100,7 @@ fn analysis(sketch: &Sketch, params: &AnatomyParams, stop: Stop) -> Anatomy {
     let lines = readings.iter().filter(|r| r.part == Part::Branch).map(|r| (Some(r.id), r.samples.clone()));
     anatomy.branches = hierarchy::arrange(lines.collect(), diagonal, &params.hierarchy);
     let blades = readings.iter().filter_map(|r| r.blade.clone().map(|blade| (blade, r.tool))).collect();
-    let gathering = flowers::gather(blades, &params.flowers);
+    let gathering = flowers::gather(blades, &stems(&anatomy.branches), &params.flowers);
     (anatomy.petals, anatomy.flowers, anatomy.leaves) =
         (gathering.petals, gathering.flowers, gathering.leaves);
     for &heart in &gathering.hearts {
@@ -178,6 +178,12 @@ fn read_stroke(stroke: &Stroke, dot: bool, diagonal: f32, params: &AnatomyParams
             reading(samples, Part::Ignored, 1.0, None, Some("encloses nothing and was skipped as a blade"))
         }
     }
+}
+
+/// The stems that stand by themselves.
+fn stems(branches: &[FlatBranch]) -> Vec<Stem> {
+    let ends = |b: &FlatBranch| Some(Stem { foot: b.line.first()?.position, tip: b.line.last()?.position });
+    branches.iter().filter(|b| b.parent.is_none()).filter_map(ends).collect()
 }
 
 fn attach_organs(anatomy: &mut Anatomy, params: &AttachParams) {

@@ -8,6 +8,9 @@
 //! Two habits of hands that the papers do not know: many draw a flower's heart as a circle and petals around it, whose
 //! roots keep a distance (an open flower: a wider search, accepted only if the petals stand all round and point away
 //! from the middle); and the circle itself is no petal: a blade that lies around the flower's centre is its heart.
+//!
+//! Blades that gather at the foot of a stem are a rosette of leaves, unless the petal tool drew one of them: flowers end
+//! stems, they do not begin them.
 
 use super::{FlatBlade, FlatFlower, flower_heart};
 use crate::geom::mean_shift;
@@ -49,8 +52,17 @@ pub struct Gathering {
 
 type Drawn = (FlatBlade, Tool);
 
+/// A stem that stands by itself: where it begins, and where it ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stem {
+    /// Its lower end.
+    pub foot: Vec2,
+    /// Its other end.
+    pub tip: Vec2,
+}
+
 /// Sorts blades, each with the tool of its stroke, into flowers and leaves.
-pub fn gather(blades: Vec<Drawn>, params: &FlowerParams) -> Gathering {
+pub fn gather(blades: Vec<Drawn>, stems: &[Stem], params: &FlowerParams) -> Gathering {
     let (drawn_leaves, candidates): (Vec<_>, Vec<_>) =
         blades.into_iter().partition(|(_, tool)| *tool == Tool::Leaf);
     let mut out =
@@ -58,14 +70,18 @@ pub fn gather(blades: Vec<Drawn>, params: &FlowerParams) -> Gathering {
     let mut alone = Vec::new();
     for cluster in clusters(candidates, params.bandwidth) {
         let explicit = cluster.iter().any(|(_, tool)| *tool == Tool::Petal);
-        if explicit || cluster.len() >= params.min_petals as usize {
+        let rosette = !explicit && is_rosette(&cluster, stems, params.bandwidth);
+        if rosette {
+            out.leaves.extend(cluster.into_iter().map(|(b, _)| b));
+        } else if explicit || cluster.len() >= params.min_petals as usize {
             out.add_flower(cluster);
         } else {
             alone.extend(cluster);
         }
     }
     for cluster in clusters(alone, params.open_bandwidth) {
-        if is_open_flower(&cluster, params.open_gap.to_radians()) {
+        let rosette = is_rosette(&cluster, stems, params.bandwidth);
+        if !rosette && is_open_flower(&cluster, params.open_gap.to_radians()) {
             out.add_flower(cluster);
         } else {
             out.leaves.extend(cluster.into_iter().map(|(b, _)| b));
@@ -89,6 +105,18 @@ fn clusters(blades: Vec<Drawn>, bandwidth: f32) -> Vec<Vec<Drawn>> {
 
 fn center_of(blades: &[Drawn]) -> Vec2 {
     blades.iter().map(|(b, _)| b.root).sum::<Vec2>() / blades.len().max(1) as f32
+}
+
+/// Whether blades gather at the foot of a stem.
+fn is_rosette(blades: &[Drawn], stems: &[Stem], bandwidth: f32) -> bool {
+    let center = center_of(blades);
+    let lengths: f32 = blades.iter().map(|(b, _)| b.axis().length()).sum();
+    let reach = bandwidth * lengths / blades.len().max(1) as f32;
+    let at_foot = |stem: &Stem| {
+        let away = stem.foot.distance(center);
+        away < reach && away < stem.tip.distance(center)
+    };
+    stems.iter().any(at_foot)
 }
 
 /// Whether blades stand all round a common centre and point away from it, their heart left out.
@@ -164,7 +192,7 @@ mod tests {
         blades.extend(ring(60, Vec2::new(180.0, 5.0), 6, 8.0, Tool::Auto));
         blades.push((blade(1, Vec2::new(0.0, 300.0), Vec2::new(60.0, -10.0)), Tool::Auto));
         blades.push((blade(2, Vec2::new(0.0, 310.0), Vec2::new(-60.0, -10.0)), Tool::Auto));
-        let gathering = gather(blades, &FlowerParams::default());
+        let gathering = gather(blades, &[], &FlowerParams::default());
         let counts: Vec<usize> = gathering.flowers.iter().map(|f| f.petals.len()).collect();
         assert_eq!(counts, [13, 5, 6]);
         assert_eq!(gathering.leaves.len(), 2);
@@ -174,7 +202,7 @@ mod tests {
     fn tools_win_over_counts() {
         let mut blades = ring(1, Vec2::ZERO, 4, 50.0, Tool::Leaf);
         blades.extend(ring(9, Vec2::new(500.0, 0.0), 2, 50.0, Tool::Petal));
-        let gathering = gather(blades, &FlowerParams::default());
+        let gathering = gather(blades, &[], &FlowerParams::default());
         assert_eq!(gathering.leaves.len(), 4);
         assert_eq!(gathering.flowers.len(), 1);
         assert!(gathering.flowers[0].center.distance(Vec2::new(500.0, 0.0)) < 1e-3);
@@ -198,7 +226,7 @@ mod tests {
 
     #[test]
     fn petals_around_an_open_heart_are_a_flower_and_the_circle_is_its_heart() {
-        let gathering = gather(open_flower(), &FlowerParams::default());
+        let gathering = gather(open_flower(), &[], &FlowerParams::default());
         assert_eq!(gathering.flowers.len(), 1);
         assert_eq!(gathering.flowers[0].petals.len(), 5);
         assert_eq!(gathering.hearts, [9]);
@@ -212,7 +240,7 @@ mod tests {
             let side = if k % 2 == 0 { 1.0 } else { -1.0 };
             (blade(k, Vec2::new(0.0, -40.0 * k as f32), Vec2::new(80.0 * side, -50.0)), Tool::Auto)
         });
-        let gathering = gather(leaves.collect(), &FlowerParams::default());
+        let gathering = gather(leaves.collect(), &[], &FlowerParams::default());
         assert!(gathering.flowers.is_empty());
         assert_eq!(gathering.leaves.len(), 8);
     }
@@ -221,7 +249,19 @@ mod tests {
     fn scale_does_not_matter() {
         for scale in [0.1, 10.0] {
             let blades = ring(1, Vec2::ZERO, 7, 30.0 * scale, Tool::Auto);
-            assert_eq!(gather(blades, &FlowerParams::default()).flowers.len(), 1);
+            assert_eq!(gather(blades, &[], &FlowerParams::default()).flowers.len(), 1);
         }
+    }
+
+    #[test]
+    fn blades_at_the_foot_of_a_stem_are_leaves_and_at_its_end_a_flower() {
+        let (foot, tip) = (Vec2::new(0.0, 400.0), Vec2::ZERO);
+        let stems = [Stem { foot, tip }];
+        let mut blades = ring(1, tip, 8, 50.0, Tool::Auto);
+        blades.extend(ring(20, foot, 5, 60.0, Tool::Auto));
+        let found = gather(blades, &stems, &FlowerParams::default());
+        assert_eq!((found.flowers.len(), found.petals.len(), found.leaves.len()), (1, 8, 5));
+        let drawn = ring(1, foot, 5, 60.0, Tool::Petal);
+        assert_eq!(gather(drawn, &stems, &FlowerParams::default()).flowers.len(), 1);
     }
 }
