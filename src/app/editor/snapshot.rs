@@ -41,7 +41,8 @@ impl Editor {
             can_undo: self.document.can_undo(),
             can_redo: self.document.can_redo(),
             selected: self.canvas.selection().ids().len(),
-            chinese_font: self.chinese.as_ref().is_none_or(Option::is_some),
+            // Until it is loaded, the language is called by its Latin name.
+            chinese_font: matches!(self.chinese, Some(Some(_))),
             species: sketch.species.clone().unwrap_or_else(|| DEFAULT_SPECIES.to_owned()),
             textures: sketch.textures.clone(),
             seed: sketch.seed,
