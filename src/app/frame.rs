@@ -42,6 +42,7 @@ impl EguiPainter {
 
     /// Uploads egui's pictures, then paints `below` and the shapes on the surface and shows the frame. `false` where
     /// the surface had no frame to give; nothing is lost then but the frame.
+    #[allow(clippy::iter_over_hash_type, reason = "pictures do not depend on each other")]
     pub(super) fn paint(
         &mut self,
         surface: &mut Surface,

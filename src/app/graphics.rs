@@ -320,7 +320,7 @@ fn scissor(area: CanvasRect, (width, height): (u32, u32)) -> Option<[u32; 4]> {
     let most = DVec2::new(width.into(), height.into());
     let (low, high) = (area.min.round().clamp(DVec2::ZERO, most), area.max.round().clamp(DVec2::ZERO, most));
     let size = (high - low).as_uvec2();
-    (size.x > 0 && size.y > 0).then(|| [low.x as u32, low.y as u32, size.x, size.y])
+    (size.x > 0 && size.y > 0).then_some([low.x as u32, low.y as u32, size.x, size.y])
 }
 
 fn narrow(m: DAffine2) -> Affine2 {
