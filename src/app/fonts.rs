@@ -4,7 +4,7 @@
 //! is chosen, or when a menu shows the language's own name. Without one the interface stays in English and a notice
 //! says which package brings one, instead of showing boxes.
 //!
-//! Limits: families that are not in [`FAMILIES`] are found only if their name says that they hold Chinese.
+//! Limits: families that are not in `FAMILIES` are found only if their name says that they hold Chinese.
 
 use super::messages::{Messages, Msg};
 use super::panels::snapshot::Notice;
