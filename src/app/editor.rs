@@ -6,6 +6,7 @@
 
 mod files;
 mod keys;
+mod live;
 mod outcomes;
 mod perform;
 mod reference;
@@ -34,6 +35,8 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
 use task::Task;
+
+pub use live::Revisions;
 
 /// Longest wait of a new stroke for the one before to be on disk.
 const DURABLE_WAIT: Duration = Duration::from_millis(200);
@@ -90,6 +93,8 @@ impl OwnFile {
 struct Building {
     /// Revision of the newest snapshot.
     submitted: u64,
+    /// Revision of the newest snapshot whose plant was collected.
+    collected: u64,
     /// The drawing changed since.
     is_stale: bool,
     is_running: bool,
@@ -238,6 +243,7 @@ impl Editor {
 
     fn take_update(&mut self, update: Update) {
         self.building.is_running = update.revision < self.building.submitted;
+        self.building.collected = update.revision;
         self.building.last = Some(update.took);
         match update.result {
             Ok(built) => {
