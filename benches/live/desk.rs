@@ -1,19 +1,18 @@
 //! A desk with pen and paper: the editor as the window runs it, and a clock on everything.
 
 use crate::figures::Figures;
-use egui::{Color32, Context, Pos2, RawInput, Rect, TextureId, ViewportId, vec2};
+use egui::{Context, Pos2, RawInput, Rect, TextureId, ViewportId, vec2};
 use glam::Vec2;
-use penstemon::anatomy::Part;
 use penstemon::app::action::{Action, CanvasTool};
 use penstemon::app::editor::{Editor, Places};
+use penstemon::app::paper::{Paper, PaperChange};
 use penstemon::app::theme::LIGHT;
 use penstemon::pen::{PenButtons, PenEvent, PenPhase, PenSample, PenTool};
 use penstemon::render::canvas::InkBuffer;
-use penstemon::sketch::{self, Sketch, Stroke, StrokeId, StrokePoint, Tool};
-use std::collections::{BTreeMap, VecDeque};
+use penstemon::sketch::{self, Sketch, StrokeId, StrokePoint, Tool};
+use std::collections::VecDeque;
 use std::hint::black_box;
 use std::path::Path;
-use std::sync::Arc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
@@ -33,7 +32,7 @@ pub(crate) struct Desk {
     editor: Editor,
     wakes: Receiver<()>,
     egui: Context,
-    paper: Paper,
+    sheet: Sheet,
     figures: Figures,
     start: Instant,
     last_frame: Instant,
@@ -59,7 +58,7 @@ impl Desk {
             editor,
             wakes,
             egui: Context::default(),
-            paper: Paper::default(),
+            sheet: Sheet::default(),
             figures: Figures::default(),
             start: now,
             last_frame: now,
@@ -121,7 +120,7 @@ impl Desk {
         self.editor.pen(PenEvent { phase, sample });
         let name = if is_touching { "pen" } else { "lift" };
         self.figures.note(name, begun.elapsed());
-        self.paper.grow(&self.editor);
+        self.sheet.grow(&self.editor);
         if is_touching {
             self.figures.note("ink", arrived.elapsed());
         }
@@ -247,12 +246,15 @@ impl Desk {
         };
         raw.viewports.entry(ViewportId::ROOT).or_default().native_pixels_per_point = Some(1.0);
         let editor = &mut self.editor;
-        let output = self.egui.run_ui(raw, |ui| editor.ui(ui, TextureId::default()));
+        let mut output = self.egui.run_ui(raw, |ui| editor.ui(ui, TextureId::default()));
+        // Pictures for the graphics card that there is not.
+        output.textures_delta.clear();
         let laid_out = Instant::now();
         black_box(self.egui.tessellate(output.shapes, output.pixels_per_point));
         let tessellated = Instant::now();
-        self.paper.follow(&self.editor);
+        self.sheet.follow(&self.editor);
         let done = Instant::now();
+        black_box(self.editor.plant_look());
         self.figures.note("panels", laid_out - begun);
         self.figures.note("shapes", tessellated - laid_out);
         self.figures.note("strokes", done - tessellated);
@@ -262,16 +264,17 @@ impl Desk {
     }
 }
 
-/// The strokes in the canvas's vertex buffer, kept in step as `app/graphics.rs` does.
+/// The strokes in the canvas's vertex buffer.
 #[derive(Default)]
-struct Paper {
+struct Sheet {
     ink: InkBuffer,
+    paper: Paper,
     shown: Option<u64>,
-    strokes: BTreeMap<StrokeId, (Arc<Stroke>, Color32)>,
     growing: Option<(StrokeId, usize)>,
 }
 
-impl Paper {
+impl Sheet {
+    /// Puts the newest samples of the growing stroke on the sheet.
     fn grow(&mut self, editor: &Editor) {
         let Some(stroke) = editor.canvas().growing() else { return };
         let points = stroke.points();
@@ -284,49 +287,22 @@ impl Paper {
         self.growing = Some((stroke.id(), points.len()));
     }
 
+    /// Brings all other strokes in step with the drawing.
     fn follow(&mut self, editor: &Editor) {
-        if self.shown != Some(editor.versions().drawing) {
-            self.shown = Some(editor.versions().drawing);
-            self.sync(editor);
+        if self.shown.replace(editor.versions().drawing) != Some(editor.versions().drawing) {
+            for change in self.paper.follow(editor) {
+                match change {
+                    PaperChange::Set(stroke, colour) => {
+                        self.ink.set(stroke.id, &stroke.points, colour.to_array(), LINE_WIDTH);
+                    }
+                    PaperChange::Recolour(id, colour) => self.ink.recolour(id, colour.to_array()),
+                    PaperChange::Remove(id) => self.ink.remove(id),
+                    PaperChange::Order(order) => self.ink.set_order(&order),
+                }
+            }
         }
         black_box(self.ink.take_dirty());
     }
-
-    fn sync(&mut self, editor: &Editor) {
-        let strokes = editor.canvas().previewed(&editor.sketch().strokes);
-        let colours = colours(editor);
-        let mut gone = std::mem::take(&mut self.strokes);
-        for stroke in &strokes {
-            let colour = colours.get(&stroke.id).copied().unwrap_or_else(|| LIGHT.tool(stroke.tool));
-            match gone.remove(&stroke.id) {
-                Some((known, shown)) if Arc::ptr_eq(&known, stroke) => {
-                    if shown != colour {
-                        self.ink.recolour(stroke.id, colour.to_array());
-                    }
-                }
-                _ => self.ink.set(stroke.id, &stroke.points, colour.to_array(), LINE_WIDTH),
-            }
-            self.strokes.insert(stroke.id, (Arc::clone(stroke), colour));
-        }
-        gone.into_keys().for_each(|id| self.ink.remove(id));
-        let order: Vec<StrokeId> = strokes.iter().map(|s| s.id).collect();
-        self.ink.set_order(&order);
-    }
-}
-
-fn colours(editor: &Editor) -> BTreeMap<StrokeId, Color32> {
-    let Some(built) = editor.built() else { return BTreeMap::new() };
-    let levels: BTreeMap<StrokeId, u32> =
-        built.anatomy.branches.iter().filter_map(|b| Some((b.stroke?, b.level))).collect();
-    let colour = |stroke: StrokeId, part: Part| match part {
-        Part::Petal => LIGHT.petal,
-        Part::Leaf => LIGHT.leaf,
-        Part::Branch => LIGHT.branch_level(levels.get(&stroke).copied().unwrap_or(0)),
-        Part::BranchOutline => LIGHT.branch_outline,
-        Part::LeafOutline => LIGHT.leaf_outline,
-        Part::Ignored => LIGHT.ignored,
-    };
-    built.anatomy.marks.iter().map(|mark| (mark.stroke, colour(mark.stroke, mark.part))).collect()
 }
 
 /// Processor time of this process so far; `None` where the system does not say.

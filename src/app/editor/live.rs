@@ -3,6 +3,7 @@
 use super::{Editor, Versions};
 use crate::app::canvas::Canvas;
 use crate::pipeline::Built;
+use crate::render::Look;
 use crate::sketch::Sketch;
 use std::sync::Arc;
 
@@ -34,6 +35,11 @@ impl Editor {
     /// What the graphics card must hear of.
     pub fn versions(&self) -> Versions {
         self.versions
+    }
+
+    /// How the next picture of the plant looks; tells the view that it is being drawn.
+    pub fn plant_look(&mut self) -> Look {
+        self.plant.look(self.settings.theme)
     }
 
     /// How far the plant is behind the drawing.
