@@ -143,7 +143,8 @@ mod tests {
     impl Told {
         fn make(&mut self, changes: Vec<PaperChange>) {
             for change in changes {
-                let place = |id: StrokeId| self.0.iter().position(|(s, _)| s.id == id);
+                let names: Vec<StrokeId> = self.0.iter().map(|(s, _)| s.id).collect();
+                let place = |id: StrokeId| names.iter().position(|name| *name == id);
                 match change {
                     PaperChange::Set(stroke, colour) => match place(stroke.id) {
                         Some(at) => self.0[at] = (stroke, colour),
