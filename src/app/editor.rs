@@ -6,6 +6,7 @@
 
 mod files;
 mod keys;
+mod live;
 mod outcomes;
 mod perform;
 mod reference;
@@ -20,13 +21,13 @@ use super::messages::{Messages, Msg};
 use super::panels::snapshot::{Dialog, Notice, PartMenu, PenUsed, Severity};
 use super::plant_view::PlantView;
 use super::settings::Settings;
-use super::worker::{self, Update, Worker};
+use super::worker::{self, Counts, Update, Worker};
 use crate::pipeline::{Built, DEFAULT_SPECIES};
 use crate::render::RenderError;
 use crate::sketch::document::Document;
 use crate::sketch::journal::{JournalState, JournalWriter, Recoverable, Recovery};
 use crate::sketch::save::FileStamp;
-use crate::sketch::{Change, Step};
+use crate::sketch::{Change, Sketch, Step, Stroke, Tool};
 use crate::species::Species;
 use anyhow::Context as _;
 use std::path::{Path, PathBuf};
@@ -34,6 +35,8 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
 use task::Task;
+
+pub use live::Revisions;
 
 /// Longest wait of a new stroke for the one before to be on disk.
 const DURABLE_WAIT: Duration = Duration::from_millis(200);
@@ -85,11 +88,27 @@ impl OwnFile {
     }
 }
 
+/// Outlines that are drawn.
+#[derive(Clone, Copy, Debug, Default)]
+struct Outlines {
+    branches: bool,
+    leaves: bool,
+}
+
+impl Outlines {
+    fn among(strokes: &[Arc<Stroke>]) -> Self {
+        let drawn = |tool: Tool| strokes.iter().any(|s| s.tool == tool);
+        Self { branches: drawn(Tool::BranchOutline), leaves: drawn(Tool::LeafOutline) }
+    }
+}
+
 /// How the plant's building stands.
 #[derive(Debug, Default)]
 struct Building {
     /// Revision of the newest snapshot.
     submitted: u64,
+    /// Revision of the newest snapshot whose plant was collected.
+    collected: u64,
     /// The drawing changed since.
     is_stale: bool,
     is_running: bool,
@@ -118,11 +137,14 @@ pub struct Editor {
     pub(super) messages: Messages,
     pub(super) layout: Layout,
     pub(super) built: Option<Arc<Built>>,
+    /// What there is of it.
+    counts: Counts,
     pub(super) versions: Versions,
     places: Places,
     file: OwnFile,
     /// The species of the drawing, for the panels; `None` where it cannot be read.
     species: Option<(String, Species)>,
+    outlines: Outlines,
     outcomes: Vec<CanvasOutcome>,
     worker: Worker,
     building: Building,
@@ -187,9 +209,11 @@ impl Editor {
             messages: Messages::new(settings.language()),
             layout: Layout::default(),
             built: None,
+            counts: Counts::default(),
             versions: Versions::default(),
             file: OwnFile::default(),
             species: None,
+            outlines: Outlines::default(),
             outcomes: Vec::new(),
             worker,
             building: Building::default(),
@@ -244,6 +268,7 @@ impl Editor {
 
     fn take_update(&mut self, update: Update) {
         self.building.is_running = update.revision < self.building.submitted;
+        self.building.collected = update.revision;
         self.building.last = Some(update.took);
         match update.result {
             Ok(built) => {
@@ -252,12 +277,15 @@ impl Editor {
                     "built revision={} strokes={} flowers={} vertices={} triangles={} took={:.1}ms",
                     update.revision,
                     built.anatomy.marks.len(),
-                    built.plant.flowers.len(),
-                    built.model.vertex_count(),
-                    built.model.triangle_count(),
+                    update.counts.flowers,
+                    update.counts.vertices,
+                    update.counts.triangles,
                     update.took.as_secs_f64() * 1e3
                 );
-                self.built = Some(built);
+                self.counts = update.counts;
+                if let Some(old) = self.built.replace(built) {
+                    self.worker.discard(old);
+                }
                 self.versions.plant += 1;
                 self.versions.drawing += 1;
             }
@@ -275,12 +303,21 @@ impl Editor {
         if !std::mem::take(&mut self.building.is_stale) {
             return;
         }
-        let mut sketch = self.document.sketch().clone();
-        sketch.strokes = self.canvas.previewed(&sketch.strokes);
+        // Not simply a clone: of many strokes even the list is only copied once.
+        let Sketch { canvas, species, seed, params, textures, reference, strokes } = self.document.sketch();
+        let mut strokes = self.canvas.previewed(strokes);
         if let Some(growing) = self.canvas.growing() {
-            sketch.strokes.push(Arc::new(growing.snapshot()));
+            strokes.push(Arc::new(growing.snapshot()));
         }
-        sketch.species.get_or_insert_with(|| DEFAULT_SPECIES.to_owned());
+        let sketch = Sketch {
+            canvas: *canvas,
+            species: Some(species.clone().unwrap_or_else(|| DEFAULT_SPECIES.to_owned())),
+            seed: *seed,
+            params: params.clone(),
+            textures: textures.clone(),
+            reference: reference.clone(),
+            strokes,
+        };
         self.building.submitted += 1;
         self.building.is_running = true;
         let (revision, folder) = (self.building.submitted, self.file.folder());
@@ -320,6 +357,7 @@ impl Editor {
         self.building.is_stale = true;
         self.versions.drawing += 1;
         self.versions.reference += 1;
+        self.outlines = Outlines::among(&self.document.sketch().strokes);
         self.refresh_species();
         self.refresh_title();
     }

@@ -7,6 +7,7 @@
 //! | [`action`] | every wish of the artist |
 //! | [`canvas`] | what pens, fingers and keys do to the drawing |
 //! | [`worker`] | the thread that builds the plant while the pen moves |
+//! | [`paper`] | what must change on the canvas to show the drawing |
 //! | [`plant_view`] | camera and light of the plant |
 //! | [`panels`] | bars, side panel, menus and dialogs |
 //! | `layout` | all of these in one frame |
@@ -23,6 +24,7 @@ mod graphics;
 mod layout;
 pub mod messages;
 pub mod panels;
+pub mod paper;
 pub mod plant_view;
 pub mod presets;
 pub mod settings;

@@ -5,8 +5,10 @@
 //! allowed to finish, so that a plant slower to build than the pen is to move still grows on the screen. What is built
 //! last is always the newest snapshot.
 //!
-//! Species files and the parts of the plant that did not change are kept from build to build.
+//! Species files and the parts of the plant that did not change are kept from build to build. What would make the window
+//! wait on large plants is done here as well: counting, and giving back the memory of plants that are no longer shown.
 
+use crate::anatomy::Part;
 use crate::model::Cache;
 use crate::pipeline::{self, Built};
 use crate::sketch::Sketch;
@@ -40,6 +42,43 @@ pub struct Update {
     pub result: Result<Arc<Built>, String>,
     /// Time from the moment the worker took the snapshot.
     pub took: Duration,
+    /// What there is of the plant; nothing where it was not built.
+    pub counts: Counts,
+}
+
+/// What there is of a plant, for the panels.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Flowers.
+    pub flowers: usize,
+    /// Vertices of the model.
+    pub vertices: usize,
+    /// Triangles of the model.
+    pub triangles: usize,
+    /// Levels of branches.
+    pub branch_levels: u32,
+    /// Whether strokes were taken for petals.
+    pub petals: bool,
+    /// Whether strokes were taken for leaves.
+    pub leaves: bool,
+    /// Whether strokes were not used.
+    pub ignored: bool,
+}
+
+impl Counts {
+    /// Counts, which takes as long as the plant is large.
+    pub fn of(built: &Built) -> Self {
+        let has = |part: Part| built.anatomy.marks.iter().any(|mark| mark.part == part);
+        Self {
+            flowers: built.plant.flowers.len(),
+            vertices: built.model.vertex_count(),
+            triangles: built.model.triangle_count(),
+            branch_levels: built.plant.branches.iter().map(|b| b.level + 1).max().unwrap_or(0),
+            petals: has(Part::Petal),
+            leaves: has(Part::Leaf),
+            ignored: has(Part::Ignored),
+        }
+    }
 }
 
 /// What window and worker share.
@@ -55,6 +94,8 @@ struct Desk {
     next: Option<Snapshot>,
     done: Option<Update>,
     last_finish: Option<Instant>,
+    /// Plants that the window does not show any more.
+    discarded: Vec<Arc<Built>>,
     closing: bool,
 }
 
@@ -86,11 +127,19 @@ impl Worker {
     /// Hands over the newest drawing; never waits for a build.
     pub fn submit(&self, snapshot: Snapshot) {
         let mut desk = self.shared.desk();
-        desk.next = Some(snapshot);
+        let outdated = desk.next.replace(snapshot);
         if desk.last_finish.is_some_and(|at| at.elapsed() < PATIENCE) {
             self.shared.cancel.store(true, Ordering::Relaxed);
         }
         drop(desk);
+        self.shared.news.notify_one();
+        // After the worker was told, who could not have taken it while it was being dropped.
+        drop(outdated);
+    }
+
+    /// Hands over a plant that is not shown any more, so that the worker gives its memory back.
+    pub fn discard(&self, plant: Arc<Built>) {
+        self.shared.desk().discarded.push(plant);
         self.shared.news.notify_one();
     }
 
@@ -125,8 +174,12 @@ fn work(shared: &Shared, wake: &dyn Fn()) {
         let begun = Instant::now();
         let revision = snapshot.revision;
         let build = std::panic::AssertUnwindSafe(|| bench.build(&snapshot, &shared.cancel));
+        let mut counts = Counts::default();
         let result = match std::panic::catch_unwind(build) {
-            Ok(Ok(Some(built))) => Ok(Arc::new(built)),
+            Ok(Ok(Some(built))) => {
+                counts = Counts::of(&built);
+                Ok(Arc::new(built))
+            }
             Ok(Ok(None)) => continue,
             Ok(Err(reason)) => Err(reason),
             Err(_) => {
@@ -138,10 +191,12 @@ fn work(shared: &Shared, wake: &dyn Fn()) {
             }
         };
         let mut desk = shared.desk();
-        desk.done = Some(Update { revision, result, took: begun.elapsed() });
+        let unseen = desk.done.replace(Update { revision, result, took: begun.elapsed(), counts });
         desk.last_finish = Some(Instant::now());
+        let discarded = std::mem::take(&mut desk.discarded);
         drop(desk);
         wake();
+        drop((unseen, discarded));
     }
 }
 
@@ -155,6 +210,13 @@ fn next(shared: &Shared) -> Option<Snapshot> {
         if let Some(snapshot) = desk.next.take() {
             shared.cancel.store(false, Ordering::Relaxed);
             return Some(snapshot);
+        }
+        let discarded = std::mem::take(&mut desk.discarded);
+        if !discarded.is_empty() {
+            drop(desk);
+            drop(discarded);
+            desk = shared.desk();
+            continue;
         }
         desk = shared.news.wait(desk).unwrap_or_else(PoisonError::into_inner);
     }

@@ -1,7 +1,6 @@
 //! What the panels show of the editor, copied together once per frame.
 
 use super::{Editor, GOOD_NEWS};
-use crate::anatomy::Part;
 use crate::app::fonts::{self, ChineseFont};
 use crate::app::messages::Language;
 use crate::app::panels::Snapshot;
@@ -13,7 +12,6 @@ use crate::app::settings::ThemeChoice;
 use crate::app::theme::Palette;
 use crate::app::thumbnail;
 use crate::pipeline::DEFAULT_SPECIES;
-use crate::sketch::Tool;
 use crate::sketch::journal::JournalState;
 use serde_json::Map;
 use std::path::Path;
@@ -72,12 +70,11 @@ impl Editor {
     }
 
     fn status(&self) -> Status {
-        let built = self.built.as_deref();
         Status {
             strokes: self.document.sketch().strokes.len(),
-            flowers: built.map_or(0, |b| b.plant.flowers.len()),
-            vertices: built.map_or(0, |b| b.model.vertex_count()),
-            triangles: built.map_or(0, |b| b.model.triangle_count()),
+            flowers: self.counts.flowers,
+            vertices: self.counts.vertices,
+            triangles: self.counts.triangles,
             build_ms: self.building.last.map(|took| took.as_secs_f32() * 1e3),
             // A build of a few milliseconds is not worth a flicker.
             building: self.building.is_running
@@ -98,22 +95,22 @@ impl Editor {
     }
 
     fn found_parts(&self) -> Found {
-        let Some(built) = self.built.as_deref() else { return Found::default() };
-        let has = |part: Part| built.anatomy.marks.iter().any(|mark| mark.part == part);
-        let drawn = |tool: Tool| self.document.sketch().strokes.iter().any(|s| s.tool == tool);
-        let levels = built.plant.branches.iter().map(|b| b.level + 1).max().unwrap_or(0);
+        if self.built.is_none() {
+            return Found::default();
+        }
         Found {
-            petals: has(Part::Petal),
-            leaves: has(Part::Leaf),
-            branch_levels: levels,
-            branch_outlines: drawn(Tool::BranchOutline),
-            leaf_outlines: drawn(Tool::LeafOutline),
-            ignored: has(Part::Ignored),
+            petals: self.counts.petals,
+            leaves: self.counts.leaves,
+            branch_levels: self.counts.branch_levels,
+            branch_outlines: self.outlines.branches,
+            leaf_outlines: self.outlines.leaves,
+            ignored: self.counts.ignored,
         }
     }
 
     fn export_bytes(&self) -> Option<u64> {
-        let triangles = self.built.as_ref()?.model.triangle_count() as u64;
+        self.built.as_ref()?;
+        let triangles = self.counts.triangles as u64;
         let (glb, obj) = BYTES_PER_TRIANGLE;
         let per_triangle = if self.settings.export.format.extension() == "obj" { obj } else { glb };
         Some(triangles * per_triangle)

@@ -6,6 +6,7 @@
 use egui::epaint::{PathShape, PathStroke};
 use egui::{Color32, Painter, Pos2, Rect, Stroke, pos2};
 use kurbo::{BezPath, PathEl};
+use std::sync::OnceLock;
 
 /// Side of the grid that icons are drawn on.
 const GRID: f32 = 24.0;
@@ -131,23 +132,44 @@ pub fn paint(painter: &Painter, rect: Rect, icon: Icon, colour: Color32) {
     let side = rect.width().min(rect.height());
     let square = Rect::from_center_size(rect.center(), egui::Vec2::splat(side));
     let scale = side / GRID;
-    for path in icon.paths() {
-        let (filled, path) = path.strip_prefix('*').map_or((false, *path), |rest| (true, rest));
-        for (points, closed) in polylines(path) {
-            let points: Vec<Pos2> = points.iter().map(|p| square.min + p.to_vec2() * scale).collect();
-            let stroke = Stroke::new(LINE * scale, colour);
-            if filled {
-                painter.add(PathShape::convex_polygon(points, colour, PathStroke::NONE));
-            } else if closed {
-                painter.add(PathShape::closed_line(points, stroke));
-            } else {
-                for end in [points.first(), points.last()].into_iter().flatten() {
-                    painter.circle_filled(*end, LINE * scale * 0.5, colour);
-                }
-                painter.line(points, stroke);
+    for Line { points, closed, filled } in lines(icon) {
+        let points: Vec<Pos2> = points.iter().map(|p| square.min + p.to_vec2() * scale).collect();
+        let stroke = Stroke::new(LINE * scale, colour);
+        if *filled {
+            painter.add(PathShape::convex_polygon(points, colour, PathStroke::NONE));
+        } else if *closed {
+            painter.add(PathShape::closed_line(points, stroke));
+        } else {
+            for end in [points.first(), points.last()].into_iter().flatten() {
+                painter.circle_filled(*end, LINE * scale * 0.5, colour);
             }
+            painter.line(points, stroke);
         }
     }
+}
+
+/// A line of an icon, flattened, on the grid.
+struct Line {
+    points: Vec<Pos2>,
+    closed: bool,
+    filled: bool,
+}
+
+/// The lines of an icon, read from its paths only once: many icons are shown in every frame.
+fn lines(icon: Icon) -> &'static [Line] {
+    static LINES: OnceLock<Vec<Vec<Line>>> = OnceLock::new();
+    let all = LINES.get_or_init(|| Icon::ALL.iter().map(|icon| read(icon.paths())).collect());
+    all.get(icon as usize).map(Vec::as_slice).unwrap_or_default()
+}
+
+fn read(paths: &[&str]) -> Vec<Line> {
+    let mut lines = Vec::new();
+    for path in paths {
+        let (filled, path) = path.strip_prefix('*').map_or((false, *path), |rest| (true, rest));
+        let read = polylines(path).into_iter();
+        lines.extend(read.map(|(points, closed)| Line { points, closed, filled }));
+    }
+    lines
 }
 
 /// The sub-paths of an SVG path as points on the grid, and whether each is closed.
@@ -190,6 +212,16 @@ mod tests {
                     assert!(points.iter().all(inside), "{icon:?}: {path}");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn every_icon_is_drawn_with_its_own_lines() {
+        for (place, icon) in Icon::ALL.iter().enumerate() {
+            assert_eq!(*icon as usize, place, "{icon:?}");
+            let own: Vec<Pos2> = read(icon.paths()).into_iter().flat_map(|line| line.points).collect();
+            let drawn: Vec<Pos2> = lines(*icon).iter().flat_map(|line| line.points.clone()).collect();
+            assert_eq!(own, drawn, "{icon:?}");
         }
     }
 
