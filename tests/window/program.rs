@@ -10,6 +10,9 @@ use std::time::{Duration, Instant};
 /// Longest wait for anything; software drivers on a busy machine are slow.
 const PATIENCE: Duration = Duration::from_secs(60);
 
+/// So long without a word and the program has nothing more to say.
+const QUIET: Duration = Duration::from_millis(600);
+
 pub(crate) struct Program {
     child: Child,
     lines: Receiver<String>,
@@ -17,29 +20,45 @@ pub(crate) struct Program {
 }
 
 impl Program {
-    /// Starts the program with its settings and its state below `home`.
+    /// Opens the window, with settings and state below `home`, and gives it the keyboard.
     pub(crate) fn start(screen: &Screen, home: &Path, args: &[&str]) -> Self {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_penstemon"))
-            .arg("--verbose")
-            .args(args)
-            .env("DISPLAY", &screen.display)
-            .env("HOME", home)
-            .env("LANG", "en_GB.UTF-8")
-            .env("NO_COLOR", "1")
-            .env("XDG_RUNTIME_DIR", home)
-            .env_remove("WAYLAND_DISPLAY")
-            .env_remove("DBUS_SESSION_BUS_ADDRESS")
-            .env_remove("XDG_CONFIG_HOME")
-            .env_remove("XDG_STATE_HOME")
-            .env_remove("XDG_DATA_HOME")
-            .env_remove("LC_ALL")
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
+        Self::start_with(screen, home, args, &[])
+    }
+
+    /// The same with more in its environment.
+    pub(crate) fn start_with(screen: &Screen, home: &Path, args: &[&str], more: &[(&str, &str)]) -> Self {
+        let mut command = command(home, args);
+        command.env("DISPLAY", &screen.display).envs(more.iter().copied());
+        let mut program = Self::spawn(command);
+        program.wait_for("the window is drawn by");
+        program.raise(screen);
+        program
+    }
+
+    /// Starts the program and listens to it.
+    pub(crate) fn spawn(mut command: Command) -> Self {
+        let mut child = command.stderr(Stdio::piped()).spawn().unwrap();
         let (tell, lines) = channel();
         let stderr = BufReader::new(child.stderr.take().unwrap());
         std::thread::spawn(move || stderr.lines().map_while(Result::ok).try_for_each(|line| tell.send(line)));
         Self { child, lines, told: Vec::new() }
+    }
+
+    pub(crate) fn id(&self) -> u32 {
+        self.child.id()
+    }
+
+    /// X's number of the window.
+    pub(crate) fn window(&self, screen: &Screen) -> String {
+        let id = self.id().to_string();
+        let found = ["search", "--sync", "--onlyvisible", "--all", "--pid", &id, "--name", "Penstemon"];
+        screen.hand(&found).lines().next().unwrap().to_owned()
+    }
+
+    /// Puts the window before the others and gives it the keyboard: there is no window manager to do it.
+    pub(crate) fn raise(&self, screen: &Screen) {
+        let window = self.window(screen);
+        screen.hand(&["windowraise", &window, "windowfocus", "--sync", &window]);
     }
 
     /// Waits for a new line that contains `words` and returns it.
@@ -58,10 +77,16 @@ impl Program {
         }
     }
 
+    /// Whether something that contains `words` has been told, up to now.
+    pub(crate) fn has_told(&mut self, words: &str) -> bool {
+        self.told.extend(self.lines.try_iter());
+        self.told.iter().any(|line| line.contains(words))
+    }
+
     /// Waits until nothing has been told for a while, and returns the last line told that contains `words`.
     pub(crate) fn settle(&mut self, words: &str) -> String {
         let mut last = self.wait_for(words);
-        while let Ok(line) = self.lines.recv_timeout(Duration::from_millis(700)) {
+        while let Ok(line) = self.lines.recv_timeout(QUIET) {
             self.told.push(line.clone());
             if line.contains(words) {
                 last = line;
@@ -76,6 +101,10 @@ impl Program {
         let value = field(line, name);
         let numbers: Vec<f64> = value.split(',').map(|n| n.parse().unwrap()).collect();
         numbers.try_into().unwrap()
+    }
+
+    pub(crate) fn is_running(&mut self) -> bool {
+        self.child.try_wait().unwrap().is_none()
     }
 
     pub(crate) fn kill(&mut self) {
@@ -100,6 +129,23 @@ impl Drop for Program {
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
+}
+
+/// The program's command with settings and state below `home`, and no display at all.
+pub(crate) fn command(home: &Path, args: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_penstemon"));
+    command.arg("--verbose").args(args).env("HOME", home).env("LANG", "en_GB.UTF-8").env("NO_COLOR", "1");
+    // No session bus: the program asks for files with its own dialog.
+    command.env("XDG_RUNTIME_DIR", home);
+    let theirs =
+        ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET", "DBUS_SESSION_BUS_ADDRESS", "LANGUAGE", "LC_ALL"];
+    let folders = ["XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME"];
+    for name in
+        theirs.into_iter().chain(folders).chain(["LC_MESSAGES", "WGPU_BACKEND", "WINIT_X11_SCALE_FACTOR"])
+    {
+        command.env_remove(name);
+    }
+    command
 }
 
 /// The value of `name=value` in a line.
