@@ -2,45 +2,46 @@
 
 use crate::program::{Program, command, field};
 use crate::screen::Screen;
-use crate::{ACCENT, daisy, draw_line, number, sketch_file, strokes_in, type_name};
-use penstemon::sketch;
+use crate::{daisy, draw_line, number, sketch_file, strokes_in};
+use penstemon::sketch::{self, Tool};
 use tempfile::TempDir;
 
 #[test]
 fn a_daisy_drawn_by_mouse_becomes_a_plant_and_a_file() {
     let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
     let mut program = Program::start(&screen, home.path(), &[]);
-    let sample = program.settle("built");
+    let sample = program.built();
     assert!(number(&sample, "triangles") > 1000, "the first start shows a plant: {sample}");
-    screen.still().keep("first-start");
+    program.picture(&screen).keep("first-start");
 
     screen.hand(&["key", "ctrl+n"]);
-    program.settle("built revision");
-    let empty = screen.still();
+    program.built();
+    let empty = program.picture(&screen);
     empty.keep("empty");
     let (canvas, plant) = (program.area("canvas"), program.area("plant"));
-    let strokes = strokes_in(&daisy(), canvas);
-    for stroke in &strokes {
-        screen.draw(stroke);
+    let (daisy, strokes) = (daisy(), strokes_in(&daisy(), canvas));
+    for (stroke, places) in daisy.strokes.iter().zip(&strokes) {
+        screen.hand(&["key", if stroke.tool == Tool::Leaf { "l" } else { "a" }]);
+        screen.draw(places);
     }
-    let drawn = program.settle("built");
+    let drawn = program.built();
     assert_eq!(number(&drawn, "strokes"), strokes.len() as u64);
     assert_eq!(number(&drawn, "flowers"), 2);
-    let picture = screen.still();
+    let picture = program.picture(&screen);
     picture.keep("daisy-by-mouse");
     assert!(picture.changed(&empty, canvas) > 0.01, "the drawing is seen");
     assert!(picture.changed(&empty, plant) > 0.05, "the plant is seen");
 
     screen.hand(&["key", "ctrl+z"]);
-    assert_eq!(number(&program.settle("built"), "strokes"), strokes.len() as u64 - 1);
-    assert!(screen.still().changed(&picture, canvas) > 0.0005, "the last stroke is gone");
+    assert_eq!(number(&program.built(), "strokes"), strokes.len() as u64 - 1);
+    assert!(program.picture(&screen).changed(&picture, canvas) > 0.0005, "the last stroke is gone");
     screen.hand(&["key", "ctrl+shift+z"]);
-    let again = program.settle("built");
+    let again = program.built();
     assert_eq!(field(&again, "triangles"), field(&drawn, "triangles"));
-    assert!(screen.still().changed(&picture, canvas) < 0.0005, "it is back as it was");
+    assert!(program.picture(&screen).changed(&picture, canvas) < 0.0005, "it is back as it was");
 
     screen.hand(&["key", "ctrl+s"]);
-    type_name(&screen, "my daisy");
+    program.type_name(&screen, "my daisy");
     program.wait_for("saved");
     let file = home.path().join("my daisy.penstemon");
     let (saved, warnings) = sketch::read(&file).unwrap();
@@ -53,19 +54,19 @@ fn a_daisy_drawn_by_mouse_becomes_a_plant_and_a_file() {
     screen.hand(&["key", "ctrl+q"]);
     assert!(program.wait().success());
     let mut again = Program::start(&screen, home.path(), &[file.to_str().unwrap()]);
-    let reopened = again.settle("built");
+    let reopened = again.built();
     assert_eq!(field(&reopened, "triangles"), field(&drawn, "triangles"));
-    screen.still().keep("daisy-reopened");
+    again.picture(&screen).keep("daisy-reopened");
 }
 
 /// Exports through the dialog and holds the file against the judge.
 fn export(screen: &Screen, program: &mut Program, home: &TempDir) {
     screen.hand(&["key", "ctrl+e"]);
-    screen.still().keep("export");
-    screen.click_loud_button(ACCENT);
-    type_name(screen, "daisy.glb");
+    program.picture(screen).keep("export");
+    program.press_loud_button(screen);
+    program.type_name(screen, "daisy.glb");
     program.wait_for("exported");
-    screen.still().keep("exported");
+    program.picture(screen).keep("exported");
     let file = home.path().join("daisy.glb");
     let checked = command(home.path(), &["check", file.to_str().unwrap()]).output().unwrap();
     assert!(checked.status.success(), "{}", String::from_utf8_lossy(&checked.stdout));
@@ -77,9 +78,9 @@ fn export(screen: &Screen, program: &mut Program, home: &TempDir) {
 fn a_killed_program_offers_the_drawing_back() {
     let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
     let mut program = Program::start(&screen, home.path(), &[]);
-    program.settle("built");
+    program.built();
     screen.hand(&["key", "ctrl+n"]);
-    program.settle("built");
+    program.built();
     let strokes = strokes_in(&daisy(), program.area("canvas"));
     for stroke in &strokes[..3] {
         screen.draw(stroke);
@@ -87,25 +88,25 @@ fn a_killed_program_offers_the_drawing_back() {
     // The fourth is begun: what was finished before is on the disk.
     let [x, y] = strokes[3][0].map(|x| x.round().to_string());
     screen.hand(&["mousemove", &x, &y, "mousedown", "1"]);
-    program.settle("built");
+    program.built();
     program.kill();
     screen.hand(&["mouseup", "1"]);
 
     let mut again = Program::start(&screen, home.path(), &[]);
-    let offered = again.wait_for("recoverable");
+    let offered = again.told("recoverable");
     assert_eq!(number(&offered, "strokes"), 3);
-    again.settle("built");
-    screen.still().keep("recovery");
-    screen.click_loud_button(ACCENT);
-    let recovered = again.settle("built");
+    again.built();
+    again.picture(&screen).keep("recovery");
+    again.press_loud_button(&screen);
+    let recovered = again.built();
     assert_eq!(number(&recovered, "strokes"), 3);
-    screen.still().keep("recovered");
+    again.picture(&screen).keep("recovered");
 
     // What was recovered is unsaved: closing asks.
     screen.hand(&["key", "ctrl+q"]);
-    screen.still().keep("unsaved");
-    screen.click_loud_button(ACCENT);
-    type_name(&screen, "found");
+    again.picture(&screen).keep("unsaved");
+    again.press_loud_button(&screen);
+    again.type_name(&screen, "found");
     again.wait_for("saved");
     assert!(again.wait().success(), "having saved it goes on to close");
     assert_eq!(sketch::read(&home.path().join("found.penstemon")).unwrap().0.strokes.len(), 3);
@@ -117,24 +118,24 @@ fn two_windows_on_one_file_do_not_destroy_each_others_work() {
     let file = home.path().join("shared.penstemon");
     std::fs::copy(sketch_file("daisy"), &file).unwrap();
     let mut one = Program::start(&screen, home.path(), &[file.to_str().unwrap()]);
-    one.settle("built");
+    one.built();
     let mut other = Program::start(&screen, home.path(), &[file.to_str().unwrap()]);
-    other.settle("built");
+    other.built();
     assert!(!other.has_told("recoverable"), "the first window is still open");
 
     one.raise(&screen);
-    screen.still();
+    one.rest();
     draw_line(&screen, &mut one);
     screen.hand(&["key", "ctrl+s"]);
     one.wait_for("saved");
     let saved = std::fs::read(&file).unwrap();
 
     other.raise(&screen);
-    screen.still();
+    other.rest();
     draw_line(&screen, &mut other);
     screen.hand(&["key", "ctrl+s"]);
     let notice = other.wait_for("notice");
     assert!(notice.contains("was changed by another window"), "{notice}");
-    screen.still().keep("two-windows");
+    other.picture(&screen).keep("two-windows");
     assert_eq!(std::fs::read(&file).unwrap(), saved);
 }

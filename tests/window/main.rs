@@ -19,9 +19,6 @@ use program::{Program, field};
 use screen::{Area, Screen};
 use std::path::{Path, PathBuf};
 
-/// Colour of what stands out, in the light theme.
-const ACCENT: [u8; 3] = [0x7b, 0x3f, 0x83];
-
 fn sketch_file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("assets/sketches/{name}.penstemon"))
 }
@@ -47,19 +44,10 @@ fn number(line: &str, name: &str) -> u64 {
     field(line, name).parse().unwrap()
 }
 
-/// Writes a name into the dialog that asks for a file.
-fn type_name(screen: &Screen, name: &str) {
-    screen.still();
-    screen.hand(&["key", "ctrl+a"]);
-    screen.hand(&["type", "--delay", "8", name]);
-    screen.still().keep("asked-for-a-file");
-    screen.hand(&["key", "Return"]);
-}
-
 /// A line across the canvas: something to save.
-fn draw_line(screen: &Screen, program: &mut Program) {
+fn draw_line(screen: &Screen, program: &mut Program) -> String {
     let [left, top, width, height] = program.area("canvas");
     let at = |t: f64| [left + width * (0.3 + 0.02 * t), top + height * (0.9 - 0.06 * t)];
     screen.draw(&(0..10).map(|i| at(f64::from(i))).collect::<Vec<_>>());
-    program.wait_for("built");
+    program.built()
 }

@@ -1,6 +1,6 @@
 //! The program under test: a real process with a window, and what it tells on stderr.
 
-use crate::screen::{Area, Screen};
+use crate::screen::{Area, Pixels, Screen};
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -10,8 +10,11 @@ use std::time::{Duration, Instant};
 /// Longest wait for anything; software drivers on a busy machine are slow.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// So long without a word and the program has nothing more to say.
-const QUIET: Duration = Duration::from_millis(600);
+/// Longest time from a move of the mouse to the program's first word about it.
+const QUIET: Duration = Duration::from_millis(300);
+
+/// Colour of what stands out, in the light theme.
+const ACCENT: [u8; 3] = [0x7b, 0x3f, 0x83];
 
 pub(crate) struct Program {
     child: Child,
@@ -77,22 +80,61 @@ impl Program {
         }
     }
 
+    /// The last line told that contains `words`.
+    pub(crate) fn told(&mut self, words: &str) -> String {
+        self.told.extend(self.lines.try_iter());
+        let line = self.told.iter().rev().find(|line| line.contains(words));
+        line.unwrap_or_else(|| panic!("never told `{words}`; told:\n{}", self.told.join("\n"))).clone()
+    }
+
     /// Whether something that contains `words` has been told, up to now.
     pub(crate) fn has_told(&mut self, words: &str) -> bool {
         self.told.extend(self.lines.try_iter());
         self.told.iter().any(|line| line.contains(words))
     }
 
-    /// Waits until nothing has been told for a while, and returns the last line told that contains `words`.
-    pub(crate) fn settle(&mut self, words: &str) -> String {
-        let mut last = self.wait_for(words);
-        while let Ok(line) = self.lines.recv_timeout(QUIET) {
-            self.told.push(line.clone());
-            if line.contains(words) {
-                last = line;
+    /// Waits until the program has carried out everything and sleeps.
+    pub(crate) fn rest(&mut self) {
+        let deadline = Instant::now() + PATIENCE;
+        loop {
+            match self.lines.recv_timeout(QUIET) {
+                Ok(line) => self.told.push(line),
+                Err(_) => {
+                    let last = self.told.iter().rev().find(|line| line.contains("app::window"));
+                    if last.is_some_and(|line| line.contains("at rest")) {
+                        return;
+                    }
+                }
             }
+            assert!(Instant::now() < deadline, "never at rest; told:\n{}", self.told.join("\n"));
         }
-        last
+    }
+
+    /// What the program said last of what it built, now that it rests.
+    pub(crate) fn built(&mut self) -> String {
+        self.rest();
+        self.told("built revision")
+    }
+
+    /// What is on the screen once the program rests.
+    pub(crate) fn picture(&mut self, screen: &Screen) -> Pixels {
+        self.rest();
+        screen.still()
+    }
+
+    /// Presses the one button of a dialog that stands out.
+    pub(crate) fn press_loud_button(&mut self, screen: &Screen) {
+        let button = self.picture(screen).widest(ACCENT).expect("a button that stands out");
+        screen.click(button);
+    }
+
+    /// Writes a name into the dialog that asks for a file.
+    pub(crate) fn type_name(&mut self, screen: &Screen, name: &str) {
+        self.rest();
+        screen.hand(&["key", "ctrl+a"]);
+        screen.hand(&["type", "--delay", "8", name]);
+        self.picture(screen).keep("asked-for-a-file");
+        screen.hand(&["key", "Return"]);
     }
 
     /// An area of the window by its name, as last laid out.

@@ -13,7 +13,7 @@ static TURN: Mutex<()> = Mutex::new(());
 /// Longest wait for the screen to come to rest.
 const PATIENCE: Duration = Duration::from_secs(40);
 /// A screen that has not changed for so long rests.
-const REST: Duration = Duration::from_millis(450);
+const REST: Duration = Duration::from_millis(150);
 
 /// Waits for the test's turn.
 pub(crate) fn turn() -> MutexGuard<'static, ()> {
@@ -74,7 +74,7 @@ impl Screen {
         Pixels { width, height, rgb }
     }
 
-    /// What is on the screen once it rests.
+    /// What is on the screen once it does not change any more; the program should be at rest.
     pub(crate) fn still(&self) -> Pixels {
         let deadline = Instant::now() + PATIENCE;
         let (mut last, mut since) = (self.pixels(), Instant::now());
@@ -93,12 +93,6 @@ impl Screen {
     pub(crate) fn click(&self, [x, y]: [f64; 2]) {
         let (x, y) = (x.round().to_string(), y.round().to_string());
         self.hand(&["mousemove", &x, &y, "sleep", "0.05", "click", "1"]);
-    }
-
-    /// Presses the one button of a dialog that stands out.
-    pub(crate) fn click_loud_button(&self, accent: [u8; 3]) {
-        let button = self.still().largest(accent).expect("a button that stands out");
-        self.click(button);
     }
 
     /// Draws a stroke with the left button: through these places in order.
@@ -131,8 +125,8 @@ impl Pixels {
         self.rgb[i..i + 3].try_into().unwrap()
     }
 
-    /// Middle of the widest field of a colour, where it is at least as large as a button.
-    pub(crate) fn largest(&self, colour: [u8; 3]) -> Option<[f64; 2]> {
+    /// A place in the widest field of a colour, where it is at least as wide as a button.
+    pub(crate) fn widest(&self, colour: [u8; 3]) -> Option<[f64; 2]> {
         let runs = (0..self.height).flat_map(|y| {
             let mut from = 0;
             (0..=self.width).filter_map(move |x| {

@@ -2,7 +2,7 @@
 
 use crate::program::{Program, command};
 use crate::screen::{Screen, turn};
-use crate::{draw_line, number, sketch_file, type_name};
+use crate::{draw_line, number, sketch_file};
 use std::process::Command;
 use tempfile::TempDir;
 
@@ -41,11 +41,14 @@ fn without_vulkan_the_window_is_drawn_by_opengl() {
     let none = [("VK_ICD_FILENAMES", "/nonexistent"), ("VK_DRIVER_FILES", "/nonexistent")];
     let mut program = Program::start_with(&screen, home.path(), &[], &none);
     assert!(program.has_told("(gl)"), "drawn by something else");
-    let built = program.settle("built");
+    let built = program.built();
     assert!(number(&built, "triangles") > 1000);
-    let picture = screen.still();
+    let picture = program.picture(&screen);
     picture.keep("opengl");
     assert!(!program.has_told("notice"));
+    // The sample's red petals.
+    let reds = |x| (200..300).any(|y| matches!(picture.at(x, y), [r, g, _] if r > g.saturating_add(80)));
+    assert!((690..930).filter(|&x| reds(x)).count() > 150, "the plant is seen");
 }
 
 #[test]
@@ -54,9 +57,9 @@ fn a_bad_file_is_told_and_the_window_stays() {
     let file = home.path().join("bad.penstemon");
     std::fs::write(&file, "{\"format\": 7").unwrap();
     let mut program = Program::start(&screen, home.path(), &[file.to_str().unwrap()]);
-    program.settle("built");
+    program.built();
     assert!(program.has_told("notice") && program.has_told("bad.penstemon"));
-    screen.still().keep("bad-file");
+    program.picture(&screen).keep("bad-file");
     draw_line(&screen, &mut program);
     assert!(std::fs::read(&file).unwrap().starts_with(b"{\"format\": 7"));
 }
@@ -69,16 +72,15 @@ fn a_drawing_whose_folder_vanished_stays_and_is_saved_elsewhere() {
     let file = folder.join("daisy.penstemon");
     std::fs::copy(sketch_file("daisy"), &file).unwrap();
     let mut program = Program::start(&screen, home.path(), &[file.to_str().unwrap()]);
-    let strokes = number(&program.settle("built"), "strokes");
+    let strokes = number(&program.built(), "strokes");
     std::fs::remove_dir_all(&folder).unwrap();
-    draw_line(&screen, &mut program);
-    assert_eq!(number(&program.settle("built"), "strokes"), strokes + 1);
+    assert_eq!(number(&draw_line(&screen, &mut program), "strokes"), strokes + 1);
     screen.hand(&["key", "ctrl+s"]);
     let notice = program.wait_for("notice");
     assert!(notice.contains("daisy.penstemon"), "{notice}");
-    screen.still().keep("vanished-folder");
+    program.picture(&screen).keep("vanished-folder");
     screen.hand(&["key", "ctrl+shift+s"]);
-    type_name(&screen, "rescued");
+    program.type_name(&screen, "rescued");
     program.wait_for("saved");
     let (saved, _) = penstemon::sketch::read(&home.path().join("rescued.penstemon")).unwrap();
     assert_eq!(saved.strokes.len() as u64, strokes + 1);
