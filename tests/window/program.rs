@@ -110,8 +110,19 @@ impl Program {
         }
     }
 
-    /// What the program said last of what it built, now that it rests.
+    /// Waits for a new plant and for rest, and returns what was told last of what was built.
     pub(crate) fn built(&mut self) -> String {
+        self.wait_for("built revision");
+        self.built_now()
+    }
+
+    /// The same for a plant of so many strokes.
+    pub(crate) fn built_of(&mut self, strokes: usize) -> String {
+        self.wait_for(&format!(" strokes={strokes} "));
+        self.built_now()
+    }
+
+    fn built_now(&mut self) -> String {
         self.rest();
         self.told("built revision")
     }
