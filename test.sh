@@ -14,6 +14,18 @@ need node nodejs nodejs nodejs
 need npm npm npm npm
 need '/usr/share/vulkan/icd.d/lvp_icd*' mesa-vulkan-drivers mesa-vulkan-drivers vulkan-swrast
 need '/usr/lib*/*/libvulkan.so.1' libvulkan1 vulkan-loader vulkan-icd-loader
+# What the window's tests use, and what the window loads when it opens.
+need Xvfb xvfb xorg-x11-server-Xvfb xorg-server-xvfb
+need xdotool xdotool xdotool xdotool
+need weston weston weston weston
+need '/usr/lib*/*/libxkbcommon.so.0' libxkbcommon0 libxkbcommon libxkbcommon
+need '/usr/lib*/*/libxkbcommon-x11.so.0' libxkbcommon-x11-0 libxkbcommon-x11 libxkbcommon-x11
+need '/usr/lib*/*/libX11-xcb.so.1' libx11-xcb1 libX11-xcb libx11
+need '/usr/lib*/*/libXcursor.so.1' libxcursor1 libXcursor libxcursor
+need '/usr/lib*/*/libXi.so.6' libxi6 libXi libxi
+need '/usr/lib*/*/libwayland-client.so.0' libwayland-client0 libwayland-client wayland
+need '/usr/lib*/*/libEGL_mesa.so.0' libegl1 mesa-libEGL mesa
+need '/usr/share/fonts/*/noto*/NotoSansCJK*' fonts-noto-cjk google-noto-sans-cjk-fonts noto-fonts-cjk
 install_needed || echo "some packages could not be installed; checks that need them will say so" >&2
 
 # One commit gives one answer; new inputs are what the fuzzers look for.

@@ -3,11 +3,18 @@
 use clap::Parser;
 use penstemon::cli::{self, Cli};
 use std::process::ExitCode;
+use tracing_subscriber::filter::{LevelFilter, Targets};
+use tracing_subscriber::layer::SubscriberExt as _;
+use tracing_subscriber::util::SubscriberInitExt as _;
+
+/// Calls an empty clipboard an error.
+const NOISY: &str = "winit_x11::data_transfer";
 
 fn main() -> ExitCode {
     let cli = Cli::parse();
     let level = if cli.verbose { tracing::Level::DEBUG } else { tracing::Level::WARN };
-    tracing_subscriber::fmt().with_max_level(level).with_writer(std::io::stderr).without_time().init();
+    let told = tracing_subscriber::fmt().with_max_level(level).with_writer(std::io::stderr).without_time();
+    told.finish().with(Targets::new().with_default(level).with_target(NOISY, LevelFilter::OFF)).init();
     match cli::run(cli) {
         Ok(code) => code,
         Err(error) => {

@@ -451,6 +451,11 @@ impl Editor {
         self.plant.is_moving()
     }
 
+    /// Whether another thread works on something that will be shown.
+    pub fn is_working(&self) -> bool {
+        self.building.is_running || self.building.is_stale || self.task.is_some()
+    }
+
     /// When something on the screen changes by itself.
     pub fn wakes_at(&self) -> Option<Instant> {
         let news = self

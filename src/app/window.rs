@@ -28,6 +28,8 @@ use winit::window::{Window, WindowAttributes, WindowId};
 const FIRST_SIZE: (f64, f64) = (1280.0, 800.0);
 /// Smallest window that still shows everything.
 const SMALLEST: (f64, f64) = (640.0, 480.0);
+/// A window that nothing will change for so long is at rest; a text cursor blinks more slowly.
+const REST: Duration = Duration::from_millis(300);
 /// Longest sleep that egui can ask for; longer means never.
 const NEVER: Duration = Duration::from_secs(3600);
 
@@ -74,7 +76,7 @@ impl ApplicationHandler for App {
     fn proxy_wake_up(&mut self, _: &dyn ActiveEventLoop) {
         if let Some(running) = &mut self.running {
             running.editor.collect();
-            running.window.request_redraw();
+            running.want_frame();
         }
     }
 
@@ -120,6 +122,12 @@ struct Running {
     pointer: egui::Pos2,
     /// When egui wants to be drawn again.
     repaint_at: Option<Instant>,
+    /// When the window was last told to wake, whoever wanted it.
+    wake_at: Option<Instant>,
+    /// A frame was asked for and has not been drawn yet.
+    frame_is_due: bool,
+    /// Something has happened since the window last came to rest.
+    is_awake: bool,
     cursor: egui::CursorIcon,
     composes_text: bool,
     started: Instant,
@@ -169,6 +177,9 @@ impl Running {
             over_canvas: false,
             pointer: egui::Pos2::ZERO,
             repaint_at: None,
+            wake_at: None,
+            frame_is_due: true,
+            is_awake: true,
             cursor: egui::CursorIcon::Default,
             composes_text: false,
             started: Instant::now(),
@@ -192,7 +203,7 @@ impl Running {
             _ => {}
         }
         if self.on_pointer(event) || self.on_canvas_event(event) {
-            self.window.request_redraw();
+            self.want_frame();
             return;
         }
         if let WindowEvent::KeyboardInput { event: key, .. } = event
@@ -200,14 +211,14 @@ impl Running {
             && let Some(name) = egui_input::key(&key.logical_key)
             && self.editor.key(name, self.input.modifiers(), key.state.is_pressed(), key.repeat)
         {
-            self.window.request_redraw();
+            self.want_frame();
             return;
         }
         let before = self.input.modifiers();
         let heard = self.input.on_event(event);
         self.editor.modifiers(before, self.input.modifiers());
         if heard || matches!(event, WindowEvent::SurfaceResized(_)) {
-            self.window.request_redraw();
+            self.want_frame();
         }
         if self.input.take_paste_request() {
             transfer::fetch_clipboard(event_loop);
@@ -287,7 +298,17 @@ impl Running {
         true
     }
 
+    /// Asks for a frame.
+    fn want_frame(&mut self) {
+        if !std::mem::replace(&mut self.is_awake, true) {
+            tracing::debug!("awake");
+        }
+        self.frame_is_due = true;
+        self.window.request_redraw();
+    }
+
     fn redraw(&mut self, event_loop: &dyn ActiveEventLoop) {
+        self.frame_is_due = false;
         if self.graphics.is_lost() {
             self.editor.snapshot();
             match Graphics::open(event_loop, &self.window) {
@@ -367,14 +388,20 @@ impl Running {
 
     /// Sleeps until the next event or the next moment that somebody named.
     fn sleep(&mut self, event_loop: &dyn ActiveEventLoop) {
-        let wake = [self.repaint_at, self.editor.wakes_at()].into_iter().flatten().min();
-        let is_due = wake.is_some_and(|at| at <= Instant::now());
-        if self.editor.wants_frame() || is_due {
+        let now = Instant::now();
+        let is_due = |at: Option<Instant>| at.is_some_and(|at| at <= now);
+        if self.editor.wants_frame() || is_due(self.repaint_at) || is_due(self.wake_at) {
             self.repaint_at = None;
-            self.window.request_redraw();
+            self.want_frame();
         }
-        let later = wake.filter(|_| !is_due);
-        event_loop.set_control_flow(later.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
+        self.wake_at = [self.repaint_at, self.editor.wakes_at()].into_iter().flatten().min();
+        // A frame that is due wakes the window itself, and until it is drawn nothing else needs to.
+        let wake = self.wake_at.filter(|_| !self.frame_is_due);
+        event_loop.set_control_flow(wake.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
+        let rests = !self.frame_is_due && !self.editor.is_working() && wake.is_none_or(|at| at > now + REST);
+        if rests && std::mem::take(&mut self.is_awake) {
+            tracing::debug!("at rest");
+        }
     }
 }
 

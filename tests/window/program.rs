@@ -1,6 +1,6 @@
 //! The program under test: a real process with a window, and what it tells on stderr.
 
-use crate::screen::{Area, Screen};
+use crate::screen::{Area, Pixels, Screen};
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -10,6 +10,12 @@ use std::time::{Duration, Instant};
 /// Longest wait for anything; software drivers on a busy machine are slow.
 const PATIENCE: Duration = Duration::from_secs(60);
 
+/// Longest time from a move of the mouse to the program's first word about it.
+const QUIET: Duration = Duration::from_millis(300);
+
+/// Colour of what stands out, in the light theme.
+const ACCENT: [u8; 3] = [0x7b, 0x3f, 0x83];
+
 pub(crate) struct Program {
     child: Child,
     lines: Receiver<String>,
@@ -17,29 +23,45 @@ pub(crate) struct Program {
 }
 
 impl Program {
-    /// Starts the program with its settings and its state below `home`.
+    /// Opens the window, with settings and state below `home`, and gives it the keyboard.
     pub(crate) fn start(screen: &Screen, home: &Path, args: &[&str]) -> Self {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_penstemon"))
-            .arg("--verbose")
-            .args(args)
-            .env("DISPLAY", &screen.display)
-            .env("HOME", home)
-            .env("LANG", "en_GB.UTF-8")
-            .env("NO_COLOR", "1")
-            .env("XDG_RUNTIME_DIR", home)
-            .env_remove("WAYLAND_DISPLAY")
-            .env_remove("DBUS_SESSION_BUS_ADDRESS")
-            .env_remove("XDG_CONFIG_HOME")
-            .env_remove("XDG_STATE_HOME")
-            .env_remove("XDG_DATA_HOME")
-            .env_remove("LC_ALL")
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
+        Self::start_with(screen, home, args, &[])
+    }
+
+    /// The same with more in its environment.
+    pub(crate) fn start_with(screen: &Screen, home: &Path, args: &[&str], more: &[(&str, &str)]) -> Self {
+        let mut command = command(home, args);
+        command.env("DISPLAY", &screen.display).envs(more.iter().copied());
+        let mut program = Self::spawn(command);
+        program.wait_for("the window is drawn by");
+        program.raise(screen);
+        program
+    }
+
+    /// Starts the program and listens to it.
+    pub(crate) fn spawn(mut command: Command) -> Self {
+        let mut child = command.stderr(Stdio::piped()).spawn().unwrap();
         let (tell, lines) = channel();
         let stderr = BufReader::new(child.stderr.take().unwrap());
         std::thread::spawn(move || stderr.lines().map_while(Result::ok).try_for_each(|line| tell.send(line)));
         Self { child, lines, told: Vec::new() }
+    }
+
+    pub(crate) fn id(&self) -> u32 {
+        self.child.id()
+    }
+
+    /// X's number of the window.
+    pub(crate) fn window(&self, screen: &Screen) -> String {
+        let id = self.id().to_string();
+        let found = ["search", "--sync", "--onlyvisible", "--all", "--pid", &id, "--name", "Penstemon"];
+        screen.hand(&found).lines().next().unwrap().to_owned()
+    }
+
+    /// Puts the window before the others and gives it the keyboard: there is no window manager to do it.
+    pub(crate) fn raise(&self, screen: &Screen) {
+        let window = self.window(screen);
+        screen.hand(&["windowraise", &window, "windowfocus", "--sync", &window]);
     }
 
     /// Waits for a new line that contains `words` and returns it.
@@ -58,16 +80,72 @@ impl Program {
         }
     }
 
-    /// Waits until nothing has been told for a while, and returns the last line told that contains `words`.
-    pub(crate) fn settle(&mut self, words: &str) -> String {
-        let mut last = self.wait_for(words);
-        while let Ok(line) = self.lines.recv_timeout(Duration::from_millis(700)) {
-            self.told.push(line.clone());
-            if line.contains(words) {
-                last = line;
+    /// The last line told that contains `words`.
+    pub(crate) fn told(&mut self, words: &str) -> String {
+        self.told.extend(self.lines.try_iter());
+        let line = self.told.iter().rev().find(|line| line.contains(words));
+        line.unwrap_or_else(|| panic!("never told `{words}`; told:\n{}", self.told.join("\n"))).clone()
+    }
+
+    /// Whether something that contains `words` has been told, up to now.
+    pub(crate) fn has_told(&mut self, words: &str) -> bool {
+        self.told.extend(self.lines.try_iter());
+        self.told.iter().any(|line| line.contains(words))
+    }
+
+    /// Waits until the program has carried out everything and sleeps.
+    pub(crate) fn rest(&mut self) {
+        let deadline = Instant::now() + PATIENCE;
+        loop {
+            match self.lines.recv_timeout(QUIET) {
+                Ok(line) => self.told.push(line),
+                Err(_) => {
+                    let last = self.told.iter().rev().find(|line| line.contains("app::window"));
+                    if last.is_some_and(|line| line.contains("at rest")) {
+                        return;
+                    }
+                }
             }
+            assert!(Instant::now() < deadline, "never at rest; told:\n{}", self.told.join("\n"));
         }
-        last
+    }
+
+    /// Waits for a new plant and for rest, and returns what was told last of what was built.
+    pub(crate) fn built(&mut self) -> String {
+        self.wait_for("built revision");
+        self.built_now()
+    }
+
+    /// The same for a plant of so many strokes.
+    pub(crate) fn built_of(&mut self, strokes: usize) -> String {
+        self.wait_for(&format!(" strokes={strokes} "));
+        self.built_now()
+    }
+
+    fn built_now(&mut self) -> String {
+        self.rest();
+        self.told("built revision")
+    }
+
+    /// What is on the screen once the program rests.
+    pub(crate) fn picture(&mut self, screen: &Screen) -> Pixels {
+        self.rest();
+        screen.still()
+    }
+
+    /// Presses the one button of a dialog that stands out.
+    pub(crate) fn press_loud_button(&mut self, screen: &Screen) {
+        let button = self.picture(screen).widest(ACCENT).expect("a button that stands out");
+        screen.click(button);
+    }
+
+    /// Writes a name into the dialog that asks for a file.
+    pub(crate) fn type_name(&mut self, screen: &Screen, name: &str) {
+        self.rest();
+        screen.hand(&["key", "ctrl+a"]);
+        screen.hand(&["type", "--delay", "8", name]);
+        self.picture(screen).keep("asked-for-a-file");
+        screen.hand(&["key", "Return"]);
     }
 
     /// An area of the window by its name, as last laid out.
@@ -76,6 +154,10 @@ impl Program {
         let value = field(line, name);
         let numbers: Vec<f64> = value.split(',').map(|n| n.parse().unwrap()).collect();
         numbers.try_into().unwrap()
+    }
+
+    pub(crate) fn is_running(&mut self) -> bool {
+        self.child.try_wait().unwrap().is_none()
     }
 
     pub(crate) fn kill(&mut self) {
@@ -100,6 +182,23 @@ impl Drop for Program {
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
+}
+
+/// The program's command with settings and state below `home`, and no display at all.
+pub(crate) fn command(home: &Path, args: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_penstemon"));
+    command.arg("--verbose").args(args).env("HOME", home).env("LANG", "en_GB.UTF-8").env("NO_COLOR", "1");
+    // No session bus: the program asks for files with its own dialog.
+    command.env("XDG_RUNTIME_DIR", home);
+    let theirs =
+        ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET", "DBUS_SESSION_BUS_ADDRESS", "LANGUAGE", "LC_ALL"];
+    let folders = ["XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME"];
+    for name in
+        theirs.into_iter().chain(folders).chain(["LC_MESSAGES", "WGPU_BACKEND", "WINIT_X11_SCALE_FACTOR"])
+    {
+        command.env_remove(name);
+    }
+    command
 }
 
 /// The value of `name=value` in a line.

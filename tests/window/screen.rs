@@ -4,7 +4,21 @@ use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
 use tempfile::TempDir;
+
+/// Programs that are drawn by the processor take turns: each test has the machine to itself.
+static TURN: Mutex<()> = Mutex::new(());
+/// Longest wait for the screen to come to rest.
+const PATIENCE: Duration = Duration::from_secs(40);
+/// A screen that has not changed for so long rests.
+const REST: Duration = Duration::from_millis(150);
+
+/// Waits for the test's turn.
+pub(crate) fn turn() -> MutexGuard<'static, ()> {
+    TURN.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 /// An X server of its own, ended with this value.
 pub(crate) struct Screen {
@@ -12,6 +26,7 @@ pub(crate) struct Screen {
     folder: TempDir,
     /// For `DISPLAY`.
     pub(crate) display: String,
+    _turn: MutexGuard<'static, ()>,
 }
 
 /// What is on the screen: rows of red, green, blue.
@@ -26,7 +41,7 @@ pub(crate) type Area = [f64; 4];
 
 impl Screen {
     pub(crate) fn start(width: u32, height: u32) -> Self {
-        let folder = TempDir::new().unwrap();
+        let (_turn, folder) = (turn(), TempDir::new().unwrap());
         let mut server = Command::new("Xvfb")
             .args(["-displayfd", "1", "-nolisten", "tcp", "-dpi", "96", "-fbdir"])
             .arg(folder.path())
@@ -37,12 +52,13 @@ impl Screen {
             .expect("Xvfb, from Debian's package xvfb");
         let mut number = String::new();
         BufReader::new(server.stdout.take().unwrap()).read_line(&mut number).unwrap();
-        Self { server, folder, display: format!(":{}", number.trim()) }
+        Self { server, folder, display: format!(":{}", number.trim()), _turn }
     }
 
     /// Runs xdotool on this display and returns what it prints.
     pub(crate) fn hand(&self, words: &[&str]) -> String {
-        let done = Command::new("xdotool").args(words).env("DISPLAY", &self.display).output().unwrap();
+        let done = Command::new("xdotool").args(words).env("DISPLAY", &self.display).output();
+        let done = done.expect("xdotool, from the package of that name");
         assert!(done.status.success(), "xdotool {words:?}: {}", String::from_utf8_lossy(&done.stderr));
         String::from_utf8(done.stdout).unwrap()
     }
@@ -56,6 +72,27 @@ impl Screen {
         let rows = (0..height as usize).map(|y| &dump[start + y * stride as usize..][..4 * width as usize]);
         let rgb = rows.flat_map(|row| row.chunks_exact(4).flat_map(|p| [p[2], p[1], p[0]])).collect();
         Pixels { width, height, rgb }
+    }
+
+    /// What is on the screen once it does not change any more; the program should be at rest.
+    pub(crate) fn still(&self) -> Pixels {
+        let deadline = Instant::now() + PATIENCE;
+        let (mut last, mut since) = (self.pixels(), Instant::now());
+        while since.elapsed() < REST {
+            assert!(Instant::now() < deadline, "the screen never rests");
+            std::thread::sleep(Duration::from_millis(50));
+            let now = self.pixels();
+            if now.rgb != last.rgb {
+                (last, since) = (now, Instant::now());
+            }
+        }
+        last
+    }
+
+    /// Presses the left button at a place.
+    pub(crate) fn click(&self, [x, y]: [f64; 2]) {
+        let (x, y) = (x.round().to_string(), y.round().to_string());
+        self.hand(&["mousemove", &x, &y, "sleep", "0.05", "click", "1"]);
     }
 
     /// Draws a stroke with the left button: through these places in order.
@@ -86,6 +123,24 @@ impl Pixels {
     pub(crate) fn at(&self, x: u32, y: u32) -> [u8; 3] {
         let i = 3 * (y * self.width + x) as usize;
         self.rgb[i..i + 3].try_into().unwrap()
+    }
+
+    /// A place in the widest field of a colour, where it is at least as wide as a button.
+    pub(crate) fn widest(&self, colour: [u8; 3]) -> Option<[f64; 2]> {
+        let runs = (0..self.height).flat_map(|y| {
+            let mut from = 0;
+            (0..=self.width).filter_map(move |x| {
+                let is_in = x < self.width && self.at(x, y) == colour;
+                let run = (!is_in && x > from).then_some((x - from, from, y));
+                if !is_in {
+                    from = x + 1;
+                }
+                run
+            })
+        });
+        let (width, left, top) = runs.max_by_key(|&(width, _, y)| (width, u32::MAX - y))?;
+        // The widest run is the topmost whole row; a button is 40 points high.
+        (width >= 24).then(|| [f64::from(left) + 0.5 * f64::from(width), f64::from(top) + 12.0])
     }
 
     /// Share of an area's pixels that differ clearly from another picture's.

@@ -2,7 +2,7 @@
 
 use super::{Editor, GOOD_NEWS};
 use crate::app::fonts::{self, ChineseFont};
-use crate::app::messages::Language;
+use crate::app::messages::{Language, Msg};
 use crate::app::panels::Snapshot;
 use crate::app::panels::snapshot::{
     Autosave, Dialog, Found, ParamValues, Recovered, ReferenceState, Severity, Status,
@@ -118,9 +118,11 @@ impl Editor {
 
     /// The list of drawings that were found again.
     pub(super) fn recovery_dialog(&self) -> Dialog {
+        let untitled = self.messages.get(Msg::AppUntitled);
+        let name = |title: &str| if title.is_empty() { untitled } else { title }.to_owned();
         let recovered = self.found.iter().map(|found| Recovered {
             path: found.folder().to_owned(),
-            name: found.meta.title.clone(),
+            name: name(&found.meta.title),
             strokes: found.strokes(),
             when: ago(found.modified),
             thumbnail: self.picture_of(found.folder()),
@@ -161,10 +163,10 @@ impl Editor {
         !std::mem::replace(&mut self.fonts_are_set, true)
     }
 
-    /// The system's Chinese font where the language needs it; a notice where there is none.
+    /// The system's Chinese font, read when a language first needs it; a notice where there is none.
     pub(in crate::app) fn chinese_font(&mut self, language: Language) -> Option<&ChineseFont> {
         if language != Language::Chinese {
-            return None;
+            return self.chinese.as_ref().and_then(Option::as_ref);
         }
         if self.chinese.is_none() {
             self.chinese = Some(ChineseFont::of_system());

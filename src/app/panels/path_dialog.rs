@@ -28,6 +28,8 @@ struct Looking {
     failure: Option<String>,
     name: String,
     may_replace: bool,
+    /// The name was offered for writing.
+    is_offered: bool,
 }
 
 impl Looking {
@@ -85,7 +87,9 @@ pub(super) fn show(
     if saves {
         name_field(ui, &mut looking, messages);
     }
-    let chosen = footer(ui, &mut looking, request, saves, messages, out);
+    // Enter in the name field is the loud button.
+    let entered = saves && ui.input(|input| input.key_pressed(egui::Key::Enter));
+    let chosen = footer(ui, &mut looking, request, entered, messages, out);
     if let Some(path) = chosen {
         out.push(Action::PathChosen { purpose: request.purpose, path });
     }
@@ -154,8 +158,12 @@ fn name_field(ui: &mut Ui, looking: &mut Looking, messages: &Messages) {
         .hint_text(messages.get(Msg::PathName))
         .align(egui::Align2::LEFT_CENTER)
         .margin(egui::Margin::symmetric(10, 4));
-    if ui.add_sized(vec2(ui.available_width(), TARGET), field).changed() {
+    let response = ui.add_sized(vec2(ui.available_width(), TARGET), field);
+    if response.changed() {
         looking.may_replace = false;
+    }
+    if !std::mem::replace(&mut looking.is_offered, true) {
+        response.request_focus();
     }
 }
 
@@ -164,10 +172,11 @@ fn footer(
     ui: &mut Ui,
     looking: &mut Looking,
     request: &PathRequest,
-    saves: bool,
+    entered: bool,
     messages: &Messages,
     out: &mut Vec<Action>,
 ) -> Option<PathBuf> {
+    let saves = matches!(request.purpose, PathPurpose::SaveDrawing | PathPurpose::Export);
     let path = target(looking, request, saves);
     let mut chosen = None;
     buttons(ui, |ui| {
@@ -178,7 +187,7 @@ fn footer(
         };
         let press =
             ui.add_enabled_ui(path.is_some(), |ui| text_button(ui, None, messages.get(msg), true).clicked());
-        if let Some(path) = path.filter(|_| press.inner) {
+        if let Some(path) = path.filter(|_| press.inner || entered) {
             if saves && path.exists() && !looking.may_replace {
                 looking.may_replace = true;
             } else {

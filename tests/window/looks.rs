@@ -1,0 +1,113 @@
+//! What the window looks like: sizes, themes, languages, and rest.
+
+use crate::program::Program;
+use crate::screen::{Pixels, Screen};
+use crate::sketch_file;
+use std::fs;
+use std::path::Path;
+use std::time::{Duration, Instant};
+use tempfile::TempDir;
+
+/// Most processor time that a resting window may take. It takes none; the rest is for clocks that tick in 10 ms.
+const MOST_IDLE: f64 = 0.01;
+
+fn daisy_in(screen: &Screen, home: &Path, more: &[(&str, &str)]) -> Program {
+    let mut program = Program::start_with(screen, home, &[sketch_file("daisy").to_str().unwrap()], more);
+    program.built();
+    program
+}
+
+/// Processor time of a process up to now.
+fn processor_time(id: u32) -> Duration {
+    let stat = fs::read_to_string(format!("/proc/{id}/stat")).unwrap();
+    let fields: Vec<&str> = stat[stat.rfind(')').unwrap()..].split_whitespace().collect();
+    let ticks: u64 = fields[12].parse::<u64>().unwrap() + fields[13].parse::<u64>().unwrap();
+    Duration::from_millis(10 * ticks)
+}
+
+fn brightness(picture: &Pixels) -> f64 {
+    picture.rgb.iter().map(|&c| u64::from(c)).sum::<u64>() as f64 / picture.rgb.len() as f64
+}
+
+#[test]
+fn resize_storms_and_hidden_windows_are_survived_and_then_the_window_rests() {
+    let (screen, home) = (Screen::start(1600, 1000), TempDir::new().unwrap());
+    let mut program = daisy_in(&screen, home.path(), &[]);
+    let window = program.window(&screen);
+    for (width, height) in [(700, 500), (1, 1), (1500, 900), (320, 1000), (1600, 120), (900, 700)] {
+        screen.hand(&["windowsize", &window, &width.to_string(), &height.to_string()]);
+    }
+    screen.hand(&["windowsize", "--sync", &window, "1200", "760"]);
+    program.rest();
+    let before = program.picture(&screen);
+    before.keep("after-resizes");
+    let [left, top, width, height] = program.area("plant");
+    assert!(left + width <= 1200.0 && top + height <= 760.0);
+
+    screen.hand(&["windowunmap", "--sync", &window, "sleep", "0.3", "windowmap", "--sync", &window]);
+    program.raise(&screen);
+    let after = program.picture(&screen);
+    assert!(after.changed(&before, [0.0, 0.0, 1200.0, 760.0]) < 0.002, "the hidden window came back");
+
+    let (begun, time) = (Instant::now(), processor_time(program.id()));
+    std::thread::sleep(Duration::from_secs(3));
+    let used = (processor_time(program.id()) - time).as_secs_f64() / begun.elapsed().as_secs_f64();
+    assert!(used <= MOST_IDLE, "an idle window takes {:.1} % of a processor", 100.0 * used);
+    screen.hand(&["key", "ctrl+q"]);
+    assert!(program.wait().success());
+}
+
+#[test]
+fn theme_and_language_are_what_was_chosen() {
+    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let mut program = daisy_in(&screen, home.path(), &[]);
+    let light = program.picture(&screen);
+    // The button left of help, left of the side panel's.
+    screen.click([1049.0, 26.0]);
+    let menu = program.picture(&screen);
+    menu.keep("settings-menu");
+    assert!(menu.changed(&light, [755.0, 50.0, 310.0, 280.0]) > 0.3, "the menu is open");
+    // Dark, and light again.
+    screen.click([986.0, 169.0]);
+    program.picture(&screen).keep("dark-by-click");
+    assert!(brightness(&program.picture(&screen)) < 80.0);
+    screen.click([836.0, 169.0]);
+    assert!(brightness(&program.picture(&screen)) > 190.0);
+    // Chinese, and English again: the line above the choice changes.
+    let title = [755.0, 125.0, 310.0, 18.0];
+    screen.click([986.0, 98.0]);
+    let chinese = program.picture(&screen);
+    chinese.keep("chinese-by-click");
+    assert!(chinese.changed(&menu, title) > 0.02, "the menu is in Chinese");
+    screen.click([836.0, 98.0]);
+    let english = program.picture(&screen);
+    english.keep("english-again");
+    assert!(english.changed(&menu, title) < 0.002, "the menu is in English again");
+    screen.hand(&["key", "Escape"]);
+    program.rest();
+    screen.hand(&["key", "ctrl+q"]);
+    assert!(program.wait().success());
+
+    let folder = home.path().join(".config/penstemon");
+    let settings = fs::read_to_string(folder.join("settings.toml")).unwrap();
+    assert!(settings.contains("theme = \"light\""), "{settings}");
+    let dark =
+        settings.replace("\"light\"", "\"dark\"").replace("handedness = \"right\"", "handedness = \"left\"");
+    fs::write(folder.join("settings.toml"), dark.replace("language = \"en\"", "language = \"zh-CN\""))
+        .unwrap();
+    let mut program = daisy_in(&screen, home.path(), &[]);
+    let dark = program.picture(&screen);
+    dark.keep("dark-chinese-left-handed");
+    assert!(brightness(&light) > 190.0, "{}", brightness(&light));
+    assert!(brightness(&dark) < 80.0, "{}", brightness(&dark));
+}
+
+#[test]
+fn a_display_of_twice_the_density_shows_everything_twice_as_fine() {
+    let (screen, home) = (Screen::start(2560, 1600), TempDir::new().unwrap());
+    let mut program = daisy_in(&screen, home.path(), &[("WINIT_X11_SCALE_FACTOR", "2")]);
+    program.picture(&screen).keep("daisy-2x");
+    let ([left, top, ..], [right, _, width, height]) = (program.area("canvas"), program.area("plant"));
+    assert_eq!([left, top], [120.0, 104.0], "the bars are as wide in points");
+    assert!(right + width < 2560.0 && top + height < 1600.0 && height > 1400.0);
+}
