@@ -112,8 +112,8 @@ fn profile_normals(profile: &[Vec2], i: usize) -> (Vec2, Vec2) {
 /// A profile on its way around an axis.
 struct Sweep {
     stand: Stand,
-    side: Vec3,
-    other: Vec3,
+    /// Unit directions from the axis to the sides.
+    around: Vec<Vec3>,
     sides: u32,
     picture: Picture,
     widest: f32,
@@ -128,7 +128,11 @@ fn revolve(mesh: &mut Mesh, stand: Stand, profile: &[Vec2], sides: u32, picture:
     }
     let side = frame::hidden_side(stand.axis);
     let widest = profile.iter().fold(f32::MIN_POSITIVE, |m, p| m.max(p.x));
-    let sweep = Sweep { stand, side, other: stand.axis.cross(side), sides, picture, widest };
+    let other = stand.axis.cross(side);
+    let direction = |c: Vec2| side * c.x + other * c.y;
+    let angles = (0..sides).map(|j| TAU * j as f32 / sides as f32);
+    let around = angles.map(|angle| direction(Vec2::from_angle(angle))).collect();
+    let sweep = Sweep { stand, around, sides, picture, widest };
     let length: f32 = profile.windows(2).map(|w| w[0].distance(w[1])).sum();
     let mut first_point = sweep.points(mesh, profile[0]);
     let mut bottom = sweep.row(mesh, profile[0], profile_normals(&profile, 0).1, 0.0, first_point);
@@ -145,17 +149,12 @@ fn revolve(mesh: &mut Mesh, stand: Stand, profile: &[Vec2], sides: u32, picture:
 }
 
 impl Sweep {
-    fn direction(&self, j: u32) -> Vec3 {
-        let c = Vec2::from_angle(TAU * (j % self.sides) as f32 / self.sides as f32);
-        self.side * c.x + self.other * c.y
-    }
-
     /// Appends the points of one profile point, a single one on the axis, and returns the first's index.
     fn points(&self, mesh: &mut Mesh, p: Vec2) -> u32 {
         let first = mesh.points.len() as u32;
         let centre = self.stand.base + self.stand.axis * p.y;
         if p.x > 0.0 {
-            mesh.points.extend((0..self.sides).map(|j| centre + self.direction(j) * p.x));
+            mesh.points.extend(self.around.iter().map(|direction| centre + *direction * p.x));
         } else {
             mesh.points.push(centre);
         }
@@ -168,7 +167,6 @@ impl Sweep {
         let pole = p.x <= 0.0;
         let count = if pole { self.sides } else { self.sides + 1 };
         mesh.vertices.extend((0..count).map(|j| {
-            let direction = self.direction(j);
             let around = (j as f32 + if pole { 0.5 } else { 0.0 }) / self.sides as f32;
             let uv = match self.picture {
                 Picture::Wrapped => Vec2::new(around, along.min(1.0)),
@@ -177,9 +175,10 @@ impl Sweep {
                     (Vec2::splat(0.5) + c).clamp(Vec2::ZERO, Vec2::ONE)
                 }
             };
-            let point = if pole { first_point } else { first_point + j % self.sides };
+            let side = j % self.sides;
+            let point = if pole { first_point } else { first_point + side };
             // At a pole the sideways parts cancel; one that is only sideways (a spike) has none to keep.
-            let outward = if pole { Vec3::ZERO } else { direction * normal.x };
+            let outward = if pole { Vec3::ZERO } else { self.around[side as usize] * normal.x };
             let normal = outward + self.stand.axis * normal.y;
             Vertex { point, normal: normal.try_normalize().unwrap_or(self.stand.axis), uv }
         }));
