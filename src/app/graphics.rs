@@ -6,17 +6,16 @@
 use super::canvas::Rect as CanvasRect;
 use super::editor::{Editor, Versions};
 use super::frame::{EguiFrame, EguiPainter};
+use super::paper::{Paper, PaperChange};
 use super::plant_view;
 use super::surface::Surface;
 use super::theme::Palette;
-use crate::anatomy::Part;
 use crate::render::canvas::{CanvasLayer, CanvasView};
 use crate::render::{RenderError, Renderer, Viewport, decode};
-use crate::sketch::{Stroke, StrokeId};
+use crate::sketch::StrokeId;
 use anyhow::Context as _;
 use egui::Color32;
 use glam::{Affine2, DAffine2, DVec2, Vec2};
-use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use winit::dpi::PhysicalSize;
@@ -77,7 +76,7 @@ pub(super) struct Graphics {
     plant_revision: u64,
     /// What is on the card.
     shown: Versions,
-    strokes: BTreeMap<StrokeId, (Arc<Stroke>, Color32)>,
+    paper: Paper,
     /// The growing stroke and how many of its points are on the card.
     growing: Option<(StrokeId, usize)>,
     reference: Option<u64>,
@@ -106,7 +105,7 @@ impl Graphics {
             plant,
             plant_revision,
             shown: Versions::default(),
-            strokes: BTreeMap::new(),
+            paper: Paper::default(),
             growing: None,
             reference: None,
         })
@@ -241,37 +240,23 @@ impl Graphics {
 
     /// Brings the strokes on the card in step with the drawing as it is previewed.
     fn sync_strokes(&mut self, editor: &Editor) {
-        let strokes = editor.canvas.previewed(&editor.document.sketch().strokes);
-        let colours = colours(editor);
-        let palette = Palette::of(editor.settings.theme);
-        let mut gone = std::mem::take(&mut self.strokes);
-        for stroke in &strokes {
-            let mut colour = colours.get(&stroke.id).copied().unwrap_or_else(|| palette.tool(stroke.tool));
-            if editor.canvas.selection().ids().contains(&stroke.id) {
-                colour = palette.selection;
-            }
-            match gone.remove(&stroke.id) {
-                Some((known, shown)) if Arc::ptr_eq(&known, stroke) => {
-                    if shown != colour {
-                        self.canvas.set_colour(stroke.id, colour.to_array());
-                    }
+        for change in self.paper.follow(editor) {
+            match change {
+                PaperChange::Set(stroke, colour) => {
+                    self.canvas.set_stroke(stroke.id, &stroke.points, colour.to_array(), LINE_WIDTH);
                 }
-                _ => self.canvas.set_stroke(stroke.id, &stroke.points, colour.to_array(), LINE_WIDTH),
+                PaperChange::Recolour(id, colour) => self.canvas.set_colour(id, colour.to_array()),
+                PaperChange::Remove(id) => self.canvas.remove_stroke(id),
+                PaperChange::Order(ids) => self.canvas.set_order(&ids),
             }
-            self.strokes.insert(stroke.id, (Arc::clone(stroke), colour));
-        }
-        for id in gone.into_keys() {
-            self.canvas.remove_stroke(id);
         }
         let growing = editor.canvas.growing().map(|stroke| stroke.id());
         if let Some((id, _)) = self.growing.filter(|(id, _)| growing != Some(*id)) {
             self.growing = None;
-            if !self.strokes.contains_key(&id) {
+            if !self.paper.shows(id) {
                 self.canvas.remove_stroke(id);
             }
         }
-        let order: Vec<StrokeId> = strokes.iter().map(|s| s.id).collect();
-        self.canvas.set_order(&order);
     }
 
     fn sync_reference(&mut self, editor: &Editor) -> Result<(), RenderError> {
@@ -296,23 +281,6 @@ impl Graphics {
         }
         Ok(())
     }
-}
-
-/// The colour of every stroke that the analysis has understood.
-fn colours(editor: &Editor) -> BTreeMap<StrokeId, Color32> {
-    let palette = Palette::of(editor.settings.theme);
-    let Some(built) = &editor.built else { return BTreeMap::new() };
-    let levels: BTreeMap<StrokeId, u32> =
-        built.anatomy.branches.iter().filter_map(|b| Some((b.stroke?, b.level))).collect();
-    let colour = |stroke: StrokeId, part: Part| match part {
-        Part::Petal => palette.petal,
-        Part::Leaf => palette.leaf,
-        Part::Branch => palette.branch_level(levels.get(&stroke).copied().unwrap_or(0)),
-        Part::BranchOutline => palette.branch_outline,
-        Part::LeafOutline => palette.leaf_outline,
-        Part::Ignored => palette.ignored,
-    };
-    built.anatomy.marks.iter().map(|mark| (mark.stroke, colour(mark.stroke, mark.part))).collect()
 }
 
 /// The part of a rectangle that lies on the surface, whole pixels: left, top, width, height; `None` where there is none.
