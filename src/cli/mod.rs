@@ -8,7 +8,7 @@ pub mod common;
 pub mod inspect;
 pub mod render;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -20,6 +20,7 @@ pub struct Cli {
     #[arg(long, global = true)]
     pub verbose: bool,
     /// Opens the window on this drawing (.penstemon or .svg); without it, on a sample or an empty drawing.
+    #[arg(value_parser = drawing)]
     pub file: Option<PathBuf>,
     /// What to do without a window.
     #[command(subcommand)]
@@ -37,6 +38,17 @@ pub enum Verb {
     Check(check::Args),
     /// Picture of a sketch or model.
     Render(render::Args),
+}
+
+/// A drawing named without a verb; a word that is no file is more likely a mistyped verb.
+fn drawing(name: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(name);
+    if path.extension().is_some() || path.components().count() > 1 || path.exists() {
+        return Ok(path);
+    }
+    let verbs = Cli::command().get_subcommands().map(|v| v.get_name().to_owned()).collect::<Vec<_>>();
+    let nearest = crate::suggest::nearest(name, verbs.iter().map(String::as_str)).map(str::to_owned);
+    Err(format!("there is no verb and no drawing of this name{}", crate::suggest::did_you_mean(&nearest)))
 }
 
 /// An error with its causes as one message. Many errors quote their cause; it is not said twice.
