@@ -137,6 +137,10 @@ impl PlantView {
     /// Hears of a new plant.
     pub fn set_bounds(&mut self, bounds: Option<(Vec3, Vec3)>) {
         self.bounds = bounds;
+        if bounds.is_none() {
+            // Nowhere to fly to: without this the window would never rest.
+            self.flight = None;
+        }
         self.stir();
         self.follow();
     }
@@ -287,6 +291,16 @@ mod tests {
         let held = view.camera();
         view.set_bounds(Some(BOX));
         assert_eq!(view.camera(), held);
+    }
+
+    #[test]
+    fn a_flight_to_a_plant_that_is_gone_ends() {
+        let mut view = PlantView::default();
+        view.set_bounds(Some(BOX));
+        view.show_front();
+        assert!(view.is_moving());
+        view.set_bounds(None);
+        assert!(!view.is_moving());
     }
 
     #[test]

@@ -1,9 +1,10 @@
 //! Drawing, saving, exporting, and what is left after the program was killed.
 
-use crate::program::{Program, command, field};
+use crate::program::{Program, field};
 use crate::screen::Screen;
 use crate::{daisy, draw_line, number, sketch_file, strokes_in};
 use penstemon::sketch::{self, Tool};
+use std::process::Command;
 use tempfile::TempDir;
 
 #[test]
@@ -67,8 +68,8 @@ fn export(screen: &Screen, program: &mut Program, home: &TempDir) {
     program.wait_for("exported");
     program.picture(screen).keep("exported");
     let file = home.path().join("daisy.glb");
-    let checked = command(home.path(), &["check", file.to_str().unwrap()]).output().unwrap();
-    assert!(checked.status.success(), "{}", String::from_utf8_lossy(&checked.stdout));
+    let checked = Command::new(env!("CARGO_BIN_EXE_penstemon")).arg("check").arg(&file).output().unwrap();
+    assert!(checked.status.success(), "{}", String::from_utf8_lossy(&checked.stderr));
     let surfaces = penstemon::export::read(&file).unwrap();
     assert!(surfaces.len() > 20, "{} surfaces", surfaces.len());
 }
