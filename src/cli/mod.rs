@@ -14,7 +14,7 @@ use std::process::ExitCode;
 
 /// Turns pen strokes into 3D plants.
 #[derive(Debug, Parser)]
-#[command(name = "penstemon", version, args_conflicts_with_subcommands = true)]
+#[command(name = "penstemon", version)]
 pub struct Cli {
     /// Also tell on stderr how long each stage takes and which driver draws.
     #[arg(long, global = true)]
@@ -80,6 +80,15 @@ pub fn run(cli: Cli) -> anyhow::Result<ExitCode> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_drawing_or_a_verb_with_options_before_it() {
+        let parsed = |line: &str| Cli::try_parse_from(line.split_whitespace());
+        assert_eq!(parsed("penstemon a.penstemon").unwrap().file, Some("a.penstemon".into()));
+        let judged = parsed("penstemon --verbose check a.glb").unwrap();
+        assert!(judged.verbose && judged.file.is_none() && matches!(judged.verb, Some(Verb::Check(_))));
+        assert!(parsed("penstemon bulid").is_err());
+    }
     use anyhow::anyhow;
 
     #[test]
