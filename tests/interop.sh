@@ -48,7 +48,7 @@ fi
 
 # Together with an example, so that the dependencies are those of the tests and need no second build.
 [ -n "${PENSTEMON:-}" ] || cargo build --quiet --bin penstemon --example fixture_models
-export PENSTEMON=${PENSTEMON:-target/debug/penstemon}
+export PENSTEMON=${PENSTEMON:-${CARGO_TARGET_DIR:-target}/debug/penstemon}
 models=${1:-}
 if [ -z "$models" ]; then
     models=$(mktemp -d)
