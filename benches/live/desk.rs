@@ -112,6 +112,7 @@ impl Desk {
             pressure: if is_touching { point.pressure } else { 0.0 },
             tilt_deg: Vec2::ZERO,
             twist_deg: 0.0,
+            distance: 0.0,
             tool: PenTool::Pen,
             buttons: PenButtons { primary: is_touching, ..PenButtons::default() },
             time_ms: self.start.elapsed().as_secs_f64() * 1e3,

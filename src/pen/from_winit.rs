@@ -327,6 +327,7 @@ impl Pointer {
             pressure: 0.0,
             tilt_deg: reading.tilt_deg,
             twist_deg: reading.twist_deg,
+            distance: 0.0,
             tool: reading.tool,
             buttons: PenButtons::default(),
             time_ms: reading.time_ms,

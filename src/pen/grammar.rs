@@ -63,7 +63,7 @@ fn are_ends_of_one_pen(a: PenTool, b: PenTool) -> bool {
 }
 
 fn check_sample(event: &PenEvent) -> Result<(), String> {
-    let PenSample { position, pressure, tilt_deg, twist_deg, buttons, time_ms, .. } = event.sample;
+    let PenSample { position, pressure, tilt_deg, twist_deg, distance, buttons, time_ms, .. } = event.sample;
     let fault = if !position.is_finite() || position.abs().max_element() > MAX_POSITION_PX {
         "position out of range"
     } else if !(0.0..=1.0).contains(&pressure) {
@@ -72,6 +72,8 @@ fn check_sample(event: &PenEvent) -> Result<(), String> {
         "tilt out of range"
     } else if !(0.0..360.0).contains(&twist_deg) {
         "twist out of range"
+    } else if !(0.0..=1.0).contains(&distance) {
+        "distance out of range"
     } else if !time_ms.is_finite() {
         "time is no number"
     } else if matches!(event.phase, PenPhase::Down | PenPhase::Move) != buttons.primary {
@@ -97,6 +99,7 @@ mod tests {
             pressure: if primary { 0.5 } else { 0.0 },
             tilt_deg: Vec2::ZERO,
             twist_deg: 0.0,
+            distance: 0.0,
             tool,
             buttons: PenButtons { primary, ..PenButtons::default() },
             time_ms,

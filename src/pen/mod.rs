@@ -8,6 +8,7 @@
 #[cfg(feature = "program")]
 pub mod from_winit;
 pub mod grammar;
+pub mod hid;
 pub mod palm_gate;
 pub mod pressure;
 #[cfg(test)]
@@ -58,6 +59,8 @@ pub struct PenSample {
     pub tilt_deg: Vec2,
     /// Turn about the pen's own axis in degrees, 0 to 360; 0 for devices without.
     pub twist_deg: f32,
+    /// Height over the surface as a share of the range in which the pen is seen, 0 to 1; 0 for devices without.
+    pub distance: f32,
     /// What touches.
     pub tool: PenTool,
     /// Buttons held.

@@ -21,6 +21,7 @@ impl Hand {
             pressure: if primary { 0.5 } else { 0.0 },
             tilt_deg: Vec2::ZERO,
             twist_deg: 0.0,
+            distance: 0.0,
             tool,
             buttons: PenButtons { primary, ..self.buttons },
             time_ms,

@@ -1,0 +1,8 @@
+//! Raw HID: tablets read past the window system, report by report.
+//!
+//! A device's node is opened, woken up where its maker demands it, and drained by a thread of its own. Whatever the bytes
+//! look like, a decoder turns each report into [`HidEvent`]s; nobody after it knows which family the tablet is of.
+
+pub mod report;
+
+pub use report::{Decode, HidEvent, RawPen};

@@ -1,0 +1,60 @@
+//! What one input report says, whatever family of tablet sent it.
+//!
+//! Decoders are pure: bytes in, events out, state only where the protocol itself latches (a tool announced in one report and
+//! used in the next). They allocate nothing for a report. Units are the same for all: position and pressure as shares of
+//! the device's range, angles in degrees.
+
+use glam::{DVec2, Vec2};
+
+/// The state of a pen over or on its tablet, as one report gives it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RawPen {
+    /// The pen is near enough to be seen; a report without it says that the pen went away, and nothing else of it counts.
+    pub in_range: bool,
+    /// The tip, or the other end if [`Self::eraser`], touches.
+    pub touches: bool,
+    /// The eraser end points at the tablet.
+    pub eraser: bool,
+    /// Barrel buttons held: lower, upper, third.
+    pub barrel: [bool; 3],
+    /// Share of the active area, 0 to 1: x right, y toward the artist.
+    pub position: DVec2,
+    /// Share of the greatest pressure, 0 to 1; `None` for devices without.
+    pub pressure: Option<f32>,
+    /// Lean in degrees, −90 to 90: x toward the right, y toward the artist.
+    pub tilt_deg: Vec2,
+    /// Turn about the pen's own axis in degrees, 0 to 360 (not included).
+    pub twist_deg: f32,
+    /// Height over the surface as a share of the range in which the pen is seen, 0 to 1; 0 for devices without.
+    pub distance: f32,
+    /// The pen's serial number; 0 for devices without.
+    pub serial: u64,
+}
+
+/// What a report says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum HidEvent {
+    /// Where the pen is and how it is held.
+    Pen(RawPen),
+    /// Which keys of the tablet are held: bit 0 is the first key.
+    Keys(u32),
+    /// A finger: its number, whether it touches, and where, as a share of the area. A touch the device itself takes for a
+    /// palm is never reported.
+    Touch {
+        /// Number of the contact for as long as it touches.
+        finger: u16,
+        /// It touches now.
+        touches: bool,
+        /// Share of the touch area, 0 to 1.
+        position: DVec2,
+    },
+    /// Charge of the pen or the tablet in percent.
+    Battery(u8),
+}
+
+/// Turns the input reports of one device node into events.
+pub trait Decode: Send {
+    /// Decodes one report and hands each thing it says to `sink`. `report[0]` is the report id; nodes without report ids have
+    /// 0 there. Reports that are cut short, unknown or not about a pen say nothing.
+    fn decode(&mut self, report: &[u8], sink: &mut dyn FnMut(HidEvent));
+}
