@@ -86,18 +86,31 @@ fn tip_index(outline: &[Sample], root: Vec2, params: &TipParams) -> usize {
     let n = outline.len();
     let farthest = outline.iter().map(|s| s.position.distance(root)).fold(f32::MIN_POSITIVE, f32::max);
     let reach = ((n as f32 * TURN_SHARE) as usize).clamp(1, n - 1);
-    let sharpness = |i: usize| {
+    let sides = |i: usize| {
         let here = outline[i].position;
         let before = here - outline[i.saturating_sub(reach)].position;
-        let after = outline[(i + reach).min(n - 1)].position - here;
+        (before, outline[(i + reach).min(n - 1)].position - here)
+    };
+    let sharpness = |i: usize| {
+        let (before, after) = sides(i);
         params.sharpness_weight * turning(before, after) / std::f32::consts::PI
+    };
+    let distance = |i: usize| params.distance_weight * outline[i].position.distance(root) / farthest;
+    let span = reach..n.saturating_sub(reach);
+    let far = span.clone().max_by(|&a, &b| distance(a).total_cmp(&distance(b)));
+    // The arc tangent is dear and seldom needed: what cannot reach the farthest sample's score is passed over.
+    let least = far.map_or(f32::NEG_INFINITY, |i| distance(i) + sharpness(i));
+    let most_sharpness = |i: usize| {
+        let (before, after) = sides(i);
+        let (across, along) = (before.perp_dot(after).abs(), before.dot(after));
+        // No angle below a right one is larger than its tangent; the margin is for rounding.
+        params.sharpness_weight * if along > 0.0 { (across / along * 0.32).min(0.501) } else { 1.001 }
     };
     let mut best = (n / 2, f32::NEG_INFINITY);
     // Of equals the last wins.
-    for i in (reach..n - reach).rev() {
-        let distance = params.distance_weight * outline[i].position.distance(root) / farthest;
-        // The arc tangent is dear and seldom needed: no turn is worth more than the whole weight.
-        if distance + params.sharpness_weight <= best.1 {
+    for i in span.rev() {
+        let distance = distance(i);
+        if distance + params.sharpness_weight <= best.1 || distance + most_sharpness(i) < least {
             continue;
         }
         let score = distance + sharpness(i);

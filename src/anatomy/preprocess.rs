@@ -72,17 +72,19 @@ pub fn smooth(samples: &[Sample], params: &PreprocessParams) -> Vec<Sample> {
     }
     let weights: Vec<f32> =
         (0..=window).map(|j| (-((j * j) as f32) / (2.0 * params.weight * params.weight)).exp()).collect();
+    let per_total: Vec<f32> =
+        (0..=window).map(|reach| 1.0 / (weights[0] + 2.0 * weights[1..=reach].iter().sum::<f32>())).collect();
     let fixed = fixed_samples(samples, params.corner.to_radians());
     let mut out = samples.to_vec();
     for piece in fixed.windows(2) {
         for i in piece[0] + 1..piece[1] {
             let reach = window.min(i - piece[0]).min(piece[1] - i);
-            let (mut sum, mut total) = (samples[i].position * weights[0], weights[0]);
-            for j in 1..=reach {
-                sum += (samples[i - j].position + samples[i + j].position) * weights[j];
-                total += 2.0 * weights[j];
+            let (before, after) = (samples[i - reach..i].iter().rev(), &samples[i + 1..=i + reach]);
+            let mut sum = samples[i].position * weights[0];
+            for ((b, a), weight) in before.zip(after).zip(&weights[1..]) {
+                sum += (b.position + a.position) * *weight;
             }
-            out[i].position = sum / total;
+            out[i].position = sum * per_total[reach];
         }
     }
     out

@@ -110,8 +110,11 @@ fn first_crossing(points: &[Vec2]) -> Option<(usize, usize, f32)> {
         (a * RUN..((b + 1) * RUN).min(n)).map(edge).all(|(from, to)| (to - from).dot(along) > 0.0)
     };
     for a in 0..runs.len() {
+        // What goes forward together with its successor goes forward alone.
+        let together = a + 1 < runs.len() && goes_forward(a, a + 1);
         for b in a..runs.len() {
-            if runs[a].is_apart_from(&runs[b]) || (b <= a + 1 && goes_forward(a, b)) {
+            let forward = b <= a + 1 && (together || (a == b && goes_forward(a, a)));
+            if forward || runs[a].is_apart_from(&runs[b]) {
                 continue;
             }
             for i in a * RUN..((a + 1) * RUN).min(n) {

@@ -4,7 +4,7 @@
 //! heads another (`anthers_3`), or the same part if they share a material.
 
 use super::mesh::Mesh;
-use super::solids::{self, SolidParams, Stand};
+use super::solids::{Ellipsoid, SolidParams, Stand};
 use super::spine;
 use super::tube::{self, Picture, TubeLook, TubeScratch};
 use crate::plant::{Organ, Shape};
@@ -30,6 +30,8 @@ pub(super) fn mesh<'a>(
     scratch: &mut TubeScratch,
 ) -> Mesh {
     let mut mesh = Mesh::default();
+    let mut shaped: Option<Ellipsoid> = None;
+    let mut has_threads = false;
     for (organ, piece) in pieces {
         let Shape::Filament { points, radius, head, .. } = &organ.shape else { continue };
         match piece {
@@ -41,15 +43,24 @@ pub(super) fn mesh<'a>(
                     tip: TIP,
                     detail,
                 };
+                has_threads = true;
                 tube::append(&mut mesh, points.iter().map(|p| (*p, *radius)), look, scratch);
             }
             Piece::Head => {
                 let [.., before, end] = points[..] else { continue };
                 let axis = (end - before).try_normalize().unwrap_or(Vec3::Y);
-                solids::append_ellipsoid(&mut mesh, Stand { base: end, axis }, *head, params);
+                // The heads of one flower are mostly equal.
+                let ellipsoid = match shaped.take() {
+                    Some(same) if same.size() == *head => same,
+                    _ => Ellipsoid::new(*head, params),
+                };
+                shaped.insert(ellipsoid).append(&mut mesh, Stand { base: end, axis });
             }
         }
     }
-    mesh.split_disagreeing_corners();
+    // Heads bulge everywhere; threads may bend back on themselves.
+    if has_threads {
+        mesh.split_disagreeing_corners();
+    }
     mesh
 }

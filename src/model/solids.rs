@@ -8,7 +8,7 @@
 
 use super::mesh::{Mesh, Vertex};
 use crate::geom::frame;
-use glam::{Vec2, Vec3};
+use glam::{Mat3, Vec2, Vec3};
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
 crate::parameters! {
@@ -57,11 +57,43 @@ pub(super) fn dome(stand: Stand, (radius, height): (f32, f32), params: &SolidPar
     revolved(stand, &profile, params.sides, Picture::FromAbove)
 }
 
-/// Appends an ellipsoid around the stand's base; `size` is its radius and half length in metres.
-pub(super) fn append_ellipsoid(mesh: &mut Mesh, stand: Stand, size: Vec2, params: &SolidParams) {
-    let rows = params.head_rows;
-    let arc = (0..=rows).map(|i| Vec2::from_angle(PI * i as f32 / rows as f32 - FRAC_PI_2) * size);
-    revolve(mesh, stand, &arc.collect::<Vec<_>>(), params.head_sides, Picture::Wrapped);
+/// An ellipsoid that is shaped once and placed many times.
+pub(super) struct Ellipsoid {
+    size: Vec2,
+    /// Around the origin, with its axis upright.
+    upright: Mesh,
+}
+
+impl Ellipsoid {
+    /// `size` is its radius and half length in metres.
+    pub(super) fn new(size: Vec2, params: &SolidParams) -> Self {
+        let rows = params.head_rows;
+        let arc = (0..=rows).map(|i| Vec2::from_angle(PI * i as f32 / rows as f32 - FRAC_PI_2) * size);
+        let stand = Stand { base: Vec3::ZERO, axis: Vec3::Y };
+        let mut upright = Mesh::default();
+        revolve(&mut upright, stand, &arc.collect::<Vec<_>>(), params.head_sides, Picture::Wrapped);
+        Self { size, upright }
+    }
+
+    /// Radius and half length in metres.
+    pub(super) fn size(&self) -> Vec2 {
+        self.size
+    }
+
+    /// Appends it around the stand's base.
+    pub(super) fn append(&self, mesh: &mut Mesh, stand: Stand) {
+        let (first_point, first_vertex) = (mesh.points.len() as u32, mesh.vertices.len() as u32);
+        // Upright, the hidden side is −z and the side after it −x.
+        let side = frame::hidden_side(stand.axis);
+        let turn = Mat3::from_cols(side.cross(stand.axis), stand.axis, -side);
+        mesh.points.extend(self.upright.points.iter().map(|p| stand.base + turn * *p));
+        mesh.vertices.extend(self.upright.vertices.iter().map(|v| Vertex {
+            point: first_point + v.point,
+            normal: turn * v.normal,
+            uv: v.uv,
+        }));
+        mesh.triangles.extend(self.upright.triangles.iter().map(|t| t.map(|v| first_vertex + v)));
+    }
 }
 
 /// A lathed body; `profile` holds (radius, height) along the outside and back along the inside, metres.
@@ -217,6 +249,19 @@ mod tests {
         }
         let top = mesh.points.iter().map(|p| p.y).fold(0.0, f32::max);
         assert_eq!(top, 1.0);
+    }
+
+    #[test]
+    fn a_placed_ellipsoid_stands_on_its_axis() {
+        let axis = Vec3::new(0.6, -0.48, 0.64);
+        let base = Vec3::new(1.0, 2.0, 3.0);
+        let mut mesh = Mesh::default();
+        Ellipsoid::new(Vec2::new(0.5, 2.0), &SolidParams::default()).append(&mut mesh, Stand { base, axis });
+        mesh.check_invariants().unwrap();
+        for p in mesh.points {
+            let (along, off) = ((p - base).dot(axis), (p - base).reject_from_normalized(axis).length());
+            assert!(((along / 2.0).powi(2) + (off / 0.5).powi(2) - 1.0).abs() < 1e-4);
+        }
     }
 
     #[test]

@@ -69,6 +69,7 @@ pub(super) struct TubeLook {
 pub(super) struct TubeScratch {
     spine: SpineScratch,
     rings: Vec<Ring>,
+    /// Directions to the sides; kept while tubes have equally many.
     circle: Vec<Vec2>,
 }
 
@@ -106,8 +107,10 @@ pub(super) fn append(
     scratch: &mut TubeScratch,
 ) {
     spine::rings(skeleton, look.detail, &mut scratch.spine, &mut scratch.rings);
-    scratch.circle.clear();
-    scratch.circle.extend((0..look.sides).map(|j| Vec2::from_angle(TAU * j as f32 / look.sides as f32)));
+    if scratch.circle.len() != look.sides as usize {
+        scratch.circle.clear();
+        scratch.circle.extend((0..look.sides).map(|j| Vec2::from_angle(TAU * j as f32 / look.sides as f32)));
+    }
     let (rings, circle) = (&scratch.rings[..], &scratch.circle[..]);
     let (k, count) = (look.sides as usize, rings.len());
     mesh.points.reserve(count * k + 1);
