@@ -10,6 +10,7 @@ mod live;
 mod outcomes;
 mod perform;
 mod reference;
+mod saving;
 mod snapshot;
 mod task;
 
@@ -32,6 +33,7 @@ use crate::species::Species;
 use anyhow::Context as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use saving::Saver;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
 use task::Task;
@@ -156,6 +158,9 @@ pub struct Editor {
     dialog: Option<Dialog>,
     /// What waits for the answer about unsaved changes.
     held_up: Option<Action>,
+    /// Revision of the drawing that the artist does not want to keep.
+    given_up: Option<u64>,
+    saver: Saver,
     part_menu: Option<PartMenu>,
     /// The picture under the drawing is being moved or scaled.
     hold: Option<reference::Hold>,
@@ -171,7 +176,7 @@ pub struct Editor {
     copied: Option<egui::ColorImage>,
     title: Option<String>,
     shown_title: String,
-    wake: Arc<dyn Fn() + Send + Sync>,
+    wake: task::Wake,
     closed: bool,
 }
 
@@ -197,7 +202,7 @@ impl Editor {
         let messages = Messages::new(super::messages::Language::of_system());
         let (settings, broken) = Settings::load(&places.config, &messages);
         let is_first_start = !places.config.join(super::settings::FILE_NAME).exists();
-        let wake: Arc<dyn Fn() + Send + Sync> = Arc::new(wake);
+        let wake: task::Wake = Arc::new(wake);
         let theirs = Arc::clone(&wake);
         let worker = Worker::start(move || theirs()).context("no thread for the live plant")?;
         let recovery = Recovery::at(&places.state);
@@ -222,6 +227,8 @@ impl Editor {
             found_pictures: Vec::new(),
             dialog: None,
             held_up: None,
+            given_up: None,
+            saver: Saver::default(),
             part_menu: None,
             hold: None,
             notices: Vec::new(),
@@ -261,6 +268,7 @@ impl Editor {
             self.take_update(update);
         }
         self.collect_task();
+        self.collect_save();
         while let Ok(action) = self.answered.try_recv() {
             self.perform(action);
         }
@@ -437,8 +445,9 @@ impl Editor {
         self.closed
     }
 
-    /// Ends everything; called once when the window closes.
+    /// Ends everything; called once when the window closes. Waits for what is being saved.
     pub fn shut_down(&mut self) {
+        self.finish_saving();
         self.save_settings();
         self.cancel_task();
         if let Some(journal) = self.journal.take() {
@@ -453,7 +462,7 @@ impl Editor {
 
     /// Whether another thread works on something that will be shown.
     pub fn is_working(&self) -> bool {
-        self.building.is_running || self.building.is_stale || self.task.is_some()
+        self.building.is_running || self.building.is_stale || self.task.is_some() || self.saver.is_busy()
     }
 
     /// When something on the screen changes by itself.

@@ -1,5 +1,6 @@
 //! Drawings on disk: new, open, save, recover, import; and the questions that come before.
 
+use super::saving::Target;
 use super::{Editor, OwnFile};
 use crate::app::action::Action;
 use crate::app::canvas::Canvas;
@@ -24,9 +25,11 @@ impl Editor {
         self.perform_if_saved(Action::Quit);
     }
 
-    /// Carries out what replaces the drawing, after asking about unsaved changes.
+    /// Carries out what replaces the drawing: after what is being saved, and after asking about unsaved changes.
     pub(super) fn perform_if_saved(&mut self, action: Action) {
-        if self.document.is_saved() {
+        if self.saver.is_busy() {
+            self.saver.then = Some(action);
+        } else if self.document.is_saved() || self.given_up == Some(self.document.revision()) {
             self.replace(action);
         } else {
             self.held_up = Some(action);
@@ -34,19 +37,21 @@ impl Editor {
         }
     }
 
-    /// Saves, and goes on where that worked.
+    /// Saves, and goes on where that works.
     pub(super) fn save_and_continue(&mut self) {
         self.dialog = None;
         if self.file.path.is_none() {
             // Goes on once a name is chosen.
             self.choose(PathPurpose::SaveDrawing);
-        } else if self.save() {
-            self.go_on();
+        } else {
+            self.save(Target::Own);
+            self.saver.then = self.held_up.take();
         }
     }
 
-    /// Carries out what was held up.
-    pub(super) fn go_on(&mut self) {
+    /// Goes on without saving.
+    pub(super) fn discard_and_continue(&mut self) {
+        self.given_up = Some(self.document.revision());
         self.dialog = None;
         if let Some(action) = self.held_up.take() {
             self.replace(action);
@@ -123,6 +128,7 @@ impl Editor {
         }
         self.journal = journal;
         self.document = document;
+        self.given_up = None;
         self.file = file;
         self.species = None;
         self.part_menu = None;
@@ -133,38 +139,6 @@ impl Editor {
         self.perform(Action::SetTool(tool));
         self.plant.show_front();
         self.drawing_changed();
-    }
-
-    /// Saves under the drawing's name, or asks for one. Whether it is saved now.
-    pub(super) fn save(&mut self) -> bool {
-        match self.file.path.clone() {
-            Some(path) => self.save_to(path, self.file.stamp),
-            None => {
-                self.choose(PathPurpose::SaveDrawing);
-                false
-            }
-        }
-    }
-
-    fn save_to(&mut self, path: PathBuf, expected: Option<save::FileStamp>) -> bool {
-        match save::save(&path, self.document.sketch(), expected.as_ref()) {
-            Ok(stamp) => {
-                tracing::debug!("saved {}", path.display());
-                self.file = OwnFile { path: Some(path.clone()), stamp: Some(stamp) };
-                self.document.mark_saved();
-                if let Some(journal) = &self.journal {
-                    journal.saved(meta_of(&self.file), journal.last_step());
-                }
-                self.settings.remember(&path);
-                self.save_settings();
-                self.refresh_title();
-                true
-            }
-            Err(error) => {
-                self.tell(Notice::error(error.to_string(), ""));
-                false
-            }
-        }
     }
 
     /// Asks for a file: the system's dialog, or ours where it has none.
@@ -195,12 +169,12 @@ impl Editor {
     pub(super) fn chosen(&mut self, purpose: PathPurpose, path: PathBuf) {
         self.dialog = None;
         match purpose {
-            PathPurpose::OpenDrawing => self.open_file(&path),
+            // The system's dialog does not keep anybody from drawing on.
+            PathPurpose::OpenDrawing => self.perform_if_saved(Action::OpenPath(path)),
             PathPurpose::SaveDrawing => {
                 // The dialog asked whether to replace what is there.
-                if self.save_to(with_extension(path, "penstemon"), None) {
-                    self.go_on();
-                }
+                self.save(Target::Chosen(with_extension(path, "penstemon")));
+                self.saver.then = self.held_up.take().or(self.saver.then.take());
             }
             PathPurpose::Export => {
                 let extension = self.settings.export.format.extension();
@@ -270,7 +244,7 @@ impl Editor {
     }
 }
 
-fn meta_of(file: &OwnFile) -> Meta {
+pub(super) fn meta_of(file: &OwnFile) -> Meta {
     Meta { title: file.name().unwrap_or_default(), path: file.path.clone(), stamp: file.stamp }
 }
 

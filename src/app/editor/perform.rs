@@ -1,6 +1,7 @@
 //! Carries out wishes: the one place where an [`Action`] becomes a change.
 
 use super::Editor;
+use super::saving::Target;
 use crate::app::action::Action;
 use crate::app::messages::Messages;
 use crate::app::panels::snapshot::{Dialog, Notice, PathPurpose};
@@ -24,10 +25,10 @@ impl Editor {
             Action::New | Action::Open | Action::OpenPath(_) | Action::Recover(_) | Action::Quit => {
                 self.perform_if_saved(action);
             }
-            Action::Save => _ = self.save(),
+            Action::Save => self.save(Target::Own),
             Action::SaveAs => self.choose(PathPurpose::SaveDrawing),
             Action::SaveAndContinue => self.save_and_continue(),
-            Action::DiscardAndContinue => self.go_on(),
+            Action::DiscardAndContinue => self.discard_and_continue(),
             Action::ChooseFile(purpose) => self.choose(purpose),
             Action::PathChosen { purpose, path } => self.chosen(purpose, path),
             Action::DiscardRecovery(path) => self.discard_recovery(&path),

@@ -85,6 +85,9 @@ impl Editor {
     }
 
     fn autosave(&self) -> Autosave {
+        if self.saver.is_busy() {
+            return Autosave::Saving;
+        }
         let state = self.journal.as_ref().map(|journal| journal.state());
         match state {
             None | Some(JournalState::Failed(_)) => Autosave::Failed,

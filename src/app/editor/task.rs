@@ -1,4 +1,4 @@
-//! Exports on a thread of their own, with progress and a way to stop them.
+//! Work on threads of its own; and exports, which have progress and can be stopped.
 //!
 //! Files are written whole or not at all, so a stopped export leaves no half file; of a turntable the pictures already
 //! written stay.
@@ -17,11 +17,64 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
+/// Calls from other threads that there is something to collect.
+pub(super) type Wake = Arc<dyn Fn() + Send + Sync>;
+
+/// Something that another thread does.
+pub(super) struct Work<T>(Receiver<T>);
+
+impl<T> Work<T> {
+    /// What came of it, once it has ended; nothing in it if it broke off.
+    pub(super) fn result(&self) -> Option<Option<T>> {
+        match self.0.try_recv() {
+            Ok(result) => Some(Some(result)),
+            Err(TryRecvError::Disconnected) => Some(None),
+            Err(TryRecvError::Empty) => None,
+        }
+    }
+
+    /// Waits for what comes of it; nothing if it breaks off.
+    pub(super) fn wait(&self) -> Option<T> {
+        self.0.recv().ok()
+    }
+}
+
+/// Wakes the window when it goes, whatever became of the work.
+struct Farewell(Wake);
+
+impl Drop for Farewell {
+    fn drop(&mut self) {
+        (self.0)();
+    }
+}
+
+/// Begins to do something on a thread of its own; the window is woken at its end.
+///
+/// # Errors
+/// A system without threads.
+pub(super) fn begin<T: Send + 'static>(
+    name: &str,
+    wake: &Wake,
+    work: impl FnOnce() -> T + Send + 'static,
+) -> std::io::Result<Work<T>> {
+    let (tell, done) = channel();
+    let farewell = Farewell(Arc::clone(wake));
+    let work = move || {
+        let _farewell = farewell;
+        // Dropped before the farewell: whoever is woken finds the end, also of work that broke off.
+        let tell = tell;
+        // A window that closed does not listen any more.
+        let _ = tell.send(work());
+    };
+    std::thread::Builder::new().name(name.into()).spawn(work)?;
+    Ok(Work(done))
+}
+
 /// An export under way.
 pub(super) struct Task {
     name: String,
     shared: Arc<Shared>,
-    done: Receiver<Result<usize, String>>,
+    work: Work<Result<usize, String>>,
 }
 
 #[derive(Default)]
@@ -60,15 +113,9 @@ impl Editor {
         let sketch = self.document.sketch().clone();
         let order = Order { path, choice, sketch, built, camera: self.plant.camera() };
         let shared = Arc::new(Shared::default());
-        let (theirs, wake) = (Arc::clone(&shared), Arc::clone(&self.wake));
-        let (tell, done) = channel();
-        let work = move || {
-            // A window that closed does not listen any more.
-            let _ = tell.send(export(&order, &theirs));
-            wake();
-        };
-        match std::thread::Builder::new().name("export".into()).spawn(work) {
-            Ok(_) => self.task = Some(Task { name, shared, done }),
+        let theirs = Arc::clone(&shared);
+        match begin("export", &self.wake, move || export(&order, &theirs)) {
+            Ok(work) => self.task = Some(Task { name, shared, work }),
             Err(error) => self.tell(Notice::error(error.to_string(), "")),
         }
     }
@@ -81,17 +128,15 @@ impl Editor {
 
     pub(super) fn collect_task(&mut self) {
         let Some(task) = &self.task else { return };
-        match task.done.try_recv() {
-            Err(TryRecvError::Empty) => return,
-            Ok(Ok(bytes)) => {
+        match task.work.result() {
+            None => return,
+            Some(Some(Ok(bytes))) => {
                 tracing::debug!("exported {} bytes={bytes}", task.name);
                 let what = self.messages.fill(Msg::NoticeExported, &[("file", &task.name)]);
                 self.tell(Notice::info(what));
             }
-            Ok(Err(reason)) => self.tell(Notice::error(reason, "")),
-            Err(TryRecvError::Disconnected) => {
-                self.tell(Notice::error(self.messages.get(Msg::NoticeExportFailed), ""));
-            }
+            Some(Some(Err(reason))) => self.tell(Notice::error(reason, "")),
+            Some(None) => self.tell(Notice::error(self.messages.get(Msg::NoticeExportFailed), "")),
         }
         self.task = None;
     }

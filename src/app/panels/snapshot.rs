@@ -217,6 +217,8 @@ pub enum Autosave {
     Saved,
     /// Changes since the last saving are in the journal.
     Journaled,
+    /// The drawing is being written into its file.
+    Saving,
     /// The journal is being written.
     Writing,
     /// The journal cannot be written.
