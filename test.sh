@@ -17,6 +17,7 @@ need '/usr/lib*/*/libvulkan.so.1' libvulkan1 vulkan-loader vulkan-icd-loader
 # What the window's tests use, and what the window loads when it opens.
 need Xvfb xvfb xorg-x11-server-Xvfb xorg-server-xvfb
 need xdotool xdotool xdotool xdotool
+need xclip xclip xclip xclip
 need weston weston weston weston
 need '/usr/lib*/*/libxkbcommon.so.0' libxkbcommon0 libxkbcommon libxkbcommon
 need '/usr/lib*/*/libxkbcommon-x11.so.0' libxkbcommon-x11-0 libxkbcommon-x11 libxkbcommon-x11

@@ -6,7 +6,7 @@ use egui_kittest::Harness;
 use penstemon::app::action::{Action, CanvasTool};
 use penstemon::app::fonts::{ChineseFont, definitions};
 use penstemon::app::messages::{Language, Messages};
-use penstemon::app::panels::snapshot::{Autosave, Found, PenUsed, Status};
+use penstemon::app::panels::snapshot::{Autosave, Found, PenUsed, Status, ViewState};
 use penstemon::app::panels::{Snapshot, frame};
 use penstemon::app::{settings, theme};
 use penstemon::sketch::Tool;
@@ -38,6 +38,7 @@ pub(super) fn busy() -> Snapshot {
         chinese_font: chinese_font().is_some(),
         species: "daisy".into(),
         seed: 17,
+        view: ViewState { orthographic: false, ..ViewState::default() },
         found: Found {
             petals: true,
             leaves: true,
@@ -81,7 +82,7 @@ pub(super) fn stage_of(
     scale: f32,
     textures: Option<Textures>,
 ) -> Harness<'static, Stage> {
-    let theme = snapshot.theme;
+    let theme = snapshot.theme.resolve(None);
     let state =
         Stage { snapshot, messages: Messages::new(language), actions: Vec::new(), canvas: Rect::NOTHING };
     let mut ready = false;
