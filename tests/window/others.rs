@@ -71,7 +71,7 @@ fn a_drawing_dragged_onto_the_window_is_opened_and_a_picture_lies_under_it() {
     program.wait_for("saved");
     let saved = sketch_saved_by(&file);
     assert_eq!(saved.strokes.len(), strokes);
-    assert_eq!(saved.reference.unwrap().picture.bytes(), photograph());
+    assert_eq!(saved.reference.unwrap().picture.bytes()[..], photograph());
 }
 
 #[test]
@@ -103,5 +103,5 @@ fn a_picture_copied_elsewhere_is_pasted_under_the_drawing() {
     program.type_name(&screen, "traced");
     program.wait_for("saved");
     let saved = sketch_saved_by(&home.path().join("traced.penstemon"));
-    assert_eq!(saved.reference.unwrap().picture.bytes(), photograph());
+    assert_eq!(saved.reference.unwrap().picture.bytes()[..], photograph());
 }
