@@ -4,12 +4,14 @@
 //! events and draws what it says; every wish of the artist, from whichever button or key, ends in
 //! [`Editor::perform`]. Whatever goes wrong becomes a notice, and the drawing stays.
 
+mod estimate;
 mod files;
 mod keys;
 mod live;
 mod outcomes;
 mod perform;
 mod reference;
+mod saving;
 mod snapshot;
 mod task;
 
@@ -30,13 +32,15 @@ use crate::sketch::save::FileStamp;
 use crate::sketch::{Change, Sketch, Step, Stroke, Tool};
 use crate::species::Species;
 use anyhow::Context as _;
+use saving::Saver;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
-use task::Task;
+use task::{Task, Work};
 
 pub use live::Revisions;
+pub(super) use reference::Frame as ReferenceFrame;
 
 /// Longest wait of a new stroke for the one before to be on disk.
 const DURABLE_WAIT: Duration = Duration::from_millis(200);
@@ -134,6 +138,11 @@ pub struct Editor {
     pub(super) canvas: Canvas,
     pub(super) plant: PlantView,
     pub(super) settings: Settings,
+    /// What of them is on disk, or was tried to be put there.
+    kept_settings: Option<Settings>,
+    /// Colours of the system, where it says them.
+    system_theme: Option<egui::Theme>,
+    theme_asked: Option<Work<Option<egui::Theme>>>,
     pub(super) messages: Messages,
     pub(super) layout: Layout,
     pub(super) built: Option<Arc<Built>>,
@@ -156,6 +165,9 @@ pub struct Editor {
     dialog: Option<Dialog>,
     /// What waits for the answer about unsaved changes.
     held_up: Option<Action>,
+    /// Revision of the drawing that the artist does not want to keep.
+    given_up: Option<u64>,
+    saver: Saver,
     part_menu: Option<PartMenu>,
     /// The picture under the drawing is being moved or scaled.
     hold: Option<reference::Hold>,
@@ -171,7 +183,7 @@ pub struct Editor {
     copied: Option<egui::ColorImage>,
     title: Option<String>,
     shown_title: String,
-    wake: Arc<dyn Fn() + Send + Sync>,
+    wake: task::Wake,
     closed: bool,
 }
 
@@ -197,7 +209,7 @@ impl Editor {
         let messages = Messages::new(super::messages::Language::of_system());
         let (settings, broken) = Settings::load(&places.config, &messages);
         let is_first_start = !places.config.join(super::settings::FILE_NAME).exists();
-        let wake: Arc<dyn Fn() + Send + Sync> = Arc::new(wake);
+        let wake: task::Wake = Arc::new(wake);
         let theirs = Arc::clone(&wake);
         let worker = Worker::start(move || theirs()).context("no thread for the live plant")?;
         let recovery = Recovery::at(&places.state);
@@ -205,9 +217,12 @@ impl Editor {
         let mut editor = Self {
             document: Document::empty(),
             canvas: Canvas::default(),
-            plant: PlantView::default(),
+            plant: PlantView::new(settings.view),
             messages: Messages::new(settings.language()),
             layout: Layout::default(),
+            kept_settings: None,
+            system_theme: None,
+            theme_asked: None,
             built: None,
             counts: Counts::default(),
             versions: Versions::default(),
@@ -222,6 +237,8 @@ impl Editor {
             found_pictures: Vec::new(),
             dialog: None,
             held_up: None,
+            given_up: None,
+            saver: Saver::default(),
             part_menu: None,
             hold: None,
             notices: Vec::new(),
@@ -252,6 +269,7 @@ impl Editor {
         }
         editor.look_for_lost_drawings();
         editor.save_settings();
+        editor.ask_system_theme();
         Ok(editor)
     }
 
@@ -261,6 +279,8 @@ impl Editor {
             self.take_update(update);
         }
         self.collect_task();
+        self.collect_save();
+        self.collect_system_theme();
         while let Ok(action) = self.answered.try_recv() {
             self.perform(action);
         }
@@ -329,7 +349,7 @@ impl Editor {
         match self.document.apply(change) {
             Ok(Some(step)) => self.changed(&step),
             Ok(None) => {}
-            Err(error) => self.tell(Notice::error(error.to_string(), "")),
+            Err(error) => self.tell_error(&error),
         }
     }
 
@@ -338,7 +358,7 @@ impl Editor {
         match self.document.apply_merging(change, key) {
             Ok(Some(step)) => self.changed(&step),
             Ok(None) => {}
-            Err(error) => self.tell(Notice::error(error.to_string(), "")),
+            Err(error) => self.tell_error(&error),
         }
     }
 
@@ -404,7 +424,7 @@ impl Editor {
 
     /// Tells that the graphics card could not show something.
     pub(super) fn tell_render_failure(&mut self, error: &RenderError) {
-        self.tell(Notice::error(error.to_string(), ""));
+        self.tell_error(error);
     }
 
     /// Puts a picture where the window fetches it for the clipboard.
@@ -437,8 +457,9 @@ impl Editor {
         self.closed
     }
 
-    /// Ends everything; called once when the window closes.
+    /// Ends everything; called once when the window closes. Waits for what is being saved.
     pub fn shut_down(&mut self) {
+        self.finish_saving();
         self.save_settings();
         self.cancel_task();
         if let Some(journal) = self.journal.take() {
@@ -453,7 +474,7 @@ impl Editor {
 
     /// Whether another thread works on something that will be shown.
     pub fn is_working(&self) -> bool {
-        self.building.is_running || self.building.is_stale || self.task.is_some()
+        self.building.is_running || self.building.is_stale || self.task.is_some() || self.saver.is_busy()
     }
 
     /// When something on the screen changes by itself.

@@ -20,7 +20,7 @@ pub(super) fn request(
     PathRequest { purpose, folder: folder.unwrap_or_else(|| PathBuf::from("/")), name, extensions }
 }
 
-/// Opens the system's dialog; the answer, if there is one, is sent and `wake` called.
+/// Opens the system's dialog; the answer is sent and `wake` called.
 ///
 /// # Errors
 /// Gives the request back where the system has no dialog.
@@ -35,11 +35,14 @@ pub(super) fn ask(
     let answers = answers.clone();
     let asked = request.clone();
     let work = move || {
-        if let Some(path) = open(&asked) {
-            // A window that closed does not listen any more.
-            let _ = answers.send(Action::PathChosen { purpose: asked.purpose, path });
-            wake();
-        }
+        let answer = match open(&asked) {
+            Some(path) => Action::PathChosen { purpose: asked.purpose, path },
+            // Whatever was to happen after it will not.
+            None => Action::CloseDialog,
+        };
+        // A window that closed does not listen any more.
+        let _ = answers.send(answer);
+        wake();
     };
     let thread = std::thread::Builder::new().name("file dialog".into()).spawn(work);
     thread.map(drop).map_err(|_| request)
@@ -57,9 +60,11 @@ fn open(request: &PathRequest) -> Option<PathBuf> {
 
 /// Whether the system has file dialogs for us: on Linux they come over the session bus.
 fn has_system_dialog() -> bool {
-    if !cfg!(target_os = "linux") {
-        return true;
-    }
+    !cfg!(target_os = "linux") || has_session_bus()
+}
+
+/// Whether there is a bus on which the desktop's programs speak to each other.
+pub(super) fn has_session_bus() -> bool {
     let named = std::env::var_os("DBUS_SESSION_BUS_ADDRESS").is_some_and(|address| !address.is_empty());
     let socket =
         std::env::var_os("XDG_RUNTIME_DIR").is_some_and(|dir| PathBuf::from(dir).join("bus").exists());

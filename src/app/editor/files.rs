@@ -1,9 +1,11 @@
 //! Drawings on disk: new, open, save, recover, import; and the questions that come before.
 
+use super::saving::Target;
 use super::{Editor, OwnFile};
 use crate::app::action::Action;
 use crate::app::canvas::Canvas;
 use crate::app::file_dialog;
+use crate::app::messages::Told as _;
 use crate::app::panels::snapshot::{Dialog, Notice, PathPurpose};
 use crate::sketch::document::Document;
 use crate::sketch::journal::{JournalWriter, Meta, Recoverable};
@@ -24,9 +26,11 @@ impl Editor {
         self.perform_if_saved(Action::Quit);
     }
 
-    /// Carries out what replaces the drawing, after asking about unsaved changes.
+    /// Carries out what replaces the drawing: after what is being saved, and after asking about unsaved changes.
     pub(super) fn perform_if_saved(&mut self, action: Action) {
-        if self.document.is_saved() {
+        if self.saver.is_busy() {
+            self.saver.then = Some(action);
+        } else if self.document.is_saved() || self.given_up == Some(self.document.revision()) {
             self.replace(action);
         } else {
             self.held_up = Some(action);
@@ -34,19 +38,21 @@ impl Editor {
         }
     }
 
-    /// Saves, and goes on where that worked.
+    /// Saves, and goes on where that works.
     pub(super) fn save_and_continue(&mut self) {
         self.dialog = None;
         if self.file.path.is_none() {
             // Goes on once a name is chosen.
             self.choose(PathPurpose::SaveDrawing);
-        } else if self.save() {
-            self.go_on();
+        } else {
+            self.save(Target::Own);
+            self.saver.then = self.held_up.take();
         }
     }
 
-    /// Carries out what was held up.
-    pub(super) fn go_on(&mut self) {
+    /// Goes on without saving.
+    pub(super) fn discard_and_continue(&mut self) {
+        self.given_up = Some(self.document.revision());
         self.dialog = None;
         if let Some(action) = self.held_up.take() {
             self.replace(action);
@@ -79,7 +85,7 @@ impl Editor {
         match sketch::from_bytes(SAMPLE.as_bytes(), "the sample") {
             Ok((sample, _)) => self.take_over(Document::new(sample), OwnFile::default()),
             Err(error) => {
-                self.tell(Notice::error(error.to_string(), ""));
+                self.tell_error(&error);
                 self.start_empty();
             }
         }
@@ -101,7 +107,7 @@ impl Editor {
                 self.save_settings();
             }
             Err(error) => {
-                self.tell(Notice::error(error.to_string(), ""));
+                self.tell_error(&error);
                 if self.journal.is_none() {
                     self.start_empty();
                 }
@@ -113,7 +119,7 @@ impl Editor {
     fn take_over(&mut self, document: Document, file: OwnFile) {
         let meta = meta_of(&file);
         let started = self.recovery.start(document.sketch(), meta, document.is_saved());
-        let journal = started.map_err(|error| self.tell(Notice::error(error.to_string(), ""))).ok();
+        let journal = started.map_err(|error| self.tell_error(&error)).ok();
         self.take_over_with(document, file, journal);
     }
 
@@ -123,6 +129,7 @@ impl Editor {
         }
         self.journal = journal;
         self.document = document;
+        self.given_up = None;
         self.file = file;
         self.species = None;
         self.part_menu = None;
@@ -133,38 +140,6 @@ impl Editor {
         self.perform(Action::SetTool(tool));
         self.plant.show_front();
         self.drawing_changed();
-    }
-
-    /// Saves under the drawing's name, or asks for one. Whether it is saved now.
-    pub(super) fn save(&mut self) -> bool {
-        match self.file.path.clone() {
-            Some(path) => self.save_to(path, self.file.stamp),
-            None => {
-                self.choose(PathPurpose::SaveDrawing);
-                false
-            }
-        }
-    }
-
-    fn save_to(&mut self, path: PathBuf, expected: Option<save::FileStamp>) -> bool {
-        match save::save(&path, self.document.sketch(), expected.as_ref()) {
-            Ok(stamp) => {
-                tracing::debug!("saved {}", path.display());
-                self.file = OwnFile { path: Some(path.clone()), stamp: Some(stamp) };
-                self.document.mark_saved();
-                if let Some(journal) = &self.journal {
-                    journal.saved(meta_of(&self.file), journal.last_step());
-                }
-                self.settings.remember(&path);
-                self.save_settings();
-                self.refresh_title();
-                true
-            }
-            Err(error) => {
-                self.tell(Notice::error(error.to_string(), ""));
-                false
-            }
-        }
     }
 
     /// Asks for a file: the system's dialog, or ours where it has none.
@@ -195,12 +170,12 @@ impl Editor {
     pub(super) fn chosen(&mut self, purpose: PathPurpose, path: PathBuf) {
         self.dialog = None;
         match purpose {
-            PathPurpose::OpenDrawing => self.open_file(&path),
+            // The system's dialog does not keep anybody from drawing on.
+            PathPurpose::OpenDrawing => self.perform_if_saved(Action::OpenPath(path)),
             PathPurpose::SaveDrawing => {
                 // The dialog asked whether to replace what is there.
-                if self.save_to(with_extension(path, "penstemon"), None) {
-                    self.go_on();
-                }
+                self.save(Target::Chosen(with_extension(path, "penstemon")));
+                self.saver.then = self.held_up.take().or(self.saver.then.take());
             }
             PathPurpose::Export => {
                 let extension = self.settings.export.format.extension();
@@ -233,7 +208,7 @@ impl Editor {
     pub(super) fn look_for_lost_drawings(&mut self) {
         match self.recovery.list() {
             Ok(found) => self.found = found,
-            Err(error) => self.tell(Notice::warning(error.to_string(), "")),
+            Err(error) => self.tell(Notice::warning(error.told(&self.messages), "")),
         }
         if !self.found.is_empty() {
             tracing::debug!("recoverable count={} strokes={}", self.found.len(), self.found[0].strokes());
@@ -252,7 +227,7 @@ impl Editor {
                 self.take_over_with(Document::unsaved(restored.sketch), file, Some(journal));
                 self.dialog = (!self.found.is_empty()).then(|| self.recovery_dialog());
             }
-            Err(error) => self.tell(Notice::error(error.to_string(), "")),
+            Err(error) => self.tell_error(&error),
         }
     }
 
@@ -270,7 +245,7 @@ impl Editor {
     }
 }
 
-fn meta_of(file: &OwnFile) -> Meta {
+pub(super) fn meta_of(file: &OwnFile) -> Meta {
     Meta { title: file.name().unwrap_or_default(), path: file.path.clone(), stamp: file.stamp }
 }
 

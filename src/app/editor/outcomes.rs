@@ -25,7 +25,7 @@ impl Editor {
     }
 
     /// The stroke before is on disk before the next begins; on a healthy disk it long is.
-    fn make_durable(&mut self) {
+    pub(super) fn make_durable(&mut self) {
         if let Some(journal) = &self.journal {
             journal.flush(DURABLE_WAIT);
         }

@@ -29,6 +29,7 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages) {
             let (msg, colour) = match status.autosave {
                 Autosave::Saved => (Msg::StatusSaved, p.good),
                 Autosave::Journaled => (Msg::StatusJournaled, p.good),
+                Autosave::Saving => (Msg::StatusSaving, p.accent),
                 Autosave::Writing => (Msg::StatusWriting, p.weak),
                 Autosave::Failed => (Msg::StatusUnsafe, p.error),
             };

@@ -1,0 +1,175 @@
+//! Saving beside the window: what is saved, in which order, and what waits for it.
+
+use super::*;
+use crate::app::editor::Places;
+use crate::app::panels::snapshot::{Autosave, Dialog, Severity};
+use crate::sketch::{self, Change, Stroke, StrokePoint, Tool};
+use std::path::Path;
+use std::time::{Duration, Instant};
+use tempfile::TempDir;
+
+/// Longest wait for anything; only a test that has failed takes so long.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+fn editor(home: &Path) -> Editor {
+    let places = Places { config: home.join("config"), state: home.join("state") };
+    let mut editor = Editor::open_in(places, None, || ()).unwrap();
+    editor.perform(Action::New);
+    editor
+}
+
+fn draw(editor: &mut Editor) {
+    let id = editor.document.next_id();
+    let place = |i: u8| glam::Vec2::new(f32::from(i) * 10.0, id as f32);
+    let points = (0..9).map(|i| StrokePoint::at(place(i))).collect();
+    editor.change(Change::put(Stroke { id, tool: Tool::Branch, points }));
+}
+
+fn save_as(editor: &mut Editor, path: &Path) {
+    editor.perform(Action::PathChosen { purpose: PathPurpose::SaveDrawing, path: path.to_owned() });
+}
+
+/// Goes on until nothing is being saved.
+fn settle(editor: &mut Editor) {
+    let begun = Instant::now();
+    while editor.saver.is_busy() {
+        assert!(begun.elapsed() < PATIENCE, "it is saved for ever");
+        std::thread::sleep(Duration::from_millis(1));
+        editor.collect();
+    }
+}
+
+fn strokes_at(path: &Path) -> usize {
+    sketch::read(path).unwrap().0.strokes.len()
+}
+
+fn errors(editor: &Editor) -> Vec<&str> {
+    let told = editor.notices.iter().filter(|(notice, _)| notice.severity == Severity::Error);
+    told.map(|(notice, _)| notice.what.as_str()).collect()
+}
+
+#[test]
+fn what_is_drawn_while_it_is_saved_stays_unsaved() {
+    let home = TempDir::new().unwrap();
+    let (mut editor, path) = (editor(home.path()), home.path().join("rose.penstemon"));
+    draw(&mut editor);
+    save_as(&mut editor, &path);
+    assert_eq!(editor.panel_snapshot().status.autosave, Autosave::Saving);
+    assert!(editor.is_working() && !editor.document.is_saved());
+    draw(&mut editor);
+    settle(&mut editor);
+    assert!(!editor.document.is_saved());
+    assert_eq!(strokes_at(&path), 1);
+    editor.perform(Action::Undo);
+    assert!(editor.document.is_saved(), "this is what was saved");
+    editor.make_durable();
+    assert_eq!(editor.panel_snapshot().status.autosave, Autosave::Saved);
+}
+
+#[test]
+fn saves_in_a_row_end_with_the_last_and_know_each_other() {
+    let home = TempDir::new().unwrap();
+    let (mut editor, path) = (editor(home.path()), home.path().join("rose.penstemon"));
+    draw(&mut editor);
+    save_as(&mut editor, &path);
+    for _ in 0..3 {
+        draw(&mut editor);
+        editor.perform(Action::Save);
+    }
+    settle(&mut editor);
+    assert_eq!(errors(&editor), Vec::<&str>::new());
+    assert!(editor.document.is_saved());
+    assert_eq!(strokes_at(&path), 4);
+    // Under another name while the first is still on its way: both are written, the later name is the drawing's.
+    let other = home.path().join("other.penstemon");
+    draw(&mut editor);
+    editor.perform(Action::Save);
+    save_as(&mut editor, &other);
+    settle(&mut editor);
+    assert_eq!((strokes_at(&path), strokes_at(&other)), (5, 5));
+    assert_eq!(editor.file.path.as_deref(), Some(other.as_path()));
+}
+
+#[test]
+fn a_failure_is_told_and_the_drawing_stays_unsaved_and_open() {
+    let home = TempDir::new().unwrap();
+    let (mut editor, path) = (editor(home.path()), home.path().join("gone/rose.penstemon"));
+    draw(&mut editor);
+    save_as(&mut editor, &path);
+    editor.ask_to_quit();
+    settle(&mut editor);
+    assert!(errors(&editor)[0].contains("rose.penstemon"), "{:?}", errors(&editor));
+    assert!(!editor.document.is_saved() && !editor.is_closed());
+    assert_eq!(editor.file.path, None);
+    // Elsewhere it works, and does not close the window long after that was wished.
+    save_as(&mut editor, &home.path().join("rose.penstemon"));
+    settle(&mut editor);
+    assert!(editor.document.is_saved() && !editor.is_closed());
+}
+
+#[test]
+fn another_windows_work_is_not_replaced() {
+    let home = TempDir::new().unwrap();
+    let (mut editor, path) = (editor(home.path()), home.path().join("rose.penstemon"));
+    draw(&mut editor);
+    save_as(&mut editor, &path);
+    settle(&mut editor);
+    let theirs = sketch::json::write(&sketch::Sketch::empty());
+    std::fs::write(&path, &theirs).unwrap();
+    draw(&mut editor);
+    editor.perform(Action::Save);
+    settle(&mut editor);
+    assert!(errors(&editor)[0].contains("changed by another window"), "{:?}", errors(&editor));
+    assert!(!editor.document.is_saved());
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), theirs);
+}
+
+#[test]
+fn the_window_closes_after_saving_and_asks_where_that_was_not_all() {
+    let home = TempDir::new().unwrap();
+    let (mut editor, path) = (editor(home.path()), home.path().join("rose.penstemon"));
+    draw(&mut editor);
+    save_as(&mut editor, &path);
+    editor.ask_to_quit();
+    assert!(!editor.is_closed() && editor.dialog.is_none(), "it waits");
+    draw(&mut editor);
+    settle(&mut editor);
+    assert_eq!(editor.dialog, Some(Dialog::Unsaved), "what was drawn since is not saved");
+    editor.perform(Action::SaveAndContinue);
+    assert!(!editor.is_closed());
+    settle(&mut editor);
+    assert!(editor.is_closed());
+    assert_eq!(strokes_at(&path), 2);
+}
+
+#[test]
+fn a_window_that_is_taken_away_finishes_saving() {
+    let home = TempDir::new().unwrap();
+    let (mut editor, path) = (editor(home.path()), home.path().join("rose.penstemon"));
+    draw(&mut editor);
+    save_as(&mut editor, &path);
+    editor.shut_down();
+    assert_eq!(strokes_at(&path), 1);
+}
+
+#[test]
+fn a_drawing_that_went_on_while_a_file_was_chosen_is_asked_about() {
+    let home = TempDir::new().unwrap();
+    let (mut editor, path) = (editor(home.path()), home.path().join("rose.penstemon"));
+    draw(&mut editor);
+    save_as(&mut editor, &path);
+    settle(&mut editor);
+    let open = Action::PathChosen { purpose: PathPurpose::OpenDrawing, path };
+    draw(&mut editor);
+    editor.perform(open.clone());
+    assert_eq!(editor.dialog, Some(Dialog::Unsaved));
+    assert_eq!(editor.sketch().strokes.len(), 2);
+    // Whoever gave up the drawing before choosing the file is not asked again.
+    editor.perform(Action::DiscardAndContinue);
+    assert_eq!(editor.sketch().strokes.len(), 1);
+    draw(&mut editor);
+    editor.perform(Action::Open);
+    editor.perform(Action::DiscardAndContinue);
+    editor.perform(open);
+    assert_eq!(editor.sketch().strokes.len(), 1);
+}
