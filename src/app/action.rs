@@ -5,7 +5,9 @@
 
 use super::messages::Language;
 use super::panels::snapshot::{Dialog, ExportChoice, LightChoice, PathPurpose, Shading};
+use super::pen_settings::PenSettings;
 use super::settings::{Handedness, Stabiliser, ThemeChoice};
+use crate::pen::PenSource;
 use crate::plant::OrganKind;
 use crate::sketch::{StrokeId, Tool};
 use serde_json::Value;
@@ -158,6 +160,10 @@ pub enum Action {
     SetHandedness(Handedness),
     /// How much strokes are smoothed while they are drawn.
     SetStabiliser(Stabiliser),
+    /// Choose how pens are read.
+    SetPenSource(PenSource),
+    /// Choose how the pen last used presses, what its buttons do and what its tablet covers.
+    SetPen(PenSettings),
     /// Show or hide the side panel.
     ShowSide(bool),
     /// The side panel was made this wide, logical pixels.

@@ -20,7 +20,7 @@ use super::canvas::{Canvas, CanvasOutcome};
 use super::fonts::ChineseFont;
 use super::layout::Layout;
 use super::messages::{Messages, Msg};
-use super::panels::snapshot::{Dialog, Notice, PartMenu, PenUsed, Severity};
+use super::panels::snapshot::{Dialog, Notice, PartMenu, PenLive, PenUsed, Severity};
 use super::plant_view::PlantView;
 use super::settings::Settings;
 use super::worker::{self, Counts, Update, Worker};
@@ -180,6 +180,12 @@ pub struct Editor {
     fonts_are_set: bool,
     task: Option<Task>,
     pen_used: PenUsed,
+    /// Name of the pen last used; empty for one without.
+    pen_device: Option<String>,
+    pen_is_raw: bool,
+    /// Why a tablet cannot be read, and what to do.
+    pen_trouble: Option<String>,
+    pen_live: PenLive,
     copied: Option<egui::ColorImage>,
     title: Option<String>,
     shown_title: String,
@@ -250,6 +256,10 @@ impl Editor {
             fonts_are_set: false,
             task: None,
             pen_used: PenUsed::default(),
+            pen_device: None,
+            pen_is_raw: false,
+            pen_trouble: None,
+            pen_live: PenLive::default(),
             copied: None,
             title: None,
             shown_title: String::new(),

@@ -25,6 +25,7 @@ mod layout;
 pub mod messages;
 pub mod panels;
 pub mod paper;
+pub mod pen_settings;
 pub mod plant_view;
 pub mod presets;
 pub mod settings;

@@ -49,6 +49,8 @@ pub struct PlantView {
     /// When a draft that had to wait may be drawn.
     delayed: Option<Instant>,
     aspect: f32,
+    /// Height of the view in points.
+    height: f32,
     bounds: Option<(Vec3, Vec3)>,
 }
 
@@ -64,6 +66,7 @@ impl Default for PlantView {
             moved: None,
             delayed: None,
             aspect: 1.0,
+            height: 1.0,
             bounds: None,
         }
     }
@@ -82,6 +85,7 @@ impl PlantView {
         let size = ui.available_size();
         let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
         self.aspect = (size.x / size.y.max(1.0)).max(0.01);
+        self.height = size.y.max(1.0);
         egui::Image::from_texture((texture, size)).paint_at(ui, rect);
         self.hear(ui, &response);
         self.step();
@@ -127,6 +131,12 @@ impl PlantView {
             let about = at.map_or(Vec2::ZERO, from_centre);
             self.camera.zoom(ZOOM_PER_POINT.powf(scroll) * pinch, about);
         }
+    }
+
+    /// Turns the plant by a drag of so many points anywhere in the window.
+    pub(super) fn orbit(&mut self, by: egui::Vec2) {
+        self.take_hold();
+        self.camera.orbit(Vec2::new(by.x, by.y) / self.height);
     }
 
     fn take_hold(&mut self) {

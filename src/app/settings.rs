@@ -9,8 +9,11 @@
 pub use super::canvas::Stabiliser;
 use super::messages::{Language, Messages, Msg};
 use super::panels::snapshot::{ExportChoice, Notice, ViewState};
+use super::pen_settings::PenSettings;
 use crate::export::{WriteError, write_atomically};
+use crate::pen::PenSource;
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use toml::{Table, Value};
@@ -19,6 +22,8 @@ use toml::{Table, Value};
 pub const FILE_NAME: &str = "settings.toml";
 /// Most recent files that are remembered.
 pub const MAX_RECENT: usize = 12;
+/// Most pens that are remembered.
+const MAX_PENS: usize = 64;
 /// Largest settings file that is read, bytes.
 const MAX_BYTES: u64 = 1 << 20;
 /// Width of the side panel in logical pixels: least, at first, most.
@@ -83,8 +88,12 @@ pub struct Settings {
     pub recent: Vec<PathBuf>,
     /// What was chosen for the last export.
     pub export: ExportChoice,
+    /// How pens are read.
+    pub pen_source: PenSource,
     /// How the plant was lit and shown last.
     pub view: ViewState,
+    /// What was chosen for each pen, by its name; pens without a name share the empty one.
+    pub pens: BTreeMap<String, PenSettings>,
 }
 
 impl Default for Settings {
@@ -99,7 +108,9 @@ impl Default for Settings {
             canvas_share: CANVAS_SHARE.1,
             recent: Vec::new(),
             export: ExportChoice::default(),
+            pen_source: PenSource::default(),
             view: ViewState::default(),
+            pens: BTreeMap::new(),
         }
     }
 }
@@ -138,6 +149,20 @@ impl Settings {
         self.recent.truncate(MAX_RECENT);
     }
 
+    /// What was chosen for a pen.
+    pub fn pen(&self, name: &str) -> PenSettings {
+        self.pens.get(name).copied().unwrap_or_default()
+    }
+
+    /// Keeps what was chosen for a pen.
+    pub fn set_pen(&mut self, name: &str, pen: PenSettings) {
+        if pen == PenSettings::default() {
+            self.pens.remove(name);
+        } else if self.pens.len() < MAX_PENS || self.pens.contains_key(name) {
+            self.pens.insert(name.to_owned(), pen);
+        }
+    }
+
     /// The language to start with.
     pub fn language(&self) -> Language {
         self.language.unwrap_or_else(Language::of_system)
@@ -159,9 +184,17 @@ impl Settings {
             canvas_share: share.map_or(default.canvas_share, |s| s.clamp(CANVAS_SHARE.0, CANVAS_SHARE.2)),
             recent,
             export: field(table, "export").map_or(default.export, ExportChoice::sane),
+            pen_source: field(table, "pen_source").unwrap_or(default.pen_source),
             view: field(table, "view").map_or(default.view, ViewState::sane),
+            pens: table.get("pens").and_then(Value::as_table).map(pens).unwrap_or_default(),
         }
     }
+}
+
+/// The pens that this version understands.
+fn pens(table: &Table) -> BTreeMap<String, PenSettings> {
+    let known = table.keys().take(MAX_PENS).filter_map(|name| Some((name.clone(), field(table, name)?)));
+    known.collect()
 }
 
 fn field<T: DeserializeOwned>(table: &Table, key: &str) -> Option<T> {
@@ -217,6 +250,10 @@ mod tests {
         settings.view.shading = Shading::Parts;
         settings.view.orthographic = false;
         settings.export.transparent = true;
+        settings.pen_source = PenSource::Raw;
+        let mut pen = PenSettings { is_turned: true, ..PenSettings::default() };
+        pen.pressure = crate::pen::PressureCurve::soft();
+        settings.set_pen("Pen of \"somebody\"", pen);
         settings.remember(Path::new("/drawings/daisy.penstemon"));
         settings.save(&below).unwrap();
         assert_eq!(load(&below), (settings, None));

@@ -5,6 +5,7 @@
 //! drawing. Every raw sample is an event of its own: a source never merges samples. [`grammar`] says in which order events
 //! may come; every source is held against it.
 
+pub mod arbiter;
 #[cfg(feature = "program")]
 pub mod from_winit;
 pub mod grammar;
@@ -14,6 +15,7 @@ pub mod pressure;
 #[cfg(test)]
 pub(crate) mod tests;
 
+pub use arbiter::{Arbiter, Origin, PenSource};
 #[cfg(feature = "program")]
 pub use from_winit::WinitPen;
 pub use palm_gate::PalmGate;

@@ -8,6 +8,8 @@ use penstemon::app::messages::Language;
 use penstemon::app::panels::snapshot::{
     Dialog, ExportChoice, ExportFormat, Notice, PathPurpose, PathRequest, Recovered, Task,
 };
+use penstemon::app::pen_settings::Covers;
+use penstemon::pen::{PenSource, PressureCurve};
 
 fn with_dialog(dialog: Dialog) -> Harness<'static, Stage> {
     let mut snapshot = busy();
@@ -53,6 +55,43 @@ fn found_drawings_are_discarded_only_after_asking() {
     assert_eq!(asked(&mut harness), []);
     press(&mut harness, "Really discard?");
     assert_eq!(asked(&mut harness), [Action::DiscardRecovery("/state/1.journal".into())]);
+}
+
+#[test]
+fn the_pen_is_set_up_without_a_keyboard() {
+    let pen = |harness: &mut Harness<'_, Stage>| match &asked(harness)[..] {
+        [Action::SetPen(pen)] => *pen,
+        other => panic!("one wish about the pen expected: {other:?}"),
+    };
+    let mut harness = with_dialog(Dialog::Pen);
+    press_last(&mut harness, "Directly");
+    assert_eq!(asked(&mut harness), [Action::SetPenSource(PenSource::Raw)]);
+    press_last(&mut harness, "Soft");
+    assert_eq!(pen(&mut harness).pressure, PressureCurve::soft());
+    let end = harness.get_by_label("Hardest press").rect().center();
+    harness.drag_at(end);
+    harness.drop_at(end - egui::vec2(0.0, 60.0) + egui::vec2(-40.0, 100.0));
+    harness.run();
+    let curve = pen(&mut harness).pressure;
+    assert!(curve.end[0] < 0.95 && curve.end[1] < 0.95, "{curve:?}");
+    press_last(&mut harness, "Done");
+    assert_eq!(asked(&mut harness), [Action::CloseDialog]);
+}
+
+#[test]
+fn the_area_is_asked_for_only_where_the_program_decides() {
+    let raw = |is_raw| {
+        let mut snapshot = busy();
+        snapshot.dialog = Some(Dialog::Pen);
+        snapshot.pen.is_raw = is_raw;
+        let mut harness = stage(snapshot, Language::English);
+        harness.get_by_label("Monitor").scroll_to_me();
+        harness.run();
+        press_last(&mut harness, "Monitor");
+        asked(&mut harness)
+    };
+    assert_eq!(raw(false), []);
+    assert!(matches!(&raw(true)[..], [Action::SetPen(pen)] if pen.covers == Covers::Monitor));
 }
 
 #[test]

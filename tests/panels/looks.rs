@@ -6,7 +6,7 @@ use egui::vec2;
 use egui_kittest::kittest::Queryable;
 use penstemon::app::messages::{Language, Messages, Msg};
 use penstemon::app::panels::snapshot::{
-    Dialog, ExportFormat, Notice, PartMenu, PathPurpose, PathRequest, Recovered, ReferenceState,
+    Dialog, ExportFormat, MenuOf, Notice, PartMenu, PathPurpose, PathRequest, Recovered, ReferenceState,
 };
 use penstemon::app::presets::Listed;
 use penstemon::app::settings::{Handedness, ThemeChoice};
@@ -17,7 +17,7 @@ use penstemon::sketch::Tool;
 type Shot = (&'static str, Language, Option<Msg>, fn(&mut penstemon::app::panels::Snapshot));
 
 /// States whose pictures are written for people to look at.
-const SHOTS: [Shot; 12] = [
+const SHOTS: [Shot; 14] = [
     ("chinese", Language::Chinese, None, |_| ()),
     ("shape", Language::English, Some(Msg::TabShape), |s| {
         s.params.own =
@@ -31,7 +31,7 @@ const SHOTS: [Shot; 12] = [
     ("textures", Language::English, None, |s| {
         s.textures.insert("petal".into(), "petal_rose".into());
         s.presets = vec![Listed { name: "Evening".into(), path: "/presets/evening.toml".into() }];
-        s.part_menu = Some(PartMenu { stroke: Some(9), tool: Tool::Petal, at: [400.0, 300.0] });
+        s.part_menu = Some(PartMenu { of: MenuOf::Stroke(9), tool: Tool::Petal, at: [400.0, 300.0] });
     }),
     ("export", Language::English, None, |s| {
         s.dialog = Some(Dialog::Export);
@@ -40,6 +40,17 @@ const SHOTS: [Shot; 12] = [
     ("png", Language::Chinese, None, |s| {
         s.dialog = Some(Dialog::Export);
         s.export.format = ExportFormat::Png;
+    }),
+    ("pen", Language::English, None, |s| {
+        s.dialog = Some(Dialog::Pen);
+        s.pen.device = Some("Wacom Intuos M".to_owned());
+        s.pen.live.pressure = 0.4;
+        s.pen.settings.pressure = penstemon::pen::PressureCurve::soft();
+    }),
+    ("pen raw", Language::Chinese, None, |s| {
+        s.dialog = Some(Dialog::Pen);
+        s.pen.is_raw = true;
+        s.pen.trouble = Some("/dev/hidraw3 cannot be opened".to_owned());
     }),
     ("about", Language::English, None, |s| s.dialog = Some(Dialog::About)),
     ("recovery", Language::English, None, |s| {

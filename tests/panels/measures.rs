@@ -46,7 +46,7 @@ fn everything_that_can_be_touched_is_large_enough() {
             press(&mut harness, Messages::new(language).get(page));
             check_sizes(&harness);
         }
-        for dialog in [Dialog::Unsaved, Dialog::Export, Dialog::About] {
+        for dialog in [Dialog::Unsaved, Dialog::Export, Dialog::Pen, Dialog::About] {
             let mut snapshot = busy();
             snapshot.dialog = Some(dialog);
             check_sizes(&stage(snapshot, language));

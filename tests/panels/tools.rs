@@ -4,7 +4,7 @@ use crate::stage::{self, asked, busy, english, press, stage};
 use egui_kittest::kittest::Queryable;
 use penstemon::app::action::Action;
 use penstemon::app::messages::{Language, Messages};
-use penstemon::app::panels::snapshot::{Dialog, PartMenu};
+use penstemon::app::panels::snapshot::{Dialog, MenuOf, PartMenu};
 use penstemon::app::panels::toolbar::TOOLS;
 use penstemon::app::settings::{Handedness, Stabiliser, ThemeChoice};
 use penstemon::sketch::Tool;
@@ -97,7 +97,7 @@ fn another_language_changes_every_label_at_once() {
 #[test]
 fn a_wrong_guess_is_corrected_by_one_tap() {
     let mut snapshot = busy();
-    snapshot.part_menu = Some(PartMenu { stroke: Some(9), tool: Tool::Auto, at: [1270.0, 790.0] });
+    snapshot.part_menu = Some(PartMenu { of: MenuOf::Stroke(9), tool: Tool::Auto, at: [1270.0, 790.0] });
     let mut harness = stage(snapshot, Language::English);
     let leaf = harness.query_all_by_label("Leaf").find(|node| node.rect().left() > 200.0).unwrap();
     assert!(harness.state().canvas.contains_rect(leaf.rect()), "the menu stays inside the canvas");

@@ -4,9 +4,10 @@ use super::controller::{Canvas, PICK_REACH};
 use super::erase::Eraser;
 use super::outcome::{CanvasOutcome, Drawing};
 use super::select::lassoed;
+use super::settings::ButtonUse;
 use super::stroke_builder::StrokeBuilder;
 use super::transform::{Drag, FINGER_HANDLE_REACH, HANDLE_REACH, Handle};
-use crate::app::action::CanvasTool;
+use crate::app::action::{Action, CanvasTool};
 use crate::pen::{PenButtons, PenSample, PenTool};
 use crate::sketch::change::StrokeChange;
 use crate::sketch::{StrokeId, Tool};
@@ -29,9 +30,11 @@ const ZOOM_DRAG: f64 = 200.0;
 
 /// What keeps an activity going.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Trigger {
+pub(super) enum Trigger {
     Tip,
+    /// The middle button of a mouse or the upper one of a pen.
     Middle,
+    /// The right button of a mouse or the lower one of a pen.
     Secondary,
 }
 
@@ -41,6 +44,8 @@ pub(super) enum ViewDrag {
     Pan,
     Turn,
     Zoom,
+    /// Turns the plant, not the canvas.
+    Orbit,
 }
 
 /// What is being done.
@@ -118,6 +123,10 @@ impl Canvas {
     }
 
     pub(super) fn begin(&mut self, sample: &PenSample, drawing: &mut Drawing, out: &mut Vec<CanvasOutcome>) {
+        if sample.tool == PenTool::Eraser && self.eraser_end().is_none() && !self.keys.space {
+            let usage = self.settings.pen.eraser;
+            return self.use_button(usage, Trigger::Tip, sample, drawing, out);
+        }
         let place = self.view.to_canvas(sample.position);
         let doing = match self.tool_for(sample.tool) {
             _ if self.keys.space => Some(Doing::View(self.view_drag())),
@@ -141,12 +150,50 @@ impl Canvas {
         out.push(CanvasOutcome::OverlayChanged);
     }
 
-    /// What a tool does on the canvas: the eraser end of a pen always erases.
+    /// What a tool does on the canvas: a pen with an erasing button held erases, and so mostly does its eraser end.
     pub(super) fn tool_for(&self, tool: PenTool) -> CanvasTool {
-        match (tool, self.tool) {
-            (PenTool::Eraser, CanvasTool::Erase { partial }) => CanvasTool::Erase { partial },
-            (PenTool::Eraser, _) => CanvasTool::Erase { partial: self.settings.eraser_end_is_partial },
-            (_, tool) => tool,
+        let erases = match tool {
+            PenTool::Eraser => self.eraser_end(),
+            PenTool::Pen => self.erasing_button(),
+            PenTool::Mouse | PenTool::Finger(_) => None,
+        };
+        match (erases, self.tool) {
+            (Some(_), CanvasTool::Erase { partial }) | (Some(partial), _) => CanvasTool::Erase { partial },
+            (None, tool) => tool,
+        }
+    }
+
+    /// Whether the eraser end erases, and if so, only in part.
+    fn eraser_end(&self) -> Option<bool> {
+        erases(self.settings.pen.eraser)
+    }
+
+    /// The same for a held button of the pen.
+    fn erasing_button(&self) -> Option<bool> {
+        let (held, uses) = (self.held_by_pen(), &self.settings.pen);
+        let lower = erases(uses.lower).filter(|_| held.secondary);
+        lower.or_else(|| erases(uses.upper).filter(|_| held.middle))
+    }
+
+    /// Does what a button of a pen or mouse is for, hovering or touching. Erasing waits for the tip.
+    pub(super) fn use_button(
+        &mut self,
+        usage: ButtonUse,
+        trigger: Trigger,
+        sample: &PenSample,
+        drawing: &mut Drawing,
+        out: &mut Vec<CanvasOutcome>,
+    ) {
+        let drag = |kind| Some(Activity::new(sample, trigger, Doing::View(kind)));
+        match usage {
+            ButtonUse::Pan => self.activity = drag(ViewDrag::Pan),
+            ButtonUse::Orbit => self.activity = drag(ViewDrag::Orbit),
+            ButtonUse::Pick => self.pick(sample, drawing, out),
+            ButtonUse::Menu => out.push(CanvasOutcome::AskWhatToDraw { at: sample.position }),
+            ButtonUse::Undo => out.push(CanvasOutcome::Action(Action::Undo)),
+            ButtonUse::Redo => out.push(CanvasOutcome::Action(Action::Redo)),
+            ButtonUse::Erase | ButtonUse::ErasePartly => out.push(CanvasOutcome::OverlayChanged),
+            ButtonUse::Nothing => {}
         }
     }
 
@@ -188,12 +235,6 @@ impl Canvas {
         held.map_or_else(|| Doing::Lasso(vec![place]), Doing::Drag)
     }
 
-    /// The middle or the barrel button moves the canvas, hovering or touching.
-    pub(super) fn begin_button_pan(&mut self, sample: &PenSample) {
-        let trigger = if sample.buttons.middle { Trigger::Middle } else { Trigger::Secondary };
-        self.activity = Some(Activity::new(sample, trigger, Doing::View(ViewDrag::Pan)));
-    }
-
     pub(super) fn moved(&mut self, sample: &PenSample, drawing: &mut Drawing, out: &mut Vec<CanvasOutcome>) {
         let Some(activity) = &mut self.activity else { return };
         let from = std::mem::replace(&mut activity.last, sample.position);
@@ -229,13 +270,12 @@ impl Canvas {
             }
             Doing::View(kind) => {
                 let (kind, start) = (*kind, activity.start.position);
-                self.drag_view(kind, (start, from, sample.position));
-                out.push(CanvasOutcome::ViewChanged);
+                out.push(self.drag_view(kind, (start, from, sample.position)));
             }
         }
     }
 
-    fn drag_view(&mut self, kind: ViewDrag, (start, from, to): (DVec2, DVec2, DVec2)) {
+    fn drag_view(&mut self, kind: ViewDrag, (start, from, to): (DVec2, DVec2, DVec2)) -> CanvasOutcome {
         match kind {
             ViewDrag::Pan => self.view.pan(to - from),
             ViewDrag::Turn => {
@@ -249,7 +289,9 @@ impl Canvas {
                 let along = (to.x - from.x) - (to.y - from.y);
                 self.view.zoom_about(start, (along / (ZOOM_DRAG * self.scale_factor)).exp());
             }
+            ViewDrag::Orbit => return CanvasOutcome::Orbit(to - from),
         }
+        CanvasOutcome::ViewChanged
     }
 
     /// The tip was lifted: ends what the tip began.
@@ -348,6 +390,15 @@ impl Canvas {
         if changed {
             self.selection_changed(out);
         }
+    }
+}
+
+/// Whether a button erases, and if so, only in part.
+fn erases(usage: ButtonUse) -> Option<bool> {
+    match usage {
+        ButtonUse::Erase => Some(false),
+        ButtonUse::ErasePartly => Some(true),
+        _ => None,
     }
 }
 

@@ -7,11 +7,11 @@
 //! Changes reach the drawing only through outcomes. Where a change is still being made (an eraser or a handle on its way)
 //! [`Canvas::preview`] says what the drawing will look like.
 
-use super::activity::Activity;
+use super::activity::{Activity, Trigger};
 use super::gesture::{Touch, TouchGestures};
 use super::outcome::{CanvasKey, CanvasOutcome, Drawing, Scroll};
 use super::select::Selection;
-use super::settings::{BarrelButton, CanvasSettings};
+use super::settings::{ButtonUse, CanvasSettings};
 use super::stroke_index::StrokeIndex;
 use super::view::{CanvasView, Rect};
 use crate::app::action::{Action, CanvasTool};
@@ -219,6 +219,11 @@ impl Canvas {
         }
     }
 
+    /// Buttons of the pen as last seen.
+    pub(super) fn held_by_pen(&self) -> PenButtons {
+        self.held[1]
+    }
+
     /// Begins and ends what buttons besides the tip do.
     fn buttons(&mut self, event: &PenEvent, drawing: &mut Drawing, out: &mut Vec<CanvasOutcome>) {
         let tool = event.sample.tool;
@@ -235,14 +240,13 @@ impl Canvas {
         if self.activity.is_some() {
             return;
         }
+        let is_mouse = tool == PenTool::Mouse;
         if now.middle && !before.middle {
-            self.begin_button_pan(&event.sample);
+            let usage = if is_mouse { ButtonUse::Pan } else { self.settings.pen.upper };
+            self.use_button(usage, Trigger::Middle, &event.sample, drawing, out);
         } else if now.secondary && !before.secondary {
-            if tool != PenTool::Mouse && self.settings.barrel == BarrelButton::Pan {
-                self.begin_button_pan(&event.sample);
-            } else {
-                self.pick(&event.sample, drawing, out);
-            }
+            let usage = if is_mouse { ButtonUse::Pick } else { self.settings.pen.lower };
+            self.use_button(usage, Trigger::Secondary, &event.sample, drawing, out);
         }
     }
 

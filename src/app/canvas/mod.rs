@@ -22,6 +22,6 @@ pub mod view;
 pub use controller::Canvas;
 pub use outcome::{CanvasKey, CanvasOutcome, Drawing, Scroll};
 pub use overlay::{CanvasCursor, CursorShape, Overlay, Preview};
-pub use settings::{BarrelButton, CanvasSettings};
+pub use settings::{ButtonUse, CanvasSettings, PenUses};
 pub use stroke_builder::Stabiliser;
 pub use view::{CanvasView, Rect};

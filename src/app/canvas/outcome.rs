@@ -41,6 +41,13 @@ pub enum CanvasOutcome {
     OverlayChanged,
     /// A wish for the application.
     Action(Action),
+    /// The plant is to be turned by a drag of so many physical pixels.
+    Orbit(DVec2),
+    /// Ask what to draw next.
+    AskWhatToDraw {
+        /// Where, in the window.
+        at: DVec2,
+    },
     /// A stroke was tapped: ask what it is.
     TapOnStroke {
         /// Which.

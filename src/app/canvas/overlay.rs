@@ -85,7 +85,7 @@ impl Canvas {
 
     fn shape(&self) -> CursorShape {
         let of_view = |kind| match kind {
-            ViewDrag::Pan => CursorShape::Grab,
+            ViewDrag::Pan | ViewDrag::Orbit => CursorShape::Grab,
             ViewDrag::Turn => CursorShape::Turn,
             ViewDrag::Zoom => CursorShape::Zoom,
         };

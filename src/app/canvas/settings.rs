@@ -4,15 +4,62 @@ use super::stroke_builder::Stabiliser;
 use crate::pen::PressureCurve;
 use serde::{Deserialize, Serialize};
 
-/// What the barrel button of a pen does.
+/// What a button of a pen does, or its eraser end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum BarrelButton {
+pub enum ButtonUse {
     /// Moves the canvas while held.
     #[default]
     Pan,
+    /// Turns the plant while held.
+    Orbit,
+    /// The tip removes strokes while it is held.
+    Erase,
+    /// The tip removes what it touches while it is held.
+    ErasePartly,
     /// Asks about the stroke under the pen, as a tap on it does.
     Pick,
+    /// Asks what to draw next.
+    Menu,
+    /// Takes the last step back.
+    Undo,
+    /// Does again what was taken back.
+    Redo,
+    /// Nothing.
+    Nothing,
+}
+
+impl ButtonUse {
+    /// Every use, in the order in which they are offered.
+    pub const ALL: [Self; 9] = [
+        Self::Pan,
+        Self::Orbit,
+        Self::Erase,
+        Self::ErasePartly,
+        Self::Pick,
+        Self::Menu,
+        Self::Undo,
+        Self::Redo,
+        Self::Nothing,
+    ];
+}
+
+/// What the parts of a pen besides its tip do; they work while the pen hovers, too.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct PenUses {
+    /// The barrel button near the tip; default pan.
+    pub lower: ButtonUse,
+    /// The barrel button away from the tip; default pick.
+    pub upper: ButtonUse,
+    /// The other end of the pen, when it touches; default erase.
+    pub eraser: ButtonUse,
+}
+
+impl Default for PenUses {
+    fn default() -> Self {
+        Self { lower: ButtonUse::Pan, upper: ButtonUse::Pick, eraser: ButtonUse::Erase }
+    }
 }
 
 /// Choices, kept over sessions.
@@ -25,12 +72,10 @@ pub struct CanvasSettings {
     pub pressure: PressureCurve,
     /// Whether one finger draws; otherwise fingers only move the canvas. Default yes.
     pub fingers_draw: bool,
-    /// What the pen's barrel button does; default pan. The right mouse button always picks.
-    pub barrel: BarrelButton,
+    /// What buttons and eraser end of a pen do. Of a mouse the right button picks and the middle one pans.
+    pub pen: PenUses,
     /// Radius of the eraser in logical pixels, 1 to 200; default 10.
     pub eraser_radius: f64,
-    /// Whether the eraser end of a pen removes only what it touches; default no.
-    pub eraser_end_is_partial: bool,
     /// Whether scrolling on a touchpad moves the canvas; otherwise it zooms as a wheel does. Default yes.
     pub touchpad_pans: bool,
 }
@@ -41,9 +86,8 @@ impl Default for CanvasSettings {
             stabiliser: Stabiliser::Off,
             pressure: PressureCurve::default(),
             fingers_draw: true,
-            barrel: BarrelButton::Pan,
+            pen: PenUses::default(),
             eraser_radius: 10.0,
-            eraser_end_is_partial: false,
             touchpad_pans: true,
         }
     }

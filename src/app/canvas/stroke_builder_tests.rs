@@ -51,7 +51,7 @@ fn jitter_shrinks_by_the_documented_factor() {
 
 #[test]
 fn pressure_passes_the_curve_for_pens_only() {
-    let curve = PressureCurve { output_max: 0.5, ..PressureCurve::default() };
+    let curve = PressureCurve { end: [1.0, 0.5], ..PressureCurve::default() };
     let view = CanvasView::default();
     for (tool, expected) in [(PenTool::Pen, 0.25), (PenTool::Mouse, 0.5), (PenTool::Finger(1), 0.5)] {
         let touch = Hand::default().event(PenPhase::Down, tool, 0.0).sample;

@@ -1,10 +1,11 @@
 //! Pens, wheels and fingers on the canvas, and what comes of them.
 
 use super::{DURABLE_WAIT, Editor};
+use crate::app::action::CanvasTool;
 use crate::app::canvas::{CanvasOutcome, Drawing, Scroll};
-use crate::app::panels::snapshot::{PartMenu, PenUsed};
+use crate::app::panels::snapshot::{MenuOf, PartMenu, PenLive, PenUsed};
 use crate::pen::{PenEvent, PenPhase, PenTool};
-use crate::sketch::Change;
+use crate::sketch::{Change, Tool};
 use glam::DVec2;
 
 impl Editor {
@@ -19,8 +20,26 @@ impl Editor {
             self.part_menu = None;
             self.make_durable();
         }
+        self.note_pen(&event);
         if !self.hold_reference(&event) {
             self.on_canvas(|canvas, drawing, out| canvas.pen(&event, drawing, out));
+        }
+    }
+
+    /// Sees how a pen is held, wherever it is in the window.
+    pub fn note_pen(&mut self, event: &PenEvent) {
+        if matches!(event.sample.tool, PenTool::Pen | PenTool::Eraser) {
+            let sample = &event.sample;
+            self.pen_live = PenLive { pressure: sample.pressure, tilt_deg: sample.tilt_deg.to_array() };
+        }
+    }
+
+    /// A pen came into use: what the artist chose for it holds from now on.
+    pub fn take_up_pen(&mut self, name: &str, is_raw: bool) {
+        if self.pen_device.as_deref() != Some(name) || self.pen_is_raw != is_raw {
+            self.pen_device = Some(name.to_owned());
+            self.pen_is_raw = is_raw;
+            self.apply_settings();
         }
     }
 
@@ -90,8 +109,20 @@ impl Editor {
                 let strokes = &self.document.sketch().strokes;
                 let Some(stroke) = strokes.iter().find(|s| s.id == id) else { return };
                 let at = at / self.layout.pixels_per_point();
-                self.part_menu =
-                    Some(PartMenu { stroke: Some(id), tool: stroke.tool, at: [at.x as f32, at.y as f32] });
+                let (of, tool) = (MenuOf::Stroke(id), stroke.tool);
+                self.part_menu = Some(PartMenu { of, tool, at: [at.x as f32, at.y as f32] });
+            }
+            CanvasOutcome::AskWhatToDraw { at } => {
+                let at = at / self.layout.pixels_per_point();
+                let tool = match self.canvas.tool() {
+                    CanvasTool::Draw(tool) => tool,
+                    _ => Tool::Auto,
+                };
+                self.part_menu = Some(PartMenu { of: MenuOf::Pen, tool, at: [at.x as f32, at.y as f32] });
+            }
+            CanvasOutcome::Orbit(by) => {
+                let by = by / self.layout.pixels_per_point();
+                self.plant.orbit(egui::vec2(by.x as f32, by.y as f32));
             }
         }
     }

@@ -87,6 +87,11 @@ impl Editor {
             }
             Action::SetHandedness(hand) => self.settings.handedness = hand,
             Action::SetStabiliser(stabiliser) => self.settings.stabiliser = stabiliser,
+            Action::SetPenSource(source) => self.settings.pen_source = source,
+            Action::SetPen(pen) => {
+                let name = self.pen_device.clone().unwrap_or_default();
+                self.settings.set_pen(&name, pen);
+            }
             Action::ShowSide(shown) => self.settings.side_shown = shown,
             Action::SetSideWidth(width) => self.settings.side_width = width,
             // Everything else has been carried out before.
@@ -98,7 +103,10 @@ impl Editor {
 
     /// Gives the canvas and the rest what the settings say.
     pub(super) fn apply_settings(&mut self) {
+        let pen = self.settings.pen(self.pen_device.as_deref().unwrap_or_default());
         self.canvas.settings.stabiliser = self.settings.stabiliser;
+        self.canvas.settings.pressure = pen.pressure;
+        self.canvas.settings.pen = pen.uses;
     }
 
     /// Keeps the settings, if they are others than those that were kept last.

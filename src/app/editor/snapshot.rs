@@ -5,7 +5,7 @@ use crate::app::fonts::{self, ChineseFont};
 use crate::app::messages::{Language, Msg};
 use crate::app::panels::Snapshot;
 use crate::app::panels::snapshot::{
-    Autosave, Dialog, Found, ParamValues, Recovered, ReferenceState, Severity, Status,
+    Autosave, Dialog, Found, ParamValues, PenState, Recovered, ReferenceState, Severity, Status,
 };
 use crate::app::presets;
 use crate::app::settings::ThemeChoice;
@@ -46,6 +46,7 @@ impl Editor {
             presets: self.presets(),
             reference,
             view: self.plant.state,
+            pen: self.pen_state(),
             status: self.status(),
             found: self.found_parts(),
             part_menu: self.part_menu,
@@ -79,6 +80,18 @@ impl Editor {
                 && self.building.last.is_some_and(|t| t > Duration::from_millis(150)),
             pen: self.pen_used.clone(),
             autosave: self.autosave(),
+        }
+    }
+
+    fn pen_state(&self) -> PenState {
+        let name = self.pen_device.as_deref().unwrap_or_default();
+        PenState {
+            device: self.pen_device.clone(),
+            is_raw: self.pen_is_raw,
+            trouble: self.pen_trouble.clone(),
+            source: self.settings.pen_source,
+            settings: self.settings.pen(name),
+            live: self.pen_live,
         }
     }
 

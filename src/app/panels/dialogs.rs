@@ -2,11 +2,11 @@
 
 use super::export::buttons;
 use super::icons::{self, Icon};
-use super::path_dialog;
 use super::snapshot::{Dialog, PathPurpose, Recovered, Snapshot};
 use super::toolbar::TOOLS;
 use super::widgets::{IconButton, note, palette, text_button};
 use super::{export, widgets};
+use super::{path_dialog, pen};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
 use crate::app::theme::TARGET;
@@ -17,7 +17,7 @@ pub fn show(ctx: &Context, snapshot: &Snapshot, messages: &Messages, out: &mut V
     let Some(dialog) = &snapshot.dialog else { return };
     let screen = ctx.content_rect();
     let width = match dialog {
-        Dialog::About => 640.0,
+        Dialog::About | Dialog::Pen => 640.0,
         Dialog::Path(_) | Dialog::Recovery(_) => 560.0,
         Dialog::Unsaved | Dialog::Export => 440.0,
     };
@@ -34,12 +34,13 @@ pub fn show(ctx: &Context, snapshot: &Snapshot, messages: &Messages, out: &mut V
             Dialog::Recovery(found) => recovery(ui, found, screen.height(), messages, out),
             Dialog::Export => export::show(ui, snapshot, messages, out),
             Dialog::Path(request) => path_dialog::show(ui, request, screen.height(), messages, out),
+            Dialog::Pen => pen::show(ui, snapshot, screen.height(), messages, out),
             Dialog::About => about(ui, screen.height(), messages, out),
         }
     });
     // a tap beside the dialog must not throw a question away that somebody has to answer
-    let may_leave =
-        matches!(dialog, Dialog::About) || (matches!(dialog, Dialog::Export) && snapshot.task.is_none());
+    let may_leave = matches!(dialog, Dialog::About | Dialog::Pen)
+        || (matches!(dialog, Dialog::Export) && snapshot.task.is_none());
     let escaped = ctx.input(|i| i.key_pressed(egui::Key::Escape));
     if out.is_empty() && ((modal.should_close() && may_leave) || (escaped && snapshot.task.is_none())) {
         out.push(Action::CloseDialog);
@@ -51,6 +52,7 @@ fn title(dialog: &Dialog) -> Msg {
         Dialog::Unsaved => Msg::UnsavedTitle,
         Dialog::Recovery(_) => Msg::RecoveryTitle,
         Dialog::Export => Msg::ExportTitle,
+        Dialog::Pen => Msg::PenTitle,
         Dialog::About => Msg::AboutTitle,
         Dialog::Path(request) => match request.purpose {
             PathPurpose::OpenDrawing => Msg::PathOpenTitle,

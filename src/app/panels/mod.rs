@@ -17,6 +17,7 @@ pub mod notices;
 pub mod parameters;
 pub mod part_menu;
 mod path_dialog;
+pub mod pen;
 pub mod presets;
 pub mod rail;
 pub mod seed;

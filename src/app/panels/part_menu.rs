@@ -1,9 +1,9 @@
 //! What is this stroke? One tap corrects a wrong guess. And what can be done with selected strokes.
 
 use super::icons::Icon;
-use super::snapshot::{PartMenu, Snapshot};
+use super::snapshot::{MenuOf, PartMenu, Snapshot};
 use super::widgets::{CAPTIONED, IconButton, card, note, palette};
-use crate::app::action::Action;
+use crate::app::action::{Action, CanvasTool};
 use crate::app::messages::{Messages, Msg};
 use crate::app::theme::TOOL;
 use crate::sketch::Tool;
@@ -41,7 +41,8 @@ pub fn show(ctx: &Context, canvas: Rect, snapshot: &Snapshot, messages: &Message
 
 fn choices(ui: &mut Ui, menu: &PartMenu, messages: &Messages, out: &mut Vec<Action>) {
     ui.set_width(3.0 * CAPTIONED + 8.0);
-    note(ui, messages.get(Msg::PartTitle));
+    let title = if menu.of == MenuOf::Pen { Msg::PenDrawNext } else { Msg::PartTitle };
+    note(ui, messages.get(title));
     ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
     for row in PARTS.chunks(3) {
         ui.horizontal(|ui| {
@@ -54,9 +55,9 @@ fn choices(ui: &mut Ui, menu: &PartMenu, messages: &Messages, out: &mut Vec<Acti
                     button = button.colour(palette(ui).tool(*tool));
                 }
                 if button.show(ui).clicked() {
-                    out.push(match menu.stroke {
-                        Some(stroke) => Action::SetStrokePart { stroke, tool: *tool },
-                        None => Action::SetPart(*tool),
+                    out.push(match menu.of {
+                        MenuOf::Stroke(stroke) => Action::SetStrokePart { stroke, tool: *tool },
+                        MenuOf::Pen => Action::SetTool(CanvasTool::Draw(*tool)),
                     });
                     out.push(Action::ClosePartMenu);
                 }

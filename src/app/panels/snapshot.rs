@@ -1,9 +1,11 @@
 //! What panels read: the state of the application as plain data, copied together once per frame.
 
 use crate::app::action::CanvasTool;
+use crate::app::pen_settings::PenSettings;
 use crate::app::presets::Listed;
 use crate::app::settings::{Handedness, Settings, Stabiliser, ThemeChoice};
 use crate::params::join;
+use crate::pen::PenSource;
 use crate::plant::OrganKind;
 use crate::sketch::{StrokeId, Tool};
 use serde::{Deserialize, Serialize};
@@ -54,6 +56,8 @@ pub struct Snapshot {
     pub reference: Option<ReferenceState>,
     /// How the plant is shown.
     pub view: ViewState,
+    /// The pen last used.
+    pub pen: PenState,
     /// What the status line says.
     pub status: Status,
     /// Parts that the analysis found, for the legend.
@@ -282,15 +286,50 @@ pub struct Found {
     pub ignored: bool,
 }
 
-/// The menu that asks what a stroke is.
+/// The pen last used, and how pens are read.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PenState {
+    /// Its name, where it is known, and how it is read; `None` before there was one.
+    pub device: Option<String>,
+    /// Whether its tablet is read directly.
+    pub is_raw: bool,
+    /// Why a tablet cannot be read, and what to do.
+    pub trouble: Option<String>,
+    /// How pens are read.
+    pub source: PenSource,
+    /// What the artist chose for it.
+    pub settings: PenSettings,
+    /// How it is held now.
+    pub live: PenLive,
+}
+
+/// How a pen is held.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PenLive {
+    /// Pressure as the pen reports it, 0 to 1.
+    pub pressure: f32,
+    /// Lean to the right and toward the artist, degrees.
+    pub tilt_deg: [f32; 2],
+}
+
+/// The menu that asks what a stroke is, or what to draw.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PartMenu {
-    /// The stroke; `None` asks about the selection.
-    pub stroke: Option<StrokeId>,
-    /// What it was drawn as.
+    /// What is asked about.
+    pub of: MenuOf,
+    /// What it is now.
     pub tool: Tool,
     /// Where the artist tapped, logical pixels of the window.
     pub at: [f32; 2],
+}
+
+/// What the menu of parts asks about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MenuOf {
+    /// What this stroke is.
+    Stroke(StrokeId),
+    /// What the pen draws next.
+    Pen,
 }
 
 /// A dialog above everything.
@@ -304,6 +343,8 @@ pub enum Dialog {
     Export,
     /// A file, where the system has no dialog of its own.
     Path(PathRequest),
+    /// Pen and tablet.
+    Pen,
     /// What the program is, first steps and keys.
     About,
 }

@@ -241,5 +241,7 @@ fn settings_menu(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mu
         note(ui, messages.get(Msg::SettingsStabiliser));
         let strengths = Stabiliser::ALL.map(|strength| (strength, messages.get(strength_name(strength))));
         out.extend(segments(ui, &strengths, snapshot.stabiliser).map(Action::SetStabiliser));
+        ui.separator();
+        super::pen::open_button(ui, messages, out);
     });
 }
