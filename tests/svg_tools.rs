@@ -97,7 +97,9 @@ fn a_file_that_scour_rewrote_is_the_same_drawing() {
         let text = std::fs::read_to_string(&rewritten).unwrap();
         assert_ne!(text, std::fs::read_to_string(&file).unwrap());
         let (again, warnings) = sketch::read(&rewritten).unwrap();
-        assert!(warnings.is_empty(), "{name}: {warnings:?}");
+        // It leaves out points on the way of a straight line; then the pressures belong to none, which is told.
+        let odd = warnings.iter().find(|warning| !warning.message.contains("data-pressure passed over"));
+        assert_eq!(odd, None, "{name}");
         assert_eq!(again.strokes.len(), sketch.strokes.len(), "{name}");
         let most = 1e-4 * sketch.diagonal();
         for (was, is) in sketch.strokes.iter().zip(&again.strokes) {

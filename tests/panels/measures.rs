@@ -7,7 +7,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use penstemon::app::action::{Action, CanvasTool};
 use penstemon::app::messages::{Language, Messages, Msg};
 use penstemon::app::panels::snapshot::{Dialog, ReferenceState};
-use penstemon::app::settings::Handedness;
+use penstemon::app::settings::{Handedness, ThemeChoice};
 use penstemon::app::theme::TARGET;
 
 /// Every widget that can be touched, with its name and the part of it that is in the window.
@@ -129,4 +129,20 @@ fn an_idle_interface_asks_for_no_more_frames() {
     harness.step();
     let wait = harness.output().viewport_output.values().map(|v| v.repaint_delay).min().unwrap();
     assert!(wait > std::time::Duration::from_secs(1), "{wait:?}");
+}
+
+#[test]
+fn everything_that_can_be_touched_is_told_from_everything_else() {
+    for language in Language::ALL {
+        let mut snapshot = busy();
+        snapshot.theme = ThemeChoice::Light;
+        let mut harness = stage(snapshot, language);
+        press(&mut harness, Messages::new(language).get(Msg::SettingsTitle));
+        // Where two have one name for egui, it writes that over them, in the colour of errors.
+        let clash = |shape: &egui::epaint::ClippedShape| match &shape.shape {
+            egui::Shape::Text(text) => text.galley.text().contains("widget ID"),
+            _ => false,
+        };
+        assert!(!harness.output().shapes.iter().any(clash), "{language:?}");
+    }
 }

@@ -32,6 +32,8 @@ fn the_picture_is_turned_moved_and_scaled_and_every_drag_is_one_step() {
 
     // The frame is a line of the accent's colour: its box on the screen is read from there.
     let [left, top, right, bottom] = shown.extent(crate::program::ACCENT, program.area("canvas"));
+    // Corners stand out by the half of their squares.
+    let (left, right, bottom) = (left + 6.0, right - 6.0, bottom - 6.0);
     let centre = DVec2::new((left + right) / 2.0, 0.0);
     // The handle stands 32 points above the edge; its circle, of 7, ends the box of what is drawn.
     let edge = top + 32.0 + 7.0;
