@@ -3,6 +3,14 @@
 //! A device's node is opened, woken up where its maker demands it, and drained by a thread of its own. Whatever the bytes
 //! look like, a decoder turns each report into [`HidEvent`]s; nobody after it knows which family the tablet is of.
 
+pub mod descriptor;
+mod descriptor_error;
+mod descriptor_items;
+mod descriptor_layout;
+mod field;
 pub mod report;
 
+pub use descriptor::{Abilities, DescriptorDecoder};
+pub use descriptor_error::DescriptorError;
+pub use descriptor_items::{MAX_DESCRIPTOR_BYTES, has_report_ids};
 pub use report::{Decode, HidEvent, RawPen};
