@@ -11,7 +11,14 @@ mod descriptor_layout;
 mod field;
 #[cfg(feature = "program")]
 pub mod hidapi_transport;
+#[cfg(test)]
+#[path = "../../../tests/common/tablets.rs"]
+#[allow(dead_code, reason = "shared with other tests")]
+pub(crate) mod made_up;
 pub mod reader;
+pub mod recording;
+mod recording_read;
+pub mod replay;
 pub mod report;
 pub mod simulated;
 pub mod transport;
@@ -24,6 +31,8 @@ pub use descriptor_items::{MAX_DESCRIPTOR_BYTES, has_report_ids};
 #[cfg(feature = "program")]
 pub use hidapi_transport::System;
 pub use reader::{Arrival, DeviceId, Inbox, Message, Notice};
+pub use recording::{Recording, RecordingWriter};
+pub use recording_read::{LineFault, RecordingError};
 pub use report::{Decode, HidEvent, RawPen};
 pub use transport::{Bus, DeviceInfo, Enumerate, Transport, TransportError};
 pub use watcher::Watcher;

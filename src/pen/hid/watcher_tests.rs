@@ -1,12 +1,9 @@
 //! Tests of finding and losing devices, on a simulated bus.
 
 use super::*;
+use crate::pen::hid::made_up as tablets;
 use crate::pen::hid::reader::Notice;
 use crate::pen::hid::simulated::{SimulatedBus, SimulatedDevice};
-
-#[path = "../../../tests/common/tablets.rs"]
-#[allow(dead_code, reason = "shared with other tests")]
-mod tablets;
 
 /// Longest that a test waits for another thread.
 const PATIENCE_OF_TESTS: Duration = Duration::from_secs(60);
