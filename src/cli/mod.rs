@@ -6,7 +6,9 @@ pub mod build;
 pub mod check;
 pub mod common;
 pub mod inspect;
+pub mod pen;
 pub mod render;
+pub mod tablets;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use std::path::PathBuf;
@@ -38,6 +40,10 @@ pub enum Verb {
     Check(check::Args),
     /// Picture of a sketch or model.
     Render(render::Args),
+    /// Which tablets are plugged in, how each is read, and what its pen says.
+    Tablets(tablets::Args),
+    /// Recordings of tablets: make one, or print one.
+    Pen(pen::Args),
 }
 
 /// A drawing named without a verb; a word that is no file is more likely a mistyped verb.
@@ -74,6 +80,8 @@ pub fn run(cli: Cli) -> anyhow::Result<ExitCode> {
         Some(Verb::Inspect(args)) => inspect::run(&args),
         Some(Verb::Check(args)) => check::run(&args),
         Some(Verb::Render(args)) => render::run(&args),
+        Some(Verb::Tablets(args)) => tablets::run(&args),
+        Some(Verb::Pen(args)) => pen::run(&args),
     }
 }
 

@@ -3,6 +3,36 @@
 //! A device's node is opened, woken up where its maker demands it, and drained by a thread of its own. Whatever the bytes
 //! look like, a decoder turns each report into [`HidEvent`]s; nobody after it knows which family the tablet is of.
 
+pub mod choose;
+pub mod descriptor;
+mod descriptor_error;
+mod descriptor_items;
+mod descriptor_layout;
+mod field;
+#[cfg(feature = "program")]
+pub mod hidapi_transport;
+#[cfg(test)]
+#[path = "../../../tests/common/tablets.rs"]
+#[allow(dead_code, reason = "shared with other tests")]
+pub(crate) mod made_up;
+pub mod reader;
+pub mod recording;
+mod recording_read;
+pub mod replay;
 pub mod report;
+pub mod simulated;
+pub mod transport;
+pub mod watcher;
 
+pub use choose::{Choice, choose_decoder};
+pub use descriptor::{Abilities, DescriptorDecoder};
+pub use descriptor_error::DescriptorError;
+pub use descriptor_items::{MAX_DESCRIPTOR_BYTES, has_report_ids};
+#[cfg(feature = "program")]
+pub use hidapi_transport::System;
+pub use reader::{Arrival, DeviceId, Inbox, Message, Notice};
+pub use recording::{Recording, RecordingWriter};
+pub use recording_read::{LineFault, RecordingError};
 pub use report::{Decode, HidEvent, RawPen};
+pub use transport::{Bus, DeviceInfo, Enumerate, Transport, TransportError};
+pub use watcher::Watcher;

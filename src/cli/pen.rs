@@ -1,0 +1,285 @@
+//! `penstemon pen record FILE` and `penstemon pen replay FILE`: recordings of tablets.
+
+use super::common;
+use crate::pen::hid::recording::RecordingWriter;
+use crate::pen::hid::{DeviceInfo, Enumerate, Recording, System, Transport, choose_decoder, replay};
+use crate::pen::mapping::Rect;
+use crate::pen::{PenEvent, PenTool};
+use anyhow::{Context, bail};
+use glam::DVec2;
+use serde_json::json;
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::time::{Duration, Instant};
+
+/// How long a thread waits for a report before it looks whether anybody still listens.
+const PATIENCE: Duration = Duration::from_millis(200);
+/// Longest report.
+const MAX_REPORT_BYTES: usize = 4096;
+/// A keyboard's first collection: what is typed is never recorded.
+const KEYBOARDS: [(u16, u16); 2] = [(0x01, 0x06), (0x01, 0x07)];
+
+/// Arguments of `pen`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// What to do.
+    #[command(subcommand)]
+    pub verb: Verb,
+}
+
+/// What can be done with recordings.
+#[derive(Debug, clap::Subcommand)]
+pub enum Verb {
+    /// Writes down what tablets send, until Ctrl+C.
+    Record(Record),
+    /// Prints the pen events of a recording.
+    Replay(Replay),
+}
+
+/// Arguments of `pen record`.
+#[derive(Debug, clap::Args)]
+pub struct Record {
+    /// The recording to write.
+    pub file: PathBuf,
+    /// End after so many seconds.
+    #[arg(long, value_name = "SECONDS")]
+    pub seconds: Option<u64>,
+    /// Record this device, known or not; its numbers are in `penstemon tablets` or `lsusb`.
+    #[arg(long, value_name = "VENDOR:PRODUCT", value_parser = ids)]
+    pub device: Option<(u16, u16)>,
+}
+
+/// Arguments of `pen replay`.
+#[derive(Debug, clap::Args)]
+pub struct Replay {
+    /// The recording.
+    pub file: PathBuf,
+    /// Print JSON, one object a line.
+    #[arg(long)]
+    pub json: bool,
+    /// Window that the tablet draws into, in pixels.
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1920x1080", value_parser = size)]
+    pub size: DVec2,
+}
+
+fn ids(text: &str) -> Result<(u16, u16), String> {
+    let number = |text| u16::from_str_radix(text, 16).ok();
+    let ids = text.split_once(':').and_then(|(vendor, product)| number(vendor).zip(number(product)));
+    ids.ok_or_else(|| "write it as two hexadecimal numbers, for instance 056a:0357".to_owned())
+}
+
+fn size(text: &str) -> Result<DVec2, String> {
+    let side = |text: &str| text.parse::<u16>().ok().filter(|side| *side > 0).map(f64::from);
+    let sides = text.split_once('x').and_then(|(width, height)| side(width).zip(side(height)));
+    sides.map(DVec2::from).ok_or_else(|| "write it as 1920x1080, each side up to 65535".to_owned())
+}
+
+/// Runs `pen`.
+///
+/// # Errors
+/// A recording that cannot be read or written, or no device to record.
+pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
+    match &args.verb {
+        Verb::Record(args) => {
+            let file = File::create(&args.file).with_context(|| args.file.display().to_string())?;
+            let told = record(&mut System::new(), args, BufWriter::new(file))
+                .with_context(|| args.file.display().to_string())?;
+            common::print(&told)?;
+        }
+        Verb::Replay(args) => replay(args)?,
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// What a thread says of its device.
+struct Heard {
+    device: usize,
+    when: Instant,
+    /// `None` when it was unplugged.
+    report: Option<Vec<u8>>,
+}
+
+/// Records until everything is unplugged or the time is over, and says what was recorded.
+fn record(system: &mut dyn Enumerate, args: &Record, out: impl Write) -> anyhow::Result<String> {
+    let begin = Instant::now();
+    let end = args.seconds.map(|seconds| begin + Duration::from_secs(seconds));
+    let mut writer = RecordingWriter::new(out)?;
+    let (heard, hears) = channel();
+    let mut devices = 0;
+    for info in system.devices()? {
+        let Some(transport) = open(system, &info, args.device)? else { continue };
+        let device = writer.device(&info, transport.descriptor())?;
+        let heard = heard.clone();
+        std::thread::spawn(move || listen(device, transport, &heard));
+        devices += 1;
+    }
+    drop(heard);
+    if devices == 0 {
+        bail!("no tablet to record was found; plug it in, or name it with --device VENDOR:PRODUCT");
+    }
+    writer.flush()?;
+    tracing::warn!("recording {devices} device(s); draw, then press Ctrl+C");
+    let mut reports = 0usize;
+    loop {
+        let left = end.map_or(PATIENCE, |end| end.saturating_duration_since(Instant::now()));
+        let first = match hears.recv_timeout(left) {
+            Ok(heard) => heard,
+            Err(RecvTimeoutError::Timeout) if end.is_none() => continue,
+            Err(_) => return Ok(format!("{reports} reports of {devices} device(s)")),
+        };
+        // Whole lines reach the file whenever the tablets pause, so that Ctrl+C leaves a sound recording.
+        for heard in std::iter::once(first).chain(hears.try_iter()) {
+            let time_us = u64::try_from((heard.when - begin).as_micros()).unwrap_or(u64::MAX);
+            match heard.report {
+                Some(report) => writer.report(time_us, heard.device, &report)?,
+                None => writer.gone(time_us, heard.device)?,
+            }
+            reports += 1;
+        }
+        writer.flush()?;
+    }
+}
+
+/// A device that is to be recorded, open and awake.
+fn open(
+    system: &mut dyn Enumerate,
+    info: &DeviceInfo,
+    wanted: Option<(u16, u16)>,
+) -> anyhow::Result<Option<Box<dyn Transport>>> {
+    let is_named = wanted == Some((info.vendor_id, info.product_id));
+    if KEYBOARDS.contains(&info.usage) || (wanted.is_some() && !is_named) {
+        return Ok(None);
+    }
+    let descriptor = system.descriptor(info).unwrap_or_default();
+    let choice = choose_decoder(info, &descriptor).ok().flatten();
+    if choice.is_none() && !is_named {
+        return Ok(None);
+    }
+    let mut transport = system.open(info)?;
+    if let Some(wake_up) = choice.and_then(|choice| choice.wake_up) {
+        wake_up(&mut *transport);
+    }
+    Ok(Some(transport))
+}
+
+fn listen(device: usize, mut transport: Box<dyn Transport>, heard: &Sender<Heard>) {
+    let mut buffer = [0; MAX_REPORT_BYTES];
+    loop {
+        let report = match transport.read(&mut buffer, PATIENCE) {
+            Ok(0) => continue,
+            Ok(length) => buffer.get(..length).map(<[u8]>::to_vec),
+            Err(_) => None,
+        };
+        let is_gone = report.is_none();
+        if heard.send(Heard { device, when: Instant::now(), report }).is_err() || is_gone {
+            return;
+        }
+    }
+}
+
+fn replay(args: &Replay) -> anyhow::Result<()> {
+    let recording = Recording::open(&args.file)?;
+    let mut lines = Vec::new();
+    let target = Rect { min: DVec2::ZERO, max: args.size };
+    let unread = replay::play(&recording, target, &mut |device, event| {
+        lines.push(if args.json { json_line(device, event) } else { text_line(device, event) });
+    });
+    for unread in unread {
+        tracing::warn!("{}: device {}: {}", args.file.display(), unread.device, unread.reason);
+    }
+    if lines.is_empty() { Ok(()) } else { common::print(&lines.join("\n")) }
+}
+
+fn tool_name(tool: PenTool) -> &'static str {
+    match tool {
+        PenTool::Pen => "pen",
+        PenTool::Eraser => "eraser",
+        PenTool::Finger(_) => "finger",
+        PenTool::Mouse => "mouse",
+    }
+}
+
+fn text_line(device: usize, event: &PenEvent) -> String {
+    let s = &event.sample;
+    let phase = format!("{:?}", event.phase).to_lowercase();
+    format!(
+        "{:>12.3} ms  #{device}  {:<6}  {phase:<6}  {:8.2} {:8.2}  pressure {:.4}  tilt {:.1}° {:.1}°  twist {:.1}°",
+        s.time_ms,
+        tool_name(s.tool),
+        s.position.x,
+        s.position.y,
+        s.pressure,
+        s.tilt_deg.x,
+        s.tilt_deg.y,
+        s.twist_deg
+    )
+}
+
+fn json_line(device: usize, event: &PenEvent) -> String {
+    let s = &event.sample;
+    json!({
+        "device": device, "phase": format!("{:?}", event.phase).to_lowercase(), "tool": tool_name(s.tool),
+        "time_ms": s.time_ms, "position": s.position.to_array(), "pressure": s.pressure,
+        "tilt_deg": s.tilt_deg.to_array(), "twist_deg": s.twist_deg, "distance": s.distance,
+        "buttons": [s.buttons.primary, s.buttons.secondary, s.buttons.middle],
+    })
+    .to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pen::hid::made_up as tablets;
+    use crate::pen::hid::simulated::{SimulatedBus, SimulatedDevice};
+
+    fn plug(bus: &SimulatedBus, path: &str, usage: (u16, u16), descriptor: &[u8]) -> SimulatedDevice {
+        let info =
+            DeviceInfo { path: path.into(), vendor_id: 0x56A, product_id: 1, usage, ..Default::default() };
+        let device = SimulatedDevice::new(info, descriptor);
+        device.send(&[0, 1, 2]);
+        device.unplug_at_end();
+        bus.plug(&device);
+        device
+    }
+
+    fn recorded(bus: &mut SimulatedBus, device: Option<(u16, u16)>) -> anyhow::Result<Recording> {
+        let mut out = Vec::new();
+        record(bus, &Record { file: PathBuf::new(), seconds: Some(60), device }, &mut out)?;
+        Ok(Recording::from_bytes(&out, "recorded")?)
+    }
+
+    #[test]
+    fn only_pens_are_recorded_unless_named_and_keyboards_never() {
+        let mut bus = SimulatedBus::new();
+        plug(&bus, "keyboard", (1, 6), tablets::KEYBOARD);
+        let none = recorded(&mut bus, None).unwrap_err().to_string();
+        assert!(none.contains("--device"), "{none}");
+        let none = recorded(&mut bus, Some((0x56A, 1))).unwrap_err().to_string();
+        assert!(none.contains("plug it in"), "{none}");
+        plug(&bus, "mouse", (1, 2), tablets::MOUSE);
+        plug(&bus, "pen", (0xD, 2), tablets::DESK_TABLET);
+        let recording = recorded(&mut bus, None).unwrap();
+        assert_eq!(recording.devices.iter().map(|d| d.info.path.as_str()).collect::<Vec<_>>(), ["pen"]);
+        assert_eq!(recording.entries.len(), 2, "a report and the end");
+    }
+
+    #[test]
+    fn a_named_device_is_recorded_whatever_it_is() {
+        let mut bus = SimulatedBus::new();
+        plug(&bus, "mouse", (1, 2), tablets::MOUSE);
+        plug(&bus, "vendor", (0xFF00, 1), &[]);
+        let recording = recorded(&mut bus, Some((0x56A, 1))).unwrap();
+        assert_eq!((recording.devices.len(), recording.entries.len()), (2, 4));
+    }
+
+    #[test]
+    fn sizes_and_numbers_are_read_or_refused() {
+        assert_eq!(size("640x480"), Ok(DVec2::new(640.0, 480.0)));
+        assert_eq!(ids("056a:0357"), Ok((0x56A, 0x357)));
+        assert!(["", "640", "0x480", "-1x1", "1x1x1"].iter().all(|text| size(text).is_err()));
+        assert!(["", "056a", "zz:1", "056a:10000"].iter().all(|text| ids(text).is_err()));
+    }
+}

@@ -1,0 +1,269 @@
+//! `penstemon tablets`: which pen devices there are, how each is read, and why one is not.
+
+use super::common;
+use crate::pen::hid::{
+    Abilities, DeviceInfo, Enumerate, HidEvent, Inbox, Notice, RawPen, System, Watcher, choose_decoder,
+};
+use serde_json::{Value, json};
+use std::process::ExitCode;
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::{Duration, Instant};
+
+/// Pages of first collections that tablets have: digitizers, and those of makers.
+const DIGITIZER_PAGE: u16 = 0x0D;
+const FIRST_VENDOR_PAGE: u16 = 0xFF00;
+
+/// Arguments of `tablets`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// Then show what pens say, until Ctrl+C.
+    #[arg(long)]
+    pub watch: bool,
+    /// Print JSON, one object a line.
+    #[arg(long)]
+    pub json: bool,
+    /// End watching after so many seconds.
+    #[arg(long, value_name = "SECONDS", requires = "watch")]
+    pub seconds: Option<u64>,
+}
+
+/// A device and how it is read.
+struct Found {
+    info: DeviceInfo,
+    /// How, what its pen can say, and its area in millimetres; otherwise why not.
+    state: Result<(String, Abilities, Option<[f64; 2]>), String>,
+}
+
+/// Runs `tablets`.
+///
+/// # Errors
+/// A system that does not tell its devices.
+pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
+    let found = look(&mut System::new())?;
+    if found.is_empty() && !args.json {
+        common::print("no pen device was found; plug a tablet in, or see what `--watch` finds when you do")?;
+    }
+    for found in &found {
+        common::print(&if args.json { found.json().to_string() } else { found.text() })?;
+    }
+    if args.watch {
+        watch(Box::new(System::new()), args)?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Devices that are pens, or may be.
+fn look(system: &mut dyn Enumerate) -> anyhow::Result<Vec<Found>> {
+    let found = system.devices()?.into_iter().filter_map(|info| {
+        let may_be = info.usage.0 == DIGITIZER_PAGE || info.usage.0 >= FIRST_VENDOR_PAGE;
+        let descriptor = system.descriptor(&info).map_err(|error| error.to_string());
+        let choice = descriptor.and_then(|d| choose_decoder(&info, &d).map_err(|error| error.to_string()));
+        let state = match choice {
+            Ok(Some(choice)) => match system.open(&info) {
+                Ok(_) => Ok((choice.way, choice.abilities, choice.area_mm.map(|a| a.to_array()))),
+                Err(error) => Err(error.to_string()),
+            },
+            Ok(None) if may_be => Err("it does not describe a pen; `penstemon pen record FILE --device …` \
+                                       makes a recording to send in"
+                .to_owned()),
+            Ok(None) => return None,
+            Err(_) if !may_be => return None,
+            Err(reason) => Err(reason),
+        };
+        Some(Found { info, state })
+    });
+    Ok(found.collect())
+}
+
+impl Found {
+    fn text(&self) -> String {
+        let info = &self.info;
+        let mut text = format!(
+            "{}  {:04x}:{:04x}  {}  {}",
+            info.path,
+            info.vendor_id,
+            info.product_id,
+            info.bus.name(),
+            info.name()
+        );
+        match &self.state {
+            Ok((way, abilities, area)) => {
+                text += &format!("\n    read by {way}: {}", abilities_text(abilities));
+                if let Some([width, height]) = area {
+                    text += &format!(", {width:.0} × {height:.0} mm");
+                }
+            }
+            Err(reason) => text += &format!("\n    not read: {reason}"),
+        }
+        text
+    }
+
+    fn json(&self) -> Value {
+        let info = &self.info;
+        let mut object = json!({
+            "path": info.path,
+            "vendor": format!("{:04x}", info.vendor_id),
+            "product": format!("{:04x}", info.product_id),
+            "bus": info.bus.name(),
+            "name": info.name(),
+            "read": self.state.is_ok(),
+        });
+        let more = match &self.state {
+            Ok((way, a, area)) => json!({
+                "way": way, "area_mm": area, "pressure_levels": a.pressure_levels, "tilt": a.tilt, "twist": a.twist,
+                "distance": a.distance, "eraser": a.eraser, "barrel_buttons": a.barrel_buttons,
+                "serial": a.serial, "battery": a.battery, "touch": a.touch,
+            }),
+            Err(reason) => json!({ "reason": reason }),
+        };
+        if let (Value::Object(object), Value::Object(more)) = (&mut object, more) {
+            object.extend(more);
+        }
+        object
+    }
+}
+
+fn abilities_text(abilities: &Abilities) -> String {
+    let mut parts = vec![match abilities.pressure_levels {
+        0 => "no pressure".to_owned(),
+        levels => format!("{levels} levels of pressure"),
+    }];
+    let flags = [
+        (abilities.tilt, "tilt"),
+        (abilities.twist, "twist"),
+        (abilities.distance, "distance"),
+        (abilities.eraser, "eraser"),
+        (abilities.battery, "battery"),
+        (abilities.touch, "touch"),
+    ];
+    parts.extend(flags.into_iter().filter(|(has, _)| *has).map(|(_, name)| name.to_owned()));
+    parts.push(match abilities.barrel_buttons {
+        1 => "1 barrel button".to_owned(),
+        count => format!("{count} barrel buttons"),
+    });
+    parts.join(", ")
+}
+
+fn watch(system: Box<dyn Enumerate>, args: &Args) -> anyhow::Result<()> {
+    let (wake, woken) = channel();
+    let begin = Instant::now();
+    let watcher = Watcher::start(
+        system,
+        move || {
+            // Nobody listens any more when the watch has ended.
+            let _ = wake.send(());
+        },
+        begin,
+    )?;
+    let end = args.seconds.map(|seconds| begin + Duration::from_secs(seconds));
+    loop {
+        let left = end.map_or(Duration::from_secs(3600), |end| end.saturating_duration_since(Instant::now()));
+        if left.is_zero() {
+            return Ok(());
+        }
+        match woken.recv_timeout(left) {
+            Ok(()) => show(watcher.inbox(), args.json)?,
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => return Ok(()),
+        }
+    }
+}
+
+fn show(inbox: &Inbox, as_json: bool) -> anyhow::Result<()> {
+    let mut lines = Vec::new();
+    inbox.drain(|message| {
+        let (device, time_ms) = (message.device, message.time_ms);
+        let line =
+            if as_json { notice_json(&message.notice) } else { Value::from(notice_text(&message.notice)) };
+        lines.push(match line {
+            Value::Object(mut object) => {
+                object.insert("device".into(), device.into());
+                object.insert("time_ms".into(), time_ms.into());
+                Value::Object(object).to_string()
+            }
+            Value::String(text) => format!("{time_ms:>10.1} ms  #{device}  {text}"),
+            _ => String::new(),
+        });
+    });
+    if lines.is_empty() { Ok(()) } else { common::print(&lines.join("\n")) }
+}
+
+fn notice_text(notice: &Notice) -> String {
+    match notice {
+        Notice::Arrived(arrival) => format!("{} is read by {}", arrival.info.name(), arrival.way),
+        Notice::Gone(reason) => reason.to_string(),
+        Notice::Said(HidEvent::Pen(pen)) if !pen.in_range => "the pen left".to_owned(),
+        Notice::Said(HidEvent::Pen(pen)) => pen_text(pen),
+        Notice::Said(HidEvent::Keys(keys)) => format!("keys {keys:b}"),
+        Notice::Said(HidEvent::Battery(percent)) => format!("battery {percent} %"),
+        Notice::Said(HidEvent::Touch { finger, touches, position }) => {
+            let state = if *touches { "touches" } else { "lifted" };
+            format!("finger {finger} {state} {:.4} {:.4}", position.x, position.y)
+        }
+    }
+}
+
+fn pen_text(pen: &RawPen) -> String {
+    let tool = if pen.eraser { "eraser" } else { "pen" };
+    let state = if pen.touches { "touches" } else { "hovers" };
+    let held = pen.barrel.iter().zip(1..).filter(|(held, _)| **held);
+    let held: String = held.map(|(_, number)| format!(" button {number}")).collect();
+    format!(
+        "{tool} {state} {:.4} {:.4}  pressure {:.4}  tilt {:.1}° {:.1}°  twist {:.1}°{held}",
+        pen.position.x,
+        pen.position.y,
+        pen.pressure.unwrap_or(0.0),
+        pen.tilt_deg.x,
+        pen.tilt_deg.y,
+        pen.twist_deg
+    )
+}
+
+fn notice_json(notice: &Notice) -> Value {
+    match notice {
+        Notice::Arrived(arrival) => {
+            json!({ "event": "arrived", "name": arrival.info.name(), "way": arrival.way })
+        }
+        Notice::Gone(reason) => json!({ "event": "gone", "reason": reason.to_string() }),
+        Notice::Said(HidEvent::Pen(pen)) => json!({
+            "event": "pen", "in_range": pen.in_range, "touches": pen.touches, "eraser": pen.eraser,
+            "barrel": pen.barrel, "position": pen.position.to_array(), "pressure": pen.pressure,
+            "tilt_deg": pen.tilt_deg.to_array(), "twist_deg": pen.twist_deg, "distance": pen.distance,
+            "serial": pen.serial,
+        }),
+        Notice::Said(HidEvent::Keys(keys)) => json!({ "event": "keys", "held": keys }),
+        Notice::Said(HidEvent::Battery(percent)) => json!({ "event": "battery", "percent": percent }),
+        Notice::Said(HidEvent::Touch { finger, touches, position }) => {
+            json!({ "event": "touch", "finger": finger, "touches": touches, "position": position.to_array() })
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pen::hid::made_up as tablets;
+    use crate::pen::hid::simulated::{SimulatedBus, SimulatedDevice};
+
+    #[test]
+    fn devices_say_how_they_are_read_or_why_not() {
+        let mut bus = SimulatedBus::new();
+        let devices =
+            [("a", 0x0D, tablets::PEN_DISPLAY), ("b", 0x01, tablets::MOUSE), ("c", 0xFF00, &[0x06, 0, 0xFF])];
+        for (path, page, descriptor) in devices.into_iter().chain([("d", 0x0D, tablets::DESK_TABLET)]) {
+            let info = DeviceInfo { path: path.into(), usage: (page, 1), ..Default::default() };
+            bus.plug(&SimulatedDevice::new(info, descriptor));
+        }
+        bus.forbid("d", true);
+        let found = look(&mut bus).unwrap();
+        let told: Vec<String> = found.iter().map(Found::text).collect();
+        assert_eq!(told.len(), 3, "a mouse is no tablet");
+        assert!(
+            told[0].contains("4096 levels of pressure, tilt, twist, eraser")
+                && told[0].contains("295 × 166 mm")
+        );
+        assert!(told[1].contains("pen record FILE"));
+        assert!(told[2].contains("./run.sh --install-udev"));
+        assert_eq!(found[0].json()["read"], true);
+    }
+}

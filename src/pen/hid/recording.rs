@@ -1,0 +1,163 @@
+//! Recordings of tablets: what devices sent, report by report, in a text file.
+//!
+//! A person whose tablet is not understood sends one; tests play them. The format is told in `docs/pen-recordings.md`.
+//! Serial numbers of devices are not written: they would tell who sent it.
+
+use super::transport::DeviceInfo;
+use std::io::{self, Write};
+
+/// First line of every recording: the format's name and version.
+pub const FIRST_LINE: &str = "penstemon-pen-recording 1";
+
+/// Everything that some devices sent.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Recording {
+    /// The devices, by their number.
+    pub devices: Vec<RecordedDevice>,
+    /// What happened, in order of time.
+    pub entries: Vec<Entry>,
+}
+
+/// Who a recorded device is.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct RecordedDevice {
+    /// Its identity, without its serial number.
+    pub info: DeviceInfo,
+    /// Its report descriptor.
+    pub descriptor: Vec<u8>,
+}
+
+/// One thing that happened.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// Microseconds since the recording began.
+    pub time_us: u64,
+    /// The device's number.
+    pub device: usize,
+    /// What.
+    pub what: Recorded,
+}
+
+/// What a device did.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Recorded {
+    /// It sent a report, its report id first, 0 for devices without.
+    Report(Vec<u8>),
+    /// It was unplugged; nothing more comes from it.
+    Gone,
+}
+
+impl Recording {
+    /// The recording as a file's text.
+    pub fn to_text(&self) -> String {
+        let mut writer = RecordingWriter { out: Vec::new(), devices: 0 };
+        // Writing into memory does not fail.
+        let _ = self.write(&mut writer);
+        String::from_utf8(writer.out).unwrap_or_default()
+    }
+
+    fn write(&self, writer: &mut RecordingWriter<Vec<u8>>) -> io::Result<()> {
+        writeln!(writer.out, "{FIRST_LINE}")?;
+        for device in &self.devices {
+            writer.device(&device.info, &device.descriptor)?;
+        }
+        self.entries.iter().try_for_each(|entry| match &entry.what {
+            Recorded::Report(report) => writer.report(entry.time_us, entry.device, report),
+            Recorded::Gone => writer.gone(entry.time_us, entry.device),
+        })
+    }
+}
+
+/// Writes a recording while it happens, whole lines at a time.
+#[derive(Debug)]
+pub struct RecordingWriter<W: Write> {
+    out: W,
+    devices: usize,
+}
+
+impl<W: Write> RecordingWriter<W> {
+    /// Begins a recording.
+    ///
+    /// # Errors
+    /// What the file says.
+    pub fn new(mut out: W) -> io::Result<Self> {
+        writeln!(out, "{FIRST_LINE}")?;
+        Ok(Self { out, devices: 0 })
+    }
+
+    /// Introduces a device and returns its number.
+    ///
+    /// # Errors
+    /// What the file says.
+    pub fn device(&mut self, info: &DeviceInfo, descriptor: &[u8]) -> io::Result<usize> {
+        let number = self.devices;
+        self.devices += 1;
+        let DeviceInfo { path, vendor_id, product_id, bus, product, manufacturer, usage, interface, .. } =
+            info;
+        let mut text = format!("device {number}\nbus {}\n", bus.name());
+        text += &format!("vendor {vendor_id:04x}\nproduct {product_id:04x}\n");
+        text += &format!("usage {:04x}{:04x}\n", usage.0, usage.1);
+        if let Some(interface) = interface {
+            text += &format!("interface {interface}\n");
+        }
+        for (key, value) in [("manufacturer", manufacturer), ("name", product), ("path", path)] {
+            let value = one_line(value);
+            if !value.is_empty() {
+                text += &format!("{key} {value}\n");
+            }
+        }
+        text += &format!("descriptor {}\n", hex(descriptor));
+        self.out.write_all(text.as_bytes())?;
+        Ok(number)
+    }
+
+    /// A report, its report id first.
+    ///
+    /// # Errors
+    /// What the file says.
+    pub fn report(&mut self, time_us: u64, device: usize, report: &[u8]) -> io::Result<()> {
+        self.line(time_us, device, &hex(report))
+    }
+
+    /// The device was unplugged.
+    ///
+    /// # Errors
+    /// What the file says.
+    pub fn gone(&mut self, time_us: u64, device: usize) -> io::Result<()> {
+        self.line(time_us, device, "gone")
+    }
+
+    fn line(&mut self, time_us: u64, device: usize, what: &str) -> io::Result<()> {
+        let line = match device {
+            0 => format!("{time_us} {what}\n"),
+            device => format!("{time_us} {device}:{what}\n"),
+        };
+        self.out.write_all(line.as_bytes())
+    }
+
+    /// Brings everything to the file.
+    ///
+    /// # Errors
+    /// What the file says.
+    pub fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
+    }
+}
+
+/// Longest name that is written and read, in bytes.
+pub(super) const MAX_TEXT_BYTES: usize = 256;
+
+/// A device's text as it can stand in a line: without control characters, without space around it, not too long.
+pub(super) fn one_line(text: &str) -> String {
+    let visible: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let mut line = visible.trim();
+    while line.len() > MAX_TEXT_BYTES {
+        let end = line.char_indices().last().map_or(0, |(end, _)| end);
+        line = line.get(..end).unwrap_or_default().trim_end();
+    }
+    line.to_owned()
+}
+
+fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}

@@ -1,0 +1,128 @@
+//! Plays recordings: as devices that the reader cannot tell from real ones, or straight through to pen events.
+
+use super::choose::{Choice, choose_decoder};
+use super::recording::{Recorded, Recording};
+use super::simulated::{SimulatedBus, SimulatedDevice};
+use super::{DeviceInfo, HidEvent};
+use crate::pen::machine::SILENCE_MS;
+use crate::pen::mapping::Rect;
+use crate::pen::{Mapping, PenEvent, PenMachine};
+use std::time::{Duration, Instant};
+
+/// Milliseconds in a microsecond.
+const MS: f64 = 1e-3;
+
+/// A bus with the recording's devices, which end after their last report. Reports come in their own time from `begin`
+/// on, or as fast as they are read without.
+pub fn bus(recording: &Recording, begin: Option<Instant>) -> SimulatedBus {
+    let bus = SimulatedBus::new();
+    let devices = recording.devices.iter().enumerate().map(|(number, device)| {
+        // Two devices of one recording may have had the same node one after the other.
+        let info =
+            DeviceInfo { path: format!("replay {number}: {}", device.info.path), ..device.info.clone() };
+        SimulatedDevice::new(info, &device.descriptor)
+    });
+    let devices: Vec<SimulatedDevice> = devices.collect();
+    for entry in &recording.entries {
+        let (Some(device), Recorded::Report(report)) = (devices.get(entry.device), &entry.what) else {
+            continue;
+        };
+        match begin {
+            Some(begin) => device.send_at(report, begin + Duration::from_micros(entry.time_us)),
+            None => device.send(report),
+        }
+    }
+    for device in &devices {
+        device.unplug_at_end();
+        bus.plug(device);
+    }
+    bus
+}
+
+/// A recorded device that could not be read, and why.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unread {
+    /// Its number.
+    pub device: usize,
+    /// Why.
+    pub reason: String,
+}
+
+/// One device of the recording while it plays.
+struct Player {
+    choice: Choice,
+    machine: PenMachine,
+    seen_ms: f64,
+}
+
+/// Plays a recording into a rectangle of a window and hands every event with its device's number to `sink`. Times are the
+/// recording's own. What is left in range at the end leaves. Returns the devices that could not be read.
+pub fn play(recording: &Recording, target: Rect, sink: &mut dyn FnMut(usize, &PenEvent)) -> Vec<Unread> {
+    let mut unread = Vec::new();
+    let mut players: Vec<Option<Player>> = Vec::new();
+    for (number, device) in recording.devices.iter().enumerate() {
+        let chosen = choose_decoder(&device.info, &device.descriptor);
+        let reason = match &chosen {
+            Ok(Some(_)) => None,
+            Ok(None) => Some("it is no pen that Penstemon knows".to_owned()),
+            Err(error) => Some(error.to_string()),
+        };
+        unread.extend(reason.map(|reason| Unread { device: number, reason }));
+        players.push(chosen.ok().flatten().map(|choice| Player::new(choice, target)));
+    }
+    let (mut events, mut end_ms) = (Vec::new(), 0.0);
+    let mut tell = |device: usize, events: &mut Vec<PenEvent>| {
+        events.drain(..).for_each(|event| sink(device, &event));
+    };
+    for entry in &recording.entries {
+        let time_ms = entry.time_us as f64 * MS;
+        end_ms = time_ms;
+        for (number, player) in players.iter_mut().enumerate() {
+            if let Some(player) = player {
+                player.pass_silence(time_ms, &mut events);
+                tell(number, &mut events);
+            }
+        }
+        let Some(Some(player)) = players.get_mut(entry.device) else { continue };
+        match &entry.what {
+            Recorded::Report(report) => player.report(report, time_ms, &mut events),
+            Recorded::Gone => player.machine.leave(time_ms, &mut events),
+        }
+        tell(entry.device, &mut events);
+    }
+    for (number, player) in players.iter_mut().enumerate() {
+        if let Some(player) = player {
+            player.machine.leave(end_ms, &mut events);
+            tell(number, &mut events);
+        }
+    }
+    unread
+}
+
+impl Player {
+    fn new(choice: Choice, target: Rect) -> Self {
+        let mapping = Mapping::new(target);
+        let mapping = choice.area_mm.map_or(mapping, |area| mapping.keep_aspect(area));
+        Self { choice, machine: PenMachine::new(mapping), seen_ms: 0.0 }
+    }
+
+    fn pass_silence(&mut self, now_ms: f64, out: &mut Vec<PenEvent>) {
+        if self.choice.leaves_by_silence && now_ms - self.seen_ms >= SILENCE_MS {
+            self.machine.idle(self.seen_ms + SILENCE_MS, out);
+        }
+    }
+
+    fn report(&mut self, report: &[u8], time_ms: f64, out: &mut Vec<PenEvent>) {
+        let machine = &mut self.machine;
+        let mut is_pen = false;
+        self.choice.decoder.decode(report, &mut |event| {
+            if let HidEvent::Pen(pen) = event {
+                is_pen = true;
+                machine.sample(&pen, time_ms, out);
+            }
+        });
+        if is_pen {
+            self.seen_ms = time_ms;
+        }
+    }
+}

@@ -1,0 +1,180 @@
+//! The wire to one device: reports in, reports out, and who it is.
+//!
+//! A transport is a node of the system or a simulated device; nobody above it knows which. Reports begin with their
+//! report id, 0 for devices without ids.
+
+use std::time::Duration;
+use thiserror::Error;
+
+/// The rules that let people use their tablets, and the command that installs them.
+pub const RULES_FILE: &str = "70-penstemon.rules";
+const INSTALL_RULES: &str = "./run.sh --install-udev";
+
+/// How a device is connected.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Bus {
+    /// By a cable.
+    Usb,
+    /// By radio.
+    Bluetooth,
+    /// Inside the machine.
+    I2c,
+    /// Inside the machine.
+    Spi,
+    /// In another way.
+    #[default]
+    Unknown,
+}
+
+impl Bus {
+    /// All of them with the words that stand for them in files.
+    pub const NAMES: [(Self, &'static str); 5] = [
+        (Self::Usb, "usb"),
+        (Self::Bluetooth, "bluetooth"),
+        (Self::I2c, "i2c"),
+        (Self::Spi, "spi"),
+        (Self::Unknown, "unknown"),
+    ];
+
+    /// The word that stands for it in files.
+    pub fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|(bus, _)| *bus == self).map_or("unknown", |(_, name)| name)
+    }
+}
+
+/// Who a device is.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct DeviceInfo {
+    /// The node, for instance `/dev/hidraw3`; no two devices have the same.
+    pub path: String,
+    /// Number of its maker.
+    pub vendor_id: u16,
+    /// Number of its model, given by the maker.
+    pub product_id: u16,
+    /// How it is connected.
+    pub bus: Bus,
+    /// Its name.
+    pub product: String,
+    /// Its maker's name.
+    pub manufacturer: String,
+    /// Its serial number.
+    pub serial: String,
+    /// What its first collection is for: page and usage.
+    pub usage: (u16, u16),
+    /// Number of its USB interface.
+    pub interface: Option<u8>,
+}
+
+impl DeviceInfo {
+    /// A name for people: maker and product, or the numbers where both are silent.
+    pub fn name(&self) -> String {
+        let (maker, product) = (self.manufacturer.trim(), self.product.trim());
+        match (maker.is_empty(), product.is_empty()) {
+            (true, true) => format!("tablet {:04x}:{:04x}", self.vendor_id, self.product_id),
+            (false, false) if !product.starts_with(maker) => format!("{maker} {product}"),
+            (_, false) => product.to_owned(),
+            (false, true) => maker.to_owned(),
+        }
+    }
+}
+
+/// What can go wrong with a device.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum TransportError {
+    /// The system keeps the device from this user.
+    #[error(
+        "{path}: no permission to read this tablet; install the rule file {RULES_FILE} with the command \
+         {INSTALL_RULES}, then plug the tablet in again"
+    )]
+    Permission {
+        /// The node.
+        path: String,
+    },
+    /// It is not there, or not there any more.
+    #[error("{path}: the tablet is gone; plug it in again")]
+    Gone {
+        /// The node.
+        path: String,
+    },
+    /// Anything else the system says.
+    #[error("{path}: {message}; unplug the tablet and plug it in again")]
+    System {
+        /// The node.
+        path: String,
+        /// What the system says.
+        message: String,
+    },
+}
+
+/// An open device.
+pub trait Transport: Send {
+    /// Waits up to `timeout` for a report and puts it into `buffer`, its report id first; its length, or 0 when none came.
+    ///
+    /// # Errors
+    /// A device that is gone or fails; nothing more comes from it.
+    fn read(&mut self, buffer: &mut [u8], timeout: Duration) -> Result<usize, TransportError>;
+
+    /// Sends an output report, its report id first.
+    ///
+    /// # Errors
+    /// A device that is gone or does not take it.
+    fn write(&mut self, report: &[u8]) -> Result<(), TransportError>;
+
+    /// Sends a feature report, its report id first.
+    ///
+    /// # Errors
+    /// A device that is gone or does not take it.
+    fn send_feature(&mut self, report: &[u8]) -> Result<(), TransportError>;
+
+    /// The report descriptor; empty where the system does not tell it.
+    fn descriptor(&self) -> &[u8];
+
+    /// Who it is.
+    fn info(&self) -> &DeviceInfo;
+}
+
+/// Where devices are found: the system, or a test.
+pub trait Enumerate: Send {
+    /// Every device that is there now, each path once.
+    ///
+    /// # Errors
+    /// A system that does not tell.
+    fn devices(&mut self) -> Result<Vec<DeviceInfo>, TransportError>;
+
+    /// The report descriptor of a device, got without opening it where the system allows that.
+    ///
+    /// # Errors
+    /// A device that is gone or keeps it to itself.
+    fn descriptor(&mut self, device: &DeviceInfo) -> Result<Vec<u8>, TransportError>;
+
+    /// Opens a device.
+    ///
+    /// # Errors
+    /// A device that is gone, that the user may not open, or that fails.
+    fn open(&mut self, device: &DeviceInfo) -> Result<Box<dyn Transport>, TransportError>;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_refused_device_says_which_rule_and_which_command() {
+        let told = TransportError::Permission { path: "/dev/hidraw3".into() }.to_string();
+        for part in ["/dev/hidraw3", "70-penstemon.rules", "./run.sh --install-udev"] {
+            assert!(told.contains(part), "{told}");
+        }
+    }
+
+    #[test]
+    fn a_device_has_a_name_for_people() {
+        let named = |maker: &str, product: &str| {
+            let (manufacturer, product) = (maker.to_owned(), product.to_owned());
+            DeviceInfo { manufacturer, product, vendor_id: 0x56A, product_id: 0x357, ..Default::default() }
+                .name()
+        };
+        assert_eq!(named("Wacom Co.,Ltd.", "Intuos Pro M"), "Wacom Co.,Ltd. Intuos Pro M");
+        assert_eq!(named("HUION", "HUION Kamvas"), "HUION Kamvas");
+        assert_eq!(named("", " "), "tablet 056a:0357");
+    }
+}

@@ -1,0 +1,138 @@
+//! Tests of finding and losing devices, on a simulated bus.
+
+use super::*;
+use crate::pen::hid::made_up as tablets;
+use crate::pen::hid::reader::Notice;
+use crate::pen::hid::simulated::{SimulatedBus, SimulatedDevice};
+
+/// Longest that a test waits for another thread.
+const PATIENCE_OF_TESTS: Duration = Duration::from_secs(60);
+
+fn device(path: &str, descriptor: &[u8]) -> SimulatedDevice {
+    SimulatedDevice::new(DeviceInfo { path: path.into(), ..Default::default() }, descriptor)
+}
+
+fn roster(bus: &SimulatedBus) -> (Roster, Inbox) {
+    let (outbox, inbox) = queue(|| {}, Instant::now());
+    (Roster::new(Box::new(bus.clone()), Box::new(choose_decoder), outbox), inbox)
+}
+
+fn wait(mut is_done: impl FnMut() -> bool) {
+    let begin = Instant::now();
+    while !is_done() {
+        assert!(begin.elapsed() < PATIENCE_OF_TESTS, "it never happened");
+        std::thread::yield_now();
+    }
+}
+
+/// Arrivals and goings in order.
+fn comings(inbox: &Inbox) -> Vec<(DeviceId, bool)> {
+    let mut all = Vec::new();
+    inbox.drain(|message| match message.notice {
+        Notice::Arrived(_) => all.push((message.device, true)),
+        Notice::Gone(_) => all.push((message.device, false)),
+        Notice::Said(_) => {}
+    });
+    all
+}
+
+#[test]
+fn only_pens_are_opened() {
+    let bus = SimulatedBus::new();
+    let devices = [
+        device("mouse", tablets::MOUSE),
+        device("screen", tablets::TOUCH_SCREEN),
+        device("broken", &[0xC0]),
+        device("pen", tablets::PEN_DISPLAY),
+        device("tablet", tablets::WACOM_PAGE),
+    ];
+    devices.iter().for_each(|device| bus.plug(device));
+    let (mut roster, inbox) = roster(&bus);
+    roster.poll().unwrap();
+    roster.poll().unwrap();
+    assert_eq!((roster.readers(), devices.each_ref().map(SimulatedDevice::handles)), (2, [0, 0, 0, 1, 1]));
+    drop(roster);
+    let mut comings = comings(&inbox);
+    comings.sort();
+    assert_eq!(comings, [(0, false), (0, true), (1, false), (1, true)]);
+    assert!(devices.iter().all(|device| device.handles() == 0));
+}
+
+#[test]
+fn a_device_comes_back_under_its_path() {
+    let (bus, first, again) =
+        (SimulatedBus::new(), device("a", tablets::PEN_DISPLAY), device("a", tablets::PEN_DISPLAY));
+    bus.plug(&first);
+    let (mut roster, inbox) = roster(&bus);
+    roster.poll().unwrap();
+    // Unplugged and plugged in again between two looks.
+    bus.plug(&again);
+    wait(|| {
+        roster.poll().unwrap();
+        again.handles() == 1
+    });
+    assert_eq!((first.handles(), roster.readers()), (0, 1));
+    bus.unplug("a");
+    wait(|| {
+        roster.poll().unwrap();
+        roster.readers() == 0
+    });
+    assert_eq!(comings(&inbox), [(0, true), (0, false), (1, true), (1, false)]);
+}
+
+#[test]
+fn a_device_that_was_forbidden_is_read_once_it_is_allowed() {
+    let (bus, tablet) = (SimulatedBus::new(), device("a", tablets::DESK_TABLET));
+    bus.plug(&tablet);
+    bus.forbid("a", true);
+    let (mut roster, _inbox) = roster(&bus);
+    roster.poll().unwrap();
+    assert_eq!(roster.readers(), 0);
+    bus.forbid("a", false);
+    roster.poll().unwrap();
+    assert_eq!((roster.readers(), tablet.handles()), (1, 1));
+}
+
+#[test]
+fn the_watcher_finds_what_is_plugged_in_and_ends() {
+    let (bus, tablet) = (SimulatedBus::new(), device("a", tablets::PEN_DISPLAY));
+    let watcher = Watcher::start(Box::new(bus.clone()), || {}, Instant::now()).unwrap();
+    bus.plug(&tablet);
+    wait(|| tablet.handles() == 1);
+    wait(|| comings(watcher.inbox()) == [(0, true)]);
+    drop(watcher);
+    assert_eq!(tablet.handles(), 0);
+}
+
+/// Threads of this process that read the device `cycling`, as Linux tells.
+fn reading_threads() -> usize {
+    let tasks = std::fs::read_dir("/proc/self/task").into_iter().flatten().flatten();
+    let names = tasks.filter_map(|task| std::fs::read_to_string(task.path().join("comm")).ok());
+    names.filter(|name| name.trim() == "cycling").count()
+}
+
+#[test]
+fn ten_thousand_times_plugged_in_and_out_leaves_nothing_behind() {
+    const CYCLES: u32 = 10_000;
+    let bus = SimulatedBus::new();
+    let (mut roster, inbox) = roster(&bus);
+    let mut told = Vec::new();
+    for cycle in 0..CYCLES {
+        let tablet = device("cycling", tablets::DESK_TABLET);
+        bus.plug(&tablet);
+        roster.poll().unwrap();
+        if cfg!(target_os = "linux") && cycle == 0 {
+            wait(|| reading_threads() == 1);
+        }
+        bus.unplug("cycling");
+        wait(|| {
+            roster.poll().unwrap();
+            roster.readers() == 0
+        });
+        assert_eq!(tablet.handles(), 0);
+        told.extend(comings(&inbox));
+    }
+    assert!(told.into_iter().eq((0..CYCLES).flat_map(|id| [(id, true), (id, false)])));
+    assert_eq!(roster.known.len(), 0);
+    assert_eq!(reading_threads(), 0);
+}
