@@ -5,5 +5,10 @@
 
 pub mod families;
 pub mod report;
+pub mod table;
+#[cfg(feature = "program")]
+pub mod usb_strings;
+pub mod wake;
 
 pub use report::{Decode, HidEvent, RawPen};
+pub use table::{Table, Tablet};
