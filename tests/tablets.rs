@@ -32,7 +32,6 @@ fn the_shipped_table_is_sound_and_large() {
     let tablets = table().tablets();
     let names: BTreeSet<&str> = tablets.iter().map(|t| t.name.as_str()).collect();
     let families: BTreeSet<Family> = tablets.iter().filter(|t| !t.keys_only).map(|t| t.family).collect();
-    println!("{} tablets, {} nodes, {} families with a pen", names.len(), tablets.len(), families.len());
     assert!(names.len() >= 320, "{} tablets", names.len());
     assert!(families.len() >= 40, "{} families with a pen", families.len());
     let unused: Vec<_> = Family::ALL.iter().filter(|f| tablets.iter().all(|t| t.family != **f)).collect();
@@ -85,6 +84,7 @@ fn known_devices_are_found() {
             &[(4, "UG901_BPU1002"), (5, "2020-10-23_Release3")],
             "XP-Pen Deco 01 V2 (Variant 2)",
         ),
+        ("28bd:0936", 12, 64, &[], "XP-Pen Deco M"),
         ("28bd:094d", 12, 0, &[], "XP-Pen Artist 10 (2nd Gen)"),
     ] {
         let found = name(find(usb, input, output, strings));

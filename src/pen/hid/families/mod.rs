@@ -98,7 +98,7 @@ pub fn check_event(event: &HidEvent) -> Result<(), String> {
             share("y", pen.position.y)?;
             share("pressure", pen.pressure.unwrap_or(0.0).into())?;
             share("distance", pen.distance.into())?;
-            if !(pen.tilt_deg.abs().max_element() <= 90.0) {
+            if !pen.tilt_deg.to_array().iter().all(|lean| (-90.0..=90.0).contains(lean)) {
                 return Err(format!("tilt beyond 90 degrees: {event:?}"));
             }
             if !(0.0..360.0).contains(&pen.twist_deg) {

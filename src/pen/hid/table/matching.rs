@@ -3,6 +3,9 @@
 //! A row fits when ids, report lengths, interface number and every device string agree. Rows that ask for strings come
 //! before rows that do not, because they know more; within both, the order of the file decides. A string that cannot be
 //! read counts as one that does not match, whatever the rule.
+//!
+//! If no row fits, rows are taken that differ in nothing but the length of output reports: firmwares of one model differ
+//! in it (28bd:0936 is known with 33 and with 64 bytes).
 
 use super::{Table, Tablet};
 use std::collections::BTreeMap;
@@ -16,6 +19,8 @@ pub enum Certainty {
     Sure,
     /// Several fit that differ; the first is the best guess, and the artist may know better.
     Ambiguous,
+    /// None fits but for the length of output reports, in which firmwares of one model differ; the first is the best guess.
+    Guess,
     /// None fits, but the device's strings could not be read, and with them one of these might.
     StringsUnread,
 }
@@ -32,11 +37,11 @@ pub struct Match<'t> {
 }
 
 impl<'t> Match<'t> {
-    /// The tablet to go on with: the only one, or the best guess among several that fit.
+    /// The tablet to go on with: the only one, or the best guess.
     #[must_use]
     pub fn best(&self) -> Option<&'t Tablet> {
         match self.certainty {
-            Certainty::Sure | Certainty::Ambiguous => self.tablets.first().copied(),
+            Certainty::Sure | Certainty::Ambiguous | Certainty::Guess => self.tablets.first().copied(),
             Certainty::Unknown | Certainty::StringsUnread => None,
         }
     }
@@ -78,29 +83,45 @@ impl Table {
         interface: Option<u8>,
         strings: &mut dyn FnMut(u8) -> Option<String>,
     ) -> Match<'_> {
-        let node_fits = |tablet: &&Tablet| {
+        let mut strings = Strings { read: strings, known: BTreeMap::new() };
+        let fits_but_for_output = |tablet: &&Tablet| {
             (tablet.vendor, tablet.product) == (vendor, product)
                 && tablet.input_length.is_none_or(|length| length == input_report_length)
-                && tablet.output_length.is_none_or(|length| length == output_report_length)
                 && (interface.is_none() || tablet.interface.is_none() || tablet.interface == interface)
         };
-        let (with, without): (Vec<&Tablet>, Vec<&Tablet>) =
-            self.tablets().iter().filter(node_fits).partition(|tablet| !tablet.strings.is_empty());
-        let mut strings = Strings { read: strings, known: BTreeMap::new() };
-        let told: Vec<&Tablet> = with.iter().copied().filter(|tablet| strings.fit(tablet)).collect();
-        let might: Vec<&Tablet> = with.into_iter().filter(|tablet| strings.might_fit(tablet)).collect();
+        let (fitting, others): (Vec<&Tablet>, Vec<&Tablet>) = self
+            .tablets()
+            .iter()
+            .filter(fits_but_for_output)
+            .partition(|tablet| tablet.output_length.is_none_or(|length| length == output_report_length));
+        let (mut certainty, mut tablets) = by_strings(&fitting, &mut strings);
+        if certainty == Certainty::Unknown && output_report_length > 0 {
+            let writable: Vec<&Tablet> = others.into_iter().filter(|t| t.output_length != Some(0)).collect();
+            (certainty, tablets) = match by_strings(&writable, &mut strings) {
+                (Certainty::Sure | Certainty::Ambiguous, tablets) => (Certainty::Guess, tablets),
+                other => other,
+            };
+        }
         let unread =
             strings.known.iter().filter(|(_, text)| text.is_none()).map(|(index, _)| *index).collect();
-        let (certainty, tablets) = if !told.is_empty() {
-            certain(told)
-        } else if !without.is_empty() {
-            certain(without)
-        } else if might.is_empty() {
-            (Certainty::Unknown, Vec::new())
-        } else {
-            (Certainty::StringsUnread, one_a_name(might))
-        };
         Match { certainty, tablets, unread }
+    }
+}
+
+/// Of rows whose node fits, those whose strings do.
+fn by_strings<'t>(fitting: &[&'t Tablet], strings: &mut Strings<'_>) -> (Certainty, Vec<&'t Tablet>) {
+    let (with, without): (Vec<&Tablet>, Vec<&Tablet>) =
+        fitting.iter().copied().partition(|tablet| !tablet.strings.is_empty());
+    let told: Vec<&Tablet> = with.iter().copied().filter(|tablet| strings.fit(tablet)).collect();
+    let might: Vec<&Tablet> = with.into_iter().filter(|tablet| strings.might_fit(tablet)).collect();
+    if !told.is_empty() {
+        certain(told)
+    } else if !without.is_empty() {
+        certain(without)
+    } else if might.is_empty() {
+        (Certainty::Unknown, Vec::new())
+    } else {
+        (Certainty::StringsUnread, one_a_name(might))
     }
 }
 

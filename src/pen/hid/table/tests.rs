@@ -35,10 +35,29 @@ fn lengths_and_interface_must_agree() {
     assert_eq!(find(0x6D, 12, 8, Some(1)), "Long");
     assert_eq!(find(0x6D, 12, 8, None), "Long", "the system does not tell the interface");
     assert_eq!(find(0x6D, 12, 8, Some(0)), "");
-    assert_eq!(find(0x6D, 12, 9, Some(1)), "");
+    assert_eq!(find(0x6D, 12, 0, Some(1)), "", "it cannot be woken");
     assert_eq!(find(0x6D, 9, 0, None), "");
     assert_eq!(find(0x01, 77, 3, Some(9)), "Any");
     assert!(table.knows(0x256C, 0x6D) && !table.knows(0x256C, 0x6E));
+}
+
+#[test]
+fn another_output_length_is_a_guess_if_nothing_fits() {
+    let table = table(&[
+        tablet("Nine", "", "{ usb = \"28bd:0936\", input = 12, output = 9 }"),
+        tablet("None", "", "{ usb = \"28bd:0936\", input = 12, output = 0 }"),
+        tablet("Told", "", "{ usb = \"28bd:0937\", input = 12, output = 9, strings = { 4 = 'A' } }"),
+    ]);
+    let find = |product, output, answer: Option<&str>| {
+        let found = table.find(0x28BD, product, 12, output, None, &mut |_| answer.map(str::to_owned));
+        (found.certainty, names(&found).concat(), found.best().is_some())
+    };
+    assert_eq!(find(0x936, 9, None), (Certainty::Sure, "Nine".to_owned(), true));
+    assert_eq!(find(0x936, 64, None), (Certainty::Guess, "Nine".to_owned(), true));
+    assert_eq!(find(0x936, 0, None), (Certainty::Sure, "None".to_owned(), true));
+    assert_eq!(find(0x937, 64, Some("A")), (Certainty::Guess, "Told".to_owned(), true));
+    assert_eq!(find(0x937, 64, Some("B")), (Certainty::Unknown, String::new(), false));
+    assert_eq!(find(0x937, 64, None), (Certainty::StringsUnread, "Told".to_owned(), false));
 }
 
 #[test]
