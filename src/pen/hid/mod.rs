@@ -8,6 +8,7 @@ pub mod descriptor;
 mod descriptor_error;
 mod descriptor_items;
 mod descriptor_layout;
+pub mod families;
 mod field;
 #[cfg(feature = "program")]
 pub mod hidapi_transport;
@@ -21,7 +22,11 @@ mod recording_read;
 pub mod replay;
 pub mod report;
 pub mod simulated;
+pub mod table;
 pub mod transport;
+#[cfg(feature = "program")]
+pub mod usb_strings;
+pub mod wake;
 pub mod watcher;
 
 pub use choose::{Choice, choose_decoder};
@@ -34,5 +39,6 @@ pub use reader::{Arrival, DeviceId, Inbox, Message, Notice};
 pub use recording::{Recording, RecordingWriter};
 pub use recording_read::{LineFault, RecordingError};
 pub use report::{Decode, HidEvent, RawPen};
+pub use table::{Table, Tablet};
 pub use transport::{Bus, DeviceInfo, Enumerate, Transport, TransportError};
 pub use watcher::Watcher;

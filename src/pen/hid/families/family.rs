@@ -1,0 +1,197 @@
+//! The names of the families, and which code reads which.
+
+use super::{Decode, Plain, Read, Spec};
+use super::{acepen, genius, keys, others, uclogic, veikk, xp_pen};
+use super::{wacom_basic, wacom_finger, wacom_graphire, wacom_intuos, wacom_modern, wacom_pl};
+use serde::{Deserialize, Serialize};
+
+/// A layout of reports; written in the tablet table in lower case with hyphens.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Family {
+    /// Flags, x, y, pressure: what most older tablets of the UC-Logic line send.
+    Generic,
+    /// UC-Logic with keys, without tilt.
+    Uclogic,
+    /// UC-Logic with keys and tilt.
+    UclogicTilt,
+    /// UC-Logic with tilt and a wheel.
+    UclogicV2,
+    /// UC-Logic whose sixth flag says "in range".
+    UclogicV1,
+    /// Huion's large tablets and displays: 24-bit positions, dials.
+    HuionGiano,
+    /// Huion tablets with groups of keys.
+    HuionInspiroy,
+    /// Huion tablets with a touch ring.
+    HuionTiltWheel,
+    /// XP-Pen, UGEE, Parblo, Adesso.
+    XpPen,
+    /// XP-Pen with 14 bits of pressure.
+    XpPenGen2,
+    /// XP-Pen with 13 bits of pressure and other things above them.
+    XpPenOffsetPressure,
+    /// UC-Logic-made XP-Pen whose fifth flag says "keys".
+    XpPenOffsetAux,
+    /// Key node of XP-Pen's first displays.
+    XpPenDedicatedAux,
+    /// Xencelabs.
+    Xencelabs,
+    /// Veikk, Xoppox.
+    Veikk,
+    /// Veikk with tilt.
+    VeikkTilt,
+    /// Early Veikk whose keys type.
+    VeikkV1,
+    /// Veikk A15 with 16-bit positions.
+    VeikkA15,
+    /// Early Veikk without keys.
+    VeikkPlain,
+    /// Acepen.
+    Acepen,
+    /// Wacom Bamboo and small Intuos until 2015.
+    WacomIntuos,
+    /// Wacom Intuos 1, 2 and 5, early Cintiq.
+    WacomIntuosV1,
+    /// Wacom Intuos Pro until 2016.
+    WacomIntuosPro,
+    /// Wacom Intuos 4.
+    WacomIntuos4,
+    /// Wacom Intuos 3.
+    WacomIntuos3,
+    /// Wacom Cintiq 12WX.
+    WacomIntuos3ExtraAux,
+    /// Wacom Cintiq 21UX and 22HD.
+    WacomCintiqV1,
+    /// Wacom from 2017 on.
+    WacomIntuosV2,
+    /// Wacom from 2023 on.
+    WacomIntuosV3,
+    /// Wacom Intuos Pro of 2017 over Bluetooth: seven moments in a report.
+    WacomIntuosBluetooth,
+    /// Wacom Graphire.
+    WacomGraphire,
+    /// Wacom Bamboo of 2007.
+    WacomBamboo,
+    /// Wacom Bamboo Pad.
+    WacomBambooPad,
+    /// Wacom PL.
+    WacomPl,
+    /// Wacom PTU.
+    WacomPtu,
+    /// Keys and fingers of Wacom tablets in chunks of eight bytes.
+    #[serde(rename = "wacom-64b-aux")]
+    Wacom64bAux,
+    /// Keys of the second Bamboo.
+    WacomBambooV2Aux,
+    /// Keys in the fourth byte.
+    AuxGeneric,
+    /// Genius.
+    Genius,
+    /// Waltop-made Genius, Trust.
+    GeniusV2,
+    /// ViewSonic Woodpad.
+    ViewsonicWoodpad,
+    /// XENX.
+    Xenx,
+    /// FlooGoo.
+    FloogooFma,
+    /// LifeTec.
+    Lifetec,
+    /// RobotPen.
+    Robotpen,
+}
+
+impl Family {
+    /// Every family, in the order of their declaration.
+    #[rustfmt::skip]
+    pub const ALL: [Self; 45] = [
+        Self::Generic, Self::Uclogic, Self::UclogicTilt, Self::UclogicV2, Self::UclogicV1, Self::HuionGiano,
+        Self::HuionInspiroy, Self::HuionTiltWheel, Self::XpPen, Self::XpPenGen2, Self::XpPenOffsetPressure,
+        Self::XpPenOffsetAux, Self::XpPenDedicatedAux, Self::Xencelabs, Self::Veikk, Self::VeikkTilt, Self::VeikkV1,
+        Self::VeikkA15, Self::VeikkPlain, Self::Acepen, Self::WacomIntuos, Self::WacomIntuosV1, Self::WacomIntuosPro,
+        Self::WacomIntuos4, Self::WacomIntuos3, Self::WacomIntuos3ExtraAux, Self::WacomCintiqV1, Self::WacomIntuosV2,
+        Self::WacomIntuosV3, Self::WacomIntuosBluetooth, Self::WacomGraphire, Self::WacomBamboo, Self::WacomBambooPad,
+        Self::WacomPl, Self::WacomPtu, Self::Wacom64bAux, Self::WacomBambooV2Aux, Self::AuxGeneric, Self::Genius,
+        Self::GeniusV2, Self::ViewsonicWoodpad, Self::Xenx, Self::FloogooFma, Self::Lifetec, Self::Robotpen,
+    ];
+
+    /// The family's nodes carry keys and fingers, never a pen.
+    #[must_use]
+    pub fn is_keys_only(self) -> bool {
+        matches!(
+            self,
+            Self::XpPenDedicatedAux | Self::Wacom64bAux | Self::WacomBambooV2Aux | Self::AuxGeneric
+        )
+    }
+
+    /// The protocol has no report that says "out of range": the pen is gone when reports stop for
+    /// [`SILENCE_MS`](crate::pen::hid::table::SILENCE_MS). Some families have it only after one way of waking, which
+    /// [`Tablet::leaves_by_silence`](crate::pen::hid::table::Tablet::leaves_by_silence) knows.
+    #[must_use]
+    pub fn leaves_by_silence(self) -> bool {
+        matches!(
+            self,
+            Self::UclogicTilt
+                | Self::UclogicV2
+                | Self::HuionGiano
+                | Self::HuionInspiroy
+                | Self::HuionTiltWheel
+        )
+    }
+
+    pub(super) fn decoder(self, spec: &Spec) -> Box<dyn Decode> {
+        match self {
+            Self::Acepen => Box::new(acepen::Acepen::new(*spec)),
+            Self::Wacom64bAux => Box::new(wacom_finger::Chunks::new(*spec)),
+            Self::WacomBamboo => Box::new(wacom_graphire::Graphire::bamboo(*spec)),
+            Self::WacomGraphire => Box::new(wacom_graphire::Graphire::new(*spec)),
+            Self::WacomIntuos => Box::new(wacom_basic::Bamboo::new(*spec)),
+            Self::WacomIntuosV1
+            | Self::WacomIntuosPro
+            | Self::WacomIntuos4
+            | Self::WacomIntuos3
+            | Self::WacomIntuos3ExtraAux
+            | Self::WacomCintiqV1 => Box::new(wacom_intuos::Intuos::new(*spec)),
+            Self::WacomIntuosV2 | Self::WacomIntuosV3 => Box::new(wacom_modern::Modern::new(*spec)),
+            Self::WacomIntuosBluetooth => Box::new(wacom_modern::Bluetooth::new(*spec)),
+            Self::WacomPl => Box::new(wacom_pl::Pl::new(*spec)),
+            _ => Box::new(Plain { spec: *spec, read: self.read() }),
+        }
+    }
+
+    /// How families without memory are read; those with memory say nothing here.
+    fn read(self) -> Read {
+        match self {
+            Self::Generic => uclogic::generic,
+            Self::Uclogic => uclogic::without_tilt,
+            Self::UclogicTilt | Self::UclogicV2 | Self::HuionTiltWheel => uclogic::with_tilt,
+            Self::UclogicV1 => uclogic::v1,
+            Self::HuionGiano => uclogic::giano,
+            Self::HuionInspiroy => uclogic::inspiroy,
+            Self::XpPen => xp_pen::xp_pen,
+            Self::XpPenGen2 => xp_pen::gen2,
+            Self::XpPenOffsetPressure => xp_pen::offset_pressure,
+            Self::XpPenOffsetAux => xp_pen::offset_aux,
+            Self::Xencelabs => xp_pen::xencelabs,
+            Self::XpPenDedicatedAux => keys::xp_pen_dedicated,
+            Self::Veikk => veikk::veikk,
+            Self::VeikkTilt => veikk::tilt,
+            Self::VeikkV1 => veikk::v1,
+            Self::VeikkA15 => veikk::a15,
+            Self::VeikkPlain => veikk::plain,
+            Self::WacomBambooPad => wacom_basic::bamboo_pad,
+            Self::WacomPtu => wacom_basic::ptu,
+            Self::WacomBambooV2Aux => keys::bamboo_v2,
+            Self::AuxGeneric => keys::generic,
+            Self::Genius => genius::genius,
+            Self::GeniusV2 => genius::v2,
+            Self::ViewsonicWoodpad => others::woodpad,
+            Self::Xenx => others::xenx,
+            Self::FloogooFma => others::floogoo,
+            Self::Lifetec => others::lifetec,
+            Self::Robotpen => others::robotpen,
+            _ => |_, _| None,
+        }
+    }
+}

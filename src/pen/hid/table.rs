@@ -1,0 +1,180 @@
+//! The table of tablets: which device is which model, how it is woken, and how its reports are read.
+//!
+//! The table is data, `assets/tablets.toml`, parsed and validated once. Vendor and product ids do not tell models apart
+//! (one pair stands for 59 of them): the length of the reports and strings in the device decide ([`mod@matching`]). TOML,
+//! because it diffs line by line and because species files are TOML already; parsing costs a few milliseconds, once, on
+//! the thread that looks for tablets.
+//!
+//! Limits: a device whose descriptor describes a pen needs no table and should not be looked up here.
+
+mod file;
+mod matching;
+mod udev;
+
+pub use file::TableError;
+pub use matching::{Certainty, Match};
+
+use super::Decode;
+use super::families::{Family, Spec};
+use super::wake::Wake;
+use glam::DVec2;
+use regex::bytes::Regex;
+use std::sync::OnceLock;
+
+/// Milliseconds without a report after which the pen of a tablet that [leaves by silence](Tablet::leaves_by_silence) is
+/// gone; what the Linux kernel's driver waits for these tablets.
+pub const SILENCE_MS: u64 = 100;
+
+/// Report ids of UC-Logic's protocols, by the string whose reading wakes them.
+const UCLOGIC_IDS: [(u8, u8); 2] = [(200, 0x08), (100, 0x07)];
+
+/// What a USB string must say.
+#[derive(Clone, Debug)]
+pub struct StringRule {
+    /// Index of the string descriptor.
+    pub index: u8,
+    /// What to look for in it; strings of firmwares may hold NULs.
+    pub pattern: Regex,
+    /// It must be found; otherwise it must not.
+    pub must_match: bool,
+}
+
+/// One HID node of a model: what it is known by, and all that is needed to use it.
+#[derive(Clone, Debug)]
+pub struct Tablet {
+    /// Maker and model.
+    pub name: String,
+    /// USB or Bluetooth vendor id.
+    pub vendor: u16,
+    /// USB or Bluetooth product id.
+    pub product: u16,
+    /// Active area in millimetres.
+    pub area_mm: DVec2,
+    /// Greatest raw x and y.
+    pub steps: [u32; 2],
+    /// Greatest raw pressure.
+    pub pressure: u32,
+    /// Greatest raw x and y of fingers, on tablets that feel them.
+    pub touch: Option<[u32; 2]>,
+    /// Buttons on the pen.
+    pub buttons: u8,
+    /// Express keys on the tablet.
+    pub keys: u8,
+    /// The pen's lean is measured.
+    pub tilts: bool,
+    /// Layout of the reports.
+    pub family: Family,
+    /// One byte too many stands before each report.
+    pub shifted: bool,
+    /// The node is reached over Bluetooth.
+    pub bluetooth: bool,
+    /// The node carries express keys and fingers; the pen is on another.
+    pub keys_only: bool,
+    /// Bytes of the longest input report, id included.
+    pub input_length: Option<usize>,
+    /// Bytes of the longest output report, id included; 0 for nodes without.
+    pub output_length: Option<usize>,
+    /// Number of the USB interface.
+    pub interface: Option<u8>,
+    /// What strings of the device must say.
+    pub strings: Vec<StringRule>,
+    /// How it is woken.
+    pub wake: Wake,
+    /// Why this row may be wrong.
+    pub doubtful: Option<String>,
+}
+
+impl Tablet {
+    /// A decoder for one open node whose longest input report has so many bytes, id included.
+    #[must_use]
+    pub fn decoder(&self, report_length: usize) -> Box<dyn Decode> {
+        self.spec(report_length).decoder()
+    }
+
+    /// What decoding needs.
+    #[must_use]
+    pub fn spec(&self, report_length: usize) -> Spec {
+        Spec {
+            family: self.family,
+            steps: self.steps,
+            pressure: self.pressure,
+            touch: self.touch,
+            tilts: self.tilts,
+            shifted: self.shifted,
+            report_id: self.report_id(),
+            report_length,
+        }
+    }
+
+    /// The pen is gone when no report came for [`SILENCE_MS`]: no report of this tablet says so.
+    #[must_use]
+    pub fn leaves_by_silence(&self) -> bool {
+        let by_wake = matches!(self.family, Family::Generic | Family::Uclogic)
+            && self.wake.strings.contains(&UCLOGIC_IDS[0].0);
+        by_wake || self.family.leaves_by_silence()
+    }
+
+    /// Identifying or waking it needs the device's USB strings, which hidraw does not give.
+    #[must_use]
+    pub fn needs_strings(&self) -> bool {
+        !self.strings.is_empty() || !self.wake.strings.is_empty()
+    }
+
+    /// The report id of the protocol it is woken into, where one way of waking leads to one protocol.
+    fn report_id(&self) -> Option<u8> {
+        match (&self.wake.strings[..], &self.wake.outputs[..]) {
+            (strings, []) => {
+                let known = UCLOGIC_IDS.iter().find(|(string, _)| strings.contains(string));
+                known.map(|(_, id)| *id)
+            }
+            // Output reports of XP-Pen and Veikk carry the id that input reports will have.
+            ([], [first, ..]) => first.first().copied().filter(|id| matches!(id, 0x02 | 0x09)),
+            _ => None,
+        }
+    }
+}
+
+/// All tablets, in the order in which they are tried.
+#[derive(Clone, Debug)]
+pub struct Table {
+    tablets: Vec<Tablet>,
+}
+
+impl Table {
+    /// The table the program ships with, parsed at the first call.
+    ///
+    /// # Errors
+    /// What is wrong with the file; a test keeps this from happening.
+    pub fn shipped() -> Result<&'static Self, &'static TableError> {
+        static TABLE: OnceLock<Result<Table, TableError>> = OnceLock::new();
+        TABLE.get_or_init(|| Self::from_toml(include_str!("../../../assets/tablets.toml"))).as_ref()
+    }
+
+    /// Reads and validates a table.
+    ///
+    /// # Errors
+    /// The first thing that is wrong, with the tablet it is about.
+    pub fn from_toml(text: &str) -> Result<Self, TableError> {
+        file::read(text).map(|tablets| Self { tablets })
+    }
+
+    /// Every node of every tablet, in the order in which they are tried.
+    #[must_use]
+    pub fn tablets(&self) -> &[Tablet] {
+        &self.tablets
+    }
+
+    /// Some tablet has these ids: the device is a tablet even if none of its nodes fits.
+    #[must_use]
+    pub fn knows(&self, vendor: u16, product: u16) -> bool {
+        self.tablets.iter().any(|t| (t.vendor, t.product) == (vendor, product))
+    }
+
+    /// Tablets with this name, which an artist chose among those that fit equally well.
+    pub fn named(&self, name: &str) -> impl Iterator<Item = &Tablet> {
+        self.tablets.iter().filter(move |t| t.name == name)
+    }
+}
+
+#[cfg(test)]
+mod tests;
