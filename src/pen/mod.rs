@@ -13,11 +13,15 @@ pub mod palm_gate;
 pub mod pressure;
 #[cfg(test)]
 pub(crate) mod tests;
+#[cfg(feature = "program")]
+pub mod x11;
 
 #[cfg(feature = "program")]
 pub use from_winit::WinitPen;
 pub use palm_gate::PalmGate;
 pub use pressure::PressureCurve;
+#[cfg(feature = "program")]
+pub use x11::X11Pens;
 
 use glam::{DVec2, Vec2};
 
