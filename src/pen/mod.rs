@@ -9,6 +9,8 @@
 pub mod from_winit;
 pub mod grammar;
 pub mod hid;
+pub mod machine;
+pub mod mapping;
 pub mod palm_gate;
 pub mod pressure;
 #[cfg(test)]
@@ -18,6 +20,8 @@ pub mod x11;
 
 #[cfg(feature = "program")]
 pub use from_winit::WinitPen;
+pub use machine::PenMachine;
+pub use mapping::Mapping;
 pub use palm_gate::PalmGate;
 pub use pressure::PressureCurve;
 #[cfg(feature = "program")]
