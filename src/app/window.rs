@@ -251,11 +251,11 @@ impl Running {
                 return false;
             }
             // What winit makes of touches for the mouse has no device.
-            let is_mouse = match event {
-                WindowEvent::PointerMoved { device_id: Some(_), source: PointerSource::Mouse, .. } => true,
-                WindowEvent::PointerButton { button: ButtonSource::Mouse(_), .. } => true,
-                _ => false,
-            };
+            let is_mouse = matches!(
+                event,
+                WindowEvent::PointerMoved { device_id: Some(_), source: PointerSource::Mouse, .. }
+                    | WindowEvent::PointerButton { button: ButtonSource::Mouse(_), .. }
+            );
             if is_mouse {
                 let now_ms = self.now_ms();
                 self.hear_x11_pens(|pens, out| pens.mouse_moved(now_ms, out));

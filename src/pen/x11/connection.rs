@@ -94,7 +94,7 @@ impl X11Pens {
         }
     }
 
-    /// The mouse moved: a pen in range leaves.
+    /// The mouse moved: a hovering pen leaves.
     pub fn mouse_moved(&mut self, time_ms: f64, out: &mut Vec<PenEvent>) {
         self.take(out);
         self.follower.other_device(time_ms, out);

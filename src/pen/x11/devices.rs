@@ -2,8 +2,8 @@
 //!
 //! Drivers number axes as they like and label them. Numbers are made comparable by the axis's own limits; tilt by its
 //! resolution, which X gives in units per radian. An event carries only the axes that changed, so a device keeps the last
-//! value of each. Pads, the keys beside a tablet, carry a pen's axes too and are told apart by the type that the driver
-//! gives them; so are erasers, or else by their name.
+//! value of each. Pads, the keys beside a tablet, and its touch surface may carry a pen's axes too and are told apart by the
+//! type that the driver gives them; so are erasers, or else by their name.
 
 use crate::pen::hid::RawPen;
 use glam::{DVec2, Vec2};
@@ -55,8 +55,8 @@ const OF_PENS: [Role; 3] = [Role::Pressure, Role::TiltX, Role::TiltY];
 /// The type that a driver gives a device, as far as it matters here.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DeviceKind {
-    /// The keys beside a tablet.
-    Pad,
+    /// Something else that is part of a tablet.
+    NoPen,
     /// The other end of a pen.
     Eraser,
     /// Anything else; the device's name may say more.
@@ -65,7 +65,13 @@ pub enum DeviceKind {
 }
 
 /// Names of atoms by which drivers tell the type.
-pub const KINDS: [(&str, DeviceKind); 2] = [("PAD", DeviceKind::Pad), ("ERASER", DeviceKind::Eraser)];
+pub const KINDS: [(&str, DeviceKind); 5] = [
+    ("PAD", DeviceKind::NoPen),
+    ("TOUCH", DeviceKind::NoPen),
+    ("TOUCHPAD", DeviceKind::NoPen),
+    ("TOUCHSCREEN", DeviceKind::NoPen),
+    ("ERASER", DeviceKind::Eraser),
+];
 
 /// One axis and its last value.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,7 +104,7 @@ impl PenDevice {
     ) -> Option<Self> {
         let is_used = info.enabled && info.type_ == xinput::DeviceType::SLAVE_POINTER;
         let is_touch = info.classes.iter().any(|class| matches!(class.data, DeviceClassData::Touch(_)));
-        if !is_used || is_touch || kind == DeviceKind::Pad {
+        if !is_used || is_touch || kind == DeviceKind::NoPen {
             return None;
         }
         let axes: Vec<Axis> = info

@@ -95,7 +95,7 @@ fn mice_screens_pads_and_sleeping_pens_are_no_pens() {
     let read = |info: &XIDeviceInfo, kind| PenDevice::read(info, kind, role_of);
     assert!(read(&device("mouse", vec![axis(0, atom("Abs X"), 0.0, 9.0, 1)]), DeviceKind::Other).is_none());
     assert!(read(&device("screen", vec![pressure(), touch]), DeviceKind::Other).is_none());
-    assert!(read(&device("pad", vec![pressure()]), DeviceKind::Pad).is_none());
+    assert!(read(&device("pad", vec![pressure()]), DeviceKind::NoPen).is_none());
     let asleep = XIDeviceInfo { enabled: false, ..device("pen", vec![pressure()]) };
     assert!(read(&asleep, DeviceKind::Other).is_none());
     let pointer = XIDeviceInfo { type_: DeviceType::MASTER_POINTER, ..device("pen", vec![pressure()]) };
