@@ -29,6 +29,11 @@ need '/usr/lib*/*/libXcursor.so.1' libxcursor1 libXcursor libxcursor
 need '/usr/lib*/*/libXi.so.6' libxi6 libXi libxi
 need '/usr/lib*/*/libwayland-client.so.0' libwayland-client0 libwayland-client wayland
 need '/usr/lib*/*/libEGL_mesa.so.0' libegl1 mesa-libEGL mesa
+# Simulated pens on a real X server.
+need Xorg xserver-xorg-core xorg-x11-server-Xorg xorg-server
+need '/usr/lib*/xorg/modules/drivers/dummy_drv.so' xserver-xorg-video-dummy xorg-x11-drv-dummy xf86-video-dummy
+need '/usr/include/xorg/xorg-server.h' xserver-xorg-dev xorg-x11-server-devel xorg-server-devel
+need pkg-config pkg-config pkgconf-pkg-config pkgconf
 need '/usr/share/fonts/*/noto*/NotoSansCJK*' fonts-noto-cjk google-noto-sans-cjk-fonts noto-fonts-cjk
 install_needed || echo "some packages could not be installed; checks that need them will say so" >&2
 

@@ -5,6 +5,7 @@
 //!
 //! Limits: one window; egui's multi-viewport and accessibility are not served.
 
+use crate::pen::{PenEvent, PenPhase};
 use egui::{Event, Modifiers, PointerButton, Pos2, RawInput, TouchDeviceId, TouchId, ViewportId};
 use std::time::Instant;
 use winit::cursor::CursorIcon;
@@ -74,6 +75,20 @@ impl EguiInput {
     /// The pointer has gone elsewhere: onto the canvas, which egui does not see.
     pub fn pointer_gone(&mut self) {
         self.raw.events.push(Event::PointerGone);
+    }
+
+    /// Hears a pen that winit does not see; its tip is the left button.
+    pub fn on_pen(&mut self, event: &PenEvent) {
+        let position = event.sample.position;
+        let pos = self.point(PhysicalPosition::new(position.x, position.y));
+        if matches!(event.phase, PenPhase::Leave | PenPhase::Cancel) {
+            return self.pointer_gone();
+        }
+        self.raw.events.push(Event::PointerMoved(pos));
+        if matches!(event.phase, PenPhase::Down | PenPhase::Up) {
+            let (button, pressed) = (PointerButton::Primary, event.phase == PenPhase::Down);
+            self.raw.events.push(Event::PointerButton { pos, button, pressed, modifiers: self.modifiers });
+        }
     }
 
     /// Hears one event; `false` where it means nothing to egui.

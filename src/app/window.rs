@@ -8,8 +8,9 @@ use super::canvas::Scroll;
 use super::editor::Editor;
 use super::egui_input::{self, EguiInput};
 use super::graphics::Graphics;
+use super::panels::snapshot::Notice;
 use super::transfer::{self, Arrival};
-use crate::pen::{PenEvent, PenPhase, PenTool, WinitPen};
+use crate::pen::{PenEvent, PenPhase, PenTool, WinitPen, X11Pens};
 use anyhow::Context as _;
 use glam::DVec2;
 use std::collections::BTreeSet;
@@ -19,8 +20,9 @@ use std::time::{Duration, Instant};
 use winit::application::ApplicationHandler;
 use winit::cursor::Cursor;
 use winit::dpi::LogicalSize;
-use winit::event::{MouseScrollDelta, WindowEvent};
+use winit::event::{ButtonSource, MouseScrollDelta, PointerKind, PointerSource, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop};
+use winit::raw_window_handle::{HasWindowHandle as _, RawWindowHandle};
 use winit::window::{ImeCapabilities, ImeEnableRequest, ImeRequest, ImeRequestData};
 use winit::window::{Window, WindowAttributes, WindowId};
 
@@ -75,6 +77,7 @@ impl ApplicationHandler for App {
 
     fn proxy_wake_up(&mut self, _: &dyn ActiveEventLoop) {
         if let Some(running) = &mut self.running {
+            running.hear_x11_pens(X11Pens::take);
             running.editor.collect();
             running.want_frame();
         }
@@ -111,6 +114,8 @@ struct Running {
     egui: egui::Context,
     input: EguiInput,
     pen: WinitPen,
+    /// Pens that winit does not see; only under X11.
+    x11_pens: Option<X11Pens>,
     /// Room for the samples of one event.
     samples: Vec<PenEvent>,
     editor: Editor,
@@ -162,6 +167,8 @@ impl Running {
         let proxy = event_loop.create_proxy();
         let mut editor = Editor::open(file, move || proxy.wake_up())?;
         editor.set_system_theme(event_loop.system_theme().map(egui_input::theme));
+        let started = Instant::now();
+        let x11_pens = x11_pens(event_loop, &*window, started, &mut editor);
         let graphics = Graphics::open(event_loop, &window)?;
         tracing::debug!("the window is drawn by {}", graphics.adapter());
         let input = EguiInput::new(window.scale_factor() as f32);
@@ -172,6 +179,7 @@ impl Running {
             egui,
             input,
             pen: WinitPen::new(),
+            x11_pens,
             samples: Vec::new(),
             editor,
             captured: BTreeSet::new(),
@@ -183,7 +191,7 @@ impl Running {
             is_awake: true,
             cursor: egui::CursorIcon::Default,
             composes_text: false,
-            started: Instant::now(),
+            started,
         })
     }
 
@@ -240,6 +248,22 @@ impl Running {
 
     /// Hands an event of a pointer to the canvas, sample by sample; whether it was the canvas's.
     fn on_pointer(&mut self, event: &WindowEvent) -> bool {
+        if self.x11_pens.is_some() {
+            // Under X11 pens too come into the window as mice; a mouse that does so moves next.
+            if matches!(event, WindowEvent::PointerEntered { kind: PointerKind::Mouse, .. }) {
+                return false;
+            }
+            // What winit makes of touches for the mouse has no device.
+            let is_mouse = matches!(
+                event,
+                WindowEvent::PointerMoved { device_id: Some(_), source: PointerSource::Mouse, .. }
+                    | WindowEvent::PointerButton { button: ButtonSource::Mouse(_), .. }
+            );
+            if is_mouse {
+                let now_ms = self.now_ms();
+                self.hear_x11_pens(|pens, out| pens.mouse_moved(now_ms, out));
+            }
+        }
         let mut samples = std::mem::take(&mut self.samples);
         self.pen.event(event, self.now_ms(), &mut samples);
         let mut ours = false;
@@ -248,6 +272,19 @@ impl Running {
         }
         self.samples = samples;
         ours
+    }
+
+    /// Hands what pens say that winit does not see to the canvas or to egui.
+    fn hear_x11_pens(&mut self, hear: impl FnOnce(&mut X11Pens, &mut Vec<PenEvent>)) {
+        let Some(pens) = &mut self.x11_pens else { return };
+        let mut samples = std::mem::take(&mut self.samples);
+        hear(pens, &mut samples);
+        for sample in samples.drain(..) {
+            if !self.on_pen(sample) {
+                self.input.on_pen(&sample);
+            }
+        }
+        self.samples = samples;
     }
 
     /// Hands a sample to the canvas if it is the canvas's; whether it was.
@@ -392,19 +429,45 @@ impl Running {
 
     /// Sleeps until the next event or the next moment that somebody named.
     fn sleep(&mut self, event_loop: &dyn ActiveEventLoop) {
-        let now = Instant::now();
+        let (now, now_ms) = (Instant::now(), self.now_ms());
+        self.hear_x11_pens(|pens, out| pens.idle(now_ms, out));
         let is_due = |at: Option<Instant>| at.is_some_and(|at| at <= now);
         if self.editor.wants_frame() || is_due(self.repaint_at) || is_due(self.wake_at) {
             self.repaint_at = None;
             self.want_frame();
         }
-        self.wake_at = [self.repaint_at, self.editor.wakes_at()].into_iter().flatten().min();
+        let pen_leaves = self.x11_pens.as_ref().and_then(X11Pens::leaves_at);
+        let pen_leaves = pen_leaves.map(|at_ms| self.started + Duration::from_secs_f64(at_ms.max(0.0) / 1e3));
+        self.wake_at = [self.repaint_at, self.editor.wakes_at(), pen_leaves].into_iter().flatten().min();
         // A frame that is due wakes the window itself, and until it is drawn nothing else needs to.
         let wake = self.wake_at.filter(|_| !self.frame_is_due);
         event_loop.set_control_flow(wake.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
         let rests = !self.frame_is_due && !self.editor.is_working() && wake.is_none_or(|at| at > now + REST);
         if rests && std::mem::take(&mut self.is_awake) {
             tracing::debug!("at rest");
+        }
+    }
+}
+
+/// Listens to the pens of an X server; `None` on other systems. A failure is told, and mouse and touch still draw.
+fn x11_pens(
+    event_loop: &dyn ActiveEventLoop,
+    window: &dyn Window,
+    started: Instant,
+    editor: &mut Editor,
+) -> Option<X11Pens> {
+    let id = match window.window_handle().ok()?.as_raw() {
+        RawWindowHandle::Xlib(handle) => u32::try_from(handle.window).ok()?,
+        RawWindowHandle::Xcb(handle) => handle.window.get(),
+        _ => return None,
+    };
+    let proxy = event_loop.create_proxy();
+    let clock = move || started.elapsed().as_secs_f64() * 1e3;
+    match X11Pens::open(id, clock, move || proxy.wake_up()) {
+        Ok(pens) => Some(pens),
+        Err(error) => {
+            editor.tell(Notice::warning(error.to_string(), ""));
+            None
         }
     }
 }

@@ -16,6 +16,8 @@ pub mod palm_gate;
 pub mod pressure;
 #[cfg(test)]
 pub(crate) mod tests;
+#[cfg(feature = "program")]
+pub mod x11;
 
 pub use arbiter::{Arbiter, Origin, PenSource};
 #[cfg(feature = "program")]
@@ -24,6 +26,8 @@ pub use machine::PenMachine;
 pub use mapping::Mapping;
 pub use palm_gate::PalmGate;
 pub use pressure::PressureCurve;
+#[cfg(feature = "program")]
+pub use x11::X11Pens;
 
 use glam::{DVec2, Vec2};
 

@@ -1,0 +1,50 @@
+//! Pens as the artist has them: the real program under a real X server and a real Wayland compositor, drawn on with
+//! simulated tablets.
+//!
+//! What was drawn is read from the file that the program saves: as many points as the pen told, with its pressure and tilt.
+//!
+//! Needs Xorg with its dummy screen and its headers, gcc, xdotool and a software driver (Debian: xserver-xorg-core,
+//! xserver-xorg-video-dummy, xserver-xorg-dev, gcc, xdotool, mesa-vulkan-drivers). Where one is missing, the tests that need
+//! it say so and check nothing.
+
+#![cfg(unix)]
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
+
+mod compositor;
+mod pen;
+#[path = "../window/program.rs"]
+#[allow(dead_code, reason = "shared with the window's tests, which take more of it")]
+mod program;
+#[path = "../window/screen.rs"]
+#[allow(dead_code, reason = "shared with the window's tests, which take more of it")]
+mod screen;
+mod wayland;
+mod x11;
+mod xorg;
+
+use penstemon::sketch::{self, Sketch};
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+/// Samples of a stroke.
+const SAMPLES: usize = 240;
+/// A drawing without strokes.
+const EMPTY: &str = r#"{"format": "penstemon-sketch", "version": 1, "strokes": []}"#;
+
+/// Says by name what is not checked here, also where the output of tests that pass is not shown.
+fn not_run(test: &str, why: &str) {
+    writeln!(std::io::stderr(), "not run here: {test}: {why}").unwrap();
+}
+
+/// An empty drawing in a folder.
+fn empty_drawing(home: &Path) -> PathBuf {
+    let file = home.join("drawn.penstemon");
+    std::fs::write(&file, EMPTY).unwrap();
+    file
+}
+
+fn saved(file: &Path) -> Sketch {
+    let (sketch, warnings) = sketch::read(file).unwrap();
+    assert!(warnings.is_empty(), "{warnings:?}");
+    sketch
+}
