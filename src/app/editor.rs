@@ -183,6 +183,8 @@ pub struct Editor {
     /// Name of the pen last used; empty for one without.
     pen_device: Option<String>,
     pen_is_raw: bool,
+    /// Charge of the pen in percent.
+    pen_battery: Option<u8>,
     /// Why a tablet cannot be read, and what to do.
     pen_trouble: Option<String>,
     pen_live: PenLive,
@@ -258,6 +260,7 @@ impl Editor {
             pen_used: PenUsed::default(),
             pen_device: None,
             pen_is_raw: false,
+            pen_battery: None,
             pen_trouble: None,
             pen_live: PenLive::default(),
             copied: None,

@@ -31,6 +31,7 @@ pub mod presets;
 pub mod settings;
 mod surface;
 mod system_theme;
+mod tablets;
 pub mod theme;
 mod thumbnail;
 mod transfer;

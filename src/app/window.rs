@@ -9,8 +9,11 @@ use super::editor::Editor;
 use super::egui_input::{self, EguiInput};
 use super::graphics::Graphics;
 use super::panels::snapshot::Notice;
+use super::tablets::{Reach, Tablets};
 use super::transfer::{self, Arrival};
-use crate::pen::{PenEvent, PenPhase, PenTool, WinitPen, X11Pens};
+use crate::pen::hid::System;
+use crate::pen::mapping::Rect;
+use crate::pen::{Arbiter, Origin, PenEvent, PenPhase, PenSource, PenTool, WinitPen, X11Pens};
 use anyhow::Context as _;
 use glam::DVec2;
 use std::collections::BTreeSet;
@@ -19,7 +22,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 use winit::application::ApplicationHandler;
 use winit::cursor::Cursor;
-use winit::dpi::LogicalSize;
+use winit::dpi::{LogicalSize, PhysicalSize};
 use winit::event::{ButtonSource, MouseScrollDelta, PointerKind, PointerSource, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop};
 use winit::raw_window_handle::{HasWindowHandle as _, RawWindowHandle};
@@ -78,6 +81,7 @@ impl ApplicationHandler for App {
     fn proxy_wake_up(&mut self, _: &dyn ActiveEventLoop) {
         if let Some(running) = &mut self.running {
             running.hear_x11_pens(X11Pens::take);
+            running.hear_tablets();
             running.editor.collect();
             running.want_frame();
         }
@@ -91,6 +95,7 @@ impl ApplicationHandler for App {
 
     fn about_to_wait(&mut self, event_loop: &dyn ActiveEventLoop) {
         let Some(running) = &mut self.running else { return };
+        running.hear_tablets();
         running.editor.submit();
         if running.editor.is_closed() {
             running.editor.shut_down();
@@ -116,8 +121,12 @@ struct Running {
     pen: WinitPen,
     /// Pens that winit does not see; only under X11.
     x11_pens: Option<X11Pens>,
-    /// Room for the samples of one event.
+    tablets: Tablets,
+    arbiter: Arbiter,
+    /// Room for the samples of one event, for those that the arbiter lets pass, and for those of tablets.
     samples: Vec<PenEvent>,
+    passed: Vec<PenEvent>,
+    of_tablets: Vec<(Origin, PenEvent)>,
     editor: Editor,
     /// Pointers that went down on the canvas and were not lifted yet.
     captured: BTreeSet<PointerName>,
@@ -169,6 +178,8 @@ impl Running {
         editor.set_system_theme(event_loop.system_theme().map(egui_input::theme));
         let started = Instant::now();
         let x11_pens = x11_pens(event_loop, &*window, started, &mut editor);
+        let proxy = event_loop.create_proxy();
+        let wake_tablets = move || proxy.wake_up();
         let graphics = Graphics::open(event_loop, &window)?;
         tracing::debug!("the window is drawn by {}", graphics.adapter());
         let input = EguiInput::new(window.scale_factor() as f32);
@@ -180,7 +191,11 @@ impl Running {
             input,
             pen: WinitPen::new(),
             x11_pens,
+            tablets: Tablets::new(|| Box::new(System::new()), wake_tablets, started),
+            arbiter: Arbiter::new(PenSource::default()),
             samples: Vec::new(),
+            passed: Vec::new(),
+            of_tablets: Vec::new(),
             editor,
             captured: BTreeSet::new(),
             over_canvas: false,
@@ -268,10 +283,81 @@ impl Running {
         self.pen.event(event, self.now_ms(), &mut samples);
         let mut ours = false;
         for sample in samples.drain(..) {
-            ours |= self.on_pen(sample);
+            let origin = if sample.sample.tool == PenTool::Mouse { Origin::Mouse } else { Origin::System };
+            // What was not let pass is the shadow of a pen, and nobody else's either.
+            ours |= self.admit(sample, origin).is_none_or(|ours| ours);
         }
         self.samples = samples;
         ours
+    }
+
+    /// Hands an event to the canvas if the arbiter lets it pass; whether it was the canvas's, `None` if it may not pass.
+    fn admit(&mut self, event: PenEvent, origin: Origin) -> Option<bool> {
+        let mut passed = std::mem::take(&mut self.passed);
+        let before = self.arbiter.owner();
+        self.arbiter.pass(event, origin, &mut passed);
+        if self.arbiter.owner() != before {
+            match self.arbiter.owner() {
+                Some(Origin::Direct(id)) => {
+                    let name = self.tablets.name(id).unwrap_or_default();
+                    self.editor.take_up_pen(&name, true, self.tablets.battery(id));
+                }
+                Some(Origin::System) => self.editor.take_up_pen("", false, None),
+                Some(Origin::Mouse) | None => {}
+            }
+        }
+        let mut ours = None;
+        for event in passed.drain(..) {
+            self.editor.note_pen(&event);
+            ours = Some(self.on_pen(event));
+            if ours == Some(false) && matches!(origin, Origin::Direct(_)) {
+                self.input.on_pen(&event);
+            }
+        }
+        self.passed = passed;
+        ours
+    }
+
+    /// Hands what tablets say that are read directly to the canvas or to egui.
+    fn hear_tablets(&mut self) {
+        let mut events = std::mem::take(&mut self.of_tablets);
+        let source = self.editor.settings.pen_source;
+        self.arbiter.set_source(source);
+        self.tablets.obey(source, &mut events);
+        self.tablets.listen(self.window.has_focus(), &mut events);
+        let (reach, editor) = (self.reach(), &self.editor);
+        self.tablets.take(&reach, |name| editor.settings.pen(name), &mut events);
+        for (origin, event) in events.drain(..) {
+            self.admit(event, origin);
+        }
+        self.of_tablets = events;
+        self.editor.note_pen_trouble(self.tablets.trouble());
+    }
+
+    /// What tablets may cover.
+    fn reach(&self) -> Reach {
+        let scale = f64::from(self.input.pixels_per_point());
+        let pixels = |at: egui::Pos2| DVec2::new(f64::from(at.x), f64::from(at.y)) * scale;
+        let canvas = self.editor.layout().canvas;
+        let size = self.window.surface_size();
+        let whole = |min: DVec2, width: u32, height: u32| Rect {
+            min,
+            max: min + DVec2::new(f64::from(width), f64::from(height)),
+        };
+        Reach {
+            canvas: Rect { min: pixels(canvas.min), max: pixels(canvas.max) },
+            window: whole(DVec2::ZERO, size.width, size.height),
+            monitor: self.monitor().map(|(min, size)| whole(min, size.width, size.height)),
+        }
+    }
+
+    /// Where the monitor's corner is, seen from the window's, and its size.
+    fn monitor(&self) -> Option<(DVec2, PhysicalSize<u32>)> {
+        let monitor = self.window.current_monitor()?;
+        let (outer, inner) = (self.window.outer_position().ok()?, self.window.surface_position());
+        let (at, size) = (monitor.position()?, monitor.current_video_mode()?.size());
+        let min = DVec2::new(f64::from(at.x - outer.x - inner.x), f64::from(at.y - outer.y - inner.y));
+        Some((min, size))
     }
 
     /// Hands what pens say that winit does not see to the canvas or to egui.
@@ -280,7 +366,7 @@ impl Running {
         let mut samples = std::mem::take(&mut self.samples);
         hear(pens, &mut samples);
         for sample in samples.drain(..) {
-            if !self.on_pen(sample) {
+            if self.admit(sample, Origin::System) == Some(false) {
                 self.input.on_pen(&sample);
             }
         }

@@ -191,6 +191,7 @@ fn show(inbox: &Inbox, as_json: bool) -> anyhow::Result<()> {
 fn notice_text(notice: &Notice) -> String {
     match notice {
         Notice::Arrived(arrival) => format!("{} is read by {}", arrival.info.name(), arrival.way),
+        Notice::Refused(why) => why.clone(),
         Notice::Gone(reason) => reason.to_string(),
         Notice::Said(HidEvent::Pen(pen)) if !pen.in_range => "the pen left".to_owned(),
         Notice::Said(HidEvent::Pen(pen)) => pen_text(pen),
@@ -224,6 +225,7 @@ fn notice_json(notice: &Notice) -> Value {
         Notice::Arrived(arrival) => {
             json!({ "event": "arrived", "name": arrival.info.name(), "way": arrival.way })
         }
+        Notice::Refused(why) => json!({ "event": "refused", "reason": why }),
         Notice::Gone(reason) => json!({ "event": "gone", "reason": reason.to_string() }),
         Notice::Said(HidEvent::Pen(pen)) => json!({
             "event": "pen", "in_range": pen.in_range, "touches": pen.touches, "eraser": pen.eraser,

@@ -15,12 +15,13 @@ impl Editor {
             self.pen_used = match event.sample.tool {
                 PenTool::Mouse => PenUsed::Mouse,
                 PenTool::Finger(_) => PenUsed::Touch,
-                PenTool::Pen | PenTool::Eraser => PenUsed::Pen(None),
+                PenTool::Pen | PenTool::Eraser => {
+                    PenUsed::Pen(self.pen_device.clone().filter(|name| !name.is_empty()))
+                }
             };
             self.part_menu = None;
             self.make_durable();
         }
-        self.note_pen(&event);
         if !self.hold_reference(&event) {
             self.on_canvas(|canvas, drawing, out| canvas.pen(&event, drawing, out));
         }
@@ -35,11 +36,19 @@ impl Editor {
     }
 
     /// A pen came into use: what the artist chose for it holds from now on.
-    pub fn take_up_pen(&mut self, name: &str, is_raw: bool) {
+    pub fn take_up_pen(&mut self, name: &str, is_raw: bool, battery: Option<u8>) {
+        self.pen_battery = battery;
         if self.pen_device.as_deref() != Some(name) || self.pen_is_raw != is_raw {
             self.pen_device = Some(name.to_owned());
             self.pen_is_raw = is_raw;
             self.apply_settings();
+        }
+    }
+
+    /// Why a tablet cannot be read, or that all can.
+    pub fn note_pen_trouble(&mut self, trouble: Option<&str>) {
+        if self.pen_trouble.as_deref() != trouble {
+            self.pen_trouble = trouble.map(str::to_owned);
         }
     }
 

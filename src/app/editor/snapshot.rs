@@ -88,6 +88,7 @@ impl Editor {
         PenState {
             device: self.pen_device.clone(),
             is_raw: self.pen_is_raw,
+            battery: self.pen_battery,
             trouble: self.pen_trouble.clone(),
             source: self.settings.pen_source,
             settings: self.settings.pen(name),

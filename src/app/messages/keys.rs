@@ -234,6 +234,8 @@ keys! {
     ReferenceRemove = "reference.remove",
     PenTitle = "pen.title",
     PenNone = "pen.none",
+    PenOfSystem = "pen.of_system",
+    PenBattery = "pen.battery",
     PenSource = "pen.source",
     PenSourceAuto = "pen.source_auto",
     PenSourceAutoHint = "pen.source_auto_hint",

@@ -57,7 +57,11 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, height: f32, messages: &Messages, 
 /// The pen last used, and what it can do.
 fn who(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages) {
     let name = snapshot.pen.device.as_deref().filter(|name| !name.is_empty());
-    note(ui, name.unwrap_or(messages.get(Msg::PenNone)));
+    let none = if snapshot.pen.device.is_some() { Msg::PenOfSystem } else { Msg::PenNone };
+    note(ui, name.unwrap_or(messages.get(none)));
+    if let Some(percent) = snapshot.pen.battery {
+        note(ui, &messages.fill(Msg::PenBattery, &[("percent", &percent)]));
+    }
     if let Some(trouble) = &snapshot.pen.trouble {
         ui.colored_label(palette(ui).warning, trouble);
     }

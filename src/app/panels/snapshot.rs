@@ -293,6 +293,8 @@ pub struct PenState {
     pub device: Option<String>,
     /// Whether its tablet is read directly.
     pub is_raw: bool,
+    /// Its charge in percent, where it says so.
+    pub battery: Option<u8>,
     /// Why a tablet cannot be read, and what to do.
     pub trouble: Option<String>,
     /// How pens are read.

@@ -24,29 +24,29 @@ const MAX_FIELD_BITS: u32 = 64;
 const PAGES: [u32; 5] = [0x01, 0x06, 0x0D, 0x85, 0xFF0D];
 
 /// First bytes of items, the two bits of their size left out.
-mod tag {
-    pub(super) const INPUT: u8 = 0x80;
-    pub(super) const OUTPUT: u8 = 0x90;
-    pub(super) const COLLECTION: u8 = 0xA0;
-    pub(super) const FEATURE: u8 = 0xB0;
-    pub(super) const END_COLLECTION: u8 = 0xC0;
-    pub(super) const USAGE_PAGE: u8 = 0x04;
-    pub(super) const LOGICAL_MINIMUM: u8 = 0x14;
-    pub(super) const LOGICAL_MAXIMUM: u8 = 0x24;
-    pub(super) const PHYSICAL_MINIMUM: u8 = 0x34;
-    pub(super) const PHYSICAL_MAXIMUM: u8 = 0x44;
-    pub(super) const UNIT_EXPONENT: u8 = 0x54;
-    pub(super) const UNIT: u8 = 0x64;
-    pub(super) const REPORT_SIZE: u8 = 0x74;
-    pub(super) const REPORT_ID: u8 = 0x84;
-    pub(super) const REPORT_COUNT: u8 = 0x94;
-    pub(super) const PUSH: u8 = 0xA4;
-    pub(super) const POP: u8 = 0xB4;
-    pub(super) const USAGE: u8 = 0x08;
-    pub(super) const USAGE_MINIMUM: u8 = 0x18;
-    pub(super) const USAGE_MAXIMUM: u8 = 0x28;
+pub(super) mod tag {
+    pub(in crate::pen::hid) const INPUT: u8 = 0x80;
+    pub(in crate::pen::hid) const OUTPUT: u8 = 0x90;
+    pub(in crate::pen::hid) const COLLECTION: u8 = 0xA0;
+    pub(in crate::pen::hid) const FEATURE: u8 = 0xB0;
+    pub(in crate::pen::hid) const END_COLLECTION: u8 = 0xC0;
+    pub(in crate::pen::hid) const USAGE_PAGE: u8 = 0x04;
+    pub(in crate::pen::hid) const LOGICAL_MINIMUM: u8 = 0x14;
+    pub(in crate::pen::hid) const LOGICAL_MAXIMUM: u8 = 0x24;
+    pub(in crate::pen::hid) const PHYSICAL_MINIMUM: u8 = 0x34;
+    pub(in crate::pen::hid) const PHYSICAL_MAXIMUM: u8 = 0x44;
+    pub(in crate::pen::hid) const UNIT_EXPONENT: u8 = 0x54;
+    pub(in crate::pen::hid) const UNIT: u8 = 0x64;
+    pub(in crate::pen::hid) const REPORT_SIZE: u8 = 0x74;
+    pub(in crate::pen::hid) const REPORT_ID: u8 = 0x84;
+    pub(in crate::pen::hid) const REPORT_COUNT: u8 = 0x94;
+    pub(in crate::pen::hid) const PUSH: u8 = 0xA4;
+    pub(in crate::pen::hid) const POP: u8 = 0xB4;
+    pub(in crate::pen::hid) const USAGE: u8 = 0x08;
+    pub(in crate::pen::hid) const USAGE_MINIMUM: u8 = 0x18;
+    pub(in crate::pen::hid) const USAGE_MAXIMUM: u8 = 0x28;
     /// A long item: its size stands in the next byte.
-    pub(super) const LONG: u8 = 0xFC;
+    pub(in crate::pen::hid) const LONG: u8 = 0xFC;
 }
 
 /// Bits of an input item.
@@ -54,14 +54,14 @@ const IS_CONSTANT: u32 = 1;
 const IS_VARIABLE: u32 = 2;
 
 /// One item as it stands in the descriptor.
-struct Item<'a> {
+pub(super) struct Item<'a> {
     offset: usize,
-    tag: u8,
+    pub(super) tag: u8,
     data: &'a [u8],
 }
 
 impl Item<'_> {
-    fn unsigned(&self) -> u32 {
+    pub(super) fn unsigned(&self) -> u32 {
         self.data.iter().rev().fold(0, |value, byte| value << 8 | u32::from(*byte))
     }
 
@@ -76,9 +76,15 @@ impl Item<'_> {
 }
 
 /// Items of a descriptor one after the other; ends after the first that is cut off.
-struct Items<'a> {
+pub(super) struct Items<'a> {
     bytes: &'a [u8],
     at: usize,
+}
+
+impl<'a> Items<'a> {
+    pub(super) fn new(bytes: &'a [u8]) -> Self {
+        Self { bytes, at: 0 }
+    }
 }
 
 impl<'a> Iterator for Items<'a> {
@@ -102,7 +108,7 @@ impl<'a> Iterator for Items<'a> {
 
 /// Whether a device's reports begin with a report id; without, hidraw leaves that byte out.
 pub fn has_report_ids(descriptor: &[u8]) -> bool {
-    let mut items = Items { bytes: descriptor, at: 0 };
+    let mut items = Items::new(descriptor);
     items.any(|item| item.is_ok_and(|item| item.tag == tag::REPORT_ID))
 }
 
@@ -121,7 +127,7 @@ pub(super) fn plain(bytes: &[u8]) -> Result<Vec<u8>, DescriptorError> {
     // The interpreter panics on a usage before any page. Every report begins with an id here, 0 if the device has none.
     writer.put(tag::USAGE_PAGE, 0);
     writer.put(tag::REPORT_ID, 0);
-    for item in (Items { bytes, at: 0 }) {
+    for item in Items::new(bytes) {
         let item = item?;
         match item.tag {
             tag::INPUT => writer.input(&item)?,

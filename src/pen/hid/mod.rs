@@ -21,6 +21,7 @@ pub mod recording;
 mod recording_read;
 pub mod replay;
 pub mod report;
+pub mod report_lengths;
 pub mod simulated;
 pub mod table;
 pub mod transport;

@@ -35,6 +35,8 @@ pub enum Notice {
     Arrived(Arc<Arrival>),
     /// It said something.
     Said(HidEvent),
+    /// A device is there and cannot be read: who it is, why, and what to do.
+    Refused(String),
     /// It is not read any more; its pen has left before.
     Gone(TransportError),
 }
@@ -126,6 +128,11 @@ impl Outbox {
     /// Milliseconds since the beginning of time.
     pub fn now_ms(&self) -> f64 {
         self.shared.begin.elapsed().as_secs_f64() * 1e3
+    }
+
+    /// Says something of a device that is not read; where there is no room it goes unsaid.
+    pub(super) fn tell(&self, device: DeviceId, notice: Notice) {
+        let _ = self.try_send(Message { device, time_ms: self.now_ms(), notice });
     }
 
     fn try_send(&self, message: Message) -> Result<(), TrySendError<Message>> {

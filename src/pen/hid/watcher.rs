@@ -6,7 +6,7 @@
 //! is said through one queue ([`super::reader`]).
 
 use super::choose::{Choice, choose_decoder};
-use super::reader::{DeviceId, Inbox, Outbox, Reader, queue};
+use super::reader::{DeviceId, Inbox, Notice, Outbox, Reader, queue};
 use super::{DescriptorError, DeviceInfo, Enumerate, TransportError};
 use std::collections::BTreeMap;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
@@ -82,6 +82,7 @@ impl Roster {
             Err(told) => {
                 if said != Some(told.as_str()) {
                     tracing::warn!("{}: {told}", device.name());
+                    self.outbox.tell(self.next_id, Notice::Refused(format!("{}: {told}", device.name())));
                 }
                 Known::Failed(told)
             }

@@ -31,7 +31,7 @@ fn comings(inbox: &Inbox) -> Vec<(DeviceId, bool)> {
     inbox.drain(|message| match message.notice {
         Notice::Arrived(_) => all.push((message.device, true)),
         Notice::Gone(_) => all.push((message.device, false)),
-        Notice::Said(_) => {}
+        Notice::Said(_) | Notice::Refused(_) => {}
     });
     all
 }
