@@ -21,6 +21,7 @@ mod screen;
 mod wayland;
 mod x11;
 mod xorg;
+mod xorg_conf;
 
 use penstemon::sketch::{self, Sketch};
 use std::io::Write as _;
@@ -33,7 +34,7 @@ const EMPTY: &str = r#"{"format": "penstemon-sketch", "version": 1, "strokes": [
 
 /// Says by name what is not checked here, also where the output of tests that pass is not shown.
 fn not_run(test: &str, why: &str) {
-    writeln!(std::io::stderr(), "not run here: {test}: {why}").unwrap();
+    std::io::stderr().write_all(format!("not run here: {test}: {why}\n").as_bytes()).unwrap();
 }
 
 /// An empty drawing in a folder.

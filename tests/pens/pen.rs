@@ -1,5 +1,6 @@
 //! What every simulated pen can do, and what must come of it.
 
+use glam::DVec2;
 use penstemon::sketch::Stroke;
 
 /// One sample of a stroke that a test draws.
@@ -68,12 +69,20 @@ pub(crate) fn assert_drawn(stroke: &Stroke, touches: &[Touch], has_tilt: bool) {
         let even = first.lerp(last, i as f64 / (touches.len() - 1) as f64);
         assert!((place(i) - even).length() < 0.1, "{told}: not at {even}");
         if has_tilt {
-            let tilt = point.tilt_deg.as_dvec2() - glam::DVec2::from(touch.tilt_deg);
+            let tilt = point.tilt_deg.as_dvec2() - DVec2::from(touch.tilt_deg);
             assert!(tilt.abs().max_element() < 1.0, "{told}");
         }
     }
     let times: Vec<f32> = stroke.points.iter().map(|point| point.time_ms).collect();
     assert!(times.is_sorted() && times[0] == 0.0, "{times:?}");
+}
+
+/// Where a place on the screen is on the canvas, by a stroke of which both are known. The canvas is not turned.
+pub(crate) fn on_canvas(stroke: &Stroke, touches: &[Touch], at: [f64; 2]) -> DVec2 {
+    let ends = [&touches[0], &touches[touches.len() - 1]].map(|touch| DVec2::from(touch.at));
+    let drawn = [0, stroke.points.len() - 1].map(|i| stroke.points[i].position.as_dvec2());
+    let scale = (drawn[1] - drawn[0]).length() / (ends[1] - ends[0]).length();
+    drawn[0] + scale * (DVec2::from(at) - ends[0])
 }
 
 /// The same stroke drawn again after the sheet was moved under it.

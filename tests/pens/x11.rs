@@ -1,6 +1,6 @@
 //! Pens, mouse and touch under a real Xorg.
 
-use crate::pen::{Pen, Touch, assert_drawn, assert_shifted, ramp};
+use crate::pen::{Pen, Touch, assert_drawn, assert_shifted, on_canvas, ramp};
 use crate::program::{Program, command};
 use crate::screen::{Area, turn};
 use crate::xorg::{InputTest, PenDriver, SIZE, SimPen, Xorg};
@@ -182,6 +182,10 @@ fn pen_mouse_and_touch_draw_beside_each_other() {
     assert_drawn(later, &again, false);
     assert_eq!(mouse.points.len(), 51, "the press and 50 moves");
     assert_eq!(finger.points.len(), 41, "the press and 40 moves");
+    // All three mean the same places.
+    let of_mouse = mouse.points[0].position.as_dvec2() - on_canvas(pen, &touches, [x, y]);
+    let of_finger = finger.points[0].position.as_dvec2() - on_canvas(pen, &touches, from);
+    assert!(of_mouse.length() < 1.5 && of_finger.length() < 1.5, "{of_mouse} {of_finger}");
     assert!(mouse.points.iter().chain(&finger.points).all(|point| point.pressure == 0.5));
     desk.close();
 }

@@ -4,6 +4,7 @@
 //! Pens are `simpen.c`'s, which is compiled against the server's headers; where they are missing, a pen of `inputtest`
 //! still has pressure, but no tilt and no other end.
 
+use crate::xorg_conf::configuration;
 use std::fs;
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
 use std::os::unix::net::{UnixDatagram, UnixStream};
@@ -148,87 +149,6 @@ fn compile_driver(folder: &Path) -> Result<(), String> {
         .map_err(|_| "no gcc (Debian: gcc)")?;
     assert!(compiled.status.success(), "{}", String::from_utf8_lossy(&compiled.stderr));
     Ok(())
-}
-
-/// What `xorg.conf` says: one screen, and the devices in the order in which they are made.
-fn configuration(folder: &Path, modules: &str, pens: PenDriver) -> String {
-    let at = |name: &str| folder.join(name).display().to_string();
-    let mut devices = vec![
-        ("mouse", "inputtest", vec![("SocketPath", at("mouse")), ("DeviceType", "Pointer".into())]),
-        ("keyboard", "inputtest", vec![("SocketPath", at("keyboard")), ("DeviceType", "Keyboard".into())]),
-        ("touch", "inputtest", vec![("SocketPath", at("touch")), ("DeviceType", "Touch".into())]),
-    ];
-    // A mouse that goes as far as it is told.
-    devices[0].2.push(("AccelerationScheme", "none".into()));
-    devices[2].2.push(("TouchCount", "5".into()));
-    match pens {
-        PenDriver::InputTest => {
-            let options = [("SocketPath", at("pen")), ("DeviceType", "PointerAbsoluteProximity".into())];
-            let more = [("PointerHasPressure", "true".into()), ("PointerButtonCount", "9".into())];
-            devices.push(("pen", "inputtest", options.into_iter().chain(more).collect()));
-        }
-        PenDriver::SimPen => {
-            devices.push(("pen", "simpen", vec![("Socket", at("pen"))]));
-            let options = vec![("Socket", at("eraser")), ("Type", "ERASER".into()), ("Hub", at("hub"))];
-            devices.push(("eraser", "simpen", options));
-        }
-    }
-    let option = |(name, value): &(&str, String)| format!("  Option \"{name}\" \"{value}\"\n");
-    let sections: String = devices
-        .iter()
-        .map(|(name, driver, options)| {
-            let options: String = options.iter().map(option).collect();
-            format!("Section \"InputDevice\"\n  Identifier \"{name}\"\n  Driver \"{driver}\"\n{options}EndSection\n")
-        })
-        .collect();
-    let used: String = devices
-        .iter()
-        .map(|(name, ..)| {
-            let core = match *name {
-                "mouse" => "CorePointer",
-                "keyboard" => "CoreKeyboard",
-                _ => "SendCoreEvents",
-            };
-            format!("  InputDevice \"{name}\" \"{core}\"\n")
-        })
-        .collect();
-    let (width, height) = SIZE;
-    format!(
-        r#"Section "Files"
-  ModulePath "{}"
-  ModulePath "{modules}"
-EndSection
-Section "ServerFlags"
-  Option "AutoAddDevices" "false"
-EndSection
-Section "Device"
-  Identifier "card"
-  Driver "dummy"
-  VideoRam 32768
-EndSection
-Section "Monitor"
-  Identifier "monitor"
-  HorizSync 5-1000
-  VertRefresh 5-200
-  Modeline "only" 83.5 {width} 1352 1480 1680 {height} 803 809 831
-EndSection
-Section "Screen"
-  Identifier "screen"
-  Device "card"
-  Monitor "monitor"
-  DefaultDepth 24
-  SubSection "Display"
-    Depth 24
-    Modes "only"
-  EndSubSection
-EndSection
-{sections}Section "ServerLayout"
-  Identifier "all"
-  Screen "screen"
-{used}EndSection
-"#,
-        at("modules")
-    )
 }
 
 /// A pen of `simpen.c`.
