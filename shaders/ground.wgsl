@@ -13,7 +13,7 @@ struct Corner {
 // One triangle that covers the picture.
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Corner {
-    let at = vec2(f32(index & 1u), f32(index >> 1u)) * 4.0 - 1.0;
+    let at = full_screen(index);
     return Corner(vec4(at, 1.0, 1.0), at);
 }
 

@@ -10,7 +10,7 @@ struct Corner {
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Corner {
-    let at = vec2(f32(index & 1u), f32(index >> 1u)) * 4.0 - 1.0;
+    let at = full_screen(index);
     return Corner(vec4(at, 0.0, 1.0), at * vec2(0.5, -0.5) + 0.5);
 }
 

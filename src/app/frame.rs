@@ -40,8 +40,8 @@ impl EguiPainter {
         self.renderer.update_egui_texture_from_wgpu_texture(&surface.device, view, filter, id);
     }
 
-    /// Uploads egui's pictures, then paints `below` and the shapes on the surface and shows the frame. `false` where
-    /// the surface had no frame to give; nothing is lost then but the frame.
+    /// Uploads egui's pictures, then paints `below` and the shapes on the surface and shows the frame. Where the
+    /// surface has no frame to give, nothing is lost but the frame.
     #[allow(clippy::iter_over_hash_type, reason = "pictures do not depend on each other")]
     pub(super) fn paint(
         &mut self,
@@ -49,15 +49,13 @@ impl EguiPainter {
         mut frame: EguiFrame,
         clear: wgpu::Color,
         below: impl FnOnce(&mut wgpu::RenderPass<'_>),
-    ) -> bool {
+    ) {
         for (id, deltas) in &frame.textures.set {
             for delta in deltas {
                 self.renderer.update_texture(&surface.device, &surface.queue, *id, delta);
             }
         }
-        let target = surface.acquire();
-        let shown = target.is_some();
-        if let Some(target) = target {
+        if let Some(target) = surface.acquire() {
             self.draw(surface, &frame, &target, clear, below);
             surface.present(target);
         }
@@ -65,7 +63,6 @@ impl EguiPainter {
             self.renderer.free_texture(id);
         }
         frame.textures.clear();
-        shown
     }
 
     fn draw(

@@ -4,7 +4,8 @@
 //! `ink.wgsl` computes coverage from distance. Limits: ink is opaque and always on paper.
 
 use super::gpu::Gpu;
-use super::pipeline::{Into, PipelineSpec, entry, uniform};
+use super::pipeline::{Into, PipelineSpec};
+use super::uniform::Uniform;
 use super::{RenderError, shaders, studio};
 use crate::sketch::{Sketch, Stroke, StrokePoint};
 use bytemuck::{Pod, Zeroable};
@@ -64,31 +65,12 @@ fn segments(stroke: &Stroke, full_radius: f32) -> impl Iterator<Item = Segment> 
 /// Draws ink over whatever is in the picture.
 pub(super) struct InkRenderer {
     pipeline: wgpu::RenderPipeline,
-    sheet: wgpu::Buffer,
-    group: wgpu::BindGroup,
+    sheet: Uniform<SheetUniform>,
 }
 
 impl InkRenderer {
     pub(super) fn new(gpu: &Gpu) -> Self {
-        let layout = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-            label: Some("ink"),
-            entries: &[entry(
-                0,
-                wgpu::ShaderStages::VERTEX_FRAGMENT,
-                uniform(size_of::<SheetUniform>(), false),
-            )],
-        });
-        let sheet = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("sheet"),
-            size: size_of::<SheetUniform>() as u64,
-            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
-        let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("ink"),
-            layout: &layout,
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: sheet.as_entire_binding() }],
-        });
+        let sheet = Uniform::new(gpu, "ink");
         let darkest = wgpu::BlendComponent {
             src_factor: wgpu::BlendFactor::One,
             dst_factor: wgpu::BlendFactor::One,
@@ -102,7 +84,7 @@ impl InkRenderer {
         let pipeline = PipelineSpec {
             label: "ink",
             wgsl: shaders::INK,
-            groups: &[&layout],
+            groups: &[&sheet.layout],
             buffers: &[instances],
             topology: wgpu::PrimitiveTopology::TriangleStrip,
             cull: false,
@@ -111,7 +93,7 @@ impl InkRenderer {
             constants: &[],
         }
         .build(gpu);
-        Self { pipeline, sheet, group }
+        Self { pipeline, sheet }
     }
 
     /// Fits the next drawing into a picture of `size` pixels.
@@ -125,13 +107,13 @@ impl InkRenderer {
             clip_from_canvas: Vec4::new(scale.x, scale.y, offset.x, offset.y),
             ink: studio::INK.extend(canvas_per_px),
         };
-        gpu.queue.write_buffer(&self.sheet, 0, bytemuck::bytes_of(&sheet));
+        self.sheet.set(gpu, &sheet);
     }
 
     /// Draws into the picture.
     pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, ink: &InkDrawData) {
         pass.set_pipeline(&self.pipeline);
-        pass.set_bind_group(0, &self.group, &[]);
+        pass.set_bind_group(0, &self.sheet.group, &[]);
         pass.set_vertex_buffer(0, ink.segments.slice(..));
         pass.draw(0..4, 0..ink.count);
     }

@@ -15,6 +15,8 @@
 //! | `debug` | `debug.wgsl` | part colours and edges instead of materials |
 //! | `present` | `present.wgsl` | a finished picture into the texture that the window shows |
 //!
+//! `full_screen` is what passes over all of a texture have in common, `uniform` a block of numbers for one pass.
+//!
 //! [`camera`], [`orbit`] and `light` are the mathematics of view and light and know no GPU; `studio` holds every number that
 //! decides the look. [`viewport`] is a live view for the window: `resident` keeps a changing model on the GPU, in `pool`s
 //! whose places an `arena` hands out. The same picture drawn twice on one machine is the same bytes.
@@ -32,6 +34,7 @@ pub mod viewport;
 mod arena;
 mod debug;
 mod frame;
+mod full_screen;
 mod gpu;
 mod ground;
 mod ink;
@@ -50,6 +53,7 @@ mod shadow;
 mod studio;
 mod surface;
 mod target;
+mod uniform;
 
 pub use camera::{Direction, Projection, View};
 pub use canvas::{CanvasLayer, CanvasView};

@@ -9,11 +9,11 @@ macro_rules! wgsl {
 
 pub(super) const SURFACE: &str = wgsl!("frame", "light", "material", "surface");
 pub(super) const SHADOW: &str = wgsl!("material", "shadow");
-pub(super) const GROUND: &str = wgsl!("frame", "light", "ground");
+pub(super) const GROUND: &str = wgsl!("frame", "light", "full_screen", "ground");
 pub(super) const INK: &str = wgsl!("ink");
-pub(super) const MIPMAP: &str = wgsl!("mipmap");
-pub(super) const PRESENT: &str = wgsl!("present");
-pub(super) const PAPER: &str = wgsl!("canvas", "paper");
+pub(super) const MIPMAP: &str = wgsl!("full_screen", "mipmap");
+pub(super) const PRESENT: &str = wgsl!("full_screen", "present");
+pub(super) const PAPER: &str = wgsl!("canvas", "full_screen", "paper");
 pub(super) const REFERENCE: &str = wgsl!("canvas", "reference");
 pub(super) const STROKE: &str = wgsl!("canvas", "stroke");
 pub(super) const DEBUG: &str = wgsl!("frame", "debug");

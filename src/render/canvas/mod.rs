@@ -22,7 +22,8 @@ pub use ink::{InkBuffer, InkPoint};
 
 use super::decode::Rgba;
 use super::gpu::Gpu;
-use super::pipeline::{Into, PipelineSpec, entry, uniform};
+use super::pipeline::{Into, PipelineSpec};
+use super::uniform::Uniform;
 use super::{RenderError, Renderer, shaders};
 use crate::sketch::{StrokeId, StrokePoint};
 use bytemuck::{Pod, Zeroable};
@@ -90,8 +91,7 @@ pub struct CanvasLayer {
     /// Points as `stroke.wgsl` reads them, with room to grow.
     points: wgpu::Buffer,
     capacity: usize,
-    sheet: wgpu::Buffer,
-    group: wgpu::BindGroup,
+    sheet: Uniform<SheetUniform>,
     paper: wgpu::RenderPipeline,
     strokes: wgpu::RenderPipeline,
     reference: Reference,
@@ -108,29 +108,11 @@ impl CanvasLayer {
     /// A failure of the driver.
     pub fn new(renderer: &Renderer, target: wgpu::TextureFormat) -> Result<Self, RenderError> {
         let gpu = &renderer.gpu;
-        let layout = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-            label: Some("canvas"),
-            entries: &[entry(
-                0,
-                wgpu::ShaderStages::VERTEX_FRAGMENT,
-                uniform(size_of::<SheetUniform>(), false),
-            )],
-        });
-        let sheet = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("sheet"),
-            size: size_of::<SheetUniform>() as u64,
-            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
-        let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("canvas"),
-            layout: &layout,
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: sheet.as_entire_binding() }],
-        });
+        let sheet: Uniform<SheetUniform> = Uniform::new(gpu, "canvas");
         let paper = PipelineSpec {
             label: "paper",
             wgsl: shaders::PAPER,
-            groups: &[&layout],
+            groups: &[&sheet.layout],
             buffers: &[],
             topology: wgpu::PrimitiveTopology::TriangleList,
             cull: false,
@@ -143,11 +125,10 @@ impl CanvasLayer {
             ink: InkBuffer::default(),
             points: point_buffer(gpu, FIRST_CAPACITY),
             capacity: FIRST_CAPACITY,
+            strokes: stroke_pipeline(gpu, &sheet.layout, target),
+            reference: Reference::new(gpu, &sheet.layout, target),
             sheet,
-            group,
             paper,
-            strokes: stroke_pipeline(gpu, &layout, target),
-            reference: Reference::new(gpu, &layout, target),
             decode: target.is_srgb(),
             ready: 0,
         };
@@ -208,7 +189,7 @@ impl CanvasLayer {
     pub fn prepare(&mut self, renderer: &Renderer, view: &CanvasView) -> Result<u64, RenderError> {
         let gpu = &renderer.gpu;
         let sheet = SheetUniform::new(view, self.decode);
-        gpu.queue.write_buffer(&self.sheet, 0, bytemuck::bytes_of(&sheet));
+        self.sheet.set(gpu, &sheet);
         self.reference.prepare(gpu);
         let points = self.ink.points().len();
         if points > self.capacity {
@@ -234,7 +215,7 @@ impl CanvasLayer {
 
     /// Paints paper, picture and strokes as prepared.
     pub fn paint(&self, pass: &mut wgpu::RenderPass<'_>) {
-        pass.set_bind_group(0, &self.group, &[]);
+        pass.set_bind_group(0, &self.sheet.group, &[]);
         pass.set_pipeline(&self.paper);
         pass.draw(0..3, 0..1);
         self.reference.paint(pass);
