@@ -4,6 +4,7 @@
 //! events and draws what it says; every wish of the artist, from whichever button or key, ends in
 //! [`Editor::perform`]. Whatever goes wrong becomes a notice, and the drawing stays.
 
+mod estimate;
 mod files;
 mod keys;
 mod live;
@@ -31,14 +32,15 @@ use crate::sketch::save::FileStamp;
 use crate::sketch::{Change, Sketch, Step, Stroke, Tool};
 use crate::species::Species;
 use anyhow::Context as _;
+use saving::Saver;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use saving::Saver;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
-use task::Task;
+use task::{Task, Work};
 
 pub use live::Revisions;
+pub(super) use reference::Frame as ReferenceFrame;
 
 /// Longest wait of a new stroke for the one before to be on disk.
 const DURABLE_WAIT: Duration = Duration::from_millis(200);
@@ -136,6 +138,11 @@ pub struct Editor {
     pub(super) canvas: Canvas,
     pub(super) plant: PlantView,
     pub(super) settings: Settings,
+    /// What of them is on disk, or was tried to be put there.
+    kept_settings: Option<Settings>,
+    /// Colours of the system, where it says them.
+    system_theme: Option<egui::Theme>,
+    theme_asked: Option<Work<Option<egui::Theme>>>,
     pub(super) messages: Messages,
     pub(super) layout: Layout,
     pub(super) built: Option<Arc<Built>>,
@@ -210,9 +217,12 @@ impl Editor {
         let mut editor = Self {
             document: Document::empty(),
             canvas: Canvas::default(),
-            plant: PlantView::default(),
+            plant: PlantView::new(settings.view),
             messages: Messages::new(settings.language()),
             layout: Layout::default(),
+            kept_settings: None,
+            system_theme: None,
+            theme_asked: None,
             built: None,
             counts: Counts::default(),
             versions: Versions::default(),
@@ -259,6 +269,7 @@ impl Editor {
         }
         editor.look_for_lost_drawings();
         editor.save_settings();
+        editor.ask_system_theme();
         Ok(editor)
     }
 
@@ -269,6 +280,7 @@ impl Editor {
         }
         self.collect_task();
         self.collect_save();
+        self.collect_system_theme();
         while let Ok(action) = self.answered.try_recv() {
             self.perform(action);
         }
@@ -337,7 +349,7 @@ impl Editor {
         match self.document.apply(change) {
             Ok(Some(step)) => self.changed(&step),
             Ok(None) => {}
-            Err(error) => self.tell(Notice::error(error.to_string(), "")),
+            Err(error) => self.tell_error(&error),
         }
     }
 
@@ -346,7 +358,7 @@ impl Editor {
         match self.document.apply_merging(change, key) {
             Ok(Some(step)) => self.changed(&step),
             Ok(None) => {}
-            Err(error) => self.tell(Notice::error(error.to_string(), "")),
+            Err(error) => self.tell_error(&error),
         }
     }
 
@@ -412,7 +424,7 @@ impl Editor {
 
     /// Tells that the graphics card could not show something.
     pub(super) fn tell_render_failure(&mut self, error: &RenderError) {
-        self.tell(Notice::error(error.to_string(), ""));
+        self.tell_error(error);
     }
 
     /// Puts a picture where the window fetches it for the clipboard.

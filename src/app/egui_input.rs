@@ -279,6 +279,14 @@ fn named_key(key: NamedKey) -> Option<egui::Key> {
     })
 }
 
+/// A system's theme as egui calls it.
+pub fn theme(theme: winit::window::Theme) -> egui::Theme {
+    match theme {
+        winit::window::Theme::Light => egui::Theme::Light,
+        winit::window::Theme::Dark => egui::Theme::Dark,
+    }
+}
+
 /// The cursor that egui asks for; `None` hides it.
 pub fn cursor(icon: egui::CursorIcon) -> Option<CursorIcon> {
     use egui::CursorIcon as E;

@@ -60,9 +60,11 @@ fn open(request: &PathRequest) -> Option<PathBuf> {
 
 /// Whether the system has file dialogs for us: on Linux they come over the session bus.
 fn has_system_dialog() -> bool {
-    if !cfg!(target_os = "linux") {
-        return true;
-    }
+    !cfg!(target_os = "linux") || has_session_bus()
+}
+
+/// Whether there is a bus on which the desktop's programs speak to each other.
+pub(super) fn has_session_bus() -> bool {
     let named = std::env::var_os("DBUS_SESSION_BUS_ADDRESS").is_some_and(|address| !address.is_empty());
     let socket =
         std::env::var_os("XDG_RUNTIME_DIR").is_some_and(|dir| PathBuf::from(dir).join("bus").exists());

@@ -25,15 +25,18 @@ use winit::window::Window;
 /// Width of a line at full pressure, canvas units per unit of the drawing's height on a usual sheet.
 const LINE_WIDTH: f32 = 4.0;
 
-/// Longest wait before asking again whether a picture is finished.
+/// Shortest wait before asking again whether a picture is finished. Asking costs a frame, so it is asked ever less often
+/// the longer the picture takes: every time after this share of the time gone by.
 const ASK_AGAIN: Duration = Duration::from_millis(8);
+const ASK_SHARE: f32 = 0.25;
 
 /// Spaces the plant's drafts, so that a slow graphics driver has as much time for the stroke under the pen as for the plant.
 #[derive(Default)]
 struct Pace {
     /// How long the last picture took, once it is finished.
     finished: Arc<Mutex<Option<Duration>>>,
-    is_busy: bool,
+    /// When the picture was begun that is not finished yet.
+    begun: Option<Instant>,
     next: Option<Instant>,
 }
 
@@ -41,7 +44,7 @@ impl Pace {
     /// A picture was sent to the card.
     fn begin(&mut self, queue: &wgpu::Queue) {
         let (begun, finished) = (Instant::now(), Arc::clone(&self.finished));
-        self.is_busy = true;
+        self.begun = Some(begun);
         queue.on_submitted_work_done(move || {
             *finished.lock().unwrap_or_else(PoisonError::into_inner) = Some(begun.elapsed());
         });
@@ -53,11 +56,11 @@ impl Pace {
         let _ = device.poll(wgpu::PollType::Poll);
         let now = Instant::now();
         if let Some(took) = self.finished.lock().unwrap_or_else(PoisonError::into_inner).take() {
-            self.is_busy = false;
+            self.begun = None;
             self.next = Some(now + took);
         }
-        if self.is_busy {
-            return Some(now + ASK_AGAIN);
+        if let Some(begun) = self.begun {
+            return Some(now + (now - begun).mul_f32(ASK_SHARE).max(ASK_AGAIN));
         }
         self.next.filter(|next| *next > now)
     }
@@ -146,7 +149,7 @@ impl Graphics {
             }
             // The stabiliser still moves the last points: the stroke is sent anew.
             _ => {
-                let colour = Palette::of(editor.settings.theme).tool(stroke.tool());
+                let colour = Palette::of(editor.theme()).tool(stroke.tool());
                 self.canvas.set_stroke(stroke.id(), points, colour.to_array(), LINE_WIDTH);
             }
         }
@@ -168,7 +171,7 @@ impl Graphics {
         };
         let area = editor.layout().canvas_px();
         let scissor = scissor(area, self.surface.size());
-        let ground = Palette::of(editor.settings.theme).ground;
+        let ground = Palette::of(editor.theme()).ground;
         let [r, g, b] = [ground.r(), ground.g(), ground.b()].map(|c| f64::from(c) / 255.0);
         let canvas = &self.canvas;
         self.painter.paint(&mut self.surface, frame, wgpu::Color { r, g, b, a: 1.0 }, |pass| {
@@ -200,7 +203,7 @@ impl Graphics {
             tracing::debug!("uploaded {} of {} parts", stats.uploaded_parts, stats.parts);
             editor.plant.set_bounds(self.viewport.bounds());
         }
-        let look = editor.plant.look(editor.settings.theme);
+        let look = editor.plant_look();
         let camera = editor.plant.camera();
         if self.viewport.draw(&self.renderer, &camera, &look)? {
             self.pace.begin(&self.surface.queue);
@@ -226,7 +229,7 @@ impl Graphics {
             self.shown.reference = editor.versions.reference;
             self.sync_reference(editor)?;
         }
-        let palette = Palette::of(editor.settings.theme);
+        let palette = Palette::of(editor.theme());
         let rgb = |c: Color32| [c.r(), c.g(), c.b()];
         let view = CanvasView {
             pixel_from_canvas: narrow(editor.canvas.view().window_from_canvas()),

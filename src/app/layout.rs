@@ -5,18 +5,14 @@
 
 use super::action::Action;
 use super::canvas::{CursorShape, Rect as CanvasRect};
-use super::editor::Editor;
+use super::editor::{Editor, ReferenceFrame as Frame};
 use super::panels::frame;
-use super::settings::Handedness;
+use super::settings::{CANVAS_SHARE, Handedness};
 use super::theme::{self, Palette};
 use super::{fonts, plant_view};
 use egui::{Color32, Pos2, Rect, Sense, Shape, Stroke, Ui, UiBuilder, pos2, vec2};
 use glam::DVec2;
 
-/// Share of the room that the canvas has.
-const CANVAS_SHARE: f32 = 0.5;
-/// Least and largest share that the divider can give it.
-const SHARES: (f32, f32) = (0.2, 0.8);
 /// Width on which the divider can be taken hold of, points.
 const GRIP: f32 = 12.0;
 
@@ -28,7 +24,6 @@ pub struct Layout {
     /// The plant.
     pub plant: Rect,
     pixels_per_point: f64,
-    share: f32,
     /// All of the drawing is shown, and stays so when the canvas changes its size, until the artist moves it.
     pub(super) shows_all: bool,
     /// Another drawing was opened: it is fitted into the canvas with the next frame.
@@ -38,14 +33,7 @@ pub struct Layout {
 impl Default for Layout {
     fn default() -> Self {
         let none = Rect::NOTHING;
-        Self {
-            canvas: none,
-            plant: none,
-            pixels_per_point: 1.0,
-            share: CANVAS_SHARE,
-            shows_all: true,
-            is_new: true,
-        }
+        Self { canvas: none, plant: none, pixels_per_point: 1.0, shows_all: true, is_new: true }
     }
 }
 
@@ -63,6 +51,13 @@ impl Layout {
         } else {
             CanvasRect::new(DVec2::ZERO, DVec2::ONE)
         }
+    }
+
+    /// Whether a press at this place, in points, is meant for the drawing: on the canvas, and not on the divider.
+    pub(super) fn is_canvas(&self, at: Pos2) -> bool {
+        let x =
+            if self.canvas.right() <= self.plant.left() { self.canvas.right() } else { self.canvas.left() };
+        self.canvas.contains(at) && (at.x - x).abs() > GRIP / 2.0
     }
 
     /// A new egui context: nothing of ours is in its memory.
@@ -106,9 +101,8 @@ impl Editor {
 
     /// Gives egui theme and fonts where they changed.
     fn prepare_context(&mut self, ctx: &egui::Context) {
-        let (theme, language) = self.looks();
-        let shown: Option<(super::settings::ThemeChoice, f32)> =
-            ctx.data(|data| data.get_temp(egui::Id::unique("theme")));
+        let (theme, language) = (self.theme(), self.messages.language());
+        let shown: Option<(egui::Theme, f32)> = ctx.data(|data| data.get_temp(egui::Id::unique("theme")));
         let now = (theme, ctx.pixels_per_point());
         if shown.is_none_or(|shown| shown != now) {
             theme::apply(ctx, theme);
@@ -123,7 +117,8 @@ impl Editor {
     /// Divides the room between canvas and plant; the canvas lies at the hand that draws.
     fn divide(&mut self, ui: &mut Ui, room: Rect) {
         let canvas_first = self.settings.handedness == Handedness::Right;
-        let share = if canvas_first { self.layout.share } else { 1.0 - self.layout.share };
+        let share = self.settings.canvas_share;
+        let share = if canvas_first { share } else { 1.0 - share };
         let x = (room.left() + share * room.width()).round();
         let grip = Rect::from_x_y_ranges(x - GRIP / 2.0..=x + GRIP / 2.0, room.y_range());
         let response = ui.interact(grip, egui::Id::unique("divider"), Sense::drag());
@@ -131,8 +126,9 @@ impl Editor {
         if response.dragged()
             && let Some(pointer) = response.interact_pointer_pos()
         {
-            let share = ((pointer.x - room.left()) / room.width().max(1.0)).clamp(SHARES.0, SHARES.1);
-            self.layout.share = if canvas_first { share } else { 1.0 - share };
+            let share = (pointer.x - room.left()) / room.width().max(1.0);
+            let share = if canvas_first { share } else { 1.0 - share };
+            self.settings.canvas_share = share.clamp(CANVAS_SHARE.0, CANVAS_SHARE.2);
         }
         let (left, right) = room.split_left_right_at_x(x);
         (self.layout.canvas, self.layout.plant) = if canvas_first { (left, right) } else { (right, left) };
@@ -177,9 +173,11 @@ impl Editor {
                 );
             }
         }
-        if let Some((corners, middle)) = self.reference_frame() {
+        if let Some(Frame { corners, middle, turn: [edge, turn] }) = self.reference_frame() {
             let line = Stroke::new(1.5, palette.accent);
             painter.add(Shape::closed_line(corners.map(point).to_vec(), line));
+            painter.line_segment([point(edge), point(turn)], line);
+            painter.circle(point(turn), 7.0, palette.panel, line);
             for corner in corners {
                 let square = Rect::from_center_size(point(corner), vec2(12.0, 12.0));
                 painter.rect(square, 2.0, palette.panel, line, egui::StrokeKind::Middle);
@@ -225,6 +223,17 @@ fn stretch_cursor(along: f64) -> egui::CursorIcon {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_divider_is_not_drawn_on() {
+        let [left, right] = [0.0, 100.0].map(|x| Rect::from_min_size(pos2(x, 0.0), vec2(100.0, 50.0)));
+        let layout = Layout { canvas: left, plant: right, ..Layout::default() };
+        let mirrored = Layout { canvas: right, plant: left, ..layout };
+        for (layout, on, off) in [(layout, 90.0, 97.0), (mirrored, 110.0, 103.0)] {
+            assert!(layout.is_canvas(pos2(on, 20.0)) && !layout.is_canvas(pos2(off, 20.0)));
+        }
+        assert!(layout.is_canvas(pos2(1.0, 20.0)) && !layout.is_canvas(pos2(50.0, 60.0)));
+    }
 
     #[test]
     fn stretch_cursors_point_where_the_handle_goes() {

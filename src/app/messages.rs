@@ -7,8 +7,10 @@
 //!
 //! Limits: messages of the engine itself (files that cannot be read, warnings about a drawing) are English.
 
+mod faults;
 mod keys;
 
+pub use faults::Told;
 pub use keys::Msg;
 
 use crate::params::Description;

@@ -29,6 +29,7 @@ pub mod plant_view;
 pub mod presets;
 pub mod settings;
 mod surface;
+mod system_theme;
 pub mod theme;
 mod thumbnail;
 mod transfer;

@@ -39,7 +39,7 @@ impl Paper {
             Preview::Same => Cow::Borrowed(&editor.sketch().strokes),
             _ => Cow::Owned(editor.canvas.previewed(&editor.sketch().strokes)),
         };
-        let palette = Palette::of(editor.settings.theme);
+        let palette = Palette::of(editor.theme());
         let selected = editor.canvas.selection().ids();
         let mut understood = Understood::of(editor, palette);
         self.show(&strokes, |stroke| {

@@ -6,7 +6,6 @@
 
 use super::messages::{Messages, Msg};
 use super::panels::snapshot::{LightChoice, Shading, ViewState};
-use super::settings::ThemeChoice;
 use super::theme::Palette;
 use crate::plant::Texture;
 use crate::render::{Background, LightParams, Look, Mode, OrbitCamera, Projection, Quality};
@@ -56,7 +55,7 @@ pub struct PlantView {
 impl Default for PlantView {
     fn default() -> Self {
         Self {
-            state: ViewState { orthographic: true, ..ViewState::default() },
+            state: ViewState::default(),
             wants_copy: false,
             camera: OrbitCamera::default(),
             guide: Guide::FollowsPlant,
@@ -71,6 +70,13 @@ impl Default for PlantView {
 }
 
 impl PlantView {
+    /// A view that is lit and shown like this.
+    pub fn new(state: ViewState) -> Self {
+        let mut view = Self { state, ..Self::default() };
+        view.set_orthographic(state.orthographic);
+        view
+    }
+
     /// Shows the texture with the plant, filling what is left of `ui`, and hears the pointer.
     pub fn show(&mut self, ui: &mut Ui, texture: egui::TextureId) {
         let size = ui.available_size();
@@ -221,8 +227,20 @@ impl PlantView {
         self.camera
     }
 
+    /// The light as the artist set it.
+    pub fn light(&self) -> LightParams {
+        let LightChoice { azimuth_deg, elevation_deg, strength, temperature_k } = self.state.light;
+        LightParams {
+            sun_azimuth_deg: azimuth_deg,
+            sun_elevation_deg: elevation_deg,
+            sun_strength: strength,
+            sun_temperature_k: temperature_k,
+            ..LightParams::default()
+        }
+    }
+
     /// How the next picture looks: a draft while anything moves.
-    pub fn look(&mut self, theme: ThemeChoice) -> Look {
+    pub fn look(&mut self, theme: egui::Theme) -> Look {
         self.delayed = None;
         let rests = self.moved.is_none_or(|at| at.elapsed() >= REST);
         if rests {
@@ -236,21 +254,11 @@ impl PlantView {
             },
             quality: if rests { Quality::Full } else { Quality::Draft },
             background: match theme {
-                ThemeChoice::Light => Background::Paper,
-                ThemeChoice::Dark => Background::Dark,
+                egui::Theme::Light => Background::Paper,
+                egui::Theme::Dark => Background::Dark,
             },
-            light: light_params(&self.state.light),
+            light: self.light(),
         }
-    }
-}
-
-fn light_params(choice: &LightChoice) -> LightParams {
-    LightParams {
-        sun_azimuth_deg: choice.azimuth_deg,
-        sun_elevation_deg: choice.elevation_deg,
-        sun_strength: choice.strength,
-        sun_temperature_k: choice.temperature_k,
-        ..LightParams::default()
     }
 }
 
@@ -307,9 +315,9 @@ mod tests {
     fn drafts_while_moving_and_a_finished_picture_at_rest() {
         let mut view = PlantView::default();
         view.set_bounds(Some(BOX));
-        assert_eq!(view.look(ThemeChoice::Light).quality, Quality::Draft);
+        assert_eq!(view.look(egui::Theme::Light).quality, Quality::Draft);
         view.moved = Some(Instant::now() - REST);
-        assert_eq!(view.look(ThemeChoice::Light).quality, Quality::Full);
+        assert_eq!(view.look(egui::Theme::Light).quality, Quality::Full);
         assert_eq!(view.wakes_at(), None);
     }
 }

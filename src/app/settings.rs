@@ -8,7 +8,7 @@
 
 pub use super::canvas::Stabiliser;
 use super::messages::{Language, Messages, Msg};
-use super::panels::snapshot::{ExportChoice, Notice};
+use super::panels::snapshot::{ExportChoice, Notice, ViewState};
 use crate::export::{WriteError, write_atomically};
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use std::fs;
@@ -23,6 +23,8 @@ pub const MAX_RECENT: usize = 12;
 const MAX_BYTES: u64 = 1 << 20;
 /// Width of the side panel in logical pixels: least, at first, most.
 pub const SIDE_WIDTH: (f32, f32, f32) = (300.0, 320.0, 520.0);
+/// Share of the room between the panels that the canvas has: least, at first, most.
+pub const CANVAS_SHARE: (f32, f32, f32) = (0.2, 0.5, 0.8);
 
 /// Which hand holds the pen; tools stand on the other side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -39,11 +41,24 @@ pub enum Handedness {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ThemeChoice {
-    /// Light paper colours.
+    /// As the system has them.
     #[default]
+    System,
+    /// Light paper colours.
     Light,
     /// Dark greens.
     Dark,
+}
+
+impl ThemeChoice {
+    /// The theme to show; light where the system has no opinion.
+    pub fn resolve(self, system: Option<egui::Theme>) -> egui::Theme {
+        match self {
+            Self::System => system.unwrap_or(egui::Theme::Light),
+            Self::Light => egui::Theme::Light,
+            Self::Dark => egui::Theme::Dark,
+        }
+    }
 }
 
 /// What the artist chose for the program.
@@ -62,10 +77,14 @@ pub struct Settings {
     pub side_shown: bool,
     /// Width of the side panel, logical pixels.
     pub side_width: f32,
+    /// Share of the room between the panels that the canvas has; the plant has the rest.
+    pub canvas_share: f32,
     /// Drawings opened or saved last, the newest first.
     pub recent: Vec<PathBuf>,
     /// What was chosen for the last export.
     pub export: ExportChoice,
+    /// How the plant was lit and shown last.
+    pub view: ViewState,
 }
 
 impl Default for Settings {
@@ -77,8 +96,10 @@ impl Default for Settings {
             stabiliser: Stabiliser::Light,
             side_shown: true,
             side_width: SIDE_WIDTH.1,
+            canvas_share: CANVAS_SHARE.1,
             recent: Vec::new(),
             export: ExportChoice::default(),
+            view: ViewState::default(),
         }
     }
 }
@@ -124,7 +145,8 @@ impl Settings {
 
     fn from_table(table: &Table) -> Self {
         let default = Self::default();
-        let width = field(table, "side_width").filter(|w: &f32| w.is_finite());
+        let number = |key| field(table, key).filter(|x: &f32| x.is_finite());
+        let (width, share) = (number("side_width"), number("canvas_share"));
         let mut recent: Vec<PathBuf> = field(table, "recent").unwrap_or_default();
         recent.truncate(MAX_RECENT);
         Self {
@@ -134,8 +156,10 @@ impl Settings {
             stabiliser: field(table, "stabiliser").unwrap_or(default.stabiliser),
             side_shown: field(table, "side_shown").unwrap_or(default.side_shown),
             side_width: width.map_or(default.side_width, |w| w.clamp(SIDE_WIDTH.0, SIDE_WIDTH.2)),
+            canvas_share: share.map_or(default.canvas_share, |s| s.clamp(CANVAS_SHARE.0, CANVAS_SHARE.2)),
             recent,
             export: field(table, "export").map_or(default.export, ExportChoice::sane),
+            view: field(table, "view").map_or(default.view, ViewState::sane),
         }
     }
 }
@@ -169,6 +193,7 @@ fn put_aside(path: &Path) -> PathBuf {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::app::panels::snapshot::{LightChoice, Shading};
 
     fn load(folder: &Path) -> (Settings, Option<Notice>) {
         Settings::load(folder, &Messages::new(Language::English))
@@ -185,8 +210,12 @@ mod tests {
             stabiliser: Stabiliser::Strong,
             side_shown: false,
             side_width: 400.0,
+            canvas_share: 0.7,
             ..Settings::default()
         };
+        settings.view.light.azimuth_deg = 20.0;
+        settings.view.shading = Shading::Parts;
+        settings.view.orthographic = false;
         settings.export.transparent = true;
         settings.remember(Path::new("/drawings/daisy.penstemon"));
         settings.save(&below).unwrap();
@@ -223,7 +252,8 @@ mod tests {
     fn what_one_version_does_not_understand_costs_only_itself() {
         let folder = tempfile::tempdir().unwrap();
         let text = "theme = \"dark\"\nlanguage = \"klingon\"\nside_width = 1e9\nhologram = true\n\
-                    stabiliser = 7\n[export]\nwidth = 0\n";
+                    stabiliser = 7\n[export]\nwidth = 0\n[view]\nshading = \"parts\"\n[view.light]\n\
+                    strength = inf\nazimuth_deg = 30\n";
         fs::write(folder.path().join(FILE_NAME), text).unwrap();
         let (settings, notice) = load(folder.path());
         assert_eq!(notice, None);
@@ -232,6 +262,9 @@ mod tests {
         assert_eq!(settings.stabiliser, Stabiliser::Light);
         assert!((settings.side_width - SIDE_WIDTH.2).abs() < 1e-6);
         assert!(settings.export.width >= 16);
+        let ViewState { light, shading, orthographic, turntable } = settings.view;
+        assert_eq!((shading, orthographic, turntable), (Shading::Parts, true, false));
+        assert_eq!((light.strength, light.azimuth_deg), (LightChoice::default().strength, 30.0));
     }
 
     #[test]

@@ -119,7 +119,7 @@ impl Surface {
     }
 
     /// The next frame to draw on; `None` where there is none to be had now. The window asks again with its next change
-    /// or, where the surface was set up anew, at once.
+    /// or, where the surface was set up anew or the driver was busy, at once.
     pub(super) fn acquire(&mut self) -> Option<wgpu::SurfaceTexture> {
         use wgpu::CurrentSurfaceTexture as Current;
         if self.hidden || self.is_lost() {
@@ -142,7 +142,12 @@ impl Surface {
                     return None;
                 }
             },
-            Current::Timeout | Current::Occluded => return None,
+            // The driver is busy; what is to be shown is still to be shown.
+            Current::Timeout => {
+                self.window.request_redraw();
+                return None;
+            }
+            Current::Occluded => return None,
         }
         // Once more with the new setup; otherwise with the next redraw.
         match self.surface.get_current_texture() {

@@ -5,10 +5,9 @@
 //! wherever it stands. Text and part colours keep a contrast against their grounds that the tests measure (WCAG 2.1).
 //! Everything that can be touched is [`TARGET`] wide and high at least.
 
-use super::settings::ThemeChoice;
 use crate::sketch::Tool;
 use egui::style::{HandleShape, WidgetVisuals, Widgets};
-use egui::{Color32, CornerRadius, FontId, Margin, Shadow, Stroke, Style, TextStyle, Vec2, Visuals};
+use egui::{Color32, CornerRadius, FontId, Margin, Shadow, Stroke, Style, TextStyle, Theme, Vec2, Visuals};
 
 /// Least width and height of anything that can be touched, logical pixels.
 pub const TARGET: f32 = 40.0;
@@ -124,10 +123,10 @@ pub const DARK: Palette = Palette {
 
 impl Palette {
     /// The colours of a theme.
-    pub fn of(theme: ThemeChoice) -> &'static Palette {
+    pub fn of(theme: Theme) -> &'static Palette {
         match theme {
-            ThemeChoice::Light => &LIGHT,
-            ThemeChoice::Dark => &DARK,
+            Theme::Light => &LIGHT,
+            Theme::Dark => &DARK,
         }
     }
 
@@ -155,17 +154,13 @@ impl Palette {
 }
 
 /// Gives a context the colours and measures of a theme. Cheap; call it when the theme changes.
-pub fn apply(ctx: &egui::Context, theme: ThemeChoice) {
-    let which = match theme {
-        ThemeChoice::Light => egui::Theme::Light,
-        ThemeChoice::Dark => egui::Theme::Dark,
-    };
-    ctx.set_theme(which);
-    ctx.set_style_of(which, style(theme));
+pub fn apply(ctx: &egui::Context, theme: Theme) {
+    ctx.set_theme(theme);
+    ctx.set_style_of(theme, style(theme));
 }
 
 /// The whole style of a theme.
-pub fn style(theme: ThemeChoice) -> Style {
+pub fn style(theme: Theme) -> Style {
     let mut style = Style { visuals: visuals(theme), animation_time: 0.1, ..Style::default() };
     let sizes = [
         (TextStyle::Small, 12.0),
@@ -191,11 +186,11 @@ pub fn style(theme: ThemeChoice) -> Style {
     style
 }
 
-fn visuals(theme: ThemeChoice) -> Visuals {
+fn visuals(theme: Theme) -> Visuals {
     let p = Palette::of(theme);
     let base = match theme {
-        ThemeChoice::Light => Visuals::light(),
-        ThemeChoice::Dark => Visuals::dark(),
+        Theme::Light => Visuals::light(),
+        Theme::Dark => Visuals::dark(),
     };
     let shadow_alpha = if base.dark_mode { 120 } else { 40 };
     let shadow =

@@ -160,7 +160,8 @@ impl Running {
             Arc::from(event_loop.create_window(attributes).context("the window cannot be opened")?);
         let egui = egui::Context::default();
         let proxy = event_loop.create_proxy();
-        let editor = Editor::open(file, move || proxy.wake_up())?;
+        let mut editor = Editor::open(file, move || proxy.wake_up())?;
+        editor.set_system_theme(event_loop.system_theme().map(egui_input::theme));
         let graphics = Graphics::open(event_loop, &window)?;
         tracing::debug!("the window is drawn by {}", graphics.adapter());
         let input = EguiInput::new(window.scale_factor() as f32);
@@ -192,6 +193,8 @@ impl Running {
             WindowEvent::CloseRequested => self.editor.ask_to_quit(),
             WindowEvent::SurfaceResized(size) => self.graphics.resize(*size),
             WindowEvent::Focused(false) => self.editor.snapshot(),
+            WindowEvent::Focused(true) => self.editor.ask_system_theme(),
+            WindowEvent::ThemeChanged(theme) => self.editor.set_system_theme(Some(egui_input::theme(*theme))),
             WindowEvent::DragEntered { id, .. } => transfer::welcome(event_loop, *id),
             WindowEvent::DragDropped { id, .. } => transfer::fetch_files(event_loop, *id),
             WindowEvent::DataTransferReceived { value, .. } => match transfer::arrival(&**value) {
@@ -217,7 +220,7 @@ impl Running {
         let before = self.input.modifiers();
         let heard = self.input.on_event(event);
         self.editor.modifiers(before, self.input.modifiers());
-        if heard || matches!(event, WindowEvent::SurfaceResized(_)) {
+        if heard || matches!(event, WindowEvent::SurfaceResized(_) | WindowEvent::ThemeChanged(_)) {
             self.want_frame();
         }
         if self.input.take_paste_request() {
@@ -231,7 +234,7 @@ impl Running {
 
     /// Whether a place belongs to the canvas: inside it, and nothing of egui's floats above.
     fn is_canvas(&self, at: egui::Pos2) -> bool {
-        self.editor.layout().canvas.contains(at)
+        self.editor.layout().is_canvas(at)
             && self.egui.layer_id_at(at).is_none_or(|layer| layer.order == egui::Order::Background)
     }
 
@@ -328,14 +331,15 @@ impl Running {
         let raw = self.input.take(self.graphics.size());
         let (editor, plant) = (&mut self.editor, self.graphics.plant_texture());
         let mut output = self.egui.run_ui(raw, |ui| editor.ui(ui, plant));
+        let delay = output.viewport_output.get(&egui::ViewportId::ROOT).map_or(NEVER, |v| v.repaint_delay);
         self.heed(event_loop, &mut output);
         self.graphics.draw(&self.egui, output, &mut self.editor);
+        // From the moment when the frame is there: a machine that draws it slowly rests between the blinks of a cursor too.
+        self.repaint_at = (delay < NEVER).then(|| Instant::now() + delay);
     }
 
     /// Carries out what egui asks of the system.
     fn heed(&mut self, event_loop: &dyn ActiveEventLoop, output: &mut egui::FullOutput) {
-        let delay = output.viewport_output.get(&egui::ViewportId::ROOT).map_or(NEVER, |v| v.repaint_delay);
-        self.repaint_at = (delay < NEVER).then(|| Instant::now() + delay);
         for command in output.platform_output.commands.drain(..) {
             match command {
                 egui::OutputCommand::CopyText(text) => transfer::copy_text(event_loop, text),

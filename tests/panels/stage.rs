@@ -1,12 +1,13 @@
 //! A stage on which panels are shown without a window: a snapshot, a language, and the wishes that came out.
 
 use super::pictures::Textures;
-use egui::Rect;
+use egui::{Rect, Role, Vec2};
 use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
 use penstemon::app::action::{Action, CanvasTool};
 use penstemon::app::fonts::{ChineseFont, definitions};
 use penstemon::app::messages::{Language, Messages};
-use penstemon::app::panels::snapshot::{Autosave, Found, PenUsed, Status};
+use penstemon::app::panels::snapshot::{Autosave, Found, PenUsed, Status, ViewState};
 use penstemon::app::panels::{Snapshot, frame};
 use penstemon::app::{settings, theme};
 use penstemon::sketch::Tool;
@@ -38,6 +39,7 @@ pub(super) fn busy() -> Snapshot {
         chinese_font: chinese_font().is_some(),
         species: "daisy".into(),
         seed: 17,
+        view: ViewState { orthographic: false, ..ViewState::default() },
         found: Found {
             petals: true,
             leaves: true,
@@ -81,7 +83,7 @@ pub(super) fn stage_of(
     scale: f32,
     textures: Option<Textures>,
 ) -> Harness<'static, Stage> {
-    let theme = snapshot.theme;
+    let theme = snapshot.theme.resolve(None);
     let state =
         Stage { snapshot, messages: Messages::new(language), actions: Vec::new(), canvas: Rect::NOTHING };
     let mut ready = false;
@@ -116,4 +118,41 @@ pub(super) fn stage_of(
 /// What was asked for since the last look.
 pub(super) fn asked(harness: &mut Harness<'_, Stage>) -> Vec<Action> {
     std::mem::take(&mut harness.state_mut().actions)
+}
+
+/// What can be touched.
+pub(super) const ROLES: [Role; 6] = [
+    Role::Button,
+    Role::RadioButton,
+    Role::CheckBox,
+    Role::Slider,
+    Role::TextInput,
+    Role::DisclosureTriangle,
+];
+
+/// Presses what has this name.
+pub(super) fn press(harness: &mut Harness<'_, Stage>, label: &str) {
+    let touched = |node: &egui_kittest::Node<'_>| ROLES.contains(&node.accesskit_node().role());
+    let found: Vec<_> = harness.query_all_by_label(label).filter(touched).collect();
+    assert_eq!(found.len(), 1, "there should be one {label}");
+    found[0].click();
+    drop(found);
+    harness.run();
+}
+
+/// Moves the pointer from a rail's middle by this much, held down, in small steps.
+pub(super) fn drag(harness: &mut Harness<'_, Stage>, label: &str, by: Vec2) {
+    let from = harness.get_by_label(label).rect().center();
+    harness.drag_at(from);
+    harness.step();
+    for step in 1..=10 {
+        harness.hover_at(from + by * (step as f32 / 10.0));
+        harness.step();
+    }
+    harness.drop_at(from + by);
+    harness.run();
+}
+
+pub(super) fn english() -> Messages {
+    Messages::new(Language::English)
 }

@@ -308,6 +308,11 @@ impl Canvas {
         out.push(CanvasOutcome::OverlayChanged);
     }
 
+    /// Whether Shift is held.
+    pub fn is_shift_held(&self) -> bool {
+        self.keys.shift
+    }
+
     /// Forgets the keys held, as when the window loses the keyboard: their release may never come.
     pub fn release_keys(&mut self) {
         self.keys = Keys::default();

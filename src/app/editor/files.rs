@@ -5,6 +5,7 @@ use super::{Editor, OwnFile};
 use crate::app::action::Action;
 use crate::app::canvas::Canvas;
 use crate::app::file_dialog;
+use crate::app::messages::Told as _;
 use crate::app::panels::snapshot::{Dialog, Notice, PathPurpose};
 use crate::sketch::document::Document;
 use crate::sketch::journal::{JournalWriter, Meta, Recoverable};
@@ -84,7 +85,7 @@ impl Editor {
         match sketch::from_bytes(SAMPLE.as_bytes(), "the sample") {
             Ok((sample, _)) => self.take_over(Document::new(sample), OwnFile::default()),
             Err(error) => {
-                self.tell(Notice::error(error.to_string(), ""));
+                self.tell_error(&error);
                 self.start_empty();
             }
         }
@@ -106,7 +107,7 @@ impl Editor {
                 self.save_settings();
             }
             Err(error) => {
-                self.tell(Notice::error(error.to_string(), ""));
+                self.tell_error(&error);
                 if self.journal.is_none() {
                     self.start_empty();
                 }
@@ -118,7 +119,7 @@ impl Editor {
     fn take_over(&mut self, document: Document, file: OwnFile) {
         let meta = meta_of(&file);
         let started = self.recovery.start(document.sketch(), meta, document.is_saved());
-        let journal = started.map_err(|error| self.tell(Notice::error(error.to_string(), ""))).ok();
+        let journal = started.map_err(|error| self.tell_error(&error)).ok();
         self.take_over_with(document, file, journal);
     }
 
@@ -207,7 +208,7 @@ impl Editor {
     pub(super) fn look_for_lost_drawings(&mut self) {
         match self.recovery.list() {
             Ok(found) => self.found = found,
-            Err(error) => self.tell(Notice::warning(error.to_string(), "")),
+            Err(error) => self.tell(Notice::warning(error.told(&self.messages), "")),
         }
         if !self.found.is_empty() {
             tracing::debug!("recoverable count={} strokes={}", self.found.len(), self.found[0].strokes());
@@ -226,7 +227,7 @@ impl Editor {
                 self.take_over_with(Document::unsaved(restored.sketch), file, Some(journal));
                 self.dialog = (!self.found.is_empty()).then(|| self.recovery_dialog());
             }
-            Err(error) => self.tell(Notice::error(error.to_string(), "")),
+            Err(error) => self.tell_error(&error),
         }
     }
 

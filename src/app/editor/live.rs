@@ -39,7 +39,7 @@ impl Editor {
 
     /// How the next picture of the plant looks; tells the view that it is being drawn.
     pub fn plant_look(&mut self) -> Look {
-        self.plant.look(self.settings.theme)
+        self.plant.look(self.theme())
     }
 
     /// How far the plant is behind the drawing.

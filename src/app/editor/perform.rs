@@ -3,8 +3,8 @@
 use super::Editor;
 use super::saving::Target;
 use crate::app::action::Action;
-use crate::app::messages::Messages;
-use crate::app::panels::snapshot::{Dialog, Notice, PathPurpose};
+use crate::app::messages::{Messages, Msg, Told};
+use crate::app::panels::snapshot::{Dialog, Notice, PathPurpose, ViewState};
 use crate::app::presets::{self, Preset};
 use crate::plant::OrganKind;
 use crate::sketch::change::StrokeChange;
@@ -81,7 +81,10 @@ impl Editor {
                 self.fonts_are_set = false;
                 self.refresh_title();
             }
-            Action::SetTheme(theme) => self.settings.theme = theme,
+            Action::SetTheme(theme) => {
+                self.settings.theme = theme;
+                self.ask_system_theme();
+            }
             Action::SetHandedness(hand) => self.settings.handedness = hand,
             Action::SetStabiliser(stabiliser) => self.settings.stabiliser = stabiliser,
             Action::ShowSide(shown) => self.settings.side_shown = shown,
@@ -93,22 +96,36 @@ impl Editor {
         self.versions.drawing += 1;
     }
 
-    /// Gives the canvas and the rest what the settings say, and keeps them.
+    /// Gives the canvas and the rest what the settings say.
     pub(super) fn apply_settings(&mut self) {
         self.canvas.settings.stabiliser = self.settings.stabiliser;
-        self.save_settings();
     }
 
+    /// Keeps the settings, if they are others than those that were kept last.
     pub(super) fn save_settings(&mut self) {
+        self.settings.view = ViewState { turntable: false, ..self.plant.state };
+        if self.kept_settings.as_ref() == Some(&self.settings) {
+            return;
+        }
+        self.kept_settings = Some(self.settings.clone());
         if let Err(error) = self.settings.save(&self.places.config) {
-            self.tell(Notice::warning(error.to_string(), ""));
+            let reason = error.told(&self.messages);
+            self.tell(Notice::warning(
+                self.messages.fill(Msg::NoticeSettingsUnsaved, &[("reason", &reason)]),
+                "",
+            ));
         }
     }
 
     /// Tells of a failure.
-    pub(super) fn or_tell<T, E: std::fmt::Display>(&mut self, result: Result<T, E>) {
+    pub(super) fn tell_error(&mut self, error: &dyn Told) {
+        self.tell(Notice::error(error.told(&self.messages), ""));
+    }
+
+    /// Tells of a failure, if it is one.
+    pub(super) fn or_tell<T, E: Told>(&mut self, result: Result<T, E>) {
         if let Err(error) = result {
-            self.tell(Notice::error(error.to_string(), ""));
+            self.tell_error(&error);
         }
     }
 
@@ -167,7 +184,7 @@ impl Editor {
                 let (params, textures) = (Some(params), Some(textures));
                 self.change(Change { species, params, textures, ..Change::default() });
             }
-            Err(error) => self.tell(Notice::error(error.to_string(), "")),
+            Err(error) => self.tell_error(&error),
         }
     }
 }

@@ -1,10 +1,13 @@
 //! The picture under the drawing that artists trace.
 //!
-//! With the selection tool in hand an unlocked picture shows a frame: its corners scale it about the opposite corner, its
-//! edges and its middle move it. What lies inside the frame stays the lasso's. One drag is one step to undo.
+//! With the selection tool in hand an unlocked picture shows a frame: its corners scale it about the opposite corner, the
+//! handle above turns it about its middle, in steps with Shift, its edges and its middle move it. What lies inside the frame
+//! stays the lasso's. One drag is one step to undo.
 
 use super::Editor;
 use crate::app::action::CanvasTool;
+use crate::app::canvas::transform::{TURN_HANDLE_DISTANCE, TURN_STEP_DEG};
+use crate::app::messages::{Msg, Told as _};
 use crate::app::panels::snapshot::Notice;
 use crate::pen::{PenEvent, PenPhase};
 use crate::sketch::reference::{Picture, Reference};
@@ -29,17 +32,37 @@ pub(super) enum Hold {
     Move(Vec2),
     /// Scaled about this corner; the other is opposite.
     Scale { fixed: Vec2, from_fixed: Vec2, width: f32 },
+    /// Turned about its middle: from where the pointer took hold, and how it lay then.
+    Turn { from: Vec2, rotation_deg: f32 },
+}
+
+/// Where the picture is taken hold of, physical pixels of the window.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::app) struct Frame {
+    /// Around.
+    pub(in crate::app) corners: [DVec2; 4],
+    pub(in crate::app) middle: DVec2,
+    /// The middle of the edge at which the turning handle stands, and the handle.
+    pub(in crate::app) turn: [DVec2; 2],
 }
 
 impl Editor {
-    /// Corners of the picture's frame and its middle, in physical pixels of the window; `None` where it has none to show.
-    pub(in crate::app) fn reference_frame(&self) -> Option<([DVec2; 4], DVec2)> {
+    /// The picture's frame; `None` where it has none to show.
+    pub(in crate::app) fn reference_frame(&self) -> Option<Frame> {
         let reference = self.document.sketch().reference.as_ref().filter(|r| r.visible && !r.locked)?;
         if self.canvas.tool() != CanvasTool::Select {
             return None;
         }
         let window = |p: Vec2| self.canvas.view().to_window(p.as_dvec2());
-        Some((corners(reference).map(window), window(reference.center)))
+        let (corners, middle) = (corners(reference).map(window), window(reference.center));
+        let edge = (corners[0] + corners[1]) / 2.0;
+        let out = (edge - middle).normalize_or(DVec2::NEG_Y);
+        let away = out * TURN_HANDLE_DISTANCE * self.layout.pixels_per_point();
+        // Inside the picture where there is no room above it.
+        let room = self.layout.canvas_px();
+        let above = edge + away;
+        let is_seen = above.cmpge(room.min).all() && above.cmple(room.max).all();
+        Some(Frame { corners, middle, turn: [edge, if is_seen { above } else { edge - away }] })
     }
 
     /// Hears a pointer before the canvas does; whether it is at work on the picture.
@@ -52,7 +75,8 @@ impl Editor {
             }
             (PenPhase::Move, Some(hold)) => {
                 let pointer = self.canvas.view().to_canvas(at).as_vec2();
-                self.edit_reference(|reference| drag(reference, hold, pointer));
+                let steps = self.canvas.is_shift_held();
+                self.edit_reference(|reference| drag(reference, hold, pointer, steps));
                 true
             }
             (PenPhase::Up | PenPhase::Cancel, Some(_)) => {
@@ -66,16 +90,20 @@ impl Editor {
 
     /// What of the frame is under the pointer.
     fn grip(&self, at: DVec2) -> Option<Hold> {
-        let (frame, middle) = self.reference_frame()?;
+        let Frame { corners: frame, middle, turn: [_, turn] } = self.reference_frame()?;
         let reference = self.document.sketch().reference.as_ref()?;
         let reach = GRIP * self.layout.pixels_per_point();
+        let pointer = self.canvas.view().to_canvas(at).as_vec2();
+        if turn.distance(at) <= reach {
+            let from = pointer - reference.center;
+            return Some(Hold::Turn { from, rotation_deg: reference.rotation_deg });
+        }
         if let Some(corner) = frame.iter().position(|c| c.distance(at) <= reach) {
             let places = corners(reference);
             let fixed = places[(corner + 2) % 4];
             return Some(Hold::Scale { fixed, from_fixed: places[corner] - fixed, width: reference.width });
         }
         let on_edge = (0..4).any(|i| distance_to_side(at, frame[i], frame[(i + 1) % 4]) <= 0.5 * reach);
-        let pointer = self.canvas.view().to_canvas(at).as_vec2();
         (on_edge || middle.distance(at) <= reach).then(|| Hold::Move(reference.center - pointer))
     }
 
@@ -83,13 +111,19 @@ impl Editor {
     pub(super) fn put_reference(&mut self, path: &Path) {
         match read(path) {
             Ok(bytes) => self.lay(bytes, &path.display().to_string()),
-            Err(error) => self.tell(Notice::error(format!("{} cannot be read: {error}", path.display()), "")),
+            Err(error) => self.tell(Notice::error(self.unreadable(path, &error), "")),
         }
+    }
+
+    fn unreadable(&self, path: &Path, error: &std::io::Error) -> String {
+        let why = self.messages.fill(Msg::ErrorUnreadable, &[("reason", error)]);
+        format!("{}: {why}", path.display())
     }
 
     /// Puts a pasted picture under the drawing.
     pub fn paste_picture(&mut self, bytes: Vec<u8>) {
-        self.lay(bytes, "the pasted picture");
+        let name = self.messages.get(Msg::ReferencePasted).to_owned();
+        self.lay(bytes, &name);
     }
 
     fn lay(&mut self, bytes: Vec<u8>, name: &str) {
@@ -98,7 +132,7 @@ impl Editor {
                 let (center, width) = self.place_for(&picture);
                 self.change(Change::reference(Some(Reference::new(picture, center, width))));
             }
-            Err(error) => self.tell(Notice::error(format!("{name}: {error}"), "")),
+            Err(error) => self.tell(Notice::error(format!("{name}: {}", error.told(&self.messages)), "")),
         }
     }
 
@@ -131,7 +165,8 @@ fn corners(reference: &Reference) -> [Vec2; 4] {
     [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)]
 }
 
-fn drag(reference: &mut Reference, hold: Hold, pointer: Vec2) {
+/// Moves the picture with the pointer; `steps` turns it by whole steps only.
+fn drag(reference: &mut Reference, hold: Hold, pointer: Vec2, steps: bool) {
     match hold {
         Hold::Move(to_center) => reference.center = pointer + to_center,
         Hold::Scale { fixed, from_fixed, width } => {
@@ -139,6 +174,17 @@ fn drag(reference: &mut Reference, hold: Hold, pointer: Vec2) {
             let along = (pointer - fixed).dot(from_fixed) / from_fixed.length_squared().max(1e-6);
             reference.width = (width * along).max(LEAST_WIDTH);
             reference.center = fixed + from_fixed * (0.5 * reference.width / width);
+        }
+        Hold::Turn { from, rotation_deg } => {
+            let to = pointer - reference.center;
+            // Over its own middle the pointer points nowhere.
+            if from.length_squared() > 0.0 && to.length_squared() > 0.0 {
+                let turned = rotation_deg + from.angle_to(to).to_degrees();
+                let step = TURN_STEP_DEG as f32;
+                let turned = if steps { (turned / step).round() * step } else { turned };
+                // −180 to 180, as people say it.
+                reference.rotation_deg = (turned + 180.0).rem_euclid(360.0) - 180.0;
+            }
         }
     }
 }
@@ -176,17 +222,32 @@ mod tests {
         let [first, _, third, _] = corners(&reference);
         assert_eq!((first, third), (Vec2::ZERO, Vec2::new(200.0, 100.0)));
         let hold = Hold::Scale { fixed: first, from_fixed: third - first, width: 200.0 };
-        drag(&mut reference, hold, Vec2::new(400.0, 200.0));
+        drag(&mut reference, hold, Vec2::new(400.0, 200.0), false);
         assert_eq!((reference.width, reference.center), (400.0, Vec2::new(200.0, 100.0)));
         assert_eq!(corners(&reference)[0], Vec2::ZERO);
-        drag(&mut reference, hold, Vec2::new(-500.0, -500.0));
+        drag(&mut reference, hold, Vec2::new(-500.0, -500.0), false);
         assert_eq!(reference.width, LEAST_WIDTH);
     }
 
     #[test]
     fn a_moved_picture_keeps_its_place_under_the_pointer() {
         let mut reference = Reference::new(picture(), Vec2::new(100.0, 50.0), 200.0);
-        drag(&mut reference, Hold::Move(Vec2::new(10.0, 0.0)), Vec2::new(30.0, 40.0));
+        drag(&mut reference, Hold::Move(Vec2::new(10.0, 0.0)), Vec2::new(30.0, 40.0), false);
         assert_eq!(reference.center, Vec2::new(40.0, 40.0));
+    }
+
+    #[test]
+    fn a_turned_picture_follows_the_pointer_around_its_middle() {
+        let mut reference = Reference::new(picture(), Vec2::new(100.0, 50.0), 200.0);
+        reference.rotation_deg = 170.0;
+        let hold = Hold::Turn { from: Vec2::new(0.0, -80.0), rotation_deg: 170.0 };
+        // From above to the right: a quarter clockwise, past the half turn.
+        drag(&mut reference, hold, Vec2::new(130.0, 50.0), false);
+        assert!((reference.rotation_deg + 100.0).abs() < 1e-3, "{}", reference.rotation_deg);
+        assert_eq!((reference.center, reference.width), (Vec2::new(100.0, 50.0), 200.0));
+        drag(&mut reference, hold, Vec2::new(130.0, 52.0), true);
+        assert!((reference.rotation_deg + 90.0).abs() < 1e-3, "{}", reference.rotation_deg);
+        drag(&mut reference, hold, Vec2::new(100.0, 50.0), false);
+        assert!((reference.rotation_deg + 90.0).abs() < 1e-3, "nowhere is no direction");
     }
 }

@@ -8,7 +8,7 @@ use super::files::meta_of;
 use super::task::{self, Work};
 use super::{Editor, OwnFile};
 use crate::app::action::Action;
-use crate::app::messages::Msg;
+use crate::app::messages::{Msg, Told as _};
 use crate::app::panels::snapshot::{Notice, PathPurpose};
 use crate::sketch::document::SavePoint;
 use crate::sketch::save::{self, FileStamp, SaveError};
@@ -78,7 +78,7 @@ impl Editor {
         let save = move || save::save(&target, &sketch, expected.as_ref());
         match task::begin("saving", &self.wake, save) {
             Ok(work) => self.saver.under_way = Some(UnderWay { path, point, step, work }),
-            Err(error) => self.tell(Notice::error(error.to_string(), "")),
+            Err(error) => self.tell_error(&error),
         }
     }
 
@@ -114,7 +114,8 @@ impl Editor {
             }
             failed => {
                 let broken = || self.messages.get(Msg::NoticeSaveFailed).to_owned();
-                let reason = failed.and_then(Result::err).map_or_else(broken, |error| error.to_string());
+                let reason =
+                    failed.and_then(Result::err).map_or_else(broken, |error| error.told(&self.messages));
                 self.tell(Notice::error(reason, ""));
                 // What waited for a saved drawing is given up: the artist reads why, and decides.
                 self.saver.then = None;

@@ -1,6 +1,6 @@
 //! What the panels show of the editor, copied together once per frame.
 
-use super::{Editor, GOOD_NEWS};
+use super::{Editor, GOOD_NEWS, estimate, task};
 use crate::app::fonts::{self, ChineseFont};
 use crate::app::messages::{Language, Msg};
 use crate::app::panels::Snapshot;
@@ -9,6 +9,7 @@ use crate::app::panels::snapshot::{
 };
 use crate::app::presets;
 use crate::app::settings::ThemeChoice;
+use crate::app::system_theme;
 use crate::app::theme::Palette;
 use crate::app::thumbnail;
 use crate::pipeline::DEFAULT_SPECIES;
@@ -19,9 +20,6 @@ use std::time::{Duration, SystemTime};
 
 /// Width and height of a found drawing's picture in pixels.
 const THUMBNAIL: [usize; 2] = [192, 144];
-
-/// Bytes of a GLB or OBJ file per triangle, as measured on the sample drawings; textures come on top.
-const BYTES_PER_TRIANGLE: (u64, u64) = (50, 120);
 
 impl Editor {
     /// The panels' state of the application.
@@ -112,11 +110,8 @@ impl Editor {
     }
 
     fn export_bytes(&self) -> Option<u64> {
-        self.built.as_ref()?;
-        let triangles = self.counts.triangles as u64;
-        let (glb, obj) = BYTES_PER_TRIANGLE;
-        let per_triangle = if self.settings.export.format.extension() == "obj" { obj } else { glb };
-        Some(triangles * per_triangle)
+        let built = self.built.as_ref().filter(|_| self.dialog == Some(Dialog::Export))?;
+        estimate::bytes(&self.settings.export, &built.model, self.document.sketch())
     }
 
     /// The list of drawings that were found again.
@@ -142,7 +137,7 @@ impl Editor {
         if self.found.len() <= self.found_pictures.len() {
             return;
         }
-        let palette = Palette::of(self.settings.theme);
+        let palette = Palette::of(self.theme());
         for found in &self.found {
             let known = self.picture_of(found.folder()).is_some();
             if let Some(restored) = found.content.as_ref().ok().filter(|_| !known) {
@@ -156,9 +151,33 @@ impl Editor {
         }
     }
 
-    /// Theme and language as chosen.
-    pub(in crate::app) fn looks(&self) -> (ThemeChoice, Language) {
-        (self.settings.theme, self.messages.language())
+    /// The theme to show.
+    pub(in crate::app) fn theme(&self) -> egui::Theme {
+        self.settings.theme.resolve(self.system_theme)
+    }
+
+    /// The window's system said what its colours are.
+    pub fn set_system_theme(&mut self, theme: Option<egui::Theme>) {
+        if self.system_theme != theme {
+            self.system_theme = theme;
+            self.versions.drawing += 1;
+        }
+    }
+
+    /// Asks the desktop for its colours, where they are followed and the window's system does not say them.
+    pub fn ask_system_theme(&mut self) {
+        let is_followed = self.settings.theme == ThemeChoice::System;
+        if is_followed && self.theme_asked.is_none() && system_theme::can_be_asked() {
+            // Without threads there is no opinion.
+            self.theme_asked = task::begin("system theme", &self.wake, system_theme::ask).ok();
+        }
+    }
+
+    pub(super) fn collect_system_theme(&mut self) {
+        if let Some(answer) = self.theme_asked.as_ref().and_then(|work| work.result()) {
+            self.theme_asked = None;
+            self.set_system_theme(answer.flatten());
+        }
     }
 
     /// Whether egui has not been given the fonts of the language yet.
@@ -186,6 +205,10 @@ impl Editor {
         // A slider that was let go: its next move is a step of its own.
         if ui.input(|input| input.pointer.any_released()) {
             self.document.end_merging();
+        }
+        // Not with every frame of a drag.
+        if !ui.input(|input| input.pointer.any_down()) {
+            self.save_settings();
         }
     }
 }

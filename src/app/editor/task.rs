@@ -4,13 +4,14 @@
 //! written stay.
 
 use super::Editor;
-use crate::app::messages::Msg;
+use super::estimate::is_wanted;
+use crate::app::messages::{Msg, Told};
 use crate::app::panels::snapshot::{self, ExportChoice, ExportFormat, Notice};
 use crate::app::plant_view::{self, built_in_texture};
 use crate::export;
-use crate::model::{Model, PartKind};
+use crate::model::Model;
 use crate::pipeline::Built;
-use crate::render::{OrbitCamera, Renderer};
+use crate::render::{LightParams, OrbitCamera, Renderer};
 use crate::sketch::Sketch;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -70,11 +71,18 @@ pub(super) fn begin<T: Send + 'static>(
     Ok(Work(done))
 }
 
+/// What kept an export from being made.
+type Failure = Box<dyn Told + Send>;
+
+fn boxed(error: impl Told + Send + 'static) -> Failure {
+    Box::new(error)
+}
+
 /// An export under way.
 pub(super) struct Task {
     name: String,
     shared: Arc<Shared>,
-    work: Work<Result<usize, String>>,
+    work: Work<Result<usize, Failure>>,
 }
 
 #[derive(Default)]
@@ -101,6 +109,7 @@ struct Order {
     sketch: Sketch,
     built: Arc<Built>,
     camera: OrbitCamera,
+    light: LightParams,
 }
 
 impl Editor {
@@ -111,12 +120,13 @@ impl Editor {
         let choice = self.settings.export.clone().sane();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let sketch = self.document.sketch().clone();
-        let order = Order { path, choice, sketch, built, camera: self.plant.camera() };
+        let order =
+            Order { path, choice, sketch, built, camera: self.plant.camera(), light: self.plant.light() };
         let shared = Arc::new(Shared::default());
         let theirs = Arc::clone(&shared);
         match begin("export", &self.wake, move || export(&order, &theirs)) {
             Ok(work) => self.task = Some(Task { name, shared, work }),
-            Err(error) => self.tell(Notice::error(error.to_string(), "")),
+            Err(error) => self.tell_error(&error),
         }
     }
 
@@ -135,7 +145,7 @@ impl Editor {
                 let what = self.messages.fill(Msg::NoticeExported, &[("file", &task.name)]);
                 self.tell(Notice::info(what));
             }
-            Some(Some(Err(reason))) => self.tell(Notice::error(reason, "")),
+            Some(Some(Err(failure))) => self.tell(Notice::error(failure.told(&self.messages), "")),
             Some(None) => self.tell(Notice::error(self.messages.get(Msg::NoticeExportFailed), "")),
         }
         self.task = None;
@@ -149,7 +159,7 @@ impl Editor {
 }
 
 /// Writes what was ordered; the bytes written.
-fn export(order: &Order, shared: &Shared) -> Result<usize, String> {
+fn export(order: &Order, shared: &Shared) -> Result<usize, Failure> {
     match order.choice.format {
         ExportFormat::Svg => {
             let text = crate::sketch::svg::write(&order.sketch);
@@ -158,26 +168,21 @@ fn export(order: &Order, shared: &Shared) -> Result<usize, String> {
         ExportFormat::Obj | ExportFormat::Glb => {
             let model = chosen_parts(&order.built.model, &order.choice);
             shared.advance(0.3);
-            export::export(&order.path, &model, &order.built.plant, &built_in_texture)
-                .map_err(|e| e.to_string())
+            export::export(&order.path, &model, &order.built.plant, &built_in_texture).map_err(boxed)
         }
         ExportFormat::Png => pictures(order, shared),
     }
 }
 
-fn write(path: &Path, bytes: &[u8]) -> Result<usize, String> {
-    crate::atomic::write_atomically(path, bytes).map_err(|e| e.to_string())?;
+fn write(path: &Path, bytes: &[u8]) -> Result<usize, Failure> {
+    crate::atomic::write_atomically(path, bytes).map_err(boxed)?;
     Ok(bytes.len())
 }
 
 /// The model with only what was asked for.
-fn chosen_parts(model: &Model, choice: &ExportChoice) -> Model {
+pub(super) fn chosen_parts(model: &Model, choice: &ExportChoice) -> Model {
     let mut model = model.clone();
-    let wanted = |kind: PartKind| match kind {
-        PartKind::Wood => choice.branches,
-        PartKind::Organ(organ) => choice.has(organ),
-    };
-    model.keep_parts(|part| wanted(part.kind));
+    model.keep_parts(|part| is_wanted(choice, part.kind));
     if !choice.textures {
         model.materials.iter_mut().for_each(|material| material.texture = None);
     }
@@ -185,9 +190,9 @@ fn chosen_parts(model: &Model, choice: &ExportChoice) -> Model {
 }
 
 /// One picture of the view as it stands, or many all around.
-fn pictures(order: &Order, shared: &Shared) -> Result<usize, String> {
+fn pictures(order: &Order, shared: &Shared) -> Result<usize, Failure> {
     let choice = &order.choice;
-    let mut renderer = Renderer::new().map_err(|e| e.to_string())?;
+    let mut renderer = Renderer::new().map_err(boxed)?;
     let mut bytes = 0;
     for frame in 0..choice.frames {
         if shared.is_stopped() {
@@ -202,16 +207,15 @@ fn pictures(order: &Order, shared: &Shared) -> Result<usize, String> {
     Ok(bytes)
 }
 
-fn picture(renderer: &mut Renderer, order: &Order, camera: &OrbitCamera) -> Result<Vec<u8>, String> {
+fn picture(renderer: &mut Renderer, order: &Order, camera: &OrbitCamera) -> Result<Vec<u8>, Failure> {
     use crate::render::{Background, Look, Viewport};
-    let told = |e: crate::render::RenderError| e.to_string();
-    let mut viewport = Viewport::new(renderer).map_err(told)?;
+    let mut viewport = Viewport::new(renderer).map_err(boxed)?;
     viewport.set_size(order.choice.width, order.choice.height);
-    viewport.update(renderer, &order.built.model, &plant_view::texture).map_err(told)?;
+    viewport.update(renderer, &order.built.model, &plant_view::texture).map_err(boxed)?;
     let background = if order.choice.transparent { Background::Transparent } else { Background::Paper };
-    let look = Look { background, ..Look::default() };
-    viewport.draw(renderer, camera, &look).map_err(told)?;
-    viewport.snapshot(renderer).and_then(|picture| picture.to_png()).map_err(told)
+    let look = Look { background, light: order.light.clone(), ..Look::default() };
+    viewport.draw(renderer, camera, &look).map_err(boxed)?;
+    viewport.snapshot(renderer).and_then(|picture| picture.to_png()).map_err(boxed)
 }
 
 /// `rose.png`, or `rose-007.png` for one of many.

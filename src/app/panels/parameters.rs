@@ -1,7 +1,7 @@
 //! Every parameter of every stage, by its own description: name, value, unit, range, help, and the way back.
 //!
-//! What the artist changed stands first, then the groups in the order of the stages; a search looks through names, help
-//! and paths. While something is held the list of changed parameters stays as it is, so that nothing moves under the pen.
+//! What the artist changed stands first, then the groups: how the plant looks before how strokes are understood. A search
+//! looks through names, help and paths. While something is held the list of changed parameters stays as it is, so that nothing moves under the pen.
 
 use super::icons::Icon;
 use super::rail::{Rail, Scale, number};
@@ -24,7 +24,31 @@ enum Kind {
     Switch,
 }
 
-/// Every parameter with the kind of its value, in the order of the stages.
+/// Groups in the order in which an artist comes to them: the plant as a whole, flowers and leaves, branches, what fills
+/// outlines, surfaces, and last what only matters where strokes were misunderstood.
+const ORDER: [&str; 19] = [
+    "depth.world",
+    "depth.cone",
+    "depth.leaves",
+    "depth.curl",
+    "depth.stem",
+    "depth.branches",
+    "depth.radii",
+    "anatomy.leaf_fill",
+    "anatomy.leaf_twigs",
+    "anatomy.twigs",
+    "model.blade",
+    "model.tube",
+    "model.solid",
+    "anatomy.flowers",
+    "anatomy.hierarchy",
+    "anatomy.attach",
+    "anatomy.tip",
+    "anatomy.ignore",
+    "anatomy.preprocess",
+];
+
+/// Every parameter with the kind of its value, group by group; groups that are not in [`ORDER`] come last.
 fn known() -> &'static [(Description, Kind)] {
     static KNOWN: OnceLock<Vec<(Description, Kind)>> = OnceLock::new();
     KNOWN.get_or_init(|| {
@@ -34,7 +58,10 @@ fn known() -> &'static [(Description, Kind)] {
             Some(Value::Number(n)) if n.is_u64() => Kind::Whole,
             _ => Kind::Number,
         };
-        Params::describe().into_iter().map(|d| (d.clone(), kind(&d.path))).collect()
+        let mut all: Vec<_> = Params::describe().into_iter().map(|d| (d.clone(), kind(&d.path))).collect();
+        let place = |d: &Description| ORDER.iter().position(|group| *group == group_of(&d.path));
+        all.sort_by_key(|(d, _)| place(d).unwrap_or(ORDER.len()));
+        all
     })
 }
 
@@ -225,5 +252,6 @@ mod tests {
                 seen.push(group);
             }
         }
+        assert_eq!(seen, ORDER, "every group has its place");
     }
 }

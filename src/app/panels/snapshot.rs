@@ -132,7 +132,8 @@ pub struct ReferenceState {
 }
 
 /// How the plant is shown.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct ViewState {
     /// The sun.
     pub light: LightChoice,
@@ -140,8 +141,23 @@ pub struct ViewState {
     pub shading: Shading,
     /// Without perspective.
     pub orthographic: bool,
-    /// Turning by itself.
+    /// Turning by itself; a new session begins at rest.
+    #[serde(skip)]
     pub turntable: bool,
+}
+
+impl Default for ViewState {
+    fn default() -> Self {
+        let (light, shading) = (LightChoice::default(), Shading::default());
+        Self { light, shading, orthographic: true, turntable: false }
+    }
+}
+
+impl ViewState {
+    /// The same with numbers that a light can have.
+    pub fn sane(self) -> Self {
+        Self { light: self.light.sane(), ..self }
+    }
 }
 
 /// The sun.
@@ -164,8 +180,32 @@ impl Default for LightChoice {
     }
 }
 
+impl LightChoice {
+    /// The same with every number in its range.
+    fn sane(self) -> Self {
+        let start = Self::default();
+        let within = |x: f32, start: f32, (min, max): (f32, f32)| {
+            if x.is_finite() { x.clamp(min, max) } else { start }
+        };
+        Self {
+            azimuth_deg: within(self.azimuth_deg, start.azimuth_deg, Self::AZIMUTHS_DEG),
+            elevation_deg: within(self.elevation_deg, start.elevation_deg, Self::ELEVATIONS_DEG),
+            strength: within(self.strength, start.strength, Self::STRENGTHS),
+            temperature_k: within(self.temperature_k, start.temperature_k, (2000.0, 12000.0)),
+        }
+    }
+
+    /// Least and largest direction.
+    pub const AZIMUTHS_DEG: (f32, f32) = (-180.0, 180.0);
+    /// Least and largest height.
+    pub const ELEVATIONS_DEG: (f32, f32) = (5.0, 90.0);
+    /// Least and largest strength.
+    pub const STRENGTHS: (f32, f32) = (0.0, 2.0);
+}
+
 /// What the plant is shown as.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Shading {
     /// With materials and light.
     #[default]

@@ -227,6 +227,7 @@ fn settings_menu(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mu
         out.extend(segments(ui, &languages, messages.language()).map(Action::SetLanguage));
         note(ui, messages.get(Msg::SettingsTheme));
         let themes = [
+            (ThemeChoice::System, messages.get(Msg::SettingsThemeSystem)),
             (ThemeChoice::Light, messages.get(Msg::SettingsThemeLight)),
             (ThemeChoice::Dark, messages.get(Msg::SettingsThemeDark)),
         ];

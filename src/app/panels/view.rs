@@ -46,8 +46,8 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec
 }
 
 fn light(ui: &mut Ui, light: &LightChoice, messages: &Messages, out: &mut Vec<Action>) {
-    let rail = |ui: &mut Ui, msg, value: f32, (min, max), unit: &str, changed: bool| {
-        let scale = Scale { min, max, whole: false };
+    let rail = |ui: &mut Ui, msg, value: f32, (min, max): (f32, f32), unit: &str, changed: bool| {
+        let scale = Scale { min: f64::from(min), max: f64::from(max), whole: false };
         let text = format!("{}{unit}", scale.text(f64::from(value)));
         let label = messages.get(msg);
         let width = ui.available_width();
@@ -59,17 +59,20 @@ fn light(ui: &mut Ui, light: &LightChoice, messages: &Messages, out: &mut Vec<Ac
     let start = LightChoice::default();
     let differs = |a: f32, b: f32| (a - b).abs() > 1e-4;
     let azimuth = differs(light.azimuth_deg, start.azimuth_deg);
-    if let Some(azimuth_deg) = rail(ui, Msg::ViewAzimuth, light.azimuth_deg, (-180.0, 180.0), "°", azimuth) {
+    if let Some(azimuth_deg) =
+        rail(ui, Msg::ViewAzimuth, light.azimuth_deg, LightChoice::AZIMUTHS_DEG, "°", azimuth)
+    {
         out.push(Action::SetLight(LightChoice { azimuth_deg, ..*light }));
     }
     let elevation = differs(light.elevation_deg, start.elevation_deg);
     if let Some(elevation_deg) =
-        rail(ui, Msg::ViewElevation, light.elevation_deg, (5.0, 90.0), "°", elevation)
+        rail(ui, Msg::ViewElevation, light.elevation_deg, LightChoice::ELEVATIONS_DEG, "°", elevation)
     {
         out.push(Action::SetLight(LightChoice { elevation_deg, ..*light }));
     }
     let strength = differs(light.strength, start.strength);
-    if let Some(strength) = rail(ui, Msg::ViewStrength, light.strength, (0.0, 2.0), "×", strength) {
+    if let Some(strength) = rail(ui, Msg::ViewStrength, light.strength, LightChoice::STRENGTHS, "×", strength)
+    {
         out.push(Action::SetLight(LightChoice { strength, ..*light }));
     }
     ui.label(messages.get(Msg::ViewColour));

@@ -171,14 +171,14 @@ pub(super) fn menu_line(ui: &mut Ui, icon: Icon, label: &str, note: &str) -> Res
 /// One of several choices side by side, over the whole width; the one that was pressed.
 pub(super) fn segments<T: Copy + PartialEq>(ui: &mut Ui, choices: &[(T, &str)], current: T) -> Option<T> {
     let width = ui.available_width();
-    let (rect, _) = ui.allocate_exact_size(vec2(width, TARGET), Sense::hover());
+    let (rect, row) = ui.allocate_exact_size(vec2(width, TARGET), Sense::hover());
     let p = palette(ui);
     ui.painter().rect_filled(rect, CornerRadius::same(ROUND), p.card);
     let each = width / choices.len().max(1) as f32;
     let mut pressed = None;
     for (i, (value, label)) in choices.iter().enumerate() {
         let part = Rect::from_min_size(rect.min + vec2(each * i as f32, 0.0), vec2(each, TARGET));
-        let response = ui.interact(part, ui.scope_id().with(("segment", *label, i)), Sense::click());
+        let response = ui.interact(part, row.id.with((*label, i)), Sense::click());
         let chosen = *value == current;
         let inner = part.shrink(3.0);
         if chosen {

@@ -1,0 +1,102 @@
+//! How large an export will be, told before it is made.
+//!
+//! Of a model the triangles of the chosen parts and the pictures of their materials count; of a drawing its samples. How
+//! large a picture of the plant becomes depends on what is on it: nobody knows before.
+
+use crate::app::panels::snapshot::{ExportChoice, ExportFormat};
+use crate::app::plant_view::built_in_texture;
+use crate::model::{Model, PartKind};
+use crate::plant::Texture;
+use crate::sketch::Sketch;
+use std::collections::HashSet;
+
+/// Bytes per triangle of a GLB and of an OBJ file, as measured on the sample drawings.
+const BYTES_PER_TRIANGLE: (u64, u64) = (50, 120);
+/// Bytes per sample of an SVG file, as measured on the sample drawings.
+const BYTES_PER_SAMPLE: u64 = 24;
+
+/// Bytes of all files of an export together; `None` where nobody knows.
+pub(super) fn bytes(choice: &ExportChoice, model: &Model, sketch: &Sketch) -> Option<u64> {
+    match choice.format {
+        ExportFormat::Png => None,
+        ExportFormat::Svg => {
+            let samples: usize = sketch.strokes.iter().map(|stroke| stroke.points.len()).sum();
+            Some(samples as u64 * BYTES_PER_SAMPLE)
+        }
+        ExportFormat::Glb => Some(surfaces(choice, model, BYTES_PER_TRIANGLE.0)),
+        ExportFormat::Obj => Some(surfaces(choice, model, BYTES_PER_TRIANGLE.1)),
+    }
+}
+
+fn surfaces(choice: &ExportChoice, model: &Model, per_triangle: u64) -> u64 {
+    let mut triangles = 0;
+    let mut used = vec![false; model.materials.len()];
+    for part in model.parts.iter().filter(|part| is_wanted(choice, part.kind)) {
+        triangles += part.mesh.triangles.len() as u64;
+        if let Some(used) = used.get_mut(part.material) {
+            *used = true;
+        }
+    }
+    let materials = model.materials.iter().zip(used).filter(|(_, used)| *used && choice.textures);
+    // Several materials may show one picture.
+    let mut counted = HashSet::new();
+    let textures = materials.filter_map(|(m, _)| m.texture.as_ref()).filter(|t| counted.insert(*t));
+    triangles * per_triangle + textures.map(size).sum::<u64>()
+}
+
+/// Whether a part goes into an export.
+pub(super) fn is_wanted(choice: &ExportChoice, kind: PartKind) -> bool {
+    match kind {
+        PartKind::Wood => choice.branches,
+        PartKind::Organ(organ) => choice.has(organ),
+    }
+}
+
+/// Bytes of a picture; a file that cannot be had is told about by the export itself.
+fn size(texture: &Texture) -> u64 {
+    match texture {
+        Texture::BuiltIn(name) => built_in_texture(name).map_or(0, |bytes| bytes.len() as u64),
+        Texture::File(path) => std::fs::metadata(path).map_or(0, |file| file.len()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{pipeline, sketch};
+    use std::path::Path;
+
+    /// What an export really takes, all its files together.
+    fn real(choice: &ExportChoice, built: &crate::pipeline::Built, sketch: &Sketch) -> u64 {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("plant").with_extension(choice.format.extension());
+        if choice.format == ExportFormat::Svg {
+            return sketch::svg::write(sketch).len() as u64;
+        }
+        let model = super::super::task::chosen_parts(&built.model, choice);
+        crate::export::export(&path, &model, &built.plant, &built_in_texture).unwrap();
+        std::fs::read_dir(folder.path()).unwrap().map(|file| file.unwrap().metadata().unwrap().len()).sum()
+    }
+
+    #[test]
+    fn estimates_are_near_what_is_written() {
+        for name in ["daisy", "hepatica_blue", "bouquet"] {
+            let path = format!("{}/assets/sketches/{name}.penstemon", env!("CARGO_MANIFEST_DIR"));
+            let (sketch, _) = sketch::read(path.as_ref()).unwrap();
+            let species = pipeline::species_of(&sketch, Path::new("")).unwrap();
+            let built = pipeline::build(&sketch, &species, &pipeline::Params::default());
+            for format in [ExportFormat::Glb, ExportFormat::Obj, ExportFormat::Svg] {
+                for (textures, branches, leaves) in
+                    [(true, true, true), (false, true, true), (true, false, false)]
+                {
+                    let choice =
+                        ExportChoice { format, textures, branches, leaves, ..ExportChoice::default() };
+                    let guess = bytes(&choice, &built.model, &sketch).unwrap();
+                    let real = real(&choice, &built, &sketch);
+                    let ratio = guess as f64 / real as f64;
+                    assert!((0.6..1.6).contains(&ratio), "{name} {choice:?}: {guess} for {real}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,213 @@
+//! What goes wrong, in the language of the interface.
+//!
+//! Errors say in English what was wrong, where, and what to do. Those that an artist meets have texts in the message files
+//! too, chosen by their kind; the English ones are word for word what the errors say. What has no text there stays
+//! English: the system's own words, what is wrong inside a damaged file, failures of drivers.
+
+use super::{Messages, Msg};
+use crate::atomic::WriteError;
+use crate::export::ExportError;
+use crate::render::RenderError;
+use crate::sketch::document::ChangeError;
+use crate::sketch::error::{Fault, Place};
+use crate::sketch::journal::JournalError;
+use crate::sketch::reference::ReferenceError;
+use crate::sketch::save::SaveError;
+use crate::sketch::{SketchError, limits};
+use std::fmt::Display;
+
+/// Something that went wrong, as it is told to the artist.
+pub trait Told: Display {
+    /// What happened and what to do, in the language of `messages` where there are words for it.
+    fn told(&self, _messages: &Messages) -> String {
+        self.to_string()
+    }
+}
+
+impl Told for String {}
+impl Told for std::io::Error {}
+impl Told for RenderError {}
+impl Told for crate::app::presets::PresetError {}
+
+impl Told for WriteError {
+    fn told(&self, messages: &Messages) -> String {
+        let file = |path: &std::path::Path| path.display().to_string();
+        match self {
+            Self::NoFolder { path, folder } => {
+                messages.fill(Msg::ErrorNoFolder, &[("file", &file(path)), ("folder", &file(folder))])
+            }
+            Self::Denied { path, folder } => {
+                messages.fill(Msg::ErrorDenied, &[("file", &file(path)), ("folder", &file(folder))])
+            }
+            Self::DiskFull { path } => messages.fill(Msg::ErrorDiskFull, &[("file", &file(path))]),
+            Self::Io { path, source } => {
+                messages.fill(Msg::ErrorWrite, &[("file", &file(path)), ("reason", source)])
+            }
+            Self::Occupied { .. } => self.to_string(),
+        }
+    }
+}
+
+impl Told for SaveError {
+    fn told(&self, messages: &Messages) -> String {
+        match self {
+            Self::ChangedByOthers { path } => messages.fill(Msg::ErrorChanged, &[("file", &path.display())]),
+            Self::NewerVersion { path, version } => {
+                messages.fill(Msg::ErrorNewer, &[("file", &path.display()), ("version", version)])
+            }
+            Self::ReadOnly { path } => messages.fill(Msg::ErrorReadOnly, &[("file", &path.display())]),
+            Self::TooLarge { bytes } => messages.fill(
+                Msg::ErrorTooLarge,
+                &[("size", &(bytes >> 20)), ("limit", &(limits::MAX_FILE_BYTES >> 20))],
+            ),
+            Self::Write(error) => messages.fill(Msg::ErrorElsewhere, &[("error", &error.told(messages))]),
+        }
+    }
+}
+
+impl Told for SketchError {
+    fn told(&self, messages: &Messages) -> String {
+        let fault = match &self.fault {
+            Fault::Io(error) => messages.fill(Msg::ErrorUnreadable, &[("reason", error)]),
+            Fault::FileTooLarge => {
+                messages.fill(Msg::ErrorFileTooLarge, &[("limit", &(limits::MAX_FILE_BYTES >> 20))])
+            }
+            Fault::Empty => messages.get(Msg::ErrorEmpty).to_owned(),
+            Fault::NotADrawing { found } => messages.fill(Msg::ErrorNotADrawing, &[("found", found)]),
+            Fault::Truncated => messages.get(Msg::ErrorTruncated).to_owned(),
+            Fault::Reference(error) => error.told(messages),
+            other => other.to_string(),
+        };
+        let place = place(&self.place, messages);
+        format!("{}: {place}{fault}", self.file)
+    }
+}
+
+/// Where in a file; a line is enough for whoever opens the file to look.
+fn place(place: &Place, messages: &Messages) -> String {
+    match place {
+        Place { line_column: Some((line, column)), stroke: None, id: None, point: None } => {
+            let at = messages.fill(Msg::ErrorPlace, &[("line", line), ("column", column)]);
+            format!("{at}: ")
+        }
+        other => other.to_string(),
+    }
+}
+
+impl Told for ReferenceError {
+    fn told(&self, messages: &Messages) -> String {
+        match self {
+            Self::NotAPicture => messages.get(Msg::ErrorNotAPicture).to_owned(),
+            Self::Damaged => messages.get(Msg::ErrorPictureDamaged).to_owned(),
+            Self::TooLarge => {
+                let limit = limits::MAX_REFERENCE_BYTES >> 20;
+                messages.fill(Msg::ErrorPictureTooLarge, &[("limit", &limit)])
+            }
+            Self::NotBase64 { .. } | Self::OutOfRange { .. } => self.to_string(),
+        }
+    }
+}
+
+impl Told for ChangeError {
+    fn told(&self, messages: &Messages) -> String {
+        match self {
+            Self::Full { what: "strokes", limit } => {
+                messages.fill(Msg::ErrorTooManyStrokes, &[("limit", limit)])
+            }
+            Self::Full { what: "points", limit } => {
+                messages.fill(Msg::ErrorTooManyPoints, &[("limit", limit)])
+            }
+            Self::Reference(error) => error.told(messages),
+            other => other.to_string(),
+        }
+    }
+}
+
+impl Told for JournalError {
+    fn told(&self, messages: &Messages) -> String {
+        match self {
+            Self::Write(error) => messages.fill(Msg::ErrorJournal, &[("error", &error.told(messages))]),
+            other => other.to_string(),
+        }
+    }
+}
+
+impl Told for ExportError {
+    fn told(&self, messages: &Messages) -> String {
+        match self {
+            Self::Empty => messages.get(Msg::ErrorNothingToExport).to_owned(),
+            Self::Write(error) => error.told(messages),
+            other => other.to_string(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::messages::Language;
+    use std::io;
+
+    /// One of every kind that has words.
+    fn known() -> Vec<Box<dyn Told>> {
+        let path = || std::path::PathBuf::from("/home/ann/rose.penstemon");
+        let folder = || std::path::PathBuf::from("/home/ann");
+        let full = || WriteError::DiskFull { path: path() };
+        let read = |fault: Fault, place: Place| fault.at(place, "rose.penstemon");
+        let nowhere = Place::default;
+        vec![
+            Box::new(WriteError::NoFolder { path: path(), folder: folder() }),
+            Box::new(WriteError::Denied { path: path(), folder: folder() }),
+            Box::new(WriteError::Io { path: path(), source: io::Error::other("7") }),
+            Box::new(full()),
+            Box::new(SaveError::ChangedByOthers { path: path() }),
+            Box::new(SaveError::NewerVersion { path: path(), version: 9.0 }),
+            Box::new(SaveError::ReadOnly { path: path() }),
+            Box::new(SaveError::TooLarge { bytes: 900 << 20 }),
+            Box::new(SaveError::Write(full())),
+            Box::new(read(Fault::Io(io::Error::other("7")), nowhere())),
+            Box::new(read(Fault::FileTooLarge, nowhere())),
+            Box::new(read(Fault::Empty, nowhere())),
+            Box::new(read(Fault::NotADrawing { found: "7" }, nowhere())),
+            Box::new(read(Fault::Truncated, Place::at(3, 9))),
+            Box::new(ReferenceError::NotAPicture),
+            Box::new(ReferenceError::Damaged),
+            Box::new(ReferenceError::TooLarge),
+            Box::new(ChangeError::Full { what: "strokes", limit: 7 }),
+            Box::new(ChangeError::Full { what: "points", limit: 7 }),
+            Box::new(ChangeError::Reference(ReferenceError::TooLarge)),
+            Box::new(JournalError::Write(full())),
+            Box::new(ExportError::Empty),
+            Box::new(ExportError::Write(full())),
+        ]
+    }
+
+    #[test]
+    fn the_english_words_are_those_of_the_errors() {
+        let english = Messages::new(Language::English);
+        for error in known() {
+            assert_eq!(error.told(&english), error.to_string());
+        }
+    }
+
+    #[test]
+    fn what_artists_meet_is_told_in_chinese() {
+        let chinese = Messages::new(Language::Chinese);
+        for error in known() {
+            let told = error.told(&chinese);
+            // Names and the systems' words stay; sentences do not.
+            let words = told.replace("/home/ann/rose.penstemon", "").replace("rose.penstemon", "");
+            let words = words.replace("/home/ann", "").replace("Penstemon", "").replace(".penstemon", "");
+            let latin: Vec<&str> = words.split(|c: char| !c.is_ascii_alphabetic()).collect();
+            let known = ["", "MiB", "SVG", "PNG", "JPEG"];
+            assert!(latin.iter().all(|word| known.contains(word)), "{told}");
+            assert!(told.chars().any(|c| c > '\u{4e00}'), "{told}");
+        }
+    }
+
+    #[test]
+    fn what_has_no_words_stays_as_it_is() {
+        let error = Fault::TooDeep.at(Place::default(), "a.penstemon");
+        assert_eq!(error.told(&Messages::new(Language::Chinese)), error.to_string());
+    }
+}

@@ -1,0 +1,136 @@
+//! Dialogs and messages.
+
+use crate::stage::{ROLES, Stage, asked, busy, press, stage};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+use penstemon::app::action::Action;
+use penstemon::app::messages::Language;
+use penstemon::app::panels::snapshot::{
+    Dialog, ExportChoice, ExportFormat, Notice, PathPurpose, PathRequest, Recovered, Task,
+};
+
+fn with_dialog(dialog: Dialog) -> Harness<'static, Stage> {
+    let mut snapshot = busy();
+    snapshot.dialog = Some(dialog);
+    stage(snapshot, Language::English)
+}
+
+/// Presses the last thing of this name: dialogs stand above everything else.
+fn press_last(harness: &mut Harness<'_, Stage>, label: &str) {
+    let touched = |node: &egui_kittest::Node<'_>| ROLES.contains(&node.accesskit_node().role());
+    harness.query_all_by_label(label).rfind(touched).unwrap().click();
+    harness.run();
+}
+
+#[test]
+fn unsaved_changes_have_three_answers() {
+    for (label, action) in [
+        ("Save", Action::SaveAndContinue),
+        ("Don't save", Action::DiscardAndContinue),
+        ("Cancel", Action::CloseDialog),
+    ] {
+        let mut harness = with_dialog(Dialog::Unsaved);
+        press_last(&mut harness, label);
+        assert_eq!(asked(&mut harness), [action]);
+    }
+    // a tap beside the dialog is no answer, and nothing below it is reached
+    let mut harness = with_dialog(Dialog::Unsaved);
+    press(&mut harness, "Petal");
+    assert_eq!(asked(&mut harness), []);
+}
+
+#[test]
+fn found_drawings_are_discarded_only_after_asking() {
+    let one = Recovered {
+        path: "/state/1.journal".into(),
+        name: "Rose".into(),
+        strokes: 12,
+        when: "yesterday, 18:03".into(),
+        thumbnail: None,
+    };
+    let mut harness = with_dialog(Dialog::Recovery(vec![one]));
+    press(&mut harness, "Discard Rose");
+    assert_eq!(asked(&mut harness), []);
+    press(&mut harness, "Really discard?");
+    assert_eq!(asked(&mut harness), [Action::DiscardRecovery("/state/1.journal".into())]);
+}
+
+#[test]
+fn the_export_dialog_keeps_what_is_chosen_and_refuses_nothing_at_all() {
+    let mut harness = with_dialog(Dialog::Export);
+    press_last(&mut harness, "Leaves");
+    let without = ExportChoice { leaves: false, ..ExportChoice::default() };
+    assert_eq!(asked(&mut harness), [Action::SetExport(without.clone())]);
+    harness.state_mut().snapshot.export = without.clone();
+    harness.run();
+    press(&mut harness, "Export…");
+    assert_eq!(asked(&mut harness), [Action::Export(without)]);
+    press(&mut harness, "PNG");
+    assert_eq!(
+        asked(&mut harness),
+        [Action::SetExport(ExportChoice {
+            format: ExportFormat::Png,
+            leaves: false,
+            ..ExportChoice::default()
+        })]
+    );
+    harness.state_mut().snapshot.export = ExportChoice {
+        branches: false,
+        leaves: false,
+        flowers: false,
+        extras: false,
+        ..ExportChoice::default()
+    };
+    harness.run();
+    press(&mut harness, "Export…");
+    assert_eq!(asked(&mut harness), []);
+}
+
+#[test]
+fn a_long_export_shows_progress_and_can_be_stopped() {
+    let mut snapshot = busy();
+    snapshot.dialog = Some(Dialog::Export);
+    snapshot.task = Some(Task { name: "rose.glb".into(), progress: 0.4 });
+    let mut harness = stage(snapshot, Language::English);
+    assert!(harness.query_by_label("Writing rose.glb: 40 %").is_some());
+    press(&mut harness, "Stop");
+    assert_eq!(asked(&mut harness), [Action::CancelTask]);
+}
+
+#[test]
+fn a_file_is_chosen_and_one_replaced_only_after_a_second_press() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("daisy.penstemon"), "").unwrap();
+    let request = |purpose, name: &str| PathRequest {
+        purpose,
+        folder: folder.path().to_owned(),
+        name: name.to_owned(),
+        extensions: vec!["penstemon"],
+    };
+    let path = folder.path().join("daisy.penstemon");
+    let mut harness = with_dialog(Dialog::Path(request(PathPurpose::OpenDrawing, "")));
+    press(&mut harness, "daisy.penstemon");
+    press_last(&mut harness, "Open");
+    assert_eq!(
+        asked(&mut harness),
+        [Action::PathChosen { purpose: PathPurpose::OpenDrawing, path: path.clone() }]
+    );
+
+    let mut harness = with_dialog(Dialog::Path(request(PathPurpose::SaveDrawing, "daisy")));
+    press_last(&mut harness, "Save");
+    assert_eq!(asked(&mut harness), []);
+    press(&mut harness, "Replace the existing file");
+    assert_eq!(asked(&mut harness), [Action::PathChosen { purpose: PathPurpose::SaveDrawing, path }]);
+}
+
+#[test]
+fn notices_say_what_to_do_and_go_away_by_a_tap() {
+    let mut snapshot = busy();
+    let what = "The disk is full; the drawing stays in memory.";
+    snapshot.notices = vec![Notice { id: 5, ..Notice::error(what, "free some space, or save elsewhere") }];
+    let mut harness = stage(snapshot, Language::English);
+    assert!(harness.query_by_label(what).is_some());
+    assert!(harness.query_by_label_contains("save elsewhere").is_some());
+    press(&mut harness, "Dismiss");
+    assert_eq!(asked(&mut harness), [Action::DismissNotice(5)]);
+}

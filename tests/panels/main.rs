@@ -1,0 +1,13 @@
+//! The panels around the canvas, used as an artist uses them: by pressing and dragging, in both languages and themes.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
+
+mod desktop;
+mod dialogs;
+mod looks;
+mod measures;
+mod parameters;
+mod pictures;
+mod side;
+mod stage;
+mod tools;

@@ -1,0 +1,123 @@
+//! Every parameter: rails, switches, search, and the way back.
+
+use crate::stage::{Stage, asked, busy, drag, english, press, stage};
+use egui::{Role, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use penstemon::app::action::Action;
+use penstemon::app::messages::Language;
+use penstemon::app::panels::snapshot::ParamValues;
+use serde_json::{Map, Value};
+
+/// Shows the page of parameters and searches it.
+fn searched(text: &str) -> Harness<'static, Stage> {
+    let mut harness = stage(busy(), Language::English);
+    press(&mut harness, "Shape");
+    harness.get_by_role(Role::TextInput).click();
+    harness.run();
+    harness.get_by_role(Role::TextInput).type_text(text);
+    harness.run();
+    harness
+}
+
+#[test]
+fn a_rail_dragged_sideways_sets_its_parameter() {
+    let mut harness = searched("opening prior");
+    drag(&mut harness, "Opening prior", vec2(60.0, 3.0));
+    let actions = asked(&mut harness);
+    let Some(Action::SetParam { path, value: Some(value) }) = actions.last() else { panic!("{actions:?}") };
+    assert_eq!(path, "depth.cone.opening_prior");
+    let value = value.as_f64().unwrap();
+    // 10 to 85 degrees over about 250 pixels, from the middle 60 to the right
+    assert!((60.0..75.0).contains(&value), "{value}");
+    assert!(actions.len() > 3, "the plant follows while the rail is dragged: {actions:?}");
+}
+
+#[test]
+fn a_rail_dragged_up_or_down_scrolls_and_sets_nothing() {
+    let mut harness = searched("opening prior");
+    drag(&mut harness, "Opening prior", vec2(4.0, 80.0));
+    assert_eq!(asked(&mut harness), []);
+}
+
+#[test]
+fn whole_numbers_and_switches_keep_their_kind() {
+    let mut harness = searched("min petals");
+    drag(&mut harness, "Min petals", vec2(40.0, 0.0));
+    let actions = asked(&mut harness);
+    assert!(
+        matches!(actions.last(), Some(Action::SetParam { value: Some(v), .. }) if v.is_u64()),
+        "{actions:?}"
+    );
+    let mut harness = searched("cone.flip");
+    press(&mut harness, "Flip");
+    let value = Some(Value::Bool(true));
+    assert_eq!(asked(&mut harness), [Action::SetParam { path: "depth.cone.flip".into(), value }]);
+}
+
+#[test]
+fn every_value_that_a_rail_gives_is_accepted_by_the_pipeline() {
+    use penstemon::params::{Overrides, Parameters};
+    use penstemon::pipeline::Params;
+    let described = Params::describe();
+    let mut groups: Vec<&str> = described.iter().filter_map(|d| Some(d.path.rsplit_once('.')?.0)).collect();
+    groups.dedup();
+    let mut moved = 0;
+    for group in groups {
+        let mut harness = searched(&format!("{group}."));
+        for description in
+            described.iter().filter(|d| d.path.rsplit_once('.').is_some_and(|(g, _)| g == group))
+        {
+            let label = english().param_name(&description.path);
+            if harness.query_by_role_and_label(Role::Slider, &label).is_none() {
+                continue;
+            }
+            harness.get_by_label(&label).scroll_to_me();
+            harness.run();
+            drag(&mut harness, &label, vec2(-37.0, 0.0));
+            let mut actions = asked(&mut harness);
+            if actions.is_empty() {
+                // it stood there already
+                drag(&mut harness, &label, vec2(90.0, 0.0));
+                actions = asked(&mut harness);
+            }
+            assert!(!actions.is_empty(), "{} does not move", description.path);
+            moved += 1;
+            for action in actions {
+                let Action::SetParam { path, value: Some(value) } = action else { panic!("{action:?}") };
+                assert_eq!(path, description.path);
+                let tree = Map::from_iter([(path.clone(), value.clone())]);
+                let mut overrides = Overrides::new::<Params>();
+                overrides.merge(&tree).unwrap_or_else(|e| panic!("{path} = {value}: {e}"));
+                overrides.finish::<Params>().unwrap_or_else(|e| panic!("{path} = {value}: {e}"));
+            }
+        }
+    }
+    assert!(moved + 2 >= described.len(), "only {moved} of {} rails were moved", described.len());
+}
+
+#[test]
+fn search_shows_what_matches_and_only_that() {
+    let harness = searched("pressure");
+    assert!(harness.query_by_label("Pressure gain").is_some());
+    assert!(harness.query_by_label("Pressure curl").is_some());
+    assert!(harness.query_by_label("Opening prior").is_none());
+    let harness = searched("xyzzy");
+    assert!(harness.query_by_label_contains("xyzzy").is_some(), "says that nothing was found");
+    assert_eq!(harness.query_all_by_role(Role::Slider).count(), 0);
+}
+
+#[test]
+fn changed_parameters_stand_first_and_go_back_by_a_tap() {
+    let mut snapshot = busy();
+    let own = serde_json::json!({"depth": {"world": {"height": 2.5}}});
+    let species = serde_json::json!({"depth.world.height": 0.6});
+    snapshot.params = ParamValues::of(species.as_object().unwrap(), own.as_object().unwrap());
+    let mut harness = stage(snapshot, Language::English);
+    press(&mut harness, "Shape");
+    assert!(harness.query_by_label("Changed (1)").is_some());
+    press(&mut harness, "Reset Height to 0.6");
+    assert_eq!(asked(&mut harness), [Action::SetParam { path: "depth.world.height".into(), value: None }]);
+    press(&mut harness, "Reset all");
+    assert_eq!(asked(&mut harness), [Action::SetParams(Map::new())]);
+}

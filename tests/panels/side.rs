@@ -1,0 +1,89 @@
+//! The side panel: species, textures, seed, presets, view.
+
+use crate::stage::{asked, busy, drag, press, stage};
+use egui::vec2;
+use egui_kittest::kittest::Queryable;
+use penstemon::app::action::Action;
+use penstemon::app::messages::Language;
+use penstemon::app::panels::snapshot::{PathPurpose, ReferenceState, Shading};
+use penstemon::app::presets::Listed;
+use penstemon::plant::OrganKind;
+
+#[test]
+fn species_textures_and_seed_are_chosen_by_tapping() {
+    let mut harness = stage(busy(), Language::English);
+    press(&mut harness, "Plumeria");
+    assert_eq!(asked(&mut harness), [Action::SetSpecies("plumeria".into())]);
+    harness.get_by_label("Roll the dice").scroll_to_me();
+    harness.run();
+    press(&mut harness, "Roll the dice");
+    assert_eq!(asked(&mut harness), [Action::RollSeed]);
+    press(&mut harness, "Next seed");
+    assert_eq!(asked(&mut harness), [Action::SetSeed(18)]);
+    harness.get_by_label("petal rose").scroll_to_me();
+    harness.run();
+    press(&mut harness, "petal rose");
+    let texture = Some("petal_rose.png".to_owned());
+    assert_eq!(asked(&mut harness), [Action::SetTexture { organ: Some(OrganKind::Petal), texture }]);
+    harness.get_by_label("Branches").scroll_to_me();
+    harness.run();
+    press(&mut harness, "Branches");
+    press(&mut harness, "Picture file…");
+    assert_eq!(asked(&mut harness), [Action::ChooseFile(PathPurpose::Texture(None))]);
+}
+
+#[test]
+fn a_chosen_texture_can_be_given_back() {
+    let mut snapshot = busy();
+    snapshot.textures.insert("petal".into(), "petal_rose".into());
+    let mut harness = stage(snapshot, Language::English);
+    harness.get_by_label("Species' own").scroll_to_me();
+    harness.run();
+    press(&mut harness, "Species' own");
+    assert_eq!(asked(&mut harness), [Action::SetTexture { organ: Some(OrganKind::Petal), texture: None }]);
+}
+
+#[test]
+fn presets_are_saved_under_a_proposed_name_without_a_keyboard() {
+    let mut snapshot = busy();
+    snapshot.presets = vec![Listed { name: "Daisy 1".into(), path: "/presets/daisy-1.toml".into() }];
+    let mut harness = stage(snapshot, Language::English);
+    harness.get_by_label("Save this look").scroll_to_me();
+    harness.run();
+    press(&mut harness, "Save this look");
+    assert_eq!(asked(&mut harness), [Action::SavePreset("Daisy 2".into())]);
+    press(&mut harness, "Daisy 1");
+    assert_eq!(asked(&mut harness), [Action::ApplyPreset("/presets/daisy-1.toml".into())]);
+    press(&mut harness, "Delete Daisy 1");
+    assert_eq!(asked(&mut harness), [Action::DeletePreset("/presets/daisy-1.toml".into())]);
+}
+
+#[test]
+fn the_view_is_set_by_tapping_and_dragging() {
+    let mut snapshot = busy();
+    snapshot.reference = Some(ReferenceState { opacity: 0.5, locked: false });
+    let mut harness = stage(snapshot, Language::English);
+    press(&mut harness, "View");
+    for (label, action) in [
+        ("Mesh", Action::SetShading(Shading::Wireframe)),
+        ("Without perspective", Action::SetOrthographic(true)),
+        ("Turntable", Action::SetTurntable(true)),
+        ("Copy picture", Action::CopyPicture),
+        ("Lock", Action::LockReference(true)),
+        ("Remove", Action::RemoveReference),
+    ] {
+        harness.get_by_label(label).scroll_to_me();
+        harness.run();
+        press(&mut harness, label);
+        assert_eq!(asked(&mut harness), [action], "{label}");
+    }
+    drag(&mut harness, "Opacity", vec2(50.0, 0.0));
+    let actions = asked(&mut harness);
+    assert!(
+        matches!(actions.last(), Some(Action::SetReferenceOpacity(o)) if *o > 0.55 && *o < 0.9),
+        "{actions:?}"
+    );
+    drag(&mut harness, "Strength", vec2(-30.0, 0.0));
+    let actions = asked(&mut harness);
+    assert!(matches!(actions.last(), Some(Action::SetLight(l)) if l.strength < 1.0), "{actions:?}");
+}

@@ -1,0 +1,120 @@
+//! The bar, the strip of tools and what floats over the canvas: one tap each.
+
+use crate::stage::{self, asked, busy, english, press, stage};
+use egui_kittest::kittest::Queryable;
+use penstemon::app::action::Action;
+use penstemon::app::messages::{Language, Messages};
+use penstemon::app::panels::snapshot::{Dialog, PartMenu};
+use penstemon::app::panels::toolbar::TOOLS;
+use penstemon::app::settings::{Handedness, Stabiliser, ThemeChoice};
+use penstemon::sketch::Tool;
+
+#[test]
+fn every_tool_is_one_tap() {
+    let mut harness = stage(busy(), Language::English);
+    for tool in TOOLS {
+        let name = english().get(tool.name).to_owned();
+        press(&mut harness, &name);
+        assert_eq!(asked(&mut harness), [Action::SetTool(tool.tool)], "{name}");
+    }
+}
+
+#[test]
+fn tools_have_keys_of_their_own() {
+    let mut keys: Vec<_> = TOOLS.iter().map(|tool| tool.key).collect();
+    keys.sort_unstable();
+    keys.dedup();
+    assert_eq!(keys.len(), TOOLS.len());
+}
+
+#[test]
+fn the_bar_asks_for_what_its_buttons_say() {
+    let mut harness = stage(busy(), Language::English);
+    for (label, action) in [
+        ("New", Action::New),
+        ("Open", Action::Open),
+        ("Save", Action::Save),
+        ("Undo", Action::Undo),
+        ("Show all", Action::FitCanvas),
+        ("Front view", Action::FrontView),
+        ("Reference picture", Action::OpenReference),
+        ("Export", Action::ShowExport),
+        ("Help", Action::ShowDialog(Dialog::About)),
+        ("Hide the side panel", Action::ShowSide(false)),
+    ] {
+        press(&mut harness, label);
+        assert_eq!(asked(&mut harness), [action], "{label}");
+    }
+    // nothing to redo
+    press(&mut harness, "Redo");
+    assert_eq!(asked(&mut harness), []);
+}
+
+#[test]
+fn the_menu_opens_recent_drawings() {
+    let mut harness = stage(busy(), Language::English);
+    press(&mut harness, "Menu");
+    press(&mut harness, "rose");
+    assert_eq!(asked(&mut harness), [Action::OpenPath("/home/ada/rose.penstemon".into())]);
+    press(&mut harness, "Menu");
+    press(&mut harness, "Save as");
+    assert_eq!(asked(&mut harness), [Action::SaveAs]);
+}
+
+#[test]
+fn settings_are_a_tap_each() {
+    let mut harness = stage(busy(), Language::English);
+    press(&mut harness, "Settings");
+    for (label, action) in [
+        ("Dark", Action::SetTheme(ThemeChoice::Dark)),
+        ("Left", Action::SetHandedness(Handedness::Left)),
+        ("Strong", Action::SetStabiliser(Stabiliser::Strong)),
+        ("Stabiliser: Light", Action::SetStabiliser(Stabiliser::Strong)),
+    ] {
+        press(&mut harness, label);
+        assert_eq!(asked(&mut harness), [action], "{label}");
+    }
+    press(&mut harness, "Settings");
+    let chinese = if stage::chinese_font().is_some() { "简体中文" } else { "Chinese (Zhongwen)" };
+    press(&mut harness, chinese);
+    assert_eq!(asked(&mut harness), [Action::SetLanguage(Language::Chinese)]);
+}
+
+#[test]
+fn another_language_changes_every_label_at_once() {
+    let mut harness = stage(busy(), Language::English);
+    assert!(harness.query_all_by_label("Petal").next().is_some());
+    harness.state_mut().messages = Messages::new(Language::Chinese);
+    harness.run();
+    for english in ["Petal", "Undo", "Export", "Daisy", "Plant", "Roll the dice"] {
+        assert!(harness.query_all_by_label(english).next().is_none(), "{english} is still there");
+    }
+    for chinese in ["花瓣", "撤销", "导出", "雏菊", "植物", "掷骰子"] {
+        assert!(harness.query_all_by_label(chinese).next().is_some(), "{chinese} is missing");
+    }
+}
+
+#[test]
+fn a_wrong_guess_is_corrected_by_one_tap() {
+    let mut snapshot = busy();
+    snapshot.part_menu = Some(PartMenu { stroke: Some(9), tool: Tool::Auto, at: [1270.0, 790.0] });
+    let mut harness = stage(snapshot, Language::English);
+    let leaf = harness.query_all_by_label("Leaf").find(|node| node.rect().left() > 200.0).unwrap();
+    assert!(harness.state().canvas.contains_rect(leaf.rect()), "the menu stays inside the canvas");
+    leaf.click();
+    harness.run();
+    let actions = asked(&mut harness);
+    assert!(actions.contains(&Action::SetStrokePart { stroke: 9, tool: Tool::Leaf }), "{actions:?}");
+    assert!(actions.contains(&Action::ClosePartMenu));
+}
+
+#[test]
+fn selected_strokes_offer_what_can_be_done() {
+    let mut snapshot = busy();
+    snapshot.selected = 3;
+    let mut harness = stage(snapshot, Language::English);
+    for (label, action) in [("Duplicate", Action::DuplicateSelected), ("Delete", Action::DeleteSelected)] {
+        press(&mut harness, label);
+        assert_eq!(asked(&mut harness), [action]);
+    }
+}
