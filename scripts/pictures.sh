@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Makes the pictures of README.md anew: each drawing beside its plant. Needs a release build and a Vulkan driver.
+# Makes the pictures of README.md anew: each drawing beside its plant, and the window. Needs a release build, a Vulkan
+# driver, and for the window Xvfb and Python 3.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cargo build --release --quiet
@@ -8,3 +9,52 @@ mkdir -p docs/images
 for name in daisy hepatica_red balloon_flower bouquet tree_round; do
     "$program" render "assets/sketches/$name.penstemon" -o "docs/images/$name.png" --size 560x640 --with-drawing
 done
+
+# XWD, as Xvfb keeps its screen, to PNG.
+png_of_screen() {
+    python3 - "$1" "$2" <<'PYTHON'
+import struct, sys, zlib
+data = open(sys.argv[1], "rb").read()
+word = lambda i: struct.unpack_from(">I", data, 4 * i)[0]
+start, width, height, stride = word(0) + 12 * word(19), word(4), word(5), word(12)
+rows = (data[start + y * stride : start + y * stride + 4 * width] for y in range(height))
+def rgb(row):
+    out = bytearray(3 * width)
+    out[0::3], out[1::3], out[2::3] = row[2::4], row[1::4], row[0::4]
+    return b"\0" + bytes(out)
+def chunk(name, body):
+    return struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))
+header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+pixels = zlib.compress(b"".join(map(rgb, rows)), 9)
+picture = b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", pixels) + chunk(b"IEND", b"")
+open(sys.argv[2], "wb").write(picture)
+PYTHON
+}
+
+# window PICTURE DRAWING [SETTING…]: the window on a drawing, once it rests, with these lines in its settings.
+window() {
+    local picture=$1 drawing=$2 home server client calm=0 tries=0
+    shift 2
+    home=$(mktemp -d)
+    mkdir -p "$home/.config/penstemon"
+    printf '%s\n' "$@" >"$home/.config/penstemon/settings.toml"
+    mkfifo "$home/display"
+    Xvfb -displayfd 3 -nolisten tcp -dpi 96 -fbdir "$home" -screen 0 1280x800x24 3>"$home/display" 2>"$home/server" &
+    server=$!
+    env -u WAYLAND_DISPLAY -u DBUS_SESSION_BUS_ADDRESS DISPLAY=":$(head -n 1 "$home/display")" HOME="$home" \
+        XDG_RUNTIME_DIR="$home" LANG=en_GB.UTF-8 NO_COLOR=1 \
+        "$program" --verbose "assets/sketches/$drawing.penstemon" 2>"$home/told" &
+    client=$!
+    # The last word about the window is that it rests, and stays so.
+    while [ "$calm" -lt 5 ] && [ "$((tries += 1))" -lt 600 ]; do
+        sleep 0.2
+        if grep 'app::window' "$home/told" | tail -n 1 | grep -q 'at rest'; then calm=$((calm + 1)); else calm=0; fi
+    done
+    png_of_screen "$home/Xvfb_screen0" "docs/images/$picture.png"
+    kill "$client" "$server"
+    wait "$client" "$server" 2>/dev/null || true
+    rm -rf "$home"
+}
+
+window window daisy 'theme = "light"'
+window window-dark hepatica_blue 'theme = "dark"' 'side_shown = false'
