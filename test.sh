@@ -14,9 +14,13 @@ need node nodejs nodejs nodejs
 need npm npm npm npm
 need '/usr/share/vulkan/icd.d/lvp_icd*' mesa-vulkan-drivers mesa-vulkan-drivers vulkan-swrast
 need '/usr/lib*/*/libvulkan.so.1' libvulkan1 vulkan-loader vulkan-icd-loader
+# Other programs that draw and rewrite our SVG files.
+need rsvg-convert librsvg2-bin librsvg2-tools librsvg
+need scour scour scour scour
 # What the window's tests use, and what the window loads when it opens.
 need Xvfb xvfb xorg-x11-server-Xvfb xorg-server-xvfb
 need xdotool xdotool xdotool xdotool
+need xclip xclip xclip xclip
 need weston weston weston weston
 need '/usr/lib*/*/libxkbcommon.so.0' libxkbcommon0 libxkbcommon libxkbcommon
 need '/usr/lib*/*/libxkbcommon-x11.so.0' libxkbcommon-x11-0 libxkbcommon-x11 libxkbcommon-x11

@@ -67,11 +67,11 @@ fn theme_and_language_are_what_was_chosen() {
     let menu = program.picture(&screen);
     menu.keep("settings-menu");
     assert!(menu.changed(&light, [755.0, 50.0, 310.0, 280.0]) > 0.3, "the menu is open");
-    // Dark, and light again.
-    screen.click([986.0, 169.0]);
+    // Dark, and light again; the first choice follows the system.
+    screen.click([1010.0, 169.0]);
     program.picture(&screen).keep("dark-by-click");
     assert!(brightness(&program.picture(&screen)) < 80.0);
-    screen.click([836.0, 169.0]);
+    screen.click([910.0, 169.0]);
     assert!(brightness(&program.picture(&screen)) > 190.0);
     // Chinese, and English again: the line above the choice changes.
     let title = [755.0, 125.0, 310.0, 18.0];
@@ -110,4 +110,54 @@ fn a_display_of_twice_the_density_shows_everything_twice_as_fine() {
     let ([left, top, ..], [right, _, width, height]) = (program.area("canvas"), program.area("plant"));
     assert_eq!([left, top], [120.0, 104.0], "the bars are as wide in points");
     assert!(right + width < 2560.0 && top + height < 1600.0 && height > 1400.0);
+}
+
+#[test]
+fn the_theme_follows_the_desktop_that_is_asked_over_the_session_bus() {
+    use std::os::unix::fs::PermissionsExt as _;
+    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    // A desktop that says what is written in a file, in the place of the program that asks the real one.
+    let (tools, answer) = (home.path().join("tools"), home.path().join("answer"));
+    fs::create_dir(&tools).unwrap();
+    let asks = tools.join("busctl");
+    fs::write(&asks, format!("#!/bin/sh\nexec cat {}\n", answer.display())).unwrap();
+    fs::set_permissions(&asks, fs::Permissions::from_mode(0o755)).unwrap();
+    let path = format!("{}:{}", tools.display(), std::env::var("PATH").unwrap());
+    let bus = [("PATH", path.as_str()), ("DBUS_SESSION_BUS_ADDRESS", "unix:path=/nonexistent")];
+    fs::write(&answer, "v v u 1\n").unwrap();
+    let mut program = daisy_in(&screen, home.path(), &bus);
+    let dark = brightness(&program.picture(&screen));
+    assert!(dark < 80.0, "{dark}");
+    // The desktop changes its mind while another window is looked at.
+    fs::write(&answer, "v v u 2\n").unwrap();
+    let other = Program::start(&screen, home.path(), &[]);
+    program.raise(&screen);
+    program.wait_for("awake");
+    drop(other);
+    program.raise(&screen);
+    program.rest();
+    std::thread::sleep(Duration::from_millis(500));
+    let light = brightness(&program.picture(&screen));
+    assert!(light > 190.0, "{light}");
+}
+
+#[test]
+fn light_projection_and_the_divider_are_kept_for_the_next_session() {
+    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let mut program = daisy_in(&screen, home.path(), &[]);
+    let canvas = program.area("canvas");
+    // The divider, a hundred pixels to the left.
+    let (x, y) = (canvas[0] + canvas[2], canvas[1] + 0.5 * canvas[3]);
+    screen.draw(&(0..=10).map(|i| [x - 10.0 * f64::from(i), y]).collect::<Vec<_>>());
+    program.rest();
+    screen.hand(&["key", "ctrl+q"]);
+    assert!(program.wait().success());
+    let file = home.path().join(".config/penstemon/settings.toml");
+    let settings = fs::read_to_string(&file).unwrap();
+    assert!(settings.contains("orthographic = true"), "{settings}");
+    fs::write(&file, settings.replace("shading = \"shaded\"", "shading = \"parts\"")).unwrap();
+    let mut again = daisy_in(&screen, home.path(), &[]);
+    let moved = again.area("canvas");
+    assert!((moved[2] - canvas[2] + 100.0).abs() < 6.0, "{moved:?} after {canvas:?}");
+    again.picture(&screen).keep("kept-view");
 }

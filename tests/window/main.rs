@@ -3,13 +3,19 @@
 //! What the program tells with `--verbose` (`layout`, `built`, `saved`, `exported`) says when it is ready for the next
 //! move; what is on the screen is read from the server's frame buffer. Screenshots stay in `target/tmp/window`.
 //!
-//! Needs Xvfb, xdotool, weston and a software driver (Debian: xvfb, xdotool, weston, mesa-vulkan-drivers).
+//! Needs Xvfb, xdotool, xclip, weston and a software driver (Debian: xvfb, xdotool, xclip, weston,
+//! mesa-vulkan-drivers).
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 
+mod client;
+mod disk;
 mod drawing;
+mod exports;
 mod looks;
+mod others;
 mod program;
+mod reference;
 mod screen;
 mod trouble;
 mod wayland;
@@ -38,6 +44,23 @@ fn strokes_in(sketch: &Sketch, [left, top, width, height]: Area) -> Vec<Vec<[f64
         [corner[0] + p.x, corner[1] + p.y]
     };
     sketch.strokes.iter().map(|s| s.points.iter().map(|p| place(p.position)).collect()).collect()
+}
+
+fn sketch_saved_by(path: &Path) -> Sketch {
+    sketch::read(path).unwrap().0
+}
+
+/// A PNG file that can be told from everything else on the screen: stripes.
+fn photograph() -> Vec<u8> {
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    let mut encoder = png::Encoder::new(&mut bytes, 64, 48);
+    encoder.set_color(png::ColorType::Rgb);
+    let stripe = |i: usize| if (i % 64) / 8 % 2 == 0 { [30, 90, 200] } else { [20, 40, 60] };
+    let pixels: Vec<u8> = (0..64 * 48).flat_map(stripe).collect();
+    let mut writer = encoder.write_header().unwrap();
+    writer.write_image_data(&pixels).unwrap();
+    writer.finish().unwrap();
+    bytes.into_inner()
 }
 
 fn number(line: &str, name: &str) -> u64 {

@@ -14,7 +14,7 @@ const PATIENCE: Duration = Duration::from_secs(60);
 const QUIET: Duration = Duration::from_millis(300);
 
 /// Colour of what stands out, in the light theme.
-const ACCENT: [u8; 3] = [0x7b, 0x3f, 0x83];
+pub(crate) const ACCENT: [u8; 3] = [0x7b, 0x3f, 0x83];
 
 pub(crate) struct Program {
     child: Child,
@@ -31,7 +31,13 @@ impl Program {
     /// The same with more in its environment.
     pub(crate) fn start_with(screen: &Screen, home: &Path, args: &[&str], more: &[(&str, &str)]) -> Self {
         let mut command = command(home, args);
-        command.env("DISPLAY", &screen.display).envs(more.iter().copied());
+        command.envs(more.iter().copied());
+        Self::start_command(screen, command)
+    }
+
+    /// Opens the window of a command that ends up as the program.
+    pub(crate) fn start_command(screen: &Screen, mut command: Command) -> Self {
+        command.env("DISPLAY", &screen.display);
         let mut program = Self::spawn(command);
         program.wait_for("the window is drawn by");
         program.raise(screen);
@@ -163,6 +169,12 @@ impl Program {
     pub(crate) fn kill(&mut self) {
         self.child.kill().unwrap();
         self.child.wait().unwrap();
+    }
+
+    /// Ends the program as the system does when the session ends.
+    pub(crate) fn terminate(&mut self) {
+        let sent = Command::new("kill").args(["-TERM", &self.id().to_string()]).status().unwrap();
+        assert!(sent.success());
     }
 
     pub(crate) fn wait(&mut self) -> std::process::ExitStatus {

@@ -143,6 +143,20 @@ impl Pixels {
         (width >= 24).then(|| [f64::from(left) + 0.5 * f64::from(width), f64::from(top) + 12.0])
     }
 
+    /// The box of a colour, or nearly that, inside an area: left, top, right, bottom.
+    pub(crate) fn extent(&self, colour: [u8; 3], [left, top, width, height]: Area) -> [f64; 4] {
+        let near = |c: [u8; 3]| c.iter().zip(colour).all(|(a, b)| a.abs_diff(b) <= 24);
+        let inside = |from: f64, size: f64| from as u32..(from + size) as u32;
+        let places = inside(top, height).flat_map(|y| inside(left, width).map(move |x| (x, y)));
+        let found: Vec<(u32, u32)> = places.filter(|&(x, y)| near(self.at(x, y))).collect();
+        let span = |of: fn(&(u32, u32)) -> u32| {
+            let most = found.iter().map(of).max().expect("the colour is nowhere");
+            (f64::from(found.iter().map(of).min().unwrap_or(most)), f64::from(most))
+        };
+        let ((left, right), (top, bottom)) = (span(|p| p.0), span(|p| p.1));
+        [left, top, right, bottom]
+    }
+
     /// Share of an area's pixels that differ clearly from another picture's.
     pub(crate) fn changed(&self, other: &Pixels, area: Area) -> f64 {
         let [left, top, width, height] = area.map(|x| x as u32);

@@ -34,6 +34,21 @@ impl Compositor {
     }
 }
 
+#[test]
+fn a_compositor_that_goes_away_ends_the_program_with_a_word() {
+    let (_turn, home) = (turn(), TempDir::new().unwrap());
+    let compositor = Compositor::start(home.path());
+    let mut command = command(home.path(), &[]);
+    command.env("WAYLAND_DISPLAY", "wayland-test");
+    let mut program = Program::spawn(command);
+    program.built();
+    drop(compositor);
+    let status = program.wait();
+    assert!(!status.success(), "{status}");
+    assert!(program.has_told("the connection to the display broke"));
+    assert!(!program.has_told("panicked"));
+}
+
 impl Drop for Compositor {
     fn drop(&mut self) {
         let _ = self.0.kill();

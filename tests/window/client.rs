@@ -1,0 +1,106 @@
+//! Another program on the display: it asks windows to close, and drags files onto them (XDND, version 5).
+
+use crate::screen::Screen;
+use std::path::Path;
+use std::time::{Duration, Instant};
+use x11rb::connection::Connection as _;
+use x11rb::protocol::Event;
+use x11rb::protocol::xproto::{
+    Atom, ClientMessageEvent, ConnectionExt as _, CreateWindowAux, EventMask, PropMode,
+    SELECTION_NOTIFY_EVENT, SelectionNotifyEvent, SelectionRequestEvent, Window, WindowClass,
+};
+use x11rb::rust_connection::RustConnection;
+use x11rb::wrapper::ConnectionExt as _;
+use x11rb::{COPY_DEPTH_FROM_PARENT, CURRENT_TIME};
+
+/// Longest wait for an answer.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+pub(crate) struct Client {
+    server: RustConnection,
+    window: Window,
+}
+
+impl Client {
+    pub(crate) fn on(screen: &Screen) -> Self {
+        let (server, number) = x11rb::connect(Some(&screen.display)).unwrap();
+        let (window, root) = (server.generate_id().unwrap(), server.setup().roots[number].root);
+        let looks = CreateWindowAux::new();
+        let class = WindowClass::INPUT_OUTPUT;
+        server.create_window(COPY_DEPTH_FROM_PARENT, window, root, 0, 0, 1, 1, 0, class, 0, &looks).unwrap();
+        Self { server, window }
+    }
+
+    fn atom(&self, name: &str) -> Atom {
+        self.server.intern_atom(false, name.as_bytes()).unwrap().reply().unwrap().atom
+    }
+
+    fn send(&self, to: Window, what: &str, data: [u32; 5]) {
+        let message = ClientMessageEvent::new(32, to, self.atom(what), data);
+        self.server.send_event(false, to, EventMask::NO_EVENT, message).unwrap();
+        self.server.flush().unwrap();
+    }
+
+    /// What a window manager sends when the button in the title bar is pressed.
+    pub(crate) fn close(&self, window: &str) {
+        let delete = self.atom("WM_DELETE_WINDOW");
+        self.send(window.parse().unwrap(), "WM_PROTOCOLS", [delete, CURRENT_TIME, 0, 0, 0]);
+    }
+
+    /// Drags a file to a place on the screen above a window, and drops it there.
+    pub(crate) fn drop_file(&self, window: &str, [x, y]: [f64; 2], file: &Path) {
+        let to: Window = window.parse().unwrap();
+        let (list, copy) = (self.atom("text/uri-list"), self.atom("XdndActionCopy"));
+        let selection = self.atom("XdndSelection");
+        self.server.set_selection_owner(self.window, selection, CURRENT_TIME).unwrap();
+        self.send(to, "XdndEnter", [self.window, 5 << 24, list, 0, 0]);
+        let place = (x as u32) << 16 | y as u32;
+        let begun = Instant::now();
+        let accepted = || {
+            self.send(to, "XdndPosition", [self.window, 0, place, CURRENT_TIME, copy]);
+            let status = self.message("XdndStatus", file);
+            status[1] & 1 == 1
+        };
+        while !accepted() {
+            assert!(begun.elapsed() < PATIENCE, "a dragged file is not welcome");
+            std::thread::sleep(Duration::from_millis(30));
+        }
+        self.send(to, "XdndDrop", [self.window, 0, CURRENT_TIME, 0, 0]);
+        self.message("XdndFinished", file);
+    }
+
+    /// Waits for a message, and meanwhile hands over what is dragged to whoever asks.
+    fn message(&self, name: &str, file: &Path) -> [u32; 5] {
+        let (name, begun) = (self.atom(name), Instant::now());
+        while begun.elapsed() < PATIENCE {
+            match self.server.poll_for_event().unwrap() {
+                Some(Event::ClientMessage(message)) if message.type_ == name => {
+                    return message.data.as_data32();
+                }
+                Some(Event::SelectionRequest(request)) => self.hand_over(&request, file),
+                Some(_) => {}
+                None => std::thread::sleep(Duration::from_millis(5)),
+            }
+        }
+        panic!("no answer to a drag");
+    }
+
+    fn hand_over(&self, request: &SelectionRequestEvent, file: &Path) {
+        let SelectionRequestEvent { requestor, property, target, selection, time, .. } = *request;
+        let text = format!("file://{}\r\n", file.display());
+        self.server
+            .change_property8(PropMode::REPLACE, requestor, property, target, text.as_bytes())
+            .unwrap();
+        let done = SelectionNotifyEvent {
+            response_type: SELECTION_NOTIFY_EVENT,
+            sequence: 0,
+            time,
+            requestor,
+            selection,
+            target,
+            property,
+        };
+        self.server.send_event(false, requestor, EventMask::NO_EVENT, done).unwrap();
+        self.server.flush().unwrap();
+    }
+}
