@@ -39,6 +39,7 @@ window() {
     mkdir -p "$home/.config/penstemon"
     printf '%s\n' "$@" >"$home/.config/penstemon/settings.toml"
     mkfifo "$home/display"
+    : >"$home/told"
     Xvfb -displayfd 3 -nolisten tcp -dpi 96 -fbdir "$home" -screen 0 1280x800x24 3>"$home/display" 2>"$home/server" &
     server=$!
     env -u WAYLAND_DISPLAY -u DBUS_SESSION_BUS_ADDRESS DISPLAY=":$(head -n 1 "$home/display")" HOME="$home" \

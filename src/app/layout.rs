@@ -53,6 +53,13 @@ impl Layout {
         }
     }
 
+    /// Whether a press at this place, in points, is meant for the drawing: on the canvas, and not on the divider.
+    pub(super) fn is_canvas(&self, at: Pos2) -> bool {
+        let x =
+            if self.canvas.right() <= self.plant.left() { self.canvas.right() } else { self.canvas.left() };
+        self.canvas.contains(at) && (at.x - x).abs() > GRIP / 2.0
+    }
+
     /// A new egui context: nothing of ours is in its memory.
     pub(super) fn forget_context(&mut self) {
         self.pixels_per_point = 1.0;
@@ -216,6 +223,17 @@ fn stretch_cursor(along: f64) -> egui::CursorIcon {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_divider_is_not_drawn_on() {
+        let [left, right] = [0.0, 100.0].map(|x| Rect::from_min_size(pos2(x, 0.0), vec2(100.0, 50.0)));
+        let layout = Layout { canvas: left, plant: right, ..Layout::default() };
+        let mirrored = Layout { canvas: right, plant: left, ..layout };
+        for (layout, on, off) in [(layout, 90.0, 97.0), (mirrored, 110.0, 103.0)] {
+            assert!(layout.is_canvas(pos2(on, 20.0)) && !layout.is_canvas(pos2(off, 20.0)));
+        }
+        assert!(layout.is_canvas(pos2(1.0, 20.0)) && !layout.is_canvas(pos2(50.0, 60.0)));
+    }
 
     #[test]
     fn stretch_cursors_point_where_the_handle_goes() {

@@ -257,7 +257,7 @@ impl Running {
 
     /// Whether a place belongs to the canvas: inside it, and nothing of egui's floats above.
     fn is_canvas(&self, at: egui::Pos2) -> bool {
-        self.editor.layout().canvas.contains(at)
+        self.editor.layout().is_canvas(at)
             && self.egui.layer_id_at(at).is_none_or(|layer| layer.order == egui::Order::Background)
     }
 
