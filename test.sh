@@ -76,7 +76,8 @@ check "documentation" env RUSTDOCFLAGS="-D warnings" cargo doc --quiet --no-deps
 check "program" cargo build --quiet
 check "sketches build and pass our own judge" build_sketches
 check "trimesh, MeshLab and the Khronos validator" tests/interop.sh target/sketches
-check "fuzzing, ${FUZZ_SECONDS:-8} s a reader" fuzz/run.sh "${FUZZ_SECONDS:-8}" sketch_json sketch_svg species model_reader pen_families
+check "fuzzing, ${FUZZ_SECONDS:-8} s a reader" fuzz/run.sh "${FUZZ_SECONDS:-8}" sketch_json sketch_svg species model_reader \
+    pen_families pen_descriptor pen_recording
 
 echo
 for name in "${not_run[@]+"${not_run[@]}"}"; do echo "not run here: $name"; done

@@ -9,6 +9,7 @@
 use glam::{DVec2, Vec2};
 use hidreport::{Field, Report, ReportDescriptor, VariableField};
 use penstemon::pen::hid::{Abilities, Decode, DescriptorDecoder, HidEvent, RawPen};
+use proptest::prelude::*;
 use std::path::{Path, PathBuf};
 
 #[path = "common/tablets.rs"]
@@ -348,4 +349,31 @@ fn is_close(pen: &RawPen, expected: &RawPen) -> bool {
         && pressure
         && pen.position.abs_diff_eq(expected.position, 1e-9)
         && pen.tilt_deg.abs_diff_eq(expected.tilt_deg, 1e-3)
+}
+
+proptest! {
+    #[test]
+    fn any_bytes_end_in_an_answer_and_any_report_in_sound_numbers(
+        bytes in prop::collection::vec(any::<u8>(), 0..300),
+        hits in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 0..12),
+        reports in prop::collection::vec(prop::collection::vec(any::<u8>(), 0..40), 0..20),
+    ) {
+        let _ = DescriptorDecoder::new(&bytes);
+        let mut broken = tablets::PEN_DISPLAY.to_vec();
+        for (place, value) in hits {
+            let place = place.index(broken.len());
+            broken[place] = value;
+        }
+        let Ok(Some(mut decoder)) = DescriptorDecoder::new(&broken) else { return Ok(()) };
+        for mut report in reports {
+            report.insert(0, 2);
+            for event in decode(&mut decoder, &report) {
+                let HidEvent::Pen(pen) = event else { continue };
+                prop_assert!(pen.position.cmpge(DVec2::ZERO).all() && pen.position.cmple(DVec2::ONE).all());
+                prop_assert!(pen.pressure.is_none_or(|p| (0.0..=1.0).contains(&p)), "{pen:?}");
+                prop_assert!(pen.tilt_deg.abs().max_element() <= 90.0, "{pen:?}");
+                prop_assert!((0.0..360.0).contains(&pen.twist_deg) && (0.0..=1.0).contains(&pen.distance));
+            }
+        }
+    }
 }
