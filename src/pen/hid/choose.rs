@@ -109,7 +109,8 @@ fn wake_up(wake: Wake, lengths: ReportLengths) -> Option<WakeUp> {
         let strings = strings::Reader::new(transport.info());
         let name = transport.info().name();
         let mut io = Waking { transport, strings };
-        for fault in wake.run(lengths.output, lengths.feature, &mut io) {
+        // Feature reports go as they are: the longest that a node declares says nothing of the others.
+        for fault in wake.run(lengths.output, 0, &mut io) {
             tracing::warn!("{name}: {fault}");
         }
     }))

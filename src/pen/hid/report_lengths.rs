@@ -13,8 +13,6 @@ pub struct ReportLengths {
     pub input: usize,
     /// What can be written to it.
     pub output: usize,
-    /// What can be set.
-    pub feature: usize,
 }
 
 /// Size of one field, how many there are, and the report in which they stand.
@@ -28,7 +26,7 @@ struct State {
 impl ReportLengths {
     /// Adds up the fields of every report; what follows a broken item is not counted.
     pub fn of(descriptor: &[u8]) -> Self {
-        let mut bits: [BTreeMap<u32, u64>; 3] = Default::default();
+        let mut bits: [BTreeMap<u32, u64>; 2] = Default::default();
         let (mut state, mut saved) = (State::default(), Vec::new());
         for item in Items::new(descriptor).map_while(Result::ok) {
             let kind = match item.tag {
@@ -54,7 +52,6 @@ impl ReportLengths {
                 }
                 tag::INPUT => 0,
                 tag::OUTPUT => 1,
-                tag::FEATURE => 2,
                 _ => continue,
             };
             let sum = bits[kind].entry(state.id).or_default();
@@ -64,7 +61,7 @@ impl ReportLengths {
             let most = bits[kind].values().max().map_or(0, |bits| 1 + bits.div_ceil(8));
             usize::try_from(most).unwrap_or(usize::MAX)
         };
-        Self { input: longest(0), output: longest(1), feature: longest(2) }
+        Self { input: longest(0), output: longest(1) }
     }
 }
 
@@ -75,12 +72,12 @@ mod tests {
 
     #[test]
     fn the_longest_report_of_each_kind_counts_with_its_id() {
-        // Two input reports of 8 and 3 bytes, one output report of 63, no feature report; the size is saved over the first.
+        // Two input reports of 8 and 3 bytes, one output report of 63; the size is saved over the first.
         let descriptor = [
             0x06, 0x0A, 0xFF, 0x09, 0x01, 0xA1, 0x01, 0x75, 0x08, 0x85, 0x02, 0x95, 0x07, 0x81, 0x02, 0xA4,
             0x85, 0x03, 0x75, 0x01, 0x95, 0x10, 0x81, 0x02, 0xB4, 0x95, 0x3E, 0x91, 0x02, 0xC0,
         ];
-        assert_eq!(ReportLengths::of(&descriptor), ReportLengths { input: 8, output: 63, feature: 0 });
+        assert_eq!(ReportLengths::of(&descriptor), ReportLengths { input: 8, output: 63 });
         assert_eq!(ReportLengths::of(&[]), ReportLengths::default());
     }
 
