@@ -148,7 +148,11 @@ fn light_projection_and_the_divider_are_kept_for_the_next_session() {
     let canvas = program.area("canvas");
     // The divider, a hundred pixels to the left.
     let (x, y) = (canvas[0] + canvas[2], canvas[1] + 0.5 * canvas[3]);
-    screen.draw(&(0..=10).map(|i| [x - 10.0 * f64::from(i), y]).collect::<Vec<_>>());
+    // Not faster than the window is drawn: it hears a drag frame by frame.
+    let [y, from, half, to] = [y, x, x - 50.0, x - 100.0].map(|v| v.round().to_string());
+    screen.hand(&["mousemove", &from, &y, "sleep", "0.5", "mousedown", "1", "sleep", "0.5"]);
+    screen.hand(&["mousemove", &half, &y, "sleep", "0.5", "mousemove", &to, &y, "sleep", "0.5"]);
+    screen.hand(&["mouseup", "1"]);
     program.rest();
     screen.hand(&["key", "ctrl+q"]);
     assert!(program.wait().success());
