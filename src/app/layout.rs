@@ -79,7 +79,7 @@ impl Editor {
         let mut actions = Vec::new();
         let room = frame::show(ui, &snapshot, &self.messages, &mut actions);
         let before = self.layout;
-        self.divide(ui, room);
+        let divider = self.divide(ui, room);
         self.layout.pixels_per_point = f64::from(ui.ctx().pixels_per_point());
         if self.layout.canvas != before.canvas || self.layout.plant != before.plant {
             self.tell_layout();
@@ -91,6 +91,7 @@ impl Editor {
         }
         let mut side = ui.new_child(UiBuilder::new().max_rect(self.layout.plant));
         self.plant.show(&mut side, plant);
+        self.hold_divider(ui, divider, room);
         self.paint_overlay(ui);
         frame::overlays(ui, self.layout.canvas, &snapshot, &self.messages, &mut actions);
         for action in actions {
@@ -114,12 +115,21 @@ impl Editor {
         }
     }
 
-    /// Divides the room between canvas and plant; the canvas lies at the hand that draws.
-    fn divide(&mut self, ui: &mut Ui, room: Rect) {
+    /// Divides the room between canvas and plant, and says where; the canvas lies at the hand that draws.
+    fn divide(&mut self, ui: &mut Ui, room: Rect) -> f32 {
         let canvas_first = self.settings.handedness == Handedness::Right;
         let share = self.settings.canvas_share;
         let share = if canvas_first { share } else { 1.0 - share };
         let x = (room.left() + share * room.width()).round();
+        let (left, right) = room.split_left_right_at_x(x);
+        (self.layout.canvas, self.layout.plant) = if canvas_first { (left, right) } else { (right, left) };
+        frame::divider(ui, x, room);
+        x
+    }
+
+    /// Hears the divider. Called after the plant was shown: of things that overlap egui asks the last.
+    fn hold_divider(&mut self, ui: &Ui, x: f32, room: Rect) {
+        let canvas_first = self.settings.handedness == Handedness::Right;
         let grip = Rect::from_x_y_ranges(x - GRIP / 2.0..=x + GRIP / 2.0, room.y_range());
         let response = ui.interact(grip, egui::Id::unique("divider"), Sense::drag());
         let response = response.on_hover_and_drag_cursor(egui::CursorIcon::ResizeHorizontal);
@@ -130,9 +140,6 @@ impl Editor {
             let share = if canvas_first { share } else { 1.0 - share };
             self.settings.canvas_share = share.clamp(CANVAS_SHARE.0, CANVAS_SHARE.2);
         }
-        let (left, right) = room.split_left_right_at_x(x);
-        (self.layout.canvas, self.layout.plant) = if canvas_first { (left, right) } else { (right, left) };
-        frame::divider(ui, x, room);
     }
 
     fn tell_layout(&self) {

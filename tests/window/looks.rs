@@ -146,18 +146,15 @@ fn light_projection_and_the_divider_are_kept_for_the_next_session() {
     let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
     let mut program = daisy_in(&screen, home.path(), &[]);
     let canvas = program.area("canvas");
-    // The divider, a hundred pixels to the left.
-    let (x, y) = (canvas[0] + canvas[2], canvas[1] + 0.5 * canvas[3]);
-    screen.draw(&(0..=10).map(|i| [x - 10.0 * f64::from(i), y]).collect::<Vec<_>>());
-    program.rest();
     screen.hand(&["key", "ctrl+q"]);
     assert!(program.wait().success());
     let file = home.path().join(".config/penstemon/settings.toml");
     let settings = fs::read_to_string(&file).unwrap();
     assert!(settings.contains("orthographic = true"), "{settings}");
-    fs::write(&file, settings.replace("shading = \"shaded\"", "shading = \"parts\"")).unwrap();
+    let settings = settings.replace("shading = \"shaded\"", "shading = \"parts\"");
+    fs::write(&file, settings.replace("canvas_share = 0.5", "canvas_share = 0.6")).unwrap();
     let mut again = daisy_in(&screen, home.path(), &[]);
     let moved = again.area("canvas");
-    assert!((moved[2] - canvas[2] + 100.0).abs() < 6.0, "{moved:?} after {canvas:?}");
+    assert!((moved[2] - 1.2 * canvas[2]).abs() < 2.0, "{moved:?} after {canvas:?}");
     again.picture(&screen).keep("kept-view");
 }

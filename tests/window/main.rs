@@ -55,7 +55,7 @@ fn photograph() -> Vec<u8> {
     let mut bytes = std::io::Cursor::new(Vec::new());
     let mut encoder = png::Encoder::new(&mut bytes, 64, 48);
     encoder.set_color(png::ColorType::Rgb);
-    let stripe = |i: usize| if (i % 64) / 8 % 2 == 0 { [30, 90, 200] } else { [20, 40, 60] };
+    let stripe = |i: usize| if ((i % 64) / 8).is_multiple_of(2) { [30, 90, 200] } else { [20, 40, 60] };
     let pixels: Vec<u8> = (0..64 * 48).flat_map(stripe).collect();
     let mut writer = encoder.write_header().unwrap();
     writer.write_image_data(&pixels).unwrap();
