@@ -97,7 +97,8 @@ fn delay(_: &mut Criterion) {
     let (outbox, inbox) = queue(move || wake.send(()).unwrap_or_default(), begin);
     let reader = Reader::start(0, Box::new(device.open()), choice, outbox).unwrap();
     let sender = std::thread::spawn(move || {
-        let sent = circle().iter().cycle().take(5 * usize::from(REPORTS)).map(|report| {
+        let circle = circle();
+        let sent = circle.iter().cycle().take(5 * usize::from(REPORTS)).map(|report| {
             std::thread::sleep(PAUSE);
             let now = Instant::now();
             device.send(report);

@@ -1,0 +1,80 @@
+//! Recordings of tablets from outside: the program plays them, and says what is wrong with broken ones.
+
+#![cfg(feature = "program")]
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
+use serde_json::Value;
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+#[path = "common/tablets.rs"]
+#[allow(dead_code, reason = "shared with other tests")]
+mod tablets;
+
+use tablets::{DisplayReport, switch};
+
+fn penstemon(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_penstemon")).args(arguments).output().unwrap()
+}
+
+/// A recording of a stroke with rising pressure, written to a file of its own.
+fn stroke(folder: &tempfile::TempDir) -> PathBuf {
+    let hex = |bytes: &[u8]| bytes.iter().map(|byte| format!("{byte:02x}")).collect::<String>();
+    let descriptor = hex(tablets::PEN_DISPLAY);
+    let mut text = format!(
+        "penstemon-pen-recording 1\ndevice 0\nvendor 1234\nproduct 0001\nname Display\ndescriptor {descriptor}\n"
+    );
+    for n in 0..=40u16 {
+        let touches = if (1..40).contains(&n) { switch::TIP } else { 0 };
+        let switches = switch::IN_RANGE | touches;
+        let report =
+            DisplayReport { switches, x: n * 800, y: 16_384, pressure: n * 100, ..Default::default() };
+        text += &format!("{} {}\n", u32::from(n) * 4000, hex(&report.bytes()));
+    }
+    let path = folder.path().join("stroke.txt");
+    std::fs::write(&path, text).unwrap();
+    path
+}
+
+#[test]
+fn a_recording_becomes_pen_events() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = stroke(&folder);
+    let output = penstemon(&["pen", "replay", path.to_str().unwrap(), "--json", "--size", "1000x1000"]);
+    assert!(output.status.success(), "{output:?}");
+    let lines = String::from_utf8(output.stdout).unwrap();
+    let events: Vec<Value> = lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let phases: Vec<&str> = events.iter().map(|event| event["phase"].as_str().unwrap()).collect();
+    let expected = [&["enter", "down"][..], &["move"; 38], &["up", "leave"]].concat();
+    assert_eq!(phases, expected);
+    for (event, n) in events[1..40].iter().zip(1..) {
+        let pressure = event["pressure"].as_f64().unwrap();
+        assert!((pressure - f64::from(n * 100) / 4095.0).abs() < 1e-6, "{event}");
+        assert_eq!(event["time_ms"].as_f64().unwrap(), f64::from(n) * 4.0);
+    }
+    let text = penstemon(&["pen", "replay", path.to_str().unwrap()]);
+    assert_eq!(String::from_utf8(text.stdout).unwrap().lines().count(), 42);
+}
+
+#[test]
+fn a_broken_recording_is_told_with_its_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("broken.txt");
+    std::fs::write(&path, "penstemon-pen-recording 1\ndevice 0\nvendor nobody\n").unwrap();
+    let output = penstemon(&["pen", "replay", path.to_str().unwrap()]);
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    assert!(told.contains("broken.txt, line 3: ") && told.contains("four hexadecimal digits"), "{told}");
+}
+
+#[test]
+fn the_tablets_of_any_machine_can_be_listed() {
+    let output = penstemon(&["tablets", "--json"]);
+    assert!(output.status.success(), "{output:?}");
+    for line in String::from_utf8(output.stdout).unwrap().lines() {
+        let tablet: Value = serde_json::from_str(line).unwrap();
+        assert!(tablet["path"].is_string() && tablet["read"].is_boolean());
+    }
+    let watched = penstemon(&["tablets", "--watch", "--seconds", "1"]);
+    assert!(watched.status.success(), "{watched:?}");
+}
