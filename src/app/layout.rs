@@ -200,6 +200,10 @@ impl Editor {
             );
             painter.circle_stroke(point(middle), radius, Stroke::new(1.0, palette.text));
         }
+        if let Some(at) = self.canvas.hovering_pen().filter(|_| self.pen_is_raw()) {
+            // The system's cursor does not follow a tablet that is read directly.
+            painter.circle(point(at), 2.5, palette.ink, Stroke::new(1.0, palette.paper));
+        }
         if self.document.sketch().strokes.is_empty() && self.canvas.growing().is_none() {
             plant_view::invite(&painter, self.layout.canvas, &self.messages, palette);
         }

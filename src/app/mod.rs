@@ -27,6 +27,7 @@ pub mod panels;
 pub mod paper;
 pub mod pen_settings;
 pub mod plant_view;
+mod pointers;
 pub mod presets;
 pub mod settings;
 mod surface;

@@ -42,6 +42,7 @@ impl Reach {
 /// One tablet that is there.
 struct Tablet {
     arrival: Arc<Arrival>,
+    name: String,
     machine: PenMachine,
     battery: Option<u8>,
 }
@@ -121,15 +122,16 @@ impl Tablets {
     ) {
         let Some(watcher) = self.watcher.take() else { return };
         for tablet in self.known.values_mut() {
-            let pen = chosen(&tablet.arrival.info.name());
+            let pen = chosen(&tablet.name);
             tablet.machine.set_mapping(reach.mapping(&pen, &tablet.arrival));
         }
         watcher.inbox().drain(|message| match message.notice {
             Notice::Arrived(arrival) => {
                 tracing::debug!("tablet {} is read by {}", arrival.info.name(), arrival.way);
                 self.trouble = None;
-                let machine = PenMachine::new(reach.mapping(&chosen(&arrival.info.name()), &arrival));
-                self.known.insert(message.device, Tablet { arrival, machine, battery: None });
+                let name = arrival.info.name();
+                let machine = PenMachine::new(reach.mapping(&chosen(&name), &arrival));
+                self.known.insert(message.device, Tablet { arrival, name, machine, battery: None });
             }
             Notice::Said(event) => self.hear(message.device, event, message.time_ms, out),
             Notice::Refused(why) => self.trouble = Some(why),
@@ -138,9 +140,19 @@ impl Tablets {
         self.watcher = Some(watcher);
     }
 
-    /// The name of a tablet, with the charge of its pen where that is known.
-    pub(super) fn name(&self, id: DeviceId) -> Option<String> {
-        self.known.get(&id).map(|tablet| tablet.arrival.info.name())
+    /// The name of a tablet.
+    pub(super) fn name(&self, id: DeviceId) -> Option<&str> {
+        self.known.get(&id).map(|tablet| tablet.name.as_str())
+    }
+
+    /// Whether tablets are looked for.
+    pub(super) fn are_there(&self) -> bool {
+        self.watcher.is_some()
+    }
+
+    /// Whether the artist spread one of them over a monitor.
+    pub(super) fn cover_monitor(&self, chosen: impl Fn(&str) -> PenSettings) -> bool {
+        self.known.values().any(|tablet| chosen(&tablet.name).covers == Covers::Monitor)
     }
 
     /// The charge of a tablet's pen in percent.
@@ -174,5 +186,111 @@ impl Tablets {
 
     fn now_ms(&self) -> f64 {
         self.begin.elapsed().as_secs_f64() * 1e3
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pen::PenPhase;
+    use crate::pen::hid::DeviceInfo;
+    use crate::pen::hid::made_up::{DisplayReport, PEN_DISPLAY, switch};
+    use crate::pen::hid::simulated::{SimulatedBus, SimulatedDevice};
+    use glam::DVec2;
+    use std::time::Duration;
+
+    const REACH: Reach = Reach {
+        canvas: Rect { min: DVec2::new(100.0, 0.0), max: DVec2::new(500.0, 400.0) },
+        window: Rect { min: DVec2::ZERO, max: DVec2::new(1000.0, 400.0) },
+        monitor: None,
+    };
+
+    /// A window that works with one simulated tablet.
+    struct Desk {
+        bus: SimulatedBus,
+        tablet: SimulatedDevice,
+        tablets: Tablets,
+        pen: PenSettings,
+        heard: Vec<(Origin, PenEvent)>,
+    }
+
+    impl Desk {
+        fn new() -> Self {
+            let bus = SimulatedBus::new();
+            let info = DeviceInfo { path: "sim0".into(), product: "Slate".into(), ..DeviceInfo::default() };
+            let tablet = SimulatedDevice::new(info, PEN_DISPLAY);
+            let system = bus.clone();
+            let mut tablets = Tablets::new(move || Box::new(system.clone()), || {}, Instant::now());
+            let mut heard = Vec::new();
+            tablets.listen(true, &mut heard);
+            let pen = PenSettings { keeps_aspect: false, ..PenSettings::default() };
+            Self { bus, tablet, tablets, pen, heard }
+        }
+
+        /// Listens until something is so.
+        fn until(&mut self, mut is_so: impl FnMut(&Tablets, &[(Origin, PenEvent)]) -> bool) {
+            let begin = Instant::now();
+            while !is_so(&self.tablets, &self.heard) {
+                assert!(begin.elapsed() < Duration::from_secs(60), "it never happened: {:?}", self.heard);
+                let pen = self.pen;
+                self.tablets.take(&REACH, |_| pen, &mut self.heard);
+                std::thread::sleep(Duration::from_millis(1));
+            }
+        }
+
+        fn report(&self, switches: u8) {
+            let report = DisplayReport { switches, x: 5000, pressure: 2000, ..DisplayReport::default() };
+            self.tablet.send(&report.bytes());
+        }
+    }
+
+    #[test]
+    fn a_tablet_draws_where_the_artist_put_it_and_leaves_with_its_cable() {
+        let mut desk = Desk::new();
+        desk.tablets.obey(PenSource::Auto, &mut desk.heard);
+        desk.bus.plug(&desk.tablet);
+        desk.until(|tablets, _| tablets.name(0) == Some("Slate"));
+        desk.report(switch::IN_RANGE | switch::TIP);
+        desk.until(|_, heard| heard.len() == 2);
+        let window = desk.heard[1].1.sample.position;
+        desk.pen.covers = Covers::Canvas;
+        desk.report(switch::IN_RANGE | switch::TIP);
+        desk.until(|_, heard| heard.len() == 3);
+        let canvas = desk.heard[2].1.sample.position;
+        assert!((100.0 + window.x * 0.4 - canvas.x).abs() < 1e-6, "{window} {canvas}");
+        desk.bus.unplug("sim0");
+        desk.until(|tablets, _| tablets.name(0).is_none());
+        let phases: Vec<_> = desk.heard.iter().map(|(_, event)| event.phase).collect();
+        assert_eq!(phases, [PenPhase::Enter, PenPhase::Down, PenPhase::Move, PenPhase::Up, PenPhase::Leave]);
+    }
+
+    #[test]
+    fn nothing_is_read_for_the_system_or_for_another_window() {
+        let mut desk = Desk::new();
+        desk.tablets.obey(PenSource::System, &mut desk.heard);
+        assert!(desk.tablets.watcher.is_none());
+        desk.bus.plug(&desk.tablet);
+        desk.tablets.obey(PenSource::Raw, &mut desk.heard);
+        desk.until(|tablets, _| tablets.name(0).is_some());
+        desk.report(switch::IN_RANGE);
+        desk.until(|_, heard| heard.len() == 1);
+        desk.tablets.listen(false, &mut desk.heard);
+        assert_eq!(desk.heard.last().map(|(_, event)| event.phase), Some(PenPhase::Leave));
+        desk.report(switch::IN_RANGE);
+        desk.tablet.wait_read(2, Duration::from_secs(60));
+        desk.tablets.obey(PenSource::System, &mut desk.heard);
+        assert_eq!((desk.heard.len(), desk.tablet.handles()), (2, 0));
+    }
+
+    #[test]
+    fn a_tablet_that_may_not_be_read_says_what_to_do() {
+        let mut desk = Desk::new();
+        desk.bus.forbid("sim0", true);
+        desk.bus.plug(&desk.tablet);
+        desk.tablets.obey(PenSource::Auto, &mut desk.heard);
+        desk.until(|tablets, _| tablets.trouble().is_some());
+        assert!(desk.tablets.trouble().unwrap().contains("./run.sh --install-udev"));
+        desk.bus.forbid("sim0", false);
+        desk.until(|tablets, _| tablets.name(0).is_some() && tablets.trouble().is_none());
     }
 }

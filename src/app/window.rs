@@ -9,11 +9,10 @@ use super::editor::Editor;
 use super::egui_input::{self, EguiInput};
 use super::graphics::Graphics;
 use super::panels::snapshot::Notice;
-use super::tablets::{Reach, Tablets};
+use super::pointers::{Heard, Place, Pointers};
 use super::transfer::{self, Arrival};
-use crate::pen::hid::System;
 use crate::pen::mapping::Rect;
-use crate::pen::{Arbiter, Origin, PenEvent, PenPhase, PenSource, PenTool, WinitPen, X11Pens};
+use crate::pen::{PenEvent, PenPhase, PenTool};
 use anyhow::Context as _;
 use glam::DVec2;
 use std::collections::BTreeSet;
@@ -22,10 +21,9 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 use winit::application::ApplicationHandler;
 use winit::cursor::Cursor;
-use winit::dpi::{LogicalSize, PhysicalSize};
-use winit::event::{ButtonSource, MouseScrollDelta, PointerKind, PointerSource, WindowEvent};
+use winit::dpi::LogicalSize;
+use winit::event::{MouseScrollDelta, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop};
-use winit::raw_window_handle::{HasWindowHandle as _, RawWindowHandle};
 use winit::window::{ImeCapabilities, ImeEnableRequest, ImeRequest, ImeRequestData};
 use winit::window::{Window, WindowAttributes, WindowId};
 
@@ -80,8 +78,7 @@ impl ApplicationHandler for App {
 
     fn proxy_wake_up(&mut self, _: &dyn ActiveEventLoop) {
         if let Some(running) = &mut self.running {
-            running.hear_x11_pens(X11Pens::take);
-            running.hear_tablets();
+            running.hear_beside();
             running.editor.collect();
             running.want_frame();
         }
@@ -95,7 +92,7 @@ impl ApplicationHandler for App {
 
     fn about_to_wait(&mut self, event_loop: &dyn ActiveEventLoop) {
         let Some(running) = &mut self.running else { return };
-        running.hear_tablets();
+        running.hear_beside();
         running.editor.submit();
         if running.editor.is_closed() {
             running.editor.shut_down();
@@ -118,15 +115,9 @@ struct Running {
     graphics: Graphics,
     egui: egui::Context,
     input: EguiInput,
-    pen: WinitPen,
-    /// Pens that winit does not see; only under X11.
-    x11_pens: Option<X11Pens>,
-    tablets: Tablets,
-    arbiter: Arbiter,
-    /// Room for the samples of one event, for those that the arbiter lets pass, and for those of tablets.
-    samples: Vec<PenEvent>,
-    passed: Vec<PenEvent>,
-    of_tablets: Vec<(Origin, PenEvent)>,
+    pointers: Pointers,
+    /// Room for what they say.
+    heard: Vec<Heard>,
     editor: Editor,
     /// Pointers that went down on the canvas and were not lifted yet.
     captured: BTreeSet<PointerName>,
@@ -144,7 +135,6 @@ struct Running {
     is_awake: bool,
     cursor: egui::CursorIcon,
     composes_text: bool,
-    started: Instant,
 }
 
 /// Tells pointers apart: fingers by their number, everything else is one pointer.
@@ -176,10 +166,10 @@ impl Running {
         let proxy = event_loop.create_proxy();
         let mut editor = Editor::open(file, move || proxy.wake_up())?;
         editor.set_system_theme(event_loop.system_theme().map(egui_input::theme));
-        let started = Instant::now();
-        let x11_pens = x11_pens(event_loop, &*window, started, &mut editor);
-        let proxy = event_loop.create_proxy();
-        let wake_tablets = move || proxy.wake_up();
+        let (pointers, trouble) = Pointers::open(event_loop, &*window, Pointers::of_machine);
+        if let Some(error) = trouble {
+            editor.tell(Notice::warning(error.to_string(), ""));
+        }
         let graphics = Graphics::open(event_loop, &window)?;
         tracing::debug!("the window is drawn by {}", graphics.adapter());
         let input = EguiInput::new(window.scale_factor() as f32);
@@ -189,13 +179,8 @@ impl Running {
             graphics,
             egui,
             input,
-            pen: WinitPen::new(),
-            x11_pens,
-            tablets: Tablets::new(|| Box::new(System::new()), wake_tablets, started),
-            arbiter: Arbiter::new(PenSource::default()),
-            samples: Vec::new(),
-            passed: Vec::new(),
-            of_tablets: Vec::new(),
+            pointers,
+            heard: Vec::new(),
             editor,
             captured: BTreeSet::new(),
             over_canvas: false,
@@ -206,7 +191,6 @@ impl Running {
             is_awake: true,
             cursor: egui::CursorIcon::Default,
             composes_text: false,
-            started,
         })
     }
 
@@ -251,126 +235,51 @@ impl Running {
         }
     }
 
-    fn now_ms(&self) -> f64 {
-        self.started.elapsed().as_secs_f64() * 1e3
-    }
-
     /// Whether a place belongs to the canvas: inside it, and nothing of egui's floats above.
     fn is_canvas(&self, at: egui::Pos2) -> bool {
         self.editor.layout().is_canvas(at)
             && self.egui.layer_id_at(at).is_none_or(|layer| layer.order == egui::Order::Background)
     }
 
-    /// Hands an event of a pointer to the canvas, sample by sample; whether it was the canvas's.
+    /// Hands an event of a pointer to the canvas, sample by sample; whether it was the canvas's, or nobody's.
     fn on_pointer(&mut self, event: &WindowEvent) -> bool {
-        if self.x11_pens.is_some() {
-            // Under X11 pens too come into the window as mice; a mouse that does so moves next.
-            if matches!(event, WindowEvent::PointerEntered { kind: PointerKind::Mouse, .. }) {
-                return false;
-            }
-            // What winit makes of touches for the mouse has no device.
-            let is_mouse = matches!(
-                event,
-                WindowEvent::PointerMoved { device_id: Some(_), source: PointerSource::Mouse, .. }
-                    | WindowEvent::PointerButton { button: ButtonSource::Mouse(_), .. }
-            );
-            if is_mouse {
-                let now_ms = self.now_ms();
-                self.hear_x11_pens(|pens, out| pens.mouse_moved(now_ms, out));
-            }
-        }
-        let mut samples = std::mem::take(&mut self.samples);
-        self.pen.event(event, self.now_ms(), &mut samples);
-        let mut ours = false;
-        for sample in samples.drain(..) {
-            let origin = if sample.sample.tool == PenTool::Mouse { Origin::Mouse } else { Origin::System };
-            // What was not let pass is the shadow of a pen, and nobody else's either.
-            ours |= self.admit(sample, origin).is_none_or(|ours| ours);
-        }
-        self.samples = samples;
-        ours
+        let mut heard = std::mem::take(&mut self.heard);
+        let is_shadow = self.pointers.window_event(event, &mut heard);
+        self.dispatch(heard) || is_shadow
     }
 
-    /// Hands an event to the canvas if the arbiter lets it pass; whether it was the canvas's, `None` if it may not pass.
-    fn admit(&mut self, event: PenEvent, origin: Origin) -> Option<bool> {
-        let mut passed = std::mem::take(&mut self.passed);
-        let before = self.arbiter.owner();
-        self.arbiter.pass(event, origin, &mut passed);
-        if self.arbiter.owner() != before {
-            match self.arbiter.owner() {
-                Some(Origin::Direct(id)) => {
-                    let name = self.tablets.name(id).unwrap_or_default();
-                    self.editor.take_up_pen(&name, true, self.tablets.battery(id));
-                }
-                Some(Origin::System) => self.editor.take_up_pen("", false, None),
-                Some(Origin::Mouse) | None => {}
-            }
-        }
-        let mut ours = None;
-        for event in passed.drain(..) {
-            self.editor.note_pen(&event);
-            ours = Some(self.on_pen(event));
-            if ours == Some(false) && matches!(origin, Origin::Direct(_)) {
-                self.input.on_pen(&event);
-            }
-        }
-        self.passed = passed;
-        ours
-    }
-
-    /// Hands what tablets say that are read directly to the canvas or to egui.
-    fn hear_tablets(&mut self) {
-        let mut events = std::mem::take(&mut self.of_tablets);
-        let source = self.editor.settings.pen_source;
-        self.arbiter.set_source(source);
-        self.tablets.obey(source, &mut events);
-        self.tablets.listen(self.window.has_focus(), &mut events);
-        let (reach, editor) = (self.reach(), &self.editor);
-        self.tablets.take(&reach, |name| editor.settings.pen(name), &mut events);
-        for (origin, event) in events.drain(..) {
-            self.admit(event, origin);
-        }
-        self.of_tablets = events;
-        self.editor.note_pen_trouble(self.tablets.trouble());
-    }
-
-    /// What tablets may cover.
-    fn reach(&self) -> Reach {
+    /// Hears pens that do not come through winit.
+    fn hear_beside(&mut self) {
+        let mut heard = std::mem::take(&mut self.heard);
         let scale = f64::from(self.input.pixels_per_point());
         let pixels = |at: egui::Pos2| DVec2::new(f64::from(at.x), f64::from(at.y)) * scale;
         let canvas = self.editor.layout().canvas;
-        let size = self.window.surface_size();
-        let whole = |min: DVec2, width: u32, height: u32| Rect {
-            min,
-            max: min + DVec2::new(f64::from(width), f64::from(height)),
-        };
-        Reach {
-            canvas: Rect { min: pixels(canvas.min), max: pixels(canvas.max) },
-            window: whole(DVec2::ZERO, size.width, size.height),
-            monitor: self.monitor().map(|(min, size)| whole(min, size.width, size.height)),
+        let canvas = Rect { min: pixels(canvas.min), max: pixels(canvas.max) };
+        self.pointers.take(&Place { window: &*self.window, canvas }, &self.editor.settings, &mut heard);
+        self.pointers.idle(&mut heard);
+        self.editor.note_pen_trouble(self.pointers.trouble());
+        if !heard.is_empty() {
+            self.want_frame();
         }
+        self.dispatch(heard);
     }
 
-    /// Where the monitor's corner is, seen from the window's, and its size.
-    fn monitor(&self) -> Option<(DVec2, PhysicalSize<u32>)> {
-        let monitor = self.window.current_monitor()?;
-        let (outer, inner) = (self.window.outer_position().ok()?, self.window.surface_position());
-        let (at, size) = (monitor.position()?, monitor.current_video_mode()?.size());
-        let min = DVec2::new(f64::from(at.x - outer.x - inner.x), f64::from(at.y - outer.y - inner.y));
-        Some((min, size))
-    }
-
-    /// Hands what pens say that winit does not see to the canvas or to egui.
-    fn hear_x11_pens(&mut self, hear: impl FnOnce(&mut X11Pens, &mut Vec<PenEvent>)) {
-        let Some(pens) = &mut self.x11_pens else { return };
-        let mut samples = std::mem::take(&mut self.samples);
-        hear(pens, &mut samples);
-        for sample in samples.drain(..) {
-            if self.admit(sample, Origin::System) == Some(false) {
-                self.input.on_pen(&sample);
+    /// Hands events to the canvas, or to egui those that it cannot hear from winit; whether one was the canvas's.
+    fn dispatch(&mut self, mut heard: Vec<Heard>) -> bool {
+        if let Some(pen) = self.pointers.pen() {
+            self.editor.take_up_pen(pen.name, pen.is_raw, pen.battery);
+        }
+        let mut ours = false;
+        for Heard { event, is_beside } in heard.drain(..) {
+            self.editor.note_pen(&event);
+            if self.on_pen(event) {
+                ours = true;
+            } else if is_beside {
+                self.input.on_pen(&event);
             }
         }
-        self.samples = samples;
+        self.heard = heard;
+        ours
     }
 
     /// Hands a sample to the canvas if it is the canvas's; whether it was.
@@ -515,45 +424,20 @@ impl Running {
 
     /// Sleeps until the next event or the next moment that somebody named.
     fn sleep(&mut self, event_loop: &dyn ActiveEventLoop) {
-        let (now, now_ms) = (Instant::now(), self.now_ms());
-        self.hear_x11_pens(|pens, out| pens.idle(now_ms, out));
+        let now = Instant::now();
         let is_due = |at: Option<Instant>| at.is_some_and(|at| at <= now);
         if self.editor.wants_frame() || is_due(self.repaint_at) || is_due(self.wake_at) {
             self.repaint_at = None;
             self.want_frame();
         }
-        let pen_leaves = self.x11_pens.as_ref().and_then(X11Pens::leaves_at);
-        let pen_leaves = pen_leaves.map(|at_ms| self.started + Duration::from_secs_f64(at_ms.max(0.0) / 1e3));
-        self.wake_at = [self.repaint_at, self.editor.wakes_at(), pen_leaves].into_iter().flatten().min();
+        self.wake_at =
+            [self.repaint_at, self.editor.wakes_at(), self.pointers.leaves_at()].into_iter().flatten().min();
         // A frame that is due wakes the window itself, and until it is drawn nothing else needs to.
         let wake = self.wake_at.filter(|_| !self.frame_is_due);
         event_loop.set_control_flow(wake.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
         let rests = !self.frame_is_due && !self.editor.is_working() && wake.is_none_or(|at| at > now + REST);
         if rests && std::mem::take(&mut self.is_awake) {
             tracing::debug!("at rest");
-        }
-    }
-}
-
-/// Listens to the pens of an X server; `None` on other systems. A failure is told, and mouse and touch still draw.
-fn x11_pens(
-    event_loop: &dyn ActiveEventLoop,
-    window: &dyn Window,
-    started: Instant,
-    editor: &mut Editor,
-) -> Option<X11Pens> {
-    let id = match window.window_handle().ok()?.as_raw() {
-        RawWindowHandle::Xlib(handle) => u32::try_from(handle.window).ok()?,
-        RawWindowHandle::Xcb(handle) => handle.window.get(),
-        _ => return None,
-    };
-    let proxy = event_loop.create_proxy();
-    let clock = move || started.elapsed().as_secs_f64() * 1e3;
-    match X11Pens::open(id, clock, move || proxy.wake_up()) {
-        Ok(pens) => Some(pens),
-        Err(error) => {
-            editor.tell(Notice::warning(error.to_string(), ""));
-            None
         }
     }
 }

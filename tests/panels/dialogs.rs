@@ -1,6 +1,6 @@
 //! Dialogs and messages.
 
-use crate::stage::{ROLES, Stage, asked, busy, press, stage};
+use crate::stage::{ROLES, Stage, asked, busy, drag, press, stage};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use penstemon::app::action::Action;
@@ -60,18 +60,15 @@ fn found_drawings_are_discarded_only_after_asking() {
 #[test]
 fn the_pen_is_set_up_without_a_keyboard() {
     let pen = |harness: &mut Harness<'_, Stage>| match &asked(harness)[..] {
-        [Action::SetPen(pen)] => *pen,
-        other => panic!("one wish about the pen expected: {other:?}"),
+        [.., Action::SetPen(pen)] => *pen,
+        other => panic!("a wish about the pen expected: {other:?}"),
     };
     let mut harness = with_dialog(Dialog::Pen);
     press_last(&mut harness, "Directly");
     assert_eq!(asked(&mut harness), [Action::SetPenSource(PenSource::Raw)]);
     press_last(&mut harness, "Soft");
     assert_eq!(pen(&mut harness).pressure, PressureCurve::soft());
-    let end = harness.get_by_label("Hardest press").rect().center();
-    harness.drag_at(end);
-    harness.drop_at(end - egui::vec2(0.0, 60.0) + egui::vec2(-40.0, 100.0));
-    harness.run();
+    drag(&mut harness, "Hardest press", egui::vec2(-40.0, 40.0));
     let curve = pen(&mut harness).pressure;
     assert!(curve.end[0] < 0.95 && curve.end[1] < 0.95, "{curve:?}");
     press_last(&mut harness, "Done");

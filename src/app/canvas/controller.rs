@@ -219,6 +219,12 @@ impl Canvas {
         }
     }
 
+    /// Where a pen is that does not touch.
+    pub fn hovering_pen(&self) -> Option<DVec2> {
+        let pen = self.hover.filter(|s| matches!(s.tool, PenTool::Pen | PenTool::Eraser))?;
+        (!pen.buttons.primary).then_some(pen.position)
+    }
+
     /// Buttons of the pen as last seen.
     pub(super) fn held_by_pen(&self) -> PenButtons {
         self.held[1]

@@ -45,6 +45,11 @@ impl Editor {
         }
     }
 
+    /// Whether the tablet of the pen last used is read directly.
+    pub fn pen_is_raw(&self) -> bool {
+        self.pen_is_raw
+    }
+
     /// Why a tablet cannot be read, or that all can.
     pub fn note_pen_trouble(&mut self, trouble: Option<&str>) {
         if self.pen_trouble.as_deref() != trouble {

@@ -1,0 +1,232 @@
+//! Everything that points at the window: what winit hears, pens of X11 beside it, tablets read directly; one at a time.
+//!
+//! Each way in has a module of its own; here they meet the arbiter. What comes out is in order and is the window's to
+//! hand on. The system is asked for the place of monitors only if a tablet covers one.
+
+use super::settings::Settings;
+use super::tablets::{Reach, Tablets};
+use crate::pen::hid::{Enumerate, System};
+use crate::pen::mapping::Rect;
+use crate::pen::x11::X11PenError;
+use crate::pen::{Arbiter, Origin, PenEvent, PenTool, WinitPen, X11Pens};
+use glam::DVec2;
+use std::time::{Duration, Instant};
+use winit::dpi::PhysicalSize;
+use winit::event::{ButtonSource, PointerKind, PointerSource, WindowEvent};
+use winit::event_loop::ActiveEventLoop;
+use winit::raw_window_handle::{HasWindowHandle as _, RawWindowHandle};
+use winit::window::Window;
+
+/// An event that is to be heard.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Heard {
+    /// What happened.
+    pub(super) event: PenEvent,
+    /// It did not come through winit, so nobody else has heard it.
+    pub(super) is_beside: bool,
+}
+
+/// The pen in use.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PenInUse<'a> {
+    /// Its tablet's name; empty for the system's pens.
+    pub(super) name: &'a str,
+    /// Its tablet is read directly.
+    pub(super) is_raw: bool,
+    /// Its charge in percent.
+    pub(super) battery: Option<u8>,
+}
+
+/// All ways in.
+pub(super) struct Pointers {
+    winit: WinitPen,
+    /// Pens that winit does not see; only under X11.
+    x11: Option<X11Pens>,
+    tablets: Tablets,
+    arbiter: Arbiter,
+    /// What times count from.
+    started: Instant,
+    /// Room for the events of one way in, and for those that the arbiter lets pass.
+    events: Vec<PenEvent>,
+    passed: Vec<PenEvent>,
+    of_tablets: Vec<(Origin, PenEvent)>,
+}
+
+impl Pointers {
+    /// Begins to listen; `system` says where tablets are looked for. Without X11's pens, mice and fingers still point.
+    pub(super) fn open(
+        event_loop: &dyn ActiveEventLoop,
+        window: &dyn Window,
+        system: impl Fn() -> Box<dyn Enumerate> + 'static,
+    ) -> (Self, Option<X11PenError>) {
+        let started = Instant::now();
+        let (x11, trouble) = match x11_pens(event_loop, window, started) {
+            Some(Ok(pens)) => (Some(pens), None),
+            Some(Err(error)) => (None, Some(error)),
+            None => (None, None),
+        };
+        let proxy = event_loop.create_proxy();
+        let pointers = Self {
+            winit: WinitPen::new(),
+            x11,
+            tablets: Tablets::new(system, move || proxy.wake_up(), started),
+            arbiter: Arbiter::default(),
+            started,
+            events: Vec::new(),
+            passed: Vec::new(),
+            of_tablets: Vec::new(),
+        };
+        (pointers, trouble)
+    }
+
+    /// The tablets of this machine.
+    pub(super) fn of_machine() -> Box<dyn Enumerate> {
+        Box::new(System::new())
+    }
+
+    /// The pen in range.
+    pub(super) fn pen(&self) -> Option<PenInUse<'_>> {
+        match self.arbiter.owner()? {
+            Origin::Direct(id) => {
+                let name = self.tablets.name(id).unwrap_or_default();
+                Some(PenInUse { name, is_raw: true, battery: self.tablets.battery(id) })
+            }
+            Origin::System => Some(PenInUse { name: "", is_raw: false, battery: None }),
+            Origin::Mouse => None,
+        }
+    }
+
+    /// Why a tablet cannot be read, and what to do.
+    pub(super) fn trouble(&self) -> Option<&str> {
+        self.tablets.trouble()
+    }
+
+    /// Hears winit. Whether something was not let pass: it is the shadow of a pen, and nobody else's event either.
+    pub(super) fn window_event(&mut self, event: &WindowEvent, out: &mut Vec<Heard>) -> bool {
+        if self.x11.is_some() {
+            // Under X11 pens too come into the window as mice; a mouse that does so moves next.
+            if matches!(event, WindowEvent::PointerEntered { kind: PointerKind::Mouse, .. }) {
+                return false;
+            }
+            // What winit makes of touches for the mouse has no device.
+            let is_mouse = matches!(
+                event,
+                WindowEvent::PointerMoved { device_id: Some(_), source: PointerSource::Mouse, .. }
+                    | WindowEvent::PointerButton { button: ButtonSource::Mouse(_), .. }
+            );
+            if is_mouse {
+                let now_ms = self.now_ms();
+                self.hear_x11(|pens, events| pens.mouse_moved(now_ms, events), out);
+            }
+        }
+        let mut events = std::mem::take(&mut self.events);
+        self.winit.event(event, self.now_ms(), &mut events);
+        let mut is_shadow = false;
+        for event in events.drain(..) {
+            let origin = if event.sample.tool == PenTool::Mouse { Origin::Mouse } else { Origin::System };
+            is_shadow |= !self.admit(event, origin, false, out);
+        }
+        self.events = events;
+        is_shadow
+    }
+
+    /// Hears what other threads have to tell: pens of X11, and tablets that are read directly.
+    pub(super) fn take(&mut self, place: &Place<'_>, settings: &Settings, out: &mut Vec<Heard>) {
+        self.hear_x11(X11Pens::take, out);
+        let mut events = std::mem::take(&mut self.of_tablets);
+        self.arbiter.set_source(settings.pen_source);
+        self.tablets.obey(settings.pen_source, &mut events);
+        self.tablets.listen(place.window.has_focus(), &mut events);
+        if self.tablets.are_there() {
+            let reach = place.reach(self.tablets.cover_monitor(|name| settings.pen(name)));
+            self.tablets.take(&reach, |name| settings.pen(name), &mut events);
+        }
+        for (origin, event) in events.drain(..) {
+            self.admit(event, origin, true, out);
+        }
+        self.of_tablets = events;
+    }
+
+    /// Lets a pen leave that was silent for so long that it must have; only X11 needs it.
+    pub(super) fn idle(&mut self, out: &mut Vec<Heard>) {
+        let now_ms = self.now_ms();
+        self.hear_x11(|pens, events| pens.idle(now_ms, events), out);
+    }
+
+    /// When a pen leaves that stays silent.
+    pub(super) fn leaves_at(&self) -> Option<Instant> {
+        let at_ms = self.x11.as_ref().and_then(X11Pens::leaves_at)?;
+        Some(self.started + Duration::from_secs_f64(at_ms.max(0.0) / 1e3))
+    }
+
+    fn now_ms(&self) -> f64 {
+        self.started.elapsed().as_secs_f64() * 1e3
+    }
+
+    fn hear_x11(&mut self, hear: impl FnOnce(&mut X11Pens, &mut Vec<PenEvent>), out: &mut Vec<Heard>) {
+        let Some(pens) = &mut self.x11 else { return };
+        let mut events = std::mem::take(&mut self.events);
+        hear(pens, &mut events);
+        for event in events.drain(..) {
+            self.admit(event, Origin::System, true, out);
+        }
+        self.events = events;
+    }
+
+    /// Appends what the arbiter makes of an event; whether that is anything.
+    fn admit(&mut self, event: PenEvent, origin: Origin, is_beside: bool, out: &mut Vec<Heard>) -> bool {
+        self.arbiter.pass(event, origin, &mut self.passed);
+        let is_heard = !self.passed.is_empty();
+        out.extend(self.passed.drain(..).map(|event| Heard { event, is_beside }));
+        is_heard
+    }
+}
+
+/// Where the window and its paper are.
+pub(super) struct Place<'a> {
+    /// The window.
+    pub(super) window: &'a dyn Window,
+    /// The paper, in physical pixels of the window.
+    pub(super) canvas: Rect,
+}
+
+impl Place<'_> {
+    /// What tablets may cover.
+    fn reach(&self, asks_for_monitor: bool) -> Reach {
+        let whole = |min: DVec2, size: PhysicalSize<u32>| Rect {
+            min,
+            max: min + DVec2::new(f64::from(size.width), f64::from(size.height)),
+        };
+        let monitor = if asks_for_monitor { self.monitor() } else { None };
+        Reach {
+            canvas: self.canvas,
+            window: whole(DVec2::ZERO, self.window.surface_size()),
+            monitor: monitor.map(|(min, size)| whole(min, size)),
+        }
+    }
+
+    /// Where the monitor's corner is, seen from the window's, and its size.
+    fn monitor(&self) -> Option<(DVec2, PhysicalSize<u32>)> {
+        let monitor = self.window.current_monitor()?;
+        let (outer, inner) = (self.window.outer_position().ok()?, self.window.surface_position());
+        let (at, size) = (monitor.position()?, monitor.current_video_mode()?.size());
+        let min = DVec2::new(f64::from(at.x - outer.x - inner.x), f64::from(at.y - outer.y - inner.y));
+        Some((min, size))
+    }
+}
+
+/// Listens to the pens of an X server; `None` on other systems.
+fn x11_pens(
+    event_loop: &dyn ActiveEventLoop,
+    window: &dyn Window,
+    started: Instant,
+) -> Option<Result<X11Pens, X11PenError>> {
+    let id = match window.window_handle().ok()?.as_raw() {
+        RawWindowHandle::Xlib(handle) => u32::try_from(handle.window).ok()?,
+        RawWindowHandle::Xcb(handle) => handle.window.get(),
+        _ => return None,
+    };
+    let proxy = event_loop.create_proxy();
+    let clock = move || started.elapsed().as_secs_f64() * 1e3;
+    Some(X11Pens::open(id, clock, move || proxy.wake_up()))
+}
