@@ -6,7 +6,7 @@
 //! Everything that can be touched is [`TARGET`] wide and high at least.
 
 use crate::sketch::Tool;
-use egui::style::{HandleShape, WidgetVisuals, Widgets};
+use egui::style::{HandleShape, TextCursorStyle, WidgetVisuals, Widgets};
 use egui::{Color32, CornerRadius, FontId, Margin, Shadow, Stroke, Style, TextStyle, Theme, Vec2, Visuals};
 
 /// Least width and height of anything that can be touched, logical pixels.
@@ -196,6 +196,8 @@ fn visuals(theme: Theme) -> Visuals {
     let shadow =
         |blur| Shadow { offset: [0, 4], blur, spread: 0, color: Color32::from_black_alpha(shadow_alpha) };
     Visuals {
+        // An idle window draws nothing, not even a cursor that blinks.
+        text_cursor: TextCursorStyle { blink: false, ..base.text_cursor.clone() },
         widgets: widgets(p),
         selection: egui::style::Selection { bg_fill: p.accent_soft, stroke: Stroke::new(1.0, p.accent) },
         weak_text_color: Some(p.weak),

@@ -31,7 +31,7 @@ use winit::window::{Window, WindowAttributes, WindowId};
 const FIRST_SIZE: (f64, f64) = (1280.0, 800.0);
 /// Smallest window that still shows everything.
 const SMALLEST: (f64, f64) = (640.0, 480.0);
-/// A window that nothing will change for so long is at rest; a text cursor blinks more slowly.
+/// A window that nothing will change for so long is at rest.
 const REST: Duration = Duration::from_millis(300);
 /// Longest sleep that egui can ask for; longer means never.
 const NEVER: Duration = Duration::from_secs(3600);
@@ -366,7 +366,7 @@ impl Running {
         let delay = output.viewport_output.get(&egui::ViewportId::ROOT).map_or(NEVER, |v| v.repaint_delay);
         self.heed(event_loop, &mut output);
         self.graphics.draw(&self.egui, output, &mut self.editor);
-        // From the moment when the frame is there: a machine that draws it slowly rests between the blinks of a cursor too.
+        // From the moment when the frame is there, however long that took.
         self.repaint_at = (delay < NEVER).then(|| Instant::now() + delay);
     }
 

@@ -83,6 +83,12 @@ impl Arbiter {
         let phase = match event.phase {
             // Heard again in the middle of something.
             PenPhase::Hover if !is_known => PenPhase::Enter,
+            PenPhase::Down if !is_known => {
+                let buttons = PenButtons { primary: false, ..event.sample.buttons };
+                let sample = PenSample { pressure: 0.0, buttons, ..event.sample };
+                out.push(PenEvent { phase: PenPhase::Enter, sample });
+                PenPhase::Down
+            }
             PenPhase::Enter if is_known => PenPhase::Hover,
             phase if is_known || phase == PenPhase::Enter => phase,
             _ => return,
@@ -115,7 +121,7 @@ impl Arbiter {
             (Origin::Direct(_), Some(Origin::Direct(_))) | (Origin::System, Some(Origin::System)) => false,
         };
         let is_free = self.owner.is_none_or(|(_, last)| !last.buttons.primary);
-        let begins = matches!(event.phase, PenPhase::Enter | PenPhase::Hover);
+        let begins = matches!(event.phase, PenPhase::Enter | PenPhase::Hover | PenPhase::Down);
         if !(may && is_free && begins) {
             return false;
         }
@@ -242,6 +248,18 @@ mod tests {
         }
         let phases: Vec<_> = out.iter().map(|e| (e.sample.tool, e.phase)).collect();
         assert_eq!(phases, [(PenTool::Pen, Enter), (PenTool::Pen, Leave), (PenTool::Mouse, Enter)]);
+    }
+
+    #[test]
+    fn a_mouse_that_rested_in_the_pens_shadow_clicks() {
+        let click = [(MOUSE, Enter), (DIRECT, Enter), (DIRECT, Leave), (MOUSE, Hover)];
+        let (mut arbiter, mut out) = (Arbiter::new(PenSource::Auto), Vec::new());
+        for (time_ms, ((origin, tool), phase)) in click.into_iter().enumerate() {
+            arbiter.pass(Hand::default().event(phase, tool, time_ms as f64), origin, &mut out);
+        }
+        out.clear();
+        arbiter.pass(Hand::default().event(Down, PenTool::Mouse, 900.0), Origin::Mouse, &mut out);
+        assert_eq!(out.iter().map(|e| e.phase).collect::<Vec<_>>(), [Enter, Down]);
     }
 
     proptest! {
