@@ -35,6 +35,10 @@ need '/usr/lib*/xorg/modules/drivers/dummy_drv.so' xserver-xorg-video-dummy xorg
 need '/usr/include/xorg/xorg-server.h' xserver-xorg-dev xorg-x11-server-devel xorg-server-devel
 need pkg-config pkg-config pkgconf-pkg-config pkgconf
 need '/usr/share/fonts/*/noto*/NotoSansCJK*' fonts-noto-cjk google-noto-sans-cjk-fonts noto-fonts-cjk
+# A virtual machine with a kernel of its own, and what is booted in it.
+need qemu-system-x86_64 qemu-system-x86 qemu-system-x86-core qemu-system-x86
+need busybox busybox-static busybox busybox
+need cpio cpio cpio cpio
 install_needed || echo "some packages could not be installed; checks that need them will say so" >&2
 
 # One commit gives one answer; new inputs are what the fuzzers look for.
@@ -75,6 +79,7 @@ check "tests" cargo test --no-fail-fast
 check "documentation" env RUSTDOCFLAGS="-D warnings" cargo doc --quiet --no-deps
 check "program" cargo build --quiet
 check "sketches build and pass our own judge" build_sketches
+check "tablets on a real kernel, in QEMU" tests/kernel/run.sh
 check "trimesh, MeshLab and the Khronos validator" tests/interop.sh target/sketches
 check "fuzzing, ${FUZZ_SECONDS:-8} s a reader" fuzz/run.sh "${FUZZ_SECONDS:-8}" sketch_json sketch_svg species model_reader \
     pen_families pen_descriptor pen_recording

@@ -12,6 +12,9 @@ use std::io::ErrorKind;
 use std::path::Path;
 use std::time::Duration;
 
+/// Linux's ENXIO and ENODEV. A node outlives its device for a moment: readers are told before the node is removed.
+const NO_DEVICE: [i32; 2] = [6, 19];
+
 /// Finds the system's devices.
 #[derive(Default)]
 pub struct System {
@@ -90,9 +93,12 @@ fn device_info(device: &hidapi::DeviceInfo) -> DeviceInfo {
 /// Why a node could not be opened. hidapi tells it in words only, so the system is asked once more.
 fn refusal(path: &str, error: &HidError) -> TransportError {
     let asked = std::fs::OpenOptions::new().read(true).write(true).open(path);
-    match asked.map_err(|error| error.kind()) {
-        Err(ErrorKind::PermissionDenied) => TransportError::Permission { path: path.to_owned() },
-        Err(ErrorKind::NotFound) => TransportError::Gone { path: path.to_owned() },
+    match asked.map_err(|error| (error.kind(), error.raw_os_error())) {
+        Err((ErrorKind::PermissionDenied, _)) => TransportError::Permission { path: path.to_owned() },
+        Err((ErrorKind::NotFound, _)) => TransportError::Gone { path: path.to_owned() },
+        Err((_, Some(number))) if NO_DEVICE.contains(&number) => {
+            TransportError::Gone { path: path.to_owned() }
+        }
         _ => explain(path, error),
     }
 }
