@@ -40,4 +40,4 @@ mod window;
 pub mod worker;
 
 pub use action::Action;
-pub use window::run;
+pub use window::{replay, run};

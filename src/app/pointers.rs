@@ -5,10 +5,11 @@
 
 use super::settings::Settings;
 use super::tablets::{Reach, Tablets};
+use crate::pen::hid::replay::Stage;
 use crate::pen::hid::{Enumerate, System};
 use crate::pen::mapping::Rect;
 use crate::pen::x11::X11PenError;
-use crate::pen::{Arbiter, Origin, PenEvent, PenTool, WinitPen, X11Pens};
+use crate::pen::{Arbiter, Origin, PenEvent, PenSource, PenTool, WinitPen, X11Pens};
 use glam::DVec2;
 use std::time::{Duration, Instant};
 use winit::dpi::PhysicalSize;
@@ -43,6 +44,8 @@ pub(super) struct Pointers {
     /// Pens that winit does not see; only under X11.
     x11: Option<X11Pens>,
     tablets: Tablets,
+    /// The tablets are a recording's, which waits for the window.
+    stage: Option<Stage>,
     arbiter: Arbiter,
     /// What times count from.
     started: Instant,
@@ -70,6 +73,7 @@ impl Pointers {
             winit: WinitPen::new(),
             x11,
             tablets: Tablets::new(system, move || proxy.wake_up(), started),
+            stage: None,
             arbiter: Arbiter::default(),
             started,
             events: Vec::new(),
@@ -77,6 +81,17 @@ impl Pointers {
             of_tablets: Vec::new(),
         };
         (pointers, trouble)
+    }
+
+    /// The same with a recording's tablets, which play as soon as the window can be drawn in.
+    pub(super) fn replay(
+        event_loop: &dyn ActiveEventLoop,
+        window: &dyn Window,
+        stage: Stage,
+    ) -> (Self, Option<X11PenError>) {
+        let system = stage.clone();
+        let (pointers, trouble) = Self::open(event_loop, window, move || Box::new(system.clone()));
+        (Self { stage: Some(stage), ..pointers }, trouble)
     }
 
     /// The tablets of this machine.
@@ -134,9 +149,19 @@ impl Pointers {
     pub(super) fn take(&mut self, place: &Place<'_>, settings: &Settings, out: &mut Vec<Heard>) {
         self.hear_x11(X11Pens::take, out);
         let mut events = std::mem::take(&mut self.of_tablets);
-        self.arbiter.set_source(settings.pen_source);
-        self.tablets.obey(settings.pen_source, &mut events);
-        self.tablets.listen(place.window.has_focus(), &mut events);
+        let has_focus = place.window.has_focus();
+        let source = match &self.stage {
+            Some(stage) => {
+                if has_focus && place.canvas.max.x > place.canvas.min.x {
+                    stage.begin();
+                }
+                PenSource::Raw
+            }
+            None => settings.pen_source,
+        };
+        self.arbiter.set_source(source);
+        self.tablets.obey(source, &mut events);
+        self.tablets.listen(has_focus, &mut events);
         if self.tablets.are_there() {
             let reach = place.reach(self.tablets.cover_monitor(|name| settings.pen(name)));
             self.tablets.take(&reach, |name| settings.pen(name), &mut events);

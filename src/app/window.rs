@@ -11,6 +11,8 @@ use super::graphics::Graphics;
 use super::panels::snapshot::Notice;
 use super::pointers::{Heard, Place, Pointers};
 use super::transfer::{self, Arrival};
+use crate::pen::hid::Recording;
+use crate::pen::hid::replay::Stage;
 use crate::pen::mapping::Rect;
 use crate::pen::{PenEvent, PenPhase, PenTool};
 use anyhow::Context as _;
@@ -41,12 +43,24 @@ const NEVER: Duration = Duration::from_secs(3600);
 /// # Errors
 /// No display, no graphics driver, or a drawing named on the command line that cannot be opened at all.
 pub fn run(file: Option<PathBuf>) -> anyhow::Result<()> {
+    open(file, None)
+}
+
+/// The same with a recording's tablets in place of the machine's.
+///
+/// # Errors
+/// Those of [`run`].
+pub fn replay(file: Option<PathBuf>, recording: Recording) -> anyhow::Result<()> {
+    open(file, Some(Stage::new(recording)))
+}
+
+fn open(file: Option<PathBuf>, stage: Option<Stage>) -> anyhow::Result<()> {
     let event_loop = EventLoop::new().context(
         "the window cannot be opened: there is no display (neither DISPLAY nor WAYLAND_DISPLAY leads to one); \
          `penstemon build` and `penstemon render` work without",
     )?;
     let failure = Arc::new(std::sync::Mutex::new(None));
-    let app = App { file, running: None, failure: Arc::clone(&failure) };
+    let app = App { file, stage, running: None, failure: Arc::clone(&failure) };
     event_loop
         .run_app(app)
         .context("the connection to the display broke; the drawing is kept and offered at the next start")?;
@@ -57,6 +71,8 @@ pub fn run(file: Option<PathBuf>) -> anyhow::Result<()> {
 /// What the event loop calls.
 struct App {
     file: Option<PathBuf>,
+    /// What plays in place of the machine's tablets.
+    stage: Option<Stage>,
     running: Option<Running>,
     /// Why the window could not be opened.
     failure: Arc<std::sync::Mutex<Option<anyhow::Error>>>,
@@ -67,7 +83,7 @@ impl ApplicationHandler for App {
         if self.running.is_some() {
             return;
         }
-        match Running::open(event_loop, self.file.take()) {
+        match Running::open(event_loop, self.file.take(), self.stage.take()) {
             Ok(running) => self.running = Some(running),
             Err(error) => {
                 *self.failure.lock().unwrap_or_else(std::sync::PoisonError::into_inner) = Some(error);
@@ -154,7 +170,11 @@ impl PointerName {
 }
 
 impl Running {
-    fn open(event_loop: &dyn ActiveEventLoop, file: Option<PathBuf>) -> anyhow::Result<Self> {
+    fn open(
+        event_loop: &dyn ActiveEventLoop,
+        file: Option<PathBuf>,
+        stage: Option<Stage>,
+    ) -> anyhow::Result<Self> {
         let attributes = WindowAttributes::default()
             .with_title("Penstemon")
             .with_surface_size(LogicalSize::new(FIRST_SIZE.0, FIRST_SIZE.1))
@@ -166,7 +186,10 @@ impl Running {
         let proxy = event_loop.create_proxy();
         let mut editor = Editor::open(file, move || proxy.wake_up())?;
         editor.set_system_theme(event_loop.system_theme().map(egui_input::theme));
-        let (pointers, trouble) = Pointers::open(event_loop, &*window, Pointers::of_machine);
+        let (pointers, trouble) = match stage {
+            Some(stage) => Pointers::replay(event_loop, &*window, stage),
+            None => Pointers::open(event_loop, &*window, Pointers::of_machine),
+        };
         if let Some(error) = trouble {
             editor.tell(Notice::warning(error.to_string(), ""));
         }

@@ -35,7 +35,7 @@ pub struct Args {
 pub enum Verb {
     /// Writes down what tablets send, until Ctrl+C.
     Record(Record),
-    /// Prints the pen events of a recording.
+    /// Prints the pen events of a recording, or draws them in the window.
     Replay(Replay),
 }
 
@@ -63,6 +63,9 @@ pub struct Replay {
     /// Window that the tablet draws into, in pixels.
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1920x1080", value_parser = size)]
     pub size: DVec2,
+    /// Open the window, on this drawing if one is named, and draw there as the recorded tablets did.
+    #[arg(long, value_name = "DRAWING", num_args = 0..=1, conflicts_with_all = ["json", "size"])]
+    pub window: Option<Option<PathBuf>>,
 }
 
 fn ids(text: &str) -> Result<(u16, u16), String> {
@@ -182,6 +185,9 @@ fn listen(device: usize, mut transport: Box<dyn Transport>, heard: &Sender<Heard
 
 fn replay(args: &Replay) -> anyhow::Result<()> {
     let recording = Recording::open(&args.file)?;
+    if let Some(drawing) = &args.window {
+        return crate::app::replay(drawing.clone(), recording);
+    }
     let mut lines = Vec::new();
     let target = Rect { min: DVec2::ZERO, max: args.size };
     let unread = replay::play(&recording, target, &mut |device, event| {

@@ -15,9 +15,13 @@ mod pen;
 #[path = "../window/program.rs"]
 #[allow(dead_code, reason = "shared with the window's tests, which take more of it")]
 mod program;
+mod replay;
 #[path = "../window/screen.rs"]
 #[allow(dead_code, reason = "shared with the window's tests, which take more of it")]
 mod screen;
+#[path = "../common/tablets.rs"]
+#[allow(dead_code, reason = "shared with other tests")]
+mod tablets;
 mod wayland;
 mod x11;
 mod xorg;

@@ -151,6 +151,23 @@ fn a_replayed_device_is_read_like_a_real_one() {
     assert!(pressures.is_sorted());
 }
 
+#[test]
+fn a_stage_waits_and_plays_once() {
+    let stage = replay::Stage::new(stroke());
+    let mut system = stage.clone();
+    assert_eq!(system.devices(), Ok(vec![]));
+    stage.begin();
+    let devices = system.devices().unwrap();
+    assert_eq!((devices.len(), system.devices().unwrap().len()), (1, 1));
+    assert_eq!(system.descriptor(&devices[0]).unwrap(), tablets::PEN_DISPLAY);
+    let (mut transport, mut buffer, mut reports) = (system.open(&devices[0]).unwrap(), [0; 64], 0);
+    assert_eq!(system.devices(), Ok(vec![]), "what was opened does not come again");
+    while let Ok(length) = transport.read(&mut buffer, Duration::from_secs(60)) {
+        reports += usize::from(length > 0);
+    }
+    assert_eq!(reports, stroke().entries.iter().filter(|e| matches!(e.what, Recorded::Report(_))).count());
+}
+
 proptest! {
     #[test]
     fn any_text_ends_in_a_recording_or_a_fault(text in "(\\PC|\n){0,200}", bytes: Vec<u8>) {

@@ -1,12 +1,16 @@
-//! Plays recordings: as devices that the reader cannot tell from real ones, or straight through to pen events.
+//! Plays recordings: as devices that the reader cannot tell from real ones, into an open window, or straight through to
+//! pen events.
 
 use super::choose::{Choice, choose_decoder};
 use super::recording::{Recorded, Recording};
 use super::simulated::{SimulatedBus, SimulatedDevice};
-use super::{DeviceInfo, HidEvent};
+use super::{DeviceInfo, Enumerate, HidEvent, Transport, TransportError};
 use crate::pen::machine::SILENCE_MS;
 use crate::pen::mapping::Rect;
 use crate::pen::{Mapping, PenEvent, PenMachine};
+use std::collections::BTreeSet;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 /// Milliseconds in a microsecond.
@@ -37,6 +41,56 @@ pub fn bus(recording: &Recording, begin: Option<Instant>) -> SimulatedBus {
         bus.plug(device);
     }
     bus
+}
+
+/// A system whose devices are a recording's. None is there before [`Self::begin`]; then each comes once, sends its reports
+/// in their own time, and goes for good.
+#[derive(Clone, Debug)]
+pub struct Stage {
+    recording: Arc<Recording>,
+    has_begun: Arc<AtomicBool>,
+    bus: Option<SimulatedBus>,
+    opened: BTreeSet<String>,
+}
+
+impl Stage {
+    /// Nothing plays yet.
+    pub fn new(recording: Recording) -> Self {
+        let recording = Arc::new(recording);
+        Self { recording, has_begun: Arc::default(), bus: None, opened: BTreeSet::new() }
+    }
+
+    /// Lets it play, through every clone that is asked for devices.
+    pub fn begin(&self) {
+        self.has_begun.store(true, Ordering::Relaxed);
+    }
+}
+
+impl Enumerate for Stage {
+    fn devices(&mut self) -> Result<Vec<DeviceInfo>, TransportError> {
+        if !self.has_begun.load(Ordering::Relaxed) {
+            return Ok(Vec::new());
+        }
+        let bus = self.bus.get_or_insert_with(|| bus(&self.recording, Some(Instant::now())));
+        let mut devices = bus.devices()?;
+        devices.retain(|device| !self.opened.contains(&device.path));
+        Ok(devices)
+    }
+
+    fn descriptor(&mut self, device: &DeviceInfo) -> Result<Vec<u8>, TransportError> {
+        match &mut self.bus {
+            Some(bus) => bus.descriptor(device),
+            None => Err(TransportError::Gone { path: device.path.clone() }),
+        }
+    }
+
+    fn open(&mut self, device: &DeviceInfo) -> Result<Box<dyn Transport>, TransportError> {
+        self.opened.insert(device.path.clone());
+        match &mut self.bus {
+            Some(bus) => bus.open(device),
+            None => Err(TransportError::Gone { path: device.path.clone() }),
+        }
+    }
 }
 
 /// A recorded device that could not be read, and why.
