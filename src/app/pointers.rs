@@ -60,7 +60,7 @@ impl Pointers {
     pub(super) fn open(
         event_loop: &dyn ActiveEventLoop,
         window: &dyn Window,
-        system: impl Fn() -> Box<dyn Enumerate> + 'static,
+        system: impl Fn(PenSource) -> Box<dyn Enumerate> + 'static,
     ) -> (Self, Option<X11PenError>) {
         let started = Instant::now();
         let (x11, trouble) = match x11_pens(event_loop, window, started) {
@@ -90,13 +90,16 @@ impl Pointers {
         stage: Stage,
     ) -> (Self, Option<X11PenError>) {
         let system = stage.clone();
-        let (pointers, trouble) = Self::open(event_loop, window, move || Box::new(system.clone()));
+        let (pointers, trouble) = Self::open(event_loop, window, move |_| Box::new(system.clone()));
         (Self { stage: Some(stage), ..pointers }, trouble)
     }
 
-    /// The tablets of this machine.
-    pub(super) fn of_machine() -> Box<dyn Enumerate> {
-        Box::new(System::new())
+    /// The tablets of this machine; left to itself, the program does not take those that the system serves.
+    pub(super) fn of_machine(source: PenSource) -> Box<dyn Enumerate> {
+        match source {
+            PenSource::Raw => Box::new(System::new()),
+            PenSource::Auto | PenSource::System => Box::new(System::without_served()),
+        }
     }
 
     /// The pen in range.

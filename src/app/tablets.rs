@@ -50,13 +50,15 @@ struct Tablet {
 /// All tablets that are read directly.
 pub(super) struct Tablets {
     watcher: Option<Watcher>,
+    /// The artist's choice that holds.
+    obeys: Option<PenSource>,
     known: BTreeMap<DeviceId, Tablet>,
     /// The window is the one that the artist works in.
     listens: bool,
     /// Why tablets cannot be read, the newest.
     trouble: Option<String>,
     /// Where tablets are looked for.
-    system: Box<dyn Fn() -> Box<dyn Enumerate>>,
+    system: Box<dyn Fn(PenSource) -> Box<dyn Enumerate>>,
     wake: Arc<dyn Fn() + Send + Sync>,
     begin: Instant,
     /// Room for the events of one tablet.
@@ -67,13 +69,14 @@ impl Tablets {
     /// Nothing is read yet. `wake` is called from other threads when there is something to [`Self::take`]; times count
     /// from `begin`.
     pub(super) fn new(
-        system: impl Fn() -> Box<dyn Enumerate> + 'static,
+        system: impl Fn(PenSource) -> Box<dyn Enumerate> + 'static,
         wake: impl Fn() + Send + Sync + 'static,
         begin: Instant,
     ) -> Self {
         let (system, wake) = (Box::new(system), Arc::new(wake));
         Self {
             watcher: None,
+            obeys: None,
             known: BTreeMap::new(),
             listens: false,
             trouble: None,
@@ -97,16 +100,18 @@ impl Tablets {
 
     /// Begins or ceases to read tablets, as the artist chose; pens of tablets that are no longer read leave.
     pub(super) fn obey(&mut self, source: PenSource, out: &mut Vec<(Origin, PenEvent)>) {
-        if source == PenSource::System {
-            self.trouble = None;
-            if self.watcher.take().is_some() {
-                let now_ms = self.now_ms();
-                let ids: Vec<DeviceId> = self.known.keys().copied().collect();
-                ids.into_iter().for_each(|id| self.forget(id, now_ms, out));
-            }
-        } else if self.watcher.is_none() && self.trouble.is_none() {
+        if self.obeys.replace(source) == Some(source) {
+            return;
+        }
+        self.trouble = None;
+        if self.watcher.take().is_some() {
+            let now_ms = self.now_ms();
+            let ids: Vec<DeviceId> = self.known.keys().copied().collect();
+            ids.into_iter().for_each(|id| self.forget(id, now_ms, out));
+        }
+        if source != PenSource::System {
             let wake = Arc::clone(&self.wake);
-            match Watcher::start((self.system)(), move || wake(), self.begin) {
+            match Watcher::start((self.system)(source), move || wake(), self.begin) {
                 Ok(watcher) => self.watcher = Some(watcher),
                 Err(error) => self.trouble = Some(error.to_string()),
             }
@@ -220,7 +225,7 @@ mod tests {
             let info = DeviceInfo { path: "sim0".into(), product: "Slate".into(), ..DeviceInfo::default() };
             let tablet = SimulatedDevice::new(info, PEN_DISPLAY);
             let system = bus.clone();
-            let mut tablets = Tablets::new(move || Box::new(system.clone()), || {}, Instant::now());
+            let mut tablets = Tablets::new(move |_| Box::new(system.clone()), || {}, Instant::now());
             let mut heard = Vec::new();
             tablets.listen(true, &mut heard);
             let pen = PenSettings { keeps_aspect: false, ..PenSettings::default() };

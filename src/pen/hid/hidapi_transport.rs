@@ -20,12 +20,19 @@ const NO_DEVICE: [i32; 2] = [6, 19];
 pub struct System {
     /// Made when first needed.
     api: Option<HidApi>,
+    /// Devices that the system serves as pens are left to it.
+    leaves_served: bool,
 }
 
 impl System {
     /// Nothing is asked of the system yet.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// The same, without devices that the system serves as pens already.
+    pub fn without_served() -> Self {
+        Self { leaves_served: true, ..Self::default() }
     }
 
     fn api(&mut self) -> Result<&mut HidApi, TransportError> {
@@ -45,6 +52,10 @@ impl Enumerate for System {
         // Stable: of several collections the first stays.
         devices.sort_by(|a, b| a.path.cmp(&b.path));
         devices.dedup_by(|a, b| a.path == b.path);
+        #[cfg(target_os = "linux")]
+        if self.leaves_served {
+            devices.retain(|device| !super::served::is_served(&device.path));
+        }
         Ok(devices)
     }
 

@@ -22,6 +22,8 @@ mod recording_read;
 pub mod replay;
 pub mod report;
 pub mod report_lengths;
+#[cfg(target_os = "linux")]
+pub mod served;
 pub mod simulated;
 pub mod table;
 pub mod transport;

@@ -1,7 +1,7 @@
 //! The table of tablets: which device is which model, how it is woken, and how its reports are read.
 //!
 //! The table is data, `assets/tablets.toml`, parsed and validated once. Vendor and product ids do not tell models apart
-//! (one pair stands for 59 of them): the length of the reports and strings in the device decide ([`mod@matching`]). TOML,
+//! (one pair stands for 59 of them): the length of the reports and strings in the device decide (`matching`). TOML,
 //! because it diffs line by line and because species files are TOML already; parsing costs a few milliseconds, once, on
 //! the thread that looks for tablets.
 //!

@@ -2,7 +2,7 @@
 //!
 //! A family is what makers share: hundreds of tablets speak some forty layouts. [`Spec`] joins a family with the ranges of
 //! one tablet, and [`Spec::decoder`] gives what turns its reports into [`HidEvent`]s: shares of the area and of the
-//! greatest pressure, degrees, keys as bits. Decoders read through [`bytes::Bytes`], which knows no report's end it could
+//! greatest pressure, degrees, keys as bits. Decoders read through `bytes::Bytes`, which knows no report's end it could
 //! run over; a report that is cut short says nothing.
 //!
 //! Origin: facts from the OpenTabletDriver parsers (2025-12), corrected by what the Linux kernel's drivers and real
