@@ -41,7 +41,7 @@ pub enum Origin {
 const SHADOW_MS: f64 = 150.0;
 
 /// Lets one thing at a time point.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Arbiter {
     source: PenSource,
     /// What is in range, and its last sample.
@@ -52,10 +52,16 @@ pub struct Arbiter {
     left_ms: f64,
 }
 
+impl Default for Arbiter {
+    fn default() -> Self {
+        Self::new(PenSource::default())
+    }
+}
+
 impl Arbiter {
     /// One that obeys this choice.
     pub fn new(source: PenSource) -> Self {
-        Self { source, left_ms: f64::NEG_INFINITY, ..Self::default() }
+        Self { source, owner: None, served: BTreeSet::new(), left_ms: f64::NEG_INFINITY }
     }
 
     /// Obeys another choice from now on.

@@ -13,7 +13,8 @@ use super::{PenButtons, PenEvent, PenPhase, PenSample, PenTool};
 use crate::sketch::StrokePoint;
 use glam::Vec2;
 
-/// Milliseconds of silence after which the pen of a tablet that never says so has left.
+/// Milliseconds of silence after which the pen of a tablet that never says so has left; what the Linux kernel's driver
+/// waits for such tablets.
 pub const SILENCE_MS: f64 = 100.0;
 
 /// Follows one pen.

@@ -147,27 +147,6 @@ fn until_gone_or_empty(inbox: &Inbox) -> Vec<Message> {
     all
 }
 
-/// The same in true time: `cargo test --release -- --ignored one_minute`.
-#[test]
-#[ignore = "takes a minute"]
-fn nothing_is_lost_in_one_minute_of_true_time() {
-    let begin = Instant::now();
-    let (outbox, inbox) = queue(|| {}, begin);
-    let device = device();
-    (0..60_000).for_each(|ms| device.send_at(&report(ms), begin + Duration::from_millis(u64::from(ms))));
-    device.unplug_at_end();
-    let reader = start(&device, false, outbox);
-    let mut random = Pcg64Mcg::seed_from_u64(2026);
-    let mut all = Vec::with_capacity(60_003);
-    while !reader.is_finished() {
-        std::thread::sleep(Duration::from_millis(random.random_range(0..=500)));
-        inbox.drain(|message| all.push(message));
-    }
-    inbox.drain(|message| all.push(message));
-    let numbers = pens(&all).iter().filter(|pen| pen.in_range).map(|pen| pen.serial).collect::<Vec<_>>();
-    assert!(numbers.iter().copied().eq(0..60_000), "{} of 60000", numbers.len());
-}
-
 #[test]
 fn a_full_queue_keeps_the_newest_and_counts_the_rest() {
     let (outbox, inbox) = queue_of(4, || {}, Instant::now());

@@ -21,10 +21,6 @@ use glam::DVec2;
 use regex::bytes::Regex;
 use std::sync::OnceLock;
 
-/// Milliseconds without a report after which the pen of a tablet that [leaves by silence](Tablet::leaves_by_silence) is
-/// gone; what the Linux kernel's driver waits for these tablets.
-pub const SILENCE_MS: u64 = 100;
-
 /// Report ids of UC-Logic's protocols, by the string whose reading wakes them.
 const UCLOGIC_IDS: [(u8, u8); 2] = [(200, 0x08), (100, 0x07)];
 
@@ -106,7 +102,7 @@ impl Tablet {
         }
     }
 
-    /// The pen is gone when no report came for [`SILENCE_MS`]: no report of this tablet says so.
+    /// The pen is gone when no report came for [`SILENCE_MS`](crate::pen::machine::SILENCE_MS): no report of this tablet says so.
     #[must_use]
     pub fn leaves_by_silence(&self) -> bool {
         let by_wake = matches!(self.family, Family::Generic | Family::Uclogic)
@@ -168,11 +164,6 @@ impl Table {
     #[must_use]
     pub fn knows(&self, vendor: u16, product: u16) -> bool {
         self.tablets.iter().any(|t| (t.vendor, t.product) == (vendor, product))
-    }
-
-    /// Tablets with this name, which an artist chose among those that fit equally well.
-    pub fn named(&self, name: &str) -> impl Iterator<Item = &Tablet> {
-        self.tablets.iter().filter(move |t| t.name == name)
     }
 }
 

@@ -134,5 +134,6 @@ fn ten_thousand_times_plugged_in_and_out_leaves_nothing_behind() {
     }
     assert!(told.into_iter().eq((0..CYCLES).flat_map(|id| [(id, true), (id, false)])));
     assert_eq!(roster.known.len(), 0);
-    assert_eq!(reading_threads(), 0);
+    // Linux lists a thread for a moment after it was joined.
+    wait(|| reading_threads() == 0);
 }

@@ -3,7 +3,7 @@
 //! The tilt bytes are read as signed, which they plausibly are.
 
 use super::spec::tilt;
-use super::{AWAY, Bytes, Decode, HidEvent, RawPen, Spec, bit};
+use super::{AWAY, Bytes, HidEvent, OneEvent, RawPen, Spec, bit};
 
 const PEN: u8 = 0x41;
 const KEY: u8 = 0x42;
@@ -18,7 +18,9 @@ impl Acepen {
     pub(super) fn new(spec: Spec) -> Self {
         Self { spec, keys: 0 }
     }
+}
 
+impl OneEvent for Acepen {
     fn read(&mut self, b: Bytes<'_>) -> Option<HidEvent> {
         match (b.u8(1)?, b.u8(2)?) {
             _ if !self.spec.speaks(b) => None,
@@ -34,14 +36,6 @@ impl Acepen {
                 Some(HidEvent::Keys(self.keys))
             }
             _ => None,
-        }
-    }
-}
-
-impl Decode for Acepen {
-    fn decode(&mut self, report: &[u8], sink: &mut dyn FnMut(HidEvent)) {
-        if let Some(event) = self.read(Bytes(report)) {
-            sink(event);
         }
     }
 }

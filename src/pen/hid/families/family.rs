@@ -126,7 +126,7 @@ impl Family {
     }
 
     /// The protocol has no report that says "out of range": the pen is gone when reports stop for
-    /// [`SILENCE_MS`](crate::pen::hid::table::SILENCE_MS). Some families have it only after one way of waking, which
+    /// [`SILENCE_MS`](crate::pen::machine::SILENCE_MS). Some families have it only after one way of waking, which
     /// [`Tablet::leaves_by_silence`](crate::pen::hid::table::Tablet::leaves_by_silence) knows.
     #[must_use]
     pub fn leaves_by_silence(self) -> bool {

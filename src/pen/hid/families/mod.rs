@@ -44,9 +44,21 @@ struct Plain {
     read: Read,
 }
 
-impl Decode for Plain {
+impl OneEvent for Plain {
+    fn read(&mut self, b: Bytes<'_>) -> Option<HidEvent> {
+        (self.read)(&self.spec, b)
+    }
+}
+
+/// A family whose reports say one thing each.
+trait OneEvent: Send {
+    /// What a report says; `None` for one that is cut short, unknown or of no interest.
+    fn read(&mut self, b: Bytes<'_>) -> Option<HidEvent>;
+}
+
+impl<Family: OneEvent> Decode for Family {
     fn decode(&mut self, report: &[u8], sink: &mut dyn FnMut(HidEvent)) {
-        if let Some(event) = (self.read)(&self.spec, Bytes(report)) {
+        if let Some(event) = self.read(Bytes(report)) {
             sink(event);
         }
     }

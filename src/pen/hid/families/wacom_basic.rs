@@ -3,7 +3,7 @@
 //! In range follows the Linux kernel (bit 5), not the coarser proximity bit 6. The eraser is decided when the pen comes
 //! into range and kept until it leaves, as the kernel does.
 
-use super::{AWAY, Bytes, Decode, HidEvent, RawPen, Spec, bit};
+use super::{AWAY, Bytes, HidEvent, OneEvent, RawPen, Spec, bit};
 
 /// Report id of the pen once the tablet is woken.
 const PEN: u8 = 0x02;
@@ -21,7 +21,9 @@ impl Bamboo {
     pub(super) fn new(spec: Spec) -> Self {
         Self { spec, eraser: None }
     }
+}
 
+impl OneEvent for Bamboo {
     fn read(&mut self, b: Bytes<'_>) -> Option<HidEvent> {
         let flags = b.u8(1)?;
         if b.u8(0)? != PEN {
@@ -37,14 +39,6 @@ impl Bamboo {
             b.u8(8).map_or(0.0, |near| f32::from(HEIGHTS.saturating_sub(near)) / f32::from(HEIGHTS));
         let barrel = [bit(flags, 1), bit(flags, 2), false];
         Some(HidEvent::Pen(RawPen { touches: bit(flags, 0), eraser, barrel, distance, ..pen }))
-    }
-}
-
-impl Decode for Bamboo {
-    fn decode(&mut self, report: &[u8], sink: &mut dyn FnMut(HidEvent)) {
-        if let Some(event) = self.read(Bytes(report)) {
-            sink(event);
-        }
     }
 }
 

@@ -8,7 +8,7 @@
 //! as pens. Origin of nibble, rotation and serial: the Linux kernel's `wacom` driver.
 
 use super::spec::{tilt, twist};
-use super::{AWAY, Bytes, Decode, Family, HidEvent, RawPen, Spec, bit};
+use super::{AWAY, Bytes, Family, HidEvent, OneEvent, RawPen, Spec, bit};
 
 /// Report ids: by cable, and through the wireless kit.
 const TOOL: [u8; 2] = [0x02, 0x10];
@@ -31,11 +31,6 @@ pub(super) struct Intuos {
 impl Intuos {
     pub(super) fn new(spec: Spec) -> Self {
         Self { spec, eraser: false, serial: 0, last: RawPen::default() }
-    }
-
-    fn read(&mut self, b: Bytes<'_>) -> Option<HidEvent> {
-        let id = b.u8(0)?;
-        if TOOL.contains(&id) { self.tool(id, b) } else { keys(self.spec.family, id, b).map(HidEvent::Keys) }
     }
 
     fn tool(&mut self, id: u8, b: Bytes<'_>) -> Option<HidEvent> {
@@ -124,6 +119,13 @@ impl Intuos {
     }
 }
 
+impl OneEvent for Intuos {
+    fn read(&mut self, b: Bytes<'_>) -> Option<HidEvent> {
+        let id = b.u8(0)?;
+        if TOOL.contains(&id) { self.tool(id, b) } else { keys(self.spec.family, id, b).map(HidEvent::Keys) }
+    }
+}
+
 /// Position and height, which all packets have in the same places.
 fn place(spec: &Spec, b: Bytes<'_>) -> Option<RawPen> {
     let [b2, b3, b4, b5] = [2, 3, 4, 5].map(|at| b.u8(at).map(u32::from));
@@ -148,14 +150,6 @@ fn keys(family: Family, id: u8, b: Bytes<'_>) -> Option<u32> {
         }
         _ => return None,
     })
-}
-
-impl Decode for Intuos {
-    fn decode(&mut self, report: &[u8], sink: &mut dyn FnMut(HidEvent)) {
-        if let Some(event) = self.read(Bytes(report)) {
-            sink(event);
-        }
-    }
 }
 
 #[cfg(test)]

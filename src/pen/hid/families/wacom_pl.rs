@@ -3,7 +3,7 @@
 //! The bit means the eraser if it is set when the pen comes into range; once it is seen clear, it was the button after
 //! all, as the Linux kernel decides it.
 
-use super::{AWAY, Bytes, Decode, HidEvent, RawPen, Spec, bit};
+use super::{AWAY, Bytes, HidEvent, OneEvent, RawPen, Spec, bit};
 
 /// What the double-faced bit has proved to be since the pen came into range.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -22,7 +22,9 @@ impl Pl {
     pub(super) fn new(spec: Spec) -> Self {
         Self { spec, end: None }
     }
+}
 
+impl OneEvent for Pl {
     fn read(&mut self, b: Bytes<'_>) -> Option<HidEvent> {
         let (first, second) = (b.u8(1)?, b.u8(4)?);
         let coordinate = |upper: u8, at: usize| {
@@ -48,14 +50,6 @@ impl Pl {
             barrel: [bit(second, 4), either && end == End::Pen, false],
             ..self.spec.pen(x, y, pressure)
         }))
-    }
-}
-
-impl Decode for Pl {
-    fn decode(&mut self, report: &[u8], sink: &mut dyn FnMut(HidEvent)) {
-        if let Some(event) = self.read(Bytes(report)) {
-            sink(event);
-        }
     }
 }
 
