@@ -16,6 +16,10 @@ use penstemon::export::{Exporter, Scene, glb::Glb, obj::Obj};
 use penstemon::model::quality::{Attributes, judge};
 use std::hint::black_box;
 
+/// The program's own.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 const LEAVES: [usize; 4] = [10, 100, 1_000, 10_000];
 
 fn encoding(criterion: &mut Criterion) {

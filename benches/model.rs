@@ -2,7 +2,9 @@
 
 use criterion::{BatchSize, BenchmarkId, Criterion, criterion_group, criterion_main};
 use glam::{Vec2, Vec3};
-use penstemon::model::{BladeMeshParams, ModelParams, PlanarGraph, build, triangulation_input};
+use penstemon::model::{
+    BladeMeshParams, ModelParams, PlanarGraph, TriangulationScratch, build, triangulation_input,
+};
 use penstemon::plant::{
     Blade, BladeForm, Branch, Cone, Flower, Material, Organ, OrganKind, Plant, RestSurface, Shape,
     WorldFromCanvas,
@@ -118,8 +120,10 @@ fn against_spade(c: &mut Criterion) {
         );
     });
     group.bench_function("spade_in_row_order", |b| {
+        let mut scratch = TriangulationScratch::default();
         b.iter(|| {
-            graphs.iter().filter_map(|graph| black_box(graph).triangulate()).map(|t| t.len()).sum::<usize>()
+            let faces = graphs.iter().filter_map(|graph| black_box(graph).triangulate(&mut scratch));
+            faces.map(|triangles| triangles.len()).sum::<usize>()
         });
     });
     group.bench_function("model", |b| {

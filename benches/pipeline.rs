@@ -16,6 +16,10 @@ use std::path::Path;
 #[path = "../tests/common/drawings.rs"]
 mod drawings;
 
+/// The program's own.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 const REFERENCE: [&str; 8] =
     ["daisy", "hepatica_red", "hepatica_blue", "jasmine", "mallow", "balloon_flower", "plumeria", "oxalis"];
 

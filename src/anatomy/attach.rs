@@ -53,8 +53,9 @@ impl Branches {
     /// Gives a leaf its place; leaves it without one when no branch is near.
     pub fn attach_leaf(&self, leaf: &mut FlatBlade, params: &AttachParams) {
         let reach = params.leaf_distance * leaf.axis().length();
-        let root = self.index.nearest(leaf.root);
-        let tip = self.index.nearest(leaf.tip);
+        // A root farther away than this is turned round wherever the tip is near enough to attach.
+        let farthest = reach / TURN_ROUND;
+        let (root, tip) = (self.index.nearest(leaf.root, farthest), self.index.nearest(leaf.tip, farthest));
         let distance = |near: &Option<Near>| near.map_or(f32::INFINITY, |n| n.distance);
         let tip_first = distance(&tip) < TURN_ROUND * distance(&root) && distance(&root) > 0.3 * reach;
         if tip_first && distance(&tip) <= reach {

@@ -51,6 +51,9 @@ pub(super) struct Rim {
     pub sin2: f64,
     /// Distance from the apex to the rim's plane.
     pub height: f64,
+    per_sin2: f64,
+    /// Of the apex beyond the ellipse: positive for a cone that is seen from outside.
+    excess: f64,
 }
 
 impl ConeFit {
@@ -73,7 +76,9 @@ impl ConeFit {
         let sin2 = 1.0 / (1.0 + self.tilt.length_squared());
         let t = self.tilt * sin2.sqrt();
         let height = self.height();
-        Rim { t, center: t * height, radius: self.radius, sin2, height }
+        let (center, per_sin2) = (t * height, 1.0 / sin2);
+        let excess = stretched(t, per_sin2, center, center) - self.radius * self.radius;
+        Rim { t, center, radius: self.radius, sin2, height, per_sin2, excess }
     }
 
     /// The cone whose rim has this centre, radius and axis.
@@ -110,10 +115,15 @@ impl ConeFit {
     }
 }
 
+/// Product of two directions of the drawing where the ellipse is a circle.
+fn stretched(t: DVec2, per_sin2: f64, a: DVec2, b: DVec2) -> f64 {
+    a.dot(b) + t.dot(a) * t.dot(b) * per_sin2
+}
+
 impl Rim {
     /// Size of the ellipse about the rim's centre through `d`, counted from there; the rim's own is 1.
     fn gauge(&self, d: DVec2) -> f64 {
-        (d.length_squared() + self.t.dot(d).powi(2) / self.sin2).sqrt() / self.radius
+        (d.length_squared() + self.t.dot(d).powi(2) * self.per_sin2).sqrt() / self.radius
     }
 
     /// Signed distance of a point from the ellipse to first order, positive outside.
@@ -125,16 +135,17 @@ impl Rim {
 
     /// Length of the gauge's gradient at `d`, positive; at the centre, which has none, that of the minor axis.
     fn slope(&self, d: DVec2, gauge: f64) -> f64 {
-        let slope = (d + self.t * (self.t.dot(d) / self.sin2)).length() / (self.radius * self.radius * gauge);
+        let slope =
+            (d + self.t * (self.t.dot(d) * self.per_sin2)).length() / (self.radius * self.radius * gauge);
         if slope > 0.0 && slope.is_finite() { slope } else { 1.0 / (self.radius * self.sin2.sqrt()) }
     }
 
     /// Slant at which the cone's side passes over `q`, in units of the rim's slant: on the far side of the cone, or on
     /// the near side, which only a cone seen from outside has. Outside the silhouette the closest approach counts.
     pub(super) fn slant_share(&self, q: DVec2, near: bool) -> f64 {
-        let along = |a: DVec2, b: DVec2| a.dot(b) + self.t.dot(a) * self.t.dot(b) / self.sin2;
-        let (qq, qm) = (along(q, q), along(q, self.center));
-        let excess = along(self.center, self.center) - self.radius * self.radius;
+        let excess = self.excess;
+        let (qq, qm) =
+            (stretched(self.t, self.per_sin2, q, q), stretched(self.t, self.per_sin2, q, self.center));
         if excess > 0.0 && qm <= 0.0 {
             return 0.0;
         }

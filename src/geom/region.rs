@@ -7,9 +7,10 @@
 
 use glam::Vec2;
 use rstar::{
-    RTree,
+    AABB, RTree,
     primitives::{GeomWithData, Line, Rectangle},
 };
+use std::ops::ControlFlow;
 
 /// Slabs that an edge may lie in, on average.
 const SLABS_PER_EDGE: f32 = 6.0;
@@ -85,9 +86,9 @@ fn edges(points: &[Vec2]) -> impl Iterator<Item = (Vec2, Vec2)> + '_ {
 /// Segments that share one box in a [`SegmentIndex`]: few enough to test one by one, many enough to keep the tree small.
 const RUN: usize = 16;
 
-/// Most runs that one question to a [`SegmentIndex`] looks at, the nearest first. Only where more of them lie in one
-/// spot, such as the feet of hundreds of branches, does an answer leave some out.
-const MOST_RUNS: usize = 512;
+/// Most runs that one question to a [`SegmentIndex`] looks at. Where more of them lie near a point, only nearer ones are
+/// looked at; and only where more of them lie in one spot, such as the feet of hundreds of branches, are some left out.
+const MOST_RUNS: usize = 128;
 
 /// An index over the segments of many polylines: which lie within a distance of a point.
 pub struct SegmentIndex {
@@ -143,9 +144,8 @@ impl SegmentIndex {
 
     /// The nearest place on every polyline with a segment within `radius` of `p`, by polyline number.
     pub fn within(&self, p: Vec2, radius: f32) -> Vec<Near> {
-        let runs = self.runs.nearest_neighbor_iter_with_distance_2(p.to_array()).take(MOST_RUNS);
-        let runs = runs.take_while(|(_, gap2)| *gap2 <= radius * radius);
-        let nearest = runs.filter_map(|(run, _)| self.nearest_in(run.data, p));
+        let runs = self.runs_near(p, radius);
+        let nearest = runs.into_iter().filter_map(|run| self.nearest_in(run, p));
         let mut found: Vec<Near> = nearest.filter(|near| near.distance <= radius).collect();
         found.sort_by(|a, b| {
             a.line.cmp(&b.line).then(a.distance.total_cmp(&b.distance)).then(a.segment.cmp(&b.segment))
@@ -154,18 +154,47 @@ impl SegmentIndex {
         found
     }
 
-    /// The nearest place over all polylines; ties go to the lowest number.
-    pub fn nearest(&self, p: Vec2) -> Option<Near> {
-        let mut best: Option<Near> = None;
-        for (run, gap2) in self.runs.nearest_neighbor_iter_with_distance_2(p.to_array()).take(MOST_RUNS) {
-            if best.is_some_and(|near| gap2 > near.distance * near.distance * (1.0 + 1e-5)) {
-                break;
-            }
-            best = best.into_iter().chain(self.nearest_in(run.data, p)).min_by(|a, b| {
+    /// The nearest place over all polylines within `radius` of `p`; ties go to the lowest number.
+    pub fn nearest(&self, p: Vec2, radius: f32) -> Option<Near> {
+        /// The first look is at this share of the radius; every further one reaches twice as far.
+        const FIRST_LOOK: f32 = 1.0 / 64.0;
+        let mut reach = FIRST_LOOK * radius;
+        loop {
+            let runs = self.runs_near(p, reach);
+            let places = runs.into_iter().filter_map(|run| self.nearest_in(run, p));
+            let nearest = places.min_by(|a, b| {
                 a.distance.total_cmp(&b.distance).then((a.line, a.segment).cmp(&(b.line, b.segment)))
             });
+            let found = nearest.filter(|near| near.distance <= reach);
+            if found.is_some() || reach.is_nan() || reach >= radius {
+                return found;
+            }
+            reach = (2.0 * reach).min(radius);
         }
-        best
+    }
+
+    /// Runs whose boxes come within `radius` of `p`, or within less where they are too many. Not by a walk from the
+    /// nearest on, which opens every box around the point before it gives the first.
+    fn runs_near(&self, p: Vec2, mut radius: f32) -> Vec<Run> {
+        const LOOKS: usize = 12;
+        let mut found = Vec::new();
+        for _ in 0..LOOKS {
+            let mut nearer = Vec::with_capacity(found.len());
+            let around = AABB::from_corners((p - radius).to_array(), (p + radius).to_array());
+            let look = self.runs.locate_in_envelope_intersecting_int(around, |run| {
+                nearer.push(run.data);
+                if nearer.len() > MOST_RUNS { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            });
+            // Where nothing is nearer, some of those that were too many are better than none.
+            if found.is_empty() || !nearer.is_empty() {
+                found = nearer;
+            }
+            if look.is_continue() {
+                break;
+            }
+            radius *= 0.5;
+        }
+        found
     }
 
     /// The nearest place on one run; ties go to the earlier segment.
@@ -219,6 +248,19 @@ mod tests {
         assert!(region.slabs.iter().map(Vec::len).sum::<usize>() <= 8 * n);
     }
 
+    #[test]
+    fn a_crowd_in_one_spot_gives_its_nearest() {
+        let spoke = |k: usize| {
+            let along = Vec2::from_angle(k as f32 * 2.4);
+            [0.001 * k as f32, 100.0].map(|reach| along * reach)
+        };
+        let spokes: Vec<[Vec2; 2]> = (0..2_000).map(spoke).collect();
+        let index = SegmentIndex::new(spokes.iter().map(<[Vec2; 2]>::as_slice));
+        assert_eq!(index.nearest(Vec2::ZERO, 50.0).map(|near| near.line), Some(0));
+        let found = index.within(Vec2::ZERO, 50.0);
+        assert!(found.len() > 20 && found.iter().all(|near| near.distance < 0.5), "{} spokes", found.len());
+    }
+
     proptest! {
         #[test]
         fn runs_agree_with_testing_every_segment(
@@ -238,9 +280,10 @@ mod tests {
                     prop_assert_eq!(found.iter().any(|near| near.line == i), gap(i) < radius);
                 }
             }
-            let nearest = index.nearest(p).map_or(f32::INFINITY, |near| near.distance);
             let least = gap(0).min(gap(1));
-            prop_assert!(nearest == least || (nearest - least).abs() < 1e-4);
+            let nearest = |radius| index.nearest(p, radius).map_or(f32::INFINITY, |near| near.distance);
+            prop_assert!(nearest(40.0) == least || (nearest(40.0) - least).abs() < 1e-4);
+            prop_assert!(nearest(0.99 * least).is_infinite() && nearest(1.01 * least + 1e-4).is_finite() == least.is_finite());
         }
 
         #[test]

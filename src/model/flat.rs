@@ -57,15 +57,16 @@ pub struct PlanarGraph {
 impl PlanarGraph {
     /// Points and constraints as `spade` takes them.
     pub fn spade_input(&self) -> (Vec<Point2<f64>>, Vec<[usize; 2]>) {
-        let point = |p: &Vec2| Point2::new(f64::from(p.x), f64::from(p.y));
-        let edges = (0..self.margin).map(|i| [i, (i + 1) % self.margin]).collect();
-        (self.points.iter().map(point).collect(), edges)
+        (self.points.iter().copied().map(spade_point).collect(), self.margin_edges().collect())
     }
 
-    /// The faces inside the outline, counter-clockwise; `None` if the outline crosses or touches itself.
-    pub fn triangulate(&self) -> Option<Vec<[u32; 3]>> {
-        let (cdt, handles) = self.constrained()?;
-        let mut index = vec![0; handles.len()];
+    /// The faces inside the outline, counter-clockwise; `None` if the outline crosses or touches itself. `scratch` may
+    /// come from another triangulation.
+    pub fn triangulate(&self, scratch: &mut TriangulationScratch) -> Option<Vec<[u32; 3]>> {
+        self.constrain(scratch)?;
+        let TriangulationScratch { cdt, handles, index } = scratch;
+        index.clear();
+        index.resize(handles.len(), 0);
         handles.iter().enumerate().for_each(|(i, handle)| index[handle.index()] = i);
         let n = self.margin;
         let expected = n + 2 * (self.points.len() - n) - 2;
@@ -83,21 +84,22 @@ impl PlanarGraph {
         (triangles.len() == expected && margin_edges == n).then_some(triangles)
     }
 
-    /// The constrained Delaunay triangulation and the vertex of every point; `None` if points coincide.
+    /// Makes the constrained Delaunay triangulation and the vertex of every point; `None` if points coincide.
     ///
     /// Points go in one after the other, each next to the one before: rows first, then around the outline, whose edges
     /// then mostly exist already. On a blade this takes half the time of spade's bulk loading, and unlike that does
     /// not depend on the order of a hash set where points lie on common circles.
-    fn constrained(&self) -> Option<(Cdt, Vec<FixedVertexHandle>)> {
-        let (points, edges) = self.spade_input();
-        let count = points.len();
-        let mut cdt = Cdt::with_capacity(count, 3 * count, 2 * count);
-        let mut handles = vec![FixedVertexHandle::from_index(0); count];
+    fn constrain(&self, TriangulationScratch { cdt, handles, .. }: &mut TriangulationScratch) -> Option<()> {
+        let count = self.points.len();
+        cdt.clear();
+        handles.clear();
+        handles.resize(count, FixedVertexHandle::from_index(0));
         let mut last = None;
         for i in (self.margin..count).chain(0..self.margin) {
+            let point = spade_point(self.points[i]);
             let inserted = match last {
-                Some(hint) => cdt.insert_with_hint(points[i], hint),
-                None => cdt.insert(points[i]),
+                Some(hint) => cdt.insert_with_hint(point, hint),
+                None => cdt.insert(point),
             };
             handles[i] = inserted.ok()?;
             last = Some(handles[i]);
@@ -105,14 +107,33 @@ impl PlanarGraph {
         if cdt.num_vertices() != count {
             return None;
         }
-        let missing = |[a, b]: &[usize; 2]| cdt.get_edge_from_neighbors(handles[*a], handles[*b]).is_none();
-        if edges.iter().any(missing) {
-            for [a, b] in edges {
+        let is_missing = |[a, b]: [usize; 2]| cdt.get_edge_from_neighbors(handles[a], handles[b]).is_none();
+        if self.margin_edges().any(is_missing) {
+            for [a, b] in self.margin_edges() {
                 cdt.try_add_constraint(handles[a], handles[b]);
             }
         }
-        Some((cdt, handles))
+        Some(())
     }
+
+    /// The outline's edges, each from a point to the next one around.
+    fn margin_edges(&self) -> impl Iterator<Item = [usize; 2]> {
+        (0..self.margin).map(|i| [i, if i + 1 == self.margin { 0 } else { i + 1 }])
+    }
+}
+
+/// Memory that is used again for every triangulation.
+#[derive(Default)]
+pub struct TriangulationScratch {
+    cdt: Cdt,
+    /// The vertex of every point.
+    handles: Vec<FixedVertexHandle>,
+    /// The point of every vertex.
+    index: Vec<usize>,
+}
+
+fn spade_point(point: Vec2) -> Point2<f64> {
+    Point2::new(f64::from(point.x), f64::from(point.y))
 }
 
 fn follows(a: usize, b: usize, margin: usize) -> bool {
@@ -147,15 +168,21 @@ pub(super) struct FlatBlade {
 #[derive(Default)]
 pub(super) struct FlatScratch {
     outline: OutlineScratch,
-    interior: InteriorScratch,
     margin: Vec<MarginPoint>,
+    inside: InsideScratch,
+}
+
+#[derive(Default)]
+struct InsideScratch {
+    interior: InteriorScratch,
+    triangulation: TriangulationScratch,
 }
 
 /// What the constrained Delaunay triangulation of a blade is built from; `None` for an outline without area.
 pub fn triangulation_input(blade: &Blade, params: &BladeMeshParams) -> Option<PlanarGraph> {
     let scratch = &mut FlatScratch::default();
     prepare_margin(blade, params, scratch);
-    Some(graph(&scratch.margin, density(blade, params), &mut scratch.interior)?.0)
+    Some(graph(&scratch.margin, density(blade, params), &mut scratch.inside.interior)?.0)
 }
 
 /// Flattens a blade; `None` for an outline without area.
@@ -166,10 +193,10 @@ pub(super) fn flatten(
 ) -> Option<FlatBlade> {
     prepare_margin(blade, params, scratch);
     let density = density(blade, params);
-    let FlatScratch { margin, interior, .. } = scratch;
-    let (graph, sections, triangles) = triangulated(margin, density, interior)
-        .or_else(|| triangulated(&outline::untangled(margin), density, interior))
-        .or_else(|| triangulated(&convex_hull(margin, |m| m.at), density, interior))?;
+    let FlatScratch { margin, inside, .. } = scratch;
+    let (graph, sections, triangles) = triangulated(margin, density, inside)
+        .or_else(|| triangulated(&outline::untangled(margin), density, inside))
+        .or_else(|| triangulated(&convex_hull(margin, |m| m.at), density, inside))?;
     let size = size_of(blade);
     let rim = &graph.points[..graph.margin];
     let perimeter = (0..rim.len()).map(|i| rim[i].distance(rim[(i + 1) % rim.len()])).sum();
@@ -182,10 +209,10 @@ pub(super) fn flatten(
 fn triangulated(
     margin: &[MarginPoint],
     density: Density,
-    scratch: &mut InteriorScratch,
+    scratch: &mut InsideScratch,
 ) -> Option<(PlanarGraph, Sections, Vec<[u32; 3]>)> {
-    let (graph, sections) = graph(margin, density, scratch)?;
-    let triangles = graph.triangulate()?;
+    let (graph, sections) = graph(margin, density, &mut scratch.interior)?;
+    let triangles = graph.triangulate(&mut scratch.triangulation)?;
     Some((graph, sections, triangles))
 }
 

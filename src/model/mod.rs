@@ -38,7 +38,7 @@ pub mod weld;
 
 pub use build::{ModelParams, build, rebuild};
 pub use cache::Cache;
-pub use flat::{BladeMeshParams, PlanarGraph, triangulation_input};
+pub use flat::{BladeMeshParams, PlanarGraph, TriangulationScratch, triangulation_input};
 pub use mesh::{Mesh, Vertex};
 pub use solids::SolidParams;
 pub use tube::TubeParams;

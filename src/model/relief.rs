@@ -10,6 +10,7 @@
 //! canyon; waves are limited by their length.
 
 use super::flat::{BladeMeshParams, FlatBlade};
+use super::sections::Sections;
 use crate::plant::Blade;
 use glam::Vec2;
 
@@ -22,8 +23,11 @@ const WAVE_LIMIT: f32 = 0.15;
 
 /// The relief of one blade, in its (u, v) metres.
 pub(super) struct Relief<'a> {
-    flat: &'a FlatBlade,
+    sections: &'a Sections,
     length: f32,
+    per_length: f32,
+    per_size: f32,
+    per_widest: f32,
     quartic: f32,
     quadratic: f32,
     cup: f32,
@@ -41,8 +45,11 @@ impl<'a> Relief<'a> {
         let limited = |height: f32, run: f32| height.clamp(-STEEPEST * run, STEEPEST * run);
         let wave_length = flat.perimeter * flat.size / form.ruffle_waves.max(1.0);
         Self {
-            flat,
+            sections: &flat.sections,
             length,
+            per_length: 1.0 / length,
+            per_size: 1.0 / flat.size,
+            per_widest: 1.0 / flat.sections.widest,
             quartic: -form.bend_quartic * length,
             quadratic: -form.bend_quadratic * length,
             // The parabolas of eqs. 5.2 and 5.3 have slopes of twice depth over width.
@@ -56,17 +63,16 @@ impl<'a> Relief<'a> {
 
     /// Metres toward the face at a point of the flat blade.
     pub(super) fn height(&self, p: Vec2) -> f32 {
-        let size = self.flat.size;
-        let x = (p.y / self.length).clamp(0.0, 1.25);
-        let side = self.flat.sections.at(p.y / size, p.x >= 0.0);
-        let out = p.x.abs() / size;
-        let widest = self.flat.sections.widest;
+        let x = (p.y * self.per_length).clamp(0.0, 1.25);
+        let side = self.sections.at(p.y * self.per_size, p.x >= 0.0);
+        let out = p.x.abs() * self.per_size;
+        let widest = self.sections.widest;
         let across = (out / side.width.max(f32::MIN_POSITIVE)).min(1.0);
         let soft = (out / side.width.max(NARROWEST * widest)).min(1.0);
         let bend = (self.quartic * x * x + self.quadratic) * x * x;
         let hollow = self.cup * (x * (1.0 - x)).max(0.0) * (1.0 - across * across);
         let curl = self.curl * side.curl * soft * soft;
-        let fold = if self.fold == 0.0 { 0.0 } else { self.fold * rounded(out / widest) };
+        let fold = if self.fold == 0.0 { 0.0 } else { self.fold * rounded(out * self.per_widest) };
         let wave = if self.wave == 0.0 { 0.0 } else { self.wave(p, x, soft) };
         bend + hollow + fold + curl + wave
     }

@@ -44,9 +44,10 @@ impl Sections {
             right: [HalfSection::default(); COUNT],
             left: [HalfSection::default(); COUNT],
         };
+        let per_height = sections.per_height();
         let mut from = outline[outline.len() - 1];
         for &to in outline {
-            sections.add_edge(from, to);
+            sections.add_edge(from, to, per_height);
             from = to;
         }
         sections
@@ -56,15 +57,13 @@ impl Sections {
         COUNT as f32 / (self.high - self.low).max(f32::MIN_POSITIVE)
     }
 
-    fn add_edge(&mut self, from: MarginPoint, to: MarginPoint) {
+    fn add_edge(&mut self, from: MarginPoint, to: MarginPoint, per_height: f32) {
         let (bottom, top) = if from.at.y <= to.at.y { (from, to) } else { (to, from) };
         let rise = top.at.y - bottom.at.y;
-        let scale = self.per_height();
-        let row = |y: f32| (y - self.low) * scale - 0.5;
-        let first = row(bottom.at.y).ceil().max(0.0) as usize;
-        let end = ((row(top.at.y).floor() + 1.0).max(0.0) as usize).min(COUNT);
+        let row = |y: f32| (y - self.low) * per_height - 0.5;
+        let (first, end) = (rows_below(row(bottom.at.y), false), rows_below(row(top.at.y), true).min(COUNT));
         for k in first..end {
-            let y = self.low + (k as f32 + 0.5) / scale;
+            let y = self.low + (k as f32 + 0.5) / per_height;
             let share = ((y - bottom.at.y) / rise.max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
             let u = bottom.at.x + (top.at.x - bottom.at.x) * share;
             let side = if u >= 0.0 { &mut self.right[k] } else { &mut self.left[k] };
@@ -82,6 +81,16 @@ impl Sections {
         let (a, b, share) = (side[k], side[k + 1], place - k as f32);
         HalfSection { width: a.width + (b.width - a.width) * share, curl: a.curl + (b.curl - a.curl) * share }
     }
+}
+
+/// How many of the rows 0, 1, 2, … lie below `y`, or at it where that counts too. Rounding functions would be calls on
+/// processors of the oldest kind that we serve.
+fn rows_below(y: f32, counts_at: bool) -> usize {
+    if y < 0.0 {
+        return 0;
+    }
+    let row = y as usize;
+    if counts_at || (row as f32) < y { row + 1 } else { row }
 }
 
 #[cfg(test)]
