@@ -17,6 +17,7 @@ pub mod limits;
 pub mod read;
 pub mod reference;
 pub mod save;
+pub mod settings;
 mod sound;
 pub mod step;
 pub mod svg;
