@@ -187,6 +187,7 @@ keys! {
     NoticeSettingsBroken = "notice.settings_broken",
     NoticeSettingsUnsaved = "notice.settings_unsaved",
     NoticeExported = "notice.exported",
+    NoticeGraphicsBack = "notice.graphics_back",
     NoticeSaveFailed = "notice.save_failed",
     NoticeExportFailed = "notice.export_failed",
     ErrorNoFolder = "error.no_folder",
