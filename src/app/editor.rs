@@ -19,7 +19,7 @@ use super::action::Action;
 use super::canvas::{Canvas, CanvasOutcome};
 use super::fonts::ChineseFont;
 use super::layout::Layout;
-use super::messages::{Messages, Msg};
+use super::messages::{Messages, Msg, Told as _};
 use super::panels::snapshot::{Dialog, Notice, PartMenu, PenLive, PenUsed, Severity};
 use super::plant_view::PlantView;
 use super::settings::Settings;
@@ -322,7 +322,8 @@ impl Editor {
                 self.versions.plant += 1;
                 self.versions.drawing += 1;
             }
-            Err(reason) => {
+            Err(error) => {
+                let reason = error.told(&self.messages);
                 if self.building.failure.as_ref() != Some(&reason) {
                     self.tell(Notice::error(reason.clone(), ""));
                 }
