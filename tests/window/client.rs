@@ -53,8 +53,9 @@ impl Client {
             ["_NET_WM_STATE_MAXIMIZED_HORZ", "_NET_WM_STATE_MAXIMIZED_VERT"].map(|name| self.atom(name));
         let (window, property) = (window.parse().unwrap(), self.atom("_NET_WM_STATE"));
         let atom = x11rb::protocol::xproto::AtomEnum::ATOM;
-        self.server.change_property32(PropMode::REPLACE, window, property, atom, &states).unwrap();
-        self.server.flush().unwrap();
+        let said = self.server.change_property32(PropMode::REPLACE, window, property, atom, &states);
+        // Heard by the server before the caller goes on.
+        said.unwrap().check().unwrap();
     }
 
     /// Drags a file to a place on the screen above a window, and drops it there.
