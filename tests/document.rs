@@ -8,6 +8,7 @@ use penstemon::pipeline;
 use penstemon::sketch::document::Document;
 use penstemon::sketch::journal::{JournalState, Meta, Recovery};
 use penstemon::sketch::save::{FileStamp, SaveError, open, save};
+use penstemon::sketch::settings::Settings;
 use penstemon::sketch::{
     Canvas, Change, Picture, Reference, Sketch, Step, Stroke, StrokeChange, StrokePoint, Textures, Tool,
     editable_from_bytes, from_bytes, json, svg, textures,
@@ -62,7 +63,9 @@ fn change() -> impl Strategy<Value = Change> {
         1 => (0.0..1.0).prop_map(move |value| Change::params(params(value))),
         1 => "[a-z]{1,5}".prop_map(|name| Change::textures(Textures::from([("leaf".to_owned(), name)]))),
         1 => prop::option::of(0.0_f32..9.0).prop_map(move |at| Change::reference(at.map(reference))),
-        1 => (1.0_f32..99.0).prop_map(|width| Change { canvas: Some(Canvas { width, height: 7.0 }), ..Change::default() }),
+        1 => (1.0_f32..99.0).prop_map(|width| {
+            Settings { canvas: Some(Canvas { width, height: 7.0 }), ..Settings::default() }.into()
+        }),
     ]
 }
 

@@ -12,7 +12,7 @@ use penstemon::geom::polyline;
 use penstemon::model::PartKind;
 use penstemon::pipeline::{self, Built};
 use penstemon::plant::{OrganKind, Shape};
-use penstemon::sketch::{self, Sketch};
+use penstemon::sketch::{self, Remark, Sketch};
 use penstemon::species;
 use proptest::prelude::*;
 use std::borrow::Cow;
@@ -209,7 +209,7 @@ fn leaf_outlines_share_what_leaves_a_drawing_may_have() {
     let beside = generated.iter().filter(|root| root.x > 1150.0).count();
     assert!((100..=200).contains(&generated.len()), "{}", generated.len());
     assert!(beside > 20 && beside < generated.len() - 20, "{beside} of {}", generated.len());
-    assert!(anatomy.warnings.iter().any(|w| w.message.contains("more thinly")), "{:?}", anatomy.warnings);
+    assert!(anatomy.warnings.iter().any(|w| w.remark == Remark::FilledThinly), "{:?}", anatomy.warnings);
 }
 
 #[test]

@@ -15,7 +15,7 @@ use super::{
 };
 use crate::geom::{polyline, region::Region};
 use crate::sketch::warnings::Warnings;
-use crate::sketch::{Sketch, Stroke, StrokeId, Tool};
+use crate::sketch::{Remark, Sketch, Stroke, StrokeId, Tool};
 use glam::Vec2;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -61,7 +61,7 @@ struct Reading {
     confidence: f32,
     /// The blade, where the stroke is one.
     blade: Option<FlatBlade>,
-    warning: Option<&'static str>,
+    warning: Option<Remark>,
 }
 
 /// Finds out what every stroke is and how the parts hang together; generates what outlines ask for.
@@ -93,8 +93,8 @@ fn analysis(sketch: &Sketch, params: &AnatomyParams, stop: Stop) -> Anatomy {
     }
     let mut warnings = Warnings::default();
     for reading in &readings {
-        if let Some(message) = reading.warning {
-            warnings.add(Some(reading.id), || message.to_owned());
+        if let Some(remark) = &reading.warning {
+            warnings.add(Some(reading.id), || remark.clone());
         }
     }
     let lines = readings.iter().filter(|r| r.part == Part::Branch).map(|r| (Some(r.id), r.samples.clone()));
@@ -104,8 +104,7 @@ fn analysis(sketch: &Sketch, params: &AnatomyParams, stop: Stop) -> Anatomy {
     (anatomy.petals, anatomy.flowers, anatomy.leaves) =
         (gathering.petals, gathering.flowers, gathering.leaves);
     for &heart in &gathering.hearts {
-        warnings
-            .add(Some(heart), || "is taken for the heart of a flower, which the species draws".to_owned());
+        warnings.add(Some(heart), || Remark::Heart);
     }
     attach_organs(&mut anatomy, &params.attach);
     fill_outlines(&mut anatomy, &readings, sketch.seed, params, stop, &mut warnings);
@@ -150,13 +149,7 @@ fn read_stroke(stroke: &Stroke, dot: bool, diagonal: f32, params: &AnatomyParams
     };
     let positions: Vec<Vec2> = samples.iter().map(|s| s.position).collect();
     if dot || samples.len() < 2 || polyline::length(&positions) < params.ignore.shorter_than * diagonal {
-        return reading(
-            samples,
-            Part::Ignored,
-            1.0,
-            None,
-            Some("is too short to mean anything and was skipped"),
-        );
+        return reading(samples, Part::Ignored, 1.0, None, Some(Remark::TooShort));
     }
     let (is_blade, confidence) = match tool {
         Tool::Branch => (false, 1.0),
@@ -174,9 +167,7 @@ fn read_stroke(stroke: &Stroke, dot: bool, diagonal: f32, params: &AnatomyParams
     match blade_outline::blade(id, &samples, &params.tip) {
         Some(blade) => reading(samples, Part::Leaf, confidence, Some(blade), None),
         None if tool == Tool::Auto => reading(samples, Part::Branch, 0.5, None, None),
-        None => {
-            reading(samples, Part::Ignored, 1.0, None, Some("encloses nothing and was skipped as a blade"))
-        }
+        None => reading(samples, Part::Ignored, 1.0, None, Some(Remark::EnclosesNothing)),
     }
 }
 
@@ -214,8 +205,8 @@ fn fill_outlines(
     let mut forest = Forest::new(std::mem::take(&mut anatomy.branches));
     for (outline, region) in &outlines(Part::BranchOutline) {
         let fill = TwigFill { outline: *outline, region, diagonal, seed, params: &params.twigs, stop };
-        if let Some(message) = shortfall(fill.fill(&mut forest)) {
-            warnings.add(Some(*outline), || message.to_owned());
+        if let Some(remark) = shortfall(fill.fill(&mut forest)) {
+            warnings.add(Some(*outline), || remark);
         }
     }
     let templates = Templates::new(&anatomy.leaves, diagonal, &params.leaf_fill);
@@ -232,8 +223,7 @@ fn fill_outlines(
         room -= leaves.len();
         anatomy.leaves.extend(leaves);
         if thinned || !all_twigs {
-            let message = "was filled more thinly: the drawing has as many generated parts as it may";
-            warnings.add(Some(outline), || message.to_owned());
+            warnings.add(Some(outline), || Remark::FilledThinly);
         }
     }
     anatomy.branches = forest.into_branches();
@@ -243,12 +233,12 @@ fn fill_outlines(
 }
 
 /// Why an outline has fewer twigs than it asks for.
-fn shortfall(growth: Growth) -> Option<&'static str> {
+fn shortfall(growth: Growth) -> Option<Remark> {
     match growth {
         Growth::Full => None,
-        Growth::Capped => Some("has fewer twigs than it asks for: the drawing has as many as it may"),
-        Growth::NoBranch => Some("no branch runs through this outline, so no twig could grow in it"),
-        Growth::NoRoom => Some("leaves no room beside its branches, so no twig could grow in it"),
+        Growth::Capped => Some(Remark::FewTwigs),
+        Growth::NoBranch => Some(Remark::NoBranch),
+        Growth::NoRoom => Some(Remark::NoRoom),
     }
 }
 

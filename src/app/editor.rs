@@ -19,7 +19,7 @@ use super::action::Action;
 use super::canvas::{Canvas, CanvasOutcome};
 use super::fonts::ChineseFont;
 use super::layout::Layout;
-use super::messages::{Messages, Msg};
+use super::messages::{Messages, Msg, Told as _};
 use super::panels::snapshot::{Dialog, Notice, PartMenu, PenLive, PenUsed, Severity};
 use super::plant_view::PlantView;
 use super::settings::Settings;
@@ -322,7 +322,8 @@ impl Editor {
                 self.versions.plant += 1;
                 self.versions.drawing += 1;
             }
-            Err(reason) => {
+            Err(error) => {
+                let reason = error.told(&self.messages);
                 if self.building.failure.as_ref() != Some(&reason) {
                     self.tell(Notice::error(reason.clone(), ""));
                 }
@@ -440,6 +441,11 @@ impl Editor {
         self.tell_error(error);
     }
 
+    /// Tells that the graphics card was lost, and that all is drawn again.
+    pub(super) fn tell_graphics_are_back(&mut self) {
+        self.tell(Notice::info(self.messages.get(Msg::NoticeGraphicsBack)));
+    }
+
     /// Puts a picture where the window fetches it for the clipboard.
     pub(super) fn copy_picture(&mut self, picture: egui::ColorImage) {
         self.copied = Some(picture);
@@ -472,12 +478,22 @@ impl Editor {
 
     /// Ends everything; called once when the window closes. Waits for what is being saved.
     pub fn shut_down(&mut self) {
-        self.finish_saving();
-        self.save_settings();
-        self.cancel_task();
+        self.finish();
         if let Some(journal) = self.journal.take() {
             journal.close();
         }
+    }
+
+    /// Ends everything where the artist was not asked; the drawing is offered at the next start.
+    pub(super) fn break_off(&mut self) {
+        self.finish();
+        self.journal = None;
+    }
+
+    fn finish(&mut self) {
+        self.finish_saving();
+        self.save_settings();
+        self.cancel_task();
     }
 
     /// Whether something on the screen moves by itself.

@@ -41,7 +41,7 @@ impl EguiPainter {
     }
 
     /// Uploads egui's pictures, then paints `below` and the shapes on the surface and shows the frame. Where the
-    /// surface has no frame to give, nothing is lost but the frame.
+    /// surface has no frame to give, or `is_lost` says afterwards that the device is gone, nothing is lost but the frame.
     #[allow(clippy::iter_over_hash_type, reason = "pictures do not depend on each other")]
     pub(super) fn paint(
         &mut self,
@@ -49,6 +49,7 @@ impl EguiPainter {
         mut frame: EguiFrame,
         clear: wgpu::Color,
         below: impl FnOnce(&mut wgpu::RenderPass<'_>),
+        is_lost: impl Fn() -> bool,
     ) {
         for (id, deltas) in &frame.textures.set {
             for delta in deltas {
@@ -57,7 +58,11 @@ impl EguiPainter {
         }
         if let Some(target) = surface.acquire() {
             self.draw(surface, &frame, &target, clear, below);
-            surface.present(target);
+            if is_lost() {
+                Surface::abandon(target);
+            } else {
+                surface.present(target);
+            }
         }
         for id in &frame.textures.free {
             self.renderer.free_texture(id);

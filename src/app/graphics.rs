@@ -119,9 +119,9 @@ impl Graphics {
         self.renderer.adapter()
     }
 
-    /// Whether everything must be made again.
+    /// Whether the device is gone and everything must be made again.
     pub(super) fn is_lost(&self) -> bool {
-        self.surface.is_lost() || self.renderer.is_lost()
+        self.renderer.is_lost()
     }
 
     /// The window's size in pixels.
@@ -157,12 +157,17 @@ impl Graphics {
     }
 
     /// Draws a frame: what egui laid out, over the drawing; the plant first, into its texture.
-    pub(super) fn draw(&mut self, egui: &egui::Context, output: egui::FullOutput, editor: &mut Editor) {
-        if let Err(error) = self.draw_plant(editor) {
-            editor.tell_render_failure(&error);
+    pub(super) fn draw(&mut self, egui: &egui::Context, mut output: egui::FullOutput, editor: &mut Editor) {
+        for drawn in [self.draw_plant(editor), self.draw_canvas(editor)] {
+            // A lost device is not told: all is drawn again on the next one.
+            match drawn {
+                Err(error) if !self.is_lost() => editor.tell_render_failure(&error),
+                _ => {}
+            }
         }
-        if let Err(error) = self.draw_canvas(editor) {
-            editor.tell_render_failure(&error);
+        if self.is_lost() {
+            output.textures_delta.clear();
+            return;
         }
         let frame = EguiFrame {
             primitives: egui.tessellate(output.shapes, output.pixels_per_point),
@@ -174,12 +179,14 @@ impl Graphics {
         let ground = Palette::of(editor.theme()).ground;
         let [r, g, b] = [ground.r(), ground.g(), ground.b()].map(|c| f64::from(c) / 255.0);
         let canvas = &self.canvas;
-        self.painter.paint(&mut self.surface, frame, wgpu::Color { r, g, b, a: 1.0 }, |pass| {
+        let drawing = |pass: &mut wgpu::RenderPass<'_>| {
             if let Some([x, y, width, height]) = scissor {
                 pass.set_scissor_rect(x, y, width, height);
                 canvas.paint(pass);
             }
-        });
+        };
+        let (ground, is_lost) = (wgpu::Color { r, g, b, a: 1.0 }, || self.renderer.is_lost());
+        self.painter.paint(&mut self.surface, frame, ground, drawing, is_lost);
     }
 
     /// The plant's picture, drawn only where it would be another.

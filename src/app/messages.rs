@@ -5,10 +5,11 @@
 //! of species, parts, units and parameters are looked up by their own name; the English help of parameters is the doc
 //! comment in the code, only translations of it are in the files.
 //!
-//! Limits: messages of the engine itself (files that cannot be read, warnings about a drawing) are English.
+//! Limits: what is wrong inside a damaged file or with a driver is told in English.
 
 mod faults;
 mod keys;
+mod remarks;
 
 pub use faults::Told;
 pub use keys::Msg;

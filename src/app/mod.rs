@@ -11,7 +11,7 @@
 //! | [`plant_view`] | camera and light of the plant |
 //! | [`panels`] | bars, side panel, menus and dialogs |
 //! | `layout` | all of these in one frame |
-//! | `graphics` | the same frame on the graphics card |
+//! | `graphics` | the same frame on the graphics card; `revival`: when the card is lost |
 
 pub mod action;
 pub mod canvas;
@@ -29,6 +29,7 @@ pub mod pen_settings;
 pub mod plant_view;
 mod pointers;
 pub mod presets;
+mod revival;
 pub mod settings;
 mod surface;
 mod system_theme;
@@ -37,6 +38,7 @@ pub mod theme;
 mod thumbnail;
 mod transfer;
 mod window;
+pub mod window_size;
 pub mod worker;
 
 pub use action::Action;

@@ -10,6 +10,7 @@ pub use super::canvas::Stabiliser;
 use super::messages::{Language, Messages, Msg};
 use super::panels::snapshot::{ExportChoice, Notice, ViewState};
 use super::pen_settings::PenSettings;
+use super::window_size::WindowSize;
 use crate::export::{WriteError, write_atomically};
 use crate::pen::PenSource;
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
@@ -84,6 +85,8 @@ pub struct Settings {
     pub side_width: f32,
     /// Share of the room between the panels that the canvas has; the plant has the rest.
     pub canvas_share: f32,
+    /// How large the window was.
+    pub window: WindowSize,
     /// Drawings opened or saved last, the newest first.
     pub recent: Vec<PathBuf>,
     /// What was chosen for the last export.
@@ -106,6 +109,7 @@ impl Default for Settings {
             side_shown: true,
             side_width: SIDE_WIDTH.1,
             canvas_share: CANVAS_SHARE.1,
+            window: WindowSize::default(),
             recent: Vec::new(),
             export: ExportChoice::default(),
             pen_source: PenSource::default(),
@@ -182,6 +186,7 @@ impl Settings {
             side_shown: field(table, "side_shown").unwrap_or(default.side_shown),
             side_width: width.map_or(default.side_width, |w| w.clamp(SIDE_WIDTH.0, SIDE_WIDTH.2)),
             canvas_share: share.map_or(default.canvas_share, |s| s.clamp(CANVAS_SHARE.0, CANVAS_SHARE.2)),
+            window: field(table, "window").map_or(default.window, WindowSize::sane),
             recent,
             export: field(table, "export").map_or(default.export, ExportChoice::sane),
             pen_source: field(table, "pen_source").unwrap_or(default.pen_source),
@@ -244,6 +249,7 @@ mod tests {
             side_shown: false,
             side_width: 400.0,
             canvas_share: 0.7,
+            window: WindowSize { width: 1000.0, height: 700.5, maximised: true },
             ..Settings::default()
         };
         settings.view.light.azimuth_deg = 20.0;
@@ -289,7 +295,7 @@ mod tests {
     fn what_one_version_does_not_understand_costs_only_itself() {
         let folder = tempfile::tempdir().unwrap();
         let text = "theme = \"dark\"\nlanguage = \"klingon\"\nside_width = 1e9\nhologram = true\n\
-                    stabiliser = 7\n[export]\nwidth = 0\n[view]\nshading = \"parts\"\n[view.light]\n\
+                    stabiliser = 7\n[window]\nwidth = -inf\nmaximised = true\n[export]\nwidth = 0\n[view]\nshading = \"parts\"\n[view.light]\n\
                     strength = inf\nazimuth_deg = 30\n";
         fs::write(folder.path().join(FILE_NAME), text).unwrap();
         let (settings, notice) = load(folder.path());
@@ -298,6 +304,7 @@ mod tests {
         assert_eq!(settings.language, None);
         assert_eq!(settings.stabiliser, Stabiliser::Light);
         assert!((settings.side_width - SIDE_WIDTH.2).abs() < 1e-6);
+        assert_eq!(settings.window, WindowSize { maximised: true, ..WindowSize::default() });
         assert!(settings.export.width >= 16);
         let ViewState { light, shading, orthographic, turntable } = settings.view;
         assert_eq!((shading, orthographic, turntable), (Shading::Parts, true, false));

@@ -1,12 +1,12 @@
 //! The window's surface: where frames go, and how it survives whatever happens to it.
 //!
 //! Resizes, minimised windows, unplugged displays and lost surfaces are answered here: the surface is configured or
-//! made anew and the frame is drawn a little later. A lost device cannot be answered here; everything on the GPU must
-//! be made again ([`Surface::is_lost`]).
+//! made anew and the frame is drawn a little later. A lost device cannot be answered here: whoever draws with it sees it,
+//! and everything on the GPU is made again.
 
 use crate::render::RenderError;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use winit::dpi::PhysicalSize;
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
@@ -24,7 +24,6 @@ pub(super) struct Surface {
     pub(super) device: wgpu::Device,
     /// Its queue.
     pub(super) queue: wgpu::Queue,
-    lost: Arc<AtomicBool>,
     hidden: bool,
 }
 
@@ -69,12 +68,6 @@ impl Surface {
             ..Default::default()
         }))
         .map_err(|e| refused(e.to_string()))?;
-        let lost = Arc::new(AtomicBool::new(false));
-        let mark = Arc::clone(&lost);
-        device.set_device_lost_callback(move |reason, message| {
-            tracing::warn!("the graphics device was lost ({reason:?}): {message}");
-            mark.store(true, Ordering::Relaxed);
-        });
         let size = window.surface_size();
         let mut config = surface
             .get_default_config(&adapter, size.width.max(1), size.height.max(1))
@@ -88,7 +81,7 @@ impl Surface {
         config.desired_maximum_frame_latency = 1;
         surface.configure(&device, &config);
         let (window, hidden) = (Arc::clone(window), false);
-        Ok(Self { window, instance, surface, config, info, device, queue, lost, hidden })
+        Ok(Self { window, instance, surface, config, info, device, queue, hidden })
     }
 
     /// Width and height in pixels, at least 1.
@@ -99,11 +92,6 @@ impl Surface {
     /// Format of the frames; colours are written gamma-encoded.
     pub(super) fn format(&self) -> wgpu::TextureFormat {
         self.config.format
-    }
-
-    /// Whether the device is gone and everything on it must be made again.
-    pub(super) fn is_lost(&self) -> bool {
-        self.lost.load(Ordering::Relaxed)
     }
 
     /// Follows the window's size; a window without area keeps the last one.
@@ -122,7 +110,7 @@ impl Surface {
     /// or, where the surface was set up anew or the driver was busy, at once.
     pub(super) fn acquire(&mut self) -> Option<wgpu::SurfaceTexture> {
         use wgpu::CurrentSurfaceTexture as Current;
-        if self.hidden || self.is_lost() {
+        if self.hidden {
             return None;
         }
         match self.surface.get_current_texture() {
@@ -157,6 +145,18 @@ impl Surface {
                 None
             }
         }
+    }
+
+    /// Lets go of a frame that the device did not live to draw.
+    ///
+    /// wgpu 30.0 keeps such a frame and panics when the surface goes (gfx-rs/wgpu issue 9277, mended after 30.0.1). Only
+    /// on a thread that unwinds does it let go, so this one does, to here and without a word.
+    pub(super) fn abandon(frame: wgpu::SurfaceTexture) {
+        let dropped = catch_unwind(AssertUnwindSafe(move || -> () {
+            let _frame = frame;
+            resume_unwind(Box::new(()))
+        }));
+        debug_assert!(dropped.is_err());
     }
 
     /// Shows a frame.

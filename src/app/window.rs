@@ -7,10 +7,11 @@
 use super::canvas::Scroll;
 use super::editor::Editor;
 use super::egui_input::{self, EguiInput};
-use super::graphics::Graphics;
 use super::panels::snapshot::Notice;
 use super::pointers::{Heard, Place, Pointers};
+use super::revival::{Revival, Revived};
 use super::transfer::{self, Arrival};
+use super::window_size;
 use crate::pen::hid::Recording;
 use crate::pen::hid::replay::Stage;
 use crate::pen::mapping::Rect;
@@ -23,16 +24,11 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 use winit::application::ApplicationHandler;
 use winit::cursor::Cursor;
-use winit::dpi::LogicalSize;
 use winit::event::{MouseScrollDelta, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop};
 use winit::window::{ImeCapabilities, ImeEnableRequest, ImeRequest, ImeRequestData};
-use winit::window::{Window, WindowAttributes, WindowId};
+use winit::window::{Window, WindowId};
 
-/// Size of a first window in logical pixels.
-const FIRST_SIZE: (f64, f64) = (1280.0, 800.0);
-/// Smallest window that still shows everything.
-const SMALLEST: (f64, f64) = (640.0, 480.0);
 /// A window that nothing will change for so long is at rest.
 const REST: Duration = Duration::from_millis(300);
 /// Longest sleep that egui can ask for; longer means never.
@@ -110,7 +106,14 @@ impl ApplicationHandler for App {
         let Some(running) = &mut self.running else { return };
         running.hear_beside();
         running.editor.submit();
+        if let Some(error) = running.broken.take() {
+            running.editor.break_off();
+            *self.failure.lock().unwrap_or_else(std::sync::PoisonError::into_inner) = Some(error);
+            event_loop.exit();
+            return;
+        }
         if running.editor.is_closed() {
+            running.note_size();
             running.editor.shut_down();
             event_loop.exit();
             return;
@@ -128,7 +131,7 @@ impl ApplicationHandler for App {
 /// An open window.
 struct Running {
     window: Arc<dyn Window>,
-    graphics: Graphics,
+    graphics: Revival,
     egui: egui::Context,
     input: EguiInput,
     pointers: Pointers,
@@ -149,6 +152,8 @@ struct Running {
     frame_is_due: bool,
     /// Something has happened since the window last came to rest.
     is_awake: bool,
+    /// Why the window cannot go on.
+    broken: Option<anyhow::Error>,
     cursor: egui::CursorIcon,
     composes_text: bool,
 }
@@ -175,16 +180,12 @@ impl Running {
         file: Option<PathBuf>,
         stage: Option<Stage>,
     ) -> anyhow::Result<Self> {
-        let attributes = WindowAttributes::default()
-            .with_title("Penstemon")
-            .with_surface_size(LogicalSize::new(FIRST_SIZE.0, FIRST_SIZE.1))
-            .with_min_surface_size(LogicalSize::new(SMALLEST.0, SMALLEST.1));
-        let attributes = named(event_loop, attributes);
+        let proxy = event_loop.create_proxy();
+        let mut editor = Editor::open(file, move || proxy.wake_up())?;
+        let attributes = window_size::attributes(event_loop, editor.settings.window);
         let window: Arc<dyn Window> =
             Arc::from(event_loop.create_window(attributes).context("the window cannot be opened")?);
         let egui = egui::Context::default();
-        let proxy = event_loop.create_proxy();
-        let mut editor = Editor::open(file, move || proxy.wake_up())?;
         editor.set_system_theme(event_loop.system_theme().map(egui_input::theme));
         let (pointers, trouble) = match stage {
             Some(stage) => Pointers::replay(event_loop, &*window, stage),
@@ -193,8 +194,7 @@ impl Running {
         if let Some(error) = trouble {
             editor.tell(Notice::warning(error.to_string(), ""));
         }
-        let graphics = Graphics::open(event_loop, &window)?;
-        tracing::debug!("the window is drawn by {}", graphics.adapter());
+        let graphics = Revival::open(event_loop, &window)?;
         let input = EguiInput::new(window.scale_factor() as f32);
         window.request_redraw();
         Ok(Self {
@@ -212,6 +212,7 @@ impl Running {
             wake_at: None,
             frame_is_due: true,
             is_awake: true,
+            broken: None,
             cursor: egui::CursorIcon::Default,
             composes_text: false,
         })
@@ -221,7 +222,9 @@ impl Running {
         match event {
             WindowEvent::RedrawRequested => return self.redraw(event_loop),
             WindowEvent::CloseRequested => self.editor.ask_to_quit(),
-            WindowEvent::SurfaceResized(size) => self.graphics.resize(*size),
+            WindowEvent::SurfaceResized(size) => {
+                self.graphics.get().into_iter().for_each(|graphics| graphics.resize(*size));
+            }
             WindowEvent::Focused(false) => self.editor.snapshot(),
             WindowEvent::Focused(true) => self.editor.ask_system_theme(),
             WindowEvent::ThemeChanged(theme) => self.editor.set_system_theme(Some(egui_input::theme(*theme))),
@@ -324,7 +327,9 @@ impl Running {
                 self.input.pointer_gone();
             }
             self.editor.pen(event);
-            self.graphics.grow_stroke(&self.editor);
+            if let Some(graphics) = self.graphics.get() {
+                graphics.grow_stroke(&self.editor);
+            }
         } else if matches!(event.sample.tool, PenTool::Pen | PenTool::Eraser) && !is_contact(event.phase) {
             // A pen near a panel still keeps the palm from drawing.
             self.editor.pen(event);
@@ -367,30 +372,43 @@ impl Running {
 
     fn redraw(&mut self, event_loop: &dyn ActiveEventLoop) {
         self.frame_is_due = false;
-        if self.graphics.is_lost() {
-            self.editor.snapshot();
-            match Graphics::open(event_loop, &self.window) {
-                Ok(graphics) => {
-                    self.graphics = graphics;
-                    // egui believes that its pictures are on the device: a new context sends them again.
-                    self.egui = egui::Context::default();
-                    self.editor.forget_textures();
-                }
-                Err(error) => {
-                    tracing::error!("the graphics device is gone: {error}");
-                    self.editor.ask_to_quit();
-                    return;
-                }
-            }
-        }
-        let raw = self.input.take(self.graphics.size());
-        let (editor, plant) = (&mut self.editor, self.graphics.plant_texture());
+        self.revive(event_loop);
+        let Some(graphics) = self.graphics.get() else { return };
+        let raw = self.input.take(graphics.size());
+        let (editor, plant) = (&mut self.editor, graphics.plant_texture());
         let mut output = self.egui.run_ui(raw, |ui| editor.ui(ui, plant));
         let delay = output.viewport_output.get(&egui::ViewportId::ROOT).map_or(NEVER, |v| v.repaint_delay);
         self.heed(event_loop, &mut output);
-        self.graphics.draw(&self.egui, output, &mut self.editor);
+        if let Some(graphics) = self.graphics.get() {
+            graphics.draw(&self.egui, output, &mut self.editor);
+            if graphics.is_lost() {
+                self.editor.snapshot();
+                self.want_frame();
+            }
+        }
         // From the moment when the frame is there, however long that took.
         self.repaint_at = (delay < NEVER).then(|| Instant::now() + delay);
+    }
+
+    /// Sees to it that there is something to draw with.
+    fn revive(&mut self, event_loop: &dyn ActiveEventLoop) {
+        match self.graphics.revive(event_loop) {
+            Revived::NotLost => {}
+            Revived::Anew => {
+                // egui believes that its pictures are on the device: a new context sends them again.
+                self.egui = egui::Context::default();
+                self.editor.forget_textures();
+                self.editor.tell_graphics_are_back();
+                if let Some(graphics) = self.graphics.get() {
+                    graphics.grow_stroke(&self.editor);
+                }
+            }
+            Revived::NotYet(next) => self.repaint_at = Some(next),
+            Revived::Never(error) => {
+                let kept = "the graphics device was lost; the drawing is kept and offered at the next start";
+                self.broken = Some(error.context(kept));
+            }
+        }
     }
 
     /// Carries out what egui asks of the system.
@@ -445,6 +463,13 @@ impl Running {
         }
     }
 
+    /// Remembers how large the window is. Asked for at rest: while a window is being maximised it has its new size, but does
+    /// not say yet why.
+    fn note_size(&mut self) {
+        let (size, scale) = (self.window.surface_size(), self.window.scale_factor());
+        self.editor.settings.window.follow(size, scale, self.window.is_maximized());
+    }
+
     /// Sleeps until the next event or the next moment that somebody named.
     fn sleep(&mut self, event_loop: &dyn ActiveEventLoop) {
         let now = Instant::now();
@@ -460,28 +485,10 @@ impl Running {
         event_loop.set_control_flow(wake.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
         let rests = !self.frame_is_due && !self.editor.is_working() && wake.is_none_or(|at| at > now + REST);
         if rests && std::mem::take(&mut self.is_awake) {
+            self.note_size();
             tracing::debug!("at rest");
         }
     }
-}
-
-/// Names the window as the menu entry is named, so that the desktop shows its icon.
-#[cfg(target_os = "linux")]
-fn named(event_loop: &dyn ActiveEventLoop, attributes: WindowAttributes) -> WindowAttributes {
-    use winit::platform::{wayland, x11};
-    const NAME: &str = "org.penstemon.Penstemon";
-    if wayland::ActiveEventLoopExtWayland::is_wayland(event_loop) {
-        let named = wayland::WindowAttributesWayland::default().with_name(NAME, "penstemon");
-        attributes.with_platform_attributes(Box::new(named))
-    } else {
-        let named = x11::WindowAttributesX11::default().with_name(NAME, "penstemon");
-        attributes.with_platform_attributes(Box::new(named))
-    }
-}
-
-#[cfg(not(target_os = "linux"))]
-fn named(_: &dyn ActiveEventLoop, attributes: WindowAttributes) -> WindowAttributes {
-    attributes
 }
 
 /// Whether the tool touches or just did.

@@ -10,7 +10,7 @@
 
 use crate::anatomy::Part;
 use crate::model::Cache;
-use crate::pipeline::{self, Built};
+use crate::pipeline::{self, Built, SetupError};
 use crate::sketch::Sketch;
 use crate::species::Species;
 use std::path::PathBuf;
@@ -18,6 +18,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
+use thiserror::Error;
 
 /// Longest time without a new picture before a build may no longer be cancelled.
 pub const PATIENCE: Duration = Duration::from_millis(100);
@@ -38,12 +39,25 @@ pub struct Snapshot {
 pub struct Update {
     /// Revision of the snapshot.
     pub revision: u64,
-    /// The plant, or what kept it from being built, in words for the artist.
-    pub result: Result<Arc<Built>, String>,
+    /// The plant, or what kept it from being built.
+    pub result: Result<Arc<Built>, BuildError>,
     /// Time from the moment the worker took the snapshot.
     pub took: Duration,
     /// What there is of the plant; nothing where it was not built.
     pub counts: Counts,
+}
+
+/// Why there is no plant.
+#[derive(Debug, Error)]
+pub enum BuildError {
+    /// Its species or parameters cannot be used.
+    #[error(transparent)]
+    Setup(#[from] SetupError),
+    /// A defect of ours; it must not take the drawing with it.
+    #[error(
+        "building this plant failed inside the program; undo the last stroke or save the drawing and report it"
+    )]
+    Defect,
 }
 
 /// What there is of a plant, for the panels.
@@ -181,13 +195,10 @@ fn work(shared: &Shared, wake: &dyn Fn()) {
                 Ok(Arc::new(built))
             }
             Ok(Ok(None)) => continue,
-            Ok(Err(reason)) => Err(reason),
+            Ok(Err(error)) => Err(error.into()),
             Err(_) => {
-                // A defect of ours must not take the drawing with it: the window says so and the artist goes on.
                 bench = Bench::default();
-                Err("building this plant failed inside the program; undo the last stroke or save the drawing and \
-                     report it"
-                    .to_owned())
+                Err(BuildError::Defect)
             }
         };
         let mut desk = shared.desk();
@@ -224,15 +235,15 @@ fn next(shared: &Shared) -> Option<Snapshot> {
 
 impl Bench {
     /// `Ok(None)` where it was cancelled.
-    fn build(&mut self, snapshot: &Snapshot, cancel: &AtomicBool) -> Result<Option<Built>, String> {
+    fn build(&mut self, snapshot: &Snapshot, cancel: &AtomicBool) -> Result<Option<Built>, SetupError> {
         let Snapshot { sketch, folder, .. } = snapshot;
         let known = self.species.take().filter(|(name, at, _)| *name == sketch.species && at == folder);
         let species = match known {
             Some((_, _, species)) => species,
-            None => pipeline::species_of(sketch, folder).map_err(|e| e.to_string())?,
+            None => pipeline::species_of(sketch, folder)?,
         };
         let (_, _, species) = self.species.insert((sketch.species.clone(), folder.clone(), species));
-        let params = pipeline::params_of(sketch, species, &[]).map_err(|e| e.to_string())?;
+        let params = pipeline::params_of(sketch, species, &[])?;
         let cancelled = || cancel.load(Ordering::Relaxed);
         Ok(pipeline::build_with(&mut self.cache, sketch, species, &params, &cancelled))
     }
@@ -259,7 +270,7 @@ mod tests {
     }
 
     /// Waits for the result of a revision.
-    fn result(worker: &Worker, wakes: &Receiver<()>, revision: u64) -> Result<Arc<Built>, String> {
+    fn result(worker: &Worker, wakes: &Receiver<()>, revision: u64) -> Result<Arc<Built>, BuildError> {
         loop {
             wakes.recv_timeout(Duration::from_secs(60)).unwrap();
             match worker.take() {
@@ -313,7 +324,7 @@ mod tests {
         let mut daisy = drawing("daisy");
         let species = daisy.species.replace("dasy".into());
         worker.submit(snapshot(1, &daisy));
-        let reason = result(&worker, &wakes, 1).unwrap_err();
+        let reason = result(&worker, &wakes, 1).unwrap_err().to_string();
         assert!(reason.contains("dasy") && reason.contains("daisy"), "{reason}");
         daisy.species = species;
         worker.submit(snapshot(2, &daisy));

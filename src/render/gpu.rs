@@ -57,7 +57,8 @@ impl Gpu {
         let uncaptured = Arc::clone(&fault);
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| note(&uncaptured, error.to_string())));
         let (why, gone) = (Arc::clone(&fault), Arc::clone(&lost));
-        device.set_device_lost_callback(move |_, message| {
+        device.set_device_lost_callback(move |reason, message| {
+            tracing::warn!("the graphics device was lost ({reason:?}): {message}");
             gone.store(true, Ordering::Release);
             note(&why, format!("the device was lost: {message}"));
         });

@@ -1,6 +1,7 @@
 //! Changes of a drawing: what tools and panels hand to the document as one undoable step.
 
-use super::{Canvas, Reference, Stroke, StrokeId, Textures};
+use super::settings::Settings;
+use super::{Reference, Stroke, StrokeId, Textures};
 use serde_json::{Map, Value};
 use std::sync::Arc;
 
@@ -18,18 +19,14 @@ pub enum StrokeChange {
 pub struct Change {
     /// What happens to strokes, in this order.
     pub strokes: Vec<StrokeChange>,
-    /// The new sheet.
-    pub canvas: Option<Canvas>,
-    /// The new species; `Some(None)` leaves the choice to the program.
-    pub species: Option<Option<String>>,
-    /// The new seed.
-    pub seed: Option<u64>,
-    /// All parameters that are not at their defaults.
-    pub params: Option<Map<String, Value>>,
-    /// All textures that the artist chose.
-    pub textures: Option<Textures>,
-    /// The new picture under the drawing, or how it lies now; `Some(None)` takes it away.
-    pub reference: Option<Option<Arc<Reference>>>,
+    /// The new settings.
+    pub settings: Settings,
+}
+
+impl From<Settings> for Change {
+    fn from(settings: Settings) -> Self {
+        Self { strokes: Vec::new(), settings }
+    }
 }
 
 impl Change {
@@ -50,26 +47,26 @@ impl Change {
 
     /// Another species.
     pub fn species(species: Option<String>) -> Self {
-        Self { species: Some(species), ..Self::default() }
+        Settings { species: Some(species), ..Settings::default() }.into()
     }
 
     /// Another seed.
     pub fn seed(seed: u64) -> Self {
-        Self { seed: Some(seed), ..Self::default() }
+        Settings { seed: Some(seed), ..Settings::default() }.into()
     }
 
     /// Other parameters, all of them.
     pub fn params(params: Map<String, Value>) -> Self {
-        Self { params: Some(params), ..Self::default() }
+        Settings { params: Some(params), ..Settings::default() }.into()
     }
 
     /// Other textures, all of them.
     pub fn textures(textures: Textures) -> Self {
-        Self { textures: Some(textures), ..Self::default() }
+        Settings { textures: Some(textures), ..Settings::default() }.into()
     }
 
     /// Another picture under the drawing, or the same lying otherwise, or none.
     pub fn reference(reference: Option<Reference>) -> Self {
-        Self { reference: Some(reference.map(Arc::new)), ..Self::default() }
+        Settings { reference: Some(reference.map(Arc::new)), ..Settings::default() }.into()
     }
 }

@@ -6,7 +6,7 @@
 
 use super::change::{Change, StrokeChange};
 use super::sound;
-use super::step::{Settings, Step, Swap};
+use super::step::{Step, Swap};
 use super::{Sketch, Stroke, StrokeId, limits};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -213,8 +213,7 @@ impl Document {
 
     /// Carries out `change` and says what it did, or leaves everything as it was.
     fn tried(&mut self, change: Change) -> Result<Step, ChangeError> {
-        let Change { strokes: changes, canvas, species, seed, params, textures, reference } = change;
-        let settings = Settings { canvas, species, seed, params, textures, reference };
+        let Change { strokes: changes, settings } = change;
         let (before, after) = settings.against(&self.sketch);
         let strokes_before = self.sketch.strokes.len();
         let step = Step { strokes: self.swapped(changes), before, after };

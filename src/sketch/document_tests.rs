@@ -1,6 +1,7 @@
 //! Tests of documents: history, merging, and what a document does not let in.
 
 use super::*;
+use crate::sketch::settings::Settings;
 use crate::sketch::{Canvas, StrokePoint, Textures, Tool};
 use glam::{Vec2, vec2};
 use serde_json::{Map, Value, json};
@@ -174,7 +175,7 @@ fn settings_that_no_file_can_hold_are_refused_in_words() {
     let mut document = drawn(1);
     let refused = |document: &mut Document, change| document.apply(change).unwrap_err().to_string();
     let canvas = Canvas { width: f32::NAN, height: 3.0 };
-    let message = refused(&mut document, Change { canvas: Some(canvas), ..Change::default() });
+    let message = refused(&mut document, Settings { canvas: Some(canvas), ..Settings::default() }.into());
     assert!(message.contains("NaN by 3"), "{message}");
     let Value::Object(bad) = json!({ "anatomy": { "x": [1] } }) else { panic!() };
     assert!(refused(&mut document, Change::params(bad)).contains("`anatomy.x`"));
@@ -197,7 +198,8 @@ fn a_full_drawing_takes_no_more_but_lets_go() {
         StrokeChange::Put(stroke(3, 0.0).into()),
         StrokeChange::Put(stroke(4, 0.0).into()),
     ];
-    let change = Change { seed: Some(99), ..Change::strokes(many) };
+    let change =
+        Change { settings: Settings { seed: Some(99), ..Settings::default() }, ..Change::strokes(many) };
     let before = document.sketch().clone();
     document.apply(change).unwrap_err();
     assert_eq!(document.sketch(), &before, "a refused change does nothing at all");

@@ -7,7 +7,7 @@ use super::error::{Fault, Place};
 use super::reference::Reference;
 use super::textures::Textures;
 use super::warnings::Warnings;
-use super::{Canvas, Sketch, Stroke, StrokeId, StrokePoint, Tool, limits};
+use super::{Canvas, Remark, Sketch, Stroke, StrokeId, StrokePoint, Tool, limits};
 use glam::Vec2;
 use serde_json::{Map, Value};
 use std::collections::HashMap;
@@ -61,8 +61,7 @@ impl Draft {
                 (Place { stroke: Some(index + 1), id, point: Some(point + 1), line_column: None }, fault)
             })?;
             if points.is_empty() {
-                warnings
-                    .add(id, || format!("stroke {} of the file has no points and was left out", index + 1));
+                warnings.add(id, || Remark::NoPoints { place: index + 1 });
                 continue;
             }
             let id = id.unwrap_or_else(|| ids.next_unused());
@@ -143,15 +142,13 @@ fn bring_into_range(id: StrokeId, points: &mut [StrokePoint], warnings: &mut War
         times += usize::from(time_ms != point.time_ms);
         *point = StrokePoint { position: point.position, pressure, tilt_deg, time_ms };
     }
-    for (count, what, range) in [
-        (pressures, "pressure", "0 to 1"),
-        (tilts, "tilt", "−90 to 90 degrees"),
-        (times, "time", "0 to 1e9 milliseconds"),
+    for (points, remark) in [
+        (pressures, Remark::PressureOutside { points: pressures }),
+        (tilts, Remark::TiltOutside { points: tilts }),
+        (times, Remark::TimeOutside { points: times }),
     ] {
-        if count > 0 {
-            warnings.add(Some(id), || {
-                format!("{what} of {count} points lay outside {range} and was brought into it")
-            });
+        if points > 0 {
+            warnings.add(Some(id), || remark);
         }
     }
 }

@@ -16,7 +16,9 @@ pub mod json;
 pub mod limits;
 pub mod read;
 pub mod reference;
+pub mod remark;
 pub mod save;
+pub mod settings;
 mod sound;
 pub mod step;
 pub mod svg;
@@ -28,6 +30,7 @@ pub use document::{ChangeError, Document};
 pub use error::SketchError;
 pub use read::{editable_from_bytes, from_bytes, read};
 pub use reference::{Picture, Reference, ReferenceError};
+pub use remark::{Remark, Warning};
 pub use step::Step;
 pub use textures::Textures;
 
@@ -168,23 +171,5 @@ impl Sketch {
     /// Diagonal of [`Sketch::bounds`] in pixels: the yardstick of every scale-free length. Zero without samples.
     pub fn diagonal(&self) -> f32 {
         self.bounds().map_or(0.0, |(lo, hi)| (hi - lo).length())
-    }
-}
-
-/// A remark about an odd drawing that was built all the same.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Warning {
-    /// The stroke it is about, when it is about one.
-    pub stroke: Option<StrokeId>,
-    /// What was odd and what was done about it.
-    pub message: String,
-}
-
-impl std::fmt::Display for Warning {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self.stroke {
-            Some(id) => write!(f, "stroke {id}: {}", self.message),
-            None => f.write_str(&self.message),
-        }
     }
 }

@@ -53,13 +53,14 @@ pub(super) fn made_sound(mut change: Change) -> Result<Change, ChangeError> {
         remove @ StrokeChange::Remove(_) => Some(remove),
     };
     change.strokes = change.strokes.into_iter().filter_map(sound).collect();
-    change.canvas.map_or(Ok(()), check_canvas)?;
-    if let Some(params) = &change.params {
+    let settings = &change.settings;
+    settings.canvas.map_or(Ok(()), check_canvas)?;
+    if let Some(params) = &settings.params {
         let mut count = 0;
         check_params(params, 1, "", &mut count)?;
     }
-    change.textures.as_ref().map_or(Ok(()), textures::check).map_err(ChangeError::Texture)?;
-    change.reference.iter().flatten().try_for_each(|reference| reference.check())?;
+    settings.textures.as_ref().map_or(Ok(()), textures::check).map_err(ChangeError::Texture)?;
+    settings.reference.iter().flatten().try_for_each(|reference| reference.check())?;
     Ok(change)
 }
 

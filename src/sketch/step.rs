@@ -4,8 +4,8 @@
 //! much memory as the change itself. Strokes are named by their place, which brings a removed stroke back to where it
 //! lay. A step fits the state it was made for and, reversed, the state it led to.
 
-use super::{Canvas, Reference, Sketch, Stroke, Textures};
-use serde_json::{Map, Value};
+use super::settings::Settings;
+use super::{Sketch, Stroke};
 use std::sync::Arc;
 
 /// One stroke before and after; a new one was nothing before, a removed one is nothing after.
@@ -42,74 +42,6 @@ impl Swap {
             (None, None) => {}
         }
         true
-    }
-}
-
-/// Everything of a drawing but its strokes, as far as a step touches it.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Settings {
-    /// The sheet.
-    pub canvas: Option<Canvas>,
-    /// The species.
-    pub species: Option<Option<String>>,
-    /// The seed.
-    pub seed: Option<u64>,
-    /// The parameters.
-    pub params: Option<Map<String, Value>>,
-    /// The textures.
-    pub textures: Option<Textures>,
-    /// The picture under the drawing.
-    pub reference: Option<Option<Arc<Reference>>>,
-}
-
-impl Settings {
-    /// What `sketch` has where these settings have something; and these settings without what is the same there.
-    pub(super) fn against(self, sketch: &Sketch) -> (Self, Self) {
-        let Sketch { canvas, species, seed, params, textures, reference, strokes: _ } = sketch;
-        let mut before = Self::default();
-        let mut after = Self::default();
-        (before.canvas, after.canvas) = differing(canvas, self.canvas);
-        (before.species, after.species) = differing(species, self.species);
-        (before.seed, after.seed) = differing(seed, self.seed);
-        (before.params, after.params) = differing(params, self.params);
-        (before.textures, after.textures) = differing(textures, self.textures);
-        (before.reference, after.reference) = differing(reference, self.reference);
-        (before, after)
-    }
-
-    pub(super) fn carry_out(&self, sketch: &mut Sketch) {
-        let Self { canvas, species, seed, params, textures, reference } = self;
-        set(&mut sketch.canvas, canvas);
-        set(&mut sketch.species, species);
-        set(&mut sketch.seed, seed);
-        set(&mut sketch.params, params);
-        set(&mut sketch.textures, textures);
-        set(&mut sketch.reference, reference);
-    }
-
-    /// These settings, and those of `other` where these have nothing.
-    fn or(self, other: Self) -> Self {
-        Self {
-            canvas: self.canvas.or(other.canvas),
-            species: self.species.or(other.species),
-            seed: self.seed.or(other.seed),
-            params: self.params.or(other.params),
-            textures: self.textures.or(other.textures),
-            reference: self.reference.or(other.reference),
-        }
-    }
-}
-
-fn differing<T: Clone + PartialEq>(old: &T, new: Option<T>) -> (Option<T>, Option<T>) {
-    match new.filter(|new| new != old) {
-        Some(new) => (Some(old.clone()), Some(new)),
-        None => (None, None),
-    }
-}
-
-fn set<T: Clone>(slot: &mut T, value: &Option<T>) {
-    if let Some(value) = value {
-        *slot = value.clone();
     }
 }
 

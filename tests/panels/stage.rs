@@ -55,6 +55,7 @@ pub(super) fn busy() -> Snapshot {
             triangles: 33_912,
             build_ms: Some(6.4),
             building: false,
+            shortfall: None,
             pen: PenUsed::Pen(Some("Wacom Intuos".into())),
             autosave: Autosave::Journaled,
         },

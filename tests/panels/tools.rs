@@ -1,6 +1,6 @@
 //! The bar, the strip of tools and what floats over the canvas: one tap each.
 
-use crate::stage::{self, asked, busy, english, press, stage};
+use crate::stage::{self, asked, busy, english, press, stage, stage_of};
 use egui_kittest::kittest::Queryable;
 use penstemon::app::action::Action;
 use penstemon::app::messages::{Language, Messages};
@@ -106,6 +106,33 @@ fn a_wrong_guess_is_corrected_by_one_tap() {
     let actions = asked(&mut harness);
     assert!(actions.contains(&Action::SetStrokePart { stroke: 9, tool: Tool::Leaf }), "{actions:?}");
     assert!(actions.contains(&Action::ClosePartMenu));
+}
+
+#[test]
+fn what_is_odd_about_a_stroke_is_told_where_it_is_asked_about() {
+    let mut snapshot = busy();
+    snapshot.part_menu = Some(PartMenu { of: MenuOf::Stroke(9), tool: Tool::Auto, at: [300.0, 300.0] });
+    snapshot.remarks = vec!["太短，看不出含义，已跳过".to_owned()];
+    let harness = stage(snapshot, Language::Chinese);
+    let told = harness.get_by_label("太短，看不出含义，已跳过").rect();
+    assert!(harness.state().canvas.contains_rect(told), "{told:?}");
+}
+
+#[test]
+fn the_status_line_tells_what_the_plant_lacks_and_stays_readable() {
+    let long = "Branch outline: no branch runs through this outline, so no twig could grow in it".repeat(3);
+    for (width, lacking) in [(640.0, long.as_str()), (1280.0, "Leaf: encloses nothing")] {
+        let mut snapshot = busy();
+        snapshot.status.shortfall = Some(lacking.to_owned());
+        let size = egui::vec2(width, 700.0);
+        let harness = stage_of(snapshot, Language::English, size, 1.0, None);
+        let [told, safe, time] = [lacking, "Unsaved, kept safe", "built in 6.4 ms"].map(|label| {
+            let shown = harness.query_by_label(label);
+            shown.unwrap_or_else(|| panic!("{label} is not shown in {width}")).rect()
+        });
+        assert!(safe.right() <= width && told.right() <= safe.left(), "{told:?} {safe:?}");
+        assert!(told.left() >= time.right() || width < 700.0, "{told:?} {time:?}");
+    }
 }
 
 #[test]

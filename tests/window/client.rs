@@ -47,6 +47,17 @@ impl Client {
         self.send(window.parse().unwrap(), "WM_PROTOCOLS", [delete, CURRENT_TIME, 0, 0, 0]);
     }
 
+    /// Says of a window, as a window manager does, that it fills its monitor.
+    pub(crate) fn call_maximised(&self, window: &str) {
+        let states =
+            ["_NET_WM_STATE_MAXIMIZED_HORZ", "_NET_WM_STATE_MAXIMIZED_VERT"].map(|name| self.atom(name));
+        let (window, property) = (window.parse().unwrap(), self.atom("_NET_WM_STATE"));
+        let atom = x11rb::protocol::xproto::AtomEnum::ATOM;
+        let said = self.server.change_property32(PropMode::REPLACE, window, property, atom, &states);
+        // Heard by the server before the caller goes on.
+        said.unwrap().check().unwrap();
+    }
+
     /// Drags a file to a place on the screen above a window, and drops it there.
     pub(crate) fn drop_file(&self, window: &str, [x, y]: [f64; 2], file: &Path) {
         let to: Window = window.parse().unwrap();

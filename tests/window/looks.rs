@@ -1,12 +1,16 @@
 //! What the window looks like: sizes, themes, languages, and rest.
 
+use crate::client::Client;
 use crate::program::Program;
-use crate::screen::{Pixels, Screen};
+use crate::screen::{Area, Pixels, Screen};
 use crate::sketch_file;
 use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
+
+/// Colour of petals on the paper, in the light theme.
+const PETAL: [u8; 3] = [0xb8, 0x35, 0x7c];
 
 /// Most processor time that a resting window may take. It takes none; the rest is for clocks that tick in 10 ms.
 const MOST_IDLE: f64 = 0.01;
@@ -157,4 +161,91 @@ fn light_projection_and_the_divider_are_kept_for_the_next_session() {
     let moved = again.area("canvas");
     assert!((moved[2] - 1.2 * canvas[2]).abs() < 2.0, "{moved:?} after {canvas:?}");
     again.picture(&screen).keep("kept-view");
+}
+
+#[test]
+fn the_windows_size_is_kept_for_the_next_session_as_far_as_the_monitor_has_room() {
+    let home = TempDir::new().unwrap();
+    {
+        let screen = Screen::start(1600, 1000);
+        let mut program = daisy_in(&screen, home.path(), &[]);
+        assert_eq!(size_of(&mut program, &screen), [1280, 800]);
+        let window = program.window(&screen);
+        screen.hand(&["windowsize", "--sync", &window, "1400", "900"]);
+        program.rest();
+        screen.hand(&["key", "ctrl+q"]);
+        assert!(program.wait().success());
+        let mut again = daisy_in(&screen, home.path(), &[]);
+        assert_eq!(size_of(&mut again, &screen), [1400, 900]);
+        // What a window manager says of a window that fills its monitor; there is none here to do it.
+        let window = again.window(&screen);
+        Client::on(&screen).call_maximised(&window);
+        screen.hand(&["windowsize", "--sync", &window, "1600", "1000"]);
+        again.rest();
+        screen.hand(&["key", "ctrl+q"]);
+        assert!(again.wait().success());
+    }
+    let settings = fs::read_to_string(home.path().join(".config/penstemon/settings.toml")).unwrap();
+    assert!(settings.contains("maximised = true") && settings.contains("width = 1400.0"), "{settings}");
+    let screen = Screen::start(1280, 1024);
+    let mut smaller = daisy_in(&screen, home.path(), &[]);
+    assert_eq!(size_of(&mut smaller, &screen), [1280, 900]);
+}
+
+/// Width and height of the window in pixels.
+fn size_of(program: &mut Program, screen: &Screen) -> [u32; 2] {
+    let told = screen.hand(&["getwindowgeometry", "--shell", &program.window(screen)]);
+    ["WIDTH=", "HEIGHT="].map(|name| {
+        told.lines().find_map(|line| line.strip_prefix(name)).and_then(|size| size.parse().ok()).unwrap()
+    })
+}
+
+#[test]
+fn the_divider_between_drawing_and_plant_is_dragged_and_the_drawing_still_fits() {
+    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let mut program = daisy_in(&screen, home.path(), &[]);
+    let before = (program.area("canvas"), program.area("plant"));
+    let strokes = program.told("built revision");
+    let [left, top, width, height] = before.0;
+    let ink = ink_in(&program.picture(&screen), before.0);
+    let (from, y) = (left + width, top + 0.5 * height);
+    drag(&screen, &mut program, [from, y], from - 150.0);
+    program.rest();
+    let after = (program.area("canvas"), program.area("plant"));
+    assert!((after.0[2] - (width - 150.0)).abs() <= 2.0, "{after:?} after {before:?}");
+    assert!((after.1[2] - (before.1[2] + 150.0)).abs() <= 2.0, "{after:?} after {before:?}");
+    assert_eq!((after.0[0] + after.0[2], after.0[3]), (after.1[0], height), "nothing lies between");
+    let picture = program.picture(&screen);
+    picture.keep("divider-dragged");
+    let narrow = ink_in(&picture, after.0);
+    assert!(narrow[0] > after.0[0] && narrow[2] < after.0[0] + after.0[2] - 1.0, "{narrow:?}");
+    let shape = |[left, top, right, bottom]: [f64; 4]| (right - left) / (bottom - top);
+    assert!((shape(narrow) / shape(ink) - 1.0).abs() < 0.05, "{narrow:?} after {ink:?}");
+    assert!(narrow[2] - narrow[0] < ink[2] - ink[0], "the drawing was fitted anew");
+    assert_eq!(program.told("built revision"), strokes, "nothing was drawn");
+
+    // As far as it goes: both sides stay wide enough to be taken hold of.
+    let from = after.1[0];
+    drag(&screen, &mut program, [from, y], 2.0);
+    program.rest();
+    let room = width + before.1[2];
+    assert!((program.area("canvas")[2] - 0.2 * room).abs() <= 2.0, "{:?}", program.area("canvas"));
+}
+
+/// Drags sideways; every move is seen by a frame of its own, however slow the machine.
+fn drag(screen: &Screen, program: &mut Program, [from, y]: [f64; 2], to: f64) {
+    let at = |x: f64| ["mousemove".to_owned(), x.round().to_string(), y.round().to_string()];
+    let press = |what: &str| [what.to_owned(), "1".to_owned()];
+    let moves =
+        [at(from).to_vec(), press("mousedown").to_vec(), at(0.5 * (from + to)).to_vec(), at(to).to_vec()];
+    for words in moves.into_iter().chain([press("mouseup").to_vec()]) {
+        screen.hand(&words.iter().map(String::as_str).collect::<Vec<_>>());
+        program.rest();
+    }
+}
+
+/// Where the daisy's strokes are seen.
+fn ink_in(picture: &Pixels, area: Area) -> [f64; 4] {
+    // The legend in the corner has the same colours.
+    picture.extent(PETAL, [area[0], area[1], area[2] - 12.0, 0.6 * area[3]])
 }

@@ -9,6 +9,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 
 mod client;
+mod device;
 mod disk;
 mod drawing;
 mod exports;

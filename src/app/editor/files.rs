@@ -97,7 +97,7 @@ impl Editor {
         match save::open(&path) {
             Ok(Opened { sketch, warnings, stamp }) => {
                 for warning in &warnings {
-                    self.tell(Notice::warning(warning.to_string(), ""));
+                    self.tell(Notice::warning(warning.told(&self.messages), ""));
                 }
                 // An imported SVG has no file of its own yet.
                 let own = stamp.is_some();
@@ -220,8 +220,8 @@ impl Editor {
         let Some(found) = self.take_found(path) else { return };
         match self.recovery.resume(found) {
             Ok((restored, meta, journal)) => {
-                for warning in restored.warnings {
-                    self.tell(Notice::warning(warning, ""));
+                for gap in restored.gaps {
+                    self.tell(Notice::warning(gap.told(&self.messages), ""));
                 }
                 let file = OwnFile { path: meta.path, stamp: meta.stamp };
                 self.take_over_with(Document::unsaved(restored.sketch), file, Some(journal));

@@ -8,6 +8,7 @@ use crate::app::panels::snapshot::{Dialog, Notice, PathPurpose, ViewState};
 use crate::app::presets::{self, Preset};
 use crate::plant::OrganKind;
 use crate::sketch::change::StrokeChange;
+use crate::sketch::settings::Settings;
 use crate::sketch::{Change, Stroke, StrokeId, Tool};
 use serde_json::{Map, Value};
 use std::path::Path;
@@ -190,7 +191,7 @@ impl Editor {
             Ok(Preset { species, params, textures, .. }) => {
                 let species = species.map(Some);
                 let (params, textures) = (Some(params), Some(textures));
-                self.change(Change { species, params, textures, ..Change::default() });
+                self.change(Settings { species, params, textures, ..Settings::default() }.into());
             }
             Err(error) => self.tell_error(&error),
         }

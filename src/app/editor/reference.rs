@@ -15,7 +15,6 @@ use crate::sketch::{Change, limits};
 use glam::{DVec2, Vec2};
 use std::io::Read;
 use std::path::Path;
-use std::sync::Arc;
 
 /// Share of the visible canvas that a new picture fills.
 const FILL: f64 = 0.8;
@@ -151,8 +150,7 @@ impl Editor {
         if let Some(reference) = &self.document.sketch().reference {
             let mut reference = Reference::clone(reference);
             edit(&mut reference);
-            let change = Change { reference: Some(Some(Arc::new(reference))), ..Change::default() };
-            self.change_merging(change, "reference");
+            self.change_merging(Change::reference(Some(reference)), "reference");
         }
     }
 }

@@ -2,17 +2,19 @@
 
 use super::{Editor, GOOD_NEWS, estimate, task};
 use crate::app::fonts::{self, ChineseFont};
-use crate::app::messages::{Language, Msg};
-use crate::app::panels::Snapshot;
+use crate::app::messages::{Language, Msg, Told as _};
 use crate::app::panels::snapshot::{
-    Autosave, Dialog, Found, ParamValues, PenState, Recovered, ReferenceState, Severity, Status,
+    Autosave, Dialog, Found, MenuOf, ParamValues, PartMenu, PenState, Recovered, ReferenceState, Severity,
+    Status,
 };
+use crate::app::panels::{Snapshot, toolbar};
 use crate::app::presets;
 use crate::app::settings::ThemeChoice;
 use crate::app::system_theme;
 use crate::app::theme::Palette;
 use crate::app::thumbnail;
 use crate::pipeline::DEFAULT_SPECIES;
+use crate::sketch::Warning;
 use crate::sketch::journal::JournalState;
 use serde_json::Map;
 use std::path::Path;
@@ -50,6 +52,7 @@ impl Editor {
             status: self.status(),
             found: self.found_parts(),
             part_menu: self.part_menu,
+            remarks: self.remarks(),
             dialog: self.dialog.clone(),
             export_bytes: self.export_bytes(),
             task: self.task_state(),
@@ -78,9 +81,30 @@ impl Editor {
             // A build of a few milliseconds is not worth a flicker.
             building: self.building.is_running
                 && self.building.last.is_some_and(|t| t > Duration::from_millis(150)),
+            shortfall: self.shortfall(),
             pen: self.pen_used.clone(),
             autosave: self.autosave(),
         }
+    }
+
+    /// What the analysis found odd about the stroke that the menu of parts is about.
+    fn remarks(&self) -> Vec<String> {
+        let Some(PartMenu { of: MenuOf::Stroke(stroke), .. }) = self.part_menu else { return Vec::new() };
+        let about = self.warnings().iter().filter(|warning| warning.stroke == Some(stroke));
+        about.map(|warning| warning.remark.told(&self.messages)).collect()
+    }
+
+    /// What the plant lacks of what was drawn for it last, by what it was drawn as.
+    fn shortfall(&self) -> Option<String> {
+        let lacking = self.warnings().iter().rfind(|warning| warning.remark.is_shortfall())?;
+        let stroke = self.document.sketch().strokes.iter().rfind(|s| Some(s.id) == lacking.stroke)?;
+        let part = self.messages.get(toolbar::name_of(stroke.tool));
+        let remark = lacking.remark.told(&self.messages);
+        Some(self.messages.fill(Msg::WarningPart, &[("part", &part), ("remark", &remark)]))
+    }
+
+    fn warnings(&self) -> &[Warning] {
+        self.built.as_ref().map_or(&[], |built| &built.anatomy.warnings)
     }
 
     fn pen_state(&self) -> PenState {
@@ -236,3 +260,7 @@ fn ago(then: SystemTime) -> String {
         _ => format!("{} d", minutes / 1440),
     }
 }
+
+#[cfg(test)]
+#[path = "snapshot_tests.rs"]
+mod tests;

@@ -5,15 +5,20 @@
 //! English: the system's own words, what is wrong inside a damaged file, failures of drivers.
 
 use super::{Messages, Msg};
+use crate::app::worker::BuildError;
 use crate::atomic::WriteError;
 use crate::export::ExportError;
+use crate::params::ParamError;
+use crate::pipeline::SetupError;
 use crate::render::RenderError;
 use crate::sketch::document::ChangeError;
 use crate::sketch::error::{Fault, Place};
-use crate::sketch::journal::JournalError;
+use crate::sketch::journal::{Gap, JournalError};
 use crate::sketch::reference::ReferenceError;
 use crate::sketch::save::SaveError;
 use crate::sketch::{SketchError, limits};
+use crate::species::SpeciesError;
+use crate::species::file::MAX_BYTES as MAX_SPECIES_BYTES;
 use std::fmt::Display;
 
 /// Something that went wrong, as it is told to the artist.
@@ -127,7 +132,29 @@ impl Told for JournalError {
     fn told(&self, messages: &Messages) -> String {
         match self {
             Self::Write(error) => messages.fill(Msg::ErrorJournal, &[("error", &error.told(messages))]),
-            other => other.to_string(),
+            Self::NoThread(reason) => messages.fill(Msg::ErrorNoJournalThread, &[("reason", reason)]),
+            Self::Read { path, source } => {
+                messages.fill(Msg::ErrorRecoveryUnreadable, &[("file", &path.display()), ("reason", source)])
+            }
+            Self::NewerVersion { path, version } => {
+                messages.fill(Msg::ErrorRecoveryNewer, &[("file", &path.display()), ("version", version)])
+            }
+            Self::Damaged { path, what } => {
+                messages.fill(Msg::ErrorRecoveryDamaged, &[("file", &path.display()), ("reason", what)])
+            }
+            Self::Remove { path, source } => {
+                messages.fill(Msg::ErrorRecoveryRemove, &[("file", &path.display()), ("reason", source)])
+            }
+        }
+    }
+}
+
+impl Told for Gap {
+    fn told(&self, messages: &Messages) -> String {
+        match self {
+            Self::OlderCopy(error) => messages.fill(Msg::ErrorOlderCopy, &[("error", &error.told(messages))]),
+            Self::LeftOut { path, record, what } => messages
+                .fill(Msg::ErrorLeftOut, &[("file", &path.display()), ("record", record), ("reason", what)]),
         }
     }
 }
@@ -140,6 +167,58 @@ impl Told for ExportError {
             other => other.to_string(),
         }
     }
+}
+
+impl Told for BuildError {
+    fn told(&self, messages: &Messages) -> String {
+        match self {
+            Self::Setup(SetupError::Species(error)) => error.told(messages),
+            Self::Setup(SetupError::Param { whose: "the species", fault }) => {
+                messages.fill(Msg::ErrorOfSpecies, &[("fault", &fault.told(messages))])
+            }
+            Self::Setup(SetupError::Param { whose: "the sketch", fault }) => {
+                messages.fill(Msg::ErrorOfSketch, &[("fault", &fault.told(messages))])
+            }
+            Self::Setup(other) => other.to_string(),
+            Self::Defect => messages.get(Msg::ErrorDefect).to_owned(),
+        }
+    }
+}
+
+impl Told for SpeciesError {
+    fn told(&self, messages: &Messages) -> String {
+        match self {
+            Self::Unknown { name, nearest, known } => {
+                let hint = hint(nearest.as_deref(), messages);
+                messages.fill(Msg::ErrorSpeciesUnknown, &[("name", name), ("hint", &hint), ("known", known)])
+            }
+            Self::Unreadable { file, source } => {
+                messages.fill(Msg::ErrorSpeciesUnreadable, &[("file", &file.display()), ("reason", source)])
+            }
+            Self::TooLarge { file } => messages
+                .fill(Msg::ErrorSpeciesTooLarge, &[("file", &file.display()), ("limit", &MAX_SPECIES_BYTES)]),
+            other => other.to_string(),
+        }
+    }
+}
+
+impl Told for ParamError {
+    fn told(&self, messages: &Messages) -> String {
+        match self {
+            Self::Unknown { path, nearest } => {
+                let hint = hint(nearest.as_deref(), messages);
+                messages.fill(Msg::ErrorParamUnknown, &[("path", path), ("hint", &hint)])
+            }
+            Self::Range { path, value, min, max } => messages
+                .fill(Msg::ErrorParamRange, &[("path", path), ("value", value), ("min", min), ("max", max)]),
+            Self::Type { .. } => self.to_string(),
+        }
+    }
+}
+
+/// The name that was perhaps meant.
+fn hint(nearest: Option<&str>, messages: &Messages) -> String {
+    nearest.map_or_else(String::new, |nearest| messages.fill(Msg::ErrorDidYouMean, &[("nearest", &nearest)]))
 }
 
 #[cfg(test)]
@@ -155,6 +234,8 @@ mod tests {
         let full = || WriteError::DiskFull { path: path() };
         let read = |fault: Fault, place: Place| fault.at(place, "rose.penstemon");
         let nowhere = Place::default;
+        let of_sketch = |fault| BuildError::Setup(SetupError::Param { whose: "the sketch", fault });
+        let species = |error| BuildError::Setup(SetupError::Species(error));
         vec![
             Box::new(WriteError::NoFolder { path: path(), folder: folder() }),
             Box::new(WriteError::Denied { path: path(), folder: folder() }),
@@ -177,6 +258,26 @@ mod tests {
             Box::new(ChangeError::Full { what: "points", limit: 7 }),
             Box::new(ChangeError::Reference(ReferenceError::TooLarge)),
             Box::new(JournalError::Write(full())),
+            Box::new(JournalError::NoThread(io::Error::other("7"))),
+            Box::new(JournalError::Read { path: path(), source: io::Error::other("7") }),
+            Box::new(JournalError::NewerVersion { path: path(), version: 9.0 }),
+            Box::new(JournalError::Remove { path: path(), source: io::Error::other("7") }),
+            Box::new(Gap::OlderCopy(JournalError::Damaged { path: path(), what: "7".to_owned() })),
+            Box::new(Gap::LeftOut { path: path(), record: 3, what: "7".to_owned() }),
+            Box::new(BuildError::Defect),
+            Box::new(of_sketch(ParamError::Unknown { path: "7".to_owned(), nearest: None })),
+            Box::new(of_sketch(ParamError::Unknown { path: "7".to_owned(), nearest: Some("8".to_owned()) })),
+            Box::new(BuildError::Setup(SetupError::Param {
+                whose: "the species",
+                fault: ParamError::Range { path: "7".to_owned(), value: 3.5, min: 0.0, max: 1.0 },
+            })),
+            Box::new(species(SpeciesError::Unknown {
+                name: "7".to_owned(),
+                nearest: Some("8".to_owned()),
+                known: "9".to_owned(),
+            })),
+            Box::new(species(SpeciesError::Unreadable { file: path(), source: io::Error::other("7") })),
+            Box::new(species(SpeciesError::TooLarge { file: path() })),
             Box::new(ExportError::Empty),
             Box::new(ExportError::Write(full())),
         ]
@@ -199,7 +300,7 @@ mod tests {
             let words = told.replace("/home/ann/rose.penstemon", "").replace("rose.penstemon", "");
             let words = words.replace("/home/ann", "").replace("Penstemon", "").replace(".penstemon", "");
             let latin: Vec<&str> = words.split(|c: char| !c.is_ascii_alphabetic()).collect();
-            let known = ["", "MiB", "SVG", "PNG", "JPEG"];
+            let known = ["", "MiB", "SVG", "PNG", "JPEG", "toml"];
             assert!(latin.iter().all(|word| known.contains(word)), "{told}");
             assert!(told.chars().any(|c| c > '\u{4e00}'), "{told}");
         }

@@ -7,7 +7,7 @@ use crate::app::action::{Action, CanvasTool};
 use crate::app::messages::{Messages, Msg};
 use crate::app::theme::TOOL;
 use crate::sketch::Tool;
-use egui::{Align2, Area, Context, Id, Order, Rect, Ui, pos2, vec2};
+use egui::{Align2, Area, Context, Id, Order, Rect, RichText, Ui, pos2, vec2};
 
 /// What a stroke can be, as the menu shows it.
 const PARTS: [(Tool, Icon, Msg); 6] = [
@@ -28,7 +28,7 @@ pub fn show(ctx: &Context, canvas: Rect, snapshot: &Snapshot, messages: &Message
     let id = Id::unique("part menu");
     let area = Area::new(id).order(Order::Foreground).fixed_pos(at).constrain_to(canvas.shrink(8.0));
     let shown = area.show(ctx, |ui| {
-        card(ui).show(ui, |ui| choices(ui, &menu, messages, out));
+        card(ui).show(ui, |ui| choices(ui, &menu, &snapshot.remarks, messages, out));
     });
     if ctx.input(|i| i.pointer.any_pressed()) {
         let outside =
@@ -39,7 +39,7 @@ pub fn show(ctx: &Context, canvas: Rect, snapshot: &Snapshot, messages: &Message
     }
 }
 
-fn choices(ui: &mut Ui, menu: &PartMenu, messages: &Messages, out: &mut Vec<Action>) {
+fn choices(ui: &mut Ui, menu: &PartMenu, remarks: &[String], messages: &Messages, out: &mut Vec<Action>) {
     ui.set_width(3.0 * CAPTIONED + 8.0);
     let title = if menu.of == MenuOf::Pen { Msg::PenDrawNext } else { Msg::PartTitle };
     note(ui, messages.get(title));
@@ -63,6 +63,9 @@ fn choices(ui: &mut Ui, menu: &PartMenu, messages: &Messages, out: &mut Vec<Acti
                 }
             }
         });
+    }
+    for remark in remarks {
+        ui.label(RichText::new(remark).size(13.0).color(palette(ui).warning));
     }
 }
 

@@ -64,6 +64,8 @@ pub struct Snapshot {
     pub found: Found,
     /// The menu that asks what a stroke is, at this place in logical pixels.
     pub part_menu: Option<PartMenu>,
+    /// What is odd about the stroke that the menu is about.
+    pub remarks: Vec<String>,
     /// The dialog that is open.
     pub dialog: Option<Dialog>,
     /// What the export dialog says.
@@ -235,6 +237,8 @@ pub struct Status {
     pub build_ms: Option<f32>,
     /// Whether a build is on its way.
     pub building: bool,
+    /// What the plant lacks of what was drawn for it last, and why.
+    pub shortfall: Option<String>,
     /// What was used last to draw.
     pub pen: PenUsed,
     /// Whether the drawing is safe.

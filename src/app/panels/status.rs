@@ -44,6 +44,10 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages) {
                 PenUsed::Pen(Some(name)) => messages.fill(Msg::StatusPenNamed, &[("name", name)]),
             };
             text(ui, &pen, p.weak);
+            if let Some(shortfall) = &status.shortfall {
+                ui.add_space(12.0);
+                text(ui, shortfall, p.warning);
+            }
         });
     });
 }

@@ -59,6 +59,12 @@ pub const TOOLS: [ToolEntry; 10] = [
     entry(CanvasTool::Pan, Key::H, Icon::Hand, Msg::ToolPan, Msg::ToolPanHint),
 ];
 
+/// What a stroke drawn with a tool is called.
+pub fn name_of(tool: Tool) -> Msg {
+    let entry = TOOLS.iter().find(|entry| entry.tool == CanvasTool::Draw(tool));
+    entry.map_or(Msg::ToolAuto, |entry| entry.name)
+}
+
 /// The strip of tools: one tap each.
 pub fn tools(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<Action>) {
     ui.spacing_mut().item_spacing.y = 4.0;

@@ -49,3 +49,21 @@ pub enum JournalError {
         source: io::Error,
     },
 }
+
+/// What a recovered drawing may lack.
+#[derive(Debug, Error)]
+pub enum Gap {
+    /// The newest copy is damaged.
+    #[error("{0}; an older copy was used")]
+    OlderCopy(JournalError),
+    /// A step makes no sense.
+    #[error("{}: record {record} and what came after it was left out: {what}", .path.display())]
+    LeftOut {
+        /// The journal.
+        path: PathBuf,
+        /// Number of the first record that is missing, from 1.
+        record: usize,
+        /// What is wrong with it.
+        what: String,
+    },
+}

@@ -27,7 +27,7 @@ mod scribe;
 mod session;
 pub mod writer;
 
-pub use error::JournalError;
+pub use error::{Gap, JournalError};
 pub use recovery::{Recoverable, Recovery, Restored};
 pub use session::Meta;
 pub use writer::{JournalState, JournalWriter};

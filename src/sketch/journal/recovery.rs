@@ -1,6 +1,6 @@
 //! What windows that are gone have left, and where new ones keep their journals.
 
-use super::error::JournalError;
+use super::error::{Gap, JournalError};
 use super::replay;
 use super::session::{Meta, PREFIX, Session};
 use super::writer::JournalWriter;
@@ -17,12 +17,12 @@ pub struct Recovery {
 }
 
 /// A drawing as a recovery copy has it.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Restored {
     /// The drawing.
     pub sketch: Sketch,
     /// What could not be read of it.
-    pub warnings: Vec<String>,
+    pub gaps: Vec<Gap>,
 }
 
 /// What one window left. While it is held, no other window is offered it.

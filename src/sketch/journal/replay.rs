@@ -1,6 +1,6 @@
 //! A session's files to the drawing that they hold.
 
-use super::error::JournalError;
+use super::error::{Gap, JournalError};
 use super::record::{self, Header, Kind, Next};
 use super::recovery::Restored;
 use super::session::Session;
@@ -17,22 +17,22 @@ use std::path::Path;
 /// Files that cannot be read, that a newer program wrote, or of which no snapshot is whole.
 pub(super) fn restore(session: &Session) -> Result<Option<Restored>, JournalError> {
     let read_error = |source| JournalError::Read { path: session.folder.clone(), source };
-    let mut warnings = Vec::new();
-    let mut first_error = None;
+    let mut gaps = Vec::new();
     for number in session.snapshots().map_err(read_error)?.into_iter().rev() {
         match read_snapshot(&session.snapshot(number)) {
             Ok(sketch) => {
-                let sketch = replay_all(session, number, sketch, &mut warnings)?;
-                return Ok(Some(Restored { sketch, warnings }));
+                let sketch = replay_all(session, number, sketch, &mut gaps)?;
+                return Ok(Some(Restored { sketch, gaps }));
             }
             Err(newer @ JournalError::NewerVersion { .. }) => return Err(newer),
-            Err(error) => {
-                warnings.push(format!("{error}; an older copy was used"));
-                first_error.get_or_insert(error);
-            }
+            Err(error) => gaps.push(Gap::OlderCopy(error)),
         }
     }
-    first_error.map_or(Ok(None), Err)
+    let newest = gaps.into_iter().find_map(|gap| match gap {
+        Gap::OlderCopy(error) => Some(error),
+        Gap::LeftOut { .. } => None,
+    });
+    newest.map_or(Ok(None), Err)
 }
 
 fn read_snapshot(path: &Path) -> Result<Sketch, JournalError> {
@@ -52,7 +52,7 @@ fn replay_all(
     session: &Session,
     number: u64,
     mut sketch: Sketch,
-    warnings: &mut Vec<String>,
+    gaps: &mut Vec<Gap>,
 ) -> Result<Sketch, JournalError> {
     let mut pictures = Pictures::new();
     if let Some(reference) = &sketch.reference {
@@ -65,7 +65,7 @@ fn replay_all(
             Err(none) if none.kind() == io::ErrorKind::NotFound => break,
             Err(source) => return Err(JournalError::Read { path, source }),
         };
-        if !replay_one(&path, file, &mut sketch, &mut pictures, warnings)? {
+        if !replay_one(&path, file, &mut sketch, &mut pictures, gaps)? {
             break;
         }
     }
@@ -81,7 +81,7 @@ fn replay_one(
     file: File,
     sketch: &mut Sketch,
     pictures: &mut Pictures,
-    warnings: &mut Vec<String>,
+    gaps: &mut Vec<Gap>,
 ) -> Result<bool, JournalError> {
     let read_error = |source| JournalError::Read { path: path.to_owned(), source };
     let mut file = BufReader::new(file);
@@ -92,7 +92,7 @@ fn replay_one(
         }
         Header::Broken => return Ok(false),
     }
-    for count in 1.. {
+    for count in 1_usize.. {
         let done = match record::read_next(&mut file).map_err(read_error)? {
             Next::Record(Kind::Step, text) => step::replay(&text, sketch, pictures),
             Next::Record(Kind::Picture, bytes) => Picture::new(bytes)
@@ -103,10 +103,7 @@ fn replay_one(
             Next::Torn => return Ok(false),
         };
         if let Err(what) = done {
-            warnings.push(format!(
-                "{}: record {count} and what came after it was left out: {what}",
-                path.display()
-            ));
+            gaps.push(Gap::LeftOut { path: path.to_owned(), record: count, what });
             return Ok(false);
         }
     }

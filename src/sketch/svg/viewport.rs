@@ -3,7 +3,7 @@
 //! 1 in = 96 px = 72 pt = 25.4 mm. Percentages and what cannot be read count as not given.
 
 use crate::sketch::warnings::Warnings;
-use crate::sketch::{Canvas, limits};
+use crate::sketch::{Canvas, Remark, limits};
 use kurbo::{Affine, Size, Vec2};
 use roxmltree::Node;
 use svgtypes::{Align, AspectRatio, Length, LengthUnit, ViewBox};
@@ -21,9 +21,7 @@ impl Viewport {
     pub(super) fn of_page(root: Node<'_, '_>, warnings: &mut Warnings) -> Self {
         for name in ["width", "height", "viewBox"] {
             if let Some(text) = root.attribute(name).filter(|text| is_unusable(name, text)) {
-                warnings.add(None, || {
-                    format!("the page's {name} `{text:.40}` cannot be used and was passed over")
-                });
+                warnings.add(None, || Remark::Page { attribute: name, value: format!("{text:.40}") });
             }
         }
         let size = size_of(root, root);

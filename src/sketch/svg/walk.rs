@@ -7,8 +7,9 @@ use super::path_data::{PathData, parse_path, parse_points};
 use super::{Outline, naming, pressure, viewport};
 use crate::sketch::draft::{Flaw, coordinate_fault};
 use crate::sketch::error::{Fault, Place};
+use crate::sketch::remark::Element;
 use crate::sketch::warnings::Warnings;
-use crate::sketch::{Tool, limits};
+use crate::sketch::{Remark, Tool, limits};
 use kurbo::{Affine, BezPath, PathEl, Point};
 use roxmltree::{Document, Node, NodeId};
 use std::collections::HashMap;
@@ -80,9 +81,7 @@ impl<'d, 'i> Walk<'d, 'i, '_> {
             }
         }
         for (name, count) in LEFT_OUT.iter().zip(self.left_out).filter(|(_, count)| *count > 0) {
-            self.warnings.add(None, || {
-                format!("{count} <{name}> left out: only paths and lines are strokes (Inkscape: Path > Object to Path)")
-            });
+            self.warnings.add(None, || Remark::NoLines { count, element: name });
         }
         Ok(self.outlines)
     }
@@ -135,7 +134,10 @@ impl<'d, 'i> Walk<'d, 'i, '_> {
             None => Affine::IDENTITY,
             Some(Ok(Transform { a, b, c, d, e, f })) => Affine::new([a, b, c, d, e, f]),
             Some(Err(error)) => {
-                self.warnings.add(None, || format!("{}: transform passed over: {error}", title(node)));
+                self.warnings.add(None, || {
+                    let reason = error.to_string();
+                    Remark::Transform { element: title(node), reason }
+                });
                 Affine::IDENTITY
             }
         };
@@ -164,9 +166,7 @@ impl<'d, 'i> Walk<'d, 'i, '_> {
         let target =
             link.strip_prefix('#').and_then(|id| by_id.get(id)).and_then(|id| document.get_node(*id));
         let Some(target) = target.filter(|_| here.use_depth < limits::MAX_SVG_USE_DEPTH) else {
-            self.warnings.add(None, || {
-                format!("{}: what it refers to was not found or refers to itself", title(node))
-            });
+            self.warnings.add(None, || Remark::LeadsNowhere { element: title(node) });
             return;
         };
         let to_canvas = here.to_canvas * offset(node);
@@ -182,7 +182,10 @@ impl<'d, 'i> Walk<'d, 'i, '_> {
     fn add(&mut self, node: Node<'d, 'i>, here: Inherited, data: PathData) -> Result<(), Flaw> {
         let PathData { mut path, error } = data;
         if let Some(error) = error {
-            self.warnings.add(None, || format!("{}: only its beginning was read: {error}", title(node)));
+            self.warnings.add(None, || {
+                let reason = error.to_string();
+                Remark::CutShort { element: title(node), reason }
+            });
         }
         path.apply_affine(here.to_canvas);
         if let Some(outside) = first_outside(&path) {
@@ -194,12 +197,7 @@ impl<'d, 'i> Walk<'d, 'i, '_> {
             let listed = node.attribute("data-pressure");
             let pressures = listed.and_then(|text| pressure::parse(text, path.elements()));
             if listed.is_some() && pressures.is_none() {
-                self.warnings.add(None, || {
-                    format!(
-                        "{}: data-pressure passed over: it needs a polyline with one number per point",
-                        title(node)
-                    )
-                });
+                self.warnings.add(None, || Remark::PressureUnfit { element: title(node) });
             }
             self.outlines.push(Outline { path, tool: here.tool, pressures });
         }
@@ -237,12 +235,9 @@ fn property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
 }
 
 /// The element as a remark names it.
-fn title(node: Node<'_, '_>) -> String {
-    let name = node.tag_name().name();
-    match node.attribute("id") {
-        Some(id) => format!("<{name}> `{id:.80}`"),
-        None => format!("a <{name}> without id"),
-    }
+fn title(node: Node<'_, '_>) -> Element {
+    let id = node.attribute("id").map(|id| format!("{id:.80}"));
+    Element { name: node.tag_name().name().to_owned(), id }
 }
 
 /// The first point that is not finite or too far out.

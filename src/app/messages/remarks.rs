@@ -1,0 +1,127 @@
+//! What is odd about a drawing, in the language of the interface. Every kind has words; the English ones are those of
+//! [`Remark`]. What parsers of paths and transforms say stays English.
+
+use super::{Messages, Msg, Told};
+use crate::sketch::remark::{Element, Remark, Warning};
+
+impl Told for Warning {
+    fn told(&self, messages: &Messages) -> String {
+        let remark = self.remark.told(messages);
+        match self.stroke {
+            Some(id) => messages.fill(Msg::WarningStroke, &[("id", &id), ("remark", &remark)]),
+            None => remark,
+        }
+    }
+}
+
+impl Told for Remark {
+    fn told(&self, messages: &Messages) -> String {
+        let fill = |msg, values: &[(&str, &dyn std::fmt::Display)]| messages.fill(msg, values);
+        let about = |msg, element: &Element, reason: &str| {
+            fill(msg, &[("element", &element.told(messages)), ("reason", &reason)])
+        };
+        match self {
+            Self::NoPoints { place } => fill(Msg::WarningNoPoints, &[("place", place)]),
+            Self::PressureOutside { points } => fill(Msg::WarningPressure, &[("points", points)]),
+            Self::TiltOutside { points } => fill(Msg::WarningTilt, &[("points", points)]),
+            Self::TimeOutside { points } => fill(Msg::WarningTime, &[("points", points)]),
+            Self::NoLines { count, element } => {
+                fill(Msg::WarningNoLines, &[("count", count), ("element", element)])
+            }
+            Self::Transform { element, reason } => about(Msg::WarningTransform, element, reason),
+            Self::LeadsNowhere { element } => about(Msg::WarningLeadsNowhere, element, ""),
+            Self::CutShort { element, reason } => about(Msg::WarningCutShort, element, reason),
+            Self::PressureUnfit { element } => about(Msg::WarningPressureUnfit, element, ""),
+            Self::Page { attribute, value } => {
+                fill(Msg::WarningPage, &[("attribute", attribute), ("value", value)])
+            }
+            Self::TooShort => fill(Msg::WarningTooShort, &[]),
+            Self::EnclosesNothing => fill(Msg::WarningEnclosesNothing, &[]),
+            Self::Heart => fill(Msg::WarningHeart, &[]),
+            Self::FewTwigs => fill(Msg::WarningFewTwigs, &[]),
+            Self::FilledThinly => fill(Msg::WarningFilledThinly, &[]),
+            Self::NoBranch => fill(Msg::WarningNoBranch, &[]),
+            Self::NoRoom => fill(Msg::WarningNoRoom, &[]),
+            Self::More { count } => fill(Msg::WarningMore, &[("count", count)]),
+        }
+    }
+}
+
+impl Told for Element {
+    fn told(&self, messages: &Messages) -> String {
+        match self.id {
+            Some(_) => self.to_string(),
+            None => messages.fill(Msg::WarningElement, &[("name", &self.name)]),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::messages::Language;
+
+    /// A remark of the kind after this one's, until there is no other: a kind without a place here does not compile.
+    fn next(remark: &Remark) -> Option<Remark> {
+        let element = |id: Option<&str>| Element { name: "path".to_owned(), id: id.map(str::to_owned) };
+        let reason = || "7".to_owned();
+        Some(match remark {
+            Remark::NoPoints { .. } => Remark::PressureOutside { points: 41 },
+            Remark::PressureOutside { .. } => Remark::TiltOutside { points: 42 },
+            Remark::TiltOutside { .. } => Remark::TimeOutside { points: 43 },
+            Remark::TimeOutside { .. } => Remark::NoLines { count: 44, element: "rect" },
+            Remark::NoLines { .. } => Remark::Transform { element: element(Some("45")), reason: reason() },
+            Remark::Transform { .. } => Remark::LeadsNowhere { element: element(None) },
+            Remark::LeadsNowhere { .. } => {
+                Remark::CutShort { element: element(Some("46")), reason: reason() }
+            }
+            Remark::CutShort { .. } => Remark::PressureUnfit { element: element(Some("47")) },
+            Remark::PressureUnfit { .. } => Remark::Page { attribute: "width", value: "48".to_owned() },
+            Remark::Page { .. } => Remark::TooShort,
+            Remark::TooShort => Remark::EnclosesNothing,
+            Remark::EnclosesNothing => Remark::Heart,
+            Remark::Heart => Remark::FewTwigs,
+            Remark::FewTwigs => Remark::FilledThinly,
+            Remark::FilledThinly => Remark::NoBranch,
+            Remark::NoBranch => Remark::NoRoom,
+            Remark::NoRoom => Remark::More { count: 49 },
+            Remark::More { .. } => return None,
+        })
+    }
+
+    fn every_kind() -> Vec<Warning> {
+        let all = std::iter::successors(Some(Remark::NoPoints { place: 40 }), next);
+        all.zip((1..).map(|id| (id % 2 == 0).then_some(id)))
+            .map(|(remark, stroke)| Warning { stroke, remark })
+            .collect()
+    }
+
+    #[test]
+    fn the_english_words_are_those_of_the_remarks() {
+        let english = Messages::new(Language::English);
+        for warning in every_kind() {
+            assert_eq!(warning.told(&english), warning.to_string());
+        }
+    }
+
+    #[test]
+    fn every_kind_is_told_in_chinese_with_its_numbers() {
+        let chinese = Messages::new(Language::Chinese);
+        for warning in every_kind() {
+            let (told, words) = (warning.told(&chinese), warning.to_string());
+            assert!(told.chars().filter(|c| *c > '\u{4e00}').count() >= 4, "{told}");
+            assert!(!told.contains('{') && told.chars().last().is_some_and(|c| c != '：'), "{told}");
+            let numbers = |text: &str| {
+                let mut found: Vec<String> = text
+                    .replace("1e9", "10")
+                    .split(|c: char| !c.is_ascii_digit())
+                    .filter(|number| !number.is_empty())
+                    .map(str::to_owned)
+                    .collect();
+                found.sort();
+                found
+            };
+            assert_eq!(numbers(&told), numbers(&words), "{told}");
+        }
+    }
+}

@@ -1,0 +1,170 @@
+//! What can be odd about a drawing that is built all the same: every kind with its English words.
+//!
+//! One list for the readers and the analysis, so that whoever tells a drawing's author in another language
+//! sees all of it.
+
+use super::StrokeId;
+use std::fmt;
+use thiserror::Error;
+
+/// A remark about an odd drawing that was built all the same.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Warning {
+    /// The stroke it is about, when it is about one.
+    pub stroke: Option<StrokeId>,
+    /// What was odd and what was done about it.
+    pub remark: Remark,
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.stroke {
+            Some(id) => write!(f, "stroke {id}: {}", self.remark),
+            None => write!(f, "{}", self.remark),
+        }
+    }
+}
+
+/// What was odd and what was done about it.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum Remark {
+    /// A stroke without samples.
+    #[error("stroke {place} of the file has no points and was left out")]
+    NoPoints {
+        /// Place in the file, from 1.
+        place: usize,
+    },
+    /// Pressures that no pen has.
+    #[error("pressure of {points} points lay outside 0 to 1 and was brought into it")]
+    PressureOutside {
+        /// How many samples.
+        points: usize,
+    },
+    /// Tilts that no pen has.
+    #[error("tilt of {points} points lay outside −90 to 90 degrees and was brought into it")]
+    TiltOutside {
+        /// How many samples.
+        points: usize,
+    },
+    /// Times that no clock tells.
+    #[error("time of {points} points lay outside 0 to 1e9 milliseconds and was brought into it")]
+    TimeOutside {
+        /// How many samples.
+        points: usize,
+    },
+    /// Elements of an SVG that are no lines.
+    #[error(
+        "{count} <{element}> left out: only paths and lines are strokes (Inkscape: Path > Object to Path)"
+    )]
+    NoLines {
+        /// How many.
+        count: usize,
+        /// Their name.
+        element: &'static str,
+    },
+    /// A transform that cannot be read.
+    #[error("{element}: transform passed over: {reason}")]
+    Transform {
+        /// Whose.
+        element: Element,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A `<use>` that leads nowhere.
+    #[error("{element}: what it refers to was not found or refers to itself")]
+    LeadsNowhere {
+        /// The `<use>`.
+        element: Element,
+    },
+    /// A path that is wrong somewhere.
+    #[error("{element}: only its beginning was read: {reason}")]
+    CutShort {
+        /// The path.
+        element: Element,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// Pressures that do not fit the line.
+    #[error("{element}: data-pressure passed over: it needs a polyline with one number per point")]
+    PressureUnfit {
+        /// The line.
+        element: Element,
+    },
+    /// A page size that makes no sense.
+    #[error("the page's {attribute} `{value}` cannot be used and was passed over")]
+    Page {
+        /// What of the page.
+        attribute: &'static str,
+        /// What it says, as far as it is short.
+        value: String,
+    },
+    /// A dot.
+    #[error("is too short to mean anything and was skipped")]
+    TooShort,
+    /// A petal or leaf without area.
+    #[error("encloses nothing and was skipped as a blade")]
+    EnclosesNothing,
+    /// A stroke amid petals.
+    #[error("is taken for the heart of a flower, which the species draws")]
+    Heart,
+    /// An outline that could not have all twigs.
+    #[error("has fewer twigs than it asks for: the drawing has as many as it may")]
+    FewTwigs,
+    /// An outline that could not have all leaves or the twigs for them.
+    #[error("was filled more thinly: the drawing has as many generated parts as it may")]
+    FilledThinly,
+    /// An outline for twigs with nothing that could carry them.
+    #[error("no branch runs through this outline, so no twig could grow in it")]
+    NoBranch,
+    /// An outline that its branches fill.
+    #[error("leaves no room beside its branches, so no twig could grow in it")]
+    NoRoom,
+    /// What was too much to be told.
+    #[error("and {count} more remarks like these")]
+    More {
+        /// How many remarks.
+        count: usize,
+    },
+}
+
+impl Remark {
+    /// Whether the plant lacks something that was drawn for it.
+    pub fn is_shortfall(&self) -> bool {
+        match self {
+            Self::EnclosesNothing | Self::FewTwigs | Self::FilledThinly | Self::NoBranch | Self::NoRoom => {
+                true
+            }
+            Self::NoPoints { .. }
+            | Self::PressureOutside { .. }
+            | Self::TiltOutside { .. }
+            | Self::TimeOutside { .. }
+            | Self::NoLines { .. }
+            | Self::Transform { .. }
+            | Self::LeadsNowhere { .. }
+            | Self::CutShort { .. }
+            | Self::PressureUnfit { .. }
+            | Self::Page { .. }
+            | Self::TooShort
+            | Self::Heart
+            | Self::More { .. } => false,
+        }
+    }
+}
+
+/// An element of an SVG file, as a remark names it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Element {
+    /// Its name.
+    pub name: String,
+    /// Its id, as far as it is short, where it has one.
+    pub id: Option<String>,
+}
+
+impl fmt::Display for Element {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.id {
+            Some(id) => write!(f, "<{}> `{id}`", self.name),
+            None => write!(f, "a <{}> without id", self.name),
+        }
+    }
+}

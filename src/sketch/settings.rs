@@ -1,0 +1,64 @@
+//! What belongs to a drawing besides its strokes, each setting listed once: as changes ask for it and as steps keep it.
+
+use super::{Canvas, Reference, Sketch, Textures};
+use serde_json::{Map, Value};
+use std::sync::Arc;
+
+/// The settings as a struct of options, and what is done to each of them alike. That they are all there are is held by
+/// taking a [`Sketch`] apart without a rest.
+macro_rules! settings {
+    ($($(#[$doc:meta])* $name:ident: $kind:ty,)*) => {
+        /// Settings of a drawing; what is `None` is not spoken of.
+        #[derive(Clone, Debug, Default, PartialEq)]
+        pub struct Settings {
+            $($(#[$doc])* pub $name: Option<$kind>,)*
+        }
+
+        impl Settings {
+            /// What `sketch` has where these settings have something; and these settings without what is the same there.
+            pub(super) fn against(self, sketch: &Sketch) -> (Self, Self) {
+                let Sketch { strokes: _, $($name,)* } = sketch;
+                let (mut before, mut after) = (Self::default(), Self::default());
+                $((before.$name, after.$name) = differing($name, self.$name);)*
+                (before, after)
+            }
+
+            pub(super) fn carry_out(&self, sketch: &mut Sketch) {
+                $(set(&mut sketch.$name, &self.$name);)*
+            }
+
+            /// These settings, and those of `other` where these have nothing.
+            pub(super) fn or(self, other: Self) -> Self {
+                Self { $($name: self.$name.or(other.$name),)* }
+            }
+        }
+    };
+}
+
+settings! {
+    /// The sheet.
+    canvas: Canvas,
+    /// The species; `Some(None)` leaves the choice to the program.
+    species: Option<String>,
+    /// The seed.
+    seed: u64,
+    /// All parameters that are not at their defaults.
+    params: Map<String, Value>,
+    /// All textures that the artist chose.
+    textures: Textures,
+    /// The picture under the drawing and how it lies; `Some(None)` takes it away.
+    reference: Option<Arc<Reference>>,
+}
+
+fn differing<T: Clone + PartialEq>(old: &T, new: Option<T>) -> (Option<T>, Option<T>) {
+    match new.filter(|new| new != old) {
+        Some(new) => (Some(old.clone()), Some(new)),
+        None => (None, None),
+    }
+}
+
+fn set<T: Clone>(slot: &mut T, value: &Option<T>) {
+    if let Some(value) = value {
+        *slot = value.clone();
+    }
+}
