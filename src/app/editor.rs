@@ -21,6 +21,7 @@ use super::fonts::ChineseFont;
 use super::layout::Layout;
 use super::messages::{Messages, Msg};
 use super::panels::snapshot::{Dialog, Notice, PartMenu, PenLive, PenUsed, Severity};
+use super::pen_settings::TabletDoubt;
 use super::plant_view::PlantView;
 use super::settings::Settings;
 use super::worker::{self, Counts, Update, Worker};
@@ -187,6 +188,8 @@ pub struct Editor {
     pen_battery: Option<u8>,
     /// Why a tablet cannot be read, and what to do.
     pen_trouble: Option<String>,
+    /// Tablets of which the model is not sure.
+    tablet_doubts: Vec<TabletDoubt>,
     pen_live: PenLive,
     copied: Option<egui::ColorImage>,
     title: Option<String>,
@@ -262,6 +265,7 @@ impl Editor {
             pen_is_raw: false,
             pen_battery: None,
             pen_trouble: None,
+            tablet_doubts: Vec::new(),
             pen_live: PenLive::default(),
             copied: None,
             title: None,

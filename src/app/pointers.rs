@@ -3,6 +3,8 @@
 //! Each way in has a module of its own; here they meet the arbiter. What comes out is in order and is the window's to
 //! hand on. The system is asked for the place of monitors only if a tablet covers one.
 
+use super::messages::Told;
+use super::pen_settings::TabletDoubt;
 use super::settings::Settings;
 use super::tablets::{Reach, Tablets};
 use crate::pen::hid::replay::Stage;
@@ -115,8 +117,13 @@ impl Pointers {
     }
 
     /// Why a tablet cannot be read, and what to do.
-    pub(super) fn trouble(&self) -> Option<&str> {
+    pub(super) fn trouble(&self) -> Option<&dyn Told> {
         self.tablets.trouble()
+    }
+
+    /// Tablets of which it is not sure which model they are.
+    pub(super) fn doubts(&self) -> &[TabletDoubt] {
+        self.tablets.doubts()
     }
 
     /// Hears winit. Whether something was not let pass: it is the shadow of a pen, and nobody else's event either.
@@ -163,7 +170,7 @@ impl Pointers {
             None => settings.pen_source,
         };
         self.arbiter.set_source(source);
-        self.tablets.obey(source, &mut events);
+        self.tablets.obey(source, &settings.tablet_models, &mut events);
         self.tablets.listen(has_focus, &mut events);
         if self.tablets.are_there() {
             let reach = place.reach(self.tablets.cover_monitor(|name| settings.pen(name)));

@@ -280,8 +280,8 @@ impl Running {
         let canvas = Rect { min: pixels(canvas.min), max: pixels(canvas.max) };
         self.pointers.take(&Place { window: &*self.window, canvas }, &self.editor.settings, &mut heard);
         self.pointers.idle(&mut heard);
-        self.editor.note_pen_trouble(self.pointers.trouble());
-        if !heard.is_empty() {
+        let is_new = self.editor.note_tablets(self.pointers.trouble(), self.pointers.doubts());
+        if is_new || !heard.is_empty() {
             self.want_frame();
         }
         self.dispatch(heard);

@@ -90,6 +90,7 @@ impl Editor {
             is_raw: self.pen_is_raw,
             battery: self.pen_battery,
             trouble: self.pen_trouble.clone(),
+            doubts: self.tablet_doubts.clone(),
             source: self.settings.pen_source,
             settings: self.settings.pen(name),
             live: self.pen_live,
