@@ -275,6 +275,7 @@ impl Tablets {
 
     fn forget(&mut self, id: DeviceId, time_ms: f64, out: &mut Vec<(Origin, PenEvent)>) {
         if let Some(mut tablet) = self.known.remove(&id) {
+            tracing::debug!("tablet {} is gone", tablet.name);
             tablet.machine.leave(time_ms, &mut self.events);
             out.extend(self.events.drain(..).map(|event| (Origin::Direct(id), event)));
         }

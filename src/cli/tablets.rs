@@ -324,4 +324,30 @@ mod tests {
         assert!(told[2].contains("./run.sh --install-udev"));
         assert_eq!(found[0].json()["read"], true);
     }
+
+    #[test]
+    fn a_guess_is_told_and_so_are_the_models_of_a_tablet_that_is_not_read() {
+        // Report 2 of eleven bytes; writes 63, another length than the table has for 28bd:0936.
+        let longer: &[u8] = &[
+            0x06, 0x0A, 0xFF, 0x09, 0x01, 0xA1, 0x01, 0x85, 0x02, 0x75, 0x08, 0x95, 0x0B, 0x81, 0x02, 0x95,
+            0x3F, 0x91, 0x02, 0xC0,
+        ];
+        let mut bus = SimulatedBus::new();
+        for (path, ids, descriptor) in
+            [("a", (0x28BD, 0x936), longer), ("b", (0x256C, 0x6D), tablets::VENDOR_PAGE)]
+        {
+            let (vendor_id, product_id) = ids;
+            let info = DeviceInfo { path: path.into(), vendor_id, product_id, ..Default::default() };
+            bus.plug(&SimulatedDevice::new(info, descriptor));
+        }
+        let found = look(&mut bus).unwrap();
+        let told: Vec<String> = found.iter().map(Found::text).collect();
+        assert!(told[0].contains("as XP-Pen Deco M") && told[0].contains("this is a guess"), "{}", told[0]);
+        assert_eq!((&found[0].json()["guess"], &found[0].json()["read"]), (&json!(true), &json!(true)));
+        assert!(told[1].contains("not read: it may be ") && told[1].contains("USB strings"), "{}", told[1]);
+        assert!(found[1].json()["models"].as_array().unwrap().len() > 10);
+        let models = ["A 1", "A 2", "A 3"].map(str::to_owned).to_vec();
+        let doubt = Doubt { models, taken: "A 2".into(), is_chosen: false };
+        assert!(doubt_text(&doubt).contains("it may also be A 1, A 3;"));
+    }
 }

@@ -76,7 +76,7 @@ impl Roster {
             Known::Other | Known::Failed => is_there(info),
         });
         for device in found {
-            let may_pass = || self.refused.get(&device.path).is_some_and(|refused| refused.why.may_pass());
+            let may_pass = || self.refused.get(&device.path).is_none_or(|refused| refused.why.may_pass());
             match self.known.get(&device.path) {
                 Some((_, Known::Read(_) | Known::Other)) => continue,
                 Some((_, Known::Failed)) if !may_pass() => continue,
@@ -107,6 +107,10 @@ impl Roster {
             Ok(None) => return Known::Other,
             Err(why) => why,
         };
+        // Unplugged while it was met: that is no refusal, and the next look does not find it.
+        if matches!(why, Refusal::Transport(TransportError::Gone { .. })) {
+            return Known::Failed;
+        }
         let refused = Refused { device: device.clone(), why };
         if self.refused.get(&device.path).is_none_or(|said| **said != refused) {
             tracing::warn!("{refused}");
