@@ -109,16 +109,33 @@ fn paced(mut hand_over: impl FnMut(usize)) -> Vec<Instant> {
     moments.collect()
 }
 
-/// Decodes, and writes down when the event was in the queue and the window's thread woken.
+/// When the first event of each report was in the queue.
+struct InQueue {
+    reports: usize,
+    moments: Vec<Instant>,
+}
+
+impl InQueue {
+    /// Takes the moment, unless it was taken for this report.
+    fn stamp(&mut self) {
+        if self.moments.len() < self.reports {
+            self.moments.push(Instant::now());
+        }
+    }
+}
+
+/// Counts reports. The moment is taken when the queue asks for the window to be woken, which comes next after the event;
+/// where the window is awake already, when the report is decoded.
 struct Stamped {
     decoder: Box<dyn Decode>,
-    moments: Arc<Mutex<Vec<Instant>>>,
+    in_queue: Arc<Mutex<InQueue>>,
 }
 
 impl Decode for Stamped {
     fn decode(&mut self, report: &[u8], sink: &mut dyn FnMut(HidEvent)) {
+        self.in_queue.lock().unwrap().reports += 1;
         self.decoder.decode(report, sink);
-        self.moments.lock().unwrap().push(Instant::now());
+        self.in_queue.lock().unwrap().stamp();
     }
 }
 
@@ -126,10 +143,14 @@ impl Decode for Stamped {
 fn reports(queued: &mut Vec<f64>, heard: &mut Vec<f64>) {
     let device = SimulatedDevice::new(DeviceInfo::default(), tablets::PEN_DISPLAY);
     let mut choice = choose_decoder(device.info(), tablets::PEN_DISPLAY).unwrap().unwrap();
-    let in_queue = Arc::new(Mutex::new(Vec::with_capacity(ROUND)));
-    choice.decoder = Box::new(Stamped { decoder: choice.decoder, moments: Arc::clone(&in_queue) });
-    let (wake, woken) = channel();
-    let (outbox, inbox) = queue(move || wake.send(()).unwrap_or_default(), Instant::now());
+    let in_queue = Arc::new(Mutex::new(InQueue { reports: 0, moments: Vec::with_capacity(ROUND) }));
+    choice.decoder = Box::new(Stamped { decoder: choice.decoder, in_queue: Arc::clone(&in_queue) });
+    let ((wake, woken), stamps) = (channel(), Arc::clone(&in_queue));
+    let wakes = move || {
+        stamps.lock().unwrap().stamp();
+        wake.send(()).unwrap_or_default();
+    };
+    let (outbox, inbox) = queue(wakes, Instant::now());
     let reader = Reader::start(0, Box::new(device.open()), choice, outbox).unwrap();
     let sender = std::thread::spawn(move || {
         let circle = circle();
@@ -153,8 +174,8 @@ fn reports(queued: &mut Vec<f64>, heard: &mut Vec<f64>) {
     drop(reader);
     let sent = sender.join().unwrap();
     let in_queue = in_queue.lock().unwrap();
-    assert_eq!((sent.len(), sent.len()), (arrived.len(), in_queue.len()), "a report was lost");
-    delays(&sent, &in_queue, queued);
+    assert_eq!((sent.len(), sent.len()), (arrived.len(), in_queue.moments.len()), "a report was lost");
+    delays(&sent, &in_queue.moments, queued);
     delays(&sent, &arrived, heard);
 }
 

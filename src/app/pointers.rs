@@ -27,9 +27,11 @@ pub(super) struct Heard {
     pub(super) event: PenEvent,
     /// It did not come through winit, so nobody else has heard it.
     pub(super) is_beside: bool,
+    /// The way it came.
+    pub(super) origin: Origin,
 }
 
-/// The pen in use.
+/// A pen in use.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PenInUse<'a> {
     /// Its tablet's name; empty for the system's pens.
@@ -104,11 +106,11 @@ impl Pointers {
         }
     }
 
-    /// The pen in range.
-    pub(super) fn pen(&self) -> Option<PenInUse<'_>> {
-        match self.arbiter.owner()? {
+    /// The pen that events of this origin are of; none of a mouse.
+    pub(super) fn pen(&self, origin: Origin) -> Option<PenInUse<'_>> {
+        match origin {
             Origin::Direct(id) => {
-                let name = self.tablets.name(id).unwrap_or_default();
+                let name = self.tablets.name(id)?;
                 Some(PenInUse { name, is_raw: true, battery: self.tablets.battery(id) })
             }
             Origin::System => Some(PenInUse { name: "", is_raw: false, battery: None }),
@@ -212,7 +214,7 @@ impl Pointers {
     fn admit(&mut self, event: PenEvent, origin: Origin, is_beside: bool, out: &mut Vec<Heard>) -> bool {
         self.arbiter.pass(event, origin, &mut self.passed);
         let is_heard = !self.passed.is_empty();
-        out.extend(self.passed.drain(..).map(|event| Heard { event, is_beside }));
+        out.extend(self.passed.drain(..).map(|event| Heard { event, is_beside, origin }));
         is_heard
     }
 }

@@ -57,6 +57,8 @@ pub(super) struct Tablets {
     /// The artist's choice that holds.
     obeys: Option<PenSource>,
     known: BTreeMap<DeviceId, Tablet>,
+    /// Names of those that went since the last look; their last events are still to be followed.
+    gone: Vec<(DeviceId, String)>,
     /// The window is the one that the artist works in.
     listens: bool,
     /// Why tablets cannot be looked for.
@@ -88,6 +90,7 @@ impl Tablets {
             watcher: None,
             obeys: None,
             known: BTreeMap::new(),
+            gone: Vec::new(),
             listens: false,
             fault: None,
             refused: BTreeMap::new(),
@@ -114,6 +117,7 @@ impl Tablets {
     /// Begins or ceases to read tablets, and reads them as the models that the artist chose; pens of tablets that are no
     /// longer read leave.
     pub(super) fn obey(&mut self, source: PenSource, models: &Models, out: &mut Vec<(Origin, PenEvent)>) {
+        self.gone.clear();
         if self.models != *models {
             self.models.clone_from(models);
             if let Some(watcher) = &self.watcher {
@@ -185,9 +189,10 @@ impl Tablets {
         }
     }
 
-    /// The name of a tablet.
+    /// The name of a tablet that is there, or was until now.
     pub(super) fn name(&self, id: DeviceId) -> Option<&str> {
-        self.known.get(&id).map(|tablet| tablet.name.as_str())
+        let gone = || self.gone.iter().find(|(gone, _)| *gone == id).map(|(_, name)| name.as_str());
+        self.known.get(&id).map(|tablet| tablet.name.as_str()).or_else(gone)
     }
 
     /// Whether tablets are looked for.
@@ -278,6 +283,7 @@ impl Tablets {
             tracing::debug!("tablet {} is gone", tablet.name);
             tablet.machine.leave(time_ms, &mut self.events);
             out.extend(self.events.drain(..).map(|event| (Origin::Direct(id), event)));
+            self.gone.push((id, tablet.name));
         }
     }
 

@@ -72,7 +72,10 @@ fn a_tablet_draws_where_the_artist_put_it_and_leaves_with_its_cable() {
     let canvas = desk.heard[2].1.sample.position;
     assert!((100.0 + window.x * 0.4 - canvas.x).abs() < 1e-6, "{window} {canvas}");
     desk.bus.unplug("sim0");
-    desk.until(|tablets, _| tablets.name(0).is_none());
+    desk.until(|tablets, _| tablets.known.is_empty());
+    assert_eq!(desk.tablets.name(0), Some("Slate"), "its last events are still to be followed");
+    desk.tablets.obey(PenSource::Auto, &desk.models, &mut desk.heard);
+    assert_eq!(desk.tablets.name(0), None);
     let phases: Vec<_> = desk.heard.iter().map(|(_, event)| event.phase).collect();
     assert_eq!(phases, [PenPhase::Enter, PenPhase::Down, PenPhase::Move, PenPhase::Up, PenPhase::Leave]);
 }

@@ -113,11 +113,9 @@ fn the_third_button_of_a_pen_is_assigned() {
     harness.run();
     harness.get_by_label_contains("Third button: ").click();
     harness.run();
-    harness.get_by_label("Nothing").click();
+    harness.get_by_label("Turn the plant").click();
     harness.run();
-    assert!(
-        matches!(&asked(&mut harness)[..], [Action::SetPen(pen)] if pen.uses.third == ButtonUse::Nothing)
-    );
+    assert!(matches!(&asked(&mut harness)[..], [Action::SetPen(pen)] if pen.uses.third == ButtonUse::Orbit));
 }
 
 #[test]

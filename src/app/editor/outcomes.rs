@@ -153,3 +153,7 @@ impl Editor {
         }
     }
 }
+
+#[cfg(test)]
+#[path = "outcomes_tests.rs"]
+mod tests;
