@@ -186,16 +186,23 @@ pub struct Editor {
     pen_is_raw: bool,
     /// Charge of the pen in percent.
     pen_battery: Option<u8>,
-    /// Why a tablet cannot be read, and what to do.
-    pen_trouble: Option<String>,
-    /// Tablets of which the model is not sure.
-    tablet_doubts: Vec<TabletDoubt>,
+    /// What is said of tablets.
+    tablets: TabletNews,
     pen_live: PenLive,
     copied: Option<egui::ColorImage>,
     title: Option<String>,
     shown_title: String,
     wake: task::Wake,
     closed: bool,
+}
+
+/// What is said of tablets that are read directly.
+#[derive(Default)]
+struct TabletNews {
+    /// Why one cannot be read, and what to do.
+    trouble: Option<String>,
+    /// Those of which the model is not sure.
+    doubts: Vec<TabletDoubt>,
 }
 
 impl Editor {
@@ -264,8 +271,7 @@ impl Editor {
             pen_device: None,
             pen_is_raw: false,
             pen_battery: None,
-            pen_trouble: None,
-            tablet_doubts: Vec::new(),
+            tablets: TabletNews::default(),
             pen_live: PenLive::default(),
             copied: None,
             title: None,

@@ -56,15 +56,15 @@ impl Editor {
     /// once beside the dialog, too: a tablet that does nothing is not looked for there. Whether anything is new.
     pub fn note_tablets(&mut self, trouble: Option<&dyn Told>, doubts: &[TabletDoubt]) -> bool {
         let trouble = trouble.map(|trouble| trouble.told(&self.messages));
-        let is_new = self.pen_trouble != trouble || self.tablet_doubts != doubts;
-        if self.pen_trouble != trouble {
+        let is_new = self.tablets.trouble != trouble || self.tablets.doubts != doubts;
+        if self.tablets.trouble != trouble {
             if let Some(what) = &trouble {
                 self.tell(Notice::warning(what.clone(), ""));
             }
-            self.pen_trouble = trouble;
+            self.tablets.trouble = trouble;
         }
         if is_new {
-            self.tablet_doubts = doubts.to_vec();
+            self.tablets.doubts = doubts.to_vec();
         }
         is_new
     }

@@ -7,8 +7,7 @@ use crate::uhid::{Asked, BLUETOOTH, Identity, USB, VirtualDevice};
 use penstemon::pen::hid::reader::queue;
 use penstemon::pen::hid::watcher::Roster;
 use penstemon::pen::hid::{
-    Bus, DeviceId, DeviceInfo, Enumerate, HidEvent, Notice, System, TransportError, choose_decoder,
-    choose_model,
+    Bus, DeviceId, DeviceInfo, Enumerate, HidEvent, Notice, System, TransportError, choose_model,
 };
 use std::error::Error;
 use std::io::{BufRead, BufReader};
