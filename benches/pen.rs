@@ -1,5 +1,8 @@
 //! Reports of tablets: how many a second are decoded, and how long one takes from its arrival to a pen event in the
 //! window's queue. `cargo bench --bench pen`; goals: 2 million reports a second, 100 µs at the 99th percentile.
+//!
+//! A delay is counted from the moment at which the bytes are given to the transport. It is mostly the system's, which wakes
+//! the reader's thread and then the window's, so the same run measures bare channels between as many threads.
 
 #![allow(
     clippy::unwrap_used,
@@ -17,6 +20,7 @@ use penstemon::pen::mapping::Rect;
 use penstemon::pen::{Mapping, PenMachine};
 use std::hint::black_box;
 use std::sync::mpsc::channel;
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 #[path = "../tests/common/tablets.rs"]
@@ -87,29 +91,75 @@ fn events(c: &mut Criterion) {
     group.finish();
 }
 
-/// Sends reports one by one, 1,000 a second, and measures until the window's thread has the event.
-fn delay(_: &mut Criterion) {
-    const PAUSE: Duration = Duration::from_millis(1);
-    let begin = Instant::now();
+/// Reports of one round, and rounds: the ways take turns, so that all meet the same noise of the machine.
+const ROUND: usize = 500;
+const ROUNDS: usize = 10;
+/// First reports of a round, while threads are new.
+const WARM: usize = 20;
+
+/// Hands over one thing a millisecond; the moments at which each was handed over. Sleeping is over before a moment is
+/// taken, so that it counts nowhere.
+fn paced(mut hand_over: impl FnMut(usize)) -> Vec<Instant> {
+    let moments = (0..ROUND).map(|n| {
+        std::thread::sleep(Duration::from_millis(1));
+        let now = Instant::now();
+        hand_over(n);
+        now
+    });
+    moments.collect()
+}
+
+/// When the first event of each report was in the queue.
+struct InQueue {
+    reports: usize,
+    moments: Vec<Instant>,
+}
+
+impl InQueue {
+    /// Takes the moment, unless it was taken for this report.
+    fn stamp(&mut self) {
+        if self.moments.len() < self.reports {
+            self.moments.push(Instant::now());
+        }
+    }
+}
+
+/// Counts reports. The moment is taken when the queue asks for the window to be woken, which comes next after the event;
+/// where the window is awake already, when the report is decoded.
+struct Stamped {
+    decoder: Box<dyn Decode>,
+    in_queue: Arc<Mutex<InQueue>>,
+}
+
+impl Decode for Stamped {
+    fn decode(&mut self, report: &[u8], sink: &mut dyn FnMut(HidEvent)) {
+        self.in_queue.lock().unwrap().reports += 1;
+        self.decoder.decode(report, sink);
+        self.in_queue.lock().unwrap().stamp();
+    }
+}
+
+/// From a report's bytes to its event in the queue, and to the pen event that the woken thread makes of it.
+fn reports(queued: &mut Vec<f64>, heard: &mut Vec<f64>) {
     let device = SimulatedDevice::new(DeviceInfo::default(), tablets::PEN_DISPLAY);
-    let choice = choose_decoder(device.info(), tablets::PEN_DISPLAY).unwrap().unwrap();
-    let (wake, woken) = channel();
-    let (outbox, inbox) = queue(move || wake.send(()).unwrap_or_default(), begin);
+    let mut choice = choose_decoder(device.info(), tablets::PEN_DISPLAY).unwrap().unwrap();
+    let in_queue = Arc::new(Mutex::new(InQueue { reports: 0, moments: Vec::with_capacity(ROUND) }));
+    choice.decoder = Box::new(Stamped { decoder: choice.decoder, in_queue: Arc::clone(&in_queue) });
+    let ((wake, woken), stamps) = (channel(), Arc::clone(&in_queue));
+    let wakes = move || {
+        stamps.lock().unwrap().stamp();
+        wake.send(()).unwrap_or_default();
+    };
+    let (outbox, inbox) = queue(wakes, Instant::now());
     let reader = Reader::start(0, Box::new(device.open()), choice, outbox).unwrap();
     let sender = std::thread::spawn(move || {
         let circle = circle();
-        let sent = circle.iter().cycle().take(5 * usize::from(REPORTS)).map(|report| {
-            std::thread::sleep(PAUSE);
-            let now = Instant::now();
-            device.send(report);
-            now
-        });
-        let sent: Vec<Instant> = sent.collect();
+        let sent = paced(|n| device.send(&circle[n]));
         device.unplug_at_end();
         sent
     });
     let (mut machine, mut events, mut arrived) =
-        (PenMachine::new(window()), Vec::with_capacity(8192), Vec::new());
+        (PenMachine::new(window()), Vec::with_capacity(8192), Vec::with_capacity(ROUND));
     let mut is_there = true;
     while is_there && woken.recv_timeout(Duration::from_secs(10)).is_ok() {
         inbox.drain(|message| match message.notice {
@@ -123,16 +173,56 @@ fn delay(_: &mut Criterion) {
     }
     drop(reader);
     let sent = sender.join().unwrap();
-    assert_eq!(sent.len(), arrived.len(), "a report was lost");
-    let mut delays: Vec<f64> =
-        sent.iter().zip(&arrived).map(|(sent, arrived)| (*arrived - *sent).as_secs_f64() * 1e6).collect();
-    delays.sort_by(f64::total_cmp);
-    let at = |share: f64| delays[((delays.len() - 1) as f64 * share) as usize];
+    let in_queue = in_queue.lock().unwrap();
+    assert_eq!((sent.len(), sent.len()), (arrived.len(), in_queue.moments.len()), "a report was lost");
+    delays(&sent, &in_queue.moments, queued);
+    delays(&sent, &arrived, heard);
+}
+
+/// From one thread to the last of so many others, through bare channels: what the machine itself needs.
+fn bare(hand_overs: usize, took: &mut Vec<f64>) {
+    let (first, mut receiver) = channel::<usize>();
+    for _ in 1..hand_overs {
+        let (next, received) = channel();
+        let before = std::mem::replace(&mut receiver, received);
+        std::thread::spawn(move || before.iter().try_for_each(|n| next.send(n)));
+    }
+    let sender = std::thread::spawn(move || paced(|n| first.send(n).unwrap()));
+    let arrived: Vec<Instant> = receiver.iter().map(|_| Instant::now()).collect();
+    delays(&sender.join().unwrap(), &arrived, took);
+}
+
+/// Appends how long each took, in microseconds.
+fn delays(from: &[Instant], to: &[Instant], out: &mut Vec<f64>) {
+    let took = from.iter().zip(to).map(|(from, to)| (*to - *from).as_secs_f64() * 1e6);
+    out.extend(took.skip(WARM));
+}
+
+/// Delays of reports, 1,000 a second, beside those of bare channels between as many threads in the same run.
+fn delay(_: &mut Criterion) {
+    let (mut queued, mut heard, mut once, mut twice) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    for _ in 0..ROUNDS {
+        bare(1, &mut once);
+        reports(&mut queued, &mut heard);
+        bare(2, &mut twice);
+    }
+    let bare_once = told("one thread to another, bare channel", &mut once, None);
+    told("report to event in the window's queue", &mut queued, Some(bare_once));
+    let bare_twice = told("one thread to a third, two bare channels", &mut twice, None);
+    told("report to pen event in the woken thread", &mut heard, Some(bare_twice));
+}
+
+/// Prints the distribution and returns its middle and 99th percentile; beside what the bare machine needs, if given.
+fn told(what: &str, took: &mut [f64], bare: Option<[f64; 2]>) -> [f64; 2] {
+    took.sort_by(f64::total_cmp);
+    let at = |share: f64| took[((took.len() - 1) as f64 * share) as usize];
     let (half, most, all) = (at(0.5), at(0.99), at(1.0));
-    println!(
-        "report to pen event, {} reports: p50 {half:.1} µs, p99 {most:.1} µs, most {all:.1} µs",
-        delays.len()
-    );
+    let beside = bare.map(|[bare_half, bare_most]| {
+        format!("; {:.2} and {:.2} times the bare channels", half / bare_half, most / bare_most)
+    });
+    let (count, beside) = (took.len(), beside.unwrap_or_default());
+    println!("{what}, {count} times: p50 {half:.1} µs, p99 {most:.1} µs, most {all:.1} µs{beside}");
+    [half, most]
 }
 
 criterion_group!(benches, decoding, events, delay);

@@ -8,7 +8,7 @@
 
 use glam::{DVec2, Vec2};
 use hidreport::{Field, Report, ReportDescriptor, VariableField};
-use penstemon::pen::hid::{Abilities, Decode, DescriptorDecoder, HidEvent, RawPen};
+use penstemon::pen::hid::{Abilities, Decode, DescriptorDecoder, HidEvent, RawPen, TypedReports};
 use proptest::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -328,6 +328,9 @@ fn every_real_pen_decodes_and_nothing_else_does() {
         for (pen, share) in expected.iter().flat_map(|pen| [0.0, 0.5, 1.0].map(|share| (pen, share))) {
             let (report, expected) = synthesise(pen, share);
             reports += 1;
+            if TypedReports::of(descriptor).holds(&report) {
+                wrong.push(format!("{name}: {report:02x?} is taken for something typed"));
+            }
             match decode_pen(&mut decoder, &report) {
                 Some(pen) if is_close(&pen, &expected) => {}
                 pen => wrong.push(format!("{name}: {report:02x?} became {pen:?}, not {expected:?}")),

@@ -7,6 +7,7 @@
 use penstemon::pen::hid::families::{Family, check_event};
 use penstemon::pen::hid::table::{Certainty, Match};
 use penstemon::pen::hid::{HidEvent, Table, Tablet};
+use penstemon::pen::machine::Silence;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -100,7 +101,9 @@ fn known_devices_are_found() {
 #[test]
 fn a_woken_tablet_draws() {
     let tablet = find("256c:006d", 12, 0, &[(201, "HUION_T173_190325")]).best().unwrap();
-    assert!(tablet.leaves_by_silence() && tablet.needs_strings() && tablet.wake.strings == [200]);
+    assert!(
+        tablet.silence() == Some(Silence::KNOWN) && tablet.needs_strings() && tablet.wake.strings == [200]
+    );
     let mut decoder = tablet.decoder(12);
     let mut drawn = Vec::new();
     let [x, y] = tablet.steps.map(|steps| (steps / 2) as u16);

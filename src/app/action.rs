@@ -164,6 +164,13 @@ pub enum Action {
     SetPenSource(PenSource),
     /// Choose how the pen last used presses, what its buttons do and what its tablet covers.
     SetPen(PenSettings),
+    /// Choose which model a tablet in doubt is.
+    SetTabletModel {
+        /// What the tablet is known by.
+        device: String,
+        /// The model's name.
+        model: String,
+    },
     /// Show or hide the side panel.
     ShowSide(bool),
     /// The side panel was made this wide, logical pixels.

@@ -21,6 +21,7 @@ use super::fonts::ChineseFont;
 use super::layout::Layout;
 use super::messages::{Messages, Msg, Told as _};
 use super::panels::snapshot::{Dialog, Notice, PartMenu, PenLive, PenUsed, Severity};
+use super::pen_settings::TabletDoubt;
 use super::plant_view::PlantView;
 use super::settings::Settings;
 use super::worker::{self, Counts, Update, Worker};
@@ -185,14 +186,23 @@ pub struct Editor {
     pen_is_raw: bool,
     /// Charge of the pen in percent.
     pen_battery: Option<u8>,
-    /// Why a tablet cannot be read, and what to do.
-    pen_trouble: Option<String>,
+    /// What is said of tablets.
+    tablets: TabletNews,
     pen_live: PenLive,
     copied: Option<egui::ColorImage>,
     title: Option<String>,
     shown_title: String,
     wake: task::Wake,
     closed: bool,
+}
+
+/// What is said of tablets that are read directly.
+#[derive(Default)]
+struct TabletNews {
+    /// Why one cannot be read, and what to do.
+    trouble: Option<String>,
+    /// Those of which the model is not sure.
+    doubts: Vec<TabletDoubt>,
 }
 
 impl Editor {
@@ -261,7 +271,7 @@ impl Editor {
             pen_device: None,
             pen_is_raw: false,
             pen_battery: None,
-            pen_trouble: None,
+            tablets: TabletNews::default(),
             pen_live: PenLive::default(),
             copied: None,
             title: None,

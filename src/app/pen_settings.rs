@@ -18,6 +18,21 @@ pub enum Covers {
     Monitor,
 }
 
+/// A tablet of which it is not sure which model it is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TabletDoubt {
+    /// What it is known by ([`crate::pen::hid::DeviceInfo::identity`]).
+    pub device: String,
+    /// Its name, as it tells it.
+    pub name: String,
+    /// Models that it may be, the best guess first.
+    pub models: Vec<String>,
+    /// The model that it is read as; `None` if it is not read.
+    pub taken: Option<String>,
+    /// The artist chose that model.
+    pub is_chosen: bool,
+}
+
 /// What the artist chose for one pen.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]

@@ -3,6 +3,8 @@
 //! Each way in has a module of its own; here they meet the arbiter. What comes out is in order and is the window's to
 //! hand on. The system is asked for the place of monitors only if a tablet covers one.
 
+use super::messages::Told;
+use super::pen_settings::TabletDoubt;
 use super::settings::Settings;
 use super::tablets::{Reach, Tablets};
 use crate::pen::hid::replay::Stage;
@@ -25,9 +27,11 @@ pub(super) struct Heard {
     pub(super) event: PenEvent,
     /// It did not come through winit, so nobody else has heard it.
     pub(super) is_beside: bool,
+    /// The way it came.
+    pub(super) origin: Origin,
 }
 
-/// The pen in use.
+/// A pen in use.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PenInUse<'a> {
     /// Its tablet's name; empty for the system's pens.
@@ -102,11 +106,11 @@ impl Pointers {
         }
     }
 
-    /// The pen in range.
-    pub(super) fn pen(&self) -> Option<PenInUse<'_>> {
-        match self.arbiter.owner()? {
+    /// The pen that events of this origin are of; none of a mouse.
+    pub(super) fn pen(&self, origin: Origin) -> Option<PenInUse<'_>> {
+        match origin {
             Origin::Direct(id) => {
-                let name = self.tablets.name(id).unwrap_or_default();
+                let name = self.tablets.name(id)?;
                 Some(PenInUse { name, is_raw: true, battery: self.tablets.battery(id) })
             }
             Origin::System => Some(PenInUse { name: "", is_raw: false, battery: None }),
@@ -115,8 +119,13 @@ impl Pointers {
     }
 
     /// Why a tablet cannot be read, and what to do.
-    pub(super) fn trouble(&self) -> Option<&str> {
+    pub(super) fn trouble(&self) -> Option<&dyn Told> {
         self.tablets.trouble()
+    }
+
+    /// Tablets of which it is not sure which model they are.
+    pub(super) fn doubts(&self) -> &[TabletDoubt] {
+        self.tablets.doubts()
     }
 
     /// Hears winit. Whether something was not let pass: it is the shadow of a pen, and nobody else's event either.
@@ -163,7 +172,7 @@ impl Pointers {
             None => settings.pen_source,
         };
         self.arbiter.set_source(source);
-        self.tablets.obey(source, &mut events);
+        self.tablets.obey(source, &settings.tablet_models, &mut events);
         self.tablets.listen(has_focus, &mut events);
         if self.tablets.are_there() {
             let reach = place.reach(self.tablets.cover_monitor(|name| settings.pen(name)));
@@ -205,7 +214,7 @@ impl Pointers {
     fn admit(&mut self, event: PenEvent, origin: Origin, is_beside: bool, out: &mut Vec<Heard>) -> bool {
         self.arbiter.pass(event, origin, &mut self.passed);
         let is_heard = !self.passed.is_empty();
-        out.extend(self.passed.drain(..).map(|event| Heard { event, is_beside }));
+        out.extend(self.passed.drain(..).map(|event| Heard { event, is_beside, origin }));
         is_heard
     }
 }

@@ -13,6 +13,7 @@ use super::pen_settings::PenSettings;
 use super::window_size::WindowSize;
 use crate::export::{WriteError, write_atomically};
 use crate::pen::PenSource;
+use crate::pen::hid::Models;
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use std::collections::BTreeMap;
 use std::fs;
@@ -97,6 +98,8 @@ pub struct Settings {
     pub view: ViewState,
     /// What was chosen for each pen, by its name; pens without a name share the empty one.
     pub pens: BTreeMap<String, PenSettings>,
+    /// The models that were chosen for tablets in doubt, by what the tablets are known by.
+    pub tablet_models: Models,
 }
 
 impl Default for Settings {
@@ -115,6 +118,7 @@ impl Default for Settings {
             pen_source: PenSource::default(),
             view: ViewState::default(),
             pens: BTreeMap::new(),
+            tablet_models: Models::new(),
         }
     }
 }
@@ -167,6 +171,13 @@ impl Settings {
         }
     }
 
+    /// Keeps which model a tablet is.
+    pub fn set_tablet_model(&mut self, device: &str, model: &str) {
+        if self.tablet_models.len() < MAX_PENS || self.tablet_models.contains_key(device) {
+            self.tablet_models.insert(device.to_owned(), model.to_owned());
+        }
+    }
+
     /// The language to start with.
     pub fn language(&self) -> Language {
         self.language.unwrap_or_else(Language::of_system)
@@ -191,13 +202,18 @@ impl Settings {
             export: field(table, "export").map_or(default.export, ExportChoice::sane),
             pen_source: field(table, "pen_source").unwrap_or(default.pen_source),
             view: field(table, "view").map_or(default.view, ViewState::sane),
-            pens: table.get("pens").and_then(Value::as_table).map(pens).unwrap_or_default(),
+            pens: table.get("pens").and_then(Value::as_table).map(by_name).unwrap_or_default(),
+            tablet_models: table
+                .get("tablet_models")
+                .and_then(Value::as_table)
+                .map(by_name)
+                .unwrap_or_default(),
         }
     }
 }
 
-/// The pens that this version understands.
-fn pens(table: &Table) -> BTreeMap<String, PenSettings> {
+/// What was kept for pens or tablets, as far as this version understands it.
+fn by_name<T: DeserializeOwned>(table: &Table) -> BTreeMap<String, T> {
     let known = table.keys().take(MAX_PENS).filter_map(|name| Some((name.clone(), field(table, name)?)));
     known.collect()
 }
@@ -260,6 +276,7 @@ mod tests {
         let mut pen = PenSettings { is_turned: true, ..PenSettings::default() };
         pen.pressure = crate::pen::PressureCurve::soft();
         settings.set_pen("Pen of \"somebody\"", pen);
+        settings.set_tablet_model("256c:006d HUION Tablet 7", "Huion H640P");
         settings.remember(Path::new("/drawings/daisy.penstemon"));
         settings.save(&below).unwrap();
         assert_eq!(load(&below), (settings, None));

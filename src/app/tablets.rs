@@ -4,8 +4,12 @@
 //! woken. Each tablet has a machine that makes events of its pen's states, with the part of the window that the artist
 //! chose for it. Nothing is watched while the artist wants only the system's pens.
 
-use super::pen_settings::{Covers, PenSettings};
-use crate::pen::hid::{Arrival, DeviceId, Enumerate, HidEvent, Notice, Watcher};
+use super::messages::Told;
+use super::pen_settings::{Covers, PenSettings, TabletDoubt};
+use crate::pen::hid::{
+    Arrival, DeviceId, DeviceInfo, Enumerate, HidEvent, Message, Models, Notice, Refused, TransportError,
+    Watcher,
+};
 use crate::pen::machine::PenMachine;
 use crate::pen::mapping::{Mapping, Rect};
 use crate::pen::{Origin, PenEvent, PenSource};
@@ -53,10 +57,18 @@ pub(super) struct Tablets {
     /// The artist's choice that holds.
     obeys: Option<PenSource>,
     known: BTreeMap<DeviceId, Tablet>,
+    /// Names of those that went since the last look; their last events are still to be followed.
+    gone: Vec<(DeviceId, String)>,
     /// The window is the one that the artist works in.
     listens: bool,
-    /// Why tablets cannot be read, the newest.
-    trouble: Option<String>,
+    /// Why tablets cannot be looked for.
+    fault: Option<TransportError>,
+    /// Tablets that cannot be read, by their paths.
+    refused: BTreeMap<Arc<str>, Arc<Refused>>,
+    /// Those of which it is not sure which model they are.
+    doubts: Vec<TabletDoubt>,
+    /// The models that the artist chose, as the watcher knows them.
+    models: Models,
     /// Where tablets are looked for.
     system: Box<dyn Fn(PenSource) -> Box<dyn Enumerate>>,
     wake: Arc<dyn Fn() + Send + Sync>,
@@ -78,8 +90,12 @@ impl Tablets {
             watcher: None,
             obeys: None,
             known: BTreeMap::new(),
+            gone: Vec::new(),
             listens: false,
-            trouble: None,
+            fault: None,
+            refused: BTreeMap::new(),
+            doubts: Vec::new(),
+            models: Models::new(),
             system,
             wake,
             begin,
@@ -98,22 +114,31 @@ impl Tablets {
         }
     }
 
-    /// Begins or ceases to read tablets, as the artist chose; pens of tablets that are no longer read leave.
-    pub(super) fn obey(&mut self, source: PenSource, out: &mut Vec<(Origin, PenEvent)>) {
+    /// Begins or ceases to read tablets, and reads them as the models that the artist chose; pens of tablets that are no
+    /// longer read leave.
+    pub(super) fn obey(&mut self, source: PenSource, models: &Models, out: &mut Vec<(Origin, PenEvent)>) {
+        self.gone.clear();
+        if self.models != *models {
+            self.models.clone_from(models);
+            if let Some(watcher) = &self.watcher {
+                watcher.set_models(models.clone());
+            }
+        }
         if self.obeys.replace(source) == Some(source) {
             return;
         }
-        self.trouble = None;
+        (self.fault, self.refused) = (None, BTreeMap::new());
         if self.watcher.take().is_some() {
             let now_ms = self.now_ms();
             let ids: Vec<DeviceId> = self.known.keys().copied().collect();
             ids.into_iter().for_each(|id| self.forget(id, now_ms, out));
         }
+        self.doubts.clear();
         if source != PenSource::System {
             let wake = Arc::clone(&self.wake);
-            match Watcher::start((self.system)(source), move || wake(), self.begin) {
+            match Watcher::start_with((self.system)(source), models.clone(), move || wake(), self.begin) {
                 Ok(watcher) => self.watcher = Some(watcher),
-                Err(error) => self.trouble = Some(error.to_string()),
+                Err(fault) => self.fault = Some(fault),
             }
         }
     }
@@ -130,24 +155,44 @@ impl Tablets {
             let pen = chosen(&tablet.name);
             tablet.machine.set_mapping(reach.mapping(&pen, &tablet.arrival));
         }
-        watcher.inbox().drain(|message| match message.notice {
+        let mut is_other = false;
+        watcher.inbox().drain(|message| {
+            is_other |= !matches!(message.notice, Notice::Said(_));
+            self.hear_notice(message, reach, &chosen, out);
+        });
+        if is_other {
+            self.doubts = self.find_doubts();
+        }
+        self.watcher = Some(watcher);
+    }
+
+    fn hear_notice(
+        &mut self,
+        message: Message,
+        reach: &Reach,
+        chosen: &impl Fn(&str) -> PenSettings,
+        out: &mut Vec<(Origin, PenEvent)>,
+    ) {
+        match message.notice {
             Notice::Arrived(arrival) => {
                 tracing::debug!("tablet {} is read by {}", arrival.info.name(), arrival.way);
-                self.trouble = None;
                 let name = arrival.info.name();
                 let machine = PenMachine::new(reach.mapping(&chosen(&name), &arrival));
                 self.known.insert(message.device, Tablet { arrival, name, machine, battery: None });
             }
             Notice::Said(event) => self.hear(message.device, event, message.time_ms, out),
-            Notice::Refused(why) => self.trouble = Some(why),
+            Notice::Refused(refused) => {
+                self.refused.insert(refused.device.path.as_str().into(), refused);
+            }
+            Notice::Settled(path) => drop(self.refused.remove(&path)),
             Notice::Gone(_) => self.forget(message.device, message.time_ms, out),
-        });
-        self.watcher = Some(watcher);
+        }
     }
 
-    /// The name of a tablet.
+    /// The name of a tablet that is there, or was until now.
     pub(super) fn name(&self, id: DeviceId) -> Option<&str> {
-        self.known.get(&id).map(|tablet| tablet.name.as_str())
+        let gone = || self.gone.iter().find(|(gone, _)| *gone == id).map(|(_, name)| name.as_str());
+        self.known.get(&id).map(|tablet| tablet.name.as_str()).or_else(gone)
     }
 
     /// Whether tablets are looked for.
@@ -166,8 +211,59 @@ impl Tablets {
     }
 
     /// Why a tablet cannot be read, and what to do.
-    pub(super) fn trouble(&self) -> Option<&str> {
-        self.trouble.as_deref()
+    pub(super) fn trouble(&self) -> Option<&dyn Told> {
+        let refused = self.refused.values().find(|refused| !self.reads(&refused.device));
+        match &self.fault {
+            Some(fault) => Some(fault),
+            None => refused.map(|refused| &**refused as &dyn Told),
+        }
+    }
+
+    /// Tablets of which it is not sure which model they are.
+    pub(super) fn doubts(&self) -> &[TabletDoubt] {
+        &self.doubts
+    }
+
+    /// Whether some node of this device is read; then its others do not matter.
+    fn reads(&self, device: &DeviceInfo) -> bool {
+        let identity = device.identity();
+        self.known.values().any(|tablet| tablet.arrival.info.identity() == identity)
+    }
+
+    fn find_doubts(&self) -> Vec<TabletDoubt> {
+        let of_read = self.known.values().filter_map(|tablet| {
+            let (info, doubt) = (&tablet.arrival.info, tablet.arrival.doubt.as_ref()?);
+            let (models, taken) = (doubt.models.clone(), Some(doubt.taken.clone()));
+            Some(TabletDoubt {
+                device: info.identity(),
+                name: info.name(),
+                models,
+                taken,
+                is_chosen: doubt.is_chosen,
+            })
+        });
+        let refused = self.refused.values().filter(|refused| !self.reads(&refused.device));
+        let of_refused = refused.map(|refused| TabletDoubt {
+            device: refused.device.identity(),
+            name: refused.device.name(),
+            models: refused.why.models().to_vec(),
+            taken: None,
+            is_chosen: false,
+        });
+        // A refused tablet may be the only model that fits; one that is read so leaves nothing to choose.
+        let can_choose = |doubt: &TabletDoubt| doubt.models.len() > usize::from(doubt.taken.is_some());
+        let mut doubts: Vec<TabletDoubt> = Vec::new();
+        for doubt in of_read.chain(of_refused).filter(can_choose) {
+            match doubts.iter_mut().find(|known| known.device == doubt.device) {
+                Some(known) => {
+                    let new = doubt.models.into_iter().filter(|model| !known.models.contains(model));
+                    let new: Vec<String> = new.collect();
+                    known.models.extend(new);
+                }
+                None => doubts.push(doubt),
+            }
+        }
+        doubts
     }
 
     fn hear(&mut self, id: DeviceId, event: HidEvent, time_ms: f64, out: &mut Vec<(Origin, PenEvent)>) {
@@ -184,8 +280,10 @@ impl Tablets {
 
     fn forget(&mut self, id: DeviceId, time_ms: f64, out: &mut Vec<(Origin, PenEvent)>) {
         if let Some(mut tablet) = self.known.remove(&id) {
+            tracing::debug!("tablet {} is gone", tablet.name);
             tablet.machine.leave(time_ms, &mut self.events);
             out.extend(self.events.drain(..).map(|event| (Origin::Direct(id), event)));
+            self.gone.push((id, tablet.name));
         }
     }
 
@@ -195,107 +293,5 @@ impl Tablets {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::pen::PenPhase;
-    use crate::pen::hid::DeviceInfo;
-    use crate::pen::hid::made_up::{DisplayReport, PEN_DISPLAY, switch};
-    use crate::pen::hid::simulated::{SimulatedBus, SimulatedDevice};
-    use glam::DVec2;
-    use std::time::Duration;
-
-    const REACH: Reach = Reach {
-        canvas: Rect { min: DVec2::new(100.0, 0.0), max: DVec2::new(500.0, 400.0) },
-        window: Rect { min: DVec2::ZERO, max: DVec2::new(1000.0, 400.0) },
-        monitor: None,
-    };
-
-    /// A window that works with one simulated tablet.
-    struct Desk {
-        bus: SimulatedBus,
-        tablet: SimulatedDevice,
-        tablets: Tablets,
-        pen: PenSettings,
-        heard: Vec<(Origin, PenEvent)>,
-    }
-
-    impl Desk {
-        fn new() -> Self {
-            let bus = SimulatedBus::new();
-            let info = DeviceInfo { path: "sim0".into(), product: "Slate".into(), ..DeviceInfo::default() };
-            let tablet = SimulatedDevice::new(info, PEN_DISPLAY);
-            let system = bus.clone();
-            let mut tablets = Tablets::new(move |_| Box::new(system.clone()), || {}, Instant::now());
-            let mut heard = Vec::new();
-            tablets.listen(true, &mut heard);
-            let pen = PenSettings { keeps_aspect: false, ..PenSettings::default() };
-            Self { bus, tablet, tablets, pen, heard }
-        }
-
-        /// Listens until something is so.
-        fn until(&mut self, mut is_so: impl FnMut(&Tablets, &[(Origin, PenEvent)]) -> bool) {
-            let begin = Instant::now();
-            while !is_so(&self.tablets, &self.heard) {
-                assert!(begin.elapsed() < Duration::from_secs(60), "it never happened: {:?}", self.heard);
-                let pen = self.pen;
-                self.tablets.take(&REACH, |_| pen, &mut self.heard);
-                std::thread::sleep(Duration::from_millis(1));
-            }
-        }
-
-        fn report(&self, switches: u8) {
-            let report = DisplayReport { switches, x: 5000, pressure: 2000, ..DisplayReport::default() };
-            self.tablet.send(&report.bytes());
-        }
-    }
-
-    #[test]
-    fn a_tablet_draws_where_the_artist_put_it_and_leaves_with_its_cable() {
-        let mut desk = Desk::new();
-        desk.tablets.obey(PenSource::Auto, &mut desk.heard);
-        desk.bus.plug(&desk.tablet);
-        desk.until(|tablets, _| tablets.name(0) == Some("Slate"));
-        desk.report(switch::IN_RANGE | switch::TIP);
-        desk.until(|_, heard| heard.len() == 2);
-        let window = desk.heard[1].1.sample.position;
-        desk.pen.covers = Covers::Canvas;
-        desk.report(switch::IN_RANGE | switch::TIP);
-        desk.until(|_, heard| heard.len() == 3);
-        let canvas = desk.heard[2].1.sample.position;
-        assert!((100.0 + window.x * 0.4 - canvas.x).abs() < 1e-6, "{window} {canvas}");
-        desk.bus.unplug("sim0");
-        desk.until(|tablets, _| tablets.name(0).is_none());
-        let phases: Vec<_> = desk.heard.iter().map(|(_, event)| event.phase).collect();
-        assert_eq!(phases, [PenPhase::Enter, PenPhase::Down, PenPhase::Move, PenPhase::Up, PenPhase::Leave]);
-    }
-
-    #[test]
-    fn nothing_is_read_for_the_system_or_for_another_window() {
-        let mut desk = Desk::new();
-        desk.tablets.obey(PenSource::System, &mut desk.heard);
-        assert!(desk.tablets.watcher.is_none());
-        desk.bus.plug(&desk.tablet);
-        desk.tablets.obey(PenSource::Raw, &mut desk.heard);
-        desk.until(|tablets, _| tablets.name(0).is_some());
-        desk.report(switch::IN_RANGE);
-        desk.until(|_, heard| heard.len() == 1);
-        desk.tablets.listen(false, &mut desk.heard);
-        assert_eq!(desk.heard.last().map(|(_, event)| event.phase), Some(PenPhase::Leave));
-        desk.report(switch::IN_RANGE);
-        desk.tablet.wait_read(2, Duration::from_secs(60));
-        desk.tablets.obey(PenSource::System, &mut desk.heard);
-        assert_eq!((desk.heard.len(), desk.tablet.handles()), (2, 0));
-    }
-
-    #[test]
-    fn a_tablet_that_may_not_be_read_says_what_to_do() {
-        let mut desk = Desk::new();
-        desk.bus.forbid("sim0", true);
-        desk.bus.plug(&desk.tablet);
-        desk.tablets.obey(PenSource::Auto, &mut desk.heard);
-        desk.until(|tablets, _| tablets.trouble().is_some());
-        assert!(desk.tablets.trouble().unwrap().contains("./run.sh --install-udev"));
-        desk.bus.forbid("sim0", false);
-        desk.until(|tablets, _| tablets.name(0).is_some() && tablets.trouble().is_none());
-    }
-}
+#[path = "tablets_tests.rs"]
+mod tests;

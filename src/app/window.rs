@@ -283,8 +283,8 @@ impl Running {
         let canvas = Rect { min: pixels(canvas.min), max: pixels(canvas.max) };
         self.pointers.take(&Place { window: &*self.window, canvas }, &self.editor.settings, &mut heard);
         self.pointers.idle(&mut heard);
-        self.editor.note_pen_trouble(self.pointers.trouble());
-        if !heard.is_empty() {
+        let is_new = self.editor.note_tablets(self.pointers.trouble(), self.pointers.doubts());
+        if is_new || !heard.is_empty() {
             self.want_frame();
         }
         self.dispatch(heard);
@@ -292,11 +292,12 @@ impl Running {
 
     /// Hands events to the canvas, or to egui those that it cannot hear from winit; whether one was the canvas's.
     fn dispatch(&mut self, mut heard: Vec<Heard>) -> bool {
-        if let Some(pen) = self.pointers.pen() {
-            self.editor.take_up_pen(pen.name, pen.is_raw, pen.battery);
-        }
         let mut ours = false;
-        for Heard { event, is_beside } in heard.drain(..) {
+        for Heard { event, is_beside, origin } in heard.drain(..) {
+            // With every event: one pen may leave and another draw while the window is busy.
+            if let Some(pen) = self.pointers.pen(origin) {
+                self.editor.take_up_pen(pen.name, pen.is_raw, pen.battery);
+            }
             self.editor.note_pen(&event);
             if self.on_pen(event) {
                 ours = true;

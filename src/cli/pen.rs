@@ -2,6 +2,7 @@
 
 use super::common;
 use crate::pen::hid::recording::RecordingWriter;
+use crate::pen::hid::typed::{KEYBOARDS, TypedReports};
 use crate::pen::hid::{DeviceInfo, Enumerate, Recording, System, Transport, choose_decoder, replay};
 use crate::pen::mapping::Rect;
 use crate::pen::{PenEvent, PenTool};
@@ -12,15 +13,15 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::time::{Duration, Instant};
 
 /// How long a thread waits for a report before it looks whether anybody still listens.
 const PATIENCE: Duration = Duration::from_millis(200);
 /// Longest report.
 const MAX_REPORT_BYTES: usize = 4096;
-/// A keyboard's first collection: what is typed is never recorded.
-const KEYBOARDS: [(u16, u16); 2] = [(0x01, 0x06), (0x01, 0x07)];
+/// Reports that wait for the file at most, of all devices together; half a minute of a fast tablet.
+const MOST_WAITING: usize = 1 << 15;
 
 /// Arguments of `pen`.
 #[derive(Debug, clap::Args)]
@@ -110,16 +111,18 @@ fn record(system: &mut dyn Enumerate, args: &Record, out: impl Write) -> anyhow:
     let begin = Instant::now();
     let end = args.seconds.map(|seconds| begin + Duration::from_secs(seconds));
     let mut writer = RecordingWriter::new(out)?;
-    let (heard, hears) = channel();
-    let mut devices = 0;
+    let (heard, hears) = sync_channel(MOST_WAITING);
+    // Room for reports goes back to the threads, so that none is taken for each.
+    let mut spent = Vec::new();
     for info in system.devices()? {
         let Some(transport) = open(system, &info, args.device)? else { continue };
         let device = writer.device(&info, transport.descriptor())?;
-        let heard = heard.clone();
-        std::thread::spawn(move || listen(device, transport, &heard));
-        devices += 1;
+        let (heard, (back, room)) = (heard.clone(), sync_channel(MOST_WAITING));
+        std::thread::spawn(move || listen(device, transport, &heard, &room));
+        spent.push(back);
     }
     drop(heard);
+    let devices = spent.len();
     if devices == 0 {
         bail!("no tablet to record was found; plug it in, or name it with --device VENDOR:PRODUCT");
     }
@@ -137,7 +140,13 @@ fn record(system: &mut dyn Enumerate, args: &Record, out: impl Write) -> anyhow:
         for heard in std::iter::once(first).chain(hears.try_iter()) {
             let time_us = u64::try_from((heard.when - begin).as_micros()).unwrap_or(u64::MAX);
             match heard.report {
-                Some(report) => writer.report(time_us, heard.device, &report)?,
+                Some(report) => {
+                    writer.report(time_us, heard.device, &report)?;
+                    if let Some(back) = spent.get(heard.device) {
+                        // The room is not needed where its thread has ended.
+                        let _ = back.try_send(report);
+                    }
+                }
                 None => writer.gone(time_us, heard.device)?,
             }
             reports += 1;
@@ -146,7 +155,8 @@ fn record(system: &mut dyn Enumerate, args: &Record, out: impl Write) -> anyhow:
     }
 }
 
-/// A device that is to be recorded, open and awake.
+/// A device that is to be recorded, open and awake. What is typed is never recorded: neither a node that is a keyboard,
+/// nor one that may mix keys with everything else.
 fn open(
     system: &mut dyn Enumerate,
     info: &DeviceInfo,
@@ -157,6 +167,9 @@ fn open(
         return Ok(None);
     }
     let descriptor = system.descriptor(info).unwrap_or_default();
+    if TypedReports::of(&descriptor).is_everything() {
+        return Ok(None);
+    }
     let choice = choose_decoder(info, &descriptor).ok().flatten();
     if choice.is_none() && !is_named {
         return Ok(None);
@@ -168,16 +181,32 @@ fn open(
     Ok(Some(transport))
 }
 
-fn listen(device: usize, mut transport: Box<dyn Transport>, heard: &Sender<Heard>) {
+/// Hands on what a device sends but what is typed, in `room` that comes back.
+fn listen(
+    device: usize,
+    mut transport: Box<dyn Transport>,
+    heard: &SyncSender<Heard>,
+    room: &Receiver<Vec<u8>>,
+) {
+    let typed = TypedReports::of(transport.descriptor());
     let mut buffer = [0; MAX_REPORT_BYTES];
     loop {
         let report = match transport.read(&mut buffer, PATIENCE) {
             Ok(0) => continue,
-            Ok(length) => buffer.get(..length).map(<[u8]>::to_vec),
-            Err(_) => None,
+            Ok(length) => buffer.get(..length).unwrap_or_default(),
+            Err(_) => {
+                let _ = heard.send(Heard { device, when: Instant::now(), report: None });
+                return;
+            }
         };
-        let is_gone = report.is_none();
-        if heard.send(Heard { device, when: Instant::now(), report }).is_err() || is_gone {
+        let when = Instant::now();
+        if typed.holds(report) {
+            continue;
+        }
+        let mut kept = room.try_recv().unwrap_or_default();
+        kept.clear();
+        kept.extend_from_slice(report);
+        if heard.send(Heard { device, when, report: Some(kept) }).is_err() {
             return;
         }
     }
@@ -230,7 +259,7 @@ fn json_line(device: usize, event: &PenEvent) -> String {
         "device": device, "phase": format!("{:?}", event.phase).to_lowercase(), "tool": tool_name(s.tool),
         "time_ms": s.time_ms, "position": s.position.to_array(), "pressure": s.pressure,
         "tilt_deg": s.tilt_deg.to_array(), "twist_deg": s.twist_deg, "distance": s.distance,
-        "buttons": [s.buttons.primary, s.buttons.secondary, s.buttons.middle],
+        "buttons": [s.buttons.primary, s.buttons.secondary, s.buttons.middle, s.buttons.third],
     })
     .to_string()
 }
@@ -239,6 +268,7 @@ fn json_line(device: usize, event: &PenEvent) -> String {
 mod tests {
     use super::*;
     use crate::pen::hid::made_up as tablets;
+    use crate::pen::hid::recording::Recorded;
     use crate::pen::hid::simulated::{SimulatedBus, SimulatedDevice};
 
     fn plug(bus: &SimulatedBus, path: &str, usage: (u16, u16), descriptor: &[u8]) -> SimulatedDevice {
@@ -279,6 +309,36 @@ mod tests {
         plug(&bus, "vendor", (0xFF00, 1), &[]);
         let recording = recorded(&mut bus, Some((0x56A, 1))).unwrap();
         assert_eq!((recording.devices.len(), recording.entries.len()), (2, 4));
+    }
+
+    #[test]
+    fn what_is_typed_on_the_node_of_a_pen_is_not_recorded() {
+        let mut bus = SimulatedBus::new();
+        let info = DeviceInfo { path: "both".into(), usage: (0x0D, 2), ..Default::default() };
+        let device = SimulatedDevice::new(info, &tablets::pen_with_keyboard());
+        let pen =
+            tablets::DisplayReport { switches: tablets::switch::IN_RANGE, ..Default::default() }.bytes();
+        let key = [9, 0, 0, 4, 0, 0, 0, 0, 0];
+        [&key[..], &pen, &key, &pen].iter().for_each(|report| device.send(report));
+        device.unplug_at_end();
+        bus.plug(&device);
+        // A node without report ids whose keyboard stands behind its mouse.
+        plug(&bus, "receiver", (1, 2), &[tablets::MOUSE, tablets::KEYBOARD].concat());
+        for named in [None, Some((0, 0)), Some((0x56A, 1))] {
+            let recording = match recorded(&mut bus, named) {
+                Ok(recording) => recording,
+                Err(_) if named == Some((0x56A, 1)) => continue,
+                Err(error) => panic!("{error}"),
+            };
+            assert_eq!(recording.devices.iter().map(|d| d.info.path.as_str()).collect::<Vec<_>>(), ["both"]);
+            let reports = recording.entries.iter().filter_map(|entry| match &entry.what {
+                Recorded::Report(report) => Some(report),
+                Recorded::Gone => None,
+            });
+            // Played once; the next time it is gone at once.
+            assert!(reports.clone().all(|report| *report == pen), "{:?}", reports.collect::<Vec<_>>());
+        }
+        assert_eq!(device.reports_read(), 4);
     }
 
     #[test]

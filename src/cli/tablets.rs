@@ -2,7 +2,8 @@
 
 use super::common;
 use crate::pen::hid::{
-    Abilities, DeviceInfo, Enumerate, HidEvent, Inbox, Notice, RawPen, System, Watcher, choose_decoder,
+    Abilities, ChooseError, DeviceInfo, Doubt, Enumerate, HidEvent, Inbox, Notice, RawPen, Refusal, System,
+    Watcher, choose_decoder,
 };
 use serde_json::{Value, json};
 use std::process::ExitCode;
@@ -12,6 +13,9 @@ use std::time::{Duration, Instant};
 /// Pages of first collections that tablets have: digitizers, and those of makers.
 const DIGITIZER_PAGE: u16 = 0x0D;
 const FIRST_VENDOR_PAGE: u16 = 0xFF00;
+/// What is said of a device that has the page of a tablet and is none.
+const NO_PEN: &str =
+    "it does not describe a pen; `penstemon pen record FILE --device …` makes a recording to send in";
 
 /// Arguments of `tablets`.
 #[derive(Debug, clap::Args)]
@@ -30,8 +34,28 @@ pub struct Args {
 /// A device and how it is read.
 struct Found {
     info: DeviceInfo,
-    /// How, what its pen can say, and its area in millimetres; otherwise why not.
-    state: Result<(String, Abilities, Option<[f64; 2]>), String>,
+    /// How it is read; otherwise why not.
+    state: Result<Reading, Unread>,
+}
+
+/// How a device is read.
+struct Reading {
+    way: String,
+    abilities: Abilities,
+    area_mm: Option<[f64; 2]>,
+    doubt: Option<Doubt>,
+}
+
+/// Why a device is not read, and which models it may be.
+struct Unread {
+    reason: String,
+    models: Vec<String>,
+}
+
+impl From<Refusal> for Unread {
+    fn from(why: Refusal) -> Self {
+        Self { reason: why.to_string(), models: why.models().to_vec() }
+    }
 }
 
 /// Runs `tablets`.
@@ -56,23 +80,29 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
 fn look(system: &mut dyn Enumerate) -> anyhow::Result<Vec<Found>> {
     let found = system.devices()?.into_iter().filter_map(|info| {
         let may_be = info.usage.0 == DIGITIZER_PAGE || info.usage.0 >= FIRST_VENDOR_PAGE;
-        let descriptor = system.descriptor(&info).map_err(|error| error.to_string());
-        let choice = descriptor.and_then(|d| choose_decoder(&info, &d).map_err(|error| error.to_string()));
-        let state = match choice {
-            Ok(Some(choice)) => match system.open(&info) {
-                Ok(_) => Ok((choice.way, choice.abilities, choice.area_mm.map(|a| a.to_array()))),
-                Err(error) => Err(error.to_string()),
-            },
-            Ok(None) if may_be => Err("it does not describe a pen; `penstemon pen record FILE --device …` \
-                                       makes a recording to send in"
-                .to_owned()),
+        let state = match read(system, &info) {
+            Ok(Some(reading)) => Ok(reading),
+            Ok(None) if may_be => Err(Unread { reason: NO_PEN.to_owned(), models: Vec::new() }),
             Ok(None) => return None,
-            Err(_) if !may_be => return None,
-            Err(reason) => Err(reason),
+            Err(Refusal::Choose(ChooseError::Descriptor(_))) if !may_be => return None,
+            Err(why) => Err(why.into()),
         };
         Some(Found { info, state })
     });
     Ok(found.collect())
+}
+
+/// How the program reads a device; `None` for one that is no pen.
+fn read(system: &mut dyn Enumerate, info: &DeviceInfo) -> Result<Option<Reading>, Refusal> {
+    let descriptor = system.descriptor(info)?;
+    let Some(choice) = choose_decoder(info, &descriptor)? else { return Ok(None) };
+    system.open(info)?;
+    Ok(Some(Reading {
+        way: choice.way,
+        abilities: choice.abilities,
+        area_mm: choice.area_mm.map(|area| area.to_array()),
+        doubt: choice.doubt,
+    }))
 }
 
 impl Found {
@@ -87,13 +117,21 @@ impl Found {
             info.name()
         );
         match &self.state {
-            Ok((way, abilities, area)) => {
+            Ok(Reading { way, abilities, area_mm, doubt }) => {
                 text += &format!("\n    read by {way}: {}", abilities_text(abilities));
-                if let Some([width, height]) = area {
+                if let Some([width, height]) = area_mm {
                     text += &format!(", {width:.0} × {height:.0} mm");
                 }
+                if let Some(doubt) = doubt {
+                    text += &format!("\n    {}", doubt_text(doubt));
+                }
             }
-            Err(reason) => text += &format!("\n    not read: {reason}"),
+            Err(Unread { reason, models }) => {
+                text += &format!("\n    not read: {reason}");
+                if models.len() > 1 {
+                    text += &format!("\n    it may be {}", models.join(", "));
+                }
+            }
         }
         text
     }
@@ -109,17 +147,30 @@ impl Found {
             "read": self.state.is_ok(),
         });
         let more = match &self.state {
-            Ok((way, a, area)) => json!({
-                "way": way, "area_mm": area, "pressure_levels": a.pressure_levels, "tilt": a.tilt, "twist": a.twist,
+            Ok(Reading { way, abilities: a, area_mm, doubt }) => json!({
+                "guess": doubt.is_some(), "models": doubt.as_ref().map_or(&[][..], |doubt| &doubt.models),
+                "way": way, "area_mm": area_mm, "pressure_levels": a.pressure_levels, "tilt": a.tilt, "twist": a.twist,
                 "distance": a.distance, "eraser": a.eraser, "barrel_buttons": a.barrel_buttons,
                 "serial": a.serial, "battery": a.battery, "touch": a.touch,
             }),
-            Err(reason) => json!({ "reason": reason }),
+            Err(Unread { reason, models }) => json!({ "reason": reason, "models": models }),
         };
         if let (Value::Object(object), Value::Object(more)) = (&mut object, more) {
             object.extend(more);
         }
         object
+    }
+}
+
+/// That a model is a guess, and which others it may be.
+fn doubt_text(doubt: &Doubt) -> String {
+    let others: Vec<&str> = doubt.models.iter().map(String::as_str).filter(|m| *m != doubt.taken).collect();
+    match &others[..] {
+        [] => "this is a guess: its firmware is another than the one that is known".to_owned(),
+        others => format!(
+            "this is a guess: it may also be {}; “Pen and tablet” in the window lets you choose",
+            others.join(", ")
+        ),
     }
 }
 
@@ -190,8 +241,12 @@ fn show(inbox: &Inbox, as_json: bool) -> anyhow::Result<()> {
 
 fn notice_text(notice: &Notice) -> String {
     match notice {
-        Notice::Arrived(arrival) => format!("{} is read by {}", arrival.info.name(), arrival.way),
-        Notice::Refused(why) => why.clone(),
+        Notice::Arrived(arrival) => {
+            let doubt = arrival.doubt.as_ref().map(|doubt| format!("; {}", doubt_text(doubt)));
+            format!("{} is read by {}{}", arrival.info.name(), arrival.way, doubt.unwrap_or_default())
+        }
+        Notice::Refused(refused) => refused.to_string(),
+        Notice::Settled(path) => format!("nothing is wrong with {path} any more"),
         Notice::Gone(reason) => reason.to_string(),
         Notice::Said(HidEvent::Pen(pen)) if !pen.in_range => "the pen left".to_owned(),
         Notice::Said(HidEvent::Pen(pen)) => pen_text(pen),
@@ -225,7 +280,8 @@ fn notice_json(notice: &Notice) -> Value {
         Notice::Arrived(arrival) => {
             json!({ "event": "arrived", "name": arrival.info.name(), "way": arrival.way })
         }
-        Notice::Refused(why) => json!({ "event": "refused", "reason": why }),
+        Notice::Refused(refused) => json!({ "event": "refused", "reason": refused.to_string() }),
+        Notice::Settled(path) => json!({ "event": "settled", "path": &**path }),
         Notice::Gone(reason) => json!({ "event": "gone", "reason": reason.to_string() }),
         Notice::Said(HidEvent::Pen(pen)) => json!({
             "event": "pen", "in_range": pen.in_range, "touches": pen.touches, "eraser": pen.eraser,
@@ -267,5 +323,31 @@ mod tests {
         assert!(told[1].contains("pen record FILE"));
         assert!(told[2].contains("./run.sh --install-udev"));
         assert_eq!(found[0].json()["read"], true);
+    }
+
+    #[test]
+    fn a_guess_is_told_and_so_are_the_models_of_a_tablet_that_is_not_read() {
+        // Report 2 of eleven bytes; writes 63, another length than the table has for 28bd:0936.
+        let longer: &[u8] = &[
+            0x06, 0x0A, 0xFF, 0x09, 0x01, 0xA1, 0x01, 0x85, 0x02, 0x75, 0x08, 0x95, 0x0B, 0x81, 0x02, 0x95,
+            0x3F, 0x91, 0x02, 0xC0,
+        ];
+        let mut bus = SimulatedBus::new();
+        for (path, ids, descriptor) in
+            [("a", (0x28BD, 0x936), longer), ("b", (0x256C, 0x6D), tablets::VENDOR_PAGE)]
+        {
+            let (vendor_id, product_id) = ids;
+            let info = DeviceInfo { path: path.into(), vendor_id, product_id, ..Default::default() };
+            bus.plug(&SimulatedDevice::new(info, descriptor));
+        }
+        let found = look(&mut bus).unwrap();
+        let told: Vec<String> = found.iter().map(Found::text).collect();
+        assert!(told[0].contains("as XP-Pen Deco M") && told[0].contains("this is a guess"), "{}", told[0]);
+        assert_eq!((&found[0].json()["guess"], &found[0].json()["read"]), (&json!(true), &json!(true)));
+        assert!(told[1].contains("not read: it may be ") && told[1].contains("USB strings"), "{}", told[1]);
+        assert!(found[1].json()["models"].as_array().unwrap().len() > 10);
+        let models = ["A 1", "A 2", "A 3"].map(str::to_owned).to_vec();
+        let doubt = Doubt { models, taken: "A 2".into(), is_chosen: false };
+        assert!(doubt_text(&doubt).contains("it may also be A 1, A 3;"));
     }
 }

@@ -26,6 +26,7 @@ const MAX_FINGERS: usize = 32;
 const BTN_LEFT: u16 = 0x110;
 const BTN_RIGHT: u16 = 0x111;
 const BTN_MIDDLE: u16 = 0x112;
+const BTN_STYLUS3: u16 = 0x149;
 
 /// Turns window events into pen events.
 #[derive(Clone, Debug, Default)]
@@ -64,6 +65,7 @@ enum Key {
     Tip,
     Secondary,
     Middle,
+    Third,
 }
 
 impl WinitPen {
@@ -234,6 +236,7 @@ impl WinitPen {
                 TabletToolButton::Other(BTN_LEFT) => Some(Key::Tip),
                 TabletToolButton::Other(BTN_RIGHT) => Some(Key::Secondary),
                 TabletToolButton::Other(1 | BTN_MIDDLE) => Some(Key::Middle),
+                TabletToolButton::Other(BTN_STYLUS3) => Some(Key::Third),
                 TabletToolButton::Other(_) => None,
             },
             _ => None,
@@ -370,6 +373,7 @@ impl Pointer {
             Key::Tip => return self.lift(Some(reading), reading.time_ms, out),
             Key::Secondary => &mut buttons.secondary,
             Key::Middle => &mut buttons.middle,
+            Key::Third => &mut buttons.third,
         };
         if *held != pressed {
             *held = pressed;

@@ -183,6 +183,17 @@ fn a_contact_without_pressure_is_the_barrel_button() {
 }
 
 #[test]
+fn the_third_button_of_a_pen_is_told() {
+    const BTN_STYLUS3: u16 = 0x149;
+    let press = |pressed| pen_button(TabletToolButton::Other(BTN_STYLUS3), Some(0.0), pressed);
+    let said: Vec<_> = run(&[pen_moved(4.0, None), press(true), press(false)])
+        .iter()
+        .map(|e| (e.phase, e.sample.buttons.third))
+        .collect();
+    assert_eq!(said[said.len() - 2..], [(Hover, true), (Hover, false)], "{said:?}");
+}
+
+#[test]
 fn a_tablet_without_pressure_draws_when_told_so() {
     let (mut pen, mut out) = (WinitPen { tip_without_pressure: true, ..WinitPen::new() }, Vec::new());
     pen.event(&pen_button(TabletToolButton::Contact, None, true), 0.0, &mut out);

@@ -13,9 +13,27 @@ use super::{PenButtons, PenEvent, PenPhase, PenSample, PenTool};
 use crate::sketch::StrokePoint;
 use glam::Vec2;
 
-/// Milliseconds of silence after which the pen of a tablet that never says so has left; what the Linux kernel's driver
-/// waits for such tablets.
-pub const SILENCE_MS: f64 = 100.0;
+/// When silence says that the pen of a tablet has left.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Silence {
+    /// Milliseconds without a word of the pen.
+    pub after_ms: f64,
+    /// A pen that touches leaves, too. Otherwise only one that hovers does: a pen that rests where it touches may have
+    /// nothing to say.
+    pub lifts: bool,
+}
+
+impl Silence {
+    /// For tablets that report as long as the pen is near and never say that it left: what the Linux kernel's driver waits.
+    pub const KNOWN: Self = Self { after_ms: 100.0, lifts: true };
+    /// For tablets of which it is not known how the pen leaves.
+    pub const LIKELY: Self = Self { after_ms: 1000.0, lifts: false };
+
+    /// Whether a pen that touches, or hovers, leaves at all.
+    pub fn applies(self, touches: bool) -> bool {
+        self.lifts || !touches
+    }
+}
 
 /// Follows one pen.
 #[derive(Clone, Debug)]
@@ -66,9 +84,12 @@ impl PenMachine {
         }
     }
 
-    /// Lets the pen leave if nothing was heard of it for [`SILENCE_MS`]: for tablets that do not say when it leaves.
-    pub fn idle(&mut self, now_ms: f64, out: &mut Vec<PenEvent>) {
-        if self.last.is_some_and(|last| now_ms - last.time_ms >= SILENCE_MS) {
+    /// Lets the pen leave if nothing was heard of it for so long: for tablets that do not say when it leaves.
+    pub fn idle(&mut self, now_ms: f64, silence: Silence, out: &mut Vec<PenEvent>) {
+        let is_over = |last: PenSample| {
+            silence.applies(last.buttons.primary) && now_ms - last.time_ms >= silence.after_ms
+        };
+        if self.last.is_some_and(is_over) {
             self.leave(now_ms, out);
         }
     }
@@ -121,8 +142,8 @@ impl PenMachine {
             distance if distance.is_nan() => last.map_or(0.0, |l| l.distance),
             distance => distance.clamp(0.0, 1.0),
         };
-        let [secondary, middle, _] = raw.barrel;
-        let buttons = PenButtons { primary: raw.touches, secondary, middle };
+        let [secondary, middle, third] = raw.barrel;
+        let buttons = PenButtons { primary: raw.touches, secondary, middle, third };
         Some(PenSample {
             position,
             pressure,

@@ -85,7 +85,7 @@ fn a_sample_has_its_place_pressure_and_buttons() {
         twist_deg: 10.0,
         distance: 0.5,
         tool: Pen,
-        buttons: PenButtons { primary: false, secondary: true, middle: false },
+        buttons: PenButtons { primary: false, secondary: true, middle: false, third: true },
         time_ms: 1.0,
     };
     assert_eq!(out[0], PenEvent { phase: Enter, sample: entered });
@@ -101,13 +101,26 @@ fn a_sample_has_its_place_pressure_and_buttons() {
 fn a_silent_pen_leaves_after_100_ms() {
     let (mut machine, mut out) = (PenMachine::new(window()), Vec::new());
     machine.sample(&TOUCHES, 1000.0, &mut out);
-    machine.idle(1099.0, &mut out);
+    machine.idle(1099.0, Silence::KNOWN, &mut out);
     assert_eq!(out.len(), 2);
-    machine.idle(1100.0, &mut out);
+    machine.idle(1100.0, Silence::KNOWN, &mut out);
     assert_eq!(out[2..].iter().map(|e| e.phase).collect::<Vec<_>>(), [Up, Leave]);
-    machine.idle(1300.0, &mut out);
+    machine.idle(1300.0, Silence::KNOWN, &mut out);
     machine.leave(1300.0, &mut out);
     assert_eq!(out.len(), 4, "it leaves once");
+}
+
+#[test]
+fn where_silence_is_a_guess_only_a_hovering_pen_leaves() {
+    let (mut machine, mut out) = (PenMachine::new(window()), Vec::new());
+    machine.sample(&TOUCHES, 0.0, &mut out);
+    machine.idle(1e6, Silence::LIKELY, &mut out);
+    assert_eq!(out.len(), 2, "a pen that rests goes on touching");
+    machine.sample(&RawPen { touches: false, ..TOUCHES }, 1e6, &mut out);
+    machine.idle(1e6 + Silence::LIKELY.after_ms - 1.0, Silence::LIKELY, &mut out);
+    assert_eq!(out.last().map(|e| e.phase), Some(Up));
+    machine.idle(1e6 + Silence::LIKELY.after_ms, Silence::LIKELY, &mut out);
+    assert_eq!(out.last().map(|e| e.phase), Some(Leave));
 }
 
 #[test]
@@ -170,7 +183,8 @@ proptest! {
             time_ms += wait_ms;
             out.clear();
             match choice {
-                0..=9 => machine.idle(time_ms, &mut out),
+                0..=4 => machine.idle(time_ms, Silence::KNOWN, &mut out),
+                5..=9 => machine.idle(time_ms, Silence { after_ms: 50.0, lifts: false }, &mut out),
                 10..=14 => machine.leave(f64::NAN, &mut out),
                 15..=19 => machine.set_mapping(mapping),
                 _ => machine.sample(raw, time_ms, &mut out),

@@ -56,6 +56,8 @@ pub struct PenButtons {
     pub secondary: bool,
     /// Middle mouse button, or the upper barrel button of a pen.
     pub middle: bool,
+    /// The third barrel button of a pen.
+    pub third: bool,
 }
 
 /// One raw sample.

@@ -4,11 +4,12 @@ use crate::stage::{ROLES, Stage, asked, busy, drag, press, stage};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use penstemon::app::action::Action;
+use penstemon::app::canvas::ButtonUse;
 use penstemon::app::messages::Language;
 use penstemon::app::panels::snapshot::{
     Dialog, ExportChoice, ExportFormat, Notice, PathPurpose, PathRequest, Recovered, Task,
 };
-use penstemon::app::pen_settings::Covers;
+use penstemon::app::pen_settings::{Covers, TabletDoubt};
 use penstemon::pen::{PenSource, PressureCurve};
 
 fn with_dialog(dialog: Dialog) -> Harness<'static, Stage> {
@@ -73,6 +74,48 @@ fn the_pen_is_set_up_without_a_keyboard() {
     assert!(curve.end[0] < 0.95 && curve.end[1] < 0.95, "{curve:?}");
     press_last(&mut harness, "Done");
     assert_eq!(asked(&mut harness), [Action::CloseDialog]);
+}
+
+#[test]
+fn the_model_of_a_tablet_in_doubt_is_chosen() {
+    let models = ["Huion H640P", "Huion H950P"].map(str::to_owned).to_vec();
+    let (device, name) = ("256c:006d HUION Tablet".to_owned(), "HUION Tablet".to_owned());
+    let refused = TabletDoubt { device, name, models, taken: None, is_chosen: false };
+    let guessed = TabletDoubt { taken: Some("Huion H640P".into()), ..refused.clone() };
+    let chosen = TabletDoubt { is_chosen: true, ..guessed.clone() };
+    for (doubt, about, shown) in [
+        (refused, "HUION Tablet is not read", "Choose…"),
+        (guessed, "HUION Tablet may be one of several", "Huion H640P"),
+        (chosen, "HUION Tablet is read as the model that you chose", "Huion H640P"),
+    ] {
+        let mut snapshot = busy();
+        snapshot.dialog = Some(Dialog::Pen);
+        snapshot.pen.trouble = Some("HUION Tablet: no permission; install the rule file".into());
+        snapshot.pen.doubts = vec![doubt];
+        let mut harness = stage(snapshot, Language::English);
+        assert!(harness.query_by_label_contains(about).is_some(), "{about}");
+        assert!(harness.query_by_label_contains("install the rule file").is_some());
+        harness.get_by_label(&format!("Model of the tablet: {shown}")).click();
+        harness.run();
+        harness.get_by_label("Huion H950P").click();
+        harness.run();
+        let wish =
+            Action::SetTabletModel { device: "256c:006d HUION Tablet".into(), model: "Huion H950P".into() };
+        assert_eq!(asked(&mut harness), [wish]);
+    }
+    assert!(with_dialog(Dialog::Pen).query_by_label_contains("Model of the tablet").is_none());
+}
+
+#[test]
+fn the_third_button_of_a_pen_is_assigned() {
+    let mut harness = with_dialog(Dialog::Pen);
+    harness.get_by_label_contains("Third button: ").scroll_to_me();
+    harness.run();
+    harness.get_by_label_contains("Third button: ").click();
+    harness.run();
+    harness.get_by_label("Turn the plant").click();
+    harness.run();
+    assert!(matches!(&asked(&mut harness)[..], [Action::SetPen(pen)] if pen.uses.third == ButtonUse::Orbit));
 }
 
 #[test]

@@ -4,20 +4,33 @@ use crate::pictures;
 use crate::stage::{self, busy, press};
 use egui::vec2;
 use egui_kittest::kittest::Queryable;
-use penstemon::app::messages::{Language, Messages, Msg};
+use penstemon::app::messages::{Language, Messages, Msg, Told as _};
 use penstemon::app::panels::snapshot::{
     Dialog, ExportFormat, MenuOf, Notice, PartMenu, PathPurpose, PathRequest, Recovered, ReferenceState,
 };
+use penstemon::app::pen_settings::TabletDoubt;
 use penstemon::app::presets::Listed;
 use penstemon::app::settings::{Handedness, ThemeChoice};
 use penstemon::app::theme::{DARK, LIGHT};
+use penstemon::pen::hid::{ChooseError, DeviceInfo, Refused, StringsKept};
 use penstemon::sketch::Tool;
 
 /// A state of the interface to be looked at: name, language, page of the side panel, what is different.
 type Shot = (&'static str, Language, Option<Msg>, fn(&mut penstemon::app::panels::Snapshot));
 
+/// A tablet in doubt that is read as this model, if any.
+fn doubt(taken: Option<&str>) -> TabletDoubt {
+    TabletDoubt {
+        device: "256c:006d HUION Tablet".into(),
+        name: "HUION Tablet".into(),
+        models: ["Huion H640P", "Huion H950P", "Huion H1060P"].map(str::to_owned).to_vec(),
+        taken: taken.map(str::to_owned),
+        is_chosen: false,
+    }
+}
+
 /// States whose pictures are written for people to look at.
-const SHOTS: [Shot; 14] = [
+const SHOTS: [Shot; 15] = [
     ("chinese", Language::Chinese, None, |_| ()),
     ("shape", Language::English, Some(Msg::TabShape), |s| {
         s.params.own =
@@ -50,7 +63,17 @@ const SHOTS: [Shot; 14] = [
     ("pen raw", Language::Chinese, None, |s| {
         s.dialog = Some(Dialog::Pen);
         s.pen.is_raw = true;
-        s.pen.trouble = Some("/dev/hidraw3 cannot be opened".to_owned());
+        let models = vec!["Huion H640P".to_owned(), "Huion H950P".to_owned()];
+        let why = ChooseError::StringsUnread { models, reason: StringsKept::Forbidden }.into();
+        let device = DeviceInfo { product: "HUION Tablet".into(), ..DeviceInfo::default() };
+        s.pen.trouble = Some(Refused { device, why }.told(&Messages::new(Language::Chinese)));
+        s.pen.doubts = vec![doubt(None)];
+    }),
+    ("pen doubt", Language::English, None, |s| {
+        s.dialog = Some(Dialog::Pen);
+        s.pen.is_raw = true;
+        s.pen.device = Some("HUION Tablet".to_owned());
+        s.pen.doubts = vec![doubt(Some("Huion H640P"))];
     }),
     ("about", Language::English, None, |s| s.dialog = Some(Dialog::About)),
     ("recovery", Language::English, None, |s| {

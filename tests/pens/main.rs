@@ -16,6 +16,7 @@ mod pen;
 #[allow(dead_code, reason = "shared with the window's tests, which take more of it")]
 mod program;
 mod replay;
+mod replay_uses;
 #[path = "../window/screen.rs"]
 #[allow(dead_code, reason = "shared with the window's tests, which take more of it")]
 mod screen;

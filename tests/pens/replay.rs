@@ -20,7 +20,7 @@ const SAMPLES: u16 = 120;
 /// Time between two reports, and between two strokes, in microseconds.
 const REPORT_US: u64 = 5_000;
 const PAUSE_US: u64 = 300_000;
-const WINDOW: (u32, u32) = (1280, 800);
+pub(crate) const WINDOW: (u32, u32) = (1280, 800);
 
 /// One report of a pen: where, how strongly, and which way it leans.
 struct Held {
@@ -117,14 +117,39 @@ fn drawn() -> Sketch {
     saved(&file)
 }
 
+/// Panics unless the drawing's strokes are these, sample for sample.
+pub(crate) fn holds(sketch: &Sketch, strokes: &[Vec<PenEvent>]) {
+    assert_eq!(sketch.strokes.len(), strokes.len());
+    // Where the canvas is: one length of the window is one length of the sheet.
+    let (first, last) = (strokes[0].first().unwrap(), strokes[0].last().unwrap());
+    let on_sheet = |n: usize| sketch.strokes[0].points[n].position.as_dvec2();
+    let span = (on_sheet(strokes[0].len() - 1) - on_sheet(0)).length();
+    let scale = span / (last.sample.position - first.sample.position).length();
+    for (stroke, events) in sketch.strokes.iter().zip(strokes) {
+        assert_eq!(stroke.points.len(), events.len());
+        for (point, event) in stroke.points.iter().zip(events) {
+            let told = format!("{point:?} of {event:?}");
+            let place = on_sheet(0) + scale * (event.sample.position - first.sample.position);
+            assert!(point.position.as_dvec2().distance(place) < 0.01, "{told}: not at {place}");
+            assert!((point.pressure - event.sample.pressure).abs() < 1e-3, "{told}");
+            assert!((point.tilt_deg - event.sample.tilt_deg).abs().max_element() < 0.1, "{told}");
+        }
+    }
+}
+
+/// The recording in a file of the tests, which holds what is made here; `INSTA_UPDATE=always` writes it.
+pub(crate) fn kept(path: &str, made: &Recording) -> Recording {
+    let text = made.to_text();
+    if std::env::var("INSTA_UPDATE").is_ok_and(|wish| wish == "always") {
+        std::fs::write(path, &text).unwrap();
+    }
+    assert_eq!(std::fs::read_to_string(path).unwrap(), text, "INSTA_UPDATE=always writes it");
+    Recording::from_bytes(text.as_bytes(), path).unwrap()
+}
+
 #[test]
 fn a_recording_draws_the_same_strokes_every_time() {
-    let text = two_tablets().to_text();
-    if std::env::var("INSTA_UPDATE").is_ok_and(|wish| wish == "always") {
-        std::fs::write(TWO_TABLETS, &text).unwrap();
-    }
-    assert_eq!(std::fs::read_to_string(TWO_TABLETS).unwrap(), text, "INSTA_UPDATE=always writes it");
-    let recording = Recording::from_bytes(text.as_bytes(), TWO_TABLETS).unwrap();
+    let recording = kept(TWO_TABLETS, &two_tablets());
     let target = Rect { min: DVec2::ZERO, max: DVec2::new(WINDOW.0.into(), WINDOW.1.into()) };
     let mut strokes: Vec<Vec<PenEvent>> = Vec::new();
     let unread = replay::play(&recording, target, &mut |_, event| match event.phase {
@@ -135,20 +160,10 @@ fn a_recording_draws_the_same_strokes_every_time() {
     assert_eq!(unread, []);
 
     let [sketch, again] = [drawn(), drawn()];
-    assert_eq!(sketch.strokes.len(), strokes.len());
-    // Where the canvas is: one length of the window is one length of the sheet.
-    let (first, last) = (&strokes[0][0], &strokes[0][usize::from(SAMPLES) - 1]);
-    let on_sheet = |n: usize| sketch.strokes[0].points[n].position.as_dvec2();
-    let span = (on_sheet(usize::from(SAMPLES) - 1) - on_sheet(0)).length();
-    let scale = span / (last.sample.position - first.sample.position).length();
-    for ((stroke, same), events) in sketch.strokes.iter().zip(&again.strokes).zip(&strokes) {
-        assert_eq!((stroke.points.len(), same.points.len()), (events.len(), events.len()));
-        for ((point, same), event) in stroke.points.iter().zip(&same.points).zip(events) {
-            let told = format!("{point:?} of {event:?}");
-            let place = on_sheet(0) + scale * (event.sample.position - first.sample.position);
-            assert!(point.position.as_dvec2().distance(place) < 0.01, "{told}: not at {place}");
-            assert!((point.pressure - event.sample.pressure).abs() < 1e-3, "{told}");
-            assert!((point.tilt_deg - event.sample.tilt_deg).abs().max_element() < 0.1, "{told}");
+    holds(&sketch, &strokes);
+    for (stroke, same) in sketch.strokes.iter().zip(&again.strokes) {
+        assert_eq!(stroke.points.len(), same.points.len());
+        for (point, same) in stroke.points.iter().zip(&same.points) {
             assert_eq!(
                 (point.position, point.pressure, point.tilt_deg),
                 (same.position, same.pressure, same.tilt_deg),

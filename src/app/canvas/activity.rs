@@ -36,6 +36,8 @@ pub(super) enum Trigger {
     Middle,
     /// The right button of a mouse or the lower one of a pen.
     Secondary,
+    /// The third button of a pen.
+    Third,
 }
 
 /// How a drag changes the view.
@@ -91,6 +93,7 @@ impl Activity {
             Trigger::Tip => false,
             Trigger::Middle => !now.middle,
             Trigger::Secondary => !now.secondary,
+            Trigger::Third => !now.third,
         }
     }
 
@@ -171,8 +174,8 @@ impl Canvas {
     /// The same for a held button of the pen.
     fn erasing_button(&self) -> Option<bool> {
         let (held, uses) = (self.held_by_pen(), &self.settings.pen);
-        let lower = erases(uses.lower).filter(|_| held.secondary);
-        lower.or_else(|| erases(uses.upper).filter(|_| held.middle))
+        let buttons = [(uses.lower, held.secondary), (uses.upper, held.middle), (uses.third, held.third)];
+        buttons.into_iter().filter(|(_, is_held)| *is_held).find_map(|(usage, _)| erases(usage))
     }
 
     /// Does what a button of a pen or mouse is for, hovering or touching. Erasing waits for the tip.

@@ -253,6 +253,8 @@ impl Canvas {
         } else if now.secondary && !before.secondary {
             let usage = if is_mouse { ButtonUse::Pick } else { self.settings.pen.lower };
             self.use_button(usage, Trigger::Secondary, &event.sample, drawing, out);
+        } else if now.third && !before.third && !is_mouse {
+            self.use_button(self.settings.pen.third, Trigger::Third, &event.sample, drawing, out);
         }
     }
 

@@ -252,7 +252,7 @@ fn the_middle_and_the_barrel_button_pan() {
     for (tool, middle) in [(MOUSE, true), (PEN, false)] {
         let mut desk = Desk::new();
         desk.say(Enter, tool, (0.0, 0.0));
-        desk.hand.buttons = PenButtons { primary: false, secondary: !middle, middle };
+        desk.hand.buttons = PenButtons { secondary: !middle, middle, ..PenButtons::default() };
         desk.say(Hover, tool, (10.0, 0.0));
         assert_eq!(desk.canvas.cursor().shape, CursorShape::Grabbing);
         desk.say(Hover, tool, (40.0, 5.0));
@@ -294,12 +294,36 @@ fn a_button_that_erases_makes_the_tip_an_eraser() {
 }
 
 #[test]
+fn the_third_button_lets_go_and_erases_like_the_others() {
+    let mut desk = Desk::with_lines(2);
+    desk.canvas.settings.pen.third = ButtonUse::Orbit;
+    desk.say(Enter, PEN, (0.0, 0.0));
+    desk.hand.buttons.third = true;
+    desk.say(Hover, PEN, (10.0, 0.0));
+    assert!(desk.canvas.is_busy());
+    desk.hand.buttons.third = false;
+    desk.say(Hover, PEN, (10.0, 0.0));
+    assert!(!desk.canvas.is_busy());
+    desk.canvas.settings.pen.third = ButtonUse::Erase;
+    desk.hand.buttons.third = true;
+    desk.drag(PEN, &[(200.0, 95.0), (200.0, 105.0)]);
+    assert_eq!(desk.ids(), [2]);
+}
+
+#[test]
 fn every_use_of_a_button_works_while_the_pen_hovers() {
+    for is_third in [false, true] {
+        every_use_works_while_hovering(is_third);
+    }
+}
+
+fn every_use_works_while_hovering(is_third: bool) {
     let pressed = |usage| {
         let mut desk = Desk::with_lines(1);
-        desk.canvas.settings.pen.upper = usage;
+        let uses = &mut desk.canvas.settings.pen;
+        *(if is_third { &mut uses.third } else { &mut uses.upper }) = usage;
         desk.say(Enter, PEN, (200.0, 95.0));
-        desk.hand.buttons.middle = true;
+        desk.hand.buttons = PenButtons { middle: !is_third, third: is_third, ..PenButtons::default() };
         let mut out = desk.say(Hover, PEN, (200.0, 95.0));
         out.extend(desk.say(Hover, PEN, (230.0, 95.0)));
         out

@@ -52,13 +52,16 @@ pub struct PenUses {
     pub lower: ButtonUse,
     /// The barrel button away from the tip; default pick.
     pub upper: ButtonUse,
+    /// The third barrel button, which few pens have; default menu.
+    pub third: ButtonUse,
     /// The other end of the pen, when it touches; default erase.
     pub eraser: ButtonUse,
 }
 
 impl Default for PenUses {
     fn default() -> Self {
-        Self { lower: ButtonUse::Pan, upper: ButtonUse::Pick, eraser: ButtonUse::Erase }
+        let (lower, upper, third) = (ButtonUse::Pan, ButtonUse::Pick, ButtonUse::Menu);
+        Self { lower, upper, third, eraser: ButtonUse::Erase }
     }
 }
 

@@ -3,7 +3,9 @@
 use super::{DURABLE_WAIT, Editor};
 use crate::app::action::CanvasTool;
 use crate::app::canvas::{CanvasOutcome, Drawing, Scroll};
-use crate::app::panels::snapshot::{MenuOf, PartMenu, PenLive, PenUsed};
+use crate::app::messages::Told;
+use crate::app::panels::snapshot::{MenuOf, Notice, PartMenu, PenLive, PenUsed};
+use crate::app::pen_settings::TabletDoubt;
 use crate::pen::{PenEvent, PenPhase, PenTool};
 use crate::sketch::{Change, Tool};
 use glam::DVec2;
@@ -50,11 +52,21 @@ impl Editor {
         self.pen_is_raw
     }
 
-    /// Why a tablet cannot be read, or that all can.
-    pub fn note_pen_trouble(&mut self, trouble: Option<&str>) {
-        if self.pen_trouble.as_deref() != trouble {
-            self.pen_trouble = trouble.map(str::to_owned);
+    /// Why a tablet cannot be read, or that all can, and of which tablets the model is not sure. What is wrong is told
+    /// once beside the dialog, too: a tablet that does nothing is not looked for there. Whether anything is new.
+    pub fn note_tablets(&mut self, trouble: Option<&dyn Told>, doubts: &[TabletDoubt]) -> bool {
+        let trouble = trouble.map(|trouble| trouble.told(&self.messages));
+        let is_new = self.tablets.trouble != trouble || self.tablets.doubts != doubts;
+        if self.tablets.trouble != trouble {
+            if let Some(what) = &trouble {
+                self.tell(Notice::warning(what.clone(), ""));
+            }
+            self.tablets.trouble = trouble;
         }
+        if is_new {
+            self.tablets.doubts = doubts.to_vec();
+        }
+        is_new
     }
 
     /// The stroke before is on disk before the next begins; on a healthy disk it long is.
@@ -141,3 +153,7 @@ impl Editor {
         }
     }
 }
+
+#[cfg(test)]
+#[path = "outcomes_tests.rs"]
+mod tests;

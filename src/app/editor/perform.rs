@@ -93,6 +93,7 @@ impl Editor {
                 let name = self.pen_device.clone().unwrap_or_default();
                 self.settings.set_pen(&name, pen);
             }
+            Action::SetTabletModel { device, model } => self.settings.set_tablet_model(&device, &model),
             Action::ShowSide(shown) => self.settings.side_shown = shown,
             Action::SetSideWidth(width) => self.settings.side_width = width,
             // Everything else has been carried out before.

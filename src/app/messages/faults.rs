@@ -9,6 +9,8 @@ use crate::app::worker::BuildError;
 use crate::atomic::WriteError;
 use crate::export::ExportError;
 use crate::params::ParamError;
+use crate::pen::hid::refusal::{INSTALL_RULES, RULES_FILE};
+use crate::pen::hid::{ChooseError, Refusal, Refused, StringsKept, TransportError};
 use crate::pipeline::SetupError;
 use crate::render::RenderError;
 use crate::sketch::document::ChangeError;
@@ -221,10 +223,49 @@ fn hint(nearest: Option<&str>, messages: &Messages) -> String {
     nearest.map_or_else(String::new, |nearest| messages.fill(Msg::ErrorDidYouMean, &[("nearest", &nearest)]))
 }
 
+impl Told for TransportError {
+    fn told(&self, messages: &Messages) -> String {
+        match self {
+            Self::Permission { path } => messages.fill(
+                Msg::ErrorTabletForbidden,
+                &[("path", path), ("rules", &RULES_FILE), ("command", &INSTALL_RULES)],
+            ),
+            Self::Gone { path } => messages.fill(Msg::ErrorTabletGone, &[("path", path)]),
+            Self::System { path, message } => {
+                messages.fill(Msg::ErrorTabletFailed, &[("path", path), ("reason", message)])
+            }
+        }
+    }
+}
+
+impl Told for Refused {
+    fn told(&self, messages: &Messages) -> String {
+        let why = match &self.why {
+            Refusal::Transport(error) => error.told(messages),
+            Refusal::TooMany { limit } => messages.fill(Msg::ErrorTabletTooMany, &[("limit", limit)]),
+            Refusal::Choose(ChooseError::StringsUnread { models, reason }) => {
+                let msg = match reason {
+                    StringsKept::Forbidden => Msg::ErrorTabletStringsForbidden,
+                    StringsKept::Wireless => Msg::ErrorTabletStringsWireless,
+                    StringsKept::Unanswered => Msg::ErrorTabletStringsUnanswered,
+                };
+                let model = models.first().map_or("", String::as_str);
+                let of_tablet: [(&str, &dyn Display); 2] = [("model", &model), ("count", &models.len())];
+                let of_rules: [(&str, &dyn Display); 2] =
+                    [("rules", &RULES_FILE), ("command", &INSTALL_RULES)];
+                messages.fill(msg, &[of_tablet, of_rules].concat())
+            }
+            Refusal::Choose(error @ ChooseError::Descriptor(_)) => error.to_string(),
+        };
+        format!("{}: {why}", self.device.name())
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::app::messages::Language;
+    use crate::pen::hid::DeviceInfo;
     use std::io;
 
     /// One of every kind that has words.
@@ -280,7 +321,30 @@ mod tests {
             Box::new(species(SpeciesError::TooLarge { file: path() })),
             Box::new(ExportError::Empty),
             Box::new(ExportError::Write(full())),
+            refused(TransportError::Permission { path: node() }.into()),
+            refused(TransportError::Gone { path: node() }.into()),
+            refused(TransportError::System { path: node(), message: "7".into() }.into()),
+            refused(Refusal::TooMany { limit: 32 }),
+            refused(unread(StringsKept::Forbidden)),
+            refused(unread(StringsKept::Wireless)),
+            refused(unread(StringsKept::Unanswered)),
         ]
+    }
+
+    const NODE: &str = "/dev/hidraw3";
+    const MODEL: &str = "Huion H640P";
+
+    fn node() -> String {
+        NODE.to_owned()
+    }
+
+    fn refused(why: Refusal) -> Box<dyn Told> {
+        let device = DeviceInfo { product: MODEL.into(), ..DeviceInfo::default() };
+        Box::new(Refused { device, why })
+    }
+
+    fn unread(reason: StringsKept) -> Refusal {
+        ChooseError::StringsUnread { models: vec![MODEL.into(), "another".into()], reason }.into()
     }
 
     #[test]
@@ -299,8 +363,10 @@ mod tests {
             // Names and the systems' words stay; sentences do not.
             let words = told.replace("/home/ann/rose.penstemon", "").replace("rose.penstemon", "");
             let words = words.replace("/home/ann", "").replace("Penstemon", "").replace(".penstemon", "");
+            let of_tablets = [NODE, MODEL, RULES_FILE, INSTALL_RULES];
+            let words = of_tablets.iter().fold(words, |words, name| words.replace(name, ""));
             let latin: Vec<&str> = words.split(|c: char| !c.is_ascii_alphabetic()).collect();
-            let known = ["", "MiB", "SVG", "PNG", "JPEG", "toml"];
+            let known = ["", "MiB", "SVG", "PNG", "JPEG", "USB", "toml"];
             assert!(latin.iter().all(|word| known.contains(word)), "{told}");
             assert!(told.chars().any(|c| c > '\u{4e00}'), "{told}");
         }

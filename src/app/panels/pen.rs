@@ -7,7 +7,7 @@ use super::widgets::{note, palette, section, segments, switch, text_button, text
 use crate::app::action::Action;
 use crate::app::canvas::ButtonUse;
 use crate::app::messages::{Messages, Msg};
-use crate::app::pen_settings::{Covers, PenSettings};
+use crate::app::pen_settings::{Covers, PenSettings, TabletDoubt};
 use crate::app::theme::TARGET;
 use crate::pen::{PenSource, PressureCurve};
 use egui::{ComboBox, CornerRadius, Id, Pos2, Rect, Role, ScrollArea, Sense, Shape, Stroke, Ui, WidgetInfo};
@@ -30,6 +30,11 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, height: f32, messages: &Messages, 
     who(ui, snapshot, messages);
     ScrollArea::vertical().max_height((height - 260.0).max(160.0)).show(ui, |ui| {
         section(ui, messages.get(Msg::PenSource), |ui| source(ui, snapshot, messages, out));
+        if !snapshot.pen.doubts.is_empty() {
+            section(ui, messages.get(Msg::PenModel), |ui| {
+                snapshot.pen.doubts.iter().for_each(|doubt| model(ui, doubt, messages, out));
+            });
+        }
         ui.columns_const(|[left, right]| {
             section(left, messages.get(Msg::PenTry), |ui| try_out(ui, &snapshot.pen.live, &pen, messages));
             section(right, messages.get(Msg::PenPressure), |ui| {
@@ -80,6 +85,33 @@ fn source(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<A
         PenSource::Raw => Msg::PenSourceRawHint,
     };
     note(ui, messages.get(about));
+}
+
+/// Which model a tablet is that may be one of several.
+fn model(ui: &mut Ui, doubt: &TabletDoubt, messages: &Messages, out: &mut Vec<Action>) {
+    let about = match (&doubt.taken, doubt.is_chosen) {
+        (None, _) => Msg::PenModelNone,
+        (Some(_), false) => Msg::PenModelGuess,
+        (Some(_), true) => Msg::PenModelChosen,
+    };
+    note(ui, &messages.fill(about, &[("tablet", &doubt.name)]));
+    let none = messages.get(Msg::PenModelChoose);
+    let taken = doubt.taken.as_deref().unwrap_or(none);
+    let label = messages.get(Msg::PenModel);
+    ui.spacing_mut().interact_size.y = TARGET;
+    let list =
+        ComboBox::from_id_salt((label, &doubt.device)).width(ui.available_width()).selected_text(taken);
+    let list = list.show_ui(ui, |ui| {
+        ui.spacing_mut().interact_size.y = TARGET;
+        ui.spacing_mut().button_padding.y = 10.0;
+        for model in &doubt.models {
+            if ui.selectable_label(doubt.taken.as_ref() == Some(model), model).clicked() {
+                out.push(Action::SetTabletModel { device: doubt.device.clone(), model: model.clone() });
+            }
+        }
+    });
+    let name = format!("{label}: {taken}");
+    list.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, &name));
 }
 
 /// A pad on which lines are as wide as they would be drawn.
@@ -203,6 +235,7 @@ fn buttons(ui: &mut Ui, pen: &mut PenSettings, messages: &Messages) {
     for (msg, usage) in [
         (Msg::PenLower, &mut uses.lower),
         (Msg::PenUpper, &mut uses.upper),
+        (Msg::PenThird, &mut uses.third),
         (Msg::PenEraser, &mut uses.eraser),
     ] {
         ui.horizontal(|ui| {

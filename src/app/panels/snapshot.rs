@@ -1,7 +1,7 @@
 //! What panels read: the state of the application as plain data, copied together once per frame.
 
 use crate::app::action::CanvasTool;
-use crate::app::pen_settings::PenSettings;
+use crate::app::pen_settings::{PenSettings, TabletDoubt};
 use crate::app::presets::Listed;
 use crate::app::settings::{Handedness, Settings, Stabiliser, ThemeChoice};
 use crate::params::join;
@@ -301,6 +301,8 @@ pub struct PenState {
     pub battery: Option<u8>,
     /// Why a tablet cannot be read, and what to do.
     pub trouble: Option<String>,
+    /// Tablets of which it is not sure which model they are.
+    pub doubts: Vec<TabletDoubt>,
     /// How pens are read.
     pub source: PenSource,
     /// What the artist chose for it.

@@ -2,14 +2,20 @@
 //!
 //! A device whose descriptor describes a pen is read by its descriptor; so are tablets whose reports a kernel driver has
 //! rewritten, since it rewrites the descriptor as well. What is left may be a tablet of the table ([`super::table`]): it is
-//! known by its numbers, the lengths of its reports and its USB strings, and woken before it is read.
+//! known by its numbers, the lengths of its reports and its USB strings, and woken before it is read. Where these leave a
+//! doubt, the best guess is taken unless the artist chose a model among those that fit.
 
 use super::report_lengths::ReportLengths;
-use super::table::Table;
+use super::table::{Certainty, Match, Table};
 use super::wake::Wake;
-use super::{Abilities, Decode, DescriptorDecoder, DescriptorError, DeviceInfo, Tablet, Transport};
+use super::{Abilities, ChooseError, Decode, DescriptorDecoder, DeviceInfo, Tablet, Transport};
+use crate::pen::machine::Silence;
 use glam::DVec2;
+use std::collections::BTreeMap;
 use std::time::Duration;
+
+/// Models that the artist chose, by the [`identity`](DeviceInfo::identity) of their devices.
+pub type Models = BTreeMap<String, String>;
 
 /// Wakes a device up: sends what makes it report its pen in full. Called once, on the reader's thread; what fails there
 /// it tells by itself, since the device may be read all the same.
@@ -25,17 +31,42 @@ pub struct Choice {
     pub way: String,
     /// Width and height of the active area in millimetres, if known.
     pub area_mm: Option<DVec2>,
-    /// The device does not say when its pen leaves: silence says it.
-    pub leaves_by_silence: bool,
+    /// The silence that says that the pen left, where the device does not.
+    pub silence: Option<Silence>,
     /// What the pen can say.
     pub abilities: Abilities,
+    /// The models it may be, where that is not sure.
+    pub doubt: Option<Doubt>,
+}
+
+/// A tablet of which it is not sure which model it is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Doubt {
+    /// Models that fit, the best guess first.
+    pub models: Vec<String>,
+    /// The one it is read as.
+    pub taken: String,
+    /// The artist chose it.
+    pub is_chosen: bool,
 }
 
 /// The decoder for a device, `None` for a device that is no pen.
 ///
 /// # Errors
-/// A descriptor that cannot be understood.
-pub fn choose_decoder(device: &DeviceInfo, descriptor: &[u8]) -> Result<Option<Choice>, DescriptorError> {
+/// A descriptor that cannot be understood, or a tablet that only its USB strings would tell from others.
+pub fn choose_decoder(device: &DeviceInfo, descriptor: &[u8]) -> Result<Option<Choice>, ChooseError> {
+    choose_model(device, descriptor, None)
+}
+
+/// The same; where a doubt is left, the device is read as this model if it may be one.
+///
+/// # Errors
+/// As before, if no model is given that fits.
+pub fn choose_model(
+    device: &DeviceInfo,
+    descriptor: &[u8],
+    model: Option<&str>,
+) -> Result<Option<Choice>, ChooseError> {
     let by_itself = DescriptorDecoder::new(descriptor);
     if let Ok(Some(decoder)) = by_itself {
         let abilities = decoder.abilities();
@@ -43,22 +74,29 @@ pub fn choose_decoder(device: &DeviceInfo, descriptor: &[u8]) -> Result<Option<C
             wake_up: None,
             way: "its report descriptor".to_owned(),
             area_mm: decoder.area_mm(),
-            leaves_by_silence: !abilities.leaves,
+            silence: (!abilities.leaves).then_some(Silence::KNOWN),
             abilities,
             decoder: Box::new(decoder),
+            doubt: None,
         }));
     }
-    match from_table(device, descriptor) {
+    match from_table(device, descriptor, model)? {
         Some(choice) => Ok(Some(choice)),
-        None => by_itself.map(|_| None),
+        None => Ok(by_itself.map(|_| None)?),
     }
 }
 
 /// The decoder of a tablet that is known by name.
-fn from_table(device: &DeviceInfo, descriptor: &[u8]) -> Option<Choice> {
-    let table = Table::shipped().inspect_err(|error| tracing::error!("{error}")).ok()?;
+fn from_table(
+    device: &DeviceInfo,
+    descriptor: &[u8],
+    model: Option<&str>,
+) -> Result<Option<Choice>, ChooseError> {
+    let Some(table) = Table::shipped().inspect_err(|error| tracing::error!("{error}")).ok() else {
+        return Ok(None);
+    };
     if !table.knows(device.vendor_id, device.product_id) {
-        return None;
+        return Ok(None);
     }
     let lengths = ReportLengths::of(descriptor);
     let mut strings = strings::Reader::new(device);
@@ -70,24 +108,47 @@ fn from_table(device: &DeviceInfo, descriptor: &[u8]) -> Option<Choice> {
         device.interface,
         &mut |index| strings.read(index),
     );
-    let Some(tablet) = found.best().filter(|tablet| !tablet.keys_only) else {
-        if let Some(first) = found.tablets.first() {
-            tracing::warn!(
-                "{}: it may be {} and others, which its USB strings would tell",
-                device.name(),
-                first.name
-            );
+    match take(&found, model) {
+        Taken::Pen(tablet, doubt) => Ok(Some(Choice {
+            decoder: tablet.decoder(lengths.input),
+            wake_up: wake_up(tablet.wake.clone(), lengths),
+            way: format!("the table, as {}", tablet.name),
+            area_mm: Some(tablet.area_mm),
+            silence: tablet.silence(),
+            abilities: abilities(tablet),
+            doubt,
+        })),
+        Taken::NoPen => Ok(None),
+        Taken::Untold(models) => Err(ChooseError::StringsUnread { models, reason: strings.kept() }),
+    }
+}
+
+/// What a match comes to.
+#[derive(Debug)]
+enum Taken<'t> {
+    /// It is read as this tablet.
+    Pen(&'t Tablet, Option<Doubt>),
+    /// It is no node of a pen.
+    NoPen,
+    /// Only its strings would tell which of these it is.
+    Untold(Vec<String>),
+}
+
+/// The tablet that a device is read as: the one that fits, the one that the artist chose of several, or the best guess.
+fn take<'t>(found: &Match<'t>, model: Option<&str>) -> Taken<'t> {
+    let pens = || found.tablets.iter().copied().filter(|tablet| !tablet.keys_only);
+    let models: Vec<String> = pens().map(|tablet| tablet.name.clone()).collect();
+    let chosen = pens().find(|tablet| model == Some(tablet.name.as_str()));
+    let best = found.best().filter(|tablet| !tablet.keys_only);
+    match (found.certainty, chosen.or(best)) {
+        (Certainty::Sure, _) => best.map_or(Taken::NoPen, |tablet| Taken::Pen(tablet, None)),
+        (_, Some(tablet)) => {
+            let doubt = Doubt { models, taken: tablet.name.clone(), is_chosen: chosen.is_some() };
+            Taken::Pen(tablet, Some(doubt))
         }
-        return None;
-    };
-    Some(Choice {
-        decoder: tablet.decoder(lengths.input),
-        wake_up: wake_up(tablet.wake.clone(), lengths),
-        way: format!("the table, as {}", tablet.name),
-        area_mm: Some(tablet.area_mm),
-        leaves_by_silence: tablet.leaves_by_silence(),
-        abilities: abilities(tablet),
-    })
+        (Certainty::StringsUnread, None) if !models.is_empty() => Taken::Untold(models),
+        (_, None) => Taken::NoPen,
+    }
 }
 
 fn abilities(tablet: &Tablet) -> Abilities {
@@ -95,7 +156,7 @@ fn abilities(tablet: &Tablet) -> Abilities {
         pressure_levels: u64::from(tablet.pressure) + 1,
         tilt: tablet.tilts,
         barrel_buttons: tablet.buttons,
-        leaves: !tablet.leaves_by_silence(),
+        leaves: tablet.silence().is_none(),
         touch: tablet.touch.is_some(),
         ..Abilities::default()
     }
@@ -143,8 +204,8 @@ impl super::wake::WakeIo for Waking<'_> {
 /// USB strings, which hidraw does not give.
 #[cfg(feature = "program")]
 mod strings {
-    use crate::pen::hid::usb_strings::UsbStrings;
-    use crate::pen::hid::{Bus, DeviceInfo};
+    use crate::pen::hid::usb_strings::{UsbStrings, UsbStringsError};
+    use crate::pen::hid::{Bus, DeviceInfo, StringsKept};
     use std::io;
     use std::path::PathBuf;
 
@@ -153,18 +214,22 @@ mod strings {
         /// The node, until it was tried; only devices on a cable have strings.
         node: Option<PathBuf>,
         device: Option<UsbStrings>,
+        fault: Option<UsbStringsError>,
+        is_wireless: bool,
     }
 
     impl Reader {
         pub(super) fn new(device: &DeviceInfo) -> Self {
             let node = (device.bus == Bus::Usb).then(|| PathBuf::from(&device.path));
-            Self { node, device: None }
+            Self { node, device: None, fault: None, is_wireless: device.bus == Bus::Bluetooth }
         }
 
         fn device(&mut self) -> Option<&UsbStrings> {
             if let Some(node) = self.node.take() {
-                let opened = UsbStrings::open(&node);
-                self.device = opened.inspect_err(|error| tracing::warn!("{error}")).ok();
+                match UsbStrings::open(&node) {
+                    Ok(device) => self.device = Some(device),
+                    Err(fault) => self.fault = Some(fault),
+                }
             }
             self.device.as_ref()
         }
@@ -176,7 +241,19 @@ mod strings {
         pub(super) fn request(&mut self, index: u8) -> io::Result<()> {
             match self.device() {
                 Some(device) => device.request(index),
-                None => Err(io::Error::other("its USB device cannot be opened")),
+                None => {
+                    let none = "it has no USB strings; connect it by cable".to_owned();
+                    Err(io::Error::other(self.fault.as_ref().map_or(none, ToString::to_string)))
+                }
+            }
+        }
+
+        /// Why strings that were asked for were not given.
+        pub(super) fn kept(&self) -> StringsKept {
+            match &self.fault {
+                _ if self.is_wireless => StringsKept::Wireless,
+                Some(UsbStringsError::Forbidden { .. }) => StringsKept::Forbidden,
+                _ => StringsKept::Unanswered,
             }
         }
     }
@@ -185,7 +262,7 @@ mod strings {
 /// Without the program no USB device is opened.
 #[cfg(not(feature = "program"))]
 mod strings {
-    use crate::pen::hid::DeviceInfo;
+    use crate::pen::hid::{DeviceInfo, StringsKept};
 
     pub(super) struct Reader;
 
@@ -201,48 +278,13 @@ mod strings {
         pub(super) fn request(&mut self, _: u8) -> std::io::Result<()> {
             Err(std::io::Error::other("USB strings belong to the program"))
         }
+
+        pub(super) fn kept(&self) -> StringsKept {
+            StringsKept::Unanswered
+        }
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::pen::hid::simulated::SimulatedDevice;
-    use crate::pen::hid::{HidEvent, RawPen};
-
-    /// A node of the maker's own page with one input report of so many bytes besides its id.
-    fn vendor_descriptor(id: u8, bytes: u8) -> Vec<u8> {
-        let head = [0x06, 0x0A, 0xFF, 0x09, 0x01, 0xA1, 0x01, 0x85, id, 0x75, 0x08, 0x95, bytes, 0x81, 0x02];
-        [&head[..], &[0x95, 0x07, 0x91, 0x02, 0xC0]].concat()
-    }
-
-    #[test]
-    fn a_tablet_of_the_table_is_known_woken_and_read() {
-        // Adesso Cybertablet K8: known by its numbers and lengths alone.
-        let info = DeviceInfo { vendor_id: 0x28BD, product_id: 0x0910, ..DeviceInfo::default() };
-        let mut choice =
-            choose_decoder(&info, &vendor_descriptor(2, 9)).unwrap().expect("it is in the table");
-        assert!(choice.way.contains("K8"), "{}", choice.way);
-        assert_eq!(choice.abilities.pressure_levels, 8192);
-        let device = SimulatedDevice::new(info, &vendor_descriptor(2, 9));
-        choice.wake_up.take().expect("it must be woken")(&mut device.open());
-        assert_eq!(device.written().0, [[0x02, 0xB0, 0x04, 0, 0, 0, 0, 0]]);
-        let mut pens: Vec<RawPen> = Vec::new();
-        // In range and touching at the middle of 20320 × 11430 steps, half pressed.
-        let report = [0x02, 0xA1, 0xB0, 0x27, 0x53, 0x16, 0x00, 0x10, 0, 0];
-        choice.decoder.decode(&report, &mut |event| {
-            if let HidEvent::Pen(pen) = event {
-                pens.push(pen);
-            }
-        });
-        assert!(pens[0].touches && pens[0].position.distance(DVec2::splat(0.5)) < 1e-3);
-        assert!((pens[0].pressure.unwrap() - 0.5).abs() < 1e-3);
-    }
-
-    #[test]
-    fn what_neither_describes_itself_nor_is_known_is_no_pen() {
-        let info = DeviceInfo { vendor_id: 0x1234, product_id: 0x5678, ..DeviceInfo::default() };
-        assert!(choose_decoder(&info, &vendor_descriptor(2, 9)).unwrap().is_none());
-        assert!(choose_decoder(&info, &[]).is_err());
-    }
-}
+#[path = "choose_tests.rs"]
+mod tests;

@@ -7,9 +7,9 @@
 //! so that the pen's state is right again as soon as there is room, and what was left out is counted. Nothing is
 //! allocated for a report.
 
-use super::choose::Choice;
+use super::choose::{Choice, Doubt};
+use super::refusal::Refused;
 use super::{DeviceInfo, HidEvent, RawPen, Transport, TransportError};
-use crate::pen::machine::SILENCE_MS;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender, TryRecvError, TrySendError, sync_channel};
@@ -35,8 +35,10 @@ pub enum Notice {
     Arrived(Arc<Arrival>),
     /// It said something.
     Said(HidEvent),
-    /// A device is there and cannot be read: who it is, why, and what to do.
-    Refused(String),
+    /// A device is there and cannot be read.
+    Refused(Arc<Refused>),
+    /// What was refused at this path is refused no longer: it is read, or it is gone.
+    Settled(Arc<str>),
     /// It is not read any more; its pen has left before.
     Gone(TransportError),
 }
@@ -52,6 +54,8 @@ pub struct Arrival {
     pub area_mm: Option<glam::DVec2>,
     /// What its pen can say.
     pub abilities: super::Abilities,
+    /// The models it may be, where that is not sure.
+    pub doubt: Option<Doubt>,
 }
 
 /// A notice with its device and its time.
@@ -165,7 +169,8 @@ impl Reader {
     ) -> Result<Self, TransportError> {
         let path = transport.info().path.clone();
         let stop = Arc::new(AtomicBool::new(false));
-        let drain = Drain { device, outbox, waiting: None, stop: stop.clone(), is_near: false, seen_ms: 0.0 };
+        let drain =
+            Drain { device, outbox, waiting: None, stop: stop.clone(), pen: RawPen::default(), seen_ms: 0.0 };
         // Named after its node, for whoever looks at the program's threads.
         let name = path.rsplit(['/', '\0']).next().unwrap_or_default().to_owned();
         let thread = std::thread::Builder::new().name(name);
@@ -197,7 +202,8 @@ struct Drain {
     /// The newest of the messages that found no room.
     waiting: Option<Message>,
     stop: Arc<AtomicBool>,
-    is_near: bool,
+    /// What the pen said last.
+    pen: RawPen,
     seen_ms: f64,
 }
 
@@ -208,6 +214,7 @@ impl Drain {
             way: std::mem::take(&mut choice.way),
             area_mm: choice.area_mm,
             abilities: choice.abilities,
+            doubt: choice.doubt.take(),
         };
         self.insist(Notice::Arrived(Arc::new(arrival)));
         if let Some(wake_up) = choice.wake_up.take() {
@@ -237,16 +244,20 @@ impl Drain {
     /// How long to wait for a report.
     fn patience(&self, choice: &Choice) -> Duration {
         if self.waiting.is_some() {
-            FULL_QUEUE
-        } else if choice.leaves_by_silence && self.is_near {
-            Duration::from_secs_f64(SILENCE_MS / 1e3)
-        } else {
-            PATIENCE
+            return FULL_QUEUE;
+        }
+        match choice.silence {
+            Some(silence) if self.pen.in_range => {
+                Duration::from_secs_f64(silence.after_ms / 1e3).min(PATIENCE)
+            }
+            _ => PATIENCE,
         }
     }
 
     fn silence(&mut self, choice: &Choice) {
-        if choice.leaves_by_silence && self.outbox.now_ms() - self.seen_ms >= SILENCE_MS {
+        if let Some(silence) = choice.silence.filter(|silence| silence.applies(self.pen.touches))
+            && self.outbox.now_ms() - self.seen_ms >= silence.after_ms
+        {
             self.pen_leaves();
         }
         if let Some(message) = self.waiting.take() {
@@ -255,7 +266,7 @@ impl Drain {
     }
 
     fn pen_leaves(&mut self) {
-        if self.is_near {
+        if self.pen.in_range {
             let time_ms = self.outbox.now_ms();
             self.say(HidEvent::Pen(RawPen::default()), time_ms);
         }
@@ -263,7 +274,7 @@ impl Drain {
 
     fn say(&mut self, event: HidEvent, time_ms: f64) {
         if let HidEvent::Pen(pen) = event {
-            self.is_near = pen.in_range;
+            self.pen = pen;
             self.seen_ms = time_ms;
         }
         self.offer(Message { device: self.device, time_ms, notice: Notice::Said(event) });

@@ -3,6 +3,7 @@
 use super::*;
 use crate::pen::hid::simulated::SimulatedDevice;
 use crate::pen::hid::{Abilities, Decode};
+use crate::pen::machine::Silence;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use std::sync::atomic::AtomicUsize;
@@ -10,7 +11,7 @@ use std::sync::atomic::AtomicUsize;
 /// Longest that a test waits for another thread.
 const PATIENCE_OF_TESTS: Duration = Duration::from_secs(60);
 
-/// Reads reports of 5 bytes: in range or not, and the number of the report as the pen's serial.
+/// Reads reports of 5 bytes: in range (1), touching as well (2) or not, and the number of the report as the pen's serial.
 struct Counter;
 
 impl Decode for Counter {
@@ -19,19 +20,21 @@ impl Decode for Counter {
             && let Ok(number) = number.try_into()
         {
             let serial = u64::from(u32::from_le_bytes(number));
-            sink(HidEvent::Pen(RawPen { in_range: *in_range != 0, serial, ..RawPen::default() }));
+            let (in_range, touches) = (*in_range != 0, *in_range == 2);
+            sink(HidEvent::Pen(RawPen { in_range, touches, serial, ..RawPen::default() }));
         }
     }
 }
 
-fn choice(leaves_by_silence: bool) -> Choice {
+fn choice(silence: Option<Silence>) -> Choice {
     Choice {
         decoder: Box::new(Counter),
         wake_up: None,
         way: "counting".into(),
         area_mm: None,
-        leaves_by_silence,
+        silence,
         abilities: Abilities::default(),
+        doubt: None,
     }
 }
 
@@ -44,8 +47,8 @@ fn report(number: u32) -> [u8; 5] {
     [1, a, b, c, d]
 }
 
-fn start(device: &SimulatedDevice, leaves_by_silence: bool, outbox: Outbox) -> Reader {
-    Reader::start(7, Box::new(device.open()), choice(leaves_by_silence), outbox).unwrap()
+fn start(device: &SimulatedDevice, silence: Option<Silence>, outbox: Outbox) -> Reader {
+    Reader::start(7, Box::new(device.open()), choice(silence), outbox).unwrap()
 }
 
 /// Everything that is said until the device is gone.
@@ -74,7 +77,7 @@ fn a_device_arrives_speaks_and_goes_and_its_pen_leaves_first() {
     device.send(&report(1));
     device.send(&report(2));
     device.unplug_at_end();
-    let reader = start(&device, false, outbox);
+    let reader = start(&device, None, outbox);
     let all = until_gone(&inbox);
     assert!(matches!(&all[0].notice, Notice::Arrived(a) if a.way == "counting" && a.info.path == "sim0"));
     assert!(matches!(&all[4].notice, Notice::Gone(TransportError::Gone { .. })), "{all:?}");
@@ -91,7 +94,7 @@ fn a_device_is_woken_up_before_it_is_read() {
     device.unplug_at_end();
     let wake_up = |transport: &mut dyn Transport| transport.send_feature(&[2, 2]).unwrap();
     device.send(&report(1));
-    let choice = Choice { wake_up: Some(Box::new(wake_up)), ..choice(false) };
+    let choice = Choice { wake_up: Some(Box::new(wake_up)), ..choice(None) };
     let _reader = Reader::start(7, Box::new(device.open()), choice, outbox).unwrap();
     until_gone(&inbox);
     assert_eq!(device.written(), (vec![], vec![vec![2, 2]]));
@@ -101,7 +104,7 @@ fn a_device_is_woken_up_before_it_is_read() {
 fn a_silent_pen_leaves_where_only_silence_says_so() {
     let (outbox, inbox) = queue(|| {}, Instant::now());
     let device = device();
-    let reader = start(&device, true, outbox);
+    let reader = start(&device, Some(Silence::KNOWN), outbox);
     device.send(&report(1));
     let mut all = Vec::new();
     let begin = Instant::now();
@@ -111,8 +114,26 @@ fn a_silent_pen_leaves_where_only_silence_says_so() {
     }
     let pens = pens(&all);
     assert!(pens[0].in_range && !pens[1].in_range);
-    assert!(all[2].time_ms - all[1].time_ms >= SILENCE_MS);
+    assert!(all[2].time_ms - all[1].time_ms >= Silence::KNOWN.after_ms);
     assert!(!reader.is_finished());
+}
+
+#[test]
+fn a_pen_that_rests_where_it_touches_stays_where_silence_is_a_guess() {
+    const SILENCE: Silence = Silence { after_ms: 20.0, ..Silence::LIKELY };
+    let (outbox, inbox) = queue(|| {}, Instant::now());
+    let device = device();
+    let _reader = start(&device, Some(SILENCE), outbox);
+    device.send(&[2, 1, 0, 0, 0]);
+    // Silent for five times as long, then it hovers.
+    device.send_at(&report(2), Instant::now() + Duration::from_millis(100));
+    let (mut all, begin) = (Vec::new(), Instant::now());
+    while pens(&all).len() < 3 && begin.elapsed() < PATIENCE_OF_TESTS {
+        inbox.drain(|message| all.push(message));
+        std::thread::yield_now();
+    }
+    let said: Vec<_> = pens(&all).iter().map(|pen| (pen.in_range, pen.touches)).collect();
+    assert_eq!(said, [(true, true), (true, false), (false, false)], "{all:?}");
 }
 
 #[test]
@@ -125,7 +146,7 @@ fn nothing_is_lost_while_the_window_stalls() {
     (0..REPORTS).for_each(|number| device.send(&report(number)));
     device.stall(true);
     device.unplug_at_end();
-    let reader = start(&device, false, outbox);
+    let reader = start(&device, None, outbox);
     let mut random = Pcg64Mcg::seed_from_u64(2026);
     let mut all = Vec::with_capacity(REPORTS as usize + 3);
     device.stall(false);
@@ -152,7 +173,7 @@ fn a_full_queue_keeps_the_newest_and_counts_the_rest() {
     let (outbox, inbox) = queue_of(4, || {}, Instant::now());
     let device = device();
     (0..10).for_each(|number| device.send(&report(number)));
-    let reader = start(&device, false, outbox);
+    let reader = start(&device, None, outbox);
     assert!(device.wait_read(10, PATIENCE_OF_TESTS));
     device.unplug();
     let all = until_gone(&inbox);
@@ -177,7 +198,7 @@ fn the_window_is_woken_once_until_it_looks() {
     );
     let device = device();
     (0..100).for_each(|number| device.send(&report(number)));
-    let reader = start(&device, false, outbox);
+    let reader = start(&device, None, outbox);
     assert!(device.wait_read(100, PATIENCE_OF_TESTS));
     assert_eq!(woken.load(Ordering::SeqCst), 1);
     inbox.drain(drop);
@@ -191,7 +212,7 @@ fn the_window_is_woken_once_until_it_looks() {
 fn a_reader_ends_when_nobody_wants_it() {
     let (outbox, inbox) = queue_of(1, || {}, Instant::now());
     let device = device();
-    let reader = start(&device, false, outbox);
+    let reader = start(&device, None, outbox);
     drop(reader);
     assert_eq!(device.handles(), 0, "its queue is full and nobody looks");
     drop(inbox);

@@ -50,7 +50,7 @@ pub enum Recorded {
 impl Recording {
     /// The recording as a file's text.
     pub fn to_text(&self) -> String {
-        let mut writer = RecordingWriter { out: Vec::new(), devices: 0 };
+        let mut writer = RecordingWriter { out: Vec::new(), devices: 0, line: Vec::new() };
         // Writing into memory does not fail.
         let _ = self.write(&mut writer);
         String::from_utf8(writer.out).unwrap_or_default()
@@ -73,6 +73,8 @@ impl Recording {
 pub struct RecordingWriter<W: Write> {
     out: W,
     devices: usize,
+    /// Room for a line, so that none is taken for each.
+    line: Vec<u8>,
 }
 
 impl<W: Write> RecordingWriter<W> {
@@ -82,7 +84,7 @@ impl<W: Write> RecordingWriter<W> {
     /// What the file says.
     pub fn new(mut out: W) -> io::Result<Self> {
         writeln!(out, "{FIRST_LINE}")?;
-        Ok(Self { out, devices: 0 })
+        Ok(Self { out, devices: 0, line: Vec::new() })
     }
 
     /// Introduces a device and returns its number.
@@ -106,8 +108,11 @@ impl<W: Write> RecordingWriter<W> {
                 text += &format!("{key} {value}\n");
             }
         }
-        text += &format!("descriptor {}\n", hex(descriptor));
-        self.out.write_all(text.as_bytes())?;
+        text += "descriptor ";
+        let mut lines = text.into_bytes();
+        push_hex(&mut lines, descriptor);
+        lines.push(b'\n');
+        self.out.write_all(&lines)?;
         Ok(number)
     }
 
@@ -116,7 +121,7 @@ impl<W: Write> RecordingWriter<W> {
     /// # Errors
     /// What the file says.
     pub fn report(&mut self, time_us: u64, device: usize, report: &[u8]) -> io::Result<()> {
-        self.line(time_us, device, &hex(report))
+        self.line(time_us, device, |line| push_hex(line, report))
     }
 
     /// The device was unplugged.
@@ -124,15 +129,18 @@ impl<W: Write> RecordingWriter<W> {
     /// # Errors
     /// What the file says.
     pub fn gone(&mut self, time_us: u64, device: usize) -> io::Result<()> {
-        self.line(time_us, device, "gone")
+        self.line(time_us, device, |line| line.extend_from_slice(b"gone"))
     }
 
-    fn line(&mut self, time_us: u64, device: usize, what: &str) -> io::Result<()> {
-        let line = match device {
-            0 => format!("{time_us} {what}\n"),
-            device => format!("{time_us} {device}:{what}\n"),
-        };
-        self.out.write_all(line.as_bytes())
+    fn line(&mut self, time_us: u64, device: usize, what: impl FnOnce(&mut Vec<u8>)) -> io::Result<()> {
+        self.line.clear();
+        match device {
+            0 => write!(self.line, "{time_us} ")?,
+            device => write!(self.line, "{time_us} {device}:")?,
+        }
+        what(&mut self.line);
+        self.line.push(b'\n');
+        self.out.write_all(&self.line)
     }
 
     /// Brings everything to the file.
@@ -158,6 +166,26 @@ pub(super) fn one_line(text: &str) -> String {
     line.to_owned()
 }
 
-fn hex(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+fn push_hex(line: &mut Vec<u8>, bytes: &[u8]) {
+    const DIGITS: &[u8; 16] = b"0123456789abcdef";
+    let digit = |half: u8| DIGITS.get(usize::from(half)).copied().unwrap_or(b'0');
+    line.extend(bytes.iter().flat_map(|byte| [digit(byte >> 4), digit(byte & 15)]));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_is_written_without_asking_for_memory() {
+        let mut writer = RecordingWriter::new(std::io::sink()).unwrap();
+        writer.report(u64::MAX, 63, &[0xA5; 64]).unwrap();
+        let room = (writer.line.as_ptr(), writer.line.capacity());
+        for time_us in 0..1000 {
+            writer.report(time_us, 1, &[7; 64]).unwrap();
+        }
+        writer.gone(1000, 1).unwrap();
+        assert_eq!((writer.line.as_ptr(), writer.line.capacity()), room);
+        assert_eq!(writer.line, b"1000 1:gone\n");
+    }
 }

@@ -5,7 +5,6 @@ use super::choose::{Choice, choose_decoder};
 use super::recording::{Recorded, Recording};
 use super::simulated::{SimulatedBus, SimulatedDevice};
 use super::{DeviceInfo, Enumerate, HidEvent, Transport, TransportError};
-use crate::pen::machine::SILENCE_MS;
 use crate::pen::mapping::Rect;
 use crate::pen::{Mapping, PenEvent, PenMachine};
 use std::collections::BTreeSet;
@@ -161,8 +160,10 @@ impl Player {
     }
 
     fn pass_silence(&mut self, now_ms: f64, out: &mut Vec<PenEvent>) {
-        if self.choice.leaves_by_silence && now_ms - self.seen_ms >= SILENCE_MS {
-            self.machine.idle(self.seen_ms + SILENCE_MS, out);
+        if let Some(silence) = self.choice.silence
+            && now_ms - self.seen_ms >= silence.after_ms
+        {
+            self.machine.idle(self.seen_ms + silence.after_ms, silence, out);
         }
     }
 

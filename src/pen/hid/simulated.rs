@@ -19,15 +19,19 @@ pub struct SimulatedDevice {
 #[derive(Debug, Default)]
 struct Shared {
     state: Mutex<State>,
+    /// Readers wait here.
     changed: Condvar,
+    /// Tests wait here for reports to be read.
+    was_read: Condvar,
 }
 
 #[derive(Debug, Default)]
 struct State {
     /// Reports still to be read, and the moment before which each is not there yet.
     reports: VecDeque<(Option<Instant>, Vec<u8>)>,
-    /// Reports that were read.
+    /// Reports that were read, and how many threads wait for more of them; without, nobody needs to be woken for a read.
     read: usize,
+    waiting_for_reads: usize,
     /// What was written to it: output reports and feature reports.
     written: Vec<Vec<u8>>,
     features: Vec<Vec<u8>>,
@@ -94,9 +98,12 @@ impl SimulatedDevice {
 
     /// Waits until this many reports were read; whether they were before `timeout` was over.
     pub fn wait_read(&self, reports: usize, timeout: Duration) -> bool {
-        let state = self.shared.state();
-        let waited = self.shared.changed.wait_timeout_while(state, timeout, |state| state.read < reports);
-        !waited.unwrap_or_else(PoisonError::into_inner).1.timed_out()
+        let mut state = self.shared.state();
+        state.waiting_for_reads += 1;
+        let waited = self.shared.was_read.wait_timeout_while(state, timeout, |state| state.read < reports);
+        let (mut state, waited) = waited.unwrap_or_else(PoisonError::into_inner);
+        state.waiting_for_reads -= 1;
+        !waited.timed_out()
     }
 
     /// Output reports and feature reports that were written to it.
@@ -160,8 +167,11 @@ impl Transport for SimulatedTransport {
             if due.is_some_and(|due| due <= now) {
                 let Some((_, report)) = state.reports.pop_front() else { continue };
                 state.read += 1;
+                let is_awaited = state.waiting_for_reads > 0;
                 drop(state);
-                shared.changed.notify_all();
+                if is_awaited {
+                    shared.was_read.notify_all();
+                }
                 let length = report.len().min(buffer.len());
                 buffer[..length].copy_from_slice(&report[..length]);
                 return Ok(length);

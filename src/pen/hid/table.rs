@@ -17,6 +17,7 @@ pub use matching::{Certainty, Match};
 use super::Decode;
 use super::families::{Family, Spec};
 use super::wake::Wake;
+use crate::pen::machine::Silence;
 use glam::DVec2;
 use regex::bytes::Regex;
 use std::sync::OnceLock;
@@ -102,12 +103,12 @@ impl Tablet {
         }
     }
 
-    /// The pen is gone when no report came for [`SILENCE_MS`](crate::pen::machine::SILENCE_MS): no report of this tablet says so.
+    /// The silence after which the pen is gone, where no report of this tablet says so.
     #[must_use]
-    pub fn leaves_by_silence(&self) -> bool {
+    pub fn silence(&self) -> Option<Silence> {
         let by_wake = matches!(self.family, Family::Generic | Family::Uclogic)
             && self.wake.strings.contains(&UCLOGIC_IDS[0].0);
-        by_wake || self.family.leaves_by_silence()
+        if by_wake { Some(Silence::KNOWN) } else { self.family.silence() }
     }
 
     /// Identifying or waking it needs the device's USB strings, which hidraw does not give.

@@ -3,12 +3,9 @@
 //! A transport is a node of the system or a simulated device; nobody above it knows which. Reports begin with their
 //! report id, 0 for devices without ids.
 
+use super::refusal::{INSTALL_RULES, RULES_FILE};
 use std::time::Duration;
 use thiserror::Error;
-
-/// The rules that let people use their tablets, and the command that installs them.
-pub const RULES_FILE: &str = "70-penstemon.rules";
-const INSTALL_RULES: &str = "./run.sh --install-udev";
 
 /// How a device is connected.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -75,6 +72,12 @@ impl DeviceInfo {
             (_, false) => product.to_owned(),
             (false, true) => maker.to_owned(),
         }
+    }
+
+    /// What the device is known by from one day to the next, and all its nodes alike: numbers, name, serial number.
+    pub fn identity(&self) -> String {
+        let Self { vendor_id, product_id, serial, .. } = self;
+        format!("{vendor_id:04x}:{product_id:04x} {} {}", self.name(), serial.trim()).trim_end().to_owned()
     }
 }
 
@@ -176,5 +179,20 @@ mod tests {
         assert_eq!(named("Wacom Co.,Ltd.", "Intuos Pro M"), "Wacom Co.,Ltd. Intuos Pro M");
         assert_eq!(named("HUION", "HUION Kamvas"), "HUION Kamvas");
         assert_eq!(named("", " "), "tablet 056a:0357");
+    }
+
+    #[test]
+    fn nodes_of_one_device_have_one_identity() {
+        let node = |path: &str, serial: &str| DeviceInfo {
+            path: path.into(),
+            vendor_id: 0x256C,
+            product_id: 0x6D,
+            product: "Tablet".into(),
+            serial: serial.into(),
+            ..Default::default()
+        };
+        assert_eq!(node("a", "").identity(), "256c:006d Tablet");
+        assert_eq!(node("a", "7").identity(), node("b", " 7").identity());
+        assert_ne!(node("a", "7").identity(), node("a", "8").identity());
     }
 }

@@ -14,7 +14,7 @@ fn device(path: &str, descriptor: &[u8]) -> SimulatedDevice {
 
 fn roster(bus: &SimulatedBus) -> (Roster, Inbox) {
     let (outbox, inbox) = queue(|| {}, Instant::now());
-    (Roster::new(Box::new(bus.clone()), Box::new(choose_decoder), outbox), inbox)
+    (Roster::new(Box::new(bus.clone()), Box::new(choose_model), outbox), inbox)
 }
 
 fn wait(mut is_done: impl FnMut() -> bool) {
@@ -31,7 +31,7 @@ fn comings(inbox: &Inbox) -> Vec<(DeviceId, bool)> {
     inbox.drain(|message| match message.notice {
         Notice::Arrived(_) => all.push((message.device, true)),
         Notice::Gone(_) => all.push((message.device, false)),
-        Notice::Said(_) | Notice::Refused(_) => {}
+        Notice::Said(_) | Notice::Refused(_) | Notice::Settled(_) => {}
     });
     all
 }
@@ -85,12 +85,108 @@ fn a_device_that_was_forbidden_is_read_once_it_is_allowed() {
     let (bus, tablet) = (SimulatedBus::new(), device("a", tablets::DESK_TABLET));
     bus.plug(&tablet);
     bus.forbid("a", true);
-    let (mut roster, _inbox) = roster(&bus);
+    let (mut roster, inbox) = roster(&bus);
+    roster.poll().unwrap();
     roster.poll().unwrap();
     assert_eq!(roster.readers(), 0);
     bus.forbid("a", false);
     roster.poll().unwrap();
     assert_eq!((roster.readers(), tablet.handles()), (1, 1));
+    let mut told = Vec::new();
+    inbox.drain(|message| match message.notice {
+        Notice::Refused(refused) => told.push(format!("refused {}", refused.device.path)),
+        Notice::Settled(path) => told.push(format!("settled {path}")),
+        _ => {}
+    });
+    assert_eq!(told, ["refused a", "settled a"], "each is said once");
+}
+
+/// A tablet whose numbers fit many models and whose strings nobody gives.
+fn doubtful() -> SimulatedDevice {
+    let info = DeviceInfo { path: "a".into(), vendor_id: 0x256C, product_id: 0x6D, ..Default::default() };
+    SimulatedDevice::new(info, tablets::VENDOR_PAGE)
+}
+
+/// The models that the first refusal names, if one was said.
+fn offered(inbox: &Inbox) -> Option<Vec<String>> {
+    let mut models = None;
+    inbox.drain(|message| {
+        if let Notice::Refused(refused) = message.notice {
+            models.get_or_insert(refused.why.models().to_vec());
+        }
+    });
+    models
+}
+
+/// The ways in which devices that arrived are read, and paths of which nothing is refused any more.
+fn ways(inbox: &Inbox) -> Vec<String> {
+    let mut ways = Vec::new();
+    inbox.drain(|message| match message.notice {
+        Notice::Arrived(arrival) => ways.push(arrival.way.clone()),
+        Notice::Settled(path) => ways.push(path.to_string()),
+        _ => {}
+    });
+    ways
+}
+
+#[test]
+fn a_chosen_model_is_read_at_once_and_another_in_its_place() {
+    let (bus, tablet) = (SimulatedBus::new(), doubtful());
+    bus.plug(&tablet);
+    let (mut roster, inbox) = roster(&bus);
+    roster.poll().unwrap();
+    let models = offered(&inbox).expect("it is refused");
+    assert!(models.len() > 1 && roster.readers() == 0, "{models:?}");
+    let mut choose = |model: &str| {
+        roster.set_models([(tablet.info().identity(), model.to_owned())].into());
+        roster.poll().unwrap();
+        wait(|| tablet.handles() == 1);
+    };
+    choose(&models[0]);
+    let way = |model: &str| format!("the table, as {model}");
+    let mut told = Vec::new();
+    wait(|| {
+        told.extend(ways(&inbox));
+        told.len() == 2
+    });
+    told.sort();
+    assert_eq!(told, ["a".to_owned(), way(&models[0])]);
+    choose(&models[1]);
+    wait(|| ways(&inbox) == [way(&models[1])]);
+    // Choosing for another device leaves this one alone.
+    let handles = tablet.handles();
+    roster.set_models([(tablet.info().identity(), models[1].clone()), ("other".into(), "x".into())].into());
+    roster.poll().unwrap();
+    assert_eq!((tablet.handles(), comings(&inbox)), (handles, vec![]));
+    roster.set_models(Models::new());
+    roster.poll().unwrap();
+    assert_eq!(
+        (tablet.handles(), offered(&inbox)),
+        (0, Some(models)),
+        "without a choice it is refused again"
+    );
+}
+
+#[test]
+fn what_is_refused_for_good_is_not_asked_for_again_until_it_is_plugged_in_anew() {
+    let (bus, tablet) = (SimulatedBus::new(), doubtful());
+    bus.plug(&tablet);
+    let (outbox, inbox) = queue(|| {}, Instant::now());
+    let asked = Arc::new(std::sync::atomic::AtomicUsize::new(0));
+    let counter = Arc::clone(&asked);
+    let choose = move |device: &DeviceInfo, descriptor: &[u8], model: Option<&str>| {
+        counter.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+        choose_model(device, descriptor, model)
+    };
+    let mut roster = Roster::new(Box::new(bus.clone()), Box::new(choose), outbox);
+    (0..5).for_each(|_| roster.poll().unwrap());
+    assert_eq!(asked.load(std::sync::atomic::Ordering::Relaxed), 1);
+    bus.unplug("a");
+    roster.poll().unwrap();
+    assert_eq!(ways(&inbox), ["a"], "its refusal is taken back");
+    bus.plug(&doubtful());
+    roster.poll().unwrap();
+    assert!(offered(&inbox).is_some() && asked.load(std::sync::atomic::Ordering::Relaxed) == 2);
 }
 
 #[test]

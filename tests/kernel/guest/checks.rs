@@ -7,7 +7,7 @@ use crate::uhid::{Asked, BLUETOOTH, Identity, USB, VirtualDevice};
 use penstemon::pen::hid::reader::queue;
 use penstemon::pen::hid::watcher::Roster;
 use penstemon::pen::hid::{
-    Bus, DeviceId, DeviceInfo, Enumerate, HidEvent, Notice, System, TransportError, choose_decoder,
+    Bus, DeviceId, DeviceInfo, Enumerate, HidEvent, Notice, System, TransportError, choose_model,
 };
 use std::error::Error;
 use std::io::{BufRead, BufReader};
@@ -244,7 +244,7 @@ fn holds() -> Outcome<(usize, usize)> {
 
 fn many_plugs() -> Outcome<String> {
     let (outbox, inbox) = queue(|| {}, Instant::now());
-    let mut roster = Roster::new(Box::new(System::new()), Box::new(choose_decoder), outbox);
+    let mut roster = Roster::new(Box::new(System::new()), Box::new(choose_model), outbox);
     let mut first = None;
     for cycle in 0..CYCLES {
         let mut device = VirtualDevice::plug(&DESK)?;

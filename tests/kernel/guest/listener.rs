@@ -40,7 +40,10 @@ impl Listener {
             if let Some(message) = self.messages.pop_front() {
                 return Some(message);
             }
-            self.watcher.inbox().drain(|message| self.messages.push_back(message));
+            // That a refusal is over comes beside the arrival that ended it, before or after.
+            let is_heard = |message: &Message| !matches!(message.notice, Notice::Settled(_));
+            let messages = &mut self.messages;
+            self.watcher.inbox().drain(|message| messages.extend(Some(message).filter(is_heard)));
             let left = end.saturating_duration_since(Instant::now());
             if self.messages.is_empty() && self.woken.recv_timeout(left).is_err() {
                 return None;

@@ -3,6 +3,7 @@
 use super::{Decode, Plain, Read, Spec};
 use super::{acepen, genius, keys, others, uclogic, veikk, xp_pen};
 use super::{wacom_basic, wacom_finger, wacom_graphire, wacom_intuos, wacom_modern, wacom_pl};
+use crate::pen::machine::Silence;
 use serde::{Deserialize, Serialize};
 
 /// A layout of reports; written in the tablet table in lower case with hyphens.
@@ -125,19 +126,20 @@ impl Family {
         )
     }
 
-    /// The protocol has no report that says "out of range": the pen is gone when reports stop for
-    /// [`SILENCE_MS`](crate::pen::machine::SILENCE_MS). Some families have it only after one way of waking, which
-    /// [`Tablet::leaves_by_silence`](crate::pen::hid::table::Tablet::leaves_by_silence) knows.
+    /// The silence after which the pen is gone, where no report says "out of range" or none is known to. Some families
+    /// have such a report only after one way of waking, which
+    /// [`Tablet::silence`](crate::pen::hid::table::Tablet::silence) knows.
     #[must_use]
-    pub fn leaves_by_silence(self) -> bool {
-        matches!(
-            self,
+    pub fn silence(self) -> Option<Silence> {
+        match self {
             Self::UclogicTilt
-                | Self::UclogicV2
-                | Self::HuionGiano
-                | Self::HuionInspiroy
-                | Self::HuionTiltWheel
-        )
+            | Self::UclogicV2
+            | Self::HuionGiano
+            | Self::HuionInspiroy
+            | Self::HuionTiltWheel => Some(Silence::KNOWN),
+            Self::Genius | Self::GeniusV2 | Self::WacomBambooPad | Self::Lifetec => Some(Silence::LIKELY),
+            _ => None,
+        }
     }
 
     pub(super) fn decoder(self, spec: &Spec) -> Box<dyn Decode> {

@@ -1,6 +1,6 @@
 //! Genius, Trust and Waltop.
 //!
-//! Neither layout says when the pen leaves; a pen that hovers last is taken to hover on.
+//! Neither layout is known to say when the pen leaves; a pen that hovers and falls silent is taken to have left.
 
 use super::uclogic::plain_pen;
 use super::{Bytes, HidEvent, RawPen, Spec, bit};

@@ -42,7 +42,8 @@ impl OneEvent for Bamboo {
     }
 }
 
-/// One report for pen, keys and fingers; fingers say nothing. It is not known how the pen leaves.
+/// One report for pen, keys and fingers; fingers say nothing. It is not known how the pen leaves: silence
+/// while it hovers says so.
 pub(super) fn bamboo_pad(spec: &Spec, b: Bytes<'_>) -> Option<HidEvent> {
     match (b.u8(0)?, b.u8(1)?) {
         (0x10, 0x01) => {

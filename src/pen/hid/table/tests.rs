@@ -126,10 +126,9 @@ fn waking_decides_the_report_id_and_how_the_pen_leaves() {
             "{ usb = \"256c:0005\" }, { usb = \"256c:0006\", keys-only = true }",
         ),
     ]);
-    let said: Vec<_> =
-        table.tablets().iter().map(|t| (t.spec(12).report_id, t.leaves_by_silence())).collect();
-    let (asleep, v2) = ((None, false), (Some(8), true));
-    assert_eq!(said, [asleep, v2, asleep, (Some(2), false), v2, asleep]);
+    let said: Vec<_> = table.tablets().iter().map(|t| (t.spec(12).report_id, t.silence())).collect();
+    let (asleep, v2) = ((None, None), (Some(8), Some(Silence::KNOWN)));
+    assert_eq!(said, [asleep, v2, asleep, (Some(2), None), v2, asleep]);
     let needs: Vec<_> = table.tablets().iter().map(Tablet::needs_strings).collect();
     assert_eq!(needs, [false, true, false, false, true, false]);
 }

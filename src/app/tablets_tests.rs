@@ -1,0 +1,150 @@
+//! Tests of tablets that are read directly, on a simulated bus.
+
+use super::*;
+use crate::pen::PenPhase;
+use crate::pen::hid::Table;
+use crate::pen::hid::made_up::{DisplayReport, PEN_DISPLAY, VENDOR_PAGE, switch};
+use crate::pen::hid::simulated::{SimulatedBus, SimulatedDevice};
+use glam::DVec2;
+use std::time::Duration;
+
+const REACH: Reach = Reach {
+    canvas: Rect { min: DVec2::new(100.0, 0.0), max: DVec2::new(500.0, 400.0) },
+    window: Rect { min: DVec2::ZERO, max: DVec2::new(1000.0, 400.0) },
+    monitor: None,
+};
+
+/// A window that works with one simulated tablet.
+struct Desk {
+    bus: SimulatedBus,
+    tablet: SimulatedDevice,
+    tablets: Tablets,
+    pen: PenSettings,
+    models: Models,
+    heard: Vec<(Origin, PenEvent)>,
+}
+
+impl Desk {
+    fn new() -> Self {
+        let info = DeviceInfo { path: "sim0".into(), product: "Slate".into(), ..DeviceInfo::default() };
+        Self::with(SimulatedDevice::new(info, PEN_DISPLAY))
+    }
+
+    fn with(tablet: SimulatedDevice) -> Self {
+        let bus = SimulatedBus::new();
+        let system = bus.clone();
+        let mut tablets = Tablets::new(move |_| Box::new(system.clone()), || {}, Instant::now());
+        let mut heard = Vec::new();
+        tablets.listen(true, &mut heard);
+        let pen = PenSettings { keeps_aspect: false, ..PenSettings::default() };
+        Self { bus, tablet, tablets, pen, models: Models::new(), heard }
+    }
+
+    /// Listens until something is so.
+    fn until(&mut self, mut is_so: impl FnMut(&Tablets, &[(Origin, PenEvent)]) -> bool) {
+        let begin = Instant::now();
+        while !is_so(&self.tablets, &self.heard) {
+            assert!(begin.elapsed() < Duration::from_secs(60), "it never happened: {:?}", self.heard);
+            let pen = self.pen;
+            self.tablets.take(&REACH, |_| pen, &mut self.heard);
+            std::thread::sleep(Duration::from_millis(1));
+        }
+    }
+
+    fn report(&self, switches: u8) {
+        let report = DisplayReport { switches, x: 5000, pressure: 2000, ..DisplayReport::default() };
+        self.tablet.send(&report.bytes());
+    }
+}
+
+#[test]
+fn a_tablet_draws_where_the_artist_put_it_and_leaves_with_its_cable() {
+    let mut desk = Desk::new();
+    desk.tablets.obey(PenSource::Auto, &desk.models, &mut desk.heard);
+    desk.bus.plug(&desk.tablet);
+    desk.until(|tablets, _| tablets.name(0) == Some("Slate"));
+    desk.report(switch::IN_RANGE | switch::TIP);
+    desk.until(|_, heard| heard.len() == 2);
+    let window = desk.heard[1].1.sample.position;
+    desk.pen.covers = Covers::Canvas;
+    desk.report(switch::IN_RANGE | switch::TIP);
+    desk.until(|_, heard| heard.len() == 3);
+    let canvas = desk.heard[2].1.sample.position;
+    assert!((100.0 + window.x * 0.4 - canvas.x).abs() < 1e-6, "{window} {canvas}");
+    desk.bus.unplug("sim0");
+    desk.until(|tablets, _| tablets.known.is_empty());
+    assert_eq!(desk.tablets.name(0), Some("Slate"), "its last events are still to be followed");
+    desk.tablets.obey(PenSource::Auto, &desk.models, &mut desk.heard);
+    assert_eq!(desk.tablets.name(0), None);
+    let phases: Vec<_> = desk.heard.iter().map(|(_, event)| event.phase).collect();
+    assert_eq!(phases, [PenPhase::Enter, PenPhase::Down, PenPhase::Move, PenPhase::Up, PenPhase::Leave]);
+}
+
+#[test]
+fn nothing_is_read_for_the_system_or_for_another_window() {
+    let mut desk = Desk::new();
+    desk.tablets.obey(PenSource::System, &desk.models, &mut desk.heard);
+    assert!(desk.tablets.watcher.is_none());
+    desk.bus.plug(&desk.tablet);
+    desk.tablets.obey(PenSource::Raw, &desk.models, &mut desk.heard);
+    desk.until(|tablets, _| tablets.name(0).is_some());
+    desk.report(switch::IN_RANGE);
+    desk.until(|_, heard| heard.len() == 1);
+    desk.tablets.listen(false, &mut desk.heard);
+    assert_eq!(desk.heard.last().map(|(_, event)| event.phase), Some(PenPhase::Leave));
+    desk.report(switch::IN_RANGE);
+    desk.tablet.wait_read(2, Duration::from_secs(60));
+    desk.tablets.obey(PenSource::System, &desk.models, &mut desk.heard);
+    assert_eq!((desk.heard.len(), desk.tablet.handles()), (2, 0));
+}
+
+#[test]
+fn a_tablet_that_may_not_be_read_says_what_to_do() {
+    let mut desk = Desk::new();
+    desk.bus.forbid("sim0", true);
+    desk.bus.plug(&desk.tablet);
+    desk.tablets.obey(PenSource::Auto, &desk.models, &mut desk.heard);
+    desk.until(|tablets, _| tablets.trouble().is_some());
+    assert!(desk.tablets.trouble().unwrap().to_string().contains("./run.sh --install-udev"));
+    desk.bus.forbid("sim0", false);
+    desk.until(|tablets, _| tablets.name(0).is_some() && tablets.trouble().is_none());
+}
+
+/// The place in the window at which a tablet in doubt says that its pen hovers, once it is read as a model.
+fn hovers_as(desk: &mut Desk, model: &str) -> DVec2 {
+    desk.models = [(desk.tablet.info().identity(), model.to_owned())].into();
+    desk.tablets.obey(PenSource::Raw, &desk.models, &mut desk.heard);
+    let is_taken = |doubt: &TabletDoubt| doubt.taken.as_deref() == Some(model) && doubt.is_chosen;
+    desk.until(|tablets, _| tablets.doubts().iter().any(is_taken) && tablets.trouble().is_none());
+    desk.heard.clear();
+    // Hovering at 5000, 5000 steps.
+    desk.tablet.send(&[8, 0x80, 0x88, 0x13, 0x88, 0x13, 0, 0, 0, 0, 0, 0]);
+    desk.until(|_, heard| heard.iter().any(|(_, event)| event.phase == PenPhase::Enter));
+    desk.heard[0].1.sample.position
+}
+
+#[test]
+fn the_artist_chooses_the_model_of_a_tablet_in_doubt() {
+    let info = DeviceInfo { path: "sim0".into(), vendor_id: 0x256C, product_id: 0x6D, ..Default::default() };
+    let mut desk = Desk::with(SimulatedDevice::new(info, VENDOR_PAGE));
+    desk.bus.plug(&desk.tablet);
+    desk.tablets.obey(PenSource::Raw, &desk.models, &mut desk.heard);
+    desk.until(|tablets, _| tablets.trouble().is_some() && !tablets.doubts().is_empty());
+    let doubt = desk.tablets.doubts()[0].clone();
+    assert_eq!((doubt.device.as_str(), doubt.taken), ("256c:006d tablet 256c:006d", None));
+    // Two that differ in their ranges, so that the same report means another place.
+    let table = Table::shipped().unwrap();
+    let steps = |model: &String| table.tablets().iter().find(|t| t.name == *model).unwrap().steps;
+    let first = &doubt.models[0];
+    let other = doubt.models.iter().find(|model| steps(model)[0] != steps(first)[0]).unwrap();
+    for model in [first, other, first] {
+        let place = hovers_as(&mut desk, model);
+        let expected = REACH.window.max.x * 5000.0 / f64::from(steps(model)[0]);
+        assert!((place.x - expected).abs() < 1e-6, "{model}: {place}, not {expected}");
+    }
+    // The watcher is stopped and begins anew, as when the program does.
+    desk.tablets.obey(PenSource::System, &desk.models, &mut desk.heard);
+    assert!(desk.tablets.doubts().is_empty());
+    let place = hovers_as(&mut desk, &other.clone());
+    assert!((place.x - REACH.window.max.x * 5000.0 / f64::from(steps(other)[0])).abs() < 1e-6);
+}
