@@ -339,6 +339,19 @@ fn a_model_that_was_written_is_loaded_in_its_place_and_colours() {
 }
 
 #[test]
+fn a_surface_without_normals_gets_those_of_a_smooth_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("tetrahedron.obj");
+    fs::write(&path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n").unwrap();
+    let loaded = load(&path).unwrap();
+    let mesh = &loaded.model.parts[0].mesh;
+    for vertex in &mesh.vertices {
+        let outward = mesh.points[vertex.point as usize] - Vec3::splat(0.25);
+        assert!(vertex.normal.is_normalized() && vertex.normal.dot(outward) > 0.0, "{vertex:?}");
+    }
+}
+
+#[test]
 fn a_missing_picture_or_library_is_a_warning() {
     let folder = tempfile::tempdir().unwrap();
     let (model, plant) = two_specimens();

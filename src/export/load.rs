@@ -42,8 +42,12 @@ impl Embedded {
 }
 
 impl Loaded {
-    /// Adds a surface with the material of that index.
-    pub(super) fn push(&mut self, name: String, mesh: Mesh, material: usize) {
+    /// Adds a surface with the material of that index; normals that the file does not give are those of a smooth surface.
+    pub(super) fn push(&mut self, name: String, mut mesh: Mesh, material: usize) {
+        if mesh.vertices.iter().any(|vertex| vertex.normal == Vec3::ZERO) {
+            mesh.smooth_missing_normals();
+            mesh.split_disagreeing_corners();
+        }
         let (kind, pivot) = (PartKind::Wood, Vec3::ZERO);
         self.model.parts.push(Part {
             name,

@@ -12,8 +12,9 @@ use super::parts::{self, Plan, Source};
 use super::recipe::Recipe;
 use super::solids::{self, SolidParams, Stand};
 use super::tube::{self, TubeParams, TubeScratch};
+use super::wood::{self, Twig, WoodScratch};
 use super::{Mesh, Model, Part, filaments};
-use crate::plant::{Blade, Organ, Plant, Shape};
+use crate::plant::{Blade, Branch, Organ, Plant, Shape};
 use glam::Vec3;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -40,6 +41,7 @@ struct Scratch {
     flat: FlatScratch,
     blade: BladeScratch,
     tube: TubeScratch,
+    wood: WoodScratch,
     recipe: Recipe,
 }
 
@@ -53,7 +55,7 @@ struct Workshop<'a> {
 
 /// Builds the meshes of a plant that keeps its invariants.
 pub fn build(plant: &Plant, params: &ModelParams) -> Model {
-    let plans = parts::plan(plant);
+    let plans = parts::plan(plant, params.tube.joined);
     let workshop = Workshop::new(plant, params, &mut Cache::default());
     let mesh = |scratch: &mut Scratch, plan: &Plan| Arc::new(workshop.mesh(&plan.source, scratch));
     let meshes: Vec<Arc<Mesh>> =
@@ -70,7 +72,7 @@ pub fn rebuild(
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Option<Model> {
     cache.begin(params);
-    let plans = parts::plan(plant);
+    let plans = parts::plan(plant, params.tube.joined);
     let workshop = Workshop::new(plant, params, cache);
     let known = &cache.meshes;
     let make = |scratch: &mut Scratch, plan: &Plan| {
@@ -95,8 +97,8 @@ pub fn rebuild(
     Some(assembled(plant, plans, meshes))
 }
 
-/// Puts plans and meshes together; what cannot be seen is left out. Branches always have meshes, so they keep their
-/// indices and carriers need no renumbering.
+/// Puts plans and meshes together; what cannot be seen is left out. Wood, which comes first, always has a mesh, so that
+/// carriers need no renumbering.
 fn assembled(plant: &Plant, plans: Vec<Plan>, meshes: Vec<Arc<Mesh>>) -> Model {
     let part = |(plan, mesh): (Plan, Arc<Mesh>)| {
         let Plan { name, kind, parent, specimen, pivot, material, .. } = plan;
@@ -148,7 +150,7 @@ impl<'a> Workshop<'a> {
     /// Everything that [`Self::mesh`] reads but the parameters.
     fn write_recipe(&self, source: &Source, recipe: &mut Recipe) {
         match source {
-            Source::Branch(i) => recipe.branch(&self.plant.branches[*i], self.plant_size),
+            Source::Wood(twigs) => recipe.wood(self.twigs(twigs), self.plant_size),
             Source::Filaments(pieces) => {
                 recipe.filaments(pieces.iter().map(|(i, piece)| (&self.plant.organs[*i].shape, *piece)));
             }
@@ -159,6 +161,14 @@ impl<'a> Workshop<'a> {
         }
     }
 
+    fn look(&self, branch: &Branch) -> tube::TubeLook {
+        tube::look(branch, &self.params.tube, self.plant_size)
+    }
+
+    fn twigs<'t>(&'t self, twigs: &'t [(usize, Option<usize>)]) -> impl Iterator<Item = Twig<'t>> {
+        twigs.iter().map(|&(i, parent)| Twig { branch: &self.plant.branches[i], parent })
+    }
+
     /// The triangulation that a blade shares with others.
     fn template(&self, blade: &Blade) -> Option<&Template> {
         blade.template.and_then(|number| self.templates.get(&number))
@@ -167,8 +177,13 @@ impl<'a> Workshop<'a> {
     fn mesh(&self, source: &Source, scratch: &mut Scratch) -> Mesh {
         let params = self.params;
         match source {
-            Source::Branch(i) => {
-                tube::branch(&self.plant.branches[*i], &params.tube, self.plant_size, &mut scratch.tube)
+            Source::Wood(twigs) => {
+                if let [(only, _)] = twigs[..] {
+                    let branch = &self.plant.branches[only];
+                    return tube::branch(branch, self.look(branch), &mut scratch.tube);
+                }
+                let twigs: Vec<Twig<'_>> = self.twigs(twigs).collect();
+                wood::mesh(&twigs, |branch| self.look(branch), &mut scratch.wood)
             }
             Source::Filaments(pieces) => {
                 let pieces = pieces.iter().map(|(i, piece)| (&self.plant.organs[*i], *piece));

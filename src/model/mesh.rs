@@ -39,6 +39,25 @@ impl Mesh {
         self.point_triangle(triangle).map(|p| self.points[p as usize])
     }
 
+    /// Gives every vertex whose normal is zero that of the smooth surface, faces weighted by area.
+    pub fn smooth_missing_normals(&mut self) {
+        let mut sums = vec![Vec3::ZERO; self.points.len()];
+        for triangle in &self.triangles {
+            let [a, b, c] = self.point_triangle(*triangle).map(|point| point as usize);
+            let cross = (self.points[b] - self.points[a]).cross(self.points[c] - self.points[a]);
+            sums[a] += cross;
+            sums[b] += cross;
+            sums[c] += cross;
+        }
+        for sum in &mut sums {
+            // Scaled before squaring, because the cross product of a tiny face has a square of zero.
+            *sum = (*sum / sum.abs().max_element()).normalize_or(Vec3::Y);
+        }
+        for vertex in self.vertices.iter_mut().filter(|vertex| vertex.normal == Vec3::ZERO) {
+            vertex.normal = sums[vertex.point as usize];
+        }
+    }
+
     /// Gives a corner whose normal points away from its face's outside a vertex of its own with the face's normal.
     ///
     /// Smooth normals fail where a surface folds back on itself; there the crease is shown as a crease.

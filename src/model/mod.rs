@@ -21,6 +21,7 @@ mod filaments;
 mod flat;
 mod interior;
 pub mod invariants;
+mod joint;
 pub mod mesh;
 mod outline;
 mod parts;
@@ -35,6 +36,7 @@ mod tests;
 mod topology;
 mod tube;
 pub mod weld;
+mod wood;
 
 pub use build::{ModelParams, build, rebuild};
 pub use cache::Cache;
@@ -59,7 +61,7 @@ pub enum PartKind {
 /// One connected piece of the plant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
-    /// Unique name, such as `branch_3` or `petal_12`.
+    /// Unique name, such as `wood_0` or `petal_12`.
     pub name: String,
     /// What it is.
     pub kind: PartKind,

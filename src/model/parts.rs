@@ -1,8 +1,8 @@
 //! Which parts a plant has: names, carriers, specimens and what each is made from, before any mesh exists.
 //!
-//! Branches come first, one part each and with the same index; then organs in their order, a flower's filaments
-//! gathered where the first of them stands. Names are unique: `branch_3`, `leaf_12`, `petal_0_4` (flower, then number
-//! within the flower), `stamens_0`, `anthers_0`.
+//! Wood comes first: branches that grow on one another and wear one bark are one part, or each is one of its own. Then
+//! organs in their order, a flower's filaments gathered where the first of them stands. Names are unique: `wood_0`,
+//! `branch_3`, `leaf_12`, `petal_0_4` (flower, then number within the flower), `stamens_0`, `anthers_0`.
 //!
 //! A specimen is one plant of the drawing: a trunk with all it carries and the pot it stands in, a flower without a
 //! stem. Leaves strewn about without a branch are one specimen together.
@@ -17,8 +17,8 @@ use std::fmt::Write;
 /// What a part's mesh is made from.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Source {
-    /// The branch of this index.
-    Branch(usize),
+    /// One surface of the branches of these indices, each with the place in this list of the one that it grows on.
+    Wood(Vec<(usize, Option<usize>)>),
     /// The blade, dome or lathed body of the organ of this index.
     Organ(usize),
     /// Pieces of the filaments of these indices.
@@ -40,19 +40,15 @@ pub(super) struct Plan {
 /// Key of a part that gathers filaments: flower or, without one, organ; kind; material.
 type Gathering = (Option<usize>, Option<usize>, OrganKind, usize);
 
-/// Plans all parts of a plant, carriers first.
-pub(super) fn plan(plant: &Plant) -> Vec<Plan> {
+/// Plans all parts of a plant, carriers first; whether its wood is `joined`.
+pub(super) fn plan(plant: &Plant, joined: bool) -> Vec<Plan> {
     let specimens = Specimens::new(plant);
     let mut plans: Vec<Plan> = Vec::with_capacity(plant.branches.len() + plant.organs.len());
-    plans.extend(plant.branches.iter().enumerate().map(|(i, branch)| Plan {
-        name: format!("branch_{i}"),
-        kind: PartKind::Wood,
-        parent: branch.parent,
-        specimen: specimens.of_branch[i],
-        pivot: branch.points.first().copied().unwrap_or(Vec3::ZERO),
-        material: branch.material,
-        source: Source::Branch(i),
-    }));
+    let part_of = if joined {
+        plan_wood(plant, &specimens, &mut plans)
+    } else {
+        plan_branches(plant, &specimens, &mut plans)
+    };
     let mut names = Names::default();
     let mut gathered: BTreeMap<Gathering, usize> = BTreeMap::new();
     for (i, organ) in plant.organs.iter().enumerate() {
@@ -65,7 +61,7 @@ pub(super) fn plan(plant: &Plant) -> Vec<Plan> {
         let template = |name, material, source| Plan {
             name,
             kind: PartKind::Organ(organ.kind),
-            parent: carrier,
+            parent: carrier.map(|branch| part_of[branch]),
             specimen,
             pivot: organ.base(),
             material,
@@ -96,6 +92,46 @@ pub(super) fn plan(plant: &Plant) -> Vec<Plan> {
         }
     }
     plans
+}
+
+/// One part for every branch; gives the part of each.
+fn plan_branches(plant: &Plant, specimens: &Specimens, plans: &mut Vec<Plan>) -> Vec<usize> {
+    let part = |i: usize| wood(plant, specimens, i, plant.branches[i].parent, format!("branch_{i}"));
+    plans.extend((0..plant.branches.len()).map(part));
+    (0..plant.branches.len()).collect()
+}
+
+/// One part for all branches that grow on one another and wear one bark; gives the part of each branch.
+fn plan_wood(plant: &Plant, specimens: &Specimens, plans: &mut Vec<Plan>) -> Vec<usize> {
+    let mut part_of = Vec::with_capacity(plant.branches.len());
+    let mut place_of = Vec::with_capacity(plant.branches.len());
+    for (i, branch) in plant.branches.iter().enumerate() {
+        let on = branch.parent.filter(|parent| plant.branches[*parent].material == branch.material);
+        let part = on.map_or(plans.len(), |parent| part_of[parent]);
+        part_of.push(part);
+        if on.is_none() {
+            let carrier = branch.parent.map(|parent| part_of[parent]);
+            plans.push(wood(plant, specimens, i, carrier, format!("wood_{part}")));
+            place_of.push(0);
+        } else if let Source::Wood(twigs) = &mut plans[part].source {
+            place_of.push(twigs.len());
+            twigs.push((i, on.map(|parent| place_of[parent])));
+        }
+    }
+    part_of
+}
+
+fn wood(plant: &Plant, specimens: &Specimens, i: usize, parent: Option<usize>, name: String) -> Plan {
+    let branch = &plant.branches[i];
+    Plan {
+        name,
+        kind: PartKind::Wood,
+        parent,
+        specimen: specimens.of_branch[i],
+        pivot: branch.points.first().copied().unwrap_or(Vec3::ZERO),
+        material: branch.material,
+        source: Source::Wood(vec![(i, None)]),
+    }
 }
 
 /// The branch that carries an organ, its own or its flower's.

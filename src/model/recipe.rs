@@ -7,6 +7,7 @@
 //! its outline.
 
 use super::filaments::Piece;
+use super::wood::Twig;
 use crate::plant::{Blade, BladeForm, Branch, Cone, RestSurface, Shape};
 use crate::random::mix;
 use glam::{Vec2, Vec3};
@@ -22,11 +23,12 @@ impl Recipe {
         self.word(kind)
     }
 
-    /// The recipe of a branch whose tolerances are shares of `unit` metres.
-    pub(super) fn branch(&mut self, branch: &Branch, unit: f32) {
-        let Branch { stroke: _, parent: _, level: _, points, radii, material: _ } = branch;
-        self.begin(0).real(unit).points(points).length(radii.len());
-        self.0.extend(radii.iter().map(|radius| radius.to_bits()));
+    /// The recipe of branches that are one surface and whose tolerances are shares of `unit` metres.
+    pub(super) fn wood<'a>(&mut self, twigs: impl Iterator<Item = Twig<'a>>, unit: f32) {
+        self.begin(0).real(unit);
+        for Twig { branch, parent } in twigs {
+            self.word(parent.map_or(u32::MAX, |parent| parent as u32)).limb(branch);
+        }
     }
 
     /// The recipe of the outline that blades of one template have in common.
@@ -77,6 +79,13 @@ impl Recipe {
         let pairs =
             self.0.chunks(2).map(|pair| u64::from(pair[0]) << 32 | pair.get(1).map_or(0, |&w| w.into()));
         pairs.fold(self.0.len() as u64, mix)
+    }
+
+    fn limb(&mut self, branch: &Branch) -> &mut Self {
+        let Branch { stroke: _, parent: _, level: _, points, radii, material: _ } = branch;
+        self.points(points).length(radii.len());
+        self.0.extend(radii.iter().map(|radius| radius.to_bits()));
+        self
     }
 
     fn outline(&mut self, blade: &Blade) -> &mut Self {

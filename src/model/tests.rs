@@ -198,7 +198,10 @@ proptest! {
     #[test]
     fn any_plant_becomes_sound_meshes(plant in plant()) {
         prop_assert_eq!(plant.check_invariants(), Ok(()));
-        let model = build(&plant, &ModelParams::default());
+        prop_assert_eq!(check(&build(&plant, &ModelParams::default())), Ok(()));
+        let mut apart = ModelParams::default();
+        apart.tube.joined = false;
+        let model = build(&plant, &apart);
         prop_assert_eq!(check(&model), Ok(()));
         for i in 0..plant.branches.len() {
             prop_assert_eq!(&model.parts[i].name, &format!("branch_{i}"));

@@ -32,6 +32,8 @@ crate::parameters! {
         tolerance: f32 = 0.25, 0.005..=1.0, "of the radius";
         /// Width of the bark picture.
         bark_width: f32 = 0.08, 0.005..=1.0, "of the plant's size";
+        /// Branches grow out of one another as one closed surface; otherwise each is a tube of its own.
+        joined: bool = true, 0..=1, "";
         /// Length of the cone at a branch's end.
         tip: f32 = 0.7, 0.05..=4.0, "of the radius";
     }
@@ -42,7 +44,7 @@ crate::parameters! {
 const NEAREST: f32 = 0.001;
 const FARTHEST: f32 = 0.002;
 /// Bark shrinks with the branch, but not beyond this share of the radius at its base.
-const FINEST_BARK: f32 = 0.3;
+pub(super) const FINEST_BARK: f32 = 0.3;
 
 /// How a tube takes its picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,6 +66,13 @@ pub(super) struct TubeLook {
     pub(super) detail: spine::Detail,
 }
 
+impl TubeLook {
+    /// How often the picture repeats around.
+    pub(super) fn repeats(&self) -> f32 {
+        if let Picture::Bark(repeats) = self.picture { repeats } else { 1.0 }
+    }
+}
+
 /// Memory that is used again for every tube.
 #[derive(Default)]
 pub(super) struct TubeScratch {
@@ -73,18 +82,13 @@ pub(super) struct TubeScratch {
     circle: Vec<Vec2>,
 }
 
-/// The mesh of a branch in a plant of the given size in metres.
-pub(super) fn branch(
-    branch: &Branch,
-    params: &TubeParams,
-    plant_size: f32,
-    scratch: &mut TubeScratch,
-) -> Mesh {
+/// The look of a branch in a plant of the given size in metres.
+pub(super) fn look(branch: &Branch, params: &TubeParams, plant_size: f32) -> TubeLook {
     let base = branch.radii.first().copied().unwrap_or(0.0);
     let (fewest, most) = (params.fewest_sides.max(3), params.most_sides.max(params.fewest_sides).max(3));
     let thickness = base / (params.ordinary_radius * plant_size);
     let around = TAU * base / (params.bark_width * plant_size);
-    let look = TubeLook {
+    TubeLook {
         sides: ((params.sides as f32 * thickness.sqrt()).round() as u32).clamp(fewest, most),
         picture: Picture::Bark(around.round().clamp(1.0, 8.0)),
         tip: params.tip,
@@ -92,7 +96,11 @@ pub(super) fn branch(
             of_radius: params.tolerance,
             metres: (NEAREST * plant_size, FARTHEST * plant_size),
         },
-    };
+    }
+}
+
+/// The mesh of a branch.
+pub(super) fn branch(branch: &Branch, look: TubeLook, scratch: &mut TubeScratch) -> Mesh {
     let mut mesh = Mesh::default();
     append(&mut mesh, branch.points.iter().copied().zip(branch.radii.iter().copied()), look, scratch);
     mesh.split_disagreeing_corners();
@@ -118,7 +126,7 @@ pub(super) fn append(
     mesh.triangles.reserve(2 * (count - 1) * k + 2 * k - 2);
     let first = (mesh.points.len() as u32, mesh.vertices.len() as u32);
     let end = &rings[count - 1];
-    let repeats = if let Picture::Bark(repeats) = look.picture { repeats } else { 1.0 };
+    let repeats = look.repeats();
     let v = wall(mesh, rings, circle, repeats);
     base_cap(mesh, first.0, rings[0].tangent, circle);
     tip_cap(mesh, end, look, Vec2::new(repeats, v + repeats * look.tip / TAU));
@@ -207,7 +215,7 @@ mod tests {
     fn stem(points: Vec<Vec3>, radius: f32) -> Mesh {
         let radii = vec![radius; points.len()];
         let stem = Branch { stroke: None, parent: None, level: 0, points, radii, material: 0 };
-        let mesh = branch(&stem, &TubeParams::default(), 1.0, &mut TubeScratch::default());
+        let mesh = branch(&stem, look(&stem, &TubeParams::default(), 1.0), &mut TubeScratch::default());
         mesh.check_invariants().unwrap();
         mesh
     }

@@ -1,0 +1,448 @@
+//! All branches of one plant that wear the same bark as a single closed surface.
+//!
+//! Every branch is a grid of rings and sides as in `tube`. Where a branch leaves its parent, a window is cut into the
+//! parent's grid (`joint`), and a strip of faces joins the window's rim to the first ring outside, which is a little
+//! wider than the branch: a collar. So the surface stays one closed manifold without a hidden face, whatever the angle.
+//!
+//! Normals are those of the smooth surface, faces weighted by area, so that light flows over the joints. UV: as in
+//! `tube`; the strip belongs to the branch's picture.
+//!
+//! Limits: branches that pass through each other in mid-air are not joined. A branch that finds no free place on its
+//! parent is closed at its foot and stands alone.
+
+use super::joint::{self, Cells, Exit};
+use super::mesh::{Mesh, Vertex};
+use super::spine::{self, Ring, SpineScratch};
+use super::tube::{FINEST_BARK, TubeLook};
+use crate::geom::frame;
+use crate::plant::Branch;
+use glam::{Vec2, Vec3};
+use std::f32::consts::TAU;
+use std::ops::Range;
+
+/// Length over which a collar narrows, as a multiple of the branch's radius.
+const COLLAR_LENGTH: f32 = 2.0;
+/// Rings closer than this share of a side's length are one.
+const CLOSEST: f32 = 0.3;
+
+/// Memory that is used again for every plant.
+#[derive(Default)]
+pub(super) struct WoodScratch {
+    spine: SpineScratch,
+    one: Vec<Ring>,
+    /// Rings of all limbs, and the length of the limb before each.
+    rings: Vec<Ring>,
+    arcs: Vec<f32>,
+    limbs: Vec<Limb>,
+    /// Limbs in the order of what they grow on.
+    children: Vec<u32>,
+    cells: Cells,
+    rim: Vec<(usize, usize, f32)>,
+    /// Rims of the windows cut so far.
+    rims: Vec<(u32, f32)>,
+    grid: Vec<Row>,
+}
+
+/// A branch on its way to the surface.
+#[derive(Clone)]
+struct Limb {
+    look: TubeLook,
+    /// Its rings in [`WoodScratch::rings`].
+    rings: Range<usize>,
+    /// The limb that carries it, and where it leaves that; a trunk has none.
+    parent: Option<usize>,
+    exit: Option<Exit>,
+    /// It stays inside of its parent, and what grows on it grows on the parent.
+    hidden: bool,
+    /// The rim of its window in [`WoodScratch::rims`].
+    rim: Range<usize>,
+    /// What grows on it, in [`WoodScratch::children`].
+    children: Range<usize>,
+}
+
+impl Limb {
+    fn sides(&self) -> usize {
+        self.look.sides as usize
+    }
+}
+
+/// A ring of the final grid.
+#[derive(Clone, Copy)]
+struct Row {
+    arc: f32,
+    ring: Ring,
+    /// Unit direction from its centre to its first point.
+    side: Vec3,
+}
+
+impl Row {
+    fn new(arc: f32, ring: Ring) -> Self {
+        Self { arc, ring, side: Vec3::ZERO }
+    }
+
+    /// The angle at which a direction lies around the ring.
+    fn angle_of(&self, direction: Vec3) -> f32 {
+        direction.dot(self.ring.tangent.cross(self.side)).atan2(direction.dot(self.side))
+    }
+}
+
+/// A branch and the place, in the same list, of the one that it grows on, which comes before it.
+#[derive(Clone, Copy)]
+pub(super) struct Twig<'a> {
+    pub(super) branch: &'a Branch,
+    pub(super) parent: Option<usize>,
+}
+
+/// The surface of branches that all grow on the first.
+pub(super) fn mesh(
+    branches: &[Twig<'_>],
+    look: impl Fn(&Branch) -> TubeLook,
+    scratch: &mut WoodScratch,
+) -> Mesh {
+    survey(branches, look, scratch);
+    sort_children(scratch);
+    let mut mesh = Mesh::default();
+    let total: usize =
+        scratch.limbs.iter().map(|limb| (limb.rings.len() + 3 * limb.children.len()) * limb.sides()).sum();
+    mesh.points.reserve(total);
+    mesh.vertices.reserve(total + total / 4);
+    mesh.triangles.reserve(2 * total);
+    let mut feet = Vec::new();
+    for limb in 0..scratch.limbs.len() {
+        if !scratch.limbs[limb].hidden {
+            build(limb, &mut mesh, &mut feet, scratch);
+        }
+    }
+    mesh.smooth_missing_normals();
+    feet.into_iter().for_each(|foot| close_foot(&mut mesh, foot));
+    drop_unused(&mut mesh);
+    mesh.split_disagreeing_corners();
+    mesh
+}
+
+/// Rings of every branch and where it leaves its parent.
+fn survey(branches: &[Twig<'_>], look: impl Fn(&Branch) -> TubeLook, scratch: &mut WoodScratch) {
+    let WoodScratch { spine, one, rings, arcs, limbs, rims, .. } = scratch;
+    rings.clear();
+    arcs.clear();
+    limbs.clear();
+    rims.clear();
+    for &Twig { branch, parent } in branches {
+        let look = look(branch);
+        spine::rings(
+            branch.points.iter().copied().zip(branch.radii.iter().copied()),
+            look.detail,
+            spine,
+            one,
+        );
+        let mut parent = parent;
+        while let Some(hidden) = parent.filter(|p| limbs[*p].hidden) {
+            parent = limbs[hidden].parent;
+        }
+        let exit = parent.map(|p: usize| {
+            let on = limbs[p].rings.clone();
+            joint::exit(one, &rings[on.clone()], &arcs[on])
+        });
+        let hidden = matches!(exit, Some(None));
+        let first = rings.len();
+        let mut arc = 0.0;
+        for (i, ring) in one.iter().enumerate() {
+            arc += ring.at.distance(one[i.saturating_sub(1)].at);
+            arcs.push(arc);
+            rings.push(*ring);
+        }
+        limbs.push(Limb {
+            look,
+            rings: first..rings.len(),
+            parent,
+            exit: exit.flatten(),
+            hidden,
+            rim: 0..0,
+            children: 0..0,
+        });
+    }
+}
+
+/// Gives every limb the list of those that grow on it, thickest first: they choose their place before others.
+fn sort_children(scratch: &mut WoodScratch) {
+    let WoodScratch { limbs, children, .. } = scratch;
+    children.clear();
+    children.extend((0..limbs.len() as u32).filter(|c| limbs[*c as usize].exit.is_some()));
+    let width = |c: &u32| limbs[*c as usize].exit.map_or(0.0, |exit| exit.ring.radius);
+    children.sort_by(|a, b| {
+        let (of_a, of_b) = (limbs[*a as usize].parent, limbs[*b as usize].parent);
+        of_a.cmp(&of_b).then(width(b).total_cmp(&width(a))).then(a.cmp(b))
+    });
+    let mut from = 0;
+    while from < children.len() {
+        let parent = limbs[children[from] as usize].parent;
+        let to = from + children[from..].iter().take_while(|c| limbs[**c as usize].parent == parent).count();
+        if let Some(parent) = parent {
+            limbs[parent].children = from..to;
+        }
+        from = to;
+    }
+}
+
+/// A ring of points that has to be closed: its first point, how many there are, and where it looks.
+struct Foot {
+    first: u32,
+    sides: u32,
+    normal: Vec3,
+}
+
+/// Where a limb's grid lies in the mesh.
+#[derive(Clone, Copy)]
+struct Grid {
+    first_point: u32,
+    first_vertex: u32,
+    sides: u32,
+}
+
+fn build(index: usize, mesh: &mut Mesh, feet: &mut Vec<Foot>, scratch: &mut WoodScratch) {
+    lay_out(index, scratch);
+    let limb = scratch.limbs[index].clone();
+    let sides = limb.sides();
+    let up = limb.exit.map(|exit| upward(&exit));
+    let grid = Grid {
+        first_point: mesh.points.len() as u32,
+        first_vertex: mesh.vertices.len() as u32,
+        sides: sides as u32,
+    };
+    let first_side = up.unwrap_or_else(|| frame::hidden_side(scratch.grid[0].ring.tangent));
+    let end_v = rings(mesh, &mut scratch.grid, sides, limb.look.repeats(), first_side);
+    cut_windows(&limb, grid, scratch);
+    walls(mesh, grid, scratch.grid.len() - 1, &scratch.cells);
+    tip(mesh, grid, &scratch.grid, &limb.look, end_v);
+    if limb.rim.is_empty() {
+        feet.push(Foot { first: grid.first_point, sides: grid.sides, normal: -scratch.grid[0].ring.tangent });
+    } else {
+        strip(mesh, &scratch.rims[limb.rim.clone()], grid, &limb, &scratch.grid[0].ring);
+    }
+}
+
+/// The direction in the plane of a branch's first ring that lies above it on the parent.
+fn upward(exit: &Exit) -> Vec3 {
+    let axis = exit.ring.tangent;
+    let above = exit.upward.reject_from_normalized(axis);
+    let above =
+        if above.length_squared() > 1e-4 { above } else { -exit.outward.reject_from_normalized(axis) };
+    above.try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector())
+}
+
+/// The rings of a limb's final grid: those of its skeleton, and those that its windows need.
+fn lay_out(index: usize, scratch: &mut WoodScratch) {
+    let WoodScratch { rings, arcs, limbs, children, grid, .. } = scratch;
+    let limb = &limbs[index];
+    let (own, along) = (&rings[limb.rings.clone()], &arcs[limb.rings.clone()]);
+    let end = along[along.len() - 1];
+    grid.clear();
+    let start = limb.exit.map_or(0.0, |exit| exit.arc);
+    let first =
+        limb.exit.map_or(own[0], |exit| Ring { radius: joint::COLLAR * exit.ring.radius, ..exit.ring });
+    grid.push(Row::new(start, first));
+    let after_collar = start + limb.exit.map_or(0.0, |exit| COLLAR_LENGTH * exit.ring.radius);
+    if limb.exit.is_some() && after_collar < end {
+        grid.push(Row::new(after_collar, at(own, along, after_collar)));
+    }
+    let kept = grid.len();
+    grid.extend(
+        own.iter()
+            .zip(along)
+            .filter(|(_, arc)| **arc > after_collar)
+            .map(|(ring, arc)| Row::new(*arc, *ring)),
+    );
+    if grid.len() == 1 {
+        grid.push(Row::new(end, own[own.len() - 1]));
+    }
+    for child in &children[limb.children.clone()] {
+        let Some(exit) = limbs[*child as usize].exit else { continue };
+        let low = exit.at - exit.half_length;
+        let high = exit.at + exit.half_length;
+        for arc in [low, high] {
+            if arc > after_collar && arc < end {
+                grid.push(Row::new(arc, at(own, along, arc)));
+            }
+        }
+    }
+    grid[kept..].sort_by(|a, b| a.arc.total_cmp(&b.arc));
+    thin(grid, kept, limb.sides());
+}
+
+/// Leaves out rings that are too close to the one before; the last one stays.
+fn thin(grid: &mut Vec<Row>, kept: usize, sides: usize) {
+    let Some(last) = grid.pop() else { return };
+    let near = |a: &Row, b: &Row| {
+        let side = TAU * a.ring.radius.max(b.ring.radius) / sides as f32;
+        let turn = a.ring.radius * a.ring.tangent.distance(b.ring.tangent) * 1.1;
+        b.arc - a.arc < (CLOSEST * side).max(turn)
+    };
+    let kept = kept.min(grid.len());
+    let mut count = kept;
+    for i in kept..grid.len() {
+        if count == 0 || !near(&grid[count - 1], &grid[i]) {
+            grid[count] = grid[i];
+            count += 1;
+        }
+    }
+    grid.truncate(count);
+    while grid.len() > 1 && near(&grid[grid.len() - 1], &last) {
+        grid.pop();
+    }
+    grid.push(last);
+}
+
+/// The ring of a limb at a length along it.
+fn at(rings: &[Ring], arcs: &[f32], arc: f32) -> Ring {
+    let i = arcs.partition_point(|a| *a <= arc).clamp(1, rings.len() - 1);
+    let share = ((arc - arcs[i - 1]) / (arcs[i] - arcs[i - 1])).clamp(0.0, 1.0);
+    joint::between(&rings[i - 1], &rings[i], share)
+}
+
+/// Cuts a window for everything that grows on a limb and notes the rims.
+fn cut_windows(limb: &Limb, on: Grid, scratch: &mut WoodScratch) {
+    let WoodScratch { limbs, children, grid, cells, rim, rims, .. } = scratch;
+    let sides = limb.sides();
+    cells.clear(grid.len() - 1, sides);
+    for &child in &children[limb.children.clone()] {
+        let Some(exit) = limbs[child as usize].exit else { continue };
+        let row_of = |arc: f32| {
+            let above = grid.partition_point(|row| row.arc < arc).clamp(1, grid.len() - 1);
+            if arc - grid[above - 1].arc < grid[above].arc - arc { above - 1 } else { above }
+        };
+        let from = row_of(exit.at - exit.half_length).min(grid.len() - 2);
+        let rows = from..row_of(exit.at + exit.half_length).max(from + 1);
+        let angle = grid[rows.start].angle_of(exit.outward);
+        let Some(window) = cells.cut(rows, angle, exit.half_angle) else { continue };
+        window.rim(sides, rim);
+        let first = rims.len();
+        rims.extend(
+            rim.iter().map(|(row, side, turn)| (on.first_point + (row * sides + side) as u32, *turn)),
+        );
+        limbs[child as usize].rim = first..rims.len();
+    }
+}
+
+/// Appends points and vertices of all rings; gives the last ring's v.
+fn rings(mesh: &mut Mesh, grid: &mut [Row], sides: usize, repeats: f32, first_side: Vec3) -> f32 {
+    let (mut side, mut v) = (first_side, 0.0);
+    let turn = Vec2::from_angle(TAU / sides as f32);
+    let thickest = grid[0].ring.radius;
+    for i in 0..grid.len() {
+        let ring = grid[i].ring;
+        if i > 0 {
+            let before = &grid[i - 1].ring;
+            side = frame::transport(side, (before.at, before.tangent), (ring.at, ring.tangent));
+            let radius = (0.5 * (before.radius + ring.radius)).max(FINEST_BARK * thickest);
+            v += before.at.distance(ring.at) * repeats / (TAU * radius);
+        }
+        grid[i].side = side;
+        let other = ring.tangent.cross(side);
+        let first = mesh.points.len() as u32;
+        let mut toward = Vec2::X;
+        for j in 0..=sides {
+            let point = first + if j == sides { 0 } else { j as u32 };
+            if j < sides {
+                mesh.points.push(ring.at + (side * toward.x + other * toward.y) * ring.radius);
+                toward = turn.rotate(toward);
+            }
+            let uv = Vec2::new(repeats * j as f32 / sides as f32, v);
+            mesh.vertices.push(Vertex { point, normal: Vec3::ZERO, uv });
+        }
+    }
+    v
+}
+
+/// Faces between the rings but for the windows.
+fn walls(mesh: &mut Mesh, on: Grid, rows: usize, cells: &Cells) {
+    let width = on.sides + 1;
+    for row in 0..rows {
+        let (low, high) = (on.first_vertex + row as u32 * width, on.first_vertex + (row as u32 + 1) * width);
+        for j in 0..on.sides {
+            if !cells.is_taken(row, j as usize) {
+                mesh.triangles.push([low + j, low + j + 1, high + j + 1]);
+                mesh.triangles.push([low + j, high + j + 1, high + j]);
+            }
+        }
+    }
+}
+
+/// Closes the last ring with a blunt cone.
+fn tip(mesh: &mut Mesh, on: Grid, grid: &[Row], look: &TubeLook, v: f32) {
+    let ring = &grid[grid.len() - 1].ring;
+    let last = on.first_vertex + (grid.len() as u32 - 1) * (on.sides + 1);
+    let (apex, first) = (mesh.points.len() as u32, mesh.vertices.len() as u32);
+    mesh.points.push(ring.at + ring.tangent * (look.tip * ring.radius));
+    let end = Vec2::new(look.repeats(), v + look.repeats() * look.tip / TAU);
+    mesh.vertices.extend((0..on.sides).map(|j| Vertex {
+        point: apex,
+        normal: Vec3::ZERO,
+        uv: Vec2::new((j as f32 + 0.5) / on.sides as f32, 1.0) * end,
+    }));
+    mesh.triangles.extend((0..on.sides).map(|j| [last + j, last + j + 1, first + j]));
+}
+
+/// Joins the rim of a window to the first ring of the limb that comes out of it, both in the order of their turn.
+fn strip(mesh: &mut Mesh, rim: &[(u32, f32)], on: Grid, limb: &Limb, ring: &Ring) {
+    let (n, m) = (rim.len(), on.sides as usize);
+    let repeats = limb.look.repeats();
+    let first = mesh.vertices.len() as u32;
+    for i in 0..=n {
+        let (point, turn) = (rim[i % n].0, rim[i % n].1 + if i == n { 1.0 } else { 0.0 });
+        let below = mesh.points[point as usize].distance(ring.at);
+        let below = (below * below - ring.radius * ring.radius).max(0.0).sqrt();
+        let uv = Vec2::new(repeats * turn, -below * repeats / (TAU * ring.radius));
+        mesh.vertices.push(Vertex { point, normal: Vec3::ZERO, uv });
+    }
+    let turn = |i: usize| rim[i % n].1 + if i >= n { 1.0 } else { 0.0 };
+    let (mut i, mut j) = (0, 0);
+    while i < n || j < m {
+        let (low, high) = (first + i as u32, on.first_vertex + j as u32);
+        let middle_of_rim = if i < n { 0.5 * (turn(i) + turn(i + 1)) } else { f32::INFINITY };
+        let middle_of_ring = if j < m { (j as f32 + 0.5) / m as f32 } else { f32::INFINITY };
+        if middle_of_rim <= middle_of_ring {
+            mesh.triangles.push([low, low + 1, high]);
+            i += 1;
+        } else {
+            mesh.triangles.push([low, high + 1, high]);
+            j += 1;
+        }
+    }
+}
+
+fn close_foot(mesh: &mut Mesh, Foot { first: point, sides, normal }: Foot) {
+    let first = mesh.vertices.len() as u32;
+    mesh.vertices.extend((0..sides).map(|j| Vertex {
+        point: point + j,
+        normal,
+        uv: Vec2::splat(0.5) + Vec2::from_angle(TAU * j as f32 / sides as f32) * 0.5,
+    }));
+    mesh.triangles.extend((1..sides - 1).map(|j| [first, first + j + 1, first + j]));
+}
+
+/// Takes out points and vertices inside of windows, which no face has.
+fn drop_unused(mesh: &mut Mesh) {
+    const UNUSED: u32 = u32::MAX;
+    let (mut points, mut vertices) = (vec![UNUSED; mesh.points.len()], vec![UNUSED; mesh.vertices.len()]);
+    for vertex in mesh.triangles.iter().flatten() {
+        vertices[*vertex as usize] = 0;
+        points[mesh.vertices[*vertex as usize].point as usize] = 0;
+    }
+    number(&mut points);
+    number(&mut vertices);
+    let mut at = points.iter();
+    mesh.points.retain(|_| at.next().is_some_and(|new| *new != UNUSED));
+    let mut at = vertices.iter();
+    mesh.vertices.retain(|_| at.next().is_some_and(|new| *new != UNUSED));
+    mesh.vertices.iter_mut().for_each(|vertex| vertex.point = points[vertex.point as usize]);
+    mesh.triangles.iter_mut().flatten().for_each(|vertex| *vertex = vertices[*vertex as usize]);
+}
+
+/// Numbers those that are used, which have a 0.
+fn number(places: &mut [u32]) {
+    places.iter_mut().filter(|place| **place == 0).enumerate().for_each(|(new, place)| *place = new as u32);
+}
+
+#[cfg(test)]
+#[path = "wood_tests.rs"]
+mod tests;

@@ -1,0 +1,119 @@
+//! Joints at every angle and thickness, crowds, stubs, ends: always one closed surface.
+
+use super::super::disjoint_sets::DisjointSets;
+use super::*;
+use crate::model::tube::{self, TubeParams};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+fn branch(from: Vec3, direction: Vec3, length: f32, radius: f32) -> Branch {
+    let steps = 0..=10u8;
+    let point = |k: u8| from + direction.normalize() * (length * f32::from(k) / 10.0);
+    let radii = steps.clone().map(|k| radius * (1.0 - 0.06 * f32::from(k))).collect();
+    Branch { stroke: None, parent: None, level: 0, points: steps.map(point).collect(), radii, material: 0 }
+}
+
+fn joined(branches: &[(Branch, Option<usize>)]) -> Mesh {
+    let twigs: Vec<Twig<'_>> =
+        branches.iter().map(|(branch, parent)| Twig { branch, parent: *parent }).collect();
+    let look = |branch: &Branch| tube::look(branch, &TubeParams::default(), 3.0);
+    let mesh = mesh(&twigs, look, &mut WoodScratch::default());
+    mesh.check_invariants().unwrap();
+    mesh
+}
+
+fn surfaces(mesh: &Mesh) -> usize {
+    let mut sets = DisjointSets::new(mesh.points.len());
+    for triangle in &mesh.triangles {
+        let [a, b, c] = mesh.point_triangle(*triangle);
+        sets.join(a, b, false);
+        sets.join(b, c, false);
+    }
+    (0..mesh.points.len() as u32).filter(|i| sets.root(*i) == *i).count()
+}
+
+fn trunk() -> (Branch, Option<usize>) {
+    (branch(Vec3::ZERO, Vec3::Y, 2.0, 0.1), None)
+}
+
+#[test]
+fn at_any_angle_and_thickness_a_branch_grows_out_of_the_trunks_bark() {
+    for degrees in [10.0f32, 20.0, 45.0, 70.0, 90.0, 120.0, 150.0] {
+        for thickness in [0.1, 0.3, 0.6, 1.0, 1.6] {
+            let direction = Vec3::new(degrees.to_radians().sin(), degrees.to_radians().cos(), 0.2);
+            let twig = branch(Vec3::Y * 0.9, direction, 1.5, 0.07 * thickness);
+            let mesh = joined(&[trunk(), (twig, Some(0))]);
+            assert_eq!(surfaces(&mesh), 1, "{degrees} degrees, {thickness} of the trunk");
+            assert!(
+                mesh.points.iter().any(|p| p.x > 0.15),
+                "{degrees} degrees, {thickness}: nothing comes out"
+            );
+        }
+    }
+}
+
+#[test]
+fn nothing_is_left_of_the_bark_inside_a_joint() {
+    let twig = branch(Vec3::Y, Vec3::X, 1.0, 0.05);
+    let mesh = joined(&[trunk(), (twig, Some(0))]);
+    let inside = |p: &Vec3| p.x > 0.05 && p.x < 0.12 && p.with_x(0.0).distance(Vec3::Y) < 0.02;
+    assert!(!mesh.points.iter().any(inside));
+}
+
+#[test]
+fn a_branch_that_stays_inside_is_not_seen_and_hands_on_what_it_carries() {
+    let stub = branch(Vec3::Y, Vec3::X, 0.05, 0.02);
+    let twig = branch(Vec3::new(0.04, 1.0, 0.0), Vec3::X, 0.5, 0.01);
+    let alone = joined(&[trunk(), (stub.clone(), Some(0))]);
+    assert!(alone.points.iter().all(|p| p.x < 0.11));
+    let mesh = joined(&[trunk(), (stub, Some(0)), (twig, Some(1))]);
+    assert_eq!(surfaces(&mesh), 1);
+    assert!(mesh.points.iter().any(|p| p.x > 0.5));
+}
+
+#[test]
+fn a_whorl_finds_room_around_its_trunk() {
+    let around = |k: u8| Vec3::new((0.6 * f32::from(k)).cos(), 0.4, (0.6 * f32::from(k)).sin());
+    let mut branches = vec![trunk()];
+    branches.extend((0..10).map(|k| (branch(Vec3::Y, around(k), 0.8, 0.02), Some(0))));
+    assert_eq!(surfaces(&joined(&branches)), 1);
+}
+
+#[test]
+fn a_twig_at_the_very_end_or_the_very_foot_is_joined_too() {
+    for height in [0.0, 2.0] {
+        let twig = branch(Vec3::Y * height, Vec3::new(1.0, 0.3, 0.0), 0.8, 0.03);
+        assert_eq!(surfaces(&joined(&[trunk(), (twig, Some(0))])), 1, "at {height} m");
+    }
+}
+
+#[test]
+fn random_trees_are_one_surface() {
+    for seed in 0..24 {
+        let mut random = Pcg64Mcg::seed_from_u64(seed);
+        let mut branches = vec![trunk()];
+        for _ in 0..120 {
+            let on = random.random_range(0..branches.len());
+            let (parent, share) = (branches[on].0.clone(), random.random_range(1..=9));
+            let turn = |random: &mut Pcg64Mcg| random.random_range(-1.0..1.0f32);
+            let along = parent.points[10] - parent.points[0];
+            let direction =
+                along.normalize() + Vec3::new(turn(&mut random), turn(&mut random), turn(&mut random)) * 1.5;
+            let (length, radius) =
+                (along.length() * random.random_range(0.3..0.7), parent.radii[share] * 0.6);
+            branches.push((branch(parent.points[share], direction, length, radius), Some(on)));
+        }
+        assert_eq!(surfaces(&joined(&branches)), 1, "seed {seed}");
+    }
+}
+
+#[test]
+fn normals_look_outward_and_bark_is_not_stretched_on_a_plain_stem() {
+    let mesh = joined(&[trunk()]);
+    for vertex in &mesh.vertices {
+        let out = mesh.points[vertex.point as usize].with_y(0.0);
+        assert!(
+            out.length() < 0.01 || vertex.normal.y.abs() > 0.5 || vertex.normal.dot(out.normalize()) > 0.8
+        );
+    }
+}
