@@ -1,0 +1,113 @@
+//! Leaves on the young wood of a grown plant.
+//!
+//! Leaves stand along young internodes, turned from one to the next by the golden angle, and in a bunch at the end of
+//! each shoot. All are copies of a few outlines, so a crown is triangulated a handful of times; each leaf's direction,
+//! length and roll are its own, from a random stream named by its node. What is new this year carries leaves that are as
+//! far grown as the year.
+
+use super::chains::Chains;
+use super::fate::unit;
+use super::leaf::{self, LeafHabit};
+use super::tree::{NONE, Tree};
+use crate::geom::simple_loop;
+use crate::plant::{Blade, BladeForm, Organ, OrganKind, RestSurface, Shape};
+use crate::random::mix;
+use glam::{Quat, Vec2, Vec3};
+
+/// Divergence of leaves, radians: the golden angle.
+const GOLDEN_RAD: f32 = 2.399_963;
+/// Widths of the outlines that leaves are copies of, as shares of the species'.
+const WIDTHS: [f32; 3] = [0.9, 1.0, 1.12];
+/// Most leaves of a plant.
+pub const MOST: usize = 400_000;
+
+/// What leaves stand on.
+pub struct Wood<'a> {
+    /// The plant.
+    pub tree: &'a Tree,
+    /// Its chains.
+    pub chains: &'a Chains,
+    /// Places of the nodes.
+    pub at: &'a [Vec3],
+    /// Diameters below the nodes.
+    pub diameters: &'a [f32],
+    /// Age in years.
+    pub age: f32,
+    /// Diameter of the thinnest wood.
+    pub tip: f32,
+    /// Seed of everything random.
+    pub seed: u64,
+}
+
+/// All leaves of a plant at an age, in the order of their nodes.
+pub fn leaves(wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
+    if habit.length <= 0.0 || (habit.per_internode == 0 && habit.at_tip == 0) {
+        return Vec::new();
+    }
+    let outlines: Vec<Vec<Vec2>> =
+        WIDTHS.iter().map(|w| leaf::outline(habit.shape, (habit.width * w).min(3.0))).collect();
+    debug_assert!(outlines.iter().all(|o| simple_loop::signed_area(o.iter().copied()) > 0.0));
+    let ends = ends(wood);
+    let mut out = Vec::new();
+    for i in 0..wood.chains.of_node.len() {
+        let branch = wood.chains.of_node[i];
+        let years = wood.age - f32::from(wood.tree.nodes.born[i]) + 1.0;
+        let young = years <= habit.years && wood.diameters[i] <= wood.tip * habit.thickest;
+        if branch == NONE || !young || out.len() >= MOST {
+            continue;
+        }
+        let size = habit.length * years.clamp(0.05, 1.0);
+        let at_tip = if ends[i] { habit.at_tip } else { 0 };
+        for k in 0..habit.per_internode + at_tip {
+            let shape = Shape::Blade(one(wood, habit, &outlines, (i, k), size));
+            let branch = Some(branch as usize);
+            out.push(Organ { kind: OrganKind::Leaf, stroke: None, branch, flower: None, material: 1, shape });
+        }
+    }
+    out
+}
+
+/// Whether a node ends its chain.
+fn ends(wood: &Wood<'_>) -> Vec<bool> {
+    let mut ends = vec![false; wood.chains.of_node.len()];
+    for chain in &wood.chains.chains {
+        if let Some(&last) = wood.chains.nodes.get(chain.range.1 as usize - 1) {
+            ends[last as usize] = true;
+        }
+    }
+    ends
+}
+
+/// The leaf `k` of the internode below node `i`; those beyond the internode's own stand at its end.
+fn one(wood: &Wood<'_>, habit: &LeafHabit, outlines: &[Vec<Vec2>], (i, k): (usize, u32), size: f32) -> Blade {
+    let below = wood.tree.nodes.parent[i] as usize;
+    let (from, to) = (wood.at[below], wood.at[i]);
+    let way = (to - from).try_normalize().unwrap_or(Vec3::Y);
+    let key = mix(mix(mix(wood.seed, 61), i as u64), u64::from(k));
+    let random = |n: u64| 2.0 * unit(mix(key, n)) - 1.0;
+    let at_tip = k >= habit.per_internode;
+    let along = if at_tip { 1.0 } else { (k as f32 + 0.6) / habit.per_internode as f32 };
+    let side = wood.tree.nodes.side[i].reject_from_normalized(way).normalize_or(way.any_orthonormal_vector());
+    let around = Quat::from_axis_angle(way, GOLDEN_RAD * (k + 1) as f32 + 0.4 * random(1)) * side;
+    let open = if at_tip { 0.7 } else { 1.0 };
+    let (sin, cos) = (habit.angle.to_radians() * open).sin_cos();
+    let scatter = Vec3::new(random(2), random(3), random(4)) * habit.scatter;
+    let free = way * cos + around * sin - Vec3::Y * habit.droop + scatter;
+    let axis = free.try_normalize().unwrap_or(around);
+    // The face between square to the shoot and up to the sky.
+    let face = way.lerp(Vec3::Y, habit.face_up) + Vec3::new(random(5), random(6), random(7)) * (0.5 * habit.scatter);
+    let across = axis.cross(face).try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector());
+    let length = size * (1.0 + habit.vary * random(8));
+    let template = (unit(mix(key, 9)) * outlines.len() as f32) as usize % outlines.len();
+    Blade {
+        outline: outlines[template].clone(),
+        curl: Vec::new(),
+        base: from.lerp(to, along) + around * (0.4 * wood.diameters[i]),
+        u: across * length,
+        v: axis * length,
+        length: 1.0,
+        rest: RestSurface::Plane,
+        form: BladeForm::default(),
+        template: Some(template as u32),
+    }
+}
