@@ -38,7 +38,9 @@ pub enum SetupError {
     #[error(transparent)]
     Species(#[from] SpeciesError),
     /// The species does not say how it grows.
-    #[error("the species `{name}` does not grow by itself: its file has no section [growth]; those that do are {known}")]
+    #[error(
+        "the species `{name}` does not grow by itself: its file has no section [growth]; those that do are {known}"
+    )]
     NoGrowth {
         /// The species.
         name: String,

@@ -72,7 +72,8 @@ pub fn next_side(side: Vec3, from: Vec3, to: Vec3, order: u8, habit: &Habit) -> 
 
 /// The side vector at the beginning of a lateral axis. Flat sprays, whose buds stand left and right, lie level.
 pub fn first_side(direction: Vec3, key: u64, habit: &Habit) -> Vec3 {
-    let level = direction.cross(Vec3::Y).try_normalize().unwrap_or_else(|| direction.any_orthonormal_vector());
+    let level =
+        direction.cross(Vec3::Y).try_normalize().unwrap_or_else(|| direction.any_orthonormal_vector());
     match habit.arrangement {
         Arrangement::Alternate | Arrangement::Whorl => level,
         _ => Quat::from_axis_angle(direction, TAU * unit(mix(key, 31))) * level,

@@ -132,7 +132,12 @@ mod tests {
     fn simple_volumes_hold_their_middle_and_not_their_outside() {
         let (low, high) = (Vec3::new(-1.0, 0.0, -1.0), Vec3::new(1.0, 4.0, 1.0));
         let centre = Vec3::Y * 2.0;
-        let crown = Crown { foot: Vec3::ZERO, profile: vec![(0.5, 0.2), (2.0, 1.0), (4.0, 0.1)], lumps: 0.1, seed: 3 };
+        let crown = Crown {
+            foot: Vec3::ZERO,
+            profile: vec![(0.5, 0.2), (2.0, 1.0), (4.0, 0.1)],
+            lumps: 0.1,
+            seed: 3,
+        };
         let volumes = [
             Envelope::Box { low, high },
             Envelope::Sphere { centre, radius: 1.0 },

@@ -47,7 +47,11 @@ pub fn shoot(v: f32, most: u32) -> Option<(u32, f32)> {
 /// The fate of a bud in one year; [`Fate::Dormant`] leaves it open.
 pub fn decide(bud: &Waiting, habit: &Habit) -> Fate {
     let weak = bud.v < habit.flower_below;
-    if bud.apical && weak && bud.age >= habit.flower_age && unit(mix(bud.key, 11)) < habit.flowering.at(bud.age) {
+    if bud.apical
+        && weak
+        && bud.age >= habit.flower_age
+        && unit(mix(bud.key, 11)) < habit.flowering.at(bud.age)
+    {
         return Fate::Flower;
     }
     if bud.v >= 1.0 {

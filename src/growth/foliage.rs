@@ -3,9 +3,12 @@
 //! Leaves stand along young internodes, turned from one to the next by the golden angle, and in a bunch at the end of
 //! each shoot. All are copies of a few outlines, so a crown is triangulated a handful of times; each leaf's direction,
 //! length and roll are its own, from a random stream named by its node. What is new this year carries leaves that are as
-//! far grown as the year.
+//! far grown as the year. The end of a twig has leaves however long ago it grew, for its buds open every spring.
+//!
+//! A leaf whose tip would leave a drawn or modelled volume is shortened, or left out if that does not help.
 
 use super::chains::Chains;
+use super::envelope::Envelope;
 use super::fate::unit;
 use super::leaf::{self, LeafHabit};
 use super::tree::{NONE, Tree};
@@ -18,6 +21,10 @@ use glam::{Quat, Vec2, Vec3};
 const GOLDEN_RAD: f32 = 2.399_963;
 /// Widths of the outlines that leaves are copies of, as shares of the species'.
 const WIDTHS: [f32; 3] = [0.9, 1.0, 1.12];
+/// Nodes at the end of a twig that always have leaves.
+const SHORT: u8 = 2;
+/// Lengths that a leaf may have where it must stay in a volume, as shares of its own.
+const SHORTER: [f32; 3] = [1.0, 0.7, 0.45];
 /// Most leaves of a plant.
 pub const MOST: usize = 400_000;
 
@@ -37,6 +44,8 @@ pub struct Wood<'a> {
     pub tip: f32,
     /// Seed of everything random.
     pub seed: u64,
+    /// What leaves must not leave.
+    pub envelope: &'a Envelope,
 }
 
 /// All leaves of a plant at an age, in the order of their nodes.
@@ -47,19 +56,21 @@ pub fn leaves(wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
     let outlines: Vec<Vec<Vec2>> =
         WIDTHS.iter().map(|w| leaf::outline(habit.shape, (habit.width * w).min(3.0))).collect();
     debug_assert!(outlines.iter().all(|o| simple_loop::signed_area(o.iter().copied()) > 0.0));
-    let ends = ends(wood);
+    let from_end = from_end(wood);
     let mut out = Vec::new();
     for i in 0..wood.chains.of_node.len() {
         let branch = wood.chains.of_node[i];
         let years = wood.age - f32::from(wood.tree.nodes.born[i]) + 1.0;
-        let young = years <= habit.years && wood.diameters[i] <= wood.tip * habit.thickest;
+        let leafy = years <= habit.years || from_end[i] < SHORT;
+        let young = leafy && wood.diameters[i] <= wood.tip * habit.thickest;
         if branch == NONE || !young || out.len() >= MOST {
             continue;
         }
         let size = habit.length * years.clamp(0.05, 1.0);
-        let at_tip = if ends[i] { habit.at_tip } else { 0 };
+        let at_tip = if from_end[i] == 0 { habit.at_tip } else { 0 };
         for k in 0..habit.per_internode + at_tip {
-            let shape = Shape::Blade(one(wood, habit, &outlines, (i, k), size));
+            let Some(blade) = held(one(wood, habit, &outlines, (i, k), size), wood.envelope) else { continue };
+            let shape = Shape::Blade(blade);
             let branch = Some(branch as usize);
             out.push(Organ { kind: OrganKind::Leaf, stroke: None, branch, flower: None, material: 1, shape });
         }
@@ -67,15 +78,26 @@ pub fn leaves(wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
     out
 }
 
-/// Whether a node ends its chain.
-fn ends(wood: &Wood<'_>) -> Vec<bool> {
-    let mut ends = vec![false; wood.chains.of_node.len()];
+/// How many nodes stand between each node and the end of its chain, up to 255.
+fn from_end(wood: &Wood<'_>) -> Vec<u8> {
+    let mut out = vec![u8::MAX; wood.chains.of_node.len()];
     for chain in &wood.chains.chains {
-        if let Some(&last) = wood.chains.nodes.get(chain.range.1 as usize - 1) {
-            ends[last as usize] = true;
+        let nodes = &wood.chains.nodes[chain.range.0 as usize + 1..chain.range.1 as usize];
+        for (k, &node) in nodes.iter().rev().enumerate() {
+            out[node as usize] = k.min(255) as u8;
         }
     }
-    ends
+    out
+}
+
+/// The leaf as long as a drawn or modelled volume has room for.
+fn held(mut blade: Blade, envelope: &Envelope) -> Option<Blade> {
+    if matches!(envelope, Envelope::Free | Envelope::Crown(_)) {
+        return Some(blade);
+    }
+    let share = SHORTER.into_iter().find(|share| envelope.contains(blade.base + blade.v * *share))?;
+    (blade.u, blade.v) = (blade.u * share, blade.v * share);
+    Some(blade)
 }
 
 /// The leaf `k` of the internode below node `i`; those beyond the internode's own stand at its end.
@@ -95,7 +117,8 @@ fn one(wood: &Wood<'_>, habit: &LeafHabit, outlines: &[Vec<Vec2>], (i, k): (usiz
     let free = way * cos + around * sin - Vec3::Y * habit.droop + scatter;
     let axis = free.try_normalize().unwrap_or(around);
     // The face between square to the shoot and up to the sky.
-    let face = way.lerp(Vec3::Y, habit.face_up) + Vec3::new(random(5), random(6), random(7)) * (0.5 * habit.scatter);
+    let face =
+        way.lerp(Vec3::Y, habit.face_up) + Vec3::new(random(5), random(6), random(7)) * (0.5 * habit.scatter);
     let across = axis.cross(face).try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector());
     let length = size * (1.0 + habit.vary * random(8));
     let template = (unit(mix(key, 9)) * outlines.len() as f32) as usize % outlines.len();

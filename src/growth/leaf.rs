@@ -40,7 +40,9 @@ fn right_half(shape: LeafShape) -> &'static [(f32, f32)] {
         LeafShape::Lanceolate => &[(0.4, 0.15), (0.5, 0.38), (0.3, 0.72)],
         LeafShape::Elliptic => &[(0.36, 0.14), (0.5, 0.5), (0.36, 0.86)],
         LeafShape::Deltoid => &[(0.46, 0.1), (0.48, 0.26), (0.2, 0.64)],
-        LeafShape::Lobed => &[(0.16, 0.14), (0.34, 0.3), (0.22, 0.42), (0.5, 0.62), (0.3, 0.74), (0.32, 0.92)],
+        LeafShape::Lobed => {
+            &[(0.16, 0.14), (0.34, 0.3), (0.22, 0.42), (0.5, 0.62), (0.3, 0.74), (0.32, 0.92)]
+        }
         LeafShape::Palmate => &[(0.34, 0.06), (0.22, 0.26), (0.5, 0.52), (0.16, 0.56)],
         LeafShape::Tuft => &[
             (0.34, 0.16),
@@ -115,7 +117,15 @@ mod tests {
     fn outlines_are_simple_and_counter_clockwise() {
         use LeafShape as S;
         let all = [
-            S::Ovate, S::Obovate, S::Lanceolate, S::Elliptic, S::Deltoid, S::Lobed, S::Palmate, S::Tuft, S::Feather,
+            S::Ovate,
+            S::Obovate,
+            S::Lanceolate,
+            S::Elliptic,
+            S::Deltoid,
+            S::Lobed,
+            S::Palmate,
+            S::Tuft,
+            S::Feather,
             S::Scale,
         ];
         for shape in all {

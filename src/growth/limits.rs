@@ -62,7 +62,9 @@ impl fmt::Display for Outcome {
                 "growth ended because the shadow grid would need more than {most} voxels; choose a lower age or larger \
                  voxels"
             ),
-            Self::TooOld(most) => write!(f, "growth ended at the age of {most} years, the most that are counted"),
+            Self::TooOld(most) => {
+                write!(f, "growth ended at the age of {most} years, the most that are counted")
+            }
         }
     }
 }

@@ -149,7 +149,8 @@ impl Markers {
                 .clone()
                 .map(|k| {
                     let free = self.taken[k] > year;
-                    let (taken, owner) = if free { (NEVER, u32::MAX) } else { (self.taken[k], self.owner[k]) };
+                    let (taken, owner) =
+                        if free { (NEVER, u32::MAX) } else { (self.taken[k], self.owner[k]) };
                     (!free, self.rank[k], self.at[k], taken, owner)
                 })
                 .collect();

@@ -34,6 +34,8 @@ pub mod priority;
 pub mod schedule;
 pub mod shadow;
 pub mod shedding;
+#[cfg(test)]
+mod silhouette_tests;
 pub mod simulation;
 pub mod skeleton;
 pub mod solid;

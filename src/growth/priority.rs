@@ -70,7 +70,8 @@ pub fn share_out(flow: &mut Flow, tree: &Tree, q: &[f32], supply: f32, priority:
         let whole: f32 = weights.iter().sum();
         for (member, weight) in queue.iter().zip(&weights) {
             let share = if whole > 0.0 { v[axis] * weight / whole } else { 0.0 };
-            let into = if member.is_bud { &mut bud[member.index as usize] } else { &mut v[member.index as usize] };
+            let into =
+                if member.is_bud { &mut bud[member.index as usize] } else { &mut v[member.index as usize] };
             *into = share;
         }
     }

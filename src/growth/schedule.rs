@@ -27,7 +27,9 @@ impl Schedule {
     /// No pair, a number that is not finite, an age that does not rise, a value outside the range.
     pub fn new(knots: Vec<(f32, f32)>, min: f32, max: f32) -> Result<Self, String> {
         if knots.is_empty() {
-            return Err("an empty schedule; write a number, or pairs such as [[0, 1.0], [20, 0.5]]".to_owned());
+            return Err(
+                "an empty schedule; write a number, or pairs such as [[0, 1.0], [20, 0.5]]".to_owned()
+            );
         }
         for (k, &(age, value)) in knots.iter().enumerate() {
             if !(0.0..=10_000.0).contains(&age) {
@@ -39,6 +41,18 @@ impl Schedule {
             check(value, min, max)?;
         }
         Ok(Self { knots })
+    }
+
+    /// The schedule with every value at least this.
+    #[must_use]
+    pub fn at_least(&self, least: f32) -> Self {
+        Self { knots: self.knots.iter().map(|(age, value)| (*age, value.max(least))).collect() }
+    }
+
+    /// The schedule with every value multiplied.
+    #[must_use]
+    pub fn times(&self, factor: f32) -> Self {
+        Self { knots: self.knots.iter().map(|(age, value)| (*age, value * factor)).collect() }
     }
 
     /// The value at an age.
@@ -108,7 +122,10 @@ mod tests {
     #[test]
     fn values_run_straight_between_ages_and_stay_beyond_them() {
         let s = Schedule::new(vec![(2.0, 1.0), (4.0, 3.0), (10.0, 0.0)], -9.0, 9.0).unwrap();
-        assert_eq!([0.0, 2.0, 3.0, 4.0, 7.0, 10.0, 99.0].map(|age| s.at(age)), [1.0, 1.0, 2.0, 3.0, 1.5, 0.0, 0.0]);
+        assert_eq!(
+            [0.0, 2.0, 3.0, 4.0, 7.0, 10.0, 99.0].map(|age| s.at(age)),
+            [1.0, 1.0, 2.0, 3.0, 1.5, 0.0, 0.0]
+        );
     }
 
     #[test]

@@ -182,7 +182,9 @@ mod tests {
         let mut shadow = grid();
         assert!(shadow.cast(Vec3::new(0.5, 5.5, 0.5), Change::Grown, 1 << 20));
         let at = |x: f32, y: f32| shadow.shadow(Vec3::new(x + 0.5, y + 0.5, 0.5));
-        for (x, y, s) in [(0.0, 5.0, 0.2), (0.0, 6.0, 0.0), (1.0, 5.0, 0.0), (1.0, 4.0, 0.1), (-3.0, 2.0, 0.025)] {
+        for (x, y, s) in
+            [(0.0, 5.0, 0.2), (0.0, 6.0, 0.0), (1.0, 5.0, 0.0), (1.0, 4.0, 0.1), (-3.0, 2.0, 0.025)]
+        {
             assert!((at(x, y) - s).abs() < 1e-4, "{} instead of {s} at {x}, {y}", at(x, y));
         }
         assert_eq!([at(4.0, 2.0), at(0.0, 1.0)], [0.0, 0.0]);

@@ -32,6 +32,8 @@ pub const MAX_AGE: u16 = 10_000;
 const MANY: usize = 4096;
 /// Internodes that a crown which is grown into is at least high: drawn crowns need fine wood.
 const FINE: f32 = 55.0;
+/// Leaves that a crown which is grown into is at least high, and half as many as it is at most.
+const LEAFY: f32 = 20.0;
 
 /// What the buds compete for.
 #[derive(Clone, Debug)]
@@ -103,7 +105,13 @@ impl Simulation {
     }
 
     /// A plant that goes on from drawn branches, freely or inside a volume. A plant without branches is a seed.
-    pub fn from_skeleton(habit: &Habit, plant: &Plant, envelope: Envelope, seed: u64, limits: Limits) -> Self {
+    pub fn from_skeleton(
+        habit: &Habit,
+        plant: &Plant,
+        envelope: Envelope,
+        seed: u64,
+        limits: Limits,
+    ) -> Self {
         if plant.branches.is_empty() {
             return match envelope {
                 Envelope::Free => Self::new(habit, seed, limits),
@@ -313,7 +321,9 @@ impl Simulation {
             }
             let key = mix(state.key, u64::from(k));
             let from = self.tree.nodes.at[node as usize];
-            let Some(next) = self.way_on(from, weights.next(way, best, key), best, length, order) else { break };
+            let Some(next) = self.way_on(from, weights.next(way, best, key), best, length, order) else {
+                break;
+            };
             side = direction::next_side(side, way, next, order, &self.habit);
             way = next;
             let lateral = k == 0 && !state.apical;
@@ -351,7 +361,11 @@ impl Simulation {
         if to.y < from.y && to.y < 0.0 {
             return false;
         }
-        if self.envelope.contains(from) { self.envelope.holds(from, to) } else { order == 0 || self.envelope.contains(to) }
+        if self.envelope.contains(from) {
+            self.envelope.holds(from, to)
+        } else {
+            order == 0 || self.envelope.contains(to)
+        }
     }
 
     fn lay_laterals(&mut self, node: u32, way: Vec3, side: Vec3, key: u64, age: f32) {
@@ -421,16 +435,29 @@ fn field_for(habit: &Habit, resource: Resource, envelope: &Envelope, limits: Lim
     Field::Space(Markers::strew(volume, density, limits.markers, cell, seed))
 }
 
-/// The habit with internodes short enough for a volume.
+/// The habit as it fills a volume: internodes and leaves short enough for it, buds that seek its space before they
+/// follow the species, nothing shed. Phyllotaxis, angles, wood and leaves stay the species' own.
 fn fitted(habit: &Habit, envelope: &Envelope) -> Habit {
     let mut habit = habit.clone();
     if let Some((low, high)) = envelope.bounds() {
         let size = (high - low).max_element();
         if size > 0.0 {
             habit.internode = habit.internode.min(size / FINE);
+            habit.leaf.length = habit.leaf.length.clamp(size / (2.0 * LEAFY), size / LEAFY);
         }
     }
-    (habit.bole, habit.clearance) = (0.0.into(), 0.0.into());
+    (habit.bole, habit.clearance, habit.shed) = (0.0.into(), 0.0.into(), 0.0.into());
+    habit.seeking = habit.seeking.at_least(0.9);
+    habit.supply = habit.supply.at_least(4.0);
+    habit.shoot = habit.shoot.max(8);
+    habit.lambda = habit.lambda.at_least(0.5);
+    habit.ramification = habit.ramification.at_least(0.9);
+    habit.bud_life = habit.bud_life.max(12);
+    habit.leaf.per_internode = habit.leaf.per_internode.max(3);
+    habit.leaf.at_tip = habit.leaf.at_tip.max(6);
+    for lift in [&mut habit.lift, &mut habit.lift_branch, &mut habit.lift_twig] {
+        *lift = lift.times(0.25);
+    }
     habit
 }
 

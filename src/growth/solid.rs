@@ -57,7 +57,9 @@ pub enum SolidError {
         what: &'static str,
     },
     /// A hole.
-    #[error("{name}: the mesh is open: {edges} edges have a face on one side only, the first at ({x}, {y}, {z}); close its holes")]
+    #[error(
+        "{name}: the mesh is open: {edges} edges have a face on one side only, the first at ({x}, {y}, {z}); close its holes"
+    )]
     Open {
         /// Name of the file.
         name: String,
@@ -108,13 +110,16 @@ impl Solid {
         let options = tobj::LoadOptions { triangulate: true, ..tobj::LoadOptions::default() };
         let no_materials = |_: &std::path::Path| Err(tobj::LoadError::GenericFailure);
         let read = tobj::load_obj_buf(&mut text.as_bytes(), &options, no_materials);
-        let unreadable = |e: tobj::LoadError| SolidError::Unreadable { name: name.to_owned(), reason: e.to_string() };
+        let unreadable =
+            |e: tobj::LoadError| SolidError::Unreadable { name: name.to_owned(), reason: e.to_string() };
         let (models, _) = read.map_err(unreadable)?;
         let (mut points, mut triangles) = (Vec::new(), Vec::new());
         for model in models {
             let first = points.len() as u32;
             points.extend(model.mesh.positions.as_chunks::<3>().0.iter().map(|p| Vec3::from_array(*p)));
-            triangles.extend(model.mesh.indices.as_chunks::<3>().0.iter().map(|t| t.map(|i| first.saturating_add(i))));
+            triangles.extend(
+                model.mesh.indices.as_chunks::<3>().0.iter().map(|t| t.map(|i| first.saturating_add(i))),
+            );
         }
         Self::new(points, triangles, name)
     }
@@ -202,10 +207,7 @@ impl Solid {
         let at = |x: f32, low: f32, cell: f64, count: usize| {
             ((f64::from(x - low) / cell).max(0.0) as usize).min(count - 1)
         };
-        [
-            at(p.x, self.low.x, self.cell.x, self.columns[0]),
-            at(p.z, self.low.z, self.cell.y, self.columns[1]),
-        ]
+        [at(p.x, self.low.x, self.cell.x, self.columns[0]), at(p.z, self.low.z, self.cell.y, self.columns[1])]
     }
 
     fn sort_into_columns(&mut self) {
@@ -340,7 +342,9 @@ mod tests {
         assert!(fault(&flipped).contains("flip its normals"));
         let many = vec![[0, 1, 2]; MAX_TRIANGLES + 1];
         assert!(Solid::new(Vec::new(), many, "big.obj").unwrap_err().to_string().contains("simplify"));
-        assert!(Solid::new(vec![Vec3::ZERO], vec![[0, 1, 2]], "b").unwrap_err().to_string().contains("corner 2"));
+        assert!(
+            Solid::new(vec![Vec3::ZERO], vec![[0, 1, 2]], "b").unwrap_err().to_string().contains("corner 2")
+        );
     }
 
     proptest! {
@@ -370,7 +374,10 @@ mod tests {
     /// A sphere of radius 1 about the origin.
     fn sphere(n: u32) -> Solid {
         let at = |i: u32, k: u32| {
-            let (a, b) = (i as f32 / n as f32 * std::f32::consts::PI, (k % (2 * n)) as f32 / n as f32 * std::f32::consts::PI);
+            let (a, b) = (
+                i as f32 / n as f32 * std::f32::consts::PI,
+                (k % (2 * n)) as f32 / n as f32 * std::f32::consts::PI,
+            );
             if i == 0 || i == n {
                 return Vec3::new(0.0, if i == 0 { 1.0 } else { -1.0 }, 0.0);
             }

@@ -28,7 +28,14 @@ fn lit() -> Habit {
 
 fn spacious() -> Habit {
     let space = SpaceHabit { markers: 300.0, ..SpaceHabit::default() };
-    Habit { resource: Resource::Space, internode: 0.25, height: 5.0, shed: 0.0.into(), space, ..Habit::default() }
+    Habit {
+        resource: Resource::Space,
+        internode: 0.25,
+        height: 5.0,
+        shed: 0.0.into(),
+        space,
+        ..Habit::default()
+    }
 }
 
 fn grown(habit: &Habit, age: u16) -> Simulation {
@@ -59,7 +66,8 @@ fn both_vigour_models_give_out_exactly_what_was_earned() {
     for kappa in [0.0, 0.25, 0.5, 1.0] {
         for apical_first in [false, true] {
             let rule = Priority { kappa, most: 1.0, least: 0.006, apical_first };
-            let (earned, got) = earned_and_got(tree, |flow, q| priority::share_out(flow, tree, q, 1.5, |_| rule));
+            let (earned, got) =
+                earned_and_got(tree, |flow, q| priority::share_out(flow, tree, q, 1.5, |_| rule));
             assert!((got - 1.5 * earned).abs() < 1e-3 * earned, "κ {kappa}: {got} of {earned}");
         }
     }
@@ -116,7 +124,7 @@ fn no_branch_leaves_its_envelope() {
 
 #[test]
 fn any_number_of_threads_grows_the_same_tree() {
-        for habit in [lit(), spacious()] {
+    for habit in [lit(), spacious()] {
         let on = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             pool.install(|| plant_at(&grown(&habit, 12), 11.5))
@@ -158,7 +166,11 @@ fn leader_to_laterals(simulation: &Simulation) -> f32 {
             continue;
         }
         let length = nodes.at[i].distance(nodes.at[nodes.parent[i] as usize]);
-        if nodes.order[i] == 0 { trunk += length } else { rest += length }
+        if nodes.order[i] == 0 {
+            trunk += length
+        } else {
+            rest += length
+        }
         laterals += f32::from(u8::from(nodes.order[i] == 1 && simulation.tree().begins_lateral(i)));
     }
     trunk * laterals / f32::max(rest, 1e-6)
@@ -187,9 +199,9 @@ fn schedules_change_one_plant_with_its_age() {
     let nodes = &simulation.tree().nodes;
     let mean_rise = |years: std::ops::RangeInclusive<u16>| {
         let of = |i: &usize| nodes.order[*i] > 0 && years.contains(&nodes.born[*i]);
-        let rises = (1..nodes.at.len()).filter(of).map(|i| {
-            (nodes.at[i] - nodes.at[nodes.parent[i] as usize]).normalize().y
-        });
+        let rises = (1..nodes.at.len())
+            .filter(of)
+            .map(|i| (nodes.at[i] - nodes.at[nodes.parent[i] as usize]).normalize().y);
         let all: Vec<f32> = rises.collect();
         all.iter().sum::<f32>() / all.len() as f32
     };
@@ -238,7 +250,10 @@ fn drawn_branches_are_grown_on() {
     let before = simulation.tree().clone();
     before.check_invariants().unwrap();
     for end in [Vec3::new(0.2, 2.5, 0.0), Vec3::new(-1.5, 2.2, 0.3)] {
-        assert!(before.nodes.at.iter().any(|p| p.distance(end) < 1e-4), "the end of a branch stays where it was drawn");
+        assert!(
+            before.nodes.at.iter().any(|p| p.distance(end) < 1e-4),
+            "the end of a branch stays where it was drawn"
+        );
     }
     simulation.grow_to(6, &never);
     let tree = simulation.tree();
@@ -281,14 +296,20 @@ fn keys_ranges_and_schedules_are_checked() {
     assert!(fault("[light]\nvoxels = 2").contains("did you mean `voxel`?"));
     assert!(fault("arrangement = \"sprial\"").contains("spiral"));
     assert!(fault("shoot = 2.5").contains("integer") || fault("shoot = 2.5").contains("u32"));
-    let habit: Habit = toml::from_str("lambda = [[0, 0.6], [10, 0.4]]\nshoot = 7\n[leaf]\nshape = \"tuft\"").unwrap();
+    let habit: Habit =
+        toml::from_str("lambda = [[0, 0.6], [10, 0.4]]\nshoot = 7\n[leaf]\nshape = \"tuft\"").unwrap();
     assert_eq!((habit.lambda.at(5.0), habit.shoot, habit.leaf.shape), (0.5, 7, leaf::LeafShape::Tuft));
     assert_eq!(habit.pipe, Habit::default().pipe);
 }
 
 #[test]
 fn every_default_lies_in_its_range() {
-    let all = [Habit::describe(), leaf::LeafHabit::describe(), species::LightHabit::describe(), SpaceHabit::describe()];
+    let all = [
+        Habit::describe(),
+        leaf::LeafHabit::describe(),
+        species::LightHabit::describe(),
+        SpaceHabit::describe(),
+    ];
     for d in all.concat() {
         assert!((d.min..=d.max).contains(&(d.default as f32 as f64)), "{d:?}");
     }

@@ -35,6 +35,7 @@ pub fn plant_at(simulation: &Simulation, age: f32) -> Plant {
         age,
         tip: habit.tip,
         seed: simulation.seed(),
+        envelope: simulation.envelope(),
     };
     let plant = Plant {
         world_from_canvas: WorldFromCanvas { scale: 1.0, origin: Vec2::ZERO },
