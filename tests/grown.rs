@@ -24,7 +24,8 @@ fn grown(name: &str, age: Option<f32>) -> (Simulation, Plant) {
 }
 
 fn size(plant: &Plant) -> Vec3 {
-    let points = plant.organs.iter().map(|o| o.base()).chain(plant.branches.iter().flat_map(|b| b.points.clone()));
+    let points =
+        plant.organs.iter().map(|o| o.base()).chain(plant.branches.iter().flat_map(|b| b.points.clone()));
     let (low, high) = points.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
     high - low
 }
@@ -74,7 +75,8 @@ fn willow_twigs_hang_and_poplar_twigs_stand() {
     let fall = |name: &str| {
         let plant = grown(name, None).1;
         let last = plant.branches.iter().filter(|b| b.level >= 2 && b.points.len() > 3);
-        let ways: Vec<f32> = last.map(|b| (b.points[b.points.len() - 1] - b.points[1]).normalize().y).collect();
+        let ways: Vec<f32> =
+            last.map(|b| (b.points[b.points.len() - 1] - b.points[1]).normalize().y).collect();
         ways.iter().sum::<f32>() / ways.len() as f32
     };
     assert!(fall("willow") < -0.3, "{}", fall("willow"));

@@ -56,20 +56,20 @@ pub fn leaves(wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
     let outlines: Vec<Vec<Vec2>> =
         WIDTHS.iter().map(|w| leaf::outline(habit.shape, (habit.width * w).min(3.0))).collect();
     debug_assert!(outlines.iter().all(|o| simple_loop::signed_area(o.iter().copied()) > 0.0));
-    let from_end = from_end(wood);
     let mut out = Vec::new();
-    for i in 0..wood.chains.of_node.len() {
-        let branch = wood.chains.of_node[i];
+    for (i, (&branch, &from_end)) in wood.chains.of_node.iter().zip(&from_end(wood)).enumerate() {
         let years = wood.age - f32::from(wood.tree.nodes.born[i]) + 1.0;
-        let leafy = years <= habit.years || from_end[i] < SHORT;
+        let leafy = years <= habit.years || from_end < SHORT;
         let young = leafy && wood.diameters[i] <= wood.tip * habit.thickest;
         if branch == NONE || !young || out.len() >= MOST {
             continue;
         }
         let size = habit.length * years.clamp(0.05, 1.0);
-        let at_tip = if from_end[i] == 0 { habit.at_tip } else { 0 };
+        let at_tip = if from_end == 0 { habit.at_tip } else { 0 };
         for k in 0..habit.per_internode + at_tip {
-            let Some(blade) = held(one(wood, habit, &outlines, (i, k), size), wood.envelope) else { continue };
+            let Some(blade) = held(one(wood, habit, &outlines, (i, k), size), wood.envelope) else {
+                continue;
+            };
             let shape = Shape::Blade(blade);
             let branch = Some(branch as usize);
             out.push(Organ { kind: OrganKind::Leaf, stroke: None, branch, flower: None, material: 1, shape });

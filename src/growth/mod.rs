@@ -13,7 +13,7 @@
 //! | `shadow` | light as the resource |
 //! | `vigour`, `priority` | who gets how much of it |
 //! | `direction`, `fate`, `shedding` | what buds and branches make of it |
-//! | `tree`, `skeleton`, `simulation`, `limits` | the plant through the years |
+//! | `tree`, `skeleton`, `setting`, `simulation`, `limits` | the plant through the years |
 //! | `diameter`, `chains`, `foliage`, `to_plant` | the plant of one age |
 //!
 //! Everything here is pure and deterministic: no clock, no files, the same bytes on any number of threads.
@@ -32,6 +32,7 @@ pub mod limits;
 pub mod markers;
 pub mod priority;
 pub mod schedule;
+pub mod setting;
 pub mod shadow;
 pub mod shedding;
 #[cfg(test)]
@@ -51,6 +52,7 @@ pub use envelope::Envelope;
 pub use inflated::Inflated;
 pub use limits::{Limits, Outcome};
 pub use schedule::Schedule;
+pub use setting::Field;
 pub use simulation::Simulation;
 pub use solid::{Solid, SolidError};
 pub use species::Habit;

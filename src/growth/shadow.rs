@@ -69,7 +69,7 @@ impl Shadow {
     /// answer is no.
     #[must_use]
     pub fn cast(&mut self, p: Vec3, change: Change, most: usize) -> bool {
-        if !((p / self.voxel).abs().max_element() < FARTHEST) {
+        if !p.is_finite() || (p / self.voxel).abs().max_element() >= FARTHEST {
             return false;
         }
         let top = self.place(p);

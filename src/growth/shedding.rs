@@ -29,7 +29,7 @@ pub fn shed(tree: &mut Tree, flow: &Flow, habit: &Habit, year: u16) -> Vec<u32> 
             internodes[tree.nodes.parent[i] as usize] += internodes[i];
         }
     }
-    for i in 0..tree.len() {
+    for (i, &carried) in internodes.iter().enumerate() {
         let parent = tree.nodes.parent[i];
         if tree.nodes.died[i] != NEVER || parent == NONE {
             continue;
@@ -37,7 +37,7 @@ pub fn shed(tree: &mut Tree, flow: &Flow, habit: &Habit, year: u16) -> Vec<u32> 
         let falls = tree.nodes.died[parent as usize] == year || {
             let grown_up = u32::from(year - tree.nodes.born[i]) >= habit.shed_after;
             let lateral = tree.begins_lateral(i) && tree.nodes.born[i] > 0;
-            let poor = || i < known && flow.through(i) / (internodes[i] as f32) < least;
+            let poor = || i < known && flow.through(i) < least * carried as f32;
             let low = || tree.nodes.order[i] == 1 && tree.nodes.at[parent as usize].y < bole;
             lateral && grown_up && (poor() || low())
         };

@@ -29,7 +29,8 @@ fn outlines() -> Vec<(&'static str, Vec<Vec<Vec2>>)> {
     let cloud = ring(90, |t| {
         Vec2::new(3.0 * t.cos(), 1.6 * t.sin() + 3.4) + Vec2::from_angle(t) * 0.4 * (5.0 * t).sin().abs()
     });
-    let goblet = mirrored(&[(1.2, 0.4), (1.2, 0.8), (0.5, 1.1), (0.5, 2.3), (1.3, 3.0), (1.7, 4.0), (1.6, 5.2)]);
+    let goblet =
+        mirrored(&[(1.2, 0.4), (1.2, 0.8), (0.5, 1.1), (0.5, 2.3), (1.3, 3.0), (1.7, 4.0), (1.6, 5.2)]);
     let head = [(1.0, 2.9), (1.3, 3.5), (1.1, 4.1), (1.0, 5.4), (0.9, 6.2), (0.4, 6.2), (0.25, 4.5)];
     let rabbit = mirrored(&[&[(1.2, 0.6), (1.8, 1.4), (1.6, 2.4)][..], &head[..]].concat());
     vec![
@@ -72,7 +73,8 @@ fn the_front_of_a_plant_in_a_drawn_outline_is_the_outline() {
         let cell = (high - low).truncate().max_element() * 1.1 / CELLS as f32;
         let low = low.midpoint(high).truncate() - 0.5 * cell * CELLS as f32;
         let habit = Habit::default();
-        let mut simulation = Simulation::in_envelope(&habit, Envelope::Inflated(volume.clone()), 4, Limits::default());
+        let mut simulation =
+            Simulation::in_envelope(&habit, Envelope::Inflated(volume.clone()), 4, Limits::default());
         simulation.grow_to(60, &|| false);
         simulation.check_envelope().unwrap();
         let covered = drawn(&plant_at(&simulation, 60.0), low, cell);

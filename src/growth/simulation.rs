@@ -7,14 +7,14 @@
 //! Where we depart: a bud's length budget is cut at the habit's longest shoot; a shoot that would leave the envelope
 //! turns to where its markers are, and ends if that does not help.
 
-use super::competition::{self, Found, Perception};
+use super::competition::{self, Found};
 use super::direction::{self, Weights};
 use super::envelope::{Crown, Envelope};
 use super::fate::{self, Fate, Waiting, unit};
 use super::limits::{Limits, Outcome};
-use super::markers::Markers;
 use super::priority::{self, Priority};
-use super::shadow::{Change, Shadow};
+use super::setting::{Field, field_for, fitted, lowest, perception};
+use super::shadow::Change;
 use super::shedding;
 use super::skeleton;
 use super::species::{Arrangement, Control, Habit, Resource};
@@ -30,19 +30,6 @@ use std::sync::Arc;
 pub const MAX_AGE: u16 = 10_000;
 /// Open buds from which sensing light is worth several threads.
 const MANY: usize = 4096;
-/// Internodes that a crown which is grown into is at least high: drawn crowns need fine wood.
-const FINE: f32 = 55.0;
-/// Leaves that a crown which is grown into is at least high, and half as many as it is at most.
-const LEAFY: f32 = 20.0;
-
-/// What the buds compete for.
-#[derive(Clone, Debug)]
-pub enum Field {
-    /// Light.
-    Light(Shadow),
-    /// Space.
-    Space(Markers),
-}
 
 /// Memory that is used again every year.
 #[derive(Clone, Debug, Default)]
@@ -386,7 +373,9 @@ impl Simulation {
         match &mut self.field {
             Field::Light(shadow) => {
                 let most = self.limits.voxels;
-                nodes.into_iter().fold(true, |room, i| shadow.cast(places[i], Change::Grown, most) && room)
+                let mut room = true;
+                nodes.into_iter().for_each(|i| room &= shadow.cast(places[i], Change::Grown, most));
+                room
             }
             Field::Space(markers) => {
                 let radius = self.habit.space.occupancy * self.habit.internode;
@@ -413,60 +402,4 @@ impl Simulation {
         }
         Ok(())
     }
-}
-
-/// The cone in which buds of a habit perceive space.
-pub fn perception(habit: &Habit) -> Perception {
-    let half = (0.5 * habit.space.angle).to_radians();
-    Perception { radius: habit.space.perception * habit.internode, cos_half: half.cos() }
-}
-
-fn field_for(habit: &Habit, resource: Resource, envelope: &Envelope, limits: Limits, seed: u64) -> Field {
-    if resource == Resource::Light {
-        return Field::Light(Shadow::new(&habit.light, habit.light.voxel * habit.internode));
-    }
-    let radius = habit.space.perception * habit.internode;
-    let density = habit.space.markers / (4.0 / 3.0 * std::f32::consts::PI * radius.powi(3));
-    // A plant that is bound by nothing gets as much space as its species ever fills.
-    let high = habit.height;
-    let own = Envelope::Ellipsoid { centre: Vec3::Y * high * 0.55, radii: Vec3::new(0.45, 0.5, 0.45) * high };
-    let volume = if envelope.bounds().is_some() { envelope } else { &own };
-    let cell = radius.max(habit.space.occupancy * habit.internode);
-    Field::Space(Markers::strew(volume, density, limits.markers, cell, seed))
-}
-
-/// The habit as it fills a volume: internodes and leaves short enough for it, buds that seek its space before they
-/// follow the species, nothing shed. Phyllotaxis, angles, wood and leaves stay the species' own.
-fn fitted(habit: &Habit, envelope: &Envelope) -> Habit {
-    let mut habit = habit.clone();
-    if let Some((low, high)) = envelope.bounds() {
-        let size = (high - low).max_element();
-        if size > 0.0 {
-            habit.internode = habit.internode.min(size / FINE);
-            habit.leaf.length = habit.leaf.length.clamp(size / (2.0 * LEAFY), size / LEAFY);
-        }
-    }
-    (habit.bole, habit.clearance, habit.shed) = (0.0.into(), 0.0.into(), 0.0.into());
-    habit.seeking = habit.seeking.at_least(0.9);
-    habit.supply = habit.supply.at_least(4.0);
-    habit.shoot = habit.shoot.max(8);
-    habit.lambda = habit.lambda.at_least(0.5);
-    habit.ramification = habit.ramification.at_least(0.9);
-    habit.bud_life = habit.bud_life.max(12);
-    habit.leaf.per_internode = habit.leaf.per_internode.max(3);
-    habit.leaf.at_tip = habit.leaf.at_tip.max(6);
-    for lift in [&mut habit.lift, &mut habit.lift_branch, &mut habit.lift_twig] {
-        *lift = lift.times(0.25);
-    }
-    habit
-}
-
-/// Where a trunk enters the crown: a low marker near the middle of the lowest ones.
-fn lowest(markers: &Markers) -> Option<Vec3> {
-    let mut low: Vec<Vec3> = markers.free().collect();
-    low.sort_unstable_by(|a, b| a.y.total_cmp(&b.y).then(a.x.total_cmp(&b.x)).then(a.z.total_cmp(&b.z)));
-    low.truncate((low.len() / 50).max(1));
-    let middle = low.iter().copied().sum::<Vec3>() / low.len().max(1) as f32;
-    let bottom = Vec3::new(middle.x, low.first()?.y, middle.z);
-    low.into_iter().min_by(|a, b| a.distance_squared(bottom).total_cmp(&b.distance_squared(bottom)))
 }

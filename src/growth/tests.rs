@@ -3,7 +3,6 @@
 
 use super::fate::unit;
 use super::priority::{self, Priority};
-use super::simulation::Field;
 use super::species::{Arrangement, Control, CrownHabit, Resource, SpaceHabit};
 use super::tree::NONE;
 use super::vigour::Flow;
