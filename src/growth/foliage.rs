@@ -16,6 +16,7 @@ use crate::geom::simple_loop;
 use crate::plant::{Blade, BladeForm, Organ, OrganKind, RestSurface, Shape};
 use crate::random::mix;
 use glam::{Quat, Vec2, Vec3};
+use rayon::prelude::*;
 
 /// Divergence of leaves, radians: the golden angle.
 const GOLDEN_RAD: f32 = 2.399_963;
@@ -25,6 +26,8 @@ const WIDTHS: [f32; 3] = [0.9, 1.0, 1.12];
 const SHORT: u8 = 2;
 /// Lengths that a leaf may have where it must stay in a volume, as shares of its own.
 const SHORTER: [f32; 3] = [1.0, 0.7, 0.45];
+/// Nodes that one thread takes at a time.
+const NODES: usize = 256;
 /// Most leaves of a plant.
 pub const MOST: usize = 400_000;
 
@@ -56,26 +59,33 @@ pub fn leaves(wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
     let outlines: Vec<Vec<Vec2>> =
         WIDTHS.iter().map(|w| leaf::outline(habit.shape, (habit.width * w).min(3.0))).collect();
     debug_assert!(outlines.iter().all(|o| simple_loop::signed_area(o.iter().copied()) > 0.0));
-    let mut out = Vec::new();
-    for (i, (&branch, &from_end)) in wood.chains.of_node.iter().zip(&from_end(wood)).enumerate() {
-        let years = wood.age - f32::from(wood.tree.nodes.born[i]) + 1.0;
-        let leafy = years <= habit.years || from_end < SHORT;
-        let young = leafy && wood.diameters[i] <= wood.tip * habit.thickest;
-        if branch == NONE || !young || out.len() >= MOST {
-            continue;
-        }
-        let size = habit.length * years.clamp(0.05, 1.0);
-        let at_tip = if from_end == 0 { habit.at_tip } else { 0 };
-        for k in 0..habit.per_internode + at_tip {
-            let Some(blade) = held(one(wood, habit, &outlines, (i, k), size), wood.envelope) else {
-                continue;
-            };
-            let shape = Shape::Blade(blade);
-            let branch = Some(branch as usize);
-            out.push(Organ { kind: OrganKind::Leaf, stroke: None, branch, flower: None, material: 1, shape });
-        }
-    }
+    let from_end = from_end(wood);
+    let on = |i: usize| leaves_of(wood, habit, &outlines, (i, from_end[i]));
+    let nodes = (0..wood.chains.of_node.len()).into_par_iter().with_min_len(NODES);
+    let mut out: Vec<Organ> = nodes.flat_map_iter(on).collect();
+    out.truncate(MOST);
     out
+}
+
+/// The leaves of the internode below one node, which stands `from_end` nodes from the end of its chain.
+fn leaves_of<'a>(
+    wood: &'a Wood<'a>,
+    habit: &'a LeafHabit,
+    outlines: &'a [Vec<Vec2>],
+    (i, from_end): (usize, u8),
+) -> impl Iterator<Item = Organ> + 'a {
+    let branch = wood.chains.of_node[i];
+    let years = wood.age - f32::from(wood.tree.nodes.born[i]) + 1.0;
+    let leafy = years <= habit.years || from_end < SHORT;
+    let young = branch != NONE && leafy && wood.diameters[i] <= wood.tip * habit.thickest;
+    let size = habit.length * years.clamp(0.05, 1.0);
+    let at_tip = if from_end == 0 { habit.at_tip } else { 0 };
+    let count = if young { habit.per_internode + at_tip } else { 0 };
+    (0..count).filter_map(move |k| {
+        let shape = Shape::Blade(held(one(wood, habit, outlines, (i, k), size), wood.envelope)?);
+        let branch = Some(branch as usize);
+        Some(Organ { kind: OrganKind::Leaf, stroke: None, branch, flower: None, material: 1, shape })
+    })
 }
 
 /// How many nodes stand between each node and the end of its chain, up to 255.
