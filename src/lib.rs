@@ -14,6 +14,7 @@
 //! | [`plant`] | the waist: branches and organs in space |
 //! | [`anatomy`] | what the strokes mean, still flat |
 //! | [`depth`] | anatomy to plant |
+//! | [`growth`] | plants that grow themselves |
 //! | [`species`] | what the drawing does not say: materials, forms, hearts of flowers |
 //! | [`model`] | plant to meshes |
 //! | [`pipeline`] | all of these in a row |
@@ -31,6 +32,7 @@ pub mod cli;
 pub mod depth;
 pub mod export;
 pub mod geom;
+pub mod growth;
 pub mod model;
 pub mod params;
 pub mod pen;

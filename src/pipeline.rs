@@ -5,6 +5,7 @@
 
 use crate::anatomy::{self, Anatomy, AnatomyParams};
 use crate::depth::{self, DepthParams};
+use crate::growth::{self, Limits, Outcome, Simulation};
 use crate::model::{self, Cache, Model, ModelParams};
 use crate::params::{Overrides, ParamError};
 use crate::plant::Plant;
@@ -36,6 +37,16 @@ pub enum SetupError {
     /// The species cannot be used.
     #[error(transparent)]
     Species(#[from] SpeciesError),
+    /// The species does not say how it grows.
+    #[error(
+        "the species `{name}` does not grow by itself: its file has no section [growth]; those that do are {known}"
+    )]
+    NoGrowth {
+        /// The species.
+        name: String,
+        /// Built-in species that grow.
+        known: String,
+    },
     /// A parameter cannot be used.
     #[error("{whose}: {fault}")]
     Param {
@@ -124,6 +135,63 @@ pub fn build_with(
     let plant = clock.time("species", || dressed(plant, species, sketch));
     let model = clock.time("model", || model::rebuild(&plant, &params.model, cache, &stop))?;
     Some(Built { anatomy, plant, model, stages: clock.stages })
+}
+
+/// Everything between a species and a plant that it grew.
+#[derive(Clone, Debug)]
+pub struct Grown {
+    /// The plant with all its ages.
+    pub simulation: Simulation,
+    /// How growth ended: [`Outcome::Growing`] at the age that was asked for.
+    pub outcome: Outcome,
+    /// The plant in space.
+    pub plant: Plant,
+    /// The plant as surfaces.
+    pub model: Model,
+    /// Time that each stage took, in order.
+    pub stages: Vec<(&'static str, Duration)>,
+}
+
+/// Parameters for a plant without a drawing: defaults, then the species', then `PATH=VALUE` assignments.
+///
+/// # Errors
+/// The first unknown path, wrong type or value out of range, and whose it was.
+pub fn params_of_species(species: &Species, assignments: &[String]) -> Result<Params, SetupError> {
+    params_of(&Sketch::empty(), species, assignments)
+}
+
+/// Grows a plant of a species from a seed; `age` in years, its own if not given. Same input, same output, on any number
+/// of threads.
+///
+/// # Errors
+/// A species that does not say how it grows.
+pub fn grow(
+    species: &Species,
+    params: &Params,
+    age: Option<f32>,
+    seed: u64,
+    limits: Limits,
+) -> Result<Grown, SetupError> {
+    let Some(habit) = &species.growth else {
+        let known = Species::growing().join(", ");
+        return Err(SetupError::NoGrowth { name: species.name.clone(), known });
+    };
+    let age = age.unwrap_or(habit.age as f32).max(0.0);
+    let mut clock = Clock::start();
+    let (simulation, outcome) = clock.time("growth", || {
+        let mut simulation = Simulation::new(habit, seed, limits);
+        let outcome = simulation.grow_to(age.ceil() as u16, &|| false);
+        (simulation, outcome)
+    });
+    let plant = clock.time("plant", || growth::plant_at(&simulation, age));
+    let plant = clock.time("species", || {
+        let mut plant = plant;
+        species::dress(&mut plant, species, seed);
+        debug_assert_eq!(plant.check_invariants(), Ok(()));
+        plant
+    });
+    let model = clock.time("model", || model::build(&plant, &params.model));
+    Ok(Grown { simulation, outcome, plant, model, stages: clock.stages })
 }
 
 fn dressed(mut plant: Plant, species: &Species, sketch: &Sketch) -> Plant {

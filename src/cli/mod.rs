@@ -5,6 +5,7 @@
 pub mod build;
 pub mod check;
 pub mod common;
+pub mod grow;
 pub mod inspect;
 pub mod pen;
 pub mod render;
@@ -34,6 +35,8 @@ pub struct Cli {
 pub enum Verb {
     /// Drawing to plant: OBJ, GLB or the plant itself as JSON.
     Build(build::Args),
+    /// A plant that grows by itself, without a drawing: OBJ, GLB or the plant itself as JSON.
+    Grow(grow::Args),
     /// What the analysis understood of a drawing, as JSON.
     Inspect(inspect::Args),
     /// Mesh quality report of an OBJ or GLB file; exit code 1 when a defect is found.
@@ -77,6 +80,7 @@ pub fn run(cli: Cli) -> anyhow::Result<ExitCode> {
     match cli.verb {
         None => crate::app::run(cli.file).map(|()| ExitCode::SUCCESS),
         Some(Verb::Build(args)) => build::run(&args),
+        Some(Verb::Grow(args)) => grow::run(&args),
         Some(Verb::Inspect(args)) => inspect::run(&args),
         Some(Verb::Check(args)) => check::run(&args),
         Some(Verb::Render(args)) => render::run(&args),

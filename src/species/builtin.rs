@@ -5,6 +5,7 @@ use crate::suggest::nearest;
 use include_dir::{Dir, include_dir};
 
 static SPECIES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/assets/species");
+static TREES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/assets/growth");
 static TEXTURES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/assets/textures");
 
 /// The bytes of a built-in texture, a PNG file, by its file name such as `petal_daisy.png`.
@@ -23,6 +24,15 @@ impl Species {
         names(&SPECIES).iter().filter_map(|name| name.strip_suffix(".toml")).collect()
     }
 
+    /// Names of all built-in species that grow by themselves, sorted.
+    pub fn growing() -> Vec<&'static str> {
+        let drawn = SPECIES.files().chain(TREES.files());
+        let grows = drawn.filter(|file| file.contents_utf8().is_some_and(|text| text.contains("\n[growth]")));
+        let mut names: Vec<_> = grows.filter_map(|file| file.path().file_stem()?.to_str()).collect();
+        names.sort_unstable();
+        names
+    }
+
     /// The built-in species of that name; case, spaces and hyphens do not matter: `Red hepatica` is `hepatica_red`.
     ///
     /// # Errors
@@ -30,8 +40,11 @@ impl Species {
     pub fn built_in(name: &str) -> Result<Self, SpeciesError> {
         let plain = name.trim().to_lowercase().replace([' ', '-'], "_");
         let path = format!("{plain}.toml");
-        let Some(text) = SPECIES.get_file(&path).and_then(|file| file.contents_utf8()) else {
-            let known = Self::names();
+        let file = SPECIES.get_file(&path).or_else(|| TREES.get_file(&path));
+        let Some(text) = file.and_then(|file| file.contents_utf8()) else {
+            let mut known = [Self::names(), Self::growing()].concat();
+            known.sort_unstable();
+            known.dedup();
             let nearest = nearest(&plain, known.iter().copied()).map(str::to_owned);
             return Err(SpeciesError::Unknown { name: name.to_owned(), nearest, known: known.join(", ") });
         };
@@ -57,6 +70,17 @@ mod tests {
             let species = Species::built_in(name).unwrap_or_else(|error| panic!("{error}"));
             assert_eq!(species.name, name);
             assert!(species.params["depth"]["world"]["height"].as_f64().unwrap() > 0.0);
+        }
+    }
+
+    #[test]
+    fn every_species_that_grows_is_read() {
+        let names = Species::growing();
+        assert!(names.len() >= 12, "{names:?}");
+        for name in names {
+            let species = Species::built_in(name).unwrap_or_else(|error| panic!("{error}"));
+            assert_eq!(species.name, name);
+            assert!(species.growth.is_some());
         }
     }
 

@@ -5,6 +5,7 @@
 
 use super::part::Part;
 use super::ranges;
+use crate::growth::Habit;
 use crate::plant::{BladeForm, Material, Texture};
 use serde::{Deserialize, Deserializer, de};
 use serde_json::{Map, Value};
@@ -36,6 +37,8 @@ pub struct Species {
     pub thorns: Option<ThornLook>,
     /// What the plant stands in.
     pub pot: Option<PotLook>,
+    /// How the plant grows by itself.
+    pub growth: Option<Habit>,
     /// The artist's own pictures, which replace every material of a part.
     #[serde(skip)]
     pub(super) pictures: BTreeMap<Part, PathBuf>,

@@ -1,0 +1,121 @@
+//! `penstemon grow SPECIES -o OUT`: a plant that grows by itself.
+
+use super::common;
+use crate::export;
+use crate::growth::{Limits, Outcome};
+use crate::pipeline;
+use crate::species::Species;
+use anyhow::{Context, Result, ensure};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Arguments of `grow`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// A species that grows, by name or by the path of its .toml file.
+    #[arg(required_unless_present = "list")]
+    pub species: Option<String>,
+    /// Where the plant goes: .glb, .obj (with .mtl and textures) or .json; may be given again.
+    #[arg(short, long = "out", value_name = "FILE", required_unless_present = "list")]
+    pub out: Vec<PathBuf>,
+    /// Age in years, 12.5 for half a year more than 12; the species' own if left out.
+    #[arg(long, value_name = "YEARS")]
+    pub age: Option<f32>,
+    /// Seed of everything random.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub seed: u64,
+    /// Most internodes of the plant.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=5_000_000))]
+    pub max_internodes: Option<u64>,
+    /// Any parameter of the model by its path, for instance model.tube.sides=5; may be given again.
+    #[arg(long = "set", value_name = "PARAM=VALUE")]
+    pub assignments: Vec<String>,
+    /// Print times, counts and bytes written as one JSON object.
+    #[arg(long)]
+    pub stats: bool,
+    /// Print the names of the built-in species that grow, one a line.
+    #[arg(long)]
+    pub list: bool,
+}
+
+/// Runs `grow`.
+///
+/// # Errors
+/// A species that cannot be used or does not grow, an output that cannot be written.
+pub fn run(args: &Args) -> Result<ExitCode> {
+    if args.list {
+        common::print(&Species::growing().join("\n"))?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    for out in &args.out {
+        export::format_of(out)?;
+    }
+    let name = args.species.as_deref().context("which species?")?;
+    let species = open(name)?;
+    if let Some(age) = args.age {
+        ensure!((0.0..=10_000.0).contains(&age), "--age {age}: write the years, from 0 to 10000");
+    }
+    let params = pipeline::params_of_species(&species, &args.assignments).with_context(|| name.to_owned())?;
+    let mut limits = Limits::default();
+    if let Some(most) = args.max_internodes {
+        limits.internodes = usize::try_from(most)?;
+    }
+    let grown = pipeline::grow(&species, &params, args.age, args.seed, limits)?;
+    if grown.outcome != Outcome::Growing {
+        tracing::warn!("{name}: {} at the age of {} years", grown.outcome, grown.simulation.age());
+    }
+    ensure!(!grown.model.parts.is_empty(), "{name}: nothing has grown yet; choose a higher --age");
+    let mut bytes = 0;
+    for out in &args.out {
+        bytes += export::export(out, &grown.model, &grown.plant, &common::built_in_texture)?;
+    }
+    if args.stats {
+        let mut stats = common::stats(&grown.stages, &grown.model, bytes);
+        stats["internodes"] = grown.simulation.tree().len().into();
+        stats["branches"] = grown.plant.branches.len().into();
+        stats["leaves"] = grown.plant.organs.len().into();
+        common::print(&stats.to_string())?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// A built-in species, or one of the artist's own where the name is that of a file.
+fn open(name: &str) -> Result<Species> {
+    let own = name.ends_with(".toml");
+    Ok(if own { Species::read(Path::new(name))? } else { Species::built_in(name)? })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::{Cli, Verb};
+    use clap::Parser;
+
+    fn parse(line: &str) -> Result<Args, clap::Error> {
+        match Cli::try_parse_from(line.split_whitespace())?.verb {
+            Some(Verb::Grow(args)) => Ok(args),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    fn message(line: &str) -> String {
+        crate::cli::one_line(&run(&parse(line).unwrap()).unwrap_err())
+    }
+
+    #[test]
+    fn a_species_and_an_output_are_needed() {
+        assert!(parse("penstemon grow oak").is_err() && parse("penstemon grow -o a.glb").is_err());
+        let args = parse("penstemon grow oak --age 12.5 --seed 3 -o a.glb -o a.obj").unwrap();
+        assert_eq!((args.age, args.seed, args.out.len()), (Some(12.5), 3, 2));
+        assert!(parse("penstemon grow --list").unwrap().list);
+    }
+
+    #[test]
+    fn faults_are_told_before_anything_is_written() {
+        assert!(message("penstemon grow oka -o a.glb").contains("did you mean `oak`?"));
+        assert!(message("penstemon grow daisy -o a.glb").contains("[growth]"));
+        assert!(message("penstemon grow oak -o a.xyz").contains("xyz"));
+        assert!(message("penstemon grow oak --age nan -o a.glb").contains("--age"));
+        assert!(message("penstemon grow oak --set modle.tube.sides=5 -o a.glb").contains("did you mean"));
+    }
+}

@@ -1,0 +1,89 @@
+//! The wood of one age as chains of nodes: at every fork the thicker internode goes on, the others begin chains.
+//!
+//! So a trunk runs through where a stronger lateral has taken over from a leader that died, and branches taper
+//! smoothly. Chains come after the chains that carry them.
+
+use super::tree::{NONE, Tree};
+use glam::Vec3;
+
+/// A run of nodes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Chain {
+    /// The chain that carries it.
+    pub parent: Option<u32>,
+    /// 0 for a trunk.
+    pub level: u32,
+    /// Where its nodes begin in [`Chains::nodes`], and where they end. The first is the node that it begins at, which
+    /// belongs to the carrier if there is one.
+    pub range: (u32, u32),
+}
+
+/// The chains of a plant.
+#[derive(Clone, Debug, Default)]
+pub struct Chains {
+    /// Carriers before carried.
+    pub chains: Vec<Chain>,
+    /// Nodes of all chains.
+    pub nodes: Vec<u32>,
+    /// The chain of the internode below each node, [`NONE`] for what does not live.
+    pub of_node: Vec<u32>,
+}
+
+/// Follows the wood that lives at the end of a year.
+pub fn chains(tree: &Tree, year: u16, diameters: &[f32]) -> Chains {
+    let nodes = &tree.nodes;
+    let born = nodes.born.partition_point(|b| *b <= year);
+    let mut next = vec![NONE; born];
+    for i in 0..born {
+        let parent = nodes.parent[i];
+        if parent == NONE || nodes.died[i] <= year {
+            continue;
+        }
+        let held = &mut next[parent as usize];
+        let thicker = |other: usize| {
+            let continues = |k: usize| nodes.axis[k] == nodes.axis[parent as usize];
+            diameters[i].total_cmp(&diameters[other]).then(continues(i).cmp(&continues(other))).is_gt()
+        };
+        if *held == NONE || thicker(*held as usize) {
+            *held = i as u32;
+        }
+    }
+    let mut out = Chains { of_node: vec![NONE; born], ..Chains::default() };
+    for i in 0..born {
+        let parent = nodes.parent[i];
+        if parent == NONE || nodes.died[i] <= year || out.of_node[i] != NONE {
+            continue;
+        }
+        let carrier = Some(out.of_node[parent as usize]).filter(|c| *c != NONE);
+        let level = carrier.map_or(0, |c| out.chains[c as usize].level + 1);
+        let (first, index) = (out.nodes.len() as u32, out.chains.len() as u32);
+        out.nodes.push(parent);
+        let mut node = i as u32;
+        while node != NONE {
+            out.nodes.push(node);
+            out.of_node[node as usize] = index;
+            node = next[node as usize];
+        }
+        out.chains.push(Chain { parent: carrier, level, range: (first, out.nodes.len() as u32) });
+    }
+    out
+}
+
+/// Places of all nodes at an age: in the year that runs, new internodes have the share of their length that has passed.
+pub fn places(tree: &Tree, age: f32) -> Vec<Vec3> {
+    let year = age.ceil() as u16;
+    let passed = 1.0 - (f32::from(year) - age);
+    let nodes = &tree.nodes;
+    let mut at = nodes.at.clone();
+    if passed >= 1.0 || year == 0 {
+        return at;
+    }
+    let newborn = nodes.born.partition_point(|b| *b < year)..nodes.born.partition_point(|b| *b <= year);
+    for i in newborn {
+        let p = nodes.parent[i];
+        if p != NONE {
+            at[i] = at[p as usize] + (nodes.at[i] - nodes.at[p as usize]) * passed.max(0.02);
+        }
+    }
+    at
+}

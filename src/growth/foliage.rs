@@ -1,0 +1,146 @@
+//! Leaves on the young wood of a grown plant.
+//!
+//! Leaves stand along young internodes, turned from one to the next by the golden angle, and in a bunch at the end of
+//! each shoot. All are copies of a few outlines, so a crown is triangulated a handful of times; each leaf's direction,
+//! length and roll are its own, from a random stream named by its node. What is new this year carries leaves that are as
+//! far grown as the year. The end of a twig has leaves however long ago it grew, for its buds open every spring.
+//!
+//! A leaf whose tip would leave a drawn or modelled volume is shortened, or left out if that does not help.
+
+use super::chains::Chains;
+use super::envelope::Envelope;
+use super::fate::unit;
+use super::leaf::{self, LeafHabit};
+use super::tree::{NONE, Tree};
+use crate::geom::simple_loop;
+use crate::plant::{Blade, BladeForm, Organ, OrganKind, RestSurface, Shape};
+use crate::random::mix;
+use glam::{Quat, Vec2, Vec3};
+use rayon::prelude::*;
+
+/// Divergence of leaves, radians: the golden angle.
+const GOLDEN_RAD: f32 = 2.399_963;
+/// Widths of the outlines that leaves are copies of, as shares of the species'.
+const WIDTHS: [f32; 3] = [0.9, 1.0, 1.12];
+/// Nodes at the end of a twig that always have leaves.
+const SHORT: u8 = 2;
+/// Lengths that a leaf may have where it must stay in a volume, as shares of its own.
+const SHORTER: [f32; 3] = [1.0, 0.7, 0.45];
+/// Nodes that one thread takes at a time.
+const NODES: usize = 256;
+/// Most leaves of a plant.
+pub const MOST: usize = 400_000;
+
+/// What leaves stand on.
+pub struct Wood<'a> {
+    /// The plant.
+    pub tree: &'a Tree,
+    /// Its chains.
+    pub chains: &'a Chains,
+    /// Places of the nodes.
+    pub at: &'a [Vec3],
+    /// Diameters below the nodes.
+    pub diameters: &'a [f32],
+    /// Age in years.
+    pub age: f32,
+    /// Diameter of the thinnest wood.
+    pub tip: f32,
+    /// Seed of everything random.
+    pub seed: u64,
+    /// What leaves must not leave.
+    pub envelope: &'a Envelope,
+}
+
+/// All leaves of a plant at an age, in the order of their nodes.
+pub fn leaves(wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
+    if habit.length <= 0.0 || (habit.per_internode == 0 && habit.at_tip == 0) {
+        return Vec::new();
+    }
+    let outlines: Vec<Vec<Vec2>> =
+        WIDTHS.iter().map(|w| leaf::outline(habit.shape, (habit.width * w).min(3.0))).collect();
+    debug_assert!(outlines.iter().all(|o| simple_loop::signed_area(o.iter().copied()) > 0.0));
+    let from_end = from_end(wood);
+    let on = |i: usize| leaves_of(wood, habit, &outlines, (i, from_end[i]));
+    let nodes = (0..wood.chains.of_node.len()).into_par_iter().with_min_len(NODES);
+    let mut out: Vec<Organ> = nodes.flat_map_iter(on).collect();
+    out.truncate(MOST);
+    out
+}
+
+/// The leaves of the internode below one node, which stands `from_end` nodes from the end of its chain.
+fn leaves_of<'a>(
+    wood: &'a Wood<'a>,
+    habit: &'a LeafHabit,
+    outlines: &'a [Vec<Vec2>],
+    (i, from_end): (usize, u8),
+) -> impl Iterator<Item = Organ> + 'a {
+    let branch = wood.chains.of_node[i];
+    let years = wood.age - f32::from(wood.tree.nodes.born[i]) + 1.0;
+    let leafy = years <= habit.years || from_end < SHORT;
+    let young = branch != NONE && leafy && wood.diameters[i] <= wood.tip * habit.thickest;
+    let size = habit.length * years.clamp(0.05, 1.0);
+    let at_tip = if from_end == 0 { habit.at_tip } else { 0 };
+    let count = if young { habit.per_internode + at_tip } else { 0 };
+    (0..count).filter_map(move |k| {
+        let shape = Shape::Blade(held(one(wood, habit, outlines, (i, k), size), wood.envelope)?);
+        let branch = Some(branch as usize);
+        Some(Organ { kind: OrganKind::Leaf, stroke: None, branch, flower: None, material: 1, shape })
+    })
+}
+
+/// How many nodes stand between each node and the end of its chain, up to 255.
+fn from_end(wood: &Wood<'_>) -> Vec<u8> {
+    let mut out = vec![u8::MAX; wood.chains.of_node.len()];
+    for chain in &wood.chains.chains {
+        let nodes = &wood.chains.nodes[chain.range.0 as usize + 1..chain.range.1 as usize];
+        for (k, &node) in nodes.iter().rev().enumerate() {
+            out[node as usize] = k.min(255) as u8;
+        }
+    }
+    out
+}
+
+/// The leaf as long as a drawn or modelled volume has room for.
+fn held(mut blade: Blade, envelope: &Envelope) -> Option<Blade> {
+    if matches!(envelope, Envelope::Free | Envelope::Crown(_)) {
+        return Some(blade);
+    }
+    let share = SHORTER.into_iter().find(|share| envelope.contains(blade.base + blade.v * *share))?;
+    (blade.u, blade.v) = (blade.u * share, blade.v * share);
+    Some(blade)
+}
+
+/// The leaf `k` of the internode below node `i`; those beyond the internode's own stand at its end.
+fn one(wood: &Wood<'_>, habit: &LeafHabit, outlines: &[Vec<Vec2>], (i, k): (usize, u32), size: f32) -> Blade {
+    let below = wood.tree.nodes.parent[i] as usize;
+    let (from, to) = (wood.at[below], wood.at[i]);
+    let way = (to - from).try_normalize().unwrap_or(Vec3::Y);
+    let key = mix(mix(mix(wood.seed, 61), i as u64), u64::from(k));
+    let random = |n: u64| 2.0 * unit(mix(key, n)) - 1.0;
+    let at_tip = k >= habit.per_internode;
+    let along = if at_tip { 1.0 } else { (k as f32 + 0.6) / habit.per_internode as f32 };
+    let side = wood.tree.nodes.side[i].reject_from_normalized(way).normalize_or(way.any_orthonormal_vector());
+    let around = Quat::from_axis_angle(way, GOLDEN_RAD * (k + 1) as f32 + 0.4 * random(1)) * side;
+    let open = if at_tip { 0.7 } else { 1.0 };
+    let (sin, cos) = (habit.angle.to_radians() * open).sin_cos();
+    let scatter = Vec3::new(random(2), random(3), random(4)) * habit.scatter;
+    let free = way * cos + around * sin - Vec3::Y * habit.droop + scatter;
+    let axis = free.try_normalize().unwrap_or(around);
+    // The face between square to the shoot and up to the sky.
+    let face =
+        way.lerp(Vec3::Y, habit.face_up) + Vec3::new(random(5), random(6), random(7)) * (0.5 * habit.scatter);
+    let across = axis.cross(face).try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector());
+    let length = size * (1.0 + habit.vary * random(8));
+    let template = (unit(mix(key, 9)) * outlines.len() as f32) as usize % outlines.len();
+    Blade {
+        outline: outlines[template].clone(),
+        curl: Vec::new(),
+        base: from.lerp(to, along) + around * (0.4 * wood.diameters[i]),
+        u: across * length,
+        v: axis * length,
+        length: 1.0,
+        rest: RestSurface::Plane,
+        form: BladeForm::default(),
+        template: Some(template as u32),
+    }
+}

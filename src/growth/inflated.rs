@@ -1,0 +1,148 @@
+//! A drawn outline made round: the volume whose front silhouette is the outline.
+//!
+//! The half depth h over the drawing is √u with u the solution of Poisson's equation ∇²u = −4, u = 0 on the outline: a
+//! circle becomes a sphere, a long strip a somewhat deeper bolster, a thin neck stays thin. The equation is solved on a
+//! raster by successive over-relaxation; what counts as inside the outline is decided by the outline itself, so the
+//! silhouette is exact whatever the raster. Several outlines are filled even–odd: one inside another is a hole.
+//!
+//! Source: the idea of inflating a silhouette by a harmonic height is common in sketch modelling; the papers of this
+//! program name the volume (001 ch. 3) but take its depth from a network.
+//! Limits: details of the depth finer than the raster, [`RASTER`] cells along the longer side, are smoothed.
+
+use crate::geom::region::Region;
+use glam::{Vec2, Vec3};
+
+/// Cells along the longer side of the raster.
+pub const RASTER: usize = 96;
+/// Rounds of over-relaxation; the error falls below a percent on a filled square in this many.
+const ROUNDS: usize = 160;
+/// Over-relaxation factor, near the best for [`RASTER`].
+const OVER: f32 = 1.93;
+
+/// A volume inflated from outlines in the plane z = 0.
+pub struct Inflated {
+    regions: Vec<Region>,
+    low: Vec2,
+    cell: f32,
+    size: [usize; 2],
+    /// Squared half depth at the middle of each cell, rows along x.
+    squared: Vec<f32>,
+    depth: f32,
+    deepest: f32,
+}
+
+impl std::fmt::Debug for Inflated {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Inflated").field("outlines", &self.regions.len()).field("low", &self.low).finish()
+    }
+}
+
+impl Inflated {
+    /// Inflates closed outlines in world metres (x, y); `depth` stretches the result along z, 1 makes circles
+    /// spheres. `None` if they enclose nothing.
+    pub fn new(outlines: Vec<Vec<Vec2>>, depth: f32) -> Option<Self> {
+        let finite = outlines.into_iter().filter(|o| o.len() >= 3 && o.iter().all(|p| p.is_finite()));
+        let regions: Vec<Region> = finite.map(Region::new).collect();
+        let mut bounds = regions.iter().filter_map(Region::bounds);
+        let first = bounds.next()?;
+        let (low, high) = bounds.fold(first, |(lo, hi), (l, h)| (lo.min(l), hi.max(h)));
+        let extent = high - low;
+        if !(extent.min_element() > 0.0 && depth > 0.0 && depth.is_finite()) {
+            return None;
+        }
+        let cell = extent.max_element() / RASTER as f32;
+        // A rim of outside cells carries u = 0.
+        let size = [extent.x, extent.y].map(|e| (e / cell).ceil() as usize + 2);
+        let low = low - cell;
+        let mut inflated =
+            Self { regions, low, cell, size, squared: vec![0.0; size[0] * size[1]], depth, deepest: 0.0 };
+        inflated.solve();
+        inflated.deepest = inflated.squared.iter().copied().fold(0.0, f32::max).sqrt() * depth;
+        (inflated.deepest > 0.0).then_some(inflated)
+    }
+
+    /// Whether a point of the drawing lies inside the outlines.
+    pub fn covers(&self, p: Vec2) -> bool {
+        self.regions.iter().filter(|r| r.contains(p)).count() % 2 == 1
+    }
+
+    /// Half depth over a point of the drawing.
+    pub fn half_depth(&self, p: Vec2) -> f32 {
+        let q = (p - self.low) / self.cell - 0.5;
+        let [w, h] = self.size;
+        let x = (q.x.max(0.0) as usize).min(w - 2);
+        let y = (q.y.max(0.0) as usize).min(h - 2);
+        let (fx, fy) = ((q.x - x as f32).clamp(0.0, 1.0), (q.y - y as f32).clamp(0.0, 1.0));
+        let u = |x: usize, y: usize| self.squared[y * w + x];
+        let row = |y: usize| u(x, y) * (1.0 - fx) + u(x + 1, y) * fx;
+        (row(y) * (1.0 - fy) + row(y + 1) * fy).max(0.0).sqrt() * self.depth
+    }
+
+    /// Whether a point lies inside the volume.
+    pub fn contains(&self, p: Vec3) -> bool {
+        p.is_finite() && p.z.abs() <= self.half_depth(p.truncate()) && self.covers(p.truncate())
+    }
+
+    /// Smallest and largest corner.
+    pub fn bounds(&self) -> (Vec3, Vec3) {
+        let high = self.low + Vec2::new(self.size[0] as f32, self.size[1] as f32) * self.cell;
+        (self.low.extend(-self.deepest), high.extend(self.deepest))
+    }
+
+    fn solve(&mut self) {
+        let [w, h] = self.size;
+        let middle = |x: usize, y: usize| self.low + (Vec2::new(x as f32, y as f32) + 0.5) * self.cell;
+        let inside: Vec<u32> = (1..h - 1)
+            .flat_map(|y| (1..w - 1).map(move |x| (x, y)))
+            .filter(|&(x, y)| self.covers(middle(x, y)))
+            .map(|(x, y)| (y * w + x) as u32)
+            .collect();
+        let u = &mut self.squared;
+        let load = 4.0 * self.cell * self.cell;
+        for _ in 0..ROUNDS {
+            for &i in &inside {
+                let i = i as usize;
+                let around = u[i - 1] + u[i + 1] + u[i - w] + u[i + w];
+                u[i] += OVER * (0.25 * (around + load) - u[i]);
+            }
+        }
+        u.iter_mut().for_each(|u| *u = u.max(0.0));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn circle(centre: Vec2, radius: f32) -> Vec<Vec2> {
+        (0..64).map(|k| centre + Vec2::from_angle(k as f32 / 64.0 * std::f32::consts::TAU) * radius).collect()
+    }
+
+    #[test]
+    fn a_circle_becomes_a_sphere() {
+        let ball = Inflated::new(vec![circle(Vec2::new(3.0, 5.0), 2.0)], 1.0).unwrap();
+        for d in [0.0, 0.5, 1.0, 1.6_f32] {
+            let expected = (4.0 - d * d).sqrt();
+            let got = ball.half_depth(Vec2::new(3.0 + d, 5.0));
+            assert!((got - expected).abs() < 0.08, "{got} instead of {expected} at {d}");
+        }
+        assert!(ball.contains(Vec3::new(3.0, 5.0, 1.8)) && !ball.contains(Vec3::new(3.0, 5.0, 2.2)));
+        assert!(!ball.contains(Vec3::new(5.1, 5.0, 0.0)) && !ball.contains(Vec3::NAN));
+    }
+
+    #[test]
+    fn an_outline_inside_another_is_a_hole() {
+        let ring = Inflated::new(vec![circle(Vec2::ZERO, 3.0), circle(Vec2::ZERO, 1.0)], 1.0).unwrap();
+        assert!(!ring.contains(Vec3::ZERO) && ring.contains(Vec3::X * 2.0));
+        let thick = ring.half_depth(Vec2::X * 2.0);
+        assert!(thick > 0.8 && thick < 1.6, "{thick}");
+    }
+
+    #[test]
+    fn what_encloses_nothing_is_no_volume() {
+        assert!(Inflated::new(Vec::new(), 1.0).is_none());
+        assert!(Inflated::new(vec![vec![Vec2::ZERO, Vec2::X, Vec2::X * 2.0]], 1.0).is_none());
+        assert!(Inflated::new(vec![vec![Vec2::ZERO, Vec2::NAN, Vec2::Y]], 1.0).is_none());
+        assert!(Inflated::new(vec![circle(Vec2::ZERO, 1.0)], 0.0).is_none());
+    }
+}

@@ -1,0 +1,70 @@
+//! What no plant may exceed, and how growth ended.
+//!
+//! Every parameter of a species may be set so that a plant grows without measure; a cap on internodes, markers and
+//! memory ends its growth with a message instead.
+
+use std::fmt;
+
+/// Caps of one plant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Most internodes that ever grow, shed ones counted.
+    pub internodes: usize,
+    /// Most markers of space; more would be thinned out evenly.
+    pub markers: usize,
+    /// Most voxels of the shadow grid.
+    pub voxels: usize,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self { internodes: 300_000, markers: 1_000_000, voxels: 32 << 20 }
+    }
+}
+
+/// How a year, or the last of several, ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// The plant may go on.
+    Growing,
+    /// No bud is left that could ever grow.
+    Finished,
+    /// It was asked to stop; the year that was running did not happen.
+    Stopped,
+    /// The cap on internodes is reached.
+    TooManyInternodes(usize),
+    /// The plant has grown beyond the space in which shadows are kept.
+    TooLarge(usize),
+    /// Years are counted up to this one.
+    TooOld(u16),
+}
+
+impl Outcome {
+    /// Whether the plant may go on.
+    pub fn may_go_on(self) -> bool {
+        self == Self::Growing
+    }
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Growing => f.write_str("the plant grows"),
+            Self::Finished => f.write_str("no bud is left that could grow"),
+            Self::Stopped => f.write_str("growth was stopped"),
+            Self::TooManyInternodes(most) => write!(
+                f,
+                "growth ended at {most} internodes, the most that are allowed; choose a lower age, longer internodes \
+                 or less ramification"
+            ),
+            Self::TooLarge(most) => write!(
+                f,
+                "growth ended because the shadow grid would need more than {most} voxels; choose a lower age or larger \
+                 voxels"
+            ),
+            Self::TooOld(most) => {
+                write!(f, "growth ended at the age of {most} years, the most that are counted")
+            }
+        }
+    }
+}

@@ -1,0 +1,212 @@
+//! Light as the resource, estimated by shadows that fall through voxels (001 §2.2, eq. 2.2).
+//!
+//! A node in voxel (I, J, K) darkens a pyramid below itself: in the layer q below, for q = 0 … q_max, the voxels up to
+//! q away in x and z, each by Δs = a·b^−q. A bud in a voxel of shadow s gets Q = max(C − s + a, 0), a because no bud
+//! shades itself; it would grow along the negative gradient of s.
+//!
+//! Shadows are whole numbers of [`UNIT`]s, so what is added can be taken away again without a trace and the order of
+//! adding does not matter. The grid grows with the plant.
+
+use super::species::LightHabit;
+use glam::{IVec3, Vec3};
+
+/// Steps of one unit of shadow.
+pub const UNIT: f32 = 65536.0;
+/// Voxels beyond the plant that a grid is made larger by, at least.
+const MARGIN: i32 = 4;
+/// Farthest voxel from the origin, by its number along an axis.
+const FARTHEST: f32 = 1e8;
+
+/// Voxels with their shadows.
+#[derive(Clone, Debug)]
+pub struct Shadow {
+    voxel: f32,
+    low: IVec3,
+    size: IVec3,
+    /// Voxels along x follow each other, then along z, then along y.
+    dark: Vec<u32>,
+    /// Shadow of one node by layer.
+    layers: Vec<u32>,
+    full: f32,
+    own: f32,
+}
+
+/// Adds or takes away.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Change {
+    /// A node has grown.
+    Grown,
+    /// A node was shed.
+    Shed,
+}
+
+impl Shadow {
+    /// An empty grid with voxels of the given width in metres.
+    pub fn new(light: &LightHabit, voxel: f32) -> Self {
+        let layer = |q: u32| (light.darkening * light.falloff.powi(-(q as i32)) * UNIT).round() as u32;
+        Self {
+            voxel,
+            low: IVec3::ZERO,
+            size: IVec3::ZERO,
+            dark: Vec::new(),
+            layers: (0..=light.depth).map(layer).collect(),
+            full: light.full,
+            own: light.darkening,
+        }
+    }
+
+    fn place(&self, p: Vec3) -> IVec3 {
+        (p / self.voxel).floor().as_ivec3()
+    }
+
+    fn index(&self, place: IVec3) -> Option<usize> {
+        let q = place - self.low;
+        let inside = q.cmpge(IVec3::ZERO).all() && q.cmplt(self.size).all();
+        inside.then(|| ((q.y * self.size.z + q.z) * self.size.x + q.x) as usize)
+    }
+
+    /// Adds or takes away the shadow of a node. Where that needs more than `most` voxels nothing happens and the
+    /// answer is no.
+    #[must_use]
+    pub fn cast(&mut self, p: Vec3, change: Change, most: usize) -> bool {
+        if !p.is_finite() || (p / self.voxel).abs().max_element() >= FARTHEST {
+            return false;
+        }
+        let top = self.place(p);
+        let depth = self.layers.len() as i32 - 1;
+        let reach = IVec3::new(depth + 1, 0, depth + 1);
+        if !self.make_room(top - reach - IVec3::Y * (depth + 1), top + reach + IVec3::Y, most) {
+            return false;
+        }
+        for (q, &layer) in (0..).zip(&self.layers) {
+            let y = top.y - q - self.low.y;
+            for z in top.z - q - self.low.z..=top.z + q - self.low.z {
+                let row = (y * self.size.z + z) * self.size.x;
+                let first = (row + top.x - q - self.low.x) as usize;
+                let voxels = &mut self.dark[first..=first + 2 * q as usize];
+                match change {
+                    Change::Grown => voxels.iter_mut().for_each(|s| *s = s.wrapping_add(layer)),
+                    Change::Shed => voxels.iter_mut().for_each(|s| *s = s.wrapping_sub(layer)),
+                }
+            }
+        }
+        true
+    }
+
+    /// Makes the grid hold the places from `low` to `high`; no if that takes too many voxels.
+    fn make_room(&mut self, low: IVec3, high: IVec3, most: usize) -> bool {
+        let end = self.low + self.size;
+        if self.size.x > 0 && low.cmpge(self.low).all() && high.cmplt(end).all() {
+            return true;
+        }
+        let (mut new_low, mut new_end) = (low - MARGIN, high + MARGIN + 1);
+        if self.size.x > 0 {
+            // Half as much again on every side that was too near, so that moving the voxels stays rare.
+            let more = self.size / 2 + MARGIN;
+            new_low = IVec3::select(low.cmplt(self.low), low.min(self.low - more), self.low);
+            new_end = IVec3::select(high.cmpge(end), (high + 1).max(end + more), end);
+        }
+        let size = new_end - new_low;
+        let count = size.as_dvec3().element_product();
+        if count > most as f64 {
+            return false;
+        }
+        let mut dark = vec![0; count as usize];
+        for y in 0..self.size.y {
+            for z in 0..self.size.z {
+                let from = ((y * self.size.z + z) * self.size.x) as usize;
+                let q = self.low - new_low + IVec3::new(0, y, z);
+                let to = ((q.y * size.z + q.z) * size.x + q.x) as usize;
+                let width = self.size.x as usize;
+                dark[to..to + width].copy_from_slice(&self.dark[from..from + width]);
+            }
+        }
+        (self.low, self.size, self.dark) = (new_low, size, dark);
+        true
+    }
+
+    /// The shadow s at a point.
+    pub fn shadow(&self, p: Vec3) -> f32 {
+        self.index(self.place(p)).map_or(0.0, |i| self.dark[i] as f32 / UNIT)
+    }
+
+    /// The exposure Q of a bud, eq. 2.2, as a share of full light.
+    pub fn exposure(&self, p: Vec3) -> f32 {
+        ((self.full - self.shadow(p) + self.own) / self.full).clamp(0.0, 1.0)
+    }
+
+    /// The direction in which shadow falls most steeply, of length 0 to 1: short where there is little shadow.
+    pub fn away(&self, p: Vec3) -> Vec3 {
+        let place = self.place(p);
+        let mut sum = Vec3::ZERO;
+        for y in -1..=1 {
+            for z in -1..=1 {
+                for x in -1..=1 {
+                    let step = IVec3::new(x, y, z);
+                    let Some(i) = self.index(place + step) else { continue };
+                    sum -= step.as_vec3() * (self.dark[i] as f32 / UNIT);
+                }
+            }
+        }
+        let slope = sum / 18.0;
+        slope / (slope.length() + 0.05 * self.full)
+    }
+
+    /// Number of voxels.
+    pub fn len(&self) -> usize {
+        self.dark.len()
+    }
+
+    /// Whether nothing has cast a shadow yet.
+    pub fn is_empty(&self) -> bool {
+        self.dark.is_empty()
+    }
+
+    /// Takes all shadows away.
+    pub fn clear(&mut self) {
+        self.dark.fill(0);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn grid() -> Shadow {
+        let light = LightHabit { darkening: 0.2, falloff: 2.0, depth: 3, ..LightHabit::default() };
+        Shadow::new(&light, 1.0)
+    }
+
+    #[test]
+    fn a_node_darkens_a_pyramid_below_itself() {
+        let mut shadow = grid();
+        assert!(shadow.cast(Vec3::new(0.5, 5.5, 0.5), Change::Grown, 1 << 20));
+        let at = |x: f32, y: f32| shadow.shadow(Vec3::new(x + 0.5, y + 0.5, 0.5));
+        for (x, y, s) in
+            [(0.0, 5.0, 0.2), (0.0, 6.0, 0.0), (1.0, 5.0, 0.0), (1.0, 4.0, 0.1), (-3.0, 2.0, 0.025)]
+        {
+            assert!((at(x, y) - s).abs() < 1e-4, "{} instead of {s} at {x}, {y}", at(x, y));
+        }
+        assert_eq!([at(4.0, 2.0), at(0.0, 1.0)], [0.0, 0.0]);
+        // Nobody shades itself.
+        assert!((shadow.exposure(Vec3::new(0.5, 5.5, 0.5)) - 1.0).abs() < 1e-4);
+    }
+
+    #[test]
+    fn shadows_go_without_a_trace_and_away_points_to_the_light() {
+        let mut shadow = grid();
+        let nodes: Vec<Vec3> = (0..40).map(|k| Vec3::new(k as f32 * 1.7, (k % 7) as f32, 0.3)).collect();
+        assert!(nodes.iter().all(|p| shadow.cast(*p, Change::Grown, 1 << 20)));
+        assert!(shadow.away(Vec3::new(20.0, 1.5, 2.0)).z > 0.05);
+        assert!(nodes.iter().rev().all(|p| shadow.cast(*p, Change::Shed, 1 << 20)));
+        assert!(shadow.dark.iter().all(|s| *s == 0));
+    }
+
+    #[test]
+    fn a_grid_that_would_be_too_large_is_refused() {
+        let mut shadow = grid();
+        assert!(shadow.cast(Vec3::ZERO, Change::Grown, 10_000));
+        assert!(!shadow.cast(Vec3::splat(1e6), Change::Grown, 10_000));
+        assert!((shadow.shadow(Vec3::splat(0.1)) - 0.2).abs() < 1e-4);
+    }
+}

@@ -1,0 +1,405 @@
+//! The plant through its years (001 fig. 2.1 b): sense, share out, decide, grow, shed.
+//!
+//! A [`Simulation`] is stepped year by year. All ages stay in its [`Tree`]; it can go back to any of them and grow on
+//! from there, and the same seed gives the same tree whether or not it went back and on any number of threads: what is
+//! done on many cores (strewing markers, sensing) does not depend on order, and nodes are added one after the other.
+//!
+//! Where we depart: a bud's length budget is cut at the habit's longest shoot; a shoot that would leave the envelope
+//! turns to where its markers are, and ends if that does not help.
+
+use super::competition::{self, Found};
+use super::direction::{self, Weights};
+use super::envelope::{Crown, Envelope};
+use super::fate::{self, Fate, Waiting, unit};
+use super::limits::{Limits, Outcome};
+use super::priority::{self, Priority};
+use super::setting::{Field, field_for, fitted, lowest, perception};
+use super::shadow::Change;
+use super::shedding;
+use super::skeleton;
+use super::species::{Arrangement, Control, Habit, Resource};
+use super::tree::{NONE, NewNode, Tree};
+use super::vigour::Flow;
+use crate::plant::Plant;
+use crate::random::mix;
+use glam::Vec3;
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// Oldest age.
+pub const MAX_AGE: u16 = 10_000;
+/// Open buds from which sensing light is worth several threads.
+const MANY: usize = 4096;
+
+/// Memory that is used again every year.
+#[derive(Clone, Debug, Default)]
+struct Scratch {
+    at: Vec<Vec3>,
+    look: Vec<Vec3>,
+    found: Found,
+    flow: Flow,
+}
+
+/// A plant that grows.
+#[derive(Clone, Debug)]
+pub struct Simulation {
+    habit: Habit,
+    envelope: Envelope,
+    limits: Limits,
+    seed: u64,
+    tree: Tree,
+    field: Field,
+    year: u16,
+    scratch: Scratch,
+}
+
+impl Simulation {
+    /// A seed at the origin that grows in the species' own crown, or freely where it has none.
+    pub fn new(habit: &Habit, seed: u64, limits: Limits) -> Self {
+        let envelope = match &habit.crown {
+            Some(crown) => Envelope::Crown(Arc::new(Crown {
+                foot: Vec3::ZERO,
+                profile: crown.radii(),
+                lumps: crown.lumps,
+                seed,
+            })),
+            None => Envelope::Free,
+        };
+        let mut tree = Tree::default();
+        skeleton::sow(&mut tree, habit, Vec3::ZERO, seed);
+        let field = field_for(habit, habit.resource, &envelope, limits, seed);
+        Self::begin(habit.clone(), envelope, field, limits, seed, tree)
+    }
+
+    /// A plant that fills a given volume: a trunk from the ground below it, then competition for the space inside.
+    /// Where the volume is small for the species its internodes are shortened.
+    pub fn in_envelope(habit: &Habit, envelope: Envelope, seed: u64, limits: Limits) -> Self {
+        let habit = fitted(habit, &envelope);
+        let field = field_for(&habit, Resource::Space, &envelope, limits, seed);
+        let mut tree = Tree::default();
+        let crown = match &field {
+            Field::Space(markers) => lowest(markers),
+            Field::Light(_) => None,
+        };
+        match crown {
+            Some(crown) => {
+                let ground = crown.y.min(0.0);
+                skeleton::trunk(&mut tree, &habit, crown.with_y(ground), crown, seed);
+            }
+            None => skeleton::sow(&mut tree, &habit, Vec3::ZERO, seed),
+        }
+        Self::begin(habit, envelope, field, limits, seed, tree)
+    }
+
+    /// A plant that goes on from drawn branches, freely or inside a volume. A plant without branches is a seed.
+    pub fn from_skeleton(
+        habit: &Habit,
+        plant: &Plant,
+        envelope: Envelope,
+        seed: u64,
+        limits: Limits,
+    ) -> Self {
+        if plant.branches.is_empty() {
+            return match envelope {
+                Envelope::Free => Self::new(habit, seed, limits),
+                volume => Self::in_envelope(habit, volume, seed, limits),
+            };
+        }
+        let (habit, resource) = match envelope {
+            Envelope::Free => (habit.clone(), Resource::Light),
+            _ => (fitted(habit, &envelope), Resource::Space),
+        };
+        let tree = skeleton::of_plant(plant, &habit, seed);
+        let field = field_for(&habit, resource, &envelope, limits, seed);
+        Self::begin(habit, envelope, field, limits, seed, tree)
+    }
+
+    fn begin(habit: Habit, envelope: Envelope, field: Field, limits: Limits, seed: u64, tree: Tree) -> Self {
+        let scratch = Scratch::default();
+        let mut simulation = Self { habit, envelope, limits, seed, tree, field, year: 0, scratch };
+        simulation.settle_in(0..simulation.tree.len());
+        simulation
+    }
+
+    /// The plant with its history.
+    pub fn tree(&self) -> &Tree {
+        &self.tree
+    }
+
+    /// How it grows; its internodes may be shorter than the species' if it was fitted into a volume.
+    pub fn habit(&self) -> &Habit {
+        &self.habit
+    }
+
+    /// The volume that it may fill.
+    pub fn envelope(&self) -> &Envelope {
+        &self.envelope
+    }
+
+    /// What its buds compete for, for overlays.
+    pub fn field(&self) -> &Field {
+        &self.field
+    }
+
+    /// Age in years.
+    pub fn age(&self) -> u16 {
+        self.year
+    }
+
+    /// Seed of everything random.
+    pub fn seed(&self) -> u64 {
+        self.seed
+    }
+
+    /// Grows until an age. `stop` is asked several times a year; a year that is stopped did not happen.
+    pub fn grow_to(&mut self, age: u16, stop: &dyn Fn() -> bool) -> Outcome {
+        let mut outcome = Outcome::Growing;
+        while self.year < age && outcome.may_go_on() {
+            outcome = self.step(stop);
+        }
+        outcome
+    }
+
+    /// Goes back to the end of a year; growing on from there gives the same plant again.
+    pub fn rewind(&mut self, age: u16) {
+        if age >= self.year {
+            return;
+        }
+        self.tree.rewind(age);
+        self.year = age;
+        match &mut self.field {
+            Field::Space(markers) => markers.rewind(age),
+            Field::Light(shadow) => {
+                shadow.clear();
+                for i in 0..self.tree.len() {
+                    if self.tree.lives(i, age) {
+                        // There was room before.
+                        let _ = shadow.cast(self.tree.nodes.at[i], Change::Grown, self.limits.voxels);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Grows for a year.
+    pub fn step(&mut self, stop: &dyn Fn() -> bool) -> Outcome {
+        if self.year >= MAX_AGE {
+            return Outcome::TooOld(MAX_AGE);
+        }
+        if self.tree.open.is_empty() {
+            return Outcome::Finished;
+        }
+        if self.tree.len() >= self.limits.internodes {
+            return Outcome::TooManyInternodes(self.limits.internodes);
+        }
+        if stop() {
+            return Outcome::Stopped;
+        }
+        self.sense();
+        if stop() {
+            return Outcome::Stopped;
+        }
+        self.share_out();
+        self.year += 1;
+        let first = self.tree.len();
+        self.grow();
+        if !self.settle_in(first..self.tree.len()) {
+            return Outcome::TooLarge(self.limits.voxels);
+        }
+        let dead = shedding::shed(&mut self.tree, &self.scratch.flow, &self.habit, self.year);
+        if let Field::Light(shadow) = &mut self.field {
+            for node in dead {
+                // What was grown has room.
+                let _ = shadow.cast(self.tree.nodes.at[node as usize], Change::Shed, self.limits.voxels);
+            }
+        }
+        if self.tree.len() >= self.limits.internodes {
+            return Outcome::TooManyInternodes(self.limits.internodes);
+        }
+        Outcome::Growing
+    }
+
+    /// What each open bud earns, and where more is.
+    fn sense(&mut self) {
+        let Scratch { at, look, found, .. } = &mut self.scratch;
+        let (tree, habit) = (&self.tree, &self.habit);
+        at.clear();
+        at.extend(tree.open.iter().map(|&b| tree.nodes.at[tree.buds.node[b as usize] as usize]));
+        match &self.field {
+            Field::Light(shadow) => {
+                let one = |p: &Vec3| (shadow.exposure(*p), shadow.away(*p));
+                if at.len() < MANY {
+                    (found.q, found.best) = at.iter().map(one).unzip();
+                } else {
+                    (found.q, found.best) = at.par_iter().map(one).unzip();
+                }
+            }
+            Field::Space(markers) => {
+                look.clear();
+                look.extend(tree.open.iter().map(|&b| tree.buds.direction[b as usize]));
+                competition::compete(markers, perception(habit), at, look, found);
+            }
+        }
+    }
+
+    fn share_out(&mut self) {
+        let Scratch { found, flow, .. } = &mut self.scratch;
+        let (habit, age) = (&self.habit, f32::from(self.year));
+        flow.gather(&self.tree, &found.q);
+        let supply = habit.supply.at(age);
+        match habit.control {
+            Control::BorchertHonda => {
+                let (trunk, branch) = (habit.lambda.at(age), habit.lambda_branch.at(age));
+                let lambda = |order| if order == 0 { trunk } else { branch };
+                flow.share_out(&self.tree, &found.q, supply, lambda);
+            }
+            Control::Priority => {
+                let rule = Priority {
+                    kappa: habit.kappa.at(age),
+                    most: habit.omega_max,
+                    least: habit.omega_min.min(habit.omega_max),
+                    apical_first: habit.apical_first,
+                };
+                priority::share_out(flow, &self.tree, &found.q, supply, |_| rule);
+            }
+        }
+    }
+
+    /// Decides the fate of all open buds and lets those grow that may.
+    fn grow(&mut self) {
+        let waiting = self.tree.open.len();
+        for place in 0..waiting {
+            let bud = self.tree.open[place];
+            let b = bud as usize;
+            let state = Waiting {
+                v: self.scratch.flow.bud[place],
+                waited: self.year - self.tree.buds.born[b],
+                apical: self.tree.buds.apical[b],
+                age: f32::from(self.year),
+                key: mix(mix(mix(self.seed, 45), u64::from(bud)), u64::from(self.year)),
+            };
+            let fate = match fate::decide(&state, &self.habit) {
+                Fate::Shoot => self.shoot(bud, self.scratch.found.best[place], &state),
+                other => other,
+            };
+            if fate != Fate::Dormant {
+                self.tree.settle(bud, fate, self.year);
+            }
+        }
+        self.tree.forget_settled();
+    }
+
+    /// Grows the internodes of one bud; [`Fate::Aborted`] if there is no room for any.
+    fn shoot(&mut self, bud: u32, best: Vec3, state: &Waiting) -> Fate {
+        let Some((count, stretch)) = fate::shoot(state.v, self.habit.shoot) else { return Fate::Dormant };
+        let mut node = self.tree.buds.node[bud as usize];
+        let mut way = self.tree.buds.direction[bud as usize];
+        let order = self.tree.nodes.order[node as usize].saturating_add(u8::from(!state.apical));
+        let weights = Weights::of(&self.habit, order, state.age);
+        let length = self.habit.internode * self.habit.shorter.powi(i32::from(order)) * stretch;
+        let mut side = match state.apical {
+            true => self.tree.nodes.side[node as usize],
+            false => direction::first_side(way, state.key, &self.habit),
+        };
+        let mut grown = 0;
+        for k in 0..count {
+            if self.tree.len() >= self.limits.internodes {
+                break;
+            }
+            let key = mix(state.key, u64::from(k));
+            let from = self.tree.nodes.at[node as usize];
+            let Some(next) = self.way_on(from, weights.next(way, best, key), best, length, order) else {
+                break;
+            };
+            side = direction::next_side(side, way, next, order, &self.habit);
+            way = next;
+            let lateral = k == 0 && !state.apical;
+            let at = from + way * length;
+            node = self.tree.add(NewNode { parent: node, at, side, lateral, year: self.year });
+            grown += 1;
+            if self.habit.arrangement != Arrangement::Whorl || k + 1 == count {
+                self.lay_laterals(node, way, side, key, state.age);
+            }
+        }
+        if grown == 0 {
+            return Fate::Aborted;
+        }
+        self.tree.add_bud(node, way, true, self.year);
+        Fate::Shoot
+    }
+
+    /// The direction that an internode takes; none if there is no room for it.
+    fn way_on(&self, from: Vec3, way: Vec3, best: Vec3, length: f32, order: u8) -> Option<Vec3> {
+        let clearance = self.habit.clearance.at(f32::from(self.year));
+        let free = |way: Vec3| {
+            let to = from + way * length;
+            let above = to.y >= clearance.min(from.y) || to.y >= from.y;
+            above && self.may_grow(from, to, order)
+        };
+        if free(way) {
+            return Some(way);
+        }
+        let turned = (best * 2.0 + way * 0.5).try_normalize()?;
+        (best != Vec3::ZERO && free(turned)).then_some(turned)
+    }
+
+    /// What is inside stays inside; only a trunk may be on its way there.
+    fn may_grow(&self, from: Vec3, to: Vec3, order: u8) -> bool {
+        if to.y < from.y && to.y < 0.0 {
+            return false;
+        }
+        if self.envelope.contains(from) {
+            self.envelope.holds(from, to)
+        } else {
+            order == 0 || self.envelope.contains(to)
+        }
+    }
+
+    fn lay_laterals(&mut self, node: u32, way: Vec3, side: Vec3, key: u64, age: f32) {
+        if unit(mix(key, 51)) >= self.habit.ramification.at(age) {
+            return;
+        }
+        let order = self.tree.nodes.order[node as usize];
+        let spread = self.habit.branching_spread * (2.0 * unit(mix(key, 52)) - 1.0);
+        let angle = (self.habit.branching.at(age) + spread).to_radians();
+        for bud in direction::laterals(way, side, angle, direction::laterals_per_node(&self.habit, order)) {
+            self.tree.add_bud(node, bud, false, self.year);
+        }
+    }
+
+    /// New nodes take their space or cast their shadows; no if there is no room for the shadows.
+    fn settle_in(&mut self, nodes: std::ops::Range<usize>) -> bool {
+        let places = &self.tree.nodes.at;
+        match &mut self.field {
+            Field::Light(shadow) => {
+                let most = self.limits.voxels;
+                let mut room = true;
+                nodes.into_iter().for_each(|i| room &= shadow.cast(places[i], Change::Grown, most));
+                room
+            }
+            Field::Space(markers) => {
+                let radius = self.habit.space.occupancy * self.habit.internode;
+                nodes.into_iter().for_each(|i| markers.occupy(places[i], radius, i as u32, self.year));
+                true
+            }
+        }
+    }
+
+    /// Whether every internode inside the envelope stays there; called by tests.
+    ///
+    /// # Errors
+    /// The first internode that leaves it.
+    pub fn check_envelope(&self) -> Result<(), String> {
+        let nodes = &self.tree.nodes;
+        for i in 0..self.tree.len() {
+            if nodes.parent[i] == NONE || nodes.born[i] == 0 {
+                continue;
+            }
+            let (from, to) = (nodes.at[nodes.parent[i] as usize], nodes.at[i]);
+            if self.envelope.contains(from) && !self.envelope.holds(from, to) {
+                return Err(format!("internode {i} leaves the envelope at {to}"));
+            }
+        }
+        Ok(())
+    }
+}

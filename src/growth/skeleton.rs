@@ -1,0 +1,143 @@
+//! What a plant begins with: a seed at the ground, a trunk up to its crown, or drawn branches.
+//!
+//! Drawn branches become nodes an internode apart. They carry buds like grown wood, and as much thickness as was drawn
+//! remains. Where a branch stands on another it begins above the nearest node of that.
+
+use super::direction;
+use super::fate::unit;
+use super::species::Habit;
+use super::tree::{NewNode, Tree};
+use crate::plant::{Branch, Plant};
+use crate::random::mix;
+use glam::{Quat, Vec3};
+use std::f32::consts::TAU;
+
+/// Most nodes of a skeleton; longer internodes are taken where it would have more.
+const MOST: f32 = 20_000.0;
+
+/// Distance between the feet of a plant with several trunks, in internodes.
+const FEET_APART: f32 = 0.6;
+
+/// Plants the seeds of all trunks of a habit about `foot`.
+pub fn sow(tree: &mut Tree, habit: &Habit, foot: Vec3, seed: u64) {
+    let stems = habit.stems.max(1);
+    for k in 0..stems {
+        let key = mix(mix(seed, 41), u64::from(k));
+        let azimuth = TAU * ((k as f32 + 0.5 * unit(key)) / stems as f32 + unit(mix(seed, 42)));
+        let out = Vec3::new(azimuth.cos(), 0.0, azimuth.sin());
+        let several = stems > 1;
+        let lean = if several { habit.stem_lean.to_radians() * (0.4 + 0.6 * unit(mix(key, 1))) } else { 0.0 };
+        let direction = (Vec3::Y * lean.cos() + out * lean.sin()).normalize();
+        let apart = if several { FEET_APART * habit.internode } else { 0.0 };
+        let node = tree.add_foot(foot + out * apart, direction::first_side(direction, key, habit));
+        tree.add_bud(node, direction, true, 0);
+    }
+}
+
+/// A straight trunk without buds but at its end, from `foot` to `crown`.
+pub fn trunk(tree: &mut Tree, habit: &Habit, foot: Vec3, crown: Vec3, seed: u64) {
+    let way = crown - foot;
+    let direction = way.try_normalize().unwrap_or(Vec3::Y);
+    let mut node = tree.add_foot(foot, direction::first_side(direction, mix(seed, 43), habit));
+    let steps = (way.length() / habit.internode).ceil().clamp(0.0, MOST) as u32;
+    for k in 1..=steps {
+        let at = foot.lerp(crown, k as f32 / steps as f32);
+        let side = tree.nodes.side[node as usize];
+        node = tree.add(NewNode { parent: node, at, side, lateral: false, year: 0 });
+    }
+    tree.add_bud(node, direction, true, 0);
+}
+
+/// Makes nodes and buds of drawn branches. A plant without branches gives an empty tree.
+pub fn of_plant(plant: &Plant, habit: &Habit, seed: u64) -> Tree {
+    let mut tree = Tree::default();
+    let length: f32 = plant.branches.iter().map(|b| length(&b.points)).sum();
+    let step = habit.internode.max(length / MOST);
+    // First node and number of nodes of each branch.
+    let mut spans: Vec<(u32, u32)> = Vec::with_capacity(plant.branches.len());
+    let mut buds = Vec::new();
+    for (index, branch) in plant.branches.iter().enumerate() {
+        let key = mix(mix(seed, 44), index as u64);
+        let carrier = branch.parent.and_then(|p| spans.get(p).copied());
+        let first = tree.len() as u32;
+        let mut nodes = Vec::new();
+        let samples = resampled(branch, step);
+        let direction = samples.get(1).map_or(Vec3::Y, |s| (s.0 - samples[0].0).normalize_or(Vec3::Y));
+        let mut side = direction::first_side(direction, key, habit);
+        let mut below = match carrier.filter(|c| c.1 > 0) {
+            Some((from, count)) => nearest(&tree, from, count, samples[0].0),
+            None => {
+                let foot = tree.add_foot(samples[0].0, side);
+                tree.given.push(2.0 * samples[0].1);
+                foot
+            }
+        };
+        let mut before = direction;
+        for (k, &(at, radius)) in samples.iter().enumerate().skip(1) {
+            let way = (at - samples[k - 1].0).normalize_or(before);
+            let order = tree.nodes.order[below as usize];
+            side = direction::next_side(side, before, way, order, habit);
+            let lateral = k == 1 && carrier.is_some();
+            below = tree.add(NewNode { parent: below, at, side, lateral, year: 0 });
+            tree.given.push(2.0 * radius);
+            nodes.push((below, way, side));
+            before = way;
+        }
+        spans.push((first, tree.len() as u32 - first));
+        buds.push(nodes);
+    }
+    for nodes in buds {
+        lay_buds(&mut tree, &nodes, habit);
+    }
+    tree
+}
+
+/// Lateral buds at every node of a branch and an apical one at its end.
+fn lay_buds(tree: &mut Tree, nodes: &[(u32, Vec3, Vec3)], habit: &Habit) {
+    let angle = habit.branching.at(0.0).to_radians();
+    for (k, &(node, way, side)) in nodes.iter().enumerate() {
+        let order = tree.nodes.order[node as usize];
+        for bud in direction::laterals(way, side, angle, direction::laterals_per_node(habit, order)) {
+            tree.add_bud(node, bud, false, 0);
+        }
+        if k + 1 == nodes.len() {
+            tree.add_bud(node, way, true, 0);
+        }
+    }
+}
+
+fn nearest(tree: &Tree, from: u32, count: u32, at: Vec3) -> u32 {
+    let away = |i: &u32| tree.nodes.at[*i as usize].distance_squared(at);
+    (from..from + count).min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(from)
+}
+
+fn length(points: &[Vec3]) -> f32 {
+    points.windows(2).map(|w| w[0].distance(w[1])).sum()
+}
+
+/// Places and radii along a branch, equally far apart, both ends among them; at least two.
+fn resampled(branch: &Branch, step: f32) -> Vec<(Vec3, f32)> {
+    let whole = length(&branch.points);
+    let count = (whole / step).round().max(1.0) as usize;
+    let mut out = Vec::with_capacity(count + 1);
+    let (mut segment, mut before) = (0, 0.0);
+    let last = branch.points.len().saturating_sub(2);
+    for k in 0..=count {
+        let target = whole * k as f32 / count as f32;
+        let run = |s: usize| branch.points[s].distance(branch.points[s + 1]);
+        while segment < last && before + run(segment) < target {
+            before += run(segment);
+            segment += 1;
+        }
+        let share = ((target - before) / run(segment).max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
+        let radius = branch.radii[segment] + (branch.radii[segment + 1] - branch.radii[segment]) * share;
+        out.push((branch.points[segment].lerp(branch.points[segment + 1], share), radius));
+    }
+    out
+}
+
+/// A direction turned a little about a random axis square to it.
+pub fn nudged(direction: Vec3, by_rad: f32, key: u64) -> Vec3 {
+    let axis = Quat::from_axis_angle(direction, TAU * unit(mix(key, 1))) * direction.any_orthonormal_vector();
+    Quat::from_axis_angle(axis, by_rad * (2.0 * unit(mix(key, 2)) - 1.0)) * direction
+}

@@ -1,0 +1,195 @@
+//! How a species grows: the section `[growth]` of a species file.
+//!
+//! Lengths of the model are in internodes where nothing else is said, so that one number, the length of an internode,
+//! scales the whole plant. Most numbers may change with age, see [`Schedule`].
+
+use super::leaf::LeafHabit;
+use super::schedule::Schedule;
+use serde::Deserialize;
+
+/// How the buds of an axis are arranged (phyllotaxis).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Arrangement {
+    /// One per node, turned by the divergence angle.
+    Spiral,
+    /// One per node, left and right in turn; branches are flat sprays.
+    Alternate,
+    /// Pairs, each square to the one below.
+    Opposite,
+    /// A ring at the end of each year's shoot.
+    Whorl,
+}
+
+/// What buds compete for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Resource {
+    /// Light, by shadows through voxels (eq. 2.2).
+    Light,
+    /// Space, by markers (eq. 2.1).
+    Space,
+}
+
+/// How the resource is shared out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Control {
+    /// The extended Borchert–Honda model (eq. 2.4).
+    BorchertHonda,
+    /// The priority model (eqs. 2.5, 2.6).
+    Priority,
+}
+
+crate::growth_table! {
+    /// Shadows, eq. 2.2.
+    pub struct LightHabit {
+        /// Width of a voxel.
+        voxel: f32 = 1.5, 0.25..=20.0, "internodes";
+        /// Full light C.
+        full: f32 = 1.0, 0.05..=100.0, "";
+        /// Shadow a of one node in its own voxel.
+        darkening: f32 = 0.12, 0.001..=10.0, "";
+        /// How shadow fades from layer to layer below: divided by b.
+        falloff: f32 = 1.6, 1.01..=20.0, "";
+        /// Layers q_max that a shadow reaches down.
+        depth: u32 = 6, 0..=24, "voxels";
+    }
+}
+
+crate::growth_table! {
+    /// Markers of space.
+    pub struct SpaceHabit {
+        /// Radius ρ of the space that a node occupies.
+        occupancy: f32 = 1.6, 0.1..=20.0, "internodes";
+        /// Radius r in which a bud perceives space.
+        perception: f32 = 4.0, 0.2..=40.0, "internodes";
+        /// Opening angle θ of the cone in which a bud perceives space.
+        angle: f32 = 100.0, 5.0..=360.0, "degrees";
+        /// Markers in a ball of the perception's radius.
+        markers: f32 = 60.0, 1.0..=5000.0, "";
+    }
+}
+
+crate::growth_table! {
+    /// A crown that the species keeps within, turned about the trunk.
+    pub struct CrownHabit {
+        /// Height of the grown plant.
+        height: f32 = 8.0, 0.01..=150.0, "metres";
+        /// Width of the grown plant.
+        width: f32 = 6.0, 0.01..=150.0, "metres";
+        /// How uneven the crown is.
+        lumps: f32 = 0.15, 0.0..=0.6, "";
+        /// Radius over height, both from 0 to 1, as a list of pairs.
+        profile: Schedule = 1.0, 0.0..=1.0, "";
+    }
+}
+
+crate::growth_table! {
+    /// How a species grows.
+    pub struct Habit {
+        /// Age at which the species is shown when none is asked for.
+        age: u32 = 25, 1..=1000, "years";
+        /// Height of a grown plant: the scale against which drawn crowns are fitted.
+        height: f32 = 8.0, 0.01..=150.0, "metres";
+        /// Length of an ordinary internode.
+        internode: f32 = 0.15, 0.001..=5.0, "metres";
+        /// Length of internodes on each further order of branching, as a share of the order below.
+        shorter: f32 = 0.92, 0.2..=1.5, "";
+        /// Most internodes that one bud grows in a year.
+        shoot: u32 = 6, 1..=60, "";
+        /// Number of trunks.
+        stems: u32 = 1, 1..=30, "";
+        /// How far several trunks lean out.
+        stem_lean: f32 = 25.0, 0.0..=85.0, "degrees";
+        /// Buds in a whorl.
+        laterals: u32 = 4, 1..=20, "";
+        /// Angle between one bud and the next around the axis.
+        divergence: f32 = 137.5, 0.0..=360.0, "degrees";
+        /// Angle between an axis and its lateral buds.
+        branching: Schedule = 50.0, 0.0..=175.0, "degrees";
+        /// Random change of that angle, up to.
+        branching_spread: f32 = 8.0, 0.0..=90.0, "degrees";
+        /// Share of the nodes that have lateral buds.
+        ramification: Schedule = 1.0, 0.0..=1.0, "";
+        /// Weight α of the direction so far.
+        straightness: Schedule = 1.0, 0.0..=10.0, "";
+        /// Weight β of the best direction.
+        seeking: Schedule = 0.4, 0.0..=10.0, "";
+        /// Weight γ of up on trunks; below 0 they droop.
+        lift: Schedule = 0.2, -10.0..=10.0, "";
+        /// Weight γ of up on branches.
+        lift_branch: Schedule = 0.1, -10.0..=10.0, "";
+        /// Weight γ of up on the branches of branches.
+        lift_twig: Schedule = 0.05, -10.0..=10.0, "";
+        /// Weight of staying level, for branches in tiers.
+        level: Schedule = 0.0, 0.0..=10.0, "";
+        /// Weight of a random direction.
+        wander: Schedule = 0.12, 0.0..=10.0, "";
+        /// Resource that a plant makes of what its buds earn, α of eq. 2.4.
+        supply: Schedule = 2.0, 0.0..=20.0, "";
+        /// Share λ of the continuing axis on trunks, eq. 2.4: above 0.5 a leader, below a shrub.
+        lambda: Schedule = 0.5, 0.0..=1.0, "";
+        /// Share λ on branches.
+        lambda_branch: Schedule = 0.5, 0.0..=1.0, "";
+        /// Share κ of the queue over which the weight falls, eq. 2.6: small makes one leader.
+        kappa: Schedule = 0.5, 0.0..=1.0, "";
+        /// Weight ω_max of the first in the queue.
+        omega_max: f32 = 1.0, 0.001..=10.0, "";
+        /// Weight ω_min of the last.
+        omega_min: f32 = 0.006, 0.0..=10.0, "";
+        /// Years that a bud waits before it is aborted.
+        bud_life: u32 = 4, 0..=100, "years";
+        /// Age from which weak shoots end in flowers.
+        flower_age: f32 = 10.0, 0.0..=1000.0, "years";
+        /// Share of the weak shoots that end in flowers.
+        flowering: Schedule = 0.0, 0.0..=1.0, "";
+        /// Resource below which a shoot is weak.
+        flower_below: f32 = 1.0, 0.0..=20.0, "";
+        /// Resource per internode below which a branch is shed.
+        shed: Schedule = 0.1, 0.0..=10.0, "";
+        /// Years that a branch has before it may be shed.
+        shed_after: u32 = 3, 0..=100, "years";
+        /// Height below which branches of the trunk are shed.
+        bole: Schedule = 0.0, 0.0..=100.0, "metres";
+        /// Least height of a branch above the ground.
+        clearance: Schedule = 0.0, 0.0..=100.0, "metres";
+        /// Diameter of the thinnest wood.
+        tip: f32 = 0.006, 0.0005..=0.5, "metres";
+        /// Exponent n of the pipe model, eq. 2.7.
+        pipe: f32 = 2.3, 1.5..=4.0, "";
+        /// What each internode adds to the pipes, in tips.
+        pipe_leaf: f32 = 0.12, 0.0..=10.0, "";
+        /// How much a trunk widens at its foot.
+        flare: f32 = 0.5, 0.0..=4.0, "";
+        choices:
+        /// Phyllotaxis.
+        arrangement: Arrangement = Arrangement::Spiral;
+        /// Model by which the resource is shared out.
+        control: Control = Control::BorchertHonda;
+        /// What buds compete for.
+        resource: Resource = Resource::Light;
+        /// Light.
+        light: LightHabit = LightHabit::default();
+        /// Space.
+        space: SpaceHabit = SpaceHabit::default();
+        /// A crown that the species keeps within.
+        crown: Option<CrownHabit> = None;
+        /// Leaves.
+        leaf: LeafHabit = LeafHabit::default();
+        /// Whether the apical bud stands first in the queue of the priority model.
+        apical_first: bool = true;
+    }
+}
+
+impl CrownHabit {
+    /// (height, radius) in metres, from the ground up; the profile's heights are shares of the height.
+    pub fn radii(&self) -> Vec<(f32, f32)> {
+        const STEPS: u32 = 48;
+        let at = |k: u32| {
+            let share = k as f32 / STEPS as f32;
+            (share * self.height, 0.5 * self.width * self.profile.at(share))
+        };
+        (0..=STEPS).map(at).collect()
+    }
+}

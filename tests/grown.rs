@@ -1,0 +1,96 @@
+//! What every species that grows by itself looks like in numbers, and how its crown stands out from the others.
+//!
+//! Blessed by one variable: `INSTA_UPDATE=always cargo test --test grown`.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
+
+use glam::Vec3;
+use penstemon::growth::{Limits, Outcome, Simulation, plant_at};
+use penstemon::plant::Plant;
+use penstemon::species::{self, Species};
+use serde_json::{Value, json};
+
+fn grown(name: &str, age: Option<f32>) -> (Simulation, Plant) {
+    let species = Species::built_in(name).unwrap();
+    let habit = species.growth.as_ref().unwrap();
+    let age = age.unwrap_or(habit.age as f32);
+    let mut simulation = Simulation::new(habit, 1, Limits::default());
+    let outcome = simulation.grow_to(age as u16, &|| false);
+    assert!(matches!(outcome, Outcome::Growing), "{name}: {outcome}");
+    let mut plant = plant_at(&simulation, age);
+    species::dress(&mut plant, &species, 1);
+    plant.check_invariants().unwrap();
+    (simulation, plant)
+}
+
+fn size(plant: &Plant) -> Vec3 {
+    let points =
+        plant.organs.iter().map(|o| o.base()).chain(plant.branches.iter().flat_map(|b| b.points.clone()));
+    let (low, high) = points.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
+    high - low
+}
+
+/// Two leading digits, so that another processor's last bits do not matter.
+fn rounded(x: f64) -> Value {
+    let step = 10f64.powf(x.abs().max(1e-9).log10().floor() - 1.0);
+    json!(((x / step).round() * step * 1e4).round() / 1e4)
+}
+
+#[test]
+fn every_species_grows_as_before() {
+    for name in Species::growing() {
+        let (simulation, plant) = grown(name, None);
+        let size = size(&plant).to_array().map(|x| rounded(f64::from(x)));
+        let trunk = plant.branches[0].radii[plant.branches[0].radii.len() / 4];
+        let summary = json!({
+            "age": simulation.age(),
+            "nodes": rounded(simulation.tree().len() as f64),
+            "branches": rounded(plant.branches.len() as f64),
+            "organs": rounded(plant.organs.len() as f64),
+            "deepest_level": plant.branches.iter().map(|b| b.level).max(),
+            "trunk_radius_m": rounded(f64::from(trunk)),
+            "size_m": size,
+        });
+        insta::assert_json_snapshot!(name, summary);
+    }
+}
+
+#[test]
+fn crowns_have_the_proportions_of_their_species() {
+    let slender = |name: &str| {
+        let size = size(&grown(name, None).1);
+        size.y / size.x.max(size.z)
+    };
+    for column in ["poplar", "cypress"] {
+        assert!(slender(column) > 2.5, "{column} is a column: {}", slender(column));
+    }
+    for broad in ["acacia", "maple", "oak"] {
+        assert!(slender(broad) < 1.25, "{broad} is broad: {}", slender(broad));
+    }
+    assert!(slender("spruce") > 0.8 && slender("birch") > 1.0);
+}
+
+#[test]
+fn willow_twigs_hang_and_poplar_twigs_stand() {
+    let fall = |name: &str| {
+        let plant = grown(name, None).1;
+        let last = plant.branches.iter().filter(|b| b.level >= 2 && b.points.len() > 3);
+        let ways: Vec<f32> =
+            last.map(|b| (b.points[b.points.len() - 1] - b.points[1]).normalize().y).collect();
+        ways.iter().sum::<f32>() / ways.len() as f32
+    };
+    assert!(fall("willow") < -0.3, "{}", fall("willow"));
+    assert!(fall("poplar") > 0.5, "{}", fall("poplar"));
+}
+
+#[test]
+fn a_plant_is_taller_and_thicker_every_five_years() {
+    let (simulation, _) = grown("oak", None);
+    let mut last = (0.0, 0.0);
+    for age in [5.0, 10.0, 15.0, 20.0] {
+        let plant = plant_at(&simulation, age);
+        let now = (size(&plant).y, plant.branches[0].radii[0]);
+        assert!(now.0 > last.0 && now.1 > last.1, "{last:?} then {now:?} at {age}");
+        last = now;
+    }
+}
