@@ -10,6 +10,15 @@ for name in daisy hepatica_red balloon_flower bouquet tree_round; do
     "$program" render "assets/sketches/$name.penstemon" -o "docs/images/$name.png" --size 560x640 --with-drawing
 done
 
+# Trees that grow by themselves, side by side.
+grown=$(mktemp -d)
+for species in $("$program" grow --list); do
+    "$program" grow "$species" -o "$grown/$species.glb"
+    "$program" render "$grown/$species.glb" -o "$grown/$species.png" --size 300x300
+done
+python3 scripts/sheet.py 5 docs/images/grown.png "$grown"/*.png
+rm -rf "$grown"
+
 # XWD, as Xvfb keeps its screen, to PNG.
 png_of_screen() {
     python3 - "$1" "$2" <<'PYTHON'

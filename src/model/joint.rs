@@ -46,7 +46,7 @@ pub(super) struct Exit {
 pub(super) fn exit(branch: &[Ring], parent: &[Ring], parent_arcs: &[f32]) -> Option<Exit> {
     let foot = Foot::nearest(branch.first()?.at, parent, parent_arcs);
     let (ring, arc) = first_outside(branch, &foot)?;
-    let (across, along) = foot.from_axis(ring.at);
+    let (across, along) = foot.off_axis(ring.at);
     let (distance, axis) = (across.length(), foot.ring.tangent);
     // Where a straight line from foot to exit passes through the bark.
     let share = (foot.ring.radius / distance.max(f32::MIN_POSITIVE)).min(1.0);
@@ -108,7 +108,7 @@ impl Foot {
     }
 
     /// A point from here, divided into what lies across the axis and how far along it is.
-    fn from_axis(&self, p: Vec3) -> (Vec3, f32) {
+    fn off_axis(&self, p: Vec3) -> (Vec3, f32) {
         let off = p - self.ring.at;
         let along = off.dot(self.ring.tangent);
         (off - self.ring.tangent * along, along)
@@ -117,7 +117,7 @@ impl Foot {
     /// How far the innermost point of a ring's collar lies outside of the bark or beyond the parent's end, metres;
     /// negative inside.
     fn clearance(&self, ring: &Ring) -> f32 {
-        let (across, along) = self.from_axis(ring.at);
+        let (across, along) = self.off_axis(ring.at);
         let collar = COLLAR * ring.radius;
         let inner = collar * ring.tangent.dot(self.ring.tangent).abs();
         (across.length() - inner - (1.0 + CLEAR) * self.ring.radius).max(along - self.left - collar)

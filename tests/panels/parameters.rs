@@ -93,7 +93,9 @@ fn every_value_that_a_rail_gives_is_accepted_by_the_pipeline() {
             }
         }
     }
-    assert!(moved + 2 >= described.len(), "only {moved} of {} rails were moved", described.len());
+    /// Parameters that have no rail.
+    const SWITCHES: usize = 3;
+    assert!(moved + SWITCHES >= described.len(), "only {moved} of {} rails were moved", described.len());
 }
 
 #[test]
