@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the pictures of README.md anew: each drawing beside its plant, and the window. Needs a release build, a Vulkan
-# driver, and for the window Xvfb and Python 3.
+# driver, Python 3 with Pillow, and for the window Xvfb.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cargo build --release --quiet
