@@ -107,14 +107,14 @@ pub(super) fn mesh(
     mesh.points.reserve(total);
     mesh.vertices.reserve(total + total / 4);
     mesh.triangles.reserve(2 * total);
-    let mut feet = Vec::new();
+    let mut open_ends = Vec::new();
     for limb in 0..scratch.limbs.len() {
         if !scratch.limbs[limb].hidden {
-            build(limb, &mut mesh, &mut feet, scratch);
+            build(limb, &mut mesh, &mut open_ends, scratch);
         }
     }
     mesh.smooth_missing_normals();
-    feet.into_iter().for_each(|foot| close_foot(&mut mesh, foot));
+    open_ends.into_iter().for_each(|end| close_end(&mut mesh, end));
     drop_unused(&mut mesh);
     mesh.split_disagreeing_corners();
     mesh
@@ -185,7 +185,7 @@ fn sort_children(scratch: &mut WoodScratch) {
 }
 
 /// A ring of points that has to be closed: its first point, how many there are, and where it looks.
-struct Foot {
+struct OpenEnd {
     first: u32,
     sides: u32,
     normal: Vec3,
@@ -199,7 +199,7 @@ struct Grid {
     sides: u32,
 }
 
-fn build(index: usize, mesh: &mut Mesh, feet: &mut Vec<Foot>, scratch: &mut WoodScratch) {
+fn build(index: usize, mesh: &mut Mesh, open_ends: &mut Vec<OpenEnd>, scratch: &mut WoodScratch) {
     lay_out(index, scratch);
     let limb = scratch.limbs[index].clone();
     let sides = limb.sides();
@@ -215,7 +215,11 @@ fn build(index: usize, mesh: &mut Mesh, feet: &mut Vec<Foot>, scratch: &mut Wood
     walls(mesh, grid, scratch.grid.len() - 1, &scratch.cells);
     tip(mesh, grid, &scratch.grid, &limb.look, end_v);
     if limb.rim.is_empty() {
-        feet.push(Foot { first: grid.first_point, sides: grid.sides, normal: -scratch.grid[0].ring.tangent });
+        open_ends.push(OpenEnd {
+            first: grid.first_point,
+            sides: grid.sides,
+            normal: -scratch.grid[0].ring.tangent,
+        });
     } else {
         strip(mesh, &scratch.rims[limb.rim.clone()], grid, &limb, &scratch.grid[0].ring);
     }
@@ -410,7 +414,7 @@ fn strip(mesh: &mut Mesh, rim: &[(u32, f32)], on: Grid, limb: &Limb, ring: &Ring
     }
 }
 
-fn close_foot(mesh: &mut Mesh, Foot { first: point, sides, normal }: Foot) {
+fn close_end(mesh: &mut Mesh, OpenEnd { first: point, sides, normal }: OpenEnd) {
     let first = mesh.vertices.len() as u32;
     mesh.vertices.extend((0..sides).map(|j| Vertex {
         point: point + j,
