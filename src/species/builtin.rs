@@ -26,9 +26,9 @@ impl Species {
 
     /// Names of all built-in species that grow by themselves, sorted.
     pub fn growing() -> Vec<&'static str> {
-        let drawn = SPECIES.files().chain(TREES.files());
-        let grows = drawn.filter(|file| file.contents_utf8().is_some_and(|text| text.contains("\n[growth]")));
-        let mut names: Vec<_> = grows.filter_map(|file| file.path().file_stem()?.to_str()).collect();
+        let trees = names(&TREES).into_iter().filter_map(|name| name.strip_suffix(".toml"));
+        let mut names: Vec<_> = Self::names().into_iter().chain(trees).collect();
+        names.retain(|name| Self::built_in(name).is_ok_and(|species| species.growth.is_some()));
         names.sort_unstable();
         names
     }
