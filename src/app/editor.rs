@@ -516,6 +516,11 @@ impl Editor {
         self.building.is_running || self.building.is_stale || self.task.is_some() || self.saver.is_busy()
     }
 
+    /// What waits for an answer above everything.
+    pub fn dialog(&self) -> Option<&Dialog> {
+        self.dialog.as_ref()
+    }
+
     /// When something on the screen changes by itself.
     pub fn wakes_at(&self) -> Option<Instant> {
         let news = self

@@ -487,7 +487,10 @@ impl Running {
         let rests = !self.frame_is_due && !self.editor.is_working() && wake.is_none_or(|at| at > now + REST);
         if rests && std::mem::take(&mut self.is_awake) {
             self.note_size();
-            tracing::debug!("at rest");
+            match self.editor.dialog() {
+                None => tracing::debug!("at rest"),
+                Some(dialog) => tracing::debug!("at rest in the dialog {}", dialog.name()),
+            }
         }
     }
 }

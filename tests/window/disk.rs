@@ -59,14 +59,14 @@ fn try_disk(done: &str, reason: &str) {
     program.picture(&screen).keep(&format!("cannot-save-{}", reason.replace(' ', "-")));
     // The drawing is still there, and still unsaved: closing asks, and is given up when saving fails again.
     screen.hand(&["key", "ctrl+q"]);
-    program.press_loud_button(&screen);
+    program.press_loud_button(&screen, "unsaved");
     program.wait_for("notice");
     program.rest();
     assert!(program.is_running());
 
     screen.hand(&["key", "ctrl+shift+s"]);
     for place in [HOME, NAME] {
-        program.rest();
+        program.rest_in_dialog("path");
         screen.click(place);
     }
     program.type_name(&screen, "rescued");

@@ -62,8 +62,9 @@ fn a_daisy_drawn_by_mouse_becomes_a_plant_and_a_file() {
 /// Exports through the dialog and holds the file against the judge.
 fn export(screen: &Screen, program: &mut Program, home: &TempDir) {
     screen.hand(&["key", "ctrl+e"]);
+    program.rest_in_dialog("export");
     program.picture(screen).keep("export");
-    program.press_loud_button(screen);
+    program.press_loud_button(screen, "export");
     program.type_name(screen, "daisy.glb");
     program.wait_for("exported");
     program.picture(screen).keep("exported");
@@ -95,16 +96,18 @@ fn a_killed_program_offers_the_drawing_back() {
     let mut again = Program::start(&screen, home.path(), &[]);
     again.built();
     assert_eq!(number(&again.told("recoverable"), "strokes"), 3);
+    again.rest_in_dialog("recovery");
     again.picture(&screen).keep("recovery");
-    again.press_loud_button(&screen);
+    again.press_loud_button(&screen, "recovery");
     let recovered = again.built();
     assert_eq!(number(&recovered, "strokes"), 3);
     again.picture(&screen).keep("recovered");
 
     // What was recovered is unsaved: closing asks.
     screen.hand(&["key", "ctrl+q"]);
+    again.rest_in_dialog("unsaved");
     again.picture(&screen).keep("unsaved");
-    again.press_loud_button(&screen);
+    again.press_loud_button(&screen, "unsaved");
     again.type_name(&screen, "found");
     again.wait_for("saved");
     assert!(again.wait().success(), "having saved it goes on to close");

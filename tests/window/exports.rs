@@ -25,11 +25,11 @@ fn read(path: &Path) -> Pixels {
 fn order(screen: &Screen, program: &mut Program, name: &str, places: &[[f64; 2]]) {
     screen.hand(&["key", "ctrl+e"]);
     for place in places {
-        program.rest();
+        program.rest_in_dialog("export");
         screen.click(*place);
     }
     program.picture(screen).keep(&format!("export-{name}"));
-    program.press_loud_button(screen);
+    program.press_loud_button(screen, "export");
     program.type_name(screen, name);
     program.wait_for("exported");
 }

@@ -17,10 +17,10 @@ fn a_window_that_is_told_to_close_asks_about_unsaved_work_first() {
     draw_line(&screen, &mut program);
     let (client, window) = (Client::on(&screen), program.window(&screen));
     client.close(&window);
+    program.rest_in_dialog("unsaved");
     program.picture(&screen).keep("told-to-close");
-    assert!(program.is_running());
     // Save: and the window closes.
-    program.press_loud_button(&screen);
+    program.press_loud_button(&screen, "unsaved");
     assert!(program.wait().success());
     assert_eq!(sketch_saved_by(&file).strokes.len() as u64, strokes + 1);
 

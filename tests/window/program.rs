@@ -101,18 +101,27 @@ impl Program {
 
     /// Waits until the program has carried out everything and sleeps.
     pub(crate) fn rest(&mut self) {
+        self.rest_in("at rest");
+    }
+
+    /// Waits until the program sleeps and a dialog of this name is open.
+    pub(crate) fn rest_in_dialog(&mut self, name: &str) {
+        self.rest_in(&format!("at rest in the dialog {name}"));
+    }
+
+    fn rest_in(&mut self, state: &str) {
         let deadline = Instant::now() + PATIENCE;
         loop {
             match self.lines.recv_timeout(QUIET) {
                 Ok(line) => self.told.push(line),
                 Err(_) => {
                     let last = self.told.iter().rev().find(|line| line.contains("app::window"));
-                    if last.is_some_and(|line| line.contains("at rest")) {
+                    if last.is_some_and(|line| line.contains(state)) {
                         return;
                     }
                 }
             }
-            assert!(Instant::now() < deadline, "never at rest; told:\n{}", self.told.join("\n"));
+            assert!(Instant::now() < deadline, "never {state}; told:\n{}", self.told.join("\n"));
         }
     }
 
@@ -139,15 +148,16 @@ impl Program {
         screen.still()
     }
 
-    /// Presses the one button of a dialog that stands out.
-    pub(crate) fn press_loud_button(&mut self, screen: &Screen) {
+    /// Presses the one button that stands out in the dialog of this name, once it is open.
+    pub(crate) fn press_loud_button(&mut self, screen: &Screen, dialog: &str) {
+        self.rest_in_dialog(dialog);
         let button = self.picture(screen).widest(ACCENT).expect("a button that stands out");
         screen.click(button);
     }
 
     /// Writes a name into the dialog that asks for a file.
     pub(crate) fn type_name(&mut self, screen: &Screen, name: &str) {
-        self.rest();
+        self.rest_in_dialog("path");
         screen.hand(&["key", "ctrl+a"]);
         screen.hand(&["type", "--delay", "8", name]);
         self.picture(screen).keep("asked-for-a-file");

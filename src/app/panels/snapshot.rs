@@ -357,6 +357,20 @@ pub enum Dialog {
     About,
 }
 
+impl Dialog {
+    /// Its name in what the program tells of itself.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Unsaved => "unsaved",
+            Self::Recovery(_) => "recovery",
+            Self::Export => "export",
+            Self::Path(_) => "path",
+            Self::Pen => "pen",
+            Self::About => "about",
+        }
+    }
+}
+
 /// A drawing found again.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recovered {
