@@ -27,7 +27,7 @@ fn outline(length: f32, wobble: f32) -> Vec<Vec2> {
 fn blade(length: f32, turn: f32, rest: RestSurface, base: Vec3, template: Option<u32>) -> Blade {
     let (sin, cos) = turn.sin_cos();
     Blade {
-        outline: outline(length, 1.0 + turn),
+        outline: outline(length, 1.0 + turn).into(),
         curl: Vec::new(),
         base,
         u: Vec3::new(cos, sin, 0.0),

@@ -10,12 +10,13 @@ use super::{
     growth_points::{Forest, GrowthPoint, Thinned, side},
     vein::{self, Walk},
 };
-use crate::geom::region::Region;
+use crate::geom::{region::Region, simple_loop};
 use crate::random::{mix, stream};
 use crate::sketch::StrokeId;
 use glam::Vec2;
 use rand::RngExt;
 use rayon::prelude::*;
+use std::sync::Arc;
 
 crate::parameters! {
     /// How leaf outlines are filled with leaves.
@@ -60,8 +61,8 @@ const ASPECT_VARIATION: f32 = 0.15;
 /// The outlines that generated leaves are copied from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Templates {
-    /// Closed outlines with the root at the origin and the tip at (0, 1).
-    pub outlines: Vec<Vec<Vec2>>,
+    /// Closed outlines with the root at the origin and the tip at (0, 1), counter-clockwise with y upward.
+    pub outlines: Vec<Arc<[Vec2]>>,
     /// Mean length of the drawn leaves, pixels.
     pub length: f32,
 }
@@ -72,12 +73,12 @@ impl Templates {
         let usable: Vec<&FlatBlade> = drawn.iter().filter(|leaf| leaf.axis().length() > 0.0).collect();
         if usable.is_empty() {
             return Self {
-                outlines: vec![ovate_leaf(params.default_width)],
+                outlines: vec![ovate_leaf(params.default_width).into()],
                 length: params.default_length * diagonal,
             };
         }
         let length = usable.iter().map(|leaf| leaf.axis().length()).sum::<f32>() / usable.len() as f32;
-        Self { outlines: usable.iter().map(|leaf| upright(leaf)).collect(), length }
+        Self { outlines: usable.iter().map(|leaf| upright(leaf).into()).collect(), length }
     }
 }
 
@@ -88,7 +89,11 @@ fn upright(leaf: &FlatBlade) -> Vec<Vec2> {
     // Canvas y points down, so the perpendicular is what the eye calls right.
     let right = axis.perp();
     let place = |p: Vec2| Vec2::new((p - leaf.root).dot(right), (p - leaf.root).dot(axis)) * scale;
-    leaf.outline.iter().map(|s| place(s.position)).collect()
+    let mut outline: Vec<Vec2> = leaf.outline.iter().map(|s| place(s.position)).collect();
+    if simple_loop::signed_area(outline.iter().copied()) < 0.0 {
+        outline.reverse();
+    }
+    outline
 }
 
 /// A pointed oval of length 1: broadest below the middle, as most leaves are.
@@ -238,6 +243,7 @@ mod tests {
         let templates = Templates::new(&[drawn], 100.0, &LeafFillParams::default());
         assert_eq!(templates.length, 20.0);
         // y points down on the canvas: the stroke's upper side lies left of an axis that points right.
-        assert_eq!(templates.outlines[0], [(0.0, 0.0), (-0.5, 0.5), (0.0, 1.0), (0.5, 0.5)].map(Vec2::from));
+        let upright = [(0.5, 0.5), (0.0, 1.0), (-0.5, 0.5), (0.0, 0.0)].map(Vec2::from);
+        assert_eq!(templates.outlines[0][..], upright);
     }
 }

@@ -25,6 +25,7 @@ pub use analyse::{AnatomyParams, analyse, analyse_unless};
 use crate::sketch::{StrokeId, StrokePoint, Warning};
 use glam::Vec2;
 use serde::Serialize;
+use std::sync::Arc;
 
 /// Asked again and again, from any thread, whether the work is still wanted; yes to stop, and yes from then on.
 pub type Stop<'a> = &'a (dyn Fn() -> bool + Sync);
@@ -185,7 +186,7 @@ pub struct Anatomy {
     /// Leaves, drawn and generated.
     pub leaves: Vec<FlatBlade>,
     /// Outlines from which generated leaves were copied, root at the origin, tip at (0, 1), v toward the tip.
-    pub templates: Vec<Vec<Vec2>>,
+    pub templates: Vec<Arc<[Vec2]>>,
     /// Remarks about odd input.
     pub warnings: Vec<Warning>,
 }

@@ -33,7 +33,7 @@ pub fn petal(
     let frame = BladeFrame::new(flat, world, !facing);
     let (outline, curls) = outline_of(flat, &frame, world, curl);
     Blade {
-        outline,
+        outline: outline.into(),
         curl: curls,
         base: base.extend(cone.depth_near(base, cone.apex.z)),
         u: frame.u.extend(0.0),

@@ -17,6 +17,7 @@ use crate::plant::{Blade, BladeForm, Organ, OrganKind, RestSurface, Shape};
 use crate::random::mix;
 use glam::{Quat, Vec2, Vec3};
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// Divergence of leaves, radians: the golden angle.
 const GOLDEN_RAD: f32 = 2.399_963;
@@ -56,8 +57,8 @@ pub fn leaves(wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
     if habit.length <= 0.0 || (habit.per_internode == 0 && habit.at_tip == 0) {
         return Vec::new();
     }
-    let outlines: Vec<Vec<Vec2>> =
-        WIDTHS.iter().map(|w| leaf::outline(habit.shape, (habit.width * w).min(3.0))).collect();
+    let outline = |w: &f32| leaf::outline(habit.shape, (habit.width * w).min(3.0)).into();
+    let outlines: Vec<Arc<[Vec2]>> = WIDTHS.iter().map(outline).collect();
     debug_assert!(outlines.iter().all(|o| simple_loop::signed_area(o.iter().copied()) > 0.0));
     let from_end = from_end(wood);
     let on = |i: usize| leaves_of(wood, habit, &outlines, (i, from_end[i]));
@@ -71,7 +72,7 @@ pub fn leaves(wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
 fn leaves_of<'a>(
     wood: &'a Wood<'a>,
     habit: &'a LeafHabit,
-    outlines: &'a [Vec<Vec2>],
+    outlines: &'a [Arc<[Vec2]>],
     (i, from_end): (usize, u8),
 ) -> impl Iterator<Item = Organ> + 'a {
     let branch = wood.chains.of_node[i];
@@ -111,7 +112,13 @@ fn held(mut blade: Blade, envelope: &Envelope) -> Option<Blade> {
 }
 
 /// The leaf `k` of the internode below node `i`; those beyond the internode's own stand at its end.
-fn one(wood: &Wood<'_>, habit: &LeafHabit, outlines: &[Vec<Vec2>], (i, k): (usize, u32), size: f32) -> Blade {
+fn one(
+    wood: &Wood<'_>,
+    habit: &LeafHabit,
+    outlines: &[Arc<[Vec2]>],
+    (i, k): (usize, u32),
+    size: f32,
+) -> Blade {
     let below = wood.tree.nodes.parent[i] as usize;
     let (from, to) = (wood.at[below], wood.at[i]);
     let way = (to - from).try_normalize().unwrap_or(Vec3::Y);

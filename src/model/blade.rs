@@ -183,7 +183,17 @@ mod tests {
         let point = |k: usize| Vec2::from_angle(k as f32 * 0.1047) * Vec2::new(0.2, 0.5) + Vec2::Y * 0.5;
         let outline: Vec<Vec2> = (0..60).map(point).collect();
         let base = Vec3::new(0.3, 0.2, -0.1);
-        Blade { outline, curl: vec![], base, u: Vec3::X, v: Vec3::Y, length: 1.0, rest, form, template: None }
+        Blade {
+            outline: outline.into(),
+            curl: vec![],
+            base,
+            u: Vec3::X,
+            v: Vec3::Y,
+            length: 1.0,
+            rest,
+            form,
+            template: None,
+        }
     }
 
     fn built(blade: &Blade) -> (FlatBlade, Mesh) {

@@ -273,7 +273,7 @@ mod tests {
     fn flat(outline: &[(f32, f32)], template: Option<u32>) -> Option<FlatBlade> {
         let outline: Vec<Vec2> = outline.iter().copied().map(Vec2::from).collect();
         let blade = Blade {
-            outline,
+            outline: outline.into(),
             curl: Vec::new(),
             base: Vec3::ZERO,
             u: Vec3::X,

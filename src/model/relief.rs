@@ -105,7 +105,7 @@ mod tests {
             .collect();
         Blade {
             curl: vec![curl; outline.len()],
-            outline,
+            outline: outline.into(),
             base: Vec3::ZERO,
             u: Vec3::X,
             v: Vec3::Y,

@@ -7,6 +7,7 @@
 use super::Cone;
 use glam::{Vec2, Vec3};
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// How a blade departs from its rest surface; lengths are shares of the blade's length.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -61,8 +62,9 @@ pub enum RestSurface {
 /// A petal, leaf or sepal.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Blade {
-    /// Closed outline in (u, v) metres, counter-clockwise, first point not repeated, at least three points, simple.
-    pub outline: Vec<Vec2>,
+    /// Closed outline in (u, v) metres, counter-clockwise, first point not repeated, at least three points, simple;
+    /// shared by all blades of one template.
+    pub outline: Arc<[Vec2]>,
     /// Pen pressure's curl at each outline point, −1 (away from the face) to 1 (toward it), 0 for none; empty for none.
     pub curl: Vec<f32>,
     /// World position of the base, (u, v) = 0.

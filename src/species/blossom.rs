@@ -11,6 +11,7 @@ use glam::{Quat, Vec2, Vec3};
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use std::f32::consts::TAU;
+use std::sync::Arc;
 
 /// Radius of the heart, as a share of the reach.
 const HEART: f32 = 0.08;
@@ -19,7 +20,7 @@ const HEART: f32 = 0.08;
 pub(super) fn blossom(plant: &mut Plant, look: &BlossomLook, template: u32, rng: &mut Pcg64Mcg) {
     let Some(length) = mean_leaf_length(plant) else { return };
     let reach = length * look.reach;
-    let outline = notched(reach * (1.0 - HEART), look);
+    let outline = notched(reach * (1.0 - HEART), look).into();
     let room = 1.0 + look.share * look.petals as f32;
     let mut kept = Vec::with_capacity((plant.organs.len() as f32 * room) as usize);
     for organ in std::mem::take(&mut plant.organs) {
@@ -63,7 +64,7 @@ fn petals<'a>(
     flower: &'a Flower,
     index: usize,
     look: &BlossomLook,
-    outline: &'a [Vec2],
+    outline: &'a Arc<[Vec2]>,
     template: u32,
     rng: &mut Pcg64Mcg,
 ) -> impl Iterator<Item = Organ> + 'a {

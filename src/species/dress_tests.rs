@@ -14,7 +14,7 @@ fn leaf(base: Vec3, branch: Option<usize>, stroke: Option<u64>, length: f32) -> 
     let rest = RestSurface::Plane;
     let form = BladeForm::default();
     let blade = Blade {
-        outline,
+        outline: outline.into(),
         curl: Vec::new(),
         base,
         u,

@@ -5,6 +5,7 @@ use super::seat::Seat;
 use crate::plant::{Blade, BladeForm, RestSurface};
 use glam::{Vec2, Vec3};
 use std::f32::consts::{PI, TAU};
+use std::sync::Arc;
 
 /// Outline points on each side.
 const SIDE_POINTS: usize = 6;
@@ -26,7 +27,7 @@ pub(super) fn sepals(
     if length <= 0.0 {
         return Vec::new();
     }
-    let outline = spindle(length, look.width, look.widest);
+    let outline = spindle(length, look.width, look.widest).into();
     // a hollow petal bulges backwards: stay behind the bulge
     let hollow = petal_form.cup.max(0.0).atan() * 0.8;
     let angle = (seat.opening_rad + hollow + look.gap_deg.to_radians()).min(LARGEST_ANGLE);
@@ -45,13 +46,13 @@ pub(super) fn blade_at(
     base: Vec3,
     v: Vec3,
     face: Vec3,
-    outline: &[Vec2],
+    outline: &Arc<[Vec2]>,
     length: f32,
     form: BladeForm,
     template: u32,
 ) -> Blade {
     Blade {
-        outline: outline.to_vec(),
+        outline: outline.clone(),
         curl: Vec::new(),
         base,
         u: v.cross(face),
@@ -92,8 +93,15 @@ mod tests {
 
     #[test]
     fn u_and_v_span_the_face() {
-        let blade =
-            blade_at(Vec3::ZERO, Vec3::Y, Vec3::Z, &spindle(1.0, 0.3, 0.5), 1.0, BladeForm::default(), 0);
+        let blade = blade_at(
+            Vec3::ZERO,
+            Vec3::Y,
+            Vec3::Z,
+            &spindle(1.0, 0.3, 0.5).into(),
+            1.0,
+            BladeForm::default(),
+            0,
+        );
         assert!((blade.u.cross(blade.v) - Vec3::Z).length() < 1e-6);
     }
 }
