@@ -1,8 +1,8 @@
 //! Prepares a blade's outline for triangulation: counter-clockwise, evenly dense, no needless points.
 //!
 //! Points that stand closer together than a face may be small are merged, points that do not carry the shape are
-//! dropped (Douglas–Peucker between base and tip, so both stay), and long straight runs are divided so that the blade
-//! can bend there. Outlines that may have only a few points keep those that enclose the most area. Coordinates are in blade sizes: 1 is the larger of the blade's length and extent.
+//! dropped (Douglas–Peucker between base and tip, and between every few points, so that these stay), and long straight
+//! runs are divided so that the blade can bend there. Outlines that may have only a few points keep those that enclose the most area. Coordinates are in blade sizes: 1 is the larger of the blade's length and extent.
 //!
 //! Limits: the result stays within the tolerance of the drawn outline but may cross itself by as much; the
 //! triangulation notices and [`untangled`] cuts the crossing off.
@@ -39,6 +39,9 @@ pub(super) struct Detail {
 /// No edge of a prepared outline is shorter, in blade sizes.
 const SHORTEST_EDGE: f32 = 1e-3;
 
+/// Edges of the drawn outline that are searched together.
+const SPAN: usize = 16;
+
 /// Memory that is used again for every blade.
 #[derive(Default)]
 pub(super) struct OutlineScratch {
@@ -73,16 +76,26 @@ pub(super) fn prepare(
     let tip = best(&spaced[1..spaced.len() - 1], |m| m.at.y) + 1;
     scratch.kept.clear();
     scratch.kept.resize(spaced.len(), false);
-    for span in [(0, tip), (tip, spaced.len() - 1)] {
-        simplify::mark(span, &mut scratch.kept, &mut scratch.pending, |a, b| {
-            distance_from_chord(spaced, a, b, tolerance)
-        });
+    for side in [(0, tip), (tip, spaced.len() - 1)] {
+        for span in pieces(side) {
+            simplify::mark(span, &mut scratch.kept, &mut scratch.pending, |a, b| {
+                distance_from_chord(spaced, a, b, tolerance)
+            });
+        }
     }
     thin(spaced, &mut scratch.kept, tip, detail.most_points);
     divide(spaced, &scratch.kept, detail.longest_edge, out);
     if out.len() < 3 {
         out.clear();
     }
+}
+
+/// Divides a side into equal spans of at most [`SPAN`] edges: long edges would be divided anyway, and short spans are
+/// searched fewer times.
+fn pieces((first, last): (usize, usize)) -> impl Iterator<Item = (usize, usize)> {
+    let count = (last - first).div_ceil(SPAN);
+    let at = move |k: usize| first + (last - first) * k / count;
+    (0..count).map(move |k| (at(k), at(k + 1)))
 }
 
 /// Copies the outline, leaving out points that nearly repeat the one before them.
