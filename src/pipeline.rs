@@ -152,12 +152,15 @@ pub struct Grown {
     pub stages: Vec<(&'static str, Duration)>,
 }
 
-/// Parameters for a plant without a drawing: defaults, then the species', then `PATH=VALUE` assignments.
+/// Parameters for a plant without a drawing: defaults, but all its leaves are one part; then the species', then
+/// `PATH=VALUE` assignments.
 ///
 /// # Errors
 /// The first unknown path, wrong type or value out of range, and whose it was.
 pub fn params_of_species(species: &Species, assignments: &[String]) -> Result<Params, SetupError> {
-    params_of(&Sketch::empty(), species, assignments)
+    let mut sketch = Sketch::empty();
+    sketch.params.insert("model.blade.gathered".to_owned(), true.into());
+    params_of(&sketch, species, assignments)
 }
 
 /// Grows a plant of a species from a seed; `age` in years, its own if not given. Same input, same output, on any number

@@ -30,6 +30,7 @@ fn quad(corner: Vec3, right: Vec3, up: Vec3) -> Mesh {
         points: uvs.iter().map(|uv| corner + right * uv.x + up * uv.y).collect(),
         vertices: (0..).zip(uvs).map(|(point, uv)| Vertex { point, normal, uv }).collect(),
         triangles: vec![[0, 1, 2], [0, 2, 3]],
+        ..Mesh::default()
     }
 }
 
@@ -62,6 +63,7 @@ fn model(parts: impl IntoIterator<Item = (Mesh, Material)>) -> Model {
             specimen: 0,
             pivot: Vec3::ZERO,
             material: i,
+            more_materials: Vec::new(),
             mesh: mesh.into(),
         });
         model.materials.push(material);

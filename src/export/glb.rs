@@ -18,6 +18,8 @@ use json::buffer::{Stride, Target, View};
 use json::mesh::Semantic;
 use json::validation::{Checked::Valid, USize64};
 use json::{Accessor, Index};
+use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// Binary glTF 2.0.
 #[derive(Debug)]
@@ -100,10 +102,7 @@ fn document(scene: &Scene<'_>, pictures: &Pictures, regions: &Regions) -> json::
         .model
         .parts
         .iter()
-        .map(|part| {
-            (!part.mesh.triangles.is_empty())
-                .then(|| cursor.push_mesh(&mut root, part, materials[part.material]))
-        })
+        .map(|part| (!part.mesh.triangles.is_empty()).then(|| cursor.push_mesh(&mut root, part, &materials)))
         .collect();
     push_images(&mut root, pictures, regions);
     push_nodes(&mut root, scene.model, &mesh_of_part);
@@ -166,7 +165,7 @@ impl Cursor {
         &mut self,
         root: &mut json::Root,
         part: &Part,
-        material: Option<Index<json::Material>>,
+        materials: &[Option<Index<json::Material>>],
     ) -> Index<json::Mesh> {
         let mesh = &part.mesh;
         let (view, start) = (self.vertices.0, self.vertices.1);
@@ -183,32 +182,34 @@ impl Cursor {
             (Valid(Semantic::Normals), root.push(attribute(NORMAL_OFFSET, Type::Vec3))),
             (Valid(Semantic::TexCoords(0)), root.push(attribute(UV_OFFSET, Type::Vec2))),
         ];
-        let indices = root.push(self.indices(mesh));
-        let primitive = json::mesh::Primitive {
-            attributes: attributes.into(),
-            indices: Some(indices),
-            material,
+        let attributes: BTreeMap<_, _> = attributes.into();
+        let primitive = |(material, triangles): (usize, Range<usize>)| json::mesh::Primitive {
+            attributes: attributes.clone(),
+            indices: Some(root.push(self.indices(mesh, triangles.len()))),
+            material: materials[material],
             mode: Valid(json::mesh::Mode::Triangles),
             targets: None,
             extensions: None,
             extras: Default::default(),
         };
+        let primitives = part.coats().map(primitive).collect();
         root.push(json::Mesh {
             name: Some(part.name.clone()),
-            primitives: vec![primitive],
+            primitives,
             weights: None,
             extensions: None,
             extras: Default::default(),
         })
     }
 
-    fn indices(&mut self, mesh: &Mesh) -> Accessor {
+    /// The indices of the next triangles of a mesh.
+    fn indices(&mut self, mesh: &Mesh, triangles: usize) -> Accessor {
         let (region, component, size) = if is_narrow(mesh) {
             (&mut self.narrow, ComponentType::U16, 2)
         } else {
             (&mut self.wide, ComponentType::U32, 4)
         };
-        let count = 3 * mesh.triangles.len();
+        let count = 3 * triangles;
         let offset = region.1;
         region.1 += size * count;
         accessor(region.0, offset, count, component, Type::Scalar)

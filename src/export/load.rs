@@ -56,6 +56,7 @@ impl Loaded {
             specimen: 0,
             pivot,
             material,
+            more_materials: Vec::new(),
             mesh: mesh.into(),
         });
     }

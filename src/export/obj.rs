@@ -36,8 +36,13 @@ impl Exporter for Obj {
                 out.line("o ", &specimen_name(part.specimen));
             }
             out.line("g ", &word(&part.name));
-            out.line("usemtl ", &materials[part.material]);
-            out.mesh(&part.mesh);
+            out.vertices(&part.mesh);
+            for (material, triangles) in part.coats() {
+                out.line("usemtl ", &materials[material]);
+                out.faces(&part.mesh, &part.mesh.triangles[triangles]);
+            }
+            out.points += part.mesh.points.len();
+            out.vertices += part.mesh.vertices.len();
         }
         let mtl = mtl::encode(scene, &materials, &pictures, &picture_files);
         let mut companions: Vec<_> =
@@ -77,7 +82,7 @@ impl Writer {
         self.bytes.push(b'\n');
     }
 
-    fn mesh(&mut self, mesh: &Mesh) {
+    fn vertices(&mut self, mesh: &Mesh) {
         for point in &mesh.points {
             self.floats(b"v", point.to_array());
         }
@@ -87,7 +92,11 @@ impl Writer {
         for vertex in &mesh.vertices {
             self.floats(b"vn", vertex.normal.to_array());
         }
-        for triangle in &mesh.triangles {
+    }
+
+    /// Faces of a mesh whose points and vertices were the last to be written.
+    fn faces(&mut self, mesh: &Mesh, triangles: &[[u32; 3]]) {
+        for triangle in triangles {
             self.bytes.push(b'f');
             for &v in triangle {
                 self.corner(
@@ -97,8 +106,6 @@ impl Writer {
             }
             self.bytes.push(b'\n');
         }
-        self.points += mesh.points.len();
-        self.vertices += mesh.vertices.len();
     }
 
     fn floats<const N: usize>(&mut self, keyword: &[u8], values: [f32; N]) {

@@ -160,6 +160,6 @@ impl Soup {
         let (points, point_of_position) = weld(&self.positions);
         let attributes = point_of_position.into_iter().zip(self.normals).zip(self.uvs);
         let vertices = attributes.map(|((point, normal), uv)| Vertex { point, normal, uv }).collect();
-        Surface { name, mesh: Mesh { points, vertices, triangles: self.triangles }, has }
+        Surface { name, mesh: Mesh { points, vertices, triangles: self.triangles, ..Mesh::default() }, has }
     }
 }

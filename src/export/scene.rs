@@ -46,7 +46,7 @@ impl<'a> Scene<'a> {
     /// For each material of the model whether a part has it.
     pub fn used_materials(&self) -> Vec<bool> {
         let mut used = vec![false; self.model.materials.len()];
-        self.model.parts.iter().for_each(|part| used[part.material] = true);
+        self.model.parts.iter().flat_map(Part::coats).for_each(|(material, _)| used[material] = true);
         used
     }
 }

@@ -14,11 +14,15 @@
 //! Limits: thickness is at most a fifth of the mean width. A blade of less than a ten-thousandth of its distance from
 //! the origin has no mesh, for its faces would drown in the rounding of its coordinates.
 
+use super::copies::CopiedShape;
 use super::flat::{BladeMeshParams, FlatBlade};
 use super::mesh::{Mesh, Vertex};
 use super::relief::Relief;
 use crate::plant::{Blade, RestSurface};
 use glam::{Vec2, Vec3};
+
+/// Half of a blade's thickness is at least this share of its distance from the origin.
+pub(super) const THINNEST: f32 = 4e-6;
 
 /// Memory that is used again for every blade.
 #[derive(Default)]
@@ -43,13 +47,28 @@ pub(super) fn mesh(
     put_on_rest(blade, flat, facing, scratch);
     raise(blade, &Relief::new(blade, flat, params), flat, facing, scratch);
     smooth_normals(&flat.triangles, &scratch.middle, facing, &mut scratch.normals);
-    let mean_width = 2.0 * flat.area / flat.perimeter * size;
-    let thickness = (blade.form.thickness * blade.length * blade.v.length()).min(0.2 * mean_width);
-    let half = (0.5 * thickness).max(4e-6 * far);
+    let half = half_thickness(blade, flat, size).max(THINNEST * far);
     let mut mesh = doubled(flat, scratch, half, half * params.margin_thickness);
     add_rim(flat, scratch, &mut mesh);
     mesh.split_disagreeing_corners();
     Some(mesh)
+}
+
+/// The shape that copies of a blade have in common; the blade stands at the origin, u along x and v along y.
+pub(super) fn copied_shape(
+    blade: &Blade,
+    flat: &FlatBlade,
+    params: &BladeMeshParams,
+    scratch: &mut BladeScratch,
+) -> Option<CopiedShape> {
+    let mesh = mesh(blade, flat, params, scratch)?;
+    Some(CopiedShape::new(mesh, flat, half_thickness(blade, flat, flat.size)))
+}
+
+/// Half the thickness in the middle of a blade that is `size` metres large.
+fn half_thickness(blade: &Blade, flat: &FlatBlade, size: f32) -> f32 {
+    let mean_width = 2.0 * flat.area / flat.perimeter * size;
+    0.5 * (blade.form.thickness * blade.length * blade.v.length()).min(0.2 * mean_width)
 }
 
 /// Fills `middle` with rest positions and `normals` with the rest surface's normals on the side of `facing`.
@@ -118,6 +137,7 @@ fn doubled(flat: &FlatBlade, scratch: &BladeScratch, half: f32, margin_half: f32
         points: Vec::with_capacity(2 * count),
         vertices: Vec::with_capacity(2 * (count + margin)),
         triangles: Vec::with_capacity(2 * (flat.triangles.len() + margin)),
+        breaks: Vec::new(),
     };
     let sections = &flat.sections;
     let tall = 1.0 / (sections.high - sections.low) / flat.size;

@@ -7,8 +7,9 @@
 
 use super::blade::{self, BladeScratch};
 use super::cache::{Cache, Made, Template};
+use super::copies::Copies;
 use super::flat::{self, BladeMeshParams, FlatScratch};
-use super::parts::{self, Plan, Source};
+use super::parts::{self, Limb, Plan, Source};
 use super::recipe::Recipe;
 use super::solids::{self, SolidParams, Stand};
 use super::tube::{self, TubeParams, TubeScratch};
@@ -50,12 +51,13 @@ struct Workshop<'a> {
     plant: &'a Plant,
     params: &'a ModelParams,
     templates: BTreeMap<u32, Template>,
+    copies: Copies,
     plant_size: f32,
 }
 
 /// Builds the meshes of a plant that keeps its invariants.
 pub fn build(plant: &Plant, params: &ModelParams) -> Model {
-    let plans = parts::plan(plant, params.tube.joined);
+    let plans = parts::plan(plant, params);
     let workshop = Workshop::new(plant, params, &mut Cache::default());
     let mesh = |scratch: &mut Scratch, plan: &Plan| Arc::new(workshop.mesh(&plan.source, scratch));
     let meshes: Vec<Arc<Mesh>> =
@@ -72,7 +74,7 @@ pub fn rebuild(
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Option<Model> {
     cache.begin(params);
-    let plans = parts::plan(plant, params.tube.joined);
+    let plans = parts::plan(plant, params);
     let workshop = Workshop::new(plant, params, cache);
     let known = &cache.meshes;
     let make = |scratch: &mut Scratch, plan: &Plan| {
@@ -101,11 +103,22 @@ pub fn rebuild(
 /// carriers need no renumbering.
 fn assembled(plant: &Plant, plans: Vec<Plan>, meshes: Vec<Arc<Mesh>>) -> Model {
     let part = |(plan, mesh): (Plan, Arc<Mesh>)| {
-        let Plan { name, kind, parent, specimen, pivot, material, .. } = plan;
-        (!mesh.triangles.is_empty()).then_some(Part { name, kind, parent, specimen, pivot, material, mesh })
+        let Plan { name, kind, parent, specimen, pivot, material, mut more_materials, .. } = plan;
+        more_materials.truncate(mesh.breaks.len());
+        let is_seen = !mesh.triangles.is_empty();
+        is_seen.then_some(Part { name, kind, parent, specimen, pivot, material, more_materials, mesh })
     };
     let parts = plans.into_iter().zip(meshes).filter_map(part).collect();
     Model { parts, materials: plant.materials.clone() }
+}
+
+/// Appends a mesh to another, or puts it into its place where that is empty.
+fn take_in(mesh: &mut Mesh, own: Mesh) {
+    if mesh.triangles.is_empty() {
+        *mesh = own;
+    } else {
+        mesh.append(&own);
+    }
 }
 
 fn blade_of(organ: &Organ) -> Option<&Blade> {
@@ -144,7 +157,7 @@ fn size_of(plant: &Plant) -> f32 {
 impl<'a> Workshop<'a> {
     fn new(plant: &'a Plant, params: &'a ModelParams, cache: &mut Cache) -> Self {
         let templates = templates(plant, params, cache);
-        Self { plant, params, templates, plant_size: size_of(plant) }
+        Self { plant, params, templates, copies: Copies::of(plant), plant_size: size_of(plant) }
     }
 
     /// Everything that [`Self::mesh`] reads but the parameters.
@@ -153,6 +166,12 @@ impl<'a> Workshop<'a> {
             Source::Wood(twigs) => recipe.wood(self.twigs(twigs), self.plant_size),
             Source::Filaments(pieces) => {
                 recipe.filaments(pieces.iter().map(|(i, piece)| (&self.plant.organs[*i].shape, *piece)));
+            }
+            Source::Blades(organs) => {
+                recipe.blades(
+                    self.blades(organs)
+                        .map(|(_, blade)| (blade, self.template(blade).map(|shared| shared.name))),
+                );
             }
             Source::Organ(i) => match &self.plant.organs[*i].shape {
                 Shape::Blade(blade) => recipe.blade(blade, self.template(blade).map(|shared| shared.name)),
@@ -165,8 +184,10 @@ impl<'a> Workshop<'a> {
         tube::look(branch, &self.params.tube, self.plant_size)
     }
 
-    fn twigs<'t>(&'t self, twigs: &'t [(usize, Option<usize>)]) -> impl Iterator<Item = Twig<'t>> {
-        twigs.iter().map(|&(i, parent)| Twig { branch: &self.plant.branches[i], parent })
+    fn twigs<'t>(&'t self, limbs: &'t [Limb]) -> impl Iterator<Item = Twig<'t>> {
+        let twig =
+            |&Limb { branch, parent, coat }| Twig { branch: &self.plant.branches[branch], parent, coat };
+        limbs.iter().map(twig)
     }
 
     /// The triangulation that a blade shares with others.
@@ -178,8 +199,8 @@ impl<'a> Workshop<'a> {
         let params = self.params;
         match source {
             Source::Wood(twigs) => {
-                if let [(only, _)] = twigs[..] {
-                    let branch = &self.plant.branches[only];
+                if let [Limb { branch, .. }] = twigs[..] {
+                    let branch = &self.plant.branches[branch];
                     return tube::branch(branch, self.look(branch), &mut scratch.tube);
                 }
                 let twigs: Vec<Twig<'_>> = self.twigs(twigs).collect();
@@ -189,8 +210,22 @@ impl<'a> Workshop<'a> {
                 let pieces = pieces.iter().map(|(i, piece)| (&self.plant.organs[*i], *piece));
                 filaments::mesh(pieces, &params.solid, &mut scratch.tube)
             }
+            Source::Blades(organs) => {
+                let mut mesh = Mesh::default();
+                for (done, blade) in self.blades(organs).enumerate() {
+                    self.append_blade(blade, &mut mesh, scratch);
+                    if done == 0 {
+                        mesh.reserve_copies(organs.len() - 1);
+                    }
+                }
+                mesh
+            }
             Source::Organ(i) => match &self.plant.organs[*i].shape {
-                Shape::Blade(blade) => self.blade(blade, scratch).unwrap_or_default(),
+                Shape::Blade(blade) => {
+                    let mut mesh = Mesh::default();
+                    self.append_blade((*i, blade), &mut mesh, scratch);
+                    mesh
+                }
                 Shape::Dome { base, axis, radius, height } => {
                     let stand = Stand { base: *base, axis: *axis };
                     solids::dome(stand, (*radius, *height), &params.solid)
@@ -205,16 +240,24 @@ impl<'a> Workshop<'a> {
         }
     }
 
-    fn blade(&self, blade: &Blade, scratch: &mut Scratch) -> Option<Mesh> {
+    /// Those of the organs that are blades.
+    fn blades<'o>(&'o self, organs: &'o [usize]) -> impl Iterator<Item = (usize, &'o Blade)> {
+        organs.iter().filter_map(|&i| Some((i, blade_of(&self.plant.organs[i])?)))
+    }
+
+    /// Appends the blade of an organ to an empty mesh or to other blades.
+    fn append_blade(&self, (organ, blade): (usize, &Blade), mesh: &mut Mesh, scratch: &mut Scratch) {
         let params = &self.params.blade;
-        match self.template(blade) {
-            Some(Template { flat, .. }) => {
-                blade::mesh(blade, flat.as_ref().as_ref()?, params, &mut scratch.blade)
-            }
-            None => {
-                let flat = flat::flatten(blade, params, &mut scratch.flat)?;
-                blade::mesh(blade, &flat, params, &mut scratch.blade)
-            }
+        let Some(Template { flat, .. }) = self.template(blade) else {
+            let flat = flat::flatten(blade, params, &mut scratch.flat);
+            let own = flat.and_then(|flat| blade::mesh(blade, &flat, params, &mut scratch.blade));
+            return own.into_iter().for_each(|own| take_in(mesh, own));
+        };
+        let Some(flat) = flat.as_ref() else { return };
+        let shape = |standing: &Blade| blade::copied_shape(standing, flat, params, &mut scratch.blade);
+        if !self.copies.append(organ, blade, mesh, shape) {
+            let own = blade::mesh(blade, flat, params, &mut scratch.blade);
+            own.into_iter().for_each(|own| take_in(mesh, own));
         }
     }
 }

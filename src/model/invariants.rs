@@ -15,8 +15,12 @@ impl Model {
             if part.parent.is_some_and(|parent| parent >= i) {
                 return Err(here("its carrier stands after it"));
             }
-            if part.material >= self.materials.len() {
+            let mut materials = std::iter::once(&part.material).chain(&part.more_materials);
+            if materials.any(|material| *material >= self.materials.len()) {
                 return Err(here("material out of range"));
+            }
+            if part.more_materials.len() != part.mesh.breaks.len() {
+                return Err(here("materials and breaks differ in number"));
             }
             if !part.pivot.is_finite() {
                 return Err(here("pivot is not finite"));
@@ -44,6 +48,10 @@ impl Mesh {
         }
         if let Some(i) = self.triangles.iter().position(|t| t.iter().any(|&v| v as usize >= vertices)) {
             return Err(format!("triangle {i} has a vertex out of range"));
+        }
+        let ends = [self.triangles.len() as u32];
+        if !self.breaks.iter().chain(&ends).is_sorted() {
+            return Err("breaks are not in order".to_owned());
         }
         Ok(())
     }

@@ -26,6 +26,8 @@ pub struct Mesh {
     pub vertices: Vec<Vertex>,
     /// Indices into `vertices`, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
+    /// For each material that the part has beyond its first, the first triangle that wears it; ascending.
+    pub breaks: Vec<u32>,
 }
 
 impl Mesh {
@@ -37,6 +39,22 @@ impl Mesh {
     /// The corner positions of a triangle.
     pub fn corners(&self, triangle: [u32; 3]) -> [Vec3; 3] {
         self.point_triangle(triangle).map(|p| self.points[p as usize])
+    }
+
+    /// Makes room for more meshes like this one.
+    pub fn reserve_copies(&mut self, count: usize) {
+        self.points.reserve_exact(count * self.points.len());
+        self.vertices.reserve_exact(count * self.vertices.len());
+        self.triangles.reserve_exact(count * self.triangles.len());
+    }
+
+    /// Appends another mesh of the same material.
+    pub fn append(&mut self, other: &Self) {
+        let (point, vertex) = (self.points.len() as u32, self.vertices.len() as u32);
+        self.points.extend_from_slice(&other.points);
+        let moved = |v: &Vertex| Vertex { point: v.point + point, ..*v };
+        self.vertices.extend(other.vertices.iter().map(moved));
+        self.triangles.extend(other.triangles.iter().map(|triangle| triangle.map(|i| i + vertex)));
     }
 
     /// Gives every vertex whose normal is zero that of the smooth surface, faces weighted by area.
@@ -62,8 +80,13 @@ impl Mesh {
     ///
     /// Smooth normals fail where a surface folds back on itself; there the crease is shown as a crease.
     pub fn split_disagreeing_corners(&mut self) {
-        let Self { points, vertices, triangles } = self;
-        for triangle in triangles {
+        self.split_disagreeing_corners_from(0);
+    }
+
+    /// The same for the triangles from `first` on.
+    pub fn split_disagreeing_corners_from(&mut self, first: usize) {
+        let Self { points, vertices, triangles, .. } = self;
+        for triangle in &mut triangles[first..] {
             let corners = triangle.map(|v| &vertices[v as usize]);
             let [a, b, c] = corners.map(|vertex| points[vertex.point as usize]);
             let cross = (b - a).cross(c - a);

@@ -8,7 +8,9 @@
 //! | `parts` | names, carriers, specimens |
 //! | `outline`, `sections`, `interior`, `flat` | a blade in its plane, triangulated |
 //! | `relief`, `blade` | the blade bent and given thickness |
-//! | `spine`, `tube` | branches |
+//! | `copies` | leaves that are copies of one shape |
+//! | `spine`, `tube` | single branches |
+//! | `joint`, `wood` | branches that grow out of one another |
 //! | `solids`, `filaments` | hearts of flowers, fruits, pots |
 //! | `build` | all parts at once, on all cores |
 //! | `recipe`, `cache` | which parts are the same as last time |
@@ -16,6 +18,7 @@
 mod blade;
 mod build;
 mod cache;
+mod copies;
 mod disjoint_sets;
 mod filaments;
 mod flat;
@@ -47,6 +50,7 @@ pub use tube::TubeParams;
 
 use crate::plant::{Material, OrganKind};
 use glam::Vec3;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// What a part is; `g` groups in OBJ and the part colours of the debugging view.
@@ -61,7 +65,7 @@ pub enum PartKind {
 /// One connected piece of the plant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
-    /// Unique name, such as `wood_0` or `petal_12`.
+    /// Unique name, such as `wood` or `petal_12`.
     pub name: String,
     /// What it is.
     pub kind: PartKind,
@@ -73,8 +77,20 @@ pub struct Part {
     pub pivot: Vec3,
     /// Index into [`Model::materials`].
     pub material: usize,
+    /// The same for the triangles from each of the mesh's breaks on.
+    pub more_materials: Vec<usize>,
     /// The surface in world metres; shared with other models built with the same [`Cache`] if it has not changed.
     pub mesh: Arc<Mesh>,
+}
+
+impl Part {
+    /// Every material of the part with the triangles that wear it, in the order of the mesh; none of them is empty.
+    pub fn coats(&self) -> impl Iterator<Item = (usize, Range<usize>)> {
+        let breaks = || self.mesh.breaks.iter().map(|&first| first as usize);
+        let materials = std::iter::once(self.material).chain(self.more_materials.iter().copied());
+        let ranges = std::iter::once(0).chain(breaks()).zip(breaks().chain([self.mesh.triangles.len()]));
+        materials.zip(ranges.map(|(from, to)| from..to)).filter(|(_, triangles)| !triangles.is_empty())
+    }
 }
 
 /// A finished plant, ready to be drawn or exported.

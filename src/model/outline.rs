@@ -1,7 +1,7 @@
 //! Prepares a blade's outline for triangulation: counter-clockwise, evenly dense, no needless points.
 //!
 //! Points that stand closer together than a face may be small are merged, points that do not carry the shape are
-//! dropped (Douglas–Peucker between base and tip, and between every few points, so that these stay), and long straight
+//! dropped (Douglas–Peucker between base and tip, and of many points between every few, so that these stay), and long straight
 //! runs are divided so that the blade can bend there. Outlines that may have only a few points keep those that enclose the most area. Coordinates are in blade sizes: 1 is the larger of the blade's length and extent.
 //!
 //! Limits: the result stays within the tolerance of the drawn outline but may cross itself by as much; the
@@ -39,7 +39,7 @@ pub(super) struct Detail {
 /// No edge of a prepared outline is shorter, in blade sizes.
 const SHORTEST_EDGE: f32 = 1e-3;
 
-/// Edges of the drawn outline that are searched together.
+/// Edges of the drawn outline that are searched together, where no points are left out for their number.
 const SPAN: usize = 16;
 
 /// Memory that is used again for every blade.
@@ -77,7 +77,7 @@ pub(super) fn prepare(
     scratch.kept.clear();
     scratch.kept.resize(spaced.len(), false);
     for side in [(0, tip), (tip, spaced.len() - 1)] {
-        for span in pieces(side) {
+        for span in pieces(side, if detail.most_points == usize::MAX { SPAN } else { usize::MAX }) {
             simplify::mark(span, &mut scratch.kept, &mut scratch.pending, |a, b| {
                 distance_from_chord(spaced, a, b, tolerance)
             });
@@ -90,10 +90,10 @@ pub(super) fn prepare(
     }
 }
 
-/// Divides a side into equal spans of at most [`SPAN`] edges: long edges would be divided anyway, and short spans are
+/// Divides a side into equal spans of at most `longest` edges: long edges would be divided anyway, and short spans are
 /// searched fewer times.
-fn pieces((first, last): (usize, usize)) -> impl Iterator<Item = (usize, usize)> {
-    let count = (last - first).div_ceil(SPAN);
+fn pieces((first, last): (usize, usize), longest: usize) -> impl Iterator<Item = (usize, usize)> {
+    let count = (last - first).div_ceil(longest);
     let at = move |k: usize| first + (last - first) * k / count;
     (0..count).map(move |k| (at(k), at(k + 1)))
 }

@@ -1,14 +1,14 @@
 //! Which parts a plant has: names, carriers, specimens and what each is made from, before any mesh exists.
 //!
-//! Wood comes first: branches that grow on one another and wear one bark are one part, or each is one of its own. Then
-//! organs in their order, a flower's filaments gathered where the first of them stands. Names are unique: `wood_0`,
-//! `branch_3`, `leaf_12`, `petal_0_4` (flower, then number within the flower), `stamens_0`, `anthers_0`.
+//! Wood comes first: branches that grow on one another are one part, whatever barks they wear, or each is one of its own.
+//! Then organs in their order, a flower's filaments gathered where the first of them stands. Names are unique: `wood`,
+//! `wood_1`, `branch_3`, `leaf_12`, `petal_0_4` (flower, then number within the flower), `stamens_0`, `anthers_0`.
 //!
 //! A specimen is one plant of the drawing: a trunk with all it carries and the pot it stands in, a flower without a
 //! stem. Leaves strewn about without a branch are one specimen together.
 
-use super::PartKind;
 use super::filaments::Piece;
+use super::{ModelParams, PartKind};
 use crate::plant::{Organ, OrganKind, Plant, Shape};
 use glam::Vec3;
 use std::collections::BTreeMap;
@@ -17,12 +17,25 @@ use std::fmt::Write;
 /// What a part's mesh is made from.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Source {
-    /// One surface of the branches of these indices, each with the place in this list of the one that it grows on.
-    Wood(Vec<(usize, Option<usize>)>),
+    /// One surface of these branches.
+    Wood(Vec<Limb>),
     /// The blade, dome or lathed body of the organ of this index.
     Organ(usize),
+    /// The blades of the organs of these indices.
+    Blades(Vec<usize>),
     /// Pieces of the filaments of these indices.
     Filaments(Vec<(usize, Piece)>),
+}
+
+/// A branch of joined wood.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Limb {
+    /// Its index in the plant.
+    pub(super) branch: usize,
+    /// The place of the limb that it grows on.
+    pub(super) parent: Option<usize>,
+    /// Which of the part's materials it wears.
+    pub(super) coat: usize,
 }
 
 /// A part without its mesh.
@@ -34,23 +47,25 @@ pub(super) struct Plan {
     pub(super) specimen: usize,
     pub(super) pivot: Vec3,
     pub(super) material: usize,
+    pub(super) more_materials: Vec<usize>,
     pub(super) source: Source,
 }
 
 /// Key of a part that gathers filaments: flower or, without one, organ; kind; material.
 type Gathering = (Option<usize>, Option<usize>, OrganKind, usize);
 
-/// Plans all parts of a plant, carriers first; whether its wood is `joined`.
-pub(super) fn plan(plant: &Plant, joined: bool) -> Vec<Plan> {
+/// Plans all parts of a plant, carriers first.
+pub(super) fn plan(plant: &Plant, params: &ModelParams) -> Vec<Plan> {
     let specimens = Specimens::new(plant);
     let mut plans: Vec<Plan> = Vec::with_capacity(plant.branches.len() + plant.organs.len());
-    let part_of = if joined {
+    let part_of = if params.tube.joined {
         plan_wood(plant, &specimens, &mut plans)
     } else {
         plan_branches(plant, &specimens, &mut plans)
     };
     let mut names = Names::default();
     let mut gathered: BTreeMap<Gathering, usize> = BTreeMap::new();
+    let mut foliage: BTreeMap<(usize, OrganKind, usize), usize> = BTreeMap::new();
     for (i, organ) in plant.organs.iter().enumerate() {
         let carrier = carrier(plant, organ);
         let specimen = match (carrier, organ.flower) {
@@ -65,8 +80,22 @@ pub(super) fn plan(plant: &Plant, joined: bool) -> Vec<Plan> {
             specimen,
             pivot: organ.base(),
             material,
+            more_materials: Vec::new(),
             source,
         };
+        if params.blade.gathered && is_copy(organ) {
+            let part = *foliage.entry((specimen, organ.kind, organ.material)).or_insert_with(|| {
+                let part = template(names.foliage(organ.kind), organ.material, Source::Blades(Vec::new()));
+                let trunk = part.parent.map(|carrier| root(&plans, carrier));
+                let pivot = trunk.map_or(part.pivot, |trunk| plans[trunk].pivot);
+                plans.push(Plan { parent: trunk, pivot, ..part });
+                plans.len() - 1
+            });
+            if let Source::Blades(blades) = &mut plans[part].source {
+                blades.push(i);
+            }
+            continue;
+        }
         let Shape::Filament { head, head_material, .. } = &organ.shape else {
             plans.push(template(names.single(organ), organ.material, Source::Organ(i)));
             continue;
@@ -94,6 +123,19 @@ pub(super) fn plan(plant: &Plant, joined: bool) -> Vec<Plan> {
     plans
 }
 
+/// Whether an organ is a blade that nobody drew, one of many alike.
+fn is_copy(organ: &Organ) -> bool {
+    matches!(&organ.shape, Shape::Blade(blade) if blade.template.is_some()) && organ.stroke.is_none()
+}
+
+/// The part that carries this one and that nothing carries.
+fn root(plans: &[Plan], mut part: usize) -> usize {
+    while let Some(carrier) = plans[part].parent {
+        part = carrier;
+    }
+    part
+}
+
 /// One part for every branch; gives the part of each.
 fn plan_branches(plant: &Plant, specimens: &Specimens, plans: &mut Vec<Plan>) -> Vec<usize> {
     let part = |i: usize| wood(plant, specimens, i, plant.branches[i].parent, format!("branch_{i}"));
@@ -101,24 +143,33 @@ fn plan_branches(plant: &Plant, specimens: &Specimens, plans: &mut Vec<Plan>) ->
     (0..plant.branches.len()).collect()
 }
 
-/// One part for all branches that grow on one another and wear one bark; gives the part of each branch.
+/// One part for all branches that grow on one another; gives the part of each branch.
 fn plan_wood(plant: &Plant, specimens: &Specimens, plans: &mut Vec<Plan>) -> Vec<usize> {
     let mut part_of = Vec::with_capacity(plant.branches.len());
     let mut place_of = Vec::with_capacity(plant.branches.len());
     for (i, branch) in plant.branches.iter().enumerate() {
-        let on = branch.parent.filter(|parent| plant.branches[*parent].material == branch.material);
-        let part = on.map_or(plans.len(), |parent| part_of[parent]);
+        let part = branch.parent.map_or(plans.len(), |parent| part_of[parent]);
         part_of.push(part);
-        if on.is_none() {
-            let carrier = branch.parent.map(|parent| part_of[parent]);
-            plans.push(wood(plant, specimens, i, carrier, format!("wood_{part}")));
+        if branch.parent.is_none() {
+            plans.push(wood(plant, specimens, i, None, numbered("wood", part)));
             place_of.push(0);
-        } else if let Source::Wood(twigs) = &mut plans[part].source {
-            place_of.push(twigs.len());
-            twigs.push((i, on.map(|parent| place_of[parent])));
+        } else if let Plan { material, more_materials, source: Source::Wood(limbs), .. } = &mut plans[part] {
+            let known =
+                std::iter::once(&*material).chain(&*more_materials).position(|m| *m == branch.material);
+            let coat = known.unwrap_or_else(|| {
+                more_materials.push(branch.material);
+                more_materials.len()
+            });
+            place_of.push(limbs.len());
+            limbs.push(Limb { branch: i, parent: branch.parent.map(|parent| place_of[parent]), coat });
         }
     }
     part_of
+}
+
+/// A name for the first of its kind, and with numbers for those after it.
+fn numbered(name: &str, number: usize) -> String {
+    if number == 0 { name.to_owned() } else { format!("{name}_{number}") }
 }
 
 fn wood(plant: &Plant, specimens: &Specimens, i: usize, parent: Option<usize>, name: String) -> Plan {
@@ -130,7 +181,8 @@ fn wood(plant: &Plant, specimens: &Specimens, i: usize, parent: Option<usize>, n
         specimen: specimens.of_branch[i],
         pivot: branch.points.first().copied().unwrap_or(Vec3::ZERO),
         material: branch.material,
-        source: Source::Wood(vec![(i, None)]),
+        more_materials: Vec::new(),
+        source: Source::Wood(vec![Limb { branch: i, parent: None, coat: 0 }]),
     }
 }
 
@@ -181,6 +233,7 @@ impl Specimens {
 struct Names {
     singles: BTreeMap<(Option<usize>, OrganKind), usize>,
     gathered: BTreeMap<String, usize>,
+    foliage: BTreeMap<OrganKind, usize>,
     lone_filaments: BTreeMap<OrganKind, usize>,
 }
 
@@ -189,6 +242,14 @@ impl Names {
         let number = next(self.singles.entry((organ.flower, organ.kind)).or_default());
         let kind = kind_name(organ.kind);
         organ.flower.map_or_else(|| format!("{kind}_{number}"), |flower| format!("{kind}_{flower}_{number}"))
+    }
+
+    /// A part of many blades.
+    fn foliage(&mut self, kind: OrganKind) -> String {
+        let number = next(self.foliage.entry(kind).or_default());
+        let kind =
+            if kind == OrganKind::Leaf { "leaves".to_owned() } else { format!("{}s", kind_name(kind)) };
+        numbered(&kind, number)
     }
 
     fn gathered(&mut self, organ: &Organ, piece: Piece) -> String {

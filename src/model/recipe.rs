@@ -8,7 +8,7 @@
 
 use super::filaments::Piece;
 use super::wood::Twig;
-use crate::plant::{Blade, BladeForm, Branch, Cone, RestSurface, Shape};
+use crate::plant::{Blade, Branch, Cone, RestSurface, Shape};
 use crate::random::mix;
 use glam::{Vec2, Vec3};
 
@@ -26,8 +26,8 @@ impl Recipe {
     /// The recipe of branches that are one surface and whose tolerances are shares of `unit` metres.
     pub(super) fn wood<'a>(&mut self, twigs: impl Iterator<Item = Twig<'a>>, unit: f32) {
         self.begin(0).real(unit);
-        for Twig { branch, parent } in twigs {
-            self.word(parent.map_or(u32::MAX, |parent| parent as u32)).limb(branch);
+        for Twig { branch, parent, coat } in twigs {
+            self.word(parent.map_or(u32::MAX, |parent| parent as u32)).length(coat).limb(branch);
         }
     }
 
@@ -51,9 +51,18 @@ impl Recipe {
                 self.word(1).point(*apex).point(*axis).real(*opening_rad).real(*height).real(*hint)
             }
         };
-        let BladeForm { bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness } = form;
-        let form = [bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness];
-        self.0.extend(form.map(|value| value.to_bits()));
+        self.0.extend(form.to_row().map(f32::to_bits));
+    }
+
+    /// The recipe of blades that are one part.
+    pub(super) fn blades<'a>(&mut self, blades: impl Iterator<Item = (&'a Blade, Option<u64>)>) {
+        let (mut one, mut all) = (Self::default(), Self::default());
+        all.begin(6);
+        for (blade, template) in blades {
+            one.blade(blade, template);
+            all.0.extend_from_slice(&one.0);
+        }
+        *self = all;
     }
 
     /// The recipe of pieces of filaments.

@@ -1,11 +1,11 @@
-//! All branches of one plant that wear the same bark as a single closed surface.
+//! All branches of one plant as a single closed surface, whatever barks they wear.
 //!
 //! Every branch is a grid of rings and sides as in `tube`. Where a branch leaves its parent, a window is cut into the
 //! parent's grid (`joint`), and a strip of faces joins the window's rim to the first ring outside, which is a little
 //! wider than the branch: a collar. So the surface stays one closed manifold without a hidden face, whatever the angle.
 //!
 //! Normals are those of the smooth surface, faces weighted by area, so that light flows over the joints. UV: as in
-//! `tube`; the strip belongs to the branch's picture.
+//! `tube`; the strip belongs to the branch's picture. Faces come in the order of the barks, first the first branch's.
 //!
 //! Limits: branches that pass through each other in mid-air are not joined. A branch that finds no free place on its
 //! parent is closed at its foot and stands alone.
@@ -91,6 +91,8 @@ impl Row {
 pub(super) struct Twig<'a> {
     pub(super) branch: &'a Branch,
     pub(super) parent: Option<usize>,
+    /// Which of the barks it wears; the first one's is 0.
+    pub(super) coat: usize,
 }
 
 /// The surface of branches that all grow on the first.
@@ -108,13 +110,19 @@ pub(super) fn mesh(
     mesh.vertices.reserve(total + total / 4);
     mesh.triangles.reserve(2 * total);
     let mut open_ends = Vec::new();
-    for limb in 0..scratch.limbs.len() {
+    let mut coats = Vec::with_capacity(mesh.triangles.capacity());
+    for (limb, twig) in branches.iter().enumerate() {
         if !scratch.limbs[limb].hidden {
             build(limb, &mut mesh, &mut open_ends, scratch);
+            coats.resize(mesh.triangles.len(), twig.coat as u32);
         }
     }
     mesh.smooth_missing_normals();
-    open_ends.into_iter().for_each(|end| close_end(&mut mesh, end));
+    for (limb, end) in open_ends {
+        close_end(&mut mesh, end);
+        coats.resize(mesh.triangles.len(), branches[limb].coat as u32);
+    }
+    sort_by_coat(&mut mesh, &coats);
     drop_unused(&mut mesh);
     mesh.split_disagreeing_corners();
     mesh
@@ -127,7 +135,7 @@ fn survey(branches: &[Twig<'_>], look: impl Fn(&Branch) -> TubeLook, scratch: &m
     arcs.clear();
     limbs.clear();
     rims.clear();
-    for &Twig { branch, parent } in branches {
+    for &Twig { branch, parent, .. } in branches {
         let look = look(branch);
         spine::rings(
             branch.points.iter().copied().zip(branch.radii.iter().copied()),
@@ -199,7 +207,7 @@ struct Grid {
     sides: u32,
 }
 
-fn build(index: usize, mesh: &mut Mesh, open_ends: &mut Vec<OpenEnd>, scratch: &mut WoodScratch) {
+fn build(index: usize, mesh: &mut Mesh, open_ends: &mut Vec<(usize, OpenEnd)>, scratch: &mut WoodScratch) {
     lay_out(index, scratch);
     let limb = scratch.limbs[index].clone();
     let sides = limb.sides();
@@ -215,11 +223,8 @@ fn build(index: usize, mesh: &mut Mesh, open_ends: &mut Vec<OpenEnd>, scratch: &
     walls(mesh, grid, scratch.grid.len() - 1, &scratch.cells);
     tip(mesh, grid, &scratch.grid, &limb.look, end_v);
     if limb.rim.is_empty() {
-        open_ends.push(OpenEnd {
-            first: grid.first_point,
-            sides: grid.sides,
-            normal: -scratch.grid[0].ring.tangent,
-        });
+        let normal = -scratch.grid[0].ring.tangent;
+        open_ends.push((index, OpenEnd { first: grid.first_point, sides: grid.sides, normal }));
     } else {
         strip(mesh, &scratch.rims[limb.rim.clone()], grid, &limb, &scratch.grid[0].ring);
     }
@@ -422,6 +427,23 @@ fn close_end(mesh: &mut Mesh, OpenEnd { first: point, sides, normal }: OpenEnd) 
         uv: Vec2::splat(0.5) + Vec2::from_angle(TAU * j as f32 / sides as f32) * 0.5,
     }));
     mesh.triangles.extend((1..sides - 1).map(|j| [first, first + j + 1, first + j]));
+}
+
+/// Puts faces of one coat next to one another, without another change of their order.
+fn sort_by_coat(mesh: &mut Mesh, coats: &[u32]) {
+    let last = coats.iter().copied().max().unwrap_or(0);
+    if last == 0 {
+        return;
+    }
+    let mut sorted = Vec::with_capacity(mesh.triangles.len());
+    for coat in 0..=last {
+        if coat > 0 {
+            mesh.breaks.push(sorted.len() as u32);
+        }
+        let faces = mesh.triangles.iter().zip(coats).filter(|(_, of)| **of == coat);
+        sorted.extend(faces.map(|(face, _)| *face));
+    }
+    mesh.triangles = sorted;
 }
 
 /// Takes out points and vertices inside of windows, which no face has.

@@ -15,7 +15,7 @@ fn branch(from: Vec3, direction: Vec3, length: f32, radius: f32) -> Branch {
 
 fn joined(branches: &[(Branch, Option<usize>)]) -> Mesh {
     let twigs: Vec<Twig<'_>> =
-        branches.iter().map(|(branch, parent)| Twig { branch, parent: *parent }).collect();
+        branches.iter().map(|(branch, parent)| Twig { branch, parent: *parent, coat: 0 }).collect();
     let look = |branch: &Branch| tube::look(branch, &TubeParams::default(), 3.0);
     let mesh = mesh(&twigs, look, &mut WoodScratch::default());
     mesh.check_invariants().unwrap();
@@ -30,6 +30,23 @@ fn surfaces(mesh: &Mesh) -> usize {
         sets.join(b, c, false);
     }
     (0..mesh.points.len() as u32).filter(|i| sets.root(*i) == *i).count()
+}
+
+#[test]
+fn barks_of_several_kinds_are_one_surface_and_faces_stand_by_bark() {
+    let limbs = [trunk().0, branch(Vec3::Y, Vec3::X, 1.0, 0.04), branch(Vec3::Y * 1.3, -Vec3::X, 1.0, 0.04)];
+    let twig = |k: usize, coat| Twig { branch: &limbs[k], parent: (k > 0).then_some(0), coat };
+    let look = |branch: &Branch| tube::look(branch, &TubeParams::default(), 3.0);
+    let mesh = mesh(&[twig(0, 0), twig(1, 1), twig(2, 0)], look, &mut WoodScratch::default());
+    mesh.check_invariants().unwrap();
+    assert_eq!((surfaces(&mesh), mesh.breaks.len()), (1, 1));
+    let (first, second) = mesh.triangles.split_at(mesh.breaks[0] as usize);
+    let reach = |faces: &[[u32; 3]], side: f32| {
+        let xs = faces.iter().flat_map(|face| mesh.corners(*face)).map(|p| side * p.x);
+        xs.fold(f32::NEG_INFINITY, f32::max)
+    };
+    assert!(reach(first, 1.0) < 0.2 && reach(first, -1.0) > 0.9, "trunk and the branch to the left");
+    assert!(reach(second, 1.0) > 0.9 && reach(second, -1.0) < 0.05, "the branch to the right");
 }
 
 fn trunk() -> (Branch, Option<usize>) {

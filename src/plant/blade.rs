@@ -29,6 +29,20 @@ pub struct BladeForm {
     pub thickness: f32,
 }
 
+impl BladeForm {
+    /// Its numbers in the order in which they are declared.
+    pub fn to_row(&self) -> [f32; 7] {
+        let Self { bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness } = *self;
+        [bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness]
+    }
+
+    /// The form with these numbers.
+    pub fn from_row(row: [f32; 7]) -> Self {
+        let [bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness] = row;
+        Self { bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness }
+    }
+}
+
 impl Default for BladeForm {
     fn default() -> Self {
         Self {

@@ -154,10 +154,24 @@ mod tests {
     fn triangle() -> Model {
         let points = vec![Vec3::ZERO, Vec3::X, Vec3::Y];
         let corner = |point| Vertex { point, normal: Vec3::Z, uv: Vec2::ZERO };
-        let mesh = Mesh { points, vertices: [0, 1, 2].map(corner).to_vec(), triangles: vec![[0, 1, 2]] };
+        let mesh = Mesh {
+            points,
+            vertices: [0, 1, 2].map(corner).to_vec(),
+            triangles: vec![[0, 1, 2]],
+            breaks: vec![],
+        };
         let name = "branch_0".to_owned();
         let (kind, pivot) = (PartKind::Wood, Vec3::ZERO);
-        let part = Part { name, kind, parent: None, specimen: 0, pivot, material: 0, mesh: mesh.into() };
+        let part = Part {
+            name,
+            kind,
+            parent: None,
+            specimen: 0,
+            pivot,
+            material: 0,
+            more_materials: vec![],
+            mesh: mesh.into(),
+        };
         Model { parts: vec![part], materials: vec![Material::plain("bark", [0.5; 3])] }
     }
 

@@ -2,7 +2,7 @@
 //!
 //! A part is known again by a fingerprint of its mesh and then by [`same_mesh`], not by its name: a new petal may give its
 //! neighbours other names. Parts of one material share a [`Pool`] and are drawn in one call. A refused model changes
-//! nothing: what was there before stays.
+//! nothing: what was there before stays. A part of several materials is several residents.
 
 use super::RenderError;
 use super::debug::{self, Tint};
@@ -14,7 +14,9 @@ use super::surface::{self, Batch, Corner, SurfaceDrawData};
 use crate::model::{Mesh, Model, Part, PartKind};
 use crate::plant::Material;
 use glam::Vec3;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Pictures that are kept although nothing wears them, so that changing one's mind is free.
@@ -35,9 +37,9 @@ fn same_mesh(uploaded: &KeptMesh, now: &KeptMesh) -> bool {
 pub struct UploadStats {
     /// Parts of the model.
     pub parts: usize,
-    /// Parts whose mesh went to the GPU.
+    /// Parts whose mesh went to the GPU, each once for every material that it has.
     pub uploaded_parts: usize,
-    /// Parts that were there before and are no more.
+    /// Parts that were there before and are no more, counted alike.
     pub removed_parts: usize,
     /// Pictures that went to the GPU.
     pub uploaded_textures: usize,
@@ -45,9 +47,17 @@ pub struct UploadStats {
     pub bytes: u64,
 }
 
-/// A part on the GPU.
+/// What of a part wears one material: the part, the material and the triangles.
+type Coat<'a> = (&'a Part, (usize, Range<usize>));
+
+fn coats(model: &Model) -> impl Iterator<Item = Coat<'_>> {
+    model.parts.iter().flat_map(|part| part.coats().map(move |coat| (part, coat)))
+}
+
+/// A coat on the GPU.
 struct Resident {
     material: usize,
+    triangles: Range<usize>,
     fingerprint: u64,
     mesh: KeptMesh,
     place: Place,
@@ -76,10 +86,10 @@ pub(super) struct ResidentModel {
     edges: Option<(u64, Vec<Option<wgpu::Buffer>>)>,
 }
 
-/// A part of the next model: known already, or its corners.
-enum Next {
+/// A coat of the next model: known already, or its corners and triangles.
+enum Next<'a> {
     Known(Resident),
-    New(Vec<Corner>),
+    New(Vec<Corner>, Cow<'a, [[u32; 3]]>),
 }
 
 impl ResidentModel {
@@ -133,35 +143,35 @@ impl ResidentModel {
         materials.iter().map(|m| layout.picture(gpu, pictures, m.texture.as_ref(), textures)).collect()
     }
 
-    /// For each part the resident that it is, or its corners. Residents that are left over stay in the list.
-    fn new_corners(&mut self, model: &Model) -> Result<Vec<Next>, RenderError> {
+    /// For each coat the resident that it is, or its corners. Residents that are left over stay in the list.
+    fn new_corners<'a>(&mut self, model: &'a Model) -> Result<Vec<Next<'a>>, RenderError> {
         let mut by_mesh: BTreeMap<(usize, u64), Vec<usize>> = BTreeMap::new();
         for (i, resident) in self.residents.iter().enumerate().rev() {
             if !self.pools[resident.material].as_ref().is_none_or(Pool::is_sparse) {
                 by_mesh.entry((resident.material, resident.fingerprint)).or_default().push(i);
             }
         }
-        let mut claimed = vec![None; model.parts.len()];
-        let mut corners: Vec<Option<Vec<Corner>>> = Vec::with_capacity(model.parts.len());
-        for (part, claim) in model.parts.iter().zip(&mut claimed) {
-            let alike = by_mesh.get_mut(&(part.material, fingerprint(&part.mesh)));
-            *claim = alike.and_then(|alike| {
-                let found = alike.iter().rposition(|&i| same_mesh(&self.residents[i].mesh, &part.mesh))?;
-                Some(alike.remove(found))
+        let mut claimed = Vec::with_capacity(model.parts.len());
+        let mut corners = Vec::with_capacity(model.parts.len());
+        for (part, (material, triangles)) in coats(model) {
+            let alike = by_mesh.get_mut(&(material, fingerprint(&part.mesh)));
+            let claim = alike.and_then(|alike| {
+                let is_this = |i: &usize| {
+                    let resident = &self.residents[*i];
+                    resident.triangles == triangles && same_mesh(&resident.mesh, &part.mesh)
+                };
+                Some(alike.remove(alike.iter().rposition(is_this)?))
             });
+            claimed.push(claim);
             corners.push(match claim {
                 Some(_) => None,
-                None => {
-                    let mut own = Vec::with_capacity(part.mesh.vertices.len());
-                    surface::corners_of(part, &mut own)?;
-                    Some(own)
-                }
+                None => Some(surface::coat_of(part, &triangles)?),
             });
         }
         // From here on nothing fails.
         let mut residents: Vec<Option<Resident>> = self.residents.drain(..).map(Some).collect();
         let next = claimed.into_iter().zip(corners).filter_map(|(claim, corners)| match corners {
-            Some(corners) => Some(Next::New(corners)),
+            Some((corners, triangles)) => Some(Next::New(corners, triangles)),
             None => residents.get_mut(claim?)?.take().map(Next::Known),
         });
         let next = next.collect();
@@ -170,7 +180,7 @@ impl ResidentModel {
     }
 
     /// Lets the residents go that are left over, and puts the next ones in their place.
-    fn place(&mut self, gpu: &Gpu, model: &Model, next: Vec<Next>, stats: &mut UploadStats) {
+    fn place(&mut self, gpu: &Gpu, model: &Model, next: Vec<Next<'_>>, stats: &mut UploadStats) {
         self.pools.resize_with(self.pools.len().max(model.materials.len()), || None);
         for resident in self.residents.drain(..) {
             stats.removed_parts += 1;
@@ -180,9 +190,12 @@ impl ResidentModel {
         }
         let mut used = vec![false; self.pools.len()];
         let levels = levels(model);
-        for ((part, next), level) in model.parts.iter().zip(next).zip(levels) {
-            used[part.material] = true;
-            let pool = self.pools[part.material].get_or_insert_with(|| Pool::new(gpu));
+        let levels =
+            model.parts.iter().zip(levels).flat_map(|(part, level)| part.coats().map(move |_| level));
+        for ((coat, next), level) in coats(model).zip(next).zip(levels) {
+            let (part, (material, _)) = coat;
+            used[material] = true;
+            let pool = self.pools[material].get_or_insert_with(|| Pool::new(gpu));
             let tint = debug::tint(part.kind, level, &part.name);
             self.residents.push(match next {
                 Next::Known(resident) => {
@@ -191,9 +204,9 @@ impl ResidentModel {
                     }
                     Resident { tint, ..resident }
                 }
-                Next::New(corners) => {
+                Next::New(corners, triangles) => {
                     stats.uploaded_parts += 1;
-                    resident(part, tint, &corners, pool.insert(&corners, &part.mesh.triangles, tint))
+                    resident(coat, tint, &corners, pool.insert(&corners, &triangles, tint))
                 }
             });
         }
@@ -259,7 +272,7 @@ impl ResidentModel {
         let mut pairs = vec![Vec::new(); self.pools.len()];
         for resident in &self.residents {
             let first = resident.place.first_corner();
-            for &[a, b, c] in &resident.mesh.triangles {
+            for &[a, b, c] in surface::renumbered(&resident.mesh, &resident.triangles).1.iter() {
                 pairs[resident.material].extend([a, b, b, c, c, a].map(|i| first + i));
             }
         }
@@ -271,11 +284,17 @@ impl ResidentModel {
     }
 }
 
-fn resident(part: &Part, tint: Tint, corners: &[Corner], place: Place) -> Resident {
+fn resident(
+    (part, (material, triangles)): Coat<'_>,
+    tint: Tint,
+    corners: &[Corner],
+    place: Place,
+) -> Resident {
     let (lo, hi) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
     let bounds = corners.iter().fold((lo, hi), |(lo, hi), c| (lo.min(c.world), hi.max(c.world)));
     Resident {
-        material: part.material,
+        material,
+        triangles,
         fingerprint: fingerprint(&part.mesh),
         mesh: part.mesh.clone(),
         place,

@@ -7,10 +7,11 @@ use super::pipeline::{Into, PipelineSpec};
 use super::renderer::TextureSource;
 use super::scene::SceneLayout;
 use super::shaders;
-use crate::model::{Model, Part};
+use crate::model::{Mesh, Model, Part};
 use crate::plant::Material;
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
+use std::borrow::Cow;
 use std::ops::Range;
 
 /// A corner as `surface.wgsl` and `shadow.wgsl` read it.
@@ -33,7 +34,7 @@ impl Corner {
 ///
 /// # Errors
 /// A part that contradicts itself.
-pub(super) fn corners_of(part: &Part, out: &mut Vec<Corner>) -> Result<(), RenderError> {
+fn corners_of(part: &Part, out: &mut Vec<Corner>) -> Result<(), RenderError> {
     let mesh = &part.mesh;
     for vertex in &mesh.vertices {
         let point = mesh.points.get(vertex.point as usize);
@@ -50,15 +51,63 @@ pub(super) fn corners_of(part: &Part, out: &mut Vec<Corner>) -> Result<(), Rende
     Ok(())
 }
 
-/// Refuses a model whose parts name materials that are not there.
+/// Triangles by the places of their corners.
+type Triangles<'a> = Cow<'a, [[u32; 3]]>;
+
+/// Corners and triangles of what one material of a part covers; only the corners that it has.
+///
+/// # Errors
+/// A part that contradicts itself.
+pub(super) fn coat_of<'a>(
+    part: &'a Part,
+    range: &Range<usize>,
+) -> Result<(Vec<Corner>, Triangles<'a>), RenderError> {
+    let mut corners = Vec::with_capacity(part.mesh.vertices.len());
+    corners_of(part, &mut corners)?;
+    let (kept, triangles) = renumbered(&part.mesh, range);
+    if let Some(kept) = kept {
+        corners = kept.into_iter().map(|i| corners[i as usize]).collect();
+    }
+    Ok((corners, triangles))
+}
+
+/// The corners that some triangles of a mesh have, all if none, and the triangles by their places among those.
+pub(super) fn renumbered<'a>(mesh: &'a Mesh, range: &Range<usize>) -> (Option<Vec<u32>>, Triangles<'a>) {
+    let triangles = &mesh.triangles[range.clone()];
+    if range.len() == mesh.triangles.len() {
+        return (None, triangles.into());
+    }
+    let mut places = vec![u32::MAX; mesh.vertices.len()];
+    let mut kept = Vec::new();
+    let mut place = |i: u32| {
+        let place = &mut places[i as usize];
+        if *place == u32::MAX {
+            *place = kept.len() as u32;
+            kept.push(i);
+        }
+        *place
+    };
+    let triangles: Vec<[u32; 3]> = triangles.iter().map(|triangle| triangle.map(&mut place)).collect();
+    (Some(kept), triangles.into())
+}
+
+/// Refuses a model whose parts name materials or triangles that are not there.
 ///
 /// # Errors
 /// The first such part.
 pub(super) fn check_materials(model: &Model) -> Result<(), RenderError> {
-    match model.parts.iter().find(|p| p.material >= model.materials.len()) {
-        Some(part) => Err(contradiction(part, "its material does not exist")),
-        None => Ok(()),
+    for part in &model.parts {
+        let mut materials = std::iter::once(&part.material).chain(&part.more_materials);
+        if materials.any(|material| *material >= model.materials.len()) {
+            return Err(contradiction(part, "its material does not exist"));
+        }
+        let end = [part.mesh.triangles.len() as u32];
+        let breaks = part.mesh.breaks.iter().chain(&end);
+        if part.more_materials.len() != part.mesh.breaks.len() || !breaks.is_sorted() {
+            return Err(contradiction(part, "its materials do not fit its triangles"));
+        }
     }
+    Ok(())
 }
 
 /// Layout of a vertex buffer of corners.
@@ -166,8 +215,9 @@ impl Gathered {
         for material in 0..model.materials.len() {
             let first_index = all.indices.len() as u32;
             let first_corner = all.corners.len();
-            for part in model.parts.iter().filter(|p| p.material == material) {
-                all.append(part)?;
+            let coats = model.parts.iter().flat_map(|part| part.coats().map(move |coat| (part, coat)));
+            for (part, (_, triangles)) in coats.filter(|(_, coat)| coat.0 == material) {
+                all.append(part, &triangles)?;
             }
             all.ranges.push(first_index..all.indices.len() as u32);
             all.repeats.push(all.corners[first_corner..].iter().any(Corner::repeats));
@@ -175,10 +225,11 @@ impl Gathered {
         Ok(all)
     }
 
-    fn append(&mut self, part: &Part) -> Result<(), RenderError> {
+    fn append(&mut self, part: &Part, coat: &Range<usize>) -> Result<(), RenderError> {
         let base = self.corners.len() as u32;
-        corners_of(part, &mut self.corners)?;
-        self.indices.extend(part.mesh.triangles.iter().flatten().map(|i| base + i));
+        let (corners, triangles) = coat_of(part, coat)?;
+        self.corners.extend(corners);
+        self.indices.extend(triangles.iter().flatten().map(|i| base + i));
         Ok(())
     }
 }

@@ -24,6 +24,7 @@ enum Purpose {
     Heart,
     Thorns,
     Blossom,
+    Variant,
 }
 
 fn stream(seed: u64, purpose: Purpose, key: u64) -> Pcg64Mcg {
@@ -96,14 +97,28 @@ fn dress_blades(
             Some((flower, (look, materials))) => {
                 organ.material = materials[dressed[flower] % materials.len()];
                 dressed[flower] += 1;
-                blade.form = form::varied(&petal_form(look, blade, petals[flower].longest), look.vary, rng);
+                let form = petal_form(look, blade, petals[flower].longest);
+                blade.form = varied(seed, blade, &form, look.vary, rng);
             }
             None => {
                 organ.material = leaf_materials[rng.random_range(0..leaf_materials.len())];
-                blade.form = form::varied(&species.leaf.form, species.leaf.vary, rng);
+                blade.form = varied(seed, blade, &species.leaf.form, species.leaf.vary, rng);
             }
         }
     }
+}
+
+/// How many forms the copies of one blade have.
+const VARIANTS: u64 = 4;
+
+/// A form that varies from blade to blade: freely where a blade was drawn, among a few where it is one of many copies,
+/// which are then bent only once each.
+fn varied(seed: u64, blade: &Blade, form: &BladeForm, vary: f32, rng: &mut Pcg64Mcg) -> BladeForm {
+    if blade.template.is_none() {
+        return form::varied(form, vary, rng);
+    }
+    let variant = rng.random_range(0..VARIANTS);
+    form::varied(form, vary, &mut stream(seed, Purpose::Variant, variant))
 }
 
 /// The form of a petal between the longest, outer ones and those half as long, the inner ones.

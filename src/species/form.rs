@@ -4,7 +4,7 @@ use crate::plant::BladeForm;
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 
-/// Name, smallest and largest value of each number, in the order of [`to_row`].
+/// Name, smallest and largest value of each number, in the order of [`BladeForm::to_row`].
 const RANGES: [(&str, f32, f32); 7] = [
     ("bend_quartic", -1.0, 1.0),
     ("bend_quadratic", -1.0, 1.0),
@@ -18,22 +18,12 @@ const RANGES: [(&str, f32, f32); 7] = [
 /// How many numbers of the row vary from blade to blade: all but the waves' number and the thickness.
 const VARYING: usize = 5;
 
-fn to_row(form: &BladeForm) -> [f32; 7] {
-    let BladeForm { bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness } = *form;
-    [bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness]
-}
-
-fn from_row(row: [f32; 7]) -> BladeForm {
-    let [bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness] = row;
-    BladeForm { bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness }
-}
-
 /// Checks every number's range.
 ///
 /// # Errors
 /// The first number outside its range, by name.
 pub(super) fn check(form: &BladeForm) -> Result<(), String> {
-    let row = to_row(form);
+    let row = form.to_row();
     match row.iter().zip(RANGES).find(|(value, (_, min, max))| !(*min..=*max).contains(*value)) {
         Some((value, (name, min, max))) => Err(format!("`{name}`: {value} is outside {min} to {max}")),
         None => Ok(()),
@@ -42,13 +32,13 @@ pub(super) fn check(form: &BladeForm) -> Result<(), String> {
 
 /// The form between `a` (share 0) and `b` (share 1).
 pub(super) fn blend(a: &BladeForm, b: &BladeForm, share: f32) -> BladeForm {
-    let (a, b) = (to_row(a), to_row(b));
-    from_row(std::array::from_fn(|k| a[k] + (b[k] - a[k]) * share))
+    let (a, b) = (a.to_row(), b.to_row());
+    BladeForm::from_row(std::array::from_fn(|k| a[k] + (b[k] - a[k]) * share))
 }
 
 /// The form with each number changed by up to `vary` of itself, and a little lean so that even flat blades differ.
 pub(super) fn varied(form: &BladeForm, vary: f32, rng: &mut Pcg64Mcg) -> BladeForm {
-    let mut row = to_row(form);
+    let mut row = form.to_row();
     for value in &mut row[..VARYING] {
         *value *= 1.0 + vary * rng.random_range(-1.0..1.0_f32);
     }
@@ -56,7 +46,7 @@ pub(super) fn varied(form: &BladeForm, vary: f32, rng: &mut Pcg64Mcg) -> BladeFo
     for (value, (_, min, max)) in row.iter_mut().zip(RANGES) {
         *value = value.clamp(min, max);
     }
-    from_row(row)
+    BladeForm::from_row(row)
 }
 
 #[cfg(test)]

@@ -48,7 +48,7 @@ def pieces(path):
     """Each space of points as (points, faces)."""
     if path.suffix == ".obj":
         return [obj_arrays(path)]
-    scene = trimesh.load_scene(path, process=False)
+    scene = trimesh.load_scene(path, process=False, merge_primitives=True)
     return [welded(numpy.asarray(mesh.vertices), numpy.asarray(mesh.faces)) for mesh in scene.geometry.values()]
 
 

@@ -33,8 +33,10 @@ fn surfaces(choice: &ExportChoice, model: &Model, per_triangle: u64) -> u64 {
     let mut used = vec![false; model.materials.len()];
     for part in model.parts.iter().filter(|part| is_wanted(choice, part.kind)) {
         triangles += part.mesh.triangles.len() as u64;
-        if let Some(used) = used.get_mut(part.material) {
-            *used = true;
+        for (material, _) in part.coats() {
+            if let Some(used) = used.get_mut(material) {
+                *used = true;
+            }
         }
     }
     let materials = model.materials.iter().zip(used).filter(|(_, used)| *used && choice.textures);
