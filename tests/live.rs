@@ -6,8 +6,8 @@
 mod drawings;
 
 use glam::{Vec2, Vec3};
-use penstemon::model::{Cache, Model};
-use penstemon::pipeline::{self, Built};
+use penstemon::model::Model;
+use penstemon::pipeline::{self, Built, Cache};
 use penstemon::plant::{OrganKind, Shape};
 use penstemon::sketch::{self, Sketch, Stroke, Tool};
 use proptest::prelude::*;

@@ -8,7 +8,7 @@ use serde::Deserialize;
 use std::collections::HashSet;
 use std::path::Path;
 
-const TOOLS: [&str; 6] = ["auto", "petal", "leaf", "branch", "branch_outline", "leaf_outline"];
+const TOOLS: [&str; 7] = ["auto", "petal", "leaf", "branch", "branch_outline", "leaf_outline", "crown"];
 
 fn committed(drawing: &Drawing) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(drawing.folder).join(drawing.file_name());

@@ -98,12 +98,17 @@ impl OwnFile {
 struct Outlines {
     branches: bool,
     leaves: bool,
+    crowns: bool,
 }
 
 impl Outlines {
     fn among(strokes: &[Arc<Stroke>]) -> Self {
         let drawn = |tool: Tool| strokes.iter().any(|s| s.tool == tool);
-        Self { branches: drawn(Tool::BranchOutline), leaves: drawn(Tool::LeafOutline) }
+        Self {
+            branches: drawn(Tool::BranchOutline),
+            leaves: drawn(Tool::LeafOutline),
+            crowns: drawn(Tool::Crown),
+        }
     }
 }
 

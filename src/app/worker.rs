@@ -9,8 +9,7 @@
 //! wait on large plants is done here as well: counting, and giving back the memory of plants that are no longer shown.
 
 use crate::anatomy::Part;
-use crate::model::Cache;
-use crate::pipeline::{self, Built, SetupError};
+use crate::pipeline::{self, Built, Cache, SetupError};
 use crate::sketch::Sketch;
 use crate::species::Species;
 use std::path::PathBuf;

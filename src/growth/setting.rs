@@ -55,8 +55,9 @@ pub(super) fn fitted(habit: &Habit, envelope: &Envelope) -> Habit {
     if let Some((low, high)) = envelope.bounds() {
         let size = (high - low).max_element();
         if size > 0.0 {
-            habit.internode = habit.internode.min(size / FINE);
-            habit.leaf.length = habit.leaf.length.clamp(size / (2.0 * LEAFY), size / LEAFY);
+            let fine = size / habit.fineness;
+            habit.internode = habit.internode.min(fine / FINE);
+            habit.leaf.length = habit.leaf.length.clamp(fine / (2.0 * LEAFY), fine / LEAFY);
         }
     }
     (habit.bole, habit.clearance, habit.shed) = (0.0.into(), 0.0.into(), 0.0.into());

@@ -69,6 +69,7 @@ pub fn of_plant(plant: &Plant, habit: &Habit, seed: u64) -> Tree {
             None => {
                 let foot = tree.add_foot(samples[0].0, side);
                 tree.given.push(2.0 * samples[0].1);
+                tree.drawn.push(index as u32);
                 foot
             }
         };
@@ -80,6 +81,7 @@ pub fn of_plant(plant: &Plant, habit: &Habit, seed: u64) -> Tree {
             let lateral = k == 1 && carrier.is_some();
             below = tree.add(NewNode { parent: below, at, side, lateral, year: 0 });
             tree.given.push(2.0 * radius);
+            tree.drawn.push(index as u32);
             nodes.push((below, way, side));
             before = way;
         }

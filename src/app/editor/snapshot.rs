@@ -144,6 +144,7 @@ impl Editor {
             branch_levels: self.counts.branch_levels,
             branch_outlines: self.outlines.branches,
             leaf_outlines: self.outlines.leaves,
+            crowns: self.outlines.crowns,
             ignored: self.counts.ignored,
         }
     }

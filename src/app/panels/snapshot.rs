@@ -286,6 +286,8 @@ pub struct Found {
     pub branch_outlines: bool,
     /// Leaf outlines.
     pub leaf_outlines: bool,
+    /// Crowns.
+    pub crowns: bool,
     /// Strokes that were not used.
     pub ignored: bool,
 }
