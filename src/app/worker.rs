@@ -68,7 +68,7 @@ pub struct Counts {
     pub vertices: usize,
     /// Triangles of the model.
     pub triangles: usize,
-    /// Levels of branches.
+    /// Levels of branches in the drawing.
     pub branch_levels: u32,
     /// Whether strokes were taken for petals.
     pub petals: bool,
@@ -86,7 +86,7 @@ impl Counts {
             flowers: built.plant.flowers.len(),
             vertices: built.model.vertex_count(),
             triangles: built.model.triangle_count(),
-            branch_levels: built.plant.branches.iter().map(|b| b.level + 1).max().unwrap_or(0),
+            branch_levels: built.anatomy.branches.iter().map(|b| b.level + 1).max().unwrap_or(0),
             petals: has(Part::Petal),
             leaves: has(Part::Leaf),
             ignored: has(Part::Ignored),

@@ -30,11 +30,11 @@ crate::parameters! {
 }
 
 /// Age at which a crown counts as filled whatever grows in it.
-pub const OLDEST: u16 = 80;
+pub const OLDEST: u16 = 120;
 /// Years in succession with hardly any growth after which a crown counts as filled.
-pub const QUIET: u16 = 3;
+pub const QUIET: u16 = 2;
 /// Share of all internodes that is hardly any growth in a year.
-const HARDLY: f32 = 0.004;
+const HARDLY: f32 = 0.0006;
 
 /// What no drawing may exceed: less than a plant that grows by itself, because it is grown while it is drawn.
 pub const LIMITS: Limits = Limits { internodes: 120_000, markers: 500_000, voxels: 16 << 20 };
@@ -66,11 +66,6 @@ impl Start {
         let mut habit = habit.scaled(height / habit.height);
         habit.fineness *= params.fineness;
         Self { habit, wood, crowns, depth: params.depth, seed, limits: LIMITS }
-    }
-
-    /// Whether it is bound by a crown.
-    pub fn has_crown(&self) -> bool {
-        !self.crowns.is_empty()
     }
 
     /// The plant before its first year.
@@ -121,6 +116,9 @@ impl Memory {
         let known = self.last.take().filter(|(of, ..)| of == start);
         let begin = || (start.clone(), start.simulation(), Outcome::Growing);
         let (_, simulation, ended) = self.last.insert(known.unwrap_or_else(begin));
+        // Crowns that enclose nothing bind nothing: then all there is is what was drawn.
+        let unbound = simulation.envelope().bounds().is_none().then_some(0.0);
+        let years = years.or(unbound);
         let wanted = |s: &Simulation| match years {
             Some(years) => f32::from(s.age()) < years,
             None => filled_at(s.tree(), s.age()).is_none(),

@@ -83,6 +83,11 @@ impl Inflated {
         p.is_finite() && p.z.abs() <= self.half_depth(p.truncate()) && self.covers(p.truncate())
     }
 
+    /// Cubic metres, by the raster.
+    pub fn volume(&self) -> f32 {
+        2.0 * self.depth * self.cell * self.cell * self.squared.iter().map(|u| u.sqrt()).sum::<f32>()
+    }
+
     /// Smallest and largest corner.
     pub fn bounds(&self) -> (Vec3, Vec3) {
         let high = self.low + Vec2::new(self.size[0] as f32, self.size[1] as f32) * self.cell;

@@ -47,6 +47,9 @@ pub(super) fn grow_on(
     let ages = Ages { shown: grown.age, oldest: f32::from(grown.simulation.age()) };
     let stroke = anatomy.crowns.first().map(|crown| crown.stroke);
     let mut remark = |remark| anatomy.warnings.push(Warning { stroke, remark });
+    if stroke.is_some() && grown.simulation.envelope().bounds().is_none() {
+        remark(Remark::EmptyCrown);
+    }
     if species.growth.is_none() {
         remark(Remark::DoesNotGrow { species: species.name.clone(), known: Species::growing().join(", ") });
     }

@@ -45,6 +45,7 @@ impl Editor {
             textures: sketch.textures.clone(),
             seed: sketch.seed,
             params: ParamValues::of(of_species, &sketch.params),
+            growth: self.growth_state(),
             presets: self.presets(),
             reference,
             view: self.plant.state,
