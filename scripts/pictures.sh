@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.."
 cargo build --release --quiet
 program=${CARGO_TARGET_DIR:-target}/release/penstemon
 mkdir -p docs/images
-for name in daisy hepatica_red balloon_flower bouquet tree_round; do
+for name in daisy hepatica_red balloon_flower bouquet tree_round topiary; do
     "$program" render "assets/sketches/$name.penstemon" -o "docs/images/$name.png" --size 560x640 --with-drawing
 done
 
@@ -17,6 +17,12 @@ for species in $("$program" grow --list); do
     "$program" render "$grown/$species.glb" -o "$grown/$species.png" --size 300x300
 done
 python3 scripts/sheet.py 5 docs/images/grown.png "$grown"/*.png
+# Those that only grow have their pictures in the window from here.
+for file in assets/growth/*.toml; do
+    species=$(basename "$file" .toml)
+    python3 -c 'import sys; from PIL import Image; Image.open(sys.argv[1]).convert("RGBA").resize((160, 160), Image.LANCZOS).save(sys.argv[2], optimize=True)' \
+        "$grown/$species.png" "assets/species-thumbnails/$species.png"
+done
 rm -rf "$grown"
 
 # XWD, as Xvfb keeps its screen, to PNG.

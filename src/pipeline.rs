@@ -3,10 +3,14 @@
 //! The one place that knows the order of the stages, and how a species file, a sketch file and the command line lay
 //! their parameters over each other. In memory only: reading and writing files are the callers'.
 
+mod growing;
+
+pub use growing::Ages;
+
 use crate::anatomy::{self, Anatomy, AnatomyParams};
 use crate::depth::{self, DepthParams};
-use crate::growth::{self, Limits, Outcome, Simulation};
-use crate::model::{self, Cache, Model, ModelParams};
+use crate::growth::{self, GrowthParams, Limits, Memory, Outcome, Simulation};
+use crate::model::{self, Model, ModelParams};
 use crate::params::{Overrides, ParamError};
 use crate::plant::Plant;
 use crate::sketch::Sketch;
@@ -26,6 +30,8 @@ crate::parameter_groups! {
         anatomy: AnatomyParams;
         /// How the flat drawing stands in space.
         depth: DepthParams;
+        /// How the drawn plant grows on.
+        growth: GrowthParams;
         /// How the plant becomes surfaces.
         model: ModelParams;
     }
@@ -89,6 +95,8 @@ pub fn params_of(sketch: &Sketch, species: &Species, assignments: &[String]) -> 
 pub struct Built {
     /// What the strokes mean.
     pub anatomy: Anatomy,
+    /// How old the plant is, where it grew.
+    pub growth: Option<Ages>,
     /// The plant in space.
     pub plant: Plant,
     /// The plant as surfaces.
@@ -97,15 +105,37 @@ pub struct Built {
     pub stages: Vec<(&'static str, Duration)>,
 }
 
+/// What [`build_with`] keeps from one build to the next.
+#[derive(Debug, Default)]
+pub struct Cache {
+    /// Meshes of parts.
+    pub model: model::Cache,
+    /// The plant that grew last.
+    pub growth: Memory,
+}
+
 /// Builds a plant. Same input, same output, on any number of threads. A sketch without anything to build gives an
 /// empty model.
 pub fn build(sketch: &Sketch, species: &Species, params: &Params) -> Built {
     let mut clock = Clock::start();
-    let anatomy = clock.time("anatomy", || anatomy::analyse(sketch, &params.anatomy));
+    let mut anatomy = clock.time("anatomy", || anatomy::analyse(sketch, &params.anatomy));
     let plant = clock.time("depth", || depth::recover(&anatomy, sketch.seed, &params.depth));
+    let mut growth = None;
+    let plant = if growing::grows(&anatomy, species, params) {
+        let (memory, with) = (&mut Memory::default(), (species, params, sketch));
+        // Nothing stops it.
+        let grown = clock.time("growth", || growing::grow_on(memory, plant, &mut anatomy, with, &|| false));
+        let keep = |(plant, ages)| {
+            growth = Some(ages);
+            plant
+        };
+        grown.map_or_else(|drawn| drawn, keep)
+    } else {
+        plant
+    };
     let plant = clock.time("species", || dressed(plant, species, sketch));
     let model = clock.time("model", || model::build(&plant, &params.model));
-    Built { anatomy, plant, model, stages: clock.stages }
+    Built { anatomy, growth, plant, model, stages: clock.stages }
 }
 
 /// Builds the very plant that [`build`] gives, again and again while a drawing changes: parts that are the same as when
@@ -127,14 +157,22 @@ pub fn build_with(
         stopped.load(Ordering::Relaxed)
     };
     let mut clock = Clock::start();
-    let anatomy = clock.time("anatomy", || anatomy::analyse_unless(sketch, &params.anatomy, &stop))?;
+    let mut anatomy = clock.time("anatomy", || anatomy::analyse_unless(sketch, &params.anatomy, &stop))?;
     let plant = clock.time("depth", || depth::recover(&anatomy, sketch.seed, &params.depth));
     if stop() {
         return None;
     }
+    let (plant, growth) = if growing::grows(&anatomy, species, params) {
+        let (memory, with) = (&mut cache.growth, (species, params, sketch));
+        let grown = clock.time("growth", || growing::grow_on(memory, plant, &mut anatomy, with, &stop));
+        grown.ok().map(|(plant, ages)| (plant, Some(ages)))?
+    } else {
+        cache.growth.clear();
+        (plant, None)
+    };
     let plant = clock.time("species", || dressed(plant, species, sketch));
-    let model = clock.time("model", || model::rebuild(&plant, &params.model, cache, &stop))?;
-    Some(Built { anatomy, plant, model, stages: clock.stages })
+    let model = clock.time("model", || model::rebuild(&plant, &params.model, &mut cache.model, &stop))?;
+    Some(Built { anatomy, growth, plant, model, stages: clock.stages })
 }
 
 /// Everything between a species and a plant that it grew.

@@ -8,7 +8,7 @@ use serde::Deserialize;
 use std::collections::HashSet;
 use std::path::Path;
 
-const TOOLS: [&str; 6] = ["auto", "petal", "leaf", "branch", "branch_outline", "leaf_outline"];
+const TOOLS: [&str; 7] = ["auto", "petal", "leaf", "branch", "branch_outline", "leaf_outline", "crown"];
 
 fn committed(drawing: &Drawing) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(drawing.folder).join(drawing.file_name());
@@ -68,7 +68,7 @@ fn strokes_are_sound() {
 }
 
 /// Flowers in each drawing.
-const FLOWERS: [(&str, usize); 16] = [
+const FLOWERS: [(&str, usize); 17] = [
     ("daisy", 2),
     ("hepatica_red", 4),
     ("hepatica_blue", 3),
@@ -80,6 +80,7 @@ const FLOWERS: [(&str, usize); 16] = [
     ("potted_plant", 0),
     ("tree_round", 0),
     ("tree_willow", 0),
+    ("topiary", 0),
     ("bouquet", 3),
     ("sample", 2),
     ("two_plants", 2),

@@ -1,7 +1,7 @@
 //! The whole analysis: strokes in, anatomy out.
 
 use super::{
-    Anatomy, FlatBlade, FlatBranch, Mark, Part, Sample, Stop,
+    Anatomy, FlatBlade, FlatBranch, FlatCrown, Mark, Part, Sample, Stop,
     attach::{AttachParams, Branches},
     blade_outline::{self, TipParams},
     classify::Classifier,
@@ -13,7 +13,7 @@ use super::{
     leaf_twigs::{LeafTwigParams, LeafTwigs},
     preprocess::{PreprocessParams, preprocess},
 };
-use crate::geom::{polyline, region::Region};
+use crate::geom::{polyline, region::Region, simple_loop};
 use crate::sketch::warnings::Warnings;
 use crate::sketch::{Remark, Sketch, Stroke, StrokeId, Tool};
 use glam::Vec2;
@@ -106,6 +106,7 @@ fn analysis(sketch: &Sketch, params: &AnatomyParams, stop: Stop) -> Anatomy {
     for &heart in &gathering.hearts {
         warnings.add(Some(heart), || Remark::Heart);
     }
+    anatomy.crowns = crowns(&readings);
     attach_organs(&mut anatomy, &params.attach);
     fill_outlines(&mut anatomy, &readings, sketch.seed, params, stop, &mut warnings);
     anatomy.warnings = warnings.into_vec();
@@ -115,6 +116,9 @@ fn analysis(sketch: &Sketch, params: &AnatomyParams, stop: Stop) -> Anatomy {
 
 /// Largest extent of a dot, as a share of the median stroke's and of the whole drawing's.
 const DOT: (f32, f32) = (0.05, 0.004);
+
+/// Least area of a crown, as a share of the square of the drawing's diagonal.
+const FLAT_CROWN: f32 = 1e-5;
 
 /// Bounds of all strokes but dots, and which strokes are dots: a slip of the pen far away must not set the scale.
 fn bounds_without_dots(strokes: &[Arc<Stroke>]) -> ((Vec2, Vec2), Vec<bool>) {
@@ -155,6 +159,13 @@ fn read_stroke(stroke: &Stroke, dot: bool, diagonal: f32, params: &AnatomyParams
         Tool::Branch => (false, 1.0),
         Tool::BranchOutline => return reading(samples, Part::BranchOutline, 1.0, None, None),
         Tool::LeafOutline => return reading(samples, Part::LeafOutline, 1.0, None, None),
+        Tool::Crown => {
+            let area = simple_loop::signed_area(positions.iter().copied()).abs();
+            let is_flat = area < FLAT_CROWN * diagonal * diagonal;
+            let warning = is_flat.then_some(Remark::EmptyCrown);
+            let part = if is_flat { Part::Ignored } else { Part::Crown };
+            return reading(samples, part, 1.0, None, warning);
+        }
         Tool::Petal | Tool::Leaf => (true, 1.0),
         Tool::Auto => {
             let verdict = Classifier::built_in().classify(&positions);
@@ -169,6 +180,19 @@ fn read_stroke(stroke: &Stroke, dot: bool, diagonal: f32, params: &AnatomyParams
         None if tool == Tool::Auto => reading(samples, Part::Branch, 0.5, None, None),
         None => reading(samples, Part::Ignored, 1.0, None, Some(Remark::EnclosesNothing)),
     }
+}
+
+/// The outlines of crowns in drawing order, closed by leaving out an end that meets its beginning.
+fn crowns(readings: &[Reading]) -> Vec<FlatCrown> {
+    let drawn = readings.iter().filter(|r| r.part == Part::Crown);
+    let crown = |r: &Reading| {
+        let mut outline: Vec<Vec2> = r.samples.iter().map(|s| s.position).collect();
+        if outline.first() == outline.last() {
+            outline.pop();
+        }
+        FlatCrown { stroke: r.id, outline }
+    };
+    drawn.map(crown).collect()
 }
 
 /// The stems that stand by themselves.

@@ -44,6 +44,8 @@ pub enum Part {
     BranchOutline,
     /// Region to fill with leaves.
     LeafOutline,
+    /// Outline of a crown.
+    Crown,
     /// Too small to mean anything.
     Ignored,
 }
@@ -168,6 +170,15 @@ pub struct FlatFlower {
     pub attachment: Option<Attachment>,
 }
 
+/// The outline of a crown in the drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlatCrown {
+    /// The stroke that drew it.
+    pub stroke: StrokeId,
+    /// Closed outline in canvas pixels, first point not repeated.
+    pub outline: Vec<Vec2>,
+}
+
 /// What a drawing means.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Anatomy {
@@ -185,6 +196,8 @@ pub struct Anatomy {
     pub flowers: Vec<FlatFlower>,
     /// Leaves, drawn and generated.
     pub leaves: Vec<FlatBlade>,
+    /// Outlines of crowns; one inside another is a hole.
+    pub crowns: Vec<FlatCrown>,
     /// Outlines from which generated leaves were copied, root at the origin, tip at (0, 1), v toward the tip.
     pub templates: Vec<Arc<[Vec2]>>,
     /// Remarks about odd input.

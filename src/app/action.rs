@@ -101,6 +101,8 @@ pub enum Action {
     },
     /// Set every parameter of the drawing at once, as a preset does.
     SetParams(serde_json::Map<String, Value>),
+    /// Let the plant grow from its beginning to the age that is shown, or go on with that, or pause.
+    PlayGrowth(bool),
     /// Choose the texture of a kind of part: a built-in name or a picture file; `None` returns to the species' own.
     SetTexture {
         /// Which organs; `None` means branches.

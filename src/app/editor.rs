@@ -6,6 +6,7 @@
 
 mod estimate;
 mod files;
+mod growth;
 mod keys;
 mod live;
 mod outcomes;
@@ -98,12 +99,17 @@ impl OwnFile {
 struct Outlines {
     branches: bool,
     leaves: bool,
+    crowns: bool,
 }
 
 impl Outlines {
     fn among(strokes: &[Arc<Stroke>]) -> Self {
         let drawn = |tool: Tool| strokes.iter().any(|s| s.tool == tool);
-        Self { branches: drawn(Tool::BranchOutline), leaves: drawn(Tool::LeafOutline) }
+        Self {
+            branches: drawn(Tool::BranchOutline),
+            leaves: drawn(Tool::LeafOutline),
+            crowns: drawn(Tool::Crown),
+        }
     }
 }
 
@@ -120,6 +126,8 @@ struct Building {
     last: Option<Duration>,
     /// Why the last one failed.
     failure: Option<String>,
+    /// Growth that is being replayed.
+    replay: Option<growth::Replay>,
 }
 
 /// What the graphics card must hear of.
@@ -344,6 +352,7 @@ impl Editor {
 
     /// Hands the newest drawing to the worker if it changed. Called once after all events of a moment.
     pub fn submit(&mut self) {
+        self.replay_growth();
         if !std::mem::take(&mut self.building.is_stale) {
             return;
         }
@@ -357,7 +366,7 @@ impl Editor {
             canvas: *canvas,
             species: Some(species.clone().unwrap_or_else(|| DEFAULT_SPECIES.to_owned())),
             seed: *seed,
-            params: params.clone(),
+            params: growth::at_age(params, self.building.replay.as_ref()),
             textures: textures.clone(),
             reference: reference.clone(),
             strokes,
@@ -395,6 +404,7 @@ impl Editor {
 
     /// After any change of the drawing, also by undo or another file.
     fn drawing_changed(&mut self) {
+        self.building.replay = None;
         let mut outcomes = std::mem::take(&mut self.outcomes);
         self.canvas.drawing_changed(&self.document.sketch().strokes, &mut outcomes);
         self.outcomes = outcomes;
@@ -513,7 +523,11 @@ impl Editor {
 
     /// Whether another thread works on something that will be shown.
     pub fn is_working(&self) -> bool {
-        self.building.is_running || self.building.is_stale || self.task.is_some() || self.saver.is_busy()
+        self.building.is_running
+            || self.building.is_stale
+            || self.is_playing()
+            || self.task.is_some()
+            || self.saver.is_busy()
     }
 
     /// What waits for an answer above everything.
@@ -534,6 +548,6 @@ impl Editor {
             .as_ref()
             .is_some_and(|j| j.state() == JournalState::Saving)
             .then(|| Instant::now() + Duration::from_millis(250));
-        [news, saving, self.plant.wakes_at()].into_iter().flatten().min()
+        [news, saving, self.plant.wakes_at(), self.next_age_at()].into_iter().flatten().min()
     }
 }

@@ -111,6 +111,7 @@ impl Understood {
             Part::Branch => palette.branch_level(levels.get(&stroke).copied().unwrap_or(0)),
             Part::BranchOutline => palette.branch_outline,
             Part::LeafOutline => palette.leaf_outline,
+            Part::Crown => palette.crown,
             Part::Ignored => palette.ignored,
         };
         let marks = built.anatomy.marks.iter();

@@ -40,6 +40,8 @@ pub struct PlantView {
     pub state: ViewState,
     /// The artist asked for the picture.
     pub wants_copy: bool,
+    /// A smaller plant leaves the camera where it is, as while growth is replayed.
+    pub keeps_room: bool,
     camera: OrbitCamera,
     guide: Guide,
     flight: Option<(OrbitCamera, Instant)>,
@@ -59,6 +61,7 @@ impl Default for PlantView {
         Self {
             state: ViewState::default(),
             wants_copy: false,
+            keeps_room: false,
             camera: OrbitCamera::default(),
             guide: Guide::FollowsPlant,
             flight: None,
@@ -152,7 +155,10 @@ impl PlantView {
 
     /// Hears of a new plant.
     pub fn set_bounds(&mut self, bounds: Option<(Vec3, Vec3)>) {
-        self.bounds = bounds;
+        self.bounds = match (self.bounds.filter(|_| self.keeps_room), bounds) {
+            (Some((low, high)), Some((l, h))) => Some((low.min(l), high.max(h))),
+            (held, new) => new.or(held),
+        };
         if bounds.is_none() {
             // Nowhere to fly to: without this the window would never rest.
             self.flight = None;
@@ -309,6 +315,21 @@ mod tests {
         let held = view.camera();
         view.set_bounds(Some(BOX));
         assert_eq!(view.camera(), held);
+    }
+
+    #[test]
+    fn a_plant_that_grows_from_its_beginning_leaves_the_camera_where_it_is() {
+        let mut view = PlantView::default();
+        view.set_bounds(Some(BOX));
+        let whole = view.camera();
+        view.keeps_room = true;
+        view.set_bounds(Some((BOX.0, BOX.1 * 0.2)));
+        assert_eq!(view.camera(), whole);
+        view.set_bounds(None);
+        assert_eq!(view.camera(), whole);
+        view.keeps_room = false;
+        view.set_bounds(Some((BOX.0, BOX.1 * 0.2)));
+        assert!(view.camera().distance < whole.distance);
     }
 
     #[test]

@@ -59,6 +59,8 @@ pub struct Palette {
     pub branch_outline: Color32,
     /// Outlines to be filled with leaves.
     pub leaf_outline: Color32,
+    /// Outlines of crowns.
+    pub crown: Color32,
     /// Strokes that mean nothing.
     pub ignored: Color32,
     /// Selected strokes and the lasso.
@@ -91,6 +93,7 @@ pub const LIGHT: Palette = Palette {
     branch: [rgb(0x6b4226), rgb(0xb4571f), rgb(0xa37a18), rgb(0x76831c)],
     branch_outline: rgb(0x8a5a9e),
     leaf_outline: rgb(0x18808a),
+    crown: rgb(0x4a4fb5),
     ignored: rgb(0x868b86),
     selection: rgb(0x2769c9),
 };
@@ -117,6 +120,7 @@ pub const DARK: Palette = Palette {
     branch: [rgb(0xbd7b4c), rgb(0xe8974a), rgb(0xe9cc6a), rgb(0xd3e08c)],
     branch_outline: rgb(0xc6a0dc),
     leaf_outline: rgb(0x64c4cc),
+    crown: rgb(0xa4a6ff),
     ignored: rgb(0x858d88),
     selection: rgb(0x7fb2ff),
 };
@@ -149,6 +153,7 @@ impl Palette {
             Tool::Branch => self.branch[0],
             Tool::BranchOutline => self.branch_outline,
             Tool::LeafOutline => self.leaf_outline,
+            Tool::Crown => self.crown,
         }
     }
 }
@@ -275,8 +280,9 @@ mod tests {
     #[test]
     fn parts_are_seen_on_paper_and_panels() {
         for p in [LIGHT, DARK] {
-            let others = [p.ink, p.petal, p.leaf, p.branch_outline, p.leaf_outline, p.ignored, p.selection];
-            for colour in others.into_iter().chain(p.branch) {
+            let outlines = [p.branch_outline, p.leaf_outline, p.crown];
+            let others = [p.ink, p.petal, p.leaf, p.ignored, p.selection].into_iter().chain(outlines);
+            for colour in others.chain(p.branch) {
                 for ground in [p.paper, p.panel] {
                     assert!(contrast(colour, ground) >= 3.0, "{colour:?}: {}", contrast(colour, ground));
                 }

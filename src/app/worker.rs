@@ -9,8 +9,7 @@
 //! wait on large plants is done here as well: counting, and giving back the memory of plants that are no longer shown.
 
 use crate::anatomy::Part;
-use crate::model::Cache;
-use crate::pipeline::{self, Built, SetupError};
+use crate::pipeline::{self, Built, Cache, SetupError};
 use crate::sketch::Sketch;
 use crate::species::Species;
 use std::path::PathBuf;
@@ -69,7 +68,7 @@ pub struct Counts {
     pub vertices: usize,
     /// Triangles of the model.
     pub triangles: usize,
-    /// Levels of branches.
+    /// Levels of branches in the drawing.
     pub branch_levels: u32,
     /// Whether strokes were taken for petals.
     pub petals: bool,
@@ -87,7 +86,7 @@ impl Counts {
             flowers: built.plant.flowers.len(),
             vertices: built.model.vertex_count(),
             triangles: built.model.triangle_count(),
-            branch_levels: built.plant.branches.iter().map(|b| b.level + 1).max().unwrap_or(0),
+            branch_levels: built.anatomy.branches.iter().map(|b| b.level + 1).max().unwrap_or(0),
             petals: has(Part::Petal),
             leaves: has(Part::Leaf),
             ignored: has(Part::Ignored),

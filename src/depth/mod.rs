@@ -8,6 +8,7 @@ mod cone_fit;
 pub mod cone_pose;
 #[cfg(test)]
 mod cone_pose_tests;
+pub mod crowns;
 pub mod flower_stem;
 pub mod leaves;
 pub mod outline;
@@ -16,4 +17,5 @@ pub mod petals;
 pub mod radii;
 pub mod recover;
 
+pub use crowns::crowns;
 pub use recover::{DepthParams, recover};

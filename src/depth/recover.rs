@@ -3,6 +3,7 @@
 use super::{
     branch_depth::{self, BranchDepthParams},
     cone_pose::{ConeParams, FlowerPose, PetalOutline, flower_pose},
+    crowns,
     flower_stem::{self, Goal, StemParams},
     leaves::{LeafParams, LeafPoser},
     petals::{self, CurlParams},
@@ -39,6 +40,8 @@ crate::parameters! {
     pub struct WorldParams {
         /// What the height of the drawing is in the world.
         height: f32 = 0.3, 0.001..=200.0, "metres";
+        /// Bare trunk below a crown for which no branch was drawn.
+        trunk: f32 = 0.2, 0.0..=3.0, "of the crown's height";
     }
 }
 
@@ -85,6 +88,7 @@ fn world_from_canvas(anatomy: &Anatomy, params: &WorldParams) -> WorldFromCanvas
     let origin = trunks
         .map(|s| s.position)
         .max_by(lowest)
+        .or_else(|| crowns::foot(anatomy, params.trunk))
         .or_else(|| anatomy.flowers.iter().map(|f| f.center).max_by(lowest))
         .or_else(|| anatomy.leaves.iter().map(|l| l.root).max_by(lowest))
         .unwrap_or(low.midpoint(high));

@@ -83,10 +83,40 @@ impl Inflated {
         p.is_finite() && p.z.abs() <= self.half_depth(p.truncate()) && self.covers(p.truncate())
     }
 
+    /// Cubic metres, by the raster.
+    pub fn volume(&self) -> f32 {
+        2.0 * self.depth * self.cell * self.cell * self.squared.iter().map(|u| u.sqrt()).sum::<f32>()
+    }
+
     /// Smallest and largest corner.
     pub fn bounds(&self) -> (Vec3, Vec3) {
         let high = self.low + Vec2::new(self.size[0] as f32, self.size[1] as f32) * self.cell;
         (self.low.extend(-self.deepest), high.extend(self.deepest))
+    }
+
+    /// The separate parts of the outlines, by the cells of the raster.
+    pub fn islands(&self) -> Islands {
+        let [w, h] = self.size;
+        let mut of_cell = vec![NO_ISLAND; w * h];
+        let (mut count, mut open) = (0, Vec::new());
+        for first in 0..w * h {
+            if self.squared[first] <= 0.0 || of_cell[first] != NO_ISLAND {
+                continue;
+            }
+            open.push(first);
+            of_cell[first] = count;
+            while let Some(i) = open.pop() {
+                // The rim is outside, so every inside cell has eight neighbours.
+                for near in [i - w - 1, i - w, i - w + 1, i - 1, i + 1, i + w - 1, i + w, i + w + 1] {
+                    if self.squared[near] > 0.0 && of_cell[near] == NO_ISLAND {
+                        of_cell[near] = count;
+                        open.push(near);
+                    }
+                }
+            }
+            count += 1;
+        }
+        Islands { count: count as usize, of_cell }
     }
 
     fn solve(&mut self) {
@@ -107,6 +137,35 @@ impl Inflated {
             }
         }
         u.iter_mut().for_each(|u| *u = u.max(0.0));
+    }
+}
+
+/// No part of the outlines.
+const NO_ISLAND: u32 = u32::MAX;
+
+/// The separate parts of an inflated volume.
+pub struct Islands {
+    /// How many.
+    pub count: usize,
+    of_cell: Vec<u32>,
+}
+
+impl Islands {
+    /// The part over a point of the drawing.
+    pub fn at(&self, volume: &Inflated, p: Vec2) -> Option<usize> {
+        let q = (p - volume.low) / volume.cell;
+        let [w, h] = volume.size;
+        let inside = q.is_finite() && q.min_element() >= 0.0 && q.x < w as f32 && q.y < h as f32;
+        let island = self.of_cell[if inside { q.y as usize * w + q.x as usize } else { return None }];
+        (island != NO_ISLAND).then_some(island as usize)
+    }
+
+    /// Places inside of a part, each with the half depth there.
+    pub fn places(&self, volume: &Inflated, island: usize) -> Vec<(Vec2, f32)> {
+        let w = volume.size[0];
+        let cells = (0..self.of_cell.len()).filter(|i| self.of_cell[*i] == island as u32);
+        let middle = |i: usize| volume.low + (Vec2::new((i % w) as f32, (i / w) as f32) + 0.5) * volume.cell;
+        cells.map(|i| (middle(i), volume.squared[i].sqrt() * volume.depth)).collect()
     }
 }
 

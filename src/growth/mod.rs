@@ -15,6 +15,7 @@
 //! | `direction`, `fate`, `shedding` | what buds and branches make of it |
 //! | `tree`, `skeleton`, `setting`, `simulation`, `limits` | the plant through the years |
 //! | `diameter`, `chains`, `foliage`, `to_plant` | the plant of one age |
+//! | `drawing`, `lead`, `merge` | growth in a drawing: its wood goes on, its crowns are filled |
 //!
 //! Everything here is pure and deterministic: no clock, no files, the same bytes on any number of threads.
 
@@ -23,13 +24,16 @@ pub mod chains;
 pub mod competition;
 pub mod diameter;
 pub mod direction;
+pub mod drawing;
 pub mod envelope;
 pub mod fate;
 pub mod foliage;
 pub mod inflated;
+pub mod lead;
 pub mod leaf;
 pub mod limits;
 pub mod markers;
+pub mod merge;
 pub mod priority;
 pub mod schedule;
 pub mod setting;
@@ -48,6 +52,7 @@ pub mod to_plant;
 pub mod tree;
 pub mod vigour;
 
+pub use drawing::{GrowthParams, Memory, Start};
 pub use envelope::Envelope;
 pub use inflated::Inflated;
 pub use limits::{Limits, Outcome};

@@ -74,7 +74,7 @@ impl Simulation {
     /// A plant that fills a given volume: a trunk from the ground below it, then competition for the space inside.
     /// Where the volume is small for the species its internodes are shortened.
     pub fn in_envelope(habit: &Habit, envelope: Envelope, seed: u64, limits: Limits) -> Self {
-        let habit = fitted(habit, &envelope);
+        let habit = fitted(habit, &envelope, None);
         let field = field_for(&habit, Resource::Space, &envelope, limits, seed);
         let mut tree = Tree::default();
         let crown = match &field {
@@ -105,9 +105,10 @@ impl Simulation {
                 volume => Self::in_envelope(habit, volume, seed, limits),
             };
         }
+        let thickest = plant.branches.iter().flat_map(|b| &b.radii).copied().fold(0.0, f32::max);
         let (habit, resource) = match envelope {
             Envelope::Free => (habit.clone(), Resource::Light),
-            _ => (fitted(habit, &envelope), Resource::Space),
+            _ => (fitted(habit, &envelope, Some(2.0 * thickest)), Resource::Space),
         };
         let tree = skeleton::of_plant(plant, &habit, seed);
         let field = field_for(&habit, resource, &envelope, limits, seed);

@@ -1,7 +1,7 @@
 //! What a plant begins with: a seed at the ground, a trunk up to its crown, or drawn branches.
 //!
 //! Drawn branches become nodes an internode apart. They carry buds like grown wood, and as much thickness as was drawn
-//! remains. Where a branch stands on another it begins above the nearest node of that.
+//! remains. Where a branch stands on another that has a node.
 
 use super::direction;
 use super::fate::unit;
@@ -56,12 +56,13 @@ pub fn of_plant(plant: &Plant, habit: &Habit, seed: u64) -> Tree {
     // First node and number of nodes of each branch.
     let mut spans: Vec<(u32, u32)> = Vec::with_capacity(plant.branches.len());
     let mut buds = Vec::new();
+    let forks = forks(plant);
     for (index, branch) in plant.branches.iter().enumerate() {
         let key = mix(mix(seed, 44), index as u64);
         let carrier = branch.parent.and_then(|p| spans.get(p).copied());
         let first = tree.len() as u32;
         let mut nodes = Vec::new();
-        let samples = resampled(branch, step);
+        let samples = resampled(branch, &forks[index], step);
         let direction = samples.get(1).map_or(Vec3::Y, |s| (s.0 - samples[0].0).normalize_or(Vec3::Y));
         let mut side = direction::first_side(direction, key, habit);
         let mut below = match carrier.filter(|c| c.1 > 0) {
@@ -69,6 +70,7 @@ pub fn of_plant(plant: &Plant, habit: &Habit, seed: u64) -> Tree {
             None => {
                 let foot = tree.add_foot(samples[0].0, side);
                 tree.given.push(2.0 * samples[0].1);
+                tree.drawn.push(index as u32);
                 foot
             }
         };
@@ -80,6 +82,7 @@ pub fn of_plant(plant: &Plant, habit: &Habit, seed: u64) -> Tree {
             let lateral = k == 1 && carrier.is_some();
             below = tree.add(NewNode { parent: below, at, side, lateral, year: 0 });
             tree.given.push(2.0 * radius);
+            tree.drawn.push(index as u32);
             nodes.push((below, way, side));
             before = way;
         }
@@ -115,15 +118,58 @@ fn length(points: &[Vec3]) -> f32 {
     points.windows(2).map(|w| w[0].distance(w[1])).sum()
 }
 
-/// Places and radii along a branch, equally far apart, both ends among them; at least two.
-fn resampled(branch: &Branch, step: f32) -> Vec<(Vec3, f32)> {
-    let whole = length(&branch.points);
-    let count = (whole / step).round().max(1.0) as usize;
-    let mut out = Vec::with_capacity(count + 1);
+/// Where along each branch others stand on it, metres from its base, rising.
+fn forks(plant: &Plant) -> Vec<Vec<f32>> {
+    let mut forks: Vec<Vec<f32>> = vec![Vec::new(); plant.branches.len()];
+    for branch in &plant.branches {
+        let carrier = branch.parent.and_then(|p| Some((p, plant.branches.get(p)?)));
+        if let Some(((parent, carrier), base)) = carrier.zip(branch.points.first()) {
+            forks[parent].push(nearest_arc(&carrier.points, *base));
+        }
+    }
+    forks.iter_mut().for_each(|arcs| arcs.sort_unstable_by(f32::total_cmp));
+    forks
+}
+
+/// How far along a line its point nearest to `at` is.
+fn nearest_arc(line: &[Vec3], at: Vec3) -> f32 {
+    let (mut best, mut walked) = ((f32::INFINITY, 0.0), 0.0);
+    for w in line.windows(2) {
+        let (way, run) = (w[1] - w[0], w[0].distance(w[1]));
+        let share = ((at - w[0]).dot(way) / (run * run).max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
+        let away = at.distance_squared(w[0] + way * share);
+        if away < best.0 {
+            best = (away, walked + run * share);
+        }
+        walked += run;
+    }
+    best.1
+}
+
+/// Where the nodes of a branch are, metres from its base: at its ends, at its forks unless these lie closer than a
+/// quarter of a step, and about a step apart between them.
+fn stations(whole: f32, forks: &[f32], step: f32) -> Vec<f32> {
+    let mut out = vec![0.0];
+    let apart = 0.25 * step;
+    let inner = forks.iter().copied().filter(|arc| *arc < whole - apart);
+    for stop in inner.chain([whole]) {
+        let from = out.last().copied().unwrap_or(0.0);
+        if stop - from < apart && stop < whole {
+            continue;
+        }
+        let count = ((stop - from) / step).round().max(1.0) as usize;
+        out.extend((1..=count).map(|k| from + (stop - from) * k as f32 / count as f32));
+    }
+    out
+}
+
+/// Places and radii along a branch at its stations; at least two.
+fn resampled(branch: &Branch, forks: &[f32], step: f32) -> Vec<(Vec3, f32)> {
+    let stations = stations(length(&branch.points), forks, step);
+    let mut out = Vec::with_capacity(stations.len());
     let (mut segment, mut before) = (0, 0.0);
     let last = branch.points.len().saturating_sub(2);
-    for k in 0..=count {
-        let target = whole * k as f32 / count as f32;
+    for target in stations {
         let run = |s: usize| branch.points[s].distance(branch.points[s + 1]);
         while segment < last && before + run(segment) < target {
             before += run(segment);
@@ -140,4 +186,19 @@ fn resampled(branch: &Branch, step: f32) -> Vec<(Vec3, f32)> {
 pub fn nudged(direction: Vec3, by_rad: f32, key: u64) -> Vec3 {
     let axis = Quat::from_axis_angle(direction, TAU * unit(mix(key, 1))) * direction.any_orthonormal_vector();
     Quat::from_axis_angle(axis, by_rad * (2.0 * unit(mix(key, 2)) - 1.0)) * direction
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_branch_begins_at_a_node_of_its_carrier() {
+        assert_eq!(stations(1.0, &[], 0.25), [0.0, 0.25, 0.5, 0.75, 1.0]);
+        assert_eq!(stations(1.0, &[0.3], 0.5), [0.0, 0.3, 1.0]);
+        assert_eq!(stations(1.0, &[0.01, 0.5, 0.51, 0.99], 0.5), [0.0, 0.5, 1.0]);
+        assert_eq!(stations(0.0, &[], 0.5).len(), 2);
+        let line = [Vec3::ZERO, Vec3::Y, Vec3::new(1.0, 1.0, 0.0)];
+        assert!((nearest_arc(&line, Vec3::new(0.4, 1.3, 0.0)) - 1.4).abs() < 1e-6);
+    }
 }

@@ -94,6 +94,8 @@ crate::growth_table! {
         height: f32 = 8.0, 0.01..=150.0, "metres";
         /// Length of an ordinary internode.
         internode: f32 = 0.15, 0.001..=5.0, "metres";
+        /// How fine wood and leaves are in a drawn crown: 2 is twice as fine.
+        fineness: f32 = 1.0, 0.2..=4.0, "";
         /// Length of internodes on each further order of branching, as a share of the order below.
         shorter: f32 = 0.92, 0.2..=1.5, "";
         /// Most internodes that one bud grows in a year.
@@ -179,6 +181,22 @@ crate::growth_table! {
         leaf: LeafHabit = LeafHabit::default();
         /// Whether the apical bud stands first in the queue of the priority model.
         apical_first: bool = true;
+    }
+}
+
+impl Habit {
+    /// The same plant at another size: every length times `factor`.
+    pub fn scaled(&self, factor: f32) -> Self {
+        let mut habit = self.clone();
+        habit.height *= factor;
+        habit.internode *= factor;
+        habit.tip *= factor;
+        habit.leaf.length *= factor;
+        (habit.bole, habit.clearance) = (habit.bole.times(factor), habit.clearance.times(factor));
+        if let Some(crown) = &mut habit.crown {
+            (crown.height, crown.width) = (crown.height * factor, crown.width * factor);
+        }
+        habit
     }
 }
 

@@ -20,6 +20,11 @@ const NARROWER: f32 = 0.92;
 
 /// The plant at an age, at most the simulation's own. Ages between years are years that run.
 pub fn plant_at(simulation: &Simulation, age: f32) -> Plant {
+    with_chains(simulation, age).0
+}
+
+/// The same with the chains that became its branches, in their order.
+pub fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) {
     let (tree, habit) = (simulation.tree(), simulation.habit());
     let age = if age.is_finite() { age.clamp(0.0, f32::from(simulation.age())) } else { 0.0 };
     let diameters = diameter::diameters(tree, habit, age);
@@ -45,7 +50,7 @@ pub fn plant_at(simulation: &Simulation, age: f32) -> Plant {
         materials: vec![Material::plain("wood", [0.3, 0.2, 0.12]), Material::plain("leaf", [0.1, 0.3, 0.05])],
     };
     debug_assert_eq!(plant.check_invariants(), Ok(()));
-    plant
+    (plant, chains)
 }
 
 fn branch_of(chain: &Chain, chains: &Chains, at: &[Vec3], diameters: &[f32], flare: f32) -> Branch {

@@ -60,6 +60,8 @@ pub struct Tree {
     pub open: Vec<u32>,
     /// Diameters of the first nodes where they were given with the skeleton, metres: wood is never thinner.
     pub given: Vec<f32>,
+    /// The drawn branch of each of these nodes, in rising order.
+    pub drawn: Vec<u32>,
 }
 
 /// A node that is to be added.

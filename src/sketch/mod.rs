@@ -59,12 +59,21 @@ pub enum Tool {
     BranchOutline,
     /// Region to fill with leaves.
     LeafOutline,
+    /// Outline of a crown that the plant grows into; one inside another is a hole.
+    Crown,
 }
 
 impl Tool {
     /// Every tool, in the order in which help and panels list them.
-    pub const ALL: [Tool; 6] =
-        [Tool::Auto, Tool::Petal, Tool::Leaf, Tool::Branch, Tool::BranchOutline, Tool::LeafOutline];
+    pub const ALL: [Tool; 7] = [
+        Tool::Auto,
+        Tool::Petal,
+        Tool::Leaf,
+        Tool::Branch,
+        Tool::BranchOutline,
+        Tool::LeafOutline,
+        Tool::Crown,
+    ];
 
     /// The name used in files.
     pub fn name(self) -> &'static str {
@@ -75,6 +84,7 @@ impl Tool {
             Tool::Branch => "branch",
             Tool::BranchOutline => "branch_outline",
             Tool::LeafOutline => "leaf_outline",
+            Tool::Crown => "crown",
         }
     }
 }

@@ -119,6 +119,31 @@ pub enum Remark {
     /// An outline that its branches fill.
     #[error("leaves no room beside its branches, so no twig could grow in it")]
     NoRoom,
+    /// A crown without area.
+    #[error("encloses nothing, so nothing can grow in it")]
+    EmptyCrown,
+    /// A crown for a species that does not say how it grows.
+    #[error(
+        "the species `{species}` does not say how it grows, so it grew like any tree; those that do are {known}"
+    )]
+    DoesNotGrow {
+        /// The species.
+        species: String,
+        /// Those that say it.
+        known: String,
+    },
+    /// Growth that had to end early.
+    #[error("growth ended at {internodes} internodes, the most that a drawing may have")]
+    GrowthCapped {
+        /// How many.
+        internodes: usize,
+    },
+    /// Growth that left the space in which light is known.
+    #[error("growth ended after {years} years, because the plant is too large for more")]
+    GrownTooLarge {
+        /// How old it is.
+        years: u16,
+    },
     /// What was too much to be told.
     #[error("and {count} more remarks like these")]
     More {
@@ -131,9 +156,15 @@ impl Remark {
     /// Whether the plant lacks something that was drawn for it.
     pub fn is_shortfall(&self) -> bool {
         match self {
-            Self::EnclosesNothing | Self::FewTwigs | Self::FilledThinly | Self::NoBranch | Self::NoRoom => {
-                true
-            }
+            Self::EnclosesNothing
+            | Self::FewTwigs
+            | Self::FilledThinly
+            | Self::NoBranch
+            | Self::NoRoom
+            | Self::EmptyCrown
+            | Self::DoesNotGrow { .. }
+            | Self::GrowthCapped { .. }
+            | Self::GrownTooLarge { .. } => true,
             Self::NoPoints { .. }
             | Self::PressureOutside { .. }
             | Self::TiltOutside { .. }

@@ -3,6 +3,7 @@
 use super::{Species, SpeciesError, file};
 use crate::suggest::nearest;
 use include_dir::{Dir, include_dir};
+use std::sync::OnceLock;
 
 static SPECIES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/assets/species");
 static TREES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/assets/growth");
@@ -26,10 +27,23 @@ impl Species {
 
     /// Names of all built-in species that grow by themselves, sorted.
     pub fn growing() -> Vec<&'static str> {
+        static GROWING: OnceLock<Vec<&'static str>> = OnceLock::new();
+        GROWING.get_or_init(Self::find_growing).clone()
+    }
+
+    fn find_growing() -> Vec<&'static str> {
         let trees = names(&TREES).into_iter().filter_map(|name| name.strip_suffix(".toml"));
         let mut names: Vec<_> = Self::names().into_iter().chain(trees).collect();
         names.retain(|name| Self::built_in(name).is_ok_and(|species| species.growth.is_some()));
         names.sort_unstable();
+        names
+    }
+
+    /// Names of all built-in species, those that only grow among them, sorted.
+    pub fn all() -> Vec<&'static str> {
+        let mut names = [Self::names(), Self::growing()].concat();
+        names.sort_unstable();
+        names.dedup();
         names
     }
 
@@ -42,9 +56,7 @@ impl Species {
         let path = format!("{plain}.toml");
         let file = SPECIES.get_file(&path).or_else(|| TREES.get_file(&path));
         let Some(text) = file.and_then(|file| file.contents_utf8()) else {
-            let mut known = [Self::names(), Self::growing()].concat();
-            known.sort_unstable();
-            known.dedup();
+            let known = Self::all();
             let nearest = nearest(&plain, known.iter().copied()).map(str::to_owned);
             return Err(SpeciesError::Unknown { name: name.to_owned(), nearest, known: known.join(", ") });
         };

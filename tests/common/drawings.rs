@@ -144,6 +144,8 @@ pub(crate) fn scribble(seed: u64, strokes: usize) -> Sketch {
         (tool, walk.collect())
     };
     let mut drawn = sketch((0..strokes).map(&mut stroke));
+    // Crowns are filled with few and large leaves.
+    drawn.params.insert("growth.fineness".into(), 0.4.into());
     for point in drawn.strokes.iter_mut().flat_map(|s| &mut Arc::make_mut(s).points) {
         point.pressure = rng.random_range(0.0..=1.0);
         point.tilt_deg = Vec2::new(rng.random_range(-90.0..90.0), rng.random_range(-90.0..90.0));

@@ -4,6 +4,7 @@
 
 mod desktop;
 mod dialogs;
+mod growth;
 mod looks;
 mod measures;
 mod parameters;

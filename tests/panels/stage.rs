@@ -46,6 +46,7 @@ pub(super) fn busy() -> Snapshot {
             branch_levels: 3,
             branch_outlines: false,
             leaf_outlines: true,
+            crowns: true,
             ignored: true,
         },
         status: Status {

@@ -154,7 +154,7 @@ fn ids_used_twice() {
 
 #[test]
 fn tools_that_do_not_exist() {
-    let known = "auto, petal, leaf, branch, branch_outline, leaf_outline";
+    let known = "auto, petal, leaf, branch, branch_outline, leaf_outline, crown";
     assert_message(
         &with_strokes(r#"{"id": 2, "tool": "lawnmower", "points": []}"#),
         &["stroke 1 (id `2`)", "unknown tool `lawnmower`", known],

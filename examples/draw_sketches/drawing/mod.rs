@@ -63,6 +63,7 @@ pub fn all() -> Vec<Drawing> {
         asset("tree_willow", plants::tree_willow::draw()),
         asset("bouquet", plants::bouquet::draw()),
         asset("sample", plants::sample::draw()),
+        asset("topiary", plants::topiary::draw()),
         trial("two_plants", plants::trials::two_plants()),
         trial("crossing_branches", plants::trials::crossing_branches()),
         trial("many_scales", plants::trials::many_scales()),

@@ -41,6 +41,7 @@ impl Editor {
             Action::RollSeed => self.change(Change::seed(rand_seed(self.document.sketch().seed))),
             Action::SetParam { path, value } => self.set_param(&path, value),
             Action::SetParams(params) => self.change(Change::params(params)),
+            Action::PlayGrowth(on) => self.play_growth(on),
             Action::SetTexture { organ, texture } => self.set_texture(organ, texture),
             Action::SavePreset(name) => self.save_preset(name),
             Action::ApplyPreset(path) => self.apply_preset(&path),
@@ -208,7 +209,7 @@ fn rand_seed(last: u64) -> u64 {
 }
 
 /// Parameters without one path, whether it was written as one dotted key or nested.
-fn without(params: &Map<String, Value>, path: &str) -> Map<String, Value> {
+pub(super) fn without(params: &Map<String, Value>, path: &str) -> Map<String, Value> {
     let mut out = params.clone();
     remove(&mut out, path);
     out

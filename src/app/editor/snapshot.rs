@@ -45,6 +45,7 @@ impl Editor {
             textures: sketch.textures.clone(),
             seed: sketch.seed,
             params: ParamValues::of(of_species, &sketch.params),
+            growth: self.growth_state(),
             presets: self.presets(),
             reference,
             view: self.plant.state,
@@ -144,6 +145,7 @@ impl Editor {
             branch_levels: self.counts.branch_levels,
             branch_outlines: self.outlines.branches,
             leaf_outlines: self.outlines.leaves,
+            crowns: self.outlines.crowns,
             ignored: self.counts.ignored,
         }
     }

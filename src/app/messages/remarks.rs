@@ -42,6 +42,14 @@ impl Told for Remark {
             Self::FilledThinly => fill(Msg::WarningFilledThinly, &[]),
             Self::NoBranch => fill(Msg::WarningNoBranch, &[]),
             Self::NoRoom => fill(Msg::WarningNoRoom, &[]),
+            Self::EmptyCrown => fill(Msg::WarningEmptyCrown, &[]),
+            Self::DoesNotGrow { species, known } => {
+                fill(Msg::WarningDoesNotGrow, &[("species", species), ("known", known)])
+            }
+            Self::GrowthCapped { internodes } => {
+                fill(Msg::WarningGrowthCapped, &[("internodes", internodes)])
+            }
+            Self::GrownTooLarge { years } => fill(Msg::WarningGrownTooLarge, &[("years", years)]),
             Self::More { count } => fill(Msg::WarningMore, &[("count", count)]),
         }
     }
@@ -84,7 +92,13 @@ mod tests {
             Remark::FewTwigs => Remark::FilledThinly,
             Remark::FilledThinly => Remark::NoBranch,
             Remark::NoBranch => Remark::NoRoom,
-            Remark::NoRoom => Remark::More { count: 49 },
+            Remark::NoRoom => Remark::EmptyCrown,
+            Remark::EmptyCrown => {
+                Remark::DoesNotGrow { species: "daisy".to_owned(), known: "oak".to_owned() }
+            }
+            Remark::DoesNotGrow { .. } => Remark::GrowthCapped { internodes: 50 },
+            Remark::GrowthCapped { .. } => Remark::GrownTooLarge { years: 51 },
+            Remark::GrownTooLarge { .. } => Remark::More { count: 49 },
             Remark::More { .. } => return None,
         })
     }

@@ -90,7 +90,7 @@ fn every_group_unit_and_species_has_a_name_in_both_languages() {
                 known(Named::Unit, description.unit);
             }
         }
-        Species::names().into_iter().for_each(|name| known(Named::Species, name));
+        Species::all().into_iter().for_each(|name| known(Named::Species, name));
     }
 }
 

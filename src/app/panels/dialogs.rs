@@ -156,8 +156,9 @@ fn about(ui: &mut Ui, height: f32, messages: &Messages, out: &mut Vec<Action>) {
         widgets::section(ui, messages.get(Msg::AboutStartTitle), |ui| {
             ui.spacing_mut().interact_size.y = 28.0;
             ui.spacing_mut().item_spacing.y = 3.0;
-            for (number, msg) in
-                [Msg::AboutStart1, Msg::AboutStart2, Msg::AboutStart3].into_iter().enumerate()
+            for (number, msg) in [Msg::AboutStart1, Msg::AboutStart2, Msg::AboutStart3, Msg::AboutStart4]
+                .into_iter()
+                .enumerate()
             {
                 ui.horizontal(|ui| {
                     let (rect, _) = ui.allocate_exact_size(Vec2::splat(26.0), Sense::hover());

@@ -3,7 +3,8 @@
 use super::snapshot::Snapshot;
 use super::widgets::{palette, segments};
 use super::{
-    dialogs, legend, materials, notices, parameters, part_menu, presets, seed, species, status, toolbar, view,
+    dialogs, growth, legend, materials, notices, parameters, part_menu, presets, seed, species, status,
+    toolbar, view,
 };
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
@@ -70,6 +71,7 @@ fn side(ui: &mut Ui, right_handed: bool, snapshot: &Snapshot, messages: &Message
             ui.set_width(ui.available_width() - 10.0);
             match page {
                 Page::Plant => {
+                    growth::show(ui, snapshot, messages, out);
                     species::show(ui, snapshot, messages, out);
                     seed::show(ui, snapshot, messages, out);
                     materials::show(ui, snapshot, messages, out);

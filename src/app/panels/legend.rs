@@ -37,6 +37,7 @@ fn entries(found: &Found, p: &Palette) -> Vec<(Msg, Color32)> {
         (found.branch_levels > 2, Msg::LegendTwig, p.branch_level(2)),
         (found.branch_outlines, Msg::ToolBranchOutline, p.branch_outline),
         (found.leaf_outlines, Msg::ToolLeafOutline, p.leaf_outline),
+        (found.crowns, Msg::ToolCrown, p.crown),
         (found.ignored, Msg::LegendIgnored, p.ignored),
     ];
     all.into_iter().filter(|(there, ..)| *there).map(|(_, msg, colour)| (msg, colour)).collect()

@@ -10,6 +10,7 @@
 pub mod dialogs;
 pub mod export;
 pub mod frame;
+pub mod growth;
 pub mod icons;
 pub mod legend;
 pub mod materials;

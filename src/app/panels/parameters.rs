@@ -26,8 +26,9 @@ enum Kind {
 
 /// Groups in the order in which an artist comes to them: the plant as a whole, flowers and leaves, branches, what fills
 /// outlines, surfaces, and last what only matters where strokes were misunderstood.
-const ORDER: [&str; 19] = [
+const ORDER: [&str; 20] = [
     "depth.world",
+    "growth",
     "depth.cone",
     "depth.leaves",
     "depth.curl",

@@ -10,12 +10,13 @@ use crate::sketch::Tool;
 use egui::{Align2, Area, Context, Id, Order, Rect, RichText, Ui, pos2, vec2};
 
 /// What a stroke can be, as the menu shows it.
-const PARTS: [(Tool, Icon, Msg); 6] = [
+const PARTS: [(Tool, Icon, Msg); 7] = [
     (Tool::Petal, Icon::Petal, Msg::ToolPetal),
     (Tool::Leaf, Icon::Leaf, Msg::ToolLeaf),
     (Tool::Branch, Icon::Branch, Msg::ToolBranch),
     (Tool::BranchOutline, Icon::BranchOutline, Msg::ToolBranchOutline),
     (Tool::LeafOutline, Icon::LeafOutline, Msg::ToolLeafOutline),
+    (Tool::Crown, Icon::Crown, Msg::ToolCrown),
     (Tool::Auto, Icon::Pen, Msg::PartAuto),
 ];
 /// Distance from the place that was tapped.

@@ -50,6 +50,8 @@ pub struct Snapshot {
     pub seed: u64,
     /// Parameters.
     pub params: ParamValues,
+    /// How the plant grows; `None` where it does not.
+    pub growth: Option<GrowthState>,
     /// Presets in the artist's folder.
     pub presets: Vec<Listed>,
     /// The reference picture under the drawing.
@@ -90,6 +92,21 @@ impl Snapshot {
         self.export = settings.export.clone();
         self
     }
+}
+
+/// How the plant grows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GrowthState {
+    /// Age that is shown, years.
+    pub age: f32,
+    /// Oldest age that can be chosen, years.
+    pub most: f32,
+    /// Whether the artist chose the age.
+    pub chosen: bool,
+    /// Whether a crown is drawn.
+    pub crown: bool,
+    /// Whether growth is being replayed.
+    pub playing: bool,
 }
 
 /// Values of parameters by path, where they are not the program's defaults.
@@ -286,6 +303,8 @@ pub struct Found {
     pub branch_outlines: bool,
     /// Leaf outlines.
     pub leaf_outlines: bool,
+    /// Crowns.
+    pub crowns: bool,
     /// Strokes that were not used.
     pub ignored: bool,
 }

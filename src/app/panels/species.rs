@@ -21,29 +21,37 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec
             let name = Path::new(&snapshot.species).file_stem().unwrap_or_default().to_string_lossy();
             note(ui, &messages.fill(Msg::SpeciesOwn, &[("name", &name)]));
         }
-        let names = Species::names();
-        ui.scope(|ui| {
-            tiles::grid(
-                ui,
-                COLUMNS,
-                names.len(),
-                |width| width + 22.0,
-                |ui, index, size| {
-                    let name = names[index];
-                    let picture = thumbnails::of_species(ui.ctx(), name);
-                    let chosen = !own && snapshot.species == name;
-                    let label = messages.name(Named::Species, name);
-                    if tiles::picture(ui, size, picture.as_ref(), &label, true, chosen).clicked() {
-                        out.push(Action::SetSpecies(name.to_owned()));
-                    }
-                },
-            );
-        });
+        let (growing, drawn): (Vec<&str>, Vec<&str>) =
+            Species::all().into_iter().partition(|name| Species::growing().contains(name));
+        pictures(ui, &drawn, snapshot, messages, out);
+        note(ui, messages.get(Msg::SpeciesGrowing));
+        pictures(ui, &growing, snapshot, messages, out);
         let width = ui.available_width();
         if text_button_sized(ui, Some(Icon::Open), messages.get(Msg::SpeciesFile), false, Some(width))
             .clicked()
         {
             out.push(Action::ChooseFile(PathPurpose::Species));
         }
+    });
+}
+
+/// A picture of each of some species.
+fn pictures(ui: &mut Ui, names: &[&str], snapshot: &Snapshot, messages: &Messages, out: &mut Vec<Action>) {
+    ui.scope(|ui| {
+        tiles::grid(
+            ui,
+            COLUMNS,
+            names.len(),
+            |width| width + 22.0,
+            |ui, index, size| {
+                let name = names[index];
+                let picture = thumbnails::of_species(ui.ctx(), name);
+                let chosen = snapshot.species == name;
+                let label = messages.name(Named::Species, name);
+                if tiles::picture(ui, size, picture.as_ref(), &label, true, chosen).clicked() {
+                    out.push(Action::SetSpecies(name.to_owned()));
+                }
+            },
+        );
     });
 }

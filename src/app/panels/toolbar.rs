@@ -28,7 +28,7 @@ const fn entry(tool: CanvasTool, key: Key, icon: Icon, name: Msg, hint: Msg) -> 
 }
 
 /// Every tool with its key, in the order of the strip.
-pub const TOOLS: [ToolEntry; 10] = [
+pub const TOOLS: [ToolEntry; 11] = [
     entry(CanvasTool::Draw(Tool::Auto), Key::A, Icon::Pen, Msg::ToolAuto, Msg::ToolAutoHint),
     entry(CanvasTool::Draw(Tool::Petal), Key::P, Icon::Petal, Msg::ToolPetal, Msg::ToolPetalHint),
     entry(CanvasTool::Draw(Tool::Leaf), Key::L, Icon::Leaf, Msg::ToolLeaf, Msg::ToolLeafHint),
@@ -47,6 +47,7 @@ pub const TOOLS: [ToolEntry; 10] = [
         Msg::ToolLeafOutline,
         Msg::ToolLeafOutlineHint,
     ),
+    entry(CanvasTool::Draw(Tool::Crown), Key::C, Icon::Crown, Msg::ToolCrown, Msg::ToolCrownHint),
     entry(CanvasTool::Erase { partial: false }, Key::E, Icon::Eraser, Msg::ToolErase, Msg::ToolEraseHint),
     entry(
         CanvasTool::Erase { partial: true },
@@ -70,7 +71,7 @@ pub fn tools(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Ve
     ui.spacing_mut().item_spacing.y = 4.0;
     ScrollArea::vertical().show(ui, |ui| {
         for (i, entry) in TOOLS.iter().enumerate() {
-            if i == 6 || i == 8 {
+            if i == 7 || i == 9 {
                 strip_gap(ui);
             }
             let name = messages.get(entry.name);

@@ -6,13 +6,15 @@ use crate::sketch::Tool;
 pub(super) fn tool_in(name: &str) -> Option<Tool> {
     let letters: String = name.chars().filter(|c| c.is_alphabetic()).flat_map(char::to_lowercase).collect();
     let mentions = |words: &[&str]| words.iter().any(|word| letters.contains(word));
-    let kinds = [mentions(&["petal"]), mentions(&["leaf", "leaves"]), mentions(&["branch"])];
+    let kinds =
+        [mentions(&["petal"]), mentions(&["leaf", "leaves"]), mentions(&["branch"]), mentions(&["crown"])];
     match (kinds, letters.contains("outline")) {
-        ([true, false, false], _) => Some(Tool::Petal),
-        ([false, true, false], false) => Some(Tool::Leaf),
-        ([false, true, false], true) => Some(Tool::LeafOutline),
-        ([false, false, true], false) => Some(Tool::Branch),
-        ([false, false, true], true) => Some(Tool::BranchOutline),
+        ([true, false, false, false], _) => Some(Tool::Petal),
+        ([false, true, false, false], false) => Some(Tool::Leaf),
+        ([false, true, false, false], true) => Some(Tool::LeafOutline),
+        ([false, false, true, false], false) => Some(Tool::Branch),
+        ([false, false, true, false], true) => Some(Tool::BranchOutline),
+        ([false, false, false, true], _) => Some(Tool::Crown),
         _ => (letters == "auto").then_some(Tool::Auto),
     }
 }
@@ -33,6 +35,8 @@ mod tests {
             ("branch-outline", Tool::BranchOutline),
             ("branch_outline", Tool::BranchOutline),
             ("Branches (back)", Tool::Branch),
+            ("Crown", Tool::Crown),
+            ("crown outlines 2", Tool::Crown),
             ("Auto", Tool::Auto),
         ] {
             assert_eq!(tool_in(name), Some(tool), "{name}");
@@ -41,7 +45,8 @@ mod tests {
 
     #[test]
     fn names_that_say_nothing_or_too_much() {
-        for name in ["", "Layer 1", "g1024", "outline", "automatic", "branches and leaves"] {
+        for name in ["", "Layer 1", "g1024", "outline", "automatic", "branches and leaves", "crown of leaves"]
+        {
             assert_eq!(tool_in(name), None, "{name}");
         }
     }

@@ -68,5 +68,6 @@ fn colour(tool: Tool) -> &'static str {
         Tool::Petal => "#b03a6e",
         Tool::Leaf | Tool::LeafOutline => "#2f7a3d",
         Tool::Branch | Tool::BranchOutline => "#7a4f2a",
+        Tool::Crown => "#4a4fb5",
     }
 }

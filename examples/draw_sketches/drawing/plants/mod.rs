@@ -10,6 +10,7 @@ pub mod oxalis;
 pub mod plumeria;
 pub mod potted_plant;
 pub mod sample;
+pub mod topiary;
 pub mod tree_round;
 pub mod tree_willow;
 pub mod trials;

@@ -1,0 +1,115 @@
+//! Growth in the editor: an age that is undone like any change, and a replay that is none.
+
+use super::{REPLAY, YEARS};
+use crate::app::action::Action;
+use crate::app::editor::{Editor, Places};
+use crate::sketch::{Change, Stroke, StrokePoint, Tool};
+use glam::{Vec2, vec2};
+use serde_json::Value;
+use std::f32::consts::TAU;
+use std::time::{Duration, Instant};
+
+/// Longest wait for a plant; only a test that has failed takes so long.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+fn step(editor: &mut Editor) {
+    editor.submit();
+    editor.collect();
+    std::thread::sleep(Duration::from_millis(1));
+}
+
+fn settle(editor: &mut Editor) {
+    let begun = Instant::now();
+    while editor.is_working() {
+        assert!(begun.elapsed() < PATIENCE, "it is built for ever");
+        step(editor);
+    }
+}
+
+/// An editor with a small oak in a round crown.
+fn oak(home: &tempfile::TempDir) -> Editor {
+    let places = Places { config: home.path().join("config"), state: home.path().join("state") };
+    let mut editor = Editor::open_in(places, None, || ()).unwrap();
+    editor.perform(Action::New);
+    editor.perform(Action::SetSpecies("oak".into()));
+    editor.perform(Action::SetParam { path: "growth.fineness".into(), value: Some(Value::from(0.5)) });
+    let circle = (0..=40).map(|k| vec2(300.0, 200.0) + Vec2::from_angle(k as f32 / 40.0 * TAU) * 150.0);
+    let points = circle.map(StrokePoint::at).collect();
+    editor.change(Change::put(Stroke { id: 1, tool: Tool::Crown, points }));
+    settle(&mut editor);
+    editor
+}
+
+fn shown(editor: &Editor) -> f32 {
+    editor.built().unwrap().growth.unwrap().shown
+}
+
+#[test]
+fn the_age_is_set_and_undone_like_any_change() {
+    let home = tempfile::tempdir().unwrap();
+    let mut editor = oak(&home);
+    let filled = shown(&editor);
+    let state = editor.growth_state().unwrap();
+    assert!(filled > 2.0 && state.age == filled && !state.chosen && state.crown && state.most >= 39.0);
+    editor.perform(Action::SetParam { path: YEARS.into(), value: Some(Value::from(2.5)) });
+    settle(&mut editor);
+    assert_eq!(shown(&editor), 2.5);
+    assert!(editor.growth_state().unwrap().chosen);
+    editor.perform(Action::Undo);
+    settle(&mut editor);
+    assert_eq!(shown(&editor), filled);
+}
+
+#[test]
+fn a_replay_shows_rising_ages_changes_nothing_and_comes_to_rest() {
+    let home = tempfile::tempdir().unwrap();
+    let mut editor = oak(&home);
+    let (filled, before) = (shown(&editor), editor.sketch().clone());
+    editor.perform(Action::PlayGrowth(true));
+    // Most of it is skipped.
+    editor.building.replay.as_mut().unwrap().run = REPLAY - Duration::from_millis(600);
+    let (mut ages, begun) = (Vec::new(), Instant::now());
+    while editor.is_working() {
+        assert!(begun.elapsed() < PATIENCE, "it is played for ever");
+        step(&mut editor);
+        ages.push(shown(&editor));
+        let state = editor.growth_state().unwrap();
+        assert!(!state.playing || state.age <= filled);
+    }
+    // The plant that was there first.
+    ages.retain({
+        let mut begun = false;
+        move |age| {
+            begun |= *age < filled;
+            begun
+        }
+    });
+    ages.dedup();
+    assert!(ages.len() >= 3 && ages.is_sorted(), "{ages:?}");
+    assert_eq!(ages.last(), Some(&filled));
+    assert_eq!(*editor.sketch(), before);
+    assert!(editor.building.replay.is_none() && editor.next_age_at().is_none());
+}
+
+#[test]
+fn a_pause_keeps_its_age_at_rest_and_a_change_ends_it() {
+    let home = tempfile::tempdir().unwrap();
+    let mut editor = oak(&home);
+    let filled = shown(&editor);
+    editor.perform(Action::PlayGrowth(true));
+    editor.building.replay.as_mut().unwrap().run = REPLAY / 2;
+    let begun = Instant::now();
+    while begun.elapsed() < Duration::from_millis(300) {
+        step(&mut editor);
+    }
+    editor.perform(Action::PlayGrowth(false));
+    settle(&mut editor);
+    let paused = editor.growth_state().unwrap();
+    assert!(!paused.playing && paused.age > 0.4 * filled && paused.age < filled, "{paused:?}");
+    assert!(editor.next_age_at().is_none() && !editor.is_working(), "the window rests");
+    assert!((shown(&editor) - paused.age).abs() < 0.1 * filled);
+    editor.perform(Action::SetParam { path: YEARS.into(), value: Some(Value::from(3.0)) });
+    settle(&mut editor);
+    assert!(editor.building.replay.is_none());
+    assert_eq!(shown(&editor), 3.0);
+}

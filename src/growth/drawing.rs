@@ -1,0 +1,154 @@
+//! Growth in a drawing: the drawn wood is what the plant begins with, and drawn crowns are what it fills.
+//!
+//! A [`Start`] is all that decides how a drawing grows; [`Memory`] keeps the plant that grew from the last one with all
+//! its ages, so that another age of the same drawing costs no growth. The species' lengths are scaled by the height
+//! that the drawing has to the height that the species has.
+//!
+//! Limits: a crown counts as filled when for [`QUIET`] years hardly anything has grown, or after [`OLDEST`] years.
+
+use super::envelope::Envelope;
+use super::inflated::Inflated;
+use super::lead;
+use super::limits::{Limits, Outcome};
+use super::simulation::Simulation;
+use super::species::Habit;
+use super::tree::Tree;
+use crate::plant::{Branch, Plant, WorldFromCanvas};
+use glam::Vec2;
+use std::sync::Arc;
+
+crate::parameters! {
+    /// How a drawn plant grows on.
+    pub struct GrowthParams {
+        /// Years of growth that are shown. Below 0 the plant decides: a drawn crown is filled, and without one nothing grows beyond what is drawn.
+        years: f32 = -1.0, -1.0..=200.0, "years";
+        /// How deep a drawn crown is; 1 is as deep as it is wide.
+        depth: f32 = 1.0, 0.1..=3.0, "";
+        /// How fine wood and leaves are in a drawn crown: 2 is twice as fine and several times as heavy.
+        fineness: f32 = 1.0, 0.4..=2.0, "";
+    }
+}
+
+/// Age at which a crown counts as filled whatever grows in it.
+pub const OLDEST: u16 = 120;
+/// Years in succession with hardly any growth after which a crown counts as filled.
+pub const QUIET: u16 = 2;
+/// Share of all internodes that is hardly any growth in a year.
+const HARDLY: f32 = 0.0006;
+
+/// What no drawing may exceed: less than a plant that grows by itself, because it is grown while it is drawn.
+pub const LIMITS: Limits = Limits { internodes: 120_000, markers: 500_000, voxels: 16 << 20 };
+
+/// All that decides how a drawing grows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Start {
+    habit: Habit,
+    /// Drawn wood that grows on; parents before children.
+    wood: Vec<Branch>,
+    /// Closed outlines of crowns, metres.
+    crowns: Vec<Vec<Vec2>>,
+    depth: f32,
+    seed: u64,
+    limits: Limits,
+}
+
+impl Start {
+    /// A drawing of a species: `wood` grows on, into `crowns` if there are any. `height` is what the drawing's height
+    /// is in the world, metres.
+    pub fn new(
+        habit: &Habit,
+        height: f32,
+        wood: Vec<Branch>,
+        crowns: Vec<Vec<Vec2>>,
+        params: &GrowthParams,
+        seed: u64,
+    ) -> Self {
+        let mut habit = habit.scaled(height / habit.height);
+        habit.fineness *= params.fineness;
+        Self { habit, wood, crowns, depth: params.depth, seed, limits: LIMITS }
+    }
+
+    /// The plant before its first year.
+    fn simulation(&self) -> Simulation {
+        let crown = Inflated::new(self.crowns.clone(), self.depth).map(Arc::new);
+        let mut wood = self.wood.clone();
+        if let Some(crown) = &crown {
+            lead::lead(&mut wood, crown);
+        }
+        let envelope = crown.map_or(Envelope::Free, Envelope::Inflated);
+        let plant = Plant {
+            world_from_canvas: WorldFromCanvas { scale: 1.0, origin: Vec2::ZERO },
+            branches: wood,
+            flowers: Vec::new(),
+            organs: Vec::new(),
+            materials: Vec::new(),
+        };
+        Simulation::from_skeleton(&self.habit, &plant, envelope, self.seed, self.limits)
+    }
+}
+
+/// A drawing that has grown.
+#[derive(Clone, Copy, Debug)]
+pub struct Grown<'a> {
+    /// The plant with its ages.
+    pub simulation: &'a Simulation,
+    /// The age to show, years.
+    pub age: f32,
+    /// Why it grew no further; [`Outcome::Growing`] where nothing kept it.
+    pub outcome: Outcome,
+}
+
+/// The plant that grew last.
+#[derive(Debug, Default)]
+pub struct Memory {
+    last: Option<(Start, Simulation, Outcome)>,
+}
+
+impl Memory {
+    /// Forgets it.
+    pub fn clear(&mut self) {
+        self.last = None;
+    }
+
+    /// Grows a drawing to an age, or until its crown is filled; nothing if `stop` said yes, but what had grown until
+    /// then is kept. The same start gives the same plant whatever grew before.
+    pub fn grow(&mut self, start: &Start, years: Option<f32>, stop: &dyn Fn() -> bool) -> Option<Grown<'_>> {
+        let known = self.last.take().filter(|(of, ..)| of == start);
+        let begin = || (start.clone(), start.simulation(), Outcome::Growing);
+        let (_, simulation, ended) = self.last.insert(known.unwrap_or_else(begin));
+        // Crowns that enclose nothing bind nothing: then all there is is what was drawn.
+        let unbound = simulation.envelope().bounds().is_none().then_some(0.0);
+        let years = years.or(unbound);
+        let wanted = |s: &Simulation| match years {
+            Some(years) => f32::from(s.age()) < years,
+            None => filled_at(s.tree(), s.age()).is_none(),
+        };
+        while *ended == Outcome::Growing && wanted(simulation) {
+            match simulation.step(stop) {
+                Outcome::Stopped => return None,
+                outcome => *ended = outcome,
+            }
+        }
+        let oldest = f32::from(simulation.age());
+        let filled = || filled_at(simulation.tree(), simulation.age()).map_or(oldest, f32::from);
+        let age = years.map_or_else(filled, |years| years.min(oldest));
+        // What ended growth later than what is shown is not its fault.
+        let outcome = if age < oldest { Outcome::Growing } else { *ended };
+        Some(Grown { simulation, age, outcome })
+    }
+}
+
+/// The first age, at most `now`, at which a plant had hardly grown for [`QUIET`] years.
+pub fn filled_at(tree: &Tree, now: u16) -> Option<u16> {
+    let born = &tree.nodes.born;
+    let until = |year: u16| born.partition_point(|b| *b <= year);
+    let mut quiet = 0;
+    for year in 1..=now {
+        let (before, after) = (until(year - 1), until(year));
+        quiet = if (after - before) as f32 <= HARDLY * after as f32 { quiet + 1 } else { 0 };
+        if quiet >= QUIET || year >= OLDEST {
+            return Some(year);
+        }
+    }
+    None
+}
