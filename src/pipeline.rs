@@ -15,6 +15,7 @@ use crate::params::{Overrides, ParamError};
 use crate::plant::Plant;
 use crate::sketch::Sketch;
 use crate::species::{self, Species, SpeciesError};
+use std::borrow::Cow;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -134,7 +135,7 @@ pub fn build(sketch: &Sketch, species: &Species, params: &Params) -> Built {
         plant
     };
     let plant = clock.time("species", || dressed(plant, species, sketch));
-    let model = clock.time("model", || model::build(&plant, &params.model));
+    let model = clock.time("model", || model::build(&plant, &of_model(params, growth.is_some())));
     Built { anatomy, growth, plant, model, stages: clock.stages }
 }
 
@@ -171,7 +172,9 @@ pub fn build_with(
         (plant, None)
     };
     let plant = clock.time("species", || dressed(plant, species, sketch));
-    let model = clock.time("model", || model::rebuild(&plant, &params.model, &mut cache.model, &stop))?;
+    let model = clock.time("model", || {
+        model::rebuild(&plant, &of_model(params, growth.is_some()), &mut cache.model, &stop)
+    })?;
     Some(Built { anatomy, growth, plant, model, stages: clock.stages })
 }
 
@@ -190,15 +193,12 @@ pub struct Grown {
     pub stages: Vec<(&'static str, Duration)>,
 }
 
-/// Parameters for a plant without a drawing: defaults, but all its leaves are one part; then the species', then
-/// `PATH=VALUE` assignments.
+/// Parameters for a plant without a drawing: defaults, then the species', then `PATH=VALUE` assignments.
 ///
 /// # Errors
 /// The first unknown path, wrong type or value out of range, and whose it was.
 pub fn params_of_species(species: &Species, assignments: &[String]) -> Result<Params, SetupError> {
-    let mut sketch = Sketch::empty();
-    sketch.params.insert("model.blade.gathered".to_owned(), true.into());
-    params_of(&sketch, species, assignments)
+    params_of(&Sketch::empty(), species, assignments)
 }
 
 /// Grows a plant of a species from a seed; `age` in years, its own if not given. Same input, same output, on any number
@@ -224,15 +224,38 @@ pub fn grow(
         let outcome = simulation.grow_to(age.ceil() as u16, &|| false);
         (simulation, outcome)
     });
-    let plant = clock.time("plant", || growth::plant_at(&simulation, age));
-    let plant = clock.time("species", || {
-        let mut plant = plant;
-        species::dress(&mut plant, species, seed);
-        debug_assert_eq!(plant.check_invariants(), Ok(()));
-        plant
-    });
-    let model = clock.time("model", || model::build(&plant, &params.model));
+    let (plant, model) = at_age(&simulation, species, params, age, &mut clock);
     Ok(Grown { simulation, outcome, plant, model, stages: clock.stages })
+}
+
+impl Grown {
+    /// The plant at an age that it has lived through, in space and as surfaces.
+    pub fn at(&self, age: f32, species: &Species, params: &Params) -> (Plant, Model) {
+        at_age(&self.simulation, species, params, age, &mut Clock::start())
+    }
+}
+
+fn at_age(
+    simulation: &Simulation,
+    species: &Species,
+    params: &Params,
+    age: f32,
+    clock: &mut Clock,
+) -> (Plant, Model) {
+    let mut plant = clock.time("plant", || growth::plant_at(simulation, age));
+    clock.time("species", || species::dress(&mut plant, species, simulation.seed()));
+    debug_assert_eq!(plant.check_invariants(), Ok(()));
+    let model = clock.time("model", || model::build(&plant, &of_model(params, true)));
+    (plant, model)
+}
+
+/// Parameters of the model: the leaves of a plant that grew are too many to be parts of their own.
+fn of_model(params: &Params, grew: bool) -> Cow<'_, ModelParams> {
+    let mut of_model = Cow::Borrowed(&params.model);
+    if grew && !of_model.blade.gathered {
+        of_model.to_mut().blade.gathered = true;
+    }
+    of_model
 }
 
 fn dressed(mut plant: Plant, species: &Species, sketch: &Sketch) -> Plant {

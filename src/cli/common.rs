@@ -7,6 +7,7 @@ use crate::species::{self, Species};
 use anyhow::Context;
 use serde_json::{Map, Value, json};
 use std::borrow::Cow;
+use std::ffi::OsString;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -145,5 +146,24 @@ pub fn print(text: &str) -> anyhow::Result<()> {
     match writeln!(std::io::stdout(), "{text}") {
         Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(e).context("cannot write to stdout"),
         _ => Ok(()),
+    }
+}
+
+/// `plant.png` becomes `plant-007.png`: one of many files.
+pub fn numbered(path: &Path, number: usize) -> PathBuf {
+    let mut name = path.file_stem().map(OsString::from).unwrap_or_default();
+    name.push(format!("-{number:03}."));
+    name.push(path.extension().unwrap_or("png".as_ref()));
+    path.with_file_name(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_of_many_files_is_numbered_before_the_ending() {
+        assert_eq!(numbered(Path::new("out/plant.png"), 7), Path::new("out/plant-007.png"));
+        assert_eq!(numbered(Path::new("plant"), 12), Path::new("plant-012.png"));
     }
 }

@@ -1,11 +1,16 @@
-//! `penstemon grow SPECIES -o OUT`: a plant that grows by itself.
+//! `penstemon grow SPECIES -o OUT`: a plant that grows by itself, at one age or at many ages one after the other.
 
 use super::common;
-use crate::export;
+use crate::export::{self, pictures::fetch};
 use crate::growth::{Limits, Outcome};
-use crate::pipeline;
+use crate::model::Model;
+use crate::pipeline::{self, Grown};
+use crate::plant::{Plant, Texture};
+use crate::render::{Direction, ModelDrawData, PictureOptions, Projection, Renderer, View};
 use crate::species::Species;
 use anyhow::{Context, Result, ensure};
+use std::borrow::Cow;
+use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -15,12 +20,15 @@ pub struct Args {
     /// A species that grows, by name or by the path of its .toml file.
     #[arg(required_unless_present = "list")]
     pub species: Option<String>,
-    /// Where the plant goes: .glb, .obj (with .mtl and textures) or .json; may be given again.
+    /// Where the plant goes: .glb, .obj (with .mtl and textures), .json, or .png for a picture; may be given again.
     #[arg(short, long = "out", value_name = "FILE", required_unless_present = "list")]
     pub out: Vec<PathBuf>,
     /// Age in years, 12.5 for half a year more than 12; the species' own if left out.
     #[arg(long, value_name = "YEARS")]
     pub age: Option<f32>,
+    /// The plant at this many ages, evenly up to --age, each in a file with a number before the ending: an animation.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=3600))]
+    pub frames: Option<u16>,
     /// Seed of everything random.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
@@ -47,7 +55,8 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         common::print(&Species::growing().join("\n"))?;
         return Ok(ExitCode::SUCCESS);
     }
-    for out in &args.out {
+    let models: Vec<&Path> = args.out.iter().map(PathBuf::as_path).filter(|out| !is_picture(out)).collect();
+    for out in &models {
         export::format_of(out)?;
     }
     let name = args.species.as_deref().context("which species?")?;
@@ -65,10 +74,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         tracing::warn!("{name}: {} at the age of {} years", grown.outcome, grown.simulation.age());
     }
     ensure!(!grown.model.parts.is_empty(), "{name}: nothing has grown yet; choose a higher --age");
-    let mut bytes = 0;
-    for out in &args.out {
-        bytes += export::export(out, &grown.model, &grown.plant, &common::built_in_texture)?;
-    }
+    let bytes = write(args, &models, &grown, |age| grown.at(age, &species, &params))?;
     if args.stats {
         let mut stats = common::stats(&grown.stages, &grown.model, bytes);
         stats["internodes"] = grown.simulation.tree().len().into();
@@ -77,6 +83,71 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         common::print(&stats.to_string())?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// Writes the plant, or its frames, which `at` gives by their ages; returns the number of bytes.
+fn write(args: &Args, models: &[&Path], grown: &Grown, at: impl Fn(f32) -> (Plant, Model)) -> Result<usize> {
+    let pictures: Vec<&PathBuf> = args.out.iter().filter(|out| is_picture(out)).collect();
+    let mut studio = if pictures.is_empty() { None } else { Some(Studio::new(&grown.model)?) };
+    let mut write = |plant: &Plant, model: &Model, named: &dyn Fn(&Path) -> PathBuf| -> Result<usize> {
+        let mut bytes = 0;
+        for out in models {
+            bytes += export::export(&named(out), model, plant, &common::built_in_texture)?;
+        }
+        if let Some(studio) = &mut studio {
+            let png = studio.picture(model)?;
+            for out in &pictures {
+                export::write_atomically(&named(out), &png)?;
+                bytes += png.len();
+            }
+        }
+        Ok(bytes)
+    };
+    let Some(frames) = args.frames else { return write(&grown.plant, &grown.model, &Path::to_owned) };
+    let oldest = args.age.unwrap_or(f32::from(grown.simulation.age()));
+    let mut bytes = 0;
+    for frame in 1..=frames {
+        let (plant, model) = at(oldest * f32::from(frame) / f32::from(frames));
+        if model.parts.is_empty() {
+            tracing::warn!("frame {frame}: nothing has grown yet, so it has no file");
+        } else {
+            bytes += write(&plant, &model, &|out| common::numbered(out, usize::from(frame)))?;
+        }
+    }
+    Ok(bytes)
+}
+
+fn is_picture(out: &Path) -> bool {
+    out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"))
+}
+
+/// Takes pictures of a plant while it grows, all framed for the plant that it becomes.
+struct Studio {
+    renderer: Renderer,
+    grown: ModelDrawData,
+}
+
+impl Studio {
+    /// `grown` is the plant at its last age.
+    fn new(grown: &Model) -> Result<Self> {
+        let renderer = Renderer::new()?;
+        let grown = renderer.upload(grown, &texture)?;
+        Ok(Self { renderer, grown })
+    }
+
+    /// A picture as a PNG file.
+    fn picture(&mut self, model: &Model) -> Result<Vec<u8>> {
+        let model = self.renderer.upload(model, &texture)?.framed_as(&self.grown);
+        let view = View { direction: Direction::Front, projection: Projection::Perspective, turn_deg: 0.0 };
+        let options = PictureOptions { width: 1200, height: 900, transparent: false };
+        let picture = self.renderer.pictures(&model, &[view], &options).next().context("no picture")??;
+        Ok(picture.to_png()?)
+    }
+}
+
+/// The file of a texture.
+fn texture(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
+    Ok(fetch(texture, &common::built_in_texture)?)
 }
 
 /// A built-in species, or one of the artist's own where the name is that of a file.

@@ -12,7 +12,6 @@ use crate::sketch::Sketch;
 use anyhow::{Result, bail, ensure};
 use std::borrow::Cow;
 use std::error::Error;
-use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -150,7 +149,7 @@ fn render_views(args: &Args, scene: &Scene, renderer: &mut Renderer) -> Result<u
     let mut bytes = 0;
     for (i, picture) in renderer.pictures(&uploaded, &views, &args.options()).enumerate() {
         let path = match args.turntable {
-            Some(_) => numbered(&args.out, i),
+            Some(_) => common::numbered(&args.out, i),
             None => args.out.clone(),
         };
         bytes += write(&path, &picture?)?;
@@ -219,14 +218,6 @@ impl Scene {
     }
 }
 
-/// `plant.png` becomes `plant-007.png`.
-fn numbered(path: &Path, number: usize) -> PathBuf {
-    let mut name = path.file_stem().map(OsString::from).unwrap_or_default();
-    name.push(format!("-{number:03}."));
-    name.push(path.extension().unwrap_or("png".as_ref()));
-    path.with_file_name(name)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -266,11 +257,5 @@ mod tests {
         }
         let drawing = parse("penstemon render a -o b --view drawing --turntable 3").unwrap();
         assert!(run(&drawing).unwrap_err().to_string().contains("--turntable"));
-    }
-
-    #[test]
-    fn turntable_pictures_are_numbered_before_the_ending() {
-        assert_eq!(numbered(Path::new("out/plant.png"), 7), Path::new("out/plant-007.png"));
-        assert_eq!(numbered(Path::new("plant"), 12), Path::new("plant-012.png"));
     }
 }

@@ -114,7 +114,7 @@ fn assembled(plant: &Plant, plans: Vec<Plan>, meshes: Vec<Arc<Mesh>>) -> Model {
 
 /// Appends a mesh to another, or puts it into its place where that is empty.
 fn take_in(mesh: &mut Mesh, own: Mesh) {
-    if mesh.triangles.is_empty() {
+    if *mesh == Mesh::default() {
         *mesh = own;
     } else {
         mesh.append(&own);
@@ -168,10 +168,9 @@ impl<'a> Workshop<'a> {
                 recipe.filaments(pieces.iter().map(|(i, piece)| (&self.plant.organs[*i].shape, *piece)));
             }
             Source::Blades(organs) => {
-                recipe.blades(
-                    self.blades(organs)
-                        .map(|(_, blade)| (blade, self.template(blade).map(|shared| shared.name))),
-                );
+                let name = |blade| self.template(blade).map(|shared| shared.name);
+                let blades = organs.iter().map(|organs| self.blades(organs));
+                recipe.blades(blades.map(|blades| blades.map(|(_, blade)| (blade, name(blade)))));
             }
             Source::Organ(i) => match &self.plant.organs[*i].shape {
                 Shape::Blade(blade) => recipe.blade(blade, self.template(blade).map(|shared| shared.name)),
@@ -212,10 +211,16 @@ impl<'a> Workshop<'a> {
             }
             Source::Blades(organs) => {
                 let mut mesh = Mesh::default();
-                for (done, blade) in self.blades(organs).enumerate() {
-                    self.append_blade(blade, &mut mesh, scratch);
-                    if done == 0 {
-                        mesh.reserve_copies(organs.len() - 1);
+                for (coat, organs) in organs.iter().enumerate() {
+                    if coat > 0 {
+                        mesh.breaks.push(mesh.triangles.len() as u32);
+                    }
+                    for (done, blade) in self.blades(organs).enumerate() {
+                        let before = mesh.counts();
+                        self.append_blade(blade, &mut mesh, scratch);
+                        if done == 0 {
+                            mesh.reserve_more(before, organs.len() - 1);
+                        }
                     }
                 }
                 mesh

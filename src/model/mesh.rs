@@ -41,11 +41,18 @@ impl Mesh {
         self.point_triangle(triangle).map(|p| self.points[p as usize])
     }
 
-    /// Makes room for more meshes like this one.
-    pub fn reserve_copies(&mut self, count: usize) {
-        self.points.reserve_exact(count * self.points.len());
-        self.vertices.reserve_exact(count * self.vertices.len());
-        self.triangles.reserve_exact(count * self.triangles.len());
+    /// How many points, vertices and triangles there are.
+    pub fn counts(&self) -> [usize; 3] {
+        [self.points.len(), self.vertices.len(), self.triangles.len()]
+    }
+
+    /// Makes room for as many more as have been added `since`, `times` over.
+    pub fn reserve_more(&mut self, since: [usize; 3], times: usize) {
+        let now = self.counts();
+        let [points, vertices, triangles] = std::array::from_fn(|k| times * (now[k] - since[k]));
+        self.points.reserve_exact(points);
+        self.vertices.reserve_exact(vertices);
+        self.triangles.reserve_exact(triangles);
     }
 
     /// Appends another mesh of the same material.

@@ -21,8 +21,8 @@ pub(super) enum Source {
     Wood(Vec<Limb>),
     /// The blade, dome or lathed body of the organ of this index.
     Organ(usize),
-    /// The blades of the organs of these indices.
-    Blades(Vec<usize>),
+    /// The blades of the organs of these indices, a list for each of the part's materials.
+    Blades(Vec<Vec<usize>>),
     /// Pieces of the filaments of these indices.
     Filaments(Vec<(usize, Piece)>),
 }
@@ -51,6 +51,17 @@ pub(super) struct Plan {
     pub(super) source: Source,
 }
 
+impl Plan {
+    /// Which of the part's materials this one is; it gets a place among them if it has none.
+    fn coat(&mut self, material: usize) -> usize {
+        let mut known = std::iter::once(&self.material).chain(&self.more_materials);
+        known.position(|known| *known == material).unwrap_or_else(|| {
+            self.more_materials.push(material);
+            self.more_materials.len()
+        })
+    }
+}
+
 /// Key of a part that gathers filaments: flower or, without one, organ; kind; material.
 type Gathering = (Option<usize>, Option<usize>, OrganKind, usize);
 
@@ -65,7 +76,7 @@ pub(super) fn plan(plant: &Plant, params: &ModelParams) -> Vec<Plan> {
     };
     let mut names = Names::default();
     let mut gathered: BTreeMap<Gathering, usize> = BTreeMap::new();
-    let mut foliage: BTreeMap<(usize, OrganKind, usize), usize> = BTreeMap::new();
+    let mut foliage: BTreeMap<(usize, OrganKind), usize> = BTreeMap::new();
     for (i, organ) in plant.organs.iter().enumerate() {
         let carrier = carrier(plant, organ);
         let specimen = match (carrier, organ.flower) {
@@ -84,15 +95,17 @@ pub(super) fn plan(plant: &Plant, params: &ModelParams) -> Vec<Plan> {
             source,
         };
         if params.blade.gathered && is_copy(organ) {
-            let part = *foliage.entry((specimen, organ.kind, organ.material)).or_insert_with(|| {
+            let part = *foliage.entry((specimen, organ.kind)).or_insert_with(|| {
                 let part = template(names.foliage(organ.kind), organ.material, Source::Blades(Vec::new()));
                 let trunk = part.parent.map(|carrier| root(&plans, carrier));
                 let pivot = trunk.map_or(part.pivot, |trunk| plans[trunk].pivot);
                 plans.push(Plan { parent: trunk, pivot, ..part });
                 plans.len() - 1
             });
+            let coat = plans[part].coat(organ.material);
             if let Source::Blades(blades) = &mut plans[part].source {
-                blades.push(i);
+                blades.resize(blades.len().max(coat + 1), Vec::new());
+                blades[coat].push(i);
             }
             continue;
         }
@@ -153,13 +166,9 @@ fn plan_wood(plant: &Plant, specimens: &Specimens, plans: &mut Vec<Plan>) -> Vec
         if branch.parent.is_none() {
             plans.push(wood(plant, specimens, i, None, numbered("wood", part)));
             place_of.push(0);
-        } else if let Plan { material, more_materials, source: Source::Wood(limbs), .. } = &mut plans[part] {
-            let known =
-                std::iter::once(&*material).chain(&*more_materials).position(|m| *m == branch.material);
-            let coat = known.unwrap_or_else(|| {
-                more_materials.push(branch.material);
-                more_materials.len()
-            });
+        } else {
+            let coat = plans[part].coat(branch.material);
+            let Source::Wood(limbs) = &mut plans[part].source else { continue };
             place_of.push(limbs.len());
             limbs.push(Limb { branch: i, parent: branch.parent.map(|parent| place_of[parent]), coat });
         }

@@ -54,13 +54,18 @@ impl Recipe {
         self.0.extend(form.to_row().map(f32::to_bits));
     }
 
-    /// The recipe of blades that are one part.
-    pub(super) fn blades<'a>(&mut self, blades: impl Iterator<Item = (&'a Blade, Option<u64>)>) {
+    /// The recipe of blades that are one part, in groups that wear one material each.
+    pub(super) fn blades<'a, Group>(&mut self, groups: impl Iterator<Item = Group>)
+    where
+        Group: Iterator<Item = (&'a Blade, Option<u64>)>,
+    {
         let (mut one, mut all) = (Self::default(), Self::default());
         all.begin(6);
-        for (blade, template) in blades {
-            one.blade(blade, template);
-            all.0.extend_from_slice(&one.0);
+        for (coat, blades) in groups.enumerate() {
+            for (blade, template) in blades {
+                one.blade(blade, template);
+                all.length(coat).0.extend_from_slice(&one.0);
+            }
         }
         *self = all;
     }

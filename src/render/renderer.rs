@@ -49,6 +49,14 @@ pub struct ModelDrawData {
     bounds: (Vec3, Vec3),
 }
 
+impl ModelDrawData {
+    /// The same model, framed and lit as if it were another: for pictures that follow one another.
+    #[must_use]
+    pub fn framed_as(self, other: &Self) -> Self {
+        Self { points: other.points.clone(), bounds: other.bounds, ..self }
+    }
+}
+
 /// Draws pictures.
 pub struct Renderer {
     pub(super) gpu: Gpu,

@@ -1,0 +1,66 @@
+//! Growing plants: whole trees from seed to surfaces, and crowding in ever larger volumes. `cargo bench --bench growth`.
+//!
+//! Trees are grown on one thread, so that times are those of one processor core; throughput counts triangles. Volumes
+//! hold one, four and sixteen parts of a million markers, on all cores; throughput counts internodes.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
+
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use glam::Vec3;
+use penstemon::growth::{Envelope, Habit, Limits, Simulation, species::Resource};
+use penstemon::pipeline;
+use penstemon::species::Species;
+use std::hint::black_box;
+
+/// The program's own.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
+/// Species and ages from a young tree of some 25,000 triangles to a grown crown.
+const TREES: [(&str, f32); 4] = [("birch", 5.0), ("oak", 7.0), ("oak", 15.0), ("oak", 26.0)];
+
+/// Side of the largest box, metres: a million markers of the default habit.
+const WIDEST: f32 = 24.0;
+
+fn single_threaded<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+    rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap().install(work)
+}
+
+fn trees(c: &mut Criterion) {
+    let mut group = c.benchmark_group("tree");
+    group.sample_size(20);
+    for (name, age) in TREES {
+        let species = Species::built_in(name).unwrap();
+        let params = pipeline::params_of_species(&species, &[]).unwrap();
+        let grow = || pipeline::grow(&species, &params, Some(age), 1, Limits::default()).unwrap();
+        group.throughput(Throughput::Elements(grow().model.triangle_count() as u64));
+        group.bench_function(BenchmarkId::new(name, age), |b| {
+            single_threaded(|| b.iter_with_large_drop(|| black_box(grow())));
+        });
+    }
+    group.finish();
+}
+
+fn boxed(side: f32) -> Simulation {
+    let half = Vec3::new(0.5 * side, 0.0, 0.5 * side);
+    let envelope = Envelope::Box { low: -half, high: half + Vec3::Y * side };
+    let habit = Habit { resource: Resource::Space, height: side, ..Habit::default() };
+    let mut simulation = Simulation::in_envelope(&habit, envelope, 1, Limits::default());
+    simulation.grow_to(200, &|| false);
+    simulation
+}
+
+fn volumes(c: &mut Criterion) {
+    let mut group = c.benchmark_group("volume");
+    group.sample_size(10);
+    for parts in [16.0f32, 4.0, 1.0] {
+        let side = WIDEST / parts.cbrt();
+        let internodes = boxed(side).tree().len();
+        group.throughput(Throughput::Elements(internodes as u64));
+        group.bench_function(BenchmarkId::from_parameter(internodes), |b| b.iter(|| black_box(boxed(side))));
+    }
+    group.finish();
+}
+
+criterion_group!(benches, trees, volumes);
+criterion_main!(benches);
