@@ -20,7 +20,7 @@ const TRIED: usize = 400;
 const AT_END: f32 = 0.1;
 
 /// Depth that drawn wood may have, as shares of the crown's half depth there and of its largest.
-const INSIDE: (f32, f32) = (0.75, 0.1);
+const INSIDE: (f32, f32) = (0.4, 0.04);
 
 /// Brings drawn wood inside of a crown's depth where it lies over the crown.
 pub fn draw_in(wood: &mut [Branch], crown: &Inflated) {
@@ -149,7 +149,7 @@ mod tests {
         let before = wood[0].points.clone();
         draw_in(&mut wood, &crown);
         let end = *wood[0].points.last().unwrap();
-        assert!(crown.contains(end) && end.z > 0.6, "{end}");
+        assert!(crown.contains(end) && end.z > 0.3, "{end}");
         for (old, new) in before.iter().zip(&wood[0].points) {
             assert_eq!(old.truncate(), new.truncate(), "the front is as it was");
             assert!(old.y > 1.0 || old == new, "outside nothing is moved");
