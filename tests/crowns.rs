@@ -344,6 +344,18 @@ fn odd_crowns_end_in_a_plant_or_a_remark() {
     assert_eq!(built.growth, None);
     let scribble = vec![ring(200, |t| Vec2::new((7.0 * t).sin() * 3.0, (5.0 * t).cos() * 2.0 + t))];
     let thin = vec![vec![Vec2::ZERO, Vec2::new(0.02, 0.0), Vec2::new(0.03, 6.0), Vec2::new(0.01, 6.0)]];
+    // An eight in one stroke: the two halves turn the other way round.
+    let eight = vec![ring(80, |t| Vec2::new((2.0 * t).sin(), 2.0 * t.cos()))];
+    let built = build(&drawing("box", &eight, true), &[]);
+    assert!(built.anatomy.warnings.is_empty() && agreement(&built).0 > 0.85, "{}", agreement(&built).0);
+    // More crowns than may be: a field of dots.
+    let dots: Outlines =
+        (0..300).map(|k| circle(Vec2::new((k % 20) as f32, (k / 20) as f32) * 3.0, 1.0)).collect();
+    let built = build(&drawing("box", &dots, true), &[]);
+    let left_out = |w: &&_| matches!(w, Remark::ManyCrowns { most: 64 });
+    assert!(built.anatomy.warnings.iter().map(|w| &w.remark).filter(left_out).count() > 10);
+    assert_eq!(built.anatomy.crowns.len(), 64);
+    built.plant.check_invariants().unwrap();
     // The same outline twice: inside is outside everywhere.
     let twice = [heart(), heart()].concat();
     let far = vec![circle(Vec2::ZERO, 1.0), circle(Vec2::new(40.0, 30.0), 1.0)];

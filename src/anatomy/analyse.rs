@@ -13,7 +13,7 @@ use super::{
     leaf_twigs::{LeafTwigParams, LeafTwigs},
     preprocess::{PreprocessParams, preprocess},
 };
-use crate::geom::{polyline, region::Region, simple_loop};
+use crate::geom::{convex_hull::convex_hull, polyline, region::Region, simple_loop};
 use crate::sketch::warnings::Warnings;
 use crate::sketch::{Remark, Sketch, Stroke, StrokeId, Tool};
 use glam::Vec2;
@@ -106,7 +106,7 @@ fn analysis(sketch: &Sketch, params: &AnatomyParams, stop: Stop) -> Anatomy {
     for &heart in &gathering.hearts {
         warnings.add(Some(heart), || Remark::Heart);
     }
-    anatomy.crowns = crowns(&readings);
+    anatomy.crowns = crowns(&readings, &mut warnings);
     attach_organs(&mut anatomy, &params.attach);
     fill_outlines(&mut anatomy, &readings, sketch.seed, params, stop, &mut warnings);
     anatomy.warnings = warnings.into_vec();
@@ -117,7 +117,10 @@ fn analysis(sketch: &Sketch, params: &AnatomyParams, stop: Stop) -> Anatomy {
 /// Largest extent of a dot, as a share of the median stroke's and of the whole drawing's.
 const DOT: (f32, f32) = (0.05, 0.004);
 
-/// Least area of a crown, as a share of the square of the drawing's diagonal.
+/// Most outlines of crowns in a drawing.
+const MOST_CROWNS: usize = 64;
+
+/// Least area of a crown's hull, as a share of the square of the drawing's diagonal.
 const FLAT_CROWN: f32 = 1e-5;
 
 /// Bounds of all strokes but dots, and which strokes are dots: a slip of the pen far away must not set the scale.
@@ -160,8 +163,7 @@ fn read_stroke(stroke: &Stroke, dot: bool, diagonal: f32, params: &AnatomyParams
         Tool::BranchOutline => return reading(samples, Part::BranchOutline, 1.0, None, None),
         Tool::LeafOutline => return reading(samples, Part::LeafOutline, 1.0, None, None),
         Tool::Crown => {
-            let area = simple_loop::signed_area(positions.iter().copied()).abs();
-            let is_flat = area < FLAT_CROWN * diagonal * diagonal;
+            let is_flat = spread(&samples) < FLAT_CROWN * diagonal * diagonal;
             let warning = is_flat.then_some(Remark::EmptyCrown);
             let part = if is_flat { Part::Ignored } else { Part::Crown };
             return reading(samples, part, 1.0, None, warning);
@@ -182,9 +184,14 @@ fn read_stroke(stroke: &Stroke, dot: bool, diagonal: f32, params: &AnatomyParams
     }
 }
 
-/// The outlines of crowns in drawing order, closed by leaving out an end that meets its beginning.
-fn crowns(readings: &[Reading]) -> Vec<FlatCrown> {
-    let drawn = readings.iter().filter(|r| r.part == Part::Crown);
+/// The outlines of crowns in drawing order, closed by leaving out an end that meets its beginning; the largest where
+/// there are too many.
+fn crowns(readings: &[Reading], warnings: &mut Warnings) -> Vec<FlatCrown> {
+    let drawn: Vec<&Reading> = readings.iter().filter(|r| r.part == Part::Crown).collect();
+    let mut order: Vec<usize> = (0..drawn.len()).collect();
+    order.sort_by(|a, b| spread(&drawn[*b].samples).total_cmp(&spread(&drawn[*a].samples)));
+    let mut kept = vec![false; drawn.len()];
+    order.iter().take(MOST_CROWNS).for_each(|i| kept[*i] = true);
     let crown = |r: &Reading| {
         let mut outline: Vec<Vec2> = r.samples.iter().map(|s| s.position).collect();
         if outline.first() == outline.last() {
@@ -192,7 +199,16 @@ fn crowns(readings: &[Reading]) -> Vec<FlatCrown> {
         }
         FlatCrown { stroke: r.id, outline }
     };
-    drawn.map(crown).collect()
+    for (reading, _) in drawn.iter().zip(&kept).filter(|(_, kept)| !**kept) {
+        warnings.add(Some(reading.id), || Remark::ManyCrowns { most: MOST_CROWNS });
+    }
+    drawn.into_iter().zip(kept).filter(|(_, kept)| *kept).map(|(reading, _)| crown(reading)).collect()
+}
+
+/// Area of the convex hull: unlike that of the outline itself it is not lost where an outline crosses itself.
+fn spread(samples: &[Sample]) -> f32 {
+    let hull = convex_hull(samples, |s| s.position);
+    simple_loop::signed_area(hull.iter().map(|s| s.position)).abs()
 }
 
 /// The stems that stand by themselves.

@@ -69,9 +69,13 @@ impl Start {
     }
 
     /// The plant before its first year.
-    fn simulation(&self) -> Simulation {
+    fn begin(&self) -> Kept {
         let crown = Inflated::new(self.crowns.clone(), self.depth).map(Arc::new);
-        let mut wood = self.wood.clone();
+        let mut seated = self.wood.clone();
+        if let Some(crown) = &crown {
+            lead::draw_in(&mut seated, crown);
+        }
+        let mut wood = seated.clone();
         if let Some(crown) = &crown {
             lead::lead(&mut wood, crown);
         }
@@ -83,7 +87,8 @@ impl Start {
             organs: Vec::new(),
             materials: Vec::new(),
         };
-        Simulation::from_skeleton(&self.habit, &plant, envelope, self.seed, self.limits)
+        let simulation = Simulation::from_skeleton(&self.habit, &plant, envelope, self.seed, self.limits);
+        Kept { start: self.clone(), seated, simulation, ended: Outcome::Growing }
     }
 }
 
@@ -92,6 +97,8 @@ impl Start {
 pub struct Grown<'a> {
     /// The plant with its ages.
     pub simulation: &'a Simulation,
+    /// The drawn wood that it began with, point by point, brought inside of the crown's depth.
+    pub wood: &'a [Branch],
     /// The age to show, years.
     pub age: f32,
     /// Why it grew no further; [`Outcome::Growing`] where nothing kept it.
@@ -101,7 +108,16 @@ pub struct Grown<'a> {
 /// The plant that grew last.
 #[derive(Debug, Default)]
 pub struct Memory {
-    last: Option<(Start, Simulation, Outcome)>,
+    last: Option<Kept>,
+}
+
+/// A plant, what it grew from and why it grows no more.
+#[derive(Debug)]
+struct Kept {
+    start: Start,
+    seated: Vec<Branch>,
+    simulation: Simulation,
+    ended: Outcome,
 }
 
 impl Memory {
@@ -113,9 +129,9 @@ impl Memory {
     /// Grows a drawing to an age, or until its crown is filled; nothing if `stop` said yes, but what had grown until
     /// then is kept. The same start gives the same plant whatever grew before.
     pub fn grow(&mut self, start: &Start, years: Option<f32>, stop: &dyn Fn() -> bool) -> Option<Grown<'_>> {
-        let known = self.last.take().filter(|(of, ..)| of == start);
-        let begin = || (start.clone(), start.simulation(), Outcome::Growing);
-        let (_, simulation, ended) = self.last.insert(known.unwrap_or_else(begin));
+        let known = self.last.take().filter(|kept| kept.start == *start);
+        let kept = self.last.insert(known.unwrap_or_else(|| start.begin()));
+        let Kept { seated, simulation, ended, .. } = kept;
         // Crowns that enclose nothing bind nothing: then all there is is what was drawn.
         let unbound = simulation.envelope().bounds().is_none().then_some(0.0);
         let years = years.or(unbound);
@@ -134,7 +150,7 @@ impl Memory {
         let age = years.map_or_else(filled, |years| years.min(oldest));
         // What ended growth later than what is shown is not its fault.
         let outcome = if age < oldest { Outcome::Growing } else { *ended };
-        Some(Grown { simulation, age, outcome })
+        Some(Grown { simulation, wood: seated, age, outcome })
     }
 }
 

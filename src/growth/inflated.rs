@@ -83,6 +83,11 @@ impl Inflated {
         p.is_finite() && p.z.abs() <= self.half_depth(p.truncate()) && self.covers(p.truncate())
     }
 
+    /// Largest half depth.
+    pub fn deepest(&self) -> f32 {
+        self.deepest
+    }
+
     /// Cubic metres, by the raster.
     pub fn volume(&self) -> f32 {
         2.0 * self.depth * self.cell * self.cell * self.squared.iter().map(|u| u.sqrt()).sum::<f32>()
@@ -94,13 +99,15 @@ impl Inflated {
         (self.low.extend(-self.deepest), high.extend(self.deepest))
     }
 
-    /// The separate parts of the outlines, by the cells of the raster.
+    /// The separate parts of the outlines, by the cells of the raster. Necks of a few cells separate, too: no shoot finds
+    /// its way through them.
     pub fn islands(&self) -> Islands {
         let [w, h] = self.size;
         let mut of_cell = vec![NO_ISLAND; w * h];
         let (mut count, mut open) = (0, Vec::new());
+        let least = (NECK * self.cell).min(0.3 * self.deepest / self.depth).powi(2);
         for first in 0..w * h {
-            if self.squared[first] <= 0.0 || of_cell[first] != NO_ISLAND {
+            if self.squared[first] <= least || of_cell[first] != NO_ISLAND {
                 continue;
             }
             open.push(first);
@@ -108,7 +115,7 @@ impl Inflated {
             while let Some(i) = open.pop() {
                 // The rim is outside, so every inside cell has eight neighbours.
                 for near in [i - w - 1, i - w, i - w + 1, i - 1, i + 1, i + w - 1, i + w, i + w + 1] {
-                    if self.squared[near] > 0.0 && of_cell[near] == NO_ISLAND {
+                    if self.squared[near] > least && of_cell[near] == NO_ISLAND {
                         of_cell[near] = count;
                         open.push(near);
                     }
@@ -140,6 +147,8 @@ impl Inflated {
     }
 }
 
+/// Half depth in cells up to which a neck separates: a strip of four to five cells is as deep.
+const NECK: f32 = 3.2;
 /// No part of the outlines.
 const NO_ISLAND: u32 = u32::MAX;
 

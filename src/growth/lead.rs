@@ -1,20 +1,37 @@
-//! Wood that leads from what was drawn into every part of a crown.
+//! Drawn wood in a crown: brought inside of its depth, and led on into every part of it.
+//!
+//! The depth of drawn branches was found without knowing of a crown; where they would stick out of it before or behind,
+//! they are drawn in, which the front does not show.
 //!
 //! Growth begins at buds that perceive space, so each separate part of a crown needs wood in it. Where the drawn
 //! branches end below a part, the nearest of them is led on, straight, to a place inside that is near and deep.
 
 use super::inflated::Inflated;
 use crate::plant::Branch;
-use glam::{Vec2, Vec3};
+use glam::Vec2;
 
 /// How much the depth of a place counts against its distance.
 const DEEP: f32 = 1.5;
 /// Radius at the end of a lead, and at its beginning where it leaves a branch sideways, as shares of the branch's there.
 const THINNER: (f32, f32) = (0.6, 0.75);
-/// Places on drawn wood that are tried for a lead to begin at, at most.
+/// Places on drawn wood, and branches, that are tried for a lead to begin at, about.
 const TRIED: usize = 400;
 /// Distance from a branch's end, as a share of its length, from which a lead takes its place as the continuation.
 const AT_END: f32 = 0.1;
+
+/// Depth that drawn wood may have, as shares of the crown's half depth there and of its largest.
+const INSIDE: (f32, f32) = (0.4, 0.04);
+
+/// Brings drawn wood inside of a crown's depth where it lies over the crown.
+pub fn draw_in(wood: &mut [Branch], crown: &Inflated) {
+    let least = INSIDE.1 * crown.deepest();
+    for p in wood.iter_mut().flat_map(|branch| &mut branch.points) {
+        if crown.covers(p.truncate()) {
+            let most = INSIDE.0 * crown.half_depth(p.truncate()) + least;
+            p.z = p.z.clamp(-most, most);
+        }
+    }
+}
 
 /// A place on drawn wood and one inside a crown.
 #[derive(Clone, Copy)]
@@ -28,24 +45,25 @@ struct Way {
 /// Leads `wood` into the parts of a crown that it does not reach; `wood` may be empty and then stays so.
 pub fn lead(wood: &mut Vec<Branch>, crown: &Inflated) {
     let islands = crown.islands();
-    let drawn = wood.len();
-    for island in 0..islands.count {
-        let reaches = |p: &Vec3| islands.at(crown, p.truncate()) == Some(island);
-        if wood.iter().any(|branch| branch.points.iter().any(reaches)) {
-            continue;
-        }
-        let places: Vec<(Vec2, f32)> = islands.places(crown, island);
-        if let Some(way) = shortest(&wood[..drawn], &places) {
-            follow(wood, way);
+    let mut reached = vec![false; islands.count];
+    for p in wood.iter().flat_map(|branch| &branch.points) {
+        if let Some(island) = islands.at(crown, p.truncate()) {
+            reached[island] = true;
         }
     }
+    let unreached = (0..islands.count).filter(|island| !reached[*island]);
+    let mut ways: Vec<Way> =
+        unreached.filter_map(|island| shortest(wood, &islands.places(crown, island))).collect();
+    // The nearest part gets the end of a branch that several would have.
+    ways.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    ways.into_iter().for_each(|way| follow(wood, way));
 }
 
 fn shortest(wood: &[Branch], places: &[(Vec2, f32)]) -> Option<Way> {
     let points: usize = wood.iter().map(|b| b.points.len()).sum();
     let step = points.div_ceil(TRIED).max(1);
     let mut best: Option<Way> = None;
-    for (branch, of) in wood.iter().enumerate() {
+    for (branch, of) in wood.iter().enumerate().step_by(wood.len().div_ceil(TRIED).max(1)) {
         let last = of.points.len().saturating_sub(1);
         // Ends always; of the rest every few.
         for point in (0..last).step_by(step).chain([last]) {
@@ -89,6 +107,7 @@ fn follow(wood: &mut Vec<Branch>, way: Way) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::Vec3;
     use std::f32::consts::TAU;
 
     fn circle(x: f32, y: f32) -> Vec<Vec2> {
@@ -120,6 +139,21 @@ mod tests {
         let before = wood.clone();
         lead(&mut wood, &crown);
         assert_eq!(wood, before, "what is reached is left alone");
+    }
+
+    #[test]
+    fn wood_over_a_crown_is_brought_inside_of_it() {
+        let crown = Inflated::new(vec![circle(0.0, 2.0)], 1.0).unwrap();
+        let mut wood = vec![trunk(2.0)];
+        wood[0].points.iter_mut().for_each(|p| p.z = p.y);
+        let before = wood[0].points.clone();
+        draw_in(&mut wood, &crown);
+        let end = *wood[0].points.last().unwrap();
+        assert!(crown.contains(end) && end.z > 0.3, "{end}");
+        for (old, new) in before.iter().zip(&wood[0].points) {
+            assert_eq!(old.truncate(), new.truncate(), "the front is as it was");
+            assert!(old.y > 1.0 || old == new, "outside nothing is moved");
+        }
     }
 
     #[test]

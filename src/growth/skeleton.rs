@@ -15,6 +15,9 @@ use std::f32::consts::TAU;
 /// Most nodes of a skeleton; longer internodes are taken where it would have more.
 const MOST: f32 = 20_000.0;
 
+/// Least distance of nodes that are not a step apart, in steps.
+const APART: f32 = 0.25;
+
 /// Distance between the feet of a plant with several trunks, in internodes.
 const FEET_APART: f32 = 0.6;
 
@@ -75,11 +78,14 @@ pub fn of_plant(plant: &Plant, habit: &Habit, seed: u64) -> Tree {
             }
         };
         let mut before = direction;
-        for (k, &(at, radius)) in samples.iter().enumerate().skip(1) {
-            let way = (at - samples[k - 1].0).normalize_or(before);
+        // The hand may leave a gap to the carrier, which is bridged.
+        let gap = carrier.is_some() && tree.nodes.at[below as usize].distance(samples[0].0) > APART * step;
+        let first_new = usize::from(!gap);
+        for (k, &(at, radius)) in samples.iter().enumerate().skip(first_new) {
+            let way = (at - tree.nodes.at[below as usize]).normalize_or(before);
             let order = tree.nodes.order[below as usize];
             side = direction::next_side(side, before, way, order, habit);
-            let lateral = k == 1 && carrier.is_some();
+            let lateral = k == first_new && carrier.is_some();
             below = tree.add(NewNode { parent: below, at, side, lateral, year: 0 });
             tree.given.push(2.0 * radius);
             tree.drawn.push(index as u32);
@@ -146,11 +152,11 @@ fn nearest_arc(line: &[Vec3], at: Vec3) -> f32 {
     best.1
 }
 
-/// Where the nodes of a branch are, metres from its base: at its ends, at its forks unless these lie closer than a
-/// quarter of a step, and about a step apart between them.
+/// Where the nodes of a branch are, metres from its base: at its ends, at its forks unless these lie closer than
+/// [`APART`], and about a step apart between them.
 fn stations(whole: f32, forks: &[f32], step: f32) -> Vec<f32> {
     let mut out = vec![0.0];
-    let apart = 0.25 * step;
+    let apart = APART * step;
     let inner = forks.iter().copied().filter(|arc| *arc < whole - apart);
     for stop in inner.chain([whole]) {
         let from = out.last().copied().unwrap_or(0.0);

@@ -60,5 +60,5 @@ pub(super) fn grow_on(
         }
         Outcome::Growing | Outcome::Finished | Outcome::Stopped => {}
     }
-    Ok((merge::merged(drawn, &grows, grown.simulation, grown.age), ages))
+    Ok((merge::merged(drawn, &grows, &grown), ages))
 }

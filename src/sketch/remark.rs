@@ -122,6 +122,12 @@ pub enum Remark {
     /// A crown without area.
     #[error("encloses nothing, so nothing can grow in it")]
     EmptyCrown,
+    /// A crown too many.
+    #[error("was left out: a drawing has at most {most} crowns, the largest")]
+    ManyCrowns {
+        /// How many there may be.
+        most: usize,
+    },
     /// A crown for a species that does not say how it grows.
     #[error(
         "the species `{species}` does not say how it grows, so it grew like any tree; those that do are {known}"
@@ -162,6 +168,7 @@ impl Remark {
             | Self::NoBranch
             | Self::NoRoom
             | Self::EmptyCrown
+            | Self::ManyCrowns { .. }
             | Self::DoesNotGrow { .. }
             | Self::GrowthCapped { .. }
             | Self::GrownTooLarge { .. } => true,

@@ -7,6 +7,8 @@
 use super::Editor;
 use crate::app::panels::growth::YEARS;
 use crate::app::panels::snapshot::GrowthState;
+use crate::growth::GrowthParams;
+use crate::params::Parameters as _;
 use serde_json::{Map, Value};
 use std::time::{Duration, Instant};
 
@@ -16,6 +18,14 @@ const REPLAY: Duration = Duration::from_secs(5);
 const FRAME: Duration = Duration::from_millis(16);
 /// What the slider reaches beyond the species' own age.
 const BEYOND: f32 = 1.5;
+/// Least years on the slider.
+const LEAST: f32 = 10.0;
+
+/// Oldest age that the parameter takes.
+fn oldest() -> f32 {
+    let years = GrowthParams::describe().into_iter().find(|known| YEARS.ends_with(&known.path));
+    years.map_or(LEAST, |known| known.max as f32)
+}
 
 /// Growth that is being replayed, or pauses.
 #[derive(Clone, Copy, Debug)]
@@ -57,7 +67,7 @@ impl Editor {
         let species = habit.map_or(0.0, |habit| BEYOND * habit.age as f32);
         Some(GrowthState {
             age: shown,
-            most: species.max(end).ceil().max(10.0),
+            most: species.max(end).ceil().clamp(LEAST, oldest()),
             chosen: own.is_some(),
             crown: self.outlines.crowns,
             playing: self.is_playing(),

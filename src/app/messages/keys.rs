@@ -267,6 +267,7 @@ keys! {
     WarningNoBranch = "warning.no_branch",
     WarningNoRoom = "warning.no_room",
     WarningEmptyCrown = "warning.empty_crown",
+    WarningManyCrowns = "warning.many_crowns",
     WarningDoesNotGrow = "warning.does_not_grow",
     WarningGrowthCapped = "warning.growth_capped",
     WarningGrownTooLarge = "warning.grown_too_large",

@@ -43,6 +43,7 @@ impl Told for Remark {
             Self::NoBranch => fill(Msg::WarningNoBranch, &[]),
             Self::NoRoom => fill(Msg::WarningNoRoom, &[]),
             Self::EmptyCrown => fill(Msg::WarningEmptyCrown, &[]),
+            Self::ManyCrowns { most } => fill(Msg::WarningManyCrowns, &[("most", most)]),
             Self::DoesNotGrow { species, known } => {
                 fill(Msg::WarningDoesNotGrow, &[("species", species), ("known", known)])
             }
@@ -93,7 +94,8 @@ mod tests {
             Remark::FilledThinly => Remark::NoBranch,
             Remark::NoBranch => Remark::NoRoom,
             Remark::NoRoom => Remark::EmptyCrown,
-            Remark::EmptyCrown => {
+            Remark::EmptyCrown => Remark::ManyCrowns { most: 52 },
+            Remark::ManyCrowns { .. } => {
                 Remark::DoesNotGrow { species: "daisy".to_owned(), known: "oak".to_owned() }
             }
             Remark::DoesNotGrow { .. } => Remark::GrowthCapped { internodes: 50 },

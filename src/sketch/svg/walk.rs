@@ -141,19 +141,22 @@ impl<'d, 'i> Walk<'d, 'i, '_> {
                 Affine::IDENTITY
             }
         };
-        let tool = self.tool(node)?.unwrap_or(from.tool);
+        let tool = self.tool(node, from.tool)?.unwrap_or(from.tool);
         Ok(Some(Inherited { to_canvas: from.to_canvas * own, tool, hidden, use_depth: from.use_depth }))
     }
 
-    /// The tool that this very element names.
-    fn tool(&self, node: Node<'d, 'i>) -> Result<Option<Tool>, Flaw> {
+    /// The tool that this very element names; `around` is that of the groups around it.
+    fn tool(&self, node: Node<'d, 'i>, around: Tool) -> Result<Option<Tool>, Flaw> {
         if let Some(name) = node.attribute("data-tool") {
             let known = naming::tool_in(name);
             let fault = || Fault::UnknownTool { name: name.chars().take(80).collect() };
             return known.map(Some).ok_or_else(|| (self.place(node), fault()));
         }
-        let names = [node.attribute((INKSCAPE, "label")), node.attribute("id")];
-        Ok(names.into_iter().flatten().find_map(naming::tool_in))
+        let label = node.attribute((INKSCAPE, "label")).and_then(naming::tool_in);
+        // An outline to be filled with leaves or twigs may well be called a crown.
+        let may_be = |tool: &Tool| *tool != Tool::Crown || around == Tool::Auto;
+        let id = node.attribute("id").and_then(naming::tool_in).filter(may_be);
+        Ok(label.or(id))
     }
 
     /// Puts what a `<use>` refers to on the stack.
