@@ -294,11 +294,12 @@ fn models_that_are_not_sound_or_empty_are_refused() {
 /// All corners of a model: where they are and their colour. Names of materials become words in OBJ.
 fn corners(model: &Model) -> Vec<(Vec3, Vec2, [f32; 3])> {
     let mut corners = Vec::new();
-    for part in &model.parts {
-        for &corner in part.mesh.triangles.iter().flatten() {
+    let coats = model.parts.iter().flat_map(|part| part.coats().map(move |coat| (part, coat)));
+    for (part, (material, triangles)) in coats {
+        for &corner in part.mesh.triangles[triangles].iter().flatten() {
             let vertex = &part.mesh.vertices[corner as usize];
             let point = part.mesh.points[vertex.point as usize];
-            corners.push((point, vertex.uv, model.materials[part.material].diffuse));
+            corners.push((point, vertex.uv, model.materials[material].diffuse));
         }
     }
     // Formats order parts in their own way; neighbours within rounding must not swap.
@@ -336,6 +337,50 @@ fn a_model_that_was_written_is_loaded_in_its_place_and_colours() {
             assert_eq!(bytes, *fetch(material.texture.as_ref().unwrap(), &textures).unwrap(), "{file}");
         }
     }
+}
+
+#[test]
+fn a_part_of_two_materials_stays_one_surface_and_keeps_both() {
+    let folder = tempfile::tempdir().unwrap();
+    let (mut model, plant) = two_specimens();
+    let trunk = &mut model.parts[0];
+    let half = trunk.mesh.triangles.len() as u32 / 2;
+    Arc::make_mut(&mut trunk.mesh).breaks.push(half);
+    trunk.more_materials.push(2);
+    let direct = judge_model(&model);
+    for (format, file) in [(ReadFormat::Obj, "a.obj"), (ReadFormat::Glb, "a.glb")] {
+        let report = judged(format, &encoded(file, &model, &plant).bytes);
+        assert!(report.is_clean(), "{file}: {report:?}");
+        assert_eq!(report.components, direct.components, "{file}");
+        let path = folder.path().join(file);
+        export(&path, &model, &plant, &textures).unwrap();
+        let loaded = load(&path).unwrap().model;
+        for ((p, _, colour), (point, _, own)) in corners(&loaded).iter().zip(corners(&model)) {
+            assert!(
+                p.distance(point) < 2e-3 && *colour == own,
+                "{file}: {p} {colour:?}, not {point} {own:?}"
+            );
+        }
+    }
+    let trunk = &document(&encoded("a.glb", &model, &plant).bytes).meshes[0];
+    assert_eq!(trunk.primitives.len(), 2);
+    assert_eq!(trunk.primitives[0].attributes, trunk.primitives[1].attributes, "vertices are there once");
+    trunk.primitives[0].material.zip(trunk.primitives[1].material).map(|(a, b)| assert_ne!(a, b)).unwrap();
+}
+
+#[test]
+fn breaks_that_do_not_fit_are_refused() {
+    let (model, plant) = two_specimens();
+    let refusal = |breaks: Vec<u32>, more_materials: Vec<usize>| {
+        let mut model = model.clone();
+        Arc::make_mut(&mut model.parts[0].mesh).breaks = breaks;
+        model.parts[0].more_materials = more_materials;
+        Scene::new(&model, &plant, &textures, "a".into()).err().map(|error| error.to_string())
+    };
+    assert!(refusal(vec![4], vec![]).unwrap().contains("materials and breaks"));
+    assert!(refusal(vec![4], vec![99]).unwrap().contains("material out of range"));
+    assert!(refusal(vec![1 << 20], vec![1]).unwrap().contains("breaks are not in order"));
+    assert!(refusal(vec![4], vec![1]).is_none());
 }
 
 #[test]

@@ -182,6 +182,24 @@ mod tests {
     }
 
     #[test]
+    fn frames_are_the_plant_at_rising_ages() {
+        let folder = tempfile::tempdir().unwrap();
+        let here = folder.path().display();
+        let line = format!(
+            "penstemon grow hazel --age 3 --frames 3 -o {here}/a.json -o {here}/a.glb -o {here}/a.png"
+        );
+        run(&parse(&line).unwrap()).unwrap();
+        let size = |frame: u32, ending: &str| {
+            std::fs::metadata(folder.path().join(format!("a-{frame:03}.{ending}"))).unwrap().len()
+        };
+        assert!(size(1, "json") < size(2, "json") && size(2, "json") < size(3, "json"));
+        assert!(size(1, "glb") < size(2, "glb") && size(2, "glb") < size(3, "glb"));
+        let picture = |frame: u32| std::fs::read(folder.path().join(format!("a-{frame:03}.png"))).unwrap();
+        assert!(picture(1) != picture(2) && picture(2) != picture(3));
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 9);
+    }
+
+    #[test]
     fn faults_are_told_before_anything_is_written() {
         assert!(message("penstemon grow oka -o a.glb").contains("did you mean `oak`?"));
         assert!(message("penstemon grow daisy -o a.glb").contains("[growth]"));

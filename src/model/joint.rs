@@ -6,8 +6,10 @@
 //!
 //! Windows of one parent never overlap. A branch whose place is taken goes to the nearest free cells.
 //!
-//! Limits: near its joint a parent counts as a straight cylinder. A branch that never leaves its parent has no exit and is
-//! not seen.
+//! A branch is followed along its parent, whichever way that bends: it is out once it has passed through the bark and
+//! does not come back soon after.
+//!
+//! Limits: a branch that never leaves its parent has no exit and is not seen.
 
 use super::spine::Ring;
 use glam::Vec3;
@@ -42,71 +44,142 @@ pub(super) struct Exit {
     pub(super) half_angle: f32,
 }
 
+/// Where a branch is watched for coming back into its parent, in radii of the parent beyond its exit.
+const WATCH: f32 = 2.0;
+/// Longest step of the watch, in radii of the parent; and most steps between two rings.
+const STEP: f32 = 0.5;
+const MOST_STEPS: f32 = 16.0;
+/// Halvings of the step in which the exit lies.
+const HALVINGS: u32 = 4;
+
 /// The exit of a branch from its parent; `None` for one that stays inside.
 pub(super) fn exit(branch: &[Ring], parent: &[Ring], parent_arcs: &[f32]) -> Option<Exit> {
-    let foot = Foot::nearest(branch.first()?.at, parent, parent_arcs);
-    let (ring, arc) = first_outside(branch, &foot)?;
-    let (across, along) = foot.off_axis(ring.at);
-    let (distance, axis) = (across.length(), foot.ring.tangent);
-    // Where a straight line from foot to exit passes through the bark.
-    let share = (foot.ring.radius / distance.max(f32::MIN_POSITIVE)).min(1.0);
-    let slant = distance / (distance * distance + along * along).sqrt().max(f32::MIN_POSITIVE);
+    let on = Carrier { rings: parent, arcs: parent_arcs };
+    let mut way = Way { on, bark: on.foot(branch.first()?.at, 0..parent.len() - 1), exit: None, length: 0.0 };
+    way.follow(branch);
+    let (ring, arc) = way.exit.filter(|(ring, arc)| way.length - arc >= SHORTEST * ring.radius)?;
+    let foot = &way.bark;
+    let (across, _) = foot.off_axis(ring.at);
+    let axis = foot.ring.tangent;
+    let slant = ring.tangent.cross(axis).length();
     let collar = COLLAR * ring.radius;
     Some(Exit {
         ring,
         arc,
         outward: across.try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector()),
         upward: axis,
-        at: foot.arc + along * share,
+        at: foot.arc,
         half_length: collar / slant.max(1.0 / LONGEST),
         half_angle: (collar / foot.ring.radius).min(1.0).asin(),
     })
 }
 
-/// The first ring of a branch that lies wholly outside of its parent, and the length of the branch before it; `None` if
-/// hardly anything comes after it.
-fn first_outside(branch: &[Ring], foot: &Foot) -> Option<(Ring, f32)> {
-    let mut before = foot.clearance(branch.first()?);
-    let (mut outside, mut length) = ((before >= 0.0).then_some((branch[0], 0.0)), 0.0);
-    for w in branch.windows(2) {
-        let step = w[0].at.distance(w[1].at);
-        if outside.is_none() {
-            let here = foot.clearance(&w[1]);
-            let share = before / (before - here);
-            outside = (here >= 0.0).then(|| (between(&w[0], &w[1], share), length + share * step));
-            before = here;
-        }
-        length += step;
-    }
-    outside.filter(|(ring, arc)| length - arc >= SHORTEST * ring.radius)
+/// A parent's rings and the length before each.
+#[derive(Clone, Copy)]
+struct Carrier<'a> {
+    rings: &'a [Ring],
+    arcs: &'a [f32],
 }
 
-/// The place on a parent where a branch begins.
+impl Carrier<'_> {
+    /// The place nearest to a point on some of the segments.
+    fn foot(&self, p: Vec3, segments: Range<usize>) -> Foot {
+        let place = |i: usize| {
+            let (a, b) = (self.rings[i].at, self.rings[i + 1].at);
+            let along = b - a;
+            let share = ((p - a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+            (p.distance_squared(a + along * share), i, share)
+        };
+        let best = segments.map(place).min_by(|a, b| a.0.total_cmp(&b.0));
+        let (_, segment, share) = best.unwrap_or((0.0, 0, 0.0));
+        let (a, b) = (&self.rings[segment], &self.rings[segment + 1]);
+        let ring = Ring { tangent: (b.at - a.at).normalize(), ..between(a, b, share) };
+        let arc = self.arcs[segment] + share * (self.arcs[segment + 1] - self.arcs[segment]);
+        Foot { ring, segment, arc, left: self.arcs[self.arcs.len() - 1] - arc }
+    }
+
+    /// The same near a place.
+    fn foot_near(&self, p: Vec3, near: &Foot) -> Foot {
+        let last = self.rings.len() - 1;
+        self.foot(p, near.segment.saturating_sub(NEAR)..(near.segment + NEAR + 1).min(last))
+    }
+}
+
+/// Segments on either side in which a parent's nearest place is looked for as the branch goes on.
+const NEAR: usize = 3;
+
+/// A branch's way out of its parent.
+struct Way<'a> {
+    on: Carrier<'a>,
+    /// Where it passes through the bark.
+    bark: Foot,
+    /// Its first ring outside, and the branch's length before it.
+    exit: Option<(Ring, f32)>,
+    /// The branch's whole length.
+    length: f32,
+}
+
+impl Way<'_> {
+    fn follow(&mut self, branch: &[Ring]) {
+        let mut foot = self.bark;
+        let mut before = foot.clearance(&branch[0]);
+        self.exit = (before >= 0.0).then_some((branch[0], 0.0));
+        let mut watched = true;
+        for w in branch.windows(2) {
+            let run = w[0].at.distance(w[1].at);
+            let steps = (run / (STEP * foot.ring.radius)).ceil().clamp(1.0, MOST_STEPS);
+            for k in 1..=(if watched { steps as u32 } else { 0 }) {
+                let (from, to) = ((k - 1) as f32 / steps, k as f32 / steps);
+                let ring = between(&w[0], &w[1], to);
+                let next = self.on.foot_near(ring.at, &foot);
+                let here = next.clearance(&ring);
+                if next.off_axis(ring.at).0.length() < next.ring.radius {
+                    self.bark = next;
+                }
+                if here < 0.0 {
+                    self.exit = None;
+                } else if before < 0.0 {
+                    let share = self.halved(w, (from, to), &foot);
+                    self.exit = Some((between(&w[0], &w[1], share), self.length + share * run));
+                }
+                (before, foot) = (here, next);
+                let beyond = self.exit.map_or(0.0, |(_, arc)| self.length + to * run - arc);
+                if beyond > WATCH * foot.ring.radius {
+                    watched = false;
+                    break;
+                }
+            }
+            self.length += run;
+        }
+    }
+
+    /// The share of a segment at which the branch is just outside, between an inner and an outer one.
+    fn halved(&self, w: &[Ring], (mut inner, mut outer): (f32, f32), foot: &Foot) -> f32 {
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (inner + outer);
+            let ring = between(&w[0], &w[1], middle);
+            if self.on.foot_near(ring.at, foot).clearance(&ring) < 0.0 {
+                inner = middle;
+            } else {
+                outer = middle;
+            }
+        }
+        outer
+    }
+}
+
+/// A place on a parent.
+#[derive(Clone, Copy)]
 struct Foot {
     /// The parent's ring there; its tangent is the parent's axis.
     ring: Ring,
+    segment: usize,
     /// Length of the parent before it and after it, metres along its rings.
     arc: f32,
     left: f32,
 }
 
 impl Foot {
-    /// The place on the rings' axis that is nearest to `p`.
-    fn nearest(p: Vec3, rings: &[Ring], arcs: &[f32]) -> Self {
-        let place = |i: usize| {
-            let (a, b) = (rings[i].at, rings[i + 1].at);
-            let along = b - a;
-            let share = ((p - a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
-            (p.distance_squared(a + along * share), i, share)
-        };
-        let best = (0..rings.len() - 1).map(place).min_by(|a, b| a.0.total_cmp(&b.0));
-        let (_, i, share) = best.unwrap_or((0.0, 0, 0.0));
-        let tangent = (rings[i + 1].at - rings[i].at).normalize();
-        let ring = Ring { tangent, ..between(&rings[i], &rings[i + 1], share) };
-        let arc = arcs[i] + share * (arcs[i + 1] - arcs[i]);
-        Self { ring, arc, left: arcs[arcs.len() - 1] - arc }
-    }
-
     /// A point from here, divided into what lies across the axis and how far along it is.
     fn off_axis(&self, p: Vec3) -> (Vec3, f32) {
         let off = p - self.ring.at;
@@ -139,6 +212,11 @@ pub(super) struct Window {
     pub(super) rows: Range<usize>,
     pub(super) column: usize,
     pub(super) columns: usize,
+}
+
+/// How many columns a window has that is `half_angle` wide on either side.
+pub(super) fn columns(half_angle: f32, sides: usize) -> usize {
+    ((2.0 * half_angle * sides as f32 / TAU).round() as usize).clamp(1, sides / 2)
 }
 
 /// How many rows away a branch looks for free cells.
@@ -184,7 +262,7 @@ impl Cells {
     /// those cells are taken; `None` when no cell is left.
     pub(super) fn cut(&mut self, rows: Range<usize>, angle: f32, half_angle: f32) -> Option<Window> {
         let per_side = TAU / self.sides as f32;
-        let columns = ((2.0 * half_angle / per_side).round() as usize).clamp(1, self.sides / 2);
+        let columns = columns(half_angle, self.sides);
         let middle = angle.rem_euclid(TAU) / per_side;
         let first = |columns: usize| {
             (middle - 0.5 * columns as f32).round().rem_euclid(self.sides as f32) as usize % self.sides

@@ -10,7 +10,7 @@
 //! | `relief`, `blade` | the blade bent and given thickness |
 //! | `copies` | leaves that are copies of one shape |
 //! | `spine`, `tube` | single branches |
-//! | `joint`, `wood` | branches that grow out of one another |
+//! | `joint`, `strip`, `wood` | branches that grow out of one another |
 //! | `solids`, `filaments` | hearts of flowers, fruits, pots |
 //! | `build` | all parts at once, on all cores |
 //! | `recipe`, `cache` | which parts are the same as last time |
@@ -34,6 +34,7 @@ mod relief;
 mod sections;
 mod solids;
 mod spine;
+mod strip;
 #[cfg(test)]
 mod tests;
 mod topology;

@@ -1,8 +1,8 @@
 //! All branches of one plant as a single closed surface, whatever barks they wear.
 //!
 //! Every branch is a grid of rings and sides as in `tube`. Where a branch leaves its parent, a window is cut into the
-//! parent's grid (`joint`), and a strip of faces joins the window's rim to the first ring outside, which is a little
-//! wider than the branch: a collar. So the surface stays one closed manifold without a hidden face, whatever the angle.
+//! parent's grid (`joint`), whose rings are turned so that the window lies under the branch, and a strip of faces joins
+//! the window's rim to the first ring outside (`strip`), which is a little wider than the branch: a collar. So the surface stays one closed manifold without a hidden face, whatever the angle.
 //!
 //! Normals are those of the smooth surface, faces weighted by area, so that light flows over the joints. UV: as in
 //! `tube`; the strip belongs to the branch's picture. Faces come in the order of the barks, first the first branch's.
@@ -13,10 +13,11 @@
 use super::joint::{self, Cells, Exit};
 use super::mesh::{Mesh, Vertex};
 use super::spine::{self, Ring, SpineScratch};
+use super::strip::{self, Around, StripScratch};
 use super::tube::{FINEST_BARK, TubeLook};
 use crate::geom::frame;
 use crate::plant::Branch;
-use glam::{Vec2, Vec3};
+use glam::{Quat, Vec2, Vec3};
 use std::f32::consts::TAU;
 use std::ops::Range;
 
@@ -41,6 +42,8 @@ pub(super) struct WoodScratch {
     /// Rims of the windows cut so far.
     rims: Vec<(u32, f32)>,
     grid: Vec<Row>,
+    turns: Vec<Turn>,
+    strip: StripScratch,
 }
 
 /// A branch on its way to the surface.
@@ -218,7 +221,9 @@ fn build(index: usize, mesh: &mut Mesh, open_ends: &mut Vec<(usize, OpenEnd)>, s
         sides: sides as u32,
     };
     let first_side = up.unwrap_or_else(|| frame::hidden_side(scratch.grid[0].ring.tangent));
-    let end_v = rings(mesh, &mut scratch.grid, sides, limb.look.repeats(), first_side);
+    transport(&mut scratch.grid, first_side);
+    align(&limb, scratch);
+    let end_v = rings(mesh, &scratch.grid, sides, limb.look.repeats());
     cut_windows(&limb, grid, scratch);
     walls(mesh, grid, scratch.grid.len() - 1, &scratch.cells);
     tip(mesh, grid, &scratch.grid, &limb.look, end_v);
@@ -226,7 +231,9 @@ fn build(index: usize, mesh: &mut Mesh, open_ends: &mut Vec<(usize, OpenEnd)>, s
         let normal = -scratch.grid[0].ring.tangent;
         open_ends.push((index, OpenEnd { first: grid.first_point, sides: grid.sides, normal }));
     } else {
-        strip(mesh, &scratch.rims[limb.rim.clone()], grid, &limb, &scratch.grid[0].ring);
+        let rim = &scratch.rims[limb.rim.clone()];
+        let ring = Around { first_vertex: grid.first_vertex, sides, ring: scratch.grid[0].ring };
+        strip::join(mesh, rim, &ring, limb.look.repeats(), &mut scratch.strip);
     }
 }
 
@@ -332,20 +339,74 @@ fn cut_windows(limb: &Limb, on: Grid, scratch: &mut WoodScratch) {
     }
 }
 
+/// Carries the direction to the first point from ring to ring without a turn.
+fn transport(grid: &mut [Row], first_side: Vec3) {
+    let mut side = first_side;
+    for i in 0..grid.len() {
+        if i > 0 {
+            let (before, ring) = (&grid[i - 1].ring, &grid[i].ring);
+            side = frame::transport(side, (before.at, before.tangent), (ring.at, ring.tangent));
+        }
+        grid[i].side = side;
+    }
+}
+
+/// Turns rings about their axis so that the windows come to lie under what grows out of them: by at most half a side
+/// from one window to the next, evenly along the limb. Of windows beside each other the thickest one's decides.
+fn align(limb: &Limb, scratch: &mut WoodScratch) {
+    let WoodScratch { limbs, children, grid, turns, .. } = scratch;
+    let per_side = TAU / limb.sides() as f32;
+    turns.clear();
+    for &child in &children[limb.children.clone()] {
+        let Some(exit) = limbs[child as usize].exit else { continue };
+        let span = (exit.at - exit.half_length, exit.at + exit.half_length);
+        if turns.iter().any(|turn| turn.span.0 < span.1 && span.0 < turn.span.1) {
+            continue;
+        }
+        let row = grid.partition_point(|row| row.arc < exit.at).min(grid.len() - 1);
+        let columns = joint::columns(exit.half_angle, limb.sides());
+        let first = grid[row].angle_of(exit.outward) / per_side - 0.5 * columns as f32;
+        turns.push(Turn { span, by: first - first.round() });
+    }
+    turns.sort_by(|a, b| a.span.0.total_cmp(&b.span.0));
+    for i in 1..turns.len() {
+        turns[i].by -= (turns[i].by - turns[i - 1].by).round();
+    }
+    let mut next = 0;
+    for row in grid.iter_mut() {
+        while next < turns.len() && turns[next].span.1 < row.arc {
+            next += 1;
+        }
+        let by = match (next.checked_sub(1).map(|i| &turns[i]), turns.get(next)) {
+            (Some(a), Some(b)) => {
+                let share = (row.arc - a.span.1) / (b.span.0 - a.span.1).max(f32::MIN_POSITIVE);
+                a.by + (b.by - a.by) * share.clamp(0.0, 1.0)
+            }
+            (one, other) => one.or(other).map_or(0.0, |turn| turn.by),
+        };
+        row.side = Quat::from_axis_angle(row.ring.tangent, by * per_side) * row.side;
+    }
+}
+
+/// How far the rings of a window are turned, in sides.
+struct Turn {
+    /// Length of the limb before the window's ends.
+    span: (f32, f32),
+    by: f32,
+}
+
 /// Appends points and vertices of all rings; gives the last ring's v.
-fn rings(mesh: &mut Mesh, grid: &mut [Row], sides: usize, repeats: f32, first_side: Vec3) -> f32 {
-    let (mut side, mut v) = (first_side, 0.0);
+fn rings(mesh: &mut Mesh, grid: &[Row], sides: usize, repeats: f32) -> f32 {
+    let mut v = 0.0;
     let turn = Vec2::from_angle(TAU / sides as f32);
     let thickest = grid[0].ring.radius;
     for i in 0..grid.len() {
-        let ring = grid[i].ring;
+        let Row { ring, side, .. } = grid[i];
         if i > 0 {
             let before = &grid[i - 1].ring;
-            side = frame::transport(side, (before.at, before.tangent), (ring.at, ring.tangent));
             let radius = (0.5 * (before.radius + ring.radius)).max(FINEST_BARK * thickest);
             v += before.at.distance(ring.at) * repeats / (TAU * radius);
         }
-        grid[i].side = side;
         let other = ring.tangent.cross(side);
         let first = mesh.points.len() as u32;
         let mut toward = Vec2::X;
@@ -389,34 +450,6 @@ fn tip(mesh: &mut Mesh, on: Grid, grid: &[Row], look: &TubeLook, v: f32) {
         uv: Vec2::new((j as f32 + 0.5) / on.sides as f32, 1.0) * end,
     }));
     mesh.triangles.extend((0..on.sides).map(|j| [last + j, last + j + 1, first + j]));
-}
-
-/// Joins the rim of a window to the first ring of the limb that comes out of it, both in the order of their turn.
-fn strip(mesh: &mut Mesh, rim: &[(u32, f32)], on: Grid, limb: &Limb, ring: &Ring) {
-    let (n, m) = (rim.len(), on.sides as usize);
-    let repeats = limb.look.repeats();
-    let first = mesh.vertices.len() as u32;
-    for i in 0..=n {
-        let (point, turn) = (rim[i % n].0, rim[i % n].1 + if i == n { 1.0 } else { 0.0 });
-        let below = mesh.points[point as usize].distance(ring.at);
-        let below = (below * below - ring.radius * ring.radius).max(0.0).sqrt();
-        let uv = Vec2::new(repeats * turn, -below * repeats / (TAU * ring.radius));
-        mesh.vertices.push(Vertex { point, normal: Vec3::ZERO, uv });
-    }
-    let turn = |i: usize| rim[i % n].1 + if i >= n { 1.0 } else { 0.0 };
-    let (mut i, mut j) = (0, 0);
-    while i < n || j < m {
-        let (low, high) = (first + i as u32, on.first_vertex + j as u32);
-        let middle_of_rim = if i < n { 0.5 * (turn(i) + turn(i + 1)) } else { f32::INFINITY };
-        let middle_of_ring = if j < m { (j as f32 + 0.5) / m as f32 } else { f32::INFINITY };
-        if middle_of_rim <= middle_of_ring {
-            mesh.triangles.push([low, low + 1, high]);
-            i += 1;
-        } else {
-            mesh.triangles.push([low, high + 1, high]);
-            j += 1;
-        }
-    }
 }
 
 fn close_end(mesh: &mut Mesh, OpenEnd { first: point, sides, normal }: OpenEnd) {
