@@ -5,7 +5,7 @@
 //! length and roll are its own, from a random stream named by its node. What is new this year carries leaves that are as
 //! far grown as the year. The end of a twig has leaves however long ago it grew, for its buds open every spring.
 //!
-//! A leaf whose tip would leave a drawn or modelled volume is shortened, or left out if that does not help.
+//! A leaf whose tip or middle would leave a drawn or modelled volume is shortened, or left out if that does not help.
 
 use super::chains::Chains;
 use super::envelope::Envelope;
@@ -27,6 +27,8 @@ const WIDTHS: [f32; 3] = [0.9, 1.0, 1.12];
 const SHORT: u8 = 2;
 /// Lengths that a leaf may have where it must stay in a volume, as shares of its own.
 const SHORTER: [f32; 3] = [1.0, 0.7, 0.45];
+/// Places along a leaf that must stay in the volume: its tip, and its middle, so that none spans a gap.
+const HELD_AT: [f32; 2] = [1.0, 0.55];
 /// Nodes that one thread takes at a time.
 const NODES: usize = 256;
 /// Most leaves of a plant.
@@ -106,7 +108,8 @@ fn held(mut blade: Blade, envelope: &Envelope) -> Option<Blade> {
     if matches!(envelope, Envelope::Free | Envelope::Crown(_)) {
         return Some(blade);
     }
-    let share = SHORTER.into_iter().find(|share| envelope.contains(blade.base + blade.v * *share))?;
+    let fits = |share: &f32| HELD_AT.iter().all(|at| envelope.contains(blade.base + blade.v * (share * at)));
+    let share = SHORTER.into_iter().find(fits)?;
     (blade.u, blade.v) = (blade.u * share, blade.v * share);
     Some(blade)
 }
