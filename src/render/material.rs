@@ -72,6 +72,8 @@ impl MaterialLayout {
                 entry(2, fragment, wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering)),
             ],
         });
+        // Where a picture is squeezed to nothing in one direction, Mesa's software driver never ends an anisotropic lookup.
+        let anisotropy = if gpu.software { 1 } else { ANISOTROPY };
         let sampler = |mode| {
             gpu.device.create_sampler(&wgpu::SamplerDescriptor {
                 label: Some("picture"),
@@ -80,7 +82,7 @@ impl MaterialLayout {
                 mag_filter: wgpu::FilterMode::Linear,
                 min_filter: wgpu::FilterMode::Linear,
                 mipmap_filter: wgpu::MipmapFilterMode::Linear,
-                anisotropy_clamp: ANISOTROPY,
+                anisotropy_clamp: anisotropy,
                 ..Default::default()
             })
         };
