@@ -12,6 +12,7 @@ use penstemon::species::Species;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 use std::hint::black_box;
 use std::path::Path;
+use std::time::Instant;
 
 #[path = "../tests/common/drawings.rs"]
 mod drawings;
@@ -76,6 +77,40 @@ fn reference_plants(c: &mut Criterion) {
     group.finish();
 }
 
+/// How many times each of the two is timed in [`ratios`].
+const ROUNDS: usize = 400;
+
+/// Pipeline and spade turn by turn, so that both see the same moods of the machine: medians and their ratio.
+fn ratios(_: &mut Criterion) {
+    let median = |times: &mut Vec<f64>| {
+        times.sort_by(f64::total_cmp);
+        times[times.len() / 2]
+    };
+    for name in REFERENCE {
+        let (sketch, species, params) = load(name);
+        let inputs = spade_inputs(&pipeline::build(&sketch, &species, &params).plant, &params.model.blade);
+        let (mut ours, mut theirs) = (Vec::with_capacity(ROUNDS), Vec::with_capacity(ROUNDS));
+        let time = |times: &mut Vec<f64>, work: &dyn Fn()| {
+            let start = Instant::now();
+            work();
+            times.push(1e3 * start.elapsed().as_secs_f64());
+        };
+        let build = || drop(black_box(pipeline::build(&sketch, &species, &params)));
+        let spade = || inputs.iter().for_each(|(points, edges)| drop(triangulate(points, edges)));
+        single_threaded(|| {
+            for _ in 0..ROUNDS {
+                // Warmed up, so that each finds its own data in the caches.
+                build();
+                time(&mut ours, &build);
+                spade();
+                time(&mut theirs, &spade);
+            }
+        });
+        let (ours, theirs) = (median(&mut ours), median(&mut theirs));
+        eprintln!("{name}: {ours:.2} ms, spade {theirs:.2} ms, ratio {:.2}", ours / theirs);
+    }
+}
+
 fn trees(c: &mut Criterion) {
     let mut group = c.benchmark_group("tree");
     for name in ["tree_round", "tree_willow"] {
@@ -106,5 +141,5 @@ fn growing_drawings(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, reference_plants, trees, growing_drawings);
+criterion_group!(benches, ratios, reference_plants, trees, growing_drawings);
 criterion_main!(benches);
