@@ -219,8 +219,29 @@ impl Running {
     }
 
     fn on_event(&mut self, event_loop: &dyn ActiveEventLoop, event: &WindowEvent) {
+        if matches!(event, WindowEvent::RedrawRequested) {
+            return self.redraw(event_loop);
+        }
+        if self.on_system(event_loop, event) {
+            self.want_frame();
+        }
+        if self.on_pointer(event) || self.on_canvas_event(event) || self.on_shortcut(event) {
+            self.want_frame();
+            return;
+        }
+        let before = self.input.modifiers();
+        if self.input.on_event(event) {
+            self.want_frame();
+        }
+        self.editor.modifiers(before, self.input.modifiers());
+        if self.input.take_paste_request() {
+            transfer::fetch_clipboard(event_loop);
+        }
+    }
+
+    /// Hears what the system says of the window as a whole; whether it was that.
+    fn on_system(&mut self, event_loop: &dyn ActiveEventLoop, event: &WindowEvent) -> bool {
         match event {
-            WindowEvent::RedrawRequested => return self.redraw(event_loop),
             WindowEvent::CloseRequested => self.editor.ask_to_quit(),
             WindowEvent::SurfaceResized(size) => {
                 self.graphics.get().into_iter().for_each(|graphics| graphics.resize(*size));
@@ -234,31 +255,22 @@ impl Running {
                 Some(Arrival::Text(text)) => self.input.paste(text),
                 Some(Arrival::Files(files)) => self.editor.drop_files(files),
                 Some(Arrival::Picture(bytes)) => self.editor.paste_picture(bytes),
-                None => {}
+                None => return false,
             },
-            _ => {}
+            _ => return false,
         }
-        if self.on_pointer(event) || self.on_canvas_event(event) {
-            self.want_frame();
-            return;
-        }
+        true
+    }
+
+    /// Hands a key to the editor unless something is being written; whether it meant something there.
+    fn on_shortcut(&mut self, event: &WindowEvent) -> bool {
         if let WindowEvent::KeyboardInput { event: key, .. } = event
             && !self.egui.egui_wants_keyboard_input()
             && let Some(name) = egui_input::key(&key.logical_key)
-            && self.editor.key(name, self.input.modifiers(), key.state.is_pressed(), key.repeat)
         {
-            self.want_frame();
-            return;
+            return self.editor.key(name, self.input.modifiers(), key.state.is_pressed(), key.repeat);
         }
-        let before = self.input.modifiers();
-        let heard = self.input.on_event(event);
-        self.editor.modifiers(before, self.input.modifiers());
-        if heard || matches!(event, WindowEvent::SurfaceResized(_) | WindowEvent::ThemeChanged(_)) {
-            self.want_frame();
-        }
-        if self.input.take_paste_request() {
-            transfer::fetch_clipboard(event_loop);
-        }
+        false
     }
 
     /// Whether a place belongs to the canvas: inside it, and nothing of egui's floats above.

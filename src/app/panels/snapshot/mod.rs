@@ -1,0 +1,142 @@
+//! What panels read: the state of the application as plain data, copied together once per frame.
+//!
+//! [`Snapshot`] is the whole; its parts stand in a file each.
+
+mod dialog;
+mod export;
+mod notice;
+mod params;
+mod pen;
+mod status;
+mod view;
+
+pub use dialog::{Dialog, PathPurpose, PathRequest, Recovered};
+pub use export::{ExportChoice, ExportFormat};
+pub use notice::{Notice, Severity};
+pub use params::ParamValues;
+pub use pen::{PenLive, PenState};
+pub use status::{Autosave, Found, PenUsed, Status, Task};
+pub use view::{LightChoice, ReferenceState, Shading, ViewState};
+
+use crate::app::action::CanvasTool;
+use crate::app::presets::Listed;
+use crate::app::settings::{Handedness, Settings, Stabiliser, ThemeChoice};
+use crate::sketch::{StrokeId, Tool};
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+/// Everything that panels show.
+#[derive(Clone, Debug, Default)]
+pub struct Snapshot {
+    /// The drawing's name, without folder and extension; `None` before it was saved.
+    pub name: Option<String>,
+    /// Whether there are changes that its file does not have.
+    pub unsaved: bool,
+    /// Drawings opened or saved last, the newest first.
+    pub recent: Vec<PathBuf>,
+    /// The tool in use.
+    pub tool: CanvasTool,
+    /// Whether there is something to undo.
+    pub can_undo: bool,
+    /// Whether there is something to redo.
+    pub can_redo: bool,
+    /// Number of selected strokes.
+    pub selected: usize,
+    /// Colours.
+    pub theme: ThemeChoice,
+    /// The hand that holds the pen.
+    pub handedness: Handedness,
+    /// Smoothing of strokes.
+    pub stabiliser: Stabiliser,
+    /// Whether the system has a font for Chinese.
+    pub chinese_font: bool,
+    /// Whether the side panel is shown.
+    pub side_shown: bool,
+    /// Width of the side panel, logical pixels.
+    pub side_width: f32,
+    /// Species of the drawing: a built-in name or a file.
+    pub species: String,
+    /// Textures that the artist chose, by kind of part (`branch`, `leaf`, …).
+    pub textures: BTreeMap<String, String>,
+    /// Seed of everything random.
+    pub seed: u64,
+    /// Parameters.
+    pub params: ParamValues,
+    /// How the plant grows; `None` where it does not.
+    pub growth: Option<GrowthState>,
+    /// Presets in the artist's folder.
+    pub presets: Vec<Listed>,
+    /// The reference picture under the drawing.
+    pub reference: Option<ReferenceState>,
+    /// How the plant is shown.
+    pub view: ViewState,
+    /// The pen last used.
+    pub pen: PenState,
+    /// What the status line says.
+    pub status: Status,
+    /// Parts that the analysis found, for the legend.
+    pub found: Found,
+    /// The menu that asks what a stroke is, at this place in logical pixels.
+    pub part_menu: Option<PartMenu>,
+    /// What is odd about the stroke that the menu is about.
+    pub remarks: Vec<String>,
+    /// The dialog that is open.
+    pub dialog: Option<Dialog>,
+    /// What the export dialog says.
+    pub export: ExportChoice,
+    /// Expected size of the exported files in bytes, once it is known.
+    pub export_bytes: Option<u64>,
+    /// A task that takes long.
+    pub task: Option<Task>,
+    /// Messages that wait to be read, the oldest first.
+    pub notices: Vec<Notice>,
+}
+
+impl Snapshot {
+    /// Takes over what the settings say.
+    pub fn with_settings(mut self, settings: &Settings) -> Self {
+        self.theme = settings.theme;
+        self.handedness = settings.handedness;
+        self.stabiliser = settings.stabiliser;
+        self.side_shown = settings.side_shown;
+        self.side_width = settings.side_width;
+        self.recent.clone_from(&settings.recent);
+        self.export = settings.export.clone();
+        self
+    }
+}
+
+/// How the plant grows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GrowthState {
+    /// Age that is shown, years.
+    pub age: f32,
+    /// Oldest age that can be chosen, years.
+    pub most: f32,
+    /// Whether the artist chose the age.
+    pub chosen: bool,
+    /// Whether a crown is drawn.
+    pub crown: bool,
+    /// Whether growth is being replayed.
+    pub playing: bool,
+}
+
+/// The menu that asks what a stroke is, or what to draw.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PartMenu {
+    /// What is asked about.
+    pub of: MenuOf,
+    /// What it is now.
+    pub tool: Tool,
+    /// Where the artist tapped, logical pixels of the window.
+    pub at: [f32; 2],
+}
+
+/// What the menu of parts asks about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MenuOf {
+    /// What this stroke is.
+    Stroke(StrokeId),
+    /// What the pen draws next.
+    Pen,
+}

@@ -1,0 +1,43 @@
+//! Messages that wait to be read.
+
+/// How serious a notice is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Severity {
+    /// Something went well.
+    #[default]
+    Info,
+    /// Something is odd.
+    Warning,
+    /// Something failed.
+    Error,
+}
+
+/// A message: what happened and what the artist can do.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Notice {
+    /// Names it when it is dismissed; the application counts.
+    pub id: u64,
+    /// How serious it is.
+    pub severity: Severity,
+    /// What happened.
+    pub what: String,
+    /// What the artist can do, empty where nothing is needed.
+    pub remedy: String,
+}
+
+impl Notice {
+    /// Good news.
+    pub fn info(what: impl Into<String>) -> Self {
+        Self { what: what.into(), ..Self::default() }
+    }
+
+    /// Something odd.
+    pub fn warning(what: impl Into<String>, remedy: impl Into<String>) -> Self {
+        Self { id: 0, severity: Severity::Warning, what: what.into(), remedy: remedy.into() }
+    }
+
+    /// Something failed.
+    pub fn error(what: impl Into<String>, remedy: impl Into<String>) -> Self {
+        Self { severity: Severity::Error, ..Self::warning(what, remedy) }
+    }
+}
