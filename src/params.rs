@@ -5,12 +5,28 @@
 //! species files and sketch files all go through the same description, so nothing is said twice.
 //! [`parameter_groups!`](crate::parameter_groups!) nests such structs; a field's path is the field names joined by dots.
 //!
+//! What is described is a value: its fields are the defaults that are told, so that a species' own numbers are the
+//! defaults of its plants. A number that a species lets change with age is told at one age, and set for all.
+//!
 //! Limits: a parameter is a number, an integer or a switch. Anything richer belongs in a species file.
 
 use crate::suggest::{did_you_mean, nearest};
 use serde::{Serialize, de::DeserializeOwned};
 use serde_json::{Map, Value};
 use thiserror::Error;
+
+/// What kind of value a parameter has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A number.
+    Number,
+    /// A number that a species may let change with the plant's age; a number that is set for it holds at every age.
+    Aged,
+    /// A whole number.
+    Whole,
+    /// On or off.
+    Switch,
+}
 
 /// What a panel or a help page shows for one parameter.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +35,8 @@ pub struct Description {
     pub path: String,
     /// One line for the artist.
     pub help: String,
+    /// What kind of value it has.
+    pub kind: Kind,
     /// Unit of the value, empty for plain counts and factors.
     pub unit: &'static str,
     /// Smallest allowed value.
@@ -63,32 +81,70 @@ pub enum ParamError {
 }
 
 /// A struct whose fields are described parameters, or groups of them.
-pub trait Parameters: Serialize + DeserializeOwned + Default {
-    /// Appends the description of every field below `prefix`, in declaration order.
-    fn describe_into(prefix: &str, out: &mut Vec<Description>);
+pub trait Parameters: Serialize + DeserializeOwned {
+    /// Appends the description of every field below `prefix`, in declaration order, with its value at an age as default.
+    fn describe_into(&self, prefix: &str, age: f32, out: &mut Vec<Description>);
 
-    /// Every parameter of this struct, in declaration order.
-    fn describe() -> Vec<Description> {
+    /// Every parameter of this struct, in declaration order, as it is at an age in years.
+    fn describe_at(&self, age: f32) -> Vec<Description> {
         let mut out = Vec::new();
-        Self::describe_into("", &mut out);
+        self.describe_into("", age, &mut out);
         out
+    }
+
+    /// Every parameter of this struct, in declaration order, as it is at age 0.
+    fn describe(&self) -> Vec<Description> {
+        self.describe_at(0.0)
+    }
+}
+
+/// A group that may be missing.
+impl<P: Parameters> Parameters for Option<P> {
+    fn describe_into(&self, prefix: &str, age: f32, out: &mut Vec<Description>) {
+        if let Some(group) = self {
+            group.describe_into(prefix, age, out);
+        }
     }
 }
 
 /// A value that a parameter can hold; switches count as 0 and 1.
-pub trait ParamValue: Copy {
-    /// The value as a number, for ranges and panels.
-    fn as_number(self) -> f64;
+pub trait ParamValue {
+    /// Its kind.
+    const KIND: Kind;
+
+    /// The value at an age as a number, for ranges and panels.
+    fn at_age(&self, age: f32) -> f64;
 }
 
-macro_rules! numeric_param {
-    ($($ty:ty),*) => { $(impl ParamValue for $ty { fn as_number(self) -> f64 { self as f64 } })* };
+macro_rules! plain_params {
+    ($($ty:ty: $kind:ident),*) => { $(impl ParamValue for $ty {
+        const KIND: Kind = Kind::$kind;
+
+        fn at_age(&self, _: f32) -> f64 {
+            *self as f64
+        }
+    })* };
 }
-numeric_param!(f32, u32, usize, i32);
+plain_params!(f32: Number, u32: Whole, usize: Whole);
 
 impl ParamValue for bool {
-    fn as_number(self) -> f64 {
-        f64::from(u8::from(self))
+    const KIND: Kind = Kind::Switch;
+
+    fn at_age(&self, _: f32) -> f64 {
+        f64::from(*self)
+    }
+}
+
+impl Description {
+    /// The description of a field below `prefix`; `text` is its help and its unit.
+    pub fn of<V: ParamValue>(
+        (prefix, name): (&str, &str),
+        text: (&str, &'static str),
+        (min, max): (f64, f64),
+        (value, age): (&V, f32),
+    ) -> Self {
+        let (help, unit) = (text.0.trim().to_owned(), text.1);
+        Self { path: join(prefix, name), help, kind: V::KIND, unit, min, max, default: value.at_age(age) }
     }
 }
 
@@ -120,17 +176,13 @@ macro_rules! parameters {
         }
 
         impl $crate::params::Parameters for $name {
-            fn describe_into(prefix: &str, out: &mut Vec<$crate::params::Description>) {
-                use $crate::params::ParamValue;
-                let default = Self::default();
-                $(out.push($crate::params::Description {
-                    path: $crate::params::join(prefix, stringify!($field)),
-                    help: concat!($($help),+).trim().to_owned(),
-                    unit: $unit,
-                    min: f64::from($min),
-                    max: f64::from($max),
-                    default: default.$field.as_number(),
-                });)*
+            fn describe_into(&self, prefix: &str, age: f32, out: &mut Vec<$crate::params::Description>) {
+                $(out.push($crate::params::Description::of(
+                    (prefix, stringify!($field)),
+                    (concat!($($help),+), $unit),
+                    (f64::from($min), f64::from($max)),
+                    (&self.$field, age),
+                ));)*
             }
         }
     };
@@ -150,9 +202,9 @@ macro_rules! parameter_groups {
         }
 
         impl $crate::params::Parameters for $name {
-            fn describe_into(prefix: &str, out: &mut Vec<$crate::params::Description>) {
-                $(<$ty as $crate::params::Parameters>::describe_into(
-                    &$crate::params::join(prefix, stringify!($field)), out);)*
+            fn describe_into(&self, prefix: &str, age: f32, out: &mut Vec<$crate::params::Description>) {
+                $($crate::params::Parameters::describe_into(
+                    &self.$field, &$crate::params::join(prefix, stringify!($field)), age, out);)*
             }
         }
     };
@@ -167,10 +219,10 @@ pub struct Overrides {
 }
 
 impl Overrides {
-    /// Starts from the defaults of `P`.
-    pub fn new<P: Parameters>() -> Self {
-        let values = serde_json::to_value(P::default()).unwrap_or_else(|_| Value::Object(Map::new()));
-        Self { known: P::describe(), values }
+    /// Starts from these defaults.
+    pub fn over(defaults: &impl Parameters) -> Self {
+        let values = serde_json::to_value(defaults).unwrap_or_else(|_| Value::Object(Map::new()));
+        Self { known: defaults.describe(), values }
     }
 
     /// Lays a tree of values (`{"anatomy": {"preprocess": {…}}}`) over what is there; dotted keys work at any depth.
@@ -178,14 +230,35 @@ impl Overrides {
     /// # Errors
     /// The first unknown path, wrong type or value out of range.
     pub fn merge(&mut self, tree: &Map<String, Value>) -> Result<(), ParamError> {
-        self.merge_below("", tree)
+        self.merge_below("", tree, &[])
     }
 
-    fn merge_below(&mut self, prefix: &str, tree: &Map<String, Value>) -> Result<(), ParamError> {
+    /// As [`Overrides::merge`], but what is known `elsewhere` alone may stay in the tree: it is checked and has no effect.
+    ///
+    /// # Errors
+    /// The first path that is unknown everywhere, wrong type or value out of range.
+    pub fn merge_what_applies(
+        &mut self,
+        tree: &Map<String, Value>,
+        elsewhere: &[Description],
+    ) -> Result<(), ParamError> {
+        self.merge_below("", tree, elsewhere)
+    }
+
+    fn merge_below(
+        &mut self,
+        prefix: &str,
+        tree: &Map<String, Value>,
+        elsewhere: &[Description],
+    ) -> Result<(), ParamError> {
+        let is_known = |all: &[Description], path: &str| all.iter().any(|known| known.path == path);
         for (key, value) in tree {
             let path = join(prefix, key);
             match value {
-                Value::Object(inner) => self.merge_below(&path, inner)?,
+                Value::Object(inner) => self.merge_below(&path, inner, elsewhere)?,
+                leaf if !is_known(&self.known, &path) && is_known(elsewhere, &path) => {
+                    checked(elsewhere, &path, leaf.clone())?;
+                }
                 leaf => self.set(&path, leaf.clone())?,
             }
         }
@@ -206,29 +279,12 @@ impl Overrides {
     }
 
     fn set(&mut self, path: &str, value: Value) -> Result<(), ParamError> {
-        let Some(known) = self.known.iter().find(|d| d.path == path) else {
-            let known = self.known.iter().map(|d| d.path.as_str());
-            let nearest = nearest(path, known).map(str::to_owned);
-            return Err(ParamError::Unknown { path: path.to_owned(), nearest });
-        };
-        let number = match &value {
-            Value::Bool(on) => f64::from(u8::from(*on)),
-            Value::Number(n) => n.as_f64().unwrap_or(f64::NAN),
-            other => return Err(type_error(path, &format!("needs a number or true/false, not {other}"))),
-        };
-        if !(known.min..=known.max).contains(&number) {
-            return Err(ParamError::Range {
-                path: path.to_owned(),
-                value: number,
-                min: known.min,
-                max: known.max,
-            });
-        }
+        let value = checked(&self.known, path, value)?;
         let slot = path.split('.').try_fold(&mut self.values, |tree, key| tree.get_mut(key));
         let Some(slot) = slot else {
             return Err(ParamError::Unknown { path: path.to_owned(), nearest: None });
         };
-        *slot = coerced(slot, value, number).map_err(|reason| type_error(path, reason))?;
+        *slot = value;
         Ok(())
     }
 
@@ -241,15 +297,38 @@ impl Overrides {
     }
 }
 
+/// A value as the parameter of that path takes it.
+fn checked(all: &[Description], path: &str, value: Value) -> Result<Value, ParamError> {
+    let Some(known) = all.iter().find(|d| d.path == path) else {
+        let known = all.iter().map(|d| d.path.as_str());
+        let nearest = nearest(path, known).map(str::to_owned);
+        return Err(ParamError::Unknown { path: path.to_owned(), nearest });
+    };
+    let number = match &value {
+        Value::Bool(on) => f64::from(u8::from(*on)),
+        Value::Number(n) => n.as_f64().unwrap_or(f64::NAN),
+        other => return Err(type_error(path, &format!("needs a number or true/false, not {other}"))),
+    };
+    if !(known.min..=known.max).contains(&number) {
+        return Err(ParamError::Range {
+            path: path.to_owned(),
+            value: number,
+            min: known.min,
+            max: known.max,
+        });
+    }
+    coerced(known.kind, value, number).map_err(|reason| type_error(path, reason))
+}
+
 /// Keeps the JSON type that the struct expects: switches stay switches, counts stay whole.
-fn coerced(slot: &Value, value: Value, number: f64) -> Result<Value, &'static str> {
-    match (slot, &value) {
-        (Value::Bool(_), Value::Bool(_)) => Ok(value),
-        (Value::Bool(_), _) => Err("needs true or false"),
+fn coerced(kind: Kind, value: Value, number: f64) -> Result<Value, &'static str> {
+    match (kind, &value) {
+        (Kind::Switch, Value::Bool(_)) => Ok(value),
+        (Kind::Switch, _) => Err("needs true or false"),
         (_, Value::Bool(_)) => Err("needs a number"),
-        (Value::Number(old), _) if old.is_u64() && number.fract() == 0.0 => Ok(Value::from(number as u64)),
-        (Value::Number(old), _) if old.is_u64() => Err("needs a whole number"),
-        _ => Ok(value),
+        (Kind::Whole, _) if number.fract() == 0.0 => Ok(Value::from(number as u64)),
+        (Kind::Whole, _) => Err("needs a whole number"),
+        (Kind::Number | Kind::Aged, _) => Ok(value),
     }
 }
 
@@ -282,7 +361,7 @@ mod tests {
 
     #[test]
     fn descriptions_carry_path_help_and_range() {
-        let all = Outer::describe();
+        let all = Outer::default().describe();
         assert_eq!(all[0].path, "inner.reach");
         assert_eq!(all[0].help, "How far.");
         assert_eq!((all[1].min, all[1].max, all[1].default), (1.0, 9.0, 3.0));
@@ -290,7 +369,7 @@ mod tests {
 
     #[test]
     fn overrides_reach_the_struct() {
-        let mut o = Overrides::new::<Outer>();
+        let mut o = Overrides::over(&Outer::default());
         o.set_text("inner.reach=0.25").unwrap();
         o.set_text("inner.on=false").unwrap();
         let outer: Outer = o.finish().unwrap();
@@ -299,7 +378,7 @@ mod tests {
 
     #[test]
     fn refusals_say_which_parameter_and_why() {
-        let mut o = Overrides::new::<Outer>();
+        let mut o = Overrides::over(&Outer::default());
         let message = |r: Result<(), ParamError>| r.unwrap_err().to_string();
         assert!(message(o.set_text("inner.reahc=1")).contains("did you mean `inner.reach`?"));
         assert!(message(o.set_text("inner.reach=2")).contains("outside 0 to 1"));

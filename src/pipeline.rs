@@ -9,9 +9,10 @@ pub use growing::Ages;
 
 use crate::anatomy::{self, Anatomy, AnatomyParams};
 use crate::depth::{self, DepthParams};
-use crate::growth::{self, GrowthParams, Limits, Memory, Outcome, Simulation};
+use crate::growth::species::CrownHabit;
+use crate::growth::{self, GrowthParams, Habit, Limits, Memory, Outcome, Simulation};
 use crate::model::{self, Model, ModelParams};
-use crate::params::{Overrides, ParamError};
+use crate::params::{Overrides, ParamError, Parameters as _};
 use crate::plant::Plant;
 use crate::sketch::Sketch;
 use crate::species::{self, Species, SpeciesError};
@@ -35,6 +36,21 @@ crate::parameter_groups! {
         growth: GrowthParams;
         /// How the plant becomes surfaces.
         model: ModelParams;
+        /// How plants of the species grow; that of no species in particular for one that does not say.
+        habit: Habit;
+    }
+}
+
+impl Params {
+    /// What a plant of a species has where nobody says otherwise.
+    pub fn of_species(species: &Species) -> Self {
+        Self { habit: species.growth.clone().unwrap_or_default(), ..Self::default() }
+    }
+
+    /// Parameters with every group that a species may have.
+    pub fn of_any_species() -> Self {
+        let crown = Some(CrownHabit::default());
+        Self { habit: Habit { crown, ..Habit::default() }, ..Self::default() }
     }
 }
 
@@ -76,15 +92,17 @@ pub fn species_of(sketch: &Sketch, folder: &Path) -> Result<Species, SpeciesErro
     }
 }
 
-/// Parameters for a sketch: defaults, then the species', then the sketch's own, then `PATH=VALUE` assignments.
+/// Parameters for a sketch: defaults, then the species', then the sketch's own, then `PATH=VALUE` assignments. What the
+/// sketch says of a group that its species does not have rests there for another species.
 ///
 /// # Errors
 /// The first unknown path, wrong type or value out of range, and whose it was.
 pub fn params_of(sketch: &Sketch, species: &Species, assignments: &[String]) -> Result<Params, SetupError> {
     let by = |whose| move |fault| SetupError::Param { whose, fault };
-    let mut overrides = Overrides::new::<Params>();
+    let mut overrides = Overrides::over(&Params::of_species(species));
     overrides.merge(&species.params).map_err(by("the species"))?;
-    overrides.merge(&sketch.params).map_err(by("the sketch"))?;
+    let any = Params::of_any_species().describe();
+    overrides.merge_what_applies(&sketch.params, &any).map_err(by("the sketch"))?;
     for assignment in assignments {
         overrides.set_text(assignment).map_err(by("--set"))?;
     }
@@ -213,10 +231,11 @@ pub fn grow(
     seed: u64,
     limits: Limits,
 ) -> Result<Grown, SetupError> {
-    let Some(habit) = &species.growth else {
+    if species.growth.is_none() {
         let known = Species::growing().join(", ");
         return Err(SetupError::NoGrowth { name: species.name.clone(), known });
-    };
+    }
+    let habit = &params.habit;
     let age = age.unwrap_or(habit.age as f32).max(0.0);
     let mut clock = Clock::start();
     let (simulation, outcome) = clock.time("growth", || {

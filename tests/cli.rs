@@ -139,6 +139,31 @@ fn bad_input_is_one_clear_message() {
 }
 
 #[test]
+fn how_a_species_grows_can_be_set() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("a.json").display().to_string();
+    let grow = |set: &[&str]| {
+        let done = penstemon(&[&["grow", "hazel", "--age", "4", "-o", &out], set].concat());
+        assert!(done.status.success(), "{}", stderr(&done));
+        fs::read(&out).unwrap()
+    };
+    let own = grow(&[]);
+    assert!(own != grow(&["--set", "habit.lambda=0.7"]));
+    // What the file says anyway.
+    assert!(own == grow(&["--set", "habit.stems=9"]));
+    let build = |set: &[&str]| {
+        let done =
+            penstemon(&[&["build", &sketch("topiary"), "--set", "growth.years=3", "-o", &out], set].concat());
+        assert!(done.status.success(), "{}", stderr(&done));
+        fs::read(&out).unwrap()
+    };
+    assert!(build(&[]) != build(&["--set", "habit.branching=30"]));
+    let refuse = |set: &str, pieces: &[&str]| refused(&["grow", "oak", "-o", &out, "--set", set], pieces);
+    refuse("habit.lamda=0.7", &["oak", "--set", "did you mean `habit.lambda`?"]);
+    refuse("habit.light.depth=99", &["habit.light.depth", "outside 0 to 24"]);
+}
+
+#[test]
 fn unwritable_targets_leave_nothing_behind() {
     let folder = tempfile::tempdir().unwrap();
     let missing = folder.path().join("no/such/folder/a.obj").display().to_string();

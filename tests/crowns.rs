@@ -297,6 +297,40 @@ fn other_years_of_the_same_drawing_cost_no_growth_and_change_no_byte() {
 }
 
 #[test]
+fn habits_in_the_drawing_are_those_of_the_command_line_and_grow_anew() {
+    let mut sketch = drawing("box", &heart(), true);
+    let mut cache = Cache::default();
+    let own = build_with(&mut cache, &sketch, &["growth.years=4"], &|| false).unwrap();
+    let set = build_with(&mut cache, &sketch, &["growth.years=4", "habit.branching=25"], &|| false).unwrap();
+    assert!(own.plant != set.plant, "what grew before is not shown again");
+    sketch.params = serde_json::json!({"habit": {"branching": 25}}).as_object().unwrap().clone();
+    assert_eq!(build(&sketch, &["growth.years=4"]).plant, set.plant);
+    sketch.params = serde_json::json!({"habit": {"branching": 250}}).as_object().unwrap().clone();
+    let species = pipeline::species_of(&sketch, Path::new("")).unwrap();
+    let told = pipeline::params_of(&sketch, &species, &[]).unwrap_err().to_string();
+    assert_eq!(told, "the sketch: parameter `habit.branching` is 250, outside 0 to 175");
+}
+
+#[test]
+fn habits_of_a_crown_rest_in_the_drawing_of_a_species_without_one() {
+    let mut sketch = drawing("cypress", &heart(), true);
+    sketch.params = serde_json::json!({"habit.crown.height": 7}).as_object().unwrap().clone();
+    let params = |sketch: &Sketch| {
+        let species = pipeline::species_of(sketch, Path::new("")).unwrap();
+        pipeline::params_of(sketch, &species, &[]).map(|params| params.habit.crown.map(|c| c.height))
+    };
+    assert_eq!(params(&sketch).unwrap(), Some(7.0));
+    for other in ["oak", "daisy"] {
+        sketch.species = Some(other.to_owned());
+        assert_eq!(params(&sketch).unwrap(), None, "{other}");
+    }
+    sketch.params = serde_json::json!({"habit.crown.height": -7}).as_object().unwrap().clone();
+    assert!(params(&sketch).unwrap_err().to_string().contains("outside"), "but it must be in range");
+    sketch.params = serde_json::json!({"habit.crown.hight": 7}).as_object().unwrap().clone();
+    assert!(params(&sketch).unwrap_err().to_string().contains("habit.crown.hight"), "and known");
+}
+
+#[test]
 fn growth_heeds_a_stop_and_goes_on_from_there() {
     let sketch = drawing("box", &heart(), true);
     let expected = build(&sketch, &[]);

@@ -6,6 +6,7 @@
 
 use glam::Vec3;
 use penstemon::growth::{Limits, Outcome, Simulation, plant_at};
+use penstemon::pipeline::{self, Grown};
 use penstemon::plant::Plant;
 use penstemon::species::{self, Species};
 use serde_json::{Value, json};
@@ -68,6 +69,38 @@ fn crowns_have_the_proportions_of_their_species() {
         assert!(slender(broad) < 1.25, "{broad} is broad: {}", slender(broad));
     }
     assert!(slender("spruce") > 0.8 && slender("birch") > 1.0);
+}
+
+/// A species grown to an age with some parameters set.
+fn grown_with(name: &str, age: f32, set: &[&str]) -> Grown {
+    let species = Species::built_in(name).unwrap();
+    let set: Vec<String> = set.iter().map(|s| (*s).to_owned()).collect();
+    let params = pipeline::params_of_species(&species, &set).unwrap();
+    pipeline::grow(&species, &params, Some(age), 1, Limits::default()).unwrap()
+}
+
+#[test]
+fn habits_are_what_the_species_files_say_until_they_are_set() {
+    for name in Species::growing() {
+        let species = Species::built_in(name).unwrap();
+        let params = pipeline::params_of_species(&species, &[]).unwrap();
+        assert_eq!(Some(params.habit), species.growth, "{name}");
+    }
+}
+
+#[test]
+fn lambda_decides_between_a_leader_and_laterals() {
+    let height_and_width = |lambda: &str| {
+        let grown = grown_with("maple", 12.0, &[&format!("habit.lambda={lambda}")]);
+        let set = &grown.simulation.habit().lambda;
+        assert!([0.0, 5.0, 12.0].iter().all(|age| set.at(*age).to_string() == lambda), "at every age");
+        let size = size(&grown.plant);
+        (size.y, size.x.max(size.z))
+    };
+    let (low, wide) = height_and_width("0.45");
+    let (high, narrow) = height_and_width("0.55");
+    assert!(high > 1.25 * low, "a leader is taller: {low} m, {high} m");
+    assert!(high / narrow > 1.5 * low / wide, "laterals are wider: {low} × {wide} m, {high} × {narrow} m");
 }
 
 #[test]

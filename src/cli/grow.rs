@@ -35,7 +35,7 @@ pub struct Args {
     /// Most internodes of the plant.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=5_000_000))]
     pub max_internodes: Option<u64>,
-    /// Any parameter of the model by its path, for instance model.tube.sides=5; may be given again.
+    /// Any parameter by its path, for instance habit.lambda=0.7 or model.tube.sides=5; may be given again.
     #[arg(long = "set", value_name = "PARAM=VALUE")]
     pub assignments: Vec<String>,
     /// Print times, counts and bytes written as one JSON object.
@@ -206,5 +206,21 @@ mod tests {
         assert!(message("penstemon grow oak -o a.xyz").contains("xyz"));
         assert!(message("penstemon grow oak --age nan -o a.glb").contains("--age"));
         assert!(message("penstemon grow oak --set modle.tube.sides=5 -o a.glb").contains("did you mean"));
+    }
+
+    #[test]
+    fn habits_are_refused_as_other_parameters_are() {
+        let set = |assignment: &str| message(&format!("penstemon grow oak --set {assignment} -o a.glb"));
+        assert!(set("habit.lamda=0.7").contains("--set: there is no parameter `habit.lamda`"));
+        assert!(set("habit.lamda=0.7").contains("did you mean `habit.lambda`?"));
+        assert!(set("habit.lambda=1.5").contains("`habit.lambda` is 1.5, outside 0 to 1"));
+        assert!(set("habit.shoot=2.5").contains("whole number"));
+        assert!(set("habit.lambda=true").contains("needs a number"));
+        assert!(set("habit.apical_first=1").contains("true or false"));
+        assert!(set("habit.leaf=3").contains("there is no parameter `habit.leaf`"));
+        assert!(
+            set("habit.crown.width=3").contains("there is no parameter"),
+            "an oak has no crown of its own"
+        );
     }
 }

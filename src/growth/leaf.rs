@@ -4,10 +4,10 @@
 //! Compound and needled shoots are one outline with many teeth, so that a crown stays light.
 
 use glam::Vec2;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// The outline of a leaf, or of a shoot's needles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum LeafShape {
     /// Egg-shaped, widest below the middle: apple, cherry.

@@ -5,11 +5,14 @@
 //! and after the last the value stays as it is there.
 
 use super::table::TableValue;
+use crate::params::{Kind, ParamValue};
+use serde::Serialize;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 use std::fmt;
 
 /// A piecewise linear function of the age in years.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(transparent)]
 pub struct Schedule {
     /// (age, value), ages strictly rising, never empty.
     knots: Vec<(f32, f32)>,
@@ -77,6 +80,14 @@ fn check(value: f32, min: f32, max: f32) -> Result<(), String> {
     if (min..=max).contains(&value) { Ok(()) } else { Err(format!("{value} is outside {min} to {max}")) }
 }
 
+impl ParamValue for Schedule {
+    const KIND: Kind = Kind::Aged;
+
+    fn at_age(&self, age: f32) -> f64 {
+        f64::from(self.at(age))
+    }
+}
+
 impl TableValue for Schedule {
     fn read<'de, D: Deserializer<'de>>(source: D, min: f64, max: f64) -> Result<Self, D::Error> {
         struct NumberOrPairs(f32, f32);
@@ -95,6 +106,10 @@ impl TableValue for Schedule {
                 self.visit_f64(value as f64)
             }
 
+            fn visit_u64<E: Error>(self, value: u64) -> Result<Schedule, E> {
+                self.visit_f64(value as f64)
+            }
+
             fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Schedule, A::Error> {
                 let mut knots = Vec::new();
                 while let Some(pair) = list.next_element::<(f32, f32)>()? {
@@ -104,10 +119,6 @@ impl TableValue for Schedule {
             }
         }
         source.deserialize_any(NumberOrPairs(min as f32, max as f32))
-    }
-
-    fn as_number(&self) -> f64 {
-        f64::from(self.at(0.0))
     }
 
     fn from_number(number: f64) -> Self {

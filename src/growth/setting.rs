@@ -77,7 +77,10 @@ pub(super) fn fitted(habit: &Habit, envelope: &Envelope, trunk: Option<f32>) -> 
             let thin = (volume / (FULL * size.powi(3))).clamp(0.0, 1.0).powf(0.25).max(FINE / FINEST);
             habit.internode = habit.internode.min(size * thin / (FINE * habit.fineness));
             let leaves = LEAVES.0 * habit.internode..=LEAVES.1 * habit.internode;
-            habit.leaf.length = habit.leaf.length.clamp(*leaves.start(), *leaves.end());
+            // A bare plant stays bare.
+            if habit.leaf.length > 0.0 {
+                habit.leaf.length = habit.leaf.length.clamp(*leaves.start(), *leaves.end());
+            }
             let pipes = PIPES * CROWDED * volume / habit.internode.powi(3);
             let tip = trunk.unwrap_or(TRUNK * size) / pipes.max(1.0).powf(1.0 / habit.pipe);
             habit.tip = tip.clamp(THIN * habit.tip, habit.tip);

@@ -5,10 +5,11 @@
 
 use super::leaf::LeafHabit;
 use super::schedule::Schedule;
-use serde::Deserialize;
+use super::table::TableValue;
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// How the buds of an axis are arranged (phyllotaxis).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Arrangement {
     /// One per node, turned by the divergence angle.
@@ -22,7 +23,7 @@ pub enum Arrangement {
 }
 
 /// What buds compete for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Resource {
     /// Light, by shadows through voxels (eq. 2.2).
@@ -32,7 +33,7 @@ pub enum Resource {
 }
 
 /// How the resource is shared out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Control {
     /// The extended Borchert–Honda model (eq. 2.4).
@@ -71,6 +72,17 @@ crate::growth_table! {
     }
 }
 
+/// A crown's radius over its height, both as shares from 0 to 1: piecewise linear as a [`Schedule`], over height for age.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(transparent)]
+pub struct Profile(Schedule);
+
+impl<'de> Deserialize<'de> for Profile {
+    fn deserialize<D: Deserializer<'de>>(source: D) -> Result<Self, D::Error> {
+        Schedule::read(source, 0.0, 1.0).map(Self)
+    }
+}
+
 crate::growth_table! {
     /// A crown that the species keeps within, turned about the trunk.
     pub struct CrownHabit {
@@ -80,8 +92,9 @@ crate::growth_table! {
         width: f32 = 6.0, 0.01..=150.0, "metres";
         /// How uneven the crown is.
         lumps: f32 = 0.15, 0.0..=0.6, "";
+        choices:
         /// Radius over height, both from 0 to 1, as a list of pairs.
-        profile: Schedule = 1.0, 0.0..=1.0, "";
+        profile: Profile = Profile(Schedule::constant(1.0));
     }
 }
 
@@ -130,15 +143,15 @@ crate::growth_table! {
         wander: Schedule = 0.12, 0.0..=10.0, "";
         /// Resource that a plant makes of what its buds earn, α of eq. 2.4.
         supply: Schedule = 2.0, 0.0..=20.0, "";
-        /// Share λ of the continuing axis on trunks, eq. 2.4: above 0.5 a leader, below a shrub.
+        /// Share λ of the continuing axis on trunks, eq. 2.4: above 0.5 a leader, below a shrub. For species of the Borchert–Honda model.
         lambda: Schedule = 0.5, 0.0..=1.0, "";
-        /// Share λ on branches.
+        /// Share λ on branches. For species of the Borchert–Honda model.
         lambda_branch: Schedule = 0.5, 0.0..=1.0, "";
-        /// Share κ of the queue over which the weight falls, eq. 2.6: small makes one leader.
+        /// Share κ of the queue over which the weight falls, eq. 2.6: small makes one leader. For species of the priority model.
         kappa: Schedule = 0.5, 0.0..=1.0, "";
-        /// Weight ω_max of the first in the queue.
+        /// Weight ω_max of the first in the queue. For species of the priority model.
         omega_max: f32 = 1.0, 0.001..=10.0, "";
-        /// Weight ω_min of the last.
+        /// Weight ω_min of the last in the queue. For species of the priority model.
         omega_min: f32 = 0.006, 0.0..=10.0, "";
         /// Years that a bud waits before it is aborted.
         bud_life: u32 = 4, 0..=100, "years";
@@ -164,6 +177,8 @@ crate::growth_table! {
         pipe_leaf: f32 = 0.12, 0.0..=10.0, "";
         /// How much a trunk widens at its foot.
         flare: f32 = 0.5, 0.0..=4.0, "";
+        /// Whether the apical bud stands first in the queue of the priority model.
+        apical_first: bool = true, 0..=1, "";
         choices:
         /// Phyllotaxis.
         arrangement: Arrangement = Arrangement::Spiral;
@@ -171,6 +186,7 @@ crate::growth_table! {
         control: Control = Control::BorchertHonda;
         /// What buds compete for.
         resource: Resource = Resource::Light;
+        sections:
         /// Light.
         light: LightHabit = LightHabit::default();
         /// Space.
@@ -179,8 +195,6 @@ crate::growth_table! {
         crown: Option<CrownHabit> = None;
         /// Leaves.
         leaf: LeafHabit = LeafHabit::default();
-        /// Whether the apical bud stands first in the queue of the priority model.
-        apical_first: bool = true;
     }
 }
 
@@ -206,7 +220,7 @@ impl CrownHabit {
         const STEPS: u32 = 48;
         let at = |k: u32| {
             let share = k as f32 / STEPS as f32;
-            (share * self.height, 0.5 * self.width * self.profile.at(share))
+            (share * self.height, 0.5 * self.width * self.profile.0.at(share))
         };
         (0..=STEPS).map(at).collect()
     }

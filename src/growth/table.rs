@@ -1,23 +1,21 @@
 //! Sections of a species file whose every key has a meaning, a unit, a range and a default, said once.
 //!
 //! [`growth_table!`](crate::growth_table!) declares the struct, its `Default`, its reading with the range of each value
-//! checked in place, so that an error knows its line, unknown keys refused with the nearest known one, and the
-//! [`Description`](crate::params::Description)s that panels and help pages show.
+//! checked in place, so that an error knows its line, and unknown keys refused with the nearest known one. Its numbers are
+//! [`Parameters`](crate::params::Parameters) like any other.
 
+use crate::params::ParamValue;
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, Visitor};
 use std::fmt;
 
 /// A value that a growth table can hold.
-pub trait TableValue: Sized {
+pub trait TableValue: ParamValue + Sized {
     /// Reads a value and checks its range.
     ///
     /// # Errors
     /// A value of another type or outside the range.
     fn read<'de, D: Deserializer<'de>>(source: D, min: f64, max: f64) -> Result<Self, D::Error>;
-
-    /// The value as a number, for panels: a schedule's at age 0.
-    fn as_number(&self) -> f64;
 
     /// The value that a number in the source stands for.
     fn from_number(number: f64) -> Self;
@@ -28,14 +26,11 @@ macro_rules! plain_values {
         impl TableValue for $ty {
             fn read<'de, D: Deserializer<'de>>(source: D, min: f64, max: f64) -> Result<Self, D::Error> {
                 let value = <$ty>::deserialize(source)?;
-                if (min..=max).contains(&f64::from(value)) {
+                // As what is read: 0.6 is the number above it in 32 bits.
+                if (min as $ty..=max as $ty).contains(&value) {
                     return Ok(value);
                 }
                 Err(D::Error::custom(format!("{value} is outside {min} to {max}")))
-            }
-
-            fn as_number(&self) -> f64 {
-                f64::from(*self)
             }
 
             fn from_number(number: f64) -> Self {
@@ -45,6 +40,16 @@ macro_rules! plain_values {
     )* };
 }
 plain_values!(f32, u32);
+
+impl TableValue for bool {
+    fn read<'de, D: Deserializer<'de>>(source: D, _: f64, _: f64) -> Result<Self, D::Error> {
+        Self::deserialize(source)
+    }
+
+    fn from_number(number: f64) -> Self {
+        number > 0.5
+    }
+}
 
 /// Reads a [`TableValue`] within its range.
 pub struct Ranged<T>(pub f64, pub f64, pub std::marker::PhantomData<T>);
@@ -84,48 +89,54 @@ impl Visitor<'_> for Key {
 }
 
 /// Declares a section of a species file. Each value reads `/// help` `name: Type = default, min..=max, "unit";`, then
-/// after `choices:` values that are read as they are, `name: Type = default;`.
+/// after `choices:` values that are read as they are and after `sections:` tables below this one, both
+/// `name: Type = default;`.
 #[macro_export]
 macro_rules! growth_table {
     ($(#[doc = $about:literal])* $vis:vis struct $name:ident {
         $($(#[doc = $help:literal])+ $field:ident: $ty:ty = $default:expr, $min:literal ..= $max:literal, $unit:literal;)*
         $(choices: $($(#[doc = $choice_help:literal])+ $choice:ident: $choice_ty:ty = $choice_default:expr;)*)?
+        $(sections: $($(#[doc = $section_help:literal])+ $section:ident: $section_ty:ty = $section_default:expr;)*)?
     }) => {
         $(#[doc = $about])*
-        #[derive(Clone, Debug, PartialEq)]
+        #[derive(Clone, Debug, PartialEq, serde::Serialize)]
         $vis struct $name {
             $($(#[doc = $help])+
               #[doc = concat!(" Default `", stringify!($default), "`, range `", stringify!($min), "..=", stringify!($max), "` ", $unit, ".")]
               pub $field: $ty,)*
             $($($(#[doc = $choice_help])+ pub $choice: $choice_ty,)*)?
+            $($($(#[doc = $section_help])+ pub $section: $section_ty,)*)?
         }
 
         impl Default for $name {
             fn default() -> Self {
-                Self { $($field: <$ty as $crate::growth::table::TableValue>::from_number(f64::from($default)),)* $($($choice: $choice_default,)*)? }
+                Self {
+                    $($field: <$ty as $crate::growth::table::TableValue>::from_number(f64::from($default)),)*
+                    $($($choice: $choice_default,)*)?
+                    $($($section: $section_default,)*)?
+                }
             }
         }
 
-        impl $name {
-            /// What a panel or a help page shows for each number.
-            pub fn describe() -> Vec<$crate::params::Description> {
-                use $crate::growth::table::TableValue;
-                let default = Self::default();
-                vec![$($crate::params::Description {
-                    path: stringify!($field).to_owned(),
-                    help: concat!($($help),+).trim().to_owned(),
-                    unit: $unit,
-                    min: f64::from($min),
-                    max: f64::from($max),
-                    default: default.$field.as_number(),
-                },)*]
+        impl $crate::params::Parameters for $name {
+            fn describe_into(&self, prefix: &str, age: f32, out: &mut Vec<$crate::params::Description>) {
+                $(out.push($crate::params::Description::of(
+                    (prefix, stringify!($field)),
+                    (concat!($($help),+), $unit),
+                    (f64::from($min), f64::from($max)),
+                    (&self.$field, age),
+                ));)*
+                $($(self.$section.describe_into(
+                    &$crate::params::join(prefix, stringify!($section)), age, out);)*)?
             }
         }
 
         impl<'de> serde::Deserialize<'de> for $name {
             fn deserialize<D: serde::Deserializer<'de>>(source: D) -> Result<Self, D::Error> {
                 use $crate::growth::table::{Key, Ranged};
-                const KEYS: &[&str] = &[$(stringify!($field),)* $($(stringify!($choice),)*)?];
+                const KEYS: &[&str] = &[
+                    $(stringify!($field),)* $($(stringify!($choice),)*)? $($(stringify!($section),)*)?
+                ];
                 struct Table;
                 impl<'de> serde::de::Visitor<'de> for Table {
                     type Value = $name;
@@ -145,6 +156,10 @@ macro_rules! growth_table {
                             })*
                             $($(if key == stringify!($choice) {
                                 out.$choice = map.next_value()?;
+                                continue;
+                            })*)?
+                            $($(if key == stringify!($section) {
+                                out.$section = map.next_value()?;
                                 continue;
                             })*)?
                         }

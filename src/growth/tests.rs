@@ -7,6 +7,7 @@ use super::species::{Arrangement, Control, CrownHabit, Resource, SpaceHabit};
 use super::tree::NONE;
 use super::vigour::Flow;
 use super::*;
+use crate::params::{Kind, Overrides, Parameters as _};
 use crate::plant::{Branch, Plant, WorldFromCanvas};
 use crate::random::mix;
 use glam::{Vec2, Vec3};
@@ -303,14 +304,28 @@ fn keys_ranges_and_schedules_are_checked() {
 
 #[test]
 fn every_default_lies_in_its_range() {
-    let all = [
-        Habit::describe(),
-        leaf::LeafHabit::describe(),
-        species::LightHabit::describe(),
-        SpaceHabit::describe(),
-    ];
-    for d in all.concat() {
+    let habit = Habit { crown: Some(CrownHabit::default()), ..Habit::default() };
+    for d in habit.describe() {
         assert!((d.min..=d.max).contains(&(d.default as f32 as f64)), "{d:?}");
+    }
+}
+
+#[test]
+fn both_ends_of_every_range_can_be_set_and_nothing_else_changes() {
+    let lambda = Schedule::new(vec![(0.0, 0.6), (7.3, 0.41)], 0.0, 1.0).unwrap();
+    let habit = Habit { crown: Some(CrownHabit::default()), lambda, ..Habit::default() };
+    assert_eq!(Overrides::over(&habit).finish::<Habit>().unwrap(), habit);
+    for known in habit.describe() {
+        for end in [known.min, known.max] {
+            let value = if known.kind == Kind::Switch { (end > 0.5).to_string() } else { end.to_string() };
+            let mut overrides = Overrides::over(&habit);
+            overrides.set_text(&format!("{}={value}", known.path)).unwrap();
+            let set: Habit = overrides.finish().unwrap_or_else(|e| panic!("{}: {e}", known.path));
+            for (now, before) in set.describe_at(30.0).iter().zip(habit.describe_at(30.0)) {
+                let expected = if now.path == known.path { end } else { before.default };
+                assert!((now.default - expected).abs() <= 1e-6 * expected.abs(), "{now:?} is not {expected}");
+            }
+        }
     }
 }
 

@@ -1,12 +1,12 @@
 //! The stage between depth and species: the drawn plant grows on, into its crowns or for the years that are asked for.
 //!
 //! A drawing grows if it has a crown, or if its species says how it grows and years are asked for. A crown for a species
-//! that does not say it grows like [`Habit::default`], and a remark says so.
+//! that does not say it grows like [`Habit::default`](crate::growth::Habit), and a remark says so.
 
 use super::Params;
 use crate::anatomy::Anatomy;
 use crate::depth;
-use crate::growth::{Habit, Memory, Outcome, Start, merge};
+use crate::growth::{Memory, Outcome, Start, merge};
 use crate::plant::Plant;
 use crate::sketch::{Remark, Sketch, Warning};
 use crate::species::Species;
@@ -39,9 +39,8 @@ pub(super) fn grow_on(
     let growth = &params.growth;
     let grows = merge::grows(&drawn);
     let crowns = depth::crowns(anatomy, &drawn.world_from_canvas);
-    let habit = species.growth.clone().unwrap_or_else(Habit::default);
     let wood = merge::wood(&drawn, &grows);
-    let start = Start::new(&habit, params.depth.world.height, wood, crowns, growth, sketch.seed);
+    let start = Start::new(&params.habit, params.depth.world.height, wood, crowns, growth, sketch.seed);
     let years = (growth.years >= 0.0).then_some(growth.years);
     let Some(grown) = memory.grow(&start, years, stop) else { return Err(drawn) };
     let ages = Ages { shown: grown.age, oldest: f32::from(grown.simulation.age()) };

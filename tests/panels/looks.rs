@@ -4,14 +4,16 @@ use crate::pictures;
 use crate::stage::{self, busy, press};
 use egui::vec2;
 use egui_kittest::kittest::Queryable;
-use penstemon::app::messages::{Language, Messages, Msg, Told as _};
+use penstemon::app::messages::{Language, Messages, Msg, Named, Told as _};
 use penstemon::app::panels::snapshot::{
-    Dialog, ExportFormat, MenuOf, Notice, PartMenu, PathPurpose, PathRequest, Recovered, ReferenceState,
+    Dialog, ExportFormat, MenuOf, Notice, ParamValues, PartMenu, PathPurpose, PathRequest, Recovered,
+    ReferenceState,
 };
 use penstemon::app::pen_settings::TabletDoubt;
 use penstemon::app::presets::Listed;
 use penstemon::app::settings::{Handedness, ThemeChoice};
 use penstemon::app::theme::{DARK, LIGHT};
+use penstemon::growth::Habit;
 use penstemon::pen::hid::{ChooseError, DeviceInfo, Refused, StringsKept};
 use penstemon::sketch::Tool;
 
@@ -30,11 +32,15 @@ fn doubt(taken: Option<&str>) -> TabletDoubt {
 }
 
 /// States whose pictures are written for people to look at.
-const SHOTS: [Shot; 15] = [
+const SHOTS: [Shot; 16] = [
     ("chinese", Language::Chinese, None, |_| ()),
     ("shape", Language::English, Some(Msg::TabShape), |s| {
         s.params.own =
             [("depth.world.height".to_owned(), 0.8), ("anatomy.flowers.min_petals".to_owned(), 5.0)].into();
+    }),
+    ("habit", Language::Chinese, Some(Msg::TabShape), |s| {
+        s.params = ParamValues::default().growing(&Habit::default(), 12.0);
+        s.params.own = [("habit.lambda".to_owned(), 0.62)].into();
     }),
     ("view", Language::Chinese, Some(Msg::TabView), |s| {
         s.reference = Some(ReferenceState { opacity: 0.5, locked: true });
@@ -162,6 +168,9 @@ fn the_graphics_card_draws_the_interface_in_both_themes() {
             if name == "textures" {
                 harness.get_by_label("Save this look").scroll_to_me();
                 harness.run();
+            }
+            if name == "habit" {
+                press(&mut harness, &Messages::new(language).name(Named::Group, "habit"));
             }
             let (size, pixels) = painter.borrow_mut().draw(&harness, p.paper);
             write(&folder.join(format!("panels-{theme:?}-{name}.png")), size, &pixels);

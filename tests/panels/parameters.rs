@@ -6,12 +6,26 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use penstemon::app::action::Action;
 use penstemon::app::messages::Language;
+use penstemon::app::panels::Snapshot;
 use penstemon::app::panels::snapshot::ParamValues;
+use penstemon::growth::species::CrownHabit;
+use penstemon::growth::{Habit, Schedule};
 use serde_json::{Map, Value};
+
+/// Somebody in the middle of work on a plant that grows.
+fn growing() -> Snapshot {
+    let habit = Habit { crown: Some(CrownHabit::default()), ..Habit::default() };
+    let params = ParamValues::default().growing(&habit, 12.0);
+    Snapshot { params, ..busy() }
+}
 
 /// Shows the page of parameters and searches it.
 fn searched(text: &str) -> Harness<'static, Stage> {
-    let mut harness = stage(busy(), Language::English);
+    searched_in(busy(), text)
+}
+
+fn searched_in(snapshot: Snapshot, text: &str) -> Harness<'static, Stage> {
+    let mut harness = stage(snapshot, Language::English);
     press(&mut harness, "Shape");
     harness.get_by_role(Role::TextInput).click();
     harness.run();
@@ -57,17 +71,24 @@ fn whole_numbers_and_switches_keep_their_kind() {
 
 #[test]
 fn every_value_that_a_rail_gives_is_accepted_by_the_pipeline() {
-    use penstemon::params::{Overrides, Parameters};
+    use penstemon::params::{Description, Overrides, Parameters};
     use penstemon::pipeline::Params;
-    let described = Params::describe();
-    let mut groups: Vec<&str> = described.iter().filter_map(|d| Some(d.path.rsplit_once('.')?.0)).collect();
-    groups.dedup();
+    let every = Params::of_any_species();
+    let described = every.describe();
+    // One search for each group, by paths; names repeat within the sections of a habit.
+    let mut searches: Vec<(String, Vec<&Description>)> = Vec::new();
+    for description in &described {
+        let (group, _) = description.path.rsplit_once('.').unwrap();
+        let text = if group == "habit" { description.path.clone() } else { format!("{group}.") };
+        match searches.last_mut().filter(|(last, _)| *last == text) {
+            Some((_, found)) => found.push(description),
+            None => searches.push((text, vec![description])),
+        }
+    }
     let mut moved = 0;
-    for group in groups {
-        let mut harness = searched(&format!("{group}."));
-        for description in
-            described.iter().filter(|d| d.path.rsplit_once('.').is_some_and(|(g, _)| g == group))
-        {
+    for (text, found) in searches {
+        let mut harness = searched_in(growing(), &text);
+        for description in found {
             let label = english().param_name(&description.path);
             if harness.query_by_role_and_label(Role::Slider, &label).is_none() {
                 continue;
@@ -87,14 +108,14 @@ fn every_value_that_a_rail_gives_is_accepted_by_the_pipeline() {
                 let Action::SetParam { path, value: Some(value) } = action else { panic!("{action:?}") };
                 assert_eq!(path, description.path);
                 let tree = Map::from_iter([(path.clone(), value.clone())]);
-                let mut overrides = Overrides::new::<Params>();
+                let mut overrides = Overrides::over(&every);
                 overrides.merge(&tree).unwrap_or_else(|e| panic!("{path} = {value}: {e}"));
                 overrides.finish::<Params>().unwrap_or_else(|e| panic!("{path} = {value}: {e}"));
             }
         }
     }
     /// Parameters that have no rail.
-    const SWITCHES: usize = 4;
+    const SWITCHES: usize = 5;
     assert!(moved + SWITCHES >= described.len(), "only {moved} of {} rails were moved", described.len());
 }
 
@@ -122,4 +143,46 @@ fn changed_parameters_stand_first_and_go_back_by_a_tap() {
     assert_eq!(asked(&mut harness), [Action::SetParam { path: "depth.world.height".into(), value: None }]);
     press(&mut harness, "Reset all");
     assert_eq!(asked(&mut harness), [Action::SetParams(Map::new())]);
+}
+
+#[test]
+fn growth_habits_are_shown_for_plants_that_grow_only() {
+    let title = "Growth habit: leaves";
+    let mut harness = stage(busy(), Language::English);
+    press(&mut harness, "Shape");
+    assert!(harness.query_by_label(title).is_none(), "a daisy does not grow");
+    assert!(searched("habit.lambda").query_by_label("Lambda").is_none());
+
+    let mut harness = stage(growing(), Language::English);
+    press(&mut harness, "Shape");
+    assert!(harness.query_by_label("Growth habit: crown").is_some());
+    press(&mut harness, title);
+    drag(&mut harness, "Length", vec2(30.0, 0.0));
+    let actions = asked(&mut harness);
+    let Some(Action::SetParam { path, value: Some(value) }) = actions.last() else { panic!("{actions:?}") };
+    assert!(path == "habit.leaf.length" && value.is_f64(), "{actions:?}");
+
+    let params = ParamValues::default().growing(&Habit::default(), 0.0);
+    let mut harness = stage(Snapshot { params, ..busy() }, Language::English);
+    press(&mut harness, "Shape");
+    assert!(harness.query_by_label("Growth habit: crown").is_none(), "it has no crown of its own");
+}
+
+#[test]
+fn habits_are_shown_at_the_plants_age_and_given_back() {
+    let lambda = Schedule::new(vec![(0.0, 0.6), (20.0, 0.4)], 0.0, 1.0).unwrap();
+    let habit = Habit { lambda, ..Habit::default() };
+    let own = serde_json::json!({"habit": {"lambda": 0.75}});
+    let params = ParamValues::of(&Map::new(), own.as_object().unwrap()).growing(&habit, 10.0);
+    let mut harness = stage(Snapshot { params, ..busy() }, Language::English);
+    press(&mut harness, "Shape");
+    assert!(harness.query_by_label("Changed (1)").is_some());
+    press(&mut harness, "Reset Lambda to 0.5");
+    assert_eq!(asked(&mut harness), [Action::SetParam { path: "habit.lambda".into(), value: None }]);
+
+    // Another species was chosen since: it rests.
+    let params = ParamValues::of(&Map::new(), own.as_object().unwrap());
+    let mut harness = stage(Snapshot { params, ..busy() }, Language::English);
+    press(&mut harness, "Shape");
+    assert!(harness.query_by_label_contains("Changed").is_none());
 }

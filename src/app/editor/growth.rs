@@ -12,6 +12,8 @@ use crate::params::Parameters as _;
 use serde_json::{Map, Value};
 use std::time::{Duration, Instant};
 
+/// The parameter that says at which age a species is shown.
+const AGE: &str = "habit.age";
 /// Length of a replay.
 const REPLAY: Duration = Duration::from_secs(5);
 /// Least time from one age to the next.
@@ -23,7 +25,7 @@ const LEAST: f32 = 10.0;
 
 /// Oldest age that the parameter takes.
 fn oldest() -> f32 {
-    let years = GrowthParams::describe().into_iter().find(|known| YEARS.ends_with(&known.path));
+    let years = GrowthParams::default().describe().into_iter().find(|known| YEARS.ends_with(&known.path));
     years.map_or(LEAST, |known| known.max as f32)
 }
 
@@ -64,7 +66,8 @@ impl Editor {
         let shown = own.or_else(|| ages.map(|ages| ages.shown)).unwrap_or(0.0);
         let shown = self.building.replay.map_or(shown, |replay| replay.age());
         let end = self.building.replay.map_or(shown, |replay| replay.end);
-        let species = habit.map_or(0.0, |habit| BEYOND * habit.age as f32);
+        let age = self.own_number(AGE).or(habit.map(|habit| habit.age as f32));
+        let species = BEYOND * age.unwrap_or(0.0);
         Some(GrowthState {
             age: shown,
             most: species.max(end).ceil().clamp(LEAST, oldest()),
@@ -76,9 +79,14 @@ impl Editor {
 
     /// The age that the artist chose.
     fn years(&self) -> Option<f32> {
+        self.own_number(YEARS).filter(|years| *years >= 0.0)
+    }
+
+    /// A parameter that the artist changed.
+    fn own_number(&self, path: &str) -> Option<f32> {
         let params = &self.document.sketch().params;
         let flat = crate::app::panels::snapshot::ParamValues::of(&Map::new(), params);
-        flat.own.get(YEARS).map(|years| *years as f32).filter(|years| *years >= 0.0)
+        flat.own.get(path).map(|number| *number as f32)
     }
 
     /// Whether growth is being replayed right now.

@@ -61,6 +61,28 @@ fn the_age_is_set_and_undone_like_any_change() {
 }
 
 #[test]
+fn a_habit_is_set_shown_and_grown_and_rests_for_plants_that_do_not_grow() {
+    let home = tempfile::tempdir().unwrap();
+    let mut editor = oak(&home);
+    let (internode, bare) = ("habit.internode", "habit.leaf.length");
+    let before = editor.panel_snapshot().params;
+    assert!((before.species[internode] - 0.42).abs() < 1e-6 && before.applies(bare));
+    assert!(!editor.built().unwrap().plant.organs.is_empty());
+    editor.perform(Action::SetParam { path: bare.into(), value: Some(Value::from(0.0)) });
+    settle(&mut editor);
+    assert!(editor.built().unwrap().plant.organs.is_empty(), "it has grown again, without leaves");
+    assert_eq!(editor.panel_snapshot().params.own[bare], 0.0);
+    editor.perform(Action::SetParam { path: "habit.age".into(), value: Some(Value::from(60)) });
+    assert_eq!(editor.growth_state().unwrap().most, 90.0, "the slider reaches as far");
+    editor.perform(Action::SelectAll);
+    editor.perform(Action::DeleteSelected);
+    editor.perform(Action::SetSpecies("daisy".into()));
+    settle(&mut editor);
+    assert!(!editor.panel_snapshot().params.applies(bare));
+    assert_eq!(editor.panel_snapshot().notices, [], "what rests is no fault");
+}
+
+#[test]
 fn a_replay_shows_rising_ages_changes_nothing_and_comes_to_rest() {
     let home = tempfile::tempdir().unwrap();
     let mut editor = oak(&home);

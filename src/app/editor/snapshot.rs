@@ -13,6 +13,7 @@ use crate::app::settings::ThemeChoice;
 use crate::app::system_theme;
 use crate::app::theme::Palette;
 use crate::app::thumbnail;
+use crate::growth::Habit;
 use crate::pipeline::DEFAULT_SPECIES;
 use crate::sketch::Warning;
 use crate::sketch::journal::JournalState;
@@ -28,8 +29,6 @@ impl Editor {
     pub(in crate::app) fn panel_snapshot(&mut self) -> Snapshot {
         self.notices.retain(|(n, at)| n.severity != Severity::Info || at.elapsed() < GOOD_NEWS);
         let sketch = self.document.sketch();
-        let none = Map::new();
-        let of_species = self.species.as_ref().map_or(&none, |(_, species)| &species.params);
         let reference =
             sketch.reference.as_ref().map(|r| ReferenceState { opacity: r.opacity, locked: r.locked });
         Snapshot {
@@ -44,7 +43,7 @@ impl Editor {
             species: sketch.species.clone().unwrap_or_else(|| DEFAULT_SPECIES.to_owned()),
             textures: sketch.textures.clone(),
             seed: sketch.seed,
-            params: ParamValues::of(of_species, &sketch.params),
+            params: self.param_values(),
             growth: self.growth_state(),
             presets: self.presets(),
             reference,
@@ -61,6 +60,16 @@ impl Editor {
             ..Snapshot::default()
         }
         .with_settings(&self.settings)
+    }
+
+    fn param_values(&self) -> ParamValues {
+        let none = Map::new();
+        let species = self.species.as_ref().map(|(_, species)| species);
+        let of_species = species.map_or(&none, |species| &species.params);
+        let values = ParamValues::of(of_species, &self.document.sketch().params);
+        let Some(growth) = self.growth_state() else { return values };
+        let habit = species.and_then(|species| species.growth.as_ref());
+        values.growing(habit.unwrap_or(&Habit::default()), growth.age)
     }
 
     /// The presets' folder is read when something may have changed in it, not with every frame.

@@ -114,6 +114,8 @@ keys! {
     ParamsResetAll = "params.reset_all",
     ParamsNoneFound = "params.none_found",
     ParamsRange = "params.range",
+    ParamsAged = "params.aged",
+    ParamsInCrown = "params.in_crown",
     ParamsOn = "params.on",
     ParamsOff = "params.off",
     ViewLight = "view.light",

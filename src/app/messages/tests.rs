@@ -67,7 +67,8 @@ fn the_code_asks_for_placeholders_that_exist() {
 #[test]
 fn every_parameter_has_a_chinese_name_and_help_and_no_other_has() {
     let chinese = Messages::new(Language::Chinese);
-    let described: BTreeSet<String> = Params::describe().into_iter().map(|d| d.path).collect();
+    let described: BTreeSet<String> =
+        Params::of_any_species().describe().into_iter().map(|d| d.path).collect();
     let written: BTreeSet<String> = chinese.params.keys().cloned().collect();
     assert_eq!(described, written);
     for (path, (name, help)) in &chinese.params {
@@ -83,7 +84,7 @@ fn every_group_unit_and_species_has_a_name_in_both_languages() {
             let key = format!("{}/{name}", kind.section());
             assert!(messages.names.contains_key(&key), "{language:?} has no name for {key}");
         };
-        for description in Params::describe() {
+        for description in Params::of_any_species().describe() {
             let (group, _) = description.path.rsplit_once('.').unwrap();
             known(Named::Group, group);
             if !description.unit.is_empty() {

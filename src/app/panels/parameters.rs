@@ -10,25 +10,22 @@ use super::widgets::{IconButton, note, palette, switch, text_button_sized};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg, Named};
 use crate::app::theme::TARGET;
-use crate::params::{Description, Parameters};
+use crate::params::{Description, Kind, Parameters as _};
 use crate::pipeline::Params;
 use egui::{CollapsingHeader, Id, RichText, TextEdit, Ui, vec2};
 use serde_json::{Map, Value};
 use std::sync::OnceLock;
 
-/// What kind of value a parameter has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Number,
-    Whole,
-    Switch,
-}
-
 /// Groups in the order in which an artist comes to them: the plant as a whole, flowers and leaves, branches, what fills
 /// outlines, surfaces, and last what only matters where strokes were misunderstood.
-const ORDER: [&str; 20] = [
+const ORDER: [&str; 25] = [
     "depth.world",
     "growth",
+    "habit",
+    "habit.crown",
+    "habit.leaf",
+    "habit.light",
+    "habit.space",
     "depth.cone",
     "depth.leaves",
     "depth.curl",
@@ -49,19 +46,13 @@ const ORDER: [&str; 20] = [
     "anatomy.preprocess",
 ];
 
-/// Every parameter with the kind of its value, group by group; groups that are not in [`ORDER`] come last.
-fn known() -> &'static [(Description, Kind)] {
-    static KNOWN: OnceLock<Vec<(Description, Kind)>> = OnceLock::new();
+/// Every parameter, group by group; groups that are not in [`ORDER`] come last.
+fn known() -> &'static [Description] {
+    static KNOWN: OnceLock<Vec<Description>> = OnceLock::new();
     KNOWN.get_or_init(|| {
-        let defaults = serde_json::to_value(Params::default()).unwrap_or_default();
-        let kind = |path: &str| match path.split('.').try_fold(&defaults, |tree, key| tree.get(key)) {
-            Some(Value::Bool(_)) => Kind::Switch,
-            Some(Value::Number(n)) if n.is_u64() => Kind::Whole,
-            _ => Kind::Number,
-        };
-        let mut all: Vec<_> = Params::describe().into_iter().map(|d| (d.clone(), kind(&d.path))).collect();
+        let mut all = Params::of_any_species().describe();
         let place = |d: &Description| ORDER.iter().position(|group| *group == group_of(&d.path));
-        all.sort_by_key(|(d, _)| place(d).unwrap_or(ORDER.len()));
+        all.sort_by_key(|d| place(d).unwrap_or(ORDER.len()));
         all
     })
 }
@@ -75,13 +66,19 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec
     }
     changed(ui, snapshot, messages, out);
     let mut rest = known();
-    while let Some((first, _)) = rest.first() {
+    while let Some(first) = rest.first() {
         let group = group_of(&first.path);
-        let end = rest.iter().position(|(d, _)| group_of(&d.path) != group).unwrap_or(rest.len());
+        let end = rest.iter().position(|d| group_of(&d.path) != group).unwrap_or(rest.len());
         let (these, others) = rest.split_at(end);
         rest = others;
+        if !snapshot.params.applies(&first.path) {
+            continue;
+        }
         let title = RichText::new(messages.name(Named::Group, group)).size(14.5);
         CollapsingHeader::new(title).id_salt(group).show_unindented(ui, |ui| {
+            if group == "habit" && snapshot.growth.is_some_and(|growth| growth.crown) {
+                note(ui, messages.get(Msg::ParamsInCrown));
+            }
             these.iter().for_each(|one| row(ui, one, snapshot, messages, out));
             ui.add_space(6.0);
         });
@@ -124,8 +121,8 @@ fn found(ui: &mut Ui, text: &str, snapshot: &Snapshot, messages: &Messages, out:
         all.into_iter().any(|text| text.to_lowercase().contains(&wanted))
     };
     let mut last = "";
-    for one in known().iter().filter(|(d, _)| hit(d)) {
-        let group = group_of(&one.0.path);
+    for one in known().iter().filter(|d| snapshot.params.applies(&d.path) && hit(d)) {
+        let group = group_of(&one.path);
         if group != last {
             ui.add_space(4.0);
             note(ui, &messages.name(Named::Group, group));
@@ -145,7 +142,8 @@ fn changed(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<
         paths = snapshot.params.own.keys().cloned().collect();
         ui.data_mut(|data| data.insert_temp(at, paths.clone()));
     }
-    let these: Vec<_> = known().iter().filter(|(d, _)| paths.contains(&d.path)).collect();
+    let applies = |path: &String| paths.contains(path) && snapshot.params.applies(path);
+    let these: Vec<_> = known().iter().filter(|d| applies(&d.path)).collect();
     if these.is_empty() {
         return;
     }
@@ -165,12 +163,12 @@ fn changed(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<
 
 fn row(
     ui: &mut Ui,
-    (description, kind): &(Description, Kind),
+    description: &Description,
     snapshot: &Snapshot,
     messages: &Messages,
     out: &mut Vec<Action>,
 ) {
-    let path = &description.path;
+    let (path, kind) = (&description.path, description.kind);
     let base = snapshot.params.species.get(path).copied().unwrap_or(description.default);
     let own = snapshot.params.own.get(path).copied();
     let value = own.unwrap_or(base);
@@ -179,26 +177,26 @@ fn row(
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 0.0;
         let width = ui.available_width() - TARGET;
-        if *kind == Kind::Switch {
+        if kind == Kind::Switch {
             let shown = ui.allocate_ui(vec2(width, TARGET), |ui| switch(ui, &name, value > 0.5));
-            shown.response.on_hover_ui(|ui| help(ui, description, *kind, base, messages));
+            shown.response.on_hover_ui(|ui| help(ui, description, base, messages));
             if let Some(on) = shown.inner {
                 set(Some(Value::Bool(on)));
             }
         } else {
-            let scale = Scale { min: description.min, max: description.max, whole: *kind == Kind::Whole };
+            let scale = Scale { min: description.min, max: description.max, whole: kind == Kind::Whole };
             let text = with_unit(&scale.text(value), description, messages);
             let rail = Rail { label: &name, text: &text, scale, value, changed: own.is_some() };
             let (response, moved) = rail.show(ui, width);
             if !response.dragged() {
-                response.on_hover_ui(|ui| help(ui, description, *kind, base, messages));
+                response.on_hover_ui(|ui| help(ui, description, base, messages));
             }
             if let Some(new) = moved {
                 set(Some(if scale.whole { Value::from(new as u64) } else { Value::from(new) }));
             }
         }
         if own.is_some() {
-            let to = value_text(base, *kind, messages);
+            let to = value_text(base, kind, messages);
             let label = messages.fill(Msg::ParamsReset, &[("name", &name), ("value", &to)]);
             if IconButton::new(Icon::Reset, &label).colour(palette(ui).accent).show(ui).clicked() {
                 set(None);
@@ -212,7 +210,7 @@ fn value_text(value: f64, kind: Kind, messages: &Messages) -> String {
         Kind::Switch if value > 0.5 => messages.get(Msg::ParamsOn).to_owned(),
         Kind::Switch => messages.get(Msg::ParamsOff).to_owned(),
         Kind::Whole => format!("{value:.0}"),
-        Kind::Number => number(value),
+        Kind::Number | Kind::Aged => number(value),
     }
 }
 
@@ -224,8 +222,12 @@ fn with_unit(value: &str, description: &Description, messages: &Messages) -> Str
     }
 }
 
-fn help(ui: &mut Ui, description: &Description, kind: Kind, base: f64, messages: &Messages) {
+fn help(ui: &mut Ui, description: &Description, base: f64, messages: &Messages) {
+    let kind = description.kind;
     ui.label(messages.param_help(description));
+    if kind == Kind::Aged {
+        note(ui, messages.get(Msg::ParamsAged));
+    }
     let [min, max, default] = [description.min, description.max, base].map(|v| value_text(v, kind, messages));
     note(ui, &messages.fill(Msg::ParamsRange, &[("min", &min), ("max", &max), ("default", &default)]));
     ui.label(RichText::new(&description.path).monospace().small().color(palette(ui).weak));
@@ -237,16 +239,17 @@ mod tests {
 
     #[test]
     fn counts_and_switches_are_told_from_numbers() {
-        let kind = |path: &str| known().iter().find(|(d, _)| d.path == path).unwrap().1;
+        let kind = |path: &str| known().iter().find(|d| d.path == path).unwrap().kind;
         assert_eq!(kind("depth.cone.flip"), Kind::Switch);
         assert_eq!(kind("anatomy.flowers.min_petals"), Kind::Whole);
         assert_eq!(kind("depth.world.height"), Kind::Number);
+        assert_eq!(kind("habit.lambda"), Kind::Aged);
     }
 
     #[test]
     fn groups_stand_together() {
         let mut seen = Vec::new();
-        for (description, _) in known() {
+        for description in known() {
             let group = group_of(&description.path);
             if seen.last() != Some(&group) {
                 assert!(!seen.contains(&group), "{group} stands in two places");

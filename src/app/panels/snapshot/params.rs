@@ -1,13 +1,17 @@
 //! Values of parameters by path, as the panel of parameters shows them.
 
-use crate::params::join;
+use crate::growth::Habit;
+use crate::params::{Parameters as _, join};
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
+
+/// What every path of a growth habit begins with.
+const HABIT: &str = "habit";
 
 /// Values of parameters by path, where they are not the program's defaults.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ParamValues {
-    /// What the species says.
+    /// What the species says; the numbers of its growth habit are all here if the plant grows, and missing if not.
     pub species: BTreeMap<String, f64>,
     /// What the artist changed; switches are 0 or 1.
     pub own: BTreeMap<String, f64>,
@@ -20,6 +24,23 @@ impl ParamValues {
         flatten("", species, &mut out.species);
         flatten("", own, &mut out.own);
         out
+    }
+
+    /// With how the plant grows, as it is at an age in years.
+    #[must_use]
+    pub fn growing(mut self, habit: &Habit, age: f32) -> Self {
+        let mut all = Vec::new();
+        habit.describe_into(HABIT, age, &mut all);
+        for known in all {
+            self.species.entry(known.path).or_insert(known.default);
+        }
+        self
+    }
+
+    /// Whether a parameter means something for this plant: growth habits are those of plants that grow.
+    pub fn applies(&self, path: &str) -> bool {
+        let of_habit = path.strip_prefix(HABIT).is_some_and(|rest| rest.starts_with('.'));
+        !of_habit || self.species.contains_key(path)
     }
 }
 
@@ -43,6 +64,7 @@ fn flatten(prefix: &str, tree: &Map<String, Value>, out: &mut BTreeMap<String, f
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::growth::Schedule;
 
     #[test]
     fn overrides_are_flattened_in_any_spelling() {
@@ -54,5 +76,16 @@ mod tests {
             [("depth.world.height".into(), 2.0), ("depth.cone.flip".into(), 1.0)].into()
         );
         assert_eq!(values.own, [("depth.world.height".into(), 3.0)].into());
+    }
+
+    #[test]
+    fn growth_habits_are_those_of_plants_that_grow() {
+        let values = ParamValues::of(&Map::new(), &Map::new());
+        assert!(values.applies("depth.world.height") && !values.applies("habit.lambda"));
+        let lambda = Schedule::new(vec![(0.0, 0.6), (20.0, 0.4)], 0.0, 1.0).unwrap();
+        let values = values.growing(&Habit { lambda, ..Habit::default() }, 10.0);
+        assert!(values.applies("habit.lambda") && values.applies("habit.leaf.length"));
+        assert!(!values.applies("habit.crown.height"), "it has no crown of its own");
+        assert!((values.species["habit.lambda"] - 0.5).abs() < 1e-6, "as it is at that age");
     }
 }
