@@ -9,6 +9,7 @@ pub use growing::Ages;
 
 use crate::anatomy::{self, Anatomy, AnatomyParams};
 use crate::depth::{self, DepthParams};
+use crate::growth::overlay::{Spot, Wanted};
 use crate::growth::species::CrownHabit;
 use crate::growth::{self, GrowthParams, Habit, Limits, Memory, Outcome, Simulation};
 use crate::model::{self, Model, ModelParams};
@@ -120,6 +121,8 @@ pub struct Built {
     pub plant: Plant,
     /// The plant as surfaces.
     pub model: Model,
+    /// What growth looks like from inside; empty until [`Cache::look_inside`].
+    pub overlay: Vec<Spot>,
     /// Time that each stage took, in order.
     pub stages: Vec<(&'static str, Duration)>,
 }
@@ -131,6 +134,15 @@ pub struct Cache {
     pub model: model::Cache,
     /// The plant that grew last.
     pub growth: Memory,
+}
+
+impl Cache {
+    /// Adds to what [`build_with`] has just built what is wanted of its growth, at the age that it shows.
+    pub fn look_inside(&self, built: &mut Built, wanted: Wanted) {
+        if let Some(ages) = built.growth.filter(|_| wanted.any()) {
+            built.overlay = self.growth.overlay(ages.shown, wanted);
+        }
+    }
 }
 
 /// Builds a plant. Same input, same output, on any number of threads. A sketch without anything to build gives an
@@ -154,7 +166,7 @@ pub fn build(sketch: &Sketch, species: &Species, params: &Params) -> Built {
     };
     let plant = clock.time("species", || dressed(plant, species, sketch));
     let model = clock.time("model", || model::build(&plant, &of_model(params, growth.is_some())));
-    Built { anatomy, growth, plant, model, stages: clock.stages }
+    Built { anatomy, growth, plant, model, overlay: Vec::new(), stages: clock.stages }
 }
 
 /// Builds the very plant that [`build`] gives, again and again while a drawing changes: parts that are the same as when
@@ -193,7 +205,7 @@ pub fn build_with(
     let model = clock.time("model", || {
         model::rebuild(&plant, &of_model(params, growth.is_some()), &mut cache.model, &stop)
     })?;
-    Some(Built { anatomy, growth, plant, model, stages: clock.stages })
+    Some(Built { anatomy, growth, plant, model, overlay: Vec::new(), stages: clock.stages })
 }
 
 /// Everything between a species and a plant that it grew.

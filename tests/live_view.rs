@@ -7,13 +7,15 @@
 use glam::{Vec2, Vec3};
 use penstemon::cli::common::built_in_texture;
 use penstemon::export::pictures::fetch;
+use penstemon::growth::overlay::{Kind, Spot, Wanted};
 use penstemon::model::{Mesh, Model, Part};
-use penstemon::pipeline::{build, params_of, species_of};
+use penstemon::pipeline::{Built, Cache, build, build_with, params_of, species_of};
 use penstemon::plant::Texture;
 use penstemon::render::{
     Background, Direction, Look, Mode, OrbitCamera, Picture, PictureOptions, Projection, Quality,
     RenderError, Renderer, View, Viewport,
 };
+use penstemon::sketch::{Sketch, Stroke, StrokePoint, Tool};
 use std::borrow::Cow;
 use std::error::Error;
 use std::path::Path;
@@ -348,4 +350,126 @@ fn a_device_that_somebody_else_opened_will_do() {
     drop(device.create_buffer(&endless));
     assert!(renderer.check().is_err(), "failures of the other one's commands are collected too");
     assert!(!renderer.is_lost() && renderer.check().is_ok());
+}
+
+/// The pixel in which a point of the world is seen.
+fn pixel_of(camera: &OrbitCamera, world: Vec3) -> Vec2 {
+    let size = Vec2::new(SIZE.0 as f32, SIZE.1 as f32);
+    camera.project(world).unwrap() * size.y + 0.5 * size
+}
+
+/// Pixels that differ, with how much they do.
+fn changes(a: &Picture, b: &Picture) -> Vec<(Vec2, u8)> {
+    let (a, b) = (a.pixels().as_chunks::<4>().0, b.pixels().as_chunks::<4>().0);
+    let by = |(a, b): (&[u8; 4], &[u8; 4])| a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max().unwrap_or(0);
+    let at = |k: usize| Vec2::new((k % SIZE.0 as usize) as f32 + 0.5, (k / SIZE.0 as usize) as f32 + 0.5);
+    let all = a.iter().zip(b).map(by).enumerate();
+    all.filter(|(_, by)| *by > 0).map(|(k, by)| (at(k), by)).collect()
+}
+
+#[test]
+fn spots_stand_where_they_are_and_shine_faintly_through_the_plant() {
+    let model = plant("daisy");
+    let (renderer, mut viewport) = opened(&model);
+    let camera = camera(&model, &View { projection: Projection::Orthographic, ..View::default() });
+    let (low, high) = model.bounds().unwrap();
+    let look = Look { mode: Mode::PartColours, ..Look::default() };
+    let plain = shot(&renderer, &mut viewport, &camera, &look);
+    let radius = 0.015 * (high - low).length();
+    // How much the middle of a spot changes.
+    let mut change = |at: Vec3, kind: Kind| {
+        viewport.set_overlay(&renderer, &[Spot { at, radius, kind }]);
+        let shown = shot(&renderer, &mut viewport, &camera, &look);
+        let changed = changes(&plain, &shown);
+        assert!(changed.len() > 8, "{kind:?} at {at} is not seen");
+        let reach = 1.5 + pixel_of(&camera, at + Vec3::X * radius).distance(pixel_of(&camera, at));
+        for (pixel, _) in &changed {
+            let off = pixel.distance(pixel_of(&camera, at));
+            assert!(off <= reach, "{kind:?}: {off} pixels from where it is, {reach} at most");
+        }
+        let off = |pixel: &Vec2| pixel.distance(pixel_of(&camera, at));
+        changed.iter().min_by(|(a, _), (b, _)| off(a).total_cmp(&off(b))).unwrap().1
+    };
+    // Beside the plant, before it and behind it.
+    for corner in [low, high, low.with_y(high.y)] {
+        change(corner, Kind::Free);
+        change(corner, Kind::Light { exposure: 0.3 });
+    }
+    let flower = model.parts.iter().find(|part| part.name.starts_with("petal")).unwrap();
+    let middle = flower.mesh.points.iter().sum::<Vec3>() / flower.mesh.points.len() as f32;
+    let before = change(middle.with_z(high.z + radius), Kind::Free);
+    let behind = change(middle.with_z(low.z - radius), Kind::Free);
+    assert!(behind > 5 && u32::from(before) > 2 * u32::from(behind), "{before} before, {behind} behind");
+    viewport.set_overlay(&renderer, &[]);
+    assert_eq!(plain, shot(&renderer, &mut viewport, &camera, &look), "and they go without a trace");
+}
+
+/// A built drawing with what its growth looks like from inside.
+fn grown(sketch: &Sketch, set: &str, wanted: Wanted) -> Built {
+    let species = species_of(sketch, Path::new("")).unwrap();
+    let params = params_of(sketch, &species, &[set.to_owned()]).unwrap();
+    let mut cache = Cache::default();
+    let mut built = build_with(&mut cache, sketch, &species, &params, &|| false).unwrap();
+    assert!(built.overlay.is_empty(), "nobody asked yet");
+    cache.look_inside(&mut built, wanted);
+    built
+}
+
+#[test]
+fn growth_is_seen_from_inside_over_the_plant() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/sketches");
+    let (topiary, _) = penstemon::sketch::read(&folder.join("topiary.penstemon")).unwrap();
+    let points = (0..=20).map(|k| StrokePoint::at(Vec2::new(500.0 + k as f32, 900.0 - 10.0 * k as f32)));
+    let trunk = Arc::new(Stroke { id: 1, tool: Tool::Branch, points: points.collect() });
+    let oak = Sketch { species: Some("oak".into()), strokes: vec![trunk], ..Sketch::empty() };
+    let (none, markers) = (Wanted::default(), Wanted { markers: true, ..Wanted::default() });
+    let (buds, light) = (Wanted { buds: true, ..none }, Wanted { light: true, ..none });
+    let cases = [
+        ("overlay_markers", &topiary, "growth.years=5", markers),
+        ("overlay_crown_buds", &topiary, "growth.years=5", buds),
+        ("overlay_buds", &oak, "growth.years=12", buds),
+        ("overlay_light", &oak, "growth.years=12", light),
+    ];
+    for (name, sketch, set, wanted) in cases {
+        let built = grown(sketch, set, wanted);
+        assert!(built.overlay.len() > 100, "{name}: {} spots", built.overlay.len());
+        let (renderer, mut viewport) = opened(&built.model);
+        let camera = camera(&built.model, &View { projection: Projection::Orthographic, ..View::default() });
+        let look = Look::default();
+        let plain = shot(&renderer, &mut viewport, &camera, &look);
+        viewport.set_overlay(&renderer, &built.overlay);
+        let shown = shot(&renderer, &mut viewport, &camera, &look);
+        keep(name, &shown);
+        let changed = changes(&plain, &shown);
+        let share = changed.len() as f32 / (SIZE.0 * SIZE.1) as f32;
+        assert!(share > 0.02, "{name}: {share} of the picture");
+        // Nowhere but where the spots are.
+        let reach = |spot: &Spot| match spot.kind {
+            Kind::Active { way } | Kind::Dormant { way } => spot.radius + way.length(),
+            _ => spot.radius,
+        };
+        let near = |pixel: Vec2| {
+            built.overlay.iter().any(|spot| {
+                let (at, out) = (pixel_of(&camera, spot.at), spot.at + Vec3::X * reach(spot));
+                pixel.distance(at) <= pixel_of(&camera, out).distance(at) + 3.0
+            })
+        };
+        assert!(changed.iter().step_by(101).all(|(pixel, _)| near(*pixel)), "{name}");
+        if name == "overlay_markers" {
+            // The crown's markers lie within its outline, which the full plant fills.
+            let full = build(sketch, &species_of(sketch, &folder).unwrap(), &params(sketch)).model;
+            let (low, high) = full.bounds().unwrap();
+            let room = 0.05 * (high - low).length();
+            assert!(
+                built
+                    .overlay
+                    .iter()
+                    .all(|spot| { spot.at.cmpge(low - room).all() && spot.at.cmple(high + room).all() })
+            );
+        }
+    }
+}
+
+fn params(sketch: &Sketch) -> penstemon::pipeline::Params {
+    params_of(sketch, &species_of(sketch, Path::new("")).unwrap(), &[]).unwrap()
 }

@@ -7,6 +7,7 @@ use super::messages::Language;
 use super::panels::snapshot::{Dialog, ExportChoice, LightChoice, PathPurpose, Shading};
 use super::pen_settings::PenSettings;
 use super::settings::{Handedness, Stabiliser, ThemeChoice};
+use crate::growth::overlay::Wanted;
 use crate::pen::PenSource;
 use crate::plant::OrganKind;
 use crate::sketch::{StrokeId, Tool};
@@ -132,6 +133,8 @@ pub enum Action {
     SetOrthographic(bool),
     /// Turn the plant slowly.
     SetTurntable(bool),
+    /// What is seen of growth over the plant.
+    SetOverlay(Wanted),
     /// Copy the picture of the plant to the clipboard.
     CopyPicture,
     /// Remember what the export dialog says.

@@ -374,7 +374,8 @@ impl Editor {
         self.building.submitted += 1;
         self.building.is_running = true;
         let (revision, folder) = (self.building.submitted, self.file.folder());
-        self.worker.submit(worker::Snapshot { revision, sketch, folder });
+        let overlay = self.plant.state.overlay;
+        self.worker.submit(worker::Snapshot { revision, sketch, folder, overlay });
     }
 
     /// Applies a change as one step: to the document, the journal, the canvas and the plant.

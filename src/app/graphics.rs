@@ -208,6 +208,7 @@ impl Graphics {
             self.shown.plant = editor.versions.plant;
             let stats = self.viewport.update(&self.renderer, &built.model, &plant_view::texture)?;
             tracing::debug!("uploaded {} of {} parts", stats.uploaded_parts, stats.parts);
+            self.viewport.set_overlay(&self.renderer, &built.overlay);
             editor.plant.set_bounds(self.viewport.bounds());
         }
         let look = editor.plant_look();

@@ -9,6 +9,7 @@
 //! wait on large plants is done here as well: counting, and giving back the memory of plants that are no longer shown.
 
 use crate::anatomy::Part;
+use crate::growth::overlay::Wanted;
 use crate::pipeline::{self, Built, Cache, SetupError};
 use crate::sketch::Sketch;
 use crate::species::Species;
@@ -31,6 +32,8 @@ pub struct Snapshot {
     pub sketch: Sketch,
     /// Where the drawing's species and picture files are looked for.
     pub folder: PathBuf,
+    /// What is to be seen of growth.
+    pub overlay: Wanted,
 }
 
 /// A finished build.
@@ -235,7 +238,7 @@ fn next(shared: &Shared) -> Option<Snapshot> {
 impl Bench {
     /// `Ok(None)` where it was cancelled.
     fn build(&mut self, snapshot: &Snapshot, cancel: &AtomicBool) -> Result<Option<Built>, SetupError> {
-        let Snapshot { sketch, folder, .. } = snapshot;
+        let Snapshot { sketch, folder, overlay, .. } = snapshot;
         let known = self.species.take().filter(|(name, at, _)| *name == sketch.species && at == folder);
         let species = match known {
             Some((_, _, species)) => species,
@@ -244,7 +247,11 @@ impl Bench {
         let (_, _, species) = self.species.insert((sketch.species.clone(), folder.clone(), species));
         let params = pipeline::params_of(sketch, species, &[])?;
         let cancelled = || cancel.load(Ordering::Relaxed);
-        Ok(pipeline::build_with(&mut self.cache, sketch, species, &params, &cancelled))
+        let mut built = pipeline::build_with(&mut self.cache, sketch, species, &params, &cancelled);
+        if let Some(built) = &mut built {
+            self.cache.look_inside(built, *overlay);
+        }
+        Ok(built)
     }
 }
 
@@ -265,7 +272,7 @@ mod tests {
     }
 
     fn snapshot(revision: u64, sketch: &Sketch) -> Snapshot {
-        Snapshot { revision, sketch: sketch.clone(), folder: PathBuf::new() }
+        Snapshot { revision, sketch: sketch.clone(), folder: PathBuf::new(), overlay: Wanted::default() }
     }
 
     /// Waits for the result of a revision.

@@ -10,6 +10,7 @@ use super::envelope::Envelope;
 use super::inflated::Inflated;
 use super::lead;
 use super::limits::{Limits, Outcome};
+use super::overlay::{Spot, Wanted, overlay};
 use super::simulation::Simulation;
 use super::species::Habit;
 use super::tree::Tree;
@@ -124,6 +125,11 @@ impl Memory {
     /// Forgets it.
     pub fn clear(&mut self) {
         self.last = None;
+    }
+
+    /// What the plant that grew last looks like from inside, at an age that it has lived through.
+    pub fn overlay(&self, age: f32, wanted: Wanted) -> Vec<Spot> {
+        self.last.as_ref().map_or_else(Vec::new, |kept| overlay(&kept.simulation, age, wanted))
     }
 
     /// Grows a drawing to an age, or until its crown is filled; nothing if `stop` said yes, but what had grown until

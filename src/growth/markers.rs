@@ -106,6 +106,13 @@ impl Markers {
         all.filter(|((_, taken), _)| **taken != NEVER).map(|((at, _), owner)| (*at, *owner))
     }
 
+    /// Every so many-th marker, the same ones at all ages, and whether it was occupied at the end of a year.
+    pub fn at_age(&self, year: u16, every: usize) -> impl Iterator<Item = (Vec3, bool)> + '_ {
+        let all = self.at.iter().zip(&self.taken).zip(&self.rank);
+        let chosen = all.filter(move |(_, rank)| (**rank as usize).is_multiple_of(every.max(1)));
+        chosen.map(move |((at, taken), _)| (*at, *taken <= year))
+    }
+
     /// Occupies the free markers within `radius` of a node.
     pub fn occupy(&mut self, at: Vec3, radius: f32, node: u32, year: u16) {
         if !self.grid.is_near(at, radius / self.grid.cell) {

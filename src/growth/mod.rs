@@ -15,6 +15,7 @@
 //! | `direction`, `fate`, `shedding` | what buds and branches make of it |
 //! | `tree`, `skeleton`, `setting`, `simulation`, `limits` | the plant through the years |
 //! | `diameter`, `chains`, `foliage`, `to_plant` | the plant of one age |
+//! | `overlay` | what growth looks like from inside |
 //! | `drawing`, `lead`, `merge` | growth in a drawing: its wood goes on, its crowns are filled |
 //!
 //! Everything here is pure and deterministic: no clock, no files, the same bytes on any number of threads.
@@ -34,6 +35,7 @@ pub mod leaf;
 pub mod limits;
 pub mod markers;
 pub mod merge;
+pub mod overlay;
 pub mod priority;
 pub mod schedule;
 pub mod setting;

@@ -152,6 +152,28 @@ impl Shadow {
         slope / (slope.length() + 0.05 * self.full)
     }
 
+    /// Full light C.
+    pub fn full(&self) -> f32 {
+        self.full
+    }
+
+    /// Width of a voxel, metres.
+    pub fn voxel(&self) -> f32 {
+        self.voxel
+    }
+
+    /// The middle of every voxel with at least this shadow, and the exposure of a bud there.
+    pub fn shaded(&self, least: f32) -> impl Iterator<Item = (Vec3, f32)> + '_ {
+        let least = ((least * UNIT) as u32).max(1);
+        let dark = self.dark.iter().enumerate().filter(move |(_, dark)| **dark >= least);
+        dark.map(|(i, _)| {
+            let (row, x) = (i as i32 / self.size.x, i as i32 % self.size.x);
+            let place = self.low + IVec3::new(x, row / self.size.z, row % self.size.z);
+            let middle = (place.as_vec3() + 0.5) * self.voxel;
+            (middle, self.exposure(middle))
+        })
+    }
+
     /// Number of voxels.
     pub fn len(&self) -> usize {
         self.dark.len()

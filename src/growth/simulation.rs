@@ -14,7 +14,7 @@ use super::fate::{self, Fate, Waiting, unit};
 use super::limits::{Limits, Outcome};
 use super::priority::{self, Priority};
 use super::setting::{Field, field_for, fitted, lowest, perception};
-use super::shadow::Change;
+use super::shadow::{Change, Shadow};
 use super::shedding;
 use super::skeleton;
 use super::species::{Arrangement, Control, Habit, Resource};
@@ -24,6 +24,7 @@ use crate::plant::Plant;
 use crate::random::mix;
 use glam::Vec3;
 use rayon::prelude::*;
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// Oldest age.
@@ -170,16 +171,17 @@ impl Simulation {
         self.year = age;
         match &mut self.field {
             Field::Space(markers) => markers.rewind(age),
-            Field::Light(shadow) => {
-                shadow.clear();
-                for i in 0..self.tree.len() {
-                    if self.tree.lives(i, age) {
-                        // There was room before.
-                        let _ = shadow.cast(self.tree.nodes.at[i], Change::Grown, self.limits.voxels);
-                    }
-                }
-            }
+            Field::Light(shadow) => cast_anew(shadow, &self.tree, age, self.limits.voxels),
         }
+    }
+
+    /// Shadows as they were at the end of a year; `now` are this plant's.
+    pub(super) fn shadow_at<'a>(&self, now: &'a Shadow, year: u16) -> Cow<'a, Shadow> {
+        let mut shadow = Cow::Borrowed(now);
+        if year < self.year {
+            cast_anew(shadow.to_mut(), &self.tree, year, self.limits.voxels);
+        }
+        shadow
     }
 
     /// Grows for a year.
@@ -402,5 +404,14 @@ impl Simulation {
             }
         }
         Ok(())
+    }
+}
+
+/// Only the shadows of the nodes that lived at the end of a year.
+fn cast_anew(shadow: &mut Shadow, tree: &Tree, year: u16, most: usize) {
+    shadow.clear();
+    for i in (0..tree.len()).filter(|i| tree.lives(*i, year)) {
+        // There was room before.
+        let _ = shadow.cast(tree.nodes.at[i], Change::Grown, most);
     }
 }

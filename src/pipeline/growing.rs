@@ -6,7 +6,8 @@
 use super::Params;
 use crate::anatomy::Anatomy;
 use crate::depth;
-use crate::growth::{Memory, Outcome, Start, merge};
+use crate::growth::species::Resource;
+use crate::growth::{Field, Memory, Outcome, Start, merge};
 use crate::plant::Plant;
 use crate::sketch::{Remark, Sketch, Warning};
 use crate::species::Species;
@@ -18,6 +19,8 @@ pub struct Ages {
     pub shown: f32,
     /// Oldest age that is known of it, years.
     pub oldest: f32,
+    /// What its buds compete for.
+    pub resource: Resource,
 }
 
 /// Whether a drawing grows.
@@ -43,7 +46,11 @@ pub(super) fn grow_on(
     let start = Start::new(&params.habit, params.depth.world.height, wood, crowns, growth, sketch.seed);
     let years = (growth.years >= 0.0).then_some(growth.years);
     let Some(grown) = memory.grow(&start, years, stop) else { return Err(drawn) };
-    let ages = Ages { shown: grown.age, oldest: f32::from(grown.simulation.age()) };
+    let resource = match grown.simulation.field() {
+        Field::Light(_) => Resource::Light,
+        Field::Space(_) => Resource::Space,
+    };
+    let ages = Ages { shown: grown.age, oldest: f32::from(grown.simulation.age()), resource };
     let stroke = anatomy.crowns.first().map(|crown| crown.stroke);
     let mut remark = |remark| anatomy.warnings.push(Warning { stroke, remark });
     if stroke.is_some() && grown.simulation.envelope().bounds().is_none() {

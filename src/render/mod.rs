@@ -13,6 +13,7 @@
 //! | `mipmap` | `mipmap.wgsl` | the smaller levels of a texture |
 //! | `canvas` | `paper.wgsl`, `reference.wgsl`, `stroke.wgsl` | the living drawing, into the window |
 //! | `debug` | `debug.wgsl` | part colours and edges instead of materials |
+//! | `overlay` | `overlay.wgsl` | markers, buds and light of a plant that grew, over it |
 //! | `present` | `present.wgsl` | a finished picture into the texture that the window shows |
 //!
 //! `full_screen` is what passes over all of a texture have in common, `uniform` a block of numbers for one pass.
@@ -42,6 +43,7 @@ mod light;
 mod look;
 mod material;
 mod mipmap;
+mod overlay;
 mod pipeline;
 mod pool;
 mod present;

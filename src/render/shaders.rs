@@ -17,13 +17,14 @@ pub(super) const PAPER: &str = wgsl!("canvas", "full_screen", "paper");
 pub(super) const REFERENCE: &str = wgsl!("canvas", "reference");
 pub(super) const STROKE: &str = wgsl!("canvas", "stroke");
 pub(super) const DEBUG: &str = wgsl!("frame", "debug");
+pub(super) const OVERLAY: &str = wgsl!("frame", "overlay");
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use wgpu::naga::{front::wgsl, valid};
 
-    const MODULES: [(&str, &str); 10] = [
+    const MODULES: [(&str, &str); 11] = [
         ("surface", SURFACE),
         ("shadow", SHADOW),
         ("ground", GROUND),
@@ -31,6 +32,7 @@ mod tests {
         ("mipmap", MIPMAP),
         ("present", PRESENT),
         ("debug", DEBUG),
+        ("overlay", OVERLAY),
         ("paper", PAPER),
         ("reference", REFERENCE),
         ("stroke", STROKE),

@@ -13,6 +13,7 @@ use super::debug::DebugRenderer;
 use super::frame::FrameUniform;
 use super::ground::GroundRenderer;
 use super::light::{LightUniform, SKY_LAMPS, SUN_MAP_SIZE};
+use super::overlay::{OverlayDrawData, OverlayRenderer};
 use super::present::{PresentRenderer, SHOWN_FORMAT};
 use super::resident::ResidentModel;
 use super::scene::{Scene, SkyMaps};
@@ -21,6 +22,7 @@ use super::target::{PictureBuffers, Readback};
 use super::{
     Background, Look, Mode, OrbitCamera, Picture, Quality, RenderError, Renderer, TextureSource, UploadStats,
 };
+use crate::growth::overlay::Spot;
 use crate::model::Model;
 use glam::{Mat4, Vec3};
 
@@ -43,6 +45,8 @@ struct Shown {
     camera: OrbitCamera,
     look: Look,
     version: u64,
+    /// How often the overlay was replaced.
+    overlay: u64,
     /// How often the texture was replaced.
     revision: u64,
 }
@@ -67,6 +71,9 @@ pub struct Viewport {
     draft_surface: SurfaceRenderer,
     draft_ground: GroundRenderer,
     debug: DebugRenderer,
+    overlays: OverlayRenderer,
+    overlay: Option<OverlayDrawData>,
+    overlay_version: u64,
     present: PresentRenderer,
     size: (u32, u32),
     /// By quality: draft, full.
@@ -97,6 +104,9 @@ impl Viewport {
             draft_surface: SurfaceRenderer::new(gpu, scenes, materials, &DRAFT_SURFACE),
             draft_ground: GroundRenderer::new(gpu, scenes, &DRAFT_GROUND),
             debug: DebugRenderer::new(gpu, scenes),
+            overlays: OverlayRenderer::new(gpu, scenes),
+            overlay: None,
+            overlay_version: 0,
             present: PresentRenderer::new(gpu),
             size: (0, 0),
             buffers: [None, None],
@@ -127,6 +137,15 @@ impl Viewport {
         textures: &TextureSource<'_>,
     ) -> Result<UploadStats, RenderError> {
         self.model.update(&renderer.gpu, &renderer.materials, model, textures)
+    }
+
+    /// Shows these spots over the model, instead of those before; none for nothing.
+    pub fn set_overlay(&mut self, renderer: &Renderer, spots: &[Spot]) {
+        let overlay = OverlayDrawData::new(&renderer.gpu, spots);
+        if overlay.is_some() || self.overlay.is_some() {
+            self.overlay = overlay;
+            self.overlay_version += 1;
+        }
     }
 
     /// Smallest and largest corner of the model, `None` without one.
@@ -164,7 +183,8 @@ impl Viewport {
         }
         self.make_room(renderer, look.quality)?;
         let version = self.model.version;
-        let next = Shown { camera: *camera, look: look.clone(), version, revision: self.revision };
+        let (overlay, revision) = (self.overlay_version, self.revision);
+        let next = Shown { camera: *camera, look: look.clone(), version, overlay, revision };
         if self.shown.as_ref() == Some(&next) {
             return Ok(false);
         }
@@ -277,17 +297,23 @@ impl Viewport {
         if look.background != Background::Transparent {
             ground.draw(&mut pass);
         }
-        if look.mode == Mode::Shaded {
-            surface.draw(&mut pass, &self.model.surface);
-            return;
-        }
-        self.model.pools().for_each(|pool| self.debug.draw_faces(&mut pass, pool));
-        if look.mode == Mode::Wireframe {
-            for (pool, edges) in self.model.pools_with_edges(&renderer.gpu) {
-                self.debug.draw_edges(&mut pass, pool, edges);
+        match look.mode {
+            Mode::Shaded => surface.draw(&mut pass, &self.model.surface),
+            Mode::PartColours | Mode::Wireframe => {
+                self.model.pools().for_each(|pool| self.debug.draw_faces(&mut pass, pool));
             }
-        } else {
-            self.model.forget_edges();
+        }
+        match look.mode {
+            Mode::Wireframe => {
+                for (pool, edges) in self.model.pools_with_edges(&renderer.gpu) {
+                    self.debug.draw_edges(&mut pass, pool, edges);
+                }
+            }
+            Mode::PartColours => self.model.forget_edges(),
+            Mode::Shaded => {}
+        }
+        if let Some(overlay) = &self.overlay {
+            self.overlays.draw(&mut pass, overlay);
         }
     }
 }

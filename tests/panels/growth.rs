@@ -8,13 +8,22 @@ use penstemon::app::messages::Language;
 use penstemon::app::panels::Snapshot;
 use penstemon::app::panels::growth::YEARS;
 use penstemon::app::panels::snapshot::GrowthState;
+use penstemon::growth::overlay::Wanted;
+use penstemon::growth::species::Resource;
 use penstemon::species::Species;
 
 fn growing(state: GrowthState) -> Snapshot {
     Snapshot { growth: Some(state), species: "oak".into(), ..busy() }
 }
 
-const STATE: GrowthState = GrowthState { age: 20.0, most: 40.0, chosen: false, crown: true, playing: false };
+const STATE: GrowthState = GrowthState {
+    age: 20.0,
+    most: 40.0,
+    chosen: false,
+    crown: true,
+    playing: false,
+    resource: Some(Resource::Space),
+};
 
 #[test]
 fn the_age_is_dragged_and_given_back() {
@@ -68,4 +77,44 @@ fn every_species_that_grows_can_be_chosen() {
         press(&mut harness, &label);
         assert_eq!(asked(&mut harness), [Action::SetSpecies(species.to_owned())]);
     }
+}
+
+#[test]
+fn growth_is_seen_from_inside_by_three_switches() {
+    let all = Wanted { markers: true, buds: true, light: true };
+    let of = |label: &str, on: bool| {
+        let mut wanted = if on { Wanted::default() } else { all };
+        match label {
+            "Markers of space" => wanted.markers = on,
+            "Buds" => wanted.buds = on,
+            _ => wanted.light = on,
+        }
+        wanted
+    };
+    for label in ["Markers of space", "Buds", "Light and shade"] {
+        for on in [true, false] {
+            let mut snapshot = growing(STATE);
+            snapshot.view.overlay = if on { Wanted::default() } else { all };
+            let mut harness = stage(snapshot, Language::English);
+            press(&mut harness, "View");
+            press(&mut harness, label);
+            assert_eq!(asked(&mut harness), [Action::SetOverlay(of(label, on))]);
+        }
+    }
+}
+
+#[test]
+fn what_a_plant_does_not_compete_for_is_said_and_others_have_nothing_to_see() {
+    let told = |resource: Resource, text: &str| {
+        let mut snapshot = growing(GrowthState { resource: Some(resource), ..STATE });
+        snapshot.view.overlay = Wanted { markers: true, buds: true, light: true };
+        let mut harness = stage(snapshot, Language::English);
+        press(&mut harness, "View");
+        harness.query_by_label_contains(text).is_some()
+    };
+    assert!(told(Resource::Light, "no markers") && !told(Resource::Space, "no markers"));
+    assert!(told(Resource::Space, "not for light") && !told(Resource::Light, "not for light"));
+    let mut harness = stage(busy(), Language::English);
+    press(&mut harness, "View");
+    assert!(harness.query_by_label("Buds").is_none(), "a daisy does not grow");
 }

@@ -6,14 +6,16 @@ use egui::vec2;
 use egui_kittest::kittest::Queryable;
 use penstemon::app::messages::{Language, Messages, Msg, Named, Told as _};
 use penstemon::app::panels::snapshot::{
-    Dialog, ExportFormat, MenuOf, Notice, ParamValues, PartMenu, PathPurpose, PathRequest, Recovered,
-    ReferenceState,
+    Dialog, ExportFormat, GrowthState, MenuOf, Notice, ParamValues, PartMenu, PathPurpose, PathRequest,
+    Recovered, ReferenceState,
 };
 use penstemon::app::pen_settings::TabletDoubt;
 use penstemon::app::presets::Listed;
 use penstemon::app::settings::{Handedness, ThemeChoice};
 use penstemon::app::theme::{DARK, LIGHT};
 use penstemon::growth::Habit;
+use penstemon::growth::overlay::Wanted;
+use penstemon::growth::species::Resource;
 use penstemon::pen::hid::{ChooseError, DeviceInfo, Refused, StringsKept};
 use penstemon::sketch::Tool;
 
@@ -32,7 +34,7 @@ fn doubt(taken: Option<&str>) -> TabletDoubt {
 }
 
 /// States whose pictures are written for people to look at.
-const SHOTS: [Shot; 16] = [
+const SHOTS: [Shot; 17] = [
     ("chinese", Language::Chinese, None, |_| ()),
     ("shape", Language::English, Some(Msg::TabShape), |s| {
         s.params.own =
@@ -41,6 +43,11 @@ const SHOTS: [Shot; 16] = [
     ("habit", Language::Chinese, Some(Msg::TabShape), |s| {
         s.params = ParamValues::default().growing(&Habit::default(), 12.0);
         s.params.own = [("habit.lambda".to_owned(), 0.62)].into();
+    }),
+    ("inside", Language::English, Some(Msg::TabView), |s| {
+        let (crown, resource) = (true, Some(Resource::Space));
+        s.growth = Some(GrowthState { age: 9.0, most: 30.0, chosen: false, crown, playing: false, resource });
+        s.view.overlay = Wanted { markers: true, buds: true, light: true };
     }),
     ("view", Language::Chinese, Some(Msg::TabView), |s| {
         s.reference = Some(ReferenceState { opacity: 0.5, locked: true });

@@ -74,6 +74,7 @@ impl Editor {
             chosen: own.is_some(),
             crown: self.outlines.crowns,
             playing: self.is_playing(),
+            resource: ages.map(|ages| ages.resource),
         })
     }
 

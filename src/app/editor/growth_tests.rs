@@ -3,6 +3,8 @@
 use super::{REPLAY, YEARS};
 use crate::app::action::Action;
 use crate::app::editor::{Editor, Places};
+use crate::growth::overlay::{Kind, Wanted};
+use crate::growth::species::Resource;
 use crate::sketch::{Change, Stroke, StrokePoint, Tool};
 use glam::{Vec2, vec2};
 use serde_json::Value;
@@ -80,6 +82,26 @@ fn a_habit_is_set_shown_and_grown_and_rests_for_plants_that_do_not_grow() {
     settle(&mut editor);
     assert!(!editor.panel_snapshot().params.applies(bare));
     assert_eq!(editor.panel_snapshot().notices, [], "what rests is no fault");
+}
+
+#[test]
+fn growth_is_seen_from_inside_only_while_it_is_asked_for() {
+    let home = tempfile::tempdir().unwrap();
+    let mut editor = oak(&home);
+    let (before, plant) = (editor.sketch().clone(), editor.built().unwrap().plant.clone());
+    assert!(editor.built().unwrap().overlay.is_empty());
+    let wanted = Wanted { markers: true, ..Wanted::default() };
+    editor.perform(Action::SetOverlay(wanted));
+    settle(&mut editor);
+    let built = editor.built().unwrap().clone();
+    assert!(built.overlay.iter().all(|spot| matches!(spot.kind, Kind::Free | Kind::Taken)));
+    assert!(built.overlay.len() > 1000 && built.plant == plant, "{}", built.overlay.len());
+    assert_eq!(editor.panel_snapshot().view.overlay, wanted);
+    assert_eq!(editor.panel_snapshot().growth.unwrap().resource, Some(Resource::Space));
+    editor.perform(Action::SetOverlay(Wanted::default()));
+    settle(&mut editor);
+    assert!(editor.built().unwrap().overlay.is_empty());
+    assert_eq!(*editor.sketch(), before, "it is no change of the drawing");
 }
 
 #[test]

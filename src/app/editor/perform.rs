@@ -6,6 +6,7 @@ use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg, Told};
 use crate::app::panels::snapshot::{Dialog, Notice, PathPurpose, ViewState};
 use crate::app::presets::{self, Preset};
+use crate::growth::overlay::Wanted;
 use crate::plant::OrganKind;
 use crate::sketch::change::StrokeChange;
 use crate::sketch::settings::Settings;
@@ -76,6 +77,10 @@ impl Editor {
             Action::SetShading(shading) => self.plant.state.shading = shading,
             Action::SetOrthographic(on) => self.plant.set_orthographic(on),
             Action::SetTurntable(on) => self.plant.state.turntable = on,
+            Action::SetOverlay(overlay) => {
+                self.plant.state.overlay = overlay;
+                self.building.is_stale = true;
+            }
             Action::CopyPicture => self.plant.wants_copy = true,
             Action::SetLanguage(language) => {
                 self.settings.language = Some(language);
@@ -114,7 +119,7 @@ impl Editor {
 
     /// Keeps the settings, if they are others than those that were kept last.
     pub(super) fn save_settings(&mut self) {
-        self.settings.view = ViewState { turntable: false, ..self.plant.state };
+        self.settings.view = ViewState { turntable: false, overlay: Wanted::default(), ..self.plant.state };
         if self.kept_settings.as_ref() == Some(&self.settings) {
             return;
         }

@@ -3,10 +3,12 @@
 use super::icons::Icon;
 use super::rail::{Rail, Scale};
 use super::snapshot::{LightChoice, ReferenceState, Shading, Snapshot};
-use super::widgets::{palette, section, segments, switch, text_button_sized};
+use super::widgets::{note, palette, section, segments, switch, text_button_sized};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
 use crate::app::theme::TARGET;
+use crate::growth::overlay::Wanted;
+use crate::growth::species::Resource;
 use egui::{Color32, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
 
 /// Colours of the sun: kelvin, and the swatch that stands for it, linear RGB.
@@ -39,10 +41,37 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec
         button(Icon::Plant, Msg::EditFront, Action::FrontView);
         button(Icon::Picture, Msg::ViewCopyPicture, Action::CopyPicture);
     });
+    if let Some(growth) = snapshot.growth {
+        section(ui, messages.get(Msg::ViewInside), |ui| {
+            inside(ui, snapshot.view.overlay, growth.resource, messages, out);
+        });
+    }
     section(ui, messages.get(Msg::ViewLight), |ui| light(ui, &snapshot.view.light, messages, out));
     if let Some(state) = snapshot.reference {
         section(ui, messages.get(Msg::ReferenceTitle), |ui| reference(ui, state, messages, out));
     }
+}
+
+/// What is seen of growth, and what its colours mean.
+fn inside(
+    ui: &mut Ui,
+    wanted: Wanted,
+    resource: Option<Resource>,
+    messages: &Messages,
+    out: &mut Vec<Action>,
+) {
+    let mut one = |on: bool, name: Msg, hint: Msg, with: fn(Wanted, bool) -> Wanted| {
+        let changed = switch(ui, messages.get(name), on);
+        out.extend(changed.map(|on| Action::SetOverlay(with(wanted, on))));
+        if on {
+            note(ui, messages.get(hint));
+        }
+    };
+    let hint = if resource == Some(Resource::Light) { Msg::ViewNoMarkers } else { Msg::ViewMarkersHint };
+    one(wanted.markers, Msg::ViewMarkers, hint, |wanted, markers| Wanted { markers, ..wanted });
+    one(wanted.buds, Msg::ViewBuds, Msg::ViewBudsHint, |wanted, buds| Wanted { buds, ..wanted });
+    let hint = if resource == Some(Resource::Space) { Msg::ViewNoShade } else { Msg::ViewShadeHint };
+    one(wanted.light, Msg::ViewShade, hint, |wanted, light| Wanted { light, ..wanted });
 }
 
 fn light(ui: &mut Ui, light: &LightChoice, messages: &Messages, out: &mut Vec<Action>) {

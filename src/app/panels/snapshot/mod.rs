@@ -21,6 +21,7 @@ pub use view::{LightChoice, ReferenceState, Shading, ViewState};
 use crate::app::action::CanvasTool;
 use crate::app::presets::Listed;
 use crate::app::settings::{Handedness, Settings, Stabiliser, ThemeChoice};
+use crate::growth::species::Resource;
 use crate::sketch::{StrokeId, Tool};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -119,6 +120,8 @@ pub struct GrowthState {
     pub crown: bool,
     /// Whether growth is being replayed.
     pub playing: bool,
+    /// What its buds compete for, once it has grown.
+    pub resource: Option<Resource>,
 }
 
 /// The menu that asks what a stroke is, or what to draw.

@@ -1,5 +1,6 @@
 //! How the plant and the picture under the drawing are shown.
 
+use crate::growth::overlay::Wanted;
 use serde::{Deserialize, Serialize};
 
 /// The reference picture.
@@ -24,12 +25,15 @@ pub struct ViewState {
     /// Turning by itself; a new session begins at rest.
     #[serde(skip)]
     pub turntable: bool,
+    /// What is seen of growth; a new session begins with nothing.
+    #[serde(skip)]
+    pub overlay: Wanted,
 }
 
 impl Default for ViewState {
     fn default() -> Self {
         let (light, shading) = (LightChoice::default(), Shading::default());
-        Self { light, shading, orthographic: true, turntable: false }
+        Self { light, shading, orthographic: true, turntable: false, overlay: Wanted::default() }
     }
 }
 
