@@ -5,8 +5,9 @@
 use glam::{Vec2, Vec3};
 use penstemon::depth;
 use penstemon::geom::region::Region;
+use penstemon::growth::{Envelope, Habit, Inflated, Limits, Simulation, plant_at};
 use penstemon::pipeline::{self, Built, Cache};
-use penstemon::plant::{OrganKind, Shape};
+use penstemon::plant::{OrganKind, Plant, Shape};
 use penstemon::sketch::{Remark, Sketch, Stroke, StrokePoint, Tool};
 use std::f32::consts::TAU;
 use std::path::Path;
@@ -137,16 +138,20 @@ fn build(sketch: &Sketch, set: &[&str]) -> Built {
     build_with(&mut Cache::default(), sketch, set, &|| false).unwrap()
 }
 
-/// How silhouette and outline agree, as shares of the outline's area: intersection over union, and what lies outside.
+/// How silhouette and drawn crown agree, as shares of the crown's area: intersection over union, and what lies outside.
 fn agreement(built: &Built) -> (f32, f32) {
-    let crowns = depth::crowns(&built.anatomy, &built.plant.world_from_canvas);
+    agreement_with(&built.plant, depth::crowns(&built.anatomy, &built.plant.world_from_canvas))
+}
+
+/// The same of any plant and outlines in its world.
+fn agreement_with(plant: &Plant, crowns: Outlines) -> (f32, f32) {
     let regions: Vec<Region> = crowns.into_iter().map(Region::new).collect();
     let bounds = || regions.iter().filter_map(Region::bounds);
     let low = bounds().map(|b| b.0).reduce(Vec2::min).unwrap();
     let high = bounds().map(|b| b.1).reduce(Vec2::max).unwrap();
     let cell = (high - low).max_element() * 1.15 / CELLS as f32;
     let low = low.midpoint(high) - 0.5 * cell * CELLS as f32;
-    let covered = silhouette(built, low, cell);
+    let covered = silhouette(plant, low, cell);
     let (mut both, mut either, mut wanted, mut outside) = (0, 0, 0, 0);
     for (k, covered) in covered.into_iter().enumerate() {
         let middle = low + (Vec2::new((k % CELLS) as f32, (k / CELLS) as f32) + 0.5) * cell;
@@ -160,10 +165,10 @@ fn agreement(built: &Built) -> (f32, f32) {
 }
 
 /// The cells that leaves and branches cover from the front; the trunk is left out.
-fn silhouette(built: &Built, low: Vec2, cell: f32) -> Vec<bool> {
+fn silhouette(plant: &Plant, low: Vec2, cell: f32) -> Vec<bool> {
     let mut covered = vec![false; CELLS * CELLS];
     let place = |p: Vec2| ((p - low) / cell).clamp(Vec2::ZERO, Vec2::splat(CELLS as f32 - 1.0));
-    for organ in &built.plant.organs {
+    for organ in &plant.organs {
         let Shape::Blade(blade) = &organ.shape else { continue };
         let leaf = Region::new(blade.outline.iter().map(|uv| blade.at_rest(*uv).truncate()).collect());
         let (a, b) = leaf.bounds().unwrap_or_default();
@@ -173,7 +178,7 @@ fn silhouette(built: &Built, low: Vec2, cell: f32) -> Vec<bool> {
             }
         }
     }
-    for branch in built.plant.branches.iter().filter(|b| b.level > 0) {
+    for branch in plant.branches.iter().filter(|b| b.level > 0) {
         for p in &branch.points {
             let at = place(p.truncate());
             covered[at.y as usize * CELLS + at.x as usize] = true;
@@ -192,6 +197,22 @@ fn the_front_of_a_plant_is_the_crown_that_was_drawn() {
         assert!(outside <= 0.04, "{name}: {outside} of the crown's area lies outside of it");
         let triangles = built.model.triangle_count();
         assert!(triangles < 1_200_000, "{name}: {triangles} triangles");
+    }
+}
+
+#[test]
+fn a_seedling_fills_the_volume_of_an_outline_and_nothing_else() {
+    for (name, outlines, _) in outlines().into_iter().take(5) {
+        let lowest = outlines.iter().flatten().map(|p| p.y).fold(f32::INFINITY, f32::min);
+        // Standing a little above the ground.
+        let lift = |outline: &Vec<Vec2>| outline.iter().map(|p| *p + Vec2::Y * (0.4 - lowest)).collect();
+        let lifted: Outlines = outlines.iter().map(lift).collect();
+        let volume = Envelope::Inflated(Arc::new(Inflated::new(lifted.clone(), 1.0).unwrap()));
+        let mut simulation = Simulation::in_envelope(&Habit::default(), volume, 4, Limits::default());
+        simulation.grow_to(60, &|| false);
+        simulation.check_envelope().unwrap();
+        let (share, _) = agreement_with(&plant_at(&simulation, 60.0), lifted);
+        assert!(share >= 0.85, "{name}: intersection over union {share}");
     }
 }
 

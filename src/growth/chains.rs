@@ -7,7 +7,7 @@ use super::tree::{NONE, Tree};
 use glam::Vec3;
 
 /// A run of nodes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chain {
     /// The chain that carries it.
     pub parent: Option<u32>,
@@ -16,6 +16,8 @@ pub struct Chain {
     /// Where its nodes begin in [`Chains::nodes`], and where they end. The first is the node that it begins at, which
     /// belongs to the carrier if there is one.
     pub range: (u32, u32),
+    /// Where it begins: at its first node, or a little along the carrier from that.
+    pub foot: Vec3,
 }
 
 /// The chains of a plant.
@@ -29,8 +31,51 @@ pub struct Chains {
     pub of_node: Vec<u32>,
 }
 
-/// Follows the wood that lives at the end of a year.
-pub fn chains(tree: &Tree, year: u16, diameters: &[f32]) -> Chains {
+impl Chains {
+    /// The next node on the same chain above each node, [`NONE`] above ends.
+    pub fn above(&self) -> Vec<u32> {
+        let mut above = vec![NONE; self.of_node.len()];
+        for chain in &self.chains {
+            // The first node belongs to the carrier.
+            let own = chain.range.0 as usize + usize::from(chain.parent.is_some())..chain.range.1 as usize;
+            self.nodes[own].windows(2).for_each(|w| above[w[0] as usize] = w[1]);
+        }
+        above
+    }
+
+    /// Where the internode below a node begins.
+    pub fn below(&self, node: usize, tree: &Tree, at: &[Vec3]) -> Vec3 {
+        let chain = &self.chains[self.of_node[node] as usize];
+        let is_first = self.nodes[chain.range.0 as usize + 1] as usize == node;
+        if is_first { chain.foot } else { at[tree.nodes.parent[node] as usize] }
+    }
+
+    /// Cuts off every internode that does not stay, with all that it carries.
+    pub fn retain(&mut self, stays: impl Fn(u32) -> bool) {
+        let mut number = vec![NONE; self.chains.len()];
+        let mut kept = Chains { of_node: vec![NONE; self.of_node.len()], ..Chains::default() };
+        for (c, chain) in self.chains.iter().enumerate() {
+            let nodes = &self.nodes[chain.range.0 as usize..chain.range.1 as usize];
+            if chain.parent.is_some_and(|_| kept.of_node[nodes[0] as usize] == NONE) {
+                continue;
+            }
+            let length = 1 + nodes[1..].iter().take_while(|node| stays(**node)).count();
+            if length < 2 {
+                continue;
+            }
+            number[c] = kept.chains.len() as u32;
+            let first = kept.nodes.len() as u32;
+            kept.nodes.extend(&nodes[..length]);
+            nodes[1..length].iter().for_each(|node| kept.of_node[*node as usize] = number[c]);
+            let parent = chain.parent.map(|parent| number[parent as usize]);
+            kept.chains.push(Chain { parent, range: (first, kept.nodes.len() as u32), ..*chain });
+        }
+        *self = kept;
+    }
+}
+
+/// Follows the wood that lives at the end of a year and has these [`places`].
+pub fn chains(tree: &Tree, year: u16, at: &[Vec3], diameters: &[f32]) -> Chains {
     let nodes = &tree.nodes;
     let born = nodes.born.partition_point(|b| *b <= year);
     let mut next = vec![NONE; born];
@@ -64,7 +109,8 @@ pub fn chains(tree: &Tree, year: u16, diameters: &[f32]) -> Chains {
             out.of_node[node as usize] = index;
             node = next[node as usize];
         }
-        out.chains.push(Chain { parent: carrier, level, range: (first, out.nodes.len() as u32) });
+        let range = (first, out.nodes.len() as u32);
+        out.chains.push(Chain { parent: carrier, level, range, foot: at[parent as usize] });
     }
     out
 }

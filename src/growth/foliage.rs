@@ -122,8 +122,7 @@ fn one(
     (i, k): (usize, u32),
     size: f32,
 ) -> Blade {
-    let below = wood.tree.nodes.parent[i] as usize;
-    let (from, to) = (wood.at[below], wood.at[i]);
+    let (from, to) = (wood.chains.below(i, wood.tree, wood.at), wood.at[i]);
     let way = (to - from).try_normalize().unwrap_or(Vec3::Y);
     let key = mix(mix(mix(wood.seed, 61), i as u64), u64::from(k));
     let random = |n: u64| 2.0 * unit(mix(key, n)) - 1.0;

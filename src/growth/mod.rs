@@ -14,7 +14,7 @@
 //! | `vigour`, `priority` | who gets how much of it |
 //! | `direction`, `fate`, `shedding` | what buds and branches make of it |
 //! | `tree`, `skeleton`, `setting`, `simulation`, `limits` | the plant through the years |
-//! | `diameter`, `chains`, `foliage`, `to_plant` | the plant of one age |
+//! | `diameter`, `chains`, `whorls`, `rubbing`, `foliage`, `to_plant` | the plant of one age |
 //! | `overlay` | what growth looks like from inside |
 //! | `drawing`, `lead`, `merge` | growth in a drawing: its wood goes on, its crowns are filled |
 //!
@@ -37,12 +37,11 @@ pub mod markers;
 pub mod merge;
 pub mod overlay;
 pub mod priority;
+pub mod rubbing;
 pub mod schedule;
 pub mod setting;
 pub mod shadow;
 pub mod shedding;
-#[cfg(test)]
-mod silhouette_tests;
 pub mod simulation;
 pub mod skeleton;
 pub mod solid;
@@ -53,6 +52,7 @@ mod tests;
 pub mod to_plant;
 pub mod tree;
 pub mod vigour;
+pub mod whorls;
 
 pub use drawing::{GrowthParams, Memory, Start};
 pub use envelope::Envelope;

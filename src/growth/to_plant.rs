@@ -7,7 +7,9 @@
 use super::chains::{self, Chain, Chains};
 use super::diameter;
 use super::foliage::{self, Wood};
+use super::rubbing;
 use super::simulation::Simulation;
+use super::whorls;
 use crate::plant::{Branch, Material, Plant, WorldFromCanvas};
 use glam::{Vec2, Vec3};
 
@@ -28,8 +30,10 @@ pub fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) {
     let (tree, habit) = (simulation.tree(), simulation.habit());
     let age = if age.is_finite() { age.clamp(0.0, f32::from(simulation.age())) } else { 0.0 };
     let diameters = diameter::diameters(tree, habit, age);
-    let chains = chains::chains(tree, age.ceil() as u16, &diameters);
-    let at = chains::places(tree, age);
+    let mut at = chains::places(tree, age);
+    let mut chains = chains::chains(tree, age.ceil() as u16, &at, &diameters);
+    whorls::spread(&mut chains, tree, &mut at, &diameters);
+    rubbing::part(&mut chains, tree, &at, &diameters);
     let branch = |chain: &Chain| branch_of(chain, &chains, &at, &diameters, habit.flare);
     let branches = chains.chains.iter().map(branch).collect();
     let wood = Wood {
@@ -65,7 +69,7 @@ fn branch_of(chain: &Chain, chains: &Chains, at: &[Vec3], diameters: &[f32], fla
             (Some(below), Some(above)) => below.midpoint(above),
             (one, other) => one.or(other).unwrap_or(f32::MIN_POSITIVE),
         };
-        skeleton.push((at[node as usize], mean));
+        skeleton.push((if k == 0 { chain.foot } else { at[node as usize] }, mean));
     }
     if let (Some(_), Some(first)) = (chain.parent, skeleton.first_mut()) {
         first.1 = first.1.min(NARROWER * 0.5 * diameters[nodes[0] as usize]);

@@ -11,7 +11,7 @@
 //!
 //! Limits: a branch that never leaves its parent has no exit and is not seen.
 
-use super::spine::Ring;
+use super::spine::{self, Ring};
 use glam::Vec3;
 use std::f32::consts::TAU;
 use std::ops::Range;
@@ -24,6 +24,13 @@ const CLEAR: f32 = 0.08;
 const SHORTEST: f32 = 0.5;
 /// Longest window, as a multiple of its least length: branches that hug their parent leave it by a long slit otherwise.
 const LONGEST: f32 = 2.5;
+
+/// Least angle between a parent and the foot of a branch, radians: 50°.
+const ASLANT: f32 = 0.873;
+/// Widest window, as the sine of half its angle around the parent: beyond this the bark falls away from the branch.
+const WIDEST: f32 = 0.85;
+/// Least sine of the angle at which a branch is followed back into the bark.
+const STEEPEST: f32 = 0.4;
 
 /// Where a branch leaves its parent.
 #[derive(Clone, Copy, Debug)]
@@ -40,7 +47,7 @@ pub(super) struct Exit {
     pub(super) at: f32,
     /// Half the window's length along the parent, metres.
     pub(super) half_length: f32,
-    /// Half the window's width as an angle around the parent, radians, at most a quarter turn.
+    /// Half the window's width as an angle around the parent, radians, less than a quarter turn.
     pub(super) half_angle: f32,
 }
 
@@ -52,25 +59,33 @@ const MOST_STEPS: f32 = 16.0;
 /// Halvings of the step in which the exit lies.
 const HALVINGS: u32 = 4;
 
-/// The exit of a branch from its parent; `None` for one that stays inside.
-pub(super) fn exit(branch: &[Ring], parent: &[Ring], parent_arcs: &[f32]) -> Option<Exit> {
+/// The exit of a branch from its parent; `None` for one that stays inside. The rings of a parent follow its skeleton only
+/// roughly: a foot that they pass by is brought back to their axis.
+pub(super) fn exit(branch: &mut [Ring], parent: &[Ring], parent_arcs: &[f32]) -> Option<Exit> {
     let on = Carrier { rings: parent, arcs: parent_arcs };
-    let mut way = Way { on, bark: on.foot(branch.first()?.at, 0..parent.len() - 1), exit: None, length: 0.0 };
+    let bark = on.foot(branch.first()?.at, 0..parent.len() - 1);
+    if bark.clearance(&branch[0]) >= 0.0 {
+        branch[0].at = bark.ring.at;
+        spine::set_tangents(branch);
+    }
+    let mut way = Way { on, near: bark, exit: None, length: 0.0 };
     way.follow(branch);
     let (ring, arc) = way.exit.filter(|(ring, arc)| way.length - arc >= SHORTEST * ring.radius)?;
-    let foot = &way.bark;
+    let (ring, foot) = on.lean(ring, &way.near);
     let (across, _) = foot.off_axis(ring.at);
     let axis = foot.ring.tangent;
     let slant = ring.tangent.cross(axis).length();
     let collar = COLLAR * ring.radius;
+    let half_length = collar / slant.max(1.0 / LONGEST);
+    let end = parent_arcs[parent_arcs.len() - 1];
     Some(Exit {
         ring,
         arc,
         outward: across.try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector()),
         upward: axis,
-        at: foot.arc,
-        half_length: collar / slant.max(1.0 / LONGEST),
-        half_angle: (collar / foot.ring.radius).min(1.0).asin(),
+        at: foot.arc.min((end - half_length).max(0.5 * end)),
+        half_length,
+        half_angle: (collar / foot.ring.radius).min(WIDEST).asin(),
     })
 }
 
@@ -98,6 +113,24 @@ impl Carrier<'_> {
         Foot { ring, segment, arc, left: self.arcs[self.arcs.len() - 1] - arc }
     }
 
+    /// The first ring of a branch, and the place on the parent from which it comes. One that runs along its parent is bent
+    /// out of it by [`ASLANT`] at least, instead of leaving through a slit as long as the bark is thick.
+    fn lean(&self, ring: Ring, near: &Foot) -> (Ring, Foot) {
+        let beside = self.foot_near(ring.at, near);
+        let axis = beside.ring.tangent;
+        let (across, _) = beside.off_axis(ring.at);
+        let outward = across.normalize_or(axis.any_orthonormal_vector());
+        let along = ring.tangent.dot(axis);
+        let tangent = if along.abs() < ASLANT.cos() {
+            ring.tangent
+        } else {
+            let sideways = ring.tangent.reject_from_normalized(axis).reject_from_normalized(outward);
+            (axis * (along.signum() * ASLANT.cos()) + outward * ASLANT.sin() + sideways).normalize()
+        };
+        let back = (across.length() - beside.ring.radius).max(0.0) / tangent.dot(outward).max(STEEPEST);
+        (Ring { tangent, ..ring }, self.foot_near(ring.at - tangent * back, &beside))
+    }
+
     /// The same near a place.
     fn foot_near(&self, p: Vec3, near: &Foot) -> Foot {
         let last = self.rings.len() - 1;
@@ -111,8 +144,8 @@ const NEAR: usize = 3;
 /// A branch's way out of its parent.
 struct Way<'a> {
     on: Carrier<'a>,
-    /// Where it passes through the bark.
-    bark: Foot,
+    /// The place on the parent beside its exit, or near to that.
+    near: Foot,
     /// Its first ring outside, and the branch's length before it.
     exit: Option<(Ring, f32)>,
     /// The branch's whole length.
@@ -121,7 +154,7 @@ struct Way<'a> {
 
 impl Way<'_> {
     fn follow(&mut self, branch: &[Ring]) {
-        let mut foot = self.bark;
+        let mut foot = self.near;
         let mut before = foot.clearance(&branch[0]);
         self.exit = (before >= 0.0).then_some((branch[0], 0.0));
         let mut watched = true;
@@ -133,12 +166,10 @@ impl Way<'_> {
                 let ring = between(&w[0], &w[1], to);
                 let next = self.on.foot_near(ring.at, &foot);
                 let here = next.clearance(&ring);
-                if next.off_axis(ring.at).0.length() < next.ring.radius {
-                    self.bark = next;
-                }
                 if here < 0.0 {
                     self.exit = None;
                 } else if before < 0.0 {
+                    self.near = next;
                     let share = self.halved(w, (from, to), &foot);
                     self.exit = Some((between(&w[0], &w[1], share), self.length + share * run));
                 }

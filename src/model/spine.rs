@@ -133,7 +133,7 @@ fn flank_turns(rings: &mut Vec<Ring>, flanked: &mut Vec<Ring>) {
 }
 
 /// Tangents half way between the directions of the segments on both sides.
-fn set_tangents(rings: &mut [Ring]) {
+pub(super) fn set_tangents(rings: &mut [Ring]) {
     let last = rings.len() - 1;
     let mut before = None;
     for i in 0..=last {

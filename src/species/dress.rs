@@ -69,9 +69,12 @@ pub fn dress(plant: &mut Plant, species: &Species, seed: u64) {
 fn dress_branches(plant: &mut Plant, species: &Species, palette: &mut Palette<'_>) {
     let look = &species.stem;
     let stem = palette.index(Part::Stem, &look.material);
+    let foot = |branch: &Branch| branch.radii.first().copied().unwrap_or(0.0);
+    let thick = look.twig_thickest * plant.branches.iter().map(foot).fold(0.0, f32::max);
     for branch in &mut plant.branches {
+        let is_young = branch.level >= look.twig_level && foot(branch) <= thick;
         branch.material = match &look.twig {
-            Some(twig) if branch.level >= look.twig_level => palette.index(Part::Twig, twig),
+            Some(twig) if is_young => palette.index(Part::Twig, twig),
             _ => stem,
         };
     }

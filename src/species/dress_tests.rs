@@ -295,6 +295,21 @@ fn only_used_materials_are_kept_and_named_once() {
 }
 
 #[test]
+fn young_branches_are_of_high_order_and_thin() {
+    let mut plant = bare(3, 0);
+    plant.branches[1].radii.fill(0.0005);
+    plant.branches[2].radii.fill(0.002);
+    let bark_of = |plant: &Plant, branch: usize| {
+        let plant = dressed(plant, "maple", 1);
+        plant.materials[plant.branches[branch].material].name.clone()
+    };
+    assert_eq!(bark_of(&plant, 1), bark_of(&plant, 0), "of the first order");
+    assert_eq!(bark_of(&plant, 2), bark_of(&plant, 0), "thick");
+    plant.branches[2].radii.fill(0.0005);
+    assert_ne!(bark_of(&plant, 2), bark_of(&plant, 0));
+}
+
+#[test]
 fn a_wide_drawn_heart_widens_the_disc() {
     let radius = |heart_radius| {
         let mut plant = bare(0, 0);

@@ -117,10 +117,17 @@ pub struct StemLook {
     /// Level in the branch hierarchy from which branches are young; 0 is the trunk.
     #[serde(default = "first_order", deserialize_with = "ranges::level")]
     pub twig_level: u32,
+    /// Radius at their foot from which branches are old all the same, as a share of the thickest one's.
+    #[serde(default = "a_quarter", deserialize_with = "ranges::share")]
+    pub twig_thickest: f32,
 }
 
 fn first_order() -> u32 {
     1
+}
+
+fn a_quarter() -> f32 {
+    0.25
 }
 
 /// Leaves.

@@ -1,0 +1,257 @@
+//! Branches that would grow through each other: the thinner one ends before.
+//!
+//! Wood thickens for as long as it lives, so what once passed close by comes to rub, and one of the two dies. Internodes
+//! are capsules, sorted into a grid; of two that overlap the thinner is cut off with all that it carries, the thickest
+//! wood first, so that nothing is cut for the sake of what is cut itself. Wood that was drawn is never cut.
+//!
+//! Around a fork everything overlaps. What lies near to the fork along the wood is left to the joint.
+//!
+//! Limits: chains are rounded after this; twigs may still touch where they turn sharply.
+
+use super::cells::{Grid, Sorted};
+use super::chains::Chains;
+use super::tree::{NONE, Tree};
+use glam::{IVec3, Vec3};
+use rayon::prelude::*;
+
+/// Distance that two branches keep, in the sum of their radii: surfaces are a little wider than the wood in places.
+const KEPT: f32 = 1.2;
+/// How much of two branches belongs to their fork, in the sum of their radii: of a branch and its carrier, whose
+/// surfaces are joined, and of two that leave one carrier.
+const JOINED: f32 = 12.0;
+const BESIDE: f32 = 4.0;
+/// Side of the grid's cells in mean lengths of the internodes.
+const CELL: f32 = 2.0;
+
+/// Cuts off what would grow through thicker wood.
+pub fn part(chains: &mut Chains, tree: &Tree, at: &[Vec3], diameters: &[f32]) {
+    let wood = Wood { chains, tree, at, diameters };
+    let mut pairs = wood.pairs();
+    // The thickest wood decides first; among equals the oldest.
+    let thickness = |pair: &(u32, u32)| diameters[pair.0 as usize];
+    pairs.par_sort_unstable_by(|a, b| thickness(b).total_cmp(&thickness(a)).then(a.cmp(b)));
+    pairs.dedup();
+    let mut cut = vec![false; tree.len()];
+    for (stays, goes) in pairs {
+        let is_cut = |node: u32| wood.down(node).any(|node| cut[node as usize]);
+        if !is_cut(goes) && !is_cut(stays) {
+            cut[goes as usize] = true;
+        }
+    }
+    if cut.contains(&true) {
+        chains.retain(|node| !cut[node as usize]);
+    }
+}
+
+/// An internode as a capsule.
+#[derive(Clone, Copy)]
+struct Capsule {
+    from: Vec3,
+    to: Vec3,
+    radius: f32,
+}
+
+struct Wood<'a> {
+    chains: &'a Chains,
+    tree: &'a Tree,
+    at: &'a [Vec3],
+    diameters: &'a [f32],
+}
+
+impl Wood<'_> {
+    fn capsule(&self, node: u32) -> Capsule {
+        let n = node as usize;
+        let from = self.chains.below(n, self.tree, self.at);
+        Capsule { from, to: self.at[n], radius: 0.5 * self.diameters[n] }
+    }
+
+    /// A node and those below it.
+    fn down(&self, node: u32) -> impl Iterator<Item = u32> {
+        std::iter::successors(Some(node), |n| {
+            Some(self.tree.nodes.parent[*n as usize]).filter(|p| *p != NONE)
+        })
+    }
+
+    /// Nodes whose internodes overlap, the thicker first; some twice.
+    fn pairs(&self) -> Vec<(u32, u32)> {
+        let lives = |node: &u32| self.chains.of_node[*node as usize] != NONE;
+        let nodes: Vec<u32> = (0..self.chains.of_node.len() as u32).filter(lives).collect();
+        let capsules: Vec<Capsule> = nodes.iter().map(|node| self.capsule(*node)).collect();
+        let Some((grid, sorted)) = sorted(&capsules) else { return Vec::new() };
+        let in_cell = |cell: usize| {
+            let items = sorted.run(cell, cell);
+            let others = move |k: usize| items[k + 1..].iter().map(move |j| (items[k] as usize, *j as usize));
+            let overlap = |(i, j): &(usize, usize)| capsules[*i].overlaps(&capsules[*j], KEPT);
+            let cuts =
+                |(i, j): (usize, usize)| self.verdict((nodes[i], capsules[i]), (nodes[j], capsules[j]));
+            (0..items.len()).flat_map(others).filter(overlap).filter_map(cuts).collect::<Vec<_>>()
+        };
+        (0..grid.len()).into_par_iter().with_min_len(512).flat_map_iter(in_cell).collect()
+    }
+
+    /// Which of two overlapping internodes stays and which goes; `None` if both stay.
+    fn verdict(&self, (i, a): (u32, Capsule), (j, b): (u32, Capsule)) -> Option<(u32, u32)> {
+        let (thicker, thinner) = if b.radius > a.radius { (j, i) } else { (i, j) };
+        let is_drawn = |node: u32| (node as usize) < self.tree.drawn.len();
+        let (stays, goes) = if is_drawn(thinner) { (thinner, thicker) } else { (thicker, thinner) };
+        if is_drawn(goes) {
+            return None;
+        }
+        let (of_i, of_j) = (self.chains.of_node[i as usize], self.chains.of_node[j as usize]);
+        let carries = |upper: u32, lower: u32| self.chains.chains[upper as usize].parent == Some(lower);
+        let is_joined = of_i == of_j || carries(of_i, of_j) || carries(of_j, of_i);
+        let near = (if is_joined { JOINED } else { BESIDE }) * (a.radius + b.radius);
+        let (a, b) = self.beyond_fork((i, a), (j, b), near)?;
+        a.overlaps(&b, KEPT).then_some((stays, goes))
+    }
+
+    /// What of two internodes lies farther than `near` from the fork where they part; `None` if nothing of one does.
+    fn beyond_fork(
+        &self,
+        (i, a): (u32, Capsule),
+        (j, b): (u32, Capsule),
+        near: f32,
+    ) -> Option<(Capsule, Capsule)> {
+        let parent = |node: u32| self.tree.nodes.parent[node as usize];
+        // Down from the later of both until the ways meet, at the upper end of one or below both.
+        let (mut x, mut y) = (parent(i), parent(j));
+        let (mut under_a, mut under_b) = (0.0f32, 0.0f32);
+        while under_a.max(under_b) <= near {
+            if x == j {
+                return Some((a.above(near - under_a)?, b.below(near)?));
+            }
+            if y == i {
+                return Some((a.below(near)?, b.above(near - under_b)?));
+            }
+            if x == y {
+                return Some((a.above(near - under_a)?, b.above(near - under_b)?));
+            }
+            let (later, under) = if x > y { (&mut x, &mut under_a) } else { (&mut y, &mut under_b) };
+            let next = parent(*later);
+            if next == NONE {
+                break;
+            }
+            *under += self.at[*later as usize].distance(self.at[next as usize]);
+            *later = next;
+        }
+        Some((a, b))
+    }
+}
+
+impl Capsule {
+    /// The part farther than a distance from the lower end.
+    fn above(self, distance: f32) -> Option<Self> {
+        let length = self.from.distance(self.to);
+        (distance < length)
+            .then(|| Self { from: self.from.lerp(self.to, distance.max(0.0) / length), ..self })
+    }
+
+    /// The part farther than a distance from the upper end.
+    fn below(self, distance: f32) -> Option<Self> {
+        let turned = Self { from: self.to, to: self.from, ..self };
+        turned.above(distance).map(|part| Self { from: part.to, to: part.from, ..part })
+    }
+
+    /// Whether two are nearer than a multiple of the sum of their radii.
+    fn overlaps(&self, other: &Self, kept: f32) -> bool {
+        let reach = kept * (self.radius + other.radius);
+        squared_distance((self.from, self.to), (other.from, other.to)) < reach * reach
+    }
+}
+
+/// Squared distance of two segments.
+fn squared_distance((a, b): (Vec3, Vec3), (c, d): (Vec3, Vec3)) -> f32 {
+    let (along, other, off) = (b - a, d - c, a - c);
+    let (aa, bb, ab) = (along.length_squared(), other.length_squared(), along.dot(other));
+    let (a_off, b_off) = (along.dot(off), other.dot(off));
+    let det = aa * bb - ab * ab;
+    // Nearest on the lines, then each share kept within its segment.
+    let s = if det > 1e-9 * aa * bb { ((ab * b_off - bb * a_off) / det).clamp(0.0, 1.0) } else { 0.0 };
+    let t = if bb > 0.0 { ((ab * s + b_off) / bb).clamp(0.0, 1.0) } else { 0.0 };
+    let s = if aa > 0.0 { ((ab * t - a_off) / aa).clamp(0.0, 1.0) } else { 0.0 };
+    (off + along * s - other * t).length_squared()
+}
+
+/// Capsules sorted into every cell that their boxes touch; `None` where there is nothing.
+fn sorted(capsules: &[Capsule]) -> Option<(Grid, Sorted)> {
+    let bounds = |c: &Capsule| {
+        let wide = Vec3::splat(0.5 * KEPT * c.radius);
+        (c.from.min(c.to) - wide, c.from.max(c.to) + wide)
+    };
+    let (low, high) = capsules.iter().map(bounds).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
+    let mean = capsules.iter().map(|c| c.from.distance(c.to)).sum::<f32>() / capsules.len() as f32;
+    let grid = Grid::new(low, high, CELL * mean);
+    let (mut cell_of, mut capsule_of) = (Vec::new(), Vec::new());
+    for (k, capsule) in capsules.iter().enumerate() {
+        let (low, high) = bounds(capsule);
+        let (first, last) = (grid.place(low), grid.place(high));
+        for y in first.y..=last.y {
+            for z in first.z..=last.z {
+                for x in first.x..=last.x {
+                    cell_of.push(grid.number(IVec3::new(x, y, z)) as u32);
+                    capsule_of.push(k as u32);
+                }
+            }
+        }
+    }
+    let mut sorted = Sorted::default();
+    sorted.sort(grid.len(), &cell_of);
+    sorted.items.iter_mut().for_each(|item| *item = capsule_of[*item as usize]);
+    Some((grid, sorted))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::growth::chains::chains;
+    use crate::growth::tree::NewNode;
+    use glam::vec3;
+
+    #[test]
+    fn distances_of_segments_are_those_of_their_nearest_points() {
+        let x = (Vec3::ZERO, Vec3::X);
+        assert_eq!(squared_distance(x, (vec3(0.5, 1.0, -1.0), vec3(0.5, 1.0, 1.0))), 1.0);
+        assert_eq!(squared_distance(x, (vec3(3.0, 0.0, 0.0), vec3(4.0, 5.0, 0.0))), 4.0);
+        assert_eq!(squared_distance(x, (vec3(0.0, 2.0, 0.0), vec3(1.0, 2.0, 0.0))), 4.0);
+        assert_eq!(squared_distance(x, (vec3(-1.0, 0.0, 0.0), vec3(-1.0, 0.0, 0.0))), 1.0);
+    }
+
+    /// A trunk of ten internodes of 0.3 m, and one branch on its sixth node that turns back into the trunk or away.
+    fn tree(toward: f32) -> (Tree, Vec<Vec3>, Vec<f32>) {
+        let mut tree = Tree::default();
+        let mut node = |parent: u32, at: Vec3, lateral: bool| {
+            let foot = parent == NONE;
+            let side = Vec3::X;
+            if foot {
+                tree.add_foot(at, side)
+            } else {
+                tree.add(NewNode { parent, at, side, lateral, year: 1 })
+            }
+        };
+        let mut last = node(NONE, Vec3::ZERO, false);
+        let mut sixth = 0;
+        for k in 1..=10u8 {
+            last = node(last, Vec3::Y * 0.3 * f32::from(k), false);
+            sixth = if k == 6 { last } else { sixth };
+        }
+        let out = node(sixth, vec3(0.6, 1.9, 0.0), true);
+        let back = node(out, vec3(toward, 2.8, 0.0), false);
+        node(back, vec3(toward - 0.2, 2.9, 0.0), false);
+        let at = tree.nodes.at.clone();
+        let diameters = (0..tree.len()).map(|n| if n <= 10 { 0.1 } else { 0.03 }).collect();
+        (tree, at, diameters)
+    }
+
+    fn branches(toward: f32) -> Vec<usize> {
+        let (tree, at, diameters) = tree(toward);
+        let mut chains = chains(&tree, 1, &at, &diameters);
+        part(&mut chains, &tree, &at, &diameters);
+        chains.chains.iter().map(|c| (c.range.1 - c.range.0) as usize).collect()
+    }
+
+    #[test]
+    fn a_branch_that_bends_into_its_trunk_ends_before_and_one_beside_it_stays() {
+        assert_eq!(branches(0.0), [11, 2], "the trunk is whole, the branch keeps its first internode");
+        assert_eq!(branches(0.9), [11, 4]);
+    }
+}
