@@ -71,6 +71,7 @@ build_sketches() {
         "$program" check "$folder/$name.glb" >/dev/null || return 1
         "$program" check "$folder/$name.obj" >/dev/null || return 1
     done
+    "$program" grow birch --age 12 --seed 3 -o "$folder/grown_birch.glb" -o "$folder/grown_birch.obj" || return 1
 }
 
 check "formatting" cargo fmt --check

@@ -6,6 +6,9 @@
 
 use glam::Vec3;
 use penstemon::growth::{Limits, Outcome, Simulation, plant_at};
+use penstemon::model::crossing::crossing_faces;
+use penstemon::model::quality::judge_model;
+use penstemon::model::{self, ModelParams};
 use penstemon::pipeline::{self, Grown};
 use penstemon::plant::Plant;
 use penstemon::species::{self, Species};
@@ -54,6 +57,24 @@ fn every_species_grows_as_before() {
         });
         insta::assert_json_snapshot!(name, summary);
     }
+}
+
+#[test]
+fn wood_hardly_cuts_itself_and_is_one_surface_for_each_trunk() {
+    let (mut all, mut crossing) = (0, 0);
+    for name in Species::growing() {
+        let (_, mut plant) = grown(name, None);
+        plant.organs.clear();
+        let trunks = plant.branches.iter().filter(|b| b.parent.is_none()).count();
+        let model = model::build(&plant, &ModelParams::default());
+        let report = judge_model(&model);
+        assert_eq!((report.is_clean(), report.components), (true, trunks), "{name}");
+        let faces: usize = model.parts.iter().map(|part| crossing_faces(&part.mesh)).sum();
+        let share = faces as f32 / report.triangles as f32;
+        assert!(share <= 0.009, "{name}: {faces} of {} faces cross others", report.triangles);
+        (all, crossing) = (all + report.triangles, crossing + faces);
+    }
+    assert!(crossing as f32 <= 0.004 * all as f32, "{crossing} of {all} faces cross others");
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use super::common;
 use crate::export::read;
+use crate::model::crossing::crossing_faces;
 use crate::model::quality::{Report, judge};
 use serde::Serialize;
 use std::path::PathBuf;
@@ -26,6 +27,8 @@ struct Verdict {
     clean: bool,
     #[serde(flatten)]
     report: Report,
+    /// Faces that pass through others of their mesh: no defect, but what a printer has to sort out.
+    crossing_faces: usize,
     /// Names of faulty meshes, at most [`NAMED`].
     faulty: Vec<String>,
 }
@@ -37,14 +40,16 @@ struct Verdict {
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     let mut report = Report::default();
     let mut faulty = Vec::new();
+    let mut crossing = 0;
     for surface in read(&args.model)? {
         let one = judge(&surface.mesh, surface.has);
         if !one.is_clean() && !surface.name.is_empty() && faulty.len() < NAMED {
             faulty.push(surface.name);
         }
         report.add(&one);
+        crossing += crossing_faces(&surface.mesh);
     }
-    let verdict = Verdict { clean: report.is_clean(), report, faulty };
+    let verdict = Verdict { clean: report.is_clean(), report, crossing_faces: crossing, faulty };
     let text = if args.json { serde_json::to_string(&verdict)? } else { described(args, &verdict) };
     common::print(&text)?;
     Ok(if verdict.clean { ExitCode::SUCCESS } else { ExitCode::FAILURE })
@@ -62,6 +67,10 @@ fn described(args: &Args, verdict: &Verdict) -> String {
     if let Some(range) = report.uv_range {
         text +=
             &format!(", UVs from ({}, {}) to ({}, {})", range.min.x, range.min.y, range.max.x, range.max.y);
+    }
+    if verdict.crossing_faces > 0 {
+        let share = 100.0 * verdict.crossing_faces as f64 / report.triangles as f64;
+        text += &format!("\n  {} faces pass through others ({share:.2} %)", verdict.crossing_faces);
     }
     for (what, count) in report.defects() {
         text += &format!("\n  {count} {what}");

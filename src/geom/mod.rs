@@ -1,5 +1,6 @@
-//! Mathematics that knows no plant: polylines, loops, regions, clusters, frames, ellipses.
+//! Mathematics that knows no plant: polylines, loops, regions, clusters, frames, ellipses, grids.
 
+pub mod cells;
 pub mod convex_hull;
 pub mod disc_sums;
 pub mod ellipse;

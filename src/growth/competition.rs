@@ -8,8 +8,8 @@
 //! Each marker asks the buds of its own and the 26 cells around it, so a year costs the free markers near buds times
 //! the buds near each. Rows of cells are worked on at once; claims are added up in the order of rows.
 
-use super::cells::Sorted;
 use super::markers::Markers;
+use crate::geom::cells::Sorted;
 use glam::{IVec3, Vec3};
 use rayon::prelude::*;
 

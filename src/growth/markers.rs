@@ -4,9 +4,9 @@
 //! wide as a bud sees. Within a cell the free ones stand first, in the order in which they were strewn; what a node
 //! occupies moves behind them with the year and the node that took it, so that going back to an age frees it again.
 
-use super::cells::{Grid, Sorted};
 use super::envelope::Envelope;
 use super::tree::NEVER;
+use crate::geom::cells::{Grid, Sorted};
 use crate::random::stream;
 use glam::{IVec3, Vec3};
 use rand::RngExt;

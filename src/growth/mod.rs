@@ -9,7 +9,7 @@
 //! | --- | --- |
 //! | `schedule`, `table`, `species`, `leaf` | what a species file says of growth |
 //! | `envelope`, `solid`, `inflated` | volumes that a plant may fill |
-//! | `cells`, `markers`, `competition` | space as the resource |
+//! | `markers`, `competition` | space as the resource |
 //! | `shadow` | light as the resource |
 //! | `vigour`, `priority` | who gets how much of it |
 //! | `direction`, `fate`, `shedding` | what buds and branches make of it |
@@ -20,7 +20,6 @@
 //!
 //! Everything here is pure and deterministic: no clock, no files, the same bytes on any number of threads.
 
-pub mod cells;
 pub mod chains;
 pub mod competition;
 pub mod diameter;

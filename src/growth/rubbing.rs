@@ -8,10 +8,10 @@
 //!
 //! Limits: chains are rounded after this; twigs may still touch where they turn sharply.
 
-use super::cells::{Grid, Sorted};
 use super::chains::Chains;
 use super::tree::{NONE, Tree};
-use glam::{IVec3, Vec3};
+use crate::geom::cells::Meetings;
+use glam::Vec3;
 use rayon::prelude::*;
 
 /// Distance that two branches keep, in the sum of their radii: surfaces are a little wider than the wood in places.
@@ -77,16 +77,16 @@ impl Wood<'_> {
         let lives = |node: &u32| self.chains.of_node[*node as usize] != NONE;
         let nodes: Vec<u32> = (0..self.chains.of_node.len() as u32).filter(lives).collect();
         let capsules: Vec<Capsule> = nodes.iter().map(|node| self.capsule(*node)).collect();
-        let Some((grid, sorted)) = sorted(&capsules) else { return Vec::new() };
-        let in_cell = |cell: usize| {
-            let items = sorted.run(cell, cell);
-            let others = move |k: usize| items[k + 1..].iter().map(move |j| (items[k] as usize, *j as usize));
-            let overlap = |(i, j): &(usize, usize)| capsules[*i].overlaps(&capsules[*j], KEPT);
-            let cuts =
-                |(i, j): (usize, usize)| self.verdict((nodes[i], capsules[i]), (nodes[j], capsules[j]));
-            (0..items.len()).flat_map(others).filter(overlap).filter_map(cuts).collect::<Vec<_>>()
+        let boxes: Vec<(Vec3, Vec3)> = capsules.iter().map(Capsule::bounds).collect();
+        let length =
+            capsules.iter().map(|c| c.from.distance(c.to)).sum::<f32>() / capsules.len().max(1) as f32;
+        let Some(meetings) = Meetings::of(&boxes, CELL * length) else { return Vec::new() };
+        let cuts = |(i, j): (usize, usize)| {
+            let (a, b) = (capsules[i], capsules[j]);
+            if a.overlaps(&b, KEPT) { self.verdict((nodes[i], a), (nodes[j], b)) } else { None }
         };
-        (0..grid.len()).into_par_iter().with_min_len(512).flat_map_iter(in_cell).collect()
+        let in_cell = |cell: usize| meetings.pairs(cell).filter_map(cuts);
+        (0..meetings.cells()).into_par_iter().with_min_len(512).flat_map_iter(in_cell).collect()
     }
 
     /// Which of two overlapping internodes stays and which goes; `None` if both stay.
@@ -139,6 +139,12 @@ impl Wood<'_> {
 }
 
 impl Capsule {
+    /// Two whose boxes are apart do not overlap.
+    fn bounds(&self) -> (Vec3, Vec3) {
+        let wide = Vec3::splat(KEPT * self.radius);
+        (self.from.min(self.to) - wide, self.from.max(self.to) + wide)
+    }
+
     /// The part farther than a distance from the lower end.
     fn above(self, distance: f32) -> Option<Self> {
         let length = self.from.distance(self.to);
@@ -170,34 +176,6 @@ fn squared_distance((a, b): (Vec3, Vec3), (c, d): (Vec3, Vec3)) -> f32 {
     let t = if bb > 0.0 { ((ab * s + b_off) / bb).clamp(0.0, 1.0) } else { 0.0 };
     let s = if aa > 0.0 { ((ab * t - a_off) / aa).clamp(0.0, 1.0) } else { 0.0 };
     (off + along * s - other * t).length_squared()
-}
-
-/// Capsules sorted into every cell that their boxes touch; `None` where there is nothing.
-fn sorted(capsules: &[Capsule]) -> Option<(Grid, Sorted)> {
-    let bounds = |c: &Capsule| {
-        let wide = Vec3::splat(0.5 * KEPT * c.radius);
-        (c.from.min(c.to) - wide, c.from.max(c.to) + wide)
-    };
-    let (low, high) = capsules.iter().map(bounds).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
-    let mean = capsules.iter().map(|c| c.from.distance(c.to)).sum::<f32>() / capsules.len() as f32;
-    let grid = Grid::new(low, high, CELL * mean);
-    let (mut cell_of, mut capsule_of) = (Vec::new(), Vec::new());
-    for (k, capsule) in capsules.iter().enumerate() {
-        let (low, high) = bounds(capsule);
-        let (first, last) = (grid.place(low), grid.place(high));
-        for y in first.y..=last.y {
-            for z in first.z..=last.z {
-                for x in first.x..=last.x {
-                    cell_of.push(grid.number(IVec3::new(x, y, z)) as u32);
-                    capsule_of.push(k as u32);
-                }
-            }
-        }
-    }
-    let mut sorted = Sorted::default();
-    sorted.sort(grid.len(), &cell_of);
-    sorted.items.iter_mut().for_each(|item| *item = capsule_of[*item as usize]);
-    Some((grid, sorted))
 }
 
 #[cfg(test)]

@@ -7,7 +7,8 @@
 //! Windows of one parent never overlap. A branch whose place is taken goes to the nearest free cells.
 //!
 //! A branch is followed along its parent, whichever way that bends: it is out once it has passed through the bark and
-//! does not come back soon after.
+//! does not come back soon after. One that leaves by a small angle is bent out of its parent over its first ring, as a
+//! collar of real wood is: its window would be a long slit otherwise, and the strip around it would cut into the bark.
 //!
 //! Limits: a branch that never leaves its parent has no exit and is not seen.
 

@@ -14,11 +14,13 @@
 //! | `solids`, `filaments` | hearts of flowers, fruits, pots |
 //! | `build` | all parts at once, on all cores |
 //! | `recipe`, `cache` | which parts are the same as last time |
+//! | `quality`, `topology`, `crossing` | what is wrong with a mesh |
 
 mod blade;
 mod build;
 mod cache;
 mod copies;
+pub mod crossing;
 mod disjoint_sets;
 mod filaments;
 mod flat;

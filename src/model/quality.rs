@@ -10,7 +10,7 @@
 //! component that is closed and wound alike, with negative volume. *UV out of range*: not finite or beyond
 //! [`UV_LIMIT`]; bark repeats its picture, so coordinates past 1 are no defect and the range is reported instead.
 //!
-//! Limits: faces that pass through each other without sharing points are not found. At most 2²⁹ faces.
+//! Faces that pass through each other are no defect, leaves of one part do; `crossing` counts them. Limits: at most 2²⁹ faces.
 
 use super::topology::{self, Topology};
 use super::{Mesh, Model, Vertex};

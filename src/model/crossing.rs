@@ -1,0 +1,124 @@
+//! Faces of a mesh that pass through other faces of it.
+//!
+//! Two faces that share an edge never count; of two that share a point the edge opposite that point must pass through the
+//! other face; all others cross where an edge of one passes through the other. Candidates come from a grid in which every
+//! face lies in all cells that its box touches.
+//!
+//! Limits: faces that lie in one plane do not cross. Single precision in, double precision inside, no exact arithmetic:
+//! faces that just touch may count or not.
+
+use super::Mesh;
+use crate::geom::cells::Meetings;
+use glam::{DVec3, Vec3};
+use rayon::prelude::*;
+
+/// Side of the grid's cells in mean extents of the faces.
+const CELL: f32 = 2.0;
+/// Cells that one thread takes at a time.
+const CELLS: usize = 512;
+
+/// Number of faces that cross another. Faces with points that do not exist or are not finite are left out.
+pub fn crossing_faces(mesh: &Mesh) -> usize {
+    let faces = faces(mesh);
+    let boxes: Vec<(Vec3, Vec3)> = faces.iter().map(|face| bounds(mesh, face)).collect();
+    let extent = boxes.iter().map(|(low, high)| (high - low).max_element()).sum::<f32>();
+    let Some(meetings) = Meetings::of(&boxes, CELL * extent / faces.len().max(1) as f32) else { return 0 };
+    let meet = |(i, j): &(usize, usize)| {
+        let (a, b) = (&boxes[*i], &boxes[*j]);
+        a.0.cmple(b.1).all() && b.0.cmple(a.1).all()
+    };
+    let crossing = |cell: usize| {
+        let pairs = meetings.pairs(cell).filter(meet);
+        pairs.filter(|(i, j)| cross(mesh, faces[*i], faces[*j])).flat_map(|(i, j)| [i, j])
+    };
+    let mut found: Vec<usize> =
+        (0..meetings.cells()).into_par_iter().with_min_len(CELLS).flat_map_iter(crossing).collect();
+    found.par_sort_unstable();
+    found.dedup();
+    found.len()
+}
+
+/// The faces by their points.
+fn faces(mesh: &Mesh) -> Vec<[u32; 3]> {
+    let point = |vertex: u32| {
+        let point = mesh.vertices.get(vertex as usize)?.point;
+        mesh.points.get(point as usize).filter(|p| p.is_finite()).map(|_| point)
+    };
+    let points = |face: &[u32; 3]| Some([point(face[0])?, point(face[1])?, point(face[2])?]);
+    mesh.triangles.iter().filter_map(points).collect()
+}
+
+fn bounds(mesh: &Mesh, face: &[u32; 3]) -> (Vec3, Vec3) {
+    let [a, b, c] = face.map(|p| mesh.points[p as usize]);
+    (a.min(b).min(c), a.max(b).max(c))
+}
+
+/// Whether an edge of one face passes through the other.
+fn cross(mesh: &Mesh, a: [u32; 3], b: [u32; 3]) -> bool {
+    let shared = a.iter().filter(|p| b.contains(p)).count();
+    let at = |p: u32| mesh.points[p as usize].as_dvec3();
+    let pierces = |from: [u32; 3], through: [u32; 3]| {
+        let corners = through.map(at);
+        let edges = [[from[0], from[1]], [from[1], from[2]], [from[2], from[0]]];
+        let apart = edges.iter().filter(|edge| edge.iter().all(|p| !through.contains(p)));
+        apart.into_iter().any(|edge| passes(edge.map(at), corners))
+    };
+    shared < 2 && (pierces(a, b) || pierces(b, a))
+}
+
+/// Whether a segment passes through a triangle.
+fn passes([p, q]: [DVec3; 2], [a, b, c]: [DVec3; 3]) -> bool {
+    let normal = (b - a).cross(c - a);
+    let (before, after) = ((p - a).dot(normal), (q - a).dot(normal));
+    if before * after >= 0.0 {
+        return false;
+    }
+    let at = p.lerp(q, before / (before - after));
+    let side = |u: DVec3, v: DVec3| (v - u).cross(at - u).dot(normal);
+    let sides = [side(a, b), side(b, c), side(c, a)];
+    sides.iter().all(|s| *s >= 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Vertex;
+    use glam::{Vec2, vec3};
+
+    fn mesh(points: &[Vec3], triangles: &[[u32; 3]]) -> Mesh {
+        let vertex = |point| Vertex { point, normal: Vec3::Y, uv: Vec2::ZERO };
+        let vertices = (0..points.len() as u32).map(vertex).collect();
+        Mesh { points: points.to_vec(), vertices, triangles: triangles.to_vec(), ..Mesh::default() }
+    }
+
+    /// A face in the ground, and one that stands on edge at a place along x.
+    fn two(x: f32, low: f32) -> Mesh {
+        let ground = [vec3(0.0, 0.0, -1.0), vec3(2.0, 0.0, 0.0), vec3(0.0, 0.0, 1.0)];
+        let standing = [vec3(x, low, 0.0), vec3(x, 1.0, -0.2), vec3(x, 1.0, 0.2)];
+        mesh(&[ground, standing].concat(), &[[0, 1, 2], [3, 4, 5]])
+    }
+
+    #[test]
+    fn a_face_through_another_counts_and_so_does_the_other() {
+        assert_eq!(crossing_faces(&two(0.5, -0.5)), 2);
+        assert_eq!(crossing_faces(&two(0.5, 0.1)), 0, "above");
+        assert_eq!(crossing_faces(&two(3.0, -0.5)), 0, "beside");
+    }
+
+    #[test]
+    fn neighbours_cross_only_where_one_folds_through_the_other() {
+        let flat = [Vec3::ZERO, Vec3::X, Vec3::Z, vec3(-1.0, 0.0, -1.0), vec3(-1.0, 0.5, 0.0)];
+        assert_eq!(crossing_faces(&mesh(&flat, &[[0, 1, 2], [0, 3, 4], [0, 2, 4]])), 0);
+        let folded = [Vec3::ZERO, Vec3::X, Vec3::Z, vec3(0.4, -0.3, 0.3), vec3(0.4, 0.3, 0.3)];
+        assert_eq!(crossing_faces(&mesh(&folded, &[[0, 1, 2], [0, 3, 4]])), 2);
+    }
+
+    #[test]
+    fn broken_meshes_are_no_trouble() {
+        let mut broken = two(0.5, -0.5);
+        broken.triangles.push([0, 1, 99]);
+        broken.points[4].x = f32::NAN;
+        assert_eq!(crossing_faces(&broken), 0);
+        assert_eq!(crossing_faces(&Mesh::default()), 0);
+    }
+}
