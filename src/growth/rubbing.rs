@@ -6,7 +6,8 @@
 //!
 //! Around a fork everything overlaps. What lies near to the fork along the wood is left to the joint.
 //!
-//! Limits: chains are rounded after this; twigs may still touch where they turn sharply.
+//! Limits: limbs that make the crown are spared, and cross. Chains are rounded after this; twigs may still touch where they
+//! turn sharply.
 
 use super::chains::Chains;
 use super::tree::{NONE, Tree};
@@ -20,12 +21,15 @@ const KEPT: f32 = 1.2;
 /// surfaces are joined, and of two that leave one carrier.
 const JOINED: f32 = 12.0;
 const BESIDE: f32 = 4.0;
+/// Wood thicker than this share of the thickest is spared.
+const SPARED: f32 = 0.25;
 /// Side of the grid's cells in mean lengths of the internodes.
 const CELL: f32 = 2.0;
 
 /// Cuts off what would grow through thicker wood.
 pub fn part(chains: &mut Chains, tree: &Tree, at: &[Vec3], diameters: &[f32]) {
-    let wood = Wood { chains, tree, at, diameters };
+    let spared = SPARED * diameters.iter().copied().fold(0.0, f32::max);
+    let wood = Wood { chains, tree, at, diameters, spared };
     let mut pairs = wood.pairs();
     // The thickest wood decides first; among equals the oldest.
     let thickness = |pair: &(u32, u32)| diameters[pair.0 as usize];
@@ -56,6 +60,8 @@ struct Wood<'a> {
     tree: &'a Tree,
     at: &'a [Vec3],
     diameters: &'a [f32],
+    /// Diameter from which wood is never cut, metres.
+    spared: f32,
 }
 
 impl Wood<'_> {
@@ -92,9 +98,11 @@ impl Wood<'_> {
     /// Which of two overlapping internodes stays and which goes; `None` if both stay.
     fn verdict(&self, (i, a): (u32, Capsule), (j, b): (u32, Capsule)) -> Option<(u32, u32)> {
         let (thicker, thinner) = if b.radius > a.radius { (j, i) } else { (i, j) };
-        let is_drawn = |node: u32| (node as usize) < self.tree.drawn.len();
-        let (stays, goes) = if is_drawn(thinner) { (thinner, thicker) } else { (thicker, thinner) };
-        if is_drawn(goes) {
+        let stays_whole = |node: u32| {
+            (node as usize) < self.tree.drawn.len() || self.diameters[node as usize] > self.spared
+        };
+        let (stays, goes) = if stays_whole(thinner) { (thinner, thicker) } else { (thicker, thinner) };
+        if stays_whole(goes) {
             return None;
         }
         let (of_i, of_j) = (self.chains.of_node[i as usize], self.chains.of_node[j as usize]);
@@ -126,11 +134,14 @@ impl Wood<'_> {
             if x == y {
                 return Some((a.above(near - under_a)?, b.above(near - under_b)?));
             }
-            let (later, under) = if x > y { (&mut x, &mut under_a) } else { (&mut y, &mut under_b) };
-            let next = parent(*later);
-            if next == NONE {
-                break;
+            let (below_x, below_y) = (parent(x), parent(y));
+            if below_x == NONE && below_y == NONE {
+                // Trunks that come out of the ground side by side part there.
+                return Some((a.above(near - under_a)?, b.above(near - under_b)?));
             }
+            let is_x = below_y == NONE || (below_x != NONE && x > y);
+            let (later, under, next) =
+                if is_x { (&mut x, &mut under_a, below_x) } else { (&mut y, &mut under_b, below_y) };
             *under += self.at[*later as usize].distance(self.at[next as usize]);
             *later = next;
         }
@@ -216,7 +227,7 @@ mod tests {
         let back = node(out, vec3(toward, 2.8, 0.0), false);
         node(back, vec3(toward - 0.2, 2.9, 0.0), false);
         let at = tree.nodes.at.clone();
-        let diameters = (0..tree.len()).map(|n| if n <= 10 { 0.1 } else { 0.03 }).collect();
+        let diameters = (0..tree.len()).map(|n| if n <= 10 { 0.15 } else { 0.03 }).collect();
         (tree, at, diameters)
     }
 
