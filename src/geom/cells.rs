@@ -1,6 +1,6 @@
-//! Things sorted into the cells of a uniform grid by counting: points for finding neighbours, boxes for finding what meets.
+//! Points sorted into the cells of a uniform grid by counting, the index behind markers and buds.
 //!
-//! Building is two passes over the things; those of a cell keep their order, so results do not depend on threads.
+//! Building is two passes over the points; points of a cell keep their order, so results do not depend on threads.
 
 use glam::{IVec3, Vec3};
 
@@ -96,64 +96,9 @@ impl Sorted {
     }
 }
 
-/// Boxes sorted into every cell that they touch, so that two that meet share a cell.
-#[derive(Clone, Debug)]
-pub struct Meetings {
-    cells: usize,
-    sorted: Sorted,
-}
-
-impl Meetings {
-    /// Sorts boxes, given by their corners, into cells of a width; `None` without boxes.
-    pub fn of(boxes: &[(Vec3, Vec3)], cell: f32) -> Option<Self> {
-        let (low, high) = boxes.iter().copied().reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
-        let grid = Grid::new(low, high, cell);
-        let (mut cell_of, mut box_of) = (Vec::new(), Vec::new());
-        for (k, (low, high)) in boxes.iter().enumerate() {
-            let (first, last) = (grid.place(*low), grid.place(*high));
-            for y in first.y..=last.y {
-                for z in first.z..=last.z {
-                    for x in first.x..=last.x {
-                        cell_of.push(grid.number(IVec3::new(x, y, z)) as u32);
-                        box_of.push(k as u32);
-                    }
-                }
-            }
-        }
-        let mut sorted = Sorted::default();
-        sorted.sort(grid.len(), &cell_of);
-        sorted.items.iter_mut().for_each(|item| *item = box_of[*item as usize]);
-        Some(Self { cells: grid.len(), sorted })
-    }
-
-    /// Number of cells.
-    pub fn cells(&self) -> usize {
-        self.cells
-    }
-
-    /// Every two boxes of a cell, the earlier first. Boxes that share several cells come several times.
-    pub fn pairs(&self, cell: usize) -> impl Iterator<Item = (usize, usize)> {
-        let items = self.sorted.run(cell, cell);
-        let with_later = move |k: usize| items[k + 1..].iter().map(move |j| (items[k] as usize, *j as usize));
-        (0..items.len()).flat_map(with_later)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn boxes_that_touch_meet_in_some_cell() {
-        let cube = |x: f32, side: f32| (Vec3::X * x, Vec3::X * x + Vec3::splat(side));
-        let boxes = [cube(0.0, 1.0), cube(0.9, 0.2), cube(5.0, 0.1), cube(4.0, 3.0)];
-        let meetings = Meetings::of(&boxes, 0.5).unwrap();
-        let mut pairs: Vec<_> = (0..meetings.cells()).flat_map(|cell| meetings.pairs(cell)).collect();
-        pairs.sort_unstable();
-        pairs.dedup();
-        assert!(pairs.contains(&(0, 1)) && pairs.contains(&(2, 3)) && !pairs.contains(&(0, 3)), "{pairs:?}");
-        assert!(Meetings::of(&[], 1.0).is_none());
-    }
 
     #[test]
     fn items_stand_in_their_cells_in_order() {

@@ -1,4 +1,4 @@
-//! Mathematics that knows no plant: polylines, loops, regions, clusters, frames, ellipses, grids.
+//! Mathematics that knows no plant: polylines, loops, regions, clusters, frames, ellipses, grids, boxes.
 
 pub mod cells;
 pub mod convex_hull;
@@ -6,6 +6,7 @@ pub mod disc_sums;
 pub mod ellipse;
 pub mod frame;
 pub mod mean_shift;
+pub mod meetings;
 pub mod polyline;
 pub mod region;
 pub mod simple_loop;

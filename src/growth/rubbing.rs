@@ -1,7 +1,7 @@
 //! Branches that would grow through each other: the thinner one ends before.
 //!
 //! Wood thickens for as long as it lives, so what once passed close by comes to rub, and one of the two dies. Internodes
-//! are capsules, sorted into a grid; of two that overlap the thinner is cut off with all that it carries, the thickest
+//! are capsules; of two that overlap the thinner is cut off with all that it carries, the thickest
 //! wood first, so that nothing is cut for the sake of what is cut itself. Wood that was drawn is never cut.
 //!
 //! Around a fork everything overlaps. What lies near to the fork along the wood is left to the joint.
@@ -11,7 +11,7 @@
 
 use super::chains::Chains;
 use super::tree::{NONE, Tree};
-use crate::geom::cells::Meetings;
+use crate::geom::meetings::{Bounds, meetings};
 use glam::Vec3;
 use rayon::prelude::*;
 
@@ -23,9 +23,6 @@ const JOINED: f32 = 12.0;
 const BESIDE: f32 = 4.0;
 /// Wood thicker than this share of the thickest is spared.
 const SPARED: f32 = 0.25;
-/// Side of the grid's cells in mean lengths of the internodes.
-const CELL: f32 = 2.0;
-
 /// Cuts off what would grow through thicker wood.
 pub fn part(chains: &mut Chains, tree: &Tree, at: &[Vec3], diameters: &[f32]) {
     let spared = SPARED * diameters.iter().copied().fold(0.0, f32::max);
@@ -34,7 +31,6 @@ pub fn part(chains: &mut Chains, tree: &Tree, at: &[Vec3], diameters: &[f32]) {
     // The thickest wood decides first; among equals the oldest.
     let thickness = |pair: &(u32, u32)| diameters[pair.0 as usize];
     pairs.par_sort_unstable_by(|a, b| thickness(b).total_cmp(&thickness(a)).then(a.cmp(b)));
-    pairs.dedup();
     let mut cut = vec![false; tree.len()];
     for (stays, goes) in pairs {
         let is_cut = |node: u32| wood.down(node).any(|node| cut[node as usize]);
@@ -78,21 +74,16 @@ impl Wood<'_> {
         })
     }
 
-    /// Nodes whose internodes overlap, the thicker first; some twice.
+    /// Nodes whose internodes overlap, the one that stays first.
     fn pairs(&self) -> Vec<(u32, u32)> {
         let lives = |node: &u32| self.chains.of_node[*node as usize] != NONE;
         let nodes: Vec<u32> = (0..self.chains.of_node.len() as u32).filter(lives).collect();
         let capsules: Vec<Capsule> = nodes.iter().map(|node| self.capsule(*node)).collect();
-        let boxes: Vec<(Vec3, Vec3)> = capsules.iter().map(Capsule::bounds).collect();
-        let length =
-            capsules.iter().map(|c| c.from.distance(c.to)).sum::<f32>() / capsules.len().max(1) as f32;
-        let Some(meetings) = Meetings::of(&boxes, CELL * length) else { return Vec::new() };
-        let cuts = |(i, j): (usize, usize)| {
+        let boxes: Vec<Bounds> = capsules.iter().map(Capsule::bounds).collect();
+        meetings(&boxes, |i, j| {
             let (a, b) = (capsules[i], capsules[j]);
             if a.overlaps(&b, KEPT) { self.verdict((nodes[i], a), (nodes[j], b)) } else { None }
-        };
-        let in_cell = |cell: usize| meetings.pairs(cell).filter_map(cuts);
-        (0..meetings.cells()).into_par_iter().with_min_len(512).flat_map_iter(in_cell).collect()
+        })
     }
 
     /// Which of two overlapping internodes stays and which goes; `None` if both stay.
@@ -151,7 +142,7 @@ impl Wood<'_> {
 
 impl Capsule {
     /// Two whose boxes are apart do not overlap.
-    fn bounds(&self) -> (Vec3, Vec3) {
+    fn bounds(&self) -> Bounds {
         let wide = Vec3::splat(KEPT * self.radius);
         (self.from.min(self.to) - wide, self.from.max(self.to) + wide)
     }

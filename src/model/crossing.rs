@@ -1,41 +1,23 @@
 //! Faces of a mesh that pass through other faces of it.
 //!
 //! Two faces that share an edge never count; of two that share a point the edge opposite that point must pass through the
-//! other face; all others cross where an edge of one passes through the other. Candidates come from a grid in which every
-//! face lies in all cells that its box touches.
+//! other face; all others cross where an edge of one passes through the other. Candidates are faces whose boxes meet.
 //!
 //! Limits: faces that lie in one plane do not cross. Single precision in, double precision inside, no exact arithmetic:
 //! faces that just touch may count or not.
 
 use super::Mesh;
-use crate::geom::cells::Meetings;
-use glam::{DVec3, Vec3};
-use rayon::prelude::*;
-
-/// Side of the grid's cells in mean extents of the faces.
-const CELL: f32 = 2.0;
-/// Cells that one thread takes at a time.
-const CELLS: usize = 512;
+use crate::geom::meetings::{Bounds, meetings};
+use glam::DVec3;
 
 /// Number of faces that cross another. Faces with points that do not exist or are not finite are left out.
 pub fn crossing_faces(mesh: &Mesh) -> usize {
     let faces = faces(mesh);
-    let boxes: Vec<(Vec3, Vec3)> = faces.iter().map(|face| bounds(mesh, face)).collect();
-    let extent = boxes.iter().map(|(low, high)| (high - low).max_element()).sum::<f32>();
-    let Some(meetings) = Meetings::of(&boxes, CELL * extent / faces.len().max(1) as f32) else { return 0 };
-    let meet = |(i, j): &(usize, usize)| {
-        let (a, b) = (&boxes[*i], &boxes[*j]);
-        a.0.cmple(b.1).all() && b.0.cmple(a.1).all()
-    };
-    let crossing = |cell: usize| {
-        let pairs = meetings.pairs(cell).filter(meet);
-        pairs.filter(|(i, j)| cross(mesh, faces[*i], faces[*j])).flat_map(|(i, j)| [i, j])
-    };
-    let mut found: Vec<usize> =
-        (0..meetings.cells()).into_par_iter().with_min_len(CELLS).flat_map_iter(crossing).collect();
-    found.par_sort_unstable();
-    found.dedup();
-    found.len()
+    let boxes: Vec<Bounds> = faces.iter().map(|face| bounds(mesh, face)).collect();
+    let pairs = meetings(&boxes, |i, j| cross(mesh, faces[i], faces[j]).then_some([i, j]));
+    let mut crossing = vec![false; faces.len()];
+    pairs.into_iter().flatten().for_each(|face| crossing[face] = true);
+    crossing.into_iter().filter(|crosses| *crosses).count()
 }
 
 /// The faces by their points.
@@ -48,7 +30,7 @@ fn faces(mesh: &Mesh) -> Vec<[u32; 3]> {
     mesh.triangles.iter().filter_map(points).collect()
 }
 
-fn bounds(mesh: &Mesh, face: &[u32; 3]) -> (Vec3, Vec3) {
+fn bounds(mesh: &Mesh, face: &[u32; 3]) -> Bounds {
     let [a, b, c] = face.map(|p| mesh.points[p as usize]);
     (a.min(b).min(c), a.max(b).max(c))
 }
@@ -83,7 +65,7 @@ fn passes([p, q]: [DVec3; 2], [a, b, c]: [DVec3; 3]) -> bool {
 mod tests {
     use super::*;
     use crate::model::Vertex;
-    use glam::{Vec2, vec3};
+    use glam::{Vec2, Vec3, vec3};
 
     fn mesh(points: &[Vec3], triangles: &[[u32; 3]]) -> Mesh {
         let vertex = |point| Vertex { point, normal: Vec3::Y, uv: Vec2::ZERO };
