@@ -13,12 +13,13 @@ use crate::growth::overlay::{Spot, Wanted};
 use crate::growth::species::CrownHabit;
 use crate::growth::{self, GrowthParams, Habit, Limits, Memory, Outcome, Simulation};
 use crate::model::{self, Model, ModelParams};
-use crate::params::{Overrides, ParamError, Parameters as _};
+use crate::params::{Description, Overrides, ParamError, Parameters as _};
 use crate::plant::Plant;
 use crate::sketch::Sketch;
 use crate::species::{self, Species, SpeciesError};
 use std::borrow::Cow;
 use std::path::Path;
+use std::sync::LazyLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use thiserror::Error;
@@ -41,6 +42,9 @@ crate::parameter_groups! {
         habit: Habit;
     }
 }
+
+/// Every parameter of any species: asked for with each build.
+static ANY_SPECIES: LazyLock<Vec<Description>> = LazyLock::new(|| Params::of_any_species().describe());
 
 impl Params {
     /// What a plant of a species has where nobody says otherwise.
@@ -102,8 +106,7 @@ pub fn params_of(sketch: &Sketch, species: &Species, assignments: &[String]) -> 
     let by = |whose| move |fault| SetupError::Param { whose, fault };
     let mut overrides = Overrides::over(&Params::of_species(species));
     overrides.merge(&species.params).map_err(by("the species"))?;
-    let any = Params::of_any_species().describe();
-    overrides.merge_what_applies(&sketch.params, &any).map_err(by("the sketch"))?;
+    overrides.merge_what_applies(&sketch.params, &ANY_SPECIES).map_err(by("the sketch"))?;
     for assignment in assignments {
         overrides.set_text(assignment).map_err(by("--set"))?;
     }
