@@ -2,9 +2,13 @@
 //!
 //! An axis is looked at as a whole. Its buds and the branches it carries stand in a queue by what they earn per bud, the
 //! apical bud first where the plant has apical dominance. The i-th of N gets v·Q_i·ω_i / ΣQ_jω_j with weights that fall
-//! from ω_max straight to ω_min at the share κ of the queue and stay there. A small κ makes one leader.
+//! from ω_max straight to ω_min at the share κ of the queue and stay there. A small κ makes one leader. Buds without
+//! resource, and branches whose buds have none, do not stand in the queue: they would get nothing, yet move the others.
 //!
-//! Where the papers leave it open: κN is not rounded, and with κ = 0 the first of the queue has ω_max, all others ω_min.
+//! Where we depart: eq. 2.6 counts the places from 1, so that the first has ω_max for κN < 1, but ω_min like all others
+//! at κN = 1: the leader of a queue of two is lost between κ = 0.49 and 0.5. We count from 0. The first always has ω_max,
+//! which no habit lets be 0, so that nothing is lost even with ω_min = 0; the weights of all others change continuously
+//! with κ. κN is not rounded; with κ = 0 the first has ω_max, all others ω_min.
 
 use super::tree::{NONE, Tree};
 use super::vigour::Flow;
@@ -14,23 +18,22 @@ use super::vigour::Flow;
 pub struct Priority {
     /// κ: share of the queue over which the weight falls.
     pub kappa: f32,
-    /// ω_max.
+    /// ω_max, above 0.
     pub most: f32,
-    /// ω_min.
+    /// ω_min, 0 to ω_max.
     pub least: f32,
     /// Whether the apical bud stands first.
     pub apical_first: bool,
 }
 
 impl Priority {
-    /// The weight ω of the i-th of `count`, counted from 1.
+    /// The weight ω of place `i` of `count`, counted from 0.
     pub fn weight(&self, i: usize, count: usize) -> f32 {
-        let fall = self.kappa * count as f32;
-        if i == 1 && fall < 1.0 {
+        if i == 0 {
             return self.most;
         }
-        let i = i as f32;
-        if i <= fall { self.most - (self.most - self.least) / fall * i } else { self.least }
+        let fallen = (i as f32 / (self.kappa * count as f32)).min(1.0);
+        self.most - (self.most - self.least) * fallen
     }
 }
 
@@ -65,11 +68,11 @@ pub fn share_out(flow: &mut Flow, tree: &Tree, q: &[f32], supply: f32, priority:
     for queue in members.chunk_by(|a, b| a.axis == b.axis) {
         let axis = queue[0].axis as usize;
         let rule = priority(nodes.order[axis]);
-        let weights: Vec<f32> =
-            (0..queue.len()).map(|i| queue[i].q * rule.weight(i + 1, queue.len())).collect();
-        let whole: f32 = weights.iter().sum();
+        let weights: Vec<f32> = (0..queue.len()).map(|i| queue[i].q * rule.weight(i, queue.len())).collect();
+        // Above 0 for the first; the bound is for what only numbers too small for 32 bits could lead to.
+        let whole: f32 = weights.iter().sum::<f32>().max(f32::MIN_POSITIVE);
         for (member, weight) in queue.iter().zip(&weights) {
-            let share = if whole > 0.0 { v[axis] * weight / whole } else { 0.0 };
+            let share = v[axis] * (weight / whole);
             let into =
                 if member.is_bud { &mut bud[member.index as usize] } else { &mut v[member.index as usize] };
             *into = share;
@@ -115,12 +118,34 @@ fn members(flow: &Flow, tree: &Tree, q: &[f32], apical_first: bool) -> Vec<Membe
 mod tests {
     use super::*;
 
+    const RULE: Priority = Priority { kappa: 0.5, most: 1.0, least: 0.0, apical_first: true };
+
+    fn weights(rule: Priority, count: usize) -> Vec<f32> {
+        (0..count).map(|i| rule.weight(i, count)).collect()
+    }
+
     #[test]
     fn weights_fall_straight_and_stay() {
-        let rule = Priority { kappa: 0.5, most: 1.0, least: 0.0, apical_first: true };
-        let weights: Vec<f32> = (1..=8).map(|i| rule.weight(i, 8)).collect();
-        assert_eq!(weights, [0.75, 0.5, 0.25, 0.0, 0.0, 0.0, 0.0, 0.0]);
-        let one = Priority { kappa: 0.0, least: 0.006, ..rule };
-        assert_eq!([one.weight(1, 5), one.weight(2, 5)], [1.0, 0.006]);
+        assert_eq!(weights(RULE, 8), [1.0, 0.75, 0.5, 0.25, 0.0, 0.0, 0.0, 0.0]);
+        let one = Priority { kappa: 0.0, least: 0.25, ..RULE };
+        assert_eq!(weights(one, 3), [1.0, 0.25, 0.25]);
+        assert_eq!(weights(Priority { kappa: 1.0, ..RULE }, 4), [1.0, 0.75, 0.5, 0.25]);
+    }
+
+    #[test]
+    fn the_first_leads_and_weights_change_gently_with_kappa() {
+        for count in 1..=12 {
+            let mut last = weights(Priority { kappa: 0.0, least: 0.006, ..RULE }, count);
+            for step in 1..=4000 {
+                let now = weights(Priority { kappa: step as f32 / 4000.0, least: 0.006, ..RULE }, count);
+                assert_eq!(now[0], 1.0, "the first leads: κ = {step}/4000 of {count}");
+                assert!(now.iter().rev().is_sorted() && now.iter().all(|w| (0.0059..=1.0).contains(w)));
+                for (now, last) in now.iter().zip(&last) {
+                    assert!(now + 1e-6 >= *last, "a larger κ favours nobody less");
+                    assert!(now - last < 0.02, "κ = {step}/4000 of {count}: {last} to {now}");
+                }
+                last = now;
+            }
+        }
     }
 }

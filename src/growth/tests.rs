@@ -63,12 +63,18 @@ fn both_vigour_models_give_out_exactly_what_was_earned() {
         let (earned, got) = earned_and_got(tree, |flow, q| flow.share_out(tree, q, 2.0, |_| lambda));
         assert!((got - 2.0 * earned).abs() < 1e-3 * earned, "λ {lambda}: {got} of {earned}");
     }
-    for kappa in [0.0, 0.25, 0.5, 1.0] {
-        for apical_first in [false, true] {
-            let rule = Priority { kappa, most: 1.0, least: 0.006, apical_first };
+    for kappa in [0.0, 0.1, 0.25, 0.5, 1.0] {
+        for (apical_first, most, least) in [
+            (false, 1.0, 0.006),
+            (true, 1.0, 0.006),
+            (false, 1.0, 0.0),
+            (true, 0.001, 0.0),
+            (true, 10.0, 10.0),
+        ] {
+            let rule = Priority { kappa, most, least, apical_first };
             let (earned, got) =
                 earned_and_got(tree, |flow, q| priority::share_out(flow, tree, q, 1.5, |_| rule));
-            assert!((got - 1.5 * earned).abs() < 1e-3 * earned, "κ {kappa}: {got} of {earned}");
+            assert!((got - 1.5 * earned).abs() < 1e-3 * earned, "{rule:?}: {got} of {earned}");
         }
     }
 }
@@ -184,11 +190,13 @@ fn lambda_and_kappa_move_the_leader_monotonically() {
         leader_to_laterals(&grown(&habit, 6))
     });
     assert!(lambda.is_sorted() && lambda[4] > 1.5 * lambda[0], "{lambda:?}");
-    let kappa = [0.3, 0.45, 0.6, 0.8].map(|kappa: f32| {
+    // Up to 0.35 a leader takes all, in short queues by the same weights.
+    let kappa = [0.05, 0.2, 0.35, 0.5, 0.65, 0.8, 1.0].map(|kappa: f32| {
         let habit = Habit { control: Control::Priority, kappa: kappa.into(), ..plain.clone() };
         leader_to_laterals(&grown(&habit, 6))
     });
-    assert!(kappa.iter().rev().is_sorted() && kappa[0] > 1.5 * kappa[3], "{kappa:?}");
+    assert!(kappa[2..].iter().rev().is_sorted() && kappa[3] > 1.5 * kappa[6], "{kappa:?}");
+    assert!(kappa[..3].iter().all(|leader| *leader > 1.5 * kappa[3]), "{kappa:?}");
 }
 
 #[test]
