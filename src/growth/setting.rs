@@ -53,7 +53,11 @@ pub(super) fn field_for(
     seed: u64,
 ) -> Field {
     if resource == Resource::Light {
-        return Field::Light(Shadow::new(&habit.light, habit.light.voxel * habit.internode));
+        return Field::Light(Shadow::new(
+            &habit.light,
+            habit.light.voxel * habit.internode,
+            limits.internodes,
+        ));
     }
     let radius = habit.space.perception * habit.internode;
     let density = habit.space.markers / (4.0 / 3.0 * std::f32::consts::PI * radius.powi(3));

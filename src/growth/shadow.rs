@@ -4,14 +4,15 @@
 //! q away in x and z, each by Δs = a·b^−q. A bud in a voxel of shadow s gets Q = max(C − s + a, 0), a because no bud
 //! shades itself; it would grow along the negative gradient of s.
 //!
-//! Shadows are whole numbers of [`UNIT`]s, so what is added can be taken away again without a trace and the order of
-//! adding does not matter. The grid grows with the plant.
+//! Shadows are whole numbers of a small unit, so what is added can be taken away again without a trace and the order of
+//! adding does not matter. The unit is [`FINEST`], or larger where the darkest voxel that the plant's nodes could make
+//! together would not fit into 32 bits otherwise. The grid grows with the plant.
 
 use super::species::LightHabit;
 use glam::{IVec3, Vec3};
 
-/// Steps of one unit of shadow.
-pub const UNIT: f32 = 65536.0;
+/// Units of shadow in a shadow of 1, at most.
+pub const FINEST: f32 = 65536.0;
 /// Voxels beyond the plant that a grid is made larger by, at least.
 const MARGIN: i32 = 4;
 /// Farthest voxel from the origin, by its number along an axis.
@@ -27,6 +28,10 @@ pub struct Shadow {
     dark: Vec<u32>,
     /// Shadow of one node by layer.
     layers: Vec<u32>,
+    /// Units of shadow in a shadow of 1.
+    units: f32,
+    /// Nodes that cast shadows now.
+    nodes: u32,
     full: f32,
     own: f32,
 }
@@ -41,15 +46,20 @@ pub enum Change {
 }
 
 impl Shadow {
-    /// An empty grid with voxels of the given width in metres.
-    pub fn new(light: &LightHabit, voxel: f32) -> Self {
-        let layer = |q: u32| (light.darkening * light.falloff.powi(-(q as i32)) * UNIT).round() as u32;
+    /// An empty grid with voxels of the given width in metres, for the shadows of about `nodes` nodes.
+    pub fn new(light: &LightHabit, voxel: f32, nodes: usize) -> Self {
+        // All nodes may stand in one voxel; the hundredth more is for rounding.
+        let darkest = f64::from(light.darkening.max(f32::MIN_POSITIVE)) * nodes.max(1) as f64 * 1.01;
+        let units = (f64::from(u32::MAX) / darkest).min(f64::from(FINEST)) as f32;
+        let layer = |q: u32| (light.darkening * light.falloff.powi(-(q as i32)) * units).round() as u32;
         Self {
             voxel,
             low: IVec3::ZERO,
             size: IVec3::ZERO,
             dark: Vec::new(),
             layers: (0..=light.depth).map(layer).collect(),
+            units,
+            nodes: 0,
             full: light.full,
             own: light.darkening,
         }
@@ -65,19 +75,27 @@ impl Shadow {
         inside.then(|| ((q.y * self.size.z + q.z) * self.size.x + q.x) as usize)
     }
 
-    /// Adds or takes away the shadow of a node. Where that needs more than `most` voxels nothing happens and the
-    /// answer is no.
+    /// Adds or takes away the shadow of a node. Where that needs more than `most` voxels, or more nodes cast shadows
+    /// than can be counted, nothing happens and the answer is no.
     #[must_use]
     pub fn cast(&mut self, p: Vec3, change: Change, most: usize) -> bool {
         if !p.is_finite() || (p / self.voxel).abs().max_element() >= FARTHEST {
             return false;
         }
+        // No voxel holds more than the darkest layers of all nodes, so no sum is ever cut off.
+        let most_nodes = u32::MAX / self.layers[0].max(1);
+        let nodes = match change {
+            Change::Grown => self.nodes.checked_add(1).filter(|nodes| *nodes <= most_nodes),
+            Change::Shed => self.nodes.checked_sub(1),
+        };
+        let Some(nodes) = nodes else { return false };
         let top = self.place(p);
         let depth = self.layers.len() as i32 - 1;
         let reach = IVec3::new(depth + 1, 0, depth + 1);
         if !self.make_room(top - reach - IVec3::Y * (depth + 1), top + reach + IVec3::Y, most) {
             return false;
         }
+        self.nodes = nodes;
         for (q, &layer) in (0..).zip(&self.layers) {
             let y = top.y - q - self.low.y;
             for z in top.z - q - self.low.z..=top.z + q - self.low.z {
@@ -85,8 +103,8 @@ impl Shadow {
                 let first = (row + top.x - q - self.low.x) as usize;
                 let voxels = &mut self.dark[first..=first + 2 * q as usize];
                 match change {
-                    Change::Grown => voxels.iter_mut().for_each(|s| *s = s.wrapping_add(layer)),
-                    Change::Shed => voxels.iter_mut().for_each(|s| *s = s.wrapping_sub(layer)),
+                    Change::Grown => voxels.iter_mut().for_each(|s| *s = s.saturating_add(layer)),
+                    Change::Shed => voxels.iter_mut().for_each(|s| *s = s.saturating_sub(layer)),
                 }
             }
         }
@@ -127,7 +145,7 @@ impl Shadow {
 
     /// The shadow s at a point.
     pub fn shadow(&self, p: Vec3) -> f32 {
-        self.index(self.place(p)).map_or(0.0, |i| self.dark[i] as f32 / UNIT)
+        self.index(self.place(p)).map_or(0.0, |i| self.dark[i] as f32 / self.units)
     }
 
     /// The exposure Q of a bud, eq. 2.2, as a share of full light.
@@ -144,7 +162,7 @@ impl Shadow {
                 for x in -1..=1 {
                     let step = IVec3::new(x, y, z);
                     let Some(i) = self.index(place + step) else { continue };
-                    sum -= step.as_vec3() * (self.dark[i] as f32 / UNIT);
+                    sum -= step.as_vec3() * (self.dark[i] as f32 / self.units);
                 }
             }
         }
@@ -164,7 +182,7 @@ impl Shadow {
 
     /// The middle of every voxel with at least this shadow, and the exposure of a bud there.
     pub fn shaded(&self, least: f32) -> impl Iterator<Item = (Vec3, f32)> + '_ {
-        let least = ((least * UNIT) as u32).max(1);
+        let least = ((least * self.units) as u32).max(1);
         let dark = self.dark.iter().enumerate().filter(move |(_, dark)| **dark >= least);
         dark.map(|(i, _)| {
             let (row, x) = (i as i32 / self.size.x, i as i32 % self.size.x);
@@ -187,6 +205,7 @@ impl Shadow {
     /// Takes all shadows away.
     pub fn clear(&mut self) {
         self.dark.fill(0);
+        self.nodes = 0;
     }
 }
 
@@ -196,7 +215,7 @@ mod tests {
 
     fn grid() -> Shadow {
         let light = LightHabit { darkening: 0.2, falloff: 2.0, depth: 3, ..LightHabit::default() };
-        Shadow::new(&light, 1.0)
+        Shadow::new(&light, 1.0, 1000)
     }
 
     #[test]
@@ -222,6 +241,38 @@ mod tests {
         assert!(shadow.away(Vec3::new(20.0, 1.5, 2.0)).z > 0.05);
         assert!(nodes.iter().rev().all(|p| shadow.cast(*p, Change::Shed, 1 << 20)));
         assert!(shadow.dark.iter().all(|s| *s == 0));
+    }
+
+    #[test]
+    fn many_dark_nodes_in_one_voxel_never_turn_to_light() {
+        let light = LightHabit { darkening: 10.0, falloff: 1.01, depth: 1, ..LightHabit::default() };
+        for nodes in [20_000, 5_000_000] {
+            let mut shadow = Shadow::new(&light, 1.0, nodes);
+            let first = shadow.layers[0];
+            assert!(
+                (first as f32 / shadow.units - 10.0).abs() < 0.02,
+                "{} for 10",
+                first as f32 / shadow.units
+            );
+            // As if all but the last thousand had grown.
+            assert!(shadow.cast(Vec3::splat(0.5), Change::Grown, 1 << 20));
+            let before = nodes as u32 - 1000;
+            shadow.dark.iter_mut().for_each(|s| *s *= before);
+            shadow.nodes = before;
+            let mut last = shadow.shadow(Vec3::splat(0.5));
+            for _ in 0..1000 {
+                assert!(shadow.cast(Vec3::splat(0.5), Change::Grown, 1 << 20));
+                let now = shadow.shadow(Vec3::splat(0.5));
+                assert!(now >= last && shadow.exposure(Vec3::splat(0.5)) == 0.0);
+                last = now;
+            }
+            assert!((last / (10.0 * nodes as f32) - 1.0).abs() < 0.01, "{last} of {nodes} nodes");
+            let more = (0..u32::MAX).take_while(|_| shadow.cast(Vec3::splat(0.5), Change::Grown, 1 << 20));
+            assert!(
+                more.count() < nodes && shadow.shadow(Vec3::splat(0.5)) >= last,
+                "refused before it wraps"
+            );
+        }
     }
 
     #[test]
