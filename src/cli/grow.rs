@@ -2,7 +2,7 @@
 
 use super::common;
 use crate::export::{self, pictures::fetch};
-use crate::growth::{Limits, Outcome};
+use crate::growth::{Limits, Outcome, foliage};
 use crate::model::Model;
 use crate::pipeline::{self, Grown};
 use crate::plant::{Plant, Texture};
@@ -72,6 +72,13 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     let grown = pipeline::grow(&species, &params, args.age, args.seed, limits)?;
     if grown.outcome != Outcome::Growing {
         tracing::warn!("{name}: {} at the age of {} years", grown.outcome, grown.simulation.age());
+    }
+    if foliage::is_thinned(&grown.plant.organs) {
+        let most = foliage::MOST;
+        tracing::warn!(
+            "{name}: the crown is thinned to {most} leaves, the most that are allowed; choose fewer leaves, for instance \
+             --set habit.leaf.per_internode=1"
+        );
     }
     ensure!(!grown.model.parts.is_empty(), "{name}: nothing has grown yet; choose a higher --age");
     let bytes = write(args, &models, &grown, |age| grown.at(age, &species, &params))?;

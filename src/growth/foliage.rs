@@ -6,6 +6,9 @@
 //! far grown as the year. The end of a twig has leaves however long ago it grew, for its buds open every spring.
 //!
 //! A leaf whose tip or middle would leave a drawn or modelled volume is shortened, or left out if that does not help.
+//!
+//! Limits: a plant has at most [`MOST`] leaves. They are counted before any is made; where there would be more, every
+//! so many-th stays, evenly over old and young wood alike, so that the crown grows thinner but nowhere bare.
 
 use super::chains::Chains;
 use super::envelope::Envelope;
@@ -54,8 +57,13 @@ pub struct Wood<'a> {
     pub envelope: &'a Envelope,
 }
 
-/// All leaves of a plant at an age, in the order of their nodes.
+/// All leaves of a plant at an age, in the order of their nodes; at most [`MOST`].
 pub fn leaves(wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
+    at_most(MOST, wood, habit)
+}
+
+/// The leaves, thinned to `most` where there would be more.
+fn at_most(most: usize, wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
     if habit.length <= 0.0 || (habit.per_internode == 0 && habit.at_tip == 0) {
         return Vec::new();
     }
@@ -64,13 +72,49 @@ pub fn leaves(wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
     debug_assert!(outlines.iter().all(|o| simple_loop::signed_area(o.iter().copied()) > 0.0));
     let from_end = from_end(wood);
     let on = |i: usize| leaves_of(wood, habit, &outlines, (i, from_end[i]));
-    let nodes = (0..wood.chains.of_node.len()).into_par_iter().with_min_len(NODES);
-    let mut out: Vec<Organ> = nodes.flat_map_iter(on).collect();
-    out.truncate(MOST);
-    out
+    let nodes = || (0..wood.chains.of_node.len()).into_par_iter().with_min_len(NODES);
+    let whole = |counts: &[u32]| counts.iter().map(|c| u64::from(*c)).sum::<u64>();
+    let places: Vec<u32> = nodes().map(|i| count_of(wood, habit, (i, from_end[i]))).collect();
+    if whole(&places) <= most as u64 {
+        return nodes().flat_map_iter(on).collect();
+    }
+    // A volume may leave out so many that the others need not be thinned.
+    let counts: Vec<u32> = nodes().map(|i| on(i).count() as u32).collect();
+    let whole = whole(&counts);
+    if whole <= most as u64 {
+        return nodes().flat_map_iter(on).collect();
+    }
+    let number = |next: &mut u64, count: &u32| {
+        *next += u64::from(*count);
+        Some(*next - u64::from(*count))
+    };
+    let before: Vec<u64> = counts.iter().scan(0, number).collect();
+    // Of any run of leaves as many stay as its share of the whole, so that exactly `most` do.
+    let stays = |nth: u64| nth * most as u64 / whole < (nth + 1) * most as u64 / whole;
+    let thinned = |i: usize| (before[i]..).zip(on(i)).filter(|(nth, _)| stays(*nth)).map(|(_, leaf)| leaf);
+    nodes().flat_map_iter(thinned).collect()
 }
 
-/// The leaves of the internode below one node, which stands `from_end` nodes from the end of its chain.
+/// Whether so many of these are generated leaves that others had to be left out.
+pub fn is_thinned(organs: &[Organ]) -> bool {
+    let generated = |o: &&Organ| o.kind == OrganKind::Leaf && o.stroke.is_none();
+    organs.len() >= MOST && organs.iter().filter(generated).count() >= MOST
+}
+
+/// Years that the internode below a node has carried leaves, the year that runs counted.
+fn years_of(wood: &Wood<'_>, node: usize) -> f32 {
+    wood.age - f32::from(wood.tree.nodes.born[node]) + 1.0
+}
+
+/// Leaves that stand on the internode below one node, which stands `from_end` nodes from the end of its chain.
+fn count_of(wood: &Wood<'_>, habit: &LeafHabit, (i, from_end): (usize, u8)) -> u32 {
+    let leafy = years_of(wood, i) <= habit.years || from_end < SHORT;
+    let young = leafy && wood.diameters[i] <= wood.tip * habit.thickest;
+    let at_tip = if from_end == 0 { habit.at_tip } else { 0 };
+    if young && wood.chains.of_node[i] != NONE { habit.per_internode + at_tip } else { 0 }
+}
+
+/// The leaves of the internode below one node, less those for which a volume has no room.
 fn leaves_of<'a>(
     wood: &'a Wood<'a>,
     habit: &'a LeafHabit,
@@ -78,13 +122,8 @@ fn leaves_of<'a>(
     (i, from_end): (usize, u8),
 ) -> impl Iterator<Item = Organ> + 'a {
     let branch = wood.chains.of_node[i];
-    let years = wood.age - f32::from(wood.tree.nodes.born[i]) + 1.0;
-    let leafy = years <= habit.years || from_end < SHORT;
-    let young = branch != NONE && leafy && wood.diameters[i] <= wood.tip * habit.thickest;
-    let size = habit.length * years.clamp(0.05, 1.0);
-    let at_tip = if from_end == 0 { habit.at_tip } else { 0 };
-    let count = if young { habit.per_internode + at_tip } else { 0 };
-    (0..count).filter_map(move |k| {
+    let size = habit.length * years_of(wood, i).clamp(0.05, 1.0);
+    (0..count_of(wood, habit, (i, from_end))).filter_map(move |k| {
         let shape = Shape::Blade(held(one(wood, habit, outlines, (i, k), size), wood.envelope)?);
         let branch = Some(branch as usize);
         Some(Organ { kind: OrganKind::Leaf, stroke: None, branch, flower: None, material: 1, shape })
@@ -153,3 +192,7 @@ fn one(
         template: Some(template as u32),
     }
 }
+
+#[cfg(test)]
+#[path = "foliage_tests.rs"]
+mod tests;

@@ -7,7 +7,7 @@ use super::Params;
 use crate::anatomy::Anatomy;
 use crate::depth;
 use crate::growth::species::Resource;
-use crate::growth::{Field, Memory, Outcome, Start, merge};
+use crate::growth::{Field, Memory, Outcome, Start, foliage, merge};
 use crate::plant::Plant;
 use crate::sketch::{Remark, Sketch, Warning};
 use crate::species::Species;
@@ -66,5 +66,9 @@ pub(super) fn grow_on(
         }
         Outcome::Growing | Outcome::Finished | Outcome::Stopped => {}
     }
-    Ok((merge::merged(drawn, &grows, &grown), ages))
+    let plant = merge::merged(drawn, &grows, &grown);
+    if foliage::is_thinned(&plant.organs) {
+        remark(Remark::LeavesThinned { leaves: foliage::MOST });
+    }
+    Ok((plant, ages))
 }

@@ -150,6 +150,14 @@ pub enum Remark {
         /// How old it is.
         years: u16,
     },
+    /// Leaves that are fewer than the wood would carry.
+    #[error(
+        "the crown is thinner than its species': the drawing has {leaves} leaves, the most that a plant may have"
+    )]
+    LeavesThinned {
+        /// How many there are.
+        leaves: usize,
+    },
     /// What was too much to be told.
     #[error("and {count} more remarks like these")]
     More {
@@ -171,7 +179,8 @@ impl Remark {
             | Self::ManyCrowns { .. }
             | Self::DoesNotGrow { .. }
             | Self::GrowthCapped { .. }
-            | Self::GrownTooLarge { .. } => true,
+            | Self::GrownTooLarge { .. }
+            | Self::LeavesThinned { .. } => true,
             Self::NoPoints { .. }
             | Self::PressureOutside { .. }
             | Self::TiltOutside { .. }

@@ -282,6 +282,7 @@ keys! {
     WarningDoesNotGrow = "warning.does_not_grow",
     WarningGrowthCapped = "warning.growth_capped",
     WarningGrownTooLarge = "warning.grown_too_large",
+    WarningLeavesThinned = "warning.leaves_thinned",
     WarningMore = "warning.more",
     CanvasInvite = "canvas.invite",
     CanvasInviteHint = "canvas.invite_hint",

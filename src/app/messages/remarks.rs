@@ -51,6 +51,7 @@ impl Told for Remark {
                 fill(Msg::WarningGrowthCapped, &[("internodes", internodes)])
             }
             Self::GrownTooLarge { years } => fill(Msg::WarningGrownTooLarge, &[("years", years)]),
+            Self::LeavesThinned { leaves } => fill(Msg::WarningLeavesThinned, &[("leaves", leaves)]),
             Self::More { count } => fill(Msg::WarningMore, &[("count", count)]),
         }
     }
@@ -100,7 +101,8 @@ mod tests {
             }
             Remark::DoesNotGrow { .. } => Remark::GrowthCapped { internodes: 50 },
             Remark::GrowthCapped { .. } => Remark::GrownTooLarge { years: 51 },
-            Remark::GrownTooLarge { .. } => Remark::More { count: 49 },
+            Remark::GrownTooLarge { .. } => Remark::LeavesThinned { leaves: 53 },
+            Remark::LeavesThinned { .. } => Remark::More { count: 49 },
             Remark::More { .. } => return None,
         })
     }
