@@ -35,6 +35,9 @@ pub struct Args {
     /// Most internodes of the plant.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=5_000_000))]
     pub max_internodes: Option<u64>,
+    /// Longest time that its years may take together.
+    #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u32).range(1..=86_400))]
+    pub max_seconds: Option<u32>,
     /// Any parameter by its path, for instance habit.lambda=0.7 or model.tube.sides=5; may be given again.
     #[arg(long = "set", value_name = "PARAM=VALUE")]
     pub assignments: Vec<String>,
@@ -69,6 +72,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     if let Some(most) = args.max_internodes {
         limits.internodes = usize::try_from(most)?;
     }
+    limits.seconds = args.max_seconds.unwrap_or(limits.seconds);
     let grown = pipeline::grow(&species, &params, args.age, args.seed, limits)?;
     if grown.outcome != Outcome::Growing {
         tracing::warn!("{name}: {} at the age of {} years", grown.outcome, grown.simulation.age());

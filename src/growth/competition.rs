@@ -54,13 +54,22 @@ pub const ENOUGH: f32 = 0.2;
 /// Rows of cells that one thread takes at a time.
 const ROWS: usize = 8;
 
-/// Shares the free markers out among buds at `at` looking along `look`.
-pub fn compete(markers: &Markers, perception: Perception, at: &[Vec3], look: &[Vec3], found: &mut Found) {
+/// Markers after which it is asked whether it is too late.
+const MARKERS: usize = 64;
+
+/// Shares the free markers out among buds at `at` looking along `look`. Once it is too `late` what is found is not whole.
+pub fn compete(
+    markers: &Markers,
+    perception: Perception,
+    (at, look): (&[Vec3], &[Vec3]),
+    found: &mut Found,
+    late: &(dyn Fn() -> bool + Sync),
+) {
     found.q.clear();
     found.q.resize(at.len(), 0.0);
     found.best.clear();
     found.best.resize(at.len(), Vec3::ZERO);
-    for claim in claims(markers, perception, at, look).iter().flatten() {
+    for claim in claims(markers, perception, (at, look), late).iter().flatten() {
         let bud = claim.bud as usize;
         let toward = markers.at[claim.marker as usize] - at[bud];
         found.q[bud] += 1.0;
@@ -83,7 +92,12 @@ struct Crowd {
 }
 
 /// Who gets which marker, by rows of cells.
-pub fn claims(markers: &Markers, perception: Perception, at: &[Vec3], look: &[Vec3]) -> Vec<Vec<Claim>> {
+pub fn claims(
+    markers: &Markers,
+    perception: Perception,
+    (at, look): (&[Vec3], &[Vec3]),
+    late: &(dyn Fn() -> bool + Sync),
+) -> Vec<Vec<Claim>> {
     let grid = &markers.grid;
     let mut sorted = Sorted::default();
     let cell_of: Vec<u32> = at.iter().map(|p| grid.number(grid.place(*p)) as u32).collect();
@@ -91,11 +105,17 @@ pub fn claims(markers: &Markers, perception: Perception, at: &[Vec3], look: &[Ve
     let of = |all: &[Vec3]| sorted.items.iter().map(|&i| all[i as usize]).collect();
     let crowd = Crowd { at: of(at), look: of(look), sorted };
     let rows = (grid.size.y * grid.size.z) as usize;
-    let row = |r: usize| row_claims(markers, perception, &crowd, r as i32);
+    let row = |r: usize| row_claims(markers, perception, &crowd, r as i32, late);
     (0..rows).into_par_iter().with_min_len(ROWS).map(row).collect()
 }
 
-fn row_claims(markers: &Markers, perception: Perception, crowd: &Crowd, row: i32) -> Vec<Claim> {
+fn row_claims(
+    markers: &Markers,
+    perception: Perception,
+    crowd: &Crowd,
+    row: i32,
+    late: &(dyn Fn() -> bool + Sync),
+) -> Vec<Claim> {
     let size = markers.grid.size;
     let (y, z) = (row / size.z, row % size.z);
     let mut out = Vec::new();
@@ -119,7 +139,11 @@ fn row_claims(markers: &Markers, perception: Perception, crowd: &Crowd, row: i32
         if near.is_empty() {
             continue;
         }
+        let first = free.start;
         for marker in free {
+            if (marker - first).is_multiple_of(MARKERS) && late() {
+                return out;
+            }
             if let Some(bud) = nearest(markers.at[marker], perception, crowd, &near) {
                 out.push(Claim { marker: marker as u32, bud: crowd.sorted.items[bud] });
             }
@@ -177,7 +201,7 @@ mod tests {
     fn every_marker_goes_to_the_nearest_bud_whose_cone_holds_it() {
         let (markers, at, look) = scene();
         let perception = Perception { radius: 0.6, cos_half: 0.5 };
-        let claims: Vec<Claim> = claims(&markers, perception, &at, &look).concat();
+        let claims: Vec<Claim> = claims(&markers, perception, (&at, &look), &|| false).concat();
         let mut got = vec![None; markers.len()];
         for claim in &claims {
             assert!(got[claim.marker as usize].replace(claim.bud).is_none(), "claimed twice");
@@ -201,7 +225,7 @@ mod tests {
         let perception = Perception { radius: 0.6, cos_half: -1.0 };
         (0..40).for_each(|k| markers.occupy(Vec3::new(-0.5, 0.0, k as f32 * 0.02 - 0.4), 0.5, k, 1));
         let mut found = Found::default();
-        compete(&markers, perception, &[Vec3::ZERO], &[Vec3::Y], &mut found);
+        compete(&markers, perception, (&[Vec3::ZERO], &[Vec3::Y]), &mut found, &|| false);
         assert!(found.best[0].normalize().x > 0.9, "{:?}", found.best);
         assert!(found.q[0] > 0.2, "{:?}", found.q);
     }

@@ -1,7 +1,10 @@
 //! What no plant may exceed, and how growth ended.
 //!
-//! Every parameter of a species may be set so that a plant grows without measure; a cap on internodes, markers and
-//! memory ends its growth with a message instead.
+//! Every parameter of a species may be set so that a plant grows without measure; caps on internodes, markers, memory and
+//! time end its growth with a message instead.
+//!
+//! Limits: how many years fit into the time depends on the machine and on what else it does, so a plant that
+//! [`Outcome::TooSlow`] ended may be another one elsewhere; its message says so. All else is the same everywhere.
 
 use std::fmt;
 
@@ -14,11 +17,13 @@ pub struct Limits {
     pub markers: usize,
     /// Most voxels of the shadow grid.
     pub voxels: usize,
+    /// Longest time that its years may take together, seconds.
+    pub seconds: u32,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { internodes: 300_000, markers: 1_000_000, voxels: 32 << 20 }
+        Self { internodes: 300_000, markers: 1_000_000, voxels: 32 << 20, seconds: 300 }
     }
 }
 
@@ -35,6 +40,8 @@ pub enum Outcome {
     TooManyInternodes(usize),
     /// The plant has grown beyond the space in which shadows are kept.
     TooLarge(usize),
+    /// Its years have taken this many seconds; the one that was running did not happen.
+    TooSlow(u32),
     /// Years are counted up to this one.
     TooOld(u16),
 }
@@ -61,6 +68,12 @@ impl fmt::Display for Outcome {
                 f,
                 "growth ended because the shadow grid would need more than {most} voxels; choose a lower age or larger \
                  voxels"
+            ),
+            Self::TooSlow(most) => write!(
+                f,
+                "growth ended after {most} seconds, the most that are allowed; how far a plant comes in that time \
+                 depends on the machine, so it may be another one elsewhere; choose a lower age, longer internodes or \
+                 fewer markers"
             ),
             Self::TooOld(most) => {
                 write!(f, "growth ended at the age of {most} years, the most that are counted")

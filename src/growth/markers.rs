@@ -129,20 +129,23 @@ impl Markers {
     }
 
     fn occupy_in(&mut self, cell: usize, at: Vec3, radius: f32, (node, year): (u32, u16)) {
-        let mut k = self.starts[cell] as usize;
-        while k < self.free_end[cell] as usize {
-            if self.at[k].distance_squared(at) > radius * radius {
-                k += 1;
-                continue;
+        let (mut end, last) = (self.starts[cell] as usize, self.free_end[cell] as usize);
+        let mut found = Vec::new();
+        // In one pass, for a cell may hold all markers; the others keep their order.
+        for k in end..last {
+            let marker = (self.at[k], self.rank[k]);
+            if marker.0.distance_squared(at) > radius * radius {
+                (self.at[end], self.rank[end]) = marker;
+                end += 1;
+            } else {
+                found.push(marker);
             }
-            // The others keep their order.
-            let end = self.free_end[cell] as usize;
-            self.at[k..end].rotate_left(1);
-            self.rank[k..end].rotate_left(1);
-            self.taken[end - 1] = year;
-            self.owner[end - 1] = node;
-            self.free_end[cell] -= 1;
         }
+        for (k, marker) in (end..last).rev().zip(found) {
+            (self.at[k], self.rank[k]) = marker;
+            (self.taken[k], self.owner[k]) = (year, node);
+        }
+        self.free_end[cell] = end as u32;
     }
 
     /// Frees what was occupied after a year.

@@ -18,7 +18,8 @@
 //! | `overlay` | what growth looks like from inside |
 //! | `drawing`, `lead`, `merge` | growth in a drawing: its wood goes on, its crowns are filled |
 //!
-//! Everything here is pure and deterministic: no clock, no files, the same bytes on any number of threads.
+//! Everything here is pure and deterministic: no files, the same bytes on any number of threads. The one clock is that of
+//! the cap on time, see [`Limits`]; a plant that it ended says so.
 
 pub mod chains;
 pub mod competition;

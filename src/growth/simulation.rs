@@ -25,12 +25,16 @@ use crate::random::mix;
 use glam::Vec3;
 use rayon::prelude::*;
 use std::borrow::Cow;
+use std::cell::Cell;
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 /// Oldest age.
 pub const MAX_AGE: u16 = 10_000;
 /// Open buds from which sensing light is worth several threads.
 const MANY: usize = 4096;
+/// Buds or nodes after which it is asked whether to stop.
+const BREATH: usize = 64;
 
 /// Memory that is used again every year.
 #[derive(Clone, Debug, Default)]
@@ -51,6 +55,8 @@ pub struct Simulation {
     tree: Tree,
     field: Field,
     year: u16,
+    /// Time that its years have taken; counted anew after going back.
+    spent: Duration,
     scratch: Scratch,
 }
 
@@ -118,8 +124,10 @@ impl Simulation {
 
     fn begin(habit: Habit, envelope: Envelope, field: Field, limits: Limits, seed: u64, tree: Tree) -> Self {
         let scratch = Scratch::default();
-        let mut simulation = Self { habit, envelope, limits, seed, tree, field, year: 0, scratch };
-        simulation.settle_in(0..simulation.tree.len());
+        let spent = Duration::ZERO;
+        let mut simulation = Self { habit, envelope, limits, seed, tree, field, year: 0, spent, scratch };
+        // Where there is no room for the first shadows there is none for the first year either, which says so.
+        let _ = simulation.settle_in(0..simulation.tree.len(), &|| false);
         simulation
     }
 
@@ -168,7 +176,7 @@ impl Simulation {
             return;
         }
         self.tree.rewind(age);
-        self.year = age;
+        (self.year, self.spent) = (age, Duration::ZERO);
         match &mut self.field {
             Field::Space(markers) => markers.rewind(age),
             Field::Light(shadow) => cast_anew(shadow, &self.tree, age, self.limits.voxels),
@@ -184,8 +192,26 @@ impl Simulation {
         shadow
     }
 
-    /// Grows for a year.
+    /// Grows for a year; `stop` is asked many times.
     pub fn step(&mut self, stop: &dyn Fn() -> bool) -> Outcome {
+        let (start, spent) = (Instant::now(), self.spent);
+        let most = Duration::from_secs(self.limits.seconds.into());
+        let late = move || spent + start.elapsed() >= most;
+        let was_late = Cell::new(false);
+        let stop = || {
+            was_late.set(was_late.get() || late());
+            was_late.get() || stop()
+        };
+        let outcome = match self.grow_year(&stop, &late) {
+            Outcome::Stopped if was_late.get() => Outcome::TooSlow(self.limits.seconds),
+            outcome => outcome,
+        };
+        self.spent = spent + start.elapsed();
+        outcome
+    }
+
+    /// A year, unless `stop` says yes; `late` may be asked from any thread.
+    fn grow_year(&mut self, stop: &dyn Fn() -> bool, late: &(dyn Fn() -> bool + Sync)) -> Outcome {
         if self.year >= MAX_AGE {
             return Outcome::TooOld(MAX_AGE);
         }
@@ -198,16 +224,19 @@ impl Simulation {
         if stop() {
             return Outcome::Stopped;
         }
-        self.sense();
+        self.sense(late);
         if stop() {
             return Outcome::Stopped;
         }
         self.share_out();
         self.year += 1;
         let first = self.tree.len();
-        self.grow();
-        if !self.settle_in(first..self.tree.len()) {
-            return Outcome::TooLarge(self.limits.voxels);
+        let grown = self.grow(stop).and_then(|()| self.settle_in(first..self.tree.len(), stop));
+        if let Err(outcome) = grown {
+            if outcome == Outcome::Stopped {
+                self.rewind(self.year - 1);
+            }
+            return outcome;
         }
         let dead = shedding::shed(&mut self.tree, &self.scratch.flow, &self.habit, self.year);
         if let Field::Light(shadow) = &mut self.field {
@@ -223,7 +252,7 @@ impl Simulation {
     }
 
     /// What each open bud earns, and where more is.
-    fn sense(&mut self) {
+    fn sense(&mut self, late: &(dyn Fn() -> bool + Sync)) {
         let Scratch { at, look, found, .. } = &mut self.scratch;
         let (tree, habit) = (&self.tree, &self.habit);
         at.clear();
@@ -240,7 +269,7 @@ impl Simulation {
             Field::Space(markers) => {
                 look.clear();
                 look.extend(tree.open.iter().map(|&b| tree.buds.direction[b as usize]));
-                competition::compete(markers, perception(habit), at, look, found);
+                competition::compete(markers, perception(habit), (at, look), found, late);
             }
         }
     }
@@ -268,10 +297,13 @@ impl Simulation {
         }
     }
 
-    /// Decides the fate of all open buds and lets those grow that may.
-    fn grow(&mut self) {
+    /// Decides the fate of all open buds and lets those grow that may; [`Outcome::Stopped`] in the middle of it.
+    fn grow(&mut self, stop: &dyn Fn() -> bool) -> Result<(), Outcome> {
         let waiting = self.tree.open.len();
         for place in 0..waiting {
+            if place % BREATH == 0 && stop() {
+                return Err(Outcome::Stopped);
+            }
             let bud = self.tree.open[place];
             let b = bud as usize;
             let state = Waiting {
@@ -290,6 +322,7 @@ impl Simulation {
             }
         }
         self.tree.forget_settled();
+        Ok(())
     }
 
     /// Grows the internodes of one bud; [`Fate::Aborted`] if there is no room for any.
@@ -370,22 +403,22 @@ impl Simulation {
         }
     }
 
-    /// New nodes take their space or cast their shadows; no if there is no room for the shadows.
-    fn settle_in(&mut self, nodes: std::ops::Range<usize>) -> bool {
-        let places = &self.tree.nodes.at;
-        match &mut self.field {
-            Field::Light(shadow) => {
-                let most = self.limits.voxels;
-                let mut room = true;
-                nodes.into_iter().for_each(|i| room &= shadow.cast(places[i], Change::Grown, most));
-                room
+    /// New nodes take their space or cast their shadows; [`Outcome::TooLarge`] if there is no room for the shadows.
+    fn settle_in(&mut self, nodes: std::ops::Range<usize>, stop: &dyn Fn() -> bool) -> Result<(), Outcome> {
+        let most = self.limits.voxels;
+        let radius = self.habit.space.occupancy * self.habit.internode;
+        let mut room = true;
+        for i in nodes {
+            if i % BREATH == 0 && stop() {
+                return Err(Outcome::Stopped);
             }
-            Field::Space(markers) => {
-                let radius = self.habit.space.occupancy * self.habit.internode;
-                nodes.into_iter().for_each(|i| markers.occupy(places[i], radius, i as u32, self.year));
-                true
+            let at = self.tree.nodes.at[i];
+            match &mut self.field {
+                Field::Light(shadow) => room &= shadow.cast(at, Change::Grown, most),
+                Field::Space(markers) => markers.occupy(at, radius, i as u32, self.year),
             }
         }
+        if room { Ok(()) } else { Err(Outcome::TooLarge(most)) }
     }
 
     /// Whether every internode inside the envelope stays there; called by tests.

@@ -14,7 +14,7 @@ use glam::{Vec2, Vec3};
 use proptest::prelude::*;
 use std::sync::Arc;
 
-const LIMITS: Limits = Limits { internodes: 20_000, markers: 50_000, voxels: 4 << 20 };
+const LIMITS: Limits = Limits { internodes: 20_000, markers: 50_000, voxels: 4 << 20, seconds: 300 };
 
 fn never() -> bool {
     false
@@ -161,6 +161,22 @@ fn a_year_that_is_stopped_did_not_happen() {
     let before = simulation.tree().clone();
     assert_eq!(simulation.step(&|| true), Outcome::Stopped);
     assert_eq!((simulation.age(), simulation.tree()), (6, &before));
+    for habit in [lit(), spacious()] {
+        let whole = grown(&habit, 10);
+        let mut simulation = grown(&habit, 9);
+        let before = simulation.tree().clone();
+        let mut stops = 0;
+        // Stopped at its first question, at its second and so on, until the year goes through.
+        while simulation.age() == 9 {
+            let asked = std::cell::Cell::new(0);
+            let stop = || asked.replace(asked.get() + 1) == stops;
+            if simulation.step(&stop) == Outcome::Stopped {
+                assert_eq!((simulation.age(), simulation.tree()), (9, &before));
+            }
+            stops += 1;
+        }
+        assert!(stops > 5 && simulation.tree() == whole.tree(), "{stops} stops");
+    }
 }
 
 /// Length of the trunk's axis over the mean length of its laterals with all they carry.
@@ -227,6 +243,10 @@ fn caps_end_growth_with_a_message() {
     let mut simulation = Simulation::new(&mad, 1, Limits { voxels: 20_000, ..LIMITS });
     assert!(matches!(simulation.grow_to(1000, &never), Outcome::TooLarge(20_000)));
     plant_at(&simulation, 1000.0).check_invariants().unwrap();
+    let mut simulation = Simulation::new(&spacious(), 1, Limits { seconds: 0, ..LIMITS });
+    let outcome = simulation.grow_to(1000, &never);
+    assert_eq!((outcome, simulation.age(), simulation.tree().len()), (Outcome::TooSlow(0), 0, 1));
+    assert!(outcome.to_string().contains("depends on the machine"));
     let dark = Habit { supply: 0.0.into(), ..lit() };
     assert_eq!(Simulation::new(&dark, 1, LIMITS).grow_to(100, &never), Outcome::Finished);
 }
@@ -375,7 +395,7 @@ proptest! {
 
     #[test]
     fn whatever_a_species_says_the_plant_is_sound_and_within_its_caps(habit in any_habit(), seed: u64, age in 0u16..14) {
-        let limits = Limits { internodes: 2500, markers: 5000, voxels: 1 << 20 };
+        let limits = Limits { internodes: 2500, markers: 5000, voxels: 1 << 20, seconds: 300 };
         let mut simulation = Simulation::new(&habit, seed, limits);
         simulation.grow_to(age, &never);
         prop_assert_eq!(simulation.tree().check_invariants(), Ok(()));

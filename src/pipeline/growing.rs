@@ -64,6 +64,9 @@ pub(super) fn grow_on(
         Outcome::TooLarge(_) | Outcome::TooOld(_) => {
             remark(Remark::GrownTooLarge { years: grown.simulation.age() });
         }
+        Outcome::TooSlow(seconds) => {
+            remark(Remark::GrownTooSlowly { years: grown.simulation.age(), seconds });
+        }
         Outcome::Growing | Outcome::Finished | Outcome::Stopped => {}
     }
     let plant = merge::merged(drawn, &grows, &grown);

@@ -150,6 +150,17 @@ pub enum Remark {
         /// How old it is.
         years: u16,
     },
+    /// Growth that took too long.
+    #[error(
+        "growth ended at the age of {years} after {seconds} seconds, the most that are allowed; how far a plant comes in \
+         that time depends on the machine"
+    )]
+    GrownTooSlowly {
+        /// How old it is.
+        years: u16,
+        /// How long it took.
+        seconds: u32,
+    },
     /// Leaves that are fewer than the wood would carry.
     #[error(
         "the crown is thinner than its species': the drawing has {leaves} leaves, the most that a plant may have"
@@ -180,6 +191,7 @@ impl Remark {
             | Self::DoesNotGrow { .. }
             | Self::GrowthCapped { .. }
             | Self::GrownTooLarge { .. }
+            | Self::GrownTooSlowly { .. }
             | Self::LeavesThinned { .. } => true,
             Self::NoPoints { .. }
             | Self::PressureOutside { .. }

@@ -282,6 +282,7 @@ keys! {
     WarningDoesNotGrow = "warning.does_not_grow",
     WarningGrowthCapped = "warning.growth_capped",
     WarningGrownTooLarge = "warning.grown_too_large",
+    WarningGrownTooSlowly = "warning.grown_too_slowly",
     WarningLeavesThinned = "warning.leaves_thinned",
     WarningMore = "warning.more",
     CanvasInvite = "canvas.invite",

@@ -51,6 +51,9 @@ impl Told for Remark {
                 fill(Msg::WarningGrowthCapped, &[("internodes", internodes)])
             }
             Self::GrownTooLarge { years } => fill(Msg::WarningGrownTooLarge, &[("years", years)]),
+            Self::GrownTooSlowly { years, seconds } => {
+                fill(Msg::WarningGrownTooSlowly, &[("years", years), ("seconds", seconds)])
+            }
             Self::LeavesThinned { leaves } => fill(Msg::WarningLeavesThinned, &[("leaves", leaves)]),
             Self::More { count } => fill(Msg::WarningMore, &[("count", count)]),
         }
@@ -101,7 +104,8 @@ mod tests {
             }
             Remark::DoesNotGrow { .. } => Remark::GrowthCapped { internodes: 50 },
             Remark::GrowthCapped { .. } => Remark::GrownTooLarge { years: 51 },
-            Remark::GrownTooLarge { .. } => Remark::LeavesThinned { leaves: 53 },
+            Remark::GrownTooLarge { .. } => Remark::GrownTooSlowly { years: 54, seconds: 55 },
+            Remark::GrownTooSlowly { .. } => Remark::LeavesThinned { leaves: 53 },
             Remark::LeavesThinned { .. } => Remark::More { count: 49 },
             Remark::More { .. } => return None,
         })
