@@ -11,7 +11,9 @@ use crate::anatomy::{self, Anatomy, AnatomyParams};
 use crate::depth::{self, DepthParams};
 use crate::growth::overlay::{Spot, Wanted};
 use crate::growth::species::CrownHabit;
-use crate::growth::{self, GrowthParams, Habit, Limits, Memory, Outcome, Simulation};
+use crate::growth::{
+    self, Envelope, Field, GrowthParams, Habit, Limits, Memory, Outcome, Simulation, drawing,
+};
 use crate::model::{self, Model, ModelParams};
 use crate::params::{Description, Overrides, ParamError, Parameters as _};
 use crate::plant::Plant;
@@ -75,6 +77,9 @@ pub enum SetupError {
         /// Built-in species that grow.
         known: String,
     },
+    /// A volume without a place for anything.
+    #[error("the volume is too thin to grow in; make it thicker")]
+    NoRoom,
     /// A parameter cannot be used.
     #[error("{whose}: {fault}")]
     Param {
@@ -246,10 +251,7 @@ pub fn grow(
     seed: u64,
     limits: Limits,
 ) -> Result<Grown, SetupError> {
-    if species.growth.is_none() {
-        let known = Species::growing().join(", ");
-        return Err(SetupError::NoGrowth { name: species.name.clone(), known });
-    }
+    check_grows(species)?;
     let habit = &params.habit;
     let age = age.unwrap_or(habit.age as f32).max(0.0);
     let mut clock = Clock::start();
@@ -260,6 +262,54 @@ pub fn grow(
     });
     let (plant, model) = at_age(&simulation, species, params, age, &mut clock);
     Ok(Grown { simulation, outcome, plant, model, stages: clock.stages })
+}
+
+/// The same inside a volume; without an age until the volume is full.
+///
+/// # Errors
+/// A species that does not say how it grows, a volume without room.
+pub fn grow_inside(
+    species: &Species,
+    params: &Params,
+    volume: Envelope,
+    age: Option<f32>,
+    seed: u64,
+    limits: Limits,
+) -> Result<Grown, SetupError> {
+    check_grows(species)?;
+    let mut clock = Clock::start();
+    let (simulation, outcome) = clock.time("growth", || {
+        let mut simulation = Simulation::in_envelope(&params.habit, volume, seed, limits);
+        let outcome = match age {
+            Some(age) => simulation.grow_to(age.ceil() as u16, &|| false),
+            None => fill(&mut simulation),
+        };
+        (simulation, outcome)
+    });
+    if matches!(simulation.field(), Field::Space(markers) if markers.is_empty()) {
+        return Err(SetupError::NoRoom);
+    }
+    let age = age.unwrap_or(f32::from(simulation.age()));
+    let (plant, model) = at_age(&simulation, species, params, age, &mut clock);
+    Ok(Grown { simulation, outcome, plant, model, stages: clock.stages })
+}
+
+/// Grows until the volume is full.
+fn fill(simulation: &mut Simulation) -> Outcome {
+    let mut outcome = Outcome::Growing;
+    while outcome.may_go_on() && drawing::filled_at(simulation.tree(), simulation.age()).is_none() {
+        outcome = simulation.step(&|| false);
+    }
+    // A volume in which no bud finds any more room is full.
+    if outcome == Outcome::Finished { Outcome::Growing } else { outcome }
+}
+
+fn check_grows(species: &Species) -> Result<(), SetupError> {
+    if species.growth.is_some() {
+        return Ok(());
+    }
+    let known = Species::growing().join(", ");
+    Err(SetupError::NoGrowth { name: species.name.clone(), known })
 }
 
 impl Grown {

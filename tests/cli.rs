@@ -164,6 +164,52 @@ fn how_a_species_grows_can_be_set() {
 }
 
 #[test]
+fn a_plant_grows_inside_a_volume() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).display().to_string();
+    let (shape, out) = (file("shape.obj"), file("plant.json"));
+    let corners = "v 0 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 1 1\nv 1 1 1\nv 1 2 1\nv 0 2 1\n";
+    let five = "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\n";
+    fs::write(&shape, format!("{corners}{five}f 4 1 5 8\n")).unwrap();
+    let grown = penstemon(&["grow", "hazel", "--inside", &shape, "-o", &out]);
+    assert!(grown.status.success() && stderr(&grown).is_empty(), "{}", stderr(&grown));
+    let plant: serde_json::Value = serde_json::from_slice(&fs::read(&out).unwrap()).unwrap();
+    let ends: Vec<Vec<f64>> = plant["branches"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|branch| {
+            serde_json::from_value(branch["points"].as_array().unwrap().last().unwrap().clone()).unwrap()
+        })
+        .collect();
+    assert!(ends.len() > 100, "{}", ends.len());
+    let within = |x: f64, low: f64| (low - 0.01..=low + 1.01).contains(&x);
+    assert!(ends.iter().all(|p| within(p[0], 0.0) && within(p[1], 1.0) && within(p[2], 0.0)));
+
+    fs::write(&shape, format!("{corners}{five}")).unwrap();
+    let inside =
+        |shape: &str, pieces: &[&str]| refused(&["grow", "hazel", "--inside", shape, "-o", &out], pieces);
+    inside(&shape, &["shape.obj: the mesh is open: 4 edges", "close its holes"]);
+    inside(&file("none.obj"), &["none.obj", "No such file"]);
+    inside("box:1x1", &["--inside box:1x1", "width, height, depth"]);
+    inside("box:1e-9x1x1", &["scale it"]);
+}
+
+#[test]
+fn caps_of_growth_end_in_a_smaller_plant_and_a_message() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("oak.json").display().to_string();
+    let grown = penstemon(&["grow", "oak", "--max-internodes", "500", "-o", &out, "--stats"]);
+    assert!(grown.status.success() && stderr(&grown).contains("500 internodes"), "{}", stderr(&grown));
+    let stats: serde_json::Value = serde_json::from_slice(&grown.stdout).unwrap();
+    assert!((100..=500).contains(&stats["internodes"].as_u64().unwrap()), "{stats}");
+    for wrong in [["--max-internodes", "0"], ["--max-seconds", "0"]] {
+        let output = penstemon(&[&["grow", "oak", "-o", &out][..], &wrong[..]].concat());
+        assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
+    }
+}
+
+#[test]
 fn unwritable_targets_leave_nothing_behind() {
     let folder = tempfile::tempdir().unwrap();
     let missing = folder.path().join("no/such/folder/a.obj").display().to_string();

@@ -1,6 +1,6 @@
 //! `penstemon grow SPECIES -o OUT`: a plant that grows by itself, at one age or at many ages one after the other.
 
-use super::common;
+use super::{common, inside};
 use crate::export::{self, pictures::fetch};
 use crate::growth::{Limits, Outcome, foliage};
 use crate::model::Model;
@@ -23,7 +23,12 @@ pub struct Args {
     /// Where the plant goes: .glb, .obj (with .mtl and textures), .json, or .png for a picture; may be given again.
     #[arg(short, long = "out", value_name = "FILE", required_unless_present = "list")]
     pub out: Vec<PathBuf>,
-    /// Age in years, 12.5 for half a year more than 12; the species' own if left out.
+    /// A volume that the plant fills: a closed mesh in metres (SHAPE.obj), box:2x3x2 or ellipsoid:2x3x2 (width, height,
+    /// depth) or sphere:1.5 (radius).
+    #[arg(long, value_name = "SHAPE")]
+    pub inside: Option<String>,
+    /// Age in years, 12.5 for half a year more than 12. Left out, it is the species' own, or with --inside when the volume
+    /// is full.
     #[arg(long, value_name = "YEARS")]
     pub age: Option<f32>,
     /// The plant at this many ages, evenly up to --age, each in a file with a number before the ending: an animation.
@@ -73,9 +78,23 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         limits.internodes = usize::try_from(most)?;
     }
     limits.seconds = args.max_seconds.unwrap_or(limits.seconds);
-    let grown = pipeline::grow(&species, &params, args.age, args.seed, limits)?;
+    let grown = match &args.inside {
+        None => pipeline::grow(&species, &params, args.age, args.seed, limits),
+        Some(shape) => {
+            let volume = inside::volume(shape)?;
+            pipeline::grow_inside(&species, &params, volume, args.age, args.seed, limits)
+        }
+    }?;
     if grown.outcome != Outcome::Growing {
         tracing::warn!("{name}: {} at the age of {} years", grown.outcome, grown.simulation.age());
+    }
+    let filled = inside::filled(&grown.simulation);
+    if args.inside.is_some() && args.age.is_none() && filled < inside::FILLED {
+        tracing::warn!(
+            "{name}: fills only {:.0} % of the volume; choose a smaller one, without parts that hang together by less than \
+             a shoot, or longer shoots, for instance --set habit.internode=0.5",
+            filled * 100.0
+        );
     }
     if foliage::is_thinned(&grown.plant.organs) {
         let most = foliage::MOST;

@@ -6,6 +6,7 @@ pub mod build;
 pub mod check;
 pub mod common;
 pub mod grow;
+pub mod inside;
 pub mod inspect;
 pub mod pen;
 pub mod render;

@@ -129,10 +129,10 @@ impl Markers {
     }
 
     fn occupy_in(&mut self, cell: usize, at: Vec3, radius: f32, (node, year): (u32, u16)) {
-        let (mut end, last) = (self.starts[cell] as usize, self.free_end[cell] as usize);
-        let mut found = Vec::new();
+        let (first, last) = (self.starts[cell] as usize, self.free_end[cell] as usize);
+        let (mut end, mut found) = (first, Vec::new());
         // In one pass, for a cell may hold all markers; the others keep their order.
-        for k in end..last {
+        for k in first..last {
             let marker = (self.at[k], self.rank[k]);
             if marker.0.distance_squared(at) > radius * radius {
                 (self.at[end], self.rank[end]) = marker;

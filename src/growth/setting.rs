@@ -111,6 +111,8 @@ pub(super) fn fitted(habit: &Habit, envelope: &Envelope, trunk: Option<f32>) -> 
 fn volume_of(envelope: &Envelope, extent: Vec3) -> f32 {
     match envelope {
         Envelope::Inflated(inflated) => inflated.volume(),
+        Envelope::Solid(solid) => solid.volume(),
+        Envelope::Box { .. } => extent.element_product(),
         _ => ROUND * extent.element_product(),
     }
 }

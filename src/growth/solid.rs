@@ -4,8 +4,8 @@
 //! columns of a grid over x and z, so a question looks at the triangles of one column. Edges seen from above are
 //! crossed or not by one rule that gives the same answer for both triangles of an edge, so no ray slips through a seam.
 //!
-//! Limits: at most [`MAX_TRIANGLES`] triangles and [`MAX_BYTES`] of text. Where the mesh cuts itself, what is covered
-//! twice counts as outside.
+//! Limits: at most [`MAX_TRIANGLES`] triangles and [`MAX_BYTES`] of text, and [`MAX_OVER`] triangles over each other. Where
+//! the mesh cuts itself, what is covered twice counts as outside.
 
 use glam::{DVec2, Vec3};
 use thiserror::Error;
@@ -14,6 +14,10 @@ use thiserror::Error;
 pub const MAX_TRIANGLES: usize = 2_000_000;
 /// Largest OBJ text that is read, bytes.
 pub const MAX_BYTES: usize = 256 << 20;
+/// Most triangles over each other, in the mean of all columns: so many are looked at for each question.
+pub const MAX_OVER: usize = 1000;
+/// Most entries in all columns together.
+const MOST_HELD: usize = 16 << 20;
 /// Columns along one side of the grid, at most.
 const MAX_COLUMNS: usize = 512;
 
@@ -95,6 +99,7 @@ pub struct Solid {
     cell: DVec2,
     starts: Vec<u32>,
     held: Vec<u32>,
+    volume: f32,
 }
 
 impl Solid {
@@ -154,7 +159,7 @@ impl Solid {
             .flatten()
             .map(|&i| points[i as usize])
             .fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(lo, hi), p| (lo.min(p), hi.max(p)));
-        check_volume(&points, &triangles, low, high, name)?;
+        let volume = volume_of(&points, &triangles, low, high, name)?;
         let mut solid = Self {
             points,
             triangles,
@@ -164,14 +169,25 @@ impl Solid {
             cell: DVec2::ONE,
             starts: Vec::new(),
             held: Vec::new(),
+            volume,
         };
         solid.sort_into_columns();
+        let over = solid.held.len() / (solid.columns[0] * solid.columns[1]);
+        if over > MAX_OVER {
+            let what = format!("{over} triangles over each other");
+            return Err(SolidError::Huge { name: owned(), what, most: MAX_OVER });
+        }
         Ok(solid)
     }
 
     /// Smallest and largest corner.
     pub fn bounds(&self) -> (Vec3, Vec3) {
         (self.low, self.high)
+    }
+
+    /// Cubic metres.
+    pub fn volume(&self) -> f32 {
+        self.volume
     }
 
     /// Whether a point lies inside.
@@ -210,17 +226,29 @@ impl Solid {
         [at(p.x, self.low.x, self.cell.x, self.columns[0]), at(p.z, self.low.z, self.cell.y, self.columns[1])]
     }
 
-    fn sort_into_columns(&mut self) {
-        let side = ((self.triangles.len() as f32).sqrt().ceil() as usize).clamp(1, MAX_COLUMNS);
+    /// Divides the grid into `side` columns along each side and gives the first and last column of every triangle.
+    fn spans(&mut self, side: usize) -> Vec<[[usize; 2]; 2]> {
         self.columns = [side, side];
         let size = self.high - self.low;
         self.cell = DVec2::new(f64::from(size.x), f64::from(size.z)) / side as f64;
-        let spans: Vec<[[usize; 2]; 2]> = (0..self.triangles.len() as u32)
-            .map(|t| {
-                let [a, b, c] = self.corners(t);
-                [self.column_of(a.min(b).min(c)), self.column_of(a.max(b).max(c))]
-            })
-            .collect();
+        let span = |t: u32| {
+            let [a, b, c] = self.corners(t);
+            [self.column_of(a.min(b).min(c)), self.column_of(a.max(b).max(c))]
+        };
+        (0..self.triangles.len() as u32).map(span).collect()
+    }
+
+    fn sort_into_columns(&mut self) {
+        let mut side = ((self.triangles.len() as f32).sqrt().ceil() as usize).clamp(1, MAX_COLUMNS);
+        let mut spans = self.spans(side);
+        let entries = |spans: &[[[usize; 2]; 2]]| -> usize {
+            spans.iter().map(|[[x0, z0], [x1, z1]]| (x1 - x0 + 1) * (z1 - z0 + 1)).sum()
+        };
+        // Many large triangles over each other fill all columns.
+        while side > 1 && entries(&spans) > MOST_HELD {
+            side /= 2;
+            spans = self.spans(side);
+        }
         let cells = |span: &[[usize; 2]; 2]| {
             let [[x0, z0], [x1, z1]] = *span;
             (z0..=z1).flat_map(move |z| (x0..=x1).map(move |x| z * side + x))
@@ -288,14 +316,14 @@ fn check_closed(points: &[Vec3], triangles: &[[u32; 3]], name: &str) -> Result<(
     Err(SolidError::Open { name: name.to_owned(), edges: 1 + open.count(), x, y, z })
 }
 
-/// The signed volume must be positive and more than a film.
-fn check_volume(
+/// The signed volume, which must be positive and more than a film.
+fn volume_of(
     points: &[Vec3],
     triangles: &[[u32; 3]],
     low: Vec3,
     high: Vec3,
     name: &str,
-) -> Result<(), SolidError> {
+) -> Result<f32, SolidError> {
     let middle = low.midpoint(high).as_dvec3();
     let six = triangles.iter().map(|t| {
         let [a, b, c] = t.map(|i| points[i as usize].as_dvec3() - middle);
@@ -310,7 +338,7 @@ fn check_volume(
     if volume < 0.0 {
         return fault("is inside out: its faces turn clockwise seen from outside", "flip its normals");
     }
-    Ok(())
+    Ok(volume as f32)
 }
 
 #[cfg(test)]

@@ -11,6 +11,36 @@ fn fault(text: &str) -> String {
 }
 
 #[test]
+fn the_volume_is_the_mesh_s_own() {
+    assert_eq!(Solid::from_obj(CUBE, "cube").unwrap().volume(), 1.0);
+    let ball = 4.0 / 3.0 * std::f32::consts::PI;
+    assert!((sphere(24).volume() / ball - 1.0).abs() < 0.02);
+}
+
+#[test]
+fn plates_over_each_other_are_bounded_in_memory_and_time() {
+    let plates = |count: usize| {
+        let (mut points, mut triangles) = (Vec::new(), Vec::new());
+        let cube = Solid::from_obj(CUBE, "cube").unwrap();
+        for k in 0..count {
+            let first = points.len() as u32;
+            points.extend(cube.points.iter().map(|p| Vec3::new(p.x, (p.y * 0.5 + k as f32) / 1e3, p.z)));
+            triangles.extend(cube.triangles.iter().map(|t| t.map(|i| i + first)));
+        }
+        Solid::new(points, triangles, "plates.obj")
+    };
+    let some = plates(100).unwrap();
+    assert!(some.contains(Vec3::new(0.5, 0.05025, 0.5)) && !some.contains(Vec3::new(0.5, 0.05075, 0.5)));
+    let message = plates(20_000).unwrap_err().to_string();
+    assert!(message.contains("over each other") && message.contains("simplify"), "{message}");
+}
+
+#[test]
+fn an_endless_text_is_refused_before_it_is_read() {
+    assert!(fault(&"#".repeat(MAX_BYTES + 1)).contains("bytes are more than"));
+}
+
+#[test]
 fn meshes_that_are_no_volume_are_refused_with_a_remedy() {
     assert!(fault("").contains("no face"));
     assert!(fault("v 0 0\nf x\n").starts_with("cube.obj: not a readable"));

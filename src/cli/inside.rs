@@ -1,0 +1,225 @@
+//! `--inside` of `grow`: the volume that a plant is to fill, a closed mesh or a simple body in words.
+//!
+//! Simple bodies stand on the ground over the origin. A mesh stays where it was modelled, in metres, y up; the trunk rises
+//! to it from the ground.
+
+use crate::growth::solid::MAX_BYTES;
+use crate::growth::{Envelope, Field, Simulation, Solid};
+use anyhow::{Context, Result, bail, ensure};
+use glam::Vec3;
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+use std::sync::Arc;
+
+/// Least and largest extent of a volume along an axis, metres: of what plants are.
+const EXTENT: (f32, f32) = (0.01, 150.0);
+/// Farthest corner from the origin along an axis, metres.
+const FARTHEST: f32 = 1000.0;
+/// Share of a volume from which it counts as filled.
+pub const FILLED: f32 = 0.5;
+/// How the argument may be written.
+const FORMS: &str = "write it as the path of an .obj file, box:2x3x2 or ellipsoid:2x3x2 (width, height, depth in \
+                     metres) or sphere:1.5 (radius in metres)";
+
+/// The volume of an argument of `--inside`.
+///
+/// # Errors
+/// A body that is written wrong, a file that cannot be read, or a mesh that is no volume for a plant.
+pub fn volume(text: &str) -> Result<Envelope> {
+    let volume = match text.split_once(':') {
+        Some(("box", sizes)) => sized(sizes).map(|size| {
+            let half = Vec3::new(0.5 * size.x, 0.0, 0.5 * size.z);
+            Envelope::Box { low: -half, high: half.with_y(size.y) }
+        }),
+        Some(("ellipsoid", sizes)) => {
+            sized(sizes).map(|size| Envelope::Ellipsoid { centre: Vec3::Y * 0.5 * size.y, radii: 0.5 * size })
+        }
+        Some(("sphere", radius)) => {
+            number(radius).map(|radius| Envelope::Sphere { centre: Vec3::Y * radius, radius })
+        }
+        _ if is_obj(text) => Some(Envelope::Solid(Arc::new(solid(text)?))),
+        _ => None,
+    };
+    let volume = volume.with_context(|| format!("--inside {text}: {FORMS}"))?;
+    if let Some((low, high)) = volume.bounds() {
+        check_size(text, low, high)?;
+    }
+    Ok(volume)
+}
+
+/// Share of a volume that a plant fills, by the markers of space in it that it occupies.
+pub fn filled(simulation: &Simulation) -> f32 {
+    match simulation.field() {
+        Field::Space(markers) => markers.occupied().count() as f32 / markers.len().max(1) as f32,
+        Field::Light(_) => 1.0,
+    }
+}
+
+fn is_obj(text: &str) -> bool {
+    Path::new(text).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("obj"))
+}
+
+fn number(text: &str) -> Option<f32> {
+    text.parse().ok().filter(|x: &f32| x.is_finite() && *x > 0.0)
+}
+
+/// `2x3x2` as width, height and depth.
+fn sized(text: &str) -> Option<Vec3> {
+    let sizes: Vec<f32> = text.split('x').map(number).collect::<Option<_>>()?;
+    <[f32; 3]>::try_from(sizes).ok().map(Vec3::from_array)
+}
+
+fn solid(path: &str) -> Result<Solid> {
+    let told = || format!("--inside {path}");
+    let mut bytes = Vec::new();
+    let file = File::open(path).with_context(told)?;
+    file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).with_context(told)?;
+    // Names and comments may be in any encoding; all that counts is plain.
+    Solid::from_obj(&String::from_utf8_lossy(&bytes), path).context("--inside")
+}
+
+fn check_size(text: &str, low: Vec3, high: Vec3) -> Result<()> {
+    let size = high - low;
+    let (least, most) = EXTENT;
+    if size.min_element() < least || size.max_element() > most {
+        bail!(
+            "--inside {text}: the volume is {} × {} × {} m, but each of these must be {least} to {most}: scale it, one \
+             unit of a mesh is a metre",
+            size.x,
+            size.y,
+            size.z
+        );
+    }
+    let far = low.abs().max(high.abs()).max_element();
+    ensure!(
+        far <= FARTHEST,
+        "--inside {text}: the volume reaches {far} m from the origin, more than {FARTHEST} m; move it to the origin"
+    );
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::growth::{Limits, Outcome};
+    use crate::pipeline;
+    use crate::species::Species;
+
+    /// A closed ring about the y axis, its middle line of radius `major`, as an OBJ file.
+    fn torus(major: f32, minor: f32, up: f32) -> String {
+        let (around, across) = (32, 16);
+        let angle = |k: usize, of: usize| k as f32 / of as f32 * std::f32::consts::TAU;
+        let mut text = String::from("# a ring, grün\n");
+        for i in 0..around {
+            for k in 0..across {
+                let ((s, c), (t, d)) = (angle(i, around).sin_cos(), angle(k, across).sin_cos());
+                let r = major + minor * d;
+                text += &format!("v {} {} {}\n", r * c, up + minor * t, r * s);
+            }
+        }
+        let at = |i: usize, k: usize| (i % around) * across + k % across + 1;
+        for i in 0..around {
+            for k in 0..across {
+                text += &format!("f {} {} {} {}\n", at(i, k), at(i, k + 1), at(i + 1, k + 1), at(i + 1, k));
+            }
+        }
+        text
+    }
+
+    fn told(text: &str) -> String {
+        crate::cli::one_line(&volume(text).unwrap_err())
+    }
+
+    #[test]
+    fn bodies_stand_on_the_ground() {
+        for text in ["box:2x3x1", "ellipsoid:2x3x1", "sphere:1.5"] {
+            let (low, high) = volume(text).unwrap().bounds().unwrap();
+            assert!(low.y == 0.0 && high.y == 3.0 && low.x == -high.x && low.z == -high.z, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_volume_is_one_clear_message() {
+        for wrong in
+            ["box:2x3", "box:2x3x0", "box:2x3xnan", "sphere:-1", "cube:1x1x1", "shape.stl", "", "sphere:"]
+        {
+            assert!(told(wrong).contains("write it as"), "{}", told(wrong));
+        }
+        assert!(
+            told("sphere:200").contains("scale it") && told("box:0.001x0.001x0.001").contains("scale it")
+        );
+        assert!(told("no-such-file.obj").contains("--inside no-such-file.obj: "));
+        let folder = tempfile::tempdir().unwrap();
+        let file = |text: &str| {
+            let path = folder.path().join("shape.obj");
+            std::fs::write(&path, text).unwrap();
+            told(path.to_str().unwrap())
+        };
+        let ring = torus(1.0, 0.3, 1.0);
+        let flipped: String = ring
+            .lines()
+            .map(|line| match line.strip_prefix("f ") {
+                Some(rest) => format!("f {}\n", rest.split(' ').rev().collect::<Vec<_>>().join(" ")),
+                None => format!("{line}\n"),
+            })
+            .collect();
+        let open = ring.rsplit_once("\nf ").unwrap().0;
+        for (text, expected) in [
+            ("", "there is no face"),
+            (open, "the mesh is open: 4 edges"),
+            (&flipped, "flip its normals"),
+            ("f 1 2 3\n", "shape.obj"),
+            (&torus(1000.0, 100.0, 0.0), "scale it"),
+            (&torus(1.0, 0.3, 5000.0), "move it to the origin"),
+        ] {
+            let message = file(text);
+            assert!(message.contains(expected) && !message.contains('\n'), "{expected}: {message}");
+        }
+    }
+
+    #[test]
+    fn a_volume_out_of_scale_is_not_filled() {
+        let species = Species::built_in("hazel").unwrap();
+        let params = pipeline::params_of_species(&species, &[]).unwrap();
+        let volume = volume("box:100x100x100").unwrap();
+        let grown = pipeline::grow_inside(&species, &params, volume, None, 3, Limits::default()).unwrap();
+        assert!(filled(&grown.simulation) < 0.1);
+    }
+
+    #[test]
+    fn a_plant_fills_a_volume_and_stays_inside() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("ring.OBJ");
+        std::fs::write(&path, torus(1.0, 0.35, 1.5)).unwrap();
+        let species = Species::built_in("box").unwrap();
+        let params = pipeline::params_of_species(&species, &[]).unwrap();
+        for text in [path.to_str().unwrap(), "box:1.5x1.5x1.5"] {
+            let volume = volume(text).unwrap();
+            let grown =
+                pipeline::grow_inside(&species, &params, volume.clone(), None, 3, Limits::default()).unwrap();
+            assert_eq!(grown.outcome, Outcome::Growing, "{text}");
+            assert!(filled(&grown.simulation) > FILLED, "{text}: {}", filled(&grown.simulation));
+            grown.simulation.check_envelope().unwrap();
+            let leaves = &grown.plant.organs;
+            assert!(leaves.len() > 1000, "{text}: {} leaves", leaves.len());
+            // Leaves stand on the bark, and shoots may cut a corner by a quarter of an internode.
+            let near = 0.25 * grown.simulation.habit().internode + 0.01;
+            let inside = |p: Vec3| {
+                let around = [Vec3::ZERO, Vec3::X, Vec3::NEG_X, Vec3::Y, Vec3::NEG_Y, Vec3::Z, Vec3::NEG_Z];
+                around.iter().any(|d| volume.contains(p + d * near))
+            };
+            let out = leaves.iter().filter(|leaf| !inside(leaf.base())).count();
+            assert_eq!(out, 0, "{text}: of {} leaves", leaves.len());
+            // All eight corners of the volume's box, or quarters of the ring, are grown into.
+            let (low, high) = volume.bounds().unwrap();
+            let middle = low.midpoint(high);
+            for corner in 0..4 {
+                let part =
+                    |p: Vec3| (p.x > middle.x) == (corner % 2 == 0) && (p.z > middle.z) == (corner / 2 == 0);
+                let here = leaves.iter().filter(|leaf| part(leaf.base())).count();
+                assert!(here * 8 > leaves.len(), "{text}: {here} of {} leaves", leaves.len());
+            }
+        }
+    }
+}
