@@ -80,6 +80,15 @@ pub enum ParamError {
     },
 }
 
+impl ParamError {
+    /// Path of the parameter, as it was given.
+    pub fn path(&self) -> &str {
+        match self {
+            Self::Unknown { path, .. } | Self::Type { path, .. } | Self::Range { path, .. } => path,
+        }
+    }
+}
+
 /// A struct whose fields are described parameters, or groups of them.
 pub trait Parameters: Serialize + DeserializeOwned {
     /// Appends the description of every field below `prefix`, in declaration order, with its value at an age as default.

@@ -80,6 +80,16 @@ pub enum SetupError {
     /// A volume without a place for anything.
     #[error("the volume is too thin to grow in; make it thicker")]
     NoRoom,
+    /// A parameter of a species cannot be used.
+    #[error("the species {file}, line {line}: {fault}")]
+    OfSpecies {
+        /// Its file.
+        file: String,
+        /// Line number, from 1.
+        line: usize,
+        /// What is wrong.
+        fault: ParamError,
+    },
     /// A parameter cannot be used.
     #[error("{whose}: {fault}")]
     Param {
@@ -110,7 +120,11 @@ pub fn species_of(sketch: &Sketch, folder: &Path) -> Result<Species, SpeciesErro
 pub fn params_of(sketch: &Sketch, species: &Species, assignments: &[String]) -> Result<Params, SetupError> {
     let by = |whose| move |fault| SetupError::Param { whose, fault };
     let mut overrides = Overrides::over(&Params::of_species(species));
-    overrides.merge(&species.params).map_err(by("the species"))?;
+    let of_species = |fault: ParamError| {
+        let written = &species.written;
+        SetupError::OfSpecies { file: written.file.clone(), line: written.line(fault.path()), fault }
+    };
+    overrides.merge(&species.params).map_err(of_species)?;
     overrides.merge_what_applies(&sketch.params, &ANY_SPECIES).map_err(by("the sketch"))?;
     for assignment in assignments {
         overrides.set_text(assignment).map_err(by("--set"))?;

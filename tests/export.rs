@@ -10,9 +10,13 @@ use gltf_json as json;
 use penstemon::export::pictures::fetch;
 use penstemon::export::read::{ReadFormat, from_bytes};
 use penstemon::export::{Encoded, ExportError, FORMATS, Scene, export, format_of, glb, load, plant_json};
+use penstemon::growth::Limits;
 use penstemon::model::quality::{Report, judge, judge_model};
 use penstemon::model::{Model, Vertex};
+use penstemon::pipeline;
 use penstemon::plant::{Plant, Texture};
+use penstemon::species::{Species, builtin_texture};
+use std::borrow::Cow;
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
@@ -114,6 +118,30 @@ fn mtl_names_materials_and_pictures_that_exist() {
     assert!(
         ["\nKa ", "\nKd ", "\nKs ", "\nNs ", "\nillum 2"].iter().all(|key| mtl.matches(key).count() == 3)
     );
+}
+
+#[test]
+fn a_grown_plant_is_wood_and_leaves() {
+    let species = Species::built_in("oak").unwrap();
+    let params = pipeline::params_of_species(&species, &[]).unwrap();
+    let grown = pipeline::grow(&species, &params, Some(3.0), 1, Limits::default()).unwrap();
+    let written = |file: &str| {
+        let built_in = |name: &str| builtin_texture(name).map(Cow::Borrowed);
+        let scene = Scene::new(&grown.model, &grown.plant, &built_in, Cow::Borrowed("oak")).unwrap();
+        format_of(Path::new(file)).unwrap().encode(&scene).unwrap().bytes
+    };
+    let obj = String::from_utf8(written("oak.obj")).unwrap();
+    let groups: Vec<&str> = obj.lines().filter_map(|line| line.strip_prefix("g ")).collect();
+    assert_eq!(groups, ["wood", "leaves"]);
+    let root = document(&written("oak.glb"));
+    let names = |names: Vec<Option<&String>>| {
+        let mut names: Vec<String> = names.into_iter().flatten().cloned().collect();
+        names.sort();
+        names
+    };
+    let with_mesh = root.nodes.iter().filter(|node| node.mesh.is_some());
+    assert_eq!(names(with_mesh.map(|node| node.name.as_ref()).collect()), ["leaves", "wood"]);
+    assert_eq!(names(root.meshes.iter().map(|mesh| mesh.name.as_ref()).collect()), ["leaves", "wood"]);
 }
 
 #[test]

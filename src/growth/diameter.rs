@@ -32,3 +32,32 @@ pub fn diameters(tree: &Tree, habit: &Habit, age: f32) -> Vec<f32> {
     }
     out
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::growth::{Limits, Simulation};
+
+    #[test]
+    fn at_every_fork_the_powers_of_the_diameters_add_up() {
+        for (pipe, pipe_leaf) in [(2.0, 0.0), (2.3, 0.0), (3.0, 0.4)] {
+            let habit = Habit { internode: 0.3, pipe, pipe_leaf, shed: 0.05.into(), ..Habit::default() };
+            let mut simulation = Simulation::new(&habit, 4, Limits::default());
+            simulation.grow_to(9, &|| false);
+            let tree = simulation.tree();
+            let power: Vec<f32> =
+                diameters(tree, &habit, 9.0).iter().map(|d| (d / habit.tip).powf(pipe)).collect();
+            let (mut carried, mut children) = (vec![0.0; tree.len()], vec![0; tree.len()]);
+            for i in (0..tree.len()).filter(|i| tree.nodes.parent[*i] != NONE) {
+                carried[tree.nodes.parent[i] as usize] += power[i];
+                children[tree.nodes.parent[i] as usize] += 1;
+            }
+            assert!(children.iter().filter(|count| **count > 1).count() > 50, "forks");
+            for i in 0..tree.len() {
+                // The wood of a tip is the thinnest; leaves add pipes of their own.
+                let expected = if children[i] == 0 { 1.0 } else { carried[i] } + pipe_leaf;
+                assert!((power[i] / expected - 1.0).abs() < 1e-3, "node {i}: {} of {expected}", power[i]);
+            }
+        }
+    }
+}

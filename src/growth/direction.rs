@@ -126,6 +126,21 @@ mod tests {
         assert!((turned(Arrangement::Spiral) - 137.5).abs() < 0.1);
         assert!((turned(Arrangement::Alternate) - 180.0).abs() < 0.1);
         assert!((turned(Arrangement::Opposite) - 90.0).abs() < 0.1);
+        assert!(
+            (turned(Arrangement::Whorl) - 137.5 / 4.0).abs() < 0.1,
+            "a whorl stands in the gaps of the last"
+        );
+        let on_a_branch = next_side(Vec3::X, Vec3::Y, Vec3::Y, 1, &habit(Arrangement::Whorl));
+        assert!(on_a_branch.abs_diff_eq(Vec3::X, 1e-5), "sprays of branches stay flat");
+        let count = |order| laterals_per_node(&habit(Arrangement::Whorl), order);
+        assert_eq!([count(0), count(1), count(2)], [4, 2, 2]);
+        let ring: Vec<Vec3> = laterals(Vec3::Y, Vec3::X, 1.0, 5).collect();
+        for (k, bud) in ring.iter().enumerate() {
+            assert!((bud.angle_between(Vec3::Y) - 1.0).abs() < 1e-4);
+            let flat = |v: Vec3| v.with_y(0.0);
+            let apart = flat(*bud).angle_between(flat(ring[(k + 1) % 5]));
+            assert!((apart - TAU / 5.0).abs() < 1e-4, "{apart}");
+        }
         let pair: Vec<Vec3> = laterals(Vec3::Y, Vec3::X, 0.5, 2).collect();
         assert!((pair[0].x + pair[1].x).abs() < 1e-5 && pair[0].x > 0.4);
         assert!(pair.iter().all(|d| (d.angle_between(Vec3::Y) - 0.5).abs() < 1e-4));

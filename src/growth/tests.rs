@@ -215,6 +215,45 @@ fn lambda_and_kappa_move_the_leader_monotonically() {
     assert!(kappa[..3].iter().all(|leader| *leader > 1.5 * kappa[3]), "{kappa:?}");
 }
 
+/// Lateral buds of each node of the trunk above its foot.
+fn laterals_of_the_trunk(simulation: &Simulation) -> Vec<usize> {
+    let tree = simulation.tree();
+    let of = |i: usize| {
+        (0..tree.buds.node.len()).filter(move |b| tree.buds.node[*b] == i as u32 && !tree.buds.apical[*b])
+    };
+    let trunk = (1..tree.len()).filter(|i| tree.nodes.order[*i] == 0);
+    trunk.map(|i| of(i).count()).collect()
+}
+
+#[test]
+fn ramification_is_the_share_of_nodes_with_buds() {
+    let grown_with = |ramification: f32| {
+        let habit = Habit { ramification: ramification.into(), shoot: 60, lambda: 0.9.into(), ..lit() };
+        grown(&habit, 30)
+    };
+    let bare = grown_with(0.0);
+    assert!(bare.tree().len() > 20 && bare.tree().nodes.order.iter().all(|order| *order == 0), "a whip");
+    assert!(laterals_of_the_trunk(&bare).iter().all(|count| *count == 0));
+    let share = |ramification| {
+        let counts = laterals_of_the_trunk(&grown_with(ramification));
+        counts.iter().filter(|count| **count > 0).count() as f32 / counts.len() as f32
+    };
+    assert!((share(0.5) - 0.5).abs() < 0.2 && share(1.0) == 1.0, "{} {}", share(0.5), share(1.0));
+}
+
+#[test]
+fn whorls_stand_at_the_end_of_each_year_s_shoot() {
+    let habit = Habit { arrangement: Arrangement::Whorl, laterals: 5, lambda: 0.8.into(), shoot: 4, ..lit() };
+    let simulation = grown(&habit, 9);
+    let tree = simulation.tree();
+    let trunk: Vec<usize> = (1..tree.len()).filter(|i| tree.nodes.order[*i] == 0).collect();
+    for (k, count) in laterals_of_the_trunk(&simulation).iter().enumerate() {
+        let ends = trunk.get(k + 1).is_none_or(|next| tree.nodes.born[*next] > tree.nodes.born[trunk[k]]);
+        assert_eq!(*count, if ends { 5 } else { 0 }, "node {k} of the trunk");
+    }
+    assert!(trunk.len() > 12);
+}
+
 #[test]
 fn schedules_change_one_plant_with_its_age() {
     let late = Schedule::new(vec![(0.0, 0.3), (5.0, 0.3), (6.0, -2.0)], -10.0, 10.0).unwrap();

@@ -5,6 +5,7 @@
 use super::builtin::{builtin_texture, texture_names};
 use super::looks::{FlowerLook, Species};
 use super::part::Part;
+use super::places::Places;
 use crate::plant::Texture;
 use crate::suggest::{did_you_mean, nearest};
 use std::path::{Path, PathBuf};
@@ -56,18 +57,22 @@ pub enum SpeciesError {
         reason: String,
     },
     /// A material's name would be ambiguous in exported files.
-    #[error("{file}: the material name `{name}` may hold only letters, digits and _; rename it")]
+    #[error("{file}, line {line}: the material name `{name}` may hold only letters, digits and _; rename it")]
     MaterialName {
         /// The file.
         file: String,
+        /// Line number, from 1.
+        line: usize,
         /// The refused name.
         name: String,
     },
     /// A section refers to a material that is not there.
-    #[error("{file}: {key}: there is no material `{name}`{}; add a section [materials.{name}]", did_you_mean(.nearest))]
+    #[error("{file}, line {line}: {key}: there is no material `{name}`{}; add a section [materials.{name}]", did_you_mean(.nearest))]
     NoMaterial {
         /// The file.
         file: String,
+        /// Line number, from 1.
+        line: usize,
         /// The key that refers to it.
         key: String,
         /// The missing material.
@@ -77,13 +82,15 @@ pub enum SpeciesError {
     },
     /// A material's texture is neither beside the file nor built in.
     #[error(
-        "{file}: materials.{material}.texture: `{texture}` is neither a file beside the species file nor a built-in \
+        "{file}, line {line}: materials.{material}.texture: `{texture}` is neither a file beside the species file nor a built-in \
          texture{}; write the path of a PNG or JPEG relative to the species file",
         did_you_mean(.nearest)
     )]
     NoTexture {
         /// The species file.
         file: String,
+        /// Line number, from 1.
+        line: usize,
         /// The material.
         material: String,
         /// The missing texture.
@@ -189,10 +196,18 @@ pub(super) fn parse(text: &str, file: &str, beside: Option<&Path>) -> Result<Spe
     let mut species: Species = toml::from_str(text).map_err(|error| invalid(text, file, &error))?;
     for (name, look) in &mut species.materials {
         if name.is_empty() || !name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') {
-            return Err(SpeciesError::MaterialName { file: file.to_owned(), name: name.clone() });
+            let line = Places::of(text).line(&format!("materials.{name}"), None);
+            return Err(SpeciesError::MaterialName { file: file.to_owned(), line, name: name.clone() });
         }
         if let Some(Texture::BuiltIn(texture)) = &look.texture {
-            look.texture = Some(resolve(texture, name, file, beside)?);
+            let found = resolve(texture, beside).ok_or_else(|| SpeciesError::NoTexture {
+                file: file.to_owned(),
+                line: Places::of(text).line(&format!("materials.{name}.texture"), None),
+                material: name.clone(),
+                texture: texture.to_string(),
+                nearest: nearest(texture, texture_names()).map(str::to_owned),
+            })?;
+            look.texture = Some(found);
         }
     }
     for (key, name) in species.references() {
@@ -201,33 +216,26 @@ pub(super) fn parse(text: &str, file: &str, beside: Option<&Path>) -> Result<Spe
             let nearest = nearest(name, known).map(str::to_owned);
             return Err(SpeciesError::NoMaterial {
                 file: file.to_owned(),
+                line: Places::of(text).line(&key, Some(name)),
                 key,
                 name: name.to_owned(),
                 nearest,
             });
         }
     }
+    file.clone_into(&mut species.written.file);
+    if !species.params.is_empty() {
+        species.written.params = Places::of(text).below("params");
+    }
     Ok(species)
 }
 
-fn resolve(
-    texture: &str,
-    material: &str,
-    file: &str,
-    beside: Option<&Path>,
-) -> Result<Texture, SpeciesError> {
+/// The picture of that name beside the file or among the built-in ones.
+fn resolve(texture: &str, beside: Option<&Path>) -> Option<Texture> {
     if let Some(path) = beside.map(|folder| folder.join(texture)).filter(|path| path.is_file()) {
-        return Ok(Texture::File(path));
+        return Some(Texture::File(path));
     }
-    if builtin_texture(texture).is_some() {
-        return Ok(Texture::BuiltIn(texture.to_owned()));
-    }
-    Err(SpeciesError::NoTexture {
-        file: file.to_owned(),
-        material: material.to_owned(),
-        texture: texture.to_owned(),
-        nearest: nearest(texture, texture_names()).map(str::to_owned),
-    })
+    builtin_texture(texture).is_some().then(|| Texture::BuiltIn(texture.to_owned()))
 }
 
 fn invalid(text: &str, file: &str, error: &toml::de::Error) -> SpeciesError {

@@ -50,7 +50,8 @@ fn numbers_out_of_range_are_refused_with_their_line() {
 fn a_missing_material_is_named_with_its_key() {
     let text = SMALLEST.replace("materials = \"green\"", "materials = [\"green\", \"gren\"]");
     let message = message(&text);
-    assert!(message.contains("leaf.materials") && message.contains("did you mean `green`?"), "{message}");
+    assert!(message.contains("weed.toml, line 9: leaf.materials"), "{message}");
+    assert!(message.contains("did you mean `green`?"), "{message}");
 }
 
 #[test]
@@ -58,7 +59,8 @@ fn a_missing_texture_is_named() {
     let text = SMALLEST.replace("color = \"#00ff00\"", "texture = \"petal_dasiy.png\"");
     let message = message(&text);
     assert!(
-        message.contains("materials.green.texture") && message.contains("`petal_daisy.png`?"),
+        message.contains("weed.toml, line 5: materials.green.texture")
+            && message.contains("`petal_daisy.png`?"),
         "{message}"
     );
 }
@@ -67,7 +69,21 @@ fn a_missing_texture_is_named() {
 fn broken_toml_and_materials_with_odd_names_are_refused() {
     assert!(message("name = ").contains("line 1"));
     let text = SMALLEST.replace("green =", "\"petal-picture\" =");
+    assert!(message(&text).contains("weed.toml, line 5: the material"), "{}", message(&text));
     assert!(message(&text).contains("`petal-picture` may hold only"), "{}", message(&text));
+}
+
+#[test]
+fn references_of_flowers_are_named_with_their_line() {
+    let mut text = include_str!("../../assets/species/mallow.toml").to_owned();
+    let section = text.find("[[flowers.stamens]]").unwrap();
+    let from = section + text[section..].find("material = \"").unwrap();
+    let to = from + text[from..].find('\n').unwrap();
+    text.replace_range(from..to, "material = \"golden\"");
+    let line = text[..from].matches('\n').count() + 1;
+    let message = message(&text);
+    assert!(message.contains(&format!("weed.toml, line {line}: flowers[0].stamens")), "{message}");
+    assert!(message.contains("`golden`"), "{message}");
 }
 
 #[test]

@@ -39,9 +39,28 @@ pub struct Species {
     pub pot: Option<PotLook>,
     /// How the plant grows by itself.
     pub growth: Option<Habit>,
+    /// Where it is written.
+    #[serde(skip)]
+    pub written: Written,
     /// The artist's own pictures, which replace every material of a part.
     #[serde(skip)]
     pub(super) pictures: BTreeMap<Part, PathBuf>,
+}
+
+/// Where a species is written, for messages about parameters, which are checked where all of them are known.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Written {
+    /// Name of the file.
+    pub file: String,
+    /// The lines of the parameters by their paths.
+    pub params: Vec<(String, usize)>,
+}
+
+impl Written {
+    /// The line of a parameter.
+    pub fn line(&self, path: &str) -> usize {
+        self.params.iter().find(|(key, _)| key == path).map_or(1, |(_, line)| *line)
+    }
 }
 
 /// A surface.

@@ -17,6 +17,7 @@ pub mod heart;
 pub mod looks;
 pub mod palette;
 pub mod part;
+mod places;
 pub mod pot;
 pub mod ranges;
 pub mod seat;

@@ -175,8 +175,9 @@ impl Told for BuildError {
     fn told(&self, messages: &Messages) -> String {
         match self {
             Self::Setup(SetupError::Species(error)) => error.told(messages),
-            Self::Setup(SetupError::Param { whose: "the species", fault }) => {
-                messages.fill(Msg::ErrorOfSpecies, &[("fault", &fault.told(messages))])
+            Self::Setup(SetupError::OfSpecies { file, line, fault }) => {
+                let fault = fault.told(messages);
+                messages.fill(Msg::ErrorOfSpecies, &[("file", file), ("line", line), ("fault", &fault)])
             }
             Self::Setup(SetupError::Param { whose: "the sketch", fault }) => {
                 messages.fill(Msg::ErrorOfSketch, &[("fault", &fault.told(messages))])
@@ -308,8 +309,9 @@ mod tests {
             Box::new(BuildError::Defect),
             Box::new(of_sketch(ParamError::Unknown { path: "7".to_owned(), nearest: None })),
             Box::new(of_sketch(ParamError::Unknown { path: "7".to_owned(), nearest: Some("8".to_owned()) })),
-            Box::new(BuildError::Setup(SetupError::Param {
-                whose: "the species",
+            Box::new(BuildError::Setup(SetupError::OfSpecies {
+                file: "/home/ann/7.toml".to_owned(),
+                line: 9,
                 fault: ParamError::Range { path: "7".to_owned(), value: 3.5, min: 0.0, max: 1.0 },
             })),
             Box::new(species(SpeciesError::Unknown {
