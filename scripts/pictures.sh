@@ -17,13 +17,9 @@ for species in $("$program" grow --list); do
     "$program" render "$grown/$species.glb" -o "$grown/$species.png" --size 300x300
 done
 python3 scripts/sheet.py 5 docs/images/grown.png "$grown"/*.png
-# Those that only grow have their pictures in the window from here.
-for file in assets/growth/*.toml; do
-    species=$(basename "$file" .toml)
-    python3 -c 'import sys; from PIL import Image; Image.open(sys.argv[1]).convert("RGBA").resize((160, 160), Image.LANCZOS).save(sys.argv[2], optimize=True)' \
-        "$grown/$species.png" "assets/species-thumbnails/$species.png"
-done
 rm -rf "$grown"
+# The pictures in the window of those that only grow.
+THUMBNAILS=write cargo test --release --quiet --test thumbnails -- every_species_looks_like_its_picture
 
 # XWD, as Xvfb keeps its screen, to PNG.
 png_of_screen() {
