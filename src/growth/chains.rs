@@ -50,40 +50,21 @@ impl Chains {
         if is_first { chain.foot } else { at[tree.nodes.parent[node] as usize] }
     }
 
-    /// Cuts off every internode that does not stay, with all that it carries.
-    pub fn retain(&mut self, stays: impl Fn(u32) -> bool) {
-        let mut number = vec![NONE; self.chains.len()];
-        let mut kept = Chains { of_node: vec![NONE; self.of_node.len()], ..Chains::default() };
-        for (c, chain) in self.chains.iter().enumerate() {
-            let nodes = &self.nodes[chain.range.0 as usize..chain.range.1 as usize];
-            if chain.parent.is_some_and(|_| kept.of_node[nodes[0] as usize] == NONE) {
-                continue;
-            }
-            let length = 1 + nodes[1..].iter().take_while(|node| stays(**node)).count();
-            if length < 2 {
-                continue;
-            }
-            number[c] = kept.chains.len() as u32;
-            let first = kept.nodes.len() as u32;
-            kept.nodes.extend(&nodes[..length]);
-            nodes[1..length].iter().for_each(|node| kept.of_node[*node as usize] = number[c]);
-            let parent = chain.parent.map(|parent| number[parent as usize]);
-            kept.chains.push(Chain { parent, range: (first, kept.nodes.len() as u32), ..*chain });
-        }
-        *self = kept;
+    /// The first node of a chain that is its own.
+    pub fn first(&self, chain: u32) -> u32 {
+        self.nodes[self.chains[chain as usize].range.0 as usize + 1]
     }
 }
 
-/// Follows the wood that lives at the end of a year and has these [`places`].
-pub fn chains(tree: &Tree, year: u16, at: &[Vec3], diameters: &[f32]) -> Chains {
+/// Follows the wood that lives and has these [`places`]. `lives` is for every node that has been born, in order; what
+/// stands on dead wood is dead.
+pub fn chains(tree: &Tree, lives: &[bool], at: &[Vec3], diameters: &[f32]) -> Chains {
     let nodes = &tree.nodes;
-    let born = nodes.born.partition_point(|b| *b <= year);
+    let born = lives.len();
     let mut next = vec![NONE; born];
-    for i in 0..born {
+    let living = || (0..born).filter(|i| nodes.parent[*i] != NONE && lives[*i]);
+    for i in living() {
         let parent = nodes.parent[i];
-        if parent == NONE || nodes.died[i] <= year {
-            continue;
-        }
         let held = &mut next[parent as usize];
         let thicker = |other: usize| {
             let continues = |k: usize| nodes.axis[k] == nodes.axis[parent as usize];
@@ -94,11 +75,11 @@ pub fn chains(tree: &Tree, year: u16, at: &[Vec3], diameters: &[f32]) -> Chains 
         }
     }
     let mut out = Chains { of_node: vec![NONE; born], ..Chains::default() };
-    for i in 0..born {
-        let parent = nodes.parent[i];
-        if parent == NONE || nodes.died[i] <= year || out.of_node[i] != NONE {
+    for i in living() {
+        if out.of_node[i] != NONE {
             continue;
         }
+        let parent = nodes.parent[i];
         let carrier = Some(out.of_node[parent as usize]).filter(|c| *c != NONE);
         let level = carrier.map_or(0, |c| out.chains[c as usize].level + 1);
         let (first, index) = (out.nodes.len() as u32, out.chains.len() as u32);
@@ -113,6 +94,12 @@ pub fn chains(tree: &Tree, year: u16, at: &[Vec3], diameters: &[f32]) -> Chains 
         out.chains.push(Chain { parent: carrier, level, range, foot: at[parent as usize] });
     }
     out
+}
+
+/// Whether each node that has been born by the end of a year lives then.
+pub fn living(tree: &Tree, year: u16) -> Vec<bool> {
+    let born = tree.nodes.born.partition_point(|born| *born <= year);
+    tree.nodes.died[..born].iter().map(|died| *died > year).collect()
 }
 
 /// Places of all nodes at an age: in the year that runs, new internodes have the share of their length that has passed.

@@ -24,7 +24,7 @@ impl Grown {
         let tree = simulation.tree();
         let diameters = diameter::diameters(tree, simulation.habit(), AGE);
         let at = chains::places(tree, AGE);
-        let chains = chains::chains(tree, AGE as u16, &at, &diameters);
+        let chains = chains::chains(tree, &chains::living(tree, AGE as u16), &at, &diameters);
         Self { chains, at, diameters, simulation }
     }
 

@@ -14,7 +14,7 @@
 //! | `vigour`, `priority` | who gets how much of it |
 //! | `direction`, `fate`, `shedding` | what buds and branches make of it |
 //! | `tree`, `skeleton`, `setting`, `simulation`, `limits` | the plant through the years |
-//! | `diameter`, `chains`, `whorls`, `rubbing`, `foliage`, `to_plant` | the plant of one age |
+//! | `diameter`, `chains`, `insertion`, `rubbing`, `pruning`, `foliage`, `to_plant` | the plant of one age |
 //! | `overlay` | what growth looks like from inside |
 //! | `drawing`, `lead`, `merge` | growth in a drawing: its wood goes on, its crowns are filled |
 //!
@@ -30,6 +30,7 @@ pub mod envelope;
 pub mod fate;
 pub mod foliage;
 pub mod inflated;
+pub mod insertion;
 pub mod lead;
 pub mod leaf;
 pub mod limits;
@@ -37,6 +38,7 @@ pub mod markers;
 pub mod merge;
 pub mod overlay;
 pub mod priority;
+pub mod pruning;
 pub mod rubbing;
 pub mod schedule;
 pub mod setting;
@@ -52,7 +54,6 @@ mod tests;
 pub mod to_plant;
 pub mod tree;
 pub mod vigour;
-pub mod whorls;
 
 pub use drawing::{GrowthParams, Memory, Start};
 pub use envelope::Envelope;

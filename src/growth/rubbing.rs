@@ -6,7 +6,7 @@
 //!
 //! Around a fork everything overlaps. What lies near to the fork along the wood is left to the joint.
 //!
-//! Limits: limbs that make the crown are spared, and cross. Chains are rounded after this; twigs may still touch where they
+//! Limits: two that both have to stay cross. Chains are rounded after this; twigs may still touch where they
 //! turn sharply.
 
 use super::chains::Chains;
@@ -21,26 +21,32 @@ const KEPT: f32 = 1.2;
 /// surfaces are joined, and of two that leave one carrier.
 const JOINED: f32 = 12.0;
 const BESIDE: f32 = 4.0;
-/// Wood thicker than this share of the thickest is spared.
-const SPARED: f32 = 0.25;
-/// Cuts off what would grow through thicker wood.
-pub fn part(chains: &mut Chains, tree: &Tree, at: &[Vec3], diameters: &[f32]) {
-    let spared = SPARED * diameters.iter().copied().fold(0.0, f32::max);
-    let wood = Wood { chains, tree, at, diameters, spared };
+
+/// The nodes at which wood has to be cut so that none grows through thicker wood, besides those that are cut already.
+/// What `stays` is never cut.
+pub fn cuts(
+    chains: &Chains,
+    tree: &Tree,
+    (at, diameters): (&[Vec3], &[f32]),
+    stays: impl Fn(u32) -> bool + Sync,
+    already: &[u32],
+) -> Vec<u32> {
+    let wood = Wood { chains, tree, at, diameters, stays };
     let mut pairs = wood.pairs();
     // The thickest wood decides first; among equals the oldest.
     let thickness = |pair: &(u32, u32)| diameters[pair.0 as usize];
     pairs.par_sort_unstable_by(|a, b| thickness(b).total_cmp(&thickness(a)).then(a.cmp(b)));
     let mut cut = vec![false; tree.len()];
+    already.iter().for_each(|node| cut[*node as usize] = true);
+    let mut cuts = Vec::new();
     for (stays, goes) in pairs {
         let is_cut = |node: u32| wood.down(node).any(|node| cut[node as usize]);
         if !is_cut(goes) && !is_cut(stays) {
             cut[goes as usize] = true;
+            cuts.push(goes);
         }
     }
-    if cut.contains(&true) {
-        chains.retain(|node| !cut[node as usize]);
-    }
+    cuts
 }
 
 /// An internode as a capsule.
@@ -51,16 +57,16 @@ struct Capsule {
     radius: f32,
 }
 
-struct Wood<'a> {
+struct Wood<'a, F> {
     chains: &'a Chains,
     tree: &'a Tree,
     at: &'a [Vec3],
     diameters: &'a [f32],
-    /// Diameter from which wood is never cut, metres.
-    spared: f32,
+    /// Whether the wood of a node is never cut.
+    stays: F,
 }
 
-impl Wood<'_> {
+impl<F: Fn(u32) -> bool + Sync> Wood<'_, F> {
     fn capsule(&self, node: u32) -> Capsule {
         let n = node as usize;
         let from = self.chains.below(n, self.tree, self.at);
@@ -89,11 +95,8 @@ impl Wood<'_> {
     /// Which of two overlapping internodes stays and which goes; `None` if both stay.
     fn verdict(&self, (i, a): (u32, Capsule), (j, b): (u32, Capsule)) -> Option<(u32, u32)> {
         let (thicker, thinner) = if b.radius > a.radius { (j, i) } else { (i, j) };
-        let stays_whole = |node: u32| {
-            (node as usize) < self.tree.drawn.len() || self.diameters[node as usize] > self.spared
-        };
-        let (stays, goes) = if stays_whole(thinner) { (thinner, thicker) } else { (thicker, thinner) };
-        if stays_whole(goes) {
+        let (stays, goes) = if (self.stays)(thinner) { (thinner, thicker) } else { (thicker, thinner) };
+        if (self.stays)(goes) {
             return None;
         }
         let (of_i, of_j) = (self.chains.of_node[i as usize], self.chains.of_node[j as usize]);
@@ -224,9 +227,15 @@ mod tests {
 
     fn branches(toward: f32) -> Vec<usize> {
         let (tree, at, diameters) = tree(toward);
-        let mut chains = chains(&tree, 1, &at, &diameters);
-        part(&mut chains, &tree, &at, &diameters);
-        chains.chains.iter().map(|c| (c.range.1 - c.range.0) as usize).collect()
+        let mut lives = vec![true; tree.len()];
+        let whole = chains(&tree, &lives, &at, &diameters);
+        let cuts = cuts(&whole, &tree, (&at, &diameters), |node| node <= 10, &[]);
+        cuts.iter().for_each(|cut| lives[*cut as usize..].fill(false));
+        chains(&tree, &lives, &at, &diameters)
+            .chains
+            .iter()
+            .map(|c| (c.range.1 - c.range.0) as usize)
+            .collect()
     }
 
     #[test]

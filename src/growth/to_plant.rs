@@ -7,9 +7,8 @@
 use super::chains::{self, Chain, Chains};
 use super::diameter;
 use super::foliage::{self, Wood};
-use super::rubbing;
+use super::pruning;
 use super::simulation::Simulation;
-use super::whorls;
 use crate::plant::{Branch, Material, Plant, WorldFromCanvas};
 use glam::{Vec2, Vec3};
 
@@ -30,10 +29,8 @@ pub fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) {
     let (tree, habit) = (simulation.tree(), simulation.habit());
     let age = if age.is_finite() { age.clamp(0.0, f32::from(simulation.age())) } else { 0.0 };
     let diameters = diameter::diameters(tree, habit, age);
-    let mut at = chains::places(tree, age);
-    let mut chains = chains::chains(tree, age.ceil() as u16, &at, &diameters);
-    whorls::spread(&mut chains, tree, &mut at, &diameters);
-    rubbing::part(&mut chains, tree, &at, &diameters);
+    let places = chains::places(tree, age);
+    let (chains, at) = pruning::pruned(tree, age.ceil() as u16, &places, &diameters, habit.pipe);
     let branch = |chain: &Chain| branch_of(chain, &chains, &at, &diameters, habit.flare);
     let branches = chains.chains.iter().map(branch).collect();
     let wood = Wood {
@@ -46,6 +43,7 @@ pub fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) {
         seed: simulation.seed(),
         envelope: simulation.envelope(),
     };
+
     let plant = Plant {
         world_from_canvas: WorldFromCanvas { scale: 1.0, origin: Vec2::ZERO },
         branches,

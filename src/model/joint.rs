@@ -28,6 +28,8 @@ const LONGEST: f32 = 2.5;
 
 /// Least angle between a parent and the foot of a branch, radians: 50°.
 const ASLANT: f32 = 0.873;
+/// How far the window reaches beyond the first ring, as a multiple of how far that reaches along the parent.
+const OVERHANG: f32 = 1.1;
 /// Widest window, as the sine of half its angle around the parent: beyond this the bark falls away from the branch.
 const WIDEST: f32 = 0.85;
 /// Least sine of the angle at which a branch is followed back into the bark.
@@ -73,11 +75,12 @@ pub(super) fn exit(branch: &mut [Ring], parent: &[Ring], parent_arcs: &[f32]) ->
     way.follow(branch);
     let (ring, arc) = way.exit.filter(|(ring, arc)| way.length - arc >= SHORTEST * ring.radius)?;
     let (ring, foot) = on.lean(ring, &way.near);
-    let (across, _) = foot.off_axis(ring.at);
+    let (across, along) = foot.off_axis(ring.at);
     let axis = foot.ring.tangent;
     let slant = ring.tangent.cross(axis).length();
     let collar = COLLAR * ring.radius;
-    let half_length = collar / slant.max(1.0 / LONGEST);
+    // Not shorter than what the first ring overhangs.
+    let half_length = (collar / slant.max(1.0 / LONGEST)).max(OVERHANG * (along.abs() + collar * slant));
     let end = parent_arcs[parent_arcs.len() - 1];
     Some(Exit {
         ring,
@@ -224,8 +227,10 @@ impl Foot {
     fn clearance(&self, ring: &Ring) -> f32 {
         let (across, along) = self.off_axis(ring.at);
         let collar = COLLAR * ring.radius;
-        let inner = collar * ring.tangent.dot(self.ring.tangent).abs();
-        (across.length() - inner - (1.0 + CLEAR) * self.ring.radius).max(along - self.left - collar)
+        let away = across.length();
+        let facing = ring.tangent.dot(across) / away.max(f32::MIN_POSITIVE);
+        let inner = collar * (1.0 - facing * facing).max(0.0).sqrt();
+        (away - inner - (1.0 + CLEAR) * self.ring.radius).max(along - self.left - collar)
     }
 }
 

@@ -1,0 +1,93 @@
+//! Wood without room is cut: the chains of an age, and places for all of them.
+//!
+//! Branches that find no bark to stand on ([`insertion`]), and those that would grow through thicker ones ([`rubbing`]),
+//! are cut with all that they carry. Where a carrier is cut short, the thickest of what is left on its end goes on with
+//! it, so chains are followed anew after that.
+//!
+//! Drawn wood and limbs that make the crown are never cut.
+
+use super::chains::{Chains, chains, living};
+use super::insertion;
+use super::rubbing;
+use super::tree::{NONE, Tree};
+use glam::Vec3;
+
+/// Wood thicker than this share of the one trunk that could stand for all is spared.
+const SPARED: f32 = 0.25;
+/// How often what is left is looked at again: what is cut makes room, but chains that go on elsewhere want some.
+const ROUNDS: usize = 2;
+
+/// The wood that lives at the end of a year and has these [`places`](super::chains::places), pruned; and the places
+/// where it then stands.
+pub fn pruned(tree: &Tree, year: u16, places: &[Vec3], diameters: &[f32], pipe: f32) -> (Chains, Vec<Vec3>) {
+    let mut lives = living(tree, year);
+    let spared = SPARED * trunk_for_all(tree, diameters, pipe);
+    let stays = |node: u32| (node as usize) < tree.drawn.len() || diameters[node as usize] > spared;
+    for _ in 0..ROUNDS {
+        let (wood, at, crowded) = settled(tree, &lives, places, diameters);
+        let mut cut: Vec<u32> = crowded.iter().map(|c| wood.first(*c)).filter(|node| !stays(*node)).collect();
+        cut.extend(rubbing::cuts(&wood, tree, (&at, diameters), stays, &cut));
+        if cut.is_empty() {
+            return (wood, at);
+        }
+        fell(tree, &mut lives, &cut);
+    }
+    let (wood, at, _) = settled(tree, &lives, places, diameters);
+    (wood, at)
+}
+
+/// The chains of what lives, the places of their nodes once each has found its stand, and the chains that found none.
+fn settled(tree: &Tree, lives: &[bool], places: &[Vec3], diameters: &[f32]) -> (Chains, Vec<Vec3>, Vec<u32>) {
+    let mut at = places.to_vec();
+    let mut wood = chains(tree, lives, &at, diameters);
+    let crowded = insertion::settle(&mut wood, tree, &mut at, diameters);
+    (wood, at, crowded)
+}
+
+/// Ends the life of some nodes and of all that stands on them.
+fn fell(tree: &Tree, lives: &mut [bool], cut: &[u32]) {
+    cut.iter().for_each(|node| lives[*node as usize] = false);
+    for n in 0..lives.len() {
+        let parent = tree.nodes.parent[n];
+        lives[n] &= parent == NONE || lives[parent as usize];
+    }
+}
+
+/// The diameter of the one trunk that could carry what all trunks carry, by the pipe model of exponent `pipe`.
+fn trunk_for_all(tree: &Tree, diameters: &[f32], pipe: f32) -> f32 {
+    let stands_on_foot = |n: &usize| {
+        let below = tree.nodes.parent[*n];
+        below != NONE && tree.nodes.parent[below as usize] == NONE
+    };
+    let trunks = (0..diameters.len()).filter(stands_on_foot);
+    trunks.map(|trunk| diameters[trunk].powf(pipe)).sum::<f32>().powf(1.0 / pipe)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::growth::tree::NewNode;
+    use glam::vec3;
+
+    #[test]
+    fn where_a_branch_is_cut_its_side_shoot_goes_on() {
+        let mut tree = Tree::default();
+        let mut last = tree.add_foot(Vec3::ZERO, Vec3::X);
+        let mut add = |parent, at, lateral| tree.add(NewNode { parent, at, side: Vec3::X, lateral, year: 1 });
+        let mut trunk = vec![last];
+        for k in 1..=10u8 {
+            last = add(last, Vec3::Y * 0.3 * f32::from(k), false);
+            trunk.push(last);
+        }
+        let branch = add(trunk[6], vec3(0.6, 1.9, 0.0), true);
+        let into_trunk = add(branch, vec3(0.0, 2.8, 0.0), false);
+        let beyond = add(into_trunk, vec3(-0.2, 2.9, 0.0), false);
+        let side = add(branch, vec3(1.0, 2.2, 0.2), true);
+        let at = tree.nodes.at.clone();
+        let diameters: Vec<f32> = (0..tree.len()).map(|n| if n <= 10 { 0.15 } else { 0.03 }).collect();
+        let (wood, placed) = pruned(&tree, 1, &at, &diameters, 2.3);
+        assert_eq!(wood.nodes[11..], [trunk[6], branch, side], "{:?}", wood.chains);
+        assert!(wood.of_node[into_trunk as usize] == NONE && wood.of_node[beyond as usize] == NONE);
+        assert_eq!(placed, at, "there was room for all");
+    }
+}
