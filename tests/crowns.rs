@@ -201,6 +201,25 @@ fn the_front_of_a_plant_is_the_crown_that_was_drawn() {
 }
 
 #[test]
+fn a_hollow_crown_looks_the_same_and_is_empty_inside() {
+    let round = vec![circle(Vec2::new(0.0, 3.0), 2.0)];
+    let [solid, hollow] = ["growth.hollow=0", "growth.hollow=0.75"].map(|set| {
+        let sketch = drawing("box", &round, true);
+        let built = build(&sketch, &[set]);
+        let crown = depth::crowns(&built.anatomy, &built.plant.world_from_canvas);
+        let (low, high) = Region::new(crown[0].clone()).bounds().unwrap();
+        let (centre, radius) = (low.midpoint(high).extend(0.0), 0.5 * (high.x - low.x));
+        let inside = |organ: &&penstemon::plant::Organ| organ.base().distance(centre) < 0.6 * radius;
+        let (share, outside) = agreement(&built);
+        assert!(share >= 0.85 && outside <= 0.04, "{set}: {share}, {outside} outside");
+        (built.plant.organs.iter().filter(inside).count(), built.plant.organs.len())
+    });
+    assert!(solid.0 > solid.1 / 20, "{} of {} leaves are inside of a solid crown", solid.0, solid.1);
+    assert_eq!(hollow.0, 0, "of {} leaves", hollow.1);
+    assert!(hollow.1 > solid.1 / 3 && hollow.1 < solid.1, "{} and {} leaves", hollow.1, solid.1);
+}
+
+#[test]
 fn a_seedling_fills_the_volume_of_an_outline_and_nothing_else() {
     for (name, outlines, _) in outlines().into_iter().take(5) {
         let lowest = outlines.iter().flatten().map(|p| p.y).fold(f32::INFINITY, f32::min);
@@ -387,6 +406,19 @@ fn without_a_crown_nothing_grows_until_years_are_asked_for() {
     let grown = build(&sketch, &["growth.years=8"]);
     assert!(grown.plant.branches.len() > 10 && grown.plant.organs.len() > 50);
     assert_eq!(grown.growth.unwrap().shown, 8.0);
+    sketch.species = Some("cypress".to_owned());
+    let size = |years: &str| {
+        let points = build(&sketch, &[years]).plant.branches.into_iter().flat_map(|b| b.points);
+        let (low, high) = points.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
+        high - low
+    };
+    assert_eq!(
+        build(&sketch, &[]).growth,
+        None,
+        "a species' own crown is filled only when years are asked for"
+    );
+    let column = size("growth.years=20");
+    assert!(column.y > 2.0 * column.x.max(column.z), "drawn trunks keep their species' crown: {column}");
     sketch.species = Some("daisy".to_owned());
     assert_eq!(build(&sketch, &["growth.years=8"]).growth, None, "daisies do not say how they grow");
 }

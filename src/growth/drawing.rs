@@ -25,6 +25,8 @@ crate::parameters! {
         years: f32 = -1.0, -1.0..=200.0, "years";
         /// How deep a drawn crown is; 1 is as deep as it is wide.
         depth: f32 = 1.0, 0.1..=3.0, "";
+        /// How hollow a drawn crown is: 0 grows through, 0.8 leaves a shell of a fifth of its radius.
+        hollow: f32 = 0.0, 0.0..=0.9, "";
         /// How fine wood and leaves are in a drawn crown: 2 is twice as fine and several times as heavy.
         fineness: f32 = 1.0, 0.4..=2.0, "";
     }
@@ -49,6 +51,7 @@ pub struct Start {
     /// Closed outlines of crowns, metres.
     crowns: Vec<Vec<Vec2>>,
     depth: f32,
+    hollow: f32,
     seed: u64,
     limits: Limits,
 }
@@ -66,12 +69,13 @@ impl Start {
     ) -> Self {
         let mut habit = habit.scaled(height / habit.height);
         habit.fineness *= params.fineness;
-        Self { habit, wood, crowns, depth: params.depth, seed, limits: LIMITS }
+        Self { habit, wood, crowns, depth: params.depth, hollow: params.hollow, seed, limits: LIMITS }
     }
 
     /// The plant before its first year.
     fn begin(&self) -> Kept {
-        let crown = Inflated::new(self.crowns.clone(), self.depth).map(Arc::new);
+        let crown = Inflated::new(self.crowns.clone(), self.depth);
+        let crown = crown.map(|crown| Arc::new(crown.hollowed(self.hollow)));
         let mut seated = self.wood.clone();
         if let Some(crown) = &crown {
             lead::draw_in(&mut seated, crown);
@@ -80,6 +84,7 @@ impl Start {
         if let Some(crown) = &crown {
             lead::lead(&mut wood, crown);
         }
+        let is_bound = crown.is_some();
         let envelope = crown.map_or(Envelope::Free, Envelope::Inflated);
         let plant = Plant {
             world_from_canvas: WorldFromCanvas { scale: 1.0, origin: Vec2::ZERO },
@@ -89,7 +94,7 @@ impl Start {
             materials: Vec::new(),
         };
         let simulation = Simulation::from_skeleton(&self.habit, &plant, envelope, self.seed, self.limits);
-        Kept { start: self.clone(), seated, simulation, ended: Outcome::Growing }
+        Kept { start: self.clone(), seated, simulation, is_bound, ended: Outcome::Growing }
     }
 }
 
@@ -118,6 +123,8 @@ struct Kept {
     start: Start,
     seated: Vec<Branch>,
     simulation: Simulation,
+    /// Whether a drawn crown bounds it.
+    is_bound: bool,
     ended: Outcome,
 }
 
@@ -137,10 +144,9 @@ impl Memory {
     pub fn grow(&mut self, start: &Start, years: Option<f32>, stop: &dyn Fn() -> bool) -> Option<Grown<'_>> {
         let known = self.last.take().filter(|kept| kept.start == *start);
         let kept = self.last.insert(known.unwrap_or_else(|| start.begin()));
-        let Kept { seated, simulation, ended, .. } = kept;
+        let Kept { seated, simulation, is_bound, ended, .. } = kept;
         // Crowns that enclose nothing bind nothing: then all there is is what was drawn.
-        let unbound = simulation.envelope().bounds().is_none().then_some(0.0);
-        let years = years.or(unbound);
+        let years = years.or((!*is_bound).then_some(0.0));
         let wanted = |s: &Simulation| match years {
             Some(years) => f32::from(s.age()) < years,
             None => filled_at(s.tree(), s.age()).is_none(),

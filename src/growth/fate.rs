@@ -2,7 +2,7 @@
 //!
 //! A bud that gets the resource v ≥ 1 grows ⌊v⌋ internodes of length v/⌊v⌋ (001 §2.3.1). With less it waits; a bud that
 //! has waited too long is aborted. On a plant of flowering age the apical bud of a weak shoot may become a flower, which
-//! ends its axis.
+//! ends its axis, and so may a lateral bud that would not grow.
 
 use super::species::Habit;
 use crate::random::mix;
@@ -46,12 +46,9 @@ pub fn shoot(v: f32, most: u32) -> Option<(u32, f32)> {
 
 /// The fate of a bud in one year; [`Fate::Dormant`] leaves it open.
 pub fn decide(bud: &Waiting, habit: &Habit) -> Fate {
-    let weak = bud.v < habit.flower_below;
-    if bud.apical
-        && weak
-        && bud.age >= habit.flower_age
-        && unit(mix(bud.key, 11)) < habit.flowering.at(bud.age)
-    {
+    let (weak, share) =
+        if bud.apical { (habit.flower_below, &habit.flowering) } else { (1.0, &habit.flowering_side) };
+    if bud.v < weak && bud.age >= habit.flower_age && unit(mix(bud.key, 11)) < share.at(bud.age) {
         return Fate::Flower;
     }
     if bud.v >= 1.0 {
@@ -87,6 +84,12 @@ mod tests {
         assert_eq!(decide(&bud, &habit), Fate::Dormant);
         assert_eq!(decide(&Waiting { waited: 3, ..bud }, &habit), Fate::Aborted);
         assert_eq!(decide(&Waiting { v: 2.0, ..bud }, &habit), Fate::Shoot);
-        assert_eq!(decide(&Waiting { age: 20.0, ..bud }, &habit), Fate::Flower);
+        let of_age = Waiting { age: 20.0, ..bud };
+        assert_eq!(decide(&of_age, &habit), Fate::Flower);
+        assert_eq!(decide(&Waiting { apical: false, ..of_age }, &habit), Fate::Dormant);
+        let spurs = Habit { flowering_side: 1.0.into(), flower_below: 9.0, ..habit };
+        assert_eq!(decide(&Waiting { apical: false, ..of_age }, &spurs), Fate::Flower);
+        let strong = Waiting { v: 2.0, apical: false, ..of_age };
+        assert_eq!(decide(&strong, &spurs), Fate::Shoot, "a lateral bud that can grow does");
     }
 }

@@ -143,7 +143,7 @@ fn from_end(wood: &Wood<'_>) -> Vec<u8> {
 }
 
 /// The leaf as long as a drawn or modelled volume has room for.
-fn held(mut blade: Blade, envelope: &Envelope) -> Option<Blade> {
+pub(super) fn held(mut blade: Blade, envelope: &Envelope) -> Option<Blade> {
     if matches!(envelope, Envelope::Free | Envelope::Crown(_)) {
         return Some(blade);
     }

@@ -5,6 +5,9 @@
 //! raster by successive over-relaxation; what counts as inside the outline is decided by the outline itself, so the
 //! silhouette is exact whatever the raster. Several outlines are filled even–odd: one inside another is a hole.
 //!
+//! u − (z/depth)² is 0 on the surface and rises inward, in a sphere by the square of the radius; where it exceeds a share
+//! of its largest value the volume may be hollow. Thin parts have no hollow.
+//!
 //! Source: the idea of inflating a silhouette by a harmonic height is common in sketch modelling; the papers of this
 //! program name the volume (001 ch. 3) but take its depth from a network.
 //! Limits: details of the depth finer than the raster, [`RASTER`] cells along the longer side, are smoothed.
@@ -29,6 +32,8 @@ pub struct Inflated {
     squared: Vec<f32>,
     depth: f32,
     deepest: f32,
+    /// Value of u − (z/depth)² from which the inside is empty.
+    core: f32,
 }
 
 impl std::fmt::Debug for Inflated {
@@ -54,11 +59,26 @@ impl Inflated {
         // A rim of outside cells carries u = 0.
         let size = [extent.x, extent.y].map(|e| (e / cell).ceil() as usize + 2);
         let low = low - cell;
-        let mut inflated =
-            Self { regions, low, cell, size, squared: vec![0.0; size[0] * size[1]], depth, deepest: 0.0 };
+        let mut inflated = Self {
+            regions,
+            low,
+            cell,
+            size,
+            squared: vec![0.0; size[0] * size[1]],
+            depth,
+            deepest: 0.0,
+            core: f32::INFINITY,
+        };
         inflated.solve();
         inflated.deepest = inflated.squared.iter().copied().fold(0.0, f32::max).sqrt() * depth;
         (inflated.deepest > 0.0).then_some(inflated)
+    }
+
+    /// The same with an empty core: in a sphere a sphere of this share of its radius, below 1. 0 is solid.
+    pub fn hollowed(mut self, share: f32) -> Self {
+        let largest = (self.deepest / self.depth).powi(2);
+        self.core = if share > 0.0 { largest * (1.0 - share.min(1.0).powi(2)) } else { f32::INFINITY };
+        self
     }
 
     /// Whether a point of the drawing lies inside the outlines.
@@ -80,7 +100,12 @@ impl Inflated {
 
     /// Whether a point lies inside the volume.
     pub fn contains(&self, p: Vec3) -> bool {
-        p.is_finite() && p.z.abs() <= self.half_depth(p.truncate()) && self.covers(p.truncate())
+        let half = self.half_depth(p.truncate());
+        p.is_finite() && p.z.abs() <= half && !self.is_in_core(half, p.z) && self.covers(p.truncate())
+    }
+
+    fn is_in_core(&self, half_depth: f32, z: f32) -> bool {
+        half_depth * half_depth - z * z > self.core * self.depth * self.depth
     }
 
     /// Largest half depth.
@@ -90,7 +115,8 @@ impl Inflated {
 
     /// Cubic metres, by the raster.
     pub fn volume(&self) -> f32 {
-        2.0 * self.depth * self.cell * self.cell * self.squared.iter().map(|u| u.sqrt()).sum::<f32>()
+        let wood = self.squared.iter().map(|u| u.sqrt() - (u - self.core).max(0.0).sqrt());
+        2.0 * self.depth * self.cell * self.cell * wood.sum::<f32>()
     }
 
     /// Smallest and largest corner.

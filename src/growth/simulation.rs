@@ -17,7 +17,7 @@ use super::setting::{Field, field_for, fitted, lowest, perception};
 use super::shadow::{Change, Shadow};
 use super::shedding;
 use super::skeleton;
-use super::species::{Arrangement, Control, Habit, Resource};
+use super::species::{Arrangement, Control, CrownHabit, Habit, Resource};
 use super::tree::{NONE, NewNode, Tree};
 use super::vigour::Flow;
 use crate::plant::Plant;
@@ -63,15 +63,7 @@ pub struct Simulation {
 impl Simulation {
     /// A seed at the origin that grows in the species' own crown, or freely where it has none.
     pub fn new(habit: &Habit, seed: u64, limits: Limits) -> Self {
-        let envelope = match &habit.crown {
-            Some(crown) => Envelope::Crown(Arc::new(Crown {
-                foot: Vec3::ZERO,
-                profile: crown.radii(),
-                lumps: crown.lumps,
-                seed,
-            })),
-            None => Envelope::Free,
-        };
+        let envelope = own_crown(habit, Vec3::ZERO, seed);
         let mut tree = Tree::default();
         skeleton::sow(&mut tree, habit, Vec3::ZERO, seed);
         let field = field_for(habit, habit.resource, &envelope, limits, seed);
@@ -98,7 +90,8 @@ impl Simulation {
         Self::begin(habit, envelope, field, limits, seed, tree)
     }
 
-    /// A plant that goes on from drawn branches, freely or inside a volume. A plant without branches is a seed.
+    /// A plant that goes on from drawn branches, inside a volume or, where that is everywhere, in the species' own crown.
+    /// A plant without branches is a seed.
     pub fn from_skeleton(
         habit: &Habit,
         plant: &Plant,
@@ -113,9 +106,12 @@ impl Simulation {
             };
         }
         let thickest = plant.branches.iter().flat_map(|b| &b.radii).copied().fold(0.0, f32::max);
-        let (habit, resource) = match envelope {
-            Envelope::Free => (habit.clone(), Resource::Light),
-            _ => (fitted(habit, &envelope, Some(2.0 * thickest)), Resource::Space),
+        let (habit, envelope, resource) = match envelope {
+            Envelope::Free => {
+                let foot = plant.branches[0].points.first().copied().unwrap_or_default();
+                (habit.clone(), own_crown(habit, foot, seed), habit.resource)
+            }
+            volume => (fitted(habit, &volume, Some(2.0 * thickest)), volume, Resource::Space),
         };
         let tree = skeleton::of_plant(plant, &habit, seed);
         let field = field_for(&habit, resource, &envelope, limits, seed);
@@ -447,4 +443,10 @@ fn cast_anew(shadow: &mut Shadow, tree: &Tree, year: u16, most: usize) {
         // There was room before.
         let _ = shadow.cast(tree.nodes.at[i], Change::Grown, most);
     }
+}
+
+/// The crown that a species keeps within, on its foot; everywhere if it has none.
+fn own_crown(habit: &Habit, foot: Vec3, seed: u64) -> Envelope {
+    let crown = |of: &CrownHabit| Crown { foot, profile: of.radii(), lumps: of.lumps, seed };
+    habit.crown.as_ref().map_or(Envelope::Free, |of| Envelope::Crown(Arc::new(crown(of))))
 }

@@ -159,8 +159,14 @@ crate::growth_table! {
         flower_age: f32 = 10.0, 0.0..=1000.0, "years";
         /// Share of the weak shoots that end in flowers.
         flowering: Schedule = 0.0, 0.0..=1.0, "";
+        /// Share of the lateral buds without a shoot that flower instead.
+        flowering_side: Schedule = 0.0, 0.0..=1.0, "";
         /// Resource below which a shoot is weak.
         flower_below: f32 = 1.0, 0.0..=20.0, "";
+        /// Years in which one place flowers.
+        flower_years: u32 = 1, 1..=100, "years";
+        /// Flowers at one place.
+        flower_cluster: u32 = 1, 1..=30, "";
         /// Resource per internode below which a branch is shed.
         shed: Schedule = 0.1, 0.0..=10.0, "";
         /// Years that a branch has before it may be shed.

@@ -4,6 +4,7 @@
 //! they turn noticeably. Trunks widen at their foot. The materials are two, wood and leaf, until a species dresses the
 //! plant.
 
+use super::bloom;
 use super::chains::{self, Chain, Chains};
 use super::diameter;
 use super::foliage::{self, Wood};
@@ -43,12 +44,13 @@ pub fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) {
         seed: simulation.seed(),
         envelope: simulation.envelope(),
     };
-
+    let mut organs = foliage::leaves(&wood, &habit.leaf);
+    organs.extend(bloom::buds(&wood, habit));
     let plant = Plant {
         world_from_canvas: WorldFromCanvas { scale: 1.0, origin: Vec2::ZERO },
         branches,
         flowers: Vec::new(),
-        organs: foliage::leaves(&wood, &habit.leaf),
+        organs,
         materials: vec![Material::plain("wood", [0.3, 0.2, 0.12]), Material::plain("leaf", [0.1, 0.3, 0.05])],
     };
     debug_assert_eq!(plant.check_invariants(), Ok(()));

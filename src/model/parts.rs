@@ -289,6 +289,7 @@ fn next(counter: &mut usize) -> usize {
 fn kind_name(kind: OrganKind) -> &'static str {
     match kind {
         OrganKind::Leaf => "leaf",
+        OrganKind::Bud => "bud",
         OrganKind::Petal => "petal",
         OrganKind::Sepal => "sepal",
         OrganKind::Receptacle => "receptacle",

@@ -82,6 +82,8 @@ pub struct Flower {
 pub enum OrganKind {
     /// Green blade on a branch.
     Leaf,
+    /// Flower of a grown plant that the looks of a species have yet to open.
+    Bud,
     /// Coloured blade of a flower.
     Petal,
     /// Green blade behind the petals.

@@ -32,6 +32,7 @@ pub(super) fn tint(kind: PartKind, level: usize, name: &str) -> Tint {
         PartKind::Wood => WOOD[level.min(WOOD.len() - 1)],
         PartKind::Organ(organ) => match organ {
             OrganKind::Leaf => [92, 172, 72],
+            OrganKind::Bud => [150, 190, 90],
             OrganKind::Petal => [226, 104, 150],
             OrganKind::Sepal => [40, 140, 116],
             OrganKind::Receptacle => [240, 190, 40],

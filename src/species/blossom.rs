@@ -1,4 +1,4 @@
-//! A tree in blossom: some of its leaves stand as small flowers.
+//! A tree in blossom: its flower buds open, and some of its leaves stand as small flowers.
 //!
 //! A tree is drawn with leaf outlines, hundreds of leaves at once; nobody draws its petals. The chosen leaves give
 //! their place and direction to a flower of the species' first look, which the rest of [`super::dress()`] treats like
@@ -25,8 +25,9 @@ pub(super) fn blossom(plant: &mut Plant, look: &BlossomLook, template: u32, rng:
     let mut kept = Vec::with_capacity((plant.organs.len() as f32 * room) as usize);
     for organ in std::mem::take(&mut plant.organs) {
         let generated = organ.kind == OrganKind::Leaf && organ.stroke.is_none();
+        let opens = organ.kind == OrganKind::Bud || (generated && rng.random_bool(f64::from(look.share)));
         match &organ.shape {
-            Shape::Blade(leaf) if generated && rng.random_bool(f64::from(look.share)) => {
+            Shape::Blade(leaf) if opens => {
                 let flower = Flower { look: 0, ..pose(leaf, organ.branch, reach, look) };
                 kept.extend(petals(&flower, plant.flowers.len(), look, &outline, template, rng));
                 plant.flowers.push(flower);

@@ -54,6 +54,8 @@ pub fn dress(plant: &mut Plant, species: &Species, seed: u64) {
     if let Some(look) = species.blossom.as_ref().filter(|_| !species.flowers.is_empty()) {
         blossom(plant, look, next_template(plant), &mut stream(seed, Purpose::Blossom, 0));
     }
+    // Without a look for them flower buds stay closed, too small to be seen.
+    plant.organs.retain(|organ| organ.kind != OrganKind::Bud);
     for (index, flower) in plant.flowers.iter_mut().enumerate() {
         flower.look = index % species.flowers.len().max(1);
     }

@@ -30,6 +30,7 @@ pub fn key(organ: Option<OrganKind>) -> &'static str {
     match organ {
         None => "branch",
         Some(OrganKind::Leaf) => "leaf",
+        Some(OrganKind::Bud) => "bud",
         Some(OrganKind::Petal) => "petal",
         Some(OrganKind::Sepal) => "sepal",
         Some(OrganKind::Receptacle) => "receptacle",

@@ -96,7 +96,7 @@ impl ExportChoice {
     /// Whether an organ belongs to the export.
     pub fn has(&self, organ: OrganKind) -> bool {
         match organ {
-            OrganKind::Leaf => self.leaves,
+            OrganKind::Leaf | OrganKind::Bud => self.leaves,
             OrganKind::Petal
             | OrganKind::Sepal
             | OrganKind::Receptacle
