@@ -12,7 +12,8 @@ use crate::depth::{self, DepthParams};
 use crate::growth::overlay::{Spot, Wanted};
 use crate::growth::species::CrownHabit;
 use crate::growth::{
-    self, Envelope, Field, GrowthParams, Habit, Limits, Memory, Outcome, Simulation, drawing,
+    self, Envelope, Field, GrowthParams, Habit, Limits, Memory, Outcome, Schedule, Simulation, drawing,
+    foliage,
 };
 use crate::model::{self, Model, ModelParams};
 use crate::params::{Description, Overrides, ParamError, Parameters as _};
@@ -239,6 +240,8 @@ pub struct Grown {
     pub outcome: Outcome,
     /// The plant in space.
     pub plant: Plant,
+    /// Whether leaves were left out because there were too many.
+    pub is_thinned: bool,
     /// The plant as surfaces.
     pub model: Model,
     /// Time that each stage took, in order.
@@ -274,8 +277,19 @@ pub fn grow(
         let outcome = simulation.grow_to(age.ceil() as u16, &|| false);
         (simulation, outcome)
     });
-    let (plant, model) = at_age(&simulation, species, params, age, &mut clock);
-    Ok(Grown { simulation, outcome, plant, model, stages: clock.stages })
+    Ok(shown((simulation, outcome), species, params, age, clock))
+}
+
+/// A plant that has grown, as it is at an age.
+fn shown(
+    (simulation, outcome): (Simulation, Outcome),
+    species: &Species,
+    params: &Params,
+    age: f32,
+    mut clock: Clock,
+) -> Grown {
+    let (plant, is_thinned, model) = at_age(&simulation, species, params, age, &mut clock);
+    Grown { simulation, outcome, plant, is_thinned, model, stages: clock.stages }
 }
 
 /// The same inside a volume; without an age until the volume is full.
@@ -304,8 +318,7 @@ pub fn grow_inside(
         return Err(SetupError::NoRoom);
     }
     let age = age.unwrap_or(f32::from(simulation.age()));
-    let (plant, model) = at_age(&simulation, species, params, age, &mut clock);
-    Ok(Grown { simulation, outcome, plant, model, stages: clock.stages })
+    Ok(shown((simulation, outcome), species, params, age, clock))
 }
 
 /// Grows until the volume is full.
@@ -329,7 +342,8 @@ fn check_grows(species: &Species) -> Result<(), SetupError> {
 impl Grown {
     /// The plant at an age that it has lived through, in space and as surfaces.
     pub fn at(&self, age: f32, species: &Species, params: &Params) -> (Plant, Model) {
-        at_age(&self.simulation, species, params, age, &mut Clock::start())
+        let (plant, _, model) = at_age(&self.simulation, species, params, age, &mut Clock::start());
+        (plant, model)
     }
 }
 
@@ -339,12 +353,27 @@ fn at_age(
     params: &Params,
     age: f32,
     clock: &mut Clock,
-) -> (Plant, Model) {
+) -> (Plant, bool, Model) {
     let mut plant = clock.time("plant", || growth::plant_at(simulation, age));
-    clock.time("species", || species::dress(&mut plant, species, simulation.seed()));
+    // Before some of the leaves stand as flowers.
+    let is_thinned = foliage::is_thinned(&plant.organs);
+    let looks = looks_at(species, &params.habit, age);
+    clock.time("species", || species::dress(&mut plant, &looks, simulation.seed()));
     debug_assert_eq!(plant.check_invariants(), Ok(()));
     let model = clock.time("model", || model::build(&plant, &of_model(params, true)));
-    (plant, model)
+    (plant, is_thinned, model)
+}
+
+/// The looks of a plant of an age: where buds decide about flowers, one too young for them has no blossom either.
+fn looks_at<'a>(species: &'a Species, habit: &Habit, age: f32) -> Cow<'a, Species> {
+    let flowers = |share: &Schedule| share.at(habit.flower_age) > 0.0;
+    let decides = flowers(&habit.flowering) || flowers(&habit.flowering_side);
+    if species.blossom.is_some() && decides && age < habit.flower_age {
+        let mut young = species.clone();
+        young.blossom = None;
+        return Cow::Owned(young);
+    }
+    Cow::Borrowed(species)
 }
 
 /// Parameters of the model: the leaves of a plant that grew are too many to be parts of their own.

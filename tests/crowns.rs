@@ -419,6 +419,15 @@ fn without_a_crown_nothing_grows_until_years_are_asked_for() {
     );
     let column = size("growth.years=20");
     assert!(column.y > 2.0 * column.x.max(column.z), "drawn trunks keep their species' crown: {column}");
+    let mut beside: Stroke = (*sketch.strokes[0]).clone();
+    beside.id = 9;
+    beside.points.iter_mut().for_each(|p| p.position.x += 400.0);
+    sketch.strokes.push(Arc::new(beside));
+    let twins = build(&sketch, &["growth.years=8"]).plant.branches;
+    let on = |trunk: usize| twins.iter().filter(|b| b.parent == Some(trunk)).count();
+    let trunks: Vec<usize> = (0..twins.len()).filter(|b| twins[*b].parent.is_none()).collect();
+    assert!(trunks.len() == 2 && trunks.iter().all(|t| on(*t) > 3), "both of two trunks branch");
+    sketch.strokes.pop();
     sketch.species = Some("daisy".to_owned());
     assert_eq!(build(&sketch, &["growth.years=8"]).growth, None, "daisies do not say how they grow");
 }

@@ -1,8 +1,8 @@
 //! The pictures by which species that only grow are chosen in the window: each species still looks like its own.
 //!
 //! Every species is grown and drawn anew as its picture was, and compared by silhouette and by mean colour. Where that
-//! is meant to change, `THUMBNAILS=write cargo test --release --test thumbnails` makes the pictures anew, as
-//! `scripts/pictures.sh` does.
+//! is meant to change, `THUMBNAILS=write cargo test --release --test thumbnails -- every_species_looks` makes the pictures anew,
+//! as `scripts/pictures.sh` does.
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 

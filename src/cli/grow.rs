@@ -5,7 +5,7 @@ use crate::export::{self, pictures::fetch};
 use crate::growth::{Limits, Outcome, foliage};
 use crate::model::Model;
 use crate::pipeline::{self, Grown};
-use crate::plant::{Plant, Texture};
+use crate::plant::{OrganKind, Plant, Texture};
 use crate::render::{Direction, ModelDrawData, PictureOptions, Projection, Renderer, View};
 use crate::species::Species;
 use anyhow::{Context, Result, ensure};
@@ -96,7 +96,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
             filled * 100.0
         );
     }
-    if foliage::is_thinned(&grown.plant.organs) {
+    if grown.is_thinned {
         let most = foliage::MOST;
         tracing::warn!(
             "{name}: the crown is thinned to {most} leaves, the most that are allowed; choose fewer leaves, for instance \
@@ -109,7 +109,8 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         let mut stats = common::stats(&grown.stages, &grown.model, bytes);
         stats["internodes"] = grown.simulation.tree().len().into();
         stats["branches"] = grown.plant.branches.len().into();
-        stats["leaves"] = grown.plant.organs.len().into();
+        let leaves = grown.plant.organs.iter().filter(|organ| organ.kind == OrganKind::Leaf).count();
+        stats["leaves"] = leaves.into();
         common::print(&stats.to_string())?;
     }
     Ok(ExitCode::SUCCESS)

@@ -32,22 +32,11 @@ pub struct Chains {
 }
 
 impl Chains {
-    /// The next node on the same chain above each node, [`NONE`] above ends.
-    pub fn above(&self) -> Vec<u32> {
-        let mut above = vec![NONE; self.of_node.len()];
-        for chain in &self.chains {
-            // The first node belongs to the carrier.
-            let own = chain.range.0 as usize + usize::from(chain.parent.is_some())..chain.range.1 as usize;
-            self.nodes[own].windows(2).for_each(|w| above[w[0] as usize] = w[1]);
-        }
-        above
-    }
-
     /// Where the internode below a node begins.
     pub fn below(&self, node: usize, tree: &Tree, at: &[Vec3]) -> Vec3 {
-        let chain = &self.chains[self.of_node[node] as usize];
-        let is_first = self.nodes[chain.range.0 as usize + 1] as usize == node;
-        if is_first { chain.foot } else { at[tree.nodes.parent[node] as usize] }
+        let chain = self.of_node[node];
+        let is_first = self.first(chain) as usize == node;
+        if is_first { self.chains[chain as usize].foot } else { at[tree.nodes.parent[node] as usize] }
     }
 
     /// The first node of a chain that is its own.

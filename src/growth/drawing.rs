@@ -75,7 +75,7 @@ impl Start {
     /// The plant before its first year.
     fn begin(&self) -> Kept {
         let crown = Inflated::new(self.crowns.clone(), self.depth);
-        let crown = crown.map(|crown| Arc::new(crown.hollowed(self.hollow)));
+        let crown = crown.map(|crown| Arc::new(crown.hollowed(self.hollow, &self.wood)));
         let mut seated = self.wood.clone();
         if let Some(crown) = &crown {
             lead::draw_in(&mut seated, crown);
@@ -107,6 +107,8 @@ pub struct Grown<'a> {
     pub wood: &'a [Branch],
     /// The age to show, years.
     pub age: f32,
+    /// Whether a drawn crown bounds it.
+    pub is_bound: bool,
     /// Why it grew no further; [`Outcome::Growing`] where nothing kept it.
     pub outcome: Outcome,
 }
@@ -162,7 +164,7 @@ impl Memory {
         let age = years.map_or_else(filled, |years| years.min(oldest));
         // What ended growth later than what is shown is not its fault.
         let outcome = if age < oldest { Outcome::Growing } else { *ended };
-        Some(Grown { simulation, wood: seated, age, outcome })
+        Some(Grown { simulation, wood: seated, age, is_bound: *is_bound, outcome })
     }
 }
 

@@ -13,6 +13,7 @@
 //! Limits: details of the depth finer than the raster, [`RASTER`] cells along the longer side, are smoothed.
 
 use crate::geom::region::Region;
+use crate::plant::Branch;
 use glam::{Vec2, Vec3};
 
 /// Cells along the longer side of the raster.
@@ -74,10 +75,19 @@ impl Inflated {
         (inflated.deepest > 0.0).then_some(inflated)
     }
 
-    /// The same with an empty core: in a sphere a sphere of this share of its radius, below 1. 0 is solid.
-    pub fn hollowed(mut self, share: f32) -> Self {
-        let largest = (self.deepest / self.depth).powi(2);
-        self.core = if share > 0.0 { largest * (1.0 - share.min(1.0).powi(2)) } else { f32::INFINITY };
+    /// The same with an empty core: in a sphere a sphere of this share of its radius, below 1. 0 is solid. Where `wood`
+    /// stands in the core alone it stays solid: no bud would perceive the shell.
+    pub fn hollowed(mut self, share: f32, wood: &[Branch]) -> Self {
+        if share > 0.0 {
+            let largest = (self.deepest / self.depth).powi(2);
+            self.core = largest * (1.0 - share.min(1.0).powi(2));
+            let mut points =
+                wood.iter().flat_map(|branch| &branch.points).filter(|p| self.covers(p.truncate()));
+            let in_core = |p: &Vec3| self.is_in_core(self.half_depth(p.truncate()), p.z);
+            if points.clone().next().is_some() && points.all(in_core) {
+                self.core = f32::INFINITY;
+            }
+        }
         self
     }
 
@@ -222,6 +232,27 @@ mod tests {
         }
         assert!(ball.contains(Vec3::new(3.0, 5.0, 1.8)) && !ball.contains(Vec3::new(3.0, 5.0, 2.2)));
         assert!(!ball.contains(Vec3::new(5.1, 5.0, 0.0)) && !ball.contains(Vec3::NAN));
+    }
+
+    #[test]
+    fn a_hollow_sphere_is_a_shell_unless_wood_stands_in_its_core_alone() {
+        let ball = || Inflated::new(vec![circle(Vec2::ZERO, 2.0)], 0.5).unwrap();
+        let shell = ball().hollowed(0.5, &[]);
+        let inside = |x: f32, z: f32| shell.contains(Vec3::new(x, 0.0, z));
+        assert!(!inside(0.0, 0.0) && !inside(0.9, 0.0) && !inside(0.0, 0.45), "half as wide and as deep");
+        assert!(inside(1.1, 0.0) && inside(0.0, 0.55) && inside(1.9, 0.0) && !inside(0.0, 1.1));
+        let volume = shell.volume() / ball().volume();
+        assert!((volume - 0.875).abs() < 0.03, "{volume}");
+        let wood = |to: f32| Branch {
+            stroke: None,
+            parent: None,
+            level: 0,
+            points: vec![Vec3::ZERO, Vec3::Y * to],
+            radii: vec![0.1; 2],
+            material: 0,
+        };
+        assert!(ball().hollowed(0.5, &[wood(0.5)]).contains(Vec3::ZERO));
+        assert!(!ball().hollowed(0.5, &[wood(1.5)]).contains(Vec3::ZERO));
     }
 
     #[test]

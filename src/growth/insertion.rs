@@ -26,9 +26,15 @@ const STEEPEST: f32 = 0.4;
 const TOUCHING: f32 = 0.99;
 
 /// Moves whatever shares bark: gives nodes and the feet of chains their new places. Returns the chains that found none.
-/// What was drawn stays where it was drawn.
-pub fn settle(chains: &mut Chains, tree: &Tree, at: &mut [Vec3], diameters: &[f32]) -> Vec<u32> {
-    let (own, crowded) = ways(chains, tree, at, diameters);
+/// What was drawn stays where it was drawn, and a chain without room takes none unless its first node `stays`.
+pub fn settle(
+    chains: &mut Chains,
+    tree: &Tree,
+    at: &mut [Vec3],
+    diameters: &[f32],
+    stays: impl Fn(u32) -> bool,
+) -> Vec<u32> {
+    let (own, crowded) = ways(chains, tree, (at, diameters), stays);
     let mut whole: Vec<Vec3> = Vec::with_capacity(own.len());
     for (chain, own) in chains.chains.iter_mut().zip(own) {
         let way = own + chain.parent.map_or(Vec3::ZERO, |parent| whole[parent as usize]);
@@ -41,10 +47,15 @@ pub fn settle(chains: &mut Chains, tree: &Tree, at: &mut [Vec3], diameters: &[f3
 }
 
 /// The way of each chain along its carrier, and the chains that have no room.
-fn ways(chains: &Chains, tree: &Tree, at: &[Vec3], diameters: &[f32]) -> (Vec<Vec3>, Vec<u32>) {
+fn ways(
+    chains: &Chains,
+    tree: &Tree,
+    (at, diameters): (&[Vec3], &[f32]),
+    stays: impl Fn(u32) -> bool,
+) -> (Vec<Vec3>, Vec<u32>) {
     let mut ways = vec![Vec3::ZERO; chains.chains.len()];
     let mut crowded = Vec::new();
-    let first = |c: u32| chains.nodes[chains.chains[c as usize].range.0 as usize + 1] as usize;
+    let first = |c: u32| chains.first(c) as usize;
     let mut carried: Vec<(u32, u32)> =
         (0..).zip(&chains.chains).filter_map(|(c, chain)| Some((chain.parent?, c))).collect();
     let is_drawn = |c: u32| first(c) < tree.drawn.len();
@@ -67,7 +78,13 @@ fn ways(chains: &Chains, tree: &Tree, at: &[Vec3], diameters: &[f32]) -> (Vec<Ve
                         ways[c as usize] = knot.way(along - stand.along);
                         stand.along = along;
                     }
-                    None => crowded.push(c),
+                    None => {
+                        crowded.push(c);
+                        // What will be cut takes no room.
+                        if !stays(first(c) as u32) {
+                            continue;
+                        }
+                    }
                 }
             }
             stands.insert(stand);
@@ -197,11 +214,13 @@ impl Stands {
         let reach = REACH * knot.up.length().max(knot.down.length()) + stand.half_length + self.longest;
         let from = self.sorted.partition_point(|other| other.along < stand.along - reach);
         let to = self.sorted.partition_point(|other| other.along <= stand.along + reach);
-        let beside = || self.sorted[from..to].iter().filter(|other| stand.is_beside(other));
-        let is_free =
-            |along: f32| beside().all(|other| (along - other.along).abs() >= TOUCHING * stand.clear(other));
+        let near = self.sorted[from..to].iter();
+        let beside: Vec<&Stand> = near.filter(|other| stand.is_beside(other)).collect();
+        let is_free = |along: f32| {
+            beside.iter().all(|other| (along - other.along).abs() >= TOUCHING * stand.clear(other))
+        };
         let next_to = |other: &Stand| [other.along + stand.clear(other), other.along - stand.clear(other)];
-        let places = std::iter::once(stand.along).chain(beside().flat_map(next_to));
+        let places = std::iter::once(stand.along).chain(beside.iter().flat_map(|other| next_to(other)));
         let free = places.filter(|along| knot.reaches(along - stand.along) && is_free(*along));
         free.min_by(|a, b| (a - stand.along).abs().total_cmp(&(b - stand.along).abs()))
     }

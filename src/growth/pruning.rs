@@ -24,7 +24,7 @@ pub fn pruned(tree: &Tree, year: u16, places: &[Vec3], diameters: &[f32], pipe: 
     let spared = SPARED * trunk_for_all(tree, diameters, pipe);
     let stays = |node: u32| (node as usize) < tree.drawn.len() || diameters[node as usize] > spared;
     for _ in 0..ROUNDS {
-        let (wood, at, crowded) = settled(tree, &lives, places, diameters);
+        let (wood, at, crowded) = settled(tree, &lives, (places, diameters), stays);
         let mut cut: Vec<u32> = crowded.iter().map(|c| wood.first(*c)).filter(|node| !stays(*node)).collect();
         cut.extend(rubbing::cuts(&wood, tree, (&at, diameters), stays, &cut));
         if cut.is_empty() {
@@ -32,15 +32,20 @@ pub fn pruned(tree: &Tree, year: u16, places: &[Vec3], diameters: &[f32], pipe: 
         }
         fell(tree, &mut lives, &cut);
     }
-    let (wood, at, _) = settled(tree, &lives, places, diameters);
+    let (wood, at, _) = settled(tree, &lives, (places, diameters), |_| true);
     (wood, at)
 }
 
 /// The chains of what lives, the places of their nodes once each has found its stand, and the chains that found none.
-fn settled(tree: &Tree, lives: &[bool], places: &[Vec3], diameters: &[f32]) -> (Chains, Vec<Vec3>, Vec<u32>) {
+fn settled(
+    tree: &Tree,
+    lives: &[bool],
+    (places, diameters): (&[Vec3], &[f32]),
+    stays: impl Fn(u32) -> bool,
+) -> (Chains, Vec<Vec3>, Vec<u32>) {
     let mut at = places.to_vec();
     let mut wood = chains(tree, lives, &at, diameters);
-    let crowded = insertion::settle(&mut wood, tree, &mut at, diameters);
+    let crowded = insertion::settle(&mut wood, tree, &mut at, diameters, stays);
     (wood, at, crowded)
 }
 

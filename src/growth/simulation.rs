@@ -90,8 +90,8 @@ impl Simulation {
         Self::begin(habit, envelope, field, limits, seed, tree)
     }
 
-    /// A plant that goes on from drawn branches, inside a volume or, where that is everywhere, in the species' own crown.
-    /// A plant without branches is a seed.
+    /// A plant that goes on from drawn branches, inside a volume or, where that is everywhere, a single trunk in the
+    /// species' own crown. A plant without branches is a seed.
     pub fn from_skeleton(
         habit: &Habit,
         plant: &Plant,
@@ -108,8 +108,14 @@ impl Simulation {
         let thickest = plant.branches.iter().flat_map(|b| &b.radii).copied().fold(0.0, f32::max);
         let (habit, envelope, resource) = match envelope {
             Envelope::Free => {
-                let foot = plant.branches[0].points.first().copied().unwrap_or_default();
-                (habit.clone(), own_crown(habit, foot, seed), habit.resource)
+                let mut trunks = plant.branches.iter().filter(|b| b.parent.is_none());
+                match (trunks.next().and_then(|b| b.points.first()), trunks.next(), &habit.crown) {
+                    (Some(foot), None, Some(_)) => {
+                        (habit.clone(), own_crown(habit, *foot, seed), habit.resource)
+                    }
+                    // One crown would bind all trunks.
+                    _ => (habit.clone(), Envelope::Free, Resource::Light),
+                }
             }
             volume => (fitted(habit, &volume, Some(2.0 * thickest)), volume, Resource::Space),
         };
@@ -202,7 +208,8 @@ impl Simulation {
             Outcome::Stopped if was_late.get() => Outcome::TooSlow(self.limits.seconds),
             outcome => outcome,
         };
-        self.spent = spent + start.elapsed();
+        // A year that was stopped did not happen.
+        self.spent = if outcome == Outcome::Stopped { spent } else { spent + start.elapsed() };
         outcome
     }
 

@@ -155,11 +155,11 @@ crate::growth_table! {
         omega_min: f32 = 0.006, 0.0..=10.0, "";
         /// Years that a bud waits before it is aborted.
         bud_life: u32 = 4, 0..=100, "years";
-        /// Age from which weak shoots end in flowers.
+        /// Age from which weak shoots end in flowers, and lateral buds flower.
         flower_age: f32 = 10.0, 0.0..=1000.0, "years";
         /// Share of the weak shoots that end in flowers.
         flowering: Schedule = 0.0, 0.0..=1.0, "";
-        /// Share of the lateral buds without a shoot that flower instead.
+        /// Share of the lateral buds without a shoot that flower instead, each year.
         flowering_side: Schedule = 0.0, 0.0..=1.0, "";
         /// Resource below which a shoot is weak.
         flower_below: f32 = 1.0, 0.0..=20.0, "";

@@ -53,7 +53,7 @@ pub(super) fn grow_on(
     let ages = Ages { shown: grown.age, oldest: f32::from(grown.simulation.age()), resource };
     let stroke = anatomy.crowns.first().map(|crown| crown.stroke);
     let mut remark = |remark| anatomy.warnings.push(Warning { stroke, remark });
-    if stroke.is_some() && grown.simulation.envelope().bounds().is_none() {
+    if stroke.is_some() && !grown.is_bound {
         remark(Remark::EmptyCrown);
     }
     if species.growth.is_none() {

@@ -37,7 +37,9 @@ impl Places {
     pub(super) fn line(&self, key: &str, text: Option<&str>) -> usize {
         let plain: Vec<&str> = key.split('.').map(|part| part.split('[').next().unwrap_or(part)).collect();
         let plain = plain.join(".");
-        let is = |found: &&Found| found.key == plain && (text.is_none() || found.text.as_deref() == text);
+        let is = |found: &&Found| {
+            (found.key == plain || found.key == key) && (text.is_none() || found.text.as_deref() == text)
+        };
         self.all.iter().find(is).map_or(1, |found| found.line)
     }
 
