@@ -11,15 +11,8 @@ use penstemon::species::{self, Species};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 
-const SMALLEST: &str = r##"name = "weed"
-latin = "Herba"
-[materials]
-green = { color = "#00ff00" }
-[stem]
-material = "green"
-[leaf]
-materials = "green"
-"##;
+/// The smallest species file.
+const SMALLEST: &str = include_str!("fixtures/weed.toml");
 
 #[test]
 fn wrong_parameters_are_named_with_file_and_line() {

@@ -102,6 +102,7 @@ fn check_size(text: &str, low: Vec3, high: Vec3) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::growth::solid::tests::flipped;
     use crate::growth::{Limits, Outcome};
     use crate::pipeline;
     use crate::species::Species;
@@ -157,18 +158,11 @@ mod tests {
             told(path.to_str().unwrap())
         };
         let ring = torus(1.0, 0.3, 1.0);
-        let flipped: String = ring
-            .lines()
-            .map(|line| match line.strip_prefix("f ") {
-                Some(rest) => format!("f {}\n", rest.split(' ').rev().collect::<Vec<_>>().join(" ")),
-                None => format!("{line}\n"),
-            })
-            .collect();
         let open = ring.rsplit_once("\nf ").unwrap().0;
         for (text, expected) in [
             ("", "there is no face"),
             (open, "the mesh is open: 4 edges"),
-            (&flipped, "flip its normals"),
+            (&flipped(&ring), "flip its normals"),
             ("f 1 2 3\n", "shape.obj"),
             (&torus(1000.0, 100.0, 0.0), "scale it"),
             (&torus(1.0, 0.3, 5000.0), "move it to the origin"),

@@ -25,8 +25,8 @@ pub fn buds(wood: &Wood<'_>, habit: &Habit) -> Vec<Organ> {
     let outline: Arc<[Vec2]> = leaf::outline(habit.leaf.shape, habit.leaf.width).into();
     let cluster = habit.flower_cluster as usize;
     let whole = sites.len() * cluster;
-    // Of too many every n-th stays, the same share of all.
-    let stays = |nth: &usize| nth * MOST.min(whole) / whole < (nth + 1) * MOST.min(whole) / whole;
+    // Of too many the same share stays everywhere.
+    let most = MOST.min(whole);
     let bud = |nth: usize| {
         let (site, k) = (sites[nth / cluster], nth % cluster);
         let blade = one(wood, site.bud, k, habit.leaf.length, outline.clone());
@@ -39,7 +39,7 @@ pub fn buds(wood: &Wood<'_>, habit: &Habit) -> Vec<Organ> {
             shape: Shape::Blade(foliage::held(blade, wood.envelope)?),
         })
     };
-    (0..whole).filter(stays).filter_map(bud).collect()
+    (0..most).map(|n| n * whole / most).filter_map(bud).collect()
 }
 
 /// A bud that flowers, and the chain that carries it.

@@ -84,7 +84,6 @@ impl Start {
         if let Some(crown) = &crown {
             lead::lead(&mut wood, crown);
         }
-        let is_bound = crown.is_some();
         let envelope = crown.map_or(Envelope::Free, Envelope::Inflated);
         let plant = Plant {
             world_from_canvas: WorldFromCanvas { scale: 1.0, origin: Vec2::ZERO },
@@ -94,7 +93,7 @@ impl Start {
             materials: Vec::new(),
         };
         let simulation = Simulation::from_skeleton(&self.habit, &plant, envelope, self.seed, self.limits);
-        Kept { start: self.clone(), seated, simulation, is_bound, ended: Outcome::Growing }
+        Kept { start: self.clone(), seated, simulation, ended: Outcome::Growing }
     }
 }
 
@@ -107,10 +106,13 @@ pub struct Grown<'a> {
     pub wood: &'a [Branch],
     /// The age to show, years.
     pub age: f32,
-    /// Whether a drawn crown bounds it.
-    pub is_bound: bool,
     /// Why it grew no further; [`Outcome::Growing`] where nothing kept it.
     pub outcome: Outcome,
+}
+
+/// Whether a drawn crown bounds a plant.
+pub fn is_bound(simulation: &Simulation) -> bool {
+    matches!(simulation.envelope(), Envelope::Inflated(_))
 }
 
 /// The plant that grew last.
@@ -125,8 +127,6 @@ struct Kept {
     start: Start,
     seated: Vec<Branch>,
     simulation: Simulation,
-    /// Whether a drawn crown bounds it.
-    is_bound: bool,
     ended: Outcome,
 }
 
@@ -146,9 +146,9 @@ impl Memory {
     pub fn grow(&mut self, start: &Start, years: Option<f32>, stop: &dyn Fn() -> bool) -> Option<Grown<'_>> {
         let known = self.last.take().filter(|kept| kept.start == *start);
         let kept = self.last.insert(known.unwrap_or_else(|| start.begin()));
-        let Kept { seated, simulation, is_bound, ended, .. } = kept;
+        let Kept { seated, simulation, ended, .. } = kept;
         // Crowns that enclose nothing bind nothing: then all there is is what was drawn.
-        let years = years.or((!*is_bound).then_some(0.0));
+        let years = years.or((!is_bound(simulation)).then_some(0.0));
         let wanted = |s: &Simulation| match years {
             Some(years) => f32::from(s.age()) < years,
             None => filled_at(s.tree(), s.age()).is_none(),
@@ -164,7 +164,7 @@ impl Memory {
         let age = years.map_or_else(filled, |years| years.min(oldest));
         // What ended growth later than what is shown is not its fault.
         let outcome = if age < oldest { Outcome::Growing } else { *ended };
-        Some(Grown { simulation, wood: seated, age, is_bound: *is_bound, outcome })
+        Some(Grown { simulation, wood: seated, age, outcome })
     }
 }
 

@@ -343,4 +343,4 @@ fn volume_of(
 
 #[cfg(test)]
 #[path = "solid_tests.rs"]
-mod tests;
+pub(crate) mod tests;

@@ -40,6 +40,15 @@ fn an_endless_text_is_refused_before_it_is_read() {
     assert!(fault(&"#".repeat(MAX_BYTES + 1)).contains("bytes are more than"));
 }
 
+/// The mesh of an OBJ file turned inside out.
+pub(crate) fn flipped(obj: &str) -> String {
+    let turned = |line: &str| match line.strip_prefix("f ") {
+        Some(rest) => format!("f {}\n", rest.split(' ').rev().collect::<Vec<_>>().join(" ")),
+        None => format!("{line}\n"),
+    };
+    obj.lines().map(turned).collect()
+}
+
 #[test]
 fn meshes_that_are_no_volume_are_refused_with_a_remedy() {
     assert!(fault("").contains("no face"));
@@ -47,14 +56,7 @@ fn meshes_that_are_no_volume_are_refused_with_a_remedy() {
     assert!(fault(&CUBE.replace("f 4 1 5 8\n", "")).contains("4 edges"));
     assert!(fault(&CUBE.replace("v 1 0 0", "v nan 0 0")).contains("no place"));
     assert!(fault("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\n").contains("thickness"));
-    let flipped: String = CUBE
-        .lines()
-        .map(|line| match line.strip_prefix("f ") {
-            Some(rest) => format!("f {}\n", rest.split(' ').rev().collect::<Vec<_>>().join(" ")),
-            None => format!("{line}\n"),
-        })
-        .collect();
-    assert!(fault(&flipped).contains("flip its normals"));
+    assert!(fault(&flipped(CUBE)).contains("flip its normals"));
     let many = vec![[0, 1, 2]; MAX_TRIANGLES + 1];
     assert!(Solid::new(Vec::new(), many, "big.obj").unwrap_err().to_string().contains("simplify"));
     assert!(Solid::new(vec![Vec3::ZERO], vec![[0, 1, 2]], "b").unwrap_err().to_string().contains("corner 2"));

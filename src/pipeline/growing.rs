@@ -7,7 +7,7 @@ use super::Params;
 use crate::anatomy::Anatomy;
 use crate::depth;
 use crate::growth::species::Resource;
-use crate::growth::{Field, Memory, Outcome, Start, foliage, merge};
+use crate::growth::{Field, Memory, Outcome, Start, drawing, foliage, merge};
 use crate::plant::Plant;
 use crate::sketch::{Remark, Sketch, Warning};
 use crate::species::Species;
@@ -53,7 +53,7 @@ pub(super) fn grow_on(
     let ages = Ages { shown: grown.age, oldest: f32::from(grown.simulation.age()), resource };
     let stroke = anatomy.crowns.first().map(|crown| crown.stroke);
     let mut remark = |remark| anatomy.warnings.push(Warning { stroke, remark });
-    if stroke.is_some() && !grown.is_bound {
+    if stroke.is_some() && !drawing::is_bound(grown.simulation) {
         remark(Remark::EmptyCrown);
     }
     if species.growth.is_none() {

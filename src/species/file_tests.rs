@@ -3,16 +3,8 @@
 use super::*;
 use std::fs;
 
-const SMALLEST: &str = r##"
-name = "weed"
-latin = "Herba"
-[materials]
-green = { color = "#00ff00" }
-[stem]
-material = "green"
-[leaf]
-materials = "green"
-"##;
+/// The smallest species file, after an empty line.
+const SMALLEST: &str = concat!("\n", include_str!("../../tests/fixtures/weed.toml"));
 
 fn message(text: &str) -> String {
     parse(text, "weed.toml", None).unwrap_err().to_string()
