@@ -147,15 +147,17 @@ impl Knot {
         let outward = way.reject_from_normalized(self.axis);
         let length = way.length().max(f32::MIN_POSITIVE);
         let sin = (outward.length() / length).max(STEEPEST);
-        // It comes out of the bark farther along than the node, by as much as it leans that way on both internodes.
-        let lean = |along: Vec3| way.dot(along.try_normalize().unwrap_or(self.axis)) / length;
-        let (up, down) = (lean(self.up), lean(-self.down));
-        let least = if up * down < 0.0 { 0.0 } else { up.abs().min(down.abs()).copysign(up) };
-        let rise = 0.5 * of_carrier * least / (1.0 - least * least).sqrt().max(STEEPEST);
+        // It comes out of the bark farther along than the node, by as much as it leans that way: somewhere between what
+        // that is on the internode above and on the one below.
+        let rise = |along: Vec3| {
+            let lean = way.dot(along.try_normalize().unwrap_or(self.axis)) / length;
+            0.5 * of_carrier * lean / (1.0 - lean * lean).max(0.0).sqrt().max(STEEPEST)
+        };
+        let (above, below) = (rise(self.up), rise(-self.down));
         Stand {
-            along: self.along + rise,
+            along: self.along + above.midpoint(below),
             outward: outward.try_normalize().unwrap_or_else(|| self.axis.any_orthonormal_vector()),
-            half_length: 0.5 * COLLAR * diameter / sin,
+            half_length: 0.5 * COLLAR * diameter / sin + 0.5 * (above - below).abs(),
             half_angle: (COLLAR * diameter / of_carrier.max(f32::MIN_POSITIVE)).min(1.0).asin(),
         }
     }
@@ -177,7 +179,7 @@ struct Stand {
     along: f32,
     /// Unit direction from the carrier's axis.
     outward: Vec3,
-    /// Half of what its collar covers along the carrier, metres, and around it, radians.
+    /// Half of where its collar may lie along the carrier, metres, and of what it covers around it, radians.
     half_length: f32,
     half_angle: f32,
 }

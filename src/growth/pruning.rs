@@ -13,7 +13,7 @@ use super::tree::{NONE, Tree};
 use glam::Vec3;
 
 /// Wood thicker than this share of the one trunk that could stand for all is spared.
-const SPARED: f32 = 0.25;
+const SPARED: f32 = 0.3;
 /// How often what is left is looked at again: what is cut makes room, but chains that go on elsewhere want some.
 const ROUNDS: usize = 2;
 

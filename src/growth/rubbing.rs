@@ -19,7 +19,7 @@ use rayon::prelude::*;
 const KEPT: f32 = 1.2;
 /// How much of two branches belongs to their fork, in the sum of their radii: of a branch and its carrier, whose
 /// surfaces are joined, and of two that leave one carrier.
-const JOINED: f32 = 12.0;
+const JOINED: f32 = 7.0;
 const BESIDE: f32 = 4.0;
 
 /// The nodes at which wood has to be cut so that none grows through thicker wood, besides those that are cut already.

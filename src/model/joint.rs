@@ -20,16 +20,16 @@ use std::ops::Range;
 /// How far around its axis a branch swells where it leaves its parent.
 pub(super) const COLLAR: f32 = 1.25;
 /// Space between the parent's bark and the first ring, as a share of the parent's radius.
-const CLEAR: f32 = 0.08;
+const CLEAR: f32 = 0.2;
 /// Less than this of a branch outside, as a multiple of its radius, is not worth a joint.
 const SHORTEST: f32 = 0.5;
 /// Longest window, as a multiple of its least length: branches that hug their parent leave it by a long slit otherwise.
 const LONGEST: f32 = 2.5;
 
-/// Least angle between a parent and the foot of a branch, radians: 50°.
-const ASLANT: f32 = 0.873;
+/// Least angle between a parent and the foot of a branch, radians: 54°.
+const ASLANT: f32 = 0.95;
 /// How far the window reaches beyond the first ring, as a multiple of how far that reaches along the parent.
-const OVERHANG: f32 = 1.1;
+const OVERHANG: f32 = 1.2;
 /// Widest window, as the sine of half its angle around the parent: beyond this the bark falls away from the branch.
 const WIDEST: f32 = 0.85;
 /// Least sine of the angle at which a branch is followed back into the bark.
@@ -63,14 +63,12 @@ const MOST_STEPS: f32 = 16.0;
 const HALVINGS: u32 = 4;
 
 /// The exit of a branch from its parent; `None` for one that stays inside. The rings of a parent follow its skeleton only
-/// roughly: a foot that they pass by is brought back to their axis.
+/// roughly, so the branch's foot is brought back to their axis first.
 pub(super) fn exit(branch: &mut [Ring], parent: &[Ring], parent_arcs: &[f32]) -> Option<Exit> {
     let on = Carrier { rings: parent, arcs: parent_arcs };
     let bark = on.foot(branch.first()?.at, 0..parent.len() - 1);
-    if bark.clearance(&branch[0]) >= 0.0 {
-        branch[0].at = bark.ring.at;
-        spine::set_tangents(branch);
-    }
+    branch[0].at = bark.ring.at;
+    spine::set_tangents(branch);
     let mut way = Way { on, near: bark, exit: None, length: 0.0 };
     way.follow(branch);
     let (ring, arc) = way.exit.filter(|(ring, arc)| way.length - arc >= SHORTEST * ring.radius)?;

@@ -41,7 +41,7 @@ crate::parameters! {
 
 /// However thin a branch is, it need not follow its skeleton more closely than this share of the plant's size; nor may
 /// it, however thick, leave it by more than the other.
-const NEAREST: f32 = 0.001;
+const NEAREST: f32 = 0.0005;
 const FARTHEST: f32 = 0.002;
 /// Bark shrinks with the branch, but not beyond this share of the radius at its base.
 pub(super) const FINEST_BARK: f32 = 0.3;
