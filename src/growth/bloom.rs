@@ -22,14 +22,15 @@ const ASIDE: f32 = 0.35;
 /// The flower buds of a plant at an age, in the order of the buds.
 pub fn buds(wood: &Wood<'_>, habit: &Habit) -> Vec<Organ> {
     let sites = sites(wood, habit);
-    let outline: Arc<[Vec2]> = leaf::outline(habit.leaf.shape, habit.leaf.width).into();
+    let pose = habit.leaf.at(wood.age);
+    let outline: Arc<[Vec2]> = leaf::outline(habit.leaf.shape, pose.width).into();
     let cluster = habit.flower_cluster as usize;
     let whole = sites.len() * cluster;
     // Of too many the same share stays everywhere.
     let most = MOST.min(whole);
     let bud = |nth: usize| {
         let (site, k) = (sites[nth / cluster], nth % cluster);
-        let blade = one(wood, site.bud, k, habit.leaf.length, outline.clone());
+        let blade = one(wood, site.bud, k, pose.length, outline.clone());
         Some(Organ {
             kind: OrganKind::Bud,
             stroke: None,

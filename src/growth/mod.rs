@@ -21,6 +21,8 @@
 //! Everything here is pure and deterministic: no files, the same bytes on any number of threads. The one clock is that of
 //! the cap on time, see [`Limits`]; a plant that it ended says so.
 
+#[cfg(test)]
+mod age_tests;
 pub mod bloom;
 pub mod chains;
 pub mod competition;
