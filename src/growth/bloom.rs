@@ -30,7 +30,7 @@ pub fn buds(wood: &Wood<'_>, habit: &Habit) -> Vec<Organ> {
     let most = MOST.min(whole);
     let bud = |nth: usize| {
         let (site, k) = (sites[nth / cluster], nth % cluster);
-        let blade = one(wood, site.bud, k, pose.length, outline.clone());
+        let blade = one(wood, site.bud, k, pose.length * site.grown, outline.clone());
         Some(Organ {
             kind: OrganKind::Bud,
             stroke: None,
@@ -48,6 +48,8 @@ pub fn buds(wood: &Wood<'_>, habit: &Habit) -> Vec<Organ> {
 struct Site {
     bud: usize,
     chain: u32,
+    /// How far its flowers have grown in their first year, 0 to 1.
+    grown: f32,
 }
 
 fn sites(wood: &Wood<'_>, habit: &Habit) -> Vec<Site> {
@@ -57,8 +59,10 @@ fn sites(wood: &Wood<'_>, habit: &Habit) -> Vec<Site> {
     let of = &wood.tree.buds;
     let flowers = |b: &usize| of.fate[*b] == Fate::Flower && years.contains(&of.settled[*b]);
     let site = |bud: usize| {
-        let chain = *wood.chains.of_node.get(of.node[bud] as usize)?;
-        (chain != NONE).then_some(Site { bud, chain })
+        let node = of.node[bud] as usize;
+        let chain = *wood.chains.of_node.get(node)?;
+        let since = wood.age - f32::from(of.settled[bud]) + 1.0;
+        (chain != NONE).then(|| Site { bud, chain, grown: since.clamp(0.05, wood.grown[node].max(0.05)) })
     };
     (0..of.node.len()).filter(flowers).filter_map(site).collect()
 }

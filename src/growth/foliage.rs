@@ -47,6 +47,8 @@ pub struct Wood<'a> {
     pub at: &'a [Vec3],
     /// Diameters below the nodes.
     pub diameters: &'a [f32],
+    /// How far what the nodes carry has grown this year, 1 for what is older.
+    pub grown: &'a [f32],
     /// Age in years.
     pub age: f32,
     /// Diameter of the thinnest wood.
@@ -123,7 +125,7 @@ fn leaves_of<'a>(
     (i, from_end): (usize, u8),
 ) -> impl Iterator<Item = Organ> + 'a {
     let branch = wood.chains.of_node[i];
-    let pose = LeafPose { length: pose.length * years_of(wood, i).clamp(0.05, 1.0), ..pose };
+    let pose = LeafPose { length: pose.length * wood.grown[i].max(0.05), ..pose };
     (0..count_of(wood, habit, (i, from_end))).filter_map(move |k| {
         let shape = Shape::Blade(held(one(wood, (habit, &pose), outlines, (i, k)), wood.envelope)?);
         let branch = Some(branch as usize);
