@@ -134,3 +134,7 @@ fn with_foot(skeleton: &[(Vec3, f32)], flare: f32) -> Vec<(Vec3, f32)> {
     out.extend(skeleton.last().map(|s| (s.0, widened(s.1, walked))));
     out
 }
+
+#[cfg(test)]
+#[path = "to_plant_tests.rs"]
+mod tests;
