@@ -104,7 +104,7 @@ mod tests {
     use super::*;
     use crate::growth::solid::tests::flipped;
     use crate::growth::{Limits, Outcome};
-    use crate::pipeline;
+    use crate::pipeline::{self, SetupError};
     use crate::species::Species;
 
     /// A closed ring about the y axis, its middle line of radius `major`, as an OBJ file.
@@ -179,6 +179,29 @@ mod tests {
         let volume = volume("box:100x100x100").unwrap();
         let grown = pipeline::grow_inside(&species, &params, volume, None, 3, Limits::default()).unwrap();
         assert!(filled(&grown.simulation) < 0.1);
+    }
+
+    #[test]
+    fn a_volume_too_thin_for_anything_is_refused() {
+        let species = Species::built_in("hazel").unwrap();
+        let params = pipeline::params_of_species(&species, &[]).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("slanting.obj");
+        // A tetrahedron, its extent a metre each way, whose fourth corner lies `deep` under the middle of the others.
+        let grown = |deep: f32| {
+            let fourth = Vec3::splat(2.0 / 3.0 - deep);
+            let text = format!(
+                "v 1 1 0\nv 0 1 1\nv 1 0 1\nv {} {} {}\nf 1 2 3\nf 2 1 4\nf 3 2 4\nf 1 3 4\n",
+                fourth.x, fourth.y, fourth.z
+            );
+            std::fs::write(&path, text).unwrap();
+            let volume = volume(path.to_str().unwrap()).unwrap();
+            pipeline::grow_inside(&species, &params, volume, Some(3.0), 3, Limits::default())
+        };
+        let refused = grown(2e-7).err().unwrap();
+        assert!(matches!(refused, SetupError::NoRoom), "{refused}");
+        assert!(refused.to_string().contains("too thin") && refused.to_string().contains("make it thicker"));
+        assert!(grown(0.3).is_ok(), "a thicker one has room");
     }
 
     #[test]

@@ -22,14 +22,15 @@ const ASIDE: f32 = 0.35;
 /// The flower buds of a plant at an age, in the order of the buds.
 pub fn buds(wood: &Wood<'_>, habit: &Habit) -> Vec<Organ> {
     let sites = sites(wood, habit);
-    let outline: Arc<[Vec2]> = leaf::outline(habit.leaf.shape, habit.leaf.width).into();
+    let pose = habit.leaf.at(wood.age);
+    let outline: Arc<[Vec2]> = leaf::outline(habit.leaf.shape, pose.width).into();
     let cluster = habit.flower_cluster as usize;
     let whole = sites.len() * cluster;
     // Of too many the same share stays everywhere.
     let most = MOST.min(whole);
     let bud = |nth: usize| {
         let (site, k) = (sites[nth / cluster], nth % cluster);
-        let blade = one(wood, site.bud, k, habit.leaf.length, outline.clone());
+        let blade = one(wood, site.bud, k, pose.length * site.grown, outline.clone());
         Some(Organ {
             kind: OrganKind::Bud,
             stroke: None,
@@ -47,6 +48,8 @@ pub fn buds(wood: &Wood<'_>, habit: &Habit) -> Vec<Organ> {
 struct Site {
     bud: usize,
     chain: u32,
+    /// How far its flowers have grown in their first year, 0 to 1.
+    grown: f32,
 }
 
 fn sites(wood: &Wood<'_>, habit: &Habit) -> Vec<Site> {
@@ -56,8 +59,10 @@ fn sites(wood: &Wood<'_>, habit: &Habit) -> Vec<Site> {
     let of = &wood.tree.buds;
     let flowers = |b: &usize| of.fate[*b] == Fate::Flower && years.contains(&of.settled[*b]);
     let site = |bud: usize| {
-        let chain = *wood.chains.of_node.get(of.node[bud] as usize)?;
-        (chain != NONE).then_some(Site { bud, chain })
+        let node = of.node[bud] as usize;
+        let chain = *wood.chains.of_node.get(node)?;
+        let since = wood.age - f32::from(of.settled[bud]) + 1.0;
+        (chain != NONE).then(|| Site { bud, chain, grown: since.clamp(0.05, wood.grown[node].max(0.05)) })
     };
     (0..of.node.len()).filter(flowers).filter_map(site).collect()
 }

@@ -56,15 +56,22 @@ impl Weights {
     }
 }
 
-/// The side vector of the next node of an axis.
+/// The side vector of the next node of an axis that the plant begins with.
 pub fn next_side(side: Vec3, from: Vec3, to: Vec3, order: u8, habit: &Habit) -> Vec3 {
+    next_side_at(side, (from, to), (order, 0.0), habit)
+}
+
+/// The side vector of the next node of an axis that grows at an age in years.
+pub fn next_side_at(side: Vec3, (from, to): (Vec3, Vec3), (order, age): (u8, f32), habit: &Habit) -> Vec3 {
     // Double reflection between two places that differ by the mean direction.
     let carried = frame::transport(side, (Vec3::ZERO, from), ((from + to) * 0.5, to));
     let turn = match habit.arrangement {
-        Arrangement::Spiral => habit.divergence.to_radians(),
+        Arrangement::Spiral => habit.divergence.at(age).to_radians(),
         Arrangement::Alternate => PI,
         Arrangement::Opposite => FRAC_PI_2,
-        Arrangement::Whorl if order == 0 => habit.divergence.to_radians() / habit.laterals.max(1) as f32,
+        Arrangement::Whorl if order == 0 => {
+            habit.divergence.at(age).to_radians() / habit.laterals.max(1) as f32
+        }
         Arrangement::Whorl => return carried,
     };
     Quat::from_axis_angle(to, turn) * carried
@@ -117,7 +124,7 @@ mod tests {
 
     #[test]
     fn phyllotaxis_turns_buds_about_the_axis() {
-        let habit = |arrangement| Habit { arrangement, divergence: 137.5, ..Habit::default() };
+        let habit = |arrangement| Habit { arrangement, divergence: 137.5.into(), ..Habit::default() };
         let turned = |arrangement| {
             let side = next_side(Vec3::X, Vec3::Y, Vec3::Y, 0, &habit(arrangement));
             assert!(side.dot(Vec3::Y).abs() < 1e-5 && side.is_normalized());

@@ -46,8 +46,11 @@ pub fn shoot(v: f32, most: u32) -> Option<(u32, f32)> {
 
 /// The fate of a bud in one year; [`Fate::Dormant`] leaves it open.
 pub fn decide(bud: &Waiting, habit: &Habit) -> Fate {
-    let (weak, share) =
-        if bud.apical { (habit.flower_below, &habit.flowering) } else { (1.0, &habit.flowering_side) };
+    let (weak, share) = if bud.apical {
+        (habit.flower_below.at(bud.age), &habit.flowering)
+    } else {
+        (1.0, &habit.flowering_side)
+    };
     if bud.v < weak && bud.age >= habit.flower_age && unit(mix(bud.key, 11)) < share.at(bud.age) {
         return Fate::Flower;
     }
@@ -87,7 +90,7 @@ mod tests {
         let of_age = Waiting { age: 20.0, ..bud };
         assert_eq!(decide(&of_age, &habit), Fate::Flower);
         assert_eq!(decide(&Waiting { apical: false, ..of_age }, &habit), Fate::Dormant);
-        let spurs = Habit { flowering_side: 1.0.into(), flower_below: 9.0, ..habit };
+        let spurs = Habit { flowering_side: 1.0.into(), flower_below: 9.0.into(), ..habit };
         assert_eq!(decide(&Waiting { apical: false, ..of_age }, &spurs), Fate::Flower);
         let strong = Waiting { v: 2.0, apical: false, ..of_age };
         assert_eq!(decide(&strong, &spurs), Fate::Shoot, "a lateral bud that can grow does");

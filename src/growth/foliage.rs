@@ -13,7 +13,7 @@
 use super::chains::Chains;
 use super::envelope::Envelope;
 use super::fate::unit;
-use super::leaf::{self, LeafHabit};
+use super::leaf::{self, LeafHabit, LeafPose};
 use super::tree::{NONE, Tree};
 use crate::geom::simple_loop;
 use crate::plant::{Blade, BladeForm, Organ, OrganKind, RestSurface, Shape};
@@ -47,6 +47,8 @@ pub struct Wood<'a> {
     pub at: &'a [Vec3],
     /// Diameters below the nodes.
     pub diameters: &'a [f32],
+    /// How far what the nodes carry has grown this year, 1 for what is older.
+    pub grown: &'a [f32],
     /// Age in years.
     pub age: f32,
     /// Diameter of the thinnest wood.
@@ -64,14 +66,15 @@ pub fn leaves(wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
 
 /// The leaves, thinned to `most` where there would be more.
 fn at_most(most: usize, wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
-    if habit.length <= 0.0 || (habit.per_internode == 0 && habit.at_tip == 0) {
+    let pose = habit.at(wood.age);
+    if pose.length <= 0.0 || (habit.per_internode == 0 && habit.at_tip == 0) {
         return Vec::new();
     }
-    let outline = |w: &f32| leaf::outline(habit.shape, (habit.width * w).min(3.0)).into();
+    let outline = |w: &f32| leaf::outline(habit.shape, (pose.width * w).min(3.0)).into();
     let outlines: Vec<Arc<[Vec2]>> = WIDTHS.iter().map(outline).collect();
     debug_assert!(outlines.iter().all(|o| simple_loop::signed_area(o.iter().copied()) > 0.0));
     let from_end = from_end(wood);
-    let on = |i: usize| leaves_of(wood, habit, &outlines, (i, from_end[i]));
+    let on = |i: usize| leaves_of(wood, (habit, pose), &outlines, (i, from_end[i]));
     let nodes = || (0..wood.chains.of_node.len()).into_par_iter().with_min_len(NODES);
     let whole = |counts: &[u32]| counts.iter().map(|c| u64::from(*c)).sum::<u64>();
     let places: Vec<u32> = nodes().map(|i| count_of(wood, habit, (i, from_end[i]))).collect();
@@ -117,14 +120,14 @@ fn count_of(wood: &Wood<'_>, habit: &LeafHabit, (i, from_end): (usize, u8)) -> u
 /// The leaves of the internode below one node, less those for which a volume has no room.
 fn leaves_of<'a>(
     wood: &'a Wood<'a>,
-    habit: &'a LeafHabit,
+    (habit, pose): (&'a LeafHabit, LeafPose),
     outlines: &'a [Arc<[Vec2]>],
     (i, from_end): (usize, u8),
 ) -> impl Iterator<Item = Organ> + 'a {
     let branch = wood.chains.of_node[i];
-    let size = habit.length * years_of(wood, i).clamp(0.05, 1.0);
+    let pose = LeafPose { length: pose.length * wood.grown[i].max(0.05), ..pose };
     (0..count_of(wood, habit, (i, from_end))).filter_map(move |k| {
-        let shape = Shape::Blade(held(one(wood, habit, outlines, (i, k), size), wood.envelope)?);
+        let shape = Shape::Blade(held(one(wood, (habit, &pose), outlines, (i, k)), wood.envelope)?);
         let branch = Some(branch as usize);
         Some(Organ { kind: OrganKind::Leaf, stroke: None, branch, flower: None, material: 1, shape })
     })
@@ -156,10 +159,9 @@ pub(super) fn held(mut blade: Blade, envelope: &Envelope) -> Option<Blade> {
 /// The leaf `k` of the internode below node `i`; those beyond the internode's own stand at its end.
 fn one(
     wood: &Wood<'_>,
-    habit: &LeafHabit,
+    (habit, pose): (&LeafHabit, &LeafPose),
     outlines: &[Arc<[Vec2]>],
     (i, k): (usize, u32),
-    size: f32,
 ) -> Blade {
     let (from, to) = (wood.chains.below(i, wood.tree, wood.at), wood.at[i]);
     let way = (to - from).try_normalize().unwrap_or(Vec3::Y);
@@ -170,15 +172,15 @@ fn one(
     let side = wood.tree.nodes.side[i].reject_from_normalized(way).normalize_or(way.any_orthonormal_vector());
     let around = Quat::from_axis_angle(way, GOLDEN_RAD * (k + 1) as f32 + 0.4 * random(1)) * side;
     let open = if at_tip { 0.7 } else { 1.0 };
-    let (sin, cos) = (habit.angle.to_radians() * open).sin_cos();
-    let scatter = Vec3::new(random(2), random(3), random(4)) * habit.scatter;
-    let free = way * cos + around * sin - Vec3::Y * habit.droop + scatter;
+    let (sin, cos) = (pose.angle_rad * open).sin_cos();
+    let scatter = Vec3::new(random(2), random(3), random(4)) * pose.scatter;
+    let free = way * cos + around * sin - Vec3::Y * pose.droop + scatter;
     let axis = free.try_normalize().unwrap_or(around);
     // The face between square to the shoot and up to the sky.
     let face =
-        way.lerp(Vec3::Y, habit.face_up) + Vec3::new(random(5), random(6), random(7)) * (0.5 * habit.scatter);
+        way.lerp(Vec3::Y, pose.face_up) + Vec3::new(random(5), random(6), random(7)) * (0.5 * pose.scatter);
     let across = axis.cross(face).try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector());
-    let length = size * (1.0 + habit.vary * random(8));
+    let length = pose.length * (1.0 + pose.vary * random(8));
     let template = (unit(mix(key, 9)) * outlines.len() as f32) as usize % outlines.len();
     Blade {
         outline: outlines[template].clone(),

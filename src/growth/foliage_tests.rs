@@ -10,6 +10,7 @@ struct Grown {
     chains: Chains,
     at: Vec<Vec3>,
     diameters: Vec<f32>,
+    grown: Vec<f32>,
 }
 
 const AGE: f32 = 10.0;
@@ -25,7 +26,8 @@ impl Grown {
         let diameters = diameter::diameters(tree, simulation.habit(), AGE);
         let at = chains::places(tree, AGE);
         let chains = chains::chains(tree, &chains::living(tree, AGE as u16), &at, &diameters);
-        Self { chains, at, diameters, simulation }
+        let grown = vec![1.0; tree.len()];
+        Self { chains, at, diameters, grown, simulation }
     }
 
     fn wood(&self) -> Wood<'_> {
@@ -34,6 +36,7 @@ impl Grown {
             chains: &self.chains,
             at: &self.at,
             diameters: &self.diameters,
+            grown: &self.grown,
             age: AGE,
             tip: self.simulation.habit().tip,
             seed: 3,

@@ -2,7 +2,11 @@
 //!
 //! An outline is drawn with the leaf's base at the origin and its tip at (0, 1); its right half is a table, mirrored.
 //! Compound and needled shoots are one outline with many teeth, so that a crown stays light.
+//!
+//! Sizes and directions may change with the plant's age. All leaves have those of the age that is shown, which change
+//! without a jump. Numbers of leaves and the wood that has any may not: leaves would come and go at their full size.
 
+use super::schedule::Schedule;
 use glam::Vec2;
 use serde::{Deserialize, Serialize};
 
@@ -81,9 +85,9 @@ crate::growth_table! {
     /// Leaves on young wood.
     pub struct LeafHabit {
         /// Length of a leaf with its stalk; 0 for a bare plant.
-        length: f32 = 0.08, 0.0..=3.0, "metres";
+        length: Schedule = 0.08, 0.0..=3.0, "metres";
         /// Width of a leaf as a share of its length.
-        width: f32 = 0.6, 0.01..=3.0, "";
+        width: Schedule = 0.6, 0.01..=3.0, "";
         /// Leaves along one internode.
         per_internode: u32 = 2, 0..=40, "";
         /// More leaves at the end of every shoot.
@@ -91,20 +95,54 @@ crate::growth_table! {
         /// How many years wood carries leaves.
         years: f32 = 2.0, 0.0..=50.0, "years";
         /// Angle between a leaf and its shoot.
-        angle: f32 = 55.0, 0.0..=170.0, "degrees";
+        angle: Schedule = 55.0, 0.0..=170.0, "degrees";
         /// How far leaves hang down.
-        droop: f32 = 0.15, -2.0..=2.0, "";
+        droop: Schedule = 0.15, -2.0..=2.0, "";
         /// Random change of direction.
-        scatter: f32 = 0.3, 0.0..=2.0, "";
+        scatter: Schedule = 0.3, 0.0..=2.0, "";
         /// Random change of length, up to.
-        vary: f32 = 0.25, 0.0..=0.9, "";
+        vary: Schedule = 0.25, 0.0..=0.9, "";
         /// How far leaves turn their face to the sky: 0 not at all, 1 wholly.
-        face_up: f32 = 0.6, 0.0..=1.0, "";
+        face_up: Schedule = 0.6, 0.0..=1.0, "";
         /// Thickest wood that carries leaves, in diameters of the thinnest.
         thickest: f32 = 4.0, 1.0..=1000.0, "";
         choices:
         /// Outline.
         shape: LeafShape = LeafShape::Ovate;
+    }
+}
+
+/// Sizes and directions of the leaves of one age; fields as in [`LeafHabit`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeafPose {
+    /// Metres.
+    pub length: f32,
+    /// Share of the length.
+    pub width: f32,
+    /// Radians.
+    pub angle_rad: f32,
+    /// Weight of down.
+    pub droop: f32,
+    /// Random change of direction.
+    pub scatter: f32,
+    /// Random change of length.
+    pub vary: f32,
+    /// Turn of the face to the sky.
+    pub face_up: f32,
+}
+
+impl LeafHabit {
+    /// The leaves of a plant of this age in years.
+    pub fn at(&self, age: f32) -> LeafPose {
+        LeafPose {
+            length: self.length.at(age),
+            width: self.width.at(age),
+            angle_rad: self.angle.at(age).to_radians(),
+            droop: self.droop.at(age),
+            scatter: self.scatter.at(age),
+            vary: self.vary.at(age),
+            face_up: self.face_up.at(age),
+        }
     }
 }
 

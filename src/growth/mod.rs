@@ -14,13 +14,15 @@
 //! | `vigour`, `priority` | who gets how much of it |
 //! | `direction`, `fate`, `shedding` | what buds and branches make of it |
 //! | `tree`, `skeleton`, `setting`, `simulation`, `limits` | the plant through the years |
-//! | `diameter`, `chains`, `insertion`, `rubbing`, `pruning`, `foliage`, `bloom`, `to_plant` | the plant of one age |
+//! | `diameter`, `chains`, `insertion`, `rubbing`, `pruning`, `standing`, `foliage`, `bloom`, `to_plant` | the plant of one age |
 //! | `overlay` | what growth looks like from inside |
 //! | `drawing`, `lead`, `merge` | growth in a drawing: its wood goes on, its crowns are filled |
 //!
 //! Everything here is pure and deterministic: no files, the same bytes on any number of threads. The one clock is that of
 //! the cap on time, see [`Limits`]; a plant that it ended says so.
 
+#[cfg(test)]
+mod age_tests;
 pub mod bloom;
 pub mod chains;
 pub mod competition;
@@ -49,6 +51,7 @@ pub mod simulation;
 pub mod skeleton;
 pub mod solid;
 pub mod species;
+pub mod standing;
 pub mod table;
 #[cfg(test)]
 mod tests;

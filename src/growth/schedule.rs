@@ -52,6 +52,13 @@ impl Schedule {
         Self { knots: self.knots.iter().map(|(age, value)| (*age, value.max(least))).collect() }
     }
 
+    /// The schedule with every value above 0 brought into a range; 0 stays 0.
+    #[must_use]
+    pub fn clamped_unless_0(&self, least: f32, most: f32) -> Self {
+        let clamp = |value: f32| if value > 0.0 { value.clamp(least, most) } else { value };
+        Self { knots: self.knots.iter().map(|(age, value)| (*age, clamp(*value))).collect() }
+    }
+
     /// The schedule with every value multiplied.
     #[must_use]
     pub fn times(&self, factor: f32) -> Self {
@@ -136,6 +143,15 @@ mod tests {
         assert_eq!(
             [0.0, 2.0, 3.0, 4.0, 7.0, 10.0, 99.0].map(|age| s.at(age)),
             [1.0, 1.0, 2.0, 3.0, 1.5, 0.0, 0.0]
+        );
+    }
+
+    #[test]
+    fn values_above_0_are_clamped_and_0_stays() {
+        let s = Schedule::new(vec![(0.0, 0.0), (4.0, 9.0), (5.0, 0.5)], 0.0, 9.0).unwrap();
+        assert_eq!(
+            [0.0, 2.0, 4.0, 5.0].map(|age| s.clamped_unless_0(1.0, 2.0).at(age)),
+            [0.0, 1.0, 2.0, 1.0]
         );
     }
 

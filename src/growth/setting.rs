@@ -80,18 +80,16 @@ pub(super) fn fitted(habit: &Habit, envelope: &Envelope, trunk: Option<f32>) -> 
             let volume = volume_of(envelope, high - low);
             let thin = (volume / (FULL * size.powi(3))).clamp(0.0, 1.0).powf(0.25).max(FINE / FINEST);
             habit.internode = habit.internode.min(size * thin / (FINE * habit.fineness));
-            let leaves = LEAVES.0 * habit.internode..=LEAVES.1 * habit.internode;
             // A bare plant stays bare.
-            if habit.leaf.length > 0.0 {
-                habit.leaf.length = habit.leaf.length.clamp(*leaves.start(), *leaves.end());
-            }
+            let (short, long) = (LEAVES.0 * habit.internode, LEAVES.1 * habit.internode);
+            habit.leaf.length = habit.leaf.length.clamped_unless_0(short, long);
             let pipes = PIPES * CROWDED * volume / habit.internode.powi(3);
             let tip = trunk.unwrap_or(TRUNK * size) / pipes.max(1.0).powf(1.0 / habit.pipe);
             habit.tip = tip.clamp(THIN * habit.tip, habit.tip);
         }
     }
     // An axis that is led on by one lateral after the other, as round the bends of a thin crown, stays as strong.
-    habit.shorter = 1.0;
+    habit.shorter = 1.0.into();
     (habit.bole, habit.clearance, habit.shed) = (0.0.into(), 0.0.into(), 0.0.into());
     habit.seeking = habit.seeking.at_least(0.9);
     habit.supply = habit.supply.at_least(4.0);

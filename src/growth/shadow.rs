@@ -2,13 +2,14 @@
 //!
 //! A node in voxel (I, J, K) darkens a pyramid below itself: in the layer q below, for q = 0 … q_max, the voxels up to
 //! q away in x and z, each by Δs = a·b^−q. A bud in a voxel of shadow s gets Q = max(C − s + a, 0), a because no bud
-//! shades itself; it would grow along the negative gradient of s.
+//! shades itself; it would grow along the negative gradient of s, or toward the least s of the 26 voxels around its own
+//! (001 §2.2 has both; there only voxels that the bud perceives count, here those behind it do too).
 //!
 //! Shadows are whole numbers of a small unit, so what is added can be taken away again without a trace and the order of
 //! adding does not matter. The unit is [`FINEST`], or larger where the darkest voxel that the plant's nodes could make
 //! together would not fit into 32 bits otherwise. The grid grows with the plant.
 
-use super::species::LightHabit;
+use super::species::{LightHabit, Toward};
 use glam::{IVec3, Vec3};
 
 /// Units of shadow in a shadow of 1, at most.
@@ -34,6 +35,7 @@ pub struct Shadow {
     nodes: u32,
     full: f32,
     own: f32,
+    toward: Toward,
 }
 
 /// Adds or takes away.
@@ -62,6 +64,7 @@ impl Shadow {
             nodes: 0,
             full: light.full,
             own: light.darkening,
+            toward: light.toward,
         }
     }
 
@@ -153,6 +156,36 @@ impl Shadow {
         ((self.full - self.shadow(p) + self.own) / self.full).clamp(0.0, 1.0)
     }
 
+    /// The direction in which a bud finds more light as its species looks for it, of length 0 to 1.
+    pub fn lighter(&self, p: Vec3) -> Vec3 {
+        match self.toward {
+            Toward::Gradient => self.away(p),
+            Toward::Least => self.lightest(p),
+        }
+    }
+
+    /// The shadows of the voxels next to a point's own, and the steps to them; there is none outside the grid.
+    fn around(&self, p: Vec3) -> impl Iterator<Item = (Vec3, u32)> + '_ {
+        let place = self.place(p);
+        let steps = (0..27).filter(|k| *k != 13).map(|k| IVec3::new(k % 3 - 1, k / 9 - 1, k / 3 % 3 - 1));
+        steps.map(move |step| (step.as_vec3(), self.index(place + step).map_or(0, |i| self.dark[i])))
+    }
+
+    /// The direction of the lightest of the 26 voxels next to a point's own, of length 0 to 1: the mean of all that are
+    /// as light, so short where they lie on opposite sides, and where the others are hardly darker.
+    pub fn lightest(&self, p: Vec3) -> Vec3 {
+        let least = self.around(p).map(|(_, dark)| dark).min().unwrap_or(0);
+        let (mut sum, mut count, mut darker) = (Vec3::ZERO, 0.0, 0.0);
+        for (step, dark) in self.around(p) {
+            if dark == least {
+                sum += step.normalize();
+                count += 1.0;
+            }
+            darker += (dark - least) as f32 / (26.0 * self.units);
+        }
+        sum / count * (darker / (darker + 0.05 * self.full))
+    }
+
     /// The direction in which shadow falls most steeply, of length 0 to 1: short where there is little shadow.
     pub fn away(&self, p: Vec3) -> Vec3 {
         let place = self.place(p);
@@ -241,6 +274,39 @@ mod tests {
         assert!(shadow.away(Vec3::new(20.0, 1.5, 2.0)).z > 0.05);
         assert!(nodes.iter().rev().all(|p| shadow.cast(*p, Change::Shed, 1 << 20)));
         assert!(shadow.dark.iter().all(|s| *s == 0));
+    }
+
+    #[test]
+    fn the_lightest_voxel_wins_and_equals_pull_alike() {
+        let light = LightHabit {
+            darkening: 0.2,
+            falloff: 2.0,
+            depth: 3,
+            toward: Toward::Least,
+            ..LightHabit::default()
+        };
+        let mut shadow = Shadow::new(&light, 1.0, 1000);
+        let bud = Vec3::splat(0.5);
+        assert_eq!(shadow.lighter(bud), Vec3::ZERO, "nothing is darker than anything");
+        // A roof over all of the voxels above but the one before and to the left: only light from there comes in.
+        let gap = Vec3::new(-1.0, 1.0, 1.0);
+        let cast = |shadow: &mut Shadow, at: Vec3| assert!(shadow.cast(bud + at, Change::Grown, 1 << 20));
+        let ring = |y: f32| (0..9).map(move |k: i8| Vec3::new(f32::from(k % 3 - 1), y, f32::from(k / 3 - 1)));
+        for at in ring(1.0).filter(|at| *at != gap) {
+            cast(&mut shadow, at);
+        }
+        let way = shadow.lighter(bud);
+        assert!(way.normalize().abs_diff_eq(gap.normalize(), 1e-4) && way.length() > 0.3, "{way}");
+        let mean = shadow.away(bud).normalize();
+        assert!(mean.dot(gap.normalize()) < 0.9, "the gradient knows no gap: {mean}");
+        // With the same gap on the other side both pull alike.
+        let both = gap * Vec3::new(-1.0, 1.0, 1.0);
+        let mut two = Shadow::new(&light, 1.0, 1000);
+        for at in ring(1.0).filter(|at| *at != gap && *at != both) {
+            cast(&mut two, at);
+        }
+        let way = two.lighter(bud);
+        assert!(way.x == 0.0 && way.y > 0.0 && way.z > 0.0 && way.y == way.z, "{way}");
     }
 
     #[test]

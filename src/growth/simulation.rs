@@ -262,7 +262,7 @@ impl Simulation {
         at.extend(tree.open.iter().map(|&b| tree.nodes.at[tree.buds.node[b as usize] as usize]));
         match &self.field {
             Field::Light(shadow) => {
-                let one = |p: &Vec3| (shadow.exposure(*p), shadow.away(*p));
+                let one = |p: &Vec3| (shadow.exposure(*p), shadow.lighter(*p));
                 if at.len() < MANY {
                     (found.q, found.best) = at.iter().map(one).unzip();
                 } else {
@@ -289,10 +289,11 @@ impl Simulation {
                 flow.share_out(&self.tree, &found.q, supply, lambda);
             }
             Control::Priority => {
+                let most = habit.omega_max.at(age);
                 let rule = Priority {
                     kappa: habit.kappa.at(age),
-                    most: habit.omega_max,
-                    least: habit.omega_min.min(habit.omega_max),
+                    most,
+                    least: habit.omega_min.at(age).min(most),
                     apical_first: habit.apical_first,
                 };
                 priority::share_out(flow, &self.tree, &found.q, supply, |_| rule);
@@ -335,7 +336,7 @@ impl Simulation {
         let mut way = self.tree.buds.direction[bud as usize];
         let order = self.tree.nodes.order[node as usize].saturating_add(u8::from(!state.apical));
         let weights = Weights::of(&self.habit, order, state.age);
-        let length = self.habit.internode * self.habit.shorter.powi(i32::from(order)) * stretch;
+        let length = self.habit.internode * self.habit.shorter.at(state.age).powi(i32::from(order)) * stretch;
         let mut side = match state.apical {
             true => self.tree.nodes.side[node as usize],
             false => direction::first_side(way, state.key, &self.habit),
@@ -350,7 +351,7 @@ impl Simulation {
             let Some(next) = self.way_on(from, weights.next(way, best, key), best, length, order) else {
                 break;
             };
-            side = direction::next_side(side, way, next, order, &self.habit);
+            side = direction::next_side_at(side, (way, next), (order, state.age), &self.habit);
             way = next;
             let lateral = k == 0 && !state.apical;
             let at = from + way * length;
@@ -399,7 +400,7 @@ impl Simulation {
             return;
         }
         let order = self.tree.nodes.order[node as usize];
-        let spread = self.habit.branching_spread * (2.0 * unit(mix(key, 52)) - 1.0);
+        let spread = self.habit.branching_spread.at(age) * (2.0 * unit(mix(key, 52)) - 1.0);
         let angle = (self.habit.branching.at(age) + spread).to_radians();
         for bud in direction::laterals(way, side, angle, direction::laterals_per_node(&self.habit, order)) {
             self.tree.add_bud(node, bud, false, self.year);

@@ -1,7 +1,20 @@
 //! How a species grows: the section `[growth]` of a species file.
 //!
 //! Lengths of the model are in internodes where nothing else is said, so that one number, the length of an internode,
-//! scales the whole plant. Most numbers may change with age, see [`Schedule`].
+//! scales the whole plant.
+//!
+//! A number may change with age, see [`Schedule`], where it is asked for anew: each year, where it takes part in that
+//! year's decisions (directions and angles, lengths of new internodes, supply and its sharing, flowering, shedding), or
+//! at the age shown, where it is how leaves look ([`LeafHabit`]). What has grown stays as it grew. The others hold for
+//! the plant as a whole:
+//! - units and scales: `height`, `internode`, `fineness`, `tip`. All lengths are counted in them.
+//! - what the plant begins with: `stems`, `stem_lean`, the crown, and the fields of light and space, which keep the same
+//!   voxels and markers for all ages.
+//! - the pipe model: `pipe`, `pipe_leaf`, `flare`. Wood of all ages is one sum, and with another exponent it would
+//!   shrink.
+//! - counts and caps: `shoot`, `laterals`, `flower_cluster` and the leaves' numbers. What is whole cannot change
+//!   gradually.
+//! - ages and times: `flower_age`, `bud_life`, `shed_after`, `flower_years`, and the years that wood has leaves.
 
 use super::leaf::LeafHabit;
 use super::schedule::Schedule;
@@ -42,6 +55,16 @@ pub enum Control {
     Priority,
 }
 
+/// Where buds find more light (001 §2.2).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Toward {
+    /// Along the negative gradient of the shadow: away from what darkens them.
+    Gradient,
+    /// In the lightest of the voxels next to their own: into gaps.
+    Least,
+}
+
 crate::growth_table! {
     /// Shadows, eq. 2.2.
     pub struct LightHabit {
@@ -55,6 +78,9 @@ crate::growth_table! {
         falloff: f32 = 1.6, 1.01..=20.0, "";
         /// Layers q_max that a shadow reaches down.
         depth: u32 = 6, 0..=24, "voxels";
+        choices:
+        /// Where buds find more light.
+        toward: Toward = Toward::Gradient;
     }
 }
 
@@ -110,7 +136,7 @@ crate::growth_table! {
         /// How fine wood and leaves are in a drawn crown: 2 is twice as fine.
         fineness: f32 = 1.0, 0.2..=4.0, "";
         /// Length of internodes on each further order of branching, as a share of the order below.
-        shorter: f32 = 0.92, 0.2..=1.5, "";
+        shorter: Schedule = 0.92, 0.2..=1.5, "";
         /// Most internodes that one bud grows in a year.
         shoot: u32 = 6, 1..=60, "";
         /// Number of trunks.
@@ -120,11 +146,11 @@ crate::growth_table! {
         /// Buds in a whorl.
         laterals: u32 = 4, 1..=20, "";
         /// Angle between one bud and the next around the axis.
-        divergence: f32 = 137.5, 0.0..=360.0, "degrees";
+        divergence: Schedule = 137.5, 0.0..=360.0, "degrees";
         /// Angle between an axis and its lateral buds.
         branching: Schedule = 50.0, 0.0..=175.0, "degrees";
         /// Random change of that angle, up to.
-        branching_spread: f32 = 8.0, 0.0..=90.0, "degrees";
+        branching_spread: Schedule = 8.0, 0.0..=90.0, "degrees";
         /// Share of the nodes that have lateral buds.
         ramification: Schedule = 1.0, 0.0..=1.0, "";
         /// Weight α of the direction so far.
@@ -150,9 +176,9 @@ crate::growth_table! {
         /// Share κ of the queue over which the weight falls, eq. 2.6: small makes one leader. For species of the priority model.
         kappa: Schedule = 0.5, 0.0..=1.0, "";
         /// Weight ω_max of the first in the queue. For species of the priority model.
-        omega_max: f32 = 1.0, 0.001..=10.0, "";
+        omega_max: Schedule = 1.0, 0.001..=10.0, "";
         /// Weight ω_min of the last in the queue. For species of the priority model.
-        omega_min: f32 = 0.006, 0.0..=10.0, "";
+        omega_min: Schedule = 0.006, 0.0..=10.0, "";
         /// Years that a bud waits before it is aborted.
         bud_life: u32 = 4, 0..=100, "years";
         /// Age from which weak shoots end in flowers, and lateral buds flower.
@@ -162,7 +188,7 @@ crate::growth_table! {
         /// Share of the lateral buds without a shoot that flower instead, each year.
         flowering_side: Schedule = 0.0, 0.0..=1.0, "";
         /// Resource below which a shoot is weak.
-        flower_below: f32 = 1.0, 0.0..=20.0, "";
+        flower_below: Schedule = 1.0, 0.0..=20.0, "";
         /// Years in which one place flowers.
         flower_years: u32 = 1, 1..=100, "years";
         /// Flowers at one place.
@@ -211,7 +237,7 @@ impl Habit {
         habit.height *= factor;
         habit.internode *= factor;
         habit.tip *= factor;
-        habit.leaf.length *= factor;
+        habit.leaf.length = habit.leaf.length.times(factor);
         (habit.bole, habit.clearance) = (habit.bole.times(factor), habit.clearance.times(factor));
         if let Some(crown) = &mut habit.crown {
             (crown.height, crown.width) = (crown.height * factor, crown.width * factor);

@@ -3,7 +3,7 @@
 
 use super::fate::unit;
 use super::priority::{self, Priority};
-use super::species::{Arrangement, Control, CrownHabit, Resource, SpaceHabit};
+use super::species::{Arrangement, Control, CrownHabit, Resource, SpaceHabit, Toward};
 use super::tree::NONE;
 use super::vigour::Flow;
 use super::*;
@@ -408,11 +408,11 @@ prop_compose! {
         c in (any_in(0.0, 20.0), any_in(0.0, 1.0), any_in(0.0, 1.0), any_in(0.0, 2.0), any_in(0.0, 2.0)),
         d in (any_in(0.25, 20.0), any_in(0.001, 10.0), any_in(1.01, 20.0), 0u32..24, any_in(1.5, 4.0)),
         e in (any_in(0.1, 20.0), any_in(0.2, 40.0), any_in(5.0, 360.0), any_in(1.0, 5000.0)),
-        kind in (0usize..4, any::<bool>(), any::<bool>(), any::<bool>()),
+        kind in (0usize..4, any::<bool>(), any::<bool>(), any::<bool>(), any::<bool>()),
     ) -> Habit {
         let arrangements = [Arrangement::Spiral, Arrangement::Alternate, Arrangement::Opposite, Arrangement::Whorl];
         let mut habit = Habit {
-            internode: a.0, shorter: a.1, shoot: a.2, stems: a.3, stem_lean: a.4, laterals: a.5,
+            internode: a.0, shorter: a.1.into(), shoot: a.2, stems: a.3, stem_lean: a.4, laterals: a.5,
             branching: b.0.into(), ramification: b.1.into(), straightness: b.2.into(), seeking: b.3.into(),
             lift: b.4.into(), lift_branch: (-b.4).into(), wander: b.3.into(),
             supply: c.0.into(), lambda: c.1.into(), kappa: c.2.into(), shed: c.3.into(), bole: c.4.into(), pipe: d.4,
@@ -425,6 +425,7 @@ prop_compose! {
             ..Habit::default()
         };
         (habit.light.voxel, habit.light.darkening, habit.light.falloff, habit.light.depth) = (d.0, d.1, d.2, d.3);
+        habit.light.toward = if kind.4 { Toward::Least } else { Toward::Gradient };
         habit
     }
 }

@@ -5,11 +5,10 @@
 //! plant.
 
 use super::bloom;
-use super::chains::{self, Chain, Chains};
-use super::diameter;
+use super::chains::{Chain, Chains};
 use super::foliage::{self, Wood};
-use super::pruning;
 use super::simulation::Simulation;
+use super::standing::{self, Standing};
 use crate::plant::{Branch, Material, Plant, WorldFromCanvas};
 use glam::{Vec2, Vec3};
 
@@ -29,9 +28,7 @@ pub fn plant_at(simulation: &Simulation, age: f32) -> Plant {
 pub fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) {
     let (tree, habit) = (simulation.tree(), simulation.habit());
     let age = if age.is_finite() { age.clamp(0.0, f32::from(simulation.age())) } else { 0.0 };
-    let diameters = diameter::diameters(tree, habit, age);
-    let places = chains::places(tree, age);
-    let (chains, at) = pruning::pruned(tree, age.ceil() as u16, &places, &diameters, habit.pipe);
+    let Standing { chains, at, diameters, grown } = standing::standing(tree, habit, age);
     let branch = |chain: &Chain| branch_of(chain, &chains, &at, &diameters, habit.flare);
     let branches = chains.chains.iter().map(branch).collect();
     let wood = Wood {
@@ -39,6 +36,7 @@ pub fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) {
         chains: &chains,
         at: &at,
         diameters: &diameters,
+        grown: &grown,
         age,
         tip: habit.tip,
         seed: simulation.seed(),
@@ -136,3 +134,7 @@ fn with_foot(skeleton: &[(Vec3, f32)], flare: f32) -> Vec<(Vec3, f32)> {
     out.extend(skeleton.last().map(|s| (s.0, widened(s.1, walked))));
     out
 }
+
+#[cfg(test)]
+#[path = "to_plant_tests.rs"]
+mod tests;

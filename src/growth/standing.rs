@@ -1,0 +1,77 @@
+//! Where the wood of one age stands.
+//!
+//! Which wood has room, and where on their carriers branches stand, is decided for the ends of years ([`pruned`]): wood
+//! thickens all the time, and decided anew for every moment, branches would be cut and come back from one moment to the
+//! next. In a year that runs, what stands at its beginning and at its end goes evenly from its one place to the other.
+//! What stands at its end only has grown in it, or has found room again, and grows out of what carries it.
+//!
+//! Limits: what stands at its beginning only, because it is shed or cut in that year, is gone as soon as the year runs.
+
+use super::chains::{self, Chains};
+use super::diameter;
+use super::pruning;
+use super::species::Habit;
+use super::tree::{NONE, Tree};
+use glam::Vec3;
+
+/// Least share of its length that wood of this year is shown with.
+const LEAST: f32 = 0.02;
+
+/// The wood of one age.
+#[derive(Clone, Debug)]
+pub struct Standing {
+    /// Runs of nodes.
+    pub chains: Chains,
+    /// Places of the nodes, metres.
+    pub at: Vec<Vec3>,
+    /// Diameters below the nodes, metres.
+    pub diameters: Vec<f32>,
+    /// How far the internode below each node, and what it carries, has grown this year; 1 for older ones.
+    pub grown: Vec<f32>,
+}
+
+/// The wood of a plant at an age in years.
+pub fn standing(tree: &Tree, habit: &Habit, age: f32) -> Standing {
+    let year = age.ceil() as u16;
+    let end = at_the_end(tree, habit, year);
+    let passed = 1.0 - (f32::from(year) - age);
+    if passed >= 1.0 || year == 0 {
+        return end;
+    }
+    let start = at_the_end(tree, habit, year - 1);
+    let mut now = Standing { diameters: diameter::diameters(tree, habit, age), ..end.clone() };
+    let stood = |node: usize| start.chains.of_node.get(node).is_some_and(|chain| *chain != NONE);
+    for (i, &below) in tree.nodes.parent[..end.chains.of_node.len()].iter().enumerate() {
+        if stood(i) || below == NONE {
+            now.at[i] = start.at[i].lerp(end.at[i], passed);
+        } else if end.chains.of_node[i] != NONE {
+            let (foot, p) = (end.chains.below(i, tree, &end.at), below as usize);
+            let from = now.at[p] + (foot - end.at[p]);
+            now.at[i] = from + (end.at[i] - foot) * passed.max(LEAST);
+            now.grown[i] = passed;
+            if tree.nodes.born[i] < year {
+                // As thick as new wood would be by the pipe model, were it to carry as much in the end.
+                now.diameters[i] *= passed.powf(1.0 / habit.pipe);
+            }
+        }
+    }
+    for chain in &mut now.chains.chains {
+        let (node, first) = (end.chains.nodes[chain.range.0 as usize], chain.range.0 as usize + 1);
+        let first = end.chains.nodes[first] as usize;
+        chain.foot = if stood(first) {
+            start.chains.below(first, tree, &start.at).lerp(chain.foot, passed)
+        } else {
+            now.at[node as usize] + (chain.foot - end.at[node as usize])
+        };
+    }
+    now
+}
+
+/// The wood at the end of a year.
+fn at_the_end(tree: &Tree, habit: &Habit, year: u16) -> Standing {
+    let diameters = diameter::diameters(tree, habit, f32::from(year));
+    let places = chains::places(tree, f32::from(year));
+    let (chains, at) = pruning::pruned(tree, year, &places, &diameters, habit.pipe);
+    let grown = vec![1.0; chains.of_node.len()];
+    Standing { chains, at, diameters, grown }
+}
