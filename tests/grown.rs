@@ -60,14 +60,13 @@ fn every_species_grows_as_before() {
 }
 
 #[test]
-fn wood_hardly_cuts_itself_and_is_one_surface_for_each_trunk() {
+fn wood_hardly_cuts_itself_and_is_one_surface() {
     for name in Species::growing() {
         let (_, mut plant) = grown(name, None);
         plant.organs.clear();
-        let trunks = plant.branches.iter().filter(|b| b.parent.is_none()).count();
         let model = model::build(&plant, &ModelParams::default());
         let report = judge_model(&model);
-        assert_eq!((report.is_clean(), report.components), (true, trunks), "{name}");
+        assert_eq!((report.is_clean(), report.components), (true, 1), "{name}");
         let faces: usize = model.parts.iter().map(|part| crossing_faces(&part.mesh)).sum();
         let share = faces as f32 / report.triangles as f32;
         assert!(share <= 0.001, "{name}: {faces} of {} faces cross others", report.triangles);

@@ -52,6 +52,7 @@ pub mod skeleton;
 pub mod solid;
 pub mod species;
 pub mod standing;
+mod stool;
 pub mod table;
 #[cfg(test)]
 mod tests;

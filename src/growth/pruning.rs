@@ -4,7 +4,7 @@
 //! are cut with all that they carry. Where a carrier is cut short, the thickest of what is left on its end goes on with
 //! it, so chains are followed anew after that.
 //!
-//! Drawn wood and limbs that make the crown are never cut.
+//! Drawn wood, limbs that make the crown and the feet of trunks are never cut.
 
 use super::chains::{Chains, chains, living};
 use super::insertion;
@@ -22,7 +22,12 @@ const ROUNDS: usize = 2;
 pub fn pruned(tree: &Tree, year: u16, places: &[Vec3], diameters: &[f32], pipe: f32) -> (Chains, Vec<Vec3>) {
     let mut lives = living(tree, year);
     let spared = SPARED * trunk_for_all(tree, diameters, pipe);
-    let stays = |node: u32| (node as usize) < tree.drawn.len() || diameters[node as usize] > spared;
+    let is_stem = |node: usize| stands_on_foot(tree, node);
+    let is_drawn = |node: usize| node < tree.drawn.len();
+    let stays = |node: u32| {
+        let node = node as usize;
+        is_drawn(node) || diameters[node] > spared || is_stem(node)
+    };
     for _ in 0..ROUNDS {
         let (wood, at, crowded) = settled(tree, &lives, (places, diameters), stays);
         let mut cut: Vec<u32> = crowded.iter().map(|c| wood.first(*c)).filter(|node| !stays(*node)).collect();
@@ -58,13 +63,15 @@ fn fell(tree: &Tree, lives: &mut [bool], cut: &[u32]) {
     }
 }
 
+/// Whether a node is the first above the ground.
+fn stands_on_foot(tree: &Tree, node: usize) -> bool {
+    let below = tree.nodes.parent[node];
+    below != NONE && tree.nodes.parent[below as usize] == NONE
+}
+
 /// The diameter of the one trunk that could carry what all trunks carry, by the pipe model of exponent `pipe`.
 fn trunk_for_all(tree: &Tree, diameters: &[f32], pipe: f32) -> f32 {
-    let stands_on_foot = |n: &usize| {
-        let below = tree.nodes.parent[*n];
-        below != NONE && tree.nodes.parent[below as usize] == NONE
-    };
-    let trunks = (0..diameters.len()).filter(stands_on_foot);
+    let trunks = (0..diameters.len()).filter(|n| stands_on_foot(tree, *n));
     trunks.map(|trunk| diameters[trunk].powf(pipe)).sum::<f32>().powf(1.0 / pipe)
 }
 

@@ -9,6 +9,7 @@ use super::chains::{Chain, Chains};
 use super::foliage::{self, Wood};
 use super::simulation::Simulation;
 use super::standing::{self, Standing};
+use super::stool;
 use crate::plant::{Branch, Material, Plant, WorldFromCanvas};
 use glam::{Vec2, Vec3};
 
@@ -29,8 +30,10 @@ pub fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) {
     let (tree, habit) = (simulation.tree(), simulation.habit());
     let age = if age.is_finite() { age.clamp(0.0, f32::from(simulation.age())) } else { 0.0 };
     let Standing { chains, at, diameters, grown } = standing::standing(tree, habit, age);
-    let branch = |chain: &Chain| branch_of(chain, &chains, &at, &diameters, habit.flare);
-    let branches = chains.chains.iter().map(branch).collect();
+    let limb = |chain: &Chain| limb_of(chain, &chains, &at, &diameters);
+    let mut limbs: Vec<Limb> = chains.chains.iter().map(limb).collect();
+    stool::join(tree, &mut limbs);
+    let branches = limbs.into_iter().map(|limb| limb.into_branch(habit.flare)).collect();
     let wood = Wood {
         tree,
         chains: &chains,
@@ -55,7 +58,16 @@ pub fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) {
     (plant, chains)
 }
 
-fn branch_of(chain: &Chain, chains: &Chains, at: &[Vec3], diameters: &[f32], flare: f32) -> Branch {
+/// A branch on its way into the plant.
+pub(super) struct Limb {
+    /// The limb that carries it.
+    pub(super) parent: Option<usize>,
+    level: u32,
+    /// Points with their radii, metres, from its base.
+    pub(super) skeleton: Vec<(Vec3, f32)>,
+}
+
+fn limb_of(chain: &Chain, chains: &Chains, at: &[Vec3], diameters: &[f32]) -> Limb {
     let nodes = &chains.nodes[chain.range.0 as usize..chain.range.1 as usize];
     let mut skeleton: Vec<(Vec3, f32)> = Vec::with_capacity(2 * nodes.len());
     for (k, &node) in nodes.iter().enumerate() {
@@ -72,21 +84,28 @@ fn branch_of(chain: &Chain, chains: &Chains, at: &[Vec3], diameters: &[f32], fla
     if let (Some(_), Some(first)) = (chain.parent, skeleton.first_mut()) {
         first.1 = first.1.min(NARROWER * 0.5 * diameters[nodes[0] as usize]);
     }
-    let mut smooth = rounded(&skeleton);
-    if chain.parent.is_none() {
-        smooth = with_foot(&smooth, flare);
-    }
-    smooth.dedup_by(|b, a| a.0.distance_squared(b.0) <= (1e-3 * a.1).powi(2));
-    if let [(base, radius)] = smooth[..] {
-        smooth.push((base + Vec3::Y * radius.max(1e-5), radius));
-    }
-    Branch {
-        stroke: None,
-        parent: chain.parent.map(|p| p as usize),
-        level: chain.level,
-        points: smooth.iter().map(|s| s.0).collect(),
-        radii: smooth.iter().map(|s| s.1.max(1e-6)).collect(),
-        material: 0,
+    let skeleton = rounded(&skeleton);
+    Limb { parent: chain.parent.map(|p| p as usize), level: chain.level, skeleton }
+}
+
+impl Limb {
+    fn into_branch(self, flare: f32) -> Branch {
+        let mut skeleton = self.skeleton;
+        if self.parent.is_none() {
+            skeleton = with_foot(&skeleton, flare);
+        }
+        skeleton.dedup_by(|b, a| a.0.distance_squared(b.0) <= (1e-3 * a.1).powi(2));
+        if let [(base, radius)] = skeleton[..] {
+            skeleton.push((base + Vec3::Y * radius.max(1e-5), radius));
+        }
+        Branch {
+            stroke: None,
+            parent: self.parent,
+            level: self.level,
+            points: skeleton.iter().map(|s| s.0).collect(),
+            radii: skeleton.iter().map(|s| s.1.max(1e-6)).collect(),
+            material: 0,
+        }
     }
 }
 
