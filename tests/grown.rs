@@ -97,6 +97,16 @@ fn fruit_trees_flower_when_they_are_of_age_and_their_flowers_open() {
     assert!(buds(20.0) > buds(6.0));
 }
 
+/// Drawings are scaled by it: what is drawn as high as a grown plant goes on like one.
+#[test]
+fn species_grow_as_high_as_they_say() {
+    for name in Species::growing() {
+        let said = Species::built_in(name).unwrap().growth.unwrap().height;
+        let high = size(&grown(name, None).1).y;
+        assert!((high / said - 1.0).abs() < 0.12, "{name} says {said} m and grows {high} m high");
+    }
+}
+
 #[test]
 fn crowns_have_the_proportions_of_their_species() {
     let slender = |name: &str| {
