@@ -45,8 +45,8 @@ impl Chains {
     }
 }
 
-/// Follows the wood that lives and has these [`places`]. `lives` is for every node that has been born, in order; what
-/// stands on dead wood is dead.
+/// Follows the wood that lives and whose nodes stand at these places. `lives` is for every node that has been born, in
+/// order; what stands on dead wood is dead.
 pub fn chains(tree: &Tree, lives: &[bool], at: &[Vec3], diameters: &[f32]) -> Chains {
     let nodes = &tree.nodes;
     let born = lives.len();
@@ -89,23 +89,4 @@ pub fn chains(tree: &Tree, lives: &[bool], at: &[Vec3], diameters: &[f32]) -> Ch
 pub fn living(tree: &Tree, year: u16) -> Vec<bool> {
     let born = tree.nodes.born.partition_point(|born| *born <= year);
     tree.nodes.died[..born].iter().map(|died| *died > year).collect()
-}
-
-/// Places of all nodes at an age: in the year that runs, new internodes have the share of their length that has passed.
-pub fn places(tree: &Tree, age: f32) -> Vec<Vec3> {
-    let year = age.ceil() as u16;
-    let passed = 1.0 - (f32::from(year) - age);
-    let nodes = &tree.nodes;
-    let mut at = nodes.at.clone();
-    if passed >= 1.0 || year == 0 {
-        return at;
-    }
-    let newborn = nodes.born.partition_point(|b| *b < year)..nodes.born.partition_point(|b| *b <= year);
-    for i in newborn {
-        let p = nodes.parent[i];
-        if p != NONE {
-            at[i] = at[p as usize] + (nodes.at[i] - nodes.at[p as usize]) * passed.max(0.02);
-        }
-    }
-    at
 }

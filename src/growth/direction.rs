@@ -56,13 +56,8 @@ impl Weights {
     }
 }
 
-/// The side vector of the next node of an axis that the plant begins with.
-pub fn next_side(side: Vec3, from: Vec3, to: Vec3, order: u8, habit: &Habit) -> Vec3 {
-    next_side_at(side, (from, to), (order, 0.0), habit)
-}
-
 /// The side vector of the next node of an axis that grows at an age in years.
-pub fn next_side_at(side: Vec3, (from, to): (Vec3, Vec3), (order, age): (u8, f32), habit: &Habit) -> Vec3 {
+pub fn next_side(side: Vec3, (from, to): (Vec3, Vec3), (order, age): (u8, f32), habit: &Habit) -> Vec3 {
     // Double reflection between two places that differ by the mean direction.
     let carried = frame::transport(side, (Vec3::ZERO, from), ((from + to) * 0.5, to));
     let turn = match habit.arrangement {
@@ -126,7 +121,7 @@ mod tests {
     fn phyllotaxis_turns_buds_about_the_axis() {
         let habit = |arrangement| Habit { arrangement, divergence: 137.5.into(), ..Habit::default() };
         let turned = |arrangement| {
-            let side = next_side(Vec3::X, Vec3::Y, Vec3::Y, 0, &habit(arrangement));
+            let side = next_side(Vec3::X, (Vec3::Y, Vec3::Y), (0, 0.0), &habit(arrangement));
             assert!(side.dot(Vec3::Y).abs() < 1e-5 && side.is_normalized());
             side.dot(Vec3::X).clamp(-1.0, 1.0).acos().to_degrees()
         };
@@ -137,7 +132,7 @@ mod tests {
             (turned(Arrangement::Whorl) - 137.5 / 4.0).abs() < 0.1,
             "a whorl stands in the gaps of the last"
         );
-        let on_a_branch = next_side(Vec3::X, Vec3::Y, Vec3::Y, 1, &habit(Arrangement::Whorl));
+        let on_a_branch = next_side(Vec3::X, (Vec3::Y, Vec3::Y), (1, 0.0), &habit(Arrangement::Whorl));
         assert!(on_a_branch.abs_diff_eq(Vec3::X, 1e-5), "sprays of branches stay flat");
         let count = |order| laterals_per_node(&habit(Arrangement::Whorl), order);
         assert_eq!([count(0), count(1), count(2)], [4, 2, 2]);

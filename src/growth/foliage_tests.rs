@@ -24,7 +24,7 @@ impl Grown {
         simulation.grow_to(AGE as u16, &|| false);
         let tree = simulation.tree();
         let diameters = diameter::diameters(tree, simulation.habit(), AGE);
-        let at = chains::places(tree, AGE);
+        let at = tree.nodes.at.clone();
         let chains = chains::chains(tree, &chains::living(tree, AGE as u16), &at, &diameters);
         let grown = vec![1.0; tree.len()];
         Self { chains, at, diameters, grown, simulation }

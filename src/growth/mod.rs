@@ -14,7 +14,7 @@
 //! | `vigour`, `priority` | who gets how much of it |
 //! | `direction`, `fate`, `shedding` | what buds and branches make of it |
 //! | `tree`, `skeleton`, `setting`, `simulation`, `limits` | the plant through the years |
-//! | `diameter`, `chains`, `insertion`, `rubbing`, `pruning`, `standing`, `foliage`, `bloom`, `to_plant` | the plant of one age |
+//! | `diameter`, `chains`, `insertion`, `rubbing`, `pruning`, `stool`, `standing`, `foliage`, `bloom`, `to_plant` | the plant of one age |
 //! | `overlay` | what growth looks like from inside |
 //! | `drawing`, `lead`, `merge` | growth in a drawing: its wood goes on, its crowns are filled |
 //!

@@ -17,8 +17,8 @@ const SPARED: f32 = 0.3;
 /// How often what is left is looked at again: what is cut makes room, but chains that go on elsewhere want some.
 const ROUNDS: usize = 2;
 
-/// The wood that lives at the end of a year and has these [`places`](super::chains::places), pruned; and the places
-/// where it then stands.
+/// The wood that lives at the end of a year and whose nodes stand at these places, pruned; and the places where it then
+/// stands.
 pub fn pruned(tree: &Tree, year: u16, places: &[Vec3], diameters: &[f32], pipe: f32) -> (Chains, Vec<Vec3>) {
     let mut lives = living(tree, year);
     let spared = SPARED * trunk_for_all(tree, diameters, pipe);

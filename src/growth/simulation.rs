@@ -351,7 +351,7 @@ impl Simulation {
             let Some(next) = self.way_on(from, weights.next(way, best, key), best, length, order) else {
                 break;
             };
-            side = direction::next_side_at(side, (way, next), (order, state.age), &self.habit);
+            side = direction::next_side(side, (way, next), (order, state.age), &self.habit);
             way = next;
             let lateral = k == 0 && !state.apical;
             let at = from + way * length;

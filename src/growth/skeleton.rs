@@ -84,7 +84,7 @@ pub fn of_plant(plant: &Plant, habit: &Habit, seed: u64) -> Tree {
         for (k, &(at, radius)) in samples.iter().enumerate().skip(first_new) {
             let way = (at - tree.nodes.at[below as usize]).normalize_or(before);
             let order = tree.nodes.order[below as usize];
-            side = direction::next_side(side, before, way, order, habit);
+            side = direction::next_side(side, (before, way), (order, 0.0), habit);
             let lateral = k == first_new && carrier.is_some();
             below = tree.add(NewNode { parent: below, at, side, lateral, year: 0 });
             tree.given.push(2.0 * radius);

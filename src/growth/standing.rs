@@ -71,7 +71,7 @@ pub fn standing(tree: &Tree, habit: &Habit, age: f32) -> Standing {
 /// The wood at the end of a year.
 fn at_the_end(tree: &Tree, habit: &Habit, year: u16) -> Standing {
     let diameters = diameter::diameters(tree, habit, f32::from(year));
-    let mut places = chains::places(tree, f32::from(year));
+    let mut places = tree.nodes.at.clone();
     stool::gather(tree, &chains::living(tree, year), &mut places, &diameters);
     let (chains, at) = pruning::pruned(tree, year, &places, &diameters, habit.pipe);
     let grown = vec![1.0; chains.of_node.len()];

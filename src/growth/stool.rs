@@ -30,11 +30,8 @@ const REACH: f32 = 4.0;
 fn feet(tree: &Tree) -> Vec<u32> {
     let parents = &tree.nodes.parent;
     let is_foot = |n: &u32| parents[*n as usize] == NONE;
-    let feet: Vec<u32> = if tree.drawn.is_empty() {
-        (0..tree.len() as u32).take_while(is_foot).collect()
-    } else {
-        Vec::new()
-    };
+    let feet: Vec<u32> =
+        if tree.drawn.is_empty() { (0..tree.len() as u32).take_while(is_foot).collect() } else { Vec::new() };
     if feet.len() > 1 { feet } else { Vec::new() }
 }
 
