@@ -45,7 +45,7 @@ fn every_species_grows_as_before() {
     for name in Species::growing() {
         let (simulation, plant) = grown(name, None);
         let size = size(&plant).to_array().map(|x| rounded(f64::from(x)));
-        let trunk = plant.branches[0].radii[plant.branches[0].radii.len() / 4];
+        let trunk = plant.branches[0].radii[0];
         let summary = json!({
             "age": simulation.age(),
             "nodes": rounded(simulation.tree().len() as f64),
@@ -105,6 +105,25 @@ fn species_grow_as_high_as_they_say() {
         let high = size(&grown(name, None).1).y;
         assert!((high / said - 1.0).abs() < 0.12, "{name} says {said} m and grows {high} m high");
     }
+}
+
+#[test]
+fn flowers_open_gradually_and_old_ones_do_not_close() {
+    let species = Species::built_in("cherry").unwrap();
+    let mut simulation = Simulation::new(species.growth.as_ref().unwrap(), 1, Limits::default());
+    simulation.grow_to(20, &|| false);
+    let reaches = |age: f32| {
+        let mut plant = plant_at(&simulation, age);
+        species::dress(&mut plant, &species, 1);
+        plant.check_invariants().unwrap();
+        let mut reaches: Vec<f32> = plant.flowers.iter().map(|flower| flower.reach).collect();
+        reaches.sort_by(f32::total_cmp);
+        (reaches[0], reaches[reaches.len() - 1])
+    };
+    let (at_rest, early, late) = (reaches(19.0), reaches(19.02), reaches(20.0));
+    assert!(early.0 < 0.1 * early.1, "new flowers begin small: {early:?}");
+    assert!((early.1 / at_rest.1 - 1.0).abs() < 0.1, "{at_rest:?} then {early:?}");
+    assert!(late.0 > 0.4 * late.1, "whole by the end of the year: {late:?}");
 }
 
 #[test]

@@ -12,7 +12,8 @@ use super::rubbing;
 use super::tree::{NONE, Tree};
 use glam::Vec3;
 
-/// Wood thicker than this share of the one trunk that could stand for all is spared.
+/// Wood thicker than this share of the one trunk that could stand for all is spared: the least at which no crown loses a
+/// limb that is missed, and no olive's limbs grow through each other.
 const SPARED: f32 = 0.3;
 /// How often what is left is looked at again: what is cut makes room, but chains that go on elsewhere want some.
 const ROUNDS: usize = 2;

@@ -1,11 +1,13 @@
 //! Where the wood of one age stands.
 //!
-//! Which wood has room, and where on their carriers branches stand, is decided for the ends of years ([`pruned`]): wood
+//! Which wood has room, and where on their carriers branches stand, is decided for the ends of years ([`pruning::pruned`]): wood
 //! thickens all the time, and decided anew for every moment, branches would be cut and come back from one moment to the
 //! next. In a year that runs, what stands at its beginning and at its end goes evenly from its one place to the other.
 //! What stands at its end only has grown in it, or has found room again, and grows out of what carries it.
 //!
-//! Limits: what stands at its beginning only, because it is shed or cut in that year, is gone as soon as the year runs.
+//! Limits: what stands at its beginning only, because it is shed or cut in that year, is gone as soon as the year runs;
+//! which internode goes on at a fork is that of the year's end all through it; leaves fall in one moment, and those of an end
+//! that was cut are there in one.
 
 use super::chains::{self, Chains};
 use super::diameter;
@@ -34,12 +36,11 @@ pub struct Standing {
 /// The wood of a plant at an age in years.
 pub fn standing(tree: &Tree, habit: &Habit, age: f32) -> Standing {
     let year = age.ceil() as u16;
-    let end = at_the_end(tree, habit, year);
     let passed = 1.0 - (f32::from(year) - age);
     if passed >= 1.0 || year == 0 {
-        return end;
+        return at_the_end(tree, habit, year);
     }
-    let start = at_the_end(tree, habit, year - 1);
+    let (start, end) = rayon::join(|| at_the_end(tree, habit, year - 1), || at_the_end(tree, habit, year));
     let mut now = Standing { diameters: diameter::diameters(tree, habit, age), ..end.clone() };
     let stood = |node: usize| start.chains.of_node.get(node).is_some_and(|chain| *chain != NONE);
     for (i, &below) in tree.nodes.parent[..end.chains.of_node.len()].iter().enumerate() {

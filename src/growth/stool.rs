@@ -13,17 +13,18 @@ use glam::Vec3;
 
 /// Radius of the stump over the root of the sum of the stems' squared radii: a little more than as thick as all of them.
 const THICK: f32 = 1.2;
-/// Radius of the stump over the sum of the radii of the stems around it: each needs so much of its girth.
-const AROUND: f32 = 0.44;
-/// Heights at which stems leave the stump in turn, and of its shoulder, in radii of the thickest stem.
+/// Radius of the stump over the sum of the stems' radii: with 1.2 stems' widths of its girth for each, no two cross.
+const AROUND: f32 = 0.39;
+/// Heights at which stems leave the stump in turn, and of its shoulder, in radii of the thickest stem: a joint is nearly
+/// four high.
 const LOW: f32 = 2.4;
 const HIGH: f32 = 6.4;
 const SHOULDER: f32 = 8.0;
 /// Height of the stump's round top, in its own radii.
 const TOP: f32 = 0.8;
-/// How steeply stems rise inside of the stump: height over its radius.
+/// How steeply stems rise inside of the stump, height over its radius: no less than joints would bend them.
 const RISE: f32 = 0.8;
-/// Height up to which a stem is moved, in lengths of its way to the stump.
+/// Height up to which a stem is moved, in lengths of its way to the stump: at 2 its foot would stand on its knee.
 const REACH: f32 = 4.0;
 
 /// The feet of a plant that stand on a stool, in the order of their nodes; none if it has one trunk or drawn ones.
@@ -48,19 +49,17 @@ struct Stem {
     azimuth: f32,
 }
 
-/// Radius of the stump below stems with these radii.
-fn stump(radii: impl Iterator<Item = f32> + Clone) -> f32 {
+/// Radius of the stump below stems on these feet.
+fn stump(feet: &[u32], diameters: &[f32]) -> f32 {
+    let radii = feet.iter().map(|foot| 0.5 * diameters[*foot as usize]);
     let squares: f32 = radii.clone().map(|r| r * r).sum();
-    (THICK * squares.sqrt()).max(AROUND * radii.skip(1).sum::<f32>())
+    (THICK * squares.sqrt()).max(AROUND * radii.sum::<f32>())
 }
 
 /// Brings the stems of a bush to their stump. `lives` is for every node that has been born.
 pub(super) fn gather(tree: &Tree, lives: &[bool], at: &mut [Vec3], diameters: &[f32]) {
     let feet = feet(tree);
-    let Some(leader) = leader(tree, lives) else { return };
-    if feet.is_empty() {
-        return;
-    }
+    let Some(leader) = feet.first().map(|first| leader(tree, lives).unwrap_or(*first)) else { return };
     let middle = middle(tree, &feet);
     let stem = |&foot: &u32| {
         let out = tree.nodes.at[foot as usize] - middle;
@@ -69,8 +68,8 @@ pub(super) fn gather(tree: &Tree, lives: &[bool], at: &mut [Vec3], diameters: &[
     let (first, mut others): (Vec<Stem>, Vec<Stem>) =
         feet.iter().map(stem).partition(|stem| stem.foot == leader);
     others.sort_by(|a, b| a.azimuth.total_cmp(&b.azimuth));
-    let radii = first.iter().chain(&others).map(|stem| stem.radius);
-    let (radius, thickest) = (stump(radii.clone()), radii.fold(0.0, f32::max));
+    let radius = stump(&feet, diameters);
+    let thickest = first.iter().chain(&others).map(|stem| stem.radius).fold(0.0, f32::max);
     let mut way = vec![Vec3::ZERO; feet.len()];
     way[leader as usize] = middle + Vec3::Y * (SHOULDER * thickest + TOP * radius);
     let begin = others.first().map_or(0.0, |stem| stem.azimuth);
@@ -102,12 +101,12 @@ fn leader(tree: &Tree, lives: &[bool]) -> Option<u32> {
 }
 
 /// Puts the trunks on their stump, which the first of them becomes below its foot.
-pub(super) fn join(tree: &Tree, limbs: &mut [Limb]) {
+pub(super) fn join(tree: &Tree, limbs: &mut [Limb], diameters: &[f32]) {
     let feet = feet(tree);
     let trunks: Vec<usize> = (0..limbs.len()).filter(|limb| limbs[*limb].parent.is_none()).collect();
     let (Some(&leader), false) = (trunks.first(), feet.is_empty()) else { return };
     let middle = middle(tree, &feet);
-    let radius = stump(trunks.iter().map(|trunk| limbs[*trunk].skeleton[0].1));
+    let radius = stump(&feet, diameters);
     for &trunk in &trunks[1..] {
         let Limb { parent, skeleton, .. } = &mut limbs[trunk];
         let (foot, thickness) = skeleton[0];
@@ -126,7 +125,7 @@ mod tests {
     use crate::growth::{Habit, Limits, Simulation, plant_at};
 
     fn bush(stems: u32, age: u16) -> Simulation {
-        let habit = Habit { stems, internode: 0.2, lift: 0.3.into(), ..Habit::default() };
+        let habit = Habit { stems, internode: 0.2, lift: 0.3.into(), flare: 0.0, ..Habit::default() };
         let mut bush = Simulation::new(&habit, 5, Limits::default());
         bush.grow_to(age, &|| false);
         bush
@@ -153,6 +152,18 @@ mod tests {
                 others.map(|o| o.points[1].distance(sides[k].points[1])).fold(f32::INFINITY, f32::min)
             };
             assert!((0..sides.len()).all(|k| apart(k) > 2.0 * sides[k].radii[0]), "{stems} stems at {age}");
+        }
+    }
+
+    #[test]
+    fn shoots_of_the_first_days_rise_from_the_middle() {
+        let bush = bush(7, 1);
+        for age in [0.02, 0.3, 0.7, 1.0] {
+            let plant = plant_at(&bush, age);
+            let stump = plant.branches[0].points[0];
+            let off = |b: &crate::plant::Branch| (b.points[1] - stump).with_y(0.0).length();
+            let widest = plant.branches.iter().map(off).fold(0.0, f32::max);
+            assert!(widest < 0.04, "stems begin {widest} m from the middle at {age}");
         }
     }
 

@@ -32,7 +32,7 @@ pub fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) {
     let Standing { chains, at, diameters, grown } = standing::standing(tree, habit, age);
     let limb = |chain: &Chain| limb_of(chain, &chains, &at, &diameters);
     let mut limbs: Vec<Limb> = chains.chains.iter().map(limb).collect();
-    stool::join(tree, &mut limbs);
+    stool::join(tree, &mut limbs, &diameters);
     let branches = limbs.into_iter().map(|limb| limb.into_branch(habit.flare)).collect();
     let wood = Wood {
         tree,

@@ -19,7 +19,7 @@ use std::ops::Range;
 
 /// How far around its axis a branch swells where it leaves its parent.
 pub(super) const COLLAR: f32 = 1.25;
-/// Space between the parent's bark and the first ring, as a share of the parent's radius.
+/// Space between the parent's bark and the first ring, as a share of the parent's radius: strips around coarse rings sag.
 const CLEAR: f32 = 0.2;
 /// Less than this of a branch outside, as a multiple of its radius, is not worth a joint.
 const SHORTEST: f32 = 0.5;

@@ -20,6 +20,8 @@ use std::f32::consts::TAU;
 crate::parameters! {
     /// How finely branches and stems are modelled.
     pub struct TubeParams {
+        /// How fine wood is: 2 has twice as many sides, and follows its skeleton twice as closely.
+        quality: f32 = 1.0, 0.25..=4.0, "";
         /// Sides of an ordinary stem; thinner twigs have fewer, thicker trunks more.
         sides: u32 = 8, 3..=64, "";
         /// Radius of an ordinary stem.
@@ -85,16 +87,19 @@ pub(super) struct TubeScratch {
 /// The look of a branch in a plant of the given size in metres.
 pub(super) fn look(branch: &Branch, params: &TubeParams, plant_size: f32) -> TubeLook {
     let base = branch.radii.first().copied().unwrap_or(0.0);
-    let (fewest, most) = (params.fewest_sides.max(3), params.most_sides.max(params.fewest_sides).max(3));
+    let quality = params.quality;
+    let sides = |count: u32, times: f32| ((quality * count as f32 * times).round() as u32).max(3);
+    let (fewest, most) =
+        (sides(params.fewest_sides, 1.0), sides(params.most_sides.max(params.fewest_sides), 1.0));
     let thickness = base / (params.ordinary_radius * plant_size);
     let around = TAU * base / (params.bark_width * plant_size);
     TubeLook {
-        sides: ((params.sides as f32 * thickness.sqrt()).round() as u32).clamp(fewest, most),
+        sides: sides(params.sides, thickness.sqrt()).clamp(fewest, most),
         picture: Picture::Bark(around.round().clamp(1.0, 8.0)),
         tip: params.tip,
         detail: spine::Detail {
-            of_radius: params.tolerance,
-            metres: (NEAREST * plant_size, FARTHEST * plant_size),
+            of_radius: params.tolerance / quality,
+            metres: (NEAREST * plant_size / quality, FARTHEST * plant_size / quality),
         },
     }
 }

@@ -134,3 +134,20 @@ fn normals_look_outward_and_bark_is_not_stretched_on_a_plain_stem() {
         );
     }
 }
+
+#[test]
+fn quality_gives_more_sides_and_rings_of_one_closed_surface() {
+    let mut bent = branch(Vec3::Y, Vec3::X, 1.5, 0.05);
+    bent.points.iter_mut().for_each(|p| p.y += 0.1 * (4.0 * p.x).sin());
+    let limbs = [trunk().0, bent];
+    let faces = |quality: f32| {
+        let params = TubeParams { quality, ..TubeParams::default() };
+        let twigs = [0, 1].map(|k| Twig { branch: &limbs[k], parent: (k > 0).then_some(0), coat: 0 });
+        let mesh = mesh(&twigs, |branch| tube::look(branch, &params, 3.0), &mut WoodScratch::default());
+        mesh.check_invariants().unwrap();
+        assert_eq!(surfaces(&mesh), 1, "quality {quality}");
+        mesh.triangles.len()
+    };
+    let counts = [0.25, 0.5, 1.0, 2.0, 4.0].map(faces);
+    assert!(counts.windows(2).all(|w| w[1] as f32 > 1.4 * w[0] as f32), "{counts:?}");
+}

@@ -2,7 +2,7 @@
 //!
 //! A tree is drawn with leaf outlines, hundreds of leaves at once; nobody draws its petals. The chosen leaves give
 //! their place and direction to a flower of the species' first look, which the rest of [`super::dress()`] treats like
-//! any drawn flower.
+//! any drawn flower. Each is as large as the leaf in whose place it stands, so that flowers open as buds grow.
 
 use super::looks::BlossomLook;
 use super::sepals::blade_at;
@@ -18,8 +18,8 @@ const HEART: f32 = 0.08;
 
 /// Replaces leaves by flowers; their petals share the outline number `template`.
 pub(super) fn blossom(plant: &mut Plant, look: &BlossomLook, template: u32, rng: &mut Pcg64Mcg) {
-    let Some(length) = mean_leaf_length(plant) else { return };
-    let reach = length * look.reach;
+    let Some(mean) = mean_leaf_length(plant) else { return };
+    let reach = mean * look.reach;
     let outline = notched(reach * (1.0 - HEART), look).into();
     let room = 1.0 + look.share * look.petals as f32;
     let mut kept = Vec::with_capacity((plant.organs.len() as f32 * room) as usize);
@@ -28,8 +28,9 @@ pub(super) fn blossom(plant: &mut Plant, look: &BlossomLook, template: u32, rng:
         let opens = organ.kind == OrganKind::Bud || (generated && rng.random_bool(f64::from(look.share)));
         match &organ.shape {
             Shape::Blade(leaf) if opens => {
-                let flower = Flower { look: 0, ..pose(leaf, organ.branch, reach, look) };
-                kept.extend(petals(&flower, plant.flowers.len(), look, &outline, template, rng));
+                let size = length_of(leaf) / mean;
+                let flower = pose(leaf, organ.branch, reach * size, look);
+                kept.extend(petals((&flower, size), plant.flowers.len(), look, &outline, template, rng));
                 plant.flowers.push(flower);
             }
             _ => kept.push(organ),
@@ -38,10 +39,14 @@ pub(super) fn blossom(plant: &mut Plant, look: &BlossomLook, template: u32, rng:
     plant.organs = kept;
 }
 
+fn length_of(leaf: &Blade) -> f32 {
+    leaf.length * leaf.v.length()
+}
+
 fn mean_leaf_length(plant: &Plant) -> Option<f32> {
     let length = |organ: &Organ| match &organ.shape {
         Shape::Blade(leaf) if organ.kind == OrganKind::Leaf && organ.stroke.is_none() => {
-            Some(leaf.length * leaf.v.length())
+            Some(length_of(leaf))
         }
         _ => None,
     };
@@ -61,8 +66,9 @@ fn pose(leaf: &Blade, branch: Option<usize>, reach: f32, look: &BlossomLook) -> 
     Flower { branch, cone, heart_radius: HEART * reach, reach, look: 0 }
 }
 
+/// The petals of a flower of a size; their outline is that of a flower of size 1.
 fn petals<'a>(
-    flower: &'a Flower,
+    (flower, size): (&'a Flower, f32),
     index: usize,
     look: &BlossomLook,
     outline: &'a Arc<[Vec2]>,
@@ -77,8 +83,9 @@ fn petals<'a>(
         let radial = Quat::from_axis_angle(axis, turn + TAU * k as f32 / count as f32) * side;
         let v = axis * opening_rad.cos() + radial * opening_rad.sin();
         let face = axis * opening_rad.sin() - radial * opening_rad.cos();
-        let (heart, length) = (HEART * flower.reach, (1.0 - HEART) * flower.reach);
-        let blade = blade_at(apex + v * heart, v, face, outline, length, BladeForm::default(), template);
+        let base = apex + v * (HEART * flower.reach);
+        let length = (1.0 - HEART) * flower.reach / size.max(f32::MIN_POSITIVE);
+        let blade = blade_at(base, v * size, face, outline, length, BladeForm::default(), template);
         Organ {
             kind: OrganKind::Petal,
             stroke: None,

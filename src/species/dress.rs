@@ -72,7 +72,11 @@ fn dress_branches(plant: &mut Plant, species: &Species, palette: &mut Palette<'_
     let look = &species.stem;
     let stem = palette.index(Part::Stem, &look.material);
     let foot = |branch: &Branch| branch.radii.first().copied().unwrap_or(0.0);
-    let thick = look.twig_thickest * plant.branches.iter().map(foot).fold(0.0, f32::max);
+    // The stump of a bush is thicker than any of its stems.
+    let is_stem = |branch: &&Branch| branch.level == 0 && branch.parent.is_some();
+    let thickest = |branches: &mut dyn Iterator<Item = &Branch>| branches.map(foot).reduce(f32::max);
+    let stems = thickest(&mut plant.branches.iter().filter(is_stem));
+    let thick = look.twig_thickest * stems.or_else(|| thickest(&mut plant.branches.iter())).unwrap_or(0.0);
     for branch in &mut plant.branches {
         let is_young = branch.level >= look.twig_level && foot(branch) <= thick;
         branch.material = match &look.twig {
