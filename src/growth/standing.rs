@@ -1,13 +1,14 @@
 //! Where the wood of one age stands.
 //!
-//! Which wood has room, and where on their carriers branches stand, is decided for the ends of years ([`pruning::pruned`]): wood
-//! thickens all the time, and decided anew for every moment, branches would be cut and come back from one moment to the
-//! next. In a year that runs, what stands at its beginning and at its end goes evenly from its one place to the other.
-//! What stands at its end only has grown in it, or has found room again, and grows out of what carries it.
+//! Which wood has room, and where on their carriers branches stand, is decided for the ends of years
+//! ([`pruning::pruned`]): wood thickens all the time, and decided anew for every moment, branches would be cut and come
+//! back from one moment to the next. In a year that runs, what stands at its beginning and at its end goes evenly from its
+//! one place to the other. What stands at its end only has grown in it, or has found room again, and grows out of what
+//! carries it.
 //!
 //! Limits: what stands at its beginning only, because it is shed or cut in that year, is gone as soon as the year runs;
-//! which internode goes on at a fork is that of the year's end all through it; leaves fall in one moment, and those of an end
-//! that was cut are there in one.
+//! which internode goes on at a fork is that of the year's end all through it; leaves fall in one moment, and those of an
+//! end that was cut are there in one.
 
 use super::chains::{self, Chains};
 use super::diameter;

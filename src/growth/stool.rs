@@ -10,6 +10,7 @@
 use super::to_plant::Limb;
 use super::tree::{NONE, Tree};
 use glam::Vec3;
+use std::f32::consts::TAU;
 
 /// Radius of the stump over the root of the sum of the stems' squared radii: a little more than as thick as all of them.
 const THICK: f32 = 1.2;
@@ -24,7 +25,7 @@ const SHOULDER: f32 = 8.0;
 const TOP: f32 = 0.8;
 /// How steeply stems rise inside of the stump, height over its radius: no less than joints would bend them.
 const RISE: f32 = 0.8;
-/// Height up to which a stem is moved, in lengths of its way to the stump: at 2 its foot would stand on its knee.
+/// Height up to which a stem is moved, in lengths of its way to the stump: at 2 what stands just above its foot would be pressed flat.
 const REACH: f32 = 4.0;
 
 /// The feet of a plant that stand on a stool, in the order of their nodes; none if it has one trunk or drawn ones.
@@ -41,14 +42,6 @@ fn middle(tree: &Tree, feet: &[u32]) -> Vec3 {
     feet.iter().map(|foot| tree.nodes.at[*foot as usize]).sum::<Vec3>() / feet.len() as f32
 }
 
-/// A stem at its foot.
-struct Stem {
-    foot: u32,
-    radius: f32,
-    /// The angle around the stump at which it grew.
-    azimuth: f32,
-}
-
 /// Radius of the stump below stems on these feet.
 fn stump(feet: &[u32], diameters: &[f32]) -> f32 {
     let radii = feet.iter().map(|foot| 0.5 * diameters[*foot as usize]);
@@ -61,36 +54,39 @@ pub(super) fn gather(tree: &Tree, lives: &[bool], at: &mut [Vec3], diameters: &[
     let feet = feet(tree);
     let Some(leader) = feet.first().map(|first| leader(tree, lives).unwrap_or(*first)) else { return };
     let middle = middle(tree, &feet);
-    let stem = |&foot: &u32| {
-        let out = tree.nodes.at[foot as usize] - middle;
-        Stem { foot, radius: 0.5 * diameters[foot as usize], azimuth: out.z.atan2(out.x) }
-    };
-    let (first, mut others): (Vec<Stem>, Vec<Stem>) =
-        feet.iter().map(stem).partition(|stem| stem.foot == leader);
-    others.sort_by(|a, b| a.azimuth.total_cmp(&b.azimuth));
-    let radius = stump(&feet, diameters);
-    let thickest = first.iter().chain(&others).map(|stem| stem.radius).fold(0.0, f32::max);
-    let mut way = vec![Vec3::ZERO; feet.len()];
-    way[leader as usize] = middle + Vec3::Y * (SHOULDER * thickest + TOP * radius);
-    let begin = others.first().map_or(0.0, |stem| stem.azimuth);
-    for (k, stem) in others.iter().enumerate() {
-        let (sin, cos) = (begin + std::f32::consts::TAU * k as f32 / others.len() as f32).sin_cos();
-        let height = if k % 2 == 0 { LOW } else { HIGH } * thickest;
-        way[stem.foot as usize] = middle + Vec3::new(radius * cos, height, radius * sin);
-    }
-    for foot in &feet {
-        way[*foot as usize] -= tree.nodes.at[*foot as usize];
-    }
+    let ways = ways(tree, &feet, leader, diameters);
     // Feet come first, and carriers before what they carry.
-    let mut root: Vec<u32> = Vec::with_capacity(lives.len());
+    let mut root: Vec<usize> = Vec::with_capacity(lives.len());
     for (n, place) in at.iter_mut().enumerate().take(lives.len()) {
         let parent = tree.nodes.parent[n];
-        root.push(if parent == NONE { n as u32 } else { root[parent as usize] });
-        let way = way[root[n] as usize];
+        root.push(if parent == NONE { n } else { root[parent as usize] });
+        let way = ways[root[n]];
         let height = (place.y - middle.y).max(0.0);
         let left = (1.0 - height / (REACH * way.length()).max(f32::MIN_POSITIVE)).max(0.0);
         *place += way * (left * left);
     }
+}
+
+/// The way of each foot to where its stem leaves the stump.
+fn ways(tree: &Tree, feet: &[u32], leader: u32, diameters: &[f32]) -> Vec<Vec3> {
+    let (middle, radius) = (middle(tree, feet), stump(feet, diameters));
+    let thickest = feet.iter().map(|foot| 0.5 * diameters[*foot as usize]).fold(0.0, f32::max);
+    let from = |foot: u32| tree.nodes.at[foot as usize] - middle;
+    let mut ways = vec![Vec3::ZERO; feet.len()];
+    ways[leader as usize] = Vec3::Y * (SHOULDER * thickest + TOP * radius) - from(leader);
+    let azimuth = |foot: &u32| {
+        let out = from(*foot);
+        out.z.atan2(out.x)
+    };
+    let mut others: Vec<u32> = feet.iter().copied().filter(|foot| *foot != leader).collect();
+    others.sort_by(|a, b| azimuth(a).total_cmp(&azimuth(b)));
+    let begin = others.first().map_or(0.0, azimuth);
+    for (k, &foot) in others.iter().enumerate() {
+        let (sin, cos) = (begin + TAU * k as f32 / others.len() as f32).sin_cos();
+        let height = thickest * if k % 2 == 0 { LOW } else { HIGH };
+        ways[foot as usize] = Vec3::new(radius * cos, height, radius * sin) - from(foot);
+    }
+    ways
 }
 
 /// The foot of the stem whose chain is the first.
@@ -140,7 +136,7 @@ mod tests {
             assert_eq!((trunks, sides.len()), (1, stems as usize - 1), "{stems} stems at {age}");
             let stump = &plant.branches[0];
             let girth: f32 = sides.iter().map(|stem| 2.0 * stem.radii[0]).sum();
-            assert!(stump.radii[1] * std::f32::consts::TAU > 1.3 * girth, "bark for every stem");
+            assert!(stump.radii[1] * TAU > 1.3 * girth, "bark for every stem");
             for stem in &sides {
                 assert_eq!(stem.parent, Some(0));
                 let (inside, foot) = (stem.points[0] - stump.points[0], stem.points[1] - stump.points[0]);
