@@ -6,28 +6,31 @@
 //!
 //! Drawn wood, limbs that make the crown and the feet of trunks are never cut.
 
-use super::chains::{Chains, chains, living};
+use super::chains::{Chains, chains};
 use super::insertion;
 use super::rubbing;
 use super::tree::{NONE, Tree};
 use glam::Vec3;
 
-/// Wood thicker than this share of the one trunk that could stand for all is spared: the least at which no crown loses a
-/// limb that is missed, and no olive's limbs grow through each other.
+/// Wood thicker than this share of the one trunk that could stand for all is spared. A smaller share spares limbs
+/// of olives that grow through each other; a larger one lets crowns lose limbs that are missed.
 const SPARED: f32 = 0.3;
 /// How often what is left is looked at again: what is cut makes room, but chains that go on elsewhere want some.
 const ROUNDS: usize = 2;
 
-/// The wood that lives at the end of a year and whose nodes stand at these places, pruned; and the places where it then
-/// stands.
-pub fn pruned(tree: &Tree, year: u16, places: &[Vec3], diameters: &[f32], pipe: f32) -> (Chains, Vec<Vec3>) {
-    let mut lives = living(tree, year);
+/// The wood that lives and whose nodes stand at these places, pruned; and the places where it then stands. `lives` is as
+/// for [`chains`].
+pub fn pruned(
+    tree: &Tree,
+    mut lives: Vec<bool>,
+    places: &[Vec3],
+    diameters: &[f32],
+    pipe: f32,
+) -> (Chains, Vec<Vec3>) {
     let spared = SPARED * trunk_for_all(tree, diameters, pipe);
-    let is_stem = |node: usize| stands_on_foot(tree, node);
-    let is_drawn = |node: usize| node < tree.drawn.len();
     let stays = |node: u32| {
-        let node = node as usize;
-        is_drawn(node) || diameters[node] > spared || is_stem(node)
+        let (node, is_drawn) = (node as usize, (node as usize) < tree.drawn.len());
+        is_drawn || diameters[node] > spared || stands_on_foot(tree, node)
     };
     for _ in 0..ROUNDS {
         let (wood, at, crowded) = settled(tree, &lives, (places, diameters), stays);
@@ -79,6 +82,7 @@ fn trunk_for_all(tree: &Tree, diameters: &[f32], pipe: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::growth::chains::living;
     use crate::growth::tree::NewNode;
     use glam::vec3;
 
@@ -98,7 +102,7 @@ mod tests {
         let side = add(branch, vec3(1.0, 2.2, 0.2), true);
         let at = tree.nodes.at.clone();
         let diameters: Vec<f32> = (0..tree.len()).map(|n| if n <= 10 { 0.15 } else { 0.03 }).collect();
-        let (wood, placed) = pruned(&tree, 1, &at, &diameters, 2.3);
+        let (wood, placed) = pruned(&tree, living(&tree, 1), &at, &diameters, 2.3);
         assert_eq!(wood.nodes[11..], [trunk[6], branch, side], "{:?}", wood.chains);
         assert!(wood.of_node[into_trunk as usize] == NONE && wood.of_node[beyond as usize] == NONE);
         assert_eq!(placed, at, "there was room for all");

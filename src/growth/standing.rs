@@ -42,7 +42,12 @@ pub fn standing(tree: &Tree, habit: &Habit, age: f32) -> Standing {
         return at_the_end(tree, habit, year);
     }
     let (start, end) = rayon::join(|| at_the_end(tree, habit, year - 1), || at_the_end(tree, habit, year));
-    let mut now = Standing { diameters: diameter::diameters(tree, habit, age), ..end.clone() };
+    let mut now = Standing {
+        chains: end.chains.clone(),
+        at: end.at.clone(),
+        diameters: diameter::diameters(tree, habit, age),
+        grown: end.grown,
+    };
     let stood = |node: usize| start.chains.of_node.get(node).is_some_and(|chain| *chain != NONE);
     for (i, &below) in tree.nodes.parent[..end.chains.of_node.len()].iter().enumerate() {
         if stood(i) || below == NONE {
@@ -73,9 +78,9 @@ pub fn standing(tree: &Tree, habit: &Habit, age: f32) -> Standing {
 /// The wood at the end of a year.
 fn at_the_end(tree: &Tree, habit: &Habit, year: u16) -> Standing {
     let diameters = diameter::diameters(tree, habit, f32::from(year));
-    let mut places = tree.nodes.at.clone();
-    stool::gather(tree, &chains::living(tree, year), &mut places, &diameters);
-    let (chains, at) = pruning::pruned(tree, year, &places, &diameters, habit.pipe);
+    let (lives, mut places) = (chains::living(tree, year), tree.nodes.at.clone());
+    stool::gather(tree, &lives, &mut places, &diameters);
+    let (chains, at) = pruning::pruned(tree, lives, &places, &diameters, habit.pipe);
     let grown = vec![1.0; chains.of_node.len()];
     Standing { chains, at, diameters, grown }
 }

@@ -94,7 +94,8 @@ fn what_a_node_occupies_no_other_has_and_nobody_is_left_out() {
     }
 }
 
-fn heart() -> Vec<Vec2> {
+/// The outline of a heart.
+pub(super) fn heart() -> Vec<Vec2> {
     let at = |k: i32| {
         let t = k as f32 / 60.0 * std::f32::consts::TAU;
         let y = 13.0 * t.cos() - 5.0 * (2.0 * t).cos() - 2.0 * (3.0 * t).cos() - (4.0 * t).cos();

@@ -4,6 +4,7 @@
 use super::*;
 use crate::growth::fate::unit;
 use crate::growth::species::{Resource, SpaceHabit};
+use crate::growth::tests::heart;
 use crate::growth::{Envelope, Habit, Inflated, Limits, Solid};
 use crate::plant::Shape;
 use crate::random::mix;
@@ -72,15 +73,6 @@ fn what_is_straight_or_short_is_left_alone() {
     let bend = [Vec3::ZERO, Vec3::Y, Vec3::new(1.0, 1.0, 0.0), Vec3::X].map(|p| (p, 0.1));
     let smooth = rounded(&bend);
     assert!(smooth.len() == 7 && smooth[3].0.y > 1.1, "{smooth:?}");
-}
-
-fn heart() -> Vec<Vec2> {
-    let at = |k: i32| {
-        let t = k as f32 / 60.0 * std::f32::consts::TAU;
-        let y = 13.0 * t.cos() - 5.0 * (2.0 * t).cos() - 2.0 * (3.0 * t).cos() - (4.0 * t).cos();
-        Vec2::new(16.0 * t.sin().powi(3), y + 20.0) * 0.15
-    };
-    (0..60).map(at).collect()
 }
 
 /// How far a point is out of a volume, at most: the way straight back to a place inside.
