@@ -89,8 +89,8 @@ fn impossible_switches_are_cured() {
     use switch::{ERASER, IN_RANGE, INVERT, TIP};
     let mut display = decoder(tablets::PEN_DISPLAY);
     let mut state = |switches| {
-        let pen =
-            decode_pen(&mut display, &DisplayReport { switches, ..Default::default() }.bytes()).unwrap();
+        let report = DisplayReport { switches, pressure: 100, ..Default::default() };
+        let pen = decode_pen(&mut display, &report.bytes()).unwrap();
         (pen.in_range, pen.touches, pen.eraser)
     };
     assert_eq!(state(IN_RANGE), (true, false, false));
@@ -100,6 +100,56 @@ fn impossible_switches_are_cured() {
     assert_eq!(state(IN_RANGE | TIP | INVERT), (true, true, true), "a tip with invert erases");
     assert_eq!(state(TIP), (true, true, false), "a tip without in-range touches");
     assert_eq!(state(INVERT), (false, false, false));
+}
+
+/// What pens of Huion, XP-Pen and KYE send in the air while their upper button is held.
+#[test]
+fn an_eraser_in_the_air_does_not_erase() {
+    use switch::{ERASER, IN_RANGE, INVERT, TIP};
+    let mut display = decoder(tablets::PEN_DISPLAY);
+    let mut state = |switches, pressure| {
+        let report = DisplayReport { switches, pressure, ..Default::default() };
+        let pen = decode_pen(&mut display, &report.bytes()).unwrap();
+        (pen.in_range, pen.touches, pen.eraser)
+    };
+    assert_eq!(state(IN_RANGE | ERASER, 0), (true, false, true));
+    assert_eq!(state(IN_RANGE | INVERT | ERASER, 0), (true, false, true));
+    assert_eq!(state(ERASER, 0), (true, false, true), "it is near all the same");
+    assert_eq!(state(IN_RANGE | ERASER, 1), (true, true, true));
+    assert_eq!(state(IN_RANGE | ERASER | TIP, 0), (true, true, true));
+}
+
+/// [`tablets::DESK_TABLET`] with another unit of its area and other numbers of steps and of physical units on its axes.
+fn desk_tablet_with_area(unit: u8, steps: [u16; 2], physical: [u16; 2]) -> Vec<u8> {
+    let [x, y] = steps.map(u16::to_le_bytes);
+    let [width, height] = physical.map(u16::to_le_bytes);
+    let [head, tail] = [&tablets::DESK_TABLET[..38], &tablets::DESK_TABLET[70..]];
+    let area = [
+        &[0x05, 0x01, 0x65, unit, 0x55, 0x0D, 0x75, 0x10, 0x35, 0x00][..],
+        &[0x09, 0x30, 0x27, x[0], x[1], 0, 0, 0x46, width[0], width[1], 0x81, 0x02],
+        &[0x09, 0x31, 0x27, y[0], y[1], 0, 0, 0x46, height[0], height[1], 0x81, 0x02],
+    ];
+    [head, &area.concat(), tail].concat()
+}
+
+#[test]
+fn an_area_in_units_that_are_no_length_counts_only_where_its_numbers_agree() {
+    const INCH: u8 = 0x13;
+    const CUBIC_INCH: u8 = 0x33;
+    let area = |unit, steps, physical| decoder(&desk_tablet_with_area(unit, steps, physical)).area_mm();
+    let six_by_five = DVec2::new(164.7952, 124.079);
+    assert!(
+        area(INCH, [16480, 12410], [6488, 4885]).is_some_and(|mm| mm.abs_diff_eq(six_by_five, 1e-9)),
+        "a length"
+    );
+    assert!(
+        area(CUBIC_INCH, [16480, 12410], [6488, 4885]).is_some_and(|mm| mm.abs_diff_eq(six_by_five, 1e-9)),
+        "2540 steps an inch on both axes: an inch is meant"
+    );
+    assert_eq!(area(CUBIC_INCH, [32767, 32767], [2048, 2048]), None, "a square for every tablet");
+    assert_eq!(area(CUBIC_INCH, [14080, 10240], [14080, 10240]), None, "the steps once more");
+    assert_eq!(area(CUBIC_INCH, [32767, 32766], [2048, 4096]), None, "axes that do not agree");
+    assert_eq!(area(INCH, [32767, 32767], [2048, 2048]), Some(DVec2::splat(52.0192)), "a length is believed");
 }
 
 #[test]

@@ -87,6 +87,14 @@ fn known_devices_are_found() {
         ),
         ("28bd:0936", 12, 64, &[], "XP-Pen Deco M"),
         ("28bd:094d", 12, 0, &[], "XP-Pen Artist 10 (2nd Gen)"),
+        ("056a:03e6", 192, 0, &[], "Wacom Cintiq 16 (DTK-168)"),
+        ("28bd:095d", 14, 14, &[], "XP-Pen Artist Ultra 16"),
+        ("28bd:097d", 12, 33, &[], "XP-Pen Artist 12 (3rd Gen)"),
+        ("256c:006f", 12, 0, &[(201, "GM001_T263_240101")], "Gaomon S620 (16K)"),
+        ("28bd:0075", 8, 8, &[(2, "G430")], "XP-Pen Star G430"),
+        // Firmwares that declare other lengths than they are listed with.
+        ("256c:006e", 8, 0, &[(201, "HUION_T174_170519")], "Huion New 1060 Plus"),
+        ("256c:006e", 8, 0, &[(201, "HUION_T153_160607")], "Huion WH1409 (2048)"),
     ] {
         let found = name(find(usb, input, output, strings));
         assert!(found.as_ref().is_some_and(|name| name.starts_with(expected)), "{usb}: {found:?}");

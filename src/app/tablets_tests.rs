@@ -100,7 +100,8 @@ fn nothing_is_read_for_the_system_or_for_another_window() {
 
 #[test]
 fn a_tablet_that_may_not_be_read_says_what_to_do() {
-    let mut desk = Desk::new();
+    let info = DeviceInfo { path: "sim0".into(), vendor_id: 0x256C, ..DeviceInfo::default() };
+    let mut desk = Desk::with(SimulatedDevice::new(info, PEN_DISPLAY));
     desk.bus.forbid("sim0", true);
     desk.bus.plug(&desk.tablet);
     desk.tablets.obey(PenSource::Auto, &desk.models, &mut desk.heard);

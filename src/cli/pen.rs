@@ -1,16 +1,17 @@
 //! `penstemon pen record FILE` and `penstemon pen replay FILE`: recordings of tablets.
 
 use super::common;
-use crate::pen::hid::recording::RecordingWriter;
+use crate::pen::hid::recording::{RecordedDevice, RecordingWriter, strings_to_keep};
 use crate::pen::hid::typed::{KEYBOARDS, TypedReports};
-use crate::pen::hid::{DeviceInfo, Enumerate, Recording, System, Transport, choose_decoder, replay};
+use crate::pen::hid::{DeviceInfo, Enumerate, Recording, System, Transport, choose_model, replay};
 use crate::pen::mapping::Rect;
 use crate::pen::{PenEvent, PenTool};
 use anyhow::{Context, bail};
 use glam::DVec2;
 use serde_json::json;
+use std::collections::BTreeMap;
 use std::fs::File;
-use std::io::{BufWriter, Write};
+use std::io::{BufWriter, IsTerminal, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
@@ -41,7 +42,7 @@ pub enum Verb {
 }
 
 /// Arguments of `pen record`.
-#[derive(Debug, clap::Args)]
+#[derive(Clone, Debug, clap::Args)]
 pub struct Record {
     /// The recording to write.
     pub file: PathBuf,
@@ -51,6 +52,10 @@ pub struct Record {
     /// Record this device, known or not; its numbers are in `penstemon tablets` or `lsusb`.
     #[arg(long, value_name = "VENDOR:PRODUCT", value_parser = ids)]
     pub device: Option<(u16, u16)>,
+    /// Keep USB strings of the tablets as well: they name model and firmware and hold the tablet's size. Without this,
+    /// a person at a terminal is asked.
+    #[arg(long)]
+    pub strings: bool,
 }
 
 /// Arguments of `pen replay`.
@@ -88,6 +93,8 @@ fn size(text: &str) -> Result<DVec2, String> {
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     match &args.verb {
         Verb::Record(args) => {
+            let keeps_strings = args.strings || agrees()?;
+            let args = &Record { strings: keeps_strings, ..args.clone() };
             let file = File::create(&args.file).with_context(|| args.file.display().to_string())?;
             let told = record(&mut System::new(), args, BufWriter::new(file))
                 .with_context(|| args.file.display().to_string())?;
@@ -96,6 +103,21 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         Verb::Replay(args) => replay(args)?,
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// Whether the person at the terminal lets the recording keep USB strings; nobody there does not.
+fn agrees() -> anyhow::Result<bool> {
+    if !std::io::stdin().is_terminal() || !std::io::stderr().is_terminal() {
+        return Ok(false);
+    }
+    tracing::warn!(
+        "keep the tablet's USB strings in the recording, too? They name its model and firmware and hold its size; \
+         serial numbers are left out, but rare models may tell whose tablet it is. Type y and Enter to keep them, \
+         Enter alone to leave them out."
+    );
+    let mut answer = String::new();
+    std::io::stdin().read_line(&mut answer)?;
+    Ok(matches!(answer.trim(), "y" | "Y" | "yes"))
 }
 
 /// What a thread says of its device.
@@ -116,7 +138,12 @@ fn record(system: &mut dyn Enumerate, args: &Record, out: impl Write) -> anyhow:
     let mut spent = Vec::new();
     for info in system.devices()? {
         let Some(transport) = open(system, &info, args.device)? else { continue };
-        let device = writer.device(&info, transport.descriptor())?;
+        let descriptor = transport.descriptor().to_vec();
+        let strings = match args.strings {
+            true => strings_to_keep(&info, &mut *system.strings(&info)),
+            false => BTreeMap::new(),
+        };
+        let device = writer.device(&RecordedDevice { info, descriptor, strings })?;
         let (heard, (back, room)) = (heard.clone(), sync_channel(MOST_WAITING));
         std::thread::spawn(move || listen(device, transport, &heard, &room));
         spent.push(back);
@@ -170,13 +197,14 @@ fn open(
     if TypedReports::of(&descriptor).is_everything() {
         return Ok(None);
     }
-    let choice = choose_decoder(info, &descriptor).ok().flatten();
+    let choice = choose_model(info, &descriptor, system.strings(info), None).ok().flatten();
     if choice.is_none() && !is_named {
         return Ok(None);
     }
     let mut transport = system.open(info)?;
-    if let Some(wake_up) = choice.and_then(|choice| choice.wake_up) {
-        wake_up(&mut *transport);
+    if let Some(Err(fault)) = choice.map(|mut choice| choice.wake(&mut *transport)) {
+        // That is what the recording is for.
+        tracing::warn!("{}: {fault}", info.name());
     }
     Ok(Some(transport))
 }
@@ -225,7 +253,11 @@ fn replay(args: &Replay) -> anyhow::Result<()> {
     for unread in unread {
         tracing::warn!("{}: device {}: {}", args.file.display(), unread.device, unread.reason);
     }
-    if lines.is_empty() { Ok(()) } else { common::print(&lines.join("\n")) }
+    if lines.is_empty() {
+        let reports = recording.entries.len();
+        bail!("{}: no pen event came of this recording's {reports} entries", args.file.display());
+    }
+    common::print(&lines.join("\n"))
 }
 
 fn tool_name(tool: PenTool) -> &'static str {
@@ -283,7 +315,7 @@ mod tests {
 
     fn recorded(bus: &mut SimulatedBus, device: Option<(u16, u16)>) -> anyhow::Result<Recording> {
         let mut out = Vec::new();
-        record(bus, &Record { file: PathBuf::new(), seconds: Some(60), device }, &mut out)?;
+        record(bus, &Record { file: PathBuf::new(), seconds: Some(60), device, strings: false }, &mut out)?;
         Ok(Recording::from_bytes(&out, "recorded")?)
     }
 

@@ -3,7 +3,7 @@
 use super::common;
 use crate::pen::hid::{
     Abilities, ChooseError, DeviceInfo, Doubt, Enumerate, HidEvent, Inbox, Notice, RawPen, Refusal, System,
-    Watcher, choose_decoder,
+    Watcher, choose_model,
 };
 use serde_json::{Value, json};
 use std::process::ExitCode;
@@ -95,7 +95,7 @@ fn look(system: &mut dyn Enumerate) -> anyhow::Result<Vec<Found>> {
 /// How the program reads a device; `None` for one that is no pen.
 fn read(system: &mut dyn Enumerate, info: &DeviceInfo) -> Result<Option<Reading>, Refusal> {
     let descriptor = system.descriptor(info)?;
-    let Some(choice) = choose_decoder(info, &descriptor)? else { return Ok(None) };
+    let Some(choice) = choose_model(info, &descriptor, system.strings(info), None)? else { return Ok(None) };
     system.open(info)?;
     Ok(Some(Reading {
         way: choice.way,
@@ -309,7 +309,9 @@ mod tests {
         let devices =
             [("a", 0x0D, tablets::PEN_DISPLAY), ("b", 0x01, tablets::MOUSE), ("c", 0xFF00, &[0x06, 0, 0xFF])];
         for (path, page, descriptor) in devices.into_iter().chain([("d", 0x0D, tablets::DESK_TABLET)]) {
-            let info = DeviceInfo { path: path.into(), usage: (page, 1), ..Default::default() };
+            // The rules let the user open all tablets of this maker.
+            let info =
+                DeviceInfo { path: path.into(), vendor_id: 0x256C, usage: (page, 1), ..Default::default() };
             bus.plug(&SimulatedDevice::new(info, descriptor));
         }
         bus.forbid("d", true);

@@ -74,6 +74,7 @@ fn two_tablets() -> Recording {
     let device = |name: &str, product_id: u16, bus: Bus, descriptor: &[u8]| RecordedDevice {
         info: DeviceInfo { vendor_id: 0x1209, product_id, bus, product: name.into(), ..Default::default() },
         descriptor: descriptor.to_vec(),
+        ..RecordedDevice::default()
     };
     let devices = vec![
         device("Simulated Pen Display", 1, Bus::Usb, PEN_DISPLAY),

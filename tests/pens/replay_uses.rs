@@ -74,6 +74,7 @@ fn eraser_and_buttons() -> Recording {
             ..Default::default()
         },
         descriptor: descriptor.to_vec(),
+        ..RecordedDevice::default()
     };
     let devices =
         vec![device("Simulated Pen Display", 1, PEN_DISPLAY), device("Simulated Page Tablet", 3, WACOM_PAGE)];

@@ -9,7 +9,7 @@ use crate::app::worker::BuildError;
 use crate::atomic::WriteError;
 use crate::export::ExportError;
 use crate::params::ParamError;
-use crate::pen::hid::refusal::{INSTALL_RULES, RULES_FILE};
+use crate::pen::hid::refusal::{INSTALL_RULES, RULES_FILE, RULES_FOLDER, Remedy};
 use crate::pen::hid::{ChooseError, Refusal, Refused, StringsKept, TransportError};
 use crate::pipeline::SetupError;
 use crate::render::RenderError;
@@ -227,10 +227,21 @@ fn hint(nearest: Option<&str>, messages: &Messages) -> String {
 impl Told for TransportError {
     fn told(&self, messages: &Messages) -> String {
         match self {
-            Self::Permission { path } => messages.fill(
-                Msg::ErrorTabletForbidden,
-                &[("path", path), ("rules", &RULES_FILE), ("command", &INSTALL_RULES)],
-            ),
+            Self::Permission { path, remedy } => {
+                let msg = match remedy {
+                    Remedy::Rules => Msg::ErrorTabletForbidden,
+                    Remedy::OwnRule(_) => Msg::ErrorTabletForbiddenUnlisted,
+                    Remedy::System => Msg::ErrorTabletForbiddenBuiltIn,
+                };
+                let rule = if let Remedy::OwnRule(rule) = remedy { rule } else { "" };
+                let of_rules: [(&str, &dyn Display); 4] = [
+                    ("rules", &RULES_FILE),
+                    ("command", &INSTALL_RULES),
+                    ("rule", &rule),
+                    ("folder", &RULES_FOLDER),
+                ];
+                messages.fill(msg, &[&[("path", path as &dyn Display)][..], &of_rules].concat())
+            }
             Self::Gone { path } => messages.fill(Msg::ErrorTabletGone, &[("path", path)]),
             Self::System { path, message } => {
                 messages.fill(Msg::ErrorTabletFailed, &[("path", path), ("reason", message)])
@@ -249,12 +260,20 @@ impl Told for Refused {
                     StringsKept::Forbidden => Msg::ErrorTabletStringsForbidden,
                     StringsKept::Wireless => Msg::ErrorTabletStringsWireless,
                     StringsKept::Unanswered => Msg::ErrorTabletStringsUnanswered,
+                    StringsKept::NotRecorded => Msg::ErrorTabletStringsNotRecorded,
                 };
                 let model = models.first().map_or("", String::as_str);
                 let of_tablet: [(&str, &dyn Display); 2] = [("model", &model), ("count", &models.len())];
                 let of_rules: [(&str, &dyn Display); 2] =
                     [("rules", &RULES_FILE), ("command", &INSTALL_RULES)];
                 messages.fill(msg, &[of_tablet, of_rules].concat())
+            }
+            Refusal::Choose(ChooseError::UnlistedForbidden) => messages.fill(
+                Msg::ErrorTabletUnlistedForbidden,
+                &[("rules", &RULES_FILE), ("command", &INSTALL_RULES)],
+            ),
+            Refusal::Choose(ChooseError::RangesUnread { firmware }) => {
+                messages.fill(Msg::ErrorTabletRangesUnread, &[("firmware", firmware)])
             }
             Refusal::Choose(error @ ChooseError::Descriptor(_)) => error.to_string(),
         };
@@ -323,13 +342,18 @@ mod tests {
             Box::new(species(SpeciesError::TooLarge { file: path() })),
             Box::new(ExportError::Empty),
             Box::new(ExportError::Write(full())),
-            refused(TransportError::Permission { path: node() }.into()),
+            refused(TransportError::Permission { path: node(), remedy: Remedy::Rules }.into()),
+            refused(TransportError::Permission { path: node(), remedy: Remedy::OwnRule("7".into()) }.into()),
+            refused(TransportError::Permission { path: node(), remedy: Remedy::System }.into()),
+            refused(ChooseError::UnlistedForbidden.into()),
+            refused(ChooseError::RangesUnread { firmware: "7".into() }.into()),
             refused(TransportError::Gone { path: node() }.into()),
             refused(TransportError::System { path: node(), message: "7".into() }.into()),
             refused(Refusal::TooMany { limit: 32 }),
             refused(unread(StringsKept::Forbidden)),
             refused(unread(StringsKept::Wireless)),
             refused(unread(StringsKept::Unanswered)),
+            refused(unread(StringsKept::NotRecorded)),
         ]
     }
 
@@ -365,7 +389,15 @@ mod tests {
             // Names and the systems' words stay; sentences do not.
             let words = told.replace("/home/ann/rose.penstemon", "").replace("rose.penstemon", "");
             let words = words.replace("/home/ann", "").replace("Penstemon", "").replace(".penstemon", "");
-            let of_tablets = [NODE, MODEL, RULES_FILE, INSTALL_RULES];
+            let of_tablets = [
+                NODE,
+                MODEL,
+                RULES_FILE,
+                RULES_FOLDER,
+                INSTALL_RULES,
+                "penstemon pen record FILE",
+                "--strings",
+            ];
             let words = of_tablets.iter().fold(words, |words, name| words.replace(name, ""));
             let latin: Vec<&str> = words.split(|c: char| !c.is_ascii_alphabetic()).collect();
             let known = ["", "MiB", "SVG", "PNG", "JPEG", "USB", "toml"];

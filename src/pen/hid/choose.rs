@@ -3,23 +3,28 @@
 //! A device whose descriptor describes a pen is read by its descriptor; so are tablets whose reports a kernel driver has
 //! rewritten, since it rewrites the descriptor as well. What is left may be a tablet of the table ([`super::table`]): it is
 //! known by its numbers, the lengths of its reports and its USB strings, and woken before it is read. Where these leave a
-//! doubt, the best guess is taken unless the artist chose a model among those that fit.
+//! doubt, the best guess is taken unless the artist chose a model among those that fit. The table is asked, too, where a
+//! tablet describes a pen that keeps silent until it is woken. Tablets of UC-Logic's protocols that are not listed are
+//! read by what they say of themselves ([`super::waking`]).
 
-use super::report_lengths::ReportLengths;
-use super::table::{Certainty, Match, Table};
+use super::report_lengths::{ReportLengths, input_length};
+use super::strings::{self, DeviceStrings, KnownStrings};
+use super::table::{Certainty, FIRMWARE_NAME, Match, Table};
+use super::uclogic::{self, Protocol, Ranges};
 use super::wake::Wake;
-use super::{Abilities, ChooseError, Decode, DescriptorDecoder, DeviceInfo, Tablet, Transport};
+use super::waking::{self, Known, WakeUp};
+use super::{Abilities, Bus, ChooseError, Decode, DescriptorDecoder, DeviceInfo, StringsKept, Tablet};
 use crate::pen::machine::Silence;
 use glam::DVec2;
 use std::collections::BTreeMap;
-use std::time::Duration;
+
+/// The string whose reading switches express keys of the first protocol from a keyboard's codes to reports.
+const KEYS_STRING: u8 = 123;
+/// Least bytes of a report that the second protocol's descriptors declare.
+const LEAST_REPORT: usize = 8;
 
 /// Models that the artist chose, by the [`identity`](DeviceInfo::identity) of their devices.
 pub type Models = BTreeMap<String, String>;
-
-/// Wakes a device up: sends what makes it report its pen in full. Called once, on the reader's thread; what fails there
-/// it tells by itself, since the device may be read all the same.
-pub type WakeUp = Box<dyn FnOnce(&mut dyn Transport) + Send>;
 
 /// A decoder for a device, and what is known of the device besides.
 pub struct Choice {
@@ -50,76 +55,220 @@ pub struct Doubt {
     pub is_chosen: bool,
 }
 
-/// The decoder for a device, `None` for a device that is no pen.
+/// The decoder for a device of which no strings are known, `None` for a device that is no pen.
 ///
 /// # Errors
 /// A descriptor that cannot be understood, or a tablet that only its USB strings would tell from others.
 pub fn choose_decoder(device: &DeviceInfo, descriptor: &[u8]) -> Result<Option<Choice>, ChooseError> {
-    choose_model(device, descriptor, None)
+    let kept = if device.bus == Bus::Bluetooth { StringsKept::Wireless } else { StringsKept::Unanswered };
+    choose_model(device, descriptor, Box::new(KnownStrings::none(kept)), None)
 }
 
-/// The same; where a doubt is left, the device is read as this model if it may be one.
+/// The decoder for a device with these USB strings, of which none is asked for that would wake it; where a doubt is left,
+/// the device is read as this model if it may be one.
 ///
 /// # Errors
 /// As before, if no model is given that fits.
 pub fn choose_model(
     device: &DeviceInfo,
     descriptor: &[u8],
+    mut strings: Box<dyn DeviceStrings>,
     model: Option<&str>,
 ) -> Result<Option<Choice>, ChooseError> {
     let by_itself = DescriptorDecoder::new(descriptor);
-    if let Ok(Some(decoder)) = by_itself {
-        let abilities = decoder.abilities();
-        return Ok(Some(Choice {
-            wake_up: None,
-            way: "its report descriptor".to_owned(),
-            area_mm: decoder.area_mm(),
-            silence: (!abilities.leaves).then_some(Silence::KNOWN),
-            abilities,
-            decoder: Box::new(decoder),
-            doubt: None,
-        }));
-    }
-    match from_table(device, descriptor, model)? {
-        Some(choice) => Ok(Some(choice)),
-        None => Ok(by_itself.map(|_| None)?),
+    match by_itself {
+        Ok(Some(decoder)) => {
+            let declared = uclogic::declared(&decoder);
+            if declared.is_none() && !decoder.waits_to_be_woken() {
+                return Ok(Some(by_descriptor(decoder)));
+            }
+            // What it says of itself suffices where nothing tells more.
+            let listed = identify(device, descriptor, &mut *strings, model).unwrap_or_else(|error| {
+                tracing::debug!("{}: {error}", device.name());
+                None
+            });
+            Ok(Some(match (listed, declared) {
+                (Some(Identity::Model(tablet, doubt)), _) => {
+                    by_table(tablet, doubt, descriptor, strings, Some(decoder))
+                }
+                (_, Some(ranges)) => by_protocol(ranges, descriptor, strings, decoder),
+                (_, None) => by_descriptor(decoder),
+            }))
+        }
+        nothing => match identify(device, descriptor, &mut *strings, model)? {
+            Some(Identity::Model(tablet, doubt)) => {
+                Ok(Some(by_table(tablet, doubt, descriptor, strings, None)))
+            }
+            Some(Identity::Firmware(name)) => Ok(Some(by_firmware(name, descriptor, strings))),
+            None => match DescriptorDecoder::of_imitation(descriptor) {
+                Ok(Some(imitation)) => Ok(Some(by_descriptor(imitation))),
+                _ => Ok(nothing.map(|_| None)?),
+            },
+        },
     }
 }
 
-/// The decoder of a tablet that is known by name.
-fn from_table(
+/// A device that describes itself.
+fn by_descriptor(decoder: DescriptorDecoder) -> Choice {
+    let abilities = decoder.abilities();
+    let silence = match (decoder.waits_to_be_woken(), abilities.leaves) {
+        (true, _) => Some(Silence::LIKELY),
+        (false, leaves) => (!leaves).then_some(Silence::KNOWN),
+    };
+    Choice {
+        wake_up: None,
+        way: "its report descriptor".to_owned(),
+        area_mm: decoder.area_mm(),
+        silence,
+        abilities,
+        decoder: Box::new(decoder),
+        doubt: None,
+    }
+}
+
+/// A tablet that is listed; `described` is what its descriptor says of it besides.
+fn by_table(
+    tablet: &Tablet,
+    doubt: Option<Doubt>,
+    descriptor: &[u8],
+    strings: Box<dyn DeviceStrings>,
+    described: Option<DescriptorDecoder>,
+) -> Choice {
+    let lengths = ReportLengths::of(descriptor);
+    let imitation = described.filter(DescriptorDecoder::waits_to_be_woken);
+    let spec = tablet.spec(lengths.input);
+    let silence = tablet.silence().or(imitation.as_ref().map(|_| Silence::LIKELY));
+    Choice {
+        decoder: waking::reader(&spec, imitation.clone()),
+        way: format!("the table, as {}", tablet.name),
+        area_mm: Some(tablet.area_mm),
+        silence,
+        abilities: abilities(tablet),
+        doubt,
+        wake_up: (!tablet.wake.is_empty()).then(|| WakeUp {
+            sequence: tablet.wake.clone(),
+            lengths,
+            strings,
+            spec: Some(spec),
+            imitation,
+            known: Known::Model,
+        }),
+    }
+}
+
+/// A tablet that is not listed and declares the first protocol's report.
+fn by_protocol(
+    ranges: Ranges,
+    descriptor: &[u8],
+    strings: Box<dyn DeviceStrings>,
+    described: DescriptorDecoder,
+) -> Choice {
+    let lengths = ReportLengths::of(descriptor);
+    let spec = ranges.spec(Protocol::First, lengths.input);
+    let abilities = Abilities { barrel_buttons: 2, eraser: false, ..described.abilities() };
+    let imitation = Some(described).filter(DescriptorDecoder::waits_to_be_woken);
+    Choice {
+        decoder: waking::reader(&spec, imitation.clone()),
+        way: "its report descriptor".to_owned(),
+        area_mm: ranges.area_mm,
+        silence: Some(Silence::LIKELY),
+        abilities,
+        doubt: None,
+        wake_up: Some(WakeUp {
+            sequence: Wake { strings: vec![Protocol::First.string(), KEYS_STRING], ..Wake::default() },
+            lengths,
+            strings,
+            spec: Some(spec),
+            imitation,
+            known: Known::Descriptor,
+        }),
+    }
+}
+
+/// A tablet that is not listed, of which the name of the firmware tells that it speaks the second protocol.
+fn by_firmware(firmware: String, descriptor: &[u8], strings: Box<dyn DeviceStrings>) -> Choice {
+    let lengths = ReportLengths::of(descriptor);
+    // Ranges of nothing until the tablet has said its own; without, it is not read.
+    let unknown = Ranges { steps: [1, 1], pressure: 1, area_mm: None };
+    let spec = unknown.spec(Protocol::Second, lengths.input);
+    Choice {
+        decoder: spec.decoder(),
+        way: format!("what its firmware {firmware} says of it"),
+        area_mm: None,
+        silence: Protocol::Second.silence(),
+        abilities: Abilities { tilt: true, barrel_buttons: 2, ..Abilities::default() },
+        doubt: None,
+        wake_up: Some(WakeUp {
+            sequence: Wake { strings: vec![Protocol::Second.string()], ..Wake::default() },
+            lengths,
+            strings,
+            spec: Some(spec),
+            imitation: None,
+            known: Known::Firmware(firmware),
+        }),
+    }
+}
+
+/// Who a tablet is that does not read by its descriptor alone.
+enum Identity {
+    /// A listed model.
+    Model(&'static Tablet, Option<Doubt>),
+    /// A model that is not listed, by its firmware's name.
+    Firmware(String),
+}
+
+/// Asks the table and the device's strings who it is; `None` for a node without a pen.
+fn identify(
     device: &DeviceInfo,
     descriptor: &[u8],
+    strings: &mut dyn DeviceStrings,
     model: Option<&str>,
-) -> Result<Option<Choice>, ChooseError> {
+) -> Result<Option<Identity>, ChooseError> {
     let Some(table) = Table::shipped().inspect_err(|error| tracing::error!("{error}")).ok() else {
         return Ok(None);
     };
-    if !table.knows(device.vendor_id, device.product_id) {
+    if table.knows(device.vendor_id, device.product_id) {
+        let lengths = ReportLengths::of(descriptor);
+        let found = table.find(
+            device.vendor_id,
+            device.product_id,
+            lengths.input,
+            lengths.output,
+            device.interface,
+            &mut |index| strings::text(&strings.read(index).ok()?),
+        );
+        match take(&found, model) {
+            Taken::Pen(tablet, doubt) if carries(tablet, descriptor, lengths) => {
+                return Ok(Some(Identity::Model(tablet, doubt)));
+            }
+            Taken::Untold(models) => {
+                return Err(ChooseError::StringsUnread { models, reason: strings.kept() });
+            }
+            Taken::Pen(..) => return Ok(None),
+            Taken::NoPen => {}
+        }
+    }
+    if table.tells_itself(device.vendor_id) { unlisted(descriptor, strings) } else { Ok(None) }
+}
+
+/// Whether a node can carry the reports of a tablet that was found by its firmware's name, whatever the lengths: all nodes
+/// of a tablet have the same name.
+fn carries(tablet: &Tablet, descriptor: &[u8], lengths: ReportLengths) -> bool {
+    let is_as_listed = tablet.input_length.is_none_or(|length| length == lengths.input);
+    is_as_listed || tablet.report_id().is_some_and(|id| input_length(descriptor, id).is_some())
+}
+
+/// A model of Huion's or its kin's that is not listed: it has the report of the second protocol and names its firmware.
+fn unlisted(descriptor: &[u8], strings: &mut dyn DeviceStrings) -> Result<Option<Identity>, ChooseError> {
+    let length = input_length(descriptor, Protocol::Second.report_id());
+    if length.is_none_or(|length| length < LEAST_REPORT) {
         return Ok(None);
     }
-    let lengths = ReportLengths::of(descriptor);
-    let mut strings = strings::Reader::new(device);
-    let found = table.find(
-        device.vendor_id,
-        device.product_id,
-        lengths.input,
-        lengths.output,
-        device.interface,
-        &mut |index| strings.read(index),
-    );
-    match take(&found, model) {
-        Taken::Pen(tablet, doubt) => Ok(Some(Choice {
-            decoder: tablet.decoder(lengths.input),
-            wake_up: wake_up(tablet.wake.clone(), lengths),
-            way: format!("the table, as {}", tablet.name),
-            area_mm: Some(tablet.area_mm),
-            silence: tablet.silence(),
-            abilities: abilities(tablet),
-            doubt,
-        })),
-        Taken::NoPen => Ok(None),
-        Taken::Untold(models) => Err(ChooseError::StringsUnread { models, reason: strings.kept() }),
+    let firmware = strings.read(FIRMWARE_NAME).ok().and_then(|answer| strings::text(&answer));
+    match firmware.map(|name| name.trim_matches(['\0', ' ']).to_owned()) {
+        Some(name) if !name.is_empty() => Ok(Some(Identity::Firmware(name))),
+        None if strings.kept() == StringsKept::Forbidden => Err(ChooseError::UnlistedForbidden),
+        _ => Ok(None),
     }
 }
 
@@ -159,129 +308,6 @@ fn abilities(tablet: &Tablet) -> Abilities {
         leaves: tablet.silence().is_none(),
         touch: tablet.touch.is_some(),
         ..Abilities::default()
-    }
-}
-
-fn wake_up(wake: Wake, lengths: ReportLengths) -> Option<WakeUp> {
-    if wake.is_empty() {
-        return None;
-    }
-    Some(Box::new(move |transport| {
-        let strings = strings::Reader::new(transport.info());
-        let name = transport.info().name();
-        let mut io = Waking { transport, strings };
-        // Feature reports go as they are: the longest that a node declares says nothing of the others.
-        for fault in wake.run(lengths.output, 0, &mut io) {
-            tracing::warn!("{name}: {fault}");
-        }
-    }))
-}
-
-/// An open device that is being woken.
-struct Waking<'a> {
-    transport: &'a mut dyn Transport,
-    strings: strings::Reader,
-}
-
-impl super::wake::WakeIo for Waking<'_> {
-    fn read_string(&mut self, index: u8) -> std::io::Result<()> {
-        self.strings.request(index)
-    }
-
-    fn send_feature(&mut self, report: &[u8]) -> std::io::Result<()> {
-        self.transport.send_feature(report).map_err(std::io::Error::other)
-    }
-
-    fn write_output(&mut self, report: &[u8]) -> std::io::Result<()> {
-        self.transport.write(report).map_err(std::io::Error::other)
-    }
-
-    fn sleep(&mut self, milliseconds: u64) {
-        std::thread::sleep(Duration::from_millis(milliseconds));
-    }
-}
-
-/// USB strings, which hidraw does not give.
-#[cfg(feature = "program")]
-mod strings {
-    use crate::pen::hid::usb_strings::{UsbStrings, UsbStringsError};
-    use crate::pen::hid::{Bus, DeviceInfo, StringsKept};
-    use std::io;
-    use std::path::PathBuf;
-
-    /// Opens the USB device when the first string is asked for.
-    pub(super) struct Reader {
-        /// The node, until it was tried; only devices on a cable have strings.
-        node: Option<PathBuf>,
-        device: Option<UsbStrings>,
-        fault: Option<UsbStringsError>,
-        is_wireless: bool,
-    }
-
-    impl Reader {
-        pub(super) fn new(device: &DeviceInfo) -> Self {
-            let node = (device.bus == Bus::Usb).then(|| PathBuf::from(&device.path));
-            Self { node, device: None, fault: None, is_wireless: device.bus == Bus::Bluetooth }
-        }
-
-        fn device(&mut self) -> Option<&UsbStrings> {
-            if let Some(node) = self.node.take() {
-                match UsbStrings::open(&node) {
-                    Ok(device) => self.device = Some(device),
-                    Err(fault) => self.fault = Some(fault),
-                }
-            }
-            self.device.as_ref()
-        }
-
-        pub(super) fn read(&mut self, index: u8) -> Option<String> {
-            self.device()?.read(index)
-        }
-
-        pub(super) fn request(&mut self, index: u8) -> io::Result<()> {
-            match self.device() {
-                Some(device) => device.request(index),
-                None => {
-                    let none = "it has no USB strings; connect it by cable".to_owned();
-                    Err(io::Error::other(self.fault.as_ref().map_or(none, ToString::to_string)))
-                }
-            }
-        }
-
-        /// Why strings that were asked for were not given.
-        pub(super) fn kept(&self) -> StringsKept {
-            match &self.fault {
-                _ if self.is_wireless => StringsKept::Wireless,
-                Some(UsbStringsError::Forbidden { .. }) => StringsKept::Forbidden,
-                _ => StringsKept::Unanswered,
-            }
-        }
-    }
-}
-
-/// Without the program no USB device is opened.
-#[cfg(not(feature = "program"))]
-mod strings {
-    use crate::pen::hid::{DeviceInfo, StringsKept};
-
-    pub(super) struct Reader;
-
-    impl Reader {
-        pub(super) fn new(_: &DeviceInfo) -> Self {
-            Self
-        }
-
-        pub(super) fn read(&mut self, _: u8) -> Option<String> {
-            None
-        }
-
-        pub(super) fn request(&mut self, _: u8) -> std::io::Result<()> {
-            Err(std::io::Error::other("USB strings belong to the program"))
-        }
-
-        pub(super) fn kept(&self) -> StringsKept {
-            StringsKept::Unanswered
-        }
     }
 }
 

@@ -1,8 +1,29 @@
 //! Tests of choosing how a device is read.
 
 use super::*;
+use crate::pen::hid::made_up as tablets;
 use crate::pen::hid::simulated::SimulatedDevice;
+use crate::pen::hid::strings::descriptor as string;
 use crate::pen::hid::{Bus, HidEvent, RawPen, StringsKept};
+
+fn without_strings() -> Box<dyn DeviceStrings> {
+    Box::new(KnownStrings::none(StringsKept::Unanswered))
+}
+
+fn with_strings<const N: usize>(strings: [(u8, Vec<u8>); N]) -> Box<dyn DeviceStrings> {
+    Box::new(KnownStrings { strings: strings.into(), ..KnownStrings::none(StringsKept::Unanswered) })
+}
+
+/// The pens of a report.
+fn pens(choice: &mut Choice, report: &[u8]) -> Vec<RawPen> {
+    let mut pens = Vec::new();
+    choice.decoder.decode(report, &mut |event| {
+        if let HidEvent::Pen(pen) = event {
+            pens.push(pen);
+        }
+    });
+    pens
+}
 
 /// A node of the maker's own page with one input report of so many bytes besides its id.
 fn vendor_descriptor(id: u8, bytes: u8) -> Vec<u8> {
@@ -18,16 +39,11 @@ fn a_tablet_of_the_table_is_known_woken_and_read() {
     assert!(choice.way.contains("K8"), "{}", choice.way);
     assert_eq!(choice.abilities.pressure_levels, 8192);
     let device = SimulatedDevice::new(info, &vendor_descriptor(2, 9));
-    choice.wake_up.take().expect("it must be woken")(&mut device.open());
+    choice.wake(&mut device.open()).unwrap();
     assert_eq!(device.written().0, [[0x02, 0xB0, 0x04, 0, 0, 0, 0, 0]]);
-    let mut pens: Vec<RawPen> = Vec::new();
     // In range and touching at the middle of 20320 × 11430 steps, half pressed.
     let report = [0x02, 0xA1, 0xB0, 0x27, 0x53, 0x16, 0x00, 0x10, 0, 0];
-    choice.decoder.decode(&report, &mut |event| {
-        if let HidEvent::Pen(pen) = event {
-            pens.push(pen);
-        }
-    });
+    let pens = pens(&mut choice, &report);
     assert!(pens[0].touches && pens[0].position.distance(DVec2::splat(0.5)) < 1e-3);
     assert!((pens[0].pressure.unwrap() - 0.5).abs() < 1e-3);
 }
@@ -85,10 +101,123 @@ fn a_tablet_that_only_strings_would_tell_is_refused_until_its_model_is_chosen() 
         refused(Bus::Unknown),
         ChooseError::StringsUnread { reason: StringsKept::Unanswered, .. }
     ));
-    let chosen = choose_model(&info(Bus::Unknown), &descriptor, models.last().map(String::as_str));
+    let chosen =
+        choose_model(&info(Bus::Unknown), &descriptor, without_strings(), models.last().map(String::as_str));
     let choice = chosen.unwrap().unwrap();
     assert!(choice.way.ends_with(models.last().unwrap()), "{}", choice.way);
     assert_eq!(choice.doubt.map(|doubt| (doubt.models, doubt.is_chosen)), Some((models, true)));
+}
+
+/// A tablet that is not listed and keeps silent until string 100 is read.
+fn silent(strings: Box<dyn DeviceStrings>) -> Choice {
+    let info = DeviceInfo { vendor_id: 0x5543, product_id: 0xFFFF, ..DeviceInfo::default() };
+    choose_model(&info, tablets::SILENT_TABLET, strings, None).unwrap().expect("it describes a pen")
+}
+
+#[test]
+fn a_tablet_that_keeps_silent_until_it_is_woken_draws_before_and_after() {
+    let mut choice = silent(without_strings());
+    assert_eq!(choice.silence, Some(Silence::LIKELY));
+    let device = SimulatedDevice::new(DeviceInfo::default(), tablets::SILENT_TABLET);
+    choice.wake(&mut device.open()).expect("it may work all the same");
+    // The mouse that it imitates: first and second button, the middle of 2048 × 2048, pressure 1024.
+    let drawn = pens(&mut choice, &[9, 3, 0, 4, 0, 4, 0, 4]);
+    assert_eq!((drawn[0].touches, drawn[0].barrel), (true, [true, false, false]));
+    assert_eq!((drawn[0].position, drawn[0].pressure), (DVec2::splat(0.5), Some(1024.0 / 2047.0)));
+    assert!(!pens(&mut choice, &[9, 0, 0, 4, 0, 4, 0, 0])[0].touches);
+    // The pen of the woken tablet: touching, the upper button held, the middle of 20000 × 15000, full pressure.
+    let drawn = pens(&mut choice, &[7, 0x85, 0x10, 0x27, 0x4C, 0x1D, 0xFF, 0x07]);
+    assert_eq!((drawn[0].touches, drawn[0].eraser, drawn[0].barrel), (true, false, [false, true, false]));
+    assert_eq!((drawn[0].position, drawn[0].pressure), (DVec2::splat(0.5), Some(1.0)));
+}
+
+#[test]
+fn hover_is_seen_where_in_range_is_turned_about() {
+    let mut choice = silent(without_strings());
+    let hover = pens(&mut choice, &[7, 0x80, 0x10, 0x27, 0x4C, 0x1D, 0, 0]);
+    assert_eq!((hover[0].in_range, hover[0].touches), (true, false));
+    assert!(!pens(&mut choice, &[7, 0xC0, 0x10, 0x27, 0x4C, 0x1D, 0, 0])[0].in_range, "it leaves");
+    assert_eq!(pens(&mut choice, &[7, 0xE0, 1, 1, 1, 0, 0, 0]), [], "an express key");
+}
+
+#[test]
+fn a_woken_tablet_is_read_by_what_it_says_of_itself() {
+    // 40000 × 30000 of 8191 at 4000 lines an inch, twice what its descriptor says.
+    let answer = vec![12, 3, 0x40, 0x9C, 0x30, 0x75, 0, 0, 0xFF, 0x1F, 0xA0, 0x0F];
+    let mut choice = silent(with_strings([(100, answer), (123, string("HK On"))]));
+    assert!(choice.area_mm.unwrap().abs_diff_eq(DVec2::new(50.8, 38.1), 1e-9), "as its descriptor has it");
+    let device = SimulatedDevice::new(DeviceInfo::default(), tablets::SILENT_TABLET);
+    choice.wake(&mut device.open()).unwrap();
+    assert!(choice.area_mm.unwrap().abs_diff_eq(DVec2::new(254.0, 190.5), 1e-9));
+    assert_eq!(choice.abilities.pressure_levels, 8192);
+    let drawn = pens(&mut choice, &[7, 0x81, 0x20, 0x4E, 0x98, 0x3A, 0xFF, 0x1F]);
+    assert_eq!((drawn[0].position, drawn[0].pressure), (DVec2::splat(0.5), Some(1.0)));
+    assert!(pens(&mut choice, &[9, 1, 0, 4, 0, 4, 0, 4])[0].touches, "the mouse stays");
+}
+
+#[test]
+fn a_listed_tablet_that_keeps_silent_is_woken_by_its_row() {
+    // Genius i405x: a feature report wakes it; the table is asked though the descriptor describes a pen.
+    let info = DeviceInfo { vendor_id: 0x0458, product_id: 0x5010, ..DeviceInfo::default() };
+    let mut choice = choose_decoder(&info, tablets::SILENT_TABLET).unwrap().unwrap();
+    assert!(choice.way.contains("Genius"), "{}", choice.way);
+    let device = SimulatedDevice::new(info, tablets::SILENT_TABLET);
+    choice.wake(&mut device.open()).unwrap();
+    assert_eq!(device.written().1, [[0x05, 0x12, 0x10, 0x11, 0x12, 0, 0, 0]]);
+    assert_eq!(pens(&mut choice, &[0x10, 0x81, 0, 1, 0, 1, 0xFF, 3]).len(), 1, "awake");
+    assert_eq!(pens(&mut choice, &[9, 1, 0, 4, 0, 4, 0, 4]).len(), 1, "not yet");
+}
+
+#[test]
+fn a_node_with_nothing_but_the_imitated_mouse_is_read() {
+    let info = DeviceInfo { vendor_id: 0x28BD, product_id: 0x0075, ..DeviceInfo::default() };
+    let mouse = tablets::imitated_mouse();
+    let mut choice = choose_decoder(&info, &mouse).unwrap().expect("it has pressure");
+    assert!(pens(&mut choice, &[9, 1, 0, 4, 0, 4, 0, 4])[0].touches);
+    assert!(choose_decoder(&info, tablets::MOUSE).unwrap().is_none(), "other mice are mice");
+}
+
+/// Huion's New 1060 Plus declares 8 bytes, though its row has the 12 that it sends.
+#[test]
+fn a_firmware_is_known_by_its_name_whatever_lengths_it_declares() {
+    let info = DeviceInfo { vendor_id: 0x256C, product_id: 0x6E, ..DeviceInfo::default() };
+    let strings = || with_strings([(201, string("HUION_T174_170519"))]);
+    let choice = choose_model(&info, &vendor_descriptor(8, 7), strings(), None).unwrap().unwrap();
+    assert!(choice.way.ends_with("Huion New 1060 Plus") && choice.doubt.is_none(), "{}", choice.way);
+    let other_node = choose_model(&info, &vendor_descriptor(3, 7), strings(), None).unwrap();
+    assert!(other_node.is_none(), "a node without the pen's report");
+}
+
+#[test]
+fn a_model_that_is_not_listed_is_read_by_its_firmware() {
+    let info = DeviceInfo { vendor_id: 0x256C, product_id: 0x6D, ..DeviceInfo::default() };
+    // 70000 × 43600 of 16383 at 5080 lines an inch.
+    let ranges = vec![18, 3, 0x70, 0x11, 1, 0x50, 0xAA, 0, 0xFF, 0x3F, 0xD8, 0x13, 3, 0, 0, 0, 0, 0];
+    let strings = [(200, ranges), (201, string("HUION_T999_300101"))];
+    let mut choice =
+        choose_model(&info, &vendor_descriptor(8, 11), with_strings(strings), None).unwrap().unwrap();
+    assert!(choice.way.contains("HUION_T999_300101"), "{}", choice.way);
+    let device = SimulatedDevice::new(info.clone(), &vendor_descriptor(8, 11));
+    choice.wake(&mut device.open()).unwrap();
+    assert!(choice.area_mm.unwrap().abs_diff_eq(DVec2::new(350.0, 218.0), 1e-9));
+    assert_eq!((choice.abilities.pressure_levels, choice.silence), (16384, Some(Silence::KNOWN)));
+    // Touching at the middle: 35000 and 21800, full pressure, leaning 10 and -20 degrees on the wire.
+    let drawn = pens(&mut choice, &[8, 0x81, 0xB8, 0x88, 0x28, 0x55, 0xFF, 0x3F, 0, 0, 10, 0xEC]);
+    assert_eq!((drawn[0].position, drawn[0].pressure), (DVec2::splat(0.5), Some(1.0)));
+    assert_eq!(drawn[0].tilt_deg, glam::Vec2::new(10.0, 20.0));
+    let mute = with_strings([(201, string("HUION_T999_300101"))]);
+    let mut mute = choose_model(&info, &vendor_descriptor(8, 11), mute, None).unwrap().unwrap();
+    let why = mute.wake(&mut device.open()).unwrap_err();
+    assert!(why.to_string().contains("HUION_T999_300101"), "{why}");
+}
+
+#[test]
+fn a_model_that_is_not_listed_and_may_not_be_asked_says_what_helps() {
+    let info = DeviceInfo { vendor_id: 0x256C, product_id: 0xFFFF, ..DeviceInfo::default() };
+    let forbidden = Box::new(KnownStrings::none(StringsKept::Forbidden));
+    let refused = choose_model(&info, &vendor_descriptor(8, 11), forbidden, None).map(|_| ());
+    assert_eq!(refused, Err(ChooseError::UnlistedForbidden));
+    assert!(choose_decoder(&info, &vendor_descriptor(8, 11)).unwrap().is_none());
 }
 
 #[test]

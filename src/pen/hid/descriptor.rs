@@ -68,8 +68,21 @@ impl DescriptorDecoder {
     /// # Errors
     /// A descriptor that breaks the rules of HID or is too large.
     pub fn new(descriptor: &[u8]) -> Result<Option<Self>, DescriptorError> {
+        Self::if_some(descriptor, |pen| !pen.imitates)
+    }
+
+    /// The same for a node that has only the mouse which its tablet imitates until it is woken; `None` for other mice.
+    ///
+    /// # Errors
+    /// As before.
+    pub fn of_imitation(descriptor: &[u8]) -> Result<Option<Self>, DescriptorError> {
+        Self::if_some(descriptor, |pen| pen.imitates)
+    }
+
+    /// A decoder if some pen of the descriptor is of the kind that is asked for.
+    fn if_some(descriptor: &[u8], is_kind: fn(&PenFields) -> bool) -> Result<Option<Self>, DescriptorError> {
         let mut layouts = descriptor_layout::layouts(descriptor)?;
-        if layouts.iter().all(|l| l.pen.is_none()) {
+        if !layouts.iter().filter_map(|layout| layout.pen.as_ref()).any(is_kind) {
             return Ok(None);
         }
         layouts.truncate(usize::from(NONE));
@@ -103,6 +116,21 @@ impl DescriptorDecoder {
             battery: self.layouts.iter().any(|l| l.battery.is_some()),
             touch: self.layouts.iter().any(|l| l.touch.is_some()),
         }
+    }
+
+    /// Whether reports with this id are those of a mouse that the pen imitates.
+    pub fn imitates(&self, report_id: u8) -> bool {
+        self.pen_of(report_id).is_some_and(|pen| pen.imitates)
+    }
+
+    /// Whether the tablet imitates a mouse until it is woken.
+    pub fn waits_to_be_woken(&self) -> bool {
+        self.pens().any(|pen| pen.imitates)
+    }
+
+    /// Where the fields of the pen in a report lie.
+    pub(super) fn pen_of(&self, report_id: u8) -> Option<&PenFields> {
+        self.layouts.get(usize::from(self.by_id[usize::from(report_id)]))?.pen.as_ref()
     }
 
     fn pens(&self) -> impl Iterator<Item = &PenFields> {
@@ -151,8 +179,9 @@ fn pen(fields: &PenFields, report: &[u8], last: &mut Option<DVec2>) -> Option<Ra
     let is_set = |bits: Option<Bits>| bits.is_some_and(|b| b.is_set(report));
     let pressure = fields.pressure.map(|p| if p.is_null(report) { 0.0 } else { p.of(report) });
     let erases = is_set(fields.eraser);
-    let touches = fields.tip.is_set(report) || erases;
-    let in_range = touches || fields.in_range.is_none_or(|bits| bits.is_set(report));
+    let presses = pressure.is_none_or(|pressure| pressure > 0.0);
+    let touches = fields.tip.is_set(report) || (erases && presses);
+    let in_range = touches || erases || fields.in_range.is_none_or(|bits| bits.is_set(report));
     if !in_range {
         return Some(RawPen { position: last.take().unwrap_or_default(), ..RawPen::default() });
     }

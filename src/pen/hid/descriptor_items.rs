@@ -20,8 +20,9 @@ pub(super) const MAX_REPORT_BITS: u64 = 16 * 1024 * 8;
 /// Widest field that is read.
 const MAX_FIELD_BITS: u32 = 64;
 
-/// Usage pages that a pen is described with: desktop, device controls, digitizers, battery, and Wacom's own.
-const PAGES: [u32; 5] = [0x01, 0x06, 0x0D, 0x85, 0xFF0D];
+/// Usage pages that a pen is described with: desktop, device controls, buttons (of the mouse that it imitates),
+/// digitizers, battery, and Wacom's own.
+const PAGES: [u32; 6] = [0x01, 0x06, 0x09, 0x0D, 0x85, 0xFF0D];
 
 /// First bytes of items, the two bits of their size left out.
 pub(super) mod tag {

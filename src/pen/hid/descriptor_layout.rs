@@ -2,10 +2,11 @@
 //!
 //! A pen is what stands in an application collection Pen or Digitizer of the digitizer page, or of Wacom's page FF0D that
 //! mirrors it, and has a position and a tip switch: where a maker hides the tip in bits of their own, the descriptor does
-//! not describe the pen. Fingers count only in a Touch Screen collection of a device that has a pen
-//! as well; pucks, touchpads and mice do not count. Sources: HID Usage Tables 1.5, chapter 16.
+//! not describe the pen. A mouse that says where it is, and pressure or "in range" of the digitizer page besides, is a pen
+//! that imitates one ([`super::until_woken`]). Fingers count only in a Touch Screen collection of a device that has a pen
+//! as well; pucks, touchpads and other mice do not count. Sources: HID Usage Tables 1.5, chapter 16.
 
-use super::field::{Angle, Bits, Share, length_mm};
+use super::field::{Angle, Bits, Share, area_mm};
 use super::{DescriptorError, descriptor_items};
 use glam::DVec2;
 use hidreport::{Collection, CollectionType, Field, Report, ReportDescriptor, VariableField};
@@ -40,8 +41,12 @@ enum Role {
     Contact,
     Confidence,
     ContactCount,
+    /// A mouse's button, counted from 0.
+    Button(u16),
 }
 
+/// Page of buttons, which are counted from 1.
+const BUTTONS: u32 = 0x09;
 /// First and last of Wacom's keys.
 const WACOM_KEYS: std::ops::Range<u16> = 0x910..0x930;
 
@@ -78,6 +83,7 @@ fn role(usage: u32) -> Option<Role> {
         Usage::Digitizers(Digitizers::ContactIdentifier) | Usage::Wacom(Wacom::ContactId) => Role::Contact,
         Usage::Digitizers(Digitizers::TouchValid) | Usage::Wacom(Wacom::Confidence) => Role::Confidence,
         Usage::Digitizers(Digitizers::ContactCount) | Usage::Wacom(Wacom::ContactCount) => Role::ContactCount,
+        _ if usage >> 16 == BUTTONS => Role::Button(id.checked_sub(1)?),
         _ if usage >> 16 == 0xFF0D && WACOM_KEYS.contains(&id) => Role::Key(id - WACOM_KEYS.start),
         _ => return None,
     })
@@ -107,6 +113,8 @@ pub(super) struct PenFields {
     pub(super) eraser: Option<Bits>,
     /// The report is about the other end of the pen alone.
     pub(super) is_eraser: bool,
+    /// The report is a mouse's.
+    pub(super) imitates: bool,
     pub(super) barrel: [Option<Bits>; 3],
     pub(super) pressure: Option<Share>,
     pub(super) tilt: [Option<Angle>; 2],
@@ -150,6 +158,7 @@ enum Place {
     Pen,
     /// A finger of a touch screen; which one tells its collection.
     Finger,
+    Mouse,
     Other,
 }
 
@@ -163,7 +172,7 @@ struct Known<'a> {
 
 fn layout(report: &impl Report) -> Layout {
     let fields: Vec<Known<'_>> = report.fields().iter().filter_map(known).collect();
-    let pen = pen_fields(&fields);
+    let pen = pen_fields(&fields).or_else(|| mouse_fields(&fields));
     let first = |role| fields.iter().find(|f| f.role == role).map(|f| f.field);
     let keys = fields.iter().filter_map(|known| match known.role {
         Role::Key(number) => Some((number, Bits::new(&known.field.bits, false)?)),
@@ -208,6 +217,9 @@ fn place(collections: &[Collection]) -> Place {
         return Place::Other;
     };
     let has = |which: Digitizers| usages(collections).any(|u| is_digitizer(u, which));
+    if application == u32::from(&Usage::GenericDesktop(GenericDesktop::Mouse)) {
+        return Place::Mouse;
+    }
     if is_digitizer(application, Digitizers::TouchScreen) {
         return if has(Digitizers::Stylus) { Place::Other } else { Place::Finger };
     }
@@ -228,12 +240,13 @@ fn pen_fields(fields: &[Known<'_>]) -> Option<PenFields> {
     Some(PenFields {
         x: Share::new(x_field)?,
         y: Share::new(y_field)?,
-        area_mm: length_mm(x_field).zip(length_mm(y_field)).map(DVec2::from),
+        area_mm: area_mm(x_field, y_field),
         tip: bits(Role::Tip)?,
         in_range: bits(Role::InRange).or_else(|| bits(Role::Sense)),
         invert: bits(Role::Invert),
         eraser: bits(Role::Eraser),
         is_eraser: of_pen().any(|f| f.is_eraser),
+        imitates: false,
         barrel: [bits(Role::Barrel(0)), second, bits(Role::Barrel(2))],
         pressure: field(Role::Pressure).and_then(Share::new),
         tilt: [Role::TiltX, Role::TiltY].map(|role| field(role).and_then(Angle::tilt)),
@@ -241,6 +254,36 @@ fn pen_fields(fields: &[Known<'_>]) -> Option<PenFields> {
         height: field(Role::Height).and_then(Share::new),
         distance: field(Role::Distance).and_then(Share::new),
         serial: [low, high],
+    })
+}
+
+/// A pen that imitates a mouse: the first button is its tip, the others those of its barrel.
+fn mouse_fields(fields: &[Known<'_>]) -> Option<PenFields> {
+    let field = |role| fields.iter().find(|f| f.place == Place::Mouse && f.role == role).map(|f| f.field);
+    let bits = |role| field(role).and_then(|f| Bits::new(&f.bits, false));
+    let (x_field, y_field) = (field(Role::X)?, field(Role::Y)?);
+    let (pressure, in_range) = (field(Role::Pressure).and_then(Share::new), bits(Role::InRange));
+    if pressure.is_none() && in_range.is_none() {
+        return None;
+    }
+    Some(PenFields {
+        x: Share::new(x_field)?,
+        y: Share::new(y_field)?,
+        // Steps of a mouse have no length; where makers write one, it is made up.
+        area_mm: None,
+        tip: bits(Role::Button(0))?,
+        in_range,
+        invert: None,
+        eraser: None,
+        is_eraser: false,
+        imitates: true,
+        barrel: [bits(Role::Button(1)), bits(Role::Button(2)), None],
+        pressure,
+        tilt: [None, None],
+        twist: None,
+        height: None,
+        distance: None,
+        serial: [None, None],
     })
 }
 

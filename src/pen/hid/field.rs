@@ -3,6 +3,7 @@
 //! Everything is worked out when the descriptor is read; taking a value out of a report is a load, a shift and a mask.
 //! Bits are counted as HID counts them: from the lowest bit of the first byte (HID 1.11, section 5.6 and 5.8).
 
+use glam::DVec2;
 use hidreport::{FieldAttributes as _, VariableField};
 use std::ops::Range;
 
@@ -11,11 +12,13 @@ const MM_PER_CM: f64 = 10.0;
 const MM_PER_INCH: f64 = 25.4;
 /// Sides of a tablet's area; a descriptor that says anything else is wrong about its units.
 const AREA_MM: Range<f64> = 20.0..3000.0;
+/// How far the fineness of two axes that are equally fine may lie apart, as a share.
+const ALIKE: f64 = 0.01;
 /// Greatest lean that any pen reports, and the least that is worth reporting.
 const TILT_DEG: Range<f64> = 9.0..90.0;
 
 /// Where the bits of a field lie.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Bits {
     byte: usize,
     bytes: usize,
@@ -180,16 +183,37 @@ fn unit_deg(field: &VariableField) -> Option<f64> {
     Some(unit * power_of_ten(field))
 }
 
-/// Length of a position field's range in millimetres, where the descriptor says it and it can be true.
-pub(super) fn length_mm(field: &VariableField) -> Option<f64> {
-    let unit = match unit_nibbles(field) {
-        (1, 1..) => MM_PER_CM,
-        (3, 1..) => MM_PER_INCH,
+/// Length of a position field's range in millimetres, and whether its unit is a length: makers also write areas and
+/// volumes of centimetres and inches there.
+fn length_mm(field: &VariableField) -> Option<(f64, bool)> {
+    let (unit, power) = match unit_nibbles(field) {
+        (1, power @ 1..) => (MM_PER_CM, power),
+        (3, power @ 1..) => (MM_PER_INCH, power),
         _ => return None,
     };
     let (low, high) = physical(field)?;
-    let length = (high - low) * unit * power_of_ten(field);
-    AREA_MM.contains(&length).then_some(length)
+    Some(((high - low) * unit * power_of_ten(field), power == 1))
+}
+
+/// Width and height of a tablet's area in millimetres, where the descriptor says them and they can be true.
+///
+/// A unit that is no length is taken for one only where the numbers bear it out: both axes as fine as each other, of
+/// different lengths, and not just the steps written once more. Many tablets have the same made-up square under such a unit.
+pub(super) fn area_mm(x: &VariableField, y: &VariableField) -> Option<DVec2> {
+    let ((width, width_is_length), (height, height_is_length)) = length_mm(x).zip(length_mm(y))?;
+    let steps = [x, y].map(|field| {
+        let (low, high) = logical(field);
+        (high - low) as f64
+    });
+    let bear_out = || {
+        let fineness = [steps[0] / width, steps[1] / height];
+        let are_alike = (fineness[0] - fineness[1]).abs() <= ALIKE * fineness[0].max(fineness[1]);
+        let are_steps = physical(x).is_some_and(|(low, high)| high - low == steps[0]);
+        are_alike && steps[0] != steps[1] && !are_steps
+    };
+    let is_meant = (width_is_length && height_is_length) || bear_out();
+    let area = DVec2::new(width, height);
+    (is_meant && area.to_array().iter().all(|side| AREA_MM.contains(side))).then_some(area)
 }
 
 #[cfg(test)]

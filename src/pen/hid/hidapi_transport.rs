@@ -4,8 +4,10 @@
 //! reports without the leading 0 of devices without report ids; both are put right here. Descriptors are read from sysfs,
 //! so that a device need not be opened, nor its permission be had, to know whether it is a pen.
 
+use super::DeviceStrings;
 use super::descriptor_items::{MAX_DESCRIPTOR_BYTES, has_report_ids};
 use super::transport::{Bus, DeviceInfo, Enumerate, Transport, TransportError};
+use super::usb_strings::StringsOnDemand;
 use hidapi::{BusType, HidApi, HidDevice, HidError};
 use std::ffi::CString;
 use std::io::ErrorKind;
@@ -68,10 +70,14 @@ impl Enumerate for System {
         }
     }
 
+    fn strings(&mut self, device: &DeviceInfo) -> Box<dyn DeviceStrings> {
+        Box::new(StringsOnDemand::new(device))
+    }
+
     fn open(&mut self, device: &DeviceInfo) -> Result<Box<dyn Transport>, TransportError> {
         let path = device.path.as_str();
         let c_path = CString::new(path).map_err(|_| TransportError::Gone { path: path.to_owned() })?;
-        let opened = self.api()?.open_path(&c_path).map_err(|error| refusal(path, &error))?;
+        let opened = self.api()?.open_path(&c_path).map_err(|error| refusal(device, &error))?;
         let mut descriptor = vec![0; MAX_DESCRIPTOR_BYTES];
         let length = opened.get_report_descriptor(&mut descriptor).unwrap_or(0);
         descriptor.truncate(length);
@@ -102,10 +108,11 @@ fn device_info(device: &hidapi::DeviceInfo) -> DeviceInfo {
 }
 
 /// Why a node could not be opened. hidapi tells it in words only, so the system is asked once more.
-fn refusal(path: &str, error: &HidError) -> TransportError {
+fn refusal(device: &DeviceInfo, error: &HidError) -> TransportError {
+    let path = device.path.as_str();
     let asked = std::fs::OpenOptions::new().read(true).write(true).open(path);
     match asked.map_err(|error| (error.kind(), error.raw_os_error())) {
-        Err((ErrorKind::PermissionDenied, _)) => TransportError::Permission { path: path.to_owned() },
+        Err((ErrorKind::PermissionDenied, _)) => TransportError::forbidden(device),
         Err((ErrorKind::NotFound, _)) => TransportError::Gone { path: path.to_owned() },
         Err((_, Some(number))) if NO_DEVICE.contains(&number) => {
             TransportError::Gone { path: path.to_owned() }
@@ -130,7 +137,7 @@ impl Node {
     /// What a failed read or write means; every one of them happens when the device is unplugged.
     fn failure(&self, error: &HidError) -> TransportError {
         if Path::new(&self.info.path).exists() {
-            refusal(&self.info.path, error)
+            refusal(&self.info, error)
         } else {
             TransportError::Gone { path: self.info.path.clone() }
         }

@@ -26,12 +26,16 @@ pub mod report_lengths;
 #[cfg(target_os = "linux")]
 pub mod served;
 pub mod simulated;
+pub mod strings;
 pub mod table;
 pub mod transport;
 pub mod typed;
+pub mod uclogic;
+mod until_woken;
 #[cfg(feature = "program")]
 pub mod usb_strings;
 pub mod wake;
+pub mod waking;
 pub mod watcher;
 
 pub use choose::{Choice, Doubt, Models, choose_decoder, choose_model};
@@ -45,6 +49,7 @@ pub use recording::{Recording, RecordingWriter};
 pub use recording_read::{LineFault, RecordingError};
 pub use refusal::{ChooseError, Refusal, Refused, StringsKept};
 pub use report::{Decode, HidEvent, RawPen};
+pub use strings::{DeviceStrings, KnownStrings};
 pub use table::{Table, Tablet};
 pub use transport::{Bus, DeviceInfo, Enumerate, Transport, TransportError};
 pub use typed::TypedReports;

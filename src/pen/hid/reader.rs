@@ -157,7 +157,7 @@ pub struct Reader {
 }
 
 impl Reader {
-    /// Begins to read a device; it says [`Notice::Arrived`] first and [`Notice::Gone`] last.
+    /// Begins to read a device that is awake; it says [`Notice::Arrived`] first and [`Notice::Gone`] last.
     ///
     /// # Errors
     /// A system that gives no thread.
@@ -217,9 +217,6 @@ impl Drain {
             doubt: choice.doubt.take(),
         };
         self.insist(Notice::Arrived(Arc::new(arrival)));
-        if let Some(wake_up) = choice.wake_up.take() {
-            wake_up(&mut *transport);
-        }
         let mut buffer = [0; MAX_REPORT_BYTES];
         let end = loop {
             if self.stop.load(Ordering::Relaxed) {

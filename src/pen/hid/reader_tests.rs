@@ -88,19 +88,6 @@ fn a_device_arrives_speaks_and_goes_and_its_pen_leaves_first() {
 }
 
 #[test]
-fn a_device_is_woken_up_before_it_is_read() {
-    let (outbox, inbox) = queue(|| {}, Instant::now());
-    let device = device();
-    device.unplug_at_end();
-    let wake_up = |transport: &mut dyn Transport| transport.send_feature(&[2, 2]).unwrap();
-    device.send(&report(1));
-    let choice = Choice { wake_up: Some(Box::new(wake_up)), ..choice(None) };
-    let _reader = Reader::start(7, Box::new(device.open()), choice, outbox).unwrap();
-    until_gone(&inbox);
-    assert_eq!(device.written(), (vec![], vec![vec![2, 2]]));
-}
-
-#[test]
 fn a_silent_pen_leaves_where_only_silence_says_so() {
     let (outbox, inbox) = queue(|| {}, Instant::now());
     let device = device();

@@ -1,13 +1,18 @@
 //! Recordings of tablets: what devices sent, report by report, in a text file.
 //!
 //! A person whose tablet is not understood sends one; tests play them. The format is told in `docs/pen-recordings.md`.
-//! Serial numbers of devices are not written: they would tell who sent it.
+//! Serial numbers of devices are not written: they would tell who sent it. Nor are USB strings, unless that person agrees.
 
+use super::strings::{self, DeviceStrings};
 use super::transport::DeviceInfo;
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 /// First line of every recording: the format's name and version.
 pub const FIRST_LINE: &str = "penstemon-pen-recording 1";
+
+/// The USB strings that tell tablets apart and hold their ranges.
+pub const STRINGS_KEPT: [u8; 10] = [2, 4, 5, 6, 100, 121, 123, 200, 201, 202];
 
 /// Everything that some devices sent.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -25,6 +30,18 @@ pub struct RecordedDevice {
     pub info: DeviceInfo,
     /// Its report descriptor.
     pub descriptor: Vec<u8>,
+    /// String descriptors that were kept, by their indices.
+    pub strings: BTreeMap<u8, Vec<u8>>,
+}
+
+/// Reads the strings of a device that a recording keeps; its serial number is left out wherever it stands.
+pub fn strings_to_keep(device: &DeviceInfo, strings: &mut dyn DeviceStrings) -> BTreeMap<u8, Vec<u8>> {
+    let serial = device.serial.trim();
+    let names_it = |descriptor: &[u8]| {
+        !serial.is_empty() && strings::text(descriptor).is_some_and(|text| text.contains(serial))
+    };
+    let read = STRINGS_KEPT.into_iter().filter_map(|index| Some((index, strings.read(index).ok()?)));
+    read.filter(|(_, descriptor)| !descriptor.is_empty() && !names_it(descriptor)).collect()
 }
 
 /// One thing that happened.
@@ -59,7 +76,7 @@ impl Recording {
     fn write(&self, writer: &mut RecordingWriter<Vec<u8>>) -> io::Result<()> {
         writeln!(writer.out, "{FIRST_LINE}")?;
         for device in &self.devices {
-            writer.device(&device.info, &device.descriptor)?;
+            writer.device(device)?;
         }
         self.entries.iter().try_for_each(|entry| match &entry.what {
             Recorded::Report(report) => writer.report(entry.time_us, entry.device, report),
@@ -91,11 +108,11 @@ impl<W: Write> RecordingWriter<W> {
     ///
     /// # Errors
     /// What the file says.
-    pub fn device(&mut self, info: &DeviceInfo, descriptor: &[u8]) -> io::Result<usize> {
+    pub fn device(&mut self, device: &RecordedDevice) -> io::Result<usize> {
         let number = self.devices;
         self.devices += 1;
         let DeviceInfo { path, vendor_id, product_id, bus, product, manufacturer, usage, interface, .. } =
-            info;
+            &device.info;
         let mut text = format!("device {number}\nbus {}\n", bus.name());
         text += &format!("vendor {vendor_id:04x}\nproduct {product_id:04x}\n");
         text += &format!("usage {:04x}{:04x}\n", usage.0, usage.1);
@@ -108,9 +125,14 @@ impl<W: Write> RecordingWriter<W> {
                 text += &format!("{key} {value}\n");
             }
         }
-        text += "descriptor ";
         let mut lines = text.into_bytes();
-        push_hex(&mut lines, descriptor);
+        for (index, string) in &device.strings {
+            write!(lines, "string {index} ")?;
+            push_hex(&mut lines, string);
+            lines.push(b'\n');
+        }
+        lines.extend_from_slice(b"descriptor ");
+        push_hex(&mut lines, &device.descriptor);
         lines.push(b'\n');
         self.out.write_all(&lines)?;
         Ok(number)

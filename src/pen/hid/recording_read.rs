@@ -10,6 +10,8 @@ use thiserror::Error;
 const MAX_RECORDING_BYTES: u64 = 64 << 20;
 /// Most devices in a recording.
 const MAX_DEVICES: usize = 64;
+/// Longest string descriptor.
+const MAX_STRING_BYTES: usize = 255;
 /// Longest report.
 const MAX_REPORT_BYTES: usize = 4096;
 /// Longest time: a week.
@@ -164,6 +166,7 @@ impl Lines {
         }
         match word {
             "device" => self.device(rest),
+            "string" => self.string(rest),
             _ => self.identity(word, rest),
         }
     }
@@ -185,6 +188,23 @@ impl Lines {
         let Some(device) = self.recording.devices.len().checked_sub(1) else { return Ok(()) };
         match ["vendor", "product", "descriptor"].into_iter().find(|key| !self.said.contains(key)) {
             Some(key) => Err(LineFault::Missing { device, key }),
+            None => Ok(()),
+        }
+    }
+
+    fn string(&mut self, value: &str) -> Result<(), LineFault> {
+        const KEY: &str = "string";
+        let device = self.recording.devices.last_mut().ok_or(LineFault::NoDevice)?;
+        let wrong = || LineFault::Value {
+            key: KEY,
+            value: value.chars().take(40).collect(),
+            takes: "a number up to 255, a space, and 1 to 255 bytes in hexadecimal",
+        };
+        let (index, bytes) = value.split_once(' ').ok_or_else(wrong)?;
+        let index: u8 = index.parse().map_err(|_| wrong())?;
+        let bytes = unhex(bytes).filter(|bytes| (1..=MAX_STRING_BYTES).contains(&bytes.len()));
+        match device.strings.insert(index, bytes.ok_or_else(wrong)?) {
+            Some(_) => Err(LineFault::Twice(KEY)),
             None => Ok(()),
         }
     }

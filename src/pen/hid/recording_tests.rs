@@ -4,11 +4,14 @@ use super::*;
 use crate::pen::grammar::Grammar;
 use crate::pen::hid::made_up::{self as tablets, DisplayReport, switch};
 use crate::pen::hid::reader::{Notice, Reader, queue};
-use crate::pen::hid::{DeviceInfo, Enumerate as _, HidEvent, choose_decoder, replay};
+use crate::pen::hid::{
+    DeviceInfo, Enumerate as _, HidEvent, KnownStrings, StringsKept, choose_decoder, recording, replay,
+};
 use crate::pen::mapping::Rect;
 use crate::pen::{PenPhase, PenTool};
 use glam::DVec2;
 use proptest::prelude::*;
+use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
 fn device(vendor_id: u16, descriptor: &[u8]) -> RecordedDevice {
@@ -23,7 +26,7 @@ fn device(vendor_id: u16, descriptor: &[u8]) -> RecordedDevice {
         usage: (0x0D, 0x02),
         interface: Some(1),
     };
-    RecordedDevice { info, descriptor: descriptor.to_vec() }
+    RecordedDevice { info, descriptor: descriptor.to_vec(), ..RecordedDevice::default() }
 }
 
 /// A stroke with rising pressure, 5 ms a sample, and then the device is unplugged while the pen touches.
@@ -55,7 +58,8 @@ fn fault(text: &str) -> (usize, LineFault) {
 #[test]
 fn a_recording_is_read_as_it_was_written() {
     let mut recording = stroke();
-    recording.devices.push(device(0x256C, tablets::DESK_TABLET));
+    let strings = BTreeMap::from([(200, vec![4, 3, 0xA0, 0xD7]), (201, vec![2, 3])]);
+    recording.devices.push(RecordedDevice { strings, ..device(0x256C, tablets::DESK_TABLET) });
     recording.entries.push(Entry { time_us: 100_000, device: 1, what: Recorded::Report(vec![0, 1, 2]) });
     let text = recording.to_text();
     assert_eq!(Recording::from_bytes(text.as_bytes(), "pen.txt").unwrap(), recording);
@@ -86,6 +90,11 @@ fn faults_are_told_with_file_line_reason_and_remedy() {
     assert_eq!(with("device 0\nvendor 056a\nvendor 056a"), (4, Twice("vendor")));
     assert!(matches!(with("device 0\nvendor 56a"), (3, Value { key: "vendor", .. })));
     assert!(matches!(with("device 0\nbus ps2"), (3, Value { key: "bus", .. })));
+    assert_eq!(with("string 201 0203"), (2, NoDevice));
+    for wrong in ["string 201", "string 256 0203", "string 201 020", "string 201 "] {
+        assert!(matches!(with(&format!("device 0\n{wrong}")), (3, Value { key: "string", .. })), "{wrong}");
+    }
+    assert_eq!(with("device 0\nstring 4 0203\nstring 5 0203\nstring 4 0203"), (5, Twice("string")));
     assert!(matches!(with("device 0\ndescriptor 0"), (3, Value { key: "descriptor", .. })));
     assert!(matches!(with(&format!("device 0\nname {}", "x".repeat(300))), (3, Value { key: "name", .. })));
     assert_eq!(with("device 0\nvendor 056a\n0 00"), (4, Missing { device: 0, key: "product" }));
@@ -127,6 +136,30 @@ fn a_device_that_is_no_pen_is_named() {
         Recording { devices: vec![device(1, tablets::MOUSE), device(2, &[0xC0])], entries: vec![] };
     let unread = replay::play(&recording, window(), &mut |_, _| panic!("nothing happened"));
     assert_eq!(unread.iter().map(|u| u.device).collect::<Vec<_>>(), [0, 1]);
+}
+
+#[test]
+fn a_device_that_says_nothing_of_a_pen_is_told() {
+    let mut recording = stroke();
+    recording.entries = vec![Entry { time_us: 0, device: 0, what: Recorded::Report(vec![9, 0, 1]) }];
+    let unread = replay::play(&recording, window(), &mut |_, _| panic!("nothing happened"));
+    assert!(
+        unread[0].device == 0
+            && unread[0].reason.contains("its 1 report")
+            && unread[0].reason.contains("not woken"),
+        "{unread:?}"
+    );
+    let empty = Recording { entries: Vec::new(), ..stroke() };
+    assert_eq!(replay::play(&empty, window(), &mut |_, _| {}), [], "it was not asked");
+}
+
+#[test]
+fn strings_that_hold_the_serial_number_are_not_kept() {
+    let text = crate::pen::hid::strings::descriptor;
+    let strings = BTreeMap::from([(2, text("Tablet")), (3, text("A")), (5, text("no. SECRET-7"))]);
+    let mut strings = KnownStrings { strings, ..KnownStrings::none(StringsKept::Unanswered) };
+    let device = DeviceInfo { serial: "SECRET-7 ".into(), ..DeviceInfo::default() };
+    assert_eq!(recording::strings_to_keep(&device, &mut strings), BTreeMap::from([(2, text("Tablet"))]));
 }
 
 #[test]

@@ -2,13 +2,55 @@
 //!
 //! Messages here are English; the window has them in its own language (`app/messages/faults.rs`).
 
-use super::{DescriptorError, DeviceInfo, TransportError};
+use super::table::{Table, own_rule};
+use super::{Bus, DescriptorError, DeviceInfo, TransportError};
 use thiserror::Error;
 
 /// The rules that let people use their tablets.
 pub const RULES_FILE: &str = "70-penstemon.rules";
+/// Where the system looks for rules.
+pub const RULES_FOLDER: &str = "/etc/udev/rules.d";
 /// The command that installs them.
 pub const INSTALL_RULES: &str = "./run.sh --install-udev";
+
+/// What lets the user open a device that the system keeps from them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Remedy {
+    /// The rules that come with the program.
+    Rules,
+    /// A rule of the user's own, since those do not name the device.
+    OwnRule(String),
+    /// Nothing need be done: the device is built in, and the system reads its pen.
+    System,
+}
+
+impl Remedy {
+    /// What helps with this device.
+    pub fn of(device: &DeviceInfo) -> Self {
+        match device.bus {
+            Bus::I2c | Bus::Spi => Self::System,
+            _ if Table::shipped().is_ok_and(|table| table.rules_cover(device)) => Self::Rules,
+            _ => Self::OwnRule(own_rule(device)),
+        }
+    }
+
+    pub(super) fn told(&self) -> String {
+        match self {
+            Self::Rules => format!(
+                "install the rule file {RULES_FILE} with the command {INSTALL_RULES}, then plug the tablet in again"
+            ),
+            Self::OwnRule(rule) => format!(
+                "{RULES_FILE} does not name it: write the line {rule} into a file of its own in {RULES_FOLDER} whose name \
+                 begins with 70, then plug the tablet in again"
+            ),
+            Self::System => {
+                "it is built into this machine and the system reads its pen: choose “Automatic” under \
+                             “Pen and tablet”"
+                    .to_owned()
+            }
+        }
+    }
+}
 
 /// A device that is there and is not read.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -44,7 +86,8 @@ impl Refusal {
         match self {
             Self::Transport(_) | Self::TooMany { .. } => true,
             Self::Choose(ChooseError::StringsUnread { reason, .. }) => *reason == StringsKept::Forbidden,
-            Self::Choose(ChooseError::Descriptor(_)) => false,
+            Self::Choose(ChooseError::UnlistedForbidden) => true,
+            Self::Choose(ChooseError::Descriptor(_) | ChooseError::RangesUnread { .. }) => false,
         }
     }
 
@@ -77,6 +120,21 @@ pub enum ChooseError {
         /// Why the strings are not known.
         reason: StringsKept,
     },
+    /// It is not of the table, and the strings in which such tablets say their ranges may not be read.
+    #[error(
+        "it is not among the tablets that Penstemon knows, and what it says of itself may not be read: install the rule \
+         file {RULES_FILE} with the command {INSTALL_RULES}, then plug the tablet in again"
+    )]
+    UnlistedForbidden,
+    /// It is not of the table and did not say its ranges.
+    #[error(
+        "its firmware {firmware} is not among those that Penstemon knows, and it did not say how large it is; a recording \
+         helps to add it: penstemon pen record FILE --strings"
+    )]
+    RangesUnread {
+        /// The firmware's name.
+        firmware: String,
+    },
 }
 
 /// Why a device's USB strings are not known.
@@ -88,6 +146,8 @@ pub enum StringsKept {
     Wireless,
     /// It was asked and gave none.
     Unanswered,
+    /// The device is a recording's, which does not hold them.
+    NotRecorded,
 }
 
 impl StringsKept {
@@ -99,6 +159,9 @@ impl StringsKept {
             ),
             Self::Wireless => "and there are none by radio: connect it by cable".to_owned(),
             Self::Unanswered => "and it did not give them: plug it in again".to_owned(),
+            Self::NotRecorded => {
+                "and the recording does not hold them: record anew with --strings".to_owned()
+            }
         }
     }
 }
@@ -122,13 +185,16 @@ mod tests {
         }
         assert!(told(StringsKept::Wireless).contains("by cable"));
         assert!(told(StringsKept::Unanswered).contains("plug it in again"));
+        assert!(told(StringsKept::NotRecorded).contains("--strings"));
     }
 
     #[test]
     fn only_what_may_change_is_tried_again() {
         let unread = |reason| Refusal::from(ChooseError::StringsUnread { models: vec!["A".into()], reason });
         assert!(unread(StringsKept::Forbidden).may_pass() && !unread(StringsKept::Unanswered).may_pass());
-        assert!(Refusal::from(TransportError::Permission { path: "a".into() }).may_pass());
+        assert!(Refusal::from(TransportError::forbidden(&DeviceInfo::default())).may_pass());
+        assert!(Refusal::from(ChooseError::UnlistedForbidden).may_pass());
+        assert!(!Refusal::from(ChooseError::RangesUnread { firmware: "T1".into() }).may_pass());
         assert!(!Refusal::from(ChooseError::from(DescriptorError::Empty)).may_pass());
         assert_eq!(unread(StringsKept::Wireless).models(), ["A"]);
     }

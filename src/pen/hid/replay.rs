@@ -1,10 +1,13 @@
 //! Plays recordings: as devices that the reader cannot tell from real ones, into an open window, or straight through to
 //! pen events.
 
-use super::choose::{Choice, choose_decoder};
-use super::recording::{Recorded, Recording};
+use super::choose::{Choice, choose_model};
+use super::recording::{Recorded, RecordedDevice, Recording};
 use super::simulated::{SimulatedBus, SimulatedDevice};
-use super::{DeviceInfo, Enumerate, HidEvent, Transport, TransportError};
+use super::{
+    Bus, ChooseError, DeviceInfo, DeviceStrings, Enumerate, HidEvent, KnownStrings, StringsKept, Transport,
+    TransportError,
+};
 use crate::pen::mapping::Rect;
 use crate::pen::{Mapping, PenEvent, PenMachine};
 use std::collections::BTreeSet;
@@ -23,7 +26,7 @@ pub fn bus(recording: &Recording, begin: Option<Instant>) -> SimulatedBus {
         // Two devices of one recording may have had the same node one after the other.
         let info =
             DeviceInfo { path: format!("replay {number}: {}", device.info.path), ..device.info.clone() };
-        SimulatedDevice::new(info, &device.descriptor)
+        SimulatedDevice::new(info, &device.descriptor).with_strings(strings(device))
     });
     let devices: Vec<SimulatedDevice> = devices.collect();
     for entry in &recording.entries {
@@ -40,6 +43,13 @@ pub fn bus(recording: &Recording, begin: Option<Instant>) -> SimulatedBus {
         bus.plug(device);
     }
     bus
+}
+
+/// The strings that a recording holds of a device.
+fn strings(device: &RecordedDevice) -> KnownStrings {
+    let is_wireless = device.info.bus == Bus::Bluetooth;
+    let kept = if is_wireless { StringsKept::Wireless } else { StringsKept::NotRecorded };
+    KnownStrings { strings: device.strings.clone(), kept }
 }
 
 /// A system whose devices are a recording's. None is there before [`Self::begin`]; then each comes once, sends its reports
@@ -83,6 +93,13 @@ impl Enumerate for Stage {
         }
     }
 
+    fn strings(&mut self, device: &DeviceInfo) -> Box<dyn DeviceStrings> {
+        match &mut self.bus {
+            Some(bus) => bus.strings(device),
+            None => Box::new(KnownStrings::none(StringsKept::Unanswered)),
+        }
+    }
+
     fn open(&mut self, device: &DeviceInfo) -> Result<Box<dyn Transport>, TransportError> {
         self.opened.insert(device.path.clone());
         match &mut self.bus {
@@ -106,15 +123,20 @@ struct Player {
     choice: Choice,
     machine: PenMachine,
     seen_ms: f64,
+    /// How it is read, for people, its reports, and whether any was about a pen.
+    way: String,
+    reports: usize,
+    was_seen: bool,
 }
 
 /// Plays a recording into a rectangle of a window and hands every event with its device's number to `sink`. Times are the
-/// recording's own. What is left in range at the end leaves. Returns the devices that could not be read.
+/// recording's own. What is left in range at the end leaves. Returns the devices that could not be read, and those whose
+/// reports said nothing of a pen.
 pub fn play(recording: &Recording, target: Rect, sink: &mut dyn FnMut(usize, &PenEvent)) -> Vec<Unread> {
     let mut unread = Vec::new();
     let mut players: Vec<Option<Player>> = Vec::new();
     for (number, device) in recording.devices.iter().enumerate() {
-        let chosen = choose_decoder(&device.info, &device.descriptor);
+        let chosen = choose(device);
         let reason = match &chosen {
             Ok(Some(_)) => None,
             Ok(None) => Some("it is no pen that Penstemon knows".to_owned()),
@@ -149,14 +171,42 @@ pub fn play(recording: &Recording, target: Rect, sink: &mut dyn FnMut(usize, &Pe
             tell(number, &mut events);
         }
     }
+    let silent = players.iter().enumerate().filter_map(|(device, player)| {
+        let reason = player.as_ref()?.was_it_silent()?;
+        Some(Unread { device, reason })
+    });
+    unread.extend(silent);
     unread
 }
 
+/// How a recorded device is read, by what it said of itself when it was woken.
+fn choose(device: &RecordedDevice) -> Result<Option<Choice>, ChooseError> {
+    let chosen = choose_model(&device.info, &device.descriptor, Box::new(strings(device)), None)?;
+    let Some(mut choice) = chosen else { return Ok(None) };
+    choice.recall()?;
+    Ok(Some(choice))
+}
+
 impl Player {
-    fn new(choice: Choice, target: Rect) -> Self {
+    fn new(mut choice: Choice, target: Rect) -> Self {
         let mapping = Mapping::new(target);
         let mapping = choice.area_mm.map_or(mapping, |area| mapping.keep_aspect(area));
-        Self { choice, machine: PenMachine::new(mapping), seen_ms: 0.0 }
+        let way = std::mem::take(&mut choice.way);
+        Self { choice, machine: PenMachine::new(mapping), seen_ms: 0.0, way, reports: 0, was_seen: false }
+    }
+
+    /// What is to be said of a device that sent reports of which none was about a pen.
+    fn was_it_silent(&self) -> Option<String> {
+        let Self { reports, way, .. } = self;
+        let is_silent = *reports > 0 && !self.was_seen;
+        is_silent.then(|| {
+            let reports =
+                if *reports == 1 { "its 1 report".to_owned() } else { format!("its {reports} reports") };
+            format!(
+                "none of {reports} is about a pen, read by {way}; no pen was near, or the tablet was not \
+                 woken: record anew with the pen on the tablet, and with --strings"
+            )
+        })
     }
 
     fn pass_silence(&mut self, now_ms: f64, out: &mut Vec<PenEvent>) {
@@ -170,6 +220,7 @@ impl Player {
     fn report(&mut self, report: &[u8], time_ms: f64, out: &mut Vec<PenEvent>) {
         let machine = &mut self.machine;
         let mut is_pen = false;
+        self.reports += 1;
         self.choice.decoder.decode(report, &mut |event| {
             if let HidEvent::Pen(pen) = event {
                 is_pen = true;
@@ -177,7 +228,7 @@ impl Player {
             }
         });
         if is_pen {
-            self.seen_ms = time_ms;
+            (self.seen_ms, self.was_seen) = (time_ms, true);
         }
     }
 }

@@ -26,43 +26,57 @@ struct State {
 impl ReportLengths {
     /// Adds up the fields of every report; what follows a broken item is not counted.
     pub fn of(descriptor: &[u8]) -> Self {
-        let mut bits: [BTreeMap<u32, u64>; 2] = Default::default();
-        let (mut state, mut saved) = (State::default(), Vec::new());
-        for item in Items::new(descriptor).map_while(Result::ok) {
-            let kind = match item.tag {
-                tag::REPORT_SIZE => {
-                    state.size = item.unsigned().into();
-                    continue;
-                }
-                tag::REPORT_COUNT => {
-                    state.count = item.unsigned().into();
-                    continue;
-                }
-                tag::REPORT_ID => {
-                    state.id = item.unsigned();
-                    continue;
-                }
-                tag::PUSH => {
-                    saved.push(state);
-                    continue;
-                }
-                tag::POP => {
-                    state = saved.pop().unwrap_or(state);
-                    continue;
-                }
-                tag::INPUT => 0,
-                tag::OUTPUT => 1,
-                _ => continue,
-            };
-            let sum = bits[kind].entry(state.id).or_default();
-            *sum = sum.saturating_add(state.size.saturating_mul(state.count));
-        }
-        let longest = |kind: usize| {
-            let most = bits[kind].values().max().map_or(0, |bits| 1 + bits.div_ceil(8));
-            usize::try_from(most).unwrap_or(usize::MAX)
-        };
-        Self { input: longest(0), output: longest(1) }
+        let longest = |bits: &BTreeMap<u32, u64>| bits.values().map(|bits| bytes(*bits)).max().unwrap_or(0);
+        let [input, output] = bits(descriptor);
+        Self { input: longest(&input), output: longest(&output) }
     }
+}
+
+/// Bytes of one input report, id included; `None` for one that the device does not have.
+pub fn input_length(descriptor: &[u8], report_id: u8) -> Option<usize> {
+    let [input, _] = bits(descriptor);
+    input.get(&u32::from(report_id)).map(|bits| bytes(*bits))
+}
+
+/// Bytes of a report of so many bits, its id included.
+fn bytes(bits: u64) -> usize {
+    usize::try_from(1 + bits.div_ceil(8)).unwrap_or(usize::MAX)
+}
+
+/// Bits of every input and of every output report, by their ids.
+fn bits(descriptor: &[u8]) -> [BTreeMap<u32, u64>; 2] {
+    let mut bits: [BTreeMap<u32, u64>; 2] = Default::default();
+    let (mut state, mut saved) = (State::default(), Vec::new());
+    for item in Items::new(descriptor).map_while(Result::ok) {
+        let kind = match item.tag {
+            tag::REPORT_SIZE => {
+                state.size = item.unsigned().into();
+                continue;
+            }
+            tag::REPORT_COUNT => {
+                state.count = item.unsigned().into();
+                continue;
+            }
+            tag::REPORT_ID => {
+                state.id = item.unsigned();
+                continue;
+            }
+            tag::PUSH => {
+                saved.push(state);
+                continue;
+            }
+            tag::POP => {
+                state = saved.pop().unwrap_or(state);
+                continue;
+            }
+            tag::INPUT => 0,
+            tag::OUTPUT => 1,
+            _ => continue,
+        };
+        let sum = bits[kind].entry(state.id).or_default();
+        *sum = sum.saturating_add(state.size.saturating_mul(state.count));
+    }
+    bits
 }
 
 #[cfg(test)]
@@ -79,6 +93,7 @@ mod tests {
         ];
         assert_eq!(ReportLengths::of(&descriptor), ReportLengths { input: 8, output: 63 });
         assert_eq!(ReportLengths::of(&[]), ReportLengths::default());
+        assert_eq!([2, 3, 4].map(|id| input_length(&descriptor, id)), [Some(8), Some(3), None]);
     }
 
     proptest! {

@@ -3,7 +3,8 @@
 //! Tests, replays and the soak test use them in place of the system's devices; the reader and the watcher cannot tell.
 //! A simulated device keeps its reports until they are read, so that what is lost was lost by the program.
 
-use super::transport::{DeviceInfo, Enumerate, Transport, TransportError};
+use super::transport::{Bus, DeviceInfo, Enumerate, Transport, TransportError};
+use super::{DeviceStrings, KnownStrings, StringsKept};
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
@@ -13,6 +14,7 @@ use std::time::{Duration, Instant};
 pub struct SimulatedDevice {
     info: Arc<DeviceInfo>,
     descriptor: Arc<[u8]>,
+    strings: Arc<KnownStrings>,
     shared: Arc<Shared>,
 }
 
@@ -58,7 +60,15 @@ impl Shared {
 impl SimulatedDevice {
     /// A device, plugged in and silent.
     pub fn new(info: DeviceInfo, descriptor: &[u8]) -> Self {
-        Self { info: Arc::new(info), descriptor: descriptor.into(), shared: Arc::default() }
+        let kept = if info.bus == Bus::Bluetooth { StringsKept::Wireless } else { StringsKept::Unanswered };
+        let strings = Arc::new(KnownStrings::none(kept));
+        Self { info: Arc::new(info), descriptor: descriptor.into(), strings, shared: Arc::default() }
+    }
+
+    /// The same with USB strings.
+    #[must_use]
+    pub fn with_strings(self, strings: KnownStrings) -> Self {
+        Self { strings: Arc::new(strings), ..self }
     }
 
     /// Who it is.
@@ -265,9 +275,15 @@ impl Enumerate for SimulatedBus {
         Ok(self.device(&device.path)?.descriptor.to_vec())
     }
 
+    fn strings(&mut self, device: &DeviceInfo) -> Box<dyn DeviceStrings> {
+        let known = self.device(&device.path).map(|device| device.strings);
+        let gone = || Arc::new(KnownStrings::none(StringsKept::Unanswered));
+        Box::new(KnownStrings::clone(&known.unwrap_or_else(|_| gone())))
+    }
+
     fn open(&mut self, device: &DeviceInfo) -> Result<Box<dyn Transport>, TransportError> {
         if self.sockets().forbidden.contains(&device.path) {
-            return Err(TransportError::Permission { path: device.path.clone() });
+            return Err(TransportError::forbidden(device));
         }
         Ok(Box::new(self.device(&device.path)?.open()))
     }

@@ -5,25 +5,24 @@
 //! because it diffs line by line and because species files are TOML already; parsing costs a few milliseconds, once, on
 //! the thread that looks for tablets.
 //!
-//! Limits: a device whose descriptor describes a pen needs no table and should not be looked up here.
+//! Limits: a device whose descriptor describes a pen needs no table, unless it keeps silent until it is woken.
 
 mod file;
 mod matching;
 mod udev;
 
 pub use file::TableError;
-pub use matching::{Certainty, Match};
+pub use matching::{Certainty, FIRMWARE_NAME, Match};
+pub use udev::own_rule;
 
-use super::Decode;
 use super::families::{Family, Spec};
+use super::uclogic::Protocol;
 use super::wake::Wake;
+use super::{Bus, Decode, DeviceInfo};
 use crate::pen::machine::Silence;
 use glam::DVec2;
 use regex::bytes::Regex;
 use std::sync::OnceLock;
-
-/// Report ids of UC-Logic's protocols, by the string whose reading wakes them.
-const UCLOGIC_IDS: [(u8, u8); 2] = [(200, 0x08), (100, 0x07)];
 
 /// What a USB string must say.
 #[derive(Clone, Debug)]
@@ -107,8 +106,8 @@ impl Tablet {
     #[must_use]
     pub fn silence(&self) -> Option<Silence> {
         let by_wake = matches!(self.family, Family::Generic | Family::Uclogic)
-            && self.wake.strings.contains(&UCLOGIC_IDS[0].0);
-        if by_wake { Some(Silence::KNOWN) } else { self.family.silence() }
+            && self.wake.strings.contains(&Protocol::Second.string());
+        if by_wake { Protocol::Second.silence() } else { self.family.silence() }
     }
 
     /// Identifying or waking it needs the device's USB strings, which hidraw does not give.
@@ -118,11 +117,12 @@ impl Tablet {
     }
 
     /// The report id of the protocol it is woken into, where one way of waking leads to one protocol.
-    fn report_id(&self) -> Option<u8> {
+    #[must_use]
+    pub fn report_id(&self) -> Option<u8> {
         match (&self.wake.strings[..], &self.wake.outputs[..]) {
             (strings, []) => {
-                let known = UCLOGIC_IDS.iter().find(|(string, _)| strings.contains(string));
-                known.map(|(_, id)| *id)
+                let known = Protocol::ALL.into_iter().find(|known| strings.contains(&known.string()));
+                known.map(Protocol::report_id)
             }
             // Output reports of XP-Pen and Veikk carry the id that input reports will have.
             ([], [first, ..]) => first.first().copied().filter(|id| matches!(id, 0x02 | 0x09)),
@@ -135,6 +135,8 @@ impl Tablet {
 #[derive(Clone, Debug)]
 pub struct Table {
     tablets: Vec<Tablet>,
+    /// Makers of nothing but tablets whose models say their ranges themselves.
+    self_telling: Vec<u16>,
 }
 
 impl Table {
@@ -152,7 +154,7 @@ impl Table {
     /// # Errors
     /// The first thing that is wrong, with the tablet it is about.
     pub fn from_toml(text: &str) -> Result<Self, TableError> {
-        file::read(text).map(|tablets| Self { tablets })
+        file::read(text)
     }
 
     /// Every node of every tablet, in the order in which they are tried.
@@ -165,6 +167,23 @@ impl Table {
     #[must_use]
     pub fn knows(&self, vendor: u16, product: u16) -> bool {
         self.tablets.iter().any(|t| (t.vendor, t.product) == (vendor, product))
+    }
+
+    /// Models of this maker say their ranges themselves, so that they are read without being listed.
+    #[must_use]
+    pub fn tells_itself(&self, vendor: u16) -> bool {
+        self.self_telling.contains(&vendor)
+    }
+
+    /// The rules that are made of the table let the user open this device.
+    #[must_use]
+    pub fn rules_cover(&self, device: &DeviceInfo) -> bool {
+        let ids = (device.vendor_id, device.product_id);
+        match device.bus {
+            Bus::Bluetooth => self.tablets.iter().any(|t| t.bluetooth && (t.vendor, t.product) == ids),
+            Bus::I2c | Bus::Spi => false,
+            Bus::Usb | Bus::Unknown => self.tells_itself(ids.0) || self.knows(ids.0, ids.1),
+        }
     }
 }
 

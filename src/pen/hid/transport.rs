@@ -3,7 +3,8 @@
 //! A transport is a node of the system or a simulated device; nobody above it knows which. Reports begin with their
 //! report id, 0 for devices without ids.
 
-use super::refusal::{INSTALL_RULES, RULES_FILE};
+use super::DeviceStrings;
+use super::refusal::Remedy;
 use std::time::Duration;
 use thiserror::Error;
 
@@ -32,6 +33,16 @@ impl Bus {
         (Self::Spi, "spi"),
         (Self::Unknown, "unknown"),
     ];
+
+    /// The kernel's number of it, by which HID devices are named that are not on USB; `None` for USB and what is unknown.
+    pub fn number(self) -> Option<u16> {
+        match self {
+            Self::Bluetooth => Some(0x05),
+            Self::I2c => Some(0x18),
+            Self::Spi => Some(0x1C),
+            Self::Usb | Self::Unknown => None,
+        }
+    }
 
     /// The word that stands for it in files.
     pub fn name(self) -> &'static str {
@@ -85,13 +96,12 @@ impl DeviceInfo {
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum TransportError {
     /// The system keeps the device from this user.
-    #[error(
-        "{path}: no permission to read this tablet; install the rule file {RULES_FILE} with the command \
-         {INSTALL_RULES}, then plug the tablet in again"
-    )]
+    #[error("{path}: no permission to read this tablet; {}", remedy.told())]
     Permission {
         /// The node.
         path: String,
+        /// What would allow it.
+        remedy: Remedy,
     },
     /// It is not there, or not there any more.
     #[error("{path}: the tablet is gone; plug it in again")]
@@ -107,6 +117,13 @@ pub enum TransportError {
         /// What the system says.
         message: String,
     },
+}
+
+impl TransportError {
+    /// The system keeps this device from this user.
+    pub fn forbidden(device: &DeviceInfo) -> Self {
+        Self::Permission { path: device.path.clone(), remedy: Remedy::of(device) }
+    }
 }
 
 /// An open device.
@@ -150,6 +167,9 @@ pub trait Enumerate: Send {
     /// A device that is gone or keeps it to itself.
     fn descriptor(&mut self, device: &DeviceInfo) -> Result<Vec<u8>, TransportError>;
 
+    /// The USB strings of a device; none is read before it is asked for.
+    fn strings(&mut self, device: &DeviceInfo) -> Box<dyn DeviceStrings>;
+
     /// Opens a device.
     ///
     /// # Errors
@@ -162,10 +182,27 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_refused_device_says_which_rule_and_which_command() {
-        let told = TransportError::Permission { path: "/dev/hidraw3".into() }.to_string();
-        for part in ["/dev/hidraw3", "70-penstemon.rules", "./run.sh --install-udev"] {
-            assert!(told.contains(part), "{told}");
+    fn a_refused_device_says_what_helps_there() {
+        let told = |vendor_id, product_id, bus| {
+            let device =
+                DeviceInfo { path: "/dev/hidraw3".into(), vendor_id, product_id, bus, ..Default::default() };
+            TransportError::forbidden(&device).to_string()
+        };
+        let parts = |told: &str, parts: &[&str]| {
+            parts.iter().for_each(|part| assert!(told.contains(part), "{part} is missing: {told}"));
+        };
+        let installs = ["/dev/hidraw3", "70-penstemon.rules", "./run.sh --install-udev"];
+        parts(&told(0x56A, 0x357, Bus::Usb), &installs);
+        parts(&told(0x56A, 0x360, Bus::Bluetooth), &installs);
+        parts(&told(0x256C, 0xFFFF, Bus::Usb), &installs);
+        let of_usb = told(0x1234, 0xABCD, Bus::Usb);
+        parts(&of_usb, &["/dev/hidraw3", "/etc/udev/rules.d", "ATTRS{idVendor}==\"1234\"", "\"abcd\""]);
+        let of_bluetooth = told(0x56A, 0xABCD, Bus::Bluetooth);
+        parts(&of_bluetooth, &["/etc/udev/rules.d", "KERNELS==\"0005:056A:ABCD.*\""]);
+        let built_in = told(0x56A, 0x4806, Bus::I2c);
+        parts(&built_in, &["built into this machine", "“Automatic”"]);
+        for told in [of_usb, of_bluetooth, built_in] {
+            assert!(!told.contains("install-udev"), "that would not help: {told}");
         }
     }
 

@@ -6,18 +6,17 @@
 //!
 //! Limits: needs the right to open the USB node (`udev/70-penstemon.rules`); devices over Bluetooth have no strings.
 
+use super::strings::{DeviceStrings, STRING_DESCRIPTOR};
+use super::{Bus, DeviceInfo, StringsKept};
 use nusb::MaybeFuture as _;
 use nusb::descriptors::language_id::US_ENGLISH;
 use nusb::transfer::TransferError;
 use std::io;
-use std::num::NonZeroU8;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// Longest wait for one string; firmwares that know no such string answer at once.
 const PATIENCE: Duration = Duration::from_millis(500);
-/// Type of string descriptors.
-const STRING_DESCRIPTOR: u8 = 3;
 /// Where Linux lists hidraw nodes.
 const HIDRAW_CLASS: &str = "/sys/class/hidraw";
 
@@ -89,28 +88,63 @@ impl UsbStrings {
         Ok(Self { device })
     }
 
-    /// The string at an index, or `None` if the device has none there or does not answer in time.
-    pub fn read(&self, index: u8) -> Option<String> {
-        let index = NonZeroU8::new(index)?;
-        let read = self.device.get_string_descriptor(index, US_ENGLISH, PATIENCE).wait();
-        read.inspect_err(|error| tracing::debug!(index, %error, "no USB string")).ok()
-    }
-
-    /// Reads the string at an index for the sake of reading: that is a command to some tablets, whatever they answer.
+    /// The string descriptor at an index. Reading it is a command to some tablets, whatever they answer.
     ///
     /// # Errors
-    /// The device is gone or did not answer; refusing the string is an answer only for those that know it, so it is an
-    /// error as well.
-    pub fn request(&self, index: u8) -> io::Result<()> {
+    /// The device is gone, does not answer in time or has no such string. Some tablets obey and refuse the string.
+    pub fn read(&self, index: u8) -> io::Result<Vec<u8>> {
         let language = if index == 0 { 0 } else { US_ENGLISH };
         let read = self.device.get_descriptor(STRING_DESCRIPTOR, index, language, PATIENCE).wait();
-        read.map(|_| ()).map_err(|error| match error {
+        read.map_err(|error| match error {
             nusb::GetDescriptorError::Transfer(TransferError::Stall) => {
                 io::Error::new(io::ErrorKind::Unsupported, "the device has no such string")
             }
             nusb::GetDescriptorError::Transfer(error) => error.into(),
             other => io::Error::other(other),
         })
+    }
+}
+
+/// The strings of a HID device, whose USB device is opened when the first is asked for.
+pub struct StringsOnDemand {
+    /// The node, until it was tried; only devices on a cable have strings.
+    node: Option<PathBuf>,
+    device: Option<UsbStrings>,
+    fault: Option<UsbStringsError>,
+    is_wireless: bool,
+}
+
+impl StringsOnDemand {
+    /// Nothing is opened yet.
+    pub fn new(device: &DeviceInfo) -> Self {
+        let node = (device.bus == Bus::Usb).then(|| PathBuf::from(&device.path));
+        Self { node, device: None, fault: None, is_wireless: device.bus == Bus::Bluetooth }
+    }
+}
+
+impl DeviceStrings for StringsOnDemand {
+    fn read(&mut self, index: u8) -> io::Result<Vec<u8>> {
+        if let Some(node) = self.node.take() {
+            match UsbStrings::open(&node) {
+                Ok(device) => self.device = Some(device),
+                Err(fault) => self.fault = Some(fault),
+            }
+        }
+        match (&self.device, &self.fault) {
+            (Some(device), _) => {
+                device.read(index).inspect_err(|error| tracing::debug!(index, %error, "no USB string"))
+            }
+            (None, Some(fault)) => Err(io::Error::other(fault.to_string())),
+            (None, None) => Err(io::Error::other("it has no USB strings; connect it by cable")),
+        }
+    }
+
+    fn kept(&self) -> StringsKept {
+        match &self.fault {
+            _ if self.is_wireless => StringsKept::Wireless,
+            Some(UsbStringsError::Forbidden { .. }) => StringsKept::Forbidden,
+            _ => StringsKept::Unanswered,
+        }
     }
 }
 

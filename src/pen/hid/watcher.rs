@@ -1,14 +1,14 @@
 //! Finds pen devices as they are plugged in, and reads them until they are unplugged.
 //!
-//! Twice a second the system is asked which devices there are. New ones whose descriptor or model is a pen's are opened and
-//! read by a thread of their own; a device whose reader has ended may come back under the same path at once. What cannot
+//! Twice a second the system is asked which devices there are. New ones whose descriptor or model is a pen's are opened,
+//! woken, and read by a thread of their own; a device whose reader has ended may come back under the same path at once. What cannot
 //! be opened is tried again, since the rule that allows it may come a moment after the device, and said once. A device
 //! whose model the artist chose anew is let go and read again at once. Everything is said through one queue
 //! ([`super::reader`]).
 
 use super::choose::{Choice, Models, choose_model};
 use super::reader::{DeviceId, Inbox, Notice, Outbox, Reader, queue};
-use super::{ChooseError, DeviceInfo, Enumerate, Refusal, Refused, TransportError};
+use super::{ChooseError, DeviceInfo, DeviceStrings, Enumerate, Refusal, Refused, TransportError};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
@@ -20,8 +20,10 @@ const POLL: Duration = Duration::from_millis(500);
 /// Most devices read at once.
 const MAX_READERS: usize = 32;
 
-/// Chooses how a device is read, by its descriptor and the model that the artist chose; `None` for one that is no pen.
-pub type Choose = dyn FnMut(&DeviceInfo, &[u8], Option<&str>) -> Result<Option<Choice>, ChooseError> + Send;
+/// Chooses how a device is read, by its descriptor, its USB strings and the model that the artist chose; `None` for one
+/// that is no pen.
+pub type Choose = dyn FnMut(&DeviceInfo, &[u8], Box<dyn DeviceStrings>, Option<&str>) -> Result<Option<Choice>, ChooseError>
+    + Send;
 
 /// What is known of a device that is there.
 #[derive(Debug)]
@@ -124,13 +126,15 @@ impl Roster {
     fn open(&mut self, device: &DeviceInfo) -> Result<Option<Reader>, Refusal> {
         let descriptor = self.system.descriptor(device)?;
         let model = self.models.get(&device.identity()).map(String::as_str);
-        let Some(choice) = (self.choose)(device, &descriptor, model)? else {
+        let strings = self.system.strings(device);
+        let Some(mut choice) = (self.choose)(device, &descriptor, strings, model)? else {
             return Ok(None);
         };
         if self.readers() >= MAX_READERS {
             return Err(Refusal::TooMany { limit: MAX_READERS });
         }
-        let transport = self.system.open(device)?;
+        let mut transport = self.system.open(device)?;
+        choice.wake(&mut *transport)?;
         let id = self.next_id;
         self.next_id += 1;
         Ok(Some(Reader::start(id, transport, choice, self.outbox.clone())?))

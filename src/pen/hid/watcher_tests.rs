@@ -4,6 +4,7 @@ use super::*;
 use crate::pen::hid::made_up as tablets;
 use crate::pen::hid::reader::Notice;
 use crate::pen::hid::simulated::{SimulatedBus, SimulatedDevice};
+use crate::pen::hid::{KnownStrings, StringsKept};
 
 /// Longest that a test waits for another thread.
 const PATIENCE_OF_TESTS: Duration = Duration::from_secs(60);
@@ -168,17 +169,46 @@ fn a_chosen_model_is_read_at_once_and_another_in_its_place() {
 }
 
 #[test]
+fn a_device_is_woken_before_it_is_read() {
+    let bus = SimulatedBus::new();
+    // Genius i405x by its numbers.
+    let info = DeviceInfo { path: "a".into(), vendor_id: 0x0458, product_id: 0x5010, ..Default::default() };
+    let tablet = SimulatedDevice::new(info, tablets::SILENT_TABLET);
+    bus.plug(&tablet);
+    let (mut roster, inbox) = roster(&bus);
+    roster.poll().unwrap();
+    assert_eq!(tablet.written(), (vec![], vec![vec![0x05, 0x12, 0x10, 0x11, 0x12, 0, 0, 0]]));
+    wait(|| comings(&inbox) == [(0, true)]);
+}
+
+#[test]
+fn a_model_that_does_not_say_how_large_it_is_is_refused_once() {
+    let bus = SimulatedBus::new();
+    let info = DeviceInfo { path: "a".into(), vendor_id: 0x256C, product_id: 0xFFFF, ..Default::default() };
+    let strings = [(201, crate::pen::hid::strings::descriptor("HUION_T999_300101"))].into();
+    let strings = KnownStrings { strings, ..KnownStrings::none(StringsKept::Unanswered) };
+    bus.plug(&SimulatedDevice::new(info, tablets::VENDOR_PAGE).with_strings(strings));
+    let (mut roster, inbox) = roster(&bus);
+    (0..5).for_each(|_| roster.poll().unwrap());
+    let mut told = Vec::new();
+    inbox.drain(|message| told.push(message.notice));
+    let [Notice::Refused(refused)] = &told[..] else { panic!("{told:?}") };
+    assert!(refused.to_string().contains("HUION_T999_300101"), "{refused}");
+    assert_eq!(roster.readers(), 0);
+}
+
+#[test]
 fn what_is_refused_for_good_is_not_asked_for_again_until_it_is_plugged_in_anew() {
     let (bus, tablet) = (SimulatedBus::new(), doubtful());
     bus.plug(&tablet);
     let (outbox, inbox) = queue(|| {}, Instant::now());
     let asked = Arc::new(std::sync::atomic::AtomicUsize::new(0));
     let counter = Arc::clone(&asked);
-    let choose = move |device: &DeviceInfo, descriptor: &[u8], model: Option<&str>| {
+    let choose: Box<Choose> = Box::new(move |device, descriptor, strings, model| {
         counter.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-        choose_model(device, descriptor, model)
-    };
-    let mut roster = Roster::new(Box::new(bus.clone()), Box::new(choose), outbox);
+        choose_model(device, descriptor, strings, model)
+    });
+    let mut roster = Roster::new(Box::new(bus.clone()), choose, outbox);
     (0..5).for_each(|_| roster.poll().unwrap());
     assert_eq!(asked.load(std::sync::atomic::Ordering::Relaxed), 1);
     bus.unplug("a");

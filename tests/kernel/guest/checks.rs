@@ -2,7 +2,7 @@
 
 use crate::listener::{Listener, PATIENCE};
 use crate::reports::{VENDOR_PAGE, desk_report, desk_said, display_report, display_said, k8_report, k8_said};
-use crate::tablets::{DESK_TABLET, DisplayReport, MOUSE, PEN_DISPLAY, switch};
+use crate::tablets::{DESK_TABLET, DisplayReport, MOUSE, PEN_DISPLAY, SILENT_TABLET, switch};
 use crate::uhid::{Asked, BLUETOOTH, Identity, USB, VirtualDevice};
 use penstemon::pen::hid::reader::queue;
 use penstemon::pen::hid::watcher::Roster;
@@ -21,11 +21,12 @@ type Outcome<T> = Result<T, Box<dyn Error>>;
 type Check = fn() -> Outcome<String>;
 
 /// All checks with their names, in the order in which they run.
-pub(crate) const ALL: [(&str, Check); 6] = [
+pub(crate) const ALL: [(&str, Check); 7] = [
     ("a pen display is found by its descriptor, read and unplugged", pen_display),
     ("two tablets are read at once", two_tablets),
     ("a mouse is left alone", mouse),
     ("a tablet of the table is known, woken and read", tablet_of_the_table),
+    ("a tablet that sends a mouse until it is woken is woken, and draws before and after", silent_tablet),
     ("a tablet without permission says what to do and is read once it is allowed", permission),
     ("plugging in and out leaves nothing open", many_plugs),
 ];
@@ -199,6 +200,34 @@ fn tablet_of_the_table() -> Outcome<String> {
     Ok(format!("read by {}; the wake-up report reached it; {REPORTS} reports by value", arrival.way))
 }
 
+/// Genius i405x by its numbers: it describes a pen, sends report 9 of a mouse, and report 16 of the pen once it is woken.
+fn silent_tablet() -> Outcome<String> {
+    let who = Identity {
+        name: "Virtual i405x",
+        bus: USB,
+        vendor: 0x0458,
+        product: 0x5010,
+        descriptor: SILENT_TABLET,
+    };
+    let mut listener = Listener::start()?;
+    let mut device = VirtualDevice::plug(&who)?;
+    let (id, arrival) = listener.arrival()?;
+    ensure(arrival.way.contains("i405x"), || format!("it is read by {}", arrival.way))?;
+    let asked = [device.asked(PATIENCE), device.asked(PATIENCE)];
+    let wake = Asked::Feature(vec![0x05, 0x12, 0x10, 0x11, 0x12, 0, 0, 0]);
+    ensure(asked == [Some(Asked::Open), Some(wake)], || {
+        format!("it should be opened and woken, not {asked:02x?}")
+    })?;
+    let mut sent = |report: &[u8]| -> Outcome<(bool, Option<f32>)> {
+        device.send(report)?;
+        let pen = listener.pen(id)?.0;
+        Ok((pen.touches, pen.pressure))
+    };
+    same(0, &sent(&[9, 1, 0, 4, 0, 4, 0xFF, 7])?, &(true, Some(1.0)))?;
+    same(1, &sent(&[0x10, 0x81, 0, 4, 0, 4, 0xFF, 3])?, &(true, Some(1.0)))?;
+    Ok(format!("read by {}; the wake-up report reached it; mouse and pen draw with pressure", arrival.way))
+}
+
 fn permission() -> Outcome<String> {
     let _device = VirtualDevice::plug(&DESK)?;
     let begin = Instant::now();
@@ -214,7 +243,9 @@ fn permission() -> Outcome<String> {
     let mut lines = BufReader::new(visitor.stdout.take().ok_or("no pipe")?).lines();
     let mut line = || lines.next().unwrap_or_else(|| Ok("nothing".into()));
     let refused = line()?;
-    let says = ["Virtual Desk Tablet", info.path.as_str(), "70-penstemon.rules", "./run.sh --install-udev"];
+    // It is not listed, so a rule of one's own helps.
+    let rule = "KERNELS==\"0005:1209:0002.*\"";
+    let says = ["Virtual Desk Tablet", info.path.as_str(), "/etc/udev/rules.d", rule];
     let missing = says.iter().find(|part| !refused.contains(**part));
     ensure(missing.is_none(), || format!("{missing:?} is missing in: {refused}"))?;
     std::fs::set_permissions(&info.path, std::fs::Permissions::from_mode(0o666))?;

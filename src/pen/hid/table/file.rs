@@ -4,7 +4,7 @@
 //! hardware at hand is refused here: ranges of nothing, unknown names, expressions that do not compile, two nodes of one
 //! tablet that no device could be told apart by.
 
-use super::{StringRule, Tablet};
+use super::{StringRule, Table, Tablet};
 use crate::pen::hid::families::Family;
 use crate::pen::hid::wake::Wake;
 use glam::DVec2;
@@ -51,8 +51,10 @@ pub enum TableError {
 }
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 struct TableFile {
+    #[serde(default)]
+    self_telling: Vec<String>,
     #[serde(default)]
     wake: BTreeMap<String, WakeFile>,
     maker: Vec<MakerFile>,
@@ -123,7 +125,7 @@ struct NodeFile {
     doubtful: Option<String>,
 }
 
-pub(super) fn read(text: &str) -> Result<Vec<Tablet>, TableError> {
+pub(super) fn read(text: &str) -> Result<Table, TableError> {
     let file: TableFile = toml::from_str(text).map_err(|error| TableError::Toml(error.to_string()))?;
     let mut wakes = BTreeMap::new();
     for (name, wake) in file.wake {
@@ -143,7 +145,10 @@ pub(super) fn read(text: &str) -> Result<Vec<Tablet>, TableError> {
             tablets.extend(nodes);
         }
     }
-    Ok(tablets)
+    let self_telling: Option<Vec<u16>> = file.self_telling.iter().map(|id| number(id)).collect();
+    let wrong =
+        || TableError::Toml("self-telling takes four lower-case hexadecimal digits for each maker".into());
+    Ok(Table { tablets, self_telling: self_telling.ok_or_else(wrong)? })
 }
 
 fn wake_of(file: WakeFile) -> Result<Wake, String> {
@@ -248,12 +253,15 @@ fn node_of(
     })
 }
 
+/// Four lower-case hexadecimal digits.
+fn number(id: &str) -> Option<u16> {
+    let is_id = id.len() == 4 && id.bytes().all(|c| matches!(c, b'0'..=b'9' | b'a'..=b'f'));
+    if is_id { u16::from_str_radix(id, 16).ok() } else { None }
+}
+
 fn ids(text: &str) -> Result<[u16; 2], String> {
-    let is_id = |id: &str| id.len() == 4 && id.bytes().all(|c| matches!(c, b'0'..=b'9' | b'a'..=b'f'));
-    let parsed = text.split_once(':').filter(|(vendor, product)| is_id(vendor) && is_id(product));
-    let numbers = parsed.and_then(|(vendor, product)| {
-        Some([u16::from_str_radix(vendor, 16).ok()?, u16::from_str_radix(product, 16).ok()?])
-    });
+    let numbers =
+        text.split_once(':').and_then(|(vendor, product)| Some([number(vendor)?, number(product)?]));
     numbers.ok_or_else(|| {
         format!("usb \"{text}\" is not four lower-case hexadecimal digits, a colon, and four more")
     })

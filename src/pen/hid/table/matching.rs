@@ -5,10 +5,14 @@
 //! read counts as one that does not match, whatever the rule.
 //!
 //! If no row fits, rows are taken that differ in nothing but the length of output reports: firmwares of one model differ
-//! in it (28bd:0936 is known with 33 and with 64 bytes).
+//! in it (28bd:0936 is known with 33 and with 64 bytes). If still none fits, the firmware's name decides alone where a
+//! device gives it: it says more than lengths, which also differ (Huion's T174 declares 8 bytes or 12 and sends 12).
 
-use super::{Table, Tablet};
+use super::{StringRule, Table, Tablet};
 use std::collections::BTreeMap;
+
+/// Index of the string in which tablets of Huion and its kin give the name of their firmware.
+pub const FIRMWARE_NAME: u8 = 201;
 
 /// How sure a match is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,12 +65,17 @@ impl Strings<'_> {
         })
     }
 
-    /// Some string that the row asks for could not be read, and those that could be read agree with it.
+    /// Some string that the row asks for could not be read, and those that could be read agree with it. A device that
+    /// gives others, and none of the row's, has none of these.
     fn might_fit(&self, tablet: &Tablet) -> bool {
-        tablet.strings.iter().all(|rule| match self.known.get(&rule.index) {
-            Some(Some(text)) => rule.pattern.is_match(text.as_bytes()) == rule.must_match,
-            _ => true,
-        })
+        let text = |index: &u8| self.known.get(index).and_then(Option::as_ref);
+        let is_told = |rule: &StringRule| text(&rule.index).is_some();
+        let is_mute = self.known.values().all(Option::is_none);
+        (is_mute || tablet.strings.iter().any(is_told))
+            && tablet.strings.iter().all(|rule| match text(&rule.index) {
+                Some(text) => rule.pattern.is_match(text.as_bytes()) == rule.must_match,
+                None => true,
+            })
     }
 }
 
@@ -101,6 +110,18 @@ impl Table {
                 (Certainty::Sure | Certainty::Ambiguous, tablets) => (Certainty::Guess, tablets),
                 other => other,
             };
+        }
+        if certainty == Certainty::Unknown {
+            let named = self.tablets().iter().filter(|tablet| {
+                (tablet.vendor, tablet.product) == (vendor, product)
+                    && !tablet.keys_only
+                    && tablet.strings.iter().any(|rule| rule.index == FIRMWARE_NAME)
+                    && strings.fit(tablet)
+            });
+            let named: Vec<&Tablet> = named.collect();
+            if !named.is_empty() {
+                (certainty, tablets) = certain(named);
+            }
         }
         let unread =
             strings.known.iter().filter(|(_, text)| text.is_none()).map(|(index, _)| *index).collect();

@@ -2,9 +2,10 @@
 //!
 //! Nodes are tagged `uaccess`, which systemd-logind turns into rights for the seat's user; nothing is given to others and
 //! no kernel driver is touched. Tablets that are known or woken by USB strings need their USB node too, because hidraw
-//! gives no strings.
+//! gives no strings. Makers whose tablets say their ranges themselves are let in with all models.
 
 use super::Table;
+use crate::pen::hid::DeviceInfo;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
@@ -44,6 +45,9 @@ impl Table {
             // Writing to a String cannot fail.
             let _ = write!(rules, "{}", block(*vendor, *product, device));
         }
+        for vendor in &self.self_telling {
+            let _ = write!(rules, "{}", maker(*vendor));
+        }
         rules.push_str("\nLABEL=\"penstemon_end\"\n");
         rules
     }
@@ -72,4 +76,31 @@ fn block(vendor: u16, product: u16, device: &Device<'_>) -> String {
         );
     }
     text
+}
+
+/// All tablets of a maker that are not listed.
+fn maker(vendor: u16) -> String {
+    let node = format!("KERNEL==\"hidraw*\", ATTRS{{idVendor}}==\"{vendor:04x}\", TAG+=\"uaccess\"");
+    let usb = format!(
+        "SUBSYSTEM==\"usb\", ENV{{DEVTYPE}}==\"usb_device\", ATTR{{idVendor}}==\"{vendor:04x}\", TAG+=\"uaccess\""
+    );
+    format!("\n# Models of {vendor:04x} that are not listed\n{node}\n{usb}\n")
+}
+
+/// A rule of the user's own for a device that the rules do not cover.
+#[must_use]
+pub fn own_rule(device: &DeviceInfo) -> String {
+    let DeviceInfo { vendor_id, product_id, bus, .. } = device;
+    match bus.number() {
+        // Devices that are not on USB are known by the name of their HID device alone.
+        Some(number) => {
+            format!(
+                "KERNEL==\"hidraw*\", KERNELS==\"{number:04X}:{vendor_id:04X}:{product_id:04X}.*\", TAG+=\"uaccess\""
+            )
+        }
+        None => format!(
+            "KERNEL==\"hidraw*\", ATTRS{{idVendor}}==\"{vendor_id:04x}\", ATTRS{{idProduct}}==\"{product_id:04x}\", \
+             TAG+=\"uaccess\""
+        ),
+    }
 }
