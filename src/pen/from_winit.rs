@@ -7,8 +7,9 @@
 //! the button is released.
 //!
 //! winit's Wayland backend reports both the tip and the lower barrel button (BTN_STYLUS) as `Contact`: a contact without
-//! pressure is the button. Tablets without pressure need [`WinitPen::tip_without_pressure`]. Samples with positions that
-//! are no numbers or beyond all screens are dropped.
+//! pressure is the button. Tablets without pressure need [`WinitPen::tip_without_pressure`]. Its Windows backend reports
+//! touching only, named after the button that is held or the eraser end that touches ([`TabletReports`]); a barrel button
+//! in the air is not reported there. Samples with positions that are no numbers or beyond all screens are dropped.
 
 use super::{MAX_POSITION_PX, PenButtons, PenEvent, PenPhase, PenSample, PenTool};
 use crate::sketch::StrokePoint;
@@ -27,10 +28,29 @@ const BTN_LEFT: u16 = 0x110;
 const BTN_RIGHT: u16 = 0x111;
 const BTN_MIDDLE: u16 = 0x112;
 const BTN_STYLUS3: u16 = 0x149;
+/// Windows' flag for the eraser end, passed on by winit as a button.
+const PEN_FLAG_ERASER: u16 = 4;
+
+/// What a system's part of winit reports as buttons of a tablet tool.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TabletReports {
+    /// Every button, with the tip and the lower barrel button under one name: Wayland.
+    Buttons,
+    /// Touching and lifting, under the name of the barrel button that is held or of the eraser end: Windows.
+    Contacts,
+}
+
+impl Default for TabletReports {
+    fn default() -> Self {
+        if cfg!(windows) { Self::Contacts } else { Self::Buttons }
+    }
+}
 
 /// Turns window events into pen events.
 #[derive(Clone, Debug, Default)]
 pub struct WinitPen {
+    /// How tablet tools are reported; default that of this system.
+    pub tablet_reports: TabletReports,
     /// Whether a contact of a tablet tool that reports no pressure is its tip, not its barrel button; default no.
     pub tip_without_pressure: bool,
     mouse: Option<Pointer>,
@@ -80,7 +100,7 @@ impl WinitPen {
         self.time_ms = if time_ms.is_finite() { time_ms.max(self.time_ms) } else { self.time_ms };
         match event {
             WindowEvent::PointerEntered { position, kind, .. } => {
-                if let Some(reading) = self.reading(tool_of(*kind), Some(*position)) {
+                if let Some(reading) = self.reading(self.tool_of(*kind), Some(*position)) {
                     self.enter(&reading, out);
                 }
             }
@@ -89,7 +109,7 @@ impl WinitPen {
                 self.button(*position, button, *state == ElementState::Pressed, out);
             }
             WindowEvent::PointerLeft { position, kind, .. } => {
-                if let Some(reading) = self.reading(tool_of(*kind), *position) {
+                if let Some(reading) = self.reading(self.tool_of(*kind), *position) {
                     self.left(&reading, out);
                 }
             }
@@ -127,6 +147,20 @@ impl WinitPen {
             twist_deg: 0.0,
             time_ms: self.time_ms,
         })
+    }
+
+    /// Which tool a kind of pointer is. Where only contacts are reported, a pen is what touched last until it leaves.
+    fn tool_of(&self, kind: PointerKind) -> PenTool {
+        let touched = self.stylus.as_ref().map(|p| p.last.tool);
+        match kind {
+            PointerKind::Touch(finger) => PenTool::Finger(finger.into_raw() as u64),
+            PointerKind::TabletTool(TabletToolKind::Eraser) => PenTool::Eraser,
+            PointerKind::TabletTool(_) => match (self.tablet_reports, touched) {
+                (TabletReports::Contacts, Some(tool)) => tool,
+                _ => PenTool::Pen,
+            },
+            _ => PenTool::Mouse,
+        }
     }
 
     fn slot(&self, tool: PenTool) -> Option<&Pointer> {
@@ -171,7 +205,7 @@ impl WinitPen {
     }
 
     fn moved(&mut self, at: PhysicalPosition<f64>, source: &PointerSource, out: &mut Vec<PenEvent>) {
-        let tool = tool_of(source.clone().into());
+        let tool = self.tool_of(source.clone().into());
         let Some(reading) = self.reading(tool, Some(at)) else { return };
         if reading.position.is_none() {
             return;
@@ -199,7 +233,10 @@ impl WinitPen {
         let tool = match button {
             ButtonSource::Mouse(_) => PenTool::Mouse,
             ButtonSource::Touch { finger_id, .. } => PenTool::Finger(finger_id.into_raw() as u64),
-            ButtonSource::TabletTool { kind, .. } => tool_of(PointerKind::TabletTool(*kind)),
+            ButtonSource::TabletTool { button: TabletToolButton::Other(PEN_FLAG_ERASER), .. } => {
+                PenTool::Eraser
+            }
+            ButtonSource::TabletTool { kind, .. } => self.tool_of(PointerKind::TabletTool(*kind)),
             _ => return,
         };
         let Some(reading) = self.reading(tool, Some(at)) else { return };
@@ -213,9 +250,11 @@ impl WinitPen {
             return;
         }
         let Some(key) = self.key_of(button, &reading, pressed) else { return };
+        let barrel = self.barrel_in_contact(button, pressed);
         let had_left = !pressed && self.slot(tool).is_some_and(|p| p.has_left);
         let Some(pointer) = self.enter(&reading, out) else { return };
         pointer.has_left = had_left;
+        pointer.last.buttons.secondary = barrel.unwrap_or(pointer.last.buttons.secondary);
         pointer.press(key, pressed, &reading, out);
         if pointer.has_left && !pointer.last.buttons.primary {
             leave_slot(&mut self.mouse, reading.time_ms, out);
@@ -228,17 +267,29 @@ impl WinitPen {
             ButtonSource::Mouse(MouseButton::Left) | ButtonSource::Touch { .. } => Some(Key::Tip),
             ButtonSource::Mouse(MouseButton::Right) => Some(Key::Secondary),
             ButtonSource::Mouse(MouseButton::Middle) => Some(Key::Middle),
+            ButtonSource::TabletTool { .. } if self.tablet_reports == TabletReports::Contacts => {
+                Some(Key::Tip)
+            }
             ButtonSource::TabletTool { button, .. } => match button {
                 TabletToolButton::Contact => Some(self.contact(reading, pressed)),
-                // On Linux only Wayland has tablets, and there this is the upper of two barrel buttons.
-                TabletToolButton::Barrel if cfg!(target_os = "linux") => Some(Key::Middle),
-                TabletToolButton::Barrel => Some(Key::Secondary),
+                // Wayland's upper of two barrel buttons.
+                TabletToolButton::Barrel => Some(Key::Middle),
                 TabletToolButton::Other(BTN_LEFT) => Some(Key::Tip),
                 TabletToolButton::Other(BTN_RIGHT) => Some(Key::Secondary),
                 TabletToolButton::Other(1 | BTN_MIDDLE) => Some(Key::Middle),
                 TabletToolButton::Other(BTN_STYLUS3) => Some(Key::Third),
                 TabletToolButton::Other(_) => None,
             },
+            _ => None,
+        }
+    }
+
+    /// Whether the barrel button is held, where a contact says so.
+    fn barrel_in_contact(&self, button: &ButtonSource, pressed: bool) -> Option<bool> {
+        match button {
+            ButtonSource::TabletTool { button, .. } if self.tablet_reports == TabletReports::Contacts => {
+                Some(pressed && *button == TabletToolButton::Barrel)
+            }
             _ => None,
         }
     }
@@ -287,15 +338,6 @@ fn leave_slot(slot: &mut Option<Pointer>, time_ms: f64, out: &mut Vec<PenEvent>)
     if let Some(mut pointer) = slot.take() {
         pointer.lift(None, time_ms, out);
         pointer.leave(time_ms, out);
-    }
-}
-
-fn tool_of(kind: PointerKind) -> PenTool {
-    match kind {
-        PointerKind::Touch(finger) => PenTool::Finger(finger.into_raw() as u64),
-        PointerKind::TabletTool(TabletToolKind::Eraser) => PenTool::Eraser,
-        PointerKind::TabletTool(_) => PenTool::Pen,
-        _ => PenTool::Mouse,
     }
 }
 

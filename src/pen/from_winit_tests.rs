@@ -299,3 +299,52 @@ proptest! {
         }
     }
 }
+
+/// What winit's Windows backend sends for a pen that touches, moves and is lifted.
+fn windows_stroke(which: TabletToolButton, force: Option<f64>) -> Vec<PenEvent> {
+    let pen = PointerKind::TabletTool(TabletToolKind::Pen);
+    let said = [
+        pen_moved(1.0, None),
+        entered(pen),
+        pen_button(which, force, true),
+        pen_moved(2.0, force),
+        // What is held is not named again when the pen is lifted.
+        pen_button(TabletToolButton::Contact, None, false),
+        left(pen),
+        pen_moved(3.0, None),
+    ];
+    let mut source = WinitPen { tablet_reports: TabletReports::Contacts, ..WinitPen::new() };
+    let (mut out, mut grammar) = (Vec::new(), Grammar::default());
+    said.iter().enumerate().for_each(|(i, event)| source.event(event, i as f64, &mut out));
+    out.iter().for_each(|event| grammar.accept(event).unwrap());
+    out
+}
+
+#[test]
+fn on_windows_the_eraser_end_erases_until_it_leaves() {
+    let said = windows_stroke(TabletToolButton::Other(PEN_FLAG_ERASER), Some(0.4));
+    let said: Vec<_> = said.iter().map(|e| (e.phase, e.sample.tool)).collect();
+    let (pen, eraser) = (PenTool::Pen, PenTool::Eraser);
+    let touching = [(Enter, eraser), (Down, eraser), (Move, eraser), (Up, eraser), (Leave, eraser)];
+    let expected =
+        [vec![(Enter, pen), (Hover, pen), (Leave, pen)], touching.into(), vec![(Enter, pen), (Hover, pen)]];
+    assert_eq!(said, expected.concat());
+}
+
+#[test]
+fn on_windows_a_pen_draws_with_its_barrel_button_held_and_without_pressure() {
+    for (which, force, held) in
+        [(TabletToolButton::Barrel, Some(0.4), true), (TabletToolButton::Contact, None, false)]
+    {
+        let said = windows_stroke(which, force);
+        let stroke: Vec<_> = said
+            .iter()
+            .filter(|e| matches!(e.phase, Down | Move | Up))
+            .map(|e| (e.phase, e.sample))
+            .collect();
+        assert_eq!(stroke.iter().map(|(phase, _)| *phase).collect::<Vec<_>>(), [Down, Move, Up], "{which:?}");
+        assert_eq!(stroke[0].1.buttons.secondary, held);
+        assert!((stroke[1].1.pressure - force.unwrap_or(0.5) as f32).abs() < 1e-6);
+        assert!(!stroke[2].1.buttons.secondary);
+    }
+}

@@ -21,7 +21,7 @@ pub mod x11;
 
 pub use arbiter::{Arbiter, Origin, PenSource};
 #[cfg(feature = "program")]
-pub use from_winit::WinitPen;
+pub use from_winit::{TabletReports, WinitPen};
 pub use machine::PenMachine;
 pub use mapping::Mapping;
 pub use palm_gate::PalmGate;
