@@ -17,6 +17,7 @@ pub mod pressure;
 #[cfg(test)]
 pub(crate) mod tests;
 #[cfg(feature = "program")]
+#[cfg_attr(not(target_os = "linux"), path = "x11_absent.rs")]
 pub mod x11;
 
 pub use arbiter::{Arbiter, Origin, PenSource};
