@@ -232,6 +232,8 @@ impl Told for TransportError {
                     Remedy::Rules => Msg::ErrorTabletForbidden,
                     Remedy::OwnRule(_) => Msg::ErrorTabletForbiddenUnlisted,
                     Remedy::System => Msg::ErrorTabletForbiddenBuiltIn,
+                    Remedy::OtherProgram => Msg::ErrorTabletHeldElsewhere,
+                    Remedy::InputMonitoring => Msg::ErrorTabletInputMonitoring,
                 };
                 let rule = if let Remedy::OwnRule(rule) = remedy { rule } else { "" };
                 let of_rules: [(&str, &dyn Display); 4] = [
@@ -345,6 +347,8 @@ mod tests {
             refused(TransportError::Permission { path: node(), remedy: Remedy::Rules }.into()),
             refused(TransportError::Permission { path: node(), remedy: Remedy::OwnRule("7".into()) }.into()),
             refused(TransportError::Permission { path: node(), remedy: Remedy::System }.into()),
+            refused(TransportError::Permission { path: node(), remedy: Remedy::OtherProgram }.into()),
+            refused(TransportError::Permission { path: node(), remedy: Remedy::InputMonitoring }.into()),
             refused(ChooseError::UnlistedForbidden.into()),
             refused(ChooseError::RangesUnread { firmware: "7".into() }.into()),
             refused(TransportError::Gone { path: node() }.into()),

@@ -244,6 +244,8 @@ keys! {
     ErrorTabletForbidden = "error.tablet_forbidden",
     ErrorTabletForbiddenUnlisted = "error.tablet_forbidden_unlisted",
     ErrorTabletForbiddenBuiltIn = "error.tablet_forbidden_built_in",
+    ErrorTabletHeldElsewhere = "error.tablet_held_elsewhere",
+    ErrorTabletInputMonitoring = "error.tablet_input_monitoring",
     ErrorTabletUnlistedForbidden = "error.tablet_unlisted_forbidden",
     ErrorTabletRangesUnread = "error.tablet_ranges_unread",
     ErrorTabletStringsNotRecorded = "error.tablet_strings_not_recorded",

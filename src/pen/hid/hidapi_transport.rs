@@ -1,8 +1,8 @@
 //! Devices of the system, through `hidapi`.
 //!
-//! On Linux that is hidraw, without a C library. hidapi names a device once for each of its collections, and hands over
-//! reports without the leading 0 of devices without report ids; both are put right here. Descriptors are read from sysfs,
-//! so that a device need not be opened, nor its permission be had, to know whether it is a pen.
+//! On Linux that is hidraw, without a C library; on Windows the system's own functions; on macOS IOKit. hidapi names a device once for each of its collections, and hands over
+//! reports without the leading 0 of devices without report ids; both are put right here. On Linux descriptors are read from
+//! sysfs, so that a device need not be opened, nor its permission be had, to know whether it is a pen.
 
 use super::DeviceStrings;
 use super::descriptor_items::{MAX_DESCRIPTOR_BYTES, has_report_ids};
@@ -14,8 +14,11 @@ use std::io::ErrorKind;
 use std::path::Path;
 use std::time::Duration;
 
-/// Linux's ENXIO and ENODEV. A node outlives its device for a moment: readers are told before the node is removed.
-const NO_DEVICE: [i32; 2] = [6, 19];
+/// Linux's ENXIO and ENODEV, Windows' ERROR_DEVICE_NOT_CONNECTED. A node outlives its device for a moment: readers are told
+/// before the node is removed.
+const NO_DEVICE: &[i32] = if cfg!(windows) { &[1167] } else { &[6, 19] };
+/// On macOS nodes are names within IOKit, about which the file system knows nothing.
+const NODES_ARE_FILES: bool = !cfg!(target_os = "macos");
 
 /// Finds the system's devices.
 #[derive(Default)]
@@ -54,7 +57,6 @@ impl Enumerate for System {
         // Stable: of several collections the first stays.
         devices.sort_by(|a, b| a.path.cmp(&b.path));
         devices.dedup_by(|a, b| a.path == b.path);
-        #[cfg(target_os = "linux")]
         if self.leaves_served {
             devices.retain(|device| !super::served::is_served(&device.path));
         }
@@ -110,6 +112,9 @@ fn device_info(device: &hidapi::DeviceInfo) -> DeviceInfo {
 /// Why a node could not be opened. hidapi tells it in words only, so the system is asked once more.
 fn refusal(device: &DeviceInfo, error: &HidError) -> TransportError {
     let path = device.path.as_str();
+    if !NODES_ARE_FILES {
+        return TransportError::forbidden(device);
+    }
     let asked = std::fs::OpenOptions::new().read(true).write(true).open(path);
     match asked.map_err(|error| (error.kind(), error.raw_os_error())) {
         Err((ErrorKind::PermissionDenied, _)) => TransportError::forbidden(device),

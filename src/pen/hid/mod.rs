@@ -23,7 +23,6 @@ pub mod refusal;
 pub mod replay;
 pub mod report;
 pub mod report_lengths;
-#[cfg(target_os = "linux")]
 pub mod served;
 pub mod simulated;
 pub mod strings;
@@ -33,6 +32,7 @@ pub mod typed;
 pub mod uclogic;
 mod until_woken;
 #[cfg(feature = "program")]
+#[cfg_attr(not(target_os = "linux"), path = "usb_strings_of_system.rs")]
 pub mod usb_strings;
 pub mod wake;
 pub mod waking;

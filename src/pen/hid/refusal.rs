@@ -22,6 +22,10 @@ pub enum Remedy {
     OwnRule(String),
     /// Nothing need be done: the device is built in, and the system reads its pen.
     System,
+    /// Windows hands a device to one program at a time.
+    OtherProgram,
+    /// macOS asks the user once whether a program may listen to input devices.
+    InputMonitoring,
 }
 
 impl Remedy {
@@ -29,6 +33,8 @@ impl Remedy {
     pub fn of(device: &DeviceInfo) -> Self {
         match device.bus {
             Bus::I2c | Bus::Spi => Self::System,
+            _ if cfg!(windows) => Self::OtherProgram,
+            _ if cfg!(target_os = "macos") => Self::InputMonitoring,
             _ if Table::shipped().is_ok_and(|table| table.rules_cover(device)) => Self::Rules,
             _ => Self::OwnRule(own_rule(device)),
         }
@@ -46,6 +52,15 @@ impl Remedy {
             Self::System => {
                 "it is built into this machine and the system reads its pen: choose “Automatic” under \
                              “Pen and tablet”"
+                    .to_owned()
+            }
+            Self::OtherProgram => {
+                "another program or the maker's driver holds it: choose “Automatic” under “Pen and tablet”, or end that \
+                 program, then plug the tablet in again"
+                    .to_owned()
+            }
+            Self::InputMonitoring => {
+                "allow Penstemon under System Settings, Privacy & Security, Input Monitoring, then start it again"
                     .to_owned()
             }
         }
