@@ -11,6 +11,7 @@ mod keys;
 mod live;
 mod outcomes;
 mod perform;
+mod pictures;
 mod reference;
 mod saving;
 mod snapshot;
