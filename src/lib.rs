@@ -9,6 +9,7 @@
 //! | [`random`] | random streams named by what they decide |
 //! | [`geom`] | polylines, frames, polygons, ellipses: mathematics that knows no plant |
 //! | [`atomic`] | files written whole or not at all |
+//! | [`picture`] | pictures of the artist's own, in memory |
 //! | [`sketch`] | the document: strokes, tools, file formats |
 //! | [`pen`] | what every pointing device says, in one form |
 //! | [`plant`] | the waist: branches and organs in space |
@@ -36,6 +37,7 @@ pub mod growth;
 pub mod model;
 pub mod params;
 pub mod pen;
+pub mod picture;
 pub mod pipeline;
 pub mod plant;
 pub mod random;

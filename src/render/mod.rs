@@ -26,7 +26,6 @@
 
 pub mod camera;
 pub mod canvas;
-pub mod decode;
 pub mod error;
 pub mod orbit;
 pub mod picture;
@@ -57,6 +56,7 @@ mod surface;
 mod target;
 mod uniform;
 
+pub use crate::picture::decode;
 pub use camera::{Direction, Projection, View};
 pub use canvas::{CanvasLayer, CanvasView};
 pub use error::RenderError;

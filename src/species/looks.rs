@@ -6,10 +6,11 @@
 use super::part::Part;
 use super::ranges;
 use crate::growth::Habit;
+use crate::picture::Picture;
 use crate::plant::{BladeForm, Material, Texture};
 use serde::{Deserialize, Deserializer, de};
 use serde_json::{Map, Value};
-use std::{collections::BTreeMap, path::PathBuf};
+use std::collections::BTreeMap;
 
 /// A species: what its plants look like beyond what was drawn.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -44,7 +45,7 @@ pub struct Species {
     pub written: Written,
     /// The artist's own pictures, which replace every material of a part.
     #[serde(skip)]
-    pub(super) pictures: BTreeMap<Part, PathBuf>,
+    pub(super) pictures: BTreeMap<Part, Picture>,
 }
 
 /// Where a species is written, for messages about parameters, which are checked where all of them are known.

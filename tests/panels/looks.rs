@@ -55,7 +55,7 @@ const SHOTS: [Shot; 17] = [
     ("settings", Language::English, Some(Msg::SettingsTitle), |_| ()),
     ("files", Language::Chinese, Some(Msg::FileMenu), |_| ()),
     ("textures", Language::English, None, |s| {
-        s.textures.insert("petal".into(), "petal_rose".into());
+        s.textures.insert("petal".into(), penstemon::sketch::TextureChoice::Named("petal_rose".into()));
         s.presets = vec![Listed { name: "Evening".into(), path: "/presets/evening.toml".into() }];
         s.part_menu = Some(PartMenu { of: MenuOf::Stroke(9), tool: Tool::Petal, at: [400.0, 300.0] });
     }),
@@ -114,7 +114,16 @@ const SHOTS: [Shot; 17] = [
                 "The disk is full; the drawing stays in memory.",
                 "free some space, or save elsewhere",
             ),
+            Notice {
+                find: Some(PathPurpose::Reference),
+                ..Notice::warning(
+                    "the picture `petal.png` is missing, so the species' own texture is shown; choose the picture again, or \
+                     put it beside the drawing",
+                    "",
+                )
+            },
             Notice::warning("No Chinese font was found.", "install one"),
+            Notice::info("rose.glb is written."),
         ];
         s.handedness = Handedness::Left;
     }),

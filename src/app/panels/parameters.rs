@@ -185,7 +185,9 @@ fn row(
             }
         } else {
             let scale = Scale { min: description.min, max: description.max, whole: kind == Kind::Whole };
-            let text = with_unit(&scale.text(value), description, messages);
+            let number = || with_unit(&scale.text(value), description, messages);
+            let words = messages.below_zero(path).filter(|_| value < 0.0);
+            let text = words.map_or_else(number, str::to_owned);
             let rail = Rail { label: &name, text: &text, scale, value, changed: own.is_some() };
             let (response, moved) = rail.show(ui, width);
             if !response.dragged() {
@@ -196,7 +198,7 @@ fn row(
             }
         }
         if own.is_some() {
-            let to = value_text(base, kind, messages);
+            let to = value_text(base, description, messages);
             let label = messages.fill(Msg::ParamsReset, &[("name", &name), ("value", &to)]);
             if IconButton::new(Icon::Reset, &label).colour(palette(ui).accent).show(ui).clicked() {
                 set(None);
@@ -205,8 +207,11 @@ fn row(
     });
 }
 
-fn value_text(value: f64, kind: Kind, messages: &Messages) -> String {
-    match kind {
+fn value_text(value: f64, of: &Description, messages: &Messages) -> String {
+    if let Some(words) = messages.below_zero(&of.path).filter(|_| value < 0.0) {
+        return words.to_owned();
+    }
+    match of.kind {
         Kind::Switch if value > 0.5 => messages.get(Msg::ParamsOn).to_owned(),
         Kind::Switch => messages.get(Msg::ParamsOff).to_owned(),
         Kind::Whole => format!("{value:.0}"),
@@ -228,7 +233,8 @@ fn help(ui: &mut Ui, description: &Description, base: f64, messages: &Messages) 
     if kind == Kind::Aged {
         note(ui, messages.get(Msg::ParamsAged));
     }
-    let [min, max, default] = [description.min, description.max, base].map(|v| value_text(v, kind, messages));
+    let [min, max, default] =
+        [description.min, description.max, base].map(|v| value_text(v, description, messages));
     note(ui, &messages.fill(Msg::ParamsRange, &[("min", &min), ("max", &max), ("default", &default)]));
     ui.label(RichText::new(&description.path).monospace().small().color(palette(ui).weak));
 }
