@@ -42,7 +42,7 @@ crate::parameters! {
         /// Random change of that angle, up to.
         scatter: f32 = 25.0, 0.0..=90.0, "degrees";
         /// Most generated leaves in a drawing.
-        max_leaves: u32 = 100000, 1..=1000000, "";
+        max_leaves: u32 = 8000, 1..=1000000, "";
     }
 }
 

@@ -1,9 +1,11 @@
 //! `penstemon check`: is this mesh fit for a modeller, a game engine, a printer?
 
 use super::common;
-use crate::export::read;
+use crate::export::{load, read};
 use crate::model::crossing::crossing_faces;
 use crate::model::quality::{Report, judge};
+use crate::model::weld::weld;
+use crate::model::{Mesh, Model};
 use serde::Serialize;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -27,7 +29,8 @@ struct Verdict {
     clean: bool,
     #[serde(flatten)]
     report: Report,
-    /// Faces that pass through others of their mesh: no defect, but what a printer has to sort out.
+    /// Faces that pass through others of the model as it is shown, whatever parts the file divides it into: no defect, but
+    /// what a printer has to sort out.
     crossing_faces: usize,
     /// Names of faulty meshes, at most [`NAMED`].
     faulty: Vec<String>,
@@ -40,19 +43,35 @@ struct Verdict {
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     let mut report = Report::default();
     let mut faulty = Vec::new();
-    let mut crossing = 0;
-    for surface in read(&args.model)? {
+    let surfaces = read(&args.model)?;
+    // A file too broken to be shown is still judged mesh by mesh.
+    let crossing_faces = match load(&args.model) {
+        Ok(loaded) => crossing_faces(&whole(&loaded.model)),
+        Err(_) => surfaces.iter().map(|surface| crossing_faces(&surface.mesh)).sum(),
+    };
+    for surface in surfaces {
         let one = judge(&surface.mesh, surface.has);
         if !one.is_clean() && !surface.name.is_empty() && faulty.len() < NAMED {
             faulty.push(surface.name);
         }
         report.add(&one);
-        crossing += crossing_faces(&surface.mesh);
     }
-    let verdict = Verdict { clean: report.is_clean(), report, crossing_faces: crossing, faulty };
+    let verdict = Verdict { clean: report.is_clean(), report, crossing_faces, faulty };
     let text = if args.json { serde_json::to_string(&verdict)? } else { described(args, &verdict) };
     common::print(&text)?;
     Ok(if verdict.clean { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// All parts as one mesh, in which places that are the same are one point: each format divides a plant in its own way.
+fn whole(model: &Model) -> Mesh {
+    let mut all = Mesh::default();
+    model.parts.iter().for_each(|part| all.append(&part.mesh));
+    let (points, point_of_position) = weld(&all.points);
+    all.points = points;
+    for vertex in &mut all.vertices {
+        vertex.point = point_of_position.get(vertex.point as usize).copied().unwrap_or(u32::MAX);
+    }
+    all
 }
 
 fn described(args: &Args, verdict: &Verdict) -> String {

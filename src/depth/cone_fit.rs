@@ -10,7 +10,8 @@
 //! plus weak residuals that only speak where the tips are silent:
 //! * opening: a flower seen face-on does not determine its height;
 //! * evenness: petals spread evenly around the axis have their mean tip at the ellipse's centre and a covariance of
-//!   `R²/2 · (1 − ttᵀ)`. It settles flowers of three or four petals and half flowers.
+//!   `R²/2 · (1 − ttᵀ)`. It settles flowers of three or four petals and half flowers;
+//! * axis: a flower goes on where its stem arrives.
 //!
 //! The axis is (τ, 1)/|(τ, 1)| with τ any vector, so that nothing happens to the parameters when a flower is seen
 //! face-on and no step can leave the half space toward the viewer.
@@ -198,6 +199,41 @@ pub(super) struct Trust {
     pub opening: (f64, f64),
     /// Standard deviation of the evenness of petals, in units of the tips' mean distance from the apex.
     pub evenness: f64,
+    /// Where the flower's stem says that the axis points.
+    pub stem: Option<StemPrior>,
+}
+
+/// The axis that a flower's stem lets expect: it goes on where the stem arrives, out of the drawing by some angle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct StemPrior {
+    /// Direction across the plane through the stem and the viewer, and how far the axis leaves that plane, as a sine.
+    across: (DVec3, f64),
+    /// The same within that plane, square to the likely axis.
+    within: (DVec3, f64),
+    likely: DVec3,
+}
+
+impl StemPrior {
+    /// The prior of a stem that arrives in unit direction `arrival` on the drawing, y down. `rise` is the likely angle
+    /// between axis and drawing; `across` and `within` are standard deviations as sines.
+    pub(super) fn new(arrival: DVec2, rise: f64, (across, within): (f64, f64)) -> Self {
+        let (sin, cos) = rise.sin_cos();
+        Self {
+            across: (arrival.perp().extend(0.0), across),
+            within: ((-arrival * sin).extend(cos), within),
+            likely: (arrival * cos).extend(sin),
+        }
+    }
+
+    /// How far an axis is from the likely one, in standard deviations across and within the stem's plane.
+    fn off(&self, axis: DVec3) -> [f64; 2] {
+        [self.across, self.within].map(|(direction, sd)| axis.dot(direction) / sd)
+    }
+
+    /// The cone of this opening on the likely axis.
+    pub(super) fn cone(&self, opening: f64) -> ConeFit {
+        ConeFit { tilt: self.likely.truncate() / self.likely.z.max(1e-3), opening, radius: opening.sin() }
+    }
 }
 
 /// Mean and covariance of the tips.
@@ -243,8 +279,8 @@ struct Normal {
     gradient: [f64; UNKNOWNS],
 }
 
-/// Residuals that do not belong to a tip: opening, mean (2), covariance (3).
-const PRIORS: usize = 6;
+/// Residuals that do not belong to a tip: opening, mean (2), covariance (3), axis (2).
+const PRIORS: usize = 8;
 
 /// In standard deviations; the covariance is compared in units of the squared mean distance of the tips.
 fn priors(cone: &ConeFit, rim: &Rim, moments: &Moments, trust: &Trust) -> [f64; PRIORS] {
@@ -255,7 +291,8 @@ fn priors(cone: &ConeFit, rim: &Rim, moments: &Moments, trust: &Trust) -> [f64; 
     let even = [1.0 - t.x * t.x, -t.x * t.y, 1.0 - t.y * t.y];
     let spread = |k: usize| (moments.spread[k] - half * even[k]) * weight;
     let opening = (cone.opening - trust.opening.0) / trust.opening.1;
-    [opening, off.x, off.y, spread(0), spread(1), spread(2)]
+    let [across, within] = trust.stem.map_or([0.0; 2], |stem| stem.off(cone.axis()));
+    [opening, off.x, off.y, spread(0), spread(1), spread(2), across, within]
 }
 
 /// Loss of a residual and its weight in the normal equations.

@@ -1,7 +1,7 @@
 //! Pose of a flower from the projection of its cone (000 §4.1, 002 §5.1).
 //!
 //! The petals of a flower stand on a cone whose apex is the flower's centre, their tips on its rim. In the drawing the
-//! apex is the mean of the petals' roots and the rim an ellipse through the tips: its flatness gives the angle between
+//! apex is where the petals come together and the rim an ellipse through the tips: its flatness gives the angle between
 //! axis and drawing, its centre's distance from the apex the height.
 //!
 //! How. Tips are first estimated without the cone; the cone's start comes from the ellipse through them (direct least
@@ -9,13 +9,14 @@
 //! of a round petal depends on the cone, tips and cone are improved in turn. Tips of flat petals, tangent to the cone,
 //! are best found without it, so the unrefined fit competes too: the least misfit wins. A last fit
 //! weighs the tips by how well they lie on any ellipse, and lets priors speak where the drawing is silent:
-//! an opening angle for flowers seen face-on, evenly spread petals for half flowers and for fewer than five petals.
+//! an opening angle for flowers seen face-on, the stem's direction for the axis, evenly spread petals for half flowers
+//! without a stem and for fewer than five petals. So a petal more or less turns a flower by a few degrees only.
 //!
 //! Departs from the papers: h = l / cos θ where both print l / sin θ; the free ellipse is only a start, as it has one
 //! unknown more than the cone and needs five tips. Limits: one whorl per flower (two whorls get a cone between them);
 //! a front view cannot tell a flower that faces the viewer from one that faces away: [`ConeParams::flip`] chooses.
 
-use super::cone_fit::{ConeFit, Moments, Rim, Trust, improve};
+use super::cone_fit::{ConeFit, Moments, Rim, StemPrior, Trust, improve};
 use super::petal_tip::Petal;
 pub use super::petal_tip::PetalOutline;
 use crate::geom::ellipse::{Ellipse, fit_ellipse};
@@ -46,7 +47,7 @@ pub struct FlowerPose {
     pub height_px: f32,
     /// Distance from the centre to the tips.
     pub slant_px: f32,
-    /// The cone's apex on the canvas: mean of the petals' roots.
+    /// The cone's apex on the canvas: where the petals come together.
     pub center: Vec2,
     /// Tip of each petal on the canvas, in the order of the petals.
     pub tips: Vec<Vec2>,
@@ -58,29 +59,47 @@ pub struct FlowerPose {
     pub residual: f32,
 }
 
-/// Standard deviation of tips that a careful hand draws, in units of the petals' length.
-const TIP: f64 = 0.005;
+/// How well tips lie on a cone: standard deviation in units of the petals' length, and how many tips of the drawing that
+/// is worth. Four tips always lie on some cone, so they alone say nothing of how well they do.
+struct Hand {
+    tip: f64,
+    known: f64,
+}
+
+/// Where nothing but the tips tells the axis they are believed as a careful hand's.
+const CAREFUL: Hand = Hand { tip: 0.005, known: 2.0 };
+/// Beside a stem they count as what petals are, which are not all of one length.
+const NATURAL: Hand = Hand { tip: 0.06, known: 4.0 };
 /// Opening's standard deviation, radians: where the drawing shows it, and where it does not.
 const OPENING: (f64, f64) = (0.5, 0.03);
 /// Evenness's standard deviation: where petals stand all around, and where they stand on one side only.
 const EVENNESS: (f64, f64) = (0.3, 0.02);
+/// Likely angle between a flower's axis and the drawing where only its stem tells, radians.
+const STEM_RISE: f64 = 0.9;
+/// How far axes leave that: across the plane of stem and viewer, and within it, as sines.
+const STEM_SPREAD: (f64, f64) = (0.2, 0.35);
 /// Gap between neighbouring petals around the axis at which a flower begins, and ceases, to be one-sided, radians.
 const GAP: (f64, f64) = (2.3, 3.3);
+/// Squared length, in units of the petals', by which petals must differ in direction to tell where they come together.
+const APEX_RIDGE: f64 = 0.02;
 /// Residual above which the tips lie on no ellipse.
 const LOOSE: f64 = 0.08;
 /// Most steps of a fit from a rough start, and of one between two looks at the tips.
 const STEPS: (u32, u32) = (10, 2);
 
-/// Pose of the flower that `petals` draw. Any outlines give a finite pose; without a usable petal it is a face-on
+/// Pose of the flower that `petals` draw; `stem` is the direction on the canvas in which its stem arrives. Any outlines give a finite pose; without a usable petal it is a face-on
 /// flower of size 0.
-pub fn flower_pose(petals: &[PetalOutline<'_>], params: &ConeParams) -> FlowerPose {
+pub fn flower_pose(petals: &[PetalOutline<'_>], stem: Option<Vec2>, params: &ConeParams) -> FlowerPose {
     let Some(flower) = Flower::new(petals) else {
         return without_petals(petals, params);
     };
     let prior = f64::from(params.opening_prior).to_radians();
-    let trust = Trust { tip: TIP, opening: (prior, OPENING.0), evenness: EVENNESS.0 };
+    let stem = stem.and_then(|arrival| arrival.as_dvec2().try_normalize());
+    let stem = stem.map(|arrival| StemPrior::new(arrival, STEM_RISE, STEM_SPREAD));
+    let hand = if stem.is_some() { NATURAL } else { CAREFUL };
+    let trust = Trust { tip: hand.tip, opening: (prior, OPENING.0), evenness: EVENNESS.0, stem };
     let best = flower.best_fit(&trust, params.rounds);
-    let (cone, trusted) = settled(&best, &trust, params);
+    let (cone, trusted) = settled(&best, &trust, &hand, params);
     flower.pose(cone, &best.tips, trusted && best.tips.len() >= 5, params, petals)
 }
 
@@ -110,7 +129,10 @@ impl Flower {
         }
         let center = used().map(|p| p.root.as_dvec2()).sum::<DVec2>() / count as f64;
         let size = used().map(PetalOutline::reach).sum::<f64>() / count as f64;
-        let petals = used().map(|p| Petal::new(p, center, size)).collect();
+        let mut petals: Vec<Petal> = used().map(|p| Petal::new(p, center, size)).collect();
+        let apex = apex(&petals);
+        petals.iter_mut().for_each(|petal| petal.shift(-apex));
+        let center = center + apex * size;
         let mut places = 0..count;
         let place = usable.iter().map(|&ok| if ok { places.next() } else { None }).collect();
         Some(Self { petals, place, center, size })
@@ -125,6 +147,9 @@ impl Flower {
         };
         let lesser = |a: Fitted, b: Fitted| if b.cost < a.cost { b } else { a };
         let mut start = free(start_from_moments(&tips, &moments, trust));
+        if let Some(stem) = &trust.stem {
+            start = lesser(start, free(stem.cone(trust.opening.0)));
+        }
         if let Some(ellipse) = fit_ellipse(&tips) {
             start = lesser(start, free(from_ellipse(&ellipse)));
         }
@@ -182,22 +207,46 @@ impl Flower {
     }
 }
 
+/// Where the petals come together, counted as they are. Each root lies the same share of its petal's length before its
+/// petal, which no straight projection changes: the share and the point are fitted by least squares. The mean of the
+/// roots would move with every petal that is missing.
+fn apex(petals: &[Petal]) -> DVec2 {
+    let count = petals.len() as f64;
+    let along = |petal: &Petal| petal.free_tip - petal.root;
+    let (root, mean) = (
+        petals.iter().map(|p| p.root).sum::<DVec2>() / count,
+        petals.iter().map(along).sum::<DVec2>() / count,
+    );
+    let (mut both, mut spread) = (0.0, APEX_RIDGE * count);
+    for petal in petals {
+        let off = along(petal) - mean;
+        both += (petal.root - root).dot(off);
+        spread += off.length_squared();
+    }
+    root - mean * (both / spread).clamp(0.0, 1.0)
+}
+
 /// The last fit, with each kind of knowledge weighed by what the first fit showed; and whether the tips alone
 /// determined it. All weights change smoothly with the drawing, so the pose does not jump while the pen moves.
-fn settled(best: &Fitted, trust: &Trust, params: &ConeParams) -> (ConeFit, bool) {
+fn settled(best: &Fitted, trust: &Trust, hand: &Hand, params: &ConeParams) -> (ConeFit, bool) {
     let rim = best.cone.rim();
-    let tip = spread_of_tips(&rim, &best.tips);
+    let tip = spread_of_tips(&rim, &best.tips, hand);
     let face_on = smooth_step(f64::from(params.face_on), 1.0, rim.sin2.sqrt());
     let one_sided = smooth_step(GAP.0, GAP.1, rim.largest_gap(&best.tips));
     let trust = Trust {
         tip,
         opening: (trust.opening.0, OPENING.0 * (OPENING.1 / OPENING.0).powf(face_on)),
-        evenness: EVENNESS.0 * (EVENNESS.1 / EVENNESS.0).powf(one_sided),
+        evenness: if trust.stem.is_some() {
+            EVENNESS.0
+        } else {
+            EVENNESS.0 * (EVENNESS.1 / EVENNESS.0).powf(one_sided)
+        },
+        stem: trust.stem,
     };
     let moments = Moments::of(&best.tips);
     let mut last = improve(best.cone, &best.tips, &moments, &trust, STEPS.0);
-    if one_sided > 0.0 || tip > 4.0 * TIP {
-        let start = start_from_moments(&best.tips, &moments, &trust);
+    let from_stem = trust.stem.map(|stem| stem.cone(trust.opening.0));
+    for start in [Some(start_from_moments(&best.tips, &moments, &trust)), from_stem].into_iter().flatten() {
         let anew = improve(start, &best.tips, &moments, &trust, STEPS.0);
         if anew.1 < last.1 {
             last = anew;
@@ -231,15 +280,15 @@ fn misfit(rim: &Rim, tips: &[DVec2]) -> f64 {
 
 /// Standard deviation of the tips about the ellipse, by the upper quartile of their distances, which a few odd petals
 /// do not reach.
-fn spread_of_tips(rim: &Rim, tips: &[DVec2]) -> f64 {
+fn spread_of_tips(rim: &Rim, tips: &[DVec2], hand: &Hand) -> f64 {
     /// Upper quartile of the size of a standard normal variable.
     const QUARTILE: f64 = 1.15;
     let mut sizes: Vec<f64> = tips.iter().map(|&q| rim.distance(q).abs()).collect();
     sizes.sort_by(f64::total_cmp);
     let quartile = sizes.get(tips.len() * 3 / 4).map_or(0.0, |d| d / QUARTILE);
     let count = tips.len() as f64;
-    // As if two tips more had been drawn with a careful hand: few tips always lie on some ellipse.
-    ((2.0 * TIP * TIP + count * quartile * quartile) / (2.0 + (count - 4.0).max(0.0))).sqrt()
+    let Hand { tip, known } = *hand;
+    ((known * tip * tip + count * quartile * quartile) / (known + (count - 4.0).max(0.0))).sqrt()
 }
 
 fn smooth_step(from: f64, to: f64, x: f64) -> f64 {

@@ -117,7 +117,7 @@ fn shake(outlines: &mut [Vec<Vec2>], sigma: f32, rng: &mut Pcg64Mcg) {
 
 fn pose(outlines: &[Vec<Vec2>], params: &ConeParams) -> FlowerPose {
     let petals: Vec<_> = outlines.iter().map(|o| PetalOutline { points: o, root: o[0] }).collect();
-    flower_pose(&petals, params)
+    flower_pose(&petals, None, params)
 }
 
 fn degrees_off(pose: &FlowerPose, truth: &Truth) -> f32 {
@@ -187,7 +187,7 @@ fn start_and_direction_of_the_strokes_do_not_matter() {
     }
     let petals: Vec<_> =
         turned.iter().zip(&roots).map(|(o, &root)| PetalOutline { points: o, root }).collect();
-    let off = flower_pose(&petals, &ConeParams::default()).axis.angle_between(truth.axis);
+    let off = flower_pose(&petals, None, &ConeParams::default()).axis.angle_between(truth.axis);
     assert!(off < 0.005, "{off}");
 }
 
@@ -278,7 +278,7 @@ fn one_odd_petal_does_little_harm() {
 
 #[test]
 fn nothing_drawn_is_a_flower_of_no_size() {
-    let pose = flower_pose(&[], &ConeParams::default());
+    let pose = flower_pose(&[], None, &ConeParams::default());
     assert_eq!((pose.axis, pose.slant_px, pose.tips.len()), (Vec3::Z, 0.0, 0));
 }
 

@@ -4,7 +4,7 @@
 //! faces the viewer from the side. So the stem is led on to the flower's centre, and its end bends out of the drawing
 //! to arrive from behind, along the flower's axis. Both keep the drawing: seen from the front nothing moves.
 
-use crate::anatomy::{FlatBranch, Sample};
+use crate::anatomy::{Anatomy, Attachment, FlatBranch, FlatFlower, Sample};
 use crate::geom::polyline;
 use glam::{Vec2, Vec3};
 
@@ -21,6 +21,9 @@ crate::parameters! {
 /// Steepest rise of a neck: depth gained per length drawn.
 const STEEPEST: f32 = 1.5;
 
+/// Length of a stem's end whose direction counts, as a share of the petals' length.
+const ARRIVAL: f32 = 0.4;
+
 /// Gap between stem and flower, as a share of the petals' length, that is too small to bridge.
 const TOUCHING: f32 = 0.02;
 
@@ -35,6 +38,23 @@ pub struct Goal {
     pub reach: f32,
     /// Arc length of the last place on the stem from which something else grows.
     pub last_child_at: f32,
+}
+
+/// Direction on the canvas in which the stem at `place` arrives at a flower; none for a flower beside a branch, whose own
+/// stalk was not drawn.
+pub fn arrival(anatomy: &Anatomy, place: Attachment, flower: &FlatFlower) -> Option<Vec2> {
+    let line = &anatomy.branches[place.branch].line;
+    let arcs = polyline::arc_lengths(line.iter().map(|s| s.position));
+    let length = *arcs.last()?;
+    if place.at < length {
+        return None;
+    }
+    let reach = flower.petals.iter().map(|&p| anatomy.petals[p].tip.distance(flower.center)).sum::<f32>()
+        / flower.petals.len().max(1) as f32;
+    let end = line.last()?.position;
+    let from = line[arcs.partition_point(|arc| *arc < length - ARRIVAL * reach).min(line.len() - 1)].position;
+    let toward = if end.distance(flower.center) > 0.25 * reach { flower.center - from } else { end - from };
+    toward.try_normalize()
 }
 
 /// Leads the end of a stem to its flower. `depths` holds the depth of every sample of `branch.line`, pixels toward the

@@ -43,7 +43,8 @@ impl PetalOutline<'_> {
 /// A petal's outline counted from the flower's centre in units of the flower's size.
 pub(super) struct Petal {
     points: Vec<DVec2>,
-    root: DVec2,
+    /// Where it is attached.
+    pub root: DVec2,
     /// First estimate of the tip, without knowledge of the cone.
     pub free_tip: DVec2,
 }
@@ -59,6 +60,11 @@ impl Petal {
         let mut petal = Self { points, root, free_tip: root };
         petal.free_tip = petal.estimate();
         petal
+    }
+
+    /// Counts it from another place.
+    pub(super) fn shift(&mut self, by: DVec2) {
+        self.points.iter_mut().chain([&mut self.root, &mut self.free_tip]).for_each(|p| *p += by);
     }
 
     fn estimate(&self) -> DVec2 {

@@ -57,8 +57,7 @@ const HEART: (f32, f32) = (0.05, 0.4);
 /// Lifts an anatomy into space. The plant's only material is a placeholder; forms are plain: both are the species'.
 pub fn recover(anatomy: &Anatomy, seed: u64, params: &DepthParams) -> Plant {
     let mut skeleton = Skeleton::new(anatomy, seed, params);
-    let poses: Vec<FlowerPose> =
-        anatomy.flowers.iter().map(|f| pose_of(f, &anatomy.petals, &params.cone)).collect();
+    let poses: Vec<FlowerPose> = anatomy.flowers.iter().map(|f| pose_of(f, anatomy, &params.cone)).collect();
     let centers = skeleton.lead_stems(anatomy, &poses, &params.stem);
 
     let world = world_from_canvas(anatomy, &params.world);
@@ -78,16 +77,20 @@ pub fn recover(anatomy: &Anatomy, seed: u64, params: &DepthParams) -> Plant {
     plant
 }
 
-/// The scale that makes the drawing as high as the plant, the origin at its lowest root.
+/// The scale that makes the drawing as high as the plant, the origin below its lowest root, as low as any wood that was
+/// drawn: nothing stands below the ground.
 fn world_from_canvas(anatomy: &Anatomy, params: &WorldParams) -> WorldFromCanvas {
     let (low, high) = anatomy.bounds;
     // A drawing without height (one level stroke) is sized by its width.
     let extent = if high.y - low.y > 0.05 * anatomy.diagonal { high.y - low.y } else { anatomy.diagonal };
     let trunks = anatomy.branches.iter().filter(|b| b.parent.is_none()).filter_map(|b| b.line.first());
+    let wood = anatomy.branches.iter().filter(|b| b.stroke.is_some()).flat_map(|b| &b.line);
+    let ground = wood.map(|s| s.position.y).fold(f32::NEG_INFINITY, f32::max);
     let lowest = |a: &Vec2, b: &Vec2| a.y.total_cmp(&b.y);
     let origin = trunks
         .map(|s| s.position)
         .max_by(lowest)
+        .map(|root| root.with_y(root.y.max(ground)))
         .or_else(|| crowns::foot(anatomy, params.trunk))
         .or_else(|| anatomy.flowers.iter().map(|f| f.center).max_by(lowest))
         .or_else(|| anatomy.leaves.iter().map(|l| l.root).max_by(lowest))
@@ -95,7 +98,8 @@ fn world_from_canvas(anatomy: &Anatomy, params: &WorldParams) -> WorldFromCanvas
     WorldFromCanvas { scale: params.height / extent.max(f32::MIN_POSITIVE), origin }
 }
 
-fn pose_of(flower: &FlatFlower, petals: &[FlatBlade], params: &ConeParams) -> FlowerPose {
+fn pose_of(flower: &FlatFlower, anatomy: &Anatomy, params: &ConeParams) -> FlowerPose {
+    let petals = &anatomy.petals;
     let points: Vec<Vec<Vec2>> =
         flower.petals.iter().map(|&p| petals[p].outline.iter().map(|s| s.position).collect()).collect();
     let outlines: Vec<PetalOutline> = flower
@@ -104,7 +108,8 @@ fn pose_of(flower: &FlatFlower, petals: &[FlatBlade], params: &ConeParams) -> Fl
         .zip(&points)
         .map(|(&p, points)| PetalOutline { points, root: petals[p].root })
         .collect();
-    flower_pose(&outlines, params)
+    let stem = flower.attachment.and_then(|place| flower_stem::arrival(anatomy, place, flower));
+    flower_pose(&outlines, stem, params)
 }
 
 /// Branches with arc length and depth of their samples, pixels; depth grows toward the viewer.

@@ -25,7 +25,7 @@ crate::parameters! {
     /// How finely petals, leaves and sepals are modelled.
     pub struct BladeMeshParams {
         /// Leaves of one plant that nobody drew are one part; otherwise each is its own. Always so for plants that grew.
-        gathered: bool = false, 0..=1, "";
+        gathered: bool = true, 0..=1, "";
         /// How far a blade's margin may leave the drawn outline.
         outline_tolerance: f32 = 0.002, 0.0001..=0.002, "of the blade's size";
         /// Rows of points between base and tip; more rows bend more smoothly.
@@ -184,7 +184,8 @@ struct InsideScratch {
 pub fn triangulation_input(blade: &Blade, params: &BladeMeshParams) -> Option<PlanarGraph> {
     let scratch = &mut FlatScratch::default();
     prepare_margin(blade, params, scratch);
-    Some(graph(&scratch.margin, density(blade, params), &mut scratch.inside.interior)?.0)
+    let tip = blade.length / size_of(blade);
+    Some(graph(&scratch.margin, tip, density(blade, params), &mut scratch.inside.interior)?.0)
 }
 
 /// Flattens a blade; `None` for an outline without area.
@@ -196,10 +197,11 @@ pub(super) fn flatten(
     prepare_margin(blade, params, scratch);
     let density = density(blade, params);
     let FlatScratch { margin, inside, .. } = scratch;
-    let (graph, sections, triangles) = triangulated(margin, density, inside)
-        .or_else(|| triangulated(&outline::untangled(margin), density, inside))
-        .or_else(|| triangulated(&convex_hull(margin, |m| m.at), density, inside))?;
     let size = size_of(blade);
+    let tip = blade.length / size;
+    let (graph, sections, triangles) = triangulated(margin, tip, density, inside)
+        .or_else(|| triangulated(&outline::untangled(margin), tip, density, inside))
+        .or_else(|| triangulated(&convex_hull(margin, |m| m.at), tip, density, inside))?;
     let rim = &graph.points[..graph.margin];
     let perimeter = (0..rim.len()).map(|i| rim[i].distance(rim[(i + 1) % rim.len()])).sum();
     let area = crate::geom::simple_loop::signed_area(rim.iter().copied());
@@ -210,10 +212,11 @@ pub(super) fn flatten(
 
 fn triangulated(
     margin: &[MarginPoint],
+    tip: f32,
     density: Density,
     scratch: &mut InsideScratch,
 ) -> Option<(PlanarGraph, Sections, Vec<[u32; 3]>)> {
-    let (graph, sections) = graph(margin, density, &mut scratch.interior)?;
+    let (graph, sections) = graph(margin, tip, density, &mut scratch.interior)?;
     let triangles = graph.triangulate(&mut scratch.triangulation)?;
     Some((graph, sections, triangles))
 }
@@ -249,6 +252,7 @@ fn prepare_margin(blade: &Blade, params: &BladeMeshParams, scratch: &mut FlatScr
 
 fn graph(
     margin: &[MarginPoint],
+    tip: f32,
     density: Density,
     scratch: &mut InteriorScratch,
 ) -> Option<(PlanarGraph, Sections)> {
@@ -258,7 +262,7 @@ fn graph(
     if margin.len() < 3 || area.is_nan() || area < SMALLEST_AREA {
         return None;
     }
-    let sections = Sections::new(margin);
+    let sections = Sections::new(margin, tip);
     let mut points = Vec::with_capacity(margin.len() + ((density.rows * (2 * density.columns + 1)) as usize));
     points.extend(margin.iter().map(|m| m.at));
     interior::fill(margin, &sections, density, scratch, &mut points);

@@ -1,6 +1,6 @@
 //! Interior points of a blade, in rows across its axis (000 §5.1.1).
 //!
-//! Each row has a point on the axis and evenly spaced ones from there to either margin, as many as the row is wide:
+//! Each row has a point on the blade's middle line and evenly spaced ones from there to either margin, as many as the row is wide:
 //! the paper's `N_u = f(u)`, here proportional. A row that the outline cuts several times (lobes, notches) is filled
 //! piece by piece, and points too near to the margin for a well-shaped face are left out.
 
@@ -12,7 +12,7 @@ use glam::Vec2;
 pub(super) struct Density {
     /// Rows between base and tip.
     pub(super) rows: u32,
-    /// Points between axis and margin where the blade is widest.
+    /// Points between middle line and margin where the blade is widest.
     pub(super) columns: u32,
 }
 
@@ -88,7 +88,8 @@ pub(super) fn fill(
     for row in 0..rows.count {
         let here = rest.partition_point(|c| c.0 == row);
         for span in rest[..here].chunks_exact(2) {
-            fill_span(&rows, row, (span[0].1, span[1].1), out);
+            let middle = sections.middle.at(rows.height(row));
+            fill_span(&rows, row, middle, (span[0].1, span[1].1), out);
         }
         rest = &rest[here..];
         scratch.row_starts.push((out.len() - first) as u32);
@@ -115,11 +116,11 @@ fn cross_rows(outline: &[MarginPoint], rows: &Rows, crossings: &mut Vec<(u32, f3
     crossings.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
 }
 
-fn fill_span(rows: &Rows, row: u32, (left, right): (f32, f32), out: &mut Vec<Vec2>) {
-    if left < 0.0 && right > 0.0 {
-        rows.fill(row, 0.0, left, out);
-        out.push(Vec2::new(0.0, rows.height(row)));
-        rows.fill(row, 0.0, right, out);
+fn fill_span(rows: &Rows, row: u32, middle: f32, (left, right): (f32, f32), out: &mut Vec<Vec2>) {
+    if left < middle && right > middle {
+        rows.fill(row, middle, left, out);
+        out.push(Vec2::new(middle, rows.height(row)));
+        rows.fill(row, middle, right, out);
     } else {
         rows.fill(row, left, right, out);
     }

@@ -28,6 +28,7 @@ mod interior;
 pub mod invariants;
 mod joint;
 pub mod mesh;
+mod midline;
 mod outline;
 mod parts;
 pub mod quality;

@@ -31,9 +31,9 @@ impl Recipe {
         }
     }
 
-    /// The recipe of the outline that blades of one template have in common.
+    /// The recipe of the outline and the length that blades of one template have in common.
     pub(super) fn template(&mut self, blade: &Blade) {
-        self.begin(1).outline(blade);
+        self.begin(1).real(blade.length).outline(blade);
     }
 
     /// The recipe of a blade; `template` is the name of its triangulation where that is shared.

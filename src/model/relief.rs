@@ -64,8 +64,10 @@ impl<'a> Relief<'a> {
     /// Metres toward the face at a point of the flat blade.
     pub(super) fn height(&self, p: Vec2) -> f32 {
         let x = (p.y * self.per_length).clamp(0.0, 1.25);
-        let side = self.sections.at(p.y * self.per_size, p.x >= 0.0);
-        let out = p.x.abs() * self.per_size;
+        let v = p.y * self.per_size;
+        let off_middle = p.x * self.per_size - self.sections.middle.at(v);
+        let side = self.sections.at(v, off_middle >= 0.0);
+        let out = off_middle.abs();
         let widest = self.sections.widest;
         let across = (out / side.width.max(f32::MIN_POSITIVE)).min(1.0);
         let soft = (out / side.width.max(NARROWEST * widest)).min(1.0);

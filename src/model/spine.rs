@@ -18,6 +18,17 @@ pub(super) struct Ring {
     pub(super) tangent: Vec3,
 }
 
+impl Ring {
+    /// The foot of a trunk stands level on its ground, as long as the trunk leans by less than 45 degrees.
+    pub(super) fn levelled(self) -> Self {
+        if self.tangent.y > std::f32::consts::FRAC_1_SQRT_2 {
+            Self { tangent: Vec3::Y, ..self }
+        } else {
+            self
+        }
+    }
+}
+
 /// Memory that is used again for every tube.
 #[derive(Default)]
 pub(super) struct SpineScratch {

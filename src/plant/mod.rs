@@ -23,7 +23,7 @@ use serde::{Deserialize, Serialize};
 pub struct WorldFromCanvas {
     /// Metres per canvas pixel.
     pub scale: f32,
-    /// Canvas position of the world's origin: the lowest root of the plant.
+    /// Canvas position of the world's origin: the ground at the lowest root of the plant.
     pub origin: Vec2,
 }
 

@@ -6,6 +6,7 @@
 
 use super::blossom::blossom;
 use super::form;
+use super::ground;
 use super::heart::{Petals, heart};
 use super::looks::{PetalLook, Species};
 use super::palette::Palette;
@@ -61,6 +62,9 @@ pub fn dress(plant: &mut Plant, species: &Species, seed: u64) {
     }
     let petals = petals_of(plant);
     dress_blades(plant, species, &petals, seed, &mut palette);
+    if species.pot.is_none() {
+        ground::keep_above(plant);
+    }
     let mut added = hearts(plant, species, &petals, seed, &mut palette);
     added.extend(thorny(plant, species, seed, &mut palette));
     added.extend(potted(plant, species, &mut palette));

@@ -13,6 +13,7 @@ pub mod builtin;
 pub mod dress;
 pub mod file;
 pub mod form;
+mod ground;
 pub mod heart;
 pub mod looks;
 pub mod palette;

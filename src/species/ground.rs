@@ -1,0 +1,145 @@
+//! What a plant carries stays above its ground, which is level through its lowest root.
+//!
+//! Wood that would dip below is lifted to lie on the ground. A leaf that would, bent as its species bends it, swings up
+//! about its base: first until it lies level, its face to the sky, then further until nothing of it is below. It swings no
+//! farther than it must.
+//!
+//! Limits: the hollow, waves and curl of a leaf are known by their largest height only. Petals are left where the drawing
+//! has them. A plant in a pot has no ground to speak of.
+
+use crate::plant::{Blade, Branch, OrganKind, Plant, RestSurface, Shape};
+use glam::{Mat3, Quat, Vec3};
+
+/// Angles over level to which a leaf swings up one after the other, radians.
+const RISES: [f32; 5] = [0.0, 0.3, 0.6, 0.95, 1.3];
+/// Steps on the way to each.
+const STEPS: u32 = 8;
+/// What full pressure of the pen may lift or sink a margin by, as a share of the blade's length.
+const CURL: f32 = 0.15;
+
+/// Lifts wood and leaves that would stand below the ground.
+pub(super) fn keep_above(plant: &mut Plant) {
+    plant.branches.iter_mut().for_each(lift_branch);
+    for organ in &mut plant.organs {
+        match &mut organ.shape {
+            Shape::Blade(blade) if organ.kind == OrganKind::Leaf && blade.rest == RestSurface::Plane => {
+                lift_leaf(blade);
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Lifts what comes after the foot: a trunk begins below the surface of the ground by half its slant, and a branch within
+/// what carries it.
+fn lift_branch(branch: &mut Branch) {
+    let mut is_out = branch.parent.is_some();
+    for (point, radius) in branch.points.iter_mut().zip(&branch.radii).skip(1) {
+        is_out |= point.y >= *radius;
+        if is_out {
+            point.y = point.y.max(*radius);
+        }
+    }
+}
+
+fn lift_leaf(blade: &mut Blade) {
+    blade.base.y = blade.base.y.max(0.0);
+    let below = |blade: &Blade| (-lowest(blade)).max(0.0);
+    if below(blade) == 0.0 {
+        return;
+    }
+    let (u, v) = (blade.u, blade.v);
+    let Some(frame) = frame(u, v) else { return };
+    let level = Vec3::new(v.x, 0.0, v.z).normalize_or(Vec3::Z);
+    let mut from = Quat::IDENTITY;
+    for rise in RISES {
+        let along = level * rise.cos() + Vec3::Y * rise.sin();
+        let facing = Vec3::Y * rise.cos() - level * rise.sin();
+        let target = Mat3::from_cols(along.cross(facing), along, facing);
+        let to = Quat::from_mat3(&(target * frame.transpose()));
+        for step in 1..=STEPS {
+            let turn = from.slerp(to, step as f32 / STEPS as f32);
+            (blade.u, blade.v) = (turn * u, turn * v);
+            if below(blade) == 0.0 {
+                return;
+            }
+        }
+        from = to;
+    }
+    blade.base.y += below(blade);
+}
+
+/// Directions across, along and out of a blade, unit and square to each other.
+fn frame(u: Vec3, v: Vec3) -> Option<Mat3> {
+    let (along, facing) = (v.try_normalize()?, u.cross(v).try_normalize()?);
+    Some(Mat3::from_cols(along.cross(facing), along, facing))
+}
+
+/// Height of the lowest place that a blade may have.
+fn lowest(blade: &Blade) -> f32 {
+    let form = &blade.form;
+    let size = blade.length * blade.v.length();
+    let facing = blade.u.cross(blade.v).normalize_or_zero();
+    let width = blade.outline.iter().map(|p| p.x.abs()).fold(0.0, f32::max) * blade.u.length();
+    let curl = blade.curl.iter().fold(0.0, |most: f32, curl| most.max(curl.abs()));
+    let uneven = (0.25 * form.cup.abs() * size).min(0.6 * width)
+        + (form.fold.abs() * size).min(width) * f32::from(form.fold < 0.0)
+        + size * (form.ruffle + CURL * curl + form.thickness);
+    let height = |p: &glam::Vec2| {
+        let x = (p.y / blade.length).clamp(0.0, 1.25);
+        let bent = -(form.bend_quartic * x * x + form.bend_quadratic) * x * x * size;
+        (blade.base + blade.u * p.x + blade.v * p.y).y + facing.y * bent
+            - facing.y.abs() * uneven * x.min(1.0)
+    };
+    let heights = blade.outline.iter().filter(|p| p.y > 0.1 * blade.length).map(height);
+    heights.fold(blade.base.y, f32::min)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plant::BladeForm;
+    use glam::Vec2;
+
+    fn leaf(base: Vec3, v: Vec3) -> Blade {
+        let point = |k: usize| Vec2::from_angle(k as f32 * 0.1047) * Vec2::new(0.2, 0.5) + Vec2::Y * 0.5;
+        Blade {
+            outline: (0..60).map(point).collect(),
+            curl: Vec::new(),
+            base,
+            u: v.cross(Vec3::Z).normalize() * v.length(),
+            v,
+            length: 1.0,
+            rest: RestSurface::Plane,
+            form: BladeForm::default(),
+            template: None,
+        }
+    }
+
+    #[test]
+    fn a_hanging_leaf_comes_to_lie_on_the_ground() {
+        let mut blade = leaf(Vec3::Y * 0.1, Vec3::new(0.6, -0.6, 0.2));
+        let length = blade.v.length();
+        lift_leaf(&mut blade);
+        assert!(lowest(&blade) >= -1e-6 && (blade.v.length() - length).abs() < 1e-5);
+        assert!(blade.v.x > 0.3, "it keeps its side: {}", blade.v);
+        assert!(blade.v.y < 0.45 * length, "no farther than it must: {}", blade.v);
+    }
+
+    #[test]
+    fn leaves_above_the_ground_stay() {
+        let high = leaf(Vec3::Y, Vec3::new(0.6, -0.6, 0.2));
+        let mut blade = high.clone();
+        lift_leaf(&mut blade);
+        assert_eq!(blade, high);
+    }
+
+    #[test]
+    fn wood_lies_on_the_ground() {
+        let points = [0.5, 0.1, -0.3, -0.2].map(|y| Vec3::new(1.0 - y, y, 0.0)).to_vec();
+        let mut branch =
+            Branch { stroke: None, parent: Some(0), level: 1, points, radii: vec![0.02; 4], material: 0 };
+        lift_branch(&mut branch);
+        assert_eq!(branch.points.iter().map(|p| p.y).collect::<Vec<_>>(), [0.5, 0.1, 0.02, 0.02]);
+    }
+}
