@@ -2,7 +2,8 @@
 //!
 //! Between two strokes lies a gap: a point with a negative radius. Strokes lie in drawing order; the stroke under the pen
 //! is the last one, so that its new points are simply added at the end. [`InkBuffer::take_dirty`] names what must be sent
-//! to the GPU: after one more sample, that sample. Knows no GPU itself.
+//! to the GPU: after one more sample, that sample and those before it that a stabiliser still moves, however long the
+//! stroke is. Knows no GPU itself.
 
 use super::StrokeCurve;
 use crate::sketch::{StrokeId, StrokePoint};
@@ -43,7 +44,41 @@ struct Slot {
     len: usize,
     capacity: usize,
     colour: [u8; 4],
+    /// The line through the samples that stay.
     curve: StrokeCurve,
+    /// How many of the points are of that line; those after it are drawn anew when the stroke grows.
+    settled: usize,
+}
+
+/// The new end of a line: points that take the place of all from the `keep`-th on. Kept, so that a sample allocates nothing.
+#[derive(Clone, Debug, Default)]
+struct LineEnd {
+    keep: usize,
+    points: Vec<InkPoint>,
+    new: Vec<Vec3>,
+}
+
+impl LineEnd {
+    /// Begins after the first `keep` points of a line.
+    fn begin(&mut self, keep: usize) {
+        self.keep = keep;
+        self.points.clear();
+    }
+
+    fn draw(&mut self, curve: &mut StrokeCurve, samples: &[StrokePoint], colour: [u8; 4]) {
+        for sample in samples {
+            let replaced = curve.push(sample, &mut self.new);
+            let of_these = replaced.min(self.points.len());
+            self.points.truncate(self.points.len() - of_these);
+            self.keep -= (replaced - of_these).min(self.keep);
+            self.points.extend(self.new.drain(..).map(|point| InkPoint::new(point, colour)));
+        }
+    }
+
+    /// Points of the whole line.
+    fn len(&self) -> usize {
+        self.keep + self.points.len()
+    }
 }
 
 /// The strokes of a drawing.
@@ -54,7 +89,7 @@ pub struct InkBuffer {
     order: Vec<StrokeId>,
     dirty: Vec<Range<usize>>,
     gaps: usize,
-    scratch: Vec<Vec3>,
+    end: LineEnd,
 }
 
 impl Default for InkBuffer {
@@ -65,7 +100,7 @@ impl Default for InkBuffer {
             order: Vec::new(),
             dirty: std::iter::once(0..1).collect(),
             gaps: 0,
-            scratch: Vec::new(),
+            end: LineEnd::default(),
         }
     }
 }
@@ -86,49 +121,34 @@ impl InkBuffer {
         self.dirty = std::iter::once(0..self.points.len()).collect();
     }
 
-    /// Puts a stroke in, on top of all others, or replaces it in its place. `width` is in canvas units at full pressure.
+    /// Puts a stroke in, on top of all others, or replaces it in its place. `colour` is encoded red, green, blue and
+    /// opacity; `width` is the line's width at full pressure in canvas units. A stroke may begin without samples.
     pub fn set(&mut self, id: StrokeId, samples: &[StrokePoint], colour: [u8; 4], width: f32) {
-        let mut curve = StrokeCurve::new(width);
-        let mut line: Vec<InkPoint> = Vec::with_capacity(samples.len() + 2);
-        let mut new = std::mem::take(&mut self.scratch);
-        for sample in samples {
-            let replaced = curve.push(sample, &mut new);
-            line.truncate(line.len() - replaced);
-            line.extend(new.drain(..).map(|p| InkPoint::new(p, colour)));
-        }
-        self.scratch = new;
         if !self.slots.contains_key(&id) {
-            let slot = Slot {
-                start: self.points.len(),
-                len: 0,
-                capacity: 0,
-                colour,
-                curve: StrokeCurve::new(width),
-            };
+            let (start, curve) = (self.points.len(), StrokeCurve::new(width));
             self.points.push(InkPoint::GAP);
-            self.slots.insert(id, slot);
+            self.slots.insert(id, Slot { start, len: 0, capacity: 0, colour, curve, settled: 0 });
             self.order.push(id);
         }
         if let Some(slot) = self.slots.get_mut(&id) {
-            (slot.colour, slot.curve) = (colour, curve);
+            (slot.colour, slot.curve, slot.settled) = (colour, StrokeCurve::new(width), 0);
         }
-        self.replace(id, 0, &line);
+        self.grow(id, samples, &[]);
     }
 
-    /// Continues a stroke; `false` when there is none of this name. The cost is that of the new samples.
-    pub fn append(&mut self, id: StrokeId, samples: &[StrokePoint]) -> bool {
-        for sample in samples {
-            let Some(slot) = self.slots.get_mut(&id) else { return false };
-            let mut new = std::mem::take(&mut self.scratch);
-            let keep = slot.len - slot.curve.push(sample, &mut new).min(slot.len);
-            let colour = slot.colour;
-            if !new.is_empty() {
-                let points: Vec<InkPoint> = new.drain(..).map(|p| InkPoint::new(p, colour)).collect();
-                self.replace(id, keep, &points);
-            }
-            self.scratch = new;
-        }
-        self.slots.contains_key(&id)
+    /// Continues a stroke; `false` when there is none of this name. Samples that a stabiliser still moves are drawn until
+    /// the next call, which names them again: `settled` and then `moving` follow on all that was settled before. The cost
+    /// is that of these samples.
+    pub fn grow(&mut self, id: StrokeId, settled: &[StrokePoint], moving: &[StrokePoint]) -> bool {
+        let Some(slot) = self.slots.get_mut(&id) else { return false };
+        let mut end = std::mem::take(&mut self.end);
+        end.begin(slot.settled);
+        end.draw(&mut slot.curve, settled, slot.colour);
+        slot.settled = end.len();
+        end.draw(&mut slot.curve.clone(), moving, slot.colour);
+        self.replace(id, end.keep, &end.points);
+        self.end = end;
+        true
     }
 
     /// Gives a stroke another colour.
@@ -270,10 +290,29 @@ mod tests {
         let mut grown = InkBuffer::default();
         grown.set(7, &samples[..1], BLACK, 3.0);
         for sample in &samples[1..] {
-            assert!(grown.append(7, std::slice::from_ref(sample)));
+            assert!(grown.grow(7, std::slice::from_ref(sample), &[]));
         }
         assert_eq!(at_once.points, grown.points);
-        assert!(!grown.append(8, &samples));
+        assert!(!grown.grow(8, &samples, &[]));
+    }
+
+    #[test]
+    fn samples_that_still_move_are_drawn_where_they_are_now() {
+        let (samples, reach) = (wave(60, 0.0), 16);
+        let mut grown = InkBuffer::default();
+        grown.set(7, &[], BLACK, 3.0);
+        let mut seen = 0;
+        for count in 1..=samples.len() {
+            // The last samples are elsewhere until they have settled.
+            let mut moving = samples[..count].to_vec();
+            let settled = count.saturating_sub(reach);
+            moving[settled..].iter_mut().for_each(|p| p.position.y += (count - settled) as f32);
+            grown.grow(7, &moving[seen..settled], &moving[settled..]);
+            seen = settled;
+            assert_eq!(lines(&grown), [expected(&moving)], "after {count}");
+        }
+        grown.grow(7, &samples[seen..], &[]);
+        assert_eq!(lines(&grown), [expected(&samples)]);
     }
 
     #[test]
@@ -284,7 +323,7 @@ mod tests {
         }
         ink.take_dirty();
         for sample in wave(300, 3.0) {
-            ink.append(499, &[sample]);
+            ink.grow(499, &[sample], &[]);
             let dirty: usize = ink.take_dirty().iter().map(Range::len).sum();
             assert!(dirty <= 70, "{dirty} of {} points", ink.points.len());
         }
@@ -303,7 +342,7 @@ mod tests {
         ink.set(2, &strokes[2][..4], BLACK, 3.0);
         assert_eq!(lines(&ink), [&all[0], &expected(&strokes[2][..4]), &all[3], &all[4]].map(Clone::clone));
         ink.set(0, &strokes[4], BLACK, 3.0);
-        ink.append(2, &strokes[2][4..]);
+        ink.grow(2, &strokes[2][4..], &[]);
         assert_eq!(lines(&ink), [&all[4], &all[2], &all[3], &all[4]].map(Clone::clone));
         ink.set_order(&[4, 2, 99, 4]);
         assert_eq!(lines(&ink), [&all[4], &all[2], &all[4], &all[3]].map(Clone::clone));
@@ -321,7 +360,7 @@ mod tests {
             let (what, id) = ((random >> 33) % 6, (random >> 40) % 9);
             match what {
                 0 | 1 => ink.set(id, &wave(1 + (random >> 50) as usize % 30, id as f32), BLACK, 3.0),
-                2 => drop(ink.append(id, &wave(3, step as f32))),
+                2 => drop(ink.grow(id, &wave(3, step as f32), &wave(step % 3, 1.0))),
                 3 => ink.remove(id),
                 4 => ink.recolour(id, [id as u8, step as u8, 0, 255]),
                 _ => ink.set_order(&[id, (id + 3) % 9]),
