@@ -5,6 +5,7 @@
 //! and shown when they come; nothing here waits for one.
 
 use super::canvas::Rect as CanvasRect;
+use super::damage::Damage;
 use super::editor::Editor;
 use super::frame::{EguiFrame, EguiPainter};
 use super::plant_painter::{Painted, PlantPainter, Scene};
@@ -12,7 +13,7 @@ use super::plant_texture::PlantTexture;
 use super::sheet::Sheet;
 use super::surface::Surface;
 use super::theme::Palette;
-use crate::render::canvas::{CanvasLayer, CanvasView};
+use crate::render::canvas::{CanvasLayer, CanvasView, InkChange};
 use crate::render::{Gpu, RenderError, decode};
 use anyhow::Context as _;
 use egui::Color32;
@@ -21,6 +22,9 @@ use std::sync::Arc;
 use winit::dpi::PhysicalSize;
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
+
+/// How far a line may reach beyond its width, pixels.
+const EDGE_PX: f32 = 3.0;
 
 /// Everything on the graphics card.
 pub(super) struct Graphics {
@@ -34,6 +38,10 @@ pub(super) struct Graphics {
     /// What of the picture under the drawing is on the card.
     reference_version: u64,
     reference: Option<u64>,
+    /// What of the canvas the last frame showed: where it lay, and which picture was under it.
+    seen: Option<(CanvasView, u64)>,
+    /// What the next frame must paint again, beside what egui changes.
+    damage: Damage,
 }
 
 impl Graphics {
@@ -61,6 +69,8 @@ impl Graphics {
             plant,
             reference_version: 0,
             reference: None,
+            seen: None,
+            damage: Damage::default(),
         })
     }
 
@@ -117,19 +127,17 @@ impl Graphics {
             textures: output.textures_delta,
             pixels_per_point: output.pixels_per_point,
         };
-        let area = editor.layout().canvas_px();
-        let scissor = scissor(area, self.surface.size());
-        let ground = Palette::of(editor.theme()).ground;
-        let [r, g, b] = [ground.r(), ground.g(), ground.b()].map(|c| f64::from(c) / 255.0);
-        let canvas = &self.canvas;
-        let drawing = |pass: &mut wgpu::RenderPass<'_>| {
-            if let Some([x, y, width, height]) = scissor {
+        let canvas_area = editor.layout().canvas_px();
+        let (canvas, size) = (&self.canvas, self.surface.size());
+        let drawing = |pass: &mut wgpu::RenderPass<'_>, place: [u32; 4]| {
+            canvas.paint_paper(pass);
+            if let Some([x, y, width, height]) = scissor(canvas_area, place, size) {
                 pass.set_scissor_rect(x, y, width, height);
-                canvas.paint(pass);
+                canvas.paint_drawing(pass);
             }
         };
-        let (ground, is_lost) = (wgpu::Color { r, g, b, a: 1.0 }, || self.gpu.is_lost());
-        self.painter.paint(&mut self.surface, frame, ground, drawing, is_lost);
+        let damage = std::mem::take(&mut self.damage);
+        self.painter.paint(&mut self.surface, frame, damage, drawing, || self.gpu.is_lost());
     }
 
     /// Shows the newest picture of the plant, and wishes for the next where that would be another.
@@ -137,6 +145,7 @@ impl Graphics {
         let Painted { picture, failure } = self.plant_painter.take().unwrap_or_default();
         if let Some(picture) = picture {
             self.plant.show(&self.surface, &mut self.painter, picture);
+            self.damage.add(editor.layout().plant);
         }
         let area = editor.layout().plant;
         let scale = editor.layout().pixels_per_point() as f32;
@@ -176,7 +185,33 @@ impl Graphics {
             desk: rgb(palette.paper),
             sheet: None,
         };
+        self.note_damage(editor, view);
         self.canvas.prepare(&self.gpu, &view).map(drop)
+    }
+
+    /// Notes where the canvas looks different than in the last frame.
+    fn note_damage(&mut self, editor: &Editor, view: CanvasView) {
+        let (canvas, scale) = (editor.layout().canvas, editor.layout().pixels_per_point() as f32);
+        let change = self.canvas.ink.take_change();
+        if std::mem::replace(&mut self.seen, Some((view, editor.versions.reference)))
+            != Some((view, editor.versions.reference))
+        {
+            return self.damage.add(canvas);
+        }
+        match change {
+            InkChange::Nowhere => {}
+            InkChange::Anywhere => self.damage.add(canvas),
+            InkChange::Within(low, high) => {
+                let corners = [low, Vec2::new(high.x, low.y), high, Vec2::new(low.x, high.y)];
+                let corners = corners.map(|corner| {
+                    let at = view.pixel_from_canvas.transform_point2(corner) / scale;
+                    egui::pos2(at.x, at.y)
+                });
+                // Thin lines are drawn wider than they are, and edges smoothly.
+                let place = egui::Rect::from_points(&corners).expand(EDGE_PX / scale);
+                self.damage.add(place.intersect(canvas));
+            }
+        }
     }
 
     fn sync_reference(&mut self, editor: &Editor) -> Result<(), RenderError> {
@@ -203,11 +238,15 @@ impl Graphics {
     }
 }
 
-/// The part of a rectangle that lies on the surface, whole pixels: left, top, width, height; `None` where there is none.
-fn scissor(area: CanvasRect, (width, height): (u32, u32)) -> Option<[u32; 4]> {
+/// The part of a rectangle that lies in a place on the surface, whole pixels: left, top, width, height; `None` where there
+/// is none.
+fn scissor(area: CanvasRect, [x, y, wide, high]: [u32; 4], (width, height): (u32, u32)) -> Option<[u32; 4]> {
     let most = DVec2::new(width.into(), height.into());
-    let (low, high) = (area.min.round().clamp(DVec2::ZERO, most), area.max.round().clamp(DVec2::ZERO, most));
-    let size = (high - low).as_uvec2();
+    let (low, high_corner) =
+        (DVec2::new(x.into(), y.into()), DVec2::new((x + wide).into(), (y + high).into()));
+    let low = area.min.round().max(low).clamp(DVec2::ZERO, most);
+    let high = area.max.round().min(high_corner).clamp(DVec2::ZERO, most);
+    let size = (high - low).max(DVec2::ZERO).as_uvec2();
     (size.x > 0 && size.y > 0).then_some([low.x as u32, low.y as u32, size.x, size.y])
 }
 

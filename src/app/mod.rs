@@ -18,6 +18,7 @@
 pub mod action;
 pub mod canvas;
 mod composition;
+mod damage;
 mod display_loss;
 pub mod editor;
 pub mod egui_input;

@@ -14,6 +14,8 @@ use std::ops::Range;
 
 /// Separate ranges that are remembered; more of them are sent as one.
 const MOST_RANGES: usize = 64;
+/// Points before a change whose pieces look different.
+const NEIGHBOURS: usize = 3;
 /// Gaps below this number are never worth moving the strokes together.
 const FEW_GAPS: usize = 4096;
 
@@ -81,6 +83,32 @@ impl LineEnd {
     }
 }
 
+/// Where the strokes look different than before.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum InkChange {
+    /// Nowhere.
+    #[default]
+    Nowhere,
+    /// Between these corners of the canvas.
+    Within(Vec2, Vec2),
+    /// Perhaps everywhere.
+    Anywhere,
+}
+
+impl InkChange {
+    fn add(&mut self, point: &InkPoint) {
+        if point.radius < 0.0 {
+            return;
+        }
+        let (low, high) = (point.position - point.radius, point.position + point.radius);
+        *self = match *self {
+            Self::Nowhere => Self::Within(low, high),
+            Self::Within(min, max) => Self::Within(min.min(low), max.max(high)),
+            Self::Anywhere => Self::Anywhere,
+        };
+    }
+}
+
 /// The strokes of a drawing.
 #[derive(Clone, Debug)]
 pub struct InkBuffer {
@@ -88,6 +116,7 @@ pub struct InkBuffer {
     slots: BTreeMap<StrokeId, Slot>,
     order: Vec<StrokeId>,
     dirty: Vec<Range<usize>>,
+    change: InkChange,
     gaps: usize,
     end: LineEnd,
 }
@@ -99,6 +128,7 @@ impl Default for InkBuffer {
             slots: BTreeMap::new(),
             order: Vec::new(),
             dirty: std::iter::once(0..1).collect(),
+            change: InkChange::Anywhere,
             gaps: 0,
             end: LineEnd::default(),
         }
@@ -114,6 +144,11 @@ impl InkBuffer {
     /// Ranges of [`InkBuffer::points`] that changed since the last call.
     pub fn take_dirty(&mut self) -> Vec<Range<usize>> {
         std::mem::take(&mut self.dirty)
+    }
+
+    /// Where the strokes look different than at the last call.
+    pub fn take_change(&mut self) -> InkChange {
+        std::mem::take(&mut self.change)
     }
 
     /// Counts everything as changed.
@@ -157,6 +192,7 @@ impl InkBuffer {
         slot.colour = colour;
         let range = slot.start..slot.start + slot.len;
         self.points[range.clone()].iter_mut().for_each(|p| p.colour = colour);
+        self.see(range.clone());
         self.touch(range);
     }
 
@@ -165,6 +201,7 @@ impl InkBuffer {
         let Some(slot) = self.slots.remove(&id) else { return };
         self.order.retain(|other| *other != id);
         let range = slot.start..slot.start + slot.len;
+        self.see(range.clone());
         self.points[range.clone()].fill(InkPoint::GAP);
         self.gaps += slot.capacity + 1;
         self.touch(range);
@@ -185,6 +222,7 @@ impl InkBuffer {
         let order: Vec<StrokeId> =
             all.filter(|id| self.slots.contains_key(id) && placed.insert(*id)).collect();
         if order != self.order {
+            self.change = InkChange::Anywhere;
             self.order = order;
             self.close_ranks();
         }
@@ -194,6 +232,10 @@ impl InkBuffer {
     fn replace(&mut self, id: StrokeId, keep: usize, points: &[InkPoint]) {
         let end_of_all = self.points.len();
         let Some(slot) = self.slots.get_mut(&id) else { return };
+        // A piece looks at its neighbours, so the last one that stays looks different too.
+        let (last_kept, old_end) = (slot.start + keep.saturating_sub(NEIGHBOURS), slot.start + slot.len);
+        let change = &mut self.change;
+        self.points[last_kept..old_end].iter().chain(points).for_each(|point| change.add(point));
         let (first, old_len) = (slot.start + keep, slot.len);
         let len = keep + points.len();
         if slot.start + slot.capacity + 1 == end_of_all {
@@ -241,6 +283,12 @@ impl InkBuffer {
         self.points = points;
         self.gaps = 0;
         self.touch_all();
+    }
+
+    /// Notes that points look different.
+    fn see(&mut self, range: Range<usize>) {
+        let change = &mut self.change;
+        self.points[range].iter().for_each(|point| change.add(point));
     }
 
     fn touch(&mut self, range: Range<usize>) {

@@ -18,7 +18,7 @@ mod ink;
 mod reference;
 
 pub use curve::StrokeCurve;
-pub use ink::{InkBuffer, InkPoint};
+pub use ink::{InkBuffer, InkChange, InkPoint};
 
 use super::decode::Rgba;
 use super::gpu::Gpu;
@@ -181,9 +181,20 @@ impl CanvasLayer {
 
     /// Paints paper, picture and strokes as prepared.
     pub fn paint(&self, pass: &mut wgpu::RenderPass<'_>) {
+        self.paint_paper(pass);
+        self.paint_drawing(pass);
+    }
+
+    /// Paints the paper alone, over everything.
+    pub fn paint_paper(&self, pass: &mut wgpu::RenderPass<'_>) {
         pass.set_bind_group(0, &self.sheet.group, &[]);
         pass.set_pipeline(&self.paper);
         pass.draw(0..3, 0..1);
+    }
+
+    /// Paints picture and strokes.
+    pub fn paint_drawing(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_bind_group(0, &self.sheet.group, &[]);
         self.reference.paint(pass);
         let Some(pieces) = self.ready.checked_sub(POINTS_PER_PIECE - 1) else { return };
         pass.set_pipeline(&self.strokes);
