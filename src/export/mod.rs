@@ -8,6 +8,7 @@ pub mod error;
 pub mod glb;
 mod glb_container;
 mod gltf_accessor;
+mod gltf_extensions;
 mod gltf_materials;
 mod gltf_tree;
 pub mod load;
@@ -22,6 +23,7 @@ pub mod read;
 mod read_glb;
 mod read_obj;
 pub mod scene;
+mod tint;
 
 pub use crate::atomic::{WriteError, write_atomically};
 pub use error::ExportError;

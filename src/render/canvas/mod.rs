@@ -20,7 +20,6 @@ mod reference;
 pub use curve::StrokeCurve;
 pub use ink::{InkBuffer, InkChange, InkPoint};
 
-use super::decode::Rgba;
 use super::gpu::Gpu;
 use super::pipeline::{Into, PipelineSpec};
 use super::uniform::Uniform;

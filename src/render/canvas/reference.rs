@@ -1,6 +1,5 @@
 //! The picture under the drawing, to be traced.
 
-use super::super::decode::Rgba;
 use super::super::gpu::Gpu;
 use super::super::material::MaterialLayout;
 use super::super::pipeline::{Into, PipelineSpec, entry, texture, uniform};
