@@ -7,7 +7,6 @@ mod common;
 use common::{leafy, textures, two_specimens};
 use glam::{Vec2, Vec3};
 use gltf_json as json;
-use penstemon::picture::decode::decode;
 use penstemon::export::pictures::fetch;
 use penstemon::export::read::{ReadFormat, from_bytes};
 use penstemon::export::{
@@ -17,6 +16,7 @@ use penstemon::growth::Limits;
 use penstemon::model::quality::{Report, judge, judge_model};
 use penstemon::model::{Model, Vertex};
 use penstemon::picture::Picture;
+use penstemon::picture::decode::decode;
 use penstemon::pipeline;
 use penstemon::plant::{Material, Plant, Texture};
 use penstemon::species::{Species, builtin_texture};

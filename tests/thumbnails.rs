@@ -12,9 +12,9 @@
 use penstemon::export::pictures::fetch;
 use penstemon::growth::Limits;
 use penstemon::model::Model;
+use penstemon::picture::decode::decode;
 use penstemon::pipeline;
 use penstemon::plant::Texture;
-use penstemon::render::decode::decode;
 use penstemon::render::{Direction, PictureOptions, Projection, Renderer, View};
 use penstemon::species::{Species, builtin_texture};
 use std::borrow::Cow;

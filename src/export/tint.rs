@@ -8,8 +8,8 @@
 //! colour of its material.
 
 use super::Scene;
-use crate::picture::decode::{Rgba, decode};
 use super::pictures::{Picture, PictureFormat, Pictures};
+use crate::picture::decode::{Rgba, decode};
 use crate::srgb::{linear_from_srgb, srgb_from_linear};
 
 /// Colour that changes nothing.

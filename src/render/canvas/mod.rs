@@ -24,6 +24,7 @@ use super::gpu::Gpu;
 use super::pipeline::{Into, PipelineSpec};
 use super::uniform::Uniform;
 use super::{RenderError, shaders};
+use crate::picture::decode::Rgba;
 use bytemuck::{Pod, Zeroable};
 use glam::{Affine2, Vec2, Vec3, Vec4};
 use reference::Reference;

@@ -4,6 +4,7 @@ use super::super::gpu::Gpu;
 use super::super::material::MaterialLayout;
 use super::super::pipeline::{Into, PipelineSpec, entry, texture, uniform};
 use super::super::{RenderError, shaders};
+use crate::picture::decode::Rgba;
 use bytemuck::{Pod, Zeroable};
 use glam::{Affine2, Vec4};
 
