@@ -76,6 +76,8 @@ pub enum Action {
     SelectAll,
     /// Show the whole drawing.
     FitCanvas,
+    /// Show the paper larger by so many steps, about its middle; smaller if negative.
+    Zoom(i32),
     /// Look at the plant from the front, as it was drawn, all of it.
     FrontView,
     /// Choose a species by name or file.

@@ -211,6 +211,10 @@ struct TabletNews {
     trouble: Option<String>,
     /// Those of which the model is not sure.
     doubts: Vec<TabletDoubt>,
+    /// How many monitors one may cover.
+    monitors: usize,
+    /// What that of the pen last used covers, in physical pixels, if all of it is in the window.
+    target: Option<crate::pen::mapping::Rect>,
 }
 
 impl Editor {

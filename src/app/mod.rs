@@ -33,6 +33,7 @@ mod revival;
 pub mod settings;
 mod surface;
 mod system_theme;
+pub mod tablet_keys;
 mod tablets;
 pub mod theme;
 mod thumbnail;

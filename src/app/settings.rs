@@ -248,6 +248,7 @@ fn put_aside(path: &Path) -> PathBuf {
 mod tests {
     use super::*;
     use crate::app::panels::snapshot::{LightChoice, Shading};
+    use crate::pen::mapping::Turn;
 
     fn load(folder: &Path) -> (Settings, Option<Notice>) {
         Settings::load(folder, &Messages::new(Language::English))
@@ -273,7 +274,7 @@ mod tests {
         settings.view.orthographic = false;
         settings.export.transparent = true;
         settings.pen_source = PenSource::Raw;
-        let mut pen = PenSettings { is_turned: true, ..PenSettings::default() };
+        let mut pen = PenSettings { turn: Turn::Half, ..PenSettings::default() };
         pen.pressure = crate::pen::PressureCurve::soft();
         settings.set_pen("Pen of \"somebody\"", pen);
         settings.set_tablet_model("256c:006d HUION Tablet 7", "Huion H640P");

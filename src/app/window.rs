@@ -296,9 +296,14 @@ impl Running {
         self.pointers.take(&Place { window: &*self.window, canvas }, &self.editor.settings, &mut heard);
         self.pointers.idle(&mut heard);
         let is_new = self.editor.note_tablets(self.pointers.trouble(), self.pointers.doubts());
-        if is_new || !heard.is_empty() {
+        if let Some(reach) = self.pointers.reach() {
+            self.editor.note_reach(reach);
+        }
+        let wishes = self.pointers.wishes();
+        if is_new || !heard.is_empty() || !wishes.is_empty() {
             self.want_frame();
         }
+        wishes.into_iter().for_each(|wish| self.editor.tablet_wishes(wish));
         self.dispatch(heard);
     }
 

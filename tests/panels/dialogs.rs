@@ -10,6 +10,9 @@ use penstemon::app::panels::snapshot::{
     Dialog, ExportChoice, ExportFormat, Notice, PathPurpose, PathRequest, Recovered, Task,
 };
 use penstemon::app::pen_settings::{Covers, TabletDoubt};
+use penstemon::app::tablet_keys::KeyUse;
+use penstemon::pen::calibration::CROSSES;
+use penstemon::pen::mapping::Turn;
 use penstemon::pen::{PenSource, PressureCurve};
 
 fn with_dialog(dialog: Dialog) -> Harness<'static, Stage> {
@@ -132,6 +135,82 @@ fn the_area_is_asked_for_only_where_the_program_decides() {
     };
     assert_eq!(raw(false), []);
     assert!(matches!(&raw(true)[..], [Action::SetPen(pen)] if pen.covers == Covers::Monitor));
+}
+
+/// The dialog of a tablet that is read directly and covers one of two monitors.
+fn of_tablet() -> Harness<'static, Stage> {
+    let mut snapshot = busy();
+    snapshot.dialog = Some(Dialog::Pen);
+    snapshot.pen.is_raw = true;
+    snapshot.pen.monitors = 2;
+    snapshot.pen.settings.covers = Covers::Monitor;
+    stage(snapshot, Language::English)
+}
+
+#[test]
+fn a_key_of_a_tablet_is_given_another_use() {
+    let mut harness = of_tablet();
+    harness.get_by_label("Key 8: Show all").scroll_to_me();
+    harness.run();
+    harness.get_by_label("Key 8: Show all").click();
+    harness.run();
+    harness.get_by_label("Zoom in").click();
+    harness.run();
+    assert!(
+        matches!(&asked(&mut harness)[..], [Action::SetPen(pen)] if pen.keys.keys[7] == KeyUse::ZoomIn),
+        "the eighth key zooms"
+    );
+    assert!(with_dialog(Dialog::Pen).query_by_label_contains("Key 8").is_none(), "the system's pen has none");
+}
+
+#[test]
+fn a_tablet_is_turned_by_quarters_and_put_on_another_monitor() {
+    let mut harness = of_tablet();
+    harness.get_by_label("90°").scroll_to_me();
+    harness.run();
+    press_last(&mut harness, "90°");
+    assert!(matches!(&asked(&mut harness)[..], [Action::SetPen(pen)] if pen.turn == Turn::Right));
+    press_last(&mut harness, "2");
+    assert!(matches!(&asked(&mut harness)[..], [Action::SetPen(pen)] if pen.monitor == Some(1)));
+}
+
+/// Touches the four crosses, or places beside them; the wishes that follow are given.
+fn touch_crosses(harness: &mut Harness<'_, Stage>, place: impl Fn(egui::Pos2) -> egui::Pos2) -> Vec<Action> {
+    harness.get_by_label("Touch four crosses").scroll_to_me();
+    harness.run();
+    press_last(harness, "Touch four crosses");
+    for cross in CROSSES {
+        assert!(harness.query_by_label_contains("Touch the middle of the cross").is_some());
+        let at = place(egui::pos2(1280.0 * cross.x as f32, 800.0 * cross.y as f32));
+        harness.hover_at(at);
+        harness.step();
+        harness.drag_at(at);
+        harness.step();
+        harness.drop_at(at);
+        harness.run();
+    }
+    asked(harness)
+}
+
+#[test]
+fn four_crosses_put_a_pen_display_right() {
+    let mut snapshot = busy();
+    snapshot.dialog = Some(Dialog::Pen);
+    snapshot.pen.is_raw = true;
+    snapshot.pen.target = Some(egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1280.0, 800.0)));
+    let mut harness = stage(snapshot, Language::English);
+    let wishes = touch_crosses(&mut harness, |cross| cross + egui::vec2(12.8, -8.0));
+    let [.., Action::SetPen(pen)] = &wishes[..] else { panic!("{wishes:?}") };
+    let put_right = pen.calibration.apply(glam::DVec2::new(0.51, 0.49));
+    assert!(put_right.distance(glam::DVec2::splat(0.5)) < 1e-3, "{put_right}");
+    assert!(harness.query_by_label_contains("Touch the middle of the cross").is_none(), "that was all");
+    let mut far = of_tablet();
+    assert!(far.query_by_label_contains("Touch four crosses").is_none(), "its monitor is not in the window");
+    far.state_mut().snapshot.pen.target = harness.state().snapshot.pen.target;
+    far.run();
+    let wishes = touch_crosses(&mut far, |_| egui::pos2(600.0, 400.0));
+    assert_eq!(wishes, [], "all at one place");
+    assert!(far.query_by_label_contains("Touch the middle of the cross").is_some(), "once more");
 }
 
 #[test]

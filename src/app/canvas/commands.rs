@@ -13,7 +13,7 @@ const COPY_OFFSET: f64 = 24.0;
 
 impl Canvas {
     /// Carries out an action if it is one of the canvas: `SetTool`, `SetPart`, `DeleteSelected`, `DuplicateSelected`,
-    /// `SelectAll`, `FitCanvas`. Gives whether it was; all others are the application's.
+    /// `SelectAll`, `FitCanvas`, `Zoom`. Gives whether it was; all others are the application's.
     pub fn act(&mut self, action: &Action, drawing: &mut Drawing, out: &mut Vec<CanvasOutcome>) -> bool {
         self.sync(drawing.strokes, out);
         match action {
@@ -43,6 +43,7 @@ impl Canvas {
                     .unwrap_or(Rect::new(DVec2::ZERO, self.viewport.size() / self.scale_factor));
                 self.fit(bounds, out);
             }
+            Action::Zoom(steps) => self.zoom_steps(*steps, out),
             _ => return false,
         }
         true

@@ -285,6 +285,16 @@ impl Canvas {
         }
     }
 
+    /// Zooms by so many lines of a wheel about the middle of the paper.
+    pub(super) fn zoom_steps(&mut self, steps: i32, out: &mut Vec<CanvasOutcome>) {
+        let lines = f64::from(steps).clamp(-MOST_LINES, MOST_LINES);
+        let before = self.view;
+        self.view.zoom_about(self.viewport.center(), ZOOM_PER_LINE.powf(lines));
+        if self.view != before {
+            out.push(CanvasOutcome::ViewChanged);
+        }
+    }
+
     /// Pinches on a touchpad at a window position: `delta` is the growth as a share, `turn_deg` counter-clockwise, as winit
     /// has them; 0 for what the gesture does not say.
     pub fn pinch(&mut self, delta: f64, turn_deg: f64, at: DVec2, out: &mut Vec<CanvasOutcome>) {

@@ -487,6 +487,18 @@ fn fingers_that_never_draw_move_the_canvas() {
 }
 
 #[test]
+fn steps_of_zoom_keep_the_middle_of_the_paper() {
+    let mut desk = Desk::with_lines(3);
+    desk.act(&Action::FitCanvas);
+    let (middle, before) = (DVec2::new(200.0, 200.0), desk.canvas.view().zoom());
+    desk.act(&Action::Zoom(2));
+    assert!(desk.canvas.view().zoom() > before * 1.2);
+    assert!(desk.canvas.view().to_window(middle).distance(DVec2::new(500.0, 400.0)) < 1e-9);
+    desk.act(&Action::Zoom(-2));
+    assert!((desk.canvas.view().zoom() / before - 1.0).abs() < 1e-9);
+}
+
+#[test]
 fn fit_shows_all_strokes() {
     let mut desk = Desk::with_lines(3);
     desk.act(&Action::FitCanvas);

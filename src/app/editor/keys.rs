@@ -32,6 +32,13 @@ impl Editor {
         known
     }
 
+    /// Hears what a key or a wheel of a tablet wishes for; in a dialog they are silent, like other keys.
+    pub fn tablet_wishes(&mut self, wish: Action) {
+        if self.dialog.is_none() {
+            self.perform(wish);
+        }
+    }
+
     /// Modifier keys, which the canvas hears of too.
     pub fn modifiers(&mut self, before: Modifiers, now: Modifiers) {
         for (key, was, is) in

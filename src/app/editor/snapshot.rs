@@ -117,6 +117,13 @@ impl Editor {
         self.built.as_ref().map_or(&[], |built| &built.anatomy.warnings)
     }
 
+    /// A rectangle of physical pixels in points.
+    fn points(&self, rect: crate::pen::mapping::Rect) -> egui::Rect {
+        let scale = self.layout.pixels_per_point();
+        let point = |at: glam::DVec2| egui::pos2((at.x / scale) as f32, (at.y / scale) as f32);
+        egui::Rect::from_min_max(point(rect.min), point(rect.max))
+    }
+
     fn pen_state(&self) -> PenState {
         let name = self.pen_device.as_deref().unwrap_or_default();
         PenState {
@@ -125,6 +132,8 @@ impl Editor {
             battery: self.pen_battery,
             trouble: self.tablets.trouble.clone(),
             doubts: self.tablets.doubts.clone(),
+            monitors: self.tablets.monitors,
+            target: self.tablets.target.map(|target| self.points(target)),
             source: self.settings.pen_source,
             settings: self.settings.pen(name),
             live: self.pen_live,
