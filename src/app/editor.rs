@@ -302,21 +302,26 @@ impl Editor {
             recovery,
             settings,
         };
-        editor.apply_settings();
-        editor.list_presets();
-        broken.into_iter().for_each(|notice| editor.tell(notice));
-        if editor.settings.language() != editor.messages.language() {
-            editor.tell(fonts::missing_notice());
+        editor.begin(file, is_first_start, broken);
+        Ok(editor)
+    }
+
+    /// Begins the session: with this drawing, with the sample, or with nothing.
+    fn begin(&mut self, file: Option<PathBuf>, is_first_start: bool, broken: Option<Notice>) {
+        self.apply_settings();
+        self.list_presets();
+        broken.into_iter().for_each(|notice| self.tell(notice));
+        if self.settings.language() != self.messages.language() {
+            self.tell(fonts::missing_notice());
         }
         match file {
-            Some(file) => editor.open_file(&file),
-            None if is_first_start => editor.open_sample(),
-            None => editor.start_empty(),
+            Some(file) => self.open_file(&file),
+            None if is_first_start => self.open_sample(),
+            None => self.start_empty(),
         }
-        editor.look_for_lost_drawings();
-        editor.save_settings();
-        editor.ask_system_theme();
-        Ok(editor)
+        self.look_for_lost_drawings();
+        self.save_settings();
+        self.ask_system_theme();
     }
 
     /// Takes what other threads have finished.

@@ -5,6 +5,7 @@ use crate::app::action::CanvasTool;
 use crate::app::canvas::Scroll;
 use crate::app::editor::Places;
 use crate::app::messages::{Language, Messages, Msg};
+use crate::app::panels::snapshot::Shading;
 use egui::{Pos2, TextureId};
 
 /// A window of 1280 × 800 on a new drawing.
@@ -95,13 +96,13 @@ fn the_invitation_to_draw_does_not_stand_on_a_picture_to_trace() {
 #[test]
 fn a_new_drawing_begins_with_the_pen() {
     let mut screen = Screen::new();
-    screen.editor.perform(Action::SetTurntable(true));
+    screen.editor.perform(Action::SetShading(Shading::Wireframe));
     for tool in [CanvasTool::Erase { partial: true }, CanvasTool::Draw(crate::sketch::Tool::Crown)] {
         screen.editor.perform(Action::SetTool(tool));
         screen.editor.perform(Action::New);
         assert_eq!(screen.editor.canvas().tool(), CanvasTool::default());
     }
-    assert!(screen.editor.panel_snapshot().view.turntable, "how plants are shown stays");
+    assert_eq!(screen.editor.panel_snapshot().view.shading, Shading::Wireframe, "how plants are shown stays");
 }
 
 #[test]

@@ -301,7 +301,7 @@ impl Canvas {
     pub(super) fn zoom_steps(&mut self, steps: i32, out: &mut Vec<CanvasOutcome>) {
         let lines = f64::from(steps).clamp(-MOST_LINES, MOST_LINES);
         let before = self.view;
-        self.view.zoom_about(self.viewport.center(), ZOOM_PER_LINE.powf(lines));
+        self.view.zoom_about(self.viewport().center(), ZOOM_PER_LINE.powf(lines));
         if self.view != before {
             out.push(CanvasOutcome::ViewChanged);
         }
