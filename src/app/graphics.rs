@@ -184,6 +184,7 @@ impl Graphics {
             paper: rgb(palette.paper),
             desk: rgb(palette.paper),
             sheet: None,
+            line_scale: editor.line_scale(LINE_WIDTH),
         };
         self.note_damage(editor, view);
         self.canvas.prepare(&self.gpu, &view).map(drop)

@@ -109,7 +109,7 @@ impl Text {
         let form = |key: &str| value.get(key).and_then(Value::as_str).map(str::to_owned);
         match value {
             Value::String(text) => Some(Self { one: None, other: text.clone() }),
-            forms => Some(Self { one: form("one"), other: form("other")? }),
+            _ => Some(Self { one: form("one"), other: form("other")? }),
         }
     }
 }

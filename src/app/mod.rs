@@ -42,6 +42,7 @@ pub mod settings;
 pub mod sheet;
 mod surface;
 mod system_theme;
+pub mod tablet_keys;
 mod tablets;
 pub mod theme;
 mod thumbnail;

@@ -2,8 +2,11 @@
 //! tablet covers. Plain data, kept with the other settings.
 
 use super::canvas::PenUses;
+use super::tablet_keys::TabletKeys;
 use crate::pen::PressureCurve;
-use serde::{Deserialize, Serialize};
+use crate::pen::calibration::Calibration;
+use crate::pen::mapping::Turn;
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// What the whole of a tablet that is read directly covers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -14,7 +17,7 @@ pub enum Covers {
     /// The window.
     #[default]
     Window,
-    /// The monitor on which the window is; the window itself where the system does not say where that is.
+    /// A monitor; the window itself where the system does not say where monitors are.
     Monitor,
 }
 
@@ -45,8 +48,35 @@ pub struct PenSettings {
     pub covers: Covers,
     /// Whether circles stay circles: part of the tablet is then not used.
     pub keeps_aspect: bool,
-    /// Whether the tablet lies upside down, for the left hand.
-    pub is_turned: bool,
+    /// How the tablet lies, seen from how it is meant to.
+    #[serde(alias = "is_turned", deserialize_with = "turn_or_whether")]
+    pub turn: Turn,
+    /// The monitor that it covers, counted from 0, if it covers one; otherwise the one on which the window is.
+    pub monitor: Option<u8>,
+    /// What puts places right on a pen display.
+    pub calibration: Calibration,
+    /// What the tablet's own keys and wheels do.
+    pub keys: TabletKeys,
+}
+
+/// Earlier settings say only whether the tablet lies upside down.
+fn turn_or_whether<'de, D: Deserializer<'de>>(from: D) -> Result<Turn, D::Error> {
+    #[derive(Deserialize)]
+    #[serde(untagged)]
+    enum Kept {
+        Turn(Turn),
+        IsTurned(bool),
+    }
+    Ok(match Kept::deserialize(from)? {
+        Kept::Turn(turn) => turn,
+        Kept::IsTurned(is_turned) => {
+            if is_turned {
+                Turn::Half
+            } else {
+                Turn::None
+            }
+        }
+    })
 }
 
 impl Default for PenSettings {
@@ -56,7 +86,25 @@ impl Default for PenSettings {
             uses: PenUses::default(),
             covers: Covers::default(),
             keeps_aspect: true,
-            is_turned: false,
+            turn: Turn::None,
+            monitor: None,
+            calibration: Calibration::default(),
+            keys: TabletKeys::default(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn earlier_settings_are_understood() {
+        let read = |text: &str| toml::from_str::<PenSettings>(text).unwrap();
+        assert_eq!(read("is_turned = true").turn, Turn::Half);
+        assert_eq!(read("is_turned = false"), PenSettings::default());
+        assert_eq!(read("turn = \"left\"").turn, Turn::Left);
+        let chosen = PenSettings { turn: Turn::Right, monitor: Some(1), ..PenSettings::default() };
+        assert_eq!(read(&toml::to_string(&chosen).unwrap()), chosen);
     }
 }

@@ -3,6 +3,7 @@
 //! Each way in has a module of its own; here they meet the arbiter. What comes out is in order and is the window's to
 //! hand on. The system is asked for the place of monitors only if a tablet covers one.
 
+use super::action::Action;
 use super::messages::Told;
 use super::pen_settings::TabletDoubt;
 use super::settings::Settings;
@@ -17,6 +18,7 @@ use std::time::{Duration, Instant};
 use winit::dpi::PhysicalSize;
 use winit::event::{ButtonSource, PointerKind, PointerSource, WindowEvent};
 use winit::event_loop::ActiveEventLoop;
+use winit::monitor::MonitorHandle;
 use winit::raw_window_handle::{HasWindowHandle as _, RawWindowHandle};
 use winit::window::Window;
 
@@ -48,6 +50,8 @@ pub(super) struct Pointers {
     /// Pens that winit does not see; only under X11.
     x11: Option<X11Pens>,
     tablets: Tablets,
+    /// Where tablets could reach when they were last read.
+    reach: Option<Reach>,
     /// The tablets are a recording's, which waits for the window.
     stage: Option<Stage>,
     arbiter: Arbiter,
@@ -77,6 +81,7 @@ impl Pointers {
             winit: WinitPen::new(),
             x11,
             tablets: Tablets::new(system, move || proxy.wake_up(), started),
+            reach: None,
             stage: None,
             arbiter: Arbiter::default(),
             started,
@@ -116,6 +121,16 @@ impl Pointers {
             Origin::System => Some(PenInUse { name: "", is_raw: false, battery: None }),
             Origin::Mouse => None,
         }
+    }
+
+    /// Where tablets may reach, as far as that was asked.
+    pub(super) fn reach(&self) -> Option<&Reach> {
+        self.reach.as_ref()
+    }
+
+    /// What keys and wheels of tablets wished for since the last time.
+    pub(super) fn wishes(&mut self) -> Vec<Action> {
+        self.tablets.wishes()
     }
 
     /// Why a tablet cannot be read, and what to do.
@@ -177,6 +192,7 @@ impl Pointers {
         if self.tablets.are_there() {
             let reach = place.reach(self.tablets.cover_monitor(|name| settings.pen(name)));
             self.tablets.take(&reach, |name| settings.pen(name), &mut events);
+            self.reach = Some(reach);
         }
         for (origin, event) in events.drain(..) {
             self.admit(event, origin, true, out);
@@ -219,6 +235,9 @@ impl Pointers {
     }
 }
 
+/// Most monitors among which one is chosen.
+const MOST_MONITORS: usize = 8;
+
 /// Where the window and its paper are.
 pub(super) struct Place<'a> {
     /// The window.
@@ -236,17 +255,30 @@ impl Place<'_> {
             min,
             max: min + DVec2::new(f64::from(size.width), f64::from(size.height)),
         };
-        let monitor = if asks_for_monitor { self.monitor() } else { None };
+        let (monitor, monitors) =
+            if asks_for_monitor { (self.monitor(), self.monitors()) } else { (None, Vec::new()) };
         Reach {
             canvas: self.canvas,
             window: whole(DVec2::ZERO, self.size),
             monitor: monitor.map(|(min, size)| whole(min, size)),
+            monitors: monitors.into_iter().map(|(min, size)| whole(min, size)).collect(),
         }
     }
 
-    /// Where the monitor's corner is, seen from the window's, and its size.
+    /// Where the corner of the monitor under the window is, seen from the window's, and its size.
     fn monitor(&self) -> Option<(DVec2, PhysicalSize<u32>)> {
-        let monitor = self.window.current_monitor()?;
+        self.place_of(&self.window.current_monitor()?)
+    }
+
+    /// The same of all monitors, from left to right and from the top down.
+    fn monitors(&self) -> Vec<(DVec2, PhysicalSize<u32>)> {
+        let known = self.window.available_monitors().filter_map(|monitor| self.place_of(&monitor));
+        let mut monitors: Vec<_> = known.take(MOST_MONITORS).collect();
+        monitors.sort_by(|(a, _), (b, _)| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+        monitors
+    }
+
+    fn place_of(&self, monitor: &MonitorHandle) -> Option<(DVec2, PhysicalSize<u32>)> {
         let (outer, inner) = (self.window.outer_position().ok()?, self.window.surface_position());
         let (at, size) = (monitor.position()?, monitor.current_video_mode()?.size());
         let min = DVec2::new(f64::from(at.x - outer.x - inner.x), f64::from(at.y - outer.y - inner.y));

@@ -4,8 +4,10 @@
 //! woken. Each tablet has a machine that makes events of its pen's states, with the part of the window that the artist
 //! chose for it. Nothing is watched while the artist wants only the system's pens.
 
+use super::action::Action;
 use super::messages::Told;
 use super::pen_settings::{Covers, PenSettings, TabletDoubt};
+use super::tablet_keys::HeldKeys;
 use crate::pen::hid::{
     Arrival, DeviceId, DeviceInfo, Enumerate, HidEvent, Message, Models, Notice, Refused, TransportError,
     Watcher,
@@ -18,7 +20,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 /// Where tablets may reach, in physical pixels of the window.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Reach {
     /// The paper.
     pub(super) canvas: Rect,
@@ -26,16 +28,25 @@ pub(super) struct Reach {
     pub(super) window: Rect,
     /// The monitor under it, if the system says where that is.
     pub(super) monitor: Option<Rect>,
+    /// All monitors of which the system says where they are, from left to right.
+    pub(super) monitors: Vec<Rect>,
 }
 
 impl Reach {
-    fn mapping(&self, pen: &PenSettings, arrival: &Arrival) -> Mapping {
-        let target = match pen.covers {
+    /// What a tablet with these settings covers.
+    pub(super) fn target(&self, pen: &PenSettings) -> Rect {
+        match pen.covers {
             Covers::Canvas => self.canvas,
             Covers::Window => self.window,
-            Covers::Monitor => self.monitor.unwrap_or(self.window),
-        };
-        let mapping = Mapping::new(target).left_handed(pen.is_turned);
+            Covers::Monitor => {
+                let chosen = pen.monitor.and_then(|number| self.monitors.get(usize::from(number)));
+                chosen.copied().or(self.monitor).unwrap_or(self.window)
+            }
+        }
+    }
+
+    fn mapping(&self, pen: &PenSettings, arrival: &Arrival) -> Mapping {
+        let mapping = Mapping::turned(self.target(pen), pen.turn).calibrated(pen.calibration);
         match arrival.area_mm.filter(|_| pen.keeps_aspect) {
             Some(area) => mapping.keep_aspect(area),
             None => mapping,
@@ -49,6 +60,7 @@ struct Tablet {
     name: String,
     machine: PenMachine,
     battery: Option<u8>,
+    keys: HeldKeys,
 }
 
 /// All tablets that are read directly.
@@ -75,6 +87,8 @@ pub(super) struct Tablets {
     begin: Instant,
     /// Room for the events of one tablet.
     events: Vec<PenEvent>,
+    /// What keys and wheels of tablets wished for since the last look.
+    wishes: Vec<Action>,
 }
 
 impl Tablets {
@@ -100,7 +114,13 @@ impl Tablets {
             wake,
             begin,
             events: Vec::new(),
+            wishes: Vec::new(),
         }
+    }
+
+    /// What keys and wheels of tablets wished for since the last time.
+    pub(super) fn wishes(&mut self) -> Vec<Action> {
+        std::mem::take(&mut self.wishes)
     }
 
     /// Pens are heard, or are not because the artist works in another window; then they leave.
@@ -178,9 +198,12 @@ impl Tablets {
                 tracing::debug!("tablet {} is read by {}", arrival.info.name(), arrival.way);
                 let name = arrival.info.name();
                 let machine = PenMachine::new(reach.mapping(&chosen(&name), &arrival));
-                self.known.insert(message.device, Tablet { arrival, name, machine, battery: None });
+                self.known.insert(
+                    message.device,
+                    Tablet { arrival, name, machine, battery: None, keys: HeldKeys::default() },
+                );
             }
-            Notice::Said(event) => self.hear(message.device, event, message.time_ms, out),
+            Notice::Said(event) => self.hear(message.device, event, message.time_ms, chosen, out),
             Notice::Refused(refused) => {
                 self.refused.insert(refused.device.path.as_str().into(), refused);
             }
@@ -266,14 +289,24 @@ impl Tablets {
         doubts
     }
 
-    fn hear(&mut self, id: DeviceId, event: HidEvent, time_ms: f64, out: &mut Vec<(Origin, PenEvent)>) {
+    fn hear(
+        &mut self,
+        id: DeviceId,
+        event: HidEvent,
+        time_ms: f64,
+        chosen: &impl Fn(&str) -> PenSettings,
+        out: &mut Vec<(Origin, PenEvent)>,
+    ) {
         let Some(tablet) = self.known.get_mut(&id) else { return };
         match event {
-            HidEvent::Pen(_) if !self.listens => {}
-            HidEvent::Pen(raw) => tablet.machine.sample(&raw, time_ms, &mut self.events),
             HidEvent::Battery(percent) => tablet.battery = Some(percent),
-            // The system tells of fingers, and keys of tablets have no use here.
-            HidEvent::Touch { .. } | HidEvent::Keys(_) => {}
+            _ if !self.listens => {}
+            HidEvent::Pen(raw) => tablet.machine.sample(&raw, time_ms, &mut self.events),
+            HidEvent::Keys(_) | HidEvent::Dial { .. } | HidEvent::Ring { .. } => {
+                tablet.keys.hear(&event, &chosen(&tablet.name).keys, &mut self.wishes);
+            }
+            // The system tells of fingers.
+            HidEvent::Touch { .. } => {}
         }
         out.extend(self.events.drain(..).map(|event| (Origin::Direct(id), event)));
     }

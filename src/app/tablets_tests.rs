@@ -1,6 +1,7 @@
 //! Tests of tablets that are read directly, on a simulated bus.
 
 use super::*;
+use crate::app::tablet_keys::KeyUse;
 use crate::pen::PenPhase;
 use crate::pen::hid::Table;
 use crate::pen::hid::made_up::{DisplayReport, PEN_DISPLAY, VENDOR_PAGE, switch};
@@ -12,6 +13,7 @@ const REACH: Reach = Reach {
     canvas: Rect { min: DVec2::new(100.0, 0.0), max: DVec2::new(500.0, 400.0) },
     window: Rect { min: DVec2::ZERO, max: DVec2::new(1000.0, 400.0) },
     monitor: None,
+    monitors: Vec::new(),
 };
 
 /// A window that works with one simulated tablet.
@@ -96,6 +98,47 @@ fn nothing_is_read_for_the_system_or_for_another_window() {
     desk.tablet.wait_read(2, Duration::from_secs(60));
     desk.tablets.obey(PenSource::System, &desk.models, &mut desk.heard);
     assert_eq!((desk.heard.len(), desk.tablet.handles()), (2, 0));
+}
+
+#[test]
+fn keys_of_a_tablet_wish_for_what_the_artist_chose() {
+    let info = DeviceInfo { path: "sim0".into(), vendor_id: 0x56A, ..DeviceInfo::default() };
+    let mut desk = Desk::with(SimulatedDevice::new(info, crate::pen::hid::made_up::WACOM_PAGE));
+    desk.tablets.obey(PenSource::Raw, &desk.models, &mut desk.heard);
+    desk.bus.plug(&desk.tablet);
+    desk.until(|tablets, _| tablets.name(0).is_some());
+    // Report 16 of 24 bytes; its last byte has the key.
+    let key = |is_held: u8| [&[16][..], &[0; 22], &[is_held]].concat();
+    let press = |desk: &mut Desk, reads: usize| {
+        desk.tablet.send(&key(1));
+        desk.tablet.send(&key(0));
+        desk.tablet.wait_read(reads, Duration::from_secs(60));
+        let (begin, mut wishes) = (Instant::now(), Vec::new());
+        while wishes.is_empty() && begin.elapsed() < Duration::from_secs(5) {
+            let pen = desk.pen;
+            desk.tablets.take(&REACH, |_| pen, &mut desk.heard);
+            wishes.extend(desk.tablets.wishes());
+        }
+        wishes
+    };
+    assert_eq!(press(&mut desk, 2), [Action::Undo], "the first key, once");
+    desk.pen.keys.keys[0] = KeyUse::Fit;
+    assert_eq!(press(&mut desk, 4), [Action::FitCanvas]);
+}
+
+#[test]
+fn a_tablet_covers_the_monitor_that_was_chosen() {
+    let monitors =
+        [0.0, 1000.0].map(|x| Rect { min: DVec2::new(x, 0.0), max: DVec2::new(x + 1000.0, 500.0) });
+    let reach = Reach { monitor: Some(monitors[0]), monitors: monitors.to_vec(), ..REACH };
+    let info = DeviceInfo::default();
+    let arrival =
+        Arrival { info, way: String::new(), area_mm: None, abilities: Default::default(), doubt: None };
+    let corner = |monitor| {
+        let pen = PenSettings { covers: Covers::Monitor, monitor, ..PenSettings::default() };
+        reach.mapping(&pen, &arrival).position(DVec2::ZERO).unwrap().x
+    };
+    assert_eq!([None, Some(0), Some(1), Some(7)].map(corner), [0.0, 0.0, 1000.0, 0.0]);
 }
 
 #[test]

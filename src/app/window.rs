@@ -7,7 +7,7 @@
 use super::canvas::Scroll;
 use super::composition::Composition;
 use super::display_loss;
-use super::editor::Editor;
+use super::editor::{Copied, Editor};
 use super::egui_input::{self, EguiInput};
 use super::panels::snapshot::Notice;
 use super::pointers::{Heard, Place, Pointers};
@@ -264,7 +264,8 @@ impl Running {
             WindowEvent::DragEntered { id, .. } => transfer::welcome(event_loop, *id),
             WindowEvent::DragDropped { id, .. } => transfer::fetch_files(event_loop, *id),
             WindowEvent::DataTransferReceived { value, .. } => match transfer::arrival(&**value) {
-                Some(Arrival::Text(text)) => self.input.paste(text),
+                Some(Arrival::Text(text)) if self.egui.egui_wants_keyboard_input() => self.input.paste(text),
+                Some(Arrival::Text(text)) => self.editor.paste_text(&text),
                 Some(Arrival::Files(files)) => self.editor.drop_files(files),
                 Some(Arrival::Picture(bytes)) => self.editor.paste_picture(bytes),
                 None => return false,
@@ -309,9 +310,14 @@ impl Running {
         self.pointers.take(&place, &self.editor.settings, &mut heard);
         self.pointers.idle(&mut heard);
         let is_new = self.editor.note_tablets(self.pointers.trouble(), self.pointers.doubts());
-        if is_new || !heard.is_empty() {
+        if let Some(reach) = self.pointers.reach() {
+            self.editor.note_reach(reach);
+        }
+        let wishes = self.pointers.wishes();
+        if is_new || !heard.is_empty() || !wishes.is_empty() {
             self.want_frame();
         }
+        wishes.into_iter().for_each(|wish| self.editor.tablet_wishes(wish));
         self.dispatch(heard);
     }
 
@@ -348,6 +354,10 @@ impl Running {
             PenPhase::Enter | PenPhase::Hover => over && self.captured.is_empty(),
             PenPhase::Leave => std::mem::take(&mut self.over_canvas),
         };
+        if ours && event.phase == PenPhase::Down {
+            // Keys are the canvas's again: egui does not see this press.
+            self.egui.memory_mut(|memory| memory.stop_text_input());
+        }
         if ours {
             if !std::mem::replace(&mut self.over_canvas, true) {
                 self.input.pointer_gone();
@@ -446,8 +456,13 @@ impl Running {
                 egui::OutputCommand::OpenUrl(_) | egui::OutputCommand::TextSelectionSettled(_) => {}
             }
         }
-        if let Some(picture) = self.editor.take_copied_picture() {
-            transfer::copy_picture(event_loop, &picture);
+        match self.editor.take_copied() {
+            Some(Copied::Picture(picture)) => transfer::copy_picture(event_loop, &picture),
+            Some(Copied::Text(text)) => transfer::copy_text(event_loop, text),
+            None => {}
+        }
+        if self.editor.take_paste_request() {
+            transfer::fetch_clipboard(event_loop);
         }
         let cursor = if self.over_canvas { self.editor.cursor() } else { output.platform_output.cursor_icon };
         if std::mem::replace(&mut self.cursor, cursor) != cursor {

@@ -251,6 +251,11 @@ fn notice_text(notice: &Notice) -> String {
         Notice::Said(HidEvent::Pen(pen)) if !pen.in_range => "the pen left".to_owned(),
         Notice::Said(HidEvent::Pen(pen)) => pen_text(pen),
         Notice::Said(HidEvent::Keys(keys)) => format!("keys {keys:b}"),
+        Notice::Said(HidEvent::Dial { number, notches }) => format!("dial {number} turned by {notches}"),
+        Notice::Said(HidEvent::Ring { number, place: Some(place), places }) => {
+            format!("ring {number} touched at {place} of {places}")
+        }
+        Notice::Said(HidEvent::Ring { number, place: None, .. }) => format!("ring {number} not touched"),
         Notice::Said(HidEvent::Battery(percent)) => format!("battery {percent} %"),
         Notice::Said(HidEvent::Touch { finger, touches, position }) => {
             let state = if *touches { "touches" } else { "lifted" };
@@ -290,6 +295,12 @@ fn notice_json(notice: &Notice) -> Value {
             "serial": pen.serial,
         }),
         Notice::Said(HidEvent::Keys(keys)) => json!({ "event": "keys", "held": keys }),
+        Notice::Said(HidEvent::Dial { number, notches }) => {
+            json!({ "event": "dial", "number": number, "notches": notches })
+        }
+        Notice::Said(HidEvent::Ring { number, place, places }) => {
+            json!({ "event": "ring", "number": number, "place": place, "places": places })
+        }
         Notice::Said(HidEvent::Battery(percent)) => json!({ "event": "battery", "percent": percent }),
         Notice::Said(HidEvent::Touch { finger, touches, position }) => {
             json!({ "event": "touch", "finger": finger, "touches": touches, "position": position.to_array() })

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::pen::grammar::Grammar;
-use crate::pen::mapping::Rect;
+use crate::pen::mapping::{Rect, Turn};
 use PenPhase::*;
 use PenTool::{Eraser, Pen};
 use glam::DVec2;
@@ -163,11 +163,11 @@ fn raw_pen() -> impl Strategy<Value = RawPen> {
 
 fn any_mapping() -> impl Strategy<Value = Mapping> {
     let number = || prop_oneof![9 => -2e3..2e3f64, 1 => prop::num::f64::ANY];
-    ([number(), number(), number(), number()], [odd(), odd()], any::<bool>(), any::<bool>()).prop_map(
-        |([a, b, c, d], area, is_turned, keeps)| {
-            let whole = Mapping::new(Rect { min: DVec2::new(a, b), max: DVec2::new(c, d) });
-            let kept = if keeps { whole.keep_aspect(DVec2::from(area)) } else { whole };
-            kept.left_handed(is_turned)
+    ([number(), number(), number(), number()], [odd(), odd()], 0..Turn::ALL.len(), any::<bool>()).prop_map(
+        |([a, b, c, d], area, turn, keeps)| {
+            let target = Rect { min: DVec2::new(a, b), max: DVec2::new(c, d) };
+            let whole = Mapping::turned(target, Turn::ALL[turn]);
+            if keeps { whole.keep_aspect(DVec2::from(area)) } else { whole }
         },
     )
 }

@@ -1,11 +1,14 @@
 //! From the active area of a tablet to a rectangle of the window.
 //!
 //! Where the proportions are to be kept, a strip of the tablet's area goes unused on two opposite sides, so that every
-//! point of the rectangle can still be reached. A tablet that is turned by 180° for a left-handed artist is turned back.
+//! point of the rectangle can still be reached. A tablet that lies turned by quarters, its cable to another side, is turned
+//! back.
 //! Places beyond the used part count as the nearest in it.
 
 use super::MAX_POSITION_PX;
-use glam::{DVec2, Vec2};
+use super::calibration::Calibration;
+use glam::{DVec2, Vec2, Vec2Swizzles as _};
+use serde::{Deserialize, Serialize};
 
 /// A rectangle in physical pixels of the window.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,6 +19,51 @@ pub struct Rect {
     pub max: DVec2,
 }
 
+/// How a tablet lies, by quarters clockwise.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Turn {
+    /// As it is meant to.
+    #[default]
+    None,
+    /// A quarter clockwise: its upper side lies on the right.
+    Right,
+    /// Upside down, for the left hand.
+    Half,
+    /// A quarter the other way.
+    Left,
+}
+
+impl Turn {
+    /// All of them, clockwise.
+    pub const ALL: [Self; 4] = [Self::None, Self::Right, Self::Half, Self::Left];
+
+    /// Width and height change places.
+    fn is_upright(self) -> bool {
+        matches!(self, Self::Right | Self::Left)
+    }
+
+    /// Degrees clockwise.
+    pub fn degrees(self) -> f32 {
+        match self {
+            Self::None => 0.0,
+            Self::Right => 90.0,
+            Self::Half => 180.0,
+            Self::Left => 270.0,
+        }
+    }
+
+    /// A place on the tablet as the artist sees it, in shares of the area as it lies.
+    fn place(self, DVec2 { x, y }: DVec2) -> DVec2 {
+        match self {
+            Self::None => DVec2::new(x, y),
+            Self::Right => DVec2::new(1.0 - y, x),
+            Self::Half => DVec2::new(1.0 - x, 1.0 - y),
+            Self::Left => DVec2::new(y, 1.0 - x),
+        }
+    }
+}
+
 /// How positions of a tablet become positions in the window.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mapping {
@@ -23,25 +71,33 @@ pub struct Mapping {
     low: DVec2,
     high: DVec2,
     target: Rect,
-    is_turned: bool,
+    turn: Turn,
+    calibration: Calibration,
 }
 
 impl Mapping {
     /// The whole area onto a rectangle.
     pub fn new(target: Rect) -> Self {
-        Self { low: DVec2::ZERO, high: DVec2::ONE, target, is_turned: false }
+        Self {
+            low: DVec2::ZERO,
+            high: DVec2::ONE,
+            target,
+            turn: Turn::None,
+            calibration: Calibration::default(),
+        }
     }
 
     /// For sources whose positions are window pixels already.
     pub fn pixels() -> Self {
         let corner = DVec2::splat(MAX_POSITION_PX);
-        Self { low: -corner, high: corner, target: Rect { min: -corner, max: corner }, is_turned: false }
+        Self { low: -corner, high: corner, ..Self::new(Rect { min: -corner, max: corner }) }
     }
 
     /// The same, but a circle on the tablet is a circle in the window. `area` is the width and height of the tablet's
-    /// area in any unit; sizes that cannot be leave the mapping as it is.
+    /// area in any unit, as it is meant to lie; sizes that cannot be leave the mapping as it is.
     #[must_use]
     pub fn keep_aspect(self, area: DVec2) -> Self {
+        let area = if self.turn.is_upright() { area.yx() } else { area };
         let size = self.target.max - self.target.min;
         let is_sound = |v: DVec2| v.is_finite() && v.min_element() > 0.0;
         if !is_sound(area) || !is_sound(size) {
@@ -57,10 +113,16 @@ impl Mapping {
         Self { low: margin, high: DVec2::ONE - margin, ..self }
     }
 
-    /// The same for a tablet that lies turned by 180°, its cable to the other side.
+    /// The whole area of a tablet that lies turned onto a rectangle.
     #[must_use]
-    pub fn left_handed(self, is_turned: bool) -> Self {
-        Self { is_turned, ..self }
+    pub fn turned(target: Rect, turn: Turn) -> Self {
+        Self { turn, ..Self::new(target) }
+    }
+
+    /// The same, put right for a pen display.
+    #[must_use]
+    pub fn calibrated(self, calibration: Calibration) -> Self {
+        Self { calibration, ..self }
     }
 
     /// The place in the window for a share of the area; `None` for what is no number.
@@ -68,21 +130,27 @@ impl Mapping {
         if !share.is_finite() {
             return None;
         }
-        let share = if self.is_turned { DVec2::ONE - share } else { share };
+        let share = self.turn.place(share);
         let part = (share.clamp(self.low, self.high) - self.low) / (self.high - self.low);
+        let part = self.calibration.apply(part);
         let position = self.target.min + (self.target.max - self.target.min) * part;
         (position.is_finite() && position.abs().max_element() <= MAX_POSITION_PX).then_some(position)
     }
 
     /// A lean in degrees as the artist sees it.
     pub fn tilt(&self, tilt_deg: Vec2) -> Vec2 {
-        if self.is_turned { -tilt_deg } else { tilt_deg }
+        let Vec2 { x, y } = tilt_deg;
+        match self.turn {
+            Turn::None => tilt_deg,
+            Turn::Right => Vec2::new(-y, x),
+            Turn::Half => -tilt_deg,
+            Turn::Left => Vec2::new(y, -x),
+        }
     }
 
     /// A turn about the pen's axis in degrees as the artist sees it.
     pub fn twist(&self, twist_deg: f32) -> f32 {
-        let turned = if self.is_turned { twist_deg + 180.0 } else { twist_deg };
-        let turn = turned.rem_euclid(360.0);
+        let turn = (twist_deg + self.turn.degrees()).rem_euclid(360.0);
         if turn < 360.0 { turn } else { 0.0 }
     }
 }
@@ -90,6 +158,7 @@ impl Mapping {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::pen::calibration::CROSSES;
     use proptest::prelude::*;
 
     fn window() -> Mapping {
@@ -126,10 +195,40 @@ mod tests {
 
     #[test]
     fn a_turned_tablet_is_turned_back() {
-        let turned = window().left_handed(true);
+        let turned = Mapping::turned(window().target, Turn::Half);
         assert_eq!(at(turned, 0.0, 0.0), (900.0, 450.0));
         assert_eq!(turned.tilt(Vec2::new(30.0, -10.0)), Vec2::new(-30.0, 10.0));
         assert_eq!((turned.twist(270.0), window().twist(359.0)), (90.0, 359.0));
+    }
+
+    #[test]
+    fn a_tablet_on_its_side_keeps_directions_and_proportions() {
+        // Its upper left corner lies at the upper right, its upper right at the lower right.
+        let right = Mapping::turned(window().target, Turn::Right);
+        assert_eq!([at(right, 0.0, 0.0), at(right, 1.0, 0.0)], [(900.0, 50.0), (900.0, 450.0)]);
+        let left = Mapping::turned(window().target, Turn::Left);
+        assert_eq!([at(left, 0.0, 0.0), at(left, 1.0, 0.0)], [(100.0, 450.0), (100.0, 50.0)]);
+        // A lean to the tablet's right is one to the artist's side, as is a step.
+        for mapping in Turn::ALL.map(|turn| Mapping::turned(window().target, turn)) {
+            let step = |x, y| {
+                let step = mapping.position(DVec2::new(0.5 + x, 0.5 + y)).unwrap() - DVec2::new(500.0, 250.0);
+                (step / DVec2::new(800.0, 400.0)).as_vec2()
+            };
+            assert!((mapping.tilt(Vec2::new(0.1, 0.0)) - step(0.1, 0.0)).length() < 1e-6, "{mapping:?}");
+            assert!((mapping.tilt(Vec2::new(0.0, 0.1)) - step(0.0, 0.1)).length() < 1e-6, "{mapping:?}");
+        }
+        // On its side a tablet of 100 by 200 has the window's proportions: all of it is used.
+        let upright = right.keep_aspect(DVec2::new(100.0, 200.0));
+        assert_eq!(at(upright, 0.0, 1.0), (100.0, 50.0));
+        assert_eq!((right.twist(10.0), left.twist(100.0)), (100.0, 10.0));
+    }
+
+    #[test]
+    fn a_calibrated_display_draws_where_its_crosses_were_touched() {
+        let said = CROSSES.map(|cross| cross + DVec2::new(0.02, -0.01));
+        let calibrated = window().calibrated(Calibration::default().refined(said).unwrap());
+        let place = calibrated.position(DVec2::new(0.52, 0.49)).unwrap();
+        assert!(place.distance(DVec2::new(500.0, 250.0)) < 1e-9, "{place}");
     }
 
     #[test]
@@ -141,9 +240,9 @@ mod tests {
     proptest! {
         #[test]
         fn positions_stay_in_the_rectangle(
-            x in prop::num::f64::ANY, y in prop::num::f64::ANY, w in 1e-3..1e3f64, h in 1e-3..1e3f64, turned: bool,
+            x in prop::num::f64::ANY, y in prop::num::f64::ANY, w in 1e-3..1e3f64, h in 1e-3..1e3f64, turn in 0..4usize,
         ) {
-            let mapping = window().keep_aspect(DVec2::new(w, h)).left_handed(turned);
+            let mapping = Mapping::turned(window().target, Turn::ALL[turn]).keep_aspect(DVec2::new(w, h));
             if let Some(position) = mapping.position(DVec2::new(x, y)) {
                 prop_assert!(position.cmpge(DVec2::new(100.0 - 1e-9, 50.0 - 1e-9)).all(), "{position}");
                 prop_assert!(position.cmple(DVec2::new(900.0 + 1e-9, 450.0 + 1e-9)).all(), "{position}");

@@ -6,6 +6,7 @@
 //! may come; every source is held against it.
 
 pub mod arbiter;
+pub mod calibration;
 #[cfg(feature = "program")]
 pub mod from_winit;
 pub mod grammar;
@@ -14,6 +15,7 @@ pub mod machine;
 pub mod mapping;
 pub mod palm_gate;
 pub mod pressure;
+pub mod ring;
 #[cfg(test)]
 pub(crate) mod tests;
 #[cfg(feature = "program")]

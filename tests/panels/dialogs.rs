@@ -10,6 +10,9 @@ use penstemon::app::panels::snapshot::{
     Dialog, ExportChoice, ExportFormat, Notice, PathPurpose, PathRequest, Recovered, Task,
 };
 use penstemon::app::pen_settings::{Covers, TabletDoubt};
+use penstemon::app::tablet_keys::KeyUse;
+use penstemon::pen::calibration::CROSSES;
+use penstemon::pen::mapping::Turn;
 use penstemon::pen::{PenSource, PressureCurve};
 
 fn with_dialog(dialog: Dialog) -> Harness<'static, Stage> {
@@ -134,6 +137,82 @@ fn the_area_is_asked_for_only_where_the_program_decides() {
     assert!(matches!(&raw(true)[..], [Action::SetPen(pen)] if pen.covers == Covers::Monitor));
 }
 
+/// The dialog of a tablet that is read directly and covers one of two monitors.
+fn of_tablet() -> Harness<'static, Stage> {
+    let mut snapshot = busy();
+    snapshot.dialog = Some(Dialog::Pen);
+    snapshot.pen.is_raw = true;
+    snapshot.pen.monitors = 2;
+    snapshot.pen.settings.covers = Covers::Monitor;
+    stage(snapshot, Language::English)
+}
+
+#[test]
+fn a_key_of_a_tablet_is_given_another_use() {
+    let mut harness = of_tablet();
+    harness.get_by_label("Key 8: Show all").scroll_to_me();
+    harness.run();
+    harness.get_by_label("Key 8: Show all").click();
+    harness.run();
+    harness.get_by_label("Zoom in").click();
+    harness.run();
+    assert!(
+        matches!(&asked(&mut harness)[..], [Action::SetPen(pen)] if pen.keys.keys[7] == KeyUse::ZoomIn),
+        "the eighth key zooms"
+    );
+    assert!(with_dialog(Dialog::Pen).query_by_label_contains("Key 8").is_none(), "the system's pen has none");
+}
+
+#[test]
+fn a_tablet_is_turned_by_quarters_and_put_on_another_monitor() {
+    let mut harness = of_tablet();
+    harness.get_by_label("90°").scroll_to_me();
+    harness.run();
+    press_last(&mut harness, "90°");
+    assert!(matches!(&asked(&mut harness)[..], [Action::SetPen(pen)] if pen.turn == Turn::Right));
+    press_last(&mut harness, "2");
+    assert!(matches!(&asked(&mut harness)[..], [Action::SetPen(pen)] if pen.monitor == Some(1)));
+}
+
+/// Touches the four crosses, or places beside them; the wishes that follow are given.
+fn touch_crosses(harness: &mut Harness<'_, Stage>, place: impl Fn(egui::Pos2) -> egui::Pos2) -> Vec<Action> {
+    harness.get_by_label("Touch four crosses").scroll_to_me();
+    harness.run();
+    press_last(harness, "Touch four crosses");
+    for cross in CROSSES {
+        assert!(harness.query_by_label_contains("Touch the middle of the cross").is_some());
+        let at = place(egui::pos2(1280.0 * cross.x as f32, 800.0 * cross.y as f32));
+        harness.hover_at(at);
+        harness.step();
+        harness.drag_at(at);
+        harness.step();
+        harness.drop_at(at);
+        harness.run();
+    }
+    asked(harness)
+}
+
+#[test]
+fn four_crosses_put_a_pen_display_right() {
+    let mut snapshot = busy();
+    snapshot.dialog = Some(Dialog::Pen);
+    snapshot.pen.is_raw = true;
+    snapshot.pen.target = Some(egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1280.0, 800.0)));
+    let mut harness = stage(snapshot, Language::English);
+    let wishes = touch_crosses(&mut harness, |cross| cross + egui::vec2(12.8, -8.0));
+    let [.., Action::SetPen(pen)] = &wishes[..] else { panic!("{wishes:?}") };
+    let put_right = pen.calibration.apply(glam::DVec2::new(0.51, 0.49));
+    assert!(put_right.distance(glam::DVec2::splat(0.5)) < 1e-3, "{put_right}");
+    assert!(harness.query_by_label_contains("Touch the middle of the cross").is_none(), "that was all");
+    let mut far = of_tablet();
+    assert!(far.query_by_label_contains("Touch four crosses").is_none(), "its monitor is not in the window");
+    far.state_mut().snapshot.pen.target = harness.state().snapshot.pen.target;
+    far.run();
+    let wishes = touch_crosses(&mut far, |_| egui::pos2(600.0, 400.0));
+    assert_eq!(wishes, [], "all at one place");
+    assert!(far.query_by_label_contains("Touch the middle of the cross").is_some(), "once more");
+}
+
 #[test]
 fn the_export_dialog_keeps_what_is_chosen_and_refuses_nothing_at_all() {
     let mut harness = with_dialog(Dialog::Export);
@@ -200,6 +279,99 @@ fn a_file_is_chosen_and_one_replaced_only_after_a_second_press() {
     assert_eq!(asked(&mut harness), []);
     press(&mut harness, "Replace the existing file");
     assert_eq!(asked(&mut harness), [Action::PathChosen { purpose: PathPurpose::SaveDrawing, path }]);
+}
+
+fn saving_into(folder: &std::path::Path, name: &str) -> Harness<'static, Stage> {
+    with_dialog(Dialog::Path(PathRequest {
+        purpose: PathPurpose::SaveDrawing,
+        folder: folder.to_owned(),
+        name: name.to_owned(),
+        extensions: vec!["penstemon"],
+    }))
+}
+
+/// Types into the text field that has the focus, in place of what is there.
+fn type_over(harness: &mut Harness<'_, Stage>, text: &str) {
+    harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::A);
+    harness.event(egui::Event::Text(text.to_owned()));
+    harness.run();
+}
+
+#[test]
+fn a_name_that_cannot_be_used_is_answered() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = saving_into(folder.path(), "winter/daisy");
+    press_last(&mut harness, "Save");
+    assert_eq!(asked(&mut harness), []);
+    assert!(harness.query_by_label_contains("There is no folder").is_some());
+    type_over(&mut harness, "");
+    press_last(&mut harness, "Save");
+    assert!(harness.query_by_label_contains("Type or choose a name").is_some());
+    // A path in the name is as good as the list.
+    std::fs::create_dir(folder.path().join("winter")).unwrap();
+    let mut harness = saving_into(folder.path(), "winter/daisy");
+    press_last(&mut harness, "Save");
+    let path = folder.path().join("winter/daisy.penstemon");
+    assert_eq!(asked(&mut harness), [Action::PathChosen { purpose: PathPurpose::SaveDrawing, path }]);
+}
+
+#[test]
+fn a_folder_is_made_and_entered() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = saving_into(folder.path(), "daisy");
+    press(&mut harness, "New folder");
+    harness.event(egui::Event::Text("summer".to_owned()));
+    harness.run();
+    press(&mut harness, "Create");
+    assert!(folder.path().join("summer").is_dir());
+    press_last(&mut harness, "Save");
+    let path = folder.path().join("summer/daisy.penstemon");
+    assert_eq!(asked(&mut harness), [Action::PathChosen { purpose: PathPurpose::SaveDrawing, path }]);
+}
+
+#[test]
+fn a_path_is_typed_and_completed() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("summer")).unwrap();
+    std::fs::write(folder.path().join("summer/rose.penstemon"), "").unwrap();
+    let mut harness = with_dialog(Dialog::Path(PathRequest {
+        purpose: PathPurpose::OpenDrawing,
+        folder: folder.path().to_owned(),
+        name: String::new(),
+        extensions: vec!["penstemon"],
+    }));
+    let address = |node: &egui_kittest::Node<'_>| {
+        node.accesskit_node().value().is_some_and(|value| value.starts_with('/'))
+    };
+    harness.query_all_by_role(egui::Role::TextInput).find(address).unwrap().click();
+    harness.run();
+    type_over(&mut harness, &format!("{}/su", folder.path().display()));
+    harness.key_press(egui::Key::Tab);
+    harness.run();
+    harness.event(egui::Event::Text("rose.penstemon".to_owned()));
+    harness.run();
+    harness.key_press(egui::Key::Enter);
+    harness.run();
+    let path = folder.path().join("summer/rose.penstemon");
+    assert_eq!(asked(&mut harness), [Action::PathChosen { purpose: PathPurpose::OpenDrawing, path }]);
+}
+
+#[test]
+fn a_file_nobody_was_asked_about_is_replaced_only_after_asking() {
+    let dialog = || Dialog::Replace { purpose: PathPurpose::SaveDrawing, path: "/a/rose.penstemon".into() };
+    for (label, action) in [
+        (
+            "Replace the existing file",
+            Action::PathChosen { purpose: PathPurpose::SaveDrawing, path: "/a/rose.penstemon".into() },
+        ),
+        ("Choose another name", Action::ChooseFile(PathPurpose::SaveDrawing)),
+        ("Cancel", Action::CloseDialog),
+    ] {
+        let mut harness = with_dialog(dialog());
+        assert!(harness.query_by_label_contains("“rose.penstemon” is already in /a").is_some());
+        press_last(&mut harness, label);
+        assert_eq!(asked(&mut harness), [action]);
+    }
 }
 
 #[test]

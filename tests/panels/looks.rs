@@ -34,7 +34,7 @@ fn doubt(taken: Option<&str>) -> TabletDoubt {
 }
 
 /// States whose pictures are written for people to look at.
-const SHOTS: [Shot; 17] = [
+const SHOTS: [Shot; 18] = [
     ("chinese", Language::Chinese, None, |_| ()),
     ("shape", Language::English, Some(Msg::TabShape), |s| {
         s.params.own =
@@ -87,6 +87,13 @@ const SHOTS: [Shot; 17] = [
         s.pen.is_raw = true;
         s.pen.device = Some("HUION Tablet".to_owned());
         s.pen.doubts = vec![doubt(Some("Huion H640P"))];
+    }),
+    ("pen keys", Language::English, None, |s| {
+        s.dialog = Some(Dialog::Pen);
+        s.pen.is_raw = true;
+        s.pen.monitors = 2;
+        s.pen.settings.covers = penstemon::app::pen_settings::Covers::Monitor;
+        s.pen.device = Some("HUION Tablet".to_owned());
     }),
     ("about", Language::English, None, |s| s.dialog = Some(Dialog::About)),
     ("recovery", Language::English, None, |s| {
@@ -183,6 +190,10 @@ fn the_graphics_card_draws_the_interface_in_both_themes() {
             }
             if name == "textures" {
                 harness.get_by_label("Save this look").scroll_to_me();
+                harness.run();
+            }
+            if name == "pen keys" {
+                harness.get_by_label_contains("Key 6: ").scroll_to_me();
                 harness.run();
             }
             if name == "habit" {

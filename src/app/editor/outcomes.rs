@@ -6,6 +6,7 @@ use crate::app::canvas::{CanvasOutcome, Drawing, Scroll};
 use crate::app::messages::Told;
 use crate::app::panels::snapshot::{MenuOf, Notice, PartMenu, PenLive, PenUsed};
 use crate::app::pen_settings::TabletDoubt;
+use crate::app::tablets::Reach;
 use crate::pen::{PenEvent, PenPhase, PenTool};
 use crate::sketch::{Change, Tool};
 use glam::DVec2;
@@ -45,6 +46,15 @@ impl Editor {
             self.pen_is_raw = is_raw;
             self.apply_settings();
         }
+    }
+
+    /// Where tablets may reach: how many monitors there are, and what the pen's own tablet covers.
+    pub(in crate::app) fn note_reach(&mut self, reach: &Reach) {
+        let pen = self.settings.pen(self.pen_device.as_deref().unwrap_or_default());
+        self.tablets.monitors = reach.monitors.len();
+        let target = reach.target(&pen);
+        let is_seen = target.min.cmpge(reach.window.min).all() && target.max.cmple(reach.window.max).all();
+        self.tablets.target = is_seen.then_some(target);
     }
 
     /// Whether the tablet of the pen last used is read directly.
@@ -117,11 +127,13 @@ impl Editor {
             }
             CanvasOutcome::StrokeFinished(stroke) => self.change(Change::put(stroke)),
             CanvasOutcome::Changed(changes) => self.change(Change::strokes(changes)),
+            CanvasOutcome::Nudged(changes) => self.nudged(changes),
             CanvasOutcome::PreviewChanged => {
                 self.building.is_stale = true;
                 self.versions.drawing += 1;
             }
             CanvasOutcome::SelectionChanged => {
+                self.nudged_at = None;
                 self.versions.drawing += 1;
                 self.part_menu = None;
             }

@@ -7,8 +7,10 @@
 //!
 //! Everything that can be touched is 40 logical pixels wide and high at least, and nothing needs a keyboard.
 
+mod calibration;
 pub mod dialogs;
 pub mod export;
+mod focus;
 pub mod frame;
 pub mod growth;
 pub mod icons;
@@ -25,6 +27,7 @@ pub mod seed;
 pub mod snapshot;
 pub mod species;
 pub mod status;
+mod tablet_keys;
 mod thumbnails;
 mod tiles;
 pub mod toolbar;

@@ -1,14 +1,15 @@
-//! The pen: which one it is and how it is read, a place to try it, how it presses, what its buttons do, and what its
-//! tablet covers.
+//! The pen: which one it is and how it is read, a place to try it, how it presses, what its buttons do, what its tablet
+//! covers, and what the tablet's keys do (`tablet_keys`).
 
 use super::icons::Icon;
-use super::snapshot::{PenLive, Snapshot};
+use super::snapshot::{PenLive, PenState, Snapshot};
 use super::widgets::{note, palette, section, segments, switch, text_button, text_button_sized};
 use crate::app::action::Action;
 use crate::app::canvas::ButtonUse;
 use crate::app::messages::{Messages, Msg};
 use crate::app::pen_settings::{Covers, PenSettings, TabletDoubt};
 use crate::app::theme::TARGET;
+use crate::pen::mapping::Turn;
 use crate::pen::{PenSource, PressureCurve};
 use egui::{ComboBox, CornerRadius, Id, Pos2, Rect, Role, ScrollArea, Sense, Shape, Stroke, Ui, WidgetInfo};
 use egui::{Vec2, pos2, vec2};
@@ -42,7 +43,16 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, height: f32, messages: &Messages, 
             });
         });
         section(ui, messages.get(Msg::PenButtons), |ui| buttons(ui, &mut pen, messages));
-        section(ui, messages.get(Msg::PenArea), |ui| area(ui, &mut pen, snapshot.pen.is_raw, messages));
+        section(ui, messages.get(Msg::PenArea), |ui| area(ui, &mut pen, &snapshot.pen, messages));
+        if snapshot.pen.is_raw {
+            section(ui, messages.get(Msg::CalibrateTitle), |ui| {
+                super::calibration::show(ui, &mut pen, snapshot.pen.target, messages);
+            });
+            section(ui, messages.get(Msg::TabletKeys), |ui| {
+                super::tablet_keys::show(ui, &mut pen.keys, messages);
+            });
+        }
+        super::focus::reveal(ui);
     });
     if pen != snapshot.pen.settings {
         out.push(Action::SetPen(pen));
@@ -116,7 +126,7 @@ fn model(ui: &mut Ui, doubt: &TabletDoubt, messages: &Messages, out: &mut Vec<Ac
 
 /// A pad on which lines are as wide as they would be drawn.
 fn try_out(ui: &mut Ui, live: &PenLive, pen: &PenSettings, messages: &Messages) {
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), PAD), Sense::drag());
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), PAD), Sense::DRAG);
     let p = palette(ui);
     ui.painter().rect(
         rect,
@@ -222,8 +232,7 @@ fn drag(ui: &mut Ui, inner: Rect, (name, at): (Msg, [f32; 2]), messages: &Messag
     let centre = inner.left_bottom() + vec2(at[0] * inner.width(), -at[1] * inner.height());
     let id = ui.next_auto_id();
     ui.skip_ahead_auto_ids(1);
-    let response =
-        ui.interact(Rect::from_center_size(centre, Vec2::splat(2.0 * HANDLE.0)), id, Sense::drag());
+    let response = ui.interact(Rect::from_center_size(centre, Vec2::splat(2.0 * HANDLE.0)), id, Sense::DRAG);
     response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, messages.get(name)));
     let to = response.interact_pointer_pos().filter(|_| response.dragged())?;
     let share = (to - inner.left_bottom()) / inner.size();
@@ -275,7 +284,8 @@ fn name(usage: ButtonUse) -> Msg {
 }
 
 /// What the tablet covers; only tablets that are read directly ask.
-fn area(ui: &mut Ui, pen: &mut PenSettings, is_raw: bool, messages: &Messages) {
+fn area(ui: &mut Ui, pen: &mut PenSettings, state: &PenState, messages: &Messages) {
+    let is_raw = state.is_raw;
     note(ui, messages.get(if is_raw { Msg::PenAreaHint } else { Msg::PenAreaSystem }));
     ui.add_enabled_ui(is_raw, |ui| {
         let choices = [
@@ -286,13 +296,29 @@ fn area(ui: &mut Ui, pen: &mut PenSettings, is_raw: bool, messages: &Messages) {
         if let Some(covers) = segments(ui, &choices, pen.covers) {
             pen.covers = covers;
         }
+        if pen.covers == Covers::Monitor && state.monitors > 1 {
+            monitor(ui, pen, state.monitors, messages);
+        }
         if let Some(on) = switch(ui, messages.get(Msg::PenKeepAspect), pen.keeps_aspect) {
             pen.keeps_aspect = on;
         }
-        if let Some(on) = switch(ui, messages.get(Msg::PenTurned), pen.is_turned) {
-            pen.is_turned = on;
+        note(ui, messages.get(Msg::PenTurned));
+        let turns = [(Turn::None, "0°"), (Turn::Right, "90°"), (Turn::Half, "180°"), (Turn::Left, "270°")];
+        if let Some(turn) = segments(ui, &turns, pen.turn) {
+            pen.turn = turn;
         }
     });
+}
+
+/// Which of several monitors the tablet covers.
+fn monitor(ui: &mut Ui, pen: &mut PenSettings, monitors: usize, messages: &Messages) {
+    let names: Vec<String> = (1..=monitors).map(|number| number.to_string()).collect();
+    let numbered = (0u8..).zip(&names).map(|(number, name)| (Some(number), name.as_str()));
+    let choices: Vec<(Option<u8>, &str)> =
+        std::iter::once((None, messages.get(Msg::PenMonitorUnder))).chain(numbered).collect();
+    if let Some(monitor) = segments(ui, &choices, pen.monitor) {
+        pen.monitor = monitor;
+    }
 }
 
 /// The line in the toolbar's menu that opens the dialog.

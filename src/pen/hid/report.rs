@@ -38,6 +38,22 @@ pub enum HidEvent {
     Pen(RawPen),
     /// Which keys of the tablet are held: bit 0 is the first key.
     Keys(u32),
+    /// A dial of the tablet was turned.
+    Dial {
+        /// Which, from 0.
+        number: u8,
+        /// By how many notches, clockwise positive.
+        notches: i8,
+    },
+    /// Where a finger lies on a ring or strip of the tablet.
+    Ring {
+        /// Which, from 0.
+        number: u8,
+        /// The place, from 0; `None` while no finger is there.
+        place: Option<u8>,
+        /// How many places there are.
+        places: u8,
+    },
     /// A finger: its number, whether it touches, and where, as a share of the area. A touch the device itself takes for a
     /// palm is never reported.
     Touch {

@@ -16,6 +16,10 @@ pub struct PenState {
     pub trouble: Option<String>,
     /// Tablets of which it is not sure which model they are.
     pub doubts: Vec<TabletDoubt>,
+    /// How many monitors its tablet may cover, as far as that is known.
+    pub monitors: usize,
+    /// What its tablet covers, in points, if all of it is in the window.
+    pub target: Option<egui::Rect>,
     /// How pens are read.
     pub source: PenSource,
     /// What the artist chose for it.

@@ -8,7 +8,7 @@
 //! Origin: facts from the OpenTabletDriver parsers (2025-12), corrected by what the Linux kernel's drivers and real
 //! descriptors say; where those disagree, the file says which side was taken. `b[0]` is always the report id.
 //!
-//! Limits: pucks and mice on tablets, rings, dials, strips and batteries are not decoded; their reports say nothing.
+//! Limits: pucks and mice on tablets, touch strips and batteries are not decoded; their reports say nothing.
 
 mod acepen;
 mod bytes;
@@ -27,6 +27,7 @@ mod wacom_graphire;
 mod wacom_intuos;
 mod wacom_modern;
 mod wacom_pl;
+mod wheels;
 mod xp_pen;
 
 pub use family::Family;
@@ -125,7 +126,11 @@ pub fn check_event(event: &HidEvent) -> Result<(), String> {
             share("touch x", position.x)?;
             share("touch y", position.y)
         }
-        HidEvent::Keys(_) => Ok(()),
+        HidEvent::Keys(_) | HidEvent::Dial { .. } => Ok(()),
+        HidEvent::Ring { place, places, .. } => {
+            let is_there = place.is_none_or(|place| place < *places);
+            if is_there { Ok(()) } else { Err(format!("beyond the ring: {event:?}")) }
+        }
         HidEvent::Battery(percent) => share("battery", f64::from(*percent) / 100.0),
     }
 }

@@ -1,5 +1,6 @@
 //! A family joined with the ranges of one tablet.
 
+use super::wheels::WithWheels;
 use super::{Bytes, Decode, Family, RawPen, Shifted};
 use glam::{DVec2, Vec2};
 
@@ -36,7 +37,7 @@ impl Spec {
     /// A decoder with a state of its own for one open node.
     #[must_use]
     pub fn decoder(&self) -> Box<dyn Decode> {
-        let inner = self.family.decoder(self);
+        let inner = WithWheels::around(self.family.decoder(self), self);
         if self.shifted { Box::new(Shifted(inner)) } else { inner }
     }
 

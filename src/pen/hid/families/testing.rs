@@ -42,11 +42,23 @@ pub(super) fn pen(decoder: &mut dyn Decode, report: &[u8]) -> RawPen {
     }
 }
 
+fn is_wheel(event: &HidEvent) -> bool {
+    matches!(event, HidEvent::Dial { .. } | HidEvent::Ring { .. })
+}
+
+/// The keys of a report; what wheels say beside them is their own.
 pub(super) fn keys(decoder: &mut dyn Decode, report: &[u8]) -> u32 {
-    match only(decoder, report) {
-        HidEvent::Keys(keys) => keys,
-        other => panic!("{other:?} are no keys"),
+    let mut all = events(decoder, report);
+    all.retain(|event| !is_wheel(event));
+    match all[..] {
+        [HidEvent::Keys(keys)] => keys,
+        _ => panic!("{all:?} are no keys"),
     }
+}
+
+/// Nothing is said but by wheels.
+pub(super) fn is_of_wheels(decoder: &mut dyn Decode, report: &[u8]) -> bool {
+    events(decoder, report).iter().all(is_wheel)
 }
 
 pub(super) fn away(decoder: &mut dyn Decode, report: &[u8]) -> bool {

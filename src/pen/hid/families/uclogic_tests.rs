@@ -1,6 +1,6 @@
 //! Hand-computed reports of the UC-Logic line.
 
-use super::super::testing::{away, keys, pen, quiet, silent_when_cut, spec};
+use super::super::testing::{away, is_of_wheels, keys, pen, quiet, silent_when_cut, spec};
 use super::super::{Family, Spec};
 
 /// id, flags (in range, tip, lower button), x 8192, y 12288, pressure 2048, upper x, upper y, tilt 15, 30 away
@@ -51,7 +51,7 @@ fn tilt_keys_and_leaving() {
         assert!(away(&mut *decoder, &[8, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]), "{family:?}");
         for other in [0xF0, 0xF1] {
             assert!(
-                quiet(&mut *decoder, &[8, other, 1, 1, 0, 3, 0, 0, 0, 0, 0, 0]),
+                is_of_wheels(&mut *decoder, &[8, other, 1, 1, 0, 3, 0, 0, 0, 0, 0, 0]),
                 "{family:?}: ring or dial"
             );
         }

@@ -1,6 +1,6 @@
 //! Hand-computed reports of the Veikk line.
 
-use super::super::testing::{away, keys, pen, quiet, silent_when_cut, spec};
+use super::super::testing::{away, is_of_wheels, keys, pen, quiet, silent_when_cut, spec};
 use super::super::{Family, Spec};
 
 /// id, channel, flags (in range, lower button), x 8192, y 4096, pressure 4096, tilt −20, 40
@@ -20,7 +20,7 @@ fn wide_reports() {
     // id, channel, keys, held, key 3, key 12
     assert_eq!(keys(&mut *veikk, &[9, 0x42, 1, 1, 0x04, 0x08]), 0x804);
     assert_eq!(keys(&mut *veikk, &[9, 0x42, 1, 0, 0x04, 0x08]), 0, "released");
-    assert!(quiet(&mut *veikk, &[9, 0x42, 3, 1, 0x02, 0, 0, 0, 0, 0, 0, 0, 0]), "the dial");
+    assert!(is_of_wheels(&mut *veikk, &[9, 0x42, 3, 1, 0x02, 0, 0, 0, 0, 0, 0, 0, 0]), "the dial");
     assert!(quiet(&mut *veikk, &[9, 0x43, 0x20, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]), "the touchpad");
     silent_when_cut(spec(Family::Veikk, 13), &WIDE, 11);
 }
