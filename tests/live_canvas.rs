@@ -220,7 +220,7 @@ fn zoomed_in_a_sparse_curve_is_smooth() {
 #[test]
 fn thinner_lines_show_what_is_traced() {
     let (renderer, mut layer) = open();
-    layer.set_stroke(1, &samples([(Vec2::new(-20.0, 0.0), 1.0), (Vec2::new(20.0, 0.0), 1.0)]), INK, 4.0);
+    layer.ink.set(1, &samples([(Vec2::new(-20.0, 0.0), 1.0), (Vec2::new(20.0, 0.0), 1.0)]), INK, 4.0);
     let near = view(16.0, Vec2::ZERO);
     let tall = |picture: &Rgba| (0..SIZE.1).filter(|y| pixel(picture, 240, *y)[0] < 128).count();
     assert_eq!(tall(&shown(&renderer, &mut layer, &near)), 64);

@@ -10,7 +10,7 @@ use super::editor::Editor;
 use super::frame::{EguiFrame, EguiPainter};
 use super::plant_painter::{Painted, PlantPainter, Scene};
 use super::plant_texture::PlantTexture;
-use super::sheet::Sheet;
+use super::sheet::{self, Sheet};
 use super::surface::Surface;
 use super::theme::Palette;
 use crate::render::canvas::{CanvasLayer, CanvasView, InkChange};
@@ -184,7 +184,7 @@ impl Graphics {
             paper: rgb(palette.paper),
             desk: rgb(palette.paper),
             sheet: None,
-            line_scale: editor.line_scale(LINE_WIDTH),
+            line_scale: editor.line_scale(sheet::LINE_WIDTH),
         };
         self.note_damage(editor, view);
         self.canvas.prepare(&self.gpu, &view).map(drop)
@@ -208,8 +208,10 @@ impl Graphics {
                     let at = view.pixel_from_canvas.transform_point2(corner) / scale;
                     egui::pos2(at.x, at.y)
                 });
-                // Thin lines are drawn wider than they are, and edges smoothly.
-                let place = egui::Rect::from_points(&corners).expand(EDGE_PX / scale);
+                // Lines are drawn wider than they are where the view makes them thin, and edges smoothly.
+                let zoom = view.pixel_from_canvas.matrix2.x_axis.length();
+                let widened = 0.5 * sheet::LINE_WIDTH * (view.line_scale - 1.0).max(0.0) * zoom;
+                let place = egui::Rect::from_points(&corners).expand((EDGE_PX + widened) / scale);
                 self.damage.add(place.intersect(canvas));
             }
         }

@@ -11,7 +11,7 @@ use crate::render::canvas::InkBuffer;
 use crate::sketch::StrokeId;
 
 /// Width of a line at full pressure, canvas units per unit of the drawing's height on a usual sheet.
-const LINE_WIDTH: f32 = 4.0;
+pub(super) const LINE_WIDTH: f32 = 4.0;
 
 /// What of the drawing is in the buffer.
 #[derive(Debug, Default)]
