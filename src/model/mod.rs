@@ -13,9 +13,11 @@
 //! | `joint`, `strip`, `wood` | branches that grow out of one another |
 //! | `solids`, `filaments` | hearts of flowers, fruits, pots |
 //! | `build` | all parts at once, on all cores |
+//! | `afford` | how fine a plant can be |
 //! | `recipe`, `cache` | which parts are the same as last time |
 //! | `quality`, `topology`, `crossing` | what is wrong with a mesh |
 
+mod afford;
 mod blade;
 mod build;
 mod cache;
@@ -44,6 +46,7 @@ mod tube;
 pub mod weld;
 mod wood;
 
+pub use afford::affordable;
 pub use build::{ModelParams, build, rebuild};
 pub use cache::Cache;
 pub use flat::{BladeMeshParams, PlanarGraph, TriangulationScratch, triangulation_input};
