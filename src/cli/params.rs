@@ -112,7 +112,8 @@ mod tests {
         for of in Params::of_species(&species).describe() {
             let value = &object(&of)["value"];
             let set = format!("{}={value}", of.path);
-            pipeline::params_of_species(&species, &[set.clone()]).unwrap_or_else(|e| panic!("{set}: {e}"));
+            pipeline::params_of_species(&species, std::slice::from_ref(&set))
+                .unwrap_or_else(|e| panic!("{set}: {e}"));
         }
     }
 }
