@@ -4,12 +4,15 @@
 //!
 //! | module | purpose |
 //! | --- | --- |
+//! | [`quote`] | words of users and files in messages |
 //! | [`suggest`] | the known word nearest to a mistyped one |
+//! | [`budget`] | what one plant may cost |
 //! | [`params`] | described parameters, one struct per stage |
 //! | [`random`] | random streams named by what they decide |
 //! | [`srgb`] | encoded colours to light and back |
 //! | [`geom`] | polylines, frames, polygons, ellipses: mathematics that knows no plant |
 //! | [`atomic`] | files written whole or not at all |
+//! | [`input`] | files read within limits, and never written over |
 //! | [`picture`] | pictures of the artist's own, in memory |
 //! | [`sketch`] | the document: strokes, tools, file formats |
 //! | [`pen`] | what every pointing device says, in one form |
@@ -29,18 +32,21 @@ pub mod anatomy;
 #[cfg(feature = "program")]
 pub mod app;
 pub mod atomic;
+pub mod budget;
 #[cfg(feature = "program")]
 pub mod cli;
 pub mod depth;
 pub mod export;
 pub mod geom;
 pub mod growth;
+pub mod input;
 pub mod model;
 pub mod params;
 pub mod pen;
 pub mod picture;
 pub mod pipeline;
 pub mod plant;
+pub mod quote;
 pub mod random;
 #[cfg(feature = "program")]
 pub mod render;

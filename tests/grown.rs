@@ -65,7 +65,7 @@ fn crossing_wood(name: &str, mut plant: Plant) -> (usize, usize) {
     let model = model::build(&plant, &ModelParams::default());
     let report = judge_model(&model);
     assert_eq!((report.is_clean(), report.components), (true, 1), "{name}");
-    (model.parts.iter().map(|part| crossing_faces(&part.mesh)).sum(), report.triangles)
+    (model.parts.iter().map(|part| crossing_faces(&part.mesh).unwrap()).sum(), report.triangles)
 }
 
 #[test]

@@ -10,6 +10,7 @@ use crate::export::{WriteError, write_atomically};
 use crate::picture::Picture;
 use crate::sketch::limits;
 use crate::sketch::textures::{self, ChoiceText, Textures};
+use crate::{input, quote};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -146,12 +147,8 @@ fn name_of(path: &Path) -> Option<String> {
 /// A file that is missing, too large or no preset.
 pub fn load(path: &Path) -> Result<Preset, PresetError> {
     let unreadable = |reason: String| PresetError::Unreadable { path: path.to_owned(), reason };
-    let size = fs::metadata(path).map_err(|e| unreadable(e.to_string()))?.len();
-    if size > MAX_BYTES {
-        return Err(unreadable(format!("it is larger than {MAX_BYTES} bytes")));
-    }
-    let text = fs::read_to_string(path).map_err(|e| unreadable(e.to_string()))?;
-    let text: PresetText = toml::from_str(&text).map_err(|e| unreadable(e.message().to_owned()))?;
+    let bytes = input::read(path, MAX_BYTES).map_err(|e| unreadable(e.to_string()))?;
+    let text: PresetText = toml::from_slice(&bytes).map_err(|e| unreadable(quote::message(e.message())))?;
     Preset::of_text(text).map_err(unreadable)
 }
 

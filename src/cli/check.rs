@@ -6,6 +6,7 @@ use crate::model::crossing::crossing_faces;
 use crate::model::quality::{Report, judge};
 use crate::model::weld::weld;
 use crate::model::{Mesh, Model};
+use crate::quote;
 use serde::Serialize;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -30,8 +31,8 @@ struct Verdict {
     #[serde(flatten)]
     report: Report,
     /// Faces that pass through others of the model as it is shown, whatever parts the file divides it into: no defect, but
-    /// what a printer has to sort out.
-    crossing_faces: usize,
+    /// what a printer has to sort out. Nothing where too many faces lie over each other to be compared.
+    crossing_faces: Option<usize>,
     /// Names of faulty meshes, at most [`NAMED`].
     faulty: Vec<String>,
 }
@@ -52,7 +53,7 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     for surface in surfaces {
         let one = judge(&surface.mesh, surface.has);
         if !one.is_clean() && !surface.name.is_empty() && faulty.len() < NAMED {
-            faulty.push(surface.name);
+            faulty.push(quote::name(&surface.name));
         }
         report.add(&one);
     }
@@ -87,9 +88,13 @@ fn described(args: &Args, verdict: &Verdict) -> String {
         text +=
             &format!(", UVs from ({}, {}) to ({}, {})", range.min.x, range.min.y, range.max.x, range.max.y);
     }
-    if verdict.crossing_faces > 0 {
-        let share = 100.0 * verdict.crossing_faces as f64 / report.triangles as f64;
-        text += &format!("\n  {} faces pass through others ({share:.2} %)", verdict.crossing_faces);
+    match verdict.crossing_faces {
+        Some(0) => {}
+        Some(count) => {
+            let share = 100.0 * count as f64 / report.triangles as f64;
+            text += &format!("\n  {count} faces pass through others ({share:.2} %)");
+        }
+        None => text += "\n  too many faces lie over each other to count those that pass through others",
     }
     for (what, count) in report.defects() {
         text += &format!("\n  {count} {what}");

@@ -9,11 +9,11 @@
 mod base64;
 pub mod decode;
 
+use crate::input;
 use crate::random::mix;
 use glam::UVec2;
-use std::fs::File;
 use std::hash::{Hash, Hasher};
-use std::io::{self, Cursor, Read};
+use std::io::{Cursor, ErrorKind};
 use std::path::Path;
 use std::sync::Arc;
 use thiserror::Error;
@@ -129,7 +129,10 @@ impl Picture {
     /// # Errors
     /// As [`Picture::decoded`], and a file that cannot be read.
     pub fn read(path: &Path) -> Result<Self, PictureError> {
-        let bytes = bytes_of(path).map_err(|error| PictureError::Unreadable(error.to_string()))?;
+        let bytes = input::read(path, MAX_BYTES as u64).map_err(|error| match error.kind() {
+            ErrorKind::FileTooLarge => PictureError::TooLarge,
+            _ => PictureError::Unreadable(error.to_string()),
+        })?;
         Self::decoded(bytes)
     }
 
@@ -203,16 +206,6 @@ impl std::fmt::Debug for Picture {
         let UVec2 { x, y } = self.size_px;
         write!(f, "Picture({x}×{y}, {} bytes)", self.bytes.len())
     }
-}
-
-fn bytes_of(path: &Path) -> io::Result<Vec<u8>> {
-    // Asked before opening, which would wait at a named pipe.
-    if !std::fs::metadata(path)?.is_file() {
-        return Err(io::Error::other("it is not a regular file"));
-    }
-    let mut bytes = Vec::new();
-    File::open(path)?.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes)?;
-    Ok(bytes)
 }
 
 fn png_size(bytes: &[u8]) -> Option<UVec2> {

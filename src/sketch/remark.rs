@@ -190,6 +190,20 @@ pub enum Remark {
         /// How many there are.
         leaves: usize,
     },
+    /// Surfaces that are coarser than was asked for.
+    #[error(
+        "surfaces are coarser than asked for: the plant would have more than {triangles} triangles, the most that a plant may \
+         have"
+    )]
+    Coarser {
+        /// How many it may have.
+        triangles: u64,
+    },
+    /// Fineness of crowns where there is none.
+    #[error(
+        "fineness changes only what grows in a crown, and this drawing has none; draw one with the tool crown"
+    )]
+    FinenessUnused,
     /// What was too much to be told.
     #[error("and {} like these", counted(.count, "more remark"))]
     More {
@@ -220,7 +234,8 @@ impl Remark {
             | Self::GrowthCapped { .. }
             | Self::GrownTooLarge { .. }
             | Self::GrownTooSlowly { .. }
-            | Self::LeavesThinned { .. } => true,
+            | Self::LeavesThinned { .. }
+            | Self::Coarser { .. } => true,
             Self::NoPoints { .. }
             | Self::PressureOutside { .. }
             | Self::TiltOutside { .. }
@@ -235,6 +250,7 @@ impl Remark {
             | Self::PictureDamaged { .. }
             | Self::TooShort
             | Self::Heart
+            | Self::FinenessUnused
             | Self::More { .. } => false,
         }
     }

@@ -62,6 +62,8 @@ impl Told for Remark {
                 fill(Msg::WarningGrownTooSlowly, &[("years", years), ("seconds", seconds)])
             }
             Self::LeavesThinned { leaves } => fill(Msg::WarningLeavesThinned, &[("leaves", leaves)]),
+            Self::Coarser { triangles } => fill(Msg::WarningCoarser, &[("triangles", triangles)]),
+            Self::FinenessUnused => fill(Msg::WarningFineness, &[]),
             Self::More { count } => fill(Msg::WarningMore, &[("count", count)]),
         }
     }
@@ -117,7 +119,9 @@ mod tests {
             Remark::GrowthCapped { .. } => Remark::GrownTooLarge { years: 51 },
             Remark::GrownTooLarge { .. } => Remark::GrownTooSlowly { years: 54, seconds: 55 },
             Remark::GrownTooSlowly { .. } => Remark::LeavesThinned { leaves: 53 },
-            Remark::LeavesThinned { .. } => Remark::More { count: 49 },
+            Remark::LeavesThinned { .. } => Remark::Coarser { triangles: 56 },
+            Remark::Coarser { .. } => Remark::FinenessUnused,
+            Remark::FinenessUnused => Remark::More { count: 49 },
             Remark::More { .. } => return None,
         })
     }

@@ -6,6 +6,7 @@ use super::picture::PicturesSeed;
 use super::point::PointsSeed;
 use super::progress::{Progress, set_once};
 use super::reference::ReferenceSeed;
+use crate::quote;
 use crate::sketch::draft::{Draft, DraftStroke, Flaw};
 use crate::sketch::error::Fault;
 use crate::sketch::textures::{self, ChoiceText};
@@ -208,7 +209,8 @@ impl<'de> Visitor<'de> for StrokeSeed<'_> {
                 StrokeField::Tool => {
                     let name: String = map.next_value()?;
                     let known = Tool::ALL.into_iter().find(|tool| tool.name() == name);
-                    let known = known.ok_or_else(|| progress.refuse(Fault::UnknownTool { name }))?;
+                    let known = known
+                        .ok_or_else(|| progress.refuse(Fault::UnknownTool { name: quote::name(&name) }))?;
                     set_once(&mut tool, known, "tool")?;
                 }
                 StrokeField::Points => {
