@@ -55,17 +55,21 @@ impl SetupOptions {
     }
 }
 
-/// Reads a sketch; warnings go to stderr.
+/// Reads a sketch, and tells the files that it is made from; warnings go to stderr.
 ///
 /// # Errors
 /// A sketch that cannot be used.
-pub fn open_sketch(path: &Path) -> anyhow::Result<Sketch> {
+pub fn open_sketch(path: &Path) -> anyhow::Result<(Sketch, Sources)> {
     let (mut sketch, warnings) = sketch::read(path)?;
-    let pictures = species::textures::take_in(&mut sketch.textures, path.parent().unwrap_or(Path::new("")));
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let mut sources = Sources::default();
+    sources.add(path);
+    species::textures::files(&sketch.textures, folder).for_each(|picture| sources.add(&picture));
+    let pictures = species::textures::take_in(&mut sketch.textures, folder);
     for warning in warnings.iter().chain(&pictures) {
         tracing::warn!("{}: {warning}", path.display());
     }
-    Ok(sketch)
+    Ok((sketch, sources))
 }
 
 /// A sketch with all that is needed to build it.
@@ -86,7 +90,7 @@ impl Setup {
     /// # Errors
     /// A sketch, species, parameter or picture that cannot be used.
     pub fn open(path: &Path, options: &SetupOptions) -> anyhow::Result<Self> {
-        let mut sketch = open_sketch(path)?;
+        let (mut sketch, mut sources) = open_sketch(path)?;
         sketch.seed = options.seed.unwrap_or(sketch.seed);
         let mut folder = path.parent().unwrap_or(Path::new(""));
         let mut whose = path.display().to_string();
@@ -95,14 +99,13 @@ impl Setup {
             (folder, whose) = (Path::new(""), "--species".to_owned());
         }
         let mut species = pipeline::species_of(&sketch, folder).context(whose)?;
-        let mut sources = Sources::default();
-        sources.add(path);
         pipeline::species_file(&sketch, folder).iter().for_each(|file| sources.add(file));
         for assignment in &options.textures {
             let (part, file) = assignment
                 .split_once('=')
                 .with_context(|| format!("--texture {assignment}: write it as PART=FILE"))?;
-            species.set_texture(part, &PathBuf::from(file))?;
+            species.set_texture(part, Path::new(file))?;
+            sources.add(Path::new(file));
         }
         species.picture_files().for_each(|picture| sources.add(picture));
         let params = pipeline::params_of(&sketch, &species, &options.assignments)

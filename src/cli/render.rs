@@ -149,9 +149,7 @@ fn render_drawing(args: &Args) -> Result<ExitCode> {
     if ReadFormat::of(&args.input).is_some() {
         bail!(no_drawing(&args.input));
     }
-    let sketch = common::open_sketch(&args.input)?;
-    let mut sources = Sources::default();
-    sources.add(&args.input);
+    let (sketch, sources) = common::open_sketch(&args.input)?;
     sources.spare([args.out.as_path()])?;
     write(&args.out, &Renderer::new()?.drawing(&sketch, &args.options())?)?;
     Ok(ExitCode::SUCCESS)

@@ -164,14 +164,13 @@ impl Species {
         Ok(())
     }
 
-    /// The pictures on disk that the species names: beside its file, and the artist's own.
+    /// The pictures beside its file that the species names.
     pub fn picture_files(&self) -> impl Iterator<Item = &Path> {
         let textures = self.materials.values().filter_map(|look| look.texture.as_ref());
-        let beside = textures.filter_map(|texture| match texture {
+        textures.filter_map(|texture| match texture {
             Texture::File(path) => Some(path.as_path()),
-            Texture::BuiltIn(_) => None,
-        });
-        beside.chain(self.pictures.values().map(PathBuf::as_path))
+            Texture::BuiltIn(_) | Texture::Own(_) => None,
+        })
     }
 
     /// Every material name that a section refers to, with the key that does.

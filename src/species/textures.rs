@@ -13,7 +13,7 @@ use crate::picture::{Picture, PictureError, decode};
 use crate::plant::{Material, OrganKind, Plant, Shape, Texture};
 use crate::sketch::{Remark, TextureChoice, Textures, Warning};
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Kinds of parts that have a texture of their own, `None` for branches.
 pub const KINDS: [Option<OrganKind>; 10] = [
@@ -102,6 +102,15 @@ pub fn take_in(textures: &mut Textures, folder: &Path) -> Vec<Warning> {
         Some(reason) => Remark::PictureDamaged { reason, parts },
     };
     troubles.into_iter().map(|trouble| Warning { stroke: None, remark: remark(trouble) }).collect()
+}
+
+/// Where the pictures may be that choices name by path, as [`take_in`] looks for them.
+pub fn files(textures: &Textures, folder: &Path) -> impl Iterator<Item = PathBuf> {
+    let named = textures.values().filter_map(|choice| match choice {
+        TextureChoice::Named(name) if built_in_name(name).is_none() => Some(name),
+        _ => None,
+    });
+    named.flat_map(move |path| [folder.join(path), folder.join(file_name(path))])
 }
 
 fn found(path: &str, name: &str, folder: &Path) -> Result<Picture, PictureError> {
