@@ -400,7 +400,8 @@ fn long_notices_are_whole_and_of_many_the_newest_are_shown() {
     snapshot.notices[4].find = Some(PathPurpose::Reference);
     let mut harness = stage(snapshot, Language::English);
     for id in 1..=5 {
-        let label = harness.query_by_label(&format!("{id}: {path} cannot be read"));
+        let text = format!("{id}: {path} cannot be read");
+        let label = harness.query_by_label(&text);
         assert_eq!(label.is_some(), id > 2, "message {id}");
         if let Some(label) = label {
             let rect = label.rect();
