@@ -1,24 +1,22 @@
 //! The whole stage: plans the parts, meshes them on all cores and puts them together in order.
 //!
 //! Every part is made from the plant alone and results keep their places, so the bytes do not depend on the number of
-//! threads. Blades of one template are triangulated once, before the parallel pass.
+//! threads.
 //!
 //! Limits: a blade too small or too thin to be seen has no mesh and no part.
 
-use super::blade::{self, BladeScratch};
-use super::cache::{Cache, Made, Template};
-use super::copies::Copies;
-use super::flat::{self, BladeMeshParams, FlatScratch};
+use super::cache::{Cache, Made};
+use super::flat::BladeMeshParams;
+use super::organs::{OrganScratch, OrganWorkshop};
 use super::parts::{self, Limb, Plan, Source};
 use super::recipe::Recipe;
-use super::solids::{self, SolidParams, Stand};
+use super::solids::SolidParams;
 use super::tube::{self, TubeParams, TubeScratch};
 use super::wood::{self, Twig, WoodScratch};
-use super::{Mesh, Model, Part, filaments};
-use crate::plant::{Blade, Branch, Organ, Plant, Shape};
+use super::{Mesh, Model, Part};
+use crate::plant::{Branch, Organ, Plant};
 use glam::Vec3;
 use rayon::prelude::*;
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 crate::parameter_groups! {
@@ -39,8 +37,7 @@ const BATCH: usize = 4;
 /// Memory that each thread uses again for all its parts.
 #[derive(Default)]
 struct Scratch {
-    flat: FlatScratch,
-    blade: BladeScratch,
+    organs: OrganScratch,
     tube: TubeScratch,
     wood: WoodScratch,
     recipe: Recipe,
@@ -50,8 +47,7 @@ struct Scratch {
 struct Workshop<'a> {
     plant: &'a Plant,
     params: &'a ModelParams,
-    templates: BTreeMap<u32, Template>,
-    copies: Copies,
+    organs: OrganWorkshop<'a>,
     plant_size: f32,
 }
 
@@ -112,38 +108,6 @@ fn assembled(plant: &Plant, plans: Vec<Plan>, meshes: Vec<Arc<Mesh>>) -> Model {
     Model { parts, materials: plant.materials.clone() }
 }
 
-/// Appends a mesh to another, or puts it into its place where that is empty.
-fn take_in(mesh: &mut Mesh, own: Mesh) {
-    if *mesh == Mesh::default() {
-        *mesh = own;
-    } else {
-        mesh.append(&own);
-    }
-}
-
-fn blade_of(organ: &Organ) -> Option<&Blade> {
-    match &organ.shape {
-        Shape::Blade(blade) => Some(blade),
-        _ => None,
-    }
-}
-
-/// The triangulations of all templates.
-fn templates(plant: &Plant, params: &ModelParams, cache: &mut Cache) -> BTreeMap<u32, Template> {
-    let mut firsts: BTreeMap<u32, &Blade> = BTreeMap::new();
-    for blade in plant.organs.iter().filter_map(blade_of) {
-        if let Some(template) = blade.template {
-            firsts.entry(template).or_insert(blade);
-        }
-    }
-    let (mut scratch, mut recipe) = (FlatScratch::default(), Recipe::default());
-    let mut triangulated = |(number, blade): (u32, &Blade)| {
-        recipe.template(blade);
-        (number, cache.template(&recipe, || flat::flatten(blade, &params.blade, &mut scratch)))
-    };
-    firsts.into_iter().map(&mut triangulated).collect()
-}
-
 /// The largest extent of the skeleton and of where organs stand, metres: the unit of all branch tolerances. It goes in
 /// steps of √2, so that most strokes of a growing drawing leave the tubes of the others alone.
 fn size_of(plant: &Plant) -> f32 {
@@ -156,26 +120,15 @@ fn size_of(plant: &Plant) -> f32 {
 
 impl<'a> Workshop<'a> {
     fn new(plant: &'a Plant, params: &'a ModelParams, cache: &mut Cache) -> Self {
-        let templates = templates(plant, params, cache);
-        Self { plant, params, templates, copies: Copies::of(plant), plant_size: size_of(plant) }
+        let organs = OrganWorkshop::new(plant, params, cache);
+        Self { plant, params, organs, plant_size: size_of(plant) }
     }
 
     /// Everything that [`Self::mesh`] reads but the parameters.
     fn write_recipe(&self, source: &Source, recipe: &mut Recipe) {
         match source {
             Source::Wood(twigs) => recipe.wood(self.twigs(twigs), self.plant_size),
-            Source::Filaments(pieces) => {
-                recipe.filaments(pieces.iter().map(|(i, piece)| (&self.plant.organs[*i].shape, *piece)));
-            }
-            Source::Blades(organs) => {
-                let name = |blade| self.template(blade).map(|shared| shared.name);
-                let blades = organs.iter().map(|organs| self.blades(organs));
-                recipe.blades(blades.map(|blades| blades.map(|(_, blade)| (blade, name(blade)))));
-            }
-            Source::Organ(i) => match &self.plant.organs[*i].shape {
-                Shape::Blade(blade) => recipe.blade(blade, self.template(blade).map(|shared| shared.name)),
-                solid => recipe.solid(solid),
-            },
+            Source::Organs(coats) => self.organs.write_recipe(coats, recipe),
         }
     }
 
@@ -189,13 +142,7 @@ impl<'a> Workshop<'a> {
         limbs.iter().map(twig)
     }
 
-    /// The triangulation that a blade shares with others.
-    fn template(&self, blade: &Blade) -> Option<&Template> {
-        blade.template.and_then(|number| self.templates.get(&number))
-    }
-
     fn mesh(&self, source: &Source, scratch: &mut Scratch) -> Mesh {
-        let params = self.params;
         match source {
             Source::Wood(twigs) => {
                 if let [Limb { branch, .. }] = twigs[..] {
@@ -205,64 +152,7 @@ impl<'a> Workshop<'a> {
                 let twigs: Vec<Twig<'_>> = self.twigs(twigs).collect();
                 wood::mesh(&twigs, |branch| self.look(branch), &mut scratch.wood)
             }
-            Source::Filaments(pieces) => {
-                let pieces = pieces.iter().map(|(i, piece)| (&self.plant.organs[*i], *piece));
-                filaments::mesh(pieces, &params.solid, &mut scratch.tube)
-            }
-            Source::Blades(organs) => {
-                let mut mesh = Mesh::default();
-                for (coat, organs) in organs.iter().enumerate() {
-                    if coat > 0 {
-                        mesh.breaks.push(mesh.triangles.len() as u32);
-                    }
-                    for (done, blade) in self.blades(organs).enumerate() {
-                        let before = mesh.counts();
-                        self.append_blade(blade, &mut mesh, scratch);
-                        if done == 0 {
-                            mesh.reserve_more(before, organs.len() - 1);
-                        }
-                    }
-                }
-                mesh
-            }
-            Source::Organ(i) => match &self.plant.organs[*i].shape {
-                Shape::Blade(blade) => {
-                    let mut mesh = Mesh::default();
-                    self.append_blade((*i, blade), &mut mesh, scratch);
-                    mesh
-                }
-                Shape::Dome { base, axis, radius, height } => {
-                    let stand = Stand { base: *base, axis: *axis };
-                    solids::dome(stand, (*radius, *height), &params.solid)
-                }
-                Shape::Lathe { base, axis, profile } => {
-                    let stand = Stand { base: *base, axis: *axis };
-                    solids::lathe(stand, profile, &params.solid)
-                }
-                // Filaments are gathered by flower when the parts are planned.
-                Shape::Filament { .. } => Mesh::default(),
-            },
-        }
-    }
-
-    /// Those of the organs that are blades.
-    fn blades<'o>(&'o self, organs: &'o [usize]) -> impl Iterator<Item = (usize, &'o Blade)> {
-        organs.iter().filter_map(|&i| Some((i, blade_of(&self.plant.organs[i])?)))
-    }
-
-    /// Appends the blade of an organ to an empty mesh or to other blades.
-    fn append_blade(&self, (organ, blade): (usize, &Blade), mesh: &mut Mesh, scratch: &mut Scratch) {
-        let params = &self.params.blade;
-        let Some(Template { flat, .. }) = self.template(blade) else {
-            let flat = flat::flatten(blade, params, &mut scratch.flat);
-            let own = flat.and_then(|flat| blade::mesh(blade, &flat, params, &mut scratch.blade));
-            return own.into_iter().for_each(|own| take_in(mesh, own));
-        };
-        let Some(flat) = flat.as_ref() else { return };
-        let shape = |standing: &Blade| blade::copied_shape(standing, flat, params, &mut scratch.blade);
-        if !self.copies.append(organ, blade, mesh, shape) {
-            let own = blade::mesh(blade, flat, params, &mut scratch.blade);
-            own.into_iter().for_each(|own| take_in(mesh, own));
+            Source::Organs(coats) => self.organs.mesh(coats, &mut scratch.organs),
         }
     }
 }

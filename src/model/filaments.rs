@@ -1,41 +1,34 @@
 //! Stamens, pistils and thorns: threads with swollen ends.
 //!
-//! A flower has dozens of them, so all of one flower's threads that look alike are one part (`stamens_3`) and their
-//! heads another (`anthers_3`), or the same part if they share a material.
+//! A flower has dozens of them, so that they are never parts of their own: at least those of one flower are gathered, the
+//! threads (`stamens_3`) apart from their heads (`anthers_3`).
 
 use super::mesh::Mesh;
+use super::parts::Piece;
 use super::solids::{Ellipsoid, SolidParams, Stand};
 use super::spine;
 use super::tube::{self, Picture, TubeLook, TubeScratch};
-use crate::plant::{Organ, Shape};
+use crate::plant::Shape;
 use glam::Vec3;
 
 /// Threads are thin: they may leave their skeleton by half their radius, and end round.
 const TOLERANCE: f32 = 0.5;
 const TIP: f32 = 0.8;
 
-/// What of a filament goes into a part.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Piece {
-    /// The thread.
-    Thread,
-    /// The swollen end.
-    Head,
-}
-
-/// The mesh of the given pieces of organs; those that are no filaments add nothing.
-pub(super) fn mesh<'a>(
-    pieces: impl Iterator<Item = (&'a Organ, Piece)>,
+/// Appends pieces of filaments to a mesh; shapes that are no filaments add nothing.
+pub(super) fn append<'a>(
+    mesh: &mut Mesh,
+    pieces: impl Iterator<Item = (&'a Shape, Piece)>,
     params: &SolidParams,
     scratch: &mut TubeScratch,
-) -> Mesh {
-    let mut mesh = Mesh::default();
+) {
+    let first = mesh.triangles.len();
     let mut shaped: Option<Ellipsoid> = None;
     let mut has_threads = false;
-    for (organ, piece) in pieces {
-        let Shape::Filament { points, radius, head, .. } = &organ.shape else { continue };
+    for (shape, piece) in pieces {
+        let Shape::Filament { points, radius, head, .. } = shape else { continue };
         match piece {
-            Piece::Thread => {
+            Piece::Body => {
                 let detail = spine::Detail { of_radius: TOLERANCE, metres: (0.0, f32::INFINITY) };
                 let look = TubeLook {
                     sides: params.filament_sides.max(3),
@@ -44,7 +37,7 @@ pub(super) fn mesh<'a>(
                     detail,
                 };
                 has_threads = true;
-                tube::append(&mut mesh, points.iter().map(|p| (*p, *radius)), look, scratch);
+                tube::append(mesh, points.iter().map(|p| (*p, *radius)), look, scratch);
             }
             Piece::Head => {
                 let [.., before, end] = points[..] else { continue };
@@ -54,13 +47,12 @@ pub(super) fn mesh<'a>(
                     Some(same) if same.size() == *head => same,
                     _ => Ellipsoid::new(*head, params),
                 };
-                shaped.insert(ellipsoid).append(&mut mesh, Stand { base: end, axis });
+                shaped.insert(ellipsoid).append(mesh, Stand { base: end, axis });
             }
         }
     }
     // Heads bulge everywhere; threads may bend back on themselves.
     if has_threads {
-        mesh.split_disagreeing_corners();
+        mesh.split_disagreeing_corners_from(first);
     }
-    mesh
 }

@@ -24,7 +24,7 @@ type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
 crate::parameters! {
     /// How finely petals, leaves and sepals are modelled.
     pub struct BladeMeshParams {
-        /// Leaves of one plant that nobody drew are one part; otherwise each is its own. Always so for plants that grew.
+        /// What nobody drew is one part of each kind on a plant, leaves and flowers alike; otherwise each is its own. Always so for plants that grew.
         gathered: bool = false, 0..=1, "";
         /// How far a blade's margin may leave the drawn outline.
         outline_tolerance: f32 = 0.002, 0.0001..=0.002, "of the blade's size";

@@ -5,13 +5,14 @@
 //!
 //! | file | what |
 //! | --- | --- |
-//! | `parts` | names, carriers, specimens |
+//! | `parts`, `part_names` | names, carriers, specimens |
 //! | `outline`, `sections`, `interior`, `flat` | a blade in its plane, triangulated |
 //! | `relief`, `blade` | the blade bent and given thickness |
 //! | `copies` | leaves that are copies of one shape |
 //! | `spine`, `tube` | single branches |
 //! | `joint`, `strip`, `wood` | branches that grow out of one another |
 //! | `solids`, `filaments` | hearts of flowers, fruits, pots |
+//! | `organs` | all organs of one part |
 //! | `build` | all parts at once, on all cores |
 //! | `recipe`, `cache` | which parts are the same as last time |
 //! | `quality`, `topology`, `crossing` | what is wrong with a mesh |
@@ -28,7 +29,9 @@ mod interior;
 pub mod invariants;
 mod joint;
 pub mod mesh;
+mod organs;
 mod outline;
+mod part_names;
 mod parts;
 pub mod quality;
 mod recipe;

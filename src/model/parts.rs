@@ -1,30 +1,36 @@
-//! Which parts a plant has: names, carriers, specimens and what each is made from, before any mesh exists.
+//! Which parts a plant has: carriers, specimens and what each is made from, before any mesh exists.
 //!
 //! Wood comes first: branches that grow on one another are one part, whatever barks they wear, or each is one of its own.
-//! Then organs in their order, a flower's filaments gathered where the first of them stands. Names are unique: `wood`,
-//! `wood_1`, `branch_3`, `leaf_12`, `petal_0_4` (flower, then number within the flower), `stamens_0`, `anthers_0`.
+//! Then organs, in the order in which the first of each part stands. An organ that was drawn is a part. Those that nobody
+//! drew are gathered by kind, with a list for each material: over the whole plant or, where the petals of their flower were
+//! drawn, within that flower, so that it can still be turned by itself. Filaments are always gathered, at least within their
+//! flower, and their heads apart from their threads.
 //!
 //! A specimen is one plant of the drawing: a trunk with all it carries and the pot it stands in, a flower without a
 //! stem. Leaves strewn about without a branch are one specimen together.
 
-use super::filaments::Piece;
+use super::part_names::{PartNames, numbered};
 use super::{ModelParams, PartKind};
 use crate::plant::{Organ, OrganKind, Plant, Shape};
 use glam::Vec3;
 use std::collections::BTreeMap;
-use std::fmt::Write;
 
 /// What a part's mesh is made from.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Source {
     /// One surface of these branches.
     Wood(Vec<Limb>),
-    /// The blade, dome or lathed body of the organ of this index.
-    Organ(usize),
-    /// The blades of the organs of these indices, a list for each of the part's materials.
-    Blades(Vec<Vec<usize>>),
-    /// Pieces of the filaments of these indices.
-    Filaments(Vec<(usize, Piece)>),
+    /// Pieces of the organs of these indices, a list for each of the part's materials.
+    Organs(Vec<Vec<(usize, Piece)>>),
+}
+
+/// What of an organ goes into a part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Piece {
+    /// A blade or a solid; the thread of a filament.
+    Body,
+    /// The swollen end of a filament.
+    Head,
 }
 
 /// A branch of joined wood.
@@ -62,8 +68,16 @@ impl Plan {
     }
 }
 
-/// Key of a part that gathers filaments: flower or, without one, organ; kind; material.
-type Gathering = (Option<usize>, Option<usize>, OrganKind, usize);
+/// Which organs of one kind are one part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Scope {
+    /// Those of a specimen.
+    Specimen(usize),
+    /// Those of a flower.
+    Flower(usize),
+    /// The organ of this index alone.
+    Organ(usize),
+}
 
 /// Plans all parts of a plant, carriers first.
 pub(super) fn plan(plant: &Plant, params: &ModelParams) -> Vec<Plan> {
@@ -74,71 +88,124 @@ pub(super) fn plan(plant: &Plant, params: &ModelParams) -> Vec<Plan> {
     } else {
         plan_branches(plant, &specimens, &mut plans)
     };
-    let mut names = Names::default();
-    let mut gathered: BTreeMap<Gathering, usize> = BTreeMap::new();
-    let mut foliage: BTreeMap<(usize, OrganKind), usize> = BTreeMap::new();
-    for (i, organ) in plant.organs.iter().enumerate() {
-        let carrier = carrier(plant, organ);
-        let specimen = match (carrier, organ.flower) {
-            (Some(branch), _) => specimens.of_branch[branch],
-            (None, Some(flower)) => specimens.of_flower[flower],
-            (None, None) => specimens.of_lone(plant, organ),
-        };
-        let template = |name, material, source| Plan {
-            name,
-            kind: PartKind::Organ(organ.kind),
-            parent: carrier.map(|branch| part_of[branch]),
-            specimen,
-            pivot: organ.base(),
-            material,
-            more_materials: Vec::new(),
-            source,
-        };
-        if params.blade.gathered && is_copy(organ) {
-            let part = *foliage.entry((specimen, organ.kind)).or_insert_with(|| {
-                let part = template(names.foliage(organ.kind), organ.material, Source::Blades(Vec::new()));
-                let trunk = part.parent.map(|carrier| root(&plans, carrier));
-                let pivot = trunk.map_or(part.pivot, |trunk| plans[trunk].pivot);
-                plans.push(Plan { parent: trunk, pivot, ..part });
-                plans.len() - 1
-            });
-            let coat = plans[part].coat(organ.material);
-            if let Source::Blades(blades) = &mut plans[part].source {
-                blades.resize(blades.len().max(coat + 1), Vec::new());
-                blades[coat].push(i);
-            }
-            continue;
+    let mut organs = OrganPlans {
+        plant,
+        gathered: params.blade.gathered,
+        drawn_flowers: drawn_flowers(plant),
+        specimens,
+        part_of,
+        plans,
+        names: PartNames::default(),
+        known: BTreeMap::new(),
+    };
+    (0..plant.organs.len()).for_each(|organ| organs.add(organ));
+    organs.plans
+}
+
+/// For each flower whether any of it was drawn.
+fn drawn_flowers(plant: &Plant) -> Vec<bool> {
+    let mut drawn = vec![false; plant.flowers.len()];
+    for organ in plant.organs.iter().filter(|organ| organ.stroke.is_some()) {
+        if let Some(flower) = organ.flower {
+            drawn[flower] = true;
         }
-        let Shape::Filament { head, head_material, .. } = &organ.shape else {
-            plans.push(template(names.single(organ), organ.material, Source::Organ(i)));
-            continue;
-        };
-        let has_head = head.min_element() > 0.0;
-        for (piece, material) in [(Piece::Thread, organ.material), (Piece::Head, *head_material)] {
-            if piece == Piece::Head && !has_head {
-                continue;
-            }
-            let lone_organ = organ.flower.is_none().then_some(i);
-            let part =
-                *gathered.entry((organ.flower, lone_organ, organ.kind, material)).or_insert_with(|| {
-                    plans.push(template(
-                        names.gathered(organ, piece),
-                        material,
-                        Source::Filaments(Vec::new()),
-                    ));
-                    plans.len() - 1
-                });
-            if let Source::Filaments(pieces) = &mut plans[part].source {
-                pieces.push((i, piece));
+    }
+    drawn
+}
+
+/// The pieces of an organ with their materials.
+fn pieces(organ: &Organ) -> impl Iterator<Item = (Piece, usize)> {
+    let head = match &organ.shape {
+        Shape::Filament { head, head_material, .. } if head.min_element() > 0.0 => Some(*head_material),
+        _ => None,
+    };
+    let head = head.map(|material| (Piece::Head, material));
+    std::iter::once((Piece::Body, organ.material)).chain(head)
+}
+
+/// Parts in the making, the wood's first.
+struct OrganPlans<'a> {
+    plant: &'a Plant,
+    /// Whether what nobody drew is gathered.
+    gathered: bool,
+    drawn_flowers: Vec<bool>,
+    specimens: Specimens,
+    /// The part of each branch.
+    part_of: Vec<usize>,
+    plans: Vec<Plan>,
+    names: PartNames,
+    /// Parts of organs that may become more.
+    known: BTreeMap<(Scope, OrganKind, Piece), usize>,
+}
+
+impl OrganPlans<'_> {
+    /// Puts the pieces of an organ into their parts.
+    fn add(&mut self, index: usize) {
+        let organ = &self.plant.organs[index];
+        let scope = self.scope(index);
+        for (piece, material) in pieces(organ) {
+            let known = self.known.get(&(scope, organ.kind, piece)).copied();
+            let part = known.unwrap_or_else(|| self.begin(index, scope, piece, material));
+            let plan = &mut self.plans[part];
+            let coat = plan.coat(material);
+            if let Source::Organs(coats) = &mut plan.source {
+                coats.resize(coats.len().max(coat + 1), Vec::new());
+                coats[coat].push((index, piece));
             }
         }
     }
-    plans
-}
 
-/// Whether an organ is a blade that nobody drew, one of many alike.
-fn is_copy(organ: &Organ) -> bool {
-    matches!(&organ.shape, Shape::Blade(blade) if blade.template.is_some()) && organ.stroke.is_none()
+    fn scope(&self, index: usize) -> Scope {
+        let organ = &self.plant.organs[index];
+        let is_filament = matches!(organ.shape, Shape::Filament { .. });
+        // A plant has one pot, which is none of its organs.
+        let may_be_many = organ.stroke.is_none() && organ.kind != OrganKind::Pot;
+        let within_plant = self.gathered && may_be_many;
+        match organ.flower {
+            Some(flower) if is_filament || within_plant => {
+                let opened_by_itself = self.gathered && !self.drawn_flowers[flower];
+                if opened_by_itself { Scope::Specimen(self.specimen(organ)) } else { Scope::Flower(flower) }
+            }
+            None if within_plant => Scope::Specimen(self.specimen(organ)),
+            _ => Scope::Organ(index),
+        }
+    }
+
+    /// The branch that carries an organ, its own or its flower's.
+    fn carrier(&self, organ: &Organ) -> Option<usize> {
+        organ.branch.or_else(|| organ.flower.and_then(|flower| self.plant.flowers[flower].branch))
+    }
+
+    fn specimen(&self, organ: &Organ) -> usize {
+        match (self.carrier(organ), organ.flower) {
+            (Some(branch), _) => self.specimens.of_branch[branch],
+            (None, Some(flower)) => self.specimens.of_flower[flower],
+            (None, None) => self.specimens.of_lone(self.plant, organ),
+        }
+    }
+
+    /// A part that begins with a piece of this organ. What is gathered over a plant stands where the plant does.
+    fn begin(&mut self, index: usize, scope: Scope, piece: Piece, material: usize) -> usize {
+        let organ = &self.plant.organs[index];
+        let carrier = self.carrier(organ).map(|branch| self.part_of[branch]);
+        let trunk =
+            carrier.filter(|_| matches!(scope, Scope::Specimen(_))).map(|carrier| root(&self.plans, carrier));
+        let part = self.plans.len();
+        self.plans.push(Plan {
+            name: self.names.organs(organ, scope, piece),
+            kind: PartKind::Organ(organ.kind),
+            parent: trunk.or(carrier),
+            specimen: self.specimen(organ),
+            pivot: trunk.map_or_else(|| organ.base(), |trunk| self.plans[trunk].pivot),
+            material,
+            more_materials: Vec::new(),
+            source: Source::Organs(Vec::new()),
+        });
+        if !matches!(scope, Scope::Organ(_)) {
+            self.known.insert((scope, organ.kind, piece), part);
+        }
+        part
+    }
 }
 
 /// The part that carries this one and that nothing carries.
@@ -176,11 +243,6 @@ fn plan_wood(plant: &Plant, specimens: &Specimens, plans: &mut Vec<Plan>) -> Vec
     part_of
 }
 
-/// A name for the first of its kind, and with numbers for those after it.
-fn numbered(name: &str, number: usize) -> String {
-    if number == 0 { name.to_owned() } else { format!("{name}_{number}") }
-}
-
 fn wood(plant: &Plant, specimens: &Specimens, i: usize, parent: Option<usize>, name: String) -> Plan {
     let branch = &plant.branches[i];
     Plan {
@@ -193,11 +255,6 @@ fn wood(plant: &Plant, specimens: &Specimens, i: usize, parent: Option<usize>, n
         more_materials: Vec::new(),
         source: Source::Wood(vec![Limb { branch: i, parent: None, coat: 0 }]),
     }
-}
-
-/// The branch that carries an organ, its own or its flower's.
-fn carrier(plant: &Plant, organ: &Organ) -> Option<usize> {
-    organ.branch.or_else(|| organ.flower.and_then(|f| plant.flowers[f].branch))
 }
 
 /// Numbers of the plants in a drawing: trunks first, then flowers without a stem, then all lone organs together.
@@ -234,69 +291,5 @@ impl Specimens {
         let trunks = (0..plant.branches.len()).filter(|&i| plant.branches[i].parent.is_none());
         let held = trunks.min_by(|a, b| away(*a).total_cmp(&away(*b)));
         held.map_or(self.lone, |trunk| self.of_branch[trunk])
-    }
-}
-
-/// Counts what has been named so far.
-#[derive(Default)]
-struct Names {
-    singles: BTreeMap<(Option<usize>, OrganKind), usize>,
-    gathered: BTreeMap<String, usize>,
-    foliage: BTreeMap<OrganKind, usize>,
-    lone_filaments: BTreeMap<OrganKind, usize>,
-}
-
-impl Names {
-    fn single(&mut self, organ: &Organ) -> String {
-        let number = next(self.singles.entry((organ.flower, organ.kind)).or_default());
-        let kind = kind_name(organ.kind);
-        organ.flower.map_or_else(|| format!("{kind}_{number}"), |flower| format!("{kind}_{flower}_{number}"))
-    }
-
-    /// A part of many blades.
-    fn foliage(&mut self, kind: OrganKind) -> String {
-        let number = next(self.foliage.entry(kind).or_default());
-        let kind =
-            if kind == OrganKind::Leaf { "leaves".to_owned() } else { format!("{}s", kind_name(kind)) };
-        numbered(&kind, number)
-    }
-
-    fn gathered(&mut self, organ: &Organ, piece: Piece) -> String {
-        let what = match (organ.kind, piece) {
-            (OrganKind::Stamen, Piece::Head) => "anthers".to_owned(),
-            (OrganKind::Pistil, Piece::Head) => "stigmas".to_owned(),
-            (kind, Piece::Thread) => format!("{}s", kind_name(kind)),
-            (kind, Piece::Head) => format!("{}_heads", kind_name(kind)),
-        };
-        let mut name = match organ.flower {
-            Some(flower) => format!("{what}_{flower}"),
-            None => format!("{what}_lone_{}", next(self.lone_filaments.entry(organ.kind).or_default())),
-        };
-        let twin = next(self.gathered.entry(name.clone()).or_default());
-        if twin > 0 {
-            // Writing to a string cannot fail.
-            let _ = write!(name, "_{twin}");
-        }
-        name
-    }
-}
-
-fn next(counter: &mut usize) -> usize {
-    *counter += 1;
-    *counter - 1
-}
-
-fn kind_name(kind: OrganKind) -> &'static str {
-    match kind {
-        OrganKind::Leaf => "leaf",
-        OrganKind::Bud => "bud",
-        OrganKind::Petal => "petal",
-        OrganKind::Sepal => "sepal",
-        OrganKind::Receptacle => "receptacle",
-        OrganKind::Stamen => "stamen",
-        OrganKind::Pistil => "pistil",
-        OrganKind::Fruit => "fruit",
-        OrganKind::Thorn => "thorn",
-        OrganKind::Pot => "pot",
     }
 }

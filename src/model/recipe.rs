@@ -6,7 +6,7 @@
 //! that the compiler asks about a new one. A blade of a template names the template's triangulation instead of telling
 //! its outline.
 
-use super::filaments::Piece;
+use super::parts::Piece;
 use super::wood::Twig;
 use crate::plant::{Blade, Branch, Cone, RestSurface, Shape};
 use crate::random::mix;
@@ -36,51 +36,22 @@ impl Recipe {
         self.begin(1).outline(blade);
     }
 
-    /// The recipe of a blade; `template` is the name of its triangulation where that is shared.
-    pub(super) fn blade(&mut self, blade: &Blade, template: Option<u64>) {
-        let Blade { outline: _, curl: _, base, u, v, length, rest, form, template: _ } = blade;
-        match template {
-            Some(name) => self.begin(2).word(name as u32).word((name >> 32) as u32),
-            None => self.begin(3).outline(blade),
-        };
-        self.point(*base).point(*u).point(*v).real(*length);
-        match rest {
-            RestSurface::Plane => self.word(0),
-            RestSurface::Cone { cone, hint } => {
-                let Cone { apex, axis, opening_rad, height } = cone;
-                self.word(1).point(*apex).point(*axis).real(*opening_rad).real(*height).real(*hint)
-            }
-        };
-        self.0.extend(form.to_row().map(f32::to_bits));
-    }
-
-    /// The recipe of blades that are one part, in groups that wear one material each.
-    pub(super) fn blades<'a, Group>(&mut self, groups: impl Iterator<Item = Group>)
+    /// The recipe of pieces of organs that are one part, a group for each material; blades come with the name of their
+    /// triangulation where that is shared.
+    pub(super) fn organs<'a, Group>(&mut self, groups: impl Iterator<Item = Group>)
     where
-        Group: Iterator<Item = (&'a Blade, Option<u64>)>,
+        Group: Iterator<Item = (&'a Shape, Piece, Option<u64>)>,
     {
-        let (mut one, mut all) = (Self::default(), Self::default());
-        all.begin(6);
-        for (coat, blades) in groups.enumerate() {
-            for (blade, template) in blades {
-                one.blade(blade, template);
-                all.length(coat).0.extend_from_slice(&one.0);
+        self.begin(2);
+        for (coat, pieces) in groups.enumerate() {
+            for (shape, piece, template) in pieces {
+                self.length(coat).word(u32::from(piece == Piece::Head));
+                match shape {
+                    Shape::Blade(blade) => self.blade(blade, template),
+                    solid => self.solid(solid),
+                };
             }
         }
-        *self = all;
-    }
-
-    /// The recipe of pieces of filaments.
-    pub(super) fn filaments<'a>(&mut self, pieces: impl Iterator<Item = (&'a Shape, Piece)>) {
-        self.begin(4);
-        for (shape, piece) in pieces {
-            self.word(u32::from(piece == Piece::Head)).shape(shape);
-        }
-    }
-
-    /// The recipe of a shape that is no blade.
-    pub(super) fn solid(&mut self, shape: &Shape) {
-        self.begin(5).shape(shape);
     }
 
     /// The words.
@@ -108,9 +79,27 @@ impl Recipe {
         self
     }
 
-    fn shape(&mut self, shape: &Shape) -> &mut Self {
+    fn blade(&mut self, blade: &Blade, template: Option<u64>) -> &mut Self {
+        let Blade { outline: _, curl: _, base, u, v, length, rest, form, template: _ } = blade;
+        match template {
+            Some(name) => self.word(4).word(name as u32).word((name >> 32) as u32),
+            None => self.word(5).outline(blade),
+        };
+        self.point(*base).point(*u).point(*v).real(*length);
+        match rest {
+            RestSurface::Plane => self.word(0),
+            RestSurface::Cone { cone, hint } => {
+                let Cone { apex, axis, opening_rad, height } = cone;
+                self.word(1).point(*apex).point(*axis).real(*opening_rad).real(*height).real(*hint)
+            }
+        };
+        self.0.extend(form.to_row().map(f32::to_bits));
+        self
+    }
+
+    fn solid(&mut self, shape: &Shape) -> &mut Self {
         match shape {
-            // Blades have recipes of their own.
+            // Blades need to know their triangulation.
             Shape::Blade(_) => self.word(0),
             Shape::Dome { base, axis, radius, height } => {
                 self.word(1).point(*base).point(*axis).real(*radius).real(*height)

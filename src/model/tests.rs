@@ -280,3 +280,102 @@ fn filaments_of_a_flower_are_gathered_by_material() {
     assert!(model.parts.iter().all(|p| p.specimen == 0));
     assert_eq!(check(&model), Ok(()));
 }
+
+/// A trunk with two flowers on it, each of two sepals, a disc and two stamens of two materials; `petal` gives the first
+/// of them a petal that this stroke drew.
+fn flowering(petal: Option<u64>) -> Plant {
+    let cone = Cone { apex: Vec3::Y, axis: Vec3::Y, opening_rad: 0.7, height: 0.1 };
+    let flower = |_| Flower { branch: Some(0), cone, heart_radius: 0.01, reach: 0.1, look: 0 };
+    let blade = |x: f32| {
+        let outline = [Vec2::ZERO, Vec2::new(0.02, 0.05), Vec2::new(0.0, 0.1), Vec2::new(-0.02, 0.05)];
+        let base = Vec3::new(x, 1.0, 0.0);
+        Shape::Blade(Blade {
+            outline: outline.into(),
+            curl: Vec::new(),
+            base,
+            u: Vec3::X,
+            v: Vec3::Y,
+            length: 0.1,
+            rest: RestSurface::Plane,
+            form: BladeForm::default(),
+            template: Some(0),
+        })
+    };
+    let stamen = |x: f32, head_material| Shape::Filament {
+        points: vec![Vec3::new(x, 1.0, 0.0), Vec3::new(x, 1.1, 0.0)],
+        radius: 0.002,
+        head: Vec2::new(0.005, 0.01),
+        head_material,
+    };
+    let mut organs = Vec::new();
+    for index in 0..2 {
+        let x = index as f32;
+        let disc = Shape::Dome { base: Vec3::new(x, 1.0, 0.0), axis: Vec3::Y, radius: 0.01, height: 0.01 };
+        let shapes = [
+            (OrganKind::Receptacle, disc),
+            (OrganKind::Sepal, blade(x + 0.2)),
+            (OrganKind::Sepal, blade(x + 0.4)),
+            (OrganKind::Stamen, stamen(x + 0.6, 0)),
+            (OrganKind::Stamen, stamen(x + 0.8, 1)),
+        ];
+        let organ = |(kind, shape)| Organ {
+            kind,
+            stroke: None,
+            branch: Some(0),
+            flower: Some(index),
+            material: 0,
+            shape,
+        };
+        organs.extend(shapes.map(organ));
+    }
+    if let Some(stroke) = petal {
+        let drawn =
+            Organ { kind: OrganKind::Petal, stroke: Some(stroke), shape: blade(0.1), ..organs[0].clone() };
+        organs.push(drawn);
+    }
+    let branch = Branch {
+        stroke: None,
+        parent: None,
+        level: 0,
+        points: vec![Vec3::ZERO, Vec3::Y],
+        radii: vec![0.02; 2],
+        material: 0,
+    };
+    Plant {
+        world_from_canvas: WorldFromCanvas { scale: 1.0, origin: Vec2::ZERO },
+        branches: vec![branch],
+        flowers: (0..2).map(flower).collect(),
+        organs,
+        materials: vec![Material::plain("thread", [0.9; 3]), Material::plain("pollen", [0.9, 0.7, 0.1])],
+    }
+}
+
+fn part_names(model: &Model) -> Vec<&str> {
+    model.parts.iter().map(|part| part.name.as_str()).collect()
+}
+
+#[test]
+fn organs_that_nobody_drew_are_one_part_of_each_kind() {
+    let mut params = ModelParams::default();
+    params.blade.gathered = true;
+    let model = build(&flowering(None), &params);
+    assert_eq!(part_names(&model), ["wood", "receptacles", "sepals", "stamens", "anthers"]);
+    assert_eq!(check(&model), Ok(()));
+    let anthers = &model.parts[4];
+    assert_eq!(anthers.coats().map(|(material, _)| material).collect::<Vec<_>>(), [0, 1]);
+    assert!(model.parts[1..].iter().all(|part| part.parent == Some(0) && part.pivot == Vec3::ZERO));
+    let apart = build(&flowering(None), &ModelParams::default());
+    assert_eq!(model.triangle_count(), apart.triangle_count());
+}
+
+#[test]
+fn a_flower_that_was_drawn_keeps_its_parts() {
+    let mut params = ModelParams::default();
+    params.blade.gathered = true;
+    let model = build(&flowering(Some(7)), &params);
+    let of_the_drawn = ["receptacles_0", "sepals_0", "stamens_0", "anthers_0"];
+    let of_the_other = ["receptacles", "sepals", "stamens", "anthers"];
+    let names: Vec<&str> = [&["wood"], &of_the_drawn[..], &of_the_other, &["petal_0_0"]].concat();
+    assert_eq!(part_names(&model), names);
+    assert_eq!(check(&model), Ok(()));
+}
