@@ -7,6 +7,7 @@
 //! | [`suggest`] | the known word nearest to a mistyped one |
 //! | [`params`] | described parameters, one struct per stage |
 //! | [`random`] | random streams named by what they decide |
+//! | [`srgb`] | encoded colours to light and back |
 //! | [`geom`] | polylines, frames, polygons, ellipses: mathematics that knows no plant |
 //! | [`atomic`] | files written whole or not at all |
 //! | [`sketch`] | the document: strokes, tools, file formats |
@@ -43,4 +44,5 @@ pub mod random;
 pub mod render;
 pub mod sketch;
 pub mod species;
+pub mod srgb;
 pub mod suggest;

@@ -7,15 +7,19 @@ mod common;
 use common::{leafy, textures, two_specimens};
 use glam::{Vec2, Vec3};
 use gltf_json as json;
+use penstemon::export::decode::decode;
 use penstemon::export::pictures::fetch;
 use penstemon::export::read::{ReadFormat, from_bytes};
-use penstemon::export::{Encoded, ExportError, FORMATS, Scene, export, format_of, glb, load, plant_json};
+use penstemon::export::{
+    Embedded, Encoded, ExportError, FORMATS, Scene, export, format_of, glb, load, plant_json,
+};
 use penstemon::growth::Limits;
 use penstemon::model::quality::{Report, judge, judge_model};
 use penstemon::model::{Model, Vertex};
 use penstemon::pipeline;
-use penstemon::plant::{Plant, Texture};
+use penstemon::plant::{Material, Plant, Texture};
 use penstemon::species::{Species, builtin_texture};
+use penstemon::srgb::linear_from_srgb;
 use std::borrow::Cow;
 use std::fs;
 use std::path::Path;
@@ -116,7 +120,9 @@ fn mtl_names_materials_and_pictures_that_exist() {
     assert_eq!(mtl.matches("map_d ").count(), 1);
     assert!(mtl.contains("newmtl 叶\n") && !mtl.contains("newmtl unused"));
     assert!(
-        ["\nKa ", "\nKd ", "\nKs ", "\nNs ", "\nillum 2"].iter().all(|key| mtl.matches(key).count() == 3)
+        ["\nKa ", "\nKd ", "\nKs ", "\nNs ", "\nPr ", "\nillum 2"]
+            .iter()
+            .all(|key| mtl.matches(key).count() == 3)
     );
 }
 
@@ -142,6 +148,86 @@ fn a_grown_plant_is_wood_and_leaves() {
     let with_mesh = root.nodes.iter().filter(|node| node.mesh.is_some());
     assert_eq!(names(with_mesh.map(|node| node.name.as_ref()).collect()), ["leaves", "wood"]);
     assert_eq!(names(root.meshes.iter().map(|mesh| mesh.name.as_ref()).collect()), ["leaves", "wood"]);
+}
+
+#[test]
+fn a_tree_in_blossom_is_a_few_parts() {
+    let species = Species::built_in("cherry").unwrap();
+    let params = pipeline::params_of_species(&species, &[]).unwrap();
+    let grown = pipeline::grow(&species, &params, Some(12.0), 1, Limits::default()).unwrap();
+    assert!(grown.plant.flowers.len() > 100, "{} flowers", grown.plant.flowers.len());
+    let names: Vec<&str> = grown.model.parts.iter().map(|part| part.name.as_str()).collect();
+    assert_eq!(names, ["wood", "leaves", "petals", "receptacles", "stamens", "anthers"]);
+    let built_in = |name: &str| builtin_texture(name).map(Cow::Borrowed);
+    let scene = Scene::new(&grown.model, &grown.plant, &built_in, Cow::Borrowed("cherry")).unwrap();
+    let root = document(&format_of(Path::new("cherry.glb")).unwrap().encode(&scene).unwrap().bytes);
+    assert_eq!(root.nodes.len(), 1 + names.len());
+    let draws: usize = root.meshes.iter().map(|mesh| mesh.primitives.len()).sum();
+    assert!(draws < 20, "{draws} draws");
+}
+
+/// The MTL file of a model, and its pictures by name.
+fn materials_beside(obj: &Encoded) -> (String, Vec<(&str, Vec<u8>)>) {
+    let ((_, mtl), pictures) = obj.companions.split_last().unwrap();
+    let pictures = pictures.iter().map(|(name, bytes)| (name.as_str(), bytes.to_vec()));
+    (String::from_utf8(mtl.to_vec()).unwrap(), pictures.collect())
+}
+
+#[test]
+fn obj_has_the_colour_of_a_material_in_its_picture() {
+    let (model, plant) = two_specimens();
+    let obj = encoded("a.obj", &model, &plant);
+    let (mtl, pictures) = materials_beside(&obj);
+    assert_eq!(mtl.matches("\nKd 1 1 1\n").count(), 3, "{mtl}");
+    let pixel =
+        |name: &str| decode(&pictures.iter().find(|(file, _)| *file == name).unwrap().1).unwrap().pixels;
+    let of_material = |word: &str| {
+        let after = mtl.split_once(&format!("newmtl {word}\n")).unwrap().1;
+        pixel(after.lines().find_map(|line| line.strip_prefix("map_Kd ")).unwrap())
+    };
+    assert_eq!(of_material("leaf"), [40, 160, 60, 255]);
+    let light = |byte: u8| linear_from_srgb(f32::from(byte) / 255.0);
+    for (found, (plain, colour)) in of_material("叶").iter().zip([(40, 0.9), (160, 0.2), (60, 0.1)]) {
+        assert!((light(*found) - light(plain) * colour).abs() < 2e-3, "{found}");
+    }
+}
+
+#[test]
+fn materials_of_one_colour_and_picture_share_a_file() {
+    let (mut model, plant) = two_specimens();
+    model.materials[1].diffuse = model.materials[2].diffuse;
+    let obj = encoded("a.obj", &model, &plant);
+    let (mtl, pictures) = materials_beside(&obj);
+    assert_eq!((pictures.len(), mtl.matches("map_Kd ").count()), (2, 3));
+}
+
+#[test]
+fn obj_and_glb_are_equally_rough() {
+    let (model, plant) = two_specimens();
+    let (mtl, _) = materials_beside(&encoded("a.obj", &model, &plant));
+    let rough = mtl.lines().filter_map(|line| line.strip_prefix("Pr ")).map(|n| n.parse::<f32>().unwrap());
+    let root = document(&encoded("a.glb", &model, &plant).bytes);
+    let glb = root.materials.iter().map(|m| m.pbr_metallic_roughness.roughness_factor.0);
+    assert_eq!(rough.collect::<Vec<_>>(), glb.collect::<Vec<_>>());
+}
+
+#[test]
+fn glb_says_how_strong_highlights_are_and_what_shines_through() {
+    let (model, plant) = two_specimens();
+    let root = document(&encoded("a.glb", &model, &plant).bytes);
+    let used = ["KHR_materials_diffuse_transmission", "KHR_materials_specular"];
+    assert_eq!(
+        (root.extensions_used.as_slice(), root.extensions_required.len()),
+        (&used.map(String::from)[..], 0)
+    );
+    let leaf = &root.materials[1];
+    let extensions = &leaf.extensions.as_ref().unwrap().others;
+    let number = |name: &str, key: &str| extensions[name][key].as_f64().unwrap() as f32;
+    let strength = number(used[1], "specularFactor");
+    assert!((strength - 0.12 * 8.0 / 32.0 / 0.04).abs() < 1e-6, "{strength}");
+    assert_eq!(number(used[0], "diffuseTransmissionFactor"), 0.35);
+    let texture = leaf.pbr_metallic_roughness.base_color_texture.as_ref().unwrap().index.value();
+    assert_eq!(extensions[used[0]]["diffuseTransmissionColorTexture"]["index"], texture);
 }
 
 #[test]
@@ -232,7 +318,7 @@ fn export_writes_all_files_and_nothing_else() {
         names
     };
     let files = names();
-    assert_eq!(files.len(), 4, "{files:?}");
+    assert_eq!(files.len(), 5, "the model, its materials, three pictures: {files:?}");
     let on_disk: u64 =
         fs::read_dir(folder.path()).unwrap().map(|e| e.unwrap().metadata().unwrap().len()).sum();
     assert_eq!(on_disk, size as u64);
@@ -319,24 +405,44 @@ fn models_that_are_not_sound_or_empty_are_refused() {
     assert!(matches!(format_of(Path::new("x")), Err(ExportError::UnknownFormat { .. })));
 }
 
-/// All corners of a model: where they are and their colour. Names of materials become words in OBJ.
-fn corners(model: &Model) -> Vec<(Vec3, Vec2, [f32; 3])> {
+/// For each material the colour that is seen: its own times that of the first pixel of its picture.
+fn shown_colours(model: &Model, embedded: &Embedded) -> Vec<[f32; 3]> {
+    let shown = |material: &Material| {
+        let Some(texture) = &material.texture else { return material.diffuse };
+        let bytes = match embedded.get(texture) {
+            Some(bytes) => bytes.to_vec(),
+            None => fetch(texture, &textures).unwrap().into_owned(),
+        };
+        let pixel = decode(&bytes).unwrap().pixels;
+        std::array::from_fn(|k| material.diffuse[k] * linear_from_srgb(f32::from(pixel[k]) / 255.0))
+    };
+    model.materials.iter().map(shown).collect()
+}
+
+/// All corners of a model: where they are and the colour that is seen. Names of materials become words in OBJ.
+fn corners(model: &Model, embedded: &Embedded) -> Vec<(Vec3, Vec2, [f32; 3])> {
+    let shown = shown_colours(model, embedded);
     let mut corners = Vec::new();
     let coats = model.parts.iter().flat_map(|part| part.coats().map(move |coat| (part, coat)));
     for (part, (material, triangles)) in coats {
         for &corner in part.mesh.triangles[triangles].iter().flatten() {
             let vertex = &part.mesh.vertices[corner as usize];
             let point = part.mesh.points[vertex.point as usize];
-            corners.push((point, vertex.uv, model.materials[material].diffuse));
+            corners.push((point, vertex.uv, shown[material]));
         }
     }
     // Formats order parts in their own way; neighbours within rounding must not swap.
     let key = |(p, uv, colour): &(Vec3, Vec2, [f32; 3])| {
         let cell = |x: f32| (x * 1e3).round() as i64;
-        (colour.map(f32::to_bits), cell(p.x), cell(p.y), cell(p.z), cell(uv.x), cell(uv.y))
+        (colour.map(|c| (c * 20.0).round() as i64), cell(p.x), cell(p.y), cell(p.z), cell(uv.x), cell(uv.y))
     };
     corners.sort_by_key(key);
     corners
+}
+
+/// Whether two colours are the same to what pictures can hold.
+fn is_alike(a: [f32; 3], b: [f32; 3]) -> bool {
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() < 2e-3)
 }
 
 #[test]
@@ -348,21 +454,35 @@ fn a_model_that_was_written_is_loaded_in_its_place_and_colours() {
         export(&path, &model, &plant, &textures).unwrap();
         let loaded = load(&path).unwrap();
         assert!(loaded.warnings.is_empty(), "{file}: {:?}", loaded.warnings);
-        for ((p, uv, colour), (point, own_uv, own)) in corners(&loaded.model).iter().zip(corners(&model)) {
+        let (read, written) =
+            (corners(&loaded.model, &loaded.embedded), corners(&model, &Embedded::default()));
+        for ((p, uv, colour), (point, own_uv, own)) in read.iter().zip(written) {
             let near = p.distance(point) < 2e-3 && uv.distance(own_uv) < 2e-3;
-            assert!(near && *colour == own, "{file}: {p} {uv} {colour:?}, not {point} {own_uv} {own:?}");
+            assert!(
+                near && is_alike(*colour, own),
+                "{file}: {p} {uv} {colour:?}, not {point} {own_uv} {own:?}"
+            );
         }
         assert_eq!(loaded.model.triangle_count(), model.triangle_count());
-        for material in model.materials.iter().filter(|m| m.texture.is_some()) {
-            let found = loaded.model.materials.iter().find(|m| m.diffuse == material.diffuse).unwrap();
+        let pictured = |model: &Model| {
+            model.materials.iter().filter(|m| m.texture.is_some()).cloned().collect::<Vec<Material>>()
+        };
+        let (read, written) = (pictured(&loaded.model), pictured(&model));
+        assert_eq!(read.len(), written.len(), "{file}");
+        for (found, material) in read.iter().zip(written) {
             assert_eq!(found.cut_out, material.cut_out, "{file}");
             assert!((found.shininess - material.shininess).abs() < 0.1, "{file}: {}", found.shininess);
-            let texture = found.texture.as_ref().unwrap();
-            let bytes = match loaded.embedded.get(texture) {
-                Some(bytes) => bytes.to_vec(),
-                None => fetch(texture, &textures).unwrap().into_owned(),
-            };
-            assert_eq!(bytes, *fetch(material.texture.as_ref().unwrap(), &textures).unwrap(), "{file}");
+            assert!((found.specular[0] - material.specular[0]).abs() < 1e-3, "{file}: {:?}", found.specular);
+            assert!(file == "a.obj" || found.translucency == material.translucency, "{file}");
+            // Untouched where no colour had to go into it.
+            if file == "a.glb" || material.diffuse == [1.0; 3] {
+                let texture = found.texture.as_ref().unwrap();
+                let bytes = match loaded.embedded.get(texture) {
+                    Some(bytes) => bytes.to_vec(),
+                    None => fetch(texture, &textures).unwrap().into_owned(),
+                };
+                assert_eq!(bytes, *fetch(material.texture.as_ref().unwrap(), &textures).unwrap(), "{file}");
+            }
         }
     }
 }
@@ -382,10 +502,12 @@ fn a_part_of_two_materials_stays_one_surface_and_keeps_both() {
         assert_eq!(report.components, direct.components, "{file}");
         let path = folder.path().join(file);
         export(&path, &model, &plant, &textures).unwrap();
-        let loaded = load(&path).unwrap().model;
-        for ((p, _, colour), (point, _, own)) in corners(&loaded).iter().zip(corners(&model)) {
+        let loaded = load(&path).unwrap();
+        let (read, written) =
+            (corners(&loaded.model, &loaded.embedded), corners(&model, &Embedded::default()));
+        for ((p, _, colour), (point, _, own)) in read.iter().zip(written) {
             assert!(
-                p.distance(point) < 2e-3 && *colour == own,
+                p.distance(point) < 2e-3 && is_alike(*colour, own),
                 "{file}: {p} {colour:?}, not {point} {own:?}"
             );
         }

@@ -5,7 +5,7 @@
 #![allow(clippy::unwrap_used, reason = "a test's helper may fail the test")]
 
 use glam::{Affine2, Vec2};
-use penstemon::render::decode::{Rgba, decode};
+use penstemon::export::decode::{Rgba, decode};
 use penstemon::render::{CanvasLayer, CanvasView, Renderer};
 use penstemon::sketch::{Sketch, StrokePoint};
 use std::path::Path;

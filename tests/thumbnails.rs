@@ -9,11 +9,11 @@
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
+use penstemon::export::decode::decode;
 use penstemon::export::pictures::fetch;
 use penstemon::growth::Limits;
 use penstemon::pipeline;
 use penstemon::plant::Texture;
-use penstemon::render::decode::decode;
 use penstemon::render::{Direction, PictureOptions, Projection, Renderer, View};
 use penstemon::species::{Species, builtin_texture};
 use std::borrow::Cow;

@@ -3,7 +3,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use penstemon::render::decode::decode;
+use penstemon::export::decode::decode;
 
 fuzz_target!(|bytes: &[u8]| {
     let Ok(picture) = decode(bytes) else { return };

@@ -41,7 +41,7 @@ impl Exporter for Glb {
         let pictures = Pictures::of(scene)?;
         let regions = Regions::of(scene.model, &pictures);
         let mut out = vec![0; HEADER_BYTES + CHUNK_HEADER_BYTES];
-        serde_json::to_writer(&mut out, &document(scene, &pictures, &regions))?;
+        serde_json::to_writer(&mut out, &document(scene, &pictures, &regions)?)?;
         pad(&mut out, b' ');
         let json_bytes = out.len() - HEADER_BYTES - CHUNK_HEADER_BYTES;
         let total = out.len() as u64 + CHUNK_HEADER_BYTES as u64 + regions.end as u64;
@@ -86,7 +86,7 @@ impl Regions {
     }
 }
 
-fn document(scene: &Scene<'_>, pictures: &Pictures, regions: &Regions) -> json::Root {
+fn document(scene: &Scene<'_>, pictures: &Pictures, regions: &Regions) -> serde_json::Result<json::Root> {
     let mut root = json::Root::default();
     root.asset.generator = Some("Penstemon".to_owned());
     root.push(json::Buffer {
@@ -96,7 +96,7 @@ fn document(scene: &Scene<'_>, pictures: &Pictures, regions: &Regions) -> json::
         extensions: None,
         extras: Default::default(),
     });
-    let materials = push_materials(&mut root, scene, pictures);
+    let materials = push_materials(&mut root, scene, pictures)?;
     let mut cursor = Cursor::new(&mut root, scene.model, regions);
     let mesh_of_part: Vec<_> = scene
         .model
@@ -106,7 +106,7 @@ fn document(scene: &Scene<'_>, pictures: &Pictures, regions: &Regions) -> json::
         .collect();
     push_images(&mut root, pictures, regions);
     push_nodes(&mut root, scene.model, &mesh_of_part);
-    root
+    Ok(root)
 }
 
 fn push_images(root: &mut json::Root, pictures: &Pictures, regions: &Regions) {

@@ -1,15 +1,16 @@
 //! Materials, pictures and samplers of a glTF document.
 //!
-//! glTF is physically based, the plant Blinn-Phong. The diffuse colour becomes the base colour of a dielectric; the
-//! exponent becomes roughness so that both highlights are equally wide: α² = 2 / (Ns + 2) (Karis 2013, "Specular BRDF
-//! Reference") with α = roughness². `Ka` and `Ks` have no place: ambient light is the viewer's, and a dielectric
-//! reflects 4 %. Translucency would need an extension that few programs read, and is left out.
+//! glTF is physically based, the plant Blinn-Phong. The diffuse colour becomes the base colour of a dielectric, the
+//! highlight that of a microfacet surface ([`Material::roughness`]); what else a material has is in `gltf_extensions.rs`.
+//! `Ka` has no place: ambient light is the viewer's.
 
+use super::gltf_extensions;
 use super::{Pictures, Scene};
 use crate::plant::Material;
 use gltf_json as json;
 use json::validation::Checked::Valid;
 use json::{Index, material, texture};
+use std::collections::BTreeSet;
 
 /// Pushes the materials that parts use, with their textures; image `i` shows picture `i`. Returns each model
 /// material's index in the document.
@@ -17,15 +18,19 @@ pub(super) fn push_materials(
     root: &mut json::Root,
     scene: &Scene<'_>,
     pictures: &Pictures,
-) -> Vec<Option<Index<json::Material>>> {
+) -> serde_json::Result<Vec<Option<Index<json::Material>>>> {
     let textures = push_textures(root, pictures);
-    let materials = scene.model.materials.iter().zip(scene.used_materials()).enumerate();
-    materials
-        .map(|(i, (material, used))| {
-            let texture = pictures.of_material[i].map(|picture| textures[picture]);
-            used.then(|| root.push(converted(material, texture)))
-        })
-        .collect()
+    let mut pushed = Vec::with_capacity(scene.model.materials.len());
+    let mut used_extensions = BTreeSet::new();
+    for (i, (material, used)) in scene.model.materials.iter().zip(scene.used_materials()).enumerate() {
+        let texture = pictures.of_material[i].map(|picture| textures[picture]);
+        let converted = if used { Some(converted(material, texture)?) } else { None };
+        let extensions = converted.iter().filter_map(|material| material.extensions.as_ref());
+        used_extensions.extend(extensions.flat_map(|extensions| extensions.others.keys().cloned()));
+        pushed.push(converted.map(|material| root.push(material)));
+    }
+    root.extensions_used.extend(used_extensions);
+    Ok(pushed)
 }
 
 fn push_textures(root: &mut json::Root, pictures: &Pictures) -> Vec<Index<json::Texture>> {
@@ -47,7 +52,10 @@ fn push_textures(root: &mut json::Root, pictures: &Pictures) -> Vec<Index<json::
     (0..pictures.all.len() as u32).map(|image| root.push(texture(image))).collect()
 }
 
-fn converted(material: &Material, texture: Option<Index<json::Texture>>) -> json::Material {
+fn converted(
+    material: &Material,
+    texture: Option<Index<json::Texture>>,
+) -> serde_json::Result<json::Material> {
     let [r, g, b] = material.diffuse.map(|c| c.clamp(0.0, 1.0));
     let base_color_texture = texture.map(|index| texture::Info {
         index,
@@ -55,7 +63,8 @@ fn converted(material: &Material, texture: Option<Index<json::Texture>>) -> json
         extensions: None,
         extras: Default::default(),
     });
-    json::Material {
+    let others = gltf_extensions::written(material, [r, g, b], base_color_texture.clone())?;
+    Ok(json::Material {
         name: Some(material.name.clone()),
         alpha_mode: Valid(if material.cut_out {
             material::AlphaMode::Mask
@@ -67,18 +76,10 @@ fn converted(material: &Material, texture: Option<Index<json::Texture>>) -> json
             base_color_factor: material::PbrBaseColorFactor([r, g, b, 1.0]),
             base_color_texture,
             metallic_factor: material::StrengthFactor(0.0),
-            roughness_factor: material::StrengthFactor(roughness(material.shininess)),
+            roughness_factor: material::StrengthFactor(material.roughness()),
             ..Default::default()
         },
+        extensions: (!others.is_empty()).then_some(json::extensions::material::Material { others }),
         ..Default::default()
-    }
-}
-
-fn roughness(shininess: f32) -> f32 {
-    (2.0 / (shininess.max(0.0) + 2.0)).powf(0.25)
-}
-
-/// The exponent of a highlight as wide as that of a roughness; the other way round.
-pub(super) fn shininess(roughness: f32) -> f32 {
-    (2.0 / roughness.clamp(0.05, 1.0).powi(4) - 2.0).clamp(0.0, 1000.0)
+    })
 }

@@ -1,13 +1,14 @@
 //! GLB to a model that can be drawn: meshes where the nodes put them, materials as far as Blinn-Phong reaches.
 //!
-//! The inverse of `gltf_materials.rs`: base colour to diffuse, roughness to exponent; v is turned round again.
+//! The inverse of `gltf_materials.rs`: base colour to diffuse, roughness to exponent, extensions to highlight and
+//! translucency; v is turned round again.
 //!
 //! Limits: the first scene, or all roots where there is none; masks and blending both cut out; pictures outside the file
 //! are not read.
 
 use super::glb_container;
 use super::gltf_accessor::{Budget, Data};
-use super::gltf_materials::shininess;
+use super::gltf_extensions;
 use super::load::{Loaded, clay, is_picture};
 use super::read::Malformed;
 use super::read_glb::{assembled, check_nodes};
@@ -71,12 +72,14 @@ fn converted(material: &json::Material, root: &json::Root, textures: &[Option<Te
     let pbr = &material.pbr_metallic_roughness;
     let [r, g, b, _] = pbr.base_color_factor.0;
     let texture = pbr.base_color_texture.as_ref().and_then(|info| root.textures.get(info.index.value()));
+    let (reflectance, translucency) = gltf_extensions::read(material);
+    let plain = Material::plain(material.name.as_deref().unwrap_or("material"), [r, g, b]);
     Material {
-        shininess: shininess(pbr.roughness_factor.0),
+        translucency,
         texture: texture.and_then(|texture| textures.get(texture.source.value())?.clone()),
         cut_out: !matches!(material.alpha_mode, Checked::Valid(AlphaMode::Opaque)),
         double_sided: material.double_sided,
-        ..Material::plain(material.name.as_deref().unwrap_or("material"), [r, g, b])
+        ..plain.with_microfacets(pbr.roughness_factor.0, reflectance)
     }
 }
 

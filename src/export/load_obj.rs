@@ -3,7 +3,7 @@
 //! The geometry comes from `read_obj.rs`, which keeps the faces in the file's order; here each run of faces after a
 //! `usemtl` gets its material. MTL has no sidedness: both sides are shown.
 //!
-//! Limits: of an MTL file `Ka Kd Ks Ns map_Kd map_d`; libraries and pictures beside the OBJ file only, which is where
+//! Limits: of an MTL file `Ka Kd Ks Ns Pr map_Kd map_d`; libraries and pictures beside the OBJ file only, which is where
 //! exporters put them.
 
 use super::load::{Loaded, clay, is_picture};
@@ -107,10 +107,13 @@ fn load_library(
 fn converted(material: &tobj::Material, folder: &Path, warnings: &mut Vec<String>) -> Material {
     let plain = Material::plain(&material.name, material.diffuse.unwrap_or([1.0; 3]));
     let texture = material.diffuse_texture.as_ref().map(|name| Texture::File(folder.join(name)));
+    let roughness = material.unknown_param.get("Pr").and_then(|value| value.trim().parse().ok());
+    let from_roughness =
+        roughness.map(|roughness| plain.clone().with_microfacets(roughness, [0.0; 3]).shininess);
     Material {
         ambient: material.ambient.unwrap_or(plain.ambient),
         specular: material.specular.unwrap_or(plain.specular),
-        shininess: material.shininess.unwrap_or(plain.shininess),
+        shininess: material.shininess.or(from_roughness).unwrap_or(plain.shininess),
         cut_out: material.dissolve_texture.is_some(),
         texture: texture.filter(|texture| is_usable(texture, &material.name, warnings)),
         double_sided: true,

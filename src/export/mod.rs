@@ -4,10 +4,12 @@
 //! companions such as MTL and pictures first). Same model, same bytes. [`read()`] opens OBJ and GLB files for
 //! [`quality`](crate::model::quality), [`load()`] opens them with their materials to be looked at.
 
+pub mod decode;
 pub mod error;
 pub mod glb;
 mod glb_container;
 mod gltf_accessor;
+mod gltf_extensions;
 mod gltf_materials;
 mod gltf_tree;
 pub mod load;
@@ -22,6 +24,7 @@ pub mod read;
 mod read_glb;
 mod read_obj;
 pub mod scene;
+mod tint;
 
 pub use crate::atomic::{WriteError, write_atomically};
 pub use error::ExportError;

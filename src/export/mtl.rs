@@ -1,12 +1,14 @@
 //! Materials for OBJ: the MTL file.
 //!
-//! Blinn-Phong as the plant has it: `Ka Kd Ks Ns`, `illum 2`; a picture as `map_Kd`, and again as `map_d` where its
-//! alpha cuts the surface out. Paths are relative to the folder that holds OBJ, MTL and pictures. Translucency and
-//! two-sidedness have no place in MTL and are left out.
+//! Blinn-Phong as the plant has it: `Ka Kd Ks Ns`, `illum 2`; for programs that know microfacets only, `Pr`, the roughness
+//! that glTF gets too. A picture is `map_Kd`, with the material's colour in it already (`tint.rs`), and again `map_d` where
+//! its alpha cuts the surface out. Paths are relative to the folder that holds OBJ, MTL and pictures. Translucency and
+//! two-sidedness have no place in MTL and are left out: its `Tf` means glass.
 
 use super::Scene;
 use super::names::distinct_words;
 use super::pictures::{Picture, Pictures};
+use super::tint::Tinted;
 use crate::plant::Material;
 use std::fmt::Write;
 
@@ -19,18 +21,28 @@ pub(super) fn material_words(scene: &Scene<'_>) -> Vec<String> {
 pub(super) fn encode(
     scene: &Scene<'_>,
     words: &[String],
-    pictures: &Pictures,
+    tinted: &Tinted,
     picture_files: &[String],
 ) -> Vec<u8> {
     let mut out = String::new();
     let materials = scene.model.materials.iter().zip(words).zip(scene.used_materials());
     for (i, ((material, word), used)) in materials.enumerate() {
         if used {
-            let picture = pictures.of_material[i].map(|p| picture_files[p].as_str());
-            write_material(&mut out, material, word, picture);
+            let picture = tinted.pictures.of_material[i].map(|p| picture_files[p].as_str());
+            let material = beside_picture(material, tinted.diffuse[i]);
+            write_material(&mut out, &material, word, picture);
         }
     }
     out.into_bytes()
+}
+
+/// The material with what is left of its colour beside its picture. Ambient light is multiplied with the picture too.
+fn beside_picture(material: &Material, diffuse: [f32; 3]) -> Material {
+    let mut left = Material { diffuse, ..material.clone() };
+    for ((ambient, before), after) in left.ambient.iter_mut().zip(material.diffuse).zip(diffuse) {
+        *ambient = if before > 0.0 { (*ambient * after / before).min(1.0) } else { *ambient };
+    }
+    left
 }
 
 fn write_material(out: &mut String, material: &Material, word: &str, picture: Option<&str>) {
@@ -40,7 +52,7 @@ fn write_material(out: &mut String, material: &Material, word: &str, picture: Op
     let _ = writeln!(out, "Ka {}", colour(material.ambient));
     let _ = writeln!(out, "Kd {}", colour(material.diffuse));
     let _ = writeln!(out, "Ks {}", colour(material.specular));
-    let _ = writeln!(out, "Ns {}\nd 1\nillum 2", material.shininess);
+    let _ = writeln!(out, "Ns {}\nPr {}\nd 1\nillum 2", material.shininess, material.roughness());
     if let Some(picture) = picture {
         let _ = writeln!(out, "map_Kd {picture}");
         if material.cut_out {

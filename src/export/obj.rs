@@ -8,7 +8,7 @@
 
 use super::names::word;
 use super::scene::specimen_name;
-use super::{Encoded, ExportError, Exporter, Pictures, Scene, mtl};
+use super::{Encoded, ExportError, Exporter, Pictures, Scene, mtl, tint};
 use crate::model::{Mesh, Part};
 
 /// Wavefront OBJ with MTL and pictures beside it.
@@ -22,9 +22,9 @@ impl Exporter for Obj {
 
     fn encode(&self, scene: &Scene<'_>) -> Result<Encoded, ExportError> {
         let parts = scene.surfaces()?;
-        let pictures = Pictures::of(scene)?;
+        let tinted = tint::tinted(scene, Pictures::of(scene)?);
         let stem = word(&scene.stem);
-        let picture_files = mtl::picture_files(&stem, &pictures);
+        let picture_files = mtl::picture_files(&stem, &tinted.pictures);
         let materials = mtl::material_words(scene);
         let mtl_file = format!("{stem}.mtl");
         let mut out = Writer::with_room_for(&parts);
@@ -44,9 +44,11 @@ impl Exporter for Obj {
             out.points += part.mesh.points.len();
             out.vertices += part.mesh.vertices.len();
         }
-        let mtl = mtl::encode(scene, &materials, &pictures, &picture_files);
-        let mut companions: Vec<_> =
-            picture_files.into_iter().zip(pictures.all.into_iter().map(|picture| picture.bytes)).collect();
+        let mtl = mtl::encode(scene, &materials, &tinted, &picture_files);
+        let mut companions: Vec<_> = picture_files
+            .into_iter()
+            .zip(tinted.pictures.all.into_iter().map(|picture| picture.bytes))
+            .collect();
         companions.push((mtl_file, mtl.into()));
         Ok(Encoded { bytes: out.bytes, companions })
     }

@@ -1,6 +1,6 @@
 //! The pictures that a model's materials need, each once, as the bytes that go into files.
 //!
-//! Pictures are never decoded here: PNG and JPEG are what both OBJ and glTF carry, told apart by their first bytes.
+//! Pictures are not decoded here: PNG and JPEG are what both OBJ and glTF carry, told apart by their first bytes.
 
 use super::{ExportError, Scene};
 use crate::plant::{Material, Texture};

@@ -35,6 +35,9 @@ pub struct Material {
     pub double_sided: bool,
 }
 
+/// Reflectance at right angles of an ordinary dielectric, of refractive index 1.5.
+pub const DIELECTRIC: f32 = 0.04;
+
 impl Material {
     /// A matt surface of one colour.
     pub fn plain(name: &str, diffuse: [f32; 3]) -> Self {
@@ -48,6 +51,43 @@ impl Material {
             texture: None,
             cut_out: false,
             double_sided: false,
+        }
+    }
+
+    /// Roughness, 0 to 1, of the microfacet surface with an equally wide highlight: α² = 2 / (Ns + 2) with
+    /// α = roughness² (Karis 2013, "Specular BRDF Reference").
+    pub fn roughness(&self) -> f32 {
+        (2.0 / (self.shininess.max(0.0) + 2.0)).powf(0.25)
+    }
+
+    /// Reflectance at right angles, 0 to 1, of the microfacet surface of that roughness with an equally bright highlight:
+    /// where the lamp is mirrored it shines with F₀ / 4α² of its light, this material with `Ks`.
+    pub fn reflectance(&self) -> [f32; 3] {
+        self.specular.map(|ks| (8.0 * ks / (self.shininess.max(0.0) + 2.0)).clamp(0.0, 1.0))
+    }
+
+    /// The material with the highlight of a microfacet surface: the inverse of [`Self::roughness`] and
+    /// [`Self::reflectance`]. Roughness below 0.05 counts as 0.05.
+    #[must_use]
+    pub fn with_microfacets(self, roughness: f32, reflectance: [f32; 3]) -> Self {
+        let shininess = (2.0 / roughness.clamp(0.05, 1.0).powi(4) - 2.0).clamp(0.0, 1000.0);
+        let specular = reflectance.map(|f0| (f0 * (shininess + 2.0) / 8.0).clamp(0.0, 1.0));
+        Self { specular, shininess, ..self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn microfacets_come_back_as_the_same_highlight() {
+        for (specular, shininess) in [(0.0, 20.0), (0.04, 20.0), (0.25, 60.0), (0.1, 5.0)] {
+            let shiny = Material { specular: [specular; 3], shininess, ..Material::plain("leaf", [0.5; 3]) };
+            let back =
+                Material::plain("leaf", [0.5; 3]).with_microfacets(shiny.roughness(), shiny.reflectance());
+            assert!((back.shininess - shininess).abs() < 1e-3 * shininess, "{back:?}");
+            assert!((back.specular[0] - specular).abs() < 1e-4, "{back:?}");
         }
     }
 }

@@ -1,11 +1,11 @@
 //! Materials on the GPU: colours and picture of each, in bind group 1.
 
 use super::RenderError;
-use super::decode::{self, Rgba};
 use super::gpu::Gpu;
 use super::mipmap::{MipmapRenderer, TEXTURE_FORMAT};
 use super::pipeline::{entry, texture, uniform};
 use super::renderer::TextureSource;
+use crate::export::decode::{self, Rgba};
 use crate::plant::{Material, Texture};
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec3, Vec4};

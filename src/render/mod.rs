@@ -26,7 +26,6 @@
 
 pub mod camera;
 pub mod canvas;
-pub mod decode;
 pub mod error;
 pub mod orbit;
 pub mod picture;

@@ -1,6 +1,7 @@
 //! A finished picture in memory.
 
 use super::RenderError;
+use crate::srgb::{linear_from_srgb, srgb_from_linear};
 
 /// An RGBA picture: sRGB, straight alpha, rows from the top, four bytes per pixel.
 #[derive(Clone, PartialEq, Eq)]
@@ -110,14 +111,6 @@ fn undiluted(channel: u8, alpha: u8) -> u8 {
     (srgb_from_linear(linear.min(1.0)) * 255.0).round() as u8
 }
 
-fn linear_from_srgb(v: f32) -> f32 {
-    if v <= 0.04045 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) }
-}
-
-fn srgb_from_linear(v: f32) -> f32 {
-    if v <= 0.003_130_8 { 12.92 * v } else { 1.055 * v.powf(1.0 / 2.4) - 0.055 }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -154,7 +147,7 @@ mod tests {
     #[test]
     fn a_png_reads_back() {
         let picture = plain(3, 2, [10, 20, 30, 40]);
-        let read = crate::render::decode::decode(&picture.to_png().unwrap()).unwrap();
+        let read = crate::export::decode::decode(&picture.to_png().unwrap()).unwrap();
         assert_eq!((read.width, read.height, read.pixels.as_slice()), (3, 2, picture.pixels()));
     }
 }

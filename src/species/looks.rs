@@ -7,6 +7,7 @@ use super::part::Part;
 use super::ranges;
 use crate::growth::Habit;
 use crate::plant::{BladeForm, Material, Texture};
+use crate::srgb::linear_from_srgb;
 use serde::{Deserialize, Deserializer, de};
 use serde_json::{Map, Value};
 use std::{collections::BTreeMap, path::PathBuf};
@@ -422,10 +423,6 @@ fn colour<'de, D: Deserializer<'de>>(source: D) -> Result<[f32; 3], D::Error> {
     let number = digits.and_then(|d| u32::from_str_radix(d, 16).ok());
     let number = number.ok_or_else(|| de::Error::custom(format!("`{text}` is no colour; write #rrggbb")))?;
     Ok([16, 8, 0].map(|shift| linear_from_srgb(((number >> shift) & 0xff) as f32 / 255.0)))
-}
-
-fn linear_from_srgb(c: f32) -> f32 {
-    if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
 }
 
 /// A texture by name; [`super::file`] decides whether it is a file or built in.

@@ -113,6 +113,7 @@ fn materials() -> Vec<Material> {
     leaf.texture = Some(Texture::BuiltIn("leaf.png".into()));
     leaf.double_sided = true;
     leaf.cut_out = true;
+    (leaf.specular, leaf.shininess, leaf.translucency) = ([0.12; 3], 30.0, 0.35);
     let mut other = Material::plain("叶", [0.9, 0.2, 0.1]);
     other.texture = leaf.texture.clone();
     vec![bark, leaf, other, Material::plain("unused", [0.0; 3])]

@@ -2,7 +2,7 @@
 //!
 //! Only one picture is decoded per frame, so that opening a panel never makes the window wait.
 
-use crate::render::decode::{Rgba, decode};
+use crate::export::decode::{Rgba, decode};
 use crate::species::builtin_texture;
 use egui::{ColorImage, Context, Id, TextureHandle, TextureOptions};
 use include_dir::{Dir, include_dir};

@@ -20,11 +20,11 @@ mod reference;
 pub use curve::StrokeCurve;
 pub use ink::{InkBuffer, InkPoint};
 
-use super::decode::Rgba;
 use super::gpu::Gpu;
 use super::pipeline::{Into, PipelineSpec};
 use super::uniform::Uniform;
 use super::{RenderError, Renderer, shaders};
+use crate::export::decode::Rgba;
 use crate::sketch::{StrokeId, StrokePoint};
 use bytemuck::{Pod, Zeroable};
 use glam::{Affine2, Vec2, Vec3, Vec4};

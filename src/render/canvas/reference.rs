@@ -1,9 +1,9 @@
 //! The picture under the drawing, to be traced.
 
-use super::super::decode::Rgba;
 use super::super::gpu::Gpu;
 use super::super::pipeline::{Into, PipelineSpec, entry, texture, uniform};
 use super::super::{RenderError, Renderer, shaders};
+use crate::export::decode::Rgba;
 use bytemuck::{Pod, Zeroable};
 use glam::{Affine2, Vec4};
 

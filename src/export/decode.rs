@@ -1,6 +1,6 @@
-//! Texture files to pixels: PNG and JPEG, recognised by their first bytes.
+//! Picture files to pixels: PNG and JPEG, recognised by their first bytes; and back to PNG.
 
-use crate::export::pictures::PictureFormat;
+use super::pictures::PictureFormat;
 use std::io::Cursor;
 use zune_jpeg::zune_core::{colorspace::ColorSpace, options::DecoderOptions};
 
@@ -16,6 +16,31 @@ pub struct Rgba {
     pub height: u32,
     /// Four bytes per pixel.
     pub pixels: Vec<u8>,
+}
+
+impl Rgba {
+    /// The picture as a PNG file, the same bytes every time; without alpha where all of it is opaque.
+    ///
+    /// # Errors
+    /// The encoder's.
+    pub fn to_png(&self) -> Result<Vec<u8>, png::EncodingError> {
+        let pixels = self.pixels.as_chunks::<4>().0;
+        let is_opaque = pixels.iter().all(|pixel| pixel[3] == 255);
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, self.width, self.height);
+        encoder.set_color(if is_opaque { png::ColorType::Rgb } else { png::ColorType::Rgba });
+        encoder.set_depth(png::BitDepth::Eight);
+        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+        let mut writer = encoder.write_header()?;
+        if is_opaque {
+            let colours: Vec<u8> = pixels.iter().flat_map(|&[r, g, b, _]| [r, g, b]).collect();
+            writer.write_image_data(&colours)?;
+        } else {
+            writer.write_image_data(&self.pixels)?;
+        }
+        writer.finish()?;
+        Ok(bytes)
+    }
 }
 
 /// Decodes a PNG or JPEG file.
@@ -95,6 +120,14 @@ mod tests {
         for (colour, data, expected) in cases {
             let picture = decode(&png_of(1, 1, colour, data)).unwrap();
             assert_eq!(picture.pixels, expected, "{colour:?}");
+        }
+    }
+
+    #[test]
+    fn pixels_come_back_from_png() {
+        for alpha in [255, 9] {
+            let picture = Rgba { width: 2, height: 1, pixels: vec![1, 2, 3, 255, 4, 5, 6, alpha] };
+            assert_eq!(decode(&picture.to_png().unwrap()).unwrap(), picture);
         }
     }
 
