@@ -4,12 +4,14 @@
 //!
 //! | module | purpose |
 //! | --- | --- |
+//! | [`quote`] | words of users and files in messages |
 //! | [`suggest`] | the known word nearest to a mistyped one |
 //! | [`params`] | described parameters, one struct per stage |
 //! | [`random`] | random streams named by what they decide |
 //! | [`srgb`] | encoded colours to light and back |
 //! | [`geom`] | polylines, frames, polygons, ellipses: mathematics that knows no plant |
 //! | [`atomic`] | files written whole or not at all |
+//! | [`input`] | files read within limits, and never written over |
 //! | [`sketch`] | the document: strokes, tools, file formats |
 //! | [`pen`] | what every pointing device says, in one form |
 //! | [`plant`] | the waist: branches and organs in space |
@@ -34,11 +36,13 @@ pub mod depth;
 pub mod export;
 pub mod geom;
 pub mod growth;
+pub mod input;
 pub mod model;
 pub mod params;
 pub mod pen;
 pub mod pipeline;
 pub mod plant;
+pub mod quote;
 pub mod random;
 #[cfg(feature = "program")]
 pub mod render;

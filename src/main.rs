@@ -14,8 +14,19 @@ static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 /// Calls an empty clipboard an error.
 const NOISY: &str = "winit_x11::data_transfer";
 
+/// What clap ends with.
+const WRONG_USAGE: u8 = 2;
+
 fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) if error.use_stderr() => {
+            eprint!("{}", cli::usage(&error));
+            return ExitCode::from(WRONG_USAGE);
+        }
+        // Help that was asked for.
+        Err(help) => help.exit(),
+    };
     let level = if cli.verbose { tracing::Level::DEBUG } else { tracing::Level::WARN };
     let told = tracing_subscriber::fmt().with_max_level(level).with_writer(std::io::stderr).without_time();
     told.finish().with(Targets::new().with_default(level).with_target(NOISY, LevelFilter::OFF)).init();

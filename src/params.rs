@@ -10,6 +10,7 @@
 //!
 //! Limits: a parameter is a number, an integer or a switch. Anything richer belongs in a species file.
 
+use crate::quote;
 use crate::suggest::{did_you_mean, nearest};
 use serde::{Serialize, de::DeserializeOwned};
 use serde_json::{Map, Value};
@@ -81,7 +82,7 @@ pub enum ParamError {
 }
 
 impl ParamError {
-    /// Path of the parameter, as it was given.
+    /// Path of the parameter, as it was given; shortened where it is too long to be one.
     pub fn path(&self) -> &str {
         match self {
             Self::Unknown { path, .. } | Self::Type { path, .. } | Self::Range { path, .. } => path,
@@ -281,7 +282,7 @@ impl Overrides {
     pub fn set_text(&mut self, assignment: &str) -> Result<(), ParamError> {
         let Some((path, text)) = assignment.split_once('=') else {
             let reason = "write it as PATH=VALUE".to_owned();
-            return Err(ParamError::Type { path: assignment.to_owned(), reason });
+            return Err(ParamError::Type { path: quote::name(assignment), reason });
         };
         let value = serde_json::from_str(text.trim()).unwrap_or_else(|_| Value::String(text.to_owned()));
         self.set(path.trim(), value)
@@ -291,7 +292,7 @@ impl Overrides {
         let value = checked(&self.known, path, value)?;
         let slot = path.split('.').try_fold(&mut self.values, |tree, key| tree.get_mut(key));
         let Some(slot) = slot else {
-            return Err(ParamError::Unknown { path: path.to_owned(), nearest: None });
+            return Err(ParamError::Unknown { path: quote::name(path), nearest: None });
         };
         *slot = value;
         Ok(())
@@ -302,7 +303,8 @@ impl Overrides {
     /// # Errors
     /// A value that the struct cannot hold.
     pub fn finish<P: Parameters>(self) -> Result<P, ParamError> {
-        serde_json::from_value(self.values).map_err(|e| type_error("parameters", &e.to_string()))
+        serde_json::from_value(self.values)
+            .map_err(|e| type_error("parameters", &quote::name(&e.to_string())))
     }
 }
 
@@ -311,12 +313,15 @@ fn checked(all: &[Description], path: &str, value: Value) -> Result<Value, Param
     let Some(known) = all.iter().find(|d| d.path == path) else {
         let known = all.iter().map(|d| d.path.as_str());
         let nearest = nearest(path, known).map(str::to_owned);
-        return Err(ParamError::Unknown { path: path.to_owned(), nearest });
+        return Err(ParamError::Unknown { path: quote::name(path), nearest });
     };
     let number = match &value {
         Value::Bool(on) => f64::from(u8::from(*on)),
         Value::Number(n) => n.as_f64().unwrap_or(f64::NAN),
-        other => return Err(type_error(path, &format!("needs a number or true/false, not {other}"))),
+        other => {
+            let other = quote::name(&other.to_string());
+            return Err(type_error(path, &format!("needs a number or true/false, not {other}")));
+        }
     };
     if !(known.min..=known.max).contains(&number) {
         return Err(ParamError::Range {

@@ -18,10 +18,11 @@ use crate::growth::{
 use crate::model::{self, Model, ModelParams};
 use crate::params::{Description, Overrides, ParamError, Parameters as _};
 use crate::plant::Plant;
+use crate::quote;
 use crate::sketch::Sketch;
 use crate::species::{self, Species, SpeciesError};
 use std::borrow::Cow;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -106,11 +107,15 @@ pub enum SetupError {
 /// # Errors
 /// An unknown name, or a file that cannot be used.
 pub fn species_of(sketch: &Sketch, folder: &Path) -> Result<Species, SpeciesError> {
-    match sketch.species.as_deref() {
-        Some(name) if name.ends_with(".toml") => Species::read(&folder.join(name)),
-        Some(name) => Species::built_in(name),
-        None => Species::built_in(DEFAULT_SPECIES),
+    match species_file(sketch, folder) {
+        Some(file) => Species::read(&file),
+        None => Species::built_in(sketch.species.as_deref().unwrap_or(DEFAULT_SPECIES)),
     }
+}
+
+/// The species file that a sketch names, if it names one.
+pub fn species_file(sketch: &Sketch, folder: &Path) -> Option<PathBuf> {
+    sketch.species.as_deref().filter(|name| name.ends_with(".toml")).map(|name| folder.join(name))
 }
 
 /// Parameters for a sketch: defaults, then the species', then the sketch's own, then `PATH=VALUE` assignments. What the
@@ -173,6 +178,7 @@ impl Cache {
 pub fn build(sketch: &Sketch, species: &Species, params: &Params) -> Built {
     let mut clock = Clock::start();
     let mut anatomy = clock.time("anatomy", || anatomy::analyse(sketch, &params.anatomy));
+    growing::remark_fineness(&mut anatomy, species, params);
     let plant = clock.time("depth", || depth::recover(&anatomy, sketch.seed, &params.depth));
     let mut growth = None;
     let plant = if growing::grows(&anatomy, species, params) {
@@ -212,6 +218,7 @@ pub fn build_with(
     };
     let mut clock = Clock::start();
     let mut anatomy = clock.time("anatomy", || anatomy::analyse_unless(sketch, &params.anatomy, &stop))?;
+    growing::remark_fineness(&mut anatomy, species, params);
     let plant = clock.time("depth", || depth::recover(&anatomy, sketch.seed, &params.depth));
     if stop() {
         return None;
@@ -336,7 +343,7 @@ fn check_grows(species: &Species) -> Result<(), SetupError> {
         return Ok(());
     }
     let known = Species::growing().join(", ");
-    Err(SetupError::NoGrowth { name: species.name.clone(), known })
+    Err(SetupError::NoGrowth { name: quote::name(&species.name), known })
 }
 
 impl Grown {

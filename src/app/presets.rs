@@ -6,6 +6,7 @@
 //! Limits: files that are no presets are not listed; those above [`MAX_BYTES`] are refused.
 
 use crate::export::{WriteError, write_atomically};
+use crate::{input, quote};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -88,12 +89,8 @@ pub fn list(folder: &Path) -> Vec<Listed> {
 /// A file that is missing, too large or no preset.
 pub fn load(path: &Path) -> Result<Preset, PresetError> {
     let unreadable = |reason: String| PresetError::Unreadable { path: path.to_owned(), reason };
-    let size = fs::metadata(path).map_err(|e| unreadable(e.to_string()))?.len();
-    if size > MAX_BYTES {
-        return Err(unreadable(format!("it is larger than {MAX_BYTES} bytes")));
-    }
-    let text = fs::read_to_string(path).map_err(|e| unreadable(e.to_string()))?;
-    toml::from_str(&text).map_err(|e| unreadable(e.message().to_owned()))
+    let bytes = input::read(path, MAX_BYTES).map_err(|e| unreadable(e.to_string()))?;
+    toml::from_slice(&bytes).map_err(|e| unreadable(quote::message(e.message())))
 }
 
 /// Keeps a preset in a folder and returns its file. A preset of the same name is replaced.

@@ -28,16 +28,15 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         export::format_of(out)?;
     }
     let setup = Setup::open(&args.sketch, &args.options.setup)?;
+    setup.sources.spare(args.out.iter().map(PathBuf::as_path))?;
     let built = setup.build(&args.sketch);
     ensure!(
         !built.model.parts.is_empty(),
         "{}: no stroke is long enough to be a petal, a leaf or a branch; draw something larger",
         args.sketch.display()
     );
-    let mut bytes = 0;
-    for out in &args.out {
-        bytes += export::export(out, &built.model, &built.plant, &common::built_in_texture)?;
-    }
+    let (model, plant) = (&built.model, &built.plant);
+    let bytes = export::export_all(&args.out, model, plant, &common::built_in_texture, &setup.sources)?;
     if args.options.stats {
         common::print(&common::stats(&built.stages, &built.model, bytes).to_string())?;
     }

@@ -4,6 +4,7 @@ use super::common;
 use crate::export::read;
 use crate::model::crossing::crossing_faces;
 use crate::model::quality::{Report, judge};
+use crate::quote;
 use serde::Serialize;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -44,7 +45,7 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     for surface in read(&args.model)? {
         let one = judge(&surface.mesh, surface.has);
         if !one.is_clean() && !surface.name.is_empty() && faulty.len() < NAMED {
-            faulty.push(surface.name);
+            faulty.push(quote::name(&surface.name));
         }
         report.add(&one);
         crossing += crossing_faces(&surface.mesh);

@@ -1,5 +1,6 @@
 //! What the building verbs share: opening a sketch, choosing species and parameters, reporting.
 
+use crate::input::Sources;
 use crate::model::Model;
 use crate::pipeline::{self, Built, Params};
 use crate::sketch::{self, Sketch};
@@ -23,21 +24,6 @@ pub struct BuildOptions {
     pub stats: bool,
 }
 
-impl BuildOptions {
-    /// The options that were given, as they are typed.
-    pub fn given(&self) -> Vec<&'static str> {
-        let Self { setup, stats } = self;
-        let options = [
-            ("--species", setup.species.is_some()),
-            ("--seed", setup.seed.is_some()),
-            ("--set", !setup.assignments.is_empty()),
-            ("--texture", !setup.textures.is_empty()),
-            ("--stats", *stats),
-        ];
-        options.into_iter().filter(|(_, given)| *given).map(|(name, _)| name).collect()
-    }
-}
-
 /// Options of every verb that sets up a sketch for building.
 #[derive(Debug, clap::Args)]
 pub struct SetupOptions {
@@ -47,12 +33,26 @@ pub struct SetupOptions {
     /// Seed of everything random; instead of the sketch's own.
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
-    /// Any parameter by its path, for instance depth.world.height=0.4; may be given again.
+    /// Any parameter by its path, for instance depth.world.height=0.4; may be given again. `penstemon params` lists them.
     #[arg(long = "set", value_name = "PARAM=VALUE")]
     pub assignments: Vec<String>,
     /// Your own picture for a part, for instance petal=photo.jpg; may be given again.
     #[arg(long = "texture", value_name = "PART=FILE")]
     pub textures: Vec<String>,
+}
+
+impl SetupOptions {
+    /// The options that were given, as they are typed.
+    pub fn given(&self) -> Vec<&'static str> {
+        let Self { species, seed, assignments, textures } = self;
+        let options = [
+            ("--species", species.is_some()),
+            ("--seed", seed.is_some()),
+            ("--set", !assignments.is_empty()),
+            ("--texture", !textures.is_empty()),
+        ];
+        options.into_iter().filter(|(_, given)| *given).map(|(name, _)| name).collect()
+    }
 }
 
 /// Reads a sketch; warnings go to stderr.
@@ -75,6 +75,8 @@ pub struct Setup {
     pub species: Species,
     /// Its parameters.
     pub params: Params,
+    /// The files that all of these come from.
+    pub sources: Sources,
 }
 
 impl Setup {
@@ -92,15 +94,19 @@ impl Setup {
             (folder, whose) = (Path::new(""), "--species".to_owned());
         }
         let mut species = pipeline::species_of(&sketch, folder).context(whose)?;
+        let mut sources = Sources::default();
+        sources.add(path);
+        pipeline::species_file(&sketch, folder).iter().for_each(|file| sources.add(file));
         for assignment in &options.textures {
             let (part, file) = assignment
                 .split_once('=')
                 .with_context(|| format!("--texture {assignment}: write it as PART=FILE"))?;
             species.set_texture(part, &PathBuf::from(file))?;
         }
+        species.picture_files().for_each(|picture| sources.add(picture));
         let params = pipeline::params_of(&sketch, &species, &options.assignments)
             .with_context(|| path.display().to_string())?;
-        Ok(Self { sketch, species, params })
+        Ok(Self { sketch, species, params, sources })
     }
 
     /// Builds the plant; remarks about odd strokes go to stderr.

@@ -3,6 +3,7 @@
 use super::{common, inside};
 use crate::export::{self, pictures::fetch};
 use crate::growth::{Limits, Outcome, foliage};
+use crate::input::Sources;
 use crate::model::Model;
 use crate::pipeline::{self, Grown};
 use crate::plant::{OrganKind, Plant, Texture};
@@ -43,7 +44,8 @@ pub struct Args {
     /// Longest time that its years may take together.
     #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u32).range(1..=86_400))]
     pub max_seconds: Option<u32>,
-    /// Any parameter by its path, for instance habit.lambda=0.7 or model.tube.sides=5; may be given again.
+    /// Any parameter by its path, for instance habit.lambda=0.7 or model.tube.sides=5; may be given again. `penstemon params
+    /// SPECIES` lists them.
     #[arg(long = "set", value_name = "PARAM=VALUE")]
     pub assignments: Vec<String>,
     /// Print times, counts and bytes written as one JSON object.
@@ -63,16 +65,23 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         common::print(&Species::growing().join("\n"))?;
         return Ok(ExitCode::SUCCESS);
     }
-    let models: Vec<&Path> = args.out.iter().map(PathBuf::as_path).filter(|out| !is_picture(out)).collect();
-    for out in &models {
+    for out in args.out.iter().filter(|out| !is_picture(out)) {
         export::format_of(out)?;
     }
     let name = args.species.as_deref().context("which species?")?;
     let species = open(name)?;
+    let sources = sources_of(args, &species);
+    sources.spare(args.out.iter().map(PathBuf::as_path))?;
     if let Some(age) = args.age {
         ensure!((0.0..=10_000.0).contains(&age), "--age {age}: write the years, from 0 to 10000");
     }
     let params = pipeline::params_of_species(&species, &args.assignments).with_context(|| name.to_owned())?;
+    let usual = species.growth.as_ref().map_or(params.habit.fineness, |habit| habit.fineness);
+    if args.inside.is_none() && params.habit.fineness != usual {
+        tracing::warn!(
+            "{name}: habit.fineness changes only plants that fill a volume; name one with --inside"
+        );
+    }
     let mut limits = Limits::default();
     if let Some(most) = args.max_internodes {
         limits.internodes = usize::try_from(most)?;
@@ -103,8 +112,8 @@ pub fn run(args: &Args) -> Result<ExitCode> {
              --set habit.leaf.per_internode=1"
         );
     }
-    ensure!(!grown.model.parts.is_empty(), "{name}: nothing has grown yet; choose a higher --age");
-    let bytes = write(args, &models, &grown, |age| grown.at(age, &species, &params))?;
+    ensure!(!grown.model.parts.is_empty(), "{name}: {}", why_bare(&grown));
+    let bytes = write(args, &sources, &grown, |age| grown.at(age, &species, &params))?;
     if args.stats {
         let mut stats = common::stats(&grown.stages, &grown.model, bytes);
         stats["internodes"] = grown.simulation.tree().len().into();
@@ -116,19 +125,30 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
+/// Why nothing is to be seen of a plant, and what to do.
+fn why_bare(grown: &Grown) -> &'static str {
+    match grown.outcome {
+        Outcome::Finished => {
+            "nothing grew, and no bud is left that ever could; leave out what --set changes of its habit, or choose other \
+             values, for instance a higher habit.supply"
+        }
+        _ => "nothing has grown yet; choose a higher --age",
+    }
+}
+
 /// Writes the plant, or its frames, which `at` gives by their ages; returns the number of bytes.
-fn write(args: &Args, models: &[&Path], grown: &Grown, at: impl Fn(f32) -> (Plant, Model)) -> Result<usize> {
-    let pictures: Vec<&PathBuf> = args.out.iter().filter(|out| is_picture(out)).collect();
+fn write(args: &Args, sources: &Sources, grown: &Grown, at: impl Fn(f32) -> (Plant, Model)) -> Result<usize> {
+    let (pictures, models): (Vec<&PathBuf>, Vec<&PathBuf>) = args.out.iter().partition(|out| is_picture(out));
     let mut studio = if pictures.is_empty() { None } else { Some(Studio::new(&grown.model)?) };
     let mut write = |plant: &Plant, model: &Model, named: &dyn Fn(&Path) -> PathBuf| -> Result<usize> {
-        let mut bytes = 0;
-        for out in models {
-            bytes += export::export(&named(out), model, plant, &common::built_in_texture)?;
-        }
+        let named_all = |outs: &[&PathBuf]| outs.iter().map(|out| named(out)).collect::<Vec<_>>();
+        let (models, pictures) = (named_all(&models), named_all(&pictures));
+        sources.spare(pictures.iter().map(PathBuf::as_path))?;
+        let mut bytes = export::export_all(&models, model, plant, &common::built_in_texture, sources)?;
         if let Some(studio) = &mut studio {
             let png = studio.picture(model)?;
             for out in &pictures {
-                export::write_atomically(&named(out), &png)?;
+                export::write_atomically(out, &png)?;
                 bytes += png.len();
             }
         }
@@ -179,6 +199,15 @@ impl Studio {
 /// The file of a texture.
 fn texture(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
     Ok(fetch(texture, &common::built_in_texture)?)
+}
+
+/// The files that a plant is made from.
+fn sources_of(args: &Args, species: &Species) -> Sources {
+    let mut sources = Sources::default();
+    // What is no file is none of them.
+    [&args.species, &args.inside].into_iter().flatten().for_each(|file| sources.add(Path::new(file)));
+    species.picture_files().for_each(|picture| sources.add(picture));
+    sources
 }
 
 /// A built-in species, or one of the artist's own where the name is that of a file.

@@ -5,10 +5,9 @@
 
 use crate::growth::solid::MAX_BYTES;
 use crate::growth::{Envelope, Field, Simulation, Solid};
+use crate::input;
 use anyhow::{Context, Result, bail, ensure};
 use glam::Vec3;
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -72,9 +71,7 @@ fn sized(text: &str) -> Option<Vec3> {
 
 fn solid(path: &str) -> Result<Solid> {
     let told = || format!("--inside {path}");
-    let mut bytes = Vec::new();
-    let file = File::open(path).with_context(told)?;
-    file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).with_context(told)?;
+    let bytes = input::read(Path::new(path), MAX_BYTES as u64).with_context(told)?;
     // Names and comments may be in any encoding; all that counts is plain.
     Solid::from_obj(&String::from_utf8_lossy(&bytes), path).context("--inside")
 }

@@ -8,6 +8,7 @@ pub mod common;
 pub mod grow;
 pub mod inside;
 pub mod inspect;
+pub mod params;
 pub mod pen;
 pub mod render;
 pub mod tablets;
@@ -40,6 +41,8 @@ pub enum Verb {
     Grow(grow::Args),
     /// What the analysis understood of a drawing, as JSON.
     Inspect(inspect::Args),
+    /// Every parameter that --set can change: path, value, unit, range and meaning.
+    Params(params::Args),
     /// Mesh quality report of an OBJ or GLB file; exit code 1 when a defect is found.
     Check(check::Args),
     /// Picture of a sketch or model.
@@ -61,16 +64,24 @@ fn drawing(name: &str) -> Result<PathBuf, String> {
     Err(format!("there is no verb and no drawing of this name{}", crate::suggest::did_you_mean(&nearest)))
 }
 
-/// An error with its causes as one message. Many errors quote their cause; it is not said twice.
+/// An error with its causes as one message of bounded length, without anything that a terminal obeys. Many errors quote
+/// their cause; it is not said twice.
 pub fn one_line(error: &anyhow::Error) -> String {
-    error.chain().fold(String::new(), |message, cause| {
+    let whole = error.chain().fold(String::new(), |message, cause| {
         let cause = cause.to_string();
         match message.as_str() {
             "" => cause,
             told if told.ends_with(&cause) => message,
             told => format!("{told}: {cause}"),
         }
-    })
+    });
+    crate::quote::message(&whole)
+}
+
+/// What is wrong with a command line, line by line as [`one_line`] tells errors.
+pub fn usage(error: &clap::Error) -> String {
+    let text = error.render().to_string();
+    text.lines().map(|line| crate::quote::message(line) + "\n").collect()
 }
 
 /// Runs one command line.
@@ -83,6 +94,7 @@ pub fn run(cli: Cli) -> anyhow::Result<ExitCode> {
         Some(Verb::Build(args)) => build::run(&args),
         Some(Verb::Grow(args)) => grow::run(&args),
         Some(Verb::Inspect(args)) => inspect::run(&args),
+        Some(Verb::Params(args)) => params::run(&args),
         Some(Verb::Check(args)) => check::run(&args),
         Some(Verb::Render(args)) => render::run(&args),
         Some(Verb::Tablets(args)) => tablets::run(&args),

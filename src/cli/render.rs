@@ -1,19 +1,21 @@
 //! `penstemon render`: a picture of a sketch or a model, a turntable of pictures, or the drawing itself.
 
 use super::common::{self, BuildOptions, Setup};
-use crate::export::pictures::fetch;
+use crate::export::pictures::{self, fetch};
 use crate::export::read::ReadFormat;
 use crate::export::{self, Embedded, Loaded, load};
+use crate::input::Sources;
 use crate::model::Model;
 use crate::pipeline::Built;
 use crate::plant::Texture;
 use crate::render::{Direction, Picture, PictureOptions, Projection, Renderer, View};
 use crate::sketch::Sketch;
-use anyhow::{Result, bail, ensure};
+use anyhow::{Context as _, Result, bail, ensure};
 use std::borrow::Cow;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::time::Instant;
 
 /// What is seen, and from where.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -95,6 +97,14 @@ impl Args {
         PictureOptions { width: self.size.width, height: self.size.height, transparent: self.transparent }
     }
 
+    /// The pictures that will be written.
+    fn pictures(&self) -> Vec<PathBuf> {
+        match self.turntable {
+            Some(count) => (0..count as usize).map(|i| common::numbered(&self.out, i)).collect(),
+            None => vec![self.out.clone()],
+        }
+    }
+
     fn first_view(&self) -> View {
         let projection = if self.orthographic { Projection::Orthographic } else { Projection::Perspective };
         View { direction: self.view.direction(), projection, turn_deg: 0.0 }
@@ -110,19 +120,21 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         return render_drawing(args);
     }
     let scene = Scene::open(args)?;
+    scene.sources.spare(args.pictures().iter().map(PathBuf::as_path))?;
     let mut renderer = Renderer::new()?;
     tracing::debug!("drawn by {}", renderer.adapter());
     let bytes = match &scene.drawn {
         Some(drawn) if args.with_drawing => {
-            let drawing = renderer.drawing(&drawn.sketch, &args.options())?;
+            let drawing = renderer.drawing(drawn, &args.options())?;
             let plant =
-                renderer.picture(&scene.model, &scene.textures(), &args.first_view(), &args.options())?;
+                renderer.picture(&scene.model, &scene.textures(), &args.first_view(), &args.options());
+            let plant = plant.with_context(|| args.input.display().to_string())?;
             write(&args.out, &drawing.beside(&plant))?
         }
         _ => render_views(args, &scene, &mut renderer)?,
     };
-    if let Some(drawn) = scene.drawn.filter(|_| args.build.stats) {
-        common::print(&common::stats(&drawn.stages, &scene.model, bytes).to_string())?;
+    if args.build.stats {
+        common::print(&common::stats(&scene.stages, &scene.model, bytes).to_string())?;
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -138,21 +150,22 @@ fn render_drawing(args: &Args) -> Result<ExitCode> {
         bail!(no_drawing(&args.input));
     }
     let sketch = common::open_sketch(&args.input)?;
+    let mut sources = Sources::default();
+    sources.add(&args.input);
+    sources.spare([args.out.as_path()])?;
     write(&args.out, &Renderer::new()?.drawing(&sketch, &args.options())?)?;
     Ok(ExitCode::SUCCESS)
 }
 
 /// Writes the pictures of a model that `args` ask for and returns their size in bytes.
 fn render_views(args: &Args, scene: &Scene, renderer: &mut Renderer) -> Result<usize> {
-    let uploaded = renderer.upload(&scene.model, &scene.textures())?;
+    let of_input = || args.input.display().to_string();
+    let uploaded = renderer.upload(&scene.model, &scene.textures()).with_context(of_input)?;
     let views: Vec<View> = args.first_view().turntable(args.turntable.unwrap_or(1)).collect();
     let mut bytes = 0;
-    for (i, picture) in renderer.pictures(&uploaded, &views, &args.options()).enumerate() {
-        let path = match args.turntable {
-            Some(_) => common::numbered(&args.out, i),
-            None => args.out.clone(),
-        };
-        bytes += write(&path, &picture?)?;
+    let pictures = renderer.pictures(&uploaded, &views, &args.options());
+    for (path, picture) in args.pictures().iter().zip(pictures) {
+        bytes += write(path, &picture.with_context(of_input)?)?;
     }
     Ok(bytes)
 }
@@ -173,13 +186,11 @@ struct Scene {
     /// Pictures inside a model file.
     embedded: Embedded,
     /// Where the plant was drawn.
-    drawn: Option<Drawn>,
-}
-
-/// A drawing, and what it took to build it.
-struct Drawn {
-    sketch: Sketch,
+    drawn: Option<Sketch>,
+    /// What it took to read or build it.
     stages: common::Stages,
+    /// The files that it comes from.
+    sources: Sources,
 }
 
 impl Scene {
@@ -190,23 +201,30 @@ impl Scene {
         }
         let setup = Setup::open(&args.input, &args.build.setup)?;
         let Built { model, stages, .. } = setup.build(&args.input);
-        Ok(Self { model, embedded: Embedded::default(), drawn: Some(Drawn { sketch: setup.sketch, stages }) })
+        let Setup { sketch, mut sources, .. } = setup;
+        pictures::files(&model.materials).for_each(|picture| sources.add(picture));
+        Ok(Self { model, embedded: Embedded::default(), drawn: Some(sketch), stages, sources })
     }
 
     fn read(args: &Args) -> Result<Self> {
-        let given = args.build.given();
+        let given = args.build.setup.given();
         let path = args.input.display();
         ensure!(
             given.is_empty(),
-            "{path} is a model and drawn as it is; leave out {}, which shape the plant of a sketch",
+            "{path} is a model and drawn as it is; leave out {}, of use for a sketch only",
             given.join(", ")
         );
         ensure!(!args.with_drawing, no_drawing(&args.input));
-        let Loaded { model, embedded, warnings } = load(&args.input)?;
+        let begin = Instant::now();
+        let Loaded { model, embedded, files, warnings } = load(&args.input)?;
+        let stages = vec![("read", begin.elapsed())];
+        let mut sources = Sources::default();
+        sources.add(&args.input);
+        files.iter().for_each(|file| sources.add(file));
         for warning in warnings {
             tracing::warn!("{path}: {warning}");
         }
-        Ok(Self { model, embedded, drawn: None })
+        Ok(Self { model, embedded, drawn: None, stages, sources })
     }
 
     /// The files of the textures.

@@ -1,6 +1,7 @@
 //! Why a model could not be written.
 
 use super::pictures::FetchError;
+use crate::quote;
 use std::path::PathBuf;
 use thiserror::Error;
 
@@ -30,7 +31,7 @@ pub enum ExportError {
         bytes: u64,
     },
     /// A material names a texture that is not there or cannot be read.
-    #[error("material `{material}`: {fault}")]
+    #[error("material `{}`: {fault}", quote::name(.material))]
     Texture {
         /// The material that wants it.
         material: String,
@@ -39,7 +40,7 @@ pub enum ExportError {
     },
     /// A picture is in no format that model files can carry.
     #[error(
-        "material `{material}`: the picture {picture} is neither PNG nor JPEG; convert it to one of them"
+        "material `{}`: the picture {picture} is neither PNG nor JPEG; convert it to one of them", quote::name(.material)
     )]
     NotAPicture {
         /// The material that wants it.
@@ -50,6 +51,9 @@ pub enum ExportError {
     /// The structured part of the file could not be formed.
     #[error("cannot encode the model: {0}")]
     Json(#[from] serde_json::Error),
+    /// A file would replace one that it is made from.
+    #[error(transparent)]
+    Overwrites(#[from] crate::input::Overwrites),
     /// The bytes could not be put on disk.
     #[error(transparent)]
     Write(#[from] crate::atomic::WriteError),
@@ -57,7 +61,7 @@ pub enum ExportError {
 
 fn unknown(extension: &Option<String>) -> String {
     match extension {
-        Some(extension) => format!("`{extension}` is no format that can be written"),
+        Some(extension) => format!("`{}` is no format that can be written", quote::name(extension)),
         None => "the name has no extension that tells the format".to_owned(),
     }
 }

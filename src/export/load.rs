@@ -19,6 +19,8 @@ pub struct Loaded {
     pub model: Model,
     /// Pictures inside the file.
     pub embedded: Embedded,
+    /// Files that it names: libraries of materials, and pictures, used or not.
+    pub files: Vec<PathBuf>,
     /// What could not be had, for the user.
     pub warnings: Vec<String>,
 }

@@ -12,9 +12,9 @@ use super::read::Malformed;
 use super::read_obj;
 use crate::model::{Mesh, Vertex};
 use crate::plant::{Material, Texture};
+use crate::{input, quote};
 use std::collections::BTreeMap;
-use std::fs::File;
-use std::io::{self, BufReader, Read};
+use std::io::{BufReader, Read};
 use std::path::Path;
 
 /// Largest MTL file that is read, in bytes.
@@ -26,8 +26,13 @@ pub(super) fn load(bytes: &[u8], folder: &Path) -> Result<Loaded, Malformed> {
     let uses = Uses::of(bytes);
     let mut materials = BTreeMap::new();
     for library in &uses.libraries {
-        if let Err(reason) = load_library(&folder.join(library), &mut loaded, &mut materials) {
-            loaded.warnings.push(format!("material library `{library}`: {reason}; its surfaces stay plain"));
+        let path = folder.join(library);
+        loaded.files.push(path.clone());
+        if let Err(reason) = load_library(&path, &mut loaded, &mut materials) {
+            loaded.warnings.push(format!(
+                "material library `{}`: {reason}; its surfaces stay plain",
+                quote::name(library)
+            ));
         }
     }
     for surface in read_obj::surfaces(bytes)? {
@@ -92,16 +97,30 @@ fn load_library(
     loaded: &mut Loaded,
     index_of_name: &mut BTreeMap<String, usize>,
 ) -> Result<(), String> {
-    let file = regular(path).map_err(|e| e.to_string())?;
+    let (file, _) = input::open(path).map_err(|e| e.to_string())?;
     let mut text = BufReader::new(file.take(MAX_LIBRARY_BYTES));
     let (materials, _) = tobj::load_mtl_buf(&mut text).map_err(|e| e.to_string())?;
     let folder = path.parent().unwrap_or(Path::new(""));
     for material in materials {
+        loaded.files.extend(pictures(&material).map(|name| folder.join(name)));
         let converted = converted(&material, folder, &mut loaded.warnings);
         let index = loaded.push_material(converted);
         index_of_name.insert(material.name, index);
     }
     Ok(())
+}
+
+/// Every picture that a material names.
+fn pictures(material: &tobj::Material) -> impl Iterator<Item = &String> {
+    let maps = [
+        &material.ambient_texture,
+        &material.diffuse_texture,
+        &material.specular_texture,
+        &material.normal_texture,
+        &material.shininess_texture,
+        &material.dissolve_texture,
+    ];
+    maps.into_iter().flatten()
 }
 
 fn converted(material: &tobj::Material, folder: &Path, warnings: &mut Vec<String>) -> Material {
@@ -124,20 +143,11 @@ fn converted(material: &tobj::Material, folder: &Path, warnings: &mut Vec<String
 /// Whether a texture is there and a picture; warns if not.
 fn is_usable(texture: &Texture, material: &str, warnings: &mut Vec<String>) -> bool {
     let Texture::File(path) = texture else { return false };
-    let reason = match regular(path).map(|_| fetch(texture, &|_| None)) {
-        Ok(Ok(bytes)) if is_picture(&bytes) => return true,
-        Ok(Ok(_)) => format!("{} is neither PNG nor JPEG", path.display()),
-        Ok(Err(fault)) => fault.to_string(),
-        Err(cause) => format!("{}: {cause}", path.display()),
+    let reason = match fetch(texture, &|_| None) {
+        Ok(bytes) if is_picture(&bytes) => return true,
+        Ok(_) => format!("{} is neither PNG nor JPEG", path.display()),
+        Err(fault) => fault.to_string(),
     };
-    warnings.push(format!("material `{material}`: {reason}; it stays plain"));
+    warnings.push(format!("material `{}`: {reason}; it stays plain", quote::name(material)));
     false
-}
-
-/// Opens a file that is one: a model may name a pipe or device, which would never end.
-fn regular(path: &Path) -> io::Result<File> {
-    if !std::fs::metadata(path)?.is_file() {
-        return Err(io::Error::other("it is no file"));
-    }
-    File::open(path)
 }

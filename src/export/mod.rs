@@ -33,6 +33,7 @@ pub use pictures::{BuiltInTextures, Pictures};
 pub use read::{ReadError, Surface, read};
 pub use scene::Scene;
 
+use crate::input::Sources;
 use crate::model::Model;
 use crate::plant::Plant;
 use std::borrow::Cow;
@@ -76,10 +77,72 @@ pub fn format_of(path: &Path) -> Result<&'static dyn Exporter, ExportError> {
     })
 }
 
-/// Writes a model in the format that the path's extension asks for, whole or not at all, and returns the number of
-/// bytes of all files together.
+/// A model in a format with all its files, not yet written.
+#[derive(Debug)]
+pub struct Prepared {
+    /// Companions first, the file that was asked for last.
+    files: Vec<(PathBuf, Cow<'static, [u8]>)>,
+}
+
+impl Prepared {
+    /// Where its files will be.
+    pub fn paths(&self) -> impl Iterator<Item = &Path> {
+        self.files.iter().map(|(path, _)| path.as_path())
+    }
+
+    /// Writes its files, whole or not at all, and returns the number of bytes of all together.
+    ///
+    /// # Errors
+    /// [`WriteError`]; nothing is left half written.
+    pub fn write(&self) -> Result<usize, WriteError> {
+        let files: Vec<(PathBuf, &[u8])> =
+            self.files.iter().map(|(path, bytes)| (path.clone(), bytes.as_ref())).collect();
+        crate::atomic::write_group_atomically(&files)?;
+        Ok(files.iter().map(|(_, bytes)| bytes.len()).sum())
+    }
+}
+
+/// Encodes a model in the format that the path's extension asks for.
 ///
 /// `built_in` serves the program's own textures; a user's own are read from disk.
+///
+/// # Errors
+/// [`ExportError`], of encoding.
+pub fn prepare(
+    path: &Path,
+    model: &Model,
+    plant: &Plant,
+    built_in: &BuiltInTextures<'_>,
+) -> Result<Prepared, ExportError> {
+    let format = format_of(path)?;
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let scene = Scene::new(model, plant, built_in, stem)?;
+    let Encoded { bytes, companions } = format.encode(&scene)?;
+    let beside = companions.into_iter().map(|(name, bytes)| (path.with_file_name(name), bytes));
+    Ok(Prepared { files: beside.chain([(path.to_owned(), bytes.into())]).collect() })
+}
+
+/// Writes a model in several formats, and returns the number of bytes of all files together. All are encoded before the
+/// first is written, and nothing is written if any of their files is one of the `sources` or a picture of the model.
+///
+/// # Errors
+/// [`ExportError`]; no file is left half written.
+pub fn export_all(
+    paths: &[PathBuf],
+    model: &Model,
+    plant: &Plant,
+    built_in: &BuiltInTextures<'_>,
+    sources: &Sources,
+) -> Result<usize, ExportError> {
+    let mut sources = sources.clone();
+    pictures::files(&model.materials).for_each(|picture| sources.add(picture));
+    let prepared: Vec<Prepared> =
+        paths.iter().map(|path| prepare(path, model, plant, built_in)).collect::<Result<_, _>>()?;
+    sources.spare(prepared.iter().flat_map(Prepared::paths))?;
+    prepared.iter().try_fold(0, |bytes, prepared| Ok(bytes + prepared.write()?))
+}
+
+/// Writes a model as [`export_all`] does, in one format and from no other files than its pictures.
 ///
 /// # Errors
 /// [`ExportError`]; nothing is left half written.
@@ -89,13 +152,5 @@ pub fn export(
     plant: &Plant,
     built_in: &BuiltInTextures<'_>,
 ) -> Result<usize, ExportError> {
-    let format = format_of(path)?;
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let scene = Scene::new(model, plant, built_in, stem)?;
-    let encoded = format.encode(&scene)?;
-    let mut files: Vec<(PathBuf, &[u8])> =
-        encoded.companions.iter().map(|(name, bytes)| (path.with_file_name(name), bytes.as_ref())).collect();
-    files.push((path.to_owned(), &encoded.bytes));
-    crate::atomic::write_group_atomically(&files)?;
-    Ok(files.iter().map(|(_, bytes)| bytes.len()).sum())
+    export_all(&[path.to_owned()], model, plant, built_in, &Sources::default())
 }

@@ -5,8 +5,7 @@
 use super::{ExportError, Scene};
 use crate::plant::{Material, Texture};
 use std::borrow::Cow;
-use std::fs::File;
-use std::io::{self, Read};
+use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -20,7 +19,7 @@ pub type BuiltInTextures<'a> = dyn Fn(&str) -> Option<Cow<'static, [u8]>> + 'a;
 #[derive(Debug, Error)]
 pub enum FetchError {
     /// The program has no texture of that name.
-    #[error("there is no built-in texture `{0}`")]
+    #[error("there is no built-in texture `{}`", crate::quote::name(.0))]
     NotBuiltIn(String),
     /// A user's picture could not be read.
     #[error("cannot read the picture {}: {cause}", .path.display())]
@@ -135,6 +134,14 @@ fn picture(
     Ok(Picture { stem, format, bytes })
 }
 
+/// The users' own pictures that materials name.
+pub fn files(materials: &[Material]) -> impl Iterator<Item = &Path> {
+    materials.iter().filter_map(|material| match &material.texture {
+        Some(Texture::File(path)) => Some(path.as_path()),
+        _ => None,
+    })
+}
+
 /// The file of a texture, whatever it holds.
 ///
 /// # Errors
@@ -142,18 +149,9 @@ fn picture(
 pub fn fetch(texture: &Texture, built_in: &BuiltInTextures<'_>) -> Result<Cow<'static, [u8]>, FetchError> {
     match texture {
         Texture::BuiltIn(name) => built_in(name).ok_or_else(|| FetchError::NotBuiltIn(name.clone())),
-        Texture::File(path) => match read_limited(path) {
+        Texture::File(path) => match crate::input::read(path, MAX_PICTURE_BYTES) {
             Ok(bytes) => Ok(bytes.into()),
             Err(cause) => Err(FetchError::Unreadable { path: path.clone(), cause }),
         },
     }
-}
-
-fn read_limited(path: &Path) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    File::open(path)?.take(MAX_PICTURE_BYTES + 1).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > MAX_PICTURE_BYTES {
-        return Err(io::Error::other(format!("it is larger than {} MiB", MAX_PICTURE_BYTES >> 20)));
-    }
-    Ok(bytes)
 }

@@ -6,8 +6,8 @@
 use super::{read_glb, read_obj};
 use crate::model::Mesh;
 use crate::model::quality::Attributes;
-use std::fs::File;
-use std::io::{self, Read};
+use crate::{input, quote};
+use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -37,7 +37,7 @@ pub struct Malformed {
 
 impl Malformed {
     pub(super) fn new(place: impl Into<String>, reason: impl Into<String>) -> Self {
-        Self { place: place.into(), reason: reason.into() }
+        Self { place: quote::name(&place.into()), reason: quote::message(&reason.into()) }
     }
 }
 
@@ -100,14 +100,11 @@ pub fn read(path: &Path) -> Result<Vec<Surface>, ReadError> {
 /// A model file's format and contents.
 pub(super) fn file(path: &Path) -> Result<(ReadFormat, Vec<u8>), ReadError> {
     let format = ReadFormat::of(path).ok_or_else(|| ReadError::UnknownFormat(path.to_owned()))?;
-    let failed = |source| ReadError::Io { path: path.to_owned(), source };
-    let mut bytes = Vec::new();
-    File::open(path)
-        .and_then(|file| file.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes))
-        .map_err(failed)?;
-    if bytes.len() as u64 > MAX_FILE_BYTES {
-        return Err(ReadError::TooLarge(path.to_owned()));
-    }
+    let failed = |source: io::Error| match source.kind() {
+        io::ErrorKind::FileTooLarge => ReadError::TooLarge(path.to_owned()),
+        _ => ReadError::Io { path: path.to_owned(), source },
+    };
+    let bytes = input::read(path, MAX_FILE_BYTES).map_err(failed)?;
     Ok((format, bytes))
 }
 

@@ -8,6 +8,7 @@
 //! the mesh cuts itself, what is covered twice counts as outside.
 
 use glam::{DVec2, Vec3};
+use std::io::{self, BufRead, Read};
 use thiserror::Error;
 
 /// Most triangles of a volume.
@@ -25,10 +26,12 @@ const MAX_COLUMNS: usize = 512;
 #[derive(Debug, Error, PartialEq)]
 pub enum SolidError {
     /// Not an OBJ file.
-    #[error("{name}: not a readable OBJ file: {reason}")]
+    #[error("{name}: line {line}: not a readable OBJ file: {reason}")]
     Unreadable {
         /// Name of the file.
         name: String,
+        /// Line number, from 1.
+        line: usize,
         /// Why.
         reason: String,
     },
@@ -88,6 +91,34 @@ pub enum SolidError {
     },
 }
 
+/// A text that counts the lines that were read of it.
+struct Lines<'a> {
+    rest: &'a [u8],
+    taken: usize,
+}
+
+impl BufRead for Lines<'_> {
+    fn fill_buf(&mut self) -> io::Result<&[u8]> {
+        Ok(self.rest)
+    }
+
+    fn consume(&mut self, amount: usize) {
+        let (taken, rest) = self.rest.split_at(amount);
+        self.taken += taken.iter().filter(|byte| **byte == b'\n').count();
+        // The last line may end without a mark.
+        self.taken += usize::from(rest.is_empty() && taken.last().is_some_and(|byte| *byte != b'\n'));
+        self.rest = rest;
+    }
+}
+
+impl Read for Lines<'_> {
+    fn read(&mut self, out: &mut [u8]) -> io::Result<usize> {
+        let copied = self.rest.read(out)?;
+        self.taken += out[..copied].iter().filter(|byte| **byte == b'\n').count();
+        Ok(copied)
+    }
+}
+
 /// The inside of a closed mesh.
 #[derive(Debug)]
 pub struct Solid {
@@ -114,10 +145,12 @@ impl Solid {
         }
         let options = tobj::LoadOptions { triangulate: true, ..tobj::LoadOptions::default() };
         let no_materials = |_: &std::path::Path| Err(tobj::LoadError::GenericFailure);
-        let read = tobj::load_obj_buf(&mut text.as_bytes(), &options, no_materials);
-        let unreadable =
-            |e: tobj::LoadError| SolidError::Unreadable { name: name.to_owned(), reason: e.to_string() };
-        let (models, _) = read.map_err(unreadable)?;
+        let mut lines = Lines { rest: text.as_bytes(), taken: 0 };
+        let read = tobj::load_obj_buf(&mut lines, &options, no_materials);
+        let (models, _) = read.map_err(|error| {
+            let (name, reason) = (name.to_owned(), error.to_string());
+            SolidError::Unreadable { name, line: lines.taken, reason }
+        })?;
         let (mut points, mut triangles) = (Vec::new(), Vec::new());
         for model in models {
             let first = points.len() as u32;

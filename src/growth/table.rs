@@ -83,6 +83,7 @@ impl Visitor<'_> for Key {
     fn visit_str<E: Error>(self, name: &str) -> Result<usize, E> {
         self.0.iter().position(|known| *known == name).ok_or_else(|| {
             let nearest = crate::suggest::nearest(name, self.0.iter().copied()).map(str::to_owned);
+            let name = crate::quote::name(name);
             E::custom(format!("unknown key `{name}`{}", crate::suggest::did_you_mean(&nearest)))
         })
     }

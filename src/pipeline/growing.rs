@@ -9,6 +9,7 @@ use crate::depth;
 use crate::growth::species::Resource;
 use crate::growth::{Field, Memory, Outcome, Start, drawing, foliage, merge};
 use crate::plant::Plant;
+use crate::quote;
 use crate::sketch::{Remark, Sketch, Warning};
 use crate::species::Species;
 
@@ -26,6 +27,15 @@ pub struct Ages {
 /// Whether a drawing grows.
 pub(super) fn grows(anatomy: &Anatomy, species: &Species, params: &Params) -> bool {
     !anatomy.crowns.is_empty() || (params.growth.years >= 0.0 && species.growth.is_some())
+}
+
+/// Says of a drawing without a crown that fineness, which is another than the species', changes nothing.
+pub(super) fn remark_fineness(anatomy: &mut Anatomy, species: &Species, params: &Params) {
+    let usual = Params::of_species(species);
+    let fineness = |params: &Params| (params.growth.fineness, params.habit.fineness);
+    if anatomy.crowns.is_empty() && fineness(params) != fineness(&usual) {
+        anatomy.warnings.push(Warning { stroke: None, remark: Remark::FinenessUnused });
+    }
 }
 
 /// Lets a drawn plant grow. What is odd about it is added to the remarks of its anatomy.
@@ -57,7 +67,8 @@ pub(super) fn grow_on(
         remark(Remark::EmptyCrown);
     }
     if species.growth.is_none() {
-        remark(Remark::DoesNotGrow { species: species.name.clone(), known: Species::growing().join(", ") });
+        let species = quote::name(&species.name);
+        remark(Remark::DoesNotGrow { species, known: Species::growing().join(", ") });
     }
     match grown.outcome {
         Outcome::TooManyInternodes(internodes) => remark(Remark::GrowthCapped { internodes }),

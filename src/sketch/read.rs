@@ -7,8 +7,8 @@ use super::draft::{Flaw, Purpose};
 use super::error::{Fault, Place};
 use super::warnings::Warnings;
 use super::{Sketch, SketchError, Warning, json, limits, svg};
-use std::fs::File;
-use std::io::Read;
+use crate::input;
+use std::io::ErrorKind;
 use std::path::Path;
 
 /// Reads a `.penstemon` or SVG drawing, with remarks on what was odd in it.
@@ -41,7 +41,7 @@ fn finished(bytes: &[u8], name: &str, purpose: Purpose) -> Result<(Sketch, Vec<W
     Ok((sketch, warnings.into_vec()))
 }
 
-/// The file's bytes; reads no further than the limit, so that an endless device ends as well.
+/// The file's bytes.
 ///
 /// # Errors
 /// A file that cannot be opened or is too large.
@@ -50,15 +50,10 @@ pub(super) fn load(path: &Path) -> Result<Vec<u8>, SketchError> {
 }
 
 fn load_limited(path: &Path) -> Result<Vec<u8>, Fault> {
-    let file = File::open(path)?;
-    let length = file.metadata()?.len();
-    if length > limits::MAX_FILE_BYTES {
-        return Err(Fault::FileTooLarge);
-    }
-    // The length is at most 512 MiB here, so it fits every usize.
-    let mut bytes = Vec::with_capacity(length as usize + 1);
-    file.take(limits::MAX_FILE_BYTES + 1).read_to_end(&mut bytes)?;
-    Ok(bytes)
+    input::read(path, limits::MAX_FILE_BYTES).map_err(|error| match error.kind() {
+        ErrorKind::FileTooLarge => Fault::FileTooLarge,
+        _ => Fault::Io(error),
+    })
 }
 
 fn parse(bytes: &[u8], purpose: Purpose, warnings: &mut Warnings) -> Result<Sketch, Flaw> {

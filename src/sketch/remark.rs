@@ -169,6 +169,11 @@ pub enum Remark {
         /// How many there are.
         leaves: usize,
     },
+    /// Fineness of crowns where there is none.
+    #[error(
+        "fineness changes only what grows in a crown, and this drawing has none; draw one with the tool crown"
+    )]
+    FinenessUnused,
     /// What was too much to be told.
     #[error("and {count} more remarks like these")]
     More {
@@ -205,6 +210,7 @@ impl Remark {
             | Self::Page { .. }
             | Self::TooShort
             | Self::Heart
+            | Self::FinenessUnused
             | Self::More { .. } => false,
         }
     }

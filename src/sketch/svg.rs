@@ -22,6 +22,7 @@ use super::draft::{Draft, DraftStroke, Flaw};
 use super::error::{Fault, Place};
 use super::warnings::Warnings;
 use super::{StrokePoint, Tool, limits};
+use crate::quote;
 use glam::vec2;
 use kurbo::{BezPath, PathEl, Point, Rect};
 use roxmltree::{Document, ParsingOptions};
@@ -71,7 +72,10 @@ fn xml_flaw(error: &roxmltree::Error, text: &str) -> Flaw {
         _ => {
             let full = error.to_string();
             let message = full.strip_suffix(&format!(" at {}", error.pos())).unwrap_or(&full);
-            (Place::at(found.0, found.1), Fault::Malformed(format!("this is not well-formed XML: {message}")))
+            (
+                Place::at(found.0, found.1),
+                Fault::Malformed(format!("this is not well-formed XML: {}", quote::name(message))),
+            )
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The species and textures that are part of the program.
 
 use super::{Species, SpeciesError, file};
+use crate::quote;
 use crate::suggest::nearest;
 use include_dir::{Dir, include_dir};
 use std::sync::OnceLock;
@@ -58,7 +59,7 @@ impl Species {
         let Some(text) = file.and_then(|file| file.contents_utf8()) else {
             let known = Self::all();
             let nearest = nearest(&plain, known.iter().copied()).map(str::to_owned);
-            return Err(SpeciesError::Unknown { name: name.to_owned(), nearest, known: known.join(", ") });
+            return Err(SpeciesError::Unknown { name: quote::name(name), nearest, known: known.join(", ") });
         };
         file::parse(text, &path, None)
     }

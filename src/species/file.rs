@@ -8,6 +8,8 @@ use super::part::Part;
 use super::places::Places;
 use crate::plant::Texture;
 use crate::suggest::{did_you_mean, nearest};
+use crate::{input, quote};
+use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -127,11 +129,13 @@ impl Species {
     /// An unreadable or too large file, invalid TOML, an unknown key, a value out of range, a material or texture
     /// that is not there.
     pub fn read(path: &Path) -> Result<Self, SpeciesError> {
-        let unreadable = |source| SpeciesError::Unreadable { file: path.to_owned(), source };
-        if std::fs::metadata(path).map_err(unreadable)?.len() > MAX_BYTES {
-            return Err(SpeciesError::TooLarge { file: path.to_owned() });
-        }
-        let text = std::fs::read_to_string(path).map_err(unreadable)?;
+        let file = || path.to_owned();
+        let bytes = input::read(path, MAX_BYTES).map_err(|source| match source.kind() {
+            io::ErrorKind::FileTooLarge => SpeciesError::TooLarge { file: file() },
+            _ => SpeciesError::Unreadable { file: file(), source },
+        })?;
+        let no_text = |error| SpeciesError::Unreadable { file: file(), source: io::Error::other(error) };
+        let text = String::from_utf8(bytes).map_err(no_text)?;
         parse(&text, &path.display().to_string(), Some(path.parent().unwrap_or(Path::new(""))))
     }
 
@@ -149,7 +153,7 @@ impl Species {
     /// A part that no plant has (the message lists all, see [`Part`]), or a picture that is not there.
     pub fn set_texture(&mut self, part: &str, picture: &Path) -> Result<(), SpeciesError> {
         let part = Part::from_name(part).map_err(|nearest| SpeciesError::NoPart {
-            name: part.to_owned(),
+            name: quote::name(part),
             nearest: nearest.map(str::to_owned),
         })?;
         if !picture.is_file() {
@@ -157,6 +161,16 @@ impl Species {
         }
         self.pictures.insert(part, picture.to_owned());
         Ok(())
+    }
+
+    /// The pictures on disk that the species names: beside its file, and the artist's own.
+    pub fn picture_files(&self) -> impl Iterator<Item = &Path> {
+        let textures = self.materials.values().filter_map(|look| look.texture.as_ref());
+        let beside = textures.filter_map(|texture| match texture {
+            Texture::File(path) => Some(path.as_path()),
+            Texture::BuiltIn(_) => None,
+        });
+        beside.chain(self.pictures.values().map(PathBuf::as_path))
     }
 
     /// Every material name that a section refers to, with the key that does.
@@ -197,14 +211,14 @@ pub(super) fn parse(text: &str, file: &str, beside: Option<&Path>) -> Result<Spe
     for (name, look) in &mut species.materials {
         if name.is_empty() || !name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') {
             let line = Places::of(text).line(&format!("materials.{name}"), None);
-            return Err(SpeciesError::MaterialName { file: file.to_owned(), line, name: name.clone() });
+            return Err(SpeciesError::MaterialName { file: file.to_owned(), line, name: quote::name(name) });
         }
         if let Some(Texture::BuiltIn(texture)) = &look.texture {
             let found = resolve(texture, beside).ok_or_else(|| SpeciesError::NoTexture {
                 file: file.to_owned(),
                 line: Places::of(text).line(&format!("materials.{name}.texture"), None),
-                material: name.clone(),
-                texture: texture.to_string(),
+                material: quote::name(name),
+                texture: quote::name(texture),
                 nearest: nearest(texture, texture_names()).map(str::to_owned),
             })?;
             look.texture = Some(found);
@@ -218,7 +232,7 @@ pub(super) fn parse(text: &str, file: &str, beside: Option<&Path>) -> Result<Spe
                 file: file.to_owned(),
                 line: Places::of(text).line(&key, Some(name)),
                 key,
-                name: name.to_owned(),
+                name: quote::name(name),
                 nearest,
             });
         }
@@ -245,8 +259,8 @@ fn invalid(text: &str, file: &str, error: &toml::de::Error) -> SpeciesError {
     SpeciesError::Invalid {
         file: file.to_owned(),
         line: line + 1,
-        text: text.lines().nth(line).unwrap_or_default().trim().to_owned(),
-        reason: error.message().to_owned(),
+        text: quote::name(text.lines().nth(line).unwrap_or_default().trim()),
+        reason: quote::message(error.message()),
     }
 }
 

@@ -7,6 +7,7 @@ use super::part::Part;
 use super::ranges;
 use crate::growth::Habit;
 use crate::plant::{BladeForm, Material, Texture};
+use crate::quote;
 use crate::srgb::linear_from_srgb;
 use serde::{Deserialize, Deserializer, de};
 use serde_json::{Map, Value};
@@ -60,7 +61,7 @@ pub struct Written {
 impl Written {
     /// The line of a parameter.
     pub fn line(&self, path: &str) -> usize {
-        self.params.iter().find(|(key, _)| key == path).map_or(1, |(_, line)| *line)
+        self.params.iter().find(|(key, _)| quote::name(key) == path).map_or(1, |(_, line)| *line)
     }
 }
 
@@ -421,7 +422,8 @@ fn colour<'de, D: Deserializer<'de>>(source: D) -> Result<[f32; 3], D::Error> {
     let text = String::deserialize(source)?;
     let digits = text.strip_prefix('#').filter(|d| d.len() == 6 && d.is_ascii());
     let number = digits.and_then(|d| u32::from_str_radix(d, 16).ok());
-    let number = number.ok_or_else(|| de::Error::custom(format!("`{text}` is no colour; write #rrggbb")))?;
+    let number = number
+        .ok_or_else(|| de::Error::custom(format!("`{}` is no colour; write #rrggbb", quote::name(&text))))?;
     Ok([16, 8, 0].map(|shift| linear_from_srgb(((number >> shift) & 0xff) as f32 / 255.0)))
 }
 

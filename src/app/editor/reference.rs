@@ -10,10 +10,10 @@ use crate::app::canvas::transform::{TURN_HANDLE_DISTANCE, TURN_STEP_DEG};
 use crate::app::messages::{Msg, Told as _};
 use crate::app::panels::snapshot::Notice;
 use crate::pen::{PenEvent, PenPhase};
-use crate::sketch::reference::{Picture, Reference};
+use crate::sketch::reference::{Picture, Reference, ReferenceError};
 use crate::sketch::{Change, limits};
 use glam::{DVec2, Vec2};
-use std::io::Read;
+use std::io::ErrorKind;
 use std::path::Path;
 
 /// Share of the visible canvas that a new picture fills.
@@ -110,6 +110,10 @@ impl Editor {
     pub(super) fn put_reference(&mut self, path: &Path) {
         match read(path) {
             Ok(bytes) => self.lay(bytes, &path.display().to_string()),
+            Err(error) if error.kind() == ErrorKind::FileTooLarge => {
+                let why = ReferenceError::TooLarge.told(&self.messages);
+                self.tell(Notice::error(format!("{}: {why}", path.display()), ""));
+            }
             Err(error) => self.tell(Notice::error(self.unreadable(path, &error), "")),
         }
     }
@@ -194,10 +198,7 @@ fn distance_to_side(p: DVec2, a: DVec2, b: DVec2) -> f64 {
 
 /// A file's bytes, no more than a picture may have.
 fn read(path: &Path) -> std::io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    let most = limits::MAX_REFERENCE_BYTES as u64 + 1;
-    std::fs::File::open(path)?.take(most).read_to_end(&mut bytes)?;
-    Ok(bytes)
+    crate::input::read(path, limits::MAX_REFERENCE_BYTES as u64)
 }
 
 #[cfg(test)]

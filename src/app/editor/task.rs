@@ -8,9 +8,10 @@ use super::estimate::is_wanted;
 use crate::app::messages::{Msg, Told};
 use crate::app::panels::snapshot::{self, ExportChoice, ExportFormat, Notice};
 use crate::app::plant_view::{self, built_in_texture};
-use crate::export;
+use crate::export::{self, ExportError, pictures};
+use crate::input::Sources;
 use crate::model::Model;
-use crate::pipeline::Built;
+use crate::pipeline::{self, Built};
 use crate::render::{LightParams, OrbitCamera, Renderer};
 use crate::sketch::Sketch;
 use std::path::{Path, PathBuf};
@@ -110,6 +111,8 @@ struct Order {
     built: Arc<Built>,
     camera: OrbitCamera,
     light: LightParams,
+    /// The files that the plant comes from.
+    sources: Sources,
 }
 
 impl Editor {
@@ -120,14 +123,26 @@ impl Editor {
         let choice = self.settings.export.clone().sane();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let sketch = self.document.sketch().clone();
-        let order =
-            Order { path, choice, sketch, built, camera: self.plant.camera(), light: self.plant.light() };
+        let (camera, light) = (self.plant.camera(), self.plant.light());
+        let sources = self.sources(&built);
+        let order = Order { path, choice, sketch, built, camera, light, sources };
         let shared = Arc::new(Shared::default());
         let theirs = Arc::clone(&shared);
         match begin("export", &self.wake, move || export(&order, &theirs)) {
             Ok(work) => self.task = Some(Task { name, shared, work }),
             Err(error) => self.tell_error(&error),
         }
+    }
+
+    /// The files that the plant is made from.
+    fn sources(&self, built: &Built) -> Sources {
+        let mut sources = Sources::default();
+        let drawing = self.file.path.as_deref();
+        let folder = drawing.and_then(Path::parent).unwrap_or(Path::new(""));
+        let species = pipeline::species_file(self.document.sketch(), folder);
+        drawing.into_iter().chain(species.as_deref()).for_each(|file| sources.add(file));
+        pictures::files(&built.plant.materials).for_each(|picture| sources.add(picture));
+        sources
     }
 
     pub(super) fn cancel_task(&mut self) {
@@ -163,18 +178,21 @@ fn export(order: &Order, shared: &Shared) -> Result<usize, Failure> {
     match order.choice.format {
         ExportFormat::Svg => {
             let text = crate::sketch::svg::write(&order.sketch);
-            write(&order.path, text.as_bytes())
+            write(order, &order.path, text.as_bytes())
         }
         ExportFormat::Obj | ExportFormat::Glb => {
             let model = chosen_parts(&order.built.model, &order.choice);
             shared.advance(0.3);
-            export::export(&order.path, &model, &order.built.plant, &built_in_texture).map_err(boxed)
+            let (paths, plant) = ([order.path.clone()], &order.built.plant);
+            export::export_all(&paths, &model, plant, &built_in_texture, &order.sources).map_err(boxed)
         }
-        ExportFormat::Png => pictures(order, shared),
+        ExportFormat::Png => write_pictures(order, shared),
     }
 }
 
-fn write(path: &Path, bytes: &[u8]) -> Result<usize, Failure> {
+/// Writes a file, unless it is one that the plant comes from.
+fn write(order: &Order, path: &Path, bytes: &[u8]) -> Result<usize, Failure> {
+    order.sources.spare([path]).map_err(|error| boxed(ExportError::from(error)))?;
     crate::atomic::write_atomically(path, bytes).map_err(boxed)?;
     Ok(bytes.len())
 }
@@ -190,7 +208,7 @@ pub(super) fn chosen_parts(model: &Model, choice: &ExportChoice) -> Model {
 }
 
 /// One picture of the view as it stands, or many all around.
-fn pictures(order: &Order, shared: &Shared) -> Result<usize, Failure> {
+fn write_pictures(order: &Order, shared: &Shared) -> Result<usize, Failure> {
     let choice = &order.choice;
     let mut renderer = Renderer::new().map_err(boxed)?;
     let mut bytes = 0;
@@ -200,8 +218,9 @@ fn pictures(order: &Order, shared: &Shared) -> Result<usize, Failure> {
         }
         let mut camera = order.camera;
         camera.turn(360.0 * frame as f32 / choice.frames as f32);
+        let path = frame_path(&order.path, frame, choice.frames);
         let png = picture(&mut renderer, order, &camera)?;
-        bytes += write(&frame_path(&order.path, frame, choice.frames), &png)?;
+        bytes += write(order, &path, &png)?;
         shared.advance((frame + 1) as f32 / choice.frames as f32);
     }
     Ok(bytes)

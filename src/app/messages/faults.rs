@@ -8,6 +8,7 @@ use super::{Messages, Msg};
 use crate::app::worker::BuildError;
 use crate::atomic::WriteError;
 use crate::export::ExportError;
+use crate::input::Overwrites;
 use crate::params::ParamError;
 use crate::pen::hid::refusal::{INSTALL_RULES, RULES_FILE, RULES_FOLDER, Remedy};
 use crate::pen::hid::{ChooseError, Refusal, Refused, StringsKept, TransportError};
@@ -165,6 +166,10 @@ impl Told for ExportError {
     fn told(&self, messages: &Messages) -> String {
         match self {
             Self::Empty => messages.get(Msg::ErrorNothingToExport).to_owned(),
+            Self::Overwrites(Overwrites { output, source_file }) => messages.fill(
+                Msg::ErrorOverwrites,
+                &[("file", &output.display()), ("source", &source_file.display())],
+            ),
             Self::Write(error) => error.told(messages),
             other => other.to_string(),
         }
@@ -341,6 +346,7 @@ mod tests {
             Box::new(species(SpeciesError::Unreadable { file: path(), source: io::Error::other("7") })),
             Box::new(species(SpeciesError::TooLarge { file: path() })),
             Box::new(ExportError::Empty),
+            Box::new(ExportError::Overwrites(Overwrites { output: path(), source_file: path() })),
             Box::new(ExportError::Write(full())),
             refused(TransportError::Permission { path: node(), remedy: Remedy::Rules }.into()),
             refused(TransportError::Permission { path: node(), remedy: Remedy::OwnRule("7".into()) }.into()),

@@ -3,6 +3,8 @@
 use super::descriptor_items::MAX_DESCRIPTOR_BYTES;
 use super::recording::{Entry, FIRST_LINE, MAX_TEXT_BYTES, Recorded, RecordedDevice, Recording, one_line};
 use super::transport::Bus;
+use crate::input;
+use std::io::ErrorKind;
 use std::path::Path;
 use thiserror::Error;
 
@@ -107,12 +109,11 @@ impl Recording {
     /// # Errors
     /// A file that cannot be read or is no recording.
     pub fn open(path: &Path) -> Result<Self, RecordingError> {
-        use std::io::Read as _;
         let file = path.display().to_string();
-        let fault = |error| RecordingError::File { file: file.clone(), error };
-        let mut bytes = Vec::new();
-        let opened = std::fs::File::open(path).map_err(fault)?;
-        opened.take(MAX_RECORDING_BYTES + 1).read_to_end(&mut bytes).map_err(fault)?;
+        let bytes = input::read(path, MAX_RECORDING_BYTES).map_err(|error| match error.kind() {
+            ErrorKind::FileTooLarge => RecordingError::TooLong { file: file.clone() },
+            _ => RecordingError::File { file: file.clone(), error },
+        })?;
         Self::from_bytes(&bytes, &file)
     }
 

@@ -2,6 +2,7 @@
 
 use super::progress::Progress;
 use super::{FORMAT, VERSION};
+use crate::quote;
 use crate::sketch::draft::Flaw;
 use crate::sketch::error::Fault;
 use serde::Deserialize;
@@ -41,7 +42,7 @@ pub fn newer_version(bytes: &[u8]) -> Option<f64> {
 pub(super) fn check_format(format: Option<&str>) -> Result<(), Fault> {
     match format {
         Some(FORMAT) => Ok(()),
-        Some(other) => Err(Fault::WrongFormat { found: format!("\"{}\"", shortened(other)) }),
+        Some(other) => Err(Fault::WrongFormat { found: format!("\"{}\"", quote::name(other)) }),
         None => Err(Fault::WrongFormat { found: "missing".into() }),
     }
 }
@@ -73,7 +74,7 @@ fn translate(error: &serde_json::Error, text: &str) -> Fault {
         .replace("expected u64", "expected a whole number, zero or more")
         .replace("expected f32", "expected a number")
         .replace("expected f64", "expected a number");
-    Fault::Malformed(shortened(&plain))
+    Fault::Malformed(quote::message(&plain))
 }
 
 /// How programs spell numbers that JSON cannot.
@@ -89,14 +90,5 @@ fn word_at(text: &str, error: &serde_json::Error) -> String {
     let at = error.column().saturating_sub(1).min(line.len());
     let before = line[..at].iter().rev().take_while(|b| belongs(b)).count();
     let after = line[at..].iter().take_while(|b| belongs(b)).count();
-    shortened(&String::from_utf8_lossy(&line[at - before..at + after]))
-}
-
-/// Text from a file, cut to what fits into a message.
-fn shortened(text: &str) -> String {
-    const MOST: usize = 200;
-    match text.char_indices().nth(MOST) {
-        Some((end, _)) => format!("{}…", &text[..end]),
-        None => text.to_owned(),
-    }
+    quote::name(&String::from_utf8_lossy(&line[at - before..at + after]))
 }

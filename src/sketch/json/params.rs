@@ -3,6 +3,7 @@
 //! What each parameter means and whether it exists is known to [`crate::params`], which lays them over the defaults.
 
 use super::progress::Progress;
+use crate::quote;
 use crate::sketch::error::Fault;
 use crate::sketch::limits;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
@@ -48,7 +49,9 @@ impl<'de> Visitor<'de> for GroupSeed<'_> {
             }
             let value = map.next_value_seed(ValueSeed(&self))?;
             if group.contains_key(&name) {
-                return Err(self.progress.malformed(format!("parameter `{name}` is set twice; keep one")));
+                return Err(self
+                    .progress
+                    .malformed(format!("parameter `{}` is set twice; keep one", quote::name(&name))));
             }
             group.insert(name, value);
         }

@@ -5,6 +5,7 @@ use super::point::PointsSeed;
 use super::progress::{Progress, set_once};
 use super::reference::ReferenceSeed;
 use super::{VERSION, fault};
+use crate::quote;
 use crate::sketch::draft::{Draft, DraftStroke, Flaw};
 use crate::sketch::error::Fault;
 use crate::sketch::textures::{self, Textures};
@@ -200,7 +201,8 @@ impl<'de> Visitor<'de> for StrokeSeed<'_> {
                 StrokeField::Tool => {
                     let name: String = map.next_value()?;
                     let known = Tool::ALL.into_iter().find(|tool| tool.name() == name);
-                    let known = known.ok_or_else(|| progress.refuse(Fault::UnknownTool { name }))?;
+                    let known = known
+                        .ok_or_else(|| progress.refuse(Fault::UnknownTool { name: quote::name(&name) }))?;
                     set_once(&mut tool, known, "tool")?;
                 }
                 StrokeField::Points => {

@@ -2,6 +2,7 @@
 //!
 //! 1 in = 96 px = 72 pt = 25.4 mm. Percentages and what cannot be read count as not given.
 
+use crate::quote;
 use crate::sketch::warnings::Warnings;
 use crate::sketch::{Canvas, Remark, limits};
 use kurbo::{Affine, Size, Vec2};
@@ -21,7 +22,7 @@ impl Viewport {
     pub(super) fn of_page(root: Node<'_, '_>, warnings: &mut Warnings) -> Self {
         for name in ["width", "height", "viewBox"] {
             if let Some(text) = root.attribute(name).filter(|text| is_unusable(name, text)) {
-                warnings.add(None, || Remark::Page { attribute: name, value: format!("{text:.40}") });
+                warnings.add(None, || Remark::Page { attribute: name, value: quote::name(text) });
             }
         }
         let size = size_of(root, root);

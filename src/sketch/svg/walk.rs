@@ -5,6 +5,7 @@
 
 use super::path_data::{PathData, parse_path, parse_points};
 use super::{Outline, naming, pressure, viewport};
+use crate::quote;
 use crate::sketch::draft::{Flaw, coordinate_fault};
 use crate::sketch::error::{Fault, Place};
 use crate::sketch::remark::Element;
@@ -135,7 +136,7 @@ impl<'d, 'i> Walk<'d, 'i, '_> {
             Some(Ok(Transform { a, b, c, d, e, f })) => Affine::new([a, b, c, d, e, f]),
             Some(Err(error)) => {
                 self.warnings.add(None, || {
-                    let reason = error.to_string();
+                    let reason = quote::name(&error.to_string());
                     Remark::Transform { element: title(node), reason }
                 });
                 Affine::IDENTITY
@@ -149,7 +150,7 @@ impl<'d, 'i> Walk<'d, 'i, '_> {
     fn tool(&self, node: Node<'d, 'i>, around: Tool) -> Result<Option<Tool>, Flaw> {
         if let Some(name) = node.attribute("data-tool") {
             let known = naming::tool_in(name);
-            let fault = || Fault::UnknownTool { name: name.chars().take(80).collect() };
+            let fault = || Fault::UnknownTool { name: quote::name(name) };
             return known.map(Some).ok_or_else(|| (self.place(node), fault()));
         }
         let label = node.attribute((INKSCAPE, "label")).and_then(naming::tool_in);
@@ -186,7 +187,7 @@ impl<'d, 'i> Walk<'d, 'i, '_> {
         let PathData { mut path, error } = data;
         if let Some(error) = error {
             self.warnings.add(None, || {
-                let reason = error.to_string();
+                let reason = quote::name(&error.to_string());
                 Remark::CutShort { element: title(node), reason }
             });
         }
@@ -209,7 +210,7 @@ impl<'d, 'i> Walk<'d, 'i, '_> {
 
     fn place(&self, node: Node<'_, '_>) -> Place {
         let at = self.document.text_pos_at(node.range().start);
-        Place { id: node.attribute("id").map(str::to_owned), ..Place::at(at.row as usize, at.col as usize) }
+        Place { id: node.attribute("id").map(quote::name), ..Place::at(at.row as usize, at.col as usize) }
     }
 }
 
@@ -239,8 +240,8 @@ fn property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
 
 /// The element as a remark names it.
 fn title(node: Node<'_, '_>) -> Element {
-    let id = node.attribute("id").map(|id| format!("{id:.80}"));
-    Element { name: node.tag_name().name().to_owned(), id }
+    let id = node.attribute("id").map(quote::name);
+    Element { name: quote::name(node.tag_name().name()), id }
 }
 
 /// The first point that is not finite or too far out.
