@@ -84,6 +84,7 @@ check "tablets on a real kernel, in QEMU" tests/kernel/run.sh
 check "trimesh, MeshLab and the Khronos validator" tests/interop.sh target/sketches
 check "fuzzing, ${FUZZ_SECONDS:-8} s a reader" fuzz/run.sh "${FUZZ_SECONDS:-8}" sketch_json sketch_svg species model_reader journal \
     pen_families pen_descriptor pen_recording
+check "licences, sources and advisories of dependencies" scripts/deny.sh "$SECONDS"
 
 echo
 for name in "${not_run[@]+"${not_run[@]}"}"; do echo "not run here: $name"; done
