@@ -6,6 +6,7 @@
 //! | --- | --- |
 //! | [`quote`] | words of users and files in messages |
 //! | [`suggest`] | the known word nearest to a mistyped one |
+//! | [`budget`] | what one plant may cost |
 //! | [`params`] | described parameters, one struct per stage |
 //! | [`random`] | random streams named by what they decide |
 //! | [`srgb`] | encoded colours to light and back |
@@ -30,6 +31,7 @@ pub mod anatomy;
 #[cfg(feature = "program")]
 pub mod app;
 pub mod atomic;
+pub mod budget;
 #[cfg(feature = "program")]
 pub mod cli;
 pub mod depth;

@@ -8,6 +8,7 @@ mod growing;
 pub use growing::Ages;
 
 use crate::anatomy::{self, Anatomy, AnatomyParams};
+use crate::budget::Budget;
 use crate::depth::{self, DepthParams};
 use crate::growth::overlay::{Spot, Wanted};
 use crate::growth::species::CrownHabit;
@@ -19,7 +20,7 @@ use crate::model::{self, Model, ModelParams};
 use crate::params::{Description, Overrides, ParamError, Parameters as _};
 use crate::plant::Plant;
 use crate::quote;
-use crate::sketch::Sketch;
+use crate::sketch::{Remark, Sketch, Warning};
 use crate::species::{self, Species, SpeciesError};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -194,7 +195,9 @@ pub fn build(sketch: &Sketch, species: &Species, params: &Params) -> Built {
         plant
     };
     let plant = clock.time("species", || dressed(plant, species, sketch));
-    let model = clock.time("model", || model::build(&plant, &of_model(params, growth.is_some())));
+    let of_model = of_model(&plant, params, growth.is_some());
+    remark_coarser(&mut anatomy, &of_model);
+    let model = clock.time("model", || model::build(&plant, &of_model.params));
     Built { anatomy, growth, plant, model, overlay: Vec::new(), stages: clock.stages }
 }
 
@@ -232,9 +235,9 @@ pub fn build_with(
         (plant, None)
     };
     let plant = clock.time("species", || dressed(plant, species, sketch));
-    let model = clock.time("model", || {
-        model::rebuild(&plant, &of_model(params, growth.is_some()), &mut cache.model, &stop)
-    })?;
+    let of_model = of_model(&plant, params, growth.is_some());
+    remark_coarser(&mut anatomy, &of_model);
+    let model = clock.time("model", || model::rebuild(&plant, &of_model.params, &mut cache.model, &stop))?;
     Some(Built { anatomy, growth, plant, model, overlay: Vec::new(), stages: clock.stages })
 }
 
@@ -249,6 +252,8 @@ pub struct Grown {
     pub plant: Plant,
     /// Whether leaves were left out because there were too many.
     pub is_thinned: bool,
+    /// Whether its surfaces are coarser than was asked for, because they had too many triangles.
+    pub is_coarser: bool,
     /// The plant as surfaces.
     pub model: Model,
     /// Time that each stage took, in order.
@@ -295,8 +300,9 @@ fn shown(
     age: f32,
     mut clock: Clock,
 ) -> Grown {
-    let (plant, is_thinned, model) = at_age(&simulation, species, params, age, &mut clock);
-    Grown { simulation, outcome, plant, is_thinned, model, stages: clock.stages }
+    let Shown { plant, is_thinned, is_coarser, model } =
+        at_age(&simulation, species, params, age, &mut clock);
+    Grown { simulation, outcome, plant, is_thinned, is_coarser, model, stages: clock.stages }
 }
 
 /// The same inside a volume; without an age until the volume is full.
@@ -349,26 +355,29 @@ fn check_grows(species: &Species) -> Result<(), SetupError> {
 impl Grown {
     /// The plant at an age that it has lived through, in space and as surfaces.
     pub fn at(&self, age: f32, species: &Species, params: &Params) -> (Plant, Model) {
-        let (plant, _, model) = at_age(&self.simulation, species, params, age, &mut Clock::start());
-        (plant, model)
+        let shown = at_age(&self.simulation, species, params, age, &mut Clock::start());
+        (shown.plant, shown.model)
     }
 }
 
-fn at_age(
-    simulation: &Simulation,
-    species: &Species,
-    params: &Params,
-    age: f32,
-    clock: &mut Clock,
-) -> (Plant, bool, Model) {
+/// A grown plant at one age.
+struct Shown {
+    plant: Plant,
+    is_thinned: bool,
+    is_coarser: bool,
+    model: Model,
+}
+
+fn at_age(simulation: &Simulation, species: &Species, params: &Params, age: f32, clock: &mut Clock) -> Shown {
     let mut plant = clock.time("plant", || growth::plant_at(simulation, age));
     // Before some of the leaves stand as flowers.
     let is_thinned = foliage::is_thinned(&plant.organs);
     let looks = looks_at(species, &params.habit, age);
     clock.time("species", || species::dress(&mut plant, &looks, simulation.seed()));
     debug_assert_eq!(plant.check_invariants(), Ok(()));
-    let model = clock.time("model", || model::build(&plant, &of_model(params, true)));
-    (plant, is_thinned, model)
+    let OfModel { params, is_coarser } = of_model(&plant, params, true);
+    let model = clock.time("model", || model::build(&plant, &params));
+    Shown { plant, is_thinned, is_coarser, model }
 }
 
 /// The looks of a plant of an age: where buds decide about flowers, one too young for them has no blossom either.
@@ -383,13 +392,29 @@ fn looks_at<'a>(species: &'a Species, habit: &Habit, age: f32) -> Cow<'a, Specie
     Cow::Borrowed(species)
 }
 
-/// Parameters of the model: the leaves of a plant that grew are too many to be parts of their own.
-fn of_model(params: &Params, grew: bool) -> Cow<'_, ModelParams> {
-    let mut of_model = Cow::Borrowed(&params.model);
-    if grew && !of_model.blade.gathered {
-        of_model.to_mut().blade.gathered = true;
+/// Parameters of the model.
+struct OfModel<'a> {
+    params: Cow<'a, ModelParams>,
+    /// Whether they are coarser than was asked for.
+    is_coarser: bool,
+}
+
+/// As fine as asked for and within the budget of triangles; the leaves of a plant that grew are too many to be parts of
+/// their own.
+fn of_model<'a>(plant: &Plant, params: &'a Params, grew: bool) -> OfModel<'a> {
+    let mut affordable = model::affordable(plant, &params.model, Budget::PLANT.triangles);
+    let is_coarser = matches!(affordable, Cow::Owned(_));
+    if grew && !affordable.blade.gathered {
+        affordable.to_mut().blade.gathered = true;
     }
-    of_model
+    OfModel { params: affordable, is_coarser }
+}
+
+fn remark_coarser(anatomy: &mut Anatomy, of_model: &OfModel<'_>) {
+    if of_model.is_coarser {
+        let triangles = Budget::PLANT.triangles;
+        anatomy.warnings.push(Warning { stroke: None, remark: Remark::Coarser { triangles } });
+    }
 }
 
 fn dressed(mut plant: Plant, species: &Species, sketch: &Sketch) -> Plant {

@@ -67,7 +67,7 @@ fn wood_hardly_cuts_itself_and_is_one_surface() {
         let model = model::build(&plant, &ModelParams::default());
         let report = judge_model(&model);
         assert_eq!((report.is_clean(), report.components), (true, 1), "{name}");
-        let faces: usize = model.parts.iter().map(|part| crossing_faces(&part.mesh)).sum();
+        let faces: usize = model.parts.iter().map(|part| crossing_faces(&part.mesh).unwrap()).sum();
         let share = faces as f32 / report.triangles as f32;
         assert!(share <= 0.001, "{name}: {faces} of {} faces cross others", report.triangles);
     }

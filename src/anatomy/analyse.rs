@@ -13,6 +13,7 @@ use super::{
     leaf_twigs::{LeafTwigParams, LeafTwigs},
     preprocess::{PreprocessParams, preprocess},
 };
+use crate::budget::Budget;
 use crate::geom::{convex_hull::convex_hull, polyline, region::Region, simple_loop};
 use crate::sketch::warnings::Warnings;
 use crate::sketch::{Remark, Sketch, Stroke, StrokeId, Tool};
@@ -250,7 +251,8 @@ fn fill_outlines(
         }
     }
     let templates = Templates::new(&anatomy.leaves, diagonal, &params.leaf_fill);
-    let (leaf_outlines, mut room) = (outlines(Part::LeafOutline), params.leaf_fill.max_leaves as usize);
+    let (leaf_outlines, mut room) =
+        (outlines(Part::LeafOutline), (params.leaf_fill.max_leaves as usize).min(Budget::PLANT.leaves));
     for (i, (outline, region)) in leaf_outlines.iter().enumerate() {
         let (outline, leaf_length) = (*outline, templates.length);
         let twigs =

@@ -83,8 +83,8 @@ impl TwigFill<'_> {
         let mut parents = 0..forest.branches().len();
         for generation in 0..self.params.generations {
             let shrink = self.params.shrink.powi(generation as i32);
-            let room = (self.params.max_twigs as usize).saturating_sub(forest.generated());
-            let mut points = Thinned::new(room);
+            let longest = self.most_steps(shrink) + 1;
+            let mut points = Thinned::new(forest.room(self.params.max_twigs, longest));
             let spacing = self.params.spacing * shrink * self.diagonal;
             forest.growth_points(parents, (self.outline, self.region), spacing, &mut points);
             sprouts |= !points.is_empty();
@@ -106,6 +106,11 @@ impl TwigFill<'_> {
         }
     }
 
+    /// Most steps of a twig of full vigour.
+    fn most_steps(&self, vigour: f32) -> usize {
+        ((self.params.max_steps as f32 * vigour) as usize).max(2)
+    }
+
     /// Places of the twig of one growth point.
     fn twig(&self, point: &GrowthPoint, shrink: f32) -> Vec<Vec2> {
         let params = self.params;
@@ -117,7 +122,7 @@ impl TwigFill<'_> {
             parent_pull: params.parent_pull,
             memory: params.memory,
             step: params.growth_rate * self.diagonal,
-            max_steps: ((params.max_steps as f32 * vigour) as usize).max(2),
+            max_steps: self.most_steps(vigour),
             stop_distance: params.stop_distance * self.diagonal,
         };
         vein::walk(self.region, point.position, (point.direction, first), &rule, |_| false)

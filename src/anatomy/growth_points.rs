@@ -2,6 +2,7 @@
 //! and 4).
 
 use super::{Attachment, FlatBranch, Sample};
+use crate::budget::Budget;
 use crate::geom::region::Region;
 use crate::random::mix;
 use crate::sketch::StrokeId;
@@ -45,13 +46,15 @@ pub struct Forest {
     /// Smallest and largest corner of each branch.
     boxes: Vec<(Vec2, Vec2)>,
     drawn: usize,
+    /// Samples of generated twigs.
+    samples: usize,
 }
 
 impl Forest {
     /// The drawn branches.
     pub fn new(branches: Vec<FlatBranch>) -> Self {
         let boxes = branches.iter().map(box_of).collect();
-        Self { drawn: branches.len(), branches, boxes }
+        Self { drawn: branches.len(), branches, boxes, samples: 0 }
     }
 
     /// All branches.
@@ -67,6 +70,12 @@ impl Forest {
     /// Number of generated twigs.
     pub fn generated(&self) -> usize {
         self.branches.len() - self.drawn
+    }
+
+    /// How many more twigs of at most `longest` samples there may be, where the parameters ask for `wanted` at most.
+    pub fn room(&self, wanted: u32, longest: usize) -> usize {
+        let twigs = (wanted as usize).min(Budget::PLANT.twigs).saturating_sub(self.generated());
+        twigs.min(Budget::PLANT.twig_samples.saturating_sub(self.samples) / longest.max(1))
     }
 
     /// Indices among `of` of the branches that may have a piece inside the region.
@@ -89,12 +98,13 @@ impl Forest {
             attached_at: at,
             level: self.branches[branch].level + 1,
         };
+        self.samples += twig.line.len();
         self.boxes.push(box_of(&twig));
         self.branches.push(twig);
     }
 
     /// Adds to `points` the growth points `spacing` pixels apart on the branches `of`, as far as they lie inside the
-    /// region of the outline's stroke.
+    /// region of the outline's stroke; farther apart where there would be too many to look at.
     pub fn growth_points(
         &self,
         of: Range<usize>,
@@ -102,7 +112,15 @@ impl Forest {
         spacing: f32,
         points: &mut Thinned<GrowthPoint>,
     ) {
-        for branch in self.near(region, of) {
+        let branches: Vec<usize> = self.near(region, of).collect();
+        let steps = branches.iter().flat_map(|branch| self.branches[*branch].line.windows(2));
+        let whole: f64 = steps.map(|w| f64::from(w[0].position.distance(w[1].position))).sum();
+        let least = (whole / Budget::PLANT.growth_points as f64) as f32;
+        if spacing < least {
+            points.leave_out();
+        }
+        let spacing = spacing.max(least);
+        for branch in branches {
             let (mut arc, mut number) = (0.0, 1);
             for w in self.branches[branch].line.windows(2) {
                 let (from, to) = (w[0].position, w[1].position);
@@ -144,12 +162,14 @@ pub struct Thinned<T> {
     limit: usize,
     stride: usize,
     seen: usize,
+    /// Whether some were never seen.
+    lacks: bool,
 }
 
 impl<T> Thinned<T> {
     /// Room for `limit` things.
     pub fn new(limit: usize) -> Self {
-        Self { kept: Vec::new(), limit, stride: 1, seen: 0 }
+        Self { kept: Vec::new(), limit, stride: 1, seen: 0, lacks: false }
     }
 
     /// Takes one more into account.
@@ -174,6 +194,11 @@ impl<T> Thinned<T> {
         }
     }
 
+    /// Knows that there are more than will be seen.
+    pub fn leave_out(&mut self) {
+        self.lacks = true;
+    }
+
     /// Whether nothing was seen.
     pub fn is_empty(&self) -> bool {
         self.seen == 0
@@ -181,7 +206,7 @@ impl<T> Thinned<T> {
 
     /// Whether some were left out.
     pub fn is_thinned(&self) -> bool {
-        self.kept.len() < self.seen
+        self.lacks || self.kept.len() < self.seen
     }
 
     /// What was kept, in order.

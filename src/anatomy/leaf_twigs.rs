@@ -85,9 +85,8 @@ impl LeafTwigs<'_> {
             wood.mark(forest.branches()[i].line.iter().map(|s| s.position));
         }
         let mut parents = 0..forest.branches().len();
-        let most = self.params.max_twigs as usize;
         for _ in 0..self.params.generations {
-            let mut points = Thinned::new(most.saturating_sub(forest.generated()));
+            let mut points = Thinned::new(forest.room(self.params.max_twigs, MAX_STEPS + 1));
             let ends = forest.near(self.region, parents.clone()).filter_map(|i| self.end_of(i, forest));
             ends.for_each(|end| points.add(end));
             forest.growth_points(parents, (self.outline, self.region), spacing, &mut points);

@@ -28,8 +28,9 @@ struct Verdict {
     clean: bool,
     #[serde(flatten)]
     report: Report,
-    /// Faces that pass through others of their mesh: no defect, but what a printer has to sort out.
-    crossing_faces: usize,
+    /// Faces that pass through others of their mesh: no defect, but what a printer has to sort out. Nothing where too many
+    /// faces lie over each other to be compared.
+    crossing_faces: Option<usize>,
     /// Names of faulty meshes, at most [`NAMED`].
     faulty: Vec<String>,
 }
@@ -41,14 +42,14 @@ struct Verdict {
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     let mut report = Report::default();
     let mut faulty = Vec::new();
-    let mut crossing = 0;
+    let mut crossing = Some(0);
     for surface in read(&args.model)? {
         let one = judge(&surface.mesh, surface.has);
         if !one.is_clean() && !surface.name.is_empty() && faulty.len() < NAMED {
             faulty.push(quote::name(&surface.name));
         }
         report.add(&one);
-        crossing += crossing_faces(&surface.mesh);
+        crossing = crossing.zip(crossing_faces(&surface.mesh)).map(|(before, more)| before + more);
     }
     let verdict = Verdict { clean: report.is_clean(), report, crossing_faces: crossing, faulty };
     let text = if args.json { serde_json::to_string(&verdict)? } else { described(args, &verdict) };
@@ -69,9 +70,13 @@ fn described(args: &Args, verdict: &Verdict) -> String {
         text +=
             &format!(", UVs from ({}, {}) to ({}, {})", range.min.x, range.min.y, range.max.x, range.max.y);
     }
-    if verdict.crossing_faces > 0 {
-        let share = 100.0 * verdict.crossing_faces as f64 / report.triangles as f64;
-        text += &format!("\n  {} faces pass through others ({share:.2} %)", verdict.crossing_faces);
+    match verdict.crossing_faces {
+        Some(0) => {}
+        Some(count) => {
+            let share = 100.0 * count as f64 / report.triangles as f64;
+            text += &format!("\n  {count} faces pass through others ({share:.2} %)");
+        }
+        None => text += "\n  too many faces lie over each other to count those that pass through others",
     }
     for (what, count) in report.defects() {
         text += &format!("\n  {count} {what}");

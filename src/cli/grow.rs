@@ -1,6 +1,7 @@
 //! `penstemon grow SPECIES -o OUT`: a plant that grows by itself, at one age or at many ages one after the other.
 
 use super::{common, inside};
+use crate::budget::Budget;
 use crate::export::{self, pictures::fetch};
 use crate::growth::{Limits, Outcome, foliage};
 use crate::input::Sources;
@@ -110,6 +111,13 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         tracing::warn!(
             "{name}: the crown is thinned to {most} leaves, the most that are allowed; choose fewer leaves, for instance \
              --set habit.leaf.per_internode=1"
+        );
+    }
+    if grown.is_coarser {
+        let most = Budget::PLANT.triangles;
+        tracing::warn!(
+            "{name}: surfaces are coarser than asked for, because the plant would have more than {most} triangles, the most \
+             that are allowed; choose a lower --age or coarser surfaces"
         );
     }
     ensure!(!grown.model.parts.is_empty(), "{name}: {}", why_bare(&grown));

@@ -2,9 +2,10 @@
 //!
 //! Boxes are halved again and again by their middles along the widest axis into a tree; two branches of the tree are
 //! compared only where their bounds touch. Near-linear for any mixture of sizes as long as few boxes meet, and as many
-//! steps as there are pairs where many do.
+//! steps as there are pairs where many do: [`meetings_within`] ends at a number of steps, the same on any number of threads.
 
 use glam::Vec3;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// A box: its least and its largest corner.
 pub type Bounds = (Vec3, Vec3);
@@ -16,17 +17,26 @@ const THREAD: usize = 4096;
 
 /// What `of` makes of every two boxes that touch, the earlier first; in no particular order.
 pub fn meetings<T: Send>(boxes: &[Bounds], of: impl Fn(usize, usize) -> Option<T> + Sync) -> Vec<T> {
+    meetings_within(u64::MAX, boxes, of).unwrap_or_default()
+}
+
+/// The same, or nothing if more than `most` pairs of boxes, and of groups of boxes, would have to be compared.
+pub fn meetings_within<T: Send>(
+    most: u64,
+    boxes: &[Bounds],
+    of: impl Fn(usize, usize) -> Option<T> + Sync,
+) -> Option<Vec<T>> {
     let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
     let mut nodes = Vec::with_capacity(4 * boxes.len() / LEAF + 1);
     if !boxes.is_empty() {
         halve(boxes, &mut order, 0, &mut nodes);
     }
-    let search = Search { boxes, order: &order, nodes: &nodes, of: &of };
+    let search = Search { boxes, order: &order, nodes: &nodes, of: &of, most, steps: AtomicU64::new(0) };
     let mut found = Vec::new();
     if !nodes.is_empty() {
         search.within(0, &mut found);
     }
-    found
+    (search.steps.into_inner() <= most).then_some(found)
 }
 
 /// Some boxes of the order, and where their second half stands; the first half stands right after the node itself.
@@ -68,9 +78,19 @@ struct Search<'a, F> {
     order: &'a [u32],
     nodes: &'a [Node],
     of: &'a F,
+    /// Steps that may be taken, and those that were.
+    most: u64,
+    steps: AtomicU64,
 }
 
 impl<F> Search<'_, F> {
+    /// Takes so many steps; whether there were that many left. All steps of a search that ends by itself are counted, in
+    /// whatever order, so that it ends by itself on any number of threads or on none.
+    fn step(&self, count: usize) -> bool {
+        let count = count as u64;
+        self.steps.fetch_add(count, Ordering::Relaxed).saturating_add(count) <= self.most
+    }
+
     fn boxes_of(&self, node: &Node) -> &[u32] {
         &self.order[node.range.0 as usize..node.range.1 as usize]
     }
@@ -83,6 +103,9 @@ impl<F> Search<'_, F> {
         let this = &self.nodes[node];
         if this.second == 0 {
             let own = self.boxes_of(this);
+            if !self.step(own.len() * own.len() / 2) {
+                return;
+            }
             for (k, a) in own.iter().enumerate() {
                 own[k + 1..].iter().for_each(|b| self.meet(*a, *b, found));
             }
@@ -103,11 +126,14 @@ impl<F> Search<'_, F> {
         F: Fn(usize, usize) -> Option<T> + Sync,
     {
         let (of_a, of_b) = (&self.nodes[a], &self.nodes[b]);
-        if !touch(&of_a.bounds, &of_b.bounds) {
+        if !touch(&of_a.bounds, &of_b.bounds) || !self.step(1) {
             return;
         }
         let size = |node: &Node| if node.second == 0 { 0 } else { node.range.1 - node.range.0 };
         if size(of_a).max(size(of_b)) == 0 {
+            if !self.step(self.boxes_of(of_a).len() * self.boxes_of(of_b).len()) {
+                return;
+            }
             for one in self.boxes_of(of_a) {
                 self.boxes_of(of_b).iter().for_each(|other| self.meet(*one, *other, found));
             }
@@ -180,6 +206,16 @@ mod tests {
                 (0..count).flat_map(all).filter(|(a, b)| touch(&boxes[*a], &boxes[*b])).collect();
             assert!(found == expected, "{count} boxes: {} pairs, not {}", found.len(), expected.len());
         }
+    }
+
+    #[test]
+    fn a_search_ends_at_its_steps() {
+        let boxes = vec![(Vec3::ZERO, Vec3::ONE); 500];
+        let steps = |most| meetings_within(most, &boxes, |_, _| Some(())).map(|found| found.len());
+        assert_eq!(steps(200_000), Some(500 * 499 / 2));
+        assert_eq!(steps(50_000), None);
+        let many = vec![(Vec3::ZERO, Vec3::ONE); 100_000];
+        assert!(meetings_within(1_000_000, &many, |_, _| None::<()>).is_none());
     }
 
     #[test]

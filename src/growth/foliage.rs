@@ -15,6 +15,7 @@ use super::envelope::Envelope;
 use super::fate::unit;
 use super::leaf::{self, LeafHabit, LeafPose};
 use super::tree::{NONE, Tree};
+use crate::budget::Budget;
 use crate::geom::simple_loop;
 use crate::plant::{Blade, BladeForm, Organ, OrganKind, RestSurface, Shape};
 use crate::random::mix;
@@ -35,7 +36,7 @@ const HELD_AT: [f32; 2] = [1.0, 0.55];
 /// Nodes that one thread takes at a time.
 const NODES: usize = 256;
 /// Most leaves of a plant.
-pub const MOST: usize = 400_000;
+pub const MOST: usize = Budget::PLANT.leaves;
 
 /// What leaves stand on.
 pub struct Wood<'a> {

@@ -6,6 +6,7 @@
 //! Limits: how many years fit into the time depends on the machine and on what else it does, so a plant that
 //! [`Outcome::TooSlow`] ended may be another one elsewhere; its message says so. All else is the same everywhere.
 
+use crate::budget::Budget;
 use std::fmt;
 
 /// Caps of one plant.
@@ -23,7 +24,8 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { internodes: 300_000, markers: 1_000_000, voxels: 32 << 20, seconds: 300 }
+        let Budget { internodes, markers, voxels, .. } = Budget::PLANT;
+        Self { internodes, markers, voxels, seconds: 300 }
     }
 }
 

@@ -6,12 +6,14 @@
 //!
 //! Around a fork everything overlaps. What lies near to the fork along the wood is left to the joint.
 //!
-//! Limits: two that both have to stay cross. Chains are rounded after this; twigs may still touch where they
+//! Limits: where wood is so thick that all of it overlaps, there are more pairs than the budget has comparisons, and none is
+//! cut. Two that both have to stay cross. Chains are rounded after this; twigs may still touch where they
 //! turn sharply.
 
 use super::chains::Chains;
 use super::tree::{NONE, Tree};
-use crate::geom::meetings::{Bounds, meetings};
+use crate::budget::Budget;
+use crate::geom::meetings::{Bounds, meetings_within};
 use glam::Vec3;
 use rayon::prelude::*;
 
@@ -87,10 +89,12 @@ impl<F: Fn(u32) -> bool + Sync> Wood<'_, F> {
         let nodes: Vec<u32> = (0..self.chains.of_node.len() as u32).filter(lives).collect();
         let capsules: Vec<Capsule> = nodes.iter().map(|node| self.capsule(*node)).collect();
         let boxes: Vec<Bounds> = capsules.iter().map(Capsule::bounds).collect();
-        meetings(&boxes, |i, j| {
+        let (any, each) = Budget::PLANT.overlaps;
+        let overlapping = meetings_within(any + each * nodes.len() as u64, &boxes, |i, j| {
             let (a, b) = (capsules[i], capsules[j]);
             if a.overlaps(&b, KEPT) { self.verdict((nodes[i], a), (nodes[j], b)) } else { None }
-        })
+        });
+        overlapping.unwrap_or_default()
     }
 
     /// Which of two overlapping internodes stays and which goes; `None` if both stay.

@@ -110,7 +110,7 @@ fn assembled(plant: &Plant, plans: Vec<Plan>, meshes: Vec<Arc<Mesh>>) -> Model {
 
 /// The largest extent of the skeleton and of where organs stand, metres: the unit of all branch tolerances. It goes in
 /// steps of √2, so that most strokes of a growing drawing leave the tubes of the others alone.
-fn size_of(plant: &Plant) -> f32 {
+pub(super) fn size_of(plant: &Plant) -> f32 {
     let skeleton = plant.branches.iter().flat_map(|b| b.points.iter().copied());
     let points = skeleton.chain(plant.organs.iter().map(Organ::base));
     let (lo, hi) = points.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(lo, hi), p| (lo.min(p), hi.max(p)));

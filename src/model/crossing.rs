@@ -3,21 +3,34 @@
 //! Two faces that share an edge never count; of two that share a point the edge opposite that point must pass through the
 //! other face; all others cross where an edge of one passes through the other. Candidates are faces whose boxes meet.
 //!
-//! Limits: faces that lie in one plane do not cross. Single precision in, double precision inside, no exact arithmetic:
+//! Limits: where so many faces lie over each other that [`STEPS`] do not reach to compare them, there is no count; faces that
+//! lie in one plane do not cross. Single precision in, double precision inside, no exact arithmetic:
 //! faces that just touch may count or not.
 
 use super::Mesh;
-use crate::geom::meetings::{Bounds, meetings};
+use crate::geom::meetings::{Bounds, meetings_within};
 use glam::DVec3;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Number of faces that cross another. Faces with points that do not exist or are not finite are left out.
-pub fn crossing_faces(mesh: &Mesh) -> usize {
+/// Comparisons that any mesh may take, and more for each of its faces; the faces of a tree take some dozens.
+pub const STEPS: (u64, u64) = (50_000_000, 500);
+
+/// Number of faces that cross another; `None` where counting them would take more than [`STEPS`]. Faces with points that do
+/// not exist or are not finite are left out.
+pub fn crossing_faces(mesh: &Mesh) -> Option<usize> {
     let faces = faces(mesh);
     let boxes: Vec<Bounds> = faces.iter().map(|face| bounds(mesh, face)).collect();
-    let pairs = meetings(&boxes, |i, j| cross(mesh, faces[i], faces[j]).then_some([i, j]));
-    let mut crossing = vec![false; faces.len()];
-    pairs.into_iter().flatten().for_each(|face| crossing[face] = true);
-    crossing.into_iter().filter(|crosses| *crosses).count()
+    let crossing: Vec<AtomicBool> = faces.iter().map(|_| AtomicBool::new(false)).collect();
+    let mark = |i: usize, j: usize| -> Option<()> {
+        let both = [&crossing[i], &crossing[j]];
+        // What is known of both needs no comparison.
+        if !both.iter().all(|known| known.load(Ordering::Relaxed)) && cross(mesh, faces[i], faces[j]) {
+            both.iter().for_each(|known| known.store(true, Ordering::Relaxed));
+        }
+        None
+    };
+    meetings_within(STEPS.0 + STEPS.1 * faces.len() as u64, &boxes, mark)?;
+    Some(crossing.into_iter().filter(|crosses| crosses.load(Ordering::Relaxed)).count())
 }
 
 /// The faces by their points.
@@ -82,17 +95,17 @@ mod tests {
 
     #[test]
     fn a_face_through_another_counts_and_so_does_the_other() {
-        assert_eq!(crossing_faces(&two(0.5, -0.5)), 2);
-        assert_eq!(crossing_faces(&two(0.5, 0.1)), 0, "above");
-        assert_eq!(crossing_faces(&two(3.0, -0.5)), 0, "beside");
+        assert_eq!(crossing_faces(&two(0.5, -0.5)), Some(2));
+        assert_eq!(crossing_faces(&two(0.5, 0.1)), Some(0), "above");
+        assert_eq!(crossing_faces(&two(3.0, -0.5)), Some(0), "beside");
     }
 
     #[test]
     fn neighbours_cross_only_where_one_folds_through_the_other() {
         let flat = [Vec3::ZERO, Vec3::X, Vec3::Z, vec3(-1.0, 0.0, -1.0), vec3(-1.0, 0.5, 0.0)];
-        assert_eq!(crossing_faces(&mesh(&flat, &[[0, 1, 2], [0, 3, 4], [0, 2, 4]])), 0);
+        assert_eq!(crossing_faces(&mesh(&flat, &[[0, 1, 2], [0, 3, 4], [0, 2, 4]])), Some(0));
         let folded = [Vec3::ZERO, Vec3::X, Vec3::Z, vec3(0.4, -0.3, 0.3), vec3(0.4, 0.3, 0.3)];
-        assert_eq!(crossing_faces(&mesh(&folded, &[[0, 1, 2], [0, 3, 4]])), 2);
+        assert_eq!(crossing_faces(&mesh(&folded, &[[0, 1, 2], [0, 3, 4]])), Some(2));
     }
 
     #[test]
@@ -100,7 +113,30 @@ mod tests {
         let mut broken = two(0.5, -0.5);
         broken.triangles.push([0, 1, 99]);
         broken.points[4].x = f32::NAN;
-        assert_eq!(crossing_faces(&broken), 0);
-        assert_eq!(crossing_faces(&Mesh::default()), 0);
+        assert_eq!(crossing_faces(&broken), Some(0));
+        assert_eq!(crossing_faces(&Mesh::default()), Some(0));
+    }
+
+    /// Faces around one edge, each through all others where `through` says so.
+    fn fan(count: u32, through: f32) -> Mesh {
+        let mut points = Vec::new();
+        for k in 0..count {
+            let (sin, cos) = (k as f32 / count as f32 * std::f32::consts::TAU).sin_cos();
+            points.extend([
+                vec3(-through * cos, 0.0, -through * sin),
+                vec3(cos, 1.0, sin),
+                vec3(cos, -1.0, sin),
+            ]);
+        }
+        let triangles: Vec<[u32; 3]> = (0..count).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+        mesh(&points, &triangles)
+    }
+
+    #[test]
+    fn where_too_many_faces_meet_there_is_no_count() {
+        assert_eq!(crossing_faces(&fan(200, 0.5)), Some(200));
+        assert_eq!(crossing_faces(&fan(100_000, 0.5)), None);
+        let equal: Vec<[u32; 3]> = vec![[0, 1, 2]; 80_000];
+        assert_eq!(crossing_faces(&mesh(&[Vec3::ZERO, Vec3::X, Vec3::Y], &equal)), None);
     }
 }

@@ -14,9 +14,11 @@
 //! | `solids`, `filaments` | hearts of flowers, fruits, pots |
 //! | `organs` | all organs of one part |
 //! | `build` | all parts at once, on all cores |
+//! | `afford` | how fine a plant can be |
 //! | `recipe`, `cache` | which parts are the same as last time |
 //! | `quality`, `topology`, `crossing` | what is wrong with a mesh |
 
+mod afford;
 mod blade;
 mod build;
 mod cache;
@@ -47,6 +49,7 @@ mod tube;
 pub mod weld;
 mod wood;
 
+pub use afford::affordable;
 pub use build::{ModelParams, build, rebuild};
 pub use cache::Cache;
 pub use flat::{BladeMeshParams, PlanarGraph, TriangulationScratch, triangulation_input};

@@ -169,6 +169,15 @@ pub enum Remark {
         /// How many there are.
         leaves: usize,
     },
+    /// Surfaces that are coarser than was asked for.
+    #[error(
+        "surfaces are coarser than asked for: the plant would have more than {triangles} triangles, the most that a plant may \
+         have"
+    )]
+    Coarser {
+        /// How many it may have.
+        triangles: u64,
+    },
     /// Fineness of crowns where there is none.
     #[error(
         "fineness changes only what grows in a crown, and this drawing has none; draw one with the tool crown"
@@ -197,7 +206,8 @@ impl Remark {
             | Self::GrowthCapped { .. }
             | Self::GrownTooLarge { .. }
             | Self::GrownTooSlowly { .. }
-            | Self::LeavesThinned { .. } => true,
+            | Self::LeavesThinned { .. }
+            | Self::Coarser { .. } => true,
             Self::NoPoints { .. }
             | Self::PressureOutside { .. }
             | Self::TiltOutside { .. }

@@ -290,6 +290,7 @@ keys! {
     WarningGrownTooLarge = "warning.grown_too_large",
     WarningGrownTooSlowly = "warning.grown_too_slowly",
     WarningLeavesThinned = "warning.leaves_thinned",
+    WarningCoarser = "warning.coarser",
     WarningFineness = "warning.fineness",
     WarningMore = "warning.more",
     CanvasInvite = "canvas.invite",

@@ -55,6 +55,7 @@ impl Told for Remark {
                 fill(Msg::WarningGrownTooSlowly, &[("years", years), ("seconds", seconds)])
             }
             Self::LeavesThinned { leaves } => fill(Msg::WarningLeavesThinned, &[("leaves", leaves)]),
+            Self::Coarser { triangles } => fill(Msg::WarningCoarser, &[("triangles", triangles)]),
             Self::FinenessUnused => fill(Msg::WarningFineness, &[]),
             Self::More { count } => fill(Msg::WarningMore, &[("count", count)]),
         }
@@ -107,7 +108,8 @@ mod tests {
             Remark::GrowthCapped { .. } => Remark::GrownTooLarge { years: 51 },
             Remark::GrownTooLarge { .. } => Remark::GrownTooSlowly { years: 54, seconds: 55 },
             Remark::GrownTooSlowly { .. } => Remark::LeavesThinned { leaves: 53 },
-            Remark::LeavesThinned { .. } => Remark::FinenessUnused,
+            Remark::LeavesThinned { .. } => Remark::Coarser { triangles: 56 },
+            Remark::Coarser { .. } => Remark::FinenessUnused,
             Remark::FinenessUnused => Remark::More { count: 49 },
             Remark::More { .. } => return None,
         })

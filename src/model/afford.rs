@@ -1,0 +1,231 @@
+//! Parameters with which a plant's surfaces stay within a number of triangles.
+//!
+//! The triangles are counted before any is made: exactly for blades that are copies of a few, from above for the others
+//! and for wood, whose rings are found where the number of its points alone says too much. While there are too many,
+//! first what is finer than the defaults comes down to them step by step, then everything becomes coarser.
+//!
+//! Limits: what is left at the coarsest is not made less; the budgets of leaves, flowers and wood bound it.
+
+use super::ModelParams;
+use super::build::size_of;
+use super::flat::{self, BladeMeshParams, FlatScratch};
+use super::solids::SolidParams;
+use super::spine::{self, SpineScratch};
+use super::tube::{self, TubeParams};
+use crate::plant::{Blade, Branch, Plant, Shape};
+use rayon::prelude::*;
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+/// Share of its fineness that is left of a parameter with each step.
+const STEP: f32 = 0.75;
+/// Steps in which what is finer than the defaults comes down to them, and those after which nothing becomes coarser.
+const TO_DEFAULTS: u32 = 8;
+const COARSEST: u32 = 16;
+/// Templates that are triangulated to be counted; of more each is taken for what it is at most.
+const COUNTED: usize = 64;
+/// Edges into which a blade's outline is divided for each of its rows, at most.
+const EDGES_A_ROW: u64 = 2;
+
+/// The parameters, or coarser ones with which the plant has at most so many triangles; borrowed where they stay.
+pub fn affordable<'a>(plant: &Plant, params: &'a ModelParams, most: u64) -> Cow<'a, ModelParams> {
+    let size = size_of(plant);
+    let fits = |params: &ModelParams| {
+        let organs = of_organs(plant, params);
+        organs <= most
+            && (organs + of_wood(plant, &params.tube, size, &rings_at_most) <= most
+                || organs + of_wood(plant, &params.tube, size, &rings) <= most)
+    };
+    if fits(params) {
+        return Cow::Borrowed(params);
+    }
+    let mut coarser = (1..COARSEST).map(|step| coarsened(params, step));
+    Cow::Owned(coarser.find(fits).unwrap_or_else(|| coarsened(params, COARSEST)))
+}
+
+/// The parameters so many steps coarser: in the first [`TO_DEFAULTS`] no coarser than the defaults.
+fn coarsened(params: &ModelParams, step: u32) -> ModelParams {
+    let ModelParams { blade, tube, solid } = params;
+    let defaults = ModelParams::default();
+    let toward = STEP.powi(step as i32);
+    let beyond = STEP.powi(step.saturating_sub(TO_DEFAULTS) as i32);
+    let less = |own: f32, default: f32, least: f32| {
+        let usual = own.min(default);
+        let less = if step < TO_DEFAULTS { (own * toward).max(usual) } else { (usual * beyond).max(least) };
+        less.min(own)
+    };
+    let fewer =
+        |own: u32, default: u32, least: u32| less(own as f32, default as f32, least as f32).ceil() as u32;
+    let wider = |own: f32, default: f32, most: f32| {
+        let usual = own.max(default);
+        let wider = if step < TO_DEFAULTS { (own / toward).min(usual) } else { (usual / beyond).min(most) };
+        wider.max(own)
+    };
+    let (b, t, s) = (&defaults.blade, &defaults.tube, &defaults.solid);
+    ModelParams {
+        blade: BladeMeshParams {
+            outline_tolerance: wider(blade.outline_tolerance, b.outline_tolerance, 0.03),
+            rows: fewer(blade.rows, b.rows, 0),
+            columns: fewer(blade.columns, b.columns, 0),
+            template_tolerance: wider(blade.template_tolerance, b.template_tolerance, 0.1),
+            template_outline_points: fewer(blade.template_outline_points, b.template_outline_points, 4),
+            template_rows: fewer(blade.template_rows, b.template_rows, 0),
+            template_columns: fewer(blade.template_columns, b.template_columns, 0),
+            ..blade.clone()
+        },
+        tube: TubeParams {
+            quality: less(tube.quality, t.quality, 0.25),
+            sides: fewer(tube.sides, t.sides, 3),
+            fewest_sides: fewer(tube.fewest_sides, t.fewest_sides, 3),
+            most_sides: fewer(tube.most_sides, t.most_sides, 3),
+            tolerance: wider(tube.tolerance, t.tolerance, 1.0),
+            ..tube.clone()
+        },
+        solid: SolidParams {
+            sides: fewer(solid.sides, s.sides, 3),
+            dome_rows: fewer(solid.dome_rows, s.dome_rows, 1),
+            filament_sides: fewer(solid.filament_sides, s.filament_sides, 3),
+            head_sides: fewer(solid.head_sides, s.head_sides, 3),
+            head_rows: fewer(solid.head_rows, s.head_rows, 2),
+        },
+    }
+}
+
+/// How a branch's rings are counted.
+type Rings = dyn Fn(&Branch, spine::Detail, &mut SpineScratch) -> usize + Sync;
+
+fn rings_at_most(branch: &Branch, _: spine::Detail, _: &mut SpineScratch) -> usize {
+    branch.points.len()
+}
+
+fn rings(branch: &Branch, detail: spine::Detail, scratch: &mut SpineScratch) -> usize {
+    let mut rings = Vec::new();
+    let skeleton = branch.points.iter().copied().zip(branch.radii.iter().copied());
+    spine::rings(skeleton, detail, scratch, &mut rings);
+    rings.len()
+}
+
+fn of_wood(plant: &Plant, params: &TubeParams, size: f32, rings: &Rings) -> u64 {
+    let of_branch = |scratch: &mut SpineScratch, branch: &Branch| {
+        let look = tube::look(branch, params, size);
+        let rings = rings(branch, look.detail, scratch) as u64;
+        // A branch's foot is joined by a strip and some rings of its carrier.
+        2 * u64::from(look.sides) * (rings + 3)
+    };
+    plant.branches.par_iter().with_min_len(256).map_init(SpineScratch::default, of_branch).sum()
+}
+
+fn of_organs(plant: &Plant, params: &ModelParams) -> u64 {
+    let templates = templates(plant, &params.blade);
+    let solid = &params.solid;
+    let [sides, rows] = [solid.sides, solid.dome_rows].map(u64::from);
+    let of_organ = |shape: &Shape| match shape {
+        Shape::Blade(blade) => {
+            let counted = blade.template.and_then(|template| templates.get(&template)).copied();
+            counted.unwrap_or_else(|| blade_at_most(blade, &params.blade))
+        }
+        Shape::Dome { .. } => 2 * sides * (rows + 1),
+        Shape::Lathe { profile, .. } => 2 * sides * profile.len() as u64,
+        Shape::Filament { points, head, .. } => {
+            let head = if head.x > 0.0 { u64::from(solid.head_sides * solid.head_rows) } else { 0 };
+            2 * (u64::from(solid.filament_sides) * (points.len() as u64 + 1) + head)
+        }
+    };
+    plant.organs.par_iter().with_min_len(1024).map(|organ| of_organ(&organ.shape)).sum()
+}
+
+/// The triangles of a blade of each template, where the templates are few.
+fn templates(plant: &Plant, params: &BladeMeshParams) -> BTreeMap<u32, u64> {
+    let mut firsts: BTreeMap<u32, &Blade> = BTreeMap::new();
+    for organ in &plant.organs {
+        if let Shape::Blade(blade) = &organ.shape
+            && let Some(template) = blade.template
+        {
+            firsts.entry(template).or_insert(blade);
+        }
+    }
+    if firsts.len() > COUNTED {
+        return BTreeMap::new();
+    }
+    let mut scratch = FlatScratch::default();
+    let mut count = |blade: &Blade| {
+        let flat = flat::flatten(blade, params, &mut scratch);
+        flat.map_or(0, |flat| both_sides(flat.margin as u64, (flat.points.len() - flat.margin) as u64))
+    };
+    firsts.into_iter().map(|(template, blade)| (template, count(blade))).collect()
+}
+
+/// Triangles of both faces and the rim of a blade with so many points at the margin and inside.
+fn both_sides(margin: u64, inside: u64) -> u64 {
+    4 * (margin + inside)
+}
+
+fn blade_at_most(blade: &Blade, params: &BladeMeshParams) -> u64 {
+    let drawn = blade.outline.len() as u64;
+    let (points, rows, columns) = match blade.template {
+        Some(_) => {
+            let most = u64::from(params.template_outline_points);
+            (drawn.min(most), params.template_rows, params.template_columns)
+        }
+        None => (drawn, params.rows, params.columns),
+    };
+    let rows = u64::from(rows);
+    both_sides(points + EDGES_A_ROW * (rows + 1), rows * (2 * u64::from(columns) + 1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::growth::{Limits, Simulation, plant_at};
+    use crate::model::build;
+    use crate::species::{self, Species};
+
+    fn cherry(age: u16) -> Plant {
+        let species = Species::built_in("cherry").unwrap();
+        let mut simulation = Simulation::new(species.growth.as_ref().unwrap(), 1, Limits::default());
+        simulation.grow_to(age, &|| false);
+        let mut plant = plant_at(&simulation, f32::from(age));
+        species::dress(&mut plant, &species, 1);
+        plant
+    }
+
+    /// The finest that may be asked for.
+    fn finest() -> ModelParams {
+        let mut params = ModelParams::default();
+        (params.blade.rows, params.blade.columns, params.blade.outline_tolerance) = (64, 32, 0.0001);
+        (params.blade.template_rows, params.blade.template_columns) = (64, 32);
+        (params.blade.template_outline_points, params.blade.template_tolerance) = (200, 0.0001);
+        (params.tube.quality, params.tube.sides, params.tube.fewest_sides) = (4.0, 64, 64);
+        (params.solid.sides, params.solid.dome_rows, params.solid.filament_sides) = (128, 64, 16);
+        (params.solid.head_sides, params.solid.head_rows) = (32, 32);
+        params
+    }
+
+    fn defaults() -> ModelParams {
+        ModelParams::default()
+    }
+
+    #[test]
+    fn a_plant_has_no_more_triangles_than_it_may() {
+        let plant = cherry(8);
+        assert!(matches!(affordable(&plant, &defaults(), 10_000_000), Cow::Borrowed(_)));
+        let whole = build(&plant, &defaults()).triangle_count() as u64;
+        for (params, most) in [(finest(), 8 * whole), (finest(), whole), (defaults(), whole / 2)] {
+            let coarser = affordable(&plant, &params, most);
+            assert!(matches!(coarser, Cow::Owned(_)));
+            let count = build(&plant, &coarser).triangle_count() as u64;
+            assert!(count <= most && count > most / 8, "{count} triangles of {most}");
+        }
+    }
+
+    #[test]
+    fn what_is_coarser_already_stays() {
+        let mut params = ModelParams::default();
+        (params.tube.quality, params.solid.sides, params.blade.rows) = (0.5, 3, 1);
+        assert_eq!(coarsened(&params, TO_DEFAULTS), params);
+        let coarser = coarsened(&params, COARSEST);
+        assert_eq!((coarser.tube.quality, coarser.solid.sides, coarser.blade.rows), (0.25, 3, 1));
+        let finer = coarsened(&finest(), TO_DEFAULTS);
+        assert_eq!((finer.solid, finer.blade.rows), (defaults().solid, 5));
+    }
+}
