@@ -15,8 +15,10 @@ pub struct Budget {
     pub twig_samples: usize,
     /// Leaves that nobody drew.
     pub leaves: usize,
-    /// Flowers of a plant that grew.
-    pub flowers: usize,
+    /// Buds of flowers on a plant that grew.
+    pub flower_buds: usize,
+    /// Flowers of a tree in blossom, those that open from buds among them.
+    pub blossoms: usize,
     /// Internodes that ever grow, shed ones counted.
     pub internodes: usize,
     /// Markers of space.
@@ -36,7 +38,8 @@ impl Budget {
         twigs: 60_000,
         twig_samples: 2_000_000,
         leaves: 400_000,
-        flowers: 6_000,
+        flower_buds: 6_000,
+        blossoms: 24_000,
         internodes: 300_000,
         markers: 1_000_000,
         voxels: 32 << 20,

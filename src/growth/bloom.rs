@@ -14,7 +14,7 @@ use glam::{Vec2, Vec3};
 use std::sync::Arc;
 
 /// Most flowers of a plant, each of which has some thirty parts.
-pub const MOST: usize = crate::budget::Budget::PLANT.flowers;
+pub const MOST: usize = crate::budget::Budget::PLANT.flower_buds;
 /// How far the flowers of a cluster lean away from its middle, and stand from it, in lengths of a leaf.
 const APART: f32 = 0.9;
 const ASIDE: f32 = 0.35;

@@ -6,6 +6,7 @@
 
 use super::looks::BlossomLook;
 use super::sepals::blade_at;
+use crate::budget::Budget;
 use crate::plant::{Blade, BladeForm, Cone, Flower, Organ, OrganKind, Plant, Shape};
 use glam::{Quat, Vec2, Vec3};
 use rand::RngExt;
@@ -21,11 +22,12 @@ pub(super) fn blossom(plant: &mut Plant, look: &BlossomLook, template: u32, rng:
     let Some(mean) = mean_leaf_length(plant) else { return };
     let reach = mean * look.reach;
     let outline = notched(reach * (1.0 - HEART), look).into();
-    let room = 1.0 + look.share * look.petals as f32;
+    let share = affordable_share(plant, look.share);
+    let room = 1.0 + share * look.petals as f32;
     let mut kept = Vec::with_capacity((plant.organs.len() as f32 * room) as usize);
     for organ in std::mem::take(&mut plant.organs) {
-        let generated = organ.kind == OrganKind::Leaf && organ.stroke.is_none();
-        let opens = organ.kind == OrganKind::Bud || (generated && rng.random_bool(f64::from(look.share)));
+        let opens =
+            organ.kind == OrganKind::Bud || (is_generated_leaf(&organ) && rng.random_bool(f64::from(share)));
         match &organ.shape {
             Shape::Blade(leaf) if opens => {
                 let size = length_of(leaf) / mean;
@@ -39,15 +41,24 @@ pub(super) fn blossom(plant: &mut Plant, look: &BlossomLook, template: u32, rng:
     plant.organs = kept;
 }
 
+fn is_generated_leaf(organ: &Organ) -> bool {
+    organ.kind == OrganKind::Leaf && organ.stroke.is_none()
+}
+
+/// The share of leaves that open: as wished, or as many as the budget leaves after the buds.
+fn affordable_share(plant: &Plant, wished: f32) -> f32 {
+    let buds = plant.organs.iter().filter(|organ| organ.kind == OrganKind::Bud).count();
+    let leaves = plant.organs.iter().filter(|organ| is_generated_leaf(organ)).count();
+    wished.min(Budget::PLANT.blossoms.saturating_sub(buds) as f32 / leaves.max(1) as f32)
+}
+
 fn length_of(leaf: &Blade) -> f32 {
     leaf.length * leaf.v.length()
 }
 
 fn mean_leaf_length(plant: &Plant) -> Option<f32> {
     let length = |organ: &Organ| match &organ.shape {
-        Shape::Blade(leaf) if organ.kind == OrganKind::Leaf && organ.stroke.is_none() => {
-            Some(length_of(leaf))
-        }
+        Shape::Blade(leaf) if is_generated_leaf(organ) => Some(length_of(leaf)),
         _ => None,
     };
     let lengths: Vec<f32> = plant.organs.iter().filter_map(length).collect();
