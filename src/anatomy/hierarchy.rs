@@ -16,6 +16,7 @@ use crate::geom::{
 };
 use crate::sketch::StrokeId;
 use glam::Vec2;
+use rayon::prelude::*;
 use std::ops::Range;
 
 crate::parameters! {
@@ -107,7 +108,7 @@ fn find_touches(
         let close = all.partition_point(|t| t.place.distance <= good);
         Touches { all, close }
     };
-    flat.iter().enumerate().map(touches_of).collect()
+    flat.par_iter().with_min_len(64).enumerate().map(touches_of).collect()
 }
 
 /// Keeps [`MOST_TOUCHES`] places: first the longest lines among those within `slack` of the nearest, then the nearest.
