@@ -52,7 +52,7 @@ pub(crate) fn flipped(obj: &str) -> String {
 #[test]
 fn meshes_that_are_no_volume_are_refused_with_a_remedy() {
     assert!(fault("").contains("no face"));
-    assert!(fault("v 0 0\nf x\n").starts_with("cube.obj: not a readable"));
+    assert!(fault("v 0 0\nf x\n").starts_with("cube.obj: line 1: not a readable"));
     assert!(fault(&CUBE.replace("f 4 1 5 8\n", "")).contains("4 edges"));
     assert!(fault(&CUBE.replace("v 1 0 0", "v nan 0 0")).contains("no place"));
     assert!(fault("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\n").contains("thickness"));
