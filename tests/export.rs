@@ -7,7 +7,6 @@ mod common;
 use common::{leafy, textures, two_specimens};
 use glam::{Vec2, Vec3};
 use gltf_json as json;
-use penstemon::export::decode::decode;
 use penstemon::export::pictures::fetch;
 use penstemon::export::read::{ReadFormat, from_bytes};
 use penstemon::export::{

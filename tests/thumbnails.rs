@@ -9,7 +9,6 @@
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
-use penstemon::export::decode::decode;
 use penstemon::export::pictures::fetch;
 use penstemon::growth::Limits;
 use penstemon::model::Model;
