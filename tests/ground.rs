@@ -10,8 +10,8 @@ use penstemon::sketch;
 use penstemon::species::Species;
 use std::path::{Path, PathBuf};
 
-/// How far below the ground a surface may be for its thickness and its slant, as a share of the plant's height.
-const SKIN: f32 = 0.002;
+/// How far below the ground the bark around the lowest point that was drawn may be, as a share of the plant's height.
+const SKIN: f32 = 0.01;
 
 fn assert_above(name: &str, model: &Model) {
     let heights = |part: &penstemon::model::Part| part.mesh.points.iter().map(|p| p.y).collect::<Vec<_>>();

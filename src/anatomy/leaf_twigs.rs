@@ -36,7 +36,7 @@ crate::parameters! {
         /// Random change of that angle, up to.
         scatter: f32 = 20.0, 0.0..=90.0, "degrees";
         /// Most generated twigs in a drawing, those of branch outlines included.
-        max_twigs: u32 = 20000, 1..=1000000, "";
+        max_twigs: u32 = 6000, 1..=1000000, "";
     }
 }
 

@@ -1,6 +1,6 @@
 //! What a plant carries stays above its ground, which is level through its lowest root.
 //!
-//! Wood that would dip below is lifted to lie on the ground. A leaf that would, bent as its species bends it, swings up
+//! Wood that nobody drew and that would dip below is lifted to lie on the ground. A leaf that would, bent as its species bends it, swings up
 //! about its base: first until it lies level, its face to the sky, then further until nothing of it is below. It swings no
 //! farther than it must.
 //!
@@ -19,7 +19,8 @@ const CURL: f32 = 0.15;
 
 /// Lifts wood and leaves that would stand below the ground.
 pub(super) fn keep_above(plant: &mut Plant) {
-    plant.branches.iter_mut().for_each(lift_branch);
+    // Drawn wood stays where it was drawn; the ground is as low as that.
+    plant.branches.iter_mut().filter(|branch| branch.stroke.is_none()).for_each(lift_branch);
     for organ in &mut plant.organs {
         match &mut organ.shape {
             Shape::Blade(blade) if organ.kind == OrganKind::Leaf && blade.rest == RestSurface::Plane => {
