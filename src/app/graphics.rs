@@ -194,9 +194,8 @@ impl Graphics {
     fn note_damage(&mut self, editor: &Editor, view: CanvasView) {
         let (canvas, scale) = (editor.layout().canvas, editor.layout().pixels_per_point() as f32);
         let change = self.canvas.ink.take_change();
-        if std::mem::replace(&mut self.seen, Some((view, editor.versions.reference)))
-            != Some((view, editor.versions.reference))
-        {
+        let seen = (view, editor.versions.reference);
+        if self.seen.replace(seen) != Some(seen) {
             return self.damage.add(canvas);
         }
         match change {

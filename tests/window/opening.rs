@@ -29,7 +29,9 @@ fn a_window_is_filled_from_the_moment_it_is_seen() {
 #[test]
 fn a_window_leaves_room_for_panels_and_its_title_bar() {
     let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
-    Client::on(&screen).call_work_area([0, 28, 1280, 740]);
+    // It stays: without any client the server forgets what was said.
+    let client = Client::on(&screen);
+    client.call_work_area([0, 28, 1280, 740]);
     let mut program = Program::start(&screen, home.path(), &[]);
     program.built();
     let told = screen.hand(&["getwindowgeometry", "--shell", &program.window(&screen)]);

@@ -423,6 +423,25 @@ mod tests {
     }
 
     #[test]
+    fn what_looks_different_is_told_and_no_more() {
+        let mut ink = InkBuffer::default();
+        let (long, other) = (wave(400, 0.0), wave(20, 900.0));
+        ink.set(1, &other, BLACK, 3.0);
+        ink.set(2, &long[..399], BLACK, 3.0);
+        assert_eq!(ink.take_change(), InkChange::Anywhere, "at first");
+        assert_eq!(ink.take_change(), InkChange::Nowhere);
+        ink.grow(2, &long[399..], &[]);
+        let InkChange::Within(low, high) = ink.take_change() else { panic!("something changed") };
+        let last = long[399].position;
+        assert!(low.cmple(last).all() && high.cmpge(last).all() && high.x - low.x < 40.0, "{low} {high}");
+        ink.recolour(1, [9; 4]);
+        let InkChange::Within(low, high) = ink.take_change() else { panic!("something changed") };
+        assert!(low.y > 800.0 && low.x < 0.0 && high.x > 9.0 * 19.0, "{low} {high}");
+        ink.set_order(&[2, 1]);
+        assert_eq!(ink.take_change(), InkChange::Anywhere);
+    }
+
+    #[test]
     fn removing_much_gives_the_room_back() {
         let mut ink = InkBuffer::default();
         for id in 0..200 {
