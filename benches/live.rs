@@ -1,13 +1,16 @@
 //! How fast the window answers, without window and graphics card: drawings replayed sample by sample at the pace of a
 //! pen through the editor itself, with its worker, its panels and the canvas's vertex buffer.
 //!
-//! `cargo bench --bench live` measures everything; words choose: `-- daisy oxalis tree large idle`. With `--test` one
+//! `cargo bench --bench live` measures everything; words choose: `-- daisy oxalis fast tree large idle`. With `--test` one
 //! drawing is replayed as fast as it goes, to see that all still fits together.
 //!
 //! A sample arrives when it is due, or when the sleeping thread was woken for it; where the thread was still busy with a
 //! frame, the waiting counts. What is measured per sample: `ink`, until the stroke is in the canvas's vertex buffer;
 //! `plant`, until a plant that knows the sample was collected. Per frame at 1280×800: `panels`, laying out everything;
 //! `shapes`, egui's triangles; `strokes`, bringing the canvas's strokes in step; and `frame`, all three.
+//!
+//! `fast` is one stroke of a minute by a pen that reports a thousand times a second: what a sample costs the window must
+//! not grow with the stroke.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 #![allow(clippy::print_stdout, reason = "figures are what a bench is for")]
@@ -21,8 +24,9 @@ mod figures;
 
 use desk::Desk;
 use figures::{Figures, heading};
+use glam::Vec2;
 use penstemon::app::Action;
-use penstemon::sketch::{self, Sketch};
+use penstemon::sketch::{self, Sketch, StrokePoint, Tool};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -30,6 +34,10 @@ const REFERENCE: [&str; 8] =
     ["daisy", "hepatica_red", "hepatica_blue", "jasmine", "mallow", "balloon_flower", "plumeria", "oxalis"];
 /// Leaves of the tree that is rebuilt, and strokes of the large drawing.
 const MANY: usize = 10_000;
+/// Samples of the longest stroke: a minute at 1,000 Hz.
+const FAST: usize = 60_000;
+/// Most that a sample at the end of that stroke may cost, times one at its beginning.
+const GROWTH: f64 = 2.0;
 /// Time between two strokes.
 const PAUSE: Duration = Duration::from_millis(80);
 
@@ -47,6 +55,9 @@ fn main() {
         all.add(figures);
     }
     all.print("all");
+    if is_wanted("fast") {
+        draw_fast(FAST, Duration::from_millis(1));
+    }
     if is_wanted("tree") {
         rebuild_tree(MANY, Duration::from_secs(8));
     }
@@ -63,6 +74,7 @@ fn short() {
     let mut daisy = reference("daisy");
     daisy.strokes.truncate(4);
     let figures = replay(&daisy, Some(6));
+    draw_fast(200, Duration::ZERO);
     assert!(figures.count("ink") >= 18 && figures.count("plant") >= 18 && figures.count("frame") > 0);
 }
 
@@ -81,6 +93,29 @@ fn replay(drawing: &Sketch, most: Option<usize>) -> Figures {
     }
     desk.settle();
     desk.figures()
+}
+
+/// Draws one long stroke with a fast pen on an empty sheet.
+fn draw_fast(samples: usize, pace: Duration) {
+    let mut desk = Desk::open(&Sketch { strokes: Vec::new(), ..reference("daisy") });
+    let scribble: Vec<StrokePoint> = (0..samples)
+        .map(|i| {
+            let t = i as f32 * 1e-3;
+            let at =
+                Vec2::new(300.0 + 220.0 * (2.1 * t).sin(), 350.0 + 250.0 * (2.9 * t + 0.05 * t * t).cos());
+            StrokePoint { pressure: 0.5, ..StrokePoint::at(at) }
+        })
+        .collect();
+    let begun = Instant::now();
+    desk.draw_every(pace, Tool::Branch, &scribble);
+    let late = begun.elapsed().saturating_sub(pace * samples as u32);
+    let figures = desk.figures();
+    figures.print(&format!("one stroke of {samples} samples"));
+    let growth = figures.growth("sample");
+    let verdict = if growth <= GROWTH { "met" } else { "MISSED" };
+    println!("  a sample at its end costs {growth:.2} times one at its beginning  ≤ {GROWTH} {verdict}");
+    println!("  the pen was lifted {:.1} ms before the window was done with it", late.as_secs_f64() * 1e3);
+    desk.settle();
 }
 
 /// Rebuilds a tree again and again while frames are shown.

@@ -17,7 +17,7 @@ const INK: [u8; 4] = [30, 30, 40, 255];
 /// What a window shows after painting this layer, four bytes per pixel.
 fn shown(renderer: &Renderer, layer: &mut CanvasLayer, view: &CanvasView) -> Rgba {
     let (width, height) = view.framebuffer;
-    layer.prepare(renderer, view).unwrap();
+    layer.prepare(renderer.gpu(), view).unwrap();
     let (device, queue) = (renderer.device(), renderer.queue());
     let size = wgpu::Extent3d { width, height, depth_or_array_layers: 1 };
     let texture = device.create_texture(&wgpu::TextureDescriptor {
@@ -96,7 +96,7 @@ fn view(zoom: f32, at: Vec2) -> CanvasView {
 
 fn open() -> (Renderer, CanvasLayer) {
     let renderer = Renderer::new().unwrap();
-    let layer = CanvasLayer::new(&renderer, wgpu::TextureFormat::Rgba8Unorm).unwrap();
+    let layer = CanvasLayer::new(renderer.gpu(), wgpu::TextureFormat::Rgba8Unorm).unwrap();
     (renderer, layer)
 }
 
@@ -130,14 +130,14 @@ fn fitting(sketch: &Sketch) -> CanvasView {
 fn a_stroke_grown_sample_by_sample_is_the_same_picture() {
     let (renderer, mut at_once) = open();
     let curl = curl(60);
-    at_once.set_stroke(1, &curl, INK, 12.0);
+    at_once.ink.set(1, &curl, INK, 12.0);
     let view = view(1.0, Vec2::ZERO);
     let expected = shown(&renderer, &mut at_once, &view);
-    let mut grown = CanvasLayer::new(&renderer, wgpu::TextureFormat::Rgba8Unorm).unwrap();
-    grown.set_stroke(1, &curl[..1], INK, 12.0);
+    let mut grown = CanvasLayer::new(renderer.gpu(), wgpu::TextureFormat::Rgba8Unorm).unwrap();
+    grown.ink.set(1, &curl[..1], INK, 12.0);
     for sample in &curl[1..] {
-        assert!(grown.append_points(1, std::slice::from_ref(sample)));
-        grown.prepare(&renderer, &view).unwrap();
+        assert!(grown.ink.grow(1, std::slice::from_ref(sample), &[]));
+        grown.prepare(renderer.gpu(), &view).unwrap();
     }
     assert!(expected == shown(&renderer, &mut grown, &view));
 }
@@ -146,9 +146,9 @@ fn a_stroke_grown_sample_by_sample_is_the_same_picture() {
 fn the_newest_sample_is_there_at_once() {
     let (renderer, mut layer) = open();
     let view = view(1.0, Vec2::ZERO);
-    layer.set_stroke(1, &samples([(Vec2::new(-100.0, 0.0), 1.0)]), INK, 8.0);
+    layer.ink.set(1, &samples([(Vec2::new(-100.0, 0.0), 1.0)]), INK, 8.0);
     for x in [-60.0, -10.0, 45.0, 130.0] {
-        layer.append_points(1, &samples([(Vec2::new(x, 0.0), 1.0)]));
+        layer.ink.grow(1, &samples([(Vec2::new(x, 0.0), 1.0)]), &[]);
         let now = shown(&renderer, &mut layer, &view);
         assert_eq!(pixel(&now, (240.0 + x) as u32, 180), INK, "at {x}");
         assert_eq!(pixel(&now, (240.0 + x + 8.0) as u32, 180)[..3], PAPER, "beyond {x}");
@@ -160,15 +160,15 @@ fn only_new_samples_are_sent() {
     let (renderer, mut layer) = open();
     let sketch = sketch("tree_round");
     for stroke in &sketch.strokes {
-        layer.set_stroke(stroke.id, &stroke.points, INK, 3.0);
+        layer.ink.set(stroke.id, &stroke.points, INK, 3.0);
     }
     let view = fitting(&sketch);
-    let all = layer.prepare(&renderer, &view).unwrap();
+    let all = layer.prepare(renderer.gpu(), &view).unwrap();
     let last = sketch.strokes[sketch.strokes.len() - 1].id;
-    layer.append_points(last, &samples([(Vec2::new(10.0, 10.0), 0.5)]));
-    let one = layer.prepare(&renderer, &view).unwrap();
+    layer.ink.grow(last, &samples([(Vec2::new(10.0, 10.0), 0.5)]), &[]);
+    let one = layer.prepare(renderer.gpu(), &view).unwrap();
     assert!(one > 0 && one < 1200, "{one} of {all} bytes");
-    assert_eq!(layer.prepare(&renderer, &view).unwrap(), 0);
+    assert_eq!(layer.prepare(renderer.gpu(), &view).unwrap(), 0);
 }
 
 #[test]
@@ -181,7 +181,7 @@ fn a_line_is_as_wide_as_asked_and_evenly_dark() {
     };
     let mut inks = Vec::new();
     for step in [100.0, 5.0, 0.7, 0.1] {
-        layer.set_stroke(1, &line(step), INK, 6.0);
+        layer.ink.set(1, &line(step), INK, 6.0);
         let picture = shown(&renderer, &mut layer, &view(1.0, Vec2::ZERO));
         keep(&format!("line_{step}"), &picture);
         let dark = |p: [u8; 4]| f32::from(PAPER[0] - p[0]) / f32::from(PAPER[0] - INK[0]);
@@ -197,7 +197,7 @@ fn a_line_is_as_wide_as_asked_and_evenly_dark() {
 fn zoomed_in_a_sparse_curve_is_smooth() {
     let (renderer, mut layer) = open();
     let circle = samples((0..=16).map(|i| (Vec2::from_angle(i as f32 * 0.39) * 20.0, 0.6)));
-    layer.set_stroke(1, &circle, INK, 1.5);
+    layer.ink.set(1, &circle, INK, 1.5);
     let picture = shown(&renderer, &mut layer, &view(24.0, Vec2::new(0.0, -14.0)));
     keep("zoomed", &picture);
     // Every dark pixel lies near the circle that was sampled.
@@ -222,22 +222,22 @@ fn the_dark_theme_shows_coloured_strokes_in_their_order() {
     let sketch = sketch("daisy");
     let colours = [[244, 143, 177, 255], [129, 199, 132, 255], [255, 183, 77, 255], [100, 181, 246, 255]];
     for (stroke, colour) in sketch.strokes.iter().zip(colours.iter().cycle()) {
-        layer.set_stroke(stroke.id, &stroke.points, *colour, 5.0);
+        layer.ink.set(stroke.id, &stroke.points, *colour, 5.0);
     }
     let dark = CanvasView { paper: [32, 33, 36], desk: [18, 18, 20], ..fitting(&sketch) };
     keep("dark", &shown(&renderer, &mut layer, &dark));
 
-    layer.clear();
+    layer.ink.clear();
     let bar = |from: Vec2, to: Vec2| samples([(from, 1.0), (to, 1.0)]);
-    layer.set_stroke(1, &bar(Vec2::new(-90.0, 0.0), Vec2::new(90.0, 0.0)), colours[0], 20.0);
-    layer.set_stroke(2, &bar(Vec2::new(0.0, -90.0), Vec2::new(0.0, 90.0)), colours[1], 20.0);
+    layer.ink.set(1, &bar(Vec2::new(-90.0, 0.0), Vec2::new(90.0, 0.0)), colours[0], 20.0);
+    layer.ink.set(2, &bar(Vec2::new(0.0, -90.0), Vec2::new(0.0, 90.0)), colours[1], 20.0);
     let view = CanvasView { paper: [32, 33, 36], ..view(1.0, Vec2::ZERO) };
     assert_eq!(pixel(&shown(&renderer, &mut layer, &view), 240, 180), colours[1]);
-    layer.set_order(&[2, 1]);
+    layer.ink.set_order(&[2, 1]);
     assert_eq!(pixel(&shown(&renderer, &mut layer, &view), 240, 180), colours[0]);
-    layer.set_colour(1, colours[3]);
+    layer.ink.recolour(1, colours[3]);
     assert_eq!(pixel(&shown(&renderer, &mut layer, &view), 240, 180), colours[3]);
-    layer.remove_stroke(1);
+    layer.ink.remove(1);
     let crossed = shown(&renderer, &mut layer, &view);
     assert_eq!((pixel(&crossed, 240, 180), pixel(&crossed, 180, 180)), (colours[1], [32, 33, 36, 255]));
 }
@@ -247,17 +247,17 @@ fn a_reference_picture_lies_under_the_strokes() {
     let (renderer, mut layer) = open();
     let leaf = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/textures/leaf_maple.png");
     let picture = decode(&std::fs::read(leaf).unwrap()).unwrap();
-    layer.set_reference(&renderer, Some(&picture)).unwrap();
+    layer.set_reference(renderer.gpu(), Some(&picture)).unwrap();
     let place = Affine2::from_scale_angle_translation(Vec2::splat(300.0), 0.2, Vec2::new(-120.0, -170.0));
     layer.place_reference(place, 0.6);
-    layer.set_stroke(1, &curl(80), INK, 6.0);
+    layer.ink.set(1, &curl(80), INK, 6.0);
     let view = CanvasView { sheet: Some(Vec2::new(190.0, 140.0)), ..view(1.0, Vec2::ZERO) };
     keep("reference", &shown(&renderer, &mut layer, &view));
 
     let red = Rgba { width: 1, height: 1, pixels: vec![255, 0, 0, 255] };
-    layer.set_reference(&renderer, Some(&red)).unwrap();
+    layer.set_reference(renderer.gpu(), Some(&red)).unwrap();
     layer.place_reference(Affine2::from_scale(Vec2::splat(50.0)), 0.5);
-    layer.set_stroke(1, &samples([(Vec2::splat(25.0), 1.0)]), INK, 10.0);
+    layer.ink.set(1, &samples([(Vec2::splat(25.0), 1.0)]), INK, 10.0);
     let traced = shown(&renderer, &mut layer, &CanvasView { sheet: None, ..view });
     keep("traced", &traced);
     assert_eq!(pixel(&traced, 265, 205), INK);
@@ -267,16 +267,16 @@ fn a_reference_picture_lies_under_the_strokes() {
         "{mixed:?}"
     );
     assert_eq!(pixel(&traced, 235, 175)[..3], PAPER);
-    layer.set_reference(&renderer, None).unwrap();
+    layer.set_reference(renderer.gpu(), None).unwrap();
     assert_eq!(pixel(&shown(&renderer, &mut layer, &view), 250, 190)[..3], PAPER);
     let broken = Rgba { width: 9, height: 9, pixels: vec![0; 5] };
-    assert!(layer.set_reference(&renderer, Some(&broken)).is_err());
+    assert!(layer.set_reference(renderer.gpu(), Some(&broken)).is_err());
 }
 
 #[test]
 fn the_canvas_turns() {
     let (renderer, mut layer) = open();
-    layer.set_stroke(1, &samples([(Vec2::ZERO, 1.0), (Vec2::new(100.0, 0.0), 1.0)]), INK, 10.0);
+    layer.ink.set(1, &samples([(Vec2::ZERO, 1.0), (Vec2::new(100.0, 0.0), 1.0)]), INK, 10.0);
     let mut turned = view(1.0, Vec2::ZERO);
     turned.pixel_from_canvas *= Affine2::from_angle(std::f32::consts::FRAC_PI_2);
     let picture = shown(&renderer, &mut layer, &turned);
@@ -290,7 +290,7 @@ fn ten_thousand_strokes_are_one_buffer() {
     for id in 0..10_000_u64 {
         let at = Vec2::new((id % 100) as f32 * 4.0 - 200.0, (id / 100) as f32 * 3.0 - 150.0);
         let stroke = samples((0..12).map(|i| (at + Vec2::new(i as f32 * 0.25, (i as f32).sin()), 0.7)));
-        layer.set_stroke(id, &stroke, [30, (id % 200) as u8, 90, 255], 0.8);
+        layer.ink.set(id, &stroke, [30, (id % 200) as u8, 90, 255], 0.8);
     }
     let picture = shown(&renderer, &mut layer, &view(1.0, Vec2::ZERO));
     keep("many", &picture);

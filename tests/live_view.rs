@@ -12,7 +12,7 @@ use penstemon::model::{Mesh, Model, Part};
 use penstemon::pipeline::{Built, Cache, build, build_with, params_of, species_of};
 use penstemon::plant::Texture;
 use penstemon::render::{
-    Background, Direction, Look, Mode, OrbitCamera, Picture, PictureOptions, Projection, Quality,
+    Background, Direction, Gpu, Look, Mode, OrbitCamera, Picture, PictureOptions, Projection, Quality,
     RenderError, Renderer, View, Viewport,
 };
 use penstemon::sketch::{Sketch, Stroke, StrokePoint, Tool};
@@ -327,7 +327,7 @@ fn a_device_that_somebody_else_opened_will_do() {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
     let adapter = pollster::block_on(instance.request_adapter(&Default::default())).unwrap();
     let (device, queue) = pollster::block_on(adapter.request_device(&Default::default())).unwrap();
-    let renderer = Renderer::with_device(device.clone(), queue, &adapter.get_info()).unwrap();
+    let renderer = Renderer::on(Gpu::from_parts(device.clone(), queue, &adapter.get_info())).unwrap();
     assert!(renderer.adapter().contains(&adapter.get_info().name));
     let mut viewport = Viewport::new(&renderer).unwrap();
     viewport.set_size(SIZE.0, SIZE.1);

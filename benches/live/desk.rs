@@ -5,11 +5,10 @@ use egui::{Context, Pos2, RawInput, Rect, TextureId, ViewportId, vec2};
 use glam::Vec2;
 use penstemon::app::action::{Action, CanvasTool};
 use penstemon::app::editor::{Editor, Places};
-use penstemon::app::paper::{Paper, PaperChange};
-use penstemon::app::theme::LIGHT;
+use penstemon::app::sheet::Sheet;
 use penstemon::pen::{PenButtons, PenEvent, PenPhase, PenSample, PenTool};
 use penstemon::render::canvas::InkBuffer;
-use penstemon::sketch::{self, Sketch, StrokeId, StrokePoint, Tool};
+use penstemon::sketch::{self, Sketch, StrokePoint, Tool};
 use std::collections::VecDeque;
 use std::hint::black_box;
 use std::path::Path;
@@ -24,8 +23,6 @@ const SAMPLE: Duration = Duration::from_nanos(1_000_000_000 / 240);
 const FRAME: Duration = Duration::from_nanos(1_000_000_000 / 60);
 /// Longest wait for a plant.
 const PATIENCE: Duration = Duration::from_secs(120);
-/// Width of a line, as in the window.
-const LINE_WIDTH: f32 = 4.0;
 
 /// The editor and what the window keeps beside it.
 pub(crate) struct Desk {
@@ -33,6 +30,7 @@ pub(crate) struct Desk {
     wakes: Receiver<()>,
     egui: Context,
     sheet: Sheet,
+    ink: InkBuffer,
     figures: Figures,
     start: Instant,
     last_frame: Instant,
@@ -59,6 +57,7 @@ impl Desk {
             wakes,
             egui: Context::default(),
             sheet: Sheet::default(),
+            ink: InkBuffer::default(),
             figures: Figures::default(),
             start: now,
             last_frame: now,
@@ -88,20 +87,25 @@ impl Desk {
         self.is_dirty = true;
     }
 
-    /// Draws a stroke at the pace of a pen, with frames and plants between the samples.
+    /// Draws a stroke at the pace of a usual pen, with frames and plants between the samples.
     pub(crate) fn draw(&mut self, tool: Tool, points: &[StrokePoint]) {
+        self.draw_every(SAMPLE, tool, points);
+    }
+
+    /// The same at another pace.
+    pub(crate) fn draw_every(&mut self, sample: Duration, tool: Tool, points: &[StrokePoint]) {
         let wanted = CanvasTool::Draw(tool);
         if self.editor.canvas().tool() != wanted {
             self.editor.perform(Action::SetTool(wanted));
         }
         let begun = Instant::now();
         for (i, point) in points.iter().enumerate() {
-            let arrived = self.wait_until(begun + SAMPLE * i as u32);
+            let arrived = self.wait_until(begun + sample * i as u32);
             let phase = if i == 0 { PenPhase::Down } else { PenPhase::Move };
             self.sample(phase, point, arrived);
         }
         let Some(last) = points.last() else { return };
-        let arrived = self.wait_until(begun + SAMPLE * points.len() as u32);
+        let arrived = self.wait_until(begun + sample * points.len() as u32);
         self.sample(PenPhase::Up, last, arrived);
     }
 
@@ -121,11 +125,12 @@ impl Desk {
         self.editor.pen(PenEvent { phase, sample });
         let name = if is_touching { "pen" } else { "lift" };
         self.figures.note(name, begun.elapsed());
-        self.sheet.grow(&self.editor);
+        self.sheet.grow(&mut self.ink, &self.editor);
         if is_touching {
             self.figures.note("ink", arrived.elapsed());
         }
         self.submit(arrived);
+        self.figures.note("sample", begun.elapsed());
         self.is_dirty = true;
     }
 
@@ -253,7 +258,8 @@ impl Desk {
         let laid_out = Instant::now();
         black_box(self.egui.tessellate(output.shapes, output.pixels_per_point));
         let tessellated = Instant::now();
-        self.sheet.follow(&self.editor);
+        self.sheet.follow(&mut self.ink, &self.editor);
+        black_box(self.ink.take_dirty());
         let done = Instant::now();
         black_box(self.editor.plant_look());
         self.figures.note("panels", laid_out - begun);
@@ -262,47 +268,6 @@ impl Desk {
         self.figures.note("frame", done - begun);
         let delay = output.viewport_output.get(&ViewportId::ROOT)?.repaint_delay;
         (delay < Duration::from_secs(3600)).then_some(delay)
-    }
-}
-
-/// The strokes in the canvas's vertex buffer.
-#[derive(Default)]
-struct Sheet {
-    ink: InkBuffer,
-    paper: Paper,
-    shown: Option<u64>,
-    growing: Option<(StrokeId, usize)>,
-}
-
-impl Sheet {
-    /// Puts the newest samples of the growing stroke on the sheet.
-    fn grow(&mut self, editor: &Editor) {
-        let Some(stroke) = editor.canvas().growing() else { return };
-        let points = stroke.points();
-        match self.growing {
-            Some((id, sent)) if id == stroke.id() && sent == stroke.settled() => {
-                self.ink.append(id, &points[sent..]);
-            }
-            _ => self.ink.set(stroke.id(), points, LIGHT.tool(stroke.tool()).to_array(), LINE_WIDTH),
-        }
-        self.growing = Some((stroke.id(), points.len()));
-    }
-
-    /// Brings all other strokes in step with the drawing.
-    fn follow(&mut self, editor: &Editor) {
-        if self.shown.replace(editor.versions().drawing) != Some(editor.versions().drawing) {
-            for change in self.paper.follow(editor) {
-                match change {
-                    PaperChange::Set(stroke, colour) => {
-                        self.ink.set(stroke.id, &stroke.points, colour.to_array(), LINE_WIDTH);
-                    }
-                    PaperChange::Recolour(id, colour) => self.ink.recolour(id, colour.to_array()),
-                    PaperChange::Remove(id) => self.ink.remove(id),
-                    PaperChange::Order(order) => self.ink.set_order(&order),
-                }
-            }
-        }
-        black_box(self.ink.take_dirty());
     }
 }
 

@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 /// Names in the order of the table, and the goal in milliseconds at the 99th percentile.
-const ROWS: [(&str, Option<f64>); 12] = [
+const ROWS: [(&str, Option<f64>); 13] = [
     ("ink", Some(2.0)),
     ("plant", Some(8.0)),
     ("build", None),
+    ("sample", None),
     ("frame", Some(4.0)),
     ("panels", None),
     ("shapes", None),
@@ -39,6 +40,18 @@ impl Figures {
     /// How often something was measured.
     pub(crate) fn count(&self, name: &str) -> usize {
         self.0.get(name).map_or(0, Vec::len)
+    }
+
+    /// How much more the last tenth of the measurements took than the first: the ratio of their medians.
+    pub(crate) fn growth(&self, name: &str) -> f64 {
+        let times = self.0.get(name).map_or(&[][..], Vec::as_slice);
+        let tenth = times.len() / 10;
+        let median = |times: &[f64]| {
+            let mut times = times.to_vec();
+            times.sort_by(f64::total_cmp);
+            times[times.len() / 2]
+        };
+        median(&times[times.len() - tenth..]) / median(&times[..tenth])
     }
 
     /// Writes the rows of the table.

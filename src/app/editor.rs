@@ -120,6 +120,8 @@ struct Building {
     submitted: u64,
     /// Revision of the newest snapshot whose plant was collected.
     collected: u64,
+    /// What the worker has of the stroke under the pen.
+    handed: live::Handed,
     /// The drawing changed since.
     is_stale: bool,
     is_running: bool,
@@ -327,6 +329,7 @@ impl Editor {
         self.building.last = Some(update.took);
         match update.result {
             Ok(built) => {
+                self.plant.set_bounds(update.bounds);
                 self.building.failure = None;
                 tracing::debug!(
                     "built revision={} strokes={} flowers={} vertices={} triangles={} took={:.1}ms",
@@ -362,10 +365,8 @@ impl Editor {
         }
         // Not simply a clone: of many strokes even the list is only copied once.
         let Sketch { canvas, species, seed, params, textures, reference, strokes } = self.document.sketch();
-        let mut strokes = self.canvas.previewed(strokes);
-        if let Some(growing) = self.canvas.growing() {
-            strokes.push(Arc::new(growing.snapshot()));
-        }
+        let strokes = self.canvas.previewed(strokes);
+        let growing = self.building.handed.grown(self.canvas.growing());
         let sketch = Sketch {
             canvas: *canvas,
             species: Some(species.clone().unwrap_or_else(|| DEFAULT_SPECIES.to_owned())),
@@ -379,7 +380,7 @@ impl Editor {
         self.building.is_running = true;
         let (revision, folder) = (self.building.submitted, self.file.folder());
         let overlay = self.plant.state.overlay;
-        self.worker.submit(worker::Snapshot { revision, sketch, folder, overlay });
+        self.worker.submit(worker::Snapshot { revision, sketch, growing, folder, overlay });
     }
 
     /// Applies a change as one step: to the document, the journal, the canvas and the plant.
@@ -523,7 +524,7 @@ impl Editor {
 
     /// Whether something on the screen moves by itself.
     pub fn wants_frame(&self) -> bool {
-        self.plant.is_moving()
+        self.plant.wants_frame()
     }
 
     /// Whether another thread works on something that will be shown.

@@ -1,15 +1,23 @@
-//! One frame of the window: the drawing below, egui above it, in one pass over the surface.
+//! One frame of the window: the drawing below, egui above it.
+//!
+//! Frames are painted into a picture that stays, only where something changed, and copied onto the surface, whose own
+//! pictures come and go.
 //!
 //! egui's pictures are uploaded before the surface is asked for a frame, because a frame may not be had and egui sends
 //! each picture only once.
 
+use super::damage::Damage;
 use super::surface::Surface;
-use egui::{ClippedPrimitive, TexturesDelta};
+use egui::{ClippedPrimitive, Pos2, Rect, TexturesDelta, pos2, vec2};
 use egui_wgpu::ScreenDescriptor;
 
 /// Paints egui's shapes.
 pub(super) struct EguiPainter {
     renderer: egui_wgpu::Renderer,
+    /// The window as it was painted last; `None` where it must be painted whole.
+    picture: Option<wgpu::Texture>,
+    /// What egui had on it.
+    shown: Vec<ClippedPrimitive>,
 }
 
 /// What one run of egui wants on the screen.
@@ -26,7 +34,8 @@ impl EguiPainter {
     /// A painter for this surface.
     pub(super) fn new(surface: &Surface) -> Self {
         let options = egui_wgpu::RendererOptions::default();
-        Self { renderer: egui_wgpu::Renderer::new(&surface.device, surface.format(), options) }
+        let renderer = egui_wgpu::Renderer::new(&surface.device, surface.format(), options);
+        Self { renderer, picture: None, shown: Vec::new() }
     }
 
     /// Makes a texture of ours known to egui.
@@ -40,15 +49,15 @@ impl EguiPainter {
         self.renderer.update_egui_texture_from_wgpu_texture(&surface.device, view, filter, id);
     }
 
-    /// Uploads egui's pictures, then paints `below` and the shapes on the surface and shows the frame. Where the
-    /// surface has no frame to give, or `is_lost` says afterwards that the device is gone, nothing is lost but the frame.
+    /// Uploads egui's pictures, then paints what is damaged of the frame and shows it. Where the surface has no frame to
+    /// give, or `is_lost` says afterwards that the device is gone, nothing is lost but the frame.
     #[allow(clippy::iter_over_hash_type, reason = "pictures do not depend on each other")]
     pub(super) fn paint(
         &mut self,
         surface: &mut Surface,
         mut frame: EguiFrame,
-        clear: wgpu::Color,
-        below: impl FnOnce(&mut wgpu::RenderPass<'_>),
+        mut damage: Damage,
+        below: impl Fn(&mut wgpu::RenderPass<'_>, [u32; 4]),
         is_lost: impl Fn() -> bool,
     ) {
         for (id, deltas) in &frame.textures.set {
@@ -56,13 +65,25 @@ impl EguiPainter {
                 self.renderer.update_texture(&surface.device, &surface.queue, *id, delta);
             }
         }
+        let (width, height) = surface.size();
+        let window =
+            Rect::from_min_size(Pos2::ZERO, vec2(width as f32, height as f32) / frame.pixels_per_point);
+        let is_empty = self.make_room(surface);
+        if is_empty || !frame.textures.set.is_empty() {
+            damage.add(window);
+        }
+        damage.compare(&self.shown, &frame.primitives, window);
         if let Some(target) = surface.acquire() {
-            self.draw(surface, &frame, &target, clear, below);
+            self.draw(surface, &mut frame, &target, &damage, below);
             if is_lost() {
                 Surface::abandon(target);
             } else {
                 surface.present(target);
             }
+            self.shown = std::mem::take(&mut frame.primitives);
+        } else {
+            // The damage is forgotten with the frame: the next one is painted whole.
+            self.picture = None;
         }
         for id in &frame.textures.free {
             self.renderer.free_texture(id);
@@ -70,18 +91,42 @@ impl EguiPainter {
         frame.textures.clear();
     }
 
+    /// Makes the picture of the window as large as that is; whether it is a new one.
+    fn make_room(&mut self, surface: &Surface) -> bool {
+        let (width, height) = surface.size();
+        if self.picture.as_ref().is_some_and(|p| (p.width(), p.height()) == (width, height)) {
+            return false;
+        }
+        self.picture = Some(surface.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("window"),
+            size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: surface.format(),
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+            view_formats: &[],
+        }));
+        true
+    }
+
     fn draw(
         &mut self,
         surface: &Surface,
-        frame: &EguiFrame,
+        frame: &mut EguiFrame,
         target: &wgpu::SurfaceTexture,
-        clear: wgpu::Color,
-        below: impl FnOnce(&mut wgpu::RenderPass<'_>),
+        damage: &Damage,
+        below: impl Fn(&mut wgpu::RenderPass<'_>, [u32; 4]),
     ) {
         let (width, height) = surface.size();
-        let screen =
-            ScreenDescriptor { size_in_pixels: [width, height], pixels_per_point: frame.pixels_per_point };
-        let view = target.texture.create_view(&wgpu::TextureViewDescriptor::default());
+        let scale = frame.pixels_per_point;
+        let screen = ScreenDescriptor { size_in_pixels: [width, height], pixels_per_point: scale };
+        // Where the surface takes no copies every frame is painted whole, and on the surface itself.
+        let whole = Rect::from_min_size(Pos2::ZERO, vec2(width as f32, height as f32) / scale);
+        let kept = self.picture.as_ref().filter(|_| surface.takes_copies());
+        let places = if kept.is_some() { damage.places() } else { std::slice::from_ref(&whole) };
+        let painted = kept.unwrap_or(&target.texture);
+        let view = painted.create_view(&wgpu::TextureViewDescriptor::default());
         let mut encoder = surface.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let mut commands = self.renderer.update_buffers(
             &surface.device,
@@ -90,6 +135,7 @@ impl EguiPainter {
             &frame.primitives,
             &screen,
         );
+        let load = if kept.is_some() { wgpu::LoadOp::Load } else { wgpu::LoadOp::Clear(wgpu::Color::BLACK) };
         let mut pass = encoder
             .begin_render_pass(&wgpu::RenderPassDescriptor {
                 label: Some("window"),
@@ -97,18 +143,43 @@ impl EguiPainter {
                     view: &view,
                     depth_slice: None,
                     resolve_target: None,
-                    ops: wgpu::Operations { load: wgpu::LoadOp::Clear(clear), store: wgpu::StoreOp::Store },
+                    ops: wgpu::Operations { load, store: wgpu::StoreOp::Store },
                 })],
                 ..Default::default()
             })
             .forget_lifetime();
-        below(&mut pass);
-        // What was drawn below may have narrowed both.
-        pass.set_viewport(0.0, 0.0, width as f32, height as f32, 0.0, 1.0);
-        pass.set_scissor_rect(0, 0, width, height);
-        self.renderer.render(&mut pass, &frame.primitives, &screen);
+        let clips: Vec<Rect> = frame.primitives.iter().map(|primitive| primitive.clip_rect).collect();
+        for place in places {
+            let Some(pixels) = pixels(*place, scale, (width, height)) else { continue };
+            let [left, top, wide, high] = pixels;
+            pass.set_viewport(0.0, 0.0, width as f32, height as f32, 0.0, 1.0);
+            pass.set_scissor_rect(left, top, wide, high);
+            below(&mut pass, pixels);
+            let at = |x: u32, y: u32| pos2(x as f32, y as f32) / scale;
+            let place = Rect::from_min_max(at(left, top), at(left + wide, top + high));
+            for (primitive, clip) in frame.primitives.iter_mut().zip(&clips) {
+                primitive.clip_rect = clip.intersect(place);
+            }
+            self.renderer.render(&mut pass, &frame.primitives, &screen);
+        }
         drop(pass);
+        for (primitive, clip) in frame.primitives.iter_mut().zip(clips) {
+            primitive.clip_rect = clip;
+        }
+        if let Some(picture) = kept {
+            let (from, onto) = (picture.as_image_copy(), target.texture.as_image_copy());
+            encoder.copy_texture_to_texture(from, onto, picture.size());
+        }
         commands.push(encoder.finish());
         surface.queue.submit(commands);
     }
+}
+
+/// The pixels that a place touches: left, top, width, height; `None` where there are none.
+fn pixels(place: Rect, scale: f32, (width, height): (u32, u32)) -> Option<[u32; 4]> {
+    let side = |at: f32, most: u32| (at * scale).clamp(0.0, most as f32) as u32;
+    let (left, top) = (side(place.min.x, width), side(place.min.y, height));
+    let right = ((place.max.x * scale).ceil().clamp(0.0, width as f32)) as u32;
+    let bottom = ((place.max.y * scale).ceil().clamp(0.0, height as f32)) as u32;
+    (right > left && bottom > top).then(|| [left, top, right - left, bottom - top])
 }

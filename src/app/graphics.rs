@@ -1,88 +1,47 @@
 //! The frame on the graphics card: drawing, plant and panels.
 //!
 //! Everything here can be made again from the editor: that is how a lost device is survived. The drawing's strokes are
-//! kept in step by what changed, the growing one sample by sample as it comes.
+//! kept in step by what changed, the growing one sample by sample as it comes. The plant's pictures are painted elsewhere
+//! and shown when they come; nothing here waits for one.
 
 use super::canvas::Rect as CanvasRect;
-use super::editor::{Editor, Versions};
+use super::damage::Damage;
+use super::editor::Editor;
 use super::frame::{EguiFrame, EguiPainter};
-use super::paper::{Paper, PaperChange};
-use super::plant_view;
+use super::plant_painter::{Painted, PlantPainter, Scene};
+use super::plant_texture::PlantTexture;
+use super::sheet::Sheet;
 use super::surface::Surface;
 use super::theme::Palette;
-use crate::render::canvas::{CanvasLayer, CanvasView};
-use crate::render::{RenderError, Renderer, Viewport, decode};
-use crate::sketch::StrokeId;
+use crate::render::canvas::{CanvasLayer, CanvasView, InkChange};
+use crate::render::{Gpu, RenderError, decode};
 use anyhow::Context as _;
 use egui::Color32;
 use glam::{Affine2, DAffine2, DVec2, Vec2};
-use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, Instant};
+use std::sync::Arc;
 use winit::dpi::PhysicalSize;
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
 
-/// Width of a line at full pressure, canvas units per unit of the drawing's height on a usual sheet.
-const LINE_WIDTH: f32 = 4.0;
-
-/// Shortest wait before asking again whether a picture is finished. Asking costs a frame, so it is asked ever less often
-/// the longer the picture takes: every time after this share of the time gone by.
-const ASK_AGAIN: Duration = Duration::from_millis(8);
-const ASK_SHARE: f32 = 0.25;
-
-/// Spaces the plant's drafts, so that a slow graphics driver has as much time for the stroke under the pen as for the plant.
-#[derive(Default)]
-struct Pace {
-    /// How long the last picture took, once it is finished.
-    finished: Arc<Mutex<Option<Duration>>>,
-    /// When the picture was begun that is not finished yet.
-    begun: Option<Instant>,
-    next: Option<Instant>,
-}
-
-impl Pace {
-    /// A picture was sent to the card.
-    fn begin(&mut self, queue: &wgpu::Queue) {
-        let (begun, finished) = (Instant::now(), Arc::clone(&self.finished));
-        self.begun = Some(begun);
-        queue.on_submitted_work_done(move || {
-            *finished.lock().unwrap_or_else(PoisonError::into_inner) = Some(begun.elapsed());
-        });
-    }
-
-    /// When the next draft may be drawn; `None` for now.
-    fn waits_until(&mut self, device: &wgpu::Device) -> Option<Instant> {
-        // A lost device is found out elsewhere.
-        let _ = device.poll(wgpu::PollType::Poll);
-        let now = Instant::now();
-        if let Some(took) = self.finished.lock().unwrap_or_else(PoisonError::into_inner).take() {
-            self.begun = None;
-            self.next = Some(now + took);
-        }
-        if let Some(begun) = self.begun {
-            return Some(now + (now - begun).mul_f32(ASK_SHARE).max(ASK_AGAIN));
-        }
-        self.next.filter(|next| *next > now)
-    }
-}
+/// How far a line may reach beyond its width, pixels.
+const EDGE_PX: f32 = 3.0;
 
 /// Everything on the graphics card.
 pub(super) struct Graphics {
     surface: Surface,
+    gpu: Gpu,
     painter: EguiPainter,
-    renderer: Renderer,
-    viewport: Viewport,
     canvas: CanvasLayer,
-    pace: Pace,
-    plant: egui::TextureId,
-    /// Revision of the texture that egui knows.
-    plant_revision: u64,
-    /// What is on the card.
-    shown: Versions,
-    paper: Paper,
-    /// The growing stroke and how many of its points are on the card.
-    growing: Option<(StrokeId, usize)>,
+    sheet: Sheet,
+    plant_painter: PlantPainter,
+    plant: PlantTexture,
+    /// What of the picture under the drawing is on the card.
+    reference_version: u64,
     reference: Option<u64>,
+    /// What of the canvas the last frame showed: where it lay, and which picture was under it.
+    seen: Option<(CanvasView, u64)>,
+    /// What the next frame must paint again, beside what egui changes.
+    damage: Damage,
 }
 
 impl Graphics {
@@ -91,37 +50,43 @@ impl Graphics {
     /// # Errors
     /// No adapter that can draw on the window, with the package to install; or the driver's own failure.
     pub(super) fn open(event_loop: &dyn ActiveEventLoop, window: &Arc<dyn Window>) -> anyhow::Result<Self> {
+        // Its device opens while this one does.
+        let proxy = event_loop.create_proxy();
+        let plant_painter =
+            PlantPainter::start(move || proxy.wake_up()).context("no thread for the plant's pictures")?;
         let surface = Surface::open(event_loop, Arc::clone(window)).context("the window cannot be drawn")?;
-        let renderer = Renderer::with_device(surface.device.clone(), surface.queue.clone(), &surface.info)?;
-        let viewport = Viewport::new(&renderer)?;
-        let canvas = CanvasLayer::new(&renderer, surface.format())?;
+        let gpu = Gpu::from_parts(surface.device.clone(), surface.queue.clone(), &surface.info);
+        let canvas = CanvasLayer::new(&gpu, surface.format())?;
         let mut painter = EguiPainter::new(&surface);
-        let plant = painter.register(&surface, viewport.view());
-        let plant_revision = viewport.revision();
+        let plant = PlantTexture::new(&surface, &mut painter);
         Ok(Self {
             surface,
+            gpu,
             painter,
-            renderer,
-            viewport,
             canvas,
-            pace: Pace::default(),
+            sheet: Sheet::default(),
+            plant_painter,
             plant,
-            plant_revision,
-            shown: Versions::default(),
-            paper: Paper::default(),
-            growing: None,
+            reference_version: 0,
             reference: None,
+            seen: None,
+            damage: Damage::default(),
         })
     }
 
     /// The adapter's name.
     pub(super) fn adapter(&self) -> &str {
-        self.renderer.adapter()
+        self.gpu.adapter()
     }
 
-    /// Whether the device is gone and everything must be made again.
+    /// Whether a device is gone and everything must be made again.
     pub(super) fn is_lost(&self) -> bool {
-        self.renderer.is_lost()
+        self.gpu.is_lost() || self.plant_painter.is_lost()
+    }
+
+    /// Whether a picture of the plant is still to come.
+    pub(super) fn is_painting(&self) -> bool {
+        self.plant_painter.is_busy()
     }
 
     /// The window's size in pixels.
@@ -136,33 +101,21 @@ impl Graphics {
 
     /// The texture with the plant's picture.
     pub(super) fn plant_texture(&self) -> egui::TextureId {
-        self.plant
+        self.plant.id
     }
 
     /// Puts the newest samples of the growing stroke on the canvas: with the sample that made them.
     pub(super) fn grow_stroke(&mut self, editor: &Editor) {
-        let Some(stroke) = editor.canvas.growing() else { return };
-        let points = stroke.points();
-        match self.growing {
-            Some((id, sent)) if id == stroke.id() && sent == stroke.settled() => {
-                self.canvas.append_points(id, &points[sent..]);
-            }
-            // The stabiliser still moves the last points: the stroke is sent anew.
-            _ => {
-                let colour = Palette::of(editor.theme()).tool(stroke.tool());
-                self.canvas.set_stroke(stroke.id(), points, colour.to_array(), LINE_WIDTH);
-            }
-        }
-        self.growing = Some((stroke.id(), points.len()));
+        self.sheet.grow(&mut self.canvas.ink, editor);
     }
 
     /// Draws a frame: what egui laid out, over the drawing; the plant first, into its texture.
     pub(super) fn draw(&mut self, egui: &egui::Context, mut output: egui::FullOutput, editor: &mut Editor) {
-        for drawn in [self.draw_plant(editor), self.draw_canvas(editor)] {
+        let drawn = self.draw_canvas(editor).err();
+        for failure in self.show_plant(editor).into_iter().chain(drawn) {
             // A lost device is not told: all is drawn again on the next one.
-            match drawn {
-                Err(error) if !self.is_lost() => editor.tell_render_failure(&error),
-                _ => {}
+            if !self.is_lost() {
+                editor.tell_render_failure(&failure);
             }
         }
         if self.is_lost() {
@@ -174,67 +127,53 @@ impl Graphics {
             textures: output.textures_delta,
             pixels_per_point: output.pixels_per_point,
         };
-        let area = editor.layout().canvas_px();
-        let scissor = scissor(area, self.surface.size());
-        let ground = Palette::of(editor.theme()).ground;
-        let [r, g, b] = [ground.r(), ground.g(), ground.b()].map(|c| f64::from(c) / 255.0);
-        let canvas = &self.canvas;
-        let drawing = |pass: &mut wgpu::RenderPass<'_>| {
-            if let Some([x, y, width, height]) = scissor {
+        let canvas_area = editor.layout().canvas_px();
+        let (canvas, size) = (&self.canvas, self.surface.size());
+        let drawing = |pass: &mut wgpu::RenderPass<'_>, place: [u32; 4]| {
+            canvas.paint_paper(pass);
+            if let Some([x, y, width, height]) = scissor(canvas_area, place, size) {
                 pass.set_scissor_rect(x, y, width, height);
-                canvas.paint(pass);
+                canvas.paint_drawing(pass);
             }
         };
-        let (ground, is_lost) = (wgpu::Color { r, g, b, a: 1.0 }, || self.renderer.is_lost());
-        self.painter.paint(&mut self.surface, frame, ground, drawing, is_lost);
+        let damage = std::mem::take(&mut self.damage);
+        self.painter.paint(&mut self.surface, frame, damage, drawing, || self.gpu.is_lost());
     }
 
-    /// The plant's picture, drawn only where it would be another.
-    fn draw_plant(&mut self, editor: &mut Editor) -> Result<(), RenderError> {
+    /// Shows the newest picture of the plant, and wishes for the next where that would be another.
+    fn show_plant(&mut self, editor: &mut Editor) -> Option<RenderError> {
+        let Painted { picture, failure } = self.plant_painter.take().unwrap_or_default();
+        if let Some(picture) = picture {
+            self.plant.show(&self.surface, &mut self.painter, picture);
+            self.damage.add(editor.layout().plant);
+        }
         let area = editor.layout().plant;
         let scale = editor.layout().pixels_per_point() as f32;
-        let limit = self.surface.device.limits().max_texture_dimension_2d as f32;
+        let limit = self.gpu.largest_side() as f32;
         let side = |points: f32| (points * scale).round().clamp(0.0, limit) as u32;
-        if area.is_finite() {
-            self.viewport.set_size(side(area.width()), side(area.height()));
+        let size = if area.is_finite() { (side(area.width()), side(area.height())) } else { (0, 0) };
+        if size.0 > 0 && size.1 > 0 {
+            let (camera, look) = (editor.plant.camera(), editor.plant_look());
+            let scene = Scene { size, camera, look, plant: editor.versions.plant };
+            self.plant_painter.wish(scene, editor.built.as_ref());
         }
-        if let Some(until) = self.pace.waits_until(&self.surface.device) {
-            editor.plant.draw_at(until);
-            return Ok(());
-        }
-        if self.shown.plant != editor.versions.plant
-            && let Some(built) = &editor.built
+        editor.plant.awaits_picture = self.plant_painter.is_busy();
+        if let Some(picture) = &self.plant.picture
+            && editor.plant.wants_copy
+            && !editor.plant.awaits_picture
         {
-            self.shown.plant = editor.versions.plant;
-            let stats = self.viewport.update(&self.renderer, &built.model, &plant_view::texture)?;
-            tracing::debug!("uploaded {} of {} parts", stats.uploaded_parts, stats.parts);
-            self.viewport.set_overlay(&self.renderer, &built.overlay);
-            editor.plant.set_bounds(self.viewport.bounds());
-        }
-        let look = editor.plant_look();
-        let camera = editor.plant.camera();
-        if self.viewport.draw(&self.renderer, &camera, &look)? {
-            self.pace.begin(&self.surface.queue);
-        }
-        if self.viewport.revision() != self.plant_revision {
-            self.plant_revision = self.viewport.revision();
-            self.painter.replace(&self.surface, self.plant, self.viewport.view());
-        }
-        if std::mem::take(&mut editor.plant.wants_copy) {
-            let picture = self.viewport.snapshot(&self.renderer)?;
-            let size = [picture.width() as usize, picture.height() as usize];
+            editor.plant.wants_copy = false;
+            let size = [picture.width as usize, picture.height as usize];
+            let picture = picture.picture();
             editor.copy_picture(egui::ColorImage::from_rgba_unmultiplied(size, picture.pixels()));
         }
-        Ok(())
+        failure
     }
 
     fn draw_canvas(&mut self, editor: &Editor) -> Result<(), RenderError> {
-        if self.shown.drawing != editor.versions.drawing {
-            self.shown.drawing = editor.versions.drawing;
-            self.sync_strokes(editor);
-        }
-        if self.shown.reference != editor.versions.reference {
-            self.shown.reference = editor.versions.reference;
+        self.sheet.follow(&mut self.canvas.ink, editor);
+        if self.reference_version != editor.versions.reference {
+            self.reference_version = editor.versions.reference;
             self.sync_reference(editor)?;
         }
         let palette = Palette::of(editor.theme());
@@ -246,26 +185,30 @@ impl Graphics {
             desk: rgb(palette.paper),
             sheet: None,
         };
-        self.canvas.prepare(&self.renderer, &view).map(drop)
+        self.note_damage(editor, view);
+        self.canvas.prepare(&self.gpu, &view).map(drop)
     }
 
-    /// Brings the strokes on the card in step with the drawing as it is previewed.
-    fn sync_strokes(&mut self, editor: &Editor) {
-        for change in self.paper.follow(editor) {
-            match change {
-                PaperChange::Set(stroke, colour) => {
-                    self.canvas.set_stroke(stroke.id, &stroke.points, colour.to_array(), LINE_WIDTH);
-                }
-                PaperChange::Recolour(id, colour) => self.canvas.set_colour(id, colour.to_array()),
-                PaperChange::Remove(id) => self.canvas.remove_stroke(id),
-                PaperChange::Order(ids) => self.canvas.set_order(&ids),
-            }
+    /// Notes where the canvas looks different than in the last frame.
+    fn note_damage(&mut self, editor: &Editor, view: CanvasView) {
+        let (canvas, scale) = (editor.layout().canvas, editor.layout().pixels_per_point() as f32);
+        let change = self.canvas.ink.take_change();
+        let seen = (view, editor.versions.reference);
+        if self.seen.replace(seen) != Some(seen) {
+            return self.damage.add(canvas);
         }
-        let growing = editor.canvas.growing().map(|stroke| stroke.id());
-        if let Some((id, _)) = self.growing.filter(|(id, _)| growing != Some(*id)) {
-            self.growing = None;
-            if !self.paper.shows(id) {
-                self.canvas.remove_stroke(id);
+        match change {
+            InkChange::Nowhere => {}
+            InkChange::Anywhere => self.damage.add(canvas),
+            InkChange::Within(low, high) => {
+                let corners = [low, Vec2::new(high.x, low.y), high, Vec2::new(low.x, high.y)];
+                let corners = corners.map(|corner| {
+                    let at = view.pixel_from_canvas.transform_point2(corner) / scale;
+                    egui::pos2(at.x, at.y)
+                });
+                // Thin lines are drawn wider than they are, and edges smoothly.
+                let place = egui::Rect::from_points(&corners).expand(EDGE_PX / scale);
+                self.damage.add(place.intersect(canvas));
             }
         }
     }
@@ -280,7 +223,7 @@ impl Graphics {
                 name: "the picture under the drawing".into(),
                 reason: reason.to_string(),
             })?;
-            self.canvas.set_reference(&self.renderer, picture.as_ref())?;
+            self.canvas.set_reference(&self.gpu, picture.as_ref())?;
         }
         if let Some(r) = reference {
             let turn = Affine2::from_angle(r.rotation_deg.to_radians());
@@ -294,11 +237,15 @@ impl Graphics {
     }
 }
 
-/// The part of a rectangle that lies on the surface, whole pixels: left, top, width, height; `None` where there is none.
-fn scissor(area: CanvasRect, (width, height): (u32, u32)) -> Option<[u32; 4]> {
+/// The part of a rectangle that lies in a place on the surface, whole pixels: left, top, width, height; `None` where there
+/// is none.
+fn scissor(area: CanvasRect, [x, y, wide, high]: [u32; 4], (width, height): (u32, u32)) -> Option<[u32; 4]> {
     let most = DVec2::new(width.into(), height.into());
-    let (low, high) = (area.min.round().clamp(DVec2::ZERO, most), area.max.round().clamp(DVec2::ZERO, most));
-    let size = (high - low).as_uvec2();
+    let (low, high_corner) =
+        (DVec2::new(x.into(), y.into()), DVec2::new((x + wide).into(), (y + high).into()));
+    let low = area.min.round().max(low).clamp(DVec2::ZERO, most);
+    let high = area.max.round().min(high_corner).clamp(DVec2::ZERO, most);
+    let size = (high - low).max(DVec2::ZERO).as_uvec2();
     (size.x > 0 && size.y > 0).then_some([low.x as u32, low.y as u32, size.x, size.y])
 }
 

@@ -8,13 +8,18 @@
 //! | [`canvas`] | what pens, fingers and keys do to the drawing |
 //! | [`worker`] | the thread that builds the plant while the pen moves |
 //! | [`paper`] | what must change on the canvas to show the drawing |
+//! | [`sheet`] | the strokes as ink, in step with the drawing |
 //! | [`plant_view`] | camera and light of the plant |
+//! | `plant_painter` | the thread that paints it, on a graphics device of its own |
 //! | [`panels`] | bars, side panel, menus and dialogs |
 //! | `layout` | all of these in one frame |
 //! | `graphics` | the same frame on the graphics card; `revival`: when the card is lost |
 
 pub mod action;
 pub mod canvas;
+mod composition;
+mod damage;
+mod display_loss;
 pub mod editor;
 pub mod egui_input;
 mod file_dialog;
@@ -26,11 +31,15 @@ pub mod messages;
 pub mod panels;
 pub mod paper;
 pub mod pen_settings;
+mod plant_painter;
+mod plant_texture;
 pub mod plant_view;
 mod pointers;
 pub mod presets;
+mod priority;
 mod revival;
 pub mod settings;
+pub mod sheet;
 mod surface;
 mod system_theme;
 pub mod tablet_keys;
@@ -41,6 +50,8 @@ mod transfer;
 mod window;
 pub mod window_size;
 pub mod worker;
+#[cfg(target_os = "linux")]
+mod x11_desktop;
 
 pub use action::Action;
 pub use window::{replay, run};

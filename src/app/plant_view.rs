@@ -40,6 +40,8 @@ pub struct PlantView {
     pub state: ViewState,
     /// The artist asked for the picture.
     pub wants_copy: bool,
+    /// A picture is being painted; a frame comes with it.
+    pub(super) awaits_picture: bool,
     /// A smaller plant leaves the camera where it is, as while growth is replayed.
     pub keeps_room: bool,
     camera: OrbitCamera,
@@ -48,8 +50,6 @@ pub struct PlantView {
     last_step: Option<Instant>,
     /// When something last moved, and whether the finished picture of it is due.
     moved: Option<Instant>,
-    /// When a draft that had to wait may be drawn.
-    delayed: Option<Instant>,
     aspect: f32,
     /// Height of the view in points.
     height: f32,
@@ -61,13 +61,13 @@ impl Default for PlantView {
         Self {
             state: ViewState::default(),
             wants_copy: false,
+            awaits_picture: false,
             keeps_room: false,
             camera: OrbitCamera::default(),
             guide: Guide::FollowsPlant,
             flight: None,
             last_step: None,
             moved: None,
-            delayed: None,
             aspect: 1.0,
             height: 1.0,
             bounds: None,
@@ -92,7 +92,7 @@ impl PlantView {
         egui::Image::from_texture((texture, size)).paint_at(ui, rect);
         self.hear(ui, &response);
         self.step();
-        if self.is_moving() {
+        if self.wants_frame() {
             ui.ctx().request_repaint();
         } else if let Some(at) = self.wakes_at() {
             ui.ctx().request_repaint_after(at.saturating_duration_since(Instant::now()));
@@ -228,14 +228,14 @@ impl PlantView {
         self.flight.is_some() || self.state.turntable
     }
 
-    /// When the next draft or the finished picture is due.
-    pub fn wakes_at(&self) -> Option<Instant> {
-        [self.delayed, self.moved.map(|at| at + REST)].into_iter().flatten().min()
+    /// Whether a frame is to be drawn for that: the next picture of what moves comes when the one before is there.
+    pub fn wants_frame(&self) -> bool {
+        self.is_moving() && !self.awaits_picture
     }
 
-    /// The graphics card is busy: the picture is drawn a little later.
-    pub(super) fn draw_at(&mut self, then: Instant) {
-        self.delayed = Some(then);
+    /// When the finished picture is due.
+    pub fn wakes_at(&self) -> Option<Instant> {
+        self.moved.map(|at| at + REST)
     }
 
     /// The camera as it stands.
@@ -257,7 +257,6 @@ impl PlantView {
 
     /// How the next picture looks: a draft while anything moves.
     pub fn look(&mut self, theme: egui::Theme) -> Look {
-        self.delayed = None;
         let rests = self.moved.is_none_or(|at| at.elapsed() >= REST);
         if rests {
             self.moved = None;

@@ -242,6 +242,8 @@ const MOST_MONITORS: usize = 8;
 pub(super) struct Place<'a> {
     /// The window.
     pub(super) window: &'a dyn Window,
+    /// Its size, as last told: asking X would cost a turn of the server with every sample.
+    pub(super) size: PhysicalSize<u32>,
     /// The paper, in physical pixels of the window.
     pub(super) canvas: Rect,
 }
@@ -257,7 +259,7 @@ impl Place<'_> {
             if asks_for_monitor { (self.monitor(), self.monitors()) } else { (None, Vec::new()) };
         Reach {
             canvas: self.canvas,
-            window: whole(DVec2::ZERO, self.window.surface_size()),
+            window: whole(DVec2::ZERO, self.size),
             monitor: monitor.map(|(min, size)| whole(min, size)),
             monitors: monitors.into_iter().map(|(min, size)| whole(min, size)).collect(),
         }
@@ -284,17 +286,22 @@ impl Place<'_> {
     }
 }
 
+/// The X server's number of a window; `None` on other systems.
+pub(super) fn x11_id(window: &dyn Window) -> Option<u32> {
+    match window.window_handle().ok()?.as_raw() {
+        RawWindowHandle::Xlib(handle) => u32::try_from(handle.window).ok(),
+        RawWindowHandle::Xcb(handle) => Some(handle.window.get()),
+        _ => None,
+    }
+}
+
 /// Listens to the pens of an X server; `None` on other systems.
 fn x11_pens(
     event_loop: &dyn ActiveEventLoop,
     window: &dyn Window,
     started: Instant,
 ) -> Option<Result<X11Pens, X11PenError>> {
-    let id = match window.window_handle().ok()?.as_raw() {
-        RawWindowHandle::Xlib(handle) => u32::try_from(handle.window).ok()?,
-        RawWindowHandle::Xcb(handle) => handle.window.get(),
-        _ => return None,
-    };
+    let id = x11_id(window)?;
     let proxy = event_loop.create_proxy();
     let clock = move || started.elapsed().as_secs_f64() * 1e3;
     Some(X11Pens::open(id, clock, move || proxy.wake_up()))

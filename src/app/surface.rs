@@ -79,6 +79,8 @@ impl Surface {
         let mailbox = capabilities.present_modes.contains(&wgpu::PresentMode::Mailbox);
         config.present_mode = if mailbox { wgpu::PresentMode::Mailbox } else { wgpu::PresentMode::Fifo };
         config.desired_maximum_frame_latency = 1;
+        // Frames are painted elsewhere, where they stay, and copied.
+        config.usage |= wgpu::TextureUsages::COPY_DST & capabilities.usages;
         surface.configure(&device, &config);
         let (window, hidden) = (Arc::clone(window), false);
         Ok(Self { window, instance, surface, config, info, device, queue, hidden })
@@ -92,6 +94,11 @@ impl Surface {
     /// Format of the frames; colours are written gamma-encoded.
     pub(super) fn format(&self) -> wgpu::TextureFormat {
         self.config.format
+    }
+
+    /// Whether frames can be copied onto the surface.
+    pub(super) fn takes_copies(&self) -> bool {
+        self.config.usage.contains(wgpu::TextureUsages::COPY_DST)
     }
 
     /// Follows the window's size; a window without area keeps the last one.

@@ -5,11 +5,14 @@
 //! window sleeps until the next event, or until the moment that egui or the editor named.
 
 use super::canvas::Scroll;
+use super::composition::Composition;
+use super::display_loss;
 use super::editor::Editor;
 use super::egui_input::{self, EguiInput};
 use super::panels::snapshot::Notice;
 use super::pointers::{Heard, Place, Pointers};
 use super::revival::{Revival, Revived};
+use super::theme::Palette;
 use super::transfer::{self, Arrival};
 use super::window_size;
 use crate::pen::hid::Recording;
@@ -24,9 +27,9 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 use winit::application::ApplicationHandler;
 use winit::cursor::Cursor;
+use winit::dpi::PhysicalSize;
 use winit::event::{MouseScrollDelta, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop};
-use winit::window::{ImeCapabilities, ImeEnableRequest, ImeRequest, ImeRequestData};
 use winit::window::{Window, WindowId};
 
 /// A window that nothing will change for so long is at rest.
@@ -57,9 +60,8 @@ fn open(file: Option<PathBuf>, stage: Option<Stage>) -> anyhow::Result<()> {
     )?;
     let failure = Arc::new(std::sync::Mutex::new(None));
     let app = App { file, stage, running: None, failure: Arc::clone(&failure) };
-    event_loop
-        .run_app(app)
-        .context("the connection to the display broke; the drawing is kept and offered at the next start")?;
+    let ended = display_loss::run(|| event_loop.run_app(app)).context(display_loss::LOST)?;
+    ended.context(display_loss::LOST)?;
     let failed = failure.lock().unwrap_or_else(std::sync::PoisonError::into_inner).take();
     failed.map_or(Ok(()), Err)
 }
@@ -131,6 +133,8 @@ impl ApplicationHandler for App {
 /// An open window.
 struct Running {
     window: Arc<dyn Window>,
+    /// Its size as last told.
+    size: PhysicalSize<u32>,
     graphics: Revival,
     egui: egui::Context,
     input: EguiInput,
@@ -155,7 +159,7 @@ struct Running {
     /// Why the window cannot go on.
     broken: Option<anyhow::Error>,
     cursor: egui::CursorIcon,
-    composes_text: bool,
+    composition: Composition,
 }
 
 /// Tells pointers apart: fingers by their number, everything else is one pointer.
@@ -194,11 +198,13 @@ impl Running {
         if let Some(error) = trouble {
             editor.tell(Notice::warning(error.to_string(), ""));
         }
+        window_size::fill(&*window, Palette::of(editor.theme()).ground);
         let graphics = Revival::open(event_loop, &window)?;
         let input = EguiInput::new(window.scale_factor() as f32);
-        window.request_redraw();
-        Ok(Self {
+        let size = window.surface_size();
+        let mut running = Self {
             window,
+            size,
             graphics,
             egui,
             input,
@@ -214,8 +220,13 @@ impl Running {
             is_awake: true,
             broken: None,
             cursor: egui::CursorIcon::Default,
-            composes_text: false,
-        })
+            composition: Composition::default(),
+        };
+        // The first frame takes longest, for every picture and shader is made for it. It is drawn before the window is seen.
+        running.redraw(event_loop);
+        running.window.set_visible(true);
+        running.want_frame();
+        Ok(running)
     }
 
     fn on_event(&mut self, event_loop: &dyn ActiveEventLoop, event: &WindowEvent) {
@@ -244,6 +255,7 @@ impl Running {
         match event {
             WindowEvent::CloseRequested => self.editor.ask_to_quit(),
             WindowEvent::SurfaceResized(size) => {
+                self.size = *size;
                 self.graphics.get().into_iter().for_each(|graphics| graphics.resize(*size));
             }
             WindowEvent::Focused(false) => self.editor.snapshot(),
@@ -293,7 +305,8 @@ impl Running {
         let pixels = |at: egui::Pos2| DVec2::new(f64::from(at.x), f64::from(at.y)) * scale;
         let canvas = self.editor.layout().canvas;
         let canvas = Rect { min: pixels(canvas.min), max: pixels(canvas.max) };
-        self.pointers.take(&Place { window: &*self.window, canvas }, &self.editor.settings, &mut heard);
+        let place = Place { window: &*self.window, size: self.size, canvas };
+        self.pointers.take(&place, &self.editor.settings, &mut heard);
         self.pointers.idle(&mut heard);
         let is_new = self.editor.note_tablets(self.pointers.trouble(), self.pointers.doubts());
         if let Some(reach) = self.pointers.reach() {
@@ -451,41 +464,15 @@ impl Running {
         if let Some(title) = self.editor.take_title() {
             self.window.set_title(&title);
         }
-        self.compose_text(output.platform_output.ime);
-    }
-
-    /// Tells the system's text composition where text is written, and when no longer.
-    fn compose_text(&mut self, wanted: Option<egui::output::IMEOutput>) {
-        let Some(ime) = wanted else {
-            if std::mem::take(&mut self.composes_text) {
-                // Switching off what is off is no matter.
-                let _ = self.window.request_ime_update(ImeRequest::Disable);
-            }
-            return;
-        };
         let scale = f64::from(self.input.pixels_per_point());
-        let (corner, size) = (ime.cursor_rect.min, ime.cursor_rect.size());
-        let position = winit::dpi::LogicalPosition::new(f64::from(corner.x), f64::from(corner.y));
-        let size = winit::dpi::LogicalSize::new(f64::from(size.x.max(1.0)), f64::from(size.y));
-        let position = winit::dpi::Position::Physical(position.to_physical(scale));
-        let data = ImeRequestData::default().with_cursor_area(position, winit::dpi::Size::Logical(size));
-        let request = if self.composes_text {
-            Some(ImeRequest::Update(data))
-        } else {
-            let able = ImeCapabilities::new().with_cursor_area();
-            ImeEnableRequest::new(able, data).map(ImeRequest::Enable)
-        };
-        // A system without text composition refuses; plain keys still write.
-        if let Some(request) = request {
-            self.composes_text = self.window.request_ime_update(request).is_ok();
-        }
+        self.composition.follow(&*self.window, output.platform_output.ime, scale);
     }
 
     /// Remembers how large the window is. Asked for at rest: while a window is being maximised it has its new size, but does
     /// not say yet why.
     fn note_size(&mut self) {
-        let (size, scale) = (self.window.surface_size(), self.window.scale_factor());
-        self.editor.settings.window.follow(size, scale, self.window.is_maximized());
+        let (scale, is_maximised) = (self.window.scale_factor(), self.window.is_maximized());
+        self.editor.settings.window.follow(self.size, scale, is_maximised);
     }
 
     /// Sleeps until the next event or the next moment that somebody named.
@@ -501,7 +488,11 @@ impl Running {
         // A frame that is due wakes the window itself, and until it is drawn nothing else needs to.
         let wake = self.wake_at.filter(|_| !self.frame_is_due);
         event_loop.set_control_flow(wake.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
-        let rests = !self.frame_is_due && !self.editor.is_working() && wake.is_none_or(|at| at > now + REST);
+        let is_painting = self.graphics.get().is_some_and(|graphics| graphics.is_painting());
+        let rests = !self.frame_is_due
+            && !self.editor.is_working()
+            && !is_painting
+            && wake.is_none_or(|at| at > now + REST);
         if rests && std::mem::take(&mut self.is_awake) {
             self.note_size();
             match self.editor.dialog() {

@@ -3,13 +3,16 @@
 //! Limits: where the window stood is the window manager's; most place windows better than programs do, and Wayland lets
 //! no program.
 
+use super::pointers;
 use serde::{Deserialize, Serialize};
 use winit::dpi::{LogicalSize, PhysicalSize};
 use winit::event_loop::ActiveEventLoop;
-use winit::window::WindowAttributes;
+use winit::window::{Window, WindowAttributes};
 
 /// Smallest window that still shows everything, logical pixels.
 pub const SMALLEST: (f64, f64) = (640.0, 480.0);
+/// Height that the title bar of a usual desktop takes, logical pixels.
+const TITLE_BAR: f64 = 40.0;
 /// Larger than any monitor, logical pixels; a number beyond is a mistake.
 const LARGEST: f64 = 16_384.0;
 
@@ -45,9 +48,9 @@ impl WindowSize {
         }
     }
 
-    /// The same on the largest of these monitors, which may have been larger the last time; without monitors as it is.
-    pub fn on(self, monitors: impl Iterator<Item = LogicalSize<f64>>) -> Self {
-        let Some(room) = monitors.max_by(|a, b| (a.width * a.height).total_cmp(&(b.width * b.height))) else {
+    /// The same in the largest of these rooms on monitors, which may have been larger the last time; without one as it is.
+    pub fn on(self, rooms: impl Iterator<Item = LogicalSize<f64>>) -> Self {
+        let Some(room) = rooms.max_by(|a, b| (a.width * a.height).total_cmp(&(b.width * b.height))) else {
             return self;
         };
         Self { width: self.width.min(room.width), height: self.height.min(room.height), ..self }.sane()
@@ -63,22 +66,56 @@ impl WindowSize {
     }
 }
 
-/// How a window of this size is opened, as far as the monitors have room.
+/// How a window of this size is opened, as far as the monitors have room. It is not seen before it is shown.
 pub(super) fn attributes(event_loop: &dyn ActiveEventLoop, size: WindowSize) -> WindowAttributes {
-    let size = size.on(monitors(event_loop));
+    let size = size.on(rooms(event_loop));
     let attributes = WindowAttributes::default()
         .with_title("Penstemon")
         .with_surface_size(LogicalSize::new(size.width, size.height))
         .with_min_surface_size(LogicalSize::<f64>::from(SMALLEST))
+        .with_visible(false)
         .with_maximized(size.maximised);
     named(event_loop, attributes)
 }
 
-/// How large the monitors are.
-fn monitors(event_loop: &dyn ActiveEventLoop) -> impl Iterator<Item = LogicalSize<f64>> {
-    event_loop
-        .available_monitors()
-        .filter_map(|monitor| Some(monitor.current_video_mode()?.size().to_logical(monitor.scale_factor())))
+/// Fills a window with a colour where nothing was drawn yet; other systems than X11 show no such place.
+pub(super) fn fill(window: &dyn Window, colour: egui::Color32) {
+    #[cfg(target_os = "linux")]
+    if let Some(id) = pointers::x11_id(window) {
+        super::x11_desktop::fill_window(id, [colour.r(), colour.g(), colour.b()]);
+    }
+    #[cfg(not(target_os = "linux"))]
+    let _ = (window, colour);
+}
+
+/// How much room the monitors have for what is in a window.
+fn rooms(event_loop: &dyn ActiveEventLoop) -> impl Iterator<Item = LogicalSize<f64>> {
+    let work_area = work_area(event_loop);
+    event_loop.available_monitors().filter_map(move |monitor| {
+        let (size, scale) = (monitor.current_video_mode()?.size(), monitor.scale_factor());
+        Some(room(size.to_logical(scale), work_area.map(|area| area.to_logical(scale))))
+    })
+}
+
+/// How much room for what is in a window a monitor has where the desktop's panels leave so much of it; all of it where no
+/// desktop says so.
+fn room(monitor: LogicalSize<f64>, work_area: Option<LogicalSize<f64>>) -> LogicalSize<f64> {
+    work_area.map_or(monitor, |area| {
+        LogicalSize::new(monitor.width.min(area.width), monitor.height.min(area.height) - TITLE_BAR)
+    })
+}
+
+/// The room that panels leave of all monitors together. Under Wayland nobody says; there the compositor makes a window
+/// smaller that does not fit.
+#[cfg(target_os = "linux")]
+fn work_area(event_loop: &dyn ActiveEventLoop) -> Option<PhysicalSize<u32>> {
+    use winit::platform::wayland::ActiveEventLoopExtWayland as _;
+    if event_loop.is_wayland() { None } else { super::x11_desktop::work_area() }
+}
+
+#[cfg(not(target_os = "linux"))]
+fn work_area(_: &dyn ActiveEventLoop) -> Option<PhysicalSize<u32>> {
+    None
 }
 
 /// Names the window as the menu entry is named, so that the desktop shows its icon.
@@ -126,6 +163,18 @@ mod tests {
         assert_eq!(on(&[(1280.0, 1024.0)]), (1280.0, 900.0));
         assert_eq!(on(&[(1366.0, 768.0)]), (1366.0, 768.0));
         assert_eq!(on(&[(10.0, 10.0)]), SMALLEST, "a monitor that says nonsense");
+    }
+
+    #[test]
+    fn panels_and_the_title_bar_take_their_room() {
+        let size = |width, height| LogicalSize { width, height };
+        assert_eq!(room(size(1280.0, 800.0), None), size(1280.0, 800.0), "nobody who would draw a title bar");
+        assert_eq!(room(size(1280.0, 800.0), Some(size(1280.0, 760.0))), size(1280.0, 720.0));
+        assert_eq!(
+            room(size(1280.0, 800.0), Some(size(3200.0, 1040.0))),
+            size(1280.0, 760.0),
+            "two monitors"
+        );
     }
 
     #[test]

@@ -8,11 +8,13 @@
 //! Species files and the parts of the plant that did not change are kept from build to build. What would make the window
 //! wait on large plants is done here as well: counting, and giving back the memory of plants that are no longer shown.
 
+use super::priority;
 use crate::anatomy::Part;
 use crate::growth::overlay::Wanted;
 use crate::pipeline::{self, Built, Cache, SetupError};
-use crate::sketch::Sketch;
+use crate::sketch::{Sketch, Stroke, StrokeId, StrokePoint, Tool};
 use crate::species::Species;
+use glam::Vec3;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -28,12 +30,28 @@ pub const PATIENCE: Duration = Duration::from_millis(100);
 pub struct Snapshot {
     /// Grows with every snapshot; the result carries it.
     pub revision: u64,
-    /// The drawing with the stroke under the pen.
+    /// The drawing without the stroke under the pen.
     pub sketch: Sketch,
+    /// The stroke under the pen.
+    pub growing: Option<Growing>,
     /// Where the drawing's species and picture files are looked for.
     pub folder: PathBuf,
     /// What is to be seen of growth.
     pub overlay: Wanted,
+}
+
+/// The stroke under the pen: what of it may differ from the last snapshot's, so that a sample costs the window the same
+/// however long the stroke is. The worker puts it together.
+#[derive(Clone, Debug)]
+pub struct Growing {
+    /// Name of the stroke.
+    pub id: StrokeId,
+    /// What it is drawn as.
+    pub tool: Tool,
+    /// Points that are as they were in the last snapshot; 0 for a stroke that was not in it.
+    pub kept: usize,
+    /// All points after those.
+    pub points: Vec<StrokePoint>,
 }
 
 /// A finished build.
@@ -47,6 +65,8 @@ pub struct Update {
     pub took: Duration,
     /// What there is of the plant; nothing where it was not built.
     pub counts: Counts,
+    /// Its smallest and largest corner in the world, metres; `None` where there is nothing.
+    pub bounds: Option<(Vec3, Vec3)>,
 }
 
 /// Why there is no plant.
@@ -108,11 +128,29 @@ struct Shared {
 #[derive(Default)]
 struct Desk {
     next: Option<Snapshot>,
+    /// The stroke under the pen, as in the newest snapshot.
+    growing: Option<Stroke>,
     done: Option<Update>,
     last_finish: Option<Instant>,
     /// Plants that the window does not show any more.
     discarded: Vec<Arc<Built>>,
     closing: bool,
+}
+
+impl Desk {
+    fn follow(&mut self, growing: Option<Growing>) {
+        let Some(Growing { id, tool, kept, points }) = growing else {
+            self.growing = None;
+            return;
+        };
+        match self.growing.as_mut().filter(|stroke| stroke.id == id) {
+            Some(stroke) => {
+                stroke.points.truncate(kept);
+                stroke.points.extend(points);
+            }
+            None => self.growing = Some(Stroke { id, tool, points }),
+        }
+    }
 }
 
 impl Shared {
@@ -141,8 +179,9 @@ impl Worker {
     }
 
     /// Hands over the newest drawing; never waits for a build.
-    pub fn submit(&self, snapshot: Snapshot) {
+    pub fn submit(&self, mut snapshot: Snapshot) {
         let mut desk = self.shared.desk();
+        desk.follow(snapshot.growing.take());
         let outdated = desk.next.replace(snapshot);
         if desk.last_finish.is_some_and(|at| at.elapsed() < PATIENCE) {
             self.shared.cancel.store(true, Ordering::Relaxed);
@@ -185,15 +224,16 @@ struct Bench {
 }
 
 fn work(shared: &Shared, wake: &dyn Fn()) {
+    priority::step_back();
     let mut bench = Bench::default();
     while let Some(snapshot) = next(shared) {
         let begun = Instant::now();
         let revision = snapshot.revision;
         let build = std::panic::AssertUnwindSafe(|| bench.build(&snapshot, &shared.cancel));
-        let mut counts = Counts::default();
+        let (mut counts, mut bounds) = (Counts::default(), None);
         let result = match std::panic::catch_unwind(build) {
             Ok(Ok(Some(built))) => {
-                counts = Counts::of(&built);
+                (counts, bounds) = (Counts::of(&built), built.model.bounds());
                 Ok(Arc::new(built))
             }
             Ok(Ok(None)) => continue,
@@ -204,7 +244,7 @@ fn work(shared: &Shared, wake: &dyn Fn()) {
             }
         };
         let mut desk = shared.desk();
-        let unseen = desk.done.replace(Update { revision, result, took: begun.elapsed(), counts });
+        let unseen = desk.done.replace(Update { revision, result, took: begun.elapsed(), counts, bounds });
         desk.last_finish = Some(Instant::now());
         let discarded = std::mem::take(&mut desk.discarded);
         drop(desk);
@@ -220,8 +260,9 @@ fn next(shared: &Shared) -> Option<Snapshot> {
         if desk.closing {
             return None;
         }
-        if let Some(snapshot) = desk.next.take() {
+        if let Some(mut snapshot) = desk.next.take() {
             shared.cancel.store(false, Ordering::Relaxed);
+            snapshot.sketch.strokes.extend(desk.growing.clone().map(Arc::new));
             return Some(snapshot);
         }
         let discarded = std::mem::take(&mut desk.discarded);
@@ -272,7 +313,8 @@ mod tests {
     }
 
     fn snapshot(revision: u64, sketch: &Sketch) -> Snapshot {
-        Snapshot { revision, sketch: sketch.clone(), folder: PathBuf::new(), overlay: Wanted::default() }
+        let (sketch, folder) = (sketch.clone(), PathBuf::new());
+        Snapshot { revision, sketch, growing: None, folder, overlay: Wanted::default() }
     }
 
     /// Waits for the result of a revision.
@@ -322,6 +364,27 @@ mod tests {
             "{kept} of {} parts kept",
             after.model.parts.len()
         );
+    }
+
+    #[test]
+    fn the_stroke_under_the_pen_is_put_together_from_what_is_new_of_it() {
+        let mut daisy = drawing("daisy");
+        let last = daisy.strokes.pop().unwrap();
+        let mut desk = Desk::default();
+        let mut settled = 0;
+        for count in 1..=last.points.len() {
+            // The last three points are elsewhere until they have settled.
+            let mut points = last.points[settled..count].to_vec();
+            let kept = std::mem::replace(&mut settled, count.saturating_sub(3));
+            points[settled - kept..].iter_mut().for_each(|p| p.position.y += 1.0);
+            assert!(points.len() <= 4);
+            desk.follow(Some(Growing { id: last.id, tool: last.tool, kept, points }));
+        }
+        let points = last.points[settled..].to_vec();
+        desk.follow(Some(Growing { id: last.id, tool: last.tool, kept: settled, points }));
+        assert_eq!(desk.growing.as_ref(), Some(&*last));
+        desk.follow(None);
+        assert_eq!(desk.growing, None);
     }
 
     #[test]

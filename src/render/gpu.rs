@@ -13,10 +13,9 @@ use std::time::Duration;
 const PATIENCE: Duration = Duration::from_secs(120);
 
 /// An open device with its queue.
-pub(super) struct Gpu {
+pub struct Gpu {
     pub(super) device: wgpu::Device,
     pub(super) queue: wgpu::Queue,
-    /// Name of the adapter and the interface through which it is used.
     pub(super) adapter: String,
     /// Whether the processor does the drawing.
     pub(super) software: bool,
@@ -50,8 +49,9 @@ impl Gpu {
         Ok(Self::from_parts(device, queue, &info))
     }
 
-    /// Takes over a device that somebody else opened: from here on its failures are collected here.
-    pub(super) fn from_parts(device: wgpu::Device, queue: wgpu::Queue, adapter: &wgpu::AdapterInfo) -> Self {
+    /// Takes over a device that somebody else opened: from here on its uncaptured errors and its loss are collected here,
+    /// also those of commands that others give to it.
+    pub fn from_parts(device: wgpu::Device, queue: wgpu::Queue, adapter: &wgpu::AdapterInfo) -> Self {
         let fault = Arc::new(Mutex::new(None));
         let lost = Arc::new(AtomicBool::new(false));
         let uncaptured = Arc::clone(&fault);
@@ -66,9 +66,19 @@ impl Gpu {
         Self { device, queue, adapter: name_of(adapter), software, fault, lost }
     }
 
-    /// Whether the device is gone for good.
-    pub(super) fn is_lost(&self) -> bool {
+    /// Whether the device is gone for good: open a new one, and make everything on it anew.
+    pub fn is_lost(&self) -> bool {
         self.lost.load(Ordering::Acquire)
+    }
+
+    /// Name of the adapter and the interface through which it is used.
+    pub fn adapter(&self) -> &str {
+        &self.adapter
+    }
+
+    /// Longest side of a texture in pixels.
+    pub fn largest_side(&self) -> u32 {
+        self.device.limits().max_texture_dimension_2d
     }
 
     /// A buffer with these contents. (wgpu's own helper maps the new buffer and panics when there is no memory for it.)
@@ -87,7 +97,7 @@ impl Gpu {
     ///
     /// # Errors
     /// That failure.
-    pub(super) fn check(&self) -> Result<(), RenderError> {
+    pub fn check(&self) -> Result<(), RenderError> {
         match self.fault.lock().unwrap_or_else(PoisonError::into_inner).take() {
             Some(reason) => Err(self.failure(reason)),
             None if self.is_lost() => Err(self.failure("the device was lost".to_owned())),

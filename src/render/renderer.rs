@@ -90,20 +90,11 @@ impl Renderer {
         Self::on(Gpu::open(backends)?)
     }
 
-    /// A renderer on a device that somebody else opened, so that both can show each other's textures. From here on the
-    /// device's uncaptured errors and its loss are collected by this renderer: [`Renderer::check`], [`Renderer::is_lost`].
+    /// A renderer on an open device.
     ///
     /// # Errors
     /// [`RenderError::Gpu`] when the device cannot do what is needed.
-    pub fn with_device(
-        device: wgpu::Device,
-        queue: wgpu::Queue,
-        adapter: &wgpu::AdapterInfo,
-    ) -> Result<Self, RenderError> {
-        Self::on(Gpu::from_parts(device, queue, adapter))
-    }
-
-    fn on(gpu: Gpu) -> Result<Self, RenderError> {
+    pub fn on(gpu: Gpu) -> Result<Self, RenderError> {
         let scenes = SceneLayout::new(&gpu);
         let scene = Scene::new(&gpu, &scenes, &SkyMaps::new(&gpu), SUN_MAP_SIZE);
         let materials = MaterialLayout::new(&gpu);
@@ -155,8 +146,8 @@ impl Renderer {
         &self.gpu.queue
     }
 
-    #[cfg(test)]
-    pub(super) fn gpu(&self) -> &Gpu {
+    /// The device with its failures.
+    pub fn gpu(&self) -> &Gpu {
         &self.gpu
     }
 

@@ -51,6 +51,26 @@ struct Shown {
     revision: u64,
 }
 
+/// A picture as it lies in the texture of a [`Viewport`]: red, green, blue and opacity, encoded, multiplied by the opacity.
+#[derive(Clone, Debug)]
+pub struct ShownPicture {
+    /// Width in pixels.
+    pub width: u32,
+    /// Height in pixels.
+    pub height: u32,
+    /// Bytes from one row to the next.
+    pub bytes_per_row: u32,
+    /// The rows from the top.
+    pub rows: Vec<u8>,
+}
+
+impl ShownPicture {
+    /// The same with straight opacity.
+    pub fn picture(&self) -> Picture {
+        Picture::from_premultiplied_rows(self.width, self.height, &self.rows, self.bytes_per_row)
+    }
+}
+
 /// What a shadow map shows: the lamp's place and the model's version.
 type MapState = Option<(Mat4, u64)>;
 
@@ -207,11 +227,22 @@ impl Viewport {
     /// # Errors
     /// A failure of the driver.
     pub fn snapshot(&self, renderer: &Renderer) -> Result<Picture, RenderError> {
+        self.read(renderer).map(|shown| shown.picture())
+    }
+
+    /// The same as it lies in the texture, for another device to show.
+    ///
+    /// # Errors
+    /// A failure of the driver.
+    pub fn read(&self, renderer: &Renderer) -> Result<ShownPicture, RenderError> {
         let (width, height) = (self.output.width(), self.output.height());
         let encoder = renderer.gpu.device.create_command_encoder(&Default::default());
         let readback = Readback::new(&renderer.gpu, width, height);
-        readback.finish(&renderer.gpu, encoder, &self.output, |rows, bytes_per_row| {
-            Picture::from_premultiplied_rows(width, height, rows, bytes_per_row)
+        readback.finish(&renderer.gpu, encoder, &self.output, |rows, bytes_per_row| ShownPicture {
+            width,
+            height,
+            bytes_per_row,
+            rows: rows.to_vec(),
         })
     }
 

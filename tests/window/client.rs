@@ -6,9 +6,11 @@ use std::time::{Duration, Instant};
 use x11rb::connection::Connection as _;
 use x11rb::protocol::Event;
 use x11rb::protocol::xproto::{
-    Atom, ClientMessageEvent, ConnectionExt as _, CreateWindowAux, EventMask, PropMode,
-    SELECTION_NOTIFY_EVENT, SelectionNotifyEvent, SelectionRequestEvent, Window, WindowClass,
+    Atom, BUTTON_PRESS_EVENT, BUTTON_RELEASE_EVENT, ChangeWindowAttributesAux, ClientMessageEvent,
+    ConnectionExt as _, CreateWindowAux, EventMask, MOTION_NOTIFY_EVENT, PropMode, SELECTION_NOTIFY_EVENT,
+    SelectionNotifyEvent, SelectionRequestEvent, Window, WindowClass,
 };
+use x11rb::protocol::xtest::ConnectionExt as _;
 use x11rb::rust_connection::RustConnection;
 use x11rb::wrapper::ConnectionExt as _;
 use x11rb::{COPY_DEPTH_FROM_PARENT, CURRENT_TIME};
@@ -56,6 +58,60 @@ impl Client {
         let said = self.server.change_property32(PropMode::REPLACE, window, property, atom, &states);
         // Heard by the server before the caller goes on.
         said.unwrap().check().unwrap();
+    }
+
+    /// Says, as a window manager does, what its panels leave of the screen: left, top, width, height.
+    pub(crate) fn call_work_area(&self, area: [u32; 4]) {
+        let (root, property) = (self.server.setup().roots[0].root, self.atom("_NET_WORKAREA"));
+        let kind = x11rb::protocol::xproto::AtomEnum::CARDINAL;
+        let said = self.server.change_property32(PropMode::REPLACE, root, property, kind, &area);
+        said.unwrap().check().unwrap();
+    }
+
+    /// Paints the screen behind all windows, and hears of windows from then on.
+    pub(crate) fn paint_root(&self, [r, g, b]: [u8; 3]) {
+        let root = self.server.setup().roots[0].root;
+        let pixel = u32::from_be_bytes([0, r, g, b]);
+        let looks = ChangeWindowAttributesAux::new()
+            .background_pixel(pixel)
+            .event_mask(EventMask::SUBSTRUCTURE_NOTIFY);
+        self.server.change_window_attributes(root, &looks).unwrap().check().unwrap();
+        self.server.clear_area(false, root, 0, 0, 0, 0).unwrap().check().unwrap();
+    }
+
+    /// Waits until a window that is no mere helper is seen on the screen.
+    pub(crate) fn wait_for_large_window(&self) {
+        let begun = Instant::now();
+        while begun.elapsed() < PATIENCE {
+            match self.server.poll_for_event().unwrap() {
+                Some(Event::MapNotify(seen)) => {
+                    let size = self.server.get_geometry(seen.window).unwrap().reply().unwrap();
+                    if size.width > 600 {
+                        return;
+                    }
+                }
+                Some(_) => {}
+                None => std::thread::sleep(Duration::from_millis(1)),
+            }
+        }
+        panic!("no window opens");
+    }
+
+    /// Moves the pointer to a place on the screen.
+    pub(crate) fn point(&self, [x, y]: [f64; 2]) {
+        let root = self.server.setup().roots[0].root;
+        self.fake(MOTION_NOTIFY_EVENT, 0, root, (x.round() as i16, y.round() as i16));
+    }
+
+    /// Presses or releases the left button.
+    pub(crate) fn press(&self, is_down: bool) {
+        let kind = if is_down { BUTTON_PRESS_EVENT } else { BUTTON_RELEASE_EVENT };
+        self.fake(kind, 1, x11rb::NONE, (0, 0));
+    }
+
+    fn fake(&self, kind: u8, detail: u8, root: Window, (x, y): (i16, i16)) {
+        self.server.xtest_fake_input(kind, detail, CURRENT_TIME, root, x, y, 0).unwrap();
+        self.server.flush().unwrap();
     }
 
     /// Drags a file to a place on the screen above a window, and drops it there.

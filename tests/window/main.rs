@@ -11,9 +11,12 @@
 mod client;
 mod device;
 mod disk;
+mod display;
 mod drawing;
 mod exports;
+mod latency;
 mod looks;
+mod opening;
 mod others;
 mod program;
 mod reference;

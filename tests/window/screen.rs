@@ -55,6 +55,17 @@ impl Screen {
         Self { server, folder, display: format!(":{}", number.trim()), _turn }
     }
 
+    /// Ends the server under whatever it shows.
+    pub(crate) fn end(&mut self) {
+        self.server.kill().unwrap();
+        self.server.wait().unwrap();
+    }
+
+    /// The file that holds the frame buffer while the server runs.
+    pub(crate) fn frame_buffer(&self) -> std::path::PathBuf {
+        self.folder.path().join("Xvfb_screen0")
+    }
+
     /// Runs xdotool on this display and returns what it prints.
     pub(crate) fn hand(&self, words: &[&str]) -> String {
         let done = Command::new("xdotool").args(words).env("DISPLAY", &self.display).output();
@@ -64,7 +75,7 @@ impl Screen {
     }
 
     pub(crate) fn pixels(&self) -> Pixels {
-        let dump = fs::read(self.folder.path().join("Xvfb_screen0")).unwrap();
+        let dump = fs::read(self.frame_buffer()).unwrap();
         let word = |i: usize| u32::from_be_bytes(dump[4 * i..4 * i + 4].try_into().unwrap());
         let (header, width, height, stride, colours) = (word(0), word(4), word(5), word(12), word(19));
         assert_eq!(word(11), 32, "bits per pixel");

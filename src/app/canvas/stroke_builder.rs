@@ -144,18 +144,6 @@ impl StrokeBuilder {
         self.points.len().saturating_sub(self.stabiliser.reach())
     }
 
-    /// For one who saw the stroke when it had `seen` points: the first point that is new or may have moved since, and all
-    /// from there.
-    pub fn new_points_since(&self, seen: usize) -> (usize, &[StrokePoint]) {
-        let first = seen.saturating_sub(self.stabiliser.reach()).min(self.points.len());
-        (first, &self.points[first..])
-    }
-
-    /// The stroke as it is now, as for a picture or a plant of the growing drawing.
-    pub fn snapshot(&self) -> Stroke {
-        Stroke { id: self.id, tool: self.tool, points: self.points.clone() }
-    }
-
     /// The finished stroke.
     pub fn finish(self) -> Arc<Stroke> {
         Arc::new(Stroke { id: self.id, tool: self.tool, points: self.points })

@@ -2,9 +2,11 @@
 
 use super::{Editor, Versions};
 use crate::app::canvas::Canvas;
+use crate::app::canvas::stroke_builder::StrokeBuilder;
+use crate::app::worker::Growing;
 use crate::pipeline::Built;
 use crate::render::Look;
-use crate::sketch::Sketch;
+use crate::sketch::{Sketch, StrokeId};
 use std::sync::Arc;
 
 /// How far the plant is behind the drawing.
@@ -14,6 +16,24 @@ pub struct Revisions {
     pub submitted: u64,
     /// Number of the drawing whose plant was collected last, also where that could not be built.
     pub collected: u64,
+}
+
+/// How much of the stroke under the pen was handed to the worker for good.
+#[derive(Debug, Default)]
+pub(super) struct Handed(Option<(StrokeId, usize)>);
+
+impl Handed {
+    /// What of the stroke is new since the last call, or may have moved.
+    pub(super) fn grown(&mut self, stroke: Option<&StrokeBuilder>) -> Option<Growing> {
+        let Some(stroke) = stroke else {
+            self.0 = None;
+            return None;
+        };
+        let (id, tool) = (stroke.id(), stroke.tool());
+        let kept = self.0.filter(|(known, _)| *known == id).map_or(0, |(_, kept)| kept);
+        self.0 = Some((id, stroke.settled()));
+        Some(Growing { id, tool, kept, points: stroke.points()[kept..].to_vec() })
+    }
 }
 
 impl Editor {

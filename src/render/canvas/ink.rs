@@ -2,7 +2,8 @@
 //!
 //! Between two strokes lies a gap: a point with a negative radius. Strokes lie in drawing order; the stroke under the pen
 //! is the last one, so that its new points are simply added at the end. [`InkBuffer::take_dirty`] names what must be sent
-//! to the GPU: after one more sample, that sample. Knows no GPU itself.
+//! to the GPU: after one more sample, that sample and those before it that a stabiliser still moves, however long the
+//! stroke is. Knows no GPU itself.
 
 use super::StrokeCurve;
 use crate::sketch::{StrokeId, StrokePoint};
@@ -13,6 +14,8 @@ use std::ops::Range;
 
 /// Separate ranges that are remembered; more of them are sent as one.
 const MOST_RANGES: usize = 64;
+/// Points before a change whose pieces look different.
+const NEIGHBOURS: usize = 3;
 /// Gaps below this number are never worth moving the strokes together.
 const FEW_GAPS: usize = 4096;
 
@@ -43,7 +46,67 @@ struct Slot {
     len: usize,
     capacity: usize,
     colour: [u8; 4],
+    /// The line through the samples that stay.
     curve: StrokeCurve,
+    /// How many of the points are of that line; those after it are drawn anew when the stroke grows.
+    settled: usize,
+}
+
+/// The new end of a line: points that take the place of all from the `keep`-th on. Kept, so that a sample allocates nothing.
+#[derive(Clone, Debug, Default)]
+struct LineEnd {
+    keep: usize,
+    points: Vec<InkPoint>,
+    new: Vec<Vec3>,
+}
+
+impl LineEnd {
+    /// Begins after the first `keep` points of a line.
+    fn begin(&mut self, keep: usize) {
+        self.keep = keep;
+        self.points.clear();
+    }
+
+    fn draw(&mut self, curve: &mut StrokeCurve, samples: &[StrokePoint], colour: [u8; 4]) {
+        for sample in samples {
+            let replaced = curve.push(sample, &mut self.new);
+            let of_these = replaced.min(self.points.len());
+            self.points.truncate(self.points.len() - of_these);
+            self.keep -= (replaced - of_these).min(self.keep);
+            self.points.extend(self.new.drain(..).map(|point| InkPoint::new(point, colour)));
+        }
+    }
+
+    /// Points of the whole line.
+    fn len(&self) -> usize {
+        self.keep + self.points.len()
+    }
+}
+
+/// Where the strokes look different than before.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum InkChange {
+    /// Nowhere.
+    #[default]
+    Nowhere,
+    /// Between these corners of the canvas.
+    Within(Vec2, Vec2),
+    /// Perhaps everywhere.
+    Anywhere,
+}
+
+impl InkChange {
+    fn add(&mut self, point: &InkPoint) {
+        if point.radius < 0.0 {
+            return;
+        }
+        let (low, high) = (point.position - point.radius, point.position + point.radius);
+        *self = match *self {
+            Self::Nowhere => Self::Within(low, high),
+            Self::Within(min, max) => Self::Within(min.min(low), max.max(high)),
+            Self::Anywhere => Self::Anywhere,
+        };
+    }
 }
 
 /// The strokes of a drawing.
@@ -53,8 +116,9 @@ pub struct InkBuffer {
     slots: BTreeMap<StrokeId, Slot>,
     order: Vec<StrokeId>,
     dirty: Vec<Range<usize>>,
+    change: InkChange,
     gaps: usize,
-    scratch: Vec<Vec3>,
+    end: LineEnd,
 }
 
 impl Default for InkBuffer {
@@ -64,8 +128,9 @@ impl Default for InkBuffer {
             slots: BTreeMap::new(),
             order: Vec::new(),
             dirty: std::iter::once(0..1).collect(),
+            change: InkChange::Anywhere,
             gaps: 0,
-            scratch: Vec::new(),
+            end: LineEnd::default(),
         }
     }
 }
@@ -81,54 +146,44 @@ impl InkBuffer {
         std::mem::take(&mut self.dirty)
     }
 
+    /// Where the strokes look different than at the last call.
+    pub fn take_change(&mut self) -> InkChange {
+        std::mem::take(&mut self.change)
+    }
+
     /// Counts everything as changed.
     pub(super) fn touch_all(&mut self) {
         self.dirty = std::iter::once(0..self.points.len()).collect();
     }
 
-    /// Puts a stroke in, on top of all others, or replaces it in its place. `width` is in canvas units at full pressure.
+    /// Puts a stroke in, on top of all others, or replaces it in its place. `colour` is encoded red, green, blue and
+    /// opacity; `width` is the line's width at full pressure in canvas units. A stroke may begin without samples.
     pub fn set(&mut self, id: StrokeId, samples: &[StrokePoint], colour: [u8; 4], width: f32) {
-        let mut curve = StrokeCurve::new(width);
-        let mut line: Vec<InkPoint> = Vec::with_capacity(samples.len() + 2);
-        let mut new = std::mem::take(&mut self.scratch);
-        for sample in samples {
-            let replaced = curve.push(sample, &mut new);
-            line.truncate(line.len() - replaced);
-            line.extend(new.drain(..).map(|p| InkPoint::new(p, colour)));
-        }
-        self.scratch = new;
         if !self.slots.contains_key(&id) {
-            let slot = Slot {
-                start: self.points.len(),
-                len: 0,
-                capacity: 0,
-                colour,
-                curve: StrokeCurve::new(width),
-            };
+            let (start, curve) = (self.points.len(), StrokeCurve::new(width));
             self.points.push(InkPoint::GAP);
-            self.slots.insert(id, slot);
+            self.slots.insert(id, Slot { start, len: 0, capacity: 0, colour, curve, settled: 0 });
             self.order.push(id);
         }
         if let Some(slot) = self.slots.get_mut(&id) {
-            (slot.colour, slot.curve) = (colour, curve);
+            (slot.colour, slot.curve, slot.settled) = (colour, StrokeCurve::new(width), 0);
         }
-        self.replace(id, 0, &line);
+        self.grow(id, samples, &[]);
     }
 
-    /// Continues a stroke; `false` when there is none of this name. The cost is that of the new samples.
-    pub fn append(&mut self, id: StrokeId, samples: &[StrokePoint]) -> bool {
-        for sample in samples {
-            let Some(slot) = self.slots.get_mut(&id) else { return false };
-            let mut new = std::mem::take(&mut self.scratch);
-            let keep = slot.len - slot.curve.push(sample, &mut new).min(slot.len);
-            let colour = slot.colour;
-            if !new.is_empty() {
-                let points: Vec<InkPoint> = new.drain(..).map(|p| InkPoint::new(p, colour)).collect();
-                self.replace(id, keep, &points);
-            }
-            self.scratch = new;
-        }
-        self.slots.contains_key(&id)
+    /// Continues a stroke; `false` when there is none of this name. Samples that a stabiliser still moves are drawn until
+    /// the next call, which names them again: `settled` and then `moving` follow on all that was settled before. The cost
+    /// is that of these samples.
+    pub fn grow(&mut self, id: StrokeId, settled: &[StrokePoint], moving: &[StrokePoint]) -> bool {
+        let Some(slot) = self.slots.get_mut(&id) else { return false };
+        let mut end = std::mem::take(&mut self.end);
+        end.begin(slot.settled);
+        end.draw(&mut slot.curve, settled, slot.colour);
+        slot.settled = end.len();
+        end.draw(&mut slot.curve.clone(), moving, slot.colour);
+        self.replace(id, end.keep, &end.points);
+        self.end = end;
+        true
     }
 
     /// Gives a stroke another colour.
@@ -137,6 +192,7 @@ impl InkBuffer {
         slot.colour = colour;
         let range = slot.start..slot.start + slot.len;
         self.points[range.clone()].iter_mut().for_each(|p| p.colour = colour);
+        self.see(range.clone());
         self.touch(range);
     }
 
@@ -145,6 +201,7 @@ impl InkBuffer {
         let Some(slot) = self.slots.remove(&id) else { return };
         self.order.retain(|other| *other != id);
         let range = slot.start..slot.start + slot.len;
+        self.see(range.clone());
         self.points[range.clone()].fill(InkPoint::GAP);
         self.gaps += slot.capacity + 1;
         self.touch(range);
@@ -165,6 +222,7 @@ impl InkBuffer {
         let order: Vec<StrokeId> =
             all.filter(|id| self.slots.contains_key(id) && placed.insert(*id)).collect();
         if order != self.order {
+            self.change = InkChange::Anywhere;
             self.order = order;
             self.close_ranks();
         }
@@ -174,6 +232,10 @@ impl InkBuffer {
     fn replace(&mut self, id: StrokeId, keep: usize, points: &[InkPoint]) {
         let end_of_all = self.points.len();
         let Some(slot) = self.slots.get_mut(&id) else { return };
+        // A piece looks at its neighbours, so the last one that stays looks different too.
+        let (last_kept, old_end) = (slot.start + keep.saturating_sub(NEIGHBOURS), slot.start + slot.len);
+        let change = &mut self.change;
+        self.points[last_kept..old_end].iter().chain(points).for_each(|point| change.add(point));
         let (first, old_len) = (slot.start + keep, slot.len);
         let len = keep + points.len();
         if slot.start + slot.capacity + 1 == end_of_all {
@@ -223,6 +285,12 @@ impl InkBuffer {
         self.touch_all();
     }
 
+    /// Notes that points look different.
+    fn see(&mut self, range: Range<usize>) {
+        let change = &mut self.change;
+        self.points[range].iter().for_each(|point| change.add(point));
+    }
+
     fn touch(&mut self, range: Range<usize>) {
         match self.dirty.last_mut() {
             Some(last) if last.start <= range.end && range.start <= last.end => {
@@ -270,10 +338,29 @@ mod tests {
         let mut grown = InkBuffer::default();
         grown.set(7, &samples[..1], BLACK, 3.0);
         for sample in &samples[1..] {
-            assert!(grown.append(7, std::slice::from_ref(sample)));
+            assert!(grown.grow(7, std::slice::from_ref(sample), &[]));
         }
         assert_eq!(at_once.points, grown.points);
-        assert!(!grown.append(8, &samples));
+        assert!(!grown.grow(8, &samples, &[]));
+    }
+
+    #[test]
+    fn samples_that_still_move_are_drawn_where_they_are_now() {
+        let (samples, reach) = (wave(60, 0.0), 16);
+        let mut grown = InkBuffer::default();
+        grown.set(7, &[], BLACK, 3.0);
+        let mut seen = 0;
+        for count in 1..=samples.len() {
+            // The last samples are elsewhere until they have settled.
+            let mut moving = samples[..count].to_vec();
+            let settled = count.saturating_sub(reach);
+            moving[settled..].iter_mut().for_each(|p| p.position.y += (count - settled) as f32);
+            grown.grow(7, &moving[seen..settled], &moving[settled..]);
+            seen = settled;
+            assert_eq!(lines(&grown), [expected(&moving)], "after {count}");
+        }
+        grown.grow(7, &samples[seen..], &[]);
+        assert_eq!(lines(&grown), [expected(&samples)]);
     }
 
     #[test]
@@ -284,7 +371,7 @@ mod tests {
         }
         ink.take_dirty();
         for sample in wave(300, 3.0) {
-            ink.append(499, &[sample]);
+            ink.grow(499, &[sample], &[]);
             let dirty: usize = ink.take_dirty().iter().map(Range::len).sum();
             assert!(dirty <= 70, "{dirty} of {} points", ink.points.len());
         }
@@ -303,7 +390,7 @@ mod tests {
         ink.set(2, &strokes[2][..4], BLACK, 3.0);
         assert_eq!(lines(&ink), [&all[0], &expected(&strokes[2][..4]), &all[3], &all[4]].map(Clone::clone));
         ink.set(0, &strokes[4], BLACK, 3.0);
-        ink.append(2, &strokes[2][4..]);
+        ink.grow(2, &strokes[2][4..], &[]);
         assert_eq!(lines(&ink), [&all[4], &all[2], &all[3], &all[4]].map(Clone::clone));
         ink.set_order(&[4, 2, 99, 4]);
         assert_eq!(lines(&ink), [&all[4], &all[2], &all[4], &all[3]].map(Clone::clone));
@@ -321,7 +408,7 @@ mod tests {
             let (what, id) = ((random >> 33) % 6, (random >> 40) % 9);
             match what {
                 0 | 1 => ink.set(id, &wave(1 + (random >> 50) as usize % 30, id as f32), BLACK, 3.0),
-                2 => drop(ink.append(id, &wave(3, step as f32))),
+                2 => drop(ink.grow(id, &wave(3, step as f32), &wave(step % 3, 1.0))),
                 3 => ink.remove(id),
                 4 => ink.recolour(id, [id as u8, step as u8, 0, 255]),
                 _ => ink.set_order(&[id, (id + 3) % 9]),
@@ -333,6 +420,25 @@ mod tests {
             }
             assert_eq!(copy, ink.points, "step {step}");
         }
+    }
+
+    #[test]
+    fn what_looks_different_is_told_and_no_more() {
+        let mut ink = InkBuffer::default();
+        let (long, other) = (wave(400, 0.0), wave(20, 900.0));
+        ink.set(1, &other, BLACK, 3.0);
+        ink.set(2, &long[..399], BLACK, 3.0);
+        assert_eq!(ink.take_change(), InkChange::Anywhere, "at first");
+        assert_eq!(ink.take_change(), InkChange::Nowhere);
+        ink.grow(2, &long[399..], &[]);
+        let InkChange::Within(low, high) = ink.take_change() else { panic!("something changed") };
+        let last = long[399].position;
+        assert!(low.cmple(last).all() && high.cmpge(last).all() && high.x - low.x < 40.0, "{low} {high}");
+        ink.recolour(1, [9; 4]);
+        let InkChange::Within(low, high) = ink.take_change() else { panic!("something changed") };
+        assert!(low.y > 800.0 && low.x < 0.0 && high.x > 9.0 * 19.0, "{low} {high}");
+        ink.set_order(&[2, 1]);
+        assert_eq!(ink.take_change(), InkChange::Anywhere);
     }
 
     #[test]

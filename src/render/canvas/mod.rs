@@ -18,14 +18,13 @@ mod ink;
 mod reference;
 
 pub use curve::StrokeCurve;
-pub use ink::{InkBuffer, InkPoint};
+pub use ink::{InkBuffer, InkChange, InkPoint};
 
 use super::decode::Rgba;
 use super::gpu::Gpu;
 use super::pipeline::{Into, PipelineSpec};
 use super::uniform::Uniform;
-use super::{RenderError, Renderer, shaders};
-use crate::sketch::{StrokeId, StrokePoint};
+use super::{RenderError, shaders};
 use bytemuck::{Pod, Zeroable};
 use glam::{Affine2, Vec2, Vec3, Vec4};
 use reference::Reference;
@@ -87,7 +86,8 @@ impl SheetUniform {
 
 /// The drawing on the GPU.
 pub struct CanvasLayer {
-    ink: InkBuffer,
+    /// The strokes; the next [`CanvasLayer::prepare`] sends what changed of them.
+    pub ink: InkBuffer,
     /// Points as `stroke.wgsl` reads them, with room to grow.
     points: wgpu::Buffer,
     capacity: usize,
@@ -106,8 +106,7 @@ impl CanvasLayer {
     ///
     /// # Errors
     /// A failure of the driver.
-    pub fn new(renderer: &Renderer, target: wgpu::TextureFormat) -> Result<Self, RenderError> {
-        let gpu = &renderer.gpu;
+    pub fn new(gpu: &Gpu, target: wgpu::TextureFormat) -> Result<Self, RenderError> {
         let sheet: Uniform<SheetUniform> = Uniform::new(gpu, "canvas");
         let paper = PipelineSpec {
             label: "paper",
@@ -136,44 +135,12 @@ impl CanvasLayer {
         Ok(layer)
     }
 
-    /// Puts a stroke in, on top of all others, or replaces it in its place. `colour` is encoded red, green, blue and
-    /// opacity; `width` is the line's width at full pressure in canvas units.
-    pub fn set_stroke(&mut self, id: StrokeId, samples: &[StrokePoint], colour: [u8; 4], width: f32) {
-        self.ink.set(id, samples, colour, width);
-    }
-
-    /// Continues a stroke with its next samples; `false` when there is none of this name. Costs what the samples cost,
-    /// however large the drawing is.
-    pub fn append_points(&mut self, id: StrokeId, samples: &[StrokePoint]) -> bool {
-        self.ink.append(id, samples)
-    }
-
-    /// Gives a stroke another colour.
-    pub fn set_colour(&mut self, id: StrokeId, colour: [u8; 4]) {
-        self.ink.recolour(id, colour);
-    }
-
-    /// Takes a stroke out; one that is not there stays away.
-    pub fn remove_stroke(&mut self, id: StrokeId) {
-        self.ink.remove(id);
-    }
-
-    /// Takes every stroke out.
-    pub fn clear(&mut self) {
-        self.ink.clear();
-    }
-
-    /// Draws strokes in this order, the last on top; strokes that are not named come above them as they were.
-    pub fn set_order(&mut self, order: &[StrokeId]) {
-        self.ink.set_order(order);
-    }
-
     /// The picture under the drawing, or none.
     ///
     /// # Errors
     /// A picture larger than the device's textures, or a failure of the driver.
-    pub fn set_reference(&mut self, renderer: &Renderer, picture: Option<&Rgba>) -> Result<(), RenderError> {
-        self.reference.set(renderer, picture)
+    pub fn set_reference(&mut self, gpu: &Gpu, picture: Option<&Rgba>) -> Result<(), RenderError> {
+        self.reference.set(gpu, picture)
     }
 
     /// Where that picture lies, from a square of side 1 (y down) to the canvas, and how opaque it is, 0 to 1.
@@ -186,8 +153,7 @@ impl CanvasLayer {
     ///
     /// # Errors
     /// A failure of the driver, such as too little memory; the strokes are kept and sent again by the next call.
-    pub fn prepare(&mut self, renderer: &Renderer, view: &CanvasView) -> Result<u64, RenderError> {
-        let gpu = &renderer.gpu;
+    pub fn prepare(&mut self, gpu: &Gpu, view: &CanvasView) -> Result<u64, RenderError> {
         let sheet = SheetUniform::new(view, self.decode);
         self.sheet.set(gpu, &sheet);
         self.reference.prepare(gpu);
@@ -215,9 +181,20 @@ impl CanvasLayer {
 
     /// Paints paper, picture and strokes as prepared.
     pub fn paint(&self, pass: &mut wgpu::RenderPass<'_>) {
+        self.paint_paper(pass);
+        self.paint_drawing(pass);
+    }
+
+    /// Paints the paper alone, over everything.
+    pub fn paint_paper(&self, pass: &mut wgpu::RenderPass<'_>) {
         pass.set_bind_group(0, &self.sheet.group, &[]);
         pass.set_pipeline(&self.paper);
         pass.draw(0..3, 0..1);
+    }
+
+    /// Paints picture and strokes.
+    pub fn paint_drawing(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_bind_group(0, &self.sheet.group, &[]);
         self.reference.paint(pass);
         let Some(pieces) = self.ready.checked_sub(POINTS_PER_PIECE - 1) else { return };
         pass.set_pipeline(&self.strokes);

@@ -2,8 +2,9 @@
 
 use super::super::decode::Rgba;
 use super::super::gpu::Gpu;
+use super::super::material::MaterialLayout;
 use super::super::pipeline::{Into, PipelineSpec, entry, texture, uniform};
-use super::super::{RenderError, Renderer, shaders};
+use super::super::{RenderError, shaders};
 use bytemuck::{Pod, Zeroable};
 use glam::{Affine2, Vec4};
 
@@ -81,8 +82,7 @@ impl Reference {
     ///
     /// # Errors
     /// A picture larger than the device's textures or without pixels, or a failure of the driver.
-    pub(super) fn set(&mut self, renderer: &Renderer, picture: Option<&Rgba>) -> Result<(), RenderError> {
-        let gpu = &renderer.gpu;
+    pub(super) fn set(&mut self, gpu: &Gpu, picture: Option<&Rgba>) -> Result<(), RenderError> {
         self.group = None;
         let Some(picture) = picture else { return Ok(()) };
         let limit = gpu.device.limits().max_texture_dimension_2d;
@@ -93,7 +93,7 @@ impl Reference {
                 format!("it has {}×{} pixels; each side must be 1 to {limit}", picture.width, picture.height);
             return Err(RenderError::Texture { name: "under the drawing".to_owned(), reason });
         }
-        let view = renderer.materials.upload_picture(gpu, picture);
+        let view = MaterialLayout::new(gpu).upload_picture(gpu, picture);
         let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("reference"),
             layout: &self.layout,

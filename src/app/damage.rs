@@ -1,0 +1,125 @@
+//! What of the window looks different than in the frame before: only that is painted again.
+//!
+//! Where the processor draws, painting all of a window takes longer than everything else between pen and ink. What egui
+//! laid out is compared with the last frame, mesh by mesh: shapes lie in a mesh in order, so what lies between the common
+//! beginning and the common end of its corners has changed. Ink, plant and canvas say themselves where they changed.
+
+use egui::epaint::{Primitive, Vertex};
+use egui::{ClippedPrimitive, Mesh, Pos2, Rect};
+
+/// Most separate places; more of them are painted as one.
+const MOST: usize = 6;
+/// How far smooth edges and rounding reach beyond what is drawn, points.
+const MARGIN: f32 = 2.0;
+
+/// Places of the window, in points.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Damage {
+    places: Vec<Rect>,
+}
+
+impl Damage {
+    /// The places, apart from each other.
+    pub(super) fn places(&self) -> &[Rect] {
+        &self.places
+    }
+
+    /// Adds a place.
+    pub(super) fn add(&mut self, place: Rect) {
+        if !place.is_positive() {
+            return;
+        }
+        // Places that touch become one, which may then touch others.
+        let mut whole = place;
+        while let Some(i) = self.places.iter().position(|known| known.intersects(whole)) {
+            whole = whole.union(self.places.swap_remove(i));
+        }
+        self.places.push(whole);
+        if self.places.len() > MOST {
+            let all = self.places.drain(..).reduce(|a, b| a.union(b));
+            self.places.extend(all);
+        }
+    }
+
+    /// Adds where a frame of egui's differs from the one before in a window of this rectangle.
+    pub(super) fn compare(&mut self, before: &[ClippedPrimitive], now: &[ClippedPrimitive], window: Rect) {
+        let is_alike = before.len() == now.len()
+            && before.iter().zip(now).all(|(a, b)| match (&a.primitive, &b.primitive) {
+                (Primitive::Mesh(m), Primitive::Mesh(n)) => {
+                    a.clip_rect == b.clip_rect && m.texture_id == n.texture_id
+                }
+                _ => false,
+            });
+        if !is_alike {
+            return self.add(window);
+        }
+        for (a, b) in before.iter().zip(now) {
+            if let (Primitive::Mesh(m), Primitive::Mesh(n)) = (&a.primitive, &b.primitive)
+                && let Some(place) = difference(m, n)
+            {
+                self.add(place.expand(MARGIN).intersect(b.clip_rect).intersect(window));
+            }
+        }
+    }
+}
+
+/// Where two meshes differ; `None` where they do not.
+fn difference(before: &Mesh, now: &Mesh) -> Option<Rect> {
+    let (a, b) = (&before.vertices, &now.vertices);
+    let first = a.iter().zip(b).take_while(|(a, b)| a == b).count();
+    if first == a.len() && first == b.len() {
+        return (before.indices != now.indices).then(|| now.calc_bounds());
+    }
+    let last = a[first..].iter().rev().zip(b[first..].iter().rev()).take_while(|(a, b)| a == b).count();
+    let changed =
+        |all: &'_ [Vertex]| -> Vec<Pos2> { all[first..all.len() - last].iter().map(|v| v.pos).collect() };
+    Some(Rect::from_points(&[changed(a), changed(b)].concat()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use egui::{Color32, pos2, vec2};
+
+    const WINDOW: Rect = Rect { min: Pos2::ZERO, max: Pos2 { x: 200.0, y: 100.0 } };
+
+    fn boxes(places: &[(f32, f32)]) -> Vec<ClippedPrimitive> {
+        let mut mesh = Mesh::default();
+        for &(x, y) in places {
+            mesh.add_colored_rect(Rect::from_min_size(pos2(x, y), vec2(5.0, 5.0)), Color32::RED);
+        }
+        vec![ClippedPrimitive { clip_rect: WINDOW, primitive: Primitive::Mesh(mesh) }]
+    }
+
+    fn damage(before: &[(f32, f32)], now: &[(f32, f32)]) -> Vec<Rect> {
+        let mut damage = Damage::default();
+        damage.compare(&boxes(before), &boxes(now), WINDOW);
+        damage.places
+    }
+
+    #[test]
+    fn only_what_changed_in_a_mesh_is_painted_again() {
+        let all = [(10.0, 10.0), (50.0, 10.0), (90.0, 10.0)];
+        assert_eq!(damage(&all, &all), []);
+        let moved = [all[0], (50.0, 40.0), all[2]];
+        assert_eq!(damage(&all, &moved), [Rect::from_min_max(pos2(48.0, 8.0), pos2(57.0, 47.0))]);
+        assert_eq!(damage(&all[..2], &all), [Rect::from_min_max(pos2(88.0, 8.0), pos2(97.0, 17.0))]);
+        let mut more = Damage::default();
+        more.compare(&boxes(&all), &[boxes(&all), boxes(&all)].concat(), WINDOW);
+        assert_eq!(more.places, [WINDOW], "another layer");
+    }
+
+    #[test]
+    fn places_that_touch_are_painted_once() {
+        let mut damage = Damage::default();
+        let at = |x: f32| Rect::from_min_size(pos2(x, 0.0), vec2(10.0, 10.0));
+        damage.add(at(0.0));
+        damage.add(at(40.0));
+        damage.add(Rect::NOTHING);
+        assert_eq!(damage.places().len(), 2);
+        damage.add(Rect::from_min_max(pos2(5.0, 5.0), pos2(45.0, 6.0)));
+        assert_eq!(damage.places(), [Rect::from_min_max(pos2(0.0, 0.0), pos2(50.0, 10.0))]);
+        (0..20).for_each(|i| damage.add(at(100.0 + 20.0 * i as f32)));
+        assert!(damage.places().len() <= MOST);
+    }
+}

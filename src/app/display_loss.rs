@@ -1,0 +1,69 @@
+//! The display goes away under the window: the X server ends, the session is closed, a remote connection breaks.
+//!
+//! Then the program can only end, with a word about the drawing, which the journal has. Three things happen, depending on
+//! who notices: winit ends its loop with an error; a call of winit or of the driver panics; or Xlib, while winit waits for
+//! events, ends the process itself by `exit(1)`. The first two come back to the caller of [`run`]. Of the third only the
+//! destructors of the main thread's own variables learn, and one of them says the word.
+
+use std::cell::Cell;
+use std::io::Write as _;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+
+/// What is said.
+pub(super) const LOST: &str =
+    "the connection to the display broke; the drawing is kept and offered at the next start";
+
+/// Says the word when the process ends while the window is open.
+struct Farewell {
+    is_open: Cell<bool>,
+}
+
+impl Drop for Farewell {
+    fn drop(&mut self) {
+        if self.is_open.get() {
+            // Nobody is left to hear of a failure.
+            let _ = writeln!(std::io::stderr(), "penstemon: {LOST}");
+        }
+    }
+}
+
+thread_local! {
+    static FAREWELL: Farewell = const { Farewell { is_open: Cell::new(false) } };
+}
+
+/// Runs the window on the main thread until it is closed; `None` where the display went away.
+///
+/// # Panics
+/// As `window` does, with the display there.
+pub(super) fn run<T>(window: impl FnOnce() -> T) -> Option<T> {
+    let report = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        let is_of_display = std::thread::current().name() == Some("main") && is_gone();
+        if !is_of_display {
+            report(panic);
+        }
+    }));
+    FAREWELL.with(|farewell| farewell.is_open.set(true));
+    let done = catch_unwind(AssertUnwindSafe(window));
+    FAREWELL.with(|farewell| farewell.is_open.set(false));
+    match done {
+        Ok(done) => Some(done),
+        Err(_) if is_gone() => None,
+        Err(panic) => resume_unwind(panic),
+    }
+}
+
+/// Whether no display answers any more.
+#[cfg(target_os = "linux")]
+fn is_gone() -> bool {
+    let wayland = std::env::var_os("WAYLAND_DISPLAY").and_then(|name| {
+        let folder = std::path::PathBuf::from(std::env::var_os("XDG_RUNTIME_DIR")?);
+        std::os::unix::net::UnixStream::connect(folder.join(name)).ok()
+    });
+    wayland.is_none() && x11rb::connect(None).is_err()
+}
+
+#[cfg(not(target_os = "linux"))]
+fn is_gone() -> bool {
+    false
+}
