@@ -5,7 +5,9 @@
 use glam::{Vec2, Vec3, vec3};
 use penstemon::model::{Mesh, Model, Part, PartKind, Vertex};
 use penstemon::plant::{Material, OrganKind, Texture};
-use penstemon::render::{Direction, Picture, PictureOptions, Projection, RenderError, Renderer, View};
+use penstemon::render::{
+    Direction, Look, OrbitCamera, Picture, PictureOptions, Projection, RenderError, Renderer, View, Viewport,
+};
 use penstemon::sketch::{Canvas, Sketch, Stroke, StrokePoint, Tool};
 use std::borrow::Cow;
 use std::error::Error;
@@ -289,6 +291,68 @@ fn only_double_sided_surfaces_have_a_back() {
             [3]
     };
     assert_eq!((seen_from_behind(true), seen_from_behind(false)), (255, 0));
+}
+
+/// A renderer on a device whose buffers hold one mebibyte at most.
+fn with_small_buffers() -> Renderer {
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+    let adapter = pollster::block_on(instance.request_adapter(&Default::default())).unwrap();
+    let limits = wgpu::Limits::downlevel_defaults().using_resolution(adapter.limits());
+    let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
+        required_limits: wgpu::Limits { max_buffer_size: 1 << 20, ..limits },
+        ..Default::default()
+    }))
+    .unwrap();
+    Renderer::with_device(device, queue, &adapter.get_info()).unwrap()
+}
+
+/// Two parts of one material, one of another, each with more corners than such a buffer holds.
+fn three_thickets() -> Model {
+    let thicket = |z: f32| {
+        let mut all = Mesh::default();
+        for i in 0..12_000u32 {
+            let (x, y) = ((i % 120) as f32 * 0.01, (i / 120) as f32 * 0.01);
+            all.append(&quad(Vec3::new(x, y, z), Vec3::X * 0.008, Vec3::Y * 0.008));
+        }
+        all
+    };
+    let (green, red) = (Material::plain("green", [0.1, 0.5, 0.1]), Material::plain("red", [0.6, 0.1, 0.1]));
+    let mut model = model([(thicket(0.0), green), (thicket(0.1), red)]);
+    let again = Part { name: "again".into(), mesh: thicket(-0.1).into(), ..model.parts[0].clone() };
+    model.parts.push(again);
+    model
+}
+
+#[test]
+fn a_model_larger_than_a_buffer_is_drawn() {
+    let model = three_thickets();
+    assert!(model.parts.iter().all(|part| part.mesh.vertices.len() * 32 > 1 << 20));
+    let options = PictureOptions { width: 160, height: 120, transparent: false };
+    let of =
+        |mut renderer: Renderer| renderer.picture(&model, &no_textures, &View::default(), &options).unwrap();
+    assert!(of(with_small_buffers()) == of(Renderer::new().unwrap()), "divided buffers make another picture");
+}
+
+#[test]
+fn a_live_model_larger_than_a_buffer_is_drawn() {
+    let model = three_thickets();
+    let of = |renderer: Renderer, shown: &[&Model]| {
+        let mut view = Viewport::new(&renderer).unwrap();
+        view.set_size(160, 120);
+        for model in shown {
+            view.update(&renderer, model, &no_textures).unwrap();
+            view.draw(&renderer, &OrbitCamera::default(), &Look::default()).unwrap();
+        }
+        view.snapshot(&renderer).unwrap()
+    };
+    let mut less = model.clone();
+    less.parts.remove(0);
+    let plain = of(Renderer::new().unwrap(), &[&model]);
+    assert!(of(with_small_buffers(), &[&model]) == plain, "divided buffers make another picture");
+    assert!(
+        of(with_small_buffers(), &[&model, &less, &model]) == plain,
+        "parts that come and go leave something"
+    );
 }
 
 /// A zigzag from left to right, pressed harder and harder.

@@ -4,7 +4,7 @@
 //! made anew and the frame is drawn a little later. A lost device cannot be answered here: whoever draws with it sees it,
 //! and everything on the GPU is made again.
 
-use crate::render::RenderError;
+use crate::render::{self, RenderError};
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Arc;
 use winit::dpi::PhysicalSize;
@@ -63,7 +63,7 @@ impl Surface {
         let refused = |reason: String| RenderError::Device { adapter: name.clone(), reason };
         let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
             label: Some("penstemon"),
-            required_limits: wgpu::Limits::downlevel_defaults().using_resolution(adapter.limits()),
+            required_limits: render::device_limits(&adapter),
             memory_hints: wgpu::MemoryHints::MemoryUsage,
             ..Default::default()
         }))

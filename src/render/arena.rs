@@ -37,6 +37,12 @@ impl Arena {
         start..self.end
     }
 
+    /// Whether a range of `len` places can be taken without going beyond `end` places in all.
+    pub(super) fn has_room(&self, len: u32, end: u32) -> bool {
+        self.end.checked_add(len).is_some_and(|after| after <= end)
+            || self.free.values().any(|free| *free >= len)
+    }
+
     /// Gives a taken range back.
     pub(super) fn give_back(&mut self, range: &Range<u32>) {
         let (mut start, mut end) = (range.start, range.end);
@@ -109,6 +115,16 @@ mod tests {
         assert!(!arena.is_sparse());
         ranges[..60].iter().for_each(|r| arena.give_back(r));
         assert!(arena.is_sparse());
+    }
+
+    #[test]
+    fn room_is_a_hole_or_what_is_left_behind_the_end() {
+        let mut arena = Arena::default();
+        let first = arena.take(10);
+        arena.take(10);
+        assert!(arena.has_room(5, 25) && !arena.has_room(6, 25) && !arena.has_room(u32::MAX, u32::MAX));
+        arena.give_back(&first);
+        assert!(arena.has_room(10, 20) && !arena.has_room(11, 20));
     }
 
     #[test]

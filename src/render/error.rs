@@ -58,8 +58,28 @@ pub enum RenderError {
         /// What is wrong with it.
         reason: String,
     },
-    /// The driver failed while drawing: out of memory, a lost device, a refused command.
-    #[error("the graphics driver {adapter} failed: {reason}; a smaller picture may work")]
+    /// The model or the picture needs more memory than there is.
+    #[error(
+        "the graphics driver {adapter} is out of memory; a model of fewer triangles (a younger plant, fewer leaves) or a \
+         smaller picture may fit"
+    )]
+    OutOfMemory {
+        /// The driver's name.
+        adapter: String,
+    },
+    /// A part of the picture took too long.
+    #[error(
+        "the graphics driver {adapter} was not done after {seconds} s; a model of fewer triangles (a younger plant, fewer \
+         leaves) or a smaller picture is drawn faster"
+    )]
+    TooSlow {
+        /// The driver's name.
+        adapter: String,
+        /// How long it was waited for.
+        seconds: u64,
+    },
+    /// The driver failed while drawing: a lost device, a refused command.
+    #[error("the graphics driver {adapter} failed: {reason}")]
     Gpu {
         /// The driver's name.
         adapter: String,

@@ -3,14 +3,30 @@
 //! Hardware is taken before software; the window opens its own device, because it must fit the screen, and shares it.
 //! wgpu reports failures out of band; [`Gpu`] collects them and [`Gpu::check`] hands over the first, so that no failure
 //! of a driver can end in a panic. A device that was lost once stays lost: everything on it must be made anew.
+//!
+//! Buffers have a largest size, the device's own: what may be larger is divided among several (`surface`, `pool`).
 
 use super::RenderError;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-/// Longest wait for the device in one go; software drivers need seconds for the largest pictures.
+/// Longest wait for the device in one go, which is one pass; software drivers need seconds for the largest.
 const PATIENCE: Duration = Duration::from_secs(120);
+
+/// What is asked of a device: little, so that any will do, but buffers and textures as large as the adapter can.
+pub(crate) fn limits(adapter: &wgpu::Adapter) -> wgpu::Limits {
+    let best = adapter.limits();
+    let max_buffer_size = best.max_buffer_size;
+    wgpu::Limits { max_buffer_size, ..wgpu::Limits::downlevel_defaults().using_resolution(best) }
+}
+
+/// A failure that the device reported.
+enum Fault {
+    /// There was no memory for something.
+    OutOfMemory,
+    Other(String),
+}
 
 /// An open device with its queue.
 pub(super) struct Gpu {
@@ -20,7 +36,9 @@ pub(super) struct Gpu {
     pub(super) adapter: String,
     /// Whether the processor does the drawing.
     pub(super) software: bool,
-    fault: Arc<Mutex<Option<String>>>,
+    /// Size of the largest buffer, bytes.
+    pub(super) largest_buffer: u64,
+    fault: Arc<Mutex<Option<Fault>>>,
     lost: Arc<AtomicBool>,
 }
 
@@ -42,7 +60,7 @@ impl Gpu {
         let name = name_of(&info);
         let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
             label: Some("penstemon"),
-            required_limits: wgpu::Limits::downlevel_defaults().using_resolution(adapter.limits()),
+            required_limits: limits(&adapter),
             memory_hints: wgpu::MemoryHints::MemoryUsage,
             ..Default::default()
         }))
@@ -55,15 +73,20 @@ impl Gpu {
         let fault = Arc::new(Mutex::new(None));
         let lost = Arc::new(AtomicBool::new(false));
         let uncaptured = Arc::clone(&fault);
-        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| note(&uncaptured, error.to_string())));
+        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+            let is_memory = matches!(error, wgpu::Error::OutOfMemory { .. });
+            let fault = if is_memory { Fault::OutOfMemory } else { Fault::Other(error.to_string()) };
+            note(&uncaptured, fault);
+        }));
         let (why, gone) = (Arc::clone(&fault), Arc::clone(&lost));
         device.set_device_lost_callback(move |reason, message| {
             tracing::warn!("the graphics device was lost ({reason:?}): {message}");
             gone.store(true, Ordering::Release);
-            note(&why, format!("the device was lost: {message}"));
+            note(&why, Fault::Other(format!("the device was lost: {message}")));
         });
         let software = adapter.device_type == wgpu::DeviceType::Cpu;
-        Self { device, queue, adapter: name_of(adapter), software, fault, lost }
+        let largest_buffer = device.limits().max_buffer_size;
+        Self { device, queue, adapter: name_of(adapter), software, largest_buffer, fault, lost }
     }
 
     /// Whether the device is gone for good.
@@ -89,7 +112,8 @@ impl Gpu {
     /// That failure.
     pub(super) fn check(&self) -> Result<(), RenderError> {
         match self.fault.lock().unwrap_or_else(PoisonError::into_inner).take() {
-            Some(reason) => Err(self.failure(reason)),
+            Some(Fault::OutOfMemory) => Err(RenderError::OutOfMemory { adapter: self.adapter.clone() }),
+            Some(Fault::Other(reason)) => Err(self.failure(reason)),
             None if self.is_lost() => Err(self.failure("the device was lost".to_owned())),
             None => Ok(()),
         }
@@ -109,7 +133,22 @@ impl Gpu {
         let wait = wgpu::PollType::Wait { submission_index: None, timeout: Some(PATIENCE) };
         let waited = self.device.poll(wait);
         self.check()?;
-        waited.map(drop).map_err(|e| self.failure(e.to_string()))
+        waited.map(drop).map_err(|error| match error {
+            wgpu::PollError::Timeout => {
+                RenderError::TooSlow { adapter: self.adapter.clone(), seconds: PATIENCE.as_secs() }
+            }
+            other => self.failure(other.to_string()),
+        })
+    }
+
+    /// Submits a pass and waits until it is done.
+    ///
+    /// # Errors
+    /// As [`Self::wait`], and any failure since the last check.
+    pub(super) fn finish(&self, encoder: wgpu::CommandEncoder) -> Result<(), RenderError> {
+        self.queue.submit([encoder.finish()]);
+        self.check()?;
+        self.wait()
     }
 
     /// A failure of this device in words.
@@ -124,8 +163,8 @@ fn name_of(adapter: &wgpu::AdapterInfo) -> String {
 }
 
 /// Keeps the first failure: later ones are usually its consequences.
-fn note(fault: &Mutex<Option<String>>, reason: String) {
-    fault.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(reason);
+fn note(first: &Mutex<Option<Fault>>, fault: Fault) {
+    first.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(fault);
 }
 
 #[cfg(test)]

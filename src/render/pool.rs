@@ -1,4 +1,5 @@
-//! The parts of one material on the GPU: a few growing buffers in which parts come and go, drawn in one call.
+//! Parts of one material on the GPU: a few growing buffers in which parts come and go, drawn in one call. A pool holds no
+//! more than the device's largest buffer; then another is begun.
 //!
 //! Indices that no part uses are zero: triangles without area, which draw nothing. Writes are gathered into runs, because
 //! each write to the GPU costs the same however short it is.
@@ -6,7 +7,7 @@
 use super::arena::Arena;
 use super::debug::Tint;
 use super::gpu::Gpu;
-use super::surface::Corner;
+use super::surface::{Corner, Room};
 use bytemuck::Pod;
 use std::ops::Range;
 
@@ -48,10 +49,11 @@ impl<T: Pod> Growing<T> {
         })
     }
 
-    /// Writes what is waiting and returns how many bytes that was. The buffer will hold at least `len` elements.
-    fn flush(&mut self, gpu: &Gpu, label: &str, usage: wgpu::BufferUsages, len: u32) -> u64 {
+    /// Writes what is waiting and returns how many bytes that was. The buffer will hold at least `len` elements, and `most`
+    /// at most.
+    fn flush(&mut self, gpu: &Gpu, label: &str, usage: wgpu::BufferUsages, (len, most): (u32, u32)) -> u64 {
         if len > self.capacity {
-            let capacity = len.max(self.capacity.saturating_mul(2));
+            let capacity = len.max(self.capacity.saturating_mul(2).min(most));
             let larger = Self::allocate(gpu, label, usage, capacity);
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
             encoder.copy_buffer_to_buffer(&self.buffer, 0, &larger, 0, self.buffer.size());
@@ -90,6 +92,7 @@ pub(super) struct Pool {
     indices: Growing<u32>,
     vertex_arena: Arena,
     index_arena: Arena,
+    room: Room,
 }
 
 impl Pool {
@@ -100,7 +103,15 @@ impl Pool {
             indices: Growing::new(gpu, "indices", wgpu::BufferUsages::INDEX),
             vertex_arena: Arena::default(),
             index_arena: Arena::default(),
+            room: Room::of(gpu),
         }
+    }
+
+    /// Whether a part of so many corners and triangles can be taken in.
+    pub(super) fn has_room(&self, corners: usize, triangles: usize) -> bool {
+        let (corners, indices) = (u32::try_from(corners), u32::try_from(3 * triangles));
+        corners.is_ok_and(|corners| self.vertex_arena.has_room(corners, self.room.corners))
+            && indices.is_ok_and(|indices| self.index_arena.has_room(indices, self.room.indices))
     }
 
     /// Whether most of it is holes, so that starting afresh is worth it.
@@ -132,7 +143,8 @@ impl Pool {
 
     /// Sends what changed to the GPU and returns how many bytes that was.
     pub(super) fn flush(&mut self, gpu: &Gpu) -> u64 {
-        let (vertices, indices) = (self.vertex_arena.end(), self.index_arena.end());
+        let vertices = (self.vertex_arena.end(), self.room.corners);
+        let indices = (self.index_arena.end(), self.room.indices);
         self.corners.flush(gpu, "corners", wgpu::BufferUsages::VERTEX, vertices)
             + self.tints.flush(gpu, "tints", wgpu::BufferUsages::VERTEX, vertices)
             + self.indices.flush(gpu, "indices", wgpu::BufferUsages::INDEX, indices)

@@ -210,6 +210,7 @@ impl Renderer {
         })
     }
 
+    /// Draws a picture pass by pass: drivers end work that takes them too long, and of a large model one pass takes long.
     fn draw_model(
         &mut self,
         model: &ModelDrawData,
@@ -219,13 +220,18 @@ impl Renderer {
     ) -> Result<Picture, RenderError> {
         let target = sized(&mut self.target, &self.gpu, options)?;
         self.scene.set(&self.gpu, frame, light);
+        for (i, (lamp, map)) in light.lamps().zip(&self.scene.maps).enumerate() {
+            let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
+            self.shadow.draw(&self.gpu, &mut encoder, std::iter::once((i, lamp, map)), &model.surface);
+            self.gpu.finish(encoder)?;
+        }
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
-        let lamps = light.lamps().zip(&self.scene.maps).enumerate().map(|(i, (lamp, map))| (i, lamp, map));
-        self.shadow.draw(&self.gpu, &mut encoder, lamps, &model.surface);
         let mut pass = target.buffers.begin_depth(&mut encoder);
         pass.set_bind_group(0, &self.scene.group, &[]);
         self.surface.draw_depth(&mut pass, &model.surface);
         drop(pass);
+        self.gpu.finish(encoder)?;
+        let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         let mut pass = target.buffers.begin(&mut encoder);
         pass.set_bind_group(0, &self.scene.group, &[]);
         if !options.transparent {

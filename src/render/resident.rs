@@ -2,7 +2,8 @@
 //!
 //! A part is known again by a fingerprint of its mesh and then by [`same_mesh`], not by its name: a new petal may give its
 //! neighbours other names. Parts of one material share a [`Pool`] and are drawn in one call. A refused model changes
-//! nothing: what was there before stays. A part of several materials is several residents.
+//! nothing: what was there before stays. A part of several materials, or of more triangles than a buffer holds, is several
+//! residents.
 
 use super::RenderError;
 use super::debug::{self, Tint};
@@ -10,12 +11,12 @@ use super::gpu::Gpu;
 use super::material::{MaterialLayout, Pictures};
 use super::pool::{Place, Pool};
 use super::renderer::TextureSource;
-use super::surface::{self, Batch, Corner, SurfaceDrawData};
-use crate::model::{Mesh, Model, Part, PartKind};
+use super::surface::{self, Batch, Coat, Corner, Room, SurfaceDrawData};
+use crate::model::{Mesh, Model, PartKind};
 use crate::plant::Material;
 use glam::Vec3;
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -47,16 +48,12 @@ pub struct UploadStats {
     pub bytes: u64,
 }
 
-/// What of a part wears one material: the part, the material and the triangles.
-type Coat<'a> = (&'a Part, (usize, Range<usize>));
-
-fn coats(model: &Model) -> impl Iterator<Item = Coat<'_>> {
-    model.parts.iter().flat_map(|part| part.coats().map(move |coat| (part, coat)))
-}
+/// Where a pool is found: by its material and its number among that material's.
+type PoolKey = (usize, usize);
 
 /// A coat on the GPU.
 struct Resident {
-    material: usize,
+    pool: PoolKey,
     triangles: Range<usize>,
     fingerprint: u64,
     mesh: KeptMesh,
@@ -70,8 +67,7 @@ struct Resident {
 #[derive(Default)]
 pub(super) struct ResidentModel {
     residents: Vec<Resident>,
-    /// By material.
-    pools: Vec<Option<Pool>>,
+    pools: BTreeMap<PoolKey, Pool>,
     materials: Vec<Material>,
     /// By material: whether its picture repeats, and the bind group.
     groups: Vec<(bool, wgpu::BindGroup)>,
@@ -82,8 +78,8 @@ pub(super) struct ResidentModel {
     pub(super) bounds: Option<(Vec3, Vec3)>,
     /// Grows with every change.
     pub(super) version: u64,
-    /// Pairs of corners, by material, and the version they belong to.
-    edges: Option<(u64, Vec<Option<wgpu::Buffer>>)>,
+    /// Pairs of corners of each pool, and the version they belong to.
+    edges: Option<(u64, BTreeMap<PoolKey, wgpu::Buffer>)>,
 }
 
 /// A coat of the next model: known already, or its corners and triangles.
@@ -113,10 +109,9 @@ impl ResidentModel {
             uploaded_textures: self.pictures.len() - known_pictures,
             ..Default::default()
         };
-        let corners = self.new_corners(model)?;
+        let corners = self.new_corners(model, Room::of(gpu))?;
         self.place(gpu, model, corners, &mut stats);
-        self.pools.resize_with(model.materials.len(), || None);
-        for pool in self.pools.iter_mut().flatten() {
+        for pool in self.pools.values_mut() {
             stats.bytes += pool.flush(gpu);
         }
         let materials_changed = self.bind(gpu, layout, model, &views);
@@ -144,16 +139,16 @@ impl ResidentModel {
     }
 
     /// For each coat the resident that it is, or its corners. Residents that are left over stay in the list.
-    fn new_corners<'a>(&mut self, model: &'a Model) -> Result<Vec<Next<'a>>, RenderError> {
+    fn new_corners<'a>(&mut self, model: &'a Model, room: Room) -> Result<Vec<Next<'a>>, RenderError> {
         let mut by_mesh: BTreeMap<(usize, u64), Vec<usize>> = BTreeMap::new();
         for (i, resident) in self.residents.iter().enumerate().rev() {
-            if !self.pools[resident.material].as_ref().is_none_or(Pool::is_sparse) {
-                by_mesh.entry((resident.material, resident.fingerprint)).or_default().push(i);
+            if !self.pools.get(&resident.pool).is_none_or(Pool::is_sparse) {
+                by_mesh.entry((resident.pool.0, resident.fingerprint)).or_default().push(i);
             }
         }
         let mut claimed = Vec::with_capacity(model.parts.len());
         let mut corners = Vec::with_capacity(model.parts.len());
-        for (part, (material, triangles)) in coats(model) {
+        for (part, (material, triangles)) in surface::coats(model, room) {
             let alike = by_mesh.get_mut(&(material, fingerprint(&part.mesh)));
             let claim = alike.and_then(|alike| {
                 let is_this = |i: &usize| {
@@ -181,38 +176,44 @@ impl ResidentModel {
 
     /// Lets the residents go that are left over, and puts the next ones in their place.
     fn place(&mut self, gpu: &Gpu, model: &Model, next: Vec<Next<'_>>, stats: &mut UploadStats) {
-        self.pools.resize_with(self.pools.len().max(model.materials.len()), || None);
         for resident in self.residents.drain(..) {
             stats.removed_parts += 1;
-            if let Some(pool) = &mut self.pools[resident.material] {
+            if let Some(pool) = self.pools.get_mut(&resident.pool) {
                 pool.remove(&resident.place);
             }
         }
-        let mut used = vec![false; self.pools.len()];
-        let levels = levels(model);
-        let levels =
-            model.parts.iter().zip(levels).flat_map(|(part, level)| part.coats().map(move |_| level));
-        for ((coat, next), level) in coats(model).zip(next).zip(levels) {
+        let room = Room::of(gpu);
+        let levels = model.parts.iter().zip(levels(model));
+        let levels = levels.flat_map(|(part, level)| surface::coats_of(part, room).map(move |_| level));
+        for ((coat, next), level) in surface::coats(model, room).zip(next).zip(levels) {
             let (part, (material, _)) = coat;
-            used[material] = true;
-            let pool = self.pools[material].get_or_insert_with(|| Pool::new(gpu));
             let tint = debug::tint(part.kind, level, &part.name);
             self.residents.push(match next {
                 Next::Known(resident) => {
-                    if resident.tint != tint {
+                    if let Some(pool) = self.pools.get_mut(&resident.pool).filter(|_| resident.tint != tint) {
                         pool.set_tint(&resident.place, tint);
                     }
                     Resident { tint, ..resident }
                 }
                 Next::New(corners, triangles) => {
                     stats.uploaded_parts += 1;
-                    resident(coat, tint, &corners, pool.insert(&corners, &triangles, tint))
+                    let key = self.pool_with_room(material, corners.len(), triangles.len());
+                    let pool = self.pools.entry(key).or_insert_with(|| Pool::new(gpu));
+                    resident(coat, key, tint, &corners, pool.insert(&corners, &triangles, tint))
                 }
             });
         }
-        for (pool, used) in self.pools.iter_mut().zip(used) {
-            pool.take_if(|_| !used);
+        let used: BTreeSet<PoolKey> = self.residents.iter().map(|resident| resident.pool).collect();
+        self.pools.retain(|key, _| used.contains(key));
+    }
+
+    /// The first pool of a material that can take so many corners and triangles in, or a new one.
+    fn pool_with_room(&self, material: usize, corners: usize, triangles: usize) -> PoolKey {
+        let mut number = 0;
+        while self.pools.get(&(material, number)).is_some_and(|pool| !pool.has_room(corners, triangles)) {
+            number += 1;
         }
+        (material, number)
     }
 
     /// Binds materials that changed and lists what is drawn; whether any changed.
@@ -225,7 +226,7 @@ impl ResidentModel {
     ) -> bool {
         let mut repeats = vec![false; model.materials.len()];
         for resident in &self.residents {
-            repeats[resident.material] |= resident.repeats;
+            repeats[resident.pool.0] |= resident.repeats;
         }
         let mut changed = self.materials.len() != model.materials.len();
         let mut groups = Vec::with_capacity(repeats.len());
@@ -239,10 +240,10 @@ impl ResidentModel {
         }
         self.groups = groups;
         self.materials.clone_from(&model.materials);
-        let pools = self.pools.iter().zip(&self.materials).zip(&self.groups);
-        let batches = pools.filter_map(|((pool, material), (_, group))| {
-            let pool = pool.as_ref().filter(|p| !p.index_range().is_empty())?;
-            Some(Batch::new(material, group.clone(), pool.corners(), pool.indices(), pool.index_range()))
+        let pools = self.pools.iter().filter(|(_, pool)| !pool.index_range().is_empty());
+        let batches = pools.map(|(&(material, _), pool)| {
+            let (material, (_, group)) = (&self.materials[material], &self.groups[material]);
+            Batch::new(material, group.clone(), pool.corners(), pool.indices(), pool.index_range())
         });
         self.surface = SurfaceDrawData { batches: batches.collect() };
         changed
@@ -250,7 +251,7 @@ impl ResidentModel {
 
     /// Pools with parts.
     pub(super) fn pools(&self) -> impl Iterator<Item = &Pool> {
-        self.pools.iter().flatten()
+        self.pools.values()
     }
 
     /// Pools with the edges of their triangles, uploaded when they are first asked for.
@@ -260,7 +261,7 @@ impl ResidentModel {
             self.edges = Some((version, self.upload_edges(gpu)));
         }
         let edges = self.edges.iter().flat_map(|(_, edges)| edges);
-        self.pools.iter().zip(edges).filter_map(|(pool, edges)| pool.as_ref().zip(edges.as_ref()))
+        edges.filter_map(|(key, edges)| Some((self.pools.get(key)?, edges)))
     }
 
     /// Lets the edges go.
@@ -268,24 +269,25 @@ impl ResidentModel {
         self.edges = None;
     }
 
-    fn upload_edges(&self, gpu: &Gpu) -> Vec<Option<wgpu::Buffer>> {
-        let mut pairs = vec![Vec::new(); self.pools.len()];
+    fn upload_edges(&self, gpu: &Gpu) -> BTreeMap<PoolKey, wgpu::Buffer> {
+        let mut pairs: BTreeMap<PoolKey, Vec<u32>> = BTreeMap::new();
         for resident in &self.residents {
             let first = resident.place.first_corner();
+            let pairs = pairs.entry(resident.pool).or_default();
             for &[a, b, c] in surface::renumbered(&resident.mesh, &resident.triangles).1.iter() {
-                pairs[resident.material].extend([a, b, b, c, c, a].map(|i| first + i));
+                pairs.extend([a, b, b, c, c, a].map(|i| first + i));
             }
         }
-        let upload = |pairs: Vec<u32>| {
-            let bytes = bytemuck::cast_slice(&pairs);
-            (!pairs.is_empty()).then(|| gpu.buffer("edges", bytes, wgpu::BufferUsages::INDEX))
-        };
-        pairs.into_iter().map(upload).collect()
+        let pairs = pairs.into_iter().filter(|(_, pairs)| !pairs.is_empty());
+        let upload =
+            |pairs: &[u32]| gpu.buffer("edges", bytemuck::cast_slice(pairs), wgpu::BufferUsages::INDEX);
+        pairs.map(|(key, pairs)| (key, upload(&pairs))).collect()
     }
 }
 
 fn resident(
-    (part, (material, triangles)): Coat<'_>,
+    (part, (_, triangles)): Coat<'_>,
+    pool: PoolKey,
     tint: Tint,
     corners: &[Corner],
     place: Place,
@@ -293,7 +295,7 @@ fn resident(
     let (lo, hi) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
     let bounds = corners.iter().fold((lo, hi), |(lo, hi), c| (lo.min(c.world), hi.max(c.world)));
     Resident {
-        material,
+        pool,
         triangles,
         fingerprint: fingerprint(&part.mesh),
         mesh: part.mesh.clone(),

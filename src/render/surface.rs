@@ -1,4 +1,4 @@
-//! The plant: its corners in one buffer, grouped by material, and the pipelines that shade them.
+//! The plant: its corners grouped by material, in as many buffers as they need, and the pipelines that shade them.
 
 use super::RenderError;
 use super::gpu::Gpu;
@@ -7,7 +7,7 @@ use super::pipeline::{Into, PipelineSpec};
 use super::renderer::TextureSource;
 use super::scene::SceneLayout;
 use super::shaders;
-use crate::model::{Mesh, Model, Part};
+use crate::model::{Mesh, Model, Part, Vertex};
 use crate::plant::Material;
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
@@ -30,20 +30,55 @@ impl Corner {
     }
 }
 
-/// The corners of a part, ready for the GPU.
+/// How much one buffer of each kind holds.
+#[derive(Clone, Copy)]
+pub(super) struct Room {
+    pub(super) corners: u32,
+    /// Half of what would fit: the edges of triangles are twice as many as their corners.
+    pub(super) indices: u32,
+}
+
+impl Room {
+    pub(super) fn of(gpu: &Gpu) -> Self {
+        let largest = |bytes: usize| (gpu.largest_buffer / bytes as u64).min(u32::MAX.into()) as u32;
+        Self { corners: largest(size_of::<Corner>()), indices: largest(2 * size_of::<u32>()) }
+    }
+
+    /// Most triangles that surely fit, whatever corners they have.
+    fn triangles(self) -> usize {
+        (self.corners.min(self.indices) / 3).max(1) as usize
+    }
+}
+
+/// What of a part wears one material and fits one buffer: the part, the material and the triangles.
+pub(super) type Coat<'a> = (&'a Part, (usize, Range<usize>));
+
+/// All of a model in coats.
+pub(super) fn coats(model: &Model, room: Room) -> impl Iterator<Item = Coat<'_>> {
+    model.parts.iter().flat_map(move |part| coats_of(part, room).map(move |coat| (part, coat)))
+}
+
+/// The materials of a part with their triangles, divided where they are too many for one buffer.
+pub(super) fn coats_of(part: &Part, room: Room) -> impl Iterator<Item = (usize, Range<usize>)> {
+    part.coats().flat_map(move |(material, all)| {
+        let ends = all.clone().step_by(room.triangles()).skip(1).chain([all.end]);
+        all.step_by(room.triangles()).zip(ends).map(move |(from, to)| (material, from..to))
+    })
+}
+
+/// Refuses a part that contradicts itself.
 ///
 /// # Errors
-/// A part that contradicts itself.
-fn corners_of(part: &Part, out: &mut Vec<Corner>) -> Result<(), RenderError> {
+/// What is wrong with it.
+fn check_part(part: &Part) -> Result<(), RenderError> {
     let mesh = &part.mesh;
     for vertex in &mesh.vertices {
         let point = mesh.points.get(vertex.point as usize);
-        let world =
-            *point.ok_or_else(|| contradiction(part, "a corner refers to a point that does not exist"))?;
-        if !world.is_finite() {
+        let point =
+            point.ok_or_else(|| contradiction(part, "a corner refers to a point that does not exist"))?;
+        if !point.is_finite() {
             return Err(contradiction(part, "a point is not a finite number"));
         }
-        out.push(Corner { world, normal: vertex.normal, uv: vertex.uv });
     }
     if mesh.triangles.iter().flatten().any(|&i| i as usize >= mesh.vertices.len()) {
         return Err(contradiction(part, "a triangle refers to a corner that does not exist"));
@@ -62,12 +97,18 @@ pub(super) fn coat_of<'a>(
     part: &'a Part,
     range: &Range<usize>,
 ) -> Result<(Vec<Corner>, Triangles<'a>), RenderError> {
-    let mut corners = Vec::with_capacity(part.mesh.vertices.len());
-    corners_of(part, &mut corners)?;
-    let (kept, triangles) = renumbered(&part.mesh, range);
-    if let Some(kept) = kept {
-        corners = kept.into_iter().map(|i| corners[i as usize]).collect();
-    }
+    check_part(part)?;
+    let mesh = &part.mesh;
+    let corner = |vertex: &Vertex| Corner {
+        world: mesh.points[vertex.point as usize],
+        normal: vertex.normal,
+        uv: vertex.uv,
+    };
+    let (kept, triangles) = renumbered(mesh, range);
+    let corners = match kept {
+        Some(kept) => kept.into_iter().map(|i| corner(&mesh.vertices[i as usize])).collect(),
+        None => mesh.vertices.iter().map(corner).collect(),
+    };
     Ok((corners, triangles))
 }
 
@@ -164,17 +205,21 @@ impl SurfaceDrawData {
         model: &Model,
         textures: &TextureSource<'_>,
     ) -> Result<Self, RenderError> {
-        let gathered = Gathered::from_model(model)?;
-        let groups = materials.upload(gpu, &model.materials, &gathered.repeats, textures)?;
-        let corners = bytemuck::cast_slice(&gathered.corners);
-        let corners = gpu.buffer("corners", corners, wgpu::BufferUsages::VERTEX);
-        let indices = bytemuck::cast_slice(&gathered.indices);
-        let indices = gpu.buffer("indices", indices, wgpu::BufferUsages::INDEX);
-        let batches = model.materials.iter().zip(groups).zip(gathered.ranges);
-        let batches = batches
-            .filter(|(_, range)| !range.is_empty())
-            .map(|((material, group), range)| Batch::new(material, group, &corners, &indices, range));
-        Ok(Self { batches: batches.collect() })
+        check_materials(model)?;
+        let mut gathering = Gathering::new(gpu, model);
+        for material in 0..model.materials.len() {
+            for (part, (_, triangles)) in coats(model, gathering.room).filter(|(_, coat)| coat.0 == material)
+            {
+                gathering.append(material, part, &triangles)?;
+            }
+        }
+        gathering.upload();
+        let Gathering { uploaded, repeats, .. } = gathering;
+        let groups = materials.upload(gpu, &model.materials, &repeats, textures)?;
+        let batch = |Gathered { material, corners, indices, range }: Gathered| {
+            Batch::new(&model.materials[material], groups[material].clone(), &corners, &indices, range)
+        };
+        Ok(Self { batches: uploaded.into_iter().map(batch).collect() })
     }
 
     /// Draws the batches for which a pipeline is chosen.
@@ -193,44 +238,78 @@ impl SurfaceDrawData {
     }
 }
 
-/// A model's parts in one array, ordered by material.
+/// Triangles of one material on the GPU.
 struct Gathered {
+    material: usize,
+    corners: wgpu::Buffer,
+    indices: wgpu::Buffer,
+    range: Range<u32>,
+}
+
+/// A model's coats on their way to the GPU, material by material; buffers are filled one after the other.
+struct Gathering<'a> {
+    gpu: &'a Gpu,
+    room: Room,
     corners: Vec<Corner>,
     indices: Vec<u32>,
-    /// Indices of each material.
-    ranges: Vec<Range<u32>>,
+    /// The indices of each material since the last upload.
+    ranges: Vec<(usize, Range<u32>)>,
+    uploaded: Vec<Gathered>,
     /// For each material, whether any UV lies outside the picture, so that it must repeat.
     repeats: Vec<bool>,
 }
 
-impl Gathered {
-    fn from_model(model: &Model) -> Result<Self, RenderError> {
-        check_materials(model)?;
-        let mut all = Self {
-            corners: Vec::with_capacity(model.vertex_count()),
-            indices: Vec::with_capacity(3 * model.triangle_count()),
-            ranges: Vec::with_capacity(model.materials.len()),
-            repeats: Vec::with_capacity(model.materials.len()),
-        };
-        for material in 0..model.materials.len() {
-            let first_index = all.indices.len() as u32;
-            let first_corner = all.corners.len();
-            let coats = model.parts.iter().flat_map(|part| part.coats().map(move |coat| (part, coat)));
-            for (part, (_, triangles)) in coats.filter(|(_, coat)| coat.0 == material) {
-                all.append(part, &triangles)?;
-            }
-            all.ranges.push(first_index..all.indices.len() as u32);
-            all.repeats.push(all.corners[first_corner..].iter().any(Corner::repeats));
+impl<'a> Gathering<'a> {
+    fn new(gpu: &'a Gpu, model: &Model) -> Self {
+        let room = Room::of(gpu);
+        Self {
+            gpu,
+            room,
+            corners: Vec::with_capacity(model.vertex_count().min(room.corners as usize)),
+            indices: Vec::with_capacity((3 * model.triangle_count()).min(room.indices as usize)),
+            ranges: Vec::new(),
+            uploaded: Vec::new(),
+            repeats: vec![false; model.materials.len()],
         }
-        Ok(all)
     }
 
-    fn append(&mut self, part: &Part, coat: &Range<usize>) -> Result<(), RenderError> {
-        let base = self.corners.len() as u32;
+    fn append(&mut self, material: usize, part: &Part, coat: &Range<usize>) -> Result<(), RenderError> {
         let (corners, triangles) = coat_of(part, coat)?;
+        let fits = self.corners.len() + corners.len() <= self.room.corners as usize
+            && self.indices.len() + 3 * triangles.len() <= self.room.indices as usize;
+        if !fits {
+            self.upload();
+        }
+        self.repeats[material] |= corners.iter().any(Corner::repeats);
+        let base = self.corners.len() as u32;
+        let first = self.indices.len() as u32;
         self.corners.extend(corners);
         self.indices.extend(triangles.iter().flatten().map(|i| base + i));
+        let end = self.indices.len() as u32;
+        match self.ranges.last_mut() {
+            Some((last, range)) if *last == material => range.end = end,
+            _ => self.ranges.push((material, first..end)),
+        }
         Ok(())
+    }
+
+    /// Sends what is gathered to the GPU and begins anew.
+    fn upload(&mut self) {
+        if self.ranges.is_empty() {
+            return;
+        }
+        let buffer = |label, bytes, usage| self.gpu.buffer(label, bytes, usage);
+        let corners = buffer("corners", bytemuck::cast_slice(&self.corners), wgpu::BufferUsages::VERTEX);
+        let indices = buffer("indices", bytemuck::cast_slice(&self.indices), wgpu::BufferUsages::INDEX);
+        let gathered = self.ranges.drain(..).map(|(material, range)| Gathered {
+            material,
+            corners: corners.clone(),
+            indices: indices.clone(),
+            range,
+        });
+        self.uploaded.extend(gathered);
+        self.corners.clear();
+        self.indices.clear();
     }
 }
 
