@@ -20,7 +20,7 @@ struct Corner {
 };
 
 fn seen(point: vec3<f32>) -> vec3<f32> {
-    return vec3(pixel_from_canvas(point.xy), point.z * sheet.pixel_origin.z);
+    return vec3(pixel_from_canvas(point.xy), point.z * sheet.pixel_origin.z * sheet.size.z);
 }
 
 @vertex

@@ -91,6 +91,7 @@ fn view(zoom: f32, at: Vec2) -> CanvasView {
         paper: PAPER,
         desk: [200, 196, 188],
         sheet: None,
+        line_scale: 1.0,
     }
 }
 
@@ -214,6 +215,17 @@ fn zoomed_in_a_sparse_curve_is_smooth() {
         }
     }
     assert!(dark > 2000, "{dark}");
+}
+
+#[test]
+fn thinner_lines_show_what_is_traced() {
+    let (renderer, mut layer) = open();
+    layer.set_stroke(1, &samples([(Vec2::new(-20.0, 0.0), 1.0), (Vec2::new(20.0, 0.0), 1.0)]), INK, 4.0);
+    let near = view(16.0, Vec2::ZERO);
+    let tall = |picture: &Rgba| (0..SIZE.1).filter(|y| pixel(picture, 240, *y)[0] < 128).count();
+    assert_eq!(tall(&shown(&renderer, &mut layer, &near)), 64);
+    let thin = CanvasView { line_scale: 6.0 / 64.0, ..near };
+    assert_eq!(tall(&shown(&renderer, &mut layer, &thin)), 6);
 }
 
 #[test]

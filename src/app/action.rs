@@ -30,6 +30,15 @@ pub enum CanvasTool {
     Pan,
 }
 
+/// How strokes are mirrored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Mirror {
+    /// Left and right change places.
+    LeftRight,
+    /// Top and bottom change places.
+    TopBottom,
+}
+
 impl Default for CanvasTool {
     fn default() -> Self {
         Self::Draw(Tool::Auto)
@@ -72,6 +81,23 @@ pub enum Action {
     DeleteSelected,
     /// Copy the selected strokes beside themselves.
     DuplicateSelected,
+    /// Mirror the selected strokes about the middle of the selection.
+    MirrorSelected(Mirror),
+    /// Move the selected strokes by a small step on the screen.
+    NudgeSelected {
+        /// Steps to the right; negative to the left.
+        right: i8,
+        /// Steps down; negative up.
+        down: i8,
+        /// Whether the steps are larger ones.
+        far: bool,
+    },
+    /// Put the selected strokes on the clipboard.
+    CopySelected,
+    /// The same, and remove them.
+    CutSelected,
+    /// Put what the clipboard holds into the drawing: strokes, or a reference picture.
+    Paste,
     /// Select every stroke.
     SelectAll,
     /// Show the whole drawing.

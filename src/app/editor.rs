@@ -4,6 +4,7 @@
 //! events and draws what it says; every wish of the artist, from whichever button or key, ends in
 //! [`Editor::perform`]. Whatever goes wrong becomes a notice, and the drawing stays.
 
+mod clipboard;
 mod estimate;
 mod files;
 mod growth;
@@ -18,7 +19,7 @@ mod task;
 
 use super::action::Action;
 use super::canvas::{Canvas, CanvasOutcome};
-use super::fonts::ChineseFont;
+use super::fonts::{self, ChineseLookup};
 use super::layout::Layout;
 use super::messages::{Messages, Msg, Told as _};
 use super::panels::snapshot::{Dialog, Notice, PartMenu, PenLive, PenUsed, Severity};
@@ -34,6 +35,7 @@ use crate::sketch::save::FileStamp;
 use crate::sketch::{Change, Sketch, Step, Stroke, Tool};
 use crate::species::Species;
 use anyhow::Context as _;
+use clipboard::Clipboard;
 use saving::Saver;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -41,6 +43,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
 use task::{Task, Work};
 
+pub(super) use clipboard::Copied;
 pub use live::Revisions;
 pub(super) use reference::Frame as ReferenceFrame;
 
@@ -185,7 +188,7 @@ pub struct Editor {
     listed_presets: Vec<super::presets::Listed>,
     answers: Sender<Action>,
     answered: Receiver<Action>,
-    chinese: Option<Option<ChineseFont>>,
+    chinese: ChineseLookup,
     fonts_are_set: bool,
     task: Option<Task>,
     pen_used: PenUsed,
@@ -197,7 +200,10 @@ pub struct Editor {
     /// What is said of tablets.
     tablets: TabletNews,
     pen_live: PenLive,
-    copied: Option<egui::ColorImage>,
+    /// What goes to the clipboard and is wanted from it.
+    clipboard: Clipboard,
+    /// When strokes were moved by a key last.
+    nudged_at: Option<Instant>,
     title: Option<String>,
     shown_title: String,
     wake: task::Wake,
@@ -236,7 +242,8 @@ impl Editor {
         file: Option<PathBuf>,
         wake: impl Fn() + Send + Sync + 'static,
     ) -> anyhow::Result<Self> {
-        let messages = Messages::new(super::messages::Language::of_system());
+        let mut chinese = ChineseLookup::default();
+        let messages = Messages::new(chinese.drawable(super::messages::Language::of_system()));
         let (settings, broken) = Settings::load(&places.config, &messages);
         let is_first_start = !places.config.join(super::settings::FILE_NAME).exists();
         let wake: task::Wake = Arc::new(wake);
@@ -248,7 +255,7 @@ impl Editor {
             document: Document::empty(),
             canvas: Canvas::default(),
             plant: PlantView::new(settings.view),
-            messages: Messages::new(settings.language()),
+            messages: Messages::new(chinese.drawable(settings.language())),
             layout: Layout::default(),
             kept_settings: None,
             system_theme: None,
@@ -276,7 +283,7 @@ impl Editor {
             listed_presets: Vec::new(),
             answers,
             answered,
-            chinese: None,
+            chinese,
             fonts_are_set: false,
             task: None,
             pen_used: PenUsed::default(),
@@ -285,7 +292,8 @@ impl Editor {
             pen_battery: None,
             tablets: TabletNews::default(),
             pen_live: PenLive::default(),
-            copied: None,
+            clipboard: Clipboard::default(),
+            nudged_at: None,
             title: None,
             shown_title: String::new(),
             wake,
@@ -294,18 +302,26 @@ impl Editor {
             recovery,
             settings,
         };
-        editor.apply_settings();
-        editor.list_presets();
-        broken.into_iter().for_each(|notice| editor.tell(notice));
-        match file {
-            Some(file) => editor.open_file(&file),
-            None if is_first_start => editor.open_sample(),
-            None => editor.start_empty(),
-        }
-        editor.look_for_lost_drawings();
-        editor.save_settings();
-        editor.ask_system_theme();
+        editor.begin(file, is_first_start, broken);
         Ok(editor)
+    }
+
+    /// Begins the session: with this drawing, with the sample, or with nothing.
+    fn begin(&mut self, file: Option<PathBuf>, is_first_start: bool, broken: Option<Notice>) {
+        self.apply_settings();
+        self.list_presets();
+        broken.into_iter().for_each(|notice| self.tell(notice));
+        if self.settings.language() != self.messages.language() {
+            self.tell(fonts::missing_notice());
+        }
+        match file {
+            Some(file) => self.open_file(&file),
+            None if is_first_start => self.open_sample(),
+            None => self.start_empty(),
+        }
+        self.look_for_lost_drawings();
+        self.save_settings();
+        self.ask_system_theme();
     }
 
     /// Takes what other threads have finished.
@@ -446,11 +462,6 @@ impl Editor {
         self.title.take()
     }
 
-    /// A picture for the clipboard.
-    pub fn take_copied_picture(&mut self) -> Option<egui::ColorImage> {
-        self.copied.take()
-    }
-
     /// Shows a message.
     pub(super) fn tell(&mut self, notice: Notice) {
         tracing::debug!("notice: {} {}", notice.what, notice.remedy);
@@ -469,11 +480,6 @@ impl Editor {
     /// Tells that the graphics card was lost, and that all is drawn again.
     pub(super) fn tell_graphics_are_back(&mut self) {
         self.tell(Notice::info(self.messages.get(Msg::NoticeGraphicsBack)));
-    }
-
-    /// Puts a picture where the window fetches it for the clipboard.
-    pub(super) fn copy_picture(&mut self, picture: egui::ColorImage) {
-        self.copied = Some(picture);
     }
 
     /// Where things are in the window.

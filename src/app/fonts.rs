@@ -6,7 +6,7 @@
 //!
 //! Limits: families that are not in `FAMILIES` are found only if their name says that they hold Chinese.
 
-use super::messages::{Messages, Msg};
+use super::messages::{Language, Messages, Msg};
 use super::panels::snapshot::Notice;
 use egui::{FontData, FontDefinitions, FontFamily};
 use fontdb::{Database, FaceInfo, Source, Style, Weight};
@@ -76,6 +76,37 @@ impl ChineseFont {
     }
 }
 
+/// The system's Chinese font, looked for when it is first needed.
+#[derive(Debug, Default)]
+pub struct ChineseLookup(Option<Option<ChineseFont>>);
+
+impl ChineseLookup {
+    /// A system of which it is known that it has no Chinese font.
+    #[cfg(test)]
+    pub(super) fn missing() -> Self {
+        Self(Some(None))
+    }
+
+    /// The language if its letters can be drawn here, otherwise English.
+    pub fn drawable(&mut self, language: Language) -> Language {
+        let needs_font = language == Language::Chinese;
+        if needs_font && self.0.get_or_insert_with(ChineseFont::of_system).is_none() {
+            return Language::English;
+        }
+        language
+    }
+
+    /// The font, where it was looked for and found.
+    pub fn font(&self) -> Option<&ChineseFont> {
+        self.0.as_ref()?.as_ref()
+    }
+
+    /// Whether it was looked for in vain.
+    pub fn is_missing(&self) -> bool {
+        matches!(self.0, Some(None))
+    }
+}
+
 /// Place of a face's family in the list, `None` for one that is not for Chinese.
 fn rank(face: &FaceInfo) -> Option<usize> {
     let named = |wanted: &str| face.families.iter().any(|(name, _)| name == wanted);
@@ -104,23 +135,25 @@ pub fn definitions(chinese: Option<&ChineseFont>) -> FontDefinitions {
     fonts
 }
 
-/// What to tell an artist who asked for Chinese on a system without a Chinese font.
-pub fn missing_notice(messages: &Messages) -> Notice {
+/// What to tell an artist who asked for Chinese on a system without a Chinese font: in English, which can be drawn.
+pub fn missing_notice() -> Notice {
+    let messages = Messages::new(Language::English);
     Notice::warning(messages.get(Msg::NoticeNoChineseFont), messages.get(Msg::NoticeInstallFont))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::messages::Language;
 
     #[test]
     fn a_system_without_fonts_has_no_chinese_and_gets_the_package_names() {
         assert!(ChineseFont::best(&Database::new()).is_none());
-        let notice = missing_notice(&Messages::new(Language::English));
+        let notice = missing_notice();
         for package in ["fonts-noto-cjk", "google-noto-sans-cjk-fonts", "noto-fonts-cjk"] {
             assert!(notice.remedy.contains(package));
         }
+        let mut lookup = ChineseLookup::missing();
+        assert_eq!(lookup.drawable(Language::Chinese), Language::English);
     }
 
     #[test]

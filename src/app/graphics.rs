@@ -246,6 +246,7 @@ impl Graphics {
             paper: rgb(palette.paper),
             desk: rgb(palette.paper),
             sheet: None,
+            line_scale: editor.line_scale(LINE_WIDTH),
         };
         self.canvas.prepare(&self.renderer, &view).map(drop)
     }

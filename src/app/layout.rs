@@ -7,9 +7,10 @@ use super::action::Action;
 use super::canvas::{CursorShape, Rect as CanvasRect};
 use super::editor::{Editor, ReferenceFrame as Frame};
 use super::panels::frame;
+use super::plant_view;
 use super::settings::{CANVAS_SHARE, Handedness};
 use super::theme::{self, Palette};
-use super::{fonts, plant_view};
+use crate::sketch::Sketch;
 use egui::{Color32, Pos2, Rect, Sense, Shape, Stroke, Ui, UiBuilder, pos2, vec2};
 use glam::DVec2;
 
@@ -102,7 +103,7 @@ impl Editor {
 
     /// Gives egui theme and fonts where they changed.
     fn prepare_context(&mut self, ctx: &egui::Context) {
-        let (theme, language) = (self.theme(), self.messages.language());
+        let theme = self.theme();
         let shown: Option<(egui::Theme, f32)> = ctx.data(|data| data.get_temp(egui::Id::unique("theme")));
         let now = (theme, ctx.pixels_per_point());
         if shown.is_none_or(|shown| shown != now) {
@@ -111,7 +112,7 @@ impl Editor {
         }
         self.picture_found_drawings(ctx);
         if self.needs_fonts() {
-            ctx.set_fonts(fonts::definitions(self.chinese_font(language)));
+            ctx.set_fonts(self.fonts());
         }
     }
 
@@ -204,9 +205,16 @@ impl Editor {
             // The system's cursor does not follow a tablet that is read directly.
             painter.circle(point(at), 2.5, palette.ink, Stroke::new(1.0, palette.paper));
         }
-        if self.document.sketch().strokes.is_empty() && self.canvas.growing().is_none() {
+        if self.is_blank() {
             plant_view::invite(&painter, self.layout.canvas, &self.messages, palette);
         }
+    }
+
+    /// Whether there is nothing on the canvas that the invitation to draw would stand on.
+    fn is_blank(&self) -> bool {
+        let Sketch { strokes, reference, .. } = self.document.sketch();
+        let is_traced = reference.as_ref().is_some_and(|reference| reference.visible);
+        strokes.is_empty() && self.canvas.growing().is_none() && !is_traced
     }
 
     /// The cursor over the canvas.
@@ -232,27 +240,5 @@ fn stretch_cursor(along: f64) -> egui::CursorIcon {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_divider_is_not_drawn_on() {
-        let [left, right] = [0.0, 100.0].map(|x| Rect::from_min_size(pos2(x, 0.0), vec2(100.0, 50.0)));
-        let layout = Layout { canvas: left, plant: right, ..Layout::default() };
-        let mirrored = Layout { canvas: right, plant: left, ..layout };
-        for (layout, on, off) in [(layout, 90.0, 97.0), (mirrored, 110.0, 103.0)] {
-            assert!(layout.is_canvas(pos2(on, 20.0)) && !layout.is_canvas(pos2(off, 20.0)));
-        }
-        assert!(layout.is_canvas(pos2(1.0, 20.0)) && !layout.is_canvas(pos2(50.0, 60.0)));
-    }
-
-    #[test]
-    fn stretch_cursors_point_where_the_handle_goes() {
-        use std::f64::consts::PI;
-        assert_eq!(stretch_cursor(0.0), egui::CursorIcon::ResizeHorizontal);
-        assert_eq!(stretch_cursor(PI), egui::CursorIcon::ResizeHorizontal);
-        assert_eq!(stretch_cursor(-PI / 2.0), egui::CursorIcon::ResizeVertical);
-        assert_eq!(stretch_cursor(PI / 4.0), egui::CursorIcon::ResizeNwSe);
-        assert_eq!(stretch_cursor(-PI / 4.0), egui::CursorIcon::ResizeNeSw);
-    }
-}
+#[path = "layout_tests.rs"]
+mod tests;

@@ -5,7 +5,7 @@
 //! window sleeps until the next event, or until the moment that egui or the editor named.
 
 use super::canvas::Scroll;
-use super::editor::Editor;
+use super::editor::{Copied, Editor};
 use super::egui_input::{self, EguiInput};
 use super::panels::snapshot::Notice;
 use super::pointers::{Heard, Place, Pointers};
@@ -252,7 +252,8 @@ impl Running {
             WindowEvent::DragEntered { id, .. } => transfer::welcome(event_loop, *id),
             WindowEvent::DragDropped { id, .. } => transfer::fetch_files(event_loop, *id),
             WindowEvent::DataTransferReceived { value, .. } => match transfer::arrival(&**value) {
-                Some(Arrival::Text(text)) => self.input.paste(text),
+                Some(Arrival::Text(text)) if self.egui.egui_wants_keyboard_input() => self.input.paste(text),
+                Some(Arrival::Text(text)) => self.editor.paste_text(&text),
                 Some(Arrival::Files(files)) => self.editor.drop_files(files),
                 Some(Arrival::Picture(bytes)) => self.editor.paste_picture(bytes),
                 None => return false,
@@ -438,8 +439,13 @@ impl Running {
                 egui::OutputCommand::OpenUrl(_) | egui::OutputCommand::TextSelectionSettled(_) => {}
             }
         }
-        if let Some(picture) = self.editor.take_copied_picture() {
-            transfer::copy_picture(event_loop, &picture);
+        match self.editor.take_copied() {
+            Some(Copied::Picture(picture)) => transfer::copy_picture(event_loop, &picture),
+            Some(Copied::Text(text)) => transfer::copy_text(event_loop, text),
+            None => {}
+        }
+        if self.editor.take_paste_request() {
+            transfer::fetch_clipboard(event_loop);
         }
         let cursor = if self.over_canvas { self.editor.cursor() } else { output.platform_output.cursor_icon };
         if std::mem::replace(&mut self.cursor, cursor) != cursor {

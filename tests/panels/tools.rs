@@ -2,7 +2,7 @@
 
 use crate::stage::{self, asked, busy, english, press, stage, stage_of};
 use egui_kittest::kittest::Queryable;
-use penstemon::app::action::Action;
+use penstemon::app::action::{Action, Mirror};
 use penstemon::app::messages::{Language, Messages};
 use penstemon::app::panels::snapshot::{Dialog, MenuOf, PartMenu};
 use penstemon::app::panels::toolbar::TOOLS;
@@ -140,7 +140,15 @@ fn selected_strokes_offer_what_can_be_done() {
     let mut snapshot = busy();
     snapshot.selected = 3;
     let mut harness = stage(snapshot, Language::English);
-    for (label, action) in [("Duplicate", Action::DuplicateSelected), ("Delete", Action::DeleteSelected)] {
+    for (label, action) in [
+        ("Duplicate", Action::DuplicateSelected),
+        ("Delete", Action::DeleteSelected),
+        ("Copy", Action::CopySelected),
+        ("Cut", Action::CutSelected),
+        ("Paste", Action::Paste),
+        ("Mirror left and right", Action::MirrorSelected(Mirror::LeftRight)),
+        ("Mirror top and bottom", Action::MirrorSelected(Mirror::TopBottom)),
+    ] {
         press(&mut harness, label);
         assert_eq!(asked(&mut harness), [action]);
     }

@@ -1,6 +1,6 @@
 //! What one tool does from the moment it touches until it is lifted: draw, erase, select, drag a handle, move the view.
 
-use super::controller::{Canvas, PICK_REACH};
+use super::controller::{Canvas, FINGER_PICK_REACH, PICK_REACH};
 use super::erase::Eraser;
 use super::outcome::{CanvasOutcome, Drawing};
 use super::select::lassoed;
@@ -12,9 +12,6 @@ use crate::pen::{PenButtons, PenSample, PenTool};
 use crate::sketch::change::StrokeChange;
 use crate::sketch::{StrokeId, Tool};
 use glam::DVec2;
-
-/// Longest tap of a pen, finger or mouse, in milliseconds.
-const TAP_MS: f64 = 300.0;
 
 /// Farthest that a pen or mouse moves in a tap, in logical pixels.
 const TAP_SLOP: f64 = 4.0;
@@ -69,7 +66,7 @@ pub(super) struct Activity {
     trigger: Trigger,
     start: PenSample,
     pub(super) last: DVec2,
-    /// Whether it has not moved further than a tap does.
+    /// Whether it has not moved further than a tap does. Time does not count: a busy machine hears of the release late.
     is_still: bool,
 }
 
@@ -95,11 +92,6 @@ impl Activity {
             Trigger::Secondary => !now.secondary,
             Trigger::Third => !now.third,
         }
-    }
-
-    /// A short touch without movement.
-    fn is_tap(&self, end: &PenSample) -> bool {
-        self.is_still && end.time_ms - self.start.time_ms <= TAP_MS
     }
 
     /// The drag of a handle, once it moved further than a tap.
@@ -282,7 +274,7 @@ impl Canvas {
         match kind {
             ViewDrag::Pan => self.view.pan(to - from),
             ViewDrag::Turn => {
-                let middle = self.viewport.center();
+                let middle = self.viewport().center();
                 let (a, b) = (from - middle, to - middle);
                 if a.length() * b.length() > 0.0 {
                     self.view.rotate_about(middle, a.angle_to(b));
@@ -312,27 +304,22 @@ impl Canvas {
             self.moved(sample, drawing, out);
         }
         let Some(activity) = self.activity.take() else { return };
-        let is_tap = activity.is_tap(sample);
         match activity.doing {
-            Doing::Draw(stroke) => {
-                let start = activity.start.position;
-                match if is_tap { self.stroke_at(start, drawing, out) } else { None } {
-                    Some(id) => {
-                        out.push(CanvasOutcome::StrokeCancelled(stroke.id()));
-                        out.push(CanvasOutcome::TapOnStroke { id, at: start });
-                    }
-                    None => self.finish_stroke(stroke, sample, out),
-                }
+            // A dot means nothing in a plant, and hardly anybody would see it.
+            Doing::Draw(stroke) if activity.is_still => {
+                out.push(CanvasOutcome::StrokeCancelled(stroke.id()));
+                self.pick(&activity.start, drawing, out);
             }
+            Doing::Draw(stroke) => self.finish_stroke(stroke, sample, out),
             Doing::Erase(eraser) => change(eraser.changes(), out),
-            Doing::Lasso(_) if is_tap => self.tap_select(activity.start.position, drawing, out),
+            Doing::Lasso(_) if activity.is_still => self.tap_select(&activity.start, drawing, out),
             Doing::Lasso(lasso) => {
                 if self.selection.take(lassoed(&lasso, &self.index), self.keys.shift) {
                     self.selection_changed(out);
                 }
             }
             Doing::Drag(_) if activity.is_still => {
-                self.tap_select(activity.start.position, drawing, out);
+                self.tap_select(&activity.start, drawing, out);
             }
             Doing::Drag(drag) => {
                 let transform = drag.transform(self.keys.shift);
@@ -360,28 +347,30 @@ impl Canvas {
         out.push(CanvasOutcome::OverlayChanged);
     }
 
-    /// The stroke under a window position.
+    /// The stroke under a pointer.
     fn stroke_at(
         &mut self,
-        window: DVec2,
+        sample: &PenSample,
         drawing: &Drawing,
         out: &mut Vec<CanvasOutcome>,
     ) -> Option<StrokeId> {
         self.sync(drawing.strokes, out);
-        let reach = PICK_REACH * self.scale_factor / self.view.zoom();
-        self.index.nearest(self.view.to_canvas(window), reach)
+        let is_finger = matches!(sample.tool, PenTool::Finger(_));
+        let reach = if is_finger { FINGER_PICK_REACH } else { PICK_REACH };
+        let reach = reach * self.scale_factor / self.view.zoom();
+        self.index.nearest(self.view.to_canvas(sample.position), reach)
     }
 
     /// Asks about the stroke under the pointer.
     pub(super) fn pick(&mut self, sample: &PenSample, drawing: &mut Drawing, out: &mut Vec<CanvasOutcome>) {
         let at = sample.position;
-        if let Some(id) = self.stroke_at(at, drawing, out) {
+        if let Some(id) = self.stroke_at(sample, drawing, out) {
             out.push(CanvasOutcome::TapOnStroke { id, at });
         }
     }
 
-    fn tap_select(&mut self, window: DVec2, drawing: &Drawing, out: &mut Vec<CanvasOutcome>) {
-        let found = self.stroke_at(window, drawing, out);
+    fn tap_select(&mut self, sample: &PenSample, drawing: &Drawing, out: &mut Vec<CanvasOutcome>) {
+        let found = self.stroke_at(sample, drawing, out);
         let changed = match (found, self.keys.shift) {
             (Some(id), true) => {
                 self.selection.toggle(id);

@@ -1,19 +1,27 @@
-//! Actions that concern the canvas: tools, the selection, and showing all.
+//! Actions that concern the canvas: tools, the selection, strokes that are pasted, and showing all.
 
 use super::controller::Canvas;
 use super::outcome::{CanvasOutcome, Drawing};
 use super::view::Rect;
 use crate::app::action::{Action, CanvasTool};
-use crate::sketch::StrokeId;
 use crate::sketch::change::StrokeChange;
-use glam::DVec2;
+use crate::sketch::{Stroke, StrokeId};
+use glam::{DAffine2, DVec2};
+use std::sync::Arc;
 
 /// How far beside themselves copies lie, in logical pixels.
 const COPY_OFFSET: f64 = 24.0;
 
+/// How far the arrow keys move strokes, without and with Shift, in logical pixels.
+const NUDGES: (f64, f64) = (1.0, 10.0);
+
+/// Most places beside each other that are tried for pasted strokes.
+const MOST_PLACES: usize = 64;
+
 impl Canvas {
     /// Carries out an action if it is one of the canvas: `SetTool`, `SetPart`, `DeleteSelected`, `DuplicateSelected`,
-    /// `SelectAll`, `FitCanvas`, `Zoom`. Gives whether it was; all others are the application's.
+    /// `MirrorSelected`, `NudgeSelected`, `SelectAll`, `FitCanvas`, `Zoom`. Gives whether it was; all others are the
+    /// application's.
     pub fn act(&mut self, action: &Action, drawing: &mut Drawing, out: &mut Vec<CanvasOutcome>) -> bool {
         self.sync(drawing.strokes, out);
         match action {
@@ -31,6 +39,14 @@ impl Canvas {
                 let changes = self.selection.duplicate(&self.index, beside, drawing.new_id);
                 self.change(changes, out);
             }
+            Action::MirrorSelected(mirror) => {
+                let changes = self.selection.mirror(&self.index, *mirror);
+                self.change(changes, out);
+            }
+            Action::NudgeSelected { right, down, far } => {
+                let step = if *far { NUDGES.1 } else { NUDGES.0 } * self.scale_factor;
+                self.nudge(DVec2::new(f64::from(*right), f64::from(*down)) * step, out);
+            }
             Action::SelectAll => {
                 self.set_tool(CanvasTool::Select, out);
                 let all: Vec<StrokeId> = drawing.strokes.iter().map(|s| s.id).collect();
@@ -39,8 +55,8 @@ impl Canvas {
                 }
             }
             Action::FitCanvas => {
-                let bounds = bounds(drawing)
-                    .unwrap_or(Rect::new(DVec2::ZERO, self.viewport.size() / self.scale_factor));
+                let bounds = bounds_of(drawing.strokes)
+                    .unwrap_or(Rect::new(DVec2::ZERO, self.viewport().size() / self.scale_factor));
                 self.fit(bounds, out);
             }
             Action::Zoom(steps) => self.zoom_steps(*steps, out),
@@ -62,6 +78,46 @@ impl Canvas {
         self.selection_changed(out);
     }
 
+    /// Moves the selection by so many physical pixels of the window.
+    fn nudge(&mut self, by: DVec2, out: &mut Vec<CanvasOutcome>) {
+        let shift = DAffine2::from_translation(self.view.vector_to_canvas(by));
+        let changes = self.selection.transform(&self.index, &shift);
+        if changes.is_empty() {
+            return;
+        }
+        self.abort(out);
+        changes.iter().for_each(|change| self.index.apply(change));
+        self.refresh_bounds();
+        out.extend([CanvasOutcome::Nudged(changes), CanvasOutcome::OverlayChanged]);
+    }
+
+    /// Puts strokes from elsewhere into the drawing, under new names, and selects them: where they were drawn if that is
+    /// seen, otherwise into the middle of what is seen, and never exactly onto themselves.
+    pub fn insert(&mut self, strokes: &[Arc<Stroke>], drawing: &mut Drawing, out: &mut Vec<CanvasOutcome>) {
+        let Some(bounds) = bounds_of(strokes) else { return };
+        self.sync(drawing.strokes, out);
+        let (shown, place) = (self.viewport(), self.view.to_window(bounds.center()));
+        let is_seen = place.cmpge(shown.min).all() && place.cmple(shown.max).all();
+        let mut shift = match is_seen {
+            true => DVec2::ZERO,
+            false => self.view.to_canvas(shown.center()) - bounds.center(),
+        };
+        let beside = self.view.vector_to_canvas(DVec2::splat(COPY_OFFSET * self.scale_factor));
+        let first = |shift: DVec2| Some(strokes.first()?.points.first()?.position.as_dvec2() + shift);
+        let is_taken = |shift: DVec2| {
+            let place = first(shift).map(DVec2::as_vec2);
+            drawing.strokes.iter().any(|stroke| stroke.points.first().map(|p| p.position) == place)
+        };
+        for _ in 0..MOST_PLACES {
+            if is_taken(shift) {
+                shift += beside;
+            }
+        }
+        self.set_tool(CanvasTool::Select, out);
+        let changes = self.selection.put_copies(strokes, shift, drawing.new_id);
+        self.change(changes, out);
+    }
+
     /// A tool taken up while another is at work serves from the next touch on. The selection belongs to its tool.
     fn set_tool(&mut self, tool: CanvasTool, out: &mut Vec<CanvasOutcome>) {
         self.tool = tool;
@@ -72,8 +128,9 @@ impl Canvas {
     }
 }
 
-fn bounds(drawing: &Drawing) -> Option<Rect> {
-    let mut places = drawing.strokes.iter().flat_map(|s| &s.points).map(|p| p.position);
+/// The box around strokes on the canvas; `None` without any.
+fn bounds_of(strokes: &[Arc<Stroke>]) -> Option<Rect> {
+    let mut places = strokes.iter().flat_map(|s| &s.points).map(|p| p.position);
     let first = places.next()?;
     let (low, high) = places.fold((first, first), |(low, high), p| (low.min(p), high.max(p)));
     Some(Rect { min: low.as_dvec2(), max: high.as_dvec2() })

@@ -20,8 +20,11 @@ use crate::sketch::{Stroke, Tool};
 use glam::DVec2;
 use std::sync::Arc;
 
-/// Distance within which a tap hits a stroke, in logical pixels.
+/// Distance within which a tap of a pen or mouse hits a stroke, in logical pixels.
 pub const PICK_REACH: f64 = 10.0;
+
+/// Distance within which a tap of a finger hits a stroke, in logical pixels.
+pub const FINGER_PICK_REACH: f64 = 20.0;
 
 /// Zoom of one notch of a wheel.
 const ZOOM_PER_LINE: f64 = 1.15;
@@ -50,7 +53,8 @@ pub struct Canvas {
     pub settings: CanvasSettings,
     pub(super) tool: CanvasTool,
     pub(super) view: CanvasView,
-    pub(super) viewport: Rect,
+    /// Part of the window that shows the canvas; `None` until it is laid out.
+    viewport: Option<Rect>,
     pub(super) scale_factor: f64,
     pub(super) keys: Keys,
     pub(super) index: StrokeIndex,
@@ -83,7 +87,7 @@ impl Canvas {
             settings,
             tool: CanvasTool::Draw(Tool::Auto),
             view: CanvasView::default(),
-            viewport: Rect::new(DVec2::ZERO, DVec2::ONE),
+            viewport: None,
             scale_factor: 1.0,
             keys: Keys::default(),
             index: StrokeIndex::default(),
@@ -115,17 +119,25 @@ impl Canvas {
         self.view = view;
     }
 
-    /// Tells which part of the window shows the canvas (physical pixels), and the physical pixels per logical pixel.
+    /// Tells which part of the window shows the canvas (physical pixels), and the physical pixels per logical pixel. Where
+    /// that part moves or changes its size, the place of the canvas in its middle stays there.
     pub fn set_viewport(&mut self, rect: Rect, scale_factor: f64) {
-        self.viewport = rect;
+        if let Some(before) = self.viewport.replace(rect) {
+            self.view.pan(rect.center() - before.center());
+        }
         let is_sound = scale_factor.is_finite() && scale_factor > 0.0;
         self.scale_factor = if is_sound { scale_factor } else { 1.0 };
         self.touch.scale_factor = self.scale_factor;
     }
 
+    /// Part of the window that shows the canvas, physical pixels.
+    pub(super) fn viewport(&self) -> Rect {
+        self.viewport.unwrap_or(Rect::new(DVec2::ZERO, DVec2::ONE))
+    }
+
     /// Shows all of a rectangle of the canvas.
     pub fn fit(&mut self, bounds: Rect, out: &mut Vec<CanvasOutcome>) {
-        self.view.fit(bounds, self.viewport);
+        self.view.fit(bounds, self.viewport());
         out.push(CanvasOutcome::ViewChanged);
     }
 
@@ -289,7 +301,7 @@ impl Canvas {
     pub(super) fn zoom_steps(&mut self, steps: i32, out: &mut Vec<CanvasOutcome>) {
         let lines = f64::from(steps).clamp(-MOST_LINES, MOST_LINES);
         let before = self.view;
-        self.view.zoom_about(self.viewport.center(), ZOOM_PER_LINE.powf(lines));
+        self.view.zoom_about(self.viewport().center(), ZOOM_PER_LINE.powf(lines));
         if self.view != before {
             out.push(CanvasOutcome::ViewChanged);
         }

@@ -33,6 +33,8 @@ pub enum CanvasOutcome {
     PreviewChanged,
     /// Change the drawing, as one step to undo; a preview ends with it.
     Changed(Vec<StrokeChange>),
+    /// The same for strokes moved by a small step: many in a row are one step to undo.
+    Nudged(Vec<StrokeChange>),
     /// The canvas lies elsewhere.
     ViewChanged,
     /// Other strokes are selected.

@@ -4,8 +4,9 @@
 //! takes the nearest. Every change of the selection is one change of the drawing.
 
 use super::stroke_index::StrokeIndex;
-use super::transform::transformed;
+use super::transform::{mirrored, transformed};
 use super::view::Rect;
+use crate::app::action::Mirror;
 use crate::geom::region::Region;
 use crate::sketch::change::StrokeChange;
 use crate::sketch::{Stroke, StrokeId, Tool, limits};
@@ -85,6 +86,12 @@ impl Selection {
         others.map(|s| put(Stroke { id: s.id, tool, points: s.points.clone() })).collect()
     }
 
+    /// Mirrors about the middle of the selection.
+    pub fn mirror(&self, index: &StrokeIndex, mirror: Mirror) -> Vec<StrokeChange> {
+        let Some(bounds) = self.bounds(index) else { return Vec::new() };
+        self.strokes(index).map(|s| put(mirrored(s, bounds.center(), mirror))).collect()
+    }
+
     /// Copies the strokes beside themselves and selects the copies.
     pub fn duplicate(
         &mut self,
@@ -92,9 +99,20 @@ impl Selection {
         beside: DVec2,
         new_id: &mut dyn FnMut() -> StrokeId,
     ) -> Vec<StrokeChange> {
-        let shift = DAffine2::from_translation(beside);
+        let strokes: Vec<Arc<Stroke>> = self.strokes(index).cloned().collect();
+        self.put_copies(&strokes, beside, new_id)
+    }
+
+    /// Copies of any strokes, moved and under new names, which become the selection.
+    pub fn put_copies(
+        &mut self,
+        strokes: &[Arc<Stroke>],
+        shift: DVec2,
+        new_id: &mut dyn FnMut() -> StrokeId,
+    ) -> Vec<StrokeChange> {
+        let shift = DAffine2::from_translation(shift);
         let copy = |s: &Arc<Stroke>| Stroke { id: new_id(), ..transformed(s, &shift) };
-        let copies: Vec<Stroke> = self.strokes(index).map(copy).collect();
+        let copies: Vec<Stroke> = strokes.iter().map(copy).collect();
         if !copies.is_empty() {
             self.ids = copies.iter().map(|s| s.id).collect();
         }

@@ -6,6 +6,7 @@
 //! never turns the selection inside out. Handles have a size on the screen, not on the canvas.
 
 use super::view::{CanvasView, Rect};
+use crate::app::action::Mirror;
 use crate::sketch::{Stroke, StrokePoint, limits};
 use glam::{DAffine2, DVec2, Vec2};
 
@@ -169,6 +170,17 @@ pub fn transformed(stroke: &Stroke, transform: &DAffine2) -> Stroke {
     Stroke { id: stroke.id, tool: stroke.tool, points: stroke.points.iter().map(moved).collect() }
 }
 
+/// The stroke mirrored about a place; the pen leans the other way, too.
+pub fn mirrored(stroke: &Stroke, about: DVec2, mirror: Mirror) -> Stroke {
+    let sides = match mirror {
+        Mirror::LeftRight => DVec2::new(-1.0, 1.0),
+        Mirror::TopBottom => DVec2::new(1.0, -1.0),
+    };
+    let mut stroke = transformed(stroke, &self::about(about, DAffine2::from_scale(sides)));
+    stroke.points.iter_mut().for_each(|p| p.tilt_deg *= sides.as_vec2());
+    stroke
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -218,6 +230,20 @@ mod tests {
         assert!(edge.transform_point2(bounds().max).distance(bounds().max) < 1e-9);
         let moved = dragged(Handle::Inside, DVec2::new(3.0, 4.0), false);
         assert_eq!(moved.transform_point2(DVec2::ZERO), DVec2::new(3.0, 4.0));
+    }
+
+    #[test]
+    fn mirrored_twice_a_stroke_is_itself_and_its_pen_leans_the_other_way_between() {
+        let point = StrokePoint { tilt_deg: Vec2::new(30.0, 10.0), ..StrokePoint::at(Vec2::new(15.0, 40.0)) };
+        let stroke = Stroke { id: 3, tool: Default::default(), points: vec![point] };
+        for (mirror, place, tilt) in [
+            (Mirror::LeftRight, Vec2::new(105.0, 40.0), Vec2::new(-30.0, 10.0)),
+            (Mirror::TopBottom, Vec2::new(15.0, 50.0), Vec2::new(30.0, -10.0)),
+        ] {
+            let once = mirrored(&stroke, bounds().center(), mirror);
+            assert_eq!((once.points[0].position, once.points[0].tilt_deg), (place, tilt));
+            assert_eq!(mirrored(&once, bounds().center(), mirror), stroke);
+        }
     }
 
     #[test]

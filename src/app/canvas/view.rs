@@ -25,6 +25,9 @@ const FIT_MARGIN: f64 = 0.05;
 /// Furthest that the canvas can be moved, in window pixels: beyond it `f64` no longer resolves a small part of a pixel.
 const MAX_OFFSET_PX: f64 = 1e11;
 
+/// Least and most width of a line at full pressure, in logical pixels.
+const LINE_WIDTHS: (f64, f64) = (1.5, 6.0);
+
 /// A rectangle by its smallest and largest corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rect {
@@ -82,6 +85,14 @@ impl CanvasView {
     /// Turn of the canvas in radians, clockwise on the screen.
     pub fn rotation_rad(&self) -> f64 {
         self.rotation_rad
+    }
+
+    /// Factor on the width of lines, which are `width` canvas pixels wide at full pressure: seen from far away they stay
+    /// visible, and from near they do not hide what is traced.
+    pub fn line_scale(&self, width: f64, scale_factor: f64) -> f64 {
+        let seen = width * self.zoom;
+        let (least, most) = LINE_WIDTHS;
+        seen.clamp(least * scale_factor, most * scale_factor) / seen
     }
 
     /// The map from canvas to window.
@@ -236,6 +247,15 @@ mod tests {
         assert_eq!(view.zoom(), all);
         view.zoom_about(DVec2::ZERO, 2.0);
         assert!((view.zoom() - 2.0 * all).abs() < 1e-15);
+    }
+
+    #[test]
+    fn lines_are_neither_lost_nor_in_the_way_at_any_zoom() {
+        for (zoom, wide) in [(MIN_ZOOM, 1.5), (0.5, 2.0), (1.0, 4.0), (8.0, 6.0), (MAX_ZOOM, 6.0)] {
+            let view = view(3.0, 4.0, zoom, 0.0);
+            assert!((view.line_scale(4.0, 1.0) * 4.0 * view.zoom() - wide).abs() < 1e-9, "{zoom}");
+            assert!(view.line_scale(4.0, 2.0) * 4.0 * view.zoom() <= 12.0 + 1e-9, "{zoom}");
+        }
     }
 
     proptest! {

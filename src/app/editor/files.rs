@@ -133,11 +133,10 @@ impl Editor {
         self.file = file;
         self.species = None;
         self.part_menu = None;
-        let settings = self.canvas.settings;
-        let tool = self.canvas.tool();
-        self.canvas = Canvas::new(settings);
+        self.hold = None;
+        // Tool, selection and view belong to the drawing; what the artist chose for pens stays.
+        self.canvas = Canvas::new(self.canvas.settings);
         self.layout.forget();
-        self.perform(Action::SetTool(tool));
         self.plant.show_front();
         self.drawing_changed();
     }

@@ -1,7 +1,7 @@
 //! What keys mean when no text is being written.
 
 use super::Editor;
-use crate::app::action::Action;
+use crate::app::action::{Action, Mirror};
 use crate::app::canvas::CanvasKey;
 use crate::app::panels::snapshot::Dialog;
 use crate::app::panels::toolbar;
@@ -20,7 +20,7 @@ impl Editor {
         if !pressed || self.dialog.is_some() {
             return false;
         }
-        if repeat && !matches!(key, Key::Z | Key::Y) {
+        if repeat && !matches!(key, Key::Z | Key::Y) && steps(key).is_none() {
             return false;
         }
         let action =
@@ -54,10 +54,16 @@ impl Editor {
         if modifiers.alt {
             return None;
         }
+        if let Some((right, down)) = steps(key) {
+            let is_any = !self.canvas.selection().is_empty();
+            return is_any.then_some(Action::NudgeSelected { right, down, far: modifiers.shift });
+        }
         match key {
             Key::Delete | Key::Backspace => Some(Action::DeleteSelected),
             Key::Home | Key::Num0 => Some(Action::FitCanvas),
             Key::Num1 => Some(Action::FrontView),
+            Key::H if modifiers.shift => Some(Action::MirrorSelected(Mirror::LeftRight)),
+            Key::V if modifiers.shift => Some(Action::MirrorSelected(Mirror::TopBottom)),
             Key::F1 => Some(Action::ShowDialog(Dialog::About)),
             _ => {
                 toolbar::TOOLS.iter().find(|entry| entry.key == key).map(|entry| Action::SetTool(entry.tool))
@@ -74,6 +80,17 @@ fn canvas_key(key: Key) -> Option<CanvasKey> {
     }
 }
 
+/// Steps to the right and down of an arrow key.
+fn steps(key: Key) -> Option<(i8, i8)> {
+    match key {
+        Key::ArrowLeft => Some((-1, 0)),
+        Key::ArrowRight => Some((1, 0)),
+        Key::ArrowUp => Some((0, -1)),
+        Key::ArrowDown => Some((0, 1)),
+        _ => None,
+    }
+}
+
 /// Keys with Ctrl, or Cmd on a Mac.
 fn command(key: Key, shift: bool) -> Option<Action> {
     Some(match (key, shift) {
@@ -86,6 +103,9 @@ fn command(key: Key, shift: bool) -> Option<Action> {
         (Key::E, false) => Action::ShowExport,
         (Key::A, false) => Action::SelectAll,
         (Key::D, false) => Action::DuplicateSelected,
+        (Key::C, false) => Action::CopySelected,
+        (Key::X, false) => Action::CutSelected,
+        (Key::V, false) => Action::Paste,
         (Key::Q, false) => Action::Quit,
         _ => return None,
     })

@@ -42,6 +42,11 @@ impl Editor {
         self.plant.look(self.theme())
     }
 
+    /// Factor on the width of lines on the canvas, which are `width` wide at full pressure.
+    pub(in crate::app) fn line_scale(&self, width: f32) -> f32 {
+        self.canvas.view().line_scale(width.into(), self.layout.pixels_per_point()) as f32
+    }
+
     /// How far the plant is behind the drawing.
     pub fn revisions(&self) -> Revisions {
         Revisions { submitted: self.building.submitted, collected: self.building.collected }

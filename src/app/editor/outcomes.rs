@@ -127,11 +127,13 @@ impl Editor {
             }
             CanvasOutcome::StrokeFinished(stroke) => self.change(Change::put(stroke)),
             CanvasOutcome::Changed(changes) => self.change(Change::strokes(changes)),
+            CanvasOutcome::Nudged(changes) => self.nudged(changes),
             CanvasOutcome::PreviewChanged => {
                 self.building.is_stale = true;
                 self.versions.drawing += 1;
             }
             CanvasOutcome::SelectionChanged => {
+                self.nudged_at = None;
                 self.versions.drawing += 1;
                 self.part_menu = None;
             }

@@ -1,8 +1,8 @@
 //! What the panels show of the editor, copied together once per frame.
 
 use super::{Editor, GOOD_NEWS, estimate, task};
-use crate::app::fonts::{self, ChineseFont};
-use crate::app::messages::{Language, Msg, Told as _};
+use crate::app::fonts;
+use crate::app::messages::{Messages, Msg, Told as _};
 use crate::app::panels::snapshot::{
     Autosave, Dialog, Found, MenuOf, ParamValues, PartMenu, PenState, Recovered, ReferenceState, Severity,
     Status,
@@ -39,7 +39,8 @@ impl Editor {
             can_redo: self.document.can_redo(),
             selected: self.canvas.selection().ids().len(),
             // Until it is loaded, the language is called by its Latin name.
-            chinese_font: matches!(self.chinese, Some(Some(_))),
+            chinese_font: self.chinese.font().is_some(),
+            lacks_chinese_font: self.chinese.is_missing(),
             species: sketch.species.clone().unwrap_or_else(|| DEFAULT_SPECIES.to_owned()),
             textures: sketch.textures.clone(),
             seed: sketch.seed,
@@ -244,19 +245,21 @@ impl Editor {
         !std::mem::replace(&mut self.fonts_are_set, true)
     }
 
-    /// The system's Chinese font, read when a language first needs it; a notice where there is none.
-    pub(in crate::app) fn chinese_font(&mut self, language: Language) -> Option<&ChineseFont> {
-        if language != Language::Chinese {
-            return self.chinese.as_ref().and_then(Option::as_ref);
+    /// As on a system without a Chinese font.
+    #[cfg(test)]
+    pub(in crate::app) fn lose_chinese_font(&mut self) {
+        self.chinese = fonts::ChineseLookup::missing();
+    }
+
+    /// Fonts for the language of the interface, which becomes English, with a notice, where there are none.
+    pub(in crate::app) fn fonts(&mut self) -> egui::FontDefinitions {
+        let wanted = self.messages.language();
+        let drawable = self.chinese.drawable(wanted);
+        if drawable != wanted {
+            self.messages = Messages::new(drawable);
+            self.tell(fonts::missing_notice());
         }
-        if self.chinese.is_none() {
-            self.chinese = Some(ChineseFont::of_system());
-        }
-        if let Some(None) = self.chinese {
-            self.tell(fonts::missing_notice(&self.messages));
-            self.messages = crate::app::messages::Messages::new(Language::English);
-        }
-        self.chinese.as_ref().and_then(Option::as_ref)
+        fonts::definitions(self.chinese.font())
     }
 
     /// What follows from a frame.

@@ -195,12 +195,20 @@ fn shortcuts(ui: &mut Ui, messages: &Messages) {
         ("Ctrl+O", Msg::FileOpen),
         ("Ctrl+E", Msg::FileExport),
         ("Ctrl+A", Msg::EditSelectAll),
+        ("Ctrl+C", Msg::EditCopy),
+        ("Ctrl+X", Msg::EditCut),
+        ("Ctrl+V", Msg::EditPaste),
+        ("Ctrl+D", Msg::EditDuplicate),
+        ("Shift+H", Msg::EditMirrorLeftRight),
+        ("Shift+V", Msg::EditMirrorTopBottom),
+        ("Del", Msg::EditDelete),
         ("0", Msg::EditFit),
         ("1", Msg::EditFront),
     ] {
         all.push((keys.to_owned(), msg));
     }
     for (keys, msg) in [
+        (Msg::KeysArrows, Msg::KeysNudge),
         (Msg::KeysSpaceDrag, Msg::KeysPan),
         (Msg::KeysShiftSpaceDrag, Msg::KeysRotate),
         (Msg::KeysWheel, Msg::KeysZoom),

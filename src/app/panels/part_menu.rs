@@ -3,7 +3,7 @@
 use super::icons::Icon;
 use super::snapshot::{MenuOf, PartMenu, Snapshot};
 use super::widgets::{CAPTIONED, IconButton, card, note, palette};
-use crate::app::action::{Action, CanvasTool};
+use crate::app::action::{Action, CanvasTool, Mirror};
 use crate::app::messages::{Messages, Msg};
 use crate::app::theme::TOOL;
 use crate::sketch::Tool;
@@ -18,6 +18,16 @@ const PARTS: [(Tool, Icon, Msg); 7] = [
     (Tool::LeafOutline, Icon::LeafOutline, Msg::ToolLeafOutline),
     (Tool::Crown, Icon::Crown, Msg::ToolCrown),
     (Tool::Auto, Icon::Pen, Msg::PartAuto),
+];
+/// What can be done with selected strokes: as the menu shows it, with its keys.
+const EDITS: [(Icon, Msg, &str, Action); 7] = [
+    (Icon::MirrorLeftRight, Msg::EditMirrorLeftRight, "Shift+H", Action::MirrorSelected(Mirror::LeftRight)),
+    (Icon::MirrorTopBottom, Msg::EditMirrorTopBottom, "Shift+V", Action::MirrorSelected(Mirror::TopBottom)),
+    (Icon::Duplicate, Msg::EditDuplicate, "Ctrl+D", Action::DuplicateSelected),
+    (Icon::Copy, Msg::EditCopy, "Ctrl+C", Action::CopySelected),
+    (Icon::Cut, Msg::EditCut, "Ctrl+X", Action::CutSelected),
+    (Icon::Paste, Msg::EditPaste, "Ctrl+V", Action::Paste),
+    (Icon::Delete, Msg::EditDelete, "Del", Action::DeleteSelected),
 ];
 /// Distance from the place that was tapped.
 const BESIDE: f32 = 18.0;
@@ -87,8 +97,8 @@ pub fn selection(
     area.constrain_to(canvas).show(ctx, |ui| {
         card(ui).show(ui, |ui| {
             note(ui, &messages.fill(Msg::PartSelected, &[("count", &snapshot.selected)]));
+            ui.spacing_mut().item_spacing = vec2(2.0, 2.0);
             ui.horizontal(|ui| {
-                ui.spacing_mut().item_spacing.x = 2.0;
                 for (tool, icon, name) in PARTS {
                     let mut button = IconButton::new(icon, messages.get(name));
                     if tool != Tool::Auto {
@@ -98,17 +108,17 @@ pub fn selection(
                         out.push(Action::SetPart(tool));
                     }
                 }
-                ui.add_space(8.0);
-                if IconButton::new(Icon::Duplicate, messages.get(Msg::EditDuplicate)).show(ui).clicked() {
-                    out.push(Action::DuplicateSelected);
-                }
-                let colour = palette(ui).error;
-                if IconButton::new(Icon::Delete, messages.get(Msg::EditDelete))
-                    .colour(colour)
-                    .show(ui)
-                    .clicked()
-                {
-                    out.push(Action::DeleteSelected);
+            });
+            ui.horizontal(|ui| {
+                for (icon, name, keys, action) in EDITS {
+                    let name = messages.get(name);
+                    let mut button = IconButton::new(icon, name).hint(format!("{name} ({keys})"));
+                    if action == Action::DeleteSelected {
+                        button = button.colour(palette(ui).error);
+                    }
+                    if button.show(ui).clicked() {
+                        out.push(action);
+                    }
                 }
             });
         });

@@ -4,6 +4,7 @@ use super::icons::Icon;
 use super::snapshot::{Dialog, Snapshot};
 use super::widgets::{IconButton, menu_line, note, palette, segments, text_button};
 use crate::app::action::{Action, CanvasTool};
+use crate::app::fonts;
 use crate::app::messages::{Language, Messages, Msg};
 use crate::app::settings::{Handedness, Stabiliser, ThemeChoice};
 use crate::app::theme::{TARGET, TOOL};
@@ -202,6 +203,7 @@ fn file_menu(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Ve
             (Icon::Export, Msg::FileExport, "Ctrl+E", Action::ShowExport),
             (Icon::Picture, Msg::FileReference, "", Action::OpenReference),
             (Icon::Lasso, Msg::EditSelectAll, "Ctrl+A", Action::SelectAll),
+            (Icon::Paste, Msg::EditPaste, "Ctrl+V", Action::Paste),
         ];
         for (icon, msg, keys, action) in lines {
             if menu_line(ui, icon, messages.get(msg), keys).clicked() {
@@ -232,6 +234,11 @@ fn settings_menu(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mu
         let name = |l: Language| if snapshot.chinese_font { l.own_name() } else { l.latin_name() };
         let languages = Language::ALL.map(|language| (language, name(language)));
         out.extend(segments(ui, &languages, messages.language()).map(Action::SetLanguage));
+        if snapshot.lacks_chinese_font {
+            // In English whatever the interface speaks: those who cannot draw Chinese read this.
+            let missing = fonts::missing_notice();
+            note(ui, &format!("{} {}", missing.what, missing.remedy));
+        }
         note(ui, messages.get(Msg::SettingsTheme));
         let themes = [
             (ThemeChoice::System, messages.get(Msg::SettingsThemeSystem)),

@@ -48,6 +48,8 @@ pub struct CanvasView {
     pub desk: [u8; 3],
     /// Width and height of the sheet in canvas units; `None` for a sheet without end.
     pub sheet: Option<Vec2>,
+    /// Factor on the width of all lines; 1 shows them as wide on the canvas as they are.
+    pub line_scale: f32,
 }
 
 /// `Sheet` in `canvas.wgsl`.
@@ -80,7 +82,7 @@ impl SheetUniform {
             canvas_origin: to_canvas.translation.extend(0.0).extend(0.0),
             paper: colour(view.paper),
             desk: colour(view.desk),
-            size: view.sheet.unwrap_or(Vec2::ZERO).extend(0.0).extend(0.0),
+            size: view.sheet.unwrap_or(Vec2::ZERO).extend(view.line_scale).extend(0.0),
         }
     }
 }

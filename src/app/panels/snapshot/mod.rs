@@ -49,8 +49,10 @@ pub struct Snapshot {
     pub handedness: Handedness,
     /// Smoothing of strokes.
     pub stabiliser: Stabiliser,
-    /// Whether the system has a font for Chinese.
+    /// Whether a font for Chinese is at hand.
     pub chinese_font: bool,
+    /// Whether the system was found to have no such font.
+    pub lacks_chinese_font: bool,
     /// Whether the side panel is shown.
     pub side_shown: bool,
     /// Width of the side panel, logical pixels.
