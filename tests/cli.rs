@@ -290,3 +290,22 @@ fn a_reader_that_goes_away_is_no_failure() {
     let status = Command::new(env!("CARGO_BIN_EXE_penstemon")).args(["check", &out]).stdout(writer).status();
     assert!(status.unwrap().success());
 }
+
+#[test]
+fn a_picture_made_without_a_desktop_is_made_in_silence() {
+    let home = tempfile::tempdir().unwrap();
+    let out = home.path().join("daisy.png");
+    for folder in [None, Some("not/absolute")] {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_penstemon"));
+        command.args(["render", "assets/sketches/daisy.penstemon", "--size", "64x64", "-o"]).arg(&out);
+        command.env_remove("NODEVICE_SELECT").env_remove("XDG_RUNTIME_DIR");
+        command.envs(folder.map(|folder| ("XDG_RUNTIME_DIR", folder)));
+        let made = command.output().unwrap();
+        assert_eq!(
+            (made.status.success(), String::from_utf8_lossy(&made.stderr).as_ref()),
+            (true, ""),
+            "{folder:?}"
+        );
+        std::fs::remove_file(&out).unwrap();
+    }
+}

@@ -132,7 +132,8 @@ impl Editor {
     fn hold_divider(&mut self, ui: &Ui, x: f32, room: Rect) {
         let canvas_first = self.settings.handedness == Handedness::Right;
         let grip = Rect::from_x_y_ranges(x - GRIP / 2.0..=x + GRIP / 2.0, room.y_range());
-        let response = ui.interact(grip, egui::Id::unique("divider"), Sense::drag());
+        // Only for pointers: with the keyboard there is nothing to do with it.
+        let response = ui.interact(grip, egui::Id::unique("divider"), Sense::DRAG);
         let response = response.on_hover_and_drag_cursor(egui::CursorIcon::ResizeHorizontal);
         if response.dragged()
             && let Some(pointer) = response.interact_pointer_pos()

@@ -86,7 +86,8 @@ impl PlantView {
     /// Shows the texture with the plant, filling what is left of `ui`, and hears the pointer.
     pub fn show(&mut self, ui: &mut Ui, texture: egui::TextureId) {
         let size = ui.available_size();
-        let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
+        // Only for pointers: keys for the plant work whatever has the keyboard's focus.
+        let (rect, response) = ui.allocate_exact_size(size, Sense::CLICK | Sense::DRAG);
         self.aspect = (size.x / size.y.max(1.0)).max(0.01);
         self.height = size.y.max(1.0);
         egui::Image::from_texture((texture, size)).paint_at(ui, rect);

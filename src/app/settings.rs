@@ -8,7 +8,7 @@
 
 pub use super::canvas::Stabiliser;
 use super::messages::{Language, Messages, Msg};
-use super::panels::snapshot::{ExportChoice, Notice, ViewState};
+use super::panels::snapshot::{ExportChoice, Notice, PathPurpose, ViewState};
 use super::pen_settings::PenSettings;
 use super::window_size::WindowSize;
 use crate::export::{WriteError, write_atomically};
@@ -90,6 +90,8 @@ pub struct Settings {
     pub window: WindowSize,
     /// Drawings opened or saved last, the newest first.
     pub recent: Vec<PathBuf>,
+    /// Folders in which files were chosen last, by [`PathPurpose::shelf`].
+    pub folders: BTreeMap<String, PathBuf>,
     /// What was chosen for the last export.
     pub export: ExportChoice,
     /// How pens are read.
@@ -114,6 +116,7 @@ impl Default for Settings {
             canvas_share: CANVAS_SHARE.1,
             window: WindowSize::default(),
             recent: Vec::new(),
+            folders: BTreeMap::new(),
             export: ExportChoice::default(),
             pen_source: PenSource::default(),
             view: ViewState::default(),
@@ -155,6 +158,20 @@ impl Settings {
         self.recent.retain(|known| known != path);
         self.recent.insert(0, path.to_owned());
         self.recent.truncate(MAX_RECENT);
+    }
+
+    /// Keeps the folder in which a file was chosen.
+    pub fn remember_folder(&mut self, purpose: PathPurpose, file: &Path) {
+        // A name that is no text cannot stand in the settings.
+        let folder = file.parent().filter(|folder| folder.to_str().is_some_and(|name| !name.is_empty()));
+        if let Some(folder) = folder {
+            self.folders.insert(purpose.shelf().to_owned(), folder.to_owned());
+        }
+    }
+
+    /// The folder in which such a file was chosen last.
+    pub fn folder(&self, purpose: PathPurpose) -> Option<&Path> {
+        self.folders.get(purpose.shelf()).map(PathBuf::as_path)
     }
 
     /// What was chosen for a pen.
@@ -199,6 +216,7 @@ impl Settings {
             canvas_share: share.map_or(default.canvas_share, |s| s.clamp(CANVAS_SHARE.0, CANVAS_SHARE.2)),
             window: field(table, "window").map_or(default.window, WindowSize::sane),
             recent,
+            folders: table.get("folders").and_then(Value::as_table).map(by_name).unwrap_or_default(),
             export: field(table, "export").map_or(default.export, ExportChoice::sane),
             pen_source: field(table, "pen_source").unwrap_or(default.pen_source),
             view: field(table, "view").map_or(default.view, ViewState::sane),

@@ -341,6 +341,10 @@ impl Running {
             PenPhase::Enter | PenPhase::Hover => over && self.captured.is_empty(),
             PenPhase::Leave => std::mem::take(&mut self.over_canvas),
         };
+        if ours && event.phase == PenPhase::Down {
+            // Keys are the canvas's again: egui does not see this press.
+            self.egui.memory_mut(|memory| memory.stop_text_input());
+        }
         if ours {
             if !std::mem::replace(&mut self.over_canvas, true) {
                 self.input.pointer_gone();

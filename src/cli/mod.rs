@@ -5,6 +5,7 @@
 pub mod build;
 pub mod check;
 pub mod common;
+mod compositor;
 pub mod grow;
 pub mod inside;
 pub mod inspect;
@@ -89,6 +90,9 @@ pub fn usage(error: &clap::Error) -> String {
 /// # Errors
 /// Anything that kept the verb from its result, ready to be shown.
 pub fn run(cli: Cli) -> anyhow::Result<ExitCode> {
+    if matches!(cli.verb, Some(Verb::Render(_) | Verb::Grow(_))) {
+        compositor::leave_alone();
+    }
     match cli.verb {
         None => crate::app::run(cli.file).map(|()| ExitCode::SUCCESS),
         Some(Verb::Build(args)) => build::run(&args),

@@ -281,6 +281,101 @@ fn a_file_is_chosen_and_one_replaced_only_after_a_second_press() {
     assert_eq!(asked(&mut harness), [Action::PathChosen { purpose: PathPurpose::SaveDrawing, path }]);
 }
 
+fn saving_into(folder: &std::path::Path, name: &str) -> Harness<'static, Stage> {
+    with_dialog(Dialog::Path(PathRequest {
+        purpose: PathPurpose::SaveDrawing,
+        folder: folder.to_owned(),
+        name: name.to_owned(),
+        extensions: vec!["penstemon"],
+    }))
+}
+
+/// Types into the text field that has the focus, in place of what is there.
+fn type_over(harness: &mut Harness<'_, Stage>, text: &str) {
+    harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::A);
+    harness.event(egui::Event::Text(text.to_owned()));
+    harness.run();
+}
+
+#[test]
+fn a_name_that_cannot_be_used_is_answered() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = saving_into(folder.path(), "winter/daisy");
+    press_last(&mut harness, "Save");
+    assert_eq!(asked(&mut harness), []);
+    assert!(harness.query_by_label_contains("There is no folder").is_some());
+    harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::A);
+    harness.key_press(egui::Key::Backspace);
+    harness.run();
+    press_last(&mut harness, "Save");
+    assert!(harness.query_by_label_contains("Type or choose a name").is_some());
+    // A path in the name is as good as the list.
+    std::fs::create_dir(folder.path().join("winter")).unwrap();
+    let mut harness = saving_into(folder.path(), "winter/daisy");
+    press_last(&mut harness, "Save");
+    let path = folder.path().join("winter/daisy.penstemon");
+    assert_eq!(asked(&mut harness), [Action::PathChosen { purpose: PathPurpose::SaveDrawing, path }]);
+}
+
+#[test]
+fn a_folder_is_made_and_entered() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = saving_into(folder.path(), "daisy");
+    press(&mut harness, "New folder");
+    harness.event(egui::Event::Text("summer".to_owned()));
+    harness.run();
+    press(&mut harness, "Create");
+    assert!(folder.path().join("summer").is_dir());
+    press_last(&mut harness, "Save");
+    let path = folder.path().join("summer/daisy.penstemon");
+    assert_eq!(asked(&mut harness), [Action::PathChosen { purpose: PathPurpose::SaveDrawing, path }]);
+}
+
+#[test]
+fn a_path_is_typed_and_completed() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("summer")).unwrap();
+    std::fs::write(folder.path().join("summer/rose.penstemon"), "").unwrap();
+    let mut harness = with_dialog(Dialog::Path(PathRequest {
+        purpose: PathPurpose::OpenDrawing,
+        folder: folder.path().to_owned(),
+        name: String::new(),
+        extensions: vec!["penstemon"],
+    }));
+    let address = |node: &egui_kittest::Node<'_>| {
+        node.accesskit_node().value().is_some_and(|value| value.starts_with('/'))
+    };
+    harness.query_all_by_role(egui::Role::TextInput).find(address).unwrap().click();
+    harness.run();
+    type_over(&mut harness, &format!("{}/su", folder.path().display()));
+    harness.key_press(egui::Key::Tab);
+    harness.run();
+    harness.event(egui::Event::Text("rose.penstemon".to_owned()));
+    harness.run();
+    harness.key_press(egui::Key::Enter);
+    harness.run();
+    let path = folder.path().join("summer/rose.penstemon");
+    assert_eq!(asked(&mut harness), [Action::PathChosen { purpose: PathPurpose::OpenDrawing, path }]);
+}
+
+#[test]
+fn a_file_nobody_was_asked_about_is_replaced_only_after_asking() {
+    let dialog = || Dialog::Replace { purpose: PathPurpose::SaveDrawing, path: "/a/rose.penstemon".into() };
+    for (label, action) in [
+        (
+            "Replace the existing file",
+            Action::PathChosen { purpose: PathPurpose::SaveDrawing, path: "/a/rose.penstemon".into() },
+        ),
+        ("Choose another name", Action::ChooseFile(PathPurpose::SaveDrawing)),
+        ("Cancel", Action::CloseDialog),
+    ] {
+        let mut harness = with_dialog(dialog());
+        assert!(harness.query_by_label_contains("“rose.penstemon” is already in /a").is_some());
+        press_last(&mut harness, label);
+        assert_eq!(asked(&mut harness), [action]);
+    }
+}
+
 #[test]
 fn notices_say_what_to_do_and_go_away_by_a_tap() {
     let mut snapshot = busy();

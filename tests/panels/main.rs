@@ -5,6 +5,7 @@
 mod desktop;
 mod dialogs;
 mod growth;
+mod keyboard;
 mod looks;
 mod measures;
 mod parameters;

@@ -6,7 +6,7 @@ use crate::app::action::Action;
 use crate::app::canvas::Canvas;
 use crate::app::file_dialog;
 use crate::app::messages::Told as _;
-use crate::app::panels::snapshot::{Dialog, Notice, PathPurpose};
+use crate::app::panels::snapshot::{Dialog, Notice, PathPurpose, PathRequest};
 use crate::sketch::document::Document;
 use crate::sketch::journal::{JournalWriter, Meta, Recoverable};
 use crate::sketch::save::{self, Opened};
@@ -143,8 +143,24 @@ impl Editor {
 
     /// Asks for a file: the system's dialog, or ours where it has none.
     pub(super) fn choose(&mut self, purpose: PathPurpose) {
+        let request = self.path_request(purpose);
+        match file_dialog::ask(request, &self.answers, std::sync::Arc::clone(&self.wake)) {
+            Ok(()) => {}
+            Err(request) => self.dialog = Some(Dialog::Path(request)),
+        }
+    }
+
+    /// What is asked for, beginning where such a file was chosen last.
+    pub(super) fn path_request(&self, purpose: PathPurpose) -> PathRequest {
         let name = self.file.name();
-        let folder = self.file.path.as_deref().and_then(Path::parent).map(Path::to_owned);
+        let own = self.file.path.as_deref().and_then(Path::parent);
+        let last = self.settings.folder(purpose);
+        // Drawings stay together; pictures, species and exports may have places of their own.
+        let folder = match purpose {
+            PathPurpose::OpenDrawing | PathPurpose::SaveDrawing => own.or(last),
+            _ => last.or(own),
+        };
+        let folder = folder.map(Path::to_owned);
         let export = self.settings.export.format.extension();
         let extensions: Vec<&'static str> = match purpose {
             PathPurpose::OpenDrawing => DRAWINGS.to_vec(),
@@ -158,28 +174,34 @@ impl Editor {
             PathPurpose::Export => format!("{}.{export}", name.as_deref().unwrap_or("plant")),
             _ => String::new(),
         };
-        let request = file_dialog::request(purpose, folder, name, extensions);
-        match file_dialog::ask(request, &self.answers, std::sync::Arc::clone(&self.wake)) {
-            Ok(()) => {}
-            Err(request) => self.dialog = Some(Dialog::Path(request)),
-        }
+        file_dialog::request(purpose, folder, name, extensions)
     }
 
     /// Uses a file that was asked for.
     pub(super) fn chosen(&mut self, purpose: PathPurpose, path: PathBuf) {
         self.dialog = None;
+        self.settings.remember_folder(purpose, &path);
+        let wanted = match purpose {
+            PathPurpose::SaveDrawing => Some("penstemon"),
+            PathPurpose::Export => Some(self.settings.export.format.extension()),
+            _ => None,
+        };
+        let full = wanted.map_or_else(|| path.clone(), |extension| with_extension(path.clone(), extension));
+        if full != path && full.exists() {
+            // The dialog asked about another name.
+            self.dialog = Some(Dialog::Replace { purpose, path: full });
+            return;
+        }
+        let path = full;
         match purpose {
             // The system's dialog does not keep anybody from drawing on.
             PathPurpose::OpenDrawing => self.perform_if_saved(Action::OpenPath(path)),
             PathPurpose::SaveDrawing => {
                 // The dialog asked whether to replace what is there.
-                self.save(Target::Chosen(with_extension(path, "penstemon")));
+                self.save(Target::Chosen(path));
                 self.saver.then = self.held_up.take().or(self.saver.then.take());
             }
-            PathPurpose::Export => {
-                let extension = self.settings.export.format.extension();
-                self.begin_export(with_extension(path, extension));
-            }
+            PathPurpose::Export => self.begin_export(path),
             PathPurpose::Texture(organ) => {
                 let texture = Some(path.to_string_lossy().into_owned());
                 self.perform(Action::SetTexture { organ, texture });

@@ -173,3 +173,47 @@ fn a_drawing_that_went_on_while_a_file_was_chosen_is_asked_about() {
     editor.perform(open);
     assert_eq!(editor.sketch().strokes.len(), 1);
 }
+
+#[test]
+fn a_file_that_the_systems_dialog_did_not_ask_about_is_not_written_over_unasked() {
+    let home = TempDir::new().unwrap();
+    let (mut editor, full) = (editor(home.path()), home.path().join("rose.penstemon"));
+    std::fs::write(&full, "somebody's work").unwrap();
+    draw(&mut editor);
+    // The dialog asked about `rose`, which is not there.
+    save_as(&mut editor, &home.path().join("rose"));
+    let asked = Dialog::Replace { purpose: PathPurpose::SaveDrawing, path: full.clone() };
+    assert!(!editor.saver.is_busy() && editor.dialog() == Some(&asked), "{:?}", editor.dialog());
+    assert_eq!(std::fs::read_to_string(&full).unwrap(), "somebody's work");
+    editor.perform(Action::CloseDialog);
+    assert!(editor.file.path.is_none());
+    // Asked about the whole name, it is replaced; and what is not there needs no question.
+    save_as(&mut editor, &full);
+    settle(&mut editor);
+    assert_eq!(strokes_at(&full), 1);
+    save_as(&mut editor, &home.path().join("tulip"));
+    settle(&mut editor);
+    assert_eq!(strokes_at(&home.path().join("tulip.penstemon")), 1);
+}
+
+#[test]
+fn folders_are_remembered_for_each_kind_of_file() {
+    let home = TempDir::new().unwrap();
+    let [drawings, pictures] = ["drawings", "pictures"].map(|name| home.path().join(name));
+    for folder in [&drawings, &pictures] {
+        std::fs::create_dir(folder).unwrap();
+    }
+    let mut first = editor(home.path());
+    draw(&mut first);
+    save_as(&mut first, &drawings.join("rose"));
+    settle(&mut first);
+    let picture = pictures.join("photo.png");
+    first.perform(Action::PathChosen { purpose: PathPurpose::Reference, path: picture });
+    first.save_settings();
+    drop(first);
+    let second = editor(home.path());
+    assert_eq!(second.path_request(PathPurpose::OpenDrawing).folder, drawings);
+    assert_eq!(second.path_request(PathPurpose::Texture(None)).folder, pictures);
+    std::fs::remove_dir_all(&pictures).unwrap();
+    assert_ne!(second.path_request(PathPurpose::Texture(None)).folder, pictures, "it is gone");
+}

@@ -11,6 +11,7 @@ use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
 use crate::app::theme::TARGET;
 use egui::{Align2, Context, CornerRadius, Grid, Id, Modal, RichText, ScrollArea, Sense, Ui, Vec2, vec2};
+use std::path::Path;
 
 /// The open dialog, if there is one.
 pub fn show(ctx: &Context, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<Action>) {
@@ -19,7 +20,7 @@ pub fn show(ctx: &Context, snapshot: &Snapshot, messages: &Messages, out: &mut V
     let width = match dialog {
         Dialog::About | Dialog::Pen => 640.0,
         Dialog::Path(_) | Dialog::Recovery(_) => 560.0,
-        Dialog::Unsaved | Dialog::Export => 440.0,
+        Dialog::Unsaved | Dialog::Replace { .. } | Dialog::Export => 440.0,
     };
     let style = ctx.global_style();
     let margin = style.spacing.window_margin;
@@ -31,6 +32,7 @@ pub fn show(ctx: &Context, snapshot: &Snapshot, messages: &Messages, out: &mut V
         ui.add_space(4.0);
         match dialog {
             Dialog::Unsaved => unsaved(ui, snapshot, messages, out),
+            Dialog::Replace { purpose, path } => replace(ui, *purpose, path, messages, out),
             Dialog::Recovery(found) => recovery(ui, found, screen.height(), messages, out),
             Dialog::Export => export::show(ui, snapshot, messages, out),
             Dialog::Path(request) => path_dialog::show(ui, request, screen.height(), messages, out),
@@ -50,6 +52,7 @@ pub fn show(ctx: &Context, snapshot: &Snapshot, messages: &Messages, out: &mut V
 fn title(dialog: &Dialog) -> Msg {
     match dialog {
         Dialog::Unsaved => Msg::UnsavedTitle,
+        Dialog::Replace { .. } => Msg::ReplaceTitle,
         Dialog::Recovery(_) => Msg::RecoveryTitle,
         Dialog::Export => Msg::ExportTitle,
         Dialog::Pen => Msg::PenTitle,
@@ -74,6 +77,26 @@ fn unsaved(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<
             (Msg::FileSave, true, Action::SaveAndContinue),
             (Msg::DialogCancel, false, Action::CloseDialog),
             (Msg::UnsavedDiscard, false, Action::DiscardAndContinue),
+        ] {
+            if text_button(ui, None, messages.get(msg), loud).clicked() {
+                out.push(action);
+            }
+        }
+    });
+}
+
+/// A file would be written over of which nobody was asked, because its extension was added afterwards.
+fn replace(ui: &mut Ui, purpose: PathPurpose, path: &Path, messages: &Messages, out: &mut Vec<Action>) {
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let folder = path.parent().unwrap_or(path).display();
+    ui.label(messages.fill(Msg::ReplaceBody, &[("name", &name), ("folder", &folder)]));
+    ui.add_space(10.0);
+    let path = path.to_owned();
+    buttons(ui, |ui| {
+        for (msg, loud, action) in [
+            (Msg::PathReplace, true, Action::PathChosen { purpose, path }),
+            (Msg::DialogCancel, false, Action::CloseDialog),
+            (Msg::ReplaceOther, false, Action::ChooseFile(purpose)),
         ] {
             if text_button(ui, None, messages.get(msg), loud).clicked() {
                 out.push(action);

@@ -3,8 +3,8 @@
 use super::snapshot::Snapshot;
 use super::widgets::{palette, segments};
 use super::{
-    dialogs, growth, legend, materials, notices, parameters, part_menu, presets, seed, species, status,
-    toolbar, view,
+    dialogs, focus, growth, legend, materials, notices, parameters, part_menu, presets, seed, species,
+    status, toolbar, view,
 };
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
@@ -81,6 +81,7 @@ fn side(ui: &mut Ui, right_handed: bool, snapshot: &Snapshot, messages: &Message
                 Page::View => view::show(ui, snapshot, messages, out),
             }
             ui.add_space(16.0);
+            focus::reveal(ui);
         });
     });
     let now = shown.response.rect.width();
@@ -108,6 +109,7 @@ pub fn overlays(ui: &Ui, canvas: Rect, snapshot: &Snapshot, messages: &Messages,
     part_menu::show(ctx, canvas, snapshot, messages, out);
     notices::show(ctx, canvas, snapshot, messages, out);
     dialogs::show(ctx, snapshot, messages, out);
+    focus::ring(ui);
 }
 
 /// A hairline between canvas and plant.

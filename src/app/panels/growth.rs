@@ -1,9 +1,9 @@
 //! How old the plant is: a slider over its years, and a button that lets it grow before the artist's eyes.
 
 use super::icons::Icon;
-use super::rail::{Rail, Scale, number};
+use super::rail::{Rail, RailChange, Scale, number};
 use super::snapshot::Snapshot;
-use super::widgets::{IconButton, note, section, text_button_sized};
+use super::widgets::{IconButton, note, section};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
 use crate::app::theme::TARGET;
@@ -32,19 +32,18 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec
             let years = number((value * 10.0).round() / 10.0);
             let text = messages.fill(Msg::GrowthYears, &[("count", &years)]);
             let label = messages.get(Msg::GrowthAge);
-            let rail = Rail { label, text: &text, scale, value, changed: growth.chosen };
+            let by_itself = if growth.crown { Msg::GrowthInCrown } else { Msg::GrowthByItself };
+            let reset = growth.chosen.then(|| messages.get(by_itself));
+            let rail = Rail { label, text: &text, scale, value, reset };
             let room = ui.available_width().max(TARGET);
-            if let Some(years) = rail.show(ui, room).1 {
-                out.push(Action::SetParam { path: YEARS.to_owned(), value: Some(Value::from(years)) });
+            let mut set = |value| out.push(Action::SetParam { path: YEARS.to_owned(), value });
+            match rail.show(ui, room).1 {
+                Some(RailChange::To(years)) => set(Some(Value::from(years))),
+                Some(RailChange::Reset) => set(None),
+                None => {}
             }
         });
-        if growth.chosen {
-            let msg = if growth.crown { Msg::GrowthInCrown } else { Msg::GrowthByItself };
-            let width = ui.available_width();
-            if text_button_sized(ui, Some(Icon::Reset), messages.get(msg), false, Some(width)).clicked() {
-                out.push(Action::SetParam { path: YEARS.to_owned(), value: None });
-            }
-        } else if !growth.crown {
+        if !growth.crown {
             note(ui, messages.get(Msg::GrowthHint));
         }
     });

@@ -10,6 +10,7 @@
 mod calibration;
 pub mod dialogs;
 pub mod export;
+mod focus;
 pub mod frame;
 pub mod growth;
 pub mod icons;

@@ -1,12 +1,13 @@
 //! Every parameter of every stage, by its own description: name, value, unit, range, help, and the way back.
 //!
-//! What the artist changed stands first, then the groups: how the plant looks before how strokes are understood. A search
-//! looks through names, help and paths. While something is held the list of changed parameters stays as it is, so that nothing moves under the pen.
+//! All of them stand in groups: how the plant looks before how strokes are understood. What the artist changed is listed on a
+//! page of its own, which keeps what it once showed until it is left: nothing is put between rows that are in use, so that
+//! nothing moves under the pointer. A search looks through names, help and paths.
 
 use super::icons::Icon;
-use super::rail::{Rail, Scale, number};
+use super::rail::{Rail, RailChange, Scale, number};
 use super::snapshot::Snapshot;
-use super::widgets::{IconButton, note, palette, switch, text_button_sized};
+use super::widgets::{IconButton, note, palette, segments, switch, text_button_sized};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg, Named};
 use crate::app::theme::TARGET;
@@ -14,6 +15,7 @@ use crate::params::{Description, Kind, Parameters as _};
 use crate::pipeline::Params;
 use egui::{CollapsingHeader, Id, RichText, TextEdit, Ui, vec2};
 use serde_json::{Map, Value};
+use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
 /// Groups in the order in which an artist comes to them: the plant as a whole, flowers and leaves, branches, what fills
@@ -64,7 +66,10 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec
         found(ui, text.trim(), snapshot, messages, out);
         return;
     }
-    changed(ui, snapshot, messages, out);
+    if let Some(listed) = only_changed(ui, snapshot, messages) {
+        changed(ui, &listed, snapshot, messages, out);
+        return;
+    }
     let mut rest = known();
     while let Some(first) = rest.first() {
         let group = group_of(&first.path);
@@ -135,30 +140,44 @@ fn found(ui: &mut Ui, text: &str, snapshot: &Snapshot, messages: &Messages, out:
     }
 }
 
-fn changed(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<Action>) {
+/// The paths to list where only changed parameters are wanted: those that are changed, and those that were while this page
+/// is shown.
+fn only_changed(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages) -> Option<BTreeSet<String>> {
     let at = Id::unique("changed parameters");
-    let mut paths: Vec<String> = ui.data(|data| data.get_temp(at)).unwrap_or_default();
-    if !ui.input(|i| i.pointer.any_down()) {
-        paths = snapshot.params.own.keys().cloned().collect();
-        ui.data_mut(|data| data.insert_temp(at, paths.clone()));
+    let mut listed: Option<BTreeSet<String>> = ui.data(|data| data.get_temp(at)).unwrap_or_default();
+    let applies = |path: &&String| snapshot.params.applies(path);
+    let now: BTreeSet<String> = snapshot.params.own.keys().filter(applies).cloned().collect();
+    let title = messages.fill(Msg::ParamsChanged, &[("count", &now.len())]);
+    let pages = [(false, messages.get(Msg::ParamsAll)), (true, title.as_str())];
+    if let Some(only) = segments(ui, &pages, listed.is_some()) {
+        listed = only.then(BTreeSet::new);
     }
-    let applies = |path: &String| paths.contains(path) && snapshot.params.applies(path);
-    let these: Vec<_> = known().iter().filter(|d| applies(&d.path)).collect();
-    if these.is_empty() {
+    if let Some(listed) = &mut listed {
+        listed.extend(now);
+    }
+    ui.data_mut(|data| data.insert_temp(at, listed.clone()));
+    listed
+}
+
+fn changed(
+    ui: &mut Ui,
+    listed: &BTreeSet<String>,
+    snapshot: &Snapshot,
+    messages: &Messages,
+    out: &mut Vec<Action>,
+) {
+    if listed.is_empty() {
+        note(ui, messages.get(Msg::ParamsNoneChanged));
         return;
     }
-    let title = messages.fill(Msg::ParamsChanged, &[("count", &these.len())]);
-    let title = RichText::new(title).size(14.5).color(palette(ui).accent);
-    CollapsingHeader::new(title).id_salt("changed").default_open(true).show_unindented(ui, |ui| {
-        these.into_iter().for_each(|one| row(ui, one, snapshot, messages, out));
-        let width = ui.available_width();
-        let reset =
-            text_button_sized(ui, Some(Icon::Reset), messages.get(Msg::ParamsResetAll), false, Some(width));
-        if reset.clicked() {
-            out.push(Action::SetParams(Map::new()));
-        }
-        ui.add_space(6.0);
-    });
+    let these = known().iter().filter(|d| listed.contains(&d.path) && snapshot.params.applies(&d.path));
+    these.for_each(|one| row(ui, one, snapshot, messages, out));
+    let width = ui.available_width();
+    let reset =
+        text_button_sized(ui, Some(Icon::Reset), messages.get(Msg::ParamsResetAll), false, Some(width));
+    if reset.clicked() {
+        out.push(Action::SetParams(Map::new()));
+    }
 }
 
 fn row(
@@ -173,36 +192,39 @@ fn row(
     let own = snapshot.params.own.get(path).copied();
     let value = own.unwrap_or(base);
     let name = messages.param_name(path);
+    let base_text = value_text(base, kind, messages);
+    let reset = messages.fill(Msg::ParamsReset, &[("name", &name), ("value", &base_text)]);
+    let reset = own.is_some().then_some(reset.as_str());
     let mut set = |value: Option<Value>| out.push(Action::SetParam { path: path.clone(), value });
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 0.0;
-        let width = ui.available_width() - TARGET;
-        if kind == Kind::Switch {
+    if kind == Kind::Switch {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 0.0;
+            let width = ui.available_width() - TARGET;
             let shown = ui.allocate_ui(vec2(width, TARGET), |ui| switch(ui, &name, value > 0.5));
             shown.response.on_hover_ui(|ui| help(ui, description, base, messages));
             if let Some(on) = shown.inner {
                 set(Some(Value::Bool(on)));
             }
-        } else {
-            let scale = Scale { min: description.min, max: description.max, whole: kind == Kind::Whole };
-            let text = with_unit(&scale.text(value), description, messages);
-            let rail = Rail { label: &name, text: &text, scale, value, changed: own.is_some() };
-            let (response, moved) = rail.show(ui, width);
-            if !response.dragged() {
-                response.on_hover_ui(|ui| help(ui, description, base, messages));
-            }
-            if let Some(new) = moved {
-                set(Some(if scale.whole { Value::from(new as u64) } else { Value::from(new) }));
-            }
-        }
-        if own.is_some() {
-            let to = value_text(base, kind, messages);
-            let label = messages.fill(Msg::ParamsReset, &[("name", &name), ("value", &to)]);
-            if IconButton::new(Icon::Reset, &label).colour(palette(ui).accent).show(ui).clicked() {
+            let button = |label| IconButton::new(Icon::Reset, label).colour(palette(ui).accent);
+            if reset.map(button).is_some_and(|button| button.show(ui).clicked()) {
                 set(None);
             }
-        }
-    });
+        });
+        return;
+    }
+    let scale = Scale { min: description.min, max: description.max, whole: kind == Kind::Whole };
+    let text = with_unit(&scale.text(value), description, messages);
+    let width = ui.available_width();
+    let (response, change) = Rail { label: &name, text: &text, scale, value, reset }.show(ui, width);
+    if !response.dragged() {
+        response.on_hover_ui(|ui| help(ui, description, base, messages));
+    }
+    match change {
+        Some(RailChange::To(new)) if scale.whole => set(Some(Value::from(new as u64))),
+        Some(RailChange::To(new)) => set(Some(Value::from(new))),
+        Some(RailChange::Reset) => set(None),
+        None => {}
+    }
 }
 
 fn value_text(value: f64, kind: Kind, messages: &Messages) -> String {

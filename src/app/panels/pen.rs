@@ -52,6 +52,7 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, height: f32, messages: &Messages, 
                 super::tablet_keys::show(ui, &mut pen.keys, messages);
             });
         }
+        super::focus::reveal(ui);
     });
     if pen != snapshot.pen.settings {
         out.push(Action::SetPen(pen));
@@ -125,7 +126,7 @@ fn model(ui: &mut Ui, doubt: &TabletDoubt, messages: &Messages, out: &mut Vec<Ac
 
 /// A pad on which lines are as wide as they would be drawn.
 fn try_out(ui: &mut Ui, live: &PenLive, pen: &PenSettings, messages: &Messages) {
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), PAD), Sense::drag());
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), PAD), Sense::DRAG);
     let p = palette(ui);
     ui.painter().rect(
         rect,
@@ -231,8 +232,7 @@ fn drag(ui: &mut Ui, inner: Rect, (name, at): (Msg, [f32; 2]), messages: &Messag
     let centre = inner.left_bottom() + vec2(at[0] * inner.width(), -at[1] * inner.height());
     let id = ui.next_auto_id();
     ui.skip_ahead_auto_ids(1);
-    let response =
-        ui.interact(Rect::from_center_size(centre, Vec2::splat(2.0 * HANDLE.0)), id, Sense::drag());
+    let response = ui.interact(Rect::from_center_size(centre, Vec2::splat(2.0 * HANDLE.0)), id, Sense::DRAG);
     response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, messages.get(name)));
     let to = response.interact_pointer_pos().filter(|_| response.dragged())?;
     let share = (to - inner.left_bottom()) / inner.size();

@@ -90,6 +90,7 @@ pub fn tools(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Ve
         }
         strip_gap(ui);
         stabiliser(ui, snapshot, messages, out);
+        super::focus::reveal(ui);
     });
 }
 

@@ -1,7 +1,7 @@
 //! How the plant is shown: light, what it is shown as, camera.
 
 use super::icons::Icon;
-use super::rail::{Rail, Scale};
+use super::rail::{Rail, RailChange, Scale, number};
 use super::snapshot::{LightChoice, ReferenceState, Shading, Snapshot};
 use super::widgets::{note, palette, section, segments, switch, text_button_sized};
 use crate::app::action::Action;
@@ -75,32 +75,35 @@ fn inside(
 }
 
 fn light(ui: &mut Ui, light: &LightChoice, messages: &Messages, out: &mut Vec<Action>) {
-    let rail = |ui: &mut Ui, msg, value: f32, (min, max): (f32, f32), unit: &str, changed: bool| {
+    let start = LightChoice::default();
+    let differs = |a: f32, b: f32| (a - b).abs() > 1e-4;
+    let rail = |ui: &mut Ui, msg, value: f32, first: f32, (min, max): (f32, f32), unit: &str| {
         let scale = Scale { min: f64::from(min), max: f64::from(max), whole: false };
         let text = format!("{}{unit}", scale.text(f64::from(value)));
         let label = messages.get(msg);
+        let reset = messages.fill(
+            Msg::ParamsReset,
+            &[("name", &label), ("value", &format!("{}{unit}", number(f64::from(first))))],
+        );
+        let reset = differs(value, first).then_some(reset.as_str());
         let width = ui.available_width();
-        Rail { label, text: &text, scale, value: f64::from(value), changed }
-            .show(ui, width)
-            .1
-            .map(|v| v as f32)
+        match (Rail { label, text: &text, scale, value: f64::from(value), reset }).show(ui, width).1? {
+            RailChange::To(value) => Some(value as f32),
+            RailChange::Reset => Some(first),
+        }
     };
-    let start = LightChoice::default();
-    let differs = |a: f32, b: f32| (a - b).abs() > 1e-4;
-    let azimuth = differs(light.azimuth_deg, start.azimuth_deg);
+    let (from, height, strength) = (light.azimuth_deg, light.elevation_deg, light.strength);
     if let Some(azimuth_deg) =
-        rail(ui, Msg::ViewAzimuth, light.azimuth_deg, LightChoice::AZIMUTHS_DEG, "°", azimuth)
+        rail(ui, Msg::ViewAzimuth, from, start.azimuth_deg, LightChoice::AZIMUTHS_DEG, "°")
     {
         out.push(Action::SetLight(LightChoice { azimuth_deg, ..*light }));
     }
-    let elevation = differs(light.elevation_deg, start.elevation_deg);
     if let Some(elevation_deg) =
-        rail(ui, Msg::ViewElevation, light.elevation_deg, LightChoice::ELEVATIONS_DEG, "°", elevation)
+        rail(ui, Msg::ViewElevation, height, start.elevation_deg, LightChoice::ELEVATIONS_DEG, "°")
     {
         out.push(Action::SetLight(LightChoice { elevation_deg, ..*light }));
     }
-    let strength = differs(light.strength, start.strength);
-    if let Some(strength) = rail(ui, Msg::ViewStrength, light.strength, LightChoice::STRENGTHS, "×", strength)
+    if let Some(strength) = rail(ui, Msg::ViewStrength, strength, start.strength, LightChoice::STRENGTHS, "×")
     {
         out.push(Action::SetLight(LightChoice { strength, ..*light }));
     }
@@ -114,14 +117,14 @@ fn light(ui: &mut Ui, light: &LightChoice, messages: &Messages, out: &mut Vec<Ac
             }
         }
     });
-    if *light != start {
+    // Always there, so that nothing moves.
+    ui.add_enabled_ui(*light != start, |ui| {
         let width = ui.available_width();
-        if text_button_sized(ui, Some(Icon::Reset), messages.get(Msg::ViewResetLight), false, Some(width))
-            .clicked()
-        {
+        let label = messages.get(Msg::ViewResetLight);
+        if text_button_sized(ui, Some(Icon::Reset), label, false, Some(width)).clicked() {
             out.push(Action::SetLight(start));
         }
-    }
+    });
 }
 
 fn swatch(ui: &mut Ui, width: f32, name: &str, colour: [f32; 3], chosen: bool) -> bool {
@@ -140,8 +143,10 @@ fn reference(ui: &mut Ui, state: ReferenceState, messages: &Messages, out: &mut 
     let value = f64::from(state.opacity * 100.0);
     let text = format!("{} %", scale.text(value));
     let width = ui.available_width();
-    let rail = Rail { label: messages.get(Msg::ReferenceOpacity), text: &text, scale, value, changed: false };
-    out.extend(rail.show(ui, width).1.map(|percent| Action::SetReferenceOpacity(percent as f32 / 100.0)));
+    let rail = Rail { label: messages.get(Msg::ReferenceOpacity), text: &text, scale, value, reset: None };
+    if let Some(RailChange::To(percent)) = rail.show(ui, width).1 {
+        out.push(Action::SetReferenceOpacity(percent as f32 / 100.0));
+    }
     out.extend(switch(ui, messages.get(Msg::ReferenceLock), state.locked).map(Action::LockReference));
     if text_button_sized(ui, Some(Icon::Delete), messages.get(Msg::ReferenceRemove), false, Some(width))
         .clicked()

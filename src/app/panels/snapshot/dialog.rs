@@ -14,6 +14,13 @@ pub enum Dialog {
     Export,
     /// A file, where the system has no dialog of its own.
     Path(PathRequest),
+    /// Replace the file that the system's dialog did not ask about?
+    Replace {
+        /// What is written.
+        purpose: PathPurpose,
+        /// Over which file.
+        path: PathBuf,
+    },
     /// Pen and tablet.
     Pen,
     /// What the program is, first steps and keys.
@@ -28,6 +35,7 @@ impl Dialog {
             Self::Recovery(_) => "recovery",
             Self::Export => "export",
             Self::Path(_) => "path",
+            Self::Replace { .. } => "replace",
             Self::Pen => "pen",
             Self::About => "about",
         }
@@ -64,6 +72,18 @@ pub enum PathPurpose {
     Species,
     /// A reference picture.
     Reference,
+}
+
+impl PathPurpose {
+    /// Under what the folder is remembered in which such files were chosen last.
+    pub fn shelf(self) -> &'static str {
+        match self {
+            Self::OpenDrawing | Self::SaveDrawing => "drawings",
+            Self::Export => "exports",
+            Self::Texture(_) | Self::Reference => "pictures",
+            Self::Species => "species",
+        }
+    }
 }
 
 /// A question for a path.
