@@ -13,6 +13,7 @@
 //! | [`geom`] | polylines, frames, polygons, ellipses: mathematics that knows no plant |
 //! | [`atomic`] | files written whole or not at all |
 //! | [`input`] | files read within limits, and never written over |
+//! | [`picture`] | pictures of the artist's own, in memory |
 //! | [`sketch`] | the document: strokes, tools, file formats |
 //! | [`pen`] | what every pointing device says, in one form |
 //! | [`plant`] | the waist: branches and organs in space |
@@ -42,6 +43,7 @@ pub mod input;
 pub mod model;
 pub mod params;
 pub mod pen;
+pub mod picture;
 pub mod pipeline;
 pub mod plant;
 pub mod quote;

@@ -238,6 +238,54 @@ fn odd_strokes_warn_and_the_rest_is_built() {
     assert!(stderr(&built).contains("stroke 7"), "{}", stderr(&built));
 }
 
+/// A daisy whose petals have the picture of this path.
+fn daisy_with_petals(folder: &Path, picture: &str) -> String {
+    let text = fs::read_to_string(sketch("daisy")).unwrap();
+    let textures = format!("\"params\": {{}}, \"textures\": {{\"petal\": {}}}", serde_json::json!(picture));
+    let text = text.replacen("\"params\": { }", &textures, 1);
+    assert!(text.contains("textures"));
+    let path = folder.join("daisy.penstemon");
+    fs::write(&path, text).unwrap();
+    path.display().to_string()
+}
+
+#[test]
+fn a_missing_picture_gives_a_plant_and_one_remark() {
+    let folder = tempfile::tempdir().unwrap();
+    let drawing = daisy_with_petals(folder.path(), "/home/ada/petal.png");
+    let out = |name: &str| folder.path().join(name).display().to_string();
+    let (glb, json) = (out("a.glb"), out("a.json"));
+    let built = penstemon(&["build", &drawing, "-o", &glb, "-o", &json]);
+    assert!(built.status.success(), "{}", stderr(&built));
+    assert_eq!(stderr(&built).matches("petal.png").count(), 1, "{}", stderr(&built));
+    let plain = out("plain.glb");
+    assert!(penstemon(&["build", &sketch("daisy"), "-o", &plain]).status.success());
+    assert_eq!(fs::read(&glb).unwrap(), fs::read(&plain).unwrap(), "the species' own texture is shown");
+    assert!(!fs::read_to_string(&json).unwrap().contains("/home/ada"));
+}
+
+#[test]
+fn a_picture_beside_the_drawing_is_found_and_no_path_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = folder.path().join("petal.png");
+    fs::copy(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/reference/small.png"), &picture).unwrap();
+    let drawing = daisy_with_petals(folder.path(), "/home/ada/petal.png");
+    let out = |name: &str| folder.path().join(name).display().to_string();
+    let outs = ["a.glb", "a.obj", "a.json"].map(out);
+    let built = penstemon(&["build", &drawing, "-o", &outs[0], "-o", &outs[1], "-o", &outs[2]]);
+    assert!(built.status.success() && stderr(&built).is_empty(), "{}", stderr(&built));
+    let texture = format!("petal={}", picture.display());
+    let (own, json) = (out("b.glb"), out("b.json"));
+    let built = penstemon(&["build", &sketch("daisy"), "--texture", &texture, "-o", &own, "-o", &json]);
+    assert!(built.status.success(), "{}", stderr(&built));
+    for file in written(folder.path()).iter().filter(|file| **file != Path::new(&drawing)) {
+        let bytes = fs::read(file).unwrap();
+        let text = String::from_utf8_lossy(&bytes);
+        let home = folder.path().display().to_string();
+        assert!(!text.contains("/home/ada") && !text.contains(&home), "{}", file.display());
+    }
+}
+
 #[test]
 fn a_cause_is_said_once() {
     let output = penstemon(&["check", "/nowhere/plant.obj"]);

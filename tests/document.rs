@@ -10,8 +10,8 @@ use penstemon::sketch::journal::{JournalState, Meta, Recovery};
 use penstemon::sketch::save::{FileStamp, SaveError, open, save};
 use penstemon::sketch::settings::Settings;
 use penstemon::sketch::{
-    Canvas, Change, Picture, Reference, Sketch, Step, Stroke, StrokeChange, StrokePoint, Textures, Tool,
-    editable_from_bytes, from_bytes, json, svg, textures,
+    Canvas, Change, Picture, Reference, Sketch, Step, Stroke, StrokeChange, StrokePoint, TextureChoice,
+    Textures, Tool, editable_from_bytes, from_bytes, json, svg, textures,
 };
 use proptest::prelude::*;
 use serde_json::Map;
@@ -53,6 +53,11 @@ fn stroke_change() -> impl Strategy<Value = StrokeChange> {
     ]
 }
 
+fn texture() -> impl Strategy<Value = TextureChoice> {
+    let own = |end: u8| TextureChoice::Own(Picture::new([PNG, &[end]].concat()).unwrap());
+    prop_oneof!["[a-z]{1,5}".prop_map(TextureChoice::Named), (0_u8..3).prop_map(own)]
+}
+
 fn change() -> impl Strategy<Value = Change> {
     let reference = |at: f32| Reference::new(Picture::new(PNG).unwrap(), vec2(at, -at), 100.0);
     let params = |value: f64| Map::from_iter([("depth.spread".to_owned(), value.into())]);
@@ -61,7 +66,7 @@ fn change() -> impl Strategy<Value = Change> {
         1 => any::<u64>().prop_map(Change::seed),
         1 => prop::option::of("[a-z]{1,5}").prop_map(Change::species),
         1 => (0.0..1.0).prop_map(move |value| Change::params(params(value))),
-        1 => "[a-z]{1,5}".prop_map(|name| Change::textures(Textures::from([("leaf".to_owned(), name)]))),
+        1 => texture().prop_map(|choice| Change::textures(Textures::from([("leaf".to_owned(), choice)]))),
         1 => prop::option::of(0.0_f32..9.0).prop_map(move |at| Change::reference(at.map(reference))),
         1 => (1.0_f32..99.0).prop_map(|width| {
             Settings { canvas: Some(Canvas { width, height: 7.0 }), ..Settings::default() }.into()
@@ -273,11 +278,11 @@ fn read_only_files_and_those_of_newer_programs_are_not_replaced() {
     assert_eq!(fs::read_to_string(&path).unwrap(), text);
 
     let newer = folder.path().join("newer.penstemon");
-    write_atomically(&newer, text.replacen("\"version\": 1", "\"version\": 2", 1).as_bytes()).unwrap();
+    write_atomically(&newer, text.replacen("\"version\": 1", "\"version\": 3", 1).as_bytes()).unwrap();
     let before = fs::read(&newer).unwrap();
     for expected in [None, Some(&stamp)] {
         let error = save(&newer, &with_seed(2), expected).unwrap_err();
-        assert!(matches!(error, SaveError::NewerVersion { version: 2.0, .. }), "{error}");
+        assert!(matches!(error, SaveError::NewerVersion { version: 3.0, .. }), "{error}");
     }
     assert_eq!(fs::read(&newer).unwrap(), before);
     assert!(open(&newer).unwrap_err().to_string().contains("newer Penstemon"));

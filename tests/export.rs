@@ -16,6 +16,7 @@ use penstemon::export::{
 use penstemon::growth::Limits;
 use penstemon::model::quality::{Report, judge, judge_model};
 use penstemon::model::{Model, Vertex};
+use penstemon::picture::Picture;
 use penstemon::pipeline;
 use penstemon::plant::{Material, Plant, Texture};
 use penstemon::species::{Species, builtin_texture};
@@ -304,6 +305,20 @@ fn plant_json_reads_back_as_the_plant() {
     assert_eq!(value["world_from_canvas"]["origin"], serde_json::json!([512.0, 700.0]));
     assert_eq!(value["branches"][0]["stroke"], 7);
     assert!(value["branches"][0]["points"][1][1].is_f64() && value["organs"].is_array());
+}
+
+#[test]
+fn plant_json_holds_own_pictures_and_no_folders() {
+    let (_, mut plant) = two_specimens();
+    let own = Picture::new(&include_bytes!("fixtures/reference/small.png")[..]).unwrap();
+    plant.materials[1].texture = Some(Texture::Own(own));
+    plant.materials[2].texture = Some(Texture::File("/home/ada/leaf.png".into()));
+    let bytes = plant_json::to_bytes(&plant).unwrap();
+    assert!(!String::from_utf8_lossy(&bytes).contains("/home"));
+    let mut read: Plant = serde_json::from_slice(&bytes).unwrap();
+    assert_eq!(read.materials[2].texture, Some(Texture::File("leaf.png".into())));
+    read.materials[2].texture.clone_from(&plant.materials[2].texture);
+    assert_eq!(read, plant);
 }
 
 #[test]

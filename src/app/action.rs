@@ -9,8 +9,9 @@ use super::pen_settings::PenSettings;
 use super::settings::{Handedness, Stabiliser, ThemeChoice};
 use crate::growth::overlay::Wanted;
 use crate::pen::PenSource;
+use crate::picture::{Picture, PictureError};
 use crate::plant::OrganKind;
-use crate::sketch::{StrokeId, Tool};
+use crate::sketch::{StrokeId, TextureChoice, Tool};
 use serde_json::Value;
 use std::path::PathBuf;
 
@@ -132,12 +133,21 @@ pub enum Action {
     SetParams(serde_json::Map<String, Value>),
     /// Let the plant grow from its beginning to the age that is shown, or go on with that, or pause.
     PlayGrowth(bool),
-    /// Choose the texture of a kind of part: a built-in name or a picture file; `None` returns to the species' own.
+    /// Choose the texture of a kind of part: `None` returns to the species' own.
     SetTexture {
         /// Which organs; `None` means branches.
         organ: Option<OrganKind>,
-        /// Built-in name or file.
-        texture: Option<String>,
+        /// The choice.
+        texture: Option<TextureChoice>,
+    },
+    /// A picture that was chosen has been read.
+    PictureRead {
+        /// What it was chosen for.
+        purpose: PathPurpose,
+        /// What it is called in messages: its file, or that it was pasted.
+        name: String,
+        /// The picture, if it can be used.
+        picture: Result<Picture, PictureError>,
     },
     /// Keep species, textures and parameters as a preset of this name.
     SavePreset(String),

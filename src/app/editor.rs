@@ -12,6 +12,7 @@ mod keys;
 mod live;
 mod outcomes;
 mod perform;
+mod pictures;
 mod reference;
 mod saving;
 mod snapshot;

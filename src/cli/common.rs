@@ -60,8 +60,9 @@ impl SetupOptions {
 /// # Errors
 /// A sketch that cannot be used.
 pub fn open_sketch(path: &Path) -> anyhow::Result<Sketch> {
-    let (sketch, warnings) = sketch::read(path)?;
-    for warning in &warnings {
+    let (mut sketch, warnings) = sketch::read(path)?;
+    let pictures = species::textures::take_in(&mut sketch.textures, path.parent().unwrap_or(Path::new("")));
+    for warning in warnings.iter().chain(&pictures) {
         tracing::warn!("{}: {warning}", path.display());
     }
     Ok(sketch)

@@ -4,7 +4,6 @@
 //! companions such as MTL and pictures first). Same model, same bytes. [`read()`] opens OBJ and GLB files for
 //! [`quality`](crate::model::quality), [`load()`] opens them with their materials to be looked at.
 
-pub mod decode;
 pub mod error;
 pub mod glb;
 mod glb_container;
@@ -27,6 +26,7 @@ pub mod scene;
 mod tint;
 
 pub use crate::atomic::{WriteError, write_atomically};
+pub use crate::picture::decode;
 pub use error::ExportError;
 pub use load::{Embedded, Loaded, load};
 pub use pictures::{BuiltInTextures, Pictures};

@@ -3,6 +3,7 @@
 //! Pictures are not decoded here: PNG and JPEG are what both OBJ and glTF carry, told apart by their first bytes.
 
 use super::{ExportError, Scene};
+pub use crate::picture::PictureFormat;
 use crate::plant::{Material, Texture};
 use std::borrow::Cow;
 use std::io;
@@ -29,44 +30,6 @@ pub enum FetchError {
         /// What the system says; part of the message, so not a source of its own.
         cause: io::Error,
     },
-}
-
-/// How a picture is encoded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PictureFormat {
-    /// Portable Network Graphics.
-    Png,
-    /// JPEG.
-    Jpeg,
-}
-
-impl PictureFormat {
-    /// The format that the bytes begin with.
-    pub fn of(bytes: &[u8]) -> Option<Self> {
-        if bytes.starts_with(b"\x89PNG\r\n\x1a\n") {
-            Some(Self::Png)
-        } else if bytes.starts_with(b"\xff\xd8\xff") {
-            Some(Self::Jpeg)
-        } else {
-            None
-        }
-    }
-
-    /// The usual file extension.
-    pub fn extension(self) -> &'static str {
-        match self {
-            Self::Png => "png",
-            Self::Jpeg => "jpg",
-        }
-    }
-
-    /// The media type that glTF wants.
-    pub fn media_type(self) -> &'static str {
-        match self {
-            Self::Png => "image/png",
-            Self::Jpeg => "image/jpeg",
-        }
-    }
 }
 
 /// One picture.
@@ -127,6 +90,7 @@ fn picture(
     let path = match texture {
         Texture::BuiltIn(name) => Path::new(name),
         Texture::File(path) => path,
+        Texture::Own(_) => Path::new("picture"),
     };
     let strange = || ExportError::NotAPicture { material: wanted_by(), picture: path.display().to_string() };
     let format = PictureFormat::of(&bytes).ok_or_else(strange)?;
@@ -153,5 +117,6 @@ pub fn fetch(texture: &Texture, built_in: &BuiltInTextures<'_>) -> Result<Cow<'s
             Ok(bytes) => Ok(bytes.into()),
             Err(cause) => Err(FetchError::Unreadable { path: path.clone(), cause }),
         },
+        Texture::Own(picture) => Ok(picture.bytes().to_vec().into()),
     }
 }

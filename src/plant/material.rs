@@ -1,6 +1,9 @@
 //! What a part looks like: Blinn-Phong colours as in 000 §6.1.1, a picture, and what a plant needs beyond them.
 
-use serde::{Deserialize, Serialize};
+use crate::picture::Picture;
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::path::{Path, PathBuf};
 
 /// A picture, by where its bytes are found.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -8,8 +11,25 @@ use serde::{Deserialize, Serialize};
 pub enum Texture {
     /// File name in the program's own `assets/textures`.
     BuiltIn(String),
-    /// A user's file, PNG or JPEG.
-    File(std::path::PathBuf),
+    /// A user's file, PNG or JPEG. Written without its folders, which are nobody else's business.
+    #[serde(serialize_with = "without_folders")]
+    File(PathBuf),
+    /// The artist's own picture; written as base64.
+    #[serde(serialize_with = "as_base64", deserialize_with = "from_base64")]
+    Own(Picture),
+}
+
+fn without_folders<S: Serializer>(path: &Path, serializer: S) -> Result<S::Ok, S::Error> {
+    let name = path.file_name().unwrap_or_default();
+    serializer.serialize_str(&name.to_string_lossy())
+}
+
+fn as_base64<S: Serializer>(picture: &Picture, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(&picture.to_base64())
+}
+
+fn from_base64<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Picture, D::Error> {
+    Picture::from_base64(&String::deserialize(deserializer)?).map_err(D::Error::custom)
 }
 
 /// Look of a surface. Colours are linear RGB, 0 to 1.

@@ -196,5 +196,6 @@ fn name_of(texture: &Texture) -> String {
     match texture {
         Texture::BuiltIn(name) => format!("`{name}` of the program"),
         Texture::File(path) => format!("`{}`", path.display()),
+        Texture::Own(_) => "of the drawing's own pictures".to_owned(),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::sketch::settings::Settings;
-use crate::sketch::{Canvas, StrokePoint, Textures, Tool};
+use crate::sketch::{Canvas, StrokePoint, TextureChoice, Textures, Tool};
 use glam::{Vec2, vec2};
 use serde_json::{Map, Value, json};
 
@@ -179,7 +179,7 @@ fn settings_that_no_file_can_hold_are_refused_in_words() {
     assert!(message.contains("NaN by 3"), "{message}");
     let Value::Object(bad) = json!({ "anatomy": { "x": [1] } }) else { panic!() };
     assert!(refused(&mut document, Change::params(bad)).contains("`anatomy.x`"));
-    let textures = Textures::from([("stem".to_owned(), "oak".to_owned())]);
+    let textures = Textures::from([("stem".to_owned(), TextureChoice::Named("oak".to_owned()))]);
     assert!(refused(&mut document, Change::textures(textures)).contains("`stem`"));
     let many = (0..=limits::MAX_PARAMS).map(|i| (i.to_string(), Value::from(1))).collect();
     assert!(refused(&mut document, Change::params(many)).contains("4096 parameters"));

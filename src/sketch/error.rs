@@ -5,6 +5,7 @@
 use super::json::VERSION;
 use super::limits;
 use super::reference::ReferenceError;
+use crate::picture::PictureError;
 use std::fmt;
 use thiserror::Error;
 
@@ -100,7 +101,7 @@ pub enum Fault {
         found: String,
     },
     /// A version that this program does not know.
-    #[error("the file has version {found}, this program reads version {VERSION}; {}", version_remedy(*.found))]
+    #[error("the file has version {found}, this program reads versions 1 to {VERSION}; {}", version_remedy(*.found))]
     WrongVersion {
         /// The `version` field.
         found: f64,
@@ -140,6 +141,9 @@ pub enum Fault {
         /// The name as written.
         name: String,
     },
+    /// A picture for textures.
+    #[error(transparent)]
+    Picture(#[from] PictureError),
     /// A picture that cannot lie under the drawing.
     #[error(transparent)]
     Reference(#[from] ReferenceError),
@@ -170,7 +174,7 @@ fn version_remedy(found: f64) -> &'static str {
     if found > f64::from(VERSION) {
         "it was saved by a newer Penstemon, install that one"
     } else {
-        "no Penstemon ever wrote that version, set it to the one above"
+        "no Penstemon ever wrote that version, set it to the newest of these"
     }
 }
 

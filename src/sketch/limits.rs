@@ -24,13 +24,16 @@ pub const MAX_TILT_DEG: f32 = 90.0;
 /// Longest stroke in milliseconds (eleven days).
 pub const MAX_TIME_MS: f32 = 1e9;
 
-/// Largest reference picture in bytes, as the picture's own file has it.
-pub const MAX_REFERENCE_BYTES: usize = 32 << 20;
+/// Largest picture in bytes, as the picture's own file has it: the reference picture, and each of the artist's textures.
+pub const MAX_PICTURE_BYTES: usize = crate::picture::MAX_BYTES;
+
+/// Most bytes of all pictures together that the artist chose as textures.
+pub const MAX_TEXTURE_BYTES: usize = 64 << 20;
 
 /// Largest turn of the reference picture in degrees, either way.
 pub const MAX_REFERENCE_ROTATION_DEG: f32 = 360.0;
 
-/// Longest name or path of a texture in bytes.
+/// Longest name of a texture in bytes; in files of the first version also its path.
 pub const MAX_TEXTURE_NAME_BYTES: usize = 4096;
 
 /// Most parameters set by one drawing.

@@ -5,7 +5,6 @@
 //! SVG; [`json`] also writes. Reading is total: any bytes end in a sketch or in a [`SketchError`] that says what is
 //! wrong and where. Limits are constants in [`limits`].
 
-mod base64;
 pub mod change;
 pub mod document;
 mod draft;
@@ -29,10 +28,12 @@ pub use change::{Change, StrokeChange};
 pub use document::{ChangeError, Document};
 pub use error::SketchError;
 pub use read::{editable_from_bytes, from_bytes, read};
-pub use reference::{Picture, Reference, ReferenceError};
+pub use reference::{Reference, ReferenceError};
 pub use remark::{Remark, Warning};
 pub use step::Step;
-pub use textures::Textures;
+pub use textures::{TextureChoice, Textures};
+
+pub use crate::picture::Picture;
 
 use glam::Vec2;
 use serde::{Deserialize, Serialize};
@@ -143,7 +144,7 @@ impl Canvas {
 pub struct Sketch {
     /// Drawing surface; the strokes' bounding box when the file said nothing.
     pub canvas: Canvas,
-    /// Built-in species name or path of a species file; `None` leaves the choice to the program.
+    /// Built-in species name or path of a species file; `None` is any plant (`pipeline::DEFAULT_SPECIES`).
     pub species: Option<String>,
     /// Seed of everything random in the plant.
     pub seed: u64,
@@ -169,6 +170,12 @@ impl Sketch {
             reference: None,
             strokes: Vec::new(),
         }
+    }
+
+    /// Every picture that belongs to the drawing: its own textures, and the one under it. A picture may come again.
+    pub fn pictures(&self) -> impl Iterator<Item = &Picture> {
+        let reference = self.reference.as_ref().map(|reference| &reference.picture);
+        textures::pictures(&self.textures).chain(reference)
     }
 
     /// Smallest and largest corner over all samples, `None` without samples.

@@ -98,6 +98,27 @@ pub enum Remark {
         /// What it says, as far as it is short.
         value: String,
     },
+    /// A texture's picture that is not there.
+    #[error(
+        "the picture `{name}` is missing, so the species' own texture is shown; choose the picture again, or put it beside \
+         the drawing"
+    )]
+    PictureMissing {
+        /// Its file's name, without folders.
+        name: String,
+        /// The parts that were to show it.
+        parts: Vec<String>,
+    },
+    /// A texture's picture that cannot be shown.
+    #[error(
+        "a picture for textures is damaged ({reason}) and was left out, so the species' own texture is shown; choose another"
+    )]
+    PictureDamaged {
+        /// What is wrong with it.
+        reason: String,
+        /// The parts that were to show it.
+        parts: Vec<String>,
+    },
     /// A dot.
     #[error("is too short to mean anything and was skipped")]
     TooShort,
@@ -218,6 +239,8 @@ impl Remark {
             | Self::CutShort { .. }
             | Self::PressureUnfit { .. }
             | Self::Page { .. }
+            | Self::PictureMissing { .. }
+            | Self::PictureDamaged { .. }
             | Self::TooShort
             | Self::Heart
             | Self::FinenessUnused

@@ -9,9 +9,9 @@
 //! without locks leaves the same gap between windows.
 
 use super::limits;
-use super::reference::content_hash;
 use super::{Sketch, SketchError, Warning, editable_from_bytes, json, read};
 use crate::atomic::{WriteError, folder_of, write_atomically_if};
+use crate::picture::content_hash;
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File, TryLockError};
 use std::io;

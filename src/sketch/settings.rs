@@ -1,6 +1,6 @@
 //! What belongs to a drawing besides its strokes, each setting listed once: as changes ask for it and as steps keep it.
 
-use super::{Canvas, Reference, Sketch, Textures};
+use super::{Canvas, Picture, Reference, Sketch, Textures, textures};
 use serde_json::{Map, Value};
 use std::sync::Arc;
 
@@ -38,7 +38,7 @@ macro_rules! settings {
 settings! {
     /// The sheet.
     canvas: Canvas,
-    /// The species; `Some(None)` leaves the choice to the program.
+    /// The species; `Some(None)` is any plant.
     species: Option<String>,
     /// The seed.
     seed: u64,
@@ -48,6 +48,14 @@ settings! {
     textures: Textures,
     /// The picture under the drawing and how it lies; `Some(None)` takes it away.
     reference: Option<Arc<Reference>>,
+}
+
+impl Settings {
+    /// Every picture in these settings. A picture may come again.
+    pub(super) fn pictures(&self) -> impl Iterator<Item = &Picture> {
+        let reference = self.reference.iter().flatten().map(|reference| &reference.picture);
+        self.textures.iter().flat_map(textures::pictures).chain(reference)
+    }
 }
 
 fn differing<T: Clone + PartialEq>(old: &T, new: Option<T>) -> (Option<T>, Option<T>) {

@@ -1,11 +1,13 @@
 //! Tests of dressing, on plants built by hand: shut and open flowers, seen from any side, or none at all.
 
 use super::*;
+use crate::picture::Picture;
 use crate::plant::{Branch, Cone, Flower, Material, RestSurface, Texture, WorldFromCanvas};
 use crate::species::seat::Seat;
 use glam::{Quat, Vec3};
 use proptest::prelude::*;
 use std::f32::consts::TAU;
+use std::path::Path;
 
 fn leaf(base: Vec3, branch: Option<usize>, stroke: Option<u64>, length: f32) -> Organ {
     let outline =
@@ -204,15 +206,15 @@ fn flowers_of_a_bouquet_take_the_looks_in_turn() {
 
 #[test]
 fn an_artists_picture_replaces_every_material_of_its_part_only() {
-    let picture = tempfile::NamedTempFile::new().unwrap();
+    let picture = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/reference/small.png"));
+    let own = Texture::Own(Picture::read(picture).unwrap());
     let mut rose = Species::built_in("rose").unwrap();
-    rose.set_texture("petal", picture.path()).unwrap();
+    rose.set_texture("petal", picture).unwrap();
     let mut plant = flowering();
     dress(&mut plant, &rose, 1);
     plant.check_invariants().unwrap();
     for organ in &plant.organs {
-        let pictured =
-            plant.materials[organ.material].texture == Some(Texture::File(picture.path().to_owned()));
+        let pictured = plant.materials[organ.material].texture.as_ref() == Some(&own);
         assert_eq!(pictured, organ.kind == OrganKind::Petal, "{:?}", organ.kind);
     }
     assert_eq!(plant.materials.iter().filter(|m| m.name == "petal-picture").count(), 1);

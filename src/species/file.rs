@@ -6,6 +6,7 @@ use super::builtin::{builtin_texture, texture_names};
 use super::looks::{FlowerLook, Species};
 use super::part::Part;
 use super::places::Places;
+use crate::picture::{Picture, PictureError};
 use crate::plant::Texture;
 use crate::suggest::{did_you_mean, nearest};
 use crate::{input, quote};
@@ -108,13 +109,15 @@ pub enum SpeciesError {
         /// The part that looks most like it.
         nearest: Option<String>,
     },
-    /// The artist's picture for a part is not there.
-    #[error("the picture for `{part}`, {}, is not a file; check the path", .file.display())]
-    NoPicture {
+    /// The artist's picture for a part is missing or cannot be shown.
+    #[error("{} for `{part}`: {fault}", .file.display())]
+    OwnPicture {
         /// The part.
         part: &'static str,
-        /// The missing picture.
+        /// The picture.
         file: PathBuf,
+        /// What is wrong with it.
+        fault: PictureError,
     },
 }
 
@@ -150,16 +153,15 @@ impl Species {
     /// Gives every material of a part the artist's own picture.
     ///
     /// # Errors
-    /// A part that no plant has (the message lists all, see [`Part`]), or a picture that is not there.
+    /// A part that no plant has (the message lists all, see [`Part`]), or a picture that is missing or cannot be shown.
     pub fn set_texture(&mut self, part: &str, picture: &Path) -> Result<(), SpeciesError> {
         let part = Part::from_name(part).map_err(|nearest| SpeciesError::NoPart {
             name: quote::name(part),
             nearest: nearest.map(str::to_owned),
         })?;
-        if !picture.is_file() {
-            return Err(SpeciesError::NoPicture { part: part.name(), file: picture.to_owned() });
-        }
-        self.pictures.insert(part, picture.to_owned());
+        let refused = |fault| SpeciesError::OwnPicture { part: part.name(), file: picture.to_owned(), fault };
+        let own = Picture::read(picture).map_err(refused)?;
+        self.pictures.insert(part, (picture.to_owned(), own));
         Ok(())
     }
 
@@ -168,9 +170,9 @@ impl Species {
         let textures = self.materials.values().filter_map(|look| look.texture.as_ref());
         let beside = textures.filter_map(|texture| match texture {
             Texture::File(path) => Some(path.as_path()),
-            Texture::BuiltIn(_) => None,
+            Texture::BuiltIn(_) | Texture::Own(_) => None,
         });
-        beside.chain(self.pictures.values().map(PathBuf::as_path))
+        beside.chain(self.pictures.values().map(|(file, _)| file.as_path()))
     }
 
     /// Every material name that a section refers to, with the key that does.

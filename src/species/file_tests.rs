@@ -109,4 +109,10 @@ fn parts_and_pictures_are_checked() {
     assert!(error.contains("did you mean `petal`?") && error.contains("stigma"), "{error}");
     let error = weed.set_texture("petal", Path::new("no/such.png")).unwrap_err().to_string();
     assert!(error.contains("no/such.png"), "{error}");
+    let folder = tempfile::tempdir().unwrap();
+    let cut = folder.path().join("cut.png");
+    let whole = include_bytes!("../../tests/fixtures/reference/small.png");
+    fs::write(&cut, &whole[..whole.len() - 20]).unwrap();
+    let error = weed.set_texture("petal", &cut).unwrap_err().to_string();
+    assert!(error.contains("cut.png") && error.contains("damaged"), "{error}");
 }

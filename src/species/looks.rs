@@ -6,6 +6,7 @@
 use super::part::Part;
 use super::ranges;
 use crate::growth::Habit;
+use crate::picture::Picture;
 use crate::plant::{BladeForm, Material, Texture};
 use crate::quote;
 use crate::srgb::linear_from_srgb;
@@ -46,7 +47,7 @@ pub struct Species {
     pub written: Written,
     /// The artist's own pictures, which replace every material of a part.
     #[serde(skip)]
-    pub(super) pictures: BTreeMap<Part, PathBuf>,
+    pub(super) pictures: BTreeMap<Part, (PathBuf, Picture)>,
 }
 
 /// Where a species is written, for messages about parameters, which are checked where all of them are known.

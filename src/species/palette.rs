@@ -19,17 +19,18 @@ impl<'a> Palette<'a> {
     /// Index of the material `name` as `part` wears it: with the artist's own picture if the part was given one.
     pub(super) fn index(&mut self, part: Part, name: &str) -> usize {
         // the species' own materials have no hyphen in their names, see `SpeciesError::MaterialName`
-        let picture = self.species.pictures.get(&part).map(|path| (format!("{}-picture", part.name()), path));
+        let picture =
+            self.species.pictures.get(&part).map(|(_, own)| (format!("{}-picture", part.name()), own));
         let unique = picture.as_ref().map_or(name, |(unique, _)| unique.as_str());
         if let Some(index) = self.materials.iter().position(|m| m.name == unique) {
             return index;
         }
         let look = self.species.materials.get(name).cloned().unwrap_or_default();
         let mut material = look.material(unique);
-        if let Some((_, path)) = picture {
+        if let Some((_, own)) = picture {
             let white = Material::plain(unique, [1.0; 3]);
             material = Material { diffuse: white.diffuse, ambient: white.ambient, ..material };
-            material.texture = Some(Texture::File(path.clone()));
+            material.texture = Some(Texture::Own(own.clone()));
         }
         self.materials.push(material);
         self.materials.len() - 1

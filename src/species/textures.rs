@@ -1,15 +1,19 @@
-//! The artist's own textures: laid over a dressed plant, by kind of part.
+//! The artist's own textures: found, and laid over a dressed plant, by kind of part.
 //!
 //! A choice names a kind of part by its [`key`] and a texture: a built-in one, by file name with or without ending, or a
-//! picture file. Every material that such parts wear gets the texture; a material that other parts wear too is split
+//! picture. Every material that such parts have gets the texture; a material that other parts have too is split
 //! first, so that a choice for petals never shows on leaves. The colour becomes white, for a picture shows its own
 //! colours; only the built-in `…_soft` textures are grey and keep the species' colour.
 //!
-//! Limits: whether a picture file can be read is found out by who draws or exports it.
+//! Drawings of the first version name a picture by its path. [`take_in`] reads such pictures into the drawing; where one
+//! is missing the part is as its species has it.
 
 use super::builtin::builtin_texture;
+use crate::picture::{Picture, PictureError, decode};
 use crate::plant::{Material, OrganKind, Plant, Shape, Texture};
+use crate::sketch::{Remark, TextureChoice, Textures, Warning};
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 
 /// Kinds of parts that have a texture of their own, `None` for branches.
 pub const KINDS: [Option<OrganKind>; 10] = [
@@ -42,21 +46,82 @@ pub fn key(organ: Option<OrganKind>) -> &'static str {
     }
 }
 
-/// The texture that a choice means: a built-in name with or without `.png`, anything else a file.
-pub fn chosen(name: &str) -> Texture {
-    let built_in = [name.to_owned(), format!("{name}.png")];
-    match built_in.into_iter().find(|name| builtin_texture(name).is_some()) {
-        Some(name) => Texture::BuiltIn(name),
-        None => Texture::File(name.into()),
+/// File name of the built-in texture that a choice means, given with or without `.png`; `None` where there is none.
+pub fn built_in_name(name: &str) -> Option<String> {
+    let names = [name.to_owned(), format!("{name}.png")];
+    names.into_iter().find(|name| builtin_texture(name).is_some())
+}
+
+/// The texture that a choice means; `None` for a picture that is missing.
+pub fn chosen(choice: &TextureChoice) -> Option<Texture> {
+    match choice {
+        TextureChoice::Named(name) => built_in_name(name).map(Texture::BuiltIn),
+        TextureChoice::Own(picture) => Some(Texture::Own(picture.clone())),
     }
 }
 
-/// Lays the artist's textures over a dressed plant. Choices for unknown kinds of parts, and for those that the plant
-/// does not have, change nothing.
-pub fn lay_over(plant: &mut Plant, choices: &BTreeMap<String, String>) {
+/// Reads the pictures that choices name by path into the choices. A path is looked up from `folder`, the drawing's; then
+/// the file's name is looked for in `folder` itself, for drawings are moved together with their pictures. Of a picture
+/// that is missing the name without folders stays; one that is damaged goes, also where it was in the drawing before.
+///
+/// Returns one remark for each picture that is missing or damaged.
+pub fn take_in(textures: &mut Textures, folder: &Path) -> Vec<Warning> {
+    let mut troubles: BTreeMap<(String, Option<String>), Vec<String>> = BTreeMap::new();
+    let mut looked_at: BTreeMap<String, Option<String>> = BTreeMap::new();
+    let mut note = |name: &str, damage: Option<String>, part: &str| {
+        troubles.entry((name.to_owned(), damage)).or_default().push(part.to_owned());
+    };
+    textures.retain(|part, choice| match choice {
+        TextureChoice::Named(name) if built_in_name(name).is_some() => true,
+        TextureChoice::Named(path) => {
+            let name = file_name(path).to_owned();
+            match found(path, &name, folder) {
+                Ok(picture) => *choice = TextureChoice::Own(picture),
+                Err(PictureError::Unreadable(_)) => {
+                    note(&name, None, part);
+                    *choice = TextureChoice::Named(name);
+                }
+                Err(damage) => {
+                    note(&name, Some(damage.to_string()), part);
+                    return false;
+                }
+            }
+            true
+        }
+        TextureChoice::Own(picture) => {
+            let look = || decode::decode(picture.bytes()).err();
+            let damage = looked_at.entry(picture.name()).or_insert_with(look).clone();
+            if damage.is_some() {
+                note(&picture.name(), damage.clone(), part);
+            }
+            damage.is_none()
+        }
+    });
+    let remark = |((name, damage), parts)| match damage {
+        None => Remark::PictureMissing { name, parts },
+        Some(reason) => Remark::PictureDamaged { reason, parts },
+    };
+    troubles.into_iter().map(|trouble| Warning { stroke: None, remark: remark(trouble) }).collect()
+}
+
+fn found(path: &str, name: &str, folder: &Path) -> Result<Picture, PictureError> {
+    match Picture::read(&folder.join(path)) {
+        Err(PictureError::Unreadable(_)) => Picture::read(&folder.join(name)),
+        read => read,
+    }
+}
+
+/// The end of a path of any system: drawings travel between them.
+fn file_name(path: &str) -> &str {
+    path.rsplit(['/', '\\']).find(|part| !part.is_empty()).unwrap_or("picture")
+}
+
+/// Lays the artist's textures over a dressed plant. Choices for unknown kinds of parts, for those that the plant does
+/// not have, and of missing pictures change nothing.
+pub fn lay_over(plant: &mut Plant, choices: &Textures) {
     for organ in KINDS {
-        if let Some(name) = choices.get(key(organ)) {
-            lay(plant, organ, &chosen(name));
+        if let Some(texture) = choices.get(key(organ)).and_then(chosen) {
+            lay(plant, organ, &texture);
         }
     }
 }
@@ -90,7 +155,7 @@ fn lay(plant: &mut Plant, organ: Option<OrganKind>, texture: &Texture) {
     });
 }
 
-/// Shows every material index of the plant with the kind of part that wears it.
+/// Shows every material index of the plant with the kind of part that has it.
 fn visit(plant: &mut Plant, mut see: impl FnMut(Option<OrganKind>, &mut usize)) {
     for branch in &mut plant.branches {
         see(None, &mut branch.material);
@@ -159,8 +224,14 @@ mod tests {
         plant
     }
 
-    fn choices(pairs: &[(&str, &str)]) -> BTreeMap<String, String> {
-        pairs.iter().map(|(k, v)| ((*k).to_owned(), (*v).to_owned())).collect()
+    const PNG: &[u8] = include_bytes!("../../tests/fixtures/reference/small.png");
+
+    fn named(name: &str) -> TextureChoice {
+        TextureChoice::Named(name.to_owned())
+    }
+
+    fn choices(pairs: &[(&str, &str)]) -> Textures {
+        pairs.iter().map(|(k, v)| ((*k).to_owned(), named(v))).collect()
     }
 
     fn textures_of(plant: &Plant, wanted: Option<OrganKind>) -> BTreeSet<String> {
@@ -179,13 +250,16 @@ mod tests {
     fn only_the_chosen_kind_of_part_changes() {
         let before = plant();
         let mut after = before.clone();
-        lay_over(&mut after, &choices(&[("petal", "petal_rose"), ("branch", "/photos/bark.jpg")]));
+        let mut textures = choices(&[("petal", "petal_rose"), ("leaf", "/photos/gone.jpg")]);
+        let own = Picture::new(PNG).unwrap();
+        textures.insert("branch".to_owned(), TextureChoice::Own(own.clone()));
+        lay_over(&mut after, &textures);
         assert_eq!(after.check_invariants(), Ok(()));
         assert_eq!(
             textures_of(&after, Some(OrganKind::Petal)),
             ["Some(BuiltIn(\"petal_rose.png\"))".to_owned()].into()
         );
-        assert_eq!(textures_of(&after, None), ["Some(File(\"/photos/bark.jpg\"))".to_owned()].into());
+        assert_eq!(textures_of(&after, None), [format!("{:?}", Some(Texture::Own(own)))].into());
         for kind in [OrganKind::Leaf, OrganKind::Receptacle, OrganKind::Sepal, OrganKind::Stamen] {
             assert_eq!(textures_of(&after, Some(kind)), textures_of(&before, Some(kind)), "{kind:?}");
         }
@@ -213,9 +287,53 @@ mod tests {
     #[test]
     fn grey_textures_keep_the_colour_and_pictures_show_their_own() {
         let tinted = Material::plain("petal", [0.8, 0.1, 0.2]);
-        assert_eq!(textured(&tinted, &chosen("petal_soft")).diffuse, tinted.diffuse);
-        assert_eq!(textured(&tinted, &chosen("petal_daisy")).diffuse, [1.0; 3]);
-        assert_eq!(chosen("petal.png"), Texture::File("petal.png".into()));
+        assert_eq!(textured(&tinted, &chosen(&named("petal_soft")).unwrap()).diffuse, tinted.diffuse);
+        assert_eq!(textured(&tinted, &chosen(&named("petal_daisy")).unwrap()).diffuse, [1.0; 3]);
+        assert_eq!(chosen(&named("petal.png")), None);
+    }
+
+    #[test]
+    fn pictures_are_found_by_path_and_beside_the_drawing_and_taken_in() {
+        let folder = tempfile::tempdir().unwrap();
+        let elsewhere = tempfile::tempdir().unwrap();
+        let far = elsewhere.path().join("far.png");
+        for path in [&far, &folder.path().join("near.png"), &folder.path().join("moved.png")] {
+            std::fs::write(path, PNG).unwrap();
+        }
+        let mut textures = choices(&[
+            ("branch", far.to_str().unwrap()),
+            ("leaf", "near.png"),
+            ("petal", "/home/ada/moved.png"),
+            ("sepal", r"C:\Users\ada\moved.png"),
+            ("pot", "terracotta"),
+        ]);
+        assert_eq!(take_in(&mut textures, folder.path()), []);
+        let own = TextureChoice::Own(Picture::new(PNG).unwrap());
+        assert_eq!(textures.remove("pot"), Some(named("terracotta")));
+        assert!(textures.len() == 4 && textures.values().all(|choice| *choice == own));
+    }
+
+    #[test]
+    fn a_missing_picture_is_one_remark_and_keeps_no_folder() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut textures = choices(&[("leaf", "/home/ada/gone.png"), ("petal", "/home/ada/gone.png")]);
+        let remarks = take_in(&mut textures, folder.path());
+        let parts = vec!["leaf".to_owned(), "petal".to_owned()];
+        let missing = Remark::PictureMissing { name: "gone.png".to_owned(), parts };
+        assert_eq!(remarks, [Warning { stroke: None, remark: missing }]);
+        assert_eq!(textures, choices(&[("leaf", "gone.png"), ("petal", "gone.png")]));
+    }
+
+    #[test]
+    fn a_damaged_picture_is_left_out_with_a_remark() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("cut.png"), &PNG[..PNG.len() - 20]).unwrap();
+        let mut textures = choices(&[("leaf", "cut.png")]);
+        let cut = Picture::new(&PNG[..PNG.len() - 20]).unwrap();
+        textures.insert("petal".to_owned(), TextureChoice::Own(cut));
+        let remarks = take_in(&mut textures, folder.path());
+        assert!(remarks.len() == 2 && textures.is_empty(), "{remarks:?}");
+        assert!(remarks.iter().all(|w| matches!(w.remark, Remark::PictureDamaged { .. })));
     }
 
     #[test]

@@ -55,7 +55,7 @@ const SHOTS: [Shot; 18] = [
     ("settings", Language::English, Some(Msg::SettingsTitle), |_| ()),
     ("files", Language::Chinese, Some(Msg::FileMenu), |_| ()),
     ("textures", Language::English, None, |s| {
-        s.textures.insert("petal".into(), "petal_rose".into());
+        s.textures.insert("petal".into(), penstemon::sketch::TextureChoice::Named("petal_rose".into()));
         s.presets = vec![Listed { name: "Evening".into(), path: "/presets/evening.toml".into() }];
         s.part_menu = Some(PartMenu { of: MenuOf::Stroke(9), tool: Tool::Petal, at: [400.0, 300.0] });
     }),

@@ -8,6 +8,7 @@ use penstemon::app::messages::Language;
 use penstemon::app::panels::snapshot::{PathPurpose, ReferenceState, Shading};
 use penstemon::app::presets::Listed;
 use penstemon::plant::OrganKind;
+use penstemon::sketch::{Picture, TextureChoice};
 
 #[test]
 fn species_textures_and_seed_are_chosen_by_tapping() {
@@ -23,7 +24,7 @@ fn species_textures_and_seed_are_chosen_by_tapping() {
     harness.get_by_label("petal rose").scroll_to_me();
     harness.run();
     press(&mut harness, "petal rose");
-    let texture = Some("petal_rose.png".to_owned());
+    let texture = Some(TextureChoice::Named("petal_rose.png".to_owned()));
     assert_eq!(asked(&mut harness), [Action::SetTexture { organ: Some(OrganKind::Petal), texture }]);
     harness.get_by_label("Branches").scroll_to_me();
     harness.run();
@@ -35,12 +36,27 @@ fn species_textures_and_seed_are_chosen_by_tapping() {
 #[test]
 fn a_chosen_texture_can_be_given_back() {
     let mut snapshot = busy();
-    snapshot.textures.insert("petal".into(), "petal_rose".into());
+    snapshot.textures.insert("petal".into(), TextureChoice::Named("petal_rose".into()));
     let mut harness = stage(snapshot, Language::English);
     harness.get_by_label("Species' own").scroll_to_me();
     harness.run();
     press(&mut harness, "Species' own");
     assert_eq!(asked(&mut harness), [Action::SetTexture { organ: Some(OrganKind::Petal), texture: None }]);
+}
+
+#[test]
+fn a_missing_picture_is_named_and_can_be_found_and_an_own_one_is_shown() {
+    let mut snapshot = busy();
+    snapshot.textures.insert("petal".into(), TextureChoice::Named("gone.png".into()));
+    let mut harness = stage(snapshot.clone(), Language::English);
+    harness.get_by_label("gone.png is missing; the species' own is shown.").scroll_to_me();
+    harness.run();
+    press(&mut harness, "Find…");
+    assert_eq!(asked(&mut harness), [Action::ChooseFile(PathPurpose::Texture(Some(OrganKind::Petal)))]);
+    let own = Picture::new(&include_bytes!("../fixtures/reference/small.png")[..]).unwrap();
+    snapshot.textures.insert("petal".into(), TextureChoice::Own(own));
+    let harness = stage(snapshot, Language::English);
+    harness.get_by_label("Your picture").scroll_to_me();
 }
 
 #[test]

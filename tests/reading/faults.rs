@@ -72,9 +72,12 @@ fn files_of_other_kinds() {
 
 #[test]
 fn other_versions() {
-    let newer = r#"{"format": "penstemon-sketch", "layers": [], "version": 2, "strokes": []}"#;
-    assert_message(newer, &["version 2", "reads version 1", "newer Penstemon"]);
-    assert_message(&GOOD.replace("\"version\": 1", "\"version\": 0"), &["version 0", "reads version 1"]);
+    let newer = r#"{"format": "penstemon-sketch", "layers": [], "version": 3, "strokes": []}"#;
+    assert_message(newer, &["version 3", "reads versions 1 to 2", "newer Penstemon"]);
+    assert_message(
+        &GOOD.replace("\"version\": 1", "\"version\": 0"),
+        &["version 0", "reads versions 1 to 2"],
+    );
     assert_message(&GOOD.replace("\"version\": 1,", ""), &["`version` is missing"]);
     assert_message(&GOOD.replace("\"version\": 1", "\"version\": \"one\""), &["\"one\"", "line 1"]);
 }

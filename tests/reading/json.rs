@@ -3,7 +3,8 @@
 use super::{read, with_points, with_strokes};
 use glam::vec2;
 use penstemon::sketch::{
-    Canvas, Picture, Reference, Sketch, Stroke, StrokePoint, Tool, from_bytes, json, limits, textures,
+    Canvas, Picture, Reference, Sketch, Stroke, StrokePoint, TextureChoice, Tool, from_bytes, json, limits,
+    textures,
 };
 use proptest::prelude::*;
 use serde_json::{Map, Value};
@@ -135,13 +136,19 @@ prop_compose! {
     }
 }
 
+fn texture() -> impl Strategy<Value = TextureChoice> {
+    let own = prop::sample::select(&[SMALL_PNG, SMALL_JPEG][..]);
+    let own = own.prop_map(|bytes| TextureChoice::Own(Picture::new(bytes).unwrap()));
+    prop_oneof![".{1,12}".prop_map(TextureChoice::Named), own]
+}
+
 prop_compose! {
     fn sketch()(
         size in (1e-3_f32..1e6, 1e-3_f32..1e6),
         species in prop::option::of(".{0,12}"),
         seed in any::<u64>(),
         params in prop::collection::btree_map(".{1,8}", param(), 0..4),
-        textures in prop::collection::btree_map(prop::sample::select(&textures::PARTS[..]).prop_map(str::to_owned), ".{1,12}", 0..3),
+        textures in prop::collection::btree_map(prop::sample::select(&textures::PARTS[..]).prop_map(str::to_owned), texture(), 0..4),
         reference in prop::option::of(reference()),
         strokes in prop::collection::btree_map(
             any::<u64>(),
@@ -197,7 +204,7 @@ fn a_bad_reference_is_named() {
     says(&written.replace("\"width\": 50", "\"width\": 0"), "width is out of range");
     says(&with_reference(r#"{"center": [0, 0], "width": 5}"#), "missing field `picture`");
     says(&with_reference(r#"{"tilt": 1}"#), "unknown field `tilt`");
-    let huge = "A".repeat(limits::MAX_REFERENCE_BYTES / 3 * 4 + 100);
+    let huge = "A".repeat(limits::MAX_PICTURE_BYTES / 3 * 4 + 100);
     says(&with_reference(&format!(r#"{{"picture": "{huge}"}}"#)), "larger than 32 MiB");
 }
 
@@ -206,14 +213,31 @@ fn textures_belong_to_parts() {
     let file = with_points("[[0, 0], [1, 1]]");
     let with = |textures: &str| format!("{}, \"textures\": {textures}}}", file.strip_suffix('}').unwrap());
     let (sketch, _) = read(&with(r#"{"leaf": "oak", "branch": "/a/b.png"}"#)).unwrap();
-    assert_eq!(sketch.textures["branch"], "/a/b.png");
+    assert_eq!(sketch.textures["branch"], TextureChoice::Named("/a/b.png".to_owned()));
     let message = |text: &str| read(text).unwrap_err().to_string();
     assert!(
         message(&with(r#"{"stem": "oak"}"#))
             .contains("no part `stem` to give a texture; the parts are branch, leaf")
     );
     assert!(message(&with(r#"{"leaf": ""}"#)).contains("the texture of `leaf`"));
-    assert!(message(&with(r#"{"leaf": 3}"#)).contains("expected a string"));
+    assert!(message(&with(r#"{"leaf": 3}"#)).contains("did not match"));
+}
+
+#[test]
+fn a_picture_of_two_parts_is_in_the_file_once_and_comes_back_for_both() {
+    let (mut sketch, _) = read(&with_points("[[0, 0], [1, 1]]")).unwrap();
+    assert!(json::write(&sketch).contains("\"version\": 1,"), "older programs open what they understand");
+    let own = TextureChoice::Own(Picture::new(SMALL_PNG).unwrap());
+    sketch.textures = ["leaf", "petal"].map(|part| (part.to_owned(), own.clone())).into();
+    let text = json::write(&sketch);
+    assert!(text.contains("\"version\": 2,"));
+    assert_eq!(text.matches("iVBORw0K").count(), 1, "{text}");
+    let (again, warnings) = read(&text).unwrap();
+    assert_eq!((&again, warnings.len()), (&sketch, 0));
+    assert_eq!(json::write(&again), text);
+    let message = |text: &str| read(text).unwrap_err().to_string();
+    assert!(message(&text.replace("iVBORw0K", "iVB*Rw0K")).contains("character 0 of its base64 text"));
+    assert!(message(&text.replace("    \"", "    \"0")).contains("is not in the file"));
 }
 
 proptest! {

@@ -1,7 +1,7 @@
 //! A session of an artist that can be played again, step by step.
 
 use penstemon::sketch::document::Document;
-use penstemon::sketch::{Change, Picture, Reference, Step, Stroke, StrokeChange, Textures};
+use penstemon::sketch::{Change, Picture, Reference, Step, Stroke, StrokeChange, TextureChoice, Textures};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use serde_json::{Map, Value};
@@ -10,7 +10,8 @@ use std::sync::Arc;
 
 const PICTURE: &[u8] = include_bytes!("../fixtures/reference/small.jpg");
 
-/// A session of an artist: real strokes, and now and then undo, redo, a slider, erasing, moving, a reference picture.
+/// A session of an artist: real strokes, and now and then undo, redo, a slider, erasing, moving, a reference
+/// picture, pictures as textures.
 pub(crate) struct Artist {
     pub(crate) document: Document,
     strokes: Vec<Arc<Stroke>>,
@@ -63,8 +64,13 @@ impl Artist {
                     .unwrap()
             }
             6 => {
-                let textures =
-                    Textures::from([("leaf".to_owned(), format!("oak {}", self.rng.random::<u8>()))]);
+                let number = self.rng.random::<u8>();
+                let own = TextureChoice::Own(Picture::new([PICTURE, &[number % 3]].concat()).unwrap());
+                let textures = Textures::from([
+                    ("leaf".to_owned(), TextureChoice::Named(format!("oak {number}"))),
+                    ("petal".to_owned(), own.clone()),
+                    ("sepal".to_owned(), own),
+                ]);
                 self.document.apply(Change::textures(textures)).unwrap()
             }
             _ => {

@@ -59,6 +59,7 @@ fn size(texture: &Texture) -> u64 {
     match texture {
         Texture::BuiltIn(name) => built_in_texture(name).map_or(0, |bytes| bytes.len() as u64),
         Texture::File(path) => std::fs::metadata(path).map_or(0, |file| file.len()),
+        Texture::Own(picture) => picture.bytes().len() as u64,
     }
 }
 

@@ -95,10 +95,11 @@ impl Editor {
     pub(super) fn open_file(&mut self, path: &Path) {
         let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
         match save::open(&path) {
-            Ok(Opened { sketch, warnings, stamp }) => {
+            Ok(Opened { mut sketch, warnings, stamp }) => {
                 for warning in &warnings {
                     self.tell(Notice::warning(warning.told(&self.messages), ""));
                 }
+                self.take_in(&mut sketch.textures, path.parent().unwrap_or(Path::new("")));
                 // An imported SVG has no file of its own yet.
                 let own = stamp.is_some();
                 let document = if own { Document::new(sketch) } else { Document::unsaved(sketch) };
@@ -202,12 +203,8 @@ impl Editor {
                 self.saver.then = self.held_up.take().or(self.saver.then.take());
             }
             PathPurpose::Export => self.begin_export(path),
-            PathPurpose::Texture(organ) => {
-                let texture = Some(path.to_string_lossy().into_owned());
-                self.perform(Action::SetTexture { organ, texture });
-            }
             PathPurpose::Species => self.change(Change::species(Some(path.to_string_lossy().into_owned()))),
-            PathPurpose::Reference => self.put_reference(&path),
+            PathPurpose::Texture(_) | PathPurpose::Reference => self.read_picture(purpose, path),
         }
     }
 
@@ -217,7 +214,7 @@ impl Editor {
         let extension = file.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
         let is_one_of = |known: &[&str]| known.contains(&extension.as_str());
         if is_one_of(&PICTURES) {
-            self.put_reference(&file);
+            self.read_picture(PathPurpose::Reference, file);
         } else if is_one_of(&SPECIES) {
             self.chosen(PathPurpose::Species, file);
         } else {
@@ -240,7 +237,9 @@ impl Editor {
     fn recover(&mut self, path: &Path) {
         let Some(found) = self.take_found(path) else { return };
         match self.recovery.resume(found) {
-            Ok((restored, meta, journal)) => {
+            Ok((mut restored, meta, journal)) => {
+                let folder = meta.path.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
+                self.take_in(&mut restored.sketch.textures, folder);
                 for gap in restored.gaps {
                     self.tell(Notice::warning(gap.told(&self.messages), ""));
                 }

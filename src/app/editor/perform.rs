@@ -10,7 +10,8 @@ use crate::growth::overlay::Wanted;
 use crate::plant::OrganKind;
 use crate::sketch::change::StrokeChange;
 use crate::sketch::settings::Settings;
-use crate::sketch::{Change, Stroke, StrokeId, Tool};
+use crate::sketch::{Change, Stroke, StrokeId, TextureChoice, Tool};
+use crate::species;
 use serde_json::{Map, Value};
 use std::path::Path;
 use std::sync::Arc;
@@ -47,6 +48,7 @@ impl Editor {
             Action::SetParams(params) => self.change(Change::params(params)),
             Action::PlayGrowth(on) => self.play_growth(on),
             Action::SetTexture { organ, texture } => self.set_texture(organ, texture),
+            Action::PictureRead { purpose, name, picture } => self.use_picture(purpose, &name, picture),
             Action::SavePreset(name) => self.save_preset(name),
             Action::ApplyPreset(path) => self.apply_preset(&path),
             Action::DeletePreset(path) => {
@@ -173,13 +175,23 @@ impl Editor {
         self.change_merging(Change::params(params), path);
     }
 
-    fn set_texture(&mut self, organ: Option<OrganKind>, texture: Option<String>) {
+    fn set_texture(&mut self, organ: Option<OrganKind>, texture: Option<TextureChoice>) {
         let mut textures = self.document.sketch().textures.clone();
-        let part = crate::species::textures::key(organ);
-        match texture {
-            Some(texture) => _ = textures.insert(part.to_owned(), texture),
-            None => _ = textures.remove(part),
+        let part = species::textures::key(organ);
+        let Some(texture) = texture else {
+            textures.remove(part);
+            return self.change(Change::textures(textures));
+        };
+        // A picture that was missing is found for every part that has it.
+        if let Some(missing) =
+            textures.get(part).filter(|known| species::textures::chosen(known).is_none()).cloned()
+        {
+            textures
+                .values_mut()
+                .filter(|known| **known == missing)
+                .for_each(|known| *known = texture.clone());
         }
+        textures.insert(part.to_owned(), texture);
         self.change(Change::textures(textures));
     }
 
@@ -198,7 +210,8 @@ impl Editor {
 
     fn apply_preset(&mut self, path: &Path) {
         match presets::load(path) {
-            Ok(Preset { species, params, textures, .. }) => {
+            Ok(Preset { species, params, mut textures, .. }) => {
+                self.take_in(&mut textures, &self.places.presets());
                 let species = species.map(Some);
                 let (params, textures) = (Some(params), Some(textures));
                 self.change(Settings { species, params, textures, ..Settings::default() }.into());

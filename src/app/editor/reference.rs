@@ -7,14 +7,9 @@
 use super::Editor;
 use crate::app::action::CanvasTool;
 use crate::app::canvas::transform::{TURN_HANDLE_DISTANCE, TURN_STEP_DEG};
-use crate::app::messages::{Msg, Told as _};
-use crate::app::panels::snapshot::Notice;
 use crate::pen::{PenEvent, PenPhase};
-use crate::sketch::reference::{Picture, Reference, ReferenceError};
-use crate::sketch::{Change, limits};
+use crate::sketch::{Change, Picture, Reference};
 use glam::{DVec2, Vec2};
-use std::io::ErrorKind;
-use std::path::Path;
 
 /// Share of the visible canvas that a new picture fills.
 const FILL: f64 = 0.8;
@@ -106,37 +101,10 @@ impl Editor {
         (on_edge || middle.distance(at) <= reach).then(|| Hold::Move(reference.center - pointer))
     }
 
-    /// Puts a picture file under the drawing.
-    pub(super) fn put_reference(&mut self, path: &Path) {
-        match read(path) {
-            Ok(bytes) => self.lay(bytes, &path.display().to_string()),
-            Err(error) if error.kind() == ErrorKind::FileTooLarge => {
-                let why = ReferenceError::TooLarge.told(&self.messages);
-                self.tell(Notice::error(format!("{}: {why}", path.display()), ""));
-            }
-            Err(error) => self.tell(Notice::error(self.unreadable(path, &error), "")),
-        }
-    }
-
-    fn unreadable(&self, path: &Path, error: &std::io::Error) -> String {
-        let why = self.messages.fill(Msg::ErrorUnreadable, &[("reason", error)]);
-        format!("{}: {why}", path.display())
-    }
-
-    /// Puts a pasted picture under the drawing.
-    pub fn paste_picture(&mut self, bytes: Vec<u8>) {
-        let name = self.messages.get(Msg::ReferencePasted).to_owned();
-        self.lay(bytes, &name);
-    }
-
-    fn lay(&mut self, bytes: Vec<u8>, name: &str) {
-        match Picture::new(bytes) {
-            Ok(picture) => {
-                let (center, width) = self.place_for(&picture);
-                self.change(Change::reference(Some(Reference::new(picture, center, width))));
-            }
-            Err(error) => self.tell(Notice::error(format!("{name}: {}", error.told(&self.messages)), "")),
-        }
+    /// Puts a picture under the drawing.
+    pub(super) fn lay(&mut self, picture: Picture) {
+        let (center, width) = self.place_for(&picture);
+        self.change(Change::reference(Some(Reference::new(picture, center, width))));
     }
 
     /// The middle of what is seen of the canvas, and a width that fits.
@@ -194,11 +162,6 @@ fn drag(reference: &mut Reference, hold: Hold, pointer: Vec2, steps: bool) {
 fn distance_to_side(p: DVec2, a: DVec2, b: DVec2) -> f64 {
     let t = ((p - a).dot(b - a) / (b - a).length_squared().max(1e-12)).clamp(0.0, 1.0);
     p.distance(a + (b - a) * t)
-}
-
-/// A file's bytes, no more than a picture may have.
-fn read(path: &Path) -> std::io::Result<Vec<u8>> {
-    crate::input::read(path, limits::MAX_REFERENCE_BYTES as u64)
 }
 
 #[cfg(test)]

@@ -12,6 +12,7 @@ use crate::input::Overwrites;
 use crate::params::ParamError;
 use crate::pen::hid::refusal::{INSTALL_RULES, RULES_FILE, RULES_FOLDER, Remedy};
 use crate::pen::hid::{ChooseError, Refusal, Refused, StringsKept, TransportError};
+use crate::picture::PictureError;
 use crate::pipeline::SetupError;
 use crate::render::RenderError;
 use crate::sketch::document::ChangeError;
@@ -83,6 +84,7 @@ impl Told for SketchError {
             Fault::Empty => messages.get(Msg::ErrorEmpty).to_owned(),
             Fault::NotADrawing { found } => messages.fill(Msg::ErrorNotADrawing, &[("found", found)]),
             Fault::Truncated => messages.get(Msg::ErrorTruncated).to_owned(),
+            Fault::Picture(error) => error.told(messages),
             Fault::Reference(error) => error.told(messages),
             other => other.to_string(),
         };
@@ -102,16 +104,26 @@ fn place(place: &Place, messages: &Messages) -> String {
     }
 }
 
+impl Told for PictureError {
+    fn told(&self, messages: &Messages) -> String {
+        match self {
+            Self::Unreadable(reason) => messages.fill(Msg::ErrorPictureUnreadable, &[("reason", reason)]),
+            Self::NotAPicture => messages.get(Msg::ErrorNotAPicture).to_owned(),
+            Self::Damaged(reason) => messages.fill(Msg::ErrorPictureDamaged, &[("reason", reason)]),
+            Self::TooLarge => {
+                let limit = limits::MAX_PICTURE_BYTES >> 20;
+                messages.fill(Msg::ErrorPictureTooLarge, &[("limit", &limit)])
+            }
+            Self::NotBase64 { .. } => self.to_string(),
+        }
+    }
+}
+
 impl Told for ReferenceError {
     fn told(&self, messages: &Messages) -> String {
         match self {
-            Self::NotAPicture => messages.get(Msg::ErrorNotAPicture).to_owned(),
-            Self::Damaged => messages.get(Msg::ErrorPictureDamaged).to_owned(),
-            Self::TooLarge => {
-                let limit = limits::MAX_REFERENCE_BYTES >> 20;
-                messages.fill(Msg::ErrorPictureTooLarge, &[("limit", &limit)])
-            }
-            Self::NotBase64 { .. } | Self::OutOfRange { .. } => self.to_string(),
+            Self::Picture(error) => error.told(messages),
+            Self::OutOfRange { .. } => self.to_string(),
         }
     }
 }
@@ -317,12 +329,13 @@ mod tests {
             Box::new(read(Fault::Empty, nowhere())),
             Box::new(read(Fault::NotADrawing { found: "7" }, nowhere())),
             Box::new(read(Fault::Truncated, Place::at(3, 9))),
-            Box::new(ReferenceError::NotAPicture),
-            Box::new(ReferenceError::Damaged),
-            Box::new(ReferenceError::TooLarge),
+            Box::new(PictureError::Unreadable("7".to_owned())),
+            Box::new(PictureError::NotAPicture),
+            Box::new(PictureError::Damaged("7".to_owned())),
+            Box::new(PictureError::TooLarge),
             Box::new(ChangeError::Full { what: "strokes", limit: 7 }),
             Box::new(ChangeError::Full { what: "points", limit: 7 }),
-            Box::new(ChangeError::Reference(ReferenceError::TooLarge)),
+            Box::new(ChangeError::Reference(PictureError::TooLarge.into())),
             Box::new(JournalError::Write(full())),
             Box::new(JournalError::NoThread(io::Error::other("7"))),
             Box::new(JournalError::Read { path: path(), source: io::Error::other("7") }),

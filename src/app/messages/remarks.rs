@@ -35,6 +35,10 @@ impl Told for Remark {
             Self::Page { attribute, value } => {
                 fill(Msg::WarningPage, &[("attribute", attribute), ("value", value)])
             }
+            Self::PictureMissing { name, parts: _ } => fill(Msg::WarningPictureMissing, &[("name", name)]),
+            Self::PictureDamaged { reason, parts: _ } => {
+                fill(Msg::WarningPictureDamaged, &[("reason", reason)])
+            }
             Self::TooShort => fill(Msg::WarningTooShort, &[]),
             Self::EnclosesNothing => fill(Msg::WarningEnclosesNothing, &[]),
             Self::Heart => fill(Msg::WarningHeart, &[]),
@@ -92,7 +96,11 @@ mod tests {
             }
             Remark::CutShort { .. } => Remark::PressureUnfit { element: element(Some("47")) },
             Remark::PressureUnfit { .. } => Remark::Page { attribute: "width", value: "48".to_owned() },
-            Remark::Page { .. } => Remark::TooShort,
+            Remark::Page { .. } => Remark::PictureMissing { name: "56".to_owned(), parts: Vec::new() },
+            Remark::PictureMissing { .. } => {
+                Remark::PictureDamaged { reason: "57".to_owned(), parts: Vec::new() }
+            }
+            Remark::PictureDamaged { .. } => Remark::TooShort,
             Remark::TooShort => Remark::EnclosesNothing,
             Remark::EnclosesNothing => Remark::Heart,
             Remark::Heart => Remark::FewTwigs,

@@ -7,10 +7,10 @@ use super::{thumbnails, tiles};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg, Named};
 use crate::plant::{OrganKind, Texture};
+use crate::sketch::TextureChoice;
 use crate::species::builtin::texture_names;
 use crate::species::textures::{chosen, key};
 use egui::{Id, Ui};
-use std::path::Path;
 
 /// Kinds of parts that the panel offers, and how names of built-in textures for them begin.
 const PARTS: [(Option<OrganKind>, &[&str]); 5] = [
@@ -50,10 +50,19 @@ fn part(
     messages: &Messages,
     out: &mut Vec<Action>,
 ) {
-    let choice = snapshot.textures.get(key(organ)).map(|name| chosen(name));
-    if let Some(Texture::File(path)) = &choice {
-        note(ui, &messages.fill(Msg::MaterialsChosen, &[("name", &file_name(path))]));
+    let choice = snapshot.textures.get(key(organ));
+    let shown = choice.and_then(chosen);
+    let missing = match choice {
+        Some(TextureChoice::Named(name)) if shown.is_none() => Some(name),
+        _ => None,
+    };
+    if let Some(name) = missing {
+        note(ui, &messages.fill(Msg::MaterialsMissing, &[("name", name)]));
     }
+    let own = match choice {
+        Some(TextureChoice::Own(picture)) => Some(picture),
+        _ => None,
+    };
     let textures: Vec<&str> = texture_names()
         .into_iter()
         .filter(|name| starts.iter().any(|start| name.starts_with(start)))
@@ -62,34 +71,37 @@ fn part(
         tiles::grid(
             ui,
             COLUMNS,
-            textures.len() + 1,
+            1 + usize::from(own.is_some()) + textures.len(),
             |width| width,
             |ui, index, size| {
-                let Some(name) = index.checked_sub(1).and_then(|i| textures.get(i)) else {
-                    let own = tiles::text(ui, size, messages.get(Msg::MaterialsOwn), choice.is_none());
-                    if own.clicked() && choice.is_some() {
+                if index == 0 {
+                    let species = tiles::text(ui, size, messages.get(Msg::MaterialsOwn), choice.is_none());
+                    if species.clicked() && choice.is_some() {
                         out.push(Action::SetTexture { organ, texture: None });
                     }
                     return;
+                }
+                let Some(name) = (index - 1).checked_sub(usize::from(own.is_some())).map(|i| textures[i])
+                else {
+                    let picture = own.and_then(|own| thumbnails::of_picture(ui.ctx(), own));
+                    let label = messages.get(Msg::MaterialsOwnPicture);
+                    tiles::picture(ui, size, picture.as_ref(), label, false, true).on_hover_text(label);
+                    return;
                 };
-                let is_chosen = choice == Some(Texture::BuiltIn((*name).to_owned()));
+                let is_chosen = shown == Some(Texture::BuiltIn(name.to_owned()));
                 let picture = thumbnails::of_texture(ui.ctx(), name);
                 let label = name.trim_end_matches(".png").replace('_', " ");
                 let tile = tiles::picture(ui, size, picture.as_ref(), &label, false, is_chosen);
                 if tile.on_hover_text(label).clicked() {
-                    out.push(Action::SetTexture { organ, texture: Some((*name).to_owned()) });
+                    let texture = Some(TextureChoice::Named(name.to_owned()));
+                    out.push(Action::SetTexture { organ, texture });
                 }
             },
         );
     });
     let width = ui.available_width();
-    if text_button_sized(ui, Some(Icon::Picture), messages.get(Msg::MaterialsPicture), false, Some(width))
-        .clicked()
-    {
+    let label = messages.get(if missing.is_some() { Msg::NoticeFind } else { Msg::MaterialsPicture });
+    if text_button_sized(ui, Some(Icon::Picture), label, missing.is_some(), Some(width)).clicked() {
         out.push(Action::ChooseFile(PathPurpose::Texture(organ)));
     }
-}
-
-fn file_name(path: &Path) -> String {
-    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }

@@ -2,7 +2,7 @@
 
 use super::icons::{self, Icon};
 use super::snapshot::{Notice, Severity, Snapshot};
-use super::widgets::{ICON, IconButton, note, palette};
+use super::widgets::{ICON, IconButton, note, palette, text_button};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
 use crate::app::theme::TARGET;
@@ -56,6 +56,12 @@ fn one(ui: &mut Ui, notice: &Notice, messages: &Messages, out: &mut Vec<Action>)
                 ui.label(RichText::new(&notice.what).color(p.text));
                 if !notice.remedy.is_empty() {
                     note(ui, &messages.fill(Msg::NoticeWhatToDo, &[("remedy", &notice.remedy)]));
+                }
+                if let Some(purpose) = notice.find
+                    && text_button(ui, None, messages.get(Msg::NoticeFind), false).clicked()
+                {
+                    out.push(Action::DismissNotice(notice.id));
+                    out.push(Action::ChooseFile(purpose));
                 }
             });
             if IconButton::new(Icon::Close, messages.get(Msg::NoticeDismiss)).show(ui).clicked() {

@@ -2,7 +2,8 @@
 //!
 //! Only one picture is decoded per frame, so that opening a panel never makes the window wait.
 
-use crate::export::decode::{Rgba, decode};
+use crate::picture::Picture;
+use crate::picture::decode::{Rgba, decode};
 use crate::species::builtin_texture;
 use egui::{ColorImage, Context, Id, TextureHandle, TextureOptions};
 use include_dir::{Dir, include_dir};
@@ -23,7 +24,12 @@ pub(super) fn of_texture(ctx: &Context, name: &str) -> Option<TextureHandle> {
     cached(ctx, Id::unique(("texture thumbnail", name)), || builtin_texture(name))
 }
 
-fn cached(ctx: &Context, id: Id, bytes: impl FnOnce() -> Option<&'static [u8]>) -> Option<TextureHandle> {
+/// A picture of the artist's own, `None` where it cannot be decoded or is not yet.
+pub(super) fn of_picture(ctx: &Context, picture: &Picture) -> Option<TextureHandle> {
+    cached(ctx, Id::unique(("own picture", picture.hash())), || Some(picture.bytes()))
+}
+
+fn cached<'a>(ctx: &Context, id: Id, bytes: impl FnOnce() -> Option<&'a [u8]>) -> Option<TextureHandle> {
     if let Some(known) = ctx.data(|data| data.get_temp::<Option<TextureHandle>>(id)) {
         return known;
     }

@@ -23,7 +23,7 @@ const PREFIX_BYTES: usize = 8;
 pub(super) enum Kind {
     /// A step, as JSON text.
     Step,
-    /// A reference picture that steps after it name by its hash.
+    /// A picture that steps after it name by its hash.
     Picture,
 }
 

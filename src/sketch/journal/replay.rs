@@ -54,10 +54,7 @@ fn replay_all(
     mut sketch: Sketch,
     gaps: &mut Vec<Gap>,
 ) -> Result<Sketch, JournalError> {
-    let mut pictures = Pictures::new();
-    if let Some(reference) = &sketch.reference {
-        pictures.insert(reference.picture.hash(), reference.picture.clone());
-    }
+    let mut pictures: Pictures = sketch.pictures().map(|picture| (picture.hash(), picture.clone())).collect();
     for number in number.. {
         let path = session.journal(number);
         let file = match File::open(&path) {

@@ -8,7 +8,7 @@ use super::record::{self, HEADER, Kind};
 use super::session::{Meta, Session};
 use super::writer::Shared;
 use crate::atomic::{WriteError, flush_folder, write_atomically};
-use crate::sketch::{Reference, Sketch, Step, json};
+use crate::sketch::{Picture, Sketch, Step, json};
 use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{self, Write};
@@ -210,7 +210,7 @@ impl Scribe {
         let text = json::write(&self.mirror);
         write_atomically(&session.snapshot(generation), text.as_bytes())?;
         self.snapshot_bytes = text.len() as u64;
-        self.journal = Some(Journal::create(session, generation, self.mirror.reference.as_deref())?);
+        self.journal = Some(Journal::create(session, generation, &self.mirror)?);
         session.remove_before(generation);
         Ok(())
     }
@@ -223,7 +223,7 @@ impl Scribe {
             return;
         };
         let generation = session.newest() + 1;
-        let next = Journal::create(session, generation, self.mirror.reference.as_deref());
+        let next = Journal::create(session, generation, &self.mirror);
         let (mirror, path) = (self.mirror.clone(), session.snapshot(generation));
         let write = move || {
             let text = json::write(&mirror);
@@ -297,7 +297,7 @@ impl Scribe {
 }
 
 impl Journal {
-    fn create(session: &Session, generation: u64, reference: Option<&Reference>) -> Result<Self, WriteError> {
+    fn create(session: &Session, generation: u64, sketch: &Sketch) -> Result<Self, WriteError> {
         let path = session.journal(generation);
         let create = || {
             let mut file = File::create_new(&path)?;
@@ -307,7 +307,7 @@ impl Journal {
         };
         let file = create().map_err(|error| WriteError::of(&path, error))?;
         flush_folder(&session.folder);
-        let pictures = reference.iter().map(|reference| reference.picture.hash()).collect();
+        let pictures = sketch.pictures().map(Picture::hash).collect();
         Ok(Self { file, path, bytes: HEADER.len() as u64, pictures, unsnapshotted_since: None })
     }
 
@@ -315,10 +315,10 @@ impl Journal {
     fn append(&mut self, steps: &[Arc<Step>]) -> io::Result<()> {
         let mut records = Vec::new();
         for step in steps {
-            if let Some(Some(reference)) = &step.after.reference
-                && self.pictures.insert(reference.picture.hash())
-            {
-                record::append(&mut records, Kind::Picture, reference.picture.bytes())?;
+            for picture in step.after.pictures() {
+                if self.pictures.insert(picture.hash()) {
+                    record::append(&mut records, Kind::Picture, picture.bytes())?;
+                }
             }
             record::append(&mut records, Kind::Step, json::step::write(step).as_bytes())?;
         }

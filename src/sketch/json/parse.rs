@@ -1,22 +1,24 @@
 //! JSON text to a [`Draft`], in one pass and without intermediate values.
 
+use super::fault;
 use super::params::GroupSeed;
+use super::picture::PicturesSeed;
 use super::point::PointsSeed;
 use super::progress::{Progress, set_once};
 use super::reference::ReferenceSeed;
-use super::{VERSION, fault};
 use crate::quote;
 use crate::sketch::draft::{Draft, DraftStroke, Flaw};
 use crate::sketch::error::Fault;
-use crate::sketch::textures::{self, Textures};
+use crate::sketch::textures::{self, ChoiceText};
 use crate::sketch::{Canvas, Tool, limits};
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use std::cell::Cell;
+use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 
-/// Parses a sketch file of version [`VERSION`].
+/// Parses a sketch file of any version up to [`VERSION`](super::VERSION).
 ///
 /// # Errors
 /// The first fault, with line and column, and with stroke and point where there is one.
@@ -38,6 +40,7 @@ enum SketchField {
     Params,
     Textures,
     Reference,
+    Pictures,
     Strokes,
 }
 
@@ -62,7 +65,7 @@ impl<'de> Visitor<'de> for SketchSeed<'_> {
         let progress = self.0;
         let (mut format, mut version, mut canvas, mut species) = (None, None, None, None);
         let (mut seed, mut params, mut strokes) = (None, None, None);
-        let (mut textures, mut reference) = (None, None);
+        let (mut textures, mut reference, mut pictures) = (None, None, None);
         while let Some(field) = map.next_key()? {
             match field {
                 SketchField::Format => {
@@ -84,9 +87,10 @@ impl<'de> Visitor<'de> for SketchSeed<'_> {
                     set_once(&mut params, map.next_value_seed(group)?, "params")?;
                 }
                 SketchField::Textures => {
-                    set_once(&mut textures, map.next_value::<Textures>()?, "textures")?;
-                    let found = textures.as_ref().map_or(Ok(()), textures::check);
-                    found.map_err(|message| progress.malformed(message))?;
+                    set_once(&mut textures, map.next_value::<BTreeMap<String, ChoiceText>>()?, "textures")?;
+                }
+                SketchField::Pictures => {
+                    set_once(&mut pictures, map.next_value_seed(PicturesSeed(progress))?, "pictures")?;
                 }
                 SketchField::Reference => {
                     set_once(&mut reference, map.next_value_seed(ReferenceSeed(progress))?, "reference")?;
@@ -98,10 +102,14 @@ impl<'de> Visitor<'de> for SketchSeed<'_> {
         }
         fault::check_format(format.as_deref()).map_err(|fault| progress.refuse(fault))?;
         if version.is_none() {
-            return Err(progress.malformed(format!("the `version` is missing; write \"version\": {VERSION}")));
+            return Err(progress.malformed(format!("the `version` is missing; write \"version\": 1")));
         }
         let strokes =
             strokes.ok_or_else(|| progress.malformed("the sketch has no `strokes`; add a list of them"))?;
+        let pictures = pictures.unwrap_or_default();
+        let textures = textures::resolved(textures.unwrap_or_default(), |name| pictures.get(name).cloned());
+        let textures = textures.and_then(|all| textures::check(&all).map(|()| all));
+        let textures = textures.map_err(|message| progress.malformed(message))?;
         let canvas = canvas.flatten();
         check_canvas(canvas).map_err(|message| progress.malformed(message))?;
         Ok(Draft {
@@ -109,7 +117,7 @@ impl<'de> Visitor<'de> for SketchSeed<'_> {
             species: species.flatten(),
             seed: seed.unwrap_or_default(),
             params: params.unwrap_or_default(),
-            textures: textures.unwrap_or_default(),
+            textures,
             reference: reference.flatten().map(Arc::new),
             strokes,
         })

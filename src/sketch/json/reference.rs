@@ -1,10 +1,9 @@
-//! The `reference` of a drawing: how the picture lies, and the picture itself as base64.
+//! The `reference` of a drawing: how the picture lies, and the picture itself.
 
+use super::picture::PictureSeed;
 use super::progress::{Progress, set_once};
-use crate::sketch::base64;
 use crate::sketch::error::Fault;
-use crate::sketch::limits;
-use crate::sketch::reference::{Picture, Reference, ReferenceError};
+use crate::sketch::reference::Reference;
 use glam::Vec2;
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
@@ -74,33 +73,5 @@ impl<'de> Visitor<'de> for ReferenceSeed<'_> {
         };
         reference.check().map_err(|fault| progress.refuse(Fault::Reference(fault)))?;
         Ok(Some(reference))
-    }
-}
-
-struct PictureSeed<'p>(&'p Progress);
-
-impl<'de> DeserializeSeed<'de> for PictureSeed<'_> {
-    type Value = Picture;
-
-    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Picture, D::Error> {
-        deserializer.deserialize_str(self)
-    }
-}
-
-impl<'de> Visitor<'de> for PictureSeed<'_> {
-    type Value = Picture;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a PNG or JPEG file as base64 text")
-    }
-
-    fn visit_str<E: Error>(self, text: &str) -> Result<Picture, E> {
-        let refuse = |fault| self.0.refuse(Fault::Reference(fault));
-        // Before decoding, so that a hostile text costs no memory.
-        if text.len() / 4 > limits::MAX_REFERENCE_BYTES / 3 + 1 {
-            return Err(refuse(ReferenceError::TooLarge));
-        }
-        let bytes = base64::decode(text).map_err(|offset| refuse(ReferenceError::NotBase64 { offset }))?;
-        Picture::new(bytes).map_err(refuse)
     }
 }

@@ -4,7 +4,7 @@
 //! {"strokes": [{"at": 4, "insert": {"id": 9, "tool": "petal", "points": [[1, 2], [3, 4]]}}, {"at": 0, "remove": true}], "seed": 3}
 //! ```
 //!
-//! What was before is not written: whoever replays has it. A reference names its picture by its hash.
+//! What was before is not written: whoever replays has it. Textures and a reference name their pictures by their hash.
 
 use super::parse::StrokeSeed;
 use super::progress::Progress;
@@ -12,7 +12,8 @@ use super::write::{push_placement, push_stroke};
 use crate::sketch::invariants::check_stroke;
 use crate::sketch::settings::Settings;
 use crate::sketch::step::{Step, Swap};
-use crate::sketch::{Canvas, Picture, Reference, Sketch, Stroke, Textures};
+use crate::sketch::textures::{self, ChoiceText};
+use crate::sketch::{Canvas, Picture, Reference, Sketch, Stroke};
 use glam::Vec2;
 use serde::de::{DeserializeSeed, Deserializer, Error};
 use serde::{Deserialize, Serialize};
@@ -46,7 +47,7 @@ pub(in crate::sketch) fn write(step: &Step) -> String {
     push_field(&mut out, "species", species);
     push_field(&mut out, "seed", seed);
     push_field(&mut out, "params", params);
-    push_field(&mut out, "textures", textures);
+    push_field(&mut out, "textures", &textures.as_ref().map(|textures| textures::named(textures).0));
     match reference {
         None => {}
         Some(None) => out.push_str(", \"reference\": null"),
@@ -76,7 +77,7 @@ struct StepText {
     species: Option<Option<String>>,
     seed: Option<u64>,
     params: Option<Map<String, Value>>,
-    textures: Option<Textures>,
+    textures: Option<BTreeMap<String, ChoiceText>>,
     #[serde(default, deserialize_with = "given")]
     reference: Option<Option<ReferenceText>>,
 }
@@ -131,6 +132,8 @@ pub(in crate::sketch) fn replay(text: &[u8], sketch: &mut Sketch, pictures: &Pic
         Some(None) => Some(None),
         Some(Some(reference)) => Some(Some(Arc::new(found_reference(reference, pictures)?))),
     };
+    let by_name = |name: &str| pictures.get(&u64::from_str_radix(name, 16).ok()?).cloned();
+    let textures = text.textures.map(|choices| textures::resolved(choices, by_name)).transpose()?;
     let mut done = Step::default();
     for swap in text.strokes {
         let fits = carry_out(swap, &mut sketch.strokes).map(|swap| done.strokes.push(swap));
@@ -139,7 +142,7 @@ pub(in crate::sketch) fn replay(text: &[u8], sketch: &mut Sketch, pictures: &Pic
             return Err("it changes a stroke that is not there".to_owned());
         }
     }
-    let StepText { canvas, species, seed, params, textures, .. } = text;
+    let StepText { canvas, species, seed, params, .. } = text;
     Settings { canvas, species, seed, params, textures, reference }.carry_out(sketch);
     Ok(())
 }

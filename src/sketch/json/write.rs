@@ -2,18 +2,19 @@
 //!
 //! Numbers are the shortest that read back to the same bits; a stroke's points carry no more numbers than it needs.
 
-use super::{FORMAT, VERSION};
-use crate::sketch::base64;
+use super::{FORMAT, version_of};
 use crate::sketch::reference::Reference;
+use crate::sketch::textures;
 use crate::sketch::{Sketch, Stroke, StrokePoint};
 use serde_json::json;
 
 /// The sketch as a `.penstemon` file. The same sketch always gives the same text.
 pub fn write(sketch: &Sketch) -> String {
-    let picture = sketch.reference.as_ref().map_or(0, |r| r.picture.bytes().len() * 4 / 3);
+    let pictures: usize = sketch.pictures().map(|picture| picture.bytes().len() * 4 / 3).sum();
     let samples: usize = sketch.strokes.iter().map(|s| s.points.len()).sum();
-    let mut out = String::with_capacity(256 + 64 * sketch.strokes.len() + 24 * samples + picture);
-    out.push_str(&format!("{{\n  \"format\": {},\n  \"version\": {VERSION},\n", json!(FORMAT)));
+    let mut out = String::with_capacity(256 + 64 * sketch.strokes.len() + 24 * samples + pictures);
+    let version = version_of(sketch);
+    out.push_str(&format!("{{\n  \"format\": {},\n  \"version\": {version},\n", json!(FORMAT)));
     out.push_str("  \"canvas\": {\"width\": ");
     push_number(&mut out, sketch.canvas.width);
     out.push_str(", \"height\": ");
@@ -23,8 +24,9 @@ pub fn write(sketch: &Sketch) -> String {
         out.push_str(&format!("  \"species\": {},\n", json!(species)));
     }
     out.push_str(&format!("  \"seed\": {},\n  \"params\": {},\n", sketch.seed, json!(sketch.params)));
-    if !sketch.textures.is_empty() {
-        out.push_str(&format!("  \"textures\": {},\n", json!(sketch.textures)));
+    let (choices, pictures) = textures::named(&sketch.textures);
+    if !choices.is_empty() {
+        out.push_str(&format!("  \"textures\": {},\n", json!(choices)));
     }
     out.push_str("  \"strokes\": [");
     for (i, stroke) in sketch.strokes.iter().enumerate() {
@@ -36,8 +38,17 @@ pub fn write(sketch: &Sketch) -> String {
         out.push_str(",\n  \"reference\": {");
         push_placement(&mut out, reference);
         out.push_str(", \"picture\":\n    \"");
-        base64::encode_into(reference.picture.bytes(), &mut out);
+        reference.picture.push_base64(&mut out);
         out.push_str("\"}");
+    }
+    for (i, (name, picture)) in pictures.iter().enumerate() {
+        out.push_str(if i == 0 { ",\n  \"pictures\": {" } else { "," });
+        out.push_str(&format!("\n    {}: \"", json!(name)));
+        picture.push_base64(&mut out);
+        out.push('"');
+    }
+    if !pictures.is_empty() {
+        out.push_str("\n  }");
     }
     out.push_str("\n}\n");
     out

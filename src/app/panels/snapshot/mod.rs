@@ -22,8 +22,7 @@ use crate::app::action::CanvasTool;
 use crate::app::presets::Listed;
 use crate::app::settings::{Handedness, Settings, Stabiliser, ThemeChoice};
 use crate::growth::species::Resource;
-use crate::sketch::{StrokeId, Tool};
-use std::collections::BTreeMap;
+use crate::sketch::{StrokeId, Textures, Tool};
 use std::path::PathBuf;
 
 /// Everything that panels show.
@@ -60,7 +59,7 @@ pub struct Snapshot {
     /// Species of the drawing: a built-in name or a file.
     pub species: String,
     /// Textures that the artist chose, by kind of part (`branch`, `leaf`, …).
-    pub textures: BTreeMap<String, String>,
+    pub textures: Textures,
     /// Seed of everything random.
     pub seed: u64,
     /// Parameters.

@@ -1,5 +1,7 @@
 //! Messages that wait to be read.
 
+use super::dialog::PathPurpose;
+
 /// How serious a notice is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Severity {
@@ -23,6 +25,8 @@ pub struct Notice {
     pub what: String,
     /// What the artist can do, empty where nothing is needed.
     pub remedy: String,
+    /// What another file can be chosen for, where that mends it.
+    pub find: Option<PathPurpose>,
 }
 
 impl Notice {
@@ -33,7 +37,7 @@ impl Notice {
 
     /// Something odd.
     pub fn warning(what: impl Into<String>, remedy: impl Into<String>) -> Self {
-        Self { id: 0, severity: Severity::Warning, what: what.into(), remedy: remedy.into() }
+        Self { severity: Severity::Warning, what: what.into(), remedy: remedy.into(), ..Self::default() }
     }
 
     /// Something failed.

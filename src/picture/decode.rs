@@ -1,10 +1,10 @@
 //! Picture files to pixels: PNG and JPEG, recognised by their first bytes; and back to PNG.
 
-use super::pictures::PictureFormat;
+use super::PictureFormat;
 use std::io::Cursor;
 use zune_jpeg::zune_core::{colorspace::ColorSpace, options::DecoderOptions};
 
-/// Longest side of a texture in pixels that is read at all.
+/// Longest side of a picture in pixels that is read at all.
 const SIDE_LIMIT: u32 = 8192;
 
 /// A picture in memory: straight alpha, sRGB, rows from the top.
@@ -46,7 +46,7 @@ impl Rgba {
 /// Decodes a PNG or JPEG file.
 ///
 /// # Errors
-/// What is wrong with it, in words that follow “texture X cannot be used:”.
+/// What is wrong with it, in words that follow “it cannot be used:”.
 pub fn decode(bytes: &[u8]) -> Result<Rgba, String> {
     match PictureFormat::of(bytes) {
         Some(PictureFormat::Png) => decode_png(bytes),

@@ -1,4 +1,4 @@
-//! Base64 with padding (RFC 4648, section 4), for the one picture that a drawing may carry.
+//! Base64 with padding (RFC 4648, section 4), for pictures in text files.
 //!
 //! Strict: every group has four characters, padding stands only at the end, and unused bits are zero, so that a text
 //! has one meaning and each meaning one text. White space is not skipped.
