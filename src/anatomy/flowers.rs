@@ -3,13 +3,14 @@
 //! Petals of one flower grow from one place, leaves one by one along a branch: roots that gather are a flower. The
 //! radius within which roots see each other is a share of the blade's own length, so flowers of several scales live
 //! in one drawing. As in 002, clusters of more than two are flowers; blades drawn with the petal tool are petals in
-//! any number, those drawn with the leaf tool never are.
+//! any number, those drawn with the leaf tool never are. What the artist says of one blade is no verdict on another: a
+//! blade beside an explicit petal is what it would be beside any blade.
 //!
 //! Two habits of hands that the papers do not know: many draw a flower's heart as a circle and petals around it, whose
 //! roots keep a distance (an open flower: a wider search, accepted only if the petals stand all round and point away
 //! from the middle); and the circle itself is no petal: a blade that lies around the flower's centre is its heart.
 //!
-//! Blades that gather at the foot of a stem are a rosette of leaves, unless the petal tool drew one of them: flowers end
+//! Blades that gather at the foot of a stem are a rosette of leaves, but for those that the petal tool drew: flowers end
 //! stems, they do not begin them.
 
 use super::{FlatBlade, FlatFlower, flower_heart};
@@ -67,13 +68,11 @@ pub fn gather(blades: Vec<Drawn>, stems: &[Stem], params: &FlowerParams) -> Gath
         blades.into_iter().partition(|(_, tool)| *tool == Tool::Leaf);
     let mut out =
         Gathering { leaves: drawn_leaves.into_iter().map(|(b, _)| b).collect(), ..Default::default() };
-    let mut alone = Vec::new();
+    let (mut alone, mut no_flower) = (Vec::new(), Vec::new());
     for cluster in clusters(candidates, params.bandwidth) {
-        let explicit = cluster.iter().any(|(_, tool)| *tool == Tool::Petal);
-        let rosette = !explicit && is_rosette(&cluster, stems, params.bandwidth);
-        if rosette {
-            out.leaves.extend(cluster.into_iter().map(|(b, _)| b));
-        } else if explicit || cluster.len() >= params.min_petals as usize {
+        if is_rosette(&cluster, stems, params.bandwidth) {
+            no_flower.extend(cluster);
+        } else if cluster.len() >= params.min_petals as usize {
             out.add_flower(cluster);
         } else {
             alone.extend(cluster);
@@ -84,9 +83,14 @@ pub fn gather(blades: Vec<Drawn>, stems: &[Stem], params: &FlowerParams) -> Gath
         if !rosette && is_open_flower(&cluster, params.open_gap.to_radians()) {
             out.add_flower(cluster);
         } else {
-            out.leaves.extend(cluster.into_iter().map(|(b, _)| b));
+            no_flower.extend(cluster);
         }
     }
+    // The artist's word counts here, and for these blades alone.
+    let (drawn_petals, leaves): (Vec<_>, Vec<_>) =
+        no_flower.into_iter().partition(|(_, tool)| *tool == Tool::Petal);
+    clusters(drawn_petals, params.bandwidth).into_iter().for_each(|cluster| out.add_flower(cluster));
+    out.leaves.extend(leaves.into_iter().map(|(b, _)| b));
     out.leaves.sort_by_key(|leaf| leaf.stroke);
     out
 }
@@ -206,6 +210,28 @@ mod tests {
         assert_eq!(gathering.leaves.len(), 4);
         assert_eq!(gathering.flowers.len(), 1);
         assert!(gathering.flowers[0].center.distance(Vec2::new(500.0, 0.0)) < 1e-3);
+    }
+
+    #[test]
+    fn saying_petal_of_a_blade_changes_that_blade_only() {
+        let stem = Stem { foot: Vec2::new(0.0, 400.0), tip: Vec2::new(0.0, -100.0) };
+        let pair = ring(1, Vec2::ZERO, 2, 50.0, Tool::Auto);
+        let rosette = ring(10, stem.foot, 5, 60.0, Tool::Auto);
+        for drawn in [pair, rosette] {
+            let before = gather(drawn.clone(), &[stem], &FlowerParams::default());
+            assert!(before.flowers.is_empty() && before.leaves.len() == drawn.len());
+            for said in 0..drawn.len() {
+                let mut blades = drawn.clone();
+                blades[said].1 = Tool::Petal;
+                let after = gather(blades, &[stem], &FlowerParams::default());
+                assert_eq!(after.petals, [drawn[said].0.clone()]);
+                assert_eq!(after.leaves.len(), drawn.len() - 1);
+            }
+        }
+        let mut open = open_flower();
+        open[2].1 = Tool::Petal;
+        let gathering = gather(open, &[], &FlowerParams::default());
+        assert_eq!((gathering.flowers.len(), gathering.petals.len()), (1, 5));
     }
 
     /// Five petals whose roots keep away from a drawn circle.

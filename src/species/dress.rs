@@ -163,6 +163,10 @@ fn hearts(
     let mut out = Vec::new();
     for (index, flower) in plant.flowers.iter().enumerate() {
         let Some(look) = species.flowers.get(flower.look) else { continue };
+        // One petal does not show where the middle of its flower is.
+        if petals[index].count < 2 {
+            continue;
+        }
         let rng = &mut stream(seed, Purpose::Heart, index as u64);
         out.extend(heart(plant, index, &petals[index], look, first_template + index as u32, palette, rng));
     }

@@ -102,7 +102,7 @@ impl<'de> Visitor<'de> for SketchSeed<'_> {
         }
         fault::check_format(format.as_deref()).map_err(|fault| progress.refuse(fault))?;
         if version.is_none() {
-            return Err(progress.malformed(format!("the `version` is missing; write \"version\": 1")));
+            return Err(progress.malformed("the `version` is missing; write \"version\": 1"));
         }
         let strokes =
             strokes.ok_or_else(|| progress.malformed("the sketch has no `strokes`; add a list of them"))?;
