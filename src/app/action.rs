@@ -195,6 +195,8 @@ pub enum Action {
     DiscardRecovery(PathBuf),
     /// Take a notice away.
     DismissNotice(u64),
+    /// Keep a notice while it is looked at.
+    HoldNotice(u64),
     /// Choose the language of the interface.
     SetLanguage(Language),
     /// Choose dark or light.

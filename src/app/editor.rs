@@ -10,6 +10,7 @@ mod files;
 mod growth;
 mod keys;
 mod live;
+mod notices;
 mod outcomes;
 mod perform;
 mod pictures;
@@ -23,7 +24,7 @@ use super::canvas::{Canvas, CanvasOutcome};
 use super::fonts::{self, ChineseLookup};
 use super::layout::Layout;
 use super::messages::{Messages, Msg, Told as _};
-use super::panels::snapshot::{Dialog, Notice, PartMenu, PenLive, PenUsed, Severity};
+use super::panels::snapshot::{Dialog, Notice, PartMenu, PenLive, PenUsed};
 use super::pen_settings::TabletDoubt;
 use super::plant_view::PlantView;
 use super::settings::Settings;
@@ -37,6 +38,7 @@ use crate::sketch::{Change, Sketch, Step, Stroke, Tool};
 use crate::species::Species;
 use anyhow::Context as _;
 use clipboard::Clipboard;
+use notices::Notices;
 use saving::Saver;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -50,8 +52,6 @@ pub(super) use reference::Frame as ReferenceFrame;
 
 /// Longest wait of a new stroke for the one before to be on disk.
 const DURABLE_WAIT: Duration = Duration::from_millis(200);
-/// How long good news stay on the screen.
-const GOOD_NEWS: Duration = Duration::from_secs(6);
 
 /// Folders of the program.
 #[derive(Clone, Debug)]
@@ -184,8 +184,7 @@ pub struct Editor {
     part_menu: Option<PartMenu>,
     /// The picture under the drawing is being moved or scaled.
     hold: Option<reference::Hold>,
-    notices: Vec<(Notice, Instant)>,
-    notice_count: u64,
+    notices: Notices,
     listed_presets: Vec<super::presets::Listed>,
     answers: Sender<Action>,
     answered: Receiver<Action>,
@@ -279,8 +278,7 @@ impl Editor {
             saver: Saver::default(),
             part_menu: None,
             hold: None,
-            notices: Vec::new(),
-            notice_count: 0,
+            notices: Notices::default(),
             listed_presets: Vec::new(),
             answers,
             answered,
@@ -466,11 +464,7 @@ impl Editor {
     /// Shows a message.
     pub(super) fn tell(&mut self, notice: Notice) {
         tracing::debug!("notice: {} {}", notice.what, notice.remedy);
-        if self.notices.iter().any(|(shown, _)| shown.what == notice.what) {
-            return;
-        }
-        self.notice_count += 1;
-        self.notices.push((Notice { id: self.notice_count, ..notice }, Instant::now()));
+        self.notices.tell(notice, Instant::now());
     }
 
     /// Tells that the graphics card could not show something.
@@ -549,12 +543,7 @@ impl Editor {
 
     /// When something on the screen changes by itself.
     pub fn wakes_at(&self) -> Option<Instant> {
-        let news = self
-            .notices
-            .iter()
-            .filter(|(n, _)| n.severity == Severity::Info)
-            .map(|(_, at)| *at + GOOD_NEWS)
-            .min();
+        let news = self.notices.next_goes_at();
         let saving = self
             .journal
             .as_ref()

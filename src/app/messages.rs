@@ -5,6 +5,9 @@
 //! of species, parts, units and parameters are looked up by their own name; the English help of parameters is the doc
 //! comment in the code, only translations of it are in the files.
 //!
+//! A text with a number may have two forms, `{ one = "{count} flower", other = "{count} flowers" }`: `one` where the value
+//! of `{count}` is 1. Languages without plural forms, such as Chinese, write one text.
+//!
 //! Limits: what is wrong inside a damaged file or with a driver is told in English.
 
 mod faults;
@@ -94,13 +97,39 @@ impl Named {
     }
 }
 
+/// A text, with a form of its own for the number 1 where the language has one.
+#[derive(Clone, Debug)]
+struct Text {
+    one: Option<String>,
+    other: String,
+}
+
+impl Text {
+    fn of(value: &Value) -> Option<Self> {
+        let form = |key: &str| value.get(key).and_then(Value::as_str).map(str::to_owned);
+        match value {
+            Value::String(text) => Some(Self { one: None, other: text.clone() }),
+            _ => Some(Self { one: form("one"), other: form("other")? }),
+        }
+    }
+}
+
+/// What a language says of a parameter; empty where it says nothing.
+#[derive(Clone, Debug)]
+struct ParamText {
+    name: String,
+    help: String,
+    /// What every value below zero means, where that is no number to the artist.
+    below_zero: String,
+}
+
 /// The texts of one language.
 #[derive(Clone, Debug)]
 pub struct Messages {
     language: Language,
-    texts: Vec<String>,
+    texts: Vec<Text>,
     names: BTreeMap<String, String>,
-    params: BTreeMap<String, (String, String)>,
+    params: BTreeMap<String, ParamText>,
 }
 
 impl Messages {
@@ -109,7 +138,8 @@ impl Messages {
         let table: Table = language.file().parse().unwrap_or_default();
         let text = |msg: &Msg| {
             let found = msg.name().split_once('.').and_then(|(section, key)| table.get(section)?.get(key));
-            found.and_then(Value::as_str).unwrap_or(msg.name()).to_owned()
+            let unknown = || Text { one: None, other: msg.name().to_owned() };
+            found.and_then(Text::of).unwrap_or_else(unknown)
         };
         let mut names = BTreeMap::new();
         for (section, entries) in table_at(&table, "name") {
@@ -119,7 +149,10 @@ impl Messages {
         }
         let param = |(path, entry): (&String, &Value)| {
             let field = |key: &str| entry.get(key).and_then(Value::as_str).unwrap_or_default().to_owned();
-            (path.clone(), (field("name"), field("help")))
+            (
+                path.clone(),
+                ParamText { name: field("name"), help: field("help"), below_zero: field("below_zero") },
+            )
         };
         let params = table_at(&table, "param").map(param).collect();
         Self { language, texts: Msg::ALL.iter().map(text).collect(), names, params }
@@ -132,12 +165,14 @@ impl Messages {
 
     /// One text.
     pub fn get(&self, msg: Msg) -> &str {
-        self.texts.get(msg as usize).map_or(msg.name(), String::as_str)
+        self.texts.get(msg as usize).map_or(msg.name(), |text| &text.other)
     }
 
-    /// One text with its `{placeholders}` filled.
+    /// One text with its `{placeholders}` filled, in the form that the value of `count` asks for.
     pub fn fill(&self, msg: Msg, values: &[(&str, &dyn std::fmt::Display)]) -> String {
-        let mut text = self.get(msg).to_owned();
+        let is_one = values.iter().any(|(name, value)| *name == "count" && value.to_string() == "1");
+        let one = self.texts.get(msg as usize).and_then(|text| text.one.as_ref()).filter(|_| is_one);
+        let mut text = one.map_or_else(|| self.get(msg), String::as_str).to_owned();
         for (name, value) in values {
             text = text.replace(&format!("{{{name}}}"), &value.to_string());
         }
@@ -152,13 +187,20 @@ impl Messages {
 
     /// A short name of a parameter.
     pub fn param_name(&self, path: &str) -> String {
-        let known = self.params.get(path).map(|(name, _)| name.clone());
-        known.unwrap_or_else(|| spoken(path.rsplit('.').next().unwrap_or(path)))
+        let known = self.params.get(path).map(|text| &text.name).filter(|name| !name.is_empty());
+        known.cloned().unwrap_or_else(|| spoken(path.rsplit('.').next().unwrap_or(path)))
     }
 
     /// One line about a parameter.
     pub fn param_help(&self, of: &Description) -> String {
-        self.params.get(&of.path).map_or_else(|| of.help.clone(), |(_, help)| help.clone())
+        let known = self.params.get(&of.path).map(|text| &text.help).filter(|help| !help.is_empty());
+        known.unwrap_or(&of.help).clone()
+    }
+
+    /// What values of a parameter below zero mean, where that is no number to the artist.
+    pub fn below_zero(&self, path: &str) -> Option<&str> {
+        let known = self.params.get(path).map(|text| text.below_zero.as_str());
+        known.filter(|words| !words.is_empty())
     }
 }
 

@@ -35,19 +35,19 @@ pub enum Remark {
         place: usize,
     },
     /// Pressures that no pen has.
-    #[error("pressure of {points} points lay outside 0 to 1 and was brought into it")]
+    #[error("pressure of {} lay outside 0 to 1 and was brought into it", counted(.points, "point"))]
     PressureOutside {
         /// How many samples.
         points: usize,
     },
     /// Tilts that no pen has.
-    #[error("tilt of {points} points lay outside −90 to 90 degrees and was brought into it")]
+    #[error("tilt of {} lay outside −90 to 90 degrees and was brought into it", counted(.points, "point"))]
     TiltOutside {
         /// How many samples.
         points: usize,
     },
     /// Times that no clock tells.
-    #[error("time of {points} points lay outside 0 to 1e9 milliseconds and was brought into it")]
+    #[error("time of {} lay outside 0 to 1e9 milliseconds and was brought into it", counted(.points, "point"))]
     TimeOutside {
         /// How many samples.
         points: usize,
@@ -166,7 +166,7 @@ pub enum Remark {
         internodes: usize,
     },
     /// Growth that left the space in which light is known.
-    #[error("growth ended after {years} years, because the plant is too large for more")]
+    #[error("growth ended after {}, because the plant is too large for more", counted(.years, "year"))]
     GrownTooLarge {
         /// How old it is.
         years: u16,
@@ -205,11 +205,18 @@ pub enum Remark {
     )]
     FinenessUnused,
     /// What was too much to be told.
-    #[error("and {count} more remarks like these")]
+    #[error("and {} like these", counted(.count, "more remark"))]
     More {
         /// How many remarks.
         count: usize,
     },
+}
+
+/// A number of things: `1 point`, `2 points`.
+fn counted(count: &impl fmt::Display, thing: &str) -> String {
+    let count = count.to_string();
+    let ending = if count == "1" { "" } else { "s" };
+    format!("{count} {thing}{ending}")
 }
 
 impl Remark {

@@ -385,5 +385,33 @@ fn notices_say_what_to_do_and_go_away_by_a_tap() {
     assert!(harness.query_by_label(what).is_some());
     assert!(harness.query_by_label_contains("save elsewhere").is_some());
     press(&mut harness, "Dismiss");
-    assert_eq!(asked(&mut harness), [Action::DismissNotice(5)]);
+    assert_eq!(asked_but_hold(&mut harness), [Action::DismissNotice(5)]);
+}
+
+/// What was asked for, but that a message under the pointer stays.
+fn asked_but_hold(harness: &mut Harness<'_, Stage>) -> Vec<Action> {
+    asked(harness).into_iter().filter(|action| !matches!(action, Action::HoldNotice(_))).collect()
+}
+
+#[test]
+fn long_notices_are_whole_and_of_many_the_newest_are_shown() {
+    let mut snapshot = busy();
+    let path = format!("/home/ada/{}/rose.penstemon", "a-very-long-folder-name-without-any-space".repeat(4));
+    let notice = |id: u64| Notice { id, ..Notice::error(format!("{id}: {path} cannot be read"), "") };
+    snapshot.notices = (1..=5).map(notice).collect();
+    snapshot.notices[4].find = Some(PathPurpose::Reference);
+    let mut harness = stage(snapshot, Language::English);
+    for id in 1..=5 {
+        let what = format!("{id}: {path} cannot be read");
+        let label = harness.query_by_label(&what);
+        assert_eq!(label.is_some(), id > 2, "message {id}");
+        if let Some(label) = label {
+            let rect = label.rect();
+            assert!(rect.width() < 400.0 && rect.height() > 2.0 * 14.0, "it is not wrapped: {rect:?}");
+        }
+    }
+    assert!(harness.query_by_label("2 more messages").is_some());
+    press(&mut harness, "Find…");
+    let find = [Action::DismissNotice(5), Action::ChooseFile(PathPurpose::Reference)];
+    assert_eq!(asked_but_hold(&mut harness), find);
 }

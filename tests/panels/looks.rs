@@ -121,7 +121,16 @@ const SHOTS: [Shot; 18] = [
                 "The disk is full; the drawing stays in memory.",
                 "free some space, or save elsewhere",
             ),
+            Notice {
+                find: Some(PathPurpose::Reference),
+                ..Notice::warning(
+                    "the picture `petal.png` is missing, so the species' own texture is shown; choose the picture again, or \
+                     put it beside the drawing",
+                    "",
+                )
+            },
             Notice::warning("No Chinese font was found.", "install one"),
+            Notice::info("rose.glb is written."),
         ];
         s.handedness = Handedness::Left;
     }),

@@ -23,7 +23,7 @@ fn what_keeps_a_tablet_from_being_read_is_told_once_and_in_the_language_of_the_i
     let home = tempfile::tempdir().unwrap();
     let mut editor = editor(home.path());
     let told = |editor: &Editor| -> Vec<String> {
-        editor.notices.iter().map(|(notice, _)| notice.what.clone()).collect()
+        editor.notices.iter().map(|notice| notice.what.clone()).collect()
     };
     let before = told(&editor).len();
     editor.perform(Action::SetLanguage(Language::English));

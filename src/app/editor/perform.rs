@@ -15,6 +15,7 @@ use crate::species;
 use serde_json::{Map, Value};
 use std::path::Path;
 use std::sync::Arc;
+use std::time::Instant;
 
 impl Editor {
     /// Carries out a wish. What goes wrong is told in a notice.
@@ -69,7 +70,8 @@ impl Editor {
             Action::CancelTask => self.cancel_task(),
             Action::ShowDialog(dialog) => self.dialog = Some(dialog),
             Action::CloseDialog => self.close_dialog(),
-            Action::DismissNotice(id) => self.notices.retain(|(notice, _)| notice.id != id),
+            Action::DismissNotice(id) => self.notices.dismiss(id),
+            Action::HoldNotice(id) => self.notices.hold(id, Instant::now()),
             other => self.perform_on_view(other),
         }
     }

@@ -68,11 +68,11 @@ fn a_picture_that_cannot_be_shown_is_refused_when_it_is_chosen() {
     std::fs::write(&cut, &PNG[..PNG.len() - 20]).unwrap();
     let mut editor = editor(home.path());
     for purpose in [PETAL, PathPurpose::Reference] {
-        let before = editor.notices.len();
         choose(&mut editor, purpose, &cut);
-        until(&mut editor, |editor| editor.notices.len() > before);
-        let (notice, _) = editor.notices.pop().unwrap();
-        assert!(notice.what.contains("cut.png") && notice.find == Some(purpose), "{notice:?}");
+        until(&mut editor, |editor| editor.notices.iter().any(|notice| notice.what.contains("cut.png")));
+        let notice = editor.notices.iter().next_back().unwrap().clone();
+        assert_eq!(notice.find, Some(purpose), "{notice:?}");
+        editor.perform(Action::DismissNotice(notice.id));
     }
     let sketch = editor.document.sketch();
     assert!(sketch.textures.is_empty() && sketch.reference.is_none());
@@ -87,13 +87,13 @@ fn an_old_drawing_takes_its_pictures_in_and_a_missing_one_is_one_notice_that_fin
         {"leaf": "/home/ada/leaf.png", "petal": "/home/ada/gone.png", "sepal": "/home/ada/gone.png"}}"#;
     std::fs::write(&drawing, old).unwrap();
     let mut editor = editor(home.path());
-    let before = editor.notices.len();
+    let before = editor.notices.iter().count();
     editor.perform(Action::OpenPath(drawing));
     editor.perform(Action::DiscardAndContinue);
     let own = TextureChoice::Own(Picture::new(PNG).unwrap());
     assert_eq!(texture(&editor, "leaf"), Some(&own));
-    assert_eq!(editor.notices.len(), before + 1, "one picture is missing");
-    let (notice, _) = editor.notices.last().unwrap();
+    assert_eq!(editor.notices.iter().count(), before + 1, "one picture is missing");
+    let notice = editor.notices.iter().next_back().unwrap();
     assert!(notice.what.contains("gone.png") && notice.find == Some(PETAL), "{notice:?}");
     let text = sketch::json::write(editor.document.sketch());
     assert!(!text.contains("/home/ada"), "{text}");

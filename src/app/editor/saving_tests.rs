@@ -44,8 +44,8 @@ fn strokes_at(path: &Path) -> usize {
 }
 
 fn errors(editor: &Editor) -> Vec<&str> {
-    let told = editor.notices.iter().filter(|(notice, _)| notice.severity == Severity::Error);
-    told.map(|(notice, _)| notice.what.as_str()).collect()
+    let told = editor.notices.iter().filter(|notice| notice.severity == Severity::Error);
+    told.map(|notice| notice.what.as_str()).collect()
 }
 
 #[test]

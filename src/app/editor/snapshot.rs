@@ -1,11 +1,10 @@
 //! What the panels show of the editor, copied together once per frame.
 
-use super::{Editor, GOOD_NEWS, estimate, task};
+use super::{Editor, estimate, task};
 use crate::app::fonts;
 use crate::app::messages::{Messages, Msg, Told as _};
 use crate::app::panels::snapshot::{
-    Autosave, Dialog, Found, MenuOf, ParamValues, PartMenu, PenState, Recovered, ReferenceState, Severity,
-    Status,
+    Autosave, Dialog, Found, MenuOf, ParamValues, PartMenu, PenState, Recovered, ReferenceState, Status,
 };
 use crate::app::panels::{Snapshot, toolbar};
 use crate::app::presets;
@@ -19,7 +18,7 @@ use crate::sketch::Warning;
 use crate::sketch::journal::JournalState;
 use serde_json::Map;
 use std::path::Path;
-use std::time::{Duration, SystemTime};
+use std::time::{Duration, Instant, SystemTime};
 
 /// Width and height of a found drawing's picture in pixels.
 const THUMBNAIL: [usize; 2] = [192, 144];
@@ -27,7 +26,7 @@ const THUMBNAIL: [usize; 2] = [192, 144];
 impl Editor {
     /// The panels' state of the application.
     pub(in crate::app) fn panel_snapshot(&mut self) -> Snapshot {
-        self.notices.retain(|(n, at)| n.severity != Severity::Info || at.elapsed() < GOOD_NEWS);
+        self.notices.let_go(Instant::now());
         let sketch = self.document.sketch();
         let reference =
             sketch.reference.as_ref().map(|r| ReferenceState { opacity: r.opacity, locked: r.locked });
@@ -57,7 +56,7 @@ impl Editor {
             dialog: self.dialog.clone(),
             export_bytes: self.export_bytes(),
             task: self.task_state(),
-            notices: self.notices.iter().map(|(notice, _)| notice.clone()).collect(),
+            notices: self.notices.iter().cloned().collect(),
             ..Snapshot::default()
         }
         .with_settings(&self.settings)

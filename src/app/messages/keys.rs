@@ -215,6 +215,7 @@ keys! {
     RecoverySure = "recovery.sure",
     NoticeDismiss = "notice.dismiss",
     NoticeFind = "notice.find",
+    NoticeMore = "notice.more",
     NoticeWhatToDo = "notice.what_to_do",
     NoticeNoChineseFont = "notice.no_chinese_font",
     NoticeInstallFont = "notice.install_font",

@@ -1,7 +1,7 @@
 //! What is odd about a drawing, in the language of the interface. Every kind has words; the English ones are those of
 //! [`Remark`]. What parsers of paths and transforms say stays English.
 
-use super::{Messages, Msg, Told};
+use super::{Messages, Msg, Named, Told};
 use crate::sketch::remark::{Element, Remark, Warning};
 
 impl Told for Warning {
@@ -22,9 +22,9 @@ impl Told for Remark {
         };
         match self {
             Self::NoPoints { place } => fill(Msg::WarningNoPoints, &[("place", place)]),
-            Self::PressureOutside { points } => fill(Msg::WarningPressure, &[("points", points)]),
-            Self::TiltOutside { points } => fill(Msg::WarningTilt, &[("points", points)]),
-            Self::TimeOutside { points } => fill(Msg::WarningTime, &[("points", points)]),
+            Self::PressureOutside { points } => fill(Msg::WarningPressure, &[("count", points)]),
+            Self::TiltOutside { points } => fill(Msg::WarningTilt, &[("count", points)]),
+            Self::TimeOutside { points } => fill(Msg::WarningTime, &[("count", points)]),
             Self::NoLines { count, element } => {
                 fill(Msg::WarningNoLines, &[("count", count), ("element", element)])
             }
@@ -49,12 +49,15 @@ impl Told for Remark {
             Self::EmptyCrown => fill(Msg::WarningEmptyCrown, &[]),
             Self::ManyCrowns { most } => fill(Msg::WarningManyCrowns, &[("most", most)]),
             Self::DoesNotGrow { species, known } => {
-                fill(Msg::WarningDoesNotGrow, &[("species", species), ("known", known)])
+                // By the names under which the window offers them.
+                let name = |species: &str| messages.name(Named::Species, species);
+                let known: Vec<String> = known.split(", ").map(name).collect();
+                fill(Msg::WarningDoesNotGrow, &[("species", &name(species)), ("known", &known.join(", "))])
             }
             Self::GrowthCapped { internodes } => {
                 fill(Msg::WarningGrowthCapped, &[("internodes", internodes)])
             }
-            Self::GrownTooLarge { years } => fill(Msg::WarningGrownTooLarge, &[("years", years)]),
+            Self::GrownTooLarge { years } => fill(Msg::WarningGrownTooLarge, &[("count", years)]),
             Self::GrownTooSlowly { years, seconds } => {
                 fill(Msg::WarningGrownTooSlowly, &[("years", years), ("seconds", seconds)])
             }
@@ -134,7 +137,23 @@ mod tests {
     fn the_english_words_are_those_of_the_remarks() {
         let english = Messages::new(Language::English);
         for warning in every_kind() {
-            assert_eq!(warning.told(&english), warning.to_string());
+            let words = match &warning.remark {
+                // Files and the command line name species otherwise than the window.
+                Remark::DoesNotGrow { .. } => {
+                    warning.to_string().replace("`daisy`", "`Daisy`").replace("oak", "Oak")
+                }
+                _ => warning.to_string(),
+            };
+            assert_eq!(warning.told(&english), words);
+        }
+        let one = [
+            Remark::PressureOutside { points: 1 },
+            Remark::GrownTooLarge { years: 1 },
+            Remark::More { count: 1 },
+        ];
+        for remark in one {
+            assert_eq!(remark.told(&english), remark.to_string());
+            assert!(!remark.to_string().contains("1 points") && !remark.to_string().contains("1 years"));
         }
     }
 

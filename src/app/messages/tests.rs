@@ -23,6 +23,13 @@ fn flat(language: Language) -> BTreeMap<String, String> {
                     }
                 }
                 Value::Table(_) if section == "param" => {}
+                Value::Table(forms) => {
+                    assert!(forms.keys().eq(["one", "other"]), "{section}.{key} has {forms:?}");
+                    let [one, other] = ["one", "other"].map(|form| forms[form].as_str().unwrap());
+                    assert!(placeholders(other).contains("count"), "{section}.{key} has no {{count}}");
+                    assert!(placeholders(one).is_subset(&placeholders(other)), "{section}.{key}");
+                    drop(out.insert(format!("{section}.{key}"), other.to_owned()));
+                }
                 other => panic!("{section}.{key} is {other}"),
             }
         }
@@ -71,8 +78,54 @@ fn every_parameter_has_a_chinese_name_and_help_and_no_other_has() {
         Params::of_any_species().describe().into_iter().map(|d| d.path).collect();
     let written: BTreeSet<String> = chinese.params.keys().cloned().collect();
     assert_eq!(described, written);
-    for (path, (name, help)) in &chinese.params {
+    for (path, ParamText { name, help, .. }) in &chinese.params {
         assert!(!name.is_empty() && help.ends_with('。'), "{path}: {name}, {help}");
+    }
+}
+
+#[test]
+fn english_names_of_parameters_are_of_parameters_and_say_no_symbol() {
+    let english = Messages::new(Language::English);
+    let described = Params::of_any_species().describe();
+    for path in english.params.keys() {
+        assert!(described.iter().any(|d| d.path == *path), "{path} is no parameter");
+    }
+    for description in described {
+        let name = english.param_name(&description.path).to_lowercase();
+        for symbol in ["prior", "lambda", "kappa", "omega", "voxel", "alpha"] {
+            assert!(!name.contains(symbol), "{}: {name}", description.path);
+        }
+    }
+}
+
+#[test]
+fn one_thing_is_said_in_the_singular() {
+    let english = Messages::new(Language::English);
+    for (msg, one, two) in [
+        (Msg::StatusFlowers, "1 flower", "2 flowers"),
+        (Msg::StatusStrokes, "1 stroke", "2 strokes"),
+        (Msg::StatusTriangles, "1 triangle", "2 triangles"),
+        (Msg::GrowthYears, "1 year", "2 years"),
+        (Msg::PartSelected, "1 stroke", "2 strokes"),
+        (Msg::NoticeMore, "1 more message", "2 more messages"),
+    ] {
+        let said = [1, 2].map(|count| english.fill(msg, &[("count", &count)]));
+        assert_eq!(said, [one, two]);
+    }
+    assert_eq!(english.fill(Msg::GrowthYears, &[("count", &1.5)]), "1.5 years");
+    let chinese = Messages::new(Language::Chinese);
+    assert_eq!(
+        chinese.fill(Msg::StatusFlowers, &[("count", &1)]),
+        chinese.fill(Msg::StatusFlowers, &[("count", &2)]).replace('2', "1")
+    );
+}
+
+#[test]
+fn an_age_below_zero_is_said_in_words() {
+    for language in Language::ALL {
+        let messages = Messages::new(language);
+        assert!(messages.below_zero("growth.years").is_some_and(|words| !words.contains('1')));
+        assert_eq!(messages.below_zero("habit.lift"), None);
     }
 }
 

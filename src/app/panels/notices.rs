@@ -2,21 +2,26 @@
 
 use super::icons::{self, Icon};
 use super::snapshot::{Notice, Severity, Snapshot};
-use super::widgets::{ICON, IconButton, note, palette, text_button};
+use super::widgets::{ICON, IconButton, card, note, palette, text_button};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
 use crate::app::theme::TARGET;
 use egui::{
-    Align2, Area, Context, CornerRadius, Frame, Id, Margin, Order, Rect, RichText, Sense, Stroke, Ui, Vec2,
-    vec2,
+    Align2, Area, Context, CornerRadius, Frame, Id, Label, Margin, Order, Rect, RichText, ScrollArea, Sense,
+    Stroke, Ui, Vec2, vec2,
 };
+use std::time::Duration;
 
 /// Width of a message, logical pixels, where there is room.
 const WIDTH: f32 = 420.0;
-/// Most messages shown at once; the newest wait.
+/// Most messages shown at once: the newest.
 const SHOWN: usize = 3;
+/// Share of the canvas that messages may cover; they scroll beyond it.
+const COVERED: f32 = 0.6;
+/// How often a message under the pointer is kept for longer.
+const HOLD: Duration = Duration::from_secs(1);
 
-/// The messages at the upper edge of `canvas`.
+/// The messages at the upper edge of `canvas`, the newest first.
 pub fn show(ctx: &Context, canvas: Rect, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<Action>) {
     if snapshot.notices.is_empty() {
         return;
@@ -26,9 +31,16 @@ pub fn show(ctx: &Context, canvas: Rect, snapshot: &Snapshot, messages: &Message
         Area::new(Id::unique("notices")).order(Order::Foreground).pivot(Align2::CENTER_TOP).fixed_pos(at);
     area.constrain_to(canvas).show(ctx, |ui| {
         ui.set_width(WIDTH.min(canvas.width() - 24.0));
-        for notice in snapshot.notices.iter().take(SHOWN) {
-            one(ui, notice, messages, out);
-        }
+        let most = (canvas.height() * COVERED).max(TARGET);
+        ScrollArea::vertical().max_height(most).show(ui, |ui| {
+            for notice in snapshot.notices.iter().rev().take(SHOWN) {
+                one(ui, notice, messages, out);
+            }
+            let more = snapshot.notices.len().saturating_sub(SHOWN);
+            if more > 0 {
+                card(ui).show(ui, |ui| note(ui, &messages.fill(Msg::NoticeMore, &[("count", &more)])));
+            }
+        });
     });
 }
 
@@ -45,7 +57,7 @@ fn one(ui: &mut Ui, notice: &Notice, messages: &Messages, out: &mut Vec<Action>)
         .corner_radius(CornerRadius::same(12))
         .inner_margin(Margin::symmetric(12, 8))
         .shadow(ui.visuals().popup_shadow);
-    frame.show(ui, |ui| {
+    let shown = frame.show(ui, |ui| {
         ui.horizontal(|ui| {
             let (rect, _) = ui.allocate_exact_size(Vec2::splat(ICON), Sense::hover());
             icons::paint(ui.painter(), rect, icon, colour);
@@ -53,7 +65,7 @@ fn one(ui: &mut Ui, notice: &Notice, messages: &Messages, out: &mut Vec<Action>)
             ui.vertical(|ui| {
                 ui.set_width(width);
                 ui.spacing_mut().item_spacing.y = 3.0;
-                ui.label(RichText::new(&notice.what).color(p.text));
+                ui.add(Label::new(RichText::new(&notice.what).color(p.text)).wrap());
                 if !notice.remedy.is_empty() {
                     note(ui, &messages.fill(Msg::NoticeWhatToDo, &[("remedy", &notice.remedy)]));
                 }
@@ -69,4 +81,8 @@ fn one(ui: &mut Ui, notice: &Notice, messages: &Messages, out: &mut Vec<Action>)
             }
         });
     });
+    if shown.response.contains_pointer() {
+        out.push(Action::HoldNotice(notice.id));
+        ui.ctx().request_repaint_after(HOLD);
+    }
 }

@@ -192,7 +192,7 @@ fn row(
     let own = snapshot.params.own.get(path).copied();
     let value = own.unwrap_or(base);
     let name = messages.param_name(path);
-    let base_text = value_text(base, kind, messages);
+    let base_text = value_text(base, description, messages);
     let reset = messages.fill(Msg::ParamsReset, &[("name", &name), ("value", &base_text)]);
     let reset = own.is_some().then_some(reset.as_str());
     let mut set = |value: Option<Value>| out.push(Action::SetParam { path: path.clone(), value });
@@ -213,7 +213,8 @@ fn row(
         return;
     }
     let scale = Scale { min: description.min, max: description.max, whole: kind == Kind::Whole };
-    let text = with_unit(&scale.text(value), description, messages);
+    let words = messages.below_zero(path).filter(|_| value < 0.0);
+    let text = words.map_or_else(|| with_unit(&scale.text(value), description, messages), str::to_owned);
     let width = ui.available_width();
     let (response, change) = Rail { label: &name, text: &text, scale, value, reset }.show(ui, width);
     if !response.dragged() {
@@ -227,8 +228,11 @@ fn row(
     }
 }
 
-fn value_text(value: f64, kind: Kind, messages: &Messages) -> String {
-    match kind {
+fn value_text(value: f64, of: &Description, messages: &Messages) -> String {
+    if let Some(words) = messages.below_zero(&of.path).filter(|_| value < 0.0) {
+        return words.to_owned();
+    }
+    match of.kind {
         Kind::Switch if value > 0.5 => messages.get(Msg::ParamsOn).to_owned(),
         Kind::Switch => messages.get(Msg::ParamsOff).to_owned(),
         Kind::Whole => format!("{value:.0}"),
@@ -250,7 +254,8 @@ fn help(ui: &mut Ui, description: &Description, base: f64, messages: &Messages) 
     if kind == Kind::Aged {
         note(ui, messages.get(Msg::ParamsAged));
     }
-    let [min, max, default] = [description.min, description.max, base].map(|v| value_text(v, kind, messages));
+    let [min, max, default] =
+        [description.min, description.max, base].map(|v| value_text(v, description, messages));
     note(ui, &messages.fill(Msg::ParamsRange, &[("min", &min), ("max", &max), ("default", &default)]));
     ui.label(RichText::new(&description.path).monospace().small().color(palette(ui).weak));
 }
