@@ -68,7 +68,7 @@ fn strokes_are_sound() {
 }
 
 /// Flowers in each drawing.
-const FLOWERS: [(&str, usize); 17] = [
+const FLOWERS: [(&str, usize); 18] = [
     ("daisy", 2),
     ("hepatica_red", 4),
     ("hepatica_blue", 3),
@@ -80,6 +80,7 @@ const FLOWERS: [(&str, usize); 17] = [
     ("potted_plant", 0),
     ("tree_round", 0),
     ("tree_willow", 0),
+    ("bamboo", 0),
     ("topiary", 0),
     ("bouquet", 3),
     ("sample", 2),

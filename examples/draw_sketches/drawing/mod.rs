@@ -61,6 +61,7 @@ pub fn all() -> Vec<Drawing> {
         asset("potted_plant", plants::potted_plant::draw()),
         asset("tree_round", plants::tree_round::draw()),
         asset("tree_willow", plants::tree_willow::draw()),
+        asset("bamboo", plants::bamboo::draw()),
         asset("bouquet", plants::bouquet::draw()),
         asset("sample", plants::sample::draw()),
         asset("topiary", plants::topiary::draw()),

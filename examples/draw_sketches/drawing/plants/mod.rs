@@ -1,6 +1,7 @@
 //! One file per plant: where everything lies on the sheet.
 
 pub mod balloon_flower;
+pub mod bamboo;
 pub mod bouquet;
 pub mod daisy;
 pub mod hepatica;
