@@ -82,18 +82,23 @@ pub fn choose_model(
             if declared.is_none() && !decoder.waits_to_be_woken() {
                 return Ok(Some(by_descriptor(decoder)));
             }
-            // What it says of itself suffices where nothing tells more.
-            let listed = identify(device, descriptor, &mut *strings, model).unwrap_or_else(|error| {
-                tracing::debug!("{}: {error}", device.name());
-                None
-            });
-            Ok(Some(match (listed, declared) {
+            // What it says of itself suffices where nothing tells more; the artist may still know its model.
+            let (listed, models) = match identify(device, descriptor, &mut *strings, model) {
+                Ok(listed) => (listed, Vec::new()),
+                Err(ChooseError::StringsUnread { models, .. }) => (None, models),
+                Err(_) => (None, Vec::new()),
+            };
+            let mut choice = match (listed, declared) {
                 (Some(Identity::Model(tablet, doubt)), _) => {
                     by_table(tablet, doubt, descriptor, strings, Some(decoder))
                 }
                 (_, Some(ranges)) => by_protocol(ranges, descriptor, strings, decoder),
                 (_, None) => by_descriptor(decoder),
-            }))
+            };
+            if choice.doubt.is_none() && !models.is_empty() {
+                choice.doubt = Some(Doubt { models, taken: choice.way.clone(), is_chosen: false });
+            }
+            Ok(Some(choice))
         }
         nothing => match identify(device, descriptor, &mut *strings, model)? {
             Some(Identity::Model(tablet, doubt)) => {

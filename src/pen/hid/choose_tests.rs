@@ -132,6 +132,29 @@ fn a_tablet_that_keeps_silent_until_it_is_woken_draws_before_and_after() {
 }
 
 #[test]
+fn a_tablet_that_could_not_be_woken_says_so_where_it_says_how_it_is_read() {
+    let mut choice = silent(without_strings());
+    let device = SimulatedDevice::new(DeviceInfo::default(), tablets::SILENT_TABLET);
+    choice.wake(&mut device.open()).unwrap();
+    assert!(choice.way.contains("not fully woken") && choice.way.contains("string 100"), "{}", choice.way);
+    let mut woken = silent(with_strings([(100, string("1")), (123, string("2"))]));
+    woken.wake(&mut device.open()).unwrap();
+    assert_eq!(woken.way, "its report descriptor");
+}
+
+#[test]
+fn a_silent_tablet_whose_strings_are_not_given_is_read_and_its_model_can_be_chosen() {
+    let info = DeviceInfo { vendor_id: 0x256C, product_id: 0x6E, ..DeviceInfo::default() };
+    let choice = choose_decoder(&info, tablets::SILENT_TABLET).unwrap().expect("it describes a pen");
+    let doubt = choice.doubt.expect("several models fit");
+    assert!(doubt.models.len() > 1 && doubt.taken == choice.way && !doubt.is_chosen, "{doubt:?}");
+    let model = doubt.models[1].as_str();
+    let chosen = choose_model(&info, tablets::SILENT_TABLET, without_strings(), Some(model));
+    let chosen = chosen.unwrap().unwrap();
+    assert!(chosen.way.ends_with(model) && chosen.doubt.is_some_and(|doubt| doubt.is_chosen));
+}
+
+#[test]
 fn hover_is_seen_where_in_range_is_turned_about() {
     let mut choice = silent(without_strings());
     let hover = pens(&mut choice, &[7, 0x80, 0x10, 0x27, 0x4C, 0x1D, 0, 0]);

@@ -45,15 +45,18 @@ impl Choice {
     /// Wakes the tablet and hears what it says of itself.
     ///
     /// # Errors
-    /// A tablet that is not listed and does not say its ranges. What fails in waking is a warning: the tablet may work
-    /// all the same.
+    /// A tablet that is not listed and does not say its ranges. What fails in waking is a warning, since it may work all
+    /// the same; of one that imitates a mouse until then it stands beside how it is read, too.
     pub fn wake(&mut self, transport: &mut dyn Transport) -> Result<(), ChooseError> {
         let Some(mut wake_up) = self.wake_up.take() else { return Ok(()) };
         let name = transport.info().name();
         let mut io = Waking { transport, strings: &mut *wake_up.strings };
         // Feature reports go as they are: the longest that a node declares says nothing of the others.
-        for fault in wake_up.sequence.run(wake_up.lengths.output, 0, &mut io) {
-            tracing::warn!("{name}: {fault}");
+        let faults = wake_up.sequence.run(wake_up.lengths.output, 0, &mut io);
+        faults.iter().for_each(|fault| tracing::warn!("{name}: {fault}"));
+        // Where it imitates a mouse meanwhile, it is read all the same, but coarsely: that is worth knowing.
+        if let (Some(fault), true) = (faults.first(), wake_up.imitation.is_some()) {
+            self.way = format!("{} ({fault})", self.way);
         }
         self.learn(wake_up)
     }
