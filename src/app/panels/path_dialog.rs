@@ -306,7 +306,11 @@ fn footer(
             looking.may_replace = Some(path);
         }
         Target::File(path) => return Some(path),
-        Target::Refused(refusal) => looking.told = Some(reason(&refusal, request, messages)),
+        Target::Refused(refusal) => {
+            looking.told = Some(reason(&refusal, request, messages));
+            // The name is asked for once more.
+            looking.is_offered = false;
+        }
     }
     None
 }

@@ -11,7 +11,7 @@ use super::widgets::{IconButton, palette};
 use crate::app::theme::TARGET;
 use egui::accesskit::{Action, ActionData};
 use egui::{Align2, CornerRadius, CursorIcon, DragValue, EventFilter, Key, Rect, Response, Role, Sense};
-use egui::{TextStyle, Ui, UiBuilder, WidgetInfo, pos2, vec2};
+use egui::{Id, TextStyle, Ui, UiBuilder, WidgetInfo, pos2, vec2};
 
 /// Ratio of largest and smallest value from which a rail is logarithmic.
 const LOG_FROM: f64 = 100.0;
@@ -215,7 +215,8 @@ impl Rail<'_> {
     /// The number, which is typed: Enter takes it, Esc leaves it as it was.
     fn number(&self, ui: &mut Ui, rect: Rect) -> Option<f64> {
         let mut chosen = None;
-        let text = self.text.to_owned();
+        let shown = self.fitted(ui, rect.width() - 12.0);
+        let text = shown.clone();
         let value = |new: Option<f64>| {
             chosen = new.or(chosen);
             chosen.unwrap_or(self.value)
@@ -231,15 +232,29 @@ impl Rail<'_> {
         let number = DragValue::from_get_set(value)
             .speed(0.0)
             .range(self.scale.min..=self.scale.max)
+            .clamp_existing_to_range(false)
             .update_while_editing(false)
-            .custom_formatter(|_, _| self.text.to_owned())
+            .custom_formatter(|_, _| shown.clone())
             // Left as it was it stays exactly what it was.
             .custom_parser(move |new| if new == text { Some(self.value) } else { typed(new) });
         let response = ui.add(number).on_hover_cursor(CursorIcon::Text);
         ui.ctx().accesskit_node_builder(response.id, |node| {
             node.set_label(format!("{}: {}", self.label, self.text))
         });
-        chosen
+        // What was typed is taken when the field loses the keyboard, unless Esc took it away.
+        let (left, frame) = (Id::unique("a number was left by Esc"), ui.ctx().cumulative_frame_nr());
+        if ui.input(|i| i.key_pressed(Key::Escape)) {
+            ui.data_mut(|data| data.insert_temp(left, frame));
+        }
+        let is_left = ui.data(|data| data.get_temp::<u64>(left)).is_some_and(|at| frame <= at + 1);
+        chosen.filter(|_| !is_left)
+    }
+
+    /// The value with its unit, or without one where there is no room for it.
+    fn fitted(&self, ui: &Ui, room: f32) -> String {
+        let font = TextStyle::Small.resolve(ui.style());
+        let whole = ui.painter().layout_no_wrap(self.text.to_owned(), font, palette(ui).text);
+        if whole.size().x <= room { self.text.to_owned() } else { self.scale.text(self.value) }
     }
 
     fn way_back(&self, ui: &mut Ui, rect: Rect) -> bool {
