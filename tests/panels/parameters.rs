@@ -36,8 +36,8 @@ fn searched_in(snapshot: Snapshot, text: &str) -> Harness<'static, Stage> {
 
 #[test]
 fn a_rail_dragged_sideways_sets_its_parameter() {
-    let mut harness = searched("opening prior");
-    drag(&mut harness, "Opening prior", vec2(60.0, 3.0));
+    let mut harness = searched("opening_prior");
+    drag(&mut harness, "Default opening", vec2(60.0, 3.0));
     let actions = asked(&mut harness);
     let Some(Action::SetParam { path, value: Some(value) }) = actions.last() else { panic!("{actions:?}") };
     assert_eq!(path, "depth.cone.opening_prior");
@@ -49,8 +49,8 @@ fn a_rail_dragged_sideways_sets_its_parameter() {
 
 #[test]
 fn a_rail_dragged_up_or_down_scrolls_and_sets_nothing() {
-    let mut harness = searched("opening prior");
-    drag(&mut harness, "Opening prior", vec2(4.0, 80.0));
+    let mut harness = searched("opening_prior");
+    drag(&mut harness, "Default opening", vec2(4.0, 80.0));
     assert_eq!(asked(&mut harness), []);
 }
 
@@ -64,7 +64,7 @@ fn whole_numbers_and_switches_keep_their_kind() {
         "{actions:?}"
     );
     let mut harness = searched("cone.flip");
-    press(&mut harness, "Flip");
+    press(&mut harness, "Flowers turned away");
     let value = Some(Value::Bool(true));
     assert_eq!(asked(&mut harness), [Action::SetParam { path: "depth.cone.flip".into(), value }]);
 }
@@ -124,7 +124,7 @@ fn search_shows_what_matches_and_only_that() {
     let harness = searched("pressure");
     assert!(harness.query_by_label("Pressure gain").is_some());
     assert!(harness.query_by_label("Pressure curl").is_some());
-    assert!(harness.query_by_label("Opening prior").is_none());
+    assert!(harness.query_by_label("Default opening").is_none());
     let harness = searched("xyzzy");
     assert!(harness.query_by_label_contains("xyzzy").is_some(), "says that nothing was found");
     assert_eq!(harness.query_all_by_role(Role::Slider).count(), 0);
@@ -151,7 +151,7 @@ fn growth_habits_are_shown_for_plants_that_grow_only() {
     let mut harness = stage(busy(), Language::English);
     press(&mut harness, "Shape");
     assert!(harness.query_by_label(title).is_none(), "a daisy does not grow");
-    assert!(searched("habit.lambda").query_by_label("Lambda").is_none());
+    assert!(searched("habit.lambda").query_by_label("Trunk's share").is_none());
 
     let mut harness = stage(growing(), Language::English);
     press(&mut harness, "Shape");
@@ -177,7 +177,7 @@ fn habits_are_shown_at_the_plants_age_and_given_back() {
     let mut harness = stage(Snapshot { params, ..busy() }, Language::English);
     press(&mut harness, "Shape");
     press(&mut harness, "Changed (1)");
-    press(&mut harness, "Reset Lambda to 0.5");
+    press(&mut harness, "Reset Trunk's share to 0.5");
     assert_eq!(asked(&mut harness), [Action::SetParam { path: "habit.lambda".into(), value: None }]);
 
     // Another species was chosen since: it rests.
@@ -205,8 +205,8 @@ fn a_number_is_typed_and_a_tap_on_it_changes_nothing() {
         ("33", egui::Key::Escape, None),
         ("much", egui::Key::Enter, None),
     ] {
-        let mut harness = searched("opening prior");
-        number(&harness, "Opening prior").click();
+        let mut harness = searched("opening_prior");
+        number(&harness, "Default opening").click();
         harness.run();
         assert_eq!(asked(&mut harness), [], "a tap on the number");
         harness.event(egui::Event::Text(text.to_owned()));
@@ -218,8 +218,8 @@ fn a_number_is_typed_and_a_tap_on_it_changes_nothing() {
         assert_eq!(asked(&mut harness), wish.into_iter().collect::<Vec<_>>(), "{text} {key:?}");
     }
     // Looked at and left as it is, it stays exactly what it is.
-    let mut harness = searched("opening prior");
-    number(&harness, "Opening prior").click();
+    let mut harness = searched("opening_prior");
+    number(&harness, "Default opening").click();
     harness.run();
     harness.key_press(egui::Key::Enter);
     harness.run();
@@ -228,8 +228,8 @@ fn a_number_is_typed_and_a_tap_on_it_changes_nothing() {
 
 #[test]
 fn a_press_on_the_name_does_not_jump() {
-    let mut harness = searched("opening prior");
-    let rail = harness.get_by_role_and_label(Role::Slider, "Opening prior").rect();
+    let mut harness = searched("opening_prior");
+    let rail = harness.get_by_role_and_label(Role::Slider, "Default opening").rect();
     let name = rail.left_top() + vec2(12.0, 8.0);
     harness.drag_at(name);
     harness.step();
