@@ -3,15 +3,27 @@
 //! Each file goes to a temporary one in the same folder, is flushed to the disk (fsync), and takes its final name by
 //! rename; then the folder is flushed, so that the name survives a power cut. A group of files is staged completely
 //! before the first is renamed, and renamed in order: what fails early (missing folder, full disk, a folder in the
-//! place of a file) leaves everything as it was. Temporary files vanish on every way out but a killed process.
+//! place of a file) leaves everything as it was. Temporary files vanish on every way out but a killed process; what killed
+//! processes left is removed a day later, when the next file is written into the folder.
 //!
-//! Limits: between the renames of a group lies a moment in which the first are new and the last is old.
+//! Limits: between the renames of a group lies a moment in which the first are new and the last is old. Where flushing the
+//! folder fails, which is an error, the file has its new content but may have its old one after a power cut.
 
-use std::fs::{self, File};
-use std::io::{self, Write};
+use crate::file_system::{Access, FileSystem, System, WrittenFile};
+use std::ffi::OsStr;
+use std::fs;
+use std::hash::{BuildHasher, RandomState};
+use std::io;
 use std::path::{Path, PathBuf};
-use tempfile::NamedTempFile;
+use std::sync::Arc;
+use std::time::Duration;
 use thiserror::Error;
+
+/// What names of temporary files begin and end with.
+const TEMPORARY: (&str, &str) = (".penstemon-", ".tmp");
+
+/// How old a temporary file is before nobody can be writing it any more.
+const LEFT_BEHIND_AFTER: Duration = Duration::from_secs(24 * 60 * 60);
 
 /// A file that could not be written.
 #[derive(Debug, Error)]
@@ -79,20 +91,21 @@ impl WriteError {
 /// # Errors
 /// [`WriteError`], with what was there before left as it was.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
-    write_group_atomically(&[(path.to_owned(), bytes)])
+    write_group_atomically(&System, &[(path.to_owned(), bytes)])
 }
 
-/// As [`write_atomically`], but asks `permit` about the target, symbolic links resolved, when all but the renaming is
-/// done.
+/// As [`write_atomically`], on any file system, but asks `permit` about the target, symbolic links resolved, when all but
+/// the renaming is done.
 ///
 /// # Errors
 /// [`WriteError`] or what `permit` says, with what was there before left as it was.
 pub fn write_atomically_if<E: From<WriteError>>(
+    files: &dyn FileSystem,
     path: &Path,
     bytes: &[u8],
     permit: impl FnOnce(&Path) -> Result<(), E>,
 ) -> Result<(), E> {
-    let staged = Staged::new(path, |file| file.write_all(bytes))?;
+    let staged = Staged::flushed(files, path, bytes)?;
     permit(&staged.target)?;
     Ok(staged.commit()?)
 }
@@ -103,47 +116,127 @@ pub fn write_atomically_if<E: From<WriteError>>(
 ///
 /// # Errors
 /// [`WriteError`] of the first file that cannot be written; nothing has changed unless a rename itself failed.
-pub fn write_group_atomically(files: &[(PathBuf, &[u8])]) -> Result<(), WriteError> {
-    let staged: Vec<Staged> = files
+pub fn write_group_atomically(files: &dyn FileSystem, group: &[(PathBuf, &[u8])]) -> Result<(), WriteError> {
+    let staged: Vec<Staged> = group
         .iter()
         .rev()
-        .map(|(path, bytes)| Staged::new(path, |file| file.write_all(bytes)))
+        .map(|(path, bytes)| Staged::flushed(files, path, bytes))
         .collect::<Result<_, _>>()?;
     staged.into_iter().rev().try_for_each(Staged::commit)
 }
 
-/// A file written under a temporary name.
-struct Staged {
-    temporary: NamedTempFile,
+/// A file written under a temporary name, which goes with it unless it takes its place.
+pub(crate) struct Staged<'f> {
+    files: &'f dyn FileSystem,
+    file: Arc<dyn WrittenFile>,
+    temporary: Option<PathBuf>,
     target: PathBuf,
 }
 
-impl Staged {
-    fn new(path: &Path, write: impl FnOnce(&mut File) -> io::Result<()>) -> Result<Self, WriteError> {
-        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-        refuse_occupied(&target)?;
-        let explain = |error| WriteError::of(&target, error);
-        let mut temporary = temporary_beside(&target).map_err(explain)?;
-        // Who could read the old file can read the new one, and nobody else.
-        if let Ok(there) = fs::metadata(&target) {
-            let _ = temporary.as_file().set_permissions(there.permissions());
+impl Drop for Staged<'_> {
+    fn drop(&mut self) {
+        if let Some(temporary) = self.temporary.take() {
+            let _ = self.files.remove_file(&temporary);
         }
-        write(temporary.as_file_mut()).map_err(explain)?;
-        temporary.as_file().sync_all().map_err(explain)?;
-        Ok(Self { temporary, target })
+    }
+}
+
+impl<'f> Staged<'f> {
+    /// Writes a file that only the user may read, and does not wait for the disk.
+    pub(crate) fn private(files: &'f dyn FileSystem, path: &Path, bytes: &[u8]) -> Result<Self, WriteError> {
+        Self::new(files, path.to_owned(), bytes, &Access::Owner)
     }
 
-    fn commit(self) -> Result<(), WriteError> {
+    /// Writes a file and waits until it is on the disk. Who could read the old one can read it, and nobody else.
+    fn flushed(files: &'f dyn FileSystem, path: &Path, bytes: &[u8]) -> Result<Self, WriteError> {
+        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        refuse_occupied(&target)?;
+        let access = fs::metadata(&target).map_or(Access::Usual, |there| Access::Like(there.permissions()));
+        let staged = Self::new(files, target, bytes, &access)?;
+        staged.flush()?;
+        Ok(staged)
+    }
+
+    fn new(
+        files: &'f dyn FileSystem,
+        target: PathBuf,
+        bytes: &[u8],
+        access: &Access,
+    ) -> Result<Self, WriteError> {
+        let explain = |error| WriteError::of(&target, error);
+        let temporary = folder_of(&target).join(unused_name());
+        let file = files.create_new(&temporary, access).map_err(explain)?;
+        let staged = Self { files, file, temporary: Some(temporary), target };
+        staged.file.append(bytes).map_err(|error| WriteError::of(&staged.target, error))?;
+        Ok(staged)
+    }
+
+    /// Waits until the content is on the disk.
+    pub(crate) fn flush(&self) -> Result<(), WriteError> {
+        self.file.flush().map_err(|error| WriteError::of(&self.target, error))
+    }
+
+    /// Gives it its name, and does not wait for the disk. The file, for whoever wants to flush it.
+    pub(crate) fn place(&mut self) -> Result<Arc<dyn WrittenFile>, WriteError> {
+        if let Some(temporary) = &self.temporary {
+            let placed = self.files.rename(temporary, &self.target);
+            placed.map_err(|error| WriteError::of(&self.target, error))?;
+            self.temporary = None;
+        }
+        Ok(self.file.clone())
+    }
+
+    fn commit(mut self) -> Result<(), WriteError> {
+        self.place()?;
         let folder = folder_of(&self.target);
-        self.temporary.persist(&self.target).map_err(|failed| WriteError::of(&self.target, failed.error))?;
-        flush_folder(folder);
+        self.files.flush_folder(folder).map_err(|error| WriteError::of(&self.target, error))?;
+        sweep(self.files, &self.target);
         Ok(())
     }
 }
 
-/// Flushes the names in a folder to the disk. Some file systems cannot; the files themselves are safe without.
-pub fn flush_folder(folder: &Path) {
-    let _ = File::open(folder).and_then(|folder| folder.sync_all());
+/// Removes what killed processes left in the folder of a file that was just written: files of temporary names that belong to
+/// the same user and are a day old. Everything else stays, whatever it is.
+fn sweep(files: &dyn FileSystem, written: &Path) {
+    let Ok(ours) = fs::symlink_metadata(written) else { return };
+    for entry in fs::read_dir(folder_of(written)).into_iter().flatten().flatten() {
+        let is_left_behind = is_temporary(&entry.file_name())
+            && entry.metadata().is_ok_and(|m| m.is_file() && owner(&m) == owner(&ours) && is_old(&m));
+        if is_left_behind {
+            let _ = files.remove_file(&entry.path());
+        }
+    }
+}
+
+/// Whether something is so old that nobody can be writing it any more.
+pub(crate) fn is_old(there: &fs::Metadata) -> bool {
+    there.modified().ok().and_then(|at| at.elapsed().ok()) >= Some(LEFT_BEHIND_AFTER)
+}
+
+#[cfg(unix)]
+fn owner(file: &fs::Metadata) -> u32 {
+    std::os::unix::fs::MetadataExt::uid(file)
+}
+
+/// Without owners, whoever can write a folder owns what is in it.
+#[cfg(not(unix))]
+fn owner(_: &fs::Metadata) -> u32 {
+    0
+}
+
+/// Whether temporary files are called so.
+pub(crate) fn is_temporary(name: &OsStr) -> bool {
+    let middle = name.to_str().and_then(|name| name.strip_prefix(TEMPORARY.0)?.strip_suffix(TEMPORARY.1));
+    middle.is_some_and(|m| (6..=16).contains(&m.len()) && m.bytes().all(|byte| byte.is_ascii_alphanumeric()))
+}
+
+fn unused_name() -> String {
+    format!("{}{}{}", TEMPORARY.0, random_name(), TEMPORARY.1)
+}
+
+/// Sixteen characters that no name had before.
+pub(crate) fn random_name() -> String {
+    format!("{:016x}", RandomState::new().hash_one(0))
 }
 
 fn refuse_occupied(target: &Path) -> Result<(), WriteError> {
@@ -154,17 +247,6 @@ fn refuse_occupied(target: &Path) -> Result<(), WriteError> {
         _ if target.file_name().is_none() => occupied("a folder"),
         _ => Ok(()),
     }
-}
-
-/// A temporary file whose access rights are those of any new file, not the private ones of temporary files.
-fn temporary_beside(target: &Path) -> io::Result<NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".penstemon-").suffix(".tmp");
-    #[cfg(unix)]
-    let rights = <fs::Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o666);
-    #[cfg(unix)]
-    builder.permissions(rights);
-    builder.tempfile_in(folder_of(target))
 }
 
 /// The folder that holds `target`.
@@ -186,20 +268,79 @@ mod tests {
         names
     }
 
+    /// A disk with room for so many bytes more.
+    #[derive(Debug)]
+    struct Room(usize);
+
+    impl FileSystem for Room {
+        fn create_new(&self, path: &Path, access: &Access) -> io::Result<Arc<dyn WrittenFile>> {
+            Ok(Arc::new(Full(self.0, System.create_new(path, access)?)))
+        }
+
+        fn rename(&self, from: &Path, to: &Path) -> io::Result<()> {
+            System.rename(from, to)
+        }
+
+        fn remove_file(&self, path: &Path) -> io::Result<()> {
+            System.remove_file(path)
+        }
+
+        fn create_folder(&self, path: &Path) -> io::Result<()> {
+            System.create_folder(path)
+        }
+
+        fn remove_folder(&self, path: &Path) -> io::Result<()> {
+            System.remove_folder(path)
+        }
+
+        fn flush_folder(&self, path: &Path) -> io::Result<()> {
+            System.flush_folder(path)
+        }
+    }
+
+    #[derive(Debug)]
+    struct Full(usize, Arc<dyn WrittenFile>);
+
+    impl WrittenFile for Full {
+        fn append(&self, bytes: &[u8]) -> io::Result<()> {
+            self.1.append(&bytes[..self.0.min(bytes.len())])?;
+            if bytes.len() > self.0 { Err(io::ErrorKind::StorageFull.into()) } else { Ok(()) }
+        }
+
+        fn flush(&self) -> io::Result<()> {
+            self.1.flush()
+        }
+    }
+
     #[test]
     fn a_full_disk_leaves_the_old_file_and_no_other() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("plant.obj");
         write_atomically(&path, b"old").unwrap();
-        let error = Staged::new(&path, |file| {
-            file.write_all(b"half a fi")?;
-            Err(io::ErrorKind::StorageFull.into())
-        })
-        .err()
-        .unwrap();
+        let error = write_group_atomically(&Room(9), &[(path.clone(), b"more than nine bytes")]).unwrap_err();
         assert!(error.to_string().contains("plant.obj: the disk is full"), "{error}");
         assert_eq!(fs::read(&path).unwrap(), b"old");
         assert_eq!(names(folder.path()), ["plant.obj"]);
+    }
+
+    #[test]
+    fn what_killed_processes_left_goes_after_a_day_and_nothing_else_does() {
+        let folder = tempfile::tempdir().unwrap();
+        let old = std::time::SystemTime::now() - LEFT_BEHIND_AFTER - Duration::from_secs(60);
+        let left = [".penstemon-a1B2c3.tmp", ".penstemon-0123456789abcdef.tmp"];
+        let foreign =
+            [".penstemon-.tmp", ".penstemon-my notes.tmp", "penstemon-a1B2c3.tmp", ".penstemon-a1B2c3"];
+        for name in left.iter().chain(&foreign) {
+            fs::File::create(folder.path().join(name)).unwrap().set_modified(old).unwrap();
+        }
+        let young = ".penstemon-ffffffff.tmp";
+        fs::write(folder.path().join(young), b"being written").unwrap();
+        fs::create_dir(folder.path().join(".penstemon-folder.tmp")).unwrap();
+        write_atomically(&folder.path().join("plant.obj"), b"x").unwrap();
+        let mut expected = foreign.map(str::to_owned).to_vec();
+        expected.extend([young, ".penstemon-folder.tmp", "plant.obj"].map(str::to_owned));
+        expected.sort();
+        assert_eq!(names(folder.path()), expected);
     }
 
     #[test]
@@ -207,7 +348,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let (first, last) = (folder.path().join("plant.mtl"), folder.path().join("plant.obj"));
         fs::create_dir(&last).unwrap();
-        let error = write_group_atomically(&[(first, b"new"), (last, b"new")]).unwrap_err();
+        let error = write_group_atomically(&System, &[(first, b"new"), (last, b"new")]).unwrap_err();
         assert!(error.to_string().contains("there is a folder of this name"), "{error}");
         assert_eq!(names(folder.path()), ["plant.obj"]);
     }

@@ -11,6 +11,7 @@
 //! | [`random`] | random streams named by what they decide |
 //! | [`srgb`] | encoded colours to light and back |
 //! | [`geom`] | polylines, frames, polygons, ellipses: mathematics that knows no plant |
+//! | [`file_system`] | the file system as files are written to it: the machine's, or one that fails on purpose |
 //! | [`atomic`] | files written whole or not at all |
 //! | [`input`] | files read within limits, and never written over |
 //! | [`picture`] | pictures of the artist's own, in memory |
@@ -37,6 +38,7 @@ pub mod budget;
 pub mod cli;
 pub mod depth;
 pub mod export;
+pub mod file_system;
 pub mod geom;
 pub mod growth;
 pub mod input;

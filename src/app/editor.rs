@@ -50,8 +50,8 @@ pub(super) use clipboard::Copied;
 pub use live::Revisions;
 pub(super) use reference::Frame as ReferenceFrame;
 
-/// Longest wait of a new stroke for the one before to be on disk.
-const DURABLE_WAIT: Duration = Duration::from_millis(200);
+/// How often it is looked whether the journal is on disk, while it is on its way and while it cannot be written.
+const JOURNAL_LOOK: [Duration; 2] = [Duration::from_millis(250), Duration::from_secs(1)];
 
 /// Folders of the program.
 #[derive(Clone, Debug)]
@@ -374,6 +374,7 @@ impl Editor {
 
     /// Hands the newest drawing to the worker if it changed. Called once after all events of a moment.
     pub fn submit(&mut self) {
+        self.watch_journal();
         self.replay_growth();
         if !std::mem::take(&mut self.building.is_stale) {
             return;
@@ -506,13 +507,16 @@ impl Editor {
     /// Ends everything; called once when the window closes. Waits for what is being saved.
     pub fn shut_down(&mut self) {
         self.finish();
-        if let Some(journal) = self.journal.take() {
-            journal.close();
-        }
+        self.end_journal();
+        self.saver.closing.clear();
     }
 
     /// Ends everything where the artist was not asked; the drawing is offered at the next start.
     pub(super) fn break_off(&mut self) {
+        // The pen may be down: what it drew so far is kept, too.
+        if let Some(growing) = self.canvas.growing().map(|stroke| stroke.snapshot()) {
+            self.change(Change::put(growing));
+        }
         self.finish();
         self.journal = None;
     }
@@ -545,11 +549,12 @@ impl Editor {
     /// When something on the screen changes by itself.
     pub fn wakes_at(&self) -> Option<Instant> {
         let news = self.notices.next_goes_at();
-        let saving = self
-            .journal
-            .as_ref()
-            .is_some_and(|j| j.state() == JournalState::Saving)
-            .then(|| Instant::now() + Duration::from_millis(250));
+        let look = self.journal.as_ref().and_then(|journal| match journal.state() {
+            JournalState::Saved => None,
+            JournalState::Saving { .. } => Some(JOURNAL_LOOK[0]),
+            JournalState::Failed(_) => Some(JOURNAL_LOOK[1]),
+        });
+        let saving = look.map(|after| Instant::now() + after);
         [news, saving, self.plant.wakes_at(), self.next_age_at()].into_iter().flatten().min()
     }
 }

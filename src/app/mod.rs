@@ -22,6 +22,7 @@ mod damage;
 mod display_loss;
 pub mod editor;
 pub mod egui_input;
+mod ending;
 mod file_dialog;
 pub mod fonts;
 mod frame;

@@ -9,6 +9,7 @@ use super::composition::Composition;
 use super::display_loss;
 use super::editor::{Copied, Editor};
 use super::egui_input::{self, EguiInput};
+use super::ending::Ending;
 use super::panels::snapshot::Notice;
 use super::pointers::{Heard, Place, Pointers};
 use super::revival::{Revival, Revived};
@@ -114,6 +115,11 @@ impl ApplicationHandler for App {
             event_loop.exit();
             return;
         }
+        if running.ending.is_told() {
+            running.editor.break_off();
+            event_loop.exit();
+            return;
+        }
         if running.editor.is_closed() {
             running.note_size();
             running.editor.shut_down();
@@ -158,6 +164,8 @@ struct Running {
     is_awake: bool,
     /// Why the window cannot go on.
     broken: Option<anyhow::Error>,
+    /// What the system says of the program's end.
+    ending: Ending,
     cursor: egui::CursorIcon,
     composition: Composition,
 }
@@ -185,6 +193,11 @@ impl Running {
         stage: Option<Stage>,
     ) -> anyhow::Result<Self> {
         let proxy = event_loop.create_proxy();
+        let ending = Ending::listen({
+            let proxy = proxy.clone();
+            move || proxy.wake_up()
+        });
+        let ending = ending.context("no thread for what the system says")?;
         let mut editor = Editor::open(file, move || proxy.wake_up())?;
         let attributes = window_size::attributes(event_loop, editor.settings.window);
         let window: Arc<dyn Window> =
@@ -219,6 +232,7 @@ impl Running {
             frame_is_due: true,
             is_awake: true,
             broken: None,
+            ending,
             cursor: egui::CursorIcon::Default,
             composition: Composition::default(),
         };

@@ -32,6 +32,7 @@ pub use pictures::{BuiltInTextures, Pictures};
 pub use read::{ReadError, Surface, read};
 pub use scene::Scene;
 
+use crate::file_system::System;
 use crate::input::Sources;
 use crate::model::Model;
 use crate::plant::Plant;
@@ -96,7 +97,7 @@ impl Prepared {
     pub fn write(&self) -> Result<usize, WriteError> {
         let files: Vec<(PathBuf, &[u8])> =
             self.files.iter().map(|(path, bytes)| (path.clone(), bytes.as_ref())).collect();
-        crate::atomic::write_group_atomically(&files)?;
+        crate::atomic::write_group_atomically(&System, &files)?;
         Ok(files.iter().map(|(_, bytes)| bytes.len()).sum())
     }
 }

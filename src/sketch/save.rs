@@ -11,6 +11,7 @@
 use super::limits;
 use super::{Sketch, SketchError, Warning, editable_from_bytes, json, read};
 use crate::atomic::{WriteError, folder_of, write_atomically_if};
+use crate::file_system::{FileSystem, System};
 use crate::picture::content_hash;
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File, TryLockError};
@@ -118,6 +119,19 @@ pub fn open(path: &Path) -> Result<Opened, SketchError> {
 /// # Errors
 /// [`SaveError`], with the file left as it was.
 pub fn save(path: &Path, sketch: &Sketch, expected: Option<&FileStamp>) -> Result<FileStamp, SaveError> {
+    save_on(&System, path, sketch, expected)
+}
+
+/// As [`save`], on any file system.
+///
+/// # Errors
+/// As [`save`].
+pub fn save_on(
+    files: &dyn FileSystem,
+    path: &Path,
+    sketch: &Sketch,
+    expected: Option<&FileStamp>,
+) -> Result<FileStamp, SaveError> {
     let text = json::write(sketch);
     let bytes = text.len() as u64;
     if bytes > limits::MAX_FILE_BYTES {
@@ -125,7 +139,7 @@ pub fn save(path: &Path, sketch: &Sketch, expected: Option<&FileStamp>) -> Resul
     }
     // Held until the new file has its name.
     let mut folder_lock = None;
-    let written = write_atomically_if(path, text.as_bytes(), |target| {
+    let written = write_atomically_if(files, path, text.as_bytes(), |target| {
         folder_lock = locked_folder(target);
         check_target(target, expected)
     });

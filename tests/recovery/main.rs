@@ -1,7 +1,7 @@
 //! Nothing lost: a drawing program that is killed at any moment, and what the next start finds.
 //!
 //! The test program starts itself as a child that draws ([`kill`]) or that has no room to write ([`faults`]), and looks at
-//! what is left.
+//! what is left. On a simulated disk every operation fails once, and the power goes at every moment ([`power`]).
 
 #![allow(
     clippy::unwrap_used,
@@ -12,6 +12,8 @@
 mod artist;
 mod faults;
 mod kill;
+mod power;
+mod simulated;
 
 use artist::Artist;
 use penstemon::sketch::document::Document;
@@ -121,18 +123,17 @@ fn only_what_changed_and_is_not_saved_is_recovered() {
 }
 
 #[test]
-fn a_journal_with_any_byte_changed_restores_what_came_before() {
+fn a_journal_with_any_byte_changed_restores_all_but_what_was_changed() {
     let state = tempfile::tempdir().unwrap();
     let recovery = Recovery::at(state.path());
     let mut artist = Artist::new(11);
-    let mut states = vec![artist.document.sketch().clone()];
     let mut writer = recovery.start(artist.document.sketch(), Meta::default(), false).unwrap();
     for _ in 0..12 {
         writer.append(&artist.act());
-        states.push(artist.document.sketch().clone());
     }
     assert_eq!(writer.flush(PATIENCE), JournalState::Saved);
     drop(writer);
+    let last = artist.document.sketch();
     let journal = file(state.path(), "journal");
     let whole = fs::read(&journal).unwrap();
     let mut rng = Pcg64Mcg::seed_from_u64(5);
@@ -142,7 +143,12 @@ fn a_journal_with_any_byte_changed_restores_what_came_before() {
         changed[at] ^= 1 << rng.random_range(0..8);
         fs::write(&journal, &changed).unwrap();
         match recovery.list().unwrap().pop().unwrap().content {
-            Ok(restored) => assert!(states.contains(&restored.sketch), "byte {at}"),
+            Ok(restored) => {
+                // One step may be missing, with all that it did.
+                let missing = last.strokes.iter().filter(|stroke| !restored.sketch.strokes.contains(stroke));
+                assert!(missing.count() <= 2, "byte {at}");
+                assert!(restored.sketch == *last || !restored.gaps.is_empty(), "byte {at}: nothing is said");
+            }
             Err(error) => assert!(matches!(error, JournalError::NewerVersion { .. }), "byte {at}: {error}"),
         }
     }

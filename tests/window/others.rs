@@ -41,11 +41,22 @@ fn a_program_that_is_ended_by_the_system_offers_the_drawing_back() {
     screen.hand(&["key", "ctrl+n"]);
     program.built();
     draw_line(&screen, &mut program);
+    // A second line is on its way: its beginning is kept as well.
+    let [left, top, width, height] = program.area("canvas");
+    let place = |x: f64, y: f64| [left + x * width, top + y * height].map(|p| (p as i32).to_string());
+    for (k, [x, y]) in [place(0.6, 0.3), place(0.65, 0.4), place(0.7, 0.45)].iter().enumerate() {
+        screen.hand(&["mousemove", "--sync", x, y]);
+        if k == 0 {
+            screen.hand(&["mousedown", "1"]);
+        }
+    }
+    program.built_of(2);
     program.terminate();
-    program.wait();
+    assert!(program.wait().success(), "it ends of its own accord");
+    screen.hand(&["mouseup", "1"]);
     let mut again = Program::start(&screen, home.path(), &[]);
     again.built();
-    assert_eq!(number(&again.told("recoverable"), "strokes"), 1);
+    assert_eq!(number(&again.told("recoverable"), "strokes"), 2);
 }
 
 #[test]

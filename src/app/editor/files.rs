@@ -5,7 +5,7 @@ use super::{Editor, OwnFile};
 use crate::app::action::Action;
 use crate::app::canvas::Canvas;
 use crate::app::file_dialog;
-use crate::app::messages::Told as _;
+use crate::app::messages::{Msg, Told as _};
 use crate::app::panels::snapshot::{Dialog, Notice, PathPurpose, PathRequest};
 use crate::sketch::document::Document;
 use crate::sketch::journal::{JournalWriter, Meta, Recoverable};
@@ -125,9 +125,7 @@ impl Editor {
     }
 
     fn take_over_with(&mut self, document: Document, file: OwnFile, journal: Option<JournalWriter>) {
-        if let Some(old) = self.journal.take() {
-            old.close();
-        }
+        self.end_journal();
         self.journal = journal;
         self.document = document;
         self.given_up = None;
@@ -240,8 +238,10 @@ impl Editor {
             Ok((mut restored, meta, journal)) => {
                 let folder = meta.path.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
                 self.take_in(&mut restored.sketch.textures, folder);
+                let damaged = self.recovery.damaged_files();
+                let kept = self.messages.fill(Msg::NoticeDamagedKept, &[("folder", &damaged.display())]);
                 for gap in restored.gaps {
-                    self.tell(Notice::warning(gap.told(&self.messages), ""));
+                    self.tell(Notice::warning(gap.told(&self.messages), &kept));
                 }
                 let file = OwnFile { path: meta.path, stamp: meta.stamp };
                 self.take_over_with(Document::unsaved(restored.sketch), file, Some(journal));

@@ -1,6 +1,6 @@
 //! Pens, wheels and fingers on the canvas, and what comes of them.
 
-use super::{DURABLE_WAIT, Editor};
+use super::Editor;
 use crate::app::action::CanvasTool;
 use crate::app::canvas::{CanvasOutcome, Drawing, Scroll};
 use crate::app::messages::Told;
@@ -23,7 +23,6 @@ impl Editor {
                 }
             };
             self.part_menu = None;
-            self.make_durable();
         }
         if !self.hold_reference(&event) {
             self.on_canvas(|canvas, drawing, out| canvas.pen(&event, drawing, out));
@@ -77,13 +76,6 @@ impl Editor {
             self.tablets.doubts = doubts.to_vec();
         }
         is_new
-    }
-
-    /// The stroke before is on disk before the next begins; on a healthy disk it long is.
-    pub(super) fn make_durable(&mut self) {
-        if let Some(journal) = &self.journal {
-            journal.flush(DURABLE_WAIT);
-        }
     }
 
     /// The wheel over the canvas, at a place in physical pixels.

@@ -11,6 +11,7 @@ use crate::app::action::Action;
 use crate::app::messages::{Msg, Told as _};
 use crate::app::panels::snapshot::{Notice, PathPurpose};
 use crate::sketch::document::SavePoint;
+use crate::sketch::journal::{Closing, JournalWriter};
 use crate::sketch::save::{self, FileStamp, SaveError};
 use std::collections::VecDeque;
 use std::path::PathBuf;
@@ -40,6 +41,10 @@ pub(super) struct Saver {
     waiting: VecDeque<Target>,
     /// What waits for the end of all that.
     pub(super) then: Option<Action>,
+    /// Journals of the drawings before.
+    pub(super) closing: Vec<Closing>,
+    /// The artist knows that the journal cannot be written.
+    journal_failure_is_told: bool,
 }
 
 impl Saver {
@@ -88,6 +93,22 @@ impl Editor {
             return;
         };
         self.end_save(result);
+    }
+
+    /// Ends the journal of a drawing that is saved or given up; a slow disk keeps nobody from drawing on.
+    pub(super) fn end_journal(&mut self) {
+        self.saver.closing.retain(|closing| !closing.is_over());
+        self.saver.closing.extend(self.journal.take().map(JournalWriter::close));
+    }
+
+    /// Says it when no recovery copy can be kept, once until it can be kept again.
+    pub(super) fn watch_journal(&mut self) {
+        let failure = self.journal.as_ref().and_then(|journal| journal.failure());
+        let is_failed = failure.is_some();
+        if let Some(error) = failure.filter(|_| !self.saver.journal_failure_is_told) {
+            self.tell(Notice::error(error.told(&self.messages), ""));
+        }
+        self.saver.journal_failure_is_told = is_failed;
     }
 
     /// Waits for what is being saved.

@@ -3,6 +3,7 @@
 use super::*;
 use crate::app::editor::Places;
 use crate::app::panels::snapshot::{Autosave, Dialog, Severity};
+use crate::sketch::journal::JournalState;
 use crate::sketch::{self, Change, Stroke, StrokePoint, Tool};
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -62,7 +63,7 @@ fn what_is_drawn_while_it_is_saved_stays_unsaved() {
     assert_eq!(strokes_at(&path), 1);
     editor.perform(Action::Undo);
     assert!(editor.document.is_saved(), "this is what was saved");
-    editor.make_durable();
+    assert_eq!(editor.journal.as_ref().unwrap().flush(PATIENCE), JournalState::Saved);
     assert_eq!(editor.panel_snapshot().status.autosave, Autosave::Saved);
 }
 
@@ -216,4 +217,26 @@ fn folders_are_remembered_for_each_kind_of_file() {
     assert_eq!(second.path_request(PathPurpose::Texture(None)).folder, pictures);
     std::fs::remove_dir_all(&pictures).unwrap();
     assert_ne!(second.path_request(PathPurpose::Texture(None)).folder, pictures, "it is gone");
+}
+
+#[test]
+fn a_recovery_copy_that_cannot_be_kept_is_told_once() {
+    let home = TempDir::new().unwrap();
+    std::fs::write(home.path().join("state"), b"a file where the folder belongs").unwrap();
+    let mut editor = editor(home.path());
+    draw(&mut editor);
+    let begun = Instant::now();
+    while errors(&editor).is_empty() {
+        assert!(begun.elapsed() < PATIENCE, "it is never told");
+        std::thread::sleep(Duration::from_millis(1));
+        editor.submit();
+    }
+    let told = errors(&editor);
+    assert!(told.len() == 1 && told[0].contains("no recovery copy can be kept"), "{told:?}");
+    let shown: Vec<u64> = editor.notices.iter().map(|notice| notice.id).collect();
+    shown.into_iter().for_each(|id| editor.notices.dismiss(id));
+    editor.submit();
+    assert_eq!(errors(&editor), Vec::<&str>::new(), "once is enough");
+    assert_eq!(editor.panel_snapshot().status.autosave, Autosave::Failed);
+    assert!(editor.wakes_at().is_some(), "the window looks whether it works again");
 }

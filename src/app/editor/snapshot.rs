@@ -20,6 +20,8 @@ use serde_json::Map;
 use std::path::Path;
 use std::time::{Duration, Instant, SystemTime};
 
+/// How long the journal may take before it is said.
+const SLOW_DISK: Duration = Duration::from_secs(1);
 /// Width and height of a found drawing's picture in pixels.
 const THUMBNAIL: [usize; 2] = [192, 144];
 
@@ -147,7 +149,10 @@ impl Editor {
         let state = self.journal.as_ref().map(|journal| journal.state());
         match state {
             None | Some(JournalState::Failed(_)) => Autosave::Failed,
-            Some(JournalState::Saving) => Autosave::Writing,
+            Some(JournalState::Saving { steps, since }) if since.elapsed() > SLOW_DISK => {
+                Autosave::Behind(steps)
+            }
+            Some(JournalState::Saving { .. }) => Autosave::Writing,
             Some(JournalState::Saved) if self.document.is_saved() => Autosave::Saved,
             Some(JournalState::Saved) => Autosave::Journaled,
         }

@@ -168,8 +168,11 @@ impl Told for Gap {
     fn told(&self, messages: &Messages) -> String {
         match self {
             Self::OlderCopy(error) => messages.fill(Msg::ErrorOlderCopy, &[("error", &error.told(messages))]),
-            Self::LeftOut { path, record, what } => messages
-                .fill(Msg::ErrorLeftOut, &[("file", &path.display()), ("record", record), ("reason", what)]),
+            Self::StepsOnly { path } => messages.fill(Msg::ErrorStepsOnly, &[("file", &path.display())]),
+            Self::LeftOut { path, record, count, what } => messages.fill(
+                Msg::ErrorLeftOut,
+                &[("file", &path.display()), ("record", record), ("count", count), ("reason", what)],
+            ),
         }
     }
 }
@@ -344,7 +347,8 @@ mod tests {
             Box::new(JournalError::NewerVersion { path: path(), version: 9.0 }),
             Box::new(JournalError::Remove { path: path(), source: io::Error::other("7") }),
             Box::new(Gap::OlderCopy(JournalError::Damaged { path: path(), what: "7".to_owned() })),
-            Box::new(Gap::LeftOut { path: path(), record: 3, what: "7".to_owned() }),
+            Box::new(Gap::LeftOut { path: path(), record: 3, count: 2, what: "7".to_owned() }),
+            Box::new(Gap::StepsOnly { path: path() }),
             Box::new(BuildError::Defect),
             Box::new(of_sketch(ParamError::Unknown { path: "7".to_owned(), nearest: None })),
             Box::new(of_sketch(ParamError::Unknown { path: "7".to_owned(), nearest: Some("8".to_owned()) })),

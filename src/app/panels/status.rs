@@ -26,15 +26,20 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages) {
             text(ui, &messages.fill(Msg::StatusBuilt, &[("ms", &ms)]), p.weak);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let mut behind = 0;
             let (msg, colour) = match status.autosave {
                 Autosave::Saved => (Msg::StatusSaved, p.good),
                 Autosave::Journaled => (Msg::StatusJournaled, p.good),
                 Autosave::Saving => (Msg::StatusSaving, p.accent),
                 Autosave::Writing => (Msg::StatusWriting, p.weak),
+                Autosave::Behind(count) => {
+                    behind = count;
+                    (Msg::StatusBehind, p.warning)
+                }
                 Autosave::Failed => (Msg::StatusUnsafe, p.error),
             };
             ui.spacing_mut().item_spacing.x = 6.0;
-            text(ui, messages.get(msg), colour);
+            text(ui, &messages.fill(msg, &[("count", &behind)]), colour);
             dot(ui, colour);
             ui.add_space(12.0);
             let pen = match &status.pen {

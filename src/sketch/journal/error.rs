@@ -54,16 +54,24 @@ pub enum JournalError {
 #[derive(Debug, Error)]
 pub enum Gap {
     /// The newest copy is damaged.
-    #[error("{0}; an older copy was used")]
+    #[error("{0}; an older copy was used, and the journal since")]
     OlderCopy(JournalError),
-    /// A step makes no sense.
-    #[error("{}: record {record} and what came after it was left out: {what}", .path.display())]
+    /// No copy of the whole drawing is there.
+    #[error("{}: the copy of the drawing that these steps go on from is missing or damaged; only what was drawn since is here", .path.display())]
+    StepsOnly {
+        /// The first journal.
+        path: PathBuf,
+    },
+    /// A part of the journal is damaged.
+    #[error("{}: records that cannot be read: {count}, the first is number {record} ({what}); what comes after was read", .path.display())]
     LeftOut {
         /// The journal.
         path: PathBuf,
         /// Number of the first record that is missing, from 1.
         record: usize,
-        /// What is wrong with it.
+        /// How many places of the journal are missing.
+        count: usize,
+        /// What is wrong with the first.
         what: String,
     },
 }

@@ -1,19 +1,24 @@
 //! What windows that are gone have left, and where new ones keep their journals.
 
 use super::error::{Gap, JournalError};
-use super::replay;
-use super::session::{Meta, PREFIX, Session};
+use super::file::Identity;
+use super::replay::{self, Found};
+use super::scribe::Subject;
+use super::session::{DAMAGED, Folder, Meta, PREFIX, Session, UNFINISHED};
 use super::writer::JournalWriter;
+use crate::file_system::{FileSystem, System};
 use crate::sketch::Sketch;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::SystemTime;
 
 /// The state folder in which every window keeps a folder of its own.
 #[derive(Clone, Debug)]
 pub struct Recovery {
     state: PathBuf,
+    files: Arc<dyn FileSystem>,
 }
 
 /// A drawing as a recovery copy has it.
@@ -23,6 +28,8 @@ pub struct Restored {
     pub sketch: Sketch,
     /// What could not be read of it.
     pub gaps: Vec<Gap>,
+    /// Files of which a part could not be read. They are kept when the drawing is drawn on, in [`Recovery::damaged_files`].
+    pub(super) damaged: Vec<PathBuf>,
 }
 
 /// What one window left. While it is held, no other window is offered it.
@@ -40,7 +47,7 @@ pub struct Recoverable {
 impl Recoverable {
     /// The folder in which it lies, which names it.
     pub fn folder(&self) -> &Path {
-        &self.session.folder
+        &self.session.folder.path
     }
 
     /// Number of strokes, 0 if the drawing cannot be had.
@@ -52,7 +59,17 @@ impl Recoverable {
 impl Recovery {
     /// Recovery copies below this folder, which is made when the first is written.
     pub fn at(state: impl Into<PathBuf>) -> Self {
-        Self { state: state.into() }
+        Self::on(Arc::new(System), state)
+    }
+
+    /// The same on any file system.
+    pub fn on(files: Arc<dyn FileSystem>, state: impl Into<PathBuf>) -> Self {
+        Self { state: state.into(), files }
+    }
+
+    /// Where damaged files are kept when their drawing is drawn on; nothing removes them but the user.
+    pub fn damaged_files(&self) -> PathBuf {
+        self.state.join(DAMAGED)
     }
 
     /// Everything that windows left which are no longer running, newest first.
@@ -69,30 +86,34 @@ impl Recovery {
         let mut found = Vec::new();
         for entry in entries {
             let entry = entry.map_err(read_error)?;
-            if entry.file_name().to_string_lossy().starts_with(PREFIX) {
-                found.extend(Session::claim(entry.path()).and_then(recoverable));
+            let name = entry.file_name();
+            if name.to_string_lossy().starts_with(PREFIX) {
+                found.extend(Session::claim(&self.files, entry.path()).and_then(recoverable));
+            } else if name.to_string_lossy().starts_with(UNFINISHED) {
+                Session::sweep_unfinished(&self.files, entry.path());
             }
         }
-        found.sort_by(|a, b| (b.modified, &b.session.folder).cmp(&(a.modified, &a.session.folder)));
+        found.sort_by(|a, b| (b.modified, b.folder()).cmp(&(a.modified, a.folder())));
         Ok(found)
     }
 
-    /// Removes what a window left, for good.
+    /// Removes what a window left, for good. Files that the program did not write stay.
     ///
     /// # Errors
     /// The files cannot be removed.
     pub fn discard(&self, what: Recoverable) -> Result<(), JournalError> {
-        let path = what.session.folder.clone();
-        what.session.remove().map_err(|source| JournalError::Remove { path, source })
+        let path = what.folder().to_owned();
+        what.session.folder.remove().map_err(|source| JournalError::Remove { path, source })
     }
 
-    /// Begins to keep a journal of a drawing that was opened or is new. Nothing is written before the first step,
-    /// unless the drawing `is_saved` nowhere (an import).
+    /// Begins to keep a journal of a drawing that was opened or is new. It is there to be recovered from the first step on,
+    /// or at once unless it `is_saved` (an import).
     ///
     /// # Errors
     /// No thread; what goes wrong later is told by [`JournalWriter::state`].
     pub fn start(&self, sketch: &Sketch, meta: Meta, is_saved: bool) -> Result<JournalWriter, JournalError> {
-        JournalWriter::spawn(self.state.clone(), None, sketch.clone(), meta, is_saved)
+        let identity = Identity { meta, is_saved };
+        self.write(None, Subject { sketch: sketch.clone(), identity, damaged: Vec::new() })
     }
 
     /// Opens what a window left and goes on in the same folder: until it is saved, it stays recoverable.
@@ -102,28 +123,34 @@ impl Recovery {
     pub fn resume(&self, what: Recoverable) -> Result<(Restored, Meta, JournalWriter), JournalError> {
         let Recoverable { meta, content, session, .. } = what;
         let restored = content?;
-        let sketch = restored.sketch.clone();
-        let writer = JournalWriter::spawn(self.state.clone(), Some(session), sketch, meta.clone(), true)?;
+        let (sketch, damaged) = (restored.sketch.clone(), restored.damaged.clone());
+        let identity = Identity { meta: meta.clone(), is_saved: false };
+        let writer = self.write(Some(session), Subject { sketch, identity, damaged })?;
         Ok((restored, meta, writer))
+    }
+
+    fn write(&self, session: Option<Session>, subject: Subject) -> Result<JournalWriter, JournalError> {
+        JournalWriter::spawn(self.files.clone(), self.state.clone(), session, subject)
     }
 }
 
-/// What a claimed session holds; one that never wrote anything is swept away.
+/// What a claimed session holds; one in which nothing is that is only there is swept away.
 fn recoverable(session: Session) -> Option<Recoverable> {
-    let content = match replay::restore(&session) {
+    let Found { meta, content } = replay::restore(&session.folder);
+    let content = match content {
         Ok(Some(restored)) => Ok(restored),
         Ok(None) => {
-            // Nothing of the artist's is in it; what cannot be removed is looked at again next time.
-            let _ = session.remove();
+            // What cannot be removed is looked at again next time.
+            let _ = session.folder.remove();
             return None;
         }
         Err(error) => Err(error),
     };
-    Some(Recoverable { meta: session.read_meta(), modified: last_written(&session), content, session })
+    Some(Recoverable { meta, modified: last_written(&session.folder), content, session })
 }
 
-fn last_written(session: &Session) -> SystemTime {
-    let files = fs::read_dir(&session.folder).into_iter().flatten().flatten();
+fn last_written(folder: &Folder) -> SystemTime {
+    let files = fs::read_dir(&folder.path).into_iter().flatten().flatten();
     let times = files.filter_map(|file| file.metadata().ok()?.modified().ok());
     times.max().unwrap_or(SystemTime::UNIX_EPOCH)
 }

@@ -1,12 +1,14 @@
 //! Tests of the writing thread's own decisions, without the thread.
 
 use super::*;
+use crate::file_system::System;
 use crate::sketch::document::Document;
 use crate::sketch::journal::Recovery;
 use crate::sketch::{Change, Picture, Reference, Stroke, StrokePoint, Tool};
 use glam::{Vec2, vec2};
 use std::fs;
 use std::path::Path;
+use std::sync::mpsc::channel;
 
 fn stroke(id: u64) -> Stroke {
     let points = (0..20).map(|k| StrokePoint::at(vec2(id as f32, k as f32))).collect();
@@ -17,6 +19,7 @@ fn stroke(id: u64) -> Stroke {
 struct Desk {
     document: Document,
     scribe: Scribe,
+    failures: Receiver<Command>,
     number: u64,
 }
 
@@ -24,9 +27,13 @@ impl Desk {
     fn new(state: &Path) -> Self {
         let document = Document::empty();
         let meta = Meta { title: "a drawing".into(), ..Meta::default() };
-        let sketch = document.sketch().clone();
-        let scribe = Scribe::new(state.to_owned(), None, sketch, meta, Arc::new(Shared::default()));
-        Self { document, scribe, number: 0 }
+        let identity = Identity { meta, is_saved: true };
+        let subject = Subject { sketch: document.sketch().clone(), identity, damaged: Vec::new() };
+        let (shared, (tell, failures)) = (Arc::new(Shared::default()), channel());
+        let flusher = Flusher::start(shared.clone(), tell).unwrap();
+        let mut scribe = Scribe::new(Arc::new(System), state.to_owned(), None, subject, shared, flusher);
+        scribe.carry_out(std::iter::once(Command::Begin));
+        Self { document, scribe, failures, number: 0 }
     }
 
     fn apply(&mut self, change: Change) {
@@ -37,6 +44,25 @@ impl Desk {
 
     fn draw(&mut self) {
         self.apply(Change::put(stroke(self.document.next_id())));
+    }
+
+    /// Waits for the disk.
+    fn settle(&mut self) {
+        self.scribe.finish_background(true);
+        self.scribe.flusher.wait();
+        assert!(self.failures.try_recv().is_err());
+    }
+
+    fn folder(&self) -> PathBuf {
+        self.scribe.session.as_ref().unwrap().folder.path.clone()
+    }
+
+    fn files(&mut self) -> Vec<String> {
+        self.settle();
+        let entries = fs::read_dir(self.folder()).unwrap();
+        let mut names: Vec<String> = entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
     }
 
     /// What a later start of the program finds.
@@ -53,63 +79,50 @@ fn only(found: Vec<crate::sketch::journal::Recoverable>) -> Sketch {
     restored.sketch
 }
 
-fn files(scribe: &Scribe) -> Vec<String> {
-    let entries = fs::read_dir(&scribe.session.as_ref().unwrap().folder).unwrap();
-    let mut names: Vec<String> = entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort();
-    names
-}
-
-#[test]
-fn a_full_disk_is_told_and_everything_is_written_once_there_is_room() {
-    let state = tempfile::tempdir().unwrap();
-    let mut desk = Desk::new(state.path());
-    desk.draw();
-    let full = File::options().write(true).open("/dev/full").unwrap();
-    let error = Journal { file: full, ..desk.scribe.journal.take().unwrap() };
-    desk.scribe.journal = Some(error);
-    let journal = desk.scribe.journal.as_mut().unwrap();
-    let step = Arc::new(Step::default());
-    assert_eq!(journal.append(&[step]).unwrap_err().kind(), io::ErrorKind::StorageFull);
-    // The scribe itself goes on in a new generation, where there is room.
-    desk.draw();
-    assert_eq!(desk.scribe.failed_at, None);
-    assert_eq!(files(&desk.scribe), ["journal-2", "lock", "meta.json", "snapshot-2.penstemon"]);
-    let expected = desk.document.sketch().clone();
-    assert_eq!(only(desk.found(state.path())), expected);
-}
-
 #[test]
 fn a_folder_that_vanishes_is_made_again_with_everything_in_it() {
     let state = tempfile::tempdir().unwrap();
     let mut desk = Desk::new(state.path());
     desk.draw();
-    fs::remove_dir_all(&desk.scribe.session.as_ref().unwrap().folder).unwrap();
+    desk.settle();
+    fs::remove_dir_all(desk.folder()).unwrap();
     desk.draw();
+    assert_eq!(desk.files(), ["journal-1", "lock", "snapshot-1.penstemon"]);
     let expected = desk.document.sketch().clone();
     assert_eq!(only(desk.found(state.path())), expected);
 }
 
 #[test]
-fn snapshots_beside_the_drawing_keep_every_step_at_every_moment() {
+fn two_generations_are_kept_and_either_snapshot_may_be_lost() {
+    let state = tempfile::tempdir().unwrap();
+    let mut desk = Desk::new(state.path());
+    for _ in 0..4 {
+        desk.draw();
+        desk.scribe.snapshot();
+        desk.draw();
+        desk.settle();
+    }
+    let names = ["journal-4", "journal-5", "lock", "snapshot-4.penstemon", "snapshot-5.penstemon"];
+    assert_eq!(desk.files(), names);
+    let (folder, expected) = (desk.folder(), desk.document.sketch().clone());
+    drop(desk.scribe);
+    for lost in ["snapshot-4.penstemon", "snapshot-5.penstemon"] {
+        let kept = fs::read(folder.join(lost)).unwrap();
+        fs::remove_file(folder.join(lost)).unwrap();
+        assert_eq!(only(Recovery::at(state.path()).list().unwrap()), expected);
+        fs::write(folder.join(lost), kept).unwrap();
+    }
+}
+
+#[test]
+fn a_snapshot_that_is_lost_on_its_way_costs_nothing() {
     let state = tempfile::tempdir().unwrap();
     let mut desk = Desk::new(state.path());
     desk.draw();
-    desk.draw();
-    desk.scribe.snapshot();
-    desk.draw();
-    // The snapshot is lost on its way: the old one and both journals have everything.
-    desk.scribe.finish_background(true);
-    let folder = desk.scribe.session.as_ref().unwrap().folder.clone();
-    assert_eq!(files(&desk.scribe), ["journal-2", "lock", "meta.json", "snapshot-2.penstemon"]);
     desk.scribe.snapshot();
     desk.draw();
     desk.scribe.background.take().unwrap().join().unwrap().unwrap();
-    assert!(
-        folder.join("snapshot-2.penstemon").exists(),
-        "the old goes only when the new is known to be whole"
-    );
-    fs::remove_file(folder.join("snapshot-3.penstemon")).unwrap();
+    fs::remove_file(desk.folder().join("snapshot-2.penstemon")).unwrap();
     let expected = desk.document.sketch().clone();
     assert_eq!(only(desk.found(state.path())), expected);
 }
@@ -119,10 +132,10 @@ fn a_long_journal_makes_room_for_a_snapshot() {
     let state = tempfile::tempdir().unwrap();
     let mut desk = Desk::new(state.path());
     desk.draw();
-    desk.scribe.journal.as_mut().unwrap().bytes = JOURNAL_BYTES;
+    desk.scribe.journal.as_mut().unwrap().pretend_long(JOURNAL_BYTES);
     desk.draw();
-    desk.scribe.finish_background(true);
-    assert_eq!(files(&desk.scribe), ["journal-2", "lock", "meta.json", "snapshot-2.penstemon"]);
+    desk.settle();
+    assert!(desk.folder().join("snapshot-2.penstemon").exists());
     desk.scribe.snapshot();
     assert!(desk.scribe.background.is_none(), "nothing new, no snapshot");
 }
@@ -134,12 +147,12 @@ fn a_reference_picture_is_written_once_however_often_it_is_moved() {
     desk.draw();
     let picture = Picture::new(&include_bytes!("../../../tests/fixtures/reference/small.jpg")[..]).unwrap();
     let size = picture.bytes().len() as u64;
-    let before = desk.scribe.journal.as_ref().unwrap().bytes;
+    let before = desk.scribe.journal.as_ref().unwrap().bytes();
     for k in 0..20 {
         let reference = Reference::new(picture.clone(), Vec2::splat(k as f32), 300.0);
         desk.apply(Change::reference(Some(reference)));
     }
-    let grown = desk.scribe.journal.as_ref().unwrap().bytes - before;
+    let grown = desk.scribe.journal.as_ref().unwrap().bytes() - before;
     assert!(grown < size + 20 * 200, "{grown} bytes for a picture of {size}");
     let expected = desk.document.sketch().clone();
     assert!(expected.reference.is_some());
@@ -149,16 +162,25 @@ fn a_reference_picture_is_written_once_however_often_it_is_moved() {
 #[test]
 fn a_saved_drawing_leaves_nothing_to_recover_until_it_changes() {
     let state = tempfile::tempdir().unwrap();
-    let mut desk = Desk::new(state.path());
-    desk.draw();
-    desk.draw();
-    desk.scribe.carry_out(std::iter::once(Command::Saved(Meta::default(), 1)));
-    assert_eq!(files(&desk.scribe).len(), 4, "something was drawn while it was being saved");
-    desk.scribe.carry_out(std::iter::once(Command::Saved(Meta::default(), 2)));
-    assert_eq!(files(&desk.scribe), ["lock", "meta.json"]);
-    desk.draw();
-    let expected = desk.document.sketch().clone();
-    assert_eq!(only(desk.found(state.path())), expected);
+    let drawn = |saved: u64, more: bool| {
+        let mut desk = Desk::new(state.path());
+        desk.draw();
+        desk.draw();
+        desk.scribe.carry_out(std::iter::once(Command::Saved(Meta::default(), saved)));
+        if more {
+            desk.draw();
+        }
+        let expected = desk.document.sketch().clone();
+        (expected, desk.found(state.path()))
+    };
+    let (expected, found) = drawn(1, false);
+    assert_eq!(only(found), expected, "something was drawn while it was being saved");
+    for found in Recovery::at(state.path()).list().unwrap() {
+        Recovery::at(state.path()).discard(found).unwrap();
+    }
+    assert_eq!(drawn(2, false).1.len(), 0);
+    let (expected, found) = drawn(2, true);
+    assert_eq!(only(found), expected);
 
     let mut desk = Desk::new(state.path());
     desk.draw();

@@ -1,20 +1,29 @@
-//! The folder of one open drawing: names of its files, its lock, and what a recovery list shows of it.
+//! The folder of one open drawing: names of its files, its lock, and what may be removed of it.
+//!
+//! Only files that a session itself writes are ever removed. Whatever else lies in its folder stays, and the folder with it.
 
-use crate::atomic::{WriteError, flush_folder, write_atomically};
+use crate::atomic::{WriteError, folder_of, is_old, is_temporary, random_name};
+use crate::file_system::{Access, FileSystem};
 use crate::sketch::save::FileStamp;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// How folders of sessions are called.
 pub(super) const PREFIX: &str = "session-";
 
 /// How they are called until they are locked.
-const UNFINISHED: &str = ".new-";
+pub(super) const UNFINISHED: &str = ".new-";
+
+/// The folder beside them that keeps what was damaged.
+pub(super) const DAMAGED: &str = "damaged";
 
 const LOCK: &str = "lock";
-const META: &str = "meta.json";
+/// What old versions wrote beside snapshots and journals.
+pub(super) const META: &str = "meta.json";
 const SNAPSHOT: (&str, &str) = ("snapshot-", ".penstemon");
 const JOURNAL: (&str, &str) = ("journal-", "");
 
@@ -32,10 +41,109 @@ pub struct Meta {
     pub stamp: Option<FileStamp>,
 }
 
+/// The files of a session: snapshots and journals, each with the number of its generation.
+#[derive(Clone, Debug)]
+pub(super) struct Folder {
+    pub(super) files: Arc<dyn FileSystem>,
+    pub(super) path: PathBuf,
+}
+
+/// A file of a generation.
+#[derive(Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct GenerationFile {
+    /// Journals come after snapshots, and what is removed goes from the end: what is left fits together at any moment.
+    pub(super) is_journal: bool,
+    pub(super) number: u64,
+    pub(super) path: PathBuf,
+}
+
+impl Folder {
+    pub(super) fn snapshot(&self, generation: u64) -> PathBuf {
+        self.path.join(format!("{}{generation}{}", SNAPSHOT.0, SNAPSHOT.1))
+    }
+
+    pub(super) fn journal(&self, generation: u64) -> PathBuf {
+        self.path.join(format!("{}{generation}", JOURNAL.0))
+    }
+
+    /// Snapshots, then journals, ascending.
+    pub(super) fn generations(&self) -> io::Result<Vec<GenerationFile>> {
+        let mut found = Vec::new();
+        for entry in fs::read_dir(&self.path)? {
+            let path = entry?.path();
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            let number =
+                |(start, end): (&str, &str)| name.strip_prefix(start)?.strip_suffix(end)?.parse().ok();
+            let (snapshot, journal): (Option<u64>, Option<u64>) = (number(SNAPSHOT), number(JOURNAL));
+            if let Some(number) = snapshot.or(journal) {
+                found.push(GenerationFile { is_journal: snapshot.is_none(), number, path });
+            }
+        }
+        found.sort();
+        Ok(found)
+    }
+
+    /// The largest number in use.
+    pub(super) fn newest(&self) -> u64 {
+        self.generations().into_iter().flatten().map(|file| file.number).max().unwrap_or(0)
+    }
+
+    /// Removes all but the two newest snapshots and the journals that go on from them; what cannot be removed does no harm.
+    pub(super) fn keep_two(&self) {
+        let there = self.generations().unwrap_or_default();
+        let Some(second) = there.iter().filter(|file| !file.is_journal).nth_back(1) else { return };
+        for old in there.iter().rev().filter(|file| file.number < second.number) {
+            let _ = self.files.remove_file(&old.path);
+        }
+    }
+
+    /// Removes every snapshot and journal.
+    pub(super) fn clear(&self) -> io::Result<()> {
+        for file in self.generations()?.iter().rev() {
+            there_no_more(self.files.remove_file(&file.path))?;
+        }
+        Ok(())
+    }
+
+    /// Moves damaged files out of the session's way, to where nothing is ever removed.
+    pub(super) fn set_aside(&self, damaged: &[PathBuf]) {
+        let kept = folder_of(&self.path).join(DAMAGED);
+        let session = self.path.file_name().unwrap_or_default().to_string_lossy();
+        for file in damaged {
+            let _ = self.files.create_folder(&kept);
+            let name = file.file_name().unwrap_or_default().to_string_lossy();
+            let _ = self.files.rename(file, &kept.join(format!("{session}-{name}")));
+        }
+    }
+
+    /// Removes the session's own files, and the folder if nothing else is in it.
+    pub(super) fn remove(&self) -> io::Result<()> {
+        match self.clear() {
+            Err(gone) if gone.kind() == io::ErrorKind::NotFound => return Ok(()),
+            done => done?,
+        }
+        for entry in fs::read_dir(&self.path)?.flatten() {
+            let name = entry.file_name();
+            if name == META || name == LOCK || is_temporary(&name) {
+                there_no_more(self.files.remove_file(&entry.path()))?;
+            }
+        }
+        match self.files.remove_folder(&self.path) {
+            Err(error) if error.kind() == io::ErrorKind::DirectoryNotEmpty => Ok(()),
+            done => there_no_more(done),
+        }
+    }
+}
+
+/// Nobody minds that a file is gone that was to go.
+fn there_no_more(removed: io::Result<()>) -> io::Result<()> {
+    removed.or_else(|error| if error.kind() == io::ErrorKind::NotFound { Ok(()) } else { Err(error) })
+}
+
 /// A session's folder, locked as long as this lives.
 #[derive(Debug)]
 pub(super) struct Session {
-    pub(super) folder: PathBuf,
+    pub(super) folder: Folder,
     lock: Option<File>,
 }
 
@@ -48,112 +156,95 @@ impl Drop for Session {
 
 impl Session {
     /// Makes a new folder below `state`. It gets its name when it is locked, so that nobody takes it for an abandoned one.
-    pub(super) fn create(state: &Path, meta: &Meta) -> Result<Self, WriteError> {
+    /// Does not wait for the disk: `above` gets the folders in which names are new, also where it fails.
+    pub(super) fn create(
+        files: &Arc<dyn FileSystem>,
+        state: &Path,
+        above: &mut BTreeSet<PathBuf>,
+    ) -> Result<Self, WriteError> {
         let explain = |error| WriteError::of(&state.join("session"), error);
-        fs::create_dir_all(state).map_err(explain)?;
-        let unfinished = tempfile::Builder::new().prefix(UNFINISHED).tempdir_in(state).map_err(explain)?;
-        let lock = File::create_new(unfinished.path().join(LOCK)).map_err(explain)?;
-        // Where the file system knows no locks, a running window's files are offered as well.
-        let _ = lock.try_lock();
-        let name = unfinished
-            .path()
-            .file_name()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .replacen(UNFINISHED, PREFIX, 1);
-        let folder = state.join(name);
-        fs::rename(unfinished.path(), &folder).map_err(explain)?;
-        // It no longer exists under the old name, so nothing is removed.
-        drop(unfinished);
-        let session = Self { folder, lock: Some(lock) };
-        session.write_meta(meta)?;
-        flush_folder(state);
-        Ok(session)
+        make_folders(&**files, state, above).map_err(explain)?;
+        make_private(state);
+        let name = random_name();
+        let unfinished = Folder { files: files.clone(), path: state.join(format!("{UNFINISHED}{name}")) };
+        let folder = Folder { files: files.clone(), path: state.join(format!("{PREFIX}{name}")) };
+        let locked = || {
+            files.create_folder(&unfinished.path)?;
+            let lock = unfinished.path.join(LOCK);
+            files.create_new(&lock, &Access::Owner)?;
+            let lock = File::options().write(true).open(lock)?;
+            // Where the file system knows no locks, a running window's files are offered as well.
+            let _ = lock.try_lock();
+            files.rename(&unfinished.path, &folder.path)?;
+            Ok(lock)
+        };
+        let lock = locked().map_err(|error| {
+            let _ = unfinished.remove();
+            explain(error)
+        })?;
+        Ok(Self { folder, lock: Some(lock) })
     }
 
-    /// Takes over an abandoned folder; `None` if its window still runs.
-    pub(super) fn claim(folder: PathBuf) -> Option<Self> {
-        let lock = File::options().write(true).create(true).truncate(false).open(folder.join(LOCK)).ok();
+    /// Takes over an abandoned folder; `None` if its window still runs, or if it is no session's folder.
+    pub(super) fn claim(files: &Arc<dyn FileSystem>, path: PathBuf) -> Option<Self> {
+        let there = |path: &Path| fs::symlink_metadata(path).ok();
+        if !there(&path)?.is_dir() || there(&path.join(LOCK)).is_some_and(|lock| !lock.is_file()) {
+            return None;
+        }
+        make_private(&path);
+        let lock = File::options().write(true).create(true).truncate(false).open(path.join(LOCK)).ok();
         match lock.as_ref().map(File::try_lock) {
             Some(Err(TryLockError::WouldBlock)) => None,
-            _ => Some(Self { folder, lock }),
+            _ => Some(Self { folder: Folder { files: files.clone(), path }, lock }),
+        }
+    }
+
+    /// Removes a folder that a killed process had not begun to use.
+    pub(super) fn sweep_unfinished(files: &Arc<dyn FileSystem>, path: PathBuf) {
+        let is_left_behind = fs::symlink_metadata(&path).is_ok_and(|there| there.is_dir() && is_old(&there));
+        if is_left_behind {
+            let _ = Folder { files: files.clone(), path }.remove();
         }
     }
 
     /// Whether the folder is still there.
     pub(super) fn exists(&self) -> bool {
-        self.folder.join(LOCK).exists()
+        self.folder.path.join(LOCK).exists()
     }
+}
 
-    pub(super) fn write_meta(&self, meta: &Meta) -> Result<(), WriteError> {
-        let path = self.folder.join(META);
-        // A path that JSON cannot hold is left out; the title still tells which drawing it is.
-        let text = serde_json::to_string_pretty(meta)
-            .or_else(|_| serde_json::to_string_pretty(&Meta { path: None, ..meta.clone() }));
-        let text = text.map_err(|error| WriteError::of(&path, error.into()))?;
-        write_atomically(&path, text.as_bytes())
+/// Makes a folder and those above it; `above` gets the folders whose names in them are new.
+fn make_folders(files: &dyn FileSystem, folder: &Path, above: &mut BTreeSet<PathBuf>) -> io::Result<()> {
+    above.insert(folder.to_owned());
+    if folder.is_dir() {
+        return Ok(());
     }
-
-    /// What [`Session::write_meta`] wrote; nothing where that cannot be read, for the drawing matters more.
-    pub(super) fn read_meta(&self) -> Meta {
-        let text = fs::read(self.folder.join(META)).unwrap_or_default();
-        serde_json::from_slice(&text).unwrap_or_default()
+    let parent = folder_of(folder);
+    if parent != folder {
+        make_folders(files, parent, above)?;
     }
-
-    pub(super) fn snapshot(&self, generation: u64) -> PathBuf {
-        self.folder.join(format!("{}{generation}{}", SNAPSHOT.0, SNAPSHOT.1))
-    }
-
-    pub(super) fn journal(&self, generation: u64) -> PathBuf {
-        self.folder.join(format!("{}{generation}", JOURNAL.0))
-    }
-
-    /// Numbers of the snapshots there are, ascending.
-    pub(super) fn snapshots(&self) -> io::Result<Vec<u64>> {
-        let mut numbers: Vec<u64> =
-            self.generations()?.into_iter().filter(|g| g.is_snapshot).map(|g| g.number).collect();
-        numbers.sort_unstable();
-        Ok(numbers)
-    }
-
-    /// The largest number in use.
-    pub(super) fn newest(&self) -> u64 {
-        self.generations().into_iter().flatten().map(|g| g.number).max().unwrap_or(0)
-    }
-
-    /// Removes every snapshot and journal before `generation`; what cannot be removed does no harm.
-    pub(super) fn remove_before(&self, generation: u64) {
-        for old in self.generations().into_iter().flatten().filter(|g| g.number < generation) {
-            let _ = fs::remove_file(old.path);
-        }
-    }
-
-    fn generations(&self) -> io::Result<Vec<GenerationFile>> {
-        let mut found = Vec::new();
-        for entry in fs::read_dir(&self.folder)? {
-            let path = entry?.path();
-            let name = path.file_name().unwrap_or_default().to_string_lossy();
-            let number =
-                |(start, end): (&str, &str)| name.strip_prefix(start)?.strip_suffix(end)?.parse().ok();
-            let (snapshot, journal): (Option<u64>, Option<u64>) = (number(SNAPSHOT), number(JOURNAL));
-            if let Some(number) = snapshot.or(journal) {
-                found.push(GenerationFile { number, is_snapshot: snapshot.is_some(), path });
+    match files.create_folder(folder) {
+        // Another window was faster, or a file is in the way.
+        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+            if folder.is_dir() {
+                Ok(())
+            } else {
+                Err(io::ErrorKind::NotADirectory.into())
             }
         }
-        Ok(found)
-    }
-
-    /// Removes the folder and everything in it.
-    pub(super) fn remove(&self) -> io::Result<()> {
-        match fs::remove_dir_all(&self.folder) {
-            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
-            _ => Ok(()),
-        }
+        made => made,
     }
 }
 
-struct GenerationFile {
-    number: u64,
-    is_snapshot: bool,
-    path: PathBuf,
+/// Folders of old versions could be entered by anybody.
+#[cfg(unix)]
+fn make_private(folder: &Path) {
+    use std::os::unix::fs::PermissionsExt;
+    let is_open = fs::metadata(folder).is_ok_and(|there| there.permissions().mode() & 0o077 != 0);
+    if is_open {
+        let _ = fs::set_permissions(folder, fs::Permissions::from_mode(0o700));
+    }
 }
+
+#[cfg(not(unix))]
+fn make_private(_: &Path) {}

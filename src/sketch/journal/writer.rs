@@ -1,22 +1,29 @@
 //! The window's end of the journal: hands steps to the writing thread and knows what is on disk.
 
 use super::error::JournalError;
-use super::scribe::{Command, Scribe};
+use super::flusher::Flusher;
+use super::scribe::{Command, Scribe, Subject};
 use super::session::{Meta, Session};
-use crate::sketch::{Sketch, Step};
+use crate::file_system::FileSystem;
+use crate::sketch::Step;
 use std::path::PathBuf;
 use std::sync::mpsc::{self, Sender};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::{Builder, JoinHandle};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// How the recovery copy stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum JournalState {
     /// Every step is on disk.
     Saved,
-    /// Steps are on their way.
-    Saving,
+    /// Steps are on their way. They survive the end of the program, but not yet that of the machine.
+    Saving {
+        /// How many.
+        steps: u64,
+        /// Since when there have always been some.
+        since: Instant,
+    },
     /// The last steps are only in memory; the writer goes on trying. The message says why and what to do.
     Failed(String),
 }
@@ -26,7 +33,10 @@ pub enum JournalState {
 pub(super) struct Progress {
     /// Number of the last step that is on disk.
     pub(super) durable: u64,
-    pub(super) failure: Option<String>,
+    /// The last epoch of which something is on disk.
+    pub(super) epoch: u64,
+    /// What failed last, and in which epoch.
+    pub(super) failure: Option<(u64, Arc<JournalError>)>,
     /// The thread is gone.
     pub(super) ended: bool,
 }
@@ -39,7 +49,30 @@ pub(super) struct Shared {
 }
 
 impl Shared {
-    pub(super) fn change(&self, change: impl FnOnce(&mut Progress)) {
+    /// Everything up to this step is on disk, written in this epoch.
+    pub(super) fn reached(&self, epoch: u64, step: u64) {
+        self.change(|progress| {
+            progress.durable = progress.durable.max(step);
+            progress.epoch = progress.epoch.max(epoch);
+            progress.failure.take_if(|(failed, _)| *failed < epoch);
+        });
+    }
+
+    /// Whether anything of this epoch is on disk.
+    pub(super) fn has_reached(&self, epoch: u64) -> bool {
+        self.lock().epoch >= epoch
+    }
+
+    pub(super) fn failed(&self, epoch: u64, error: JournalError) {
+        self.change(|progress| progress.failure = Some((epoch, Arc::new(error))));
+    }
+
+    /// Everything up to this step needs no recovery copy any more.
+    pub(super) fn forget_failure(&self, step: u64) {
+        self.change(|progress| (progress.durable, progress.failure) = (step, None));
+    }
+
+    fn change(&self, change: impl FnOnce(&mut Progress)) {
         change(&mut self.lock());
         self.changed.notify_all();
     }
@@ -65,39 +98,43 @@ impl Drop for Farewell {
 /// [`JournalWriter::close`] removes them.
 #[derive(Debug)]
 pub struct JournalWriter {
-    commands: Option<Sender<Command>>,
+    commands: Sender<Command>,
     shared: Arc<Shared>,
     thread: Option<JoinHandle<()>>,
     appended: u64,
+    /// When the first step was handed over after everything before it was on disk.
+    behind_since: Instant,
 }
 
 impl JournalWriter {
     pub(super) fn spawn(
+        files: Arc<dyn FileSystem>,
         state: PathBuf,
         session: Option<Session>,
-        sketch: Sketch,
-        meta: Meta,
-        is_saved: bool,
+        subject: Subject,
     ) -> Result<Self, JournalError> {
         let (commands, inbox) = mpsc::channel();
         let shared = Arc::new(Shared::default());
+        let flusher = Flusher::start(shared.clone(), commands.clone()).map_err(JournalError::NoThread)?;
         let farewell = Farewell(shared.clone());
-        let scribe = Scribe::new(state, session, sketch, meta, shared.clone());
+        let scribe = Scribe::new(files, state, session, subject, shared.clone(), flusher);
         let thread = Builder::new().name("journal".to_owned()).spawn(move || {
             let _farewell = farewell;
             scribe.run(&inbox);
         });
         let thread = Some(thread.map_err(JournalError::NoThread)?);
-        let writer = Self { commands: Some(commands), shared, thread, appended: 0 };
-        if !is_saved {
-            writer.send(Command::Begin);
-        }
+        let writer = Self { commands, shared, thread, appended: 0, behind_since: Instant::now() };
+        // Before the first stroke, which then has nothing to wait for.
+        writer.send(Command::Begin);
         Ok(writer)
     }
 
     /// Hands over a step that the document has carried out, undo and redo too, in their order. Returns at once, with
     /// the step's number.
     pub fn append(&mut self, step: &Arc<Step>) -> u64 {
+        if self.is_durable(self.appended) {
+            self.behind_since = Instant::now();
+        }
         self.appended += 1;
         self.send(Command::Step(self.appended, step.clone()));
         self.appended
@@ -126,13 +163,20 @@ impl JournalWriter {
     pub fn state(&self) -> JournalState {
         let progress = self.shared.lock();
         match &progress.failure {
-            Some(message) => JournalState::Failed(message.clone()),
+            Some((_, error)) => JournalState::Failed(error.to_string()),
             None if progress.ended => {
                 JournalState::Failed("no recovery copy is kept any longer; save soon".to_owned())
             }
-            None if progress.durable < self.appended => JournalState::Saving,
+            None if progress.durable < self.appended => {
+                JournalState::Saving { steps: self.appended - progress.durable, since: self.behind_since }
+            }
             None => JournalState::Saved,
         }
+    }
+
+    /// What keeps steps from being written.
+    pub fn failure(&self) -> Option<Arc<JournalError>> {
+        self.shared.lock().failure.as_ref().map(|(_, error)| error.clone())
     }
 
     /// Asks for a snapshot now, such as when the window loses focus; one comes by itself every minute in which something
@@ -146,38 +190,47 @@ impl JournalWriter {
         self.appended
     }
 
-    /// The drawing is saved in its file as it was after step `up_to`. If nothing came after that, there is nothing to
-    /// recover until the next step.
+    /// The drawing is saved in its file, and called, as `meta` says, as it was after step `up_to`. If nothing came after
+    /// that, there is nothing to recover until the next step.
     pub fn saved(&self, meta: Meta, up_to: u64) {
         self.send(Command::Saved(meta, up_to));
     }
 
-    /// The drawing's title or file is another now.
-    pub fn set_meta(&self, meta: Meta) {
-        self.send(Command::Meta(meta));
-    }
-
-    /// Ends a drawing that is saved or given up, and removes its recovery copy.
-    pub fn close(mut self) {
+    /// Ends a drawing that is saved or given up, and removes its recovery copy. Does not wait for the disk; what is returned
+    /// does, when it is dropped.
+    pub fn close(mut self) -> Closing {
         self.send(Command::Close);
-        self.end();
+        Closing(self.thread.take())
     }
 
     fn send(&self, command: Command) {
         // A thread that is gone is seen in the state.
-        let _ = self.commands.as_ref().map(|commands| commands.send(command));
-    }
-
-    fn end(&mut self) {
-        self.commands = None;
-        if let Some(thread) = self.thread.take() {
-            let _ = thread.join();
-        }
+        let _ = self.commands.send(command);
     }
 }
 
 impl Drop for JournalWriter {
     fn drop(&mut self) {
-        self.end();
+        self.send(Command::End);
+        drop(Closing(self.thread.take()));
+    }
+}
+
+/// A journal that is being ended. Dropping it waits for that.
+#[derive(Debug)]
+pub struct Closing(Option<JoinHandle<()>>);
+
+impl Closing {
+    /// Whether it has ended.
+    pub fn is_over(&self) -> bool {
+        self.0.as_ref().is_none_or(JoinHandle::is_finished)
+    }
+}
+
+impl Drop for Closing {
+    fn drop(&mut self) {
+        if let Some(thread) = self.0.take() {
+            let _ = thread.join();
+        }
     }
 }

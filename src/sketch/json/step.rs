@@ -1,7 +1,7 @@
 //! A step as one line of JSON, for the journal: which places changed and what lies there after.
 //!
 //! ```json
-//! {"strokes": [{"at": 4, "insert": {"id": 9, "tool": "petal", "points": [[1, 2], [3, 4]]}}, {"at": 0, "remove": true}], "seed": 3}
+//! {"strokes": [{"at": 4, "insert": {"id": 9, "tool": "petal", "points": [[1, 2], [3, 4]]}}, {"at": 0, "remove": true, "id": 2}], "seed": 3}
 //! ```
 //!
 //! What was before is not written: whoever replays has it. Textures and a reference name their pictures by their hash.
@@ -13,7 +13,7 @@ use crate::sketch::invariants::check_stroke;
 use crate::sketch::settings::Settings;
 use crate::sketch::step::{Step, Swap};
 use crate::sketch::textures::{self, ChoiceText};
-use crate::sketch::{Canvas, Picture, Reference, Sketch, Stroke};
+use crate::sketch::{Canvas, Picture, Reference, Sketch, Stroke, StrokeId};
 use glam::Vec2;
 use serde::de::{DeserializeSeed, Deserializer, Error};
 use serde::{Deserialize, Serialize};
@@ -37,7 +37,10 @@ pub(in crate::sketch) fn write(step: &Step) -> String {
                 out.push_str(&format!("\"{verb}\": "));
                 push_stroke(&mut out, stroke);
             }
-            None => out.push_str("\"remove\": true"),
+            None => {
+                out.push_str("\"remove\": true");
+                push_field(&mut out, "id", &before.as_ref().map(|stroke| stroke.id));
+            }
         }
         out.push('}');
     }
@@ -90,6 +93,8 @@ struct SwapText {
     replace: Option<StrokeText>,
     #[serde(default)]
     remove: bool,
+    /// Of the stroke that is removed; steps of old journals do not say it.
+    id: Option<StrokeId>,
 }
 
 #[derive(Deserialize)]
@@ -121,11 +126,25 @@ impl<'de> Deserialize<'de> for StrokeText {
     }
 }
 
-/// Carries out the step that `text` tells; returns it.
+/// How a step finds the strokes that it changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::sketch) enum Fit {
+    /// By their places: the sketch is the one that the step was made for.
+    Exact,
+    /// By their names: steps before this one are missing. What is to be removed and has no name stays.
+    ByName,
+}
+
+/// Carries out the step that `text` tells.
 ///
 /// # Errors
 /// Text that is no step or does not fit the sketch, in words; the sketch is as it was then.
-pub(in crate::sketch) fn replay(text: &[u8], sketch: &mut Sketch, pictures: &Pictures) -> Result<(), String> {
+pub(in crate::sketch) fn replay(
+    text: &[u8],
+    sketch: &mut Sketch,
+    pictures: &Pictures,
+    fit: Fit,
+) -> Result<(), String> {
     let text: StepText = serde_json::from_slice(text).map_err(|e| e.to_string())?;
     let reference = match text.reference {
         None => None,
@@ -136,6 +155,11 @@ pub(in crate::sketch) fn replay(text: &[u8], sketch: &mut Sketch, pictures: &Pic
     let textures = text.textures.map(|choices| textures::resolved(choices, by_name)).transpose()?;
     let mut done = Step::default();
     for swap in text.strokes {
+        let swap = match fit {
+            Fit::Exact => Some(swap),
+            Fit::ByName => swap.by_name(&sketch.strokes),
+        };
+        let Some(swap) = swap else { continue };
         let fits = carry_out(swap, &mut sketch.strokes).map(|swap| done.strokes.push(swap));
         if fits.is_none() {
             done.reversed().carry_out(sketch);
@@ -147,8 +171,28 @@ pub(in crate::sketch) fn replay(text: &[u8], sketch: &mut Sketch, pictures: &Pic
     Ok(())
 }
 
+impl SwapText {
+    /// The same change to the stroke of the same name, wherever it lies; a stroke that is not there yet comes near its place.
+    /// Nothing for one that is to be removed and is not there, or has no name.
+    fn by_name(mut self, strokes: &[Arc<Stroke>]) -> Option<Self> {
+        let name = self.insert.as_ref().or(self.replace.as_ref()).map(|stroke| stroke.0.id).or(self.id);
+        match name.and_then(|name| strokes.iter().position(|stroke| stroke.id == name)) {
+            Some(at) => {
+                self.at = at;
+                self.replace = self.insert.take().or(self.replace);
+            }
+            None if self.remove => return None,
+            None => {
+                self.at = self.at.min(strokes.len());
+                self.insert = self.replace.take().or(self.insert);
+            }
+        }
+        Some(self)
+    }
+}
+
 fn carry_out(text: SwapText, strokes: &mut Vec<Arc<Stroke>>) -> Option<Swap> {
-    let SwapText { at, insert, replace, remove } = text;
+    let SwapText { at, insert, replace, remove, id } = text;
     let (is_new, after) = match (insert, replace, remove) {
         (Some(stroke), None, false) => (true, Some(stroke.0)),
         (None, Some(stroke), false) => (false, Some(stroke.0)),
@@ -156,6 +200,9 @@ fn carry_out(text: SwapText, strokes: &mut Vec<Arc<Stroke>>) -> Option<Swap> {
         _ => return None,
     };
     let before = if is_new { None } else { Some(strokes.get(at)?.clone()) };
+    if remove && id.is_some() && id != before.as_ref().map(|stroke| stroke.id) {
+        return None;
+    }
     let swap = Swap { at, before, after };
     swap.carry_out(strokes).then_some(swap)
 }
@@ -194,10 +241,33 @@ mod tests {
         let mut expected = start.clone();
         step.carry_out(&mut expected);
         let mut replayed = start.clone();
-        replay(write(&step).as_bytes(), &mut replayed, &Pictures::new()).unwrap();
+        replay(write(&step).as_bytes(), &mut replayed, &Pictures::new(), Fit::Exact).unwrap();
         assert_eq!(replayed, expected);
-        replay(write(&step.reversed()).as_bytes(), &mut replayed, &Pictures::new()).unwrap();
+        replay(write(&step.reversed()).as_bytes(), &mut replayed, &Pictures::new(), Fit::Exact).unwrap();
         assert_eq!(replayed, start);
+    }
+
+    #[test]
+    fn a_step_after_a_missing_one_finds_its_strokes_by_name() {
+        let names = |sketch: &Sketch| sketch.strokes.iter().map(|stroke| stroke.id).collect::<Vec<_>>();
+        let swap = |at, before, after| Swap { at, before, after };
+        // Made for the strokes 1 to 5, of which 2 is missing.
+        let strokes = vec![
+            swap(3, Some(stroke(4)), Some(stroke(4))),
+            swap(1, Some(stroke(2)), None),
+            swap(1, Some(stroke(3)), None),
+            swap(4, None, Some(stroke(9))),
+            swap(1, None, Some(stroke(2))),
+        ];
+        let step = write(&Step { strokes, ..Step::default() });
+        let mut sketch = Sketch { strokes: [1, 3, 4, 5].map(stroke).to_vec(), ..Sketch::empty() };
+        assert!(replay(step.as_bytes(), &mut sketch.clone(), &Pictures::new(), Fit::Exact).is_err());
+        replay(step.as_bytes(), &mut sketch, &Pictures::new(), Fit::ByName).unwrap();
+        assert_eq!(names(&sketch), [1, 2, 4, 5, 9]);
+        // Of what has no name nobody knows what it was.
+        let nameless = br#"{"strokes": [{"at": 0, "remove": true}], "seed": 5}"#;
+        replay(nameless, &mut sketch, &Pictures::new(), Fit::ByName).unwrap();
+        assert_eq!((names(&sketch), sketch.seed), (vec![1, 2, 4, 5, 9], 5));
     }
 
     #[test]
@@ -217,7 +287,7 @@ mod tests {
             r#"{"reference": {"center": [0, 0], "width": 1, "rotation_deg": 0, "opacity": 1, "locked": true, "visible": true, "picture": 3}}"#.to_owned(),
         ] {
             let mut sketch = start.clone();
-            assert!(replay(bad.as_bytes(), &mut sketch, &Pictures::new()).is_err(), "{bad}");
+            assert!(replay(bad.as_bytes(), &mut sketch, &Pictures::new(), Fit::Exact).is_err(), "{bad}");
             assert_eq!(sketch, start, "{bad}");
         }
     }

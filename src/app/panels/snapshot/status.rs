@@ -47,6 +47,8 @@ pub enum Autosave {
     Saving,
     /// The journal is being written.
     Writing,
+    /// The disk is slow: so many changes would not survive a power cut yet.
+    Behind(u64),
     /// The journal cannot be written.
     Failed,
 }
