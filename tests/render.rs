@@ -6,7 +6,8 @@ use glam::{Vec2, Vec3, vec3};
 use penstemon::model::{Mesh, Model, Part, PartKind, Vertex};
 use penstemon::plant::{Material, OrganKind, Texture};
 use penstemon::render::{
-    Direction, Look, OrbitCamera, Picture, PictureOptions, Projection, RenderError, Renderer, View, Viewport,
+    Direction, Gpu, Look, OrbitCamera, Picture, PictureOptions, Projection, RenderError, Renderer, View,
+    Viewport,
 };
 use penstemon::sketch::{Canvas, Sketch, Stroke, StrokePoint, Tool};
 use std::borrow::Cow;
@@ -303,7 +304,7 @@ fn with_small_buffers() -> Renderer {
         ..Default::default()
     }))
     .unwrap();
-    Renderer::with_device(device, queue, &adapter.get_info()).unwrap()
+    Renderer::on(Gpu::from_parts(device, queue, &adapter.get_info())).unwrap()
 }
 
 /// Two parts of one material, one of another, each with more corners than such a buffer holds.

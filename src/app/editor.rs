@@ -514,8 +514,13 @@ impl Editor {
     /// Ends everything where the artist was not asked; the drawing is offered at the next start.
     pub(super) fn break_off(&mut self) {
         // The pen may be down: what it drew so far is kept, too.
-        if let Some(growing) = self.canvas.growing().map(|stroke| stroke.snapshot()) {
-            self.change(Change::put(growing));
+        let growing = self.canvas.growing().map(|stroke| Stroke {
+            id: stroke.id(),
+            tool: stroke.tool(),
+            points: stroke.points().to_vec(),
+        });
+        if let Some(stroke) = growing {
+            self.change(Change::put(stroke));
         }
         self.finish();
         self.journal = None;
