@@ -90,6 +90,13 @@ fn the_invitation_to_draw_does_not_stand_on_a_picture_to_trace() {
     let invitation = Messages::new(Language::English).get(Msg::CanvasInvite).to_owned();
     assert!(screen.frame().contains(&invitation));
     screen.editor.paste_picture(picture());
+    // It is decoded on a thread of its own.
+    let begun = std::time::Instant::now();
+    while screen.editor.sketch().reference.is_none() {
+        assert!(begun.elapsed().as_secs() < 60, "the picture never comes");
+        std::thread::yield_now();
+        screen.editor.collect();
+    }
     assert!(!screen.frame().contains(&invitation));
 }
 
