@@ -274,7 +274,9 @@ fn filaments_of_a_flower_are_gathered_by_material() {
         organs: vec![stamen(0.0, 1), stamen(1.0, 1), stamen(2.0, 0)],
         materials: vec![Material::plain("thread", [0.9; 3]), Material::plain("pollen", [0.9, 0.7, 0.1])],
     };
-    let model = build(&plant, &ModelParams::default());
+    let mut params = ModelParams::default();
+    params.blade.gathered = false;
+    let model = build(&plant, &params);
     let names: Vec<&str> = model.parts.iter().map(|p| p.name.as_str()).collect();
     assert_eq!(names, ["stamens_0", "anthers_0"]);
     assert!(model.parts.iter().all(|p| p.specimen == 0));
