@@ -78,7 +78,7 @@ mod tests {
 
     #[test]
     fn it_passes_calmly_between_lobes() {
-        let line = fitted(|v| if (v * 8.0) as u32 % 2 == 0 { 0.1 } else { -0.1 });
+        let line = fitted(|v| if ((v * 8.0) as u32).is_multiple_of(2) { 0.1 } else { -0.1 });
         assert!((0..=20).all(|k| line.at(k as f32 / 20.0).abs() < 0.04));
     }
 

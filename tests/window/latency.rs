@@ -121,7 +121,7 @@ fn ink_does_not_wait_for_a_tree() {
     seen.sort();
     let at = |share: f64| seen[((seen.len() - 1) as f64 * share).round() as usize];
     let [half, p90, p99, most] = [at(0.5), at(0.9), at(0.99), at(1.0)];
-    println!("sample to ink: half {half:?}, 90 % {p90:?}, 99 % {p99:?}, all {most:?} of {}", seen.len());
+    eprintln!("sample to ink: half {half:?}, 90 % {p90:?}, 99 % {p99:?}, all {most:?} of {}", seen.len());
     assert!(seen.len() > 400, "only {} samples could be seen", seen.len());
     assert!(half <= USUAL && p99 <= NEARLY_ALL, "half {half:?}, 99 % {p99:?}, all {most:?}");
 }

@@ -62,7 +62,8 @@ fn has_bit(map: &str, bit: usize) -> bool {
     word.is_some_and(|word| word >> (bit % WORD) & 1 == 1)
 }
 
-#[cfg(all(test, unix))]
+#[cfg(test)]
+#[cfg(unix)]
 mod tests {
     use super::*;
     use std::os::unix::fs::symlink;
