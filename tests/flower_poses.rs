@@ -86,7 +86,7 @@ fn a_petal_erased_turns_a_flower_by_few_degrees_and_no_stem_pierces_a_petal() {
     }
     swings.sort_by(f32::total_cmp);
     let [median, p95] = [50, 95].map(|percent| swings[swings.len() * percent / 100]);
-    println!(
+    eprintln!(
         "{} petals: median {median}°, 95th percentile {p95}°, most {}°",
         swings.len(),
         swings[swings.len() - 1]
