@@ -76,7 +76,6 @@ build_sketches() {
 
 check "formatting" cargo fmt --check
 check "lints" cargo clippy --quiet --all-targets -- -D warnings
-check "lints with Linux's own parts switched off" scripts/without_linux.sh
 check "tests" cargo test --no-fail-fast
 check "documentation" env RUSTDOCFLAGS="-D warnings" cargo doc --quiet --no-deps
 check "program" cargo build --quiet

@@ -10,7 +10,7 @@ copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 git ls-files -co --exclude-standard -z -- Cargo.toml Cargo.lock clippy.toml src shaders assets benches examples tests/common tests/kernel \
     tests/fixtures/reference | xargs -0 cp --parents -t "$copy"
-grep -rlE 'target_os = "linux"|cfg\((all\([^)]*)?unix' "$copy/src" |
-    xargs sed -i -E 's/target_os = "linux"/target_os = "none"/g; s/(cfg\((all\([^)]*)?)unix\b/\1target_os = "none"/g'
+grep -rlE 'target_os = "linux"|cfg\(.*unix' "$copy/src" |
+    xargs sed -i -E 's/target_os = "linux"/target_os = "none"/g; s/(cfg\((all\([^)]*|not\()?)unix\b/\1target_os = "none"/g'
 cd "$copy"
 CARGO_TARGET_DIR=$target cargo clippy --quiet --lib --bins -- -D warnings
