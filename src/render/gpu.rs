@@ -131,6 +131,10 @@ impl Gpu {
 
     /// Lets the device report what happened, such as its loss, without waiting.
     pub(super) fn poll(&self) {
+        // wgpu panics when a device is asked of which it knows that it is lost.
+        if self.is_lost() {
+            return;
+        }
         // A failure to poll shows in the next check.
         let _ = self.device.poll(wgpu::PollType::Poll);
     }
@@ -140,6 +144,9 @@ impl Gpu {
     /// # Errors
     /// A lost device, or one that takes longer than two minutes.
     pub(super) fn wait(&self) -> Result<(), RenderError> {
+        if self.is_lost() {
+            return self.check();
+        }
         let wait = wgpu::PollType::Wait { submission_index: None, timeout: Some(PATIENCE) };
         let waited = self.device.poll(wait);
         self.check()?;
