@@ -1,14 +1,12 @@
 //! People's drawings and our labels of their strokes.
 //!
-//! The drawings (Quick, Draw! by Google, CC BY 4.0: flowers, leaves, trees, bushes) are not in this repository; the
-//! labels, set by eye, are: `tests/fixtures/real_strokes.tsv`. The folder of drawings is named by the environment variable
-//! `PENSTEMON_STROKES`, else it is `../shared/data/strokes` beside the repository.
+//! `tests/fixtures/drawings` holds both; its README says where the drawings come from and under which licence.
 
 use glam::Vec2;
 use serde::Deserialize;
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
-use std::{env, fs, io};
+use std::path::Path;
+use std::{fs, io};
 
 /// One labelled stroke of a person.
 pub(crate) struct RealStroke {
@@ -30,35 +28,24 @@ struct Drawing {
     strokes: Vec<Vec<[f32; 2]>>,
 }
 
-/// Folder that should hold the drawings.
-pub(crate) fn folder() -> PathBuf {
-    let beside = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data/strokes");
-    env::var_os("PENSTEMON_STROKES").map_or_else(beside, PathBuf::from)
-}
-
-/// Every labelled stroke whose drawing is there; `None` where the folder is not.
+/// Every labelled stroke.
 ///
 /// # Errors
 /// A drawing or the table of labels that cannot be read.
-pub(crate) fn load() -> io::Result<Option<Vec<RealStroke>>> {
-    let folder = folder();
-    if !folder.is_dir() {
-        return Ok(None);
-    }
+pub(crate) fn load() -> io::Result<Vec<RealStroke>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/drawings");
     let drawings = drawings(&folder)?;
-    let table = include_str!("../fixtures/real_strokes.tsv");
+    let table = fs::read_to_string(folder.join("labels.tsv"))?;
     let strokes: Option<Vec<_>> = table.lines().skip(1).map(|row| labelled(row, &drawings)).collect();
-    strokes.map(Some).ok_or_else(|| io::Error::other("a label names a stroke that the drawings do not have"))
+    strokes.ok_or_else(|| io::Error::other("a label names a stroke that the drawings do not have"))
 }
 
 fn drawings(folder: &Path) -> io::Result<BTreeMap<String, Drawing>> {
     let mut all = BTreeMap::new();
-    for entry in fs::read_dir(folder)? {
-        let path = entry?.path();
-        if path.extension().is_some_and(|e| e == "json") {
-            let list: Vec<Drawing> = serde_json::from_str(&fs::read_to_string(path)?)?;
-            all.extend(list.into_iter().map(|d| (d.key_id.clone(), d)));
-        }
+    for name in ["bush", "flower", "leaf", "tree"] {
+        let text = fs::read_to_string(folder.join(name).with_extension("json"))?;
+        let list: Vec<Drawing> = serde_json::from_str(&text)?;
+        all.extend(list.into_iter().map(|d| (d.key_id.clone(), d)));
     }
     Ok(all)
 }
