@@ -47,15 +47,18 @@ export PROPTEST_RNG_SEED=${PROPTEST_RNG_SEED:-2026}
 passed=()
 failed=()
 not_run=()
+times=()
 
 # check NAME COMMAND…: exit status 77 means that the check cannot run here.
 check() {
-    local name=$1
+    local name=$1 begin=$SECONDS status
     shift
     echo
     echo "== $name"
     "$@"
-    case $? in
+    status=$?
+    times+=("$((SECONDS - begin)) s: $name")
+    case $status in
         0) passed+=("$name") ;;
         77) not_run+=("$name") ;;
         *) failed+=("$name") ;;
@@ -87,6 +90,7 @@ check "fuzzing, ${FUZZ_SECONDS:-8} s a reader" fuzz/run.sh "${FUZZ_SECONDS:-8}" 
 check "licences, sources and advisories of dependencies" scripts/deny.sh "$SECONDS"
 
 echo
+printf '%s\n' "${times[@]}"
 for name in "${not_run[@]+"${not_run[@]}"}"; do echo "not run here: $name"; done
 for name in "${failed[@]+"${failed[@]}"}"; do echo "FAILED: $name"; done
 echo "checks: ${#passed[@]} passed, ${#failed[@]} failed, ${#not_run[@]} skipped"
