@@ -12,6 +12,8 @@ use penstemon::pen::hid::{Abilities, Decode, DescriptorDecoder, HidEvent, RawPen
 use proptest::prelude::*;
 use std::path::{Path, PathBuf};
 
+#[path = "common/not_run.rs"]
+mod not_run;
 #[path = "common/tablets.rs"]
 #[allow(dead_code, reason = "shared with other tests")]
 mod tablets;
@@ -352,7 +354,8 @@ fn synthesise(pen: &PenReport, share: f64) -> (Vec<u8>, RawPen) {
 #[test]
 fn every_real_pen_decodes_and_nothing_else_does() {
     let Some(folder) = folder() else {
-        eprintln!("not run: no folder of real report descriptors; name one with PENSTEMON_HID_DESCRIPTORS");
+        let why = "no folder of real report descriptors; name one with PENSTEMON_HID_DESCRIPTORS";
+        not_run::not_run("every_real_pen_decodes_and_nothing_else_does", why);
         return;
     };
     let (mut read, mut pens, mut sized, mut tilted, mut reports) = (0, 0, 0, 0, 0);

@@ -4,6 +4,9 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 
+#[path = "common/not_run.rs"]
+mod not_run;
+
 use penstemon::pen::hid::families::{Family, check_event};
 use penstemon::pen::hid::table::{Certainty, Match};
 use penstemon::pen::hid::{HidEvent, Table, Tablet};
@@ -183,7 +186,7 @@ fn udev_rules_reach_every_tablet_and_no_kernel_driver() {
 fn udevadm_accepts_the_rules() {
     let verify = |arguments: &[&str]| Command::new("udevadm").arg("verify").args(arguments).output();
     if !verify(&["--help"]).is_ok_and(|out| out.status.success()) {
-        eprintln!("not run: this machine has no udevadm verify (systemd 254)");
+        not_run::not_run("udevadm_accepts_the_rules", "no udevadm verify (systemd 254)");
         return;
     }
     let judged = verify(&["--no-style", rules_path().to_str().unwrap()]).unwrap();

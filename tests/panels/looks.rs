@@ -1,5 +1,6 @@
 //! What the interface looks like, drawn by the graphics card for people to look at; and letters for every text.
 
+use crate::not_run::not_run;
 use crate::pictures;
 use crate::stage::{self, busy, press};
 use egui::vec2;
@@ -139,10 +140,8 @@ const SHOTS: [Shot; 18] = [
 #[test]
 fn chinese_has_no_boxes_where_a_font_was_found() {
     let Some(font) = stage::chinese_font() else {
-        eprintln!(
-            "no Chinese font on this machine: {}",
-            Messages::new(Language::English).get(Msg::NoticeInstallFont)
-        );
+        let messages = Messages::new(Language::English);
+        not_run("chinese_has_no_boxes_where_a_font_was_found", messages.get(Msg::NoticeInstallFont));
         return;
     };
     let context = egui::Context::default();

@@ -11,6 +11,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 
 mod compositor;
+#[path = "../common/not_run.rs"]
+mod not_run;
 mod pen;
 #[path = "../window/program.rs"]
 #[allow(dead_code, reason = "shared with the window's tests, which take more of it")]
@@ -28,19 +30,14 @@ mod x11;
 mod xorg;
 mod xorg_conf;
 
+use not_run::not_run;
 use penstemon::sketch::{self, Sketch};
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 /// Samples of a stroke.
 const SAMPLES: usize = 240;
 /// A drawing without strokes.
 const EMPTY: &str = r#"{"format": "penstemon-sketch", "version": 1, "strokes": []}"#;
-
-/// Says by name what is not checked here, also where the output of tests that pass is not shown.
-fn not_run(test: &str, why: &str) {
-    std::io::stderr().write_all(format!("not run here: {test}: {why}\n").as_bytes()).unwrap();
-}
 
 /// An empty drawing in a folder.
 fn empty_drawing(home: &Path) -> PathBuf {

@@ -1,6 +1,7 @@
 //! The graphics device is lost under an open window: a layer of ours between the program and its Vulkan driver
 //! (`lose_device.c`) answers from then on as a driver does that was reset.
 
+use crate::not_run::not_run;
 use crate::program::Program;
 use crate::screen::Screen;
 use crate::{draw_line, number, sketch_saved_by};
@@ -23,7 +24,7 @@ impl Layer {
         let mut compiler = Command::new("cc");
         compiler.args(["-O1", "-Wall", "-Werror", "-shared", "-fPIC", "-fvisibility=hidden", "-o"]);
         let Ok(done) = compiler.arg(&library).arg(source).output() else {
-            eprintln!("not run: no compiler (Debian: gcc)");
+            not_run("a graphics card that is lost", "no compiler (Debian: gcc)");
             return None;
         };
         assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));

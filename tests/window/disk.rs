@@ -1,5 +1,6 @@
 //! Disks that are full and folders that cannot be written: a message, and the drawing stays.
 
+use crate::not_run::not_run;
 use crate::program::{Program, command};
 use crate::screen::Screen;
 use crate::{draw_line, number, sketch_file, sketch_saved_by};
@@ -45,7 +46,7 @@ fn on_disk(done: &str, home: &Path, disk: &Path) -> Command {
 /// Draws on such a disk, tries to save there, and saves elsewhere.
 fn try_disk(done: &str, reason: &str) {
     if !can_mount() {
-        eprintln!("not run: this user can mount no disk (unshare -rm)");
+        not_run("a drawing on a disk that fails", "this user can mount no disk (unshare -rm)");
         return;
     }
     let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());

@@ -16,6 +16,8 @@ mod drawing;
 mod exports;
 mod latency;
 mod looks;
+#[path = "../common/not_run.rs"]
+mod not_run;
 mod opening;
 mod others;
 mod program;
