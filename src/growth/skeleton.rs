@@ -9,7 +9,7 @@ use super::species::Habit;
 use super::tree::{NewNode, Tree};
 use crate::plant::{Branch, Plant};
 use crate::random::mix;
-use glam::{Quat, Vec3};
+use glam::Vec3;
 use std::f32::consts::TAU;
 
 /// Most nodes of a skeleton; longer internodes are taken where it would have more.
@@ -186,12 +186,6 @@ fn resampled(branch: &Branch, forks: &[f32], step: f32) -> Vec<(Vec3, f32)> {
         out.push((branch.points[segment].lerp(branch.points[segment + 1], share), radius));
     }
     out
-}
-
-/// A direction turned a little about a random axis square to it.
-pub fn nudged(direction: Vec3, by_rad: f32, key: u64) -> Vec3 {
-    let axis = Quat::from_axis_angle(direction, TAU * unit(mix(key, 1))) * direction.any_orthonormal_vector();
-    Quat::from_axis_angle(axis, by_rad * (2.0 * unit(mix(key, 2)) - 1.0)) * direction
 }
 
 #[cfg(test)]

@@ -6,11 +6,12 @@
 //!
 //! Limits: 1 byte to [`MAX_BYTES`]; sides of pixels as [`decode::decode()`] takes them.
 
-mod base64;
 pub mod decode;
 
 use crate::input;
 use crate::random::mix;
+use base64::engine::general_purpose::STANDARD;
+use base64::{DecodeError, Engine};
 use glam::UVec2;
 use std::hash::{Hash, Hasher};
 use std::io::{Cursor, ErrorKind};
@@ -79,7 +80,7 @@ pub enum PictureError {
         "the data of a picture is damaged at character {offset} of its base64 text; restore the file from a backup, or remove the picture"
     )]
     NotBase64 {
-        /// Offset of the first group of four characters that is wrong.
+        /// Offset of the first character that is wrong; the text's length where its end is missing.
         offset: usize,
     },
 }
@@ -145,7 +146,12 @@ impl Picture {
         if text.len() / 4 > MAX_BYTES / 3 + 1 {
             return Err(PictureError::TooLarge);
         }
-        let bytes = base64::decode(text).map_err(|offset| PictureError::NotBase64 { offset })?;
+        let bytes = STANDARD.decode(text).map_err(|fault| PictureError::NotBase64 {
+            offset: match fault {
+                DecodeError::InvalidByte(offset, _) | DecodeError::InvalidLastSymbol { offset, .. } => offset,
+                DecodeError::InvalidLength(_) | DecodeError::InvalidPadding => text.len(),
+            },
+        })?;
         Self::new(bytes)
     }
 
@@ -158,7 +164,7 @@ impl Picture {
 
     /// Appends [`Picture::to_base64`].
     pub fn push_base64(&self, out: &mut String) {
-        base64::encode_into(&self.bytes, out);
+        STANDARD.encode_string(&self.bytes, out);
     }
 
     /// The file's bytes.
@@ -261,7 +267,11 @@ mod tests {
     fn pictures_come_back_from_text() {
         let png = Picture::new(PNG).unwrap();
         assert_eq!(Picture::from_base64(&png.to_base64()).unwrap(), png);
-        assert_eq!(Picture::from_base64("iVB*").unwrap_err(), PictureError::NotBase64 { offset: 0 });
+        for (text, offset) in
+            [("iVB*", 3), ("iVBO iVB", 4), ("Zg=", 3), ("Zm9vYg", 6), ("Zh==", 1), ("Zg==Zg==", 2)]
+        {
+            assert_eq!(Picture::from_base64(text).unwrap_err(), PictureError::NotBase64 { offset }, "{text}");
+        }
     }
 
     #[test]

@@ -21,11 +21,6 @@ pub struct Cone {
 }
 
 impl Cone {
-    /// Radius of the rim, metres.
-    pub fn rim_radius(&self) -> f32 {
-        self.height * self.opening_rad.tan()
-    }
-
     /// Depth of the cone's side over the front-view position `xy` (world metres): the root nearest to `hint`, on the
     /// sheet that opens along the axis where both sheets are met; the closest approach where none is.
     pub fn depth_near(&self, xy: Vec2, hint: f32) -> f32 {

@@ -195,7 +195,7 @@ fn a_bad_reference_is_named() {
         assert!(message.contains(part), "`{part}` is not in: {message}");
     };
     let written = traced();
-    says(&written.replace("iVBORw0K", "iVB*Rw0K"), "damaged at character 0 of its base64 text");
+    says(&written.replace("iVBORw0K", "iVB*Rw0K"), "damaged at character 3 of its base64 text");
     says(&written.replace("iVBORw0K", "AAAAAAAA"), "neither PNG nor JPEG");
     says(
         &written.replace("\"opacity\": 0.5", "\"opacity\": 1.5"),
@@ -236,7 +236,7 @@ fn a_picture_of_two_parts_is_in_the_file_once_and_comes_back_for_both() {
     assert_eq!((&again, warnings.len()), (&sketch, 0));
     assert_eq!(json::write(&again), text);
     let message = |text: &str| read(text).unwrap_err().to_string();
-    assert!(message(&text.replace("iVBORw0K", "iVB*Rw0K")).contains("character 0 of its base64 text"));
+    assert!(message(&text.replace("iVBORw0K", "iVB*Rw0K")).contains("character 3 of its base64 text"));
     assert!(message(&text.replace("    \"", "    \"0")).contains("is not in the file"));
 }
 

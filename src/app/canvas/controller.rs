@@ -320,11 +320,6 @@ impl Canvas {
         }
     }
 
-    /// Ends a gesture of a touchpad: the next turn starts from what is shown.
-    pub fn pinch_ended(&mut self) {
-        self.view.settle();
-    }
-
     /// Takes a key.
     pub fn key(&mut self, key: CanvasKey, pressed: bool, out: &mut Vec<CanvasOutcome>) {
         match key {

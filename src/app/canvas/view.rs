@@ -152,11 +152,6 @@ impl CanvasView {
         self.hand_rad = self.rotation_rad;
     }
 
-    /// Stands the canvas upright about a window position.
-    pub fn upright_about(&mut self, window: DVec2) {
-        self.change(window, window, self.zoom, 0.0);
-    }
-
     /// Shows all of `bounds` (canvas) upright in the middle of `rect` (window).
     pub fn fit(&mut self, bounds: Rect, rect: Rect) {
         let room = rect.size() * (1.0 - 2.0 * FIT_MARGIN);

@@ -132,17 +132,12 @@ impl JournalWriter {
     /// Hands over a step that the document has carried out, undo and redo too, in their order. Returns at once, with
     /// the step's number.
     pub fn append(&mut self, step: &Arc<Step>) -> u64 {
-        if self.is_durable(self.appended) {
+        if self.shared.lock().durable >= self.appended {
             self.behind_since = Instant::now();
         }
         self.appended += 1;
         self.send(Command::Step(self.appended, step.clone()));
         self.appended
-    }
-
-    /// Whether this step and all before it are on disk.
-    pub fn is_durable(&self, step: u64) -> bool {
-        self.shared.lock().durable >= step
     }
 
     /// Waits until this step is on disk, but not longer than `most` nor while writing fails; whether it is.
