@@ -379,5 +379,5 @@ impl Canvas {
 }
 
 #[cfg(test)]
-#[path = "controller_tests.rs"]
+#[path = "controller_tests/mod.rs"]
 mod tests;
