@@ -7,7 +7,8 @@ use tracing_subscriber::filter::{LevelFilter, Targets};
 use tracing_subscriber::layer::SubscriberExt as _;
 use tracing_subscriber::util::SubscriberInitExt as _;
 
-/// A plant is thousands of small vectors, built on several threads.
+/// A plant is thousands of small vectors, built on several threads. Under Linux it serves the libraries that are loaded as
+/// well (`build.rs`).
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 

@@ -16,6 +16,7 @@ mod drawing;
 mod exports;
 mod latency;
 mod looks;
+mod memory;
 #[path = "../common/not_run.rs"]
 mod not_run;
 mod opening;

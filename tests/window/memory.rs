@@ -1,0 +1,120 @@
+//! Memory of the window: level while one draws and undoes, and given back when a large plant is gone.
+//!
+//! Counted is what the process has for itself, without files (`RssAnon` of `/proc/PID/status`), graphics driver included.
+//! The allocator gives back what has been free for a second, with the next frame that is drawn.
+
+use crate::client::Client;
+use crate::program::Program;
+use crate::screen::Screen;
+use crate::sketch_file;
+use std::path::Path;
+use std::time::Duration;
+use tempfile::TempDir;
+
+/// More than this, as a factor, is growth.
+const LEVEL: f64 = 1.1;
+/// Least share of a large plant's memory that comes back with its end. What stays are its pictures, kept for the next
+/// plant of the species, and what the driver compiled to draw leaves and bark.
+const RETURNED: f64 = 0.5;
+/// Rounds of drawing and undoing before the memory is looked at first, and after that.
+const ROUNDS: [usize; 2] = [4, 10];
+
+/// Memory of the program's own, MB, once what is free has been given back.
+fn memory(screen: &Screen, client: &Client, program: &mut Program) -> f64 {
+    program.rest();
+    for i in 0..12 {
+        client.point([300.0 + 8.0 * f64::from(i), 300.0]);
+        std::thread::sleep(Duration::from_millis(150));
+    }
+    program.picture(screen);
+    let status = std::fs::read_to_string(format!("/proc/{}/status", program.id())).unwrap();
+    let line = status.lines().find_map(|line| line.strip_prefix("RssAnon:")).unwrap();
+    line.trim().strip_suffix(" kB").unwrap().parse::<f64>().unwrap() / 1024.0
+}
+
+/// Draws six strokes and undoes them.
+fn draw_and_undo(screen: &Screen, client: &Client, [left, top, width, height]: [f64; 4], round: usize) {
+    for stroke in 0..6 {
+        let start = (7 * round + stroke) as f64;
+        let at = |t: f64| {
+            [left + width * (0.3 + 0.4 * (start * 0.37).fract() + 0.2 * t), top + height * (0.9 - 0.7 * t)]
+        };
+        client.point(at(0.0));
+        client.press(true);
+        for i in 1..=30 {
+            client.point(at(f64::from(i) / 30.0));
+            std::thread::sleep(Duration::from_millis(4));
+        }
+        client.press(false);
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    screen.hand(&[
+        "key",
+        "ctrl+z",
+        "ctrl+z",
+        "ctrl+shift+z",
+        "ctrl+z",
+        "ctrl+z",
+        "ctrl+z",
+        "ctrl+z",
+        "ctrl+z",
+    ]);
+}
+
+/// The maple without its sample leaves, filled with as many small ones as there may be.
+fn heavy(folder: &Path) -> std::path::PathBuf {
+    let mut maple = penstemon::sketch::read(&sketch_file("tree_round")).unwrap().0;
+    maple.strokes.retain(|stroke| stroke.tool != penstemon::sketch::Tool::Leaf);
+    let mut set = |path: &str, value: f64| maple.params.insert(path.into(), value.into());
+    set("anatomy.leaf_fill.max_leaves", 20_000.0);
+    set("anatomy.leaf_fill.default_length", 0.0105);
+    let path = folder.join("heavy.penstemon");
+    penstemon::sketch::save::save(&path, &maple, None).unwrap();
+    path
+}
+
+#[test]
+fn memory_stays_level_while_one_draws_and_undoes() {
+    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let file = home.path().join("maple.penstemon");
+    std::fs::copy(sketch_file("tree_round"), &file).unwrap();
+    let mut program = Program::start(&screen, home.path(), &[file.to_str().unwrap()]);
+    program.built();
+    let client = Client::on(&screen);
+    let canvas = program.area("canvas");
+    let mut rounds = 0..;
+    let [first, last] = ROUNDS.map(|count| {
+        rounds.by_ref().take(count).for_each(|round| draw_and_undo(&screen, &client, canvas, round));
+        program.built_of(31);
+        memory(&screen, &client, &mut program)
+    });
+    eprintln!("{first:.0} MB after {} rounds, {last:.0} MB after {} more", ROUNDS[0], ROUNDS[1]);
+    assert!(last < LEVEL * first, "{first:.0} MB became {last:.0} MB");
+}
+
+#[test]
+fn the_memory_of_a_large_plant_comes_back_with_a_new_drawing() {
+    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let file = heavy(home.path());
+    let mut program = Program::start(&screen, home.path(), &[]);
+    program.built();
+    let (client, window) = (Client::on(&screen), program.window(&screen));
+    let [left, top, width, height] = program.area("canvas");
+    let new = |program: &mut Program| {
+        screen.hand(&["key", "ctrl+n"]);
+        program.built_of(0);
+        memory(&screen, &client, program)
+    };
+    let empty = new(&mut program);
+    let [first, second] = [(); 2].map(|()| {
+        client.drop_file(&window, [left + 0.5 * width, top + 0.5 * height], &file);
+        program.built_of(28);
+        let full = memory(&screen, &client, &mut program);
+        (full, new(&mut program))
+    });
+    eprintln!("{empty:.0} MB without, then with and without: {first:.0?}, {second:.0?}");
+    let (full, after) = first;
+    assert!(full > 1.3 * empty, "the plant is not large");
+    assert!(full - after > RETURNED * (full - empty), "of {full:.0} MB {after:.0} stay, {empty:.0} before");
+    assert!(second.1 < LEVEL * after, "{after:.0} MB become {:.0} MB with the second plant", second.1);
+}
