@@ -327,6 +327,19 @@ fn verbose_tells_the_stages() {
     assert!(stderr(&output).contains("anatomy took"), "{}", stderr(&output));
 }
 
+#[test]
+fn a_recording_is_written_over_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("tablet.txt");
+    fs::write(&file, "an evening's drawing").unwrap();
+    let name = file.display().to_string();
+    refused(
+        &["pen", "record", &name, "--seconds", "1"],
+        &["tablet.txt: there is already something of this name"],
+    );
+    assert_eq!(fs::read_to_string(&file).unwrap(), "an evening's drawing");
+}
+
 #[cfg(unix)]
 #[test]
 fn a_reader_that_goes_away_is_no_failure() {

@@ -10,9 +10,9 @@ use anyhow::{Context, bail};
 use glam::DVec2;
 use serde_json::json;
 use std::collections::BTreeMap;
-use std::fs::File;
-use std::io::{BufWriter, IsTerminal, Write};
-use std::path::PathBuf;
+use std::fs::{self, File};
+use std::io::{BufWriter, IsTerminal};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::time::{Duration, Instant};
@@ -44,7 +44,7 @@ pub enum Verb {
 /// Arguments of `pen record`.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Record {
-    /// The recording to write.
+    /// The recording to write, a file that is not there yet.
     pub file: PathBuf,
     /// End after so many seconds.
     #[arg(long, value_name = "SECONDS")]
@@ -93,12 +93,11 @@ fn size(text: &str) -> Result<DVec2, String> {
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     match &args.verb {
         Verb::Record(args) => {
+            let of_file = || args.file.display().to_string();
+            spare(&args.file).with_context(of_file)?;
             let keeps_strings = args.strings || agrees()?;
             let args = &Record { strings: keeps_strings, ..args.clone() };
-            let file = File::create(&args.file).with_context(|| args.file.display().to_string())?;
-            let told = record(&mut System::new(), args, BufWriter::new(file))
-                .with_context(|| args.file.display().to_string())?;
-            common::print(&told)?;
+            common::print(&record(&mut System::new(), args).with_context(of_file)?)?;
         }
         Verb::Replay(args) => replay(args)?,
     }
@@ -120,6 +119,17 @@ fn agrees() -> anyhow::Result<bool> {
     Ok(matches!(answer.trim(), "y" | "Y" | "yes"))
 }
 
+/// A recording cannot be made again, so none is written over.
+///
+/// # Errors
+/// There is something of this name.
+fn spare(file: &Path) -> anyhow::Result<()> {
+    if fs::symlink_metadata(file).is_ok() {
+        bail!("there is already something of this name; name a new file, or remove this one first");
+    }
+    Ok(())
+}
+
 /// What a thread says of its device.
 struct Heard {
     device: usize,
@@ -128,31 +138,27 @@ struct Heard {
     report: Option<Vec<u8>>,
 }
 
-/// Records until everything is unplugged or the time is over, and says what was recorded.
-fn record(system: &mut dyn Enumerate, args: &Record, out: impl Write) -> anyhow::Result<String> {
+/// Records until everything is unplugged or the time is over, and says what was recorded. The file is made when there is
+/// something to record.
+fn record(system: &mut dyn Enumerate, args: &Record) -> anyhow::Result<String> {
     let begin = Instant::now();
     let end = args.seconds.map(|seconds| begin + Duration::from_secs(seconds));
-    let mut writer = RecordingWriter::new(out)?;
+    let found = found(system, args)?;
+    let devices = found.len();
+    if devices == 0 {
+        bail!("no tablet to record was found; plug it in, or name it with --device VENDOR:PRODUCT");
+    }
+    let mut writer = RecordingWriter::new(BufWriter::new(File::create_new(&args.file)?))?;
     let (heard, hears) = sync_channel(MOST_WAITING);
     // Room for reports goes back to the threads, so that none is taken for each.
     let mut spent = Vec::new();
-    for info in system.devices()? {
-        let Some(transport) = open(system, &info, args.device)? else { continue };
-        let descriptor = transport.descriptor().to_vec();
-        let strings = match args.strings {
-            true => strings_to_keep(&info, &mut *system.strings(&info)),
-            false => BTreeMap::new(),
-        };
-        let device = writer.device(&RecordedDevice { info, descriptor, strings })?;
+    for (recorded, transport) in found {
+        let device = writer.device(&recorded)?;
         let (heard, (back, room)) = (heard.clone(), sync_channel(MOST_WAITING));
         std::thread::spawn(move || listen(device, transport, &heard, &room));
         spent.push(back);
     }
     drop(heard);
-    let devices = spent.len();
-    if devices == 0 {
-        bail!("no tablet to record was found; plug it in, or name it with --device VENDOR:PRODUCT");
-    }
     writer.flush()?;
     tracing::warn!("recording {devices} device(s); draw, then press Ctrl+C");
     let mut reports = 0usize;
@@ -180,6 +186,24 @@ fn record(system: &mut dyn Enumerate, args: &Record, out: impl Write) -> anyhow:
         }
         writer.flush()?;
     }
+}
+
+/// The devices to record, and what the recording says of each.
+fn found(
+    system: &mut dyn Enumerate,
+    args: &Record,
+) -> anyhow::Result<Vec<(RecordedDevice, Box<dyn Transport>)>> {
+    let mut found = Vec::new();
+    for info in system.devices()? {
+        let Some(transport) = open(system, &info, args.device)? else { continue };
+        let descriptor = transport.descriptor().to_vec();
+        let strings = match args.strings {
+            true => strings_to_keep(&info, &mut *system.strings(&info)),
+            false => BTreeMap::new(),
+        };
+        found.push((RecordedDevice { info, descriptor, strings }, transport));
+    }
+    Ok(found)
 }
 
 /// A device that is to be recorded, open and awake. What is typed is never recorded: neither a node that is a keyboard,
@@ -314,9 +338,22 @@ mod tests {
     }
 
     fn recorded(bus: &mut SimulatedBus, device: Option<(u16, u16)>) -> anyhow::Result<Recording> {
-        let mut out = Vec::new();
-        record(bus, &Record { file: PathBuf::new(), seconds: Some(60), device, strings: false }, &mut out)?;
-        Ok(Recording::from_bytes(&out, "recorded")?)
+        let folder = tempfile::tempdir()?;
+        let file = folder.path().join("recorded");
+        let done = record(bus, &Record { file: file.clone(), seconds: Some(60), device, strings: false });
+        assert_eq!(file.exists(), done.is_ok(), "a file is made when there is something to record");
+        done.and_then(|_| Ok(Recording::open(&file)?))
+    }
+
+    #[test]
+    fn nothing_is_written_over() {
+        let mut bus = SimulatedBus::new();
+        plug(&bus, "pen", (0xD, 2), tablets::DESK_TABLET);
+        let file = tempfile::NamedTempFile::new().unwrap();
+        fs::write(&file, b"an evening's drawing").unwrap();
+        let args = Record { file: file.path().to_owned(), seconds: Some(60), device: None, strings: false };
+        assert!(record(&mut bus, &args).is_err());
+        assert_eq!(fs::read(&file).unwrap(), b"an evening's drawing");
     }
 
     #[test]
