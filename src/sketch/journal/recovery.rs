@@ -4,7 +4,7 @@ use super::error::{Gap, JournalError};
 use super::file::Identity;
 use super::replay::{self, Found};
 use super::scribe::Subject;
-use super::session::{DAMAGED, Folder, Meta, PREFIX, Session, UNFINISHED};
+use super::session::{DAMAGED, Folder, Meta, PREFIX, Session};
 use super::writer::JournalWriter;
 use crate::file_system::{FileSystem, System};
 use crate::sketch::Sketch;
@@ -89,8 +89,6 @@ impl Recovery {
             let name = entry.file_name();
             if name.to_string_lossy().starts_with(PREFIX) {
                 found.extend(Session::claim(&self.files, entry.path()).and_then(recoverable));
-            } else if name.to_string_lossy().starts_with(UNFINISHED) {
-                Session::sweep_unfinished(&self.files, entry.path());
             }
         }
         found.sort_by(|a, b| (b.modified, b.folder()).cmp(&(a.modified, a.folder())));

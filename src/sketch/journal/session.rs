@@ -2,7 +2,7 @@
 //!
 //! Only files that a session itself writes are ever removed. Whatever else lies in its folder stays, and the folder with it.
 
-use crate::atomic::{WriteError, folder_of, is_old, is_temporary, random_name};
+use crate::atomic::{WriteError, folder_of, is_temporary, random_name};
 use crate::file_system::{Access, FileSystem};
 use crate::sketch::save::FileStamp;
 use serde::{Deserialize, Serialize};
@@ -15,13 +15,12 @@ use std::sync::Arc;
 /// How folders of sessions are called.
 pub(super) const PREFIX: &str = "session-";
 
-/// How they are called until they are locked.
-pub(super) const UNFINISHED: &str = ".new-";
-
 /// The folder beside them that keeps what was damaged.
 pub(super) const DAMAGED: &str = "damaged";
 
 const LOCK: &str = "lock";
+/// How often a new folder is made where other windows take it away; each of them looks once, at its start.
+const ATTEMPTS: usize = 8;
 /// What old versions wrote beside snapshots and journals.
 pub(super) const META: &str = "meta.json";
 const SNAPSHOT: (&str, &str) = ("snapshot-", ".penstemon");
@@ -97,6 +96,26 @@ impl Folder {
         }
     }
 
+    /// Makes the folder and locks it. `None` if another window found it before it was locked and took it for an abandoned
+    /// one, which it then removes.
+    fn lock_new(&self) -> io::Result<Option<File>> {
+        let lock = self.path.join(LOCK);
+        self.files.create_folder(&self.path)?;
+        let opened = self
+            .files
+            .create_new(&lock, &Access::Owner)
+            .and_then(|_| File::options().write(true).open(&lock));
+        let file = match opened {
+            Err(error) if matches!(error.kind(), io::ErrorKind::AlreadyExists | io::ErrorKind::NotFound) => {
+                return Ok(None);
+            }
+            opened => opened?,
+        };
+        // Where the file system knows no locks, a running window's files are offered as well.
+        let is_taken = matches!(file.try_lock(), Err(TryLockError::WouldBlock));
+        Ok((!is_taken && lock.exists()).then_some(file))
+    }
+
     /// Removes every snapshot and journal.
     pub(super) fn clear(&self) -> io::Result<()> {
         for file in self.generations()?.iter().rev() {
@@ -155,7 +174,7 @@ impl Drop for Session {
 }
 
 impl Session {
-    /// Makes a new folder below `state`. It gets its name when it is locked, so that nobody takes it for an abandoned one.
+    /// Makes a new folder below `state` and locks it, under its final name: Windows renames no folder in which a file is open.
     /// Does not wait for the disk: `above` gets the folders in which names are new, also where it fails.
     pub(super) fn create(
         files: &Arc<dyn FileSystem>,
@@ -165,24 +184,19 @@ impl Session {
         let explain = |error| WriteError::of(&state.join("session"), error);
         make_folders(&**files, state, above).map_err(explain)?;
         make_private(state);
-        let name = random_name();
-        let unfinished = Folder { files: files.clone(), path: state.join(format!("{UNFINISHED}{name}")) };
-        let folder = Folder { files: files.clone(), path: state.join(format!("{PREFIX}{name}")) };
-        let locked = || {
-            files.create_folder(&unfinished.path)?;
-            let lock = unfinished.path.join(LOCK);
-            files.create_new(&lock, &Access::Owner)?;
-            let lock = File::options().write(true).open(lock)?;
-            // Where the file system knows no locks, a running window's files are offered as well.
-            let _ = lock.try_lock();
-            files.rename(&unfinished.path, &folder.path)?;
-            Ok(lock)
-        };
-        let lock = locked().map_err(|error| {
-            let _ = unfinished.remove();
-            explain(error)
-        })?;
-        Ok(Self { folder, lock: Some(lock) })
+        for _ in 0..ATTEMPTS {
+            let path = state.join(format!("{PREFIX}{}", random_name()));
+            let folder = Folder { files: files.clone(), path };
+            match folder.lock_new() {
+                Ok(Some(lock)) => return Ok(Self { folder, lock: Some(lock) }),
+                Ok(None) => {}
+                Err(error) => {
+                    let _ = folder.remove();
+                    return Err(explain(error));
+                }
+            }
+        }
+        Err(explain(io::ErrorKind::ResourceBusy.into()))
     }
 
     /// Takes over an abandoned folder; `None` if its window still runs, or if it is no session's folder.
@@ -196,14 +210,6 @@ impl Session {
         match lock.as_ref().map(File::try_lock) {
             Some(Err(TryLockError::WouldBlock)) => None,
             _ => Some(Self { folder: Folder { files: files.clone(), path }, lock }),
-        }
-    }
-
-    /// Removes a folder that a killed process had not begun to use.
-    pub(super) fn sweep_unfinished(files: &Arc<dyn FileSystem>, path: PathBuf) {
-        let is_left_behind = fs::symlink_metadata(&path).is_ok_and(|there| there.is_dir() && is_old(&there));
-        if is_left_behind {
-            let _ = Folder { files: files.clone(), path }.remove();
         }
     }
 
@@ -248,3 +254,73 @@ fn make_private(folder: &Path) {
 
 #[cfg(not(unix))]
 fn make_private(_: &Path) {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::file_system::{System, WrittenFile};
+    use crate::sketch::journal::Recovery;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    /// Another window starts after one of the operations on files. Renames no folder, as Windows does where a file in it is
+    /// open.
+    #[derive(Debug)]
+    struct Crowded {
+        state: PathBuf,
+        operations_before: AtomicUsize,
+    }
+
+    impl Crowded {
+        fn then<T>(&self, done: io::Result<T>) -> io::Result<T> {
+            if self.operations_before.fetch_sub(1, Ordering::Relaxed) == 1 {
+                let offered = Recovery::at(&self.state).list().unwrap();
+                assert!(offered.is_empty(), "{offered:?}");
+            }
+            done
+        }
+    }
+
+    impl FileSystem for Crowded {
+        fn create_new(&self, path: &Path, access: &Access) -> io::Result<Arc<dyn WrittenFile>> {
+            self.then(System.create_new(path, access))
+        }
+
+        fn rename(&self, from: &Path, to: &Path) -> io::Result<()> {
+            if from.is_dir() { Err(io::ErrorKind::PermissionDenied.into()) } else { System.rename(from, to) }
+        }
+
+        fn remove_file(&self, path: &Path) -> io::Result<()> {
+            self.then(System.remove_file(path))
+        }
+
+        fn create_folder(&self, path: &Path) -> io::Result<()> {
+            self.then(System.create_folder(path))
+        }
+
+        fn remove_folder(&self, path: &Path) -> io::Result<()> {
+            self.then(System.remove_folder(path))
+        }
+
+        fn flush_folder(&self, path: &Path) -> io::Result<()> {
+            System.flush_folder(path)
+        }
+    }
+
+    #[test]
+    fn a_new_session_is_locked_whenever_another_window_starts() {
+        for operations_before in 0..6 {
+            let state = tempfile::tempdir().unwrap();
+            let crowded =
+                Crowded { state: state.path().to_owned(), operations_before: operations_before.into() };
+            let files: Arc<dyn FileSystem> = Arc::new(crowded);
+            let session = Session::create(&files, state.path(), &mut BTreeSet::new()).unwrap();
+            assert!(session.exists());
+            let folders: Vec<PathBuf> =
+                fs::read_dir(state.path()).unwrap().map(|e| e.unwrap().path()).collect();
+            assert_eq!(folders, std::slice::from_ref(&session.folder.path), "after {operations_before}");
+            assert!(Session::claim(&files, folders[0].clone()).is_none(), "it is locked");
+            drop(session);
+            assert!(Session::claim(&files, folders[0].clone()).is_some(), "and is left to others");
+        }
+    }
+}
