@@ -83,6 +83,7 @@ build_sketches() {
 
 check "formatting" cargo fmt --check
 check "lints" cargo clippy --quiet --all-targets -- -D warnings
+check "compiles for Windows and macOS" scripts/other_systems.sh
 check "tests" cargo test --no-fail-fast
 check "documentation" env RUSTDOCFLAGS="-D warnings" cargo doc --quiet --no-deps
 check "program" cargo build --quiet

@@ -106,10 +106,11 @@ impl FileSystem for System {
     }
 
     fn create_folder(&self, path: &Path) -> io::Result<()> {
-        let mut builder = fs::DirBuilder::new();
         #[cfg(unix)]
-        std::os::unix::fs::DirBuilderExt::mode(&mut builder, 0o700);
-        builder.create(path)
+        return std::os::unix::fs::DirBuilderExt::mode(&mut fs::DirBuilder::new(), 0o700).create(path);
+        // In the user's own folders other users have no rights.
+        #[cfg(not(unix))]
+        fs::create_dir(path)
     }
 
     fn remove_folder(&self, path: &Path) -> io::Result<()> {
@@ -160,11 +161,10 @@ pub fn read_regular(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-#[cfg(test)]
+#[cfg(all(test, unix))]
 mod tests {
     use super::*;
 
-    #[cfg(unix)]
     #[test]
     fn pipes_devices_and_large_files_end_in_an_error() {
         let folder = tempfile::tempdir().unwrap();
@@ -180,7 +180,6 @@ mod tests {
         assert_eq!(read_regular(&file, 9).unwrap_err().kind(), io::ErrorKind::FileTooLarge);
     }
 
-    #[cfg(unix)]
     #[test]
     fn private_files_and_folders_are_the_users_alone() {
         use std::os::unix::fs::PermissionsExt;

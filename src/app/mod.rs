@@ -19,6 +19,8 @@ pub mod action;
 pub mod canvas;
 mod composition;
 mod damage;
+#[cfg_attr(not(target_os = "linux"), path = "desktop_of_system.rs")]
+mod desktop;
 mod display_loss;
 pub mod editor;
 pub mod egui_input;

@@ -4,6 +4,7 @@
 //! hand on. The system is asked for the place of monitors only if a tablet covers one.
 
 use super::action::Action;
+use super::desktop;
 use super::messages::Told;
 use super::pen_settings::TabletDoubt;
 use super::settings::Settings;
@@ -19,7 +20,6 @@ use winit::dpi::PhysicalSize;
 use winit::event::{ButtonSource, PointerKind, PointerSource, WindowEvent};
 use winit::event_loop::ActiveEventLoop;
 use winit::monitor::MonitorHandle;
-use winit::raw_window_handle::{HasWindowHandle as _, RawWindowHandle};
 use winit::window::Window;
 
 /// An event that is to be heard.
@@ -286,22 +286,13 @@ impl Place<'_> {
     }
 }
 
-/// The X server's number of a window; `None` on other systems.
-pub(super) fn x11_id(window: &dyn Window) -> Option<u32> {
-    match window.window_handle().ok()?.as_raw() {
-        RawWindowHandle::Xlib(handle) => u32::try_from(handle.window).ok(),
-        RawWindowHandle::Xcb(handle) => Some(handle.window.get()),
-        _ => None,
-    }
-}
-
 /// Listens to the pens of an X server; `None` on other systems.
 fn x11_pens(
     event_loop: &dyn ActiveEventLoop,
     window: &dyn Window,
     started: Instant,
 ) -> Option<Result<X11Pens, X11PenError>> {
-    let id = x11_id(window)?;
+    let id = desktop::x11_id(window)?;
     let proxy = event_loop.create_proxy();
     let clock = move || started.elapsed().as_secs_f64() * 1e3;
     Some(X11Pens::open(id, clock, move || proxy.wake_up()))

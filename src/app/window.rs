@@ -6,6 +6,7 @@
 
 use super::canvas::Scroll;
 use super::composition::Composition;
+use super::desktop;
 use super::display_loss;
 use super::editor::{Copied, Editor};
 use super::egui_input::{self, EguiInput};
@@ -211,7 +212,7 @@ impl Running {
         if let Some(error) = trouble {
             editor.tell(Notice::warning(error.to_string(), ""));
         }
-        window_size::fill(&*window, Palette::of(editor.theme()).ground);
+        desktop::fill(&*window, Palette::of(editor.theme()).ground);
         let graphics = Revival::open(event_loop, &window)?;
         let input = EguiInput::new(window.scale_factor() as f32);
         let size = window.surface_size();

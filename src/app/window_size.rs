@@ -3,11 +3,11 @@
 //! Limits: where the window stood is the window manager's; most place windows better than programs do, and Wayland lets
 //! no program.
 
-use super::pointers;
+use super::desktop;
 use serde::{Deserialize, Serialize};
 use winit::dpi::{LogicalSize, PhysicalSize};
 use winit::event_loop::ActiveEventLoop;
-use winit::window::{Window, WindowAttributes};
+use winit::window::WindowAttributes;
 
 /// Smallest window that still shows everything, logical pixels.
 pub const SMALLEST: (f64, f64) = (640.0, 480.0);
@@ -75,22 +75,12 @@ pub(super) fn attributes(event_loop: &dyn ActiveEventLoop, size: WindowSize) -> 
         .with_min_surface_size(LogicalSize::<f64>::from(SMALLEST))
         .with_visible(false)
         .with_maximized(size.maximised);
-    named(event_loop, attributes)
-}
-
-/// Fills a window with a colour where nothing was drawn yet; other systems than X11 show no such place.
-pub(super) fn fill(window: &dyn Window, colour: egui::Color32) {
-    #[cfg(target_os = "linux")]
-    if let Some(id) = pointers::x11_id(window) {
-        super::x11_desktop::fill_window(id, [colour.r(), colour.g(), colour.b()]);
-    }
-    #[cfg(not(target_os = "linux"))]
-    let _ = (window, colour);
+    desktop::named(event_loop, attributes)
 }
 
 /// How much room the monitors have for what is in a window.
 fn rooms(event_loop: &dyn ActiveEventLoop) -> impl Iterator<Item = LogicalSize<f64>> {
-    let work_area = work_area(event_loop);
+    let work_area = desktop::work_area(event_loop);
     event_loop.available_monitors().filter_map(move |monitor| {
         let (size, scale) = (monitor.current_video_mode()?.size(), monitor.scale_factor());
         Some(room(size.to_logical(scale), work_area.map(|area| area.to_logical(scale))))
@@ -103,38 +93,6 @@ fn room(monitor: LogicalSize<f64>, work_area: Option<LogicalSize<f64>>) -> Logic
     work_area.map_or(monitor, |area| {
         LogicalSize::new(monitor.width.min(area.width), monitor.height.min(area.height) - TITLE_BAR)
     })
-}
-
-/// The room that panels leave of all monitors together. Under Wayland nobody says; there the compositor makes a window
-/// smaller that does not fit.
-#[cfg(target_os = "linux")]
-fn work_area(event_loop: &dyn ActiveEventLoop) -> Option<PhysicalSize<u32>> {
-    use winit::platform::wayland::ActiveEventLoopExtWayland as _;
-    if event_loop.is_wayland() { None } else { super::x11_desktop::work_area() }
-}
-
-#[cfg(not(target_os = "linux"))]
-fn work_area(_: &dyn ActiveEventLoop) -> Option<PhysicalSize<u32>> {
-    None
-}
-
-/// Names the window as the menu entry is named, so that the desktop shows its icon.
-#[cfg(target_os = "linux")]
-fn named(event_loop: &dyn ActiveEventLoop, attributes: WindowAttributes) -> WindowAttributes {
-    use winit::platform::{wayland, x11};
-    const NAME: &str = "org.penstemon.Penstemon";
-    if wayland::ActiveEventLoopExtWayland::is_wayland(event_loop) {
-        let named = wayland::WindowAttributesWayland::default().with_name(NAME, "penstemon");
-        attributes.with_platform_attributes(Box::new(named))
-    } else {
-        let named = x11::WindowAttributesX11::default().with_name(NAME, "penstemon");
-        attributes.with_platform_attributes(Box::new(named))
-    }
-}
-
-#[cfg(not(target_os = "linux"))]
-fn named(_: &dyn ActiveEventLoop, attributes: WindowAttributes) -> WindowAttributes {
-    attributes
 }
 
 #[cfg(test)]

@@ -7,14 +7,13 @@
 //! some milliseconds, and is done only where there would be complaints.
 
 use std::env;
+use std::os::unix::process::CommandExt as _;
 
 /// What the Vulkan loader hears, by the layer's description.
 const SWITCH: &str = "NODEVICE_SELECT";
 
 /// Sees to it that nobody looks for a compositor that cannot be there. Returns where all is well, or cannot be changed.
-#[cfg(target_os = "linux")]
 pub(super) fn leave_alone() {
-    use std::os::unix::process::CommandExt as _;
     let folder = env::var_os("XDG_RUNTIME_DIR");
     let may_be_there = folder.is_some_and(|folder| std::path::Path::new(&folder).is_absolute());
     let mut words = env::args_os();
@@ -26,7 +25,3 @@ pub(super) fn leave_alone() {
         let _ = std::process::Command::new(program).arg0(name).args(words).env(SWITCH, "1").exec();
     }
 }
-
-/// Other systems have no such layer.
-#[cfg(not(target_os = "linux"))]
-pub(super) fn leave_alone() {}

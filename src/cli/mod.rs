@@ -5,6 +5,7 @@
 pub mod build;
 pub mod check;
 pub mod common;
+#[cfg(target_os = "linux")]
 mod compositor;
 pub mod grow;
 pub mod inside;
@@ -90,6 +91,7 @@ pub fn usage(error: &clap::Error) -> String {
 /// # Errors
 /// Anything that kept the verb from its result, ready to be shown.
 pub fn run(cli: Cli) -> anyhow::Result<ExitCode> {
+    #[cfg(target_os = "linux")]
     if matches!(cli.verb, Some(Verb::Render(_) | Verb::Grow(_))) {
         compositor::leave_alone();
     }

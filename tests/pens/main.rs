@@ -7,7 +7,7 @@
 //! xserver-xorg-video-dummy, xserver-xorg-dev, gcc, xdotool, mesa-vulkan-drivers). Where one is missing, the tests that need
 //! it say so and check nothing.
 
-#![cfg(unix)]
+#![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 
 mod compositor;

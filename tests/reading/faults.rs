@@ -41,7 +41,6 @@ fn a_file_that_cannot_be_opened() {
     assert!(penstemon::sketch::read(Path::new("tests")).is_err());
 }
 
-#[cfg(unix)]
 #[test]
 fn an_endless_file_is_refused() {
     let folder = tempfile::tempdir().unwrap();

@@ -4,10 +4,13 @@ use super::{PATIENCE, begin, draw, file, stroke};
 use penstemon::sketch::document::Document;
 use penstemon::sketch::journal::{Gap, JournalError, JournalState, Recovery};
 use penstemon::sketch::{self, Change};
+#[cfg(unix)]
 use std::env;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
+#[cfg(unix)]
 use std::process::Command;
+#[cfg(unix)]
 use std::time::Duration;
 
 #[test]

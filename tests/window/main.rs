@@ -6,6 +6,7 @@
 //! Needs Xvfb, xdotool, xclip, weston and a software driver (Debian: xvfb, xdotool, xclip, weston,
 //! mesa-vulkan-drivers).
 
+#![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 
 mod client;

@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# Does the program compile for Windows and macOS? Checks it, its tests and all its libraries for both, with lints, from any
+# system. Nothing is linked or run: .github/workflows/platforms.yml does that there.
+#
+# Needs the standard libraries of both targets, which rustup fetches, and no compiler for C: one that makes empty files
+# stands in for it. Exit code 77: not checked, because a standard library is out of reach.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+stand_in=$PWD/scripts/empty_object.sh
+for target in x86_64-pc-windows-msvc aarch64-apple-darwin; do
+    if ! rustup target list --installed 2>/dev/null | grep -qx "$target" && ! rustup target add "$target"; then
+        echo "other systems: not checked: rustup has no standard library of $target" >&2
+        exit 77
+    fi
+    name=${target//-/_}
+    env "CC_$name=$stand_in" "CXX_$name=$stand_in" "AR_$name=$stand_in" \
+        cargo clippy --quiet --target "$target" --lib --bins --tests -- -D warnings
+done
