@@ -126,8 +126,14 @@ impl Editor {
         if now < seen + FRAME {
             return;
         }
-        replay.run += now - seen;
         replay.seen = Some(now);
+        self.advance_replay(now - seen);
+    }
+
+    /// Moves a replay on by a time.
+    fn advance_replay(&mut self, by: Duration) {
+        let Some(replay) = &mut self.building.replay else { return };
+        replay.run += by;
         self.building.is_stale = true;
         if replay.run >= REPLAY {
             self.building.replay = None;

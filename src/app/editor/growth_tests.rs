@@ -1,6 +1,6 @@
 //! Growth in the editor: an age that is undone like any change, and a replay that is none.
 
-use super::{REPLAY, YEARS};
+use super::{FRAME, REPLAY, YEARS};
 use crate::app::action::Action;
 use crate::app::editor::{Editor, Places};
 use crate::growth::overlay::{Kind, Wanted};
@@ -44,6 +44,34 @@ fn oak(home: &tempfile::TempDir) -> Editor {
 
 fn shown(editor: &Editor) -> f32 {
     editor.built().unwrap().growth.unwrap().shown
+}
+
+/// Stops the clock of a replay: from here on only [`advance`] moves it.
+fn stop_clock(editor: &mut Editor) {
+    editor.building.replay.as_mut().unwrap().seen = Some(Instant::now() + 100 * PATIENCE);
+}
+
+/// Moves a replay on and waits for the plant of its age.
+fn advance(editor: &mut Editor, by: Duration) {
+    editor.advance_replay(by);
+    let begun = Instant::now();
+    editor.submit();
+    while editor.building.is_running {
+        assert!(begun.elapsed() < PATIENCE, "it is built for ever");
+        editor.collect();
+        std::thread::sleep(Duration::from_millis(1));
+    }
+}
+
+#[test]
+fn a_replay_follows_the_clock() {
+    let home = tempfile::tempdir().unwrap();
+    let mut editor = oak(&home);
+    editor.perform(Action::PlayGrowth(true));
+    editor.building.is_stale = false;
+    editor.building.replay.as_mut().unwrap().seen = Some(Instant::now() - 4 * FRAME);
+    editor.replay_growth();
+    assert!(editor.building.is_stale && editor.building.replay.unwrap().run >= 4 * FRAME);
 }
 
 #[test]
@@ -110,27 +138,17 @@ fn a_replay_shows_rising_ages_changes_nothing_and_comes_to_rest() {
     let mut editor = oak(&home);
     let (filled, before) = (shown(&editor), editor.sketch().clone());
     editor.perform(Action::PlayGrowth(true));
-    // Most of it is skipped.
-    editor.building.replay.as_mut().unwrap().run = REPLAY - Duration::from_millis(600);
-    let (mut ages, begun) = (Vec::new(), Instant::now());
-    while editor.is_working() {
-        assert!(begun.elapsed() < PATIENCE, "it is played for ever");
-        step(&mut editor);
-        ages.push(shown(&editor));
+    stop_clock(&mut editor);
+    let mut ages = Vec::new();
+    while editor.building.replay.is_some() {
+        advance(&mut editor, REPLAY / 8);
+        ages.push(shown(&editor) / filled);
         let state = editor.growth_state().unwrap();
         assert!(!state.playing || state.age <= filled);
     }
-    // The plant that was there first.
-    ages.retain({
-        let mut begun = false;
-        move |age| {
-            begun |= *age < filled;
-            begun
-        }
-    });
-    ages.dedup();
-    assert!(ages.len() >= 3 && ages.is_sorted(), "{ages:?}");
-    assert_eq!(ages.last(), Some(&filled));
+    assert_eq!(ages, [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0]);
+    settle(&mut editor);
+    assert_eq!(shown(&editor), filled);
     assert_eq!(*editor.sketch(), before);
     assert!(editor.building.replay.is_none() && editor.next_age_at().is_none());
 }
@@ -141,11 +159,8 @@ fn a_pause_keeps_its_age_at_rest_and_a_change_ends_it() {
     let mut editor = oak(&home);
     let filled = shown(&editor);
     editor.perform(Action::PlayGrowth(true));
-    editor.building.replay.as_mut().unwrap().run = REPLAY / 2;
-    let begun = Instant::now();
-    while begun.elapsed() < Duration::from_millis(300) {
-        step(&mut editor);
-    }
+    stop_clock(&mut editor);
+    advance(&mut editor, REPLAY / 2);
     editor.perform(Action::PlayGrowth(false));
     settle(&mut editor);
     let paused = editor.growth_state().unwrap();
