@@ -25,6 +25,8 @@ pub struct Budget {
     pub markers: usize,
     /// Voxels of the shadow grid.
     pub voxels: usize,
+    /// Elementary steps of growth, about a nanosecond each.
+    pub growth_steps: u64,
     /// Comparisons of internodes that may overlap: for any plant, and more for each of its internodes.
     pub overlaps: (u64, u64),
     /// Triangles of all surfaces together.
@@ -43,6 +45,7 @@ impl Budget {
         internodes: 300_000,
         markers: 1_000_000,
         voxels: 32 << 20,
+        growth_steps: 4_000_000_000,
         overlaps: (20_000_000, 200),
         triangles: 10_000_000,
     };

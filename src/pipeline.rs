@@ -13,8 +13,8 @@ use crate::depth::{self, DepthParams};
 use crate::growth::overlay::{Spot, Wanted};
 use crate::growth::species::CrownHabit;
 use crate::growth::{
-    self, Envelope, Field, GrowthParams, Habit, Limits, Memory, Outcome, Schedule, Simulation, drawing,
-    foliage,
+    self, Envelope, Field, GrowthParams, Habit, Limits, Memory, Outcome, Schedule, Simulation, bloom,
+    drawing, foliage,
 };
 use crate::model::{self, Model, ModelParams};
 use crate::params::{Description, Overrides, ParamError, Parameters as _};
@@ -194,7 +194,7 @@ pub fn build(sketch: &Sketch, species: &Species, params: &Params) -> Built {
     } else {
         plant
     };
-    let plant = clock.time("species", || dressed(plant, species, sketch));
+    let plant = clock.time("species", || dressed(plant, &mut anatomy, species, sketch));
     let of_model = of_model(&plant, params, growth.is_some());
     remark_coarser(&mut anatomy, &of_model);
     let model = clock.time("model", || model::build(&plant, &of_model.params));
@@ -234,7 +234,7 @@ pub fn build_with(
         cache.growth.clear();
         (plant, None)
     };
-    let plant = clock.time("species", || dressed(plant, species, sketch));
+    let plant = clock.time("species", || dressed(plant, &mut anatomy, species, sketch));
     let of_model = of_model(&plant, params, growth.is_some());
     remark_coarser(&mut anatomy, &of_model);
     let model = clock.time("model", || model::rebuild(&plant, &of_model.params, &mut cache.model, &stop))?;
@@ -252,6 +252,8 @@ pub struct Grown {
     pub plant: Plant,
     /// Whether leaves were left out because there were too many.
     pub is_thinned: bool,
+    /// Whether flowers were left out because there were too many.
+    pub is_blossom_thinned: bool,
     /// Whether its surfaces are coarser than was asked for, because they had too many triangles.
     pub is_coarser: bool,
     /// The plant as surfaces.
@@ -300,9 +302,10 @@ fn shown(
     age: f32,
     mut clock: Clock,
 ) -> Grown {
-    let Shown { plant, is_thinned, is_coarser, model } =
+    let Shown { plant, is_thinned, is_blossom_thinned, is_coarser, model } =
         at_age(&simulation, species, params, age, &mut clock);
-    Grown { simulation, outcome, plant, is_thinned, is_coarser, model, stages: clock.stages }
+    let stages = clock.stages;
+    Grown { simulation, outcome, plant, is_thinned, is_blossom_thinned, is_coarser, model, stages }
 }
 
 /// The same inside a volume; without an age until the volume is full.
@@ -364,6 +367,7 @@ impl Grown {
 struct Shown {
     plant: Plant,
     is_thinned: bool,
+    is_blossom_thinned: bool,
     is_coarser: bool,
     model: Model,
 }
@@ -372,12 +376,14 @@ fn at_age(simulation: &Simulation, species: &Species, params: &Params, age: f32,
     let mut plant = clock.time("plant", || growth::plant_at(simulation, age));
     // Before some of the leaves stand as flowers.
     let is_thinned = foliage::is_thinned(&plant.organs);
+    let few_buds = bloom::is_thinned(&plant.organs);
     let looks = looks_at(species, &params.habit, age);
-    clock.time("species", || species::dress(&mut plant, &looks, simulation.seed()));
+    let few_open = clock.time("species", || species::dress(&mut plant, &looks, simulation.seed()));
+    let is_blossom_thinned = looks.blossom.is_some() && (few_buds || few_open);
     debug_assert_eq!(plant.check_invariants(), Ok(()));
     let OfModel { params, is_coarser } = of_model(&plant, params, true);
     let model = clock.time("model", || model::build(&plant, &params));
-    Shown { plant, is_thinned, is_coarser, model }
+    Shown { plant, is_thinned, is_blossom_thinned, is_coarser, model }
 }
 
 /// The looks of a plant of an age: where buds decide about flowers, one too young for them has no blossom either.
@@ -417,8 +423,11 @@ fn remark_coarser(anatomy: &mut Anatomy, of_model: &OfModel<'_>) {
     }
 }
 
-fn dressed(mut plant: Plant, species: &Species, sketch: &Sketch) -> Plant {
-    species::dress(&mut plant, species, sketch.seed);
+fn dressed(mut plant: Plant, anatomy: &mut Anatomy, species: &Species, sketch: &Sketch) -> Plant {
+    if species::dress(&mut plant, species, sketch.seed) {
+        let flowers = plant.flowers.len();
+        anatomy.warnings.push(Warning { stroke: None, remark: Remark::BlossomThinned { flowers } });
+    }
     species::textures::lay_over(&mut plant, &sketch.textures);
     debug_assert_eq!(plant.check_invariants(), Ok(()));
     plant

@@ -158,7 +158,7 @@ proptest! {
             Ok(species) => {
                 prop_assert!(wrong.is_empty(), "{:?} passed in\n{}", wrong, text);
                 let params = pipeline::params_of_species(&species, &[]).unwrap();
-                let limits = Limits { internodes: 1500, markers: 4000, voxels: 1 << 20, seconds: 60 };
+                let limits = Limits { internodes: 1500, markers: 4000, voxels: 1 << 20, steps: 2_000_000_000 };
                 let mut simulation = Simulation::new(&params.habit, seed, limits);
                 simulation.grow_to(5, &|| false);
                 let mut plant = plant_at(&simulation, 4.7);

@@ -39,12 +39,9 @@ pub struct Args {
     /// Seed of everything random.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
-    /// Most internodes of the plant.
+    /// Most internodes of the plant; its years may take as many times more work as it may have more internodes than usual.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=5_000_000))]
     pub max_internodes: Option<u64>,
-    /// Longest time that its years may take together.
-    #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u32).range(1..=86_400))]
-    pub max_seconds: Option<u32>,
     /// Any parameter by its path, for instance habit.lambda=0.7 or model.tube.sides=5; may be given again. `penstemon params
     /// SPECIES` lists them.
     #[arg(long = "set", value_name = "PARAM=VALUE")]
@@ -83,11 +80,10 @@ pub fn run(args: &Args) -> Result<ExitCode> {
             "{name}: habit.fineness changes only plants that fill a volume; name one with --inside"
         );
     }
-    let mut limits = Limits::default();
-    if let Some(most) = args.max_internodes {
-        limits.internodes = usize::try_from(most)?;
-    }
-    limits.seconds = args.max_seconds.unwrap_or(limits.seconds);
+    let limits = match args.max_internodes {
+        Some(most) => Limits::of_internodes(usize::try_from(most)?),
+        None => Limits::default(),
+    };
     let grown = match &args.inside {
         None => pipeline::grow(&species, &params, args.age, args.seed, limits),
         Some(shape) => {
@@ -95,6 +91,22 @@ pub fn run(args: &Args) -> Result<ExitCode> {
             pipeline::grow_inside(&species, &params, volume, args.age, args.seed, limits)
         }
     }?;
+    warn_of_shortfalls(name, args, &grown);
+    ensure!(!grown.model.parts.is_empty(), "{name}: {}", why_bare(&grown));
+    let bytes = write(args, &sources, &grown, |age| grown.at(age, &species, &params))?;
+    if args.stats {
+        let mut stats = common::stats(&grown.stages, &grown.model, bytes);
+        stats["internodes"] = grown.simulation.tree().len().into();
+        stats["branches"] = grown.plant.branches.len().into();
+        let leaves = grown.plant.organs.iter().filter(|organ| organ.kind == OrganKind::Leaf).count();
+        stats["leaves"] = leaves.into();
+        common::print(&stats.to_string())?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Says on stderr what the plant lacks, and why.
+fn warn_of_shortfalls(name: &str, args: &Args, grown: &Grown) {
     if grown.outcome != Outcome::Growing {
         tracing::warn!("{name}: {} at the age of {} years", grown.outcome, grown.simulation.age());
     }
@@ -113,6 +125,12 @@ pub fn run(args: &Args) -> Result<ExitCode> {
              --set habit.leaf.per_internode=1"
         );
     }
+    if grown.is_blossom_thinned {
+        tracing::warn!(
+            "{name}: fewer flowers open than asked for: the plant has {}, the most that are allowed",
+            grown.plant.flowers.len()
+        );
+    }
     if grown.is_coarser {
         let most = Budget::PLANT.triangles;
         tracing::warn!(
@@ -120,17 +138,6 @@ pub fn run(args: &Args) -> Result<ExitCode> {
              that are allowed; choose a lower --age or coarser surfaces"
         );
     }
-    ensure!(!grown.model.parts.is_empty(), "{name}: {}", why_bare(&grown));
-    let bytes = write(args, &sources, &grown, |age| grown.at(age, &species, &params))?;
-    if args.stats {
-        let mut stats = common::stats(&grown.stages, &grown.model, bytes);
-        stats["internodes"] = grown.simulation.tree().len().into();
-        stats["branches"] = grown.plant.branches.len().into();
-        let leaves = grown.plant.organs.iter().filter(|organ| organ.kind == OrganKind::Leaf).count();
-        stats["leaves"] = leaves.into();
-        common::print(&stats.to_string())?;
-    }
-    Ok(ExitCode::SUCCESS)
 }
 
 /// Why nothing is to be seen of a plant, and what to do.

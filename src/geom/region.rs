@@ -71,6 +71,11 @@ impl Region {
         crossings.count() % 2 == 1
     }
 
+    /// Edges that are asked about one point, at most.
+    pub fn edges_beside_a_point(&self) -> usize {
+        self.slabs.iter().map(Vec::len).max().unwrap_or(0)
+    }
+
     /// The boundary point nearest to `p` and its distance; `None` for an empty outline.
     pub fn nearest_boundary(&self, p: Vec2) -> Option<(Vec2, f32)> {
         let line = self.edges.nearest_neighbor(p.to_array())?;

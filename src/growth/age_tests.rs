@@ -12,7 +12,7 @@ use crate::plant::{Branch, Organ, OrganKind, Plant, Shape};
 use glam::Vec3;
 use std::collections::BTreeMap;
 
-const LIMITS: Limits = Limits { internodes: 60_000, markers: 50_000, voxels: 4 << 20, seconds: 300 };
+const LIMITS: Limits = Limits { internodes: 60_000, markers: 50_000, voxels: 4 << 20, steps: 2_000_000_000 };
 
 fn grown(habit: &Habit, age: u16) -> Simulation {
     let mut simulation = Simulation::new(habit, 3, LIMITS);

@@ -11,6 +11,7 @@ use super::tree::NONE;
 use crate::plant::{Blade, BladeForm, Organ, OrganKind, RestSurface, Shape};
 use crate::random::mix;
 use glam::{Vec2, Vec3};
+use rayon::prelude::*;
 use std::sync::Arc;
 
 /// Most flowers of a plant, each of which has some thirty parts.
@@ -19,15 +20,22 @@ pub const MOST: usize = crate::budget::Budget::PLANT.flower_buds;
 const APART: f32 = 0.9;
 const ASIDE: f32 = 0.35;
 
-/// The flower buds of a plant at an age, in the order of the buds.
+/// The flower buds of a plant at an age, in the order of the buds; at most [`MOST`].
 pub fn buds(wood: &Wood<'_>, habit: &Habit) -> Vec<Organ> {
+    at_most(MOST, wood, habit)
+}
+
+/// Whether these are so many buds that others had to be left out.
+pub fn is_thinned(organs: &[Organ]) -> bool {
+    organs.len() >= MOST && organs.iter().filter(|organ| organ.kind == OrganKind::Bud).count() >= MOST
+}
+
+/// The flower buds, thinned to `most` where there would be more.
+fn at_most(most: usize, wood: &Wood<'_>, habit: &Habit) -> Vec<Organ> {
     let sites = sites(wood, habit);
     let pose = habit.leaf.at(wood.age);
     let outline: Arc<[Vec2]> = leaf::outline(habit.leaf.shape, pose.width).into();
     let cluster = habit.flower_cluster as usize;
-    let whole = sites.len() * cluster;
-    // Of too many the same share stays everywhere.
-    let most = MOST.min(whole);
     let bud = |nth: usize| {
         let (site, k) = (sites[nth / cluster], nth % cluster);
         let blade = one(wood, site.bud, k, pose.length * site.grown, outline.clone());
@@ -40,7 +48,14 @@ pub fn buds(wood: &Wood<'_>, habit: &Habit) -> Vec<Organ> {
             shape: Shape::Blade(foliage::held(blade, wood.envelope)?),
         })
     };
-    (0..most).map(|n| n * whole / most).filter_map(bud).collect()
+    let whole = sites.len() * cluster;
+    if whole <= most {
+        return (0..whole).filter_map(bud).collect();
+    }
+    // A volume leaves out some; of the others, where they are too many, the same share stays everywhere.
+    let held: Vec<usize> = (0..whole).into_par_iter().filter(|nth| bud(*nth).is_some()).collect();
+    let most = most.min(held.len());
+    (0..most).filter_map(|n| bud(held[n * held.len() / most])).collect()
 }
 
 /// A bud that flowers, and the chain that carries it.

@@ -12,6 +12,7 @@ use super::markers::Markers;
 use crate::geom::cells::Sorted;
 use glam::{IVec3, Vec3};
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// The cone in which a bud perceives space.
 #[derive(Clone, Copy, Debug)]
@@ -54,22 +55,14 @@ pub const ENOUGH: f32 = 0.2;
 /// Rows of cells that one thread takes at a time.
 const ROWS: usize = 8;
 
-/// Markers after which it is asked whether it is too late.
-const MARKERS: usize = 64;
-
-/// Shares the free markers out among buds at `at` looking along `look`. Once it is too `late` what is found is not whole.
-pub fn compete(
-    markers: &Markers,
-    perception: Perception,
-    (at, look): (&[Vec3], &[Vec3]),
-    found: &mut Found,
-    late: &(dyn Fn() -> bool + Sync),
-) {
+/// Shares the free markers out among the buds of a crowd.
+pub fn compete(markers: &Markers, perception: Perception, crowd: &Crowd, found: &mut Found) {
+    let at = crowd.given;
     found.q.clear();
     found.q.resize(at.len(), 0.0);
     found.best.clear();
     found.best.resize(at.len(), Vec3::ZERO);
-    for claim in claims(markers, perception, (at, look), late).iter().flatten() {
+    for claim in claims(markers, perception, crowd).iter().flatten() {
         let bud = claim.bud as usize;
         let toward = markers.at[claim.marker as usize] - at[bud];
         found.q[bud] += 1.0;
@@ -84,76 +77,96 @@ pub fn compete(
     }
 }
 
-/// Buds in the order of their cells.
-struct Crowd {
+/// Buds in the order of the cells of the markers' grid.
+pub struct Crowd<'a> {
+    /// Where they are, in the order in which they were given.
+    given: &'a [Vec3],
     sorted: Sorted,
     at: Vec<Vec3>,
     look: Vec<Vec3>,
 }
 
-/// Who gets which marker, by rows of cells.
-pub fn claims(
-    markers: &Markers,
-    perception: Perception,
-    (at, look): (&[Vec3], &[Vec3]),
-    late: &(dyn Fn() -> bool + Sync),
-) -> Vec<Vec<Claim>> {
-    let grid = &markers.grid;
-    let mut sorted = Sorted::default();
-    let cell_of: Vec<u32> = at.iter().map(|p| grid.number(grid.place(*p)) as u32).collect();
-    sorted.sort(grid.len(), &cell_of);
-    let of = |all: &[Vec3]| sorted.items.iter().map(|&i| all[i as usize]).collect();
-    let crowd = Crowd { at: of(at), look: of(look), sorted };
-    let rows = (grid.size.y * grid.size.z) as usize;
-    let row = |r: usize| row_claims(markers, perception, &crowd, r as i32, late);
-    (0..rows).into_par_iter().with_min_len(ROWS).map(row).collect()
-}
+impl<'a> Crowd<'a> {
+    /// Buds at `at` that look along `look`.
+    pub fn new(markers: &Markers, at: &'a [Vec3], look: &[Vec3]) -> Self {
+        let grid = &markers.grid;
+        let mut sorted = Sorted::default();
+        let cell_of: Vec<u32> = at.iter().map(|p| grid.number(grid.place(*p)) as u32).collect();
+        sorted.sort(grid.len(), &cell_of);
+        let of = |all: &[Vec3]| sorted.items.iter().map(|&i| all[i as usize]).collect();
+        Self { given: at, at: of(at), look: of(look), sorted }
+    }
 
-fn row_claims(
-    markers: &Markers,
-    perception: Perception,
-    crowd: &Crowd,
-    row: i32,
-    late: &(dyn Fn() -> bool + Sync),
-) -> Vec<Claim> {
-    let size = markers.grid.size;
-    let (y, z) = (row / size.z, row % size.z);
-    let mut out = Vec::new();
-    let mut near: Vec<(usize, usize)> = Vec::with_capacity(9);
-    for x in 0..size.x {
-        let free = markers.free_in(markers.grid.number(IVec3::new(x, y, z)));
-        if free.is_empty() {
-            continue;
-        }
-        near.clear();
-        for ny in (y - 1).max(0)..=(y + 1).min(size.y - 1) {
-            for nz in (z - 1).max(0)..=(z + 1).min(size.z - 1) {
-                let number = |x: i32| markers.grid.number(IVec3::new(x, ny, nz));
-                let first = crowd.sorted.starts[number((x - 1).max(0))] as usize;
-                let end = crowd.sorted.starts[number((x + 1).min(size.x - 1)) + 1] as usize;
-                if first < end {
-                    near.push((first, end));
+    /// Comparisons of markers with buds that [`compete`] makes.
+    pub fn comparisons(&self, markers: &Markers) -> u64 {
+        let row = |row: usize| -> u64 {
+            let mut count = 0;
+            self.each_cell(markers, row as i32, |free, near| {
+                count += (free.len() * near.iter().map(|(first, end)| end - first).sum::<usize>()) as u64;
+            });
+            count
+        };
+        (0..rows(markers)).into_par_iter().with_min_len(ROWS).map(row).sum()
+    }
+
+    /// Gives every cell of a row that has free markers and buds near: the markers, and runs of the buds.
+    fn each_cell(&self, markers: &Markers, row: i32, mut cell: impl FnMut(Range<usize>, &[(usize, usize)])) {
+        let size = markers.grid.size;
+        let (y, z) = (row / size.z, row % size.z);
+        let mut near: Vec<(usize, usize)> = Vec::with_capacity(9);
+        for x in 0..size.x {
+            let free = markers.free_in(markers.grid.number(IVec3::new(x, y, z)));
+            if free.is_empty() {
+                continue;
+            }
+            near.clear();
+            for ny in (y - 1).max(0)..=(y + 1).min(size.y - 1) {
+                for nz in (z - 1).max(0)..=(z + 1).min(size.z - 1) {
+                    let number = |x: i32| markers.grid.number(IVec3::new(x, ny, nz));
+                    let first = self.sorted.starts[number((x - 1).max(0))] as usize;
+                    let end = self.sorted.starts[number((x + 1).min(size.x - 1)) + 1] as usize;
+                    if first < end {
+                        near.push((first, end));
+                    }
                 }
             }
-        }
-        if near.is_empty() {
-            continue;
-        }
-        let first = free.start;
-        for marker in free {
-            if (marker - first).is_multiple_of(MARKERS) && late() {
-                return out;
-            }
-            if let Some(bud) = nearest(markers.at[marker], perception, crowd, &near) {
-                out.push(Claim { marker: marker as u32, bud: crowd.sorted.items[bud] });
+            if !near.is_empty() {
+                cell(free, &near);
             }
         }
     }
+}
+
+/// Rows of the markers' cells.
+fn rows(markers: &Markers) -> usize {
+    (markers.grid.size.y * markers.grid.size.z) as usize
+}
+
+/// Who gets which marker, by rows of cells.
+pub fn claims(markers: &Markers, perception: Perception, crowd: &Crowd<'_>) -> Vec<Vec<Claim>> {
+    let row = |r: usize| row_claims(markers, perception, crowd, r as i32);
+    (0..rows(markers)).into_par_iter().with_min_len(ROWS).map(row).collect()
+}
+
+fn row_claims(markers: &Markers, perception: Perception, crowd: &Crowd<'_>, row: i32) -> Vec<Claim> {
+    let mut out = Vec::new();
+    crowd.each_cell(markers, row, |free, near| {
+        for marker in free {
+            if let Some(bud) = nearest(markers.at[marker], perception, crowd, near) {
+                out.push(Claim { marker: marker as u32, bud: crowd.sorted.items[bud] });
+            }
+        }
+    });
     out
 }
 
 /// The nearest bud that perceives a marker; of equally near ones the earliest.
-fn nearest(marker: Vec3, perception: Perception, crowd: &Crowd, near: &[(usize, usize)]) -> Option<usize> {
+fn nearest(
+    marker: Vec3,
+    perception: Perception,
+    crowd: &Crowd<'_>,
+    near: &[(usize, usize)],
+) -> Option<usize> {
     let mut best = (perception.radius * perception.radius, None);
     for &(first, end) in near {
         for (k, at) in crowd.at[first..end].iter().enumerate() {
@@ -201,7 +214,12 @@ mod tests {
     fn every_marker_goes_to_the_nearest_bud_whose_cone_holds_it() {
         let (markers, at, look) = scene();
         let perception = Perception { radius: 0.6, cos_half: 0.5 };
-        let claims: Vec<Claim> = claims(&markers, perception, (&at, &look), &|| false).concat();
+        let crowd = Crowd::new(&markers, &at, &look);
+        let claims: Vec<Claim> = claims(&markers, perception, &crowd).concat();
+        let near =
+            |p: &Vec3, b: &Vec3| (markers.grid.place(*p) - markers.grid.place(*b)).abs().max_element() <= 1;
+        let compared: usize = markers.at.iter().map(|p| at.iter().filter(|b| near(p, b)).count()).sum();
+        assert_eq!(crowd.comparisons(&markers), compared as u64);
         let mut got = vec![None; markers.len()];
         for claim in &claims {
             assert!(got[claim.marker as usize].replace(claim.bud).is_none(), "claimed twice");
@@ -223,9 +241,12 @@ mod tests {
     fn the_best_direction_points_to_free_space() {
         let (mut markers, ..) = scene();
         let perception = Perception { radius: 0.6, cos_half: -1.0 };
-        (0..40).for_each(|k| markers.occupy(Vec3::new(-0.5, 0.0, k as f32 * 0.02 - 0.4), 0.5, k, 1));
+        for k in 0..40 {
+            markers.occupy(Vec3::new(-0.5, 0.0, k as f32 * 0.02 - 0.4), 0.5, k, 1);
+        }
         let mut found = Found::default();
-        compete(&markers, perception, (&[Vec3::ZERO], &[Vec3::Y]), &mut found, &|| false);
+        let crowd = Crowd::new(&markers, &[Vec3::ZERO], &[Vec3::Y]);
+        compete(&markers, perception, &crowd, &mut found);
         assert!(found.best[0].normalize().x > 0.9, "{:?}", found.best);
         assert!(found.q[0] > 0.2, "{:?}", found.q);
     }

@@ -40,7 +40,8 @@ pub const QUIET: u16 = 2;
 const HARDLY: f32 = 0.0006;
 
 /// What no drawing may exceed: less than a plant that grows by itself, because it is grown while it is drawn.
-pub const LIMITS: Limits = Limits { internodes: 120_000, markers: 500_000, voxels: 16 << 20, seconds: 60 };
+pub const LIMITS: Limits =
+    Limits { internodes: 120_000, markers: 500_000, voxels: 16 << 20, steps: 2_000_000_000 };
 
 /// All that decides how a drawing grows.
 #[derive(Clone, Debug, PartialEq)]

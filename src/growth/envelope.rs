@@ -118,6 +118,17 @@ impl Envelope {
         }
     }
 
+    /// Elementary steps that one question for a point takes, about.
+    pub fn steps(&self) -> u64 {
+        match self {
+            Self::Free => 0,
+            Self::Box { .. } | Self::Sphere { .. } | Self::Ellipsoid { .. } => 2,
+            Self::Crown(crown) => 80 + crown.profile.len() as u64,
+            Self::Solid(solid) => 8 * solid.triangles_over_a_point(),
+            Self::Inflated(inflated) => 20 + inflated.edges_beside_a_point(),
+        }
+    }
+
     /// Whether the straight way between two points stays inside, tested at its end and three places between.
     pub fn holds(&self, from: Vec3, to: Vec3) -> bool {
         matches!(self, Self::Free) || [1.0, 0.5, 0.25, 0.75].iter().all(|t| self.contains(from.lerp(to, *t)))

@@ -96,6 +96,11 @@ impl Inflated {
         self.regions.iter().filter(|r| r.contains(p)).count() % 2 == 1
     }
 
+    /// Edges of its outlines that are asked about one point, at most.
+    pub fn edges_beside_a_point(&self) -> u64 {
+        self.regions.iter().map(|region| region.edges_beside_a_point() as u64).sum()
+    }
+
     /// Half depth over a point of the drawing.
     pub fn half_depth(&self, p: Vec2) -> f32 {
         let q = (p - self.low) / self.cell - 0.5;

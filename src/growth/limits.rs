@@ -1,10 +1,8 @@
 //! What no plant may exceed, and how growth ended.
 //!
 //! Every parameter of a species may be set so that a plant grows without measure; caps on internodes, markers, memory and
-//! time end its growth with a message instead.
-//!
-//! Limits: how many years fit into the time depends on the machine and on what else it does, so a plant that
-//! [`Outcome::TooSlow`] ended may be another one elsewhere; its message says so. All else is the same everywhere.
+//! work end its growth with a message instead. All of them are counts, so a plant that one of them ended is the same on
+//! every machine.
 
 use crate::budget::Budget;
 use std::fmt;
@@ -18,14 +16,23 @@ pub struct Limits {
     pub markers: usize,
     /// Most voxels of the shadow grid.
     pub voxels: usize,
-    /// Longest time that its years may take together, seconds.
-    pub seconds: u32,
+    /// Most elementary steps that its years may take together, about a nanosecond each; see [`super::effort`].
+    pub steps: u64,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        let Budget { internodes, markers, voxels, .. } = Budget::PLANT;
-        Self { internodes, markers, voxels, seconds: 300 }
+        let Budget { internodes, markers, voxels, growth_steps: steps, .. } = Budget::PLANT;
+        Self { internodes, markers, voxels, steps }
+    }
+}
+
+impl Limits {
+    /// The usual ones, for a plant of at most so many internodes: a larger plant is more work, a smaller one no less.
+    pub fn of_internodes(most: usize) -> Self {
+        let usual = Self::default();
+        let times = most.div_ceil(usual.internodes.max(1)).max(1) as u64;
+        Self { internodes: most, steps: usual.steps.saturating_mul(times), ..usual }
     }
 }
 
@@ -42,8 +49,8 @@ pub enum Outcome {
     TooManyInternodes(usize),
     /// The plant has grown beyond the space in which shadows are kept.
     TooLarge(usize),
-    /// Its years have taken this many seconds; the one that was running did not happen.
-    TooSlow(u32),
+    /// Its years would take more steps than this many; the one that did did not happen.
+    TooManySteps(u64),
     /// Years are counted up to this one.
     TooOld(u16),
 }
@@ -71,11 +78,11 @@ impl fmt::Display for Outcome {
                 "growth ended because the shadow grid would need more than {most} voxels; choose a lower age or larger \
                  voxels"
             ),
-            Self::TooSlow(most) => write!(
+            Self::TooManySteps(most) => write!(
                 f,
-                "growth ended after {most} seconds, the most that are allowed; how far a plant comes in that time \
-                 depends on the machine, so it may be another one elsewhere; choose a lower age, longer internodes or \
-                 fewer markers"
+                "growth ended because its years would take more than {} million steps of computation; choose a lower age, \
+                 longer internodes, fewer markers or shadows of less depth",
+                most / 1_000_000
             ),
             Self::TooOld(most) => {
                 write!(f, "growth ended at the age of {most} years, the most that are counted")

@@ -113,19 +113,23 @@ impl Markers {
         chosen.map(move |((at, taken), _)| (*at, *taken <= year))
     }
 
-    /// Occupies the free markers within `radius` of a node.
-    pub fn occupy(&mut self, at: Vec3, radius: f32, node: u32, year: u16) {
+    /// Occupies the free markers within `radius` of a node; gives the number of markers and cells that were looked at.
+    pub fn occupy(&mut self, at: Vec3, radius: f32, node: u32, year: u16) -> u64 {
         if !self.grid.is_near(at, radius / self.grid.cell) {
-            return;
+            return 0;
         }
         let (low, high) = self.grid.around(at, radius);
+        let mut seen = 0;
         for y in low.y..=high.y {
             for z in low.z..=high.z {
                 for x in low.x..=high.x {
-                    self.occupy_in(self.grid.number(IVec3::new(x, y, z)), at, radius, (node, year));
+                    let cell = self.grid.number(IVec3::new(x, y, z));
+                    seen += 1 + self.free_in(cell).len() as u64;
+                    self.occupy_in(cell, at, radius, (node, year));
                 }
             }
         }
+        seen
     }
 
     fn occupy_in(&mut self, cell: usize, at: Vec3, radius: f32, (node, year): (u32, u16)) {

@@ -13,13 +13,12 @@
 //! | `shadow` | light as the resource |
 //! | `vigour`, `priority` | who gets how much of it |
 //! | `direction`, `fate`, `shedding` | what buds and branches make of it |
-//! | `tree`, `skeleton`, `setting`, `simulation`, `limits` | the plant through the years |
+//! | `tree`, `skeleton`, `setting`, `simulation`, `limits`, `effort` | the plant through the years |
 //! | `diameter`, `chains`, `insertion`, `rubbing`, `pruning`, `stool`, `standing`, `foliage`, `bloom`, `to_plant` | the plant of one age |
 //! | `overlay` | what growth looks like from inside |
 //! | `drawing`, `lead`, `merge` | growth in a drawing: its wood goes on, its crowns are filled |
 //!
-//! Everything here is pure and deterministic: no files, the same bytes on any number of threads. The one clock is that of
-//! the cap on time, see [`Limits`]; a plant that it ended says so.
+//! Everything here is pure and deterministic: no files, no clocks, the same bytes on any number of threads.
 
 #[cfg(test)]
 mod age_tests;
@@ -29,6 +28,7 @@ pub mod competition;
 pub mod diameter;
 pub mod direction;
 pub mod drawing;
+pub mod effort;
 pub mod envelope;
 pub mod fate;
 pub mod foliage;

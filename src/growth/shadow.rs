@@ -225,6 +225,11 @@ impl Shadow {
         })
     }
 
+    /// Number of voxels that the shadow of one node darkens.
+    pub fn voxels_per_node(&self) -> u64 {
+        (0..self.layers.len() as u64).map(|q| (2 * q + 1) * (2 * q + 1)).sum()
+    }
+
     /// Number of voxels.
     pub fn len(&self) -> usize {
         self.dark.len()

@@ -7,8 +7,9 @@
 //! Where we depart: a bud's length budget is cut at the habit's longest shoot; a shoot that would leave the envelope
 //! turns to where its markers are, and ends if that does not help.
 
-use super::competition::{self, Found};
+use super::competition::{self, Crowd, Found};
 use super::direction::{self, Weights};
+use super::effort::{self, Effort};
 use super::envelope::{Crown, Envelope};
 use super::fate::{self, Fate, Waiting, unit};
 use super::limits::{Limits, Outcome};
@@ -25,9 +26,7 @@ use crate::random::mix;
 use glam::Vec3;
 use rayon::prelude::*;
 use std::borrow::Cow;
-use std::cell::Cell;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 
 /// Oldest age.
 pub const MAX_AGE: u16 = 10_000;
@@ -35,6 +34,8 @@ pub const MAX_AGE: u16 = 10_000;
 const MANY: usize = 4096;
 /// Buds or nodes after which it is asked whether to stop.
 const BREATH: usize = 64;
+/// Questions of an internode to the volume that holds it, at most: for two directions, at its foot and in four places.
+const QUESTIONS: u64 = 10;
 
 /// Memory that is used again every year.
 #[derive(Clone, Debug, Default)]
@@ -55,8 +56,8 @@ pub struct Simulation {
     tree: Tree,
     field: Field,
     year: u16,
-    /// Time that its years have taken; counted anew after going back.
-    spent: Duration,
+    /// What its years have cost.
+    effort: Effort,
     scratch: Scratch,
 }
 
@@ -126,10 +127,12 @@ impl Simulation {
 
     fn begin(habit: Habit, envelope: Envelope, field: Field, limits: Limits, seed: u64, tree: Tree) -> Self {
         let scratch = Scratch::default();
-        let spent = Duration::ZERO;
-        let mut simulation = Self { habit, envelope, limits, seed, tree, field, year: 0, spent, scratch };
-        // Where there is no room for the first shadows there is none for the first year either, which says so.
+        let effort = Effort::new(limits.steps);
+        let mut simulation = Self { habit, envelope, limits, seed, tree, field, year: 0, effort, scratch };
+        // Where there is no room for the first shadows there is none for the first year either, which says so; nor are
+        // there steps for it where there are none for these.
         let _ = simulation.settle_in(0..simulation.tree.len(), &|| false);
+        simulation.effort.end_year();
         simulation
     }
 
@@ -158,6 +161,11 @@ impl Simulation {
         self.year
     }
 
+    /// Elementary steps that its years have taken.
+    pub fn steps(&self) -> u64 {
+        self.effort.spent()
+    }
+
     /// Seed of everything random.
     pub fn seed(&self) -> u64 {
         self.seed
@@ -178,7 +186,8 @@ impl Simulation {
             return;
         }
         self.tree.rewind(age);
-        (self.year, self.spent) = (age, Duration::ZERO);
+        self.year = age;
+        self.effort.rewind(age);
         match &mut self.field {
             Field::Space(markers) => markers.rewind(age),
             Field::Light(shadow) => cast_anew(shadow, &self.tree, age, self.limits.voxels),
@@ -194,27 +203,9 @@ impl Simulation {
         shadow
     }
 
-    /// Grows for a year; `stop` is asked many times.
+    /// Grows for a year; `stop` is asked many times. A year that is stopped, or that would take too many steps, did not
+    /// happen.
     pub fn step(&mut self, stop: &dyn Fn() -> bool) -> Outcome {
-        let (start, spent) = (Instant::now(), self.spent);
-        let most = Duration::from_secs(self.limits.seconds.into());
-        let late = move || spent + start.elapsed() >= most;
-        let was_late = Cell::new(false);
-        let stop = || {
-            was_late.set(was_late.get() || late());
-            was_late.get() || stop()
-        };
-        let outcome = match self.grow_year(&stop, &late) {
-            Outcome::Stopped if was_late.get() => Outcome::TooSlow(self.limits.seconds),
-            outcome => outcome,
-        };
-        // A year that was stopped did not happen.
-        self.spent = if outcome == Outcome::Stopped { spent } else { spent + start.elapsed() };
-        outcome
-    }
-
-    /// A year, unless `stop` says yes; `late` may be asked from any thread.
-    fn grow_year(&mut self, stop: &dyn Fn() -> bool, late: &(dyn Fn() -> bool + Sync)) -> Outcome {
         if self.year >= MAX_AGE {
             return Outcome::TooOld(MAX_AGE);
         }
@@ -224,29 +215,16 @@ impl Simulation {
         if self.tree.len() >= self.limits.internodes {
             return Outcome::TooManyInternodes(self.limits.internodes);
         }
-        if stop() {
-            return Outcome::Stopped;
-        }
-        self.sense(late);
-        if stop() {
-            return Outcome::Stopped;
-        }
-        self.share_out();
-        self.year += 1;
-        let first = self.tree.len();
-        let grown = self.grow(stop).and_then(|()| self.settle_in(first..self.tree.len(), stop));
-        if let Err(outcome) = grown {
-            if outcome == Outcome::Stopped {
-                self.rewind(self.year - 1);
-            }
+        let (before, first) = (self.year, self.tree.len());
+        let grown = self.grow_year(first, stop);
+        if let Err(outcome @ (Outcome::Stopped | Outcome::TooManySteps(_))) = grown {
+            self.rewind(before);
+            self.effort.rewind(before);
             return outcome;
         }
-        let dead = shedding::shed(&mut self.tree, &self.scratch.flow, &self.habit, self.year);
-        if let Field::Light(shadow) = &mut self.field {
-            for node in dead {
-                // What was grown has room.
-                let _ = shadow.cast(self.tree.nodes.at[node as usize], Change::Shed, self.limits.voxels);
-            }
+        self.effort.end_year();
+        if let Err(outcome) = grown {
+            return outcome;
         }
         if self.tree.len() >= self.limits.internodes {
             return Outcome::TooManyInternodes(self.limits.internodes);
@@ -254,8 +232,34 @@ impl Simulation {
         Outcome::Growing
     }
 
+    /// A year of a plant that had `first` nodes before it.
+    fn grow_year(&mut self, first: usize, stop: &dyn Fn() -> bool) -> Result<(), Outcome> {
+        if stop() {
+            return Err(Outcome::Stopped);
+        }
+        let (nodes, buds) = (first as u64, self.tree.open.len() as u64);
+        self.effort.spend(nodes * effort::NODE + buds * effort::BUD)?;
+        self.sense()?;
+        if stop() {
+            return Err(Outcome::Stopped);
+        }
+        self.share_out();
+        self.year += 1;
+        self.grow(stop)?;
+        self.settle_in(first..self.tree.len(), stop)?;
+        let dead = shedding::shed(&mut self.tree, &self.scratch.flow, &self.habit, self.year);
+        if let Field::Light(shadow) = &mut self.field {
+            self.effort.spend(dead.len() as u64 * shadow_steps(shadow))?;
+            for node in dead {
+                // What was grown has room.
+                let _ = shadow.cast(self.tree.nodes.at[node as usize], Change::Shed, self.limits.voxels);
+            }
+        }
+        Ok(())
+    }
+
     /// What each open bud earns, and where more is.
-    fn sense(&mut self, late: &(dyn Fn() -> bool + Sync)) {
+    fn sense(&mut self) -> Result<(), Outcome> {
         let Scratch { at, look, found, .. } = &mut self.scratch;
         let (tree, habit) = (&self.tree, &self.habit);
         at.clear();
@@ -272,9 +276,13 @@ impl Simulation {
             Field::Space(markers) => {
                 look.clear();
                 look.extend(tree.open.iter().map(|&b| tree.buds.direction[b as usize]));
-                competition::compete(markers, perception(habit), (at, look), found, late);
+                self.effort.spend(markers.grid.len() as u64)?;
+                let crowd = Crowd::new(markers, at, look);
+                self.effort.spend(crowd.comparisons(markers))?;
+                competition::compete(markers, perception(habit), &crowd, found);
             }
         }
+        Ok(())
     }
 
     fn share_out(&mut self) {
@@ -301,14 +309,16 @@ impl Simulation {
         }
     }
 
-    /// Decides the fate of all open buds and lets those grow that may; [`Outcome::Stopped`] in the middle of it.
+    /// Decides the fate of all open buds and lets those grow that may; ends in the middle of it where it is stopped or
+    /// takes too many steps.
     fn grow(&mut self, stop: &dyn Fn() -> bool) -> Result<(), Outcome> {
         let waiting = self.tree.open.len();
+        let each = effort::INTERNODE + QUESTIONS * self.envelope.steps();
         for place in 0..waiting {
             if place % BREATH == 0 && stop() {
                 return Err(Outcome::Stopped);
             }
-            let bud = self.tree.open[place];
+            let (bud, before) = (self.tree.open[place], self.tree.len());
             let b = bud as usize;
             let state = Waiting {
                 v: self.scratch.flow.bud[place],
@@ -324,6 +334,9 @@ impl Simulation {
             if fate != Fate::Dormant {
                 self.tree.settle(bud, fate, self.year);
             }
+            // A shoot that found no room has asked, too.
+            let asked = (self.tree.len() - before) as u64 + u64::from(fate != Fate::Dormant);
+            self.effort.spend(asked * each)?;
         }
         self.tree.forget_settled();
         Ok(())
@@ -407,11 +420,15 @@ impl Simulation {
         }
     }
 
-    /// New nodes take their space or cast their shadows; [`Outcome::TooLarge`] if there is no room for the shadows.
+    /// New nodes take their space or cast their shadows; [`Outcome::TooLarge`] if there is no room for the shadows,
+    /// [`Outcome::TooManySteps`] where that is too much work.
     fn settle_in(&mut self, nodes: std::ops::Range<usize>, stop: &dyn Fn() -> bool) -> Result<(), Outcome> {
         let most = self.limits.voxels;
         let radius = self.habit.space.occupancy * self.habit.internode;
         let mut room = true;
+        if let Field::Light(shadow) = &self.field {
+            self.effort.spend(nodes.len() as u64 * shadow_steps(shadow))?;
+        }
         for i in nodes {
             if i % BREATH == 0 && stop() {
                 return Err(Outcome::Stopped);
@@ -419,7 +436,10 @@ impl Simulation {
             let at = self.tree.nodes.at[i];
             match &mut self.field {
                 Field::Light(shadow) => room &= shadow.cast(at, Change::Grown, most),
-                Field::Space(markers) => markers.occupy(at, radius, i as u32, self.year),
+                Field::Space(markers) => {
+                    let seen = markers.occupy(at, radius, i as u32, self.year);
+                    self.effort.spend(seen)?;
+                }
             }
         }
         if room { Ok(()) } else { Err(Outcome::TooLarge(most)) }
@@ -442,6 +462,11 @@ impl Simulation {
         }
         Ok(())
     }
+}
+
+/// Steps for the shadow of one node: processors darken several voxels at once.
+fn shadow_steps(shadow: &Shadow) -> u64 {
+    shadow.voxels_per_node().div_ceil(4)
 }
 
 /// Only the shadows of the nodes that lived at the end of a year.

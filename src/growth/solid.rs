@@ -234,6 +234,11 @@ impl Solid {
         held.iter().filter(|&&t| self.is_above(t, p)).count() % 2 == 1
     }
 
+    /// Triangles that are asked about one point, at most.
+    pub fn triangles_over_a_point(&self) -> u64 {
+        self.starts.windows(2).map(|cell| u64::from(cell[1] - cell[0])).max().unwrap_or(0)
+    }
+
     fn corners(&self, triangle: u32) -> [Vec3; 3] {
         self.triangles[triangle as usize].map(|i| self.points[i as usize])
     }

@@ -14,7 +14,7 @@ use glam::{Vec2, Vec3};
 use proptest::prelude::*;
 use std::sync::Arc;
 
-const LIMITS: Limits = Limits { internodes: 20_000, markers: 50_000, voxels: 4 << 20, seconds: 300 };
+const LIMITS: Limits = Limits { internodes: 20_000, markers: 50_000, voxels: 4 << 20, steps: 2_000_000_000 };
 
 fn never() -> bool {
     false
@@ -283,12 +283,38 @@ fn caps_end_growth_with_a_message() {
     let mut simulation = Simulation::new(&mad, 1, Limits { voxels: 20_000, ..LIMITS });
     assert!(matches!(simulation.grow_to(1000, &never), Outcome::TooLarge(20_000)));
     plant_at(&simulation, 1000.0).check_invariants().unwrap();
-    let mut simulation = Simulation::new(&spacious(), 1, Limits { seconds: 0, ..LIMITS });
+    let mut simulation = Simulation::new(&spacious(), 1, Limits { steps: 0, ..LIMITS });
     let outcome = simulation.grow_to(1000, &never);
-    assert_eq!((outcome, simulation.age(), simulation.tree().len()), (Outcome::TooSlow(0), 0, 1));
-    assert!(outcome.to_string().contains("depends on the machine"));
+    assert_eq!((outcome, simulation.age(), simulation.tree().len()), (Outcome::TooManySteps(0), 0, 1));
     let dark = Habit { supply: 0.0.into(), ..lit() };
     assert_eq!(Simulation::new(&dark, 1, LIMITS).grow_to(100, &never), Outcome::Finished);
+}
+
+#[test]
+fn a_cap_on_work_ends_growth_at_the_same_internode_however_slow_the_machine_is() {
+    for habit in [Habit { shed: 0.1.into(), ..lit() }, spacious()] {
+        let whole = grown(&habit, 12);
+        let capped = || Simulation::new(&habit, 3, Limits { steps: whole.steps() / 2, ..LIMITS });
+        let mut quick = capped();
+        let outcome = quick.grow_to(12, &never);
+        assert!(matches!(outcome, Outcome::TooManySteps(_)), "{outcome:?}");
+        assert!(outcome.to_string().contains("steps of computation"));
+        assert!((4..12).contains(&quick.age()), "{} years", quick.age());
+        // On one thread, with a pause at every question, with a year that is stopped and years that are gone back.
+        let mut slow = capped();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+        let pause = || {
+            std::thread::sleep(std::time::Duration::from_micros(50));
+            false
+        };
+        assert_eq!(pool.install(|| slow.grow_to(12, &pause)), outcome);
+        assert_eq!((slow.age(), slow.tree(), slow.steps()), (quick.age(), quick.tree(), quick.steps()));
+        slow.rewind(2);
+        assert_eq!(slow.step(&|| true), Outcome::Stopped);
+        assert_eq!(slow.grow_to(12, &never), outcome);
+        assert_eq!((slow.age(), slow.tree(), slow.steps()), (quick.age(), quick.tree(), quick.steps()));
+        assert_eq!(slow.step(&never), outcome, "it has ended");
+    }
 }
 
 fn drawn() -> Plant {
@@ -436,7 +462,7 @@ proptest! {
 
     #[test]
     fn whatever_a_species_says_the_plant_is_sound_and_within_its_caps(habit in any_habit(), seed: u64, age in 0u16..14) {
-        let limits = Limits { internodes: 2500, markers: 5000, voxels: 1 << 20, seconds: 300 };
+        let limits = Limits { internodes: 2500, markers: 5000, voxels: 1 << 20, steps: 2_000_000_000 };
         let mut simulation = Simulation::new(&habit, seed, limits);
         simulation.grow_to(age, &never);
         prop_assert_eq!(simulation.tree().check_invariants(), Ok(()));

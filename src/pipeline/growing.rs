@@ -7,7 +7,7 @@ use super::Params;
 use crate::anatomy::Anatomy;
 use crate::depth;
 use crate::growth::species::Resource;
-use crate::growth::{Field, Memory, Outcome, Start, drawing, foliage, merge};
+use crate::growth::{Field, Memory, Outcome, Start, bloom, drawing, foliage, merge};
 use crate::plant::Plant;
 use crate::quote;
 use crate::sketch::{Remark, Sketch, Warning};
@@ -75,12 +75,15 @@ pub(super) fn grow_on(
         Outcome::TooLarge(_) | Outcome::TooOld(_) => {
             remark(Remark::GrownTooLarge { years: grown.simulation.age() });
         }
-        Outcome::TooSlow(seconds) => {
-            remark(Remark::GrownTooSlowly { years: grown.simulation.age(), seconds });
+        Outcome::TooManySteps(_) => {
+            remark(Remark::GrowthTooCostly { years: grown.simulation.age() });
         }
         Outcome::Growing | Outcome::Finished | Outcome::Stopped => {}
     }
     let plant = merge::merged(drawn, &grows, &grown);
+    if species.blossom.is_some() && bloom::is_thinned(&plant.organs) {
+        remark(Remark::BlossomThinned { flowers: bloom::MOST });
+    }
     if foliage::is_thinned(&plant.organs) {
         remark(Remark::LeavesThinned { leaves: foliage::MOST });
     }

@@ -171,16 +171,11 @@ pub enum Remark {
         /// How old it is.
         years: u16,
     },
-    /// Growth that took too long.
-    #[error(
-        "growth ended at the age of {years} after {seconds} seconds, the most that are allowed; how far a plant comes in \
-         that time depends on the machine"
-    )]
-    GrownTooSlowly {
+    /// Growth that was too much work.
+    #[error("growth ended after {}, because more would take too much computation", counted(.years, "year"))]
+    GrowthTooCostly {
         /// How old it is.
         years: u16,
-        /// How long it took.
-        seconds: u32,
     },
     /// Leaves that are fewer than the wood would carry.
     #[error(
@@ -189,6 +184,14 @@ pub enum Remark {
     LeavesThinned {
         /// How many there are.
         leaves: usize,
+    },
+    /// Flowers that are fewer than the species asks for.
+    #[error(
+        "fewer flowers open than its species asks for: the plant has {flowers}, the most that it may have"
+    )]
+    BlossomThinned {
+        /// How many there may be.
+        flowers: usize,
     },
     /// Surfaces that are coarser than was asked for.
     #[error(
@@ -233,7 +236,8 @@ impl Remark {
             | Self::DoesNotGrow { .. }
             | Self::GrowthCapped { .. }
             | Self::GrownTooLarge { .. }
-            | Self::GrownTooSlowly { .. }
+            | Self::GrowthTooCostly { .. }
+            | Self::BlossomThinned { .. }
             | Self::LeavesThinned { .. }
             | Self::Coarser { .. } => true,
             Self::NoPoints { .. }

@@ -17,9 +17,10 @@ use std::sync::Arc;
 /// Radius of the heart, as a share of the reach.
 const HEART: f32 = 0.08;
 
-/// Replaces leaves by flowers; their petals share the outline number `template`.
-pub(super) fn blossom(plant: &mut Plant, look: &BlossomLook, template: u32, rng: &mut Pcg64Mcg) {
-    let Some(mean) = mean_leaf_length(plant) else { return };
+/// Replaces leaves by flowers; their petals share the outline number `template`. Says whether fewer open than the species
+/// asks for, because a plant may not have more.
+pub(super) fn blossom(plant: &mut Plant, look: &BlossomLook, template: u32, rng: &mut Pcg64Mcg) -> bool {
+    let Some(mean) = mean_leaf_length(plant) else { return false };
     let reach = mean * look.reach;
     let outline = notched(reach * (1.0 - HEART), look).into();
     let share = affordable_share(plant, look.share);
@@ -39,6 +40,7 @@ pub(super) fn blossom(plant: &mut Plant, look: &BlossomLook, template: u32, rng:
         }
     }
     plant.organs = kept;
+    share < look.share
 }
 
 fn is_generated_leaf(organ: &Organ) -> bool {

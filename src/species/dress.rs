@@ -49,11 +49,15 @@ fn identity(stroke: Option<u64>, base: Vec3, direction: Vec3) -> u64 {
 ///
 /// Expects a plant as [`crate::depth`] leaves it; the materials it had are replaced. The flowers' looks are taken in
 /// turn. Petals of a species without flowers are dressed as leaves.
-pub fn dress(plant: &mut Plant, species: &Species, seed: u64) {
+///
+/// Says whether fewer flowers of its blossom open than the species asks for, because a plant may not have more.
+pub fn dress(plant: &mut Plant, species: &Species, seed: u64) -> bool {
+    let mut is_blossom_thinned = false;
     let mut palette = Palette::new(species);
     dress_branches(plant, species, &mut palette);
     if let Some(look) = species.blossom.as_ref().filter(|_| !species.flowers.is_empty()) {
-        blossom(plant, look, next_template(plant), &mut stream(seed, Purpose::Blossom, 0));
+        let rng = &mut stream(seed, Purpose::Blossom, 0);
+        is_blossom_thinned = blossom(plant, look, next_template(plant), rng);
     }
     // Without a look for them flower buds stay closed, too small to be seen.
     plant.organs.retain(|organ| organ.kind != OrganKind::Bud);
@@ -70,6 +74,7 @@ pub fn dress(plant: &mut Plant, species: &Species, seed: u64) {
     added.extend(potted(plant, species, &mut palette));
     plant.organs.append(&mut added);
     plant.materials = palette.finish();
+    is_blossom_thinned
 }
 
 fn dress_branches(plant: &mut Plant, species: &Species, palette: &mut Palette<'_>) {

@@ -250,6 +250,16 @@ fn a_cherry_tree_blossoms_in_place_of_generated_leaves_only() {
 }
 
 #[test]
+fn a_tree_of_more_flowers_than_a_plant_may_have_says_so() {
+    let species = Species::built_in("cherry").unwrap();
+    assert!(!dress(&mut bare(1, 400), &species, 5));
+    let most = crate::budget::Budget::PLANT.blossoms;
+    let mut plant = bare(1, 2 * most);
+    assert!(dress(&mut plant, &species, 5));
+    assert!((most * 9 / 10..=most * 11 / 10).contains(&plant.flowers.len()), "{}", plant.flowers.len());
+}
+
+#[test]
 fn a_drawn_leaf_more_leaves_the_form_of_the_others() {
     let form_of = |plant: &Plant, stroke: u64| {
         let organ = plant.organs.iter().find(|organ| organ.stroke == Some(stroke)).unwrap();

@@ -58,10 +58,9 @@ impl Told for Remark {
                 fill(Msg::WarningGrowthCapped, &[("internodes", internodes)])
             }
             Self::GrownTooLarge { years } => fill(Msg::WarningGrownTooLarge, &[("count", years)]),
-            Self::GrownTooSlowly { years, seconds } => {
-                fill(Msg::WarningGrownTooSlowly, &[("years", years), ("seconds", seconds)])
-            }
+            Self::GrowthTooCostly { years } => fill(Msg::WarningGrowthTooCostly, &[("count", years)]),
             Self::LeavesThinned { leaves } => fill(Msg::WarningLeavesThinned, &[("leaves", leaves)]),
+            Self::BlossomThinned { flowers } => fill(Msg::WarningBlossomThinned, &[("flowers", flowers)]),
             Self::Coarser { triangles } => fill(Msg::WarningCoarser, &[("triangles", triangles)]),
             Self::FinenessUnused => fill(Msg::WarningFineness, &[]),
             Self::More { count } => fill(Msg::WarningMore, &[("count", count)]),
@@ -117,9 +116,10 @@ mod tests {
             }
             Remark::DoesNotGrow { .. } => Remark::GrowthCapped { internodes: 50 },
             Remark::GrowthCapped { .. } => Remark::GrownTooLarge { years: 51 },
-            Remark::GrownTooLarge { .. } => Remark::GrownTooSlowly { years: 54, seconds: 55 },
-            Remark::GrownTooSlowly { .. } => Remark::LeavesThinned { leaves: 53 },
-            Remark::LeavesThinned { .. } => Remark::Coarser { triangles: 56 },
+            Remark::GrownTooLarge { .. } => Remark::GrowthTooCostly { years: 54 },
+            Remark::GrowthTooCostly { .. } => Remark::LeavesThinned { leaves: 53 },
+            Remark::LeavesThinned { .. } => Remark::BlossomThinned { flowers: 55 },
+            Remark::BlossomThinned { .. } => Remark::Coarser { triangles: 56 },
             Remark::Coarser { .. } => Remark::FinenessUnused,
             Remark::FinenessUnused => Remark::More { count: 49 },
             Remark::More { .. } => return None,
@@ -149,6 +149,7 @@ mod tests {
         let one = [
             Remark::PressureOutside { points: 1 },
             Remark::GrownTooLarge { years: 1 },
+            Remark::GrowthTooCostly { years: 1 },
             Remark::More { count: 1 },
         ];
         for remark in one {
