@@ -15,6 +15,7 @@ mod disk;
 mod display;
 mod drawing;
 mod exports;
+mod kills;
 mod latency;
 mod looks;
 mod memory;

@@ -93,6 +93,13 @@ impl Program {
         line.unwrap_or_else(|| panic!("never told `{words}`; told:\n{}", self.told.join("\n"))).clone()
     }
 
+    /// What has been told since this was last asked.
+    pub(crate) fn news(&mut self) -> Vec<String> {
+        let news: Vec<String> = self.lines.try_iter().collect();
+        self.told.extend(news.iter().cloned());
+        news
+    }
+
     /// Whether something that contains `words` has been told, up to now.
     pub(crate) fn has_told(&mut self, words: &str) -> bool {
         self.told.extend(self.lines.try_iter());

@@ -117,7 +117,10 @@ impl Editor {
                 self.building.is_stale = true;
                 self.versions.drawing += 1;
             }
-            CanvasOutcome::StrokeFinished(stroke) => self.change(Change::put(stroke)),
+            CanvasOutcome::StrokeFinished(stroke) => {
+                self.change(Change::put(stroke));
+                tracing::debug!("lifted strokes={}", self.document.sketch().strokes.len());
+            }
             CanvasOutcome::Changed(changes) => self.change(Change::strokes(changes)),
             CanvasOutcome::Nudged(changes) => self.nudged(changes),
             CanvasOutcome::PreviewChanged => {
