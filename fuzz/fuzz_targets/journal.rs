@@ -1,6 +1,6 @@
 //! Whatever a crash or a disk left of a journal, what is recovered is a sound drawing that holds the snapshot's strokes or
-//! what steps made of them. Input is either a whole file after an `R`, or steps, one a line, which get the sums that whole
-//! records have.
+//! what steps made of them. Input is either a whole file after an `R`, or records, one a line, which get the sums that whole
+//! ones have, in a journal of today's version or of the first.
 
 #![no_main]
 

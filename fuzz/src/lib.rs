@@ -12,17 +12,29 @@ pub fn read_write_read(bytes: &[u8]) {
     assert_eq!(warnings, []);
 }
 
-/// A journal whose records are the lines of `steps`.
-pub fn journal_of(steps: &[u8]) -> Vec<u8> {
-    let mut out = b"penstemon-journal 1\n".to_vec();
-    for step in steps.split(|byte| *byte == b'\n') {
+/// Kinds of records that a line of [`journal_of`] may begin with.
+const KINDS: &[u8] = b"SPNFK";
+
+/// A journal whose records are lines: each a step, or of the kind that the letter before it says. It has the version that
+/// the program writes today, or version 1 where the first line begins with `1`.
+pub fn journal_of(lines: &[u8]) -> Vec<u8> {
+    let (version, lines) = match lines.strip_prefix(b"1") {
+        Some(lines) => (1, lines),
+        None => (2, lines),
+    };
+    let mut out = format!("penstemon-journal {version}\n").into_bytes();
+    for line in lines.split(|byte| *byte == b'\n') {
+        let (kind, body) = match line.split_first() {
+            Some((kind, body)) if KINDS.contains(kind) => (*kind, body),
+            _ => (b'S', line),
+        };
         let mut sum = crc32fast::Hasher::new();
-        sum.update(b"S");
-        sum.update(step);
-        out.extend_from_slice(&(step.len() as u32 + 1).to_le_bytes());
+        sum.update(&[kind]);
+        sum.update(body);
+        out.extend_from_slice(&(body.len() as u32 + 1).to_le_bytes());
         out.extend_from_slice(&sum.finalize().to_le_bytes());
-        out.push(b'S');
-        out.extend_from_slice(step);
+        out.push(kind);
+        out.extend_from_slice(body);
     }
     out
 }
