@@ -128,7 +128,9 @@ def disagreements(path):
     theirs = by_meshlab(parts)
     # Faces that just touch, as in the hearts of flowers, count for one and not for the other.
     crossing = (theirs.pop("crossing_faces"), mine["crossing_faces"])
-    if not path.name.startswith("broken_") and abs(crossing[0] - crossing[1]) > 4 + 0.15 * max(crossing):
+    # Where too many faces lie over each other, penstemon counts none.
+    counted = crossing[1] is not None and not path.name.startswith("broken_")
+    if counted and abs(crossing[0] - crossing[1]) > 4 + 0.15 * max(crossing):
         found.append(f"faces that cross: MeshLab says {crossing[0]}, penstemon {crossing[1]}")
     for key, value in theirs.items():
         same("MeshLab", key, value, mine[key])
