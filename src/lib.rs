@@ -14,6 +14,7 @@
 //! | [`file_system`] | the file system as files are written to it: the machine's, or one that fails on purpose |
 //! | [`atomic`] | files written whole or not at all |
 //! | [`input`] | files read within limits, and never written over |
+//! | [`obj_text`] | the geometry of OBJ files, screened and parsed |
 //! | [`picture`] | pictures of the artist's own, in memory |
 //! | [`sketch`] | the document: strokes, tools, file formats |
 //! | [`pen`] | what every pointing device says, in one form |
@@ -43,6 +44,7 @@ pub mod geom;
 pub mod growth;
 pub mod input;
 pub mod model;
+pub mod obj_text;
 pub mod params;
 pub mod pen;
 pub mod picture;

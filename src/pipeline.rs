@@ -20,9 +20,11 @@ use crate::model::{self, Model, ModelParams};
 use crate::params::{Description, Overrides, ParamError, Parameters as _};
 use crate::plant::Plant;
 use crate::quote;
+use crate::sketch::species_file::{find, is_file, own_name};
 use crate::sketch::{Remark, Sketch, Warning};
 use crate::species::{self, Species, SpeciesError};
 use std::borrow::Cow;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -114,9 +116,25 @@ pub fn species_of(sketch: &Sketch, folder: &Path) -> Result<Species, SpeciesErro
     }
 }
 
-/// The species file that a sketch names, if it names one.
+/// The same; where the species file that the sketch names is missing, the species of a sketch that names none, with a
+/// remark.
+///
+/// # Errors
+/// An unknown name, or a file that is there and cannot be used.
+pub fn species_or_usual(sketch: &Sketch, folder: &Path) -> Result<(Species, Option<Warning>), SpeciesError> {
+    match species_of(sketch, folder) {
+        Err(SpeciesError::Unreadable { file, source }) if source.kind() == io::ErrorKind::NotFound => {
+            let name = quote::name(own_name(&file.to_string_lossy()));
+            let missing = Warning { stroke: None, remark: Remark::SpeciesMissing { name } };
+            Ok((Species::built_in(DEFAULT_SPECIES)?, Some(missing)))
+        }
+        found => Ok((found?, None)),
+    }
+}
+
+/// The species file that a sketch names, if it names one; relative names are looked for from `folder`.
 pub fn species_file(sketch: &Sketch, folder: &Path) -> Option<PathBuf> {
-    sketch.species.as_deref().filter(|name| name.ends_with(".toml")).map(|name| folder.join(name))
+    sketch.species.as_deref().filter(|name| is_file(name)).map(|name| find(name, folder))
 }
 
 /// Parameters for a sketch: defaults, then the species', then the sketch's own, then `PATH=VALUE` assignments. What the

@@ -263,6 +263,32 @@ fn a_missing_picture_gives_a_plant_and_one_remark() {
 }
 
 #[test]
+fn a_missing_species_file_gives_a_plant_and_one_remark() {
+    let folder = tempfile::tempdir().unwrap();
+    let named = |species: &str| {
+        let text = fs::read_to_string(sketch("daisy")).unwrap();
+        let mut drawing: serde_json::Value = serde_json::from_str(&text).unwrap();
+        drawing["species"] = species.into();
+        let path = folder.path().join("drawing.penstemon");
+        fs::write(&path, drawing.to_string()).unwrap();
+        path.display().to_string()
+    };
+    let out = |name: &str| folder.path().join(name).display().to_string();
+    let built = penstemon(&["build", &named("/home/ada/weed.toml"), "-o", &out("a.glb")]);
+    assert!(built.status.success(), "{}", stderr(&built));
+    let told = stderr(&built);
+    assert!(told.matches("weed.toml").count() == 1 && !told.contains("/home/ada"), "{told}");
+    assert!(penstemon(&["build", &named("plant"), "-o", &out("b.glb")]).status.success());
+    assert_eq!(fs::read(out("a.glb")).unwrap(), fs::read(out("b.glb")).unwrap());
+    // Beside the drawing it is found; what the command line names has to be there.
+    fs::copy(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/weed.toml"), out("weed.toml")).unwrap();
+    let built = penstemon(&["build", &named("/home/ada/weed.toml"), "-o", &out("a.glb")]);
+    assert!(built.status.success() && stderr(&built).is_empty(), "{}", stderr(&built));
+    let wrong = penstemon(&["build", &named("daisy"), "--species", "gone.toml", "-o", &out("a.glb")]);
+    assert_eq!(wrong.status.code(), Some(1), "{}", stderr(&wrong));
+}
+
+#[test]
 fn a_picture_beside_the_drawing_is_found_and_no_path_is_written() {
     let folder = tempfile::tempdir().unwrap();
     let picture = folder.path().join("petal.png");

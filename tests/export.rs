@@ -322,6 +322,20 @@ fn plant_json_holds_own_pictures_and_no_folders() {
 }
 
 #[test]
+fn own_pictures_are_named_by_the_materials_that_show_them() {
+    let (mut model, plant) = two_specimens();
+    let own = |bytes: &'static [u8]| Some(Texture::Own(Picture::new(bytes).unwrap()));
+    model.materials[1].texture = own(include_bytes!("fixtures/reference/small.png"));
+    model.materials[2].texture = own(include_bytes!("fixtures/reference/small.jpg"));
+    let obj = encoded("a.obj", &model, &plant);
+    let names: Vec<&str> = materials_beside(&obj).1.iter().map(|(name, _)| *name).collect();
+    for material in &model.materials[1..=2] {
+        assert!(names.iter().any(|name| name.contains(&material.name)), "{names:?}: {}", material.name);
+    }
+    assert!(!names.iter().any(|name| name.contains("picture")), "{names:?}");
+}
+
+#[test]
 fn export_writes_all_files_and_nothing_else() {
     let (model, plant) = two_specimens();
     let folder = tempfile::tempdir().unwrap();

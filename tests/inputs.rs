@@ -108,7 +108,7 @@ fn workshop() -> TempDir {
         std::os::unix::fs::symlink("own.toml", folder.path().join("linked.json")).unwrap();
         std::os::unix::fs::symlink("shape.obj", folder.path().join("again.obj")).unwrap();
         // The picture that the OBJ file would be written with.
-        std::os::unix::fs::symlink("bark.png", folder.path().join("tree_picture.png")).unwrap();
+        std::os::unix::fs::symlink("bark.png", folder.path().join("tree_stem-picture.png")).unwrap();
     }
     folder
 }

@@ -443,8 +443,8 @@ impl Editor {
         let sketch = self.document.sketch();
         let name = sketch.species.clone().unwrap_or_else(|| DEFAULT_SPECIES.to_owned());
         if self.species.as_ref().is_none_or(|(known, _)| *known != name) {
-            let read = crate::pipeline::species_of(sketch, &self.file.folder());
-            self.species = read.ok().map(|species| (name, species));
+            let read = crate::pipeline::species_or_usual(sketch, &self.file.folder());
+            self.species = read.ok().map(|(species, _)| (name, species));
         }
     }
 

@@ -281,9 +281,9 @@ impl Bench {
     fn build(&mut self, snapshot: &Snapshot, cancel: &AtomicBool) -> Result<Option<Built>, SetupError> {
         let Snapshot { sketch, folder, overlay, .. } = snapshot;
         let known = self.species.take().filter(|(name, at, _)| *name == sketch.species && at == folder);
-        let species = match known {
-            Some((_, _, species)) => species,
-            None => pipeline::species_of(sketch, folder)?,
+        let (species, missing) = match known {
+            Some((_, _, species)) => (species, None),
+            None => pipeline::species_or_usual(sketch, folder)?,
         };
         let (_, _, species) = self.species.insert((sketch.species.clone(), folder.clone(), species));
         let params = pipeline::params_of(sketch, species, &[])?;
@@ -291,6 +291,11 @@ impl Bench {
         let mut built = pipeline::build_with(&mut self.cache, sketch, species, &params, &cancelled);
         if let Some(built) = &mut built {
             self.cache.look_inside(built, *overlay);
+        }
+        if let Some(missing) = missing {
+            // It may be there for the next build.
+            self.species = None;
+            built.iter_mut().for_each(|built| built.anatomy.warnings.push(missing.clone()));
         }
         Ok(built)
     }

@@ -98,7 +98,14 @@ impl Setup {
             sketch.species.clone_from(&options.species);
             (folder, whose) = (Path::new(""), "--species".to_owned());
         }
-        let mut species = pipeline::species_of(&sketch, folder).context(whose)?;
+        // What the command line names has to be there.
+        let mut species = if options.species.is_some() {
+            pipeline::species_of(&sketch, folder).context(whose)?
+        } else {
+            let (species, missing) = pipeline::species_or_usual(&sketch, folder).context(whose)?;
+            missing.iter().for_each(|missing| tracing::warn!("{}: {missing}", path.display()));
+            species
+        };
         pipeline::species_file(&sketch, folder).iter().for_each(|file| sources.add(file));
         for assignment in &options.textures {
             let (part, file) = assignment

@@ -87,14 +87,18 @@ fn picture(
     let wanted_by = || material.name.clone();
     let bytes =
         fetch(texture, built_in).map_err(|fault| ExportError::Texture { material: wanted_by(), fault })?;
-    let path = match texture {
-        Texture::BuiltIn(name) => Path::new(name),
-        Texture::File(path) => path,
-        Texture::Own(_) => Path::new("picture"),
+    let named = |path: &Path| {
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        (stem, path.display().to_string())
     };
-    let strange = || ExportError::NotAPicture { material: wanted_by(), picture: path.display().to_string() };
+    let (stem, picture) = match texture {
+        Texture::BuiltIn(name) => named(Path::new(name)),
+        Texture::File(path) => named(path),
+        // By the material of the part that shows it: its file's name stays on the artist's machine.
+        Texture::Own(_) => (material.name.clone(), material.name.clone()),
+    };
+    let strange = || ExportError::NotAPicture { material: wanted_by(), picture };
     let format = PictureFormat::of(&bytes).ok_or_else(strange)?;
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     Ok(Picture { stem, format, bytes })
 }
 

@@ -7,8 +7,9 @@
 //! Limits: at most [`MAX_TRIANGLES`] triangles and [`MAX_BYTES`] of text, and [`MAX_OVER`] triangles over each other. Where
 //! the mesh cuts itself, what is covered twice counts as outside.
 
+use crate::obj_text::{self, Fault};
+use crate::quote;
 use glam::{DVec2, Vec3};
-use std::io::{self, BufRead, Read};
 use thiserror::Error;
 
 /// Most triangles of a volume.
@@ -91,34 +92,6 @@ pub enum SolidError {
     },
 }
 
-/// A text that counts the lines that were read of it.
-struct Lines<'a> {
-    rest: &'a [u8],
-    taken: usize,
-}
-
-impl BufRead for Lines<'_> {
-    fn fill_buf(&mut self) -> io::Result<&[u8]> {
-        Ok(self.rest)
-    }
-
-    fn consume(&mut self, amount: usize) {
-        let (taken, rest) = self.rest.split_at(amount);
-        self.taken += taken.iter().filter(|byte| **byte == b'\n').count();
-        // The last line may end without a mark.
-        self.taken += usize::from(rest.is_empty() && taken.last().is_some_and(|byte| *byte != b'\n'));
-        self.rest = rest;
-    }
-}
-
-impl Read for Lines<'_> {
-    fn read(&mut self, out: &mut [u8]) -> io::Result<usize> {
-        let copied = self.rest.read(out)?;
-        self.taken += out[..copied].iter().filter(|byte| **byte == b'\n').count();
-        Ok(copied)
-    }
-}
-
 /// The inside of a closed mesh.
 #[derive(Debug)]
 pub struct Solid {
@@ -143,21 +116,15 @@ impl Solid {
             let what = format!("{} bytes", text.len());
             return Err(SolidError::Huge { name: name.to_owned(), what, most: MAX_BYTES });
         }
-        let options = tobj::LoadOptions { triangulate: true, ..tobj::LoadOptions::default() };
-        let no_materials = |_: &std::path::Path| Err(tobj::LoadError::GenericFailure);
-        let mut lines = Lines { rest: text.as_bytes(), taken: 0 };
-        let read = tobj::load_obj_buf(&mut lines, &options, no_materials);
-        let (models, _) = read.map_err(|error| {
-            let (name, reason) = (name.to_owned(), error.to_string());
-            SolidError::Unreadable { name, line: lines.taken, reason }
+        let (meshes, _) = obj_text::read(text.as_bytes()).map_err(|Fault { line, reason }| {
+            SolidError::Unreadable { name: name.to_owned(), line, reason: quote::message(&reason) }
         })?;
         let (mut points, mut triangles) = (Vec::new(), Vec::new());
-        for model in models {
+        for mesh in meshes {
             let first = points.len() as u32;
-            points.extend(model.mesh.positions.as_chunks::<3>().0.iter().map(|p| Vec3::from_array(*p)));
-            triangles.extend(
-                model.mesh.indices.as_chunks::<3>().0.iter().map(|t| t.map(|i| first.saturating_add(i))),
-            );
+            points.extend(mesh.positions.as_chunks::<3>().0.iter().map(|p| Vec3::from_array(*p)));
+            triangles
+                .extend(mesh.indices.as_chunks::<3>().0.iter().map(|t| t.map(|i| first.saturating_add(i))));
         }
         Self::new(points, triangles, name)
     }

@@ -19,6 +19,7 @@ pub mod remark;
 pub mod save;
 pub mod settings;
 mod sound;
+pub mod species_file;
 pub mod step;
 pub mod svg;
 pub mod textures;

@@ -119,6 +119,15 @@ pub enum Remark {
         /// The parts that were to show it.
         parts: Vec<String>,
     },
+    /// A species file that is not there.
+    #[error(
+        "the species file `{name}` is missing, so the plant is one of no species in particular; choose the species again, or \
+         put its file beside the drawing"
+    )]
+    SpeciesMissing {
+        /// Its name, without folders.
+        name: String,
+    },
     /// A dot.
     #[error("is too short to mean anything and was skipped")]
     TooShort,
@@ -251,6 +260,7 @@ impl Remark {
             | Self::PressureUnfit { .. }
             | Self::Page { .. }
             | Self::PictureMissing { .. }
+            | Self::SpeciesMissing { .. }
             | Self::PictureDamaged { .. }
             | Self::TooShort
             | Self::Heart

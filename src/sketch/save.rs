@@ -9,11 +9,12 @@
 //! without locks leaves the same gap between windows.
 
 use super::limits;
-use super::{Sketch, SketchError, Warning, editable_from_bytes, json, read};
+use super::{Sketch, SketchError, Warning, editable_from_bytes, json, read, species_file};
 use crate::atomic::{WriteError, folder_of, write_atomically_if};
 use crate::file_system::{FileSystem, System};
 use crate::picture::content_hash;
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -132,7 +133,7 @@ pub fn save_on(
     sketch: &Sketch,
     expected: Option<&FileStamp>,
 ) -> Result<FileStamp, SaveError> {
-    let text = json::write(sketch);
+    let text = json::write(&travelling(sketch, path));
     let bytes = text.len() as u64;
     if bytes > limits::MAX_FILE_BYTES {
         return Err(SaveError::TooLarge { bytes });
@@ -147,6 +148,17 @@ pub fn save_on(
     let _ = folder_lock.as_ref().map(File::unlock);
     written?;
     Ok(FileStamp::of_bytes(text.as_bytes()))
+}
+
+/// The drawing as its file has it: without folders of this machine.
+fn travelling<'a>(sketch: &'a Sketch, path: &Path) -> Cow<'a, Sketch> {
+    match &sketch.species {
+        Some(species) if species_file::is_file(species) => {
+            let species = Some(species_file::portable(species, folder_of(path)));
+            Cow::Owned(Sketch { species, ..sketch.clone() })
+        }
+        _ => Cow::Borrowed(sketch),
+    }
 }
 
 /// A lock on the folder of `target`, where the system can lock folders.

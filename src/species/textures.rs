@@ -11,6 +11,7 @@
 use super::builtin::builtin_texture;
 use crate::picture::{Picture, PictureError, decode};
 use crate::plant::{Material, OrganKind, Plant, Shape, Texture};
+use crate::sketch::species_file::own_name;
 use crate::sketch::{Remark, TextureChoice, Textures, Warning};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -74,7 +75,7 @@ pub fn take_in(textures: &mut Textures, folder: &Path) -> Vec<Warning> {
     textures.retain(|part, choice| match choice {
         TextureChoice::Named(name) if built_in_name(name).is_some() => true,
         TextureChoice::Named(path) => {
-            let name = file_name(path).to_owned();
+            let name = own_name(path).to_owned();
             match found(path, &name, folder) {
                 Ok(picture) => *choice = TextureChoice::Own(picture),
                 Err(PictureError::Unreadable(_)) => {
@@ -110,7 +111,7 @@ pub fn files(textures: &Textures, folder: &Path) -> impl Iterator<Item = PathBuf
         TextureChoice::Named(name) if built_in_name(name).is_none() => Some(name),
         _ => None,
     });
-    named.flat_map(move |path| [folder.join(path), folder.join(file_name(path))])
+    named.flat_map(move |path| [folder.join(path), folder.join(own_name(path))])
 }
 
 fn found(path: &str, name: &str, folder: &Path) -> Result<Picture, PictureError> {
@@ -118,11 +119,6 @@ fn found(path: &str, name: &str, folder: &Path) -> Result<Picture, PictureError>
         Err(PictureError::Unreadable(_)) => Picture::read(&folder.join(name)),
         read => read,
     }
-}
-
-/// The end of a path of any system: drawings travel between them.
-fn file_name(path: &str) -> &str {
-    path.rsplit(['/', '\\']).find(|part| !part.is_empty()).unwrap_or("picture")
 }
 
 /// Lays the artist's textures over a dressed plant. Choices for unknown kinds of parts, for those that the plant does

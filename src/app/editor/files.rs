@@ -7,6 +7,7 @@ use crate::app::canvas::Canvas;
 use crate::app::file_dialog;
 use crate::app::messages::{Msg, Told as _};
 use crate::app::panels::snapshot::{Dialog, Notice, PathPurpose, PathRequest};
+use crate::pipeline;
 use crate::sketch::document::Document;
 use crate::sketch::journal::{JournalWriter, Meta, Recoverable};
 use crate::sketch::save::{self, Opened};
@@ -99,7 +100,12 @@ impl Editor {
                 for warning in &warnings {
                     self.tell(Notice::warning(warning.told(&self.messages), ""));
                 }
-                self.take_in(&mut sketch.textures, path.parent().unwrap_or(Path::new("")));
+                let folder = path.parent().unwrap_or(Path::new(""));
+                self.take_in(&mut sketch.textures, folder);
+                // By its whole path, so that it is found wherever the drawing is saved next.
+                if let Some(species) = pipeline::species_file(&sketch, folder).filter(|file| file.exists()) {
+                    sketch.species = Some(species.to_string_lossy().into_owned());
+                }
                 // An imported SVG has no file of its own yet.
                 let own = stamp.is_some();
                 let document = if own { Document::new(sketch) } else { Document::unsaved(sketch) };

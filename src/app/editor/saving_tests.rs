@@ -198,6 +198,38 @@ fn a_file_that_the_systems_dialog_did_not_ask_about_is_not_written_over_unasked(
 }
 
 #[test]
+fn a_species_file_is_saved_without_the_folders_of_the_machine_and_is_still_known_here() {
+    const WEED: &str = include_str!("../../../tests/fixtures/weed.toml");
+    let home = TempDir::new().unwrap();
+    let (drawings, own) = (home.path().join("drawings"), home.path().join("own"));
+    std::fs::create_dir(&own).unwrap();
+    std::fs::create_dir_all(drawings.join("mine")).unwrap();
+    let (far, near) = (own.join("weed.toml"), drawings.join("mine/weed.toml"));
+    for path in [&far, &near] {
+        std::fs::write(path, WEED).unwrap();
+    }
+    let mut first = editor(home.path());
+    draw(&mut first);
+    let drawing = drawings.join("rose.penstemon");
+    for (species, written) in [(&far, "weed.toml"), (&near, "mine/weed.toml")] {
+        first.perform(Action::PathChosen { purpose: PathPurpose::Species, path: species.clone() });
+        save_as(&mut first, &drawing);
+        settle(&mut first);
+        assert_eq!(sketch::read(&drawing).unwrap().0.species.as_deref(), Some(written));
+        let known = first.sketch().species.as_deref().unwrap();
+        assert!(Path::new(known) == species.as_path() && first.document.is_saved(), "{known}");
+    }
+    // Opened again it is found, and again when it is saved elsewhere.
+    let mut second = editor(home.path());
+    second.perform(Action::OpenPath(drawing));
+    assert_eq!(second.species.as_ref().map(|(_, species)| species.name.as_str()), Some("weed"));
+    save_as(&mut second, &home.path().join("elsewhere.penstemon"));
+    settle(&mut second);
+    let there = sketch::read(&home.path().join("elsewhere.penstemon")).unwrap().0;
+    assert_eq!(there.species.as_deref(), Some("drawings/mine/weed.toml"));
+}
+
+#[test]
 fn folders_are_remembered_for_each_kind_of_file() {
     let home = TempDir::new().unwrap();
     let [drawings, pictures] = ["drawings", "pictures"].map(|name| home.path().join(name));

@@ -297,6 +297,7 @@ keys! {
     WarningPressureUnfit = "warning.pressure_unfit",
     WarningPage = "warning.page",
     WarningPictureMissing = "warning.picture_missing",
+    WarningSpeciesMissing = "warning.species_missing",
     WarningPictureDamaged = "warning.picture_damaged",
     WarningTooShort = "warning.too_short",
     WarningEnclosesNothing = "warning.encloses_nothing",

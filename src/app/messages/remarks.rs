@@ -39,6 +39,7 @@ impl Told for Remark {
             Self::PictureDamaged { reason, parts: _ } => {
                 fill(Msg::WarningPictureDamaged, &[("reason", reason)])
             }
+            Self::SpeciesMissing { name } => fill(Msg::WarningSpeciesMissing, &[("name", name)]),
             Self::TooShort => fill(Msg::WarningTooShort, &[]),
             Self::EnclosesNothing => fill(Msg::WarningEnclosesNothing, &[]),
             Self::Heart => fill(Msg::WarningHeart, &[]),
@@ -102,7 +103,8 @@ mod tests {
             Remark::PictureMissing { .. } => {
                 Remark::PictureDamaged { reason: "57".to_owned(), parts: Vec::new() }
             }
-            Remark::PictureDamaged { .. } => Remark::TooShort,
+            Remark::PictureDamaged { .. } => Remark::SpeciesMissing { name: "58".to_owned() },
+            Remark::SpeciesMissing { .. } => Remark::TooShort,
             Remark::TooShort => Remark::EnclosesNothing,
             Remark::EnclosesNothing => Remark::Heart,
             Remark::Heart => Remark::FewTwigs,
