@@ -22,6 +22,9 @@ need Xvfb xvfb xorg-x11-server-Xvfb xorg-server-xvfb
 need xdotool xdotool xdotool xdotool
 need xclip xclip xclip xclip
 need weston weston weston weston
+need dbus-daemon dbus dbus-daemon dbus
+need gdbus libglib2.0-bin glib2 glib2
+need '/usr/lib*/at-spi-bus-launcher' at-spi2-core at-spi2-core at-spi2-core
 need '/usr/lib*/*/libxkbcommon.so.0' libxkbcommon0 libxkbcommon libxkbcommon
 need '/usr/lib*/*/libxkbcommon-x11.so.0' libxkbcommon-x11-0 libxkbcommon-x11 libxkbcommon-x11
 need '/usr/lib*/*/libX11-xcb.so.1' libx11-xcb1 libX11-xcb libx11

@@ -72,6 +72,11 @@ impl EguiInput {
         }
     }
 
+    /// Events that did not come through the window, for the next frame.
+    pub(super) fn add(&mut self, events: impl Iterator<Item = Event>) {
+        self.raw.events.extend(events);
+    }
+
     /// The pointer has gone elsewhere: onto the canvas, which egui does not see.
     pub fn pointer_gone(&mut self) {
         self.raw.events.push(Event::PointerGone);

@@ -15,6 +15,7 @@
 //! | `layout` | all of these in one frame |
 //! | `graphics` | the same frame on the graphics card; `revival`: when the card is lost |
 
+mod accessibility;
 pub mod action;
 pub mod canvas;
 mod composition;

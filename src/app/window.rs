@@ -4,6 +4,7 @@
 //! what went down on the canvas stays the canvas's until it is lifted. Nothing is drawn that nobody asked for: an idle
 //! window sleeps until the next event, or until the moment that egui or the editor named.
 
+use super::accessibility::Accessibility;
 use super::canvas::Scroll;
 use super::composition::Composition;
 use super::desktop;
@@ -96,6 +97,7 @@ impl ApplicationHandler for App {
         if let Some(running) = &mut self.running {
             running.hear_beside();
             running.editor.collect();
+            running.input.add(running.accessibility.take_requests());
             running.want_frame();
         }
     }
@@ -149,6 +151,7 @@ struct Running {
     /// Room for what they say.
     heard: Vec<Heard>,
     editor: Editor,
+    accessibility: Accessibility,
     /// Pointers that went down on the canvas and were not lifted yet.
     captured: BTreeSet<PointerName>,
     /// Whether the pointer was over the canvas when last seen, so that egui hears once that it left.
@@ -199,10 +202,14 @@ impl Running {
             move || proxy.wake_up()
         });
         let ending = ending.context("no thread for what the system says")?;
-        let mut editor = Editor::open(file, move || proxy.wake_up())?;
+        let mut editor = Editor::open(file, {
+            let proxy = proxy.clone();
+            move || proxy.wake_up()
+        })?;
         let attributes = window_size::attributes(event_loop, editor.settings.window);
         let window: Arc<dyn Window> =
             Arc::from(event_loop.create_window(attributes).context("the window cannot be opened")?);
+        let accessibility = Accessibility::open(&*window, move || proxy.wake_up());
         let egui = egui::Context::default();
         editor.set_system_theme(event_loop.system_theme().map(egui_input::theme));
         let (pointers, trouble) = match stage {
@@ -225,6 +232,7 @@ impl Running {
             pointers,
             heard: Vec::new(),
             editor,
+            accessibility,
             captured: BTreeSet::new(),
             over_canvas: false,
             pointer: egui::Pos2::ZERO,
@@ -267,6 +275,7 @@ impl Running {
 
     /// Hears what the system says of the window as a whole; whether it was that.
     fn on_system(&mut self, event_loop: &dyn ActiveEventLoop, event: &WindowEvent) -> bool {
+        self.accessibility.follow(&*self.window, event);
         match event {
             WindowEvent::CloseRequested => self.editor.ask_to_quit(),
             WindowEvent::SurfaceResized(size) => {
@@ -427,8 +436,10 @@ impl Running {
         let Some(graphics) = self.graphics.get() else { return };
         let raw = self.input.take(graphics.size());
         let (editor, plant) = (&mut self.editor, graphics.plant_texture());
+        self.accessibility.prepare(&self.egui);
         let mut output = self.egui.run_ui(raw, |ui| editor.ui(ui, plant));
         let delay = output.viewport_output.get(&egui::ViewportId::ROOT).map_or(NEVER, |v| v.repaint_delay);
+        self.accessibility.show(&mut output.platform_output);
         self.heed(event_loop, &mut output);
         if let Some(graphics) = self.graphics.get() {
             graphics.draw(&self.egui, output, &mut self.editor);

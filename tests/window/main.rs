@@ -3,12 +3,13 @@
 //! What the program tells with `--verbose` (`layout`, `built`, `saved`, `exported`) says when it is ready for the next
 //! move; what is on the screen is read from the server's frame buffer. Screenshots stay in `target/tmp/window`.
 //!
-//! Needs Xvfb, xdotool, xclip, weston and a software driver (Debian: xvfb, xdotool, xclip, weston,
-//! mesa-vulkan-drivers).
+//! Needs Xvfb, xdotool, xclip, weston, an accessibility bus and a software driver (Debian: xvfb, xdotool, xclip, weston,
+//! dbus, at-spi2-core, libglib2.0-bin, mesa-vulkan-drivers).
 
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 
+mod assistive;
 mod client;
 mod device;
 mod disk;
