@@ -5,7 +5,7 @@
 //! beginning and the common end of its corners has changed. Ink, plant and canvas say themselves where they changed.
 
 use egui::epaint::{Primitive, Vertex};
-use egui::{ClippedPrimitive, Mesh, Pos2, Rect};
+use egui::{ClippedPrimitive, Mesh, Pos2, Rect, TextureId, TexturesDelta};
 
 /// Most separate places; more of them are painted as one.
 const MOST: usize = 6;
@@ -24,6 +24,11 @@ impl Damage {
         &self.places
     }
 
+    /// How much of a window it is.
+    pub(super) fn share(&self, window: Rect) -> f32 {
+        self.places.iter().map(Rect::area).sum::<f32>() / window.area().max(1.0)
+    }
+
     /// Adds a place.
     pub(super) fn add(&mut self, place: Rect) {
         if !place.is_positive() {
@@ -38,6 +43,22 @@ impl Damage {
         if self.places.len() > MOST {
             let all = self.places.drain(..).reduce(|a, b| a.union(b));
             self.places.extend(all);
+        }
+    }
+
+    /// Adds where pictures are shown that are replaced. Not where glyphs are added to that of the fonts: they come where
+    /// none were, and text that uses them is new itself.
+    pub(super) fn add_pictures(&mut self, textures: &TexturesDelta, now: &[ClippedPrimitive]) {
+        let replaced = |id: TextureId| {
+            let mut deltas = textures.set.get(&id).into_iter().flatten();
+            deltas.any(|delta| id != TextureId::default() || delta.is_whole())
+        };
+        for primitive in now {
+            if let Primitive::Mesh(mesh) = &primitive.primitive
+                && replaced(mesh.texture_id)
+            {
+                self.add(mesh.calc_bounds().expand(MARGIN).intersect(primitive.clip_rect));
+            }
         }
     }
 
@@ -79,7 +100,8 @@ fn difference(before: &Mesh, now: &Mesh) -> Option<Rect> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use egui::{Color32, pos2, vec2};
+    use egui::epaint::ImageDelta;
+    use egui::{Color32, ColorImage, TextureOptions, pos2, vec2};
 
     const WINDOW: Rect = Rect { min: Pos2::ZERO, max: Pos2 { x: 200.0, y: 100.0 } };
 
@@ -107,6 +129,38 @@ mod tests {
         let mut more = Damage::default();
         more.compare(&boxes(&all), &[boxes(&all), boxes(&all)].concat(), WINDOW);
         assert_eq!(more.places, [WINDOW], "another layer");
+    }
+
+    #[test]
+    fn replaced_pictures_are_painted_again_and_added_glyphs_are_not() {
+        let pixels = |at: Option<[usize; 2]>| {
+            let image = ColorImage::filled([2, 2], Color32::RED);
+            at.map_or_else(
+                || ImageDelta::full(image.clone(), TextureOptions::LINEAR),
+                |at| ImageDelta::partial(at, image.clone(), TextureOptions::LINEAR),
+            )
+        };
+        let fonts = TextureId::default();
+        let picture = TextureId::Managed(7);
+        let mut shown = boxes(&[(10.0, 10.0)]);
+        shown.extend(boxes(&[(90.0, 10.0)]));
+        if let Primitive::Mesh(mesh) = &mut shown[1].primitive {
+            mesh.texture_id = picture;
+        }
+        let damage = |id: TextureId, at| {
+            let mut textures = TexturesDelta::default();
+            textures.set.entry(id).or_default().push(pixels(at));
+            let mut damage = Damage::default();
+            damage.add_pictures(&textures, &shown);
+            textures.clear();
+            damage.places
+        };
+        let (text, image) = ([8.0, 17.0], [88.0, 97.0]);
+        let place = |[from, to]: [f32; 2]| [Rect::from_min_max(pos2(from, 8.0), pos2(to, 17.0))];
+        assert_eq!(damage(fonts, Some([0, 0])), [], "a glyph more");
+        assert_eq!(damage(fonts, None), place(text), "all glyphs elsewhere");
+        assert_eq!(damage(picture, None), place(image));
+        assert_eq!(damage(picture, Some([0, 0])), place(image));
     }
 
     #[test]

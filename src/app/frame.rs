@@ -69,10 +69,12 @@ impl EguiPainter {
         let window =
             Rect::from_min_size(Pos2::ZERO, vec2(width as f32, height as f32) / frame.pixels_per_point);
         let is_empty = self.make_room(surface);
-        if is_empty || !frame.textures.set.is_empty() {
+        if is_empty {
             damage.add(window);
         }
+        damage.add_pictures(&frame.textures, &frame.primitives);
         damage.compare(&self.shown, &frame.primitives, window);
+        tracing::debug!("painted share={:.4}", damage.share(window));
         if let Some(target) = surface.acquire() {
             self.draw(surface, &mut frame, &target, &damage, below);
             if is_lost() {

@@ -4,9 +4,10 @@
 //! run at a lower priority, and so do the threads that they start: those of a software graphics driver, and those that
 //! share a build. What nothing else needs they get all the same. Only under Linux, where priority is a thread's own.
 
-/// How far: a third of the processor time of others, where there is not enough for both.
+/// How far: as far as can be, so that a frame of ink, which passes through several threads of driver and screen, waits at
+/// none of them.
 #[cfg(target_os = "linux")]
-const NICE: i32 = 5;
+const NICE: i32 = 19;
 
 /// Lets the calling thread step back, and the threads that it starts from now on.
 pub(super) fn step_back() {
