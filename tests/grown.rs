@@ -6,9 +6,6 @@
 
 use glam::Vec3;
 use penstemon::growth::{Habit, Limits, Outcome, Simulation, plant_at};
-use penstemon::model::crossing::crossing_faces;
-use penstemon::model::quality::judge_model;
-use penstemon::model::{self, ModelParams};
 use penstemon::pipeline::{self, Grown};
 use penstemon::plant::{OrganKind, Plant};
 use penstemon::species::{self, Species};
@@ -56,39 +53,6 @@ fn every_species_grows_as_before() {
             "size_m": size,
         });
         insta::assert_json_snapshot!(name, summary);
-    }
-}
-
-/// Faces of the wood alone that pass through others, and all of its faces; the wood is one sound surface.
-fn crossing_wood(name: &str, mut plant: Plant) -> (usize, usize) {
-    plant.organs.clear();
-    let model = model::build(&plant, &ModelParams::default());
-    let report = judge_model(&model);
-    assert_eq!((report.is_clean(), report.components), (true, 1), "{name}");
-    (model.parts.iter().map(|part| crossing_faces(&part.mesh).unwrap()).sum(), report.triangles)
-}
-
-#[test]
-fn wood_hardly_cuts_itself_and_is_one_surface() {
-    for name in Species::growing() {
-        let (faces, all) = crossing_wood(name, grown(name, None).1);
-        let share = faces as f32 / all as f32;
-        assert!(share <= 0.001, "{name}: {faces} of {all} faces cross others");
-    }
-}
-
-/// Young wood has few faces, of which one joint that is too narrow is a large share.
-#[test]
-fn young_wood_hardly_cuts_itself_either() {
-    for name in Species::growing() {
-        let own = Species::built_in(name).unwrap().growth.unwrap().age as f32;
-        for age in [2.0, 3.0, 5.0, 8.0, 12.0].into_iter().filter(|age| *age < own) {
-            let (faces, all) = crossing_wood(name, grown(name, Some(age)).1);
-            assert!(
-                faces <= 40.max(all / 1000),
-                "{name} of {age} years: {faces} of {all} faces cross others"
-            );
-        }
     }
 }
 

@@ -15,6 +15,8 @@ use glam::Vec3;
 /// Wood thicker than this share of the one trunk that could stand for all is spared. A smaller share spares limbs
 /// of olives that grow through each other; a larger one lets crowns lose limbs that are missed.
 const SPARED: f32 = 0.3;
+/// Wood up to so many times as thick as the thinnest is no limb, however young the plant: all of a young bush is that thick.
+const TWIG: f32 = 2.5;
 /// How often what is left is looked at again: what is cut makes room, but chains that go on elsewhere want some.
 const ROUNDS: usize = 2;
 
@@ -27,7 +29,8 @@ pub fn pruned(
     diameters: &[f32],
     pipe: f32,
 ) -> (Chains, Vec<Vec3>) {
-    let spared = SPARED * trunk_for_all(tree, diameters, pipe);
+    let tip = diameters.iter().copied().filter(|d| *d > 0.0).fold(f32::INFINITY, f32::min);
+    let spared = (SPARED * trunk_for_all(tree, diameters, pipe)).max(TWIG * tip);
     let stays = |node: u32| {
         let (node, is_drawn) = (node as usize, (node as usize) < tree.drawn.len());
         is_drawn || diameters[node] > spared || stands_on_foot(tree, node)

@@ -7,12 +7,13 @@
 
 use super::cache::{Cache, Made};
 use super::flat::BladeMeshParams;
+use super::limbs::Twig;
 use super::organs::{OrganScratch, OrganWorkshop};
 use super::parts::{self, Limb, Plan, Source};
 use super::recipe::Recipe;
 use super::solids::SolidParams;
 use super::tube::{self, TubeParams, TubeScratch};
-use super::wood::{self, Twig, WoodScratch};
+use super::wood::{self, WoodScratch};
 use super::{Mesh, Model, Part};
 use crate::plant::{Branch, Organ, Plant};
 use glam::Vec3;

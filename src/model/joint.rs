@@ -35,6 +35,13 @@ const WIDEST: f32 = 0.85;
 /// Least sine of the angle at which a branch is followed back into the bark.
 const STEEPEST: f32 = 0.4;
 
+/// How far off its place a branch may leave, as a share of half its window, before it is led there.
+const LED: f32 = 0.1;
+/// How far it is led at most, as a multiple of half its window.
+const FARTHEST_LED: f32 = 4.0;
+/// Length over which it comes back to its own course, as a multiple of the way that it is led.
+const AFTER: f32 = 4.0;
+
 /// Where a branch leaves its parent.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Exit {
@@ -62,33 +69,58 @@ const MOST_STEPS: f32 = 16.0;
 /// Halvings of the step in which the exit lies.
 const HALVINGS: u32 = 4;
 
-/// The exit of a branch from its parent; `None` for one that stays inside. The rings of a parent follow its skeleton only
-/// roughly, so the branch's foot is brought back to their axis first.
-pub(super) fn exit(branch: &mut [Ring], parent: &[Ring], parent_arcs: &[f32]) -> Option<Exit> {
+/// The exit of a branch from its parent; `None` for one that stays inside. The parent's bark is free `from` a length along it
+/// but for where others leave. The rings of a parent follow its skeleton only roughly, so the branch's foot is brought back
+/// to their axis first. Where it would leave beside the parent's own foot, its end or another branch, it is led from where
+/// there is bark for it.
+pub(super) fn exit(
+    branch: &mut [Ring],
+    (parent, parent_arcs): (&[Ring], &[f32]),
+    from: f32,
+    others: &[Exit],
+) -> Option<Exit> {
     let on = Carrier { rings: parent, arcs: parent_arcs };
-    let bark = on.foot(branch.first()?.at, 0..parent.len() - 1);
-    branch[0].at = bark.ring.at;
-    spine::set_tangents(branch);
-    let mut way = Way { on, near: bark, exit: None, length: 0.0 };
-    way.follow(branch);
-    let (ring, arc) = way.exit.filter(|(ring, arc)| way.length - arc >= SHORTEST * ring.radius)?;
-    let (ring, foot) = on.lean(ring, &way.near);
-    let (across, along) = foot.off_axis(ring.at);
-    let axis = foot.ring.tangent;
-    let slant = ring.tangent.cross(axis).length();
-    let collar = COLLAR * ring.radius;
-    // Not shorter than what the first ring overhangs.
-    let half_length = (collar / slant.max(1.0 / LONGEST)).max(OVERHANG * (along.abs() + collar * slant));
+    let exit = on.leave(branch)?;
     let end = parent_arcs[parent_arcs.len() - 1];
-    Some(Exit {
-        ring,
-        arc,
-        outward: across.try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector()),
-        upward: axis,
-        at: foot.arc.min((end - half_length).max(0.5 * end)),
-        half_length,
-        half_angle: (collar / foot.ring.radius).min(WIDEST).asin(),
-    })
+    let place = |exit: &Exit| {
+        let lowest = (from + exit.half_length).min(from.midpoint(end));
+        free_place(exit, (lowest, (end - exit.half_length).max(lowest)), others)
+    };
+    let led = place(&exit);
+    if (led - exit.at).abs() <= LED * exit.half_length {
+        return Some(exit);
+    }
+    let way = on.at(led) - on.at(exit.at);
+    let reach = exit.arc + AFTER * way.length();
+    let mut arc = 0.0;
+    for i in 0..branch.len() {
+        let next = branch.get(i + 1).map_or(0.0, |next| next.at.distance(branch[i].at));
+        let left = (1.0 - arc / reach).max(0.0);
+        branch[i].at += way * left;
+        arc += next;
+    }
+    let exit = on.leave(branch)?;
+    Some(Exit { at: led.clamp(exit.at - exit.half_length, exit.at + exit.half_length), ..exit })
+}
+
+/// The place on the parent nearest to that of an exit which other branches leave free; the exit's own where there is none
+/// near.
+fn free_place(exit: &Exit, (lowest, highest): (f32, f32), others: &[Exit]) -> f32 {
+    let own = exit.at.clamp(lowest, highest);
+    let is_beside = |other: &&Exit| {
+        let apart = exit.outward.dot(other.outward).clamp(-1.0, 1.0).acos();
+        apart < exit.half_angle + other.half_angle
+    };
+    let clear = |other: &Exit| exit.half_length + other.half_length;
+    let is_free =
+        |at: f32| others.iter().filter(is_beside).all(|other| (at - other.at).abs() >= 0.99 * clear(other));
+    if is_free(own) {
+        return own;
+    }
+    let next_to = others.iter().filter(is_beside).flat_map(|o| [o.at - clear(o), o.at + clear(o)]);
+    let free = next_to.filter(|at| (lowest..=highest).contains(at) && is_free(*at));
+    let nearest = free.min_by(|a, b| (a - own).abs().total_cmp(&(b - own).abs()));
+    nearest.filter(|at| (at - own).abs() <= FARTHEST_LED * exit.half_length).unwrap_or(own)
 }
 
 /// A parent's rings and the length before each.
@@ -99,6 +131,39 @@ struct Carrier<'a> {
 }
 
 impl Carrier<'_> {
+    /// The exit of a branch whose foot is near.
+    fn leave(self, branch: &mut [Ring]) -> Option<Exit> {
+        let bark = self.foot(branch.first()?.at, 0..self.rings.len() - 1);
+        branch[0].at = bark.ring.at;
+        spine::set_tangents(branch);
+        let mut way = Way { on: self, near: bark, exit: None, length: 0.0 };
+        way.follow(branch);
+        let (ring, arc) = way.exit.filter(|(ring, arc)| way.length - arc >= SHORTEST * ring.radius)?;
+        let (ring, foot) = self.lean(ring, &way.near);
+        let (across, along) = foot.off_axis(ring.at);
+        let axis = foot.ring.tangent;
+        let slant = ring.tangent.cross(axis).length();
+        let collar = COLLAR * ring.radius;
+        // Not shorter than what the first ring overhangs.
+        let half_length = (collar / slant.max(1.0 / LONGEST)).max(OVERHANG * (along.abs() + collar * slant));
+        Some(Exit {
+            ring,
+            arc,
+            outward: across.try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector()),
+            upward: axis,
+            at: foot.arc,
+            half_length,
+            half_angle: (collar / foot.ring.radius).min(WIDEST).asin(),
+        })
+    }
+
+    /// The place on the axis at a length along it.
+    fn at(&self, arc: f32) -> Vec3 {
+        let i = self.arcs.partition_point(|a| *a <= arc).clamp(1, self.arcs.len() - 1);
+        let share = ((arc - self.arcs[i - 1]) / (self.arcs[i] - self.arcs[i - 1])).clamp(0.0, 1.0);
+        self.rings[i - 1].at.lerp(self.rings[i].at, share)
+    }
+
     /// The place nearest to a point on some of the segments.
     fn foot(&self, p: Vec3, segments: Range<usize>) -> Foot {
         let place = |i: usize| {

@@ -10,7 +10,7 @@
 //! | `relief`, `blade` | the blade bent and given thickness |
 //! | `copies` | leaves that are copies of one shape |
 //! | `spine`, `tube` | single branches |
-//! | `joint`, `strip`, `wood` | branches that grow out of one another |
+//! | `limbs`, `joint`, `strip`, `wood` | branches that grow out of one another |
 //! | `solids`, `filaments` | hearts of flowers, fruits, pots |
 //! | `organs` | all organs of one part |
 //! | `build` | all parts at once, on all cores |
@@ -30,6 +30,7 @@ mod flat;
 mod interior;
 pub mod invariants;
 mod joint;
+mod limbs;
 pub mod mesh;
 mod midline;
 mod organs;

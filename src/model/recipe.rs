@@ -6,8 +6,8 @@
 //! that the compiler asks about a new one. A blade of a template names the template's triangulation instead of telling
 //! its outline.
 
+use super::limbs::Twig;
 use super::parts::Piece;
-use super::wood::Twig;
 use crate::plant::{Blade, Branch, Cone, RestSurface, Shape};
 use crate::random::mix;
 use glam::{Vec2, Vec3};

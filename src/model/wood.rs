@@ -11,32 +11,23 @@
 //! parent is closed at its foot and stands alone.
 
 use super::joint::{self, Cells, Exit};
+use super::limbs::{COLLAR_LENGTH, Limb, Limbs, Twig};
 use super::mesh::{Mesh, Vertex};
-use super::spine::{self, Ring, SpineScratch};
+use super::spine::Ring;
 use super::strip::{self, Around, StripScratch};
 use super::tube::{FINEST_BARK, TubeLook};
 use crate::geom::frame;
 use crate::plant::Branch;
 use glam::{Quat, Vec2, Vec3};
 use std::f32::consts::TAU;
-use std::ops::Range;
 
-/// Length over which a collar narrows, as a multiple of the branch's radius.
-const COLLAR_LENGTH: f32 = 2.0;
 /// Rings closer than this share of a side's length are one.
-const CLOSEST: f32 = 0.3;
+const CLOSEST: f32 = 0.45;
 
 /// Memory that is used again for every plant.
 #[derive(Default)]
 pub(super) struct WoodScratch {
-    spine: SpineScratch,
-    one: Vec<Ring>,
-    /// Rings of all limbs, and the length of the limb before each.
-    rings: Vec<Ring>,
-    arcs: Vec<f32>,
-    limbs: Vec<Limb>,
-    /// Limbs in the order of what they grow on.
-    children: Vec<u32>,
+    limbs: Limbs,
     cells: Cells,
     rim: Vec<(usize, usize, f32)>,
     /// Rims of the windows cut so far.
@@ -44,29 +35,6 @@ pub(super) struct WoodScratch {
     grid: Vec<Row>,
     turns: Vec<Turn>,
     strip: StripScratch,
-}
-
-/// A branch on its way to the surface.
-#[derive(Clone)]
-struct Limb {
-    look: TubeLook,
-    /// Its rings in [`WoodScratch::rings`].
-    rings: Range<usize>,
-    /// The limb that carries it, and where it leaves that; a trunk has none.
-    parent: Option<usize>,
-    exit: Option<Exit>,
-    /// It stays inside of its parent, and what grows on it grows on the parent.
-    hidden: bool,
-    /// The rim of its window in [`WoodScratch::rims`].
-    rim: Range<usize>,
-    /// What grows on it, in [`WoodScratch::children`].
-    children: Range<usize>,
-}
-
-impl Limb {
-    fn sides(&self) -> usize {
-        self.look.sides as usize
-    }
 }
 
 /// A ring of the final grid.
@@ -89,34 +57,26 @@ impl Row {
     }
 }
 
-/// A branch and the place, in the same list, of the one that it grows on, which comes before it.
-#[derive(Clone, Copy)]
-pub(super) struct Twig<'a> {
-    pub(super) branch: &'a Branch,
-    pub(super) parent: Option<usize>,
-    /// Which of the barks it wears; the first one's is 0.
-    pub(super) coat: usize,
-}
-
 /// The surface of branches that all grow on the first.
 pub(super) fn mesh(
     branches: &[Twig<'_>],
     look: impl Fn(&Branch) -> TubeLook,
     scratch: &mut WoodScratch,
 ) -> Mesh {
-    survey(branches, look, scratch);
-    sort_children(scratch);
+    scratch.rims.clear();
+    scratch.limbs.survey(branches, look);
+    let limbs = &scratch.limbs.all;
     let mut mesh = Mesh::default();
     let total: usize =
-        scratch.limbs.iter().map(|limb| (limb.rings.len() + 3 * limb.children.len()) * limb.sides()).sum();
+        limbs.iter().map(|limb| (limb.rings.len() + 3 * limb.children.len()) * limb.sides()).sum();
     mesh.points.reserve(total);
     mesh.vertices.reserve(total + total / 4);
     mesh.triangles.reserve(2 * total);
     let mut open_ends = Vec::new();
     let mut coats = Vec::with_capacity(mesh.triangles.capacity());
     for (limb, twig) in branches.iter().enumerate() {
-        if !scratch.limbs[limb].hidden {
-            build(limb, &mut mesh, &mut open_ends, scratch);
+        if !scratch.limbs.all[limb].hidden {
+            build(limb, (&mut mesh, &mut coats), &mut open_ends, scratch);
             coats.resize(mesh.triangles.len(), twig.coat as u32);
         }
     }
@@ -129,70 +89,6 @@ pub(super) fn mesh(
     drop_unused(&mut mesh);
     mesh.split_disagreeing_corners();
     mesh
-}
-
-/// Rings of every branch and where it leaves its parent.
-fn survey(branches: &[Twig<'_>], look: impl Fn(&Branch) -> TubeLook, scratch: &mut WoodScratch) {
-    let WoodScratch { spine, one, rings, arcs, limbs, rims, .. } = scratch;
-    rings.clear();
-    arcs.clear();
-    limbs.clear();
-    rims.clear();
-    for &Twig { branch, parent, .. } in branches {
-        let look = look(branch);
-        spine::rings(
-            branch.points.iter().copied().zip(branch.radii.iter().copied()),
-            look.detail,
-            spine,
-            one,
-        );
-        let mut parent = parent;
-        while let Some(hidden) = parent.filter(|p| limbs[*p].hidden) {
-            parent = limbs[hidden].parent;
-        }
-        let exit = parent.map(|p: usize| {
-            let on = limbs[p].rings.clone();
-            joint::exit(one, &rings[on.clone()], &arcs[on])
-        });
-        let hidden = matches!(exit, Some(None));
-        let first = rings.len();
-        let mut arc = 0.0;
-        for (i, ring) in one.iter().enumerate() {
-            arc += ring.at.distance(one[i.saturating_sub(1)].at);
-            arcs.push(arc);
-            rings.push(*ring);
-        }
-        limbs.push(Limb {
-            look,
-            rings: first..rings.len(),
-            parent,
-            exit: exit.flatten(),
-            hidden,
-            rim: 0..0,
-            children: 0..0,
-        });
-    }
-}
-
-/// Gives every limb the list of those that grow on it, thickest first: they choose their place before others.
-fn sort_children(scratch: &mut WoodScratch) {
-    let WoodScratch { limbs, children, .. } = scratch;
-    children.clear();
-    children.extend((0..limbs.len() as u32).filter(|c| limbs[*c as usize].exit.is_some()));
-    let width = |c: &u32| limbs[*c as usize].exit.map_or(0.0, |exit| exit.ring.radius);
-    children.sort_by(|a, b| {
-        let (of_a, of_b) = (limbs[*a as usize].parent, limbs[*b as usize].parent);
-        of_a.cmp(&of_b).then(width(b).total_cmp(&width(a))).then(a.cmp(b))
-    });
-    let mut from = 0;
-    while from < children.len() {
-        let parent = limbs[children[from] as usize].parent;
-        let to = from + children[from..].iter().take_while(|c| limbs[**c as usize].parent == parent).count();
-        if let Some(parent) = parent {
-            limbs[parent].children = from..to;
-        }
-        from = to;
-    }
 }
 
 /// A ring of points that has to be closed: its first point, how many there are, and where it looks.
@@ -210,9 +106,15 @@ struct Grid {
     sides: u32,
 }
 
-fn build(index: usize, mesh: &mut Mesh, open_ends: &mut Vec<(usize, OpenEnd)>, scratch: &mut WoodScratch) {
+/// Appends a limb's surface to the mesh, and the barks of its walls and its tip to those of the faces before.
+fn build(
+    index: usize,
+    (mesh, coats): (&mut Mesh, &mut Vec<u32>),
+    open_ends: &mut Vec<(usize, OpenEnd)>,
+    scratch: &mut WoodScratch,
+) {
     lay_out(index, scratch);
-    let limb = scratch.limbs[index].clone();
+    let limb = scratch.limbs.all[index].clone();
     let sides = limb.sides();
     let up = limb.exit.map(|exit| upward(&exit));
     let grid = Grid {
@@ -225,8 +127,13 @@ fn build(index: usize, mesh: &mut Mesh, open_ends: &mut Vec<(usize, OpenEnd)>, s
     align(&limb, scratch);
     let end_v = rings(mesh, &scratch.grid, sides, limb.look.repeats());
     cut_windows(&limb, grid, scratch);
-    walls(mesh, grid, scratch.grid.len() - 1, &scratch.cells);
+    for row in 0..scratch.grid.len() - 1 {
+        walls(mesh, grid, row, &scratch.cells);
+        let middle = 0.5 * (scratch.grid[row].arc + scratch.grid[row + 1].arc);
+        coats.resize(mesh.triangles.len(), scratch.limbs.coat(&limb, middle));
+    }
     tip(mesh, grid, &scratch.grid, &limb.look, end_v);
+    coats.resize(mesh.triangles.len(), scratch.limbs.coat(&limb, f32::INFINITY));
     if limb.rim.is_empty() {
         let normal = -scratch.grid[0].ring.tangent;
         open_ends.push((index, OpenEnd { first: grid.first_point, sides: grid.sides, normal }));
@@ -248,7 +155,7 @@ fn upward(exit: &Exit) -> Vec3 {
 
 /// The rings of a limb's final grid: those of its skeleton, and those that its windows need.
 fn lay_out(index: usize, scratch: &mut WoodScratch) {
-    let WoodScratch { rings, arcs, limbs, children, grid, .. } = scratch;
+    let WoodScratch { limbs: Limbs { rings, arcs, all: limbs, children, .. }, grid, .. } = scratch;
     let limb = &limbs[index];
     let (own, along) = (&rings[limb.rings.clone()], &arcs[limb.rings.clone()]);
     let end = along[along.len() - 1];
@@ -318,7 +225,7 @@ fn at(rings: &[Ring], arcs: &[f32], arc: f32) -> Ring {
 
 /// Cuts a window for everything that grows on a limb and notes the rims.
 fn cut_windows(limb: &Limb, on: Grid, scratch: &mut WoodScratch) {
-    let WoodScratch { limbs, children, grid, cells, rim, rims, .. } = scratch;
+    let WoodScratch { limbs: Limbs { all: limbs, children, .. }, grid, cells, rim, rims, .. } = scratch;
     let sides = limb.sides();
     cells.clear(grid.len() - 1, sides);
     for &child in &children[limb.children.clone()] {
@@ -355,7 +262,7 @@ fn transport(grid: &mut [Row], first_side: Vec3) {
 /// Turns rings about their axis so that the windows come to lie under what grows out of them: by at most half a side
 /// from one window to the next, evenly along the limb. Of windows beside each other the thickest one's decides.
 fn align(limb: &Limb, scratch: &mut WoodScratch) {
-    let WoodScratch { limbs, children, grid, turns, .. } = scratch;
+    let WoodScratch { limbs: Limbs { all: limbs, children, .. }, grid, turns, .. } = scratch;
     let per_side = TAU / limb.sides() as f32;
     turns.clear();
     for &child in &children[limb.children.clone()] {
@@ -424,17 +331,13 @@ fn rings(mesh: &mut Mesh, grid: &[Row], sides: usize, repeats: f32) -> f32 {
     v
 }
 
-/// Faces between the rings but for the windows.
-fn walls(mesh: &mut Mesh, on: Grid, rows: usize, cells: &Cells) {
+/// Faces between a ring and the next but for the windows.
+fn walls(mesh: &mut Mesh, on: Grid, row: usize, cells: &Cells) {
     let width = on.sides + 1;
-    for row in 0..rows {
-        let (low, high) = (on.first_vertex + row as u32 * width, on.first_vertex + (row as u32 + 1) * width);
-        for j in 0..on.sides {
-            if !cells.is_taken(row, j as usize) {
-                mesh.triangles.push([low + j, low + j + 1, high + j + 1]);
-                mesh.triangles.push([low + j, high + j + 1, high + j]);
-            }
-        }
+    let (low, high) = (on.first_vertex + row as u32 * width, on.first_vertex + (row as u32 + 1) * width);
+    for j in (0..on.sides).filter(|j| !cells.is_taken(row, *j as usize)) {
+        mesh.triangles.push([low + j, low + j + 1, high + j + 1]);
+        mesh.triangles.push([low + j, high + j + 1, high + j]);
     }
 }
 

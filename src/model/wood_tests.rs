@@ -2,6 +2,7 @@
 
 use super::super::disjoint_sets::DisjointSets;
 use super::*;
+use crate::model::crossing::crossing_faces;
 use crate::model::tube::{self, TubeParams};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -150,4 +151,56 @@ fn quality_gives_more_sides_and_rings_of_one_closed_surface() {
     };
     let counts = [0.25, 0.5, 1.0, 2.0, 4.0].map(faces);
     assert!(counts.windows(2).all(|w| w[1] as f32 > 1.4 * w[0] as f32), "{counts:?}");
+}
+
+#[test]
+fn a_branch_on_the_end_of_another_goes_on_with_it() {
+    for (thickness, turn) in [(0.9, 0.0f32), (0.6, 0.5), (0.2, 0.8), (0.9, 1.0)] {
+        let end = Vec3::Y * 2.0;
+        let onward = branch(end, Vec3::new(turn.sin(), turn.cos(), 0.0), 1.0, 0.04 * thickness);
+        let beside = branch(end - Vec3::Y * 0.05, Vec3::new(-1.0, 0.5, 0.2), 0.8, 0.02 * thickness);
+        let mesh = joined(&[trunk(), (onward.clone(), Some(0)), (beside, Some(0))]);
+        assert_eq!(
+            (surfaces(&mesh), crossing_faces(&mesh)),
+            (1, Some(0)),
+            "{thickness} thick, turned by {turn}"
+        );
+        let reaches = |p: Vec3| mesh.points.iter().any(|q| q.distance(p) < 0.04);
+        assert!(reaches(onward.points[10]) && reaches(Vec3::new(-0.7, 2.3, 0.1)), "both are seen");
+    }
+}
+
+#[test]
+fn what_goes_on_from_the_end_of_another_wears_its_own_bark() {
+    let limbs = [trunk().0, branch(Vec3::Y * 2.0, Vec3::Y, 1.0, 0.03)];
+    let twig = |k: usize| Twig { branch: &limbs[k], parent: (k > 0).then_some(0), coat: k };
+    let look = |branch: &Branch| tube::look(branch, &TubeParams::default(), 3.0);
+    let mesh = mesh(&[twig(0), twig(1)], look, &mut WoodScratch::default());
+    let (first, second) = mesh.triangles.split_at(mesh.breaks[0] as usize);
+    let heights = |faces: &[[u32; 3]]| {
+        let heights = faces.iter().flat_map(|face| mesh.corners(*face)).map(|p| p.y);
+        heights.fold((f32::INFINITY, 0.0f32), |(low, high), y| (low.min(y), high.max(y)))
+    };
+    assert!(heights(first).1 < 2.1 && heights(second).0 > 1.9, "{:?}, {:?}", heights(first), heights(second));
+}
+
+#[test]
+fn a_trunk_drawn_in_two_pieces_stands_on_the_lower_one() {
+    let lower = branch(Vec3::ZERO, -Vec3::Y, 1.0, 0.08);
+    let mesh = joined(&[trunk(), (lower, Some(0)), (branch(Vec3::Y * 0.01, Vec3::X, 0.5, 0.03), Some(0))]);
+    assert_eq!((surfaces(&mesh), crossing_faces(&mesh)), (1, Some(0)));
+    assert!(mesh.points.iter().any(|p| p.y < -0.95));
+}
+
+/// Stalks of herbs leave one another where both still are inside of what they stand on.
+#[test]
+fn a_branch_that_leaves_beside_the_foot_of_its_parent_is_led_to_free_bark() {
+    for height in [0.0, 0.02, 0.06, 0.1] {
+        let stem = branch(Vec3::ZERO, Vec3::Y, 1.0, 0.02);
+        let first = branch(Vec3::Y * 0.05, Vec3::new(0.5, 1.0, 0.0), 0.8, 0.015);
+        let second =
+            branch(Vec3::new(0.5, 1.0, 0.0) * height + Vec3::Y * 0.05, Vec3::new(1.0, 0.6, 0.1), 0.5, 0.012);
+        let mesh = joined(&[(stem, None), (first, Some(0)), (second, Some(1))]);
+        assert_eq!((surfaces(&mesh), crossing_faces(&mesh)), (1, Some(0)), "{height} m along its parent");
+    }
 }

@@ -1,0 +1,285 @@
+//! Branches as limbs of one surface: their rings, where each leaves its parent, and which goes on from another's end.
+//!
+//! A branch that stands on the end of its parent and leads on from there is one limb with it, as a shoot that grows on
+//! from the bud at a twig's end; of several the thickest is, the others leave it at its side. It has its parent's number
+//! of sides and its own bark.
+//!
+//! Limits: a branch that never leaves its parent is not seen, and what grows on it grows on the parent.
+
+use super::joint::{self, Exit};
+use super::spine::{self, Ring, SpineScratch};
+use super::tube::TubeLook;
+use crate::plant::Branch;
+use glam::Vec3;
+use std::ops::Range;
+
+/// How far from its parent's end a branch that goes on from there may begin, in the parent's radii at its end.
+const AT_END: f32 = 2.0;
+/// Least cosine of the angle by which it may turn off, and how far beyond the end it goes on, in the same radii.
+const ONWARD: f32 = 0.5;
+const BEYOND: f32 = 1.0;
+
+/// Length over which a collar narrows, as a multiple of the branch's radius.
+pub(super) const COLLAR_LENGTH: f32 = 2.0;
+
+/// Radius of a branch that goes on below a trunk, as a share of the trunk's at its foot, at least.
+const BELOW: f32 = 0.5;
+
+/// Other branches of its parent, the latest, that a branch keeps clear of.
+const SIBLINGS: usize = 16;
+
+/// A branch and the place, in the same list, of the one that it grows on, which comes before it.
+#[derive(Clone, Copy)]
+pub(super) struct Twig<'a> {
+    pub(super) branch: &'a Branch,
+    pub(super) parent: Option<usize>,
+    /// Which of the barks it wears; the first one's is 0.
+    pub(super) coat: usize,
+}
+
+/// A branch on its way to the surface.
+#[derive(Clone)]
+pub(super) struct Limb {
+    pub(super) look: TubeLook,
+    /// Its rings in [`Limbs::rings`].
+    pub(super) rings: Range<usize>,
+    /// Its barks in [`Limbs::coats`].
+    coats: Range<usize>,
+    /// The limb that carries it, and where it leaves that; a trunk has none.
+    parent: Option<usize>,
+    pub(super) exit: Option<Exit>,
+    /// It stays inside of its parent or is one limb with it, and what grows on it grows on the parent.
+    pub(super) hidden: bool,
+    /// The rim of its window among those of all.
+    pub(super) rim: Range<usize>,
+    /// What grows on it, in [`Limbs::children`].
+    pub(super) children: Range<usize>,
+}
+
+impl Limb {
+    pub(super) fn sides(&self) -> usize {
+        self.look.sides as usize
+    }
+}
+
+/// The limbs of one plant, a limb for every branch, in memory that is used again.
+#[derive(Default)]
+pub(super) struct Limbs {
+    pub(super) all: Vec<Limb>,
+    /// Rings of all limbs, and the length of the limb before each.
+    pub(super) rings: Vec<Ring>,
+    pub(super) arcs: Vec<f32>,
+    /// Limbs in the order of what they grow on.
+    pub(super) children: Vec<u32>,
+    /// Barks of all limbs, each with the length of the limb from which it is worn.
+    coats: Vec<(f32, u32)>,
+    /// For each branch the one that goes on from its end, and for a trunk the one that goes on from its foot.
+    next: Vec<Option<usize>>,
+    below: Vec<Option<usize>>,
+    /// For each limb the one that was found last to grow on it; for each the one found before on the same parent.
+    last_child: Vec<Option<usize>>,
+    before: Vec<Option<usize>>,
+    others: Vec<Exit>,
+    skeleton: Vec<(Vec3, f32)>,
+    one: Vec<Ring>,
+    spine: SpineScratch,
+}
+
+impl Limbs {
+    /// Rings of every branch and where it leaves its parent.
+    pub(super) fn survey(&mut self, branches: &[Twig<'_>], look: impl Fn(&Branch) -> TubeLook) {
+        self.all.clear();
+        self.rings.clear();
+        self.arcs.clear();
+        self.coats.clear();
+        self.find_next(branches);
+        self.last_child.clear();
+        self.last_child.resize(branches.len(), None);
+        self.before.clear();
+        for (index, twig) in branches.iter().enumerate() {
+            let look = look(twig.branch);
+            let mut parent = twig.parent;
+            let goes_on = parent.is_some_and(|p| [self.next[p], self.below[p]].contains(&Some(index)));
+            while let Some(hidden) = parent.filter(|p| self.all[*p].hidden) {
+                parent = self.all[hidden].parent;
+            }
+            let (rings, coats) = (self.rings.len(), self.coats.len());
+            let exit = if goes_on { Some(None) } else { self.trace(branches, index, look, parent) };
+            let before = parent.and_then(|p| self.last_child[p].replace(index));
+            self.before.push(before);
+            self.all.push(Limb {
+                look,
+                rings: rings..self.rings.len(),
+                coats: coats..self.coats.len(),
+                parent,
+                exit: exit.flatten(),
+                hidden: matches!(exit, Some(None)),
+                rim: 0..0,
+                children: 0..0,
+            });
+        }
+        self.sort_children();
+    }
+
+    /// The bark of a limb at a length along it.
+    pub(super) fn coat(&self, limb: &Limb, arc: f32) -> u32 {
+        let worn = self.coats[limb.coats.clone()].iter().rev().find(|(from, _)| *from <= arc);
+        worn.map_or(0, |(_, coat)| *coat)
+    }
+
+    /// Appends the rings and barks of a branch and of those that go on from its end; `None` for a trunk, `Some(None)` for
+    /// one that stays inside its parent.
+    fn trace(
+        &mut self,
+        branches: &[Twig<'_>],
+        index: usize,
+        look: TubeLook,
+        parent: Option<usize>,
+    ) -> Option<Option<Exit>> {
+        let first_coat = self.coats.len();
+        self.link(branches, index);
+        spine::rings(self.skeleton.iter().copied(), look.detail, &mut self.spine, &mut self.one);
+        let exit = parent.map(|p| {
+            let on = self.all[p].rings.clone();
+            let free = self.all[p].exit.map_or(0.0, |exit| exit.arc + COLLAR_LENGTH * exit.ring.radius);
+            let carrier = (&self.rings[on.clone()], &self.arcs[on]);
+            let siblings = std::iter::successors(self.last_child[p], |c| self.before[*c]);
+            self.others.clear();
+            self.others.extend(siblings.take(SIBLINGS).filter_map(|c| self.all[c].exit));
+            joint::exit(&mut self.one, carrier, free, &self.others)
+        });
+        let mut arc = 0.0;
+        for (i, ring) in self.one.iter().enumerate() {
+            arc += ring.at.distance(self.one[i.saturating_sub(1)].at);
+            self.arcs.push(arc);
+            self.rings.push(*ring);
+        }
+        if self.coats.len() > first_coat + 1 {
+            let length =
+                |to: usize| -> f32 { self.skeleton[..=to].windows(2).map(|w| w[0].0.distance(w[1].0)).sum() };
+            let along = arc / length(self.skeleton.len() - 1).max(f32::MIN_POSITIVE);
+            for coat in &mut self.coats[first_coat..] {
+                coat.0 = length(coat.0 as usize) * along;
+            }
+        }
+        exit
+    }
+
+    /// The skeleton of a branch and of those that go on from its end and from its foot; its barks, each with the place in the
+    /// skeleton from which it is worn.
+    fn link(&mut self, branches: &[Twig<'_>], index: usize) {
+        let skeleton = &mut self.skeleton;
+        skeleton.clear();
+        let mut wear = |from: usize, twig: usize| self.coats.push((from as f32, branches[twig].coat as u32));
+        wear(0, self.below[index].unwrap_or(index));
+        if let Some(below) = self.below[index] {
+            skeleton.extend(End::foot(branches[index].branch).beyond(branches[below].branch).rev());
+            wear(skeleton.len() - 1, index);
+        }
+        let branch = branches[index].branch;
+        skeleton.extend(branch.points.iter().copied().zip(branch.radii.iter().copied()));
+        let mut at = index;
+        while let Some(next) = self.next[at] {
+            wear(skeleton.len() - 1, next);
+            skeleton.extend(End::top(branches[at].branch).beyond(branches[next].branch));
+            at = next;
+        }
+    }
+
+    /// Finds for each branch the one that goes on from its end or, below a trunk, from its foot.
+    fn find_next(&mut self, branches: &[Twig<'_>]) {
+        for list in [&mut self.next, &mut self.below] {
+            list.clear();
+            list.resize(branches.len(), None);
+        }
+        for (index, twig) in branches.iter().enumerate() {
+            let Some(parent) = twig.parent else { continue };
+            let carrier = branches[parent];
+            let next = if End::top(carrier.branch).goes_on(twig.branch) {
+                &mut self.next[parent]
+            } else if carrier.parent.is_none() && stands_under(carrier.branch, twig.branch) {
+                &mut self.below[parent]
+            } else {
+                continue;
+            };
+            let thickness = |twig: usize| branches[twig].branch.radii[0];
+            if next.is_none_or(|other| thickness(index) > thickness(other)) {
+                *next = Some(index);
+            }
+        }
+    }
+
+    /// Gives every limb the list of those that grow on it, thickest first: they choose their place before others.
+    fn sort_children(&mut self) {
+        let (limbs, children) = (&mut self.all, &mut self.children);
+        children.clear();
+        children.extend((0..limbs.len() as u32).filter(|c| limbs[*c as usize].exit.is_some()));
+        let width = |c: &u32| limbs[*c as usize].exit.map_or(0.0, |exit| exit.ring.radius);
+        children.sort_by(|a, b| {
+            let (of_a, of_b) = (limbs[*a as usize].parent, limbs[*b as usize].parent);
+            of_a.cmp(&of_b).then(width(b).total_cmp(&width(a))).then(a.cmp(b))
+        });
+        let mut from = 0;
+        while from < children.len() {
+            let parent = limbs[children[from] as usize].parent;
+            let to =
+                from + children[from..].iter().take_while(|c| limbs[**c as usize].parent == parent).count();
+            if let Some(parent) = parent {
+                limbs[parent].children = from..to;
+            }
+            from = to;
+        }
+    }
+}
+
+/// One of the ends of a branch.
+struct End {
+    at: Vec3,
+    /// Radius there, metres.
+    radius: f32,
+    /// Unit direction in which the branch ends there.
+    along: Vec3,
+}
+
+impl End {
+    fn top(branch: &Branch) -> Self {
+        let last = branch.points.len() - 1;
+        Self::of(branch.radii[last], branch.points.iter().rev())
+    }
+
+    fn foot(branch: &Branch) -> Self {
+        Self::of(branch.radii[0], branch.points.iter())
+    }
+
+    /// The first of these points.
+    fn of<'a>(radius: f32, mut points: impl Iterator<Item = &'a Vec3>) -> Self {
+        let at = points.next().copied().unwrap_or_default();
+        let mut inner = at;
+        for point in points {
+            inner = *point;
+            if inner.distance(at) >= radius {
+                break;
+            }
+        }
+        Self { at, radius, along: (at - inner).normalize_or(Vec3::Y) }
+    }
+
+    /// What of a branch lies beyond this end, with its radii.
+    fn beyond<'a>(&self, branch: &'a Branch) -> impl DoubleEndedIterator<Item = (Vec3, f32)> + use<'a> {
+        let within = |p: &Vec3| (*p - self.at).dot(self.along) < BEYOND * self.radius;
+        let first = branch.points.iter().take_while(|p| within(p)).count();
+        branch.points[first..].iter().copied().zip(branch.radii[first..].iter().copied())
+    }
+
+    /// Whether a branch stands on this end and leads on from it.
+    fn goes_on(&self, branch: &Branch) -> bool {
+        let leads_on = |p: Vec3| (p - self.at).dot(self.along) >= ONWARD * p.distance(self.at);
+        branch.points[0].distance(self.at) <= AT_END * self.radius
+            && self.beyond(branch).next().is_some_and(|(p, _)| leads_on(p))
+    }
+}
+
+/// Whether a branch goes on below a trunk, which was drawn from somewhere between ground and tip then.
+fn stands_under(trunk: &Branch, branch: &Branch) -> bool {
+    branch.radii[0] >= BELOW * trunk.radii[0] && End::foot(trunk).goes_on(branch)
+}
