@@ -1,5 +1,5 @@
-//! Flowers stand still while they are edited: a petal erased turns a flower by a few degrees only, and no stem passes
-//! through a petal of its own flower.
+//! Flowers stand still while they are edited: a petal erased turns a flower by a few degrees only, and no stem, as thick as
+//! it is, touches a petal of its own flower.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 
@@ -39,30 +39,34 @@ fn same<'a>(built: &'a Built, flower: &Flower) -> (usize, &'a Flower) {
     flowers.min_by(|a, b| off(a.1).total_cmp(&off(b.1))).unwrap()
 }
 
-fn passes(p: Vec3, q: Vec3, [a, b, c]: [Vec3; 3]) -> bool {
-    let normal = (b - a).cross(c - a);
-    let (before, after) = ((p - a).dot(normal), (q - a).dot(normal));
-    let at = p.lerp(q, before / (before - after));
-    let inside = |u: Vec3, v: Vec3| (v - u).cross(at - u).dot(normal) >= 0.0;
-    before * after < 0.0 && inside(a, b) && inside(b, c) && inside(c, a)
+/// Distance of a point from a segment, and the share of the segment before the place nearest to it.
+fn off((a, b): (Vec3, Vec3), p: Vec3) -> (f32, f32) {
+    let share = ((p - a).dot(b - a) / (b - a).length_squared().max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
+    (p.distance(a.lerp(b, share)), share)
 }
 
-/// Whether a stem's middle passes through a petal, beyond the receptacle in which both end.
+/// Whether any of a petal lies within a stem, beyond the receptacle in which both end: faces of petals are smaller than
+/// stems are thick, so their corners and the middles of their edges tell.
 fn is_pierced(built: &Built, index: usize) -> bool {
     let flower = &built.plant.flowers[index];
     let Some(stem) = flower.branch.map(|branch| &built.plant.branches[branch]) else { return false };
-    let meets = |mesh: &Mesh| {
-        let at = |vertex: u32| mesh.points[mesh.vertices[vertex as usize].point as usize];
-        mesh.triangles.iter().map(|face| face.map(at)).any(|face| {
-            let middle = (face[0] + face[1] + face[2]) / 3.0;
-            let is_outside = middle.distance(flower.cone.apex) > flower.heart_radius;
-            is_outside && stem.points.windows(2).any(|w| passes(w[0], w[1], face))
+    let is_within = |p: Vec3| {
+        p.distance(flower.cone.apex) > flower.heart_radius
+            && (1..stem.points.len()).any(|i| {
+                let (distance, share) = off((stem.points[i - 1], stem.points[i]), p);
+                distance < stem.radii[i - 1] + (stem.radii[i] - stem.radii[i - 1]) * share
+            })
+    };
+    let enters = |mesh: &Mesh| {
+        mesh.triangles.iter().any(|face| {
+            let [a, b, c] = mesh.corners(*face);
+            [a, b, c, a.midpoint(b), b.midpoint(c), c.midpoint(a)].into_iter().any(is_within)
         })
     };
     let own = format!("petal_{index}_");
     let mut parts = built.model.parts.iter().filter(|part| part.name.starts_with(&own));
     assert!(parts.clone().next().is_some(), "no petals of flower {index}");
-    parts.any(|part| meets(&part.mesh))
+    parts.any(|part| enters(&part.mesh))
 }
 
 #[test]

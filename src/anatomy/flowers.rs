@@ -4,7 +4,7 @@
 //! radius within which roots see each other is a share of the blade's own length, so flowers of several scales live
 //! in one drawing. As in 002, clusters of more than two are flowers; blades drawn with the petal tool are petals in
 //! any number, those drawn with the leaf tool never are. What the artist says of one blade is no verdict on another: a
-//! blade beside an explicit petal is what it would be beside any blade.
+//! blade beside an explicit petal or leaf is what it would be beside any blade.
 //!
 //! Two habits of hands that the papers do not know: many draw a flower's heart as a circle and petals around it, whose
 //! roots keep a distance (an open flower: a wider search, accepted only if the petals stand all round and point away
@@ -66,24 +66,20 @@ pub struct Stem {
 pub fn gather(blades: Vec<Drawn>, stems: &[Stem], params: &FlowerParams) -> Gathering {
     let (drawn_leaves, candidates): (Vec<_>, Vec<_>) =
         blades.into_iter().partition(|(_, tool)| *tool == Tool::Leaf);
-    let mut out =
-        Gathering { leaves: drawn_leaves.into_iter().map(|(b, _)| b).collect(), ..Default::default() };
-    let (mut alone, mut no_flower) = (Vec::new(), Vec::new());
-    for cluster in clusters(candidates, params.bandwidth) {
-        if is_rosette(&cluster, stems, params.bandwidth) {
-            no_flower.extend(cluster);
-        } else if cluster.len() >= params.min_petals as usize {
-            out.add_flower(cluster);
-        } else {
-            alone.extend(cluster);
-        }
-    }
-    for cluster in clusters(alone, params.open_bandwidth) {
-        let rosette = is_rosette(&cluster, stems, params.bandwidth);
-        if !rosette && is_open_flower(&cluster, params.open_gap.to_radians()) {
-            out.add_flower(cluster);
-        } else {
-            no_flower.extend(cluster);
+    let mut out = Gathering::default();
+    let (flowers, mut no_flower) = divide(candidates, stems, params);
+    flowers.into_iter().for_each(|cluster| out.add_flower(cluster));
+    if no_flower.is_empty() {
+        no_flower = drawn_leaves;
+    } else {
+        // What is called a leaf still stands beside the others, which stay what they would be beside any blade.
+        no_flower.extend(drawn_leaves);
+        let (flowers, rest) = divide(no_flower, stems, params);
+        no_flower = rest;
+        for cluster in flowers {
+            let (leaves, petals) = cluster.into_iter().partition(|(_, tool)| *tool == Tool::Leaf);
+            no_flower.extend::<Vec<Drawn>>(leaves);
+            out.add_flower(petals);
         }
     }
     // The artist's word counts here, and for these blades alone.
@@ -93,6 +89,29 @@ pub fn gather(blades: Vec<Drawn>, stems: &[Stem], params: &FlowerParams) -> Gath
     out.leaves.extend(leaves.into_iter().map(|(b, _)| b));
     out.leaves.sort_by_key(|leaf| leaf.stroke);
     out
+}
+
+/// Divides blades into clusters that are flowers, and those that are in none.
+fn divide(blades: Vec<Drawn>, stems: &[Stem], params: &FlowerParams) -> (Vec<Vec<Drawn>>, Vec<Drawn>) {
+    let (mut flowers, mut alone, mut no_flower) = (Vec::new(), Vec::new(), Vec::new());
+    for cluster in clusters(blades, params.bandwidth) {
+        if is_rosette(&cluster, stems, params.bandwidth) {
+            no_flower.extend(cluster);
+        } else if cluster.len() >= params.min_petals as usize {
+            flowers.push(cluster);
+        } else {
+            alone.extend(cluster);
+        }
+    }
+    for cluster in clusters(alone, params.open_bandwidth) {
+        let rosette = is_rosette(&cluster, stems, params.bandwidth);
+        if !rosette && is_open_flower(&cluster, params.open_gap.to_radians()) {
+            flowers.push(cluster);
+        } else {
+            no_flower.extend(cluster);
+        }
+    }
+    (flowers, no_flower)
 }
 
 /// Blades by the place where their roots gather.
@@ -232,6 +251,25 @@ mod tests {
         open[2].1 = Tool::Petal;
         let gathering = gather(open, &[], &FlowerParams::default());
         assert_eq!((gathering.flowers.len(), gathering.petals.len()), (1, 5));
+    }
+
+    #[test]
+    fn saying_leaf_of_a_petal_leaves_the_others_petals() {
+        for count in 3..6 {
+            let mut blades = ring(1, Vec2::ZERO, count, 50.0, Tool::Auto);
+            blades.extend(ring(20, Vec2::new(400.0, 0.0), 5, 50.0, Tool::Auto));
+            for said in 0..count {
+                blades[said].1 = Tool::Leaf;
+                let gathering = gather(blades.clone(), &[], &FlowerParams::default());
+                let of: Vec<usize> = gathering.flowers.iter().map(|flower| flower.petals.len()).collect();
+                assert_eq!(gathering.leaves.len(), said + 1);
+                assert_eq!(gathering.petals.len(), 5 + count - said - 1, "the rest of {count}: {of:?}");
+            }
+        }
+        let mut open = open_flower();
+        open[1].1 = Tool::Leaf;
+        let gathering = gather(open, &[], &FlowerParams::default());
+        assert_eq!((gathering.petals.len(), gathering.leaves.len()), (4, 1));
     }
 
     /// Five petals whose roots keep away from a drawn circle.
