@@ -88,8 +88,9 @@ fn edges(points: &[Vec2]) -> impl Iterator<Item = (Vec2, Vec2)> + '_ {
     (0..points.len()).map(|i| (points[i], points[(i + 1) % points.len()]))
 }
 
-/// Segments that share one box in a [`SegmentIndex`]: few enough to test one by one, many enough to keep the tree small.
-const RUN: usize = 16;
+/// Segments that share one box in a [`SegmentIndex`]: few enough that boxes of slanting lines hold little but their line,
+/// so that hundreds of lines that cross leave few boxes around a point; enough to keep the tree small.
+const RUN: usize = 4;
 
 /// Most runs that one question to a [`SegmentIndex`] looks at. Where more of them lie near a point, only nearer ones are
 /// looked at; and only where more of them lie in one spot, such as the feet of hundreds of branches, are some left out.
@@ -188,6 +189,8 @@ impl SegmentIndex {
             let around = AABB::from_corners((p - radius).to_array(), (p + radius).to_array());
             let look = self.runs.locate_in_envelope_intersecting_int(around, |run| {
                 nearer.push(run.data);
+                #[cfg(test)]
+                tests::LOOKED_AT.set(tests::LOOKED_AT.get() + 1);
                 if nearer.len() > MOST_RUNS { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             });
             // Where nothing is nearer, some of those that were too many are better than none.
@@ -218,7 +221,15 @@ impl SegmentIndex {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::stream;
     use proptest::prelude::*;
+    use rand::RngExt;
+    use std::cell::Cell;
+
+    thread_local! {
+        /// Runs that this thread's questions to indices have looked at.
+        pub(super) static LOOKED_AT: Cell<usize> = const { Cell::new(0) };
+    }
 
     fn square() -> Region {
         Region::new(vec![Vec2::ZERO, Vec2::new(4.0, 0.0), Vec2::new(4.0, 4.0), Vec2::new(0.0, 4.0)])
@@ -264,6 +275,39 @@ mod tests {
         assert_eq!(index.nearest(Vec2::ZERO, 50.0).map(|near| near.line), Some(0));
         let found = index.within(Vec2::ZERO, 50.0);
         assert!(found.len() > 20 && found.iter().all(|near| near.distance < 0.5), "{} spokes", found.len());
+    }
+
+    /// Straight lines across a square of side 1000, of many segments each.
+    fn crossing_lines(count: usize) -> Vec<Vec<Vec2>> {
+        let mut rng = stream(3, "lines", 0);
+        let mut place = || Vec2::from_array(std::array::from_fn(|_| rng.random_range(0.0..1000.0)));
+        let line = |_| {
+            let (from, to) = (place(), place());
+            (0..=48).map(|k| from.lerp(to, k as f32 / 48.0)).collect()
+        };
+        (0..count).map(line).collect()
+    }
+
+    #[test]
+    fn of_thousands_of_lines_that_cross_everywhere_the_nearest_is_found_in_bounded_work() {
+        const QUESTIONS: usize = 100;
+        let looked_at = |count: usize| {
+            let lines = crossing_lines(count);
+            let index = SegmentIndex::new(lines.iter().map(Vec::as_slice));
+            LOOKED_AT.set(0);
+            for line in &lines[..QUESTIONS] {
+                let p = line[0] + Vec2::new(0.5, 0.25);
+                let found = index.within(p, 20.0);
+                let nearest = found.iter().map(|near| near.distance).fold(f32::INFINITY, f32::min);
+                let truly = lines.iter().filter_map(|line| super::super::polyline::nearest(line, p));
+                let truly = truly.map(|(distance, _)| distance).fold(f32::INFINITY, f32::min);
+                assert!(nearest <= truly + 1e-3, "{nearest} is not {truly}");
+            }
+            LOOKED_AT.get() / QUESTIONS
+        };
+        let [few, many] = [1000, 4000].map(looked_at);
+        eprintln!("{few} and {many} runs looked at for a question");
+        assert!(few.max(many) <= 4 * MOST_RUNS, "{few} and {many} runs for a question");
     }
 
     proptest! {
