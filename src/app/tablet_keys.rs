@@ -6,13 +6,13 @@
 
 use super::action::{Action, CanvasTool};
 use crate::pen::hid::HidEvent;
-use crate::pen::ring::Ring;
+use crate::pen::ring::{Ring, Strip};
 use crate::sketch::Tool;
 use serde::{Deserialize, Serialize};
 
 /// Keys that can be given a use; those of tablets with more come first to last.
 pub const KEYS: usize = 12;
-/// Dials and rings that are told apart.
+/// Rings, and strips, that are told apart.
 const WHEELS: usize = 2;
 
 /// What a key does.
@@ -118,6 +118,7 @@ impl Default for TabletKeys {
 pub struct HeldKeys {
     held: u32,
     rings: [Ring; WHEELS],
+    strips: [Strip; WHEELS],
 }
 
 impl HeldKeys {
@@ -133,6 +134,11 @@ impl HeldKeys {
             HidEvent::Ring { number, place, places } => {
                 if let Some(ring) = self.rings.get_mut(usize::from(number)) {
                     turn(ring.turn(place, places), uses.wheel, out);
+                }
+            }
+            HidEvent::Strip { number, place, .. } => {
+                if let Some(strip) = self.strips.get_mut(usize::from(number)) {
+                    turn(strip.slide(place), uses.wheel, out);
                 }
             }
             HidEvent::Pen(_) | HidEvent::Touch { .. } | HidEvent::Battery(_) => {}
@@ -182,6 +188,8 @@ mod tests {
         assert_eq!(wishes(&[ring(Some(4)), ring(Some(6)), ring(None)], &uses), [Action::Zoom(2)]);
         let history = TabletKeys { wheel: WheelUse::History, ..uses };
         assert_eq!(wishes(&[dial(-2), dial(1)], &history), [Action::Undo, Action::Undo, Action::Redo]);
+        let strip = |place| HidEvent::Strip { number: 0, place, places: 13 };
+        assert_eq!(wishes(&[strip(Some(4)), strip(Some(2)), strip(None)], &uses), [Action::Zoom(-2)]);
         let nothing = TabletKeys { wheel: WheelUse::Nothing, ..uses };
         assert_eq!(wishes(&[dial(1), HidEvent::Ring { number: 9, place: None, places: 0 }], &nothing), []);
     }

@@ -302,7 +302,7 @@ impl Tablets {
             HidEvent::Battery(percent) => tablet.battery = Some(percent),
             _ if !self.listens => {}
             HidEvent::Pen(raw) => tablet.machine.sample(&raw, time_ms, &mut self.events),
-            HidEvent::Keys(_) | HidEvent::Dial { .. } | HidEvent::Ring { .. } => {
+            HidEvent::Keys(_) | HidEvent::Dial { .. } | HidEvent::Ring { .. } | HidEvent::Strip { .. } => {
                 tablet.keys.hear(&event, &chosen(&tablet.name).keys, &mut self.wishes);
             }
             // The system tells of fingers.

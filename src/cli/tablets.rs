@@ -256,6 +256,10 @@ fn notice_text(notice: &Notice) -> String {
             format!("ring {number} touched at {place} of {places}")
         }
         Notice::Said(HidEvent::Ring { number, place: None, .. }) => format!("ring {number} not touched"),
+        Notice::Said(HidEvent::Strip { number, place: Some(place), places }) => {
+            format!("strip {number} touched at {place} of {places}")
+        }
+        Notice::Said(HidEvent::Strip { number, place: None, .. }) => format!("strip {number} not touched"),
         Notice::Said(HidEvent::Battery(percent)) => format!("battery {percent} %"),
         Notice::Said(HidEvent::Touch { finger, touches, position }) => {
             let state = if *touches { "touches" } else { "lifted" };
@@ -300,6 +304,9 @@ fn notice_json(notice: &Notice) -> Value {
         }
         Notice::Said(HidEvent::Ring { number, place, places }) => {
             json!({ "event": "ring", "number": number, "place": place, "places": places })
+        }
+        Notice::Said(HidEvent::Strip { number, place, places }) => {
+            json!({ "event": "strip", "number": number, "place": place, "places": places })
         }
         Notice::Said(HidEvent::Battery(percent)) => json!({ "event": "battery", "percent": percent }),
         Notice::Said(HidEvent::Touch { finger, touches, position }) => {

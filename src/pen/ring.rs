@@ -1,7 +1,7 @@
 //! Rings and strips of tablets: from where a finger lies to how far it turned.
 //!
-//! A ring says places, a dial says notches; both become notches here, so that nobody after it needs to know which one a
-//! tablet has. A turn of a ring is twelve notches. A jump over more than half of it goes the shorter way round, over its
+//! A ring or strip says places, a dial says notches; all become notches here, so that nobody after it needs to know which
+//! one a tablet has. A place of a strip is a notch. A turn of a ring is twelve notches. A jump over more than half of it goes the shorter way round, over its
 //! beginning; the first place after the finger was gone is no turn.
 
 /// Notches of a whole turn.
@@ -33,6 +33,20 @@ impl Ring {
     }
 }
 
+/// Follows the finger on one strip.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Strip {
+    place: Option<u8>,
+}
+
+impl Strip {
+    /// Takes where the finger lies, `None` when it is gone, and gives the notches it slid away from the first place.
+    pub fn slide(&mut self, place: Option<u8>) -> i32 {
+        let before = std::mem::replace(&mut self.place, place);
+        before.zip(place).map_or(0, |(before, now)| i32::from(now) - i32::from(before))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -50,5 +64,14 @@ mod tests {
         let mut ring = Ring::default();
         assert_eq!([11, 0, 1, 11, 5].map(|place| ring.turn(Some(place), 12)), [0, 1, 1, -2, -6]);
         assert_eq!(Ring::default().turn(Some(3), 0), 0);
+    }
+
+    #[test]
+    fn a_strip_has_ends() {
+        let mut strip = Strip::default();
+        assert_eq!(
+            [Some(0), Some(12), Some(11), None, Some(3)].map(|place| strip.slide(place)),
+            [0, 12, -1, 0, 0]
+        );
     }
 }

@@ -45,11 +45,20 @@ pub enum HidEvent {
         /// By how many notches, clockwise positive.
         notches: i8,
     },
-    /// Where a finger lies on a ring or strip of the tablet.
+    /// Where a finger lies on a ring of the tablet.
     Ring {
         /// Which, from 0.
         number: u8,
         /// The place, from 0; `None` while no finger is there.
+        place: Option<u8>,
+        /// How many places there are.
+        places: u8,
+    },
+    /// Where a finger lies on a strip of the tablet, whose ends do not meet.
+    Strip {
+        /// Which, from 0: the left one, then the right one.
+        number: u8,
+        /// The place, from 0 at its far end; `None` while no finger is there.
         place: Option<u8>,
         /// How many places there are.
         places: u8,

@@ -8,7 +8,7 @@
 //! Origin: facts from the OpenTabletDriver parsers (2025-12), corrected by what the Linux kernel's drivers and real
 //! descriptors say; where those disagree, the file says which side was taken. `b[0]` is always the report id.
 //!
-//! Limits: pucks and mice on tablets, touch strips and batteries are not decoded; their reports say nothing.
+//! Limits: pucks and mice on tablets and batteries are not decoded; their reports say nothing.
 
 mod acepen;
 mod bytes;
@@ -127,7 +127,7 @@ pub fn check_event(event: &HidEvent) -> Result<(), String> {
             share("touch y", position.y)
         }
         HidEvent::Keys(_) | HidEvent::Dial { .. } => Ok(()),
-        HidEvent::Ring { place, places, .. } => {
+        HidEvent::Ring { place, places, .. } | HidEvent::Strip { place, places, .. } => {
             let is_there = place.is_none_or(|place| place < *places);
             if is_there { Ok(()) } else { Err(format!("beyond the ring: {event:?}")) }
         }

@@ -42,8 +42,8 @@ pub(super) fn pen(decoder: &mut dyn Decode, report: &[u8]) -> RawPen {
     }
 }
 
-fn is_wheel(event: &HidEvent) -> bool {
-    matches!(event, HidEvent::Dial { .. } | HidEvent::Ring { .. })
+pub(super) fn is_wheel(event: &HidEvent) -> bool {
+    matches!(event, HidEvent::Dial { .. } | HidEvent::Ring { .. } | HidEvent::Strip { .. })
 }
 
 /// The keys of a report; what wheels say beside them is their own.

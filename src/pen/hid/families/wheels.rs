@@ -1,8 +1,8 @@
-//! Dials and rings beside the pen and the keys.
+//! Dials, rings and strips beside the pen and the keys.
 //!
 //! They stand in reports of their own, or among the keys, so they are read once more from every report of a family that has
-//! them. A dial says how far it was turned, a ring where the finger lies. Which way is clockwise is as the Linux kernel's
-//! drivers have it; it is untried on hardware by us.
+//! them. A dial says how far it was turned, a ring or strip where the finger lies. Which way is clockwise, and which end of a
+//! strip is its first, is as the Linux kernel's drivers have it; it is untried on hardware by us.
 
 use super::{Bytes, Decode, Family, HidEvent, Spec, bit};
 
@@ -14,19 +14,27 @@ const XP_PEN_KEYS: u8 = 0xF0;
 /// Places of UC-Logic's and of Wacom's rings.
 const UCLOGIC_PLACES: u8 = 12;
 const WACOM_PLACES: u8 = 72;
+/// Bits of a Wacom strip; the highest that is set says where the finger lies.
+const STRIP_PLACES: u8 = 13;
+/// Wheels of a tablet that one report tells of at most.
+const WHEELS: usize = 2;
 
-/// A family whose tablets may have dials or rings.
+/// A family whose tablets may have dials, rings or strips.
 pub(super) struct WithWheels {
     spec: Spec,
     inner: Box<dyn Decode>,
-    /// Where the finger was on the ring; reports about keys repeat it.
-    place: Option<u8>,
+    /// Where fingers were on the rings or strips; reports about keys repeat it.
+    places: [Option<u8>; WHEELS],
 }
 
 impl WithWheels {
     /// The same decoder, with wheels where the family has any.
     pub(super) fn around(inner: Box<dyn Decode>, spec: &Spec) -> Box<dyn Decode> {
-        if reader(spec.family).is_some() { Box::new(Self { spec: *spec, inner, place: None }) } else { inner }
+        if reader(spec.family).is_some() {
+            Box::new(Self { spec: *spec, inner, places: [None; WHEELS] })
+        } else {
+            inner
+        }
     }
 }
 
@@ -34,30 +42,40 @@ impl Decode for WithWheels {
     fn decode(&mut self, report: &[u8], sink: &mut dyn FnMut(HidEvent)) {
         self.inner.decode(report, sink);
         let b = Bytes(report);
-        let event = reader(self.spec.family).filter(|_| self.spec.speaks(b)).and_then(|read| read(b));
-        match event {
-            Some(HidEvent::Ring { place, .. }) if std::mem::replace(&mut self.place, place) == place => {}
-            Some(event) => sink(event),
-            None => {}
+        let read = reader(self.spec.family).filter(|_| self.spec.speaks(b));
+        for event in read.map(|read| read(b)).into_iter().flatten().flatten() {
+            if let HidEvent::Ring { number, place, .. } | HidEvent::Strip { number, place, .. } = event
+                && let Some(before) = self.places.get_mut(usize::from(number))
+                && std::mem::replace(before, place) == place
+            {
+                continue;
+            }
+            sink(event);
         }
     }
 }
 
+/// Reads what one report says of each wheel.
+type Reader = fn(Bytes<'_>) -> [Option<HidEvent>; WHEELS];
+
 /// What reads the wheels of a family.
-fn reader(family: Family) -> Option<fn(Bytes<'_>) -> Option<HidEvent>> {
+fn reader(family: Family) -> Option<Reader> {
     Some(match family {
         Family::Uclogic
         | Family::UclogicTilt
         | Family::UclogicV2
         | Family::HuionGiano
         | Family::HuionInspiroy
-        | Family::HuionTiltWheel => uclogic,
-        Family::XpPen | Family::XpPenOffsetPressure => xp_pen,
-        Family::Veikk | Family::VeikkTilt => veikk,
-        Family::WacomIntuosPro => |b| wacom_ring(b, 0x03, 2),
-        Family::WacomIntuos4 => |b| wacom_ring(b, 0x0C, 1),
-        Family::WacomIntuosV2 => |b| wacom_ring(b, 0x11, 4),
-        Family::WacomIntuosV3 => wacom_dials,
+        | Family::HuionTiltWheel => |b| [uclogic(b), None],
+        Family::XpPen | Family::XpPenOffsetPressure => |b| [xp_pen(b), None],
+        Family::Veikk | Family::VeikkTilt => |b| [veikk(b), None],
+        Family::WacomIntuos3 | Family::WacomIntuos3ExtraAux | Family::WacomCintiqV1 => {
+            |b| [wacom_strip(b, 0), wacom_strip(b, 1)]
+        }
+        Family::WacomIntuosPro => |b| [wacom_ring(b, 0x03, 2), None],
+        Family::WacomIntuos4 => |b| [wacom_ring(b, 0x0C, 1), None],
+        Family::WacomIntuosV2 => |b| [wacom_ring(b, 0x11, 4), None],
+        Family::WacomIntuosV3 => |b| [wacom_dial(b, 0), wacom_dial(b, 1)],
         _ => return None,
     })
 }
@@ -116,24 +134,34 @@ fn wacom_ring(b: Bytes<'_>, id: u8, at: usize) -> Option<HidEvent> {
     Some(HidEvent::Ring { number: 0, place, places: WACOM_PLACES })
 }
 
-/// Two dials with seven bits each, the sign among them.
-fn wacom_dials(b: Bytes<'_>) -> Option<HidEvent> {
+/// Strips behind or beside the screen: thirteen bits each, of which one is set, or two where the finger lies between.
+fn wacom_strip(b: Bytes<'_>, number: u8) -> Option<HidEvent> {
+    if b.u8(0)? != 0x0C {
+        return None;
+    }
+    let at = 1 + 2 * usize::from(number);
+    let bits = u16::from(b.u8(at)? & 0x1F) << 8 | u16::from(b.u8(at + 1)?);
+    let place = bits.checked_ilog2().map(|place| place as u8);
+    Some(HidEvent::Strip { number, place, places: STRIP_PLACES })
+}
+
+/// One of two dials with seven bits each, the sign among them.
+fn wacom_dial(b: Bytes<'_>, number: u8) -> Option<HidEvent> {
     if b.u8(0)? != 0x11 {
         return None;
     }
-    let notches = |at| Some((b.u8(at)? << 1) as i8 >> 1);
-    let turned = |number, at| Some(HidEvent::Dial { number, notches: notches(at).filter(|n| *n != 0)? });
-    turned(0, 4).or_else(|| turned(1, 5))
+    let notches = (b.u8(4 + usize::from(number))? << 1) as i8 >> 1;
+    (notches != 0).then_some(HidEvent::Dial { number, notches })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::{events, spec};
+    use super::super::testing::{events, is_wheel, spec};
     use super::*;
 
     fn wheels(family: Family, report: &[u8]) -> Vec<HidEvent> {
         let all = events(&mut *spec(family, report.len()).decoder(), report);
-        all.into_iter().filter(|e| matches!(e, HidEvent::Dial { .. } | HidEvent::Ring { .. })).collect()
+        all.into_iter().filter(is_wheel).collect()
     }
 
     fn ring(place: Option<u8>, places: u8) -> Vec<HidEvent> {
@@ -170,6 +198,10 @@ mod tests {
         // id, keys, -, keys, two dials of seven bits
         assert_eq!(wheels(Family::WacomIntuosV3, &[0x11, 0, 0, 0, 3, 0]), dial(0, 3));
         assert_eq!(wheels(Family::WacomIntuosV3, &[0x11, 0, 0, 0, 0, 0x7F]), dial(1, -1));
+        assert_eq!(
+            wheels(Family::WacomIntuosV3, &[0x11, 0, 0, 0, 3, 0x7F]),
+            [dial(0, 3), dial(1, -1)].concat()
+        );
     }
 
     #[test]
@@ -181,5 +213,30 @@ mod tests {
         assert_eq!(wheels(Family::WacomIntuosPro, &[3, 0, 0x85, 0, 0, 0, 0, 0, 0, 0]), ring(Some(5), 72));
         assert_eq!(wheels(Family::WacomIntuos4, &[0x0C, 0x80, 0, 0, 0, 0, 0, 0, 0, 0]), ring(Some(0), 72));
         assert_eq!(wheels(Family::WacomIntuos4, &[2, 0x80, 0, 0, 0, 0, 0, 0, 0, 0]), [], "a pen");
+    }
+
+    #[test]
+    fn wacoms_strips_set_a_bit_where_the_finger_lies() {
+        let strip = |number, place| HidEvent::Strip { number, place, places: 13 };
+        for family in [Family::WacomIntuos3, Family::WacomIntuos3ExtraAux, Family::WacomCintiqV1] {
+            let mut decoder = spec(family, 10).decoder();
+            // id, 13 bits of the left strip, 13 of the right, keys
+            let mut strips = |bytes: [u8; 4]| {
+                let [a, b, c, d] = bytes;
+                let mut said = events(&mut *decoder, &[0x0C, a, b, c, d, 0, 0, 0, 0, 0]);
+                said.retain(is_wheel);
+                said
+            };
+            assert_eq!(strips([0, 0, 0, 0]), [], "no finger before, none now");
+            assert_eq!(strips([0, 1, 0x10, 0]), [strip(0, Some(0)), strip(1, Some(12))]);
+            assert_eq!(strips([0, 0x03, 0x10, 0]), [strip(0, Some(1))], "between two bits");
+            assert_eq!(
+                strips([0xE0, 0, 0xE0, 0]),
+                [strip(0, None), strip(1, None)],
+                "bits beside the strips"
+            );
+            let pen = [2, 0xE0, 1, 0, 1, 0, 0, 0, 0, 0];
+            assert!(!events(&mut *decoder, &pen).iter().any(is_wheel));
+        }
     }
 }
