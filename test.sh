@@ -86,7 +86,6 @@ build_sketches() {
 
 check "formatting" cargo fmt --check
 check "lints" cargo clippy --quiet --all-targets -- -D warnings
-check "compiles for Windows and macOS" scripts/other_systems.sh
 check "tests" cargo test --no-fail-fast
 check "documentation" env RUSTDOCFLAGS="-D warnings" cargo doc --quiet --no-deps
 check "program" cargo build --quiet
@@ -95,6 +94,8 @@ check "tablets on a real kernel, in QEMU" tests/kernel/run.sh
 check "trimesh, MeshLab and the Khronos validator" tests/interop.sh target/sketches
 check "fuzzing, ${FUZZ_SECONDS:-8} s a reader" fuzz/run.sh "${FUZZ_SECONDS:-8}" sketch_json sketch_svg species model_reader journal \
     pen_families pen_descriptor pen_recording
+# Last, since these compile much and may be left out where all before them was slow.
+check "compiles for Windows and macOS" scripts/other_systems.sh "$SECONDS"
 check "licences, sources and advisories of dependencies" scripts/deny.sh "$SECONDS"
 
 echo
