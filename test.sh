@@ -88,7 +88,6 @@ check "formatting" cargo fmt --check
 check "lints" cargo clippy --quiet --all-targets -- -D warnings
 check "tests" cargo test --no-fail-fast
 check "documentation" env RUSTDOCFLAGS="-D warnings" cargo doc --quiet --no-deps
-check "program" cargo build --quiet
 check "sketches build and pass our own judge" build_sketches
 check "tablets on a real kernel, in QEMU" tests/kernel/run.sh
 check "trimesh, MeshLab and the Khronos validator" tests/interop.sh target/sketches

@@ -22,7 +22,10 @@ fuzz_target!(|bytes: &[u8]| {
                 machine.sample(&pen, number as f64, &mut events);
             }
             HidEvent::Battery(percent) => assert!(percent <= 100),
-            HidEvent::Keys(_) | HidEvent::Touch { .. } => {}
+            HidEvent::Ring { place, places, .. } | HidEvent::Strip { place, places, .. } => {
+                assert!(place.is_none_or(|place| place < places));
+            }
+            HidEvent::Keys(_) | HidEvent::Touch { .. } | HidEvent::Dial { .. } => {}
         });
     }
     for event in &events {

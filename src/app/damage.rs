@@ -46,6 +46,34 @@ impl Damage {
         }
     }
 
+    /// Whether any of it lies in a place.
+    pub(super) fn touches(&self, place: Rect) -> bool {
+        self.places.iter().any(|known| known.intersects(place))
+    }
+
+    /// Takes out what one frame paints of it: what lies in `first`, then small places before large ones, up to an area of
+    /// `most` square points; a place that is larger than what is left of that is cut, and its lower part stays.
+    pub(super) fn take(&mut self, first: Rect, most: f32) -> Self {
+        let urgent =
+            self.places.iter().map(|place| place.intersect(first)).filter(|place| place.is_positive());
+        let mut now = Self { places: urgent.collect() };
+        self.places.sort_by(|a, b| b.area().total_cmp(&a.area()));
+        let mut left = most;
+        while let Some(place) = self.places.pop() {
+            let height = left / place.width();
+            left -= place.area();
+            if left >= 0.0 {
+                now.places.push(place);
+                continue;
+            }
+            let (strip, rest) = place.split_top_bottom_at_y(place.top() + height);
+            now.places.push(strip);
+            self.places.push(rest);
+            break;
+        }
+        now
+    }
+
     /// Adds where pictures are shown that are replaced. Not where glyphs are added to that of the fonts: they come where
     /// none were, and text that uses them is new itself.
     pub(super) fn add_pictures(&mut self, textures: &TexturesDelta, now: &[ClippedPrimitive]) {
@@ -161,6 +189,26 @@ mod tests {
         assert_eq!(damage(fonts, None), place(text), "all glyphs elsewhere");
         assert_eq!(damage(picture, None), place(image));
         assert_eq!(damage(picture, Some([0, 0])), place(image));
+    }
+
+    #[test]
+    fn a_large_place_is_painted_over_several_frames_and_the_pen_s_first() {
+        let mut damage = Damage::default();
+        let (large, small) = (
+            Rect::from_min_size(pos2(0.0, 0.0), vec2(100.0, 100.0)),
+            Rect::from_min_size(pos2(150.0, 0.0), vec2(10.0, 10.0)),
+        );
+        damage.add(large);
+        damage.add(small);
+        let pen = Rect::from_min_size(pos2(40.0, 90.0), vec2(20.0, 20.0));
+        let first = damage.take(pen, 4100.0);
+        let at_pen = Rect::from_min_max(pos2(40.0, 90.0), pos2(60.0, 100.0));
+        let strip = |top: f32, bottom: f32| Rect::from_min_max(pos2(0.0, top), pos2(100.0, bottom));
+        assert_eq!(first.places, [at_pen, small, strip(0.0, 40.0)]);
+        assert!(damage.touches(large) && !damage.touches(small));
+        assert_eq!(damage.take(Rect::NOTHING, 4000.0).places, [strip(40.0, 80.0)]);
+        assert_eq!(damage.take(Rect::NOTHING, 4000.0).places, [strip(80.0, 100.0)]);
+        assert_eq!(damage, Damage::default());
     }
 
     #[test]

@@ -18,6 +18,8 @@ pub(super) struct EguiPainter {
     picture: Option<wgpu::Texture>,
     /// What egui had on it.
     shown: Vec<ClippedPrimitive>,
+    /// Where the picture is still to be painted again.
+    due: Damage,
 }
 
 /// What one run of egui wants on the screen.
@@ -30,12 +32,21 @@ pub(super) struct EguiFrame {
     pub(super) pixels_per_point: f32,
 }
 
+/// How much of the window a frame may paint while something there must not wait.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hurry {
+    /// What must not wait, points.
+    pub(super) around: Rect,
+    /// Share of the window for everything else.
+    pub(super) share: f32,
+}
+
 impl EguiPainter {
     /// A painter for this surface.
     pub(super) fn new(surface: &Surface) -> Self {
         let options = egui_wgpu::RendererOptions::default();
         let renderer = egui_wgpu::Renderer::new(&surface.device, surface.format(), options);
-        Self { renderer, picture: None, shown: Vec::new() }
+        Self { renderer, picture: None, shown: Vec::new(), due: Damage::default() }
     }
 
     /// Makes a texture of ours known to egui.
@@ -49,14 +60,21 @@ impl EguiPainter {
         self.renderer.update_egui_texture_from_wgpu_texture(&surface.device, view, filter, id);
     }
 
-    /// Uploads egui's pictures, then paints what is damaged of the frame and shows it. Where the surface has no frame to
-    /// give, or `is_lost` says afterwards that the device is gone, nothing is lost but the frame.
+    /// Whether something is still to be painted in a place, points.
+    pub(super) fn is_due(&self, place: Rect) -> bool {
+        self.due.touches(place)
+    }
+
+    /// Uploads egui's pictures, then paints what is damaged of the frame and shows it; with a `hurry` so much of it, and
+    /// the rest in the frames to come. Where the surface has no frame to give, or `is_lost` says afterwards that the device
+    /// is gone, nothing is lost but the frame.
     #[allow(clippy::iter_over_hash_type, reason = "pictures do not depend on each other")]
     pub(super) fn paint(
         &mut self,
         surface: &mut Surface,
         mut frame: EguiFrame,
-        mut damage: Damage,
+        damage: Damage,
+        hurry: Option<Hurry>,
         below: impl Fn(&mut wgpu::RenderPass<'_>, [u32; 4]),
         is_lost: impl Fn() -> bool,
     ) {
@@ -70,10 +88,15 @@ impl EguiPainter {
             Rect::from_min_size(Pos2::ZERO, vec2(width as f32, height as f32) / frame.pixels_per_point);
         let is_empty = self.make_room(surface);
         if is_empty {
-            damage.add(window);
+            self.due.add(window);
         }
-        damage.add_pictures(&frame.textures, &frame.primitives);
-        damage.compare(&self.shown, &frame.primitives, window);
+        damage.places().iter().for_each(|place| self.due.add(*place));
+        self.due.add_pictures(&frame.textures, &frame.primitives);
+        self.due.compare(&self.shown, &frame.primitives, window);
+        let damage = match hurry.filter(|_| surface.takes_copies() && !is_empty) {
+            Some(hurry) => self.due.take(hurry.around, hurry.share * window.area()),
+            None => std::mem::take(&mut self.due),
+        };
         tracing::debug!("painted share={:.4}", damage.share(window));
         if let Some(target) = surface.acquire() {
             self.draw(surface, &mut frame, &target, &damage, below);
@@ -86,6 +109,7 @@ impl EguiPainter {
         } else {
             // The damage is forgotten with the frame: the next one is painted whole.
             self.picture = None;
+            self.due = Damage::default();
         }
         for id in &frame.textures.free {
             self.renderer.free_texture(id);

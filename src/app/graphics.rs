@@ -7,7 +7,7 @@
 use super::canvas::Rect as CanvasRect;
 use super::damage::Damage;
 use super::editor::Editor;
-use super::frame::{EguiFrame, EguiPainter};
+use super::frame::{EguiFrame, EguiPainter, Hurry};
 use super::plant_painter::{Painted, PlantPainter, Scene};
 use super::plant_texture::PlantTexture;
 use super::sheet::{self, Sheet};
@@ -25,6 +25,11 @@ use winit::window::Window;
 
 /// How far a line may reach beyond its width, pixels.
 const EDGE_PX: f32 = 3.0;
+
+/// Share of the window that a frame paints beside growing ink where the processor paints: a few milliseconds of its work.
+const SHARE_BESIDE_INK: f32 = 0.1;
+/// How far from the pen ink is new since the last frame, at most, points.
+const PEN_REACH: f32 = 64.0;
 
 /// Everything on the graphics card.
 pub(super) struct Graphics {
@@ -137,12 +142,33 @@ impl Graphics {
             }
         };
         let damage = std::mem::take(&mut self.damage);
-        self.painter.paint(&mut self.surface, frame, damage, drawing, || self.gpu.is_lost());
+        let hurry = self.hurry(editor);
+        self.painter.paint(&mut self.surface, frame, damage, hurry, drawing, || self.gpu.is_lost());
+    }
+
+    /// Where ink grows while the processor paints: large places then wait for it, over several frames.
+    fn hurry(&self, editor: &Editor) -> Option<Hurry> {
+        let pen = editor.canvas.growing().filter(|_| self.gpu.is_software())?.points().last()?;
+        let layout = editor.layout();
+        let at = editor.canvas.view().window_from_canvas().transform_point2(pen.position.as_dvec2())
+            / layout.pixels_per_point();
+        let around = egui::Rect::from_center_size(
+            egui::pos2(at.x as f32, at.y as f32),
+            egui::Vec2::splat(2.0 * PEN_REACH),
+        );
+        Some(Hurry { around: around.intersect(layout.canvas), share: SHARE_BESIDE_INK })
+    }
+
+    /// Whether some of the last frame is still to be painted.
+    pub(super) fn is_unfinished(&self) -> bool {
+        self.painter.is_due(egui::Rect::EVERYTHING)
     }
 
     /// Shows the newest picture of the plant, and wishes for the next where that would be another.
     fn show_plant(&mut self, editor: &mut Editor) -> Option<RenderError> {
-        let Painted { picture, failure } = self.plant_painter.take().unwrap_or_default();
+        // A picture that is still being painted on the window is not taken away from it.
+        let next = (!self.painter.is_due(editor.layout().plant)).then(|| self.plant_painter.take()).flatten();
+        let Painted { picture, failure } = next.unwrap_or_default();
         if let Some(picture) = picture {
             self.plant.show(&self.surface, &mut self.painter, picture);
             self.damage.add(editor.layout().plant);

@@ -34,7 +34,7 @@ pub struct Gpu {
     pub(super) queue: wgpu::Queue,
     pub(super) adapter: String,
     /// Whether the processor does the drawing.
-    pub(super) software: bool,
+    software: bool,
     /// Size of the largest buffer, bytes.
     pub(super) largest_buffer: u64,
     fault: Arc<Mutex<Option<Fault>>>,
@@ -97,6 +97,11 @@ impl Gpu {
     /// Name of the adapter and the interface through which it is used.
     pub fn adapter(&self) -> &str {
         &self.adapter
+    }
+
+    /// Whether the processor does the work of a graphics card.
+    pub fn is_software(&self) -> bool {
+        self.software
     }
 
     /// Longest side of a texture in pixels.

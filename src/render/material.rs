@@ -73,7 +73,7 @@ impl MaterialLayout {
             ],
         });
         // Where a picture is squeezed to nothing in one direction, Mesa's software driver never ends an anisotropic lookup.
-        let anisotropy = if gpu.software { 1 } else { ANISOTROPY };
+        let anisotropy = if gpu.is_software() { 1 } else { ANISOTROPY };
         let sampler = |mode| {
             gpu.device.create_sampler(&wgpu::SamplerDescriptor {
                 label: Some("picture"),

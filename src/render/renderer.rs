@@ -133,7 +133,7 @@ impl Renderer {
 
     /// Whether the processor draws because there is no graphics hardware: [`Quality::Draft`](super::Quality) is made for it.
     pub fn is_software(&self) -> bool {
-        self.gpu.software
+        self.gpu.is_software()
     }
 
     /// The device, to share it.

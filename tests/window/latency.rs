@@ -25,8 +25,8 @@ const BENDS: usize = 6;
 const PAPER: u8 = 200;
 /// Most that half of the frames paint while a line grows, share of the window: the end of the line, and the status line.
 const INK_SHARE: f64 = 0.05;
-/// Most that any frame paints then: canvas and plant, but not the panels around them.
-const LARGEST_SHARE: f64 = 0.75;
+/// Most that any frame paints then: with it a part of the plant's new picture, which is painted over several frames.
+const LARGEST_SHARE: f64 = 0.25;
 /// A move that is not seen by then is lost.
 const LOST: Duration = Duration::from_secs(10);
 
@@ -128,9 +128,11 @@ fn no_ink_is_lost_beside_a_tree() {
     for stroke in 0..4 {
         seen.extend(draw(&client, &watch, &way(canvas, 300, 173.0 * f64::from(stroke))));
         let drawn = program.news();
-        let painted = drawn.iter().filter(|line| line.contains("painted share="));
+        let growing = drawn.iter().take_while(|line| !line.contains("lifted strokes="));
+        let painted = growing.filter(|line| line.contains("painted share="));
         shares.extend(painted.map(|line| field(line, "share").parse::<f64>().unwrap()));
         program.rest();
+        program.news();
     }
     program.picture(&screen).keep("ink-beside-a-tree");
     seen.sort();

@@ -36,8 +36,11 @@ impl Running {
         self.heed(event_loop, &mut output);
         if let Some(graphics) = self.graphics.get() {
             graphics.draw(&self.egui, output, &mut self.editor);
-            if graphics.is_lost() {
+            let (is_lost, is_unfinished) = (graphics.is_lost(), graphics.is_unfinished());
+            if is_lost {
                 self.editor.snapshot();
+            }
+            if is_lost || is_unfinished {
                 self.want_frame();
             }
         }
