@@ -33,7 +33,7 @@ const SIBLINGS: usize = 16;
 pub(super) struct Twig<'a> {
     pub(super) branch: &'a Branch,
     pub(super) parent: Option<usize>,
-    /// Which of the barks it wears; the first one's is 0.
+    /// Which of the barks it has; the first one's is 0.
     pub(super) coat: usize,
 }
 

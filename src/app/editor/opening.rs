@@ -51,7 +51,7 @@ impl Editor {
     /// something to [`Editor::collect`].
     ///
     /// # Errors
-    /// A user without a home, or a system without threads. A drawing that cannot be opened is told in a notice.
+    /// A user without a home, or a system without threads. A drawing that cannot be opened becomes a notice.
     pub fn open(file: Option<PathBuf>, wake: impl Fn() + Send + Sync + 'static) -> anyhow::Result<Self> {
         Self::open_in(Places::of_system()?, file, wake)
     }

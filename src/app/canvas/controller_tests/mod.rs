@@ -50,25 +50,27 @@ impl Desk {
     }
 
     fn event(&mut self, event: &PenEvent) -> Vec<CanvasOutcome> {
-        let mut out = Vec::new();
-        let next = &mut self.next_id;
-        let mut new_id = || {
-            *next += 1;
-            *next
-        };
-        self.canvas.pen(event, &mut Drawing { strokes: &self.strokes, new_id: &mut new_id }, &mut out);
-        self.take(&out);
-        out
+        self.with_drawing(|canvas, drawing, out| canvas.pen(event, drawing, out))
     }
 
     fn act(&mut self, action: &Action) -> Vec<CanvasOutcome> {
+        self.with_drawing(|canvas, drawing, out| {
+            canvas.act(action, drawing, out);
+        })
+    }
+
+    /// Lets the canvas work on the drawing, which then takes what came of it.
+    fn with_drawing(
+        &mut self,
+        work: impl FnOnce(&mut Canvas, &mut Drawing<'_>, &mut Vec<CanvasOutcome>),
+    ) -> Vec<CanvasOutcome> {
         let mut out = Vec::new();
         let next = &mut self.next_id;
         let mut new_id = || {
             *next += 1;
             *next
         };
-        self.canvas.act(action, &mut Drawing { strokes: &self.strokes, new_id: &mut new_id }, &mut out);
+        work(&mut self.canvas, &mut Drawing { strokes: &self.strokes, new_id: &mut new_id }, &mut out);
         self.take(&out);
         out
     }
