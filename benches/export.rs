@@ -12,7 +12,7 @@
 mod common;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use penstemon::export::{Exporter, Scene, glb::Glb, obj::Obj};
+use penstemon::formats::write::{Exporter, Scene, glb::Glb, obj::Obj};
 use penstemon::model::quality::{Attributes, judge};
 use std::hint::black_box;
 

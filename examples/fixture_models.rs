@@ -7,7 +7,7 @@
 mod common;
 
 use glam::Vec3;
-use penstemon::export::export;
+use penstemon::formats::write::export;
 use penstemon::model::{Mesh, Vertex};
 use std::path::Path;
 use std::sync::Arc;

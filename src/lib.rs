@@ -25,7 +25,7 @@
 //! | [`species`] | what the drawing does not say: materials, forms, hearts of flowers |
 //! | [`model`] | plant to meshes |
 //! | [`pipeline`] | all of these in a row |
-//! | [`export`] | OBJ and glTF files |
+//! | [`formats`] | model files, written and read: OBJ, glTF, JSON |
 //! | [`render`] | pictures |
 //! | [`app`] | the window |
 //! | [`cli`] | the command line |
@@ -38,8 +38,8 @@ pub mod budget;
 #[cfg(feature = "program")]
 pub mod cli;
 pub mod depth;
-pub mod export;
 pub mod file_system;
+pub mod formats;
 pub mod geom;
 pub mod growth;
 pub mod input;

@@ -126,3 +126,32 @@ fn every_source_file_says_what_it_is() {
         files.iter().filter(|f| !fs::read_to_string(f).unwrap().starts_with("//!")).collect();
     assert!(silent.is_empty(), "no //! header: {silent:?}");
 }
+
+#[test]
+fn readers_and_writers_of_models_do_not_know_each_other() {
+    for (side, other) in [("read", "write"), ("write", "read")] {
+        let mut files = Vec::new();
+        rust_files(&root().join("src/formats").join(side), &mut files);
+        assert!(files.len() > 3, "{side}");
+        for file in files {
+            let text = fs::read_to_string(&file).unwrap();
+            assert!(
+                !text.contains(&format!("formats::{other}")),
+                "{} uses `formats::{other}`",
+                file.display()
+            );
+        }
+    }
+}
+
+#[test]
+fn pictures_know_nothing_of_growth_and_files() {
+    let mut files = Vec::new();
+    rust_files(&root().join("src/render"), &mut files);
+    for file in files {
+        let used = used_modules(&fs::read_to_string(&file).unwrap());
+        let unwanted: Vec<_> =
+            ["growth", "formats", "pipeline"].into_iter().filter(|m| used.contains(*m)).collect();
+        assert!(unwanted.is_empty(), "{} uses {unwanted:?}", file.display());
+    }
+}

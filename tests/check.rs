@@ -5,8 +5,8 @@
 mod common;
 
 use common::{textures, two_specimens};
-use penstemon::export::read::{ReadFormat, from_bytes};
-use penstemon::export::{Exporter, Scene, export, glb::Glb, obj::Obj};
+use penstemon::formats::read::{ReadFormat, from_bytes};
+use penstemon::formats::write::{Exporter, Scene, export, glb::Glb, obj::Obj};
 use penstemon::model::quality::judge;
 use proptest::prelude::*;
 use std::fs;

@@ -7,11 +7,9 @@ mod common;
 use common::{leafy, textures, two_specimens};
 use glam::{Vec2, Vec3};
 use gltf_json as json;
-use penstemon::export::pictures::fetch;
-use penstemon::export::read::{ReadFormat, from_bytes};
-use penstemon::export::{
-    Embedded, Encoded, ExportError, FORMATS, Scene, export, format_of, glb, load, plant_json,
-};
+use penstemon::formats::read::{Embedded, ReadFormat, from_bytes, load};
+use penstemon::formats::textures::fetch;
+use penstemon::formats::write::{Encoded, ExportError, FORMATS, Scene, export, format_of, glb, plant_json};
 use penstemon::growth::Limits;
 use penstemon::model::quality::{Report, judge, judge_model};
 use penstemon::model::{Model, Vertex};
@@ -421,7 +419,7 @@ fn models_that_are_not_sound_or_empty_are_refused() {
     let (model, plant) = two_specimens();
     let message = |model: &Model| match Scene::new(model, &plant, &textures, "a".into()) {
         Err(error) => error.to_string(),
-        Ok(scene) => penstemon::export::Exporter::encode(&glb::Glb, &scene).unwrap_err().to_string(),
+        Ok(scene) => penstemon::formats::write::Exporter::encode(&glb::Glb, &scene).unwrap_err().to_string(),
     };
     let mut bad = model.clone();
     Arc::make_mut(&mut bad.parts[3].mesh).points[0].x = f32::NAN;

@@ -5,8 +5,9 @@
 #![allow(clippy::unwrap_used, reason = "a test's helper may fail the test")]
 
 use glam::{Vec2, Vec3};
+use penstemon::app::growth_spots::drawn;
 use penstemon::cli::common::built_in_texture;
-use penstemon::export::pictures::fetch;
+use penstemon::formats::textures::fetch;
 use penstemon::growth::overlay::{Kind, Spot, Wanted};
 use penstemon::model::{Mesh, Model, Part};
 use penstemon::pipeline::{Built, Cache, build, build_with, params_of, species_of};
@@ -378,7 +379,7 @@ fn spots_stand_where_they_are_and_shine_faintly_through_the_plant() {
     let radius = 0.015 * (high - low).length();
     // How much the middle of a spot changes.
     let mut change = |at: Vec3, kind: Kind| {
-        viewport.set_overlay(&renderer, &[Spot { at, radius, kind }]);
+        viewport.set_overlay(&renderer, &drawn(&[Spot { at, radius, kind }]));
         let shown = shot(&renderer, &mut viewport, &camera, &look);
         let changed = changes(&plain, &shown);
         assert!(changed.len() > 8, "{kind:?} at {at} is not seen");
@@ -437,7 +438,7 @@ fn growth_is_seen_from_inside_over_the_plant() {
         let camera = camera(&built.model, &View { projection: Projection::Orthographic, ..View::default() });
         let look = Look::default();
         let plain = shot(&renderer, &mut viewport, &camera, &look);
-        viewport.set_overlay(&renderer, &built.overlay);
+        viewport.set_overlay(&renderer, &drawn(&built.overlay));
         let shown = shot(&renderer, &mut viewport, &camera, &look);
         keep(name, &shown);
         let changed = changes(&plain, &shown);

@@ -7,7 +7,7 @@
 mod drawings;
 
 use glam::{Vec2, Vec3};
-use penstemon::export::{Scene, format_of};
+use penstemon::formats::write::{Scene, format_of};
 use penstemon::geom::polyline;
 use penstemon::model::PartKind;
 use penstemon::pipeline::{self, Built};

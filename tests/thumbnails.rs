@@ -9,7 +9,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
-use penstemon::export::pictures::fetch;
+use penstemon::formats::textures::fetch;
 use penstemon::growth::Limits;
 use penstemon::model::Model;
 use penstemon::picture::decode::decode;

@@ -6,7 +6,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use penstemon::export::read::{ReadFormat, from_bytes};
+use penstemon::formats::read::{ReadFormat, from_bytes};
 use penstemon::model::crossing::crossing_faces;
 use penstemon::model::quality::judge;
 

@@ -30,6 +30,7 @@ mod file_dialog;
 pub mod fonts;
 mod frame;
 mod graphics;
+pub mod growth_spots;
 mod layout;
 pub mod messages;
 pub mod panels;

@@ -290,7 +290,7 @@ pub(super) fn invite(painter: &egui::Painter, canvas: egui::Rect, messages: &Mes
 
 /// The bytes of a texture's file: the program's own or the artist's.
 pub fn texture(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
-    Ok(crate::export::pictures::fetch(texture, &built_in_texture)?)
+    Ok(crate::formats::textures::fetch(texture, &built_in_texture)?)
 }
 
 /// The program's own textures, for the exporters.

@@ -6,7 +6,7 @@
 //! Limits: files that are no presets are not listed; those above [`MAX_BYTES`] are refused. For the list only the lines
 //! before the first section are read, where the name stands: pictures can be large.
 
-use crate::export::{WriteError, write_atomically};
+use crate::atomic::{WriteError, write_atomically};
 use crate::picture::Picture;
 use crate::sketch::limits;
 use crate::sketch::textures::{self, ChoiceText, Textures};

@@ -11,7 +11,7 @@ use super::messages::{Language, Messages, Msg};
 use super::panels::snapshot::{ExportChoice, Notice, PathPurpose, ViewState};
 use super::pen_settings::PenSettings;
 use super::window_size::WindowSize;
-use crate::export::{WriteError, write_atomically};
+use crate::atomic::{WriteError, write_atomically};
 use crate::pen::PenSource;
 use crate::pen::hid::Models;
 use serde::{Deserialize, Serialize, de::DeserializeOwned};

@@ -1,7 +1,7 @@
 //! `penstemon build SKETCH -o OUT`: drawing to plant.
 
 use super::common::{self, BuildOptions, Setup};
-use crate::export;
+use crate::formats::write;
 use anyhow::ensure;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -25,7 +25,7 @@ pub struct Args {
 /// A drawing that cannot be read or holds nothing to build, an output that cannot be written.
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     for out in &args.out {
-        export::format_of(out)?;
+        write::format_of(out)?;
     }
     let setup = Setup::open(&args.sketch, &args.options.setup)?;
     setup.sources.spare(args.out.iter().map(PathBuf::as_path))?;
@@ -36,7 +36,7 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         args.sketch.display()
     );
     let (model, plant) = (&built.model, &built.plant);
-    let bytes = export::export_all(&args.out, model, plant, &common::built_in_texture, &setup.sources)?;
+    let bytes = write::export_all(&args.out, model, plant, &common::built_in_texture, &setup.sources)?;
     if args.options.stats {
         common::print(&common::stats(&built.stages, &built.model, bytes).to_string())?;
     }

@@ -1,7 +1,7 @@
 //! `penstemon check`: is this mesh fit for a modeller, a game engine, a printer?
 
 use super::common;
-use crate::export::{load, read};
+use crate::formats::read::{load, read};
 use crate::model::crossing::crossing_faces;
 use crate::model::quality::{Report, judge};
 use crate::model::weld::weld;

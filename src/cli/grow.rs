@@ -1,8 +1,10 @@
 //! `penstemon grow SPECIES -o OUT`: a plant that grows by itself, at one age or at many ages one after the other.
 
 use super::{common, inside};
+use crate::atomic;
 use crate::budget::Budget;
-use crate::export::{self, pictures::fetch};
+use crate::formats::textures::fetch;
+use crate::formats::write;
 use crate::growth::{Limits, Outcome, foliage};
 use crate::input::Sources;
 use crate::model::Model;
@@ -64,7 +66,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         return Ok(ExitCode::SUCCESS);
     }
     for out in args.out.iter().filter(|out| !is_picture(out)) {
-        export::format_of(out)?;
+        write::format_of(out)?;
     }
     let name = args.species.as_deref().context("which species?")?;
     let species = open(name)?;
@@ -159,11 +161,11 @@ fn write(args: &Args, sources: &Sources, grown: &Grown, at: impl Fn(f32) -> (Pla
         let named_all = |outs: &[&PathBuf]| outs.iter().map(|out| named(out)).collect::<Vec<_>>();
         let (models, pictures) = (named_all(&models), named_all(&pictures));
         sources.spare(pictures.iter().map(PathBuf::as_path))?;
-        let mut bytes = export::export_all(&models, model, plant, &common::built_in_texture, sources)?;
+        let mut bytes = write::export_all(&models, model, plant, &common::built_in_texture, sources)?;
         if let Some(studio) = &mut studio {
             let png = studio.picture(model)?;
             for out in &pictures {
-                export::write_atomically(out, &png)?;
+                atomic::write_atomically(out, &png)?;
                 bytes += png.len();
             }
         }

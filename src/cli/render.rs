@@ -1,9 +1,9 @@
 //! `penstemon render`: a picture of a sketch or a model, a turntable of pictures, or the drawing itself.
 
 use super::common::{self, BuildOptions, Setup};
-use crate::export::pictures::{self, fetch};
-use crate::export::read::ReadFormat;
-use crate::export::{self, Embedded, Loaded, load};
+use crate::atomic;
+use crate::formats::read::{Embedded, Loaded, ReadFormat, load};
+use crate::formats::textures::{self, fetch};
 use crate::input::Sources;
 use crate::model::Model;
 use crate::pipeline::Built;
@@ -170,7 +170,7 @@ fn render_views(args: &Args, scene: &Scene, renderer: &mut Renderer) -> Result<u
 
 fn write(path: &Path, picture: &Picture) -> Result<usize> {
     let bytes = picture.to_png()?;
-    export::write_atomically(path, &bytes)?;
+    atomic::write_atomically(path, &bytes)?;
     Ok(bytes.len())
 }
 
@@ -200,7 +200,7 @@ impl Scene {
         let setup = Setup::open(&args.input, &args.build.setup)?;
         let Built { model, stages, .. } = setup.build(&args.input);
         let Setup { sketch, mut sources, .. } = setup;
-        pictures::files(&model.materials).for_each(|picture| sources.add(picture));
+        textures::files(&model.materials).for_each(|picture| sources.add(picture));
         Ok(Self { model, embedded: Embedded::default(), drawn: Some(sketch), stages, sources })
     }
 

@@ -13,7 +13,7 @@
 //! | `mipmap` | `mipmap.wgsl` | the smaller levels of a texture |
 //! | `canvas` | `paper.wgsl`, `reference.wgsl`, `stroke.wgsl` | the living drawing, into the window |
 //! | `debug` | `debug.wgsl` | part colours and edges instead of materials |
-//! | `overlay` | `overlay.wgsl` | markers, buds and light of a plant that grew, over it |
+//! | `overlay` | `overlay.wgsl` | spots and lines over the plant |
 //! | `present` | `present.wgsl` | a finished picture into the texture that the window shows |
 //!
 //! `full_screen` is what passes over all of a texture have in common, `uniform` a block of numbers for one pass.
@@ -65,6 +65,7 @@ pub(crate) use gpu::limits as device_limits;
 pub use light::LightParams;
 pub use look::{Background, Look, Mode, Quality};
 pub use orbit::OrbitCamera;
+pub use overlay::Spot;
 pub use picture::Picture;
 pub use renderer::{ModelDrawData, PictureOptions, Renderer, TextureSource};
 pub use resident::UploadStats;

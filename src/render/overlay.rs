@@ -1,6 +1,6 @@
-//! What growth looks like from inside, over the plant: markers, buds, light.
+//! Spots and lines over the model, such as the markers, buds and light of a plant that grew.
 //!
-//! Each spot is one instance of four corners: a disc toward the eye, or the line from a bud to where it will go. All are
+//! Each disc and each line is one instance of four corners; discs face the eye. All are
 //! drawn twice, first faintly without regard to depth, then where nothing stands before them. Limits: faint spots are laid
 //! over each other in no order of depth.
 
@@ -8,18 +8,21 @@ use super::gpu::Gpu;
 use super::pipeline::{Into, PipelineSpec};
 use super::scene::SceneLayout;
 use super::shaders;
-use crate::growth::overlay::{Kind, Spot};
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 
-/// Encoded red, green, blue and opacity of markers and buds: blue against orange, which everybody tells apart.
-const FREE: [u8; 4] = [70, 150, 235, 255];
-const TAKEN: [u8; 4] = [232, 132, 40, 255];
-const ACTIVE: [u8; 4] = [240, 60, 160, 255];
-const DORMANT: [u8; 4] = [172, 140, 204, 255];
-/// Red, green and blue of light at evenly spaced shares of full light: none is dim, all is bright.
-const LIGHT: [[f32; 3]; 4] =
-    [[24.0, 12.0, 110.0], [140.0, 30.0, 150.0], [236.0, 110.0, 70.0], [255.0, 226.0, 60.0]];
+/// A disc drawn over the model, and a line that begins there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spot {
+    /// Middle of the disc and beginning of the line, metres.
+    pub at: Vec3,
+    /// Radius of the disc, metres.
+    pub radius: f32,
+    /// From the beginning of the line to its end, metres; `None` for the disc alone.
+    pub line: Option<Vec3>,
+    /// Encoded red, green, blue and opacity.
+    pub colour: [u8; 4],
+}
 
 /// One instance; mirrors the inputs of `overlay.wgsl`.
 #[repr(C)]
@@ -62,36 +65,14 @@ impl OverlayDrawData {
     }
 }
 
-/// What is drawn of each spot.
+/// What is drawn of each spot: first its line, so that the disc lies on it.
 fn instances(spots: &[Spot]) -> Vec<Instance> {
     let mut out = Vec::with_capacity(spots.len());
-    for &Spot { at, radius, kind } in spots {
-        let mut put = |way, colour| out.push(Instance { at, radius, way, colour });
-        match kind {
-            Kind::Free => put(Vec3::ZERO, FREE),
-            Kind::Taken => put(Vec3::ZERO, TAKEN),
-            Kind::Active { way } => {
-                put(way, ACTIVE);
-                put(Vec3::ZERO, ACTIVE);
-            }
-            Kind::Dormant { way } => {
-                put(way, DORMANT);
-                put(Vec3::ZERO, DORMANT);
-            }
-            Kind::Light { exposure } => put(Vec3::ZERO, of_light(exposure)),
-        }
+    for &Spot { at, radius, line, colour } in spots {
+        out.extend(line.map(|way| Instance { at, radius, way, colour }));
+        out.push(Instance { at, radius, way: Vec3::ZERO, colour });
     }
     out
-}
-
-fn of_light(exposure: f32) -> [u8; 4] {
-    let place = exposure.clamp(0.0, 1.0) * (LIGHT.len() - 1) as f32;
-    let below = (place as usize).min(LIGHT.len() - 2);
-    let at = |k: usize| {
-        let (from, to) = (LIGHT[below][k], LIGHT[below + 1][k]);
-        (from + (to - from) * (place - below as f32)) as u8
-    };
-    [at(0), at(1), at(2), 255]
 }
 
 /// Draws spots.
@@ -135,13 +116,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_bud_is_a_disc_and_a_line_and_light_is_brighter_than_shade() {
-        let bud = Kind::Active { way: Vec3::Y };
-        let spots = [Kind::Free, bud, Kind::Light { exposure: 0.4 }];
-        let drawn = instances(&spots.map(|kind| Spot { at: Vec3::X, radius: 0.1, kind }));
-        assert_eq!(drawn.iter().filter(|one| one.way == Vec3::ZERO).count(), 3);
-        assert_eq!(drawn.iter().filter(|one| one.way == Vec3::Y).count(), 1);
-        let sum = |exposure| of_light(exposure)[..3].iter().map(|c| u32::from(*c)).sum::<u32>();
-        assert!(sum(0.0) < sum(0.5) && sum(0.5) < sum(1.0));
+    fn a_spot_with_a_line_is_a_line_under_a_disc() {
+        let spot = Spot { at: Vec3::X, radius: 0.1, line: None, colour: [255; 4] };
+        let drawn = instances(&[spot, Spot { line: Some(Vec3::Y), ..spot }]);
+        assert_eq!(drawn.iter().map(|one| one.way).collect::<Vec<_>>(), [Vec3::ZERO, Vec3::Y, Vec3::ZERO]);
     }
 }

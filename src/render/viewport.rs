@@ -13,7 +13,7 @@ use super::debug::DebugRenderer;
 use super::frame::FrameUniform;
 use super::ground::GroundRenderer;
 use super::light::{LightUniform, SKY_LAMPS, SUN_MAP_SIZE};
-use super::overlay::{OverlayDrawData, OverlayRenderer};
+use super::overlay::{OverlayDrawData, OverlayRenderer, Spot};
 use super::present::{PresentRenderer, SHOWN_FORMAT};
 use super::resident::ResidentModel;
 use super::scene::{Scene, SkyMaps};
@@ -22,7 +22,6 @@ use super::target::{PictureBuffers, Readback};
 use super::{
     Background, Look, Mode, OrbitCamera, Picture, Quality, RenderError, Renderer, TextureSource, UploadStats,
 };
-use crate::growth::overlay::Spot;
 use crate::model::Model;
 use glam::{Mat4, Vec3};
 

@@ -71,7 +71,7 @@ fn export(screen: &Screen, program: &mut Program, home: &TempDir) {
     let file = home.path().join("daisy.glb");
     let checked = Command::new(env!("CARGO_BIN_EXE_penstemon")).arg("check").arg(&file).output().unwrap();
     assert!(checked.status.success(), "{}", String::from_utf8_lossy(&checked.stderr));
-    let surfaces = penstemon::export::read(&file).unwrap();
+    let surfaces = penstemon::formats::read::read(&file).unwrap();
     assert!(surfaces.len() > 20, "{} surfaces", surfaces.len());
 }
 

@@ -8,7 +8,8 @@ use super::estimate::is_wanted;
 use crate::app::messages::{Msg, Told};
 use crate::app::panels::snapshot::{self, ExportChoice, ExportFormat, Notice};
 use crate::app::plant_view::{self, built_in_texture};
-use crate::export::{self, ExportError, pictures};
+use crate::formats::textures;
+use crate::formats::write::{self, ExportError};
 use crate::input::Sources;
 use crate::model::Model;
 use crate::pipeline::{self, Built};
@@ -141,7 +142,7 @@ impl Editor {
         let folder = drawing.and_then(Path::parent).unwrap_or(Path::new(""));
         let species = pipeline::species_file(self.document.sketch(), folder);
         drawing.into_iter().chain(species.as_deref()).for_each(|file| sources.add(file));
-        pictures::files(&built.plant.materials).for_each(|picture| sources.add(picture));
+        textures::files(&built.plant.materials).for_each(|picture| sources.add(picture));
         sources
     }
 
@@ -184,7 +185,7 @@ fn export(order: &Order, shared: &Shared) -> Result<usize, Failure> {
             let model = chosen_parts(&order.built.model, &order.choice);
             shared.advance(0.3);
             let (paths, plant) = ([order.path.clone()], &order.built.plant);
-            export::export_all(&paths, &model, plant, &built_in_texture, &order.sources).map_err(boxed)
+            write::export_all(&paths, &model, plant, &built_in_texture, &order.sources).map_err(boxed)
         }
         ExportFormat::Png => write_pictures(order, shared),
     }

@@ -7,7 +7,7 @@
 use super::{Messages, Msg};
 use crate::app::worker::BuildError;
 use crate::atomic::WriteError;
-use crate::export::ExportError;
+use crate::formats::write::ExportError;
 use crate::input::Overwrites;
 use crate::params::ParamError;
 use crate::pen::hid::refusal::{INSTALL_RULES, RULES_FILE, RULES_FOLDER, Remedy};

@@ -1,17 +1,17 @@
 //! GLB to a model that can be drawn: meshes where the nodes put them, materials as far as Blinn-Phong reaches.
 //!
-//! The inverse of `gltf_materials.rs`: base colour to diffuse, roughness to exponent, extensions to highlight and
+//! The inverse of `formats/write/gltf_materials.rs`: base colour to diffuse, roughness to exponent, extensions to highlight and
 //! translucency; v is turned round again.
 //!
 //! Limits: the first scene, or all roots where there is none; masks and blending both cut out; pictures outside the file
 //! are not read.
 
+use super::Malformed;
 use super::glb_container;
+use super::glb_surfaces::{assembled, check_nodes};
 use super::gltf_accessor::{Budget, Data};
-use super::gltf_extensions;
-use super::load::{Loaded, clay, is_picture};
-use super::read::Malformed;
-use super::read_glb::{assembled, check_nodes};
+use super::model::{Loaded, clay, is_picture};
+use crate::formats::gltf_extensions;
 use crate::model::Mesh;
 use crate::plant::{Material, Texture};
 use glam::{Mat3, Mat4, Quat, Vec3};

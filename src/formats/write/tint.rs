@@ -8,7 +8,8 @@
 //! colour of its material.
 
 use super::Scene;
-use super::pictures::{Picture, PictureFormat, Pictures};
+use super::pictures::{Picture, Pictures};
+use crate::picture::PictureFormat;
 use crate::picture::decode::{Rgba, decode};
 use crate::srgb::{linear_from_srgb, srgb_from_linear};
 

@@ -1,6 +1,6 @@
 //! Why a model could not be written.
 
-use super::pictures::FetchError;
+use crate::formats::textures::FetchError;
 use crate::quote;
 use std::path::PathBuf;
 use thiserror::Error;

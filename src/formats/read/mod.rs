@@ -1,9 +1,19 @@
-//! Reading models back, for the judge of meshes.
+//! Models read back from OBJ and GLB files.
 //!
-//! Total: any bytes end in surfaces or in a message that names file, place and reason; memory and time stay in
+//! [`read`] gives the surfaces as the file defines them, for [`quality`](crate::model::quality); [`load`] gives them in
+//! their places and with their materials, to be looked at. Total: any bytes end in surfaces or in a message that names file, place and reason; memory and time stay in
 //! proportion to the file, whatever its counts claim.
 
-use super::{read_glb, read_obj};
+mod glb_container;
+mod glb_model;
+mod glb_surfaces;
+mod gltf_accessor;
+pub mod model;
+mod obj_model;
+mod obj_surfaces;
+
+pub use model::{Embedded, Loaded, load};
+
 use crate::model::Mesh;
 use crate::model::quality::Attributes;
 use crate::{input, quote};
@@ -36,7 +46,7 @@ pub struct Malformed {
 }
 
 impl Malformed {
-    pub(super) fn new(place: impl Into<String>, reason: impl Into<String>) -> Self {
+    fn new(place: impl Into<String>, reason: impl Into<String>) -> Self {
         Self { place: quote::name(&place.into()), reason: quote::message(&reason.into()) }
     }
 }
@@ -98,7 +108,7 @@ pub fn read(path: &Path) -> Result<Vec<Surface>, ReadError> {
 }
 
 /// A model file's format and contents.
-pub(super) fn file(path: &Path) -> Result<(ReadFormat, Vec<u8>), ReadError> {
+fn file(path: &Path) -> Result<(ReadFormat, Vec<u8>), ReadError> {
     let format = ReadFormat::of(path).ok_or_else(|| ReadError::UnknownFormat(path.to_owned()))?;
     let failed = |source: io::Error| match source.kind() {
         io::ErrorKind::FileTooLarge => ReadError::TooLarge(path.to_owned()),
@@ -114,7 +124,7 @@ pub(super) fn file(path: &Path) -> Result<(ReadFormat, Vec<u8>), ReadError> {
 /// [`Malformed`], naming the place.
 pub fn from_bytes(format: ReadFormat, bytes: &[u8]) -> Result<Vec<Surface>, Malformed> {
     match format {
-        ReadFormat::Obj => read_obj::surfaces(bytes),
-        ReadFormat::Glb => read_glb::surfaces(bytes),
+        ReadFormat::Obj => obj_surfaces::surfaces(bytes),
+        ReadFormat::Glb => glb_surfaces::surfaces(bytes),
     }
 }

@@ -8,7 +8,7 @@
 
 use super::glb_container;
 use super::gltf_accessor::{Budget, Data};
-use super::read::{Malformed, Surface};
+use super::{Malformed, Surface};
 use crate::model::quality::Attributes;
 use crate::model::weld::weld;
 use crate::model::{Mesh, Vertex};

@@ -1,6 +1,7 @@
 //! What every exporter is given.
 
-use super::{BuiltInTextures, ExportError};
+use super::ExportError;
+use crate::formats::textures::BuiltInTextures;
 use crate::model::{Model, Part};
 use crate::plant::Plant;
 use std::borrow::Cow;

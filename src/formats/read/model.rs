@@ -4,10 +4,10 @@
 //! them where they belong, and what a file says of colour, picture, cut-out and sidedness becomes a
 //! [`Material`]. A picture that is missing or damaged is a warning: the surface is shown in its plain colour.
 
-use super::pictures::PictureFormat;
-use super::read::{self, ReadError, ReadFormat};
-use super::{load_glb, load_obj};
+use super::{ReadError, ReadFormat, file};
+use super::{glb_model, obj_model};
 use crate::model::{Mesh, Model, Part, PartKind};
+use crate::picture::PictureFormat;
 use crate::plant::{Material, Texture};
 use glam::Vec3;
 use std::path::{Path, PathBuf};
@@ -85,10 +85,10 @@ pub(super) fn is_picture(bytes: &[u8]) -> bool {
 /// # Errors
 /// [`ReadError`], naming the file and, inside it, the place.
 pub fn load(path: &Path) -> Result<Loaded, ReadError> {
-    let (format, bytes) = read::file(path)?;
+    let (format, bytes) = file(path)?;
     let loaded = match format {
-        ReadFormat::Obj => load_obj::load(&bytes, path.parent().unwrap_or(Path::new(""))),
-        ReadFormat::Glb => load_glb::load(&bytes),
+        ReadFormat::Obj => obj_model::load(&bytes, path.parent().unwrap_or(Path::new(""))),
+        ReadFormat::Glb => glb_model::load(&bytes),
     };
     loaded.map_err(|malformed| ReadError::Malformed { path: path.to_owned(), malformed })
 }

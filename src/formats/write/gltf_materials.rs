@@ -4,8 +4,8 @@
 //! highlight that of a microfacet surface ([`Material::roughness`]); what else a material has is in `gltf_extensions.rs`.
 //! `Ka` has no place: ambient light is the viewer's.
 
-use super::gltf_extensions;
 use super::{Pictures, Scene};
+use crate::formats::gltf_extensions;
 use crate::plant::Material;
 use gltf_json as json;
 use json::validation::Checked::Valid;

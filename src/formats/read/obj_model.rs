@@ -1,15 +1,15 @@
 //! OBJ with MTL to a model that can be drawn.
 //!
-//! The geometry comes from `read_obj.rs`, which keeps the faces in the file's order; here each run of faces after a
+//! The geometry comes from `obj_surfaces.rs`, which keeps the faces in the file's order; here each run of faces after a
 //! `usemtl` gets its material. MTL has no sidedness: both sides are shown.
 //!
 //! Limits: of an MTL file `Ka Kd Ks Ns Pr map_Kd map_d`; libraries and pictures beside the OBJ file only, which is where
 //! exporters put them.
 
-use super::load::{Loaded, clay, is_picture};
-use super::pictures::fetch;
-use super::read::Malformed;
-use super::read_obj;
+use super::Malformed;
+use super::model::{Loaded, clay, is_picture};
+use super::obj_surfaces;
+use crate::formats::textures::fetch;
 use crate::model::{Mesh, Vertex};
 use crate::plant::{Material, Texture};
 use crate::{input, quote};
@@ -35,7 +35,7 @@ pub(super) fn load(bytes: &[u8], folder: &Path) -> Result<Loaded, Malformed> {
             ));
         }
     }
-    for surface in read_obj::surfaces(bytes)? {
+    for surface in obj_surfaces::surfaces(bytes)? {
         let mut meshes: BTreeMap<usize, Mesh> = BTreeMap::new();
         for (i, triangle) in surface.mesh.triangles.iter().enumerate() {
             let material = uses.of_triangle(i).and_then(|name| materials.get(name)).unwrap_or(&plain);

@@ -1,38 +1,27 @@
-//! Finished models to files: one trait, one file per format; and back, for the judge of meshes.
+//! Finished models to files: one trait, one file per format.
 //!
 //! An [`Exporter`] makes the bytes in memory, [`export`] also writes them ([`crate::atomic`]: whole or not at all,
-//! companions such as MTL and pictures first). Same model, same bytes. [`read()`] opens OBJ and GLB files for
-//! [`quality`](crate::model::quality), [`load()`] opens them with their materials to be looked at.
+//! companions such as MTL and pictures first). Same model, same bytes.
 
 pub mod error;
 pub mod glb;
-mod glb_container;
-mod gltf_accessor;
-mod gltf_extensions;
 mod gltf_materials;
 mod gltf_tree;
-pub mod load;
-mod load_glb;
-mod load_obj;
 pub mod mtl;
 mod names;
 pub mod obj;
 pub mod pictures;
 pub mod plant_json;
-pub mod read;
-mod read_glb;
-mod read_obj;
 pub mod scene;
 mod tint;
 
-pub use crate::atomic::{WriteError, write_atomically};
 pub use error::ExportError;
-pub use load::{Embedded, Loaded, load};
-pub use pictures::{BuiltInTextures, Pictures};
-pub use read::{ReadError, Surface, read};
+pub use pictures::Pictures;
 pub use scene::Scene;
 
+use crate::atomic::WriteError;
 use crate::file_system::System;
+use crate::formats::textures::{self, BuiltInTextures};
 use crate::input::Sources;
 use crate::model::Model;
 use crate::plant::Plant;
@@ -135,7 +124,7 @@ pub fn export_all(
     sources: &Sources,
 ) -> Result<usize, ExportError> {
     let mut sources = sources.clone();
-    pictures::files(&model.materials).for_each(|picture| sources.add(picture));
+    textures::files(&model.materials).for_each(|picture| sources.add(picture));
     let prepared: Vec<Prepared> =
         paths.iter().map(|path| prepare(path, model, plant, built_in)).collect::<Result<_, _>>()?;
     sources.spare(prepared.iter().flat_map(Prepared::paths))?;
