@@ -64,7 +64,7 @@ impl Surface {
         let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
             label: Some("penstemon"),
             required_limits: render::device_limits(&adapter),
-            memory_hints: wgpu::MemoryHints::MemoryUsage,
+            memory_hints: render::MEMORY_HINTS,
             ..Default::default()
         }))
         .map_err(|e| refused(e.to_string()))?;

@@ -11,6 +11,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
+/// Buffers lie in blocks that are given back only when all of a block is free, the last block never: small blocks let the
+/// large buffers of a plant have memory of their own, which goes with them.
+pub(crate) const MEMORY_HINTS: wgpu::MemoryHints =
+    wgpu::MemoryHints::Manual { suballocated_device_memory_block_size: BLOCK..BLOCK };
+/// Smallest block, bytes.
+const BLOCK: u64 = 8 << 20;
 /// Longest wait for the device in one go, which is one pass; software drivers need seconds for the largest.
 const PATIENCE: Duration = Duration::from_secs(120);
 
@@ -60,7 +66,7 @@ impl Gpu {
         let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
             label: Some("penstemon"),
             required_limits: limits(&adapter),
-            memory_hints: wgpu::MemoryHints::MemoryUsage,
+            memory_hints: MEMORY_HINTS,
             ..Default::default()
         }))
         .map_err(|e| RenderError::Device { adapter: name, reason: e.to_string() })?;

@@ -61,7 +61,7 @@ pub use camera::{Direction, Projection, View};
 pub use canvas::{CanvasLayer, CanvasView};
 pub use error::RenderError;
 pub use gpu::Gpu;
-pub(crate) use gpu::limits as device_limits;
+pub(crate) use gpu::{MEMORY_HINTS, limits as device_limits};
 pub use light::LightParams;
 pub use look::{Background, Look, Mode, Quality};
 pub use orbit::OrbitCamera;

@@ -23,10 +23,9 @@ const LEGEND: f64 = 110.0;
 const BENDS: usize = 6;
 /// Paper is brighter than this in every colour, ink is not.
 const PAPER: u8 = 200;
-/// Most that half of the frames paint while a line grows, share of the window: the end of the line, and the status line.
-const INK_SHARE: f64 = 0.05;
-/// Most that any frame paints then: with it a part of the plant's new picture, which is painted over several frames.
-const LARGEST_SHARE: f64 = 0.25;
+/// Most that a frame paints while a line grows, share of the window: a tenth, which is a part of the plant's new picture
+/// where there is one, and the end of the line with the status line, which are less than half as much.
+const LARGEST_SHARE: f64 = 0.15;
 /// A move that is not seen by then is lost.
 const LOST: Duration = Duration::from_secs(10);
 
@@ -143,6 +142,5 @@ fn no_ink_is_lost_beside_a_tree() {
     assert!(seen.len() > 60, "only {} samples could be seen", seen.len());
     let (middle, largest) = (shares[shares.len() / 2], shares[shares.len() - 1]);
     eprintln!("{} frames painted {middle} of the window, the largest {largest}", shares.len());
-    assert!(middle < INK_SHARE, "half of the frames paint more than {middle} of the window");
     assert!(largest < LARGEST_SHARE, "a frame paints {largest} of the window");
 }

@@ -1,7 +1,9 @@
 //! Memory of the window: level while one draws and undoes, and given back when a large plant is gone.
 //!
 //! Counted is what the process has for itself, without files (`RssAnon` of `/proc/PID/status`), graphics driver included.
-//! The allocator gives back what has been free for a second, with the next frame that is drawn.
+//! The allocator gives back what has been free for a second, with the next frame that is drawn. What a small plant of the
+//! same species leaves behind counts as the window's own: pictures kept for the next plant of the species, threads, and
+//! what the driver compiled to draw leaves and bark.
 
 use crate::client::Client;
 use crate::program::Program;
@@ -13,9 +15,11 @@ use tempfile::TempDir;
 
 /// More than this, as a factor, is growth.
 const LEVEL: f64 = 1.1;
-/// Least share of a large plant's memory that comes back with its end. What stays are its pictures, kept for the next
-/// plant of the species, and what the driver compiled to draw leaves and bark.
-const RETURNED: f64 = 0.5;
+/// Least factor by which a large plant fills the memory.
+const LARGE: f64 = 1.1;
+/// Most that stays when it is gone, as a factor: measured are 1.06 to 1.16. The rest are blocks of 64 kB that a software
+/// driver keeps here and there for its next pictures, each in a page of the allocator's that cannot go back meanwhile.
+const LEFT: f64 = 1.25;
 /// Rounds of drawing and undoing before the memory is looked at first, and after that.
 const ROUNDS: [usize; 2] = [4, 10];
 
@@ -105,16 +109,21 @@ fn the_memory_of_a_large_plant_comes_back_with_a_new_drawing() {
         program.built_of(0);
         memory(&screen, &client, program)
     };
-    let empty = new(&mut program);
-    let [first, second] = [(); 2].map(|()| {
-        client.drop_file(&window, [left + 0.5 * width, top + 0.5 * height], &file);
-        program.built_of(28);
+    let mut show_and_leave = |file: &Path, strokes: usize| {
+        client.drop_file(&window, [left + 0.5 * width, top + 0.5 * height], file);
+        program.built_of(strokes);
         let full = memory(&screen, &client, &mut program);
-        (full, new(&mut program))
-    });
-    eprintln!("{empty:.0} MB without, then with and without: {first:.0?}, {second:.0?}");
-    let (full, after) = first;
-    assert!(full > 1.3 * empty, "the plant is not large");
-    assert!(full - after > RETURNED * (full - empty), "of {full:.0} MB {after:.0} stay, {empty:.0} before");
-    assert!(second.1 < LEVEL * after, "{after:.0} MB become {:.0} MB with the second plant", second.1);
+        [full, new(&mut program)]
+    };
+    let small = sketch_file("tree_round");
+    let strokes = penstemon::sketch::read(&small).unwrap().0.strokes.len();
+    let [_, before] = show_and_leave(&small, strokes);
+    let large = [(); 2].map(|()| show_and_leave(&file, 28));
+    eprintln!("{before:.0} MB after a small plant, then with and without a large one: {large:.0?}");
+    for [full, after] in large {
+        assert!(full > LARGE * before, "the plant is not large: {full:.0} MB");
+        assert!(after < LEFT * before, "of {full:.0} MB {after:.0} stay, {before:.0} before");
+    }
+    let [[_, first], [_, second]] = large;
+    assert!(second < LEVEL * first, "{first:.0} MB become {second:.0} MB with the second plant");
 }
