@@ -7,7 +7,7 @@
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use glam::Vec3;
-use penstemon::growth::{Envelope, Habit, Limits, Simulation, species::Resource};
+use penstemon::growth::{Envelope, Habit, Limits, Simulation, habit::Resource};
 use penstemon::pipeline;
 use penstemon::species::Species;
 use std::hint::black_box;

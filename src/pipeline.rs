@@ -10,8 +10,8 @@ pub use growing::Ages;
 use crate::anatomy::{self, Anatomy, AnatomyParams};
 use crate::budget::Budget;
 use crate::depth::{self, DepthParams};
+use crate::growth::habit::CrownHabit;
 use crate::growth::overlay::{Spot, Wanted};
-use crate::growth::species::CrownHabit;
 use crate::growth::{
     self, Envelope, Field, GrowthParams, Habit, Limits, Memory, Outcome, Schedule, Simulation, bloom,
     drawing, foliage,

@@ -20,6 +20,11 @@ pub fn mix(of: u64, name: u64) -> u64 {
     z ^ (z >> 31)
 }
 
+/// A number from 0 to 1 out of a hash, 1 left out.
+pub fn unit(hash: u64) -> f32 {
+    (hash >> 40) as f32 / (1u64 << 24) as f32
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -4,7 +4,7 @@
 
 use glam::Vec3;
 use peak_alloc::PeakAlloc;
-use penstemon::growth::species::Resource;
+use penstemon::growth::habit::Resource;
 use penstemon::growth::{Envelope, Field, Habit, Limits, Simulation};
 
 #[global_allocator]

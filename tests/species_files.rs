@@ -3,7 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
-use penstemon::growth::species::CrownHabit;
+use penstemon::growth::habit::CrownHabit;
 use penstemon::growth::{Habit, Limits, Simulation, plant_at};
 use penstemon::params::{Description, Kind, Parameters as _};
 use penstemon::pipeline;

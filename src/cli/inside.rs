@@ -3,7 +3,7 @@
 //! Simple bodies stand on the ground over the origin. A mesh stays where it was modelled, in metres, y up; the trunk rises
 //! to it from the ground.
 
-use crate::growth::solid::MAX_BYTES;
+use crate::growth::MAX_SOLID_BYTES;
 use crate::growth::{Envelope, Field, Simulation, Solid};
 use crate::input;
 use anyhow::{Context, Result, bail, ensure};
@@ -71,7 +71,7 @@ fn sized(text: &str) -> Option<Vec3> {
 
 fn solid(path: &str) -> Result<Solid> {
     let told = || format!("--inside {path}");
-    let bytes = input::read(Path::new(path), MAX_BYTES as u64).with_context(told)?;
+    let bytes = input::read(Path::new(path), MAX_SOLID_BYTES as u64).with_context(told)?;
     // Names and comments may be in any encoding; all that counts is plain.
     Solid::from_obj(&String::from_utf8_lossy(&bytes), path).context("--inside")
 }
@@ -99,7 +99,7 @@ fn check_size(text: &str, low: Vec3, high: Vec3) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::growth::solid::tests::flipped;
+    use crate::growth::flipped;
     use crate::growth::{Limits, Outcome};
     use crate::pipeline::{self, SetupError};
     use crate::species::Species;

@@ -1,13 +1,13 @@
 //! Tests of what changes with a plant's age: numbers of its species, and what the age slider shows.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
-use super::chains::Chain;
-use super::leaf::LeafHabit;
-use super::species::Control;
-use super::standing::{Standing, standing};
-use super::to_plant::with_chains;
-use super::tree::NONE;
 use super::*;
+use crate::growth::at_age::chains::Chain;
+use crate::growth::at_age::standing::{Standing, standing};
+use crate::growth::at_age::to_plant::with_chains;
+use crate::growth::habit::Control;
+use crate::growth::habit::LeafHabit;
+use crate::growth::tree::NONE;
 use crate::plant::{Branch, Organ, OrganKind, Plant, Shape};
 use glam::Vec3;
 use std::collections::BTreeMap;

@@ -4,13 +4,12 @@
 //! over. Shadows of an age before the plant's own are cast anew by the nodes that lived then. Where there is more than
 //! [`MOST`] of a kind, every n-th is taken: of the markers the same ones at every age.
 
-use super::fate::unit;
-use super::markers::Markers;
-use super::setting::Field;
-use super::shadow::Shadow;
+use super::resource::Field;
+use super::resource::markers::Markers;
+use super::resource::shadow::Shadow;
 use super::simulation::Simulation;
 use super::tree::Tree;
-use crate::random::mix;
+use crate::random::{mix, unit};
 use glam::Vec3;
 
 /// Most spots of one kind.

@@ -1,7 +1,7 @@
 //! What is seen of growth is what growth goes by.
 
 use super::*;
-use crate::growth::species::{Resource, SpaceHabit};
+use crate::growth::habit::{Resource, SpaceHabit};
 use crate::growth::{Envelope, Habit, Limits};
 
 const LIMITS: Limits = Limits { internodes: 20_000, markers: 50_000, voxels: 4 << 20, steps: 2_000_000_000 };

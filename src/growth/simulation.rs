@@ -7,29 +7,33 @@
 //! Where we depart: a bud's length budget is cut at the habit's longest shoot; a shoot that would leave the envelope
 //! turns to where its markers are, and ends if that does not help.
 
-use super::competition::{self, Crowd, Found};
-use super::direction::{self, Weights};
-use super::effort::{self, Effort};
-use super::envelope::{Crown, Envelope};
-use super::fate::{self, Fate, Waiting, unit};
+pub(super) mod effort;
+mod fit;
+mod skeleton;
+
+use self::effort::Effort;
+use self::fit::fitted;
+use super::habit::{Arrangement, Control, CrownHabit, Habit, Resource};
 use super::limits::{Limits, Outcome};
-use super::priority::{self, Priority};
-use super::setting::{Field, field_for, fitted, lowest, perception};
-use super::shadow::{Change, Shadow};
-use super::shedding;
-use super::skeleton;
-use super::species::{Arrangement, Control, CrownHabit, Habit, Resource};
-use super::tree::{NONE, NewNode, Tree};
-use super::vigour::Flow;
+use super::resource::competition::{self, Crowd, Found};
+use super::resource::field::{Field, field_for, lowest, perception};
+use super::resource::priority::{self, Priority};
+use super::resource::shadow::{Change, Shadow};
+use super::resource::vigour::Flow;
+use super::tree::{Fate, NONE, NewNode, Tree};
+use super::volume::{Crown, Envelope};
+use super::year::direction::{self, Weights};
+use super::year::fate::{self, Waiting};
+use super::year::shedding;
 use crate::plant::Plant;
-use crate::random::mix;
+use crate::random::{mix, unit};
 use glam::Vec3;
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::sync::Arc;
 
 /// Oldest age.
-pub const MAX_AGE: u16 = 10_000;
+pub(super) const MAX_AGE: u16 = 10_000;
 /// Open buds from which sensing light is worth several threads.
 const MANY: usize = 4096;
 /// Buds or nodes after which it is asked whether to stop.

@@ -1,15 +1,14 @@
 //! Tests of whole plants.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
-use super::fate::unit;
-use super::priority::{self, Priority};
-use super::species::{Arrangement, Control, CrownHabit, Resource, SpaceHabit, Toward};
-use super::tree::NONE;
-use super::vigour::Flow;
 use super::*;
+use crate::growth::habit::{Arrangement, Control, CrownHabit, Resource, SpaceHabit, Toward};
+use crate::growth::resource::priority::{self, Priority};
+use crate::growth::resource::vigour::Flow;
+use crate::growth::tree::NONE;
 use crate::params::{Kind, Overrides, Parameters as _};
 use crate::plant::{Branch, Plant, WorldFromCanvas};
-use crate::random::mix;
+use crate::random::{mix, unit};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
 use std::sync::Arc;
@@ -366,7 +365,7 @@ fn wood_only_ever_thickens_and_ages_flow_into_each_other() {
     let tree = simulation.tree();
     let mut last = vec![0.0; tree.len()];
     for tenth in 10..=120 {
-        let now = diameter::diameters(tree, simulation.habit(), tenth as f32 / 10.0);
+        let now = at_age::diameter::diameters(tree, simulation.habit(), tenth as f32 / 10.0);
         for (i, (before, now)) in last.iter().zip(&now).enumerate() {
             assert!(now + 1e-6 >= *before, "node {i} shrinks from {before} to {now} at {tenth}");
         }
@@ -392,7 +391,7 @@ fn keys_ranges_and_schedules_are_checked() {
     assert!(fault("shoot = 2.5").contains("integer") || fault("shoot = 2.5").contains("u32"));
     let habit: Habit =
         toml::from_str("lambda = [[0, 0.6], [10, 0.4]]\nshoot = 7\n[leaf]\nshape = \"tuft\"").unwrap();
-    assert_eq!((habit.lambda.at(5.0), habit.shoot, habit.leaf.shape), (0.5, 7, leaf::LeafShape::Tuft));
+    assert_eq!((habit.lambda.at(5.0), habit.shoot, habit.leaf.shape), (0.5, 7, habit::LeafShape::Tuft));
     assert_eq!(habit.pipe, Habit::default().pipe);
 }
 

@@ -5,13 +5,28 @@
 //! was settled, so the plant of any age is a question to the same arrays, and going back to an age cuts them off.
 //! Parents stand before their children. An axis is named by its first node.
 
-use super::fate::Fate;
 use glam::Vec3;
 
 /// No node.
-pub const NONE: u32 = u32::MAX;
+pub(super) const NONE: u32 = u32::MAX;
 /// The year of death of what lives, and the year of settling of what is open.
-pub const NEVER: u16 = u16::MAX;
+pub(super) const NEVER: u16 = u16::MAX;
+
+/// What became of a bud.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Fate {
+    /// Nothing yet.
+    #[default]
+    Dormant,
+    /// New internodes.
+    Shoot,
+    /// A flower.
+    Flower,
+    /// Nothing, ever.
+    Aborted,
+    /// It fell with its branch.
+    Shed,
+}
 
 /// Nodes, in the order in which they grew.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -6,7 +6,7 @@
 use super::Params;
 use crate::anatomy::Anatomy;
 use crate::depth;
-use crate::growth::species::Resource;
+use crate::growth::habit::Resource;
 use crate::growth::{Field, Memory, Outcome, Start, bloom, drawing, foliage, merge};
 use crate::plant::Plant;
 use crate::quote;

@@ -8,8 +8,8 @@ use penstemon::app::messages::Language;
 use penstemon::app::panels::Snapshot;
 use penstemon::app::panels::growth::YEARS;
 use penstemon::app::panels::snapshot::GrowthState;
+use penstemon::growth::habit::Resource;
 use penstemon::growth::overlay::Wanted;
-use penstemon::growth::species::Resource;
 use penstemon::species::Species;
 
 fn growing(state: GrowthState) -> Snapshot {

@@ -15,8 +15,8 @@ use penstemon::app::presets::Listed;
 use penstemon::app::settings::{Handedness, ThemeChoice};
 use penstemon::app::theme::{DARK, LIGHT};
 use penstemon::growth::Habit;
+use penstemon::growth::habit::Resource;
 use penstemon::growth::overlay::Wanted;
-use penstemon::growth::species::Resource;
 use penstemon::pen::hid::{ChooseError, DeviceInfo, Refused, StringsKept};
 use penstemon::sketch::Tool;
 

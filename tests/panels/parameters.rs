@@ -8,7 +8,7 @@ use penstemon::app::action::Action;
 use penstemon::app::messages::Language;
 use penstemon::app::panels::Snapshot;
 use penstemon::app::panels::snapshot::ParamValues;
-use penstemon::growth::species::CrownHabit;
+use penstemon::growth::habit::CrownHabit;
 use penstemon::growth::{Habit, Schedule};
 use serde_json::{Map, Value};
 

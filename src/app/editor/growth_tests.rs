@@ -3,8 +3,8 @@
 use super::{FRAME, REPLAY, YEARS};
 use crate::app::action::Action;
 use crate::app::editor::{Editor, Places};
+use crate::growth::habit::Resource;
 use crate::growth::overlay::{Kind, Wanted};
-use crate::growth::species::Resource;
 use crate::sketch::{Change, Stroke, StrokePoint, Tool};
 use glam::{Vec2, vec2};
 use serde_json::Value;

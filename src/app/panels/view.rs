@@ -7,8 +7,8 @@ use super::widgets::{note, palette, section, segments, switch, text_button_sized
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
 use crate::app::theme::TARGET;
+use crate::growth::habit::Resource;
 use crate::growth::overlay::Wanted;
-use crate::growth::species::Resource;
 use egui::{Color32, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
 
 /// Colours of the sun: kelvin, and the swatch that stands for it, linear RGB.

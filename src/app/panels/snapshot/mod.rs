@@ -21,7 +21,7 @@ pub use view::{LightChoice, ReferenceState, Shading, ViewState};
 use crate::app::action::CanvasTool;
 use crate::app::presets::Listed;
 use crate::app::settings::{Handedness, Settings, Stabiliser, ThemeChoice};
-use crate::growth::species::Resource;
+use crate::growth::habit::Resource;
 use crate::sketch::{StrokeId, Textures, Tool};
 use std::path::PathBuf;
 

@@ -1,0 +1,102 @@
+//! Flower buds of a grown plant: what buds whose fate was a flower show from the year in which it was decided.
+//!
+//! A bud is a small blade in the direction in which the shoot would have gone, one of a cluster about it; the species'
+//! looks open it ([`crate::species::dress()`]). A place flowers for as many years as the species says.
+
+use super::foliage::{self, Wood};
+use crate::growth::habit::Habit;
+use crate::growth::habit::leaf;
+use crate::growth::tree::{Fate, NONE};
+use crate::plant::{Blade, BladeForm, Organ, OrganKind, RestSurface, Shape};
+use crate::random::{mix, unit};
+use glam::{Vec2, Vec3};
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// Most flowers of a plant, each of which has some thirty parts.
+pub const MOST: usize = crate::budget::Budget::PLANT.flower_buds;
+/// How far the flowers of a cluster lean away from its middle, and stand from it, in lengths of a leaf.
+const APART: f32 = 0.9;
+const ASIDE: f32 = 0.35;
+
+/// The flower buds of a plant at an age, in the order of the buds; at most [`MOST`].
+pub fn buds(wood: &Wood<'_>, habit: &Habit) -> Vec<Organ> {
+    at_most(MOST, wood, habit)
+}
+
+/// Whether these are so many buds that others had to be left out.
+pub fn is_thinned(organs: &[Organ]) -> bool {
+    organs.len() >= MOST && organs.iter().filter(|organ| organ.kind == OrganKind::Bud).count() >= MOST
+}
+
+/// The flower buds, thinned to `most` where there would be more.
+fn at_most(most: usize, wood: &Wood<'_>, habit: &Habit) -> Vec<Organ> {
+    let sites = sites(wood, habit);
+    let pose = habit.leaf.at(wood.age);
+    let outline: Arc<[Vec2]> = leaf::outline(habit.leaf.shape, pose.width).into();
+    let cluster = habit.flower_cluster as usize;
+    let bud = |nth: usize| {
+        let (site, k) = (sites[nth / cluster], nth % cluster);
+        let blade = one(wood, site.bud, k, pose.length * site.grown, outline.clone());
+        Some(Organ {
+            kind: OrganKind::Bud,
+            stroke: None,
+            branch: Some(site.chain as usize),
+            flower: None,
+            material: 1,
+            shape: Shape::Blade(foliage::held(blade, wood.envelope)?),
+        })
+    };
+    let whole = sites.len() * cluster;
+    if whole <= most {
+        return (0..whole).filter_map(bud).collect();
+    }
+    // A volume leaves out some; of the others, where they are too many, the same share stays everywhere.
+    let held: Vec<usize> = (0..whole).into_par_iter().filter(|nth| bud(*nth).is_some()).collect();
+    let most = most.min(held.len());
+    (0..most).filter_map(|n| bud(held[n * held.len() / most])).collect()
+}
+
+/// A bud that flowers, and the chain that carries it.
+#[derive(Clone, Copy)]
+struct Site {
+    bud: usize,
+    chain: u32,
+    /// How far its flowers have grown in their first year, 0 to 1.
+    grown: f32,
+}
+
+fn sites(wood: &Wood<'_>, habit: &Habit) -> Vec<Site> {
+    let year = wood.age.ceil() as u16;
+    let before = u16::try_from(habit.flower_years.saturating_sub(1)).unwrap_or(u16::MAX);
+    let years = year.saturating_sub(before)..=year;
+    let of = &wood.tree.buds;
+    let flowers = |b: &usize| of.fate[*b] == Fate::Flower && years.contains(&of.settled[*b]);
+    let site = |bud: usize| {
+        let node = of.node[bud] as usize;
+        let chain = *wood.chains.of_node.get(node)?;
+        let since = wood.age - f32::from(of.settled[bud]) + 1.0;
+        (chain != NONE).then(|| Site { bud, chain, grown: since.clamp(0.05, wood.grown[node].max(0.05)) })
+    };
+    (0..of.node.len()).filter(flowers).filter_map(site).collect()
+}
+
+/// The `k`-th flower of a cluster.
+fn one(wood: &Wood<'_>, bud: usize, k: usize, length: f32, outline: Arc<[Vec2]>) -> Blade {
+    let (at, direction) = (wood.at[wood.tree.buds.node[bud] as usize], wood.tree.buds.direction[bud]);
+    let key = mix(mix(mix(wood.seed, 67), bud as u64), k as u64);
+    let random = Vec3::from_array([1, 2, 3].map(|n| 2.0 * unit(mix(key, n)) - 1.0));
+    let aside = if k == 0 { Vec3::ZERO } else { random * APART };
+    let way = (direction + aside).normalize_or(direction);
+    Blade {
+        outline,
+        curl: Vec::new(),
+        base: at + aside * (ASIDE * length),
+        u: way.any_orthonormal_vector() * length,
+        v: way * length,
+        length: 1.0,
+        rest: RestSurface::Plane,
+        form: BladeForm::default(),
+        template: None,
+    }
+}

@@ -1,0 +1,200 @@
+//! Leaves on the young wood of a grown plant.
+//!
+//! Leaves stand along young internodes, turned from one to the next by the golden angle, and in a bunch at the end of
+//! each shoot. All are copies of a few outlines, so a crown is triangulated a handful of times; each leaf's direction,
+//! length and roll are its own, from a random stream named by its node. What is new this year carries leaves that are as
+//! far grown as the year. The end of a twig has leaves however long ago it grew, for its buds open every spring.
+//!
+//! A leaf whose tip or middle would leave a drawn or modelled volume is shortened, or left out if that does not help.
+//!
+//! Limits: a plant has at most [`MOST`] leaves. They are counted before any is made; where there would be more, every
+//! so many-th stays, evenly over old and young wood alike, so that the crown grows thinner but nowhere bare.
+
+use super::chains::Chains;
+use crate::budget::Budget;
+use crate::geom::simple_loop;
+use crate::growth::habit::leaf::{self, LeafHabit, LeafPose};
+use crate::growth::tree::{NONE, Tree};
+use crate::growth::volume::Envelope;
+use crate::plant::{Blade, BladeForm, Organ, OrganKind, RestSurface, Shape};
+use crate::random::{mix, unit};
+use glam::{Quat, Vec2, Vec3};
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// Divergence of leaves, radians: the golden angle.
+const GOLDEN_RAD: f32 = 2.399_963;
+/// Widths of the outlines that leaves are copies of, as shares of the species'.
+const WIDTHS: [f32; 3] = [0.9, 1.0, 1.12];
+/// Nodes at the end of a twig that always have leaves.
+const SHORT: u8 = 2;
+/// Lengths that a leaf may have where it must stay in a volume, as shares of its own.
+const SHORTER: [f32; 3] = [1.0, 0.7, 0.45];
+/// Places along a leaf that must stay in the volume: its tip, and its middle, so that none spans a gap.
+const HELD_AT: [f32; 2] = [1.0, 0.55];
+/// Nodes that one thread takes at a time.
+const NODES: usize = 256;
+/// Most leaves of a plant.
+pub const MOST: usize = Budget::PLANT.leaves;
+
+/// What leaves stand on.
+pub struct Wood<'a> {
+    /// The plant.
+    pub tree: &'a Tree,
+    /// Its chains.
+    pub chains: &'a Chains,
+    /// Places of the nodes.
+    pub at: &'a [Vec3],
+    /// Diameters below the nodes.
+    pub diameters: &'a [f32],
+    /// How far what the nodes carry has grown this year, 1 for what is older.
+    pub grown: &'a [f32],
+    /// Age in years.
+    pub age: f32,
+    /// Diameter of the thinnest wood.
+    pub tip: f32,
+    /// Seed of everything random.
+    pub seed: u64,
+    /// What leaves must not leave.
+    pub envelope: &'a Envelope,
+}
+
+/// All leaves of a plant at an age, in the order of their nodes; at most [`MOST`].
+pub fn leaves(wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
+    at_most(MOST, wood, habit)
+}
+
+/// The leaves, thinned to `most` where there would be more.
+fn at_most(most: usize, wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
+    let pose = habit.at(wood.age);
+    if pose.length <= 0.0 || (habit.per_internode == 0 && habit.at_tip == 0) {
+        return Vec::new();
+    }
+    let outline = |w: &f32| leaf::outline(habit.shape, (pose.width * w).min(3.0)).into();
+    let outlines: Vec<Arc<[Vec2]>> = WIDTHS.iter().map(outline).collect();
+    debug_assert!(outlines.iter().all(|o| simple_loop::signed_area(o.iter().copied()) > 0.0));
+    let from_end = from_end(wood);
+    let on = |i: usize| leaves_of(wood, (habit, pose), &outlines, (i, from_end[i]));
+    let nodes = || (0..wood.chains.of_node.len()).into_par_iter().with_min_len(NODES);
+    let whole = |counts: &[u32]| counts.iter().map(|c| u64::from(*c)).sum::<u64>();
+    let places: Vec<u32> = nodes().map(|i| count_of(wood, habit, (i, from_end[i]))).collect();
+    if whole(&places) <= most as u64 {
+        return nodes().flat_map_iter(on).collect();
+    }
+    // A volume may leave out so many that the others need not be thinned.
+    let counts: Vec<u32> = nodes().map(|i| on(i).count() as u32).collect();
+    let whole = whole(&counts);
+    if whole <= most as u64 {
+        return nodes().flat_map_iter(on).collect();
+    }
+    let number = |next: &mut u64, count: &u32| {
+        *next += u64::from(*count);
+        Some(*next - u64::from(*count))
+    };
+    let before: Vec<u64> = counts.iter().scan(0, number).collect();
+    // Of any run of leaves as many stay as its share of the whole, so that exactly `most` do.
+    let stays = |nth: u64| nth * most as u64 / whole < (nth + 1) * most as u64 / whole;
+    let thinned = |i: usize| (before[i]..).zip(on(i)).filter(|(nth, _)| stays(*nth)).map(|(_, leaf)| leaf);
+    nodes().flat_map_iter(thinned).collect()
+}
+
+/// Whether so many of these are generated leaves that others had to be left out.
+pub fn is_thinned(organs: &[Organ]) -> bool {
+    let generated = |o: &&Organ| o.kind == OrganKind::Leaf && o.stroke.is_none();
+    organs.len() >= MOST && organs.iter().filter(generated).count() >= MOST
+}
+
+/// Years that the internode below a node has carried leaves, the year that runs counted.
+fn years_of(wood: &Wood<'_>, node: usize) -> f32 {
+    wood.age - f32::from(wood.tree.nodes.born[node]) + 1.0
+}
+
+/// Leaves that stand on the internode below one node, which stands `from_end` nodes from the end of its chain.
+fn count_of(wood: &Wood<'_>, habit: &LeafHabit, (i, from_end): (usize, u8)) -> u32 {
+    let leafy = years_of(wood, i) <= habit.years || from_end < SHORT;
+    let young = leafy && wood.diameters[i] <= wood.tip * habit.thickest;
+    let at_tip = if from_end == 0 { habit.at_tip } else { 0 };
+    if young && wood.chains.of_node[i] != NONE { habit.per_internode + at_tip } else { 0 }
+}
+
+/// The leaves of the internode below one node, less those for which a volume has no room.
+fn leaves_of<'a>(
+    wood: &'a Wood<'a>,
+    (habit, pose): (&'a LeafHabit, LeafPose),
+    outlines: &'a [Arc<[Vec2]>],
+    (i, from_end): (usize, u8),
+) -> impl Iterator<Item = Organ> + 'a {
+    let branch = wood.chains.of_node[i];
+    let pose = LeafPose { length: pose.length * wood.grown[i].max(0.05), ..pose };
+    (0..count_of(wood, habit, (i, from_end))).filter_map(move |k| {
+        let shape = Shape::Blade(held(one(wood, (habit, &pose), outlines, (i, k)), wood.envelope)?);
+        let branch = Some(branch as usize);
+        Some(Organ { kind: OrganKind::Leaf, stroke: None, branch, flower: None, material: 1, shape })
+    })
+}
+
+/// How many nodes stand between each node and the end of its chain, up to 255.
+fn from_end(wood: &Wood<'_>) -> Vec<u8> {
+    let mut out = vec![u8::MAX; wood.chains.of_node.len()];
+    for chain in &wood.chains.chains {
+        let nodes = &wood.chains.nodes[chain.range.0 as usize + 1..chain.range.1 as usize];
+        for (k, &node) in nodes.iter().rev().enumerate() {
+            out[node as usize] = k.min(255) as u8;
+        }
+    }
+    out
+}
+
+/// The leaf as long as a drawn or modelled volume has room for.
+pub(super) fn held(mut blade: Blade, envelope: &Envelope) -> Option<Blade> {
+    if matches!(envelope, Envelope::Free | Envelope::Crown(_)) {
+        return Some(blade);
+    }
+    let fits = |share: &f32| HELD_AT.iter().all(|at| envelope.contains(blade.base + blade.v * (share * at)));
+    let share = SHORTER.into_iter().find(fits)?;
+    (blade.u, blade.v) = (blade.u * share, blade.v * share);
+    Some(blade)
+}
+
+/// The leaf `k` of the internode below node `i`; those beyond the internode's own stand at its end.
+fn one(
+    wood: &Wood<'_>,
+    (habit, pose): (&LeafHabit, &LeafPose),
+    outlines: &[Arc<[Vec2]>],
+    (i, k): (usize, u32),
+) -> Blade {
+    let (from, to) = (wood.chains.below(i, wood.tree, wood.at), wood.at[i]);
+    let way = (to - from).try_normalize().unwrap_or(Vec3::Y);
+    let key = mix(mix(mix(wood.seed, 61), i as u64), u64::from(k));
+    let random = |n: u64| 2.0 * unit(mix(key, n)) - 1.0;
+    let at_tip = k >= habit.per_internode;
+    let along = if at_tip { 1.0 } else { (k as f32 + 0.6) / habit.per_internode as f32 };
+    let side = wood.tree.nodes.side[i].reject_from_normalized(way).normalize_or(way.any_orthonormal_vector());
+    let around = Quat::from_axis_angle(way, GOLDEN_RAD * (k + 1) as f32 + 0.4 * random(1)) * side;
+    let open = if at_tip { 0.7 } else { 1.0 };
+    let (sin, cos) = (pose.angle_rad * open).sin_cos();
+    let scatter = Vec3::new(random(2), random(3), random(4)) * pose.scatter;
+    let free = way * cos + around * sin - Vec3::Y * pose.droop + scatter;
+    let axis = free.try_normalize().unwrap_or(around);
+    // The face between square to the shoot and up to the sky.
+    let face =
+        way.lerp(Vec3::Y, pose.face_up) + Vec3::new(random(5), random(6), random(7)) * (0.5 * pose.scatter);
+    let across = axis.cross(face).try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector());
+    let length = pose.length * (1.0 + pose.vary * random(8));
+    let template = (unit(mix(key, 9)) * outlines.len() as f32) as usize % outlines.len();
+    Blade {
+        outline: outlines[template].clone(),
+        curl: Vec::new(),
+        base: from.lerp(to, along) + around * (0.4 * wood.diameters[i]),
+        u: across * length,
+        v: axis * length,
+        length: 1.0,
+        rest: RestSurface::Plane,
+        form: BladeForm::default(),
+        template: Some(template as u32),
+    }
+}
+
+#[cfg(test)]
+#[path = "foliage_tests.rs"]
+mod tests;

@@ -1,0 +1,266 @@
+//! Where branches are inserted in their carriers: each has bark of its own to stand on.
+//!
+//! Buds of a whorl share a node, and wood that has thickened outgrows short internodes: what botany calls a whorl is a
+//! close spiral. Where branches would overlap on their carrier, the thinner ones go up or down along it by as little as
+//! clears them, with all that they carry.
+//!
+//! Limits: a branch stays on the halves of the internodes next to its node; one that finds no place there stays where it
+//! is and is named to the caller.
+
+use super::chains::{Chain, Chains};
+use crate::growth::tree::Tree;
+use glam::Vec3;
+use std::f32::consts::PI;
+
+/// Radius of the swelling where a branch leaves, in its own radii.
+const COLLAR: f32 = 1.35;
+/// Bark between branches beside each other, radians: room for the corners of surfaces with four sides.
+const BESIDE: f32 = 0.9;
+/// Branches are opposite if less than this is missing to half a turn, radians.
+const OPPOSITE: f32 = 0.15;
+/// Share of the internodes next to the node that branches may go along.
+const REACH: f32 = 0.5;
+/// Least sine of the angle between a branch and its carrier: surfaces bend steeper ones outward.
+const STEEPEST: f32 = 0.4;
+/// Stands that are clear of each other but for this share count as clear.
+const TOUCHING: f32 = 0.99;
+
+/// Moves whatever shares bark: gives nodes and the feet of chains their new places. Returns the chains that found none.
+/// What was drawn stays where it was drawn, and a chain without room takes none unless its first node `stays`.
+pub(super) fn settle(
+    chains: &mut Chains,
+    tree: &Tree,
+    at: &mut [Vec3],
+    diameters: &[f32],
+    stays: impl Fn(u32) -> bool,
+) -> Vec<u32> {
+    let (own, crowded) = ways(chains, tree, (at, diameters), stays);
+    let mut whole: Vec<Vec3> = Vec::with_capacity(own.len());
+    for (chain, own) in chains.chains.iter_mut().zip(own) {
+        let way = own + chain.parent.map_or(Vec3::ZERO, |parent| whole[parent as usize]);
+        whole.push(way);
+        chain.foot += way;
+        let nodes = &chains.nodes[chain.range.0 as usize + 1..chain.range.1 as usize];
+        nodes.iter().for_each(|node| at[*node as usize] += way);
+    }
+    crowded
+}
+
+/// The way of each chain along its carrier, and the chains that have no room.
+fn ways(
+    chains: &Chains,
+    tree: &Tree,
+    (at, diameters): (&[Vec3], &[f32]),
+    stays: impl Fn(u32) -> bool,
+) -> (Vec<Vec3>, Vec<u32>) {
+    let mut ways = vec![Vec3::ZERO; chains.chains.len()];
+    let mut crowded = Vec::new();
+    let first = |c: u32| chains.first(c) as usize;
+    let mut carried: Vec<(u32, u32)> =
+        (0..).zip(&chains.chains).filter_map(|(c, chain)| Some((chain.parent?, c))).collect();
+    let is_drawn = |c: u32| first(c) < tree.drawn.len();
+    carried.sort_unstable_by(|&(p, a), &(q, b)| {
+        let thickness = diameters[first(b)].total_cmp(&diameters[first(a)]);
+        p.cmp(&q).then(is_drawn(b).cmp(&is_drawn(a))).then(thickness).then(a.cmp(&b))
+    });
+    let mut carrier = Carrier::default();
+    for siblings in carried.chunk_by(|a, b| a.0 == b.0) {
+        carrier.survey(chains, siblings[0].0, at);
+        let mut stands = Stands::default();
+        for &(_, c) in siblings {
+            let node = chains.nodes[chains.chains[c as usize].range.0 as usize];
+            let knot = carrier.knot(node);
+            let mut stand =
+                knot.stand(at[first(c)] - at[node as usize], diameters[first(c)], diameters[node as usize]);
+            if !is_drawn(c) {
+                match stands.free(&stand, &knot) {
+                    Some(along) => {
+                        ways[c as usize] = knot.way(along - stand.along);
+                        stand.along = along;
+                    }
+                    None => {
+                        crowded.push(c);
+                        // What will be cut takes no room.
+                        if !stays(first(c) as u32) {
+                            continue;
+                        }
+                    }
+                }
+            }
+            stands.insert(stand);
+        }
+    }
+    (ways, crowded)
+}
+
+/// The chain that carries, as a line.
+#[derive(Default)]
+struct Carrier {
+    /// Its nodes in ascending order, with their place in `line`.
+    order: Vec<(u32, u32)>,
+    /// Place of each node and the length of the chain before it, metres.
+    line: Vec<(Vec3, f32)>,
+}
+
+impl Carrier {
+    fn survey(&mut self, chains: &Chains, carrier: u32, at: &[Vec3]) {
+        let Chain { range, foot, .. } = chains.chains[carrier as usize];
+        let nodes = &chains.nodes[range.0 as usize..range.1 as usize];
+        self.order.clear();
+        self.order.extend(nodes.iter().copied().zip(0..));
+        self.order.sort_unstable();
+        self.line.clear();
+        let mut along = 0.0;
+        for (k, node) in nodes.iter().enumerate() {
+            let here = if k == 0 { foot } else { at[*node as usize] };
+            along += self.line.last().map_or(0.0, |(before, _)| before.distance(here));
+            self.line.push((here, along));
+        }
+    }
+
+    /// A node and the internodes next to it.
+    fn knot(&self, node: u32) -> Knot {
+        let found = self.order.binary_search_by_key(&node, |(node, _)| *node);
+        let k = found.map_or(0, |k| self.order[k].1 as usize);
+        let (here, along) = self.line[k];
+        let up = self.line.get(k + 1).map_or(Vec3::ZERO, |(above, _)| above - here);
+        let down = k.checked_sub(1).map_or(Vec3::ZERO, |below| self.line[below].0 - here);
+        let axis = (up - down).try_normalize().unwrap_or(Vec3::Y);
+        Knot { along, up, down, axis }
+    }
+}
+
+/// A node of the carrier.
+struct Knot {
+    /// Length of the carrier before it, metres.
+    along: f32,
+    /// To the next node and to the one before.
+    up: Vec3,
+    down: Vec3,
+    /// Unit direction along both.
+    axis: Vec3,
+}
+
+impl Knot {
+    /// The stand at the node itself of a branch that leaves in a direction.
+    fn stand(&self, way: Vec3, diameter: f32, of_carrier: f32) -> Stand {
+        let outward = way.reject_from_normalized(self.axis);
+        let length = way.length().max(f32::MIN_POSITIVE);
+        let sin = (outward.length() / length).max(STEEPEST);
+        // It comes out of the bark farther along than the node, by as much as it leans that way: somewhere between what
+        // that is on the internode above and on the one below.
+        let rise = |along: Vec3| {
+            let lean = way.dot(along.try_normalize().unwrap_or(self.axis)) / length;
+            0.5 * of_carrier * lean / (1.0 - lean * lean).max(0.0).sqrt().max(STEEPEST)
+        };
+        let (above, below) = (rise(self.up), rise(-self.down));
+        Stand {
+            along: self.along + above.midpoint(below),
+            outward: outward.try_normalize().unwrap_or_else(|| self.axis.any_orthonormal_vector()),
+            half_length: 0.5 * COLLAR * diameter / sin + 0.5 * (above - below).abs(),
+            half_angle: (COLLAR * diameter / of_carrier.max(f32::MIN_POSITIVE)).min(1.0).asin(),
+        }
+    }
+
+    /// The way along the carrier from a stand at the node to one above it, or below it, metres.
+    fn way(&self, above: f32) -> Vec3 {
+        if above > 0.0 { self.up.normalize_or_zero() * above } else { self.down.normalize_or_zero() * -above }
+    }
+
+    fn reaches(&self, above: f32) -> bool {
+        (-REACH * self.down.length()..=REACH * self.up.length()).contains(&above)
+    }
+}
+
+/// Where a branch leaves its carrier.
+#[derive(Clone, Copy)]
+struct Stand {
+    /// Length of the carrier before the place where it comes out of the bark, metres.
+    along: f32,
+    /// Unit direction from the carrier's axis.
+    outward: Vec3,
+    /// Half of where its collar may lie along the carrier, metres, and of what it covers around it, radians.
+    half_length: f32,
+    half_angle: f32,
+}
+
+impl Stand {
+    /// Whether two share bark if they stand at the same height.
+    fn is_beside(&self, other: &Stand) -> bool {
+        let apart = self.outward.dot(other.outward).clamp(-1.0, 1.0).acos();
+        apart <= (self.half_angle + other.half_angle + BESIDE).min(PI - OPPOSITE)
+    }
+
+    /// The distance along the carrier from which two are clear of each other.
+    fn clear(&self, other: &Stand) -> f32 {
+        self.half_length + other.half_length
+    }
+}
+
+/// The stands on one carrier in the order of their places.
+#[derive(Default)]
+struct Stands {
+    sorted: Vec<Stand>,
+    longest: f32,
+}
+
+impl Stands {
+    fn insert(&mut self, stand: Stand) {
+        self.longest = self.longest.max(stand.half_length);
+        let place = self.sorted.partition_point(|other| other.along <= stand.along);
+        self.sorted.insert(place, stand);
+    }
+
+    /// The nearest place within reach that the others leave free.
+    fn free(&self, stand: &Stand, knot: &Knot) -> Option<f32> {
+        let reach = REACH * knot.up.length().max(knot.down.length()) + stand.half_length + self.longest;
+        let from = self.sorted.partition_point(|other| other.along < stand.along - reach);
+        let to = self.sorted.partition_point(|other| other.along <= stand.along + reach);
+        let near = self.sorted[from..to].iter();
+        let beside: Vec<&Stand> = near.filter(|other| stand.is_beside(other)).collect();
+        let is_free = |along: f32| {
+            beside.iter().all(|other| (along - other.along).abs() >= TOUCHING * stand.clear(other))
+        };
+        let next_to = |other: &Stand| [other.along + stand.clear(other), other.along - stand.clear(other)];
+        let places = std::iter::once(stand.along).chain(beside.iter().flat_map(|other| next_to(other)));
+        let free = places.filter(|along| knot.reaches(along - stand.along) && is_free(*along));
+        free.min_by(|a, b| (a - stand.along).abs().total_cmp(&(b - stand.along).abs()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Places of branches that leave one node, relative to it.
+    fn settled(angles: &[f32], diameter: f32, length: f32) -> Vec<f32> {
+        let knot = Knot { along: 1.0, up: Vec3::Y * length, down: Vec3::Y * -length, axis: Vec3::Y };
+        let mut stands = Stands::default();
+        let place = |degrees: &f32| {
+            let out = Vec3::new(degrees.to_radians().cos(), 0.0, degrees.to_radians().sin());
+            let mut stand = knot.stand(out, diameter, 0.02);
+            stand.along = stands.free(&stand, &knot).unwrap_or(f32::NAN);
+            stands.insert(stand);
+            stand.along - 1.0
+        };
+        angles.iter().map(place).collect()
+    }
+
+    #[test]
+    fn opposite_branches_share_a_place_and_whorls_are_spread() {
+        assert_eq!(settled(&[0.0, 180.0], 0.015, 0.3), [0.0, 0.0]);
+        assert_eq!(settled(&[0.0, 90.0, 180.0, 270.0], 0.002, 0.3), [0.0; 4], "thin ones have room");
+        let whorl = settled(&[0.0, 72.0, 144.0, 216.0, 288.0], 0.015, 0.3);
+        let mut apart: Vec<f32> = whorl.clone();
+        apart.sort_by(f32::total_cmp);
+        let least = 1.3 * 0.015;
+        assert!(apart.windows(2).all(|w| w[1] - w[0] > least), "{whorl:?}");
+        assert!(whorl.iter().all(|above| above.abs() <= 0.15));
+    }
+
+    #[test]
+    fn where_there_is_no_room_branches_are_named() {
+        let places = settled(&[0.0, 72.0, 144.0], 0.015, 0.01);
+        assert!(places[0] == 0.0 && places[1].is_nan() && places[2].is_nan(), "{places:?}");
+    }
+}

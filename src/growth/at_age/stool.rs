@@ -1,0 +1,193 @@
+//! The stool of a bush: what its stems stand on, so that the wood of one plant is one surface.
+//!
+//! The stems of a bush sprout around one stump. Each grows by itself; here they are gathered: the first stem goes on from
+//! the stump's top, the others leave its bark in turn low and high, evenly around it, in the order in which they lean.
+//! What a stem carries near the ground moves with it, less and less with height. The stump is as thick as gives every
+//! stem bark of its own, and so grows with them.
+//!
+//! Limits: drawn trunks stay where they were drawn. Buds and markers, as overlays show them, are not moved.
+
+use super::to_plant::Limb;
+use crate::growth::tree::{NONE, Tree};
+use glam::Vec3;
+use std::f32::consts::TAU;
+
+/// Radius of the stump over the root of the sum of the stems' squared radii: a little more than as thick as all of them.
+const THICK: f32 = 1.2;
+/// Radius of the stump over the sum of the stems' radii: with 1.2 stems' widths of its girth for each, no two cross.
+const AROUND: f32 = 0.39;
+/// Heights at which stems leave the stump in turn, and of its shoulder, in radii of the thickest stem: a joint is nearly
+/// four high.
+const LOW: f32 = 2.4;
+const HIGH: f32 = 6.4;
+const SHOULDER: f32 = 8.0;
+/// Height of the stump's round top, in its own radii.
+const TOP: f32 = 0.8;
+/// How steeply stems rise inside of the stump, height over its radius: no less than joints would bend them.
+const RISE: f32 = 0.8;
+/// Height up to which a stem is moved, in lengths of its way to the stump: at 2 what stands just above its foot would be pressed flat.
+const REACH: f32 = 4.0;
+
+/// The feet of a plant that stand on a stool, in the order of their nodes; none if it has one trunk or drawn ones.
+fn feet(tree: &Tree) -> Vec<u32> {
+    let parents = &tree.nodes.parent;
+    let is_foot = |n: &u32| parents[*n as usize] == NONE;
+    let feet: Vec<u32> =
+        if tree.drawn.is_empty() { (0..tree.len() as u32).take_while(is_foot).collect() } else { Vec::new() };
+    if feet.len() > 1 { feet } else { Vec::new() }
+}
+
+/// Where the stump stands: amid the feet.
+fn middle(tree: &Tree, feet: &[u32]) -> Vec3 {
+    feet.iter().map(|foot| tree.nodes.at[*foot as usize]).sum::<Vec3>() / feet.len() as f32
+}
+
+/// Radius of the stump below stems on these feet.
+fn stump(feet: &[u32], diameters: &[f32]) -> f32 {
+    let radii = feet.iter().map(|foot| 0.5 * diameters[*foot as usize]);
+    let squares: f32 = radii.clone().map(|r| r * r).sum();
+    (THICK * squares.sqrt()).max(AROUND * radii.sum::<f32>())
+}
+
+/// Brings the stems of a bush to their stump. `lives` is for every node that has been born.
+pub(super) fn gather(tree: &Tree, lives: &[bool], at: &mut [Vec3], diameters: &[f32]) {
+    let feet = feet(tree);
+    let Some(leader) = feet.first().map(|first| leader(tree, lives).unwrap_or(*first)) else { return };
+    let middle = middle(tree, &feet);
+    let ways = ways(tree, &feet, leader, diameters);
+    // Feet come first, and carriers before what they carry.
+    let mut root: Vec<usize> = Vec::with_capacity(lives.len());
+    for (n, place) in at.iter_mut().enumerate().take(lives.len()) {
+        let parent = tree.nodes.parent[n];
+        root.push(if parent == NONE { n } else { root[parent as usize] });
+        let way = ways[root[n]];
+        let height = (place.y - middle.y).max(0.0);
+        let left = (1.0 - height / (REACH * way.length()).max(f32::MIN_POSITIVE)).max(0.0);
+        *place += way * (left * left);
+    }
+}
+
+/// The way of each foot to where its stem leaves the stump.
+fn ways(tree: &Tree, feet: &[u32], leader: u32, diameters: &[f32]) -> Vec<Vec3> {
+    let (middle, radius) = (middle(tree, feet), stump(feet, diameters));
+    let thickest = feet.iter().map(|foot| 0.5 * diameters[*foot as usize]).fold(0.0, f32::max);
+    let from = |foot: u32| tree.nodes.at[foot as usize] - middle;
+    let mut ways = vec![Vec3::ZERO; feet.len()];
+    ways[leader as usize] = Vec3::Y * (SHOULDER * thickest + TOP * radius) - from(leader);
+    let azimuth = |foot: &u32| {
+        let out = from(*foot);
+        out.z.atan2(out.x)
+    };
+    let mut others: Vec<u32> = feet.iter().copied().filter(|foot| *foot != leader).collect();
+    others.sort_by(|a, b| azimuth(a).total_cmp(&azimuth(b)));
+    let begin = others.first().map_or(0.0, azimuth);
+    for (k, &foot) in others.iter().enumerate() {
+        let (sin, cos) = (begin + TAU * k as f32 / others.len() as f32).sin_cos();
+        let height = thickest * if k % 2 == 0 { LOW } else { HIGH };
+        ways[foot as usize] = Vec3::new(radius * cos, height, radius * sin) - from(foot);
+    }
+    ways
+}
+
+/// The foot of the stem whose chain is the first.
+fn leader(tree: &Tree, lives: &[bool]) -> Option<u32> {
+    let parents = &tree.nodes.parent;
+    let first = (0..lives.len()).find(|n| lives[*n] && parents[*n] != NONE)?;
+    std::iter::successors(Some(first as u32), |n| Some(parents[*n as usize]).filter(|p| *p != NONE)).last()
+}
+
+/// Puts the trunks on their stump, which the first of them becomes below its foot.
+pub(super) fn join(tree: &Tree, limbs: &mut [Limb], diameters: &[f32]) {
+    let feet = feet(tree);
+    let trunks: Vec<usize> = (0..limbs.len()).filter(|limb| limbs[*limb].parent.is_none()).collect();
+    let (Some(&leader), false) = (trunks.first(), feet.is_empty()) else { return };
+    let middle = middle(tree, &feet);
+    let radius = stump(&feet, diameters);
+    for &trunk in &trunks[1..] {
+        let Limb { parent, skeleton, .. } = &mut limbs[trunk];
+        let (foot, thickness) = skeleton[0];
+        *parent = Some(leader);
+        skeleton.insert(0, (middle.with_y((foot.y - RISE * radius).max(middle.y)), thickness));
+    }
+    let skeleton = &mut limbs[leader].skeleton;
+    let top = skeleton[0].0;
+    let shoulder = top - Vec3::Y * (TOP * radius).min(0.5 * (top.y - middle.y));
+    skeleton.splice(0..0, [(middle, radius), (shoulder, radius)]);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::growth::{Habit, Limits, Simulation, plant_at};
+
+    fn bush(stems: u32, age: u16) -> Simulation {
+        let habit = Habit { stems, internode: 0.2, lift: 0.3.into(), flare: 0.0, ..Habit::default() };
+        let mut bush = Simulation::new(&habit, 5, Limits::default());
+        bush.grow_to(age, &|| false);
+        bush
+    }
+
+    #[test]
+    fn all_stems_of_a_bush_stand_on_one_stump() {
+        for (stems, age) in [(2, 3), (3, 8), (9, 1), (9, 8), (20, 6)] {
+            let plant = plant_at(&bush(stems, age), f32::from(age));
+            let trunks = plant.branches.iter().filter(|b| b.parent.is_none()).count();
+            let sides: Vec<_> = plant.branches[1..].iter().filter(|b| b.level == 0).collect();
+            assert_eq!((trunks, sides.len()), (1, stems as usize - 1), "{stems} stems at {age}");
+            let stump = &plant.branches[0];
+            let girth: f32 = sides.iter().map(|stem| 2.0 * stem.radii[0]).sum();
+            assert!(stump.radii[1] * TAU > 1.3 * girth, "bark for every stem");
+            for stem in &sides {
+                assert_eq!(stem.parent, Some(0));
+                let (inside, foot) = (stem.points[0] - stump.points[0], stem.points[1] - stump.points[0]);
+                assert!(inside.with_y(0.0).length() < 1e-4 && inside.y >= 0.0);
+                assert!(foot.y > inside.y && foot.with_y(0.0).length() > inside.with_y(0.0).length());
+            }
+            let apart = |k: usize| {
+                let others = sides.iter().enumerate().filter(|(j, _)| *j != k).map(|(_, stem)| stem);
+                others.map(|o| o.points[1].distance(sides[k].points[1])).fold(f32::INFINITY, f32::min)
+            };
+            assert!((0..sides.len()).all(|k| apart(k) > 2.0 * sides[k].radii[0]), "{stems} stems at {age}");
+        }
+    }
+
+    #[test]
+    fn shoots_of_the_first_days_rise_from_the_middle() {
+        let bush = bush(7, 1);
+        for age in [0.02, 0.3, 0.7, 1.0] {
+            let plant = plant_at(&bush, age);
+            let stump = plant.branches[0].points[0];
+            let off = |b: &crate::plant::Branch| (b.points[1] - stump).with_y(0.0).length();
+            let widest = plant.branches.iter().map(off).fold(0.0, f32::max);
+            assert!(widest < 0.04, "stems begin {widest} m from the middle at {age}");
+        }
+    }
+
+    #[test]
+    fn wood_high_above_the_stump_stays_where_it_grew() {
+        let bush = bush(7, 8);
+        let tree = bush.tree();
+        let lives = vec![true; tree.len()];
+        let (mut at, diameters) = (tree.nodes.at.clone(), vec![0.02; tree.len()]);
+        gather(tree, &lives, &mut at, &diameters);
+        let moved = |n: &usize| at[*n].distance(tree.nodes.at[*n]);
+        let high: Vec<usize> = (0..tree.len()).filter(|n| tree.nodes.at[*n].y > 1.0).collect();
+        assert!(high.len() > 20 && high.iter().all(|n| moved(n) == 0.0));
+        assert!((0..7).all(|foot| moved(&foot) > 0.02));
+        // Neighbours stay neighbours: nothing is torn, nothing turned upside down.
+        for n in 7..tree.len() {
+            let below = tree.nodes.parent[n] as usize;
+            let (before, after) = (tree.nodes.at[n] - tree.nodes.at[below], at[n] - at[below]);
+            assert!((after - before).length() < 0.8 * before.length(), "node {n}: {before} is now {after}");
+        }
+    }
+
+    #[test]
+    fn a_single_trunk_and_drawn_trunks_have_none() {
+        let single = bush(1, 4);
+        assert!(feet(single.tree()).is_empty());
+        let mut drawn = bush(4, 2).tree().clone();
+        drawn.drawn.push(0);
+        assert!(feet(&drawn).is_empty());
+    }
+}

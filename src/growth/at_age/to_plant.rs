@@ -1,0 +1,159 @@
+//! A grown tree at an age as a [`Plant`]: chains become branches, young wood gets leaves.
+//!
+//! Chains of more than three nodes are rounded by cubic Hermite pieces with Catmull–Rom tangents (001 §2.4) wherever
+//! they turn noticeably. Trunks widen at their foot. The materials are two, wood and leaf, until a species dresses the
+//! plant.
+
+use super::bloom;
+use super::chains::{Chain, Chains};
+use super::foliage::{self, Wood};
+use super::standing::{self, Standing};
+use super::stool;
+use crate::growth::simulation::Simulation;
+use crate::plant::{Branch, Material, Plant, WorldFromCanvas};
+use glam::{Vec2, Vec3};
+
+/// Turns with a larger cosine than this need no rounding: 8°.
+const STRAIGHT: f32 = 0.99;
+/// Heights above the ground, in radii of the trunk, at which its foot is modelled.
+const FOOT: [f32; 5] = [0.35, 0.8, 1.4, 2.4, 4.0];
+/// Share of its carrier's radius that a branch may begin with.
+const NARROWER: f32 = 0.92;
+
+/// The plant at an age, at most the simulation's own. Ages between years are years that run.
+pub fn plant_at(simulation: &Simulation, age: f32) -> Plant {
+    with_chains(simulation, age).0
+}
+
+/// The same with the chains that became its branches, in their order.
+pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) {
+    let (tree, habit) = (simulation.tree(), simulation.habit());
+    let age = if age.is_finite() { age.clamp(0.0, f32::from(simulation.age())) } else { 0.0 };
+    let Standing { chains, at, diameters, grown } = standing::standing(tree, habit, age);
+    let limb = |chain: &Chain| limb_of(chain, &chains, &at, &diameters);
+    let mut limbs: Vec<Limb> = chains.chains.iter().map(limb).collect();
+    stool::join(tree, &mut limbs, &diameters);
+    let branches = limbs.into_iter().map(|limb| limb.into_branch(habit.flare)).collect();
+    let wood = Wood {
+        tree,
+        chains: &chains,
+        at: &at,
+        diameters: &diameters,
+        grown: &grown,
+        age,
+        tip: habit.tip,
+        seed: simulation.seed(),
+        envelope: simulation.envelope(),
+    };
+    let mut organs = foliage::leaves(&wood, &habit.leaf);
+    organs.extend(bloom::buds(&wood, habit));
+    let plant = Plant {
+        world_from_canvas: WorldFromCanvas { scale: 1.0, origin: Vec2::ZERO },
+        branches,
+        flowers: Vec::new(),
+        organs,
+        materials: vec![Material::plain("wood", [0.3, 0.2, 0.12]), Material::plain("leaf", [0.1, 0.3, 0.05])],
+    };
+    debug_assert_eq!(plant.check_invariants(), Ok(()));
+    (plant, chains)
+}
+
+/// A branch on its way into the plant.
+pub(super) struct Limb {
+    /// The limb that carries it.
+    pub(super) parent: Option<usize>,
+    level: u32,
+    /// Points with their radii, metres, from its base.
+    pub(super) skeleton: Vec<(Vec3, f32)>,
+}
+
+fn limb_of(chain: &Chain, chains: &Chains, at: &[Vec3], diameters: &[f32]) -> Limb {
+    let nodes = &chains.nodes[chain.range.0 as usize..chain.range.1 as usize];
+    let mut skeleton: Vec<(Vec3, f32)> = Vec::with_capacity(2 * nodes.len());
+    for (k, &node) in nodes.iter().enumerate() {
+        let radius = |k: usize| nodes.get(k).map(|&n| 0.5 * diameters[n as usize]);
+        // The first node's own diameter is the carrier's.
+        let below = if k == 0 { None } else { radius(k) };
+        let above = radius(k + 1);
+        let mean = match (below, above) {
+            (Some(below), Some(above)) => below.midpoint(above),
+            (one, other) => one.or(other).unwrap_or(f32::MIN_POSITIVE),
+        };
+        skeleton.push((if k == 0 { chain.foot } else { at[node as usize] }, mean));
+    }
+    if let (Some(_), Some(first)) = (chain.parent, skeleton.first_mut()) {
+        first.1 = first.1.min(NARROWER * 0.5 * diameters[nodes[0] as usize]);
+    }
+    let skeleton = rounded(&skeleton);
+    Limb { parent: chain.parent.map(|p| p as usize), level: chain.level, skeleton }
+}
+
+impl Limb {
+    fn into_branch(self, flare: f32) -> Branch {
+        let mut skeleton = self.skeleton;
+        if self.parent.is_none() {
+            skeleton = with_foot(&skeleton, flare);
+        }
+        skeleton.dedup_by(|b, a| a.0.distance_squared(b.0) <= (1e-3 * a.1).powi(2));
+        if let [(base, radius)] = skeleton[..] {
+            skeleton.push((base + Vec3::Y * radius.max(1e-5), radius));
+        }
+        Branch {
+            stroke: None,
+            parent: self.parent,
+            level: self.level,
+            points: skeleton.iter().map(|s| s.0).collect(),
+            radii: skeleton.iter().map(|s| s.1.max(1e-6)).collect(),
+            material: 0,
+        }
+    }
+}
+
+/// Puts a point into every segment that turns at one of its ends.
+fn rounded(skeleton: &[(Vec3, f32)]) -> Vec<(Vec3, f32)> {
+    let count = skeleton.len();
+    if count <= 3 {
+        return skeleton.to_vec();
+    }
+    let at = |k: usize| skeleton[k.min(count - 1)].0;
+    let turns = |k: usize| {
+        let (a, b) = (at(k) - at(k.saturating_sub(1)), at(k + 1) - at(k));
+        k > 0 && k + 1 < count && a.dot(b) < STRAIGHT * a.length() * b.length()
+    };
+    let mut out = Vec::with_capacity(2 * count);
+    for k in 0..count - 1 {
+        out.push(skeleton[k]);
+        if turns(k) || turns(k + 1) {
+            // The Hermite piece half way: tangents are half the way between the neighbours.
+            let (t0, t1) = ((at(k + 1) - at(k.saturating_sub(1))) * 0.5, (at(k + 2) - at(k)) * 0.5);
+            let middle = at(k).midpoint(at(k + 1)) + (t0 - t1) * 0.125;
+            out.push((middle, skeleton[k].1.midpoint(skeleton[k + 1].1)));
+        }
+    }
+    out.push(skeleton[count - 1]);
+    out
+}
+
+/// A trunk with more points near the ground, where it widens.
+fn with_foot(skeleton: &[(Vec3, f32)], flare: f32) -> Vec<(Vec3, f32)> {
+    let radius = skeleton[0].1;
+    let mut out = Vec::with_capacity(skeleton.len() + FOOT.len());
+    let mut walked = 0.0;
+    let mut feet = FOOT.iter().map(|f| f * radius).peekable();
+    let widened = |r: f32, height: f32| r * (1.0 + flare * (-1.3 * height / radius).exp());
+    for w in skeleton.windows(2) {
+        out.push((w[0].0, widened(w[0].1, walked)));
+        let run = w[0].0.distance(w[1].0);
+        while let Some(foot) = feet.next_if(|f| *f < walked + run) {
+            let share = ((foot - walked) / run).clamp(0.0, 1.0);
+            out.push((w[0].0.lerp(w[1].0, share), widened(w[0].1 + (w[1].1 - w[0].1) * share, foot)));
+        }
+        walked += run;
+    }
+    out.extend(skeleton.last().map(|s| (s.0, widened(s.1, walked))));
+    out
+}
+
+#[cfg(test)]
+#[path = "to_plant_tests.rs"]
+mod tests;

@@ -1,0 +1,73 @@
+//! The habit of a plant that fills a given volume: internodes, leaves and wood become as fine as the volume needs.
+
+use crate::growth::habit::Habit;
+use crate::growth::volume::Envelope;
+use glam::Vec3;
+
+/// Internodes that a crown which is grown into is at least high where it is as full as [`FULL`]: drawn crowns need fine
+/// wood.
+const FINE: f32 = 50.0;
+/// Volume of a full crown, as a share of the cube of its size; wood is finer in crowns with thin parts, by the fourth
+/// root of their share of it, but not beyond [`FINEST`].
+const FULL: f32 = 0.16;
+/// Internodes that a crown with thin parts is at most high.
+const FINEST: f32 = 125.0;
+/// Least and largest length of leaves in a crown, internodes.
+const LEAVES: (f32, f32) = (1.8, 3.6);
+/// Internodes that grow in a volume of the cube of an internode, about.
+const CROWDED: f32 = 0.14;
+/// Share of the internodes at a tree's foot that count as pipes, about.
+const PIPES: f32 = 0.5;
+/// Thickness of a trunk for which none was drawn, as a share of its crown's size.
+const TRUNK: f32 = 0.055;
+/// Least thickness of the thinnest wood in a crown, as a share of the species'.
+const THIN: f32 = 0.2;
+
+/// Volume of a round body as a share of its box's.
+const ROUND: f32 = 0.5;
+
+/// The habit as it fills a volume: internodes and leaves short enough for it, wood so thin that the trunk becomes about
+/// as thick as it was drawn (`trunk`, metres), buds that seek the volume's space before they follow the species, nothing
+/// shed. Phyllotaxis, angles and leaves stay the species' own.
+pub(super) fn fitted(habit: &Habit, envelope: &Envelope, trunk: Option<f32>) -> Habit {
+    let mut habit = habit.clone();
+    if let Some((low, high)) = envelope.bounds() {
+        let size = (high - low).max_element();
+        if size > 0.0 {
+            let volume = volume_of(envelope, high - low);
+            let thin = (volume / (FULL * size.powi(3))).clamp(0.0, 1.0).powf(0.25).max(FINE / FINEST);
+            habit.internode = habit.internode.min(size * thin / (FINE * habit.fineness));
+            // A bare plant stays bare.
+            let (short, long) = (LEAVES.0 * habit.internode, LEAVES.1 * habit.internode);
+            habit.leaf.length = habit.leaf.length.clamped_unless_0(short, long);
+            let pipes = PIPES * CROWDED * volume / habit.internode.powi(3);
+            let tip = trunk.unwrap_or(TRUNK * size) / pipes.max(1.0).powf(1.0 / habit.pipe);
+            habit.tip = tip.clamp(THIN * habit.tip, habit.tip);
+        }
+    }
+    // An axis that is led on by one lateral after the other, as round the bends of a thin crown, stays as strong.
+    habit.shorter = 1.0.into();
+    (habit.bole, habit.clearance, habit.shed) = (0.0.into(), 0.0.into(), 0.0.into());
+    habit.seeking = habit.seeking.at_least(0.9);
+    habit.supply = habit.supply.at_least(4.0);
+    habit.shoot = habit.shoot.max(8);
+    habit.lambda = habit.lambda.at_least(0.5);
+    habit.ramification = habit.ramification.at_least(0.9);
+    habit.bud_life = habit.bud_life.max(12);
+    habit.leaf.per_internode = habit.leaf.per_internode.max(3);
+    habit.leaf.at_tip = habit.leaf.at_tip.max(6);
+    for lift in [&mut habit.lift, &mut habit.lift_branch, &mut habit.lift_twig] {
+        *lift = lift.times(0.25);
+    }
+    habit
+}
+
+/// Cubic metres of an envelope with this extent.
+fn volume_of(envelope: &Envelope, extent: Vec3) -> f32 {
+    match envelope {
+        Envelope::Inflated(inflated) => inflated.volume(),
+        Envelope::Solid(solid) => solid.volume(),
+        Envelope::Box { .. } => extent.element_product(),
+        _ => ROUND * extent.element_product(),
+    }
+}

@@ -1,0 +1,5 @@
+//! What one year of growth decides: the fate of buds, the directions of shoots, the branches that are shed.
+
+pub(super) mod direction;
+pub(super) mod fate;
+pub(super) mod shedding;
