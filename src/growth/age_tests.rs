@@ -3,8 +3,8 @@
 
 use super::*;
 use crate::growth::at_age::chains::Chain;
-use crate::growth::at_age::standing::{Standing, standing};
 use crate::growth::at_age::to_plant::with_chains;
+use crate::growth::at_age::wood_at_age::{WoodAtAge, wood_at_age};
 use crate::growth::habit::Control;
 use crate::growth::habit::LeafHabit;
 use crate::growth::tree::NONE;
@@ -131,7 +131,7 @@ fn one_plant_is_a_whip_at_5_and_a_wide_crown_at_30() {
 
 /// A plant between two positions of the age slider.
 struct Shown {
-    standing: Standing,
+    wood: WoodAtAge,
     /// Its branches by the nodes that they run through.
     branches: BTreeMap<Vec<u32>, Branch>,
     /// Bases of leaves and flowers with their lengths, by x.
@@ -149,14 +149,14 @@ impl Shown {
         let mut blades: Vec<(Vec3, f32)> = plant.organs.iter().filter_map(blade).collect();
         blades.sort_by(|a, b| a.0.x.total_cmp(&b.0.x));
         Self {
-            standing: standing(simulation.tree(), simulation.habit(), age),
+            wood: wood_at_age(simulation.tree(), simulation.habit(), age),
             branches: chains.chains.iter().map(nodes).zip(plant.branches).collect(),
             blades,
         }
     }
 
     fn stands(&self, node: usize) -> bool {
-        self.standing.chains.of_node.get(node).is_some_and(|chain| *chain != NONE)
+        self.wood.chains.of_node.get(node).is_some_and(|chain| *chain != NONE)
     }
 
     /// Length of the longest leaf or flower without another in `before` within a distance.
@@ -211,13 +211,12 @@ fn the_age_slider_is_smooth() {
             let now = Shown::new(&simulation, 7.0 + f32::from(step) / 50.0);
             for i in 0..tree.len() {
                 if now.stands(i) && before.stands(i) {
-                    let moved = now.standing.at[i].distance(before.standing.at[i]);
+                    let moved = now.wood.at[i].distance(before.wood.at[i]);
                     most.moved = most.moved.max(moved / habit.internode);
-                    let thicker = now.standing.diameters[i] - before.standing.diameters[i];
+                    let thicker = now.wood.diameters[i] - before.wood.diameters[i];
                     most.thicker = most.thicker.max(thicker.abs() / habit.tip);
                 } else if now.stands(i) {
-                    let long =
-                        now.standing.at[i].distance(now.standing.chains.below(i, tree, &now.standing.at));
+                    let long = now.wood.at[i].distance(now.wood.chains.below(i, tree, &now.wood.at));
                     most.new_wood = most.new_wood.max(long / habit.internode);
                     come += 1;
                 } else if before.stands(i) {

@@ -22,7 +22,7 @@ const BUD: f32 = 0.13;
 const WAY: f32 = 1.0;
 /// Radius of a spot without light, voxels; spots of full light are smaller, so that they do not hide the crown.
 const VOXEL: f32 = 0.2;
-/// How far spots of light are strewn about their voxels, voxels: rows of them would hide each other.
+/// How far spots of light are scattered about their voxels, voxels: rows of them would hide each other.
 const ASIDE: f32 = 0.8;
 /// Shadow from which a voxel counts as shaded, as a share of full light.
 const SHADE: f32 = 0.05;

@@ -103,7 +103,7 @@ fn nothing_is_computed_that_nobody_wants_and_no_more_than_can_be_seen() {
     assert_eq!(overlay(&simulation, 10.0, Wanted::default()), []);
     assert_eq!(overlay(&simulation, 10.0, Wanted { light: true, ..Wanted::default() }), []);
     let ball = Envelope::Sphere { centre: CENTRE, radius: 2.0 };
-    let markers = Markers::strew(&ball, 6000.0, 500_000, 0.5, 7);
+    let markers = Markers::scatter(&ball, 6000.0, 500_000, 0.5, 7);
     assert!(markers.len() > 3 * MOST);
     let spots = of_markers(&markers, 0);
     assert!(spots.len() <= MOST && spots.len() > MOST / 2, "{}", spots.len());

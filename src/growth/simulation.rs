@@ -2,7 +2,7 @@
 //!
 //! A [`Simulation`] is stepped year by year. All ages stay in its [`Tree`]; it can go back to any of them and grow on
 //! from there, and the same seed gives the same tree whether or not it went back and on any number of threads: what is
-//! done on many cores (strewing markers, sensing) does not depend on order, and nodes are added one after the other.
+//! done on many cores (scattering markers, sensing) does not depend on order, and nodes are added one after the other.
 //!
 //! Where we depart: a bud's length budget is cut at the habit's longest shoot; a shoot that would leave the envelope
 //! turns to where its markers are, and ends if that does not help.

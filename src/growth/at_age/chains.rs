@@ -14,16 +14,16 @@ pub struct Chain {
     /// 0 for a trunk.
     pub level: u32,
     /// Where its nodes begin in [`Chains::nodes`], and where they end. The first is the node that it begins at, which
-    /// belongs to the carrier if there is one.
+    /// belongs to the parent if there is one.
     pub range: (u32, u32),
-    /// Where it begins: at its first node, or a little along the carrier from that.
+    /// Where it begins: at its first node, or a little along the parent from that.
     pub foot: Vec3,
 }
 
 /// The chains of a plant.
 #[derive(Clone, Debug, Default)]
 pub struct Chains {
-    /// Carriers before carried.
+    /// Parents before children.
     pub chains: Vec<Chain>,
     /// Nodes of all chains.
     pub nodes: Vec<u32>,
@@ -69,8 +69,8 @@ pub(crate) fn chains(tree: &Tree, lives: &[bool], at: &[Vec3], diameters: &[f32]
             continue;
         }
         let parent = nodes.parent[i];
-        let carrier = Some(out.of_node[parent as usize]).filter(|c| *c != NONE);
-        let level = carrier.map_or(0, |c| out.chains[c as usize].level + 1);
+        let carried_by = Some(out.of_node[parent as usize]).filter(|c| *c != NONE);
+        let level = carried_by.map_or(0, |c| out.chains[c as usize].level + 1);
         let (first, index) = (out.nodes.len() as u32, out.chains.len() as u32);
         out.nodes.push(parent);
         let mut node = i as u32;
@@ -80,7 +80,7 @@ pub(crate) fn chains(tree: &Tree, lives: &[bool], at: &[Vec3], diameters: &[f32]
             node = next[node as usize];
         }
         let range = (first, out.nodes.len() as u32);
-        out.chains.push(Chain { parent: carrier, level, range, foot: at[parent as usize] });
+        out.chains.push(Chain { parent: carried_by, level, range, foot: at[parent as usize] });
     }
     out
 }

@@ -1,7 +1,7 @@
-//! Where branches are inserted in their carriers: each has bark of its own to stand on.
+//! Where branches are inserted in their parents: each has bark of its own.
 //!
 //! Buds of a whorl share a node, and wood that has thickened outgrows short internodes: what botany calls a whorl is a
-//! close spiral. Where branches would overlap on their carrier, the thinner ones go up or down along it by as little as
+//! close spiral. Where branches would overlap on their parent, the thinner ones go up or down along it by as little as
 //! clears them, with all that they carry.
 //!
 //! Limits: a branch stays on the halves of the internodes next to its node; one that finds no place there stays where it
@@ -20,9 +20,9 @@ const BESIDE: f32 = 0.9;
 const OPPOSITE: f32 = 0.15;
 /// Share of the internodes next to the node that branches may go along.
 const REACH: f32 = 0.5;
-/// Least sine of the angle between a branch and its carrier: surfaces bend steeper ones outward.
+/// Least sine of the angle between a branch and its parent: surfaces bend steeper ones outward.
 const STEEPEST: f32 = 0.4;
-/// Stands that are clear of each other but for this share count as clear.
+/// Insertions that are clear of each other but for this share count as clear.
 const TOUCHING: f32 = 0.99;
 
 /// Moves whatever shares bark: gives nodes and the feet of chains their new places. Returns the chains that found none.
@@ -46,7 +46,7 @@ pub(super) fn settle(
     crowded
 }
 
-/// The way of each chain along its carrier, and the chains that have no room.
+/// The way of each chain along its parent, and the chains that have no room.
 fn ways(
     chains: &Chains,
     tree: &Tree,
@@ -63,20 +63,20 @@ fn ways(
         let thickness = diameters[first(b)].total_cmp(&diameters[first(a)]);
         p.cmp(&q).then(is_drawn(b).cmp(&is_drawn(a))).then(thickness).then(a.cmp(&b))
     });
-    let mut carrier = Carrier::default();
+    let mut parent_line = ParentLine::default();
     for siblings in carried.chunk_by(|a, b| a.0 == b.0) {
-        carrier.survey(chains, siblings[0].0, at);
-        let mut stands = Stands::default();
+        parent_line.survey(chains, siblings[0].0, at);
+        let mut insertions = Insertions::default();
         for &(_, c) in siblings {
-            let node = chains.nodes[chains.chains[c as usize].range.0 as usize];
-            let knot = carrier.knot(node);
-            let mut stand =
-                knot.stand(at[first(c)] - at[node as usize], diameters[first(c)], diameters[node as usize]);
+            let number = chains.nodes[chains.chains[c as usize].range.0 as usize];
+            let (foot, of_parent) = (at[number as usize], diameters[number as usize]);
+            let node = parent_line.node(number);
+            let mut insertion = node.insertion(at[first(c)] - foot, diameters[first(c)], of_parent);
             if !is_drawn(c) {
-                match stands.free(&stand, &knot) {
+                match insertions.free(&insertion, &node) {
                     Some(along) => {
-                        ways[c as usize] = knot.way(along - stand.along);
-                        stand.along = along;
+                        ways[c as usize] = node.way(along - insertion.along);
+                        insertion.along = along;
                     }
                     None => {
                         crowded.push(c);
@@ -87,24 +87,24 @@ fn ways(
                     }
                 }
             }
-            stands.insert(stand);
+            insertions.insert(insertion);
         }
     }
     (ways, crowded)
 }
 
-/// The chain that carries, as a line.
+/// The parent chain, as a line.
 #[derive(Default)]
-struct Carrier {
+struct ParentLine {
     /// Its nodes in ascending order, with their place in `line`.
     order: Vec<(u32, u32)>,
     /// Place of each node and the length of the chain before it, metres.
     line: Vec<(Vec3, f32)>,
 }
 
-impl Carrier {
-    fn survey(&mut self, chains: &Chains, carrier: u32, at: &[Vec3]) {
-        let Chain { range, foot, .. } = chains.chains[carrier as usize];
+impl ParentLine {
+    fn survey(&mut self, chains: &Chains, parent: u32, at: &[Vec3]) {
+        let Chain { range, foot, .. } = chains.chains[parent as usize];
         let nodes = &chains.nodes[range.0 as usize..range.1 as usize];
         self.order.clear();
         self.order.extend(nodes.iter().copied().zip(0..));
@@ -119,20 +119,20 @@ impl Carrier {
     }
 
     /// A node and the internodes next to it.
-    fn knot(&self, node: u32) -> Knot {
-        let found = self.order.binary_search_by_key(&node, |(node, _)| *node);
+    fn node(&self, number: u32) -> Node {
+        let found = self.order.binary_search_by_key(&number, |(node, _)| *node);
         let k = found.map_or(0, |k| self.order[k].1 as usize);
         let (here, along) = self.line[k];
         let up = self.line.get(k + 1).map_or(Vec3::ZERO, |(above, _)| above - here);
         let down = k.checked_sub(1).map_or(Vec3::ZERO, |below| self.line[below].0 - here);
         let axis = (up - down).try_normalize().unwrap_or(Vec3::Y);
-        Knot { along, up, down, axis }
+        Node { along, up, down, axis }
     }
 }
 
-/// A node of the carrier.
-struct Knot {
-    /// Length of the carrier before it, metres.
+/// A node of the parent.
+struct Node {
+    /// Length of the parent before it, metres.
     along: f32,
     /// To the next node and to the one before.
     up: Vec3,
@@ -141,9 +141,9 @@ struct Knot {
     axis: Vec3,
 }
 
-impl Knot {
-    /// The stand at the node itself of a branch that leaves in a direction.
-    fn stand(&self, way: Vec3, diameter: f32, of_carrier: f32) -> Stand {
+impl Node {
+    /// The insertion at the node itself of a branch that leaves in a direction.
+    fn insertion(&self, way: Vec3, diameter: f32, of_parent: f32) -> Insertion {
         let outward = way.reject_from_normalized(self.axis);
         let length = way.length().max(f32::MIN_POSITIVE);
         let sin = (outward.length() / length).max(STEEPEST);
@@ -151,18 +151,18 @@ impl Knot {
         // that is on the internode above and on the one below.
         let rise = |along: Vec3| {
             let lean = way.dot(along.try_normalize().unwrap_or(self.axis)) / length;
-            0.5 * of_carrier * lean / (1.0 - lean * lean).max(0.0).sqrt().max(STEEPEST)
+            0.5 * of_parent * lean / (1.0 - lean * lean).max(0.0).sqrt().max(STEEPEST)
         };
         let (above, below) = (rise(self.up), rise(-self.down));
-        Stand {
+        Insertion {
             along: self.along + above.midpoint(below),
             outward: outward.try_normalize().unwrap_or_else(|| self.axis.any_orthonormal_vector()),
             half_length: 0.5 * COLLAR * diameter / sin + 0.5 * (above - below).abs(),
-            half_angle: (COLLAR * diameter / of_carrier.max(f32::MIN_POSITIVE)).min(1.0).asin(),
+            half_angle: (COLLAR * diameter / of_parent.max(f32::MIN_POSITIVE)).min(1.0).asin(),
         }
     }
 
-    /// The way along the carrier from a stand at the node to one above it, or below it, metres.
+    /// The way along the parent from an insertion at the node to one above it, or below it, metres.
     fn way(&self, above: f32) -> Vec3 {
         if above > 0.0 { self.up.normalize_or_zero() * above } else { self.down.normalize_or_zero() * -above }
     }
@@ -172,59 +172,60 @@ impl Knot {
     }
 }
 
-/// Where a branch leaves its carrier.
+/// Where a branch leaves its parent.
 #[derive(Clone, Copy)]
-struct Stand {
-    /// Length of the carrier before the place where it comes out of the bark, metres.
+struct Insertion {
+    /// Length of the parent before the place where it comes out of the bark, metres.
     along: f32,
-    /// Unit direction from the carrier's axis.
+    /// Unit direction from the parent's axis.
     outward: Vec3,
-    /// Half of where its collar may lie along the carrier, metres, and of what it covers around it, radians.
+    /// Half of where its collar may lie along the parent, metres, and of what it covers around it, radians.
     half_length: f32,
     half_angle: f32,
 }
 
-impl Stand {
+impl Insertion {
     /// Whether two share bark if they stand at the same height.
-    fn is_beside(&self, other: &Stand) -> bool {
+    fn is_beside(&self, other: &Insertion) -> bool {
         let apart = self.outward.dot(other.outward).clamp(-1.0, 1.0).acos();
         apart <= (self.half_angle + other.half_angle + BESIDE).min(PI - OPPOSITE)
     }
 
-    /// The distance along the carrier from which two are clear of each other.
-    fn clear(&self, other: &Stand) -> f32 {
+    /// The distance along the parent from which two are clear of each other.
+    fn clear(&self, other: &Insertion) -> f32 {
         self.half_length + other.half_length
     }
 }
 
-/// The stands on one carrier in the order of their places.
+/// The insertions on one parent in the order of their places.
 #[derive(Default)]
-struct Stands {
-    sorted: Vec<Stand>,
+struct Insertions {
+    sorted: Vec<Insertion>,
     longest: f32,
 }
 
-impl Stands {
-    fn insert(&mut self, stand: Stand) {
-        self.longest = self.longest.max(stand.half_length);
-        let place = self.sorted.partition_point(|other| other.along <= stand.along);
-        self.sorted.insert(place, stand);
+impl Insertions {
+    fn insert(&mut self, insertion: Insertion) {
+        self.longest = self.longest.max(insertion.half_length);
+        let place = self.sorted.partition_point(|other| other.along <= insertion.along);
+        self.sorted.insert(place, insertion);
     }
 
     /// The nearest place within reach that the others leave free.
-    fn free(&self, stand: &Stand, knot: &Knot) -> Option<f32> {
-        let reach = REACH * knot.up.length().max(knot.down.length()) + stand.half_length + self.longest;
-        let from = self.sorted.partition_point(|other| other.along < stand.along - reach);
-        let to = self.sorted.partition_point(|other| other.along <= stand.along + reach);
+    fn free(&self, insertion: &Insertion, node: &Node) -> Option<f32> {
+        let reach = REACH * node.up.length().max(node.down.length()) + insertion.half_length + self.longest;
+        let from = self.sorted.partition_point(|other| other.along < insertion.along - reach);
+        let to = self.sorted.partition_point(|other| other.along <= insertion.along + reach);
         let near = self.sorted[from..to].iter();
-        let beside: Vec<&Stand> = near.filter(|other| stand.is_beside(other)).collect();
+        let beside: Vec<&Insertion> = near.filter(|other| insertion.is_beside(other)).collect();
         let is_free = |along: f32| {
-            beside.iter().all(|other| (along - other.along).abs() >= TOUCHING * stand.clear(other))
+            beside.iter().all(|other| (along - other.along).abs() >= TOUCHING * insertion.clear(other))
         };
-        let next_to = |other: &Stand| [other.along + stand.clear(other), other.along - stand.clear(other)];
-        let places = std::iter::once(stand.along).chain(beside.iter().flat_map(|other| next_to(other)));
-        let free = places.filter(|along| knot.reaches(along - stand.along) && is_free(*along));
-        free.min_by(|a, b| (a - stand.along).abs().total_cmp(&(b - stand.along).abs()))
+        let next_to =
+            |other: &Insertion| [other.along + insertion.clear(other), other.along - insertion.clear(other)];
+        let places = std::iter::once(insertion.along).chain(beside.iter().flat_map(|other| next_to(other)));
+        let free = places.filter(|along| node.reaches(along - insertion.along) && is_free(*along));
+        free.min_by(|a, b| (a - insertion.along).abs().total_cmp(&(b - insertion.along).abs()))
     }
 }
 
@@ -234,14 +235,14 @@ mod tests {
 
     /// Places of branches that leave one node, relative to it.
     fn settled(angles: &[f32], diameter: f32, length: f32) -> Vec<f32> {
-        let knot = Knot { along: 1.0, up: Vec3::Y * length, down: Vec3::Y * -length, axis: Vec3::Y };
-        let mut stands = Stands::default();
+        let node = Node { along: 1.0, up: Vec3::Y * length, down: Vec3::Y * -length, axis: Vec3::Y };
+        let mut insertions = Insertions::default();
         let place = |degrees: &f32| {
             let out = Vec3::new(degrees.to_radians().cos(), 0.0, degrees.to_radians().sin());
-            let mut stand = knot.stand(out, diameter, 0.02);
-            stand.along = stands.free(&stand, &knot).unwrap_or(f32::NAN);
-            stands.insert(stand);
-            stand.along - 1.0
+            let mut insertion = node.insertion(out, diameter, 0.02);
+            insertion.along = insertions.free(&insertion, &node).unwrap_or(f32::NAN);
+            insertions.insert(insertion);
+            insertion.along - 1.0
         };
         angles.iter().map(place).collect()
     }

@@ -7,8 +7,8 @@ pub mod foliage;
 mod insertion;
 mod pruning;
 mod rubbing;
-pub(super) mod standing;
-mod stool;
+mod stem_base;
 pub(super) mod to_plant;
+pub(super) mod wood_at_age;
 
 pub use to_plant::plant_at;

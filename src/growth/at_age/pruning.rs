@@ -1,7 +1,7 @@
 //! Wood without room is cut: the chains of an age, and places for all of them.
 //!
 //! Branches that find no bark to stand on ([`insertion`]), and those that would grow through thicker ones ([`rubbing`]),
-//! are cut with all that they carry. Where a carrier is cut short, the thickest of what is left on its end goes on with
+//! are cut with all that they carry. Where a parent is cut short, the thickest of what is left on its end goes on with
 //! it, so chains are followed anew after that.
 //!
 //! Drawn wood, limbs that make the crown and the feet of trunks are never cut.

@@ -19,8 +19,8 @@ use rayon::prelude::*;
 
 /// Distance that two branches keep, in the sum of their radii: surfaces are a little wider than the wood in places.
 const KEPT: f32 = 1.2;
-/// How much of two branches belongs to their fork, in the sum of their radii: of a branch and its carrier, whose
-/// surfaces are joined, and of two that leave one carrier. More would hide branches that curl back, less cut those that
+/// How much of two branches belongs to their fork, in the sum of their radii: of a branch and its parent, whose
+/// surfaces are joined, and of two that leave one parent. More would hide branches that curl back, less cut those that
 /// leave by a small angle.
 const JOINED: f32 = 7.0;
 const BESIDE: f32 = 4.0;

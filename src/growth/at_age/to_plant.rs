@@ -1,14 +1,13 @@
 //! A grown tree at an age as a [`Plant`]: chains become branches, young wood gets leaves.
 //!
 //! Chains of more than three nodes are rounded by cubic Hermite pieces with Catmull–Rom tangents (001 §2.4) wherever
-//! they turn noticeably. Trunks widen at their foot. The materials are two, wood and leaf, until a species dresses the
-//! plant.
+//! they turn noticeably. Trunks widen at their foot. There are two materials, wood and leaf, until a species is applied.
 
 use super::bloom;
 use super::chains::{Chain, Chains};
 use super::foliage::{self, Wood};
-use super::standing::{self, Standing};
-use super::stool;
+use super::stem_base::StemBase;
+use super::wood_at_age::{WoodAtAge, wood_at_age};
 use crate::growth::simulation::Simulation;
 use crate::plant::{Branch, Material, Plant, WorldFromCanvas};
 use glam::{Vec2, Vec3};
@@ -17,7 +16,7 @@ use glam::{Vec2, Vec3};
 const STRAIGHT: f32 = 0.99;
 /// Heights above the ground, in radii of the trunk, at which its foot is modelled.
 const FOOT: [f32; 5] = [0.35, 0.8, 1.4, 2.4, 4.0];
-/// Share of its carrier's radius that a branch may begin with.
+/// Share of its parent's radius that a branch may begin with.
 const NARROWER: f32 = 0.92;
 
 /// The plant at an age, at most the simulation's own. Ages between years are years that run.
@@ -29,11 +28,21 @@ pub fn plant_at(simulation: &Simulation, age: f32) -> Plant {
 pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) {
     let (tree, habit) = (simulation.tree(), simulation.habit());
     let age = if age.is_finite() { age.clamp(0.0, f32::from(simulation.age())) } else { 0.0 };
-    let Standing { chains, at, diameters, grown } = standing::standing(tree, habit, age);
-    let limb = |chain: &Chain| limb_of(chain, &chains, &at, &diameters);
-    let mut limbs: Vec<Limb> = chains.chains.iter().map(limb).collect();
-    stool::join(tree, &mut limbs, &diameters);
-    let branches = limbs.into_iter().map(|limb| limb.into_branch(habit.flare)).collect();
+    let WoodAtAge { chains, at, diameters, grown } = wood_at_age(tree, habit, age);
+    let base = StemBase::of(tree, &chains, &diameters);
+    let branch = |(index, chain): (usize, &Chain)| {
+        let mut skeleton = rounded(&skeleton_of(chain, &chains, &at, &diameters));
+        let parent = match (chain.parent, &base) {
+            (Some(parent), _) => Some(parent as usize),
+            (None, Some(base)) => base.join(index, &mut skeleton),
+            (None, None) => None,
+        };
+        if parent.is_none() {
+            skeleton = with_foot(&skeleton, habit.flare);
+        }
+        branch_along(skeleton, parent, chain.level)
+    };
+    let branches = chains.chains.iter().enumerate().map(branch).collect();
     let wood = Wood {
         tree,
         chains: &chains,
@@ -58,21 +67,13 @@ pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) 
     (plant, chains)
 }
 
-/// A branch on its way into the plant.
-pub(super) struct Limb {
-    /// The limb that carries it.
-    pub(super) parent: Option<usize>,
-    level: u32,
-    /// Points with their radii, metres, from its base.
-    pub(super) skeleton: Vec<(Vec3, f32)>,
-}
-
-fn limb_of(chain: &Chain, chains: &Chains, at: &[Vec3], diameters: &[f32]) -> Limb {
+/// The nodes of a chain with the radii there, metres, from its base.
+fn skeleton_of(chain: &Chain, chains: &Chains, at: &[Vec3], diameters: &[f32]) -> Vec<(Vec3, f32)> {
     let nodes = &chains.nodes[chain.range.0 as usize..chain.range.1 as usize];
     let mut skeleton: Vec<(Vec3, f32)> = Vec::with_capacity(2 * nodes.len());
     for (k, &node) in nodes.iter().enumerate() {
         let radius = |k: usize| nodes.get(k).map(|&n| 0.5 * diameters[n as usize]);
-        // The first node's own diameter is the carrier's.
+        // The first node's own diameter is the parent's.
         let below = if k == 0 { None } else { radius(k) };
         let above = radius(k + 1);
         let mean = match (below, above) {
@@ -84,28 +85,22 @@ fn limb_of(chain: &Chain, chains: &Chains, at: &[Vec3], diameters: &[f32]) -> Li
     if let (Some(_), Some(first)) = (chain.parent, skeleton.first_mut()) {
         first.1 = first.1.min(NARROWER * 0.5 * diameters[nodes[0] as usize]);
     }
-    let skeleton = rounded(&skeleton);
-    Limb { parent: chain.parent.map(|p| p as usize), level: chain.level, skeleton }
+    skeleton
 }
 
-impl Limb {
-    fn into_branch(self, flare: f32) -> Branch {
-        let mut skeleton = self.skeleton;
-        if self.parent.is_none() {
-            skeleton = with_foot(&skeleton, flare);
-        }
-        skeleton.dedup_by(|b, a| a.0.distance_squared(b.0) <= (1e-3 * a.1).powi(2));
-        if let [(base, radius)] = skeleton[..] {
-            skeleton.push((base + Vec3::Y * radius.max(1e-5), radius));
-        }
-        Branch {
-            stroke: None,
-            parent: self.parent,
-            level: self.level,
-            points: skeleton.iter().map(|s| s.0).collect(),
-            radii: skeleton.iter().map(|s| s.1.max(1e-6)).collect(),
-            material: 0,
-        }
+/// The branch along a skeleton: points that lie on each other become one, and a single point a short branch.
+fn branch_along(mut skeleton: Vec<(Vec3, f32)>, parent: Option<usize>, level: u32) -> Branch {
+    skeleton.dedup_by(|b, a| a.0.distance_squared(b.0) <= (1e-3 * a.1).powi(2));
+    if let [(base, radius)] = skeleton[..] {
+        skeleton.push((base + Vec3::Y * radius.max(1e-5), radius));
+    }
+    Branch {
+        stroke: None,
+        parent,
+        level,
+        points: skeleton.iter().map(|s| s.0).collect(),
+        radii: skeleton.iter().map(|s| s.1.max(1e-6)).collect(),
+        material: 0,
     }
 }
 

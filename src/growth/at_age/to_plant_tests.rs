@@ -121,7 +121,7 @@ fn what_is_shown_of_a_plant_stays_in_its_volume() {
                 }
             }
         }
-        // Nodes are inside; branches that are moved along their carriers for want of bark, with all that they carry, and
+        // Nodes are inside; branches that are moved along their parents for want of bark, with all that they carry, and
         // rounded bends come out by less than half an internode, one point of a thousand at most.
         assert!(shown > 4000, "{shown}");
         assert!(farthest < 0.6 && out * 500 < shown, "{out} of {shown}, up to {farthest} internodes");

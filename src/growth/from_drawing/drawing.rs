@@ -6,7 +6,7 @@
 //!
 //! Limits: a crown counts as filled when for [`QUIET`] years hardly anything has grown, or after [`OLDEST`] years.
 
-use super::lead;
+use super::extend_into_crown;
 use crate::growth::habit::Habit;
 use crate::growth::limits::{Limits, Outcome};
 use crate::growth::overlay::{Spot, Wanted, overlay};
@@ -79,11 +79,11 @@ impl Start {
         let crown = crown.map(|crown| Arc::new(crown.hollowed(self.hollow, &self.wood)));
         let mut seated = self.wood.clone();
         if let Some(crown) = &crown {
-            lead::draw_in(&mut seated, crown);
+            extend_into_crown::move_inside(&mut seated, crown);
         }
         let mut wood = seated.clone();
         if let Some(crown) = &crown {
-            lead::lead(&mut wood, crown);
+            extend_into_crown::extend(&mut wood, crown);
         }
         let envelope = crown.map_or(Envelope::Free, Envelope::Inflated);
         let plant = Plant {

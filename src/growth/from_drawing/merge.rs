@@ -50,25 +50,25 @@ fn numbers(grows: &[bool]) -> Vec<Option<usize>> {
 pub fn merged(drawn: Plant, grows: &[bool], grown: &Grown<'_>) -> Plant {
     let (mut plant, chains) = to_plant::with_chains(grown.simulation, grown.age);
     plant.world_from_canvas = drawn.world_from_canvas;
-    let on = Carriers { grown, chains: &chains, number: numbers(grows), drawn: &drawn.branches };
+    let on = GrownParents { grown, chains: &chains, number: numbers(grows), drawn: &drawn.branches };
     // Where a branch that stays now is, and how far it went in depth.
     let mut moved: Vec<Option<(usize, f32)>> = vec![None; drawn.branches.len()];
     for (b, branch) in drawn.branches.iter().enumerate().filter(|(b, _)| !grows[*b]) {
         let base = branch.points.first().copied().unwrap_or_default();
-        let carrier = branch.parent.and_then(|p| moved[p].or_else(|| on.carrier(p, base)));
-        let (parent, by) = carrier.map_or((None, 0.0), |(parent, by)| (Some(parent), by));
+        let under = branch.parent.and_then(|p| moved[p].or_else(|| on.parent(p, base)));
+        let (parent, by) = under.map_or((None, 0.0), |(parent, by)| (Some(parent), by));
         let level = parent.map_or(0, |p| plant.branches[p].level + 1);
         moved[b] = Some((plant.branches.len(), by));
         let mut kept = Branch { parent, level, material: 0, ..branch.clone() };
         kept.points.iter_mut().for_each(|p| p.z += by);
         plant.branches.push(kept);
     }
-    let now = |branch: Option<usize>, at: Vec3| branch.and_then(|b| moved[b].or_else(|| on.carrier(b, at)));
+    let now = |branch: Option<usize>, at: Vec3| branch.and_then(|b| moved[b].or_else(|| on.parent(b, at)));
     plant.flowers = drawn.flowers;
     for flower in &mut plant.flowers {
-        let carrier = now(flower.branch, flower.cone.apex);
-        flower.branch = carrier.map(|c| c.0);
-        flower.cone.apex.z += carrier.map_or(0.0, |c| c.1);
+        let under = now(flower.branch, flower.cone.apex);
+        flower.branch = under.map(|u| u.0);
+        flower.cone.apex.z += under.map_or(0.0, |u| u.1);
     }
     let first = drawn.organs.iter().filter_map(|o| template(&o.shape)).max().map_or(0, |last| last + 1);
     for organ in &mut plant.organs {
@@ -78,10 +78,10 @@ pub fn merged(drawn: Plant, grows: &[bool], grown: &Grown<'_>) -> Plant {
     }
     let mut organs = drawn.organs;
     for organ in &mut organs {
-        let carrier = now(organ.branch, organ.base());
-        organ.branch = carrier.map(|c| c.0);
+        let under = now(organ.branch, organ.base());
+        organ.branch = under.map(|u| u.0);
         organ.material = 0;
-        carry(organ, carrier.map_or(0.0, |c| c.1));
+        carry(organ, under.map_or(0.0, |u| u.1));
     }
     organs.append(&mut plant.organs);
     plant.organs = organs;
@@ -108,16 +108,16 @@ fn template(shape: &Shape) -> Option<u32> {
 }
 
 /// Finds the grown branch that runs where a drawn one ran.
-struct Carriers<'a> {
+struct GrownParents<'a> {
     grown: &'a Grown<'a>,
     chains: &'a Chains,
     number: Vec<Option<usize>>,
     drawn: &'a [Branch],
 }
 
-impl Carriers<'_> {
+impl GrownParents<'_> {
     /// The branch through the place on drawn branch `b` nearest to `at`, and how far that went in depth.
-    fn carrier(&self, b: usize, at: Vec3) -> Option<(usize, f32)> {
+    fn parent(&self, b: usize, at: Vec3) -> Option<(usize, f32)> {
         let tree = self.grown.simulation.tree();
         let number = self.number[b]?;
         let (before, after) = (&self.drawn[b].points, &self.grown.wood.get(number)?.points);

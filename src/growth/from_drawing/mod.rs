@@ -1,7 +1,7 @@
 //! Growth in a drawing: drawn wood grows on, drawn crowns are filled, and the rest of the drawing stays as it is.
 
 pub mod drawing;
-mod lead;
+mod extend_into_crown;
 pub mod merge;
 
 pub use drawing::{GrowthParams, Memory, Start};

@@ -202,7 +202,7 @@ mod tests {
 
     fn scene() -> (Markers, Vec<Vec3>, Vec<Vec3>) {
         let envelope = Envelope::Sphere { centre: Vec3::ZERO, radius: 2.0 };
-        let markers = Markers::strew(&envelope, 300.0, 100_000, 0.6, 1);
+        let markers = Markers::scatter(&envelope, 300.0, 100_000, 0.6, 1);
         let mut rng = stream(2, "buds", 0);
         let mut point = || Vec3::from_array(std::array::from_fn(|_| rng.random_range(-2.2..2.2_f32)));
         let at: Vec<Vec3> = (0..200).map(|_| point()).collect();

@@ -44,7 +44,7 @@ pub(crate) fn field_for(
     let own = Envelope::Ellipsoid { centre: Vec3::Y * high * 0.55, radii: Vec3::new(0.45, 0.5, 0.45) * high };
     let volume = if envelope.bounds().is_some() { envelope } else { &own };
     let cell = radius.max(habit.space.occupancy * habit.internode);
-    Field::Space(Markers::strew(volume, density, limits.markers, cell, seed))
+    Field::Space(Markers::scatter(volume, density, limits.markers, cell, seed))
 }
 
 /// Where a trunk enters the crown: a low marker near the middle of the lowest ones.

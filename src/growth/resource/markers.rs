@@ -1,7 +1,7 @@
 //! Markers of free space, uniformly distributed in a volume (001 §2.2).
 //!
-//! They are strewn in blocks, each with a random stream of its own, on all cores, and sorted into the cells of a grid as
-//! wide as a bud sees. Within a cell the free ones stand first, in the order in which they were strewn; what a node
+//! They are scattered in blocks, each with a random stream of its own, on all cores, and sorted into the cells of a grid as
+//! wide as a bud sees. Within a cell the free ones stand first, in the order in which they were scattered; what a node
 //! occupies moves behind them with the year and the node that took it, so that going back to an age frees it again.
 
 use crate::geom::cells::{Grid, Sorted};
@@ -12,7 +12,7 @@ use glam::{IVec3, Vec3};
 use rand::RngExt;
 use rayon::prelude::*;
 
-/// Points that one random stream strews.
+/// Points that one random stream scatters.
 const BLOCK: usize = 4096;
 /// Most points that are tried; an envelope that fills less of its box has fewer markers.
 const MOST_TRIED: usize = 1 << 24;
@@ -28,7 +28,7 @@ pub struct Markers {
     starts: Vec<u32>,
     /// Where the free markers of each cell end.
     free_end: Vec<u32>,
-    /// In which order they were strewn.
+    /// In which order they were scattered.
     rank: Vec<u32>,
     /// The year in which each was occupied, or [`NEVER`].
     taken: Vec<u16>,
@@ -39,9 +39,9 @@ pub struct Markers {
 }
 
 impl Markers {
-    /// Strews markers in an envelope that has bounds: `density` of them per cubic metre, fewer if they would be more
+    /// Scatters markers in an envelope that has bounds: `density` of them per cubic metre, fewer if they would be more
     /// than `most`; cells are `cell` wide.
-    pub fn strew(envelope: &Envelope, density: f32, most: usize, cell: f32, seed: u64) -> Self {
+    pub fn scatter(envelope: &Envelope, density: f32, most: usize, cell: f32, seed: u64) -> Self {
         let (low, high) = envelope.bounds().unwrap_or((Vec3::ZERO, Vec3::ONE));
         let extent = (high - low).max(Vec3::ZERO);
         let volume = extent.x * extent.y * extent.z;
@@ -195,7 +195,7 @@ mod tests {
 
     fn ball(most: usize) -> Markers {
         let envelope = Envelope::Sphere { centre: Vec3::Y * 3.0, radius: 2.0 };
-        Markers::strew(&envelope, 500.0, most, 0.5, 7)
+        Markers::scatter(&envelope, 500.0, most, 0.5, 7)
     }
 
     #[test]

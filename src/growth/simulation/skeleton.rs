@@ -61,13 +61,13 @@ pub(super) fn of_plant(plant: &Plant, habit: &Habit, seed: u64) -> Tree {
     let forks = forks(plant);
     for (index, branch) in plant.branches.iter().enumerate() {
         let key = mix(mix(seed, 44), index as u64);
-        let carrier = branch.parent.and_then(|p| spans.get(p).copied());
+        let span = branch.parent.and_then(|p| spans.get(p).copied());
         let first = tree.len() as u32;
         let mut nodes = Vec::new();
         let samples = resampled(branch, &forks[index], step);
         let direction = samples.get(1).map_or(Vec3::Y, |s| (s.0 - samples[0].0).normalize_or(Vec3::Y));
         let mut side = direction::first_side(direction, key, habit);
-        let mut below = match carrier.filter(|c| c.1 > 0) {
+        let mut below = match span.filter(|span| span.1 > 0) {
             Some((from, count)) => nearest(&tree, from, count, samples[0].0),
             None => {
                 let foot = tree.add_foot(samples[0].0, side);
@@ -77,14 +77,14 @@ pub(super) fn of_plant(plant: &Plant, habit: &Habit, seed: u64) -> Tree {
             }
         };
         let mut before = direction;
-        // The hand may leave a gap to the carrier, which is bridged.
-        let gap = carrier.is_some() && tree.nodes.at[below as usize].distance(samples[0].0) > APART * step;
+        // The hand may leave a gap to the parent, which is bridged.
+        let gap = span.is_some() && tree.nodes.at[below as usize].distance(samples[0].0) > APART * step;
         let first_new = usize::from(!gap);
         for (k, &(at, radius)) in samples.iter().enumerate().skip(first_new) {
             let way = (at - tree.nodes.at[below as usize]).normalize_or(before);
             let order = tree.nodes.order[below as usize];
             side = direction::next_side(side, (before, way), (order, 0.0), habit);
-            let lateral = k == first_new && carrier.is_some();
+            let lateral = k == first_new && span.is_some();
             below = tree.add(NewNode { parent: below, at, side, lateral, year: 0 });
             tree.given.push(2.0 * radius);
             tree.drawn.push(index as u32);
@@ -127,9 +127,9 @@ fn length(points: &[Vec3]) -> f32 {
 fn forks(plant: &Plant) -> Vec<Vec<f32>> {
     let mut forks: Vec<Vec<f32>> = vec![Vec::new(); plant.branches.len()];
     for branch in &plant.branches {
-        let carrier = branch.parent.and_then(|p| Some((p, plant.branches.get(p)?)));
-        if let Some(((parent, carrier), base)) = carrier.zip(branch.points.first()) {
-            forks[parent].push(nearest_arc(&carrier.points, *base));
+        let parent = branch.parent.and_then(|p| Some((p, plant.branches.get(p)?)));
+        if let Some(((index, parent), base)) = parent.zip(branch.points.first()) {
+            forks[index].push(nearest_arc(&parent.points, *base));
         }
     }
     forks.iter_mut().for_each(|arcs| arcs.sort_unstable_by(f32::total_cmp));
@@ -192,7 +192,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_branch_begins_at_a_node_of_its_carrier() {
+    fn a_branch_begins_at_a_node_of_its_parent() {
         assert_eq!(stations(1.0, &[], 0.25), [0.0, 0.25, 0.5, 0.75, 1.0]);
         assert_eq!(stations(1.0, &[0.3], 0.5), [0.0, 0.3, 1.0]);
         assert_eq!(stations(1.0, &[0.01, 0.5, 0.51, 0.99], 0.5), [0.0, 0.5, 1.0]);

@@ -1,6 +1,6 @@
 //! The volume that a plant may fill.
 //!
-//! Markers are strewn inside of it, and no shoot that is inside grows out of it. A species may bring a crown of its own,
+//! Markers are scattered inside of it, and no shoot that is inside grows out of it. A species may bring a crown of its own,
 //! a profile turned about the trunk; a drawn outline is inflated ([`Inflated`]), a modelled volume read ([`Solid`]).
 //!
 //! Limits: a shoot is tested at its end and three places between; a gap thinner than a quarter of an internode may be

@@ -1,13 +1,13 @@
-//! The stool of a bush: what its stems stand on, so that the wood of one plant is one surface.
+//! The common base of a bush's stems (its root crown), so that the wood of one plant is one surface.
 //!
-//! The stems of a bush sprout around one stump. Each grows by itself; here they are gathered: the first stem goes on from
-//! the stump's top, the others leave its bark in turn low and high, evenly around it, in the order in which they lean.
-//! What a stem carries near the ground moves with it, less and less with height. The stump is as thick as gives every
-//! stem bark of its own, and so grows with them.
+//! The stems of a bush sprout around one stump. Each grows by itself; here they are brought together: the first stem goes
+//! on from the stump's top, the others leave its bark alternately low and high, evenly around it, in the order of the
+//! directions in which they lean. What a stem carries near the ground moves with it, less and less with height. The stump
+//! is thick enough to give every stem bark of its own, and so grows with them.
 //!
 //! Limits: drawn trunks stay where they were drawn. Buds and markers, as overlays show them, are not moved.
 
-use super::to_plant::Limb;
+use super::chains::Chains;
 use crate::growth::tree::{NONE, Tree};
 use glam::Vec3;
 use std::f32::consts::TAU;
@@ -28,7 +28,7 @@ const RISE: f32 = 0.8;
 /// Height up to which a stem is moved, in lengths of its way to the stump: at 2 what stands just above its foot would be pressed flat.
 const REACH: f32 = 4.0;
 
-/// The feet of a plant that stand on a stool, in the order of their nodes; none if it has one trunk or drawn ones.
+/// The feet of a plant that stand on a common base, in the order of their nodes; none if it has one trunk or drawn ones.
 fn feet(tree: &Tree) -> Vec<u32> {
     let parents = &tree.nodes.parent;
     let is_foot = |n: &u32| parents[*n as usize] == NONE;
@@ -55,7 +55,7 @@ pub(super) fn gather(tree: &Tree, lives: &[bool], at: &mut [Vec3], diameters: &[
     let Some(leader) = feet.first().map(|first| leader(tree, lives).unwrap_or(*first)) else { return };
     let middle = middle(tree, &feet);
     let ways = ways(tree, &feet, leader, diameters);
-    // Feet come first, and carriers before what they carry.
+    // Feet come first, and parents before their children.
     let mut root: Vec<usize> = Vec::with_capacity(lives.len());
     for (n, place) in at.iter_mut().enumerate().take(lives.len()) {
         let parent = tree.nodes.parent[n];
@@ -96,23 +96,38 @@ fn leader(tree: &Tree, lives: &[bool]) -> Option<u32> {
     std::iter::successors(Some(first as u32), |n| Some(parents[*n as usize]).filter(|p| *p != NONE)).last()
 }
 
-/// Puts the trunks on their stump, which the first of them becomes below its foot.
-pub(super) fn join(tree: &Tree, limbs: &mut [Limb], diameters: &[f32]) {
-    let feet = feet(tree);
-    let trunks: Vec<usize> = (0..limbs.len()).filter(|limb| limbs[*limb].parent.is_none()).collect();
-    let (Some(&leader), false) = (trunks.first(), feet.is_empty()) else { return };
-    let middle = middle(tree, &feet);
-    let radius = stump(&feet, diameters);
-    for &trunk in &trunks[1..] {
-        let Limb { parent, skeleton, .. } = &mut limbs[trunk];
-        let (foot, thickness) = skeleton[0];
-        *parent = Some(leader);
-        skeleton.insert(0, (middle.with_y((foot.y - RISE * radius).max(middle.y)), thickness));
+/// The stump below the stems of a plant with several.
+pub(super) struct StemBase {
+    /// The chain that goes on from the stump's top.
+    leader: usize,
+    /// Middle of the stump's foot, metres.
+    middle: Vec3,
+    /// Radius of the stump, metres.
+    radius: f32,
+}
+
+impl StemBase {
+    /// The stump of a plant; `None` if it has one trunk or drawn ones.
+    pub(super) fn of(tree: &Tree, chains: &Chains, diameters: &[f32]) -> Option<Self> {
+        let feet = feet(tree);
+        let leader = chains.chains.iter().position(|chain| chain.parent.is_none())?;
+        let radius = stump(&feet, diameters);
+        (!feet.is_empty()).then(|| Self { leader, middle: middle(tree, &feet), radius })
     }
-    let skeleton = &mut limbs[leader].skeleton;
-    let top = skeleton[0].0;
-    let shoulder = top - Vec3::Y * (TOP * radius).min(0.5 * (top.y - middle.y));
-    skeleton.splice(0..0, [(middle, radius), (shoulder, radius)]);
+
+    /// Joins a trunk, points with their radii from its foot, to the stump: the leader becomes the stump below its foot,
+    /// the others begin inside of it. Gives the trunk's new parent.
+    pub(super) fn join(&self, trunk: usize, skeleton: &mut Vec<(Vec3, f32)>) -> Option<usize> {
+        let Self { leader, middle, radius } = *self;
+        let (foot, thickness) = skeleton[0];
+        if trunk == leader {
+            let shoulder = foot - Vec3::Y * (TOP * radius).min(0.5 * (foot.y - middle.y));
+            skeleton.splice(0..0, [(middle, radius), (shoulder, radius)]);
+            return None;
+        }
+        skeleton.insert(0, (middle.with_y((foot.y - RISE * radius).max(middle.y)), thickness));
+        Some(leader)
+    }
 }
 
 #[cfg(test)]

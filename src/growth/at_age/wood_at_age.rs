@@ -1,19 +1,19 @@
-//! Where the wood of one age stands.
+//! The wood of one age: which of it is shown, where its nodes are and how thick it is.
 //!
-//! Which wood has room, and where on their carriers branches stand, is decided for the ends of years
-//! ([`pruning::pruned`]): wood thickens all the time, and decided anew for every moment, branches would be cut and come
-//! back from one moment to the next. In a year that runs, what stands at its beginning and at its end goes evenly from its
-//! one place to the other. What stands at its end only has grown in it, or has found room again, and grows out of what
-//! carries it.
+//! Which wood has room, and where branches are inserted in their parents, is decided for the ends of years
+//! ([`pruning::pruned`]). Wood thickens all the time; decided anew for every moment, branches would be cut and come back
+//! from one moment to the next. In a year that runs, nodes that are there at its beginning and at its end go evenly from
+//! one place to the other. Nodes that are there at its end only have grown in it, or have found room again, and grow out
+//! of their parents.
 //!
-//! Limits: what stands at its beginning only, because it is shed or cut in that year, is gone as soon as the year runs;
-//! which internode goes on at a fork is that of the year's end all through it; leaves fall in one moment, and those of an
-//! end that was cut are there in one.
+//! Limits: what is there at the year's beginning only, because it is shed or cut in that year, is gone as soon as the
+//! year runs. Which internode goes on at a fork is that of the year's end all through it. Leaves fall in one moment, and
+//! those of an end that was cut are there in one.
 
 use super::chains::{self, Chains};
 use super::diameter;
 use super::pruning;
-use super::stool;
+use super::stem_base;
 use crate::growth::habit::Habit;
 use crate::growth::tree::{NONE, Tree};
 use glam::Vec3;
@@ -23,7 +23,7 @@ const LEAST: f32 = 0.02;
 
 /// The wood of one age.
 #[derive(Clone, Debug)]
-pub(crate) struct Standing {
+pub(crate) struct WoodAtAge {
     /// Runs of nodes.
     pub chains: Chains,
     /// Places of the nodes, metres.
@@ -35,14 +35,14 @@ pub(crate) struct Standing {
 }
 
 /// The wood of a plant at an age in years.
-pub(crate) fn standing(tree: &Tree, habit: &Habit, age: f32) -> Standing {
+pub(crate) fn wood_at_age(tree: &Tree, habit: &Habit, age: f32) -> WoodAtAge {
     let year = age.ceil() as u16;
     let passed = 1.0 - (f32::from(year) - age);
     if passed >= 1.0 || year == 0 {
         return at_the_end(tree, habit, year);
     }
     let (start, end) = rayon::join(|| at_the_end(tree, habit, year - 1), || at_the_end(tree, habit, year));
-    let mut now = Standing {
+    let mut now = WoodAtAge {
         chains: end.chains.clone(),
         at: end.at.clone(),
         diameters: diameter::diameters(tree, habit, age),
@@ -76,11 +76,11 @@ pub(crate) fn standing(tree: &Tree, habit: &Habit, age: f32) -> Standing {
 }
 
 /// The wood at the end of a year.
-fn at_the_end(tree: &Tree, habit: &Habit, year: u16) -> Standing {
+fn at_the_end(tree: &Tree, habit: &Habit, year: u16) -> WoodAtAge {
     let diameters = diameter::diameters(tree, habit, f32::from(year));
     let (lives, mut places) = (chains::living(tree, year), tree.nodes.at.clone());
-    stool::gather(tree, &lives, &mut places, &diameters);
+    stem_base::gather(tree, &lives, &mut places, &diameters);
     let (chains, at) = pruning::pruned(tree, lives, &places, &diameters, habit.pipe);
     let grown = vec![1.0; chains.of_node.len()];
-    Standing { chains, at, diameters, grown }
+    WoodAtAge { chains, at, diameters, grown }
 }

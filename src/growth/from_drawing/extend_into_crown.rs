@@ -1,10 +1,10 @@
-//! Drawn wood in a crown: brought inside of its depth, and led on into every part of it.
+//! Drawn wood is brought inside of a crown's depth and extended into every separate part of the crown.
 //!
-//! The depth of drawn branches was found without knowing of a crown; where they would stick out of it before or behind,
-//! they are drawn in, which the front does not show.
+//! The depth of drawn branches was found without knowing of a crown. Where they would leave it at the front or at the
+//! back they are moved inside along z, which the front view does not show.
 //!
 //! Growth begins at buds that perceive space, so each separate part of a crown needs wood in it. Where the drawn
-//! branches end below a part, the nearest of them is led on, straight, to a place inside that is near and deep.
+//! branches end below a part, the nearest of them is extended, straight, to a place inside that is near and deep.
 
 use crate::growth::volume::Inflated;
 use crate::plant::Branch;
@@ -12,18 +12,19 @@ use glam::Vec2;
 
 /// How much the depth of a place counts against its distance.
 const DEEP: f32 = 1.5;
-/// Radius at the end of a lead, and at its beginning where it leaves a branch sideways, as shares of the branch's there.
+/// Radius at the end of an extension, and at its beginning where it leaves a branch sideways, as shares of the branch's
+/// there.
 const THINNER: (f32, f32) = (0.6, 0.75);
-/// Places on drawn wood, and branches, that are tried for a lead to begin at, about.
+/// Places on drawn wood, and branches, that are tried for an extension to begin at, about.
 const TRIED: usize = 400;
-/// Distance from a branch's end, as a share of its length, from which a lead takes its place as the continuation.
+/// Distance from a branch's end, as a share of its length, within which an extension continues the branch.
 const AT_END: f32 = 0.1;
 
 /// Depth that drawn wood may have, as shares of the crown's half depth there and of its largest.
 const INSIDE: (f32, f32) = (0.4, 0.04);
 
 /// Brings drawn wood inside of a crown's depth where it lies over the crown.
-pub(super) fn draw_in(wood: &mut [Branch], crown: &Inflated) {
+pub(super) fn move_inside(wood: &mut [Branch], crown: &Inflated) {
     let least = INSIDE.1 * crown.deepest();
     for p in wood.iter_mut().flat_map(|branch| &mut branch.points) {
         if crown.covers(p.truncate()) {
@@ -42,8 +43,8 @@ struct Way {
     to: Vec2,
 }
 
-/// Leads `wood` into the parts of a crown that it does not reach; `wood` may be empty and then stays so.
-pub(super) fn lead(wood: &mut Vec<Branch>, crown: &Inflated) {
+/// Extends `wood` into the parts of a crown that it does not reach; `wood` may be empty and then stays so.
+pub(super) fn extend(wood: &mut Vec<Branch>, crown: &Inflated) {
     let islands = crown.islands();
     let mut reached = vec![false; islands.count];
     for p in wood.iter().flat_map(|branch| &branch.points) {
@@ -131,13 +132,13 @@ mod tests {
         let crown = Inflated::new(vec![circle(0.0, 4.0), circle(3.0, 2.5)], 1.0).unwrap();
         assert_eq!(crown.islands().count, 2);
         let mut wood = vec![trunk(2.0)];
-        lead(&mut wood, &crown);
+        extend(&mut wood, &crown);
         assert_eq!(wood.len(), 2, "the trunk goes on, and a branch leaves it");
         let end = |b: &Branch| *b.points.last().unwrap();
         assert!(crown.contains(end(&wood[0])) && end(&wood[0]).y > 3.2, "{:?}", wood[0].points);
         assert!(crown.contains(end(&wood[1])) && end(&wood[1]).x > 2.2, "{:?}", wood[1].points);
         let before = wood.clone();
-        lead(&mut wood, &crown);
+        extend(&mut wood, &crown);
         assert_eq!(wood, before, "what is reached is left alone");
     }
 
@@ -147,7 +148,7 @@ mod tests {
         let mut wood = vec![trunk(2.0)];
         wood[0].points.iter_mut().for_each(|p| p.z = p.y);
         let before = wood[0].points.clone();
-        draw_in(&mut wood, &crown);
+        move_inside(&mut wood, &crown);
         let end = *wood[0].points.last().unwrap();
         assert!(crown.contains(end) && end.z > 0.3, "{end}");
         for (old, new) in before.iter().zip(&wood[0].points) {
@@ -160,10 +161,10 @@ mod tests {
     fn a_part_that_is_reached_or_no_wood_changes_nothing() {
         let crown = Inflated::new(vec![circle(0.0, 2.0)], 1.0).unwrap();
         let mut wood = vec![trunk(2.0)];
-        lead(&mut wood, &crown);
+        extend(&mut wood, &crown);
         assert_eq!(wood, [trunk(2.0)]);
         let mut none = Vec::new();
-        lead(&mut none, &crown);
+        extend(&mut none, &crown);
         assert!(none.is_empty());
     }
 }
