@@ -13,12 +13,11 @@
 //! Limits: a branch that never leaves its parent has no exit and is not seen.
 
 use super::spine::{self, Ring};
+use crate::plant::junction::{COLLAR, Footprint, LEAST_SINE, half_angle};
 use glam::Vec3;
 use std::f32::consts::TAU;
 use std::ops::Range;
 
-/// How far around its axis a branch swells where it leaves its parent.
-pub(super) const COLLAR: f32 = 1.25;
 /// Space between the parent's bark and the first ring, as a share of the parent's radius: strips around coarse rings sag.
 const CLEAR: f32 = 0.2;
 /// Less than this of a branch outside, as a multiple of its radius, is not worth a joint.
@@ -32,8 +31,6 @@ const ASLANT: f32 = 0.95;
 const OVERHANG: f32 = 1.2;
 /// Widest window, as the sine of half its angle around the parent: beyond this the bark falls away from the branch.
 const WIDEST: f32 = 0.85;
-/// Least sine of the angle at which a branch is followed back into the bark.
-const STEEPEST: f32 = 0.4;
 
 /// How far off its place a branch may leave, as a share of half its window, before it is led there.
 const LED: f32 = 0.1;
@@ -59,6 +56,14 @@ pub(super) struct Exit {
     pub(super) half_length: f32,
     /// Half the window's width as an angle around the parent, radians, less than a quarter turn.
     pub(super) half_angle: f32,
+}
+
+impl Exit {
+    /// The bark that its window takes.
+    fn footprint(&self) -> Footprint {
+        let Self { at: along, outward, half_length, half_angle, .. } = *self;
+        Footprint { along, outward, half_length, half_angle }
+    }
 }
 
 /// Where a branch is watched for coming back into its parent, in radii of the parent beyond its exit.
@@ -107,17 +112,15 @@ pub(super) fn exit(
 /// near.
 fn free_place(exit: &Exit, (lowest, highest): (f32, f32), others: &[Exit]) -> f32 {
     let own = exit.at.clamp(lowest, highest);
-    let is_beside = |other: &&Exit| {
-        let apart = exit.outward.dot(other.outward).clamp(-1.0, 1.0).acos();
-        apart < exit.half_angle + other.half_angle
-    };
-    let clear = |other: &Exit| exit.half_length + other.half_length;
-    let is_free =
-        |at: f32| others.iter().filter(is_beside).all(|other| (at - other.at).abs() >= 0.99 * clear(other));
+    let print = exit.footprint();
+    let others = others.iter().map(Exit::footprint);
+    let beside =
+        || others.clone().filter(|other| print.angle_to(other) < print.half_angle + other.half_angle);
+    let is_free = |at: f32| beside().all(|other| print.is_clear_at(at, &other));
     if is_free(own) {
         return own;
     }
-    let next_to = others.iter().filter(is_beside).flat_map(|o| [o.at - clear(o), o.at + clear(o)]);
+    let next_to = beside().flat_map(|other| print.next_to(&other));
     let free = next_to.filter(|at| (lowest..=highest).contains(at) && is_free(*at));
     let nearest = free.min_by(|a, b| (a - own).abs().total_cmp(&(b - own).abs()));
     nearest.filter(|at| (at - own).abs() <= FARTHEST_LED * exit.half_length).unwrap_or(own)
@@ -153,7 +156,7 @@ impl Carrier<'_> {
             upward: axis,
             at: foot.arc,
             half_length,
-            half_angle: (collar / foot.ring.radius).min(WIDEST).asin(),
+            half_angle: half_angle(collar, foot.ring.radius, WIDEST),
         })
     }
 
@@ -194,7 +197,7 @@ impl Carrier<'_> {
             let sideways = ring.tangent.reject_from_normalized(axis).reject_from_normalized(outward);
             (axis * (along.signum() * ASLANT.cos()) + outward * ASLANT.sin() + sideways).normalize()
         };
-        let back = (across.length() - beside.ring.radius).max(0.0) / tangent.dot(outward).max(STEEPEST);
+        let back = (across.length() - beside.ring.radius).max(0.0) / tangent.dot(outward).max(LEAST_SINE);
         (Ring { tangent, ..ring }, self.foot_near(ring.at - tangent * back, &beside))
     }
 

@@ -18,6 +18,7 @@ use super::strip::{self, Around, StripScratch};
 use super::tube::{FINEST_BARK, TubeLook};
 use crate::geom::frame;
 use crate::plant::Branch;
+use crate::plant::junction::COLLAR;
 use glam::{Quat, Vec2, Vec3};
 use std::f32::consts::TAU;
 
@@ -161,9 +162,8 @@ fn lay_out(index: usize, scratch: &mut WoodScratch) {
     let end = along[along.len() - 1];
     grid.clear();
     let start = limb.exit.map_or(0.0, |exit| exit.arc);
-    let first = limb
-        .exit
-        .map_or(own[0].levelled(), |exit| Ring { radius: joint::COLLAR * exit.ring.radius, ..exit.ring });
+    let first =
+        limb.exit.map_or(own[0].levelled(), |exit| Ring { radius: COLLAR * exit.ring.radius, ..exit.ring });
     grid.push(Row::new(start, first));
     let after_collar = start + limb.exit.map_or(0.0, |exit| COLLAR_LENGTH * exit.ring.radius);
     if limb.exit.is_some() && after_collar < end {

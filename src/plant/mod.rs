@@ -9,6 +9,7 @@
 pub mod blade;
 pub mod cone;
 pub mod invariants;
+pub mod junction;
 pub mod material;
 
 pub use blade::{Blade, BladeForm, RestSurface};

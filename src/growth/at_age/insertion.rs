@@ -9,21 +9,14 @@
 
 use super::chains::{Chain, Chains};
 use crate::growth::tree::Tree;
+use crate::plant::junction::{BESIDE_RAD, Footprint, KEPT_FREE, LEAST_SINE, half_angle};
 use glam::Vec3;
 use std::f32::consts::PI;
 
-/// Radius of the swelling where a branch leaves, in its own radii.
-const COLLAR: f32 = 1.35;
-/// Bark between branches beside each other, radians: room for the corners of surfaces with four sides.
-const BESIDE: f32 = 0.9;
 /// Branches are opposite if less than this is missing to half a turn, radians.
 const OPPOSITE: f32 = 0.15;
 /// Share of the internodes next to the node that branches may go along.
 const REACH: f32 = 0.5;
-/// Least sine of the angle between a branch and its parent: surfaces bend steeper ones outward.
-const STEEPEST: f32 = 0.4;
-/// Insertions that are clear of each other but for this share count as clear.
-const TOUCHING: f32 = 0.99;
 
 /// Moves whatever shares bark: gives nodes and the feet of chains their new places. Returns the chains that found none.
 /// What was drawn stays where it was drawn, and a chain without room takes none unless its first node `stays`.
@@ -143,22 +136,23 @@ struct Node {
 
 impl Node {
     /// The insertion at the node itself of a branch that leaves in a direction.
-    fn insertion(&self, way: Vec3, diameter: f32, of_parent: f32) -> Insertion {
+    fn insertion(&self, way: Vec3, diameter: f32, of_parent: f32) -> Footprint {
+        let kept = 0.5 * KEPT_FREE * diameter;
         let outward = way.reject_from_normalized(self.axis);
         let length = way.length().max(f32::MIN_POSITIVE);
-        let sin = (outward.length() / length).max(STEEPEST);
+        let sin = (outward.length() / length).max(LEAST_SINE);
         // It comes out of the bark farther along than the node, by as much as it leans that way: somewhere between what
         // that is on the internode above and on the one below.
         let rise = |along: Vec3| {
             let lean = way.dot(along.try_normalize().unwrap_or(self.axis)) / length;
-            0.5 * of_parent * lean / (1.0 - lean * lean).max(0.0).sqrt().max(STEEPEST)
+            0.5 * of_parent * lean / (1.0 - lean * lean).max(0.0).sqrt().max(LEAST_SINE)
         };
         let (above, below) = (rise(self.up), rise(-self.down));
-        Insertion {
+        Footprint {
             along: self.along + above.midpoint(below),
             outward: outward.try_normalize().unwrap_or_else(|| self.axis.any_orthonormal_vector()),
-            half_length: 0.5 * COLLAR * diameter / sin + 0.5 * (above - below).abs(),
-            half_angle: (COLLAR * diameter / of_parent.max(f32::MIN_POSITIVE)).min(1.0).asin(),
+            half_length: kept / sin + 0.5 * (above - below).abs(),
+            half_angle: half_angle(kept, 0.5 * of_parent, 1.0),
         }
     }
 
@@ -172,57 +166,37 @@ impl Node {
     }
 }
 
-/// Where a branch leaves its parent.
-#[derive(Clone, Copy)]
-struct Insertion {
-    /// Length of the parent before the place where it comes out of the bark, metres.
-    along: f32,
-    /// Unit direction from the parent's axis.
-    outward: Vec3,
-    /// Half of where its collar may lie along the parent, metres, and of what it covers around it, radians.
-    half_length: f32,
-    half_angle: f32,
-}
-
-impl Insertion {
-    /// Whether two share bark if they stand at the same height.
-    fn is_beside(&self, other: &Insertion) -> bool {
-        let apart = self.outward.dot(other.outward).clamp(-1.0, 1.0).acos();
-        apart <= (self.half_angle + other.half_angle + BESIDE).min(PI - OPPOSITE)
-    }
-
-    /// The distance along the parent from which two are clear of each other.
-    fn clear(&self, other: &Insertion) -> f32 {
-        self.half_length + other.half_length
-    }
+/// Whether two share bark if they are inserted at the same height.
+fn is_beside(one: &Footprint, other: &Footprint) -> bool {
+    one.angle_to(other) <= (one.half_angle + other.half_angle + BESIDE_RAD).min(PI - OPPOSITE)
 }
 
 /// The insertions on one parent in the order of their places.
 #[derive(Default)]
 struct Insertions {
-    sorted: Vec<Insertion>,
+    sorted: Vec<Footprint>,
     longest: f32,
 }
 
 impl Insertions {
-    fn insert(&mut self, insertion: Insertion) {
+    fn insert(&mut self, insertion: Footprint) {
         self.longest = self.longest.max(insertion.half_length);
         let place = self.sorted.partition_point(|other| other.along <= insertion.along);
         self.sorted.insert(place, insertion);
     }
 
     /// The nearest place within reach that the others leave free.
-    fn free(&self, insertion: &Insertion, node: &Node) -> Option<f32> {
+    fn free(&self, insertion: &Footprint, node: &Node) -> Option<f32> {
         let reach = REACH * node.up.length().max(node.down.length()) + insertion.half_length + self.longest;
         let from = self.sorted.partition_point(|other| other.along < insertion.along - reach);
         let to = self.sorted.partition_point(|other| other.along <= insertion.along + reach);
         let near = self.sorted[from..to].iter();
-        let beside: Vec<&Insertion> = near.filter(|other| insertion.is_beside(other)).collect();
-        let is_free = |along: f32| {
-            beside.iter().all(|other| (along - other.along).abs() >= TOUCHING * insertion.clear(other))
+        let beside: Vec<&Footprint> = near.filter(|other| is_beside(insertion, other)).collect();
+        let is_free = |along: f32| beside.iter().all(|other| insertion.is_clear_at(along, other));
+        let next_to = |other: &Footprint| {
+            let [below, above] = insertion.next_to(other);
+            [above, below]
         };
-        let next_to =
-            |other: &Insertion| [other.along + insertion.clear(other), other.along - insertion.clear(other)];
         let places = std::iter::once(insertion.along).chain(beside.iter().flat_map(|other| next_to(other)));
         let free = places.filter(|along| node.reaches(along - insertion.along) && is_free(*along));
         free.min_by(|a, b| (a - insertion.along).abs().total_cmp(&(b - insertion.along).abs()))
