@@ -7,7 +7,7 @@
 //! | [`quote`] | words of users and files in messages |
 //! | [`suggest`] | the known word nearest to a mistyped one |
 //! | [`budget`] | what one plant may cost |
-//! | [`params`] | described parameters, one struct per stage |
+//! | [`params`] | numbers declared with default, range, unit and help |
 //! | [`random`] | random streams named by what they decide |
 //! | [`srgb`] | encoded colours to light and back |
 //! | [`geom`] | polylines, frames, polygons, ellipses: mathematics that knows no plant |

@@ -45,7 +45,7 @@ crate::parameter_groups! {
         growth: GrowthParams;
         /// How the plant becomes surfaces.
         model: ModelParams;
-        /// How plants of the species grow; that of no species in particular for one that does not say.
+        /// How plants of the species grow. A species that does not say it grows like an ordinary tree.
         habit: Habit;
     }
 }

@@ -9,24 +9,25 @@ use glam::{Vec2, Vec3};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// How a blade departs from its rest surface; lengths are shares of the blade's length.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct BladeForm {
-    /// Quartic term of bending away from the face, 000 eq. 5.1 `A`; −1 to 1.
-    pub bend_quartic: f32,
-    /// Quadratic term of bending away from the face, 000 eq. 5.1 `B`; −1 to 1.
-    pub bend_quadratic: f32,
-    /// Depth of the hollow, 000 eqs. 5.2 and 5.3 `A·B`; −2 to 2, negative bulges.
-    pub cup: f32,
-    /// Height of the fold along the midrib: both halves rise from it like a V; −1 to 1.
-    pub fold: f32,
-    /// Amplitude of waves along the margin; 0 to 0.3.
-    pub ruffle: f32,
-    /// Waves along the whole margin; 0 to 40.
-    pub ruffle_waves: f32,
-    /// Thickness in the middle; 0.001 to 0.1.
-    pub thickness: f32,
+crate::parameters! {
+    /// How a blade departs from its rest surface; lengths are shares of the blade's length.
+    #[derive(Copy)]
+    pub struct BladeForm {
+        /// Quartic term of bending away from the face, 000 eq. 5.1 `A`.
+        bend_quartic: f32 = 0.04, -1.0..=1.0, "";
+        /// Quadratic term of bending away from the face, 000 eq. 5.1 `B`.
+        bend_quadratic: f32 = 0.08, -1.0..=1.0, "";
+        /// Depth of the hollow, 000 eqs. 5.2 and 5.3 `A·B`; negative bulges.
+        cup: f32 = 0.3, -2.0..=2.0, "";
+        /// Height of the fold along the midrib: both halves rise from it like a V.
+        fold: f32 = 0.0, -1.0..=1.0, "";
+        /// Amplitude of waves along the margin.
+        ruffle: f32 = 0.0, 0.0..=0.3, "of the length";
+        /// Waves along the whole margin.
+        ruffle_waves: f32 = 0.0, 0.0..=40.0, "";
+        /// Thickness in the middle.
+        thickness: f32 = 0.01, 0.001..=0.1, "of the length";
+    }
 }
 
 impl BladeForm {
@@ -40,20 +41,6 @@ impl BladeForm {
     pub fn from_row(row: [f32; 7]) -> Self {
         let [bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness] = row;
         Self { bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness }
-    }
-}
-
-impl Default for BladeForm {
-    fn default() -> Self {
-        Self {
-            bend_quartic: 0.04,
-            bend_quadratic: 0.08,
-            cup: 0.3,
-            fold: 0.0,
-            ruffle: 0.0,
-            ruffle_waves: 0.0,
-            thickness: 0.01,
-        }
     }
 }
 

@@ -159,7 +159,7 @@ pub struct LeafLook {
     /// Materials; each leaf takes one at random.
     pub materials: Names,
     /// How leaves bend.
-    #[serde(default, deserialize_with = "ranges::blade_form")]
+    #[serde(default)]
     pub form: BladeForm,
     /// How much the form differs from leaf to leaf, 0 to 1.
     #[serde(default, deserialize_with = "ranges::share")]
@@ -193,10 +193,9 @@ pub struct PetalLook {
     /// Materials; the petals of a flower take them in turn.
     pub materials: Names,
     /// How petals bend.
-    #[serde(default, deserialize_with = "ranges::blade_form")]
+    #[serde(default)]
     pub form: BladeForm,
     /// How petals of half the longest one's length bend; those between are between.
-    #[serde(default, deserialize_with = "ranges::some_blade_form")]
     pub inner: Option<BladeForm>,
     /// How much the form differs from petal to petal, 0 to 1.
     #[serde(default, deserialize_with = "ranges::share")]
@@ -225,7 +224,7 @@ pub struct SepalLook {
     #[serde(deserialize_with = "ranges::angle_deg")]
     pub gap_deg: f32,
     /// How sepals bend.
-    #[serde(default, deserialize_with = "ranges::blade_form")]
+    #[serde(default)]
     pub form: BladeForm,
 }
 

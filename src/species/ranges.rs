@@ -1,7 +1,5 @@
 //! Ranges of the numbers in a species file, checked while reading so that an error knows its line.
 
-use super::form;
-use crate::plant::BladeForm;
 use serde::{Deserialize, Deserializer, de::Error};
 
 macro_rules! ranges {
@@ -45,16 +43,4 @@ pub(super) fn head<'de, D: Deserializer<'de>>(source: D) -> Result<[f32; 2], D::
         Some(size) => Err(D::Error::custom(format!("{size} is outside 0 to 0.5"))),
         None => Ok(head),
     }
-}
-
-/// A blade's form, every number within its range.
-pub(super) fn blade_form<'de, D: Deserializer<'de>>(source: D) -> Result<BladeForm, D::Error> {
-    let form = BladeForm::deserialize(source)?;
-    form::check(&form).map_err(D::Error::custom)?;
-    Ok(form)
-}
-
-/// A blade's form that may be left out.
-pub(super) fn some_blade_form<'de, D: Deserializer<'de>>(source: D) -> Result<Option<BladeForm>, D::Error> {
-    blade_form(source).map(Some)
 }

@@ -18,7 +18,7 @@
 
 use super::leaf::LeafHabit;
 use super::schedule::Schedule;
-use super::table::TableValue;
+use crate::params::{ParamValue as _, Range};
 use serde::{Deserialize, Deserializer, Serialize};
 
 /// How the buds of an axis are arranged (phyllotaxis).
@@ -65,7 +65,7 @@ pub enum Toward {
     Least,
 }
 
-crate::growth_table! {
+crate::parameters! {
     /// Shadows, eq. 2.2.
     pub struct LightHabit {
         /// Width of a voxel.
@@ -84,7 +84,7 @@ crate::growth_table! {
     }
 }
 
-crate::growth_table! {
+crate::parameters! {
     /// Markers of space.
     pub struct SpaceHabit {
         /// Radius ρ of the space that a node occupies.
@@ -105,11 +105,11 @@ pub struct Profile(Schedule);
 
 impl<'de> Deserialize<'de> for Profile {
     fn deserialize<D: Deserializer<'de>>(source: D) -> Result<Self, D::Error> {
-        Schedule::read(source, 0.0, 1.0).map(Self)
+        Schedule::read(source, &Range::new("profile", 0.0, 1.0)).map(Self)
     }
 }
 
-crate::growth_table! {
+crate::parameters! {
     /// A crown that the species keeps within, turned about the trunk.
     pub struct CrownHabit {
         /// Height of the grown plant.
@@ -124,7 +124,7 @@ crate::growth_table! {
     }
 }
 
-crate::growth_table! {
+crate::parameters! {
     /// How a species grows.
     pub struct Habit {
         /// Age at which the species is shown when none is asked for.

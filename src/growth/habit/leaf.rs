@@ -81,7 +81,7 @@ pub(crate) fn outline(shape: LeafShape, width: f32) -> Vec<Vec2> {
     std::iter::once(Vec2::ZERO).chain(right).chain([Vec2::Y]).chain(left).collect()
 }
 
-crate::growth_table! {
+crate::parameters! {
     /// Leaves on young wood.
     pub struct LeafHabit {
         /// Length of a leaf with its stalk; 0 for a bare plant.

@@ -3,7 +3,6 @@
 mod keys;
 pub(super) mod leaf;
 mod schedule;
-pub(crate) mod table;
 
 pub use keys::{Arrangement, Control, CrownHabit, Habit, LightHabit, Profile, Resource, SpaceHabit, Toward};
 pub use leaf::{LeafHabit, LeafShape};

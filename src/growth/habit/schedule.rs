@@ -4,8 +4,7 @@
 //! In a species file a schedule is a number, or a list of `[age, value]` pairs with rising ages. Before the first age
 //! and after the last the value stays as it is there.
 
-use super::table::TableValue;
-use crate::params::{Kind, ParamValue};
+use crate::params::{Kind, ParamValue, Range};
 use serde::Serialize;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 use std::fmt;
@@ -93,12 +92,16 @@ impl ParamValue for Schedule {
     fn at_age(&self, age: f32) -> f64 {
         f64::from(self.at(age))
     }
-}
 
-impl TableValue for Schedule {
-    fn read<'de, D: Deserializer<'de>>(source: D, min: f64, max: f64) -> Result<Self, D::Error> {
-        struct NumberOrPairs(f32, f32);
-        impl<'de> Visitor<'de> for NumberOrPairs {
+    fn read<'de, D: Deserializer<'de>>(source: D, range: &Range<Self>) -> Result<Self, D::Error> {
+        struct NumberOrPairs<'r>(&'r Range<Schedule>);
+        impl NumberOrPairs<'_> {
+            fn schedule(&self, knots: Vec<(f32, f32)>) -> Result<Schedule, String> {
+                let Range { min, max, .. } = *self.0;
+                Schedule::new(knots, min as f32, max as f32).map_err(|reason| self.0.named(&reason))
+            }
+        }
+        impl<'de> Visitor<'de> for NumberOrPairs<'_> {
             type Value = Schedule;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -106,7 +109,7 @@ impl TableValue for Schedule {
             }
 
             fn visit_f64<E: Error>(self, value: f64) -> Result<Schedule, E> {
-                Schedule::new(vec![(0.0, value as f32)], self.0, self.1).map_err(E::custom)
+                self.schedule(vec![(0.0, value as f32)]).map_err(E::custom)
             }
 
             fn visit_i64<E: Error>(self, value: i64) -> Result<Schedule, E> {
@@ -122,10 +125,10 @@ impl TableValue for Schedule {
                 while let Some(pair) = list.next_element::<(f32, f32)>()? {
                     knots.push(pair);
                 }
-                Schedule::new(knots, self.0, self.1).map_err(A::Error::custom)
+                self.schedule(knots).map_err(A::Error::custom)
             }
         }
-        source.deserialize_any(NumberOrPairs(min as f32, max as f32))
+        source.deserialize_any(NumberOrPairs(range))
     }
 
     fn from_number(number: f64) -> Self {
