@@ -87,7 +87,7 @@ macro_rules! parameters {
 
         impl<'de> serde::Deserialize<'de> for $name {
             fn deserialize<D: serde::Deserializer<'de>>(source: D) -> Result<Self, D::Error> {
-                use $crate::params::{Range, keys::Key};
+                use $crate::params::keys::Key;
                 const KEYS: &[&str] = &[
                     $(stringify!($field),)* $($(stringify!($choice),)*)? $($(stringify!($section),)*)?
                 ];
@@ -106,7 +106,7 @@ macro_rules! parameters {
                         while let Some(key) = map.next_key_seed(Key(KEYS))? {
                             let key = KEYS[key];
                             $(if key == stringify!($field) {
-                                let range = Range::<$ty>::new(key, f64::from($min), f64::from($max));
+                                let range = $crate::params::Range::<$ty>::new(key, f64::from($min), f64::from($max));
                                 $field = Some(map.next_value_seed(range)?);
                                 continue;
                             })*

@@ -1,16 +1,17 @@
 //! The sections of a species file, as they are written and as they are used.
 //!
 //! Sizes in a flower are shares of its reach, the distance from its centre to the petals' tips, so that a species fits
-//! a flower of any size. Every number's range is checked while reading ([`super::ranges`]).
+//! a flower of any size. Every number's range is checked while reading
+//! ([`parameters!`](crate::parameters!)).
 
 use super::part::Part;
-use super::ranges;
 use crate::growth::Habit;
+use crate::params::{ParamValue as _, Range};
 use crate::picture::Picture;
 use crate::plant::{BladeForm, Material, Texture};
 use crate::quote;
 use crate::srgb::linear_from_srgb;
-use serde::{Deserialize, Deserializer, de};
+use serde::{Deserialize, Deserializer, Serialize, de};
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 
@@ -66,42 +67,24 @@ impl Written {
     }
 }
 
-/// A surface.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct MaterialLook {
-    /// Colour, multiplied with the texture: `#rrggbb` in the file, linear RGB here.
-    #[serde(deserialize_with = "colour")]
-    pub color: [f32; 3],
-    /// Picture: a file beside the species file, or one of the built-in textures.
-    #[serde(deserialize_with = "texture")]
-    pub texture: Option<Texture>,
-    /// Strength of the highlight, 0 to 1.
-    #[serde(deserialize_with = "ranges::share")]
-    pub specular: f32,
-    /// Sharpness of the highlight, 0 to 1000.
-    #[serde(deserialize_with = "ranges::shininess")]
-    pub shininess: f32,
-    /// Share of light that passes through, 0 to 1.
-    #[serde(deserialize_with = "ranges::share")]
-    pub translucency: f32,
-    /// Whether the picture's alpha cuts the surface out.
-    pub cut_out: bool,
-    /// Whether both sides are seen.
-    pub double_sided: bool,
-}
-
-impl Default for MaterialLook {
-    fn default() -> Self {
-        Self {
-            color: [1.0; 3],
-            texture: None,
-            specular: 0.04,
-            shininess: 20.0,
-            translucency: 0.0,
-            cut_out: false,
-            double_sided: false,
-        }
+crate::parameters! {
+    /// A surface.
+    pub struct MaterialLook {
+        /// Strength of the highlight, 0 to 1.
+        specular: f32 = 0.04, 0.0..=1.0, "";
+        /// Sharpness of the highlight, 0 to 1000.
+        shininess: f32 = 20.0, 0.0..=1000.0, "";
+        /// Share of light that passes through, 0 to 1.
+        translucency: f32 = 0.0, 0.0..=1.0, "";
+        choices:
+        /// Colour, multiplied with the texture: `#rrggbb` in the file, linear RGB here.
+        color: [f32; 3] = [1.0; 3], read_colour;
+        /// Picture: a file beside the species file, or one of the built-in textures.
+        texture: Option<Texture> = None, read_texture;
+        /// Whether the picture's alpha cuts the surface out.
+        cut_out: bool = false;
+        /// Whether both sides are seen.
+        double_sided: bool = false;
     }
 }
 
@@ -128,116 +111,95 @@ impl MaterialLook {
     }
 }
 
-/// Stems and branches.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct StemLook {
-    /// Material of trunk and stem.
-    pub material: String,
-    /// Material of young branches; that of the stem if left out.
-    pub twig: Option<String>,
-    /// Level in the branch hierarchy from which branches are young; 0 is the trunk.
-    #[serde(default = "first_order", deserialize_with = "ranges::level")]
-    pub twig_level: u32,
-    /// Radius at their foot from which branches are old all the same, as a share of the thickest one's.
-    #[serde(default = "a_quarter", deserialize_with = "ranges::share")]
-    pub twig_thickest: f32,
+crate::parameters! {
+    /// Stems and branches.
+    pub struct StemLook {
+        /// Level in the branch hierarchy from which branches are young; 0 is the trunk.
+        twig_level: u32 = 1, 0..=20, "";
+        /// Radius at their foot from which branches are old all the same, as a share of the thickest one's.
+        twig_thickest: f32 = 0.25, 0.0..=1.0, "of the thickest one's";
+        choices:
+        /// Material of trunk and stem.
+        material: String;
+        /// Material of young branches; that of the stem if left out.
+        twig: Option<String> = None;
+    }
 }
 
-fn first_order() -> u32 {
-    1
+crate::parameters! {
+    /// Leaves.
+    pub struct LeafLook {
+        /// How much the form differs from leaf to leaf, 0 to 1.
+        vary: f32 = 0.0, 0.0..=1.0, "";
+        choices:
+        /// Materials; each leaf takes one at random.
+        materials: Names;
+        sections:
+        /// How leaves bend.
+        form: BladeForm = BladeForm::default();
+    }
 }
 
-fn a_quarter() -> f32 {
-    0.25
+crate::parameters! {
+    /// One look of a species' flowers.
+    pub struct FlowerLook {
+        choices:
+        /// Blades behind the petals.
+        sepals: Option<SepalLook> = None;
+        /// What carries the petals from behind.
+        cup: Option<CupLook> = None;
+        /// Groups of stamens.
+        stamens: Vec<ThreadLook> = Vec::new();
+        /// Groups of styles.
+        pistils: Vec<ThreadLook> = Vec::new();
+        sections:
+        /// Petals.
+        petals: PetalLook;
+        /// Heart of the flower.
+        disc: DiscLook;
+    }
 }
 
-/// Leaves.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct LeafLook {
-    /// Materials; each leaf takes one at random.
-    pub materials: Names,
-    /// How leaves bend.
-    #[serde(default)]
-    pub form: BladeForm,
-    /// How much the form differs from leaf to leaf, 0 to 1.
-    #[serde(default, deserialize_with = "ranges::share")]
-    pub vary: f32,
-}
-
-/// One look of a species' flowers.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct FlowerLook {
+crate::parameters! {
     /// Petals.
-    pub petals: PetalLook,
-    /// Blades behind the petals.
-    pub sepals: Option<SepalLook>,
-    /// What carries the petals from behind.
-    pub cup: Option<CupLook>,
-    /// Heart of the flower.
-    pub disc: DiscLook,
-    /// Groups of stamens.
-    #[serde(default)]
-    pub stamens: Vec<ThreadLook>,
-    /// Groups of styles.
-    #[serde(default)]
-    pub pistils: Vec<ThreadLook>,
+    pub struct PetalLook {
+        /// How much the form differs from petal to petal, 0 to 1.
+        vary: f32 = 0.0, 0.0..=1.0, "";
+        choices:
+        /// Materials; the petals of a flower take them in turn.
+        materials: Names;
+        /// How petals of half the longest one's length bend; those between are between.
+        inner: Option<BladeForm> = None;
+        sections:
+        /// How petals bend.
+        form: BladeForm = BladeForm::default();
+    }
 }
 
-/// Petals.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct PetalLook {
-    /// Materials; the petals of a flower take them in turn.
-    pub materials: Names,
-    /// How petals bend.
-    #[serde(default)]
-    pub form: BladeForm,
-    /// How petals of half the longest one's length bend; those between are between.
-    pub inner: Option<BladeForm>,
-    /// How much the form differs from petal to petal, 0 to 1.
-    #[serde(default, deserialize_with = "ranges::share")]
-    pub vary: f32,
-}
-
-/// Sepals or bracts.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct SepalLook {
-    /// Material.
-    pub material: String,
-    /// Number; as many as petals if left out.
-    #[serde(default, deserialize_with = "some_count")]
-    pub count: Option<u32>,
-    /// Length, share of the reach.
-    #[serde(deserialize_with = "ranges::reach")]
-    pub length: f32,
-    /// Width, share of the length.
-    #[serde(deserialize_with = "ranges::share")]
-    pub width: f32,
-    /// Where it is widest: 0 base, 1 tip.
-    #[serde(default = "middle", deserialize_with = "ranges::share")]
-    pub widest: f32,
-    /// Angle between petals and sepals, degrees.
-    #[serde(deserialize_with = "ranges::angle_deg")]
-    pub gap_deg: f32,
-    /// How sepals bend.
-    #[serde(default)]
-    pub form: BladeForm,
-}
-
-fn middle() -> f32 {
-    0.4
-}
-
-fn some_count<'de, D: Deserializer<'de>>(source: D) -> Result<Option<u32>, D::Error> {
-    ranges::count(source).map(Some)
+crate::parameters! {
+    /// Sepals or bracts.
+    pub struct SepalLook {
+        /// Length, share of the reach.
+        length: f32, 0.0..=3.0, "of the reach";
+        /// Width, share of the length.
+        width: f32, 0.0..=1.0, "of the length";
+        /// Where it is widest: 0 base, 1 tip.
+        widest: f32 = 0.4, 0.0..=1.0, "";
+        /// Angle between petals and sepals, degrees.
+        gap_deg: f32, 0.0..=180.0, "degrees";
+        choices:
+        /// Material.
+        material: String;
+        /// Number; as many as petals if left out.
+        count: Option<u32> = None, read_count;
+        sections:
+        /// How sepals bend.
+        form: BladeForm = BladeForm::default();
+    }
 }
 
 /// Which way the cup behind the petals points.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Along {
     /// Back along the flower's axis: the calyx of a daisy.
@@ -246,38 +208,36 @@ pub enum Along {
     Stem,
 }
 
-/// Solid behind the petals: calyx cup, involucre or flower tube.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct CupLook {
-    /// Material.
-    pub material: String,
-    /// Radius at the petals, share of the reach.
-    #[serde(deserialize_with = "ranges::share")]
-    pub radius: f32,
-    /// Length, share of the reach.
-    #[serde(deserialize_with = "ranges::reach")]
-    pub length: f32,
-    /// Direction.
-    pub along: Along,
+crate::parameters! {
+    /// Solid behind the petals: calyx cup, involucre or flower tube.
+    pub struct CupLook {
+        /// Radius at the petals, share of the reach.
+        radius: f32, 0.0..=1.0, "of the reach";
+        /// Length, share of the reach.
+        length: f32, 0.0..=3.0, "of the reach";
+        choices:
+        /// Material.
+        material: String;
+        /// Direction.
+        along: Along;
+    }
 }
 
-/// Heart of the flower: a dome whose texture is seen from above.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct DiscLook {
-    /// Material.
-    pub material: String,
-    /// Least radius, share of the reach; a drawing with a wider heart widens it.
-    #[serde(deserialize_with = "ranges::share")]
-    pub radius: f32,
-    /// Height, share of the radius.
-    #[serde(deserialize_with = "ranges::ratio")]
-    pub height: f32,
+crate::parameters! {
+    /// Heart of the flower: a dome whose texture is seen from above.
+    pub struct DiscLook {
+        /// Least radius, share of the reach; a drawing with a wider heart widens it.
+        radius: f32, 0.0..=1.0, "of the reach";
+        /// Height, share of the radius.
+        height: f32, 0.01..=20.0, "of the radius";
+        choices:
+        /// Material.
+        material: String;
+    }
 }
 
 /// How the threads of a group stand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Arrangement {
     /// In one ring.
@@ -288,104 +248,88 @@ pub enum Arrangement {
     Column,
 }
 
-/// A group of stamens or styles.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct ThreadLook {
-    /// Material of the threads.
-    pub material: String,
-    /// Material of their heads; that of the threads if left out.
-    pub head_material: Option<String>,
-    /// Number.
-    #[serde(deserialize_with = "ranges::count")]
-    pub count: u32,
-    /// How they stand.
-    pub arrangement: Arrangement,
-    /// Length, share of the reach.
-    #[serde(deserialize_with = "ranges::reach")]
-    pub length: f32,
-    /// Radius of the thread, share of the reach.
-    #[serde(deserialize_with = "ranges::thin")]
-    pub radius: f32,
-    /// Radius and half length of the head, shares of the reach.
-    #[serde(default, deserialize_with = "ranges::head")]
-    pub head: [f32; 2],
-    /// Distance of the ring, or of the outermost thread, from the axis: share of the disc's radius.
-    #[serde(default, deserialize_with = "ranges::share")]
-    pub ring: f32,
-    /// Height of the lowest thread above the disc, share of the reach.
-    #[serde(default, deserialize_with = "ranges::reach")]
-    pub rise: f32,
-    /// Length of the column, share of the reach.
-    #[serde(default, deserialize_with = "ranges::reach")]
-    pub column: f32,
-    /// Angle between the axis and the outermost thread, degrees; never beyond the petals.
-    #[serde(default, deserialize_with = "ranges::angle_deg")]
-    pub spread_deg: f32,
-    /// Bow away from the axis, share of the length; negative toward it.
-    #[serde(default, deserialize_with = "ranges::bow")]
-    pub bow: f32,
-    /// How much length and direction differ from thread to thread, 0 to 1.
-    #[serde(default, deserialize_with = "ranges::share")]
-    pub vary: f32,
+crate::parameters! {
+    /// A group of stamens or styles.
+    pub struct ThreadLook {
+        /// Number.
+        count: u32, 0..=200, "";
+        /// Length, share of the reach.
+        length: f32, 0.0..=3.0, "of the reach";
+        /// Radius of the thread, share of the reach.
+        radius: f32, 0.001..=0.2, "of the reach";
+        /// Distance of the ring, or of the outermost thread, from the axis: share of the disc's radius.
+        ring: f32 = 0.0, 0.0..=1.0, "of the disc's radius";
+        /// Height of the lowest thread above the disc, share of the reach.
+        rise: f32 = 0.0, 0.0..=3.0, "of the reach";
+        /// Length of the column, share of the reach.
+        column: f32 = 0.0, 0.0..=3.0, "of the reach";
+        /// Angle between the axis and the outermost thread, degrees; never beyond the petals.
+        spread_deg: f32 = 0.0, 0.0..=180.0, "degrees";
+        /// Bow away from the axis, share of the length; negative toward it.
+        bow: f32 = 0.0, -1.0..=1.0, "of the length";
+        /// How much length and direction differ from thread to thread, 0 to 1.
+        vary: f32 = 0.0, 0.0..=1.0, "";
+        choices:
+        /// Material of the threads.
+        material: String;
+        /// Material of their heads; that of the threads if left out.
+        head_material: Option<String> = None;
+        /// How they stand.
+        arrangement: Arrangement;
+        /// Radius and half length of the head, shares of the reach.
+        head: [f32; 2] = [0.0; 2], read_head;
+    }
 }
 
-/// Small flowers in place of some of a tree's leaves, in the first look of the species' flowers.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct BlossomLook {
-    /// Share of the leaves that are flowers.
-    #[serde(deserialize_with = "ranges::share")]
-    pub share: f32,
-    /// Petals of each.
-    #[serde(deserialize_with = "ranges::count")]
-    pub petals: u32,
-    /// Distance from centre to tip, share of the leaves' mean length.
-    #[serde(deserialize_with = "ranges::reach")]
-    pub reach: f32,
-    /// Width of a petal, share of its length.
-    #[serde(deserialize_with = "ranges::share")]
-    pub width: f32,
-    /// Depth of the notch at the tip, share of the length.
-    #[serde(default, deserialize_with = "ranges::share")]
-    pub notch: f32,
-    /// Angle between axis and petals, degrees.
-    #[serde(deserialize_with = "ranges::angle_deg")]
-    pub opening_deg: f32,
+crate::parameters! {
+    /// Small flowers in place of some of a tree's leaves, in the first look of the species' flowers.
+    pub struct BlossomLook {
+        /// Share of the leaves that are flowers.
+        share: f32, 0.0..=1.0, "";
+        /// Petals of each.
+        petals: u32, 0..=200, "";
+        /// Distance from centre to tip, share of the leaves' mean length.
+        reach: f32, 0.0..=3.0, "of the leaves' mean length";
+        /// Width of a petal, share of its length.
+        width: f32, 0.0..=1.0, "of the length";
+        /// Depth of the notch at the tip, share of the length.
+        notch: f32 = 0.0, 0.0..=1.0, "of the length";
+        /// Angle between axis and petals, degrees.
+        opening_deg: f32, 0.0..=180.0, "degrees";
+    }
 }
 
-/// Thorns.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct ThornLook {
-    /// Material.
-    pub material: String,
-    /// Length, in radii of the branch.
-    #[serde(deserialize_with = "ranges::ratio")]
-    pub length: f32,
-    /// Mean distance along the branch, in radii of the branch.
-    #[serde(deserialize_with = "ranges::ratio")]
-    pub spacing: f32,
+crate::parameters! {
+    /// Thorns.
+    pub struct ThornLook {
+        /// Length, in radii of the branch.
+        length: f32, 0.01..=20.0, "radii";
+        /// Mean distance along the branch, in radii of the branch.
+        spacing: f32, 0.01..=20.0, "radii";
+        choices:
+        /// Material.
+        material: String;
+    }
 }
 
-/// A pot, its rim a little above the foot of the lowest trunk.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct PotLook {
-    /// Material of the pot.
-    pub material: String,
-    /// Material of the earth in it.
-    pub soil: String,
-    /// Height, share of the plant's height.
-    #[serde(deserialize_with = "ranges::share")]
-    pub height: f32,
-    /// Radius at the rim, share of the pot's height.
-    #[serde(deserialize_with = "ranges::ratio")]
-    pub radius: f32,
+crate::parameters! {
+    /// A pot, its rim a little above the foot of the lowest trunk.
+    pub struct PotLook {
+        /// Height, share of the plant's height.
+        height: f32, 0.0..=1.0, "of the plant's height";
+        /// Radius at the rim, share of the pot's height.
+        radius: f32, 0.01..=20.0, "of the height";
+        choices:
+        /// Material of the pot.
+        material: String;
+        /// Material of the earth in it.
+        soil: String;
+    }
 }
 
 /// Names of one or more materials; in the file a string or a list of strings.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(transparent)]
 pub struct Names(pub Vec<String>);
 
 impl<'de> Deserialize<'de> for Names {
@@ -418,7 +362,7 @@ impl<'de> Deserialize<'de> for Names {
 }
 
 /// A colour written as `#rrggbb` (sRGB), as linear RGB.
-fn colour<'de, D: Deserializer<'de>>(source: D) -> Result<[f32; 3], D::Error> {
+fn read_colour<'de, D: Deserializer<'de>>(source: D) -> Result<[f32; 3], D::Error> {
     let text = String::deserialize(source)?;
     let digits = text.strip_prefix('#').filter(|d| d.len() == 6 && d.is_ascii());
     let number = digits.and_then(|d| u32::from_str_radix(d, 16).ok());
@@ -428,6 +372,21 @@ fn colour<'de, D: Deserializer<'de>>(source: D) -> Result<[f32; 3], D::Error> {
 }
 
 /// A texture by name; [`super::file`] decides whether it is a file or built in.
-fn texture<'de, D: Deserializer<'de>>(source: D) -> Result<Option<Texture>, D::Error> {
+fn read_texture<'de, D: Deserializer<'de>>(source: D) -> Result<Option<Texture>, D::Error> {
     String::deserialize(source).map(|name| Some(Texture::BuiltIn(name)))
+}
+
+/// A number that may be left out.
+fn read_count<'de, D: Deserializer<'de>>(source: D) -> Result<Option<u32>, D::Error> {
+    u32::read(source, &Range::new("count", 0.0, 200.0)).map(Some)
+}
+
+/// Radius and half length of a filament's head, as shares of a flower's reach.
+fn read_head<'de, D: Deserializer<'de>>(source: D) -> Result<[f32; 2], D::Error> {
+    let head = <[f32; 2]>::deserialize(source)?;
+    let range = Range::<f32>::new("head", 0.0, 0.5);
+    match head.iter().find(|size| !(range.min as f32..=range.max as f32).contains(*size)) {
+        Some(size) => Err(de::Error::custom(range.refusal(size))),
+        None => Ok(head),
+    }
 }

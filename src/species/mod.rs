@@ -20,7 +20,6 @@ pub mod palette;
 pub mod part;
 mod places;
 pub mod pot;
-pub mod ranges;
 pub mod seat;
 pub mod sepals;
 pub mod textures;
