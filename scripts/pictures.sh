@@ -19,7 +19,7 @@ done
 python3 scripts/sheet.py 5 docs/images/grown.png "$grown"/*.png
 rm -rf "$grown"
 # The pictures in the window of those that only grow.
-THUMBNAILS=write cargo test --release --quiet --test thumbnails -- every_species_looks_like_its_picture
+THUMBNAILS=write cargo test --release --quiet --test app -- every_species_looks_like_its_picture
 
 # XWD, as Xvfb keeps its screen, to PNG.
 png_of_screen() {

@@ -160,3 +160,31 @@ fn pictures_know_nothing_of_growth_and_files() {
         assert!(unwanted.is_empty(), "{} uses {unwanted:?}", file.display());
     }
 }
+
+/// Cargo looks for no tests by itself here: a file that no program of tests takes in would never run.
+#[test]
+fn every_file_of_tests_belongs_to_a_program() {
+    let manifest = fs::read_to_string(root().join("Cargo.toml")).unwrap();
+    let of_tests = manifest.split("\n[[").filter_map(|table| table.strip_prefix("test]]"));
+    let mut run: BTreeSet<String> =
+        of_tests.filter_map(|table| Some(table.split('"').nth(1)?.to_owned())).collect();
+    let tests = root().join("tests");
+    for program in run.clone() {
+        let file = [format!("{program}.rs"), format!("{program}/main.rs")].map(|name| tests.join(name));
+        let text =
+            file.iter().find_map(|file| fs::read_to_string(file).ok()).expect("a file for every program");
+        run.extend(
+            text.lines().filter_map(|line| Some(line.strip_prefix("mod ")?.strip_suffix(';')?.to_owned())),
+        );
+    }
+    let mut lost = Vec::new();
+    for entry in fs::read_dir(&tests).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+        let is_test = path.extension().is_some_and(|ending| ending == "rs") || path.join("mod.rs").exists();
+        if is_test && !run.contains(&name) {
+            lost.push(path);
+        }
+    }
+    assert!(lost.is_empty(), "in no program of tests: {lost:?}");
+}

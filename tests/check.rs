@@ -2,9 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
-mod common;
-
-use common::{textures, two_specimens};
+use crate::common::{textures, two_specimens};
 use penstemon::formats::read::{ReadFormat, from_bytes};
 use penstemon::formats::write::{Exporter, Scene, export, glb::Glb, obj::Obj};
 use penstemon::model::quality::judge;

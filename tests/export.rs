@@ -2,9 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
-mod common;
-
-use common::{leafy, textures, two_specimens};
+use crate::common::{leafy, textures, two_specimens};
 use glam::{Vec2, Vec3};
 use gltf_json as json;
 use penstemon::formats::read::{Embedded, ReadFormat, from_bytes, load};

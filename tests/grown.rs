@@ -1,6 +1,6 @@
 //! What every species that grows by itself looks like in numbers, and how its crown stands out from the others.
 //!
-//! Blessed by one variable: `INSTA_UPDATE=always cargo test --test grown`.
+//! Blessed by one variable: `INSTA_UPDATE=always cargo test --test plants grown`.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 
@@ -9,12 +9,24 @@ use penstemon::growth::{Habit, Limits, Outcome, Simulation, plant_at};
 use penstemon::pipeline::{self, Grown};
 use penstemon::plant::{OrganKind, Plant};
 use penstemon::species::{self, Species};
+use rayon::prelude::*;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
-fn grown(name: &str, age: Option<f32>) -> (Simulation, Plant) {
+/// A species as old as it says, grown once for all tests.
+fn full_grown(name: &str) -> &'static (Simulation, Plant) {
+    static GROWN: OnceLock<BTreeMap<&str, (Simulation, Plant)>> = OnceLock::new();
+    let grow = |name: &'static str| {
+        let age = Species::built_in(name).unwrap().growth.unwrap().age;
+        (name, grown(name, age as f32))
+    };
+    &GROWN.get_or_init(|| Species::growing().into_par_iter().map(grow).collect())[name]
+}
+
+fn grown(name: &str, age: f32) -> (Simulation, Plant) {
     let species = Species::built_in(name).unwrap();
     let habit = species.growth.as_ref().unwrap();
-    let age = age.unwrap_or(habit.age as f32);
     let mut simulation = Simulation::new(habit, 1, Limits::default());
     let outcome = simulation.grow_to(age as u16, &|| false);
     assert!(matches!(outcome, Outcome::Growing), "{name}: {outcome}");
@@ -40,8 +52,8 @@ fn rounded(x: f64) -> Value {
 #[test]
 fn every_species_grows_as_before() {
     for name in Species::growing() {
-        let (simulation, plant) = grown(name, None);
-        let size = size(&plant).to_array().map(|x| rounded(f64::from(x)));
+        let (simulation, plant) = full_grown(name);
+        let size = size(plant).to_array().map(|x| rounded(f64::from(x)));
         let trunk = plant.branches[0].radii[0];
         let summary = json!({
             "age": simulation.age(),
@@ -52,14 +64,17 @@ fn every_species_grows_as_before() {
             "trunk_radius_m": rounded(f64::from(trunk)),
             "size_m": size,
         });
-        insta::assert_json_snapshot!(name, summary);
+        // Under the name that it has had since before these tests were one module of many.
+        insta::with_settings!({ prepend_module_to_snapshot => false }, {
+            insta::assert_json_snapshot!(format!("grown__{name}"), summary);
+        });
     }
 }
 
 #[test]
 fn fruit_trees_flower_when_they_are_of_age_and_their_flowers_open() {
     let flowers = |age: f32| {
-        let plant = grown("cherry", Some(age)).1;
+        let plant = grown("cherry", age).1;
         assert!(plant.organs.iter().all(|o| o.kind != OrganKind::Bud), "all buds are open");
         plant.flowers.len()
     };
@@ -73,7 +88,7 @@ fn fruit_trees_flower_when_they_are_of_age_and_their_flowers_open() {
     let of_leaves = plant.flowers.len();
     assert!(flowers(20.0) > of_leaves + 100, "{} with and {of_leaves} without fates", flowers(20.0));
     let buds = |age: f32| {
-        let of = plant_at(&grown("cherry", Some(20.0)).0, age).organs;
+        let of = plant_at(&grown("cherry", 20.0).0, age).organs;
         of.iter().filter(|o| o.kind == OrganKind::Bud).count()
     };
     assert_eq!((buds(3.0), buds(20.0) > 100), (0, true), "flowering age is 4");
@@ -85,7 +100,7 @@ fn fruit_trees_flower_when_they_are_of_age_and_their_flowers_open() {
 fn species_grow_as_high_as_they_say() {
     for name in Species::growing() {
         let said = Species::built_in(name).unwrap().growth.unwrap().height;
-        let high = size(&grown(name, None).1).y;
+        let high = size(&full_grown(name).1).y;
         assert!((high / said - 1.0).abs() < 0.12, "{name} says {said} m and grows {high} m high");
     }
 }
@@ -112,7 +127,7 @@ fn flowers_open_gradually_and_old_ones_do_not_close() {
 #[test]
 fn crowns_have_the_proportions_of_their_species() {
     let slender = |name: &str| {
-        let size = size(&grown(name, None).1);
+        let size = size(&full_grown(name).1);
         size.y / size.x.max(size.z)
     };
     for column in ["poplar", "cypress"] {
@@ -159,7 +174,7 @@ fn lambda_decides_between_a_leader_and_laterals() {
 #[test]
 fn willow_twigs_hang_and_poplar_twigs_stand() {
     let fall = |name: &str| {
-        let plant = grown(name, None).1;
+        let plant = &full_grown(name).1;
         let last = plant.branches.iter().filter(|b| b.level >= 2 && b.points.len() > 3);
         let ways: Vec<f32> =
             last.map(|b| (b.points[b.points.len() - 1] - b.points[1]).normalize().y).collect();
@@ -171,10 +186,10 @@ fn willow_twigs_hang_and_poplar_twigs_stand() {
 
 #[test]
 fn a_plant_is_taller_and_thicker_every_five_years() {
-    let (simulation, _) = grown("oak", None);
+    let (simulation, _) = full_grown("oak");
     let mut last = (0.0, 0.0);
     for age in [5.0, 10.0, 15.0, 20.0] {
-        let plant = plant_at(&simulation, age);
+        let plant = plant_at(simulation, age);
         let now = (size(&plant).y, plant.branches[0].radii[0]);
         assert!(now.0 > last.0 && now.1 > last.1, "{last:?} then {now:?} at {age}");
         last = now;

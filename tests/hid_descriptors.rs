@@ -1,24 +1,13 @@
-//! Report descriptors of many devices: every pen decodes, nothing else is taken for one.
-//!
-//! Besides made-up devices, every `*.bin` of the folder named by `PENSTEMON_HID_DESCRIPTORS`, or of `../shared/data/hid`
-//! where that is there. What those should say is worked out here a second time, plainly, from the descriptor's own fields.
+//! Report descriptors of made-up devices: what each says is decoded, and nothing else is taken for a pen.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
-#![allow(clippy::print_stderr, reason = "says what could not run")]
 
+use crate::virtual_tablets;
 use glam::{DVec2, Vec2};
-use hidreport::{Field, Report, ReportDescriptor, VariableField};
-use penstemon::pen::hid::{Abilities, Decode, DescriptorDecoder, HidEvent, RawPen, TypedReports};
+use penstemon::pen::hid::{Abilities, Decode, DescriptorDecoder, HidEvent, RawPen};
 use proptest::prelude::*;
-use std::path::{Path, PathBuf};
 
-#[path = "common/not_run.rs"]
-mod not_run;
-#[path = "common/tablets.rs"]
-#[allow(dead_code, reason = "shared with other tests")]
-mod tablets;
-
-use tablets::{DisplayReport, switch};
+use crate::virtual_tablets::{DisplayReport, switch};
 
 fn decode(decoder: &mut DescriptorDecoder, report: &[u8]) -> Vec<HidEvent> {
     let mut events = Vec::new();
@@ -39,7 +28,7 @@ fn decoder(descriptor: &[u8]) -> DescriptorDecoder {
 
 #[test]
 fn a_pen_display_says_everything() {
-    let mut display = decoder(tablets::PEN_DISPLAY);
+    let mut display = decoder(virtual_tablets::PEN_DISPLAY);
     assert!(display.area_mm().unwrap().abs_diff_eq(DVec2::new(294.64, 165.74), 1e-9));
     let all = Abilities {
         pressure_levels: 4096,
@@ -89,7 +78,7 @@ fn a_pen_display_says_everything() {
 #[test]
 fn impossible_switches_are_cured() {
     use switch::{ERASER, IN_RANGE, INVERT, TIP};
-    let mut display = decoder(tablets::PEN_DISPLAY);
+    let mut display = decoder(virtual_tablets::PEN_DISPLAY);
     let mut state = |switches| {
         let report = DisplayReport { switches, pressure: 100, ..Default::default() };
         let pen = decode_pen(&mut display, &report.bytes()).unwrap();
@@ -108,7 +97,7 @@ fn impossible_switches_are_cured() {
 #[test]
 fn an_eraser_in_the_air_does_not_erase() {
     use switch::{ERASER, IN_RANGE, INVERT, TIP};
-    let mut display = decoder(tablets::PEN_DISPLAY);
+    let mut display = decoder(virtual_tablets::PEN_DISPLAY);
     let mut state = |switches, pressure| {
         let report = DisplayReport { switches, pressure, ..Default::default() };
         let pen = decode_pen(&mut display, &report.bytes()).unwrap();
@@ -121,11 +110,11 @@ fn an_eraser_in_the_air_does_not_erase() {
     assert_eq!(state(IN_RANGE | ERASER | TIP, 0), (true, true, true));
 }
 
-/// [`tablets::DESK_TABLET`] with another unit of its area and other numbers of steps and of physical units on its axes.
+/// [`virtual_tablets::DESK_TABLET`] with another unit of its area and other numbers of steps and of physical units on its axes.
 fn desk_tablet_with_area(unit: u8, steps: [u16; 2], physical: [u16; 2]) -> Vec<u8> {
     let [x, y] = steps.map(u16::to_le_bytes);
     let [width, height] = physical.map(u16::to_le_bytes);
-    let [head, tail] = [&tablets::DESK_TABLET[..38], &tablets::DESK_TABLET[70..]];
+    let [head, tail] = [&virtual_tablets::DESK_TABLET[..38], &virtual_tablets::DESK_TABLET[70..]];
     let area = [
         &[0x05, 0x01, 0x65, unit, 0x55, 0x0D, 0x75, 0x10, 0x35, 0x00][..],
         &[0x09, 0x30, 0x27, x[0], x[1], 0, 0, 0x46, width[0], width[1], 0x81, 0x02],
@@ -156,7 +145,7 @@ fn an_area_in_units_that_are_no_length_counts_only_where_its_numbers_agree() {
 
 #[test]
 fn fingers_count_unless_the_screen_takes_them_for_a_palm() {
-    let mut display = decoder(tablets::PEN_DISPLAY);
+    let mut display = decoder(virtual_tablets::PEN_DISPLAY);
     let touch = |finger, touches, x: f64| HidEvent::Touch { finger, touches, position: DVec2::new(x, 0.0) };
     let mut frame = |first: [u8; 3], second: [u8; 3], count| {
         let contact = |[state, number, x]: [u8; 3]| [state, number, x, 0, 0, 0];
@@ -172,7 +161,7 @@ fn fingers_count_unless_the_screen_takes_them_for_a_palm() {
 
 #[test]
 fn a_tablet_without_report_ids_has_0_there() {
-    let mut tablet = decoder(tablets::DESK_TABLET);
+    let mut tablet = decoder(virtual_tablets::DESK_TABLET);
     assert!(tablet.area_mm().unwrap().abs_diff_eq(DVec2::new(254.0, 158.75), 1e-9));
     let report = [0, 0b1000_0011, 0x38, 0x63, 0x06, 0x7C, 0xFF, 0x1F, (-30i8) as u8, 60];
     let pen = decode_pen(&mut tablet, &report).unwrap();
@@ -183,7 +172,7 @@ fn a_tablet_without_report_ids_has_0_there() {
 
 #[test]
 fn wacoms_own_page_is_read_like_the_standard_one() {
-    let mut tablet = decoder(tablets::WACOM_PAGE);
+    let mut tablet = decoder(virtual_tablets::WACOM_PAGE);
     assert!(tablet.area_mm().unwrap().abs_diff_eq(DVec2::new(224.0, 148.0), 1e-9));
     let switches = 0b0101_1010;
     let mut report = vec![16, switches, 0x80, 0x57, 0, 0xA0, 0x73, 0, 0, 0x10];
@@ -211,14 +200,14 @@ fn wacoms_own_page_is_read_like_the_standard_one() {
 
 #[test]
 fn no_other_device_is_taken_for_a_pen() {
-    for descriptor in [tablets::TOUCH_SCREEN, tablets::MOUSE, tablets::KEYBOARD] {
+    for descriptor in [virtual_tablets::TOUCH_SCREEN, virtual_tablets::MOUSE, virtual_tablets::KEYBOARD] {
         assert!(DescriptorDecoder::new(descriptor).unwrap().is_none());
     }
 }
 
 #[test]
 fn reports_that_are_short_or_unknown_say_nothing() {
-    let mut display = decoder(tablets::PEN_DISPLAY);
+    let mut display = decoder(virtual_tablets::PEN_DISPLAY);
     let report = DisplayReport { switches: switch::IN_RANGE, ..Default::default() }.bytes();
     for length in 0..report.len() {
         assert_eq!(decode(&mut display, &report[..length]), [], "{length} bytes");
@@ -228,7 +217,7 @@ fn reports_that_are_short_or_unknown_say_nothing() {
 
 #[test]
 fn every_cut_and_every_flipped_byte_of_a_descriptor_ends_in_an_answer() {
-    for descriptor in [tablets::PEN_DISPLAY, tablets::WACOM_PAGE] {
+    for descriptor in [virtual_tablets::PEN_DISPLAY, virtual_tablets::WACOM_PAGE] {
         for place in 0..descriptor.len() {
             let _ = DescriptorDecoder::new(&descriptor[..place]);
             for value in [0x00, 0x01, 0x7F, 0x80, 0xA1, 0xC0, 0xFE, 0xFF] {
@@ -243,170 +232,6 @@ fn every_cut_and_every_flipped_byte_of_a_descriptor_ends_in_an_answer() {
     }
 }
 
-/// Where the real descriptors are, if they are.
-fn folder() -> Option<PathBuf> {
-    let named = std::env::var_os("PENSTEMON_HID_DESCRIPTORS").map(PathBuf::from);
-    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data/hid");
-    named.or(Some(beside)).filter(|folder| folder.is_dir())
-}
-
-fn descriptors(folder: &Path) -> Vec<(String, Vec<u8>)> {
-    let paths = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    let mut paths: Vec<PathBuf> = paths.filter(|path| path.extension().is_some_and(|e| e == "bin")).collect();
-    paths.sort();
-    paths.iter().map(|p| (p.file_name().unwrap().display().to_string(), std::fs::read(p).unwrap())).collect()
-}
-
-/// The fields of a report that stand in a pen's collections, as the descriptor names them.
-struct PenReport {
-    id: Option<u8>,
-    bytes: usize,
-    fields: Vec<VariableField>,
-}
-
-fn is_pen_collection(field: &VariableField) -> bool {
-    let usages: Vec<u32> =
-        field.collections.iter().map(|c| c.usages().first().map_or(0, u32::from)).collect();
-    let is_tablet = matches!(usages.first(), Some(0x000D_0001 | 0x000D_0002 | 0xFF0D_0001 | 0xFF0D_0002));
-    is_tablet && !usages.iter().any(|usage| matches!(usage & 0xFFFF, 0x21 | 0x22))
-}
-
-fn find<'a>(fields: &'a [VariableField], usages: &[u32]) -> Option<&'a VariableField> {
-    fields.iter().find(|field| usages.contains(&u32::from(field.usage)))
-}
-
-const X: [u32; 2] = [0x0001_0030, 0xFF0D_0130];
-const Y: [u32; 2] = [0x0001_0031, 0xFF0D_0131];
-const TIP: [u32; 2] = [0x000D_0042, 0xFF0D_0042];
-const IN_RANGE: [u32; 2] = [0x000D_0032, 0xFF0D_0032];
-const PRESSURE: [u32; 2] = [0x000D_0030, 0xFF0D_0030];
-const TILT: [[u32; 2]; 2] = [[0x000D_003D, 0xFF0D_003D], [0x000D_003E, 0xFF0D_003E]];
-
-/// Reports with position, tip and pressure of a pen, by a plain reading of the descriptor; `None` where that cannot be had.
-fn pen_reports(descriptor: &[u8]) -> Option<Vec<PenReport>> {
-    let parsed = ReportDescriptor::try_from(descriptor).ok()?;
-    let reports = parsed.input_reports().iter().map(|report| {
-        let fields = report.fields().iter().filter_map(|field| match field {
-            Field::Variable(field) if is_pen_collection(field) => Some(field.clone()),
-            _ => None,
-        });
-        let (id, bytes) = (report.report_id().map(u8::from), report.size_in_bytes());
-        PenReport { id, bytes, fields: fields.collect() }
-    });
-    Some(reports.filter(|r| [X, Y, TIP, PRESSURE].iter().all(|u| find(&r.fields, u).is_some())).collect())
-}
-
-/// Least and greatest number of a field as the descriptor writes them, whatever their size.
-fn range(field: &VariableField) -> (i64, i64) {
-    let (low, high) = (i32::from(field.logical_minimum), i32::from(field.logical_maximum));
-    let mask = (1u64 << field.bits.len().min(32)) - 1;
-    let high = if high < low { (high as u64 & mask) as i64 } else { i64::from(high) };
-    (i64::from(low), high)
-}
-
-fn write_bits(report: &mut [u8], field: &VariableField, shift: usize, value: i64) {
-    for (number, bit) in field.bits.clone().enumerate() {
-        let (byte, bit) = ((bit + shift) / 8, (bit + shift) % 8);
-        let set = value >> number.min(63) & 1 == 1;
-        report[byte] = report[byte] & !(1 << bit) | u8::from(set) << bit;
-    }
-}
-
-/// A touching report with every range field at this share of its range, and what it should say.
-fn synthesise(pen: &PenReport, share: f64) -> (Vec<u8>, RawPen) {
-    let shift = if pen.id.is_some() { 0 } else { 8 };
-    let mut report = vec![0; pen.bytes + shift / 8];
-    report[0] = pen.id.unwrap_or(0);
-    let number_at = |field: &VariableField| {
-        let (low, high) = range(field);
-        low + ((high - low) as f64 * share).round() as i64
-    };
-    let exact = |field: &VariableField| {
-        let (low, high) = range(field);
-        (number_at(field) - low) as f64 / (high - low) as f64
-    };
-    let mut expected = RawPen { in_range: true, touches: true, ..RawPen::default() };
-    for usages in [TIP, IN_RANGE] {
-        find(&pen.fields, &usages).inspect(|field| write_bits(&mut report, field, shift, 1));
-    }
-    for usages in [X, Y, PRESSURE, TILT[0], TILT[1]] {
-        find(&pen.fields, &usages).inspect(|field| write_bits(&mut report, field, shift, number_at(field)));
-    }
-    let share_of = |usages: &[u32]| exact(find(&pen.fields, usages).unwrap());
-    expected.position = DVec2::new(share_of(&X), share_of(&Y));
-    expected.pressure = Some(share_of(&PRESSURE) as f32);
-    let tilt = TILT.map(|usages| {
-        find(&pen.fields, &usages).map_or(0.0, |field| {
-            // Units that are angles are taken as the descriptor says it; everything else is whole degrees.
-            let number = number_at(field) as f64;
-            let degrees = match (field.unit.map_or(0, u32::from), range(field)) {
-                (0x14, (0, 18_000)) => (number - 9_000.0) / 100.0,
-                (0x14, (_, 9_000)) => number / 100.0,
-                _ => number,
-            };
-            degrees.clamp(-90.0, 90.0) as f32
-        })
-    });
-    expected.tilt_deg = Vec2::from(tilt);
-    (report, expected)
-}
-
-#[test]
-fn every_real_pen_decodes_and_nothing_else_does() {
-    let Some(folder) = folder() else {
-        let why = "no folder of real report descriptors; name one with PENSTEMON_HID_DESCRIPTORS";
-        not_run::not_run("every_real_pen_decodes_and_nothing_else_does", why);
-        return;
-    };
-    let (mut read, mut pens, mut sized, mut tilted, mut reports) = (0, 0, 0, 0, 0);
-    let mut wrong = Vec::new();
-    let all = descriptors(&folder);
-    for (name, descriptor) in &all {
-        let decoder = DescriptorDecoder::new(descriptor);
-        read += usize::from(decoder.is_ok());
-        let expected = pen_reports(descriptor);
-        let (Ok(decoder), Some(expected)) = (decoder, expected) else {
-            eprintln!("not compared: {name}");
-            continue;
-        };
-        match (&decoder, expected.is_empty()) {
-            (None, false) => wrong.push(format!("{name}: a pen was not seen")),
-            (Some(_), true) => wrong.push(format!("{name}: taken for a pen")),
-            _ => {}
-        }
-        let Some(mut decoder) = decoder else { continue };
-        pens += 1;
-        sized += usize::from(decoder.area_mm().is_some());
-        tilted += usize::from(decoder.abilities().tilt);
-        for (pen, share) in expected.iter().flat_map(|pen| [0.0, 0.5, 1.0].map(|share| (pen, share))) {
-            let (report, expected) = synthesise(pen, share);
-            reports += 1;
-            if TypedReports::of(descriptor).holds(&report) {
-                wrong.push(format!("{name}: {report:02x?} is taken for something typed"));
-            }
-            match decode_pen(&mut decoder, &report) {
-                Some(pen) if is_close(&pen, &expected) => {}
-                pen => wrong.push(format!("{name}: {report:02x?} became {pen:?}, not {expected:?}")),
-            }
-        }
-    }
-    eprintln!(
-        "{} descriptors, {read} read, {pens} pens, {sized} with their size, {tilted} with tilt, {reports} reports",
-        all.len()
-    );
-    assert!(wrong.is_empty(), "{} wrong:\n{}", wrong.len(), wrong.join("\n"));
-    assert!(pens > 0, "{} holds no pen", folder.display());
-}
-
-fn is_close(pen: &RawPen, expected: &RawPen) -> bool {
-    let pressure = pen.pressure.zip(expected.pressure).is_some_and(|(a, b)| (a - b).abs() < 1e-6);
-    pen.in_range
-        && pen.touches
-        && pressure
-        && pen.position.abs_diff_eq(expected.position, 1e-9)
-        && pen.tilt_deg.abs_diff_eq(expected.tilt_deg, 1e-3)
-}
-
 proptest! {
     #[test]
     fn any_bytes_end_in_an_answer_and_any_report_in_sound_numbers(
@@ -415,7 +240,7 @@ proptest! {
         reports in prop::collection::vec(prop::collection::vec(any::<u8>(), 0..40), 0..20),
     ) {
         let _ = DescriptorDecoder::new(&bytes);
-        let mut broken = tablets::PEN_DISPLAY.to_vec();
+        let mut broken = virtual_tablets::PEN_DISPLAY.to_vec();
         for (place, value) in hits {
             let place = place.index(broken.len());
             broken[place] = value;

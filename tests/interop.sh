@@ -3,7 +3,9 @@
 # glTF validator, and compares with `penstemon check`.
 #
 #   tests/interop.sh [FOLDER]
+#   tests/interop.sh --fetch
 #
+# --fetch only installs what the judges need.
 # Without a folder, hand-made models, clean and broken, are written and judged. The program under test is $PENSTEMON,
 # by default the debug build. Exit code 0: all agree; 1: a disagreement or defect; 77: not run, because a package source
 # could not be reached, which is then named.
@@ -45,6 +47,8 @@ if [ ! -d "$cache/node/node_modules/gltf-validator" ]; then
     npm install --silent --no-audit --no-fund --prefix "$cache/node" gltf-validator@2.0.0-dev.3.10 \
         >"$cache/npm.log" 2>&1 || not_run "the npm registry is out of reach (see $cache/npm.log)"
 fi
+
+[ "${1:-}" != --fetch ] || exit 0
 
 # Together with an example, so that the dependencies are those of the tests and need no second build.
 [ -n "${PENSTEMON:-}" ] || cargo build --quiet --bin penstemon --example fixture_models

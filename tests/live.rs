@@ -2,9 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
-#[path = "common/drawings.rs"]
-mod drawings;
-
+use crate::drawings;
 use glam::{Vec2, Vec3};
 use penstemon::model::Model;
 use penstemon::pipeline::{self, Built, Cache};

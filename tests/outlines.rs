@@ -2,9 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 
-#[path = "common/drawings.rs"]
-mod drawings;
-
+use crate::drawings;
 use penstemon::pipeline;
 use penstemon::sketch::Remark;
 use std::path::Path;

@@ -3,15 +3,12 @@
 #![cfg(feature = "program")]
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
+use crate::virtual_tablets;
 use serde_json::Value;
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
-#[path = "common/tablets.rs"]
-#[allow(dead_code, reason = "shared with other tests")]
-mod tablets;
-
-use tablets::{DisplayReport, switch};
+use crate::virtual_tablets::{DisplayReport, switch};
 
 fn penstemon(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_penstemon")).args(arguments).output().unwrap()
@@ -20,7 +17,7 @@ fn penstemon(arguments: &[&str]) -> Output {
 /// A recording of a stroke with rising pressure, written to a file of its own.
 fn stroke(folder: &tempfile::TempDir) -> PathBuf {
     let hex = |bytes: &[u8]| bytes.iter().map(|byte| format!("{byte:02x}")).collect::<String>();
-    let descriptor = hex(tablets::PEN_DISPLAY);
+    let descriptor = hex(virtual_tablets::PEN_DISPLAY);
     let mut text = format!(
         "penstemon-pen-recording 1\ndevice 0\nvendor 1234\nproduct 0001\nname Display\ndescriptor {descriptor}\n"
     );
@@ -58,7 +55,8 @@ fn a_recording_becomes_pen_events() {
 
 /// Plays reports of a UC-Logic tablet that keeps silent until it is woken; `lines` stand beside its numbers.
 fn silent(folder: &tempfile::TempDir, lines: &str, reports: &[&str]) -> Output {
-    let descriptor: String = tablets::SILENT_TABLET.iter().map(|byte| format!("{byte:02x}")).collect();
+    let descriptor: String =
+        virtual_tablets::SILENT_TABLET.iter().map(|byte| format!("{byte:02x}")).collect();
     let reports: String = (0..).zip(reports).map(|(n, report)| format!("{} {report}\n", n * 4000)).collect();
     let head = "penstemon-pen-recording 1\ndevice 0\nbus usb\nvendor 5543\nproduct ffff\n";
     let path = folder.path().join("silent.txt");

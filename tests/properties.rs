@@ -3,9 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
-#[path = "common/drawings.rs"]
-mod drawings;
-
+use crate::drawings;
 use glam::{Vec2, Vec3};
 use penstemon::formats::write::{Scene, format_of};
 use penstemon::geom::polyline;

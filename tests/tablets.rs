@@ -1,12 +1,10 @@
 //! Holds the shipped table of tablets, the udev rules made from it, and the promises about both.
 //!
-//! Blessed by one variable: `INSTA_UPDATE=always cargo test --test tablets`.
+//! Blessed by one variable: `INSTA_UPDATE=always cargo test --test files tablets`.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 
-#[path = "common/not_run.rs"]
-mod not_run;
-
+use crate::not_run::not_run;
 use penstemon::pen::hid::families::{Family, check_event};
 use penstemon::pen::hid::table::{Certainty, Match};
 use penstemon::pen::hid::{HidEvent, Table, Tablet};
@@ -155,7 +153,7 @@ fn udev_rules_are_those_of_the_table() {
     let kept = std::fs::read_to_string(rules_path()).unwrap();
     assert!(
         kept == rules,
-        "udev/70-penstemon.rules is not what the table says; INSTA_UPDATE=always cargo test --test tablets writes it"
+        "udev/70-penstemon.rules is not what the table says; INSTA_UPDATE=always cargo test --test files tablets writes it"
     );
 }
 
@@ -186,7 +184,7 @@ fn udev_rules_reach_every_tablet_and_no_kernel_driver() {
 fn udevadm_accepts_the_rules() {
     let verify = |arguments: &[&str]| Command::new("udevadm").arg("verify").args(arguments).output();
     if !verify(&["--help"]).is_ok_and(|out| out.status.success()) {
-        not_run::not_run("udevadm_accepts_the_rules", "no udevadm verify (systemd 254)");
+        not_run("udevadm_accepts_the_rules", "no udevadm verify (systemd 254)");
         return;
     }
     let judged = verify(&["--no-style", rules_path().to_str().unwrap()]).unwrap();

@@ -4,7 +4,7 @@
 //! chosen by drawings; pictures of what they grow are kept with the tests.
 //!
 //! Every species is grown and drawn anew as its picture was, and compared by silhouette and by mean colour. Where that
-//! is meant to change, `THUMBNAILS=write cargo test --release --test thumbnails -- every_species_looks` makes the pictures anew,
+//! is meant to change, `THUMBNAILS=write cargo test --release --test app -- every_species_looks` makes the pictures anew,
 //! as `scripts/pictures.sh` does.
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]

@@ -1,7 +1,7 @@
 //! Stems, bark, clay and earth: all tile in both directions.
 
-use crate::color::{Lab, hex, lighter, over, smooth};
-use crate::noise::{cells, fractal, value};
+use super::color::{Lab, hex, lighter, over, smooth};
+use super::noise::{cells, fractal, value};
 use glam::{IVec2, Vec2};
 
 /// Noise over the tile: `x` by `y` lattice points.
@@ -47,7 +47,7 @@ fn lenticels(p: Vec2, columns: i32, rows: i32, seed: u32) -> f32 {
     let warp = Vec2::new(0.0, 0.012 * tiled(p, 6, 4, 2, seed));
     let q = (p + warp) * Vec2::new(columns as f32, rows as f32);
     let cell = q.floor().as_ivec2().rem_euclid(IVec2::new(columns, rows));
-    let random = |s: u32| crate::noise::hash(cell, seed + s);
+    let random = |s: u32| super::noise::hash(cell, seed + s);
     let f = q - q.floor() - 0.5;
     let half = 0.14 + 0.3 * random(1);
     let lens = 1.0 - (f.x / half).powi(2);

@@ -1,11 +1,11 @@
 //! Every texture of the program: its name, its size and how it is painted.
 
-use crate::bark;
-use crate::color::{Lab, hex};
-use crate::disc::Disc;
-use crate::leaf::{Leaf, Marking, Venation};
-use crate::petals;
-use crate::picture::Picture;
+use super::bark;
+use super::color::{Lab, hex};
+use super::disc::Disc;
+use super::leaf::{Leaf, Marking, Venation};
+use super::petals;
+use super::picture::Picture;
 use glam::Vec2;
 
 /// A texture that can be painted.
@@ -173,8 +173,8 @@ fn discs() -> Vec<Texture> {
             .painter(),
         ),
         square("disc_soft", |p| {
-            let grain = crate::noise::fractal(p * 9.0, crate::noise::ENDLESS, 3, 313);
-            crate::color::lighter(hex(0xf0e6c8), 0.035 * grain - 0.10 * (p - 0.5).length())
+            let grain = super::noise::fractal(p * 9.0, super::noise::ENDLESS, 3, 313);
+            super::color::lighter(hex(0xf0e6c8), 0.035 * grain - 0.10 * (p - 0.5).length())
         }),
     ]
 }

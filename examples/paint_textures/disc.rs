@@ -2,8 +2,8 @@
 //!
 //! H. Vogel, "A better way to construct the sunflower head", 1979.
 
-use crate::color::{Lab, hex, lighter, over, smooth};
-use crate::noise::{ENDLESS, fractal, hash};
+use super::color::{Lab, hex, lighter, over, smooth};
+use super::noise::{ENDLESS, fractal, hash};
 use glam::{IVec2, Vec2};
 
 const GOLDEN_ANGLE: f32 = 2.399_963_2;

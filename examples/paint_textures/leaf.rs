@@ -1,7 +1,7 @@
 //! Leaves and sepals: pinnate, palmate or parallel veins, a fine net between them, swollen fields, markings.
 
-use crate::color::{Lab, hex, lighter, over, smooth};
-use crate::noise::{ENDLESS, cells, fractal, hash, value};
+use super::color::{Lab, hex, lighter, over, smooth};
+use super::noise::{ENDLESS, cells, fractal, hash, value};
 use glam::{IVec2, Vec2};
 
 /// Turns the noise of the pigment so that its lattice does not lie along the leaf.

@@ -1,7 +1,7 @@
 //! Petals: gradient from base to tip, eye, fan of forking veins, silky grooves, tinted margin.
 
-use crate::color::{Lab, hex, lighter, over, smooth};
-use crate::noise::{ENDLESS, cells, fractal, value};
+use super::color::{Lab, hex, lighter, over, smooth};
+use super::noise::{ENDLESS, cells, fractal, value};
 use glam::Vec2;
 
 /// Turns the noise of the pigment so that its lattice does not lie along the petal.

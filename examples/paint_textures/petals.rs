@@ -1,6 +1,6 @@
 //! The petals of all species that have their own.
 
-use crate::petal::{PLAIN, Petal};
+use super::petal::{PLAIN, Petal};
 
 /// Texture names and what they show.
 pub(crate) const ALL: &[(&str, Petal)] = &[

@@ -3,7 +3,7 @@
 //! Each pixel is the mean of four samples. Colours are reduced by median cut: pigments of one petal lie close
 //! together, so 256 of them are enough and the files stay small.
 
-use crate::color::{Lab, srgb8};
+use super::color::{Lab, srgb8};
 use glam::Vec2;
 use std::collections::BTreeMap;
 

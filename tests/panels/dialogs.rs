@@ -1,6 +1,6 @@
 //! Dialogs and messages.
 
-use crate::stage::{ROLES, Stage, asked, busy, drag, press, stage};
+use super::stage::{ROLES, Stage, asked, busy, drag, press, stage};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use penstemon::app::action::Action;

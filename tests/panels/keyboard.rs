@@ -1,6 +1,6 @@
 //! The keyboard reaches everything, in order, and is seen where it is.
 
-use crate::stage::{Stage, asked, busy, english, stage};
+use super::stage::{Stage, asked, busy, english, stage};
 use egui::{Key, Rect, Shape};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{By, NodeT, Queryable};

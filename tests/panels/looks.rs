@@ -1,8 +1,8 @@
 //! What the interface looks like, drawn by the graphics card for people to look at; and letters for every text.
 
+use super::pictures;
+use super::stage::{self, busy, press};
 use crate::not_run::not_run;
-use crate::pictures;
-use crate::stage::{self, busy, press};
 use egui::vec2;
 use egui_kittest::kittest::Queryable;
 use penstemon::app::messages::{Language, Messages, Msg, Named, Told as _};

@@ -1,6 +1,6 @@
 //! Everything is large enough to be touched, nothing overlaps, nothing leaves the window, and nothing moves by itself.
 
-use crate::stage::{self, ROLES, Stage, asked, busy, english, press, stage};
+use super::stage::{self, ROLES, Stage, asked, busy, english, press, stage};
 use egui::{Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};

@@ -1,6 +1,6 @@
 //! Every parameter: rails, switches, search, and the way back.
 
-use crate::stage::{Stage, asked, busy, drag, english, press, stage};
+use super::stage::{Stage, asked, busy, drag, english, press, stage};
 use egui::{Role, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable};

@@ -1,6 +1,6 @@
 //! The side panel: species, textures, seed, presets, view.
 
-use crate::stage::{asked, busy, drag, press, stage};
+use super::stage::{asked, busy, drag, press, stage};
 use egui::vec2;
 use egui_kittest::kittest::Queryable;
 use penstemon::app::action::Action;

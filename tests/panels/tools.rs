@@ -1,6 +1,6 @@
 //! The bar, the strip of tools and what floats over the canvas: one tap each.
 
-use crate::stage::{self, asked, busy, english, press, stage, stage_of};
+use super::stage::{self, asked, busy, english, press, stage, stage_of};
 use egui_kittest::kittest::Queryable;
 use penstemon::app::action::{Action, Mirror};
 use penstemon::app::messages::{Language, Messages};

@@ -2,10 +2,10 @@
 //!
 //! The recordings are made here, of made-up tablets; `INSTA_UPDATE=always` writes them anew.
 
+use super::tablets::{DESK_TABLET, DisplayReport, PEN_DISPLAY, switch};
+use super::{empty_drawing, saved};
 use crate::program::Program;
 use crate::screen::Screen;
-use crate::tablets::{DESK_TABLET, DisplayReport, PEN_DISPLAY, switch};
-use crate::{empty_drawing, saved};
 use glam::DVec2;
 use penstemon::pen::hid::recording::{Entry, Recorded, RecordedDevice};
 use penstemon::pen::hid::{Bus, DeviceInfo, Recording, replay};
@@ -99,7 +99,7 @@ fn two_tablets() -> Recording {
 
 /// The recording opened in the window and saved as a drawing.
 fn drawn() -> Sketch {
-    let (screen, home) = (Screen::start(WINDOW.0, WINDOW.1), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(WINDOW.0, WINDOW.1), TempDir::new().unwrap());
     let file = empty_drawing(home.path());
     // Places are kept as the pen told them.
     let settings = home.path().join(".config/penstemon");

@@ -4,11 +4,11 @@
 //! takes both back, and the third button of another tablet's pen removes the second again. So two strokes are left, and
 //! none of the five could be missing.
 
+use super::replay::{WINDOW, holds, kept};
+use super::tablets::{DisplayReport, PEN_DISPLAY, WACOM_PAGE, switch};
+use super::{empty_drawing, saved};
 use crate::program::Program;
-use crate::replay::{WINDOW, holds, kept};
 use crate::screen::Screen;
-use crate::tablets::{DisplayReport, PEN_DISPLAY, WACOM_PAGE, switch};
-use crate::{empty_drawing, saved};
 use glam::DVec2;
 use penstemon::pen::hid::recording::{Entry, Recorded, RecordedDevice};
 use penstemon::pen::hid::{Bus, DeviceInfo, Recording, replay};
@@ -129,7 +129,7 @@ fn eraser_and_buttons_of_a_recording_do_what_was_chosen_for_them() {
         ((PenTool::Pen, false, all), (PenTool::Eraser, false, all), (PenTool::Pen, true, all));
     assert_eq!(told, [pen, pen, pen, eraser, with_button]);
 
-    let (screen, home) = (Screen::start(WINDOW.0, WINDOW.1), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(WINDOW.0, WINDOW.1), TempDir::new().unwrap());
     let file = empty_drawing(home.path());
     let settings = home.path().join(".config/penstemon");
     std::fs::create_dir_all(&settings).unwrap();

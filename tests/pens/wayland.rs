@@ -1,12 +1,12 @@
 //! A tablet under Wayland: tool events of tablet-v2, as winit hears them.
 
-use crate::compositor::{Compositor, End, SOCKET};
-use crate::pen::{Pen, Touch, assert_drawn, assert_shifted, ramp};
+use super::compositor::{Compositor, End, SOCKET};
+use super::pen::{Pen, Touch, assert_drawn, assert_shifted, ramp};
+use super::{SAMPLES, empty_drawing, saved};
 use crate::program::{Program, command};
-use crate::screen::{Area, turn};
-use crate::{SAMPLES, empty_drawing, saved};
+use crate::screen::Area;
+use crate::turn::{self, Turn};
 use std::path::PathBuf;
-use std::sync::MutexGuard;
 use tempfile::TempDir;
 
 /// Linux's codes of the keys that save and quit with Ctrl, and of the pen's lower button.
@@ -78,12 +78,12 @@ struct Desk {
     compositor: Compositor,
     file: PathBuf,
     _home: TempDir,
-    _turn: MutexGuard<'static, ()>,
+    _turn: Turn,
 }
 
 impl Desk {
     fn set_up() -> Self {
-        let (_turn, home) = (turn(), TempDir::new().unwrap());
+        let (_turn, home) = (turn::beside_others(), TempDir::new().unwrap());
         let compositor = Compositor::start(home.path());
         let file = empty_drawing(home.path());
         let mut command = command(home.path(), &[file.to_str().unwrap()]);

@@ -1,12 +1,12 @@
 //! Pens, mouse and touch under a real Xorg.
 
-use crate::pen::{Pen, Touch, assert_drawn, assert_shifted, on_canvas, ramp};
+use super::pen::{Pen, Touch, assert_drawn, assert_shifted, on_canvas, ramp};
+use super::xorg::{InputTest, PenDriver, SIZE, SimPen, Xorg};
+use super::{SAMPLES, empty_drawing, not_run, saved};
 use crate::program::{Program, command};
-use crate::screen::{Area, turn};
-use crate::xorg::{InputTest, PenDriver, SIZE, SimPen, Xorg};
-use crate::{SAMPLES, empty_drawing, not_run, saved};
+use crate::screen::Area;
+use crate::turn::{self, Turn};
 use std::path::PathBuf;
-use std::sync::MutexGuard;
 use tempfile::TempDir;
 
 /// The program on a server of its own.
@@ -15,13 +15,13 @@ struct Desk {
     xorg: Xorg,
     file: PathBuf,
     home: TempDir,
-    _turn: MutexGuard<'static, ()>,
+    _turn: Turn,
 }
 
 impl Desk {
     /// `None`, and a word about it, where there is no such server.
     fn set_up(test: &str, pens: PenDriver) -> Option<Self> {
-        let (_turn, home) = (turn(), TempDir::new().unwrap());
+        let (_turn, home) = (turn::beside_others(), TempDir::new().unwrap());
         let xorg = match Xorg::start(pens) {
             Ok(xorg) => xorg,
             Err(why) => {

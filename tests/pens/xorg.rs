@@ -4,7 +4,7 @@
 //! Pens are `simpen.c`'s, which is compiled against the server's headers; where they are missing, a pen of `inputtest`
 //! still has pressure, but no tilt and no other end.
 
-use crate::xorg_conf::configuration;
+use super::xorg_conf::configuration;
 use std::fs;
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
 use std::os::unix::net::{UnixDatagram, UnixStream};

@@ -1,6 +1,6 @@
 //! What the configuration of the X server says: one screen that is not there, and the devices that tests move.
 
-use crate::xorg::{PenDriver, SIZE};
+use super::xorg::{PenDriver, SIZE};
 use std::path::Path;
 
 /// A device: its name, its driver, and what the driver is told.

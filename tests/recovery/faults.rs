@@ -1,6 +1,6 @@
 //! Copies that cannot be written or read: full disk, no folder, damage, a newer program.
 
-use super::{PATIENCE, begin, draw, file, stroke};
+use super::{PATIENCE, begin, draw, file, stroke, test_name};
 use penstemon::sketch::document::Document;
 use penstemon::sketch::journal::{Gap, JournalError, JournalState, Recovery};
 use penstemon::sketch::{self, Change};
@@ -235,9 +235,10 @@ fn recovery_copies_are_the_users_alone() {
 fn what_is_open_on_a_full_disk_is_offered_to_no_other_window_and_leaves_no_folders() {
     let state = tempfile::tempdir().unwrap();
     let program = env::current_exe().unwrap();
-    let script = "trap '' XFSZ; ulimit -f 0; exec \"$0\" --exact faults::child_without_any_room --nocapture";
+    let script = "trap '' XFSZ; ulimit -f 0; exec \"$0\" --exact \"$1\" --nocapture";
+    let child = test_name(module_path!(), "child_without_any_room");
     let output = Command::new("sh")
-        .args(["-c", script, program.to_str().unwrap()])
+        .args(["-c", script, program.to_str().unwrap(), &child])
         .env("PENSTEMON_TEST_FULL", state.path())
         .output()
         .unwrap();
@@ -304,9 +305,10 @@ fn a_full_disk_is_told_and_what_was_written_before_is_kept() {
     let state = tempfile::tempdir().unwrap();
     let program = env::current_exe().unwrap();
     // Blocks of 512 bytes; without the trap the system would end the program instead of refusing the write.
-    let script = "trap '' XFSZ; ulimit -f 24; exec \"$0\" --exact faults::child_on_a_full_disk --nocapture";
+    let script = "trap '' XFSZ; ulimit -f 24; exec \"$0\" --exact \"$1\" --nocapture";
+    let child = test_name(module_path!(), "child_on_a_full_disk");
     let output = Command::new("sh")
-        .args(["-c", script, program.to_str().unwrap()])
+        .args(["-c", script, program.to_str().unwrap(), &child])
         .env("PENSTEMON_TEST_FULL", state.path())
         .output()
         .unwrap();

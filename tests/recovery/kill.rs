@@ -1,7 +1,7 @@
 //! The program is killed at any moment of a session.
 
-use super::PATIENCE;
 use super::artist::Artist;
+use super::{PATIENCE, test_name};
 use glam::{DVec2, Vec2};
 use penstemon::app::action::Action;
 use penstemon::app::editor::{Editor, Places};
@@ -51,7 +51,7 @@ fn child_draws() {
 
 fn start_child(state: &Path, seed: u64) -> Child {
     Command::new(env::current_exe().unwrap())
-        .args(["--exact", "kill::child_draws", "--nocapture", "--test-threads", "1"])
+        .args(["--exact", &test_name(module_path!(), "child_draws"), "--nocapture", "--test-threads", "1"])
         .env("PENSTEMON_TEST_STATE", state)
         .env("PENSTEMON_TEST_SEED", seed.to_string())
         .stdout(Stdio::piped())
@@ -193,7 +193,13 @@ fn kill_editor(seed: u64) -> [usize; 3] {
     let mut rng = Pcg64Mcg::seed_from_u64(7000 + seed);
     let home = tempfile::tempdir().unwrap();
     let mut child = Command::new(env::current_exe().unwrap())
-        .args(["--exact", "kill::child_draws_in_the_editor", "--nocapture", "--test-threads", "1"])
+        .args([
+            "--exact",
+            &test_name(module_path!(), "child_draws_in_the_editor"),
+            "--nocapture",
+            "--test-threads",
+            "1",
+        ])
         .env("PENSTEMON_TEST_HOME", home.path())
         .stdout(Stdio::piped())
         .stderr(Stdio::null())
@@ -266,7 +272,13 @@ fn child_draws_on_a_slow_disk() {
 fn killed_on_a_slow_disk_every_stroke_is_found() {
     let state = tempfile::tempdir().unwrap();
     let mut child = Command::new(env::current_exe().unwrap())
-        .args(["--exact", "kill::child_draws_on_a_slow_disk", "--nocapture", "--test-threads", "1"])
+        .args([
+            "--exact",
+            &test_name(module_path!(), "child_draws_on_a_slow_disk"),
+            "--nocapture",
+            "--test-threads",
+            "1",
+        ])
         .env("PENSTEMON_TEST_SLOW", state.path())
         .stdout(Stdio::piped())
         .spawn()

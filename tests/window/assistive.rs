@@ -85,7 +85,7 @@ fn find(bus: &str, wanted: &str) -> Option<(String, String)> {
 
 #[test]
 fn a_screen_reader_finds_a_button_and_presses_it() {
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let session = Session::start(&home, &screen.display);
     let bus = session.address.as_str();
     // What a screen reader does first.

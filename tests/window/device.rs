@@ -98,7 +98,7 @@ fn is_whole(screen: &Screen, program: &mut Program, before: &crate::screen::Pixe
 #[test]
 fn a_device_lost_while_a_stroke_is_drawn_costs_nothing() {
     let Some(layer) = Layer::compile() else { return };
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let mut program = layer.program(&screen, home.path());
     let before = program.picture(&screen);
     fs::write(layer.lose(), "").unwrap();
@@ -111,7 +111,7 @@ fn a_device_lost_while_a_stroke_is_drawn_costs_nothing() {
 #[test]
 fn without_a_device_the_drawing_goes_on_until_there_is_one() {
     let Some(layer) = Layer::compile() else { return };
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let mut program = layer.program(&screen, home.path());
     let before = program.picture(&screen);
     fs::write(layer.refuse(), "").unwrap();
@@ -131,7 +131,7 @@ fn without_a_device_the_drawing_goes_on_until_there_is_one() {
 #[test]
 fn where_no_device_comes_back_the_program_says_so_and_offers_the_drawing_at_the_next_start() {
     let Some(layer) = Layer::compile() else { return };
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let mut program = layer.program(&screen, home.path());
     fs::write(layer.refuse(), "").unwrap();
     fs::write(layer.lose(), "").unwrap();

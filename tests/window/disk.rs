@@ -49,7 +49,7 @@ fn try_disk(done: &str, reason: &str) {
         not_run("a drawing on a disk that fails", "this user can mount no disk (unshare -rm)");
         return;
     }
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let disk = TempDir::new().unwrap();
     let mut program = Program::start_command(&screen, on_disk(done, home.path(), disk.path()));
     let strokes = number(&program.built(), "strokes");

@@ -10,7 +10,7 @@ use tempfile::TempDir;
 /// The program on a server that ends after `work`; then it has said so, and the next one offers the drawing.
 fn ends_with_a_word(work: impl FnOnce(&Screen, &mut Program)) {
     let home = TempDir::new().unwrap();
-    let mut screen = Screen::start(1280, 800);
+    let mut screen = Screen::beside_others(1280, 800);
     let mut program = Program::start(&screen, home.path(), &[]);
     program.built();
     screen.hand(&["key", "ctrl+n"]);
@@ -22,7 +22,7 @@ fn ends_with_a_word(work: impl FnOnce(&Screen, &mut Program)) {
     assert_eq!(program.wait().code(), Some(1));
     assert!(!program.has_told("panicked"));
     drop(screen);
-    let screen = Screen::start(1280, 800);
+    let screen = Screen::beside_others(1280, 800);
     let mut again = Program::start(&screen, home.path(), &[]);
     again.built();
     assert_eq!(number(&again.told("recoverable"), "strokes"), 1);

@@ -9,7 +9,7 @@ use tempfile::TempDir;
 
 #[test]
 fn a_daisy_drawn_by_mouse_becomes_a_plant_and_a_file() {
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let mut program = Program::start(&screen, home.path(), &[]);
     let sample = program.built();
     assert!(number(&sample, "triangles") > 1000, "the first start shows a plant: {sample}");
@@ -77,7 +77,7 @@ fn export(screen: &Screen, program: &mut Program, home: &TempDir) {
 
 #[test]
 fn a_killed_program_offers_the_drawing_back() {
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let mut program = Program::start(&screen, home.path(), &[]);
     program.built();
     screen.hand(&["key", "ctrl+n"]);
@@ -116,7 +116,7 @@ fn a_killed_program_offers_the_drawing_back() {
 
 #[test]
 fn two_windows_on_one_file_do_not_destroy_each_others_work() {
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let file = home.path().join("shared.penstemon");
     std::fs::copy(sketch_file("daisy"), &file).unwrap();
     let mut one = Program::start(&screen, home.path(), &[file.to_str().unwrap()]);

@@ -36,7 +36,7 @@ fn order(screen: &Screen, program: &mut Program, name: &str, places: &[[f64; 2]]
 
 #[test]
 fn a_picture_and_a_turntable_are_written_as_ordered() {
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let file = home.path().join("a daisy.penstemon");
     std::fs::copy(sketch_file("daisy"), &file).unwrap();
     let mut program = Program::start(&screen, home.path(), &[file.to_str().unwrap()]);

@@ -35,7 +35,7 @@ fn brightness(picture: &Pixels) -> f64 {
 
 #[test]
 fn resize_storms_and_hidden_windows_are_survived_and_then_the_window_rests() {
-    let (screen, home) = (Screen::start(1600, 1000), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1600, 1000), TempDir::new().unwrap());
     let mut program = daisy_in(&screen, home.path(), &[]);
     let window = program.window(&screen);
     for (width, height) in [(700, 500), (1, 1), (1500, 900), (320, 1000), (1600, 120), (900, 700)] {
@@ -63,7 +63,7 @@ fn resize_storms_and_hidden_windows_are_survived_and_then_the_window_rests() {
 
 #[test]
 fn theme_and_language_are_what_was_chosen() {
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let mut program = daisy_in(&screen, home.path(), &[]);
     let light = program.picture(&screen);
     // The button left of help, left of the side panel's.
@@ -108,7 +108,7 @@ fn theme_and_language_are_what_was_chosen() {
 
 #[test]
 fn a_display_of_twice_the_density_shows_everything_twice_as_fine() {
-    let (screen, home) = (Screen::start(2560, 1600), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(2560, 1600), TempDir::new().unwrap());
     let mut program = daisy_in(&screen, home.path(), &[("WINIT_X11_SCALE_FACTOR", "2")]);
     program.picture(&screen).keep("daisy-2x");
     let ([left, top, ..], [right, _, width, height]) = (program.area("canvas"), program.area("plant"));
@@ -119,7 +119,7 @@ fn a_display_of_twice_the_density_shows_everything_twice_as_fine() {
 #[test]
 fn the_theme_follows_the_desktop_that_is_asked_over_the_session_bus() {
     use std::os::unix::fs::PermissionsExt as _;
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     // A desktop that says what is written in a file, in the place of the program that asks the real one.
     let (tools, answer) = (home.path().join("tools"), home.path().join("answer"));
     fs::create_dir(&tools).unwrap();
@@ -147,7 +147,7 @@ fn the_theme_follows_the_desktop_that_is_asked_over_the_session_bus() {
 
 #[test]
 fn light_projection_and_the_divider_are_kept_for_the_next_session() {
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let mut program = daisy_in(&screen, home.path(), &[]);
     let canvas = program.area("canvas");
     screen.hand(&["key", "ctrl+q"]);
@@ -167,7 +167,7 @@ fn light_projection_and_the_divider_are_kept_for_the_next_session() {
 fn the_windows_size_is_kept_for_the_next_session_as_far_as_the_monitor_has_room() {
     let home = TempDir::new().unwrap();
     {
-        let screen = Screen::start(1600, 1000);
+        let screen = Screen::beside_others(1600, 1000);
         let mut program = daisy_in(&screen, home.path(), &[]);
         assert_eq!(size_of(&mut program, &screen), [1280, 800]);
         let window = program.window(&screen);
@@ -187,7 +187,7 @@ fn the_windows_size_is_kept_for_the_next_session_as_far_as_the_monitor_has_room(
     }
     let settings = fs::read_to_string(home.path().join(".config/penstemon/settings.toml")).unwrap();
     assert!(settings.contains("maximised = true") && settings.contains("width = 1400.0"), "{settings}");
-    let screen = Screen::start(1280, 1024);
+    let screen = Screen::beside_others(1280, 1024);
     let mut smaller = daisy_in(&screen, home.path(), &[]);
     assert_eq!(size_of(&mut smaller, &screen), [1280, 900]);
 }
@@ -202,7 +202,7 @@ fn size_of(program: &mut Program, screen: &Screen) -> [u32; 2] {
 
 #[test]
 fn the_divider_between_drawing_and_plant_is_dragged_and_the_drawing_still_fits() {
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let mut program = daisy_in(&screen, home.path(), &[]);
     let before = (program.area("canvas"), program.area("plant"));
     let strokes = program.told("built revision");

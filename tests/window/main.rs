@@ -24,10 +24,13 @@ mod memory;
 mod not_run;
 mod opening;
 mod others;
+#[path = "../pens/mod.rs"]
+mod pens;
 mod program;
 mod reference;
 mod screen;
 mod trouble;
+mod turn;
 mod wayland;
 
 use penstemon::sketch::{self, Sketch};

@@ -10,7 +10,7 @@ const BEFORE: [u8; 3] = [0xff, 0x00, 0xff];
 
 #[test]
 fn a_window_is_filled_from_the_moment_it_is_seen() {
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let client = Client::on(&screen);
     client.paint_root(BEFORE);
     let mut command = command(home.path(), &[]);
@@ -28,7 +28,7 @@ fn a_window_is_filled_from_the_moment_it_is_seen() {
 
 #[test]
 fn a_window_leaves_room_for_panels_and_its_title_bar() {
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     // It stays: without any client the server forgets what was said.
     let client = Client::on(&screen);
     client.call_work_area([0, 28, 1280, 740]);

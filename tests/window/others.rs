@@ -10,7 +10,7 @@ use tempfile::TempDir;
 
 #[test]
 fn a_window_that_is_told_to_close_asks_about_unsaved_work_first() {
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let file = home.path().join("daisy.penstemon");
     std::fs::copy(sketch_file("daisy"), &file).unwrap();
     let mut program = Program::start(&screen, home.path(), &[file.to_str().unwrap()]);
@@ -35,7 +35,7 @@ fn a_window_that_is_told_to_close_asks_about_unsaved_work_first() {
 
 #[test]
 fn a_program_that_is_ended_by_the_system_offers_the_drawing_back() {
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let mut program = Program::start(&screen, home.path(), &[]);
     program.built();
     screen.hand(&["key", "ctrl+n"]);
@@ -61,7 +61,7 @@ fn a_program_that_is_ended_by_the_system_offers_the_drawing_back() {
 
 #[test]
 fn a_drawing_dragged_onto_the_window_is_opened_and_a_picture_lies_under_it() {
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let mut program = Program::start(&screen, home.path(), &[]);
     program.built();
     // With a name that must be written in escapes by whoever sends it, and is read as it stands here.
@@ -90,7 +90,7 @@ fn a_drawing_dragged_onto_the_window_is_opened_and_a_picture_lies_under_it() {
 
 #[test]
 fn a_picture_copied_elsewhere_is_pasted_under_the_drawing() {
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let picture = home.path().join("photo.png");
     std::fs::write(&picture, photograph()).unwrap();
     // xclip goes on as a process of its own that holds the clipboard.

@@ -17,7 +17,7 @@ fn reference_in(file: &Path) -> Reference {
 
 #[test]
 fn the_picture_is_turned_moved_and_scaled_and_every_drag_is_one_step() {
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let file = home.path().join("traced.penstemon");
     let mut drawing: Sketch = crate::daisy();
     let (lo, hi) = drawing.bounds().unwrap();

@@ -1,24 +1,17 @@
 //! A virtual X display with a frame buffer that can be read, and a hand on its mouse and keyboard.
 
+use crate::turn::{self, Turn};
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
-use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
-/// Programs that are drawn by the processor take turns: each test has the machine to itself.
-static TURN: Mutex<()> = Mutex::new(());
 /// Longest wait for the screen to come to rest.
 const PATIENCE: Duration = Duration::from_secs(40);
 /// A screen that has not changed for so long rests.
 const REST: Duration = Duration::from_millis(150);
-
-/// Waits for the test's turn.
-pub(crate) fn turn() -> MutexGuard<'static, ()> {
-    TURN.lock().unwrap_or_else(PoisonError::into_inner)
-}
 
 /// An X server of its own, ended with this value.
 pub(crate) struct Screen {
@@ -26,7 +19,7 @@ pub(crate) struct Screen {
     folder: TempDir,
     /// For `DISPLAY`.
     pub(crate) display: String,
-    _turn: MutexGuard<'static, ()>,
+    _turn: Turn,
 }
 
 /// What is on the screen: rows of red, green, blue.
@@ -40,8 +33,18 @@ pub(crate) struct Pixels {
 pub(crate) type Area = [f64; 4];
 
 impl Screen {
+    /// A server for a test that measures: no other test runs beside it.
     pub(crate) fn start(width: u32, height: u32) -> Self {
-        let (_turn, folder) = (turn(), TempDir::new().unwrap());
+        Self::on_turn(turn::alone(), width, height)
+    }
+
+    /// A server beside those of other tests.
+    pub(crate) fn beside_others(width: u32, height: u32) -> Self {
+        Self::on_turn(turn::beside_others(), width, height)
+    }
+
+    fn on_turn(_turn: Turn, width: u32, height: u32) -> Self {
+        let folder = TempDir::new().unwrap();
         let mut server = Command::new("Xvfb")
             .args(["-displayfd", "1", "-nolisten", "tcp", "-dpi", "96", "-fbdir"])
             .arg(folder.path())

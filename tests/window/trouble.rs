@@ -1,7 +1,8 @@
 //! What goes wrong is said plainly, and the drawing stays.
 
 use crate::program::{Program, command};
-use crate::screen::{Screen, turn};
+use crate::screen::Screen;
+use crate::turn;
 use crate::{draw_line, number, sketch_file};
 use std::process::Command;
 use tempfile::TempDir;
@@ -16,7 +17,7 @@ fn failure(mut command: Command) -> String {
 
 #[test]
 fn without_a_display_the_program_says_so() {
-    let (_turn, home) = (turn(), TempDir::new().unwrap());
+    let (_turn, home) = (turn::beside_others(), TempDir::new().unwrap());
     let told = failure(command(home.path(), &[]));
     assert!(told.contains("there is no display") && told.contains("penstemon build"), "{told}");
     let mut unreachable = command(home.path(), &[]);
@@ -27,7 +28,7 @@ fn without_a_display_the_program_says_so() {
 
 #[test]
 fn without_a_driver_the_program_names_the_package() {
-    let (screen, home) = (Screen::start(800, 600), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(800, 600), TempDir::new().unwrap());
     let mut command = command(home.path(), &[]);
     command.env("DISPLAY", &screen.display).env("VK_ICD_FILENAMES", "/nonexistent");
     command.env("VK_DRIVER_FILES", "/nonexistent").env("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent");
@@ -37,7 +38,7 @@ fn without_a_driver_the_program_names_the_package() {
 
 #[test]
 fn without_vulkan_the_window_is_drawn_by_opengl() {
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let none = [("VK_ICD_FILENAMES", "/nonexistent"), ("VK_DRIVER_FILES", "/nonexistent")];
     let mut program = Program::start_with(&screen, home.path(), &[], &none);
     let built = program.built();
@@ -53,7 +54,7 @@ fn without_vulkan_the_window_is_drawn_by_opengl() {
 
 #[test]
 fn a_bad_file_is_told_and_the_window_stays() {
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let file = home.path().join("bad.penstemon");
     std::fs::write(&file, "{\"format\": 7").unwrap();
     let mut program = Program::start(&screen, home.path(), &[file.to_str().unwrap()]);
@@ -66,7 +67,7 @@ fn a_bad_file_is_told_and_the_window_stays() {
 
 #[test]
 fn a_drawing_whose_folder_vanished_stays_and_is_saved_elsewhere() {
-    let (screen, home) = (Screen::start(1280, 800), TempDir::new().unwrap());
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let folder = home.path().join("stick");
     std::fs::create_dir(&folder).unwrap();
     let file = folder.join("daisy.penstemon");

@@ -2,7 +2,7 @@
 
 use crate::number;
 use crate::program::{Program, command};
-use crate::screen::turn;
+use crate::turn;
 use std::fs;
 use std::os::unix::fs::PermissionsExt as _;
 use std::path::Path;
@@ -36,7 +36,7 @@ impl Compositor {
 
 #[test]
 fn a_compositor_that_goes_away_ends_the_program_with_a_word() {
-    let (_turn, home) = (turn(), TempDir::new().unwrap());
+    let (_turn, home) = (turn::beside_others(), TempDir::new().unwrap());
     let compositor = Compositor::start(home.path());
     let mut command = command(home.path(), &[]);
     command.env("WAYLAND_DISPLAY", "wayland-test");
@@ -58,7 +58,7 @@ impl Drop for Compositor {
 
 #[test]
 fn the_window_opens_and_stays_under_wayland() {
-    let (_turn, home) = (turn(), TempDir::new().unwrap());
+    let (_turn, home) = (turn::beside_others(), TempDir::new().unwrap());
     let _compositor = Compositor::start(home.path());
     let mut command = command(home.path(), &[]);
     command.env("WAYLAND_DISPLAY", "wayland-test");

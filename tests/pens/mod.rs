@@ -11,17 +11,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 
 mod compositor;
-#[path = "../common/not_run.rs"]
-mod not_run;
 mod pen;
-#[path = "../window/program.rs"]
-#[allow(dead_code, reason = "shared with the window's tests, which take more of it")]
-mod program;
 mod replay;
 mod replay_uses;
-#[path = "../window/screen.rs"]
-#[allow(dead_code, reason = "shared with the window's tests, which take more of it")]
-mod screen;
 #[path = "../common/tablets.rs"]
 #[allow(dead_code, reason = "shared with other tests")]
 mod tablets;
@@ -30,7 +22,7 @@ mod x11;
 mod xorg;
 mod xorg_conf;
 
-use not_run::not_run;
+use crate::not_run::not_run;
 use penstemon::sketch::{self, Sketch};
 use std::path::{Path, PathBuf};
 

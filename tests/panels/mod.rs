@@ -8,8 +8,6 @@ mod growth;
 mod keyboard;
 mod looks;
 mod measures;
-#[path = "../common/not_run.rs"]
-mod not_run;
 mod parameters;
 mod pictures;
 mod side;

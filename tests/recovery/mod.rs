@@ -28,6 +28,12 @@ use std::time::Duration;
 /// Longest that a healthy disk is waited for.
 const PATIENCE: Duration = Duration::from_secs(60);
 
+/// What the program of tests calls a test of a module.
+fn test_name(module: &str, test: &str) -> String {
+    let (_program, place) = module.split_once("::").unwrap();
+    format!("{place}::{test}")
+}
+
 fn stroke(id: u64) -> Stroke {
     Stroke {
         id,

@@ -1,0 +1,19 @@
+//! Plants, from drawings and by themselves: what is understood, what grows, and what must always hold of it.
+//!
+//! One program of tests out of many files: each would be linked by itself, with all libraries, otherwise.
+
+mod budgets;
+mod classifier;
+mod cone_accuracy;
+mod crowns;
+#[path = "common/drawings.rs"]
+mod drawings;
+mod flower_poses;
+mod ground;
+mod grown;
+mod live;
+mod outlines;
+mod properties;
+mod sketches;
+mod textures;
+mod wood;
