@@ -90,10 +90,13 @@ fn reference_plants_are_of_the_size_of_table_7_1() {
         let params = pipeline::params_of(&sketch, &species, &[]).unwrap();
         let model = pipeline::build(&sketch, &species, &params).model;
         let points: usize = model.parts.iter().map(|p| p.mesh.points.len()).sum();
-        let same_order = |ours: usize, theirs: usize| ours > theirs / 3 && ours < theirs * 3;
-        assert!(same_order(points, vertices), "{name}: {points} points, the thesis has {vertices}");
+        // Of the balloon flower 0.69 and 0.62 of the thesis's numbers, of the mallow, whose petals are cupped and closed with
+        // a face on either side, 2.60 and 2.02; the other six lie between.
+        let share = points as f32 / vertices as f32;
+        assert!((0.65..2.65).contains(&share), "{name}: {points} points, the thesis has {vertices}");
         let ours = model.triangle_count();
-        assert!(same_order(ours, triangles), "{name}: {ours} triangles, the thesis has {triangles}");
+        let share = ours as f32 / triangles as f32;
+        assert!((0.6..2.05).contains(&share), "{name}: {ours} triangles, the thesis has {triangles}");
     }
 }
 

@@ -59,6 +59,29 @@ fn grown_wood_hardly_cuts_itself_at_any_age() {
     assert!(above.len() <= 7 && plants > 200, "{} of {plants}: {above:?}", above.len());
 }
 
+/// Five plants of every species as old as it says: each keeps what is said of grown wood, without the exceptions of young wood.
+#[test]
+#[ignore = "takes minutes: ./test.sh --nightly runs it, optimised"]
+fn five_plants_of_every_species_hardly_cut_themselves() {
+    let (mut crossing, mut faces, mut plants) = (0, 0, 0);
+    for name in Species::growing() {
+        let species = Species::built_in(name).unwrap();
+        let habit = species.growth.as_ref().unwrap();
+        for seed in 1..=5 {
+            let mut simulation = Simulation::new(habit, seed, Limits::default());
+            simulation.grow_to(habit.age as u16, &|| false);
+            let what = format!("{name} of {} years, seed {seed}", habit.age);
+            let (count, all) = crossing_wood(&what, plant_at(&simulation, habit.age as f32));
+            eprintln!("{what}: {count} of {all}");
+            assert!(count * 1000 <= all, "{what}: {count} of {all} faces cross others");
+            (crossing, faces, plants) = (crossing + count, faces + all, plants + 1);
+        }
+    }
+    eprintln!("{crossing} of {faces} faces of {plants} plants");
+    assert!(crossing * 10_000 <= 2 * faces, "{crossing} of {faces}");
+    assert_eq!(plants, 70);
+}
+
 fn drawings() -> Vec<(String, Built)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/sketches");
     let mut files: Vec<PathBuf> = folder.read_dir().unwrap().map(|entry| entry.unwrap().path()).collect();

@@ -122,9 +122,12 @@ fn what_is_shown_of_a_plant_stays_in_its_volume() {
             }
         }
         // Nodes are inside; branches that are moved along their parents for want of bark, with all that they carry, and
-        // rounded bends come out by less than half an internode, one point of a thousand at most.
+        // rounded bends come out by less than half an internode: one point of a thousand at most, in the heart, which has
+        // a notch, a little more.
         assert!(shown > 4000, "{shown}");
-        assert!(farthest < 0.6 && out * 500 < shown, "{out} of {shown}, up to {farthest} internodes");
+        let per_mille = 1e3 * out as f32 / shown as f32;
+        let most = if matches!(volume, Envelope::Inflated(_)) { 1.1 } else { 1.0 };
+        assert!(farthest < 0.5 && per_mille < most, "{out} of {shown}, up to {farthest} internodes");
         let leaves = plant.organs.iter().filter_map(|leaf| match &leaf.shape {
             Shape::Blade(b) => Some(b.base + b.v),
             _ => None,
