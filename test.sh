@@ -1,9 +1,29 @@
 #!/usr/bin/env bash
-# Runs every check of Penstemon on a fresh clone: formatting, lints, tests, short fuzzing, third-party judges.
+# Runs every check of Penstemon on a fresh clone: formatting, lints, tests, other systems, third-party judges.
 #
-# Installs the system packages the checks need. What cannot run on this machine is counted and named at the end.
+#   ./test.sh [--fuzz] [--nightly]
+#
+# --fuzz also looks for new inputs that break a reader, FUZZ_SECONDS (8) a reader; their seeds are replayed by the tests in any
+# case. --nightly fuzzes too, 60 s a reader, and runs the tests that take minutes.
+#
+# Installs the system packages the checks need. What cannot run on this machine is counted and named at the end, after the
+# seconds that each check took.
 set -uo pipefail
 cd "$(dirname "$0")"
+
+fuzz=false
+nightly=false
+for argument; do
+    case $argument in
+        --fuzz) fuzz=true ;;
+        --nightly) fuzz=true nightly=true FUZZ_SECONDS=${FUZZ_SECONDS:-60} ;;
+        *)
+            echo "test.sh: unknown argument $argument; there are --fuzz and --nightly" >&2
+            exit 2
+            ;;
+    esac
+done
+
 . scripts/packages.sh
 need cc gcc gcc gcc
 need c++ g++ gcc-c++ gcc
@@ -44,6 +64,8 @@ need busybox busybox-static busybox busybox
 need cpio cpio cpio cpio
 install_needed || echo "some packages could not be installed; checks that need them will say so" >&2
 
+# A fresh clone is compiled once: without records for the next time, which cost a fifth of it.
+[ -d "${CARGO_TARGET_DIR:-target}" ] || export CARGO_INCREMENTAL=0
 # One commit gives one answer; new inputs are what the fuzzers look for.
 export PROPTEST_RNG_SEED=${PROPTEST_RNG_SEED:-2026}
 
@@ -52,11 +74,23 @@ failed=()
 not_run=()
 times=()
 
-# Where single tests note that they cannot run here, one a line.
-export PENSTEMON_NOT_RUN=$(mktemp)
-trap 'rm -f "$PENSTEMON_NOT_RUN"' EXIT
+# Where single tests note that they cannot run here, one a line; and what checks that run beside others print.
+work=$(mktemp -d)
+export PENSTEMON_NOT_RUN=$work/not_run
+touch "$PENSTEMON_NOT_RUN"
+trap 'rm -rf "$work"' EXIT
 
-# check NAME COMMAND…: exit status 77 means that the check cannot run here.
+# judge NAME STATUS SECONDS: exit status 77 means that the check cannot run here.
+judge() {
+    times+=("$(printf '%5d s  %s' "$3" "$1")")
+    case $2 in
+        0) passed+=("$1") ;;
+        77) not_run+=("$1") ;;
+        *) failed+=("$1") ;;
+    esac
+}
+
+# check NAME COMMAND…
 check() {
     local name=$1 begin=$SECONDS status
     shift
@@ -64,12 +98,34 @@ check() {
     echo "== $name"
     "$@"
     status=$?
-    times+=("$((SECONDS - begin)) s: $name")
-    case $status in
-        0) passed+=("$name") ;;
-        77) not_run+=("$name") ;;
-        *) failed+=("$name") ;;
-    esac
+    judge "$name" "$status" "$((SECONDS - begin))"
+}
+
+# beside NAME COMMAND…: the same at once and beside what follows, in what processor time that leaves; `join` waits for all of
+# these in turn and shows what they printed.
+jobs_names=()
+beside() {
+    local file=$work/job_${#jobs_names[@]}
+    jobs_names+=("$1")
+    shift
+    (
+        begin=$SECONDS
+        nice -n 19 "$@" >"$file" 2>&1
+        echo "$? $((SECONDS - begin))" >"$file.status"
+    ) &
+}
+
+join() {
+    local i status seconds
+    wait
+    for i in "${!jobs_names[@]}"; do
+        echo
+        echo "== ${jobs_names[i]}"
+        cat "$work/job_$i"
+        read -r status seconds <"$work/job_$i.status"
+        judge "${jobs_names[i]}" "$status" "$seconds"
+    done
+    jobs_names=()
 }
 
 build_sketches() {
@@ -84,21 +140,45 @@ build_sketches() {
     "$program" grow birch --age 12 --seed 3 -o "$folder/grown_birch.glb" -o "$folder/grown_birch.obj" || return 1
 }
 
+# What is downloaded comes while other things are compiled.
+tests/interop.sh --fetch >"$work/fetch" 2>&1 &
+fetch=$!
+
 check "formatting" cargo fmt --check
 check "lints" cargo clippy --quiet --all-targets -- -D warnings
-check "tests" cargo test --no-fail-fast
+# Unit tests are many and short: without optimisation they are compiled in half the time and run in little more.
+check "unit tests" env CARGO_PROFILE_TEST_OPT_LEVEL=0 cargo test --no-fail-fast --lib
+check "other tests are compiled" cargo test --quiet --no-run --bins --test '*'
+# What counts time, memory or bytes of its own, with nothing beside it.
+alone=(--bins)
+for tests in architecture docs files golden growth_memory parameter_ends pen_soak; do alone+=(--test "$tests"); done
+check "tests of files, of the command line and of memory" cargo test --no-fail-fast "${alone[@]}"
+# Windows mostly wait, so beside them run checks that only need a processor. Several are open at once.
+beside "tests of plants and of the window without a display" cargo test --no-fail-fast --test plants --test app
+check "tests of windows and pens" cargo test --test window -- --test-threads 4 --skip latency:: --skip memory::
+join
+check "tests of the window's speed and memory" cargo test --test window -- latency:: memory::
 check "documentation" env RUSTDOCFLAGS="-D warnings" cargo doc --quiet --no-deps
+wait "$fetch"
 check "sketches build and pass our own judge" build_sketches
 check "tablets on a real kernel, in QEMU" tests/kernel/run.sh
 check "trimesh, MeshLab and the Khronos validator" tests/interop.sh target/sketches
-check "fuzzing, ${FUZZ_SECONDS:-8} s a reader" fuzz/run.sh "${FUZZ_SECONDS:-8}" sketch_json sketch_svg species model_reader journal \
-    pen_families pen_descriptor pen_recording
+if $nightly; then
+    check "tests that take minutes, optimised" cargo test --release --test '*' -- --ignored
+fi
+if $fuzz; then
+    readers=(sketch_json sketch_svg species model_reader journal pen_families pen_descriptor pen_recording)
+    # For pictures the whole program is compiled once more.
+    ! $nightly || readers+=(picture)
+    check "fuzzing, ${FUZZ_SECONDS:=8} s a reader" fuzz/run.sh "$FUZZ_SECONDS" "${readers[@]}"
+fi
 # Last, since these compile much and may be left out where all before them was slow.
 check "compiles for Windows and macOS" scripts/other_systems.sh "$SECONDS"
 check "licences, sources and advisories of dependencies" scripts/deny.sh "$SECONDS"
 
 echo
 printf '%s\n' "${times[@]}"
+printf '%5d s  together\n' "$SECONDS"
 while IFS= read -r line; do not_run+=("$line"); done < <(sort -u "$PENSTEMON_NOT_RUN")
 for name in "${not_run[@]+"${not_run[@]}"}"; do echo "not run here: $name"; done
 for name in "${failed[@]+"${failed[@]}"}"; do echo "FAILED: $name"; done
