@@ -6,6 +6,7 @@
 //! | --- | --- |
 //! | [`quote`] | words of users and files in messages |
 //! | [`suggest`] | the known word nearest to a mistyped one |
+//! | [`checksum`] | short checksums of names |
 //! | [`budget`] | what one plant may cost |
 //! | [`params`] | numbers declared with default, range, unit and help |
 //! | [`random`] | random streams named by what they decide |
@@ -35,6 +36,7 @@ pub mod anatomy;
 pub mod app;
 pub mod atomic;
 pub mod budget;
+pub mod checksum;
 #[cfg(feature = "program")]
 pub mod cli;
 pub mod depth;

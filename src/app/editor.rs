@@ -24,7 +24,7 @@ use super::action::Action;
 use super::canvas::{Canvas, CanvasOutcome};
 use super::fonts::ChineseLookup;
 use super::layout::Layout;
-use super::messages::{Messages, Msg, Told as _};
+use super::messages::{Localize as _, Messages, Msg};
 use super::panels::snapshot::{Dialog, Notice, PartMenu, PenLive, PenUsed};
 use super::pen_settings::TabletDoubt;
 use super::plant_view::PlantView;
@@ -238,7 +238,7 @@ impl Editor {
                 self.versions.drawing += 1;
             }
             Err(error) => {
-                let reason = error.told(&self.messages);
+                let reason = error.localize(&self.messages);
                 if self.building.failure.as_ref() != Some(&reason) {
                     self.tell(Notice::error(reason.clone(), ""));
                 }

@@ -1,4 +1,4 @@
-//! From winit 0.31 to egui: what the window hears, in egui's words, and what egui wants, in winit's.
+//! Conversion between winit 0.31 and egui: events of the window to egui's input, and egui's output to the window.
 //!
 //! egui's own adapter is on an older winit. This one covers pointer, touch, pen, wheel, pinch, keys, text composition
 //! (IME), clipboard keys, focus and scale. A pen is a pointer to egui: a tap with it presses buttons.

@@ -44,7 +44,7 @@ impl Ending {
         Ok(Self::default())
     }
 
-    /// Whether the program was told to end.
+    /// Whether the program was asked to end.
     pub(super) fn is_told(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }

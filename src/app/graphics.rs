@@ -118,7 +118,7 @@ impl Graphics {
     pub(super) fn draw(&mut self, egui: &egui::Context, mut output: egui::FullOutput, editor: &mut Editor) {
         let drawn = self.draw_canvas(editor).err();
         for failure in self.show_plant(editor).into_iter().chain(drawn) {
-            // A lost device is not told: all is drawn again on the next one.
+            // A lost device is not reported: all is drawn again on the next one.
             if !self.is_lost() {
                 editor.tell_render_failure(&failure);
             }

@@ -8,13 +8,13 @@
 //! A text with a number may have two forms, `{ one = "{count} flower", other = "{count} flowers" }`: `one` where the value
 //! of `{count}` is 1. Languages without plural forms, such as Chinese, write one text.
 //!
-//! Limits: what is wrong inside a damaged file or with a driver is told in English.
+//! Limits: what is wrong inside a damaged file or with a driver is said in English.
 
 mod faults;
 mod keys;
 mod remarks;
 
-pub use faults::Told;
+pub use faults::Localize;
 pub use keys::Msg;
 
 use crate::params::Description;

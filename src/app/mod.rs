@@ -2,7 +2,7 @@
 //!
 //! | file | what |
 //! | --- | --- |
-//! | `window` | hears the system and hands every event to whom it belongs |
+//! | `window` | receives events of the system and hands each to its owner |
 //! | [`editor`] | the open drawing with everything around it, without window or graphics card |
 //! | [`action`] | every wish of the artist |
 //! | [`canvas`] | what pens, fingers and keys do to the drawing |

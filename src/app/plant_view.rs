@@ -1,4 +1,4 @@
-//! The plant's side of the window: camera, light and what they hear from the pointer.
+//! The plant's side of the window: camera, light and what the pointer does to them.
 //!
 //! Drag turns, right or middle drag (or Shift) moves, wheel and pinch zoom, a double tap shows the front as it was drawn.
 //! The camera follows the plant's growth until the artist takes hold of it; camera moves that were asked for by a button
@@ -83,7 +83,7 @@ impl PlantView {
         view
     }
 
-    /// Shows the texture with the plant, filling what is left of `ui`, and hears the pointer.
+    /// Shows the texture with the plant, filling what is left of `ui`, and handles the pointer.
     pub fn show(&mut self, ui: &mut Ui, texture: egui::TextureId) {
         let size = ui.available_size();
         // Only for pointers: keys for the plant work whatever has the keyboard's focus.
@@ -91,7 +91,7 @@ impl PlantView {
         self.aspect = (size.x / size.y.max(1.0)).max(0.01);
         self.height = size.y.max(1.0);
         egui::Image::from_texture((texture, size)).paint_at(ui, rect);
-        self.hear(ui, &response);
+        self.handle(ui, &response);
         self.step();
         if self.wants_frame() {
             ui.ctx().request_repaint();
@@ -100,7 +100,7 @@ impl PlantView {
         }
     }
 
-    fn hear(&mut self, ui: &Ui, response: &Response) {
+    fn handle(&mut self, ui: &Ui, response: &Response) {
         let rect = response.rect;
         // Shares of the view's height from its centre, y down, as the camera has them.
         let share = |p: egui::Vec2| Vec2::new(p.x, p.y) / rect.height().max(1.0);
@@ -154,7 +154,7 @@ impl PlantView {
         self.moved = Some(Instant::now());
     }
 
-    /// Hears of a new plant.
+    /// Takes the bounds of a new plant.
     pub fn set_bounds(&mut self, bounds: Option<(Vec3, Vec3)>) {
         self.bounds = match (self.bounds.filter(|_| self.keeps_room), bounds) {
             (Some((low, high)), Some((l, h))) => Some((low.min(l), high.max(h))),

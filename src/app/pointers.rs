@@ -1,11 +1,11 @@
-//! Everything that points at the window: what winit hears, pens of X11 beside it, tablets read directly; one at a time.
+//! Everything that points at the window: pointers of winit, pens of X11 beside them, tablets read directly; one at a time.
 //!
 //! Each way in has a module of its own; here they meet the arbiter. What comes out is in order and is the window's to
 //! hand on. The system is asked for the place of monitors only if a tablet covers one.
 
 use super::action::Action;
 use super::desktop;
-use super::messages::Told;
+use super::messages::Localize;
 use super::pen_settings::TabletDoubt;
 use super::settings::Settings;
 use super::tablets::{Reach, Tablets};
@@ -134,7 +134,7 @@ impl Pointers {
     }
 
     /// Why a tablet cannot be read, and what to do.
-    pub(super) fn trouble(&self) -> Option<&dyn Told> {
+    pub(super) fn trouble(&self) -> Option<&dyn Localize> {
         self.tablets.trouble()
     }
 
@@ -158,7 +158,7 @@ impl Pointers {
             );
             if is_mouse {
                 let now_ms = self.now_ms();
-                self.hear_x11(|pens, events| pens.mouse_moved(now_ms, events), out);
+                self.handle_x11(|pens, events| pens.mouse_moved(now_ms, events), out);
             }
         }
         let mut events = std::mem::take(&mut self.events);
@@ -174,7 +174,7 @@ impl Pointers {
 
     /// Hears what other threads have to tell: pens of X11, and tablets that are read directly.
     pub(super) fn take(&mut self, place: &Place<'_>, settings: &Settings, out: &mut Vec<Heard>) {
-        self.hear_x11(X11Pens::take, out);
+        self.handle_x11(X11Pens::take, out);
         let mut events = std::mem::take(&mut self.of_tablets);
         let has_focus = place.window.has_focus();
         let source = match &self.stage {
@@ -203,7 +203,7 @@ impl Pointers {
     /// Lets a pen leave that was silent for so long that it must have; only X11 needs it.
     pub(super) fn idle(&mut self, out: &mut Vec<Heard>) {
         let now_ms = self.now_ms();
-        self.hear_x11(|pens, events| pens.idle(now_ms, events), out);
+        self.handle_x11(|pens, events| pens.idle(now_ms, events), out);
     }
 
     /// When a pen leaves that stays silent.
@@ -216,10 +216,10 @@ impl Pointers {
         self.started.elapsed().as_secs_f64() * 1e3
     }
 
-    fn hear_x11(&mut self, hear: impl FnOnce(&mut X11Pens, &mut Vec<PenEvent>), out: &mut Vec<Heard>) {
+    fn handle_x11(&mut self, handle: impl FnOnce(&mut X11Pens, &mut Vec<PenEvent>), out: &mut Vec<Heard>) {
         let Some(pens) = &mut self.x11 else { return };
         let mut events = std::mem::take(&mut self.events);
-        hear(pens, &mut events);
+        handle(pens, &mut events);
         for event in events.drain(..) {
             self.admit(event, Origin::System, true, out);
         }
@@ -242,7 +242,7 @@ const MOST_MONITORS: usize = 8;
 pub(super) struct Place<'a> {
     /// The window.
     pub(super) window: &'a dyn Window,
-    /// Its size, as last told: asking X would cost a turn of the server with every sample.
+    /// Its size, as last reported: asking X would cost a turn of the server with every sample.
     pub(super) size: PhysicalSize<u32>,
     /// The paper, in physical pixels of the window.
     pub(super) canvas: Rect,

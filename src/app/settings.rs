@@ -1,6 +1,6 @@
 //! What the artist chose for the program, as opposed to for one drawing: a small TOML file.
 //!
-//! Reading never fails. A file that cannot be read as settings is put aside as `settings.toml.broken` and told about by
+//! Reading never fails. A file that cannot be read as settings is put aside as `settings.toml.broken` and reported by
 //! a [`Notice`]; unknown keys and values out of range fall back one by one, so a file of a newer version keeps what this
 //! one understands. Writing is atomic.
 //!

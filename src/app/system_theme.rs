@@ -35,7 +35,7 @@ pub(super) fn ask() -> Option<egui::Theme> {
             &["--session", "--reply-timeout=2000", reply, &service, PATH, &method, &namespace, &key],
         ),
     ];
-    ways.iter().find_map(|(program, words)| answer(program, words)).and_then(|told| scheme(&told))
+    ways.iter().find_map(|(program, words)| answer(program, words)).and_then(|reply| scheme(&reply))
 }
 
 /// What a program says, if it is there and content.
@@ -45,8 +45,8 @@ fn answer(program: &str, words: &[&str]) -> Option<String> {
 }
 
 /// The scheme in an answer: the last number in it.
-fn scheme(told: &str) -> Option<egui::Theme> {
-    match told.split(|c: char| !c.is_ascii_digit()).rfind(|number| !number.is_empty())? {
+fn scheme(reply: &str) -> Option<egui::Theme> {
+    match reply.split(|c: char| !c.is_ascii_digit()).rfind(|number| !number.is_empty())? {
         "1" => Some(egui::Theme::Dark),
         "2" => Some(egui::Theme::Light),
         _ => None,
@@ -59,10 +59,10 @@ mod tests {
 
     #[test]
     fn every_way_of_saying_it_is_understood() {
-        for told in ["v v u 1\n", "(<<uint32 1>>,)\n", "   variant       variant          uint32 1\n"] {
-            assert_eq!(scheme(told), Some(egui::Theme::Dark), "{told}");
-            assert_eq!(scheme(&told.replace('1', "2")), Some(egui::Theme::Light), "{told}");
-            assert_eq!(scheme(&told.replace('1', "0")), None, "{told}");
+        for reply in ["v v u 1\n", "(<<uint32 1>>,)\n", "   variant       variant          uint32 1\n"] {
+            assert_eq!(scheme(reply), Some(egui::Theme::Dark), "{reply}");
+            assert_eq!(scheme(&reply.replace('1', "2")), Some(egui::Theme::Light), "{reply}");
+            assert_eq!(scheme(&reply.replace('1', "0")), None, "{reply}");
         }
         assert_eq!(scheme(""), None);
     }

@@ -123,7 +123,7 @@ pub struct HeldKeys {
 
 impl HeldKeys {
     /// Hears what a tablet says and appends what it wishes for.
-    pub fn hear(&mut self, event: &HidEvent, uses: &TabletKeys, out: &mut Vec<Action>) {
+    pub fn handle(&mut self, event: &HidEvent, uses: &TabletKeys, out: &mut Vec<Action>) {
         match *event {
             HidEvent::Keys(held) => {
                 let pressed = held & !std::mem::replace(&mut self.held, held);
@@ -166,7 +166,7 @@ mod tests {
 
     fn wishes(events: &[HidEvent], uses: &TabletKeys) -> Vec<Action> {
         let (mut keys, mut out) = (HeldKeys::default(), Vec::new());
-        events.iter().for_each(|event| keys.hear(event, uses, &mut out));
+        events.iter().for_each(|event| keys.handle(event, uses, &mut out));
         out
     }
 

@@ -5,7 +5,7 @@
 //! chose for it. Nothing is watched while the artist wants only the system's pens.
 
 use super::action::Action;
-use super::messages::Told;
+use super::messages::Localize;
 use super::pen_settings::{Covers, PenSettings, TabletDoubt};
 use super::tablet_keys::HeldKeys;
 use crate::pen::hid::{
@@ -203,7 +203,7 @@ impl Tablets {
                     Tablet { arrival, name, machine, battery: None, keys: HeldKeys::default() },
                 );
             }
-            Notice::Said(event) => self.hear(message.device, event, message.time_ms, chosen, out),
+            Notice::Said(event) => self.handle(message.device, event, message.time_ms, chosen, out),
             Notice::Refused(refused) => {
                 self.refused.insert(refused.device.path.as_str().into(), refused);
             }
@@ -234,11 +234,11 @@ impl Tablets {
     }
 
     /// Why a tablet cannot be read, and what to do.
-    pub(super) fn trouble(&self) -> Option<&dyn Told> {
+    pub(super) fn trouble(&self) -> Option<&dyn Localize> {
         let refused = self.refused.values().find(|refused| !self.reads(&refused.device));
         match &self.fault {
             Some(fault) => Some(fault),
-            None => refused.map(|refused| &**refused as &dyn Told),
+            None => refused.map(|refused| &**refused as &dyn Localize),
         }
     }
 
@@ -289,7 +289,7 @@ impl Tablets {
         doubts
     }
 
-    fn hear(
+    fn handle(
         &mut self,
         id: DeviceId,
         event: HidEvent,
@@ -303,7 +303,7 @@ impl Tablets {
             _ if !self.listens => {}
             HidEvent::Pen(raw) => tablet.machine.sample(&raw, time_ms, &mut self.events),
             HidEvent::Keys(_) | HidEvent::Dial { .. } | HidEvent::Ring { .. } | HidEvent::Strip { .. } => {
-                tablet.keys.hear(&event, &chosen(&tablet.name).keys, &mut self.wishes);
+                tablet.keys.handle(&event, &chosen(&tablet.name).keys, &mut self.wishes);
             }
             // The system tells of fingers.
             HidEvent::Touch { .. } => {}

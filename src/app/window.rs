@@ -1,4 +1,4 @@
-//! The window: hears the system, hands every event to whom it belongs, and draws when there is something new.
+//! The window: receives events of the system, hands each to its owner, and draws when there is something new.
 //!
 //! Pens, mice and fingers on the canvas go to the canvas sample by sample, everything else goes to egui. A press decides:
 //! what went down on the canvas stays the canvas's until it is lifted. Nothing is drawn that nobody asked for: an idle
@@ -138,7 +138,7 @@ impl ApplicationHandler for App {
 /// An open window.
 struct Running {
     window: Arc<dyn Window>,
-    /// Its size as last told.
+    /// Its size as last reported.
     size: PhysicalSize<u32>,
     graphics: Revival,
     egui: egui::Context,
@@ -150,13 +150,13 @@ struct Running {
     accessibility: Accessibility,
     /// Pointers that went down on the canvas and were not lifted yet.
     captured: BTreeSet<PointerName>,
-    /// Whether the pointer was over the canvas when last seen, so that egui hears once that it left.
+    /// Whether the pointer was over the canvas when last seen, so that egui is notified once that it left.
     over_canvas: bool,
     /// Where the pointer was last seen, points.
     pointer: egui::Pos2,
     /// When egui wants to be drawn again.
     repaint_at: Option<Instant>,
-    /// When the window was last told to wake, whoever wanted it.
+    /// When the window was last asked to wake, whoever wanted it.
     wake_at: Option<Instant>,
     /// A frame was asked for and has not been drawn yet.
     frame_is_due: bool,

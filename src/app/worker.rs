@@ -188,7 +188,7 @@ impl Worker {
         }
         drop(desk);
         self.shared.news.notify_one();
-        // After the worker was told, who could not have taken it while it was being dropped.
+        // After the worker was notified, who could not have taken it while it was being dropped.
         drop(outdated);
     }
 

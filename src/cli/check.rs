@@ -2,9 +2,9 @@
 
 use super::common;
 use crate::formats::read::{load, read};
+use crate::geom::weld::weld;
 use crate::model::crossing::crossing_faces;
 use crate::model::quality::{Report, judge};
-use crate::model::weld::weld;
 use crate::model::{Mesh, Model};
 use crate::quote;
 use serde::Serialize;

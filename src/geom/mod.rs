@@ -11,3 +11,4 @@ pub mod polyline;
 pub mod region;
 pub mod simple_loop;
 pub mod simplify;
+pub mod weld;

@@ -48,7 +48,6 @@ mod strip;
 mod tests;
 mod topology;
 mod tube;
-pub mod weld;
 mod wood;
 
 pub use afford::affordable;

@@ -8,6 +8,7 @@ use super::pool::Pool;
 use super::scene::SceneLayout;
 use super::shaders;
 use super::surface::VERTEX_LAYOUT;
+use crate::checksum::fnv1a;
 use crate::model::PartKind;
 use crate::plant::OrganKind;
 
@@ -43,7 +44,7 @@ pub(super) fn tint(kind: PartKind, level: usize, name: &str) -> Tint {
             OrganKind::Pot => [176, 108, 84],
         },
     };
-    let number = name.bytes().fold(0x811c_9dc5_u32, |h, b| (h ^ u32::from(b)).wrapping_mul(0x0100_0193));
+    let number = fnv1a(name);
     let brightness = 256 - (number >> 8) % VARIETY;
     let [r, g, b] = base.map(|c| (u32::from(c) * brightness / 256) as u8);
     [r, g, b, 255]

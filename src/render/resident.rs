@@ -14,6 +14,7 @@ use super::renderer::TextureSource;
 use super::surface::{self, Batch, Coat, Corner, Room, SurfaceDrawData};
 use crate::model::{Mesh, Model, PartKind};
 use crate::plant::Material;
+use crate::random::mix;
 use glam::Vec3;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -306,12 +307,12 @@ fn resident(
     }
 }
 
-/// For each part how many branches carry its branch.
+/// For each part how many ancestors its branch has.
 fn levels(model: &Model) -> Vec<usize> {
     let mut levels: Vec<usize> = Vec::with_capacity(model.parts.len());
     for part in &model.parts {
-        let carrier = part.parent.filter(|_| part.kind == PartKind::Wood);
-        levels.push(carrier.and_then(|p| levels.get(p)).map_or(0, |level| level + 1));
+        let parent = part.parent.filter(|_| part.kind == PartKind::Wood);
+        levels.push(parent.and_then(|p| levels.get(p)).map_or(0, |level| level + 1));
     }
     levels
 }
@@ -321,6 +322,5 @@ fn fingerprint(mesh: &Mesh) -> u64 {
     let step = (mesh.points.len() / FINGERPRINT_POINTS).max(1);
     let points = mesh.points.iter().step_by(step).flat_map(|p| p.to_array()).map(|c| u64::from(c.to_bits()));
     let counts = [mesh.points.len(), mesh.vertices.len(), mesh.triangles.len()].map(|n| n as u64);
-    let mix = |hash: u64, v: u64| (hash ^ v).wrapping_mul(0x0100_0000_01b3).rotate_left(23);
-    counts.into_iter().chain(points).fold(0xcbf2_9ce4_8422_2325, mix)
+    counts.into_iter().chain(points).fold(0, mix)
 }

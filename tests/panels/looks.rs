@@ -5,7 +5,7 @@ use super::stage::{self, busy, press};
 use crate::not_run::not_run;
 use egui::vec2;
 use egui_kittest::kittest::Queryable;
-use penstemon::app::messages::{Language, Messages, Msg, Named, Told as _};
+use penstemon::app::messages::{Language, Localize as _, Messages, Msg, Named};
 use penstemon::app::panels::snapshot::{
     Dialog, ExportFormat, GrowthState, MenuOf, Notice, ParamValues, PartMenu, PathPurpose, PathRequest,
     Recovered, ReferenceState,
@@ -80,7 +80,7 @@ const SHOTS: [Shot; 18] = [
         let models = vec!["Huion H640P".to_owned(), "Huion H950P".to_owned()];
         let why = ChooseError::StringsUnread { models, reason: StringsKept::Forbidden }.into();
         let device = DeviceInfo { product: "HUION Tablet".into(), ..DeviceInfo::default() };
-        s.pen.trouble = Some(Refused { device, why }.told(&Messages::new(Language::Chinese)));
+        s.pen.trouble = Some(Refused { device, why }.localize(&Messages::new(Language::Chinese)));
         s.pen.doubts = vec![doubt(None)];
     }),
     ("pen doubt", Language::English, None, |s| {

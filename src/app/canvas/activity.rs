@@ -66,7 +66,7 @@ pub(super) struct Activity {
     trigger: Trigger,
     start: PenSample,
     pub(super) last: DVec2,
-    /// Whether it has not moved further than a tap does. Time does not count: a busy machine hears of the release late.
+    /// Whether it has not moved further than a tap does. Time does not count: on a busy machine the release arrives late.
     is_still: bool,
 }
 

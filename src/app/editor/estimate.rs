@@ -1,4 +1,4 @@
-//! How large an export will be, told before it is made.
+//! The size of an export, estimated before it is made.
 //!
 //! Of a model the triangles of the chosen parts and the pictures of their materials count; of a drawing its samples. How
 //! large a picture of the plant becomes depends on what is on it: nobody knows before.
@@ -54,7 +54,7 @@ pub(super) fn is_wanted(choice: &ExportChoice, kind: PartKind) -> bool {
     }
 }
 
-/// Bytes of a picture; a file that cannot be had is told about by the export itself.
+/// Bytes of a picture; a file that cannot be had is reported by the export itself.
 fn size(texture: &Texture) -> u64 {
     match texture {
         Texture::BuiltIn(name) => built_in_texture(name).map_or(0, |bytes| bytes.len() as u64),

@@ -5,7 +5,7 @@ use super::{Editor, OwnFile};
 use crate::app::action::Action;
 use crate::app::canvas::Canvas;
 use crate::app::file_dialog;
-use crate::app::messages::{Msg, Told as _};
+use crate::app::messages::{Localize as _, Msg};
 use crate::app::panels::snapshot::{Dialog, Notice, PathPurpose, PathRequest};
 use crate::pipeline;
 use crate::sketch::document::Document;
@@ -98,7 +98,7 @@ impl Editor {
         match save::open(&path) {
             Ok(Opened { mut sketch, warnings, stamp }) => {
                 for warning in &warnings {
-                    self.tell(Notice::warning(warning.told(&self.messages), ""));
+                    self.tell(Notice::warning(warning.localize(&self.messages), ""));
                 }
                 let folder = path.parent().unwrap_or(Path::new(""));
                 self.take_in(&mut sketch.textures, folder);
@@ -230,7 +230,7 @@ impl Editor {
     pub(super) fn look_for_lost_drawings(&mut self) {
         match self.recovery.list() {
             Ok(found) => self.found = found,
-            Err(error) => self.tell(Notice::warning(error.told(&self.messages), "")),
+            Err(error) => self.tell(Notice::warning(error.localize(&self.messages), "")),
         }
         if !self.found.is_empty() {
             tracing::debug!("recoverable count={} strokes={}", self.found.len(), self.found[0].strokes());
@@ -247,7 +247,7 @@ impl Editor {
                 let damaged = self.recovery.damaged_files();
                 let kept = self.messages.fill(Msg::NoticeDamagedKept, &[("folder", &damaged.display())]);
                 for gap in restored.gaps {
-                    self.tell(Notice::warning(gap.told(&self.messages), &kept));
+                    self.tell(Notice::warning(gap.localize(&self.messages), &kept));
                 }
                 let file = OwnFile { path: meta.path, stamp: meta.stamp };
                 self.take_over_with(Document::unsaved(restored.sketch), file, Some(journal));

@@ -11,7 +11,7 @@ impl Editor {
     /// Hears a key; whether it meant something here.
     pub fn key(&mut self, key: Key, modifiers: Modifiers, pressed: bool, repeat: bool) -> bool {
         if let Some(canvas_key) = canvas_key(key) {
-            // A held key repeats its press; the canvas hears it once.
+            // A held key repeats its press; the canvas gets it once.
             if !repeat {
                 self.on_canvas(|canvas, _, out| canvas.key(canvas_key, pressed, out));
             }
@@ -39,7 +39,7 @@ impl Editor {
         }
     }
 
-    /// Modifier keys, which the canvas hears of too.
+    /// Modifier keys, which the canvas gets too.
     pub fn modifiers(&mut self, before: Modifiers, now: Modifiers) {
         for (key, was, is) in
             [(CanvasKey::Shift, before.shift, now.shift), (CanvasKey::Ctrl, before.ctrl, now.ctrl)]

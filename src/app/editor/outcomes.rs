@@ -3,7 +3,7 @@
 use super::Editor;
 use crate::app::action::CanvasTool;
 use crate::app::canvas::{CanvasOutcome, Drawing, Scroll};
-use crate::app::messages::Told;
+use crate::app::messages::Localize;
 use crate::app::panels::snapshot::{MenuOf, Notice, PartMenu, PenLive, PenUsed};
 use crate::app::pen_settings::TabletDoubt;
 use crate::app::tablets::Reach;
@@ -61,10 +61,10 @@ impl Editor {
         self.pen_is_raw
     }
 
-    /// Why a tablet cannot be read, or that all can, and of which tablets the model is not sure. What is wrong is told
+    /// Why a tablet cannot be read, or that all can, and of which tablets the model is not sure. What is wrong is reported
     /// once beside the dialog, too: a tablet that does nothing is not looked for there. Whether anything is new.
-    pub fn note_tablets(&mut self, trouble: Option<&dyn Told>, doubts: &[TabletDoubt]) -> bool {
-        let trouble = trouble.map(|trouble| trouble.told(&self.messages));
+    pub fn note_tablets(&mut self, trouble: Option<&dyn Localize>, doubts: &[TabletDoubt]) -> bool {
+        let trouble = trouble.map(|trouble| trouble.localize(&self.messages));
         let is_new = self.tablets.trouble != trouble || self.tablets.doubts != doubts;
         if self.tablets.trouble != trouble {
             if let Some(what) = &trouble {

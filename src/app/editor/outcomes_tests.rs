@@ -1,4 +1,4 @@
-//! Tests of what the editor is told of tablets.
+//! Tests of what the editor reports about tablets.
 
 use super::*;
 use crate::app::action::Action;
@@ -22,13 +22,13 @@ fn refused() -> Refused {
 fn what_keeps_a_tablet_from_being_read_is_told_once_and_in_the_language_of_the_interface() {
     let home = tempfile::tempdir().unwrap();
     let mut editor = editor(home.path());
-    let told = |editor: &Editor| -> Vec<String> {
+    let reported = |editor: &Editor| -> Vec<String> {
         editor.notices.iter().map(|notice| notice.what.clone()).collect()
     };
-    let before = told(&editor).len();
+    let before = reported(&editor).len();
     editor.perform(Action::SetLanguage(Language::English));
     assert!(editor.note_tablets(Some(&refused()), &[]) && !editor.note_tablets(Some(&refused()), &[]));
-    let new = told(&editor)[before..].to_vec();
+    let new = reported(&editor)[before..].to_vec();
     assert!(new.len() == 1 && new[0].contains("./run.sh --install-udev"), "{new:?}");
     assert_eq!(editor.panel_snapshot().pen.trouble.as_ref(), new.last());
     editor.perform(Action::SetLanguage(Language::Chinese));

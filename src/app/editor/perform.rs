@@ -3,7 +3,7 @@
 use super::Editor;
 use super::saving::Target;
 use crate::app::action::Action;
-use crate::app::messages::{Messages, Msg, Told};
+use crate::app::messages::{Localize, Messages, Msg};
 use crate::app::panels::snapshot::{Dialog, Notice, PathPurpose, ViewState};
 use crate::app::presets::{self, Preset};
 use crate::growth::overlay::Wanted;
@@ -18,7 +18,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 impl Editor {
-    /// Carries out a wish. What goes wrong is told in a notice.
+    /// Carries out an action. What goes wrong is reported in a notice.
     pub fn perform(&mut self, action: Action) {
         if self.on_canvas(|canvas, drawing, out| canvas.act(&action, drawing, out)) {
             self.part_menu = None;
@@ -132,7 +132,7 @@ impl Editor {
         }
         self.kept_settings = Some(self.settings.clone());
         if let Err(error) = self.settings.save(&self.places.config) {
-            let reason = error.told(&self.messages);
+            let reason = error.localize(&self.messages);
             self.tell(Notice::warning(
                 self.messages.fill(Msg::NoticeSettingsUnsaved, &[("reason", &reason)]),
                 "",
@@ -141,12 +141,12 @@ impl Editor {
     }
 
     /// Tells of a failure.
-    pub(super) fn tell_error(&mut self, error: &dyn Told) {
-        self.tell(Notice::error(error.told(&self.messages), ""));
+    pub(super) fn tell_error(&mut self, error: &dyn Localize) {
+        self.tell(Notice::error(error.localize(&self.messages), ""));
     }
 
     /// Tells of a failure, if it is one.
-    pub(super) fn or_tell<T, E: Told>(&mut self, result: Result<T, E>) {
+    pub(super) fn or_tell<T, E: Localize>(&mut self, result: Result<T, E>) {
         if let Err(error) = result {
             self.tell_error(&error);
         }

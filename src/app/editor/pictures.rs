@@ -5,7 +5,7 @@
 
 use super::Editor;
 use crate::app::action::Action;
-use crate::app::messages::{Msg, Told as _};
+use crate::app::messages::{Localize as _, Msg};
 use crate::app::panels::snapshot::{Notice, PathPurpose};
 use crate::picture::{Picture, PictureError};
 use crate::sketch::{Remark, TextureChoice, Textures};
@@ -57,7 +57,7 @@ impl Editor {
             }
             (Ok(picture), _) => self.lay(picture),
             (Err(error), _) => {
-                let what = format!("{name}: {}", error.told(&self.messages));
+                let what = format!("{name}: {}", error.localize(&self.messages));
                 self.tell(Notice { find: Some(purpose), ..Notice::error(what, "") });
             }
         }
@@ -73,7 +73,7 @@ impl Editor {
                 }
                 _ => None,
             };
-            self.tell(Notice { find, ..Notice::warning(warning.told(&self.messages), "") });
+            self.tell(Notice { find, ..Notice::warning(warning.localize(&self.messages), "") });
         }
     }
 }

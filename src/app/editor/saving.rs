@@ -8,7 +8,7 @@ use super::files::meta_of;
 use super::task::{self, Work};
 use super::{Editor, OwnFile};
 use crate::app::action::Action;
-use crate::app::messages::{Msg, Told as _};
+use crate::app::messages::{Localize as _, Msg};
 use crate::app::panels::snapshot::{Notice, PathPurpose};
 use crate::sketch::document::SavePoint;
 use crate::sketch::journal::{Closing, JournalWriter};
@@ -106,7 +106,7 @@ impl Editor {
         let failure = self.journal.as_ref().and_then(|journal| journal.failure());
         let is_failed = failure.is_some();
         if let Some(error) = failure.filter(|_| !self.saver.journal_failure_is_told) {
-            self.tell(Notice::error(error.told(&self.messages), ""));
+            self.tell(Notice::error(error.localize(&self.messages), ""));
         }
         self.saver.journal_failure_is_told = is_failed;
     }
@@ -136,7 +136,7 @@ impl Editor {
             failed => {
                 let broken = || self.messages.get(Msg::NoticeSaveFailed).to_owned();
                 let reason =
-                    failed.and_then(Result::err).map_or_else(broken, |error| error.told(&self.messages));
+                    failed.and_then(Result::err).map_or_else(broken, |error| error.localize(&self.messages));
                 self.tell(Notice::error(reason, ""));
                 // What waited for a saved drawing is given up: the artist reads why, and decides.
                 self.saver.then = None;

@@ -2,7 +2,7 @@
 
 use super::{Editor, estimate, task};
 use crate::app::fonts;
-use crate::app::messages::{Messages, Msg, Told as _};
+use crate::app::messages::{Localize as _, Messages, Msg};
 use crate::app::panels::snapshot::{
     Autosave, Dialog, Found, MenuOf, ParamValues, PartMenu, PenState, Recovered, ReferenceState, Status,
 };
@@ -103,7 +103,7 @@ impl Editor {
     fn remarks(&self) -> Vec<String> {
         let Some(PartMenu { of: MenuOf::Stroke(stroke), .. }) = self.part_menu else { return Vec::new() };
         let about = self.warnings().iter().filter(|warning| warning.stroke == Some(stroke));
-        about.map(|warning| warning.remark.told(&self.messages)).collect()
+        about.map(|warning| warning.remark.localize(&self.messages)).collect()
     }
 
     /// What the plant lacks of what was drawn for it last, by what it was drawn as.
@@ -111,7 +111,7 @@ impl Editor {
         let lacking = self.warnings().iter().rfind(|warning| warning.remark.is_shortfall())?;
         let stroke = self.document.sketch().strokes.iter().rfind(|s| Some(s.id) == lacking.stroke)?;
         let part = self.messages.get(toolbar::name_of(stroke.tool));
-        let remark = lacking.remark.told(&self.messages);
+        let remark = lacking.remark.localize(&self.messages);
         Some(self.messages.fill(Msg::WarningPart, &[("part", &part), ("remark", &remark)]))
     }
 

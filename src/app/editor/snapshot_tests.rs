@@ -1,4 +1,4 @@
-//! What the panels are told about a drawing that is odd.
+//! What the panels show about a drawing that is odd.
 
 use crate::app::action::Action;
 use crate::app::editor::{Editor, Places};

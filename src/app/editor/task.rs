@@ -5,7 +5,7 @@
 
 use super::Editor;
 use super::estimate::is_wanted;
-use crate::app::messages::{Msg, Told};
+use crate::app::messages::{Localize, Msg};
 use crate::app::panels::snapshot::{self, ExportChoice, ExportFormat, Notice};
 use crate::app::plant_view::{self, built_in_texture};
 use crate::formats::textures;
@@ -74,9 +74,9 @@ pub(super) fn begin<T: Send + 'static>(
 }
 
 /// What kept an export from being made.
-type Failure = Box<dyn Told + Send>;
+type Failure = Box<dyn Localize + Send>;
 
-fn boxed(error: impl Told + Send + 'static) -> Failure {
+fn boxed(error: impl Localize + Send + 'static) -> Failure {
     Box::new(error)
 }
 
@@ -161,7 +161,7 @@ impl Editor {
                 let what = self.messages.fill(Msg::NoticeExported, &[("file", &task.name)]);
                 self.tell(Notice::info(what));
             }
-            Some(Some(Err(failure))) => self.tell(Notice::error(failure.told(&self.messages), "")),
+            Some(Some(Err(failure))) => self.tell(Notice::error(failure.localize(&self.messages), "")),
             Some(None) => self.tell(Notice::error(self.messages.get(Msg::NoticeExportFailed), "")),
         }
         self.task = None;

@@ -25,21 +25,21 @@ use crate::species::SpeciesError;
 use crate::species::file::MAX_BYTES as MAX_SPECIES_BYTES;
 use std::fmt::Display;
 
-/// Something that went wrong, as it is told to the artist.
-pub trait Told: Display {
+/// Something that went wrong, in words for the artist.
+pub trait Localize: Display {
     /// What happened and what to do, in the language of `messages` where there are words for it.
-    fn told(&self, _messages: &Messages) -> String {
+    fn localize(&self, _messages: &Messages) -> String {
         self.to_string()
     }
 }
 
-impl Told for String {}
-impl Told for std::io::Error {}
-impl Told for RenderError {}
-impl Told for crate::app::presets::PresetError {}
+impl Localize for String {}
+impl Localize for std::io::Error {}
+impl Localize for RenderError {}
+impl Localize for crate::app::presets::PresetError {}
 
-impl Told for WriteError {
-    fn told(&self, messages: &Messages) -> String {
+impl Localize for WriteError {
+    fn localize(&self, messages: &Messages) -> String {
         let file = |path: &std::path::Path| path.display().to_string();
         match self {
             Self::NoFolder { path, folder } => {
@@ -57,8 +57,8 @@ impl Told for WriteError {
     }
 }
 
-impl Told for SaveError {
-    fn told(&self, messages: &Messages) -> String {
+impl Localize for SaveError {
+    fn localize(&self, messages: &Messages) -> String {
         match self {
             Self::ChangedByOthers { path } => messages.fill(Msg::ErrorChanged, &[("file", &path.display())]),
             Self::NewerVersion { path, version } => {
@@ -69,13 +69,13 @@ impl Told for SaveError {
                 Msg::ErrorTooLarge,
                 &[("size", &(bytes >> 20)), ("limit", &(limits::MAX_FILE_BYTES >> 20))],
             ),
-            Self::Write(error) => messages.fill(Msg::ErrorElsewhere, &[("error", &error.told(messages))]),
+            Self::Write(error) => messages.fill(Msg::ErrorElsewhere, &[("error", &error.localize(messages))]),
         }
     }
 }
 
-impl Told for SketchError {
-    fn told(&self, messages: &Messages) -> String {
+impl Localize for SketchError {
+    fn localize(&self, messages: &Messages) -> String {
         let fault = match &self.fault {
             Fault::Io(error) => messages.fill(Msg::ErrorUnreadable, &[("reason", error)]),
             Fault::FileTooLarge => {
@@ -84,8 +84,8 @@ impl Told for SketchError {
             Fault::Empty => messages.get(Msg::ErrorEmpty).to_owned(),
             Fault::NotADrawing { found } => messages.fill(Msg::ErrorNotADrawing, &[("found", found)]),
             Fault::Truncated => messages.get(Msg::ErrorTruncated).to_owned(),
-            Fault::Picture(error) => error.told(messages),
-            Fault::Reference(error) => error.told(messages),
+            Fault::Picture(error) => error.localize(messages),
+            Fault::Reference(error) => error.localize(messages),
             other => other.to_string(),
         };
         let place = place(&self.place, messages);
@@ -104,8 +104,8 @@ fn place(place: &Place, messages: &Messages) -> String {
     }
 }
 
-impl Told for PictureError {
-    fn told(&self, messages: &Messages) -> String {
+impl Localize for PictureError {
+    fn localize(&self, messages: &Messages) -> String {
         match self {
             Self::Unreadable(reason) => messages.fill(Msg::ErrorPictureUnreadable, &[("reason", reason)]),
             Self::NotAPicture => messages.get(Msg::ErrorNotAPicture).to_owned(),
@@ -119,17 +119,17 @@ impl Told for PictureError {
     }
 }
 
-impl Told for ReferenceError {
-    fn told(&self, messages: &Messages) -> String {
+impl Localize for ReferenceError {
+    fn localize(&self, messages: &Messages) -> String {
         match self {
-            Self::Picture(error) => error.told(messages),
+            Self::Picture(error) => error.localize(messages),
             Self::OutOfRange { .. } => self.to_string(),
         }
     }
 }
 
-impl Told for ChangeError {
-    fn told(&self, messages: &Messages) -> String {
+impl Localize for ChangeError {
+    fn localize(&self, messages: &Messages) -> String {
         match self {
             Self::Full { what: "strokes", limit } => {
                 messages.fill(Msg::ErrorTooManyStrokes, &[("limit", limit)])
@@ -137,16 +137,16 @@ impl Told for ChangeError {
             Self::Full { what: "points", limit } => {
                 messages.fill(Msg::ErrorTooManyPoints, &[("limit", limit)])
             }
-            Self::Reference(error) => error.told(messages),
+            Self::Reference(error) => error.localize(messages),
             other => other.to_string(),
         }
     }
 }
 
-impl Told for JournalError {
-    fn told(&self, messages: &Messages) -> String {
+impl Localize for JournalError {
+    fn localize(&self, messages: &Messages) -> String {
         match self {
-            Self::Write(error) => messages.fill(Msg::ErrorJournal, &[("error", &error.told(messages))]),
+            Self::Write(error) => messages.fill(Msg::ErrorJournal, &[("error", &error.localize(messages))]),
             Self::NoThread(reason) => messages.fill(Msg::ErrorNoJournalThread, &[("reason", reason)]),
             Self::Read { path, source } => {
                 messages.fill(Msg::ErrorRecoveryUnreadable, &[("file", &path.display()), ("reason", source)])
@@ -164,10 +164,12 @@ impl Told for JournalError {
     }
 }
 
-impl Told for Gap {
-    fn told(&self, messages: &Messages) -> String {
+impl Localize for Gap {
+    fn localize(&self, messages: &Messages) -> String {
         match self {
-            Self::OlderCopy(error) => messages.fill(Msg::ErrorOlderCopy, &[("error", &error.told(messages))]),
+            Self::OlderCopy(error) => {
+                messages.fill(Msg::ErrorOlderCopy, &[("error", &error.localize(messages))])
+            }
             Self::StepsOnly { path } => messages.fill(Msg::ErrorStepsOnly, &[("file", &path.display())]),
             Self::LeftOut { path, record, count, what } => messages.fill(
                 Msg::ErrorLeftOut,
@@ -177,30 +179,30 @@ impl Told for Gap {
     }
 }
 
-impl Told for ExportError {
-    fn told(&self, messages: &Messages) -> String {
+impl Localize for ExportError {
+    fn localize(&self, messages: &Messages) -> String {
         match self {
             Self::Empty => messages.get(Msg::ErrorNothingToExport).to_owned(),
             Self::Overwrites(Overwrites { output, source_file }) => messages.fill(
                 Msg::ErrorOverwrites,
                 &[("file", &output.display()), ("source", &source_file.display())],
             ),
-            Self::Write(error) => error.told(messages),
+            Self::Write(error) => error.localize(messages),
             other => other.to_string(),
         }
     }
 }
 
-impl Told for BuildError {
-    fn told(&self, messages: &Messages) -> String {
+impl Localize for BuildError {
+    fn localize(&self, messages: &Messages) -> String {
         match self {
-            Self::Setup(SetupError::Species(error)) => error.told(messages),
+            Self::Setup(SetupError::Species(error)) => error.localize(messages),
             Self::Setup(SetupError::OfSpecies { file, line, fault }) => {
-                let fault = fault.told(messages);
+                let fault = fault.localize(messages);
                 messages.fill(Msg::ErrorOfSpecies, &[("file", file), ("line", line), ("fault", &fault)])
             }
             Self::Setup(SetupError::Param { whose: "the sketch", fault }) => {
-                messages.fill(Msg::ErrorOfSketch, &[("fault", &fault.told(messages))])
+                messages.fill(Msg::ErrorOfSketch, &[("fault", &fault.localize(messages))])
             }
             Self::Setup(other) => other.to_string(),
             Self::Defect => messages.get(Msg::ErrorDefect).to_owned(),
@@ -208,8 +210,8 @@ impl Told for BuildError {
     }
 }
 
-impl Told for SpeciesError {
-    fn told(&self, messages: &Messages) -> String {
+impl Localize for SpeciesError {
+    fn localize(&self, messages: &Messages) -> String {
         match self {
             Self::Unknown { name, nearest, known } => {
                 let hint = hint(nearest.as_deref(), messages);
@@ -225,8 +227,8 @@ impl Told for SpeciesError {
     }
 }
 
-impl Told for ParamError {
-    fn told(&self, messages: &Messages) -> String {
+impl Localize for ParamError {
+    fn localize(&self, messages: &Messages) -> String {
         match self {
             Self::Unknown { path, nearest } => {
                 let hint = hint(nearest.as_deref(), messages);
@@ -244,8 +246,8 @@ fn hint(nearest: Option<&str>, messages: &Messages) -> String {
     nearest.map_or_else(String::new, |nearest| messages.fill(Msg::ErrorDidYouMean, &[("nearest", &nearest)]))
 }
 
-impl Told for TransportError {
-    fn told(&self, messages: &Messages) -> String {
+impl Localize for TransportError {
+    fn localize(&self, messages: &Messages) -> String {
         match self {
             Self::Permission { path, remedy } => {
                 let msg = match remedy {
@@ -272,10 +274,10 @@ impl Told for TransportError {
     }
 }
 
-impl Told for Refused {
-    fn told(&self, messages: &Messages) -> String {
+impl Localize for Refused {
+    fn localize(&self, messages: &Messages) -> String {
         let why = match &self.why {
-            Refusal::Transport(error) => error.told(messages),
+            Refusal::Transport(error) => error.localize(messages),
             Refusal::TooMany { limit } => messages.fill(Msg::ErrorTabletTooMany, &[("limit", limit)]),
             Refusal::Choose(ChooseError::StringsUnread { models, reason }) => {
                 let msg = match reason {
@@ -311,7 +313,7 @@ mod tests {
     use std::io;
 
     /// One of every kind that has words.
-    fn known() -> Vec<Box<dyn Told>> {
+    fn known() -> Vec<Box<dyn Localize>> {
         let path = || std::path::PathBuf::from("/home/ann/rose.penstemon");
         let folder = || std::path::PathBuf::from("/home/ann");
         let full = || WriteError::DiskFull { path: path() };
@@ -391,7 +393,7 @@ mod tests {
         NODE.to_owned()
     }
 
-    fn refused(why: Refusal) -> Box<dyn Told> {
+    fn refused(why: Refusal) -> Box<dyn Localize> {
         let device = DeviceInfo { product: MODEL.into(), ..DeviceInfo::default() };
         Box::new(Refused { device, why })
     }
@@ -404,7 +406,7 @@ mod tests {
     fn the_english_words_are_those_of_the_errors() {
         let english = Messages::new(Language::English);
         for error in known() {
-            assert_eq!(error.told(&english), error.to_string());
+            assert_eq!(error.localize(&english), error.to_string());
         }
     }
 
@@ -412,7 +414,7 @@ mod tests {
     fn what_artists_meet_is_told_in_chinese() {
         let chinese = Messages::new(Language::Chinese);
         for error in known() {
-            let told = error.told(&chinese);
+            let told = error.localize(&chinese);
             // Names and the systems' words stay; sentences do not.
             let words = told.replace("/home/ann/rose.penstemon", "").replace("rose.penstemon", "");
             let words = words.replace("/home/ann", "").replace("Penstemon", "").replace(".penstemon", "");
@@ -436,6 +438,6 @@ mod tests {
     #[test]
     fn what_has_no_words_stays_as_it_is() {
         let error = Fault::TooDeep.at(Place::default(), "a.penstemon");
-        assert_eq!(error.told(&Messages::new(Language::Chinese)), error.to_string());
+        assert_eq!(error.localize(&Messages::new(Language::Chinese)), error.to_string());
     }
 }

@@ -1,12 +1,12 @@
 //! What is odd about a drawing, in the language of the interface. Every kind has words; the English ones are those of
 //! [`Remark`]. What parsers of paths and transforms say stays English.
 
-use super::{Messages, Msg, Named, Told};
+use super::{Localize, Messages, Msg, Named};
 use crate::sketch::remark::{Element, Remark, Warning};
 
-impl Told for Warning {
-    fn told(&self, messages: &Messages) -> String {
-        let remark = self.remark.told(messages);
+impl Localize for Warning {
+    fn localize(&self, messages: &Messages) -> String {
+        let remark = self.remark.localize(messages);
         match self.stroke {
             Some(id) => messages.fill(Msg::WarningStroke, &[("id", &id), ("remark", &remark)]),
             None => remark,
@@ -14,11 +14,11 @@ impl Told for Warning {
     }
 }
 
-impl Told for Remark {
-    fn told(&self, messages: &Messages) -> String {
+impl Localize for Remark {
+    fn localize(&self, messages: &Messages) -> String {
         let fill = |msg, values: &[(&str, &dyn std::fmt::Display)]| messages.fill(msg, values);
         let about = |msg, element: &Element, reason: &str| {
-            fill(msg, &[("element", &element.told(messages)), ("reason", &reason)])
+            fill(msg, &[("element", &element.localize(messages)), ("reason", &reason)])
         };
         match self {
             Self::NoPoints { place } => fill(Msg::WarningNoPoints, &[("place", place)]),
@@ -69,8 +69,8 @@ impl Told for Remark {
     }
 }
 
-impl Told for Element {
-    fn told(&self, messages: &Messages) -> String {
+impl Localize for Element {
+    fn localize(&self, messages: &Messages) -> String {
         match self.id {
             Some(_) => self.to_string(),
             None => messages.fill(Msg::WarningElement, &[("name", &self.name)]),
@@ -146,7 +146,7 @@ mod tests {
                 }
                 _ => warning.to_string(),
             };
-            assert_eq!(warning.told(&english), words);
+            assert_eq!(warning.localize(&english), words);
         }
         let one = [
             Remark::PressureOutside { points: 1 },
@@ -155,7 +155,7 @@ mod tests {
             Remark::More { count: 1 },
         ];
         for remark in one {
-            assert_eq!(remark.told(&english), remark.to_string());
+            assert_eq!(remark.localize(&english), remark.to_string());
             assert!(!remark.to_string().contains("1 points") && !remark.to_string().contains("1 years"));
         }
     }
@@ -164,7 +164,7 @@ mod tests {
     fn every_kind_is_told_in_chinese_with_its_numbers() {
         let chinese = Messages::new(Language::Chinese);
         for warning in every_kind() {
-            let (told, words) = (warning.told(&chinese), warning.to_string());
+            let (told, words) = (warning.localize(&chinese), warning.to_string());
             assert!(told.chars().filter(|c| *c > '\u{4e00}').count() >= 4, "{told}");
             assert!(!told.contains('{') && told.chars().last().is_some_and(|c| c != '：'), "{told}");
             let numbers = |text: &str| {

@@ -86,6 +86,6 @@ fn paint(ui: &Ui, window: Rect, at: Pos2, messages: &Messages) {
     let stroke = Stroke::new(2.0, p.accent);
     painter.line_segment([at - vec2(ARM, 0.0), at + vec2(ARM, 0.0)], stroke);
     painter.line_segment([at - vec2(0.0, ARM), at + vec2(0.0, ARM)], stroke);
-    let told = messages.get(Msg::CalibrateTouch);
-    painter.text(window.center(), Align2::CENTER_CENTER, told, FontId::proportional(18.0), p.text);
+    let text = messages.get(Msg::CalibrateTouch);
+    painter.text(window.center(), Align2::CENTER_CENTER, text, FontId::proportional(18.0), p.text);
 }

@@ -32,8 +32,8 @@ struct Looking {
     name: String,
     /// The name of a folder that is being made.
     new_folder: Option<String>,
-    /// What the artist is told.
-    told: Option<String>,
+    /// Why the last path could not be used.
+    refusal: Option<String>,
     /// The file that the next press replaces.
     may_replace: Option<PathBuf>,
     /// The name was offered for writing.
@@ -52,7 +52,7 @@ impl Looking {
 
     /// Another name or folder: what was said and asked about the last one holds no more.
     fn forget(&mut self) {
-        self.told = None;
+        self.refusal = None;
         self.may_replace = None;
     }
 }
@@ -77,8 +77,8 @@ pub(super) fn show(
     let room = (height - 400.0).clamp(TARGET * 2.0, 420.0);
     let picked = list(ui, &mut looking, request, room, messages);
     let entered = if saves { name_field(ui, &mut looking, messages) } else { picked };
-    if let Some(told) = &looking.told {
-        ui.colored_label(palette(ui).warning, told);
+    if let Some(refusal) = &looking.refusal {
+        ui.colored_label(palette(ui).warning, refusal);
     }
     chosen = chosen.or(footer(ui, &mut looking, (request, saves), entered, messages, out));
     if let Some(path) = chosen {
@@ -164,7 +164,7 @@ fn follow(looking: &mut Looking, request: &PathRequest, saves: bool, messages: &
     };
     match kind(&looking.address) {
         Target::Folder(path) => looking.enter(&path, request),
-        Target::Refused(refusal) => looking.told = Some(reason(&refusal, request, messages)),
+        Target::Refused(refusal) => looking.refusal = Some(reason(&refusal, request, messages)),
         Target::File(path) if !saves => return Some(path),
         // The name of a file to write goes to its field, where it is looked at once more.
         Target::File(path) => {
@@ -199,8 +199,8 @@ fn new_folder(ui: &mut Ui, looking: &mut Looking, request: &PathRequest, message
     match folder::make(&looking.folder, &name) {
         Ok(path) => looking.enter(&path, request),
         Err(error) => {
-            let told = messages.fill(Msg::PathNotMade, &[("name", &name), ("reason", &error)]);
-            looking.told = Some(told);
+            let reason = messages.fill(Msg::PathNotMade, &[("name", &name), ("reason", &error)]);
+            looking.refusal = Some(reason);
             looking.new_folder = Some(name);
         }
     }
@@ -302,12 +302,12 @@ fn footer(
         }
         Target::File(path) if saves && path.exists() && looking.may_replace.as_ref() != Some(&path) => {
             let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            looking.told = Some(messages.fill(Msg::PathExists, &[("name", &name)]));
+            looking.refusal = Some(messages.fill(Msg::PathExists, &[("name", &name)]));
             looking.may_replace = Some(path);
         }
         Target::File(path) => return Some(path),
         Target::Refused(refusal) => {
-            looking.told = Some(reason(&refusal, request, messages));
+            looking.refusal = Some(reason(&refusal, request, messages));
             // The name is asked for once more.
             looking.is_offered = false;
         }

@@ -9,8 +9,8 @@
 use super::glb_container;
 use super::gltf_accessor::{Budget, Data};
 use super::{Malformed, Surface};
+use crate::geom::weld::weld;
 use crate::model::quality::Attributes;
-use crate::model::weld::weld;
 use crate::model::{Mesh, Vertex};
 use glam::{Vec2, Vec3};
 use gltf_json as json;

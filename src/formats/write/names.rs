@@ -3,12 +3,13 @@
 //! Letters and digits of any script stay. Where something had to be replaced, a short checksum of the original is
 //! added, so that `a b` and `a_b` remain two names.
 
+use crate::checksum::fnv1a;
 use std::collections::BTreeSet;
 
 /// The name as one word.
 pub(super) fn word(name: &str) -> String {
     let replaced: String = name.chars().map(|c| if survives(c) { c } else { '_' }).collect();
-    if replaced == name && !name.is_empty() { replaced } else { format!("{replaced}_{:08x}", checksum(name)) }
+    if replaced == name && !name.is_empty() { replaced } else { format!("{replaced}_{:08x}", fnv1a(name)) }
 }
 
 /// The names as words, each different from all before it.
@@ -28,11 +29,6 @@ pub(super) fn distinct_words<'a>(names: impl Iterator<Item = &'a str>) -> Vec<St
 
 fn survives(c: char) -> bool {
     c.is_alphanumeric() || matches!(c, '_' | '-' | '.' | '+')
-}
-
-/// 32-bit FNV-1a.
-fn checksum(name: &str) -> u32 {
-    name.bytes().fold(0x811c_9dc5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 //! Drawn branches become nodes an internode apart. They carry buds like grown wood, and as much thickness as was drawn
 //! remains. Where a branch stands on another that has a node.
 
+use crate::geom::polyline::length;
 use crate::growth::habit::Habit;
 use crate::growth::tree::{NewNode, Tree};
 use crate::growth::year::direction;
@@ -53,8 +54,8 @@ pub(super) fn trunk(tree: &mut Tree, habit: &Habit, foot: Vec3, crown: Vec3, see
 /// Makes nodes and buds of drawn branches. A plant without branches gives an empty tree.
 pub(super) fn of_plant(plant: &Plant, habit: &Habit, seed: u64) -> Tree {
     let mut tree = Tree::default();
-    let length: f32 = plant.branches.iter().map(|b| length(&b.points)).sum();
-    let step = habit.internode.max(length / MOST);
+    let wood: f32 = plant.branches.iter().map(|b| length(&b.points)).sum();
+    let step = habit.internode.max(wood / MOST);
     // First node and number of nodes of each branch.
     let mut spans: Vec<(u32, u32)> = Vec::with_capacity(plant.branches.len());
     let mut buds = Vec::new();
@@ -117,10 +118,6 @@ fn lay_buds(tree: &mut Tree, nodes: &[(u32, Vec3, Vec3)], habit: &Habit) {
 fn nearest(tree: &Tree, from: u32, count: u32, at: Vec3) -> u32 {
     let away = |i: &u32| tree.nodes.at[*i as usize].distance_squared(at);
     (from..from + count).min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(from)
-}
-
-fn length(points: &[Vec3]) -> f32 {
-    points.windows(2).map(|w| w[0].distance(w[1])).sum()
 }
 
 /// Where along each branch others stand on it, metres from its base, rising.

@@ -7,6 +7,7 @@
 //! Limits: at most [`MAX_TRIANGLES`] triangles and [`MAX_BYTES`] of text, and [`MAX_OVER`] triangles over each other. Where
 //! the mesh cuts itself, what is covered twice counts as outside.
 
+use crate::geom::weld::weld;
 use crate::obj_text::{self, Fault};
 use crate::quote;
 use glam::{DVec2, Vec3};
@@ -287,21 +288,7 @@ fn crosses(a: Vec3, b: Vec3, p: Vec3) -> bool {
 
 /// Makes corners at the same place one and leaves out faces that thereby lose their area.
 fn welded(points: &[Vec3], triangles: &[[u32; 3]]) -> (Vec<Vec3>, Vec<[u32; 3]>) {
-    // −0 and 0 are one place.
-    let key = |p: Vec3| (p + Vec3::ZERO).to_array().map(f32::to_bits);
-    let mut order: Vec<u32> = (0..points.len() as u32).collect();
-    order.sort_unstable_by_key(|&i| (key(points[i as usize]), i));
-    let mut one = vec![0u32; points.len()];
-    let mut kept: Vec<Vec3> = Vec::new();
-    let mut last = None;
-    for i in order {
-        let p = points[i as usize];
-        if last != Some(key(p)) {
-            kept.push(p);
-            last = Some(key(p));
-        }
-        one[i as usize] = kept.len() as u32 - 1;
-    }
+    let (kept, one) = weld(points);
     let faces = triangles.iter().map(|t| t.map(|i| one[i as usize]));
     (kept, faces.filter(|[a, b, c]| a != b && b != c && c != a).collect())
 }

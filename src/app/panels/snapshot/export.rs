@@ -48,7 +48,7 @@ pub struct ExportChoice {
     pub branches: bool,
     /// With leaves.
     pub leaves: bool,
-    /// With petals, sepals and hearts.
+    /// With petals, sepals and flower centres.
     pub flowers: bool,
     /// With pot, thorns and fruits.
     pub extras: bool,
