@@ -2,6 +2,8 @@
 //!
 //! A stream depends on the seed, a purpose and a stable key, never on a running index: one more stroke in a drawing
 //! leaves every other choice as it was. Keys are mixed by the finaliser of SplitMix64 (Steele, Lea, Flood 2014).
+//!
+//! [`stream`] gives a generator for many numbers; a [`Choice`] is a single number, or three, made straight from a key.
 
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
@@ -25,10 +27,114 @@ pub fn unit(hash: u64) -> f32 {
     (hash >> 40) as f32 / (1u64 << 24) as f32
 }
 
+/// One thing that is decided at random about something that grows. Choices about the same thing have different numbers;
+/// those of one that decides three numbers are its own and the two after it. The numbers are part of what every plant
+/// looks like: changed, they change all of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Choice(u64);
+
+/// About a plant.
+impl Choice {
+    /// Where and how each of its stems stands.
+    pub const STEM: Self = Self(41);
+    /// The direction in which the first of its stems stands.
+    pub const FIRST_STEM: Self = Self(42);
+    /// To which side the first bud of a trunk points that leads up to a crown.
+    pub const TRUNK: Self = Self(43);
+    /// What grows on each of its drawn branches.
+    pub const DRAWN_BRANCH: Self = Self(44);
+    /// What becomes of each of its buds.
+    pub const BUD: Self = Self(45);
+    /// Each of its leaves, by the node that it stands on.
+    pub const LEAF: Self = Self(61);
+    /// Each of its flower buds.
+    pub const FLOWER_BUD: Self = Self(67);
+}
+
+/// About a stem.
+impl Choice {
+    /// How far it leans.
+    pub const STEM_LEAN: Self = Self(1);
+}
+
+/// About a bud or an internode in its year.
+impl Choice {
+    /// Whether it flowers.
+    pub const FLOWERS: Self = Self(11);
+    /// By how much its direction is another, along three axes.
+    pub const WANDER: Self = Self(21);
+    /// To which side the first bud of its shoot points.
+    pub const FIRST_SIDE: Self = Self(31);
+    /// Whether there are lateral buds.
+    pub const RAMIFIES: Self = Self(51);
+    /// The angle of the lateral buds.
+    pub const BRANCHING_ANGLE: Self = Self(52);
+}
+
+/// About a leaf.
+impl Choice {
+    /// Its place around the shoot.
+    pub const LEAF_AROUND: Self = Self(1);
+    /// Its direction, along three axes.
+    pub const LEAF_DIRECTION: Self = Self(2);
+    /// Where its face looks, along three axes.
+    pub const LEAF_FACE: Self = Self(5);
+    /// Its length.
+    pub const LEAF_LENGTH: Self = Self(8);
+    /// Which outline it has.
+    pub const LEAF_OUTLINE: Self = Self(9);
+}
+
+/// About a flower, a spot or a crown.
+impl Choice {
+    /// Its place in its cluster or beside the middle of its voxel, along three axes.
+    pub const ASIDE: Self = Self(1);
+    /// The phases of the three waves in which a crown is uneven.
+    pub const LUMPS: Self = Self(0);
+}
+
+impl Choice {
+    /// The key of this choice about the thing of a key.
+    pub fn key(self, of: u64) -> u64 {
+        mix(of, self.0)
+    }
+
+    /// A number from 0 to 1, 1 left out.
+    pub fn unit(self, of: u64) -> f32 {
+        unit(self.key(of))
+    }
+
+    /// A number from -1 to 1, 1 left out.
+    pub fn signed(self, of: u64) -> f32 {
+        2.0 * self.unit(of) - 1.0
+    }
+
+    /// Three numbers, each from 0 to 1, 1 left out.
+    pub fn units(self, of: u64) -> [f32; 3] {
+        [0, 1, 2].map(|k| Self(self.0 + k).unit(of))
+    }
+
+    /// Three numbers, each from -1 to 1, 1 left out.
+    pub fn signs(self, of: u64) -> [f32; 3] {
+        self.units(of).map(|unit| 2.0 * unit - 1.0)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use rand::RngExt;
+
+    #[test]
+    fn choices_about_one_thing_differ_and_stay_in_range() {
+        let three = Choice::WANDER.signs(7);
+        assert_eq!(three, [21, 22, 23].map(|k| 2.0 * unit(mix(7, k)) - 1.0));
+        assert!(three[0] != three[1] && three[1] != three[2]);
+        for of in 0..1000 {
+            assert!((0.0..1.0).contains(&Choice::FLOWERS.unit(of)));
+            assert!((-1.0..1.0).contains(&Choice::LEAF_LENGTH.signed(of)));
+        }
+    }
 
     #[test]
     fn seed_purpose_and_key_all_matter() {

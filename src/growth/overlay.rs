@@ -9,7 +9,7 @@ use super::resource::markers::Markers;
 use super::resource::shadow::Shadow;
 use super::simulation::Simulation;
 use super::tree::Tree;
-use crate::random::{mix, unit};
+use crate::random::{Choice, mix};
 use glam::Vec3;
 
 /// Most spots of one kind.
@@ -118,7 +118,7 @@ fn of_light(shadow: &Shadow) -> Vec<Spot> {
     let voxel = shadow.voxel();
     let spot = |(middle, exposure): (Vec3, f32)| {
         let key = middle.to_array().iter().fold(0, |key, x| mix(key, u64::from(x.to_bits())));
-        let aside = Vec3::from_array([1, 2, 3].map(|axis| unit(mix(key, axis)) - 0.5));
+        let aside = Vec3::from_array(Choice::ASIDE.units(key).map(|unit| unit - 0.5));
         let radius = VOXEL * voxel * (1.0 - 0.7 * exposure);
         Spot { at: middle + aside * ASIDE * voxel, radius, kind: Kind::Light { exposure } }
     };

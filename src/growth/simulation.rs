@@ -26,7 +26,7 @@ use super::year::direction::{self, Weights};
 use super::year::fate::{self, Waiting};
 use super::year::shedding;
 use crate::plant::Plant;
-use crate::random::{mix, unit};
+use crate::random::{Choice, mix};
 use glam::Vec3;
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -329,7 +329,7 @@ impl Simulation {
                 waited: self.year - self.tree.buds.born[b],
                 apical: self.tree.buds.apical[b],
                 age: f32::from(self.year),
-                key: mix(mix(mix(self.seed, 45), u64::from(bud)), u64::from(self.year)),
+                key: mix(mix(Choice::BUD.key(self.seed), u64::from(bud)), u64::from(self.year)),
             };
             let fate = match fate::decide(&state, &self.habit) {
                 Fate::Shoot => self.shoot(bud, self.scratch.found.best[place], &state),
@@ -413,11 +413,11 @@ impl Simulation {
     }
 
     fn lay_laterals(&mut self, node: u32, way: Vec3, side: Vec3, key: u64, age: f32) {
-        if unit(mix(key, 51)) >= self.habit.ramification.at(age) {
+        if Choice::RAMIFIES.unit(key) >= self.habit.ramification.at(age) {
             return;
         }
         let order = self.tree.nodes.order[node as usize];
-        let spread = self.habit.branching_spread.at(age) * (2.0 * unit(mix(key, 52)) - 1.0);
+        let spread = self.habit.branching_spread.at(age) * Choice::BRANCHING_ANGLE.signed(key);
         let angle = (self.habit.branching.at(age) + spread).to_radians();
         for bud in direction::laterals(way, side, angle, direction::laterals_per_node(&self.habit, order)) {
             self.tree.add_bud(node, bud, false, self.year);

@@ -8,7 +8,7 @@ use crate::growth::habit::Habit;
 use crate::growth::habit::leaf;
 use crate::growth::tree::{Fate, NONE};
 use crate::plant::{Blade, BladeForm, Organ, OrganKind, RestSurface, Shape};
-use crate::random::{mix, unit};
+use crate::random::{Choice, mix};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -84,8 +84,8 @@ fn sites(wood: &Wood<'_>, habit: &Habit) -> Vec<Site> {
 /// The `k`-th flower of a cluster.
 fn one(wood: &Wood<'_>, bud: usize, k: usize, length: f32, outline: Arc<[Vec2]>) -> Blade {
     let (at, direction) = (wood.at[wood.tree.buds.node[bud] as usize], wood.tree.buds.direction[bud]);
-    let key = mix(mix(mix(wood.seed, 67), bud as u64), k as u64);
-    let random = Vec3::from_array([1, 2, 3].map(|n| 2.0 * unit(mix(key, n)) - 1.0));
+    let key = mix(mix(Choice::FLOWER_BUD.key(wood.seed), bud as u64), k as u64);
+    let random = Vec3::from_array(Choice::ASIDE.signs(key));
     let aside = if k == 0 { Vec3::ZERO } else { random * APART };
     let way = (direction + aside).normalize_or(direction);
     Blade {

@@ -17,7 +17,7 @@ use crate::growth::habit::leaf::{self, LeafHabit, LeafPose};
 use crate::growth::tree::{NONE, Tree};
 use crate::growth::volume::Envelope;
 use crate::plant::{Blade, BladeForm, Organ, OrganKind, RestSurface, Shape};
-use crate::random::{mix, unit};
+use crate::random::{Choice, mix};
 use glam::{Quat, Vec2, Vec3};
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -165,23 +165,24 @@ fn one(
 ) -> Blade {
     let (from, to) = (wood.chains.below(i, wood.tree, wood.at), wood.at[i]);
     let way = (to - from).try_normalize().unwrap_or(Vec3::Y);
-    let key = mix(mix(mix(wood.seed, 61), i as u64), u64::from(k));
-    let random = |n: u64| 2.0 * unit(mix(key, n)) - 1.0;
+    let key = mix(mix(Choice::LEAF.key(wood.seed), i as u64), u64::from(k));
     let at_tip = k >= habit.per_internode;
     let along = if at_tip { 1.0 } else { (k as f32 + 0.6) / habit.per_internode as f32 };
     let side = wood.tree.nodes.side[i].reject_from_normalized(way).normalize_or(way.any_orthonormal_vector());
-    let around = Quat::from_axis_angle(way, GOLDEN_RAD * (k + 1) as f32 + 0.4 * random(1)) * side;
+    let around =
+        Quat::from_axis_angle(way, GOLDEN_RAD * (k + 1) as f32 + 0.4 * Choice::LEAF_AROUND.signed(key))
+            * side;
     let open = if at_tip { 0.7 } else { 1.0 };
     let (sin, cos) = (pose.angle_rad * open).sin_cos();
-    let scatter = Vec3::new(random(2), random(3), random(4)) * pose.scatter;
+    let scatter = Vec3::from_array(Choice::LEAF_DIRECTION.signs(key)) * pose.scatter;
     let free = way * cos + around * sin - Vec3::Y * pose.droop + scatter;
     let axis = free.try_normalize().unwrap_or(around);
     // The face between square to the shoot and up to the sky.
-    let face =
-        way.lerp(Vec3::Y, pose.face_up) + Vec3::new(random(5), random(6), random(7)) * (0.5 * pose.scatter);
+    let face = way.lerp(Vec3::Y, pose.face_up)
+        + Vec3::from_array(Choice::LEAF_FACE.signs(key)) * (0.5 * pose.scatter);
     let across = axis.cross(face).try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector());
-    let length = pose.length * (1.0 + pose.vary * random(8));
-    let template = (unit(mix(key, 9)) * outlines.len() as f32) as usize % outlines.len();
+    let length = pose.length * (1.0 + pose.vary * Choice::LEAF_LENGTH.signed(key));
+    let template = (Choice::LEAF_OUTLINE.unit(key) * outlines.len() as f32) as usize % outlines.len();
     Blade {
         outline: outlines[template].clone(),
         curl: Vec::new(),

@@ -8,7 +8,7 @@ use crate::growth::habit::Habit;
 use crate::growth::tree::{NewNode, Tree};
 use crate::growth::year::direction;
 use crate::plant::{Branch, Plant};
-use crate::random::{mix, unit};
+use crate::random::{Choice, mix, unit};
 use glam::Vec3;
 use std::f32::consts::TAU;
 
@@ -25,11 +25,15 @@ const FEET_APART: f32 = 0.6;
 pub(super) fn sow(tree: &mut Tree, habit: &Habit, foot: Vec3, seed: u64) {
     let stems = habit.stems.max(1);
     for k in 0..stems {
-        let key = mix(mix(seed, 41), u64::from(k));
-        let azimuth = TAU * ((k as f32 + 0.5 * unit(key)) / stems as f32 + unit(mix(seed, 42)));
+        let key = mix(Choice::STEM.key(seed), u64::from(k));
+        let azimuth = TAU * ((k as f32 + 0.5 * unit(key)) / stems as f32 + Choice::FIRST_STEM.unit(seed));
         let out = Vec3::new(azimuth.cos(), 0.0, azimuth.sin());
         let several = stems > 1;
-        let lean = if several { habit.stem_lean.to_radians() * (0.4 + 0.6 * unit(mix(key, 1))) } else { 0.0 };
+        let lean = if several {
+            habit.stem_lean.to_radians() * (0.4 + 0.6 * Choice::STEM_LEAN.unit(key))
+        } else {
+            0.0
+        };
         let direction = (Vec3::Y * lean.cos() + out * lean.sin()).normalize();
         let apart = if several { FEET_APART * habit.internode } else { 0.0 };
         let node = tree.add_foot(foot + out * apart, direction::first_side(direction, key, habit));
@@ -41,7 +45,7 @@ pub(super) fn sow(tree: &mut Tree, habit: &Habit, foot: Vec3, seed: u64) {
 pub(super) fn trunk(tree: &mut Tree, habit: &Habit, foot: Vec3, crown: Vec3, seed: u64) {
     let way = crown - foot;
     let direction = way.try_normalize().unwrap_or(Vec3::Y);
-    let mut node = tree.add_foot(foot, direction::first_side(direction, mix(seed, 43), habit));
+    let mut node = tree.add_foot(foot, direction::first_side(direction, Choice::TRUNK.key(seed), habit));
     let steps = (way.length() / habit.internode).ceil().clamp(0.0, MOST) as u32;
     for k in 1..=steps {
         let at = foot.lerp(crown, k as f32 / steps as f32);
@@ -61,7 +65,7 @@ pub(super) fn of_plant(plant: &Plant, habit: &Habit, seed: u64) -> Tree {
     let mut buds = Vec::new();
     let forks = forks(plant);
     for (index, branch) in plant.branches.iter().enumerate() {
-        let key = mix(mix(seed, 44), index as u64);
+        let key = mix(Choice::DRAWN_BRANCH.key(seed), index as u64);
         let span = branch.parent.and_then(|p| spans.get(p).copied());
         let first = tree.len() as u32;
         let mut nodes = Vec::new();

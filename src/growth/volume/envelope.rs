@@ -8,7 +8,7 @@
 
 use super::inflated::Inflated;
 use super::solid::Solid;
-use crate::random::{mix, unit};
+use crate::random::Choice;
 use glam::Vec3;
 use std::sync::Arc;
 
@@ -77,9 +77,9 @@ impl Crown {
 
     /// Three waves around and along, −1 to 1.
     fn wave(&self, around: f32, height: f32) -> f32 {
-        let phase = |k: u64| unit(mix(self.seed, k)) * std::f32::consts::TAU;
-        let waves = [(2.0, 4.0), (3.0, 9.0), (5.0, 15.0)];
-        let sum: f32 = (0..).zip(waves).map(|(k, (m, n))| (m * around + n * height + phase(k)).sin()).sum();
+        let phases = Choice::LUMPS.units(self.seed).map(|unit| unit * std::f32::consts::TAU);
+        let waves = [(2.0, 4.0), (3.0, 9.0), (5.0, 15.0)].iter().zip(phases);
+        let sum: f32 = waves.map(|((m, n), phase)| (m * around + n * height + phase).sin()).sum();
         sum / 3.0
     }
 }

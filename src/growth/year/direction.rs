@@ -10,7 +10,7 @@
 
 use crate::geom::frame;
 use crate::growth::habit::{Arrangement, Habit};
-use crate::random::{mix, unit};
+use crate::random::Choice;
 use glam::{Quat, Vec3};
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
@@ -49,7 +49,7 @@ impl Weights {
     /// The direction of the next internode.
     pub(crate) fn next(&self, so_far: Vec3, best: Vec3, key: u64) -> Vec3 {
         let level = Vec3::new(so_far.x, 0.0, so_far.z).normalize_or_zero();
-        let random = Vec3::from_array([21, 22, 23].map(|k| 2.0 * unit(mix(key, k)) - 1.0));
+        let random = Vec3::from_array(Choice::WANDER.signs(key));
         let sum = so_far * self.keep + best * self.seek + Vec3::Y * self.lift + level * self.level;
         (sum + random * self.wander).try_normalize().unwrap_or(so_far)
     }
@@ -82,7 +82,7 @@ pub(crate) fn first_side(direction: Vec3, key: u64, habit: &Habit) -> Vec3 {
         direction.cross(Vec3::Y).try_normalize().unwrap_or_else(|| direction.any_orthonormal_vector());
     match habit.arrangement {
         Arrangement::Alternate | Arrangement::Whorl => level,
-        _ => Quat::from_axis_angle(direction, TAU * unit(mix(key, 31))) * level,
+        _ => Quat::from_axis_angle(direction, TAU * Choice::FIRST_SIDE.unit(key)) * level,
     }
 }
 

@@ -6,7 +6,7 @@
 
 use crate::growth::habit::Habit;
 use crate::growth::tree::Fate;
-use crate::random::{mix, unit};
+use crate::random::Choice;
 
 /// A bud in the year in which its fate is decided.
 #[derive(Clone, Copy, Debug)]
@@ -36,7 +36,7 @@ pub(crate) fn decide(bud: &Waiting, habit: &Habit) -> Fate {
     } else {
         (1.0, &habit.flowering_side)
     };
-    if bud.v < weak && bud.age >= habit.flower_age && unit(mix(bud.key, 11)) < share.at(bud.age) {
+    if bud.v < weak && bud.age >= habit.flower_age && Choice::FLOWERS.unit(bud.key) < share.at(bud.age) {
         return Fate::Flower;
     }
     if bud.v >= 1.0 {
