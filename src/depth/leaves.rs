@@ -9,8 +9,8 @@
 //! Pen tilt (no paper has it): the pen stands on the leaf like its normal. A pen held upright leaves things to the
 //! light; a tilted pen leans the leaf.
 
+use super::outline::CurlParams;
 use super::outline::{BladeFrame, outline_of};
-use super::petals::CurlParams;
 use crate::anatomy::{Copy, FlatBlade};
 use crate::plant::{Blade, BladeForm, RestSurface, WorldFromCanvas};
 use crate::random::stream;

@@ -1,11 +1,18 @@
 //! A drawn outline in its blade's own plane.
 
-use super::petals::CurlParams;
 use crate::anatomy::FlatBlade;
 use crate::geom::simple_loop;
 use crate::plant::WorldFromCanvas;
 use crate::sketch::StrokePoint;
 use glam::Vec2;
+
+crate::parameters! {
+    /// What pen pressure does to petals and leaves.
+    pub struct CurlParams {
+        /// How much pressure along the outline curls the margin toward the face; 0 switches it off.
+        pressure_curl: f32 = 1.0, 0.0..=2.0, "";
+    }
+}
 
 /// The flat frame of a blade in the drawing plane: unit world directions across (u) and along (v) its axis.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,18 +4,10 @@
 //! depths over a point the petal takes the one that leads on to its tip. The face of a petal is its inner side, toward
 //! the cone's axis: petals that lean toward the viewer show their back.
 
-use super::outline::{BladeFrame, outline_of};
+use super::outline::{BladeFrame, CurlParams, outline_of};
 use crate::anatomy::FlatBlade;
 use crate::plant::{Blade, BladeForm, Cone, RestSurface, WorldFromCanvas};
 use glam::{Vec2, Vec3};
-
-crate::parameters! {
-    /// What pen pressure does to petals and leaves.
-    pub struct CurlParams {
-        /// How much pressure along the outline curls the margin toward the face; 0 switches it off.
-        pressure_curl: f32 = 1.0, 0.0..=2.0, "";
-    }
-}
 
 /// A petal on a cone; `tip_depth` is the world depth of its tip.
 pub fn petal(

@@ -6,7 +6,8 @@ use super::{
     crowns,
     flower_stem::{self, Goal, StemParams},
     leaves::{LeafParams, LeafPoser},
-    petals::{self, CurlParams},
+    outline::CurlParams,
+    petals,
     radii::{self, RadiusParams},
 };
 use crate::anatomy::{Anatomy, Attachment, FlatBlade, FlatBranch, FlatFlower};

@@ -2,7 +2,6 @@
 //!
 //! A [`SketchError`] reads `FILE: PLACE: what is wrong; what to do`. What is wrong is a [`Fault`], where is a [`Place`].
 
-use super::json::VERSION;
 use super::limits;
 use super::reference::ReferenceError;
 use crate::picture::PictureError;
@@ -101,10 +100,12 @@ pub enum Fault {
         found: String,
     },
     /// A version that this program does not know.
-    #[error("the file has version {found}, this program reads versions 1 to {VERSION}; {}", version_remedy(*.found))]
+    #[error("the file has version {found}, this program reads versions 1 to {newest}; {}", version_remedy(*.found, *.newest))]
     WrongVersion {
         /// The `version` field.
         found: f64,
+        /// The newest version that this program knows.
+        newest: u32,
     },
     /// Text that is not JSON or not XML, or a value of the wrong kind.
     #[error("{0}")]
@@ -170,8 +171,8 @@ impl Fault {
     }
 }
 
-fn version_remedy(found: f64) -> &'static str {
-    if found > f64::from(VERSION) {
+fn version_remedy(found: f64, newest: u32) -> &'static str {
+    if found > f64::from(newest) {
         "it was saved by a newer Penstemon, install that one"
     } else {
         "no Penstemon ever wrote that version, set it to the newest of these"

@@ -18,25 +18,18 @@ mod write;
 
 pub use write::write;
 
+use self::walk::Outline;
 use super::draft::{Draft, DraftStroke, Flaw};
 use super::error::{Fault, Place};
 use super::warnings::Warnings;
-use super::{StrokePoint, Tool, limits};
+use super::{StrokePoint, limits};
 use crate::quote;
 use glam::vec2;
-use kurbo::{BezPath, PathEl, Point, Rect};
+use kurbo::{PathEl, Point, Rect};
 use roxmltree::{Document, ParsingOptions};
 
 /// Largest distance between a curve and its polyline, as a fraction of the drawing's diagonal.
 pub const TOLERANCE: f64 = 2e-5;
-
-/// An outline in canvas pixels, curves and all.
-struct Outline {
-    path: BezPath,
-    tool: Tool,
-    /// One for each point; then the path is a single polyline, or a dot.
-    pressures: Option<Vec<f32>>,
-}
 
 /// Parses an SVG document.
 ///

@@ -20,7 +20,6 @@ const STANDING: &[(&str, &[&str])] = &[
         "app::editor",
         &["(parent)", "clipboard", "files", "growth", "live", "perform", "reference", "saving", "task"],
     ),
-    ("depth", &["outline", "petals"]),
     ("formats::read", &["(parent)", "glb_container", "glb_surfaces", "gltf_accessor", "obj_surfaces"]),
     ("formats::read", &["glb_model", "model", "obj_model"]),
     ("formats::write", &["(parent)", "glb", "obj", "plant_json"]),
@@ -56,10 +55,6 @@ const STANDING: &[(&str, &[&str])] = &[
     ("pipeline", &["(parent)", "growing"]),
     ("render", &["material", "renderer", "shadow", "surface"]),
     ("render", &["debug", "pool"]),
-    ("sketch", &["draft", "error", "json"]),
-    ("sketch::journal", &["flusher", "scribe", "writer"]),
-    ("sketch::journal", &["recovery", "replay"]),
-    ("sketch::svg", &["(parent)", "walk"]),
     ("species", &["builtin", "file"]),
 ];
 

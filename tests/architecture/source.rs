@@ -138,7 +138,7 @@ fn is_name(word: &str) -> bool {
 }
 
 /// Names, `::` and single signs; comments, strings and characters are left out.
-fn words(text: &str) -> Vec<String> {
+pub(crate) fn words(text: &str) -> Vec<String> {
     let mut words = Vec::new();
     let mut rest = text;
     while let Some(first) = rest.chars().next() {

@@ -6,9 +6,8 @@
 //! What a failed flush leaves on the disk nobody knows (Linux forgets what it could not write). So after a failure nothing of
 //! the same *epoch* is reported as safe: the thread that writes begins a new one with a whole new generation.
 
-use super::scribe::Command;
 use super::session::Folder;
-use super::writer::Shared;
+use super::shared::{Command, Shared};
 use crate::atomic::WriteError;
 use crate::file_system::WrittenFile;
 use std::collections::BTreeSet;

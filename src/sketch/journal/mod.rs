@@ -30,9 +30,11 @@ pub mod recovery;
 mod replay;
 mod scribe;
 mod session;
+mod shared;
 pub mod writer;
 
 pub use error::{Gap, JournalError};
-pub use recovery::{Recoverable, Recovery, Restored};
+pub use recovery::{Recoverable, Recovery};
+pub use replay::Restored;
 pub use session::Meta;
 pub use writer::{Closing, JournalState, JournalWriter};

@@ -1,8 +1,8 @@
 //! What windows that are gone have left, and where new ones keep their journals.
 
-use super::error::{Gap, JournalError};
+use super::error::JournalError;
 use super::file::Identity;
-use super::replay::{self, Found};
+use super::replay::{self, Found, Restored};
 use super::scribe::Subject;
 use super::session::{DAMAGED, Folder, Meta, PREFIX, Session};
 use super::writer::JournalWriter;
@@ -19,17 +19,6 @@ use std::time::SystemTime;
 pub struct Recovery {
     state: PathBuf,
     files: Arc<dyn FileSystem>,
-}
-
-/// A drawing as a recovery copy has it.
-#[derive(Debug)]
-pub struct Restored {
-    /// The drawing.
-    pub sketch: Sketch,
-    /// What could not be read of it.
-    pub gaps: Vec<Gap>,
-    /// Files of which a part could not be read. They are kept when the drawing is drawn on, in [`Recovery::damaged_files`].
-    pub(super) damaged: Vec<PathBuf>,
 }
 
 /// What one window left. While it is held, no other window is offered it.

@@ -7,7 +7,6 @@
 use super::error::{Gap, JournalError};
 use super::file::Sum;
 use super::record::{self, Header, Kind, Next};
-use super::recovery::Restored;
 use super::session::{Folder, GenerationFile, META, Meta};
 use crate::file_system::read_regular;
 use crate::sketch::error::Fault;
@@ -15,6 +14,17 @@ use crate::sketch::json::step::{self, Fit, Pictures};
 use crate::sketch::{Picture, Sketch, editable_from_bytes, limits};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+
+/// A drawing as a recovery copy has it.
+#[derive(Debug)]
+pub struct Restored {
+    /// The drawing.
+    pub sketch: Sketch,
+    /// What could not be read of it.
+    pub gaps: Vec<Gap>,
+    /// Files of which a part could not be read. They are kept when the drawing is drawn on, in [`Recovery::damaged_files`](super::Recovery::damaged_files).
+    pub(super) damaged: Vec<PathBuf>,
+}
 
 /// Longest journal that is read; a longer one would have made room for a snapshot.
 const MAX_JOURNAL_BYTES: u64 = 4 * limits::MAX_FILE_BYTES;
@@ -161,7 +171,7 @@ fn read_snapshot(file: &GenerationFile, sum: Option<&Sum>) -> Result<Option<Sket
         Ok((sketch, _)) if sum.is_none_or(|sum| *sum == Sum::of(file.number, &bytes)) => Ok(Some(sketch)),
         Ok(_) => Err(damaged("its checksum is wrong".to_owned())),
         Err(error) => Err(match error.fault {
-            Fault::WrongVersion { found } => JournalError::NewerVersion { path, version: found },
+            Fault::WrongVersion { found, .. } => JournalError::NewerVersion { path, version: found },
             fault => damaged(fault.to_string()),
         }),
     }

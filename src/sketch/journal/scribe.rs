@@ -9,7 +9,7 @@ use super::error::JournalError;
 use super::file::{Identity, Journal, Sum};
 use super::flusher::{Flusher, Order, Target};
 use super::session::{Folder, Meta, Session};
-use super::writer::Shared;
+use super::shared::{Command, Shared};
 use crate::atomic::{Staged, WriteError};
 use crate::file_system::FileSystem;
 use crate::sketch::{Sketch, Step, json};
@@ -28,25 +28,6 @@ const RETRY_AFTER: Duration = Duration::from_secs(2);
 
 /// A journal longer than this, and than twice the drawing, makes room for a snapshot.
 const JOURNAL_BYTES: u64 = 4 << 20;
-
-/// What is asked of the thread.
-#[derive(Debug)]
-pub(super) enum Command {
-    /// Write this step, which has this number.
-    Step(u64, Arc<Step>),
-    /// Write the drawing even though nothing changed yet.
-    Begin,
-    /// Write a snapshot if the newest is not up to date.
-    Snapshot,
-    /// The drawing is safe in its file as it was after the step of this number.
-    Saved(Meta, u64),
-    /// What was written since this epoch began may not reach the disk.
-    FlushFailed(u64, WriteError),
-    /// Remove everything and end.
-    Close,
-    /// End, and leave everything to be found.
-    End,
-}
 
 /// What comes after a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,13 +2,14 @@
 
 use super::error::JournalError;
 use super::flusher::Flusher;
-use super::scribe::{Command, Scribe, Subject};
+use super::scribe::{Scribe, Subject};
 use super::session::{Meta, Session};
+use super::shared::{Command, Progress, Shared};
 use crate::file_system::FileSystem;
 use crate::sketch::Step;
 use std::path::PathBuf;
 use std::sync::mpsc::{self, Sender};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, PoisonError};
 use std::thread::{Builder, JoinHandle};
 use std::time::{Duration, Instant};
 
@@ -26,61 +27,6 @@ pub enum JournalState {
     },
     /// The last steps are only in memory; the writer goes on trying. The message says why and what to do.
     Failed(String),
-}
-
-/// What window and writing thread both look at.
-#[derive(Debug, Default)]
-pub(super) struct Progress {
-    /// Number of the last step that is on disk.
-    pub(super) durable: u64,
-    /// The last epoch of which something is on disk.
-    pub(super) epoch: u64,
-    /// What failed last, and in which epoch.
-    pub(super) failure: Option<(u64, Arc<JournalError>)>,
-    /// The thread is gone.
-    pub(super) ended: bool,
-}
-
-/// A [`Progress`] and a bell that rings when it changes.
-#[derive(Debug, Default)]
-pub(super) struct Shared {
-    progress: Mutex<Progress>,
-    changed: Condvar,
-}
-
-impl Shared {
-    /// Everything up to this step is on disk, written in this epoch.
-    pub(super) fn reached(&self, epoch: u64, step: u64) {
-        self.change(|progress| {
-            progress.durable = progress.durable.max(step);
-            progress.epoch = progress.epoch.max(epoch);
-            progress.failure.take_if(|(failed, _)| *failed < epoch);
-        });
-    }
-
-    /// Whether anything of this epoch is on disk.
-    pub(super) fn has_reached(&self, epoch: u64) -> bool {
-        self.lock().epoch >= epoch
-    }
-
-    pub(super) fn failed(&self, epoch: u64, error: JournalError) {
-        self.change(|progress| progress.failure = Some((epoch, Arc::new(error))));
-    }
-
-    /// Everything up to this step needs no recovery copy any more.
-    pub(super) fn forget_failure(&self, step: u64) {
-        self.change(|progress| (progress.durable, progress.failure) = (step, None));
-    }
-
-    fn change(&self, change: impl FnOnce(&mut Progress)) {
-        change(&mut self.lock());
-        self.changed.notify_all();
-    }
-
-    fn lock(&self) -> MutexGuard<'_, Progress> {
-        // Plain numbers: no panic can leave them half changed.
-        self.progress.lock().unwrap_or_else(PoisonError::into_inner)
-    }
 }
 
 /// Says that the thread is gone, however it went.

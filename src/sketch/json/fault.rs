@@ -50,7 +50,7 @@ pub(super) fn check_format(format: Option<&str>) -> Result<(), Fault> {
 /// Whether the `version` field is one that this program reads.
 pub(super) fn check_version(version: f64) -> Result<(), Fault> {
     let known = (1..=VERSION).any(|known| version == f64::from(known));
-    if known { Ok(()) } else { Err(Fault::WrongVersion { found: version }) }
+    if known { Ok(()) } else { Err(Fault::WrongVersion { found: version, newest: VERSION }) }
 }
 
 fn translate(error: &serde_json::Error, text: &str) -> Fault {

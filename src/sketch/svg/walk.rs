@@ -4,7 +4,7 @@
 //! copies end at the limit.
 
 use super::path_data::{PathData, parse_path, parse_points};
-use super::{Outline, naming, pressure, viewport};
+use super::{naming, pressure, viewport};
 use crate::quote;
 use crate::sketch::draft::{Flaw, coordinate_fault};
 use crate::sketch::error::{Fault, Place};
@@ -22,6 +22,14 @@ const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 
 /// Visible elements that an artist may take for strokes but that are none.
 const LEFT_OUT: [&str; 5] = ["rect", "circle", "ellipse", "text", "image"];
+
+/// An outline in canvas pixels, curves and all.
+pub(super) struct Outline {
+    pub(super) path: BezPath,
+    pub(super) tool: Tool,
+    /// One for each point; then the path is a single polyline, or a dot.
+    pub(super) pressures: Option<Vec<f32>>,
+}
 
 /// Every drawn outline of `document`, in document order.
 pub(super) fn outlines(
