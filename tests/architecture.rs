@@ -190,3 +190,13 @@ fn every_file_of_tests_belongs_to_a_program() {
     }
     assert!(lost.is_empty(), "in no program of tests: {lost:?}");
 }
+
+#[test]
+fn a_species_knows_of_growth_only_the_habit() {
+    let all = source::sources(&root().join("src"));
+    let species = all.iter().filter(|(file, _)| file[0] == "species");
+    let used = species.flat_map(|(_, source)| &source.paths).filter(|path| path[0] == "crate");
+    let names: BTreeSet<String> =
+        used.filter(|path| path[1] == "growth").map(|path| path.join("::")).collect();
+    assert_eq!(names, BTreeSet::from(["crate::growth::Habit".to_owned()]));
+}

@@ -7,8 +7,8 @@
 //! every source that reports states, raw HID and X11 alike. The states and moves are those of HID's digitizer page as
 //! Windows and the Linux kernel's pen tests take them.
 
-use super::hid::RawPen;
 use super::mapping::Mapping;
+use super::raw_pen::RawPen;
 use super::{PenButtons, PenEvent, PenPhase, PenSample, PenTool};
 use crate::sketch::StrokePoint;
 use glam::Vec2;

@@ -15,6 +15,7 @@ pub mod machine;
 pub mod mapping;
 pub mod palm_gate;
 pub mod pressure;
+mod raw_pen;
 pub mod ring;
 #[cfg(test)]
 pub(crate) mod tests;

@@ -1,6 +1,6 @@
 //! Picture files to pixels: PNG and JPEG, recognised by their first bytes; and back to PNG.
 
-use super::PictureFormat;
+use super::format::PictureFormat;
 use std::io::Cursor;
 use zune_jpeg::zune_core::{colorspace::ColorSpace, options::DecoderOptions};
 

@@ -7,6 +7,9 @@
 //! Limits: 1 byte to [`MAX_BYTES`]; sides of pixels as [`decode::decode()`] takes them.
 
 pub mod decode;
+mod format;
+
+pub use format::PictureFormat;
 
 use crate::input;
 use crate::random::mix;
@@ -21,44 +24,6 @@ use thiserror::Error;
 
 /// Largest picture in bytes, as the picture's own file has it.
 pub const MAX_BYTES: usize = 32 << 20;
-
-/// How a picture is encoded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PictureFormat {
-    /// Portable Network Graphics.
-    Png,
-    /// JPEG.
-    Jpeg,
-}
-
-impl PictureFormat {
-    /// The format that the bytes begin with.
-    pub fn of(bytes: &[u8]) -> Option<Self> {
-        if bytes.starts_with(b"\x89PNG\r\n\x1a\n") {
-            Some(Self::Png)
-        } else if bytes.starts_with(b"\xff\xd8\xff") {
-            Some(Self::Jpeg)
-        } else {
-            None
-        }
-    }
-
-    /// The usual file extension.
-    pub fn extension(self) -> &'static str {
-        match self {
-            Self::Png => "png",
-            Self::Jpeg => "jpg",
-        }
-    }
-
-    /// The media type that glTF wants.
-    pub fn media_type(self) -> &'static str {
-        match self {
-            Self::Png => "image/png",
-            Self::Jpeg => "image/jpeg",
-        }
-    }
-}
 
 /// A picture that cannot be used.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]

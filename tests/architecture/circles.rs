@@ -25,10 +25,7 @@ const STANDING: &[(&str, &[&str])] = &[
     ("formats::write", &["(parent)", "glb", "obj", "plant_json"]),
     ("model", &["blade", "copies"]),
     ("model", &["build", "cache", "filaments", "organs", "part_names", "parts", "recipe"]),
-    ("pen", &["hid", "machine"]),
-    ("pen::hid", &["descriptor_error", "descriptor_items"]),
     ("pen::hid", &["refusal", "strings", "table", "transport"]),
-    ("pen::hid", &["choose", "waking"]),
     (
         "pen::hid::families",
         &[
@@ -51,7 +48,6 @@ const STANDING: &[(&str, &[&str])] = &[
         ],
     ),
     ("pen::hid::table", &["(parent)", "file"]),
-    ("picture", &["(parent)", "decode"]),
     ("pipeline", &["(parent)", "growing"]),
     ("render", &["material", "renderer", "shadow", "surface"]),
     ("render", &["debug", "pool"]),

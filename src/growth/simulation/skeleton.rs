@@ -1,7 +1,7 @@
 //! What a plant begins with: a seed at the ground, a trunk up to its crown, or drawn branches.
 //!
-//! Drawn branches become nodes an internode apart. They carry buds like grown wood, and as much thickness as was drawn
-//! remains. Where a branch stands on another that has a node.
+//! Drawn branches become nodes about an internode apart, with one wherever another branch begins. They carry buds like
+//! grown wood, and stay at least as thick as they were drawn.
 
 use crate::geom::polyline::length;
 use crate::growth::habit::Habit;

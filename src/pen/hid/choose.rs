@@ -7,15 +7,15 @@
 //! tablet describes a pen that keeps silent until it is woken. Tablets of UC-Logic's protocols that are not listed are
 //! read by what they say of themselves ([`super::waking`]).
 
+use super::choice::{Choice, Doubt, Known, WakeUp};
 use super::report_lengths::{ReportLengths, input_length};
 use super::strings::{self, DeviceStrings, KnownStrings};
 use super::table::{Certainty, FIRMWARE_NAME, Match, Table};
 use super::uclogic::{self, Protocol, Ranges};
 use super::wake::Wake;
-use super::waking::{self, Known, WakeUp};
-use super::{Abilities, Bus, ChooseError, Decode, DescriptorDecoder, DeviceInfo, StringsKept, Tablet};
+use super::waking;
+use super::{Abilities, Bus, ChooseError, DescriptorDecoder, DeviceInfo, StringsKept, Tablet};
 use crate::pen::machine::Silence;
-use glam::DVec2;
 use std::collections::BTreeMap;
 
 /// The string whose reading switches express keys of the first protocol from a keyboard's codes to reports.
@@ -25,35 +25,6 @@ const LEAST_REPORT: usize = 8;
 
 /// Models that the artist chose, by the [`identity`](DeviceInfo::identity) of their devices.
 pub type Models = BTreeMap<String, String>;
-
-/// A decoder for a device, and what is known of the device besides.
-pub struct Choice {
-    /// Turns its reports into events.
-    pub decoder: Box<dyn Decode>,
-    /// What must be sent before its first report is read.
-    pub wake_up: Option<WakeUp>,
-    /// How it is read, for people.
-    pub way: String,
-    /// Width and height of the active area in millimetres, if known.
-    pub area_mm: Option<DVec2>,
-    /// The silence that says that the pen left, where the device does not.
-    pub silence: Option<Silence>,
-    /// What the pen can say.
-    pub abilities: Abilities,
-    /// The models it may be, where that is not sure.
-    pub doubt: Option<Doubt>,
-}
-
-/// A tablet of which it is not sure which model it is.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Doubt {
-    /// Models that fit, the best guess first.
-    pub models: Vec<String>,
-    /// The one it is read as.
-    pub taken: String,
-    /// The artist chose it.
-    pub is_chosen: bool,
-}
 
 /// The decoder for a device of which no strings are known, `None` for a device that is no pen.
 ///

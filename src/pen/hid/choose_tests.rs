@@ -5,6 +5,7 @@ use crate::pen::hid::made_up as tablets;
 use crate::pen::hid::simulated::SimulatedDevice;
 use crate::pen::hid::strings::descriptor as string;
 use crate::pen::hid::{Bus, HidEvent, RawPen, StringsKept};
+use glam::DVec2;
 
 fn without_strings() -> Box<dyn DeviceStrings> {
     Box::new(KnownStrings::none(StringsKept::Unanswered))

@@ -1,6 +1,6 @@
 //! Why a report descriptor could not be understood.
 
-use super::descriptor_items::{MAX_DEPTH, MAX_DESCRIPTOR_BYTES, MAX_FIELDS, MAX_REPORT_BITS};
+use super::descriptor_limits::{MAX_DEPTH, MAX_DESCRIPTOR_BYTES, MAX_FIELDS, MAX_REPORT_BITS};
 use thiserror::Error;
 
 /// A report descriptor that breaks the rules of HID, or that asks for more than any tablet has.

@@ -8,15 +8,8 @@
 //! [`MAX_FIELDS`], [`MAX_DEPTH`] or [`MAX_REPORT_BITS`] is refused. Source: HID 1.11, section 6.2.2.
 
 use super::DescriptorError;
+use super::descriptor_limits::{MAX_DEPTH, MAX_DESCRIPTOR_BYTES, MAX_FIELDS, MAX_REPORT_BITS};
 
-/// Longest report descriptor that HID allows.
-pub const MAX_DESCRIPTOR_BYTES: usize = 4096;
-/// Most fields that may matter to a pen in all input reports together; real devices stay below 1,000.
-pub(super) const MAX_FIELDS: usize = 4096;
-/// Deepest nesting of collections, and of saved states; real devices stay below 8.
-pub(super) const MAX_DEPTH: usize = 16;
-/// Longest input report: the kernel's own limit of 16 KiB.
-pub(super) const MAX_REPORT_BITS: u64 = 16 * 1024 * 8;
 /// Widest field that is read.
 const MAX_FIELD_BITS: u32 = 64;
 

@@ -5,7 +5,8 @@
 //! sysfs, so that a device need not be opened, nor its permission be had, to know whether it is a pen.
 
 use super::DeviceStrings;
-use super::descriptor_items::{MAX_DESCRIPTOR_BYTES, has_report_ids};
+use super::descriptor_items::has_report_ids;
+use super::descriptor_limits::MAX_DESCRIPTOR_BYTES;
 use super::transport::{Bus, DeviceInfo, Enumerate, Transport, TransportError};
 use super::usb_strings::StringsOnDemand;
 use hidapi::{BusType, HidApi, HidDevice, HidError};

@@ -3,11 +3,13 @@
 //! A device's node is opened, woken up where its maker demands it, and drained by a thread of its own. Whatever the bytes
 //! look like, a decoder turns each report into [`HidEvent`]s; nobody after it knows which family the tablet is of.
 
+pub mod choice;
 pub mod choose;
 pub mod descriptor;
 mod descriptor_error;
 mod descriptor_items;
 mod descriptor_layout;
+mod descriptor_limits;
 pub mod families;
 mod field;
 #[cfg(feature = "program")]
@@ -38,17 +40,20 @@ pub mod wake;
 pub mod waking;
 pub mod watcher;
 
-pub use choose::{Choice, Doubt, Models, choose_decoder, choose_model};
+pub use super::raw_pen::RawPen;
+pub use choice::{Choice, Doubt};
+pub use choose::{Models, choose_decoder, choose_model};
 pub use descriptor::{Abilities, DescriptorDecoder};
 pub use descriptor_error::DescriptorError;
-pub use descriptor_items::{MAX_DESCRIPTOR_BYTES, has_report_ids};
+pub use descriptor_items::has_report_ids;
+pub use descriptor_limits::MAX_DESCRIPTOR_BYTES;
 #[cfg(feature = "program")]
 pub use hidapi_transport::System;
 pub use reader::{Arrival, DeviceId, Inbox, Message, Notice};
 pub use recording::{Recording, RecordingWriter};
 pub use recording_read::{LineFault, RecordingError};
 pub use refusal::{ChooseError, Refusal, Refused, StringsKept};
-pub use report::{Decode, HidEvent, RawPen};
+pub use report::{Decode, HidEvent};
 pub use strings::{DeviceStrings, KnownStrings};
 pub use table::{Table, Tablet};
 pub use transport::{Bus, DeviceInfo, Enumerate, Transport, TransportError};

@@ -7,7 +7,7 @@
 //! so that the pen's state is right again as soon as there is room, and what was left out is counted. Nothing is
 //! allocated for a report.
 
-use super::choose::{Choice, Doubt};
+use super::choice::{Choice, Doubt};
 use super::refusal::Refused;
 use super::{DeviceInfo, HidEvent, RawPen, Transport, TransportError};
 use std::sync::Arc;

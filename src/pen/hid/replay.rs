@@ -1,7 +1,8 @@
 //! Plays recordings: as devices that the reader cannot tell from real ones, into an open window, or straight through to
 //! pen events.
 
-use super::choose::{Choice, choose_model};
+use super::choice::Choice;
+use super::choose::choose_model;
 use super::recording::{Recorded, RecordedDevice, Recording};
 use super::simulated::{SimulatedBus, SimulatedDevice};
 use super::{

@@ -3,43 +3,15 @@
 //! Tablets of UC-Logic's protocols answer the strings that wake them with their ranges ([`super::uclogic`]). These hold
 //! whatever a list says: a firmware knows its tablet best. Where a tablet is not listed, they are all that is known of it.
 
-use super::choose::Choice;
+use super::choice::{Choice, Known, WakeUp};
 use super::families::Spec;
-use super::report_lengths::ReportLengths;
 use super::strings::DeviceStrings;
 use super::uclogic::{Protocol, Ranges};
 use super::until_woken::UntilWoken;
-use super::wake::{Wake, WakeIo};
+use super::wake::WakeIo;
 use super::{ChooseError, Decode, DescriptorDecoder, Transport};
 use std::io;
 use std::time::Duration;
-
-/// What wakes a tablet, and how it is read then.
-pub struct WakeUp {
-    /// What is read and sent.
-    pub sequence: Wake,
-    /// Lengths of the node's reports.
-    pub lengths: ReportLengths,
-    /// Its USB strings.
-    pub strings: Box<dyn DeviceStrings>,
-    /// The layout of the woken tablet's reports, where its ranges may turn out to be others.
-    pub spec: Option<Spec>,
-    /// The mouse that it imitates until it is woken.
-    pub imitation: Option<DescriptorDecoder>,
-    /// What is known of its area and ranges.
-    pub known: Known,
-}
-
-/// What is known of a tablet before it is woken.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Known {
-    /// Its model is listed.
-    Model,
-    /// Its descriptor gives ranges.
-    Descriptor,
-    /// The name of its firmware and nothing more.
-    Firmware(String),
-}
 
 impl Choice {
     /// Wakes the tablet and hears what it says of itself.

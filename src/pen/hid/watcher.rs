@@ -6,7 +6,8 @@
 //! whose model the artist chose anew is let go and read again at once. Everything is said through one queue
 //! ([`super::reader`]).
 
-use super::choose::{Choice, Models, choose_model};
+use super::choice::Choice;
+use super::choose::{Models, choose_model};
 use super::reader::{DeviceId, Inbox, Notice, Outbox, Reader, queue};
 use super::{ChooseError, DeviceInfo, DeviceStrings, Enumerate, Refusal, Refused, TransportError};
 use std::collections::BTreeMap;
