@@ -29,7 +29,7 @@ impl PartNames {
             }
             Scope::Flower(flower) => format!("{}_{flower}", plural(organ.kind, piece)),
             Scope::Specimen(_) => numbered(
-                &plural(organ.kind, piece),
+                plural(organ.kind, piece),
                 next(self.gathered.entry((organ.kind, piece)).or_default()),
             ),
         };
@@ -38,7 +38,7 @@ impl PartNames {
 
     fn single(&mut self, organ: &Organ) -> String {
         let number = next(self.singles.entry((organ.flower, organ.kind)).or_default());
-        let kind = singular(organ.kind);
+        let kind = organ.kind.name();
         organ.flower.map_or_else(|| format!("{kind}_{number}"), |flower| format!("{kind}_{flower}_{number}"))
     }
 
@@ -64,27 +64,9 @@ fn next(counter: &mut usize) -> usize {
     *counter - 1
 }
 
-fn singular(kind: OrganKind) -> &'static str {
-    match kind {
-        OrganKind::Leaf => "leaf",
-        OrganKind::Bud => "bud",
-        OrganKind::Petal => "petal",
-        OrganKind::Sepal => "sepal",
-        OrganKind::Receptacle => "receptacle",
-        OrganKind::Stamen => "stamen",
-        OrganKind::Pistil => "pistil",
-        OrganKind::Fruit => "fruit",
-        OrganKind::Thorn => "thorn",
-        OrganKind::Pot => "pot",
-    }
-}
-
-fn plural(kind: OrganKind, piece: Piece) -> String {
-    match (kind, piece) {
-        (OrganKind::Leaf, Piece::Body) => "leaves".to_owned(),
-        (OrganKind::Stamen, Piece::Head) => "anthers".to_owned(),
-        (OrganKind::Pistil, Piece::Head) => "stigmas".to_owned(),
-        (kind, Piece::Body) => format!("{}s", singular(kind)),
-        (kind, Piece::Head) => format!("{}_heads", singular(kind)),
+fn plural(kind: OrganKind, piece: Piece) -> &'static str {
+    match piece {
+        Piece::Body => kind.plural(),
+        Piece::Head => kind.heads(),
     }
 }

@@ -90,6 +90,15 @@ impl Blade {
         self.base
     }
 
+    /// Moves it with its rest surface.
+    pub fn translate(&mut self, by: Vec3) {
+        self.base += by;
+        if let RestSurface::Cone { cone, hint } = &mut self.rest {
+            cone.apex += by;
+            *hint += by.z;
+        }
+    }
+
     /// World position of plane coordinates on the rest surface.
     pub fn at_rest(&self, uv: Vec2) -> Vec3 {
         let p = self.base + self.u * uv.x + self.v * uv.y;

@@ -11,10 +11,12 @@ pub mod cone;
 pub mod invariants;
 pub mod junction;
 pub mod material;
+pub mod organ_kind;
 
 pub use blade::{Blade, BladeForm, RestSurface};
 pub use cone::Cone;
 pub use material::{Material, Texture};
+pub use organ_kind::{OrganClass, OrganForm, OrganKind};
 
 use glam::{Vec2, Vec3};
 use serde::{Deserialize, Serialize};
@@ -77,32 +79,6 @@ pub struct Flower {
     pub look: usize,
 }
 
-/// What an organ is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum OrganKind {
-    /// Green blade on a branch.
-    Leaf,
-    /// Flower of a grown plant that the looks of a species have yet to open.
-    Bud,
-    /// Coloured blade of a flower.
-    Petal,
-    /// Green blade behind the petals.
-    Sepal,
-    /// Swollen end of the stem that carries the flower's parts; the disc of a daisy.
-    Receptacle,
-    /// Filament with its anther.
-    Stamen,
-    /// Style with its stigma.
-    Pistil,
-    /// What a flower becomes.
-    Fruit,
-    /// Spike on the bark.
-    Thorn,
-    /// What the plant stands in.
-    Pot,
-}
-
 /// Shape and pose of an organ.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -157,6 +133,17 @@ pub struct Organ {
     pub material: usize,
     /// Shape and pose.
     pub shape: Shape,
+}
+
+impl Shape {
+    /// Moves all of it.
+    pub fn translate(&mut self, by: Vec3) {
+        match self {
+            Self::Blade(blade) => blade.translate(by),
+            Self::Dome { base, .. } | Self::Lathe { base, .. } => *base += by,
+            Self::Filament { points, .. } => points.iter_mut().for_each(|point| *point += by),
+        }
+    }
 }
 
 impl Organ {

@@ -10,7 +10,6 @@ use super::shaders;
 use super::surface::VERTEX_LAYOUT;
 use crate::checksum::fnv1a;
 use crate::model::PartKind;
-use crate::plant::OrganKind;
 
 /// Colour of a part, encoded red, green, blue, and one unused byte.
 pub(super) type Tint = [u8; 4];
@@ -31,18 +30,7 @@ const VARIETY: u32 = 56;
 pub(super) fn tint(kind: PartKind, level: usize, name: &str) -> Tint {
     let base = match kind {
         PartKind::Wood => WOOD[level.min(WOOD.len() - 1)],
-        PartKind::Organ(organ) => match organ {
-            OrganKind::Leaf => [92, 172, 72],
-            OrganKind::Bud => [150, 190, 90],
-            OrganKind::Petal => [226, 104, 150],
-            OrganKind::Sepal => [40, 140, 116],
-            OrganKind::Receptacle => [240, 190, 40],
-            OrganKind::Stamen => [250, 150, 30],
-            OrganKind::Pistil => [150, 110, 220],
-            OrganKind::Fruit => [214, 60, 50],
-            OrganKind::Thorn => [90, 90, 100],
-            OrganKind::Pot => [176, 108, 84],
-        },
+        PartKind::Organ(organ) => organ.tint(),
     };
     let number = fnv1a(name);
     let brightness = 256 - (number >> 8) % VARIETY;

@@ -17,34 +17,15 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// Kinds of parts that have a texture of their own, `None` for branches.
-pub const KINDS: [Option<OrganKind>; 10] = [
-    None,
-    Some(OrganKind::Leaf),
-    Some(OrganKind::Petal),
-    Some(OrganKind::Sepal),
-    Some(OrganKind::Receptacle),
-    Some(OrganKind::Stamen),
-    Some(OrganKind::Pistil),
-    Some(OrganKind::Fruit),
-    Some(OrganKind::Thorn),
-    Some(OrganKind::Pot),
-];
+pub fn kinds() -> impl Iterator<Item = Option<OrganKind>> {
+    // Buds are open, or gone, before a plant has textures.
+    let organs = OrganKind::ALL.iter().filter(|kind| **kind != OrganKind::Bud);
+    std::iter::once(None).chain(organs.copied().map(Some))
+}
 
 /// Name of a kind of part among the choices; branches are `None`.
 pub fn key(organ: Option<OrganKind>) -> &'static str {
-    match organ {
-        None => "branch",
-        Some(OrganKind::Leaf) => "leaf",
-        Some(OrganKind::Bud) => "bud",
-        Some(OrganKind::Petal) => "petal",
-        Some(OrganKind::Sepal) => "sepal",
-        Some(OrganKind::Receptacle) => "receptacle",
-        Some(OrganKind::Stamen) => "stamen",
-        Some(OrganKind::Pistil) => "pistil",
-        Some(OrganKind::Fruit) => "fruit",
-        Some(OrganKind::Thorn) => "thorn",
-        Some(OrganKind::Pot) => "pot",
-    }
+    organ.map_or("branch", OrganKind::name)
 }
 
 /// File name of the built-in texture that a choice means, given with or without `.png`; `None` where there is none.
@@ -124,7 +105,7 @@ fn found(path: &str, name: &str, folder: &Path) -> Result<Picture, PictureError>
 /// Lays the artist's textures over a dressed plant. Choices for unknown kinds of parts, for those that the plant does
 /// not have, and of missing pictures change nothing.
 pub fn lay_over(plant: &mut Plant, choices: &Textures) {
-    for organ in KINDS {
+    for organ in kinds() {
         if let Some(texture) = choices.get(key(organ)).and_then(chosen) {
             lay(plant, organ, &texture);
         }
@@ -213,7 +194,7 @@ mod tests {
             organs: Vec::new(),
             materials: vec![Material::plain("stem", [0.2, 0.4, 0.2])],
         };
-        for kind in KINDS.into_iter().flatten() {
+        for kind in kinds().flatten() {
             let material = plant.materials.len();
             plant.materials.push(Material::plain(key(Some(kind)), [0.1, 0.2, 0.3]));
             let shape = if kind == OrganKind::Stamen {
@@ -355,7 +336,7 @@ mod tests {
 
     #[test]
     fn every_kind_has_its_own_name() {
-        let names: BTreeSet<_> = KINDS.into_iter().map(key).collect();
-        assert_eq!(names.len(), KINDS.len());
+        let names: BTreeSet<_> = kinds().map(key).collect();
+        assert_eq!(names.len(), kinds().count());
     }
 }

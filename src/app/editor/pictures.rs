@@ -9,7 +9,7 @@ use crate::app::messages::{Localize as _, Msg};
 use crate::app::panels::snapshot::{Notice, PathPurpose};
 use crate::picture::{Picture, PictureError};
 use crate::sketch::{Remark, TextureChoice, Textures};
-use crate::species::textures::{self, KINDS, key};
+use crate::species::textures::{self, key, kinds};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -68,7 +68,7 @@ impl Editor {
         for warning in textures::take_in(textures, folder) {
             let find = match &warning.remark {
                 Remark::PictureMissing { parts, .. } | Remark::PictureDamaged { parts, .. } => {
-                    let organ = KINDS.into_iter().find(|organ| parts.iter().any(|part| part == key(*organ)));
+                    let organ = kinds().find(|organ| parts.iter().any(|part| part == key(*organ)));
                     organ.map(PathPurpose::Texture)
                 }
                 _ => None,

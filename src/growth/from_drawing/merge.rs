@@ -8,7 +8,7 @@ use super::drawing::Grown;
 use crate::growth::at_age::chains::Chains;
 use crate::growth::at_age::to_plant;
 use crate::growth::tree::NONE;
-use crate::plant::{Branch, Organ, Plant, RestSurface, Shape};
+use crate::plant::{Branch, Plant, Shape};
 use glam::Vec3;
 
 /// Which branches grow on: those drawn by hand that end in no flower, and whatever carries such.
@@ -81,23 +81,12 @@ pub fn merged(drawn: Plant, grows: &[bool], grown: &Grown<'_>) -> Plant {
         let under = now(organ.branch, organ.base());
         organ.branch = under.map(|u| u.0);
         organ.material = 0;
-        carry(organ, under.map_or(0.0, |u| u.1));
+        organ.shape.translate(Vec3::Z * under.map_or(0.0, |u| u.1));
     }
     organs.append(&mut plant.organs);
     plant.organs = organs;
     debug_assert_eq!(plant.check_invariants(), Ok(()));
     plant
-}
-
-/// Moves a drawn organ in depth.
-fn carry(organ: &mut Organ, by: f32) {
-    if let Shape::Blade(blade) = &mut organ.shape {
-        blade.base.z += by;
-        if let RestSurface::Cone { cone, hint } = &mut blade.rest {
-            cone.apex.z += by;
-            *hint += by;
-        }
-    }
 }
 
 fn template(shape: &Shape) -> Option<u32> {

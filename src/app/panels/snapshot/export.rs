@@ -1,6 +1,6 @@
 //! What the export dialog says; kept with the settings.
 
-use crate::plant::OrganKind;
+use crate::plant::{OrganClass, OrganKind};
 use serde::{Deserialize, Serialize};
 
 /// What is exported.
@@ -95,14 +95,10 @@ impl ExportChoice {
 
     /// Whether an organ belongs to the export.
     pub fn has(&self, organ: OrganKind) -> bool {
-        match organ {
-            OrganKind::Leaf | OrganKind::Bud => self.leaves,
-            OrganKind::Petal
-            | OrganKind::Sepal
-            | OrganKind::Receptacle
-            | OrganKind::Stamen
-            | OrganKind::Pistil => self.flowers,
-            OrganKind::Fruit | OrganKind::Thorn | OrganKind::Pot => self.extras,
+        match organ.class() {
+            OrganClass::Foliage => self.leaves,
+            OrganClass::Flower => self.flowers,
+            OrganClass::Extra => self.extras,
         }
     }
 }

@@ -1,0 +1,132 @@
+//! A model in which many copies of one shape stay copies: the mesh of a shape once, and where its copies stand.
+//!
+//! [`build`](super::build()) bakes every leaf into one mesh, which any program can show. Here blades of one template, form
+//! and material are a group instead: one mesh, and a pose for each blade. A crown of fifty thousand leaves then has a
+//! dozen meshes, whatever its size.
+//!
+//! Limits: what is drawn, solids, filaments and blades on cones stay meshes of their own, as do blades that are stretched
+//! askew, for a pose only turns, moves and scales.
+
+use super::{Mesh, Model, PartKind};
+use crate::plant::Blade;
+use glam::{Mat3, Quat, Vec3};
+use std::sync::Arc;
+
+/// A model whose copies stand apart from its other parts.
+#[derive(Clone, Debug, Default)]
+pub struct InstancedModel {
+    /// Everything that is no copy.
+    pub model: Model,
+    /// The copies.
+    pub groups: Vec<InstanceGroup>,
+}
+
+/// Copies of one shape that have one material.
+#[derive(Clone, Debug)]
+pub struct InstanceGroup {
+    /// Unique name, such as `leaves_shape_0`.
+    pub name: String,
+    /// What each of them is.
+    pub kind: PartKind,
+    /// Index of the part of the model that carries them.
+    pub parent: Option<usize>,
+    /// Index of the plant within the drawing.
+    pub specimen: usize,
+    /// Where they are attached all together, metres.
+    pub pivot: Vec3,
+    /// Index into the model's materials.
+    pub material: usize,
+    /// The shape, at the origin, its base to tip along y.
+    pub mesh: Arc<Mesh>,
+    /// Where the copies stand in the world.
+    pub poses: Vec<Pose>,
+}
+
+/// Where a copy stands: its shape is scaled, then turned, then moved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    /// Where the shape's origin is, metres.
+    pub base: Vec3,
+    /// How it is turned.
+    pub rotation: Quat,
+    /// How it is scaled along its own axes, positive.
+    pub scale: Vec3,
+}
+
+impl Pose {
+    /// The pose of a flat blade whose shape stands with u along x and v along y; `None` where it is stretched askew or has
+    /// no size.
+    pub(super) fn of(blade: &Blade) -> Option<Self> {
+        let Blade { base, u, v, .. } = *blade;
+        let (across, along) = (u.length(), v.length());
+        let facing = u.cross(v).try_normalize()?;
+        if u.dot(v).abs() > 1e-4 * across * along {
+            return None;
+        }
+        let y = v / along;
+        let rotation = Quat::from_mat3(&Mat3::from_cols(y.cross(facing), y, facing)).normalize();
+        let scale = Vec3::new(across, along, along);
+        (base.is_finite() && scale.is_finite()).then_some(Self { base, rotation, scale })
+    }
+
+    /// The world place of a point of the shape.
+    pub fn place(&self, point: Vec3) -> Vec3 {
+        self.base + self.rotation * (self.scale * point)
+    }
+}
+
+impl InstancedModel {
+    /// Triangles that are seen, every copy counted.
+    pub fn triangle_count(&self) -> usize {
+        let copies = self.groups.iter().map(|group| group.poses.len() * group.mesh.triangles.len());
+        self.model.triangle_count() + copies.sum::<usize>()
+    }
+
+    /// Triangles that are kept in memory, those of each shape once.
+    pub fn kept_triangle_count(&self) -> usize {
+        let shapes = self.groups.iter().map(|group| group.mesh.triangles.len());
+        self.model.triangle_count() + shapes.sum::<usize>()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{ModelParams, build, build_instanced};
+    use crate::growth::{Limits, Simulation, plant_at};
+    use crate::species::{self, Species};
+
+    #[test]
+    fn copies_stand_where_the_baked_leaves_are() {
+        for name in ["oak", "cherry"] {
+            let species = Species::built_in(name).unwrap();
+            let mut simulation = Simulation::new(species.growth.as_ref().unwrap(), 1, Limits::default());
+            simulation.grow_to(6, &|| false);
+            let plant = species::apply(plant_at(&simulation, 6.0), &species, 1).plant;
+            let mut params = ModelParams::default();
+            params.blade.gathered = true;
+            let (baked, instanced) = (build(&plant, &params), build_instanced(&plant, &params));
+            assert_eq!(instanced.triangle_count(), baked.triangle_count(), "{name}");
+            assert!(instanced.kept_triangle_count() < baked.triangle_count() / 2, "{name}");
+            assert_eq!(instanced.model.check_invariants(), Ok(()));
+            let leaves = baked.parts.iter().find(|part| part.name == "leaves").unwrap();
+            let mut baked: Vec<[i32; 3]> = leaves.mesh.points.iter().map(rounded).collect();
+            let of_leaves = instanced.groups.iter().filter(|group| group.kind == leaves.kind);
+            let mut placed: Vec<[i32; 3]> = of_leaves
+                .flat_map(|group| group.poses.iter().map(move |pose| (group, pose)))
+                .flat_map(|(group, pose)| group.mesh.points.iter().map(|p| rounded(&pose.place(*p))))
+                .collect();
+            assert_eq!(placed.len(), baked.len(), "{name}: all leaves are copies");
+            baked.sort_unstable();
+            placed.sort_unstable();
+            let off = |(a, b): (&[i32; 3], &[i32; 3])| (a[0] - b[0]).abs();
+            assert!(
+                baked.iter().zip(&placed).map(off).max().unwrap() <= 1,
+                "{name}: by a tenth of a millimetre"
+            );
+        }
+    }
+
+    fn rounded(point: &glam::Vec3) -> [i32; 3] {
+        (*point * 1e4).to_array().map(|x| x.round() as i32)
+    }
+}
