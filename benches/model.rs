@@ -6,7 +6,7 @@ use penstemon::model::{
     BladeMeshParams, ModelParams, PlanarGraph, TriangulationScratch, build, triangulation_input,
 };
 use penstemon::plant::{
-    Blade, BladeForm, Branch, Cone, Flower, Material, Organ, OrganKind, Plant, RestSurface, Shape,
+    Blade, BladeForm, Branch, Cone, FinishedPlant, Flower, Organ, Plant, PlantPart, RestSurface, Role, Shape,
     WorldFromCanvas,
 };
 use spade::{ConstrainedDelaunayTriangulation, Point2};
@@ -39,8 +39,8 @@ fn blade(length: f32, turn: f32, rest: RestSurface, base: Vec3, template: Option
     }
 }
 
-fn organ(kind: OrganKind, flower: Option<usize>, blade: Blade) -> Organ {
-    Organ { kind, stroke: None, branch: Some(0), flower, material: 0, shape: Shape::Blade(blade) }
+fn organ(part: PlantPart, flower: Option<usize>, blade: Blade) -> Organ {
+    Organ { role: Role::of(part), stroke: None, branch: Some(0), flower, shape: Shape::Blade(blade) }
 }
 
 fn branch(parent: Option<usize>, base: Vec3, radius: f32) -> Branch {
@@ -50,7 +50,8 @@ fn branch(parent: Option<usize>, base: Vec3, radius: f32) -> Branch {
         })
         .collect();
     let radii = (0..60).map(|k| radius * (1.0 - 0.01 * k as f32)).collect();
-    Branch { stroke: None, parent, level: 0, points, radii, material: 0 }
+    let (level, role) = (u32::from(parent.is_some()), Role::of(PlantPart::Stem));
+    Branch { stroke: None, parent, level, points, radii, role }
 }
 
 /// A flower of 13 petals on a stem with two side branches and 4 leaves.
@@ -59,11 +60,11 @@ fn flower() -> Plant {
     let cone = Cone { apex, axis: Vec3::new(0.0, 0.5, 0.866), opening_rad: 1.1, height: 0.05 };
     let petals = (0..13).map(|k| {
         let rest = RestSurface::Cone { cone, hint: 0.03 };
-        organ(OrganKind::Petal, Some(0), blade(0.1, TAU * k as f32 / 13.0, rest, apex, None))
+        organ(PlantPart::Petal, Some(0), blade(0.1, TAU * k as f32 / 13.0, rest, apex, None))
     });
     let leaves = (0..4).map(|k| {
         let base = Vec3::Y * (0.1 + 0.1 * k as f32);
-        organ(OrganKind::Leaf, None, blade(0.15, 0.8 * k as f32, RestSurface::Plane, base, None))
+        organ(PlantPart::Leaf, None, blade(0.15, 0.8 * k as f32, RestSurface::Plane, base, None))
     });
     Plant {
         world_from_canvas: WorldFromCanvas { scale: 0.001, origin: Vec2::ZERO },
@@ -72,9 +73,9 @@ fn flower() -> Plant {
             branch(Some(0), Vec3::Y * 0.2, 0.004),
             branch(Some(0), Vec3::Y * 0.3, 0.004),
         ],
-        flowers: vec![Flower { branch: Some(0), cone, heart_radius: 0.01, reach: 0.1, look: 0 }],
+        flowers: vec![Flower { branch: Some(0), cone, centre_radius: 0.01, reach: 0.1, look: 0 }],
         organs: petals.chain(leaves).collect(),
-        materials: vec![Material::plain("plant", [0.4; 3])],
+        buds: Vec::new(),
     }
 }
 
@@ -84,7 +85,7 @@ fn foliage(count: usize) -> Plant {
         let base = Vec3::new((k as f32 * 0.37).sin(), k as f32 / count as f32, (k as f32 * 0.61).cos());
         let turned = blade(0.05, 0.0, RestSurface::Plane, base, Some(0));
         let turn = glam::Quat::from_rotation_y(k as f32);
-        organ(OrganKind::Leaf, None, Blade { u: turn * turned.u, v: turn * turned.v, ..turned })
+        organ(PlantPart::Leaf, None, Blade { u: turn * turned.u, v: turn * turned.v, ..turned })
     };
     Plant { organs: (0..count).map(leaf).collect(), flowers: Vec::new(), ..flower() }
 }
@@ -126,6 +127,7 @@ fn against_spade(c: &mut Criterion) {
             faces.map(|triangles| triangles.len()).sum::<usize>()
         });
     });
+    let plant = FinishedPlant::plain(plant);
     group.bench_function("model", |b| {
         let run = || build(black_box(&plant), &ModelParams::default());
         b.iter(|| single.as_ref().map(|pool| pool.install(run)));
@@ -137,7 +139,7 @@ fn leaves(c: &mut Criterion) {
     let mut group = c.benchmark_group("template_leaves");
     let single = rayon::ThreadPoolBuilder::new().num_threads(1).build().ok();
     for count in [10, 100, 1_000, 10_000, 100_000] {
-        let plant = foliage(count);
+        let plant = FinishedPlant::plain(foliage(count));
         group.sample_size(if count > 10_000 { 10 } else { 50 });
         group.bench_with_input(BenchmarkId::from_parameter(count), &plant, |b, plant| {
             let run = || build(black_box(plant), &ModelParams::default());

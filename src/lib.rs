@@ -19,11 +19,11 @@
 //! | [`picture`] | pictures of the artist's own, in memory |
 //! | [`sketch`] | the document: strokes, tools, file formats |
 //! | [`pen`] | what every pointing device says, in one form |
-//! | [`plant`] | the waist: branches and organs in space |
+//! | [`plant`] | the waist: branches and organs in space, and what they are |
 //! | [`anatomy`] | what the strokes mean, still flat |
 //! | [`depth`] | anatomy to plant |
 //! | [`growth`] | plants that grow themselves |
-//! | [`species`] | what the drawing does not say: materials, forms, hearts of flowers |
+//! | [`species`] | what the drawing does not say: materials, forms, centres of flowers |
 //! | [`model`] | plant to meshes |
 //! | [`pipeline`] | all of these in a row |
 //! | [`formats`] | model files, written and read: OBJ, glTF, JSON |

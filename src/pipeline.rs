@@ -18,11 +18,11 @@ use crate::growth::{
 };
 use crate::model::{self, Model, ModelParams};
 use crate::params::{Description, Overrides, ParamError, Parameters as _};
-use crate::plant::Plant;
+use crate::plant::{FinishedPlant, Plant};
 use crate::quote;
 use crate::sketch::species_file::{find, is_file, own_name};
 use crate::sketch::{Remark, Sketch, Warning};
-use crate::species::{self, Species, SpeciesError};
+use crate::species::{self, Applied, Species, SpeciesError};
 use std::borrow::Cow;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -165,7 +165,7 @@ pub struct Built {
     /// How old the plant is, where it grew.
     pub growth: Option<Ages>,
     /// The plant in space.
-    pub plant: Plant,
+    pub plant: FinishedPlant,
     /// The plant as surfaces.
     pub model: Model,
     /// What growth looks like from inside; empty until [`Cache::look_inside`].
@@ -212,7 +212,7 @@ pub fn build(sketch: &Sketch, species: &Species, params: &Params) -> Built {
     } else {
         plant
     };
-    let plant = clock.time("species", || dressed(plant, &mut anatomy, species, sketch));
+    let plant = clock.time("species", || finished(plant, &mut anatomy, species, sketch));
     let of_model = of_model(&plant, params, growth.is_some());
     remark_coarser(&mut anatomy, &of_model);
     let model = clock.time("model", || model::build(&plant, &of_model.params));
@@ -252,7 +252,7 @@ pub fn build_with(
         cache.growth.clear();
         (plant, None)
     };
-    let plant = clock.time("species", || dressed(plant, &mut anatomy, species, sketch));
+    let plant = clock.time("species", || finished(plant, &mut anatomy, species, sketch));
     let of_model = of_model(&plant, params, growth.is_some());
     remark_coarser(&mut anatomy, &of_model);
     let model = clock.time("model", || model::rebuild(&plant, &of_model.params, &mut cache.model, &stop))?;
@@ -267,7 +267,7 @@ pub struct Grown {
     /// How growth ended: [`Outcome::Growing`] at the age that was asked for.
     pub outcome: Outcome,
     /// The plant in space.
-    pub plant: Plant,
+    pub plant: FinishedPlant,
     /// Whether leaves were left out because there were too many.
     pub is_thinned: bool,
     /// Whether flowers were left out because there were too many.
@@ -375,7 +375,7 @@ fn check_grows(species: &Species) -> Result<(), SetupError> {
 
 impl Grown {
     /// The plant at an age that it has lived through, in space and as surfaces.
-    pub fn at(&self, age: f32, species: &Species, params: &Params) -> (Plant, Model) {
+    pub fn at(&self, age: f32, species: &Species, params: &Params) -> (FinishedPlant, Model) {
         let shown = at_age(&self.simulation, species, params, age, &mut Clock::start());
         (shown.plant, shown.model)
     }
@@ -383,7 +383,7 @@ impl Grown {
 
 /// A grown plant at one age.
 struct Shown {
-    plant: Plant,
+    plant: FinishedPlant,
     is_thinned: bool,
     is_blossom_thinned: bool,
     is_coarser: bool,
@@ -391,12 +391,13 @@ struct Shown {
 }
 
 fn at_age(simulation: &Simulation, species: &Species, params: &Params, age: f32, clock: &mut Clock) -> Shown {
-    let mut plant = clock.time("plant", || growth::plant_at(simulation, age));
+    let plant = clock.time("plant", || growth::plant_at(simulation, age));
     // Before some of the leaves stand as flowers.
     let is_thinned = foliage::is_thinned(&plant.organs);
-    let few_buds = bloom::is_thinned(&plant.organs);
+    let few_buds = bloom::is_thinned(&plant.buds);
     let looks = looks_at(species, &params.habit, age);
-    let few_open = clock.time("species", || species::dress(&mut plant, &looks, simulation.seed()));
+    let Applied { plant, is_blossom_thinned: few_open } =
+        clock.time("species", || species::apply(plant, &looks, simulation.seed()));
     let is_blossom_thinned = looks.blossom.is_some() && (few_buds || few_open);
     debug_assert_eq!(plant.check_invariants(), Ok(()));
     let OfModel { params, is_coarser } = of_model(&plant, params, true);
@@ -441,8 +442,9 @@ fn remark_coarser(anatomy: &mut Anatomy, of_model: &OfModel<'_>) {
     }
 }
 
-fn dressed(mut plant: Plant, anatomy: &mut Anatomy, species: &Species, sketch: &Sketch) -> Plant {
-    if species::dress(&mut plant, species, sketch.seed) {
+fn finished(plant: Plant, anatomy: &mut Anatomy, species: &Species, sketch: &Sketch) -> FinishedPlant {
+    let Applied { mut plant, is_blossom_thinned } = species::apply(plant, species, sketch.seed);
+    if is_blossom_thinned {
         let flowers = plant.flowers.len();
         anatomy.warnings.push(Warning { stroke: None, remark: Remark::BlossomThinned { flowers } });
     }

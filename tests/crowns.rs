@@ -273,7 +273,7 @@ fn what_else_is_drawn_stays() {
     sketch.strokes.push(stroke(40, Tool::Branch, stem));
     let built = build(&sketch, &[]);
     built.plant.check_invariants().unwrap();
-    let drawn = |kind, id| built.plant.organs.iter().any(|o| o.kind == kind && o.stroke == Some(id));
+    let drawn = |kind, id| built.plant.organs.iter().any(|o| o.kind() == kind && o.stroke == Some(id));
     assert!(drawn(OrganKind::Leaf, 20));
     assert!((30..35).all(|id| drawn(OrganKind::Petal, id)));
     assert_eq!(built.plant.flowers.len(), 1);
@@ -408,7 +408,7 @@ fn without_a_crown_nothing_grows_until_years_are_asked_for() {
     assert_eq!(grown.growth.unwrap().shown, 8.0);
     sketch.species = Some("cypress".to_owned());
     let size = |years: &str| {
-        let points = build(&sketch, &[years]).plant.branches.into_iter().flat_map(|b| b.points);
+        let points = build(&sketch, &[years]).plant.branches.clone().into_iter().flat_map(|b| b.points);
         let (low, high) = points.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
         high - low
     };
@@ -423,7 +423,8 @@ fn without_a_crown_nothing_grows_until_years_are_asked_for() {
     beside.id = 9;
     beside.points.iter_mut().for_each(|p| p.position.x += 400.0);
     sketch.strokes.push(Arc::new(beside));
-    let twins = build(&sketch, &["growth.years=8"]).plant.branches;
+    let twins = build(&sketch, &["growth.years=8"]).plant;
+    let twins = &twins.branches;
     let on = |trunk: usize| twins.iter().filter(|b| b.parent == Some(trunk)).count();
     let trunks: Vec<usize> = (0..twins.len()).filter(|b| twins[*b].parent.is_none()).collect();
     assert!(trunks.len() == 2 && trunks.iter().all(|t| on(*t) > 3), "both of two trunks branch");

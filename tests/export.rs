@@ -14,7 +14,7 @@ use penstemon::model::{Model, Vertex};
 use penstemon::picture::Picture;
 use penstemon::picture::decode::decode;
 use penstemon::pipeline;
-use penstemon::plant::{Material, Plant, Texture};
+use penstemon::plant::{FinishedPlant, Material, PlantPart, Role, Texture};
 use penstemon::species::{Species, builtin_texture};
 use penstemon::srgb::linear_from_srgb;
 use std::borrow::Cow;
@@ -22,7 +22,7 @@ use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
-fn encoded(file: &str, model: &Model, plant: &Plant) -> Encoded {
+fn encoded(file: &str, model: &Model, plant: &FinishedPlant) -> Encoded {
     let path = Path::new(file);
     let stem = path.file_stem().unwrap().to_string_lossy();
     let scene = Scene::new(model, plant, &textures, stem).unwrap();
@@ -292,12 +292,18 @@ fn large_meshes_get_wide_indices() {
 }
 
 #[test]
-fn plant_json_reads_back_as_the_plant() {
+fn plant_json_holds_every_number_of_the_plant() {
     let (_, plant) = two_specimens();
     let bytes = plant_json::to_bytes(&plant).unwrap();
-    let read: Plant = serde_json::from_slice(&bytes).unwrap();
-    assert_eq!(read, plant);
     let value: serde_json::Value = serde_json::from_slice(&bytes).unwrap();
+    let materials: Vec<Material> = serde_json::from_value(value["materials"].clone()).unwrap();
+    assert_eq!(materials, plant.materials());
+    for (read, branch) in value["branches"].as_array().unwrap().iter().zip(&plant.branches) {
+        assert_eq!(serde_json::from_value::<Vec<Vec3>>(read["points"].clone()).unwrap(), branch.points);
+        assert_eq!(serde_json::from_value::<Vec<f32>>(read["radii"].clone()).unwrap(), branch.radii);
+        assert_eq!(read["material"], plant.material(branch.role));
+    }
+    assert_eq!(value["branches"].as_array().unwrap().len(), plant.branches.len());
     assert_eq!(value["world_from_canvas"]["origin"], serde_json::json!([512.0, 700.0]));
     assert_eq!(value["branches"][0]["stroke"], 7);
     assert!(value["branches"][0]["points"][1][1].is_f64() && value["organs"].is_array());
@@ -305,16 +311,21 @@ fn plant_json_reads_back_as_the_plant() {
 
 #[test]
 fn plant_json_holds_own_pictures_and_no_folders() {
-    let (_, mut plant) = two_specimens();
+    let (_, plant) = two_specimens();
     let own = Picture::new(&include_bytes!("fixtures/reference/small.png")[..]).unwrap();
-    plant.materials[1].texture = Some(Texture::Own(own));
-    plant.materials[2].texture = Some(Texture::File("/home/ada/leaf.png".into()));
+    let mut materials = plant.materials().to_vec();
+    materials[1].texture = Some(Texture::Own(own));
+    materials[2].texture = Some(Texture::File("/home/ada/leaf.png".into()));
+    let role = |variant| Role { variant, ..Role::of(PlantPart::Stem) };
+    let roles: Vec<Role> = (0..materials.len() as u32).map(role).collect();
+    let plant = FinishedPlant::new((*plant).clone(), &roles, |role| materials[role.variant as usize].clone());
     let bytes = plant_json::to_bytes(&plant).unwrap();
     assert!(!String::from_utf8_lossy(&bytes).contains("/home"));
-    let mut read: Plant = serde_json::from_slice(&bytes).unwrap();
-    assert_eq!(read.materials[2].texture, Some(Texture::File("leaf.png".into())));
-    read.materials[2].texture.clone_from(&plant.materials[2].texture);
-    assert_eq!(read, plant);
+    let value: serde_json::Value = serde_json::from_slice(&bytes).unwrap();
+    let mut read: Vec<Material> = serde_json::from_value(value["materials"].clone()).unwrap();
+    assert_eq!(read[2].texture, Some(Texture::File("leaf.png".into())));
+    read[2].texture.clone_from(&materials[2].texture);
+    assert_eq!(read, materials);
 }
 
 #[test]
@@ -351,7 +362,7 @@ fn export_writes_all_files_and_nothing_else() {
     assert_eq!(names(), files);
 }
 
-fn refused(path: &Path, model: &Model, plant: &Plant) -> String {
+fn refused(path: &Path, model: &Model, plant: &FinishedPlant) -> String {
     export(path, model, plant, &textures).unwrap_err().to_string()
 }
 
@@ -448,8 +459,8 @@ fn shown_colours(model: &Model, embedded: &Embedded) -> Vec<[f32; 3]> {
 fn corners(model: &Model, embedded: &Embedded) -> Vec<(Vec3, Vec2, [f32; 3])> {
     let shown = shown_colours(model, embedded);
     let mut corners = Vec::new();
-    let coats = model.parts.iter().flat_map(|part| part.coats().map(move |coat| (part, coat)));
-    for (part, (material, triangles)) in coats {
+    let slots = model.parts.iter().flat_map(|part| part.material_slots().map(move |slot| (part, slot)));
+    for (part, (material, triangles)) in slots {
         for &corner in part.mesh.triangles[triangles].iter().flatten() {
             let vertex = &part.mesh.vertices[corner as usize];
             let point = part.mesh.points[vertex.point as usize];

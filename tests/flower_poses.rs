@@ -28,7 +28,7 @@ fn built(sketch: &Sketch) -> Built {
 }
 
 fn petals(built: &Built, flower: usize) -> Vec<u64> {
-    let of = built.plant.organs.iter().filter(|o| o.flower == Some(flower) && o.kind == OrganKind::Petal);
+    let of = built.plant.organs.iter().filter(|o| o.flower == Some(flower) && o.kind() == OrganKind::Petal);
     of.filter_map(|organ| organ.stroke).collect()
 }
 
@@ -51,7 +51,7 @@ fn is_pierced(built: &Built, index: usize) -> bool {
     let flower = &built.plant.flowers[index];
     let Some(stem) = flower.branch.map(|branch| &built.plant.branches[branch]) else { return false };
     let is_within = |p: Vec3| {
-        p.distance(flower.cone.apex) > flower.heart_radius
+        p.distance(flower.cone.apex) > flower.centre_radius
             && (1..stem.points.len()).any(|i| {
                 let (distance, share) = off((stem.points[i - 1], stem.points[i]), p);
                 distance < stem.radii[i - 1] + (stem.radii[i] - stem.radii[i - 1]) * share

@@ -42,7 +42,7 @@ fn summary(path: &Path) -> Value {
     }
     let mut organs: BTreeMap<String, usize> = BTreeMap::new();
     for organ in &built.plant.organs {
-        *organs.entry(format!("{:?}", organ.kind)).or_default() += 1;
+        *organs.entry(format!("{:?}", organ.kind())).or_default() += 1;
     }
     let size = built.model.bounds().map(|(lo, hi)| (hi - lo).to_array());
     rounded(json!({
@@ -108,7 +108,7 @@ fn the_large_sketches_have_what_they_promise() {
         let species = pipeline::species_of(&sketch, path.parent().unwrap()).unwrap();
         let params = pipeline::params_of(&sketch, &species, &[]).unwrap();
         let plant = pipeline::build(&sketch, &species, &params).plant;
-        (plant.organs.iter().filter(|o| o.kind == OrganKind::Leaf).count(), plant.flowers.len())
+        (plant.organs.iter().filter(|o| o.kind() == OrganKind::Leaf).count(), plant.flowers.len())
     };
     assert!(generated_leaves("tree_round").0 > 500);
     assert!(generated_leaves("tree_willow").0 > 500);

@@ -7,7 +7,7 @@
 use glam::Vec3;
 use penstemon::growth::{Habit, Limits, Outcome, Simulation, plant_at};
 use penstemon::pipeline::{self, Grown};
-use penstemon::plant::{OrganKind, Plant};
+use penstemon::plant::{FinishedPlant, Plant};
 use penstemon::species::{self, Species};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -15,8 +15,8 @@ use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 /// A species as old as it says, grown once for all tests.
-fn full_grown(name: &str) -> &'static (Simulation, Plant) {
-    static GROWN: OnceLock<BTreeMap<&str, (Simulation, Plant)>> = OnceLock::new();
+fn full_grown(name: &str) -> &'static (Simulation, FinishedPlant) {
+    static GROWN: OnceLock<BTreeMap<&str, (Simulation, FinishedPlant)>> = OnceLock::new();
     let grow = |name: &'static str| {
         let age = Species::built_in(name).unwrap().growth.unwrap().age;
         (name, grown(name, age as f32))
@@ -24,14 +24,13 @@ fn full_grown(name: &str) -> &'static (Simulation, Plant) {
     &GROWN.get_or_init(|| Species::growing().into_par_iter().map(grow).collect())[name]
 }
 
-fn grown(name: &str, age: f32) -> (Simulation, Plant) {
+fn grown(name: &str, age: f32) -> (Simulation, FinishedPlant) {
     let species = Species::built_in(name).unwrap();
     let habit = species.growth.as_ref().unwrap();
     let mut simulation = Simulation::new(habit, 1, Limits::default());
     let outcome = simulation.grow_to(age as u16, &|| false);
     assert!(matches!(outcome, Outcome::Growing), "{name}: {outcome}");
-    let mut plant = plant_at(&simulation, age);
-    species::dress(&mut plant, &species, 1);
+    let plant = species::apply(plant_at(&simulation, age), &species, 1).plant;
     plant.check_invariants().unwrap();
     (simulation, plant)
 }
@@ -75,7 +74,7 @@ fn every_species_grows_as_before() {
 fn fruit_trees_flower_when_they_are_of_age_and_their_flowers_open() {
     let flowers = |age: f32| {
         let plant = grown("cherry", age).1;
-        assert!(plant.organs.iter().all(|o| o.kind != OrganKind::Bud), "all buds are open");
+        assert!(plant.buds.is_empty(), "all buds are open");
         plant.flowers.len()
     };
     let species = Species::built_in("cherry").unwrap();
@@ -83,14 +82,9 @@ fn fruit_trees_flower_when_they_are_of_age_and_their_flowers_open() {
         Habit { flowering: 0.0.into(), flowering_side: 0.0.into(), ..species.growth.clone().unwrap() };
     let mut bare = Simulation::new(&habit, 1, Limits::default());
     bare.grow_to(20, &|| false);
-    let mut plant = plant_at(&bare, 20.0);
-    species::dress(&mut plant, &species, 1);
-    let of_leaves = plant.flowers.len();
+    let of_leaves = species::apply(plant_at(&bare, 20.0), &species, 1).plant.flowers.len();
     assert!(flowers(20.0) > of_leaves + 100, "{} with and {of_leaves} without fates", flowers(20.0));
-    let buds = |age: f32| {
-        let of = plant_at(&grown("cherry", 20.0).0, age).organs;
-        of.iter().filter(|o| o.kind == OrganKind::Bud).count()
-    };
+    let buds = |age: f32| plant_at(&grown("cherry", 20.0).0, age).buds.len();
     assert_eq!((buds(3.0), buds(20.0) > 100), (0, true), "flowering age is 4");
     assert!(buds(20.0) > buds(6.0));
 }
@@ -111,8 +105,7 @@ fn flowers_open_gradually_and_old_ones_do_not_close() {
     let mut simulation = Simulation::new(species.growth.as_ref().unwrap(), 1, Limits::default());
     simulation.grow_to(20, &|| false);
     let reaches = |age: f32| {
-        let mut plant = plant_at(&simulation, age);
-        species::dress(&mut plant, &species, 1);
+        let plant = species::apply(plant_at(&simulation, age), &species, 1).plant;
         plant.check_invariants().unwrap();
         let mut reaches: Vec<f32> = plant.flowers.iter().map(|flower| flower.reach).collect();
         reaches.sort_by(f32::total_cmp);

@@ -174,15 +174,15 @@ fn a_model_may_change_wholly_and_vanish() {
     let (daisy, tree) = (plant("daisy"), plant("tree_round"));
     let (renderer, mut viewport) = opened(&daisy);
     let to_tree = viewport.update(&renderer, &tree, &textures).unwrap();
-    let coats = |model: &Model| model.parts.iter().map(|part| part.coats().count()).sum::<usize>();
-    assert_eq!((to_tree.uploaded_parts, to_tree.removed_parts), (coats(&tree), coats(&daisy)));
+    let slots = |model: &Model| model.parts.iter().map(|part| part.material_slots().count()).sum::<usize>();
+    assert_eq!((to_tree.uploaded_parts, to_tree.removed_parts), (slots(&tree), slots(&daisy)));
     viewport.update(&renderer, &Model::default(), &textures).unwrap();
     assert_eq!(viewport.bounds(), None);
     let empty = shot(&renderer, &mut viewport, &OrbitCamera::default(), &Look::default());
     let [r, g, b, a] = empty.pixel(SIZE.0 / 2, SIZE.1 / 2).unwrap();
     assert!(r > 200 && g > 200 && b > 180 && a == 255, "paper {r} {g} {b} {a}");
     let again = viewport.update(&renderer, &daisy, &textures).unwrap();
-    assert_eq!((again.uploaded_parts, again.uploaded_textures), (coats(&daisy), 0));
+    assert_eq!((again.uploaded_parts, again.uploaded_textures), (slots(&daisy), 0));
 }
 
 #[test]

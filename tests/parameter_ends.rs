@@ -38,7 +38,7 @@ fn at_end(of: &Description, most: bool) -> String {
 /// Counts a plant and its model against the budget; `set` is what it was built with.
 fn affordable(set: &str, plant: &Plant, model: &Model) {
     let Budget { twigs, leaves, blossoms, triangles, internodes, .. } = Budget::PLANT;
-    let count = |kind: OrganKind| plant.organs.iter().filter(|organ| organ.kind == kind).count();
+    let count = |kind: OrganKind| plant.organs.iter().filter(|organ| organ.kind() == kind).count();
     assert!(count(OrganKind::Leaf) <= leaves, "{set}: {} leaves", count(OrganKind::Leaf));
     assert!(plant.flowers.len() <= blossoms + 1000, "{set}: {} flowers", plant.flowers.len());
     assert!(plant.branches.len() <= twigs.max(internodes), "{set}: {} branches", plant.branches.len());

@@ -85,7 +85,7 @@ fn seen_from_the_front(sketch: &Sketch, built: &Built) -> Vec<Seen> {
         let drawn = line_of(stroke);
         seen.push(Seen { stroke, kept: drawn.clone(), drawn, built });
     }
-    for organ in built.plant.organs.iter().filter(|o| o.kind == OrganKind::Petal) {
+    for organ in built.plant.organs.iter().filter(|o| o.kind() == OrganKind::Petal) {
         let (Some(stroke), Shape::Blade(blade)) = (organ.stroke, &organ.shape) else { continue };
         let mut outline: Vec<Vec2> = blade.outline.iter().map(|&uv| front(blade.at_rest(uv))).collect();
         outline.extend(outline.first().copied());
@@ -248,7 +248,7 @@ fn crowds_of_strokes_in_one_spot_are_understood() {
 fn a_leaf_outline_gives_a_crown() {
     let tree = build(&drawings::leafy_tree(800));
     assert_sound(&tree);
-    let leaves = tree.plant.organs.iter().filter(|o| o.kind == OrganKind::Leaf).count();
+    let leaves = tree.plant.organs.iter().filter(|o| o.kind() == OrganKind::Leaf).count();
     assert!((500..=1600).contains(&leaves), "{leaves}");
 }
 

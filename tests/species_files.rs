@@ -161,8 +161,7 @@ proptest! {
                 let limits = Limits { internodes: 1500, markers: 4000, voxels: 1 << 20, steps: 2_000_000_000 };
                 let mut simulation = Simulation::new(&params.habit, seed, limits);
                 simulation.grow_to(5, &|| false);
-                let mut plant = plant_at(&simulation, 4.7);
-                species::dress(&mut plant, &species, seed);
+                let plant = species::apply(plant_at(&simulation, 4.7), &species, seed).plant;
                 prop_assert_eq!(plant.check_invariants(), Ok(()), "{}", text);
             }
         }

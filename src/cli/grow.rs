@@ -9,7 +9,7 @@ use crate::growth::{Limits, Outcome, foliage};
 use crate::input::Sources;
 use crate::model::Model;
 use crate::pipeline::{self, Grown};
-use crate::plant::{OrganKind, Plant, Texture};
+use crate::plant::{FinishedPlant, OrganKind, Texture};
 use crate::render::{Direction, ModelDrawData, PictureOptions, Projection, Renderer, View};
 use crate::species::Species;
 use anyhow::{Context, Result, ensure};
@@ -100,7 +100,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         let mut stats = common::stats(&grown.stages, &grown.model, bytes);
         stats["internodes"] = grown.simulation.tree().len().into();
         stats["branches"] = grown.plant.branches.len().into();
-        let leaves = grown.plant.organs.iter().filter(|organ| organ.kind == OrganKind::Leaf).count();
+        let leaves = grown.plant.organs.iter().filter(|organ| organ.kind() == OrganKind::Leaf).count();
         stats["leaves"] = leaves.into();
         common::print(&stats.to_string())?;
     }
@@ -154,23 +154,29 @@ fn why_bare(grown: &Grown) -> &'static str {
 }
 
 /// Writes the plant, or its frames, which `at` gives by their ages; returns the number of bytes.
-fn write(args: &Args, sources: &Sources, grown: &Grown, at: impl Fn(f32) -> (Plant, Model)) -> Result<usize> {
+fn write(
+    args: &Args,
+    sources: &Sources,
+    grown: &Grown,
+    at: impl Fn(f32) -> (FinishedPlant, Model),
+) -> Result<usize> {
     let (pictures, models): (Vec<&PathBuf>, Vec<&PathBuf>) = args.out.iter().partition(|out| is_picture(out));
     let mut studio = if pictures.is_empty() { None } else { Some(Studio::new(&grown.model)?) };
-    let mut write = |plant: &Plant, model: &Model, named: &dyn Fn(&Path) -> PathBuf| -> Result<usize> {
-        let named_all = |outs: &[&PathBuf]| outs.iter().map(|out| named(out)).collect::<Vec<_>>();
-        let (models, pictures) = (named_all(&models), named_all(&pictures));
-        sources.spare(pictures.iter().map(PathBuf::as_path))?;
-        let mut bytes = write::export_all(&models, model, plant, &common::built_in_texture, sources)?;
-        if let Some(studio) = &mut studio {
-            let png = studio.picture(model)?;
-            for out in &pictures {
-                atomic::write_atomically(out, &png)?;
-                bytes += png.len();
+    let mut write =
+        |plant: &FinishedPlant, model: &Model, named: &dyn Fn(&Path) -> PathBuf| -> Result<usize> {
+            let named_all = |outs: &[&PathBuf]| outs.iter().map(|out| named(out)).collect::<Vec<_>>();
+            let (models, pictures) = (named_all(&models), named_all(&pictures));
+            sources.spare(pictures.iter().map(PathBuf::as_path))?;
+            let mut bytes = write::export_all(&models, model, plant, &common::built_in_texture, sources)?;
+            if let Some(studio) = &mut studio {
+                let png = studio.picture(model)?;
+                for out in &pictures {
+                    atomic::write_atomically(out, &png)?;
+                    bytes += png.len();
+                }
             }
-        }
-        Ok(bytes)
-    };
+            Ok(bytes)
+        };
     let Some(frames) = args.frames else { return write(&grown.plant, &grown.model, &Path::to_owned) };
     let oldest = args.age.unwrap_or(f32::from(grown.simulation.age()));
     let mut bytes = 0;

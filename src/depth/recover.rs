@@ -12,7 +12,7 @@ use super::{
 };
 use crate::anatomy::{Anatomy, Attachment, FlatBlade, FlatBranch, FlatFlower};
 use crate::geom::polyline;
-use crate::plant::{Blade, Branch, Cone, Flower, Material, Organ, OrganKind, Plant, Shape, WorldFromCanvas};
+use crate::plant::{Blade, Branch, Cone, Flower, Organ, Plant, PlantPart, Role, Shape, WorldFromCanvas};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
@@ -52,10 +52,10 @@ const PETIOLE_GAP: f32 = 0.06;
 /// Thickness of a petiole as a share of its branch's at that place.
 const PETIOLE_SHARE: f32 = 0.5;
 
-/// Least and largest radius of a flower's heart, as shares of the petals' reach.
-const HEART: (f32, f32) = (0.05, 0.4);
+/// Least and largest radius of a flower's centre, as shares of the petals' reach.
+const CENTRE: (f32, f32) = (0.05, 0.4);
 
-/// Lifts an anatomy into space. The plant's only material is a placeholder; forms are plain: both are the species'.
+/// Lifts an anatomy into space. Forms are plain, for they are the species'.
 pub fn recover(anatomy: &Anatomy, seed: u64, params: &DepthParams) -> Plant {
     let mut skeleton = Skeleton::new(anatomy, seed, params);
     let poses: Vec<FlowerPose> = anatomy.flowers.iter().map(|f| pose_of(f, anatomy, &params.cone)).collect();
@@ -67,7 +67,7 @@ pub fn recover(anatomy: &Anatomy, seed: u64, params: &DepthParams) -> Plant {
         branches: skeleton.branches(anatomy.diagonal, &world, &params.radii),
         flowers: Vec::with_capacity(poses.len()),
         organs: Vec::new(),
-        materials: vec![Material::plain("plant", [0.4, 0.6, 0.3])],
+        buds: Vec::new(),
     };
     for (i, (flat, pose)) in anatomy.flowers.iter().zip(&poses).enumerate() {
         let flower = flower(flat, pose, centers[i], &anatomy.petals, &world);
@@ -181,7 +181,8 @@ impl Skeleton {
                 |(s, &z): (&crate::anatomy::Sample, &f32)| world.point(s.position).with_z(z * world.scale);
             let points = flat.line.iter().zip(&self.depths[i]).map(point);
             let (points, radii) = without_repeats(points.zip(radii.into_iter().map(|r| r * world.scale)));
-            Branch { stroke: flat.stroke, parent: flat.parent, level: flat.level, points, radii, material: 0 }
+            let role = Role::of(PlantPart::Stem);
+            Branch { stroke: flat.stroke, parent: flat.parent, level: flat.level, points, radii, role }
         };
         self.branches.iter().zip(radii).enumerate().map(lifted).collect()
     }
@@ -209,12 +210,12 @@ fn flower(
     let cone =
         Cone { apex, axis: pose.axis, opening_rad: pose.opening_rad, height: pose.height_px * world.scale };
     let members = flat.petals.iter().map(|&p| &petals[p]);
-    let heart =
+    let centre =
         flat.heart_radius.unwrap_or_else(|| petals::root_distance(members, pose.center)) * world.scale;
     Flower {
         branch: flat.attachment.map(|place| place.branch),
         cone,
-        heart_radius: heart.clamp(HEART.0 * reach, HEART.1 * reach),
+        centre_radius: centre.clamp(CENTRE.0 * reach, CENTRE.1 * reach),
         reach,
         look: 0,
     }
@@ -235,19 +236,19 @@ fn flower_petals(
             let petal = &anatomy.petals[p];
             let tip_depth = flower.cone.apex.z + tip_depth * world.scale;
             let blade = petals::petal(petal, &flower.cone, tip_depth, world, curl);
-            organ(OrganKind::Petal, petal.stroke, flower.branch, Some(index), blade)
+            organ(PlantPart::Petal, petal.stroke, flower.branch, Some(index), blade)
         })
         .collect()
 }
 
 fn organ(
-    kind: OrganKind,
+    part: PlantPart,
     stroke: Option<u64>,
     branch: Option<usize>,
     flower: Option<usize>,
     blade: Blade,
 ) -> Organ {
-    Organ { kind, stroke, branch, flower, material: 0, shape: Shape::Blade(blade) }
+    Organ { role: Role::of(part), stroke, branch, flower, shape: Shape::Blade(blade) }
 }
 
 /// Adds leaves, with petioles where the hand left a gap to the branch.
@@ -272,13 +273,13 @@ fn add_leaves(plant: &mut Plant, skeleton: &Skeleton, anatomy: &Anatomy, seed: u
         })
         .collect();
     for ((branch, foot, blade), leaf) in posed.into_iter().zip(&anatomy.leaves) {
-        let carrier = match branch {
+        let parent = match branch {
             Some(branch) if foot.distance(blade.base) > PETIOLE_GAP * blade.length => {
                 add_petiole(plant, branch, foot, blade.base)
             }
-            carrier => carrier,
+            parent => parent,
         };
-        plant.organs.push(organ(OrganKind::Leaf, leaf.stroke, carrier, None, blade));
+        plant.organs.push(organ(PlantPart::Leaf, leaf.stroke, parent, None, blade));
     }
 }
 
@@ -297,7 +298,7 @@ fn add_petiole(plant: &mut Plant, branch: usize, foot: Vec3, base: Vec3) -> Opti
         level: parent.level + 1,
         points: vec![foot, foot.midpoint(base), base],
         radii: vec![radius, 0.8 * radius, 0.7 * radius],
-        material: parent.material,
+        role: parent.role,
     };
     plant.branches.push(petiole);
     Some(plant.branches.len() - 1)

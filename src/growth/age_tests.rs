@@ -77,7 +77,7 @@ fn leaves_have_the_looks_of_the_age_that_is_shown() {
     let habit = Habit { leaf, ..every_number_counts() };
     let simulation = grown(&habit, 8);
     let blades = |age: f32| -> Vec<(Vec3, f32)> {
-        let organs = plant_at(&simulation, age).organs.into_iter().filter(|o| o.kind == OrganKind::Leaf);
+        let organs = plant_at(&simulation, age).organs.into_iter().filter(|o| o.kind() == OrganKind::Leaf);
         organs.map(|o| (o.base(), if let Shape::Blade(b) = o.shape { b.v.length() } else { 0.0 })).collect()
     };
     let longest = |age| blades(age).iter().map(|b| b.1).fold(0.0, f32::max);

@@ -7,7 +7,7 @@ use crate::growth::resource::priority::{self, Priority};
 use crate::growth::resource::vigour::Flow;
 use crate::growth::tree::NONE;
 use crate::params::{Kind, Overrides, Parameters as _};
-use crate::plant::{Branch, Plant, WorldFromCanvas};
+use crate::plant::{Branch, Plant, PlantPart, Role, WorldFromCanvas};
 use crate::random::{mix, unit};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
@@ -323,7 +323,7 @@ fn drawn() -> Plant {
         level: 0,
         radii: vec![radius; points.len()],
         points,
-        material: 0,
+        role: Role::of(PlantPart::Stem),
     };
     Plant {
         world_from_canvas: WorldFromCanvas { scale: 1.0, origin: Vec2::ZERO },
@@ -333,7 +333,7 @@ fn drawn() -> Plant {
         ],
         flowers: Vec::new(),
         organs: Vec::new(),
-        materials: Vec::new(),
+        buds: Vec::new(),
     }
 }
 

@@ -178,15 +178,14 @@ mod tests {
     use super::*;
     use crate::growth::{Limits, Simulation, plant_at};
     use crate::model::build;
+    use crate::plant::FinishedPlant;
     use crate::species::{self, Species};
 
-    fn cherry(age: u16) -> Plant {
+    fn cherry(age: u16) -> FinishedPlant {
         let species = Species::built_in("cherry").unwrap();
         let mut simulation = Simulation::new(species.growth.as_ref().unwrap(), 1, Limits::default());
         simulation.grow_to(age, &|| false);
-        let mut plant = plant_at(&simulation, f32::from(age));
-        species::dress(&mut plant, &species, 1);
-        plant
+        species::apply(plant_at(&simulation, f32::from(age)), &species, 1).plant
     }
 
     /// The finest that may be asked for.

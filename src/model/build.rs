@@ -15,7 +15,7 @@ use super::solids::SolidParams;
 use super::tube::{self, TubeParams, TubeScratch};
 use super::wood::{self, WoodScratch};
 use super::{Mesh, Model, Part};
-use crate::plant::{Branch, Organ, Plant};
+use crate::plant::{Branch, FinishedPlant, Organ, Plant};
 use glam::Vec3;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -27,7 +27,7 @@ crate::parameter_groups! {
         blade: BladeMeshParams;
         /// Branches and stems.
         tube: TubeParams;
-        /// Hearts of flowers, fruits and pots.
+        /// Receptacles, fruits and pots.
         solid: SolidParams;
     }
 }
@@ -53,7 +53,7 @@ struct Workshop<'a> {
 }
 
 /// Builds the meshes of a plant that keeps its invariants.
-pub fn build(plant: &Plant, params: &ModelParams) -> Model {
+pub fn build(plant: &FinishedPlant, params: &ModelParams) -> Model {
     let plans = parts::plan(plant, params);
     let workshop = Workshop::new(plant, params, &mut Cache::default());
     let mesh = |scratch: &mut Scratch, plan: &Plan| Arc::new(workshop.mesh(&plan.source, scratch));
@@ -65,7 +65,7 @@ pub fn build(plant: &Plant, params: &ModelParams) -> Model {
 /// Builds the same model as [`build`], taking from the cache what has not changed since it was last used. `stop` is
 /// asked before every part, from any thread; where it ever says yes there is no model.
 pub fn rebuild(
-    plant: &Plant,
+    plant: &FinishedPlant,
     params: &ModelParams,
     cache: &mut Cache,
     stop: &(dyn Fn() -> bool + Sync),
@@ -97,8 +97,8 @@ pub fn rebuild(
 }
 
 /// Puts plans and meshes together; what cannot be seen is left out. Wood, which comes first, always has a mesh, so that
-/// carriers need no renumbering.
-fn assembled(plant: &Plant, plans: Vec<Plan>, meshes: Vec<Arc<Mesh>>) -> Model {
+/// parents need no renumbering.
+fn assembled(plant: &FinishedPlant, plans: Vec<Plan>, meshes: Vec<Arc<Mesh>>) -> Model {
     let part = |(plan, mesh): (Plan, Arc<Mesh>)| {
         let Plan { name, kind, parent, specimen, pivot, material, mut more_materials, .. } = plan;
         more_materials.truncate(mesh.breaks.len());
@@ -106,7 +106,7 @@ fn assembled(plant: &Plant, plans: Vec<Plan>, meshes: Vec<Arc<Mesh>>) -> Model {
         is_seen.then_some(Part { name, kind, parent, specimen, pivot, material, more_materials, mesh })
     };
     let parts = plans.into_iter().zip(meshes).filter_map(part).collect();
-    Model { parts, materials: plant.materials.clone() }
+    Model { parts, materials: plant.materials().to_vec() }
 }
 
 /// The largest extent of the skeleton and of where organs stand, metres: the unit of all branch tolerances. It goes in
@@ -129,7 +129,7 @@ impl<'a> Workshop<'a> {
     fn write_recipe(&self, source: &Source, recipe: &mut Recipe) {
         match source {
             Source::Wood(twigs) => recipe.wood(self.twigs(twigs), self.plant_size),
-            Source::Organs(coats) => self.organs.write_recipe(coats, recipe),
+            Source::Organs(slots) => self.organs.write_recipe(slots, recipe),
         }
     }
 
@@ -139,7 +139,7 @@ impl<'a> Workshop<'a> {
 
     fn twigs<'t>(&'t self, limbs: &'t [Limb]) -> impl Iterator<Item = Twig<'t>> {
         let twig =
-            |&Limb { branch, parent, coat }| Twig { branch: &self.plant.branches[branch], parent, coat };
+            |&Limb { branch, parent, slot }| Twig { branch: &self.plant.branches[branch], parent, slot };
         limbs.iter().map(twig)
     }
 
@@ -153,7 +153,7 @@ impl<'a> Workshop<'a> {
                 let twigs: Vec<Twig<'_>> = self.twigs(twigs).collect();
                 wood::mesh(&twigs, |branch| self.look(branch), &mut scratch.wood)
             }
-            Source::Organs(coats) => self.organs.mesh(coats, &mut scratch.organs),
+            Source::Organs(slots) => self.organs.mesh(slots, &mut scratch.organs),
         }
     }
 }

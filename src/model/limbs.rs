@@ -34,7 +34,7 @@ pub(super) struct Twig<'a> {
     pub(super) branch: &'a Branch,
     pub(super) parent: Option<usize>,
     /// Which of the barks it has; the first one's is 0.
-    pub(super) coat: usize,
+    pub(super) slot: usize,
 }
 
 /// A branch on its way to the surface.
@@ -43,8 +43,8 @@ pub(super) struct Limb {
     pub(super) look: TubeLook,
     /// Its rings in [`Limbs::rings`].
     pub(super) rings: Range<usize>,
-    /// Its barks in [`Limbs::coats`].
-    coats: Range<usize>,
+    /// Its barks in [`Limbs::slots`].
+    slots: Range<usize>,
     /// The limb that carries it, and where it leaves that; a trunk has none.
     parent: Option<usize>,
     pub(super) exit: Option<Exit>,
@@ -72,7 +72,7 @@ pub(super) struct Limbs {
     /// Limbs in the order of what they grow on.
     pub(super) children: Vec<u32>,
     /// Barks of all limbs, each with the length of the limb from which it is worn.
-    coats: Vec<(f32, u32)>,
+    slots: Vec<(f32, u32)>,
     /// For each branch the one that goes on from its end, and for a trunk the one that goes on from its foot.
     next: Vec<Option<usize>>,
     below: Vec<Option<usize>>,
@@ -91,7 +91,7 @@ impl Limbs {
         self.all.clear();
         self.rings.clear();
         self.arcs.clear();
-        self.coats.clear();
+        self.slots.clear();
         self.find_next(branches);
         self.last_child.clear();
         self.last_child.resize(branches.len(), None);
@@ -103,14 +103,14 @@ impl Limbs {
             while let Some(hidden) = parent.filter(|p| self.all[*p].hidden) {
                 parent = self.all[hidden].parent;
             }
-            let (rings, coats) = (self.rings.len(), self.coats.len());
+            let (rings, slots) = (self.rings.len(), self.slots.len());
             let exit = if goes_on { Some(None) } else { self.trace(branches, index, look, parent) };
             let before = parent.and_then(|p| self.last_child[p].replace(index));
             self.before.push(before);
             self.all.push(Limb {
                 look,
                 rings: rings..self.rings.len(),
-                coats: coats..self.coats.len(),
+                slots: slots..self.slots.len(),
                 parent,
                 exit: exit.flatten(),
                 hidden: matches!(exit, Some(None)),
@@ -122,9 +122,9 @@ impl Limbs {
     }
 
     /// The bark of a limb at a length along it.
-    pub(super) fn coat(&self, limb: &Limb, arc: f32) -> u32 {
-        let worn = self.coats[limb.coats.clone()].iter().rev().find(|(from, _)| *from <= arc);
-        worn.map_or(0, |(_, coat)| *coat)
+    pub(super) fn slot(&self, limb: &Limb, arc: f32) -> u32 {
+        let last = self.slots[limb.slots.clone()].iter().rev().find(|(from, _)| *from <= arc);
+        last.map_or(0, |(_, slot)| *slot)
     }
 
     /// Appends the rings and barks of a branch and of those that go on from its end; `None` for a trunk, `Some(None)` for
@@ -136,7 +136,7 @@ impl Limbs {
         look: TubeLook,
         parent: Option<usize>,
     ) -> Option<Option<Exit>> {
-        let first_coat = self.coats.len();
+        let first_slot = self.slots.len();
         self.link(branches, index);
         spine::rings(self.skeleton.iter().copied(), look.detail, &mut self.spine, &mut self.one);
         let exit = parent.map(|p| {
@@ -154,12 +154,12 @@ impl Limbs {
             self.arcs.push(arc);
             self.rings.push(*ring);
         }
-        if self.coats.len() > first_coat + 1 {
+        if self.slots.len() > first_slot + 1 {
             let length =
                 |to: usize| -> f32 { self.skeleton[..=to].windows(2).map(|w| w[0].0.distance(w[1].0)).sum() };
             let along = arc / length(self.skeleton.len() - 1).max(f32::MIN_POSITIVE);
-            for coat in &mut self.coats[first_coat..] {
-                coat.0 = length(coat.0 as usize) * along;
+            for slot in &mut self.slots[first_slot..] {
+                slot.0 = length(slot.0 as usize) * along;
             }
         }
         exit
@@ -170,17 +170,17 @@ impl Limbs {
     fn link(&mut self, branches: &[Twig<'_>], index: usize) {
         let skeleton = &mut self.skeleton;
         skeleton.clear();
-        let mut wear = |from: usize, twig: usize| self.coats.push((from as f32, branches[twig].coat as u32));
-        wear(0, self.below[index].unwrap_or(index));
+        let mut begin = |from: usize, twig: usize| self.slots.push((from as f32, branches[twig].slot as u32));
+        begin(0, self.below[index].unwrap_or(index));
         if let Some(below) = self.below[index] {
             skeleton.extend(End::foot(branches[index].branch).beyond(branches[below].branch).rev());
-            wear(skeleton.len() - 1, index);
+            begin(skeleton.len() - 1, index);
         }
         let branch = branches[index].branch;
         skeleton.extend(branch.points.iter().copied().zip(branch.radii.iter().copied()));
         let mut at = index;
         while let Some(next) = self.next[at] {
-            wear(skeleton.len() - 1, next);
+            begin(skeleton.len() - 1, next);
             skeleton.extend(End::top(branches[at].branch).beyond(branches[next].branch));
             at = next;
         }

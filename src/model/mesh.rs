@@ -26,7 +26,7 @@ pub struct Mesh {
     pub vertices: Vec<Vertex>,
     /// Indices into `vertices`, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
-    /// For each material that the part has beyond its first, the first triangle that wears it; ascending.
+    /// For each material that the part has beyond its first, the first of its triangles; ascending.
     pub breaks: Vec<u32>,
 }
 

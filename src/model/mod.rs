@@ -1,17 +1,17 @@
 //! Plant to meshes: every branch and organ becomes a [`Part`] of a [`Model`].
 //!
 //! Blades and tubes are closed and manifold, wound counter-clockwise seen from outside, with UVs that fit the part's
-//! texture. Nothing here knows a drawing: the input is a [`Plant`](crate::plant::Plant), the output plain arrays. [`build`] is the stage.
+//! texture. Nothing here knows a drawing: the input is a [`FinishedPlant`](crate::plant::FinishedPlant), the output plain arrays. [`build`] is the stage.
 //!
 //! | file | what |
 //! | --- | --- |
-//! | `parts`, `part_names` | names, carriers, specimens |
+//! | `parts`, `part_names` | names, parents, specimens |
 //! | `outline`, `sections`, `interior`, `flat` | a blade in its plane, triangulated |
 //! | `relief`, `blade` | the blade bent and given thickness |
 //! | `copies` | leaves that are copies of one shape |
 //! | `spine`, `tube` | single branches |
 //! | `limbs`, `joint`, `strip`, `wood` | branches that grow out of one another |
-//! | `solids`, `filaments` | hearts of flowers, fruits, pots |
+//! | `solids`, `filaments` | receptacles, fruits, pots |
 //! | `organs` | all organs of one part |
 //! | `build` | all parts at once, on all cores |
 //! | `afford` | how fine a plant can be |
@@ -94,8 +94,8 @@ pub struct Part {
 }
 
 impl Part {
-    /// Every material of the part with the triangles that wear it, in the order of the mesh; none of them is empty.
-    pub fn coats(&self) -> impl Iterator<Item = (usize, Range<usize>)> {
+    /// Every material of the part with its triangles, in the order of the mesh; none of them is empty.
+    pub fn material_slots(&self) -> impl Iterator<Item = (usize, Range<usize>)> {
         let breaks = || self.mesh.breaks.iter().map(|&first| first as usize);
         let materials = std::iter::once(self.material).chain(self.more_materials.iter().copied());
         let ranges = std::iter::once(0).chain(breaks()).zip(breaks().chain([self.mesh.triangles.len()]));
@@ -106,7 +106,7 @@ impl Part {
 /// A finished plant, ready to be drawn or exported.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Model {
-    /// Parts, carriers before what they carry.
+    /// Parts, parents before children.
     pub parts: Vec<Part>,
     /// The looks that parts refer to.
     pub materials: Vec<Material>,

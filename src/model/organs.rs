@@ -38,20 +38,20 @@ impl<'a> OrganWorkshop<'a> {
     }
 
     /// Everything that [`Self::mesh`] reads but the parameters.
-    pub(super) fn write_recipe(&self, coats: &[Vec<(usize, Piece)>], recipe: &mut Recipe) {
+    pub(super) fn write_recipe(&self, slots: &[Vec<(usize, Piece)>], recipe: &mut Recipe) {
         let described = |&(organ, piece): &(usize, Piece)| {
             let shape = self.shape(organ);
             let template = if let Shape::Blade(blade) = shape { self.template(blade) } else { None };
             (shape, piece, template.map(|shared| shared.name))
         };
-        recipe.organs(coats.iter().map(|pieces| pieces.iter().map(described)));
+        recipe.organs(slots.iter().map(|pieces| pieces.iter().map(described)));
     }
 
     /// The mesh of pieces of organs, a list for each material.
-    pub(super) fn mesh(&self, coats: &[Vec<(usize, Piece)>], scratch: &mut OrganScratch) -> Mesh {
+    pub(super) fn mesh(&self, slots: &[Vec<(usize, Piece)>], scratch: &mut OrganScratch) -> Mesh {
         let mut mesh = Mesh::default();
-        for (coat, pieces) in coats.iter().enumerate() {
-            if coat > 0 {
+        for (slot, pieces) in slots.iter().enumerate() {
+            if slot > 0 {
                 mesh.breaks.push(mesh.triangles.len() as u32);
             }
             for run in pieces.chunk_by(|a, b| self.is_filament(a.0) == self.is_filament(b.0)) {

@@ -24,21 +24,21 @@ impl PartNames {
         let name = match scope {
             Scope::Organ(_) if !matches!(organ.shape, Shape::Filament { .. }) => return self.single(organ),
             Scope::Organ(_) => {
-                let number = next(self.lone_filaments.entry((organ.kind, piece)).or_default());
-                format!("{}_lone_{number}", plural(organ.kind, piece))
+                let number = next(self.lone_filaments.entry((organ.kind(), piece)).or_default());
+                format!("{}_lone_{number}", plural(organ.kind(), piece))
             }
-            Scope::Flower(flower) => format!("{}_{flower}", plural(organ.kind, piece)),
+            Scope::Flower(flower) => format!("{}_{flower}", plural(organ.kind(), piece)),
             Scope::Specimen(_) => numbered(
-                plural(organ.kind, piece),
-                next(self.gathered.entry((organ.kind, piece)).or_default()),
+                plural(organ.kind(), piece),
+                next(self.gathered.entry((organ.kind(), piece)).or_default()),
             ),
         };
         self.unused(name)
     }
 
     fn single(&mut self, organ: &Organ) -> String {
-        let number = next(self.singles.entry((organ.flower, organ.kind)).or_default());
-        let kind = organ.kind.name();
+        let number = next(self.singles.entry((organ.flower, organ.kind())).or_default());
+        let kind = organ.kind().name();
         organ.flower.map_or_else(|| format!("{kind}_{number}"), |flower| format!("{kind}_{flower}_{number}"))
     }
 

@@ -1,17 +1,17 @@
-//! Which parts a plant has: carriers, specimens and what each is made from, before any mesh exists.
+//! Which parts a plant has: parents, specimens and what each is made from, before any mesh exists.
 //!
-//! Wood comes first: branches that grow on one another are one part, whatever barks they wear, or each is one of its own.
+//! Wood comes first: branches that grow on one another are one part, whatever barks they have, or each is one of its own.
 //! Then organs, in the order in which the first of each part stands. An organ that was drawn is a part. Those that nobody
 //! drew are gathered by kind, with a list for each material: over the whole plant or, where the petals of their flower were
 //! drawn, within that flower, so that it can still be turned by itself. Filaments are always gathered, at least within their
-//! flower, and their heads apart from their threads.
+//! flower, and their heads apart from them.
 //!
 //! A specimen is one plant of the drawing: a trunk with all it carries and the pot it stands in, a flower without a
-//! stem. Leaves strewn about without a branch are one specimen together.
+//! stem. Leaves scattered about without a branch are one specimen together.
 
 use super::part_names::{PartNames, numbered};
 use super::{ModelParams, PartKind};
-use crate::plant::{Organ, OrganKind, Plant, Shape};
+use crate::plant::{FinishedPlant, Organ, OrganKind, Plant, Role, Shape};
 use glam::Vec3;
 use std::collections::BTreeMap;
 
@@ -27,7 +27,7 @@ pub(super) enum Source {
 /// What of an organ goes into a part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Piece {
-    /// A blade or a solid; the thread of a filament.
+    /// A blade or a solid; the filament itself.
     Body,
     /// The swollen end of a filament.
     Head,
@@ -40,8 +40,8 @@ pub(super) struct Limb {
     pub(super) branch: usize,
     /// The place of the limb that it grows on.
     pub(super) parent: Option<usize>,
-    /// Which of the part's materials it wears.
-    pub(super) coat: usize,
+    /// Its material slot: which of the part's materials it has.
+    pub(super) slot: usize,
 }
 
 /// A part without its mesh.
@@ -58,8 +58,8 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// Which of the part's materials this one is; it gets a place among them if it has none.
-    fn coat(&mut self, material: usize) -> usize {
+    /// The part's slot for a material; a new one if it has none.
+    fn slot(&mut self, material: usize) -> usize {
         let mut known = std::iter::once(&self.material).chain(&self.more_materials);
         known.position(|known| *known == material).unwrap_or_else(|| {
             self.more_materials.push(material);
@@ -79,8 +79,8 @@ pub(super) enum Scope {
     Organ(usize),
 }
 
-/// Plans all parts of a plant, carriers first.
-pub(super) fn plan(plant: &Plant, params: &ModelParams) -> Vec<Plan> {
+/// Plans all parts of a plant, parents first.
+pub(super) fn plan(plant: &FinishedPlant, params: &ModelParams) -> Vec<Plan> {
     let specimens = Specimens::new(plant);
     let mut plans: Vec<Plan> = Vec::with_capacity(plant.branches.len() + plant.organs.len());
     let part_of = if params.tube.joined {
@@ -113,19 +113,16 @@ fn drawn_flowers(plant: &Plant) -> Vec<bool> {
     drawn
 }
 
-/// The pieces of an organ with their materials.
-fn pieces(organ: &Organ) -> impl Iterator<Item = (Piece, usize)> {
-    let head = match &organ.shape {
-        Shape::Filament { head, head_material, .. } if head.min_element() > 0.0 => Some(*head_material),
-        _ => None,
-    };
-    let head = head.map(|material| (Piece::Head, material));
-    std::iter::once((Piece::Body, organ.material)).chain(head)
+/// The pieces of an organ with their roles.
+fn pieces(organ: &Organ) -> impl Iterator<Item = (Piece, Role)> {
+    let has_head = matches!(&organ.shape, Shape::Filament { head, .. } if head.min_element() > 0.0);
+    let head = has_head.then(|| (Piece::Head, organ.role.of_head()));
+    std::iter::once((Piece::Body, organ.role)).chain(head)
 }
 
 /// Parts in the making, the wood's first.
 struct OrganPlans<'a> {
-    plant: &'a Plant,
+    plant: &'a FinishedPlant,
     /// Whether what nobody drew is gathered.
     gathered: bool,
     drawn_flowers: Vec<bool>,
@@ -143,14 +140,15 @@ impl OrganPlans<'_> {
     fn add(&mut self, index: usize) {
         let organ = &self.plant.organs[index];
         let scope = self.scope(index);
-        for (piece, material) in pieces(organ) {
-            let known = self.known.get(&(scope, organ.kind, piece)).copied();
+        for (piece, role) in pieces(organ) {
+            let material = self.plant.material(role);
+            let known = self.known.get(&(scope, organ.kind(), piece)).copied();
             let part = known.unwrap_or_else(|| self.begin(index, scope, piece, material));
             let plan = &mut self.plans[part];
-            let coat = plan.coat(material);
-            if let Source::Organs(coats) = &mut plan.source {
-                coats.resize(coats.len().max(coat + 1), Vec::new());
-                coats[coat].push((index, piece));
+            let slot = plan.slot(material);
+            if let Source::Organs(slots) = &mut plan.source {
+                slots.resize(slots.len().max(slot + 1), Vec::new());
+                slots[slot].push((index, piece));
             }
         }
     }
@@ -159,7 +157,7 @@ impl OrganPlans<'_> {
         let organ = &self.plant.organs[index];
         let is_filament = matches!(organ.shape, Shape::Filament { .. });
         // A plant has one pot, which is none of its organs.
-        let may_be_many = organ.stroke.is_none() && organ.kind != OrganKind::Pot;
+        let may_be_many = organ.stroke.is_none() && organ.kind() != OrganKind::Pot;
         let within_plant = self.gathered && may_be_many;
         match organ.flower {
             Some(flower) if is_filament || within_plant => {
@@ -172,12 +170,12 @@ impl OrganPlans<'_> {
     }
 
     /// The branch that carries an organ, its own or its flower's.
-    fn carrier(&self, organ: &Organ) -> Option<usize> {
+    fn parent_branch(&self, organ: &Organ) -> Option<usize> {
         organ.branch.or_else(|| organ.flower.and_then(|flower| self.plant.flowers[flower].branch))
     }
 
     fn specimen(&self, organ: &Organ) -> usize {
-        match (self.carrier(organ), organ.flower) {
+        match (self.parent_branch(organ), organ.flower) {
             (Some(branch), _) => self.specimens.of_branch[branch],
             (None, Some(flower)) => self.specimens.of_flower[flower],
             (None, None) => self.specimens.of_lone(self.plant, organ),
@@ -187,14 +185,14 @@ impl OrganPlans<'_> {
     /// A part that begins with a piece of this organ. What is gathered over a plant stands where the plant does.
     fn begin(&mut self, index: usize, scope: Scope, piece: Piece, material: usize) -> usize {
         let organ = &self.plant.organs[index];
-        let carrier = self.carrier(organ).map(|branch| self.part_of[branch]);
+        let parent = self.parent_branch(organ).map(|branch| self.part_of[branch]);
         let trunk =
-            carrier.filter(|_| matches!(scope, Scope::Specimen(_))).map(|carrier| root(&self.plans, carrier));
+            parent.filter(|_| matches!(scope, Scope::Specimen(_))).map(|parent| root(&self.plans, parent));
         let part = self.plans.len();
         self.plans.push(Plan {
             name: self.names.organs(organ, scope, piece),
-            kind: PartKind::Organ(organ.kind),
-            parent: trunk.or(carrier),
+            kind: PartKind::Organ(organ.kind()),
+            parent: trunk.or(parent),
             specimen: self.specimen(organ),
             pivot: trunk.map_or_else(|| organ.base(), |trunk| self.plans[trunk].pivot),
             material,
@@ -202,7 +200,7 @@ impl OrganPlans<'_> {
             source: Source::Organs(Vec::new()),
         });
         if !matches!(scope, Scope::Organ(_)) {
-            self.known.insert((scope, organ.kind, piece), part);
+            self.known.insert((scope, organ.kind(), piece), part);
         }
         part
     }
@@ -210,21 +208,21 @@ impl OrganPlans<'_> {
 
 /// The part that carries this one and that nothing carries.
 fn root(plans: &[Plan], mut part: usize) -> usize {
-    while let Some(carrier) = plans[part].parent {
-        part = carrier;
+    while let Some(parent) = plans[part].parent {
+        part = parent;
     }
     part
 }
 
 /// One part for every branch; gives the part of each.
-fn plan_branches(plant: &Plant, specimens: &Specimens, plans: &mut Vec<Plan>) -> Vec<usize> {
+fn plan_branches(plant: &FinishedPlant, specimens: &Specimens, plans: &mut Vec<Plan>) -> Vec<usize> {
     let part = |i: usize| wood(plant, specimens, i, plant.branches[i].parent, format!("branch_{i}"));
     plans.extend((0..plant.branches.len()).map(part));
     (0..plant.branches.len()).collect()
 }
 
 /// One part for all branches that grow on one another; gives the part of each branch.
-fn plan_wood(plant: &Plant, specimens: &Specimens, plans: &mut Vec<Plan>) -> Vec<usize> {
+fn plan_wood(plant: &FinishedPlant, specimens: &Specimens, plans: &mut Vec<Plan>) -> Vec<usize> {
     let mut part_of = Vec::with_capacity(plant.branches.len());
     let mut place_of = Vec::with_capacity(plant.branches.len());
     for (i, branch) in plant.branches.iter().enumerate() {
@@ -234,16 +232,16 @@ fn plan_wood(plant: &Plant, specimens: &Specimens, plans: &mut Vec<Plan>) -> Vec
             plans.push(wood(plant, specimens, i, None, numbered("wood", part)));
             place_of.push(0);
         } else {
-            let coat = plans[part].coat(branch.material);
+            let slot = plans[part].slot(plant.material(branch.role));
             let Source::Wood(limbs) = &mut plans[part].source else { continue };
             place_of.push(limbs.len());
-            limbs.push(Limb { branch: i, parent: branch.parent.map(|parent| place_of[parent]), coat });
+            limbs.push(Limb { branch: i, parent: branch.parent.map(|parent| place_of[parent]), slot });
         }
     }
     part_of
 }
 
-fn wood(plant: &Plant, specimens: &Specimens, i: usize, parent: Option<usize>, name: String) -> Plan {
+fn wood(plant: &FinishedPlant, specimens: &Specimens, i: usize, parent: Option<usize>, name: String) -> Plan {
     let branch = &plant.branches[i];
     Plan {
         name,
@@ -251,9 +249,9 @@ fn wood(plant: &Plant, specimens: &Specimens, i: usize, parent: Option<usize>, n
         parent,
         specimen: specimens.of_branch[i],
         pivot: branch.points.first().copied().unwrap_or(Vec3::ZERO),
-        material: branch.material,
+        material: plant.material(branch.role),
         more_materials: Vec::new(),
-        source: Source::Wood(vec![Limb { branch: i, parent: None, coat: 0 }]),
+        source: Source::Wood(vec![Limb { branch: i, parent: None, slot: 0 }]),
     }
 }
 
@@ -283,7 +281,7 @@ impl Specimens {
 
     /// The specimen of an organ that neither branch nor flower carries: a pot belongs to the trunk nearest to it.
     fn of_lone(&self, plant: &Plant, organ: &Organ) -> usize {
-        if organ.kind != OrganKind::Pot {
+        if organ.kind() != OrganKind::Pot {
             return self.lone;
         }
         let away =

@@ -1,7 +1,7 @@
 //! What the mesh of a part depends on, written down: two parts with equal recipes have equal meshes.
 //!
 //! A recipe is a row of words: what kind of part it is, then the bits of every number that its meshing reads, lists with
-//! their lengths first. Names, carriers, materials and places in a list are left out, for they do not shape a mesh; nor
+//! their lengths first. Names, parents, materials and places in a list are left out, for they do not shape a mesh; nor
 //! are parameters in it, for they are the same for the whole plant. Structures are taken apart by all their fields, so
 //! that the compiler asks about a new one. A blade of a template names the template's triangulation instead of telling
 //! its outline.
@@ -26,8 +26,8 @@ impl Recipe {
     /// The recipe of branches that are one surface and whose tolerances are shares of `unit` metres.
     pub(super) fn wood<'a>(&mut self, twigs: impl Iterator<Item = Twig<'a>>, unit: f32) {
         self.begin(0).real(unit);
-        for Twig { branch, parent, coat } in twigs {
-            self.word(parent.map_or(u32::MAX, |parent| parent as u32)).length(coat).limb(branch);
+        for Twig { branch, parent, slot } in twigs {
+            self.word(parent.map_or(u32::MAX, |parent| parent as u32)).length(slot).limb(branch);
         }
     }
 
@@ -43,9 +43,9 @@ impl Recipe {
         Group: Iterator<Item = (&'a Shape, Piece, Option<u64>)>,
     {
         self.begin(2);
-        for (coat, pieces) in groups.enumerate() {
+        for (slot, pieces) in groups.enumerate() {
             for (shape, piece, template) in pieces {
-                self.length(coat).word(u32::from(piece == Piece::Head));
+                self.length(slot).word(u32::from(piece == Piece::Head));
                 match shape {
                     Shape::Blade(blade) => self.blade(blade, template),
                     solid => self.solid(solid),
@@ -67,7 +67,7 @@ impl Recipe {
     }
 
     fn limb(&mut self, branch: &Branch) -> &mut Self {
-        let Branch { stroke: _, parent: _, level: _, points, radii, material: _ } = branch;
+        let Branch { stroke: _, parent: _, level: _, points, radii, role: _ } = branch;
         self.points(points).length(radii.len());
         self.0.extend(radii.iter().map(|radius| radius.to_bits()));
         self
@@ -104,7 +104,7 @@ impl Recipe {
             Shape::Dome { base, axis, radius, height } => {
                 self.word(1).point(*base).point(*axis).real(*radius).real(*height)
             }
-            Shape::Filament { points, radius, head, head_material: _ } => {
+            Shape::Filament { points, radius, head } => {
                 self.word(2).points(points).real(*radius).real(head.x).real(head.y)
             }
             Shape::Lathe { base, axis, profile } => self.word(3).point(*base).point(*axis).plane(profile),

@@ -12,7 +12,7 @@ use glam::{Mat3, Vec2, Vec3};
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
 crate::parameters! {
-    /// How finely hearts of flowers, fruits and pots are modelled.
+    /// How finely receptacles, fruits and pots are modelled.
     pub struct SolidParams {
         /// Sides of domes, fruits and pots.
         sides: u32 = 14, 3..=128, "";

@@ -2,7 +2,8 @@
 
 use super::*;
 use crate::plant::{
-    Blade, BladeForm, Branch, Cone, Flower, Organ, Plant, RestSurface, Shape, WorldFromCanvas,
+    Blade, BladeForm, Branch, Cone, FinishedPlant, Flower, Organ, Plant, PlantPart, RestSurface, Role, Shape,
+    WorldFromCanvas,
 };
 use glam::{Quat, Vec2};
 use proptest::prelude::*;
@@ -124,52 +125,55 @@ fn branch() -> impl Strategy<Value = Branch> {
         points.dedup();
         let share = |k: usize| k as f32 / points.len() as f32;
         let radii = (0..points.len()).map(|k| 10f32.powf(thick) * (1.0 + (taper - 1.0) * share(k))).collect();
-        Branch { stroke: None, parent: None, level: 0, points, radii, material: 0 }
+        Branch { stroke: None, parent: None, level: 0, points, radii, role: Role::of(PlantPart::Stem) }
     })
 }
 
-fn solid() -> impl Strategy<Value = (OrganKind, Shape)> {
+fn solid() -> impl Strategy<Value = (Role, Shape)> {
     let size = (0.01f32..0.5, 0.01f32..0.5);
     let dome = (vector(), direction(), size.clone()).prop_map(|(base, axis, (radius, height))| {
-        (OrganKind::Receptacle, Shape::Dome { base, axis, radius, height })
+        (Role::of(PlantPart::Disc), Shape::Dome { base, axis, radius, height })
     });
-    let thread =
-        (skeleton(), 0.001f32..0.02, size, 0usize..2).prop_map(|(points, radius, head, material)| {
-            let head = Vec2::from(head) * 0.1;
-            (OrganKind::Stamen, Shape::Filament { points, radius, head, head_material: material })
-        });
+    let thread = (skeleton(), 0.001f32..0.02, size, 0u32..2).prop_map(|(points, radius, head, variant)| {
+        let head = Vec2::from(head) * 0.1;
+        let role = Role { variant, ..Role::of(PlantPart::Stamen) };
+        (role, Shape::Filament { points, radius, head })
+    });
     let profile = prop::collection::vec((0.0f32..1.0, 0.0f32..1.0), 3..9);
     let pot = (vector(), direction(), profile).prop_map(|(base, axis, profile)| {
-        (OrganKind::Pot, Shape::Lathe { base, axis, profile: profile.into_iter().map(Vec2::from).collect() })
+        (
+            Role::of(PlantPart::Pot),
+            Shape::Lathe { base, axis, profile: profile.into_iter().map(Vec2::from).collect() },
+        )
     });
     prop_oneof![dome, thread, pot]
 }
 
-fn plant() -> impl Strategy<Value = Plant> {
+fn plant() -> impl Strategy<Value = FinishedPlant> {
     let branches = prop::collection::vec(branch(), 1..6);
     let blades = prop::collection::vec(blade(), 0..10);
     (branches, blades, prop::collection::vec(solid(), 0..5)).prop_map(|(mut branches, blades, solids)| {
         for (i, branch) in branches.iter_mut().enumerate() {
             branch.parent = i.checked_sub(2);
+            branch.level = i as u32 / 2;
         }
-        let blades = blades.into_iter().map(|b| (OrganKind::Petal, Shape::Blade(b)));
-        let organs = blades.chain(solids).enumerate().map(|(i, (kind, shape))| Organ {
-            kind,
+        let blades = blades.into_iter().map(|b| (Role::of(PlantPart::Petal), Shape::Blade(b)));
+        let organs = blades.chain(solids).enumerate().map(|(i, (role, shape))| Organ {
+            role,
             stroke: None,
             branch: (i % 3 == 0).then_some(0),
             flower: (i % 3 == 1).then_some(i % 2),
-            material: 0,
             shape,
         });
         let cone = Cone { apex: Vec3::ZERO, axis: Vec3::Y, opening_rad: 0.7, height: 0.1 };
-        let flower = |branch| Flower { branch, cone, heart_radius: 0.01, reach: 0.1, look: 0 };
-        Plant {
+        let flower = |branch| Flower { branch, cone, centre_radius: 0.01, reach: 0.1, look: 0 };
+        FinishedPlant::plain(Plant {
             world_from_canvas: WorldFromCanvas { scale: 0.001, origin: Vec2::ZERO },
             organs: organs.collect(),
             branches,
             flowers: vec![flower(Some(0)), flower(None)],
-            materials: vec![Material::plain("a", [0.5; 3]), Material::plain("b", [0.5; 3])],
-        }
+            buds: Vec::new(),
+        })
     })
 }
 
@@ -234,9 +238,10 @@ proptest! {
             for (a, b) in kept.parts.iter().zip(&again.parts) {
                 prop_assert!(Arc::ptr_eq(&a.mesh, &b.mesh), "{} was made again", a.name);
             }
-            let mut moved = plant.clone();
+            let mut moved = (**plant).clone();
             moved.branches[0].radii[0] *= 1.5;
             moved.organs.truncate(plant.organs.len() / 2);
+            let moved = FinishedPlant::plain(moved);
             let next = rebuild(&moved, &params, &mut cache, &|| false);
             prop_assert_eq!(next, Some(build(&moved, &params)));
         }
@@ -253,27 +258,25 @@ proptest! {
 
 #[test]
 fn filaments_of_a_flower_are_gathered_by_material() {
-    let stamen = |x: f32, head_material| Organ {
-        kind: OrganKind::Stamen,
+    let stamen = |x: f32, variant| Organ {
+        role: Role { variant, ..Role::of(PlantPart::Stamen) },
         stroke: None,
         branch: None,
         flower: Some(0),
-        material: 0,
         shape: Shape::Filament {
             points: vec![Vec3::X * x, Vec3::X * x + Vec3::Y],
             radius: 0.02,
             head: Vec2::new(0.05, 0.1),
-            head_material,
         },
     };
     let cone = Cone { apex: Vec3::ZERO, axis: Vec3::Y, opening_rad: 0.7, height: 0.1 };
-    let plant = Plant {
+    let plant = FinishedPlant::plain(Plant {
         world_from_canvas: WorldFromCanvas { scale: 1.0, origin: Vec2::ZERO },
         branches: Vec::new(),
-        flowers: vec![Flower { branch: None, cone, heart_radius: 0.1, reach: 1.0, look: 0 }],
+        flowers: vec![Flower { branch: None, cone, centre_radius: 0.1, reach: 1.0, look: 0 }],
         organs: vec![stamen(0.0, 1), stamen(1.0, 1), stamen(2.0, 0)],
-        materials: vec![Material::plain("thread", [0.9; 3]), Material::plain("pollen", [0.9, 0.7, 0.1])],
-    };
+        buds: Vec::new(),
+    });
     let mut params = ModelParams::default();
     params.blade.gathered = false;
     let model = build(&plant, &params);
@@ -285,9 +288,9 @@ fn filaments_of_a_flower_are_gathered_by_material() {
 
 /// A trunk with two flowers on it, each of two sepals, a disc and two stamens of two materials; `petal` gives the first
 /// of them a petal that this stroke drew.
-fn flowering(petal: Option<u64>) -> Plant {
+fn flowering(petal: Option<u64>) -> FinishedPlant {
     let cone = Cone { apex: Vec3::Y, axis: Vec3::Y, opening_rad: 0.7, height: 0.1 };
-    let flower = |_| Flower { branch: Some(0), cone, heart_radius: 0.01, reach: 0.1, look: 0 };
+    let flower = |_| Flower { branch: Some(0), cone, centre_radius: 0.01, reach: 0.1, look: 0 };
     let blade = |x: f32| {
         let outline = [Vec2::ZERO, Vec2::new(0.02, 0.05), Vec2::new(0.0, 0.1), Vec2::new(-0.02, 0.05)];
         let base = Vec3::new(x, 1.0, 0.0);
@@ -303,36 +306,28 @@ fn flowering(petal: Option<u64>) -> Plant {
             template: Some(0),
         })
     };
-    let stamen = |x: f32, head_material| Shape::Filament {
+    let stamen = |x: f32| Shape::Filament {
         points: vec![Vec3::new(x, 1.0, 0.0), Vec3::new(x, 1.1, 0.0)],
         radius: 0.002,
         head: Vec2::new(0.005, 0.01),
-        head_material,
     };
     let mut organs = Vec::new();
     for index in 0..2 {
         let x = index as f32;
         let disc = Shape::Dome { base: Vec3::new(x, 1.0, 0.0), axis: Vec3::Y, radius: 0.01, height: 0.01 };
         let shapes = [
-            (OrganKind::Receptacle, disc),
-            (OrganKind::Sepal, blade(x + 0.2)),
-            (OrganKind::Sepal, blade(x + 0.4)),
-            (OrganKind::Stamen, stamen(x + 0.6, 0)),
-            (OrganKind::Stamen, stamen(x + 0.8, 1)),
+            (Role::of(PlantPart::Disc), disc),
+            (Role::of(PlantPart::Sepal), blade(x + 0.2)),
+            (Role::of(PlantPart::Sepal), blade(x + 0.4)),
+            (Role::of(PlantPart::Stamen), stamen(x + 0.6)),
+            (Role { variant: 1, ..Role::of(PlantPart::Stamen) }, stamen(x + 0.8)),
         ];
-        let organ = |(kind, shape)| Organ {
-            kind,
-            stroke: None,
-            branch: Some(0),
-            flower: Some(index),
-            material: 0,
-            shape,
-        };
+        let organ = |(role, shape)| Organ { role, stroke: None, branch: Some(0), flower: Some(index), shape };
         organs.extend(shapes.map(organ));
     }
     if let Some(stroke) = petal {
-        let drawn =
-            Organ { kind: OrganKind::Petal, stroke: Some(stroke), shape: blade(0.1), ..organs[0].clone() };
+        let role = Role::of(PlantPart::Petal);
+        let drawn = Organ { role, stroke: Some(stroke), shape: blade(0.1), ..organs[0].clone() };
         organs.push(drawn);
     }
     let branch = Branch {
@@ -341,15 +336,15 @@ fn flowering(petal: Option<u64>) -> Plant {
         level: 0,
         points: vec![Vec3::ZERO, Vec3::Y],
         radii: vec![0.02; 2],
-        material: 0,
+        role: Role::of(PlantPart::Stem),
     };
-    Plant {
+    FinishedPlant::plain(Plant {
         world_from_canvas: WorldFromCanvas { scale: 1.0, origin: Vec2::ZERO },
         branches: vec![branch],
         flowers: (0..2).map(flower).collect(),
         organs,
-        materials: vec![Material::plain("thread", [0.9; 3]), Material::plain("pollen", [0.9, 0.7, 0.1])],
-    }
+        buds: Vec::new(),
+    })
 }
 
 fn part_names(model: &Model) -> Vec<&str> {
@@ -364,7 +359,7 @@ fn organs_that_nobody_drew_are_one_part_of_each_kind() {
     assert_eq!(part_names(&model), ["wood", "receptacles", "sepals", "stamens", "anthers"]);
     assert_eq!(check(&model), Ok(()));
     let anthers = &model.parts[4];
-    assert_eq!(anthers.coats().map(|(material, _)| material).collect::<Vec<_>>(), [0, 1]);
+    assert_eq!(anthers.material_slots().count(), 2);
     assert!(model.parts[1..].iter().all(|part| part.parent == Some(0) && part.pivot == Vec3::ZERO));
     let apart = build(&flowering(None), &ModelParams::default());
     assert_eq!(model.triangle_count(), apart.triangle_count());

@@ -216,10 +216,12 @@ fn tip_cap(mesh: &mut Mesh, ring: &Ring, look: TubeLook, uv_end: Vec2) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::plant::{PlantPart, Role};
 
     fn stem(points: Vec<Vec3>, radius: f32) -> Mesh {
         let radii = vec![radius; points.len()];
-        let stem = Branch { stroke: None, parent: None, level: 0, points, radii, material: 0 };
+        let stem =
+            Branch { stroke: None, parent: None, level: 0, points, radii, role: Role::of(PlantPart::Stem) };
         let mesh = branch(&stem, look(&stem, &TubeParams::default(), 1.0), &mut TubeScratch::default());
         mesh.check_invariants().unwrap();
         mesh

@@ -74,19 +74,19 @@ pub(super) fn mesh(
     mesh.vertices.reserve(total + total / 4);
     mesh.triangles.reserve(2 * total);
     let mut open_ends = Vec::new();
-    let mut coats = Vec::with_capacity(mesh.triangles.capacity());
+    let mut slots = Vec::with_capacity(mesh.triangles.capacity());
     for (limb, twig) in branches.iter().enumerate() {
         if !scratch.limbs.all[limb].hidden {
-            build(limb, (&mut mesh, &mut coats), &mut open_ends, scratch);
-            coats.resize(mesh.triangles.len(), twig.coat as u32);
+            build(limb, (&mut mesh, &mut slots), &mut open_ends, scratch);
+            slots.resize(mesh.triangles.len(), twig.slot as u32);
         }
     }
     mesh.smooth_missing_normals();
     for (limb, end) in open_ends {
         close_end(&mut mesh, end);
-        coats.resize(mesh.triangles.len(), branches[limb].coat as u32);
+        slots.resize(mesh.triangles.len(), branches[limb].slot as u32);
     }
-    sort_by_coat(&mut mesh, &coats);
+    sort_by_slot(&mut mesh, &slots);
     drop_unused(&mut mesh);
     mesh.split_disagreeing_corners();
     mesh
@@ -110,7 +110,7 @@ struct Grid {
 /// Appends a limb's surface to the mesh, and the barks of its walls and its tip to those of the faces before.
 fn build(
     index: usize,
-    (mesh, coats): (&mut Mesh, &mut Vec<u32>),
+    (mesh, slots): (&mut Mesh, &mut Vec<u32>),
     open_ends: &mut Vec<(usize, OpenEnd)>,
     scratch: &mut WoodScratch,
 ) {
@@ -131,10 +131,10 @@ fn build(
     for row in 0..scratch.grid.len() - 1 {
         walls(mesh, grid, row, &scratch.cells);
         let middle = 0.5 * (scratch.grid[row].arc + scratch.grid[row + 1].arc);
-        coats.resize(mesh.triangles.len(), scratch.limbs.coat(&limb, middle));
+        slots.resize(mesh.triangles.len(), scratch.limbs.slot(&limb, middle));
     }
     tip(mesh, grid, &scratch.grid, &limb.look, end_v);
-    coats.resize(mesh.triangles.len(), scratch.limbs.coat(&limb, f32::INFINITY));
+    slots.resize(mesh.triangles.len(), scratch.limbs.slot(&limb, f32::INFINITY));
     if limb.rim.is_empty() {
         let normal = -scratch.grid[0].ring.tangent;
         open_ends.push((index, OpenEnd { first: grid.first_point, sides: grid.sides, normal }));
@@ -366,18 +366,18 @@ fn close_end(mesh: &mut Mesh, OpenEnd { first: point, sides, normal }: OpenEnd) 
     mesh.triangles.extend((1..sides - 1).map(|j| [first, first + j + 1, first + j]));
 }
 
-/// Puts faces of one coat next to one another, without another change of their order.
-fn sort_by_coat(mesh: &mut Mesh, coats: &[u32]) {
-    let last = coats.iter().copied().max().unwrap_or(0);
+/// Puts faces of one slot next to one another, without another change of their order.
+fn sort_by_slot(mesh: &mut Mesh, slots: &[u32]) {
+    let last = slots.iter().copied().max().unwrap_or(0);
     if last == 0 {
         return;
     }
     let mut sorted = Vec::with_capacity(mesh.triangles.len());
-    for coat in 0..=last {
-        if coat > 0 {
+    for slot in 0..=last {
+        if slot > 0 {
             mesh.breaks.push(sorted.len() as u32);
         }
-        let faces = mesh.triangles.iter().zip(coats).filter(|(_, of)| **of == coat);
+        let faces = mesh.triangles.iter().zip(slots).filter(|(_, of)| **of == slot);
         sorted.extend(faces.map(|(face, _)| *face));
     }
     mesh.triangles = sorted;

@@ -81,7 +81,7 @@ pub(super) fn grow_on(
         Outcome::Growing | Outcome::Finished | Outcome::Stopped => {}
     }
     let plant = merge::merged(drawn, &grows, &grown);
-    if species.blossom.is_some() && bloom::is_thinned(&plant.organs) {
+    if species.blossom.is_some() && bloom::is_thinned(&plant.buds) {
         remark(Remark::BlossomThinned { flowers: bloom::MOST });
     }
     if foliage::is_thinned(&plant.organs) {

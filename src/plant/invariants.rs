@@ -1,6 +1,6 @@
 //! What must hold for every [`Plant`]; called by tests, property tests, fuzz targets and debug builds.
 
-use super::{Blade, Organ, Plant, Shape};
+use super::{Blade, Branch, Organ, Plant, Shape};
 use glam::Vec3;
 
 impl Plant {
@@ -19,7 +19,8 @@ impl Plant {
             ensure(branch.points.iter().all(|p| p.is_finite()), || here("point not finite"))?;
             ensure(branch.points.windows(2).all(|w| w[0] != w[1]), || here("repeated point"))?;
             ensure(branch.radii.iter().all(|r| r.is_finite() && *r > 0.0), || here("radius not positive"))?;
-            ensure(branch.material < self.materials.len(), || here("material out of range"))?;
+            ensure(branch.role.part.kind().is_none(), || here("has the role of an organ"))?;
+            self.check_level(branch).map_err(|what| here(&what))?;
         }
         for (i, flower) in self.flowers.iter().enumerate() {
             let here = |what: &str| format!("flower {i}: {what}");
@@ -28,25 +29,41 @@ impl Plant {
             ensure(flower.cone.apex.is_finite(), || here("apex not finite"))?;
             ensure(flower.reach.is_finite() && flower.reach > 0.0, || here("reach not positive"))?;
         }
+        for (i, bud) in self.buds.iter().enumerate() {
+            let here = |what: &str| format!("bud {i}: {what}");
+            ensure(bud.branch.is_none_or(|b| b < self.branches.len()), || here("branch out of range"))?;
+            ensure(bud.base.is_finite() && bud.u.is_finite() && bud.v.is_finite(), || {
+                here("pose not finite")
+            })?;
+        }
         self.organs.iter().enumerate().try_for_each(|(i, organ)| self.check_organ(i, organ))
     }
 
+    fn check_level(&self, branch: &Branch) -> Result<(), String> {
+        let above = branch.parent.map(|parent| self.branches[parent].level);
+        let is_next = branch.level == above.map_or(0, |level| level + 1);
+        ensure(is_next || (branch.is_basal_stem() && above == Some(0)), || {
+            format!("level {} on a parent of level {above:?}", branch.level)
+        })
+    }
+
     fn check_organ(&self, i: usize, organ: &Organ) -> Result<(), String> {
-        let here = |what: &str| format!("organ {i} ({:?}): {what}", organ.kind);
+        let here = |what: &str| format!("organ {i} ({:?}): {what}", organ.role);
+        ensure(organ.role.part.kind().is_some(), || here("has the role of a branch"))?;
         ensure(organ.branch.is_none_or(|b| b < self.branches.len()), || here("branch out of range"))?;
         ensure(organ.flower.is_none_or(|f| f < self.flowers.len()), || here("flower out of range"))?;
-        ensure(organ.material < self.materials.len(), || here("material out of range"))?;
+        let look = organ.flower.map_or(0, |flower| self.flowers[flower].look);
+        ensure(organ.role.look as usize == look, || here("look is not its flower's"))?;
         match &organ.shape {
             Shape::Blade(blade) => check_blade(blade).map_err(|what| here(&what)),
             Shape::Dome { base, axis, radius, height } => {
                 ensure(base.is_finite() && is_unit(*axis), || here("pose"))?;
                 ensure(*radius > 0.0 && *height > 0.0, || here("size not positive"))
             }
-            Shape::Filament { points, radius, head, head_material } => {
+            Shape::Filament { points, radius, head } => {
                 ensure(points.len() >= 2 && points.iter().all(|p| p.is_finite()), || here("points"))?;
                 ensure(points.windows(2).all(|w| w[0] != w[1]), || here("repeated point"))?;
-                ensure(*radius > 0.0 && head.min_element() >= 0.0, || here("size not positive"))?;
-                ensure(*head_material < self.materials.len(), || here("head material out of range"))
+                ensure(*radius > 0.0 && head.min_element() >= 0.0, || here("size not positive"))
             }
             Shape::Lathe { base, axis, profile } => {
                 ensure(base.is_finite() && is_unit(*axis), || here("pose"))?;

@@ -4,19 +4,26 @@
 //! [`Organ`]s of both. World space: metres, y up, z toward the viewer, right-handed. It knows no strokes beyond their
 //! ids, no triangles and nobody else in the program.
 //!
+//! Each branch and organ has a [`Role`], which says what it is. Applying a species makes a [`FinishedPlant`] of it, in
+//! which every role has a material.
+//!
 //! Topological order is an invariant: a branch's parent stands before it. [`Plant::check_invariants`] says all of them.
 
 pub mod blade;
 pub mod cone;
+pub mod finished;
 pub mod invariants;
 pub mod junction;
 pub mod material;
 pub mod organ_kind;
+pub mod role;
 
 pub use blade::{Blade, BladeForm, RestSurface};
 pub use cone::Cone;
+pub use finished::FinishedPlant;
 pub use material::{Material, Texture};
 pub use organ_kind::{OrganClass, OrganForm, OrganKind};
+pub use role::{PlantPart, Role};
 
 use glam::{Vec2, Vec3};
 use serde::{Deserialize, Serialize};
@@ -48,35 +55,56 @@ impl WorldFromCanvas {
 }
 
 /// One branch: a skeleton from its base to its end.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Branch {
     /// The stroke that drew it, `None` for a generated twig.
     pub stroke: Option<u64>,
     /// Index of the branch that carries it; always smaller than its own.
     pub parent: Option<usize>,
-    /// Distance from the ground: 0 for a trunk or stem, 1 for its children, and so on.
+    /// Branching order: 0 for trunks, and for the stems of a bush, which stand on the stump of its first one; for all
+    /// others one more than their parent's.
     pub level: u32,
     /// Skeleton in metres, base first, at least two points, no two consecutive ones equal.
     pub points: Vec<Vec3>,
     /// Radius in metres at each point, positive.
     pub radii: Vec<f32>,
-    /// Index into [`Plant::materials`].
-    pub material: usize,
+    /// What it is.
+    pub role: Role,
+}
+
+impl Branch {
+    /// Whether it is a stem of a bush that stands on the stump of another one.
+    pub fn is_basal_stem(&self) -> bool {
+        self.level == 0 && self.parent.is_some()
+    }
 }
 
 /// Pose of one flower: the cone on which its petals stand.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Flower {
     /// The branch that ends in it.
     pub branch: Option<usize>,
     /// Apex, axis and opening of the petals' cone; the apex is the flower's centre.
     pub cone: Cone,
-    /// Radius of the flower's heart in metres: where petals meet the receptacle.
-    pub heart_radius: f32,
+    /// Radius of the flower's centre in metres: where petals meet the receptacle.
+    pub centre_radius: f32,
     /// Distance from the centre to the petals' tips in metres.
     pub reach: f32,
     /// Index of the flower's look among the species' flowers.
     pub look: usize,
+}
+
+/// A flower that has not opened; a species says what it becomes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlowerBud {
+    /// The branch it grows on.
+    pub branch: Option<usize>,
+    /// Where it stands, metres.
+    pub base: Vec3,
+    /// Vector to its right seen on its face, metres.
+    pub u: Vec3,
+    /// Vector in which it opens; its length is the flower's size, metres.
+    pub v: Vec3,
 }
 
 /// Shape and pose of an organ.
@@ -96,16 +124,14 @@ pub enum Shape {
         /// Height above the underside, metres.
         height: f32,
     },
-    /// A thread with a swollen end.
+    /// A filament with a swollen end, whose role is [`Role::of_head`].
     Filament {
         /// Skeleton in metres, base first, at least two points.
         points: Vec<Vec3>,
-        /// Radius of the thread, metres.
+        /// Radius of the filament, metres.
         radius: f32,
         /// Radius and half length of the ellipsoid at its end, metres; zero for none.
         head: Vec2,
-        /// Index into [`Plant::materials`] of the head.
-        head_material: usize,
     },
     /// A solid of revolution about `axis`: a pot, a fruit.
     Lathe {
@@ -119,18 +145,16 @@ pub enum Shape {
 }
 
 /// One organ of the plant.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Organ {
     /// What it is.
-    pub kind: OrganKind,
+    pub role: Role,
     /// The stroke that drew it, `None` if generated.
     pub stroke: Option<u64>,
     /// The branch it grows on.
     pub branch: Option<usize>,
     /// The flower it belongs to.
     pub flower: Option<usize>,
-    /// Index into [`Plant::materials`].
-    pub material: usize,
     /// Shape and pose.
     pub shape: Shape,
 }
@@ -147,6 +171,12 @@ impl Shape {
 }
 
 impl Organ {
+    /// The kind of organ that its role belongs to. No organ has the role of a branch: [`Plant::check_invariants`] refuses
+    /// it, and here it counts as a thorn.
+    pub fn kind(&self) -> OrganKind {
+        self.role.part.kind().unwrap_or(OrganKind::Thorn)
+    }
+
     /// Where the organ is attached: the pivot of its node in exported files.
     pub fn base(&self) -> Vec3 {
         match &self.shape {
@@ -158,7 +188,7 @@ impl Organ {
 }
 
 /// A plant, or the several plants of one drawing.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Plant {
     /// How the drawing maps to the world.
     pub world_from_canvas: WorldFromCanvas,
@@ -168,11 +198,20 @@ pub struct Plant {
     pub flowers: Vec<Flower>,
     /// Everything that is not wood.
     pub organs: Vec<Organ>,
-    /// The looks that branches and organs refer to.
-    pub materials: Vec<Material>,
+    /// Flowers that are still closed; none once a species is applied.
+    pub buds: Vec<FlowerBud>,
 }
 
 impl Plant {
+    /// The role of every branch, then of every piece of the organs, with repetitions.
+    pub fn roles(&self) -> impl Iterator<Item = Role> {
+        let of_organs = self.organs.iter().flat_map(|organ| {
+            let head = matches!(organ.shape, Shape::Filament { .. }).then(|| organ.role.of_head());
+            std::iter::once(organ.role).chain(head)
+        });
+        self.branches.iter().map(|branch| branch.role).chain(of_organs)
+    }
+
     /// For each branch the index of its trunk, the branch without parent that it stands on.
     pub fn trunks(&self) -> Vec<usize> {
         let mut trunk = Vec::with_capacity(self.branches.len());

@@ -64,8 +64,6 @@ macro_rules! organ_kinds {
 organ_kinds! {
     /// Green blade on a branch.
     Leaf = "leaf", "leaves", "leaf_heads", Foliage, Blade, [92, 172, 72];
-    /// Flower of a grown plant that the looks of a species have yet to open.
-    Bud = "bud", "buds", "bud_heads", Foliage, Blade, [150, 190, 90];
     /// Coloured blade of a flower.
     Petal = "petal", "petals", "petal_heads", Flower, Blade, [226, 104, 150];
     /// Green blade behind the petals.

@@ -60,7 +60,7 @@ pub(super) fn coats(model: &Model, room: Room) -> impl Iterator<Item = Coat<'_>>
 
 /// The materials of a part with their triangles, divided where they are too many for one buffer.
 pub(super) fn coats_of(part: &Part, room: Room) -> impl Iterator<Item = (usize, Range<usize>)> {
-    part.coats().flat_map(move |(material, all)| {
+    part.material_slots().flat_map(move |(material, all)| {
         let ends = all.clone().step_by(room.triangles()).skip(1).chain([all.end]);
         all.step_by(room.triangles()).zip(ends).map(move |(from, to)| (material, from..to))
     })

@@ -1,55 +1,63 @@
 //! A tree in blossom: its flower buds open, and some of its leaves stand as small flowers.
 //!
 //! A tree is drawn with leaf outlines, hundreds of leaves at once; nobody draws its petals. The chosen leaves give
-//! their place and direction to a flower of the species' first look, which the rest of [`super::dress()`] treats like
+//! their place and direction to a flower of the species' first look, which the rest of [`super::apply()`] treats like
 //! any drawn flower. Each is as large as the leaf in whose place it stands, so that flowers open as buds grow.
 
 use super::looks::BlossomLook;
 use super::sepals::blade_at;
 use crate::budget::Budget;
-use crate::plant::{Blade, BladeForm, Cone, Flower, Organ, OrganKind, Plant, Shape};
+use crate::plant::{
+    Blade, BladeForm, Cone, Flower, FlowerBud, Organ, OrganKind, Plant, PlantPart, Role, Shape,
+};
 use glam::{Quat, Vec2, Vec3};
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use std::f32::consts::TAU;
 use std::sync::Arc;
 
-/// Radius of the heart, as a share of the reach.
-const HEART: f32 = 0.08;
+/// Radius of the flower's centre, as a share of the reach.
+const CENTRE: f32 = 0.08;
 
-/// Replaces leaves by flowers; their petals share the outline number `template`. Says whether fewer open than the species
-/// asks for, because a plant may not have more.
+/// Opens the flower buds and replaces leaves by flowers; their petals share the outline number `template`. Says whether
+/// fewer open than the species asks for, because a plant may not have more.
 pub(super) fn blossom(plant: &mut Plant, look: &BlossomLook, template: u32, rng: &mut Pcg64Mcg) -> bool {
     let Some(mean) = mean_leaf_length(plant) else { return false };
     let reach = mean * look.reach;
-    let outline = notched(reach * (1.0 - HEART), look).into();
+    let outline = notched(reach * (1.0 - CENTRE), look).into();
     let share = affordable_share(plant, look.share);
-    let room = 1.0 + share * look.petals as f32;
-    let mut kept = Vec::with_capacity((plant.organs.len() as f32 * room) as usize);
-    for organ in std::mem::take(&mut plant.organs) {
-        let opens =
-            organ.kind == OrganKind::Bud || (is_generated_leaf(&organ) && rng.random_bool(f64::from(share)));
+    let room = (plant.organs.len() as f32 * (1.0 + share * look.petals as f32)) as usize;
+    let organs = std::mem::replace(&mut plant.organs, Vec::with_capacity(room));
+    let buds = std::mem::take(&mut plant.buds);
+    let open = |plant: &mut Plant, bud: &FlowerBud, rng: &mut Pcg64Mcg| {
+        let size = bud.v.length() / mean;
+        let flower = pose(bud, reach * size, look);
+        plant.organs.extend(petals((&flower, size), plant.flowers.len(), look, &outline, template, rng));
+        plant.flowers.push(flower);
+    };
+    for organ in organs {
+        let opens = is_generated_leaf(&organ) && rng.random_bool(f64::from(share));
         match &organ.shape {
-            Shape::Blade(leaf) if opens => {
-                let size = length_of(leaf) / mean;
-                let flower = pose(leaf, organ.branch, reach * size, look);
-                kept.extend(petals((&flower, size), plant.flowers.len(), look, &outline, template, rng));
-                plant.flowers.push(flower);
-            }
-            _ => kept.push(organ),
+            Shape::Blade(leaf) if opens => open(plant, &bud_of(leaf, organ.branch), rng),
+            _ => plant.organs.push(organ),
         }
     }
-    plant.organs = kept;
+    buds.iter().for_each(|bud| open(plant, bud, rng));
     share < look.share
 }
 
+/// The bud in a leaf's place.
+fn bud_of(leaf: &Blade, branch: Option<usize>) -> FlowerBud {
+    FlowerBud { branch, base: leaf.base, u: leaf.u, v: leaf.v * leaf.length }
+}
+
 fn is_generated_leaf(organ: &Organ) -> bool {
-    organ.kind == OrganKind::Leaf && organ.stroke.is_none()
+    organ.kind() == OrganKind::Leaf && organ.stroke.is_none()
 }
 
 /// The share of leaves that open: as wished, or as many as the budget leaves after the buds.
 fn affordable_share(plant: &Plant, wished: f32) -> f32 {
-    let buds = plant.organs.iter().filter(|organ| organ.kind == OrganKind::Bud).count();
+    let buds = plant.buds.len();
     let leaves = plant.organs.iter().filter(|organ| is_generated_leaf(organ)).count();
     wished.min(Budget::PLANT.blossoms.saturating_sub(buds) as f32 / leaves.max(1) as f32)
 }
@@ -68,15 +76,15 @@ fn mean_leaf_length(plant: &Plant) -> Option<f32> {
     (mean.is_finite() && mean > 0.0).then_some(mean)
 }
 
-/// The flower in a leaf's place: it looks between the leaf's direction and the side that the leaf shows.
-fn pose(leaf: &Blade, branch: Option<usize>, reach: f32, look: &BlossomLook) -> Flower {
-    let out = leaf.v.normalize_or(Vec3::Y);
-    let face = leaf.u.cross(leaf.v).normalize_or(Vec3::Z);
+/// The flower in a bud's place: it looks between the bud's direction and the side that the bud shows.
+fn pose(bud: &FlowerBud, reach: f32, look: &BlossomLook) -> Flower {
+    let out = bud.v.normalize_or(Vec3::Y);
+    let face = bud.u.cross(bud.v).normalize_or(Vec3::Z);
     let axis = (out + face).normalize_or(Vec3::Y);
     let opening_rad = look.opening_deg.clamp(5.0, 85.0).to_radians();
     let cone =
-        Cone { apex: leaf.base + out * (0.4 * reach), axis, opening_rad, height: reach * opening_rad.cos() };
-    Flower { branch, cone, heart_radius: HEART * reach, reach, look: 0 }
+        Cone { apex: bud.base + out * (0.4 * reach), axis, opening_rad, height: reach * opening_rad.cos() };
+    Flower { branch: bud.branch, cone, centre_radius: CENTRE * reach, reach, look: 0 }
 }
 
 /// The petals of a flower of a size; their outline is that of a flower of size 1.
@@ -96,15 +104,14 @@ fn petals<'a>(
         let radial = Quat::from_axis_angle(axis, turn + TAU * k as f32 / count as f32) * side;
         let v = axis * opening_rad.cos() + radial * opening_rad.sin();
         let face = axis * opening_rad.sin() - radial * opening_rad.cos();
-        let base = apex + v * (HEART * flower.reach);
-        let length = (1.0 - HEART) * flower.reach / size.max(f32::MIN_POSITIVE);
+        let base = apex + v * (CENTRE * flower.reach);
+        let length = (1.0 - CENTRE) * flower.reach / size.max(f32::MIN_POSITIVE);
         let blade = blade_at(base, v * size, face, outline, length, BladeForm::default(), template);
         Organ {
-            kind: OrganKind::Petal,
+            role: Role::of(PlantPart::Petal),
             stroke: None,
             branch: flower.branch,
             flower: Some(index),
-            material: 0,
             shape: Shape::Blade(blade),
         }
     })

@@ -4,10 +4,9 @@
 
 use super::builtin::{builtin_texture, texture_names};
 use super::looks::{FlowerLook, Species};
-use super::part::Part;
 use super::places::Places;
 use crate::picture::{Picture, PictureError};
-use crate::plant::Texture;
+use crate::plant::{PlantPart, Texture};
 use crate::suggest::{did_you_mean, nearest};
 use crate::{input, quote};
 use std::io;
@@ -122,7 +121,7 @@ pub enum SpeciesError {
 }
 
 fn part_names() -> String {
-    Part::ALL.iter().map(|part| part.name()).collect::<Vec<_>>().join(", ")
+    PlantPart::ALL.iter().map(|part| part.name()).collect::<Vec<_>>().join(", ")
 }
 
 impl Species {
@@ -153,9 +152,9 @@ impl Species {
     /// Gives every material of a part the artist's own picture.
     ///
     /// # Errors
-    /// A part that no plant has (the message lists all, see [`Part`]), or a picture that is missing or cannot be shown.
+    /// A part that no plant has (the message lists all, see [`PlantPart`]), or a picture that is missing or cannot be shown.
     pub fn set_texture(&mut self, part: &str, picture: &Path) -> Result<(), SpeciesError> {
-        let part = Part::from_name(part).map_err(|nearest| SpeciesError::NoPart {
+        let part = PlantPart::from_name(part).map_err(|nearest| SpeciesError::NoPart {
             name: quote::name(part),
             nearest: nearest.map(str::to_owned),
         })?;

@@ -21,11 +21,9 @@ const CURL: f32 = 0.15;
 pub(super) fn keep_above(plant: &mut Plant) {
     // Drawn wood stays where it was drawn; the ground is as low as that.
     plant.branches.iter_mut().filter(|branch| branch.stroke.is_none()).for_each(lift_branch);
-    for organ in &mut plant.organs {
+    for organ in plant.organs.iter_mut().filter(|organ| organ.kind() == OrganKind::Leaf) {
         match &mut organ.shape {
-            Shape::Blade(blade) if organ.kind == OrganKind::Leaf && blade.rest == RestSurface::Plane => {
-                lift_leaf(blade);
-            }
+            Shape::Blade(blade) if blade.rest == RestSurface::Plane => lift_leaf(blade),
             _ => {}
         }
     }
@@ -99,7 +97,7 @@ fn lowest(blade: &Blade) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plant::BladeForm;
+    use crate::plant::{BladeForm, PlantPart, Role};
     use glam::Vec2;
 
     fn leaf(base: Vec3, v: Vec3) -> Blade {
@@ -138,8 +136,14 @@ mod tests {
     #[test]
     fn wood_lies_on_the_ground() {
         let points = [0.5, 0.1, -0.3, -0.2].map(|y| Vec3::new(1.0 - y, y, 0.0)).to_vec();
-        let mut branch =
-            Branch { stroke: None, parent: Some(0), level: 1, points, radii: vec![0.02; 4], material: 0 };
+        let mut branch = Branch {
+            stroke: None,
+            parent: Some(0),
+            level: 1,
+            points,
+            radii: vec![0.02; 4],
+            role: Role::of(PlantPart::Stem),
+        };
         lift_branch(&mut branch);
         assert_eq!(branch.points.iter().map(|p| p.y).collect::<Vec<_>>(), [0.5, 0.1, 0.02, 0.02]);
     }

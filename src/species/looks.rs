@@ -4,11 +4,10 @@
 //! a flower of any size. Every number's range is checked while reading
 //! ([`parameters!`](crate::parameters!)).
 
-use super::part::Part;
 use crate::growth::Habit;
 use crate::params::{ParamValue as _, Range};
 use crate::picture::Picture;
-use crate::plant::{BladeForm, Material, Texture};
+use crate::plant::{BladeForm, Material, PlantPart, Texture};
 use crate::quote;
 use crate::srgb::linear_from_srgb;
 use serde::{Deserialize, Deserializer, Serialize, de};
@@ -48,7 +47,7 @@ pub struct Species {
     pub written: Written,
     /// The artist's own pictures, which replace every material of a part.
     #[serde(skip)]
-    pub(super) pictures: BTreeMap<Part, Picture>,
+    pub(super) pictures: BTreeMap<PlantPart, Picture>,
 }
 
 /// Where a species is written, for messages about parameters, which are checked where all of them are known.
@@ -149,13 +148,13 @@ crate::parameters! {
         /// What carries the petals from behind.
         cup: Option<CupLook> = None;
         /// Groups of stamens.
-        stamens: Vec<ThreadLook> = Vec::new();
+        stamens: Vec<FilamentLook> = Vec::new();
         /// Groups of styles.
-        pistils: Vec<ThreadLook> = Vec::new();
+        pistils: Vec<FilamentLook> = Vec::new();
         sections:
         /// Petals.
         petals: PetalLook;
-        /// Heart of the flower.
+        /// Middle of the flower.
         disc: DiscLook;
     }
 }
@@ -224,9 +223,9 @@ crate::parameters! {
 }
 
 crate::parameters! {
-    /// Heart of the flower: a dome whose texture is seen from above.
+    /// Disc of the flower: a dome whose texture is seen from above.
     pub struct DiscLook {
-        /// Least radius, share of the reach; a drawing with a wider heart widens it.
+        /// Least radius, share of the reach; a drawing with a wider centre widens it.
         radius: f32, 0.0..=1.0, "of the reach";
         /// Height, share of the radius.
         height: f32, 0.01..=20.0, "of the radius";
@@ -236,7 +235,7 @@ crate::parameters! {
     }
 }
 
-/// How the threads of a group stand.
+/// How the filaments of a group stand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Arrangement {
@@ -250,29 +249,29 @@ pub enum Arrangement {
 
 crate::parameters! {
     /// A group of stamens or styles.
-    pub struct ThreadLook {
+    pub struct FilamentLook {
         /// Number.
         count: u32, 0..=200, "";
         /// Length, share of the reach.
         length: f32, 0.0..=3.0, "of the reach";
-        /// Radius of the thread, share of the reach.
+        /// Radius of the filament, share of the reach.
         radius: f32, 0.001..=0.2, "of the reach";
-        /// Distance of the ring, or of the outermost thread, from the axis: share of the disc's radius.
+        /// Distance of the ring, or of the outermost filament, from the axis: share of the disc's radius.
         ring: f32 = 0.0, 0.0..=1.0, "of the disc's radius";
-        /// Height of the lowest thread above the disc, share of the reach.
+        /// Height of the lowest filament above the disc, share of the reach.
         rise: f32 = 0.0, 0.0..=3.0, "of the reach";
         /// Length of the column, share of the reach.
         column: f32 = 0.0, 0.0..=3.0, "of the reach";
-        /// Angle between the axis and the outermost thread, degrees; never beyond the petals.
+        /// Angle between the axis and the outermost filament, degrees; never beyond the petals.
         spread_deg: f32 = 0.0, 0.0..=180.0, "degrees";
         /// Bow away from the axis, share of the length; negative toward it.
         bow: f32 = 0.0, -1.0..=1.0, "of the length";
-        /// How much length and direction differ from thread to thread, 0 to 1.
+        /// How much length and direction differ from filament to filament, 0 to 1.
         vary: f32 = 0.0, 0.0..=1.0, "";
         choices:
-        /// Material of the threads.
+        /// Material of the filaments.
         material: String;
-        /// Material of their heads; that of the threads if left out.
+        /// Material of their heads; that of the filaments if left out.
         head_material: Option<String> = None;
         /// How they stand.
         arrangement: Arrangement;
@@ -327,10 +326,29 @@ crate::parameters! {
     }
 }
 
+impl FilamentLook {
+    /// Material of the filaments.
+    pub(super) fn material(&self) -> &str {
+        &self.material
+    }
+
+    /// Material of their heads.
+    pub(super) fn head_material(&self) -> &str {
+        self.head_material.as_ref().unwrap_or(&self.material)
+    }
+}
+
 /// Names of one or more materials; in the file a string or a list of strings.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(transparent)]
 pub struct Names(pub Vec<String>);
+
+impl Names {
+    /// The name for a variant; they are taken in turn.
+    pub(super) fn nth(&self, variant: u32) -> &str {
+        self.0.get(variant as usize % self.0.len().max(1)).map_or("", String::as_str)
+    }
+}
 
 impl<'de> Deserialize<'de> for Names {
     fn deserialize<D: Deserializer<'de>>(source: D) -> Result<Self, D::Error> {

@@ -1,4 +1,4 @@
-//! Where the parts of one flower sit: the frame and proportions of its heart.
+//! Where the parts of one flower sit: the frame and proportions of its centre.
 //!
 //! Everything stands inside the petals' cone. A ring of radius r touches the cone at height r / tan(opening) above the
 //! apex, so a disc of that radius put there covers the petals' roots and is not pierced by them; in a narrow, shut
@@ -14,7 +14,7 @@ const OVERLAP: f32 = 1.08;
 /// How far a disc lies above the petals, as a share of its radius, because their margins rise from the cone.
 const CLEARANCE: f32 = 0.06;
 
-/// Frame and proportions of a flower's heart, metres.
+/// Frame and proportions of a flower's centre, metres.
 pub(super) struct Seat {
     /// Where the petals meet.
     pub(super) apex: Vec3,
@@ -38,11 +38,11 @@ impl Seat {
     /// The seat of a flower whose first petal points at `first_petal` and whose disc has at least the radius `disc_radius` (share of the reach) and the height
     /// `disc_height` (share of its radius).
     pub(super) fn new(flower: &Flower, first_petal: Vec3, disc_radius: f32, disc_height: f32) -> Self {
-        let Flower { cone, heart_radius, reach, .. } = flower;
+        let Flower { cone, centre_radius, reach, .. } = flower;
         let axis = cone.axis.normalize();
         let side = (first_petal - cone.apex).reject_from_normalized(axis).try_normalize();
         let opening_rad = cone.opening_rad.clamp(0.05, 1.55);
-        let drawn = if heart_radius.is_finite() { heart_radius * OVERLAP } else { 0.0 };
+        let drawn = if centre_radius.is_finite() { centre_radius * OVERLAP } else { 0.0 };
         let largest = (LARGEST_DISC.0 * reach).min(LARGEST_DISC.1 * reach * opening_rad.sin());
         let radius = drawn.max(disc_radius * reach).min(largest).max(0.01 * reach);
         Self {

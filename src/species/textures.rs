@@ -1,4 +1,4 @@
-//! The artist's own textures: found, and laid over a dressed plant, by kind of part.
+//! The artist's own textures: found, and laid over a finished plant, by kind of part.
 //!
 //! A choice names a kind of part by its [`key`] and a texture: a built-in one, by file name with or without ending, or a
 //! picture. Every material that such parts have gets the texture; a material that other parts have too is split
@@ -10,17 +10,15 @@
 
 use super::builtin::builtin_texture;
 use crate::picture::{Picture, PictureError, decode};
-use crate::plant::{Material, OrganKind, Plant, Shape, Texture};
+use crate::plant::{FinishedPlant, Material, OrganKind, Texture};
 use crate::sketch::species_file::own_name;
 use crate::sketch::{Remark, TextureChoice, Textures, Warning};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Kinds of parts that have a texture of their own, `None` for branches.
 pub fn kinds() -> impl Iterator<Item = Option<OrganKind>> {
-    // Buds are open, or gone, before a plant has textures.
-    let organs = OrganKind::ALL.iter().filter(|kind| **kind != OrganKind::Bud);
-    std::iter::once(None).chain(organs.copied().map(Some))
+    std::iter::once(None).chain(OrganKind::ALL.iter().copied().map(Some))
 }
 
 /// Name of a kind of part among the choices; branches are `None`.
@@ -102,54 +100,12 @@ fn found(path: &str, name: &str, folder: &Path) -> Result<Picture, PictureError>
     }
 }
 
-/// Lays the artist's textures over a dressed plant. Choices for unknown kinds of parts, for those that the plant does
-/// not have, and of missing pictures change nothing.
-pub fn lay_over(plant: &mut Plant, choices: &Textures) {
+/// Lays the artist's textures over a plant. Choices for unknown kinds of parts, for those that the plant does not have,
+/// and of missing pictures change nothing.
+pub fn lay_over(plant: &mut FinishedPlant, choices: &Textures) {
     for organ in kinds() {
         if let Some(texture) = choices.get(key(organ)).and_then(chosen) {
-            lay(plant, organ, &texture);
-        }
-    }
-}
-
-fn lay(plant: &mut Plant, organ: Option<OrganKind>, texture: &Texture) {
-    let mut mine = BTreeSet::new();
-    let mut others = BTreeSet::new();
-    visit(plant, |kind, material| {
-        if kind == organ {
-            mine.insert(*material)
-        } else {
-            others.insert(*material)
-        };
-    });
-    let mut moved = BTreeMap::new();
-    for index in mine {
-        let Some(material) = plant.materials.get(index) else { continue };
-        let mut dressed = textured(material, texture);
-        if others.contains(&index) {
-            dressed.name = unique_name(&plant.materials, &format!("{}-{}", dressed.name, key(organ)));
-            moved.insert(index, plant.materials.len());
-            plant.materials.push(dressed);
-        } else {
-            plant.materials[index] = dressed;
-        }
-    }
-    visit(plant, |kind, material| {
-        if let Some(new) = moved.get(material).filter(|_| kind == organ) {
-            *material = *new;
-        }
-    });
-}
-
-/// Shows every material index of the plant with the kind of part that has it.
-fn visit(plant: &mut Plant, mut see: impl FnMut(Option<OrganKind>, &mut usize)) {
-    for branch in &mut plant.branches {
-        see(None, &mut branch.material);
-    }
-    for organ in &mut plant.organs {
-        see(Some(organ.kind), &mut organ.material);
-        if let Shape::Filament { head_material, .. } = &mut organ.shape {
-            see(Some(organ.kind), head_material);
+            plant.change_materials(organ, key(organ), |material| textured(material, &texture));
         }
     }
 }
@@ -165,22 +121,33 @@ fn textured(material: &Material, texture: &Texture) -> Material {
     out
 }
 
-fn unique_name(taken: &[Material], wish: &str) -> String {
-    let free = |name: &String| taken.iter().all(|material| material.name != *name);
-    let mut names = std::iter::once(wish.to_owned()).chain((2..).map(|n| format!("{wish}{n}")));
-    names.find(free).unwrap_or_else(|| wish.to_owned())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plant::{Branch, Organ, WorldFromCanvas};
+    use crate::plant::{Branch, Organ, Plant, PlantPart, Role, Shape, WorldFromCanvas};
     use glam::{Vec2, Vec3};
+    use std::collections::BTreeSet;
 
     /// A plant with a stem and one organ of each kind, each with a material of its own, and a stamen whose head has
     /// another one.
-    fn plant() -> Plant {
-        let mut plant = Plant {
+    fn plant() -> FinishedPlant {
+        let shape = |part| match part {
+            PlantPart::Stamen => Shape::Filament {
+                points: vec![Vec3::Y, 2.0 * Vec3::Y],
+                radius: 0.01,
+                head: Vec2::splat(0.02),
+            },
+            _ => Shape::Dome { base: Vec3::Y, axis: Vec3::Y, radius: 0.1, height: 0.1 },
+        };
+        let part = |kind| PlantPart::ALL.iter().copied().find(|part| part.kind() == Some(kind)).unwrap();
+        let organ = |kind| Organ {
+            role: Role::of(part(kind)),
+            stroke: None,
+            branch: Some(0),
+            flower: None,
+            shape: shape(part(kind)),
+        };
+        let plant = FinishedPlant::plain(Plant {
             world_from_canvas: WorldFromCanvas { scale: 0.001, origin: Vec2::ZERO },
             branches: vec![Branch {
                 stroke: Some(1),
@@ -188,24 +155,12 @@ mod tests {
                 level: 0,
                 points: vec![Vec3::ZERO, Vec3::Y],
                 radii: vec![0.1; 2],
-                material: 0,
+                role: Role::of(PlantPart::Stem),
             }],
             flowers: Vec::new(),
-            organs: Vec::new(),
-            materials: vec![Material::plain("stem", [0.2, 0.4, 0.2])],
-        };
-        for kind in kinds().flatten() {
-            let material = plant.materials.len();
-            plant.materials.push(Material::plain(key(Some(kind)), [0.1, 0.2, 0.3]));
-            let shape = if kind == OrganKind::Stamen {
-                plant.materials.push(Material::plain("anther", [0.9, 0.8, 0.1]));
-                let points = vec![Vec3::Y, 2.0 * Vec3::Y];
-                Shape::Filament { points, radius: 0.01, head: Vec2::splat(0.02), head_material: material + 1 }
-            } else {
-                Shape::Dome { base: Vec3::Y, axis: Vec3::Y, radius: 0.1, height: 0.1 }
-            };
-            plant.organs.push(Organ { kind, stroke: None, branch: Some(0), flower: None, material, shape });
-        }
+            organs: kinds().flatten().map(organ).collect(),
+            buds: Vec::new(),
+        });
         assert_eq!(plant.check_invariants(), Ok(()));
         plant
     }
@@ -220,16 +175,9 @@ mod tests {
         pairs.iter().map(|(k, v)| ((*k).to_owned(), named(v))).collect()
     }
 
-    fn textures_of(plant: &Plant, wanted: Option<OrganKind>) -> BTreeSet<String> {
-        let mut plant = plant.clone();
-        let mut out = BTreeSet::new();
-        let materials = plant.materials.clone();
-        visit(&mut plant, |kind, material| {
-            if kind == wanted {
-                out.insert(format!("{:?}", materials[*material].texture));
-            }
-        });
-        out
+    fn textures_of(plant: &FinishedPlant, wanted: Option<OrganKind>) -> BTreeSet<String> {
+        let roles = plant.roles().filter(|role| role.part.kind() == wanted);
+        roles.map(|role| format!("{:?}", plant.materials()[plant.material(role)].texture)).collect()
     }
 
     #[test]
@@ -252,19 +200,17 @@ mod tests {
     }
 
     #[test]
-    fn a_material_worn_by_two_kinds_of_parts_is_split() {
-        let mut plant = plant();
-        visit(&mut plant, |_, material| *material = 0);
-        plant.materials.truncate(1);
+    fn a_material_of_two_kinds_of_parts_is_split() {
+        let mut plant = FinishedPlant::new((*plant()).clone(), &[], |_| Material::plain("all", [0.5; 3]));
         lay_over(&mut plant, &choices(&[("leaf", "leaf_maple.png")]));
-        assert_eq!(plant.materials.len(), 2);
-        assert_ne!(plant.materials[0].name, plant.materials[1].name);
+        let names: Vec<&str> = plant.materials().iter().map(|material| material.name.as_str()).collect();
+        assert_eq!(names, ["all", "all-leaf"]);
         assert_ne!(textures_of(&plant, None), textures_of(&plant, Some(OrganKind::Leaf)));
         assert_eq!(plant.check_invariants(), Ok(()));
     }
 
     #[test]
-    fn threads_wear_the_texture_with_their_heads() {
+    fn filaments_have_the_texture_with_their_heads() {
         let mut plant = plant();
         lay_over(&mut plant, &choices(&[("stamen", "petal_daisy")]));
         assert_eq!(textures_of(&plant, Some(OrganKind::Stamen)).len(), 1);
@@ -328,10 +274,12 @@ mod tests {
         let mut after = before.clone();
         lay_over(&mut after, &choices(&[("nonsense", "x.png")]));
         assert_eq!(before, after);
-        after.organs.retain(|organ| organ.kind != OrganKind::Petal);
-        let bare = after.clone();
+        let mut bare = (*after).clone();
+        bare.organs.retain(|organ| organ.kind() != OrganKind::Petal);
+        let before = FinishedPlant::plain(bare);
+        let mut after = before.clone();
         lay_over(&mut after, &choices(&[("petal", "petal_rose")]));
-        assert_eq!(bare, after);
+        assert_eq!(before, after);
     }
 
     #[test]

@@ -8,7 +8,9 @@
 
 use glam::{Vec2, Vec3};
 use penstemon::model::{Mesh, Model, Part, PartKind, Vertex};
-use penstemon::plant::{Branch, Material, OrganKind, Plant, Texture, WorldFromCanvas};
+use penstemon::plant::{
+    Branch, FinishedPlant, Material, OrganKind, Plant, PlantPart, Role, Texture, WorldFromCanvas,
+};
 use std::borrow::Cow;
 use std::f32::consts::TAU;
 
@@ -135,7 +137,7 @@ fn part(
 }
 
 /// Two specimens: each a trunk with a branch, and a leaf on either.
-pub(crate) fn two_specimens() -> (Model, Plant) {
+pub(crate) fn two_specimens() -> (Model, FinishedPlant) {
     let mut parts = Vec::new();
     for specimen in 0..2 {
         let base = Vec3::new(specimen as f32 * 0.4, 0.0, 0.1);
@@ -160,7 +162,7 @@ pub(crate) fn two_specimens() -> (Model, Plant) {
 }
 
 /// A trunk with `leaves` leaves of 170 points each.
-pub(crate) fn leafy(leaves: usize) -> (Model, Plant) {
+pub(crate) fn leafy(leaves: usize) -> (Model, FinishedPlant) {
     let trunk =
         part("branch_0".into(), PartKind::Wood, None, 0, Vec3::ZERO, tube(Vec3::ZERO, Vec3::Y, 0.02, 8));
     let mut parts = vec![trunk];
@@ -176,7 +178,7 @@ pub(crate) fn leafy(leaves: usize) -> (Model, Plant) {
 }
 
 /// A plant with a branch per wooden part: enough for the exporter of plants, which knows no surfaces.
-fn plant_of(model: &Model) -> Plant {
+fn plant_of(model: &Model) -> FinishedPlant {
     let wood = model.parts.iter().filter(|part| part.kind == PartKind::Wood);
     let branch = |part: &Part| Branch {
         stroke: Some(7),
@@ -184,13 +186,16 @@ fn plant_of(model: &Model) -> Plant {
         level: 0,
         points: vec![part.pivot, part.pivot + Vec3::Y * 0.1],
         radii: vec![0.01, 0.007],
-        material: part.material,
+        role: Role { variant: part.material as u32, ..Role::of(PlantPart::Stem) },
     };
-    Plant {
+    let plant = Plant {
         world_from_canvas: WorldFromCanvas { scale: 0.001, origin: Vec2::new(512.0, 700.0) },
         branches: wood.map(branch).collect(),
         flowers: Vec::new(),
         organs: Vec::new(),
-        materials: model.materials.clone(),
-    }
+        buds: Vec::new(),
+    };
+    let of = |material: usize| Role { variant: material as u32, ..Role::of(PlantPart::Stem) };
+    let roles: Vec<Role> = (0..model.materials.len()).map(of).collect();
+    FinishedPlant::new(plant, &roles, |role| model.materials[role.variant as usize].clone())
 }

@@ -142,7 +142,7 @@ impl Editor {
         let folder = drawing.and_then(Path::parent).unwrap_or(Path::new(""));
         let species = pipeline::species_file(self.document.sketch(), folder);
         drawing.into_iter().chain(species.as_deref()).for_each(|file| sources.add(file));
-        textures::files(&built.plant.materials).for_each(|picture| sources.add(picture));
+        textures::files(built.plant.materials()).for_each(|picture| sources.add(picture));
         sources
     }
 

@@ -192,7 +192,7 @@ impl Cursor {
             extensions: None,
             extras: Default::default(),
         };
-        let primitives = part.coats().map(primitive).collect();
+        let primitives = part.material_slots().map(primitive).collect();
         root.push(json::Mesh {
             name: Some(part.name.clone()),
             primitives,

@@ -24,7 +24,7 @@ use crate::file_system::System;
 use crate::formats::textures::{self, BuiltInTextures};
 use crate::input::Sources;
 use crate::model::Model;
-use crate::plant::Plant;
+use crate::plant::FinishedPlant;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
@@ -100,7 +100,7 @@ impl Prepared {
 pub fn prepare(
     path: &Path,
     model: &Model,
-    plant: &Plant,
+    plant: &FinishedPlant,
     built_in: &BuiltInTextures<'_>,
 ) -> Result<Prepared, ExportError> {
     let format = format_of(path)?;
@@ -119,7 +119,7 @@ pub fn prepare(
 pub fn export_all(
     paths: &[PathBuf],
     model: &Model,
-    plant: &Plant,
+    plant: &FinishedPlant,
     built_in: &BuiltInTextures<'_>,
     sources: &Sources,
 ) -> Result<usize, ExportError> {
@@ -138,7 +138,7 @@ pub fn export_all(
 pub fn export(
     path: &Path,
     model: &Model,
-    plant: &Plant,
+    plant: &FinishedPlant,
     built_in: &BuiltInTextures<'_>,
 ) -> Result<usize, ExportError> {
     export_all(&[path.to_owned()], model, plant, built_in, &Sources::default())

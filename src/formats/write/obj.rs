@@ -37,7 +37,7 @@ impl Exporter for Obj {
             }
             out.line("g ", &word(&part.name));
             out.vertices(&part.mesh);
-            for (material, triangles) in part.coats() {
+            for (material, triangles) in part.material_slots() {
                 out.line("usemtl ", &materials[material]);
                 out.faces(&part.mesh, &part.mesh.triangles[triangles]);
             }

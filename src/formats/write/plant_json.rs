@@ -1,11 +1,12 @@
 //! The plant itself as JSON: one branch, flower, organ or material per line, readable and diffable.
 //!
-//! Top-level keys are the fields of [`Plant`]; numbers are the shortest that read back the same. World space is metres,
+//! Top-level keys are the fields of [`Plant`] and its materials, to which branches and organs refer by index; numbers are the shortest that read back the same. World space is metres,
 //! y up; `world_from_canvas` tells how the drawing maps to it: x = (x_canvas − origin.x)·scale,
 //! y = (origin.y − y_canvas)·scale.
 
 use super::{Encoded, ExportError, Exporter, Scene};
-use crate::plant::Plant;
+use crate::plant::{Branch, Cone, FinishedPlant, Flower, Organ, OrganKind, Plant, Shape};
+use glam::{Vec2, Vec3};
 use serde::Serialize;
 
 /// The [`Plant`] as JSON.
@@ -26,18 +27,96 @@ impl Exporter for PlantJson {
 ///
 /// # Errors
 /// None for a plant whose invariants hold.
-pub fn to_bytes(plant: &Plant) -> Result<Vec<u8>, serde_json::Error> {
-    // Every field is named here, so that a new one cannot be forgotten.
-    let Plant { world_from_canvas, branches, flowers, organs, materials } = plant;
+pub fn to_bytes(plant: &FinishedPlant) -> Result<Vec<u8>, serde_json::Error> {
+    // Every field is named here and below, so that a new one cannot be forgotten.
+    let Plant { world_from_canvas, branches, flowers, organs, buds: _ } = &**plant;
+    let branches: Vec<_> = branches.iter().map(|branch| BranchText::new(branch, plant)).collect();
+    let flowers: Vec<_> = flowers.iter().map(FlowerText::new).collect();
+    let organs: Vec<_> = organs.iter().map(|organ| OrganText::new(organ, plant)).collect();
     let mut out = Vec::new();
     out.extend_from_slice(b"{\n\"world_from_canvas\":");
     serde_json::to_writer(&mut out, world_from_canvas)?;
-    write_list(&mut out, "branches", branches)?;
-    write_list(&mut out, "flowers", flowers)?;
-    write_list(&mut out, "organs", organs)?;
-    write_list(&mut out, "materials", materials)?;
+    write_list(&mut out, "branches", &branches)?;
+    write_list(&mut out, "flowers", &flowers)?;
+    write_list(&mut out, "organs", &organs)?;
+    write_list(&mut out, "materials", plant.materials())?;
     out.extend_from_slice(b"\n}\n");
     Ok(out)
+}
+
+/// A branch as the file has it: with the index of its material.
+#[derive(Serialize)]
+struct BranchText<'a> {
+    stroke: Option<u64>,
+    parent: Option<usize>,
+    level: u32,
+    points: &'a [Vec3],
+    radii: &'a [f32],
+    material: usize,
+}
+
+impl<'a> BranchText<'a> {
+    fn new(branch: &'a Branch, plant: &FinishedPlant) -> Self {
+        let Branch { stroke, parent, level, points, radii, role } = branch;
+        let material = plant.material(*role);
+        Self { stroke: *stroke, parent: *parent, level: *level, points, radii, material }
+    }
+}
+
+#[derive(Serialize)]
+struct FlowerText<'a> {
+    branch: Option<usize>,
+    cone: &'a Cone,
+    heart_radius: f32,
+    reach: f32,
+    look: usize,
+}
+
+impl<'a> FlowerText<'a> {
+    fn new(flower: &'a Flower) -> Self {
+        let Flower { branch, cone, centre_radius, reach, look } = flower;
+        Self { branch: *branch, cone, heart_radius: *centre_radius, reach: *reach, look: *look }
+    }
+}
+
+/// An organ as the file has it: with its kind and the index of its material.
+#[derive(Serialize)]
+struct OrganText<'a> {
+    kind: OrganKind,
+    stroke: Option<u64>,
+    branch: Option<usize>,
+    flower: Option<usize>,
+    material: usize,
+    shape: ShapeText<'a>,
+}
+
+/// A shape as the file has it: filaments with the index of their heads' material.
+#[derive(Serialize)]
+#[serde(rename_all = "snake_case")]
+enum ShapeText<'a> {
+    Filament {
+        points: &'a [Vec3],
+        radius: f32,
+        head: Vec2,
+        head_material: usize,
+    },
+    #[serde(untagged)]
+    Other(&'a Shape),
+}
+
+impl<'a> OrganText<'a> {
+    fn new(organ: &'a Organ, plant: &FinishedPlant) -> Self {
+        let Organ { role, stroke, branch, flower, shape } = organ;
+        let shape = match shape {
+            Shape::Filament { points, radius, head } => {
+                let head_material = plant.material(role.of_head());
+                ShapeText::Filament { points, radius: *radius, head: *head, head_material }
+            }
+            other => ShapeText::Other(other),
+        };
+        let (kind, material) = (organ.kind(), plant.material(*role));
+        Self { kind, stroke: *stroke, branch: *branch, flower: *flower, material, shape }
+    }
 }
 
 fn write_list(out: &mut Vec<u8>, key: &str, items: &[impl Serialize]) -> Result<(), serde_json::Error> {

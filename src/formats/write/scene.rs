@@ -3,7 +3,7 @@
 use super::ExportError;
 use crate::formats::textures::BuiltInTextures;
 use crate::model::{Model, Part};
-use crate::plant::Plant;
+use crate::plant::FinishedPlant;
 use std::borrow::Cow;
 
 /// A sound model and what belongs to it.
@@ -11,7 +11,7 @@ pub struct Scene<'a> {
     /// The surfaces; indices in range, numbers finite.
     pub model: &'a Model,
     /// The plant that the model was made from.
-    pub plant: &'a Plant,
+    pub plant: &'a FinishedPlant,
     /// The program's own textures.
     pub built_in: &'a BuiltInTextures<'a>,
     /// The output file's name without folder and extension; companion files begin with it.
@@ -25,7 +25,7 @@ impl<'a> Scene<'a> {
     /// [`ExportError::Unsound`] for a model with indices out of range or numbers that are not finite.
     pub fn new(
         model: &'a Model,
-        plant: &'a Plant,
+        plant: &'a FinishedPlant,
         built_in: &'a BuiltInTextures<'a>,
         stem: Cow<'a, str>,
     ) -> Result<Self, ExportError> {
@@ -47,7 +47,11 @@ impl<'a> Scene<'a> {
     /// For each material of the model whether a part has it.
     pub fn used_materials(&self) -> Vec<bool> {
         let mut used = vec![false; self.model.materials.len()];
-        self.model.parts.iter().flat_map(Part::coats).for_each(|(material, _)| used[material] = true);
+        self.model
+            .parts
+            .iter()
+            .flat_map(Part::material_slots)
+            .for_each(|(material, _)| used[material] = true);
         used
     }
 }

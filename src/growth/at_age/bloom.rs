@@ -1,17 +1,15 @@
 //! Flower buds of a grown plant: what buds whose fate was a flower show from the year in which it was decided.
 //!
-//! A bud is a small blade in the direction in which the shoot would have gone, one of a cluster about it; the species'
-//! looks open it ([`crate::species::dress()`]). A place flowers for as many years as the species says.
+//! A bud stands in the direction in which the shoot would have gone, one of a cluster about it; the species'
+//! looks open it ([`crate::species::apply()`]). A place flowers for as many years as the species says.
 
 use super::foliage::{self, Wood};
 use crate::growth::habit::Habit;
-use crate::growth::habit::leaf;
 use crate::growth::tree::{Fate, NONE};
-use crate::plant::{Blade, BladeForm, Organ, OrganKind, RestSurface, Shape};
+use crate::plant::FlowerBud;
 use crate::random::{Choice, mix};
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 use rayon::prelude::*;
-use std::sync::Arc;
 
 /// Most flowers of a plant, each of which has some thirty parts.
 pub const MOST: usize = crate::budget::Budget::PLANT.flower_buds;
@@ -20,32 +18,25 @@ const APART: f32 = 0.9;
 const ASIDE: f32 = 0.35;
 
 /// The flower buds of a plant at an age, in the order of the buds; at most [`MOST`].
-pub fn buds(wood: &Wood<'_>, habit: &Habit) -> Vec<Organ> {
+pub fn buds(wood: &Wood<'_>, habit: &Habit) -> Vec<FlowerBud> {
     at_most(MOST, wood, habit)
 }
 
 /// Whether these are so many buds that others had to be left out.
-pub fn is_thinned(organs: &[Organ]) -> bool {
-    organs.len() >= MOST && organs.iter().filter(|organ| organ.kind == OrganKind::Bud).count() >= MOST
+pub fn is_thinned(buds: &[FlowerBud]) -> bool {
+    buds.len() >= MOST
 }
 
 /// The flower buds, thinned to `most` where there would be more.
-fn at_most(most: usize, wood: &Wood<'_>, habit: &Habit) -> Vec<Organ> {
+fn at_most(most: usize, wood: &Wood<'_>, habit: &Habit) -> Vec<FlowerBud> {
     let sites = sites(wood, habit);
     let pose = habit.leaf.at(wood.age);
-    let outline: Arc<[Vec2]> = leaf::outline(habit.leaf.shape, pose.width).into();
     let cluster = habit.flower_cluster as usize;
     let bud = |nth: usize| {
         let (site, k) = (sites[nth / cluster], nth % cluster);
-        let blade = one(wood, site.bud, k, pose.length * site.grown, outline.clone());
-        Some(Organ {
-            kind: OrganKind::Bud,
-            stroke: None,
-            branch: Some(site.chain as usize),
-            flower: None,
-            material: 1,
-            shape: Shape::Blade(foliage::held(blade, wood.envelope)?),
-        })
+        let bud = one(wood, site, k, pose.length * site.grown);
+        let share = foliage::held_share(bud.base, bud.v, wood.envelope)?;
+        Some(FlowerBud { u: bud.u * share, v: bud.v * share, ..bud })
     };
     let whole = sites.len() * cluster;
     if whole <= most {
@@ -82,21 +73,16 @@ fn sites(wood: &Wood<'_>, habit: &Habit) -> Vec<Site> {
 }
 
 /// The `k`-th flower of a cluster.
-fn one(wood: &Wood<'_>, bud: usize, k: usize, length: f32, outline: Arc<[Vec2]>) -> Blade {
+fn one(wood: &Wood<'_>, Site { bud, chain, .. }: Site, k: usize, length: f32) -> FlowerBud {
     let (at, direction) = (wood.at[wood.tree.buds.node[bud] as usize], wood.tree.buds.direction[bud]);
     let key = mix(mix(Choice::FLOWER_BUD.key(wood.seed), bud as u64), k as u64);
     let random = Vec3::from_array(Choice::ASIDE.signs(key));
     let aside = if k == 0 { Vec3::ZERO } else { random * APART };
     let way = (direction + aside).normalize_or(direction);
-    Blade {
-        outline,
-        curl: Vec::new(),
+    FlowerBud {
+        branch: Some(chain as usize),
         base: at + aside * (ASIDE * length),
         u: way.any_orthonormal_vector() * length,
         v: way * length,
-        length: 1.0,
-        rest: RestSurface::Plane,
-        form: BladeForm::default(),
-        template: None,
     }
 }

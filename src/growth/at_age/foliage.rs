@@ -16,7 +16,7 @@ use crate::geom::simple_loop;
 use crate::growth::habit::leaf::{self, LeafHabit, LeafPose};
 use crate::growth::tree::{NONE, Tree};
 use crate::growth::volume::Envelope;
-use crate::plant::{Blade, BladeForm, Organ, OrganKind, RestSurface, Shape};
+use crate::plant::{Blade, BladeForm, Organ, OrganKind, PlantPart, RestSurface, Role, Shape};
 use crate::random::{Choice, mix};
 use glam::{Quat, Vec2, Vec3};
 use rayon::prelude::*;
@@ -100,7 +100,7 @@ fn at_most(most: usize, wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
 
 /// Whether so many of these are generated leaves that others had to be left out.
 pub fn is_thinned(organs: &[Organ]) -> bool {
-    let generated = |o: &&Organ| o.kind == OrganKind::Leaf && o.stroke.is_none();
+    let generated = |o: &&Organ| o.kind() == OrganKind::Leaf && o.stroke.is_none();
     organs.len() >= MOST && organs.iter().filter(generated).count() >= MOST
 }
 
@@ -129,7 +129,8 @@ fn leaves_of<'a>(
     (0..count_of(wood, habit, (i, from_end))).filter_map(move |k| {
         let shape = Shape::Blade(held(one(wood, (habit, &pose), outlines, (i, k)), wood.envelope)?);
         let branch = Some(branch as usize);
-        Some(Organ { kind: OrganKind::Leaf, stroke: None, branch, flower: None, material: 1, shape })
+        let role = Role::of(PlantPart::Leaf);
+        Some(Organ { role, stroke: None, branch, flower: None, shape })
     })
 }
 
@@ -146,14 +147,19 @@ fn from_end(wood: &Wood<'_>) -> Vec<u8> {
 }
 
 /// The leaf as long as a drawn or modelled volume has room for.
-pub(super) fn held(mut blade: Blade, envelope: &Envelope) -> Option<Blade> {
-    if matches!(envelope, Envelope::Free | Envelope::Crown(_)) {
-        return Some(blade);
-    }
-    let fits = |share: &f32| HELD_AT.iter().all(|at| envelope.contains(blade.base + blade.v * (share * at)));
-    let share = SHORTER.into_iter().find(fits)?;
+fn held(mut blade: Blade, envelope: &Envelope) -> Option<Blade> {
+    let share = held_share(blade.base, blade.v, envelope)?;
     (blade.u, blade.v) = (blade.u * share, blade.v * share);
     Some(blade)
+}
+
+/// The share of its length for which a drawn or modelled volume has room, of what reaches from `base` by `v`.
+pub(super) fn held_share(base: Vec3, v: Vec3, envelope: &Envelope) -> Option<f32> {
+    if matches!(envelope, Envelope::Free | Envelope::Crown(_)) {
+        return Some(1.0);
+    }
+    let fits = |share: &f32| HELD_AT.iter().all(|at| envelope.contains(base + v * (share * at)));
+    SHORTER.into_iter().find(fits)
 }
 
 /// The leaf `k` of the internode below node `i`; those beyond the internode's own stand at its end.

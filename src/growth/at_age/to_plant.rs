@@ -1,7 +1,7 @@
 //! A grown tree at an age as a [`Plant`]: chains become branches, young wood gets leaves.
 //!
 //! Chains of more than three nodes are rounded by cubic Hermite pieces with Catmull–Rom tangents (001 §2.4) wherever
-//! they turn noticeably. Trunks widen at their foot. There are two materials, wood and leaf, until a species is applied.
+//! they turn noticeably. Trunks widen at their foot.
 
 use super::bloom;
 use super::chains::{Chain, Chains};
@@ -9,7 +9,7 @@ use super::foliage::{self, Wood};
 use super::stem_base::StemBase;
 use super::wood_at_age::{WoodAtAge, wood_at_age};
 use crate::growth::simulation::Simulation;
-use crate::plant::{Branch, Material, Plant, WorldFromCanvas};
+use crate::plant::{Branch, Plant, PlantPart, Role, WorldFromCanvas};
 use glam::{Vec2, Vec3};
 
 /// Turns with a larger cosine than this need no rounding: 8°.
@@ -54,14 +54,12 @@ pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) 
         seed: simulation.seed(),
         envelope: simulation.envelope(),
     };
-    let mut organs = foliage::leaves(&wood, &habit.leaf);
-    organs.extend(bloom::buds(&wood, habit));
     let plant = Plant {
         world_from_canvas: WorldFromCanvas { scale: 1.0, origin: Vec2::ZERO },
         branches,
         flowers: Vec::new(),
-        organs,
-        materials: vec![Material::plain("wood", [0.3, 0.2, 0.12]), Material::plain("leaf", [0.1, 0.3, 0.05])],
+        organs: foliage::leaves(&wood, &habit.leaf),
+        buds: bloom::buds(&wood, habit),
     };
     debug_assert_eq!(plant.check_invariants(), Ok(()));
     (plant, chains)
@@ -100,7 +98,7 @@ fn branch_along(mut skeleton: Vec<(Vec3, f32)>, parent: Option<usize>, level: u3
         level,
         points: skeleton.iter().map(|s| s.0).collect(),
         radii: skeleton.iter().map(|s| s.1.max(1e-6)).collect(),
-        material: 0,
+        role: Role::of(PlantPart::Stem),
     }
 }
 

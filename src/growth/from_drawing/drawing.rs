@@ -91,7 +91,7 @@ impl Start {
             branches: wood,
             flowers: Vec::new(),
             organs: Vec::new(),
-            materials: Vec::new(),
+            buds: Vec::new(),
         };
         let simulation = Simulation::from_skeleton(&self.habit, &plant, envelope, self.seed, self.limits);
         Kept { start: self.clone(), seated, simulation, ended: Outcome::Growing }

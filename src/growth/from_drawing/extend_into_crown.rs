@@ -100,7 +100,7 @@ fn follow(wood: &mut Vec<Branch>, way: Way) {
         level: branch.level + 1,
         points: vec![from, to],
         radii: vec![THINNER.1 * radius, THINNER.0 * radius],
-        material: branch.material,
+        role: branch.role,
     };
     wood.push(side);
 }
@@ -108,6 +108,7 @@ fn follow(wood: &mut Vec<Branch>, way: Way) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::plant::{PlantPart, Role};
     use glam::Vec3;
     use std::f32::consts::TAU;
 
@@ -123,7 +124,7 @@ mod tests {
             level: 0,
             radii: vec![0.1; points.len()],
             points,
-            material: 0,
+            role: Role::of(PlantPart::Stem),
         }
     }
 

@@ -59,7 +59,7 @@ pub fn merged(drawn: Plant, grows: &[bool], grown: &Grown<'_>) -> Plant {
         let (parent, by) = under.map_or((None, 0.0), |(parent, by)| (Some(parent), by));
         let level = parent.map_or(0, |p| plant.branches[p].level + 1);
         moved[b] = Some((plant.branches.len(), by));
-        let mut kept = Branch { parent, level, material: 0, ..branch.clone() };
+        let mut kept = Branch { parent, level, ..branch.clone() };
         kept.points.iter_mut().for_each(|p| p.z += by);
         plant.branches.push(kept);
     }
@@ -80,7 +80,6 @@ pub fn merged(drawn: Plant, grows: &[bool], grown: &Grown<'_>) -> Plant {
     for organ in &mut organs {
         let under = now(organ.branch, organ.base());
         organ.branch = under.map(|u| u.0);
-        organ.material = 0;
         organ.shape.translate(Vec3::Z * under.map_or(0.0, |u| u.1));
     }
     organs.append(&mut plant.organs);

@@ -1,13 +1,11 @@
-//! Stamens and styles: threads with heads, by golden angle, in whorls, or along a column.
+//! Stamens and styles: filaments with heads, by golden angle, in whorls, or along a column.
 //!
-//! 003 §3.3 puts stamens regularly into a ring; here the ring is one of three arrangements, every thread varies a
+//! 003 §3.3 puts stamens regularly into a ring; here the ring is one of three arrangements, every filament varies a
 //! little, and none leaves the petals' cone, so that a shut flower keeps its stamens inside.
 
-use super::looks::{Arrangement, ThreadLook};
-use super::palette::Palette;
-use super::part::Part;
+use super::looks::{Arrangement, FilamentLook};
 use super::seat::Seat;
-use crate::plant::{Organ, OrganKind, Shape};
+use crate::plant::Shape;
 use glam::{Vec2, Vec3};
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
@@ -17,37 +15,24 @@ use std::f32::consts::{PI, TAU};
 const GOLDEN_ANGLE: f32 = 2.399_963_2;
 /// Largest angle from the axis, as a share of the petals' own.
 const INSIDE: f32 = 0.85;
-/// How deep a thread is rooted in the disc, as a share of its length.
+/// How deep a filament is rooted in the disc, as a share of its length.
 const ROOTED: f32 = 0.06;
 
-/// The stamens or styles of one group, at most `most` of them. `organ` carries kind, branch and flower.
-pub(super) fn threads(
-    look: &ThreadLook,
-    seat: &Seat,
-    most: usize,
-    organ: &Organ,
-    palette: &mut Palette<'_>,
-    rng: &mut Pcg64Mcg,
-) -> Vec<Organ> {
-    let (thread, head) = match organ.kind {
-        OrganKind::Stamen => (Part::Stamen, Part::Anther),
-        _ => (Part::Pistil, Part::Stigma),
-    };
-    let material = palette.index(thread, &look.material);
-    let head_material = palette.index(head, look.head_material.as_ref().unwrap_or(&look.material));
+/// The stamens or styles of one group, at most `most` of them.
+pub(super) fn filaments(look: &FilamentLook, seat: &Seat, most: usize, rng: &mut Pcg64Mcg) -> Vec<Shape> {
     let count = (look.count as usize).min(most);
     let radius = look.radius * seat.reach;
     let head = Vec2::from(look.head) * seat.reach;
     let shapes = (0..count).filter_map(|i| {
-        let points = thread_points(look, seat, i, count, rng)?;
-        Some(Shape::Filament { points, radius, head, head_material })
+        let points = skeleton(look, seat, i, count, rng)?;
+        Some(Shape::Filament { points, radius, head })
     });
-    shapes.map(|shape| Organ { material, shape, ..organ.clone() }).collect()
+    shapes.collect()
 }
 
-/// Skeleton of thread `i` of `count`, `None` if it is too short to have one.
-fn thread_points(
-    look: &ThreadLook,
+/// Skeleton of filament `i` of `count`, `None` if it is too short to have one.
+fn skeleton(
+    look: &FilamentLook,
     seat: &Seat,
     i: usize,
     count: usize,

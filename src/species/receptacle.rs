@@ -1,17 +1,15 @@
-//! The heart of a flower: disc, stamens, styles, sepals and the cup that carries the petals.
+//! The centre of a flower: its receptacle (disc and cup) with stamens, styles and sepals.
 
+use super::filaments::filaments;
 use super::looks::{Along, CupLook, FlowerLook};
-use super::palette::Palette;
-use super::part::Part;
 use super::seat::Seat;
 use super::sepals::sepals;
-use super::threads::threads;
-use crate::plant::{Organ, OrganKind, Plant, Shape};
+use crate::plant::{Organ, Plant, PlantPart, Role, Shape};
 use glam::{Vec2, Vec3};
 use rand_pcg::Pcg64Mcg;
 
-/// Threads that all flowers of a plant have together, at most; each flower has three at least.
-const MOST_THREADS: usize = 1500;
+/// Filaments that all flowers of a plant have together, at most; each flower has three at least.
+const MOST_FILAMENTS: usize = 1500;
 /// From this number on flowers are so small in the picture that sepals and cup are left out.
 const MANY_FLOWERS: usize = 60;
 /// How much wider a cup along the stem is than the stem.
@@ -31,13 +29,12 @@ pub(super) struct Petals {
 }
 
 /// What is added to flower `flower` of `plant`, which has these petals. Sepals share the outline number `template`.
-pub(super) fn heart(
+pub(super) fn flower_centre(
     plant: &Plant,
     flower: usize,
     petals: &Petals,
     look: &FlowerLook,
     template: u32,
-    palette: &mut Palette<'_>,
     rng: &mut Pcg64Mcg,
 ) -> Vec<Organ> {
     let pose = &plant.flowers[flower];
@@ -49,43 +46,32 @@ pub(super) fn heart(
         radius: seat.radius,
         height: seat.height,
     };
-    let organ = Organ {
-        kind: OrganKind::Receptacle,
+    let organ = |part, variant, shape| Organ {
+        role: Role { part, look: pose.look as u32, variant },
         stroke: None,
         branch: pose.branch,
         flower: Some(flower),
-        material: palette.index(Part::Disc, &look.disc.material),
-        shape: disc,
+        shape,
     };
-    let mut out = vec![organ.clone()];
-    let mut left = (MOST_THREADS / plant.flowers.len()).max(3);
-    for (kind, groups) in [(OrganKind::Stamen, &look.stamens), (OrganKind::Pistil, &look.pistils)] {
-        for group in groups {
-            let grown = threads(group, &seat, left, &Organ { kind, ..organ.clone() }, palette, rng);
-            left -= grown.len();
-            out.extend(grown);
+    let mut out = vec![organ(PlantPart::Disc, 0, disc)];
+    let mut left = (MOST_FILAMENTS / plant.flowers.len()).max(3);
+    for (part, groups) in [(PlantPart::Stamen, &look.stamens), (PlantPart::Pistil, &look.pistils)] {
+        for (group, variant) in groups.iter().zip(0..) {
+            let shapes = filaments(group, &seat, left, rng);
+            left -= shapes.len();
+            out.extend(shapes.into_iter().map(|shape| organ(part, variant, shape)));
         }
     }
     if plant.flowers.len() >= MANY_FLOWERS {
         return out;
     }
     if let Some(cup_look) = &look.cup {
-        let material = palette.index(Part::Cup, &cup_look.material);
-        out.extend(cup(cup_look, &seat, stem_end(plant, flower)).map(|shape| Organ {
-            material,
-            shape,
-            ..organ.clone()
-        }));
+        let shape = cup(cup_look, &seat, stem_end(plant, flower));
+        out.extend(shape.map(|shape| organ(PlantPart::Cup, 0, shape)));
     }
     if let Some(sepal_look) = &look.sepals {
-        let material = palette.index(Part::Sepal, &sepal_look.material);
         let blades = sepals(sepal_look, &seat, petals.count, &look.petals.form, template);
-        out.extend(blades.into_iter().map(|blade| Organ {
-            kind: OrganKind::Sepal,
-            material,
-            shape: Shape::Blade(blade),
-            ..organ.clone()
-        }));
+        out.extend(blades.into_iter().map(|blade| organ(PlantPart::Sepal, 0, Shape::Blade(blade))));
     }
     out
 }

@@ -1,4 +1,4 @@
-//! Dressing a plant: materials and forms for what was drawn, and the parts that nobody draws.
+//! Applying a species to a plant: materials and forms for what was drawn, and the parts that nobody draws.
 //!
 //! Pure and deterministic: the same plant, species and seed give the same plant. Every blade, flower and branch has
 //! a random stream of its own, so that one more petal does not change all the others: blades and branches are told
@@ -7,13 +7,14 @@
 use super::blossom::blossom;
 use super::form;
 use super::ground;
-use super::heart::{Petals, heart};
 use super::looks::{PetalLook, Species};
-use super::palette::Palette;
-use super::part::Part;
+use super::materials::with_materials;
 use super::pot::pot;
+use super::receptacle::{Petals, flower_centre};
 use super::thorns::thorns;
-use crate::plant::{Blade, BladeForm, Branch, Organ, OrganKind, Plant, Shape};
+use crate::plant::{
+    Blade, BladeForm, Branch, FinishedPlant, Organ, OrganKind, Plant, PlantPart, Role, Shape,
+};
 use glam::{Vec2, Vec3};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -22,7 +23,7 @@ use rand_pcg::Pcg64Mcg;
 #[derive(Clone, Copy)]
 enum Purpose {
     Blade = 1,
-    Heart,
+    FlowerCentre,
     Thorns,
     Blossom,
     Variant,
@@ -44,82 +45,76 @@ fn identity(stroke: Option<u64>, base: Vec3, direction: Vec3) -> u64 {
     })
 }
 
-/// Gives the plant its species' materials and forms and adds what the drawing does not say: hearts of flowers,
-/// sepals, blossom, thorns, pot.
+/// A plant to which a species was applied.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Applied {
+    /// The plant with its materials.
+    pub plant: FinishedPlant,
+    /// Whether fewer flowers of its blossom open than the species asks for, because a plant may not have more.
+    pub is_blossom_thinned: bool,
+}
+
+/// Gives a plant its species' materials and forms and adds what the drawing does not say: receptacles with stamens and
+/// styles, sepals, blossom, thorns, pot.
 ///
-/// Expects a plant as [`crate::depth`] leaves it; the materials it had are replaced. The flowers' looks are taken in
-/// turn. Petals of a species without flowers are dressed as leaves.
-///
-/// Says whether fewer flowers of its blossom open than the species asks for, because a plant may not have more.
-pub fn dress(plant: &mut Plant, species: &Species, seed: u64) -> bool {
+/// The flowers' looks are taken in turn. Petals of a species without flowers look like leaves.
+pub fn apply(mut plant: Plant, species: &Species, seed: u64) -> Applied {
     let mut is_blossom_thinned = false;
-    let mut palette = Palette::new(species);
-    dress_branches(plant, species, &mut palette);
+    set_roles_of_wood(&mut plant, species);
     if let Some(look) = species.blossom.as_ref().filter(|_| !species.flowers.is_empty()) {
         let rng = &mut stream(seed, Purpose::Blossom, 0);
-        is_blossom_thinned = blossom(plant, look, next_template(plant), rng);
+        let template = next_template(&plant);
+        is_blossom_thinned = blossom(&mut plant, look, template, rng);
     }
-    // Without a look for them flower buds stay closed, too small to be seen.
-    plant.organs.retain(|organ| organ.kind != OrganKind::Bud);
     for (index, flower) in plant.flowers.iter_mut().enumerate() {
         flower.look = index % species.flowers.len().max(1);
     }
-    let petals = petals_of(plant);
-    dress_blades(plant, species, &petals, seed, &mut palette);
+    let petals = petals_of(&plant);
+    shape_blades(&mut plant, species, &petals, seed);
     if species.pot.is_none() {
-        ground::keep_above(plant);
+        ground::keep_above(&mut plant);
     }
-    let mut added = hearts(plant, species, &petals, seed, &mut palette);
-    added.extend(thorny(plant, species, seed, &mut palette));
-    added.extend(potted(plant, species, &mut palette));
+    let mut added = flower_centres(&plant, species, &petals, seed);
+    added.extend(thorny(&plant, species, seed));
+    added.extend(potted(&plant, species));
     plant.organs.append(&mut added);
-    plant.materials = palette.finish();
-    is_blossom_thinned
+    Applied { plant: with_materials(plant, species), is_blossom_thinned }
 }
 
-fn dress_branches(plant: &mut Plant, species: &Species, palette: &mut Palette<'_>) {
+/// Tells young, thin wood from stems where the species does.
+fn set_roles_of_wood(plant: &mut Plant, species: &Species) {
     let look = &species.stem;
-    let stem = palette.index(Part::Stem, &look.material);
     let foot = |branch: &Branch| branch.radii.first().copied().unwrap_or(0.0);
-    // The stump of a bush is thicker than any of its stems.
-    let is_stem = |branch: &&Branch| branch.level == 0 && branch.parent.is_some();
     let thickest = |branches: &mut dyn Iterator<Item = &Branch>| branches.map(foot).reduce(f32::max);
-    let stems = thickest(&mut plant.branches.iter().filter(is_stem));
+    // The stump of a bush is thicker than any of its stems.
+    let stems = thickest(&mut plant.branches.iter().filter(|branch| branch.is_basal_stem()));
     let thick = look.twig_thickest * stems.or_else(|| thickest(&mut plant.branches.iter())).unwrap_or(0.0);
     for branch in &mut plant.branches {
         let is_young = branch.level >= look.twig_level && foot(branch) <= thick;
-        branch.material = match &look.twig {
-            Some(twig) if is_young => palette.index(Part::Twig, twig),
-            _ => stem,
-        };
+        let is_twig = is_young && look.twig.is_some();
+        branch.role = Role::of(if is_twig { PlantPart::Twig } else { PlantPart::Stem });
     }
 }
 
-/// Gives petals and leaves their material and form.
-fn dress_blades(
-    plant: &mut Plant,
-    species: &Species,
-    petals: &[Petals],
-    seed: u64,
-    palette: &mut Palette<'_>,
-) {
-    let mut dressed = vec![0; plant.flowers.len()];
-    let leaf_materials = palette.indices(Part::Leaf, &species.leaf.materials);
-    let looks = species.flowers.iter().map(|look| &look.petals);
-    let looks: Vec<_> = looks.map(|look| (look, palette.indices(Part::Petal, &look.materials))).collect();
+/// Gives petals and leaves their form, and chooses among the materials of their part.
+fn shape_blades(plant: &mut Plant, species: &Species, petals: &[Petals], seed: u64) {
+    let mut done = vec![0; plant.flowers.len()];
+    let leaf_materials = species.leaf.materials.0.len();
     for organ in &mut plant.organs {
+        let look = organ.flower.map_or(0, |flower| plant.flowers[flower].look);
+        organ.role.look = look as u32;
+        let flower = organ.flower.filter(|_| organ.kind() == OrganKind::Petal);
         let Shape::Blade(blade) = &mut organ.shape else { continue };
         let rng = &mut stream(seed, Purpose::Blade, identity(organ.stroke, blade.base, blade.v));
-        let flower = organ.flower.filter(|_| organ.kind == OrganKind::Petal);
-        match flower.and_then(|f| Some((f, looks.get(plant.flowers[f].look)?))) {
-            Some((flower, (look, materials))) => {
-                organ.material = materials[dressed[flower] % materials.len()];
-                dressed[flower] += 1;
+        match flower.and_then(|flower| Some((flower, &species.flowers.get(look)?.petals))) {
+            Some((flower, look)) => {
+                organ.role.variant = (done[flower] % look.materials.0.len()) as u32;
+                done[flower] += 1;
                 let form = petal_form(look, blade, petals[flower].longest);
                 blade.form = varied(seed, blade, &form, look.vary, rng);
             }
             None => {
-                organ.material = leaf_materials[rng.random_range(0..leaf_materials.len())];
+                organ.role.variant = rng.random_range(0..leaf_materials) as u32;
                 blade.form = varied(seed, blade, &species.leaf.form, species.leaf.vary, rng);
             }
         }
@@ -150,7 +145,7 @@ fn petal_form(look: &PetalLook, blade: &Blade, longest: f32) -> BladeForm {
 /// What is known of the petals of each flower.
 fn petals_of(plant: &Plant) -> Vec<Petals> {
     let mut petals = vec![Petals::default(); plant.flowers.len()];
-    for organ in plant.organs.iter().filter(|organ| organ.kind == OrganKind::Petal) {
+    for organ in plant.organs.iter().filter(|organ| organ.kind() == OrganKind::Petal) {
         if let (Some(flower), Shape::Blade(blade)) = (organ.flower, &organ.shape) {
             let of = &mut petals[flower];
             of.count += 1;
@@ -161,13 +156,8 @@ fn petals_of(plant: &Plant) -> Vec<Petals> {
     petals
 }
 
-fn hearts(
-    plant: &Plant,
-    species: &Species,
-    petals: &[Petals],
-    seed: u64,
-    palette: &mut Palette<'_>,
-) -> Vec<Organ> {
+/// The parts of every flower that nobody draws.
+fn flower_centres(plant: &Plant, species: &Species, petals: &[Petals], seed: u64) -> Vec<Organ> {
     let first_template = next_template(plant);
     let mut out = Vec::new();
     for (index, flower) in plant.flowers.iter().enumerate() {
@@ -176,46 +166,35 @@ fn hearts(
         if petals[index].count < 2 {
             continue;
         }
-        let rng = &mut stream(seed, Purpose::Heart, index as u64);
-        out.extend(heart(plant, index, &petals[index], look, first_template + index as u32, palette, rng));
+        let rng = &mut stream(seed, Purpose::FlowerCentre, index as u64);
+        out.extend(flower_centre(plant, index, &petals[index], look, first_template + index as u32, rng));
     }
     out
 }
 
-fn thorny(plant: &Plant, species: &Species, seed: u64, palette: &mut Palette<'_>) -> Vec<Organ> {
+fn thorny(plant: &Plant, species: &Species, seed: u64) -> Vec<Organ> {
     let Some(look) = &species.thorns else { return Vec::new() };
-    let material = palette.index(Part::Thorn, &look.material);
     let on = |(index, branch): (usize, &Branch)| {
         let ends = branch.points.first().zip(branch.points.last());
         let (base, end) = ends.map_or((Vec3::ZERO, Vec3::Y), |(base, end)| (*base, *end));
         let key = identity(branch.stroke, base, end - base);
         let shapes = thorns(look, branch, &mut stream(seed, Purpose::Thorns, key));
         shapes.into_iter().map(move |shape| Organ {
-            kind: OrganKind::Thorn,
+            role: Role::of(PlantPart::Thorn),
             stroke: None,
             branch: Some(index),
             flower: None,
-            material,
             shape,
         })
     };
     plant.branches.iter().enumerate().flat_map(on).collect()
 }
 
-fn potted(plant: &Plant, species: &Species, palette: &mut Palette<'_>) -> Vec<Organ> {
-    let Some((look, shapes)) = species.pot.as_ref().and_then(|look| Some((look, pot(look, plant)?))) else {
-        return Vec::new();
-    };
-    let materials = [palette.index(Part::Pot, &look.material), palette.index(Part::Soil, &look.soil)];
-    let organ = |(shape, material)| Organ {
-        kind: OrganKind::Pot,
-        stroke: None,
-        branch: None,
-        flower: None,
-        material,
-        shape,
-    };
-    shapes.into_iter().zip(materials).map(organ).collect()
+fn potted(plant: &Plant, species: &Species) -> Vec<Organ> {
+    let Some(shapes) = species.pot.as_ref().and_then(|look| pot(look, plant)) else { return Vec::new() };
+    let organ =
+        |(shape, part)| Organ { role: Role::of(part), stroke: None, branch: None, flower: None, shape };
+    shapes.into_iter().zip([PlantPart::Pot, PlantPart::Soil]).map(organ).collect()
 }
 
 /// The first outline number that no blade has.
@@ -228,5 +207,5 @@ fn next_template(plant: &Plant) -> u32 {
 }
 
 #[cfg(test)]
-#[path = "dress_tests.rs"]
+#[path = "apply_tests.rs"]
 mod tests;

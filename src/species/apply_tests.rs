@@ -1,8 +1,8 @@
-//! Tests of dressing, on plants built by hand: shut and open flowers, seen from any side, or none at all.
+//! Tests of applying species, on plants built by hand: shut and open flowers, seen from any side, or none at all.
 
 use super::*;
 use crate::picture::Picture;
-use crate::plant::{Branch, Cone, Flower, Material, RestSurface, Texture, WorldFromCanvas};
+use crate::plant::{Branch, Cone, Flower, RestSurface, Texture, WorldFromCanvas};
 use crate::species::seat::Seat;
 use glam::{Quat, Vec3};
 use proptest::prelude::*;
@@ -26,16 +26,17 @@ fn leaf(base: Vec3, branch: Option<usize>, stroke: Option<u64>, length: f32) -> 
         form,
         template: stroke.is_none().then_some(3),
     };
-    Organ { kind: OrganKind::Leaf, stroke, branch, flower: None, material: 0, shape: Shape::Blade(blade) }
+    let role = Role::of(PlantPart::Leaf);
+    Organ { role, stroke, branch, flower: None, shape: Shape::Blade(blade) }
 }
 
 /// Adds a flower of `petals` petals whose axis is `axis`.
-fn add_flower(plant: &mut Plant, at: Vec3, axis: Vec3, opening_rad: f32, heart_radius: f32, petals: u32) {
+fn add_flower(plant: &mut Plant, at: Vec3, axis: Vec3, opening_rad: f32, centre_radius: f32, petals: u32) {
     let index = plant.flowers.len();
     let reach = 0.04;
     let branch = (!plant.branches.is_empty()).then_some(0);
     let cone = Cone { apex: at, axis, opening_rad, height: reach * opening_rad.cos() };
-    plant.flowers.push(Flower { branch, cone, heart_radius, reach, look: 0 });
+    plant.flowers.push(Flower { branch, cone, centre_radius, reach, look: 0 });
     let side = axis.any_orthonormal_vector();
     for k in 0..petals {
         let around = Quat::from_axis_angle(axis, TAU * k as f32 / petals as f32) * side;
@@ -43,7 +44,7 @@ fn add_flower(plant: &mut Plant, at: Vec3, axis: Vec3, opening_rad: f32, heart_r
         let v = Vec3::new(direction.x, direction.y, 0.0).normalize_or(Vec3::Y);
         let rest = RestSurface::Cone { cone, hint: (at + direction * reach).z };
         let mut petal = leaf(at + direction * 0.1 * reach, branch, Some(u64::from(k)), 0.9 * reach);
-        petal.kind = OrganKind::Petal;
+        petal.role = Role::of(PlantPart::Petal);
         petal.flower = Some(index);
         if let Shape::Blade(blade) = &mut petal.shape {
             (blade.v, blade.u, blade.rest) = (v, v.cross(Vec3::Z), rest);
@@ -59,7 +60,7 @@ fn bare(branches: usize, leaves: usize) -> Plant {
         level: i as u32,
         points: (0..6).map(|k| Vec3::new(0.03 * i as f32, 0.03 * (k + i) as f32, 0.01)).collect(),
         radii: vec![0.003; 6],
-        material: 0,
+        role: Role::of(PlantPart::Stem),
     };
     Plant {
         world_from_canvas: WorldFromCanvas { scale: 0.001, origin: Vec2::ZERO },
@@ -68,7 +69,7 @@ fn bare(branches: usize, leaves: usize) -> Plant {
         organs: (0..leaves)
             .map(|k| leaf(Vec3::Y * 0.01 * k as f32, (branches > 0).then_some(0), None, 0.02))
             .collect(),
-        materials: vec![Material::plain("plant", [0.5; 3])],
+        buds: Vec::new(),
     }
 }
 
@@ -79,10 +80,8 @@ fn flowering() -> Plant {
     plant
 }
 
-fn dressed(plant: &Plant, species: &str, seed: u64) -> Plant {
-    let mut plant = plant.clone();
-    dress(&mut plant, &Species::built_in(species).unwrap(), seed);
-    plant
+fn finished(plant: &Plant, species: &str, seed: u64) -> FinishedPlant {
+    apply(plant.clone(), &Species::built_in(species).unwrap(), seed).plant
 }
 
 prop_compose! {
@@ -109,16 +108,16 @@ proptest! {
     fn any_plant_stays_sound_in_any_species(plant in any_plant(), seed in any::<u64>()) {
         plant.check_invariants().unwrap();
         for name in Species::names() {
-            let out = dressed(&plant, name, seed);
+            let out = finished(&plant, name, seed);
             out.check_invariants().unwrap_or_else(|why| panic!("{name}: {why}"));
-            prop_assert!(out == dressed(&plant, name, seed), "{} differs from run to run", name);
+            prop_assert!(out == finished(&plant, name, seed), "{} differs from run to run", name);
         }
     }
 
     #[test]
-    fn hearts_stay_inside_the_petals(plant in any_plant(), seed in any::<u64>()) {
+    fn centres_stay_inside_the_petals(plant in any_plant(), seed in any::<u64>()) {
         for name in ["mallow", "daisy", "balloon_flower", "hepatica_red", "oxalis"] {
-            for organ in dressed(&plant, name, seed).organs {
+            for organ in &finished(&plant, name, seed).organs {
                 let Some(Flower { cone, reach, .. }) = organ.flower.map(|f| &plant.flowers[f]) else { continue };
                 let angle = |p: Vec3| (p - cone.apex).angle_between(cone.axis);
                 match &organ.shape {
@@ -142,7 +141,7 @@ proptest! {
 fn what_was_drawn_stays_where_it_was() {
     let plant = flowering();
     for name in Species::names() {
-        let out = dressed(&plant, name, 7);
+        let out = finished(&plant, name, 7);
         for (before, after) in plant.branches.iter().zip(&out.branches) {
             assert_eq!((&before.points, &before.radii), (&after.points, &after.radii), "{name}");
         }
@@ -156,27 +155,30 @@ fn what_was_drawn_stays_where_it_was() {
 
 #[test]
 fn the_seed_changes_forms_but_not_numbers() {
-    let (a, b) = (dressed(&flowering(), "daisy", 1), dressed(&flowering(), "daisy", 2));
+    let (a, b) = (finished(&flowering(), "daisy", 1), finished(&flowering(), "daisy", 2));
     assert_ne!(a.organs, b.organs);
     assert_eq!(a.organs.len(), b.organs.len());
 }
 
 #[test]
-fn a_daisy_has_a_floret_disc_bracts_and_no_threads() {
-    let daisy = dressed(&flowering(), "daisy", 1);
-    let kinds = |kind| daisy.organs.iter().filter(|organ| organ.kind == kind).collect::<Vec<_>>();
+fn a_daisy_has_a_floret_disc_bracts_and_no_filaments() {
+    let daisy = finished(&flowering(), "daisy", 1);
+    let kinds = |kind| daisy.organs.iter().filter(|organ| organ.kind() == kind).collect::<Vec<_>>();
     assert_eq!(kinds(OrganKind::Sepal).len(), 13);
     assert!(kinds(OrganKind::Stamen).is_empty());
     let disc = kinds(OrganKind::Receptacle)[0];
-    assert_eq!(daisy.materials[disc.material].texture, Some(Texture::BuiltIn("disc_daisy.png".into())));
+    assert_eq!(
+        daisy.materials()[daisy.material(disc.role)].texture,
+        Some(Texture::BuiltIn("disc_daisy.png".into()))
+    );
 }
 
 #[test]
 fn sepals_stand_behind_the_petals_and_between_them() {
     let plant = flowering();
     let cone = plant.flowers[0].cone;
-    let mallow = dressed(&plant, "mallow", 1);
-    let sepals: Vec<_> = mallow.organs.iter().filter(|organ| organ.kind == OrganKind::Sepal).collect();
+    let mallow = finished(&plant, "mallow", 1);
+    let sepals: Vec<_> = mallow.organs.iter().filter(|organ| organ.kind() == OrganKind::Sepal).collect();
     assert_eq!(sepals.len(), 5);
     let side = cone.axis.any_orthonormal_vector();
     for organ in sepals {
@@ -196,11 +198,12 @@ fn flowers_of_a_bouquet_take_the_looks_in_turn() {
     for k in 0..4 {
         add_flower(&mut plant, Vec3::X * 0.1 * k as f32, Vec3::Z, 1.2, 0.004, 6);
     }
-    let bouquet = dressed(&plant, "bouquet", 1);
+    let bouquet = finished(&plant, "bouquet", 1);
     assert_eq!(bouquet.flowers.iter().map(|f| f.look).collect::<Vec<_>>(), [0, 1, 2, 0]);
     let petal =
-        |flower| bouquet.organs.iter().find(|o| o.flower == Some(flower) && o.kind == OrganKind::Petal);
-    let names: Vec<_> = (0..4).map(|f| bouquet.materials[petal(f).unwrap().material].name.as_str()).collect();
+        |flower| bouquet.organs.iter().find(|o| o.flower == Some(flower) && o.kind() == OrganKind::Petal);
+    let names: Vec<_> =
+        (0..4).map(|f| bouquet.materials()[bouquet.material(petal(f).unwrap().role)].name.as_str()).collect();
     assert_eq!(names, ["rose", "daisy", "hepatica", "rose"]);
 }
 
@@ -210,14 +213,13 @@ fn an_artists_picture_replaces_every_material_of_its_part_only() {
     let own = Texture::Own(Picture::read(picture).unwrap());
     let mut rose = Species::built_in("rose").unwrap();
     rose.set_texture("petal", picture).unwrap();
-    let mut plant = flowering();
-    dress(&mut plant, &rose, 1);
+    let plant = apply(flowering(), &rose, 1).plant;
     plant.check_invariants().unwrap();
     for organ in &plant.organs {
-        let pictured = plant.materials[organ.material].texture.as_ref() == Some(&own);
-        assert_eq!(pictured, organ.kind == OrganKind::Petal, "{:?}", organ.kind);
+        let pictured = plant.materials()[plant.material(organ.role)].texture.as_ref() == Some(&own);
+        assert_eq!(pictured, organ.kind() == OrganKind::Petal, "{:?}", organ.kind());
     }
-    assert_eq!(plant.materials.iter().filter(|m| m.name == "petal-picture").count(), 1);
+    assert_eq!(plant.materials().iter().filter(|m| m.name == "petal-picture").count(), 1);
 }
 
 #[test]
@@ -237,25 +239,25 @@ fn inner_petals_of_a_rose_are_more_cupped() {
 fn a_cherry_tree_blossoms_in_place_of_generated_leaves_only() {
     let mut plant = bare(3, 400);
     plant.organs.push(leaf(Vec3::Y, Some(0), Some(9), 0.02));
-    let cherry = dressed(&plant, "cherry", 5);
-    let leaves = cherry.organs.iter().filter(|organ| organ.kind == OrganKind::Leaf);
+    let cherry = finished(&plant, "cherry", 5);
+    let leaves = cherry.organs.iter().filter(|organ| organ.kind() == OrganKind::Leaf);
     assert!(leaves.clone().any(|leaf| leaf.stroke == Some(9)));
     assert_eq!(leaves.count() + cherry.flowers.len(), 401);
     assert!((180..300).contains(&cherry.flowers.len()), "{}", cherry.flowers.len());
-    let petals = cherry.organs.iter().filter(|organ| organ.kind == OrganKind::Petal).count();
+    let petals = cherry.organs.iter().filter(|organ| organ.kind() == OrganKind::Petal).count();
     assert_eq!(petals, 5 * cherry.flowers.len());
-    let threads = cherry.organs.iter().filter(|o| matches!(o.shape, Shape::Filament { .. })).count();
-    assert!(threads <= 6 * cherry.flowers.len(), "{threads}");
+    let filaments = cherry.organs.iter().filter(|o| matches!(o.shape, Shape::Filament { .. })).count();
+    assert!(filaments <= 6 * cherry.flowers.len(), "{filaments}");
     cherry.check_invariants().unwrap();
 }
 
 #[test]
 fn a_tree_of_more_flowers_than_a_plant_may_have_says_so() {
     let species = Species::built_in("cherry").unwrap();
-    assert!(!dress(&mut bare(1, 400), &species, 5));
+    assert!(!apply(bare(1, 400), &species, 5).is_blossom_thinned);
     let most = crate::budget::Budget::PLANT.blossoms;
-    let mut plant = bare(1, 2 * most);
-    assert!(dress(&mut plant, &species, 5));
+    let Applied { plant, is_blossom_thinned } = apply(bare(1, 2 * most), &species, 5);
+    assert!(is_blossom_thinned);
     assert!((most * 9 / 10..=most * 11 / 10).contains(&plant.flowers.len()), "{}", plant.flowers.len());
 }
 
@@ -264,14 +266,14 @@ fn a_drawn_leaf_more_leaves_the_form_of_the_others() {
     let form_of = |plant: &Plant, stroke: u64| {
         let organ = plant.organs.iter().find(|organ| organ.stroke == Some(stroke)).unwrap();
         let Shape::Blade(blade) = &organ.shape else { panic!("a leaf is a blade") };
-        (blade.form, organ.material)
+        (blade.form, organ.role)
     };
     for name in ["plant", "maple"] {
         let mut plant = bare(1, 0);
         plant.organs = [7, 9].map(|stroke| leaf(Vec3::Y * 0.02, Some(0), Some(stroke), 0.02)).to_vec();
-        let before = dressed(&plant, name, 1);
+        let before = finished(&plant, name, 1);
         plant.organs.insert(0, leaf(Vec3::Y * 0.05, Some(0), Some(3), 0.02));
-        let after = dressed(&plant, name, 1);
+        let after = finished(&plant, name, 1);
         for stroke in [7, 9] {
             assert_eq!(form_of(&before, stroke), form_of(&after, stroke), "{name}: leaf {stroke}");
         }
@@ -283,8 +285,8 @@ fn a_drawn_leaf_more_leaves_the_form_of_the_others() {
 fn the_pot_stands_below_the_lowest_trunk_and_holds_all_of_it() {
     let mut plant = bare(1, 0);
     plant.branches[0].radii = vec![0.05; 6];
-    let potted = dressed(&plant, "potted", 1);
-    let pots: Vec<_> = potted.organs.iter().filter(|organ| organ.kind == OrganKind::Pot).collect();
+    let potted = finished(&plant, "potted", 1);
+    let pots: Vec<_> = potted.organs.iter().filter(|organ| organ.kind() == OrganKind::Pot).collect();
     assert_eq!(pots.len(), 2);
     let foot = plant.branches[0].points[0];
     let Shape::Lathe { base, profile, .. } = &pots[0].shape else { panic!("a pot is turned") };
@@ -292,13 +294,13 @@ fn the_pot_stands_below_the_lowest_trunk_and_holds_all_of_it() {
     assert!(profile.iter().map(|p| p.x).fold(0.0, f32::max) > 0.05);
     let Shape::Dome { base, height, .. } = &pots[1].shape else { panic!("earth is a mound") };
     assert!((base.y..base.y + height).contains(&foot.y));
-    assert!(dressed(&bare(0, 3), "potted", 1).organs.iter().all(|organ| organ.kind != OrganKind::Pot));
+    assert!(finished(&bare(0, 3), "potted", 1).organs.iter().all(|organ| organ.kind() != OrganKind::Pot));
 }
 
 #[test]
 fn only_used_materials_are_kept_and_named_once() {
-    let maple = dressed(&bare(1, 0), "maple", 1);
-    let mut names: Vec<_> = maple.materials.iter().map(|m| m.name.clone()).collect();
+    let maple = finished(&bare(1, 0), "maple", 1);
+    let mut names: Vec<_> = maple.materials().iter().map(|m| m.name.clone()).collect();
     names.sort_unstable();
     let all = names.len();
     names.dedup();
@@ -312,8 +314,8 @@ fn young_branches_are_of_high_order_and_thin() {
     plant.branches[1].radii.fill(0.0005);
     plant.branches[2].radii.fill(0.002);
     let bark_of = |plant: &Plant, branch: usize| {
-        let plant = dressed(plant, "maple", 1);
-        plant.materials[plant.branches[branch].material].name.clone()
+        let plant = finished(plant, "maple", 1);
+        plant.materials()[plant.material(plant.branches[branch].role)].name.clone()
     };
     assert_eq!(bark_of(&plant, 1), bark_of(&plant, 0), "of the first order");
     assert_eq!(bark_of(&plant, 2), bark_of(&plant, 0), "thick");
@@ -322,10 +324,10 @@ fn young_branches_are_of_high_order_and_thin() {
 }
 
 #[test]
-fn a_wide_drawn_heart_widens_the_disc() {
-    let radius = |heart_radius| {
+fn a_wide_drawn_centre_widens_the_disc() {
+    let radius = |centre_radius| {
         let mut plant = bare(0, 0);
-        add_flower(&mut plant, Vec3::ZERO, Vec3::Z, 1.3, heart_radius, 5);
+        add_flower(&mut plant, Vec3::ZERO, Vec3::Z, 1.3, centre_radius, 5);
         Seat::new(&plant.flowers[0], Vec3::X, 0.1, 0.5).radius
     };
     assert_eq!(radius(0.0), 0.1 * 0.04);

@@ -1,0 +1,116 @@
+//! A plant with its materials, as a species leaves it: what models, pictures and files are made from.
+//!
+//! The plant says what each branch and organ is, a table what such things are made of. The plant is read only from here
+//! on, so that each of its roles has a material.
+
+use super::{Material, OrganKind, Plant, Role};
+use std::collections::BTreeMap;
+use std::ops::Deref;
+
+/// A plant whose branches and organs all have a material.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FinishedPlant {
+    plant: Plant,
+    materials: Vec<Material>,
+    of_role: BTreeMap<Role, usize>,
+}
+
+impl FinishedPlant {
+    /// Gives every role of a plant its material. Materials stand in the order in which they are first needed, those of
+    /// the roles in `first` before all others; materials of one name are one. Flower buds that nothing opened are gone.
+    pub fn new(mut plant: Plant, first: &[Role], material_of: impl Fn(Role) -> Material) -> Self {
+        plant.buds.clear();
+        let (mut materials, mut of_role) = (Vec::<Material>::new(), BTreeMap::new());
+        for role in first.iter().copied().chain(plant.roles()) {
+            of_role.entry(role).or_insert_with(|| {
+                let material = material_of(role);
+                let known = materials.iter().position(|known| known.name == material.name);
+                known.unwrap_or_else(|| {
+                    materials.push(material);
+                    materials.len() - 1
+                })
+            });
+        }
+        Self { plant, materials, of_role }
+    }
+
+    /// A plant without a species: every role has a matt grey surface of its own.
+    pub fn plain(plant: Plant) -> Self {
+        let name = |Role { part, look, variant }| format!("{}_{look}_{variant}", part.name());
+        Self::new(plant, &[], |role| Material::plain(&name(role), [0.5; 3]))
+    }
+
+    /// The materials, each once.
+    pub fn materials(&self) -> &[Material] {
+        &self.materials
+    }
+
+    /// Index among [`Self::materials`] of what a role of this plant is made of; of any other role 0.
+    pub fn material(&self, role: Role) -> usize {
+        self.of_role.get(&role).copied().unwrap_or(0)
+    }
+
+    /// Changes the materials of all organs of a kind, or with `None` of all branches. What a material is for others stays
+    /// as it is: then the changed one is a new one, whose name ends in `suffix`.
+    pub fn change_materials(
+        &mut self,
+        kind: Option<OrganKind>,
+        suffix: &str,
+        change: impl Fn(&Material) -> Material,
+    ) {
+        let mut roles: Vec<Role> = self.plant.roles().collect();
+        roles.sort_unstable();
+        roles.dedup();
+        let (mine, others): (Vec<Role>, Vec<Role>) =
+            roles.into_iter().partition(|role| role.part.kind() == kind);
+        let mut changing: Vec<usize> = mine.iter().map(|role| self.material(*role)).collect();
+        changing.sort_unstable();
+        changing.dedup();
+        for old in changing {
+            let mut changed = change(&self.materials[old]);
+            if others.iter().all(|role| self.material(*role) != old) {
+                self.materials[old] = changed;
+                continue;
+            }
+            changed.name = self.unused_name(&format!("{}-{suffix}", changed.name));
+            for role in &mine {
+                if self.material(*role) == old {
+                    self.of_role.insert(*role, self.materials.len());
+                }
+            }
+            self.materials.push(changed);
+        }
+    }
+
+    fn unused_name(&self, wish: &str) -> String {
+        let free = |name: &String| self.materials.iter().all(|material| material.name != *name);
+        let mut names = std::iter::once(wish.to_owned()).chain((2..).map(|n| format!("{wish}{n}")));
+        names.find(free).unwrap_or_else(|| wish.to_owned())
+    }
+
+    /// Checks the plant, that it has no buds left, and that every role has its material.
+    ///
+    /// # Errors
+    /// The first violation, in words.
+    pub fn check_invariants(&self) -> Result<(), String> {
+        self.plant.check_invariants()?;
+        if !self.plant.buds.is_empty() {
+            return Err(format!("{} buds are closed", self.plant.buds.len()));
+        }
+        if let Some(role) = self.plant.roles().find(|role| !self.of_role.contains_key(role)) {
+            return Err(format!("{role:?} has no material"));
+        }
+        match self.of_role.iter().find(|(_, material)| **material >= self.materials.len()) {
+            Some((role, material)) => Err(format!("{role:?}: material {material} out of range")),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Deref for FinishedPlant {
+    type Target = Plant;
+
+    fn deref(&self) -> &Plant {
+        &self.plant
+    }
+}

@@ -1,0 +1,65 @@
+//! What the roles of a plant are made of in a species.
+
+use super::looks::{FilamentLook, FlowerLook, MaterialLook, Species};
+use crate::plant::{FinishedPlant, Material, Plant, PlantPart, Role, Texture};
+use std::iter;
+
+/// The plant with the species' materials: those of wood, leaves and petals first, whether it has such organs or not.
+pub(super) fn with_materials(plant: Plant, species: &Species) -> FinishedPlant {
+    let roles = |part, look, count| (0..count as u32).map(move |variant| Role { part, look, variant });
+    let wood = iter::once(Role::of(PlantPart::Stem)).chain(plant.branches.iter().map(|branch| branch.role));
+    let leaves = roles(PlantPart::Leaf, 0, species.leaf.materials.0.len());
+    let petals = species.flowers.iter().enumerate();
+    let petals =
+        petals.flat_map(|(k, look)| roles(PlantPart::Petal, k as u32, look.petals.materials.0.len()));
+    let first: Vec<Role> = wood.chain(leaves).chain(petals).collect();
+    FinishedPlant::new(plant, &first, |role| material(species, role))
+}
+
+/// What a role is made of: with the artist's own picture if its part was given one.
+fn material(species: &Species, role: Role) -> Material {
+    let (part, name) = named(species, role);
+    let look = species.materials.get(name).cloned().unwrap_or_else(MaterialLook::default);
+    let Some(own) = species.pictures.get(&part) else { return look.material(name) };
+    // The species' own materials have no hyphen in their names, see `SpeciesError::MaterialName`.
+    let unique = format!("{}-picture", part.name());
+    let white = Material::plain(&unique, [1.0; 3]);
+    Material {
+        diffuse: white.diffuse,
+        ambient: white.ambient,
+        texture: Some(Texture::Own(own.clone())),
+        ..look.material(&unique)
+    }
+}
+
+/// The name of a role's material and the part whose picture replaces it. What the species says nothing about is made of
+/// what its leaves or stems are made of.
+fn named(species: &Species, role: Role) -> (PlantPart, &str) {
+    let flower = species.flowers.get(role.look as usize);
+    let of_flower = |name: fn(&FlowerLook) -> Option<&str>| flower.and_then(name);
+    let of_filaments = |groups: fn(&FlowerLook) -> &[FilamentLook]| {
+        flower.and_then(|look| groups(look).get(role.variant as usize))
+    };
+    let own = match role.part {
+        PlantPart::Petal => flower.map(|look| look.petals.materials.nth(role.variant)),
+        PlantPart::Sepal => of_flower(|look| Some(&look.sepals.as_ref()?.material)),
+        PlantPart::Cup => of_flower(|look| Some(&look.cup.as_ref()?.material)),
+        PlantPart::Disc => of_flower(|look| Some(&look.disc.material)),
+        PlantPart::Stamen => of_filaments(|look| &look.stamens).map(FilamentLook::material),
+        PlantPart::Anther => of_filaments(|look| &look.stamens).map(FilamentLook::head_material),
+        PlantPart::Pistil => of_filaments(|look| &look.pistils).map(FilamentLook::material),
+        PlantPart::Stigma => of_filaments(|look| &look.pistils).map(FilamentLook::head_material),
+        PlantPart::Twig => species.stem.twig.as_deref(),
+        PlantPart::Thorn => species.thorns.as_ref().map(|look| look.material.as_str()),
+        PlantPart::Pot => species.pot.as_ref().map(|look| look.material.as_str()),
+        PlantPart::Soil => species.pot.as_ref().map(|look| look.soil.as_str()),
+        PlantPart::Leaf | PlantPart::Stem | PlantPart::Fruit => None,
+    };
+    match (own, role.part) {
+        (Some(name), part) => (part, name),
+        (None, PlantPart::Leaf | PlantPart::Petal | PlantPart::Sepal) => {
+            (PlantPart::Leaf, species.leaf.materials.nth(role.variant))
+        }
+        (None, _) => (PlantPart::Stem, &species.stem.material),
+    }
+}
