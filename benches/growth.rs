@@ -8,7 +8,7 @@
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use glam::Vec3;
 use penstemon::growth::{Envelope, Habit, Limits, Simulation, habit::Resource};
-use penstemon::pipeline;
+use penstemon::pipeline::{self, Seed};
 use penstemon::species::Species;
 use std::hint::black_box;
 
@@ -32,7 +32,8 @@ fn trees(c: &mut Criterion) {
     for (name, age) in TREES {
         let species = Species::built_in(name).unwrap();
         let params = pipeline::params_of_species(&species, &[]).unwrap();
-        let grow = || pipeline::grow(&species, &params, Some(age), 1, Limits::default()).unwrap();
+        let grow =
+            || pipeline::build(&Seed { number: 1, age: Some(age), ..Seed::default() }, &species, &params);
         group.throughput(Throughput::Elements(grow().model.triangle_count() as u64));
         group.bench_function(BenchmarkId::new(name, age), |b| {
             single_threaded(|| b.iter_with_large_drop(|| black_box(grow())));

@@ -191,7 +191,7 @@ fn silhouette(plant: &Plant, low: Vec2, cell: f32) -> Vec<bool> {
 fn the_front_of_a_plant_is_the_crown_that_was_drawn() {
     for (name, outlines, least) in outlines() {
         let built = build(&drawing("box", &outlines, true), &[]);
-        assert!(built.anatomy.warnings.is_empty(), "{name}: {:?}", built.anatomy.warnings);
+        assert!(built.remarks.is_empty(), "{name}: {:?}", built.remarks);
         let (share, outside) = agreement(&built);
         assert!(share >= least, "{name}: intersection over union {share}");
         assert!(outside <= 0.04, "{name}: {outside} of the crown's area lies outside of it");
@@ -388,7 +388,7 @@ fn growth_heeds_a_stop_and_goes_on_from_there() {
 #[test]
 fn a_species_that_does_not_grow_says_so_and_grows_all_the_same() {
     let built = build(&drawing("daisy", &heart(), true), &[]);
-    let told = &built.anatomy.warnings[0];
+    let told = &built.remarks[0];
     assert!(
         matches!(&told.remark, Remark::DoesNotGrow { species, known } if species == "daisy" && known.contains("oak"))
     );
@@ -437,20 +437,20 @@ fn without_a_crown_nothing_grows_until_years_are_asked_for() {
 fn odd_crowns_end_in_a_plant_or_a_remark() {
     let line = vec![(0..20).map(|k| Vec2::new(k as f32, 2.0 * k as f32)).collect::<Vec<_>>()];
     let built = build(&drawing("box", &line, true), &[]);
-    assert!(built.anatomy.warnings.iter().any(|w| w.remark == Remark::EmptyCrown));
+    assert!(built.remarks.iter().any(|w| w.remark == Remark::EmptyCrown));
     assert_eq!(built.growth, None);
     let scribble = vec![ring(200, |t| Vec2::new((7.0 * t).sin() * 3.0, (5.0 * t).cos() * 2.0 + t))];
     let thin = vec![vec![Vec2::ZERO, Vec2::new(0.02, 0.0), Vec2::new(0.03, 6.0), Vec2::new(0.01, 6.0)]];
     // An eight in one stroke: the two halves turn the other way round.
     let eight = vec![ring(80, |t| Vec2::new((2.0 * t).sin(), 2.0 * t.cos()))];
     let built = build(&drawing("box", &eight, true), &[]);
-    assert!(built.anatomy.warnings.is_empty() && agreement(&built).0 > 0.85, "{}", agreement(&built).0);
+    assert!(built.remarks.is_empty() && agreement(&built).0 > 0.85, "{}", agreement(&built).0);
     // More crowns than may be: a field of dots.
     let dots: Outlines =
         (0..300).map(|k| circle(Vec2::new((k % 20) as f32, (k / 20) as f32) * 3.0, 1.0)).collect();
     let built = build(&drawing("box", &dots, true), &[]);
     let left_out = |w: &&_| matches!(w, Remark::ManyCrowns { most: 64 });
-    assert!(built.anatomy.warnings.iter().map(|w| &w.remark).filter(left_out).count() > 10);
+    assert!(built.remarks.iter().map(|w| &w.remark).filter(left_out).count() > 10);
     assert_eq!(built.anatomy.crowns.len(), 64);
     built.plant.check_invariants().unwrap();
     // The same outline twice: inside is outside everywhere.

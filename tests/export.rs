@@ -8,12 +8,11 @@ use gltf_json as json;
 use penstemon::formats::read::{Embedded, ReadFormat, from_bytes, load};
 use penstemon::formats::textures::fetch;
 use penstemon::formats::write::{Encoded, ExportError, FORMATS, Scene, export, format_of, glb, plant_json};
-use penstemon::growth::Limits;
 use penstemon::model::quality::{Report, judge, judge_model};
 use penstemon::model::{Model, Vertex};
 use penstemon::picture::Picture;
 use penstemon::picture::decode::decode;
-use penstemon::pipeline;
+use penstemon::pipeline::{self, Seed};
 use penstemon::plant::{FinishedPlant, Material, PlantPart, Role, Texture};
 use penstemon::species::{Species, builtin_texture};
 use penstemon::srgb::linear_from_srgb;
@@ -127,7 +126,7 @@ fn mtl_names_materials_and_pictures_that_exist() {
 fn a_grown_plant_is_wood_and_leaves() {
     let species = Species::built_in("oak").unwrap();
     let params = pipeline::params_of_species(&species, &[]).unwrap();
-    let grown = pipeline::grow(&species, &params, Some(3.0), 1, Limits::default()).unwrap();
+    let grown = pipeline::build(&Seed { number: 1, age: Some(3.0), ..Seed::default() }, &species, &params);
     let written = |file: &str| {
         let built_in = |name: &str| builtin_texture(name).map(Cow::Borrowed);
         let scene = Scene::new(&grown.model, &grown.plant, &built_in, Cow::Borrowed("oak")).unwrap();
@@ -151,7 +150,7 @@ fn a_grown_plant_is_wood_and_leaves() {
 fn a_tree_in_blossom_is_a_few_parts() {
     let species = Species::built_in("cherry").unwrap();
     let params = pipeline::params_of_species(&species, &[]).unwrap();
-    let grown = pipeline::grow(&species, &params, Some(12.0), 1, Limits::default()).unwrap();
+    let grown = pipeline::build(&Seed { number: 1, age: Some(12.0), ..Seed::default() }, &species, &params);
     assert!(grown.plant.flowers.len() > 100, "{} flowers", grown.plant.flowers.len());
     let names: Vec<&str> = grown.model.parts.iter().map(|part| part.name.as_str()).collect();
     assert_eq!(names, ["wood", "leaves", "petals", "receptacles", "stamens", "anthers"]);

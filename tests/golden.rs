@@ -46,7 +46,7 @@ fn summary(path: &Path) -> Value {
     }
     let size = built.model.bounds().map(|(lo, hi)| (hi - lo).to_array());
     rounded(json!({
-        "warnings": warnings.iter().chain(&built.anatomy.warnings).map(ToString::to_string).collect::<Vec<_>>(),
+        "warnings": warnings.iter().chain(&built.remarks).map(ToString::to_string).collect::<Vec<_>>(),
         "parts": parts,
         "flowers": report.flowers,
         "generated": report.generated,

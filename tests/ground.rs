@@ -2,9 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 
-use penstemon::growth::Limits;
 use penstemon::model::{Model, PartKind};
-use penstemon::pipeline;
+use penstemon::pipeline::{self, Seed};
 use penstemon::plant::OrganKind;
 use penstemon::sketch;
 use penstemon::species::Species;
@@ -45,7 +44,8 @@ fn grown_plants_stand_on_their_ground_at_every_age() {
         let own = species.growth.as_ref().unwrap().age as f32;
         for age in [1.0, 2.0, 3.5, 8.0, own] {
             let age = age.min(own);
-            let grown = pipeline::grow(&species, &params, Some(age), 1, Limits::default()).unwrap();
+            let grown =
+                pipeline::build(&Seed { number: 1, age: Some(age), ..Seed::default() }, &species, &params);
             assert_above(&format!("{name} of {age} years"), &grown.model);
         }
     }

@@ -6,7 +6,7 @@
 
 use glam::Vec3;
 use penstemon::growth::{Habit, Limits, Outcome, Simulation, plant_at};
-use penstemon::pipeline::{self, Grown};
+use penstemon::pipeline::{self, Built, Seed};
 use penstemon::plant::{FinishedPlant, Plant};
 use penstemon::species::{self, Species};
 use rayon::prelude::*;
@@ -133,11 +133,11 @@ fn crowns_have_the_proportions_of_their_species() {
 }
 
 /// A species grown to an age with some parameters set.
-fn grown_with(name: &str, age: f32, set: &[&str]) -> Grown {
+fn grown_with(name: &str, age: f32, set: &[&str]) -> Built {
     let species = Species::built_in(name).unwrap();
     let set: Vec<String> = set.iter().map(|s| (*s).to_owned()).collect();
     let params = pipeline::params_of_species(&species, &set).unwrap();
-    pipeline::grow(&species, &params, Some(age), 1, Limits::default()).unwrap()
+    pipeline::build(&Seed { number: 1, age: Some(age), ..Seed::default() }, &species, &params)
 }
 
 #[test]
@@ -152,9 +152,13 @@ fn habits_are_what_the_species_files_say_until_they_are_set() {
 #[test]
 fn lambda_decides_between_a_leader_and_laterals() {
     let height_and_width = |lambda: &str| {
-        let grown = grown_with("maple", 12.0, &[&format!("habit.lambda={lambda}")]);
-        let set = &grown.simulation.habit().lambda;
-        assert!([0.0, 5.0, 12.0].iter().all(|age| set.at(*age).to_string() == lambda), "at every age");
+        let set = format!("habit.lambda={lambda}");
+        let params =
+            pipeline::params_of_species(&Species::built_in("maple").unwrap(), std::slice::from_ref(&set))
+                .unwrap();
+        let everywhere = |age: &f32| params.habit.lambda.at(*age).to_string() == lambda;
+        assert!([0.0, 5.0, 12.0].iter().all(everywhere), "at every age");
+        let grown = grown_with("maple", 12.0, &[&set]);
         let size = size(&grown.plant);
         (size.y, size.x.max(size.z))
     };

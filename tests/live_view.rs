@@ -412,7 +412,7 @@ fn grown(sketch: &Sketch, set: &str, wanted: Wanted) -> Built {
     let mut cache = Cache::default();
     let mut built = build_with(&mut cache, sketch, &species, &params, &|| false).unwrap();
     assert!(built.overlay.is_empty(), "nobody asked yet");
-    cache.look_inside(&mut built, wanted);
+    cache.look_inside(sketch.into(), &mut built, wanted);
     built
 }
 

@@ -19,6 +19,6 @@ fn an_outline_that_asks_for_too_much_is_filled_more_thinly_and_says_so() {
     assert!(parts <= 4, "{parts} parts: {:?}", built.model.parts.iter().map(|p| &p.name).collect::<Vec<_>>());
     let triangles = built.model.triangle_count();
     assert!(triangles <= 1_000_000, "{triangles} triangles");
-    let remarks: Vec<&Remark> = built.anatomy.warnings.iter().map(|warning| &warning.remark).collect();
+    let remarks: Vec<&Remark> = built.remarks.iter().map(|warning| &warning.remark).collect();
     assert!(remarks.contains(&&Remark::FilledThinly), "{remarks:?}");
 }

@@ -11,7 +11,7 @@ use penstemon::budget::Budget;
 use penstemon::growth::Limits;
 use penstemon::model::Model;
 use penstemon::params::{Description, Kind, Parameters as _};
-use penstemon::pipeline;
+use penstemon::pipeline::{self, Cache, Seed};
 use penstemon::plant::{OrganKind, Plant};
 use penstemon::sketch::{self, Sketch};
 use penstemon::species::Species;
@@ -84,8 +84,10 @@ fn no_parameter_alone_exceeds_the_budget() {
     let limits = Limits::default();
     let (bytes, set) = largest(&all, |sets| {
         let params = pipeline::params_of_species(&species, sets).unwrap();
-        let grown = pipeline::grow(&species, &params, Some(AGE), 1, limits).unwrap();
-        let (steps, internodes) = (grown.simulation.steps(), grown.simulation.tree().len());
+        let (mut cache, seed) = (Cache::default(), Seed { number: 1, age: Some(AGE), ..Seed::default() });
+        let grown = pipeline::build_with(&mut cache, &seed, &species, &params, &|| false).unwrap();
+        let simulation = cache.seed.simulation().unwrap();
+        let (steps, internodes) = (simulation.steps(), simulation.tree().len());
         assert!(steps <= limits.steps, "{sets:?}: {steps} steps");
         assert!(internodes <= limits.internodes, "{sets:?}: {internodes} internodes");
         affordable(&sets[0], &grown.plant, &grown.model);

@@ -10,10 +10,9 @@
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
 use penstemon::formats::textures::fetch;
-use penstemon::growth::Limits;
 use penstemon::model::Model;
 use penstemon::picture::decode::decode;
-use penstemon::pipeline;
+use penstemon::pipeline::{self, Seed};
 use penstemon::plant::Texture;
 use penstemon::render::{Direction, PictureOptions, Projection, Renderer, View};
 use penstemon::species::{Species, builtin_texture};
@@ -58,7 +57,7 @@ fn texture(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send
 fn drawn(renderer: &mut Renderer, name: &str) -> Pixels {
     let species = Species::built_in(name).unwrap();
     let params = pipeline::params_of_species(&species, &[]).unwrap();
-    let grown = pipeline::grow(&species, &params, None, 1, Limits::default()).unwrap();
+    let grown = pipeline::build(&Seed { number: 1, age: None, ..Seed::default() }, &species, &params);
     picture(renderer, &grown.model)
 }
 

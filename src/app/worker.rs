@@ -290,12 +290,12 @@ impl Bench {
         let cancelled = || cancel.load(Ordering::Relaxed);
         let mut built = pipeline::build_with(&mut self.cache, sketch, species, &params, &cancelled);
         if let Some(built) = &mut built {
-            self.cache.look_inside(built, *overlay);
+            self.cache.look_inside(sketch.into(), built, *overlay);
         }
         if let Some(missing) = missing {
             // It may be there for the next build.
             self.species = None;
-            built.iter_mut().for_each(|built| built.anatomy.warnings.push(missing.clone()));
+            built.iter_mut().for_each(|built| built.remarks.push(missing.clone()));
         }
         Ok(built)
     }

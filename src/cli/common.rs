@@ -123,7 +123,7 @@ impl Setup {
     /// Builds the plant; remarks about odd strokes go to stderr.
     pub fn build(&self, path: &Path) -> Built {
         let built = pipeline::build(&self.sketch, &self.species, &self.params);
-        for warning in &built.anatomy.warnings {
+        for warning in &built.remarks {
             tracing::warn!("{}: {warning}", path.display());
         }
         for (stage, time) in &built.stages {

@@ -2,21 +2,22 @@
 
 use super::{common, inside};
 use crate::atomic;
-use crate::budget::Budget;
 use crate::formats::textures::fetch;
 use crate::formats::write;
-use crate::growth::{Limits, Outcome, foliage};
+use crate::growth::{Limits, Outcome, Simulation};
 use crate::input::Sources;
 use crate::model::Model;
-use crate::pipeline::{self, Grown};
-use crate::plant::{FinishedPlant, OrganKind, Texture};
+use crate::pipeline::{self, Ages, Built, Cache, Params, Seed};
+use crate::plant::{OrganKind, Texture};
 use crate::render::{Direction, ModelDrawData, PictureOptions, Projection, Renderer, View};
+use crate::sketch::Remark;
 use crate::species::Species;
 use anyhow::{Context, Result, ensure};
 use std::borrow::Cow;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::Arc;
 
 /// Arguments of `grow`.
 #[derive(Debug, clap::Args)]
@@ -86,19 +87,18 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         Some(most) => Limits::of_internodes(usize::try_from(most)?),
         None => Limits::default(),
     };
-    let grown = match &args.inside {
-        None => pipeline::grow(&species, &params, args.age, args.seed, limits),
-        Some(shape) => {
-            let volume = inside::volume(shape)?;
-            pipeline::grow_inside(&species, &params, volume, args.age, args.seed, limits)
-        }
-    }?;
-    warn_of_shortfalls(name, args, &grown);
-    ensure!(!grown.model.parts.is_empty(), "{name}: {}", why_bare(&grown));
-    let bytes = write(args, &sources, &grown, |age| grown.at(age, &species, &params))?;
+    pipeline::check_grows(&species)?;
+    let volume = args.inside.as_deref().map(inside::volume).transpose()?.map(Arc::new);
+    let seed = Seed { number: args.seed, age: args.age, volume, limits };
+    let mut nursery = Nursery { species: &species, params: &params, seed, cache: Cache::default() };
+    let (grown, ages) = nursery.grow(args.age)?;
+    inside::check_room(nursery.simulation()?)?;
+    warn_of_shortfalls(name, args, &grown, ages, nursery.simulation()?);
+    ensure!(!grown.model.parts.is_empty(), "{name}: {}", why_bare(ages));
+    let bytes = write(args, &sources, &grown, &mut nursery)?;
     if args.stats {
         let mut stats = common::stats(&grown.stages, &grown.model, bytes);
-        stats["internodes"] = grown.simulation.tree().len().into();
+        stats["internodes"] = nursery.simulation()?.tree().len().into();
         stats["branches"] = grown.plant.branches.len().into();
         let leaves = grown.plant.organs.iter().filter(|organ| organ.kind() == OrganKind::Leaf).count();
         stats["leaves"] = leaves.into();
@@ -107,12 +107,35 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Says on stderr what the plant lacks, and why.
-fn warn_of_shortfalls(name: &str, args: &Args, grown: &Grown) {
-    if grown.outcome != Outcome::Growing {
-        tracing::warn!("{name}: {} at the age of {} years", grown.outcome, grown.simulation.age());
+/// A seed with the plant that has grown from it so far.
+struct Nursery<'a> {
+    species: &'a Species,
+    params: &'a Params,
+    seed: Seed,
+    cache: Cache,
+}
+
+impl Nursery<'_> {
+    /// The plant at an age, without one at its own.
+    fn grow(&mut self, age: Option<f32>) -> Result<(Built, Ages)> {
+        self.seed.age = age;
+        let built = pipeline::build_with(&mut self.cache, &self.seed, self.species, self.params, &|| false);
+        let built = built.context("nothing stops it")?;
+        let ages = built.growth.context("what comes from a seed has grown")?;
+        Ok((built, ages))
     }
-    let filled = inside::filled(&grown.simulation);
+
+    fn simulation(&self) -> Result<&Simulation> {
+        self.cache.seed.simulation().context("something has grown")
+    }
+}
+
+/// Says on stderr what the plant lacks, and why.
+fn warn_of_shortfalls(name: &str, args: &Args, grown: &Built, ages: Ages, simulation: &Simulation) {
+    if ages.outcome != Outcome::Growing {
+        tracing::warn!("{name}: {} at the age of {} years", ages.outcome, simulation.age());
+    }
+    let filled = inside::filled(simulation);
     if args.inside.is_some() && args.age.is_none() && filled < inside::FILLED {
         tracing::warn!(
             "{name}: fills only {:.0} % of the volume; choose a smaller one, without parts that hang together by less than \
@@ -120,31 +143,25 @@ fn warn_of_shortfalls(name: &str, args: &Args, grown: &Grown) {
             filled * 100.0
         );
     }
-    if grown.is_thinned {
-        let most = foliage::MOST;
-        tracing::warn!(
-            "{name}: the crown is thinned to {most} leaves, the most that are allowed; choose fewer leaves, for instance \
-             --set habit.leaf.per_internode=1"
-        );
-    }
-    if grown.is_blossom_thinned {
-        tracing::warn!(
-            "{name}: fewer flowers open than asked for: the plant has {}, the most that are allowed",
-            grown.plant.flowers.len()
-        );
-    }
-    if grown.is_coarser {
-        let most = Budget::PLANT.triangles;
-        tracing::warn!(
-            "{name}: surfaces are coarser than asked for, because the plant would have more than {most} triangles, the most \
-             that are allowed; choose a lower --age or coarser surfaces"
-        );
+    for warning in &grown.remarks {
+        let remedy = match warning.remark {
+            // Said above, with what to do.
+            Remark::GrowthCapped { .. } | Remark::GrownTooLarge { .. } | Remark::GrowthTooCostly { .. } => {
+                continue;
+            }
+            Remark::LeavesThinned { .. } => {
+                "; choose fewer leaves, for instance --set habit.leaf.per_internode=1"
+            }
+            Remark::Coarser { .. } => "; choose a lower --age or coarser surfaces",
+            _ => "",
+        };
+        tracing::warn!("{name}: {warning}{remedy}");
     }
 }
 
 /// Why nothing is to be seen of a plant, and what to do.
-fn why_bare(grown: &Grown) -> &'static str {
-    match grown.outcome {
+fn why_bare(ages: Ages) -> &'static str {
+    match ages.outcome {
         Outcome::Finished => {
             "nothing grew, and no bud is left that ever could; leave out what --set changes of its habit, or choose other \
              values, for instance a higher habit.supply"
@@ -153,39 +170,34 @@ fn why_bare(grown: &Grown) -> &'static str {
     }
 }
 
-/// Writes the plant, or its frames, which `at` gives by their ages; returns the number of bytes.
-fn write(
-    args: &Args,
-    sources: &Sources,
-    grown: &Grown,
-    at: impl Fn(f32) -> (FinishedPlant, Model),
-) -> Result<usize> {
+/// Writes the plant, or its frames; returns the number of bytes.
+fn write(args: &Args, sources: &Sources, grown: &Built, nursery: &mut Nursery<'_>) -> Result<usize> {
     let (pictures, models): (Vec<&PathBuf>, Vec<&PathBuf>) = args.out.iter().partition(|out| is_picture(out));
     let mut studio = if pictures.is_empty() { None } else { Some(Studio::new(&grown.model)?) };
-    let mut write =
-        |plant: &FinishedPlant, model: &Model, named: &dyn Fn(&Path) -> PathBuf| -> Result<usize> {
-            let named_all = |outs: &[&PathBuf]| outs.iter().map(|out| named(out)).collect::<Vec<_>>();
-            let (models, pictures) = (named_all(&models), named_all(&pictures));
-            sources.spare(pictures.iter().map(PathBuf::as_path))?;
-            let mut bytes = write::export_all(&models, model, plant, &common::built_in_texture, sources)?;
-            if let Some(studio) = &mut studio {
-                let png = studio.picture(model)?;
-                for out in &pictures {
-                    atomic::write_atomically(out, &png)?;
-                    bytes += png.len();
-                }
+    let mut write = |built: &Built, named: &dyn Fn(&Path) -> PathBuf| -> Result<usize> {
+        let named_all = |outs: &[&PathBuf]| outs.iter().map(|out| named(out)).collect::<Vec<_>>();
+        let (models, pictures) = (named_all(&models), named_all(&pictures));
+        sources.spare(pictures.iter().map(PathBuf::as_path))?;
+        let Built { model, plant, .. } = built;
+        let mut bytes = write::export_all(&models, model, plant, &common::built_in_texture, sources)?;
+        if let Some(studio) = &mut studio {
+            let png = studio.picture(model)?;
+            for out in &pictures {
+                atomic::write_atomically(out, &png)?;
+                bytes += png.len();
             }
-            Ok(bytes)
-        };
-    let Some(frames) = args.frames else { return write(&grown.plant, &grown.model, &Path::to_owned) };
-    let oldest = args.age.unwrap_or(f32::from(grown.simulation.age()));
+        }
+        Ok(bytes)
+    };
+    let Some(frames) = args.frames else { return write(grown, &Path::to_owned) };
+    let oldest = args.age.unwrap_or(f32::from(nursery.simulation()?.age()));
     let mut bytes = 0;
     for frame in 1..=frames {
-        let (plant, model) = at(oldest * f32::from(frame) / f32::from(frames));
-        if model.parts.is_empty() {
+        let (built, _) = nursery.grow(Some(oldest * f32::from(frame) / f32::from(frames)))?;
+        if built.model.parts.is_empty() {
             tracing::warn!("frame {frame}: nothing has grown yet, so it has no file");
         } else {
-            bytes += write(&plant, &model, &|out| common::numbered(out, usize::from(frame)))?;
+            bytes += write(&built, &|out| common::numbered(out, usize::from(frame)))?;
         }
     }
     Ok(bytes)

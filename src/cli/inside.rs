@@ -6,6 +6,7 @@
 use crate::growth::MAX_SOLID_BYTES;
 use crate::growth::{Envelope, Field, Simulation, Solid};
 use crate::input;
+use crate::pipeline::SetupError;
 use anyhow::{Context, Result, bail, ensure};
 use glam::Vec3;
 use std::path::Path;
@@ -55,6 +56,17 @@ pub fn filled(simulation: &Simulation) -> f32 {
     }
 }
 
+/// Whether a plant has any room in its volume.
+///
+/// # Errors
+/// [`SetupError::NoRoom`] where it has none.
+pub fn check_room(simulation: &Simulation) -> Result<(), SetupError> {
+    match simulation.field() {
+        Field::Space(markers) if markers.is_empty() => Err(SetupError::NoRoom),
+        _ => Ok(()),
+    }
+}
+
 fn is_obj(text: &str) -> bool {
     Path::new(text).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("obj"))
 }
@@ -99,9 +111,9 @@ fn check_size(text: &str, low: Vec3, high: Vec3) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::growth::Outcome;
     use crate::growth::flipped;
-    use crate::growth::{Limits, Outcome};
-    use crate::pipeline::{self, SetupError};
+    use crate::pipeline::{self, Cache, Seed};
     use crate::species::Species;
 
     /// A closed ring about the y axis, its middle line of radius `major`, as an OBJ file.
@@ -173,9 +185,11 @@ mod tests {
     fn a_volume_out_of_scale_is_not_filled() {
         let species = Species::built_in("hazel").unwrap();
         let params = pipeline::params_of_species(&species, &[]).unwrap();
-        let volume = volume("box:100x100x100").unwrap();
-        let grown = pipeline::grow_inside(&species, &params, volume, None, 3, Limits::default()).unwrap();
-        assert!(filled(&grown.simulation) < 0.1);
+        let volume = Some(Arc::new(volume("box:100x100x100").unwrap()));
+        let mut cache = Cache::default();
+        let seed = Seed { number: 3, volume, ..Seed::default() };
+        pipeline::build_with(&mut cache, &seed, &species, &params, &|| false).unwrap();
+        assert!(filled(cache.seed.simulation().unwrap()) < 0.1);
     }
 
     #[test]
@@ -192,8 +206,11 @@ mod tests {
                 fourth.x, fourth.y, fourth.z
             );
             std::fs::write(&path, text).unwrap();
-            let volume = volume(path.to_str().unwrap()).unwrap();
-            pipeline::grow_inside(&species, &params, volume, Some(3.0), 3, Limits::default())
+            let volume = Some(Arc::new(volume(path.to_str().unwrap()).unwrap()));
+            let mut cache = Cache::default();
+            let seed = Seed { number: 3, age: Some(3.0), volume, ..Seed::default() };
+            pipeline::build_with(&mut cache, &seed, &species, &params, &|| false).unwrap();
+            check_room(cache.seed.simulation().unwrap())
         };
         let refused = grown(2e-7).err().unwrap();
         assert!(matches!(refused, SetupError::NoRoom), "{refused}");
@@ -209,16 +226,18 @@ mod tests {
         let species = Species::built_in("box").unwrap();
         let params = pipeline::params_of_species(&species, &[]).unwrap();
         for text in [path.to_str().unwrap(), "box:1.5x1.5x1.5"] {
-            let volume = volume(text).unwrap();
-            let grown =
-                pipeline::grow_inside(&species, &params, volume.clone(), None, 3, Limits::default()).unwrap();
-            assert_eq!(grown.outcome, Outcome::Growing, "{text}");
-            assert!(filled(&grown.simulation) > FILLED, "{text}: {}", filled(&grown.simulation));
-            grown.simulation.check_envelope().unwrap();
+            let volume = Arc::new(volume(text).unwrap());
+            let mut cache = Cache::default();
+            let seed = Seed { number: 3, volume: Some(volume.clone()), ..Seed::default() };
+            let grown = pipeline::build_with(&mut cache, &seed, &species, &params, &|| false).unwrap();
+            let simulation = cache.seed.simulation().unwrap();
+            assert_eq!(grown.growth.unwrap().outcome, Outcome::Growing, "{text}");
+            assert!(filled(simulation) > FILLED, "{text}: {}", filled(simulation));
+            simulation.check_envelope().unwrap();
             let leaves = &grown.plant.organs;
             assert!(leaves.len() > 1000, "{text}: {} leaves", leaves.len());
             // Leaves stand on the bark, and shoots may cut a corner by a quarter of an internode.
-            let near = 0.25 * grown.simulation.habit().internode + 0.01;
+            let near = 0.25 * simulation.habit().internode + 0.01;
             let inside = |p: Vec3| {
                 let around = [Vec3::ZERO, Vec3::X, Vec3::NEG_X, Vec3::Y, Vec3::NEG_Y, Vec3::Z, Vec3::NEG_Z];
                 around.iter().any(|d| volume.contains(p + d * near))

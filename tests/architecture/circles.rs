@@ -48,7 +48,6 @@ const STANDING: &[(&str, &[&str])] = &[
         ],
     ),
     ("pen::hid::table", &["(parent)", "file"]),
-    ("pipeline", &["(parent)", "growing"]),
     ("render", &["material", "renderer", "shadow", "surface"]),
     ("render", &["debug", "pool"]),
     ("species", &["builtin", "file"]),

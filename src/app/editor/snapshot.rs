@@ -116,7 +116,7 @@ impl Editor {
     }
 
     fn warnings(&self) -> &[Warning] {
-        self.built.as_ref().map_or(&[], |built| &built.anatomy.warnings)
+        self.built.as_ref().map_or(&[], |built| &built.remarks)
     }
 
     /// A rectangle of physical pixels in points.

@@ -1,0 +1,24 @@
+//! How long the stages of a build take.
+
+use std::time::{Duration, Instant};
+
+/// Measures the stages.
+#[derive(Default)]
+pub(super) struct Clock {
+    stages: Vec<(&'static str, Duration)>,
+}
+
+impl Clock {
+    /// Does a stage's work.
+    pub(super) fn time<T>(&mut self, stage: &'static str, work: impl FnOnce() -> T) -> T {
+        let start = Instant::now();
+        let made = work();
+        self.stages.push((stage, start.elapsed()));
+        made
+    }
+
+    /// The stages so far, in order.
+    pub(super) fn take(&mut self) -> Vec<(&'static str, Duration)> {
+        std::mem::take(&mut self.stages)
+    }
+}

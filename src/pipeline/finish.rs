@@ -1,0 +1,93 @@
+//! The way that all plants go, whoever made them: the species gives them their looks, the artist's own pictures lie over
+//! those, and they become surfaces, as fine as the budget of triangles allows.
+
+use super::clock::Clock;
+use super::setup::Params;
+use super::source::{Ages, Produced};
+use crate::anatomy::Anatomy;
+use crate::budget::Budget;
+use crate::growth::overlay::Spot;
+use crate::model::{self, Model, ModelParams};
+use crate::plant::{FinishedPlant, Plant};
+use crate::sketch::{Remark, Textures, Warning};
+use crate::species::{self, Applied, Species};
+use std::borrow::Cow;
+use std::time::Duration;
+
+/// A plant with everything that is known of it.
+#[derive(Clone, Debug)]
+pub struct Built {
+    /// What the strokes mean; empty where there are none. Its remarks are in [`Built::remarks`].
+    pub anatomy: Anatomy,
+    /// What was odd about the source, and what the plant lacks: the strokes', then growth's, then the species' and the
+    /// surfaces'.
+    pub remarks: Vec<Warning>,
+    /// How old the plant is, where it grew.
+    pub growth: Option<Ages>,
+    /// The plant in space.
+    pub plant: FinishedPlant,
+    /// The plant as surfaces.
+    pub model: Model,
+    /// What growth looks like from inside; empty until [`Cache::look_inside`](super::Cache::look_inside).
+    pub overlay: Vec<Spot>,
+    /// Time that each stage took, in order.
+    pub stages: Vec<(&'static str, Duration)>,
+}
+
+/// Gives a plant its looks and its surfaces; nothing if `stop` said yes. `seed` decides what the species leaves to chance,
+/// `pictures` are the artist's own.
+pub(super) fn finish(
+    cache: &mut model::Cache,
+    produced: Produced,
+    (species, params): (&Species, &Params),
+    (seed, pictures): (u64, &Textures),
+    clock: &mut Clock,
+    stop: &(dyn Fn() -> bool + Sync),
+) -> Option<Built> {
+    let Produced { plant, mut remarks, anatomy, growth, may_flower } = produced;
+    let mut remark = |remark| remarks.push(Warning { stroke: None, remark });
+    let plant = clock.time("species", || {
+        let Applied { mut plant, is_blossom_thinned } =
+            species::apply(plant, &looks(species, may_flower), seed);
+        if is_blossom_thinned {
+            remark(Remark::BlossomThinned { flowers: plant.flowers.len() });
+        }
+        species::textures::lay_over(&mut plant, pictures);
+        debug_assert_eq!(plant.check_invariants(), Ok(()));
+        plant
+    });
+    let fineness = affordable(&plant, params, growth.is_some());
+    if fineness.is_coarser {
+        remark(Remark::Coarser { triangles: Budget::PLANT.triangles });
+    }
+    let model = clock.time("model", || model::rebuild(&plant, &fineness.params, cache, stop))?;
+    Some(Built { anatomy, remarks, growth, plant, model, overlay: Vec::new(), stages: clock.take() })
+}
+
+/// The looks of a species, without flowers where the plant may not have any.
+fn looks(species: &Species, may_flower: bool) -> Cow<'_, Species> {
+    if may_flower || species.blossom.is_none() {
+        return Cow::Borrowed(species);
+    }
+    let mut young = species.clone();
+    young.blossom = None;
+    Cow::Owned(young)
+}
+
+/// How fine surfaces become.
+struct Fineness<'a> {
+    params: Cow<'a, ModelParams>,
+    /// Whether they are coarser than was asked for.
+    is_coarser: bool,
+}
+
+/// As fine as asked for and within the budget of triangles; the leaves of a plant that `grew` are too many to be parts of
+/// their own.
+fn affordable<'a>(plant: &Plant, params: &'a Params, grew: bool) -> Fineness<'a> {
+    let mut affordable = model::affordable(plant, &params.model, Budget::PLANT.triangles);
+    let is_coarser = matches!(affordable, Cow::Owned(_));
+    if grew && !affordable.blade.gathered {
+        affordable.to_mut().blade.gathered = true;
+    }
+    Fineness { params: affordable, is_coarser }
+}

@@ -1,0 +1,96 @@
+//! From what a plant is made from to its model: every stage in a row.
+//!
+//! ```text
+//! Source ──produce──► Produced { plant, remarks, .. } ──finish──► Built { plant, model, remarks, .. }
+//!   drawing, seed       one file for each maker           species, pictures, surfaces: the same for all
+//! ```
+//!
+//! The one place that knows the order of the stages. Live, cached and headless builds are the same code:
+//! [`build`] is [`build_with`] an empty cache and nothing that stops it. In memory only: reading and writing files are the
+//! callers'.
+
+mod clock;
+mod drawing;
+mod finish;
+mod growing;
+mod seed;
+mod setup;
+mod source;
+
+pub use finish::Built;
+pub use seed::SeedMemory;
+pub use setup::{
+    DEFAULT_SPECIES, Params, SetupError, check_grows, params_of, params_of_species, species_file, species_of,
+    species_or_usual,
+};
+pub use source::{Ages, Produced, Seed, Source};
+
+use crate::growth::Memory;
+use crate::growth::overlay::Wanted;
+use crate::model;
+use crate::sketch::Textures;
+use crate::species::Species;
+use clock::Clock;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// What [`build_with`] keeps from one build to the next.
+#[derive(Debug, Default)]
+pub struct Cache {
+    /// Meshes of parts.
+    pub model: model::Cache,
+    /// The drawn plant that grew last.
+    pub growth: Memory,
+    /// The plant that grew last from a seed.
+    pub seed: SeedMemory,
+}
+
+impl Cache {
+    /// Adds to what [`build_with`] has just built what is wanted of its growth, at the age that it shows.
+    pub fn look_inside(&self, source: Source<'_>, built: &mut Built, wanted: Wanted) {
+        let Some(ages) = built.growth.filter(|_| wanted.any()) else { return };
+        built.overlay = match source {
+            Source::Drawing(_) => self.growth.overlay(ages.shown, wanted),
+            Source::Seed(_) => self.seed.overlay(ages.shown, wanted),
+        };
+    }
+}
+
+/// Builds a plant. Same input, same output, on any number of threads. A source without anything to build gives an empty
+/// model.
+pub fn build<'a>(source: impl Into<Source<'a>>, species: &Species, params: &Params) -> Built {
+    let built = build_with(&mut Cache::default(), source, species, params, &|| false);
+    built.unwrap_or_else(|| unreachable!("nothing stops it"))
+}
+
+/// Builds the very plant that [`build`] gives, again and again while its source changes: what is the same as when the
+/// cache was last used is not made again. `stop` is asked between the stages and inside the long ones, from any thread;
+/// once it says yes the build ends soon and gives nothing. The cache survives that.
+pub fn build_with<'a>(
+    cache: &mut Cache,
+    source: impl Into<Source<'a>>,
+    species: &Species,
+    params: &Params,
+    stop: &(dyn Fn() -> bool + Sync),
+) -> Option<Built> {
+    let stopped = AtomicBool::new(false);
+    // The stages count on a yes that stays.
+    let stop = || {
+        if !stopped.load(Ordering::Relaxed) && stop() {
+            stopped.store(true, Ordering::Relaxed);
+        }
+        stopped.load(Ordering::Relaxed)
+    };
+    let (mut clock, with) = (Clock::default(), (species, params));
+    let no_pictures = Textures::default();
+    let (produced, of_source) = match source.into() {
+        Source::Drawing(sketch) => {
+            let produced = drawing::produce(&mut cache.growth, sketch, with, &mut clock, &stop)?;
+            (produced, (sketch.seed, &sketch.textures))
+        }
+        Source::Seed(seed) => {
+            let produced = seed::produce(&mut cache.seed, seed, with, &mut clock, &stop)?;
+            (produced, (seed.number, &no_pictures))
+        }
+    };
+    finish::finish(&mut cache.model, produced, with, of_source, &mut clock, &stop)
+}

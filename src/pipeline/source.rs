@@ -1,0 +1,85 @@
+//! What a plant is made from, and what every maker gives.
+//!
+//! A maker takes one kind of [`Source`] and fills a [`Produced`]; from there on all plants go the same way
+//! ([`super::finish`]). To add a maker: a variant of [`Source`], a file beside this one with its `produce`, and its line in
+//! [`super::build_with`].
+
+use crate::anatomy::Anatomy;
+use crate::growth::habit::Resource;
+use crate::growth::{Envelope, Field, Limits, Outcome, Simulation};
+use crate::plant::Plant;
+use crate::sketch::{Sketch, Warning};
+use std::sync::Arc;
+
+/// What a plant is made from.
+#[derive(Clone, Copy, Debug)]
+pub enum Source<'a> {
+    /// A drawing, whose wood may grow on.
+    Drawing(&'a Sketch),
+    /// A seed of a species that says how it grows.
+    Seed(&'a Seed),
+}
+
+impl<'a> From<&'a Sketch> for Source<'a> {
+    fn from(sketch: &'a Sketch) -> Self {
+        Self::Drawing(sketch)
+    }
+}
+
+impl<'a> From<&'a Seed> for Source<'a> {
+    fn from(seed: &'a Seed) -> Self {
+        Self::Seed(seed)
+    }
+}
+
+/// A plant without a drawing.
+#[derive(Clone, Debug, Default)]
+pub struct Seed {
+    /// Decides everything that is left to chance.
+    pub number: u64,
+    /// Age to show, years, at least 0; none for the species' own, or in a volume for when it is full.
+    pub age: Option<f32>,
+    /// The volume that it fills; none for the species' own crown, or for the open.
+    pub volume: Option<Arc<Envelope>>,
+    /// Where growth ends whatever is asked for.
+    pub limits: Limits,
+}
+
+/// What a maker gives: a plant that has no looks yet.
+#[derive(Clone, Debug)]
+pub struct Produced {
+    /// The plant in space.
+    pub plant: Plant,
+    /// What was odd about its source, and what the plant lacks.
+    pub remarks: Vec<Warning>,
+    /// What the strokes of its source mean; empty where it has none.
+    pub anatomy: Anatomy,
+    /// How old it is, where it grew.
+    pub growth: Option<Ages>,
+    /// Whether it is old enough for the flowers of its species.
+    pub may_flower: bool,
+}
+
+/// The ages of a plant that grew.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ages {
+    /// Age that is shown, years.
+    pub shown: f32,
+    /// Oldest age that is known of it, years.
+    pub oldest: f32,
+    /// What its buds compete for.
+    pub resource: Resource,
+    /// Why it is no older; [`Outcome::Growing`] at the age that was asked for.
+    pub outcome: Outcome,
+}
+
+impl Ages {
+    /// Those of a plant that is shown at an age.
+    pub(super) fn new(simulation: &Simulation, shown: f32, outcome: Outcome) -> Self {
+        let resource = match simulation.field() {
+            Field::Light(_) => Resource::Light,
+            Field::Space(_) => Resource::Space,
+        };
+        Self { shown, oldest: f32::from(simulation.age()), resource, outcome }
+    }
+}
