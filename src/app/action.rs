@@ -101,6 +101,13 @@ pub enum Action {
     Paste,
     /// Select every stroke.
     SelectAll,
+    /// Select a stroke.
+    SelectStroke {
+        /// The stroke.
+        stroke: StrokeId,
+        /// Whether those selected stay so.
+        besides: bool,
+    },
     /// Show the whole drawing.
     FitCanvas,
     /// Show the paper larger by so many steps, about its middle; smaller if negative.

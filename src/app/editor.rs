@@ -14,6 +14,7 @@ mod notices;
 mod opening;
 mod outcomes;
 mod perform;
+mod picking;
 mod pictures;
 mod reference;
 mod saving;

@@ -1,12 +1,14 @@
 //! The plant's side of the window: camera, light and what the pointer does to them.
 //!
-//! Drag turns, right or middle drag (or Shift) moves, wheel and pinch zoom, a double tap shows the front as it was drawn.
+//! Drag turns, right or middle drag (or Shift) moves, wheel and pinch zoom, a double tap shows the front as it was drawn. A
+//! single tap picks a part of the plant, once it is clear that no second tap follows.
 //! The camera follows the plant's growth until the artist takes hold of it; camera moves that were asked for by a button
 //! are shown as a short flight. Pictures are drafts while anything moves and finished ones when it rests.
 
 use super::messages::{Messages, Msg};
 use super::panels::snapshot::{LightChoice, Shading, ViewState};
 use super::theme::Palette;
+use crate::geom::ray::Ray;
 use crate::plant::Texture;
 use crate::render::{Background, LightParams, Look, Mode, OrbitCamera, Projection, Quality};
 use egui::{PointerButton, Response, Sense, Ui};
@@ -21,6 +23,8 @@ const FLIGHT: Duration = Duration::from_millis(280);
 const TURNTABLE: f32 = 24.0;
 /// How long the view must rest before it is finished.
 const REST: Duration = Duration::from_millis(450);
+/// How long after a click a second one makes it a double click; a little longer than egui's own delay.
+const DOUBLE_CLICK: Duration = Duration::from_millis(350);
 /// Zoom of one point of scrolling.
 const ZOOM_PER_POINT: f32 = 1.0025;
 
@@ -31,6 +35,15 @@ enum Guide {
     FollowsPlant,
     /// Stays where the artist put it.
     Artist,
+}
+
+/// A single click on the plant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Click {
+    /// Where: shares of the view's height from its centre, y down.
+    pub at: Vec2,
+    /// Whether what is picked joins what is selected.
+    pub besides: bool,
 }
 
 /// The view of the plant.
@@ -50,6 +63,8 @@ pub struct PlantView {
     last_step: Option<Instant>,
     /// When something last moved, and whether the finished picture of it is due.
     moved: Option<Instant>,
+    /// A click that may become a double click, and when it was.
+    click: Option<(Click, Instant)>,
     aspect: f32,
     /// Height of the view in points.
     height: f32,
@@ -68,6 +83,7 @@ impl Default for PlantView {
             flight: None,
             last_step: None,
             moved: None,
+            click: None,
             aspect: 1.0,
             height: 1.0,
             bounds: None,
@@ -106,8 +122,15 @@ impl PlantView {
         let share = |p: egui::Vec2| Vec2::new(p.x, p.y) / rect.height().max(1.0);
         let from_centre = |p: egui::Pos2| share(p - rect.center());
         if response.double_clicked() {
+            self.click = None;
             self.show_front();
             return;
+        }
+        if response.clicked()
+            && let Some(at) = response.interact_pointer_pos()
+        {
+            let click = Click { at: from_centre(at), besides: ui.input(|i| i.modifiers.shift) };
+            self.click = Some((click, Instant::now()));
         }
         let drag = share(response.drag_delta());
         if drag != Vec2::ZERO {
@@ -234,9 +257,22 @@ impl PlantView {
         self.is_moving() && !self.awaits_picture
     }
 
-    /// When the finished picture is due.
+    /// When the finished picture is due, or a click is a single one.
     pub fn wakes_at(&self) -> Option<Instant> {
-        self.moved.map(|at| at + REST)
+        let finished = self.moved.map(|at| at + REST);
+        let clicked = self.click.map(|(_, at)| at + DOUBLE_CLICK);
+        finished.into_iter().chain(clicked).min()
+    }
+
+    /// A click that has become a single one, once.
+    pub fn take_click(&mut self) -> Option<Click> {
+        let (click, _) = self.click.take_if(|(_, at)| at.elapsed() >= DOUBLE_CLICK)?;
+        Some(click)
+    }
+
+    /// The ray into the plant at a place of the view; `None` without a plant.
+    pub fn ray(&self, at: Vec2) -> Option<Ray> {
+        self.bounds.map(|bounds| self.camera.ray(at, bounds))
     }
 
     /// The camera as it stands.
@@ -315,6 +351,38 @@ mod tests {
         let held = view.camera();
         view.set_bounds(Some(BOX));
         assert_eq!(view.camera(), held);
+    }
+
+    /// One frame of a view of 200 by 200 points with these events of the pointer.
+    fn frame(view: &mut PlantView, ctx: &egui::Context, time: f64, events: Vec<egui::Event>) {
+        let screen_rect = Some(egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(200.0, 200.0)));
+        let input = egui::RawInput { time: Some(time), events, screen_rect, ..Default::default() };
+        let mut output = ctx.run_ui(input, |ui| view.show(ui, egui::TextureId::default()));
+        output.textures_delta.clear();
+    }
+
+    fn button(pressed: bool) -> egui::Event {
+        let (button, modifiers) = (PointerButton::Primary, egui::Modifiers::NONE);
+        egui::Event::PointerButton { pos: egui::pos2(150.0, 50.0), button, pressed, modifiers }
+    }
+
+    #[test]
+    fn a_single_click_picks_once_and_a_double_click_does_not() {
+        let (mut view, ctx) = (PlantView::default(), egui::Context::default());
+        view.set_bounds(Some(BOX));
+        frame(&mut view, &ctx, 0.0, vec![egui::Event::PointerMoved(egui::pos2(150.0, 50.0))]);
+        frame(&mut view, &ctx, 0.1, vec![button(true)]);
+        frame(&mut view, &ctx, 0.15, vec![button(false)]);
+        assert_eq!(view.take_click(), None, "a second click may follow");
+        let (click, _) = view.click.unwrap();
+        assert!(click.at.x > 0.1 && click.at.y < -0.1 && !click.besides, "{click:?}");
+        view.click = Some((click, Instant::now() - DOUBLE_CLICK));
+        assert_eq!((view.take_click(), view.take_click()), (Some(click), None));
+        frame(&mut view, &ctx, 2.0, vec![button(true)]);
+        frame(&mut view, &ctx, 2.05, vec![button(false)]);
+        frame(&mut view, &ctx, 2.1, vec![button(true)]);
+        frame(&mut view, &ctx, 2.15, vec![button(false)]);
+        assert!(view.click.is_none() && view.flight.is_some());
     }
 
     #[test]

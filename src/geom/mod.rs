@@ -8,6 +8,7 @@ pub mod frame;
 pub mod mean_shift;
 pub mod meetings;
 pub mod polyline;
+pub mod ray;
 pub mod region;
 pub mod simple_loop;
 pub mod simplify;

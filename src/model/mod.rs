@@ -17,6 +17,7 @@
 //! | `afford` | how fine a plant can be |
 //! | `recipe`, `cache` | which parts are the same as last time |
 //! | `quality`, `topology`, `crossing` | what is wrong with a mesh |
+//! | `pick` | which branch or organ a ray meets |
 
 mod afford;
 mod blade;
@@ -37,6 +38,7 @@ mod organs;
 mod outline;
 mod part_names;
 mod parts;
+pub mod pick;
 pub mod quality;
 mod recipe;
 mod relief;

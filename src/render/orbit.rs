@@ -8,6 +8,7 @@
 
 use super::camera::{Axes, Camera, Framing};
 use super::{Projection, View, studio};
+use crate::geom::ray::Ray;
 use glam::{BVec3, Vec2, Vec3};
 
 /// Degrees of turn for a drag over the whole height of the view.
@@ -148,6 +149,26 @@ impl OrbitCamera {
         (height > 0.0).then(|| Vec2::new(seen.x, -seen.y) / height)
     }
 
+    /// The ray into a scene within `bounds` at a place of the view: shares of its height from its centre, y down. It meets
+    /// what [`OrbitCamera::project`] puts there, nearest first.
+    pub fn ray(&self, at: Vec2, bounds: (Vec3, Vec3)) -> Ray {
+        let axes = self.axes();
+        let aside = axes.right * at.x - axes.up * at.y;
+        match self.projection {
+            Projection::Orthographic => {
+                // A parallel camera shows what is behind its eye too.
+                let back = bounds.0.distance(self.target).max(bounds.1.distance(self.target));
+                let back = back + (bounds.1 - bounds.0).length();
+                let origin = self.target + aside * self.height() + axes.back * back;
+                Ray { origin, direction: -axes.back }
+            }
+            Projection::Perspective => Ray {
+                origin: self.target + axes.back * self.distance,
+                direction: (aside * 2.0 * slope() - axes.back).normalize(),
+            },
+        }
+    }
+
     /// Axes of a level viewer who is turned like this one: the lamps stand in them.
     pub(super) fn level_axes(&self) -> Axes {
         Axes::at(self.yaw_deg, 0.0)
@@ -242,6 +263,18 @@ mod tests {
         }
         let near = OrbitCamera { projection: Projection::Perspective, ..Default::default() };
         assert_eq!(near.project(near.target + Vec3::Z * (near.distance + 1.0)), None);
+    }
+
+    #[test]
+    fn a_ray_passes_through_what_is_seen_at_its_place() {
+        for mut camera in sides() {
+            camera.fit(BOX, 1.5);
+            for p in corners(BOX) {
+                let ray = camera.ray(camera.project(p).unwrap(), BOX);
+                let along = (p - ray.origin).dot(ray.direction);
+                assert!(along > 0.0 && ray.at(along).distance(p) < 1e-4, "{camera:?} {p}");
+            }
+        }
     }
 
     #[test]

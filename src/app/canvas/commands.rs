@@ -20,7 +20,7 @@ const MOST_PLACES: usize = 64;
 
 impl Canvas {
     /// Carries out an action if it is one of the canvas: `SetTool`, `SetPart`, `DeleteSelected`, `DuplicateSelected`,
-    /// `MirrorSelected`, `NudgeSelected`, `SelectAll`, `FitCanvas`, `Zoom`. Gives whether it was; all others are the
+    /// `MirrorSelected`, `NudgeSelected`, `SelectAll`, `SelectStroke`, `FitCanvas`, `Zoom`. Gives whether it was; all others are the
     /// application's.
     pub fn act(&mut self, action: &Action, drawing: &mut Drawing, out: &mut Vec<CanvasOutcome>) -> bool {
         self.sync(drawing.strokes, out);
@@ -51,6 +51,13 @@ impl Canvas {
                 self.set_tool(CanvasTool::Select, out);
                 let all: Vec<StrokeId> = drawing.strokes.iter().map(|s| s.id).collect();
                 if self.selection.take(all, false) {
+                    self.selection_changed(out);
+                }
+            }
+            Action::SelectStroke { stroke, besides } => {
+                self.set_tool(CanvasTool::Select, out);
+                if drawing.strokes.iter().any(|s| s.id == *stroke) && self.selection.take([*stroke], *besides)
+                {
                     self.selection_changed(out);
                 }
             }

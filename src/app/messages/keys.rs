@@ -439,6 +439,8 @@ keys! {
     KeysWheel = "keys.wheel",
     KeysTwoFingers = "keys.two_fingers",
     KeysThreeFingers = "keys.three_fingers",
+    KeysClickPlant = "keys.click_plant",
+    KeysPick = "keys.pick",
     SideHide = "side.hide",
     SideShow = "side.show",
 }

@@ -237,6 +237,7 @@ fn shortcuts(ui: &mut Ui, messages: &Messages) {
         (Msg::KeysWheel, Msg::KeysZoom),
         (Msg::KeysTwoFingers, Msg::KeysFingersUndo),
         (Msg::KeysThreeFingers, Msg::KeysFingersRedo),
+        (Msg::KeysClickPlant, Msg::KeysPick),
     ] {
         all.push((messages.get(keys).to_owned(), msg));
     }
