@@ -47,7 +47,6 @@ const STANDING: &[(&str, &[&str])] = &[
             "xp_pen",
         ],
     ),
-    ("pen::hid::table", &["(parent)", "file"]),
     ("render", &["material", "renderer", "shadow", "surface"]),
     ("render", &["debug", "pool"]),
     ("species", &["builtin", "file"]),

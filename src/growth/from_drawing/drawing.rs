@@ -77,11 +77,11 @@ impl Start {
     fn begin(&self) -> Kept {
         let crown = Inflated::new(self.crowns.clone(), self.depth);
         let crown = crown.map(|crown| Arc::new(crown.hollowed(self.hollow, &self.wood)));
-        let mut seated = self.wood.clone();
+        let mut inside = self.wood.clone();
         if let Some(crown) = &crown {
-            extend_into_crown::move_inside(&mut seated, crown);
+            extend_into_crown::move_inside(&mut inside, crown);
         }
-        let mut wood = seated.clone();
+        let mut wood = inside.clone();
         if let Some(crown) = &crown {
             extend_into_crown::extend(&mut wood, crown);
         }
@@ -94,7 +94,7 @@ impl Start {
             buds: Vec::new(),
         };
         let simulation = Simulation::from_skeleton(&self.habit, &plant, envelope, self.seed, self.limits);
-        Kept { start: self.clone(), seated, simulation, ended: Outcome::Growing }
+        Kept { start: self.clone(), inside, simulation, ended: Outcome::Growing }
     }
 }
 
@@ -126,7 +126,8 @@ pub struct Memory {
 #[derive(Debug)]
 struct Kept {
     start: Start,
-    seated: Vec<Branch>,
+    /// The drawn wood, brought inside of the crown's depth.
+    inside: Vec<Branch>,
     simulation: Simulation,
     ended: Outcome,
 }
@@ -147,7 +148,7 @@ impl Memory {
     pub fn grow(&mut self, start: &Start, years: Option<f32>, stop: &dyn Fn() -> bool) -> Option<Grown<'_>> {
         let known = self.last.take().filter(|kept| kept.start == *start);
         let kept = self.last.insert(known.unwrap_or_else(|| start.begin()));
-        let Kept { seated, simulation, ended, .. } = kept;
+        let Kept { inside, simulation, ended, .. } = kept;
         // Crowns that enclose nothing bind nothing: then all there is is what was drawn.
         let years = years.or((!is_bound(simulation)).then_some(0.0));
         let wanted = |s: &Simulation| match years {
@@ -165,7 +166,7 @@ impl Memory {
         let age = years.map_or_else(filled, |years| years.min(oldest));
         // What ended growth later than what is shown is not its fault.
         let outcome = if age < oldest { Outcome::Growing } else { *ended };
-        Some(Grown { simulation, wood: seated, age, outcome })
+        Some(Grown { simulation, wood: inside, age, outcome })
     }
 }
 

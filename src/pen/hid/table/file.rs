@@ -4,7 +4,7 @@
 //! hardware at hand is refused here: ranges of nothing, unknown names, expressions that do not compile, two nodes of one
 //! tablet that no device could be told apart by.
 
-use super::{StringRule, Table, Tablet};
+use super::tablet::{StringRule, Table, Tablet};
 use crate::pen::hid::families::Family;
 use crate::pen::hid::wake::Wake;
 use glam::DVec2;

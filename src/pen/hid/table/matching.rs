@@ -8,7 +8,7 @@
 //! in it (28bd:0936 is known with 33 and with 64 bytes). If still none fits, the firmware's name decides alone where a
 //! device gives it: it says more than lengths, which also differ (Huion's T174 declares 8 bytes or 12 and sends 12).
 
-use super::{StringRule, Table, Tablet};
+use super::tablet::{StringRule, Table, Tablet};
 use std::collections::BTreeMap;
 
 /// Index of the string in which tablets of Huion and its kin give the name of their firmware.

@@ -1,6 +1,7 @@
 //! Matching and refusing, over small tables made for it.
 
 use super::*;
+use crate::pen::machine::Silence;
 
 const HEAD: &str =
     "[wake]\nv2 = { strings = [200] }\nxp = { outputs = [\"02 b0 04\"] }\n[[maker]]\nname = \"Maker\"\n";

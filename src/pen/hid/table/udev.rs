@@ -4,7 +4,7 @@
 //! no kernel driver is touched. Tablets that are known or woken by USB strings need their USB node too, because hidraw
 //! gives no strings. Makers whose tablets say their ranges themselves are let in with all models.
 
-use super::Table;
+use super::tablet::Table;
 use crate::pen::hid::DeviceInfo;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
