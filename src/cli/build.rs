@@ -1,6 +1,6 @@
 //! `penstemon build SKETCH -o OUT`: drawing to plant.
 
-use super::common::{self, BuildOptions, Setup};
+use super::common::{self, BuildOptions, Instances, Setup};
 use crate::formats::write;
 use anyhow::ensure;
 use std::path::PathBuf;
@@ -14,6 +14,10 @@ pub struct Args {
     /// Where the plant goes: .glb, .obj (with .mtl and textures) or .json; may be given again.
     #[arg(short, long = "out", value_name = "FILE", required = true)]
     pub out: Vec<PathBuf>,
+    /// Leaves and petals in GLB as copies of a few meshes instead of one large mesh; `nodes` for every program, `gpu` for
+    /// those that read EXT_mesh_gpu_instancing.
+    #[arg(long, value_name = "FORM")]
+    pub instances: Option<Instances>,
     #[command(flatten)]
     #[allow(missing_docs)]
     pub options: BuildOptions,
@@ -35,8 +39,8 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         "{}: no stroke is long enough to be a petal, a leaf or a branch; draw something larger",
         args.sketch.display()
     );
-    let (model, plant) = (&built.model, &built.plant);
-    let bytes = write::export_all(&args.out, model, plant, &common::built_in_texture, &setup.sources)?;
+    let made = (&built.plant, &built.model);
+    let bytes = common::export(&args.out, made, args.instances, &setup.params, &setup.sources)?;
     if args.options.stats {
         common::print(&common::stats(&built.stages, &built.model, bytes).to_string())?;
     }

@@ -1,8 +1,10 @@
 //! What the building verbs share: opening a sketch, choosing species and parameters, reporting.
 
+use crate::formats::write::{self, InstanceForm};
 use crate::input::Sources;
 use crate::model::Model;
 use crate::pipeline::{self, Built, Params};
+use crate::plant::FinishedPlant;
 use crate::sketch::{self, Sketch};
 use crate::species::{self, Species};
 use anyhow::Context;
@@ -131,6 +133,38 @@ impl Setup {
         }
         built
     }
+}
+
+/// How a GLB file has leaves and petals that are copies of one shape.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Instances {
+    /// A node for each, which share a mesh; every program reads it.
+    Nodes,
+    /// The extension `EXT_mesh_gpu_instancing`, smaller still; not every program reads it.
+    Gpu,
+}
+
+/// Writes a plant in several formats, GLB with instances where they are asked for; returns the number of bytes.
+///
+/// # Errors
+/// A file that cannot be written.
+pub fn export(
+    outs: &[PathBuf],
+    (plant, model): (&FinishedPlant, &Model),
+    instances: Option<Instances>,
+    params: &Params,
+    sources: &Sources,
+) -> anyhow::Result<usize> {
+    let Some(instances) = instances else {
+        return Ok(write::export_all(outs, model, plant, &built_in_texture, sources)?);
+    };
+    let form = match instances {
+        Instances::Nodes => InstanceForm::Nodes,
+        Instances::Gpu => InstanceForm::Gpu,
+    };
+    let instanced = pipeline::instanced(plant, params);
+    let with = (&instanced, form);
+    Ok(write::export_all_instanced(outs, model, with, plant, &built_in_texture, sources)?)
 }
 
 /// The program's own textures, for exporters and renderers.

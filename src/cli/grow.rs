@@ -39,6 +39,10 @@ pub struct Args {
     /// The plant at this many ages, evenly up to --age, each in a file with a number before the ending: an animation.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=3600))]
     pub frames: Option<u16>,
+    /// Leaves and petals in GLB as copies of a few meshes instead of one large mesh; `nodes` for every program, `gpu` for
+    /// those that read EXT_mesh_gpu_instancing.
+    #[arg(long, value_name = "FORM")]
+    pub instances: Option<common::Instances>,
     /// Seed of everything random.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
@@ -174,12 +178,13 @@ fn why_bare(ages: Ages) -> &'static str {
 fn write(args: &Args, sources: &Sources, grown: &Built, nursery: &mut Nursery<'_>) -> Result<usize> {
     let (pictures, models): (Vec<&PathBuf>, Vec<&PathBuf>) = args.out.iter().partition(|out| is_picture(out));
     let mut studio = if pictures.is_empty() { None } else { Some(Studio::new(&grown.model)?) };
+    let params = nursery.params;
     let mut write = |built: &Built, named: &dyn Fn(&Path) -> PathBuf| -> Result<usize> {
         let named_all = |outs: &[&PathBuf]| outs.iter().map(|out| named(out)).collect::<Vec<_>>();
         let (models, pictures) = (named_all(&models), named_all(&pictures));
         sources.spare(pictures.iter().map(PathBuf::as_path))?;
         let Built { model, plant, .. } = built;
-        let mut bytes = write::export_all(&models, model, plant, &common::built_in_texture, sources)?;
+        let mut bytes = common::export(&models, (plant, model), args.instances, params, sources)?;
         if let Some(studio) = &mut studio {
             let png = studio.picture(model)?;
             for out in &pictures {

@@ -7,6 +7,7 @@
 
 use super::cache::{Cache, Made};
 use super::flat::BladeMeshParams;
+use super::instances::{InstanceGroup, InstancedModel, Pose};
 use super::limbs::Twig;
 use super::organs::{OrganScratch, OrganWorkshop};
 use super::parts::{self, Limb, Plan, Source};
@@ -46,7 +47,7 @@ struct Scratch {
 
 /// What the parts of one plant have in common.
 struct Workshop<'a> {
-    plant: &'a Plant,
+    plant: &'a FinishedPlant,
     params: &'a ModelParams,
     organs: OrganWorkshop<'a>,
     plant_size: f32,
@@ -55,11 +56,17 @@ struct Workshop<'a> {
 /// Builds the meshes of a plant that keeps its invariants.
 pub fn build(plant: &FinishedPlant, params: &ModelParams) -> Model {
     let plans = parts::plan(plant, params);
+    Workshop::new(plant, params, &mut Cache::default()).model(plans)
+}
+
+/// Builds the same plant with the blades that are copies of one shape as instances of its mesh. Only what the parameters
+/// gather can be.
+pub fn build_instanced(plant: &FinishedPlant, params: &ModelParams) -> InstancedModel {
+    let mut plans = parts::plan(plant, params);
     let workshop = Workshop::new(plant, params, &mut Cache::default());
-    let mesh = |scratch: &mut Scratch, plan: &Plan| Arc::new(workshop.mesh(&plan.source, scratch));
-    let meshes: Vec<Arc<Mesh>> =
-        plans.par_iter().with_min_len(BATCH).map_init(Scratch::default, mesh).collect();
-    assembled(plant, plans, meshes)
+    let mut scratch = OrganScratch::default();
+    let groups = plans.iter_mut().flat_map(|plan| workshop.groups(plan, &mut scratch)).collect();
+    InstancedModel { model: workshop.model(plans), groups }
 }
 
 /// Builds the same model as [`build`], taking from the cache what has not changed since it was last used. `stop` is
@@ -120,9 +127,34 @@ pub(super) fn size_of(plant: &Plant) -> f32 {
 }
 
 impl<'a> Workshop<'a> {
-    fn new(plant: &'a Plant, params: &'a ModelParams, cache: &mut Cache) -> Self {
+    fn new(plant: &'a FinishedPlant, params: &'a ModelParams, cache: &mut Cache) -> Self {
         let organs = OrganWorkshop::new(plant, params, cache);
         Self { plant, params, organs, plant_size: size_of(plant) }
+    }
+
+    /// The meshes of all parts, made on all cores.
+    fn model(&self, plans: Vec<Plan>) -> Model {
+        let mesh = |scratch: &mut Scratch, plan: &Plan| Arc::new(self.mesh(&plan.source, scratch));
+        let meshes: Vec<Arc<Mesh>> =
+            plans.par_iter().with_min_len(BATCH).map_init(Scratch::default, mesh).collect();
+        assembled(self.plant, plans, meshes)
+    }
+
+    /// Takes the copies out of a part.
+    fn groups(&self, plan: &mut Plan, scratch: &mut OrganScratch) -> Vec<InstanceGroup> {
+        let Source::Organs(slots) = &mut plan.source else { return Vec::new() };
+        let copies = self.organs.take_copies(slots, scratch);
+        let group = |(number, ((slot, shape), poses)): (usize, ((usize, u32), Vec<Pose>))| InstanceGroup {
+            name: format!("{}_shape_{number}", plan.name),
+            kind: plan.kind,
+            parent: plan.parent,
+            specimen: plan.specimen,
+            pivot: plan.pivot,
+            material: slot.checked_sub(1).map_or(plan.material, |more| plan.more_materials[more]),
+            mesh: Arc::new(self.organs.copied_mesh(shape)),
+            poses,
+        };
+        copies.into_iter().enumerate().map(group).collect()
     }
 
     /// Everything that [`Self::mesh`] reads but the parameters.

@@ -10,6 +10,7 @@
 
 use super::blade::THINNEST;
 use super::flat::FlatBlade;
+use super::instances::Pose;
 use super::mesh::{Mesh, Vertex};
 use crate::plant::{Blade, Plant, RestSurface, Shape};
 use glam::{Mat3, Vec3};
@@ -39,13 +40,19 @@ impl CopiedShape {
         Self { mesh, size: flat.size, half }
     }
 
+    /// Whether a copy in the place of the blade has faces that are far enough apart.
+    fn is_thick_enough(&self, blade: &Blade) -> bool {
+        let (across, along) = (blade.u.length(), blade.v.length());
+        let far = blade.base.abs().max_element() + self.size * across.max(along);
+        far.is_finite() && self.half * along >= THINNEST * far
+    }
+
     /// Appends a copy to a mesh; whether the blade can be one.
     pub(super) fn append(&self, blade: &Blade, to: &mut Mesh) -> bool {
         let Blade { base, u, v, .. } = *blade;
         let Some(facing) = u.cross(v).try_normalize() else { return false };
         let (across, along) = (u.length(), v.length());
-        let far = base.abs().max_element() + self.size * across.max(along);
-        if self.half * along < THINNEST * far || !far.is_finite() {
+        if !self.is_thick_enough(blade) {
             return false;
         }
         let world_from_shape = Mat3::from_cols(u, v, facing * along);
@@ -92,10 +99,36 @@ impl Copies {
         to: &mut Mesh,
         make: impl FnOnce(&Blade) -> Option<CopiedShape>,
     ) -> bool {
-        let Some(shape) = self.shape_of[organ] else { return false };
+        self.shape(organ, blade, make).is_some_and(|(_, shape)| shape.append(blade, to))
+    }
+
+    /// The number of the shape of which the blade of an organ is a copy, and where the copy stands; `None` for a blade
+    /// that has a mesh of its own.
+    pub(super) fn pose(
+        &self,
+        organ: usize,
+        blade: &Blade,
+        make: impl FnOnce(&Blade) -> Option<CopiedShape>,
+    ) -> Option<(u32, Pose)> {
+        let (number, shape) = self.shape(organ, blade, make)?;
+        shape.is_thick_enough(blade).then(|| Pose::of(blade)).flatten().map(|pose| (number, pose))
+    }
+
+    /// The mesh of a shape that has been made.
+    pub(super) fn mesh(&self, shape: u32) -> Option<&Mesh> {
+        Some(&self.shapes.get(shape as usize)?.get()?.as_ref()?.mesh)
+    }
+
+    fn shape(
+        &self,
+        organ: usize,
+        blade: &Blade,
+        make: impl FnOnce(&Blade) -> Option<CopiedShape>,
+    ) -> Option<(u32, &CopiedShape)> {
+        let number = self.shape_of[organ]?;
         let standing = || Blade { base: Vec3::ZERO, u: Vec3::X, v: Vec3::Y, ..blade.clone() };
-        let shape = self.shapes[shape as usize].get_or_init(|| make(&standing()));
-        shape.as_ref().is_some_and(|shape| shape.append(blade, to))
+        let shape = self.shapes[number as usize].get_or_init(|| make(&standing()));
+        shape.as_ref().map(|shape| (number, shape))
     }
 }
 

@@ -8,7 +8,7 @@
 //! | `parts`, `part_names` | names, parents, specimens |
 //! | `outline`, `sections`, `interior`, `flat` | a blade in its plane, triangulated |
 //! | `relief`, `blade` | the blade bent and given thickness |
-//! | `copies` | leaves that are copies of one shape |
+//! | `copies`, `instances` | leaves that are copies of one shape: baked into one mesh, or kept as copies |
 //! | `spine`, `tube` | single branches |
 //! | `limbs`, `joint`, `strip`, `wood` | branches that grow out of one another |
 //! | `solids`, `filaments` | receptacles, fruits, pots |
@@ -28,6 +28,7 @@ pub mod crossing;
 mod disjoint_sets;
 mod filaments;
 mod flat;
+pub mod instances;
 mod interior;
 pub mod invariants;
 mod joint;
@@ -53,9 +54,10 @@ mod tube;
 mod wood;
 
 pub use afford::affordable;
-pub use build::{ModelParams, build, rebuild};
+pub use build::{ModelParams, build, build_instanced, rebuild};
 pub use cache::Cache;
 pub use flat::{BladeMeshParams, PlanarGraph, TriangulationScratch, triangulation_input};
+pub use instances::{InstanceGroup, InstancedModel, Pose};
 pub use mesh::{Mesh, Vertex};
 pub use solids::SolidParams;
 pub use tube::TubeParams;

@@ -7,6 +7,7 @@ use super::blade::{self, BladeScratch};
 use super::cache::{Cache, Template};
 use super::copies::Copies;
 use super::flat::{self, FlatScratch};
+use super::instances::Pose;
 use super::mesh::Mesh;
 use super::parts::Piece;
 use super::recipe::Recipe;
@@ -64,6 +65,38 @@ impl<'a> OrganWorkshop<'a> {
             }
         }
         mesh
+    }
+
+    /// Takes the blades that are copies of a shape out of a part's pieces: their poses by material slot and shape.
+    pub(super) fn take_copies(
+        &self,
+        slots: &mut [Vec<(usize, Piece)>],
+        scratch: &mut OrganScratch,
+    ) -> BTreeMap<(usize, u32), Vec<Pose>> {
+        let mut copies: BTreeMap<(usize, u32), Vec<Pose>> = BTreeMap::new();
+        for (slot, pieces) in slots.iter_mut().enumerate() {
+            pieces.retain(|&(organ, _)| match self.pose(organ, scratch) {
+                Some((shape, pose)) => {
+                    copies.entry((slot, shape)).or_default().push(pose);
+                    false
+                }
+                None => true,
+            });
+        }
+        copies
+    }
+
+    fn pose(&self, organ: usize, scratch: &mut OrganScratch) -> Option<(u32, Pose)> {
+        let Shape::Blade(blade) = self.shape(organ) else { return None };
+        let flat = self.template(blade)?.flat.as_ref().as_ref()?;
+        let make =
+            |standing: &Blade| blade::copied_shape(standing, flat, &self.params.blade, &mut scratch.blade);
+        self.copies.pose(organ, blade, make)
+    }
+
+    /// The mesh of a shape of which there are copies.
+    pub(super) fn copied_mesh(&self, shape: u32) -> Mesh {
+        self.copies.mesh(shape).cloned().unwrap_or_default()
     }
 
     fn shape(&self, organ: usize) -> &'a Shape {

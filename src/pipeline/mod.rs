@@ -17,7 +17,7 @@ mod seed;
 mod setup;
 mod source;
 
-pub use finish::Built;
+pub use finish::{Built, instanced};
 pub use seed::SeedMemory;
 pub use setup::{
     DEFAULT_SPECIES, Params, SetupError, check_grows, params_of, params_of_species, species_file, species_of,

@@ -1,16 +1,17 @@
 //! Binary glTF 2.0: one file with everything in it.
 //!
 //! Two chunks: the JSON document, then one buffer: interleaved vertices (position, normal, UV; 32 bytes each), 32-bit
-//! indices, 16-bit indices for meshes that need no more, pictures. One buffer view per region; accessors point into
+//! indices, 16-bit indices for meshes that need no more, poses of copies, pictures. One buffer view per region; accessors point into
 //! them. The node tree is in `gltf_tree.rs`, looks in `gltf_materials.rs`.
 //!
 //! Positions are relative to their part's pivot; v runs downward in glTF, so v' = 1 − v. The document is written
 //! straight into the result, its tree freed, then vertices and indices, so that no second copy of anything large is held.
 
+use super::gltf_instances;
 use super::gltf_materials::push_materials;
 use super::gltf_tree::push_nodes;
 use super::{Encoded, ExportError, Exporter, Pictures, Scene};
-use crate::model::{Mesh, Model, Part};
+use crate::model::{Mesh, Part};
 use glam::Vec3;
 use gltf_json as json;
 use json::accessor::{ComponentType, GenericComponentType, Type};
@@ -39,9 +40,10 @@ impl Exporter for Glb {
     fn encode(&self, scene: &Scene<'_>) -> Result<Encoded, ExportError> {
         scene.surfaces()?;
         let pictures = Pictures::of(scene)?;
-        let regions = Regions::of(scene.model, &pictures);
+        let bodies: Vec<Body<'_>> = bodies(scene).collect();
+        let regions = Regions::of(&bodies, gltf_instances::table_bytes(scene), &pictures);
         let mut out = vec![0; HEADER_BYTES + CHUNK_HEADER_BYTES];
-        serde_json::to_writer(&mut out, &document(scene, &pictures, &regions)?)?;
+        serde_json::to_writer(&mut out, &document(scene, &bodies, &pictures, &regions)?)?;
         pad(&mut out, b' ');
         let json_bytes = out.len() - HEADER_BYTES - CHUNK_HEADER_BYTES;
         let total = out.len() as u64 + CHUNK_HEADER_BYTES as u64 + regions.end as u64;
@@ -54,9 +56,37 @@ impl Exporter for Glb {
         out.reserve_exact(CHUNK_HEADER_BYTES + regions.end);
         out.extend_from_slice(&(regions.end as u32).to_le_bytes());
         out.extend_from_slice(b"BIN\0");
-        write_buffer(&mut out, scene.model, &pictures);
+        write_buffer(&mut out, &bodies, scene, &pictures);
         Ok(Encoded { bytes: out, companions: Vec::new() })
     }
+}
+
+/// What becomes a mesh of the file: a part, or a shape of which there are copies.
+struct Body<'a> {
+    name: &'a str,
+    mesh: &'a Mesh,
+    /// What positions are relative to.
+    pivot: Vec3,
+    /// Materials with their triangles.
+    slots: Vec<(usize, Range<usize>)>,
+}
+
+/// Parts with a surface, then shapes.
+fn bodies<'a>(scene: &Scene<'a>) -> impl Iterator<Item = Body<'a>> {
+    let parts = scene.model.parts.iter().filter(|part| !part.mesh.triangles.is_empty());
+    let parts = parts.map(|part| Body {
+        name: &part.name,
+        mesh: &part.mesh,
+        pivot: part.pivot,
+        slots: part.material_slots().collect(),
+    });
+    let shapes = scene.groups().iter().map(|group| Body {
+        name: &group.name,
+        mesh: &group.mesh,
+        pivot: Vec3::ZERO,
+        slots: vec![(group.material, 0..group.mesh.triangles.len())],
+    });
+    parts.chain(shapes)
 }
 
 /// Whether 16 bits reach every vertex; the largest 16-bit value is reserved.
@@ -68,25 +98,32 @@ fn is_narrow(mesh: &Mesh) -> bool {
 struct Regions {
     wide: usize,
     narrow: usize,
+    poses: usize,
     pictures: usize,
     end: usize,
 }
 
 impl Regions {
-    fn of(model: &Model, pictures: &Pictures) -> Self {
-        let surfaces = || model.parts.iter().map(|part| &part.mesh).filter(|mesh| !mesh.triangles.is_empty());
+    fn of(bodies: &[Body<'_>], table_bytes: usize, pictures: &Pictures) -> Self {
+        let surfaces = || bodies.iter().map(|body| body.mesh);
         let indices = |narrow| -> usize {
             surfaces().filter(|m| is_narrow(m) == narrow).map(|m| 3 * m.triangles.len()).sum()
         };
         let wide = VERTEX_BYTES * surfaces().map(|mesh| mesh.vertices.len()).sum::<usize>();
         let narrow = wide + 4 * indices(false);
-        let first_picture = (narrow + 2 * indices(true)).next_multiple_of(4);
+        let first_pose = (narrow + 2 * indices(true)).next_multiple_of(4);
+        let first_picture = first_pose + table_bytes;
         let picture_bytes: usize = pictures.all.iter().map(|p| p.bytes.len().next_multiple_of(4)).sum();
-        Self { wide, narrow, pictures: first_picture, end: first_picture + picture_bytes }
+        Self { wide, narrow, poses: first_pose, pictures: first_picture, end: first_picture + picture_bytes }
     }
 }
 
-fn document(scene: &Scene<'_>, pictures: &Pictures, regions: &Regions) -> serde_json::Result<json::Root> {
+fn document(
+    scene: &Scene<'_>,
+    bodies: &[Body<'_>],
+    pictures: &Pictures,
+    regions: &Regions,
+) -> serde_json::Result<json::Root> {
     let mut root = json::Root::default();
     root.asset.generator = Some("Penstemon".to_owned());
     root.push(json::Buffer {
@@ -97,15 +134,15 @@ fn document(scene: &Scene<'_>, pictures: &Pictures, regions: &Regions) -> serde_
         extras: Default::default(),
     });
     let materials = push_materials(&mut root, scene, pictures)?;
-    let mut cursor = Cursor::new(&mut root, scene.model, regions);
-    let mesh_of_part: Vec<_> = scene
-        .model
-        .parts
-        .iter()
-        .map(|part| (!part.mesh.triangles.is_empty()).then(|| cursor.push_mesh(&mut root, part, &materials)))
-        .collect();
+    let mut cursor = Cursor::new(&mut root, bodies, regions);
+    let meshes: Vec<_> = bodies.iter().map(|body| cursor.push_mesh(&mut root, body, &materials)).collect();
     push_images(&mut root, pictures, regions);
-    push_nodes(&mut root, scene.model, &mesh_of_part);
+    let (of_parts, of_shapes) = meshes.split_at(meshes.len() - scene.groups().len());
+    let mut of_parts = of_parts.iter().copied();
+    let mesh_of = |part: &Part| if part.mesh.triangles.is_empty() { None } else { of_parts.next() };
+    let mesh_of_part: Vec<_> = scene.model.parts.iter().map(mesh_of).collect();
+    let first_part = push_nodes(&mut root, scene.model, &mesh_of_part);
+    gltf_instances::push(&mut root, scene, first_part, of_shapes, regions.poses);
     Ok(root)
 }
 
@@ -125,7 +162,7 @@ fn push_images(root: &mut json::Root, pictures: &Pictures, regions: &Regions) {
     }
 }
 
-fn view(offset: usize, length: usize, target: Option<Target>) -> View {
+pub(super) fn view(offset: usize, length: usize, target: Option<Target>) -> View {
     let interleaved = target == Some(Target::ArrayBuffer);
     View {
         buffer: Index::new(0),
@@ -147,10 +184,10 @@ struct Cursor {
 }
 
 impl Cursor {
-    fn new(root: &mut json::Root, model: &Model, regions: &Regions) -> Self {
+    fn new(root: &mut json::Root, bodies: &[Body<'_>], regions: &Regions) -> Self {
         let narrow_bytes: usize = {
-            let narrow = model.parts.iter().filter(|part| is_narrow(&part.mesh));
-            narrow.map(|part| 6 * part.mesh.triangles.len()).sum()
+            let narrow = bodies.iter().filter(|body| is_narrow(body.mesh));
+            narrow.map(|body| 6 * body.mesh.triangles.len()).sum()
         };
         let vertices = root.push(view(0, regions.wide, Some(Target::ArrayBuffer)));
         let mut indices = |from: usize, length: usize| {
@@ -164,17 +201,17 @@ impl Cursor {
     fn push_mesh(
         &mut self,
         root: &mut json::Root,
-        part: &Part,
+        body: &Body<'_>,
         materials: &[Option<Index<json::Material>>],
     ) -> Index<json::Mesh> {
-        let mesh = &part.mesh;
+        let mesh = body.mesh;
         let (view, start) = (self.vertices.0, self.vertices.1);
         self.vertices.1 += VERTEX_BYTES * mesh.vertices.len();
         let attribute = |offset, kind| {
             accessor(Some(view), start + offset, mesh.vertices.len(), ComponentType::F32, kind)
         };
         let mut positions = attribute(0, Type::Vec3);
-        let (low, high) = local_bounds(part);
+        let (low, high) = local_bounds(body);
         positions.min = Some(low.to_array().to_vec().into());
         positions.max = Some(high.to_array().to_vec().into());
         let attributes = [
@@ -192,9 +229,9 @@ impl Cursor {
             extensions: None,
             extras: Default::default(),
         };
-        let primitives = part.material_slots().map(primitive).collect();
+        let primitives = body.slots.iter().cloned().map(primitive).collect();
         root.push(json::Mesh {
-            name: Some(part.name.clone()),
+            name: Some(body.name.to_owned()),
             primitives,
             weights: None,
             extensions: None,
@@ -216,7 +253,7 @@ impl Cursor {
     }
 }
 
-fn accessor(
+pub(super) fn accessor(
     view: Option<Index<View>>,
     offset: usize,
     count: usize,
@@ -240,35 +277,35 @@ fn accessor(
 }
 
 /// Smallest and largest coordinates of the positions as they are written.
-fn local_bounds(part: &Part) -> (Vec3, Vec3) {
-    part.mesh.vertices.iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), vertex| {
-        let p = part.mesh.points[vertex.point as usize] - part.pivot;
+fn local_bounds(body: &Body<'_>) -> (Vec3, Vec3) {
+    body.mesh.vertices.iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), vertex| {
+        let p = body.mesh.points[vertex.point as usize] - body.pivot;
         (low.min(p), high.max(p))
     })
 }
 
-fn write_buffer(out: &mut Vec<u8>, model: &Model, pictures: &Pictures) {
-    let surfaces = || model.parts.iter().filter(|part| !part.mesh.triangles.is_empty());
-    surfaces().for_each(|part| write_vertices(out, part));
-    for part in surfaces().filter(|part| !is_narrow(&part.mesh)) {
-        out.extend(part.mesh.triangles.iter().flatten().flat_map(|v| v.to_le_bytes()));
+fn write_buffer(out: &mut Vec<u8>, bodies: &[Body<'_>], scene: &Scene<'_>, pictures: &Pictures) {
+    bodies.iter().for_each(|body| write_vertices(out, body));
+    for body in bodies.iter().filter(|body| !is_narrow(body.mesh)) {
+        out.extend(body.mesh.triangles.iter().flatten().flat_map(|v| v.to_le_bytes()));
     }
-    for part in surfaces().filter(|part| is_narrow(&part.mesh)) {
-        for triangle in &part.mesh.triangles {
+    for body in bodies.iter().filter(|body| is_narrow(body.mesh)) {
+        for triangle in &body.mesh.triangles {
             let [[a, b], [c, d], [e, f]] = triangle.map(|v| (v as u16).to_le_bytes());
             out.extend_from_slice(&[a, b, c, d, e, f]);
         }
     }
     pad(out, 0);
+    gltf_instances::write_tables(out, scene);
     for picture in &pictures.all {
         out.extend_from_slice(&picture.bytes);
         pad(out, 0);
     }
 }
 
-fn write_vertices(out: &mut Vec<u8>, part: &Part) {
-    for vertex in &part.mesh.vertices {
-        let [x, y, z] = (part.mesh.points[vertex.point as usize] - part.pivot).to_array();
+fn write_vertices(out: &mut Vec<u8>, body: &Body<'_>) {
+    for vertex in &body.mesh.vertices {
+        let [x, y, z] = (body.mesh.points[vertex.point as usize] - body.pivot).to_array();
         let [nx, ny, nz] = vertex.normal.to_array();
         let values = [x, y, z, nx, ny, nz, vertex.uv.x, 1.0 - vertex.uv.y].map(f32::to_le_bytes);
         out.extend_from_slice(values.as_flattened());

@@ -12,8 +12,13 @@ use gltf_json as json;
 use json::Index;
 use std::collections::BTreeMap;
 
-/// Pushes the scene and all nodes; `mesh_of_part` gives each part's mesh, `None` for one without surface.
-pub(super) fn push_nodes(root: &mut json::Root, model: &Model, mesh_of_part: &[Option<Index<json::Mesh>>]) {
+/// Pushes the scene and all nodes; `mesh_of_part` gives each part's mesh, `None` for one without surface. Returns the
+/// index of the first part's node.
+pub(super) fn push_nodes(
+    root: &mut json::Root,
+    model: &Model,
+    mesh_of_part: &[Option<Index<json::Mesh>>],
+) -> u32 {
     let bases = specimen_bases(model);
     let root_of_specimen: BTreeMap<usize, u32> = bases.keys().copied().zip(0..).collect();
     for (&specimen, &base) in &bases {
@@ -37,6 +42,7 @@ pub(super) fn push_nodes(root: &mut json::Root, model: &Model, mesh_of_part: &[O
         extras: Default::default(),
     };
     root.scene = Some(root.push(scene));
+    first_part
 }
 
 /// For each specimen where it stands: the pivot of its first part that nothing carries.
@@ -49,7 +55,7 @@ fn specimen_bases(model: &Model) -> BTreeMap<usize, Vec3> {
     bases
 }
 
-fn node(name: String, translation: Vec3) -> json::Node {
+pub(super) fn node(name: String, translation: Vec3) -> json::Node {
     let translation = (translation != Vec3::ZERO).then(|| translation.to_array());
     json::Node { name: Some(name), translation, ..Default::default() }
 }

@@ -5,6 +5,7 @@
 
 pub mod error;
 pub mod glb;
+mod gltf_instances;
 mod gltf_materials;
 mod gltf_tree;
 pub mod mtl;
@@ -17,13 +18,13 @@ mod tint;
 
 pub use error::ExportError;
 pub use pictures::Pictures;
-pub use scene::Scene;
+pub use scene::{InstanceForm, Scene};
 
 use crate::atomic::WriteError;
 use crate::file_system::System;
 use crate::formats::textures::{self, BuiltInTextures};
 use crate::input::Sources;
-use crate::model::Model;
+use crate::model::{InstancedModel, Model};
 use crate::plant::FinishedPlant;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -104,9 +105,15 @@ pub fn prepare(
     built_in: &BuiltInTextures<'_>,
 ) -> Result<Prepared, ExportError> {
     let format = format_of(path)?;
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let scene = Scene::new(model, plant, built_in, stem)?;
-    let Encoded { bytes, companions } = format.encode(&scene)?;
+    encode(path, format, &Scene::new(model, plant, built_in, stem(path))?)
+}
+
+fn stem(path: &Path) -> Cow<'_, str> {
+    path.file_stem().unwrap_or_default().to_string_lossy()
+}
+
+fn encode(path: &Path, format: &dyn Exporter, scene: &Scene<'_>) -> Result<Prepared, ExportError> {
+    let Encoded { bytes, companions } = format.encode(scene)?;
     let beside = companions.into_iter().map(|(name, bytes)| (path.with_file_name(name), bytes));
     Ok(Prepared { files: beside.chain([(path.to_owned(), bytes.into())]).collect() })
 }
@@ -123,12 +130,42 @@ pub fn export_all(
     built_in: &BuiltInTextures<'_>,
     sources: &Sources,
 ) -> Result<usize, ExportError> {
+    let prepared =
+        paths.iter().map(|path| prepare(path, model, plant, built_in)).collect::<Result<_, _>>()?;
+    write_all(prepared, model, sources)
+}
+
+/// Writes what has been encoded, if it replaces none of the sources.
+fn write_all(prepared: Vec<Prepared>, model: &Model, sources: &Sources) -> Result<usize, ExportError> {
     let mut sources = sources.clone();
     textures::files(&model.materials).for_each(|picture| sources.add(picture));
-    let prepared: Vec<Prepared> =
-        paths.iter().map(|path| prepare(path, model, plant, built_in)).collect::<Result<_, _>>()?;
     sources.spare(prepared.iter().flat_map(Prepared::paths))?;
     prepared.iter().try_fold(0, |bytes, prepared| Ok(bytes + prepared.write()?))
+}
+
+/// Writes a model in several formats as [`export_all`] does; those that can keep copies of one shape have them from
+/// `instanced`, which is the same plant.
+///
+/// # Errors
+/// [`ExportError`]; no file is left half written.
+pub fn export_all_instanced(
+    paths: &[PathBuf],
+    model: &Model,
+    (instanced, form): (&InstancedModel, InstanceForm),
+    plant: &FinishedPlant,
+    built_in: &BuiltInTextures<'_>,
+    sources: &Sources,
+) -> Result<usize, ExportError> {
+    let prepare = |path: &PathBuf| -> Result<Prepared, ExportError> {
+        let format = format_of(path)?;
+        if format.extension() != glb::Glb.extension() {
+            return prepare(path, model, plant, built_in);
+        }
+        let scene = Scene::new(&instanced.model, plant, built_in, stem(path))?;
+        encode(path, format, &scene.with_instances(&instanced.groups, form)?)
+    };
+    let prepared = paths.iter().map(prepare).collect::<Result<_, _>>()?;
+    write_all(prepared, model, sources)
 }
 
 /// Writes a model as [`export_all`] does, in one format and from no other files than its pictures.

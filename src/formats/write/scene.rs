@@ -2,9 +2,18 @@
 
 use super::ExportError;
 use crate::formats::textures::BuiltInTextures;
-use crate::model::{Model, Part};
+use crate::model::{InstanceGroup, Model, Part};
 use crate::plant::FinishedPlant;
 use std::borrow::Cow;
+
+/// How copies of one shape are written where the format has a way to say so: glTF.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InstanceForm {
+    /// A node for each copy, which share a mesh: every program reads it.
+    Nodes,
+    /// One node with a table of poses: the extension `EXT_mesh_gpu_instancing`, which not every program reads.
+    Gpu,
+}
 
 /// A sound model and what belongs to it.
 pub struct Scene<'a> {
@@ -14,6 +23,8 @@ pub struct Scene<'a> {
     pub plant: &'a FinishedPlant,
     /// The program's own textures.
     pub built_in: &'a BuiltInTextures<'a>,
+    /// Copies of shapes, which stand beside the model's parts, and how they are written.
+    pub instances: Option<(&'a [InstanceGroup], InstanceForm)>,
     /// The output file's name without folder and extension; companion files begin with it.
     pub stem: Cow<'a, str>,
 }
@@ -30,7 +41,33 @@ impl<'a> Scene<'a> {
         stem: Cow<'a, str>,
     ) -> Result<Self, ExportError> {
         model.check_invariants().map_err(ExportError::Unsound)?;
-        Ok(Self { model, plant, built_in, stem })
+        Ok(Self { model, plant, built_in, instances: None, stem })
+    }
+
+    /// The scene with copies of shapes beside its model.
+    ///
+    /// # Errors
+    /// [`ExportError::Unsound`] for a group whose parent, material or mesh is not there.
+    pub fn with_instances(
+        self,
+        groups: &'a [InstanceGroup],
+        form: InstanceForm,
+    ) -> Result<Self, ExportError> {
+        let (parts, materials) = (self.model.parts.len(), self.model.materials.len());
+        let is_sound = |group: &&InstanceGroup| {
+            group.parent.is_none_or(|parent| parent < parts)
+                && group.material < materials
+                && !group.mesh.triangles.is_empty()
+        };
+        match groups.iter().find(|group| !is_sound(group)) {
+            Some(group) => Err(ExportError::Unsound(format!("instances `{}`", group.name))),
+            None => Ok(Self { instances: Some((groups, form)), ..self }),
+        }
+    }
+
+    /// The groups of copies.
+    pub(super) fn groups(&self) -> &'a [InstanceGroup] {
+        self.instances.map_or(&[], |(groups, _)| groups)
     }
 
     /// Parts with a surface, specimen by specimen, otherwise in the model's order.
@@ -41,10 +78,10 @@ impl<'a> Scene<'a> {
         let mut parts: Vec<&Part> =
             self.model.parts.iter().filter(|p| !p.mesh.triangles.is_empty()).collect();
         parts.sort_by_key(|part| part.specimen);
-        if parts.is_empty() { Err(ExportError::Empty) } else { Ok(parts) }
+        if parts.is_empty() && self.groups().is_empty() { Err(ExportError::Empty) } else { Ok(parts) }
     }
 
-    /// For each material of the model whether a part has it.
+    /// For each material of the model whether a part or a copy has it.
     pub fn used_materials(&self) -> Vec<bool> {
         let mut used = vec![false; self.model.materials.len()];
         self.model
@@ -52,6 +89,7 @@ impl<'a> Scene<'a> {
             .iter()
             .flat_map(Part::material_slots)
             .for_each(|(material, _)| used[material] = true);
+        self.groups().iter().for_each(|group| used[group.material] = true);
         used
     }
 }
