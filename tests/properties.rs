@@ -201,13 +201,13 @@ fn leaf_outlines_share_what_leaves_a_drawing_may_have() {
     second.id = 1_000_000;
     sketch.strokes.push(second.into());
     sketch.params.insert("anatomy.leaf_fill.max_leaves".into(), 200.into());
-    let anatomy = build(&sketch).anatomy;
+    let Built { anatomy, remarks, .. } = build(&sketch);
     let generated: Vec<Vec2> =
         anatomy.leaves.iter().filter(|leaf| leaf.copy_of.is_some()).map(|leaf| leaf.root).collect();
     let beside = generated.iter().filter(|root| root.x > 1150.0).count();
     assert!((100..=200).contains(&generated.len()), "{}", generated.len());
     assert!(beside > 20 && beside < generated.len() - 20, "{beside} of {}", generated.len());
-    assert!(anatomy.warnings.iter().any(|w| w.remark == Remark::FilledThinly), "{:?}", anatomy.warnings);
+    assert!(remarks.iter().any(|w| w.remark == Remark::FilledThinly), "{remarks:?}");
 }
 
 #[test]

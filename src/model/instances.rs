@@ -94,10 +94,12 @@ mod tests {
     use super::super::{ModelParams, build, build_instanced};
     use crate::growth::{Limits, Simulation, plant_at};
     use crate::species::{self, Species};
+    use glam::Vec3;
 
     #[test]
     fn copies_stand_where_the_baked_leaves_are() {
-        for name in ["oak", "cherry"] {
+        // The cherry is mostly wood and stamens.
+        for (name, most) in [("oak", 0.5), ("cherry", 1.0)] {
             let species = Species::built_in(name).unwrap();
             let mut simulation = Simulation::new(species.growth.as_ref().unwrap(), 1, Limits::default());
             simulation.grow_to(6, &|| false);
@@ -106,27 +108,30 @@ mod tests {
             params.blade.gathered = true;
             let (baked, instanced) = (build(&plant, &params), build_instanced(&plant, &params));
             assert_eq!(instanced.triangle_count(), baked.triangle_count(), "{name}");
-            assert!(instanced.kept_triangle_count() < baked.triangle_count(), "{name}: leaves are kept once");
+            let kept = instanced.kept_triangle_count() as f32;
+            assert!(kept < most * baked.triangle_count() as f32, "{name}: {kept} triangles are kept");
             assert_eq!(instanced.model.check_invariants(), Ok(()));
             let leaves = baked.parts.iter().find(|part| part.name == "leaves").unwrap();
-            let mut baked: Vec<[i32; 3]> = leaves.mesh.points.iter().map(rounded).collect();
             let of_leaves = instanced.groups.iter().filter(|group| group.kind == leaves.kind);
-            let mut placed: Vec<[i32; 3]> = of_leaves
+            let placed: Vec<Vec3> = of_leaves
                 .flat_map(|group| group.poses.iter().map(move |pose| (group, pose)))
-                .flat_map(|(group, pose)| group.mesh.points.iter().map(|p| rounded(&pose.place(*p))))
+                .flat_map(|(group, pose)| group.mesh.points.iter().map(|p| pose.place(*p)))
                 .collect();
+            let baked = &leaves.mesh.points;
             assert_eq!(placed.len(), baked.len(), "{name}: all leaves are copies");
-            baked.sort_unstable();
-            placed.sort_unstable();
-            let off = |(a, b): (&[i32; 3], &[i32; 3])| (a[0] - b[0]).abs();
-            assert!(
-                baked.iter().zip(&placed).map(off).max().unwrap() <= 1,
-                "{name}: by a tenth of a millimetre"
-            );
+            // In another order, so each axis by itself, from one end of the plant to the other.
+            for axis in 0..3 {
+                let (here, there) = (along(axis, &placed), along(axis, baked));
+                let off = here.iter().zip(&there).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+                assert!(off < 1e-4, "{name}: {off} m off along axis {axis}");
+            }
         }
     }
 
-    fn rounded(point: &glam::Vec3) -> [i32; 3] {
-        (*point * 1e4).to_array().map(|x| x.round() as i32)
+    /// Coordinates of points along an axis, rising.
+    fn along(axis: usize, points: &[Vec3]) -> Vec<f32> {
+        let mut along: Vec<f32> = points.iter().map(|point| point[axis]).collect();
+        along.sort_by(f32::total_cmp);
+        along
     }
 }

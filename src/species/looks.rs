@@ -115,8 +115,8 @@ crate::parameters! {
     pub struct StemLook {
         /// Level in the branch hierarchy from which branches are young; 0 is the trunk.
         twig_level: u32 = 1, 0..=20, "";
-        /// Radius at their foot from which branches are old all the same, as a share of the thickest one's.
-        twig_thickest: f32 = 0.25, 0.0..=1.0, "of the thickest one's";
+        /// Branches whose radius at the foot is at least this share of the thickest branch's are not twigs, whatever their level.
+        twig_thickest: f32 = 0.25, 0.0..=1.0, "of the thickest branch";
         choices:
         /// Material of trunk and stem.
         material: String;
