@@ -104,6 +104,7 @@ check() {
 # beside NAME COMMAND…: the same at once and beside what follows, in what processor time that leaves; `join` waits for all of
 # these in turn and shows what they printed.
 jobs_names=()
+jobs=()
 beside() {
     local file=$work/job_${#jobs_names[@]}
     jobs_names+=("$1")
@@ -113,11 +114,13 @@ beside() {
         nice -n 19 "$@" >"$file" 2>&1
         echo "$? $((SECONDS - begin))" >"$file.status"
     ) &
+    jobs+=($!)
 }
 
 join() {
     local i status seconds
-    wait
+    wait "${jobs[@]}"
+    jobs=()
     for i in "${!jobs_names[@]}"; do
         echo
         echo "== ${jobs_names[i]}"

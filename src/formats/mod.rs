@@ -1,4 +1,4 @@
-//! Model files: [`write`] makes them, [`read`] opens them again, and neither knows the other.
+//! Model files: [`mod@write`] makes them, [`read`] opens them again, and neither knows the other.
 //!
 //! | format | written | read |
 //! | --- | --- | --- |

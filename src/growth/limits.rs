@@ -16,7 +16,7 @@ pub struct Limits {
     pub markers: usize,
     /// Most voxels of the shadow grid.
     pub voxels: usize,
-    /// Most elementary steps that its years may take together, about a nanosecond each; see [`super::simulation`].
+    /// Most elementary steps that its years may take together, about a nanosecond each.
     pub steps: u64,
 }
 

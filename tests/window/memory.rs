@@ -20,8 +20,9 @@ const LARGE: f64 = 1.1;
 /// Most that stays when it is gone, as a factor: measured are 1.06 to 1.16. The rest are blocks of 64 kB that a software
 /// driver keeps here and there for its next pictures, each in a page of the allocator's that cannot go back meanwhile.
 const LEFT: f64 = 1.25;
-/// Rounds of drawing and undoing before the memory is looked at first, and after that.
-const ROUNDS: [usize; 2] = [4, 10];
+/// Rounds of drawing and undoing before the memory is looked at first, and after that. In the first twenty the pages of
+/// the allocator and of the driver still find their places.
+const ROUNDS: [usize; 2] = [20, 10];
 
 /// Memory of the program's own, MB, once what is free has been given back.
 fn memory(screen: &Screen, client: &Client, program: &mut Program) -> f64 {

@@ -7,6 +7,7 @@
 //! Positions are relative to their part's pivot; v runs downward in glTF, so v' = 1 − v. The document is written
 //! straight into the result, its tree freed, then vertices and indices, so that no second copy of anything large is held.
 
+use super::gltf_buffer::{VERTEX_BYTES, accessor, view};
 use super::gltf_instances;
 use super::gltf_materials::push_materials;
 use super::gltf_tree::push_nodes;
@@ -14,8 +15,8 @@ use super::{Encoded, ExportError, Exporter, Pictures, Scene};
 use crate::model::{Mesh, Part};
 use glam::Vec3;
 use gltf_json as json;
-use json::accessor::{ComponentType, GenericComponentType, Type};
-use json::buffer::{Stride, Target, View};
+use json::accessor::{ComponentType, Type};
+use json::buffer::{Target, View};
 use json::mesh::Semantic;
 use json::validation::{Checked::Valid, USize64};
 use json::{Accessor, Index};
@@ -26,7 +27,6 @@ use std::ops::Range;
 #[derive(Debug)]
 pub struct Glb;
 
-const VERTEX_BYTES: usize = 32;
 const NORMAL_OFFSET: usize = 12;
 const UV_OFFSET: usize = 24;
 const HEADER_BYTES: usize = 12;
@@ -162,20 +162,6 @@ fn push_images(root: &mut json::Root, pictures: &Pictures, regions: &Regions) {
     }
 }
 
-pub(super) fn view(offset: usize, length: usize, target: Option<Target>) -> View {
-    let interleaved = target == Some(Target::ArrayBuffer);
-    View {
-        buffer: Index::new(0),
-        byte_length: USize64::from(length),
-        byte_offset: Some(USize64::from(offset)),
-        byte_stride: interleaved.then_some(Stride(VERTEX_BYTES)),
-        name: None,
-        target: target.map(Valid),
-        extensions: None,
-        extras: Default::default(),
-    }
-}
-
 /// The views of vertices and indices, and how far each is used up.
 struct Cursor {
     vertices: (Index<View>, usize),
@@ -250,29 +236,6 @@ impl Cursor {
         let offset = region.1;
         region.1 += size * count;
         accessor(region.0, offset, count, component, Type::Scalar)
-    }
-}
-
-pub(super) fn accessor(
-    view: Option<Index<View>>,
-    offset: usize,
-    count: usize,
-    component: ComponentType,
-    kind: Type,
-) -> Accessor {
-    Accessor {
-        buffer_view: view,
-        byte_offset: Some(USize64::from(offset)),
-        count: USize64::from(count),
-        component_type: Valid(GenericComponentType(component)),
-        type_: Valid(kind),
-        min: None,
-        max: None,
-        name: None,
-        normalized: false,
-        sparse: None,
-        extensions: None,
-        extras: Default::default(),
     }
 }
 

@@ -6,7 +6,7 @@
 //! extension could show one leaf of thousands only, so the document requires it.
 
 use super::Scene;
-use super::glb::{accessor, view};
+use super::gltf_buffer::{accessor, view};
 use super::gltf_tree::node;
 use super::scene::InstanceForm;
 use crate::model::{InstanceGroup, Pose};

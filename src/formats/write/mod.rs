@@ -5,6 +5,7 @@
 
 pub mod error;
 pub mod glb;
+mod gltf_buffer;
 mod gltf_instances;
 mod gltf_materials;
 mod gltf_tree;
