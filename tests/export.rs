@@ -7,7 +7,9 @@ use glam::{Vec2, Vec3};
 use gltf_json as json;
 use penstemon::formats::read::{Embedded, ReadFormat, from_bytes, load};
 use penstemon::formats::textures::fetch;
-use penstemon::formats::write::{Encoded, ExportError, FORMATS, Scene, export, format_of, glb, plant_json};
+use penstemon::formats::write::{
+    Encoded, ExportError, FORMATS, InstanceForm, Scene, export, format_of, glb, plant_json,
+};
 use penstemon::model::quality::{Report, judge, judge_model};
 use penstemon::model::{Model, Vertex};
 use penstemon::picture::Picture;
@@ -144,6 +146,31 @@ fn a_grown_plant_is_wood_and_leaves() {
     let with_mesh = root.nodes.iter().filter(|node| node.mesh.is_some());
     assert_eq!(names(with_mesh.map(|node| node.name.as_ref()).collect()), ["leaves", "wood"]);
     assert_eq!(names(root.meshes.iter().map(|mesh| mesh.name.as_ref()).collect()), ["leaves", "wood"]);
+}
+
+#[test]
+fn copies_of_shapes_are_read_back_or_what_is_not_read_is_said() {
+    let species = Species::built_in("oak").unwrap();
+    let params = pipeline::params_of_species(&species, &[]).unwrap();
+    let grown = pipeline::build(&Seed { number: 1, age: Some(4.0), ..Seed::default() }, &species, &params);
+    let copies = pipeline::instanced(&grown.plant, &params);
+    let built_in = |name: &str| builtin_texture(name).map(Cow::Borrowed);
+    let [nodes, gpu] = [InstanceForm::Nodes, InstanceForm::Gpu].map(|form| {
+        let scene = Scene::new(&copies.model, &grown.plant, &built_in, Cow::Borrowed("oak")).unwrap();
+        let scene = scene.with_instances(&copies.groups, form).unwrap();
+        format_of(Path::new("oak.glb")).unwrap().encode(&scene).unwrap().bytes
+    });
+    let folder = tempfile::tempdir().unwrap();
+    let read = |bytes: &[u8]| {
+        let path = folder.path().join("oak.glb");
+        fs::write(&path, bytes).unwrap();
+        load(&path).unwrap()
+    };
+    let (of_nodes, of_gpu) = (read(&nodes), read(&gpu));
+    assert_eq!(of_nodes.model.triangle_count(), grown.model.triangle_count());
+    assert!(of_nodes.warnings.is_empty(), "{:?}", of_nodes.warnings);
+    assert!(of_gpu.model.triangle_count() < of_nodes.model.triangle_count());
+    assert!(of_gpu.warnings.iter().any(|w| w.contains("EXT_mesh_gpu_instancing")), "{:?}", of_gpu.warnings);
 }
 
 #[test]

@@ -14,17 +14,29 @@ use super::model::{Loaded, clay, is_picture};
 use crate::formats::gltf_extensions;
 use crate::model::Mesh;
 use crate::plant::{Material, Texture};
+use crate::quote;
 use glam::{Mat3, Mat4, Quat, Vec3};
 use gltf_json as json;
 use json::material::AlphaMode;
 use json::validation::Checked;
 use std::slice;
 
+/// Most extensions that remarks name.
+const MOST_NAMED: usize = 8;
+
 pub(super) fn load(bytes: &[u8]) -> Result<Loaded, Malformed> {
     let (root, buffer) = glb_container::open(bytes)?;
     check_nodes(&root)?;
     let data = Data { root: &root, buffer };
     let mut loaded = Loaded::default();
+    // None is known that changes where surfaces are.
+    for extension in root.extensions_required.iter().take(MOST_NAMED) {
+        let extension = quote::name(extension);
+        loaded.warnings.push(format!(
+            "the file requires {extension}, which is not read, so surfaces are missing; write it without, as \
+             `--instances nodes` does"
+        ));
+    }
     let textures = load_pictures(data, &mut loaded);
     for material in &root.materials {
         let converted = converted(material, &root, &textures);
