@@ -1,7 +1,6 @@
 //! What must hold for every [`Plant`]; called by tests, property tests, fuzz targets and debug builds.
 
 use super::{Blade, Branch, Organ, Plant, Shape};
-use crate::geom::simple_loop::signed_area;
 use glam::Vec3;
 
 impl Plant {
@@ -77,7 +76,6 @@ impl Plant {
 fn check_blade(blade: &Blade) -> Result<(), String> {
     ensure(blade.outline.len() >= 3, || "outline of fewer than three points".into())?;
     ensure(blade.outline.iter().all(|p| p.is_finite()), || "outline not finite".into())?;
-    ensure(signed_area(blade.outline.iter().copied()) > 0.0, || "outline not counter-clockwise".into())?;
     let curls = blade.curl.len();
     ensure(curls == 0 || curls == blade.outline.len(), || "curl and outline differ in number".into())?;
     ensure(blade.curl.iter().all(|c| (-1.0..=1.0).contains(c)), || "curl out of range".into())?;
