@@ -1,6 +1,8 @@
 //! Copies that cannot be written or read: full disk, no folder, damage, a newer program.
 
-use super::{PATIENCE, begin, draw, file, stroke, test_name};
+#[cfg(unix)]
+use super::test_name;
+use super::{PATIENCE, begin, draw, file, stroke};
 use penstemon::sketch::document::Document;
 use penstemon::sketch::journal::{Gap, JournalError, JournalState, Recovery};
 use penstemon::sketch::{self, Change};
