@@ -4,7 +4,7 @@
 #   ./test.sh [--fuzz] [--nightly]
 #
 # --fuzz also looks for new inputs that break a reader, FUZZ_SECONDS (8) a reader; their seeds are replayed by the tests in any
-# case. --nightly fuzzes too, 60 s a reader, and runs the tests that take minutes.
+# case. --nightly fuzzes too, pictures among the readers, 60 s each.
 #
 # Installs the system packages the checks need. What cannot run on this machine is counted and named at the end, after the
 # seconds that each check took.
@@ -166,9 +166,6 @@ wait "$fetch"
 check "sketches build and pass our own judge" build_sketches
 check "tablets on a real kernel, in QEMU" tests/kernel/run.sh
 check "trimesh, MeshLab and the Khronos validator" tests/interop.sh target/sketches
-if $nightly; then
-    check "tests that take minutes, optimised" cargo test --release --test '*' -- --ignored
-fi
 if $fuzz; then
     readers=(sketch_json sketch_svg species model_reader journal pen_families pen_descriptor pen_recording)
     # For pictures the whole program is compiled once more.

@@ -11,6 +11,7 @@ use penstemon::pipeline::{self, Built};
 use penstemon::plant::{FinishedPlant, Plant};
 use penstemon::sketch;
 use penstemon::species::Species;
+use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -61,25 +62,24 @@ fn grown_wood_hardly_cuts_itself_at_any_age() {
 
 /// Five plants of every species as old as it says: each keeps what is said of grown wood, without the exceptions of young wood.
 #[test]
-#[ignore = "takes minutes: ./test.sh --nightly runs it, optimised"]
 fn five_plants_of_every_species_hardly_cut_themselves() {
-    let (mut crossing, mut faces, mut plants) = (0, 0, 0);
-    for name in Species::growing() {
+    let plants: Vec<(&str, u64)> =
+        Species::growing().into_iter().flat_map(|name| (1..=5).map(move |seed| (name, seed))).collect();
+    let crossing_of = |&(name, seed): &(&str, u64)| {
         let species = Species::built_in(name).unwrap();
         let habit = species.growth.as_ref().unwrap();
-        for seed in 1..=5 {
-            let mut simulation = Simulation::new(habit, seed, Limits::default());
-            simulation.grow_to(habit.age as u16, &|| false);
-            let what = format!("{name} of {} years, seed {seed}", habit.age);
-            let (count, all) = crossing_wood(&what, &plant_at(&simulation, habit.age as f32));
-            eprintln!("{what}: {count} of {all}");
-            assert!(count * 1000 <= all, "{what}: {count} of {all} faces cross others");
-            (crossing, faces, plants) = (crossing + count, faces + all, plants + 1);
-        }
-    }
-    eprintln!("{crossing} of {faces} faces of {plants} plants");
+        let mut simulation = Simulation::new(habit, seed, Limits::default());
+        simulation.grow_to(habit.age as u16, &|| false);
+        let what = format!("{name} of {} years, seed {seed}", habit.age);
+        let (count, all) = crossing_wood(&what, &plant_at(&simulation, habit.age as f32));
+        assert!(count * 1000 <= all, "{what}: {count} of {all} faces cross others");
+        (count, all)
+    };
+    let counts: Vec<(usize, usize)> = plants.par_iter().map(crossing_of).collect();
+    let (crossing, faces) = counts.iter().fold((0, 0), |sum, of| (sum.0 + of.0, sum.1 + of.1));
+    eprintln!("{crossing} of {faces} faces of {} plants", counts.len());
     assert!(crossing * 10_000 <= 2 * faces, "{crossing} of {faces}");
-    assert_eq!(plants, 70);
+    assert_eq!(counts.len(), 70);
 }
 
 fn drawings() -> Vec<(String, Built)> {

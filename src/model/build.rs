@@ -144,15 +144,14 @@ impl<'a> Workshop<'a> {
     fn groups(&self, plan: &mut Plan, scratch: &mut OrganScratch) -> Vec<InstanceGroup> {
         let Source::Organs(slots) = &mut plan.source else { return Vec::new() };
         let copies = self.organs.take_copies(slots, scratch);
-        let group = |(number, ((slot, shape), poses)): (usize, ((usize, u32), Vec<Pose>))| InstanceGroup {
-            name: format!("{}_shape_{number}", plan.name),
-            kind: plan.kind,
-            parent: plan.parent,
-            specimen: plan.specimen,
-            pivot: plan.pivot,
-            material: slot.checked_sub(1).map_or(plan.material, |more| plan.more_materials[more]),
-            mesh: Arc::new(self.organs.copied_mesh(shape)),
-            poses,
+        let &mut Plan { kind, parent, specimen, pivot, .. } = plan;
+        let group = |(number, ((slot, shape), poses)): (usize, ((usize, u32), Vec<Pose>))| {
+            let name = format!("{}_shape_{number}", plan.name);
+            let material = slot.checked_sub(1).map_or(plan.material, |more| plan.more_materials[more]);
+            let mesh = Arc::new(self.organs.copied_mesh(shape));
+            let more_materials = Vec::new();
+            let shape = Part { name, kind, parent, specimen, pivot, material, more_materials, mesh };
+            InstanceGroup { shape, poses }
         };
         copies.into_iter().enumerate().map(group).collect()
     }

@@ -7,10 +7,9 @@
 //! Limits: what is drawn, solids, filaments and blades on cones stay meshes of their own, as do blades that are stretched
 //! askew, for a pose only turns, moves and scales.
 
-use super::{Mesh, Model, PartKind};
+use super::{Model, Part};
 use crate::plant::Blade;
 use glam::{Mat3, Quat, Vec3};
-use std::sync::Arc;
 
 /// A model whose copies stand apart from its other parts.
 #[derive(Clone, Debug, Default)]
@@ -24,20 +23,9 @@ pub struct InstancedModel {
 /// Copies of one shape that have one material.
 #[derive(Clone, Debug)]
 pub struct InstanceGroup {
-    /// Unique name, such as `leaves_shape_0`.
-    pub name: String,
-    /// What each of them is.
-    pub kind: PartKind,
-    /// Index of the part of the model that carries them.
-    pub parent: Option<usize>,
-    /// Index of the plant within the drawing.
-    pub specimen: usize,
-    /// Where they are attached all together, metres.
-    pub pivot: Vec3,
-    /// Index into the model's materials.
-    pub material: usize,
-    /// The shape, at the origin, its base to tip along y.
-    pub mesh: Arc<Mesh>,
+    /// The shape as a part, named like `leaves_shape_0`: its mesh at the origin, base to tip along y; its pivot where the
+    /// copies are attached all together.
+    pub shape: Part,
     /// Where the copies stand in the world.
     pub poses: Vec<Pose>,
 }
@@ -78,13 +66,13 @@ impl Pose {
 impl InstancedModel {
     /// Triangles that are seen, every copy counted.
     pub fn triangle_count(&self) -> usize {
-        let copies = self.groups.iter().map(|group| group.poses.len() * group.mesh.triangles.len());
+        let copies = self.groups.iter().map(|group| group.poses.len() * group.shape.mesh.triangles.len());
         self.model.triangle_count() + copies.sum::<usize>()
     }
 
     /// Triangles that are kept in memory, those of each shape once.
     pub fn kept_triangle_count(&self) -> usize {
-        let shapes = self.groups.iter().map(|group| group.mesh.triangles.len());
+        let shapes = self.groups.iter().map(|group| group.shape.mesh.triangles.len());
         self.model.triangle_count() + shapes.sum::<usize>()
     }
 }
@@ -112,10 +100,10 @@ mod tests {
             assert!(kept < most * baked.triangle_count() as f32, "{name}: {kept} triangles are kept");
             assert_eq!(instanced.model.check_invariants(), Ok(()));
             let leaves = baked.parts.iter().find(|part| part.name == "leaves").unwrap();
-            let of_leaves = instanced.groups.iter().filter(|group| group.kind == leaves.kind);
+            let of_leaves = instanced.groups.iter().filter(|group| group.shape.kind == leaves.kind);
             let placed: Vec<Vec3> = of_leaves
                 .flat_map(|group| group.poses.iter().map(move |pose| (group, pose)))
-                .flat_map(|(group, pose)| group.mesh.points.iter().map(|p| pose.place(*p)))
+                .flat_map(|(group, pose)| group.shape.mesh.points.iter().map(|p| pose.place(*p)))
                 .collect();
             let baked = &leaves.mesh.points;
             assert_eq!(placed.len(), baked.len(), "{name}: all leaves are copies");

@@ -81,10 +81,10 @@ fn bodies<'a>(scene: &Scene<'a>) -> impl Iterator<Item = Body<'a>> {
         slots: part.material_slots().collect(),
     });
     let shapes = scene.groups().iter().map(|group| Body {
-        name: &group.name,
-        mesh: &group.mesh,
+        name: &group.shape.name,
+        mesh: &group.shape.mesh,
         pivot: Vec3::ZERO,
-        slots: vec![(group.material, 0..group.mesh.triangles.len())],
+        slots: group.shape.material_slots().collect(),
     });
     parts.chain(shapes)
 }

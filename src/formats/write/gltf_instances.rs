@@ -42,8 +42,8 @@ pub(super) fn table_bytes(scene: &Scene<'_>) -> usize {
 /// Writes the tables, poses relative to their group's pivot.
 pub(super) fn write_tables(out: &mut Vec<u8>, scene: &Scene<'_>) {
     let mut write = |values: &[f32]| out.extend(values.iter().flat_map(|value| value.to_le_bytes()));
-    for InstanceGroup { poses, pivot, .. } in tables(scene) {
-        poses.iter().for_each(|pose| write(&(pose.base - pivot).to_array()));
+    for InstanceGroup { shape, poses } in tables(scene) {
+        poses.iter().for_each(|pose| write(&(pose.base - shape.pivot).to_array()));
         poses.iter().for_each(|pose| write(&pose.rotation.to_array()));
         poses.iter().for_each(|pose| write(&pose.scale.to_array()));
     }
@@ -67,8 +67,9 @@ pub(super) fn push(
     }
     for (group, mesh) in groups.iter().zip(meshes) {
         let above =
-            group.parent.map(|parent| (first_part as usize + parent, scene.model.parts[parent].pivot));
-        let mut of_group = node(group.name.clone(), group.pivot - above.map_or(glam::Vec3::ZERO, |a| a.1));
+            group.shape.parent.map(|parent| (first_part as usize + parent, scene.model.parts[parent].pivot));
+        let mut of_group =
+            node(group.shape.name.clone(), group.shape.pivot - above.map_or(glam::Vec3::ZERO, |a| a.1));
         match &mut table {
             Some(table) => {
                 of_group.mesh = Some(*mesh);
@@ -88,7 +89,7 @@ pub(super) fn push(
 fn copies(root: &mut json::Root, group: &InstanceGroup, mesh: Index<json::Mesh>) -> Vec<Index<json::Node>> {
     let copy = |Pose { base, rotation, scale }: &Pose| json::Node {
         mesh: Some(mesh),
-        translation: Some((base - group.pivot).to_array()),
+        translation: Some((base - group.shape.pivot).to_array()),
         rotation: Some(UnitQuaternion(rotation.to_array())),
         scale: Some(scale.to_array()),
         ..Default::default()

@@ -54,13 +54,13 @@ impl<'a> Scene<'a> {
         form: InstanceForm,
     ) -> Result<Self, ExportError> {
         let (parts, materials) = (self.model.parts.len(), self.model.materials.len());
-        let is_sound = |group: &&InstanceGroup| {
-            group.parent.is_none_or(|parent| parent < parts)
-                && group.material < materials
-                && !group.mesh.triangles.is_empty()
+        let is_sound = |shape: &&Part| {
+            shape.parent.is_none_or(|parent| parent < parts)
+                && shape.material < materials
+                && !shape.mesh.triangles.is_empty()
         };
-        match groups.iter().find(|group| !is_sound(group)) {
-            Some(group) => Err(ExportError::Unsound(format!("instances `{}`", group.name))),
+        match groups.iter().map(|group| &group.shape).find(|shape| !is_sound(shape)) {
+            Some(shape) => Err(ExportError::Unsound(format!("instances `{}`", shape.name))),
             None => Ok(Self { instances: Some((groups, form)), ..self }),
         }
     }
@@ -84,12 +84,8 @@ impl<'a> Scene<'a> {
     /// For each material of the model whether a part or a copy has it.
     pub fn used_materials(&self) -> Vec<bool> {
         let mut used = vec![false; self.model.materials.len()];
-        self.model
-            .parts
-            .iter()
-            .flat_map(Part::material_slots)
-            .for_each(|(material, _)| used[material] = true);
-        self.groups().iter().for_each(|group| used[group.material] = true);
+        let parts = self.model.parts.iter().chain(self.groups().iter().map(|group| &group.shape));
+        parts.flat_map(Part::material_slots).for_each(|(material, _)| used[material] = true);
         used
     }
 }
