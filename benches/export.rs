@@ -27,9 +27,10 @@ fn encoding(criterion: &mut Criterion) {
     for format in formats {
         let mut group = criterion.benchmark_group(format!("encode_{}", format.extension()));
         for leaves in LEAVES {
-            let (model, plant) = common::leafy(leaves);
+            let ((model, plant), provenance) = (common::leafy(leaves), common::provenance());
             let encode = || {
-                let scene = Scene::new(&model, &plant, &common::textures, "plant".into()).unwrap();
+                let scene =
+                    Scene::new(&model, (&plant, &provenance), &common::textures, "plant".into()).unwrap();
                 format.encode(&scene).unwrap()
             };
             group.throughput(Throughput::Bytes(encode().bytes.len() as u64));

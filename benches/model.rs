@@ -6,8 +6,8 @@ use penstemon::model::{
     BladeMeshParams, ModelParams, PlanarGraph, TriangulationScratch, build, triangulation_input,
 };
 use penstemon::plant::{
-    Blade, BladeForm, Branch, Cone, FinishedPlant, Flower, Organ, Plant, PlantPart, RestSurface, Role, Shape,
-    WorldFromCanvas,
+    Blade, BladeForm, Branch, Cone, FinishedPlant, Flower, Organ, Origin, Plant, PlantPart, RestSurface,
+    Role, Shape,
 };
 use spade::{ConstrainedDelaunayTriangulation, Point2};
 use std::f32::consts::TAU;
@@ -40,7 +40,13 @@ fn blade(length: f32, turn: f32, rest: RestSurface, base: Vec3, template: Option
 }
 
 fn organ(part: PlantPart, flower: Option<usize>, blade: Blade) -> Organ {
-    Organ { role: Role::of(part), stroke: None, branch: Some(0), flower, shape: Shape::Blade(blade) }
+    Organ {
+        role: Role::of(part),
+        origin: Origin::Generated,
+        branch: Some(0),
+        flower,
+        shape: Shape::Blade(blade),
+    }
 }
 
 fn branch(parent: Option<usize>, base: Vec3, radius: f32) -> Branch {
@@ -51,7 +57,7 @@ fn branch(parent: Option<usize>, base: Vec3, radius: f32) -> Branch {
         .collect();
     let radii = (0..60).map(|k| radius * (1.0 - 0.01 * k as f32)).collect();
     let (level, role) = (u32::from(parent.is_some()), Role::of(PlantPart::Stem));
-    Branch { stroke: None, parent, level, points, radii, role }
+    Branch { origin: Origin::Generated, parent, level, points, radii, role }
 }
 
 /// A flower of 13 petals on a stem with two side branches and 4 leaves.
@@ -67,7 +73,6 @@ fn flower() -> Plant {
         organ(PlantPart::Leaf, None, blade(0.15, 0.8 * k as f32, RestSurface::Plane, base, None))
     });
     Plant {
-        world_from_canvas: WorldFromCanvas { scale: 0.001, origin: Vec2::ZERO },
         branches: vec![
             branch(None, Vec3::ZERO, 0.006),
             branch(Some(0), Vec3::Y * 0.2, 0.004),

@@ -41,14 +41,15 @@ const DAMAGES: [(&str, Damage); 6] = [
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = std::env::args().nth(1).ok_or("name a folder")?;
     let folder = Path::new(&folder);
-    let (model, plant) = common::two_specimens();
+    let ((model, plant), provenance) = (common::two_specimens(), common::provenance());
+    let plant = (&plant, &provenance);
     for name in ["clean.obj", "clean.glb"] {
-        export(&folder.join(name), &model, &plant, &common::textures)?;
+        export(&folder.join(name), &model, plant, &common::textures)?;
     }
     for (name, damage) in DAMAGES {
         let mut model = model.clone();
         damage(Arc::make_mut(&mut model.parts[2].mesh));
-        export(&folder.join(format!("broken_{name}.obj")), &model, &plant, &common::textures)?;
+        export(&folder.join(format!("broken_{name}.obj")), &model, plant, &common::textures)?;
     }
     Ok(())
 }

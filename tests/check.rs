@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
-use crate::common::{textures, two_specimens};
+use crate::common::{provenance, textures, two_specimens};
 use penstemon::formats::read::{ReadFormat, from_bytes};
 use penstemon::formats::write::{Exporter, Scene, export, glb::Glb, obj::Obj};
 use penstemon::model::quality::judge;
@@ -30,7 +30,7 @@ fn clean_models_pass() {
     let folder = tempfile::tempdir().unwrap();
     for name in ["plant.obj", "plant.glb"] {
         let path = folder.path().join(name);
-        export(&path, &model, &plant, &textures).unwrap();
+        export(&path, &model, (&plant, &provenance()), &textures).unwrap();
         let text = check(&path, &[]);
         assert!(text.status.success() && stdout(&text).contains("no defects"), "{text:?}");
         let json = check(&path, &["--json"]);
@@ -49,7 +49,7 @@ fn defects_are_told_with_their_mesh_and_exit_code_1() {
     let folder = tempfile::tempdir().unwrap();
     for name in ["plant.obj", "plant.glb"] {
         let path = folder.path().join(name);
-        export(&path, &model, &plant, &textures).unwrap();
+        export(&path, &model, (&plant, &provenance()), &textures).unwrap();
         let output = check(&path, &[]);
         assert_eq!(output.status.code(), Some(1));
         assert!(stdout(&output).contains("3 boundary edges") && stdout(&output).contains("1 flipped faces"));
@@ -220,7 +220,8 @@ fn every_truncation_of_a_glb_is_refused() {
 
 fn sample(format: &dyn Exporter) -> Vec<u8> {
     let (model, plant) = two_specimens();
-    let scene = Scene::new(&model, &plant, &textures, "a".into()).unwrap();
+    let provenance = provenance();
+    let scene = Scene::new(&model, (&plant, &provenance), &textures, "a".into()).unwrap();
     format.encode(&scene).unwrap().bytes
 }
 

@@ -140,7 +140,7 @@ fn build(sketch: &Sketch, set: &[&str]) -> Built {
 
 /// How silhouette and drawn crown agree, as shares of the crown's area: intersection over union, and what lies outside.
 fn agreement(built: &Built) -> (f32, f32) {
-    agreement_with(&built.plant, depth::crowns(&built.anatomy, &built.plant.world_from_canvas))
+    agreement_with(&built.plant, depth::crowns(&built.anatomy, &built.provenance.world_from_canvas))
 }
 
 /// The same of any plant and outlines in its world.
@@ -206,7 +206,7 @@ fn a_hollow_crown_looks_the_same_and_is_empty_inside() {
     let [solid, hollow] = ["growth.hollow=0", "growth.hollow=0.75"].map(|set| {
         let sketch = drawing("box", &round, true);
         let built = build(&sketch, &[set]);
-        let crown = depth::crowns(&built.anatomy, &built.plant.world_from_canvas);
+        let crown = depth::crowns(&built.anatomy, &built.provenance.world_from_canvas);
         let (low, high) = Region::new(crown[0].clone()).bounds().unwrap();
         let (centre, radius) = (low.midpoint(high).extend(0.0), 0.5 * (high.x - low.x));
         let inside = |organ: &&penstemon::plant::Organ| organ.base().distance(centre) < 0.6 * radius;
@@ -273,13 +273,15 @@ fn what_else_is_drawn_stays() {
     sketch.strokes.push(stroke(40, Tool::Branch, stem));
     let built = build(&sketch, &[]);
     built.plant.check_invariants().unwrap();
-    let drawn = |kind, id| built.plant.organs.iter().any(|o| o.kind() == kind && o.stroke == Some(id));
+    let stroke = |origin| built.provenance.stroke(origin);
+    let drawn =
+        |kind, id| built.plant.organs.iter().any(|o| o.kind() == kind && stroke(o.origin) == Some(id));
     assert!(drawn(OrganKind::Leaf, 20));
     assert!((30..35).all(|id| drawn(OrganKind::Petal, id)));
     assert_eq!(built.plant.flowers.len(), 1);
     let stem = built.plant.flowers[0].branch.unwrap();
-    assert_eq!(built.plant.branches[stem].stroke, Some(40), "the stem is as it was drawn");
-    let leaf = built.plant.organs.iter().find(|o| o.stroke == Some(20)).unwrap();
+    assert_eq!(stroke(built.plant.branches[stem].origin), Some(40), "the stem is as it was drawn");
+    let leaf = built.plant.organs.iter().find(|o| stroke(o.origin) == Some(20)).unwrap();
     assert!(leaf.branch.is_some());
     assert!(agreement(&built).0 > 0.85);
 }
@@ -290,7 +292,7 @@ fn drawn_wood_is_seen_where_it_was_drawn() {
     let bend = |k: usize| Vec2::new(500.0 - 9.0 * k as f32, 740.0 - 16.0 * k as f32 + 0.4 * (k * k) as f32);
     sketch.strokes.push(stroke(50, Tool::Branch, (0..=20).map(bend).collect()));
     let built = build(&sketch, &[]);
-    let world = built.plant.world_from_canvas;
+    let world = built.provenance.world_from_canvas;
     let diagonal = built.anatomy.diagonal * world.scale;
     for id in [1, 50] {
         let drawn = sketch.strokes.iter().find(|s| s.id == id).unwrap();

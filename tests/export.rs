@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
-use crate::common::{leafy, textures, two_specimens};
+use crate::common::{leafy, provenance, textures, two_specimens};
 use glam::Vec3;
 use gltf_json as json;
 use penstemon::formats::read::{ReadFormat, from_bytes};
@@ -23,7 +23,8 @@ use std::sync::Arc;
 pub(crate) fn encoded(file: &str, model: &Model, plant: &FinishedPlant) -> Encoded {
     let path = Path::new(file);
     let stem = path.file_stem().unwrap().to_string_lossy();
-    let scene = Scene::new(model, plant, &textures, stem).unwrap();
+    let provenance = provenance();
+    let scene = Scene::new(model, (plant, &provenance), &textures, stem).unwrap();
     format_of(path).unwrap().encode(&scene).unwrap()
 }
 
@@ -128,7 +129,9 @@ fn a_grown_plant_is_wood_and_leaves() {
     let grown = pipeline::build(&Seed { number: 1, age: Some(3.0), ..Seed::default() }, &species, &params);
     let written = |file: &str| {
         let built_in = |name: &str| builtin_texture(name).map(Cow::Borrowed);
-        let scene = Scene::new(&grown.model, &grown.plant, &built_in, Cow::Borrowed("oak")).unwrap();
+        let scene =
+            Scene::new(&grown.model, (&grown.plant, &grown.provenance), &built_in, Cow::Borrowed("oak"))
+                .unwrap();
         format_of(Path::new(file)).unwrap().encode(&scene).unwrap().bytes
     };
     let obj = String::from_utf8(written("oak.obj")).unwrap();
@@ -154,7 +157,9 @@ fn a_tree_in_blossom_is_a_few_parts() {
     let names: Vec<&str> = grown.model.parts.iter().map(|part| part.name.as_str()).collect();
     assert_eq!(names, ["wood", "leaves", "petals", "receptacles", "stamens", "anthers"]);
     let built_in = |name: &str| builtin_texture(name).map(Cow::Borrowed);
-    let scene = Scene::new(&grown.model, &grown.plant, &built_in, Cow::Borrowed("cherry")).unwrap();
+    let scene =
+        Scene::new(&grown.model, (&grown.plant, &grown.provenance), &built_in, Cow::Borrowed("cherry"))
+            .unwrap();
     let root = document(&format_of(Path::new("cherry.glb")).unwrap().encode(&scene).unwrap().bytes);
     assert_eq!(root.nodes.len(), 1 + names.len());
     let draws: usize = root.meshes.iter().map(|mesh| mesh.primitives.len()).sum();
@@ -292,7 +297,7 @@ fn large_meshes_get_wide_indices() {
 #[test]
 fn plant_json_holds_every_number_of_the_plant() {
     let (_, plant) = two_specimens();
-    let bytes = plant_json::to_bytes(&plant).unwrap();
+    let bytes = plant_json::to_bytes(&plant, &provenance()).unwrap();
     let value: serde_json::Value = serde_json::from_slice(&bytes).unwrap();
     let materials: Vec<Material> = serde_json::from_value(value["materials"].clone()).unwrap();
     assert_eq!(materials, plant.materials());
@@ -317,7 +322,7 @@ fn plant_json_holds_own_pictures_and_no_folders() {
     let role = |variant| Role { variant, ..Role::of(PlantPart::Stem) };
     let roles: Vec<Role> = (0..materials.len() as u32).map(role).collect();
     let plant = FinishedPlant::new((*plant).clone(), &roles, |role| materials[role.variant as usize].clone());
-    let bytes = plant_json::to_bytes(&plant).unwrap();
+    let bytes = plant_json::to_bytes(&plant, &provenance()).unwrap();
     assert!(!String::from_utf8_lossy(&bytes).contains("/home"));
     let value: serde_json::Value = serde_json::from_slice(&bytes).unwrap();
     let mut read: Vec<Material> = serde_json::from_value(value["materials"].clone()).unwrap();
@@ -344,7 +349,7 @@ fn own_pictures_are_named_by_the_materials_that_show_them() {
 fn export_writes_all_files_and_nothing_else() {
     let (model, plant) = two_specimens();
     let folder = tempfile::tempdir().unwrap();
-    let size = export(&folder.path().join("plant.obj"), &model, &plant, &textures).unwrap();
+    let size = export(&folder.path().join("plant.obj"), &model, (&plant, &provenance()), &textures).unwrap();
     let names = || {
         let mut names: Vec<_> =
             fs::read_dir(folder.path()).unwrap().map(|e| e.unwrap().file_name()).collect();
@@ -356,12 +361,12 @@ fn export_writes_all_files_and_nothing_else() {
     let on_disk: u64 =
         fs::read_dir(folder.path()).unwrap().map(|e| e.unwrap().metadata().unwrap().len()).sum();
     assert_eq!(on_disk, size as u64);
-    export(&folder.path().join("plant.obj"), &model, &plant, &textures).unwrap();
+    export(&folder.path().join("plant.obj"), &model, (&plant, &provenance()), &textures).unwrap();
     assert_eq!(names(), files);
 }
 
 fn refused(path: &Path, model: &Model, plant: &FinishedPlant) -> String {
-    export(path, model, plant, &textures).unwrap_err().to_string()
+    export(path, model, (plant, &provenance()), &textures).unwrap_err().to_string()
 }
 
 #[test]
@@ -416,7 +421,7 @@ fn a_users_picture_of_the_same_name_is_not_overwritten() {
     let jpeg = b"\xff\xd8\xff a picture for this test".to_vec();
     fs::write(&own, &jpeg).unwrap();
     model.materials[2].texture = Some(Texture::File(own.clone()));
-    export(&folder.path().join("plant.obj"), &model, &plant, &textures).unwrap();
+    export(&folder.path().join("plant.obj"), &model, (&plant, &provenance()), &textures).unwrap();
     assert_eq!(fs::read(&own).unwrap(), jpeg);
     assert_eq!(fs::read(folder.path().join("plant_leaf_2.jpg")).unwrap(), jpeg);
 }
@@ -424,7 +429,7 @@ fn a_users_picture_of_the_same_name_is_not_overwritten() {
 #[test]
 fn models_that_are_not_sound_or_empty_are_refused() {
     let (model, plant) = two_specimens();
-    let message = |model: &Model| match Scene::new(model, &plant, &textures, "a".into()) {
+    let message = |model: &Model| match Scene::new(model, (&plant, &provenance()), &textures, "a".into()) {
         Err(error) => error.to_string(),
         Ok(scene) => penstemon::formats::write::Exporter::encode(&glb::Glb, &scene).unwrap_err().to_string(),
     };

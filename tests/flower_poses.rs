@@ -29,7 +29,7 @@ fn built(sketch: &Sketch) -> Built {
 
 fn petals(built: &Built, flower: usize) -> Vec<u64> {
     let of = built.plant.organs.iter().filter(|o| o.flower == Some(flower) && o.kind() == OrganKind::Petal);
-    of.filter_map(|organ| organ.stroke).collect()
+    of.filter_map(|organ| built.provenance.stroke(organ.origin)).collect()
 }
 
 /// The flower of a plant that stands where this one does in the drawing.

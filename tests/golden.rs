@@ -33,7 +33,7 @@ fn summary(path: &Path) -> Value {
     let species = pipeline::species_of(&sketch, path.parent().unwrap()).unwrap();
     let params = pipeline::params_of(&sketch, &species, &[]).unwrap();
     let built = pipeline::build(&sketch, &species, &params);
-    let report = inspect::report(&sketch, &built.anatomy, &built.plant);
+    let report = inspect::report(&sketch, &built.anatomy, (&built.plant, &built.provenance));
     let mut parts: BTreeMap<String, Vec<u64>> = BTreeMap::new();
     for stroke in &report.strokes {
         let part = serde_json::to_value(stroke.part).unwrap().as_str().unwrap().to_owned();

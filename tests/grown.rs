@@ -7,7 +7,7 @@
 use glam::Vec3;
 use penstemon::growth::{Habit, Limits, Outcome, Simulation, plant_at};
 use penstemon::pipeline::{self, Built, Seed};
-use penstemon::plant::{FinishedPlant, Plant};
+use penstemon::plant::{FinishedPlant, Plant, Provenance};
 use penstemon::species::{self, Species};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -30,7 +30,7 @@ fn grown(name: &str, age: f32) -> (Simulation, FinishedPlant) {
     let mut simulation = Simulation::new(habit, 1, Limits::default());
     let outcome = simulation.grow_to(age as u16, &|| false);
     assert!(matches!(outcome, Outcome::Growing), "{name}: {outcome}");
-    let plant = species::apply(plant_at(&simulation, age), &species, 1).plant;
+    let plant = species::apply(plant_at(&simulation, age), &Provenance::default(), &species, 1).plant;
     plant.check_invariants().unwrap();
     (simulation, plant)
 }
@@ -82,7 +82,8 @@ fn fruit_trees_flower_when_they_are_of_age_and_their_flowers_open() {
         Habit { flowering: 0.0.into(), flowering_side: 0.0.into(), ..species.growth.clone().unwrap() };
     let mut bare = Simulation::new(&habit, 1, Limits::default());
     bare.grow_to(20, &|| false);
-    let of_leaves = species::apply(plant_at(&bare, 20.0), &species, 1).plant.flowers.len();
+    let of_leaves =
+        species::apply(plant_at(&bare, 20.0), &Provenance::default(), &species, 1).plant.flowers.len();
     assert!(flowers(20.0) > of_leaves + 100, "{} with and {of_leaves} without fates", flowers(20.0));
     let buds = |age: f32| plant_at(&grown("cherry", 20.0).0, age).buds.len();
     assert_eq!((buds(3.0), buds(20.0) > 100), (0, true), "flowering age is 4");
@@ -105,7 +106,7 @@ fn flowers_open_gradually_and_old_ones_do_not_close() {
     let mut simulation = Simulation::new(species.growth.as_ref().unwrap(), 1, Limits::default());
     simulation.grow_to(20, &|| false);
     let reaches = |age: f32| {
-        let plant = species::apply(plant_at(&simulation, age), &species, 1).plant;
+        let plant = species::apply(plant_at(&simulation, age), &Provenance::default(), &species, 1).plant;
         plant.check_invariants().unwrap();
         let mut reaches: Vec<f32> = plant.flowers.iter().map(|flower| flower.reach).collect();
         reaches.sort_by(f32::total_cmp);

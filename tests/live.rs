@@ -145,8 +145,8 @@ fn an_unrelated_stroke_leaves_all_other_parts_alone() {
 
 /// What was generated, in space: every twig's skeleton and every leaf's pose.
 fn crown(built: &Built) -> (Vec<Vec<Vec3>>, Vec<[Vec3; 3]>) {
-    let twigs = built.plant.branches.iter().filter(|b| b.stroke.is_none()).map(|b| b.points.clone());
-    let leaves = built.plant.organs.iter().filter(|o| o.kind() == OrganKind::Leaf && o.stroke.is_none());
+    let twigs = built.plant.branches.iter().filter(|b| !b.origin.is_drawn()).map(|b| b.points.clone());
+    let leaves = built.plant.organs.iter().filter(|o| o.kind() == OrganKind::Leaf && !o.origin.is_drawn());
     let poses = leaves.filter_map(|organ| match &organ.shape {
         Shape::Blade(blade) => Some([blade.base, blade.u, blade.v]),
         _ => None,

@@ -36,7 +36,8 @@ fn reference_sketches() -> Vec<(PathBuf, Sketch)> {
 
 fn glb(built: &Built) -> Vec<u8> {
     let textures = |name: &str| species::builtin_texture(name).map(Cow::Borrowed);
-    let scene = Scene::new(&built.model, &built.plant, &textures, "plant".into()).unwrap();
+    let scene =
+        Scene::new(&built.model, (&built.plant, &built.provenance), &textures, "plant".into()).unwrap();
     format_of(Path::new("plant.glb")).unwrap().encode(&scene).unwrap().bytes
 }
 
@@ -76,17 +77,18 @@ fn seen_from_the_front(sketch: &Sketch, built: &Built) -> Vec<Seen> {
         let stroke = sketch.strokes.iter().find(|s| s.id == id).unwrap();
         stroke.points.iter().map(|p| p.position).collect::<Vec<Vec2>>()
     };
-    let front = |p: Vec3| built.plant.world_from_canvas.canvas(p);
+    let front = |p: Vec3| built.provenance.world_from_canvas.canvas(p);
     let mut seen = Vec::new();
     for (branch, flat) in built.plant.branches.iter().zip(&built.anatomy.branches) {
-        let Some(stroke) = branch.stroke else { continue };
+        let Some(stroke) = built.provenance.stroke(branch.origin) else { continue };
         // What was added to reach a flower is no part of the drawing.
         let built = branch.points.iter().take(flat.line.len()).map(|&p| front(p)).collect();
         let drawn = line_of(stroke);
         seen.push(Seen { stroke, kept: drawn.clone(), drawn, built });
     }
     for organ in built.plant.organs.iter().filter(|o| o.kind() == OrganKind::Petal) {
-        let (Some(stroke), Shape::Blade(blade)) = (organ.stroke, &organ.shape) else { continue };
+        let stroke = built.provenance.stroke(organ.origin);
+        let (Some(stroke), Shape::Blade(blade)) = (stroke, &organ.shape) else { continue };
         let mut outline: Vec<Vec2> = blade.outline.iter().map(|&uv| front(blade.at_rest(uv))).collect();
         outline.extend(outline.first().copied());
         let drawn = line_of(stroke);
@@ -189,7 +191,7 @@ fn several_plants_and_crossing_branches_are_built() {
     let meadow = build(&drawings::meadow(44));
     assert_sound(&meadow);
     assert_eq!(meadow.plant.flowers.len(), 4);
-    assert_eq!(meadow.plant.branches.iter().filter(|b| b.parent.is_none() && b.stroke.is_some()).count(), 4);
+    assert_eq!(meadow.plant.branches.iter().filter(|b| b.parent.is_none() && b.origin.is_drawn()).count(), 4);
 }
 
 #[test]
@@ -236,7 +238,7 @@ fn crowds_of_strokes_in_one_spot_are_understood() {
     for tool in [sketch::Tool::Branch, sketch::Tool::Petal, sketch::Tool::Leaf] {
         let sketch = crowd(tool);
         let anatomy = penstemon::anatomy::analyse(&sketch, &Default::default());
-        let plant = penstemon::depth::recover(&anatomy, sketch.seed, &Default::default());
+        let (plant, _) = penstemon::depth::recover(&anatomy, sketch.seed, &Default::default());
         assert_eq!(plant.check_invariants(), Ok(()));
         assert_eq!(plant.branches.len() + plant.organs.len(), 10_000, "{tool:?}");
         let trunks = plant.branches.iter().filter(|b| b.parent.is_none()).count();

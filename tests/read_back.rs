@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
-use crate::common::{textures, two_specimens};
+use crate::common::{provenance, textures, two_specimens};
 use crate::export::{document, encoded, judged};
 use glam::{Vec2, Vec3};
 use penstemon::formats::read::{Embedded, ReadFormat, load};
@@ -28,7 +28,9 @@ fn copies_of_shapes_are_read_back_or_what_is_not_read_is_said() {
     let copies = pipeline::instanced(&grown.plant, &params);
     let built_in = |name: &str| builtin_texture(name).map(Cow::Borrowed);
     let [nodes, gpu] = [InstanceForm::Nodes, InstanceForm::Gpu].map(|form| {
-        let scene = Scene::new(&copies.model, &grown.plant, &built_in, Cow::Borrowed("oak")).unwrap();
+        let scene =
+            Scene::new(&copies.model, (&grown.plant, &grown.provenance), &built_in, Cow::Borrowed("oak"))
+                .unwrap();
         let scene = scene.with_instances(&copies.groups, form).unwrap();
         format_of(Path::new("oak.glb")).unwrap().encode(&scene).unwrap().bytes
     });
@@ -91,7 +93,7 @@ fn a_model_that_was_written_is_loaded_in_its_place_and_colours() {
     let (model, plant) = two_specimens();
     for file in ["a.glb", "a.obj"] {
         let path = folder.path().join(file);
-        export(&path, &model, &plant, &textures).unwrap();
+        export(&path, &model, (&plant, &provenance()), &textures).unwrap();
         let loaded = load(&path).unwrap();
         assert!(loaded.warnings.is_empty(), "{file}: {:?}", loaded.warnings);
         let (read, written) =
@@ -141,7 +143,7 @@ fn a_part_of_two_materials_stays_one_surface_and_keeps_both() {
         assert!(report.is_clean(), "{file}: {report:?}");
         assert_eq!(report.components, direct.components, "{file}");
         let path = folder.path().join(file);
-        export(&path, &model, &plant, &textures).unwrap();
+        export(&path, &model, (&plant, &provenance()), &textures).unwrap();
         let loaded = load(&path).unwrap();
         let (read, written) =
             (corners(&loaded.model, &loaded.embedded), corners(&model, &Embedded::default()));
@@ -165,7 +167,9 @@ fn breaks_that_do_not_fit_are_refused() {
         let mut model = model.clone();
         Arc::make_mut(&mut model.parts[0].mesh).breaks = breaks;
         model.parts[0].more_materials = more_materials;
-        Scene::new(&model, &plant, &textures, "a".into()).err().map(|error| error.to_string())
+        Scene::new(&model, (&plant, &provenance()), &textures, "a".into())
+            .err()
+            .map(|error| error.to_string())
     };
     assert!(refusal(vec![4], vec![]).unwrap().contains("materials and breaks"));
     assert!(refusal(vec![4], vec![99]).unwrap().contains("material out of range"));
@@ -191,7 +195,7 @@ fn a_missing_picture_or_library_is_a_warning() {
     let folder = tempfile::tempdir().unwrap();
     let (model, plant) = two_specimens();
     let path = folder.path().join("a.obj");
-    export(&path, &model, &plant, &textures).unwrap();
+    export(&path, &model, (&plant, &provenance()), &textures).unwrap();
     for entry in fs::read_dir(folder.path()).unwrap().map(|e| e.unwrap().path()) {
         if entry.extension().is_some_and(|e| e == "png" || e == "jpg") {
             fs::remove_file(entry).unwrap();

@@ -7,6 +7,7 @@ use penstemon::growth::habit::CrownHabit;
 use penstemon::growth::{Habit, Limits, Simulation, plant_at};
 use penstemon::params::{Description, Kind, Parameters as _};
 use penstemon::pipeline;
+use penstemon::plant::Provenance;
 use penstemon::species::{self, Species};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
@@ -161,7 +162,7 @@ proptest! {
                 let limits = Limits { internodes: 1500, markers: 4000, voxels: 1 << 20, steps: 2_000_000_000 };
                 let mut simulation = Simulation::new(&params.habit, seed, limits);
                 simulation.grow_to(5, &|| false);
-                let plant = species::apply(plant_at(&simulation, 4.7), &species, seed).plant;
+                let plant = species::apply(plant_at(&simulation, 4.7), &Provenance::default(), &species, seed).plant;
                 prop_assert_eq!(plant.check_invariants(), Ok(()), "{}", text);
             }
         }

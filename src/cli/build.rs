@@ -39,7 +39,7 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         "{}: no stroke is long enough to be a petal, a leaf or a branch; draw something larger",
         args.sketch.display()
     );
-    let made = (&built.plant, &built.model);
+    let made = ((&built.plant, &built.provenance), &built.model);
     let bytes = common::export(&args.out, made, args.instances, &setup.params, &setup.sources)?;
     if args.options.stats {
         common::print(&common::stats(&built.stages, &built.model, bytes).to_string())?;

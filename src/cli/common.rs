@@ -1,10 +1,9 @@
 //! What the building verbs share: opening a sketch, choosing species and parameters, reporting.
 
-use crate::formats::write::{self, InstanceForm};
+use crate::formats::write::{self, InstanceForm, PlantAndProvenance};
 use crate::input::Sources;
 use crate::model::Model;
 use crate::pipeline::{self, Built, Params};
-use crate::plant::FinishedPlant;
 use crate::sketch::{self, Sketch};
 use crate::species::{self, Species};
 use anyhow::Context;
@@ -150,7 +149,7 @@ pub enum Instances {
 /// A file that cannot be written.
 pub fn export(
     outs: &[PathBuf],
-    (plant, model): (&FinishedPlant, &Model),
+    (plant, model): (PlantAndProvenance<'_>, &Model),
     instances: Option<Instances>,
     params: &Params,
     sources: &Sources,
@@ -162,7 +161,7 @@ pub fn export(
         Instances::Nodes => InstanceForm::Nodes,
         Instances::Gpu => InstanceForm::Gpu,
     };
-    let instanced = pipeline::instanced(plant, params);
+    let instanced = pipeline::instanced(plant.0, params);
     let with = (&instanced, form);
     Ok(write::export_all_instanced(outs, model, with, plant, &built_in_texture, sources)?)
 }

@@ -183,8 +183,9 @@ fn write(args: &Args, sources: &Sources, grown: &Built, nursery: &mut Nursery<'_
         let named_all = |outs: &[&PathBuf]| outs.iter().map(|out| named(out)).collect::<Vec<_>>();
         let (models, pictures) = (named_all(&models), named_all(&pictures));
         sources.spare(pictures.iter().map(PathBuf::as_path))?;
-        let Built { model, plant, .. } = built;
-        let mut bytes = common::export(&models, (plant, model), args.instances, params, sources)?;
+        let Built { model, plant, provenance, .. } = built;
+        let mut bytes =
+            common::export(&models, ((plant, provenance), model), args.instances, params, sources)?;
         if let Some(studio) = &mut studio {
             let png = studio.picture(model)?;
             for out in &pictures {

@@ -2,7 +2,7 @@
 
 use super::common::{self, Setup, SetupOptions};
 use crate::anatomy::{Anatomy, Attachment, FlatBlade, Part};
-use crate::plant::Plant;
+use crate::plant::{Plant, Provenance};
 use crate::sketch::StrokeId;
 use crate::{anatomy, depth};
 use glam::Vec2;
@@ -84,11 +84,11 @@ pub struct Generated {
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     let setup = Setup::open(&args.sketch, &args.options)?;
     let anatomy = anatomy::analyse(&setup.sketch, &setup.params.anatomy);
-    let plant = depth::recover(&anatomy, setup.sketch.seed, &setup.params.depth);
+    let (plant, provenance) = depth::recover(&anatomy, setup.sketch.seed, &setup.params.depth);
     for warning in &anatomy.warnings {
         tracing::warn!("{}: {warning}", args.sketch.display());
     }
-    common::print(&serde_json::to_string_pretty(&report(&setup.sketch, &anatomy, &plant))?)?;
+    common::print(&serde_json::to_string_pretty(&report(&setup.sketch, &anatomy, (&plant, &provenance)))?)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -102,7 +102,11 @@ struct Known {
 }
 
 /// The report on an analysed drawing and the plant it became.
-pub fn report(sketch: &crate::sketch::Sketch, anatomy: &Anatomy, plant: &Plant) -> Report {
+pub fn report(
+    sketch: &crate::sketch::Sketch,
+    anatomy: &Anatomy,
+    (plant, provenance): (&Plant, &Provenance),
+) -> Report {
     let known = known_strokes(anatomy);
     let strokes = anatomy.marks.iter().zip(&sketch.strokes).map(|(mark, stroke)| {
         let known = known.get(&mark.stroke).copied().unwrap_or_default();
@@ -119,7 +123,7 @@ pub fn report(sketch: &crate::sketch::Sketch, anatomy: &Anatomy, plant: &Plant) 
             confidence: mark.confidence,
         }
     });
-    let scale = plant.world_from_canvas.scale;
+    let scale = provenance.world_from_canvas.scale;
     let flowers = anatomy.flowers.iter().zip(&plant.flowers).map(|(flat, flower)| FlowerReport {
         petals: flat.petals.iter().filter_map(|&p| anatomy.petals[p].stroke).collect(),
         center: flat.center.to_array(),

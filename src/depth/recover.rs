@@ -12,7 +12,9 @@ use super::{
 };
 use crate::anatomy::{Anatomy, Attachment, FlatBlade, FlatBranch, FlatFlower};
 use crate::geom::polyline;
-use crate::plant::{Blade, Branch, Cone, Flower, Organ, Plant, PlantPart, Role, Shape, WorldFromCanvas};
+use crate::plant::{
+    Blade, Branch, Cone, Flower, Organ, Origin, Plant, PlantPart, Provenance, Role, Shape, WorldFromCanvas,
+};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
@@ -55,27 +57,30 @@ const PETIOLE_SHARE: f32 = 0.5;
 /// Least and largest radius of a flower's centre, as shares of the petals' reach.
 const CENTRE: (f32, f32) = (0.05, 0.4);
 
-/// Lifts an anatomy into space. Forms are plain, for they are the species'.
-pub fn recover(anatomy: &Anatomy, seed: u64, params: &DepthParams) -> Plant {
+/// Lifts an anatomy into space, and keeps what only the drawing knows beside the plant. Forms are plain, for they are the
+/// species'.
+pub fn recover(anatomy: &Anatomy, seed: u64, params: &DepthParams) -> (Plant, Provenance) {
     let mut skeleton = Skeleton::new(anatomy, seed, params);
     let poses: Vec<FlowerPose> = anatomy.flowers.iter().map(|f| pose_of(f, anatomy, &params.cone)).collect();
     let centers = skeleton.lead_stems(anatomy, &poses, &params.stem);
 
     let world = world_from_canvas(anatomy, &params.world);
+    let mut provenance = Provenance::new(world);
     let mut plant = Plant {
-        world_from_canvas: world,
-        branches: skeleton.branches(anatomy.diagonal, &world, &params.radii),
+        branches: skeleton.branches(anatomy.diagonal, &params.radii, &mut provenance),
         flowers: Vec::with_capacity(poses.len()),
         organs: Vec::new(),
         buds: Vec::new(),
     };
     for (i, (flat, pose)) in anatomy.flowers.iter().zip(&poses).enumerate() {
         let flower = flower(flat, pose, centers[i], &anatomy.petals, &world);
-        plant.organs.extend(flower_petals(i, flat, pose, &flower, anatomy, &world, &params.curl));
+        let petals = flower_petals((i, flat), pose, &flower, anatomy, &params.curl, &mut provenance);
+        plant.organs.extend(petals);
         plant.flowers.push(flower);
     }
-    add_leaves(&mut plant, &skeleton, anatomy, seed, params);
-    plant
+    add_leaves(&mut plant, &mut provenance, &skeleton, anatomy, seed, params);
+    debug_assert_eq!(provenance.check_invariants(&plant), Ok(()));
+    (plant, provenance)
 }
 
 /// The scale that makes the drawing as high as the plant, the origin below its lowest root, as low as any wood that was
@@ -174,15 +179,16 @@ impl Skeleton {
         world.point(line[i].position.lerp(next.position, share)).with_z(self.depth(place) * world.scale)
     }
 
-    fn branches(&self, diagonal: f32, world: &WorldFromCanvas, params: &RadiusParams) -> Vec<Branch> {
+    fn branches(&self, diagonal: f32, params: &RadiusParams, provenance: &mut Provenance) -> Vec<Branch> {
+        let world = provenance.world_from_canvas;
         let radii = radii::radii(&self.branches, diagonal, params);
         let lifted = |(i, (flat, radii)): (usize, (&FlatBranch, Vec<f32>))| {
             let point =
                 |(s, &z): (&crate::anatomy::Sample, &f32)| world.point(s.position).with_z(z * world.scale);
             let points = flat.line.iter().zip(&self.depths[i]).map(point);
             let (points, radii) = without_repeats(points.zip(radii.into_iter().map(|r| r * world.scale)));
-            let role = Role::of(PlantPart::Stem);
-            Branch { stroke: flat.stroke, parent: flat.parent, level: flat.level, points, radii, role }
+            let (origin, role) = (provenance.record(flat.stroke), Role::of(PlantPart::Stem));
+            Branch { origin, parent: flat.parent, level: flat.level, points, radii, role }
         };
         self.branches.iter().zip(radii).enumerate().map(lifted).collect()
     }
@@ -222,38 +228,45 @@ fn flower(
 }
 
 fn flower_petals(
-    index: usize,
-    flat: &FlatFlower,
+    (index, flat): (usize, &FlatFlower),
     pose: &FlowerPose,
     flower: &Flower,
     anatomy: &Anatomy,
-    world: &WorldFromCanvas,
     curl: &CurlParams,
+    provenance: &mut Provenance,
 ) -> Vec<Organ> {
+    let world = provenance.world_from_canvas;
     let members = flat.petals.iter().zip(&pose.tip_depths);
     members
         .map(|(&p, tip_depth)| {
             let petal = &anatomy.petals[p];
             let tip_depth = flower.cone.apex.z + tip_depth * world.scale;
-            let blade = petals::petal(petal, &flower.cone, tip_depth, world, curl);
-            organ(PlantPart::Petal, petal.stroke, flower.branch, Some(index), blade)
+            let blade = petals::petal(petal, &flower.cone, tip_depth, &world, curl);
+            organ(PlantPart::Petal, provenance.record(petal.stroke), flower.branch, Some(index), blade)
         })
         .collect()
 }
 
 fn organ(
     part: PlantPart,
-    stroke: Option<u64>,
+    origin: Origin,
     branch: Option<usize>,
     flower: Option<usize>,
     blade: Blade,
 ) -> Organ {
-    Organ { role: Role::of(part), stroke, branch, flower, shape: Shape::Blade(blade) }
+    Organ { role: Role::of(part), origin, branch, flower, shape: Shape::Blade(blade) }
 }
 
 /// Adds leaves, with petioles where the hand left a gap to the branch.
-fn add_leaves(plant: &mut Plant, skeleton: &Skeleton, anatomy: &Anatomy, seed: u64, params: &DepthParams) {
-    let world = plant.world_from_canvas;
+fn add_leaves(
+    plant: &mut Plant,
+    provenance: &mut Provenance,
+    skeleton: &Skeleton,
+    anatomy: &Anatomy,
+    seed: u64,
+    params: &DepthParams,
+) {
+    let world = provenance.world_from_canvas;
     let poser = LeafPoser { world, seed, params: &params.leaves, curl: &params.curl };
     let posed: Vec<(Option<usize>, Vec3, Blade)> = anatomy
         .leaves
@@ -279,7 +292,7 @@ fn add_leaves(plant: &mut Plant, skeleton: &Skeleton, anatomy: &Anatomy, seed: u
             }
             parent => parent,
         };
-        plant.organs.push(organ(PlantPart::Leaf, leaf.stroke, parent, None, blade));
+        plant.organs.push(organ(PlantPart::Leaf, provenance.record(leaf.stroke), parent, None, blade));
     }
 }
 
@@ -293,7 +306,7 @@ fn add_petiole(plant: &mut Plant, branch: usize, foot: Vec3, base: Vec3) -> Opti
         .min_by(|a, b| a.0.distance_squared(foot).total_cmp(&b.0.distance_squared(foot)));
     let radius = PETIOLE_SHARE * nearest.map_or(0.0, |(_, r)| *r);
     let petiole = Branch {
-        stroke: None,
+        origin: Origin::Generated,
         parent: Some(branch),
         level: parent.level + 1,
         points: vec![foot, foot.midpoint(base), base],

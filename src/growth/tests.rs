@@ -7,7 +7,7 @@ use crate::growth::resource::priority::{self, Priority};
 use crate::growth::resource::vigour::Flow;
 use crate::growth::tree::NONE;
 use crate::params::{Kind, Overrides, Parameters as _};
-use crate::plant::{Branch, Plant, PlantPart, Role, WorldFromCanvas};
+use crate::plant::{Branch, Plant, PlantPart, Provenance, Role};
 use crate::random::{mix, unit};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
@@ -318,7 +318,7 @@ fn a_cap_on_work_ends_growth_at_the_same_internode_however_slow_the_machine_is()
 
 fn drawn() -> Plant {
     let branch = |parent, points: Vec<Vec3>, radius| Branch {
-        stroke: Some(1),
+        origin: Provenance::default().record(Some(1)),
         parent,
         level: 0,
         radii: vec![radius; points.len()],
@@ -326,7 +326,6 @@ fn drawn() -> Plant {
         role: Role::of(PlantPart::Stem),
     };
     Plant {
-        world_from_canvas: WorldFromCanvas { scale: 1.0, origin: Vec2::ZERO },
         branches: vec![
             branch(None, vec![Vec3::ZERO, Vec3::Y, Vec3::new(0.2, 2.5, 0.0)], 0.1),
             branch(Some(0), vec![Vec3::new(0.05, 1.4, 0.0), Vec3::new(-1.5, 2.2, 0.3)], 0.05),

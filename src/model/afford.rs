@@ -178,14 +178,14 @@ mod tests {
     use super::*;
     use crate::growth::{Limits, Simulation, plant_at};
     use crate::model::build;
-    use crate::plant::FinishedPlant;
+    use crate::plant::{FinishedPlant, Provenance};
     use crate::species::{self, Species};
 
     fn cherry(age: u16) -> FinishedPlant {
         let species = Species::built_in("cherry").unwrap();
         let mut simulation = Simulation::new(species.growth.as_ref().unwrap(), 1, Limits::default());
         simulation.grow_to(age, &|| false);
-        species::apply(plant_at(&simulation, f32::from(age)), &species, 1).plant
+        species::apply(plant_at(&simulation, f32::from(age)), &Provenance::default(), &species, 1).plant
     }
 
     /// The finest that may be asked for.

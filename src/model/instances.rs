@@ -91,7 +91,9 @@ mod tests {
             let species = Species::built_in(name).unwrap();
             let mut simulation = Simulation::new(species.growth.as_ref().unwrap(), 1, Limits::default());
             simulation.grow_to(6, &|| false);
-            let plant = species::apply(plant_at(&simulation, 6.0), &species, 1).plant;
+            let plant =
+                species::apply(plant_at(&simulation, 6.0), &crate::plant::Provenance::default(), &species, 1)
+                    .plant;
             let mut params = ModelParams::default();
             params.blade.gathered = true;
             let (baked, instanced) = (build(&plant, &params), build_instanced(&plant, &params));

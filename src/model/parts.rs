@@ -105,7 +105,7 @@ pub(super) fn plan(plant: &FinishedPlant, params: &ModelParams) -> Vec<Plan> {
 /// For each flower whether any of it was drawn.
 fn drawn_flowers(plant: &Plant) -> Vec<bool> {
     let mut drawn = vec![false; plant.flowers.len()];
-    for organ in plant.organs.iter().filter(|organ| organ.stroke.is_some()) {
+    for organ in plant.organs.iter().filter(|organ| organ.origin.is_drawn()) {
         if let Some(flower) = organ.flower {
             drawn[flower] = true;
         }
@@ -157,7 +157,7 @@ impl OrganPlans<'_> {
         let organ = &self.plant.organs[index];
         let is_filament = matches!(organ.shape, Shape::Filament { .. });
         // A plant has one pot, which is none of its organs.
-        let may_be_many = organ.stroke.is_none() && organ.kind() != OrganKind::Pot;
+        let may_be_many = !organ.origin.is_drawn() && organ.kind() != OrganKind::Pot;
         let within_plant = self.gathered && may_be_many;
         match organ.flower {
             Some(flower) if is_filament || within_plant => {

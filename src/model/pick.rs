@@ -7,7 +7,7 @@
 
 use super::{Model, Part, PartKind};
 use crate::geom::ray::Ray;
-use crate::plant::{Blade, Branch, Organ, OrganKind, Plant, Shape};
+use crate::plant::{Blade, Branch, Organ, OrganKind, Plant, Provenance, Shape};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
@@ -35,25 +35,14 @@ pub struct Picked {
 impl Element {
     /// The stroke that drew it, or else the nearest of the branches that it grows on which was drawn; `None` where no
     /// stroke stands behind it.
-    pub fn stroke(self, plant: &Plant) -> Option<u64> {
-        let mut branch = match self {
-            Self::Branch(index) => Some(index),
+    pub fn stroke(self, plant: &Plant, provenance: &Provenance) -> Option<u64> {
+        match self {
+            Self::Branch(branch) => provenance.stroke_under(plant, Some(branch)),
             Self::Organ(index) => {
                 let organ = plant.organs.get(index)?;
-                if organ.stroke.is_some() {
-                    return organ.stroke;
-                }
-                organ.branch
+                provenance.stroke(organ.origin).or_else(|| provenance.stroke_under(plant, organ.branch))
             }
-        };
-        // Parents stand before their children, so this ends.
-        while let Some(found) = branch.and_then(|index| plant.branches.get(index)) {
-            if found.stroke.is_some() {
-                return found.stroke;
-            }
-            branch = found.parent;
         }
-        None
     }
 }
 

@@ -67,7 +67,7 @@ impl Recipe {
     }
 
     fn limb(&mut self, branch: &Branch) -> &mut Self {
-        let Branch { stroke: _, parent: _, level: _, points, radii, role: _ } = branch;
+        let Branch { origin: _, parent: _, level: _, points, radii, role: _ } = branch;
         self.points(points).length(radii.len());
         self.0.extend(radii.iter().map(|radius| radius.to_bits()));
         self

@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::plant::{
-    Blade, BladeForm, Branch, Cone, FinishedPlant, Flower, Organ, Plant, PlantPart, RestSurface, Role, Shape,
-    WorldFromCanvas,
+    Blade, BladeForm, Branch, Cone, FinishedPlant, Flower, Organ, Origin, Plant, PlantPart, Provenance,
+    RestSurface, Role, Shape,
 };
 use glam::{Quat, Vec2};
 use proptest::prelude::*;
@@ -125,7 +125,14 @@ fn branch() -> impl Strategy<Value = Branch> {
         points.dedup();
         let share = |k: usize| k as f32 / points.len() as f32;
         let radii = (0..points.len()).map(|k| 10f32.powf(thick) * (1.0 + (taper - 1.0) * share(k))).collect();
-        Branch { stroke: None, parent: None, level: 0, points, radii, role: Role::of(PlantPart::Stem) }
+        Branch {
+            origin: Origin::Generated,
+            parent: None,
+            level: 0,
+            points,
+            radii,
+            role: Role::of(PlantPart::Stem),
+        }
     })
 }
 
@@ -160,7 +167,7 @@ fn plant() -> impl Strategy<Value = FinishedPlant> {
         let blades = blades.into_iter().map(|b| (Role::of(PlantPart::Petal), Shape::Blade(b)));
         let organs = blades.chain(solids).enumerate().map(|(i, (role, shape))| Organ {
             role,
-            stroke: None,
+            origin: Origin::Generated,
             branch: (i % 3 == 0).then_some(0),
             flower: (i % 3 == 1).then_some(i % 2),
             shape,
@@ -168,7 +175,6 @@ fn plant() -> impl Strategy<Value = FinishedPlant> {
         let cone = Cone { apex: Vec3::ZERO, axis: Vec3::Y, opening_rad: 0.7, height: 0.1 };
         let flower = |branch| Flower { branch, cone, centre_radius: 0.01, reach: 0.1, look: 0 };
         FinishedPlant::plain(Plant {
-            world_from_canvas: WorldFromCanvas { scale: 0.001, origin: Vec2::ZERO },
             organs: organs.collect(),
             branches,
             flowers: vec![flower(Some(0)), flower(None)],
@@ -260,7 +266,7 @@ proptest! {
 fn filaments_of_a_flower_are_gathered_by_material() {
     let stamen = |x: f32, variant| Organ {
         role: Role { variant, ..Role::of(PlantPart::Stamen) },
-        stroke: None,
+        origin: Origin::Generated,
         branch: None,
         flower: Some(0),
         shape: Shape::Filament {
@@ -271,7 +277,6 @@ fn filaments_of_a_flower_are_gathered_by_material() {
     };
     let cone = Cone { apex: Vec3::ZERO, axis: Vec3::Y, opening_rad: 0.7, height: 0.1 };
     let plant = FinishedPlant::plain(Plant {
-        world_from_canvas: WorldFromCanvas { scale: 1.0, origin: Vec2::ZERO },
         branches: Vec::new(),
         flowers: vec![Flower { branch: None, cone, centre_radius: 0.1, reach: 1.0, look: 0 }],
         organs: vec![stamen(0.0, 1), stamen(1.0, 1), stamen(2.0, 0)],
@@ -322,16 +327,27 @@ fn flowering(petal: Option<u64>) -> FinishedPlant {
             (Role::of(PlantPart::Stamen), stamen(x + 0.6)),
             (Role { variant: 1, ..Role::of(PlantPart::Stamen) }, stamen(x + 0.8)),
         ];
-        let organ = |(role, shape)| Organ { role, stroke: None, branch: Some(0), flower: Some(index), shape };
+        let organ = |(role, shape)| Organ {
+            role,
+            origin: Origin::Generated,
+            branch: Some(0),
+            flower: Some(index),
+            shape,
+        };
         organs.extend(shapes.map(organ));
     }
     if let Some(stroke) = petal {
         let role = Role::of(PlantPart::Petal);
-        let drawn = Organ { role, stroke: Some(stroke), shape: blade(0.1), ..organs[0].clone() };
+        let drawn = Organ {
+            role,
+            origin: Provenance::default().record(Some(stroke)),
+            shape: blade(0.1),
+            ..organs[0].clone()
+        };
         organs.push(drawn);
     }
     let branch = Branch {
-        stroke: None,
+        origin: Origin::Generated,
         parent: None,
         level: 0,
         points: vec![Vec3::ZERO, Vec3::Y],
@@ -339,7 +355,6 @@ fn flowering(petal: Option<u64>) -> FinishedPlant {
         role: Role::of(PlantPart::Stem),
     };
     FinishedPlant::plain(Plant {
-        world_from_canvas: WorldFromCanvas { scale: 1.0, origin: Vec2::ZERO },
         branches: vec![branch],
         flowers: (0..2).map(flower).collect(),
         organs,

@@ -216,12 +216,18 @@ fn tip_cap(mesh: &mut Mesh, ring: &Ring, look: TubeLook, uv_end: Vec2) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plant::{PlantPart, Role};
+    use crate::plant::{Origin, PlantPart, Role};
 
     fn stem(points: Vec<Vec3>, radius: f32) -> Mesh {
         let radii = vec![radius; points.len()];
-        let stem =
-            Branch { stroke: None, parent: None, level: 0, points, radii, role: Role::of(PlantPart::Stem) };
+        let stem = Branch {
+            origin: Origin::Generated,
+            parent: None,
+            level: 0,
+            points,
+            radii,
+            role: Role::of(PlantPart::Stem),
+        };
         let mesh = branch(&stem, look(&stem, &TubeParams::default(), 1.0), &mut TubeScratch::default());
         mesh.check_invariants().unwrap();
         mesh

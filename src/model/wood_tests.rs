@@ -4,7 +4,7 @@ use super::super::disjoint_sets::DisjointSets;
 use super::*;
 use crate::model::crossing::crossing_faces;
 use crate::model::tube::{self, TubeParams};
-use crate::plant::{PlantPart, Role};
+use crate::plant::{Origin, PlantPart, Role};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -13,7 +13,7 @@ fn branch(from: Vec3, direction: Vec3, length: f32, radius: f32) -> Branch {
     let point = |k: u8| from + direction.normalize() * (length * f32::from(k) / 10.0);
     let radii = steps.clone().map(|k| radius * (1.0 - 0.06 * f32::from(k))).collect();
     Branch {
-        stroke: None,
+        origin: Origin::Generated,
         parent: None,
         level: 0,
         points: steps.map(point).collect(),

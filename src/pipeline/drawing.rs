@@ -21,17 +21,25 @@ pub(super) fn produce(
     let mut anatomy = clock.time("anatomy", || anatomy::analyse_unless(sketch, &params.anatomy, stop))?;
     let mut remarks = std::mem::take(&mut anatomy.warnings);
     remarks.extend(growing::fineness_unused(&anatomy, species, params));
-    let plant = clock.time("depth", || depth::recover(&anatomy, sketch.seed, &params.depth));
+    let (plant, provenance) = clock.time("depth", || depth::recover(&anatomy, sketch.seed, &params.depth));
     if stop() {
         return None;
     }
     if !growing::grows(&anatomy, species, params) {
         memory.clear();
-        return Some(Produced { plant, remarks, anatomy, growth: None, may_flower: true });
+        return Some(Produced { plant, provenance, remarks, anatomy, growth: None, may_flower: true });
     }
     let grown = clock.time("growth", || {
-        growing::grow_on(memory, plant, &anatomy, (species, params), sketch.seed, &mut remarks, stop)
+        growing::grow_on(
+            memory,
+            (plant, &provenance),
+            &anatomy,
+            (species, params),
+            sketch.seed,
+            &mut remarks,
+            stop,
+        )
     });
     let (plant, ages) = grown?;
-    Some(Produced { plant, remarks, anatomy, growth: Some(ages), may_flower: true })
+    Some(Produced { plant, provenance, remarks, anatomy, growth: Some(ages), may_flower: true })
 }

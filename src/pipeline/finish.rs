@@ -8,7 +8,7 @@ use crate::anatomy::Anatomy;
 use crate::budget::Budget;
 use crate::growth::overlay::Spot;
 use crate::model::{self, InstancedModel, Model, ModelParams};
-use crate::plant::{FinishedPlant, Plant};
+use crate::plant::{FinishedPlant, Plant, Provenance};
 use crate::sketch::{Remark, Textures, Warning};
 use crate::species::{self, Applied, Species};
 use std::borrow::Cow;
@@ -26,6 +26,8 @@ pub struct Built {
     pub growth: Option<Ages>,
     /// The plant in space.
     pub plant: FinishedPlant,
+    /// What only its drawing knows of the plant.
+    pub provenance: Provenance,
     /// The plant as surfaces.
     pub model: Model,
     /// What growth looks like from inside; empty until [`Cache::look_inside`](super::Cache::look_inside).
@@ -44,16 +46,17 @@ pub(super) fn finish(
     clock: &mut Clock,
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Option<Built> {
-    let Produced { plant, mut remarks, anatomy, growth, may_flower } = produced;
+    let Produced { plant, provenance, mut remarks, anatomy, growth, may_flower } = produced;
     let mut remark = |remark| remarks.push(Warning { stroke: None, remark });
     let plant = clock.time("species", || {
         let Applied { mut plant, is_blossom_thinned } =
-            species::apply(plant, &looks(species, may_flower), seed);
+            species::apply(plant, &provenance, &looks(species, may_flower), seed);
         if is_blossom_thinned {
             remark(Remark::BlossomThinned { flowers: plant.flowers.len() });
         }
         species::textures::lay_over(&mut plant, pictures);
         debug_assert_eq!(plant.check_invariants(), Ok(()));
+        debug_assert_eq!(provenance.check_invariants(&plant), Ok(()));
         plant
     });
     let fineness = affordable(&plant, params, growth.is_some());
@@ -61,7 +64,8 @@ pub(super) fn finish(
         remark(Remark::Coarser { triangles: Budget::PLANT.triangles });
     }
     let model = clock.time("model", || model::rebuild(&plant, &fineness.params, cache, stop))?;
-    Some(Built { anatomy, remarks, growth, plant, model, overlay: Vec::new(), stages: clock.take() })
+    let (overlay, stages) = (Vec::new(), clock.take());
+    Some(Built { anatomy, remarks, growth, plant, provenance, model, overlay, stages })
 }
 
 /// The looks of a species, without flowers where the plant may not have any.

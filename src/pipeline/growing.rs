@@ -8,7 +8,7 @@ use super::source::Ages;
 use crate::anatomy::Anatomy;
 use crate::depth;
 use crate::growth::{Memory, Outcome, Start, bloom, drawing, foliage, merge};
-use crate::plant::Plant;
+use crate::plant::{Plant, Provenance};
 use crate::quote;
 use crate::sketch::{Remark, StrokeId, Warning};
 use crate::species::Species;
@@ -29,7 +29,7 @@ pub(super) fn fineness_unused(anatomy: &Anatomy, species: &Species, params: &Par
 /// Lets a drawn plant grow, and remarks what is odd about that; nothing if `stop` said yes.
 pub(super) fn grow_on(
     memory: &mut Memory,
-    drawn: Plant,
+    (drawn, provenance): (Plant, &Provenance),
     anatomy: &Anatomy,
     (species, params): (&Species, &Params),
     seed: u64,
@@ -38,7 +38,7 @@ pub(super) fn grow_on(
 ) -> Option<(Plant, Ages)> {
     let growth = &params.growth;
     let grows = merge::grows(&drawn);
-    let crowns = depth::crowns(anatomy, &drawn.world_from_canvas);
+    let crowns = depth::crowns(anatomy, &provenance.world_from_canvas);
     let wood = merge::wood(&drawn, &grows);
     let start = Start::new(&params.habit, params.depth.world.height, wood, crowns, growth, seed);
     let years = (growth.years >= 0.0).then_some(growth.years);

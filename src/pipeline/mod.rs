@@ -1,7 +1,7 @@
 //! From what a plant is made from to its model: every stage in a row.
 //!
 //! ```text
-//! Source ──produce──► Produced { plant, remarks, .. } ──finish──► Built { plant, model, remarks, .. }
+//! Source ──produce──► Produced { plant, provenance, .. } ──finish──► Built { plant, model, .. }
 //!   drawing, seed       one file for each maker           species, pictures, surfaces: the same for all
 //! ```
 //!

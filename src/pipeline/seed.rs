@@ -9,6 +9,7 @@ use super::source::{Ages, Produced, Seed};
 use crate::anatomy::Anatomy;
 use crate::growth::overlay::{Spot, Wanted, overlay};
 use crate::growth::{self, Envelope, Habit, Outcome, Schedule, Simulation, drawing};
+use crate::plant::Provenance;
 use crate::sketch::Warning;
 use crate::species::Species;
 use std::sync::Arc;
@@ -110,7 +111,8 @@ pub(super) fn produce(
     let early = growing::why_no_older(ages.outcome, simulation.age());
     let mut remarks: Vec<_> = early.map(|remark| Warning { stroke: None, remark }).into_iter().collect();
     growing::remark_shortfalls(&plant, may_flower && species.blossom.is_some(), None, &mut remarks);
-    Some(Produced { plant, remarks, anatomy: Anatomy::default(), growth: Some(ages), may_flower })
+    let (provenance, anatomy) = (Provenance::default(), Anatomy::default());
+    Some(Produced { plant, provenance, remarks, anatomy, growth: Some(ages), may_flower })
 }
 
 /// Whether a plant of an age may flower: one that is too young may not, where it is the buds that decide about flowers.

@@ -7,7 +7,7 @@
 use crate::anatomy::Anatomy;
 use crate::growth::habit::Resource;
 use crate::growth::{Envelope, Field, Limits, Outcome, Simulation};
-use crate::plant::Plant;
+use crate::plant::{Plant, Provenance};
 use crate::sketch::{Sketch, Warning};
 use std::sync::Arc;
 
@@ -50,6 +50,8 @@ pub struct Seed {
 pub struct Produced {
     /// The plant in space.
     pub plant: Plant,
+    /// What only its drawing knows of it.
+    pub provenance: Provenance,
     /// What was odd about its source, and what the plant lacks.
     pub remarks: Vec<Warning>,
     /// What the strokes of its source mean; empty where it has none.

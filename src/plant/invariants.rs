@@ -9,8 +9,6 @@ impl Plant {
     /// # Errors
     /// The first violation, in words.
     pub fn check_invariants(&self) -> Result<(), String> {
-        let scale = self.world_from_canvas.scale;
-        ensure(scale.is_finite() && scale > 0.0, || format!("scale {scale}"))?;
         for (i, branch) in self.branches.iter().enumerate() {
             let here = |what: &str| format!("branch {i}: {what}");
             ensure(branch.parent.is_none_or(|p| p < i), || here("parent stands after it"))?;

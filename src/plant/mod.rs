@@ -1,8 +1,8 @@
 //! The waist: one plain description of a plant, wherever it came from.
 //!
 //! A [`Plant`] is a tree of [`Branch`]es (3D skeleton polylines with radii), the [`Flower`]s on them and the
-//! [`Organ`]s of both. World space: metres, y up, z toward the viewer, right-handed. It knows no strokes beyond their
-//! ids, no triangles and nobody else in the program.
+//! [`Organ`]s of both. World space: metres, y up, z toward the viewer, right-handed. It knows no drawing, no
+//! triangles and nobody else in the program; what only the drawing knows is its [`Provenance`], which stands beside it.
 //!
 //! Each branch and organ has a [`Role`], which says what it is. Applying a species makes a [`FinishedPlant`] of it, in
 //! which every role has a material.
@@ -16,6 +16,7 @@ pub mod invariants;
 pub mod junction;
 pub mod material;
 pub mod organ_kind;
+pub mod provenance;
 pub mod role;
 
 pub use blade::{Blade, BladeForm, RestSurface};
@@ -23,42 +24,17 @@ pub use cone::Cone;
 pub use finished::FinishedPlant;
 pub use material::{Material, Texture};
 pub use organ_kind::{OrganClass, OrganForm, OrganKind};
+pub use provenance::{DrawnId, Origin, Provenance, WorldFromCanvas};
 pub use role::{PlantPart, Role};
 
 use glam::{Vec2, Vec3};
 use serde::{Deserialize, Serialize};
 
-/// Similarity between the drawing and the world: `x_world = (x − origin.x)·scale`, `y_world = (origin.y − y)·scale`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct WorldFromCanvas {
-    /// Metres per canvas pixel.
-    pub scale: f32,
-    /// Canvas position of the world's origin: the ground at the lowest root of the plant.
-    pub origin: Vec2,
-}
-
-impl WorldFromCanvas {
-    /// The world point of a canvas position, in the drawing plane z = 0.
-    pub fn point(&self, canvas: Vec2) -> Vec3 {
-        self.vector(canvas - self.origin)
-    }
-
-    /// The world vector of a canvas displacement.
-    pub fn vector(&self, canvas: Vec2) -> Vec3 {
-        Vec3::new(canvas.x * self.scale, -canvas.y * self.scale, 0.0)
-    }
-
-    /// Where a world point appears in the drawing, seen from the front.
-    pub fn canvas(&self, world: Vec3) -> Vec2 {
-        self.origin + Vec2::new(world.x, -world.y) / self.scale
-    }
-}
-
 /// One branch: a skeleton from its base to its end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branch {
-    /// The stroke that drew it, `None` for a generated twig.
-    pub stroke: Option<u64>,
+    /// Whether it was drawn.
+    pub origin: Origin,
     /// Index of the branch that carries it; always smaller than its own.
     pub parent: Option<usize>,
     /// Branching order: 0 for trunks, and for the stems of a bush, which stand on the stump of its first one; for all
@@ -149,8 +125,8 @@ pub enum Shape {
 pub struct Organ {
     /// What it is.
     pub role: Role,
-    /// The stroke that drew it, `None` if generated.
-    pub stroke: Option<u64>,
+    /// Whether it was drawn.
+    pub origin: Origin,
     /// The branch it grows on.
     pub branch: Option<usize>,
     /// The flower it belongs to.
@@ -188,10 +164,8 @@ impl Organ {
 }
 
 /// A plant, or the several plants of one drawing.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Plant {
-    /// How the drawing maps to the world.
-    pub world_from_canvas: WorldFromCanvas,
     /// Skeleton, parents before children.
     pub branches: Vec<Branch>,
     /// Flowers, in the order in which they were understood.

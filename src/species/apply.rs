@@ -13,7 +13,8 @@ use super::pot::pot;
 use super::receptacle::{Petals, flower_centre};
 use super::thorns::thorns;
 use crate::plant::{
-    Blade, BladeForm, Branch, FinishedPlant, Organ, OrganKind, Plant, PlantPart, Role, Shape,
+    Blade, BladeForm, Branch, FinishedPlant, Organ, OrganKind, Origin, Plant, PlantPart, Provenance, Role,
+    Shape,
 };
 use glam::{Vec2, Vec3};
 use rand::{RngExt, SeedableRng};
@@ -58,7 +59,7 @@ pub struct Applied {
 /// styles, sepals, blossom, thorns, pot.
 ///
 /// The flowers' looks are taken in turn. Petals of a species without flowers look like leaves.
-pub fn apply(mut plant: Plant, species: &Species, seed: u64) -> Applied {
+pub fn apply(mut plant: Plant, provenance: &Provenance, species: &Species, seed: u64) -> Applied {
     let mut is_blossom_thinned = false;
     set_roles_of_wood(&mut plant, species);
     if let Some(look) = species.blossom.as_ref().filter(|_| !species.flowers.is_empty()) {
@@ -70,12 +71,12 @@ pub fn apply(mut plant: Plant, species: &Species, seed: u64) -> Applied {
         flower.look = index % species.flowers.len().max(1);
     }
     let petals = petals_of(&plant);
-    shape_blades(&mut plant, species, &petals, seed);
+    shape_blades(&mut plant, provenance, species, &petals, seed);
     if species.pot.is_none() {
         ground::keep_above(&mut plant);
     }
     let mut added = flower_centres(&plant, species, &petals, seed);
-    added.extend(thorny(&plant, species, seed));
+    added.extend(thorny(&plant, provenance, species, seed));
     added.extend(potted(&plant, species));
     plant.organs.append(&mut added);
     Applied { plant: with_materials(plant, species), is_blossom_thinned }
@@ -97,7 +98,7 @@ fn set_roles_of_wood(plant: &mut Plant, species: &Species) {
 }
 
 /// Gives petals and leaves their form, and chooses among the materials of their part.
-fn shape_blades(plant: &mut Plant, species: &Species, petals: &[Petals], seed: u64) {
+fn shape_blades(plant: &mut Plant, provenance: &Provenance, species: &Species, petals: &[Petals], seed: u64) {
     let mut done = vec![0; plant.flowers.len()];
     let leaf_materials = species.leaf.materials.0.len();
     for organ in &mut plant.organs {
@@ -105,7 +106,8 @@ fn shape_blades(plant: &mut Plant, species: &Species, petals: &[Petals], seed: u
         organ.role.look = look as u32;
         let flower = organ.flower.filter(|_| organ.kind() == OrganKind::Petal);
         let Shape::Blade(blade) = &mut organ.shape else { continue };
-        let rng = &mut stream(seed, Purpose::Blade, identity(organ.stroke, blade.base, blade.v));
+        let key = identity(provenance.stroke(organ.origin), blade.base, blade.v);
+        let rng = &mut stream(seed, Purpose::Blade, key);
         match flower.and_then(|flower| Some((flower, &species.flowers.get(look)?.petals))) {
             Some((flower, look)) => {
                 organ.role.variant = (done[flower] % look.materials.0.len()) as u32;
@@ -172,16 +174,16 @@ fn flower_centres(plant: &Plant, species: &Species, petals: &[Petals], seed: u64
     out
 }
 
-fn thorny(plant: &Plant, species: &Species, seed: u64) -> Vec<Organ> {
+fn thorny(plant: &Plant, provenance: &Provenance, species: &Species, seed: u64) -> Vec<Organ> {
     let Some(look) = &species.thorns else { return Vec::new() };
     let on = |(index, branch): (usize, &Branch)| {
         let ends = branch.points.first().zip(branch.points.last());
         let (base, end) = ends.map_or((Vec3::ZERO, Vec3::Y), |(base, end)| (*base, *end));
-        let key = identity(branch.stroke, base, end - base);
+        let key = identity(provenance.stroke(branch.origin), base, end - base);
         let shapes = thorns(look, branch, &mut stream(seed, Purpose::Thorns, key));
         shapes.into_iter().map(move |shape| Organ {
             role: Role::of(PlantPart::Thorn),
-            stroke: None,
+            origin: Origin::Generated,
             branch: Some(index),
             flower: None,
             shape,
@@ -192,8 +194,13 @@ fn thorny(plant: &Plant, species: &Species, seed: u64) -> Vec<Organ> {
 
 fn potted(plant: &Plant, species: &Species) -> Vec<Organ> {
     let Some(shapes) = species.pot.as_ref().and_then(|look| pot(look, plant)) else { return Vec::new() };
-    let organ =
-        |(shape, part)| Organ { role: Role::of(part), stroke: None, branch: None, flower: None, shape };
+    let organ = |(shape, part)| Organ {
+        role: Role::of(part),
+        origin: Origin::Generated,
+        branch: None,
+        flower: None,
+        shape,
+    };
     shapes.into_iter().zip([PlantPart::Pot, PlantPart::Soil]).map(organ).collect()
 }
 

@@ -2,12 +2,30 @@
 
 use super::*;
 use crate::picture::Picture;
-use crate::plant::{Branch, Cone, Flower, RestSurface, Texture, WorldFromCanvas};
+use crate::plant::{Branch, Cone, Flower, RestSurface, Texture};
 use crate::species::seat::Seat;
 use glam::{Quat, Vec3};
 use proptest::prelude::*;
 use std::f32::consts::TAU;
 use std::path::Path;
+
+/// Strokes that plants may have here.
+const STROKES: u64 = 64;
+
+/// What knows the strokes of these plants, and the origin of what each of them drew.
+fn drawn() -> (Provenance, Vec<Origin>) {
+    let mut provenance = Provenance::default();
+    let origins = (0..STROKES).map(|stroke| provenance.record(Some(stroke))).collect();
+    (provenance, origins)
+}
+
+fn provenance() -> Provenance {
+    drawn().0
+}
+
+fn origin(stroke: Option<u64>) -> Origin {
+    stroke.map_or(Origin::Generated, |stroke| drawn().1[stroke as usize])
+}
 
 fn leaf(base: Vec3, branch: Option<usize>, stroke: Option<u64>, length: f32) -> Organ {
     let outline =
@@ -26,8 +44,8 @@ fn leaf(base: Vec3, branch: Option<usize>, stroke: Option<u64>, length: f32) -> 
         form,
         template: stroke.is_none().then_some(3),
     };
-    let role = Role::of(PlantPart::Leaf);
-    Organ { role, stroke, branch, flower: None, shape: Shape::Blade(blade) }
+    let (role, origin) = (Role::of(PlantPart::Leaf), origin(stroke));
+    Organ { role, origin, branch, flower: None, shape: Shape::Blade(blade) }
 }
 
 /// Adds a flower of `petals` petals whose axis is `axis`.
@@ -55,7 +73,7 @@ fn add_flower(plant: &mut Plant, at: Vec3, axis: Vec3, opening_rad: f32, centre_
 
 fn bare(branches: usize, leaves: usize) -> Plant {
     let branch = |i: usize| Branch {
-        stroke: Some(i as u64),
+        origin: origin(Some(i as u64)),
         parent: i.checked_sub(1),
         level: i as u32,
         points: (0..6).map(|k| Vec3::new(0.03 * i as f32, 0.03 * (k + i) as f32, 0.01)).collect(),
@@ -63,7 +81,6 @@ fn bare(branches: usize, leaves: usize) -> Plant {
         role: Role::of(PlantPart::Stem),
     };
     Plant {
-        world_from_canvas: WorldFromCanvas { scale: 0.001, origin: Vec2::ZERO },
         branches: (0..branches).map(branch).collect(),
         flowers: Vec::new(),
         organs: (0..leaves)
@@ -81,7 +98,7 @@ fn flowering() -> Plant {
 }
 
 fn finished(plant: &Plant, species: &str, seed: u64) -> FinishedPlant {
-    apply(plant.clone(), &Species::built_in(species).unwrap(), seed).plant
+    apply(plant.clone(), &provenance(), &Species::built_in(species).unwrap(), seed).plant
 }
 
 prop_compose! {
@@ -146,8 +163,8 @@ fn what_was_drawn_stays_where_it_was() {
             assert_eq!((&before.points, &before.radii), (&after.points, &after.radii), "{name}");
         }
         let drawn = |plant: &Plant| -> Vec<_> {
-            let blades = plant.organs.iter().filter(|organ| organ.stroke.is_some());
-            blades.map(|organ| (organ.stroke, organ.base())).collect()
+            let blades = plant.organs.iter().filter(|organ| organ.origin.is_drawn());
+            blades.map(|organ| (organ.origin, organ.base())).collect()
         };
         assert_eq!(drawn(&plant), drawn(&out), "{name}");
     }
@@ -213,7 +230,7 @@ fn an_artists_picture_replaces_every_material_of_its_part_only() {
     let own = Texture::Own(Picture::read(picture).unwrap());
     let mut rose = Species::built_in("rose").unwrap();
     rose.set_texture("petal", picture).unwrap();
-    let plant = apply(flowering(), &rose, 1).plant;
+    let plant = apply(flowering(), &provenance(), &rose, 1).plant;
     plant.check_invariants().unwrap();
     for organ in &plant.organs {
         let pictured = plant.materials()[plant.material(organ.role)].texture.as_ref() == Some(&own);
@@ -241,7 +258,7 @@ fn a_cherry_tree_blossoms_in_place_of_generated_leaves_only() {
     plant.organs.push(leaf(Vec3::Y, Some(0), Some(9), 0.02));
     let cherry = finished(&plant, "cherry", 5);
     let leaves = cherry.organs.iter().filter(|organ| organ.kind() == OrganKind::Leaf);
-    assert!(leaves.clone().any(|leaf| leaf.stroke == Some(9)));
+    assert!(leaves.clone().any(|leaf| leaf.origin == origin(Some(9))));
     assert_eq!(leaves.count() + cherry.flowers.len(), 401);
     assert!((180..300).contains(&cherry.flowers.len()), "{}", cherry.flowers.len());
     let petals = cherry.organs.iter().filter(|organ| organ.kind() == OrganKind::Petal).count();
@@ -254,9 +271,9 @@ fn a_cherry_tree_blossoms_in_place_of_generated_leaves_only() {
 #[test]
 fn a_tree_of_more_flowers_than_a_plant_may_have_says_so() {
     let species = Species::built_in("cherry").unwrap();
-    assert!(!apply(bare(1, 400), &species, 5).is_blossom_thinned);
+    assert!(!apply(bare(1, 400), &provenance(), &species, 5).is_blossom_thinned);
     let most = crate::budget::Budget::PLANT.blossoms;
-    let Applied { plant, is_blossom_thinned } = apply(bare(1, 2 * most), &species, 5);
+    let Applied { plant, is_blossom_thinned } = apply(bare(1, 2 * most), &provenance(), &species, 5);
     assert!(is_blossom_thinned);
     assert!((most * 9 / 10..=most * 11 / 10).contains(&plant.flowers.len()), "{}", plant.flowers.len());
 }
@@ -264,7 +281,7 @@ fn a_tree_of_more_flowers_than_a_plant_may_have_says_so() {
 #[test]
 fn a_drawn_leaf_more_leaves_the_form_of_the_others() {
     let form_of = |plant: &Plant, stroke: u64| {
-        let organ = plant.organs.iter().find(|organ| organ.stroke == Some(stroke)).unwrap();
+        let organ = plant.organs.iter().find(|organ| organ.origin == origin(Some(stroke))).unwrap();
         let Shape::Blade(blade) = &organ.shape else { panic!("a leaf is a blade") };
         (blade.form, organ.role)
     };

@@ -8,7 +8,7 @@ use super::looks::BlossomLook;
 use super::sepals::blade_at;
 use crate::budget::Budget;
 use crate::plant::{
-    Blade, BladeForm, Cone, Flower, FlowerBud, Organ, OrganKind, Plant, PlantPart, Role, Shape,
+    Blade, BladeForm, Cone, Flower, FlowerBud, Organ, OrganKind, Origin, Plant, PlantPart, Role, Shape,
 };
 use glam::{Quat, Vec2, Vec3};
 use rand::RngExt;
@@ -52,7 +52,7 @@ fn bud_of(leaf: &Blade, branch: Option<usize>) -> FlowerBud {
 }
 
 fn is_generated_leaf(organ: &Organ) -> bool {
-    organ.kind() == OrganKind::Leaf && organ.stroke.is_none()
+    organ.kind() == OrganKind::Leaf && !organ.origin.is_drawn()
 }
 
 /// The share of leaves that open: as wished, or as many as the budget leaves after the buds.
@@ -109,7 +109,7 @@ fn petals<'a>(
         let blade = blade_at(base, v * size, face, outline, length, BladeForm::default(), template);
         Organ {
             role: Role::of(PlantPart::Petal),
-            stroke: None,
+            origin: Origin::Generated,
             branch: flower.branch,
             flower: Some(index),
             shape: Shape::Blade(blade),

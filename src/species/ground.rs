@@ -20,7 +20,7 @@ const CURL: f32 = 0.15;
 /// Lifts wood and leaves that would stand below the ground.
 pub(super) fn keep_above(plant: &mut Plant) {
     // Drawn wood stays where it was drawn; the ground is as low as that.
-    plant.branches.iter_mut().filter(|branch| branch.stroke.is_none()).for_each(lift_branch);
+    plant.branches.iter_mut().filter(|branch| !branch.origin.is_drawn()).for_each(lift_branch);
     for organ in plant.organs.iter_mut().filter(|organ| organ.kind() == OrganKind::Leaf) {
         match &mut organ.shape {
             Shape::Blade(blade) if blade.rest == RestSurface::Plane => lift_leaf(blade),
@@ -97,7 +97,7 @@ fn lowest(blade: &Blade) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plant::{BladeForm, PlantPart, Role};
+    use crate::plant::{BladeForm, Origin, PlantPart, Role};
     use glam::Vec2;
 
     fn leaf(base: Vec3, v: Vec3) -> Blade {
@@ -137,7 +137,7 @@ mod tests {
     fn wood_lies_on_the_ground() {
         let points = [0.5, 0.1, -0.3, -0.2].map(|y| Vec3::new(1.0 - y, y, 0.0)).to_vec();
         let mut branch = Branch {
-            stroke: None,
+            origin: Origin::Generated,
             parent: Some(0),
             level: 1,
             points,

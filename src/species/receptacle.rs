@@ -4,7 +4,7 @@ use super::filaments::filaments;
 use super::looks::{Along, CupLook, FlowerLook};
 use super::seat::Seat;
 use super::sepals::sepals;
-use crate::plant::{Organ, Plant, PlantPart, Role, Shape};
+use crate::plant::{Organ, Origin, Plant, PlantPart, Role, Shape};
 use glam::{Vec2, Vec3};
 use rand_pcg::Pcg64Mcg;
 
@@ -48,7 +48,7 @@ pub(super) fn flower_centre(
     };
     let organ = |part, variant, shape| Organ {
         role: Role { part, look: pose.look as u32, variant },
-        stroke: None,
+        origin: Origin::Generated,
         branch: pose.branch,
         flower: Some(flower),
         shape,

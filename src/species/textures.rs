@@ -124,7 +124,7 @@ fn textured(material: &Material, texture: &Texture) -> Material {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plant::{Branch, Organ, Plant, PlantPart, Role, Shape, WorldFromCanvas};
+    use crate::plant::{Branch, Organ, Origin, Plant, PlantPart, Role, Shape};
     use glam::{Vec2, Vec3};
     use std::collections::BTreeSet;
 
@@ -142,15 +142,14 @@ mod tests {
         let part = |kind| PlantPart::ALL.iter().copied().find(|part| part.kind() == Some(kind)).unwrap();
         let organ = |kind| Organ {
             role: Role::of(part(kind)),
-            stroke: None,
+            origin: Origin::Generated,
             branch: Some(0),
             flower: None,
             shape: shape(part(kind)),
         };
         let plant = FinishedPlant::plain(Plant {
-            world_from_canvas: WorldFromCanvas { scale: 0.001, origin: Vec2::ZERO },
             branches: vec![Branch {
-                stroke: Some(1),
+                origin: Origin::Generated,
                 parent: None,
                 level: 0,
                 points: vec![Vec3::ZERO, Vec3::Y],

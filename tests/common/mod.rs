@@ -9,7 +9,8 @@
 use glam::{Vec2, Vec3};
 use penstemon::model::{Mesh, Model, Part, PartKind, Vertex};
 use penstemon::plant::{
-    Branch, FinishedPlant, Material, OrganKind, Plant, PlantPart, Role, Texture, WorldFromCanvas,
+    Branch, FinishedPlant, Material, OrganKind, Origin, Plant, PlantPart, Provenance, Role, Texture,
+    WorldFromCanvas,
 };
 use std::borrow::Cow;
 use std::f32::consts::TAU;
@@ -177,11 +178,23 @@ pub(crate) fn leafy(leaves: usize) -> (Model, FinishedPlant) {
     (model, plant)
 }
 
+/// What only the drawing knows of a plant of [`plant_of`]: stroke 7 drew all of it.
+pub(crate) fn provenance() -> Provenance {
+    drawn_by_seven().0
+}
+
+fn drawn_by_seven() -> (Provenance, Origin) {
+    let mut provenance = Provenance::new(WorldFromCanvas { scale: 0.001, origin: Vec2::new(512.0, 700.0) });
+    let origin = provenance.record(Some(7));
+    (provenance, origin)
+}
+
 /// A plant with a branch per wooden part: enough for the exporter of plants, which knows no surfaces.
 fn plant_of(model: &Model) -> FinishedPlant {
     let wood = model.parts.iter().filter(|part| part.kind == PartKind::Wood);
+    let origin = drawn_by_seven().1;
     let branch = |part: &Part| Branch {
-        stroke: Some(7),
+        origin,
         parent: None,
         level: 0,
         points: vec![part.pivot, part.pivot + Vec3::Y * 0.1],
@@ -189,7 +202,6 @@ fn plant_of(model: &Model) -> FinishedPlant {
         role: Role { variant: part.material as u32, ..Role::of(PlantPart::Stem) },
     };
     let plant = Plant {
-        world_from_canvas: WorldFromCanvas { scale: 0.001, origin: Vec2::new(512.0, 700.0) },
         branches: wood.map(branch).collect(),
         flowers: Vec::new(),
         organs: Vec::new(),

@@ -77,7 +77,8 @@ mod tests {
             return sketch::svg::write(sketch).len() as u64;
         }
         let model = super::super::task::chosen_parts(&built.model, choice);
-        crate::formats::write::export(&path, &model, &built.plant, &built_in_texture).unwrap();
+        let plant = (&built.plant, &built.provenance);
+        crate::formats::write::export(&path, &model, plant, &built_in_texture).unwrap();
         std::fs::read_dir(folder.path()).unwrap().map(|file| file.unwrap().metadata().unwrap().len()).sum()
     }
 

@@ -14,7 +14,7 @@ impl Editor {
         let ray = self.plant.ray(click.at)?;
         let built = self.built()?;
         let picked = pick(&built.model, &built.plant, &ray)?;
-        let stroke = picked.element.stroke(&built.plant)?;
+        let stroke = picked.element.stroke(&built.plant, &built.provenance)?;
         Some(Action::SelectStroke { stroke, besides: click.besides })
     }
 }

@@ -50,8 +50,8 @@ fn rays_from_any_side_find_what_was_drawn() {
     let drawn: Vec<Element> = branches
         .chain((0..built.plant.organs.len()).map(Element::Organ))
         .filter(|element| match element {
-            Element::Branch(branch) => built.plant.branches[*branch].stroke.is_some(),
-            Element::Organ(organ) => built.plant.organs[*organ].stroke.is_some(),
+            Element::Branch(branch) => built.plant.branches[*branch].origin.is_drawn(),
+            Element::Organ(organ) => built.plant.organs[*organ].origin.is_drawn(),
         })
         .collect();
     assert!(drawn.len() > 10, "{}", drawn.len());
@@ -69,7 +69,8 @@ fn rays_from_any_side_find_what_was_drawn() {
             "{yaw_deg}: {picked:?}"
         );
         let own = drawn.iter().zip(&picked).filter(|(element, one)| {
-            one.is_some_and(|one| one.element.stroke(&built.plant) == element.stroke(&built.plant))
+            let stroke = |element: Element| element.stroke(&built.plant, &built.provenance);
+            one.is_some_and(|one| stroke(one.element) == stroke(**element))
         });
         let (own, all) = (own.count(), drawn.len());
         assert!(3 * own >= 2 * all, "{yaw_deg}: {own} of {all}");
@@ -82,7 +83,9 @@ fn rays_from_any_side_find_what_was_drawn() {
 fn a_click_selects_the_stroke_and_shift_adds() {
     let home = tempfile::tempdir().unwrap();
     let mut editor = daisy(&home);
-    let stroke = editor.built().unwrap().plant.branches.iter().find_map(|branch| branch.stroke).unwrap();
+    let built = editor.built().unwrap();
+    let mut branches = built.plant.branches.iter();
+    let stroke = branches.find_map(|branch| built.provenance.stroke(branch.origin)).unwrap();
     editor.perform(Action::SelectStroke { stroke, besides: false });
     assert_eq!(editor.canvas.selection().ids().iter().copied().collect::<Vec<_>>(), [stroke]);
     assert_eq!(editor.canvas.tool(), CanvasTool::Select);

@@ -184,7 +184,8 @@ fn export(order: &Order, shared: &Shared) -> Result<usize, Failure> {
         ExportFormat::Obj | ExportFormat::Glb => {
             let model = chosen_parts(&order.built.model, &order.choice);
             shared.advance(0.3);
-            let (paths, plant) = ([order.path.clone()], &order.built.plant);
+            let (paths, built) = ([order.path.clone()], &order.built);
+            let plant = (&built.plant, &built.provenance);
             write::export_all(&paths, &model, plant, &built_in_texture, &order.sources).map_err(boxed)
         }
         ExportFormat::Png => write_pictures(order, shared),

@@ -19,14 +19,13 @@ mod tint;
 
 pub use error::ExportError;
 pub use pictures::Pictures;
-pub use scene::{InstanceForm, Scene};
+pub use scene::{InstanceForm, PlantAndProvenance, Scene};
 
 use crate::atomic::WriteError;
 use crate::file_system::System;
 use crate::formats::textures::{self, BuiltInTextures};
 use crate::input::Sources;
 use crate::model::{InstancedModel, Model};
-use crate::plant::FinishedPlant;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
@@ -102,7 +101,7 @@ impl Prepared {
 pub fn prepare(
     path: &Path,
     model: &Model,
-    plant: &FinishedPlant,
+    plant: PlantAndProvenance<'_>,
     built_in: &BuiltInTextures<'_>,
 ) -> Result<Prepared, ExportError> {
     let format = format_of(path)?;
@@ -127,7 +126,7 @@ fn encode(path: &Path, format: &dyn Exporter, scene: &Scene<'_>) -> Result<Prepa
 pub fn export_all(
     paths: &[PathBuf],
     model: &Model,
-    plant: &FinishedPlant,
+    plant: PlantAndProvenance<'_>,
     built_in: &BuiltInTextures<'_>,
     sources: &Sources,
 ) -> Result<usize, ExportError> {
@@ -153,7 +152,7 @@ pub fn export_all_instanced(
     paths: &[PathBuf],
     model: &Model,
     (instanced, form): (&InstancedModel, InstanceForm),
-    plant: &FinishedPlant,
+    plant: PlantAndProvenance<'_>,
     built_in: &BuiltInTextures<'_>,
     sources: &Sources,
 ) -> Result<usize, ExportError> {
@@ -176,7 +175,7 @@ pub fn export_all_instanced(
 pub fn export(
     path: &Path,
     model: &Model,
-    plant: &FinishedPlant,
+    plant: PlantAndProvenance<'_>,
     built_in: &BuiltInTextures<'_>,
 ) -> Result<usize, ExportError> {
     export_all(&[path.to_owned()], model, plant, built_in, &Sources::default())

@@ -1,11 +1,12 @@
 //! The plant itself as JSON: one branch, flower, organ or material per line, readable and diffable.
 //!
-//! Top-level keys are the fields of [`Plant`] and its materials, to which branches and organs refer by index; numbers are the shortest that read back the same. World space is metres,
-//! y up; `world_from_canvas` tells how the drawing maps to it: x = (x_canvas − origin.x)·scale,
+//! Top-level keys are the fields of [`Plant`], its materials, to which branches and organs refer by index, and how the
+//! drawing maps to the world; branches and organs have the stroke that drew them from the plant's [`Provenance`]. Numbers
+//! are the shortest that read back the same. World space is metres, y up; `world_from_canvas` tells how the drawing maps to it: x = (x_canvas − origin.x)·scale,
 //! y = (origin.y − y_canvas)·scale.
 
-use super::{Encoded, ExportError, Exporter, Scene};
-use crate::plant::{Branch, Cone, FinishedPlant, Flower, Organ, OrganKind, Plant, Shape};
+use super::{Encoded, ExportError, Exporter, PlantAndProvenance, Scene};
+use crate::plant::{Branch, Cone, FinishedPlant, Flower, Organ, OrganKind, Plant, Provenance, Shape};
 use glam::{Vec2, Vec3};
 use serde::Serialize;
 
@@ -19,23 +20,24 @@ impl Exporter for PlantJson {
     }
 
     fn encode(&self, scene: &Scene<'_>) -> Result<Encoded, ExportError> {
-        Ok(Encoded { bytes: to_bytes(scene.plant)?, companions: Vec::new() })
+        Ok(Encoded { bytes: to_bytes(scene.plant.0, scene.plant.1)?, companions: Vec::new() })
     }
 }
 
 /// The plant as UTF-8 JSON ending in a newline.
 ///
 /// # Errors
-/// None for a plant whose invariants hold.
-pub fn to_bytes(plant: &FinishedPlant) -> Result<Vec<u8>, serde_json::Error> {
+/// None for a plant and a provenance whose invariants hold.
+pub fn to_bytes(plant: &FinishedPlant, provenance: &Provenance) -> Result<Vec<u8>, serde_json::Error> {
     // Every field is named here and below, so that a new one cannot be forgotten.
-    let Plant { world_from_canvas, branches, flowers, organs, buds: _ } = &**plant;
-    let branches: Vec<_> = branches.iter().map(|branch| BranchText::new(branch, plant)).collect();
+    let Plant { branches, flowers, organs, buds: _ } = &**plant;
+    let with = (plant, provenance);
+    let branches: Vec<_> = branches.iter().map(|branch| BranchText::new(branch, with)).collect();
     let flowers: Vec<_> = flowers.iter().map(FlowerText::new).collect();
-    let organs: Vec<_> = organs.iter().map(|organ| OrganText::new(organ, plant)).collect();
+    let organs: Vec<_> = organs.iter().map(|organ| OrganText::new(organ, with)).collect();
     let mut out = Vec::new();
     out.extend_from_slice(b"{\n\"world_from_canvas\":");
-    serde_json::to_writer(&mut out, world_from_canvas)?;
+    serde_json::to_writer(&mut out, &provenance.world_from_canvas)?;
     write_list(&mut out, "branches", &branches)?;
     write_list(&mut out, "flowers", &flowers)?;
     write_list(&mut out, "organs", &organs)?;
@@ -56,10 +58,10 @@ struct BranchText<'a> {
 }
 
 impl<'a> BranchText<'a> {
-    fn new(branch: &'a Branch, plant: &FinishedPlant) -> Self {
-        let Branch { stroke, parent, level, points, radii, role } = branch;
-        let material = plant.material(*role);
-        Self { stroke: *stroke, parent: *parent, level: *level, points, radii, material }
+    fn new(branch: &'a Branch, (plant, provenance): PlantAndProvenance<'_>) -> Self {
+        let Branch { origin, parent, level, points, radii, role } = branch;
+        let (stroke, material) = (provenance.stroke(*origin), plant.material(*role));
+        Self { stroke, parent: *parent, level: *level, points, radii, material }
     }
 }
 
@@ -105,8 +107,8 @@ enum ShapeText<'a> {
 }
 
 impl<'a> OrganText<'a> {
-    fn new(organ: &'a Organ, plant: &FinishedPlant) -> Self {
-        let Organ { role, stroke, branch, flower, shape } = organ;
+    fn new(organ: &'a Organ, (plant, provenance): PlantAndProvenance<'_>) -> Self {
+        let Organ { role, origin, branch, flower, shape } = organ;
         let shape = match shape {
             Shape::Filament { points, radius, head } => {
                 let head_material = plant.material(role.of_head());
@@ -115,7 +117,8 @@ impl<'a> OrganText<'a> {
             other => ShapeText::Other(other),
         };
         let (kind, material) = (organ.kind(), plant.material(*role));
-        Self { kind, stroke: *stroke, branch: *branch, flower: *flower, material, shape }
+        let stroke = provenance.stroke(*origin);
+        Self { kind, stroke, branch: *branch, flower: *flower, material, shape }
     }
 }
 

@@ -3,7 +3,7 @@
 use super::ExportError;
 use crate::formats::textures::BuiltInTextures;
 use crate::model::{InstanceGroup, Model, Part};
-use crate::plant::FinishedPlant;
+use crate::plant::{FinishedPlant, Provenance};
 use std::borrow::Cow;
 
 /// How copies of one shape are written where the format has a way to say so: glTF.
@@ -15,12 +15,15 @@ pub enum InstanceForm {
     Gpu,
 }
 
+/// A plant and what only its drawing knows.
+pub type PlantAndProvenance<'a> = (&'a FinishedPlant, &'a Provenance);
+
 /// A sound model and what belongs to it.
 pub struct Scene<'a> {
     /// The surfaces; indices in range, numbers finite.
     pub model: &'a Model,
     /// The plant that the model was made from.
-    pub plant: &'a FinishedPlant,
+    pub plant: PlantAndProvenance<'a>,
     /// The program's own textures.
     pub built_in: &'a BuiltInTextures<'a>,
     /// Copies of shapes, which stand beside the model's parts, and how they are written.
@@ -36,7 +39,7 @@ impl<'a> Scene<'a> {
     /// [`ExportError::Unsound`] for a model with indices out of range or numbers that are not finite.
     pub fn new(
         model: &'a Model,
-        plant: &'a FinishedPlant,
+        plant: PlantAndProvenance<'a>,
         built_in: &'a BuiltInTextures<'a>,
         stem: Cow<'a, str>,
     ) -> Result<Self, ExportError> {

@@ -16,7 +16,7 @@ use crate::geom::simple_loop;
 use crate::growth::habit::leaf::{self, LeafHabit, LeafPose};
 use crate::growth::tree::{NONE, Tree};
 use crate::growth::volume::Envelope;
-use crate::plant::{Blade, BladeForm, Organ, OrganKind, PlantPart, RestSurface, Role, Shape};
+use crate::plant::{Blade, BladeForm, Organ, OrganKind, Origin, PlantPart, RestSurface, Role, Shape};
 use crate::random::{Choice, mix};
 use glam::{Quat, Vec2, Vec3};
 use rayon::prelude::*;
@@ -100,7 +100,7 @@ fn at_most(most: usize, wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
 
 /// Whether so many of these are generated leaves that others had to be left out.
 pub fn is_thinned(organs: &[Organ]) -> bool {
-    let generated = |o: &&Organ| o.kind() == OrganKind::Leaf && o.stroke.is_none();
+    let generated = |o: &&Organ| o.kind() == OrganKind::Leaf && !o.origin.is_drawn();
     organs.len() >= MOST && organs.iter().filter(generated).count() >= MOST
 }
 
@@ -130,7 +130,7 @@ fn leaves_of<'a>(
         let shape = Shape::Blade(held(one(wood, (habit, &pose), outlines, (i, k)), wood.envelope)?);
         let branch = Some(branch as usize);
         let role = Role::of(PlantPart::Leaf);
-        Some(Organ { role, stroke: None, branch, flower: None, shape })
+        Some(Organ { role, origin: Origin::Generated, branch, flower: None, shape })
     })
 }
 

@@ -9,8 +9,8 @@ use super::foliage::{self, Wood};
 use super::stem_base::StemBase;
 use super::wood_at_age::{WoodAtAge, wood_at_age};
 use crate::growth::simulation::Simulation;
-use crate::plant::{Branch, Plant, PlantPart, Role, WorldFromCanvas};
-use glam::{Vec2, Vec3};
+use crate::plant::{Branch, Origin, Plant, PlantPart, Role};
+use glam::Vec3;
 
 /// Turns with a larger cosine than this need no rounding: 8°.
 const STRAIGHT: f32 = 0.99;
@@ -55,7 +55,6 @@ pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) 
         envelope: simulation.envelope(),
     };
     let plant = Plant {
-        world_from_canvas: WorldFromCanvas { scale: 1.0, origin: Vec2::ZERO },
         branches,
         flowers: Vec::new(),
         organs: foliage::leaves(&wood, &habit.leaf),
@@ -93,7 +92,7 @@ fn branch_along(mut skeleton: Vec<(Vec3, f32)>, parent: Option<usize>, level: u3
         skeleton.push((base + Vec3::Y * radius.max(1e-5), radius));
     }
     Branch {
-        stroke: None,
+        origin: Origin::Generated,
         parent,
         level,
         points: skeleton.iter().map(|s| s.0).collect(),

@@ -14,7 +14,7 @@ use crate::growth::simulation::Simulation;
 use crate::growth::tree::Tree;
 use crate::growth::volume::Envelope;
 use crate::growth::volume::Inflated;
-use crate::plant::{Branch, Plant, WorldFromCanvas};
+use crate::plant::{Branch, Plant};
 use glam::Vec2;
 use std::sync::Arc;
 
@@ -86,13 +86,7 @@ impl Start {
             extend_into_crown::extend(&mut wood, crown);
         }
         let envelope = crown.map_or(Envelope::Free, Envelope::Inflated);
-        let plant = Plant {
-            world_from_canvas: WorldFromCanvas { scale: 1.0, origin: Vec2::ZERO },
-            branches: wood,
-            flowers: Vec::new(),
-            organs: Vec::new(),
-            buds: Vec::new(),
-        };
+        let plant = Plant { branches: wood, flowers: Vec::new(), organs: Vec::new(), buds: Vec::new() };
         let simulation = Simulation::from_skeleton(&self.habit, &plant, envelope, self.seed, self.limits);
         Kept { start: self.clone(), inside, simulation, ended: Outcome::Growing }
     }

@@ -7,7 +7,7 @@
 //! branches end below a part, the nearest of them is extended, straight, to a place inside that is near and deep.
 
 use crate::growth::volume::Inflated;
-use crate::plant::Branch;
+use crate::plant::{Branch, Origin};
 use glam::Vec2;
 
 /// How much the depth of a place counts against its distance.
@@ -95,7 +95,7 @@ fn follow(wood: &mut Vec<Branch>, way: Way) {
         return;
     }
     let side = Branch {
-        stroke: None,
+        origin: Origin::Generated,
         parent: Some(way.branch),
         level: branch.level + 1,
         points: vec![from, to],
@@ -108,7 +108,7 @@ fn follow(wood: &mut Vec<Branch>, way: Way) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plant::{PlantPart, Role};
+    use crate::plant::{PlantPart, Provenance, Role};
     use glam::Vec3;
     use std::f32::consts::TAU;
 
@@ -119,7 +119,7 @@ mod tests {
     fn trunk(high: f32) -> Branch {
         let points: Vec<Vec3> = (0..=20).map(|k| Vec3::Y * (high * k as f32 / 20.0)).collect();
         Branch {
-            stroke: Some(1),
+            origin: Provenance::default().record(Some(1)),
             parent: None,
             level: 0,
             radii: vec![0.1; points.len()],

@@ -13,7 +13,7 @@ use glam::Vec3;
 
 /// Which branches grow on: those drawn by hand that end in no flower, and whatever carries such.
 pub fn grows(plant: &Plant) -> Vec<bool> {
-    let mut grows: Vec<bool> = plant.branches.iter().map(|b| b.stroke.is_some()).collect();
+    let mut grows: Vec<bool> = plant.branches.iter().map(|b| b.origin.is_drawn()).collect();
     for flower in &plant.flowers {
         if let Some(branch) = flower.branch {
             grows[branch] = false;
@@ -49,7 +49,6 @@ fn numbers(grows: &[bool]) -> Vec<Option<usize>> {
 /// The drawn plant with what grew from its [`wood`].
 pub fn merged(drawn: Plant, grows: &[bool], grown: &Grown<'_>) -> Plant {
     let (mut plant, chains) = to_plant::with_chains(grown.simulation, grown.age);
-    plant.world_from_canvas = drawn.world_from_canvas;
     let on = GrownParents { grown, chains: &chains, number: numbers(grows), drawn: &drawn.branches };
     // Where a branch that stays now is, and how far it went in depth.
     let mut moved: Vec<Option<(usize, f32)>> = vec![None; drawn.branches.len()];

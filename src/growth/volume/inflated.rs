@@ -222,7 +222,7 @@ impl Islands {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plant::{PlantPart, Role};
+    use crate::plant::{Origin, PlantPart, Role};
 
     fn circle(centre: Vec2, radius: f32) -> Vec<Vec2> {
         (0..64).map(|k| centre + Vec2::from_angle(k as f32 / 64.0 * std::f32::consts::TAU) * radius).collect()
@@ -250,7 +250,7 @@ mod tests {
         let volume = shell.volume() / ball().volume();
         assert!((volume - 0.875).abs() < 0.03, "{volume}");
         let wood = |to: f32| Branch {
-            stroke: None,
+            origin: Origin::Generated,
             parent: None,
             level: 0,
             points: vec![Vec3::ZERO, Vec3::Y * to],
