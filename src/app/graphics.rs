@@ -180,8 +180,8 @@ impl Graphics {
         let size = if area.is_finite() { (side(area.width()), side(area.height())) } else { (0, 0) };
         if size.0 > 0 && size.1 > 0 {
             let (camera, look) = (editor.plant.camera(), editor.plant_look());
-            let scene = Scene { size, camera, look, plant: editor.versions.plant };
-            self.plant_painter.wish(scene, editor.built.as_ref());
+            let scene = Scene { size, camera, look, plant: editor.versions().plant };
+            self.plant_painter.wish(scene, editor.built());
         }
         editor.plant.awaits_picture = self.plant_painter.is_busy();
         if let Some(picture) = &self.plant.picture
@@ -198,8 +198,8 @@ impl Graphics {
 
     fn draw_canvas(&mut self, editor: &Editor) -> Result<(), RenderError> {
         self.sheet.follow(&mut self.canvas.ink, editor);
-        if self.reference_version != editor.versions.reference {
-            self.reference_version = editor.versions.reference;
+        if self.reference_version != editor.versions().reference {
+            self.reference_version = editor.versions().reference;
             self.sync_reference(editor)?;
         }
         let palette = Palette::of(editor.theme());
@@ -220,7 +220,7 @@ impl Graphics {
     fn note_damage(&mut self, editor: &Editor, view: CanvasView) {
         let (canvas, scale) = (editor.layout().canvas, editor.layout().pixels_per_point() as f32);
         let change = self.canvas.ink.take_change();
-        let seen = (view, editor.versions.reference);
+        let seen = (view, editor.versions().reference);
         if self.seen.replace(seen) != Some(seen) {
             return self.damage.add(canvas);
         }
@@ -243,7 +243,7 @@ impl Graphics {
     }
 
     fn sync_reference(&mut self, editor: &Editor) -> Result<(), RenderError> {
-        let reference = editor.document.sketch().reference.as_ref().filter(|r| r.visible);
+        let reference = editor.sketch().reference.as_ref().filter(|r| r.visible);
         let hash = reference.map(|r| r.picture.hash());
         if hash != self.reference {
             self.reference = hash;

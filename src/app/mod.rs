@@ -12,7 +12,7 @@
 //! | [`plant_view`] | camera and light of the plant |
 //! | `plant_painter` | the thread that paints it, on a graphics device of its own |
 //! | [`panels`] | bars, side panel, menus and dialogs |
-//! | `layout` | all of these in one frame |
+//! | `layout` | where all of these are in a frame |
 //! | `graphics` | the same frame on the graphics card; `revival`: when the card is lost |
 
 mod accessibility;

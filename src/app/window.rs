@@ -202,7 +202,7 @@ impl Running {
             let proxy = proxy.clone();
             move || proxy.wake_up()
         })?;
-        let attributes = window_size::attributes(event_loop, editor.settings.window);
+        let attributes = window_size::attributes(event_loop, editor.settings().window);
         let window: Arc<dyn Window> =
             Arc::from(event_loop.create_window(attributes).context("the window cannot be opened")?);
         let accessibility = Accessibility::open(&*window, move || proxy.wake_up());
@@ -327,7 +327,7 @@ impl Running {
         let canvas = self.editor.layout().canvas;
         let canvas = Rect { min: pixels(canvas.min), max: pixels(canvas.max) };
         let place = Place { window: &*self.window, size: self.size, canvas };
-        self.pointers.take(&place, &self.editor.settings, &mut heard);
+        self.pointers.take(&place, self.editor.settings(), &mut heard);
         self.pointers.idle(&mut heard);
         let is_new = self.editor.note_tablets(self.pointers.trouble(), self.pointers.doubts());
         if let Some(reach) = self.pointers.reach() {

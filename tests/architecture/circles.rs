@@ -14,12 +14,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Circles that stand, by folder. The list only ever becomes shorter.
 const STANDING: &[(&str, &[&str])] = &[
     ("app", &["action", "canvas", "fonts", "panels", "pen_settings", "settings", "tablet_keys"]),
-    ("app", &["editor", "layout"]),
     ("app::canvas", &["activity", "controller"]),
-    (
-        "app::editor",
-        &["(parent)", "clipboard", "files", "growth", "live", "perform", "reference", "saving", "task"],
-    ),
     ("formats::read", &["(parent)", "glb_container", "glb_surfaces", "gltf_accessor", "obj_surfaces"]),
     ("formats::read", &["glb_model", "model", "obj_model"]),
     ("formats::write", &["(parent)", "glb", "obj", "plant_json"]),

@@ -3,7 +3,7 @@
 use super::*;
 use crate::app::action::{Action, CanvasTool, Mirror};
 use crate::app::editor::Places;
-use crate::sketch::{Stroke, StrokePoint, Tool};
+use crate::sketch::{Change, Stroke, StrokePoint, Tool};
 use egui::{Key, Modifiers};
 use glam::{Vec2, vec2};
 
@@ -114,7 +114,7 @@ fn arrows_move_the_selection_and_a_burst_is_one_step() {
     assert!(editor.key(Key::ArrowDown, Modifiers::SHIFT, true, true), "a held key goes on");
     assert!(first_place(&editor, 0).distance(start + vec2(3.0, 10.0)) < 1e-4);
     // A pause.
-    editor.nudged_at = editor.nudged_at.and_then(|at| at.checked_sub(2 * BURST));
+    editor.drawing.pause_nudging();
     press(&mut editor, Key::ArrowUp, Modifiers::NONE);
     editor.perform(Action::Undo);
     assert!(first_place(&editor, 0).distance(start + vec2(3.0, 10.0)) < 1e-4, "the last burst is taken back");

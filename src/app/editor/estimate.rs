@@ -76,7 +76,7 @@ mod tests {
         if choice.format == ExportFormat::Svg {
             return sketch::svg::write(sketch).len() as u64;
         }
-        let model = super::super::task::chosen_parts(&built.model, choice);
+        let model = super::super::export::chosen_parts(&built.model, choice);
         let plant = (&built.plant, &built.provenance);
         crate::formats::write::export(&path, &model, plant, &built_in_texture).unwrap();
         std::fs::read_dir(folder.path()).unwrap().map(|file| file.unwrap().metadata().unwrap().len()).sum()

@@ -1,7 +1,8 @@
 //! Drawings on disk: new, open, save, recover, import; and the questions that come before.
 
-use super::saving::Target;
-use super::{Editor, OwnFile};
+use super::Editor;
+use super::open_drawing::OwnFile;
+use super::saver::Target;
 use crate::app::action::Action;
 use crate::app::canvas::Canvas;
 use crate::app::file_dialog;
@@ -9,10 +10,11 @@ use crate::app::messages::{Localize as _, Msg};
 use crate::app::panels::snapshot::{Dialog, Notice, PathPurpose, PathRequest};
 use crate::pipeline;
 use crate::sketch::document::Document;
-use crate::sketch::journal::{JournalWriter, Meta, Recoverable};
+use crate::sketch::journal::JournalWriter;
 use crate::sketch::save::{self, Opened};
 use crate::sketch::{self, Change};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// The drawing that a first start shows.
 const SAMPLE: &str = include_str!("../../../assets/sketches/sample.penstemon");
@@ -29,40 +31,34 @@ impl Editor {
 
     /// Carries out what replaces the drawing: after what is being saved, and after asking about unsaved changes.
     pub(super) fn perform_if_saved(&mut self, action: Action) {
-        if self.saver.is_busy() {
-            self.saver.then = Some(action);
-        } else if self.document.is_saved() || self.given_up == Some(self.document.revision()) {
+        if self.disk.saver.is_busy() {
+            self.disk.saver.set_then(Some(action));
+        } else if self.drawing.may_go() {
             self.replace(action);
         } else {
-            self.held_up = Some(action);
-            self.dialog = Some(Dialog::Unsaved);
+            self.dialogs.hold_up(action);
         }
     }
 
     /// Saves, and goes on where that works.
     pub(super) fn save_and_continue(&mut self) {
-        self.dialog = None;
-        if self.file.path.is_none() {
+        self.dialogs.set_dialog(None);
+        if self.drawing.path().is_none() {
             // Goes on once a name is chosen.
             self.choose(PathPurpose::SaveDrawing);
         } else {
             self.save(Target::Own);
-            self.saver.then = self.held_up.take();
+            self.disk.saver.set_then(self.dialogs.take_held_up());
         }
     }
 
     /// Goes on without saving.
     pub(super) fn discard_and_continue(&mut self) {
-        self.given_up = Some(self.document.revision());
-        self.dialog = None;
-        if let Some(action) = self.held_up.take() {
+        self.drawing.give_up();
+        self.dialogs.set_dialog(None);
+        if let Some(action) = self.dialogs.take_held_up() {
             self.replace(action);
         }
-    }
-
-    pub(super) fn close_dialog(&mut self) {
-        self.dialog = None;
-        self.held_up = None;
     }
 
     fn replace(&mut self, action: Action) {
@@ -71,7 +67,7 @@ impl Editor {
             Action::Open => self.choose(PathPurpose::OpenDrawing),
             Action::OpenPath(path) => self.open_file(&path),
             Action::Recover(path) => self.recover(&path),
-            Action::Quit => self.closed = true,
+            Action::Quit => self.news.close(),
             _ => {}
         }
     }
@@ -98,7 +94,7 @@ impl Editor {
         match save::open(&path) {
             Ok(Opened { mut sketch, warnings, stamp }) => {
                 for warning in &warnings {
-                    self.tell(Notice::warning(warning.localize(&self.messages), ""));
+                    self.tell(Notice::warning(warning.localize(self.prefs.messages()), ""));
                 }
                 let folder = path.parent().unwrap_or(Path::new(""));
                 self.take_in(&mut sketch.textures, folder);
@@ -110,35 +106,30 @@ impl Editor {
                 let own = stamp.is_some();
                 let document = if own { Document::new(sketch) } else { Document::unsaved(sketch) };
                 self.take_over(document, OwnFile { path: own.then(|| path.clone()), stamp });
-                self.settings.remember(&path);
+                self.prefs.remember_drawing(&path);
                 self.save_settings();
             }
             Err(error) => {
                 self.tell_error(&error);
-                if self.journal.is_none() {
+                if self.drawing.journal_state().is_none() {
                     self.start_empty();
                 }
             }
         }
     }
 
-    /// Begins to work on another drawing. The journal of the one before ends: it is saved, or was given up.
+    /// Begins to work on another drawing.
     fn take_over(&mut self, document: Document, file: OwnFile) {
-        let meta = meta_of(&file);
-        let started = self.recovery.start(document.sketch(), meta, document.is_saved());
-        let journal = started.map_err(|error| self.tell_error(&error)).ok();
+        let begun = self.disk.lost.begin(document.sketch(), file.meta(), document.is_saved());
+        let journal = begun.map_err(|error| self.tell_error(&error)).ok();
         self.take_over_with(document, file, journal);
     }
 
     fn take_over_with(&mut self, document: Document, file: OwnFile, journal: Option<JournalWriter>) {
-        self.end_journal();
-        self.journal = journal;
-        self.document = document;
-        self.given_up = None;
-        self.file = file;
-        self.species = None;
-        self.part_menu = None;
-        self.hold = None;
+        self.drawing.replace(document, file, journal);
+        self.live.forget_species();
+        self.dialogs.close_part_menu();
+        self.pens.hold = None;
         // Tool, selection and view belong to the drawing; what the artist chose for pens stays.
         self.canvas = Canvas::new(self.canvas.settings);
         self.layout.forget();
@@ -149,24 +140,25 @@ impl Editor {
     /// Asks for a file: the system's dialog, or ours where it has none.
     pub(super) fn choose(&mut self, purpose: PathPurpose) {
         let request = self.path_request(purpose);
-        match file_dialog::ask(request, &self.answers, std::sync::Arc::clone(&self.wake)) {
-            Ok(()) => {}
-            Err(request) => self.dialog = Some(Dialog::Path(request)),
+        let wake = Arc::clone(self.background.wake());
+        if let Err(request) = file_dialog::ask(request, self.background.wishes(), wake) {
+            self.dialogs.set_dialog(Some(Dialog::Path(request)));
         }
     }
 
     /// What is asked for, beginning where such a file was chosen last.
     pub(super) fn path_request(&self, purpose: PathPurpose) -> PathRequest {
-        let name = self.file.name();
-        let own = self.file.path.as_deref().and_then(Path::parent);
-        let last = self.settings.folder(purpose);
+        let name = self.drawing.name();
+        let own = self.drawing.path().and_then(Path::parent);
+        let settings = self.prefs.settings();
+        let last = settings.folder(purpose);
         // Drawings stay together; pictures, species and exports may have places of their own.
         let folder = match purpose {
             PathPurpose::OpenDrawing | PathPurpose::SaveDrawing => own.or(last),
             _ => last.or(own),
         };
         let folder = folder.map(Path::to_owned);
-        let export = self.settings.export.format.extension();
+        let export = settings.export.format.extension();
         let extensions: Vec<&'static str> = match purpose {
             PathPurpose::OpenDrawing => DRAWINGS.to_vec(),
             PathPurpose::SaveDrawing => vec!["penstemon"],
@@ -184,17 +176,17 @@ impl Editor {
 
     /// Uses a file that was asked for.
     pub(super) fn chosen(&mut self, purpose: PathPurpose, path: PathBuf) {
-        self.dialog = None;
-        self.settings.remember_folder(purpose, &path);
+        self.dialogs.set_dialog(None);
+        self.prefs.remember_folder(purpose, &path);
         let wanted = match purpose {
             PathPurpose::SaveDrawing => Some("penstemon"),
-            PathPurpose::Export => Some(self.settings.export.format.extension()),
+            PathPurpose::Export => Some(self.prefs.settings().export.format.extension()),
             _ => None,
         };
         let full = wanted.map_or_else(|| path.clone(), |extension| with_extension(path.clone(), extension));
         if full != path && full.exists() {
             // The dialog asked about another name.
-            self.dialog = Some(Dialog::Replace { purpose, path: full });
+            self.dialogs.set_dialog(Some(Dialog::Replace { purpose, path: full }));
             return;
         }
         let path = full;
@@ -204,7 +196,8 @@ impl Editor {
             PathPurpose::SaveDrawing => {
                 // The dialog asked whether to replace what is there.
                 self.save(Target::Chosen(path));
-                self.saver.then = self.held_up.take().or(self.saver.then.take());
+                let then = self.dialogs.take_held_up().or_else(|| self.disk.saver.take_then());
+                self.disk.saver.set_then(then);
             }
             PathPurpose::Export => self.begin_export(path),
             PathPurpose::Species => self.change(Change::species(Some(path.to_string_lossy().into_owned()))),
@@ -228,51 +221,45 @@ impl Editor {
 
     /// Offers what windows left that are gone.
     pub(super) fn look_for_lost_drawings(&mut self) {
-        match self.recovery.list() {
-            Ok(found) => self.found = found,
-            Err(error) => self.tell(Notice::warning(error.localize(&self.messages), "")),
+        if let Err(error) = self.disk.lost.look() {
+            self.tell(Notice::warning(error.localize(self.prefs.messages()), ""));
         }
-        if !self.found.is_empty() {
-            tracing::debug!("recoverable count={} strokes={}", self.found.len(), self.found[0].strokes());
-            self.dialog = Some(self.recovery_dialog());
+        if let Some(dialog) = self.disk.lost.dialog(self.prefs.messages()) {
+            self.dialogs.set_dialog(Some(dialog));
         }
     }
 
+    /// Shows the list of them, if there are any; no dialog otherwise.
+    pub(super) fn show_lost_drawings(&mut self) {
+        let dialog = self.disk.lost.dialog(self.prefs.messages());
+        self.dialogs.set_dialog(dialog);
+    }
+
     fn recover(&mut self, path: &Path) {
-        let Some(found) = self.take_found(path) else { return };
-        match self.recovery.resume(found) {
+        let Some(resumed) = self.disk.lost.resume(path) else { return };
+        match resumed {
             Ok((mut restored, meta, journal)) => {
                 let folder = meta.path.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
                 self.take_in(&mut restored.sketch.textures, folder);
-                let damaged = self.recovery.damaged_files();
-                let kept = self.messages.fill(Msg::NoticeDamagedKept, &[("folder", &damaged.display())]);
+                let damaged = self.disk.lost.damaged_files();
+                let kept =
+                    self.prefs.messages().fill(Msg::NoticeDamagedKept, &[("folder", &damaged.display())]);
                 for gap in restored.gaps {
-                    self.tell(Notice::warning(gap.localize(&self.messages), &kept));
+                    self.tell(Notice::warning(gap.localize(self.prefs.messages()), &kept));
                 }
                 let file = OwnFile { path: meta.path, stamp: meta.stamp };
                 self.take_over_with(Document::unsaved(restored.sketch), file, Some(journal));
-                self.dialog = (!self.found.is_empty()).then(|| self.recovery_dialog());
+                self.show_lost_drawings();
             }
             Err(error) => self.tell_error(&error),
         }
     }
 
     pub(super) fn discard_recovery(&mut self, path: &Path) {
-        if let Some(found) = self.take_found(path) {
-            let discarded = self.recovery.discard(found);
-            self.or_tell(discarded);
-        }
-        self.dialog = (!self.found.is_empty()).then(|| self.recovery_dialog());
+        let discarded = self.disk.lost.discard(path);
+        self.or_tell(discarded);
+        self.show_lost_drawings();
     }
-
-    fn take_found(&mut self, path: &Path) -> Option<Recoverable> {
-        let at = self.found.iter().position(|found| found.folder() == path)?;
-        Some(self.found.remove(at))
-    }
-}
-
-pub(super) fn meta_of(file: &OwnFile) -> Meta {
-    Meta { title: file.name().unwrap_or_default(), path: file.path.clone(), stamp: file.stamp }
 }
 
 /// The path with an extension, where it has none of its own.

@@ -15,9 +15,9 @@ impl Editor {
             if !repeat {
                 self.on_canvas(|canvas, _, out| canvas.key(canvas_key, pressed, out));
             }
-            return key == Key::Space && self.dialog.is_none();
+            return key == Key::Space && !self.dialogs.is_open();
         }
-        if !pressed || self.dialog.is_some() {
+        if !pressed || self.dialogs.is_open() {
             return false;
         }
         if repeat && !matches!(key, Key::Z | Key::Y) && steps(key).is_none() {
@@ -34,7 +34,7 @@ impl Editor {
 
     /// Hears what a key or a wheel of a tablet wishes for; in a dialog they are silent, like other keys.
     pub fn tablet_wishes(&mut self, wish: Action) {
-        if self.dialog.is_none() {
+        if !self.dialogs.is_open() {
             self.perform(wish);
         }
     }

@@ -1,23 +1,26 @@
 //! How the editor begins: with its folders, its settings, and a drawing, a sample or an empty sheet.
 
-use super::clipboard::Clipboard;
-use super::notices::Notices;
-use super::saving::Saver;
-use super::{Building, Editor, Outlines, OwnFile, TabletNews, Versions, task};
+use super::Editor;
+use super::background::{Background, Wake};
+use super::dialogs::Dialogs;
+use super::disk::Disk;
+use super::export::Exports;
+use super::live_plant::LivePlant;
+use super::lost_drawings::LostDrawings;
+use super::news::News;
+use super::open_drawing::OpenDrawing;
+use super::pens::Pens;
+use super::preferences::Preferences;
+use super::preset_folder::PresetFolder;
+use super::saver::Saver;
 use crate::app::canvas::Canvas;
-use crate::app::fonts::{self, ChineseLookup};
+use crate::app::fonts;
 use crate::app::layout::Layout;
-use crate::app::messages::{Language, Messages};
-use crate::app::panels::snapshot::{Notice, PenLive, PenUsed};
+use crate::app::panels::snapshot::Notice;
 use crate::app::plant_view::PlantView;
-use crate::app::settings::{self, Settings};
-use crate::app::worker::{Counts, Worker};
-use crate::sketch::document::Document;
-use crate::sketch::journal::Recovery;
 use anyhow::Context as _;
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::mpsc::channel;
 
 /// Folders of the program.
 #[derive(Clone, Debug)]
@@ -40,10 +43,6 @@ impl Places {
         let state = base.state_dir().unwrap_or_else(|| base.data_dir());
         Ok(Self { config: base.config_dir().join("penstemon"), state: state.join("penstemon") })
     }
-
-    pub(super) fn presets(&self) -> PathBuf {
-        self.config.join("presets")
-    }
 }
 
 impl Editor {
@@ -65,64 +64,30 @@ impl Editor {
         file: Option<PathBuf>,
         wake: impl Fn() + Send + Sync + 'static,
     ) -> anyhow::Result<Self> {
-        let mut chinese = ChineseLookup::default();
-        let messages = Messages::new(chinese.drawable(Language::of_system()));
-        let (settings, broken) = Settings::load(&places.config, &messages);
-        let is_first_start = !places.config.join(settings::FILE_NAME).exists();
-        let wake: task::Wake = Arc::new(wake);
+        let (prefs, broken) = Preferences::load(places.config.clone());
+        let is_first_start = prefs.are_new();
+        let wake: Wake = Arc::new(wake);
         let theirs = Arc::clone(&wake);
-        let worker = Worker::start(move || theirs()).context("no thread for the live plant")?;
-        let recovery = Recovery::at(&places.state);
-        let (answers, answered) = channel();
-        let mut editor = Self {
-            document: Document::empty(),
-            canvas: Canvas::default(),
-            plant: PlantView::new(settings.view),
-            messages: Messages::new(chinese.drawable(settings.language())),
-            layout: Layout::default(),
-            kept_settings: None,
-            system_theme: None,
-            theme_asked: None,
-            built: None,
-            counts: Counts::default(),
-            versions: Versions::default(),
-            file: OwnFile::default(),
-            species: None,
-            outlines: Outlines::default(),
-            outcomes: Vec::new(),
-            worker,
-            building: Building::default(),
-            journal: None,
-            found: Vec::new(),
-            found_pictures: Vec::new(),
-            dialog: None,
-            held_up: None,
-            given_up: None,
+        let live = LivePlant::start(move || theirs()).context("no thread for the live plant")?;
+        let disk = Disk {
+            lost: LostDrawings::at(&places.state),
             saver: Saver::default(),
-            part_menu: None,
-            hold: None,
-            notices: Notices::default(),
-            listed_presets: Vec::new(),
-            answers,
-            answered,
-            chinese,
-            fonts_are_set: false,
-            task: None,
-            pen_used: PenUsed::default(),
-            pen_device: None,
-            pen_is_raw: false,
-            pen_battery: None,
-            tablets: TabletNews::default(),
-            pen_live: PenLive::default(),
-            clipboard: Clipboard::default(),
-            nudged_at: None,
-            title: None,
-            shown_title: String::new(),
-            wake,
-            closed: false,
-            places,
-            recovery,
-            settings,
+            presets: PresetFolder::at(places.config.join("presets")),
+            exports: Exports::default(),
+        };
+        let mut editor = Self {
+            drawing: OpenDrawing::empty(),
+            disk,
+            background: Background::new(wake),
+            canvas: Canvas::default(),
+            outcomes: Vec::new(),
+            plant: PlantView::new(prefs.settings().view),
+            live,
+            pens: Pens::default(),
+            dialogs: Dialogs::default(),
+            layout: Layout::default(),
+            news: News::default(),
+            prefs,
         };
         editor.begin(file, is_first_start, broken);
         Ok(editor)
@@ -131,9 +96,8 @@ impl Editor {
     /// Begins the session: with this drawing, with the sample, or with nothing.
     fn begin(&mut self, file: Option<PathBuf>, is_first_start: bool, broken: Option<Notice>) {
         self.apply_settings();
-        self.list_presets();
         broken.into_iter().for_each(|notice| self.tell(notice));
-        if self.settings.language() != self.messages.language() {
+        if self.prefs.lack_language() {
             self.tell(fonts::missing_notice());
         }
         match file {

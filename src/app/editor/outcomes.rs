@@ -1,13 +1,14 @@
 //! Pens, wheels and fingers on the canvas, and what comes of them.
 
 use super::Editor;
+use super::pens::TabletNews;
 use crate::app::action::CanvasTool;
 use crate::app::canvas::{CanvasOutcome, Drawing, Scroll};
 use crate::app::messages::Localize;
-use crate::app::panels::snapshot::{MenuOf, Notice, PartMenu, PenLive, PenUsed};
+use crate::app::panels::snapshot::{MenuOf, Notice, PartMenu};
 use crate::app::pen_settings::TabletDoubt;
 use crate::app::tablets::Reach;
-use crate::pen::{PenEvent, PenPhase, PenTool};
+use crate::pen::{PenEvent, PenPhase};
 use crate::sketch::{Change, Tool};
 use glam::DVec2;
 
@@ -15,14 +16,8 @@ impl Editor {
     /// A sample of a pointer over the canvas, or of one that went down over it.
     pub fn pen(&mut self, event: PenEvent) {
         if event.phase == PenPhase::Down {
-            self.pen_used = match event.sample.tool {
-                PenTool::Mouse => PenUsed::Mouse,
-                PenTool::Finger(_) => PenUsed::Touch,
-                PenTool::Pen | PenTool::Eraser => {
-                    PenUsed::Pen(self.pen_device.clone().filter(|name| !name.is_empty()))
-                }
-            };
-            self.part_menu = None;
+            self.pens.touches(event.sample.tool);
+            self.dialogs.close_part_menu();
         }
         if !self.hold_reference(&event) {
             self.on_canvas(|canvas, drawing, out| canvas.pen(&event, drawing, out));
@@ -31,51 +26,31 @@ impl Editor {
 
     /// Sees how a pen is held, wherever it is in the window.
     pub fn note_pen(&mut self, event: &PenEvent) {
-        if matches!(event.sample.tool, PenTool::Pen | PenTool::Eraser) {
-            let sample = &event.sample;
-            self.pen_live = PenLive { pressure: sample.pressure, tilt_deg: sample.tilt_deg.to_array() };
-        }
+        self.pens.note(event);
     }
 
     /// A pen came into use: what the artist chose for it holds from now on.
     pub fn take_up_pen(&mut self, name: &str, is_raw: bool, battery: Option<u8>) {
-        self.pen_battery = battery;
-        if self.pen_device.as_deref() != Some(name) || self.pen_is_raw != is_raw {
-            self.pen_device = Some(name.to_owned());
-            self.pen_is_raw = is_raw;
+        if self.pens.take_up(name, is_raw, battery) {
             self.apply_settings();
         }
     }
 
     /// Where tablets may reach: how many monitors there are, and what the pen's own tablet covers.
     pub(in crate::app) fn note_reach(&mut self, reach: &Reach) {
-        let pen = self.settings.pen(self.pen_device.as_deref().unwrap_or_default());
-        self.tablets.monitors = reach.monitors.len();
-        let target = reach.target(&pen);
-        let is_seen = target.min.cmpge(reach.window.min).all() && target.max.cmple(reach.window.max).all();
-        self.tablets.target = is_seen.then_some(target);
-    }
-
-    /// Whether the tablet of the pen last used is read directly.
-    pub fn pen_is_raw(&self) -> bool {
-        self.pen_is_raw
+        let pen = self.prefs.pen(self.pens.name());
+        self.pens.note_reach(reach, &pen);
     }
 
     /// Why a tablet cannot be read, or that all can, and of which tablets the model is not sure. What is wrong is reported
     /// once beside the dialog, too: a tablet that does nothing is not looked for there. Whether anything is new.
     pub fn note_tablets(&mut self, trouble: Option<&dyn Localize>, doubts: &[TabletDoubt]) -> bool {
-        let trouble = trouble.map(|trouble| trouble.localize(&self.messages));
-        let is_new = self.tablets.trouble != trouble || self.tablets.doubts != doubts;
-        if self.tablets.trouble != trouble {
-            if let Some(what) = &trouble {
-                self.tell(Notice::warning(what.clone(), ""));
-            }
-            self.tablets.trouble = trouble;
+        let trouble = trouble.map(|trouble| trouble.localize(self.prefs.messages()));
+        let TabletNews { is_any, trouble } = self.pens.note_tablets(trouble, doubts);
+        if let Some(what) = trouble {
+            self.tell(Notice::warning(what, ""));
         }
-        if is_new {
-            self.tablets.doubts = doubts.to_vec();
-        }
-        is_new
+        is_any
     }
 
     /// The wheel over the canvas, at a place in physical pixels.
@@ -94,12 +69,12 @@ impl Editor {
         act: impl FnOnce(&mut crate::app::canvas::Canvas, &mut Drawing<'_>, &mut Vec<CanvasOutcome>) -> T,
     ) -> T {
         let mut outcomes = std::mem::take(&mut self.outcomes);
-        let mut last = self.document.next_id();
+        let mut last = self.drawing.next_id();
         let mut new_id = || {
             last += 1;
             last - 1
         };
-        let mut drawing = Drawing { strokes: &self.document.sketch().strokes, new_id: &mut new_id };
+        let mut drawing = Drawing { strokes: &self.drawing.sketch().strokes, new_id: &mut new_id };
         let made = act(&mut self.canvas, &mut drawing, &mut outcomes);
         for outcome in outcomes.drain(..) {
             self.follow(outcome);
@@ -112,38 +87,41 @@ impl Editor {
 
     fn follow(&mut self, outcome: CanvasOutcome) {
         match outcome {
-            CanvasOutcome::StrokeBegan(_) | CanvasOutcome::StrokeGrew { .. } => self.building.is_stale = true,
+            CanvasOutcome::StrokeBegan(_) | CanvasOutcome::StrokeGrew { .. } => self.live.set_stale(),
             CanvasOutcome::StrokeCancelled(_) => {
-                self.building.is_stale = true;
-                self.versions.drawing += 1;
+                self.live.set_stale();
+                self.news.drawing_changed();
             }
             CanvasOutcome::StrokeFinished(stroke) => {
                 self.change(Change::put(stroke));
-                tracing::debug!("lifted strokes={}", self.document.sketch().strokes.len());
+                tracing::debug!("lifted strokes={}", self.sketch().strokes.len());
             }
             CanvasOutcome::Changed(changes) => self.change(Change::strokes(changes)),
-            CanvasOutcome::Nudged(changes) => self.nudged(changes),
+            CanvasOutcome::Nudged(changes) => {
+                let moved = self.drawing.apply_nudge(changes);
+                self.changed_or_tell(moved);
+            }
             CanvasOutcome::PreviewChanged => {
-                self.building.is_stale = true;
-                self.versions.drawing += 1;
+                self.live.set_stale();
+                self.news.drawing_changed();
             }
             CanvasOutcome::SelectionChanged => {
-                self.nudged_at = None;
-                self.versions.drawing += 1;
-                self.part_menu = None;
+                self.drawing.end_nudging();
+                self.news.drawing_changed();
+                self.dialogs.close_part_menu();
             }
             CanvasOutcome::ViewChanged => {
-                self.part_menu = None;
+                self.dialogs.close_part_menu();
                 self.layout.shows_all = false;
             }
             CanvasOutcome::OverlayChanged => {}
             CanvasOutcome::Action(action) => self.perform(action),
             CanvasOutcome::TapOnStroke { id, at } => {
-                let strokes = &self.document.sketch().strokes;
+                let strokes = &self.sketch().strokes;
                 let Some(stroke) = strokes.iter().find(|s| s.id == id) else { return };
                 let at = at / self.layout.pixels_per_point();
                 let (of, tool) = (MenuOf::Stroke(id), stroke.tool);
-                self.part_menu = Some(PartMenu { of, tool, at: [at.x as f32, at.y as f32] });
+                self.dialogs.ask_for_part(PartMenu { of, tool, at: [at.x as f32, at.y as f32] });
             }
             CanvasOutcome::AskWhatToDraw { at } => {
                 let at = at / self.layout.pixels_per_point();
@@ -151,7 +129,7 @@ impl Editor {
                     CanvasTool::Draw(tool) => tool,
                     _ => Tool::Auto,
                 };
-                self.part_menu = Some(PartMenu { of: MenuOf::Pen, tool, at: [at.x as f32, at.y as f32] });
+                self.dialogs.ask_for_part(PartMenu { of: MenuOf::Pen, tool, at: [at.x as f32, at.y as f32] });
             }
             CanvasOutcome::Orbit(by) => {
                 let by = by / self.layout.pixels_per_point();

@@ -23,7 +23,7 @@ fn what_keeps_a_tablet_from_being_read_is_told_once_and_in_the_language_of_the_i
     let home = tempfile::tempdir().unwrap();
     let mut editor = editor(home.path());
     let reported = |editor: &Editor| -> Vec<String> {
-        editor.notices.iter().map(|notice| notice.what.clone()).collect()
+        editor.dialogs.notices().iter().map(|notice| notice.what.clone()).collect()
     };
     let before = reported(&editor).len();
     editor.perform(Action::SetLanguage(Language::English));
@@ -46,5 +46,5 @@ fn a_chosen_model_is_there_the_next_day() {
     first.perform(Action::SetTabletModel { device: device.clone(), model: model.clone() });
     first.save_settings();
     drop(first);
-    assert_eq!(editor(home.path()).settings.tablet_models, [(device, model)].into());
+    assert_eq!(editor(home.path()).settings().tablet_models, [(device, model)].into());
 }

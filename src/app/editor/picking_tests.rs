@@ -89,7 +89,7 @@ fn a_click_selects_the_stroke_and_shift_adds() {
     editor.perform(Action::SelectStroke { stroke, besides: false });
     assert_eq!(editor.canvas.selection().ids().iter().copied().collect::<Vec<_>>(), [stroke]);
     assert_eq!(editor.canvas.tool(), CanvasTool::Select);
-    let other = editor.document.sketch().strokes.iter().map(|s| s.id).find(|id| *id != stroke).unwrap();
+    let other = editor.sketch().strokes.iter().map(|s| s.id).find(|id| *id != stroke).unwrap();
     editor.perform(Action::SelectStroke { stroke: other, besides: true });
     assert_eq!(editor.canvas.selection().ids().len(), 2);
     editor.perform(Action::SelectStroke { stroke: u64::MAX, besides: false });

@@ -22,7 +22,7 @@ impl Editor {
 
     /// Puts a pasted picture under the drawing.
     pub fn paste_picture(&mut self, bytes: Vec<u8>) {
-        let name = self.messages.get(Msg::ReferencePasted).to_owned();
+        let name = self.prefs.messages().get(Msg::ReferencePasted).to_owned();
         self.take_picture(PathPurpose::Reference, name, move || Picture::decoded(bytes));
     }
 
@@ -32,7 +32,7 @@ impl Editor {
         name: String,
         read: impl FnOnce() -> Result<Picture, PictureError> + Send + 'static,
     ) {
-        let (answers, wake) = (self.answers.clone(), Arc::clone(&self.wake));
+        let (answers, wake) = (self.background.wishes().clone(), Arc::clone(self.background.wake()));
         let work = move || {
             // A window that closed does not listen any more.
             let _ = answers.send(Action::PictureRead { purpose, name, picture: read() });
@@ -57,7 +57,7 @@ impl Editor {
             }
             (Ok(picture), _) => self.lay(picture),
             (Err(error), _) => {
-                let what = format!("{name}: {}", error.localize(&self.messages));
+                let what = format!("{name}: {}", error.localize(self.prefs.messages()));
                 self.tell(Notice { find: Some(purpose), ..Notice::error(what, "") });
             }
         }
@@ -73,7 +73,7 @@ impl Editor {
                 }
                 _ => None,
             };
-            self.tell(Notice { find, ..Notice::warning(warning.localize(&self.messages), "") });
+            self.tell(Notice { find, ..Notice::warning(warning.localize(self.prefs.messages()), "") });
         }
     }
 }

@@ -35,7 +35,7 @@ fn choose(editor: &mut Editor, purpose: PathPurpose, path: &Path) {
 }
 
 fn texture<'a>(editor: &'a Editor, part: &str) -> Option<&'a TextureChoice> {
-    editor.document.sketch().textures.get(part)
+    editor.sketch().textures.get(part)
 }
 
 #[test]
@@ -47,7 +47,7 @@ fn a_chosen_picture_stays_when_its_file_is_gone_and_no_path_is_saved() {
     choose(&mut first, PETAL, &picture);
     until(&mut first, |editor| texture(editor, "petal").is_some());
     choose(&mut first, PathPurpose::SaveDrawing, &drawing);
-    until(&mut first, |editor| !editor.saver.is_busy());
+    until(&mut first, |editor| !editor.disk.saver.is_busy());
     std::fs::remove_file(&picture).unwrap();
     let text = std::fs::read_to_string(&drawing).unwrap();
     assert!(!text.contains("petal.png") && !text.contains(&home.path().display().to_string()), "{text}");
@@ -69,12 +69,14 @@ fn a_picture_that_cannot_be_shown_is_refused_when_it_is_chosen() {
     let mut editor = editor(home.path());
     for purpose in [PETAL, PathPurpose::Reference] {
         choose(&mut editor, purpose, &cut);
-        until(&mut editor, |editor| editor.notices.iter().any(|notice| notice.what.contains("cut.png")));
-        let notice = editor.notices.iter().next_back().unwrap().clone();
+        until(&mut editor, |editor| {
+            editor.dialogs.notices().iter().any(|notice| notice.what.contains("cut.png"))
+        });
+        let notice = editor.dialogs.notices().iter().next_back().unwrap().clone();
         assert_eq!(notice.find, Some(purpose), "{notice:?}");
         editor.perform(Action::DismissNotice(notice.id));
     }
-    let sketch = editor.document.sketch();
+    let sketch = editor.sketch();
     assert!(sketch.textures.is_empty() && sketch.reference.is_none());
 }
 
@@ -87,15 +89,15 @@ fn an_old_drawing_takes_its_pictures_in_and_a_missing_one_is_one_notice_that_fin
         {"leaf": "/home/ada/leaf.png", "petal": "/home/ada/gone.png", "sepal": "/home/ada/gone.png"}}"#;
     std::fs::write(&drawing, old).unwrap();
     let mut editor = editor(home.path());
-    let before = editor.notices.iter().count();
+    let before = editor.dialogs.notices().iter().count();
     editor.perform(Action::OpenPath(drawing));
     editor.perform(Action::DiscardAndContinue);
     let own = TextureChoice::Own(Picture::new(PNG).unwrap());
     assert_eq!(texture(&editor, "leaf"), Some(&own));
-    assert_eq!(editor.notices.iter().count(), before + 1, "one picture is missing");
-    let notice = editor.notices.iter().next_back().unwrap();
+    assert_eq!(editor.dialogs.notices().iter().count(), before + 1, "one picture is missing");
+    let notice = editor.dialogs.notices().iter().next_back().unwrap();
     assert!(notice.what.contains("gone.png") && notice.find == Some(PETAL), "{notice:?}");
-    let text = sketch::json::write(editor.document.sketch());
+    let text = sketch::json::write(editor.sketch());
     assert!(!text.contains("/home/ada"), "{text}");
     choose(&mut editor, PETAL, &home.path().join("leaf.png"));
     until(&mut editor, |editor| texture(editor, "sepal") == Some(&own));
@@ -114,6 +116,6 @@ fn presets_carry_pictures() {
     std::fs::remove_file(&picture).unwrap();
     editor.perform(Action::Undo);
     assert_eq!(texture(&editor, "petal"), None);
-    editor.perform(Action::ApplyPreset(editor.listed_presets[0].path.clone()));
+    editor.perform(Action::ApplyPreset(editor.disk.presets.listed()[0].path.clone()));
     assert_eq!(texture(&editor, "petal"), Some(&TextureChoice::Own(Picture::new(PNG).unwrap())));
 }

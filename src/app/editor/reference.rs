@@ -5,8 +5,9 @@
 //! stays the lasso's. One drag is one step to undo.
 
 use super::Editor;
+use super::reference_hold::{Frame, GRIP, Hold, corners, drag};
 use crate::app::action::CanvasTool;
-use crate::app::canvas::transform::{TURN_HANDLE_DISTANCE, TURN_STEP_DEG};
+use crate::app::canvas::transform::TURN_HANDLE_DISTANCE;
 use crate::pen::{PenEvent, PenPhase};
 use crate::sketch::{Change, Picture, Reference};
 use glam::{DVec2, Vec2};
@@ -14,36 +15,10 @@ use glam::{DVec2, Vec2};
 /// Share of the visible canvas that a new picture fills.
 const FILL: f64 = 0.8;
 
-/// Distance within which a handle is taken hold of, points.
-const GRIP: f64 = 14.0;
-/// Smallest width of a picture, canvas pixels.
-const LEAST_WIDTH: f32 = 4.0;
-
-/// The picture being moved or scaled.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Hold {
-    /// Moved: from the pointer to the picture's middle, canvas pixels.
-    Move(Vec2),
-    /// Scaled about this corner; the other is opposite.
-    Scale { fixed: Vec2, from_fixed: Vec2, width: f32 },
-    /// Turned about its middle: from where the pointer took hold, and how it lay then.
-    Turn { from: Vec2, rotation_deg: f32 },
-}
-
-/// Where the picture is taken hold of, physical pixels of the window.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::app) struct Frame {
-    /// Around.
-    pub(in crate::app) corners: [DVec2; 4],
-    pub(in crate::app) middle: DVec2,
-    /// The middle of the edge at which the turning handle stands, and the handle.
-    pub(in crate::app) turn: [DVec2; 2],
-}
-
 impl Editor {
     /// The picture's frame; `None` where it has none to show.
     pub(in crate::app) fn reference_frame(&self) -> Option<Frame> {
-        let reference = self.document.sketch().reference.as_ref().filter(|r| r.visible && !r.locked)?;
+        let reference = self.sketch().reference.as_ref().filter(|r| r.visible && !r.locked)?;
         if self.canvas.tool() != CanvasTool::Select {
             return None;
         }
@@ -62,10 +37,10 @@ impl Editor {
     /// Hears a pointer before the canvas does; whether it is at work on the picture.
     pub(super) fn hold_reference(&mut self, event: &PenEvent) -> bool {
         let at = event.sample.position;
-        match (event.phase, self.hold) {
+        match (event.phase, self.pens.hold) {
             (PenPhase::Down, None) => {
-                self.hold = self.grip(at);
-                self.hold.is_some()
+                self.pens.hold = self.grip(at);
+                self.pens.hold.is_some()
             }
             (PenPhase::Move, Some(hold)) => {
                 let pointer = self.canvas.view().to_canvas(at).as_vec2();
@@ -74,8 +49,8 @@ impl Editor {
                 true
             }
             (PenPhase::Up | PenPhase::Cancel, Some(_)) => {
-                self.hold = None;
-                self.document.end_merging();
+                self.pens.hold = None;
+                self.drawing.end_merging();
                 true
             }
             (_, hold) => hold.is_some(),
@@ -84,21 +59,10 @@ impl Editor {
 
     /// What of the frame is under the pointer.
     fn grip(&self, at: DVec2) -> Option<Hold> {
-        let Frame { corners: frame, middle, turn: [_, turn] } = self.reference_frame()?;
-        let reference = self.document.sketch().reference.as_ref()?;
-        let reach = GRIP * self.layout.pixels_per_point();
+        let frame = self.reference_frame()?;
+        let reference = self.sketch().reference.as_ref()?;
         let pointer = self.canvas.view().to_canvas(at).as_vec2();
-        if turn.distance(at) <= reach {
-            let from = pointer - reference.center;
-            return Some(Hold::Turn { from, rotation_deg: reference.rotation_deg });
-        }
-        if let Some(corner) = frame.iter().position(|c| c.distance(at) <= reach) {
-            let places = corners(reference);
-            let fixed = places[(corner + 2) % 4];
-            return Some(Hold::Scale { fixed, from_fixed: places[corner] - fixed, width: reference.width });
-        }
-        let on_edge = (0..4).any(|i| distance_to_side(at, frame[i], frame[(i + 1) % 4]) <= 0.5 * reach);
-        (on_edge || middle.distance(at) <= reach).then(|| Hold::Move(reference.center - pointer))
+        Hold::begin(reference, &frame, (at, pointer), GRIP * self.layout.pixels_per_point())
     }
 
     /// Puts a picture under the drawing.
@@ -119,97 +83,10 @@ impl Editor {
 
     /// Changes how the picture lies; one slider is one step.
     pub(super) fn edit_reference(&mut self, edit: impl FnOnce(&mut Reference)) {
-        if let Some(reference) = &self.document.sketch().reference {
+        if let Some(reference) = &self.sketch().reference {
             let mut reference = Reference::clone(reference);
             edit(&mut reference);
             self.change_merging(Change::reference(Some(reference)), "reference");
         }
-    }
-}
-
-/// Corners of a picture on the canvas, around.
-fn corners(reference: &Reference) -> [Vec2; 4] {
-    let half = 0.5 * Vec2::new(reference.width, reference.height());
-    let turn = Vec2::from_angle(reference.rotation_deg.to_radians());
-    let corner = |x: f32, y: f32| reference.center + turn.rotate(half * Vec2::new(x, y));
-    [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)]
-}
-
-/// Moves the picture with the pointer; `steps` turns it by whole steps only.
-fn drag(reference: &mut Reference, hold: Hold, pointer: Vec2, steps: bool) {
-    match hold {
-        Hold::Move(to_center) => reference.center = pointer + to_center,
-        Hold::Scale { fixed, from_fixed, width } => {
-            // The corner follows the pointer along the diagonal.
-            let along = (pointer - fixed).dot(from_fixed) / from_fixed.length_squared().max(1e-6);
-            reference.width = (width * along).max(LEAST_WIDTH);
-            reference.center = fixed + from_fixed * (0.5 * reference.width / width);
-        }
-        Hold::Turn { from, rotation_deg } => {
-            let to = pointer - reference.center;
-            // Over its own middle the pointer points nowhere.
-            if from.length_squared() > 0.0 && to.length_squared() > 0.0 {
-                let turned = rotation_deg + from.angle_to(to).to_degrees();
-                let step = TURN_STEP_DEG as f32;
-                let turned = if steps { (turned / step).round() * step } else { turned };
-                // −180 to 180, as people say it.
-                reference.rotation_deg = (turned + 180.0).rem_euclid(360.0) - 180.0;
-            }
-        }
-    }
-}
-
-fn distance_to_side(p: DVec2, a: DVec2, b: DVec2) -> f64 {
-    let t = ((p - a).dot(b - a) / (b - a).length_squared().max(1e-12)).clamp(0.0, 1.0);
-    p.distance(a + (b - a) * t)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn picture() -> Picture {
-        let mut bytes = std::io::Cursor::new(Vec::new());
-        let mut encoder = png::Encoder::new(&mut bytes, 4, 2);
-        encoder.set_color(png::ColorType::Rgb);
-        let mut writer = encoder.write_header().unwrap();
-        writer.write_image_data(&[200; 24]).unwrap();
-        writer.finish().unwrap();
-        Picture::new(bytes.into_inner()).unwrap()
-    }
-
-    #[test]
-    fn a_dragged_corner_scales_about_the_opposite_one() {
-        let mut reference = Reference::new(picture(), Vec2::new(100.0, 50.0), 200.0);
-        let [first, _, third, _] = corners(&reference);
-        assert_eq!((first, third), (Vec2::ZERO, Vec2::new(200.0, 100.0)));
-        let hold = Hold::Scale { fixed: first, from_fixed: third - first, width: 200.0 };
-        drag(&mut reference, hold, Vec2::new(400.0, 200.0), false);
-        assert_eq!((reference.width, reference.center), (400.0, Vec2::new(200.0, 100.0)));
-        assert_eq!(corners(&reference)[0], Vec2::ZERO);
-        drag(&mut reference, hold, Vec2::new(-500.0, -500.0), false);
-        assert_eq!(reference.width, LEAST_WIDTH);
-    }
-
-    #[test]
-    fn a_moved_picture_keeps_its_place_under_the_pointer() {
-        let mut reference = Reference::new(picture(), Vec2::new(100.0, 50.0), 200.0);
-        drag(&mut reference, Hold::Move(Vec2::new(10.0, 0.0)), Vec2::new(30.0, 40.0), false);
-        assert_eq!(reference.center, Vec2::new(40.0, 40.0));
-    }
-
-    #[test]
-    fn a_turned_picture_follows_the_pointer_around_its_middle() {
-        let mut reference = Reference::new(picture(), Vec2::new(100.0, 50.0), 200.0);
-        reference.rotation_deg = 170.0;
-        let hold = Hold::Turn { from: Vec2::new(0.0, -80.0), rotation_deg: 170.0 };
-        // From above to the right: a quarter clockwise, past the half turn.
-        drag(&mut reference, hold, Vec2::new(130.0, 50.0), false);
-        assert!((reference.rotation_deg + 100.0).abs() < 1e-3, "{}", reference.rotation_deg);
-        assert_eq!((reference.center, reference.width), (Vec2::new(100.0, 50.0), 200.0));
-        drag(&mut reference, hold, Vec2::new(130.0, 52.0), true);
-        assert!((reference.rotation_deg + 90.0).abs() < 1e-3, "{}", reference.rotation_deg);
-        drag(&mut reference, hold, Vec2::new(100.0, 50.0), false);
-        assert!((reference.rotation_deg + 90.0).abs() < 1e-3, "nowhere is no direction");
     }
 }

@@ -1,11 +1,11 @@
 //! Saving beside the window: what is saved, in which order, and what waits for it.
 
 use super::*;
+use crate::app::action::Action;
 use crate::app::editor::Places;
 use crate::app::panels::snapshot::{Autosave, Dialog, Severity};
 use crate::sketch::journal::JournalState;
 use crate::sketch::{self, Change, Stroke, StrokePoint, Tool};
-use std::path::Path;
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
@@ -20,7 +20,7 @@ fn editor(home: &Path) -> Editor {
 }
 
 fn draw(editor: &mut Editor) {
-    let id = editor.document.next_id();
+    let id = editor.drawing.next_id();
     let place = |i: u8| glam::Vec2::new(f32::from(i) * 10.0, id as f32);
     let points = (0..9).map(|i| StrokePoint::at(place(i))).collect();
     editor.change(Change::put(Stroke { id, tool: Tool::Branch, points }));
@@ -33,7 +33,7 @@ fn save_as(editor: &mut Editor, path: &Path) {
 /// Goes on until nothing is being saved.
 fn settle(editor: &mut Editor) {
     let begun = Instant::now();
-    while editor.saver.is_busy() {
+    while editor.disk.saver.is_busy() {
         assert!(begun.elapsed() < PATIENCE, "it is saved for ever");
         std::thread::sleep(Duration::from_millis(1));
         editor.collect();
@@ -45,7 +45,7 @@ fn strokes_at(path: &Path) -> usize {
 }
 
 fn errors(editor: &Editor) -> Vec<&str> {
-    let told = editor.notices.iter().filter(|notice| notice.severity == Severity::Error);
+    let told = editor.dialogs.notices().iter().filter(|notice| notice.severity == Severity::Error);
     told.map(|notice| notice.what.as_str()).collect()
 }
 
@@ -56,14 +56,14 @@ fn what_is_drawn_while_it_is_saved_stays_unsaved() {
     draw(&mut editor);
     save_as(&mut editor, &path);
     assert_eq!(editor.panel_snapshot().status.autosave, Autosave::Saving);
-    assert!(editor.is_working() && !editor.document.is_saved());
+    assert!(editor.is_working() && !editor.drawing.is_saved());
     draw(&mut editor);
     settle(&mut editor);
-    assert!(!editor.document.is_saved());
+    assert!(!editor.drawing.is_saved());
     assert_eq!(strokes_at(&path), 1);
     editor.perform(Action::Undo);
-    assert!(editor.document.is_saved(), "this is what was saved");
-    assert_eq!(editor.journal.as_ref().unwrap().flush(PATIENCE), JournalState::Saved);
+    assert!(editor.drawing.is_saved(), "this is what was saved");
+    assert_eq!(editor.drawing.flush_journal(PATIENCE), JournalState::Saved);
     assert_eq!(editor.panel_snapshot().status.autosave, Autosave::Saved);
 }
 
@@ -79,7 +79,7 @@ fn saves_in_a_row_end_with_the_last_and_know_each_other() {
     }
     settle(&mut editor);
     assert_eq!(errors(&editor), Vec::<&str>::new());
-    assert!(editor.document.is_saved());
+    assert!(editor.drawing.is_saved());
     assert_eq!(strokes_at(&path), 4);
     // Under another name while the first is still on its way: both are written, the later name is the drawing's.
     let other = home.path().join("other.penstemon");
@@ -88,7 +88,7 @@ fn saves_in_a_row_end_with_the_last_and_know_each_other() {
     save_as(&mut editor, &other);
     settle(&mut editor);
     assert_eq!((strokes_at(&path), strokes_at(&other)), (5, 5));
-    assert_eq!(editor.file.path.as_deref(), Some(other.as_path()));
+    assert_eq!(editor.drawing.path(), Some(other.as_path()));
 }
 
 #[test]
@@ -100,12 +100,12 @@ fn a_failure_is_told_and_the_drawing_stays_unsaved_and_open() {
     editor.ask_to_quit();
     settle(&mut editor);
     assert!(errors(&editor)[0].contains("rose.penstemon"), "{:?}", errors(&editor));
-    assert!(!editor.document.is_saved() && !editor.is_closed());
-    assert_eq!(editor.file.path, None);
+    assert!(!editor.drawing.is_saved() && !editor.is_closed());
+    assert_eq!(editor.drawing.path(), None);
     // Elsewhere it works, and does not close the window long after that was wished.
     save_as(&mut editor, &home.path().join("rose.penstemon"));
     settle(&mut editor);
-    assert!(editor.document.is_saved() && !editor.is_closed());
+    assert!(editor.drawing.is_saved() && !editor.is_closed());
 }
 
 #[test]
@@ -121,7 +121,7 @@ fn another_windows_work_is_not_replaced() {
     editor.perform(Action::Save);
     settle(&mut editor);
     assert!(errors(&editor)[0].contains("changed by another window"), "{:?}", errors(&editor));
-    assert!(!editor.document.is_saved());
+    assert!(!editor.drawing.is_saved());
     assert_eq!(std::fs::read_to_string(&path).unwrap(), theirs);
 }
 
@@ -132,10 +132,10 @@ fn the_window_closes_after_saving_and_asks_where_that_was_not_all() {
     draw(&mut editor);
     save_as(&mut editor, &path);
     editor.ask_to_quit();
-    assert!(!editor.is_closed() && editor.dialog.is_none(), "it waits");
+    assert!(!editor.is_closed() && editor.dialog().is_none(), "it waits");
     draw(&mut editor);
     settle(&mut editor);
-    assert_eq!(editor.dialog, Some(Dialog::Unsaved), "what was drawn since is not saved");
+    assert_eq!(editor.dialog(), Some(&Dialog::Unsaved), "what was drawn since is not saved");
     editor.perform(Action::SaveAndContinue);
     assert!(!editor.is_closed());
     settle(&mut editor);
@@ -163,7 +163,7 @@ fn a_drawing_that_went_on_while_a_file_was_chosen_is_asked_about() {
     let open = Action::PathChosen { purpose: PathPurpose::OpenDrawing, path };
     draw(&mut editor);
     editor.perform(open.clone());
-    assert_eq!(editor.dialog, Some(Dialog::Unsaved));
+    assert_eq!(editor.dialog(), Some(&Dialog::Unsaved));
     assert_eq!(editor.sketch().strokes.len(), 2);
     // Whoever gave up the drawing before choosing the file is not asked again.
     editor.perform(Action::DiscardAndContinue);
@@ -184,10 +184,10 @@ fn a_file_that_the_systems_dialog_did_not_ask_about_is_not_written_over_unasked(
     // The dialog asked about `rose`, which is not there.
     save_as(&mut editor, &home.path().join("rose"));
     let asked = Dialog::Replace { purpose: PathPurpose::SaveDrawing, path: full.clone() };
-    assert!(!editor.saver.is_busy() && editor.dialog() == Some(&asked), "{:?}", editor.dialog());
+    assert!(!editor.disk.saver.is_busy() && editor.dialog() == Some(&asked), "{:?}", editor.dialog());
     assert_eq!(std::fs::read_to_string(&full).unwrap(), "somebody's work");
     editor.perform(Action::CloseDialog);
-    assert!(editor.file.path.is_none());
+    assert!(editor.drawing.path().is_none());
     // Asked about the whole name, it is replaced; and what is not there needs no question.
     save_as(&mut editor, &full);
     settle(&mut editor);
@@ -217,12 +217,12 @@ fn a_species_file_is_saved_without_the_folders_of_the_machine_and_is_still_known
         settle(&mut first);
         assert_eq!(sketch::read(&drawing).unwrap().0.species.as_deref(), Some(written));
         let known = first.sketch().species.as_deref().unwrap();
-        assert!(Path::new(known) == species.as_path() && first.document.is_saved(), "{known}");
+        assert!(Path::new(known) == species.as_path() && first.drawing.is_saved(), "{known}");
     }
     // Opened again it is found, and again when it is saved elsewhere.
     let mut second = editor(home.path());
     second.perform(Action::OpenPath(drawing));
-    assert_eq!(second.species.as_ref().map(|(_, species)| species.name.as_str()), Some("weed"));
+    assert_eq!(second.live.species().map(|species| species.name.as_str()), Some("weed"));
     save_as(&mut second, &home.path().join("elsewhere.penstemon"));
     settle(&mut second);
     let there = sketch::read(&home.path().join("elsewhere.penstemon")).unwrap().0;
@@ -265,8 +265,8 @@ fn a_recovery_copy_that_cannot_be_kept_is_told_once() {
     }
     let told = errors(&editor);
     assert!(told.len() == 1 && told[0].contains("no recovery copy can be kept"), "{told:?}");
-    let shown: Vec<u64> = editor.notices.iter().map(|notice| notice.id).collect();
-    shown.into_iter().for_each(|id| editor.notices.dismiss(id));
+    let shown: Vec<u64> = editor.dialogs.notices().iter().map(|notice| notice.id).collect();
+    shown.into_iter().for_each(|id| editor.dialogs.notices_mut().dismiss(id));
     editor.submit();
     assert_eq!(errors(&editor), Vec::<&str>::new(), "once is enough");
     assert_eq!(editor.panel_snapshot().status.autosave, Autosave::Failed);

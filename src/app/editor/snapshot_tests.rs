@@ -2,7 +2,7 @@
 
 use crate::app::action::Action;
 use crate::app::editor::{Editor, Places};
-use crate::app::messages::{Language, Messages};
+use crate::app::messages::Language;
 use crate::app::panels::snapshot::{MenuOf, PartMenu};
 use crate::sketch::{Change, Stroke, StrokePoint, Tool};
 use glam::vec2;
@@ -13,8 +13,8 @@ const PATIENCE: Duration = Duration::from_secs(60);
 
 /// Builds what is drawn.
 fn build(editor: &mut Editor) {
-    let (begun, before) = (Instant::now(), editor.versions.plant);
-    while editor.versions.plant == before || editor.is_working() {
+    let (begun, before) = (Instant::now(), editor.versions().plant);
+    while editor.versions().plant == before || editor.is_working() {
         assert!(begun.elapsed() < PATIENCE, "it is built for ever");
         editor.submit();
         editor.collect();
@@ -27,7 +27,7 @@ fn an_outline_without_a_branch_is_told_until_there_is_one() {
     let home = tempfile::tempdir().unwrap();
     let places = Places { config: home.path().join("config"), state: home.path().join("state") };
     let mut editor = Editor::open_in(places, None, || ()).unwrap();
-    editor.messages = Messages::new(Language::Chinese);
+    editor.prefs.speak(Language::Chinese);
     editor.perform(Action::New);
     let line = |id, tool, places: &[[f32; 2]]| {
         let points = places.iter().map(|&[x, y]| StrokePoint::at(vec2(x, y))).collect();
@@ -40,7 +40,7 @@ fn an_outline_without_a_branch_is_told_until_there_is_one() {
     assert_eq!(editor.panel_snapshot().status.shortfall, Some(format!("枝条轮廓：{remark}")));
     assert!(editor.panel_snapshot().remarks.is_empty(), "nobody asked");
     let menu = |stroke| PartMenu { of: MenuOf::Stroke(stroke), tool: Tool::Auto, at: [0.0; 2] };
-    editor.part_menu = Some(menu(1));
+    editor.dialogs.ask_for_part(menu(1));
     assert_eq!(editor.panel_snapshot().remarks, [remark]);
     editor.change(line(2, Tool::Branch, &[[150.0, 500.0], [150.0, 20.0]]));
     build(&mut editor);

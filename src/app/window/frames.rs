@@ -104,7 +104,7 @@ impl Running {
     /// not say yet why.
     pub(super) fn note_size(&mut self) {
         let (scale, is_maximised) = (self.window.scale_factor(), self.window.is_maximized());
-        self.editor.settings.window.follow(self.size, scale, is_maximised);
+        self.editor.note_window(self.size, scale, is_maximised);
     }
 
     /// Sleeps until the next event or the next moment that somebody named.

@@ -1,87 +1,32 @@
-//! Work on threads of its own; and exports, which have progress and can be stopped.
+//! Exports, which are written on a thread of their own, have progress and can be stopped.
 //!
 //! Files are written whole or not at all, so a stopped export leaves no half file; of a turntable the pictures already
 //! written stay.
 
-use super::Editor;
+use super::background::{self, Wake, Work};
 use super::estimate::is_wanted;
-use crate::app::messages::{Localize, Msg};
-use crate::app::panels::snapshot::{self, ExportChoice, ExportFormat, Notice};
+use crate::app::messages::Localize;
+use crate::app::panels::snapshot::{self, ExportChoice, ExportFormat};
 use crate::app::plant_view::{self, built_in_texture};
-use crate::formats::textures;
 use crate::formats::write::{self, ExportError};
 use crate::input::Sources;
 use crate::model::Model;
-use crate::pipeline::{self, Built};
+use crate::pipeline::Built;
 use crate::render::{LightParams, OrbitCamera, Renderer};
 use crate::sketch::Sketch;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
-use std::sync::mpsc::{Receiver, TryRecvError, channel};
-
-/// Calls from other threads that there is something to collect.
-pub(super) type Wake = Arc<dyn Fn() + Send + Sync>;
-
-/// Something that another thread does.
-pub(super) struct Work<T>(Receiver<T>);
-
-impl<T> Work<T> {
-    /// What came of it, once it has ended; nothing in it if it broke off.
-    pub(super) fn result(&self) -> Option<Option<T>> {
-        match self.0.try_recv() {
-            Ok(result) => Some(Some(result)),
-            Err(TryRecvError::Disconnected) => Some(None),
-            Err(TryRecvError::Empty) => None,
-        }
-    }
-
-    /// Waits for what comes of it; nothing if it breaks off.
-    pub(super) fn wait(&self) -> Option<T> {
-        self.0.recv().ok()
-    }
-}
-
-/// Wakes the window when it goes, whatever became of the work.
-struct Farewell(Wake);
-
-impl Drop for Farewell {
-    fn drop(&mut self) {
-        (self.0)();
-    }
-}
-
-/// Begins to do something on a thread of its own; the window is woken at its end.
-///
-/// # Errors
-/// A system without threads.
-pub(super) fn begin<T: Send + 'static>(
-    name: &str,
-    wake: &Wake,
-    work: impl FnOnce() -> T + Send + 'static,
-) -> std::io::Result<Work<T>> {
-    let (tell, done) = channel();
-    let farewell = Farewell(Arc::clone(wake));
-    let work = move || {
-        let _farewell = farewell;
-        // Dropped before the farewell: whoever is woken finds the end, also of work that broke off.
-        let tell = tell;
-        // A window that closed does not listen any more.
-        let _ = tell.send(work());
-    };
-    std::thread::Builder::new().name(name.into()).spawn(work)?;
-    Ok(Work(done))
-}
 
 /// What kept an export from being made.
-type Failure = Box<dyn Localize + Send>;
+pub(super) type Failure = Box<dyn Localize + Send>;
 
 fn boxed(error: impl Localize + Send + 'static) -> Failure {
     Box::new(error)
 }
 
 /// An export under way.
-pub(super) struct Task {
+struct Task {
     name: String,
     shared: Arc<Shared>,
     work: Work<Result<usize, Failure>>,
@@ -105,70 +50,61 @@ impl Shared {
 }
 
 /// What an export needs, taken at its start: the artist goes on drawing.
-struct Order {
-    path: PathBuf,
-    choice: ExportChoice,
-    sketch: Sketch,
-    built: Arc<Built>,
-    camera: OrbitCamera,
-    light: LightParams,
+pub(super) struct Order {
+    pub(super) path: PathBuf,
+    pub(super) choice: ExportChoice,
+    pub(super) sketch: Sketch,
+    pub(super) built: Arc<Built>,
+    pub(super) camera: OrbitCamera,
+    pub(super) light: LightParams,
     /// The files that the plant comes from.
-    sources: Sources,
+    pub(super) sources: Sources,
 }
 
-impl Editor {
-    /// Starts an export.
-    pub(super) fn begin_export(&mut self, path: PathBuf) {
-        let Some(built) = self.built.clone() else { return };
-        self.cancel_task();
-        let choice = self.settings.export.clone().sane();
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let sketch = self.document.sketch().clone();
-        let (camera, light) = (self.plant.camera(), self.plant.light());
-        let sources = self.sources(&built);
-        let order = Order { path, choice, sketch, built, camera, light, sources };
+/// What came of an export.
+pub(super) struct Exported {
+    pub(super) name: String,
+    /// The bytes written; `None` where the work broke off.
+    pub(super) result: Option<Result<usize, Failure>>,
+}
+
+/// The export under way, if there is one.
+#[derive(Default)]
+pub(super) struct Exports(Option<Task>);
+
+impl Exports {
+    /// Begins one, in the place of any other.
+    pub(super) fn begin(&mut self, order: Order, wake: &Wake) -> std::io::Result<()> {
+        self.cancel();
+        let name = order.path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let shared = Arc::new(Shared::default());
         let theirs = Arc::clone(&shared);
-        match begin("export", &self.wake, move || export(&order, &theirs)) {
-            Ok(work) => self.task = Some(Task { name, shared, work }),
-            Err(error) => self.tell_error(&error),
-        }
+        let work = background::begin("export", wake, move || export(&order, &theirs))?;
+        self.0 = Some(Task { name, shared, work });
+        Ok(())
     }
 
-    /// The files that the plant is made from.
-    fn sources(&self, built: &Built) -> Sources {
-        let mut sources = Sources::default();
-        let drawing = self.file.path.as_deref();
-        let folder = drawing.and_then(Path::parent).unwrap_or(Path::new(""));
-        let species = pipeline::species_file(self.document.sketch(), folder);
-        drawing.into_iter().chain(species.as_deref()).for_each(|file| sources.add(file));
-        textures::files(built.plant.materials()).for_each(|picture| sources.add(picture));
-        sources
-    }
-
-    pub(super) fn cancel_task(&mut self) {
-        if let Some(task) = self.task.take() {
+    /// Stops it.
+    pub(super) fn cancel(&mut self) {
+        if let Some(task) = self.0.take() {
             task.shared.stop.store(true, Ordering::Relaxed);
         }
     }
 
-    pub(super) fn collect_task(&mut self) {
-        let Some(task) = &self.task else { return };
-        match task.work.result() {
-            None => return,
-            Some(Some(Ok(bytes))) => {
-                tracing::debug!("exported {} bytes={bytes}", task.name);
-                let what = self.messages.fill(Msg::NoticeExported, &[("file", &task.name)]);
-                self.tell(Notice::info(what));
-            }
-            Some(Some(Err(failure))) => self.tell(Notice::error(failure.localize(&self.messages), "")),
-            Some(None) => self.tell(Notice::error(self.messages.get(Msg::NoticeExportFailed), "")),
-        }
-        self.task = None;
+    /// What came of it, if it has ended.
+    pub(super) fn take(&mut self) -> Option<Exported> {
+        let result = self.0.as_ref()?.work.result()?;
+        Some(Exported { name: self.0.take()?.name, result })
     }
 
-    pub(super) fn task_state(&self) -> Option<snapshot::Task> {
-        let task = self.task.as_ref()?;
+    /// Whether there is one.
+    pub(super) fn is_busy(&self) -> bool {
+        self.0.is_some()
+    }
+
+    /// What the panels show of it.
+    pub(super) fn state(&self) -> Option<snapshot::Task> {
+        let task = self.0.as_ref()?;
         let progress = task.shared.progress.load(Ordering::Relaxed) as f32 * 1e-3;
         Some(snapshot::Task { name: task.name.clone(), progress })
     }

@@ -1,8 +1,10 @@
 //! Growth in the editor: an age that is undone like any change, and a replay that is none.
 
-use super::{FRAME, REPLAY, YEARS};
+use super::YEARS;
 use crate::app::action::Action;
+use crate::app::editor::replay::LENGTH;
 use crate::app::editor::{Editor, Places};
+use crate::app::panels::snapshot::GrowthState;
 use crate::growth::habit::Resource;
 use crate::growth::overlay::{Kind, Wanted};
 use crate::sketch::{Change, Stroke, StrokePoint, Tool};
@@ -46,17 +48,17 @@ fn shown(editor: &Editor) -> f32 {
     editor.built().unwrap().growth.unwrap().shown
 }
 
-/// Stops the clock of a replay: from here on only [`advance`] moves it.
-fn stop_clock(editor: &mut Editor) {
-    editor.building.replay.as_mut().unwrap().seen = Some(Instant::now() + 100 * PATIENCE);
+fn growth_state(editor: &Editor) -> GrowthState {
+    editor.live.growth_state(editor.sketch()).unwrap()
 }
 
-/// Moves a replay on and waits for the plant of its age.
+/// Moves a replay on, whose clock stands still from here on, and waits for the plant of its age.
 fn advance(editor: &mut Editor, by: Duration) {
-    editor.advance_replay(by);
+    editor.live.replay.as_mut().unwrap().advance(by);
+    editor.live.replay_moved();
     let begun = Instant::now();
     editor.submit();
-    while editor.building.is_running {
+    while editor.live.is_running {
         assert!(begun.elapsed() < PATIENCE, "it is built for ever");
         editor.collect();
         std::thread::sleep(Duration::from_millis(1));
@@ -68,10 +70,9 @@ fn a_replay_follows_the_clock() {
     let home = tempfile::tempdir().unwrap();
     let mut editor = oak(&home);
     editor.perform(Action::PlayGrowth(true));
-    editor.building.is_stale = false;
-    editor.building.replay.as_mut().unwrap().seen = Some(Instant::now() - 4 * FRAME);
-    editor.replay_growth();
-    assert!(editor.building.is_stale && editor.building.replay.unwrap().run >= 4 * FRAME);
+    editor.live.is_stale = false;
+    editor.live.replay_growth(Instant::now() + LENGTH / 2);
+    assert!(editor.live.is_stale && editor.live.replay.unwrap().age() > 0.0);
 }
 
 #[test]
@@ -79,12 +80,12 @@ fn the_age_is_set_and_undone_like_any_change() {
     let home = tempfile::tempdir().unwrap();
     let mut editor = oak(&home);
     let filled = shown(&editor);
-    let state = editor.growth_state().unwrap();
+    let state = growth_state(&editor);
     assert!(filled > 2.0 && state.age == filled && !state.chosen && state.crown && state.most >= 39.0);
     editor.perform(Action::SetParam { path: YEARS.into(), value: Some(Value::from(2.5)) });
     settle(&mut editor);
     assert_eq!(shown(&editor), 2.5);
-    assert!(editor.growth_state().unwrap().chosen);
+    assert!(growth_state(&editor).chosen);
     editor.perform(Action::Undo);
     settle(&mut editor);
     assert_eq!(shown(&editor), filled);
@@ -103,7 +104,7 @@ fn a_habit_is_set_shown_and_grown_and_rests_for_plants_that_do_not_grow() {
     assert!(editor.built().unwrap().plant.organs.is_empty(), "it has grown again, without leaves");
     assert_eq!(editor.panel_snapshot().params.own[bare], 0.0);
     editor.perform(Action::SetParam { path: "habit.age".into(), value: Some(Value::from(60)) });
-    assert_eq!(editor.growth_state().unwrap().most, 90.0, "the slider reaches as far");
+    assert_eq!(growth_state(&editor).most, 90.0, "the slider reaches as far");
     editor.perform(Action::SelectAll);
     editor.perform(Action::DeleteSelected);
     editor.perform(Action::SetSpecies("daisy".into()));
@@ -138,19 +139,18 @@ fn a_replay_shows_rising_ages_changes_nothing_and_comes_to_rest() {
     let mut editor = oak(&home);
     let (filled, before) = (shown(&editor), editor.sketch().clone());
     editor.perform(Action::PlayGrowth(true));
-    stop_clock(&mut editor);
     let mut ages = Vec::new();
-    while editor.building.replay.is_some() {
-        advance(&mut editor, REPLAY / 8);
+    while editor.live.replay.is_some() {
+        advance(&mut editor, LENGTH / 8);
         ages.push(shown(&editor) / filled);
-        let state = editor.growth_state().unwrap();
+        let state = growth_state(&editor);
         assert!(!state.playing || state.age <= filled);
     }
     assert_eq!(ages, [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0]);
     settle(&mut editor);
     assert_eq!(shown(&editor), filled);
     assert_eq!(*editor.sketch(), before);
-    assert!(editor.building.replay.is_none() && editor.next_age_at().is_none());
+    assert!(editor.live.replay.is_none() && editor.live.next_age_at().is_none());
 }
 
 #[test]
@@ -159,16 +159,15 @@ fn a_pause_keeps_its_age_at_rest_and_a_change_ends_it() {
     let mut editor = oak(&home);
     let filled = shown(&editor);
     editor.perform(Action::PlayGrowth(true));
-    stop_clock(&mut editor);
-    advance(&mut editor, REPLAY / 2);
+    advance(&mut editor, LENGTH / 2);
     editor.perform(Action::PlayGrowth(false));
     settle(&mut editor);
-    let paused = editor.growth_state().unwrap();
+    let paused = growth_state(&editor);
     assert!(!paused.playing && paused.age > 0.4 * filled && paused.age < filled, "{paused:?}");
-    assert!(editor.next_age_at().is_none() && !editor.is_working(), "the window rests");
+    assert!(editor.live.next_age_at().is_none() && !editor.is_working(), "the window rests");
     assert!((shown(&editor) - paused.age).abs() < 0.1 * filled);
     editor.perform(Action::SetParam { path: YEARS.into(), value: Some(Value::from(3.0)) });
     settle(&mut editor);
-    assert!(editor.building.replay.is_none());
+    assert!(editor.live.replay.is_none());
     assert_eq!(shown(&editor), 3.0);
 }

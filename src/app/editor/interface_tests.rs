@@ -4,6 +4,7 @@ use super::*;
 use crate::app::action::CanvasTool;
 use crate::app::canvas::Scroll;
 use crate::app::editor::Places;
+use crate::app::layout::Layout;
 use crate::app::messages::{Language, Messages, Msg};
 use crate::app::panels::snapshot::Shading;
 use egui::{Pos2, TextureId};
@@ -115,7 +116,7 @@ fn a_new_drawing_begins_with_the_pen() {
 #[test]
 fn that_there_is_no_chinese_font_is_said_in_letters_that_can_be_drawn() {
     let mut screen = Screen::new();
-    screen.editor.lose_chinese_font();
+    screen.editor.prefs.lose_chinese_font();
     screen.editor.perform(Action::SetLanguage(Language::Chinese));
     screen.frame();
     let snapshot = screen.editor.panel_snapshot();
