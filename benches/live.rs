@@ -1,7 +1,7 @@
 //! How fast the window answers, without window and graphics card: drawings replayed sample by sample at the pace of a
 //! pen through the editor itself, with its worker, its panels and the canvas's vertex buffer.
 //!
-//! `cargo bench --bench live` measures everything; words choose: `-- daisy oxalis fast tree large idle`. With `--test` one
+//! `cargo bench --bench live` measures everything; words choose: `-- daisy oxalis fast tree large stages idle`. With `--test` one
 //! drawing is replayed as fast as it goes, to see that all still fits together.
 //!
 //! A sample arrives when it is due, or when the sleeping thread was woken for it; where the thread was still busy with a
@@ -10,7 +10,8 @@
 //! `shapes`, egui's triangles; `strokes`, bringing the canvas's strokes in step; and `frame`, all three.
 //!
 //! `fast` is one stroke of a minute by a pen that reports a thousand times a second: what a sample costs the window must
-//! not grow with the stroke.
+//! not grow with the stroke. `stages` tells where the time of one more sample on a large drawing goes in the pipeline, and
+//! how it grows with the drawing.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 #![allow(clippy::print_stdout, reason = "figures are what a bench is for")]
@@ -21,6 +22,8 @@ mod desk;
 mod drawings;
 #[path = "live/figures.rs"]
 mod figures;
+#[path = "live/stages.rs"]
+mod stages;
 
 use desk::Desk;
 use figures::{Figures, heading};
@@ -63,6 +66,9 @@ fn main() {
     }
     if is_wanted("large") {
         draw_on_large(MANY, 12);
+    }
+    if is_wanted("stages") {
+        stages::print(MANY);
     }
     if is_wanted("idle") {
         rest(Duration::from_secs(4));

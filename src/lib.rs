@@ -11,6 +11,7 @@
 //! | [`params`] | numbers declared with default, range, unit and help |
 //! | [`random`] | random streams named by what they decide |
 //! | [`srgb`] | encoded colours to light and back |
+//! | [`kept`] | what stages made, kept from one build to the next |
 //! | [`geom`] | polylines, frames, polygons, ellipses: mathematics that knows no plant |
 //! | [`file_system`] | the file system as files are written to it: the machine's, or one that fails on purpose |
 //! | [`atomic`] | files written whole or not at all |
@@ -45,6 +46,7 @@ pub mod formats;
 pub mod geom;
 pub mod growth;
 pub mod input;
+pub mod kept;
 pub mod model;
 pub mod obj_text;
 pub mod params;

@@ -76,6 +76,7 @@ fn edit(sketch: &mut Sketch, (what, which, by): (u8, usize, f32)) {
 /// A build with a cache gives what one from scratch gives; only the cache knows how old its plant has been before.
 fn assert_same(live: &Built, fresh: &Built) {
     let ages = |built: &Built| built.growth.map(|ages| Ages { oldest: 0.0, ..ages });
+    assert_eq!(live.anatomy, fresh.anatomy);
     assert_eq!(live.remarks, fresh.remarks);
     assert_eq!(ages(live), ages(fresh));
     assert_eq!(live.plant, fresh.plant);
@@ -110,6 +111,35 @@ proptest! {
             let seed = Seed { number, age: Some(age), ..Seed::default() };
             let live = pipeline::build_with(&mut cache, &seed, &species, &params, &|| false).unwrap();
             assert_same(&live, &pipeline::build(&seed, &species, &params));
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(12))]
+
+    #[test]
+    fn edits_of_a_meadow_give_the_plant_that_a_fresh_build_gives(
+        count in 12usize..60,
+        edits in prop::collection::vec((0u8..5, 0usize..1000, -200.0f32..200.0), 1..6),
+        samples in prop::collection::vec((0usize..1000, 1usize..50), 1..4),
+    ) {
+        let mut cache = Cache::default();
+        let mut sketch = drawings::meadow(count);
+        for change in edits {
+            edit(&mut sketch, change);
+            assert_same(&live(&mut cache, &sketch), &fresh(&sketch));
+        }
+        // A stroke under the pen, longer or shorter than it was.
+        for (which, points) in samples {
+            let Some(drawn) = sketch.strokes.get(which % sketch.strokes.len().max(1)) else { break };
+            let mut growing = Stroke::clone(drawn);
+            growing.id = 1_000_000;
+            growing.points.truncate(points);
+            growing.points.iter_mut().for_each(|point| point.position += Vec2::new(9.0, 4.0));
+            let mut drawing = sketch.clone();
+            drawing.strokes.push(growing.into());
+            assert_same(&live(&mut cache, &drawing), &fresh(&drawing));
         }
     }
 }

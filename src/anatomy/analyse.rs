@@ -1,24 +1,25 @@
 //! The whole analysis: strokes in, anatomy out.
+//!
+//! What is made again and again while a drawing grows is kept in a [`Cache`]; with an empty one everything is made.
 
 use super::{
-    Anatomy, FlatBlade, FlatBranch, FlatCrown, Mark, Part, Sample, Stop,
+    Anatomy, FlatBlade, FlatBranch, FlatCrown, Mark, Part, Stop,
     attach::{AttachParams, Branches},
-    blade_outline::{self, TipParams},
-    classify::Classifier,
+    blade_outline::TipParams,
     fill_leaves::{LeafFill, LeafFillParams, Templates},
     fill_twigs::{Growth, TwigFill, TwigParams},
     flowers::{self, FlowerParams, Stem},
     growth_points::Forest,
     hierarchy::{self, HierarchyParams},
     leaf_twigs::{LeafTwigParams, LeafTwigs},
-    preprocess::{PreprocessParams, preprocess},
+    preprocess::PreprocessParams,
+    reading::{Drawn, IgnoreParams, Reading, Readings, Rules},
 };
 use crate::budget::Budget;
-use crate::geom::{convex_hull::convex_hull, polyline, region::Region, simple_loop};
+use crate::geom::region::Region;
 use crate::sketch::warnings::Warnings;
-use crate::sketch::{Remark, Sketch, Stroke, StrokeId, Tool};
+use crate::sketch::{Remark, Sketch, StrokeId};
 use glam::Vec2;
-use rayon::prelude::*;
 use std::sync::Arc;
 
 crate::parameter_groups! {
@@ -45,49 +46,38 @@ crate::parameter_groups! {
     }
 }
 
-crate::parameters! {
-    /// Which strokes are too small to mean anything.
-    pub struct IgnoreParams {
-        /// Shorter strokes are skipped with a warning.
-        shorter_than: f32 = 0.004, 0.0..=0.1, "of the drawing's diagonal";
-    }
-}
-
-/// A stroke on its way through the analysis.
-struct Reading {
-    id: StrokeId,
-    tool: Tool,
-    samples: Vec<Sample>,
-    part: Part,
-    confidence: f32,
-    /// The blade, where the stroke is one.
-    blade: Option<FlatBlade>,
-    warning: Option<Remark>,
+/// What is kept of an analysis for the next one.
+#[derive(Debug, Default)]
+pub struct Cache {
+    /// Everything in here was made with these.
+    params: AnatomyParams,
+    readings: Readings,
 }
 
 /// Finds out what every stroke is and how the parts hang together; generates what outlines ask for.
 pub fn analyse(sketch: &Sketch, params: &AnatomyParams) -> Anatomy {
-    analysis(sketch, params, &|| false)
+    analysis(&mut Cache::default(), sketch, params, &|| false)
 }
 
-/// The same, or nothing if `stop` ever said yes.
-pub fn analyse_unless(sketch: &Sketch, params: &AnatomyParams, stop: Stop) -> Option<Anatomy> {
-    let anatomy = analysis(sketch, params, stop);
+/// The very anatomy that [`analyse`] gives, again and again while a drawing changes; nothing if `stop` ever said yes.
+pub fn analyse_with(
+    cache: &mut Cache,
+    sketch: &Sketch,
+    params: &AnatomyParams,
+    stop: Stop,
+) -> Option<Anatomy> {
+    let anatomy = analysis(cache, sketch, params, stop);
     (!stop()).then_some(anatomy)
 }
 
 /// The whole analysis; once `stop` says yes it hurries to its end, and what it gives is of no use.
-fn analysis(sketch: &Sketch, params: &AnatomyParams, stop: Stop) -> Anatomy {
-    let (bounds, dots) = bounds_without_dots(&sketch.strokes);
+fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: Stop) -> Anatomy {
+    if cache.params != *params {
+        *cache = Cache { params: params.clone(), ..Cache::default() };
+    }
+    let rules = Rules { preprocess: &params.preprocess, ignore: &params.ignore, tip: &params.tip };
+    let Drawn { readings, bounds } = cache.readings.read(&sketch.strokes, rules);
     let diagonal = bounds.0.distance(bounds.1);
-    let readings: Vec<Reading> = sketch
-        .strokes
-        .par_iter()
-        .with_min_len(16)
-        .zip(dots.par_iter())
-        .map(|(stroke, &dot)| read_stroke(stroke, dot, diagonal, params))
-        .collect();
-
     let mut anatomy = Anatomy { diagonal, bounds, ..Anatomy::default() };
     if stop() {
         return anatomy;
@@ -98,7 +88,8 @@ fn analysis(sketch: &Sketch, params: &AnatomyParams, stop: Stop) -> Anatomy {
             warnings.add(Some(reading.id), || remark.clone());
         }
     }
-    let lines = readings.iter().filter(|r| r.part == Part::Branch).map(|r| (Some(r.id), r.samples.clone()));
+    let lines =
+        readings.iter().filter(|r| r.part == Part::Branch).map(|r| (Some(r.id), Arc::clone(&r.samples)));
     anatomy.branches = hierarchy::arrange(lines.collect(), diagonal, &params.hierarchy);
     let blades = readings.iter().filter_map(|r| r.blade.clone().map(|blade| (blade, r.tool))).collect();
     let gathering = flowers::gather(blades, &stems(&anatomy.branches), &params.flowers);
@@ -115,82 +106,15 @@ fn analysis(sketch: &Sketch, params: &AnatomyParams, stop: Stop) -> Anatomy {
     anatomy
 }
 
-/// Largest extent of a dot, as a share of the median stroke's and of the whole drawing's.
-const DOT: (f32, f32) = (0.05, 0.004);
-
 /// Most outlines of crowns in a drawing.
 const MOST_CROWNS: usize = 64;
 
-/// Least area of a crown's hull, as a share of the square of the drawing's diagonal.
-const FLAT_CROWN: f32 = 1e-5;
-
-/// Bounds of all strokes but dots, and which strokes are dots: a slip of the pen far away must not set the scale.
-fn bounds_without_dots(strokes: &[Arc<Stroke>]) -> ((Vec2, Vec2), Vec<bool>) {
-    const NOTHING: (Vec2, Vec2) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
-    let union = |a: (Vec2, Vec2), b: (Vec2, Vec2)| (a.0.min(b.0), a.1.max(b.1));
-    let box_of = |s: &Arc<Stroke>| s.points.iter().fold(NOTHING, |b, p| union(b, (p.position, p.position)));
-    let boxes: Vec<(Vec2, Vec2)> = strokes.iter().map(box_of).collect();
-    let extent = |b: &(Vec2, Vec2)| if b.0.cmple(b.1).all() { b.0.distance(b.1) } else { 0.0 };
-    let mut extents: Vec<f32> = boxes.iter().map(extent).collect();
-    let whole = extent(&boxes.iter().copied().fold(NOTHING, union));
-    let middle = extents.len() / 2;
-    let median =
-        if extents.is_empty() { 0.0 } else { *extents.select_nth_unstable_by(middle, f32::total_cmp).1 };
-    let is_dot = |b| extent(b) < (DOT.0 * median).min(DOT.1 * whole);
-    let dots: Vec<bool> = boxes.iter().map(is_dot).collect();
-    let bounds = boxes.iter().zip(&dots).filter(|(_, dot)| !**dot).map(|(b, _)| *b).fold(NOTHING, union);
-    (if bounds.0.cmple(bounds.1).all() { bounds } else { Default::default() }, dots)
-}
-
-/// Evens out one stroke and decides what it is.
-fn read_stroke(stroke: &Stroke, dot: bool, diagonal: f32, params: &AnatomyParams) -> Reading {
-    let samples = preprocess(&stroke.points, diagonal, &params.preprocess);
-    let (id, tool) = (stroke.id, stroke.tool);
-    let reading = |samples, part, confidence, blade, warning| Reading {
-        id,
-        tool,
-        samples,
-        part,
-        confidence,
-        blade,
-        warning,
-    };
-    let positions: Vec<Vec2> = samples.iter().map(|s| s.position).collect();
-    if dot || samples.len() < 2 || polyline::length(&positions) < params.ignore.shorter_than * diagonal {
-        return reading(samples, Part::Ignored, 1.0, None, Some(Remark::TooShort));
-    }
-    let (is_blade, confidence) = match tool {
-        Tool::Branch => (false, 1.0),
-        Tool::BranchOutline => return reading(samples, Part::BranchOutline, 1.0, None, None),
-        Tool::LeafOutline => return reading(samples, Part::LeafOutline, 1.0, None, None),
-        Tool::Crown => {
-            let is_flat = spread(&samples) < FLAT_CROWN * diagonal * diagonal;
-            let warning = is_flat.then_some(Remark::EmptyCrown);
-            let part = if is_flat { Part::Ignored } else { Part::Crown };
-            return reading(samples, part, 1.0, None, warning);
-        }
-        Tool::Petal | Tool::Leaf => (true, 1.0),
-        Tool::Auto => {
-            let verdict = Classifier::built_in().classify(&positions);
-            (verdict.blade, verdict.confidence)
-        }
-    };
-    if !is_blade {
-        return reading(samples, Part::Branch, confidence, None, None);
-    }
-    match blade_outline::blade(id, &samples, &params.tip) {
-        Some(blade) => reading(samples, Part::Leaf, confidence, Some(blade), None),
-        None if tool == Tool::Auto => reading(samples, Part::Branch, 0.5, None, None),
-        None => reading(samples, Part::Ignored, 1.0, None, Some(Remark::EnclosesNothing)),
-    }
-}
-
 /// The outlines of crowns in drawing order, closed by leaving out an end that meets its beginning; the largest where
 /// there are too many.
-fn crowns(readings: &[Reading], warnings: &mut Warnings) -> Vec<FlatCrown> {
-    let drawn: Vec<&Reading> = readings.iter().filter(|r| r.part == Part::Crown).collect();
+fn crowns(readings: &[Arc<Reading>], warnings: &mut Warnings) -> Vec<FlatCrown> {
+    let drawn: Vec<&Arc<Reading>> = readings.iter().filter(|r| r.part == Part::Crown).collect();
     let mut order: Vec<usize> = (0..drawn.len()).collect();
-    order.sort_by(|a, b| spread(&drawn[*b].samples).total_cmp(&spread(&drawn[*a].samples)));
+    order.sort_by(|a, b| drawn[*b].spread.total_cmp(&drawn[*a].spread));
     let mut kept = vec![false; drawn.len()];
     order.iter().take(MOST_CROWNS).for_each(|i| kept[*i] = true);
     let crown = |r: &Reading| {
@@ -204,12 +128,6 @@ fn crowns(readings: &[Reading], warnings: &mut Warnings) -> Vec<FlatCrown> {
         warnings.add(Some(reading.id), || Remark::ManyCrowns { most: MOST_CROWNS });
     }
     drawn.into_iter().zip(kept).filter(|(_, kept)| *kept).map(|(reading, _)| crown(reading)).collect()
-}
-
-/// Area of the convex hull: unlike that of the outline itself it is not lost where an outline crosses itself.
-fn spread(samples: &[Sample]) -> f32 {
-    let hull = convex_hull(samples, |s| s.position);
-    simple_loop::signed_area(hull.iter().map(|s| s.position)).abs()
 }
 
 /// The stems that stand by themselves.
@@ -232,7 +150,7 @@ fn attach_organs(anatomy: &mut Anatomy, params: &AttachParams) {
 /// Fills branch outlines with twigs, then leaf outlines with leaves on all that is there by then.
 fn fill_outlines(
     anatomy: &mut Anatomy,
-    readings: &[Reading],
+    readings: &[Arc<Reading>],
     seed: u64,
     params: &AnatomyParams,
     stop: Stop,
@@ -285,12 +203,12 @@ fn shortfall(growth: Growth) -> Option<Remark> {
 }
 
 /// The verdicts in drawing order; blades that gathered to flowers are petals.
-fn marks(readings: &[Reading], petals: &[FlatBlade], hearts: &[StrokeId]) -> Vec<Mark> {
+fn marks(readings: &[Arc<Reading>], petals: &[FlatBlade], hearts: &[StrokeId]) -> Vec<Mark> {
     let mut petal_ids: Vec<StrokeId> = petals.iter().filter_map(|p| p.stroke).collect();
     petal_ids.sort_unstable();
     let mut hearts = hearts.to_vec();
     hearts.sort_unstable();
-    let part = |r: &Reading| match r.part {
+    let part = |r: &Arc<Reading>| match r.part {
         Part::Leaf if petal_ids.binary_search(&r.id).is_ok() => Part::Petal,
         Part::Leaf if hearts.binary_search(&r.id).is_ok() => Part::Ignored,
         part => part,
@@ -301,6 +219,8 @@ fn marks(readings: &[Reading], petals: &[FlatBlade], hearts: &[StrokeId]) -> Vec
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::anatomy::Sample;
+    use crate::sketch::{Stroke, Tool};
 
     fn drawing(name: &str) -> Sketch {
         let path = format!("{}/assets/sketches/{name}.penstemon", env!("CARGO_MANIFEST_DIR"));
@@ -343,7 +263,7 @@ mod tests {
         add(&mut sketch, corner, corner + 0.05 * before.diagonal * Vec2::new(0.3, -1.0));
         let after = analyse(&sketch, &params);
         let twigs = |a: &Anatomy| -> Vec<Vec<Sample>> {
-            a.branches.iter().filter(|b| b.stroke.is_none()).map(|b| b.line.clone()).collect()
+            a.branches.iter().filter(|b| b.stroke.is_none()).map(|b| b.line.to_vec()).collect()
         };
         let leaves = |a: &Anatomy| -> Vec<_> {
             a.leaves.iter().filter(|l| l.stroke.is_none()).map(|l| (l.root, l.tip, l.copy_of)).collect()

@@ -103,7 +103,7 @@ mod tests {
     fn leaf(root: Vec2, tip: Vec2) -> FlatBlade {
         let side = 0.2 * (tip - root).perp();
         let outline =
-            [root, root.midpoint(tip) + side, tip, root.midpoint(tip) - side].map(Sample::neutral).to_vec();
+            [root, root.midpoint(tip) + side, tip, root.midpoint(tip) - side].map(Sample::neutral).into();
         FlatBlade { stroke: Some(2), outline, root, tip, copy_of: None, attachment: None }
     }
 

@@ -13,6 +13,7 @@ use super::{FlatBlade, Sample, preprocess::turning};
 use crate::geom::{convex_hull::convex_hull, simple_loop};
 use crate::sketch::StrokeId;
 use glam::Vec2;
+use std::sync::Arc;
 
 crate::parameters! {
     /// How the tip of a blade is found.
@@ -57,7 +58,14 @@ pub fn blade(stroke: StrokeId, samples: &[Sample], params: &TipParams) -> Option
         return None;
     }
     let tip = outline[tip_index(&outline, root, params)].position;
-    Some(FlatBlade { stroke: Some(stroke), outline, root, tip, copy_of: None, attachment: None })
+    Some(FlatBlade {
+        stroke: Some(stroke),
+        outline: outline.into(),
+        root,
+        tip,
+        copy_of: None,
+        attachment: None,
+    })
 }
 
 /// Distance of the farthest sample from a place.
@@ -130,7 +138,7 @@ pub fn swap_ends(blade: &mut FlatBlade) {
             d(a).total_cmp(&d(b))
         })
         .unwrap_or(0);
-    blade.outline.rotate_left(at);
+    Arc::make_mut(&mut blade.outline).rotate_left(at);
     std::mem::swap(&mut blade.root, &mut blade.tip);
 }
 

@@ -158,7 +158,7 @@ impl LeafFill<'_> {
         let aspect = 1.0 + ASPECT_VARIATION * rng.random_range(-1.0..1.0f32);
         (tip.distance(point.position) >= SHORTEST * self.templates.length).then_some(FlatBlade {
             stroke: None,
-            outline: Vec::new(),
+            outline: Arc::default(),
             root: point.position,
             tip,
             copy_of: Some(Copy { template, aspect, key: point.key }),
@@ -239,7 +239,14 @@ mod tests {
             .map(|p| Sample::neutral(Vec2::from(p)))
             .to_vec();
         let (root, tip) = (Vec2::new(10.0, 10.0), Vec2::new(30.0, 10.0));
-        let drawn = FlatBlade { stroke: Some(1), outline, root, tip, copy_of: None, attachment: None };
+        let drawn = FlatBlade {
+            stroke: Some(1),
+            outline: outline.into(),
+            root,
+            tip,
+            copy_of: None,
+            attachment: None,
+        };
         let templates = Templates::new(&[drawn], 100.0, &LeafFillParams::default());
         assert_eq!(templates.length, 20.0);
         // y points down on the canvas: the stroke's upper side lies left of an axis that points right.

@@ -47,7 +47,7 @@ mod tests {
 
     fn ellipse(center: Vec2, radii: Vec2) -> FlatBlade {
         let around = (0..40).map(|k| center + Vec2::from_angle(k as f32 * 0.157) * radii);
-        let outline: Vec<Sample> = around.map(Sample::neutral).collect();
+        let outline: std::sync::Arc<[Sample]> = around.map(Sample::neutral).collect();
         let root = outline[0].position;
         FlatBlade {
             stroke: Some(1),

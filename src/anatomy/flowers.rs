@@ -191,7 +191,7 @@ mod tests {
             .map(|position| Sample { position, pressure: 0.5, tilt_deg: Vec2::ZERO });
         FlatBlade {
             stroke: Some(id),
-            outline: outline.to_vec(),
+            outline: outline.into(),
             root,
             tip: root + axis,
             copy_of: None,
@@ -281,7 +281,7 @@ mod tests {
             })
             .collect();
         let mut circle = blade(9, Vec2::new(30.0, 0.0), Vec2::new(-60.0, 0.0));
-        for (k, sample) in (0..).zip(&mut circle.outline) {
+        for (k, sample) in (0..).zip(std::sync::Arc::make_mut(&mut circle.outline)) {
             sample.position = 30.0 * Vec2::from_angle(k as f32 * std::f32::consts::FRAC_PI_2);
         }
         blades.push((circle, Tool::Auto));

@@ -18,6 +18,7 @@ use crate::sketch::StrokeId;
 use glam::Vec2;
 use rayon::prelude::*;
 use std::ops::Range;
+use std::sync::Arc;
 
 crate::parameters! {
     /// How branches find the branch they grow on.
@@ -55,7 +56,7 @@ struct Touches {
 
 /// Arranges lines into a forest of branches, parents before children, level by level.
 pub fn arrange(
-    lines: Vec<(Option<StrokeId>, Vec<Sample>)>,
+    lines: Vec<(Option<StrokeId>, Arc<[Sample]>)>,
     diagonal: f32,
     params: &HierarchyParams,
 ) -> Vec<FlatBranch> {
@@ -201,7 +202,7 @@ impl Forest {
     /// The forest as branches, every line turned to begin at its base.
     fn into_branches(
         self,
-        mut lines: Vec<(Option<StrokeId>, Vec<Sample>)>,
+        mut lines: Vec<(Option<StrokeId>, Arc<[Sample]>)>,
         flat: &[Vec<Vec2>],
     ) -> Vec<FlatBranch> {
         let mut index_of = vec![0; lines.len()];
@@ -219,7 +220,7 @@ impl Forest {
             let seat = seat_of(old);
             let (stroke, mut line) = std::mem::take(&mut lines[old]);
             if seat.reversed {
-                line.reverse();
+                Arc::make_mut(&mut line).reverse();
             }
             FlatBranch {
                 stroke,
@@ -238,13 +239,13 @@ impl Forest {
 mod tests {
     use super::*;
 
-    fn line(id: StrokeId, points: &[(f32, f32)]) -> (Option<StrokeId>, Vec<Sample>) {
+    fn line(id: StrokeId, points: &[(f32, f32)]) -> (Option<StrokeId>, Arc<[Sample]>) {
         let sample =
             |&(x, y): &(f32, f32)| Sample { position: Vec2::new(x, y), pressure: 0.5, tilt_deg: Vec2::ZERO };
         (Some(id), points.iter().map(sample).collect())
     }
 
-    fn arranged(lines: &[(Option<StrokeId>, Vec<Sample>)]) -> Vec<(u64, Option<u64>, u32)> {
+    fn arranged(lines: &[(Option<StrokeId>, Arc<[Sample]>)]) -> Vec<(u64, Option<u64>, u32)> {
         let branches = arrange(lines.to_vec(), 1000.0, &HierarchyParams::default());
         let id = |b: &FlatBranch| b.stroke.unwrap_or(0);
         branches.iter().map(|b| (id(b), b.parent.map(|p| id(&branches[p])), b.level)).collect()

@@ -111,8 +111,8 @@ impl LeafTwigs<'_> {
 
     /// The end of a branch, which grows straight on.
     fn end_of(&self, index: usize, forest: &Forest) -> Option<GrowthPoint> {
-        let line = forest.branches()[index].line.as_slice();
-        let [.., before, end] = line else { return None };
+        let line = &forest.branches()[index].line;
+        let [.., before, end] = &line[..] else { return None };
         let direction = (end.position - before.position).try_normalize()?;
         if !self.region.contains(end.position) {
             return None;
@@ -215,13 +215,13 @@ mod tests {
     fn a_wide_outline_is_filled_with_wood() {
         let branches = grown(250.0);
         let region = oval(250.0);
-        let wood: Vec<Vec2> = branches.iter().flat_map(|b| &b.line).map(|s| s.position).collect();
+        let wood: Vec<Vec2> = branches.iter().flat_map(|b| b.line.iter()).map(|s| s.position).collect();
         let near = |p: Vec2| wood.iter().any(|w| w.distance(p) < 60.0);
         let grid = (-12..=12).flat_map(|x| (-14..=14).map(move |y| 20.0 * Vec2::new(x as f32, y as f32)));
         let inside: Vec<Vec2> = grid.filter(|&p| region.contains(p)).collect();
         let covered = inside.iter().filter(|&&p| near(p)).count();
         assert!(covered * 100 > 93 * inside.len(), "{covered} of {}", inside.len());
-        assert!(branches[1..].iter().flat_map(|b| &b.line).all(|s| region.contains(s.position)));
+        assert!(branches[1..].iter().flat_map(|b| b.line.iter()).all(|s| region.contains(s.position)));
     }
 
     #[test]

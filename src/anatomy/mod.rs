@@ -17,10 +17,11 @@ pub mod growth_points;
 pub mod hierarchy;
 pub mod leaf_twigs;
 pub mod preprocess;
+pub mod reading;
 pub mod svm;
 pub mod vein;
 
-pub use analyse::{AnatomyParams, analyse, analyse_unless};
+pub use analyse::{AnatomyParams, Cache, analyse, analyse_with};
 
 use crate::sketch::{StrokeId, StrokePoint, Warning};
 use glam::Vec2;
@@ -95,7 +96,7 @@ pub struct FlatBlade {
     pub stroke: Option<StrokeId>,
     /// Closed outline, first sample not repeated, from the root round to the root; empty for a copy, which has its
     /// template's.
-    pub outline: Vec<Sample>,
+    pub outline: Arc<[Sample]>,
     /// Where it is attached.
     pub root: Vec2,
     /// Its far, sharp end.
@@ -148,7 +149,7 @@ pub struct FlatBranch {
     /// elsewhere in the drawing does not change it.
     pub key: u64,
     /// Skeleton from base to end, at least two samples.
-    pub line: Vec<Sample>,
+    pub line: Arc<[Sample]>,
     /// Index of the branch that carries it, always smaller than its own.
     pub parent: Option<usize>,
     /// Arc length along the parent at which it is attached, pixels.

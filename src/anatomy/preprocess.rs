@@ -30,21 +30,33 @@ crate::parameters! {
 /// How far from a sample its turn is measured, in samples.
 const TURN_REACH: usize = 2;
 
-/// Resamples and smooths one stroke of a drawing with the given diagonal (pixels). At least two samples come out
-/// unless all points coincide; then there is one.
-pub fn preprocess(points: &[StrokePoint], diagonal: f32, params: &PreprocessParams) -> Vec<Sample> {
-    smooth(&resample(points, diagonal, params), params)
+/// Length of a stroke as it was drawn, pixels.
+pub fn length(points: &[StrokePoint]) -> f32 {
+    polyline::arc_lengths(points.iter().map(|p| p.position)).last().copied().unwrap_or(0.0)
+}
+
+/// How many samples a stroke of some length has in a drawing with the given diagonal, both in pixels: at least two unless it
+/// has no length.
+pub fn count(length: f32, diagonal: f32, params: &PreprocessParams) -> usize {
+    if length <= 0.0 {
+        return 1;
+    }
+    let (least, most) = (params.min_samples as usize, params.max_samples.max(params.min_samples) as usize);
+    ((length / (params.spacing * diagonal)).ceil() as usize).saturating_add(1).clamp(least, most)
+}
+
+/// Resamples a stroke to so many samples, see [`count`], and smooths them. One sample comes out where all points coincide.
+pub fn preprocess(points: &[StrokePoint], count: usize, params: &PreprocessParams) -> Vec<Sample> {
+    smooth(&resample(points, count), params)
 }
 
 /// Samples at equal arc length, first and last point included; pressure and tilt are interpolated.
-pub fn resample(points: &[StrokePoint], diagonal: f32, params: &PreprocessParams) -> Vec<Sample> {
+pub fn resample(points: &[StrokePoint], count: usize) -> Vec<Sample> {
     let arcs = polyline::arc_lengths(points.iter().map(|p| p.position));
     let total = arcs.last().copied().unwrap_or(0.0);
-    if total <= 0.0 {
+    if total <= 0.0 || count < 2 {
         return points.first().map(sample_of).into_iter().collect();
     }
-    let (least, most) = (params.min_samples as usize, params.max_samples.max(params.min_samples) as usize);
-    let count = ((total / (params.spacing * diagonal)).ceil() as usize + 1).clamp(least, most);
     let step = total / (count - 1) as f32;
     let mut segment = 0;
     (0..count)
@@ -127,10 +139,15 @@ mod tests {
         points.map(|(x, y)| StrokePoint::at(Vec2::new(x, y))).collect()
     }
 
+    fn evened(points: &[StrokePoint], diagonal: f32, params: &PreprocessParams) -> Vec<Sample> {
+        preprocess(points, count(length(points), diagonal, params), params)
+    }
+
     #[test]
     fn spacing_is_even_in_every_direction() {
         let params = PreprocessParams::default();
-        let samples = resample(&stroke([(0.0, 0.0), (30.0, 0.0), (60.0, 40.0)].into_iter()), 1000.0, &params);
+        let points = stroke([(0.0, 0.0), (30.0, 0.0), (60.0, 40.0)].into_iter());
+        let samples = resample(&points, count(length(&points), 1000.0, &params));
         let steps: Vec<f32> = samples.windows(2).map(|w| w[0].position.distance(w[1].position)).collect();
         let mean = steps.iter().sum::<f32>() / steps.len() as f32;
         assert!((mean - 80.0 / (samples.len() - 1) as f32).abs() < 0.02);
@@ -141,7 +158,7 @@ mod tests {
     fn pressure_follows_along() {
         let mut points = stroke([(0.0, 0.0), (100.0, 0.0)].into_iter());
         (points[0].pressure, points[1].pressure) = (0.0, 1.0);
-        let samples = resample(&points, 100.0, &PreprocessParams::default());
+        let samples = resample(&points, 40);
         assert!(samples.iter().all(|s| (s.pressure - s.position.x / 100.0).abs() < 1e-5));
     }
 
@@ -149,7 +166,7 @@ mod tests {
     fn smoothing_takes_wobble_and_leaves_ends() {
         let wobbly = stroke((0..101).map(|k| (k as f32 * 4.0, if k % 2 == 0 { 0.5 } else { -0.5 })));
         let params = PreprocessParams { spacing: 0.01, window: 4, weight: 2.0, ..Default::default() };
-        let out = preprocess(&wobbly, 400.0, &params);
+        let out = evened(&wobbly, 400.0, &params);
         assert!(out[10..90].iter().all(|s| s.position.y.abs() < 0.1));
         assert_eq!(out[0].position, wobbly[0].position);
         assert_eq!(out.last().unwrap().position, wobbly.last().unwrap().position);
@@ -159,7 +176,7 @@ mod tests {
     fn a_corner_keeps_its_point() {
         let tent = stroke([(0.0, 0.0), (50.0, 80.0), (100.0, 0.0)].into_iter());
         let params = PreprocessParams { min_samples: 41, spacing: 0.05, ..Default::default() };
-        let out = preprocess(&tent, 140.0, &params);
+        let out = evened(&tent, 140.0, &params);
         let top = out.iter().map(|s| s.position.y).fold(0.0, f32::max);
         assert!(top > 79.9, "{top}");
     }
@@ -167,6 +184,6 @@ mod tests {
     #[test]
     fn a_dot_stays_one_sample() {
         let dot = stroke([(5.0, 5.0), (5.0, 5.0)].into_iter());
-        assert_eq!(preprocess(&dot, 100.0, &PreprocessParams::default()).len(), 1);
+        assert_eq!(evened(&dot, 100.0, &PreprocessParams::default()).len(), 1);
     }
 }

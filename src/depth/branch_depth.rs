@@ -205,7 +205,7 @@ fn arc_lengths(branch: &FlatBranch) -> Vec<f32> {
     let mut run = Vec::with_capacity(branch.line.len());
     let mut sum = 0.0;
     let mut previous = None;
-    for sample in &branch.line {
+    for sample in branch.line.iter() {
         sum += previous.map_or(0.0, |p| sample.position.distance(p));
         previous = Some(sample.position);
         run.push(sum);

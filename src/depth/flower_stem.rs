@@ -94,12 +94,14 @@ fn bridge_gap(branch: &mut FlatBranch, depths: &mut Vec<f32>, goal: &Goal) {
     let handle = last.position + 0.5 * gap * if tangent.dot(toward) > 0.0 { tangent } else { toward };
     let depth = depths.last().copied().unwrap_or(0.0);
     const STEPS: usize = 5;
+    let mut line = branch.line.to_vec();
     for k in 1..=STEPS {
         let t = k as f32 / STEPS as f32;
         let position = last.position.lerp(handle, t).lerp(handle.lerp(goal.center, t), t);
-        branch.line.push(Sample { position, ..last });
+        line.push(Sample { position, ..last });
         depths.push(depth);
     }
+    branch.line = line.into();
 }
 
 #[cfg(test)]

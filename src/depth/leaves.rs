@@ -9,13 +9,14 @@
 //! Pen tilt (no paper has it): the pen stands on the leaf like its normal. A pen held upright leaves things to the
 //! light; a tilted pen leans the leaf.
 
-use super::outline::CurlParams;
-use super::outline::{BladeFrame, outline_of};
+use super::outline::{BladeFrame, CurlParams, DrawnBlade, outline_of};
 use crate::anatomy::{Copy, FlatBlade};
+use crate::kept::Kept;
 use crate::plant::{Blade, BladeForm, RestSurface, WorldFromCanvas};
 use crate::random::stream;
 use glam::{Quat, Vec2, Vec3};
 use rand::RngExt;
+use rayon::prelude::*;
 use std::sync::Arc;
 
 crate::parameters! {
@@ -100,6 +101,50 @@ impl LeafPoser<'_> {
     }
 }
 
+/// Drawn leaves from one drawing to the next, all posed with the same parameters.
+#[derive(Debug, Default)]
+pub struct Leaves(Kept<LeafKey, Blade>);
+
+/// Everything that a drawn leaf is posed from but the parameters.
+#[derive(Debug, PartialEq, Eq, Hash)]
+struct LeafKey {
+    leaf: DrawnBlade,
+    /// The seed and the name of its random stream.
+    chance: [u64; 2],
+    /// The depth of its foot, and how the drawing maps to the world.
+    place: [u32; 4],
+}
+
+impl Leaves {
+    /// Poses leaves, each at its foot, in their order. Copies of templates are posed anew: there are many, and each is
+    /// posed in no time.
+    pub fn pose(
+        &mut self,
+        leaves: &[(&FlatBlade, Vec3)],
+        templates: &[Arc<[Vec2]>],
+        poser: &LeafPoser<'_>,
+    ) -> Vec<Blade> {
+        let WorldFromCanvas { scale, origin } = poser.world;
+        let key = |(leaf, foot): &(&FlatBlade, Vec3)| LeafKey {
+            leaf: DrawnBlade::of(leaf),
+            chance: [poser.seed, leaf.key()],
+            place: [foot.z, scale, origin.x, origin.y].map(f32::to_bits),
+        };
+        let drawn: Vec<(&FlatBlade, Vec3)> =
+            leaves.iter().filter(|(leaf, _)| leaf.copy_of.is_none()).copied().collect();
+        let mut drawn = self.0.made(&drawn, key, |(leaf, foot)| poser.drawn(leaf, foot.z)).into_iter();
+        let copied: Vec<Option<Blade>> = leaves
+            .par_iter()
+            .with_min_len(64)
+            .map(|(leaf, foot)| {
+                let copy = leaf.copy_of?;
+                Some(poser.copied(leaf, copy, &templates[copy.template as usize], *foot))
+            })
+            .collect();
+        copied.into_iter().filter_map(|blade| blade.or_else(|| drawn.next())).collect()
+    }
+}
+
 /// Unit vectors across and along the unit `axis` such that across × along comes as near as it can to `normal`.
 fn across(axis: Vec3, normal: Vec3) -> (Vec3, Vec3) {
     (axis.cross(normal).try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector()), axis)
@@ -122,7 +167,7 @@ mod tests {
 
     fn leaf(tilt: Vec2) -> FlatBlade {
         let points = [(0.0, 0.0), (50.0, -10.0), (100.0, -60.0), (40.0, -40.0)];
-        let outline = points.map(|p| Sample { tilt_deg: tilt, ..Sample::neutral(Vec2::from(p)) }).to_vec();
+        let outline = points.map(|p| Sample { tilt_deg: tilt, ..Sample::neutral(Vec2::from(p)) }).into();
         FlatBlade {
             stroke: Some(1),
             outline,

@@ -10,6 +10,7 @@ pub mod cone_pose;
 mod cone_pose_tests;
 pub mod crowns;
 pub mod flower_stem;
+pub mod flowers;
 pub mod leaves;
 pub mod outline;
 mod petal_tip;
@@ -18,4 +19,4 @@ pub mod radii;
 pub mod recover;
 
 pub use crowns::crowns;
-pub use recover::{DepthParams, recover};
+pub use recover::{Cache, DepthParams, recover, recover_with};

@@ -1,7 +1,8 @@
 //! A drawn outline in its blade's own plane.
 
-use crate::anatomy::FlatBlade;
+use crate::anatomy::{FlatBlade, Sample};
 use crate::geom::simple_loop;
+use crate::kept::Same;
 use crate::plant::WorldFromCanvas;
 use crate::sketch::StrokePoint;
 use glam::Vec2;
@@ -11,6 +12,21 @@ crate::parameters! {
     pub struct CurlParams {
         /// How much pressure along the outline curls the margin toward the face; 0 switches it off.
         pressure_curl: f32 = 1.0, 0.0..=2.0, "";
+    }
+}
+
+/// A drawn blade by what it looks like in the drawing: its outline, told by its address, its root and its tip.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct DrawnBlade {
+    outline: Same<[Sample]>,
+    ends: [u32; 4],
+}
+
+impl DrawnBlade {
+    /// That of this blade.
+    pub fn of(flat: &FlatBlade) -> Self {
+        let ([a, b], [c, d]) = (flat.root.to_array(), flat.tip.to_array());
+        Self { outline: Same::of(&flat.outline), ends: [a, b, c, d].map(f32::to_bits) }
     }
 }
 
@@ -62,7 +78,7 @@ pub fn outline_of(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::anatomy::Sample;
+    use std::sync::Arc;
 
     const WORLD: WorldFromCanvas = WorldFromCanvas { scale: 0.01, origin: Vec2::ZERO };
 
@@ -70,7 +86,7 @@ mod tests {
         let outline = [(0.0, 0.0), (30.0, -50.0), (0.0, -100.0), (-30.0, -50.0)]
             .map(|p| Sample::neutral(Vec2::from(p)));
         let (root, tip) = (Vec2::ZERO, Vec2::new(0.0, -100.0));
-        FlatBlade { stroke: Some(1), outline: outline.to_vec(), root, tip, copy_of: None, attachment: None }
+        FlatBlade { stroke: Some(1), outline: outline.into(), root, tip, copy_of: None, attachment: None }
     }
 
     #[test]
@@ -93,7 +109,7 @@ mod tests {
     #[test]
     fn pressure_becomes_curl() {
         let mut flat = leaf();
-        flat.outline[1].pressure = 1.0;
+        Arc::make_mut(&mut flat.outline)[1].pressure = 1.0;
         let frame = BladeFrame::new(&flat, &WORLD, false);
         let (outline, curl) = outline_of(&flat, &frame, &WORLD, &CurlParams::default());
         let pressed = outline.iter().position(|p| p.x > 0.2).unwrap();

@@ -115,7 +115,7 @@ mod tests {
     #[test]
     fn pressure_thickens_and_can_be_switched_off() {
         let mut pressed = branch(None, 0.0);
-        pressed.line[10].pressure = 1.0;
+        std::sync::Arc::make_mut(&mut pressed.line)[10].pressure = 1.0;
         let neutral = &radii(&[branch(None, 0.0)], 1000.0, &RadiusParams::default())[0];
         let with = &radii(&[pressed.clone()], 1000.0, &RadiusParams::default())[0];
         assert!((with[10] / neutral[10] - 2.0).abs() < 1e-3);

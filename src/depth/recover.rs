@@ -2,21 +2,19 @@
 
 use super::{
     branch_depth::{self, BranchDepthParams},
-    cone_pose::{ConeParams, FlowerPose, PetalOutline, flower_pose},
+    cone_pose::{ConeParams, FlowerPose},
     crowns,
     flower_stem::{self, Goal, StemParams},
-    leaves::{LeafParams, LeafPoser},
+    flowers::Flowers,
+    leaves::{LeafParams, LeafPoser, Leaves},
     outline::CurlParams,
-    petals,
     radii::{self, RadiusParams},
 };
 use crate::anatomy::{Anatomy, Attachment, FlatBlade, FlatBranch, FlatFlower};
 use crate::geom::polyline;
-use crate::plant::{
-    Blade, Branch, Cone, Flower, Organ, Origin, Plant, PlantPart, Provenance, Role, Shape, WorldFromCanvas,
-};
+use crate::plant::{Branch, Organ, Origin, Plant, PlantPart, Provenance, Role, Shape, WorldFromCanvas};
 use glam::{Vec2, Vec3};
-use rayon::prelude::*;
+use std::sync::Arc;
 
 crate::parameter_groups! {
     /// Everything that decides how a flat drawing stands in space.
@@ -54,31 +52,42 @@ const PETIOLE_GAP: f32 = 0.06;
 /// Thickness of a petiole as a share of its branch's at that place.
 const PETIOLE_SHARE: f32 = 0.5;
 
-/// Least and largest radius of a flower's centre, as shares of the petals' reach.
-const CENTRE: (f32, f32) = (0.05, 0.4);
+/// What is kept of a drawing's depth for the next drawing.
+#[derive(Debug, Default)]
+pub struct Cache {
+    /// Everything in here was made with these.
+    params: DepthParams,
+    flowers: Flowers,
+    leaves: Leaves,
+}
 
 /// Lifts an anatomy into space, and keeps what only the drawing knows beside the plant. Forms are plain, for they are the
 /// species'.
 pub fn recover(anatomy: &Anatomy, seed: u64, params: &DepthParams) -> (Plant, Provenance) {
+    recover_with(&mut Cache::default(), anatomy, seed, params)
+}
+
+/// The very plant that [`recover`] gives, again and again while a drawing changes.
+pub fn recover_with(
+    cache: &mut Cache,
+    anatomy: &Anatomy,
+    seed: u64,
+    params: &DepthParams,
+) -> (Plant, Provenance) {
+    if cache.params != *params {
+        *cache = Cache { params: params.clone(), ..Cache::default() };
+    }
     let mut skeleton = Skeleton::new(anatomy, seed, params);
-    let poses: Vec<FlowerPose> = anatomy.flowers.iter().map(|f| pose_of(f, anatomy, &params.cone)).collect();
+    let poses = cache.flowers.poses(anatomy, &params.cone);
     let centers = skeleton.lead_stems(anatomy, &poses, &params.stem);
 
     let world = world_from_canvas(anatomy, &params.world);
     let mut provenance = Provenance::new(world);
-    let mut plant = Plant {
-        branches: skeleton.branches(anatomy.diagonal, &params.radii, &mut provenance),
-        flowers: Vec::with_capacity(poses.len()),
-        organs: Vec::new(),
-        buds: Vec::new(),
-    };
-    for (i, (flat, pose)) in anatomy.flowers.iter().zip(&poses).enumerate() {
-        let flower = flower(flat, pose, centers[i], &anatomy.petals, &world);
-        let petals = flower_petals((i, flat), pose, &flower, anatomy, &params.curl, &mut provenance);
-        plant.organs.extend(petals);
-        plant.flowers.push(flower);
-    }
-    add_leaves(&mut plant, &mut provenance, &skeleton, anatomy, seed, params);
+    let branches = skeleton.branches(anatomy.diagonal, &params.radii, &mut provenance);
+    let (flowers, organs) = cache.flowers.stand(anatomy, (&poses, &centers), &params.curl, &mut provenance);
+    let mut plant = Plant { branches, flowers, organs, buds: Vec::new() };
+    let poser = LeafPoser { world, seed, params: &params.leaves, curl: &params.curl };
+    add_leaves((&mut plant, &mut provenance), &skeleton, anatomy, (&mut cache.leaves, &poser));
     debug_assert_eq!(provenance.check_invariants(&plant), Ok(()));
     (plant, provenance)
 }
@@ -90,7 +99,7 @@ fn world_from_canvas(anatomy: &Anatomy, params: &WorldParams) -> WorldFromCanvas
     // A drawing without height (one level stroke) is sized by its width.
     let extent = if high.y - low.y > 0.05 * anatomy.diagonal { high.y - low.y } else { anatomy.diagonal };
     let trunks = anatomy.branches.iter().filter(|b| b.parent.is_none()).filter_map(|b| b.line.first());
-    let wood = anatomy.branches.iter().filter(|b| b.stroke.is_some()).flat_map(|b| &b.line);
+    let wood = anatomy.branches.iter().filter(|b| b.stroke.is_some()).flat_map(|b| b.line.iter());
     let ground = wood.map(|s| s.position.y).fold(f32::NEG_INFINITY, f32::max);
     let lowest = |a: &Vec2, b: &Vec2| a.y.total_cmp(&b.y);
     let origin = trunks
@@ -102,20 +111,6 @@ fn world_from_canvas(anatomy: &Anatomy, params: &WorldParams) -> WorldFromCanvas
         .or_else(|| anatomy.leaves.iter().map(|l| l.root).max_by(lowest))
         .unwrap_or(low.midpoint(high));
     WorldFromCanvas { scale: params.height / extent.max(f32::MIN_POSITIVE), origin }
-}
-
-fn pose_of(flower: &FlatFlower, anatomy: &Anatomy, params: &ConeParams) -> FlowerPose {
-    let petals = &anatomy.petals;
-    let points: Vec<Vec<Vec2>> =
-        flower.petals.iter().map(|&p| petals[p].outline.iter().map(|s| s.position).collect()).collect();
-    let outlines: Vec<PetalOutline> = flower
-        .petals
-        .iter()
-        .zip(&points)
-        .map(|(&p, points)| PetalOutline { points, root: petals[p].root })
-        .collect();
-    let stem = flower.attachment.and_then(|place| flower_stem::arrival(anatomy, place, flower));
-    flower_pose(&outlines, stem, params)
 }
 
 /// Branches with arc length and depth of their samples, pixels; depth grows toward the viewer.
@@ -133,7 +128,7 @@ impl Skeleton {
     }
 
     /// Leads every stem that ends in a flower to it; gives the depth of each flower's centre.
-    fn lead_stems(&mut self, anatomy: &Anatomy, poses: &[FlowerPose], params: &StemParams) -> Vec<f32> {
+    fn lead_stems(&mut self, anatomy: &Anatomy, poses: &[Arc<FlowerPose>], params: &StemParams) -> Vec<f32> {
         let mut last_child = vec![0.0f32; self.branches.len()];
         let leaves = anatomy.leaves.iter().filter_map(|leaf| leaf.attachment);
         let flowers = anatomy.flowers.iter().filter_map(|flower| flower.attachment);
@@ -144,7 +139,7 @@ impl Skeleton {
             last_child[place.branch] = last_child[place.branch].max(place.at);
         }
         let mut led = vec![false; self.branches.len()];
-        let lead = |(flower, pose): (&FlatFlower, &FlowerPose)| {
+        let lead = |(flower, pose): (&FlatFlower, &Arc<FlowerPose>)| {
             let Some(place) = flower.attachment else { return 0.0 };
             let i = place.branch;
             if !self.is_end(place) || led[i] {
@@ -204,95 +199,33 @@ fn without_repeats(samples: impl Iterator<Item = (Vec3, f32)>) -> (Vec<Vec3>, Ve
     samples.filter(|&(p, _)| last.replace(p) != Some(p)).unzip()
 }
 
-fn flower(
-    flat: &FlatFlower,
-    pose: &FlowerPose,
-    center_depth: f32,
-    petals: &[FlatBlade],
-    world: &WorldFromCanvas,
-) -> Flower {
-    let apex = world.point(pose.center).with_z(center_depth * world.scale);
-    let reach = (pose.slant_px * world.scale).max(1e-6);
-    let cone =
-        Cone { apex, axis: pose.axis, opening_rad: pose.opening_rad, height: pose.height_px * world.scale };
-    let members = flat.petals.iter().map(|&p| &petals[p]);
-    let centre =
-        flat.heart_radius.unwrap_or_else(|| petals::root_distance(members, pose.center)) * world.scale;
-    Flower {
-        branch: flat.attachment.map(|place| place.branch),
-        cone,
-        centre_radius: centre.clamp(CENTRE.0 * reach, CENTRE.1 * reach),
-        reach,
-        look: 0,
-    }
-}
-
-fn flower_petals(
-    (index, flat): (usize, &FlatFlower),
-    pose: &FlowerPose,
-    flower: &Flower,
-    anatomy: &Anatomy,
-    curl: &CurlParams,
-    provenance: &mut Provenance,
-) -> Vec<Organ> {
-    let world = provenance.world_from_canvas;
-    let members = flat.petals.iter().zip(&pose.tip_depths);
-    members
-        .map(|(&p, tip_depth)| {
-            let petal = &anatomy.petals[p];
-            let tip_depth = flower.cone.apex.z + tip_depth * world.scale;
-            let blade = petals::petal(petal, &flower.cone, tip_depth, &world, curl);
-            organ(PlantPart::Petal, provenance.record(petal.stroke), flower.branch, Some(index), blade)
-        })
-        .collect()
-}
-
-fn organ(
-    part: PlantPart,
-    origin: Origin,
-    branch: Option<usize>,
-    flower: Option<usize>,
-    blade: Blade,
-) -> Organ {
-    Organ { role: Role::of(part), origin, branch, flower, shape: Shape::Blade(blade) }
-}
-
 /// Adds leaves, with petioles where the hand left a gap to the branch.
 fn add_leaves(
-    plant: &mut Plant,
-    provenance: &mut Provenance,
+    (plant, provenance): (&mut Plant, &mut Provenance),
     skeleton: &Skeleton,
     anatomy: &Anatomy,
-    seed: u64,
-    params: &DepthParams,
+    (known, poser): (&mut Leaves, &LeafPoser<'_>),
 ) {
-    let world = provenance.world_from_canvas;
-    let poser = LeafPoser { world, seed, params: &params.leaves, curl: &params.curl };
-    let posed: Vec<(Option<usize>, Vec3, Blade)> = anatomy
-        .leaves
-        .par_iter()
-        .with_min_len(64)
-        .map(|leaf| {
-            let on_branch = leaf.attachment.map(|place| skeleton.point(place, &world));
-            let foot = on_branch.unwrap_or(world.point(leaf.root));
-            let blade = match leaf.copy_of {
-                Some(copy) => {
-                    let template = &anatomy.templates[copy.template as usize];
-                    poser.copied(leaf, copy, template, foot)
-                }
-                None => poser.drawn(leaf, foot.z),
-            };
-            (leaf.attachment.map(|place| place.branch), foot, blade)
-        })
-        .collect();
-    for ((branch, foot, blade), leaf) in posed.into_iter().zip(&anatomy.leaves) {
-        let parent = match branch {
+    let foot = |leaf: &FlatBlade| match leaf.attachment {
+        Some(place) => skeleton.point(place, &poser.world),
+        None => poser.world.point(leaf.root),
+    };
+    let standing: Vec<(&FlatBlade, Vec3)> = anatomy.leaves.iter().map(|leaf| (leaf, foot(leaf))).collect();
+    let blades = known.pose(&standing, &anatomy.templates, poser);
+    for ((leaf, foot), blade) in standing.into_iter().zip(blades) {
+        let parent = match leaf.attachment.map(|place| place.branch) {
             Some(branch) if foot.distance(blade.base) > PETIOLE_GAP * blade.length => {
                 add_petiole(plant, branch, foot, blade.base)
             }
             parent => parent,
         };
-        plant.organs.push(organ(PlantPart::Leaf, provenance.record(leaf.stroke), parent, None, blade));
+        plant.organs.push(Organ {
+            role: Role::of(PlantPart::Leaf),
+            origin: provenance.record(leaf.stroke),
+            branch: parent,
+            flower: None,
+            shape: Shape::Blade(blade),
+        });
     }
 }
 

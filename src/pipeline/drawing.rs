@@ -7,31 +7,49 @@ use super::source::Produced;
 use crate::anatomy;
 use crate::depth;
 use crate::growth::Memory;
+use crate::growth::overlay::{Spot, Wanted};
 use crate::sketch::Sketch;
 use crate::species::Species;
 
+/// What is kept of a drawing from one build to the next.
+#[derive(Debug, Default)]
+pub struct DrawingMemory {
+    anatomy: anatomy::Cache,
+    depth: depth::Cache,
+    growth: Memory,
+}
+
+impl DrawingMemory {
+    /// What growth looks like from inside, at an age that the plant has lived through.
+    pub(super) fn overlay(&self, age: f32, wanted: Wanted) -> Vec<Spot> {
+        self.growth.overlay(age, wanted)
+    }
+}
+
 /// Makes the plant of a drawing; nothing if `stop` said yes.
 pub(super) fn produce(
-    memory: &mut Memory,
+    memory: &mut DrawingMemory,
     sketch: &Sketch,
     (species, params): (&Species, &Params),
     clock: &mut Clock,
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Option<Produced> {
-    let mut anatomy = clock.time("anatomy", || anatomy::analyse_unless(sketch, &params.anatomy, stop))?;
+    let mut anatomy = clock
+        .time("anatomy", || anatomy::analyse_with(&mut memory.anatomy, sketch, &params.anatomy, stop))?;
     let mut remarks = std::mem::take(&mut anatomy.warnings);
     remarks.extend(growing::fineness_unused(&anatomy, species, params));
-    let (plant, provenance) = clock.time("depth", || depth::recover(&anatomy, sketch.seed, &params.depth));
+    let (plant, provenance) =
+        clock.time("depth", || depth::recover_with(&mut memory.depth, &anatomy, sketch.seed, &params.depth));
     if stop() {
         return None;
     }
     if !growing::grows(&anatomy, species, params) {
-        memory.clear();
+        memory.growth.clear();
         return Some(Produced { plant, provenance, remarks, anatomy, growth: None, may_flower: true });
     }
     let grown = clock.time("growth", || {
         growing::grow_on(
-            memory,
+            &mut memory.growth,
             (plant, &provenance),
             &anatomy,
             (species, params),

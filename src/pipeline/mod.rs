@@ -17,6 +17,7 @@ mod seed;
 mod setup;
 mod source;
 
+pub use drawing::DrawingMemory;
 pub use finish::{Built, instanced};
 pub use seed::SeedMemory;
 pub use setup::{
@@ -25,7 +26,6 @@ pub use setup::{
 };
 pub use source::{Ages, Produced, Seed, Source};
 
-use crate::growth::Memory;
 use crate::growth::overlay::Wanted;
 use crate::model;
 use crate::sketch::Textures;
@@ -38,8 +38,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub struct Cache {
     /// Meshes of parts.
     pub model: model::Cache,
-    /// The drawn plant that grew last.
-    pub growth: Memory,
+    /// The drawing that was built last.
+    pub drawing: DrawingMemory,
     /// The plant that grew last from a seed.
     pub seed: SeedMemory,
 }
@@ -49,7 +49,7 @@ impl Cache {
     pub fn look_inside(&self, source: Source<'_>, built: &mut Built, wanted: Wanted) {
         let Some(ages) = built.growth.filter(|_| wanted.any()) else { return };
         built.overlay = match source {
-            Source::Drawing(_) => self.growth.overlay(ages.shown, wanted),
+            Source::Drawing(_) => self.drawing.overlay(ages.shown, wanted),
             Source::Seed(_) => self.seed.overlay(ages.shown, wanted),
         };
     }
@@ -84,7 +84,7 @@ pub fn build_with<'a>(
     let no_pictures = Textures::default();
     let (produced, of_source) = match source.into() {
         Source::Drawing(sketch) => {
-            let produced = drawing::produce(&mut cache.growth, sketch, with, &mut clock, &stop)?;
+            let produced = drawing::produce(&mut cache.drawing, sketch, with, &mut clock, &stop)?;
             (produced, (sketch.seed, &sketch.textures))
         }
         Source::Seed(seed) => {

@@ -1,0 +1,167 @@
+//! What a stage of the pipeline made, kept from one build to the next by what it was made from.
+//!
+//! Every stage is a pure function of plain data, so a thing whose key says everything that it was made from is the very
+//! thing that would be made again. A stage asks once in a build for all things of a kind ([`Kept::made`]); what it does not
+//! ask for is forgotten. Long lists are not compared but known by their address ([`Same`]): what comes unchanged out of one
+//! stage's memory is found at once in the next one's.
+//!
+//! Limits: lists of equal content at two addresses are two keys, which costs time but changes nothing.
+
+use rayon::prelude::*;
+use std::collections::HashMap;
+use std::hash::{Hash, Hasher};
+use std::sync::Arc;
+
+/// Things that one thread makes at a time: fewer are not worth waking another thread for.
+const BATCH: usize = 16;
+
+/// Shared data, known by its address. It is held, so that nothing else comes to lie there.
+#[derive(Debug)]
+pub struct Same<T: ?Sized>(Arc<T>);
+
+impl<T: ?Sized> Same<T> {
+    /// This very data.
+    pub fn of(data: &Arc<T>) -> Self {
+        Self(Arc::clone(data))
+    }
+
+    fn address(&self) -> *const () {
+        Arc::as_ptr(&self.0).cast()
+    }
+}
+
+impl<T: ?Sized> Clone for Same<T> {
+    fn clone(&self) -> Self {
+        Self::of(&self.0)
+    }
+}
+
+impl<T: ?Sized> PartialEq for Same<T> {
+    fn eq(&self, other: &Self) -> bool {
+        self.address() == other.address()
+    }
+}
+
+impl<T: ?Sized> Eq for Same<T> {}
+
+impl<T: ?Sized> Hash for Same<T> {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.address().hash(state);
+    }
+}
+
+/// Things of one kind, by what they were made from.
+#[derive(Debug)]
+pub struct Kept<K, V> {
+    held: HashMap<K, Held<V>>,
+    round: u64,
+}
+
+#[derive(Debug)]
+struct Held<V> {
+    thing: V,
+    /// The last call that asked for it.
+    round: u64,
+}
+
+impl<K, V> Default for Kept<K, V> {
+    fn default() -> Self {
+        Self { held: HashMap::new(), round: 0 }
+    }
+}
+
+impl<K: Eq + Hash, V: Clone + Send + Sync> Kept<K, V> {
+    /// What `make` makes of each input, in their order; what the last call made from the same key is not made again. The
+    /// key must say everything that `make` reads.
+    pub fn made<I: Sync>(
+        &mut self,
+        inputs: &[I],
+        key: impl Fn(&I) -> K,
+        make: impl Fn(&I) -> V + Sync,
+    ) -> Vec<V> {
+        self.made_where(inputs, key, |_, _| true, make)
+    }
+
+    /// The same where a key does not say everything: what was made from it is taken only if it still `holds`.
+    pub fn made_where<I: Sync>(
+        &mut self,
+        inputs: &[I],
+        key: impl Fn(&I) -> K,
+        holds: impl Fn(&I, &V) -> bool,
+        make: impl Fn(&I) -> V + Sync,
+    ) -> Vec<V> {
+        self.round += 1;
+        let round = self.round;
+        let mut known = |input: &I| {
+            let held = self.held.get_mut(&key(input)).filter(|held| holds(input, &held.thing))?;
+            held.round = round;
+            Some(held.thing.clone())
+        };
+        let found: Vec<Option<V>> = inputs.iter().map(&mut known).collect();
+        let missing: Vec<&I> =
+            inputs.iter().zip(&found).filter(|(_, found)| found.is_none()).map(|(input, _)| input).collect();
+        let new: Vec<V> = missing.par_iter().with_min_len(BATCH).map(|input| make(input)).collect();
+        for (input, thing) in missing.into_iter().zip(&new) {
+            self.held.insert(key(input), Held { thing: thing.clone(), round });
+        }
+        self.held.retain(|_, held| held.round == round);
+        let mut new = new.into_iter();
+        found.into_iter().filter_map(|found| found.or_else(|| new.next())).collect()
+    }
+
+    /// How many things are kept.
+    pub fn len(&self) -> usize {
+        self.held.len()
+    }
+
+    /// Whether nothing is kept.
+    pub fn is_empty(&self) -> bool {
+        self.held.is_empty()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    /// Squares, and how many of them were made and not taken.
+    fn squares(kept: &mut Kept<u32, u32>, of: &[u32]) -> (Vec<u32>, usize) {
+        let made = AtomicUsize::new(0);
+        let square = |x: &u32| {
+            made.fetch_add(1, Ordering::Relaxed);
+            x * x
+        };
+        let squares = kept.made(of, |x| *x, square);
+        (squares, made.into_inner())
+    }
+
+    #[test]
+    fn only_what_is_new_is_made_and_only_what_is_asked_for_is_kept() {
+        let mut kept = Kept::default();
+        assert_eq!(squares(&mut kept, &[3, 1, 2]), (vec![9, 1, 4], 3));
+        assert_eq!(squares(&mut kept, &[1, 5, 3, 1]), (vec![1, 25, 9, 1], 1));
+        assert_eq!(kept.len(), 3);
+        assert_eq!(squares(&mut kept, &[2]), (vec![4], 1));
+        assert_eq!(squares(&mut kept, &[]), (vec![], 0));
+        assert!(kept.is_empty());
+    }
+
+    #[test]
+    fn what_does_not_hold_is_made_again() {
+        let mut kept = Kept::default();
+        let times = |kept: &mut Kept<u32, (u32, u32)>, factor| {
+            kept.made_where(&[4], |x| *x, |_, made| made.0 == factor, |x| (factor, factor * x))
+        };
+        assert_eq!(times(&mut kept, 2), [(2, 8)]);
+        assert_eq!(times(&mut kept, 3), [(3, 12)]);
+        assert_eq!(kept.len(), 1);
+    }
+
+    #[test]
+    fn data_is_known_by_its_address() {
+        let data: Arc<[u8]> = Arc::from([1, 2]);
+        assert!(Same::of(&data) == Same::of(&Arc::clone(&data)));
+        assert!(Same::of(&data) != Same::of(&Arc::from([1, 2])));
+    }
+}
