@@ -13,7 +13,14 @@ struct Corner {
 };
 
 @vertex
-fn vertex(@location(0) world: vec3<f32>, @location(1) normal: vec3<f32>, @location(3) tint: vec4<f32>) -> Corner {
+fn vertex(
+    @location(0) point: vec3<f32>,
+    @location(1) standing_normal: vec3<f32>,
+    @location(3) tint: vec4<f32>,
+    copy: Placement,
+) -> Corner {
+    let world = placed(point, copy);
+    let normal = turned(standing_normal, copy);
     let lift = select(0.0, LIFT * frame.foot.w, LINES);
     let seen = world + toward_eye(world) * lift;
     return Corner(frame.clip_from_world * vec4(seen, 1.0), world, normal, tint);

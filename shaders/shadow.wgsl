@@ -8,8 +8,13 @@ struct Corner {
 };
 
 @vertex
-fn vertex(@location(0) world: vec3<f32>, @location(1) normal: vec3<f32>, @location(2) uv: vec2<f32>) -> Corner {
-    return Corner(lamp_from_world * vec4(world, 1.0), vec2(uv.x, 1.0 - uv.y));
+fn vertex(
+    @location(0) point: vec3<f32>,
+    @location(1) normal: vec3<f32>,
+    @location(2) uv: vec2<f32>,
+    copy: Placement,
+) -> Corner {
+    return Corner(lamp_from_world * vec4(placed(point, copy), 1.0), vec2(uv.x, 1.0 - uv.y));
 }
 
 // Only for materials that are cut out by their picture.

@@ -20,7 +20,14 @@ struct SkyLight {
 };
 
 @vertex
-fn vertex(@location(0) world: vec3<f32>, @location(1) normal: vec3<f32>, @location(2) uv: vec2<f32>) -> Corner {
+fn vertex(
+    @location(0) point: vec3<f32>,
+    @location(1) standing_normal: vec3<f32>,
+    @location(2) uv: vec2<f32>,
+    copy: Placement,
+) -> Corner {
+    let world = placed(point, copy);
+    let normal = turned(standing_normal, copy);
     var sky = SkyLight(vec3(0.0), vec3(0.0));
     if SKY_PER_CORNER {
         let seen = dot(normal, toward_eye(world)) >= 0.0;

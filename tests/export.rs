@@ -8,7 +8,7 @@ use gltf_json as json;
 use penstemon::formats::read::{ReadFormat, from_bytes};
 use penstemon::formats::write::{Encoded, ExportError, FORMATS, Scene, export, format_of, glb, plant_json};
 use penstemon::model::quality::{Report, judge, judge_model};
-use penstemon::model::{Model, Vertex};
+use penstemon::model::{Model, Part, Vertex};
 use penstemon::picture::Picture;
 use penstemon::picture::decode::decode;
 use penstemon::pipeline::{self, Seed};
@@ -79,7 +79,7 @@ fn obj_lines_are_what_other_programs_expect() {
     let (model, plant) = two_specimens();
     let text = String::from_utf8(encoded("my plant.obj", &model, &plant).bytes).unwrap();
     let count = |keyword: &str| text.lines().filter(|l| l.split(' ').next() == Some(keyword)).count();
-    let points: usize = model.parts.iter().map(|p| p.mesh.points.len()).sum();
+    let points: usize = model.parts.iter().map(|part| part.points().count()).sum();
     assert_eq!((count("o"), count("g"), count("usemtl")), (2, 8, 8));
     assert_eq!((count("v"), count("vt"), count("vn")), (points, model.vertex_count(), model.vertex_count()));
     assert_eq!(count("f"), model.triangle_count());
@@ -91,7 +91,7 @@ fn obj_positions_lose_nothing() {
     let (model, plant) = two_specimens();
     let obj = encoded("a.obj", &model, &plant).bytes;
     let mut lines = std::str::from_utf8(&obj).unwrap().lines().filter_map(|l| l.strip_prefix("v "));
-    for point in model.parts.iter().flat_map(|part| &part.mesh.points) {
+    for point in model.parts.iter().flat_map(Part::points) {
         let read: Vec<f32> = lines.next().unwrap().split(' ').map(|n| n.parse().unwrap()).collect();
         assert_eq!(read, point.to_array());
     }

@@ -66,7 +66,7 @@ fn is_pierced(built: &Built, index: usize) -> bool {
     let own = format!("petal_{index}_");
     let mut parts = built.model.parts.iter().filter(|part| part.name.starts_with(&own));
     assert!(parts.clone().next().is_some(), "no petals of flower {index}");
-    parts.any(|part| enters(&part.mesh))
+    parts.any(|part| enters(&part.flattened_mesh()))
 }
 
 #[test]

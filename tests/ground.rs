@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 const SKIN: f32 = 0.01;
 
 fn assert_above(name: &str, model: &Model) {
-    let heights = |part: &penstemon::model::Part| part.mesh.points.iter().map(|p| p.y).collect::<Vec<_>>();
+    let heights = |part: &penstemon::model::Part| part.points().map(|p| p.y).collect::<Vec<_>>();
     let high = model.parts.iter().flat_map(heights).fold(0.0, f32::max);
     if model.parts.iter().any(|part| part.kind == PartKind::Organ(OrganKind::Pot)) {
         return;

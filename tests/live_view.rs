@@ -9,7 +9,7 @@ use penstemon::app::growth_spots::drawn;
 use penstemon::cli::common::built_in_texture;
 use penstemon::formats::textures::fetch;
 use penstemon::growth::overlay::{Kind, Spot, Wanted};
-use penstemon::model::{Mesh, Model, Part};
+use penstemon::model::{InstancedModel, Mesh, Model, Part};
 use penstemon::pipeline::{Built, Cache, build, build_with, params_of, species_of};
 use penstemon::plant::Texture;
 use penstemon::render::{
@@ -24,7 +24,7 @@ use std::sync::Arc;
 
 const SIZE: (u32, u32) = (240, 280);
 
-fn textures(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
+pub(crate) fn textures(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
     Ok(fetch(texture, &built_in_texture)?)
 }
 
@@ -37,7 +37,7 @@ fn plant(name: &str) -> Model {
 }
 
 /// A renderer and a view of this model.
-fn opened(model: &Model) -> (Renderer, Viewport) {
+pub(crate) fn opened(model: &Model) -> (Renderer, Viewport) {
     let renderer = Renderer::new().unwrap();
     let mut viewport = Viewport::new(&renderer).unwrap();
     viewport.set_size(SIZE.0, SIZE.1);
@@ -51,29 +51,34 @@ fn mesh_mut(part: &mut Part) -> &mut Mesh {
 }
 
 fn points(model: &Model) -> Vec<Vec3> {
-    model.parts.iter().flat_map(|p| &p.mesh.points).copied().collect()
+    model.parts.iter().flat_map(Part::points).collect()
 }
 
 /// The camera that makes the finished picture of a view.
-fn camera(model: &Model, view: &View) -> OrbitCamera {
+pub(crate) fn camera(model: &Model, view: &View) -> OrbitCamera {
     let mut camera = OrbitCamera::of_view(view);
     camera.fit_points(&points(model), model.bounds().unwrap(), SIZE.0 as f32 / SIZE.1 as f32);
     camera
 }
 
-fn shot(renderer: &Renderer, viewport: &mut Viewport, camera: &OrbitCamera, look: &Look) -> Picture {
+pub(crate) fn shot(
+    renderer: &Renderer,
+    viewport: &mut Viewport,
+    camera: &OrbitCamera,
+    look: &Look,
+) -> Picture {
     viewport.draw(renderer, camera, look).unwrap();
     viewport.snapshot(renderer).unwrap()
 }
 
-fn keep(name: &str, picture: &Picture) {
+pub(crate) fn keep(name: &str, picture: &Picture) {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("live_view");
     std::fs::create_dir_all(&folder).unwrap();
     std::fs::write(folder.join(format!("{name}.png")), picture.to_png().unwrap()).unwrap();
 }
 
 /// Mean difference of the channels, and the share of pixels that differ by more than `much`, of 255.
-fn difference(a: &Picture, b: &Picture, much: u8) -> (f32, f32) {
+pub(crate) fn difference(a: &Picture, b: &Picture, much: u8) -> (f32, f32) {
     assert_eq!((a.width(), a.height()), (b.width(), b.height()));
     let pairs = || a.pixels().iter().zip(b.pixels()).map(|(a, b)| a.abs_diff(*b));
     let mean = pairs().map(f32::from).sum::<f32>() / a.pixels().len() as f32;
@@ -174,7 +179,10 @@ fn a_model_may_change_wholly_and_vanish() {
     let (daisy, tree) = (plant("daisy"), plant("tree_round"));
     let (renderer, mut viewport) = opened(&daisy);
     let to_tree = viewport.update(&renderer, &tree, &textures).unwrap();
-    let slots = |model: &Model| model.parts.iter().map(|part| part.material_slots().count()).sum::<usize>();
+    let slots = |model: &Model| {
+        let of_meshes: usize = model.parts.iter().map(|part| part.material_slots().count()).sum();
+        of_meshes + InstancedModel::from(model).groups.len()
+    };
     assert_eq!((to_tree.uploaded_parts, to_tree.removed_parts), (slots(&tree), slots(&daisy)));
     viewport.update(&renderer, &Model::default(), &textures).unwrap();
     assert_eq!(viewport.bounds(), None);

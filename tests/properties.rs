@@ -47,7 +47,8 @@ fn with_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
 
 fn assert_sound(built: &Built) {
     assert_eq!(built.plant.check_invariants(), Ok(()));
-    for part in &built.model.parts {
+    assert_eq!(built.model.check_invariants(), Ok(()));
+    for part in &built.model.flattened().parts {
         assert_eq!(part.mesh.check_invariants(), Ok(()), "{}", part.name);
     }
 }

@@ -8,8 +8,8 @@ use glam::{Vec2, Vec3};
 use penstemon::formats::read::{Embedded, ReadFormat, load};
 use penstemon::formats::textures::fetch;
 use penstemon::formats::write::{InstanceForm, Scene, export, format_of};
-use penstemon::model::Model;
 use penstemon::model::quality::judge_model;
+use penstemon::model::{InstancedModel, Model};
 use penstemon::picture::decode::decode;
 use penstemon::pipeline::{self, Seed};
 use penstemon::plant::Material;
@@ -25,7 +25,7 @@ fn copies_of_shapes_are_read_back_or_what_is_not_read_is_said() {
     let species = Species::built_in("oak").unwrap();
     let params = pipeline::params_of_species(&species, &[]).unwrap();
     let grown = pipeline::build(&Seed { number: 1, age: Some(4.0), ..Seed::default() }, &species, &params);
-    let copies = pipeline::instanced(&grown.plant, &params);
+    let copies = InstancedModel::from(&grown.model);
     let built_in = |name: &str| builtin_texture(name).map(Cow::Borrowed);
     let [nodes, gpu] = [InstanceForm::Nodes, InstanceForm::Gpu].map(|form| {
         let scene =

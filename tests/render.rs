@@ -68,6 +68,7 @@ fn model(parts: impl IntoIterator<Item = (Mesh, Material)>) -> Model {
             material: i,
             more_materials: Vec::new(),
             mesh: mesh.into(),
+            copies: None,
         });
         model.materials.push(material);
     }

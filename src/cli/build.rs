@@ -40,7 +40,7 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         args.sketch.display()
     );
     let made = ((&built.plant, &built.provenance), &built.model);
-    let bytes = common::export(&args.out, made, args.instances, &setup.params, &setup.sources)?;
+    let bytes = common::export(&args.out, made, args.instances, &setup.sources)?;
     if args.options.stats {
         common::print(&common::stats(&built.stages, &built.model, bytes).to_string())?;
     }

@@ -151,19 +151,13 @@ pub fn export(
     outs: &[PathBuf],
     (plant, model): (PlantAndProvenance<'_>, &Model),
     instances: Option<Instances>,
-    params: &Params,
     sources: &Sources,
 ) -> anyhow::Result<usize> {
-    let Some(instances) = instances else {
-        return Ok(write::export_all(outs, model, plant, &built_in_texture, sources)?);
-    };
-    let form = match instances {
+    let form = instances.map(|instances| match instances {
         Instances::Nodes => InstanceForm::Nodes,
         Instances::Gpu => InstanceForm::Gpu,
-    };
-    let instanced = pipeline::instanced(plant.0, params);
-    let with = (&instanced, form);
-    Ok(write::export_all_instanced(outs, model, with, plant, &built_in_texture, sources)?)
+    });
+    Ok(write::export_all(outs, model, plant, &built_in_texture, form, sources)?)
 }
 
 /// The program's own textures, for exporters and renderers.

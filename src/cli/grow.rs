@@ -178,14 +178,12 @@ fn why_bare(ages: Ages) -> &'static str {
 fn write(args: &Args, sources: &Sources, grown: &Built, nursery: &mut Nursery<'_>) -> Result<usize> {
     let (pictures, models): (Vec<&PathBuf>, Vec<&PathBuf>) = args.out.iter().partition(|out| is_picture(out));
     let mut studio = if pictures.is_empty() { None } else { Some(Studio::new(&grown.model)?) };
-    let params = nursery.params;
     let mut write = |built: &Built, named: &dyn Fn(&Path) -> PathBuf| -> Result<usize> {
         let named_all = |outs: &[&PathBuf]| outs.iter().map(|out| named(out)).collect::<Vec<_>>();
         let (models, pictures) = (named_all(&models), named_all(&pictures));
         sources.spare(pictures.iter().map(PathBuf::as_path))?;
         let Built { model, plant, provenance, .. } = built;
-        let mut bytes =
-            common::export(&models, ((plant, provenance), model), args.instances, params, sources)?;
+        let mut bytes = common::export(&models, ((plant, provenance), model), args.instances, sources)?;
         if let Some(studio) = &mut studio {
             let png = studio.picture(model)?;
             for out in &pictures {

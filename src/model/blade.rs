@@ -14,15 +14,12 @@
 //! Limits: thickness is at most a fifth of the mean width. A blade of less than a ten-thousandth of its distance from
 //! the origin has no mesh, for its faces would drown in the rounding of its coordinates.
 
-use super::copies::CopiedShape;
 use super::flat::{BladeMeshParams, FlatBlade};
 use super::mesh::{Mesh, Vertex};
 use super::relief::Relief;
+use super::shapes::{BladeShape, THINNEST};
 use crate::plant::{Blade, RestSurface};
 use glam::{Vec2, Vec3};
-
-/// Half of a blade's thickness is at least this share of its distance from the origin.
-pub(super) const THINNEST: f32 = 4e-6;
 
 /// Memory that is used again for every blade.
 #[derive(Default)]
@@ -55,14 +52,14 @@ pub(super) fn mesh(
 }
 
 /// The shape that copies of a blade have in common; the blade stands at the origin, u along x and v along y.
-pub(super) fn copied_shape(
+pub(super) fn shape(
     blade: &Blade,
     flat: &FlatBlade,
     params: &BladeMeshParams,
     scratch: &mut BladeScratch,
-) -> Option<CopiedShape> {
+) -> Option<BladeShape> {
     let mesh = mesh(blade, flat, params, scratch)?;
-    Some(CopiedShape::new(mesh, flat, half_thickness(blade, flat, flat.size)))
+    Some(BladeShape::new(mesh, flat, half_thickness(blade, flat, flat.size)))
 }
 
 /// Half the thickness in the middle of a blade that is `size` metres large.

@@ -7,7 +7,6 @@
 
 use super::cache::{Cache, Made};
 use super::flat::BladeMeshParams;
-use super::instances::{InstanceGroup, InstancedModel, Pose};
 use super::limbs::Twig;
 use super::organs::{OrganScratch, OrganWorkshop};
 use super::parts::{self, Limb, Plan, Source};
@@ -55,18 +54,8 @@ struct Workshop<'a> {
 
 /// Builds the meshes of a plant that keeps its invariants.
 pub fn build(plant: &FinishedPlant, params: &ModelParams) -> Model {
-    let plans = parts::plan(plant, params);
-    Workshop::new(plant, params, &mut Cache::default()).model(plans)
-}
-
-/// Builds the same plant with the blades that are copies of one shape as instances of its mesh. Only what the parameters
-/// gather can be.
-pub fn build_instanced(plant: &FinishedPlant, params: &ModelParams) -> InstancedModel {
-    let mut plans = parts::plan(plant, params);
-    let workshop = Workshop::new(plant, params, &mut Cache::default());
-    let mut scratch = OrganScratch::default();
-    let groups = plans.iter_mut().flat_map(|plan| workshop.groups(plan, &mut scratch)).collect();
-    InstancedModel { model: workshop.model(plans), groups }
+    // Nothing stops it, so there is a model.
+    rebuild(plant, params, &mut Cache::default(), &|| false).unwrap_or_default()
 }
 
 /// Builds the same model as [`build`], taking from the cache what has not changed since it was last used. `stop` is
@@ -78,8 +67,9 @@ pub fn rebuild(
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Option<Model> {
     cache.begin(params);
-    let plans = parts::plan(plant, params);
+    let mut plans = parts::plan(plant, params);
     let workshop = Workshop::new(plant, params, cache);
+    workshop.take_copies(&mut plans);
     let known = &cache.meshes;
     let make = |scratch: &mut Scratch, plan: &Plan| {
         if stop() {
@@ -107,10 +97,20 @@ pub fn rebuild(
 /// parents need no renumbering.
 fn assembled(plant: &FinishedPlant, plans: Vec<Plan>, meshes: Vec<Arc<Mesh>>) -> Model {
     let part = |(plan, mesh): (Plan, Arc<Mesh>)| {
-        let Plan { name, kind, parent, specimen, pivot, material, mut more_materials, .. } = plan;
+        let Plan { name, kind, parent, specimen, pivot, material, mut more_materials, copies, .. } = plan;
         more_materials.truncate(mesh.breaks.len());
-        let is_seen = !mesh.triangles.is_empty();
-        is_seen.then_some(Part { name, kind, parent, specimen, pivot, material, more_materials, mesh })
+        let is_seen = !mesh.triangles.is_empty() || copies.is_some();
+        is_seen.then_some(Part {
+            name,
+            kind,
+            parent,
+            specimen,
+            pivot,
+            material,
+            more_materials,
+            mesh,
+            copies,
+        })
     };
     let parts = plans.into_iter().zip(meshes).filter_map(part).collect();
     Model { parts, materials: plant.materials().to_vec() }
@@ -132,28 +132,13 @@ impl<'a> Workshop<'a> {
         Self { plant, params, organs, plant_size: size_of(plant) }
     }
 
-    /// The meshes of all parts, made on all cores.
-    fn model(&self, plans: Vec<Plan>) -> Model {
-        let mesh = |scratch: &mut Scratch, plan: &Plan| Arc::new(self.mesh(&plan.source, scratch));
-        let meshes: Vec<Arc<Mesh>> =
-            plans.par_iter().with_min_len(BATCH).map_init(Scratch::default, mesh).collect();
-        assembled(self.plant, plans, meshes)
-    }
-
-    /// Takes the copies out of a part.
-    fn groups(&self, plan: &mut Plan, scratch: &mut OrganScratch) -> Vec<InstanceGroup> {
-        let Source::Organs(slots) = &mut plan.source else { return Vec::new() };
-        let copies = self.organs.take_copies(slots, scratch);
-        let &mut Plan { kind, parent, specimen, pivot, .. } = plan;
-        let group = |(number, ((slot, shape), poses)): (usize, ((usize, u32), Vec<Pose>))| {
-            let name = format!("{}_shape_{number}", plan.name);
-            let material = slot.checked_sub(1).map_or(plan.material, |more| plan.more_materials[more]);
-            let mesh = Arc::new(self.organs.copied_mesh(shape));
-            let more_materials = Vec::new();
-            let shape = Part { name, kind, parent, specimen, pivot, material, more_materials, mesh };
-            InstanceGroup { shape, poses }
-        };
-        copies.into_iter().enumerate().map(group).collect()
+    /// Takes the copies out of every plan.
+    fn take_copies(&self, plans: &mut [Plan]) {
+        for plan in plans {
+            if let Source::Organs(slots) = &mut plan.source {
+                plan.copies = self.organs.take_copies(slots).map(Arc::new);
+            }
+        }
     }
 
     /// Everything that [`Self::mesh`] reads but the parameters.

@@ -10,6 +10,7 @@
 
 use super::flat::FlatBlade;
 use super::recipe::Recipe;
+use super::shapes::BladeShape;
 use super::{Mesh, ModelParams};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -21,6 +22,7 @@ pub struct Cache {
     round: u64,
     pub(super) meshes: Shelf<Arc<Mesh>>,
     pub(super) templates: Shelf<Template>,
+    pub(super) shapes: Shelf<BladeShape>,
     names: u64,
 }
 
@@ -49,6 +51,7 @@ impl Cache {
             self.params = params.clone();
             self.meshes.held.clear();
             self.templates.held.clear();
+            self.shapes.held.clear();
         }
         self.round += 1;
     }
@@ -57,6 +60,7 @@ impl Cache {
     pub(super) fn finish(&mut self) {
         self.meshes.forget_before(self.round);
         self.templates.forget_before(self.round);
+        self.shapes.forget_before(self.round);
     }
 
     /// The triangulation of a template with this recipe, made by `flatten` if it is new.
@@ -71,6 +75,11 @@ impl Cache {
             Template { name: self.names, flat: Arc::new(flatten()) }
         });
         self.templates.keep(hash, recipe.words().into(), template, self.round)
+    }
+
+    /// Keeps a shape in the running build.
+    pub(super) fn shape(&mut self, hash: u64, recipe: Box<[u32]>, shape: BladeShape) -> BladeShape {
+        self.shapes.keep(hash, recipe, shape, self.round)
     }
 
     /// Keeps the mesh of a part in the running build; of twins, which were made at once, the first.

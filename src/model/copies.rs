@@ -1,208 +1,173 @@
-//! Blades that are copies of one another: bent once, placed many times.
+//! Blades that are copies of few shapes: the mesh of each shape once, and where its copies stand.
 //!
-//! Flat blades of one template and one form differ only in where they stand. The first of them is meshed with u and v
-//! along x and y; each copy is that mesh under the affine map that takes x, y and z to the blade's u, its v, and the
-//! direction that it faces times the length of v. So a crown of fifty thousand leaves is bent a dozen times.
+//! A crown of fifty thousand leaves has a dozen shapes. They stay shapes and placements from here to the graphics card and
+//! into glTF; whoever needs one surface, as OBJ and the judges of meshes do, asks for [`Model::flattened`].
 //!
-//! Limits: a copy that is stretched across has its thickness stretched where it is steep. A blade so small, or so far
-//! from the origin, that its thickness would drown in the rounding of its coordinates is not a copy: `blade` makes it
-//! thicker.
+//! A shape stands at the origin, base to tip along y, seen from z. A placement takes x, y and z to the blade's u, its v, and
+//! the direction that it faces times the length of v.
+//!
+//! Limits: a copy that is stretched across has its thickness stretched where it is steep.
 
-use super::blade::THINNEST;
-use super::flat::FlatBlade;
-use super::instances::Pose;
 use super::mesh::{Mesh, Vertex};
-use crate::plant::{Blade, Plant, RestSurface, Shape};
+use super::{Model, Part};
 use glam::{Mat3, Vec3};
-use std::collections::BTreeMap;
-use std::sync::OnceLock;
+use rayon::prelude::*;
+use std::borrow::Cow;
+use std::sync::Arc;
 
-/// Template, length and form of a blade, bit by bit.
-type Key = (u32, [u32; 8]);
+/// Copies that one thread takes at a time.
+const CHUNK: usize = 2048;
 
-/// What the blades of a plant are copies of.
-pub(super) struct Copies {
-    /// For each organ the place of its shape.
-    shape_of: Vec<Option<u32>>,
-    shapes: Vec<OnceLock<Option<CopiedShape>>>,
+/// Copies of shapes, all of one part.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Copies {
+    /// The shapes; shared with other models built with the same [`Cache`](super::Cache).
+    pub shapes: Vec<Arc<Mesh>>,
+    /// Where copies stand, those of the part's first material first.
+    pub placements: Vec<Placement>,
 }
 
-/// A blade that stands at the origin, u along x and v along y.
-pub(super) struct CopiedShape {
-    mesh: Mesh,
-    /// Extent in its plane and half thickness.
-    size: f32,
-    half: f32,
+/// Where a copy stands, and what it is a copy of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placement {
+    /// Index into [`Copies::shapes`].
+    pub shape: u32,
+    /// Which of the part's materials it has: 0 for [`Part::material`], then those of [`Part::more_materials`].
+    pub slot: u32,
+    /// Where the shape's origin is, metres.
+    pub base: Vec3,
+    /// Where the shape's x goes.
+    pub u: Vec3,
+    /// Where the shape's y goes, not parallel to u.
+    pub v: Vec3,
 }
 
-impl CopiedShape {
-    pub(super) fn new(mesh: Mesh, flat: &FlatBlade, half: f32) -> Self {
-        Self { mesh, size: flat.size, half }
+impl Placement {
+    /// The linear part of the map from the shape to the world.
+    pub fn world_from_shape(&self) -> Mat3 {
+        let facing = self.u.cross(self.v).normalize_or_zero();
+        Mat3::from_cols(self.u, self.v, facing * self.v.length())
     }
 
-    /// Whether a copy in the place of the blade has faces that are far enough apart.
-    fn is_thick_enough(&self, blade: &Blade) -> bool {
-        let (across, along) = (blade.u.length(), blade.v.length());
-        let far = blade.base.abs().max_element() + self.size * across.max(along);
-        far.is_finite() && self.half * along >= THINNEST * far
+    /// The world places of points of the shape.
+    pub fn places(&self, points: &[Vec3]) -> impl Iterator<Item = Vec3> {
+        let (base, world_from_shape) = (self.base, self.world_from_shape());
+        points.iter().map(move |point| base + world_from_shape * *point)
     }
 
-    /// Appends a copy to a mesh; whether the blade can be one.
-    pub(super) fn append(&self, blade: &Blade, to: &mut Mesh) -> bool {
-        let Blade { base, u, v, .. } = *blade;
-        let Some(facing) = u.cross(v).try_normalize() else { return false };
+    /// Appends the copy to a mesh.
+    pub(super) fn append(&self, shape: &Mesh, to: &mut Mesh) {
+        let Self { base, u, v, .. } = *self;
         let (across, along) = (u.length(), v.length());
-        if !self.is_thick_enough(blade) {
-            return false;
-        }
-        let world_from_shape = Mat3::from_cols(u, v, facing * along);
+        let world_from_shape = self.world_from_shape();
+        let facing = u.cross(v).normalize_or_zero();
         let square = across * along;
         let is_similar = u.dot(v).abs() < 1e-6 * square && (across - along).abs() < 1e-6 * along;
         let cofactors = Mat3::from_cols(v.cross(facing) * along, facing.cross(u) * along, u.cross(v));
         let turn = cofactors * (1.0 / square);
         let turned = |normal: Vec3| if is_similar { turn * normal } else { (turn * normal).normalize() };
         let (point, vertex, face) = (to.points.len() as u32, to.vertices.len() as u32, to.triangles.len());
-        to.points.extend(self.mesh.points.iter().map(|p| base + world_from_shape * *p));
-        to.vertices.extend(self.mesh.vertices.iter().map(|corner| Vertex {
+        to.points.extend(shape.points.iter().map(|p| base + world_from_shape * *p));
+        to.vertices.extend(shape.vertices.iter().map(|corner| Vertex {
             point: corner.point + point,
             normal: turned(corner.normal),
             uv: corner.uv,
         }));
-        to.triangles.extend(self.mesh.triangles.iter().map(|triangle| triangle.map(|i| i + vertex)));
+        to.triangles.extend(shape.triangles.iter().map(|triangle| triangle.map(|i| i + vertex)));
         if !is_similar {
             // A strong stretch leaves little of a normal's digits.
             to.split_disagreeing_corners_from(face);
         }
-        true
     }
 }
 
 impl Copies {
-    pub(super) fn of(plant: &Plant) -> Self {
-        let mut known: BTreeMap<Key, u32> = BTreeMap::new();
-        let mut shape_of = Vec::with_capacity(plant.organs.len());
-        for organ in &plant.organs {
-            let key = if let Shape::Blade(blade) = &organ.shape { key(blade) } else { None };
-            let next = known.len() as u32;
-            shape_of.push(key.map(|key| *known.entry(key).or_insert(next)));
+    /// The copies with their shapes, in order.
+    pub fn iter(&self) -> impl Iterator<Item = (&Mesh, &Placement)> {
+        let shape = |placement: &Placement| self.shapes.get(placement.shape as usize).map(Arc::as_ref);
+        self.placements.iter().filter_map(move |placement| Some((shape(placement)?, placement)))
+    }
+
+    /// All copies in one material, appended to a mesh.
+    fn append_slot(&self, slot: usize, to: &mut Mesh) {
+        let of_slot = self.placements.chunk_by(|a, b| a.slot == b.slot);
+        let Some(placements) = of_slot.into_iter().find(|run| run[0].slot as usize == slot) else { return };
+        let baked = placements.par_chunks(CHUNK).map(|chunk| {
+            let mut mesh = Mesh::default();
+            for placement in chunk {
+                if let Some(shape) = self.shapes.get(placement.shape as usize) {
+                    let before = mesh.counts();
+                    placement.append(shape, &mut mesh);
+                    if before == [0; 3] {
+                        mesh.reserve_more(before, chunk.len() - 1);
+                    }
+                }
+            }
+            mesh
+        });
+        let baked: Vec<Mesh> = baked.collect();
+        to.points.reserve(baked.iter().map(|mesh| mesh.points.len()).sum());
+        to.vertices.reserve(baked.iter().map(|mesh| mesh.vertices.len()).sum());
+        to.triangles.reserve(baked.iter().map(|mesh| mesh.triangles.len()).sum());
+        baked.iter().for_each(|mesh| to.append(mesh));
+    }
+
+    /// Checks indices and numbers for a part with so many materials.
+    ///
+    /// # Errors
+    /// The first violation, in words.
+    pub fn check_invariants(&self, materials: usize) -> Result<(), String> {
+        for (i, shape) in self.shapes.iter().enumerate() {
+            shape.check_indices().map_err(|what| format!("shape {i}: {what}"))?;
+            if !shape.breaks.is_empty() {
+                return Err(format!("shape {i} has several materials"));
+            }
         }
-        let shapes = (0..known.len()).map(|_| OnceLock::new()).collect();
-        Self { shape_of, shapes }
-    }
-
-    /// Appends the blade of an organ as a copy of its shape, which `make` makes if it is the first; whether that was
-    /// possible.
-    pub(super) fn append(
-        &self,
-        organ: usize,
-        blade: &Blade,
-        to: &mut Mesh,
-        make: impl FnOnce(&Blade) -> Option<CopiedShape>,
-    ) -> bool {
-        self.shape(organ, blade, make).is_some_and(|(_, shape)| shape.append(blade, to))
-    }
-
-    /// The number of the shape of which the blade of an organ is a copy, and where the copy stands; `None` for a blade
-    /// that has a mesh of its own.
-    pub(super) fn pose(
-        &self,
-        organ: usize,
-        blade: &Blade,
-        make: impl FnOnce(&Blade) -> Option<CopiedShape>,
-    ) -> Option<(u32, Pose)> {
-        let (number, shape) = self.shape(organ, blade, make)?;
-        shape.is_thick_enough(blade).then(|| Pose::of(blade)).flatten().map(|pose| (number, pose))
-    }
-
-    /// The mesh of a shape that has been made.
-    pub(super) fn mesh(&self, shape: u32) -> Option<&Mesh> {
-        Some(&self.shapes.get(shape as usize)?.get()?.as_ref()?.mesh)
-    }
-
-    fn shape(
-        &self,
-        organ: usize,
-        blade: &Blade,
-        make: impl FnOnce(&Blade) -> Option<CopiedShape>,
-    ) -> Option<(u32, &CopiedShape)> {
-        let number = self.shape_of[organ]?;
-        let standing = || Blade { base: Vec3::ZERO, u: Vec3::X, v: Vec3::Y, ..blade.clone() };
-        let shape = self.shapes[number as usize].get_or_init(|| make(&standing()));
-        shape.as_ref().map(|shape| (number, shape))
+        if !self.placements.is_sorted_by_key(|placement| placement.slot) {
+            return Err("copies are not ordered by their materials".to_owned());
+        }
+        for (i, Placement { shape, slot, base, u, v }) in self.placements.iter().enumerate() {
+            if *shape as usize >= self.shapes.len() || *slot as usize >= materials {
+                return Err(format!("copy {i}: shape or material out of range"));
+            }
+            if ![base, u, v].into_iter().all(|vector| vector.is_finite()) || u.cross(*v) == Vec3::ZERO {
+                return Err(format!("copy {i} stands nowhere"));
+            }
+        }
+        Ok(())
     }
 }
 
-/// What two blades have in common that are copies of one shape; `None` for one that is no copy.
-fn key(blade: &Blade) -> Option<Key> {
-    if blade.rest != RestSurface::Plane {
-        return None;
+impl Part {
+    /// All of the part as one mesh: what is no copy, then the copies, material by material.
+    pub fn flattened_mesh(&self) -> Arc<Mesh> {
+        let Some(copies) = &self.copies else { return self.mesh.clone() };
+        let Mesh { points, vertices, triangles, breaks } = self.mesh.as_ref();
+        let mut flat = Mesh { points: points.clone(), vertices: vertices.clone(), ..Mesh::default() };
+        let ends = breaks.iter().map(|&end| end as usize).chain([triangles.len()]);
+        let mut from = 0;
+        for (slot, end) in ends.enumerate() {
+            if slot > 0 {
+                flat.breaks.push(flat.triangles.len() as u32);
+            }
+            flat.triangles.extend_from_slice(&triangles[from..end]);
+            copies.append_slot(slot, &mut flat);
+            from = end;
+        }
+        Arc::new(flat)
     }
-    let form = blade.form.to_row();
-    let mut words = [blade.length.to_bits(); 8];
-    words.iter_mut().zip(form).for_each(|(word, value)| *word = value.to_bits());
-    Some((blade.template?, words))
 }
 
-#[cfg(test)]
-mod tests {
-    use super::super::blade::{self, BladeScratch};
-    use super::super::flat::{BladeMeshParams, FlatScratch, flatten};
-    use super::*;
-    use crate::plant::BladeForm;
-    use glam::Vec2;
-
-    fn leaf(base: Vec3, u: Vec3, v: Vec3) -> Blade {
-        let point = |k: usize| Vec2::from_angle(k as f32 * 0.1047) * Vec2::new(0.3, 0.5) + Vec2::Y * 0.5;
-        Blade {
-            outline: (0..60).map(point).collect(),
-            curl: Vec::new(),
-            base,
-            u,
-            v,
-            length: 1.0,
-            rest: RestSurface::Plane,
-            form: BladeForm { ruffle: 0.05, ruffle_waves: 5.0, ..BladeForm::default() },
-            template: Some(0),
+impl Model {
+    /// The same surfaces with every copy as triangles of its part; borrowed if there are no copies.
+    pub fn flattened(&self) -> Cow<'_, Self> {
+        if self.parts.iter().all(|part| part.copies.is_none()) {
+            return Cow::Borrowed(self);
         }
-    }
-
-    /// The leaf as a copy, and meshed by itself.
-    fn both(leaf: &Blade) -> (Option<Mesh>, Option<Mesh>) {
-        let (params, scratch) = (BladeMeshParams::default(), &mut BladeScratch::default());
-        let flat = flatten(leaf, &params, &mut FlatScratch::default()).unwrap();
-        let standing = Blade { base: Vec3::ZERO, u: Vec3::X, v: Vec3::Y, ..leaf.clone() };
-        let shape = blade::copied_shape(&standing, &flat, &params, scratch).unwrap();
-        let mut copy = Mesh::default();
-        let copied = shape.append(leaf, &mut copy);
-        (copied.then_some(copy), blade::mesh(leaf, &flat, &params, scratch))
-    }
-
-    #[test]
-    fn a_copy_is_the_leaf_itself() {
-        let v = Vec3::new(0.3, 0.5, -0.4);
-        let leaf = leaf(Vec3::new(2.0, 3.0, -1.0), v.cross(Vec3::Z).normalize() * v.length(), v);
-        let (copy, own) = both(&leaf);
-        let (copy, own) = (copy.unwrap(), own.unwrap());
-        copy.check_invariants().unwrap();
-        assert_eq!(copy.triangles, own.triangles);
-        for (a, b) in copy.points.iter().zip(&own.points) {
-            assert!(a.distance(*b) < 1e-5, "{a} instead of {b}");
-        }
-        for (a, b) in copy.vertices.iter().zip(&own.vertices) {
-            assert!(a.normal.distance(b.normal) < 1e-3 && a.uv == b.uv);
-        }
-    }
-
-    #[test]
-    fn a_stretched_copy_is_sound() {
-        let (copy, _) = both(&leaf(Vec3::Y, Vec3::X * 0.02, Vec3::new(0.0, 0.05, 0.06)));
-        copy.unwrap().check_invariants().unwrap();
-    }
-
-    #[test]
-    fn what_would_drown_in_rounding_is_no_copy() {
-        assert!(both(&leaf(Vec3::X * 500.0, Vec3::Z * 0.1, Vec3::Y * 0.1)).0.is_none());
-        assert!(both(&leaf(Vec3::ZERO, Vec3::Y, Vec3::Y)).0.is_none());
-        assert!(both(&leaf(Vec3::NAN, Vec3::X, Vec3::Y)).0.is_none());
+        let flat = |part: &Part| match &part.copies {
+            Some(_) => Part { mesh: part.flattened_mesh(), copies: None, ..part.clone() },
+            None => part.clone(),
+        };
+        Cow::Owned(Self { parts: self.parts.iter().map(flat).collect(), materials: self.materials.clone() })
     }
 }

@@ -1,20 +1,18 @@
-//! A model in which many copies of one shape stay copies: the mesh of a shape once, and where its copies stand.
+//! Copies by their shapes, as glTF wants them: the mesh of a shape once, and turn, size and place of its copies.
 //!
-//! [`build`](super::build()) bakes every leaf into one mesh, which any program can show. Here blades of one template, form
-//! and material are a group instead: one mesh, and a pose for each blade. A crown of fifty thousand leaves then has a
-//! dozen meshes, whatever its size.
-//!
-//! Limits: what is drawn, solids, filaments and blades on cones stay meshes of their own, as do blades that are stretched
-//! askew, for a pose only turns, moves and scales.
+//! The copies of a part become a group for each shape and material. Limits: a pose only turns, moves and scales, so copies
+//! that are stretched askew become triangles of their part.
 
+use super::copies::{Copies, Placement};
 use super::{Model, Part};
-use crate::plant::Blade;
 use glam::{Mat3, Quat, Vec3};
+use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// A model whose copies stand apart from its other parts.
 #[derive(Clone, Debug, Default)]
 pub struct InstancedModel {
-    /// Everything that is no copy.
+    /// Everything that is no copy; a part of copies alone has a mesh without triangles.
     pub model: Model,
     /// The copies.
     pub groups: Vec<InstanceGroup>,
@@ -42,10 +40,9 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// The pose of a flat blade whose shape stands with u along x and v along y; `None` where it is stretched askew or has
-    /// no size.
-    pub(super) fn of(blade: &Blade) -> Option<Self> {
-        let Blade { base, u, v, .. } = *blade;
+    /// The pose of a copy; `None` where it is stretched askew or has no size.
+    fn of(placement: &Placement) -> Option<Self> {
+        let Placement { base, u, v, .. } = *placement;
         let (across, along) = (u.length(), v.length());
         let facing = u.cross(v).try_normalize()?;
         if u.dot(v).abs() > 1e-4 * across * along {
@@ -63,55 +60,87 @@ impl Pose {
     }
 }
 
-impl InstancedModel {
-    /// Triangles that are seen, every copy counted.
-    pub fn triangle_count(&self) -> usize {
-        let copies = self.groups.iter().map(|group| group.poses.len() * group.shape.mesh.triangles.len());
-        self.model.triangle_count() + copies.sum::<usize>()
+impl From<&Model> for InstancedModel {
+    fn from(model: &Model) -> Self {
+        let mut groups = Vec::new();
+        let parts = model.parts.iter().map(|part| match &part.copies {
+            Some(copies) => without_copies(part, copies, &mut groups),
+            None => part.clone(),
+        });
+        let parts = parts.collect();
+        Self { model: Model { parts, materials: model.materials.clone() }, groups }
     }
+}
 
-    /// Triangles that are kept in memory, those of each shape once.
-    pub fn kept_triangle_count(&self) -> usize {
-        let shapes = self.groups.iter().map(|group| group.shape.mesh.triangles.len());
-        self.model.triangle_count() + shapes.sum::<usize>()
+/// The part with those copies only that no pose can be given, as triangles; the others go into groups.
+fn without_copies(part: &Part, copies: &Copies, groups: &mut Vec<InstanceGroup>) -> Part {
+    let mut poses: BTreeMap<(u32, u32), Vec<Pose>> = BTreeMap::new();
+    let mut askew = Vec::new();
+    for placement in &copies.placements {
+        match Pose::of(placement) {
+            Some(pose) => poses.entry((placement.slot, placement.shape)).or_default().push(pose),
+            None => askew.push(*placement),
+        }
     }
+    for (number, ((slot, shape), poses)) in poses.into_iter().enumerate() {
+        let Some(mesh) = copies.shapes.get(shape as usize).cloned() else { continue };
+        let (name, material) = (format!("{}_shape_{number}", part.name), part.material_of_slot(slot));
+        let shape = Part { name, material, more_materials: Vec::new(), mesh, copies: None, ..part.clone() };
+        groups.push(InstanceGroup { shape, poses });
+    }
+    let askew = Copies { shapes: copies.shapes.clone(), placements: askew };
+    let rest = Part { copies: Some(Arc::new(askew)), ..part.clone() };
+    Part { mesh: rest.flattened_mesh(), copies: None, ..rest }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::{ModelParams, build, build_instanced};
+    use super::super::{Cache, ModelParams, Part, build, rebuild};
+    use super::InstancedModel;
     use crate::growth::{Limits, Simulation, plant_at};
+    use crate::plant::Provenance;
     use crate::species::{self, Species};
     use glam::Vec3;
 
     #[test]
     fn copies_stand_where_the_baked_leaves_are() {
         // The cherry is mostly wood and stamens.
-        for (name, most) in [("oak", 0.5), ("cherry", 1.0)] {
+        for (name, age, most) in [("oak", 6, 0.5), ("cherry", 12, 1.0)] {
             let species = Species::built_in(name).unwrap();
             let mut simulation = Simulation::new(species.growth.as_ref().unwrap(), 1, Limits::default());
-            simulation.grow_to(6, &|| false);
-            let plant =
-                species::apply(plant_at(&simulation, 6.0), &crate::plant::Provenance::default(), &species, 1)
-                    .plant;
+            simulation.grow_to(age, &|| false);
+            let grown = plant_at(&simulation, f32::from(age));
+            let plant = species::apply(grown, &Provenance::default(), &species, 1).plant;
             let mut params = ModelParams::default();
             params.blade.gathered = true;
-            let (baked, instanced) = (build(&plant, &params), build_instanced(&plant, &params));
-            assert_eq!(instanced.triangle_count(), baked.triangle_count(), "{name}");
-            let kept = instanced.kept_triangle_count() as f32;
+            let built = build(&plant, &params);
+            assert_eq!(built.check_invariants(), Ok(()), "{name}");
+            assert!(
+                rebuild(&plant, &params, &mut Cache::default(), &|| false).as_ref() == Some(&built),
+                "{name}"
+            );
+            let (baked, instanced) = (built.flattened(), InstancedModel::from(&built));
+            let copies =
+                instanced.groups.iter().map(|group| group.poses.len() * group.shape.mesh.triangles.len());
+            let seen = instanced.model.triangle_count() + copies.sum::<usize>();
+            assert_eq!(seen, baked.triangle_count(), "{name}");
+            assert_eq!(built.triangle_count(), baked.triangle_count(), "{name}");
+            assert_eq!(built.bounds(), baked.bounds(), "{name}");
+            let shapes = instanced.groups.iter().map(|group| group.shape.mesh.triangles.len());
+            let kept = (instanced.model.triangle_count() + shapes.sum::<usize>()) as f32;
             assert!(kept < most * baked.triangle_count() as f32, "{name}: {kept} triangles are kept");
             assert_eq!(instanced.model.check_invariants(), Ok(()));
-            let leaves = baked.parts.iter().find(|part| part.name == "leaves").unwrap();
-            let of_leaves = instanced.groups.iter().filter(|group| group.shape.kind == leaves.kind);
-            let placed: Vec<Vec3> = of_leaves
-                .flat_map(|group| group.poses.iter().map(move |pose| (group, pose)))
-                .flat_map(|(group, pose)| group.shape.mesh.points.iter().map(|p| pose.place(*p)))
-                .collect();
-            let baked = &leaves.mesh.points;
-            assert_eq!(placed.len(), baked.len(), "{name}: all leaves are copies");
+            let of_groups = instanced.groups.iter().flat_map(|group| {
+                let points = &group.shape.mesh.points;
+                group.poses.iter().flat_map(move |pose| points.iter().map(|point| pose.place(*point)))
+            });
+            let of_parts = instanced.model.parts.iter().flat_map(Part::points);
+            let placed: Vec<Vec3> = of_parts.chain(of_groups).collect();
+            let baked: Vec<Vec3> = baked.parts.iter().flat_map(Part::points).collect();
+            assert_eq!(placed.len(), baked.len(), "{name}");
             // In another order, so each axis by itself, from one end of the plant to the other.
             for axis in 0..3 {
-                let (here, there) = (along(axis, &placed), along(axis, baked));
+                let (here, there) = (along(axis, &placed), along(axis, &baked));
                 let off = here.iter().zip(&there).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
                 assert!(off < 1e-4, "{name}: {off} m off along axis {axis}");
             }

@@ -26,6 +26,9 @@ impl Model {
                 return Err(here("pivot is not finite"));
             }
             part.mesh.check_indices().map_err(|what| here(&what))?;
+            if let Some(copies) = &part.copies {
+                copies.check_invariants(1 + part.more_materials.len()).map_err(|what| here(&what))?;
+            }
         }
         Ok(())
     }

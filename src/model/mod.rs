@@ -8,7 +8,8 @@
 //! | `parts`, `part_names` | names, parents, specimens |
 //! | `outline`, `sections`, `interior`, `flat` | a blade in its plane, triangulated |
 //! | `relief`, `blade` | the blade bent and given thickness |
-//! | `copies`, `instances` | leaves that are copies of one shape: baked into one mesh, or kept as copies |
+//! | `shapes`, `copies` | blades that are copies of few shapes |
+//! | `instances` | copies by their shapes, for glTF |
 //! | `spine`, `tube` | single branches |
 //! | `limbs`, `joint`, `strip`, `wood` | branches that grow out of one another |
 //! | `solids`, `filaments` | receptacles, fruits, pots |
@@ -23,7 +24,7 @@ mod afford;
 mod blade;
 mod build;
 mod cache;
-mod copies;
+pub mod copies;
 pub mod crossing;
 mod disjoint_sets;
 mod filaments;
@@ -44,6 +45,7 @@ pub mod quality;
 mod recipe;
 mod relief;
 mod sections;
+mod shapes;
 mod solids;
 mod spine;
 mod strip;
@@ -54,8 +56,9 @@ mod tube;
 mod wood;
 
 pub use afford::affordable;
-pub use build::{ModelParams, build, build_instanced, rebuild};
+pub use build::{ModelParams, build, rebuild};
 pub use cache::Cache;
+pub use copies::{Copies, Placement};
 pub use flat::{BladeMeshParams, PlanarGraph, TriangulationScratch, triangulation_input};
 pub use instances::{InstanceGroup, InstancedModel, Pose};
 pub use mesh::{Mesh, Vertex};
@@ -93,12 +96,48 @@ pub struct Part {
     pub material: usize,
     /// The same for the triangles from each of the mesh's breaks on.
     pub more_materials: Vec<usize>,
-    /// The surface in world metres; shared with other models built with the same [`Cache`] if it has not changed.
+    /// The surface in world metres without its copies; shared with other models built with the same [`Cache`] if it has not
+    /// changed.
     pub mesh: Arc<Mesh>,
+    /// Blades that are copies of few shapes, whose triangles are not in the mesh.
+    pub copies: Option<Arc<Copies>>,
 }
 
 impl Part {
-    /// Every material of the part with its triangles, in the order of the mesh; none of them is empty.
+    /// The material of this slot, 0 for the first.
+    pub fn material_of_slot(&self, slot: u32) -> usize {
+        let more = (slot as usize).checked_sub(1).and_then(|more| self.more_materials.get(more));
+        more.copied().unwrap_or(self.material)
+    }
+
+    /// The materials that something of the part has, possibly with repetitions.
+    pub fn materials(&self) -> impl Iterator<Item = usize> {
+        let of_copies =
+            self.copies.iter().flat_map(|copies| copies.placements.chunk_by(|a, b| a.slot == b.slot));
+        let of_copies = of_copies.map(|run| self.material_of_slot(run[0].slot));
+        self.material_slots().map(|(material, _)| material).chain(of_copies)
+    }
+
+    /// Triangles that are seen, every copy counted.
+    pub fn triangle_count(&self) -> usize {
+        let copies = self.copies.iter().flat_map(|copies| copies.iter());
+        self.mesh.triangles.len() + copies.map(|(shape, _)| shape.triangles.len()).sum::<usize>()
+    }
+
+    /// Vertices, every copy counted; as triangles, copies that are stretched may have a few more.
+    pub fn vertex_count(&self) -> usize {
+        let copies = self.copies.iter().flat_map(|copies| copies.iter());
+        self.mesh.vertices.len() + copies.map(|(shape, _)| shape.vertices.len()).sum::<usize>()
+    }
+
+    /// Every place of the surface, those of copies included.
+    pub fn points(&self) -> impl Iterator<Item = Vec3> {
+        let copies = self.copies.iter().flat_map(|copies| copies.iter());
+        let placed = copies.flat_map(|(shape, placement)| placement.places(&shape.points));
+        self.mesh.points.iter().copied().chain(placed)
+    }
+
+    /// Every material of the part's mesh with its triangles, in their order; none of them is empty.
     pub fn material_slots(&self) -> impl Iterator<Item = (usize, Range<usize>)> {
         let breaks = || self.mesh.breaks.iter().map(|&first| first as usize);
         let materials = std::iter::once(self.material).chain(self.more_materials.iter().copied());
@@ -137,19 +176,19 @@ impl Model {
         }
     }
 
-    /// Vertices over all parts, as a renderer counts them.
+    /// Vertices over all parts, counted as [`Part::vertex_count`] does.
     pub fn vertex_count(&self) -> usize {
-        self.parts.iter().map(|p| p.mesh.vertices.len()).sum()
+        self.parts.iter().map(Part::vertex_count).sum()
     }
 
-    /// Triangles over all parts.
+    /// Triangles over all parts, every copy counted.
     pub fn triangle_count(&self) -> usize {
-        self.parts.iter().map(|p| p.mesh.triangles.len()).sum()
+        self.parts.iter().map(Part::triangle_count).sum()
     }
 
     /// Smallest and largest corner over all parts, `None` for an empty model.
     pub fn bounds(&self) -> Option<(Vec3, Vec3)> {
-        let mut points = self.parts.iter().flat_map(|p| &p.mesh.points).copied();
+        let mut points = self.parts.iter().flat_map(Part::points);
         let first = points.next()?;
         Some(points.fold((first, first), |(lo, hi), p| (lo.min(p), hi.max(p))))
     }

@@ -1,21 +1,30 @@
 //! Organs to meshes: blades, solids and filaments, one of them or many in one part.
 //!
-//! Blades of one template are triangulated once, before any part is made, and those that are copies of one shape bent once.
-//! Bodies are appended in their order; where a part has several materials its triangles are ordered by them.
+//! Blades of one template are triangulated once, before any part is made, and those of one shape bent once. Where a part
+//! has many copies of few shapes they stay copies; what is left is appended in its order. Where a part has several
+//! materials its triangles are ordered by them.
 
 use super::blade::{self, BladeScratch};
 use super::cache::{Cache, Template};
-use super::copies::Copies;
+use super::copies::{Copies, Placement};
 use super::flat::{self, FlatScratch};
-use super::instances::Pose;
 use super::mesh::Mesh;
 use super::parts::Piece;
 use super::recipe::Recipe;
+use super::shapes::{self, BladeShape, ShapesInCommon};
 use super::solids::{self, Stand};
 use super::tube::TubeScratch;
 use super::{ModelParams, filaments};
 use crate::plant::{Blade, Organ, Plant, Shape};
+use rayon::prelude::*;
 use std::collections::BTreeMap;
+
+/// Shapes that one thread makes at a time.
+const BATCH: usize = 8;
+/// Fewest blades of a part that are kept as copies, and fewest for each shape: fewer are no less as triangles, and each
+/// shape is a call to the graphics card.
+const FEWEST_COPIES: usize = 16;
+const FEWEST_OF_A_SHAPE: usize = 4;
 
 /// Memory that is used again for every part.
 #[derive(Default)]
@@ -30,12 +39,18 @@ pub(super) struct OrganWorkshop<'a> {
     plant: &'a Plant,
     params: &'a ModelParams,
     templates: BTreeMap<u32, Template>,
-    copies: Copies,
+    /// For each organ the number of its shape.
+    shape_of: Vec<Option<u32>>,
+    /// None where a shape has no area.
+    shapes: Vec<Option<BladeShape>>,
 }
 
 impl<'a> OrganWorkshop<'a> {
     pub(super) fn new(plant: &'a Plant, params: &'a ModelParams, cache: &mut Cache) -> Self {
-        Self { plant, params, templates: templates(plant, params, cache), copies: Copies::of(plant) }
+        let templates = templates(plant, params, cache);
+        let ShapesInCommon { of_organ: shape_of, firsts } = ShapesInCommon::of(plant);
+        let shapes = shapes(&firsts, &templates, params, cache);
+        Self { plant, params, templates, shape_of, shapes }
     }
 
     /// Everything that [`Self::mesh`] reads but the parameters.
@@ -67,36 +82,38 @@ impl<'a> OrganWorkshop<'a> {
         mesh
     }
 
-    /// Takes the blades that are copies of a shape out of a part's pieces: their poses by material slot and shape.
-    pub(super) fn take_copies(
-        &self,
-        slots: &mut [Vec<(usize, Piece)>],
-        scratch: &mut OrganScratch,
-    ) -> BTreeMap<(usize, u32), Vec<Pose>> {
-        let mut copies: BTreeMap<(usize, u32), Vec<Pose>> = BTreeMap::new();
-        for (slot, pieces) in slots.iter_mut().enumerate() {
-            pieces.retain(|&(organ, _)| match self.pose(organ, scratch) {
-                Some((shape, pose)) => {
-                    copies.entry((slot, shape)).or_default().push(pose);
-                    false
-                }
-                None => true,
-            });
+    /// Takes the blades that are copies of few shapes out of a part's pieces.
+    pub(super) fn take_copies(&self, slots: &mut [Vec<(usize, Piece)>]) -> Option<Copies> {
+        if slots.iter().map(Vec::len).sum::<usize>() < FEWEST_COPIES {
+            return None;
         }
-        copies
+        // The part's own number of each shape, which has the order of the plant's.
+        let mut own: BTreeMap<u32, u32> = BTreeMap::new();
+        let mut placements: Vec<Placement> = Vec::new();
+        let pieces =
+            || slots.iter().zip(0..).flat_map(|(pieces, slot)| pieces.iter().map(move |p| (p.0, slot)));
+        for (organ, slot) in pieces() {
+            if let Some((shape, placement)) = self.placement(organ) {
+                own.insert(shape, 0);
+                placements.push(Placement { shape, slot, ..placement });
+            }
+        }
+        if placements.len() < FEWEST_COPIES.max(FEWEST_OF_A_SHAPE * own.len()) {
+            return None;
+        }
+        slots.iter_mut().for_each(|pieces| pieces.retain(|&(organ, _)| self.placement(organ).is_none()));
+        own.values_mut().zip(0..).for_each(|(number, next)| *number = next);
+        placements.iter_mut().for_each(|placement| placement.shape = own[&placement.shape]);
+        let shapes = own.keys().filter_map(|&shape| self.shapes[shape as usize].as_ref());
+        Some(Copies { shapes: shapes.map(|shape| shape.mesh.clone()).collect(), placements })
     }
 
-    fn pose(&self, organ: usize, scratch: &mut OrganScratch) -> Option<(u32, Pose)> {
+    /// The number of the shape of which an organ is a copy, and where the copy stands.
+    fn placement(&self, organ: usize) -> Option<(u32, Placement)> {
         let Shape::Blade(blade) = self.shape(organ) else { return None };
-        let flat = self.template(blade)?.flat.as_ref().as_ref()?;
-        let make =
-            |standing: &Blade| blade::copied_shape(standing, flat, &self.params.blade, &mut scratch.blade);
-        self.copies.pose(organ, blade, make)
-    }
-
-    /// The mesh of a shape of which there are copies.
-    pub(super) fn copied_mesh(&self, shape: u32) -> Mesh {
-        self.copies.mesh(shape).cloned().unwrap_or_default()
+        let number = self.shape_of[organ]?;
+        let placement = self.shapes[number as usize].as_ref()?.placement(blade)?;
+        Some((number, placement))
     }
 
     fn shape(&self, organ: usize) -> &'a Shape {
@@ -143,8 +160,11 @@ impl<'a> OrganWorkshop<'a> {
             return own.into_iter().for_each(|own| take_in(mesh, own));
         };
         let Some(flat) = flat.as_ref() else { return };
-        let shape = |standing: &Blade| blade::copied_shape(standing, flat, params, &mut scratch.blade);
-        if !self.copies.append(organ, blade, mesh, shape) {
+        if let Some((number, placement)) = self.placement(organ)
+            && let Some(shape) = &self.shapes[number as usize]
+        {
+            placement.append(&shape.mesh, mesh);
+        } else {
             let own = blade::mesh(blade, flat, params, &mut scratch.blade);
             own.into_iter().for_each(|own| take_in(mesh, own));
         }
@@ -181,4 +201,26 @@ fn templates(plant: &Plant, params: &ModelParams, cache: &mut Cache) -> BTreeMap
         (number, cache.template(&recipe, || flat::flatten(blade, &params.blade, &mut scratch)))
     };
     firsts.into_iter().map(&mut triangulated).collect()
+}
+
+/// The shapes that blades have in common, from the first blade of each, made on all cores.
+fn shapes(
+    firsts: &[&Blade],
+    templates: &BTreeMap<u32, Template>,
+    params: &ModelParams,
+    cache: &mut Cache,
+) -> Vec<Option<BladeShape>> {
+    let known = &cache.shapes;
+    let make = |(scratch, recipe): &mut (BladeScratch, Recipe), blade: &&Blade| {
+        let template = blade.template.and_then(|number| templates.get(&number))?;
+        let flat = template.flat.as_ref().as_ref()?;
+        let standing = shapes::standing(blade);
+        recipe.shape(&standing, template.name);
+        let hash = recipe.hash();
+        let shape = known.get(hash, recipe.words()).cloned();
+        let shape = shape.or_else(|| blade::shape(&standing, flat, &params.blade, scratch))?;
+        Some((hash, Box::from(recipe.words()), shape))
+    };
+    let made: Vec<_> = firsts.par_iter().with_min_len(BATCH).map_init(Default::default, make).collect();
+    made.into_iter().map(|made| made.map(|(hash, recipe, shape)| cache.shape(hash, recipe, shape))).collect()
 }

@@ -9,11 +9,13 @@
 //! A specimen is one plant of the drawing: a trunk with all it carries and the pot it stands in, a flower without a
 //! stem. Leaves scattered about without a branch are one specimen together.
 
+use super::copies::Copies;
 use super::part_names::{PartNames, numbered};
 use super::{ModelParams, PartKind};
 use crate::plant::{FinishedPlant, Organ, OrganKind, Plant, Role, Shape};
 use glam::Vec3;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// What a part's mesh is made from.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,6 +57,8 @@ pub(super) struct Plan {
     pub(super) material: usize,
     pub(super) more_materials: Vec<usize>,
     pub(super) source: Source,
+    /// Organs that are copies of few shapes, once they are taken out of the source.
+    pub(super) copies: Option<Arc<Copies>>,
 }
 
 impl Plan {
@@ -198,6 +202,7 @@ impl OrganPlans<'_> {
             material,
             more_materials: Vec::new(),
             source: Source::Organs(Vec::new()),
+            copies: None,
         });
         if !matches!(scope, Scope::Organ(_)) {
             self.known.insert((scope, organ.kind(), piece), part);
@@ -252,6 +257,7 @@ fn wood(plant: &FinishedPlant, specimens: &Specimens, i: usize, parent: Option<u
         material: plant.material(branch.role),
         more_materials: Vec::new(),
         source: Source::Wood(vec![Limb { branch: i, parent: None, slot: 0 }]),
+        copies: None,
     }
 }
 

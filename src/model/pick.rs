@@ -2,14 +2,15 @@
 //!
 //! The ray meets what is seen, the triangles of the model; parts gather many branches and organs, so the place that is
 //! hit is then given to the nearest branch or organ of the part's kind: the branch in whose bark it lies, the blade in
-//! whose outline and nearest to whose surface it lies. One pass over all triangles in parallel: some milliseconds for a
-//! large tree, which a click may cost and a hovering pointer may not.
+//! whose outline and nearest to whose surface it lies. One pass over all triangles and copies in parallel: some
+//! milliseconds for a large tree, which a click may cost and a hovering pointer may not.
 
-use super::{Model, Part, PartKind};
+use super::{Copies, Mesh, Model, Part, PartKind, Placement};
 use crate::geom::ray::Ray;
 use crate::plant::{Blade, Branch, Organ, OrganKind, Plant, Provenance, Shape};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// Triangles that one thread takes at a time.
 const CHUNK: usize = 16_384;
@@ -64,16 +65,38 @@ fn first_hit(model: &Model, ray: &Ray) -> Option<(f32, usize)> {
     let nearest_of = |part: &Part| {
         let chunks = part.mesh.triangles.par_chunks(CHUNK);
         let nearest = |chunk: &[[u32; 3]]| {
-            let corner = |k: u32| part.mesh.points[part.mesh.vertices[k as usize].point as usize];
-            let hits = chunk.iter().filter_map(|triangle| ray.meets(triangle.map(corner)));
+            let hits = chunk.iter().filter_map(|triangle| ray.meets(part.mesh.corners(*triangle)));
             hits.min_by(f32::total_cmp)
         };
-        chunks.filter_map(nearest).min_by(f32::total_cmp)
+        let of_copies = part.copies.as_ref().and_then(|copies| first_of_copies(copies, ray));
+        chunks.filter_map(nearest).chain(of_copies).min_by(f32::total_cmp)
     };
     let hits = model.parts.par_iter().enumerate();
     // Of two parts at one distance the first, on any number of threads.
     hits.filter_map(|(part, one)| Some((nearest_of(one)?, part)))
         .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))
+}
+
+/// Distance along the ray to the nearest triangle of copies. Most are passed over because the ray passes by a ball around
+/// them.
+fn first_of_copies(copies: &Copies, ray: &Ray) -> Option<f32> {
+    let reach = |shape: &Arc<Mesh>| shape.points.iter().map(|point| point.length()).fold(0.0, f32::max);
+    let reaches: Vec<f32> = copies.shapes.iter().map(reach).collect();
+    let meets = |placement: &Placement| {
+        let shape = copies.shapes.get(placement.shape as usize)?;
+        // No stretch is longer than both of its axes together.
+        let stretch = placement.u.length() + placement.v.length();
+        let along = (placement.base - ray.origin).dot(ray.direction).max(0.0);
+        if ray.at(along).distance(placement.base) > reaches[placement.shape as usize] * stretch {
+            return None;
+        }
+        let points: Vec<Vec3> = placement.places(&shape.points).collect();
+        let corners =
+            |triangle: &[u32; 3]| shape.point_triangle(*triangle).map(|point| points[point as usize]);
+        let hits = shape.triangles.iter().filter_map(|triangle| ray.meets(corners(triangle)));
+        hits.min_by(f32::total_cmp)
+    };
+    copies.placements.par_iter().with_min_len(CHUNK).filter_map(meets).min_by(f32::total_cmp)
 }
 
 /// Index of the item with the smallest measure, the first of several; those without one are passed over.

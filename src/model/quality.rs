@@ -141,6 +141,7 @@ impl Report {
 
 /// Judges every part of a model and adds the counts up; the result does not depend on the number of threads.
 pub fn judge_model(model: &Model) -> Report {
+    let model = model.flattened();
     let reports: Vec<Report> =
         model.parts.par_iter().map(|part| judge(&part.mesh, Attributes::ALL)).collect();
     let mut sum = Report::default();

@@ -36,6 +36,11 @@ impl Recipe {
         self.begin(1).real(blade.length).outline(blade);
     }
 
+    /// The recipe of the shape of a blade that stands at the origin, by the name of its triangulation.
+    pub(super) fn shape(&mut self, standing: &Blade, template: u64) {
+        self.begin(3).blade(standing, Some(template));
+    }
+
     /// The recipe of pieces of organs that are one part, a group for each material; blades come with the name of their
     /// triangulation where that is shared.
     pub(super) fn organs<'a, Group>(&mut self, groups: impl Iterator<Item = Group>)
@@ -43,7 +48,9 @@ impl Recipe {
         Group: Iterator<Item = (&'a Shape, Piece, Option<u64>)>,
     {
         self.begin(2);
+        let mut slots = 0;
         for (slot, pieces) in groups.enumerate() {
+            slots = slot + 1;
             for (shape, piece, template) in pieces {
                 self.length(slot).word(u32::from(piece == Piece::Head));
                 match shape {
@@ -52,6 +59,8 @@ impl Recipe {
                 };
             }
         }
+        // A mesh tells where each material begins, also of those that only copies have.
+        self.length(slots);
     }
 
     /// The words.

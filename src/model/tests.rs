@@ -184,6 +184,8 @@ fn plant() -> impl Strategy<Value = FinishedPlant> {
 }
 
 fn check(model: &Model) -> Result<(), String> {
+    model.check_invariants()?;
+    let model = model.flattened();
     let mut names = std::collections::BTreeSet::new();
     for (i, part) in model.parts.iter().enumerate() {
         let here = |what: String| format!("{}: {what}", part.name);

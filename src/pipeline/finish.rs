@@ -7,7 +7,7 @@ use super::source::{Ages, Produced};
 use crate::anatomy::Anatomy;
 use crate::budget::Budget;
 use crate::growth::overlay::Spot;
-use crate::model::{self, InstancedModel, Model, ModelParams};
+use crate::model::{self, Model, ModelParams};
 use crate::plant::{FinishedPlant, Plant, Provenance};
 use crate::sketch::{Remark, Textures, Warning};
 use crate::species::{self, Applied, Species};
@@ -76,11 +76,6 @@ fn looks(species: &Species, may_flower: bool) -> Cow<'_, Species> {
     let mut young = species.clone();
     young.blossom = None;
     Cow::Owned(young)
-}
-
-/// The surfaces of a plant with its leaves and petals as copies of a few meshes, as fine as its model has them.
-pub fn instanced(plant: &FinishedPlant, params: &Params) -> InstancedModel {
-    model::build_instanced(plant, &affordable(plant, params, true).params)
 }
 
 /// How fine surfaces become.

@@ -18,7 +18,7 @@ mod setup;
 mod source;
 
 pub use drawing::DrawingMemory;
-pub use finish::{Built, instanced};
+pub use finish::Built;
 pub use seed::SeedMemory;
 pub use setup::{
     DEFAULT_SPECIES, Params, SetupError, check_grows, params_of, params_of_species, species_file, species_of,

@@ -2,17 +2,14 @@
 //!
 //! Colours go by the kind of part, branches by their level; parts of one kind differ a little. Limits: cut-outs show whole.
 
+use super::corner::{CORNER_LAYOUT, Tint};
+use super::drawn::{Drawn, PLACEMENT_LAYOUT};
 use super::gpu::Gpu;
 use super::pipeline::{Into, PipelineSpec};
-use super::pool::Pool;
 use super::scene::SceneLayout;
 use super::shaders;
-use super::surface::VERTEX_LAYOUT;
 use crate::checksum::fnv1a;
 use crate::model::PartKind;
-
-/// Colour of a part, encoded red, green, blue, and one unused byte.
-pub(super) type Tint = [u8; 4];
 
 /// Layout of a vertex buffer of tints.
 const TINT_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
@@ -51,7 +48,7 @@ impl DebugRenderer {
                 label: "debug",
                 wgsl: shaders::DEBUG,
                 groups: &[&scenes.layout],
-                buffers: &[VERTEX_LAYOUT, TINT_LAYOUT],
+                buffers: &[CORNER_LAYOUT, PLACEMENT_LAYOUT, TINT_LAYOUT],
                 topology,
                 cull: false,
                 fragment: true,
@@ -70,19 +67,17 @@ impl DebugRenderer {
         }
     }
 
-    /// Draws the faces of a pool's parts into a pass with the scene's bind group already set.
-    pub(super) fn draw_faces(&self, pass: &mut wgpu::RenderPass<'_>, pool: &Pool) {
+    /// Draws faces into a pass with the scene's bind group already set.
+    pub(super) fn draw_faces(&self, pass: &mut wgpu::RenderPass<'_>, faces: &Drawn, tints: &wgpu::Buffer) {
         pass.set_pipeline(&self.faces);
-        pool.bind_corners(pass);
-        pass.set_index_buffer(pool.indices().slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(pool.index_range(), 0, 0..1);
+        pass.set_vertex_buffer(2, tints.slice(..));
+        faces.draw(pass);
     }
 
-    /// Draws edges, given as pairs of a pool's corners.
-    pub(super) fn draw_edges(&self, pass: &mut wgpu::RenderPass<'_>, pool: &Pool, edges: &wgpu::Buffer) {
+    /// Draws edges, given as pairs of corners.
+    pub(super) fn draw_edges(&self, pass: &mut wgpu::RenderPass<'_>, edges: &Drawn, tints: &wgpu::Buffer) {
         pass.set_pipeline(&self.edges);
-        pool.bind_corners(pass);
-        pass.set_index_buffer(edges.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..(edges.size() / size_of::<u32>() as u64) as u32, 0, 0..1);
+        pass.set_vertex_buffer(2, tints.slice(..));
+        edges.draw(pass);
     }
 }

@@ -90,3 +90,10 @@ pub enum RenderError {
     #[error("the picture could not be encoded as PNG: {0}")]
     Png(#[from] png::EncodingError),
 }
+
+impl RenderError {
+    /// A part that contradicts itself.
+    pub(super) fn model(part: &str, reason: &'static str) -> Self {
+        Self::Model { part: part.to_owned(), reason }
+    }
+}

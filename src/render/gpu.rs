@@ -238,6 +238,7 @@ mod tests {
             material: 0,
             more_materials: vec![],
             mesh: mesh.into(),
+            copies: None,
         };
         Model { parts: vec![part], materials: vec![Material::plain("bark", [0.5; 3])] }
     }

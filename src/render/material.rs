@@ -4,12 +4,17 @@ use super::RenderError;
 use super::gpu::Gpu;
 use super::mipmap::{MipmapRenderer, TEXTURE_FORMAT};
 use super::pipeline::{entry, texture, uniform};
-use super::renderer::TextureSource;
 use crate::picture::decode::{self, Rgba};
 use crate::plant::{Material, Texture};
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec3, Vec4};
+use std::borrow::Cow;
+use std::error::Error;
 use wgpu::ShaderStages;
+
+/// Where the bytes of a texture's file come from; its errors complete “texture X cannot be used:”.
+pub type TextureSource<'a> =
+    dyn Fn(&Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> + 'a;
 
 /// Samples along the longer axis of a pixel's footprint; leaves are often seen at a slant.
 const ANISOTROPY: u16 = 4;

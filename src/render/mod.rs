@@ -16,7 +16,7 @@
 //! | `overlay` | `overlay.wgsl` | spots and lines over the plant |
 //! | `present` | `present.wgsl` | a finished picture into the texture that the window shows |
 //!
-//! `full_screen` is what passes over all of a texture have in common, `uniform` a block of numbers for one pass.
+//! `copies` are the shapes of which there are many, drawn with `placement.wgsl`. `full_screen` is what passes over all of a texture have in common, `uniform` a block of numbers for one pass.
 //!
 //! [`camera`], [`orbit`] and `light` are the mathematics of view and light and know no GPU; `studio` holds every number that
 //! decides the look. [`viewport`] is a live view for the window: `resident` keeps a changing model on the GPU, in `pool`s
@@ -32,7 +32,10 @@ pub mod picture;
 pub mod viewport;
 
 mod arena;
+mod copies;
+mod corner;
 mod debug;
+mod drawn;
 mod frame;
 mod full_screen;
 mod gpu;
@@ -64,9 +67,10 @@ pub use gpu::Gpu;
 pub(crate) use gpu::{MEMORY_HINTS, limits as device_limits};
 pub use light::LightParams;
 pub use look::{Background, Look, Mode, Quality};
+pub use material::TextureSource;
 pub use orbit::OrbitCamera;
 pub use overlay::Spot;
 pub use picture::Picture;
-pub use renderer::{ModelDrawData, PictureOptions, Renderer, TextureSource};
+pub use renderer::{ModelDrawData, PictureOptions, Renderer};
 pub use resident::UploadStats;
 pub use viewport::{ShownPicture, Viewport};

@@ -5,9 +5,10 @@
 //! each write to the GPU costs the same however short it is.
 
 use super::arena::Arena;
-use super::debug::Tint;
+use super::corner::{Corner, Tint};
+use super::drawn::{self, Drawn};
 use super::gpu::Gpu;
-use super::surface::{Corner, Room};
+use super::surface::Room;
 use bytemuck::Pod;
 use std::ops::Range;
 
@@ -93,6 +94,7 @@ pub(super) struct Pool {
     vertex_arena: Arena,
     index_arena: Arena,
     room: Room,
+    placement: wgpu::Buffer,
 }
 
 impl Pool {
@@ -104,6 +106,7 @@ impl Pool {
             vertex_arena: Arena::default(),
             index_arena: Arena::default(),
             room: Room::of(gpu),
+            placement: drawn::alone(gpu),
         }
     }
 
@@ -150,22 +153,19 @@ impl Pool {
             + self.indices.flush(gpu, "indices", wgpu::BufferUsages::INDEX, indices)
     }
 
-    pub(super) fn corners(&self) -> &wgpu::Buffer {
-        &self.corners.buffer
+    /// All parts, and the holes between them.
+    pub(super) fn drawn(&self) -> Drawn {
+        Drawn {
+            corners: self.corners.buffer.clone(),
+            placements: self.placement.clone(),
+            indices: self.indices.buffer.clone(),
+            range: 0..self.index_arena.end(),
+            copies: 1,
+        }
     }
 
-    pub(super) fn indices(&self) -> &wgpu::Buffer {
-        &self.indices.buffer
-    }
-
-    /// The indices of all parts, and of the holes between them.
-    pub(super) fn index_range(&self) -> Range<u32> {
-        0..self.index_arena.end()
-    }
-
-    /// Sets the vertex buffers of the debugging views.
-    pub(super) fn bind_corners(&self, pass: &mut wgpu::RenderPass<'_>) {
-        pass.set_vertex_buffer(0, self.corners.buffer.slice(..));
-        pass.set_vertex_buffer(1, self.tints.buffer.slice(..));
+    /// Colours of the corners in the debugging views.
+    pub(super) fn tints(&self) -> &wgpu::Buffer {
+        &self.tints.buffer
     }
 }

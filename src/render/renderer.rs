@@ -7,23 +7,16 @@ use super::ground::GroundRenderer;
 use super::ink::{InkDrawData, InkRenderer};
 use super::light::{LightParams, LightUniform, SUN_MAP_SIZE};
 use super::look::Background;
-use super::material::MaterialLayout;
+use super::material::{MaterialLayout, TextureSource};
 use super::scene::{Scene, SceneLayout, SkyMaps};
 use super::shadow::ShadowRenderer;
 use super::surface::{SurfaceDrawData, SurfaceRenderer};
 use super::target::OffscreenTarget;
 use super::{Picture, RenderError, View};
-use crate::model::Model;
-use crate::plant::Texture;
+use crate::model::{Model, Part};
 use crate::sketch::Sketch;
 use bytemuck::Zeroable;
 use glam::{Vec2, Vec3};
-use std::borrow::Cow;
-use std::error::Error;
-
-/// Where the bytes of a texture's file come from; its errors complete “texture X cannot be used:”.
-pub type TextureSource<'a> =
-    dyn Fn(&Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> + 'a;
 
 /// How a picture is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -160,7 +153,7 @@ impl Renderer {
         let bounds = bounds.ok_or(RenderError::Empty { what: "the model" })?;
         let surface = SurfaceDrawData::new(&self.gpu, &self.materials, model, textures)?;
         self.gpu.check()?;
-        let points = model.parts.iter().flat_map(|p| &p.mesh.points).copied().collect();
+        let points = model.parts.iter().flat_map(Part::points).collect();
         Ok(ModelDrawData { surface, points, bounds })
     }
 

@@ -2,16 +2,18 @@
 //!
 //! A part is known again by a fingerprint of its mesh and then by [`same_mesh`], not by its name: a new petal may give its
 //! neighbours other names. Parts of one material share a [`Pool`] and are drawn in one call. A refused model changes
-//! nothing: what was there before stays. A part of several materials, or of more triangles than a buffer holds, is several
+//! nothing: what was there before stays. Copies of a shape are a table beside the shape. A part of several materials, or of more triangles than a buffer holds, is several
 //! residents.
 
 use super::RenderError;
-use super::debug::{self, Tint};
+use super::copies::{self, ResidentCopies};
+use super::corner::{Corner, Tint};
+use super::debug;
+use super::drawn::Drawn;
 use super::gpu::Gpu;
-use super::material::{MaterialLayout, Pictures};
+use super::material::{MaterialLayout, Pictures, TextureSource};
 use super::pool::{Place, Pool};
-use super::renderer::TextureSource;
-use super::surface::{self, Batch, Coat, Corner, Room, SurfaceDrawData};
+use super::surface::{self, Batch, Coat, Room, SurfaceDrawData};
 use crate::model::{Mesh, Model, PartKind};
 use crate::plant::Material;
 use crate::random::mix;
@@ -69,6 +71,7 @@ struct Resident {
 pub(super) struct ResidentModel {
     residents: Vec<Resident>,
     pools: BTreeMap<PoolKey, Pool>,
+    copies: Vec<ResidentCopies>,
     materials: Vec<Material>,
     /// By material: whether its picture repeats, and the bind group.
     groups: Vec<(bool, wgpu::BindGroup)>,
@@ -79,8 +82,8 @@ pub(super) struct ResidentModel {
     pub(super) bounds: Option<(Vec3, Vec3)>,
     /// Grows with every change.
     pub(super) version: u64,
-    /// Pairs of corners of each pool, and the version they belong to.
-    edges: Option<(u64, BTreeMap<PoolKey, wgpu::Buffer>)>,
+    /// Edges with their tints, and the version they belong to.
+    edges: Option<(u64, Vec<(Drawn, wgpu::Buffer)>)>,
 }
 
 /// A coat of the next model: known already, or its corners and triangles.
@@ -112,6 +115,7 @@ impl ResidentModel {
         };
         let corners = self.new_corners(model, Room::of(gpu))?;
         self.place(gpu, model, corners, &mut stats);
+        self.place_copies(gpu, model, &mut stats);
         for pool in self.pools.values_mut() {
             stats.bytes += pool.flush(gpu);
         }
@@ -119,7 +123,8 @@ impl ResidentModel {
         if stats.uploaded_parts + stats.removed_parts > 0 || materials_changed || self.version == 0 {
             self.version += 1;
         }
-        let boxes = self.residents.iter().map(|r| r.bounds).filter(|(lo, _)| lo.is_finite());
+        let boxes = self.residents.iter().map(|r| r.bounds).chain(self.copies.iter().map(|c| c.bounds));
+        let boxes = boxes.filter(|(lo, _)| lo.is_finite());
         self.bounds = boxes.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
         gpu.check()?;
         Ok(stats)
@@ -208,6 +213,27 @@ impl ResidentModel {
         self.pools.retain(|key, _| used.contains(key));
     }
 
+    /// Brings the copies in step: where their shape was there already, only their places are uploaded.
+    fn place_copies(&mut self, gpu: &Gpu, model: &Model, stats: &mut UploadStats) {
+        let mut known: Vec<Option<ResidentCopies>> = self.copies.drain(..).map(Some).collect();
+        for group in copies::groups(model) {
+            let part = &model.parts[group.part];
+            let tint = debug::tint(part.kind, 0, &part.name);
+            let same = known.iter_mut().find(|known| known.as_ref().is_some_and(|k| k.is_of(&group, tint)));
+            let (resident, bytes) = match same.and_then(Option::take) {
+                Some(mut resident) => {
+                    let bytes = resident.place(gpu, &group);
+                    (resident, bytes)
+                }
+                None => ResidentCopies::new(gpu, &group, tint),
+            };
+            stats.uploaded_parts += usize::from(bytes > 0);
+            stats.bytes += bytes;
+            self.copies.push(resident);
+        }
+        stats.removed_parts += known.iter().flatten().count();
+    }
+
     /// The first pool of a material that can take so many corners and triangles in, or a new one.
     fn pool_with_room(&self, material: usize, corners: usize, triangles: usize) -> PoolKey {
         let mut number = 0;
@@ -229,6 +255,9 @@ impl ResidentModel {
         for resident in &self.residents {
             repeats[resident.pool.0] |= resident.repeats;
         }
+        for copies in &self.copies {
+            repeats[copies.material] |= copies.repeats;
+        }
         let mut changed = self.materials.len() != model.materials.len();
         let mut groups = Vec::with_capacity(repeats.len());
         for (i, (material, repeat)) in model.materials.iter().zip(repeats).enumerate() {
@@ -241,28 +270,29 @@ impl ResidentModel {
         }
         self.groups = groups;
         self.materials.clone_from(&model.materials);
-        let pools = self.pools.iter().filter(|(_, pool)| !pool.index_range().is_empty());
-        let batches = pools.map(|(&(material, _), pool)| {
-            let (material, (_, group)) = (&self.materials[material], &self.groups[material]);
-            Batch::new(material, group.clone(), pool.corners(), pool.indices(), pool.index_range())
-        });
-        self.surface = SurfaceDrawData { batches: batches.collect() };
+        let pools = self.pools.iter().map(|(&(material, _), pool)| (material, pool.drawn()));
+        let copies = self.copies.iter().map(|copies| (copies.material, copies.drawn.clone()));
+        let drawn = pools.chain(copies).filter(|(_, drawn)| !drawn.range.is_empty());
+        let batch = |(material, drawn): (usize, Drawn)| {
+            Batch::new(&self.materials[material], self.groups[material].1.clone(), drawn)
+        };
+        self.surface = SurfaceDrawData { batches: drawn.map(batch).collect() };
         changed
     }
 
-    /// Pools with parts.
-    pub(super) fn pools(&self) -> impl Iterator<Item = &Pool> {
-        self.pools.values()
+    /// All faces with their tints.
+    pub(super) fn faces(&self) -> impl Iterator<Item = (Drawn, &wgpu::Buffer)> {
+        let pools = self.pools.values().map(|pool| (pool.drawn(), pool.tints()));
+        pools.chain(self.copies.iter().map(|copies| (copies.drawn.clone(), &copies.tints)))
     }
 
-    /// Pools with the edges of their triangles, uploaded when they are first asked for.
-    pub(super) fn pools_with_edges(&mut self, gpu: &Gpu) -> impl Iterator<Item = (&Pool, &wgpu::Buffer)> {
+    /// The edges of all triangles with their tints, uploaded when they are first asked for.
+    pub(super) fn edges(&mut self, gpu: &Gpu) -> impl Iterator<Item = (&Drawn, &wgpu::Buffer)> {
         let version = self.version;
         if self.edges.as_ref().is_none_or(|(of, _)| *of != version) {
             self.edges = Some((version, self.upload_edges(gpu)));
         }
-        let edges = self.edges.iter().flat_map(|(_, edges)| edges);
-        edges.filter_map(|(key, edges)| Some((self.pools.get(key)?, edges)))
+        self.edges.iter().flat_map(|(_, edges)| edges).map(|(edges, tints)| (edges, tints))
     }
 
     /// Lets the edges go.
@@ -270,7 +300,7 @@ impl ResidentModel {
         self.edges = None;
     }
 
-    fn upload_edges(&self, gpu: &Gpu) -> BTreeMap<PoolKey, wgpu::Buffer> {
+    fn upload_edges(&self, gpu: &Gpu) -> Vec<(Drawn, wgpu::Buffer)> {
         let mut pairs: BTreeMap<PoolKey, Vec<u32>> = BTreeMap::new();
         for resident in &self.residents {
             let first = resident.place.first_corner();
@@ -280,9 +310,13 @@ impl ResidentModel {
             }
         }
         let pairs = pairs.into_iter().filter(|(_, pairs)| !pairs.is_empty());
-        let upload =
-            |pairs: &[u32]| gpu.buffer("edges", bytemuck::cast_slice(pairs), wgpu::BufferUsages::INDEX);
-        pairs.map(|(key, pairs)| (key, upload(&pairs))).collect()
+        let of_pools = pairs.filter_map(|(key, pairs)| {
+            let pool = self.pools.get(&key)?;
+            let indices = gpu.buffer("edges", bytemuck::cast_slice(&pairs), wgpu::BufferUsages::INDEX);
+            let drawn = Drawn { indices, range: 0..pairs.len() as u32, ..pool.drawn() };
+            Some((drawn, pool.tints().clone()))
+        });
+        of_pools.chain(self.copies.iter().map(|copies| (copies.edges(gpu), copies.tints.clone()))).collect()
     }
 }
 

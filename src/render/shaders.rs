@@ -7,8 +7,8 @@ macro_rules! wgsl {
     };
 }
 
-pub(super) const SURFACE: &str = wgsl!("frame", "light", "material", "surface");
-pub(super) const SHADOW: &str = wgsl!("material", "shadow");
+pub(super) const SURFACE: &str = wgsl!("frame", "light", "material", "placement", "surface");
+pub(super) const SHADOW: &str = wgsl!("material", "placement", "shadow");
 pub(super) const GROUND: &str = wgsl!("frame", "light", "full_screen", "ground");
 pub(super) const INK: &str = wgsl!("ink");
 pub(super) const MIPMAP: &str = wgsl!("full_screen", "mipmap");
@@ -16,7 +16,7 @@ pub(super) const PRESENT: &str = wgsl!("full_screen", "present");
 pub(super) const PAPER: &str = wgsl!("canvas", "full_screen", "paper");
 pub(super) const REFERENCE: &str = wgsl!("canvas", "reference");
 pub(super) const STROKE: &str = wgsl!("canvas", "stroke");
-pub(super) const DEBUG: &str = wgsl!("frame", "debug");
+pub(super) const DEBUG: &str = wgsl!("frame", "placement", "debug");
 pub(super) const OVERLAY: &str = wgsl!("frame", "overlay");
 
 #[cfg(test)]

@@ -1,11 +1,13 @@
 //! Shadow maps: the plant's depth as each lamp sees it.
 
+use super::corner::CORNER_LAYOUT;
+use super::drawn::PLACEMENT_LAYOUT;
 use super::gpu::Gpu;
 use super::light::{Lamp, SKY_LAMPS};
 use super::material::MaterialLayout;
 use super::pipeline::{Into, PipelineSpec, entry, uniform};
 use super::shaders;
-use super::surface::{SurfaceDrawData, VERTEX_LAYOUT};
+use super::surface::SurfaceDrawData;
 use glam::Mat4;
 
 /// Lamps with a map.
@@ -48,7 +50,7 @@ impl ShadowRenderer {
                 label: "shadow",
                 wgsl: shaders::SHADOW,
                 groups: &[&layout, &materials.layout],
-                buffers: &[VERTEX_LAYOUT],
+                buffers: &[CORNER_LAYOUT, PLACEMENT_LAYOUT],
                 topology: wgpu::PrimitiveTopology::TriangleList,
                 cull: false,
                 fragment,

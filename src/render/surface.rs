@@ -1,34 +1,19 @@
-//! The plant: its corners grouped by material, in as many buffers as they need, and the pipelines that shade them.
+//! The plant: its corners grouped by material, in as many buffers as they need, copies of shapes beside them, and the
+//! pipelines that shade them.
 
 use super::RenderError;
+use super::copies::{self, ResidentCopies};
+use super::corner::{self, CORNER_LAYOUT, Corner, Tint};
+use super::drawn::{self, Drawn, PLACEMENT_LAYOUT};
 use super::gpu::Gpu;
-use super::material::MaterialLayout;
+use super::material::{MaterialLayout, TextureSource};
 use super::pipeline::{Into, PipelineSpec};
-use super::renderer::TextureSource;
 use super::scene::SceneLayout;
 use super::shaders;
-use crate::model::{Mesh, Model, Part, Vertex};
+use crate::model::{Mesh, Model, Part};
 use crate::plant::Material;
-use bytemuck::{Pod, Zeroable};
-use glam::{Vec2, Vec3};
 use std::borrow::Cow;
 use std::ops::Range;
-
-/// A corner as `surface.wgsl` and `shadow.wgsl` read it.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
-pub(super) struct Corner {
-    pub(super) world: Vec3,
-    normal: Vec3,
-    uv: Vec2,
-}
-
-impl Corner {
-    /// Whether its place in the picture lies outside, so that the picture must repeat.
-    pub(super) fn repeats(&self) -> bool {
-        !((-1e-3..=1.001).contains(&self.uv.min_element()) && self.uv.max_element() <= 1.001)
-    }
-}
 
 /// How much one buffer of each kind holds.
 #[derive(Clone, Copy)]
@@ -74,14 +59,15 @@ fn check_part(part: &Part) -> Result<(), RenderError> {
     let mesh = &part.mesh;
     for vertex in &mesh.vertices {
         let point = mesh.points.get(vertex.point as usize);
-        let point =
-            point.ok_or_else(|| contradiction(part, "a corner refers to a point that does not exist"))?;
+        let point = point.ok_or_else(|| {
+            RenderError::model(&part.name, "a corner refers to a point that does not exist")
+        })?;
         if !point.is_finite() {
-            return Err(contradiction(part, "a point is not a finite number"));
+            return Err(RenderError::model(&part.name, "a point is not a finite number"));
         }
     }
     if mesh.triangles.iter().flatten().any(|&i| i as usize >= mesh.vertices.len()) {
-        return Err(contradiction(part, "a triangle refers to a corner that does not exist"));
+        return Err(RenderError::model(&part.name, "a triangle refers to a corner that does not exist"));
     }
     Ok(())
 }
@@ -99,15 +85,10 @@ pub(super) fn coat_of<'a>(
 ) -> Result<(Vec<Corner>, Triangles<'a>), RenderError> {
     check_part(part)?;
     let mesh = &part.mesh;
-    let corner = |vertex: &Vertex| Corner {
-        world: mesh.points[vertex.point as usize],
-        normal: vertex.normal,
-        uv: vertex.uv,
-    };
     let (kept, triangles) = renumbered(mesh, range);
     let corners = match kept {
-        Some(kept) => kept.into_iter().map(|i| corner(&mesh.vertices[i as usize])).collect(),
-        None => mesh.vertices.iter().map(corner).collect(),
+        Some(kept) => kept.into_iter().map(|i| Corner::of(mesh, &mesh.vertices[i as usize])).collect(),
+        None => corner::corners(mesh).collect(),
     };
     Ok((corners, triangles))
 }
@@ -132,7 +113,7 @@ pub(super) fn renumbered<'a>(mesh: &'a Mesh, range: &Range<usize>) -> (Option<Ve
     (Some(kept), triangles.into())
 }
 
-/// Refuses a model whose parts name materials or triangles that are not there.
+/// Refuses a model whose parts name materials, triangles or shapes that are not there.
 ///
 /// # Errors
 /// The first such part.
@@ -140,51 +121,31 @@ pub(super) fn check_materials(model: &Model) -> Result<(), RenderError> {
     for part in &model.parts {
         let mut materials = std::iter::once(&part.material).chain(&part.more_materials);
         if materials.any(|material| *material >= model.materials.len()) {
-            return Err(contradiction(part, "its material does not exist"));
+            return Err(RenderError::model(&part.name, "its material does not exist"));
         }
         let end = [part.mesh.triangles.len() as u32];
         let breaks = part.mesh.breaks.iter().chain(&end);
         if part.more_materials.len() != part.mesh.breaks.len() || !breaks.is_sorted() {
-            return Err(contradiction(part, "its materials do not fit its triangles"));
+            return Err(RenderError::model(&part.name, "its materials do not fit its triangles"));
         }
+        part.copies.iter().try_for_each(|copies| copies::check(part, copies))?;
     }
     Ok(())
 }
 
-/// Layout of a vertex buffer of corners.
-pub(super) const VERTEX_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
-    array_stride: size_of::<Corner>() as u64,
-    step_mode: wgpu::VertexStepMode::Vertex,
-    attributes: &wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x2],
-};
-
 /// Triangles of one material.
 pub(super) struct Batch {
-    corners: wgpu::Buffer,
-    indices: wgpu::Buffer,
-    range: Range<u32>,
+    drawn: Drawn,
     group: wgpu::BindGroup,
     pub(super) cut_out: bool,
     double_sided: bool,
 }
 
 impl Batch {
-    /// Triangles `range` of the buffers in a material whose bind group is `group`.
-    pub(super) fn new(
-        material: &Material,
-        group: wgpu::BindGroup,
-        corners: &wgpu::Buffer,
-        indices: &wgpu::Buffer,
-        range: Range<u32>,
-    ) -> Self {
-        Self {
-            corners: corners.clone(),
-            indices: indices.clone(),
-            range,
-            group,
-            cut_out: material.cut_out && material.texture.is_some(),
-            double_sided: material.double_sided,
-        }
+    /// Triangles in a material whose bind group is `group`.
+    pub(super) fn new(material: &Material, group: wgpu::BindGroup, drawn: Drawn) -> Self {
+        let cut_out = material.cut_out && material.texture.is_some();
+        Self { drawn, group, cut_out, double_sided: material.double_sided }
     }
 }
 
@@ -214,10 +175,15 @@ impl SurfaceDrawData {
             }
         }
         gathering.upload();
-        let Gathering { uploaded, repeats, .. } = gathering;
+        let Gathering { mut uploaded, mut repeats, .. } = gathering;
+        for group in copies::groups(model) {
+            let (copies, _) = ResidentCopies::new(gpu, &group, Tint::default());
+            repeats[group.material] |= copies.repeats;
+            uploaded.push((group.material, copies.drawn));
+        }
         let groups = materials.upload(gpu, &model.materials, &repeats, textures)?;
-        let batch = |Gathered { material, corners, indices, range }: Gathered| {
-            Batch::new(&model.materials[material], groups[material].clone(), &corners, &indices, range)
+        let batch = |(material, drawn): (usize, Drawn)| {
+            Batch::new(&model.materials[material], groups[material].clone(), drawn)
         };
         Ok(Self { batches: uploaded.into_iter().map(batch).collect() })
     }
@@ -231,19 +197,9 @@ impl SurfaceDrawData {
         for (batch, pipeline) in self.batches.iter().filter_map(|b| Some((b, pipeline(b)?))) {
             pass.set_pipeline(pipeline);
             pass.set_bind_group(1, &batch.group, &[]);
-            pass.set_vertex_buffer(0, batch.corners.slice(..));
-            pass.set_index_buffer(batch.indices.slice(..), wgpu::IndexFormat::Uint32);
-            pass.draw_indexed(batch.range.clone(), 0, 0..1);
+            batch.drawn.draw(pass);
         }
     }
-}
-
-/// Triangles of one material on the GPU.
-struct Gathered {
-    material: usize,
-    corners: wgpu::Buffer,
-    indices: wgpu::Buffer,
-    range: Range<u32>,
 }
 
 /// A model's coats on their way to the GPU, material by material; buffers are filled one after the other.
@@ -254,7 +210,8 @@ struct Gathering<'a> {
     indices: Vec<u32>,
     /// The indices of each material since the last upload.
     ranges: Vec<(usize, Range<u32>)>,
-    uploaded: Vec<Gathered>,
+    /// By material.
+    uploaded: Vec<(usize, Drawn)>,
     /// For each material, whether any UV lies outside the picture, so that it must repeat.
     repeats: Vec<bool>,
 }
@@ -262,11 +219,13 @@ struct Gathering<'a> {
 impl<'a> Gathering<'a> {
     fn new(gpu: &'a Gpu, model: &Model) -> Self {
         let room = Room::of(gpu);
+        let vertices: usize = model.parts.iter().map(|part| part.mesh.vertices.len()).sum();
+        let triangles: usize = model.parts.iter().map(|part| part.mesh.triangles.len()).sum();
         Self {
             gpu,
             room,
-            corners: Vec::with_capacity(model.vertex_count().min(room.corners as usize)),
-            indices: Vec::with_capacity((3 * model.triangle_count()).min(room.indices as usize)),
+            corners: Vec::with_capacity(vertices.min(room.corners as usize)),
+            indices: Vec::with_capacity((3 * triangles).min(room.indices as usize)),
             ranges: Vec::new(),
             uploaded: Vec::new(),
             repeats: vec![false; model.materials.len()],
@@ -301,20 +260,13 @@ impl<'a> Gathering<'a> {
         let buffer = |label, bytes, usage| self.gpu.buffer(label, bytes, usage);
         let corners = buffer("corners", bytemuck::cast_slice(&self.corners), wgpu::BufferUsages::VERTEX);
         let indices = buffer("indices", bytemuck::cast_slice(&self.indices), wgpu::BufferUsages::INDEX);
-        let gathered = self.ranges.drain(..).map(|(material, range)| Gathered {
-            material,
-            corners: corners.clone(),
-            indices: indices.clone(),
-            range,
-        });
-        self.uploaded.extend(gathered);
+        let all = Drawn { corners, placements: drawn::alone(self.gpu), indices, range: 0..0, copies: 1 };
+        self.uploaded.extend(
+            self.ranges.drain(..).map(|(material, range)| (material, Drawn { range, ..all.clone() })),
+        );
         self.corners.clear();
         self.indices.clear();
     }
-}
-
-fn contradiction(part: &Part, reason: &'static str) -> RenderError {
-    RenderError::Model { part: part.name.clone(), reason }
 }
 
 /// Shades surfaces.
@@ -338,7 +290,7 @@ impl SurfaceRenderer {
                 label: "surface",
                 wgsl: shaders::SURFACE,
                 groups: &[&scene.layout, &materials.layout],
-                buffers: &[VERTEX_LAYOUT],
+                buffers: &[CORNER_LAYOUT, PLACEMENT_LAYOUT],
                 topology: wgpu::PrimitiveTopology::TriangleList,
                 cull: !double_sided,
                 fragment: matches!(into, Into::Picture { .. }),

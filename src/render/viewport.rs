@@ -330,13 +330,13 @@ impl Viewport {
         match look.mode {
             Mode::Shaded => surface.draw(&mut pass, &self.model.surface),
             Mode::PartColours | Mode::Wireframe => {
-                self.model.pools().for_each(|pool| self.debug.draw_faces(&mut pass, pool));
+                self.model.faces().for_each(|(faces, tints)| self.debug.draw_faces(&mut pass, &faces, tints));
             }
         }
         match look.mode {
             Mode::Wireframe => {
-                for (pool, edges) in self.model.pools_with_edges(&renderer.gpu) {
-                    self.debug.draw_edges(&mut pass, pool, edges);
+                for (edges, tints) in self.model.edges(&renderer.gpu) {
+                    self.debug.draw_edges(&mut pass, edges, tints);
                 }
             }
             Mode::PartColours => self.model.forget_edges(),

@@ -18,7 +18,6 @@ const STANDING: &[(&str, &[&str])] = &[
     ("formats::read", &["(parent)", "glb_container", "glb_surfaces", "gltf_accessor", "obj_surfaces"]),
     ("formats::read", &["glb_model", "model", "obj_model"]),
     ("formats::write", &["(parent)", "glb", "obj", "plant_json"]),
-    ("model", &["blade", "copies"]),
     ("model", &["build", "cache", "filaments", "organs", "part_names", "parts", "recipe"]),
     ("pen::hid", &["refusal", "strings", "table", "transport"]),
     (
@@ -42,8 +41,6 @@ const STANDING: &[(&str, &[&str])] = &[
             "xp_pen",
         ],
     ),
-    ("render", &["material", "renderer", "shadow", "surface"]),
-    ("render", &["debug", "pool"]),
     ("species", &["builtin", "file"]),
 ];
 

@@ -134,7 +134,17 @@ fn part(
         PartKind::Wood => 0,
         _ => 1 + specimen % 2,
     };
-    Part { name, kind, parent, specimen, pivot, material, more_materials: Vec::new(), mesh: mesh.into() }
+    Part {
+        name,
+        kind,
+        parent,
+        specimen,
+        pivot,
+        material,
+        more_materials: Vec::new(),
+        mesh: mesh.into(),
+        copies: None,
+    }
 }
 
 /// Two specimens: each a trunk with a branch, and a leaf on either.

@@ -32,8 +32,8 @@ fn surfaces(choice: &ExportChoice, model: &Model, per_triangle: u64) -> u64 {
     let mut triangles = 0;
     let mut used = vec![false; model.materials.len()];
     for part in model.parts.iter().filter(|part| is_wanted(choice, part.kind)) {
-        triangles += part.mesh.triangles.len() as u64;
-        for (material, _) in part.material_slots() {
+        triangles += part.triangle_count() as u64;
+        for material in part.materials() {
             if let Some(used) = used.get_mut(material) {
                 *used = true;
             }

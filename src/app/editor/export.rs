@@ -122,7 +122,7 @@ fn export(order: &Order, shared: &Shared) -> Result<usize, Failure> {
             shared.advance(0.3);
             let (paths, built) = ([order.path.clone()], &order.built);
             let plant = (&built.plant, &built.provenance);
-            write::export_all(&paths, &model, plant, &built_in_texture, &order.sources).map_err(boxed)
+            write::export_all(&paths, &model, plant, &built_in_texture, None, &order.sources).map_err(boxed)
         }
         ExportFormat::Png => write_pictures(order, shared),
     }

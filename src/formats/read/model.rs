@@ -60,6 +60,7 @@ impl Loaded {
             material,
             more_materials: Vec::new(),
             mesh: mesh.into(),
+            copies: None,
         });
     }
 

@@ -11,7 +11,7 @@ use super::gltf_buffer::{VERTEX_BYTES, accessor, view};
 use super::gltf_instances;
 use super::gltf_materials::push_materials;
 use super::gltf_tree::push_nodes;
-use super::{Encoded, ExportError, Exporter, Pictures, Scene};
+use super::{Encoded, ExportError, Exporter, Pictures, Scene, Takes};
 use crate::model::{Mesh, Part};
 use glam::Vec3;
 use gltf_json as json;
@@ -35,6 +35,10 @@ const CHUNK_HEADER_BYTES: usize = 8;
 impl Exporter for Glb {
     fn extension(&self) -> &'static str {
         "glb"
+    }
+
+    fn takes(&self) -> Takes {
+        Takes::Copies
     }
 
     fn encode(&self, scene: &Scene<'_>) -> Result<Encoded, ExportError> {
@@ -72,7 +76,7 @@ struct Body<'a> {
 }
 
 /// Parts with a surface, then shapes.
-fn bodies<'a>(scene: &Scene<'a>) -> impl Iterator<Item = Body<'a>> {
+fn bodies<'a>(scene: &'a Scene<'_>) -> impl Iterator<Item = Body<'a>> {
     let parts = scene.model.parts.iter().filter(|part| !part.mesh.triangles.is_empty());
     let parts = parts.map(|part| Body {
         name: &part.name,
@@ -141,7 +145,7 @@ fn document(
     let mut of_parts = of_parts.iter().copied();
     let mesh_of = |part: &Part| if part.mesh.triangles.is_empty() { None } else { of_parts.next() };
     let mesh_of_part: Vec<_> = scene.model.parts.iter().map(mesh_of).collect();
-    let first_part = push_nodes(&mut root, scene.model, &mesh_of_part);
+    let first_part = push_nodes(&mut root, &scene.model, &mesh_of_part);
     gltf_instances::push(&mut root, scene, first_part, of_shapes, regions.poses);
     Ok(root)
 }

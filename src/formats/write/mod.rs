@@ -27,6 +27,7 @@ use crate::formats::textures::{self, BuiltInTextures};
 use crate::input::Sources;
 use crate::model::{InstancedModel, Model};
 use std::borrow::Cow;
+use std::cell::OnceCell;
 use std::path::{Path, PathBuf};
 
 /// An encoded model.
@@ -38,10 +39,24 @@ pub struct Encoded {
     pub companions: Vec<(String, Cow<'static, [u8]>)>,
 }
 
+/// What a format has words for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Takes {
+    /// The plant itself, no surfaces.
+    Plant,
+    /// Surfaces.
+    Triangles,
+    /// Surfaces, and copies of them.
+    Copies,
+}
+
 /// A file format that models are written in.
 pub trait Exporter: Sync {
     /// The extension that chooses it, in lower case.
     fn extension(&self) -> &'static str;
+
+    /// What of a scene it writes.
+    fn takes(&self) -> Takes;
 
     /// The scene in this format.
     ///
@@ -92,22 +107,6 @@ impl Prepared {
     }
 }
 
-/// Encodes a model in the format that the path's extension asks for.
-///
-/// `built_in` serves the program's own textures; a user's own are read from disk.
-///
-/// # Errors
-/// [`ExportError`], of encoding.
-pub fn prepare(
-    path: &Path,
-    model: &Model,
-    plant: PlantAndProvenance<'_>,
-    built_in: &BuiltInTextures<'_>,
-) -> Result<Prepared, ExportError> {
-    let format = format_of(path)?;
-    encode(path, format, &Scene::new(model, plant, built_in, stem(path))?)
-}
-
 fn stem(path: &Path) -> Cow<'_, str> {
     path.file_stem().unwrap_or_default().to_string_lossy()
 }
@@ -120,6 +119,7 @@ fn encode(path: &Path, format: &dyn Exporter, scene: &Scene<'_>) -> Result<Prepa
 
 /// Writes a model in several formats, and returns the number of bytes of all files together. All are encoded before the
 /// first is written, and nothing is written if any of their files is one of the `sources` or a picture of the model.
+/// Where a form of `instances` is given, copies of one shape stay copies in the formats that can say so.
 ///
 /// # Errors
 /// [`ExportError`]; no file is left half written.
@@ -128,10 +128,25 @@ pub fn export_all(
     model: &Model,
     plant: PlantAndProvenance<'_>,
     built_in: &BuiltInTextures<'_>,
+    instances: Option<InstanceForm>,
     sources: &Sources,
 ) -> Result<usize, ExportError> {
-    let prepared =
-        paths.iter().map(|path| prepare(path, model, plant, built_in)).collect::<Result<_, _>>()?;
+    model.check_invariants().map_err(ExportError::Unsound)?;
+    let (flat, instanced, no_surfaces) = (OnceCell::new(), OnceCell::new(), Model::default());
+    let prepare = |path: &PathBuf| -> Result<Prepared, ExportError> {
+        let format = format_of(path)?;
+        let scene = |model| Scene::new(model, plant, built_in, stem(path));
+        let scene = match (format.takes(), instances) {
+            (Takes::Plant, _) => scene(&no_surfaces)?,
+            (Takes::Copies, Some(form)) => {
+                let InstancedModel { model, groups } = instanced.get_or_init(|| InstancedModel::from(model));
+                scene(model)?.with_instances(groups, form)?
+            }
+            (Takes::Copies | Takes::Triangles, _) => scene(flat.get_or_init(|| model.flattened()))?,
+        };
+        encode(path, format, &scene)
+    };
+    let prepared = paths.iter().map(prepare).collect::<Result<_, _>>()?;
     write_all(prepared, model, sources)
 }
 
@@ -141,31 +156,6 @@ fn write_all(prepared: Vec<Prepared>, model: &Model, sources: &Sources) -> Resul
     textures::files(&model.materials).for_each(|picture| sources.add(picture));
     sources.spare(prepared.iter().flat_map(Prepared::paths))?;
     prepared.iter().try_fold(0, |bytes, prepared| Ok(bytes + prepared.write()?))
-}
-
-/// Writes a model in several formats as [`export_all`] does; those that can keep copies of one shape have them from
-/// `instanced`, which is the same plant.
-///
-/// # Errors
-/// [`ExportError`]; no file is left half written.
-pub fn export_all_instanced(
-    paths: &[PathBuf],
-    model: &Model,
-    (instanced, form): (&InstancedModel, InstanceForm),
-    plant: PlantAndProvenance<'_>,
-    built_in: &BuiltInTextures<'_>,
-    sources: &Sources,
-) -> Result<usize, ExportError> {
-    let prepare = |path: &PathBuf| -> Result<Prepared, ExportError> {
-        let format = format_of(path)?;
-        if format.extension() != glb::Glb.extension() {
-            return prepare(path, model, plant, built_in);
-        }
-        let scene = Scene::new(&instanced.model, plant, built_in, stem(path))?;
-        encode(path, format, &scene.with_instances(&instanced.groups, form)?)
-    };
-    let prepared = paths.iter().map(prepare).collect::<Result<_, _>>()?;
-    write_all(prepared, model, sources)
 }
 
 /// Writes a model as [`export_all`] does, in one format and from no other files than its pictures.
@@ -178,5 +168,5 @@ pub fn export(
     plant: PlantAndProvenance<'_>,
     built_in: &BuiltInTextures<'_>,
 ) -> Result<usize, ExportError> {
-    export_all(&[path.to_owned()], model, plant, built_in, &Sources::default())
+    export_all(&[path.to_owned()], model, plant, built_in, None, &Sources::default())
 }

@@ -8,7 +8,7 @@
 
 use super::names::word;
 use super::scene::specimen_name;
-use super::{Encoded, ExportError, Exporter, Pictures, Scene, mtl, tint};
+use super::{Encoded, ExportError, Exporter, Pictures, Scene, Takes, mtl, tint};
 use crate::model::{Mesh, Part};
 
 /// Wavefront OBJ with MTL and pictures beside it.
@@ -18,6 +18,10 @@ pub struct Obj;
 impl Exporter for Obj {
     fn extension(&self) -> &'static str {
         "obj"
+    }
+
+    fn takes(&self) -> Takes {
+        Takes::Triangles
     }
 
     fn encode(&self, scene: &Scene<'_>) -> Result<Encoded, ExportError> {

@@ -5,7 +5,7 @@
 //! are the shortest that read back the same. World space is metres, y up; `world_from_canvas` tells how the drawing maps to it: x = (x_canvas − origin.x)·scale,
 //! y = (origin.y − y_canvas)·scale.
 
-use super::{Encoded, ExportError, Exporter, PlantAndProvenance, Scene};
+use super::{Encoded, ExportError, Exporter, PlantAndProvenance, Scene, Takes};
 use crate::plant::{Branch, Cone, FinishedPlant, Flower, Organ, OrganKind, Plant, Provenance, Shape};
 use glam::{Vec2, Vec3};
 use serde::Serialize;
@@ -17,6 +17,10 @@ pub struct PlantJson;
 impl Exporter for PlantJson {
     fn extension(&self) -> &'static str {
         "json"
+    }
+
+    fn takes(&self) -> Takes {
+        Takes::Plant
     }
 
     fn encode(&self, scene: &Scene<'_>) -> Result<Encoded, ExportError> {

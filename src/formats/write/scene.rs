@@ -20,8 +20,8 @@ pub type PlantAndProvenance<'a> = (&'a FinishedPlant, &'a Provenance);
 
 /// A sound model and what belongs to it.
 pub struct Scene<'a> {
-    /// The surfaces; indices in range, numbers finite.
-    pub model: &'a Model,
+    /// The surfaces; indices in range, numbers finite, every copy as triangles but those of `instances`.
+    pub model: Cow<'a, Model>,
     /// The plant that the model was made from.
     pub plant: PlantAndProvenance<'a>,
     /// The program's own textures.
@@ -33,7 +33,7 @@ pub struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    /// Checks the model.
+    /// Checks the model and makes triangles of its copies.
     ///
     /// # Errors
     /// [`ExportError::Unsound`] for a model with indices out of range or numbers that are not finite.
@@ -44,7 +44,7 @@ impl<'a> Scene<'a> {
         stem: Cow<'a, str>,
     ) -> Result<Self, ExportError> {
         model.check_invariants().map_err(ExportError::Unsound)?;
-        Ok(Self { model, plant, built_in, instances: None, stem })
+        Ok(Self { model: model.flattened(), plant, built_in, instances: None, stem })
     }
 
     /// The scene with copies of shapes beside its model.
@@ -77,7 +77,7 @@ impl<'a> Scene<'a> {
     ///
     /// # Errors
     /// [`ExportError::Empty`] without any.
-    pub fn surfaces(&self) -> Result<Vec<&'a Part>, ExportError> {
+    pub fn surfaces(&self) -> Result<Vec<&Part>, ExportError> {
         let mut parts: Vec<&Part> =
             self.model.parts.iter().filter(|p| !p.mesh.triangles.is_empty()).collect();
         parts.sort_by_key(|part| part.specimen);
@@ -88,7 +88,7 @@ impl<'a> Scene<'a> {
     pub fn used_materials(&self) -> Vec<bool> {
         let mut used = vec![false; self.model.materials.len()];
         let parts = self.model.parts.iter().chain(self.groups().iter().map(|group| &group.shape));
-        parts.flat_map(Part::material_slots).for_each(|(material, _)| used[material] = true);
+        parts.flat_map(Part::materials).for_each(|material| used[material] = true);
         used
     }
 }
