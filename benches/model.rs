@@ -6,8 +6,8 @@ use penstemon::model::{
     BladeMeshParams, ModelParams, PlanarGraph, TriangulationScratch, build, triangulation_input,
 };
 use penstemon::plant::{
-    Blade, BladeForm, Branch, Cone, FinishedPlant, Flower, Organ, Origin, Plant, PlantPart, RestSurface,
-    Role, Shape,
+    Blade, BladeForm, Branch, Cone, FinishedPlant, Flower, Organ, OrganPart, Origin, Plant, RestSurface,
+    Role, Shape, WoodPart,
 };
 use spade::{ConstrainedDelaunayTriangulation, Point2};
 use std::f32::consts::TAU;
@@ -39,7 +39,7 @@ fn blade(length: f32, turn: f32, rest: RestSurface, base: Vec3, template: Option
     }
 }
 
-fn organ(part: PlantPart, flower: Option<usize>, blade: Blade) -> Organ {
+fn organ(part: OrganPart, flower: Option<usize>, blade: Blade) -> Organ {
     Organ {
         role: Role::of(part),
         origin: Origin::Generated,
@@ -56,7 +56,7 @@ fn branch(parent: Option<usize>, base: Vec3, radius: f32) -> Branch {
         })
         .collect();
     let radii = (0..60).map(|k| radius * (1.0 - 0.01 * k as f32)).collect();
-    let (level, role) = (u32::from(parent.is_some()), Role::of(PlantPart::Stem));
+    let (level, role) = (u32::from(parent.is_some()), Role::of(WoodPart::Stem));
     Branch { origin: Origin::Generated, parent, level, points, radii, role }
 }
 
@@ -66,11 +66,11 @@ fn flower() -> Plant {
     let cone = Cone { apex, axis: Vec3::new(0.0, 0.5, 0.866), opening_rad: 1.1, height: 0.05 };
     let petals = (0..13).map(|k| {
         let rest = RestSurface::Cone { cone, hint: 0.03 };
-        organ(PlantPart::Petal, Some(0), blade(0.1, TAU * k as f32 / 13.0, rest, apex, None))
+        organ(OrganPart::Petal, Some(0), blade(0.1, TAU * k as f32 / 13.0, rest, apex, None))
     });
     let leaves = (0..4).map(|k| {
         let base = Vec3::Y * (0.1 + 0.1 * k as f32);
-        organ(PlantPart::Leaf, None, blade(0.15, 0.8 * k as f32, RestSurface::Plane, base, None))
+        organ(OrganPart::Leaf, None, blade(0.15, 0.8 * k as f32, RestSurface::Plane, base, None))
     });
     Plant {
         branches: vec![
@@ -90,7 +90,7 @@ fn foliage(count: usize) -> Plant {
         let base = Vec3::new((k as f32 * 0.37).sin(), k as f32 / count as f32, (k as f32 * 0.61).cos());
         let turned = blade(0.05, 0.0, RestSurface::Plane, base, Some(0));
         let turn = glam::Quat::from_rotation_y(k as f32);
-        organ(PlantPart::Leaf, None, Blade { u: turn * turned.u, v: turn * turned.v, ..turned })
+        organ(OrganPart::Leaf, None, Blade { u: turn * turned.u, v: turn * turned.v, ..turned })
     };
     Plant { organs: (0..count).map(leaf).collect(), flowers: Vec::new(), ..flower() }
 }

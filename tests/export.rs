@@ -12,7 +12,7 @@ use penstemon::model::{Model, Part, Vertex};
 use penstemon::picture::Picture;
 use penstemon::picture::decode::decode;
 use penstemon::pipeline::{self, Seed};
-use penstemon::plant::{FinishedPlant, Material, PlantPart, Role, Texture};
+use penstemon::plant::{FinishedPlant, Material, Role, Texture, WoodPart};
 use penstemon::species::{Species, builtin_texture};
 use penstemon::srgb::linear_from_srgb;
 use std::borrow::Cow;
@@ -319,7 +319,7 @@ fn plant_json_holds_own_pictures_and_no_folders() {
     let mut materials = plant.materials().to_vec();
     materials[1].texture = Some(Texture::Own(own));
     materials[2].texture = Some(Texture::File("/home/ada/leaf.png".into()));
-    let role = |variant| Role { variant, ..Role::of(PlantPart::Stem) };
+    let role = |variant| Role { variant, ..Role::of(WoodPart::Stem.into()) };
     let roles: Vec<Role> = (0..materials.len() as u32).map(role).collect();
     let plant = FinishedPlant::new((*plant).clone(), &roles, |role| materials[role.variant as usize].clone());
     let bytes = plant_json::to_bytes(&plant, &provenance()).unwrap();

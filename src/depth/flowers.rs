@@ -10,7 +10,7 @@ use super::outline::{CurlParams, DrawnBlade};
 use super::petals;
 use crate::anatomy::{Anatomy, FlatBlade, FlatFlower};
 use crate::kept::Kept;
-use crate::plant::{Blade, Cone, Flower, Organ, PlantPart, Provenance, Role, Shape, WorldFromCanvas};
+use crate::plant::{Blade, Cone, Flower, Organ, OrganPart, Provenance, Role, Shape, WorldFromCanvas};
 use glam::Vec2;
 use std::sync::Arc;
 
@@ -95,7 +95,7 @@ impl Flowers {
         let mut organs = Vec::with_capacity(standing.len());
         for (index, (flat, flower)) in anatomy.flowers.iter().zip(&flowers).enumerate() {
             organs.extend(flat.petals.iter().zip(blades.by_ref()).map(|(&p, blade)| Organ {
-                role: Role::of(PlantPart::Petal),
+                role: Role::of(OrganPart::Petal),
                 origin: provenance.record(anatomy.petals[p].stroke),
                 branch: flower.branch,
                 flower: Some(index),

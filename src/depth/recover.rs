@@ -12,7 +12,9 @@ use super::{
 };
 use crate::anatomy::{Anatomy, Attachment, FlatBlade, FlatBranch, FlatFlower};
 use crate::geom::polyline;
-use crate::plant::{Branch, Organ, Origin, Plant, PlantPart, Provenance, Role, Shape, WorldFromCanvas};
+use crate::plant::{
+    Branch, Organ, OrganPart, Origin, Plant, Provenance, Role, Shape, WoodPart, WorldFromCanvas,
+};
 use glam::{Vec2, Vec3};
 use std::sync::Arc;
 
@@ -182,7 +184,7 @@ impl Skeleton {
                 |(s, &z): (&crate::anatomy::Sample, &f32)| world.point(s.position).with_z(z * world.scale);
             let points = flat.line.iter().zip(&self.depths[i]).map(point);
             let (points, radii) = without_repeats(points.zip(radii.into_iter().map(|r| r * world.scale)));
-            let (origin, role) = (provenance.record(flat.stroke), Role::of(PlantPart::Stem));
+            let (origin, role) = (provenance.record(flat.stroke), Role::of(WoodPart::Stem));
             Branch { origin, parent: flat.parent, level: flat.level, points, radii, role }
         };
         self.branches.iter().zip(radii).enumerate().map(lifted).collect()
@@ -220,7 +222,7 @@ fn add_leaves(
             parent => parent,
         };
         plant.organs.push(Organ {
-            role: Role::of(PlantPart::Leaf),
+            role: Role::of(OrganPart::Leaf),
             origin: provenance.record(leaf.stroke),
             branch: parent,
             flower: None,

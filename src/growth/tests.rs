@@ -7,7 +7,7 @@ use crate::growth::resource::priority::{self, Priority};
 use crate::growth::resource::vigour::Flow;
 use crate::growth::tree::NONE;
 use crate::params::{Kind, Overrides, Parameters as _};
-use crate::plant::{Branch, Plant, PlantPart, Provenance, Role};
+use crate::plant::{Branch, Plant, Provenance, Role, WoodPart};
 use crate::random::{mix, unit};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
@@ -323,7 +323,7 @@ fn drawn() -> Plant {
         level: 0,
         radii: vec![radius; points.len()],
         points,
-        role: Role::of(PlantPart::Stem),
+        role: Role::of(WoodPart::Stem),
     };
     Plant {
         branches: vec![

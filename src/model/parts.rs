@@ -12,7 +12,7 @@
 use super::copies::Copies;
 use super::part_names::{PartNames, numbered};
 use super::{ModelParams, PartKind};
-use crate::plant::{FinishedPlant, Organ, OrganKind, Plant, Role, Shape};
+use crate::plant::{FinishedPlant, Organ, OrganKind, OrganPart, Plant, Role, Shape};
 use glam::Vec3;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -118,7 +118,7 @@ fn drawn_flowers(plant: &Plant) -> Vec<bool> {
 }
 
 /// The pieces of an organ with their roles.
-fn pieces(organ: &Organ) -> impl Iterator<Item = (Piece, Role)> {
+fn pieces(organ: &Organ) -> impl Iterator<Item = (Piece, Role<OrganPart>)> {
     let has_head = matches!(&organ.shape, Shape::Filament { head, .. } if head.min_element() > 0.0);
     let head = has_head.then(|| (Piece::Head, organ.role.of_head()));
     std::iter::once((Piece::Body, organ.role)).chain(head)

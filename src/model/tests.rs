@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::plant::{
-    Blade, BladeForm, Branch, Cone, FinishedPlant, Flower, Organ, Origin, Plant, PlantPart, Provenance,
-    RestSurface, Role, Shape,
+    Blade, BladeForm, Branch, Cone, FinishedPlant, Flower, Organ, OrganPart, Origin, Plant, Provenance,
+    RestSurface, Role, Shape, WoodPart,
 };
 use glam::{Quat, Vec2};
 use proptest::prelude::*;
@@ -131,25 +131,25 @@ fn branch() -> impl Strategy<Value = Branch> {
             level: 0,
             points,
             radii,
-            role: Role::of(PlantPart::Stem),
+            role: Role::of(WoodPart::Stem),
         }
     })
 }
 
-fn solid() -> impl Strategy<Value = (Role, Shape)> {
+fn solid() -> impl Strategy<Value = (Role<OrganPart>, Shape)> {
     let size = (0.01f32..0.5, 0.01f32..0.5);
     let dome = (vector(), direction(), size.clone()).prop_map(|(base, axis, (radius, height))| {
-        (Role::of(PlantPart::Disc), Shape::Dome { base, axis, radius, height })
+        (Role::of(OrganPart::Disc), Shape::Dome { base, axis, radius, height })
     });
     let thread = (skeleton(), 0.001f32..0.02, size, 0u32..2).prop_map(|(points, radius, head, variant)| {
         let head = Vec2::from(head) * 0.1;
-        let role = Role { variant, ..Role::of(PlantPart::Stamen) };
+        let role = Role { variant, ..Role::of(OrganPart::Stamen) };
         (role, Shape::Filament { points, radius, head })
     });
     let profile = prop::collection::vec((0.0f32..1.0, 0.0f32..1.0), 3..9);
     let pot = (vector(), direction(), profile).prop_map(|(base, axis, profile)| {
         (
-            Role::of(PlantPart::Pot),
+            Role::of(OrganPart::Pot),
             Shape::Lathe { base, axis, profile: profile.into_iter().map(Vec2::from).collect() },
         )
     });
@@ -164,7 +164,7 @@ fn plant() -> impl Strategy<Value = FinishedPlant> {
             branch.parent = i.checked_sub(2);
             branch.level = i as u32 / 2;
         }
-        let blades = blades.into_iter().map(|b| (Role::of(PlantPart::Petal), Shape::Blade(b)));
+        let blades = blades.into_iter().map(|b| (Role::of(OrganPart::Petal), Shape::Blade(b)));
         let organs = blades.chain(solids).enumerate().map(|(i, (role, shape))| Organ {
             role,
             origin: Origin::Generated,
@@ -267,7 +267,7 @@ proptest! {
 #[test]
 fn filaments_of_a_flower_are_gathered_by_material() {
     let stamen = |x: f32, variant| Organ {
-        role: Role { variant, ..Role::of(PlantPart::Stamen) },
+        role: Role { variant, ..Role::of(OrganPart::Stamen) },
         origin: Origin::Generated,
         branch: None,
         flower: Some(0),
@@ -323,11 +323,11 @@ fn flowering(petal: Option<u64>) -> FinishedPlant {
         let x = index as f32;
         let disc = Shape::Dome { base: Vec3::new(x, 1.0, 0.0), axis: Vec3::Y, radius: 0.01, height: 0.01 };
         let shapes = [
-            (Role::of(PlantPart::Disc), disc),
-            (Role::of(PlantPart::Sepal), blade(x + 0.2)),
-            (Role::of(PlantPart::Sepal), blade(x + 0.4)),
-            (Role::of(PlantPart::Stamen), stamen(x + 0.6)),
-            (Role { variant: 1, ..Role::of(PlantPart::Stamen) }, stamen(x + 0.8)),
+            (Role::of(OrganPart::Disc), disc),
+            (Role::of(OrganPart::Sepal), blade(x + 0.2)),
+            (Role::of(OrganPart::Sepal), blade(x + 0.4)),
+            (Role::of(OrganPart::Stamen), stamen(x + 0.6)),
+            (Role { variant: 1, ..Role::of(OrganPart::Stamen) }, stamen(x + 0.8)),
         ];
         let organ = |(role, shape)| Organ {
             role,
@@ -339,7 +339,7 @@ fn flowering(petal: Option<u64>) -> FinishedPlant {
         organs.extend(shapes.map(organ));
     }
     if let Some(stroke) = petal {
-        let role = Role::of(PlantPart::Petal);
+        let role = Role::of(OrganPart::Petal);
         let drawn = Organ {
             role,
             origin: Provenance::default().record(Some(stroke)),
@@ -354,7 +354,7 @@ fn flowering(petal: Option<u64>) -> FinishedPlant {
         level: 0,
         points: vec![Vec3::ZERO, Vec3::Y],
         radii: vec![0.02; 2],
-        role: Role::of(PlantPart::Stem),
+        role: Role::of(WoodPart::Stem),
     };
     FinishedPlant::plain(Plant {
         branches: vec![branch],

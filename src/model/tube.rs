@@ -216,7 +216,7 @@ fn tip_cap(mesh: &mut Mesh, ring: &Ring, look: TubeLook, uv_end: Vec2) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plant::{Origin, PlantPart, Role};
+    use crate::plant::{Origin, Role, WoodPart};
 
     fn stem(points: Vec<Vec3>, radius: f32) -> Mesh {
         let radii = vec![radius; points.len()];
@@ -226,7 +226,7 @@ mod tests {
             level: 0,
             points,
             radii,
-            role: Role::of(PlantPart::Stem),
+            role: Role::of(WoodPart::Stem),
         };
         let mesh = branch(&stem, look(&stem, &TubeParams::default(), 1.0), &mut TubeScratch::default());
         mesh.check_invariants().unwrap();

@@ -4,7 +4,7 @@ use super::super::disjoint_sets::DisjointSets;
 use super::*;
 use crate::model::crossing::crossing_faces;
 use crate::model::tube::{self, TubeParams};
-use crate::plant::{Origin, PlantPart, Role};
+use crate::plant::{Origin, Role, WoodPart};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -18,7 +18,7 @@ fn branch(from: Vec3, direction: Vec3, length: f32, radius: f32) -> Branch {
         level: 0,
         points: steps.map(point).collect(),
         radii,
-        role: Role::of(PlantPart::Stem),
+        role: Role::of(WoodPart::Stem),
     }
 }
 

@@ -36,7 +36,7 @@ impl FinishedPlant {
 
     /// A plant without a species: every role has a matt grey surface of its own.
     pub fn plain(plant: Plant) -> Self {
-        let name = |Role { part, look, variant }| format!("{}_{look}_{variant}", part.name());
+        let name = |Role { part, look, variant }: Role| format!("{}_{look}_{variant}", part.name());
         Self::new(plant, &[], |role| Material::plain(&name(role), [0.5; 3]))
     }
 
@@ -46,8 +46,8 @@ impl FinishedPlant {
     }
 
     /// Index among [`Self::materials`] of what a role of this plant is made of; of any other role 0.
-    pub fn material(&self, role: Role) -> usize {
-        self.of_role.get(&role).copied().unwrap_or(0)
+    pub fn material(&self, role: impl Into<Role>) -> usize {
+        self.of_role.get(&role.into()).copied().unwrap_or(0)
     }
 
     /// Changes the materials of all organs of a kind, or with `None` of all branches. What a material is for others stays

@@ -17,7 +17,6 @@ impl Plant {
             ensure(branch.points.iter().all(|p| p.is_finite()), || here("point not finite"))?;
             ensure(branch.points.windows(2).all(|w| w[0] != w[1]), || here("repeated point"))?;
             ensure(branch.radii.iter().all(|r| r.is_finite() && *r > 0.0), || here("radius not positive"))?;
-            ensure(branch.role.part.kind().is_none(), || here("has the role of an organ"))?;
             self.check_level(branch).map_err(|what| here(&what))?;
         }
         for (i, flower) in self.flowers.iter().enumerate() {
@@ -47,7 +46,6 @@ impl Plant {
 
     fn check_organ(&self, i: usize, organ: &Organ) -> Result<(), String> {
         let here = |what: &str| format!("organ {i} ({:?}): {what}", organ.role);
-        ensure(organ.role.part.kind().is_some(), || here("has the role of a branch"))?;
         ensure(organ.branch.is_none_or(|b| b < self.branches.len()), || here("branch out of range"))?;
         ensure(organ.flower.is_none_or(|f| f < self.flowers.len()), || here("flower out of range"))?;
         let look = organ.flower.map_or(0, |flower| self.flowers[flower].look);

@@ -25,7 +25,7 @@ pub use finished::FinishedPlant;
 pub use material::{Material, Texture};
 pub use organ_kind::{OrganClass, OrganForm, OrganKind};
 pub use provenance::{DrawnId, Origin, Provenance, WorldFromCanvas};
-pub use role::{PlantPart, Role};
+pub use role::{OrganPart, PlantPart, Role, WoodPart};
 
 use glam::{Vec2, Vec3};
 use serde::{Deserialize, Serialize};
@@ -45,7 +45,7 @@ pub struct Branch {
     /// Radius in metres at each point, positive.
     pub radii: Vec<f32>,
     /// What it is.
-    pub role: Role,
+    pub role: Role<WoodPart>,
 }
 
 impl Branch {
@@ -124,7 +124,7 @@ pub enum Shape {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Organ {
     /// What it is.
-    pub role: Role,
+    pub role: Role<OrganPart>,
     /// Whether it was drawn.
     pub origin: Origin,
     /// The branch it grows on.
@@ -147,10 +147,9 @@ impl Shape {
 }
 
 impl Organ {
-    /// The kind of organ that its role belongs to. No organ has the role of a branch: [`Plant::check_invariants`] refuses
-    /// it, and here it counts as a thorn.
+    /// The kind of organ that its role belongs to.
     pub fn kind(&self) -> OrganKind {
-        self.role.part.kind().unwrap_or(OrganKind::Thorn)
+        self.role.part.kind()
     }
 
     /// Where the organ is attached: the pivot of its node in exported files.
@@ -181,9 +180,9 @@ impl Plant {
     pub fn roles(&self) -> impl Iterator<Item = Role> {
         let of_organs = self.organs.iter().flat_map(|organ| {
             let head = matches!(organ.shape, Shape::Filament { .. }).then(|| organ.role.of_head());
-            std::iter::once(organ.role).chain(head)
+            std::iter::once(organ.role).chain(head).map(Role::from)
         });
-        self.branches.iter().map(|branch| branch.role).chain(of_organs)
+        self.branches.iter().map(|branch| branch.role.into()).chain(of_organs)
     }
 
     /// For each branch the index of its trunk, the branch without parent that it stands on.

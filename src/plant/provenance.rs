@@ -125,11 +125,11 @@ impl Provenance {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plant::{Branch, PlantPart, Role};
+    use crate::plant::{Branch, Role, WoodPart};
 
     fn branch(parent: Option<usize>, level: u32, origin: Origin) -> Branch {
         let (points, radii) = (vec![Vec3::ZERO, Vec3::Y], vec![0.1; 2]);
-        Branch { origin, parent, level, points, radii, role: Role::of(PlantPart::Stem) }
+        Branch { origin, parent, level, points, radii, role: Role::of(WoodPart::Stem) }
     }
 
     #[test]

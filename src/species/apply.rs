@@ -13,8 +13,8 @@ use super::pot::pot;
 use super::receptacle::{Petals, flower_centre};
 use super::thorns::thorns;
 use crate::plant::{
-    Blade, BladeForm, Branch, FinishedPlant, Organ, OrganKind, Origin, Plant, PlantPart, Provenance, Role,
-    Shape,
+    Blade, BladeForm, Branch, FinishedPlant, Organ, OrganKind, OrganPart, Origin, Plant, Provenance, Role,
+    Shape, WoodPart,
 };
 use glam::{Vec2, Vec3};
 use rand::{RngExt, SeedableRng};
@@ -93,7 +93,7 @@ fn set_roles_of_wood(plant: &mut Plant, species: &Species) {
     for branch in &mut plant.branches {
         let is_young = branch.level >= look.twig_level && foot(branch) <= thick;
         let is_twig = is_young && look.twig.is_some();
-        branch.role = Role::of(if is_twig { PlantPart::Twig } else { PlantPart::Stem });
+        branch.role = Role::of(if is_twig { WoodPart::Twig } else { WoodPart::Stem });
     }
 }
 
@@ -182,7 +182,7 @@ fn thorny(plant: &Plant, provenance: &Provenance, species: &Species, seed: u64) 
         let key = identity(provenance.stroke(branch.origin), base, end - base);
         let shapes = thorns(look, branch, &mut stream(seed, Purpose::Thorns, key));
         shapes.into_iter().map(move |shape| Organ {
-            role: Role::of(PlantPart::Thorn),
+            role: Role::of(OrganPart::Thorn),
             origin: Origin::Generated,
             branch: Some(index),
             flower: None,
@@ -201,7 +201,7 @@ fn potted(plant: &Plant, species: &Species) -> Vec<Organ> {
         flower: None,
         shape,
     };
-    shapes.into_iter().zip([PlantPart::Pot, PlantPart::Soil]).map(organ).collect()
+    shapes.into_iter().zip([OrganPart::Pot, OrganPart::Soil]).map(organ).collect()
 }
 
 /// The first outline number that no blade has.

@@ -44,7 +44,7 @@ fn leaf(base: Vec3, branch: Option<usize>, stroke: Option<u64>, length: f32) -> 
         form,
         template: stroke.is_none().then_some(3),
     };
-    let (role, origin) = (Role::of(PlantPart::Leaf), origin(stroke));
+    let (role, origin) = (Role::of(OrganPart::Leaf), origin(stroke));
     Organ { role, origin, branch, flower: None, shape: Shape::Blade(blade) }
 }
 
@@ -62,7 +62,7 @@ fn add_flower(plant: &mut Plant, at: Vec3, axis: Vec3, opening_rad: f32, centre_
         let v = Vec3::new(direction.x, direction.y, 0.0).normalize_or(Vec3::Y);
         let rest = RestSurface::Cone { cone, hint: (at + direction * reach).z };
         let mut petal = leaf(at + direction * 0.1 * reach, branch, Some(u64::from(k)), 0.9 * reach);
-        petal.role = Role::of(PlantPart::Petal);
+        petal.role = Role::of(OrganPart::Petal);
         petal.flower = Some(index);
         if let Shape::Blade(blade) = &mut petal.shape {
             (blade.v, blade.u, blade.rest) = (v, v.cross(Vec3::Z), rest);
@@ -78,7 +78,7 @@ fn bare(branches: usize, leaves: usize) -> Plant {
         level: i as u32,
         points: (0..6).map(|k| Vec3::new(0.03 * i as f32, 0.03 * (k + i) as f32, 0.01)).collect(),
         radii: vec![0.003; 6],
-        role: Role::of(PlantPart::Stem),
+        role: Role::of(WoodPart::Stem),
     };
     Plant {
         branches: (0..branches).map(branch).collect(),

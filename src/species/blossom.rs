@@ -8,7 +8,7 @@ use super::looks::BlossomLook;
 use super::sepals::blade_at;
 use crate::budget::Budget;
 use crate::plant::{
-    Blade, BladeForm, Cone, Flower, FlowerBud, Organ, OrganKind, Origin, Plant, PlantPart, Role, Shape,
+    Blade, BladeForm, Cone, Flower, FlowerBud, Organ, OrganKind, OrganPart, Origin, Plant, Role, Shape,
 };
 use glam::{Quat, Vec2, Vec3};
 use rand::RngExt;
@@ -108,7 +108,7 @@ fn petals<'a>(
         let length = (1.0 - CENTRE) * flower.reach / size.max(f32::MIN_POSITIVE);
         let blade = blade_at(base, v * size, face, outline, length, BladeForm::default(), template);
         Organ {
-            role: Role::of(PlantPart::Petal),
+            role: Role::of(OrganPart::Petal),
             origin: Origin::Generated,
             branch: flower.branch,
             flower: Some(index),

@@ -121,7 +121,7 @@ pub enum SpeciesError {
 }
 
 fn part_names() -> String {
-    PlantPart::ALL.iter().map(|part| part.name()).collect::<Vec<_>>().join(", ")
+    PlantPart::all().map(PlantPart::name).collect::<Vec<_>>().join(", ")
 }
 
 impl Species {

@@ -97,7 +97,7 @@ fn lowest(blade: &Blade) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plant::{BladeForm, Origin, PlantPart, Role};
+    use crate::plant::{BladeForm, Origin, Role, WoodPart};
     use glam::Vec2;
 
     fn leaf(base: Vec3, v: Vec3) -> Blade {
@@ -142,7 +142,7 @@ mod tests {
             level: 1,
             points,
             radii: vec![0.02; 4],
-            role: Role::of(PlantPart::Stem),
+            role: Role::of(WoodPart::Stem),
         };
         lift_branch(&mut branch);
         assert_eq!(branch.points.iter().map(|p| p.y).collect::<Vec<_>>(), [0.5, 0.1, 0.02, 0.02]);

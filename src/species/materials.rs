@@ -1,17 +1,20 @@
 //! What the roles of a plant are made of in a species.
 
 use super::looks::{FilamentLook, FlowerLook, MaterialLook, Species};
-use crate::plant::{FinishedPlant, Material, Plant, PlantPart, Role, Texture};
+use crate::plant::{FinishedPlant, Material, OrganPart, Plant, PlantPart, Role, Texture, WoodPart};
 use std::iter;
 
 /// The plant with the species' materials: those of wood, leaves and petals first, whether it has such organs or not.
 pub(super) fn with_materials(plant: Plant, species: &Species) -> FinishedPlant {
-    let roles = |part, look, count| (0..count as u32).map(move |variant| Role { part, look, variant });
-    let wood = iter::once(Role::of(PlantPart::Stem)).chain(plant.branches.iter().map(|branch| branch.role));
-    let leaves = roles(PlantPart::Leaf, 0, species.leaf.materials.0.len());
+    let roles = |part: OrganPart, look, count| {
+        (0..count as u32).map(move |variant| Role { part: part.into(), look, variant })
+    };
+    let wood = iter::once(Role::of(WoodPart::Stem)).chain(plant.branches.iter().map(|branch| branch.role));
+    let wood = wood.map(Role::from);
+    let leaves = roles(OrganPart::Leaf, 0, species.leaf.materials.0.len());
     let petals = species.flowers.iter().enumerate();
     let petals =
-        petals.flat_map(|(k, look)| roles(PlantPart::Petal, k as u32, look.petals.materials.0.len()));
+        petals.flat_map(|(k, look)| roles(OrganPart::Petal, k as u32, look.petals.materials.0.len()));
     let first: Vec<Role> = wood.chain(leaves).chain(petals).collect();
     FinishedPlant::new(plant, &first, |role| material(species, role))
 }
@@ -40,26 +43,30 @@ fn named(species: &Species, role: Role) -> (PlantPart, &str) {
     let of_filaments = |groups: fn(&FlowerLook) -> &[FilamentLook]| {
         flower.and_then(|look| groups(look).get(role.variant as usize))
     };
+    let of_organ = |part: OrganPart| match part {
+        OrganPart::Petal => flower.map(|look| look.petals.materials.nth(role.variant)),
+        OrganPart::Sepal => of_flower(|look| Some(&look.sepals.as_ref()?.material)),
+        OrganPart::Cup => of_flower(|look| Some(&look.cup.as_ref()?.material)),
+        OrganPart::Disc => of_flower(|look| Some(&look.disc.material)),
+        OrganPart::Stamen => of_filaments(|look| &look.stamens).map(FilamentLook::material),
+        OrganPart::Anther => of_filaments(|look| &look.stamens).map(FilamentLook::head_material),
+        OrganPart::Pistil => of_filaments(|look| &look.pistils).map(FilamentLook::material),
+        OrganPart::Stigma => of_filaments(|look| &look.pistils).map(FilamentLook::head_material),
+        OrganPart::Thorn => species.thorns.as_ref().map(|look| look.material.as_str()),
+        OrganPart::Pot => species.pot.as_ref().map(|look| look.material.as_str()),
+        OrganPart::Soil => species.pot.as_ref().map(|look| look.soil.as_str()),
+        OrganPart::Leaf | OrganPart::Fruit => None,
+    };
     let own = match role.part {
-        PlantPart::Petal => flower.map(|look| look.petals.materials.nth(role.variant)),
-        PlantPart::Sepal => of_flower(|look| Some(&look.sepals.as_ref()?.material)),
-        PlantPart::Cup => of_flower(|look| Some(&look.cup.as_ref()?.material)),
-        PlantPart::Disc => of_flower(|look| Some(&look.disc.material)),
-        PlantPart::Stamen => of_filaments(|look| &look.stamens).map(FilamentLook::material),
-        PlantPart::Anther => of_filaments(|look| &look.stamens).map(FilamentLook::head_material),
-        PlantPart::Pistil => of_filaments(|look| &look.pistils).map(FilamentLook::material),
-        PlantPart::Stigma => of_filaments(|look| &look.pistils).map(FilamentLook::head_material),
-        PlantPart::Twig => species.stem.twig.as_deref(),
-        PlantPart::Thorn => species.thorns.as_ref().map(|look| look.material.as_str()),
-        PlantPart::Pot => species.pot.as_ref().map(|look| look.material.as_str()),
-        PlantPart::Soil => species.pot.as_ref().map(|look| look.soil.as_str()),
-        PlantPart::Leaf | PlantPart::Stem | PlantPart::Fruit => None,
+        PlantPart::Organ(part) => of_organ(part),
+        PlantPart::Wood(WoodPart::Twig) => species.stem.twig.as_deref(),
+        PlantPart::Wood(WoodPart::Stem) => None,
     };
     match (own, role.part) {
         (Some(name), part) => (part, name),
-        (None, PlantPart::Leaf | PlantPart::Petal | PlantPart::Sepal) => {
-            (PlantPart::Leaf, species.leaf.materials.nth(role.variant))
+        (None, PlantPart::Organ(OrganPart::Leaf | OrganPart::Petal | OrganPart::Sepal)) => {
+            (OrganPart::Leaf.into(), species.leaf.materials.nth(role.variant))
         }
-        (None, _) => (PlantPart::Stem, &species.stem.material),
+        (None, _) => (WoodPart::Stem.into(), &species.stem.material),
     }
 }

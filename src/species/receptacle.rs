@@ -4,7 +4,7 @@ use super::filaments::filaments;
 use super::looks::{Along, CupLook, FlowerLook};
 use super::seat::Seat;
 use super::sepals::sepals;
-use crate::plant::{Organ, Origin, Plant, PlantPart, Role, Shape};
+use crate::plant::{Organ, OrganPart, Origin, Plant, Role, Shape};
 use glam::{Vec2, Vec3};
 use rand_pcg::Pcg64Mcg;
 
@@ -53,9 +53,9 @@ pub(super) fn flower_centre(
         flower: Some(flower),
         shape,
     };
-    let mut out = vec![organ(PlantPart::Disc, 0, disc)];
+    let mut out = vec![organ(OrganPart::Disc, 0, disc)];
     let mut left = (MOST_FILAMENTS / plant.flowers.len()).max(3);
-    for (part, groups) in [(PlantPart::Stamen, &look.stamens), (PlantPart::Pistil, &look.pistils)] {
+    for (part, groups) in [(OrganPart::Stamen, &look.stamens), (OrganPart::Pistil, &look.pistils)] {
         for (group, variant) in groups.iter().zip(0..) {
             let shapes = filaments(group, &seat, left, rng);
             left -= shapes.len();
@@ -67,11 +67,11 @@ pub(super) fn flower_centre(
     }
     if let Some(cup_look) = &look.cup {
         let shape = cup(cup_look, &seat, stem_end(plant, flower));
-        out.extend(shape.map(|shape| organ(PlantPart::Cup, 0, shape)));
+        out.extend(shape.map(|shape| organ(OrganPart::Cup, 0, shape)));
     }
     if let Some(sepal_look) = &look.sepals {
         let blades = sepals(sepal_look, &seat, petals.count, &look.petals.form, template);
-        out.extend(blades.into_iter().map(|blade| organ(PlantPart::Sepal, 0, Shape::Blade(blade))));
+        out.extend(blades.into_iter().map(|blade| organ(OrganPart::Sepal, 0, Shape::Blade(blade))));
     }
     out
 }

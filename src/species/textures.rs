@@ -124,7 +124,7 @@ fn textured(material: &Material, texture: &Texture) -> Material {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plant::{Branch, Organ, Origin, Plant, PlantPart, Role, Shape};
+    use crate::plant::{Branch, Organ, OrganPart, Origin, Plant, Role, Shape, WoodPart};
     use glam::{Vec2, Vec3};
     use std::collections::BTreeSet;
 
@@ -132,14 +132,14 @@ mod tests {
     /// another one.
     fn plant() -> FinishedPlant {
         let shape = |part| match part {
-            PlantPart::Stamen => Shape::Filament {
+            OrganPart::Stamen => Shape::Filament {
                 points: vec![Vec3::Y, 2.0 * Vec3::Y],
                 radius: 0.01,
                 head: Vec2::splat(0.02),
             },
             _ => Shape::Dome { base: Vec3::Y, axis: Vec3::Y, radius: 0.1, height: 0.1 },
         };
-        let part = |kind| PlantPart::ALL.iter().copied().find(|part| part.kind() == Some(kind)).unwrap();
+        let part = |kind| OrganPart::ALL.iter().copied().find(|part| part.kind() == kind).unwrap();
         let organ = |kind| Organ {
             role: Role::of(part(kind)),
             origin: Origin::Generated,
@@ -154,7 +154,7 @@ mod tests {
                 level: 0,
                 points: vec![Vec3::ZERO, Vec3::Y],
                 radii: vec![0.1; 2],
-                role: Role::of(PlantPart::Stem),
+                role: Role::of(WoodPart::Stem),
             }],
             flowers: Vec::new(),
             organs: kinds().flatten().map(organ).collect(),

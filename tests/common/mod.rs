@@ -9,7 +9,7 @@
 use glam::{Vec2, Vec3};
 use penstemon::model::{Mesh, Model, Part, PartKind, Vertex};
 use penstemon::plant::{
-    Branch, FinishedPlant, Material, OrganKind, Origin, Plant, PlantPart, Provenance, Role, Texture,
+    Branch, FinishedPlant, Material, OrganKind, Origin, Plant, Provenance, Role, Texture, WoodPart,
     WorldFromCanvas,
 };
 use std::borrow::Cow;
@@ -209,7 +209,7 @@ fn plant_of(model: &Model) -> FinishedPlant {
         level: 0,
         points: vec![part.pivot, part.pivot + Vec3::Y * 0.1],
         radii: vec![0.01, 0.007],
-        role: Role { variant: part.material as u32, ..Role::of(PlantPart::Stem) },
+        role: Role { variant: part.material as u32, ..Role::of(WoodPart::Stem) },
     };
     let plant = Plant {
         branches: wood.map(branch).collect(),
@@ -217,7 +217,7 @@ fn plant_of(model: &Model) -> FinishedPlant {
         organs: Vec::new(),
         buds: Vec::new(),
     };
-    let of = |material: usize| Role { variant: material as u32, ..Role::of(PlantPart::Stem) };
+    let of = |material: usize| Role { variant: material as u32, ..Role::of(WoodPart::Stem.into()) };
     let roles: Vec<Role> = (0..model.materials.len()).map(of).collect();
     FinishedPlant::new(plant, &roles, |role| model.materials[role.variant as usize].clone())
 }

@@ -16,7 +16,7 @@ use crate::geom::simple_loop;
 use crate::growth::habit::leaf::{self, LeafHabit, LeafPose};
 use crate::growth::tree::{NONE, Tree};
 use crate::growth::volume::Envelope;
-use crate::plant::{Blade, BladeForm, Organ, OrganKind, Origin, PlantPart, RestSurface, Role, Shape};
+use crate::plant::{Blade, BladeForm, Organ, OrganKind, OrganPart, Origin, RestSurface, Role, Shape};
 use crate::random::{Choice, mix};
 use glam::{Quat, Vec2, Vec3};
 use rayon::prelude::*;
@@ -129,7 +129,7 @@ fn leaves_of<'a>(
     (0..count_of(wood, habit, (i, from_end))).filter_map(move |k| {
         let shape = Shape::Blade(held(one(wood, (habit, &pose), outlines, (i, k)), wood.envelope)?);
         let branch = Some(branch as usize);
-        let role = Role::of(PlantPart::Leaf);
+        let role = Role::of(OrganPart::Leaf);
         Some(Organ { role, origin: Origin::Generated, branch, flower: None, shape })
     })
 }

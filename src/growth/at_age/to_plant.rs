@@ -9,7 +9,7 @@ use super::foliage::{self, Wood};
 use super::stem_base::StemBase;
 use super::wood_at_age::{WoodAtAge, wood_at_age};
 use crate::growth::simulation::Simulation;
-use crate::plant::{Branch, Origin, Plant, PlantPart, Role};
+use crate::plant::{Branch, Origin, Plant, Role, WoodPart};
 use glam::Vec3;
 
 /// Turns with a larger cosine than this need no rounding: 8°.
@@ -97,7 +97,7 @@ fn branch_along(mut skeleton: Vec<(Vec3, f32)>, parent: Option<usize>, level: u3
         level,
         points: skeleton.iter().map(|s| s.0).collect(),
         radii: skeleton.iter().map(|s| s.1.max(1e-6)).collect(),
-        role: Role::of(PlantPart::Stem),
+        role: Role::of(WoodPart::Stem),
     }
 }
 

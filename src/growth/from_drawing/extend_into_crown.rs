@@ -108,7 +108,7 @@ fn follow(wood: &mut Vec<Branch>, way: Way) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plant::{PlantPart, Provenance, Role};
+    use crate::plant::{Provenance, Role, WoodPart};
     use glam::Vec3;
     use std::f32::consts::TAU;
 
@@ -124,7 +124,7 @@ mod tests {
             level: 0,
             radii: vec![0.1; points.len()],
             points,
-            role: Role::of(PlantPart::Stem),
+            role: Role::of(WoodPart::Stem),
         }
     }
 

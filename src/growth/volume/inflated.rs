@@ -222,7 +222,7 @@ impl Islands {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plant::{Origin, PlantPart, Role};
+    use crate::plant::{Origin, Role, WoodPart};
 
     fn circle(centre: Vec2, radius: f32) -> Vec<Vec2> {
         (0..64).map(|k| centre + Vec2::from_angle(k as f32 / 64.0 * std::f32::consts::TAU) * radius).collect()
@@ -255,7 +255,7 @@ mod tests {
             level: 0,
             points: vec![Vec3::ZERO, Vec3::Y * to],
             radii: vec![0.1; 2],
-            role: Role::of(PlantPart::Stem),
+            role: Role::of(WoodPart::Stem),
         };
         assert!(ball().hollowed(0.5, &[wood(0.5)]).contains(Vec3::ZERO));
         assert!(!ball().hollowed(0.5, &[wood(1.5)]).contains(Vec3::ZERO));
