@@ -12,6 +12,8 @@ use std::collections::HashSet;
 
 /// Bytes per triangle of a GLB and of an OBJ file, as measured on the sample drawings.
 const BYTES_PER_TRIANGLE: (u64, u64) = (50, 120);
+/// Bytes per copy of a shape in a GLB file, as measured on the sample trees.
+const BYTES_PER_COPY: u64 = 200;
 /// Bytes per sample of an SVG file, as measured on the sample drawings.
 const BYTES_PER_SAMPLE: u64 = 24;
 
@@ -23,16 +25,23 @@ pub(super) fn bytes(choice: &ExportChoice, model: &Model, sketch: &Sketch) -> Op
             let samples: usize = sketch.strokes.iter().map(|stroke| stroke.points.len()).sum();
             Some(samples as u64 * BYTES_PER_SAMPLE)
         }
-        ExportFormat::Glb => Some(surfaces(choice, model, BYTES_PER_TRIANGLE.0)),
-        ExportFormat::Obj => Some(surfaces(choice, model, BYTES_PER_TRIANGLE.1)),
+        ExportFormat::Glb => Some(surfaces(choice, model, (BYTES_PER_TRIANGLE.0, choice.copies))),
+        ExportFormat::Obj => Some(surfaces(choice, model, (BYTES_PER_TRIANGLE.1, false))),
     }
 }
 
-fn surfaces(choice: &ExportChoice, model: &Model, per_triangle: u64) -> u64 {
-    let mut triangles = 0;
+fn surfaces(choice: &ExportChoice, model: &Model, (per_triangle, keeps_copies): (u64, bool)) -> u64 {
+    let (mut triangles, mut copies) = (0, 0);
     let mut used = vec![false; model.materials.len()];
     for part in model.parts.iter().filter(|part| is_wanted(choice, part.kind)) {
-        triangles += part.triangle_count() as u64;
+        match part.copies.as_ref().filter(|_| keeps_copies) {
+            Some(kept) => {
+                let of_shapes: usize = kept.shapes.iter().map(|shape| shape.triangles.len()).sum();
+                triangles += (part.mesh.triangles.len() + of_shapes) as u64;
+                copies += kept.placements.len() as u64;
+            }
+            None => triangles += part.triangle_count() as u64,
+        }
         for material in part.materials() {
             if let Some(used) = used.get_mut(material) {
                 *used = true;
@@ -43,7 +52,7 @@ fn surfaces(choice: &ExportChoice, model: &Model, per_triangle: u64) -> u64 {
     // Several materials may show one picture.
     let mut counted = HashSet::new();
     let textures = materials.filter_map(|(m, _)| m.texture.as_ref()).filter(|t| counted.insert(*t));
-    triangles * per_triangle + textures.map(size).sum::<u64>()
+    triangles * per_triangle + copies * BYTES_PER_COPY + textures.map(size).sum::<u64>()
 }
 
 /// Whether a part goes into an export.
@@ -78,23 +87,34 @@ mod tests {
         }
         let model = super::super::export::chosen_parts(&built.model, choice);
         let plant = (&built.plant, &built.provenance);
-        crate::formats::write::export(&path, &model, plant, &built_in_texture).unwrap();
+        let form = super::super::export::form_of_copies(choice);
+        let sources = crate::input::Sources::default();
+        let (paths, textures) = ([path], &built_in_texture);
+        crate::formats::write::export_all(&paths, &model, plant, textures, form, &sources).unwrap();
         std::fs::read_dir(folder.path()).unwrap().map(|file| file.unwrap().metadata().unwrap().len()).sum()
     }
 
     #[test]
     fn estimates_are_near_what_is_written() {
-        for name in ["daisy", "hepatica_blue", "bouquet"] {
+        for (name, copies) in
+            [("daisy", false), ("hepatica_blue", false), ("bouquet", false), ("tree_round", true)]
+        {
             let path = format!("{}/assets/sketches/{name}.penstemon", env!("CARGO_MANIFEST_DIR"));
             let (sketch, _) = sketch::read(path.as_ref()).unwrap();
             let species = pipeline::species_of(&sketch, Path::new("")).unwrap();
             let built = pipeline::build(&sketch, &species, &pipeline::Params::default());
             for format in [ExportFormat::Glb, ExportFormat::Obj, ExportFormat::Svg] {
                 for (textures, branches, leaves) in
-                    [(true, true, true), (false, true, true), (true, false, false)]
+                    [(true, true, true), (false, true, true), (true, false, copies)]
                 {
-                    let choice =
-                        ExportChoice { format, textures, branches, leaves, ..ExportChoice::default() };
+                    let choice = ExportChoice {
+                        format,
+                        textures,
+                        branches,
+                        leaves,
+                        copies,
+                        ..ExportChoice::default()
+                    };
                     let guess = bytes(&choice, &built.model, &sketch).unwrap();
                     let real = real(&choice, &built, &sketch);
                     let ratio = guess as f64 / real as f64;

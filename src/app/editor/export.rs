@@ -8,7 +8,7 @@ use super::estimate::is_wanted;
 use crate::app::messages::Localize;
 use crate::app::panels::snapshot::{self, ExportChoice, ExportFormat};
 use crate::app::plant_view::{self, built_in_texture};
-use crate::formats::write::{self, ExportError};
+use crate::formats::write::{self, ExportError, InstanceForm};
 use crate::input::Sources;
 use crate::model::Model;
 use crate::pipeline::Built;
@@ -122,7 +122,8 @@ fn export(order: &Order, shared: &Shared) -> Result<usize, Failure> {
             shared.advance(0.3);
             let (paths, built) = ([order.path.clone()], &order.built);
             let plant = (&built.plant, &built.provenance);
-            write::export_all(&paths, &model, plant, &built_in_texture, None, &order.sources).map_err(boxed)
+            let form = form_of_copies(&order.choice);
+            write::export_all(&paths, &model, plant, &built_in_texture, form, &order.sources).map_err(boxed)
         }
         ExportFormat::Png => write_pictures(order, shared),
     }
@@ -133,6 +134,11 @@ fn write(order: &Order, path: &Path, bytes: &[u8]) -> Result<usize, Failure> {
     order.sources.spare([path]).map_err(|error| boxed(ExportError::from(error)))?;
     crate::atomic::write_atomically(path, bytes).map_err(boxed)?;
     Ok(bytes.len())
+}
+
+/// How leaves of one shape stay copies, if they do: in the way that every program reads.
+pub(super) fn form_of_copies(choice: &ExportChoice) -> Option<InstanceForm> {
+    choice.copies.then_some(InstanceForm::Nodes)
 }
 
 /// The model with only what was asked for.

@@ -190,6 +190,7 @@ keys! {
     ExportFlowers = "export.flowers",
     ExportExtras = "export.extras",
     ExportTextures = "export.textures",
+    ExportCopies = "export.copies",
     ExportTransparent = "export.transparent",
     ExportSize = "export.size",
     ExportFrames = "export.frames",

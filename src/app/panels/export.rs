@@ -82,6 +82,11 @@ fn model(ui: &mut Ui, choice: &mut ExportChoice, messages: &Messages) {
             *on = new;
         }
     }
+    if choice.format == ExportFormat::Glb
+        && let Some(copies) = switch(ui, messages.get(Msg::ExportCopies), choice.copies)
+    {
+        choice.copies = copies;
+    }
 }
 
 fn picture(ui: &mut Ui, choice: &mut ExportChoice, messages: &Messages) {

@@ -54,6 +54,8 @@ pub struct ExportChoice {
     pub extras: bool,
     /// With textures.
     pub textures: bool,
+    /// Leaves of one shape as copies of a mesh, in formats that have a word for it.
+    pub copies: bool,
     /// Picture without ground.
     pub transparent: bool,
     /// Width of the picture in pixels.
@@ -73,6 +75,7 @@ impl Default for ExportChoice {
             flowers: true,
             extras: true,
             textures: true,
+            copies: false,
             transparent: false,
             width: 1600,
             height: 1200,
