@@ -8,7 +8,7 @@ use super::{
     blade_outline::TipParams,
     fill_leaves::{LeafFill, LeafFillParams, Templates},
     fill_twigs::{Growth, TwigFill, TwigParams},
-    flowers::{self, FlowerParams, Stem},
+    flowers::{self, FlowerParams, Gatherer, Stem},
     growth_points::Forest,
     hierarchy::{self, HierarchyParams},
     leaf_twigs::{LeafTwigParams, LeafTwigs},
@@ -52,6 +52,7 @@ pub struct Cache {
     /// Everything in here was made with these.
     params: AnatomyParams,
     readings: Readings,
+    flowers: Gatherer,
 }
 
 /// Finds out what every stroke is and how the parts hang together; generates what outlines ask for.
@@ -92,7 +93,8 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
         readings.iter().filter(|r| r.part == Part::Branch).map(|r| (Some(r.id), Arc::clone(&r.samples)));
     anatomy.branches = hierarchy::arrange(lines.collect(), diagonal, &params.hierarchy);
     let blades = readings.iter().filter_map(|r| r.blade.clone().map(|blade| (blade, r.tool))).collect();
-    let gathering = flowers::gather(blades, &stems(&anatomy.branches), &params.flowers);
+    let stems = stems(&anatomy.branches);
+    let gathering = flowers::gather_with(&mut cache.flowers, blades, &stems, &params.flowers);
     (anatomy.petals, anatomy.flowers, anatomy.leaves) =
         (gathering.petals, gathering.flowers, gathering.leaves);
     for &heart in &gathering.hearts {

@@ -12,9 +12,12 @@
 //!
 //! Blades that gather at the foot of a stem are a rosette of leaves, but for those that the petal tool drew: flowers end
 //! stems, they do not begin them.
+//!
+//! From one drawing to the next it is remembered where roots gather ([`Gatherer`]): only roots near a blade that came or
+//! went are looked at again.
 
 use super::{FlatBlade, FlatFlower, flower_heart};
-use crate::geom::mean_shift;
+use crate::geom::mean_shift::{self, Climbs};
 use crate::sketch::{StrokeId, Tool};
 use glam::Vec2;
 
@@ -62,19 +65,45 @@ pub struct Stem {
     pub tip: Vec2,
 }
 
+/// What is remembered of one drawing's flowers for the next: where roots gather, for each time that they are asked.
+#[derive(Debug, Default)]
+pub struct Gatherer {
+    any: Divider,
+    with_leaves: Divider,
+    petals: Climbs,
+}
+
+/// The same for one division into clusters that are flowers and the rest.
+#[derive(Debug, Default)]
+struct Divider {
+    closed: Climbs,
+    open: Climbs,
+}
+
 /// Sorts blades, each with the tool of its stroke, into flowers and leaves.
 pub fn gather(blades: Vec<Drawn>, stems: &[Stem], params: &FlowerParams) -> Gathering {
+    gather_with(&mut Gatherer::default(), blades, stems, params)
+}
+
+/// The very gathering that [`gather`] gives, again and again while a drawing changes.
+pub fn gather_with(
+    known: &mut Gatherer,
+    blades: Vec<Drawn>,
+    stems: &[Stem],
+    params: &FlowerParams,
+) -> Gathering {
+    let stems = &Stems::new(stems);
     let (drawn_leaves, candidates): (Vec<_>, Vec<_>) =
         blades.into_iter().partition(|(_, tool)| *tool == Tool::Leaf);
     let mut out = Gathering::default();
-    let (flowers, mut no_flower) = divide(candidates, stems, params);
+    let (flowers, mut no_flower) = divide(&mut known.any, candidates, stems, params);
     flowers.into_iter().for_each(|cluster| out.add_flower(cluster));
     if no_flower.is_empty() {
         no_flower = drawn_leaves;
     } else {
         // What is called a leaf still stands beside the others, which stay what they would be beside any blade.
         no_flower.extend(drawn_leaves);
-        let (flowers, rest) = divide(no_flower, stems, params);
+        let (flowers, rest) = divide(&mut known.with_leaves, no_flower, stems, params);
         no_flower = rest;
         for cluster in flowers {
             let (leaves, petals) = cluster.into_iter().partition(|(_, tool)| *tool == Tool::Leaf);
@@ -85,16 +114,22 @@ pub fn gather(blades: Vec<Drawn>, stems: &[Stem], params: &FlowerParams) -> Gath
     // The artist's word counts here, and for these blades alone.
     let (drawn_petals, leaves): (Vec<_>, Vec<_>) =
         no_flower.into_iter().partition(|(_, tool)| *tool == Tool::Petal);
-    clusters(drawn_petals, params.bandwidth).into_iter().for_each(|cluster| out.add_flower(cluster));
+    let drawn_petals = clusters(&mut known.petals, drawn_petals, params.bandwidth);
+    drawn_petals.into_iter().for_each(|cluster| out.add_flower(cluster));
     out.leaves.extend(leaves.into_iter().map(|(b, _)| b));
     out.leaves.sort_by_key(|leaf| leaf.stroke);
     out
 }
 
 /// Divides blades into clusters that are flowers, and those that are in none.
-fn divide(blades: Vec<Drawn>, stems: &[Stem], params: &FlowerParams) -> (Vec<Vec<Drawn>>, Vec<Drawn>) {
+fn divide(
+    known: &mut Divider,
+    blades: Vec<Drawn>,
+    stems: &Stems,
+    params: &FlowerParams,
+) -> (Vec<Vec<Drawn>>, Vec<Drawn>) {
     let (mut flowers, mut alone, mut no_flower) = (Vec::new(), Vec::new(), Vec::new());
-    for cluster in clusters(blades, params.bandwidth) {
+    for cluster in clusters(&mut known.closed, blades, params.bandwidth) {
         if is_rosette(&cluster, stems, params.bandwidth) {
             no_flower.extend(cluster);
         } else if cluster.len() >= params.min_petals as usize {
@@ -103,7 +138,7 @@ fn divide(blades: Vec<Drawn>, stems: &[Stem], params: &FlowerParams) -> (Vec<Vec
             alone.extend(cluster);
         }
     }
-    for cluster in clusters(alone, params.open_bandwidth) {
+    for cluster in clusters(&mut known.open, alone, params.open_bandwidth) {
         let rosette = is_rosette(&cluster, stems, params.bandwidth);
         if !rosette && is_open_flower(&cluster, params.open_gap.to_radians()) {
             flowers.push(cluster);
@@ -115,10 +150,10 @@ fn divide(blades: Vec<Drawn>, stems: &[Stem], params: &FlowerParams) -> (Vec<Vec
 }
 
 /// Blades by the place where their roots gather.
-fn clusters(blades: Vec<Drawn>, bandwidth: f32) -> Vec<Vec<Drawn>> {
+fn clusters(known: &mut Climbs, blades: Vec<Drawn>, bandwidth: f32) -> Vec<Vec<Drawn>> {
     let roots: Vec<Vec2> = blades.iter().map(|(b, _)| b.root).collect();
     let reach: Vec<f32> = blades.iter().map(|(b, _)| bandwidth * b.axis().length()).collect();
-    let labels = mean_shift::cluster(&roots, &reach, MERGE);
+    let labels = mean_shift::cluster_with(known, &roots, &reach, MERGE);
     let mut members = vec![Vec::new(); labels.iter().max().map_or(0, |m| m + 1)];
     for (blade, label) in blades.into_iter().zip(labels) {
         members[label].push(blade);
@@ -130,8 +165,28 @@ fn center_of(blades: &[Drawn]) -> Vec2 {
     blades.iter().map(|(b, _)| b.root).sum::<Vec2>() / blades.len().max(1) as f32
 }
 
+/// Stems from left to right by their feet, so that those near a place are found without a look at all.
+struct Stems(Vec<Stem>);
+
+impl Stems {
+    fn new(stems: &[Stem]) -> Self {
+        let mut sorted = stems.to_vec();
+        sorted.sort_by(|a, b| a.foot.x.total_cmp(&b.foot.x));
+        Self(sorted)
+    }
+
+    /// All stems whose feet are less than `reach` away from a place, and some more.
+    fn near(&self, place: Vec2, reach: f32) -> &[Stem] {
+        // More than the reach by more than any rounding.
+        let (left, right) = (place.x - 1.001 * reach, place.x + 1.001 * reach);
+        let first = self.0.partition_point(|stem| stem.foot.x < left);
+        let count = self.0[first..].partition_point(|stem| stem.foot.x <= right);
+        &self.0[first..first + count]
+    }
+}
+
 /// Whether blades gather at the foot of a stem.
-fn is_rosette(blades: &[Drawn], stems: &[Stem], bandwidth: f32) -> bool {
+fn is_rosette(blades: &[Drawn], stems: &Stems, bandwidth: f32) -> bool {
     let center = center_of(blades);
     let lengths: f32 = blades.iter().map(|(b, _)| b.axis().length()).sum();
     let reach = bandwidth * lengths / blades.len().max(1) as f32;
@@ -139,7 +194,7 @@ fn is_rosette(blades: &[Drawn], stems: &[Stem], bandwidth: f32) -> bool {
         let away = stem.foot.distance(center);
         away < reach && away < stem.tip.distance(center)
     };
-    stems.iter().any(at_foot)
+    stems.near(center, reach).iter().any(at_foot)
 }
 
 /// Whether blades stand all round a common centre and point away from it, their heart left out.

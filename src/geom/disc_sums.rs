@@ -2,17 +2,30 @@
 //!
 //! A k-d tree whose nodes know the sum of their points: a node wholly inside the disc is counted at once. So a disc over
 //! thousands of points in one spot costs no more than one over a few, which a list of neighbours would not allow.
+//!
+//! Sums are exact: points are rounded to multiples of a [`unit`] of which a sum of a million fits into a double. So what a
+//! disc holds says all about its middle, whatever other points there are and however they lie in the tree.
 
-use glam::Vec2;
+use glam::{DVec2, Vec2};
 use std::ops::Range;
 
 /// Points that are looked at one by one.
 const LEAF: usize = 12;
 
+/// Bits of a coordinate that are summed: more than a float has, and twenty less than a double has.
+const BITS: i32 = 32;
+
+/// What the coordinates of points are rounded to: a power of two.
+pub fn unit(points: &[Vec2]) -> f64 {
+    let most = points.iter().map(|p| p.abs().max_element()).fold(f32::MIN_POSITIVE, f32::max);
+    2f64.powi(f64::from(most).log2().ceil() as i32 - BITS)
+}
+
 /// Points, ready to be summed over discs.
 #[derive(Clone, Debug)]
 pub struct DiscSums {
     points: Vec<Vec2>,
+    unit: f64,
     nodes: Vec<Node>,
 }
 
@@ -20,7 +33,7 @@ pub struct DiscSums {
 struct Node {
     low: Vec2,
     high: Vec2,
-    sum: Vec2,
+    sum: DVec2,
     held: Range<usize>,
     /// Index of the second child; the first follows the node itself. None for a leaf.
     second: Option<usize>,
@@ -29,7 +42,8 @@ struct Node {
 impl DiscSums {
     /// Takes finite points.
     pub fn new(points: Vec<Vec2>) -> Self {
-        let mut sums = Self { nodes: Vec::with_capacity(4 * points.len() / LEAF + 1), points };
+        let (unit, nodes) = (unit(&points), Vec::with_capacity(4 * points.len() / LEAF + 1));
+        let mut sums = Self { points, unit, nodes };
         if !sums.points.is_empty() {
             sums.grow(0..sums.points.len());
         }
@@ -38,11 +52,12 @@ impl DiscSums {
 
     /// Adds the node of a stretch of points and all below it.
     fn grow(&mut self, held: Range<usize>) {
-        let points = &mut self.points[held.clone()];
+        let (points, unit) = (&mut self.points[held.clone()], self.unit);
         let low = points.iter().copied().fold(Vec2::INFINITY, Vec2::min);
         let high = points.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
         let node = self.nodes.len();
-        self.nodes.push(Node { low, high, sum: points.iter().sum(), held: held.clone(), second: None });
+        let sum = points.iter().map(|p| rounded(*p, unit)).sum();
+        self.nodes.push(Node { low, high, sum, held: held.clone(), second: None });
         if points.len() <= LEAF {
             return;
         }
@@ -58,14 +73,14 @@ impl DiscSums {
 
     /// Middle of the points within `radius` of `center`; `None` where there are none.
     pub fn mean_within(&self, center: Vec2, radius: f32) -> Option<Vec2> {
-        let (mut sum, mut count) = (Vec2::ZERO, 0);
+        let (mut sum, mut count) = (DVec2::ZERO, 0);
         if !self.nodes.is_empty() {
             self.add(0, center, radius * radius, (&mut sum, &mut count));
         }
-        (count > 0).then(|| sum / count as f32)
+        (count > 0).then(|| (sum / count as f64).as_vec2())
     }
 
-    fn add(&self, index: usize, center: Vec2, radius2: f32, (sum, count): (&mut Vec2, &mut usize)) {
+    fn add(&self, index: usize, center: Vec2, radius2: f32, (sum, count): (&mut DVec2, &mut usize)) {
         let node = &self.nodes[index];
         if center.distance_squared(center.clamp(node.low, node.high)) > radius2 {
             return;
@@ -80,7 +95,7 @@ impl DiscSums {
         } else {
             for point in &self.points[node.held.clone()] {
                 if point.distance_squared(center) <= radius2 {
-                    *sum += point;
+                    *sum += rounded(*point, self.unit);
                     *count += 1;
                 }
             }
@@ -88,10 +103,28 @@ impl DiscSums {
     }
 }
 
+fn rounded(point: Vec2, unit: f64) -> DVec2 {
+    (point.as_dvec2() / unit).round() * unit
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use proptest::prelude::*;
+
+    #[test]
+    fn what_a_disc_does_not_hold_does_not_change_its_middle() {
+        let at = |k: usize| Vec2::from_angle(k as f32 * 2.4) * (k as f32).sqrt();
+        let points: Vec<Vec2> = (0..2_000).map(at).collect();
+        let (some, all) = (DiscSums::new(points[..1_500].to_vec()), DiscSums::new(points));
+        // The first 1,500 fill a disc of radius 38, the others a ring around it.
+        assert_eq!(some.unit, all.unit);
+        for k in 0..200 {
+            let center = at(5 * k);
+            let radius = 38.0 - center.length();
+            assert_eq!(some.mean_within(center, radius), all.mean_within(center, radius));
+        }
+    }
 
     #[test]
     fn nothing_has_no_middle() {
