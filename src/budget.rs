@@ -34,7 +34,8 @@ pub struct Budget {
 }
 
 impl Budget {
-    /// Of a plant; a drawing that grows while it is drawn has less of some.
+    /// Of a plant; a drawing that grows while it is drawn has less of some. The plants beside a drawn one share it once more,
+    /// and of the triangles each side has half.
     pub const PLANT: Self = Self {
         growth_points: 2_000_000,
         twigs: 60_000,
@@ -49,4 +50,45 @@ impl Budget {
         overlaps: (20_000_000, 200),
         triangles: 10_000_000,
     };
+
+    /// What each of several plants may cost, so that together they cost no more than this. The number goes in powers of
+    /// two: so one plant more seldom changes what the others may cost, and with it what they look like.
+    #[must_use]
+    pub const fn shared_by(self, plants: usize) -> Self {
+        let parts = if plants == 0 { 1 } else { plants.next_power_of_two() };
+        let Self { growth_points, twigs, twig_samples, leaves, flower_buds, blossoms, .. } = self;
+        let Self { internodes, markers, voxels, growth_steps, overlaps, triangles, .. } = self;
+        Self {
+            growth_points: growth_points / parts,
+            twigs: twigs / parts,
+            twig_samples: twig_samples / parts,
+            leaves: leaves / parts,
+            flower_buds: flower_buds / parts,
+            blossoms: blossoms / parts,
+            internodes: internodes / parts,
+            markers: markers / parts,
+            voxels: voxels / parts,
+            growth_steps: growth_steps / parts as u64,
+            overlaps: (overlaps.0 / parts as u64, overlaps.1),
+            triangles: triangles / parts as u64,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn plants_that_share_a_budget_cost_no_more_than_one_together() {
+        assert_eq!(Budget::PLANT.shared_by(0), Budget::PLANT);
+        assert_eq!(Budget::PLANT.shared_by(1), Budget::PLANT);
+        for plants in 2..40 {
+            let each = Budget::PLANT.shared_by(plants);
+            assert!(plants * each.leaves <= Budget::PLANT.leaves);
+            assert!(plants as u64 * each.triangles <= Budget::PLANT.triangles);
+            assert!(2 * plants * each.internodes > Budget::PLANT.internodes / 2, "{plants}");
+        }
+        assert_eq!(Budget::PLANT.shared_by(3), Budget::PLANT.shared_by(4));
+    }
 }

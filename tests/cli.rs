@@ -93,6 +93,25 @@ fn inspect_prints_the_promised_fields() {
 }
 
 #[test]
+fn a_drawing_with_a_grown_plant_beside_it_is_built_and_inspected() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).display().to_string();
+    let plants = r#""version": 3, "plants": [
+        {"maker": "growth", "species": "hazel", "age": 2, "foot": [700, 900], "height": 300},
+        {"maker": "growth", "species": "hazle", "foot": [100, 900]}],"#;
+    let drawing = fs::read_to_string(sketch("daisy")).unwrap().replace("\"version\": 1,", plants);
+    fs::write(file("a.penstemon"), drawing).unwrap();
+    let done = penstemon(&["build", &file("a.penstemon"), "-o", &file("a.glb"), "-o", &file("a.json")]);
+    assert!(done.status.success(), "{}", stderr(&done));
+    assert!(stderr(&done).contains("plant 2 (`hazle`)"), "{}", stderr(&done));
+    assert!(penstemon(&["check", &file("a.glb")]).status.success());
+    let report = penstemon(&["inspect", &file("a.penstemon")]);
+    let report: serde_json::Value = serde_json::from_slice(&report.stdout).unwrap();
+    assert_eq!(report["plants"][0]["maker"], "growth");
+    assert_eq!(report["plants"][1]["species"], "hazle");
+}
+
+#[test]
 fn parameters_reach_the_plant_and_wrong_ones_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("tall.json").display().to_string();

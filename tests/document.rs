@@ -10,8 +10,8 @@ use penstemon::sketch::journal::{JournalState, Meta, Recovery};
 use penstemon::sketch::save::{FileStamp, SaveError, open, save};
 use penstemon::sketch::settings::Settings;
 use penstemon::sketch::{
-    Canvas, Change, Picture, Reference, Sketch, Step, Stroke, StrokeChange, StrokePoint, TextureChoice,
-    Textures, Tool, editable_from_bytes, from_bytes, json, svg, textures,
+    Canvas, Change, Maker, Picture, PlacedPlant, Reference, SeedOf, Sketch, Step, Stroke, StrokeChange,
+    StrokePoint, TextureChoice, Textures, Tool, editable_from_bytes, from_bytes, json, svg, textures,
 };
 use proptest::prelude::*;
 use serde_json::Map;
@@ -60,6 +60,10 @@ fn texture() -> impl Strategy<Value = TextureChoice> {
 
 fn change() -> impl Strategy<Value = Change> {
     let reference = |at: f32| Reference::new(Picture::new(PNG).unwrap(), vec2(at, -at), 100.0);
+    let plant = |age: f32| {
+        let maker = Maker::Growth(SeedOf { species: "oak".to_owned(), seed: 1, age: Some(age) });
+        PlacedPlant { maker, foot: vec2(age, 0.0), height: None }
+    };
     let params = |value: f64| Map::from_iter([("depth.spread".to_owned(), value.into())]);
     prop_oneof![
         4 => prop::collection::vec(stroke_change(), 0..5).prop_map(Change::strokes),
@@ -68,6 +72,9 @@ fn change() -> impl Strategy<Value = Change> {
         1 => (0.0..1.0).prop_map(move |value| Change::params(params(value))),
         1 => texture().prop_map(|choice| Change::textures(Textures::from([("leaf".to_owned(), choice)]))),
         1 => prop::option::of(0.0_f32..9.0).prop_map(move |at| Change::reference(at.map(reference))),
+        1 => prop::collection::vec(0.0_f32..9.0, 0..3).prop_map(move |ages| {
+            Change::plants(ages.into_iter().map(plant).collect())
+        }),
         1 => (1.0_f32..99.0).prop_map(|width| {
             Settings { canvas: Some(Canvas { width, height: 7.0 }), ..Settings::default() }.into()
         }),
@@ -278,11 +285,11 @@ fn read_only_files_and_those_of_newer_programs_are_not_replaced() {
     assert_eq!(fs::read_to_string(&path).unwrap(), text);
 
     let newer = folder.path().join("newer.penstemon");
-    write_atomically(&newer, text.replacen("\"version\": 1", "\"version\": 3", 1).as_bytes()).unwrap();
+    write_atomically(&newer, text.replacen("\"version\": 1", "\"version\": 99", 1).as_bytes()).unwrap();
     let before = fs::read(&newer).unwrap();
     for expected in [None, Some(&stamp)] {
         let error = save(&newer, &with_seed(2), expected).unwrap_err();
-        assert!(matches!(error, SaveError::NewerVersion { version: 3.0, .. }), "{error}");
+        assert!(matches!(error, SaveError::NewerVersion { version: 99.0, .. }), "{error}");
     }
     assert_eq!(fs::read(&newer).unwrap(), before);
     assert!(open(&newer).unwrap_err().to_string().contains("newer Penstemon"));

@@ -7,7 +7,7 @@ use glam::{Vec2, Vec3};
 use penstemon::model::Model;
 use penstemon::pipeline::{self, Ages, Built, Cache, Seed};
 use penstemon::plant::{OrganKind, Shape};
-use penstemon::sketch::{self, Sketch, Stroke, Tool};
+use penstemon::sketch::{self, Maker, PlacedPlant, SeedOf, Sketch, Stroke, Tool};
 use penstemon::species::Species;
 use proptest::prelude::*;
 use std::path::Path;
@@ -44,6 +44,9 @@ fn shared(before: &Model, after: &Model) -> usize {
 
 /// A small edit: which one, where, and how far.
 fn edit(sketch: &mut Sketch, (what, which, by): (u8, usize, f32)) {
+    if (8..11).contains(&what) {
+        return edit_plants(&mut sketch.plants, (what, which, by));
+    }
     let count = sketch.strokes.len();
     if count == 0 {
         return;
@@ -73,6 +76,23 @@ fn edit(sketch: &mut Sketch, (what, which, by): (u8, usize, f32)) {
     }
 }
 
+/// A small edit of the plants beside the drawn one: one more, another place or age, one less.
+fn edit_plants(plants: &mut Vec<PlacedPlant>, (what, which, by): (u8, usize, f32)) {
+    let species = ["hazel", "birch", "box", "daisy", "no such plant"][which % 5].to_owned();
+    let age = Some((which % 7) as f32 * 0.5);
+    let height = (which % 3 > 0).then_some(100.0 + by);
+    let seed = SeedOf { species, seed: which as u64 % 2, age };
+    let plant = PlacedPlant { maker: Maker::Growth(seed), foot: Vec2::new(300.0 + by, 700.0), height };
+    match (what, plants.is_empty()) {
+        (8, _) | (_, true) => plants.push(plant),
+        (9, _) => drop(plants.remove(which % plants.len())),
+        _ => {
+            let count = plants.len();
+            plants[which % count] = plant;
+        }
+    }
+}
+
 /// A build with a cache gives what one from scratch gives; only the cache knows how old its plant has been before.
 fn assert_same(live: &Built, fresh: &Built) {
     let ages = |built: &Built| built.growth.map(|ages| Ages { oldest: 0.0, ..ages });
@@ -89,7 +109,7 @@ proptest! {
     #[test]
     fn edits_give_the_plant_that_a_fresh_build_gives(
         seed: u64,
-        edits in prop::collection::vec((0u8..8, 0usize..1000, -80.0f32..80.0), 1..8),
+        edits in prop::collection::vec((0u8..11, 0usize..1000, -80.0f32..80.0), 1..8),
     ) {
         let mut cache = Cache::default();
         let mut sketch = drawings::scribble(seed, 12);

@@ -14,6 +14,7 @@ mod grown;
 mod live;
 mod outlines;
 mod properties;
+mod several;
 mod sketches;
 mod textures;
 mod wood;

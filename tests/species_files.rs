@@ -159,7 +159,7 @@ proptest! {
             Ok(species) => {
                 prop_assert!(wrong.is_empty(), "{:?} passed in\n{}", wrong, text);
                 let params = pipeline::params_of_species(&species, &[]).unwrap();
-                let limits = Limits { internodes: 1500, markers: 4000, voxels: 1 << 20, steps: 2_000_000_000 };
+                let limits = Limits { internodes: 1500, markers: 4000, voxels: 1 << 20, ..Limits::default() };
                 let mut simulation = Simulation::new(&params.habit, seed, limits);
                 simulation.grow_to(5, &|| false);
                 let plant = species::apply(plant_at(&simulation, 4.7), &Provenance::default(), &species, seed).plant;

@@ -3,7 +3,7 @@
 use super::common::{self, Setup, SetupOptions};
 use crate::anatomy::{Anatomy, Attachment, FlatBlade, Part};
 use crate::plant::{Plant, Provenance};
-use crate::sketch::StrokeId;
+use crate::sketch::{Maker, PlacedPlant, SeedOf, StrokeId};
 use crate::{anatomy, depth};
 use glam::Vec2;
 use serde::Serialize;
@@ -30,6 +30,9 @@ pub struct Report {
     pub flowers: Vec<FlowerReport>,
     /// What outlines were filled with.
     pub generated: Generated,
+    /// Plants beside the drawn one; left out where there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub plants: Vec<PlantReport>,
 }
 
 /// One stroke.
@@ -75,6 +78,32 @@ pub struct Generated {
     pub branches: usize,
     /// Leaves.
     pub leaves: usize,
+}
+
+/// One plant beside the drawn one, as its file says it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PlantReport {
+    /// What makes it.
+    pub maker: &'static str,
+    /// Its species.
+    pub species: String,
+    /// Its seed.
+    pub seed: u64,
+    /// Age in years; none for the species' own.
+    pub age: Option<f32>,
+    /// Where it stands, canvas pixels.
+    pub foot: [f32; 2],
+    /// Height of its wood, canvas pixels; none for its own height in metres.
+    pub height: Option<f32>,
+}
+
+impl PlantReport {
+    fn new(plant: &PlacedPlant) -> Self {
+        let PlacedPlant { maker, foot, height } = plant;
+        let Maker::Growth(SeedOf { species, seed, age }) = maker;
+        let (maker, foot) = (maker.name(), foot.to_array());
+        Self { maker, species: species.clone(), seed: *seed, age: *age, foot, height: *height }
+    }
 }
 
 /// Runs `inspect`.
@@ -138,6 +167,7 @@ pub fn report(
             branches: anatomy.branches.iter().filter(|b| b.stroke.is_none()).count(),
             leaves: anatomy.leaves.iter().filter(|l| l.copy_of.is_some()).count(),
         },
+        plants: sketch.plants.iter().map(PlantReport::new).collect(),
     }
 }
 

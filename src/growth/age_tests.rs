@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use super::*;
+use crate::budget::Budget;
 use crate::growth::at_age::chains::Chain;
 use crate::growth::at_age::to_plant::with_chains;
 use crate::growth::at_age::wood_at_age::{WoodAtAge, wood_at_age};
@@ -12,7 +13,13 @@ use crate::plant::{Branch, Organ, OrganKind, Plant, Shape};
 use glam::Vec3;
 use std::collections::BTreeMap;
 
-const LIMITS: Limits = Limits { internodes: 60_000, markers: 50_000, voxels: 4 << 20, steps: 2_000_000_000 };
+const LIMITS: Limits = Limits {
+    internodes: 60_000,
+    markers: 50_000,
+    voxels: 4 << 20,
+    steps: 2_000_000_000,
+    ..Limits::within(&Budget::PLANT)
+};
 
 fn grown(habit: &Habit, age: u16) -> Simulation {
     let mut simulation = Simulation::new(habit, 3, LIMITS);

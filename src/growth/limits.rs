@@ -18,16 +18,25 @@ pub struct Limits {
     pub voxels: usize,
     /// Most elementary steps that its years may take together, about a nanosecond each.
     pub steps: u64,
+    /// Most leaves.
+    pub leaves: usize,
+    /// Most flower buds, each of which has some thirty parts.
+    pub flower_buds: usize,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        let Budget { internodes, markers, voxels, growth_steps: steps, .. } = Budget::PLANT;
-        Self { internodes, markers, voxels, steps }
+        Self::within(&Budget::PLANT)
     }
 }
 
 impl Limits {
+    /// Those of a plant with a budget.
+    pub const fn within(budget: &Budget) -> Self {
+        let &Budget { internodes, markers, voxels, growth_steps: steps, leaves, flower_buds, .. } = budget;
+        Self { internodes, markers, voxels, steps, leaves, flower_buds }
+    }
+
     /// The usual ones, for a plant of at most so many internodes: a larger plant is more work, a smaller one no less.
     pub fn of_internodes(most: usize) -> Self {
         let usual = Self::default();

@@ -1,10 +1,17 @@
 //! What is seen of growth is what growth goes by.
 
 use super::*;
+use crate::budget::Budget;
 use crate::growth::habit::{Resource, SpaceHabit};
 use crate::growth::{Envelope, Habit, Limits};
 
-const LIMITS: Limits = Limits { internodes: 20_000, markers: 50_000, voxels: 4 << 20, steps: 2_000_000_000 };
+const LIMITS: Limits = Limits {
+    internodes: 20_000,
+    markers: 50_000,
+    voxels: 4 << 20,
+    steps: 2_000_000_000,
+    ..Limits::within(&Budget::PLANT)
+};
 const ALL: Wanted = Wanted { markers: true, buds: true, light: true };
 const CENTRE: Vec3 = Vec3::new(0.0, 4.0, 0.0);
 

@@ -170,6 +170,11 @@ impl Simulation {
         self.effort.spent()
     }
 
+    /// What it may not exceed.
+    pub fn limits(&self) -> &Limits {
+        &self.limits
+    }
+
     /// Seed of everything random.
     pub fn seed(&self) -> u64 {
         self.seed

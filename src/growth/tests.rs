@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use super::*;
+use crate::budget::Budget;
 use crate::growth::habit::{Arrangement, Control, CrownHabit, Resource, SpaceHabit, Toward};
 use crate::growth::resource::priority::{self, Priority};
 use crate::growth::resource::vigour::Flow;
@@ -13,7 +14,13 @@ use glam::{Vec2, Vec3};
 use proptest::prelude::*;
 use std::sync::Arc;
 
-const LIMITS: Limits = Limits { internodes: 20_000, markers: 50_000, voxels: 4 << 20, steps: 2_000_000_000 };
+const LIMITS: Limits = Limits {
+    internodes: 20_000,
+    markers: 50_000,
+    voxels: 4 << 20,
+    steps: 2_000_000_000,
+    ..Limits::within(&Budget::PLANT)
+};
 
 fn never() -> bool {
     false
@@ -460,7 +467,7 @@ proptest! {
 
     #[test]
     fn whatever_a_species_says_the_plant_is_sound_and_within_its_caps(habit in any_habit(), seed: u64, age in 0u16..14) {
-        let limits = Limits { internodes: 2500, markers: 5000, voxels: 1 << 20, steps: 2_000_000_000 };
+        let limits = Limits { internodes: 2500, markers: 5000, voxels: 1 << 20, ..LIMITS };
         let mut simulation = Simulation::new(&habit, seed, limits);
         simulation.grow_to(age, &never);
         prop_assert_eq!(simulation.tree().check_invariants(), Ok(()));

@@ -2,6 +2,7 @@
 //! those, and they become surfaces, as fine as the budget of triangles allows.
 
 use super::clock::Clock;
+use super::placing::Placing;
 use super::setup::Params;
 use super::source::{Ages, Produced};
 use crate::anatomy::Anatomy;
@@ -24,7 +25,7 @@ pub struct Built {
     pub remarks: Vec<Warning>,
     /// How old the plant is, where it grew.
     pub growth: Option<Ages>,
-    /// The plant in space.
+    /// The plant in space, and behind it those that stand beside it.
     pub plant: FinishedPlant,
     /// What only its drawing knows of the plant.
     pub provenance: Provenance,
@@ -36,13 +37,24 @@ pub struct Built {
     pub stages: Vec<(&'static str, Duration)>,
 }
 
-/// Gives a plant its looks and its surfaces; nothing if `stop` said yes. `seed` decides what the species leaves to chance,
-/// `pictures` are the artist's own.
+/// How a plant is finished.
+pub(super) struct Finish<'a> {
+    /// Decides what the species leaves to chance.
+    pub(super) seed: u64,
+    /// The artist's own pictures.
+    pub(super) pictures: &'a Textures,
+    /// What the plant may cost.
+    pub(super) budget: Budget,
+    /// Size and place that it is given once it has its looks; none where it is made in its place.
+    pub(super) placing: Option<&'a Placing>,
+}
+
+/// Gives a plant its looks and its surfaces; nothing if `stop` said yes.
 pub(super) fn finish(
     cache: &mut model::Cache,
     produced: Produced,
     (species, params): (&Species, &Params),
-    (seed, pictures): (u64, &Textures),
+    &Finish { seed, pictures, budget, placing }: &Finish<'_>,
     clock: &mut Clock,
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Option<Built> {
@@ -50,18 +62,19 @@ pub(super) fn finish(
     let mut remark = |remark| remarks.push(Warning { stroke: None, remark });
     let plant = clock.time("species", || {
         let Applied { mut plant, is_blossom_thinned } =
-            species::apply(plant, &provenance, &looks(species, may_flower), seed);
+            species::apply_within(plant, &provenance, &looks(species, may_flower), seed, &budget);
         if is_blossom_thinned {
             remark(Remark::BlossomThinned { flowers: plant.flowers.len() });
         }
         species::textures::lay_over(&mut plant, pictures);
+        placing.iter().for_each(|placing| placing.place(&mut plant));
         debug_assert_eq!(plant.check_invariants(), Ok(()));
         debug_assert_eq!(provenance.check_invariants(&plant), Ok(()));
         plant
     });
-    let fineness = affordable(&plant, params, growth.is_some());
+    let fineness = affordable(&plant, params, budget.triangles, growth.is_some());
     if fineness.is_coarser {
-        remark(Remark::Coarser { triangles: Budget::PLANT.triangles });
+        remark(Remark::Coarser { triangles: budget.triangles });
     }
     let model = clock.time("model", || model::rebuild(&plant, &fineness.params, cache, stop))?;
     let (overlay, stages) = (Vec::new(), clock.take());
@@ -85,10 +98,10 @@ struct Fineness<'a> {
     is_coarser: bool,
 }
 
-/// As fine as asked for and within the budget of triangles; the leaves of a plant that `grew` are too many to be parts of
+/// As fine as asked for and of at most so many triangles; the leaves of a plant that `grew` are too many to be parts of
 /// their own.
-fn affordable<'a>(plant: &Plant, params: &'a Params, grew: bool) -> Fineness<'a> {
-    let mut affordable = model::affordable(plant, &params.model, Budget::PLANT.triangles);
+fn affordable<'a>(plant: &Plant, params: &'a Params, most: u64, grew: bool) -> Fineness<'a> {
+    let mut affordable = model::affordable(plant, &params.model, most);
     let is_coarser = matches!(affordable, Cow::Owned(_));
     if grew && !affordable.blade.gathered {
         affordable.to_mut().blade.gathered = true;

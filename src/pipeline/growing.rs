@@ -7,7 +7,7 @@ use super::setup::Params;
 use super::source::Ages;
 use crate::anatomy::Anatomy;
 use crate::depth;
-use crate::growth::{Memory, Outcome, Start, bloom, drawing, foliage, merge};
+use crate::growth::{Limits, Memory, Outcome, Start, bloom, drawing, foliage, merge};
 use crate::plant::{Plant, Provenance};
 use crate::quote;
 use crate::sketch::{Remark, StrokeId, Warning};
@@ -56,7 +56,7 @@ pub(super) fn grow_on(
     of_growth.extend(why_no_older(grown.outcome, grown.simulation.age()));
     remarks.extend(of_growth.into_iter().map(|remark| Warning { stroke, remark }));
     let plant = merge::merged(drawn, &grows, &grown);
-    remark_shortfalls(&plant, species.blossom.is_some(), stroke, remarks);
+    remark_shortfalls(&plant, grown.simulation.limits(), species.blossom.is_some(), stroke, remarks);
     Some((plant, ages))
 }
 
@@ -74,14 +74,15 @@ pub(super) fn why_no_older(outcome: Outcome, years: u16) -> Option<Remark> {
 /// species is applied: then some of the leaves stand as flowers.
 pub(super) fn remark_shortfalls(
     plant: &Plant,
+    limits: &Limits,
     flowers: bool,
     stroke: Option<StrokeId>,
     remarks: &mut Vec<Warning>,
 ) {
-    if flowers && bloom::is_thinned(&plant.buds) {
-        remarks.push(Warning { stroke, remark: Remark::BlossomThinned { flowers: bloom::MOST } });
+    if flowers && bloom::is_thinned(&plant.buds, limits.flower_buds) {
+        remarks.push(Warning { stroke, remark: Remark::BlossomThinned { flowers: limits.flower_buds } });
     }
-    if foliage::is_thinned(&plant.organs) {
-        remarks.push(Warning { stroke, remark: Remark::LeavesThinned { leaves: foliage::MOST } });
+    if foliage::is_thinned(&plant.organs, limits.leaves) {
+        remarks.push(Warning { stroke, remark: Remark::LeavesThinned { leaves: limits.leaves } });
     }
 }

@@ -5,18 +5,24 @@
 //!   drawing, seed       one file for each maker           species, pictures, surfaces: the same for all
 //! ```
 //!
+//! A drawing may name plants that stand beside the drawn one. Each goes this way by itself; then they are put together
+//! (`beside`).
+//!
 //! The one place that knows the order of the stages. Live, cached and headless builds are the same code:
 //! [`build`] is [`build_with`] an empty cache and nothing that stops it. In memory only: reading and writing files are the
 //! callers'.
 
+mod beside;
 mod clock;
 mod drawing;
 mod finish;
 mod growing;
+mod placing;
 mod seed;
 mod setup;
 mod source;
 
+pub use beside::Beside;
 pub use drawing::DrawingMemory;
 pub use finish::Built;
 pub use seed::SeedMemory;
@@ -26,11 +32,13 @@ pub use setup::{
 };
 pub use source::{Ages, Produced, Seed, Source};
 
+use crate::budget::Budget;
 use crate::growth::overlay::Wanted;
 use crate::model;
 use crate::sketch::Textures;
 use crate::species::Species;
 use clock::Clock;
+use finish::Finish;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What [`build_with`] keeps from one build to the next.
@@ -42,6 +50,8 @@ pub struct Cache {
     pub drawing: DrawingMemory,
     /// The plant that grew last from a seed.
     pub seed: SeedMemory,
+    /// The plants beside the drawn one.
+    pub beside: Beside,
 }
 
 impl Cache {
@@ -81,16 +91,23 @@ pub fn build_with<'a>(
         stopped.load(Ordering::Relaxed)
     };
     let (mut clock, with) = (Clock::default(), (species, params));
-    let no_pictures = Textures::default();
-    let (produced, of_source) = match source.into() {
+    match source.into() {
         Source::Drawing(sketch) => {
-            let produced = drawing::produce(&mut cache.drawing, sketch, with, &mut clock, &stop)?;
-            (produced, (sketch.seed, &sketch.textures))
+            let mut produced = drawing::produce(&mut cache.drawing, sketch, with, &mut clock, &stop)?;
+            if !sketch.plants.is_empty() && produced.is_bare() {
+                let height = params.depth.world.height;
+                produced.provenance.world_from_canvas = placing::world_of_sheet(sketch.canvas, height);
+            }
+            let budget = beside::budget_of_drawn(sketch.plants.len());
+            let how = Finish { seed: sketch.seed, pictures: &sketch.textures, budget, placing: None };
+            let drawn = finish::finish(&mut cache.model, produced, with, &how, &mut clock, &stop)?;
+            beside::add(&mut cache.beside, drawn, &sketch.plants, &mut clock, &stop)
         }
         Source::Seed(seed) => {
             let produced = seed::produce(&mut cache.seed, seed, with, &mut clock, &stop)?;
-            (produced, (seed.number, &no_pictures))
+            let pictures = &Textures::default();
+            let how = Finish { seed: seed.number, pictures, budget: Budget::PLANT, placing: None };
+            finish::finish(&mut cache.model, produced, with, &how, &mut clock, &stop)
         }
-    };
-    finish::finish(&mut cache.model, produced, with, of_source, &mut clock, &stop)
+    }
 }

@@ -110,7 +110,8 @@ pub(super) fn produce(
     let may_flower = may_flower(species, habit, ages.shown);
     let early = growing::why_no_older(ages.outcome, simulation.age());
     let mut remarks: Vec<_> = early.map(|remark| Warning { stroke: None, remark }).into_iter().collect();
-    growing::remark_shortfalls(&plant, may_flower && species.blossom.is_some(), None, &mut remarks);
+    let flowers = may_flower && species.blossom.is_some();
+    growing::remark_shortfalls(&plant, simulation.limits(), flowers, None, &mut remarks);
     let (provenance, anatomy) = (Provenance::default(), Anatomy::default());
     Some(Produced { plant, provenance, remarks, anatomy, growth: Some(ages), may_flower })
 }

@@ -62,6 +62,13 @@ pub struct Produced {
     pub may_flower: bool,
 }
 
+impl Produced {
+    /// Whether there is no plant.
+    pub(super) fn is_bare(&self) -> bool {
+        self.plant.branches.is_empty() && self.plant.organs.is_empty()
+    }
+}
+
 /// The ages of a plant that grew.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ages {

@@ -4,6 +4,7 @@
 //! on, so that each of its roles has a material.
 
 use super::{Material, OrganKind, Plant, Role};
+use glam::Vec3;
 use std::collections::BTreeMap;
 use std::ops::Deref;
 
@@ -80,6 +81,37 @@ impl FinishedPlant {
             }
             self.materials.push(changed);
         }
+    }
+
+    /// Scales the plant about the origin and then moves it; `scale` is more than 0.
+    pub fn scale_and_move(&mut self, scale: f32, by: Vec3) {
+        self.plant.scale_and_move(scale, by);
+    }
+
+    /// Puts another plant behind this one. Materials that are the same in both are one; of different ones with one name
+    /// the other plant's has `suffix` behind its name. Gives the index here of each of the other's materials.
+    pub fn append(&mut self, other: &Self, suffix: &str) -> Vec<usize> {
+        let mut place_of = |material: &Material| {
+            if let Some(known) = self.materials.iter().position(|known| known == material) {
+                return known;
+            }
+            let mut material = material.clone();
+            if self.materials.iter().any(|known| known.name == material.name) {
+                material.name = self.unused_name(&format!("{}-{suffix}", material.name));
+            }
+            self.materials.push(material);
+            self.materials.len() - 1
+        };
+        let places: Vec<usize> = other.materials.iter().map(&mut place_of).collect();
+        // Roles of two species would meet; by their variants, of which only materials depend, they are told apart.
+        let variants = self.of_role.keys().map(|role| role.variant + 1).max().unwrap_or(0);
+        let apart = |role: &Role| Role { variant: role.variant + variants, ..*role };
+        self.of_role.extend(other.of_role.iter().map(|(role, material)| (apart(role), places[*material])));
+        let mut plant = other.plant.clone();
+        plant.branches.iter_mut().for_each(|branch| branch.role.variant += variants);
+        plant.organs.iter_mut().for_each(|organ| organ.role.variant += variants);
+        self.plant.append(plant);
+        places
     }
 
     fn unused_name(&self, wish: &str) -> String {

@@ -9,6 +9,7 @@
 //!
 //! Topological order is an invariant: a branch's parent stands before it. [`Plant::check_invariants`] says all of them.
 
+mod assembly;
 pub mod blade;
 pub mod cone;
 pub mod finished;

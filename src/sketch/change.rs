@@ -1,7 +1,7 @@
 //! Changes of a drawing: what tools and panels hand to the document as one undoable step.
 
 use super::settings::Settings;
-use super::{Reference, Stroke, StrokeId, Textures};
+use super::{PlacedPlant, Reference, Stroke, StrokeId, Textures};
 use serde_json::{Map, Value};
 use std::sync::Arc;
 
@@ -63,6 +63,11 @@ impl Change {
     /// Other textures, all of them.
     pub fn textures(textures: Textures) -> Self {
         Settings { textures: Some(textures), ..Settings::default() }.into()
+    }
+
+    /// Other plants beside the drawn one, all of them.
+    pub fn plants(plants: Vec<PlacedPlant>) -> Self {
+        Settings { plants: Some(plants), ..Settings::default() }.into()
     }
 
     /// Another picture under the drawing, or the same lying otherwise, or none.

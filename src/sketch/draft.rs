@@ -7,7 +7,7 @@ use super::error::{Fault, Place};
 use super::reference::Reference;
 use super::textures::Textures;
 use super::warnings::Warnings;
-use super::{Canvas, Remark, Sketch, Stroke, StrokeId, StrokePoint, Tool, limits};
+use super::{Canvas, PlacedPlant, Remark, Sketch, Stroke, StrokeId, StrokePoint, Tool, limits};
 use glam::Vec2;
 use serde_json::{Map, Value};
 use std::collections::HashMap;
@@ -22,13 +22,14 @@ pub(super) struct Draft {
     pub(super) params: Map<String, Value>,
     pub(super) textures: Textures,
     pub(super) reference: Option<Arc<Reference>>,
+    pub(super) plants: Vec<PlacedPlant>,
     pub(super) strokes: Vec<DraftStroke>,
 }
 
 /// What a drawing is read for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Purpose {
-    /// To make a plant of it: there must be a line.
+    /// To make a plant of it: there must be a line, or a plant beside it.
     Build,
     /// To draw on in it: an empty sheet is as good as any.
     Edit,
@@ -58,7 +59,7 @@ impl Draft {
         {
             check_coordinates(&points).map_err(|(point, fault)| {
                 let id = id.map(|id| id.to_string());
-                (Place { stroke: Some(index + 1), id, point: Some(point + 1), line_column: None }, fault)
+                (Place { stroke: Some(index + 1), id, point: Some(point + 1), ..Place::default() }, fault)
             })?;
             if points.is_empty() {
                 warnings.add(id, || Remark::NoPoints { place: index + 1 });
@@ -68,16 +69,18 @@ impl Draft {
             bring_into_range(id, &mut points, warnings);
             strokes.push(Stroke { id, tool, points });
         }
-        if strokes.is_empty() && purpose == Purpose::Build {
+        let needs_lines = purpose == Purpose::Build && self.plants.is_empty();
+        if strokes.is_empty() && needs_lines {
             return Err((Place::default(), Fault::NoStrokes));
         }
-        if strokes.iter().all(is_dot) && purpose == Purpose::Build {
+        if strokes.iter().all(is_dot) && needs_lines {
             return Err((Place::default(), Fault::OnlyDots));
         }
-        let Self { canvas, species, seed, params, textures, reference, strokes: _ } = self;
+        let Self { canvas, species, seed, params, textures, reference, plants, strokes: _ } = self;
         let strokes = strokes.into_iter().map(Arc::new).collect();
         let sheet = canvas.unwrap_or(Canvas::DEFAULT);
-        let mut sketch = Sketch { canvas: sheet, species, seed, params, textures, reference, strokes };
+        let mut sketch =
+            Sketch { canvas: sheet, species, seed, params, textures, reference, plants, strokes };
         if canvas.is_none() {
             sketch.canvas = bounding_canvas(&sketch);
         }

@@ -1,11 +1,11 @@
 //! What must hold for every [`Sketch`] that was read; called by tests, property tests and fuzz targets.
 
-use super::{Sketch, Stroke, StrokePoint, limits, textures};
+use super::{Sketch, Stroke, StrokePoint, limits, plants, textures};
 use glam::Vec2;
 use std::collections::HashSet;
 
 impl Sketch {
-    /// Checks that ids are unique, strokes are not empty, textures belong to parts, and every number is finite and in
+    /// Checks that ids are unique, strokes are not empty, textures belong to parts, plants are not too many, and every number is finite and in
     /// range.
     ///
     /// # Errors
@@ -23,6 +23,7 @@ impl Sketch {
             check_stroke(stroke).map_err(|what| format!("stroke {}: {what}", stroke.id))?;
         }
         textures::check(&self.textures)?;
+        plants::check(&self.plants)?;
         self.reference.as_ref().map_or(Ok(()), |reference| reference.check().map_err(|e| e.to_string()))
     }
 }

@@ -42,6 +42,18 @@ pub const MAX_PARAMS: usize = 4096;
 /// Deepest nesting of parameter groups.
 pub const MAX_PARAM_DEPTH: usize = 16;
 
+/// Most plants that stand beside the drawn one.
+pub const MAX_PLANTS: usize = 16;
+
+/// Oldest age of such a plant in years.
+pub const MAX_PLANT_AGE: f32 = 10_000.0;
+
+/// Least height of such a plant in canvas pixels.
+pub const MIN_PLANT_HEIGHT: f32 = 0.01;
+
+/// Longest name of its species in bytes.
+pub const MAX_SPECIES_NAME_BYTES: usize = 200;
+
 /// Most remarks kept; the rest is counted.
 pub const MAX_WARNINGS: usize = 100;
 

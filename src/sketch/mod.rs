@@ -13,6 +13,7 @@ mod invariants;
 pub mod journal;
 pub mod json;
 pub mod limits;
+pub mod plants;
 pub mod read;
 pub mod reference;
 pub mod remark;
@@ -28,6 +29,7 @@ pub(crate) mod warnings;
 pub use change::{Change, StrokeChange};
 pub use document::{ChangeError, Document};
 pub use error::SketchError;
+pub use plants::{Maker, PlacedPlant, SeedOf};
 pub use read::{editable_from_bytes, from_bytes, read};
 pub use reference::{Reference, ReferenceError};
 pub use remark::{Remark, Warning};
@@ -155,6 +157,8 @@ pub struct Sketch {
     pub textures: Textures,
     /// The picture under the drawing.
     pub reference: Option<Arc<Reference>>,
+    /// The plants beside the drawn one.
+    pub plants: Vec<PlacedPlant>,
     /// The strokes, oldest first.
     pub strokes: Vec<Arc<Stroke>>,
 }
@@ -169,6 +173,7 @@ impl Sketch {
             params: Map::new(),
             textures: Textures::new(),
             reference: None,
+            plants: Vec::new(),
             strokes: Vec::new(),
         }
     }

@@ -216,6 +216,28 @@ pub enum Remark {
         "fineness changes only what grows in a crown, and this drawing has none; draw one with the tool crown"
     )]
     FinenessUnused,
+    /// A plant beside the drawn one whose species does not exist or does not grow.
+    #[error("no species of this name grows by itself, so the plant was left out; those that do are {known}")]
+    NoSuchPlant {
+        /// Those that grow.
+        known: String,
+    },
+    /// A plant beside the drawn one that cannot stand where it should.
+    #[error(
+        "is too small, too large or too far away to stand beside the drawing and was left out; place it nearer or give it \
+         another height"
+    )]
+    PlantOutOfScale,
+    /// What was odd about a plant beside the drawn one.
+    #[error("plant {place} (`{species}`): {remark}")]
+    OfPlant {
+        /// Its place in the list of plants, from 1.
+        place: usize,
+        /// Its species.
+        species: String,
+        /// What was odd.
+        remark: Box<Remark>,
+    },
     /// What was too much to be told.
     #[error("and {} like these", counted(.count, "more remark"))]
     More {
@@ -248,7 +270,10 @@ impl Remark {
             | Self::GrowthTooCostly { .. }
             | Self::BlossomThinned { .. }
             | Self::LeavesThinned { .. }
+            | Self::NoSuchPlant { .. }
+            | Self::PlantOutOfScale
             | Self::Coarser { .. } => true,
+            Self::OfPlant { remark, .. } => remark.is_shortfall(),
             Self::NoPoints { .. }
             | Self::PressureOutside { .. }
             | Self::TiltOutside { .. }

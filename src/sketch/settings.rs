@@ -1,6 +1,6 @@
 //! What belongs to a drawing besides its strokes, each setting listed once: as changes ask for it and as steps keep it.
 
-use super::{Canvas, Picture, Reference, Sketch, Textures, textures};
+use super::{Canvas, Picture, PlacedPlant, Reference, Sketch, Textures, textures};
 use serde_json::{Map, Value};
 use std::sync::Arc;
 
@@ -48,6 +48,8 @@ settings! {
     textures: Textures,
     /// The picture under the drawing and how it lies; `Some(None)` takes it away.
     reference: Option<Arc<Reference>>,
+    /// All plants beside the drawn one.
+    plants: Vec<PlacedPlant>,
 }
 
 impl Settings {

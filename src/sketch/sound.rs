@@ -2,7 +2,7 @@
 
 use super::change::{Change, StrokeChange};
 use super::invariants::{check_stroke, is_in_range};
-use super::{Canvas, ReferenceError, Stroke, StrokePoint, limits, textures};
+use super::{Canvas, ReferenceError, Stroke, StrokePoint, limits, plants, textures};
 use glam::Vec2;
 use serde_json::{Map, Value};
 use std::sync::Arc;
@@ -38,6 +38,9 @@ pub enum ChangeError {
     /// Unknown part, or no texture.
     #[error("{0}")]
     Texture(String),
+    /// A plant beside the drawn one, or too many of them.
+    #[error("{0}")]
+    Plants(String),
     /// The picture under the drawing.
     #[error(transparent)]
     Reference(#[from] ReferenceError),
@@ -60,6 +63,7 @@ pub(super) fn made_sound(mut change: Change) -> Result<Change, ChangeError> {
         check_params(params, 1, "", &mut count)?;
     }
     settings.textures.as_ref().map_or(Ok(()), textures::check).map_err(ChangeError::Texture)?;
+    settings.plants.as_deref().map_or(Ok(()), plants::check).map_err(ChangeError::Plants)?;
     settings.reference.iter().flatten().try_for_each(|reference| reference.check())?;
     Ok(change)
 }

@@ -12,6 +12,7 @@ use super::materials::with_materials;
 use super::pot::pot;
 use super::receptacle::{Petals, flower_centre};
 use super::thorns::thorns;
+use crate::budget::Budget;
 use crate::plant::{
     Blade, BladeForm, Branch, FinishedPlant, Organ, OrganKind, OrganPart, Origin, Plant, Provenance, Role,
     Shape, WoodPart,
@@ -59,13 +60,24 @@ pub struct Applied {
 /// styles, sepals, blossom, thorns, pot.
 ///
 /// The flowers' looks are taken in turn. Petals of a species without flowers look like leaves.
-pub fn apply(mut plant: Plant, provenance: &Provenance, species: &Species, seed: u64) -> Applied {
+pub fn apply(plant: Plant, provenance: &Provenance, species: &Species, seed: u64) -> Applied {
+    apply_within(plant, provenance, species, seed, &Budget::PLANT)
+}
+
+/// The same for a plant that has its own budget: no more flowers of its blossom open.
+pub fn apply_within(
+    mut plant: Plant,
+    provenance: &Provenance,
+    species: &Species,
+    seed: u64,
+    budget: &Budget,
+) -> Applied {
     let mut is_blossom_thinned = false;
     set_roles_of_wood(&mut plant, species);
     if let Some(look) = species.blossom.as_ref().filter(|_| !species.flowers.is_empty()) {
         let rng = &mut stream(seed, Purpose::Blossom, 0);
-        let template = next_template(&plant);
-        is_blossom_thinned = blossom(&mut plant, look, template, rng);
+        let template = plant.next_template();
+        is_blossom_thinned = blossom(&mut plant, look, budget.blossoms, template, rng);
     }
     for (index, flower) in plant.flowers.iter_mut().enumerate() {
         flower.look = index % species.flowers.len().max(1);
@@ -160,7 +172,7 @@ fn petals_of(plant: &Plant) -> Vec<Petals> {
 
 /// The parts of every flower that nobody draws.
 fn flower_centres(plant: &Plant, species: &Species, petals: &[Petals], seed: u64) -> Vec<Organ> {
-    let first_template = next_template(plant);
+    let first_template = plant.next_template();
     let mut out = Vec::new();
     for (index, flower) in plant.flowers.iter().enumerate() {
         let Some(look) = species.flowers.get(flower.look) else { continue };
@@ -202,15 +214,6 @@ fn potted(plant: &Plant, species: &Species) -> Vec<Organ> {
         shape,
     };
     shapes.into_iter().zip([OrganPart::Pot, OrganPart::Soil]).map(organ).collect()
-}
-
-/// The first outline number that no blade has.
-fn next_template(plant: &Plant) -> u32 {
-    let used = plant.organs.iter().filter_map(|organ| match &organ.shape {
-        Shape::Blade(blade) => blade.template,
-        _ => None,
-    });
-    used.max().map_or(0, |last| last + 1)
 }
 
 #[cfg(test)]

@@ -6,7 +6,6 @@
 
 use super::looks::BlossomLook;
 use super::sepals::blade_at;
-use crate::budget::Budget;
 use crate::plant::{
     Blade, BladeForm, Cone, Flower, FlowerBud, Organ, OrganKind, OrganPart, Origin, Plant, Role, Shape,
 };
@@ -20,12 +19,18 @@ use std::sync::Arc;
 const CENTRE: f32 = 0.08;
 
 /// Opens the flower buds and replaces leaves by flowers; their petals share the outline number `template`. Says whether
-/// fewer open than the species asks for, because a plant may not have more.
-pub(super) fn blossom(plant: &mut Plant, look: &BlossomLook, template: u32, rng: &mut Pcg64Mcg) -> bool {
+/// fewer open than the species asks for, because a plant may not have more than `most`.
+pub(super) fn blossom(
+    plant: &mut Plant,
+    look: &BlossomLook,
+    most: usize,
+    template: u32,
+    rng: &mut Pcg64Mcg,
+) -> bool {
     let Some(mean) = mean_leaf_length(plant) else { return false };
     let reach = mean * look.reach;
     let outline = notched(reach * (1.0 - CENTRE), look).into();
-    let share = affordable_share(plant, look.share);
+    let share = affordable_share(plant, look.share, most);
     let room = (plant.organs.len() as f32 * (1.0 + share * look.petals as f32)) as usize;
     let organs = std::mem::replace(&mut plant.organs, Vec::with_capacity(room));
     let buds = std::mem::take(&mut plant.buds);
@@ -56,10 +61,10 @@ fn is_generated_leaf(organ: &Organ) -> bool {
 }
 
 /// The share of leaves that open: as wished, or as many as the budget leaves after the buds.
-fn affordable_share(plant: &Plant, wished: f32) -> f32 {
+fn affordable_share(plant: &Plant, wished: f32, most: usize) -> f32 {
     let buds = plant.buds.len();
     let leaves = plant.organs.iter().filter(|organ| is_generated_leaf(organ)).count();
-    wished.min(Budget::PLANT.blossoms.saturating_sub(buds) as f32 / leaves.max(1) as f32)
+    wished.min(most.saturating_sub(buds) as f32 / leaves.max(1) as f32)
 }
 
 fn length_of(leaf: &Blade) -> f32 {

@@ -25,7 +25,7 @@ pub mod sepals;
 pub mod textures;
 pub mod thorns;
 
-pub use apply::{Applied, apply};
+pub use apply::{Applied, apply, apply_within};
 pub use builtin::builtin_texture;
 pub use file::SpeciesError;
 pub use looks::Species;

@@ -71,11 +71,11 @@ fn files_of_other_kinds() {
 
 #[test]
 fn other_versions() {
-    let newer = r#"{"format": "penstemon-sketch", "layers": [], "version": 3, "strokes": []}"#;
-    assert_message(newer, &["version 3", "reads versions 1 to 2", "newer Penstemon"]);
+    let newer = r#"{"format": "penstemon-sketch", "layers": [], "version": 4, "strokes": []}"#;
+    assert_message(newer, &["version 4", "reads versions 1 to 3", "newer Penstemon"]);
     assert_message(
         &GOOD.replace("\"version\": 1", "\"version\": 0"),
-        &["version 0", "reads versions 1 to 2"],
+        &["version 0", "reads versions 1 to 3"],
     );
     assert_message(&GOOD.replace("\"version\": 1,", ""), &["`version` is missing"]);
     assert_message(&GOOD.replace("\"version\": 1", "\"version\": \"one\""), &["\"one\"", "line 1"]);
@@ -275,4 +275,47 @@ fn the_good_file_is_good() {
     let (sketch, warnings) = read(GOOD).unwrap();
     assert_eq!((sketch.strokes.len(), warnings.len()), (2, 0));
     assert_eq!(read(&json::write(&sketch)).unwrap().0, sketch);
+}
+
+/// A file with one stroke and these plants.
+fn with_plants(plants: &str) -> String {
+    let stroke = r#"{"points": [[0, 0], [1, 1]]}"#;
+    format!(r#"{{"format": "penstemon-sketch", "version": 3, "plants": [{plants}], "strokes": [{stroke}]}}"#)
+}
+
+#[test]
+fn plants_beside_the_drawn_one() {
+    let good = r#"{"maker": "growth", "species": "oak", "foot": [1, 2]}"#;
+    super::read(&with_plants(good)).unwrap();
+    let after_good = |plant: &str| with_plants(&format!("{good}, {plant}"));
+    for (wrong, pieces) in [
+        (r#"{"maker": "rose", "petals": 5}"#, &["plant 2: ", "made by `rose`", "the makers are growth"][..]),
+        (r#"{"species": "oak", "foot": [1, 2]}"#, &["plant 2: ", "maker"]),
+        (r#"{"maker": "growth", "foot": [1, 2]}"#, &["plant 2: ", "species"]),
+        (r#"{"maker": "growth", "species": "oak"}"#, &["plant 2: ", "foot"]),
+        (r#"{"maker": "growth", "species": "", "foot": [1, 2]}"#, &["plant 2: ", "species"]),
+        (r#"{"maker": "growth", "species": "oak", "foot": [1, 2e7]}"#, &["plant 2: ", "foot", "nearer"]),
+        (r#"{"maker": "growth", "species": "oak", "foot": [1, 1e300]}"#, &["`1e300` is no finite number"]),
+        (
+            r#"{"maker": "growth", "species": "oak", "foot": [1, 2], "age": -1}"#,
+            &["plant 2: ", "age", "0 to 10000"],
+        ),
+        (
+            r#"{"maker": "growth", "species": "oak", "foot": [1, 2], "height": 0}"#,
+            &["plant 2: ", "height", "natural"],
+        ),
+        (r#"{"maker": "growth", "species": "oak", "foot": [1, 2], "hight": 9}"#, &["plant 2: ", "`hight`"]),
+    ] {
+        assert_message(&after_good(wrong), &[&["line 1, column "], pieces].concat());
+    }
+    let many = vec![good; limits::MAX_PLANTS + 1].join(", ");
+    assert_message(&with_plants(&many), &["more than 16 plants"]);
+}
+
+#[test]
+fn a_drawing_of_plants_alone_needs_no_strokes() {
+    let good = r#"{"maker": "growth", "species": "oak", "foot": [1, 2]}"#;
+    let text = with_plants(good).replace(r#"{"points": [[0, 0], [1, 1]]}"#, "");
+    let (sketch, _) = super::read(&text).unwrap();
+    assert_eq!((sketch.strokes.len(), sketch.plants.len()), (0, 1));
 }

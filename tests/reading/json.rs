@@ -3,8 +3,8 @@
 use super::{read, with_points, with_strokes};
 use glam::vec2;
 use penstemon::sketch::{
-    Canvas, Picture, Reference, Sketch, Stroke, StrokePoint, TextureChoice, Tool, from_bytes, json, limits,
-    textures,
+    Canvas, Maker, Picture, PlacedPlant, Reference, SeedOf, Sketch, Stroke, StrokePoint, TextureChoice, Tool,
+    from_bytes, json, limits, textures,
 };
 use proptest::prelude::*;
 use serde_json::{Map, Value};
@@ -143,6 +143,18 @@ fn texture() -> impl Strategy<Value = TextureChoice> {
 }
 
 prop_compose! {
+    fn placed_plant()(
+        species in ".{1,12}",
+        seed in any::<u64>(),
+        age in prop::option::of(0.0_f32..200.0),
+        at in (-1e6_f32..1e6, -1e6_f32..1e6),
+        height in prop::option::of(0.01_f32..1e5),
+    ) -> PlacedPlant {
+        PlacedPlant { maker: Maker::Growth(SeedOf { species, seed, age }), foot: at.into(), height }
+    }
+}
+
+prop_compose! {
     fn sketch()(
         size in (1e-3_f32..1e6, 1e-3_f32..1e6),
         species in prop::option::of(".{0,12}"),
@@ -150,6 +162,7 @@ prop_compose! {
         params in prop::collection::btree_map(".{1,8}", param(), 0..4),
         textures in prop::collection::btree_map(prop::sample::select(&textures::PARTS[..]).prop_map(str::to_owned), texture(), 0..4),
         reference in prop::option::of(reference()),
+        plants in prop::collection::vec(placed_plant(), 0..4),
         strokes in prop::collection::btree_map(
             any::<u64>(),
             (prop::sample::select(&Tool::ALL[..]), prop::collection::vec(point(), 2..20)),
@@ -158,7 +171,7 @@ prop_compose! {
     ) -> Sketch {
         let strokes = strokes.into_iter().map(|(id, (tool, points))| Arc::new(Stroke { id, tool, points })).collect();
         let canvas = Canvas { width: size.0, height: size.1 };
-        Sketch { canvas, species, seed, params: params.into_iter().collect(), textures, reference, strokes }
+        Sketch { canvas, species, seed, params: params.into_iter().collect(), textures, reference, plants, strokes }
     }
 }
 

@@ -187,7 +187,7 @@ impl LivePlant {
             return;
         }
         // Not simply a clone: of many strokes even the list is only copied once.
-        let Sketch { canvas: size, species, seed, params, textures, reference, strokes } = sketch;
+        let Sketch { canvas: size, species, seed, params, textures, reference, plants, strokes } = sketch;
         let strokes = canvas.previewed(strokes);
         let growing = self.handed.grown(canvas.growing());
         let sketch = Sketch {
@@ -197,6 +197,7 @@ impl LivePlant {
             params: self.params_at_age(params),
             textures: textures.clone(),
             reference: reference.clone(),
+            plants: plants.clone(),
             strokes,
         };
         self.revisions.submitted += 1;

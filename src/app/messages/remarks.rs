@@ -64,6 +64,18 @@ impl Localize for Remark {
             Self::BlossomThinned { flowers } => fill(Msg::WarningBlossomThinned, &[("flowers", flowers)]),
             Self::Coarser { triangles } => fill(Msg::WarningCoarser, &[("triangles", triangles)]),
             Self::FinenessUnused => fill(Msg::WarningFineness, &[]),
+            Self::NoSuchPlant { known } => {
+                let known: Vec<String> =
+                    known.split(", ").map(|known| messages.name(Named::Species, known)).collect();
+                fill(Msg::WarningNoSuchPlant, &[("known", &known.join(", "))])
+            }
+            Self::PlantOutOfScale => fill(Msg::WarningPlantOutOfScale, &[]),
+            Self::OfPlant { place, species, remark } => {
+                let (species, remark) = (messages.name(Named::Species, species), remark.localize(messages));
+                let values: [(&str, &dyn std::fmt::Display); 3] =
+                    [("place", place), ("species", &species), ("remark", &remark)];
+                fill(Msg::WarningOfPlant, &values)
+            }
             Self::More { count } => fill(Msg::WarningMore, &[("count", count)]),
         }
     }
@@ -123,7 +135,13 @@ mod tests {
             Remark::LeavesThinned { .. } => Remark::BlossomThinned { flowers: 55 },
             Remark::BlossomThinned { .. } => Remark::Coarser { triangles: 56 },
             Remark::Coarser { .. } => Remark::FinenessUnused,
-            Remark::FinenessUnused => Remark::More { count: 49 },
+            Remark::FinenessUnused => Remark::NoSuchPlant { known: "oak".to_owned() },
+            Remark::NoSuchPlant { .. } => Remark::PlantOutOfScale,
+            Remark::PlantOutOfScale => {
+                let remark = Box::new(Remark::GrownTooLarge { years: 60 });
+                Remark::OfPlant { place: 59, species: "oak".to_owned(), remark }
+            }
+            Remark::OfPlant { .. } => Remark::More { count: 49 },
             Remark::More { .. } => return None,
         })
     }
@@ -143,6 +161,9 @@ mod tests {
                 // Files and the command line name species otherwise than the window.
                 Remark::DoesNotGrow { .. } => {
                     warning.to_string().replace("`daisy`", "`Daisy`").replace("oak", "Oak")
+                }
+                Remark::NoSuchPlant { .. } | Remark::OfPlant { .. } => {
+                    warning.to_string().replace("oak", "Oak")
                 }
                 _ => warning.to_string(),
             };

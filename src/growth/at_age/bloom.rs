@@ -11,24 +11,17 @@ use crate::random::{Choice, mix};
 use glam::Vec3;
 use rayon::prelude::*;
 
-/// Most flowers of a plant, each of which has some thirty parts.
-pub const MOST: usize = crate::budget::Budget::PLANT.flower_buds;
 /// How far the flowers of a cluster lean away from its middle, and stand from it, in lengths of a leaf.
 const APART: f32 = 0.9;
 const ASIDE: f32 = 0.35;
 
-/// The flower buds of a plant at an age, in the order of the buds; at most [`MOST`].
-pub fn buds(wood: &Wood<'_>, habit: &Habit) -> Vec<FlowerBud> {
-    at_most(MOST, wood, habit)
+/// Whether these are so many buds that others had to be left out of a plant that may have `most`.
+pub fn is_thinned(buds: &[FlowerBud], most: usize) -> bool {
+    buds.len() >= most
 }
 
-/// Whether these are so many buds that others had to be left out.
-pub fn is_thinned(buds: &[FlowerBud]) -> bool {
-    buds.len() >= MOST
-}
-
-/// The flower buds, thinned to `most` where there would be more.
-fn at_most(most: usize, wood: &Wood<'_>, habit: &Habit) -> Vec<FlowerBud> {
+/// The flower buds of a plant at an age, in the order of the buds; thinned to `most` where there would be more.
+pub fn buds(most: usize, wood: &Wood<'_>, habit: &Habit) -> Vec<FlowerBud> {
     let sites = sites(wood, habit);
     let pose = habit.leaf.at(wood.age);
     let cluster = habit.flower_cluster as usize;

@@ -7,11 +7,10 @@
 //!
 //! A leaf whose tip or middle would leave a drawn or modelled volume is shortened, or left out if that does not help.
 //!
-//! Limits: a plant has at most [`MOST`] leaves. They are counted before any is made; where there would be more, every
+//! Limits: a plant has at most as many leaves as its [`Limits`](crate::growth::Limits) say. They are counted before any is made; where there would be more, every
 //! so many-th stays, evenly over old and young wood alike, so that the crown grows thinner but nowhere bare.
 
 use super::chains::Chains;
-use crate::budget::Budget;
 use crate::geom::simple_loop;
 use crate::growth::habit::leaf::{self, LeafHabit, LeafPose};
 use crate::growth::tree::{NONE, Tree};
@@ -34,8 +33,6 @@ const SHORTER: [f32; 3] = [1.0, 0.7, 0.45];
 const HELD_AT: [f32; 2] = [1.0, 0.55];
 /// Nodes that one thread takes at a time.
 const NODES: usize = 256;
-/// Most leaves of a plant.
-pub const MOST: usize = Budget::PLANT.leaves;
 
 /// What leaves stand on.
 pub struct Wood<'a> {
@@ -59,13 +56,8 @@ pub struct Wood<'a> {
     pub envelope: &'a Envelope,
 }
 
-/// All leaves of a plant at an age, in the order of their nodes; at most [`MOST`].
-pub fn leaves(wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
-    at_most(MOST, wood, habit)
-}
-
-/// The leaves, thinned to `most` where there would be more.
-fn at_most(most: usize, wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
+/// All leaves of a plant at an age, in the order of their nodes; thinned to `most` where there would be more.
+pub fn leaves(most: usize, wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
     let pose = habit.at(wood.age);
     if pose.length <= 0.0 || (habit.per_internode == 0 && habit.at_tip == 0) {
         return Vec::new();
@@ -98,10 +90,10 @@ fn at_most(most: usize, wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
     nodes().flat_map_iter(thinned).collect()
 }
 
-/// Whether so many of these are generated leaves that others had to be left out.
-pub fn is_thinned(organs: &[Organ]) -> bool {
+/// Whether so many of these are generated leaves that others had to be left out of a plant that may have `most`.
+pub fn is_thinned(organs: &[Organ], most: usize) -> bool {
     let generated = |o: &&Organ| o.kind() == OrganKind::Leaf && !o.origin.is_drawn();
-    organs.len() >= MOST && organs.iter().filter(generated).count() >= MOST
+    organs.len() >= most && organs.iter().filter(generated).count() >= most
 }
 
 /// Years that the internode below a node has carried leaves, the year that runs counted.

@@ -72,11 +72,11 @@ fn too_many_leaves_are_thinned_evenly_over_the_whole_crown() {
     for envelope in [Envelope::Free, ball] {
         let grown = Grown::new(&habit(), envelope);
         let (wood, leaf) = (grown.wood(), &grown.simulation.habit().leaf);
-        let all = bases(&leaves(&wood, leaf));
+        let all = bases(&leaves(usize::MAX, &wood, leaf));
         assert!(all.len() > 2000, "{}", all.len());
-        assert_eq!(bases(&at_most(all.len(), &wood, leaf)), all);
+        assert_eq!(bases(&leaves(all.len(), &wood, leaf)), all);
         let most = all.len() / 3;
-        let few = at_most(most, &wood, leaf);
+        let few = leaves(most, &wood, leaf);
         assert_eq!(few.len(), most);
         let few = bases(&few);
         let mut rest = all.iter();
@@ -103,7 +103,7 @@ fn thinned_leaves_are_the_same_on_any_number_of_threads() {
     let grown = Grown::new(&habit(), Envelope::Free);
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| at_most(777, &grown.wood(), &grown.simulation.habit().leaf))
+        pool.install(|| leaves(777, &grown.wood(), &grown.simulation.habit().leaf))
     };
     assert_eq!(on(1), on(5));
 }

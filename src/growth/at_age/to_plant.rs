@@ -26,7 +26,7 @@ pub fn plant_at(simulation: &Simulation, age: f32) -> Plant {
 
 /// The same with the chains that became its branches, in their order.
 pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) {
-    let (tree, habit) = (simulation.tree(), simulation.habit());
+    let (tree, habit, limits) = (simulation.tree(), simulation.habit(), simulation.limits());
     let age = if age.is_finite() { age.clamp(0.0, f32::from(simulation.age())) } else { 0.0 };
     let WoodAtAge { chains, at, diameters, grown } = wood_at_age(tree, habit, age);
     let base = StemBase::of(tree, &chains, &diameters);
@@ -57,8 +57,8 @@ pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) 
     let plant = Plant {
         branches,
         flowers: Vec::new(),
-        organs: foliage::leaves(&wood, &habit.leaf),
-        buds: bloom::buds(&wood, habit),
+        organs: foliage::leaves(limits.leaves, &wood, &habit.leaf),
+        buds: bloom::buds(limits.flower_buds, &wood, habit),
     };
     debug_assert_eq!(plant.check_invariants(), Ok(()));
     (plant, chains)

@@ -7,6 +7,7 @@
 //! Limits: a crown counts as filled when for [`QUIET`] years hardly anything has grown, or after [`OLDEST`] years.
 
 use super::extend_into_crown;
+use crate::budget::Budget;
 use crate::growth::habit::Habit;
 use crate::growth::limits::{Limits, Outcome};
 use crate::growth::overlay::{Spot, Wanted, overlay};
@@ -40,8 +41,13 @@ pub const QUIET: u16 = 2;
 const HARDLY: f32 = 0.0006;
 
 /// What no drawing may exceed: less than a plant that grows by itself, because it is grown while it is drawn.
-pub const LIMITS: Limits =
-    Limits { internodes: 120_000, markers: 500_000, voxels: 16 << 20, steps: 2_000_000_000 };
+pub const LIMITS: Limits = Limits {
+    internodes: 120_000,
+    markers: 500_000,
+    voxels: 16 << 20,
+    steps: 2_000_000_000,
+    ..Limits::within(&Budget::PLANT)
+};
 
 /// All that decides how a drawing grows.
 #[derive(Clone, Debug, PartialEq)]

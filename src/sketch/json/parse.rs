@@ -3,6 +3,7 @@
 use super::fault;
 use super::params::GroupSeed;
 use super::picture::PicturesSeed;
+use super::plants::PlantsSeed;
 use super::point::PointsSeed;
 use super::progress::{Progress, set_once};
 use super::reference::ReferenceSeed;
@@ -41,6 +42,7 @@ enum SketchField {
     Textures,
     Reference,
     Pictures,
+    Plants,
     Strokes,
 }
 
@@ -64,7 +66,7 @@ impl<'de> Visitor<'de> for SketchSeed<'_> {
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Draft, A::Error> {
         let progress = self.0;
         let (mut format, mut version, mut canvas, mut species) = (None, None, None, None);
-        let (mut seed, mut params, mut strokes) = (None, None, None);
+        let (mut seed, mut params, mut plants, mut strokes) = (None, None, None, None);
         let (mut textures, mut reference, mut pictures) = (None, None, None);
         while let Some(field) = map.next_key()? {
             match field {
@@ -88,6 +90,9 @@ impl<'de> Visitor<'de> for SketchSeed<'_> {
                 }
                 SketchField::Textures => {
                     set_once(&mut textures, map.next_value::<BTreeMap<String, ChoiceText>>()?, "textures")?;
+                }
+                SketchField::Plants => {
+                    set_once(&mut plants, map.next_value_seed(PlantsSeed(progress))?, "plants")?
                 }
                 SketchField::Pictures => {
                     set_once(&mut pictures, map.next_value_seed(PicturesSeed(progress))?, "pictures")?;
@@ -119,6 +124,7 @@ impl<'de> Visitor<'de> for SketchSeed<'_> {
             params: params.unwrap_or_default(),
             textures,
             reference: reference.flatten().map(Arc::new),
+            plants: plants.unwrap_or_default(),
             strokes,
         })
     }

@@ -14,6 +14,8 @@ pub(super) struct Progress {
     pub(super) id: Cell<Option<StrokeId>>,
     /// The point being read, from 1; 0 outside of points.
     pub(super) point: Cell<usize>,
+    /// The plant being read, from 1; 0 outside of plants.
+    pub(super) plant: Cell<usize>,
     /// Points of all strokes before this one.
     pub(super) points_before: Cell<usize>,
     fault: RefCell<Option<Fault>>,
@@ -34,6 +36,14 @@ impl Progress {
     /// The fault that stopped the parse, if it was ours.
     pub(super) fn take_fault(&self) -> Option<Fault> {
         self.fault.take()
+    }
+
+    /// The fault, with the plant in which it is.
+    pub(super) fn in_plant(&self, fault: Fault) -> Fault {
+        match (self.plant.get(), fault) {
+            (plant @ 1.., Fault::Malformed(what)) => Fault::Malformed(format!("plant {plant}: {what}")),
+            (_, fault) => fault,
+        }
     }
 
     /// Where the parse is now.

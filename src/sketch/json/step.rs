@@ -7,6 +7,7 @@
 //! What was before is not written: whoever replays has it. Textures and a reference name their pictures by their hash.
 
 use super::parse::StrokeSeed;
+use super::plants::{self, Plants};
 use super::progress::Progress;
 use super::write::{push_placement, push_stroke};
 use crate::sketch::invariants::check_stroke;
@@ -45,12 +46,20 @@ pub(in crate::sketch) fn write(step: &Step) -> String {
         out.push('}');
     }
     out.push(']');
-    let Settings { canvas, species, seed, params, textures, reference } = &step.after;
+    let Settings { canvas, species, seed, params, textures, reference, plants } = &step.after;
     push_field(&mut out, "canvas", canvas);
     push_field(&mut out, "species", species);
     push_field(&mut out, "seed", seed);
     push_field(&mut out, "params", params);
     push_field(&mut out, "textures", &textures.as_ref().map(|textures| textures::named(textures).0));
+    if let Some(plants) = plants {
+        out.push_str(", \"plants\": [");
+        for (i, plant) in plants.iter().enumerate() {
+            out.push_str(if i == 0 { "" } else { ", " });
+            plants::push(&mut out, plant);
+        }
+        out.push(']');
+    }
     match reference {
         None => {}
         Some(None) => out.push_str(", \"reference\": null"),
@@ -81,6 +90,7 @@ struct StepText {
     seed: Option<u64>,
     params: Option<Map<String, Value>>,
     textures: Option<BTreeMap<String, ChoiceText>>,
+    plants: Option<Plants>,
     #[serde(default, deserialize_with = "given")]
     reference: Option<Option<ReferenceText>>,
 }
@@ -166,8 +176,9 @@ pub(in crate::sketch) fn replay(
             return Err("it changes a stroke that is not there".to_owned());
         }
     }
-    let StepText { canvas, species, seed, params, .. } = text;
-    Settings { canvas, species, seed, params, textures, reference }.carry_out(sketch);
+    let StepText { canvas, species, seed, params, plants, .. } = text;
+    let plants = plants.map(|plants| plants.0);
+    Settings { canvas, species, seed, params, textures, reference, plants }.carry_out(sketch);
     Ok(())
 }
 
@@ -219,7 +230,7 @@ fn found_reference(text: ReferenceText, pictures: &Pictures) -> Result<Reference
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sketch::{StrokePoint, Tool};
+    use crate::sketch::{Maker, PlacedPlant, SeedOf, StrokePoint, Tool};
 
     fn stroke(id: u64) -> Arc<Stroke> {
         let points = [[0.5, 1e-7], [3.0, -4.25]].map(|p| StrokePoint::at(p.into())).to_vec();
@@ -235,7 +246,10 @@ mod tests {
             swap(0, Some(stroke(1)), Some(stroke(9))),
             swap(2, None, Some(stroke(4))),
         ];
-        let new = Settings { seed: Some(7), species: Some(Some("a \"b\"".into())), ..Settings::default() };
+        let maker = Maker::Growth(SeedOf { species: "oak".into(), seed: u64::MAX, age: Some(0.1) });
+        let plants = vec![PlacedPlant { maker, foot: Vec2::new(-3.25, 1e6), height: Some(0.3) }];
+        let species = Some(Some("a \"b\"".into()));
+        let new = Settings { seed: Some(7), species, plants: Some(plants), ..Settings::default() };
         let (before, after) = new.against(&start);
         let step = Step { strokes, before, after };
         let mut expected = start.clone();
@@ -284,6 +298,7 @@ mod tests {
             format!(r#"{{"strokes": [{good}, {{"at": 0, "insert": {{{points}}}}}]}}"#),
             format!(r#"{{"strokes": [{good}, {{"at": 0, "insert": {{"id": 2, "points": []}}}}]}}"#),
             format!(r#"{{"strokes": [{good}, {{"at": 0, "insert": {{"id": 2, "points": [[1e9, 0]]}}}}]}}"#),
+            r#"{"plants": [{"maker": "growth", "species": "oak", "foot": [0, 1e9]}]}"#.to_owned(),
             r#"{"reference": {"center": [0, 0], "width": 1, "rotation_deg": 0, "opacity": 1, "locked": true, "visible": true, "picture": 3}}"#.to_owned(),
         ] {
             let mut sketch = start.clone();

@@ -2,7 +2,8 @@
 //!
 //! Numbers are the shortest that read back to the same bits; a stroke's points carry no more numbers than it needs.
 
-use super::{FORMAT, version_of};
+use super::number::push_number;
+use super::{FORMAT, plants, version_of};
 use crate::sketch::reference::Reference;
 use crate::sketch::textures;
 use crate::sketch::{Sketch, Stroke, StrokePoint};
@@ -27,6 +28,13 @@ pub fn write(sketch: &Sketch) -> String {
     let (choices, pictures) = textures::named(&sketch.textures);
     if !choices.is_empty() {
         out.push_str(&format!("  \"textures\": {},\n", json!(choices)));
+    }
+    for (i, plant) in sketch.plants.iter().enumerate() {
+        out.push_str(if i == 0 { "  \"plants\": [\n    " } else { ",\n    " });
+        plants::push(&mut out, plant);
+    }
+    if !sketch.plants.is_empty() {
+        out.push_str("\n  ],\n");
     }
     out.push_str("  \"strokes\": [");
     for (i, stroke) in sketch.strokes.iter().enumerate() {
@@ -98,11 +106,4 @@ fn arity(point: &StrokePoint) -> usize {
     } else {
         2
     }
-}
-
-/// Shortest decimal that reads back to `number`; whole numbers without `.0`.
-pub(in crate::sketch) fn push_number(out: &mut String, number: f32) {
-    let mut buffer = ryu::Buffer::new();
-    let text = buffer.format(number);
-    out.push_str(text.strip_suffix(".0").unwrap_or(text));
 }

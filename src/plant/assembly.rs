@@ -1,0 +1,146 @@
+//! Plants moved, scaled and put side by side.
+
+use super::{Branch, Flower, Organ, Plant, RestSurface, Shape};
+use glam::Vec3;
+
+/// Step that keeps two points apart whose difference rounding has swallowed, as a share of their distance from the origin.
+const APART: f32 = 1e-6;
+
+impl Plant {
+    /// Scales the plant about the origin and then moves it; `scale` is more than 0. Points that become one by rounding
+    /// are one afterwards.
+    pub fn scale_and_move(&mut self, scale: f32, by: Vec3) {
+        let moved = |point: Vec3| point * scale + by;
+        for branch in &mut self.branches {
+            branch.radii.iter_mut().for_each(|radius| *radius *= scale);
+            branch.points.iter_mut().for_each(|point| *point = moved(*point));
+            keep_apart(&mut branch.points, Some(&mut branch.radii));
+        }
+        for flower in &mut self.flowers {
+            flower.cone.apex = moved(flower.cone.apex);
+            flower.cone.height *= scale;
+            flower.centre_radius *= scale;
+            flower.reach *= scale;
+        }
+        for bud in &mut self.buds {
+            (bud.base, bud.u, bud.v) = (moved(bud.base), bud.u * scale, bud.v * scale);
+        }
+        for organ in &mut self.organs {
+            organ.shape.scale_and_move(scale, by);
+        }
+    }
+
+    /// Puts another plant behind this one: its branches, flowers and organs keep their order and follow those that are
+    /// there. Nothing of the
+    /// other one is drawn, for a [`Provenance`](super::Provenance) knows one drawing only.
+    pub fn append(&mut self, other: Self) {
+        let Self { branches, flowers, organs, buds } = other;
+        let (branch, flower, template) = (self.branches.len(), self.flowers.len(), self.next_template());
+        let on = |index: Option<usize>| index.map(|index| index + branch);
+        self.branches.extend(branches.into_iter().map(|b| Branch { parent: on(b.parent), ..b }));
+        self.flowers.extend(flowers.into_iter().map(|f| Flower { branch: on(f.branch), ..f }));
+        self.buds.extend(buds.into_iter().map(|b| super::FlowerBud { branch: on(b.branch), ..b }));
+        self.organs.extend(organs.into_iter().map(|mut organ| {
+            if let Shape::Blade(blade) = &mut organ.shape {
+                blade.template = blade.template.map(|number| number + template);
+            }
+            Organ { branch: on(organ.branch), flower: organ.flower.map(|f| f + flower), ..organ }
+        }));
+    }
+
+    /// The first number of a template that no blade has.
+    pub fn next_template(&self) -> u32 {
+        let used = self.organs.iter().filter_map(|organ| match &organ.shape {
+            Shape::Blade(blade) => blade.template,
+            _ => None,
+        });
+        used.max().map_or(0, |last| last + 1)
+    }
+}
+
+impl Shape {
+    /// Scales it about the origin and then moves it.
+    fn scale_and_move(&mut self, scale: f32, by: Vec3) {
+        let moved = |point: Vec3| point * scale + by;
+        match self {
+            Self::Blade(blade) => {
+                (blade.base, blade.u, blade.v) = (moved(blade.base), blade.u * scale, blade.v * scale);
+                if let RestSurface::Cone { cone, hint } = &mut blade.rest {
+                    cone.apex = moved(cone.apex);
+                    cone.height *= scale;
+                    *hint = *hint * scale + by.z;
+                }
+            }
+            Self::Dome { base, axis: _, radius, height } => {
+                (*base, *radius, *height) = (moved(*base), *radius * scale, *height * scale);
+            }
+            Self::Filament { points, radius, head } => {
+                points.iter_mut().for_each(|point| *point = moved(*point));
+                keep_apart(points, None);
+                (*radius, *head) = (*radius * scale, *head * scale);
+            }
+            Self::Lathe { base, axis: _, profile } => {
+                *base = moved(*base);
+                profile.iter_mut().for_each(|point| *point *= scale);
+            }
+        }
+    }
+}
+
+/// Takes out points that equal the one before them, with their radii; two are left at least.
+fn keep_apart(points: &mut Vec<Vec3>, radii: Option<&mut Vec<f32>>) {
+    if points.windows(2).all(|pair| pair[0] != pair[1]) {
+        return;
+    }
+    let differs = |i: usize| i == 0 || points[i] != points[i - 1];
+    let mut keep: Vec<bool> = (0..points.len()).map(differs).collect();
+    if keep.iter().filter(|keep| **keep).count() < 2 {
+        keep[1] = true;
+        points[1] = points[0] + Vec3::Y * (APART * points[0].abs().max_element()).max(f32::MIN_POSITIVE);
+    }
+    let mut kept = keep.iter();
+    points.retain(|_| *kept.next().unwrap_or(&true));
+    let mut kept = keep.iter();
+    radii.into_iter().for_each(|radii| radii.retain(|_| *kept.next().unwrap_or(&true)));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Origin, Role, WoodPart};
+    use super::*;
+
+    fn stem(points: Vec<Vec3>, parent: Option<usize>) -> Branch {
+        let (radii, level) = (vec![0.1; points.len()], u32::from(parent.is_some()));
+        Branch { origin: Origin::Generated, parent, level, points, radii, role: Role::of(WoodPart::Stem) }
+    }
+
+    fn plant(branches: Vec<Branch>) -> Plant {
+        Plant { branches, ..Plant::default() }
+    }
+
+    #[test]
+    fn branches_of_the_second_plant_stand_on_its_own_ones() {
+        let pair =
+            || plant(vec![stem(vec![Vec3::ZERO, Vec3::Y], None), stem(vec![Vec3::Y, Vec3::X], Some(0))]);
+        let mut both = pair();
+        both.append(pair());
+        assert_eq!(
+            both.branches.iter().map(|b| b.parent).collect::<Vec<_>>(),
+            [None, Some(0), None, Some(2)]
+        );
+        both.check_invariants().unwrap();
+    }
+
+    #[test]
+    fn what_rounding_swallows_leaves_a_sound_plant() {
+        let near = |k: u8| Vec3::Y * (f32::from(k) * 1e-6);
+        let far = plant(vec![stem((0..5).map(near).collect(), None), stem(vec![Vec3::ZERO, Vec3::Y], None)]);
+        for by in [Vec3::ZERO, Vec3::X * 100.0, Vec3::splat(-3e4)] {
+            let mut moved = far.clone();
+            moved.scale_and_move(0.5, by);
+            moved.check_invariants().unwrap();
+            assert_eq!(moved.branches[1].points, [by, by + Vec3::Y * 0.5]);
+            assert_eq!(moved.branches[1].radii, [0.05, 0.05]);
+        }
+    }
+}
