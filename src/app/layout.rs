@@ -51,6 +51,12 @@ impl Layout {
         self.canvas.contains(at) && (at.x - x).abs() > GRIP / 2.0
     }
 
+    /// Whether a press at this place, in points, is meant for the plant: on it, and not on the divider.
+    pub(super) fn is_plant(&self, at: Pos2) -> bool {
+        let x = if self.canvas.right() <= self.plant.left() { self.plant.left() } else { self.plant.right() };
+        self.plant.contains(at) && (at.x - x).abs() > GRIP / 2.0
+    }
+
     /// A new egui context: nothing of ours is in its memory.
     pub(super) fn forget_context(&mut self) {
         self.pixels_per_point = 1.0;

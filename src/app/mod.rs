@@ -10,6 +10,7 @@
 //! | [`paper`] | what must change on the canvas to show the drawing |
 //! | [`sheet`] | the strokes as ink, in step with the drawing |
 //! | [`plant_view`] | camera and light of the plant |
+//! | [`tool`] | what a tool of a view is; [`plant_tools`]: those of the plant |
 //! | `plant_painter` | the thread that paints it, on a graphics device of its own |
 //! | [`panels`] | bars, side panel, menus and dialogs |
 //! | `layout` | where all of these are in a frame |
@@ -38,6 +39,7 @@ pub mod paper;
 pub mod pen_settings;
 mod plant_painter;
 mod plant_texture;
+pub mod plant_tools;
 pub mod plant_view;
 mod pointers;
 pub mod presets;
@@ -45,12 +47,14 @@ mod priority;
 mod revival;
 pub mod settings;
 pub mod sheet;
+mod sides;
 mod surface;
 mod system_theme;
 pub mod tablet_keys;
 mod tablets;
 pub mod theme;
 mod thumbnail;
+pub mod tool;
 mod transfer;
 mod window;
 pub mod window_size;

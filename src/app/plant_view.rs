@@ -12,7 +12,7 @@ use crate::geom::ray::Ray;
 use crate::plant::Texture;
 use crate::render::{Background, LightParams, Look, Mode, OrbitCamera, Projection, Quality};
 use egui::{PointerButton, Response, Sense, Ui};
-use glam::{Vec2, Vec3};
+use glam::{DVec2, Vec2, Vec3};
 use std::borrow::Cow;
 use std::error::Error;
 use std::time::{Duration, Instant};
@@ -68,6 +68,9 @@ pub struct PlantView {
     aspect: f32,
     /// Height of the view in points.
     height: f32,
+    /// Its middle in the window, in points.
+    middle: egui::Pos2,
+    pixels_per_point: f64,
     bounds: Option<(Vec3, Vec3)>,
 }
 
@@ -86,6 +89,8 @@ impl Default for PlantView {
             click: None,
             aspect: 1.0,
             height: 1.0,
+            middle: egui::Pos2::ZERO,
+            pixels_per_point: 1.0,
             bounds: None,
         }
     }
@@ -106,6 +111,8 @@ impl PlantView {
         let (rect, response) = ui.allocate_exact_size(size, Sense::CLICK | Sense::DRAG);
         self.aspect = (size.x / size.y.max(1.0)).max(0.01);
         self.height = size.y.max(1.0);
+        self.middle = rect.center();
+        self.pixels_per_point = f64::from(ui.ctx().pixels_per_point());
         egui::Image::from_texture((texture, size)).paint_at(ui, rect);
         self.handle(ui, &response);
         self.step();
@@ -160,10 +167,43 @@ impl PlantView {
         }
     }
 
-    /// Turns the plant by a drag of so many points anywhere in the window.
-    pub(super) fn orbit(&mut self, by: egui::Vec2) {
+    /// Turns the plant by a drag of so many physical pixels anywhere in the window.
+    pub fn orbit(&mut self, by: DVec2) {
+        let by = self.share(by);
         self.take_hold();
-        self.camera.orbit(Vec2::new(by.x, by.y) / self.height);
+        self.camera.orbit(by);
+    }
+
+    /// Moves the plant by a drag of so many physical pixels.
+    pub fn pan(&mut self, by: DVec2) {
+        let by = self.share(by);
+        self.take_hold();
+        self.camera.pan(by);
+    }
+
+    /// A tap at a place in the window, physical pixels: a click, or with one just before the front as it was drawn.
+    pub fn tap(&mut self, at: DVec2, besides: bool) {
+        if self.click.take_if(|(_, at)| at.elapsed() < DOUBLE_CLICK).is_some() {
+            return self.show_front();
+        }
+        let middle = DVec2::new(self.middle.x.into(), self.middle.y.into()) * self.pixels_per_point;
+        self.click = Some((Click { at: self.share(at - middle), besides }, Instant::now()));
+    }
+
+    /// Physical pixels as shares of the view's height.
+    fn share(&self, px: DVec2) -> Vec2 {
+        (px / self.pixels_per_point).as_vec2() / self.height
+    }
+
+    /// Physical pixels per point.
+    pub fn pixels_per_point(&self) -> f64 {
+        self.pixels_per_point
+    }
+
+    /// Whether a click waits to become a single one.
+    #[cfg(test)]
+    pub(super) fn has_click(&self) -> bool {
+        self.click.is_some()
     }
 
     fn take_hold(&mut self) {

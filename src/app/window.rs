@@ -1,7 +1,7 @@
 //! The window: receives events of the system, hands each to its owner, and draws when there is something new.
 //!
-//! Pens, mice and fingers on the canvas go to the canvas sample by sample, everything else goes to egui. A press decides:
-//! what went down on the canvas stays the canvas's until it is lifted. Nothing is drawn that nobody asked for: an idle
+//! Pens, mice and fingers on the canvas go to the canvas sample by sample, and so do pens over the plant to its tools;
+//! everything else goes to egui. A press decides: what went down on a side stays that side's until it is lifted. Nothing is drawn that nobody asked for: an idle
 //! window sleeps until the next event, or until the moment that egui or the editor named.
 
 mod frames;
@@ -17,16 +17,16 @@ use super::ending::Ending;
 use super::panels::snapshot::Notice;
 use super::pointers::{Heard, Place, Pointers};
 use super::revival::Revival;
+use super::sides::{Side, Sides, is_pen};
 use super::theme::Palette;
 use super::transfer::{self, Arrival};
 use super::window_size;
 use crate::pen::hid::Recording;
 use crate::pen::hid::replay::Stage;
 use crate::pen::mapping::Rect;
-use crate::pen::{PenEvent, PenPhase, PenTool};
+use crate::pen::{PenEvent, PenPhase};
 use anyhow::Context as _;
 use glam::DVec2;
-use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
@@ -148,10 +148,8 @@ struct Running {
     heard: Vec<Heard>,
     editor: Editor,
     accessibility: Accessibility,
-    /// Pointers that went down on the canvas and were not lifted yet.
-    captured: BTreeSet<PointerName>,
-    /// Whether the pointer was over the canvas when last seen, so that egui is notified once that it left.
-    over_canvas: bool,
+    /// Which side of the window has which pointer.
+    sides: Sides,
     /// Where the pointer was last seen, points.
     pointer: egui::Pos2,
     /// When egui wants to be drawn again.
@@ -168,22 +166,6 @@ struct Running {
     ending: Ending,
     cursor: egui::CursorIcon,
     composition: Composition,
-}
-
-/// Tells pointers apart: fingers by their number, everything else is one pointer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum PointerName {
-    Pointer,
-    Finger(u64),
-}
-
-impl PointerName {
-    fn of(tool: PenTool) -> Self {
-        match tool {
-            PenTool::Finger(number) => Self::Finger(number),
-            PenTool::Pen | PenTool::Eraser | PenTool::Mouse => Self::Pointer,
-        }
-    }
 }
 
 impl Running {
@@ -229,8 +211,7 @@ impl Running {
             heard: Vec::new(),
             editor,
             accessibility,
-            captured: BTreeSet::new(),
-            over_canvas: false,
+            sides: Sides::default(),
             pointer: egui::Pos2::ZERO,
             repaint_at: None,
             wake_at: None,
@@ -306,13 +287,19 @@ impl Running {
         false
     }
 
-    /// Whether a place belongs to the canvas: inside it, and nothing of egui's floats above.
-    fn is_canvas(&self, at: egui::Pos2) -> bool {
-        self.editor.layout().is_canvas(at)
-            && self.egui.layer_id_at(at).is_none_or(|layer| layer.order == egui::Order::Background)
+    /// The side that a place belongs to: inside it, and nothing of egui's floats above.
+    fn side_at(&self, at: egui::Pos2) -> Option<Side> {
+        let layout = self.editor.layout();
+        let side = match (layout.is_canvas(at), layout.is_plant(at)) {
+            (true, _) => Side::Canvas,
+            (false, true) => Side::Plant,
+            (false, false) => return None,
+        };
+        let layer = self.egui.layer_id_at(at);
+        layer.is_none_or(|layer| layer.order == egui::Order::Background).then_some(side)
     }
 
-    /// Hands an event of a pointer to the canvas, sample by sample; whether it was the canvas's, or nobody's.
+    /// Hands an event of a pointer to its side, sample by sample; whether it was a side's, or nobody's.
     fn on_pointer(&mut self, event: &WindowEvent) -> bool {
         let mut heard = std::mem::take(&mut self.heard);
         let is_shadow = self.pointers.window_event(event, &mut heard);
@@ -341,7 +328,7 @@ impl Running {
         self.dispatch(heard);
     }
 
-    /// Hands events to the canvas, or to egui those that it cannot hear from winit; whether one was the canvas's.
+    /// Hands events to their sides, or to egui those that it cannot hear from winit; whether one was a side's.
     fn dispatch(&mut self, mut heard: Vec<Heard>) -> bool {
         let mut ours = false;
         for Heard { event, is_beside, origin } in heard.drain(..) {
@@ -360,45 +347,45 @@ impl Running {
         ours
     }
 
-    /// Hands a sample to the canvas if it is the canvas's; whether it was.
+    /// Hands a sample to the canvas or to the plant if it is theirs; whether it was.
     fn on_pen(&mut self, event: PenEvent) -> bool {
-        let name = PointerName::of(event.sample.tool);
         let scale = f64::from(self.input.pixels_per_point());
         let at = event.sample.position / scale;
         self.pointer = egui::pos2(at.x as f32, at.y as f32);
-        let over = self.is_canvas(self.pointer);
-        let ours = match event.phase {
-            PenPhase::Down => over && { self.captured.insert(name) },
-            PenPhase::Move => self.captured.contains(&name),
-            PenPhase::Up | PenPhase::Cancel => self.captured.remove(&name),
-            PenPhase::Enter | PenPhase::Hover => over && self.captured.is_empty(),
-            PenPhase::Leave => std::mem::take(&mut self.over_canvas),
-        };
-        if ours && event.phase == PenPhase::Down {
+        let over = self.side_at(self.pointer);
+        let side = self.sides.owner(&event, over);
+        if side.is_some() && event.phase == PenPhase::Down {
             // Keys are the canvas's again: egui does not see this press.
             self.egui.memory_mut(|memory| memory.stop_text_input());
         }
-        if ours {
-            if !std::mem::replace(&mut self.over_canvas, true) {
-                self.input.pointer_gone();
+        let is_near = is_pen(event.sample.tool) && !is_contact(event.phase);
+        match side {
+            Some(Side::Canvas) => {
+                if !self.sides.enter_canvas() {
+                    self.input.pointer_gone();
+                }
+                self.editor.pen(event);
+                if let Some(graphics) = self.graphics.get() {
+                    graphics.grow_stroke(&self.editor);
+                }
+                return true;
             }
+            Some(Side::Plant) => self.editor.plant_pen(&event),
+            None => {}
+        }
+        if is_near {
+            // A pen near a panel or the plant still keeps the palm from drawing.
             self.editor.pen(event);
-            if let Some(graphics) = self.graphics.get() {
-                graphics.grow_stroke(&self.editor);
-            }
-        } else if matches!(event.sample.tool, PenTool::Pen | PenTool::Eraser) && !is_contact(event.phase) {
-            // A pen near a panel still keeps the palm from drawing.
-            self.editor.pen(event);
-            self.over_canvas = false;
-        } else if std::mem::take(&mut self.over_canvas) {
+            self.sides.leave_canvas();
+        } else if self.sides.leave_canvas() {
             self.editor.pen(PenEvent { phase: PenPhase::Leave, ..event });
         }
-        ours
+        side.is_some()
     }
 
     /// Wheel and pinch over the canvas.
     fn on_canvas_event(&mut self, event: &WindowEvent) -> bool {
-        if !self.is_canvas(self.pointer) {
+        if self.side_at(self.pointer) != Some(Side::Canvas) {
             return false;
         }
         let scale = f64::from(self.input.pixels_per_point());

@@ -3,7 +3,8 @@
 use crate::program::{Program, field};
 use crate::screen::Screen;
 use crate::{daisy, draw_line, number, sketch_file, strokes_in};
-use penstemon::sketch::{self, Tool};
+use glam::Vec2;
+use penstemon::sketch::{self, Sketch, Stroke, StrokePoint, Tool};
 use std::process::Command;
 use tempfile::TempDir;
 
@@ -57,6 +58,25 @@ fn a_daisy_drawn_by_mouse_becomes_a_plant_and_a_file() {
     let reopened = again.built();
     assert_eq!(field(&reopened, "triangles"), field(&drawn, "triangles"));
     again.picture(&screen).keep("daisy-reopened");
+}
+
+#[test]
+fn a_click_on_the_plant_selects_the_stroke_that_drew_what_is_under_it() {
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
+    let mut drawing = Sketch::empty();
+    let points = (0..=40u8).map(|k| StrokePoint::at(Vec2::new(300.0, 20.0 + 15.0 * f32::from(k))));
+    drawing.strokes.push(Stroke { id: 7, tool: Tool::Branch, points: points.collect() }.into());
+    let file = home.path().join("stem.penstemon");
+    std::fs::write(&file, sketch::json::write(&drawing)).unwrap();
+    let mut program = Program::start(&screen, home.path(), &[file.to_str().unwrap()]);
+    program.built_of(1);
+    let [left, top, width, height] = program.area("plant");
+    screen.click([left + 0.5 * width, top + 0.5 * height]);
+    let picked = program.wait_for("picked");
+    eprintln!("{picked}");
+    assert_eq!(field(&picked, "stroke"), "7");
+    screen.hand(&["key", "Delete"]);
+    program.built_of(0);
 }
 
 /// Exports through the dialog and holds the file against the judge.

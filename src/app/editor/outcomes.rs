@@ -7,6 +7,7 @@ use crate::app::canvas::{CanvasOutcome, Drawing, Scroll};
 use crate::app::messages::Localize;
 use crate::app::panels::snapshot::{MenuOf, Notice, PartMenu};
 use crate::app::pen_settings::TabletDoubt;
+use crate::app::plant_tools::PlantTool;
 use crate::app::tablets::Reach;
 use crate::pen::{PenEvent, PenPhase};
 use crate::sketch::{Change, Tool};
@@ -22,6 +23,19 @@ impl Editor {
         if !self.hold_reference(&event) {
             self.on_canvas(|canvas, drawing, out| canvas.pen(&event, drawing, out));
         }
+    }
+
+    /// An event of a pen that went down over the plant, until it is lifted.
+    pub fn plant_pen(&mut self, event: &PenEvent) {
+        if event.phase == PenPhase::Down {
+            self.dialogs.close_part_menu();
+        }
+        self.pens.in_plant.event(event, self.canvas.is_shift_held(), &mut self.plant);
+    }
+
+    /// Takes up a tool in the view of the plant; `None` gives it back.
+    pub fn take_up_plant_tool(&mut self, tool: Option<PlantTool>) {
+        self.pens.in_plant.take_up(tool, &mut self.plant);
     }
 
     /// Sees how a pen is held, wherever it is in the window.
@@ -131,10 +145,7 @@ impl Editor {
                 };
                 self.dialogs.ask_for_part(PartMenu { of: MenuOf::Pen, tool, at: [at.x as f32, at.y as f32] });
             }
-            CanvasOutcome::Orbit(by) => {
-                let by = by / self.layout.pixels_per_point();
-                self.plant.orbit(egui::vec2(by.x as f32, by.y as f32));
-            }
+            CanvasOutcome::Orbit(by) => self.plant.orbit(by),
         }
     }
 }

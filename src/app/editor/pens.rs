@@ -3,6 +3,7 @@
 use super::reference_hold::Hold;
 use crate::app::panels::snapshot::{PenLive, PenState, PenUsed};
 use crate::app::pen_settings::{PenSettings, TabletDoubt};
+use crate::app::plant_tools::PlantHand;
 use crate::app::tablets::Reach;
 use crate::pen::mapping::Rect;
 use crate::pen::{PenEvent, PenTool};
@@ -28,6 +29,8 @@ pub(super) struct Pens {
     target: Option<Rect>,
     /// What a pointer holds of the picture under the drawing.
     pub(super) hold: Option<Hold>,
+    /// What one works with in the view of the plant.
+    pub(super) in_plant: PlantHand,
 }
 
 /// What is new about tablets.

@@ -6,15 +6,18 @@
 use super::Editor;
 use crate::app::action::Action;
 use crate::model::pick::pick;
+use std::time::Instant;
 
 impl Editor {
     /// What a single click on the plant asks for.
     pub(in crate::app) fn picked_in_plant(&mut self) -> Option<Action> {
         let click = self.plant.take_click()?;
         let ray = self.plant.ray(click.at)?;
-        let built = self.built()?;
+        let (built, begun) = (self.built()?, Instant::now());
         let picked = pick(&built.model, &built.plant, &ray)?;
+        let took_ms = begun.elapsed().as_secs_f64() * 1e3;
         let stroke = picked.element.stroke(&built.plant, &built.provenance)?;
+        tracing::debug!("picked {:?} stroke={stroke} took={took_ms:.1}ms", picked.element);
         Some(Action::SelectStroke { stroke, besides: click.besides })
     }
 }

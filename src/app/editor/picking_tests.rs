@@ -3,6 +3,8 @@
 use crate::app::action::{Action, CanvasTool};
 use crate::app::editor::{Editor, Places};
 use crate::model::pick::{Element, pick};
+use crate::pen::tests::Hand;
+use crate::pen::{PenPhase, PenTool};
 use crate::render::OrbitCamera;
 use glam::{Vec2, Vec3};
 use std::time::{Duration, Instant};
@@ -94,4 +96,38 @@ fn a_click_selects_the_stroke_and_shift_adds() {
     assert_eq!(editor.canvas.selection().ids().len(), 2);
     editor.perform(Action::SelectStroke { stroke: u64::MAX, besides: false });
     assert_eq!(editor.canvas.selection().ids().len(), 2, "no such stroke");
+}
+
+#[test]
+fn a_tap_of_a_pen_on_a_branch_picks_it_where_the_window_shows_it() {
+    let home = tempfile::tempdir().unwrap();
+    let mut editor = daisy(&home);
+    let egui = egui::Context::default();
+    let screen_rect = Some(egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1280.0, 800.0)));
+    let frame = |editor: &mut Editor| {
+        let input = egui::RawInput { screen_rect, ..egui::RawInput::default() };
+        let mut output = egui.run_ui(input, |ui| editor.ui(ui, egui::TextureId::default()));
+        output.textures_delta.clear();
+    };
+    frame(&mut editor);
+    let (area, built) = (editor.layout().plant, editor.built().unwrap().clone());
+    let element = (0..built.plant.branches.len()).map(Element::Branch).find(|element| {
+        let at = editor.plant.camera().project(middle(&editor, *element)).unwrap();
+        let ray = editor.plant.ray(at).unwrap();
+        pick(&built.model, &built.plant, &ray).is_some_and(|picked| picked.element == *element)
+    });
+    let element = element.unwrap();
+    let at = editor.plant.camera().project(middle(&editor, element)).unwrap() * area.height();
+    let position = glam::DVec2::new(f64::from(area.center().x + at.x), f64::from(area.center().y + at.y));
+    for phase in [PenPhase::Down, PenPhase::Up] {
+        let mut hand = Hand { position, ..Hand::default() };
+        editor.plant_pen(&hand.event(phase, PenTool::Pen, 0.0));
+    }
+    let stroke = element.stroke(&built.plant, &built.provenance).unwrap();
+    let begun = Instant::now();
+    while editor.canvas.selection().is_empty() {
+        assert!(begun.elapsed() < PATIENCE, "nothing is picked");
+        frame(&mut editor);
+    }
+    assert_eq!(editor.canvas.selection().ids().iter().copied().collect::<Vec<_>>(), [stroke]);
 }

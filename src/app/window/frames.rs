@@ -86,7 +86,11 @@ impl Running {
         if self.editor.take_paste_request() {
             transfer::fetch_clipboard(event_loop);
         }
-        let cursor = if self.over_canvas { self.editor.cursor() } else { output.platform_output.cursor_icon };
+        let cursor = if self.sides.is_over_canvas() {
+            self.editor.cursor()
+        } else {
+            output.platform_output.cursor_icon
+        };
         if std::mem::replace(&mut self.cursor, cursor) != cursor {
             self.window.set_cursor_visible(cursor != egui::CursorIcon::None);
             if let Some(icon) = egui_input::cursor(cursor) {
