@@ -19,7 +19,7 @@ mod petals;
 #[path = "../examples/paint_textures/picture.rs"]
 mod picture;
 
-use penstemon::species::{builtin::texture_names, builtin_texture};
+use penstemon::species::{builtin_texture, builtin_textures::texture_names};
 
 #[test]
 fn every_shipped_texture_has_a_painter() {

@@ -6,9 +6,9 @@
 //!
 //! Limits: what is left at the coarsest is not made less; the budgets of leaves, flowers and wood bound it.
 
-use super::ModelParams;
 use super::build::size_of;
 use super::flat::{self, BladeMeshParams, FlatScratch};
+use super::params::ModelParams;
 use super::solids::SolidParams;
 use super::spine::{self, SpineScratch};
 use super::tube::{self, TubeParams};

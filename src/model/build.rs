@@ -6,31 +6,18 @@
 //! Limits: a blade too small or too thin to be seen has no mesh and no part.
 
 use super::cache::{Cache, Made};
-use super::flat::BladeMeshParams;
 use super::limbs::Twig;
 use super::organs::{OrganScratch, OrganWorkshop};
+use super::params::ModelParams;
 use super::parts::{self, Limb, Plan, Source};
 use super::recipe::Recipe;
-use super::solids::SolidParams;
-use super::tube::{self, TubeParams, TubeScratch};
+use super::tube::{self, TubeScratch};
 use super::wood::{self, WoodScratch};
 use super::{Mesh, Model, Part};
 use crate::plant::{Branch, FinishedPlant, Organ, Plant};
 use glam::Vec3;
 use rayon::prelude::*;
 use std::sync::Arc;
-
-crate::parameter_groups! {
-    /// How finely a plant is modelled.
-    pub struct ModelParams {
-        /// Petals, leaves and sepals.
-        blade: BladeMeshParams;
-        /// Branches and stems.
-        tube: TubeParams;
-        /// Receptacles, fruits and pots.
-        solid: SolidParams;
-    }
-}
 
 /// Parts that one thread takes at a time: fewer are not worth waking another thread for.
 const BATCH: usize = 4;

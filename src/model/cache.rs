@@ -9,9 +9,10 @@
 //! with other parameters.
 
 use super::flat::FlatBlade;
+use super::mesh::Mesh;
+use super::params::ModelParams;
 use super::recipe::Recipe;
 use super::shapes::BladeShape;
-use super::{Mesh, ModelParams};
 use std::collections::HashMap;
 use std::sync::Arc;
 

@@ -4,7 +4,7 @@
 //! threads (`stamens_3`) apart from their heads (`anthers_3`).
 
 use super::mesh::Mesh;
-use super::parts::Piece;
+use super::piece::Piece;
 use super::solids::{Ellipsoid, SolidParams, Stand};
 use super::spine;
 use super::tube::{self, Picture, TubeLook, TubeScratch};

@@ -5,7 +5,8 @@
 //!
 //! | file | what |
 //! | --- | --- |
-//! | `parts`, `part_names` | names, parents, specimens |
+//! | `parts`, `piece`, `part_names` | which organs are one part; names, parents, specimens |
+//! | `params` | how finely a plant is modelled |
 //! | `outline`, `sections`, `interior`, `flat` | a blade in its plane, triangulated |
 //! | `relief`, `blade` | the blade bent and given thickness |
 //! | `shapes`, `copies` | blades that are copies of few shapes |
@@ -38,9 +39,11 @@ pub mod mesh;
 mod midline;
 mod organs;
 mod outline;
+mod params;
 mod part_names;
 mod parts;
 pub mod pick;
+mod piece;
 pub mod quality;
 mod recipe;
 mod relief;
@@ -56,12 +59,13 @@ mod tube;
 mod wood;
 
 pub use afford::affordable;
-pub use build::{ModelParams, build, rebuild};
+pub use build::{build, rebuild};
 pub use cache::Cache;
 pub use copies::{Copies, Placement};
 pub use flat::{BladeMeshParams, PlanarGraph, TriangulationScratch, triangulation_input};
 pub use instances::{InstanceGroup, InstancedModel, Pose};
 pub use mesh::{Mesh, Vertex};
+pub use params::ModelParams;
 pub use solids::SolidParams;
 pub use tube::TubeParams;
 

@@ -7,14 +7,16 @@
 use super::blade::{self, BladeScratch};
 use super::cache::{Cache, Template};
 use super::copies::{Copies, Placement};
+use super::filaments;
 use super::flat::{self, FlatScratch};
 use super::mesh::Mesh;
-use super::parts::Piece;
+use super::params::ModelParams;
+use super::piece::Piece;
 use super::recipe::Recipe;
 use super::shapes::{self, BladeShape, ShapesInCommon};
 use super::solids::{self, Stand};
 use super::tube::TubeScratch;
-use super::{ModelParams, filaments};
+
 use crate::plant::{Blade, Organ, Plant, Shape};
 use rayon::prelude::*;
 use std::collections::BTreeMap;

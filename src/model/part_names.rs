@@ -4,7 +4,7 @@
 //! that are parts of their own; `stamens_0` and `anthers_0` for what is gathered in a flower, `leaves`, `petals_1` for what is
 //! gathered over a plant.
 
-use super::parts::{Piece, Scope};
+use super::piece::{Piece, Scope};
 use crate::plant::{Organ, OrganKind, Shape};
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -9,10 +9,12 @@
 //! A specimen is one plant of the drawing: a trunk with all it carries and the pot it stands in, a flower without a
 //! stem. Leaves scattered about without a branch are one specimen together.
 
+use super::PartKind;
 use super::copies::Copies;
+use super::params::ModelParams;
 use super::part_names::{PartNames, numbered};
-use super::{ModelParams, PartKind};
-use crate::plant::{FinishedPlant, Organ, OrganKind, OrganPart, Plant, Role, Shape};
+use super::piece::{Piece, Scope, pieces};
+use crate::plant::{FinishedPlant, Organ, OrganKind, Plant, Shape};
 use glam::Vec3;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -24,15 +26,6 @@ pub(super) enum Source {
     Wood(Vec<Limb>),
     /// Pieces of the organs of these indices, a list for each of the part's materials.
     Organs(Vec<Vec<(usize, Piece)>>),
-}
-
-/// What of an organ goes into a part.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Piece {
-    /// A blade or a solid; the filament itself.
-    Body,
-    /// The swollen end of a filament.
-    Head,
 }
 
 /// A branch of joined wood.
@@ -72,17 +65,6 @@ impl Plan {
     }
 }
 
-/// Which organs of one kind are one part.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Scope {
-    /// Those of a specimen.
-    Specimen(usize),
-    /// Those of a flower.
-    Flower(usize),
-    /// The organ of this index alone.
-    Organ(usize),
-}
-
 /// Plans all parts of a plant, parents first.
 pub(super) fn plan(plant: &FinishedPlant, params: &ModelParams) -> Vec<Plan> {
     let specimens = Specimens::new(plant);
@@ -115,13 +97,6 @@ fn drawn_flowers(plant: &Plant) -> Vec<bool> {
         }
     }
     drawn
-}
-
-/// The pieces of an organ with their roles.
-fn pieces(organ: &Organ) -> impl Iterator<Item = (Piece, Role<OrganPart>)> {
-    let has_head = matches!(&organ.shape, Shape::Filament { head, .. } if head.min_element() > 0.0);
-    let head = has_head.then(|| (Piece::Head, organ.role.of_head()));
-    std::iter::once((Piece::Body, organ.role)).chain(head)
 }
 
 /// Parts in the making, the wood's first.

@@ -7,7 +7,7 @@
 //! its outline.
 
 use super::limbs::Twig;
-use super::parts::Piece;
+use super::piece::Piece;
 use crate::plant::{Blade, Branch, Cone, RestSurface, Shape};
 use crate::random::mix;
 use glam::{Vec2, Vec3};

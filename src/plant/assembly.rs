@@ -31,8 +31,7 @@ impl Plant {
     }
 
     /// Puts another plant behind this one: its branches, flowers and organs keep their order and follow those that are
-    /// there. Nothing of the
-    /// other one is drawn, for a [`Provenance`](super::Provenance) knows one drawing only.
+    /// there. Nothing of the other one is drawn, for a [`Provenance`](super::Provenance) knows one drawing only.
     pub fn append(&mut self, other: Self) {
         let Self { branches, flowers, organs, buds } = other;
         let (branch, flower, template) = (self.branches.len(), self.flowers.len(), self.next_template());

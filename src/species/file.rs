@@ -2,7 +2,7 @@
 //!
 //! A texture is looked for beside the species file first, then among the built-in ones.
 
-use super::builtin::{builtin_texture, texture_names};
+use super::builtin_textures::{builtin_texture, texture_names};
 use super::looks::{FlowerLook, Species};
 use super::places::Places;
 use crate::picture::{Picture, PictureError};

@@ -1,7 +1,7 @@
 //! What the drawing does not say: a species' parameters, materials, blade forms and the centres of its flowers.
 //!
 //! A [`Species`] is read from a TOML file ([`mod@file`]); those in `assets/species` are part of the program
-//! ([`builtin`]). [`apply()`] makes a [`FinishedPlant`](crate::plant::FinishedPlant) with it: every branch and organ gets its material
+//! ([`builtin`], [`builtin_textures`]). [`apply()`] makes a [`FinishedPlant`](crate::plant::FinishedPlant) with it: every branch and organ gets its material
 //! and form, and what nobody draws is added: disc, stamens, pistil, sepals, the cup behind the petals, thorns
 //! and pot. Thesis 000 names the centres of flowers among what is missing (conclusion) and has a library of materials and
 //! textures without saying how it is kept (§6.1.1); 003 §3.3 places stamens in a ring by rule. Here all of it is data.
@@ -11,6 +11,7 @@
 pub mod apply;
 pub mod blossom;
 pub mod builtin;
+pub mod builtin_textures;
 pub mod filaments;
 pub mod file;
 pub mod form;
@@ -26,6 +27,6 @@ pub mod textures;
 pub mod thorns;
 
 pub use apply::{Applied, apply, apply_within};
-pub use builtin::builtin_texture;
+pub use builtin_textures::builtin_texture;
 pub use file::SpeciesError;
 pub use looks::Species;

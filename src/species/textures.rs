@@ -8,7 +8,7 @@
 //! Drawings of the first version name a picture by its path. [`take_in`] reads such pictures into the drawing; where one
 //! is missing the part is as its species has it.
 
-use super::builtin::builtin_texture;
+use super::builtin_textures::builtin_texture;
 use crate::picture::{Picture, PictureError, decode};
 use crate::plant::{FinishedPlant, Material, OrganKind, Texture};
 use crate::sketch::species_file::own_name;

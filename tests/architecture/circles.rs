@@ -15,33 +15,6 @@ use std::collections::{BTreeMap, BTreeSet};
 const STANDING: &[(&str, &[&str])] = &[
     ("app", &["action", "canvas", "fonts", "panels", "pen_settings", "settings", "tablet_keys"]),
     ("app::canvas", &["activity", "controller"]),
-    ("formats::read", &["(parent)", "glb_container", "glb_surfaces", "gltf_accessor", "obj_surfaces"]),
-    ("formats::read", &["glb_model", "model", "obj_model"]),
-    ("formats::write", &["(parent)", "glb", "obj", "plant_json"]),
-    ("model", &["build", "cache", "filaments", "organs", "part_names", "parts", "recipe"]),
-    ("pen::hid", &["refusal", "strings", "table", "transport"]),
-    (
-        "pen::hid::families",
-        &[
-            "acepen",
-            "family",
-            "genius",
-            "keys",
-            "others",
-            "spec",
-            "uclogic",
-            "veikk",
-            "wacom_basic",
-            "wacom_finger",
-            "wacom_graphire",
-            "wacom_intuos",
-            "wacom_modern",
-            "wacom_pl",
-            "wheels",
-            "xp_pen",
-        ],
-    ),
-    ("species", &["builtin", "file"]),
 ];
 
 /// A file or folder, as the path of its module.

@@ -10,7 +10,7 @@ use crate::atomic::WriteError;
 use crate::formats::write::ExportError;
 use crate::input::Overwrites;
 use crate::params::ParamError;
-use crate::pen::hid::refusal::{INSTALL_RULES, RULES_FILE, RULES_FOLDER, Remedy};
+use crate::pen::hid::remedy::{INSTALL_RULES, RULES_FILE, RULES_FOLDER, Remedy};
 use crate::pen::hid::{ChooseError, Refusal, Refused, StringsKept, TransportError};
 use crate::picture::PictureError;
 use crate::pipeline::SetupError;

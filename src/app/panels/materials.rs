@@ -8,7 +8,7 @@ use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg, Named};
 use crate::plant::{OrganKind, Texture};
 use crate::sketch::TextureChoice;
-use crate::species::builtin::texture_names;
+use crate::species::builtin_textures::texture_names;
 use crate::species::textures::{chosen, key};
 use egui::{Id, Ui};
 

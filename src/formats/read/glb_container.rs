@@ -1,6 +1,6 @@
 //! The container of binary glTF: a header and chunks, taken apart.
 
-use super::Malformed;
+use super::error::Malformed;
 use gltf_json::Root;
 
 /// A GLB file's document and its binary buffer, empty if it has none.

@@ -6,11 +6,11 @@
 //! Limits: the first scene, or all roots where there is none; masks and blending both cut out; pictures outside the file
 //! are not read.
 
-use super::Malformed;
+use super::error::Malformed;
 use super::glb_container;
 use super::glb_surfaces::{assembled, check_nodes};
 use super::gltf_accessor::{Budget, Data};
-use super::model::{Loaded, clay, is_picture};
+use super::loaded::{Loaded, clay, is_picture};
 use crate::formats::gltf_extensions;
 use crate::model::Mesh;
 use crate::plant::{Material, Texture};

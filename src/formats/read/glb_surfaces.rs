@@ -6,9 +6,10 @@
 //!
 //! Limits: triangle lists only; points and lines are passed over, strips and fans refused.
 
+use super::error::Malformed;
 use super::glb_container;
 use super::gltf_accessor::{Budget, Data};
-use super::{Malformed, Surface};
+use super::surface::Surface;
 use crate::geom::weld::weld;
 use crate::model::quality::Attributes;
 use crate::model::{Mesh, Vertex};

@@ -5,7 +5,7 @@
 //!
 //! Limits: floats for vectors, unsigned integers for indices; sparse, compressed and outside data are refused by name.
 
-use super::Malformed;
+use super::error::Malformed;
 use gltf_json::accessor::{ComponentType, Type};
 use gltf_json::buffer::View;
 use gltf_json::validation::Checked;

@@ -6,8 +6,8 @@
 //! Limits: of an MTL file `Ka Kd Ks Ns Pr map_Kd map_d`; libraries and pictures beside the OBJ file only, which is where
 //! exporters put them.
 
-use super::Malformed;
-use super::model::{Loaded, clay, is_picture};
+use super::error::Malformed;
+use super::loaded::{Loaded, clay, is_picture};
 use super::obj_surfaces;
 use crate::formats::textures::fetch;
 use crate::model::{Mesh, Vertex};

@@ -3,7 +3,8 @@
 //! The judge wants the file's own idea of which corners are one point, across groups and materials, which is how
 //! [`obj_text`] reads it. Polygons are cut into fans.
 
-use super::{Malformed, Surface};
+use super::error::Malformed;
+use super::surface::Surface;
 use crate::model::quality::Attributes;
 use crate::model::{Mesh, Vertex};
 use crate::obj_text;

@@ -7,11 +7,14 @@
 //! Positions are relative to their part's pivot; v runs downward in glTF, so v' = 1 − v. The document is written
 //! straight into the result, its tree freed, then vertices and indices, so that no second copy of anything large is held.
 
+use super::error::ExportError;
+use super::exporter::{Encoded, Exporter, Takes};
 use super::gltf_buffer::{VERTEX_BYTES, accessor, view};
 use super::gltf_instances;
 use super::gltf_materials::push_materials;
 use super::gltf_tree::push_nodes;
-use super::{Encoded, ExportError, Exporter, Pictures, Scene, Takes};
+use super::pictures::Pictures;
+use super::scene::Scene;
 use crate::model::{Mesh, Part};
 use glam::Vec3;
 use gltf_json as json;

@@ -4,6 +4,7 @@
 //! companions such as MTL and pictures first). Same model, same bytes.
 
 pub mod error;
+pub mod exporter;
 pub mod glb;
 mod gltf_buffer;
 mod gltf_instances;
@@ -18,6 +19,7 @@ pub mod scene;
 mod tint;
 
 pub use error::ExportError;
+pub use exporter::{Encoded, Exporter, Takes};
 pub use pictures::Pictures;
 pub use scene::{InstanceForm, PlantAndProvenance, Scene};
 
@@ -29,41 +31,6 @@ use crate::model::{InstancedModel, Model};
 use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::path::{Path, PathBuf};
-
-/// An encoded model.
-#[derive(Debug)]
-pub struct Encoded {
-    /// The file itself.
-    pub bytes: Vec<u8>,
-    /// Files that it refers to, by name; they belong into the same folder.
-    pub companions: Vec<(String, Cow<'static, [u8]>)>,
-}
-
-/// What a format has words for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Takes {
-    /// The plant itself, no surfaces.
-    Plant,
-    /// Surfaces.
-    Triangles,
-    /// Surfaces, and copies of them.
-    Copies,
-}
-
-/// A file format that models are written in.
-pub trait Exporter: Sync {
-    /// The extension that chooses it, in lower case.
-    fn extension(&self) -> &'static str;
-
-    /// What of a scene it writes.
-    fn takes(&self) -> Takes;
-
-    /// The scene in this format.
-    ///
-    /// # Errors
-    /// A scene that the format cannot hold.
-    fn encode(&self, scene: &Scene<'_>) -> Result<Encoded, ExportError>;
-}
 
 /// Every format, in the order in which help lists them.
 pub const FORMATS: [&dyn Exporter; 3] = [&obj::Obj, &glb::Glb, &plant_json::PlantJson];

@@ -6,9 +6,13 @@
 //!
 //! Everything is appended to one buffer reserved beforehand: no allocation per line.
 
+use super::error::ExportError;
+use super::exporter::{Encoded, Exporter, Takes};
 use super::names::word;
+use super::pictures::Pictures;
+use super::scene::Scene;
 use super::scene::specimen_name;
-use super::{Encoded, ExportError, Exporter, Pictures, Scene, Takes, mtl, tint};
+use super::{mtl, tint};
 use crate::model::{Mesh, Part};
 
 /// Wavefront OBJ with MTL and pictures beside it.

@@ -5,7 +5,9 @@
 //! are the shortest that read back the same. World space is metres, y up; `world_from_canvas` tells how the drawing maps to it: x = (x_canvas − origin.x)·scale,
 //! y = (origin.y − y_canvas)·scale.
 
-use super::{Encoded, ExportError, Exporter, PlantAndProvenance, Scene, Takes};
+use super::error::ExportError;
+use super::exporter::{Encoded, Exporter, Takes};
+use super::scene::{PlantAndProvenance, Scene};
 use crate::plant::{Branch, Cone, FinishedPlant, Flower, Organ, OrganKind, Plant, Provenance, Shape};
 use glam::{Vec2, Vec3};
 use serde::Serialize;

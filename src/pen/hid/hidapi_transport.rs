@@ -7,7 +7,8 @@
 use super::DeviceStrings;
 use super::descriptor_items::has_report_ids;
 use super::descriptor_limits::MAX_DESCRIPTOR_BYTES;
-use super::transport::{Bus, DeviceInfo, Enumerate, Transport, TransportError};
+use super::device::{Bus, DeviceInfo};
+use super::transport::{Enumerate, Transport, TransportError};
 use super::usb_strings::StringsOnDemand;
 use hidapi::{BusType, HidApi, HidDevice, HidError};
 use std::ffi::CString;

@@ -3,8 +3,8 @@
 //! A person whose tablet is not understood sends one; tests play them. The format is told in `docs/pen-recordings.md`.
 //! Serial numbers of devices are not written: they would tell who sent it. Nor are USB strings, unless that person agrees.
 
+use super::device::DeviceInfo;
 use super::strings::{self, DeviceStrings};
-use super::transport::DeviceInfo;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 

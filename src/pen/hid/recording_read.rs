@@ -1,8 +1,8 @@
 //! Reads recordings of tablets (`docs/pen-recordings.md`), under limits that no real recording meets.
 
 use super::descriptor_limits::MAX_DESCRIPTOR_BYTES;
+use super::device::Bus;
 use super::recording::{Entry, FIRST_LINE, MAX_TEXT_BYTES, Recorded, RecordedDevice, Recording, one_line};
-use super::transport::Bus;
 use crate::input;
 use std::io::ErrorKind;
 use std::path::Path;

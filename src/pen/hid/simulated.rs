@@ -3,7 +3,8 @@
 //! Tests, replays and the soak test use them in place of the system's devices; the reader and the watcher cannot tell.
 //! A simulated device keeps its reports until they are read, so that what is lost was lost by the program.
 
-use super::transport::{Bus, DeviceInfo, Enumerate, Transport, TransportError};
+use super::device::{Bus, DeviceInfo};
+use super::transport::{Enumerate, Transport, TransportError};
 use super::{DeviceStrings, KnownStrings, StringsKept};
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};

@@ -4,7 +4,7 @@
 //! UC-Logic's tablets answer some indices with numbers ([`super::uclogic`]), so nothing is decoded before somebody asks for
 //! text. Sources: USB 2.0, section 9.6.7.
 
-use super::StringsKept;
+use super::remedy::StringsKept;
 use std::collections::BTreeMap;
 use std::io;
 

@@ -12,6 +12,7 @@
 
 mod acepen;
 mod bytes;
+mod decoders;
 mod family;
 mod genius;
 mod keys;
@@ -36,21 +37,6 @@ pub use spec::Spec;
 use super::{Decode, HidEvent, RawPen};
 use bytes::Bytes;
 
-/// Reads one report of a family without memory.
-type Read = fn(&Spec, Bytes<'_>) -> Option<HidEvent>;
-
-/// A family whose reports each say everything.
-struct Plain {
-    spec: Spec,
-    read: Read,
-}
-
-impl OneEvent for Plain {
-    fn read(&mut self, b: Bytes<'_>) -> Option<HidEvent> {
-        (self.read)(&self.spec, b)
-    }
-}
-
 /// A family whose reports say one thing each.
 trait OneEvent: Send {
     /// What a report says; `None` for one that is cut short, unknown or of no interest.
@@ -62,15 +48,6 @@ impl<Family: OneEvent> Decode for Family {
         if let Some(event) = self.read(Bytes(report)) {
             sink(event);
         }
-    }
-}
-
-/// Reports with one byte too many in front, as nodes made by Wacom's own Windows driver have them.
-struct Shifted(Box<dyn Decode>);
-
-impl Decode for Shifted {
-    fn decode(&mut self, report: &[u8], sink: &mut dyn FnMut(HidEvent)) {
-        self.0.decode(report.get(1..).unwrap_or_default(), sink);
     }
 }
 

@@ -1,7 +1,6 @@
 //! A family joined with the ranges of one tablet.
 
-use super::wheels::WithWheels;
-use super::{Bytes, Decode, Family, RawPen, Shifted};
+use super::{Bytes, Family, RawPen};
 use glam::{DVec2, Vec2};
 
 /// Raw pressure above which a pen without a tip switch counts as touching, of [`THRESHOLD_OF`] steps: what the Linux
@@ -34,13 +33,6 @@ pub struct Spec {
 }
 
 impl Spec {
-    /// A decoder with a state of its own for one open node.
-    #[must_use]
-    pub fn decoder(&self) -> Box<dyn Decode> {
-        let inner = WithWheels::around(self.family.decoder(self), self);
-        if self.shifted { Box::new(Shifted(inner)) } else { inner }
-    }
-
     /// The report speaks the protocol the tablet was woken into, or the node has no report ids.
     pub(super) fn speaks(&self, b: Bytes<'_>) -> bool {
         let id = b.u8(0);

@@ -1,9 +1,10 @@
 //! A tablet as the table lists it, and the table itself: what a device is known by, and all that is needed to use it.
 
+use crate::pen::hid::device::{Bus, DeviceInfo};
 use crate::pen::hid::families::{Family, Spec};
+use crate::pen::hid::report::Decode;
 use crate::pen::hid::uclogic::Protocol;
 use crate::pen::hid::wake::Wake;
-use crate::pen::hid::{Bus, Decode, DeviceInfo};
 use crate::pen::machine::Silence;
 use glam::DVec2;
 use regex::bytes::Regex;

@@ -5,7 +5,7 @@
 //! gives no strings. Makers whose tablets say their ranges themselves are let in with all models.
 
 use super::tablet::Table;
-use crate::pen::hid::DeviceInfo;
+use crate::pen::hid::device::DeviceInfo;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
