@@ -3,7 +3,7 @@
 //! A k-d tree whose nodes know the sum of their points: a node wholly inside the disc is counted at once. So a disc over
 //! thousands of points in one spot costs no more than one over a few, which a list of neighbours would not allow.
 //!
-//! Sums are exact: points are rounded to multiples of a [`unit`] of which a sum of a million fits into a double. So what a
+//! Sums are exact: points are rounded to multiples of a `unit` of which a sum of a million fits into a double. So what a
 //! disc holds says all about its middle, whatever other points there are and however they lie in the tree.
 
 use glam::{DVec2, Vec2};

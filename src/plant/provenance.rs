@@ -1,4 +1,4 @@
-//! Where a plant comes from: what only its drawing knows stands here, beside the [`Plant`](super::Plant).
+//! Where a plant comes from: what only its drawing knows stands here, beside the [`Plant`].
 //!
 //! A plant knows of each branch and organ no more than its [`Origin`]: whether somebody drew this very one or a rule made
 //! it. Models need that, for what was drawn is a part of its own and the rest is gathered; so do growth and species, which
