@@ -2,7 +2,7 @@
 //!
 //! A reading depends on its stroke and on the scale of the drawing, but on that only through how many samples the stroke is
 //! given and whether it is too small to mean anything. So [`Readings`] from one drawing to the next are kept by stroke,
-//! told by its address, and taken while these are as they were: most strokes of a large drawing have the fewest samples
+//! identified by its address, and taken while these are as they were: most strokes of a large drawing have the fewest samples
 //! whatever its scale.
 
 use super::{

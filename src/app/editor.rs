@@ -13,7 +13,7 @@
 //! | `live_plant` | the worker, the newest plant, growth replayed |
 //! | `pens` | the pens and tablets in use |
 //! | `dialogs` | the dialog, the menu of parts, messages |
-//! | `news` | what the window and the graphics card must hear of |
+//! | `news` | changes that the window and the graphics card have to be notified of |
 
 mod accessors;
 mod background;

@@ -1,12 +1,12 @@
 //! Which side of the window an event of a pointer belongs to: the canvas, the plant, or neither, which is egui's.
 //!
-//! A press decides: what went down on a side stays that side's until it is lifted. Pens are heard on both sides, mice and
-//! fingers over the plant by egui. What hovers over the canvas is the canvas's while nothing is held down.
+//! A press decides: what went down on a side stays that side's until it is lifted. Both sides get pens; mice and
+//! fingers over the plant go to egui. What hovers over the canvas is the canvas's while nothing is held down.
 
 use crate::pen::{PenEvent, PenPhase, PenTool};
 use std::collections::BTreeMap;
 
-/// A side of the window that hears pointers sample by sample.
+/// A side of the window that gets pointers sample by sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
     Canvas,

@@ -328,7 +328,7 @@ impl Running {
         self.dispatch(heard);
     }
 
-    /// Hands events to their sides, or to egui those that it cannot hear from winit; whether one was a side's.
+    /// Hands events to their sides, or to egui those that it does not get from winit; whether one was a side's.
     fn dispatch(&mut self, mut heard: Vec<Heard>) -> bool {
         let mut ours = false;
         for Heard { event, is_beside, origin } in heard.drain(..) {

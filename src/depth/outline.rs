@@ -15,7 +15,7 @@ crate::parameters! {
     }
 }
 
-/// A drawn blade by what it looks like in the drawing: its outline, told by its address, its root and its tip.
+/// A drawn blade by what it looks like in the drawing: its outline, identified by its address, its root and its tip.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct DrawnBlade {
     outline: Same<[Sample]>,

@@ -92,10 +92,13 @@ impl<'a> OrganWorkshop<'a> {
         // The part's own number of each shape, which has the order of the plant's.
         let mut own: BTreeMap<u32, u32> = BTreeMap::new();
         let mut placements: Vec<Placement> = Vec::new();
-        let pieces =
-            || slots.iter().zip(0..).flat_map(|(pieces, slot)| pieces.iter().map(move |p| (p.0, slot)));
-        for (organ, slot) in pieces() {
-            if let Some((shape, placement)) = self.placement(organ) {
+        let mut others: Vec<Vec<(usize, Piece)>> = vec![Vec::new(); slots.len()];
+        for ((pieces, others), slot) in slots.iter().zip(&mut others).zip(0..) {
+            for &(organ, piece) in pieces {
+                let Some((shape, placement)) = self.placement(organ) else {
+                    others.push((organ, piece));
+                    continue;
+                };
                 own.insert(shape, 0);
                 placements.push(Placement { shape, slot, ..placement });
             }
@@ -103,7 +106,7 @@ impl<'a> OrganWorkshop<'a> {
         if placements.len() < FEWEST_COPIES.max(FEWEST_OF_A_SHAPE * own.len()) {
             return None;
         }
-        slots.iter_mut().for_each(|pieces| pieces.retain(|&(organ, _)| self.placement(organ).is_none()));
+        slots.iter_mut().zip(others).for_each(|(pieces, others)| *pieces = others);
         own.values_mut().zip(0..).for_each(|(number, next)| *number = next);
         placements.iter_mut().for_each(|placement| placement.shape = own[&placement.shape]);
         let shapes = own.keys().filter_map(|&shape| self.shapes[shape as usize].as_ref());

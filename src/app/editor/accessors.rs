@@ -28,7 +28,7 @@ impl Editor {
         self.live.built()
     }
 
-    /// What the graphics card must hear of.
+    /// Changes that the graphics card has to be notified of.
     pub fn versions(&self) -> Versions {
         self.news.versions()
     }

@@ -1,6 +1,6 @@
-//! What the window and the graphics card must hear of.
+//! Changes that the window and the graphics card have to be notified of.
 
-/// What the graphics card must hear of.
+/// Changes that the graphics card has to be notified of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Versions {
     /// Strokes, their colours or their preview.

@@ -40,7 +40,7 @@ fn play(hand: &mut PlantHand, view: &mut PlantView, events: &[PenEvent], shift: 
     events.iter().for_each(|event| hand.event(event, shift, view));
 }
 
-/// Tells what it hears.
+/// Sends on every sample that it gets.
 struct Recorder(Sender<(&'static str, PenSample)>);
 
 impl Tool<PlantView> for Recorder {

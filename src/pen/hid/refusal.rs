@@ -68,7 +68,7 @@ pub enum ChooseError {
          “Pen and tablet”",
         models.first().map_or("a known tablet", String::as_str),
         models.len(),
-        reason.told()
+        reason.message()
     )]
     StringsUnread {
         /// Models that it may be, the first of the table first.

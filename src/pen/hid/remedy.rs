@@ -39,7 +39,7 @@ impl Remedy {
         }
     }
 
-    pub(super) fn told(&self) -> String {
+    pub(super) fn message(&self) -> String {
         match self {
             Self::Rules => format!(
                 "install the rule file {RULES_FILE} with the command {INSTALL_RULES}, then plug the tablet in again"
@@ -80,7 +80,7 @@ pub enum StringsKept {
 }
 
 impl StringsKept {
-    pub(super) fn told(self) -> String {
+    pub(super) fn message(self) -> String {
         match self {
             Self::Forbidden => format!(
                 "and these may not be read: install the rule file {RULES_FILE} with the command {INSTALL_RULES}, then \

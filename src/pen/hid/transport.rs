@@ -13,7 +13,7 @@ use thiserror::Error;
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum TransportError {
     /// The system keeps the device from this user.
-    #[error("{path}: no permission to read this tablet; {}", remedy.told())]
+    #[error("{path}: no permission to read this tablet; {}", remedy.message())]
     Permission {
         /// The node.
         path: String,
