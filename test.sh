@@ -7,7 +7,7 @@
 # case. --nightly fuzzes too, pictures among the readers, 60 s each.
 #
 # Installs the system packages the checks need. What cannot run on this machine is counted and named at the end, after the
-# seconds that each check took.
+# seconds and the seconds of processor time that each check took.
 set -uo pipefail
 cd "$(dirname "$0")"
 
@@ -80,9 +80,18 @@ export PENSTEMON_NOT_RUN=$work/not_run
 touch "$PENSTEMON_NOT_RUN"
 trap 'rm -rf "$work"' EXIT
 
-# judge NAME STATUS SECONDS: exit status 77 means that the check cannot run here.
+# processor PID: seconds of processor time that the ended children of a process have taken; 0 where no /proc says it.
+processor() {
+    local stat
+    stat=$(cat "/proc/$1/stat" 2>/dev/null) || { echo 0; return; }
+    # What stands behind the name, which may have spaces: the state first.
+    set -- ${stat##*) }
+    echo $(((${14} + ${15}) / 100))
+}
+
+# judge NAME STATUS SECONDS PROCESSOR_SECONDS: exit status 77 means that the check cannot run here.
 judge() {
-    times+=("$(printf '%5d s  %s' "$3" "$1")")
+    times+=("$(printf '%5d s %6d s  %s' "$3" "$4" "$1")")
     case $2 in
         0) passed+=("$1") ;;
         77) not_run+=("$1") ;;
@@ -92,13 +101,14 @@ judge() {
 
 # check NAME COMMAND…
 check() {
-    local name=$1 begin=$SECONDS status
+    local name=$1 begin=$SECONDS status before
+    before=$(processor "$$")
     shift
     echo
     echo "== $name"
     "$@"
     status=$?
-    judge "$name" "$status" "$((SECONDS - begin))"
+    judge "$name" "$status" "$((SECONDS - begin))" "$(($(processor "$$") - before))"
 }
 
 # beside NAME COMMAND…: the same at once and beside what follows, in what processor time that leaves; `join` waits for all of
@@ -110,23 +120,23 @@ beside() {
     jobs_names+=("$1")
     shift
     (
-        begin=$SECONDS
+        begin=$SECONDS here=$BASHPID
         nice -n 19 "$@" >"$file" 2>&1
-        echo "$? $((SECONDS - begin))" >"$file.status"
+        echo "$? $((SECONDS - begin)) $(processor "$here")" >"$file.status"
     ) &
     jobs+=($!)
 }
 
 join() {
-    local i status seconds
+    local i status seconds cpu
     wait "${jobs[@]}"
     jobs=()
     for i in "${!jobs_names[@]}"; do
         echo
         echo "== ${jobs_names[i]}"
         cat "$work/job_$i"
-        read -r status seconds <"$work/job_$i.status"
-        judge "${jobs_names[i]}" "$status" "$seconds"
+        read -r status seconds cpu <"$work/job_$i.status"
+        judge "${jobs_names[i]}" "$status" "$seconds" "$cpu"
     done
     jobs_names=()
 }
@@ -177,8 +187,9 @@ check "compiles for Windows and macOS" scripts/other_systems.sh "$SECONDS"
 check "licences, sources and advisories of dependencies" scripts/deny.sh "$SECONDS"
 
 echo
+echo "seconds, and seconds of processor time"
 printf '%s\n' "${times[@]}"
-printf '%5d s  together\n' "$SECONDS"
+printf '%5d s %6d s  together\n' "$SECONDS" "$(processor "$$")"
 while IFS= read -r line; do not_run+=("$line"); done < <(sort -u "$PENSTEMON_NOT_RUN")
 for name in "${not_run[@]+"${not_run[@]}"}"; do echo "not run here: $name"; done
 for name in "${failed[@]+"${failed[@]}"}"; do echo "FAILED: $name"; done
