@@ -15,6 +15,43 @@ use std::sync::Arc;
 /// Things that one thread makes at a time: fewer are not worth waking another thread for.
 const BATCH: usize = 16;
 
+/// The hash of a name that is random already: itself.
+#[derive(Debug, Default)]
+pub struct NameHasher(u64);
+
+impl Hasher for NameHasher {
+    fn finish(&self) -> u64 {
+        self.0
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        bytes.iter().for_each(|byte| self.0 = self.0.rotate_left(8) ^ u64::from(*byte));
+    }
+
+    fn write_u64(&mut self, name: u64) {
+        self.0 = name;
+    }
+}
+
+/// What two lists have in common at their beginnings and, beyond that, at their ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Window {
+    /// Length of the common beginning.
+    pub begin: usize,
+    /// Length of the common end.
+    pub end: usize,
+}
+
+impl Window {
+    /// Compares two lists.
+    pub fn between<A, B>(old: &[A], new: &[B], is_same: impl Fn(&A, &B) -> bool) -> Self {
+        let same = |(a, b): &(&A, &B)| is_same(a, b);
+        let begin = old.iter().zip(new).take_while(same).count();
+        let end = old[begin..].iter().rev().zip(new[begin..].iter().rev()).take_while(same).count();
+        Self { begin, end }
+    }
+}
+
 /// Shared data, known by its address. It is held, so that nothing else comes to lie there.
 #[derive(Debug)]
 pub struct Same<T: ?Sized>(Arc<T>);
@@ -50,23 +87,15 @@ impl<T: ?Sized> Hash for Same<T> {
     }
 }
 
-/// Things of one kind, by what they were made from.
+/// Things of one kind, by what they were made from, in the order in which the last call asked for them.
 #[derive(Debug)]
 pub struct Kept<K, V> {
-    held: HashMap<K, Held<V>>,
-    round: u64,
-}
-
-#[derive(Debug)]
-struct Held<V> {
-    thing: V,
-    /// The last call that asked for it.
-    round: u64,
+    held: Vec<(K, V)>,
 }
 
 impl<K, V> Default for Kept<K, V> {
     fn default() -> Self {
-        Self { held: HashMap::new(), round: 0 }
+        Self { held: Vec::new() }
     }
 }
 
@@ -90,23 +119,47 @@ impl<K: Eq + Hash, V: Clone + Send + Sync> Kept<K, V> {
         holds: impl Fn(&I, &V) -> bool,
         make: impl Fn(&I) -> V + Sync,
     ) -> Vec<V> {
-        self.round += 1;
-        let round = self.round;
-        let mut known = |input: &I| {
-            let held = self.held.get_mut(&key(input)).filter(|held| holds(input, &held.thing))?;
-            held.round = round;
-            Some(held.thing.clone())
+        let keys: Vec<K> = inputs.iter().map(key).collect();
+        let old = self.places_of(&keys);
+        let known = |(input, old): (&I, &Option<usize>)| {
+            let (_, thing) = &self.held[(*old)?];
+            holds(input, thing).then(|| thing.clone())
         };
-        let found: Vec<Option<V>> = inputs.iter().map(&mut known).collect();
+        let found: Vec<Option<V>> = inputs.iter().zip(&old).map(known).collect();
         let missing: Vec<&I> =
             inputs.iter().zip(&found).filter(|(_, found)| found.is_none()).map(|(input, _)| input).collect();
         let new: Vec<V> = missing.par_iter().with_min_len(BATCH).map(|input| make(input)).collect();
-        for (input, thing) in missing.into_iter().zip(&new) {
-            self.held.insert(key(input), Held { thing: thing.clone(), round });
-        }
-        self.held.retain(|_, held| held.round == round);
         let mut new = new.into_iter();
-        found.into_iter().filter_map(|found| found.or_else(|| new.next())).collect()
+        let things: Vec<V> = found.into_iter().filter_map(|found| found.or_else(|| new.next())).collect();
+        self.held = keys.into_iter().zip(things.iter().cloned()).collect();
+        things
+    }
+
+    /// For every key where it is held. Most calls ask for what the last one asked for, in the same order, so that only what
+    /// stands between the common beginning and the common end needs a search.
+    fn places_of(&self, keys: &[K]) -> Vec<Option<usize>> {
+        let Window { begin, end } = Window::between(&self.held, keys, |(held, _), key| held == key);
+        let (old, new) = (begin..self.held.len() - end, begin..keys.len() - end);
+        let shift = |place: usize| place + self.held.len() - keys.len();
+        let by_key: HashMap<&K, usize> = match new.is_empty() {
+            true => HashMap::new(),
+            false => old.map(|place| (&self.held[place].0, place)).collect(),
+        };
+        let place = |i: usize| {
+            if i < new.start {
+                Some(i)
+            } else if i < new.end {
+                by_key.get(&keys[i]).copied()
+            } else {
+                Some(shift(i))
+            }
+        };
+        (0..keys.len()).map(place).collect()
+    }
+
+    /// Forgets all things but those that are wanted, which may be changed on the way.
+    pub fn keep_only(&mut self, mut is_wanted: impl FnMut(&mut V) -> bool) {
+        self.held.retain_mut(|(_, thing)| is_wanted(thing));
     }
 
     /// How many things are kept.
@@ -141,7 +194,7 @@ mod tests {
         let mut kept = Kept::default();
         assert_eq!(squares(&mut kept, &[3, 1, 2]), (vec![9, 1, 4], 3));
         assert_eq!(squares(&mut kept, &[1, 5, 3, 1]), (vec![1, 25, 9, 1], 1));
-        assert_eq!(kept.len(), 3);
+        assert_eq!(kept.len(), 4);
         assert_eq!(squares(&mut kept, &[2]), (vec![4], 1));
         assert_eq!(squares(&mut kept, &[]), (vec![], 0));
         assert!(kept.is_empty());

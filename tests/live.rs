@@ -164,6 +164,32 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(6))]
+
+    #[test]
+    fn samples_in_a_filled_outline_give_the_plant_that_a_fresh_build_gives(
+        leaves in 60usize..400,
+        strokes in prop::collection::vec((0usize..13, -60.0f32..60.0, 2usize..40), 1..4),
+        most_twigs in 20usize..600,
+    ) {
+        let mut cache = Cache::default();
+        let mut sketch = drawings::leafy_tree(leaves);
+        sketch.params.insert("anatomy.leaf_twigs.max_twigs".into(), most_twigs.into());
+        for (which, by, points) in strokes {
+            let mut growing = Stroke::clone(&sketch.strokes[which]);
+            growing.id = 1_000_000 + points as u64;
+            growing.points.iter_mut().for_each(|point| point.position += Vec2::new(by, 0.3 * by));
+            for count in (1..=points).step_by(7) {
+                let mut drawing = sketch.clone();
+                drawing.strokes.push(Arc::new(Stroke { points: growing.points[..count].to_vec(), ..growing.clone() }));
+                assert_same(&live(&mut cache, &drawing), &fresh(&drawing));
+            }
+            sketch.strokes.push(growing.into());
+        }
+    }
+}
+
 #[test]
 fn what_does_not_change_is_the_very_same() {
     for name in ["daisy", "jasmine", "bouquet", "tree_round"] {

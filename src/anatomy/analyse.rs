@@ -4,19 +4,17 @@
 
 use super::{
     Anatomy, FlatBlade, FlatBranch, FlatCrown, Mark, Part, Stop,
-    attach::{AttachParams, Branches},
+    attach::{AttachParams, Attacher},
     blade_outline::TipParams,
-    fill_leaves::{LeafFill, LeafFillParams, Templates},
-    fill_twigs::{Growth, TwigFill, TwigParams},
-    flowers::{self, FlowerParams, Gatherer, Stem},
-    growth_points::Forest,
-    hierarchy::{self, HierarchyParams},
-    leaf_twigs::{LeafTwigParams, LeafTwigs},
+    fill_leaves::LeafFillParams,
+    fill_twigs::TwigParams,
+    flowers::{self, Drawn, FlowerParams, Gatherer, Stem},
+    hierarchy::{self, Arranged, Arranger, HierarchyParams},
+    leaf_twigs::LeafTwigParams,
+    outlines::{Fill, Outlines},
     preprocess::PreprocessParams,
-    reading::{Drawn, IgnoreParams, Reading, Readings, Rules},
+    reading::{self, IgnoreParams, Reading, Readings, Rules},
 };
-use crate::budget::Budget;
-use crate::geom::region::Region;
 use crate::sketch::warnings::Warnings;
 use crate::sketch::{Remark, Sketch, StrokeId};
 use glam::Vec2;
@@ -52,7 +50,10 @@ pub struct Cache {
     /// Everything in here was made with these.
     params: AnatomyParams,
     readings: Readings,
+    branches: Arranger,
     flowers: Gatherer,
+    places: Attacher,
+    outlines: Outlines,
 }
 
 /// Finds out what every stroke is and how the parts hang together; generates what outlines ask for.
@@ -77,7 +78,7 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
         *cache = Cache { params: params.clone(), ..Cache::default() };
     }
     let rules = Rules { preprocess: &params.preprocess, ignore: &params.ignore, tip: &params.tip };
-    let Drawn { readings, bounds } = cache.readings.read(&sketch.strokes, rules);
+    let reading::Drawn { readings, bounds } = cache.readings.read(&sketch.strokes, rules);
     let diagonal = bounds.0.distance(bounds.1);
     let mut anatomy = Anatomy { diagonal, bounds, ..Anatomy::default() };
     if stop() {
@@ -91,8 +92,12 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
     }
     let lines =
         readings.iter().filter(|r| r.part == Part::Branch).map(|r| (Some(r.id), Arc::clone(&r.samples)));
-    anatomy.branches = hierarchy::arrange(lines.collect(), diagonal, &params.hierarchy);
-    let blades = readings.iter().filter_map(|r| r.blade.clone().map(|blade| (blade, r.tool))).collect();
+    let Arranged { branches, lines } =
+        hierarchy::arrange_with(&mut cache.branches, lines.collect(), diagonal, &params.hierarchy);
+    anatomy.branches = branches;
+    let drawn =
+        |r: &Arc<Reading>| Some(Drawn { blade: r.blade.clone()?, tool: r.tool, roundness: r.roundness? });
+    let blades = readings.iter().filter_map(drawn).collect();
     let stems = stems(&anatomy.branches);
     let gathering = flowers::gather_with(&mut cache.flowers, blades, &stems, &params.flowers);
     (anatomy.petals, anatomy.flowers, anatomy.leaves) =
@@ -101,8 +106,11 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
         warnings.add(Some(heart), || Remark::Heart);
     }
     anatomy.crowns = crowns(&readings, &mut warnings);
-    attach_organs(&mut anatomy, &params.attach);
-    fill_outlines(&mut anatomy, &readings, sketch.seed, params, stop, &mut warnings);
+    let flowers = (&mut anatomy.flowers[..], &anatomy.petals[..]);
+    cache.places.attach(lines, &mut anatomy.leaves, flowers, &params.attach);
+    let AnatomyParams { twigs, leaf_twigs, leaf_fill, .. } = params;
+    let fill = Fill { readings: &readings, seed: sketch.seed, twigs, leaf_twigs, leaf_fill, stop };
+    fill.fill(&mut cache.outlines, &mut anatomy, &mut warnings);
     anatomy.warnings = warnings.into_vec();
     anatomy.marks = marks(&readings, &anatomy.petals, &gathering.hearts);
     anatomy
@@ -136,72 +144,6 @@ fn crowns(readings: &[Arc<Reading>], warnings: &mut Warnings) -> Vec<FlatCrown> 
 fn stems(branches: &[FlatBranch]) -> Vec<Stem> {
     let ends = |b: &FlatBranch| Some(Stem { foot: b.line.first()?.position, tip: b.line.last()?.position });
     branches.iter().filter(|b| b.parent.is_none()).filter_map(ends).collect()
-}
-
-fn attach_organs(anatomy: &mut Anatomy, params: &AttachParams) {
-    let branches = Branches::new(&anatomy.branches);
-    for leaf in &mut anatomy.leaves {
-        branches.attach_leaf(leaf, params);
-    }
-    for flower in &mut anatomy.flowers {
-        let longest = flower.petals.iter().map(|&p| anatomy.petals[p].axis().length()).fold(0.0, f32::max);
-        branches.attach_flower(flower, longest, params);
-    }
-}
-
-/// Fills branch outlines with twigs, then leaf outlines with leaves on all that is there by then.
-fn fill_outlines(
-    anatomy: &mut Anatomy,
-    readings: &[Arc<Reading>],
-    seed: u64,
-    params: &AnatomyParams,
-    stop: Stop,
-    warnings: &mut Warnings,
-) {
-    let diagonal = anatomy.diagonal;
-    let outlines = |part: Part| -> Vec<(StrokeId, Region)> {
-        let inside = readings.iter().filter(|r| r.part == part);
-        inside.map(|r| (r.id, Region::new(r.samples.iter().map(|s| s.position).collect()))).collect()
-    };
-    let mut forest = Forest::new(std::mem::take(&mut anatomy.branches));
-    for (outline, region) in &outlines(Part::BranchOutline) {
-        let fill = TwigFill { outline: *outline, region, diagonal, seed, params: &params.twigs, stop };
-        if let Some(remark) = shortfall(fill.fill(&mut forest)) {
-            warnings.add(Some(*outline), || remark);
-        }
-    }
-    let templates = Templates::new(&anatomy.leaves, diagonal, &params.leaf_fill);
-    let (leaf_outlines, mut room) =
-        (outlines(Part::LeafOutline), (params.leaf_fill.max_leaves as usize).min(Budget::PLANT.leaves));
-    for (i, (outline, region)) in leaf_outlines.iter().enumerate() {
-        let (outline, leaf_length) = (*outline, templates.length);
-        let twigs =
-            LeafTwigs { outline, region, leaf_length, diagonal, seed, params: &params.leaf_twigs, stop };
-        let all_twigs = twigs.grow(&mut forest);
-        let templates = &templates;
-        let fill = LeafFill { outline, region, templates, diagonal, seed, params: &params.leaf_fill, stop };
-        // What an outline leaves of its share goes to those after it.
-        let (leaves, thinned) = fill.fill(&forest, room / (leaf_outlines.len() - i));
-        room -= leaves.len();
-        anatomy.leaves.extend(leaves);
-        if thinned || !all_twigs {
-            warnings.add(Some(outline), || Remark::FilledThinly);
-        }
-    }
-    anatomy.branches = forest.into_branches();
-    if anatomy.leaves.iter().any(|leaf| leaf.copy_of.is_some()) {
-        anatomy.templates = templates.outlines;
-    }
-}
-
-/// Why an outline has fewer twigs than it asks for.
-fn shortfall(growth: Growth) -> Option<Remark> {
-    match growth {
-        Growth::Full => None,
-        Growth::Capped => Some(Remark::FewTwigs),
-        Growth::NoBranch => Some(Remark::NoBranch),
-        Growth::NoRoom => Some(Remark::NoRoom),
-    }
 }
 
 /// The verdicts in drawing order; blades that gathered to flowers are petals.

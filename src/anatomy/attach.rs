@@ -4,12 +4,14 @@
 //! petal's length away from the centre, any other place on a branch less than half of that. A leaf whose stroke began
 //! at its tip is turned round when only its tip touches a branch.
 
-use super::{Attachment, FlatBlade, FlatBranch, FlatFlower, blade_outline};
+use super::{Attachment, FlatBlade, FlatFlower, Sample, blade_outline};
 use crate::geom::{
-    polyline,
-    region::{Near, SegmentIndex},
+    line_changes::LineChanges,
+    segment_index::{Line, Near, SegmentIndex},
 };
+use crate::kept::{Kept, Same};
 use glam::Vec2;
+use std::sync::Arc;
 
 crate::parameters! {
     /// How far leaves and flowers may be from the branch they grow on.
@@ -27,34 +29,109 @@ const END_PREFERENCE: f32 = 2.5;
 /// How much nearer than its root a leaf's tip must be to a branch for the leaf to be turned round.
 const TURN_ROUND: f32 = 0.3;
 
+/// What is remembered of one drawing's leaves and flowers for the next: where they grow. Only those are looked at again near
+/// which a branch came or went.
+#[derive(Debug, Default)]
+pub struct Attacher {
+    lines: Vec<Arc<Line>>,
+    leaves: Kept<LeafKey, FlatBlade>,
+    flowers: Kept<[u32; 3], Option<Attachment>>,
+}
+
+/// A leaf by what decides where it grows: its outline, known by its address, its root and its tip.
+#[derive(Debug, PartialEq, Eq, Hash)]
+struct LeafKey {
+    outline: Same<[Sample]>,
+    ends: [u32; 4],
+}
+
+impl LeafKey {
+    fn of(leaf: &FlatBlade) -> Self {
+        let ([a, b], [c, d]) = (leaf.root.to_array(), leaf.tip.to_array());
+        Self { outline: Same::of(&leaf.outline), ends: [a, b, c, d].map(f32::to_bits) }
+    }
+}
+
+impl Attacher {
+    /// Gives leaves and flowers their places on the branches that these lines are.
+    pub fn attach(
+        &mut self,
+        lines: Vec<Arc<Line>>,
+        leaves: &mut Vec<FlatBlade>,
+        (flowers, petals): (&mut [FlatFlower], &[FlatBlade]),
+        params: &AttachParams,
+    ) {
+        let changes = LineChanges::between(&self.lines, &lines);
+        self.renumber(&changes);
+        let questions = if changes.is_everything() { 2 * leaves.len() + flowers.len() } else { 0 };
+        self.lines.clone_from(&lines);
+        let branches = Branches::new(lines, questions);
+        let is_as_it_was = |leaf: &FlatBlade, _: &FlatBlade| {
+            let farthest = farthest_of(leaf, params);
+            !changes.may_matter(leaf.root, farthest) && !changes.may_matter(leaf.tip, farthest)
+        };
+        *leaves = self.leaves.made_where(leaves, LeafKey::of, is_as_it_was, |leaf| {
+            let mut leaf = leaf.clone();
+            branches.attach_leaf(&mut leaf, params);
+            leaf
+        });
+        let reaches: Vec<(Vec2, f32)> = flowers
+            .iter()
+            .map(|flower| {
+                let lengths = flower.petals.iter().map(|&p| petals[p].axis().length());
+                (flower.center, params.flower_distance * lengths.fold(0.0, f32::max))
+            })
+            .collect();
+        let places = self.flowers.made_where(
+            &reaches,
+            |(center, reach)| [center.x, center.y, *reach].map(f32::to_bits),
+            |(center, reach), _| !changes.may_matter(*center, *reach),
+            |(center, reach)| branches.place_of_flower(*center, *reach),
+        );
+        for (flower, place) in flowers.iter_mut().zip(places) {
+            flower.attachment = place;
+        }
+    }
+
+    /// Gives branches their new numbers in what is remembered.
+    fn renumber(&mut self, changes: &LineChanges) {
+        let is_known = |attachment: &mut Option<Attachment>| {
+            let Some(place) = attachment else { return true };
+            let number = changes.new_number(place.branch);
+            place.branch = number.unwrap_or(place.branch);
+            number.is_some()
+        };
+        self.leaves.keep_only(|leaf| is_known(&mut leaf.attachment));
+        self.flowers.keep_only(is_known);
+    }
+}
+
+/// How far from its ends a leaf looks for branches: a root farther away than this is turned round wherever the tip is near
+/// enough to attach.
+fn farthest_of(leaf: &FlatBlade, params: &AttachParams) -> f32 {
+    params.leaf_distance * leaf.axis().length() / TURN_ROUND
+}
+
 /// The branches of a drawing, ready to be asked for the nearest place.
-pub struct Branches {
-    lines: Vec<Vec<Vec2>>,
-    arcs: Vec<Vec<f32>>,
+struct Branches {
+    lines: Vec<Arc<Line>>,
     index: SegmentIndex,
 }
 
 impl Branches {
-    /// Indexes the branches.
-    pub fn new(branches: &[FlatBranch]) -> Self {
-        let lines: Vec<Vec<Vec2>> =
-            branches.iter().map(|b| b.line.iter().map(|s| s.position).collect()).collect();
-        let arcs = lines.iter().map(|line| polyline::arc_lengths(line.iter().copied())).collect();
-        let index = SegmentIndex::new(lines.iter().map(Vec::as_slice));
-        Self { lines, arcs, index }
+    fn new(lines: Vec<Arc<Line>>, questions: usize) -> Self {
+        Self { index: SegmentIndex::new(lines.clone(), questions), lines }
     }
 
     fn attachment(&self, near: &Near) -> Attachment {
-        let arcs = &self.arcs[near.line];
+        let arcs = &self.lines[near.line].arcs;
         let at = arcs[near.segment] + near.share * (arcs[near.segment + 1] - arcs[near.segment]);
         Attachment { branch: near.line, at }
     }
 
     /// Gives a leaf its place; leaves it without one when no branch is near.
-    pub fn attach_leaf(&self, leaf: &mut FlatBlade, params: &AttachParams) {
-        let reach = params.leaf_distance * leaf.axis().length();
-        // A root farther away than this is turned round wherever the tip is near enough to attach.
-        let farthest = reach / TURN_ROUND;
+    fn attach_leaf(&self, leaf: &mut FlatBlade, params: &AttachParams) {
+        let (reach, farthest) = (params.leaf_distance * leaf.axis().length(), farthest_of(leaf, params));
         let (root, tip) = (self.index.nearest(leaf.root, farthest), self.index.nearest(leaf.tip, farthest));
         let distance = |near: &Option<Near>| near.map_or(f32::INFINITY, |n| n.distance);
         let tip_first = distance(&tip) < TURN_ROUND * distance(&root) && distance(&root) > 0.3 * reach;
@@ -65,21 +142,20 @@ impl Branches {
         leaf.attachment = nearest.filter(|n| n.distance <= reach).map(|n| self.attachment(&n));
     }
 
-    /// Gives a flower its place, where its petals are `reach` pixels long.
-    pub fn attach_flower(&self, flower: &mut FlatFlower, reach: f32, params: &AttachParams) {
-        let reach = params.flower_distance * reach;
-        let candidates = self.index.within(flower.center, reach);
+    /// The place of a flower whose stem is at most `reach` pixels away.
+    fn place_of_flower(&self, center: Vec2, reach: f32) -> Option<Attachment> {
+        let candidates = self.index.within(center, reach);
         let scored = candidates.iter().map(|near| {
-            let end = self.lines[near.line].last().map_or(f32::INFINITY, |p| p.distance(flower.center));
-            let length = self.arcs[near.line].last().copied().unwrap_or(0.0);
+            let line = &self.lines[near.line];
+            let end = line.points.last().map_or(f32::INFINITY, |p| p.distance(center));
             if end <= END_PREFERENCE * near.distance {
-                (end, Attachment { branch: near.line, at: length })
+                (end, Attachment { branch: near.line, at: line.length() })
             } else {
                 (END_PREFERENCE * near.distance, self.attachment(near))
             }
         });
         let best = scored.min_by(|a, b| a.0.total_cmp(&b.0));
-        flower.attachment = best.filter(|(score, _)| *score <= reach).map(|(_, place)| place);
+        best.filter(|(score, _)| *score <= reach).map(|(_, place)| place)
     }
 }
 
@@ -89,15 +165,8 @@ mod tests {
     use crate::anatomy::Sample;
 
     fn stem() -> Branches {
-        let line = (0..=10).map(|k| Sample::neutral(Vec2::new(0.0, 100.0 - 10.0 * k as f32))).collect();
-        Branches::new(&[FlatBranch {
-            stroke: Some(1),
-            key: 1,
-            line,
-            parent: None,
-            attached_at: 0.0,
-            level: 0,
-        }])
+        let line = (0..=10).map(|k| Vec2::new(0.0, 100.0 - 10.0 * k as f32));
+        Branches::new(vec![Arc::new(Line::new(line))], 1)
     }
 
     fn leaf(root: Vec2, tip: Vec2) -> FlatBlade {
@@ -132,25 +201,15 @@ mod tests {
 
     #[test]
     fn a_flower_takes_the_end_of_a_stem_that_stops_short() {
-        let mut flower = FlatFlower {
-            petals: Vec::new(),
-            center: Vec2::new(5.0, -18.0),
-            heart_radius: None,
-            attachment: None,
-        };
-        stem().attach_flower(&mut flower, 20.0, &AttachParams::default());
-        assert_eq!(flower.attachment, Some(Attachment { branch: 0, at: 100.0 }));
+        let place =
+            stem().place_of_flower(Vec2::new(5.0, -18.0), 20.0 * AttachParams::default().flower_distance);
+        assert_eq!(place, Some(Attachment { branch: 0, at: 100.0 }));
     }
 
     #[test]
     fn a_flower_in_the_middle_of_a_stem_sits_there() {
-        let mut flower = FlatFlower {
-            petals: Vec::new(),
-            center: Vec2::new(1.0, 50.0),
-            heart_radius: None,
-            attachment: None,
-        };
-        stem().attach_flower(&mut flower, 20.0, &AttachParams::default());
-        assert!((flower.attachment.unwrap().at - 50.0).abs() < 1e-3);
+        let place =
+            stem().place_of_flower(Vec2::new(1.0, 50.0), 20.0 * AttachParams::default().flower_distance);
+        assert!((place.unwrap().at - 50.0).abs() < 1e-3);
     }
 }

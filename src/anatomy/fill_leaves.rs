@@ -8,6 +8,7 @@
 use super::{
     Copy, FlatBlade, Stop,
     growth_points::{Forest, GrowthPoint, Thinned, side},
+    recall::Recall,
     vein::{self, Walk},
 };
 use crate::geom::{region::Region, simple_loop};
@@ -106,6 +107,19 @@ fn ovate_leaf(width: f32) -> Vec<Vec2> {
     right.chain(left).collect()
 }
 
+/// How a leaf is laid on its vein.
+#[derive(Clone, Copy, Debug)]
+pub struct Laid {
+    tip: Vec2,
+    /// Index of its template.
+    template: u32,
+    /// Width relative to the template's.
+    aspect: f32,
+}
+
+/// Leaves from one drawing to the next, all grown in the same outline and in the same way; nothing where there is no room.
+pub type Leaves = Recall<Option<Laid>>;
+
 /// One leaf outline to fill.
 pub struct LeafFill<'a> {
     /// The outline's stroke.
@@ -126,7 +140,7 @@ pub struct LeafFill<'a> {
 
 impl LeafFill<'_> {
     /// At most `limit` leaves, in the order of their places on the branches, and whether the limit thinned them.
-    pub fn fill(&self, forest: &Forest, limit: usize) -> (Vec<FlatBlade>, bool) {
+    pub fn fill(&self, forest: &Forest, limit: usize, known: &mut Leaves) -> (Vec<FlatBlade>, bool) {
         let spacing = (self.params.spacing * self.templates.length).max(1e-3 * self.diagonal);
         let mut points = Thinned::new(limit);
         let all = 0..forest.branches().len();
@@ -134,12 +148,38 @@ impl LeafFill<'_> {
         if points.is_empty() {
             strewn(self.region, self.outline, 2.0 * spacing).for_each(|point| points.add(point));
         }
-        let leaf = |point: &GrowthPoint| if (self.stop)() { None } else { self.leaf(point) };
-        (points.kept().par_iter().with_min_len(32).filter_map(leaf).collect(), points.is_thinned())
+        let leaf = |(point, laid): (&GrowthPoint, Option<Laid>)| {
+            let Laid { tip, template, aspect } = laid?;
+            Some(FlatBlade {
+                stroke: None,
+                outline: Arc::default(),
+                root: point.position,
+                tip,
+                copy_of: Some(Copy { template, aspect, key: point.key }),
+                attachment: point.attachment,
+            })
+        };
+        let laid = self.all_laid(points.kept(), known);
+        (points.kept().iter().zip(laid).filter_map(leaf).collect(), points.is_thinned())
     }
 
-    /// The leaf of one growth point, `None` when there is no room for it.
-    fn leaf(&self, point: &GrowthPoint) -> Option<FlatBlade> {
+    /// How leaves are laid at growth points; nothing where there is no room, or once it stops.
+    fn all_laid(&self, points: &[GrowthPoint], known: &mut Leaves) -> Vec<Option<Laid>> {
+        let taken: Vec<Option<Option<Laid>>> =
+            points.iter().map(|point| known.get(point, |_| true).copied()).collect();
+        let missing: Vec<&GrowthPoint> =
+            points.iter().zip(&taken).filter(|(_, taken)| taken.is_none()).map(|(point, _)| point).collect();
+        let lay = |point: &&GrowthPoint| (!(self.stop)()).then(|| self.laid(point));
+        let new: Vec<Option<Option<Laid>>> = missing.par_iter().with_min_len(32).map(lay).collect();
+        for (point, laid) in missing.iter().zip(&new) {
+            laid.iter().for_each(|laid| known.keep(point, *laid));
+        }
+        let mut new = new.into_iter();
+        taken.into_iter().map(|taken| taken.or_else(|| new.next().flatten()).flatten()).collect()
+    }
+
+    /// How a leaf is laid at one growth point, `None` when there is no room for it.
+    fn laid(&self, point: &GrowthPoint) -> Option<Laid> {
         let params = self.params;
         let mut rng = stream(self.seed, "leaf", point.key);
         let first = point.heading(params.departure, params.scatter, &mut rng);
@@ -156,14 +196,8 @@ impl LeafFill<'_> {
         let tip = *places.last()?;
         let template = rng.random_range(0..self.templates.outlines.len() as u32);
         let aspect = 1.0 + ASPECT_VARIATION * rng.random_range(-1.0..1.0f32);
-        (tip.distance(point.position) >= SHORTEST * self.templates.length).then_some(FlatBlade {
-            stroke: None,
-            outline: Arc::default(),
-            root: point.position,
-            tip,
-            copy_of: Some(Copy { template, aspect, key: point.key }),
-            attachment: point.attachment,
-        })
+        let is_long_enough = tip.distance(point.position) >= SHORTEST * self.templates.length;
+        is_long_enough.then_some(Laid { tip, template, aspect })
     }
 }
 
@@ -214,7 +248,7 @@ mod tests {
             params,
             stop: &|| false,
         };
-        fill.fill(&Forest::new(branches.to_vec()), 1000).0
+        fill.fill(&Forest::new(branches.to_vec()), 1000, &mut Leaves::default()).0
     }
 
     #[test]

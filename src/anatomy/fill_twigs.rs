@@ -5,8 +5,9 @@
 //! twig knows the branch and the place it grew from, which is the same forest without guessing.
 
 use super::{
-    Stop,
+    Sample, Stop,
     growth_points::{Forest, GrowthPoint, Thinned},
+    recall::Recall,
     vein::{self, Walk},
 };
 use crate::geom::region::Region;
@@ -15,6 +16,7 @@ use crate::sketch::StrokeId;
 use glam::Vec2;
 use rand::RngExt;
 use rayon::prelude::*;
+use std::sync::Arc;
 
 crate::parameters! {
     /// How branch outlines are filled with twigs.
@@ -59,6 +61,9 @@ pub enum Growth {
     NoRoom,
 }
 
+/// The lines of twigs from one drawing to the next, all grown in the same outline and in the same way.
+pub type Twigs = Recall<Arc<[Sample]>>;
+
 /// One branch outline to fill.
 pub struct TwigFill<'a> {
     /// The outline's stroke.
@@ -77,7 +82,7 @@ pub struct TwigFill<'a> {
 
 impl TwigFill<'_> {
     /// Adds twigs to the forest; they stand after the branches they grow on.
-    pub fn fill(&self, forest: &mut Forest) -> Growth {
+    pub fn fill(&self, forest: &mut Forest, known: &mut Twigs) -> Growth {
         let before = forest.generated();
         let (mut thinned, mut sprouts) = (false, false);
         let mut parents = 0..forest.branches().len();
@@ -89,12 +94,11 @@ impl TwigFill<'_> {
             forest.growth_points(parents, (self.outline, self.region), spacing, &mut points);
             sprouts |= !points.is_empty();
             thinned |= points.is_thinned();
-            let grow =
-                |point: &GrowthPoint| if (self.stop)() { Vec::new() } else { self.twig(point, shrink) };
-            let twigs: Vec<Vec<Vec2>> = points.kept().par_iter().map(grow).collect();
             let first_new = forest.branches().len();
-            for (point, places) in points.kept().iter().zip(twigs).filter(|(_, places)| places.len() >= 3) {
-                forest.sprout(point, places);
+            for (point, line) in points.kept().iter().zip(self.twigs(points.kept(), shrink, known)) {
+                if line.len() >= 3 {
+                    forest.sprout(point, line);
+                }
             }
             parents = first_new..forest.branches().len();
         }
@@ -104,6 +108,24 @@ impl TwigFill<'_> {
             _ if forest.generated() == before => Growth::NoRoom,
             _ => Growth::Full,
         }
+    }
+
+    /// The lines of the twigs of growth points of one generation; nothing for those that do not grow any more.
+    fn twigs(&self, points: &[GrowthPoint], shrink: f32, known: &mut Twigs) -> Vec<Arc<[Sample]>> {
+        let taken: Vec<Option<Arc<[Sample]>>> =
+            points.iter().map(|point| known.get(point, |_| true).cloned()).collect();
+        let missing: Vec<&GrowthPoint> =
+            points.iter().zip(&taken).filter(|(_, taken)| taken.is_none()).map(|(point, _)| point).collect();
+        let grow = |point: &&GrowthPoint| {
+            let places = || self.twig(point, shrink).into_iter().map(Sample::neutral).collect();
+            (!(self.stop)()).then(places)
+        };
+        let new: Vec<Option<Arc<[Sample]>>> = missing.par_iter().map(grow).collect();
+        for (point, line) in missing.iter().zip(&new) {
+            line.iter().for_each(|line| known.keep(point, Arc::clone(line)));
+        }
+        let mut new = new.into_iter();
+        taken.into_iter().map(|taken| taken.or_else(|| new.next().flatten()).unwrap_or_default()).collect()
     }
 
     /// Most steps of a twig of full vigour.
@@ -132,7 +154,7 @@ impl TwigFill<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::anatomy::{FlatBranch, Sample};
+    use crate::anatomy::FlatBranch;
 
     fn trunk() -> Vec<FlatBranch> {
         let line = (0..=40).map(|k| Sample::neutral(Vec2::new(0.0, 400.0 - 10.0 * k as f32))).collect();
@@ -147,7 +169,7 @@ mod tests {
     fn grown(seed: u64, params: &TwigParams) -> Vec<FlatBranch> {
         let mut forest = Forest::new(trunk());
         TwigFill { outline: 9, region: &crown(), diagonal: 600.0, seed, params, stop: &|| false }
-            .fill(&mut forest);
+            .fill(&mut forest, &mut Twigs::default());
         forest.into_branches()
     }
 

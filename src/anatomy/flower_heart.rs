@@ -15,16 +15,38 @@ const OFF_CENTER: f32 = 0.3;
 /// Least share of the circle over its extent that a heart fills.
 const ROUND: f32 = 0.6;
 
-/// Whether a blade is a circle around `center` instead of reaching away from it.
-pub fn is_heart(blade: &FlatBlade, center: Vec2) -> bool {
-    let middle = centroid(blade);
-    let extent = 2.0 * blade.outline.iter().map(|s| s.position.distance(middle)).fold(0.0, f32::max);
-    let around_center = middle.distance(center) < OFF_CENTER * extent;
-    around_center && radius(blade).powi(2) > ROUND * (0.5 * extent).powi(2)
+/// How near a blade's outline is to a circle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Roundness {
+    /// Its centre of area.
+    middle: Vec2,
+    /// The largest circle around that, across.
+    extent: f32,
+    /// Radius of the circle with its area, pixels.
+    radius: f32,
 }
 
-/// Radius of the circle with the blade's area, pixels.
-pub fn radius(blade: &FlatBlade) -> f32 {
+impl Roundness {
+    /// That of a blade.
+    pub fn of(blade: &FlatBlade) -> Self {
+        let middle = centroid(blade);
+        let extent = 2.0 * blade.outline.iter().map(|s| s.position.distance(middle)).fold(0.0, f32::max);
+        Self { middle, extent, radius: radius(blade) }
+    }
+
+    /// Whether the blade is a circle around `center` instead of reaching away from it.
+    pub fn is_heart(&self, center: Vec2) -> bool {
+        let around_center = self.middle.distance(center) < OFF_CENTER * self.extent;
+        around_center && self.radius.powi(2) > ROUND * (0.5 * self.extent).powi(2)
+    }
+
+    /// Radius of the circle with the blade's area, pixels.
+    pub fn radius(&self) -> f32 {
+        self.radius
+    }
+}
+
+fn radius(blade: &FlatBlade) -> f32 {
     (simple_loop::signed_area(blade.outline.iter().map(|s| s.position)).abs() / std::f32::consts::PI).sqrt()
 }
 
@@ -62,13 +84,13 @@ mod tests {
     #[test]
     fn a_circle_around_the_centre_is_a_heart() {
         let circle = ellipse(Vec2::new(3.0, -2.0), Vec2::splat(20.0));
-        assert!(is_heart(&circle, Vec2::ZERO));
-        assert!((radius(&circle) - 20.0).abs() < 0.2);
+        assert!(Roundness::of(&circle).is_heart(Vec2::ZERO));
+        assert!((Roundness::of(&circle).radius() - 20.0).abs() < 0.2);
     }
 
     #[test]
     fn a_petal_that_starts_at_the_centre_is_none() {
         let petal = ellipse(Vec2::new(-50.0, 0.0), Vec2::new(50.0, 20.0));
-        assert!(!is_heart(&petal, Vec2::ZERO));
+        assert!(!Roundness::of(&petal).is_heart(Vec2::ZERO));
     }
 }

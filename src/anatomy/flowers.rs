@@ -16,7 +16,7 @@
 //! From one drawing to the next it is remembered where roots gather ([`Gatherer`]): only roots near a blade that came or
 //! went are looked at again.
 
-use super::{FlatBlade, FlatFlower, flower_heart};
+use super::{FlatBlade, FlatFlower, flower_heart::Roundness};
 use crate::geom::mean_shift::{self, Climbs};
 use crate::sketch::{StrokeId, Tool};
 use glam::Vec2;
@@ -54,7 +54,16 @@ pub struct Gathering {
     pub hearts: Vec<StrokeId>,
 }
 
-type Drawn = (FlatBlade, Tool);
+/// A blade on its way into a flower.
+#[derive(Clone, Debug)]
+pub struct Drawn {
+    /// The blade.
+    pub blade: FlatBlade,
+    /// The tool of its stroke.
+    pub tool: Tool,
+    /// How round it is.
+    pub roundness: Roundness,
+}
 
 /// A stem that stands by itself: where it begins, and where it ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,8 +90,9 @@ struct Divider {
 }
 
 /// Sorts blades, each with the tool of its stroke, into flowers and leaves.
-pub fn gather(blades: Vec<Drawn>, stems: &[Stem], params: &FlowerParams) -> Gathering {
-    gather_with(&mut Gatherer::default(), blades, stems, params)
+pub fn gather(blades: Vec<(FlatBlade, Tool)>, stems: &[Stem], params: &FlowerParams) -> Gathering {
+    let drawn = |(blade, tool): (FlatBlade, Tool)| Drawn { roundness: Roundness::of(&blade), blade, tool };
+    gather_with(&mut Gatherer::default(), blades.into_iter().map(drawn).collect(), stems, params)
 }
 
 /// The very gathering that [`gather`] gives, again and again while a drawing changes.
@@ -94,7 +104,7 @@ pub fn gather_with(
 ) -> Gathering {
     let stems = &Stems::new(stems);
     let (drawn_leaves, candidates): (Vec<_>, Vec<_>) =
-        blades.into_iter().partition(|(_, tool)| *tool == Tool::Leaf);
+        blades.into_iter().partition(|drawn| drawn.tool == Tool::Leaf);
     let mut out = Gathering::default();
     let (flowers, mut no_flower) = divide(&mut known.any, candidates, stems, params);
     flowers.into_iter().for_each(|cluster| out.add_flower(cluster));
@@ -106,17 +116,17 @@ pub fn gather_with(
         let (flowers, rest) = divide(&mut known.with_leaves, no_flower, stems, params);
         no_flower = rest;
         for cluster in flowers {
-            let (leaves, petals) = cluster.into_iter().partition(|(_, tool)| *tool == Tool::Leaf);
+            let (leaves, petals) = cluster.into_iter().partition(|drawn| drawn.tool == Tool::Leaf);
             no_flower.extend::<Vec<Drawn>>(leaves);
             out.add_flower(petals);
         }
     }
     // The artist's word counts here, and for these blades alone.
     let (drawn_petals, leaves): (Vec<_>, Vec<_>) =
-        no_flower.into_iter().partition(|(_, tool)| *tool == Tool::Petal);
+        no_flower.into_iter().partition(|drawn| drawn.tool == Tool::Petal);
     let drawn_petals = clusters(&mut known.petals, drawn_petals, params.bandwidth);
     drawn_petals.into_iter().for_each(|cluster| out.add_flower(cluster));
-    out.leaves.extend(leaves.into_iter().map(|(b, _)| b));
+    out.leaves.extend(leaves.into_iter().map(|drawn| drawn.blade));
     out.leaves.sort_by_key(|leaf| leaf.stroke);
     out
 }
@@ -151,8 +161,8 @@ fn divide(
 
 /// Blades by the place where their roots gather.
 fn clusters(known: &mut Climbs, blades: Vec<Drawn>, bandwidth: f32) -> Vec<Vec<Drawn>> {
-    let roots: Vec<Vec2> = blades.iter().map(|(b, _)| b.root).collect();
-    let reach: Vec<f32> = blades.iter().map(|(b, _)| bandwidth * b.axis().length()).collect();
+    let roots: Vec<Vec2> = blades.iter().map(|drawn| drawn.blade.root).collect();
+    let reach: Vec<f32> = blades.iter().map(|drawn| bandwidth * drawn.blade.axis().length()).collect();
     let labels = mean_shift::cluster_with(known, &roots, &reach, MERGE);
     let mut members = vec![Vec::new(); labels.iter().max().map_or(0, |m| m + 1)];
     for (blade, label) in blades.into_iter().zip(labels) {
@@ -162,7 +172,7 @@ fn clusters(known: &mut Climbs, blades: Vec<Drawn>, bandwidth: f32) -> Vec<Vec<D
 }
 
 fn center_of(blades: &[Drawn]) -> Vec2 {
-    blades.iter().map(|(b, _)| b.root).sum::<Vec2>() / blades.len().max(1) as f32
+    blades.iter().map(|drawn| drawn.blade.root).sum::<Vec2>() / blades.len().max(1) as f32
 }
 
 /// Stems from left to right by their feet, so that those near a place are found without a look at all.
@@ -188,7 +198,7 @@ impl Stems {
 /// Whether blades gather at the foot of a stem.
 fn is_rosette(blades: &[Drawn], stems: &Stems, bandwidth: f32) -> bool {
     let center = center_of(blades);
-    let lengths: f32 = blades.iter().map(|(b, _)| b.axis().length()).sum();
+    let lengths: f32 = blades.iter().map(|drawn| drawn.blade.axis().length()).sum();
     let reach = bandwidth * lengths / blades.len().max(1) as f32;
     let at_foot = |stem: &Stem| {
         let away = stem.foot.distance(center);
@@ -201,7 +211,7 @@ fn is_rosette(blades: &[Drawn], stems: &Stems, bandwidth: f32) -> bool {
 fn is_open_flower(blades: &[Drawn], widest_gap: f32) -> bool {
     let center = center_of(blades);
     let petals: Vec<&FlatBlade> =
-        blades.iter().map(|(b, _)| b).filter(|b| !flower_heart::is_heart(b, center)).collect();
+        blades.iter().filter(|drawn| !drawn.roundness.is_heart(center)).map(|drawn| &drawn.blade).collect();
     let outward = |b: &&FlatBlade| {
         let out = (b.tip - center).normalize_or_zero();
         b.axis().normalize_or_zero().dot(out) > 0.7 && b.root.distance(center) < 0.6 * b.tip.distance(center)
@@ -219,17 +229,17 @@ fn is_open_flower(blades: &[Drawn], widest_gap: f32) -> bool {
 impl Gathering {
     fn add_flower(&mut self, blades: Vec<Drawn>) {
         let center = center_of(&blades);
-        let is_heart = |(blade, tool): &Drawn| *tool == Tool::Auto && flower_heart::is_heart(blade, center);
+        let is_heart = |drawn: &Drawn| drawn.tool == Tool::Auto && drawn.roundness.is_heart(center);
         let (hearts, petals): (Vec<Drawn>, Vec<Drawn>) = blades.into_iter().partition(is_heart);
         if petals.is_empty() {
-            self.leaves.extend(hearts.into_iter().map(|(b, _)| b));
+            self.leaves.extend(hearts.into_iter().map(|drawn| drawn.blade));
             return;
         }
         let center = center_of(&petals);
-        let heart_radius = hearts.iter().map(|(b, _)| flower_heart::radius(b)).reduce(f32::max);
-        self.hearts.extend(hearts.iter().filter_map(|(b, _)| b.stroke));
+        let heart_radius = hearts.iter().map(|drawn| drawn.roundness.radius()).reduce(f32::max);
+        self.hearts.extend(hearts.iter().filter_map(|drawn| drawn.blade.stroke));
         let first = self.petals.len();
-        self.petals.extend(petals.into_iter().map(|(b, _)| b));
+        self.petals.extend(petals.into_iter().map(|drawn| drawn.blade));
         let petals = (first..self.petals.len()).collect();
         self.flowers.push(FlatFlower { petals, center, heart_radius, attachment: None });
     }

@@ -10,6 +10,7 @@ use glam::Vec2;
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// A place from which something grows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,13 +88,13 @@ impl Forest {
         })
     }
 
-    /// Adds the twig that grew along `places` from a point on a branch; a point without a branch gives none.
-    pub fn sprout(&mut self, point: &GrowthPoint, places: Vec<Vec2>) {
+    /// Adds the twig that grew along a line from a point on a branch; a point without a branch gives none.
+    pub fn sprout(&mut self, point: &GrowthPoint, line: Arc<[Sample]>) {
         let Some(Attachment { branch, at }) = point.attachment else { return };
         let twig = FlatBranch {
             stroke: None,
             key: point.key,
-            line: places.into_iter().map(Sample::neutral).collect(),
+            line,
             parent: Some(branch),
             attached_at: at,
             level: self.branches[branch].level + 1,

@@ -11,9 +11,10 @@
 
 use super::{FlatBranch, Sample};
 use crate::geom::{
-    polyline,
-    region::{Near, SegmentIndex},
+    line_changes::LineChanges,
+    segment_index::{Line, Near, SegmentIndex},
 };
+use crate::kept::{Kept, Same};
 use crate::sketch::StrokeId;
 use glam::Vec2;
 use rayon::prelude::*;
@@ -41,7 +42,7 @@ const MOST_TOUCHES: usize = 16;
 const LEVEL_SHARE: f32 = 0.1;
 
 /// A place where an end of one branch touches another branch.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Touch {
     place: Near,
     /// Whether it is the last sample that touches, not the first.
@@ -49,9 +50,33 @@ struct Touch {
 }
 
 /// All places where a branch touches others, nearest first; the first `close` of them are as good as the nearest.
+#[derive(Debug, Default)]
 struct Touches {
     all: Vec<Touch>,
     close: usize,
+}
+
+/// Branches with the lines that were measured on the way.
+#[derive(Debug, Default)]
+pub struct Arranged {
+    /// Parents before children, level by level.
+    pub branches: Vec<FlatBranch>,
+    /// The line of each.
+    pub lines: Vec<Arc<Line>>,
+}
+
+/// Lines that begin at their other ends, by the lines as they were drawn.
+type Turned = Kept<Same<[Sample]>, (Arc<[Sample]>, Arc<Line>)>;
+
+/// What is remembered of one drawing's branches for the next: where the ends of each touch others. Only those are looked for
+/// again near which a branch came or went.
+#[derive(Debug, Default)]
+pub struct Arranger {
+    measured: Kept<Same<[Sample]>, Arc<Line>>,
+    turned: Turned,
+    diagonal: f32,
+    lines: Vec<Arc<Line>>,
+    touches: Vec<Touches>,
 }
 
 /// Arranges lines into a forest of branches, parents before children, level by level.
@@ -60,45 +85,84 @@ pub fn arrange(
     diagonal: f32,
     params: &HierarchyParams,
 ) -> Vec<FlatBranch> {
-    let flat: Vec<Vec<Vec2>> =
-        lines.iter().map(|(_, line)| line.iter().map(|s| s.position).collect()).collect();
-    let lengths: Vec<f32> = flat.iter().map(|line| polyline::length(line)).collect();
-    let touches = find_touches(&flat, &lengths, diagonal, params);
+    arrange_with(&mut Arranger::default(), lines, diagonal, params).branches
+}
+
+/// The very forest that [`arrange`] gives, again and again while a drawing changes.
+pub fn arrange_with(
+    known: &mut Arranger,
+    lines: Vec<(Option<StrokeId>, Arc<[Sample]>)>,
+    diagonal: f32,
+    params: &HierarchyParams,
+) -> Arranged {
+    let line_of =
+        |(_, samples): &(_, Arc<[Sample]>)| Arc::new(Line::new(samples.iter().map(|s: &Sample| s.position)));
+    let flat = known.measured.made(&lines, |(_, samples)| Same::of(samples), line_of);
+    known.find_touches(&flat, diagonal, params);
     let mut touched_by = vec![Vec::new(); lines.len()];
-    for (child, touches) in touches.iter().enumerate() {
+    for (child, touches) in known.touches.iter().enumerate() {
         for touch in &touches.all {
             touched_by[touch.place.line].push(child);
         }
     }
 
+    let lengths: Vec<f32> = flat.iter().map(|line| line.length()).collect();
     let mut longest_first: Vec<usize> = (0..lines.len()).collect();
     longest_first.sort_by(|&a, &b| lengths[b].total_cmp(&lengths[a]).then(a.cmp(&b)));
 
     let (seats, placed_as) = (vec![None; lines.len()], vec![usize::MAX; lines.len()]);
+    let touches = &known.touches;
     let mut forest = Forest { touches, touched_by, lengths, seats, order: Vec::new(), placed_as };
     for trunk in longest_first {
         if forest.seats[trunk].is_none() {
-            forest.plant(trunk, is_upside_down(&flat[trunk], forest.lengths[trunk]));
+            forest.plant(trunk, is_upside_down(&flat[trunk].points, forest.lengths[trunk]));
         }
     }
-    forest.into_branches(lines, &flat)
+    forest.into_arranged(lines, &flat, &mut known.turned)
 }
 
-fn find_touches(
-    flat: &[Vec<Vec2>],
-    lengths: &[f32],
-    diagonal: f32,
-    params: &HierarchyParams,
-) -> Vec<Touches> {
-    let index = SegmentIndex::new(flat.iter().map(Vec::as_slice));
-    let touches_of = |(i, line): (usize, &Vec<Vec2>)| {
-        let radius = (params.attach_distance * diagonal).min(params.attach_share * lengths[i]);
+impl Arranger {
+    /// Finds where each of these lines touches others.
+    fn find_touches(&mut self, lines: &[Arc<Line>], diagonal: f32, params: &HierarchyParams) {
+        let radii: Vec<f32> = lines
+            .iter()
+            .map(|line| (params.attach_distance * diagonal).min(params.attach_share * line.length()))
+            .collect();
+        let changes = LineChanges::between(&self.lines, lines);
+        let mut old = std::mem::take(&mut self.touches);
+        let mut known_of = |(i, (line, radius)): (usize, (&Arc<Line>, &f32))| {
+            let number = changes.old_number(i).filter(|_| diagonal == self.diagonal)?;
+            let is_as_it_was = |end: Option<&Vec2>| end.is_none_or(|end| !changes.may_matter(*end, *radius));
+            if !is_as_it_was(line.points.first()) || !is_as_it_was(line.points.last()) {
+                return None;
+            }
+            let mut touches = std::mem::take(old.get_mut(number)?);
+            for touch in &mut touches.all {
+                touch.place.line = changes.new_number(touch.place.line)?;
+            }
+            Some(touches)
+        };
+        let known: Vec<Option<Touches>> = lines.iter().zip(&radii).enumerate().map(&mut known_of).collect();
+        let missing = known.iter().filter(|known| known.is_none()).count();
+        let index = SegmentIndex::new(lines.to_vec(), 2 * missing);
+        let touches_of = |(i, known): (usize, Option<Touches>)| {
+            known.unwrap_or_else(|| Touches::of(i, lines, radii[i], &index))
+        };
+        self.touches = known.into_par_iter().with_min_len(64).enumerate().map(touches_of).collect();
+        (self.lines, self.diagonal) = (lines.to_vec(), diagonal);
+    }
+}
+
+impl Touches {
+    /// Those of line `i`.
+    fn of(i: usize, lines: &[Arc<Line>], radius: f32, index: &SegmentIndex) -> Self {
+        let line = &lines[i].points;
         let ends = line.first().map(|&p| (p, false)).into_iter().chain(line.last().map(|&p| (p, true)));
         let mut all: Vec<Touch> = ends
             .flat_map(|(end, by_last)| {
                 let mut places = index.within(end, radius);
                 places.retain(|place| place.line != i);
-                keep_best(&mut places, lengths, PATIENCE * radius);
+                keep_best(&mut places, lines, PATIENCE * radius);
                 places.into_iter().map(move |place| Touch { place, by_last })
             })
             .collect();
@@ -107,18 +171,17 @@ fn find_touches(
         });
         let good = all.first().map_or(0.0, |t| t.place.distance) + PATIENCE * radius;
         let close = all.partition_point(|t| t.place.distance <= good);
-        Touches { all, close }
-    };
-    flat.par_iter().with_min_len(64).enumerate().map(touches_of).collect()
+        Self { all, close }
+    }
 }
 
 /// Keeps [`MOST_TOUCHES`] places: first the longest lines among those within `slack` of the nearest, then the nearest.
-fn keep_best(places: &mut Vec<Near>, lengths: &[f32], slack: f32) {
+fn keep_best(places: &mut Vec<Near>, lines: &[Arc<Line>], slack: f32) {
     if places.len() <= MOST_TOUCHES {
         return;
     }
     let good = places.iter().map(|p| p.distance).fold(f32::INFINITY, f32::min) + slack;
-    let rank = |p: &Near| if p.distance <= good { (0.0, -lengths[p.line]) } else { (p.distance, 0.0) };
+    let rank = |p: &Near| if p.distance <= good { (0.0, -lines[p.line].length()) } else { (p.distance, 0.0) };
     places.sort_by(|a, b| {
         let (a_rank, b_rank) = (rank(a), rank(b));
         a_rank.0.total_cmp(&b_rank.0).then(a_rank.1.total_cmp(&b_rank.1)).then(a.line.cmp(&b.line))
@@ -141,8 +204,8 @@ struct Seat {
     reversed: bool,
 }
 
-struct Forest {
-    touches: Vec<Touches>,
+struct Forest<'a> {
+    touches: &'a [Touches],
     /// For every branch those that touch it.
     touched_by: Vec<Vec<usize>>,
     lengths: Vec<f32>,
@@ -153,7 +216,7 @@ struct Forest {
     placed_as: Vec<usize>,
 }
 
-impl Forest {
+impl Forest<'_> {
     /// Places a trunk and everything that hangs on it. Branches that only touch from afar wait until no others are left.
     fn plant(&mut self, trunk: usize, reversed: bool) {
         let first = self.order.len();
@@ -200,39 +263,55 @@ impl Forest {
     }
 
     /// The forest as branches, every line turned to begin at its base.
-    fn into_branches(
+    fn into_arranged(
         self,
         mut lines: Vec<(Option<StrokeId>, Arc<[Sample]>)>,
-        flat: &[Vec<Vec2>],
-    ) -> Vec<FlatBranch> {
+        flat: &[Arc<Line>],
+        turned: &mut Turned,
+    ) -> Arranged {
         let mut index_of = vec![0; lines.len()];
         for (new, &old) in self.order.iter().enumerate() {
             index_of[old] = new;
         }
         let seat_of = |i: usize| self.seats[i].unwrap_or(Seat { parent: None, level: 0, reversed: false });
+        let upside_down: Vec<Arc<[Sample]>> = self
+            .order
+            .iter()
+            .filter(|&&old| seat_of(old).reversed)
+            .map(|&old| lines[old].1.clone())
+            .collect();
+        let mut turned = turned.made(&upside_down, Same::of, |line| turned_round(line)).into_iter();
         let attached_at = |place: Near, parent: usize| {
             let line = &flat[parent];
-            let before = polyline::length(&line[..=place.segment]);
-            let arc = before + place.share * line[place.segment].distance(line[place.segment + 1]);
+            let (from, to) = (line.points[place.segment], line.points[place.segment + 1]);
+            let arc = line.arcs[place.segment] + place.share * from.distance(to);
             if seat_of(parent).reversed { self.lengths[parent] - arc } else { arc }
         };
-        let branch = |&old: &usize| {
+        let mut arranged = Arranged::default();
+        for &old in &self.order {
             let seat = seat_of(old);
-            let (stroke, mut line) = std::mem::take(&mut lines[old]);
-            if seat.reversed {
-                Arc::make_mut(&mut line).reverse();
-            }
-            FlatBranch {
+            let (stroke, line) = std::mem::take(&mut lines[old]);
+            let as_drawn = (line, Arc::clone(&flat[old]));
+            let (line, measured) = if seat.reversed { turned.next().unwrap_or(as_drawn) } else { as_drawn };
+            arranged.branches.push(FlatBranch {
                 stroke,
                 key: stroke.unwrap_or(old as u64),
                 line,
                 parent: seat.parent.map(|(parent, _)| index_of[parent]),
                 attached_at: seat.parent.map_or(0.0, |(parent, place)| attached_at(place, parent)),
                 level: seat.level,
-            }
-        };
-        self.order.iter().map(branch).collect()
+            });
+            arranged.lines.push(measured);
+        }
+        arranged
     }
+}
+
+/// A line that begins at its other end.
+fn turned_round(line: &[Sample]) -> (Arc<[Sample]>, Arc<Line>) {
+    let turned: Arc<[Sample]> = line.iter().rev().copied().collect();
+    let measured = Line::new(turned.iter().map(|s| s.position));
+    (turned, Arc::new(measured))
 }
 
 #[cfg(test)]
@@ -297,9 +376,11 @@ mod tests {
     fn many_branches_from_one_spot_remember_few_of_each_other() {
         let tip = |k: usize| Vec2::from_angle(k as f32) * (100.0 + k as f32);
         let flat: Vec<Vec<Vec2>> = (0..300).map(|k| vec![Vec2::ZERO, tip(k)]).collect();
-        let lengths: Vec<f32> = flat.iter().map(|line| polyline::length(line)).collect();
-        let touches = find_touches(&flat, &lengths, 800.0, &HierarchyParams::default());
-        assert!(touches.iter().all(|t| t.all.len() <= 2 * MOST_TOUCHES));
+        let lines: Vec<Arc<Line>> =
+            flat.iter().map(|line| Arc::new(Line::new(line.iter().copied()))).collect();
+        let mut known = Arranger::default();
+        known.find_touches(&lines, 800.0, &HierarchyParams::default());
+        assert!(known.touches.iter().all(|t| t.all.len() <= 2 * MOST_TOUCHES));
 
         let sample = |line: &Vec<Vec2>| (None, line.iter().map(|&p| Sample::neutral(p)).collect());
         let branches = arrange(flat.iter().map(sample).collect(), 800.0, &HierarchyParams::default());

@@ -7,14 +7,17 @@
 //! none.
 
 use super::{
-    Attachment, Stop,
+    Attachment, Sample, Stop,
     growth_points::{Forest, GrowthPoint, Thinned},
+    recall::Recall,
     vein::{self, Walk},
 };
 use crate::geom::{polyline, region::Region};
 use crate::random::stream;
 use crate::sketch::StrokeId;
 use glam::Vec2;
+use std::cell::Cell;
+use std::sync::Arc;
 
 crate::parameters! {
     /// Twigs that carry the leaves of leaf outlines.
@@ -75,7 +78,7 @@ pub struct LeafTwigs<'a> {
 
 impl LeafTwigs<'_> {
     /// Adds twigs to the forest; they stand after the branches they grow on. False where the cap left some out.
-    pub fn grow(&self, forest: &mut Forest) -> bool {
+    pub fn grow(&self, forest: &mut Forest, known: &mut Ways) -> bool {
         let spacing = (self.params.spacing * self.leaf_length).max(1e-3 * self.diagonal);
         if !self.params.enabled || spacing <= 0.0 {
             return true;
@@ -95,10 +98,10 @@ impl LeafTwigs<'_> {
                 if (self.stop)() {
                     return false;
                 }
-                let places = self.twig(point, spacing, &wood);
-                if places.len() >= 3 {
-                    wood.mark(places.iter().copied());
-                    forest.sprout(point, places);
+                let line = self.twig(point, spacing, &wood, known);
+                if line.len() >= 3 {
+                    wood.mark(line.iter().map(|s| s.position));
+                    forest.sprout(point, line);
                 }
             }
             if points.is_thinned() {
@@ -123,8 +126,15 @@ impl LeafTwigs<'_> {
         Some(GrowthPoint { position: end.position, direction, attachment, side: 0.0, key })
     }
 
-    /// Places of the twig of one growth point, up to where other wood is.
-    fn twig(&self, point: &GrowthPoint, spacing: f32, wood: &Wood) -> Vec<Vec2> {
+    /// The line of the twig of one growth point, up to where other wood is.
+    fn twig(&self, point: &GrowthPoint, spacing: f32, wood: &Wood, known: &mut Ways) -> Arc<[Sample]> {
+        let in_wood = |p: Vec2| p.distance(point.position) > spacing && wood.is_at(p);
+        let is_free = |way: &Way| {
+            way.blocked_at.is_none_or(in_wood) && !way.line.iter().skip(1).any(|s| in_wood(s.position))
+        };
+        if let Some(way) = known.get(point, is_free) {
+            return Arc::clone(&way.line);
+        }
         let params = self.params;
         let mut rng = stream(self.seed, "leaf twig", point.key);
         let first = point.heading(params.departure, params.scatter, &mut rng);
@@ -136,10 +146,30 @@ impl LeafTwigs<'_> {
             max_steps: MAX_STEPS,
             stop_distance: STOP * self.leaf_length,
         };
-        let in_wood = |p: Vec2| p.distance(point.position) > spacing && wood.is_at(p);
-        vein::walk(self.region, point.position, (point.direction, first), &rule, in_wood)
+        let blocked_at = Cell::new(None);
+        let is_blocked = |p: Vec2| {
+            let is_blocked = in_wood(p);
+            blocked_at.set(is_blocked.then_some(p));
+            is_blocked
+        };
+        let places = vein::walk(self.region, point.position, (point.direction, first), &rule, is_blocked);
+        let line: Arc<[Sample]> = places.into_iter().map(Sample::neutral).collect();
+        known.keep(point, Way { line: Arc::clone(&line), blocked_at: blocked_at.get() });
+        line
     }
 }
+
+/// The way of a twig.
+#[derive(Debug)]
+pub struct Way {
+    line: Arc<[Sample]>,
+    /// The place at which other wood ended it.
+    blocked_at: Option<Vec2>,
+}
+
+/// Ways of twigs from one drawing to the next, all grown in the same outline and in the same way but for the wood that they
+/// came upon: a way is taken again where all along it there is no wood, and still some at its end if that ended it.
+pub type Ways = Recall<Way>;
 
 /// Cells of a grid over an outline in which there is wood.
 struct Wood {
@@ -183,7 +213,7 @@ impl Wood {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::anatomy::{FlatBranch, Sample};
+    use crate::anatomy::FlatBranch;
 
     fn stem() -> Vec<FlatBranch> {
         let line = (0..=50).map(|k| Sample::neutral(Vec2::new(0.0, 300.0 - 12.0 * k as f32))).collect();
@@ -207,7 +237,7 @@ mod tests {
             params,
             stop: &|| false,
         };
-        assert!(twigs.grow(&mut forest));
+        assert!(twigs.grow(&mut forest, &mut Ways::default()));
         forest.into_branches()
     }
 

@@ -16,8 +16,10 @@ pub mod flowers;
 pub mod growth_points;
 pub mod hierarchy;
 pub mod leaf_twigs;
+mod outlines;
 pub mod preprocess;
 pub mod reading;
+pub mod recall;
 pub mod svm;
 pub mod vein;
 

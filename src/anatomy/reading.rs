@@ -9,6 +9,7 @@ use super::{
     FlatBlade, Part, Sample,
     blade_outline::{self, TipParams},
     classify::Classifier,
+    flower_heart::Roundness,
     preprocess::{self, PreprocessParams, preprocess},
 };
 use crate::geom::{convex_hull::convex_hull, polyline, simple_loop};
@@ -63,6 +64,8 @@ pub struct Reading {
     pub confidence: f32,
     /// The blade, where the stroke is one.
     pub blade: Option<FlatBlade>,
+    /// How round that is.
+    pub roundness: Option<Roundness>,
     /// What is odd about it.
     pub warning: Option<Remark>,
     /// Area of its convex hull where it is the outline of a crown, square pixels: unlike that of the outline itself it is not
@@ -194,7 +197,8 @@ fn read_stroke(placed: &Placed<'_>, diagonal: f32, rules: Rules<'_>) -> Reading 
         } else {
             understood(id, tool, &samples, &positions, rules.tip)
         };
-    Reading { id, tool, samples, part, confidence, blade, warning, spread, length }
+    let roundness = blade.as_ref().map(Roundness::of);
+    Reading { id, tool, samples, part, confidence, blade, roundness, warning, spread, length }
 }
 
 /// What a stroke that is large enough to mean something is.

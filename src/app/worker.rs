@@ -2,8 +2,9 @@
 //!
 //! The window hands over snapshots and never waits. At most one snapshot is queued; a newer one takes its place, and
 //! also cancels the build that runs, unless the artist has seen nothing new for [`PATIENCE`]: then that build is
-//! allowed to finish, so that a plant slower to build than the pen is to move still grows on the screen. What is built
-//! last is always the newest snapshot.
+//! allowed to finish, so that a plant slower to build than the pen is to move still grows on the screen. Nor is a build
+//! cancelled where the last one was [`QUICK`]: while samples come faster than plants, the newest would never be seen. What
+//! is built last is always the newest snapshot.
 //!
 //! Species files and the parts of the plant that did not change are kept from build to build. What would make the window
 //! wait on large plants is done here as well: counting, and giving back the memory of plants that are no longer shown.
@@ -11,6 +12,7 @@
 use super::priority;
 use crate::anatomy::Part;
 use crate::growth::overlay::Wanted;
+use crate::model::KnownBounds;
 use crate::pipeline::{self, Built, Cache, SetupError};
 use crate::sketch::{Sketch, Stroke, StrokeId, StrokePoint, Tool};
 use crate::species::Species;
@@ -24,6 +26,10 @@ use thiserror::Error;
 
 /// Longest time without a new picture before a build may no longer be cancelled.
 pub const PATIENCE: Duration = Duration::from_millis(100);
+
+/// Longest time of a build after which the next one is not cancelled: the newest drawing waits for that no longer than for
+/// its own plant.
+pub const QUICK: Duration = Duration::from_millis(50);
 
 /// What to build.
 #[derive(Clone, Debug)]
@@ -132,6 +138,8 @@ struct Desk {
     growing: Option<Stroke>,
     done: Option<Update>,
     last_finish: Option<Instant>,
+    /// How long the last build took that was not cancelled.
+    last_took: Duration,
     /// Plants that the window does not show any more.
     discarded: Vec<Arc<Built>>,
     closing: bool,
@@ -183,7 +191,7 @@ impl Worker {
         let mut desk = self.shared.desk();
         desk.follow(snapshot.growing.take());
         let outdated = desk.next.replace(snapshot);
-        if desk.last_finish.is_some_and(|at| at.elapsed() < PATIENCE) {
+        if desk.last_took > QUICK && desk.last_finish.is_some_and(|at| at.elapsed() < PATIENCE) {
             self.shared.cancel.store(true, Ordering::Relaxed);
         }
         drop(desk);
@@ -220,6 +228,7 @@ impl Drop for Worker {
 #[derive(Default)]
 struct Bench {
     cache: Cache,
+    bounds: KnownBounds,
     species: Option<(Option<String>, PathBuf, Species)>,
 }
 
@@ -233,7 +242,7 @@ fn work(shared: &Shared, wake: &dyn Fn()) {
         let (mut counts, mut bounds) = (Counts::default(), None);
         let result = match std::panic::catch_unwind(build) {
             Ok(Ok(Some(built))) => {
-                (counts, bounds) = (Counts::of(&built), built.model.bounds());
+                (counts, bounds) = (Counts::of(&built), bench.bounds.of(&built.model));
                 Ok(Arc::new(built))
             }
             Ok(Ok(None)) => continue,
@@ -243,9 +252,10 @@ fn work(shared: &Shared, wake: &dyn Fn()) {
                 Err(BuildError::Defect)
             }
         };
+        let took = begun.elapsed();
         let mut desk = shared.desk();
-        let unseen = desk.done.replace(Update { revision, result, took: begun.elapsed(), counts, bounds });
-        desk.last_finish = Some(Instant::now());
+        let unseen = desk.done.replace(Update { revision, result, took, counts, bounds });
+        (desk.last_finish, desk.last_took) = (Some(Instant::now()), took);
         let discarded = std::mem::take(&mut desk.discarded);
         drop(desk);
         wake();

@@ -16,11 +16,13 @@
 //! branches, also where one branch carries thousands. Limit: branches of different parents do not see each other.
 
 use crate::anatomy::FlatBranch;
+use crate::kept::Kept;
 use crate::random::stream;
 use glam::{Vec2, Vec3};
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use std::f32::consts::TAU;
+use std::sync::Arc;
 
 crate::parameters! {
     /// How branches leave the drawing plane.
@@ -51,9 +53,27 @@ const SETTLED: f32 = 0.02;
 /// How much faster depth grows at a branch's base than on average: branches bend instead of standing like spokes.
 const EASE: f32 = 0.3;
 
+/// What is kept of one drawing's branches for the next, all spread with the same parameters: the angles of the children of
+/// one parent, by all that they are found from.
+#[derive(Debug, Default)]
+pub struct Spreads(Kept<SpreadKey, Arc<[f32]>>);
+
+/// The seed; name and chord of every child, in their order along the parent.
+type SpreadKey = (u64, Vec<(u64, [u32; 2])>);
+
 /// Depth in pixels toward the viewer of every sample of every branch, in the order of `branches` (parents before
 /// children). The same `seed` gives the same depths.
 pub fn branch_depths(branches: &[FlatBranch], params: &BranchDepthParams, seed: u64) -> Vec<Vec<f32>> {
+    branch_depths_with(&mut Spreads::default(), branches, params, seed)
+}
+
+/// The very depths that [`branch_depths`] gives, again and again while a drawing changes.
+pub fn branch_depths_with(
+    known: &mut Spreads,
+    branches: &[FlatBranch],
+    params: &BranchDepthParams,
+    seed: u64,
+) -> Vec<Vec<f32>> {
     let grid = Grid::new(params, params.max_angle.to_radians().min(steepest(params.max_stretch)));
     let jitter = params.jitter.to_radians();
     let mut children: Vec<Vec<usize>> = vec![Vec::new(); branches.len()];
@@ -62,18 +82,40 @@ pub fn branch_depths(branches: &[FlatBranch], params: &BranchDepthParams, seed: 
             children[parent].push(i);
         }
     }
-    let mut depths: Vec<Vec<f32>> = branches.iter().map(|b| vec![0.0; b.line.len()]).collect();
-    for (parent, mut siblings) in children.into_iter().enumerate() {
+    let mut families: Vec<(usize, Vec<usize>)> =
+        children.into_iter().enumerate().filter(|(_, siblings)| !siblings.is_empty()).collect();
+    for (_, siblings) in &mut families {
         siblings.sort_by(|&a, &b| branches[a].attached_at.total_cmp(&branches[b].attached_at));
+    }
+    let key = |(_, siblings): &(usize, Vec<usize>)| {
+        let child = |&i: &usize| (branches[i].key, chord_of(&branches[i]).to_array().map(f32::to_bits));
+        (seed, siblings.iter().map(child).collect())
+    };
+    let angles = known.0.made(&families, key, |(_, siblings)| {
         let mut around: Vec<Child> = siblings.iter().map(|&i| Child::new(&branches[i], seed)).collect();
         spread(&mut around, &grid, jitter);
-        let run = arc_lengths(&branches[parent]);
-        for (&i, child) in siblings.iter().zip(&around) {
-            let start = interpolated(&run, &depths[parent], branches[i].attached_at);
-            depths[i] = along(&branches[i], start, child.rise());
+        around.iter().map(|child| child.angle).collect()
+    });
+    let mut depths: Vec<Vec<f32>> = branches.iter().map(|b| vec![0.0; b.line.len()]).collect();
+    for ((parent, siblings), angles) in families.iter().zip(angles) {
+        let run = arc_lengths(&branches[*parent]);
+        for (&i, &angle) in siblings.iter().zip(angles.iter()) {
+            let start = interpolated(&run, &depths[*parent], branches[i].attached_at);
+            depths[i] = along(&branches[i], start, rise(chord_of(&branches[i]), angle));
         }
     }
     depths
+}
+
+/// From base to end in the drawing, pixels.
+fn chord_of(branch: &FlatBranch) -> Vec2 {
+    let ends = branch.line.first().zip(branch.line.last());
+    ends.map_or(Vec2::ZERO, |(base, end)| end.position - base.position)
+}
+
+/// Depth of the end of a branch above its base, pixels.
+fn rise(chord: Vec2, angle: f32) -> f32 {
+    chord.length() * angle.tan()
 }
 
 /// Largest angle at which no branch exceeds `max_stretch` times its drawn length.
@@ -87,8 +129,6 @@ fn steepest(max_stretch: f32) -> f32 {
 /// A branch as its siblings see it.
 #[derive(Clone, Copy, Debug)]
 struct Child {
-    /// From base to end in the drawing, pixels.
-    chord: Vec2,
     /// Unit direction of the chord, zero for a branch that ends where it begins.
     heading: Vec2,
     /// Angle to the drawing plane, radians.
@@ -99,20 +139,14 @@ struct Child {
 
 impl Child {
     fn new(branch: &FlatBranch, seed: u64) -> Self {
-        let ends = branch.line.first().zip(branch.line.last());
-        let chord = ends.map_or(Vec2::ZERO, |(base, end)| end.position - base.position);
+        let chord = chord_of(branch);
         let chance = normal(&mut stream(seed, "branch depth", branch.key));
-        Self { chord, heading: chord.normalize_or_zero(), angle: 0.0, chance }
+        Self { heading: chord.normalize_or_zero(), angle: 0.0, chance }
     }
 
     fn direction(&self) -> Vec3 {
         let (sin, cos) = self.angle.sin_cos();
         (self.heading * cos).extend(sin)
-    }
-
-    /// Depth of its end above its base, pixels.
-    fn rise(&self) -> f32 {
-        self.chord.length() * self.angle.tan()
     }
 }
 

@@ -1,7 +1,7 @@
 //! The whole depth stage: anatomy in, plant out.
 
 use super::{
-    branch_depth::{self, BranchDepthParams},
+    branch_depth::{self, BranchDepthParams, Spreads},
     cone_pose::{ConeParams, FlowerPose},
     crowns,
     flower_stem::{self, Goal, StemParams},
@@ -59,6 +59,7 @@ const PETIOLE_SHARE: f32 = 0.5;
 pub struct Cache {
     /// Everything in here was made with these.
     params: DepthParams,
+    branches: Spreads,
     flowers: Flowers,
     leaves: Leaves,
 }
@@ -79,7 +80,7 @@ pub fn recover_with(
     if cache.params != *params {
         *cache = Cache { params: params.clone(), ..Cache::default() };
     }
-    let mut skeleton = Skeleton::new(anatomy, seed, params);
+    let mut skeleton = Skeleton::new(&mut cache.branches, anatomy, seed, params);
     let poses = cache.flowers.poses(anatomy, &params.cone);
     let centers = skeleton.lead_stems(anatomy, &poses, &params.stem);
 
@@ -123,8 +124,8 @@ struct Skeleton {
 }
 
 impl Skeleton {
-    fn new(anatomy: &Anatomy, seed: u64, params: &DepthParams) -> Self {
-        let depths = branch_depth::branch_depths(&anatomy.branches, &params.branches, seed);
+    fn new(known: &mut Spreads, anatomy: &Anatomy, seed: u64, params: &DepthParams) -> Self {
+        let depths = branch_depth::branch_depths_with(known, &anatomy.branches, &params.branches, seed);
         let arcs = anatomy.branches.iter().map(arcs_of).collect();
         Self { branches: anatomy.branches.clone(), arcs, depths }
     }

@@ -12,6 +12,9 @@ use std::ops::Range;
 /// Points that are looked at one by one.
 const LEAF: usize = 12;
 
+/// Questions from which a tree is worth its making.
+const FEW_QUESTIONS: usize = 100;
+
 /// Bits of a coordinate that are summed: more than a float has, and twenty less than a double has.
 const BITS: i32 = 32;
 
@@ -48,25 +51,31 @@ struct Node {
 impl DiscSums {
     /// Takes finite points.
     pub fn new(points: Vec<Vec2>) -> Self {
+        Self::for_questions(points, usize::MAX)
+    }
+
+    /// The same for about so many questions: for few of them all points stay one leaf, which has the same answers.
+    pub fn for_questions(points: Vec<Vec2>, questions: usize) -> Self {
         let unit = unit(&points);
         let point = |at: Vec2| Point { at, rounded: (at.as_dvec2() / unit).round() * unit };
         let nodes = Vec::with_capacity(4 * points.len() / LEAF + 1);
         let mut sums = Self { points: points.into_iter().map(point).collect(), nodes };
         if !sums.points.is_empty() {
-            sums.grow(0..sums.points.len());
+            let leaf = if questions < FEW_QUESTIONS { sums.points.len() } else { LEAF };
+            sums.grow(0..sums.points.len(), leaf);
         }
         sums
     }
 
     /// Adds the node of a stretch of points and all below it.
-    fn grow(&mut self, held: Range<usize>) {
+    fn grow(&mut self, held: Range<usize>, leaf: usize) {
         let points = &mut self.points[held.clone()];
         let low = points.iter().map(|p| p.at).fold(Vec2::INFINITY, Vec2::min);
         let high = points.iter().map(|p| p.at).fold(Vec2::NEG_INFINITY, Vec2::max);
         let node = self.nodes.len();
         let sum = points.iter().map(|p| p.rounded).sum();
         self.nodes.push(Node { low, high, sum, held: held.clone(), second: None });
-        if points.len() <= LEAF {
+        if points.len() <= leaf {
             return;
         }
         let size = high - low;
@@ -74,9 +83,9 @@ impl DiscSums {
         let middle = points.len() / 2;
         points.select_nth_unstable_by(middle, |a, b| a.at.dot(along).total_cmp(&b.at.dot(along)));
         let middle = held.start + middle;
-        self.grow(held.start..middle);
+        self.grow(held.start..middle, leaf);
         self.nodes[node].second = Some(self.nodes.len());
-        self.grow(middle..held.end);
+        self.grow(middle..held.end, leaf);
     }
 
     /// Middle of the points within `radius` of `center`; `None` where there are none.
@@ -154,7 +163,9 @@ mod tests {
             prop_assume!(points.iter().all(|p| (p.distance(center) - radius).abs() > 1e-4));
             let near: Vec<Vec2> = points.iter().copied().filter(|p| p.distance(center) <= radius).collect();
             let expected = (!near.is_empty()).then(|| near.iter().sum::<Vec2>() / near.len() as f32);
+            let few = DiscSums::for_questions(points.clone(), 1).mean_within(center, radius);
             let found = DiscSums::new(points).mean_within(center, radius);
+            prop_assert_eq!(few, found);
             prop_assert_eq!(found.is_some(), expected.is_some());
             prop_assert!(found.unwrap_or_default().distance(expected.unwrap_or_default()) < 1e-4);
         }

@@ -6,12 +6,17 @@
 //! spot (`disc_sums`).
 //!
 //! Where a point climbs to depends on the points in the discs that it saw on its way, and on no others. So [`Climbs`] are
-//! kept from one set of points to the next, and only those are climbed again that saw a point which came or went.
+//! kept from one set of points to the next, and only those are climbed again that saw a point which came or went. In the
+//! same way only clusters near a mode that moved are named again (`cluster_heads`).
 
+use super::cluster_heads::Heads;
 use super::disc_sums::{self, DiscSums};
+use crate::kept::Window;
 use glam::Vec2;
-use rstar::{RTree, primitives::GeomWithData};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
+
+/// Rounds that most points climb.
+const USUAL_ROUNDS: usize = 4;
 
 /// Rounds after which a point that still climbs is taken where it stands; flat kernels settle in a handful.
 const MAX_ROUNDS: usize = 32;
@@ -27,26 +32,14 @@ pub fn cluster(points: &[Vec2], bandwidth: &[f32], merge: f32) -> Vec<usize> {
 /// The very clusters that [`cluster`] gives, again and again while a few points come and go.
 pub fn cluster_with(climbs: &mut Climbs, points: &[Vec2], bandwidth: &[f32], merge: f32) -> Vec<usize> {
     debug_assert_eq!(points.len(), bandwidth.len());
-    climbs.follow(points);
-    let mut sums = None;
-    let modes: Vec<Vec2> = points
-        .iter()
-        .zip(bandwidth)
-        .map(|(&start, &reach)| {
-            let known = climbs.held.get_mut(&key(start, reach));
-            if let Some(climb) = known.filter(|climb| climb.is_sound) {
-                climb.round = climbs.round;
-                return climb.mode;
-            }
-            let sums = sums.get_or_insert_with(|| DiscSums::new(points.to_vec()));
-            let climb = Climb { round: climbs.round, ..climb(sums, start, reach) };
-            climbs.held.insert(key(start, reach), climb);
-            climb.mode
-        })
-        .collect();
-    let round = climbs.round;
-    climbs.held.retain(|_, climb| climb.round == round);
-    join(&modes, bandwidth, merge)
+    let window = climbs.follow(points, bandwidth);
+    climbs.heads.follow(
+        window,
+        &climbs.ways.iter().map(|way| way.mode).collect::<Vec<_>>(),
+        bandwidth,
+        merge,
+    );
+    climbs.heads.labels()
 }
 
 /// Most points that may have come or gone for climbs to be kept: each is held against all climbs.
@@ -55,11 +48,12 @@ const MOST_NEW: usize = 256;
 /// Where points climbed to.
 #[derive(Debug, Default)]
 pub struct Climbs {
-    /// All points of the last set, and what their coordinates were rounded to.
-    points: Vec<Vec2>,
+    /// All points of the last set with their bandwidths, and what their coordinates were rounded to.
+    starts: Vec<(Vec2, f32)>,
     unit: f64,
-    held: HashMap<[u32; 3], Climb>,
-    round: u64,
+    /// The way of each.
+    ways: Vec<Climb>,
+    heads: Heads,
 }
 
 /// The way of one point.
@@ -69,37 +63,81 @@ struct Climb {
     /// The corners of a box around all that it saw.
     low: Vec2,
     high: Vec2,
-    /// Whether all of that is as it was.
+    /// Whether that says all about it.
     is_sound: bool,
-    /// The last set of points in which it was climbed or taken.
-    round: u64,
 }
 
 /// What a climb begins with: place and bandwidth.
-fn key(start: Vec2, bandwidth: f32) -> [u32; 3] {
-    [start.x, start.y, bandwidth].map(f32::to_bits)
+fn key((start, bandwidth): &(Vec2, f32)) -> [u32; 3] {
+    [start.x, start.y, *bandwidth].map(f32::to_bits)
 }
 
 impl Climbs {
-    /// Finds out which climbs a new set of points leaves as they were.
-    fn follow(&mut self, points: &[Vec2]) {
-        self.round += 1;
+    /// Climbs from every point of a new set, where that may end elsewhere than in the last one; gives what both sets have in
+    /// common.
+    fn follow(&mut self, points: &[Vec2], bandwidth: &[f32]) -> Window {
+        let starts: Vec<(Vec2, f32)> = points.iter().copied().zip(bandwidth.iter().copied()).collect();
+        let window = Window::between(&self.starts, &starts, |a, b| key(a) == key(b));
         let unit = disc_sums::unit(points);
-        // What stands between the common beginning and the common end of both sets came or went.
-        let same = |(a, b): &(&Vec2, &Vec2)| a == b;
-        let begin = self.points.iter().zip(points).take_while(same).count();
-        let ends = self.points[begin..].iter().rev().zip(points[begin..].iter().rev());
-        let end = ends.take_while(same).count();
-        let (gone, new) = (&self.points[begin..self.points.len() - end], &points[begin..points.len() - end]);
-        if unit != self.unit || gone.len() + new.len() > MOST_NEW {
-            self.held.clear();
-        }
-        let is_seen = |climb: &Climb| {
-            let inside = |p: &Vec2| p.cmpge(climb.low).all() && p.cmple(climb.high).all();
-            gone.iter().chain(new).any(inside)
+        let mut known = self.known(&starts, window);
+        let is_kept = unit == self.unit && self.forget_those_that_see_a_change(&starts, &mut known);
+        let known = |i: usize| known[i].filter(|_| is_kept);
+        let missing = (0..starts.len()).filter(|i| known(*i).is_none()).count();
+        let sums = (missing > 0).then(|| DiscSums::for_questions(points.to_vec(), missing * USUAL_ROUNDS));
+        let way = |(i, &(start, reach)): (usize, &(Vec2, f32))| {
+            let anew =
+                || sums.as_ref().map_or_else(|| Climb::nowhere(start), |sums| climb(sums, start, reach));
+            known(i).unwrap_or_else(anew)
         };
-        self.held.retain(|_, climb| climb.is_sound && !is_seen(climb));
-        (self.points, self.unit) = (points.to_vec(), unit);
+        self.ways = starts.iter().enumerate().map(way).collect();
+        (self.starts, self.unit) = (starts, unit);
+        window
+    }
+
+    /// For every start the way that was climbed from there in the last set.
+    fn known(&self, starts: &[(Vec2, f32)], Window { begin, end }: Window) -> Vec<Option<Climb>> {
+        let (old_end, new_end) = (self.starts.len() - end, starts.len() - end);
+        let between: HashMap<[u32; 3], Climb> =
+            (begin..old_end).map(|k| (key(&self.starts[k]), self.ways[k])).collect();
+        let way = |i: usize| match i {
+            i if i < begin => Some(self.ways[i]),
+            i if i < new_end => between.get(&key(&starts[i])).copied(),
+            i => Some(self.ways[i - new_end + old_end]),
+        };
+        (0..starts.len()).map(way).collect()
+    }
+
+    /// Leaves out the ways that saw a point which came or went; false where too many did.
+    fn forget_those_that_see_a_change(&self, starts: &[(Vec2, f32)], known: &mut [Option<Climb>]) -> bool {
+        let place = |start: &(Vec2, f32)| start.0;
+        let Window { begin, end } =
+            Window::between(&self.starts, starts, |a, b| key(&(a.0, 0.0)) == key(&(b.0, 0.0)));
+        let gone = self.starts[begin..self.starts.len() - end].iter().map(place);
+        let new = starts[begin..starts.len() - end].iter().map(place);
+        let changed = differing(gone, new);
+        let is_seen = |way: &Climb| changed.iter().any(|p| p.cmpge(way.low).all() && p.cmple(way.high).all());
+        for way in known.iter_mut() {
+            *way = way.filter(|way| way.is_sound && changed.len() <= MOST_NEW && !is_seen(way));
+        }
+        changed.len() <= MOST_NEW
+    }
+}
+
+/// The points that are more often in one of two lists than in the other.
+fn differing(old: impl Iterator<Item = Vec2>, new: impl Iterator<Item = Vec2>) -> Vec<Vec2> {
+    let mut surplus: BTreeMap<[u32; 2], i32> = BTreeMap::new();
+    let signed = old.map(|p| (p, -1)).chain(new.map(|p| (p, 1)));
+    for (p, by) in signed {
+        *surplus.entry(p.to_array().map(f32::to_bits)).or_default() += by;
+    }
+    let differs = surplus.into_iter().filter(|(_, by)| *by != 0);
+    differs.map(|(p, _)| Vec2::from_array(p.map(f32::from_bits))).collect()
+}
+
+impl Climb {
+    /// That of a point that stays where it is.
+    fn nowhere(start: Vec2) -> Self {
+        Self { mode: start, low: start, high: start, is_sound: false }
     }
 }
 
@@ -107,7 +145,7 @@ fn climb(sums: &DiscSums, start: Vec2, bandwidth: f32) -> Climb {
     // More than the disc by more than any rounding. The squares of the smallest bandwidths are no numbers to rely on.
     let seen = 1.001 * bandwidth;
     let is_sound = bandwidth * bandwidth >= f32::MIN_POSITIVE;
-    let mut way = Climb { mode: start, low: start - seen, high: start + seen, is_sound, round: 0 };
+    let mut way = Climb { mode: start, low: start - seen, high: start + seen, is_sound };
     for _ in 0..MAX_ROUNDS {
         let at = way.mode;
         (way.low, way.high) = (way.low.min(at - seen), way.high.max(at + seen));
@@ -117,29 +155,6 @@ fn climb(sums: &DiscSums, start: Vec2, bandwidth: f32) -> Climb {
         }
     }
     way
-}
-
-/// Names modes: each joins the first earlier cluster whose first mode is near enough.
-fn join(modes: &[Vec2], bandwidth: &[f32], merge: f32) -> Vec<usize> {
-    let mut heads: RTree<GeomWithData<[f32; 2], (usize, usize)>> = RTree::new();
-    let mut labels = Vec::with_capacity(modes.len());
-    let mut clusters = 0;
-    for (i, (mode, &h)) in modes.iter().zip(bandwidth).enumerate() {
-        let near = heads
-            .locate_within_distance(mode.to_array(), (merge * h).powi(2))
-            .filter(|head| {
-                let reach = merge * h.min(bandwidth[head.data.0]);
-                mode.distance_squared(Vec2::from_array(*head.geom())) <= reach * reach
-            })
-            .map(|head| head.data.1)
-            .min();
-        labels.push(near.unwrap_or_else(|| {
-            heads.insert(GeomWithData::new(mode.to_array(), (i, clusters)));
-            clusters += 1;
-            clusters - 1
-        }));
-    }
-    labels
 }
 
 #[cfg(test)]
@@ -182,9 +197,9 @@ mod tests {
                 let (points, reach): (Vec<Vec2>, Vec<f32>) = held.iter().map(point).unzip();
                 let kept = cluster_with(&mut climbs, &points, &reach, 0.7);
                 prop_assert_eq!(kept, cluster(&points, &reach, 0.7));
-                for (start, reach) in points.iter().zip(&reach) {
+                for ((start, reach), way) in points.iter().zip(&reach).zip(&climbs.ways) {
                     let anew = climb(&DiscSums::new(points.clone()), *start, *reach);
-                    prop_assert_eq!(climbs.held[&key(*start, *reach)].mode, anew.mode);
+                    prop_assert_eq!(way.mode, anew.mode);
                 }
             }
         }
@@ -197,8 +212,11 @@ mod tests {
         let mut climbs = Climbs::default();
         cluster_with(&mut climbs, &points, &reach[..100], 0.5);
         points.push(Vec2::new(501.0, 1000.0));
-        climbs.follow(&points);
-        assert_eq!(climbs.held.len(), 99);
+        let starts: Vec<(Vec2, f32)> = points.iter().map(|p| (*p, 2.0)).collect();
+        let window = Window::between(&climbs.starts, &starts, |a, b| a == b);
+        let mut known = climbs.known(&starts, window);
+        assert!(climbs.forget_those_that_see_a_change(&starts, &mut known));
+        assert_eq!(known.iter().flatten().count(), 99);
     }
 
     #[test]

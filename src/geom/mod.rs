@@ -1,15 +1,19 @@
 //! Mathematics that knows no plant: polylines, loops, regions, clusters, frames, ellipses, grids, boxes.
 
+mod boundary;
 pub mod cells;
+mod cluster_heads;
 pub mod convex_hull;
 pub mod disc_sums;
 pub mod ellipse;
 pub mod frame;
+pub mod line_changes;
 pub mod mean_shift;
 pub mod meetings;
 pub mod polyline;
 pub mod ray;
 pub mod region;
+pub mod segment_index;
 pub mod simple_loop;
 pub mod simplify;
 pub mod weld;

@@ -63,11 +63,11 @@ pub fn rebuild(
             return None;
         }
         workshop.write_recipe(&plan.source, &mut scratch.recipe);
-        let (hash, words) = (scratch.recipe.hash(), scratch.recipe.words());
-        if let Some(mesh) = known.get(hash, words) {
+        let hash = scratch.recipe.hash();
+        if let Some(mesh) = known.get(hash, &scratch.recipe) {
             return Some(Made { hash, recipe: None, mesh: mesh.clone() });
         }
-        let recipe = Some(words.into());
+        let recipe = Some(scratch.recipe.written());
         Some(Made { hash, recipe, mesh: Arc::new(workshop.mesh(&plan.source, scratch)) })
     };
     let made: Vec<Option<Made>> =

@@ -11,9 +11,11 @@
 use super::flat::FlatBlade;
 use super::mesh::Mesh;
 use super::params::ModelParams;
-use super::recipe::Recipe;
+use super::recipe::{Recipe, WrittenRecipe};
 use super::shapes::BladeShape;
+use crate::kept::NameHasher;
 use std::collections::HashMap;
+use std::hash::BuildHasherDefault;
 use std::sync::Arc;
 
 /// What was built before.
@@ -71,15 +73,15 @@ impl Cache {
         flatten: impl FnOnce() -> Option<FlatBlade>,
     ) -> Template {
         let hash = recipe.hash();
-        let template = self.templates.get(hash, recipe.words()).cloned().unwrap_or_else(|| {
+        let template = self.templates.get(hash, recipe).cloned().unwrap_or_else(|| {
             self.names += 1;
             Template { name: self.names, flat: Arc::new(flatten()) }
         });
-        self.templates.keep(hash, recipe.words().into(), template, self.round)
+        self.templates.keep(hash, recipe.written(), template, self.round)
     }
 
     /// Keeps a shape in the running build.
-    pub(super) fn shape(&mut self, hash: u64, recipe: Box<[u32]>, shape: BladeShape) -> BladeShape {
+    pub(super) fn shape(&mut self, hash: u64, recipe: WrittenRecipe, shape: BladeShape) -> BladeShape {
         self.shapes.keep(hash, recipe, shape, self.round)
     }
 
@@ -99,19 +101,19 @@ impl Cache {
 pub(super) struct Made {
     pub(super) hash: u64,
     /// None where the mesh came out of the cache.
-    pub(super) recipe: Option<Box<[u32]>>,
+    pub(super) recipe: Option<WrittenRecipe>,
     pub(super) mesh: Arc<Mesh>,
 }
 
 /// Things by the recipe that made them; of two recipes with one hash the later stays.
 #[derive(Debug)]
 pub(super) struct Shelf<T> {
-    held: HashMap<u64, Held<T>>,
+    held: HashMap<u64, Held<T>, BuildHasherDefault<NameHasher>>,
 }
 
 #[derive(Debug)]
 struct Held<T> {
-    recipe: Box<[u32]>,
+    recipe: WrittenRecipe,
     thing: T,
     /// The last build that used it.
     round: u64,
@@ -119,21 +121,21 @@ struct Held<T> {
 
 impl<T> Default for Shelf<T> {
     fn default() -> Self {
-        Self { held: HashMap::new() }
+        Self { held: HashMap::default() }
     }
 }
 
 impl<T: Clone> Shelf<T> {
     /// The thing with this recipe.
-    pub(super) fn get(&self, hash: u64, recipe: &[u32]) -> Option<&T> {
-        self.held.get(&hash).filter(|held| *held.recipe == *recipe).map(|held| &held.thing)
+    pub(super) fn get(&self, hash: u64, recipe: &Recipe) -> Option<&T> {
+        self.held.get(&hash).filter(|held| recipe.is(&held.recipe)).map(|held| &held.thing)
     }
 
     /// Keeps a thing, or the one with the same recipe that is there already; gives the one that stays.
-    fn keep(&mut self, hash: u64, recipe: Box<[u32]>, thing: T, round: u64) -> T {
-        if let Some(known) = self.get(hash, &recipe).cloned() {
-            self.touch(hash, round);
-            return known;
+    fn keep(&mut self, hash: u64, recipe: WrittenRecipe, thing: T, round: u64) -> T {
+        if let Some(held) = self.held.get_mut(&hash).filter(|held| held.recipe == recipe) {
+            held.round = round;
+            return held.thing.clone();
         }
         self.held.insert(hash, Held { recipe, thing: thing.clone(), round });
         thing

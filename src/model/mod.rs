@@ -19,10 +19,12 @@
 //! | `afford` | how fine a plant can be |
 //! | `recipe`, `cache` | which parts are the same as last time |
 //! | `quality`, `topology`, `crossing` | what is wrong with a mesh |
+//! | `bounds` | the corners of a model, kept from one to the next |
 //! | `pick` | which branch or organ a ray meets |
 
 mod afford;
 mod blade;
+mod bounds;
 mod build;
 mod cache;
 pub mod copies;
@@ -59,6 +61,7 @@ mod tube;
 mod wood;
 
 pub use afford::affordable;
+pub use bounds::KnownBounds;
 pub use build::{build, rebuild};
 pub use cache::Cache;
 pub use copies::{Copies, Placement};

@@ -222,9 +222,9 @@ fn shapes(
         let standing = shapes::standing(blade);
         recipe.shape(&standing, template.name);
         let hash = recipe.hash();
-        let shape = known.get(hash, recipe.words()).cloned();
+        let shape = known.get(hash, recipe).cloned();
         let shape = shape.or_else(|| blade::shape(&standing, flat, &params.blade, scratch))?;
-        Some((hash, Box::from(recipe.words()), shape))
+        Some((hash, recipe.written(), shape))
     };
     let made: Vec<_> = firsts.par_iter().with_min_len(BATCH).map_init(Default::default, make).collect();
     made.into_iter().map(|made| made.map(|(hash, recipe, shape)| cache.shape(hash, recipe, shape))).collect()

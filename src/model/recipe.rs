@@ -4,22 +4,42 @@
 //! their lengths first. Names, parents, materials and places in a list are left out, for they do not shape a mesh; nor
 //! are parameters in it, for they are the same for the whole plant. Structures are taken apart by all their fields, so
 //! that the compiler asks about a new one. A blade of a template names the template's triangulation instead of telling
-//! its outline.
+//! its outline; any other blade's outline is known by its address, for stages before keep what they made, too. Whoever keeps
+//! a recipe holds these outlines, so that nothing else comes to lie there.
 
 use super::limbs::Twig;
 use super::piece::Piece;
 use crate::plant::{Blade, Branch, Cone, RestSurface, Shape};
 use crate::random::mix;
 use glam::{Vec2, Vec3};
+use std::sync::Arc;
 
 /// A row of words, used again for every part.
 #[derive(Debug, Default)]
-pub(super) struct Recipe(Vec<u32>);
+pub(super) struct Recipe {
+    words: Vec<u32>,
+    /// Outlines that are named by their addresses.
+    outlines: Vec<Arc<[Vec2]>>,
+}
+
+/// A recipe that is kept.
+#[derive(Debug)]
+pub(super) struct WrittenRecipe {
+    words: Box<[u32]>,
+    _outlines: Box<[Arc<[Vec2]>]>,
+}
+
+impl PartialEq for WrittenRecipe {
+    fn eq(&self, other: &Self) -> bool {
+        self.words == other.words
+    }
+}
 
 impl Recipe {
     /// Begins anew with the kind of part.
     fn begin(&mut self, kind: u32) -> &mut Self {
-        self.0.clear();
+        self.words.clear();
+        self.outlines.clear();
         self.word(kind)
     }
 
@@ -63,36 +83,51 @@ impl Recipe {
         self.length(slots);
     }
 
-    /// The words.
-    pub(super) fn words(&self) -> &[u32] {
-        &self.0
+    /// The recipe, to be kept.
+    pub(super) fn written(&self) -> WrittenRecipe {
+        WrittenRecipe { words: self.words.as_slice().into(), _outlines: self.outlines.as_slice().into() }
+    }
+
+    /// Whether a recipe that is kept says the same.
+    pub(super) fn is(&self, kept: &WrittenRecipe) -> bool {
+        *self.words == *kept.words
     }
 
     /// A number that tells nearly all recipes apart.
     pub(super) fn hash(&self) -> u64 {
         let pairs =
-            self.0.chunks(2).map(|pair| u64::from(pair[0]) << 32 | pair.get(1).map_or(0, |&w| w.into()));
-        pairs.fold(self.0.len() as u64, mix)
+            self.words.chunks(2).map(|pair| u64::from(pair[0]) << 32 | pair.get(1).map_or(0, |&w| w.into()));
+        pairs.fold(self.words.len() as u64, mix)
     }
 
     fn limb(&mut self, branch: &Branch) -> &mut Self {
         let Branch { origin: _, parent: _, level: _, points, radii, role: _ } = branch;
         self.points(points).length(radii.len());
-        self.0.extend(radii.iter().map(|radius| radius.to_bits()));
+        self.words.extend(radii.iter().map(|radius| radius.to_bits()));
         self
     }
 
     fn outline(&mut self, blade: &Blade) -> &mut Self {
-        self.plane(&blade.outline).length(blade.curl.len());
-        self.0.extend(blade.curl.iter().map(|curl| curl.to_bits()));
+        self.plane(&blade.outline).curl(&blade.curl)
+    }
+
+    fn curl(&mut self, curl: &[f32]) -> &mut Self {
+        self.length(curl.len());
+        self.words.extend(curl.iter().map(|curl| curl.to_bits()));
         self
+    }
+
+    fn address(&mut self, outline: &Arc<[Vec2]>) -> &mut Self {
+        let address = outline.as_ptr().addr() as u64;
+        self.outlines.push(Arc::clone(outline));
+        self.word(address as u32).word((address >> 32) as u32).length(outline.len())
     }
 
     fn blade(&mut self, blade: &Blade, template: Option<u64>) -> &mut Self {
         let Blade { outline: _, curl: _, base, u, v, length, rest, form, template: _ } = blade;
         match template {
             Some(name) => self.word(4).word(name as u32).word((name >> 32) as u32),
-            None => self.word(5).outline(blade),
+            None => self.word(5).address(&blade.outline).curl(&blade.curl),
         };
         self.point(*base).point(*u).point(*v).real(*length);
         match rest {
@@ -102,7 +137,7 @@ impl Recipe {
                 self.word(1).point(*apex).point(*axis).real(*opening_rad).real(*height).real(*hint)
             }
         };
-        self.0.extend(form.to_row().map(f32::to_bits));
+        self.words.extend(form.to_row().map(f32::to_bits));
         self
     }
 
@@ -121,7 +156,7 @@ impl Recipe {
     }
 
     fn word(&mut self, word: u32) -> &mut Self {
-        self.0.push(word);
+        self.words.push(word);
         self
     }
 
@@ -134,19 +169,19 @@ impl Recipe {
     }
 
     fn point(&mut self, point: Vec3) -> &mut Self {
-        self.0.extend(point.to_array().map(f32::to_bits));
+        self.words.extend(point.to_array().map(f32::to_bits));
         self
     }
 
     fn points(&mut self, points: &[Vec3]) -> &mut Self {
         self.length(points.len());
-        self.0.extend(points.iter().flat_map(|p| p.to_array().map(f32::to_bits)));
+        self.words.extend(points.iter().flat_map(|p| p.to_array().map(f32::to_bits)));
         self
     }
 
     fn plane(&mut self, points: &[Vec2]) -> &mut Self {
         self.length(points.len());
-        self.0.extend(points.iter().flat_map(|p| p.to_array().map(f32::to_bits)));
+        self.words.extend(points.iter().flat_map(|p| p.to_array().map(f32::to_bits)));
         self
     }
 }
