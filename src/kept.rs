@@ -120,41 +120,36 @@ impl<K: Eq + Hash, V: Clone + Send + Sync> Kept<K, V> {
         make: impl Fn(&I) -> V + Sync,
     ) -> Vec<V> {
         let keys: Vec<K> = inputs.iter().map(key).collect();
-        let old = self.places_of(&keys);
-        let known = |(input, old): (&I, &Option<usize>)| {
-            let (_, thing) = &self.held[(*old)?];
+        // Most calls ask for what the last one asked for, in the same order: only what stands between the common beginning
+        // and the common end needs a search.
+        let Window { begin, end } = Window::between(&self.held, &keys, |(held, _), key| held == key);
+        let (old_end, new_end) = (self.held.len() - end, keys.len() - end);
+        let by_key: HashMap<&K, usize> = match begin < new_end {
+            true => (begin..old_end).map(|place| (&self.held[place].0, place)).collect(),
+            false => HashMap::new(),
+        };
+        let place_of = |i: usize| match i {
+            i if i < begin => Some(i),
+            i if i < new_end => by_key.get(&keys[i]).copied(),
+            i => Some(i - new_end + old_end),
+        };
+        let known = |(i, input): (usize, &I)| {
+            let (_, thing) = &self.held[place_of(i)?];
             holds(input, thing).then(|| thing.clone())
         };
-        let found: Vec<Option<V>> = inputs.iter().zip(&old).map(known).collect();
-        let missing: Vec<&I> =
-            inputs.iter().zip(&found).filter(|(_, found)| found.is_none()).map(|(input, _)| input).collect();
-        let new: Vec<V> = missing.par_iter().with_min_len(BATCH).map(|input| make(input)).collect();
+        let found: Vec<Option<V>> = inputs.iter().enumerate().map(known).collect();
+        let missing: Vec<usize> = (0..inputs.len()).filter(|i| found[*i].is_none()).collect();
+        let new: Vec<V> = missing.par_iter().with_min_len(BATCH).map(|i| make(&inputs[*i])).collect();
+        for (i, thing) in missing.iter().zip(&new).filter(|(i, _)| **i < begin || **i >= new_end) {
+            let place = if *i < begin { *i } else { *i - new_end + old_end };
+            self.held[place].1 = thing.clone();
+        }
         let mut new = new.into_iter();
         let things: Vec<V> = found.into_iter().filter_map(|found| found.or_else(|| new.next())).collect();
-        self.held = keys.into_iter().zip(things.iter().cloned()).collect();
+        let between = keys.into_iter().zip(&things).take(new_end).skip(begin);
+        let between: Vec<(K, V)> = between.map(|(key, thing)| (key, thing.clone())).collect();
+        self.held.splice(begin..old_end, between);
         things
-    }
-
-    /// For every key where it is held. Most calls ask for what the last one asked for, in the same order, so that only what
-    /// stands between the common beginning and the common end needs a search.
-    fn places_of(&self, keys: &[K]) -> Vec<Option<usize>> {
-        let Window { begin, end } = Window::between(&self.held, keys, |(held, _), key| held == key);
-        let (old, new) = (begin..self.held.len() - end, begin..keys.len() - end);
-        let shift = |place: usize| place + self.held.len() - keys.len();
-        let by_key: HashMap<&K, usize> = match new.is_empty() {
-            true => HashMap::new(),
-            false => old.map(|place| (&self.held[place].0, place)).collect(),
-        };
-        let place = |i: usize| {
-            if i < new.start {
-                Some(i)
-            } else if i < new.end {
-                by_key.get(&keys[i]).copied()
-            } else {
-                Some(shift(i))
-            }
-        };
-        (0..keys.len()).map(place).collect()
     }
 
     /// Forgets all things but those that are wanted, which may be changed on the way.

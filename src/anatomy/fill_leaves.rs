@@ -146,7 +146,8 @@ impl LeafFill<'_> {
         let all = 0..forest.branches().len();
         forest.growth_points(all, (self.outline, self.region), spacing, &mut points);
         if points.is_empty() {
-            strewn(self.region, self.outline, 2.0 * spacing).for_each(|point| points.add(point));
+            strewn(self.region, self.outline, 2.0 * spacing)
+                .for_each(|(point, number)| points.add(point, number));
         }
         let leaf = |(point, laid): (&GrowthPoint, Option<Laid>)| {
             let Laid { tip, template, aspect } = laid?;
@@ -201,8 +202,8 @@ impl LeafFill<'_> {
     }
 }
 
-/// Growth points on a grid over the region, for an outline without a branch; wider where they would be too many.
-fn strewn(region: &Region, outline: StrokeId, spacing: f32) -> impl Iterator<Item = GrowthPoint> {
+/// Growth points on a grid over the region with their numbers there, for an outline without a branch; wider where they would be too many.
+fn strewn(region: &Region, outline: StrokeId, spacing: f32) -> impl Iterator<Item = (GrowthPoint, u64)> {
     let (low, high) = region.bounds().unwrap_or((Vec2::ZERO, Vec2::NEG_ONE));
     let size = high - low;
     let spacing = spacing.max(size.max_element() / MAX_PLACES);
@@ -216,8 +217,14 @@ fn strewn(region: &Region, outline: StrokeId, spacing: f32) -> impl Iterator<Ite
         let direction = (position - middle).normalize_or(Vec2::NEG_Y);
         let key = mix(mix(outline, row as u64), column as u64);
         let point = GrowthPoint { position, direction, attachment: None, side: side(column), key };
-        region.contains(position).then_some(point)
+        region.contains(position).then_some((point, interleaved(row as u32, column as u32)))
     })
+}
+
+/// A number of a place on a grid: multiples of a power of two are evenly spaced both ways.
+fn interleaved(row: u32, column: u32) -> u64 {
+    let bit = |of: u32, k: u32| u64::from(of >> k & 1);
+    (0..u32::BITS).map(|k| bit(row, k) << (2 * k + 1) | bit(column, k) << (2 * k)).sum()
 }
 
 #[cfg(test)]

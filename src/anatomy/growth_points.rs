@@ -130,13 +130,15 @@ impl Forest {
                     let at = number as f32 * spacing;
                     let position = from.lerp(to, ((at - arc) / span).clamp(0.0, 1.0));
                     if region.contains(position) {
-                        points.add(GrowthPoint {
+                        let point = GrowthPoint {
                             position,
                             direction: (to - from) / span,
                             attachment: Some(Attachment { branch, at }),
                             side: side(number),
                             key: self.key(branch, number, outline),
-                        });
+                        };
+                        // Branches begin to count anywhere, lest short ones have nothing.
+                        points.add(point, self.branches[branch].key.wrapping_add(number as u64));
                     }
                     number += 1;
                 }
@@ -156,12 +158,15 @@ fn box_of(branch: &FlatBranch) -> (Vec2, Vec2) {
     corners.fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(lo, hi), p| (lo.min(p), hi.max(p)))
 }
 
-/// At most `limit` of any number of things, evenly thinned: every k-th, k a power of two.
+/// At most `limit` of any number of things, evenly thinned: those whose number is a multiple of a power of two, the least
+/// that leaves few enough. Numbers count along a branch or over a grid and have nothing to do with what is elsewhere, so that
+/// what comes or goes there leaves all others as they are, but where the power of two changes.
 #[derive(Clone, Debug)]
 pub struct Thinned<T> {
     kept: Vec<T>,
+    numbers: Vec<u64>,
     limit: usize,
-    stride: usize,
+    stride: u64,
     seen: usize,
     /// Whether some were never seen.
     lacks: bool,
@@ -170,28 +175,25 @@ pub struct Thinned<T> {
 impl<T> Thinned<T> {
     /// Room for `limit` things.
     pub fn new(limit: usize) -> Self {
-        Self { kept: Vec::new(), limit, stride: 1, seen: 0, lacks: false }
+        Self { kept: Vec::new(), numbers: Vec::new(), limit, stride: 1, seen: 0, lacks: false }
     }
 
     /// Takes one more into account.
-    pub fn add(&mut self, thing: T) {
+    pub fn add(&mut self, thing: T, number: u64) {
         self.seen += 1;
-        if self.limit == 0 || !(self.seen - 1).is_multiple_of(self.stride) {
-            return;
-        }
-        if self.kept.len() == self.limit {
-            let mut count = 0;
-            self.kept.retain(|_| {
-                count += 1;
-                count % 2 == 1
-            });
-            self.stride *= 2;
-            if !(self.seen - 1).is_multiple_of(self.stride) {
+        while self.kept.len() >= self.limit && number.is_multiple_of(self.stride) {
+            if self.limit == 0 || self.stride > u64::MAX / 2 {
                 return;
             }
+            self.stride *= 2;
+            let mut numbers = self.numbers.iter();
+            let stride = self.stride;
+            self.kept.retain(|_| numbers.next().is_some_and(|number| number.is_multiple_of(stride)));
+            self.numbers.retain(|number| number.is_multiple_of(stride));
         }
-        if self.kept.len() < self.limit {
+        if number.is_multiple_of(self.stride) {
             self.kept.push(thing);
+            self.numbers.push(number);
         }
     }
 
@@ -223,9 +225,16 @@ mod tests {
     #[test]
     fn thinning_is_even() {
         let mut thinned = Thinned::new(10);
-        (0..1000).for_each(|k| thinned.add(k));
+        (0..1000).for_each(|k| thinned.add(k, k));
         let kept = thinned.kept();
         assert!(kept.len() <= 10 && kept.len() >= 5 && thinned.is_thinned());
         assert!(kept.windows(2).all(|w| w[1] - w[0] == kept[1] - kept[0]));
+        let mut with_others = Thinned::new(10);
+        (0..1000).for_each(|k| with_others.add(k, k));
+        (0..7).for_each(|k| with_others.add(1000 + k, 1 + 2 * k));
+        assert_eq!(with_others.kept(), kept, "what comes elsewhere leaves them alone");
+        let mut one_spot = Thinned::new(10);
+        (0..100).for_each(|k| one_spot.add(k, 0));
+        assert!(one_spot.kept().len() <= 10 && one_spot.is_thinned());
     }
 }

@@ -91,7 +91,7 @@ impl LeafTwigs<'_> {
         for _ in 0..self.params.generations {
             let mut points = Thinned::new(forest.room(self.params.max_twigs, MAX_STEPS + 1));
             let ends = forest.near(self.region, parents.clone()).filter_map(|i| self.end_of(i, forest));
-            ends.for_each(|end| points.add(end));
+            ends.for_each(|end| points.add(end, end.key));
             forest.growth_points(parents, (self.outline, self.region), spacing, &mut points);
             let first_new = forest.branches().len();
             for point in points.kept() {

@@ -4,9 +4,11 @@
 //! over forks (000 eq. 5.4). Along a branch the radius falls by 000 eq. 5.5. Pressure, which no paper uses, multiplies
 //! the result: half pressure, which is what a mouse gives, leaves the papers' thickness alone.
 
-use crate::anatomy::FlatBranch;
+use crate::anatomy::{FlatBranch, Sample};
 use crate::geom::polyline;
+use crate::kept::{Kept, Same};
 use crate::sketch::StrokePoint;
+use std::sync::Arc;
 
 crate::parameters! {
     /// Thickness of branches.
@@ -31,25 +33,60 @@ crate::parameters! {
 /// Largest share of its parent's radius that a branch has at its base.
 const LARGEST_CHILD: f32 = 0.92;
 
+/// What is kept of one drawing's branches for the next, all with the same parameters: how each tapers.
+#[derive(Debug, Default)]
+pub struct Tapers(Kept<Same<[Sample]>, Arc<Tapered>>);
+
+/// A branch whose thickness at its base is not known yet.
+#[derive(Debug)]
+struct Tapered {
+    /// Arc length at every sample, pixels.
+    arcs: Vec<f32>,
+    /// What the taper and what pressure make of the radius at every sample.
+    factors: Vec<(f32, f32)>,
+}
+
+impl Tapered {
+    fn new(line: &[Sample], params: &RadiusParams) -> Self {
+        let arcs = polyline::arc_lengths(line.iter().map(|s| s.position));
+        let length = arcs.last().copied().unwrap_or(0.0).max(f32::MIN_POSITIVE);
+        let factors = line.iter().zip(&arcs);
+        let factors = factors
+            .map(|(s, arc)| (taper(arc / length, params), pressure_factor(s.pressure, params)))
+            .collect();
+        Self { arcs, factors }
+    }
+}
+
 /// Radius in pixels at every sample of every branch.
 pub fn radii(branches: &[FlatBranch], diagonal: f32, params: &RadiusParams) -> Vec<Vec<f32>> {
+    radii_with(&mut Tapers::default(), branches, diagonal, params)
+}
+
+/// The very radii that [`radii`] gives, again and again while a drawing changes.
+pub fn radii_with(
+    known: &mut Tapers,
+    branches: &[FlatBranch],
+    diagonal: f32,
+    params: &RadiusParams,
+) -> Vec<Vec<f32>> {
     let pipes = pipes(branches);
     let most = pipes.iter().copied().max().unwrap_or(1) as f32;
     let thinnest = params.thinnest * diagonal;
+    let tapered = known.0.made(
+        branches,
+        |branch| Same::of(&branch.line),
+        |branch| Arc::new(Tapered::new(&branch.line, params)),
+    );
     let mut out: Vec<Vec<f32>> = Vec::with_capacity(branches.len());
-    let mut arcs: Vec<Vec<f32>> = Vec::with_capacity(branches.len());
-    for (branch, &pipes) in branches.iter().zip(&pipes) {
-        let along = polyline::arc_lengths(branch.line.iter().map(|s| s.position));
+    for (branch, (&pipes, of_branch)) in branches.iter().zip(pipes.iter().zip(&tapered)) {
         let mut base = params.trunk * diagonal * (pipes as f32 / most).powf(1.0 / params.pipe_exponent);
         if let Some(parent) = branch.parent {
-            base = base.min(LARGEST_CHILD * at(&arcs[parent], &out[parent], branch.attached_at));
+            base = base.min(LARGEST_CHILD * at(&tapered[parent].arcs, &out[parent], branch.attached_at));
         }
-        let length = along.last().copied().unwrap_or(0.0).max(f32::MIN_POSITIVE);
-        let samples = branch.line.iter().zip(&along);
-        let radius =
-            |pressure: f32, arc: f32| base * taper(arc / length, params) * pressure_factor(pressure, params);
-        out.push(samples.map(|(s, &arc)| radius(s.pressure, arc).max(thinnest)).collect());
-        arcs.push(along);
+        out.push(
+            of_branch.factors.iter().map(|(taper, press)| (base * taper * press).max(thinnest)).collect(),
+        );
     }
     out
 }
@@ -85,7 +122,6 @@ pub fn at(arcs: &[f32], values: &[f32], arc: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::anatomy::Sample;
     use glam::Vec2;
 
     fn branch(parent: Option<usize>, attached_at: f32) -> FlatBranch {

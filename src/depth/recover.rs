@@ -8,7 +8,7 @@ use super::{
     flowers::Flowers,
     leaves::{LeafParams, LeafPoser, Leaves},
     outline::CurlParams,
-    radii::{self, RadiusParams},
+    radii::{self, RadiusParams, Tapers},
 };
 use crate::anatomy::{Anatomy, Attachment, FlatBlade, FlatBranch, FlatFlower};
 use crate::geom::polyline;
@@ -60,6 +60,7 @@ pub struct Cache {
     /// Everything in here was made with these.
     params: DepthParams,
     branches: Spreads,
+    radii: Tapers,
     flowers: Flowers,
     leaves: Leaves,
 }
@@ -86,7 +87,8 @@ pub fn recover_with(
 
     let world = world_from_canvas(anatomy, &params.world);
     let mut provenance = Provenance::new(world);
-    let branches = skeleton.branches(anatomy.diagonal, &params.radii, &mut provenance);
+    let radii = radii::radii_with(&mut cache.radii, &skeleton.branches, anatomy.diagonal, &params.radii);
+    let branches = skeleton.lifted(radii, &mut provenance);
     let (flowers, organs) = cache.flowers.stand(anatomy, (&poses, &centers), &params.curl, &mut provenance);
     let mut plant = Plant { branches, flowers, organs, buds: Vec::new() };
     let poser = LeafPoser { world, seed, params: &params.leaves, curl: &params.curl };
@@ -177,9 +179,9 @@ impl Skeleton {
         world.point(line[i].position.lerp(next.position, share)).with_z(self.depth(place) * world.scale)
     }
 
-    fn branches(&self, diagonal: f32, params: &RadiusParams, provenance: &mut Provenance) -> Vec<Branch> {
+    /// The branches in the world, each with its radii in pixels.
+    fn lifted(&self, radii: Vec<Vec<f32>>, provenance: &mut Provenance) -> Vec<Branch> {
         let world = provenance.world_from_canvas;
-        let radii = radii::radii(&self.branches, diagonal, params);
         let lifted = |(i, (flat, radii)): (usize, (&FlatBranch, Vec<f32>))| {
             let point =
                 |(s, &z): (&crate::anatomy::Sample, &f32)| world.point(s.position).with_z(z * world.scale);

@@ -57,14 +57,14 @@ pub fn rebuild(
     let mut plans = parts::plan(plant, params);
     let workshop = Workshop::new(plant, params, cache);
     workshop.take_copies(&mut plans);
-    let known = &cache.meshes;
+    let (known, round) = (&cache.meshes, cache.round);
     let make = |scratch: &mut Scratch, plan: &Plan| {
         if stop() {
             return None;
         }
         workshop.write_recipe(&plan.source, &mut scratch.recipe);
         let hash = scratch.recipe.hash();
-        if let Some(mesh) = known.get(hash, &scratch.recipe) {
+        if let Some(mesh) = known.get(hash, &scratch.recipe, round) {
             return Some(Made { hash, recipe: None, mesh: mesh.clone() });
         }
         let recipe = Some(scratch.recipe.written());

@@ -17,12 +17,13 @@ use crate::kept::NameHasher;
 use std::collections::HashMap;
 use std::hash::BuildHasherDefault;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// What was built before.
 #[derive(Debug, Default)]
 pub struct Cache {
     params: ModelParams,
-    round: u64,
+    pub(super) round: u64,
     pub(super) meshes: Shelf<Arc<Mesh>>,
     pub(super) templates: Shelf<Template>,
     pub(super) shapes: Shelf<BladeShape>,
@@ -73,7 +74,7 @@ impl Cache {
         flatten: impl FnOnce() -> Option<FlatBlade>,
     ) -> Template {
         let hash = recipe.hash();
-        let template = self.templates.get(hash, recipe).cloned().unwrap_or_else(|| {
+        let template = self.templates.get(hash, recipe, self.round).cloned().unwrap_or_else(|| {
             self.names += 1;
             Template { name: self.names, flat: Arc::new(flatten()) }
         });
@@ -89,10 +90,8 @@ impl Cache {
     pub(super) fn keep(&mut self, Made { hash, recipe, mesh }: Made) -> Arc<Mesh> {
         match recipe {
             Some(recipe) => self.meshes.keep(hash, recipe, mesh, self.round),
-            None => {
-                self.meshes.touch(hash, self.round);
-                mesh
-            }
+            // It was marked as used when it was found.
+            None => mesh,
         }
     }
 }
@@ -116,7 +115,7 @@ struct Held<T> {
     recipe: WrittenRecipe,
     thing: T,
     /// The last build that used it.
-    round: u64,
+    round: AtomicU64,
 }
 
 impl<T> Default for Shelf<T> {
@@ -126,13 +125,16 @@ impl<T> Default for Shelf<T> {
 }
 
 impl<T: Clone> Shelf<T> {
-    /// The thing with this recipe.
-    pub(super) fn get(&self, hash: u64, recipe: &Recipe) -> Option<&T> {
-        self.held.get(&hash).filter(|held| recipe.is(&held.recipe)).map(|held| &held.thing)
+    /// The thing with this recipe, which is used in a build from now on.
+    pub(super) fn get(&self, hash: u64, recipe: &Recipe, round: u64) -> Option<&T> {
+        let held = self.held.get(&hash).filter(|held| recipe.is(&held.recipe))?;
+        held.round.store(round, Ordering::Relaxed);
+        Some(&held.thing)
     }
 
     /// Keeps a thing, or the one with the same recipe that is there already; gives the one that stays.
     fn keep(&mut self, hash: u64, recipe: WrittenRecipe, thing: T, round: u64) -> T {
+        let round = AtomicU64::new(round);
         if let Some(held) = self.held.get_mut(&hash).filter(|held| held.recipe == recipe) {
             held.round = round;
             return held.thing.clone();
@@ -141,14 +143,7 @@ impl<T: Clone> Shelf<T> {
         thing
     }
 
-    /// Marks a thing as used.
-    fn touch(&mut self, hash: u64, round: u64) {
-        if let Some(held) = self.held.get_mut(&hash) {
-            held.round = round;
-        }
-    }
-
     fn forget_before(&mut self, round: u64) {
-        self.held.retain(|_, held| held.round >= round);
+        self.held.retain(|_, held| *held.round.get_mut() >= round);
     }
 }

@@ -215,14 +215,14 @@ fn shapes(
     params: &ModelParams,
     cache: &mut Cache,
 ) -> Vec<Option<BladeShape>> {
-    let known = &cache.shapes;
+    let (known, round) = (&cache.shapes, cache.round);
     let make = |(scratch, recipe): &mut (BladeScratch, Recipe), blade: &&Blade| {
         let template = blade.template.and_then(|number| templates.get(&number))?;
         let flat = template.flat.as_ref().as_ref()?;
         let standing = shapes::standing(blade);
         recipe.shape(&standing, template.name);
         let hash = recipe.hash();
-        let shape = known.get(hash, recipe).cloned();
+        let shape = known.get(hash, recipe, round).cloned();
         let shape = shape.or_else(|| blade::shape(&standing, flat, &params.blade, scratch))?;
         Some((hash, recipe.written(), shape))
     };

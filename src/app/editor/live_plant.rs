@@ -3,8 +3,8 @@
 mod growth;
 
 use super::replay::Replay;
-use crate::app::canvas::Canvas;
 use crate::app::canvas::stroke_builder::StrokeBuilder;
+use crate::app::canvas::{Canvas, Preview};
 use crate::app::messages::{Localize as _, Messages};
 use crate::app::worker::{self, Counts, Growing, Update, Worker};
 use crate::growth::overlay::Wanted;
@@ -41,6 +41,11 @@ impl Handed {
         self.0 = Some((id, stroke.settled()));
         Some(Growing { id, tool, kept, points: stroke.points()[kept..].to_vec() })
     }
+}
+
+/// Whether two lists hold the very same strokes.
+fn is_same_list(a: &[Arc<Stroke>], b: &[Arc<Stroke>]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| Arc::ptr_eq(a, b))
 }
 
 /// Outlines that are drawn.
@@ -82,6 +87,8 @@ pub(super) struct LivePlant {
     revisions: Revisions,
     /// What the worker has of the stroke under the pen.
     handed: Handed,
+    /// All other strokes as the worker has them.
+    strokes: Arc<Vec<Arc<Stroke>>>,
     /// The drawing changed since.
     is_stale: bool,
     is_running: bool,
@@ -106,6 +113,7 @@ impl LivePlant {
             outlines: Outlines::default(),
             revisions: Revisions::default(),
             handed: Handed::default(),
+            strokes: Arc::default(),
             is_stale: false,
             is_running: false,
             last: None,
@@ -186,9 +194,11 @@ impl LivePlant {
         if !std::mem::take(&mut self.is_stale) {
             return;
         }
-        // Not simply a clone: of many strokes even the list is only copied once.
+        // Not simply a clone: of many strokes even the list is copied only where it changed.
         let Sketch { canvas: size, species, seed, params, textures, reference, plants, strokes } = sketch;
-        let strokes = canvas.previewed(strokes);
+        if !(matches!(canvas.preview(), Preview::Same) && is_same_list(&self.strokes, strokes)) {
+            self.strokes = Arc::new(canvas.previewed(strokes));
+        }
         let growing = self.handed.grown(canvas.growing());
         let sketch = Sketch {
             canvas: *size,
@@ -198,7 +208,7 @@ impl LivePlant {
             textures: textures.clone(),
             reference: reference.clone(),
             plants: plants.clone(),
-            strokes,
+            strokes: Vec::new(),
         };
         self.revisions.submitted += 1;
         self.is_running = true;
@@ -206,6 +216,7 @@ impl LivePlant {
         self.worker.submit(worker::Snapshot {
             revision,
             sketch,
+            strokes: Arc::clone(&self.strokes),
             growing,
             folder: folder.to_owned(),
             overlay,
