@@ -6,8 +6,8 @@ use penstemon::model::{
     BladeMeshParams, ModelParams, PlanarGraph, TriangulationScratch, build, triangulation_input,
 };
 use penstemon::plant::{
-    Blade, BladeForm, Branch, Cone, FinishedPlant, Flower, Organ, OrganPart, Origin, Plant, RestSurface,
-    Role, Shape, WoodPart,
+    Blade, BladeForm, Branch, Cone, Detail, FinishedPlant, Flower, Organ, OrganPart, Origin, Plant,
+    RestSurface, Role, Shape, Template, TemplateId, Templates, WoodPart,
 };
 use spade::{ConstrainedDelaunayTriangulation, Point2};
 use std::f32::consts::TAU;
@@ -24,19 +24,15 @@ fn outline(length: f32, wobble: f32) -> Vec<Vec2> {
     (0..140).map(at).collect()
 }
 
-fn blade(length: f32, turn: f32, rest: RestSurface, base: Vec3, template: Option<u32>) -> Blade {
+/// The template of a petal or leaf of a length.
+fn template(length: f32, turn: f32, detail: Detail) -> Template {
+    Template::new(outline(length, 1.0 + turn), Vec::new(), length, detail)
+}
+
+fn blade(template: TemplateId, turn: f32, rest: RestSurface, base: Vec3) -> Blade {
     let (sin, cos) = turn.sin_cos();
-    Blade {
-        outline: outline(length, 1.0 + turn).into(),
-        curl: Vec::new(),
-        base,
-        u: Vec3::new(cos, sin, 0.0),
-        v: Vec3::new(-sin, cos, 0.0),
-        length,
-        rest,
-        form: BladeForm::default(),
-        template,
-    }
+    let (u, v) = (Vec3::new(cos, sin, 0.0), Vec3::new(-sin, cos, 0.0));
+    Blade { template, base, u, v, rest, form: BladeForm::default() }
 }
 
 fn organ(part: OrganPart, flower: Option<usize>, blade: Blade) -> Organ {
@@ -64,14 +60,19 @@ fn branch(parent: Option<usize>, base: Vec3, radius: f32) -> Branch {
 fn flower() -> Plant {
     let apex = Vec3::new(0.0, 0.6, 0.0);
     let cone = Cone { apex, axis: Vec3::new(0.0, 0.5, 0.866), opening_rad: 1.1, height: 0.05 };
-    let petals = (0..13).map(|k| {
-        let rest = RestSurface::Cone { cone, hint: 0.03 };
-        organ(OrganPart::Petal, Some(0), blade(0.1, TAU * k as f32 / 13.0, rest, apex, None))
-    });
-    let leaves = (0..4).map(|k| {
-        let base = Vec3::Y * (0.1 + 0.1 * k as f32);
-        organ(OrganPart::Leaf, None, blade(0.15, 0.8 * k as f32, RestSurface::Plane, base, None))
-    });
+    let mut templates = Templates::default();
+    let mut organs = Vec::new();
+    for k in 0..13 {
+        let turn = TAU * k as f32 / 13.0;
+        let (template, rest) =
+            (templates.add(template(0.1, turn, Detail::Full)), RestSurface::Cone { cone, hint: 0.03 });
+        organs.push(organ(OrganPart::Petal, Some(0), blade(template, turn, rest, apex)));
+    }
+    for k in 0..4 {
+        let (turn, base) = (0.8 * k as f32, Vec3::Y * (0.1 + 0.1 * k as f32));
+        let template = templates.add(template(0.15, turn, Detail::Full));
+        organs.push(organ(OrganPart::Leaf, None, blade(template, turn, RestSurface::Plane, base)));
+    }
     Plant {
         branches: vec![
             branch(None, Vec3::ZERO, 0.006),
@@ -79,29 +80,29 @@ fn flower() -> Plant {
             branch(Some(0), Vec3::Y * 0.3, 0.004),
         ],
         flowers: vec![Flower { branch: Some(0), cone, centre_radius: 0.01, reach: 0.1, look: 0 }],
-        organs: petals.chain(leaves).collect(),
+        organs,
+        templates,
         buds: Vec::new(),
     }
 }
 
 /// Copies of one leaf, all over.
 fn foliage(count: usize) -> Plant {
+    let mut templates = Templates::default();
+    let template = templates.add(template(0.05, 0.0, Detail::Reduced));
     let leaf = |k: usize| {
         let base = Vec3::new((k as f32 * 0.37).sin(), k as f32 / count as f32, (k as f32 * 0.61).cos());
-        let turned = blade(0.05, 0.0, RestSurface::Plane, base, Some(0));
+        let turned = blade(template, 0.0, RestSurface::Plane, base);
         let turn = glam::Quat::from_rotation_y(k as f32);
         organ(OrganPart::Leaf, None, Blade { u: turn * turned.u, v: turn * turned.v, ..turned })
     };
-    Plant { organs: (0..count).map(leaf).collect(), flowers: Vec::new(), ..flower() }
+    Plant { organs: (0..count).map(leaf).collect(), templates, flowers: Vec::new(), ..flower() }
 }
 
 fn graphs(plant: &Plant) -> Vec<PlanarGraph> {
     let params = BladeMeshParams::default();
-    let blades = plant.organs.iter().filter_map(|organ| match &organ.shape {
-        Shape::Blade(blade) => Some(blade),
-        _ => None,
-    });
-    blades.filter_map(|blade| triangulation_input(blade, &params)).collect()
+    let blades = plant.blades().map(|blade| plant.templates.resolve(blade));
+    blades.filter_map(|blade| triangulation_input(&blade, &params)).collect()
 }
 
 fn against_spade(c: &mut Criterion) {

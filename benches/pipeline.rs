@@ -46,7 +46,7 @@ type SpadeInput = (Vec<Point2<f64>>, Vec<[usize; 2]>);
 /// What spade is given for every blade of a plant.
 fn spade_inputs(plant: &Plant, params: &BladeMeshParams) -> Vec<SpadeInput> {
     let blades = plant.organs.iter().filter_map(|organ| match &organ.shape {
-        Shape::Blade(blade) => triangulation_input(blade, params),
+        Shape::Blade(blade) => triangulation_input(&plant.templates.resolve(blade), params),
         _ => None,
     });
     blades.map(|graph| graph.spade_input()).collect()

@@ -170,7 +170,9 @@ fn silhouette(plant: &Plant, low: Vec2, cell: f32) -> Vec<bool> {
     let place = |p: Vec2| ((p - low) / cell).clamp(Vec2::ZERO, Vec2::splat(CELLS as f32 - 1.0));
     for organ in &plant.organs {
         let Shape::Blade(blade) = &organ.shape else { continue };
-        let leaf = Region::new(blade.outline.iter().map(|uv| blade.at_rest(*uv).truncate()).collect());
+        let blade = plant.templates.resolve(blade);
+        let outline = blade.template.outline().iter();
+        let leaf = Region::new(outline.map(|uv| blade.at_rest(*uv).truncate()).collect());
         let (a, b) = leaf.bounds().unwrap_or_default();
         for y in place(a).y as usize..=place(b).y as usize {
             for x in place(a).x as usize..=place(b).x as usize {

@@ -90,7 +90,9 @@ fn seen_from_the_front(sketch: &Sketch, built: &Built) -> Vec<Seen> {
     for organ in built.plant.organs.iter().filter(|o| o.kind() == OrganKind::Petal) {
         let stroke = built.provenance.stroke(organ.origin);
         let (Some(stroke), Shape::Blade(blade)) = (stroke, &organ.shape) else { continue };
-        let mut outline: Vec<Vec2> = blade.outline.iter().map(|&uv| front(blade.at_rest(uv))).collect();
+        let blade = built.plant.templates.resolve(blade);
+        let mut outline: Vec<Vec2> =
+            blade.template.outline().iter().map(|&uv| front(blade.at_rest(uv))).collect();
         outline.extend(outline.first().copied());
         let drawn = line_of(stroke);
         let kept = without_tails(drawn.clone(), &outline);

@@ -8,7 +8,7 @@ use penstemon::model::crossing::crossing_faces;
 use penstemon::model::quality::judge_model;
 use penstemon::model::{self, ModelParams};
 use penstemon::pipeline::{self, Built};
-use penstemon::plant::{FinishedPlant, Plant};
+use penstemon::plant::{FinishedPlant, Plant, Templates};
 use penstemon::sketch;
 use penstemon::species::Species;
 use rayon::prelude::*;
@@ -17,7 +17,8 @@ use std::process::{Command, Output};
 
 /// Faces of the wood alone that pass through others, and all of its faces.
 fn crossing_wood(name: &str, plant: &Plant) -> (usize, usize) {
-    let wood = FinishedPlant::plain(Plant { organs: Vec::new(), ..plant.clone() });
+    let bare = Plant { organs: Vec::new(), templates: Templates::default(), ..plant.clone() };
+    let wood = FinishedPlant::plain(bare);
     let model = model::build(&wood, &ModelParams::default());
     let trunks = plant.branches.iter().filter(|branch| branch.parent.is_none()).count();
     let report = judge_model(&model);

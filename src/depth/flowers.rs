@@ -10,7 +10,9 @@ use super::outline::{CurlParams, DrawnBlade};
 use super::petals;
 use crate::anatomy::{Anatomy, FlatBlade, FlatFlower};
 use crate::kept::Kept;
-use crate::plant::{Blade, Cone, Flower, Organ, OrganPart, Provenance, Role, Shape, WorldFromCanvas};
+use crate::plant::{
+    Blade, Cone, Flower, Organ, OrganPart, Provenance, Role, Shape, Template, Templates, WorldFromCanvas,
+};
 use glam::Vec2;
 use std::sync::Arc;
 
@@ -21,7 +23,7 @@ const CENTRE: (f32, f32) = (0.05, 0.4);
 #[derive(Debug, Default)]
 pub struct Flowers {
     poses: Kept<PoseKey, Arc<FlowerPose>>,
-    petals: Kept<PetalKey, Blade>,
+    petals: Kept<PetalKey, Blade<Arc<Template>>>,
 }
 
 /// Everything that a pose is found from but the parameters.
@@ -63,15 +65,15 @@ impl Flowers {
         self.poses.made(&flowers, key, |(flower, stem)| Arc::new(pose_of(flower, *stem, anatomy, params)))
     }
 
-    /// The flowers of a drawing and the organs that are their petals, flower by flower; `depths` are those of their centres
-    /// in pixels.
+    /// The flowers of a drawing and the organs that are their petals, flower by flower, with templates of their own; `depths`
+    /// are those of their centres in pixels.
     pub fn stand(
         &mut self,
         anatomy: &Anatomy,
         (poses, depths): (&[Arc<FlowerPose>], &[f32]),
         curl: &CurlParams,
         provenance: &mut Provenance,
-    ) -> (Vec<Flower>, Vec<Organ>) {
+    ) -> (Vec<Flower>, Vec<Organ>, Templates) {
         let world = &{ provenance.world_from_canvas };
         let posed = anatomy.flowers.iter().zip(poses).zip(depths);
         let flowers: Vec<Flower> =
@@ -92,17 +94,17 @@ impl Flowers {
                 |petal| petals::petal(petal.flat, &petal.cone, petal.tip_depth, world, curl),
             )
             .into_iter();
-        let mut organs = Vec::with_capacity(standing.len());
+        let (mut organs, mut templates) = (Vec::with_capacity(standing.len()), Templates::default());
         for (index, (flat, flower)) in anatomy.flowers.iter().zip(&flowers).enumerate() {
             organs.extend(flat.petals.iter().zip(blades.by_ref()).map(|(&p, blade)| Organ {
                 role: Role::of(OrganPart::Petal),
                 origin: provenance.record(anatomy.petals[p].stroke),
                 branch: flower.branch,
                 flower: Some(index),
-                shape: Shape::Blade(blade),
+                shape: Shape::Blade(blade.with_template(templates.add(blade.template.clone()))),
             }));
         }
-        (flowers, organs)
+        (flowers, organs, templates)
     }
 }
 

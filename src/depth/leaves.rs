@@ -12,7 +12,7 @@
 use super::outline::{BladeFrame, CurlParams, DrawnBlade, outline_of};
 use crate::anatomy::{Copy, FlatBlade};
 use crate::kept::Kept;
-use crate::plant::{Blade, BladeForm, RestSurface, WorldFromCanvas};
+use crate::plant::{Blade, BladeForm, Detail, RestSurface, Template, TemplateId, Templates, WorldFromCanvas};
 use crate::random::stream;
 use glam::{Quat, Vec2, Vec3};
 use rand::RngExt;
@@ -55,7 +55,7 @@ pub struct LeafPoser<'a> {
 
 impl LeafPoser<'_> {
     /// A drawn leaf whose root lies at the world depth `depth`.
-    pub fn drawn(&self, flat: &FlatBlade, depth: f32) -> Blade {
+    pub fn drawn(&self, flat: &FlatBlade, depth: f32) -> Blade<Arc<Template>> {
         let params = self.params;
         let mut rng = stream(self.seed, "leaf pose", flat.key());
         let frame = BladeFrame::new(flat, &self.world, false);
@@ -72,12 +72,12 @@ impl LeafPoser<'_> {
         let length = self.world.vector(flat.axis()).length() * stretch;
         let base = self.world.point(flat.root).with_z(depth);
         let form = BladeForm::default();
-        let outline = outline.into();
-        Blade { outline, curl, base, u, v, length, rest: RestSurface::Plane, form, template: None }
+        let template = Arc::new(Template::new(outline, curl, length, Detail::Full));
+        Blade { template, base, u, v, rest: RestSurface::Plane, form }
     }
 
-    /// A copied leaf at `base`: its template's outline under an affine map that takes (0, 1) to the tip.
-    pub fn copied(&self, flat: &FlatBlade, copy: Copy, template: &Arc<[Vec2]>, base: Vec3) -> Blade {
+    /// A copied leaf at `base`: a template of length 1 under an affine map that takes its tip to the leaf's.
+    pub fn copied(&self, flat: &FlatBlade, copy: Copy, template: TemplateId, base: Vec3) -> Blade {
         let params = self.params;
         let mut rng = stream(self.seed, "leaf pose", flat.key());
         let drawn = self.world.vector(flat.axis());
@@ -88,22 +88,19 @@ impl LeafPoser<'_> {
         let u = Quat::from_axis_angle(v, roll) * u;
         let length = drawn.length();
         Blade {
-            outline: template.clone(),
-            curl: Vec::new(),
+            template,
             base,
             u: u * length * copy.aspect,
             v: v * length,
-            length: 1.0,
             rest: RestSurface::Plane,
             form: BladeForm::default(),
-            template: Some(copy.template),
         }
     }
 }
 
 /// Drawn leaves from one drawing to the next, all posed with the same parameters.
 #[derive(Debug, Default)]
-pub struct Leaves(Kept<LeafKey, Blade>);
+pub struct Leaves(Kept<LeafKey, Blade<Arc<Template>>>);
 
 /// Everything that a drawn leaf is posed from but the parameters.
 #[derive(Debug, PartialEq, Eq, Hash)]
@@ -116,13 +113,14 @@ struct LeafKey {
 }
 
 impl Leaves {
-    /// Poses leaves, each at its foot, in their order. Copies of templates are posed anew: there are many, and each is
-    /// posed in no time.
+    /// Poses leaves, each at its foot, in their order, and puts their templates behind those of a plant; `outlines` are those
+    /// that leaves are copies of. Copies are posed anew: there are many, and each is posed in no time.
     pub fn pose(
         &mut self,
         leaves: &[(&FlatBlade, Vec3)],
-        templates: &[Arc<[Vec2]>],
+        outlines: &[Arc<[Vec2]>],
         poser: &LeafPoser<'_>,
+        templates: &mut Templates,
     ) -> Vec<Blade> {
         let WorldFromCanvas { scale, origin } = poser.world;
         let key = |(leaf, foot): &(&FlatBlade, Vec3)| LeafKey {
@@ -132,17 +130,37 @@ impl Leaves {
         };
         let drawn: Vec<(&FlatBlade, Vec3)> =
             leaves.iter().filter(|(leaf, _)| leaf.copy_of.is_none()).copied().collect();
-        let mut drawn = self.0.made(&drawn, key, |(leaf, foot)| poser.drawn(leaf, foot.z)).into_iter();
+        let drawn = self.0.made(&drawn, key, |(leaf, foot)| poser.drawn(leaf, foot.z));
+        let known = copied_templates(leaves, outlines, templates);
         let copied: Vec<Option<Blade>> = leaves
             .par_iter()
             .with_min_len(64)
             .map(|(leaf, foot)| {
                 let copy = leaf.copy_of?;
-                Some(poser.copied(leaf, copy, &templates[copy.template as usize], *foot))
+                Some(poser.copied(leaf, copy, known[copy.template as usize]?, *foot))
             })
             .collect();
+        let mut drawn =
+            drawn.into_iter().map(|blade| blade.with_template(templates.add(blade.template.clone())));
         copied.into_iter().filter_map(|blade| blade.or_else(|| drawn.next())).collect()
     }
+}
+
+/// Puts the outlines that leaves are copies of behind the templates of a plant; gives the place of each that is used.
+fn copied_templates(
+    leaves: &[(&FlatBlade, Vec3)],
+    outlines: &[Arc<[Vec2]>],
+    templates: &mut Templates,
+) -> Vec<Option<TemplateId>> {
+    let mut is_used = vec![false; outlines.len()];
+    leaves
+        .iter()
+        .filter_map(|(leaf, _)| leaf.copy_of)
+        .for_each(|copy| is_used[copy.template as usize] = true);
+    let template = |outline: &[Vec2]| Template::new(outline.to_vec(), Vec::new(), 1.0, Detail::Reduced);
+    let of_used =
+        |(outline, is_used): (&Arc<[Vec2]>, bool)| is_used.then(|| templates.add(template(outline)));
+    outlines.iter().zip(is_used).map(of_used).collect()
 }
 
 /// Unit vectors across and along the unit `axis` such that across × along comes as near as it can to `normal`.
@@ -178,7 +196,7 @@ mod tests {
         }
     }
 
-    fn posed(flat: &FlatBlade, seed: u64, params: &LeafParams) -> Blade {
+    fn posed(flat: &FlatBlade, seed: u64, params: &LeafParams) -> Blade<Arc<Template>> {
         LeafPoser { world: WORLD, seed, params, curl: &CurlParams::default() }.drawn(flat, 0.02)
     }
 
@@ -186,7 +204,7 @@ mod tests {
     fn the_tip_keeps_its_place_on_the_sheet() {
         for seed in 0..20 {
             let blade = posed(&leaf(Vec2::ZERO), seed, &LeafParams::default());
-            let tip = blade.at_rest(Vec2::new(0.0, blade.length));
+            let tip = blade.tip_at_rest();
             assert!(tip.truncate().distance(Vec2::new(0.1, 0.06)) < 1e-5, "{tip}");
             assert_eq!(blade.base.z, 0.02);
         }
@@ -214,18 +232,15 @@ mod tests {
 
     #[test]
     fn copies_reach_from_root_to_length() {
-        let template = [Vec2::ZERO, Vec2::new(0.2, 0.5), Vec2::Y, Vec2::new(-0.2, 0.5)].into();
-        let copy = Copy { template: 4, aspect: 1.1, key: 9 };
+        let outline = vec![Vec2::ZERO, Vec2::new(0.2, 0.5), Vec2::Y, Vec2::new(-0.2, 0.5)];
+        let mut templates = Templates::default();
+        let template = templates.add(Template::new(outline, Vec::new(), 1.0, Detail::Reduced));
+        let copy = Copy { template: 0, aspect: 1.1, key: 9 };
         let base = Vec3::new(0.3, 0.2, 0.1);
         let (params, curl) = (&LeafParams::default(), &CurlParams::default());
-        let blade = LeafPoser { world: WORLD, seed: 1, params, curl }.copied(
-            &leaf(Vec2::ZERO),
-            copy,
-            &template,
-            base,
-        );
-        assert_eq!(blade.template, Some(4));
-        assert!((blade.at_rest(Vec2::Y).distance(base) - 0.1166).abs() < 1e-3);
-        assert!(Arc::ptr_eq(&blade.outline, &template));
+        let blade =
+            LeafPoser { world: WORLD, seed: 1, params, curl }.copied(&leaf(Vec2::ZERO), copy, template, base);
+        assert_eq!(blade.template, template);
+        assert!((templates.resolve(&blade).tip_at_rest().distance(base) - 0.1166).abs() < 1e-3);
     }
 }

@@ -1,7 +1,6 @@
 //! A drawn outline in its blade's own plane.
 
 use crate::anatomy::{FlatBlade, Sample};
-use crate::geom::simple_loop;
 use crate::kept::Same;
 use crate::plant::WorldFromCanvas;
 use crate::sketch::StrokePoint;
@@ -48,7 +47,7 @@ impl BladeFrame {
     }
 }
 
-/// The outline in (u, v) metres, counter-clockwise, with the curl that pressure gives each of its points (none when
+/// The outline in (u, v) metres with the curl that pressure gives each of its points (none when
 /// the pen was steady at neutral pressure or curling is switched off).
 pub fn outline_of(
     flat: &FlatBlade,
@@ -60,17 +59,13 @@ pub fn outline_of(
         let d = world.vector(p - flat.root).truncate();
         Vec2::new(d.dot(frame.u), d.dot(frame.v))
     };
-    let mut outline: Vec<Vec2> = flat.outline.iter().map(|s| place(s.position)).collect();
+    let outline = flat.outline.iter().map(|s| place(s.position)).collect();
     let curl_of = |pressure: f32| {
         (2.0 * params.pressure_curl * (pressure - StrokePoint::NEUTRAL_PRESSURE)).clamp(-1.0, 1.0)
     };
     let mut curl: Vec<f32> = flat.outline.iter().map(|s| curl_of(s.pressure)).collect();
     if curl.iter().all(|&c| c == 0.0) {
         curl.clear();
-    }
-    if simple_loop::signed_area(outline.iter().copied()) < 0.0 {
-        outline.reverse();
-        curl.reverse();
     }
     (outline, curl)
 }
@@ -90,11 +85,10 @@ mod tests {
     }
 
     #[test]
-    fn outlines_turn_counter_clockwise_on_either_side() {
+    fn the_tip_is_a_length_away_on_either_side() {
         for from_behind in [false, true] {
             let frame = BladeFrame::new(&leaf(), &WORLD, from_behind);
             let (outline, curl) = outline_of(&leaf(), &frame, &WORLD, &CurlParams::default());
-            assert!(simple_loop::signed_area(outline.iter().copied()) > 0.0);
             assert!(outline.iter().any(|p| p.distance(Vec2::Y) < 1e-6), "the tip is at (0, length)");
             assert!(curl.is_empty());
         }

@@ -6,8 +6,9 @@
 
 use super::outline::{BladeFrame, CurlParams, outline_of};
 use crate::anatomy::FlatBlade;
-use crate::plant::{Blade, BladeForm, Cone, RestSurface, WorldFromCanvas};
+use crate::plant::{Blade, BladeForm, Cone, Detail, RestSurface, Template, WorldFromCanvas};
 use glam::{Vec2, Vec3};
+use std::sync::Arc;
 
 /// A petal on a cone; `tip_depth` is the world depth of its tip.
 pub fn petal(
@@ -16,7 +17,7 @@ pub fn petal(
     tip_depth: f32,
     world: &WorldFromCanvas,
     curl: &CurlParams,
-) -> Blade {
+) -> Blade<Arc<Template>> {
     let base = world.point(flat.root).truncate();
     let axis = world.vector(flat.axis()).truncate();
     let middle = base + 0.5 * axis;
@@ -25,15 +26,12 @@ pub fn petal(
     let frame = BladeFrame::new(flat, world, !facing);
     let (outline, curls) = outline_of(flat, &frame, world, curl);
     Blade {
-        outline: outline.into(),
-        curl: curls,
+        template: Arc::new(Template::new(outline, curls, axis.length(), Detail::Full)),
         base: base.extend(cone.depth_near(base, cone.apex.z)),
         u: frame.u.extend(0.0),
         v: frame.v.extend(0.0),
-        length: axis.length(),
         rest: RestSurface::Cone { cone: *cone, hint: tip_depth },
         form: BladeForm::default(),
-        template: None,
     }
 }
 

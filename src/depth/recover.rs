@@ -89,8 +89,9 @@ pub fn recover_with(
     let mut provenance = Provenance::new(world);
     let radii = radii::radii_with(&mut cache.radii, &skeleton.branches, anatomy.diagonal, &params.radii);
     let branches = skeleton.lifted(radii, &mut provenance);
-    let (flowers, organs) = cache.flowers.stand(anatomy, (&poses, &centers), &params.curl, &mut provenance);
-    let mut plant = Plant { branches, flowers, organs, buds: Vec::new() };
+    let (flowers, organs, templates) =
+        cache.flowers.stand(anatomy, (&poses, &centers), &params.curl, &mut provenance);
+    let mut plant = Plant { branches, flowers, organs, templates, buds: Vec::new() };
     let poser = LeafPoser { world, seed, params: &params.leaves, curl: &params.curl };
     add_leaves((&mut plant, &mut provenance), &skeleton, anatomy, (&mut cache.leaves, &poser));
     debug_assert_eq!(provenance.check_invariants(&plant), Ok(()));
@@ -216,10 +217,12 @@ fn add_leaves(
         None => poser.world.point(leaf.root),
     };
     let standing: Vec<(&FlatBlade, Vec3)> = anatomy.leaves.iter().map(|leaf| (leaf, foot(leaf))).collect();
-    let blades = known.pose(&standing, &anatomy.templates, poser);
+    let blades = known.pose(&standing, &anatomy.templates, poser, &mut plant.templates);
     for ((leaf, foot), blade) in standing.into_iter().zip(blades) {
         let parent = match leaf.attachment.map(|place| place.branch) {
-            Some(branch) if foot.distance(blade.base) > PETIOLE_GAP * blade.length => {
+            Some(branch)
+                if foot.distance(blade.base) > PETIOLE_GAP * plant.templates[blade.template].length() =>
+            {
                 add_petiole(plant, branch, foot, blade.base)
             }
             parent => parent,

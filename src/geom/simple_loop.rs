@@ -96,6 +96,11 @@ impl Run {
     }
 }
 
+/// Whether no two edges of a closed loop cross or touch but at the point that they share.
+pub fn is_simple(points: &[Vec2]) -> bool {
+    first_crossing(points).is_none()
+}
+
 /// The first pair of edges `(i, j)`, `i < j`, that cross, and the share of edge `i` before the crossing.
 fn first_crossing(points: &[Vec2]) -> Option<(usize, usize, f32)> {
     let n = points.len();

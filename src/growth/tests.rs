@@ -337,9 +337,7 @@ fn drawn() -> Plant {
             branch(None, vec![Vec3::ZERO, Vec3::Y, Vec3::new(0.2, 2.5, 0.0)], 0.1),
             branch(Some(0), vec![Vec3::new(0.05, 1.4, 0.0), Vec3::new(-1.5, 2.2, 0.3)], 0.05),
         ],
-        flowers: Vec::new(),
-        organs: Vec::new(),
-        buds: Vec::new(),
+        ..Plant::default()
     }
 }
 

@@ -12,10 +12,9 @@ use super::params::ModelParams;
 use super::solids::SolidParams;
 use super::spine::{self, SpineScratch};
 use super::tube::{self, TubeParams};
-use crate::plant::{Blade, Branch, Plant, Shape};
+use crate::plant::{Branch, Detail, Plant, Shape, Template};
 use rayon::prelude::*;
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 
 /// Share of its fineness that is left of a parameter with each step.
 const STEP: f32 = 0.75;
@@ -116,13 +115,13 @@ fn of_wood(plant: &Plant, params: &TubeParams, size: f32, rings: &Rings) -> u64 
 }
 
 fn of_organs(plant: &Plant, params: &ModelParams) -> u64 {
-    let templates = templates(plant, &params.blade);
+    let counted = counted_templates(plant, &params.blade);
     let solid = &params.solid;
     let [sides, rows] = [solid.sides, solid.dome_rows].map(u64::from);
     let of_organ = |shape: &Shape| match shape {
         Shape::Blade(blade) => {
-            let counted = blade.template.and_then(|template| templates.get(&template)).copied();
-            counted.unwrap_or_else(|| blade_at_most(blade, &params.blade))
+            let counted = counted[blade.template.index()];
+            counted.unwrap_or_else(|| blade_at_most(&plant.templates[blade.template], &params.blade))
         }
         Shape::Dome { .. } => 2 * sides * (rows + 1),
         Shape::Lathe { profile, .. } => 2 * sides * profile.len() as u64,
@@ -134,25 +133,18 @@ fn of_organs(plant: &Plant, params: &ModelParams) -> u64 {
     plant.organs.par_iter().with_min_len(1024).map(|organ| of_organ(&organ.shape)).sum()
 }
 
-/// The triangles of a blade of each template, where the templates are few.
-fn templates(plant: &Plant, params: &BladeMeshParams) -> BTreeMap<u32, u64> {
-    let mut firsts: BTreeMap<u32, &Blade> = BTreeMap::new();
-    for organ in &plant.organs {
-        if let Shape::Blade(blade) = &organ.shape
-            && let Some(template) = blade.template
-        {
-            firsts.entry(template).or_insert(blade);
-        }
-    }
-    if firsts.len() > COUNTED {
-        return BTreeMap::new();
+/// The triangles of a blade of each template of reduced detail, where those are few.
+fn counted_templates(plant: &Plant, params: &BladeMeshParams) -> Vec<Option<u64>> {
+    let is_reduced = |template: &Template| template.detail() == Detail::Reduced;
+    if plant.templates.iter().filter(|template| is_reduced(template)).count() > COUNTED {
+        return vec![None; plant.templates.len()];
     }
     let mut scratch = FlatScratch::default();
-    let mut count = |blade: &Blade| {
-        let flat = flat::flatten(blade, params, &mut scratch);
+    let mut count = |template: &Template| {
+        let flat = flat::flatten(template, None, params, &mut scratch);
         flat.map_or(0, |flat| both_sides(flat.margin as u64, (flat.points.len() - flat.margin) as u64))
     };
-    firsts.into_iter().map(|(template, blade)| (template, count(blade))).collect()
+    plant.templates.iter().map(|template| is_reduced(template).then(|| count(template))).collect()
 }
 
 /// Triangles of both faces and the rim of a blade with so many points at the margin and inside.
@@ -160,14 +152,14 @@ fn both_sides(margin: u64, inside: u64) -> u64 {
     4 * (margin + inside)
 }
 
-fn blade_at_most(blade: &Blade, params: &BladeMeshParams) -> u64 {
-    let drawn = blade.outline.len() as u64;
-    let (points, rows, columns) = match blade.template {
-        Some(_) => {
+fn blade_at_most(template: &Template, params: &BladeMeshParams) -> u64 {
+    let drawn = template.outline().len() as u64;
+    let (points, rows, columns) = match template.detail() {
+        Detail::Reduced => {
             let most = u64::from(params.template_outline_points);
             (drawn.min(most), params.template_rows, params.template_columns)
         }
-        None => (drawn, params.rows, params.columns),
+        Detail::Full => (drawn, params.rows, params.columns),
     };
     let rows = u64::from(rows);
     both_sides(points + EDGES_A_ROW * (rows + 1), rows * (2 * u64::from(columns) + 1))

@@ -18,7 +18,7 @@ use super::flat::{BladeMeshParams, FlatBlade};
 use super::mesh::{Mesh, Vertex};
 use super::relief::Relief;
 use super::shapes::{BladeShape, THINNEST};
-use crate::plant::{Blade, RestSurface};
+use crate::plant::{ResolvedBlade, RestSurface};
 use glam::{Vec2, Vec3};
 
 /// Memory that is used again for every blade.
@@ -30,7 +30,7 @@ pub(super) struct BladeScratch {
 
 /// The mesh of a blade whose outline has been triangulated; `None` for one too small or too collapsed to be seen.
 pub(super) fn mesh(
-    blade: &Blade,
+    blade: &ResolvedBlade<'_>,
     flat: &FlatBlade,
     params: &BladeMeshParams,
     scratch: &mut BladeScratch,
@@ -53,7 +53,7 @@ pub(super) fn mesh(
 
 /// The shape that copies of a blade have in common; the blade stands at the origin, u along x and v along y.
 pub(super) fn shape(
-    blade: &Blade,
+    blade: &ResolvedBlade<'_>,
     flat: &FlatBlade,
     params: &BladeMeshParams,
     scratch: &mut BladeScratch,
@@ -63,13 +63,13 @@ pub(super) fn shape(
 }
 
 /// Half the thickness in the middle of a blade that is `size` metres large.
-fn half_thickness(blade: &Blade, flat: &FlatBlade, size: f32) -> f32 {
+fn half_thickness(blade: &ResolvedBlade<'_>, flat: &FlatBlade, size: f32) -> f32 {
     let mean_width = 2.0 * flat.area / flat.perimeter * size;
-    0.5 * (blade.form.thickness * blade.length * blade.v.length()).min(0.2 * mean_width)
+    0.5 * (blade.form.thickness * blade.template.length() * blade.v.length()).min(0.2 * mean_width)
 }
 
 /// Fills `middle` with rest positions and `normals` with the rest surface's normals on the side of `facing`.
-fn put_on_rest(blade: &Blade, flat: &FlatBlade, facing: Vec3, scratch: &mut BladeScratch) {
+fn put_on_rest(blade: &ResolvedBlade<'_>, flat: &FlatBlade, facing: Vec3, scratch: &mut BladeScratch) {
     scratch.middle.clear();
     scratch.middle.extend(flat.points.iter().map(|p| blade.at_rest(*p)));
     match blade.rest {
@@ -84,7 +84,13 @@ fn put_on_rest(blade: &Blade, flat: &FlatBlade, facing: Vec3, scratch: &mut Blad
 }
 
 /// Moves the points of `middle` from the rest surface to the relief's height over it.
-fn raise(blade: &Blade, relief: &Relief<'_>, flat: &FlatBlade, facing: Vec3, scratch: &mut BladeScratch) {
+fn raise(
+    blade: &ResolvedBlade<'_>,
+    relief: &Relief<'_>,
+    flat: &FlatBlade,
+    facing: Vec3,
+    scratch: &mut BladeScratch,
+) {
     let toward_face = if faces_forward(blade, facing, scratch) { 1.0 } else { -1.0 };
     let metres = toward_face * blade.v.length();
     for ((point, normal), p) in scratch.middle.iter_mut().zip(&scratch.normals).zip(&flat.points) {
@@ -93,10 +99,10 @@ fn raise(blade: &Blade, relief: &Relief<'_>, flat: &FlatBlade, facing: Vec3, scr
 }
 
 /// Whether the blade's face, which on a cone is the inner side, is the side of `facing`.
-fn faces_forward(blade: &Blade, facing: Vec3, scratch: &BladeScratch) -> bool {
+fn faces_forward(blade: &ResolvedBlade<'_>, facing: Vec3, scratch: &BladeScratch) -> bool {
     let RestSurface::Cone { cone, .. } = &blade.rest else { return true };
     let mean: Vec3 = scratch.normals.iter().sum();
-    let from_apex = blade.at_rest(Vec2::new(0.0, 0.5 * blade.length)) - cone.apex;
+    let from_apex = blade.at_rest(Vec2::new(0.0, 0.5 * blade.template.length())) - cone.apex;
     let away = from_apex.reject_from_normalized(cone.axis);
     let inner = cone.axis * (away.length() * cone.opening_rad.tan()) - away;
     let forward = mean.dot(inner);
@@ -187,7 +193,8 @@ fn add_rim(flat: &FlatBlade, scratch: &BladeScratch, mesh: &mut Mesh) {
 mod tests {
     use super::super::flat::{FlatScratch, flatten};
     use super::*;
-    use crate::plant::{BladeForm, Cone};
+    use crate::plant::{Blade, BladeForm, Cone, Detail, Template};
+    use std::sync::Arc;
 
     const STILL: BladeForm = BladeForm {
         bend_quartic: 0.0,
@@ -199,27 +206,17 @@ mod tests {
         thickness: 0.01,
     };
 
-    fn oval(rest: RestSurface, form: BladeForm) -> Blade {
+    fn oval(rest: RestSurface, form: BladeForm) -> Blade<Arc<Template>> {
         let point = |k: usize| Vec2::from_angle(k as f32 * 0.1047) * Vec2::new(0.2, 0.5) + Vec2::Y * 0.5;
-        let outline: Vec<Vec2> = (0..60).map(point).collect();
+        let template = Template::new((0..60).map(point).collect(), Vec::new(), 1.0, Detail::Full);
         let base = Vec3::new(0.3, 0.2, -0.1);
-        Blade {
-            outline: outline.into(),
-            curl: vec![],
-            base,
-            u: Vec3::X,
-            v: Vec3::Y,
-            length: 1.0,
-            rest,
-            form,
-            template: None,
-        }
+        Blade { template: Arc::new(template), base, u: Vec3::X, v: Vec3::Y, rest, form }
     }
 
-    fn built(blade: &Blade) -> (FlatBlade, Mesh) {
+    fn built(blade: &Blade<Arc<Template>>) -> (FlatBlade, Mesh) {
         let params = BladeMeshParams::default();
-        let flat = flatten(blade, &params, &mut FlatScratch::default()).unwrap();
-        let mesh = mesh(blade, &flat, &params, &mut BladeScratch::default()).unwrap();
+        let flat = flatten(&blade.template, None, &params, &mut FlatScratch::default()).unwrap();
+        let mesh = mesh(&blade.resolved(), &flat, &params, &mut BladeScratch::default()).unwrap();
         mesh.check_invariants().unwrap();
         (flat, mesh)
     }
@@ -268,13 +265,13 @@ mod tests {
     fn what_cannot_be_seen_has_no_mesh() {
         let params = BladeMeshParams::default();
         let blade = oval(RestSurface::Plane, STILL);
-        let flat = flatten(&blade, &params, &mut FlatScratch::default()).unwrap();
+        let flat = flatten(&blade.template, None, &params, &mut FlatScratch::default()).unwrap();
         for spoilt in [
             Blade { u: Vec3::ZERO, ..blade.clone() },
             Blade { u: Vec3::Y, ..blade.clone() },
             Blade { base: Vec3::X * 1e6, ..blade.clone() },
         ] {
-            assert!(mesh(&spoilt, &flat, &params, &mut BladeScratch::default()).is_none());
+            assert!(mesh(&spoilt.resolved(), &flat, &params, &mut BladeScratch::default()).is_none());
         }
     }
 }

@@ -25,14 +25,14 @@ pub struct Cache {
     params: ModelParams,
     pub(super) round: u64,
     pub(super) meshes: Shelf<Arc<Mesh>>,
-    pub(super) templates: Shelf<Template>,
+    pub(super) templates: Shelf<FlatTemplate>,
     pub(super) shapes: Shelf<BladeShape>,
     names: u64,
 }
 
-/// The triangulation that the blades of one template share; none where the outline has no area.
+/// The triangulation of a template, which its blades share; none where the outline has no area.
 #[derive(Clone, Debug)]
-pub(super) struct Template {
+pub(super) struct FlatTemplate {
     /// Tells it from all other triangulations that the cache ever held.
     pub(super) name: u64,
     pub(super) flat: Arc<Option<FlatBlade>>,
@@ -72,11 +72,11 @@ impl Cache {
         &mut self,
         recipe: &Recipe,
         flatten: impl FnOnce() -> Option<FlatBlade>,
-    ) -> Template {
+    ) -> FlatTemplate {
         let hash = recipe.hash();
         let template = self.templates.get(hash, recipe, self.round).cloned().unwrap_or_else(|| {
             self.names += 1;
-            Template { name: self.names, flat: Arc::new(flatten()) }
+            FlatTemplate { name: self.names, flat: Arc::new(flatten()) }
         });
         self.templates.keep(hash, recipe.written(), template, self.round)
     }

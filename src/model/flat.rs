@@ -10,11 +10,11 @@
 
 use super::{
     interior::{self, Density, InteriorScratch},
-    outline::{self, Detail, MarginPoint, OutlineScratch},
+    outline::{self, MarginPoint, OutlineScratch, Precision},
     sections::Sections,
 };
 use crate::geom::convex_hull::convex_hull;
-use crate::plant::Blade;
+use crate::plant::{BladeForm, Detail, ResolvedBlade, Template};
 use glam::Vec2;
 use spade::handles::FixedVertexHandle;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
@@ -182,24 +182,31 @@ struct InsideScratch {
 }
 
 /// What the constrained Delaunay triangulation of a blade is built from; `None` for an outline without area.
-pub fn triangulation_input(blade: &Blade, params: &BladeMeshParams) -> Option<PlanarGraph> {
-    let scratch = &mut FlatScratch::default();
-    prepare_margin(blade, params, scratch);
-    let tip = blade.length / size_of(blade);
-    Some(graph(&scratch.margin, tip, density(blade, params), &mut scratch.inside.interior)?.0)
+pub fn triangulation_input(blade: &ResolvedBlade<'_>, params: &BladeMeshParams) -> Option<PlanarGraph> {
+    let (template, scratch) = (blade.template, &mut FlatScratch::default());
+    prepare_margin(template, waves_of(&blade.form), params, scratch);
+    let tip = template.length() / size_of(template);
+    Some(graph(&scratch.margin, tip, density(template, params), &mut scratch.inside.interior)?.0)
 }
 
-/// Flattens a blade; `None` for an outline without area.
+/// The waves along a blade's margin for which its triangulation has to have points.
+pub(super) fn waves_of(form: &BladeForm) -> Option<f32> {
+    (form.ruffle > 0.0).then_some(form.ruffle_waves)
+}
+
+/// Flattens a template, whose blades have so many waves along their margin; in reduced detail they have no points of their
+/// own, so that all blades of such a template have one triangulation. `None` for an outline without area.
 pub(super) fn flatten(
-    blade: &Blade,
+    template: &Template,
+    waves: Option<f32>,
     params: &BladeMeshParams,
     scratch: &mut FlatScratch,
 ) -> Option<FlatBlade> {
-    prepare_margin(blade, params, scratch);
-    let density = density(blade, params);
+    prepare_margin(template, waves, params, scratch);
+    let density = density(template, params);
     let FlatScratch { margin, inside, .. } = scratch;
-    let size = size_of(blade);
-    let tip = blade.length / size;
+    let size = size_of(template);
+    let tip = template.length() / size;
     let (graph, sections, triangles) = triangulated(margin, tip, density, inside)
         .or_else(|| triangulated(&outline::untangled(margin), tip, density, inside))
         .or_else(|| triangulated(&convex_hull(margin, |m| m.at), tip, density, inside))?;
@@ -223,32 +230,36 @@ fn triangulated(
 }
 
 /// The larger of a blade's length and extent: the unit of all tolerances.
-fn size_of(blade: &Blade) -> f32 {
+fn size_of(template: &Template) -> f32 {
     let bounds = |(lo, hi): (Vec2, Vec2), p: &Vec2| (lo.min(*p), hi.max(*p));
-    let (lo, hi) = blade.outline.iter().fold((Vec2::INFINITY, Vec2::NEG_INFINITY), bounds);
+    let (lo, hi) = template.outline().iter().fold((Vec2::INFINITY, Vec2::NEG_INFINITY), bounds);
     (hi - lo).max_element()
 }
 
-fn density(blade: &Blade, params: &BladeMeshParams) -> Density {
-    match blade.template {
-        Some(_) => Density { rows: params.template_rows, columns: params.template_columns },
-        None => Density { rows: params.rows, columns: params.columns },
+fn density(template: &Template, params: &BladeMeshParams) -> Density {
+    match template.detail() {
+        Detail::Reduced => Density { rows: params.template_rows, columns: params.template_columns },
+        Detail::Full => Density { rows: params.rows, columns: params.columns },
     }
 }
 
-fn prepare_margin(blade: &Blade, params: &BladeMeshParams, scratch: &mut FlatScratch) {
-    let Density { rows, .. } = density(blade, params);
-    let tolerance =
-        if blade.template.is_some() { params.template_tolerance } else { params.outline_tolerance };
+fn prepare_margin(
+    template: &Template,
+    waves: Option<f32>,
+    params: &BladeMeshParams,
+    scratch: &mut FlatScratch,
+) {
+    let Density { rows, .. } = density(template, params);
+    let (tolerance, most_points, waves) = match template.detail() {
+        Detail::Reduced => (params.template_tolerance, params.template_outline_points as usize, None),
+        Detail::Full => (params.outline_tolerance, usize::MAX, waves),
+    };
     // A wave needs a few points; the outline of a blade is about two and a half times as long as the blade.
-    let wavy = blade.form.ruffle > 0.0 && blade.template.is_none();
-    let wave = if wavy { 0.6 / blade.form.ruffle_waves.max(1.0) } else { f32::INFINITY };
+    let wave = waves.map_or(f32::INFINITY, |waves| 0.6 / waves.max(1.0));
     let longest_edge = (1.5 / (rows + 1) as f32).min(wave).max(0.01);
-    let outline = (&blade.outline[..], &blade.curl[..]);
-    let most_points =
-        if blade.template.is_some() { params.template_outline_points as usize } else { usize::MAX };
-    let detail = Detail { tolerance, longest_edge, most_points };
-    outline::prepare(outline, size_of(blade), detail, &mut scratch.outline, &mut scratch.margin);
+    let outline = (template.outline(), template.curl());
+    let precision = Precision { tolerance, longest_edge, most_points };
+    outline::prepare(outline, size_of(template), precision, &mut scratch.outline, &mut scratch.margin);
 }
 
 fn graph(
@@ -274,23 +285,11 @@ fn graph(
 mod tests {
     use super::*;
     use crate::geom::simple_loop::signed_area;
-    use crate::plant::{BladeForm, RestSurface};
-    use glam::Vec3;
 
-    fn flat(outline: &[(f32, f32)], template: Option<u32>) -> Option<FlatBlade> {
+    fn flat(outline: &[(f32, f32)], detail: Detail) -> Option<FlatBlade> {
         let outline: Vec<Vec2> = outline.iter().copied().map(Vec2::from).collect();
-        let blade = Blade {
-            outline: outline.into(),
-            curl: Vec::new(),
-            base: Vec3::ZERO,
-            u: Vec3::X,
-            v: Vec3::Y,
-            length: 1.0,
-            rest: RestSurface::Plane,
-            form: BladeForm::default(),
-            template,
-        };
-        flatten(&blade, &BladeMeshParams::default(), &mut FlatScratch::default())
+        let template = Template::new(outline, Vec::new(), 1.0, detail);
+        flatten(&template, None, &BladeMeshParams::default(), &mut FlatScratch::default())
     }
 
     fn covered(flat: &FlatBlade) -> f32 {
@@ -301,7 +300,7 @@ mod tests {
     #[test]
     fn a_notch_stays_open() {
         let heart = [(0.0, 0.0), (0.5, 0.6), (0.3, 1.0), (0.0, 0.7), (-0.3, 1.0), (-0.5, 0.6)];
-        let flat = flat(&heart, None).unwrap();
+        let flat = flat(&heart, Detail::Full).unwrap();
         let drawn = signed_area(heart.into_iter().map(Vec2::from));
         assert!((covered(&flat) - drawn).abs() < 1e-4);
         assert!((40..=130).contains(&flat.triangles.len()), "{} faces", flat.triangles.len());
@@ -310,7 +309,7 @@ mod tests {
     #[test]
     fn an_outline_that_crosses_itself_keeps_its_larger_part() {
         let tail = [(0.754, 0.98), (-0.764, 0.87), (0.0, 0.0), (0.801, 0.0), (0.833, -0.06), (0.0, 0.505)];
-        let flat = flat(&tail, None).unwrap();
+        let flat = flat(&tail, Detail::Full).unwrap();
         assert!(covered(&flat) > 0.5);
         assert!(flat.points[..flat.margin].iter().all(|p| p.y > -1e-3));
     }
@@ -319,14 +318,14 @@ mod tests {
     fn a_narrow_template_keeps_its_two_sides() {
         let oval: Vec<(f32, f32)> =
             (0..90).map(|k| (0.004 * (k as f32 * 0.07).cos(), 0.5 + 0.5 * (k as f32 * 0.07).sin())).collect();
-        let flat = flat(&oval, Some(0)).unwrap();
+        let flat = flat(&oval, Detail::Reduced).unwrap();
         assert!((covered(&flat) - 0.00628).abs() < 1e-3);
     }
 
     #[test]
     fn an_outline_without_area_has_no_triangulation() {
-        assert!(flat(&[(0.0, 0.0), (0.0, 0.5), (0.0, 1.0)], None).is_none());
-        assert!(flat(&[(0.0, 0.0), (0.0, 0.0), (0.0, 0.0)], None).is_none());
+        assert!(flat(&[(0.0, 0.0), (0.0, 0.5), (0.0, 1.0)], Detail::Full).is_none());
+        assert!(flat(&[(0.0, 0.0), (0.0, 0.0), (0.0, 0.0)], Detail::Full).is_none());
     }
 
     #[test]
@@ -337,7 +336,7 @@ mod tests {
                 (0.5 * radius(a) * a.sin(), 0.5 - 0.5 * radius(a) * a.cos())
             };
             let leaf: Vec<(f32, f32)> = (0..240).map(point).collect();
-            let flat = flat(&leaf, Some(0)).unwrap();
+            let flat = flat(&leaf, Detail::Reduced).unwrap();
             2 * flat.triangles.len() + 2 * flat.margin
         };
         let oval = closed(|a| 0.5 + 0.5 * a.cos().powi(2));

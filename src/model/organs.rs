@@ -5,19 +5,19 @@
 //! materials its triangles are ordered by them.
 
 use super::blade::{self, BladeScratch};
-use super::cache::{Cache, Template};
+use super::cache::{Cache, FlatTemplate};
 use super::copies::{Copies, Placement};
 use super::filaments;
 use super::flat::{self, FlatScratch};
 use super::mesh::Mesh;
 use super::params::ModelParams;
 use super::piece::Piece;
-use super::recipe::Recipe;
+use super::recipe::{Recipe, RecipeShape, TemplateName};
 use super::shapes::{self, BladeShape, ShapesInCommon};
 use super::solids::{self, Stand};
 use super::tube::TubeScratch;
 
-use crate::plant::{Blade, Organ, Plant, Shape};
+use crate::plant::{Blade, Detail, Plant, ResolvedBlade, Shape, Template, TemplateId};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -40,7 +40,8 @@ pub(super) struct OrganScratch {
 pub(super) struct OrganWorkshop<'a> {
     plant: &'a Plant,
     params: &'a ModelParams,
-    templates: BTreeMap<u32, Template>,
+    /// For each template of reduced detail its triangulation.
+    templates: Vec<Option<FlatTemplate>>,
     /// For each organ the number of its shape.
     shape_of: Vec<Option<u32>>,
     /// None where a shape has no area.
@@ -58,9 +59,17 @@ impl<'a> OrganWorkshop<'a> {
     /// Everything that [`Self::mesh`] reads but the parameters.
     pub(super) fn write_recipe(&self, slots: &[Vec<(usize, Piece)>], recipe: &mut Recipe) {
         let described = |&(organ, piece): &(usize, Piece)| {
-            let shape = self.shape(organ);
-            let template = if let Shape::Blade(blade) = shape { self.template(blade) } else { None };
-            (shape, piece, template.map(|shared| shared.name))
+            let shape = match self.shape(organ) {
+                Shape::Blade(blade) => {
+                    let name = match &self.templates[blade.template.index()] {
+                        Some(shared) => TemplateName::Flat(shared.name),
+                        None => TemplateName::Address(self.plant.templates.shared(blade.template)),
+                    };
+                    RecipeShape::Blade(blade, name)
+                }
+                solid => RecipeShape::Solid(solid),
+            };
+            (shape, piece)
         };
         recipe.organs(slots.iter().map(|pieces| pieces.iter().map(described)));
     }
@@ -151,17 +160,14 @@ impl<'a> OrganWorkshop<'a> {
         }
     }
 
-    /// The triangulation that a blade shares with others.
-    fn template(&self, blade: &Blade) -> Option<&Template> {
-        blade.template.and_then(|number| self.templates.get(&number))
-    }
-
     /// Appends the blade of an organ to an empty mesh or to other organs.
     fn append_blade(&self, (organ, blade): (usize, &Blade), mesh: &mut Mesh, scratch: &mut OrganScratch) {
         let params = &self.params.blade;
-        let Some(Template { flat, .. }) = self.template(blade) else {
-            let flat = flat::flatten(blade, params, &mut scratch.flat);
-            let own = flat.and_then(|flat| blade::mesh(blade, &flat, params, &mut scratch.blade));
+        let resolved = &self.plant.templates.resolve(blade);
+        let Some(FlatTemplate { flat, .. }) = &self.templates[blade.template.index()] else {
+            let waves = flat::waves_of(&blade.form);
+            let flat = flat::flatten(resolved.template, waves, params, &mut scratch.flat);
+            let own = flat.and_then(|flat| blade::mesh(resolved, &flat, params, &mut scratch.blade));
             return own.into_iter().for_each(|own| take_in(mesh, own));
         };
         let Some(flat) = flat.as_ref() else { return };
@@ -170,7 +176,7 @@ impl<'a> OrganWorkshop<'a> {
         {
             placement.append(&shape.mesh, mesh);
         } else {
-            let own = blade::mesh(blade, flat, params, &mut scratch.blade);
+            let own = blade::mesh(resolved, flat, params, &mut scratch.blade);
             own.into_iter().for_each(|own| take_in(mesh, own));
         }
     }
@@ -185,39 +191,29 @@ fn take_in(mesh: &mut Mesh, own: Mesh) {
     }
 }
 
-fn blade_of(organ: &Organ) -> Option<&Blade> {
-    match &organ.shape {
-        Shape::Blade(blade) => Some(blade),
-        _ => None,
-    }
-}
-
-/// The triangulations of all templates.
-fn templates(plant: &Plant, params: &ModelParams, cache: &mut Cache) -> BTreeMap<u32, Template> {
-    let mut firsts: BTreeMap<u32, &Blade> = BTreeMap::new();
-    for blade in plant.organs.iter().filter_map(blade_of) {
-        if let Some(template) = blade.template {
-            firsts.entry(template).or_insert(blade);
-        }
-    }
+/// The triangulations of the templates of reduced detail.
+fn templates(plant: &Plant, params: &ModelParams, cache: &mut Cache) -> Vec<Option<FlatTemplate>> {
     let (mut scratch, mut recipe) = (FlatScratch::default(), Recipe::default());
-    let mut triangulated = |(number, blade): (u32, &Blade)| {
-        recipe.template(blade);
-        (number, cache.template(&recipe, || flat::flatten(blade, &params.blade, &mut scratch)))
+    let triangulated = |template: &Template| {
+        (template.detail() == Detail::Reduced).then(|| {
+            recipe.template(template);
+            cache.template(&recipe, || flat::flatten(template, None, &params.blade, &mut scratch))
+        })
     };
-    firsts.into_iter().map(&mut triangulated).collect()
+    plant.templates.iter().map(triangulated).collect()
 }
 
 /// The shapes that blades have in common, from the first blade of each, made on all cores.
 fn shapes(
-    firsts: &[&Blade],
-    templates: &BTreeMap<u32, Template>,
+    firsts: &[(TemplateId, ResolvedBlade<'_>)],
+    templates: &[Option<FlatTemplate>],
     params: &ModelParams,
     cache: &mut Cache,
 ) -> Vec<Option<BladeShape>> {
     let (known, round) = (&cache.shapes, cache.round);
-    let make = |(scratch, recipe): &mut (BladeScratch, Recipe), blade: &&Blade| {
-        let template = blade.template.and_then(|number| templates.get(&number))?;
+    let make = |(scratch, recipe): &mut (BladeScratch, Recipe),
+                (id, blade): &(TemplateId, ResolvedBlade<'_>)| {
+        let template = templates[id.index()].as_ref()?;
         let flat = template.flat.as_ref().as_ref()?;
         let standing = shapes::standing(blade);
         recipe.shape(&standing, template.name);

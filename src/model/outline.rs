@@ -27,7 +27,7 @@ impl MarginPoint {
 
 /// How closely an outline is followed; all in blade sizes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Detail {
+pub(super) struct Precision {
     /// Largest distance between the drawn and the prepared outline.
     pub(super) tolerance: f32,
     /// Edges longer than this are divided.
@@ -54,7 +54,7 @@ pub(super) struct OutlineScratch {
 pub(super) fn prepare(
     (outline, curl): (&[Vec2], &[f32]),
     size: f32,
-    detail: Detail,
+    precision: Precision,
     scratch: &mut OutlineScratch,
     out: &mut Vec<MarginPoint>,
 ) {
@@ -69,7 +69,7 @@ pub(super) fn prepare(
         spaced.reverse();
     }
     // The two sides of a narrow blade must not fall together: its area is its mean width.
-    let tolerance = detail.tolerance.min(0.25 * area.abs()).max(f32::MIN_POSITIVE);
+    let tolerance = precision.tolerance.min(0.25 * area.abs()).max(f32::MIN_POSITIVE);
     let base = best(spaced, |m| -m.at.length_squared());
     spaced.rotate_left(base);
     spaced.push(spaced[0]);
@@ -77,14 +77,14 @@ pub(super) fn prepare(
     scratch.kept.clear();
     scratch.kept.resize(spaced.len(), false);
     for side in [(0, tip), (tip, spaced.len() - 1)] {
-        for span in pieces(side, if detail.most_points == usize::MAX { SPAN } else { usize::MAX }) {
+        for span in pieces(side, if precision.most_points == usize::MAX { SPAN } else { usize::MAX }) {
             simplify::mark(span, &mut scratch.kept, &mut scratch.pending, |a, b| {
                 distance_from_chord(spaced, a, b, tolerance)
             });
         }
     }
-    thin(spaced, &mut scratch.kept, tip, detail.most_points);
-    divide(spaced, &scratch.kept, detail.longest_edge, out);
+    thin(spaced, &mut scratch.kept, tip, precision.most_points);
+    divide(spaced, &scratch.kept, precision.longest_edge, out);
     if out.len() < 3 {
         out.clear();
     }
@@ -188,11 +188,11 @@ mod tests {
     use super::*;
     use crate::geom::polyline;
 
-    const FINE: Detail = Detail { tolerance: 0.001, longest_edge: 0.2, most_points: usize::MAX };
+    const FINE: Precision = Precision { tolerance: 0.001, longest_edge: 0.2, most_points: usize::MAX };
 
-    fn prepared(outline: &[Vec2], curl: &[f32], detail: Detail) -> Vec<MarginPoint> {
+    fn prepared(outline: &[Vec2], curl: &[f32], precision: Precision) -> Vec<MarginPoint> {
         let mut out = Vec::new();
-        prepare((outline, curl), 1.0, detail, &mut OutlineScratch::default(), &mut out);
+        prepare((outline, curl), 1.0, precision, &mut OutlineScratch::default(), &mut out);
         out
     }
 
@@ -221,7 +221,7 @@ mod tests {
     #[test]
     fn clockwise_outlines_turn_round_with_their_curl() {
         let drawn = [Vec2::ZERO, Vec2::new(-0.5, 0.5), Vec2::Y, Vec2::new(0.5, 0.5)];
-        let out = prepared(&drawn, &[0.0, -1.0, 0.0, 1.0], Detail { longest_edge: 9.0, ..FINE });
+        let out = prepared(&drawn, &[0.0, -1.0, 0.0, 1.0], Precision { longest_edge: 9.0, ..FINE });
         assert_eq!(out.iter().map(|m| m.curl).collect::<Vec<_>>(), [0.0, 1.0, 0.0, -1.0]);
         assert!(simple_loop::signed_area(out.iter().map(|m| m.at)) > 0.0);
     }
@@ -243,11 +243,11 @@ mod tests {
         let between = |k: usize| (0..6).map(move |j| (k, j as f32 / 6.0));
         let drawn: Vec<Vec2> =
             (0..10).flat_map(between).map(|(k, s)| corners[k].lerp(corners[(k + 1) % 10], s)).collect();
-        let out = prepared(&drawn, &[], Detail { longest_edge: 9.0, most_points: 10, ..FINE });
+        let out = prepared(&drawn, &[], Precision { longest_edge: 9.0, most_points: 10, ..FINE });
         assert_eq!(out.len(), 10);
         for corner in corners {
             assert!(out.iter().any(|m| m.at.distance(corner) < 1e-3), "{corner} is lost");
         }
-        assert_eq!(prepared(&drawn, &[], Detail { longest_edge: 9.0, most_points: 6, ..FINE }).len(), 6);
+        assert_eq!(prepared(&drawn, &[], Precision { longest_edge: 9.0, most_points: 6, ..FINE }).len(), 6);
     }
 }

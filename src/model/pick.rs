@@ -7,7 +7,7 @@
 
 use super::{Copies, Mesh, Model, Part, PartKind, Placement};
 use crate::geom::ray::Ray;
-use crate::plant::{Blade, Branch, Organ, OrganKind, Plant, Provenance, Shape};
+use crate::plant::{Branch, Organ, OrganKind, Plant, Provenance, ResolvedBlade, Shape};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -54,7 +54,7 @@ pub fn pick(model: &Model, plant: &Plant, ray: &Ray) -> Option<Picked> {
     let element = match model.parts[part].kind {
         PartKind::Wood => nearest(&plant.branches, |branch| Some(off_bark(branch, at))).map(Element::Branch),
         PartKind::Organ(kind) => {
-            nearest(&plant.organs, |organ| off_organ(organ, kind, at)).map(Element::Organ)
+            nearest(&plant.organs, |organ| off_organ(plant, organ, kind, at)).map(Element::Organ)
         }
     };
     element.map(|element| Picked { element, distance })
@@ -125,9 +125,9 @@ fn beside_segment(from: Vec3, to: Vec3, at: Vec3) -> (f32, f32) {
 }
 
 /// How far a point lies from an organ of this kind, metres; `None` for one of another kind.
-fn off_organ(organ: &Organ, kind: OrganKind, at: Vec3) -> Option<f32> {
+fn off_organ(plant: &Plant, organ: &Organ, kind: OrganKind, at: Vec3) -> Option<f32> {
     (organ.kind() == kind).then(|| match &organ.shape {
-        Shape::Blade(blade) => off_blade(blade, at),
+        Shape::Blade(blade) => off_blade(&plant.templates.resolve(blade), at),
         Shape::Dome { base, .. } => at.distance(*base),
         Shape::Filament { points, .. } => {
             let off = points.windows(2).map(|ends| beside_segment(ends[0], ends[1], at).1);
@@ -142,15 +142,15 @@ fn off_organ(organ: &Organ, kind: OrganKind, at: Vec3) -> Option<f32> {
 
 /// Inside a blade's outline the distance from its rest surface, beside it that from its axis and more than its length, so
 /// that a blade which holds the point comes first.
-fn off_blade(blade: &Blade, at: Vec3) -> f32 {
+fn off_blade(blade: &ResolvedBlade<'_>, at: Vec3) -> f32 {
     let from_base = at - blade.base;
     let along = |axis: Vec3| from_base.dot(axis) / axis.length_squared().max(f32::MIN_POSITIVE);
     let uv = Vec2::new(along(blade.u), along(blade.v));
-    if is_inside(&blade.outline, uv) {
+    if is_inside(blade.template.outline(), uv) {
         return at.distance(blade.at_rest(uv));
     }
-    let tip = blade.at_rest(Vec2::new(0.0, blade.length));
-    blade.length + beside_segment(blade.base, tip, at).1
+    let tip = blade.tip_at_rest();
+    blade.template.length() + beside_segment(blade.base, tip, at).1
 }
 
 /// Whether a closed outline holds a point: even–odd rule.

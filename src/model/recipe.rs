@@ -3,30 +3,47 @@
 //! A recipe is a row of words: what kind of part it is, then the bits of every number that its meshing reads, lists with
 //! their lengths first. Names, parents, materials and places in a list are left out, for they do not shape a mesh; nor
 //! are parameters in it, for they are the same for the whole plant. Structures are taken apart by all their fields, so
-//! that the compiler asks about a new one. A blade of a template names the template's triangulation instead of telling
-//! its outline; any other blade's outline is known by its address, for stages before keep what they made, too. Whoever keeps
-//! a recipe holds these outlines, so that nothing else comes to lie there.
+//! that the compiler asks about a new one. A template of reduced detail is known by the name of its triangulation, any
+//! other by its address, for stages before keep what they made, too. Whoever keeps a recipe holds these templates, so that
+//! nothing else comes to lie there.
 
 use super::limbs::Twig;
 use super::piece::Piece;
-use crate::plant::{Blade, Branch, Cone, RestSurface, Shape};
+use crate::plant::{Blade, Branch, Cone, Detail, ResolvedBlade, RestSurface, Shape, Template};
 use crate::random::mix;
 use glam::{Vec2, Vec3};
 use std::sync::Arc;
+
+/// What a recipe knows a template by.
+#[derive(Clone, Copy)]
+pub(super) enum TemplateName<'a> {
+    /// The name of its triangulation.
+    Flat(u64),
+    /// Its address.
+    Address(&'a Arc<Template>),
+}
+
+/// The shape of an organ for a recipe.
+pub(super) enum RecipeShape<'a> {
+    /// A blade with its template.
+    Blade(&'a Blade, TemplateName<'a>),
+    /// Any other shape.
+    Solid(&'a Shape),
+}
 
 /// A row of words, used again for every part.
 #[derive(Debug, Default)]
 pub(super) struct Recipe {
     words: Vec<u32>,
-    /// Outlines that are named by their addresses.
-    outlines: Vec<Arc<[Vec2]>>,
+    /// Templates that are known by their addresses.
+    templates: Vec<Arc<Template>>,
 }
 
 /// A recipe that is kept.
 #[derive(Debug)]
 pub(super) struct WrittenRecipe {
     words: Box<[u32]>,
-    _outlines: Box<[Arc<[Vec2]>]>,
+    _templates: Box<[Arc<Template>]>,
 }
 
 impl PartialEq for WrittenRecipe {
@@ -39,7 +56,7 @@ impl Recipe {
     /// Begins anew with the kind of part.
     fn begin(&mut self, kind: u32) -> &mut Self {
         self.words.clear();
-        self.outlines.clear();
+        self.templates.clear();
         self.word(kind)
     }
 
@@ -51,31 +68,31 @@ impl Recipe {
         }
     }
 
-    /// The recipe of the outline and the length that blades of one template have in common.
-    pub(super) fn template(&mut self, blade: &Blade) {
-        self.begin(1).real(blade.length).outline(blade);
+    /// The recipe of a template.
+    pub(super) fn template(&mut self, template: &Template) {
+        self.begin(1).outline(template);
     }
 
     /// The recipe of the shape of a blade that stands at the origin, by the name of its triangulation.
-    pub(super) fn shape(&mut self, standing: &Blade, template: u64) {
-        self.begin(3).blade(standing, Some(template));
+    pub(super) fn shape(&mut self, standing: &ResolvedBlade<'_>, flat: u64) {
+        self.begin(3).blade(standing, TemplateName::Flat(flat));
     }
 
-    /// The recipe of pieces of organs that are one part, a group for each material; blades come with the name of their
-    /// triangulation where that is shared.
+    /// The recipe of pieces of organs that are one part, a group for each material; blades come with what
+    /// their template is known by.
     pub(super) fn organs<'a, Group>(&mut self, groups: impl Iterator<Item = Group>)
     where
-        Group: Iterator<Item = (&'a Shape, Piece, Option<u64>)>,
+        Group: Iterator<Item = (RecipeShape<'a>, Piece)>,
     {
         self.begin(2);
         let mut slots = 0;
         for (slot, pieces) in groups.enumerate() {
             slots = slot + 1;
-            for (shape, piece, template) in pieces {
+            for (shape, piece) in pieces {
                 self.length(slot).word(u32::from(piece == Piece::Head));
                 match shape {
-                    Shape::Blade(blade) => self.blade(blade, template),
-                    solid => self.solid(solid),
+                    RecipeShape::Blade(blade, template) => self.blade(blade, template),
+                    RecipeShape::Solid(solid) => self.solid(solid),
                 };
             }
         }
@@ -85,7 +102,7 @@ impl Recipe {
 
     /// The recipe, to be kept.
     pub(super) fn written(&self) -> WrittenRecipe {
-        WrittenRecipe { words: self.words.as_slice().into(), _outlines: self.outlines.as_slice().into() }
+        WrittenRecipe { words: self.words.as_slice().into(), _templates: self.templates.as_slice().into() }
     }
 
     /// Whether a recipe that is kept says the same.
@@ -107,29 +124,31 @@ impl Recipe {
         self
     }
 
-    fn outline(&mut self, blade: &Blade) -> &mut Self {
-        self.plane(&blade.outline).curl(&blade.curl)
-    }
-
-    fn curl(&mut self, curl: &[f32]) -> &mut Self {
-        self.length(curl.len());
+    fn outline(&mut self, template: &Template) -> &mut Self {
+        let (outline, curl) = (template.outline(), template.curl());
+        let detail = match template.detail() {
+            Detail::Full => 0,
+            Detail::Reduced => 1,
+        };
+        self.word(detail).real(template.length()).plane(outline).length(curl.len());
         self.words.extend(curl.iter().map(|curl| curl.to_bits()));
         self
     }
 
-    fn address(&mut self, outline: &Arc<[Vec2]>) -> &mut Self {
-        let address = outline.as_ptr().addr() as u64;
-        self.outlines.push(Arc::clone(outline));
-        self.word(address as u32).word((address >> 32) as u32).length(outline.len())
+    fn name(&mut self, name: u64) -> &mut Self {
+        self.word(name as u32).word((name >> 32) as u32)
     }
 
-    fn blade(&mut self, blade: &Blade, template: Option<u64>) -> &mut Self {
-        let Blade { outline: _, curl: _, base, u, v, length, rest, form, template: _ } = blade;
+    fn blade<T>(&mut self, blade: &Blade<T>, template: TemplateName<'_>) -> &mut Self {
+        let Blade { template: _, base, u, v, rest, form } = blade;
         match template {
-            Some(name) => self.word(4).word(name as u32).word((name >> 32) as u32),
-            None => self.word(5).address(&blade.outline).curl(&blade.curl),
+            TemplateName::Flat(name) => self.word(4).name(name),
+            TemplateName::Address(template) => {
+                self.templates.push(Arc::clone(template));
+                self.word(5).name(Arc::as_ptr(template).addr() as u64)
+            }
         };
-        self.point(*base).point(*u).point(*v).real(*length);
+        self.point(*base).point(*u).point(*v);
         match rest {
             RestSurface::Plane => self.word(0),
             RestSurface::Cone { cone, hint } => {
@@ -143,7 +162,7 @@ impl Recipe {
 
     fn solid(&mut self, shape: &Shape) -> &mut Self {
         match shape {
-            // Blades need to know their triangulation.
+            // A blade needs its template.
             Shape::Blade(_) => self.word(0),
             Shape::Dome { base, axis, radius, height } => {
                 self.word(1).point(*base).point(*axis).real(*radius).real(*height)

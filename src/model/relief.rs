@@ -11,7 +11,7 @@
 
 use super::flat::{BladeMeshParams, FlatBlade};
 use super::sections::Sections;
-use crate::plant::Blade;
+use crate::plant::ResolvedBlade;
 use glam::Vec2;
 
 /// Steepest slope across the blade that hollow, fold and curl may reach.
@@ -38,9 +38,9 @@ pub(super) struct Relief<'a> {
 }
 
 impl<'a> Relief<'a> {
-    pub(super) fn new(blade: &Blade, flat: &'a FlatBlade, params: &BladeMeshParams) -> Self {
+    pub(super) fn new(blade: &ResolvedBlade<'_>, flat: &'a FlatBlade, params: &BladeMeshParams) -> Self {
         let form = &blade.form;
-        let length = blade.length;
+        let length = blade.template.length();
         let widest = flat.sections.widest * flat.size;
         let limited = |height: f32, run: f32| height.clamp(-STEEPEST * run, STEEPEST * run);
         let wave_length = flat.perimeter * flat.size / form.ruffle_waves.max(1.0);
@@ -96,32 +96,22 @@ fn rounded(x: f32) -> f32 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::flat::{FlatScratch, flatten};
+    use super::super::flat::{FlatScratch, flatten, waves_of};
     use super::*;
-    use crate::plant::{BladeForm, RestSurface};
+    use crate::plant::{Blade, BladeForm, Detail, RestSurface, Template};
     use glam::Vec3;
 
-    fn oval(form: BladeForm, curl: f32) -> Blade {
-        let outline: Vec<Vec2> = (0..60)
-            .map(|k| Vec2::from_angle(k as f32 * 0.1047) * Vec2::new(0.3, 0.5) + Vec2::Y * 0.5)
-            .collect();
-        Blade {
-            curl: vec![curl; outline.len()],
-            outline: outline.into(),
-            base: Vec3::ZERO,
-            u: Vec3::X,
-            v: Vec3::Y,
-            length: 1.0,
-            rest: RestSurface::Plane,
-            form,
-            template: None,
-        }
+    fn oval(curl: f32) -> Template {
+        let point = |k: usize| Vec2::from_angle(k as f32 * 0.1047) * Vec2::new(0.3, 0.5) + Vec2::Y * 0.5;
+        Template::new((0..60).map(point).collect(), vec![curl; 60], 1.0, Detail::Full)
     }
 
     fn height(form: BladeForm, curl: f32, at: Vec2) -> f32 {
         let params = BladeMeshParams::default();
-        let blade = oval(form, curl);
-        let flat = flatten(&blade, &params, &mut FlatScratch::default()).unwrap();
+        let template = &oval(curl);
+        let (base, rest) = (Vec3::ZERO, RestSurface::Plane);
+        let blade = Blade { template, base, u: Vec3::X, v: Vec3::Y, rest, form };
+        let flat = flatten(template, waves_of(&form), &params, &mut FlatScratch::default()).unwrap();
         Relief::new(&blade, &flat, &params).height(at)
     }
 

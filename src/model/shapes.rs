@@ -1,4 +1,4 @@
-//! What blades are copies of: blades of one template, length and form differ only in where they stand, so that one of them
+//! What blades are copies of: blades of one template of reduced detail and one form differ only in where they stand, so that one of them
 //! is bent and given thickness, standing at the origin, and the others are placed.
 //!
 //! Limits: only flat blades. A blade so small, or so far from the origin, that its thickness would drown in the rounding of
@@ -7,7 +7,7 @@
 use super::copies::Placement;
 use super::flat::FlatBlade;
 use super::mesh::Mesh;
-use crate::plant::{Blade, Plant, RestSurface, Shape};
+use crate::plant::{Blade, Detail, Plant, ResolvedBlade, RestSurface, Shape, TemplateId};
 use glam::Vec3;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -15,8 +15,8 @@ use std::sync::Arc;
 /// Half of a blade's thickness is at least this share of its distance from the origin.
 pub(super) const THINNEST: f32 = 4e-6;
 
-/// Template, length and form of a blade, bit by bit.
-type Key = (u32, [u32; 8]);
+/// Template of a blade, and its form bit by bit.
+type Key = (TemplateId, [u32; 7]);
 
 /// A blade that stands at the origin, u along x and v along y.
 #[derive(Clone, Debug)]
@@ -34,8 +34,8 @@ impl BladeShape {
 
     /// Where the copy stands that a blade is; `None` for a blade without area, or whose faces would be too near to one
     /// another. Shape and slot are 0.
-    pub(super) fn placement(&self, blade: &Blade) -> Option<Placement> {
-        let Blade { base, u, v, .. } = *blade;
+    pub(super) fn placement<T>(&self, blade: &Blade<T>) -> Option<Placement> {
+        let &Blade { base, u, v, .. } = blade;
         u.cross(v).try_normalize()?;
         let (across, along) = (u.length(), v.length());
         let far = base.abs().max_element() + self.size * across.max(along);
@@ -48,8 +48,8 @@ impl BladeShape {
 pub(super) struct ShapesInCommon<'a> {
     /// For each organ the number of its shape.
     pub(super) of_organ: Vec<Option<u32>>,
-    /// For each shape the first blade that has it.
-    pub(super) firsts: Vec<&'a Blade>,
+    /// For each shape the first blade that has it, with the place of its template.
+    pub(super) firsts: Vec<(TemplateId, ResolvedBlade<'a>)>,
 }
 
 impl<'a> ShapesInCommon<'a> {
@@ -62,9 +62,9 @@ impl<'a> ShapesInCommon<'a> {
                 of_organ.push(None);
                 continue;
             };
-            of_organ.push(key(blade).map(|key| {
+            of_organ.push(key(plant, blade).map(|key| {
                 *known.entry(key).or_insert_with(|| {
-                    firsts.push(blade);
+                    firsts.push((blade.template, plant.templates.resolve(blade)));
                     firsts.len() as u32 - 1
                 })
             }));
@@ -74,19 +74,15 @@ impl<'a> ShapesInCommon<'a> {
 }
 
 /// The blade as its shape stands.
-pub(super) fn standing(blade: &Blade) -> Blade {
-    Blade { base: Vec3::ZERO, u: Vec3::X, v: Vec3::Y, ..blade.clone() }
+pub(super) fn standing<'a>(blade: &ResolvedBlade<'a>) -> ResolvedBlade<'a> {
+    Blade { base: Vec3::ZERO, u: Vec3::X, v: Vec3::Y, ..*blade }
 }
 
 /// What two blades have in common that are copies of one shape; `None` for one that is no copy.
-fn key(blade: &Blade) -> Option<Key> {
-    if blade.rest != RestSurface::Plane {
-        return None;
-    }
-    let form = blade.form.to_row();
-    let mut words = [blade.length.to_bits(); 8];
-    words.iter_mut().zip(form).for_each(|(word, value)| *word = value.to_bits());
-    Some((blade.template?, words))
+fn key(plant: &Plant, blade: &Blade) -> Option<Key> {
+    let is_copy =
+        blade.rest == RestSurface::Plane && plant.templates[blade.template].detail() == Detail::Reduced;
+    is_copy.then(|| (blade.template, blade.form.to_row().map(f32::to_bits)))
 }
 
 #[cfg(test)]
@@ -94,28 +90,21 @@ mod tests {
     use super::super::blade::{self, BladeScratch};
     use super::super::flat::{BladeMeshParams, FlatScratch, flatten};
     use super::*;
-    use crate::plant::BladeForm;
+    use crate::plant::{BladeForm, Template};
     use glam::Vec2;
 
-    fn leaf(base: Vec3, u: Vec3, v: Vec3) -> Blade {
+    fn leaf(base: Vec3, u: Vec3, v: Vec3) -> Blade<Arc<Template>> {
         let point = |k: usize| Vec2::from_angle(k as f32 * 0.1047) * Vec2::new(0.3, 0.5) + Vec2::Y * 0.5;
-        Blade {
-            outline: (0..60).map(point).collect(),
-            curl: Vec::new(),
-            base,
-            u,
-            v,
-            length: 1.0,
-            rest: RestSurface::Plane,
-            form: BladeForm { ruffle: 0.05, ruffle_waves: 5.0, ..BladeForm::default() },
-            template: Some(0),
-        }
+        let template = Template::new((0..60).map(point).collect(), Vec::new(), 1.0, Detail::Reduced);
+        let form = BladeForm { ruffle: 0.05, ruffle_waves: 5.0, ..BladeForm::default() };
+        Blade { template: Arc::new(template), base, u, v, rest: RestSurface::Plane, form }
     }
 
     /// The leaf as a copy, and meshed by itself.
-    fn both(leaf: &Blade) -> (Option<Mesh>, Option<Mesh>) {
+    fn both(leaf: &Blade<Arc<Template>>) -> (Option<Mesh>, Option<Mesh>) {
+        let leaf = &leaf.resolved();
         let (params, scratch) = (BladeMeshParams::default(), &mut BladeScratch::default());
-        let flat = flatten(leaf, &params, &mut FlatScratch::default()).unwrap();
+        let flat = flatten(leaf.template, None, &params, &mut FlatScratch::default()).unwrap();
         let shape = blade::shape(&standing(leaf), &flat, &params, scratch).unwrap();
         let copy = shape.placement(leaf).map(|placement| {
             let mut copy = Mesh::default();

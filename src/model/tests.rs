@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::plant::{
-    Blade, BladeForm, Branch, Cone, FinishedPlant, Flower, Organ, OrganPart, Origin, Plant, Provenance,
-    RestSurface, Role, Shape, WoodPart,
+    Blade, BladeForm, Branch, Cone, Detail, FinishedPlant, Flower, Organ, OrganPart, Origin, Plant,
+    Provenance, RestSurface, Role, Shape, Template, Templates, WoodPart,
 };
 use glam::{Quat, Vec2};
 use proptest::prelude::*;
@@ -67,14 +67,14 @@ fn direction() -> impl Strategy<Value = Vec3> {
     vector().prop_map(|v| v.try_normalize().unwrap_or(Vec3::Y))
 }
 
-fn blade() -> impl Strategy<Value = Blade> {
+fn blade() -> impl Strategy<Value = Blade<Arc<Template>>> {
     let rest = prop_oneof![
         Just(None),
         (direction(), 0.2f32..1.4).prop_map(|(axis, opening_rad)| Some((axis, opening_rad)))
     ];
     let pose = (vector(), direction(), 0.0f32..TAU, -2.5f32..0.5);
-    (outline(), form(), pose, rest, prop::option::of(0u32..3), -1.0f32..1.0, 0.5f32..2.0).prop_map(
-        |(outline, form, (base, turn, angle, scale), rest, template, curl, stretch)| {
+    (outline(), form(), pose, rest, any::<bool>(), -1.0f32..1.0, 0.5f32..2.0).prop_map(
+        |(outline, form, (base, turn, angle, scale), rest, is_reduced, curl, stretch)| {
             let length = 10f32.powf(scale);
             let turn = if rest.is_some() {
                 Quat::from_rotation_z(angle)
@@ -88,7 +88,9 @@ fn blade() -> impl Strategy<Value = Blade> {
             let curl = (0..outline.len()).map(|k| curl * (k as f32 * 0.1).sin()).collect();
             let outline = outline.into_iter().map(|p| p * length).collect();
             let (u, v) = (turn * Vec3::X * stretch, turn * Vec3::Y);
-            Blade { outline, curl, base, u, v, length, rest, form, template }
+            let detail = if is_reduced { Detail::Reduced } else { Detail::Full };
+            let template = Arc::new(Template::new(outline, curl, length, detail));
+            Blade { template, base, u, v, rest, form }
         },
     )
 }
@@ -158,12 +160,19 @@ fn solid() -> impl Strategy<Value = (Role<OrganPart>, Shape)> {
 
 fn plant() -> impl Strategy<Value = FinishedPlant> {
     let branches = prop::collection::vec(branch(), 1..6);
-    let blades = prop::collection::vec(blade(), 0..10);
+    let blades = prop::collection::vec((blade(), prop::option::of(vector())), 0..10);
     (branches, blades, prop::collection::vec(solid(), 0..5)).prop_map(|(mut branches, blades, solids)| {
         for (i, branch) in branches.iter_mut().enumerate() {
             branch.parent = i.checked_sub(2);
             branch.level = i as u32 / 2;
         }
+        let mut templates = Templates::default();
+        let blades = blades.into_iter().map(|(blade, copy)| {
+            let template = templates.add(blade.template.clone());
+            let copy = copy.map(|base| Blade { base, ..blade.with_template(template) });
+            [Some(blade.with_template(template)), copy]
+        });
+        let blades: Vec<Blade> = blades.flatten().flatten().collect();
         let blades = blades.into_iter().map(|b| (Role::of(OrganPart::Petal), Shape::Blade(b)));
         let organs = blades.chain(solids).enumerate().map(|(i, (role, shape))| Organ {
             role,
@@ -178,6 +187,7 @@ fn plant() -> impl Strategy<Value = FinishedPlant> {
             organs: organs.collect(),
             branches,
             flowers: vec![flower(Some(0)), flower(None)],
+            templates,
             buds: Vec::new(),
         })
     })
@@ -249,6 +259,7 @@ proptest! {
             let mut moved = (**plant).clone();
             moved.branches[0].radii[0] *= 1.5;
             moved.organs.truncate(plant.organs.len() / 2);
+            moved.drop_unused_templates();
             let moved = FinishedPlant::plain(moved);
             let next = rebuild(&moved, &params, &mut cache, &|| false);
             prop_assert_eq!(next, Some(build(&moved, &params)));
@@ -257,9 +268,16 @@ proptest! {
 
     #[test]
     fn ordinary_outlines_always_become_blades(blade in blade()) {
-        let area = crate::geom::simple_loop::signed_area(blade.outline.iter().copied()).abs();
-        prop_assume!(area > 1e-3 * blade.length * blade.length);
-        let flat = flat::flatten(&blade, &BladeMeshParams::default(), &mut flat::FlatScratch::default());
+        let template = &blade.template;
+        let area = crate::geom::simple_loop::signed_area(template.outline().iter().copied());
+        prop_assume!(area > 1e-3 * template.length() * template.length());
+        let waves = flat::waves_of(&blade.form);
+        let flat = flat::flatten(
+            template,
+            waves,
+            &BladeMeshParams::default(),
+            &mut flat::FlatScratch::default(),
+        );
         prop_assert!(flat.is_some());
     }
 }
@@ -279,10 +297,9 @@ fn filaments_of_a_flower_are_gathered_by_material() {
     };
     let cone = Cone { apex: Vec3::ZERO, axis: Vec3::Y, opening_rad: 0.7, height: 0.1 };
     let plant = FinishedPlant::plain(Plant {
-        branches: Vec::new(),
         flowers: vec![Flower { branch: None, cone, centre_radius: 0.1, reach: 1.0, look: 0 }],
         organs: vec![stamen(0.0, 1), stamen(1.0, 1), stamen(2.0, 0)],
-        buds: Vec::new(),
+        ..Plant::default()
     });
     let mut params = ModelParams::default();
     params.blade.gathered = false;
@@ -298,20 +315,13 @@ fn filaments_of_a_flower_are_gathered_by_material() {
 fn flowering(petal: Option<u64>) -> FinishedPlant {
     let cone = Cone { apex: Vec3::Y, axis: Vec3::Y, opening_rad: 0.7, height: 0.1 };
     let flower = |_| Flower { branch: Some(0), cone, centre_radius: 0.01, reach: 0.1, look: 0 };
+    let outline = vec![Vec2::ZERO, Vec2::new(0.02, 0.05), Vec2::new(0.0, 0.1), Vec2::new(-0.02, 0.05)];
+    let mut templates = Templates::default();
+    let template = templates.add(Template::new(outline, Vec::new(), 0.1, Detail::Reduced));
     let blade = |x: f32| {
-        let outline = [Vec2::ZERO, Vec2::new(0.02, 0.05), Vec2::new(0.0, 0.1), Vec2::new(-0.02, 0.05)];
-        let base = Vec3::new(x, 1.0, 0.0);
-        Shape::Blade(Blade {
-            outline: outline.into(),
-            curl: Vec::new(),
-            base,
-            u: Vec3::X,
-            v: Vec3::Y,
-            length: 0.1,
-            rest: RestSurface::Plane,
-            form: BladeForm::default(),
-            template: Some(0),
-        })
+        let (base, rest) = (Vec3::new(x, 1.0, 0.0), RestSurface::Plane);
+        let form = BladeForm::default();
+        Shape::Blade(Blade { template, base, u: Vec3::X, v: Vec3::Y, rest, form })
     };
     let stamen = |x: f32| Shape::Filament {
         points: vec![Vec3::new(x, 1.0, 0.0), Vec3::new(x, 1.1, 0.0)],
@@ -360,6 +370,7 @@ fn flowering(petal: Option<u64>) -> FinishedPlant {
         branches: vec![branch],
         flowers: (0..2).map(flower).collect(),
         organs,
+        templates,
         buds: Vec::new(),
     })
 }

@@ -1,6 +1,6 @@
 //! Plants moved, scaled and put side by side.
 
-use super::{Branch, Flower, Organ, Plant, RestSurface, Shape};
+use super::{Blade, Branch, Flower, Organ, Plant, RestSurface, Shape, TemplateId, Templates};
 use glam::Vec3;
 
 /// Step that keeps two points apart whose difference rounding has swallowed, as a share of their distance from the origin.
@@ -33,27 +33,52 @@ impl Plant {
     /// Puts another plant behind this one: its branches, flowers and organs keep their order and follow those that are
     /// there. Nothing of the other one is drawn, for a [`Provenance`](super::Provenance) knows one drawing only.
     pub fn append(&mut self, other: Self) {
-        let Self { branches, flowers, organs, buds } = other;
-        let (branch, flower, template) = (self.branches.len(), self.flowers.len(), self.next_template());
+        let Self { branches, flowers, organs, templates, buds } = other;
+        let (branch, flower) = (self.branches.len(), self.flowers.len());
         let on = |index: Option<usize>| index.map(|index| index + branch);
         self.branches.extend(branches.into_iter().map(|b| Branch { parent: on(b.parent), ..b }));
         self.flowers.extend(flowers.into_iter().map(|f| Flower { branch: on(f.branch), ..f }));
         self.buds.extend(buds.into_iter().map(|b| super::FlowerBud { branch: on(b.branch), ..b }));
-        self.organs.extend(organs.into_iter().map(|mut organ| {
-            if let Shape::Blade(blade) = &mut organ.shape {
-                blade.template = blade.template.map(|number| number + template);
-            }
-            Organ { branch: on(organ.branch), flower: organ.flower.map(|f| f + flower), ..organ }
-        }));
+        let organ =
+            |o: Organ| Organ { branch: on(o.branch), flower: o.flower.map(|index| index + flower), ..o };
+        self.add_organs(organs.into_iter().map(organ), templates);
     }
 
-    /// The first number of a template that no blade has.
-    pub fn next_template(&self) -> u32 {
-        let used = self.organs.iter().filter_map(|organ| match &organ.shape {
-            Shape::Blade(blade) => blade.template,
+    /// Puts organs behind those that are there. They grow on branches and flowers of this plant, but their blades are
+    /// copies of these templates, which come along.
+    pub fn add_organs(&mut self, organs: impl IntoIterator<Item = Organ>, templates: Templates) {
+        let (first, here) = (self.organs.len(), self.templates.append(templates));
+        self.organs.extend(organs);
+        renumber(&mut self.organs[first..], here);
+    }
+
+    /// Drops the templates of which there is no copy.
+    pub fn drop_unused_templates(&mut self) {
+        let mut is_used = vec![false; self.templates.len()];
+        for blade in self.blades() {
+            is_used[blade.template.index()] = true;
+        }
+        if is_used.contains(&false) {
+            let here = self.templates.retain(|template| is_used[template.index()]);
+            renumber(&mut self.organs, here);
+        }
+    }
+
+    /// All blades, in their order.
+    pub fn blades(&self) -> impl Iterator<Item = &Blade> {
+        self.organs.iter().filter_map(|organ| match &organ.shape {
+            Shape::Blade(blade) => Some(blade),
             _ => None,
-        });
-        used.max().map_or(0, |last| last + 1)
+        })
+    }
+}
+
+/// Gives the blades among organs the places that their templates have now.
+fn renumber(organs: &mut [Organ], here: impl Fn(TemplateId) -> TemplateId) {
+    for organ in organs {
+        if let Shape::Blade(blade) = &mut organ.shape {
+            blade.template = here(blade.template);
+        }
     }
 }
 
@@ -105,8 +130,9 @@ fn keep_apart(points: &mut Vec<Vec3>, radii: Option<&mut Vec<f32>>) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Origin, Role, WoodPart};
+    use super::super::{BladeForm, Detail, OrganPart, Origin, Role, Template, WoodPart};
     use super::*;
+    use glam::Vec2;
 
     fn stem(points: Vec<Vec3>, parent: Option<usize>) -> Branch {
         let (radii, level) = (vec![0.1; points.len()], u32::from(parent.is_some()));
@@ -128,6 +154,38 @@ mod tests {
             [None, Some(0), None, Some(2)]
         );
         both.check_invariants().unwrap();
+    }
+
+    #[test]
+    fn blades_of_both_plants_keep_their_templates() {
+        let template = |length: f32| {
+            let outline = [Vec2::ZERO, Vec2::new(0.5, 0.5), Vec2::Y, Vec2::new(-0.5, 0.5)];
+            let outline = outline.map(|point| point * length).to_vec();
+            Template::new(outline, Vec::new(), length, Detail::Reduced)
+        };
+        let leafy = |lengths: &[f32]| {
+            let mut plant = Plant::default();
+            for length in lengths {
+                let (template, form) = (plant.templates.add(template(*length)), BladeForm::default());
+                let (base, rest) = (Vec3::ZERO, RestSurface::Plane);
+                let shape = Shape::Blade(Blade { template, base, u: Vec3::X, v: Vec3::Y, rest, form });
+                let (role, origin) = (Role::of(OrganPart::Leaf), Origin::Generated);
+                plant.organs.push(Organ { role, origin, branch: None, flower: None, shape });
+            }
+            plant
+        };
+        let mut both = leafy(&[1.0, 2.0]);
+        both.append(leafy(&[3.0, 4.0]));
+        let lengths = |plant: &Plant| -> Vec<f32> {
+            plant.blades().map(|blade| plant.templates[blade.template].length()).collect()
+        };
+        assert_eq!(lengths(&both), [1.0, 2.0, 3.0, 4.0]);
+        both.check_invariants().unwrap();
+        both.organs.remove(2);
+        assert!(both.check_invariants().unwrap_err().contains("template 2"));
+        both.drop_unused_templates();
+        both.check_invariants().unwrap();
+        assert_eq!((lengths(&both), both.templates.len()), (vec![1.0, 2.0, 4.0], 3));
     }
 
     #[test]

@@ -1,13 +1,13 @@
-//! A blade: petal, leaf or sepal as an outline on a rest surface, with the form that bends it.
+//! A blade: petal, leaf or sepal as a template on a rest surface, with the form that bends it.
 //!
-//! The outline lives in the blade's own plane: v along the axis from base to tip, u to the right of it, in metres. The
-//! rest surface says where that plane stands in the world; the form (000 eqs. 5.1 to 5.3) is what the plant, not the
+//! The template's outline lies in the blade's own plane: v along the axis from base to tip, u to the right of it, in metres.
+//! The rest surface says where that plane stands in the world; the form (000 eqs. 5.1 to 5.3) is what the plant, not the
 //! drawing, adds: bending, cupping, thickness. The model stage turns all three into a mesh.
 
-use super::Cone;
+use super::{Cone, Template, TemplateId};
 use glam::{Vec2, Vec3};
-use serde::{Deserialize, Serialize};
-use std::sync::Arc;
+use serde::Serialize;
+use std::ops::Deref;
 
 crate::parameters! {
     /// How a blade departs from its rest surface; lengths are shares of the blade's length.
@@ -45,7 +45,7 @@ impl BladeForm {
 }
 
 /// Where the blade's plane stands in the world before it bends.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum RestSurface {
     /// The plane through `base` spanned by `u` and `v`.
@@ -60,34 +60,34 @@ pub enum RestSurface {
     },
 }
 
-/// A petal, leaf or sepal.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Blade {
-    /// Closed outline in (u, v) metres, counter-clockwise, first point not repeated, at least three points, simple;
-    /// shared by all blades of one template.
-    pub outline: Arc<[Vec2]>,
-    /// Pen pressure's curl at each outline point, −1 (away from the face) to 1 (toward it), 0 for none; empty for none.
-    pub curl: Vec<f32>,
+/// A petal, leaf or sepal: a copy of a template with its own pose and form.
+///
+/// In a plant it names its template by its place. Who needs the template too takes a [`ResolvedBlade`]; makers may hand
+/// blades on with templates that no plant has yet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Blade<T = TemplateId> {
+    /// Its outline, curl and length.
+    pub template: T,
     /// World position of the base, (u, v) = 0.
     pub base: Vec3,
     /// World vector of u, unit length unless the blade is an affine copy.
     pub u: Vec3,
     /// World vector of v, unit length unless the blade is an affine copy.
     pub v: Vec3,
-    /// Distance from base to tip along v, in (u, v) metres, positive.
-    pub length: f32,
     /// Where the plane stands.
     pub rest: RestSurface,
     /// How the blade departs from it.
     pub form: BladeForm,
-    /// Blades with the same number have the same outline and curl and may share their triangulation.
-    pub template: Option<u32>,
 }
 
-impl Blade {
-    /// World position of the base.
-    pub fn base(&self) -> Vec3 {
-        self.base
+/// A blade together with its template.
+pub type ResolvedBlade<'a> = Blade<&'a Template>;
+
+impl<T> Blade<T> {
+    /// The same copy of another template.
+    pub fn with_template<U>(&self, template: U) -> Blade<U> {
+        let Self { template: _, base, u, v, rest, form } = *self;
+        Blade { template, base, u, v, rest, form }
     }
 
     /// Moves it with its rest surface.
@@ -98,6 +98,13 @@ impl Blade {
             *hint += by.z;
         }
     }
+}
+
+impl<T: Deref<Target = Template>> Blade<T> {
+    /// The blade with its template, by reference.
+    pub fn resolved(&self) -> ResolvedBlade<'_> {
+        self.with_template(&*self.template)
+    }
 
     /// World position of plane coordinates on the rest surface.
     pub fn at_rest(&self, uv: Vec2) -> Vec3 {
@@ -105,10 +112,15 @@ impl Blade {
         match &self.rest {
             RestSurface::Plane => p,
             RestSurface::Cone { cone, hint } => {
-                let share = (uv.y / self.length).clamp(0.0, 1.0);
+                let share = (uv.y / self.template.length()).clamp(0.0, 1.0);
                 let hint = cone.apex.z + (hint - cone.apex.z) * share;
                 Vec3::new(p.x, p.y, cone.depth_near(p.truncate(), hint))
             }
         }
+    }
+
+    /// World position of the tip on the rest surface.
+    pub fn tip_at_rest(&self) -> Vec3 {
+        self.at_rest(Vec2::new(0.0, self.template.length()))
     }
 }

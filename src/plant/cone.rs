@@ -5,10 +5,10 @@
 //! cone's silhouette it gives the depth of closest approach, so depth is continuous everywhere and never NaN.
 
 use glam::{Vec2, Vec3};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// A right circular cone.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Cone {
     /// Where the petals meet, metres.
     pub apex: Vec3,

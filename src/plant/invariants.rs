@@ -4,7 +4,7 @@ use super::{Blade, Branch, Organ, Plant, Shape};
 use glam::Vec3;
 
 impl Plant {
-    /// Checks indices, topological order, finite numbers and positive sizes.
+    /// Checks indices, topological order, finite numbers, positive sizes, and that templates are sound and in use.
     ///
     /// # Errors
     /// The first violation, in words.
@@ -33,7 +33,16 @@ impl Plant {
                 here("pose not finite")
             })?;
         }
-        self.organs.iter().enumerate().try_for_each(|(i, organ)| self.check_organ(i, organ))
+        for (i, template) in self.templates.iter().enumerate() {
+            template.check_invariants().map_err(|what| format!("template {i}: {what}"))?;
+        }
+        self.organs.iter().enumerate().try_for_each(|(i, organ)| self.check_organ(i, organ))?;
+        let mut is_used = vec![false; self.templates.len()];
+        self.blades().for_each(|blade| is_used[blade.template.index()] = true);
+        match is_used.iter().position(|is_used| !is_used) {
+            Some(i) => Err(format!("template {i}: nothing is a copy of it")),
+            None => Ok(()),
+        }
     }
 
     fn check_level(&self, branch: &Branch) -> Result<(), String> {
@@ -51,7 +60,11 @@ impl Plant {
         let look = organ.flower.map_or(0, |flower| self.flowers[flower].look);
         ensure(organ.role.look as usize == look, || here("look is not its flower's"))?;
         match &organ.shape {
-            Shape::Blade(blade) => check_blade(blade).map_err(|what| here(&what)),
+            Shape::Blade(blade) => {
+                ensure(self.templates.get(blade.template).is_some(), || here("template out of range"))?;
+                let Blade { base, u, v, .. } = blade;
+                ensure(base.is_finite() && u.is_finite() && v.is_finite(), || here("pose not finite"))
+            }
             Shape::Dome { base, axis, radius, height } => {
                 ensure(base.is_finite() && is_unit(*axis), || here("pose"))?;
                 ensure(*radius > 0.0 && *height > 0.0, || here("size not positive"))
@@ -67,16 +80,6 @@ impl Plant {
             }
         }
     }
-}
-
-fn check_blade(blade: &Blade) -> Result<(), String> {
-    ensure(blade.outline.len() >= 3, || "outline of fewer than three points".into())?;
-    ensure(blade.outline.iter().all(|p| p.is_finite()), || "outline not finite".into())?;
-    let curls = blade.curl.len();
-    ensure(curls == 0 || curls == blade.outline.len(), || "curl and outline differ in number".into())?;
-    ensure(blade.curl.iter().all(|c| (-1.0..=1.0).contains(c)), || "curl out of range".into())?;
-    ensure(blade.length.is_finite() && blade.length > 0.0, || "length not positive".into())?;
-    ensure(blade.base.is_finite() && blade.u.is_finite() && blade.v.is_finite(), || "pose not finite".into())
 }
 
 fn is_unit(v: Vec3) -> bool {

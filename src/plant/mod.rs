@@ -1,7 +1,7 @@
 //! The waist: one plain description of a plant, wherever it came from.
 //!
 //! A [`Plant`] is a tree of [`Branch`]es (3D skeleton polylines with radii), the [`Flower`]s on them and the
-//! [`Organ`]s of both. World space: metres, y up, z toward the viewer, right-handed. It knows no drawing, no
+//! [`Organ`]s of both; blades among those are copies of the plant's [`Templates`]. World space: metres, y up, z toward the viewer, right-handed. It knows no drawing, no
 //! triangles and nobody else in the program; what only the drawing knows is its [`Provenance`], which stands beside it.
 //!
 //! Each branch and organ has a [`Role`], which says what it is. Applying a species makes a [`FinishedPlant`] of it, in
@@ -19,17 +19,20 @@ pub mod material;
 pub mod organ_kind;
 pub mod provenance;
 pub mod role;
+pub mod template;
+mod templates;
 
-pub use blade::{Blade, BladeForm, RestSurface};
+pub use blade::{Blade, BladeForm, ResolvedBlade, RestSurface};
 pub use cone::Cone;
 pub use finished::FinishedPlant;
 pub use material::{Material, Texture};
 pub use organ_kind::{OrganClass, OrganForm, OrganKind};
 pub use provenance::{DrawnId, Origin, Provenance, WorldFromCanvas};
 pub use role::{OrganPart, PlantPart, Role, WoodPart};
+pub use template::{Detail, Template, TemplateId};
+pub use templates::Templates;
 
 use glam::{Vec2, Vec3};
-use serde::{Deserialize, Serialize};
 
 /// One branch: a skeleton from its base to its end.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,8 +88,7 @@ pub struct FlowerBud {
 }
 
 /// Shape and pose of an organ.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// A thin surface inside an outline.
     Blade(Blade),
@@ -156,7 +158,7 @@ impl Organ {
     /// Where the organ is attached: the pivot of its node in exported files.
     pub fn base(&self) -> Vec3 {
         match &self.shape {
-            Shape::Blade(blade) => blade.base(),
+            Shape::Blade(blade) => blade.base,
             Shape::Dome { base, .. } | Shape::Lathe { base, .. } => *base,
             Shape::Filament { points, .. } => points.first().copied().unwrap_or(Vec3::ZERO),
         }
@@ -172,6 +174,8 @@ pub struct Plant {
     pub flowers: Vec<Flower>,
     /// Everything that is not wood.
     pub organs: Vec<Organ>,
+    /// What blades are copies of; each has a copy.
+    pub templates: Templates,
     /// Flowers that are still closed; none once a species is applied.
     pub buds: Vec<FlowerBud>,
 }

@@ -14,10 +14,10 @@ use super::receptacle::{Petals, flower_centre};
 use super::thorns::thorns;
 use crate::budget::Budget;
 use crate::plant::{
-    Blade, BladeForm, Branch, FinishedPlant, Organ, OrganKind, OrganPart, Origin, Plant, Provenance, Role,
-    Shape, WoodPart,
+    BladeForm, Branch, Detail, FinishedPlant, Organ, OrganKind, OrganPart, Origin, Plant, Provenance, Role,
+    Shape, Templates, WoodPart,
 };
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -76,8 +76,7 @@ pub fn apply_within(
     set_roles_of_wood(&mut plant, species);
     if let Some(look) = species.blossom.as_ref().filter(|_| !species.flowers.is_empty()) {
         let rng = &mut stream(seed, Purpose::Blossom, 0);
-        let template = plant.next_template();
-        is_blossom_thinned = blossom(&mut plant, look, budget.blossoms, template, rng);
+        is_blossom_thinned = blossom(&mut plant, look, budget.blossoms, rng);
     }
     for (index, flower) in plant.flowers.iter_mut().enumerate() {
         flower.look = index % species.flowers.len().max(1);
@@ -87,10 +86,10 @@ pub fn apply_within(
     if species.pot.is_none() {
         ground::keep_above(&mut plant);
     }
-    let mut added = flower_centres(&plant, species, &petals, seed);
+    let (mut added, templates) = flower_centres(&plant, species, &petals, seed);
     added.extend(thorny(&plant, provenance, species, seed));
     added.extend(potted(&plant, species));
-    plant.organs.append(&mut added);
+    plant.add_organs(added, templates);
     Applied { plant: with_materials(plant, species), is_blossom_thinned }
 }
 
@@ -118,40 +117,42 @@ fn shape_blades(plant: &mut Plant, provenance: &Provenance, species: &Species, p
         organ.role.look = look as u32;
         let flower = organ.flower.filter(|_| organ.kind() == OrganKind::Petal);
         let Shape::Blade(blade) = &mut organ.shape else { continue };
+        let template = &plant.templates[blade.template];
         let key = identity(provenance.stroke(organ.origin), blade.base, blade.v);
         let rng = &mut stream(seed, Purpose::Blade, key);
         match flower.and_then(|flower| Some((flower, &species.flowers.get(look)?.petals))) {
             Some((flower, look)) => {
                 organ.role.variant = (done[flower] % look.materials.0.len()) as u32;
                 done[flower] += 1;
-                let form = petal_form(look, blade, petals[flower].longest);
-                blade.form = varied(seed, blade, &form, look.vary, rng);
+                let form = petal_form(look, template.length(), petals[flower].longest);
+                blade.form = varied(seed, template.detail(), &form, look.vary, rng);
             }
             None => {
                 organ.role.variant = rng.random_range(0..leaf_materials) as u32;
-                blade.form = varied(seed, blade, &species.leaf.form, species.leaf.vary, rng);
+                blade.form = varied(seed, template.detail(), &species.leaf.form, species.leaf.vary, rng);
             }
         }
     }
 }
 
-/// How many forms the copies of one blade have.
+/// How many forms the copies of a template of reduced detail have.
 const VARIANTS: u64 = 4;
 
-/// A form that varies from blade to blade: freely where a blade was drawn, among a few where it is one of many copies,
-/// which are then bent only once each.
-fn varied(seed: u64, blade: &Blade, form: &BladeForm, vary: f32, rng: &mut Pcg64Mcg) -> BladeForm {
-    if blade.template.is_none() {
-        return form::varied(form, vary, rng);
+/// A form that varies from blade to blade: freely in full detail, otherwise among a few, which are then bent only once each.
+fn varied(seed: u64, detail: Detail, form: &BladeForm, vary: f32, rng: &mut Pcg64Mcg) -> BladeForm {
+    match detail {
+        Detail::Full => form::varied(form, vary, rng),
+        Detail::Reduced => {
+            let variant = rng.random_range(0..VARIANTS);
+            form::varied(form, vary, &mut stream(seed, Purpose::Variant, variant))
+        }
     }
-    let variant = rng.random_range(0..VARIANTS);
-    form::varied(form, vary, &mut stream(seed, Purpose::Variant, variant))
 }
 
 /// The form of a petal between the longest, outer ones and those half as long, the inner ones.
-fn petal_form(look: &PetalLook, blade: &Blade, longest: f32) -> BladeForm {
+fn petal_form(look: &PetalLook, length: f32, longest: f32) -> BladeForm {
     match &look.inner {
-        Some(inner) => form::blend(&look.form, inner, (2.0 - 2.0 * blade.length / longest).clamp(0.0, 1.0)),
+        Some(inner) => form::blend(&look.form, inner, (2.0 - 2.0 * length / longest).clamp(0.0, 1.0)),
         None => look.form,
     }
 }
@@ -163,17 +164,17 @@ fn petals_of(plant: &Plant) -> Vec<Petals> {
         if let (Some(flower), Shape::Blade(blade)) = (organ.flower, &organ.shape) {
             let of = &mut petals[flower];
             of.count += 1;
-            of.longest = of.longest.max(blade.length);
-            of.first_tip.get_or_insert_with(|| blade.at_rest(Vec2::new(0.0, blade.length)));
+            let blade = plant.templates.resolve(blade);
+            of.longest = of.longest.max(blade.template.length());
+            of.first_tip.get_or_insert_with(|| blade.tip_at_rest());
         }
     }
     petals
 }
 
-/// The parts of every flower that nobody draws.
-fn flower_centres(plant: &Plant, species: &Species, petals: &[Petals], seed: u64) -> Vec<Organ> {
-    let first_template = plant.next_template();
-    let mut out = Vec::new();
+/// The parts of every flower that nobody draws, with their templates.
+fn flower_centres(plant: &Plant, species: &Species, petals: &[Petals], seed: u64) -> (Vec<Organ>, Templates) {
+    let (mut out, mut templates) = (Vec::new(), Templates::default());
     for (index, flower) in plant.flowers.iter().enumerate() {
         let Some(look) = species.flowers.get(flower.look) else { continue };
         // One petal does not show where the middle of its flower is.
@@ -181,9 +182,9 @@ fn flower_centres(plant: &Plant, species: &Species, petals: &[Petals], seed: u64
             continue;
         }
         let rng = &mut stream(seed, Purpose::FlowerCentre, index as u64);
-        out.extend(flower_centre(plant, index, &petals[index], look, first_template + index as u32, rng));
+        out.extend(flower_centre(plant, index, &petals[index], look, &mut templates, rng));
     }
-    out
+    (out, templates)
 }
 
 fn thorny(plant: &Plant, provenance: &Provenance, species: &Species, seed: u64) -> Vec<Organ> {

@@ -2,9 +2,9 @@
 
 use super::*;
 use crate::picture::Picture;
-use crate::plant::{Branch, Cone, Flower, RestSurface, Texture};
+use crate::plant::{Blade, Branch, Cone, Flower, RestSurface, Template, TemplateId, Texture};
 use crate::species::seat::Seat;
-use glam::{Quat, Vec3};
+use glam::{Quat, Vec2, Vec3};
 use proptest::prelude::*;
 use std::f32::consts::TAU;
 use std::path::Path;
@@ -27,23 +27,16 @@ fn origin(stroke: Option<u64>) -> Origin {
     stroke.map_or(Origin::Generated, |stroke| drawn().1[stroke as usize])
 }
 
-fn leaf(base: Vec3, branch: Option<usize>, stroke: Option<u64>, length: f32) -> Organ {
-    let outline =
-        vec![Vec2::ZERO, Vec2::new(0.3, 0.5) * length, Vec2::Y * length, Vec2::new(-0.3, 0.5) * length];
-    let (u, v) = (Vec3::X, Vec3::Y);
-    let rest = RestSurface::Plane;
-    let form = BladeForm::default();
-    let blade = Blade {
-        outline: outline.into(),
-        curl: Vec::new(),
-        base,
-        u,
-        v,
-        length,
-        rest,
-        form,
-        template: stroke.is_none().then_some(3),
-    };
+/// A new template of a leaf of a length.
+fn template(plant: &mut Plant, length: f32, detail: Detail) -> TemplateId {
+    let outline = [Vec2::ZERO, Vec2::new(0.3, 0.5), Vec2::Y, Vec2::new(-0.3, 0.5)];
+    let outline = outline.map(|point| point * length).to_vec();
+    plant.templates.add(Template::new(outline, Vec::new(), length, detail))
+}
+
+fn leaf(template: TemplateId, base: Vec3, branch: Option<usize>, stroke: Option<u64>) -> Organ {
+    let (rest, form) = (RestSurface::Plane, BladeForm::default());
+    let blade = Blade { template, base, u: Vec3::X, v: Vec3::Y, rest, form };
     let (role, origin) = (Role::of(OrganPart::Leaf), origin(stroke));
     Organ { role, origin, branch, flower: None, shape: Shape::Blade(blade) }
 }
@@ -61,7 +54,8 @@ fn add_flower(plant: &mut Plant, at: Vec3, axis: Vec3, opening_rad: f32, centre_
         let direction = axis * opening_rad.cos() + around * opening_rad.sin();
         let v = Vec3::new(direction.x, direction.y, 0.0).normalize_or(Vec3::Y);
         let rest = RestSurface::Cone { cone, hint: (at + direction * reach).z };
-        let mut petal = leaf(at + direction * 0.1 * reach, branch, Some(u64::from(k)), 0.9 * reach);
+        let template = template(plant, 0.9 * reach, Detail::Full);
+        let mut petal = leaf(template, at + direction * 0.1 * reach, branch, Some(u64::from(k)));
         petal.role = Role::of(OrganPart::Petal);
         petal.flower = Some(index);
         if let Shape::Blade(blade) = &mut petal.shape {
@@ -80,14 +74,13 @@ fn bare(branches: usize, leaves: usize) -> Plant {
         radii: vec![0.003; 6],
         role: Role::of(WoodPart::Stem),
     };
-    Plant {
-        branches: (0..branches).map(branch).collect(),
-        flowers: Vec::new(),
-        organs: (0..leaves)
-            .map(|k| leaf(Vec3::Y * 0.01 * k as f32, (branches > 0).then_some(0), None, 0.02))
-            .collect(),
-        buds: Vec::new(),
+    let mut plant = Plant { branches: (0..branches).map(branch).collect(), ..Plant::default() };
+    if leaves > 0 {
+        let template = template(&mut plant, 0.02, Detail::Reduced);
+        let on = (branches > 0).then_some(0);
+        plant.organs = (0..leaves).map(|k| leaf(template, Vec3::Y * 0.01 * k as f32, on, None)).collect();
     }
+    plant
 }
 
 /// A plant with one flower, half open and turned half to the viewer.
@@ -243,19 +236,15 @@ fn an_artists_picture_replaces_every_material_of_its_part_only() {
 fn inner_petals_of_a_rose_are_more_cupped() {
     let rose = Species::built_in("rose").unwrap();
     let look = &rose.flowers[0].petals;
-    let Shape::Blade(mut blade) = leaf(Vec3::ZERO, None, None, 1.0).shape else {
-        panic!("a leaf is a blade")
-    };
-    let outer = petal_form(look, &blade, 1.0);
-    blade.length = 0.5;
-    let inner = petal_form(look, &blade, 1.0);
+    let [outer, inner] = [1.0, 0.5].map(|length| petal_form(look, length, 1.0));
     assert_eq!((outer.cup, inner.cup), (look.form.cup, look.inner.unwrap().cup));
 }
 
 #[test]
 fn a_cherry_tree_blossoms_in_place_of_generated_leaves_only() {
     let mut plant = bare(3, 400);
-    plant.organs.push(leaf(Vec3::Y, Some(0), Some(9), 0.02));
+    let template = template(&mut plant, 0.02, Detail::Full);
+    plant.organs.push(leaf(template, Vec3::Y, Some(0), Some(9)));
     let cherry = finished(&plant, "cherry", 5);
     let leaves = cherry.organs.iter().filter(|organ| organ.kind() == OrganKind::Leaf);
     assert!(leaves.clone().any(|leaf| leaf.origin == origin(Some(9))));
@@ -287,9 +276,11 @@ fn a_drawn_leaf_more_leaves_the_form_of_the_others() {
     };
     for name in ["plant", "maple"] {
         let mut plant = bare(1, 0);
-        plant.organs = [7, 9].map(|stroke| leaf(Vec3::Y * 0.02, Some(0), Some(stroke), 0.02)).to_vec();
+        let template = template(&mut plant, 0.02, Detail::Full);
+        let drawn = |height: f32, stroke| leaf(template, Vec3::Y * height, Some(0), Some(stroke));
+        plant.organs = [7, 9].map(|stroke| drawn(0.02, stroke)).to_vec();
         let before = finished(&plant, name, 1);
-        plant.organs.insert(0, leaf(Vec3::Y * 0.05, Some(0), Some(3), 0.02));
+        plant.organs.insert(0, drawn(0.05, 3));
         let after = finished(&plant, name, 1);
         for stroke in [7, 9] {
             assert_eq!(form_of(&before, stroke), form_of(&after, stroke), "{name}: leaf {stroke}");

@@ -7,29 +7,24 @@
 use super::looks::BlossomLook;
 use super::sepals::blade_at;
 use crate::plant::{
-    Blade, BladeForm, Cone, Flower, FlowerBud, Organ, OrganKind, OrganPart, Origin, Plant, Role, Shape,
+    BladeForm, Cone, Detail, Flower, FlowerBud, Organ, OrganKind, OrganPart, Origin, Plant, ResolvedBlade,
+    Role, Shape, Template, TemplateId,
 };
 use glam::{Quat, Vec2, Vec3};
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use std::f32::consts::TAU;
-use std::sync::Arc;
 
 /// Radius of the flower's centre, as a share of the reach.
 const CENTRE: f32 = 0.08;
 
-/// Opens the flower buds and replaces leaves by flowers; their petals share the outline number `template`. Says whether
-/// fewer open than the species asks for, because a plant may not have more than `most`.
-pub(super) fn blossom(
-    plant: &mut Plant,
-    look: &BlossomLook,
-    most: usize,
-    template: u32,
-    rng: &mut Pcg64Mcg,
-) -> bool {
+/// Opens the flower buds and replaces leaves by flowers, whose petals are all copies of one template. Says whether fewer open than the species asks for, because a plant may not have more than `most`.
+pub(super) fn blossom(plant: &mut Plant, look: &BlossomLook, most: usize, rng: &mut Pcg64Mcg) -> bool {
     let Some(mean) = mean_leaf_length(plant) else { return false };
     let reach = mean * look.reach;
-    let outline = notched(reach * (1.0 - CENTRE), look).into();
+    let length = reach * (1.0 - CENTRE);
+    let outline = notched(length, look);
+    let template = plant.templates.add(Template::new(outline, Vec::new(), length, Detail::Reduced));
     let share = affordable_share(plant, look.share, most);
     let room = (plant.organs.len() as f32 * (1.0 + share * look.petals as f32)) as usize;
     let organs = std::mem::replace(&mut plant.organs, Vec::with_capacity(room));
@@ -37,23 +32,27 @@ pub(super) fn blossom(
     let open = |plant: &mut Plant, bud: &FlowerBud, rng: &mut Pcg64Mcg| {
         let size = bud.v.length() / mean;
         let flower = pose(bud, reach * size, look);
-        plant.organs.extend(petals((&flower, size), plant.flowers.len(), look, &outline, template, rng));
+        plant.organs.extend(petals((&flower, size), plant.flowers.len(), look, template, rng));
         plant.flowers.push(flower);
     };
     for organ in organs {
         let opens = is_generated_leaf(&organ) && rng.random_bool(f64::from(share));
         match &organ.shape {
-            Shape::Blade(leaf) if opens => open(plant, &bud_of(leaf, organ.branch), rng),
+            Shape::Blade(leaf) if opens => {
+                let bud = bud_of(&plant.templates.resolve(leaf), organ.branch);
+                open(plant, &bud, rng);
+            }
             _ => plant.organs.push(organ),
         }
     }
     buds.iter().for_each(|bud| open(plant, bud, rng));
+    plant.drop_unused_templates();
     share < look.share
 }
 
 /// The bud in a leaf's place.
-fn bud_of(leaf: &Blade, branch: Option<usize>) -> FlowerBud {
-    FlowerBud { branch, base: leaf.base, u: leaf.u, v: leaf.v * leaf.length }
+fn bud_of(leaf: &ResolvedBlade<'_>, branch: Option<usize>) -> FlowerBud {
+    FlowerBud { branch, base: leaf.base, u: leaf.u, v: leaf.v * leaf.template.length() }
 }
 
 fn is_generated_leaf(organ: &Organ) -> bool {
@@ -67,13 +66,13 @@ fn affordable_share(plant: &Plant, wished: f32, most: usize) -> f32 {
     wished.min(most.saturating_sub(buds) as f32 / leaves.max(1) as f32)
 }
 
-fn length_of(leaf: &Blade) -> f32 {
-    leaf.length * leaf.v.length()
+fn length_of(leaf: &ResolvedBlade<'_>) -> f32 {
+    leaf.template.length() * leaf.v.length()
 }
 
 fn mean_leaf_length(plant: &Plant) -> Option<f32> {
     let length = |organ: &Organ| match &organ.shape {
-        Shape::Blade(leaf) if is_generated_leaf(organ) => Some(length_of(leaf)),
+        Shape::Blade(leaf) if is_generated_leaf(organ) => Some(length_of(&plant.templates.resolve(leaf))),
         _ => None,
     };
     let lengths: Vec<f32> = plant.organs.iter().filter_map(length).collect();
@@ -92,13 +91,12 @@ fn pose(bud: &FlowerBud, reach: f32, look: &BlossomLook) -> Flower {
     Flower { branch: bud.branch, cone, centre_radius: CENTRE * reach, reach, look: 0 }
 }
 
-/// The petals of a flower of a size; their outline is that of a flower of size 1.
+/// The petals of a flower of a size; their template is that of a flower of size 1.
 fn petals<'a>(
     (flower, size): (&'a Flower, f32),
     index: usize,
     look: &BlossomLook,
-    outline: &'a Arc<[Vec2]>,
-    template: u32,
+    template: TemplateId,
     rng: &mut Pcg64Mcg,
 ) -> impl Iterator<Item = Organ> + 'a {
     let Cone { apex, axis, opening_rad, .. } = flower.cone;
@@ -110,8 +108,7 @@ fn petals<'a>(
         let v = axis * opening_rad.cos() + radial * opening_rad.sin();
         let face = axis * opening_rad.sin() - radial * opening_rad.cos();
         let base = apex + v * (CENTRE * flower.reach);
-        let length = (1.0 - CENTRE) * flower.reach / size.max(f32::MIN_POSITIVE);
-        let blade = blade_at(base, v * size, face, outline, length, BladeForm::default(), template);
+        let blade = blade_at(base, v * size, face, BladeForm::default(), template);
         Organ {
             role: Role::of(OrganPart::Petal),
             origin: Origin::Generated,

@@ -7,7 +7,7 @@
 //! Limits: the hollow, waves and curl of a leaf are known by their largest height only. Petals are left where the drawing
 //! has them. A plant in a pot has no ground to speak of.
 
-use crate::plant::{Blade, Branch, OrganKind, Plant, RestSurface, Shape};
+use crate::plant::{Blade, Branch, OrganKind, Plant, ResolvedBlade, RestSurface, Shape, Template};
 use glam::{Mat3, Quat, Vec3};
 
 /// Angles over level to which a leaf swings up one after the other, radians.
@@ -23,7 +23,9 @@ pub(super) fn keep_above(plant: &mut Plant) {
     plant.branches.iter_mut().filter(|branch| !branch.origin.is_drawn()).for_each(lift_branch);
     for organ in plant.organs.iter_mut().filter(|organ| organ.kind() == OrganKind::Leaf) {
         match &mut organ.shape {
-            Shape::Blade(blade) if blade.rest == RestSurface::Plane => lift_leaf(blade),
+            Shape::Blade(blade) if blade.rest == RestSurface::Plane => {
+                lift_leaf(blade, &plant.templates[blade.template]);
+            }
             _ => {}
         }
     }
@@ -41,9 +43,9 @@ fn lift_branch(branch: &mut Branch) {
     }
 }
 
-fn lift_leaf(blade: &mut Blade) {
+fn lift_leaf(blade: &mut Blade, template: &Template) {
     blade.base.y = blade.base.y.max(0.0);
-    let below = |blade: &Blade| (-lowest(blade)).max(0.0);
+    let below = |blade: &Blade| (-lowest(&blade.with_template(template))).max(0.0);
     if below(blade) == 0.0 {
         return;
     }
@@ -75,61 +77,61 @@ fn frame(u: Vec3, v: Vec3) -> Option<Mat3> {
 }
 
 /// Height of the lowest place that a blade may have.
-fn lowest(blade: &Blade) -> f32 {
-    let form = &blade.form;
-    let size = blade.length * blade.v.length();
+fn lowest(blade: &ResolvedBlade<'_>) -> f32 {
+    let (form, template) = (&blade.form, blade.template);
+    let size = template.length() * blade.v.length();
     let facing = blade.u.cross(blade.v).normalize_or_zero();
-    let width = blade.outline.iter().map(|p| p.x.abs()).fold(0.0, f32::max) * blade.u.length();
-    let curl = blade.curl.iter().fold(0.0, |most: f32, curl| most.max(curl.abs()));
+    let width = template.outline().iter().map(|p| p.x.abs()).fold(0.0, f32::max) * blade.u.length();
+    let curl = template.curl().iter().fold(0.0, |most: f32, curl| most.max(curl.abs()));
     let uneven = (0.25 * form.cup.abs() * size).min(0.6 * width)
         + (form.fold.abs() * size).min(width) * f32::from(form.fold < 0.0)
         + size * (form.ruffle + CURL * curl + form.thickness);
     let height = |p: &glam::Vec2| {
-        let x = (p.y / blade.length).clamp(0.0, 1.25);
+        let x = (p.y / template.length()).clamp(0.0, 1.25);
         let bent = -(form.bend_quartic * x * x + form.bend_quadratic) * x * x * size;
         (blade.base + blade.u * p.x + blade.v * p.y).y + facing.y * bent
             - facing.y.abs() * uneven * x.min(1.0)
     };
-    let heights = blade.outline.iter().filter(|p| p.y > 0.1 * blade.length).map(height);
+    let heights = template.outline().iter().filter(|p| p.y > 0.1 * template.length()).map(height);
     heights.fold(blade.base.y, f32::min)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plant::{BladeForm, Origin, Role, WoodPart};
+    use crate::plant::{BladeForm, Detail, Origin, Role, Templates, WoodPart};
     use glam::Vec2;
 
-    fn leaf(base: Vec3, v: Vec3) -> Blade {
+    fn leaf(base: Vec3, v: Vec3) -> (Blade, Templates) {
         let point = |k: usize| Vec2::from_angle(k as f32 * 0.1047) * Vec2::new(0.2, 0.5) + Vec2::Y * 0.5;
-        Blade {
-            outline: (0..60).map(point).collect(),
-            curl: Vec::new(),
+        let mut templates = Templates::default();
+        let template = Template::new((0..60).map(point).collect(), Vec::new(), 1.0, Detail::Full);
+        let blade = Blade {
+            template: templates.add(template),
             base,
             u: v.cross(Vec3::Z).normalize() * v.length(),
             v,
-            length: 1.0,
             rest: RestSurface::Plane,
             form: BladeForm::default(),
-            template: None,
-        }
+        };
+        (blade, templates)
     }
 
     #[test]
     fn a_hanging_leaf_comes_to_lie_on_the_ground() {
-        let mut blade = leaf(Vec3::Y * 0.1, Vec3::new(0.6, -0.6, 0.2));
-        let length = blade.v.length();
-        lift_leaf(&mut blade);
-        assert!(lowest(&blade) >= -1e-6 && (blade.v.length() - length).abs() < 1e-5);
+        let (mut blade, templates) = leaf(Vec3::Y * 0.1, Vec3::new(0.6, -0.6, 0.2));
+        let (length, template) = (blade.v.length(), &templates[blade.template]);
+        lift_leaf(&mut blade, template);
+        assert!(lowest(&templates.resolve(&blade)) >= -1e-6 && (blade.v.length() - length).abs() < 1e-5);
         assert!(blade.v.x > 0.3, "it keeps its side: {}", blade.v);
         assert!(blade.v.y < 0.45 * length, "no farther than it must: {}", blade.v);
     }
 
     #[test]
     fn leaves_above_the_ground_stay() {
-        let high = leaf(Vec3::Y, Vec3::new(0.6, -0.6, 0.2));
-        let mut blade = high.clone();
-        lift_leaf(&mut blade);
+        let (high, templates) = leaf(Vec3::Y, Vec3::new(0.6, -0.6, 0.2));
+        let (mut blade, template) = (high, &templates[high.template]);
+        lift_leaf(&mut blade, template);
         assert_eq!(blade, high);
     }
 

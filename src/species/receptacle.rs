@@ -4,7 +4,7 @@ use super::filaments::filaments;
 use super::looks::{Along, CupLook, FlowerLook};
 use super::seat::Seat;
 use super::sepals::sepals;
-use crate::plant::{Organ, OrganPart, Origin, Plant, Role, Shape};
+use crate::plant::{Organ, OrganPart, Origin, Plant, Role, Shape, Templates};
 use glam::{Vec2, Vec3};
 use rand_pcg::Pcg64Mcg;
 
@@ -28,13 +28,13 @@ pub(super) struct Petals {
     pub(super) first_tip: Option<Vec3>,
 }
 
-/// What is added to flower `flower` of `plant`, which has these petals. Sepals share the outline number `template`.
+/// What is added to flower `flower` of `plant`, which has these petals. The template of its sepals comes behind the others.
 pub(super) fn flower_centre(
     plant: &Plant,
     flower: usize,
     petals: &Petals,
     look: &FlowerLook,
-    template: u32,
+    templates: &mut Templates,
     rng: &mut Pcg64Mcg,
 ) -> Vec<Organ> {
     let pose = &plant.flowers[flower];
@@ -70,7 +70,7 @@ pub(super) fn flower_centre(
         out.extend(shape.map(|shape| organ(OrganPart::Cup, 0, shape)));
     }
     if let Some(sepal_look) = &look.sepals {
-        let blades = sepals(sepal_look, &seat, petals.count, &look.petals.form, template);
+        let blades = sepals(sepal_look, &seat, petals.count, &look.petals.form, templates);
         out.extend(blades.into_iter().map(|blade| organ(OrganPart::Sepal, 0, Shape::Blade(blade))));
     }
     out

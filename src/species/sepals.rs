@@ -2,10 +2,9 @@
 
 use super::looks::SepalLook;
 use super::seat::Seat;
-use crate::plant::{Blade, BladeForm, RestSurface};
+use crate::plant::{Blade, BladeForm, Detail, RestSurface, Template, TemplateId, Templates};
 use glam::{Vec2, Vec3};
 use std::f32::consts::{PI, TAU};
-use std::sync::Arc;
 
 /// Outline points on each side.
 const SIDE_POINTS: usize = 6;
@@ -14,20 +13,21 @@ const BEHIND: f32 = 0.012;
 /// Largest angle between axis and sepals, radians: bent back as far as the stem allows.
 const LARGEST_ANGLE: f32 = 0.92 * PI;
 
-/// The sepals of a flower with `petals` petals of form `petal_form`; all share the outline number `template`.
+/// The sepals of a flower with `petals` petals of form `petal_form`; their template comes behind the others.
 pub(super) fn sepals(
     look: &SepalLook,
     seat: &Seat,
     petals: usize,
     petal_form: &BladeForm,
-    template: u32,
+    templates: &mut Templates,
 ) -> Vec<Blade> {
     let count = look.count.map_or(petals, |count| count as usize);
     let length = look.length * seat.reach;
-    if length <= 0.0 {
+    if length <= 0.0 || count == 0 {
         return Vec::new();
     }
-    let outline = spindle(length, look.width, look.widest).into();
+    let outline = spindle(length, look.width, look.widest);
+    let template = templates.add(Template::new(outline, Vec::new(), length, Detail::Reduced));
     // a hollow petal bulges backwards: stay behind the bulge
     let hollow = petal_form.cup.max(0.0).atan() * 0.8;
     let angle = (seat.opening_rad + hollow + look.gap_deg.to_radians()).min(LARGEST_ANGLE);
@@ -36,32 +36,14 @@ pub(super) fn sepals(
         let radial = seat.around(first + TAU * k as f32 / count as f32);
         let v = seat.axis * angle.cos() + radial * angle.sin();
         let face = seat.axis * angle.sin() - radial * angle.cos();
-        blade_at(seat.apex - face * (BEHIND * seat.reach), v, face, &outline, length, look.form, template)
+        blade_at(seat.apex - face * (BEHIND * seat.reach), v, face, look.form, template)
     };
     (0..count).map(blade).collect()
 }
 
 /// A flat blade from `base` along `v` that looks toward `face`.
-pub(super) fn blade_at(
-    base: Vec3,
-    v: Vec3,
-    face: Vec3,
-    outline: &Arc<[Vec2]>,
-    length: f32,
-    form: BladeForm,
-    template: u32,
-) -> Blade {
-    Blade {
-        outline: outline.clone(),
-        curl: Vec::new(),
-        base,
-        u: v.cross(face),
-        v,
-        length,
-        rest: RestSurface::Plane,
-        form,
-        template: Some(template),
-    }
+pub(super) fn blade_at(base: Vec3, v: Vec3, face: Vec3, form: BladeForm, template: TemplateId) -> Blade {
+    Blade { template, base, u: v.cross(face), v, rest: RestSurface::Plane, form }
 }
 
 /// Outline that is pointed at both ends: `width` and `widest` are shares of the length.
@@ -93,15 +75,9 @@ mod tests {
 
     #[test]
     fn u_and_v_span_the_face() {
-        let blade = blade_at(
-            Vec3::ZERO,
-            Vec3::Y,
-            Vec3::Z,
-            &spindle(1.0, 0.3, 0.5).into(),
-            1.0,
-            BladeForm::default(),
-            0,
-        );
+        let outline = spindle(1.0, 0.3, 0.5);
+        let template = Templates::default().add(Template::new(outline, Vec::new(), 1.0, Detail::Reduced));
+        let blade = blade_at(Vec3::ZERO, Vec3::Y, Vec3::Z, BladeForm::default(), template);
         assert!((blade.u.cross(blade.v) - Vec3::Z).length() < 1e-6);
     }
 }

@@ -156,9 +156,8 @@ mod tests {
                 radii: vec![0.1; 2],
                 role: Role::of(WoodPart::Stem),
             }],
-            flowers: Vec::new(),
             organs: kinds().flatten().map(organ).collect(),
-            buds: Vec::new(),
+            ..Plant::default()
         });
         assert_eq!(plant.check_invariants(), Ok(()));
         plant

@@ -211,12 +211,7 @@ fn plant_of(model: &Model) -> FinishedPlant {
         radii: vec![0.01, 0.007],
         role: Role { variant: part.material as u32, ..Role::of(WoodPart::Stem) },
     };
-    let plant = Plant {
-        branches: wood.map(branch).collect(),
-        flowers: Vec::new(),
-        organs: Vec::new(),
-        buds: Vec::new(),
-    };
+    let plant = Plant { branches: wood.map(branch).collect(), ..Plant::default() };
     let of = |material: usize| Role { variant: material as u32, ..Role::of(WoodPart::Stem.into()) };
     let roles: Vec<Role> = (0..model.materials.len()).map(of).collect();
     FinishedPlant::new(plant, &roles, |role| model.materials[role.variant as usize].clone())

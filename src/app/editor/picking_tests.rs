@@ -36,7 +36,10 @@ fn middle(editor: &Editor, element: Element) -> Vec3 {
             points[points.len() / 2]
         }
         Element::Organ(organ) => match &plant.organs[organ].shape {
-            crate::plant::Shape::Blade(blade) => blade.at_rest(Vec2::new(0.0, 0.6 * blade.length)),
+            crate::plant::Shape::Blade(blade) => {
+                let blade = plant.templates.resolve(blade);
+                blade.at_rest(Vec2::new(0.0, 0.6 * blade.template.length()))
+            }
             _ => plant.organs[organ].base(),
         },
     }

@@ -8,7 +8,10 @@
 use super::error::ExportError;
 use super::exporter::{Encoded, Exporter, Takes};
 use super::scene::{PlantAndProvenance, Scene};
-use crate::plant::{Branch, Cone, FinishedPlant, Flower, Organ, OrganKind, Plant, Provenance, Shape};
+use crate::plant::{
+    Blade, BladeForm, Branch, Cone, Detail, FinishedPlant, Flower, Organ, OrganKind, Plant, Provenance,
+    RestSurface, Shape, Template, Templates,
+};
 use glam::{Vec2, Vec3};
 use serde::Serialize;
 
@@ -36,11 +39,12 @@ impl Exporter for PlantJson {
 /// None for a plant and a provenance whose invariants hold.
 pub fn to_bytes(plant: &FinishedPlant, provenance: &Provenance) -> Result<Vec<u8>, serde_json::Error> {
     // Every field is named here and below, so that a new one cannot be forgotten.
-    let Plant { branches, flowers, organs, buds: _ } = &**plant;
+    let Plant { branches, flowers, organs, templates, buds: _ } = &**plant;
     let with = (plant, provenance);
     let branches: Vec<_> = branches.iter().map(|branch| BranchText::new(branch, with)).collect();
     let flowers: Vec<_> = flowers.iter().map(FlowerText::new).collect();
-    let organs: Vec<_> = organs.iter().map(|organ| OrganText::new(organ, with)).collect();
+    let numbers = numbers(templates);
+    let organs: Vec<_> = organs.iter().map(|organ| OrganText::new(organ, with, &numbers)).collect();
     let mut out = Vec::new();
     out.extend_from_slice(b"{\n\"world_from_canvas\":");
     serde_json::to_writer(&mut out, &provenance.world_from_canvas)?;
@@ -102,25 +106,59 @@ struct OrganText<'a> {
 #[derive(Serialize)]
 #[serde(rename_all = "snake_case")]
 enum ShapeText<'a> {
-    Filament {
-        points: &'a [Vec3],
-        radius: f32,
-        head: Vec2,
-        head_material: usize,
-    },
-    #[serde(untagged)]
-    Other(&'a Shape),
+    Filament { points: &'a [Vec3], radius: f32, head: Vec2, head_material: usize },
+    Blade(BladeText<'a>),
+    Dome { base: Vec3, axis: Vec3, radius: f32, height: f32 },
+    Lathe { base: Vec3, axis: Vec3, profile: &'a [Vec2] },
+}
+
+/// A blade as the file has it: with all that its template says.
+#[derive(Serialize)]
+struct BladeText<'a> {
+    outline: &'a [Vec2],
+    curl: &'a [f32],
+    base: Vec3,
+    u: Vec3,
+    v: Vec3,
+    length: f32,
+    rest: &'a RestSurface,
+    form: &'a BladeForm,
+    /// The same for all copies of a template; none for a blade that is the only one.
+    template: Option<u32>,
+}
+
+impl<'a> BladeText<'a> {
+    fn new(blade: &'a Blade, templates: &'a Templates, numbers: &[Option<u32>]) -> Self {
+        let Blade { template, base, u, v, rest, form } = blade;
+        let (of, number) = (&templates[*template], numbers[template.index()]);
+        let (outline, curl, length) = (of.outline(), of.curl(), of.length());
+        Self { outline, curl, base: *base, u: *u, v: *v, length, rest, form, template: number }
+    }
+}
+
+/// The number of each template that is meant to have many copies.
+fn numbers(templates: &Templates) -> Vec<Option<u32>> {
+    let mut next = 0..;
+    let number = |template: &Template| match template.detail() {
+        Detail::Full => None,
+        Detail::Reduced => next.next(),
+    };
+    templates.iter().map(number).collect()
 }
 
 impl<'a> OrganText<'a> {
-    fn new(organ: &'a Organ, (plant, provenance): PlantAndProvenance<'_>) -> Self {
+    fn new(organ: &'a Organ, (plant, provenance): PlantAndProvenance<'a>, numbers: &[Option<u32>]) -> Self {
         let Organ { role, origin, branch, flower, shape } = organ;
         let shape = match shape {
             Shape::Filament { points, radius, head } => {
                 let head_material = plant.material(role.of_head());
                 ShapeText::Filament { points, radius: *radius, head: *head, head_material }
             }
-            other => ShapeText::Other(other),
+            Shape::Blade(blade) => ShapeText::Blade(BladeText::new(blade, &plant.templates, numbers)),
+            Shape::Dome { base, axis, radius, height } => {
+                ShapeText::Dome { base: *base, axis: *axis, radius: *radius, height: *height }
+            }
+            Shape::Lathe { base, axis, profile } => ShapeText::Lathe { base: *base, axis: *axis, profile },
         };
         let (kind, material) = (organ.kind(), plant.material(*role));
         let stroke = provenance.stroke(*origin);

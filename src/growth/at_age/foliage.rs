@@ -11,15 +11,16 @@
 //! so many-th stays, evenly over old and young wood alike, so that the crown grows thinner but nowhere bare.
 
 use super::chains::Chains;
-use crate::geom::simple_loop;
 use crate::growth::habit::leaf::{self, LeafHabit, LeafPose};
 use crate::growth::tree::{NONE, Tree};
 use crate::growth::volume::Envelope;
-use crate::plant::{Blade, BladeForm, Organ, OrganKind, OrganPart, Origin, RestSurface, Role, Shape};
+use crate::plant::{
+    Blade, BladeForm, Detail, Organ, OrganKind, OrganPart, Origin, RestSurface, Role, Shape, Template,
+    TemplateId, Templates,
+};
 use crate::random::{Choice, mix};
-use glam::{Quat, Vec2, Vec3};
+use glam::{Quat, Vec3};
 use rayon::prelude::*;
-use std::sync::Arc;
 
 /// Divergence of leaves, radians: the golden angle.
 const GOLDEN_RAD: f32 = 2.399_963;
@@ -56,17 +57,30 @@ pub struct Wood<'a> {
     pub envelope: &'a Envelope,
 }
 
-/// All leaves of a plant at an age, in the order of their nodes; thinned to `most` where there would be more.
-pub fn leaves(most: usize, wood: &Wood<'_>, habit: &LeafHabit) -> Vec<Organ> {
+/// All leaves of a plant at an age, in the order of their nodes, with the templates of which they are copies, not all of
+/// which need have any; thinned to `most` where there would be more.
+pub fn leaves(most: usize, wood: &Wood<'_>, habit: &LeafHabit) -> (Vec<Organ>, Templates) {
     let pose = habit.at(wood.age);
     if pose.length <= 0.0 || (habit.per_internode == 0 && habit.at_tip == 0) {
-        return Vec::new();
+        return (Vec::new(), Templates::default());
     }
-    let outline = |w: &f32| leaf::outline(habit.shape, (pose.width * w).min(3.0)).into();
-    let outlines: Vec<Arc<[Vec2]>> = WIDTHS.iter().map(outline).collect();
-    debug_assert!(outlines.iter().all(|o| simple_loop::signed_area(o.iter().copied()) > 0.0));
+    let mut templates = Templates::default();
+    let outlines = WIDTHS.map(|width| {
+        let outline = leaf::outline(habit.shape, (pose.width * width).min(3.0));
+        templates.add(Template::new(outline, Vec::new(), 1.0, Detail::Reduced))
+    });
+    (copies(most, wood, (habit, pose), &outlines), templates)
+}
+
+/// The leaves as copies of these templates.
+fn copies(
+    most: usize,
+    wood: &Wood<'_>,
+    (habit, pose): (&LeafHabit, LeafPose),
+    templates: &[TemplateId],
+) -> Vec<Organ> {
     let from_end = from_end(wood);
-    let on = |i: usize| leaves_of(wood, (habit, pose), &outlines, (i, from_end[i]));
+    let on = |i: usize| leaves_of(wood, (habit, pose), templates, (i, from_end[i]));
     let nodes = || (0..wood.chains.of_node.len()).into_par_iter().with_min_len(NODES);
     let whole = |counts: &[u32]| counts.iter().map(|c| u64::from(*c)).sum::<u64>();
     let places: Vec<u32> = nodes().map(|i| count_of(wood, habit, (i, from_end[i]))).collect();
@@ -113,13 +127,13 @@ fn count_of(wood: &Wood<'_>, habit: &LeafHabit, (i, from_end): (usize, u8)) -> u
 fn leaves_of<'a>(
     wood: &'a Wood<'a>,
     (habit, pose): (&'a LeafHabit, LeafPose),
-    outlines: &'a [Arc<[Vec2]>],
+    templates: &'a [TemplateId],
     (i, from_end): (usize, u8),
 ) -> impl Iterator<Item = Organ> + 'a {
     let branch = wood.chains.of_node[i];
     let pose = LeafPose { length: pose.length * wood.grown[i].max(0.05), ..pose };
     (0..count_of(wood, habit, (i, from_end))).filter_map(move |k| {
-        let shape = Shape::Blade(held(one(wood, (habit, &pose), outlines, (i, k)), wood.envelope)?);
+        let shape = Shape::Blade(held(one(wood, (habit, &pose), templates, (i, k)), wood.envelope)?);
         let branch = Some(branch as usize);
         let role = Role::of(OrganPart::Leaf);
         Some(Organ { role, origin: Origin::Generated, branch, flower: None, shape })
@@ -158,7 +172,7 @@ pub(super) fn held_share(base: Vec3, v: Vec3, envelope: &Envelope) -> Option<f32
 fn one(
     wood: &Wood<'_>,
     (habit, pose): (&LeafHabit, &LeafPose),
-    outlines: &[Arc<[Vec2]>],
+    templates: &[TemplateId],
     (i, k): (usize, u32),
 ) -> Blade {
     let (from, to) = (wood.chains.below(i, wood.tree, wood.at), wood.at[i]);
@@ -180,17 +194,14 @@ fn one(
         + Vec3::from_array(Choice::LEAF_FACE.signs(key)) * (0.5 * pose.scatter);
     let across = axis.cross(face).try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector());
     let length = pose.length * (1.0 + pose.vary * Choice::LEAF_LENGTH.signed(key));
-    let template = (Choice::LEAF_OUTLINE.unit(key) * outlines.len() as f32) as usize % outlines.len();
+    let template = (Choice::LEAF_OUTLINE.unit(key) * templates.len() as f32) as usize % templates.len();
     Blade {
-        outline: outlines[template].clone(),
-        curl: Vec::new(),
+        template: templates[template],
         base: from.lerp(to, along) + around * (0.4 * wood.diameters[i]),
         u: across * length,
         v: axis * length,
-        length: 1.0,
         rest: RestSurface::Plane,
         form: BladeForm::default(),
-        template: Some(template as u32),
     }
 }
 

@@ -72,11 +72,11 @@ fn too_many_leaves_are_thinned_evenly_over_the_whole_crown() {
     for envelope in [Envelope::Free, ball] {
         let grown = Grown::new(&habit(), envelope);
         let (wood, leaf) = (grown.wood(), &grown.simulation.habit().leaf);
-        let all = bases(&leaves(usize::MAX, &wood, leaf));
+        let all = bases(&leaves(usize::MAX, &wood, leaf).0);
         assert!(all.len() > 2000, "{}", all.len());
-        assert_eq!(bases(&leaves(all.len(), &wood, leaf)), all);
+        assert_eq!(bases(&leaves(all.len(), &wood, leaf).0), all);
         let most = all.len() / 3;
-        let few = leaves(most, &wood, leaf);
+        let (few, _) = leaves(most, &wood, leaf);
         assert_eq!(few.len(), most);
         let few = bases(&few);
         let mut rest = all.iter();

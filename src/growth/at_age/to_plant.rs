@@ -54,12 +54,10 @@ pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) 
         seed: simulation.seed(),
         envelope: simulation.envelope(),
     };
-    let plant = Plant {
-        branches,
-        flowers: Vec::new(),
-        organs: foliage::leaves(limits.leaves, &wood, &habit.leaf),
-        buds: bloom::buds(limits.flower_buds, &wood, habit),
-    };
+    let (organs, templates) = foliage::leaves(limits.leaves, &wood, &habit.leaf);
+    let buds = bloom::buds(limits.flower_buds, &wood, habit);
+    let mut plant = Plant { branches, flowers: Vec::new(), organs, templates, buds };
+    plant.drop_unused_templates();
     debug_assert_eq!(plant.check_invariants(), Ok(()));
     (plant, chains)
 }

@@ -92,7 +92,7 @@ impl Start {
             extend_into_crown::extend(&mut wood, crown);
         }
         let envelope = crown.map_or(Envelope::Free, Envelope::Inflated);
-        let plant = Plant { branches: wood, flowers: Vec::new(), organs: Vec::new(), buds: Vec::new() };
+        let plant = Plant { branches: wood, ..Plant::default() };
         let simulation = Simulation::from_skeleton(&self.habit, &plant, envelope, self.seed, self.limits);
         Kept { start: self.clone(), inside, simulation, ended: Outcome::Growing }
     }

@@ -8,7 +8,7 @@ use super::drawing::Grown;
 use crate::growth::at_age::chains::Chains;
 use crate::growth::at_age::to_plant;
 use crate::growth::tree::NONE;
-use crate::plant::{Branch, Plant, Shape};
+use crate::plant::{Branch, Plant};
 use glam::Vec3;
 
 /// Which branches grow on: those drawn by hand that end in no flower, and whatever carries such.
@@ -69,29 +69,16 @@ pub fn merged(drawn: Plant, grows: &[bool], grown: &Grown<'_>) -> Plant {
         flower.branch = under.map(|u| u.0);
         flower.cone.apex.z += under.map_or(0.0, |u| u.1);
     }
-    let first = drawn.organs.iter().filter_map(|o| template(&o.shape)).max().map_or(0, |last| last + 1);
+    let leaves = std::mem::replace(&mut plant.organs, drawn.organs);
+    let of_leaves = std::mem::replace(&mut plant.templates, drawn.templates);
     for organ in &mut plant.organs {
-        if let Shape::Blade(blade) = &mut organ.shape {
-            blade.template = blade.template.map(|t| t + first);
-        }
-    }
-    let mut organs = drawn.organs;
-    for organ in &mut organs {
         let under = now(organ.branch, organ.base());
         organ.branch = under.map(|u| u.0);
         organ.shape.translate(Vec3::Z * under.map_or(0.0, |u| u.1));
     }
-    organs.append(&mut plant.organs);
-    plant.organs = organs;
+    plant.add_organs(leaves, of_leaves);
     debug_assert_eq!(plant.check_invariants(), Ok(()));
     plant
-}
-
-fn template(shape: &Shape) -> Option<u32> {
-    match shape {
-        Shape::Blade(blade) => blade.template,
-        _ => None,
-    }
 }
 
 /// Finds the grown branch that runs where a drawn one ran.
