@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
 use crate::common::{provenance, textures, two_specimens};
-use penstemon::formats::read::{ReadFormat, from_bytes};
+use penstemon::formats::read::{ReadFormat, from_bytes, load};
 use penstemon::formats::write::{Exporter, Scene, export, glb::Glb, obj::Obj};
 use penstemon::model::quality::judge;
 use proptest::prelude::*;
@@ -75,6 +75,24 @@ fn unreadable_files_are_one_message_with_the_name() {
     }
     let gone = check(&folder.path().join("gone.obj"), &[]);
     assert!(gone.status.code() == Some(1) && stderr(&gone).contains("cannot read it"));
+}
+
+#[test]
+fn copies_count_like_the_triangles_that_they_stand_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let reports = [&[][..], &["--instances", "nodes"], &["--instances", "gpu"]].map(|form| {
+        let path = folder.path().join("oak.glb");
+        let grow = ["grow", "oak", "--age", "6", "-o"];
+        let grown =
+            Command::new(env!("CARGO_BIN_EXE_penstemon")).args(grow).arg(&path).args(form).output().unwrap();
+        assert!(grown.status.success(), "{grown:?}");
+        let report: serde_json::Value = serde_json::from_slice(&check(&path, &["--json"]).stdout).unwrap();
+        ["clean", "points", "triangles", "components", "crossing_faces"].map(|key| report[key].clone())
+    });
+    assert!(reports[0][0] == true && reports[0][2].as_u64() > Some(5000), "{:?}", reports[0]);
+    assert!(reports[0][4].as_u64() > Some(0), "{:?}", reports[0]);
+    assert_eq!(reports[0], reports[1], "nodes");
+    assert_eq!(reports[0], reports[2], "gpu");
 }
 
 fn obj_refusal(text: &str) -> String {
@@ -198,6 +216,73 @@ fn glb_indices_without_vertex_are_a_defect_not_an_error() {
     bytes[end - 4] = 200;
     let surfaces = from_bytes(ReadFormat::Glb, &bytes).unwrap();
     assert_eq!(judge(&surfaces[0].mesh, surfaces[0].has).indices_out_of_range, 1);
+}
+
+#[test]
+fn faces_without_all_their_corners_are_told_and_not_placed() {
+    let mut bytes = altered("{}", "{}");
+    let end = bytes.len();
+    bytes[end - 4] = 200;
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("broken.glb");
+    fs::write(&path, &bytes).unwrap();
+    let output = check(&path, &[]);
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    assert!(stdout(&output).contains("1 indices out of range"), "{output:?}");
+}
+
+/// A second node with a table of these columns, below the one that shows the triangle.
+fn tabled(columns: &str) -> Vec<u8> {
+    let extension = format!(r#""extensions":{{"EXT_mesh_gpu_instancing":{{"attributes":{{{columns}}}}}}}"#);
+    altered(",{}]", &format!(r#",{{"mesh":0,{extension}}}]"#))
+}
+
+#[test]
+fn tables_of_copies_are_read_or_refused_with_their_node() {
+    let surfaces = from_bytes(ReadFormat::Glb, &tabled(r#""TRANSLATION":0,"SCALE":0"#)).unwrap();
+    assert_eq!((surfaces.len(), surfaces[0].copies), (1, 1 + 3));
+    for (columns, reason) in [
+        ("", "node 1: EXT_mesh_gpu_instancing: its table has no columns"),
+        (r#""SCALE":"a""#, "node 1: EXT_mesh_gpu_instancing: an attribute is no accessor"),
+        (r#""SCALE":7"#, "accessor 7: there is no such accessor"),
+        (r#""ROTATION":0"#, "accessor 0: it holds Vec3, not Vec4"),
+    ] {
+        let message = from_bytes(ReadFormat::Glb, &tabled(columns)).unwrap_err().to_string();
+        assert!(message.starts_with(reason), "{columns}: {message}");
+    }
+}
+
+#[test]
+fn extensions_that_a_file_requires_and_nobody_reads_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("packed.glb");
+    let required =
+        r#""version":"2.0"},"extensionsRequired":["EXT_meshopt_compression","EXT_mesh_gpu_instancing"]"#;
+    fs::write(&path, altered(r#""version":"2.0"}"#, required)).unwrap();
+    let warnings = load(&path).unwrap().warnings;
+    assert!(warnings.len() == 1 && warnings[0].contains("EXT_meshopt_compression"), "{warnings:?}");
+}
+
+#[test]
+fn few_bytes_cannot_be_placed_without_end() {
+    let (faces, copies) = (30_000, 1_000);
+    let document = format!(
+        r#"{{"asset":{{"version":"2.0"}},"buffers":[{{"byteLength":{all}}}],
+        "bufferViews":[{{"buffer":0,"byteLength":{table}}},{{"buffer":0,"byteOffset":{table},"byteLength":{index}}}],
+        "accessors":[{{"bufferView":0,"componentType":5126,"count":{copies},"type":"VEC3"}},
+                     {{"bufferView":1,"componentType":5125,"count":{corners},"type":"SCALAR"}}],
+        "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},"indices":1}}]}}],
+        "nodes":[{{"mesh":0,"extensions":{{"EXT_mesh_gpu_instancing":{{"attributes":{{"TRANSLATION":0}}}}}}}}]}}"#,
+        all = 12 * (faces + copies),
+        table = 12 * copies,
+        index = 12 * faces,
+        corners = 3 * faces,
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("many.glb");
+    fs::write(&path, container(&document, &vec![0; 12 * (faces + copies)])).unwrap();
+    let message = load(&path).unwrap_err().to_string();
+    assert!(message.contains("node 0: the file unfolds into far more data"), "{message}");
 }
 
 #[test]

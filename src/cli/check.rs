@@ -55,7 +55,7 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         if !one.is_clean() && !surface.name.is_empty() && faulty.len() < NAMED {
             faulty.push(quote::name(&surface.name));
         }
-        report.add(&one);
+        report.add(&one.of_copies(surface.copies));
     }
     let verdict = Verdict { clean: report.is_clean(), report, crossing_faces, faulty };
     let text = if args.json { serde_json::to_string(&verdict)? } else { described(args, &verdict) };

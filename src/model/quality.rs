@@ -114,6 +114,31 @@ impl Report {
         self.defects().is_empty()
     }
 
+    /// The counts of so many copies of the mesh, moved, turned or scaled.
+    #[must_use]
+    pub fn of_copies(&self, copies: usize) -> Self {
+        let all = |count: usize| count.saturating_mul(copies);
+        Self {
+            points: all(self.points),
+            triangles: all(self.triangles),
+            components: all(self.components),
+            boundary_edges: all(self.boundary_edges),
+            non_manifold_edges: all(self.non_manifold_edges),
+            non_manifold_vertices: all(self.non_manifold_vertices),
+            zero_area_faces: all(self.zero_area_faces),
+            duplicate_faces: all(self.duplicate_faces),
+            flipped_faces: all(self.flipped_faces),
+            unorientable_edges: all(self.unorientable_edges),
+            inside_out_components: all(self.inside_out_components),
+            indices_out_of_range: all(self.indices_out_of_range),
+            non_finite: all(self.non_finite),
+            uvs_out_of_range: all(self.uvs_out_of_range),
+            normals_not_unit: all(self.normals_not_unit),
+            normals_against_winding: all(self.normals_against_winding),
+            uv_range: self.uv_range,
+        }
+    }
+
     /// Adds another mesh's counts to these.
     pub fn add(&mut self, other: &Report) {
         self.points += other.points;

@@ -1,23 +1,24 @@
-//! GLB to a model that can be drawn: meshes where the nodes put them, materials as far as Blinn-Phong reaches.
+//! GLB to a model that can be drawn: meshes where the nodes put them, copies included, materials as far as Blinn-Phong reaches.
 //!
 //! The inverse of `formats/write/gltf_materials.rs`: base colour to diffuse, roughness to exponent, extensions to highlight and
 //! translucency; v is turned round again.
 //!
-//! Limits: the first scene, or all roots where there is none; masks and blending both cut out; pictures outside the file
-//! are not read.
+//! Limits: masks and blending both cut out; pictures outside the file are not read.
 
 use super::error::Malformed;
 use super::glb_container;
+use super::glb_nodes::{self, Shown};
 use super::glb_surfaces::{assembled, check_nodes};
 use super::gltf_accessor::{Budget, Data};
 use super::loaded::{Loaded, clay, is_picture};
-use crate::formats::gltf_extensions;
+use crate::formats::gltf_extensions::{self, INSTANCING};
 use crate::model::Mesh;
 use crate::plant::{Material, Texture};
 use crate::quote;
-use glam::{Mat3, Mat4, Quat, Vec3};
+use glam::{Mat3, Mat4};
 use gltf_json as json;
 use json::material::AlphaMode;
+use json::mesh::Primitive;
 use json::validation::Checked;
 use std::slice;
 
@@ -29,12 +30,11 @@ pub(super) fn load(bytes: &[u8]) -> Result<Loaded, Malformed> {
     check_nodes(&root)?;
     let data = Data { root: &root, buffer };
     let mut loaded = Loaded::default();
-    // None is known that changes where surfaces are.
-    for extension in root.extensions_required.iter().take(MOST_NAMED) {
+    let unknown = root.extensions_required.iter().filter(|extension| *extension != INSTANCING);
+    for extension in unknown.take(MOST_NAMED) {
         let extension = quote::name(extension);
         loaded.warnings.push(format!(
-            "the file requires {extension}, which is not read, so surfaces are missing; write it without, as \
-             `--instances nodes` does"
+            "the file requires {extension}, which is not read, so surfaces may be missing; write it without"
         ));
     }
     let textures = load_pictures(data, &mut loaded);
@@ -43,17 +43,28 @@ pub(super) fn load(bytes: &[u8]) -> Result<Loaded, Malformed> {
         loaded.push_material(converted);
     }
     let plain = loaded.push_material(clay());
-    let mut budget = Budget::of(buffer);
-    for (node, world_from_node) in placed(&root) {
-        let Some(mesh) = root.nodes[node].mesh.and_then(|mesh| root.meshes.get(mesh.value())) else {
-            continue;
+    let (mut budget, mut room) = (Budget::of(buffer), Budget::of_copies(buffer));
+    let shown = glb_nodes::shown(data, &mut budget)?;
+    let mut uses = vec![0_usize; root.meshes.len()];
+    shown.iter().for_each(|shown| uses[shown.mesh] += 1);
+    let mut decoded: Vec<Option<Vec<Mesh>>> = vec![None; root.meshes.len()];
+    for Shown { node, mesh, world_from_copies } in shown {
+        let name = root.nodes[node].name.clone().unwrap_or_else(|| format!("node {node}"));
+        let primitives = &root.meshes[mesh].primitives;
+        let surfaces = match decoded[mesh].take() {
+            Some(surfaces) => surfaces,
+            None => primitives_of(&name, primitives, data, &mut budget)?,
         };
-        for primitive in &mesh.primitives {
-            let name = root.nodes[node].name.clone().unwrap_or_else(|| format!("node {node}"));
-            let mut surface = assembled(name, slice::from_ref(primitive), data, &mut budget)?;
-            transform(&mut surface.mesh, world_from_node);
+        for (surface, primitive) in surfaces.iter().zip(primitives) {
+            let elements = surface.vertices.len() + surface.triangles.len();
+            let spent = room.spend(elements.saturating_mul(world_from_copies.len()));
+            spent.map_err(|reason| Malformed::new(format!("node {node}"), reason))?;
             let material = primitive.material.map_or(plain, |index| index.value().min(plain));
-            loaded.push(surface.name, surface.mesh, material);
+            loaded.push(name.clone(), placed(surface, &world_from_copies), material);
+        }
+        uses[mesh] -= 1;
+        if uses[mesh] > 0 {
+            decoded[mesh] = Some(surfaces);
         }
     }
     Ok(loaded)
@@ -95,46 +106,32 @@ fn converted(material: &json::Material, root: &json::Root, textures: &[Option<Te
     }
 }
 
-/// Every node that is shown, with its place in the world. The nodes are a forest, which bounds the walk.
-fn placed(root: &json::Root) -> Vec<(usize, Mat4)> {
-    let shown = root.scene.map_or(0, |scene| scene.value());
-    let mut placed: Vec<(usize, Mat4)> = match root.scenes.get(shown) {
-        Some(scene) => scene.nodes.iter().map(|node| (node.value(), Mat4::IDENTITY)).collect(),
-        None => free(root).map(|node| (node, Mat4::IDENTITY)).collect(),
-    };
-    // A scene may name a node twice, or one that hangs on another.
-    let is_free: Vec<usize> = free(root).collect();
-    placed.retain(|(node, _)| is_free.binary_search(node).is_ok());
-    placed.sort_by_key(|(node, _)| *node);
-    placed.dedup_by_key(|(node, _)| *node);
-    let mut next = 0;
-    while let Some(&(index, parent)) = placed.get(next) {
-        let node = &root.nodes[index];
-        let world_from_node = parent * parent_from_node(node);
-        placed[next].1 = world_from_node;
-        placed.extend(node.children.iter().flatten().map(|child| (child.value(), world_from_node)));
-        next += 1;
+/// Each primitive of a mesh by itself, without the faces of which a corner does not exist.
+fn primitives_of(
+    name: &str,
+    primitives: &[Primitive],
+    data: Data<'_>,
+    budget: &mut Budget,
+) -> Result<Vec<Mesh>, Malformed> {
+    let mut surfaces = Vec::with_capacity(primitives.len());
+    for primitive in primitives {
+        let mut mesh = assembled(name.to_owned(), slice::from_ref(primitive), data, budget)?.mesh;
+        let count = mesh.vertices.len();
+        mesh.triangles.retain(|corners| corners.iter().all(|corner| (*corner as usize) < count));
+        surfaces.push(mesh);
     }
-    placed
+    Ok(surfaces)
 }
 
-/// Nodes that hang on no other, in order.
-fn free(root: &json::Root) -> impl Iterator<Item = usize> {
-    let mut hangs = vec![false; root.nodes.len()];
-    let children = root.nodes.iter().flat_map(|node| node.children.iter().flatten());
-    children.for_each(|child| hangs[child.value()] = true);
-    hangs.into_iter().enumerate().filter(|(_, hangs)| !hangs).map(|(node, _)| node)
-}
-
-fn parent_from_node(node: &json::Node) -> Mat4 {
-    match node.matrix {
-        Some(matrix) => Mat4::from_cols_array(&matrix),
-        None => Mat4::from_scale_rotation_translation(
-            node.scale.map_or(Vec3::ONE, Vec3::from),
-            node.rotation.map_or(Quat::IDENTITY, |q| Quat::from_array(q.0)),
-            node.translation.map_or(Vec3::ZERO, Vec3::from),
-        ),
+/// A surface at each of these places, as one mesh.
+fn placed(surface: &Mesh, world_from_copies: &[Mat4]) -> Mesh {
+    let mut all = Mesh::default();
+    for world_from_copy in world_from_copies {
+        let mut copy = surface.clone();
+        transform(&mut copy, *world_from_copy);
+        all.append(&copy);
     }
+    all
 }
 
 fn transform(mesh: &mut Mesh, world_from_node: Mat4) {

@@ -1,13 +1,14 @@
 //! GLB back to meshes: the container, the node graph's soundness, and every mesh in its own space.
 //!
 //! The primitives of a mesh are put together, and vertices at exactly one place become one point (glTF repeats a
-//! position for each normal and UV). Meshes are judged where they are defined, once, however many nodes show them; the
-//! nodes are only checked for being a forest.
+//! position for each normal and UV). Meshes are judged where they are defined; the nodes are checked for being a forest and
+//! say how many copies of each mesh are shown.
 //!
 //! Limits: triangle lists only; points and lines are passed over, strips and fans refused.
 
 use super::error::Malformed;
 use super::glb_container;
+use super::glb_nodes;
 use super::gltf_accessor::{Budget, Data};
 use super::surface::Surface;
 use crate::geom::weld::weld;
@@ -24,7 +25,7 @@ pub(super) fn surfaces(bytes: &[u8]) -> Result<Vec<Surface>, Malformed> {
     check_nodes(&root)?;
     let data = Data { root: &root, buffer };
     let mut budget = Budget::of(buffer);
-    let surfaces: Vec<Surface> = root
+    let mut surfaces: Vec<Surface> = root
         .meshes
         .iter()
         .enumerate()
@@ -33,6 +34,11 @@ pub(super) fn surfaces(bytes: &[u8]) -> Result<Vec<Surface>, Malformed> {
             assembled(name, &mesh.primitives, data, &mut budget)
         })
         .collect::<Result<_, _>>()?;
+    let mut copies = vec![0; surfaces.len()];
+    for shown in glb_nodes::shown(data, &mut budget)? {
+        copies[shown.mesh] += shown.world_from_copies.len();
+    }
+    surfaces.iter_mut().zip(copies).for_each(|(surface, copies)| surface.copies = copies.max(1));
     if surfaces.iter().all(|surface| surface.mesh.triangles.is_empty()) {
         return Err(Malformed::new("meshes", "the file has no triangles"));
     }
@@ -161,6 +167,11 @@ impl Soup {
         let (points, point_of_position) = weld(&self.positions);
         let attributes = point_of_position.into_iter().zip(self.normals).zip(self.uvs);
         let vertices = attributes.map(|((point, normal), uv)| Vertex { point, normal, uv }).collect();
-        Surface { name, mesh: Mesh { points, vertices, triangles: self.triangles, ..Mesh::default() }, has }
+        Surface {
+            name,
+            mesh: Mesh { points, vertices, triangles: self.triangles, ..Mesh::default() },
+            has,
+            copies: 1,
+        }
     }
 }

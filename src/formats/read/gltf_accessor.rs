@@ -17,10 +17,19 @@ pub(super) struct Budget(usize);
 impl Budget {
     /// Elements per byte of the buffer: honest files have at most one, and several where meshes share vertices.
     const SHARING: usize = 4;
+    /// Vertices and triangles of a plant of all the triangles that one may have, with as many vertices and half as many
+    /// again.
+    const COPIES: usize = crate::budget::Budget::PLANT.triangles as usize * 5 / 2;
 
     /// The budget of a file with this much data.
     pub(super) fn of(buffer: &[u8]) -> Self {
         Self(Self::SHARING * buffer.len())
+    }
+
+    /// The vertices and triangles that the meshes of such a file may have where its nodes place them: what a large plant has, or
+    /// more in a larger file.
+    pub(super) fn of_copies(buffer: &[u8]) -> Self {
+        Self((Self::SHARING * buffer.len()).max(Self::COPIES))
     }
 
     /// Takes `count` elements from what is left.
@@ -38,13 +47,17 @@ pub(super) struct Data<'a> {
 }
 
 impl<'a> Data<'a> {
-    /// Vectors of `N` floats.
+    /// Vectors of `N` floats, 2 to 4.
     pub(super) fn floats<const N: usize>(
         &self,
         index: Index<Accessor>,
         budget: &mut Budget,
     ) -> Result<Vec<[f32; N]>, Malformed> {
-        let kind = if N == 2 { Type::Vec2 } else { Type::Vec3 };
+        let kind = match N {
+            2 => Type::Vec2,
+            4 => Type::Vec4,
+            _ => Type::Vec3,
+        };
         let mut read = || -> Result<_, String> {
             let elements = self.elements(index, kind, budget)?;
             if elements.component != ComponentType::F32 {

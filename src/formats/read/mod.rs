@@ -1,13 +1,15 @@
 //! Models read back from OBJ and GLB files.
 //!
 //! [`read`] gives the surfaces as the file defines them, for [`quality`](crate::model::quality); [`load`] gives them in
-//! their places and with their materials, to be looked at. Total: any bytes end in surfaces or in a message that names file, place and reason; memory and time stay in
-//! proportion to the file, whatever its counts claim.
+//! their places and with their materials, to be looked at. Total: any bytes end in surfaces or in a message that names
+//! file, place and reason; memory and time stay in proportion to the file, whatever its counts claim, or to a large plant
+//! where a file says little but shows it often.
 
 mod error;
 mod file;
 mod glb_container;
 mod glb_model;
+mod glb_nodes;
 mod glb_surfaces;
 mod gltf_accessor;
 mod loaded;

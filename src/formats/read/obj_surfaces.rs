@@ -40,5 +40,10 @@ fn converted(read: tobj::Mesh, has: Attributes) -> Surface {
     };
     let vertices = read.indices.iter().enumerate().map(vertex).collect();
     let triangles = (0..read.indices.len() as u32 / 3).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]).collect();
-    Surface { name: String::new(), mesh: Mesh { points, vertices, triangles, ..Mesh::default() }, has }
+    Surface {
+        name: String::new(),
+        mesh: Mesh { points, vertices, triangles, ..Mesh::default() },
+        has,
+        copies: 1,
+    }
 }

@@ -12,4 +12,6 @@ pub struct Surface {
     pub mesh: Mesh,
     /// What the file gives for every vertex; the rest is zero in `mesh`.
     pub has: Attributes,
+    /// How often the file shows it; 1 for what it does not show.
+    pub copies: usize,
 }

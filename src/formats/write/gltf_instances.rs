@@ -1,7 +1,7 @@
 //! Copies of one shape in a glTF document: nodes that share a mesh, or one node with a table of poses.
 //!
 //! A group of copies hangs on the part that carries it. As nodes, each copy has its own translation, rotation and scale
-//! below the group's node, which every program reads. As a table ([`EXTENSION`]) the poses stand in the buffer: all
+//! below the group's node, which every program reads. As a table ([`INSTANCING`]) the poses stand in the buffer: all
 //! translations of a group, then its rotations, then its scales, 40 bytes a copy. A viewer that does not know the
 //! extension could show one leaf of thousands only, so the document requires it.
 
@@ -9,6 +9,7 @@ use super::Scene;
 use super::gltf_buffer::{accessor, view};
 use super::gltf_tree::node;
 use super::scene::InstanceForm;
+use crate::formats::gltf_extensions::INSTANCING;
 use crate::model::{InstanceGroup, Pose};
 use gltf_json as json;
 use json::Index;
@@ -18,8 +19,6 @@ use json::extensions::scene::Node as NodeExtensions;
 use json::scene::UnitQuaternion;
 use serde_json::{Value, json};
 
-/// The extension of tables.
-const EXTENSION: &str = "EXT_mesh_gpu_instancing";
 /// Its attributes, and how many numbers each has.
 const ATTRIBUTES: [(&str, Type, usize); 3] =
     [("TRANSLATION", Type::Vec3, 3), ("ROTATION", Type::Vec4, 4), ("SCALE", Type::Vec3, 3)];
@@ -62,8 +61,8 @@ pub(super) fn push(
     let mut table = None;
     if form == InstanceForm::Gpu {
         table = Some(Table { view: root.push(view(at, table_bytes(scene), None)), used: 0 });
-        root.extensions_used.push(EXTENSION.to_owned());
-        root.extensions_required.push(EXTENSION.to_owned());
+        root.extensions_used.push(INSTANCING.to_owned());
+        root.extensions_required.push(INSTANCING.to_owned());
     }
     for (group, mesh) in groups.iter().zip(meshes) {
         let above =
@@ -112,7 +111,7 @@ impl Table {
             self.used += 4 * numbers * count;
             attributes.insert(name.to_owned(), Value::from(root.push(accessor).value()));
         }
-        let others = [(EXTENSION.to_owned(), json!({ "attributes": attributes }))];
+        let others = [(INSTANCING.to_owned(), json!({ "attributes": attributes }))];
         NodeExtensions { others: others.into_iter().collect() }
     }
 }
