@@ -75,12 +75,18 @@ fn a_grown_plant_stands_behind_the_drawn_one_as_it_is_alone() {
     assert_eq!(parts.iter().map(|part| part.name.clone()).collect::<Vec<_>>(), names);
     let drawn_specimens = drawn.model.parts.iter().map(|part| part.specimen).max().unwrap();
     assert!(parts.iter().all(|part| part.specimen > drawn_specimens));
+    // It is known which branches and organs are its own.
+    let standing = both.beside[0].as_ref().unwrap();
+    assert_eq!(standing.branches, drawn.plant.branches.len()..both.plant.branches.len());
+    assert_eq!(standing.organs, drawn.plant.organs.len()..both.plant.organs.len());
     // It stands where the sketch says, as high as it says.
     let world = both.provenance.world_from_canvas;
     let foot = world.point(Vec2::new(700.0, 900.0));
     assert!(branches[0].points[0].distance(foot) < 0.02 * world.scale * 500.0);
     let top = branches.iter().flat_map(|b| &b.points).map(|p| p.y).fold(f32::MIN, f32::max);
     let height = (top - foot.y) / world.scale;
+    assert_eq!(standing.foot, foot);
+    assert!((standing.height / world.scale - 500.0).abs() < 0.5, "{standing:?}");
     assert!((400.0..=501.0).contains(&height), "{height} pixels");
 }
 
@@ -124,6 +130,8 @@ fn what_cannot_stand_there_is_left_out_and_said() {
     assert!(built.remarks[drawn.remarks.len()..].iter().all(|warning| warning.remark.is_shortfall()));
     assert!(matches!(built.remarks[drawn.remarks.len()].remark, Remark::OfPlant { place: 1, .. }));
     assert!(built.model.parts.iter().any(|part| part.name == "hazel_wood"));
+    let stand: Vec<bool> = built.beside.iter().map(Option::is_some).collect();
+    assert_eq!(stand, [false, false, false, false, false, true]);
 }
 
 #[test]

@@ -11,7 +11,7 @@ use crate::growth::overlay::Wanted;
 use crate::pen::PenSource;
 use crate::picture::{Picture, PictureError};
 use crate::plant::OrganKind;
-use crate::sketch::{StrokeId, TextureChoice, Tool};
+use crate::sketch::{PlacedPlant, StrokeId, TextureChoice, Tool};
 use serde_json::Value;
 use std::path::PathBuf;
 
@@ -93,6 +93,21 @@ pub enum Action {
         /// Whether the steps are larger ones.
         far: bool,
     },
+    /// Put a grown plant of this species beside the drawn one.
+    AddPlant(String),
+    /// Select a plant beside the drawn one by its place in the list, or none of them.
+    SelectPlant(Option<usize>),
+    /// Change a plant beside the drawn one.
+    SetPlant {
+        /// Its place in the list.
+        place: usize,
+        /// What it becomes.
+        plant: PlacedPlant,
+    },
+    /// Choose the seed of a plant beside the drawn one by chance.
+    RollPlantSeed(usize),
+    /// Take a plant beside the drawn one away.
+    RemovePlant(usize),
     /// Put the selected strokes on the clipboard.
     CopySelected,
     /// The same, and remove them.

@@ -11,14 +11,19 @@
 //! | `background` | the way back from other threads |
 //! | `preferences` | settings, language, fonts, colours |
 //! | `live_plant` | the worker, the newest plant, growth replayed |
+//! | `beside_state` | which plant beside the drawn one is selected and held |
 //! | `pens` | the pens and tablets in use |
 //! | `dialogs` | the dialog, the menu of parts, messages |
 //! | `news` | changes that the window and the graphics card have to be notified of |
 
 mod accessors;
 mod background;
+mod beside;
+mod beside_marks;
+mod beside_state;
 mod clipboard;
 mod dialogs;
+mod dice;
 mod disk;
 mod estimate;
 mod export;
@@ -28,6 +33,7 @@ mod interface;
 mod keys;
 mod live_plant;
 mod lost_drawings;
+mod missing_species;
 mod news;
 mod notices;
 mod open_drawing;
@@ -57,6 +63,7 @@ use crate::sketch::document::ChangeError;
 use crate::sketch::journal::JournalState;
 use crate::sketch::{Change, Stroke};
 use background::Background;
+use beside_state::Beside;
 use dialogs::Dialogs;
 use disk::Disk;
 use live_plant::{Collected, LivePlant};
@@ -86,6 +93,7 @@ pub struct Editor {
     outcomes: Vec<CanvasOutcome>,
     pub(super) plant: PlantView,
     live: LivePlant,
+    beside: Beside,
     pens: Pens,
     dialogs: Dialogs,
     layout: Layout,
@@ -153,6 +161,7 @@ impl Editor {
         let mut outcomes = std::mem::take(&mut self.outcomes);
         self.canvas.drawing_changed(&self.drawing.sketch().strokes, &mut outcomes);
         self.outcomes = outcomes;
+        self.beside.keep_known(self.drawing.sketch().plants.len());
         self.live.drawing_changed(self.drawing.sketch(), self.drawing.folder());
         self.news.drawing_changed();
         self.news.reference_changed();

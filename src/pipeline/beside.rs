@@ -9,7 +9,7 @@
 
 use super::clock::Clock;
 use super::finish::{Built, Finish, finish};
-use super::placing::Placing;
+use super::placing::{Placing, Standing, height_above};
 use super::seed::{self, SeedMemory};
 use super::setup::{Params, params_of_species};
 use super::source::Seed;
@@ -20,6 +20,7 @@ use crate::plant::WorldFromCanvas;
 use crate::quote;
 use crate::sketch::{Maker, PlacedPlant, Remark, SeedOf, Textures, Warning};
 use crate::species::Species;
+use glam::Vec3;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -96,10 +97,15 @@ pub(super) fn add(
             },
         };
         match &**made {
-            Made::LeftOut(remark) => drawn.remarks.push(of_plant(remark)),
+            Made::LeftOut(remark) => {
+                drawn.remarks.push(of_plant(remark));
+                drawn.beside.push(None);
+            }
             Made::Stands(built) => {
                 drawn.remarks.extend(built.remarks.iter().map(|warning| of_plant(&warning.remark)));
-                put_behind(&mut drawn, built, plant.maker.species(), &mut names);
+                let foot = Placing::new(plant, &world).foot();
+                let standing = put_behind(&mut drawn, built, (plant.maker.species(), foot), &mut names);
+                drawn.beside.push(Some(standing));
             }
         }
     }
@@ -185,8 +191,9 @@ impl Kept {
     }
 }
 
-/// Puts a plant with its model behind those that are there.
-fn put_behind(all: &mut Built, one: &Built, species: &str, names: &mut Names) {
+/// Puts a plant of this species, which stands there, with its model behind those that are there.
+fn put_behind(all: &mut Built, one: &Built, (species, foot): (&str, Vec3), names: &mut Names) -> Standing {
+    let (branches, organs) = (all.plant.branches.len(), all.plant.organs.len());
     let materials = all.plant.append(&one.plant, species);
     let prefix = names.prefix(species);
     let first = all.model.parts.len();
@@ -200,6 +207,12 @@ fn put_behind(all: &mut Built, one: &Built, species: &str, names: &mut Names) {
         ..part.clone()
     }));
     all.model.materials = all.plant.materials().to_vec();
+    Standing {
+        branches: branches..all.plant.branches.len(),
+        organs: organs..all.plant.organs.len(),
+        foot,
+        height: height_above(foot.y, &one.plant),
+    }
 }
 
 /// Names of parts that are taken, and how many plants of each species there are.

@@ -2,7 +2,7 @@
 //! those, and they become surfaces, as fine as the budget of triangles allows.
 
 use super::clock::Clock;
-use super::placing::Placing;
+use super::placing::{Placing, Standing};
 use super::setup::Params;
 use super::source::{Ages, Produced};
 use crate::anatomy::Anatomy;
@@ -29,6 +29,8 @@ pub struct Built {
     pub plant: FinishedPlant,
     /// What only its drawing knows of the plant.
     pub provenance: Provenance,
+    /// The plants beside the drawn one, in the order of the drawing; none for what was left out.
+    pub beside: Vec<Option<Standing>>,
     /// The plant as surfaces.
     pub model: Model,
     /// What growth looks like from inside; empty until [`Cache::look_inside`](super::Cache::look_inside).
@@ -77,8 +79,8 @@ pub(super) fn finish(
         remark(Remark::Coarser { triangles: budget.triangles });
     }
     let model = clock.time("model", || model::rebuild(&plant, &fineness.params, cache, stop))?;
-    let (overlay, stages) = (Vec::new(), clock.take());
-    Some(Built { anatomy, remarks, growth, plant, provenance, model, overlay, stages })
+    let (beside, overlay, stages) = (Vec::new(), Vec::new(), clock.take());
+    Some(Built { anatomy, remarks, growth, plant, provenance, beside, model, overlay, stages })
 }
 
 /// The looks of a species, without flowers where the plant may not have any.

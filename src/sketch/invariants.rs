@@ -23,7 +23,7 @@ impl Sketch {
             check_stroke(stroke).map_err(|what| format!("stroke {}: {what}", stroke.id))?;
         }
         textures::check(&self.textures)?;
-        plants::check(&self.plants)?;
+        plants::check(&self.plants).map_err(|error| error.to_string())?;
         self.reference.as_ref().map_or(Ok(()), |reference| reference.check().map_err(|e| e.to_string()))
     }
 }

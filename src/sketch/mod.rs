@@ -29,7 +29,7 @@ pub(crate) mod warnings;
 pub use change::{Change, StrokeChange};
 pub use document::{ChangeError, Document};
 pub use error::SketchError;
-pub use plants::{Maker, PlacedPlant, SeedOf};
+pub use plants::{Maker, PlacedPlant, PlantFault, PlantsError, SeedOf};
 pub use read::{editable_from_bytes, from_bytes, read};
 pub use reference::{Reference, ReferenceError};
 pub use remark::{Remark, Warning};

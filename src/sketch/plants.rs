@@ -6,6 +6,7 @@
 use super::limits;
 use crate::quote;
 use glam::Vec2;
+use thiserror::Error;
 
 /// What a plant is made by, with all that decides what it looks like.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +37,46 @@ pub struct PlacedPlant {
     pub height: Option<f32>,
 }
 
+/// Why plants cannot stand beside a drawn one.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum PlantsError {
+    /// Too many of them.
+    #[error("a drawing holds at most {} plants beside the drawn one", limits::MAX_PLANTS)]
+    TooMany,
+    /// One of them cannot.
+    #[error("plant {place}: {fault}")]
+    Of {
+        /// Its place in the list, from 1.
+        place: usize,
+        /// What is wrong with it.
+        fault: PlantFault,
+    },
+}
+
+/// What is wrong with a plant that is to stand beside a drawn one.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum PlantFault {
+    /// No species can be called so.
+    #[error("`{name}` cannot name a species; write one of the built-in ones")]
+    Species {
+        /// The name, as far as it is short.
+        name: String,
+    },
+    /// It stands too far away, or nowhere.
+    #[error("the foot lies beyond ±{:e} pixels; place the plant nearer", limits::MAX_COORDINATE)]
+    Foot,
+    /// It has no age, or is too old.
+    #[error("the age must be 0 to {} years; leave it out for the usual", limits::MAX_PLANT_AGE)]
+    Age,
+    /// It is too low or too high.
+    #[error(
+        "the height must be {} to {:e} pixels; leave it out for the natural one",
+        limits::MIN_PLANT_HEIGHT,
+        limits::MAX_CANVAS_SIDE
+    )]
+    Height,
+}
+
 impl Maker {
     /// The names of all makers, as files say them.
     pub const NAMES: [&str; 1] = ["growth"];
@@ -59,47 +100,37 @@ impl PlacedPlant {
     /// Checks that every number is finite and in range and that the species has a name.
     ///
     /// # Errors
-    /// The first that is not, in words.
-    pub fn check(&self) -> Result<(), String> {
+    /// The first that is not.
+    pub fn check(&self) -> Result<(), PlantFault> {
         let Self { maker: Maker::Growth(SeedOf { species, seed: _, age }), foot, height } = self;
-        let far = Vec2::splat(limits::MAX_COORDINATE);
         if species.is_empty() || species.len() > limits::MAX_SPECIES_NAME_BYTES {
-            return Err(format!(
-                "`{}` cannot name a species; write one of the built-in ones",
-                quote::name(species)
-            ));
+            return Err(PlantFault::Species { name: quote::name(species) });
         }
-        if !foot.abs().cmple(far).all() {
-            return Err(format!("the foot lies beyond ±{:e} pixels; place the plant nearer", far.x));
+        if !foot.abs().cmple(Vec2::splat(limits::MAX_COORDINATE)).all() {
+            return Err(PlantFault::Foot);
         }
         if age.is_some_and(|age| !(0.0..=limits::MAX_PLANT_AGE).contains(&age)) {
-            return Err(format!(
-                "the age must be 0 to {} years; leave it out for the usual",
-                limits::MAX_PLANT_AGE
-            ));
+            return Err(PlantFault::Age);
         }
-        if height
-            .is_some_and(|height| !(limits::MIN_PLANT_HEIGHT..=limits::MAX_CANVAS_SIDE).contains(&height))
-        {
-            let (least, most) = (limits::MIN_PLANT_HEIGHT, limits::MAX_CANVAS_SIDE);
-            return Err(format!(
-                "the height must be {least} to {most:e} pixels; leave it out for the natural one"
-            ));
+        let heights = limits::MIN_PLANT_HEIGHT..=limits::MAX_CANVAS_SIDE;
+        if height.is_some_and(|height| !heights.contains(&height)) {
+            return Err(PlantFault::Height);
         }
         Ok(())
     }
 }
 
-/// What is wrong with plants beside a drawn one, in words.
+/// Checks the plants beside a drawn one.
 ///
 /// # Errors
-/// The first plant that is not sound, by its place from 1, or that there are too many.
-pub(super) fn check(plants: &[PlacedPlant]) -> Result<(), String> {
+/// The first plant that is not sound, or that there are too many.
+pub(super) fn check(plants: &[PlacedPlant]) -> Result<(), PlantsError> {
     if plants.len() > limits::MAX_PLANTS {
-        return Err(format!("a drawing holds at most {} plants beside the drawn one", limits::MAX_PLANTS));
+        return Err(PlantsError::TooMany);
     }
-    let numbered =
-        |(i, plant): (usize, &PlacedPlant)| plant.check().map_err(|e| format!("plant {}: {e}", i + 1));
+    let numbered = |(i, plant): (usize, &PlacedPlant)| {
+        plant.check().map_err(|fault| PlantsError::Of { place: i + 1, fault })
+    };
     plants.iter().enumerate().try_for_each(numbered)
 }
 
@@ -117,7 +148,8 @@ mod tests {
         };
         let sound = plant(oak.clone(), [1.0, 2.0], Some(300.0));
         assert_eq!(check(&vec![sound.clone(); limits::MAX_PLANTS]), Ok(()));
-        assert!(check(&vec![sound.clone(); limits::MAX_PLANTS + 1]).unwrap_err().contains("at most"));
+        let many = check(&vec![sound.clone(); limits::MAX_PLANTS + 1]).unwrap_err();
+        assert!(many.to_string().contains("at most 16"), "{many}");
         for (bad, part) in [
             (plant(SeedOf { species: String::new(), ..oak.clone() }, [0.0; 2], None), "species"),
             (plant(SeedOf { age: Some(-1.0), ..oak.clone() }, [0.0; 2], None), "age"),
@@ -125,7 +157,7 @@ mod tests {
             (plant(oak.clone(), [f32::INFINITY, 0.0], None), "foot"),
             (plant(oak, [0.0; 2], Some(0.0)), "height"),
         ] {
-            let message = check(&[sound.clone(), bad]).unwrap_err();
+            let message = check(&[sound.clone(), bad]).unwrap_err().to_string();
             assert!(message.starts_with("plant 2: ") && message.contains(part), "{message}");
         }
     }

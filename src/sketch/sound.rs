@@ -2,6 +2,7 @@
 
 use super::change::{Change, StrokeChange};
 use super::invariants::{check_stroke, is_in_range};
+use super::plants::PlantsError;
 use super::{Canvas, ReferenceError, Stroke, StrokePoint, limits, plants, textures};
 use glam::Vec2;
 use serde_json::{Map, Value};
@@ -39,8 +40,8 @@ pub enum ChangeError {
     #[error("{0}")]
     Texture(String),
     /// A plant beside the drawn one, or too many of them.
-    #[error("{0}")]
-    Plants(String),
+    #[error(transparent)]
+    Plants(#[from] PlantsError),
     /// The picture under the drawing.
     #[error(transparent)]
     Reference(#[from] ReferenceError),
@@ -63,7 +64,7 @@ pub(super) fn made_sound(mut change: Change) -> Result<Change, ChangeError> {
         check_params(params, 1, "", &mut count)?;
     }
     settings.textures.as_ref().map_or(Ok(()), textures::check).map_err(ChangeError::Texture)?;
-    settings.plants.as_deref().map_or(Ok(()), plants::check).map_err(ChangeError::Plants)?;
+    settings.plants.as_deref().map_or(Ok(()), plants::check)?;
     settings.reference.iter().flatten().try_for_each(|reference| reference.check())?;
     Ok(change)
 }

@@ -35,7 +35,9 @@ fn doubt(taken: Option<&str>) -> TabletDoubt {
 }
 
 /// States whose pictures are written for people to look at.
-const SHOTS: [Shot; 18] = [
+const SHOTS: [Shot; 20] = [
+    ("beside", Language::English, None, |s| s.beside = super::beside::garden(Some(0)).beside),
+    ("plant species", Language::Chinese, None, |s| s.dialog = Some(Dialog::PlantSpecies(None))),
     ("chinese", Language::Chinese, None, |_| ()),
     ("shape", Language::English, Some(Msg::TabShape), |s| {
         s.params.own =

@@ -42,11 +42,14 @@ fn everything_that_can_be_touched_is_large_enough() {
         for page in [Msg::TabPlant, Msg::TabShape, Msg::TabView] {
             let mut snapshot = busy();
             snapshot.reference = Some(ReferenceState { opacity: 0.5, locked: false });
+            snapshot.beside = super::beside::garden(Some(0)).beside;
             let mut harness = stage(snapshot, language);
             press(&mut harness, Messages::new(language).get(page));
             check_sizes(&harness);
         }
-        for dialog in [Dialog::Unsaved, Dialog::Export, Dialog::Pen, Dialog::About] {
+        for dialog in
+            [Dialog::Unsaved, Dialog::Export, Dialog::Pen, Dialog::PlantSpecies(None), Dialog::About]
+        {
             let mut snapshot = busy();
             snapshot.dialog = Some(dialog);
             check_sizes(&stage(snapshot, language));

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 
+mod beside;
 mod desktop;
 mod dialogs;
 mod growth;

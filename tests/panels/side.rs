@@ -60,6 +60,17 @@ fn a_missing_picture_is_named_and_can_be_found_and_an_own_one_is_shown() {
 }
 
 #[test]
+fn a_missing_species_file_is_named_and_can_be_found() {
+    let mut snapshot = busy();
+    (snapshot.species, snapshot.missing_species) = ("own/weed.toml".into(), Some("weed.toml".into()));
+    let mut harness = stage(snapshot, Language::English);
+    assert!(harness.query_by_label_contains("weed.toml is missing").is_some());
+    press(&mut harness, "Find…");
+    assert_eq!(asked(&mut harness), [Action::ChooseFile(PathPurpose::Species)]);
+    assert!(harness.query_by_label("Species file…").is_none(), "once is enough");
+}
+
+#[test]
 fn presets_are_saved_under_a_proposed_name_without_a_keyboard() {
     let mut snapshot = busy();
     snapshot.presets = vec![Listed { name: "Daisy 1".into(), path: "/presets/daisy-1.toml".into() }];

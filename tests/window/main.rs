@@ -10,6 +10,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 
 mod assistive;
+mod beside;
 mod client;
 mod device;
 mod disk;

@@ -57,7 +57,10 @@ impl Drawn {
 impl Hand {
     /// Takes up the pen over an empty sheet.
     pub fn new(species: &'static str, size: [u32; 2], seed: u64) -> Self {
-        Self { rng: Pcg64Mcg::seed_from_u64(seed), sheet: Sheet { species, size, strokes: Vec::new() } }
+        Self {
+            rng: Pcg64Mcg::seed_from_u64(seed),
+            sheet: Sheet { species, size, plants: &[], strokes: Vec::new() },
+        }
     }
 
     /// Puts the pen down for good.

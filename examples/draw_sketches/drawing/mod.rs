@@ -65,6 +65,7 @@ pub fn all() -> Vec<Drawing> {
         asset("bouquet", plants::bouquet::draw()),
         asset("sample", plants::sample::draw()),
         asset("topiary", plants::topiary::draw()),
+        asset("garden", plants::garden::draw()),
         trial("two_plants", plants::trials::two_plants()),
         trial("crossing_branches", plants::trials::crossing_branches()),
         trial("many_scales", plants::trials::many_scales()),

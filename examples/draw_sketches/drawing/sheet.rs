@@ -12,12 +12,28 @@ pub struct Stroke {
     pub points: Vec<[f64; 3]>,
 }
 
+/// A plant that grows from a seed and stands beside the drawn one.
+pub struct Grown {
+    /// Built-in species.
+    pub species: &'static str,
+    /// Seed of everything random in it.
+    pub seed: u64,
+    /// Age in years.
+    pub age: u32,
+    /// Where it stands, pixels.
+    pub foot: [u32; 2],
+    /// How high it is, pixels.
+    pub height: u32,
+}
+
 /// A drawing.
 pub struct Sheet {
     /// Built-in species that the drawing shows.
     pub species: &'static str,
     /// Width and height in pixels.
     pub size: [u32; 2],
+    /// Plants beside the drawn one.
+    pub plants: &'static [Grown],
     /// Strokes, oldest first; their ids count from 1.
     pub strokes: Vec<Stroke>,
 }
@@ -27,17 +43,33 @@ impl Sheet {
     pub fn to_json(&self) -> String {
         let lines: Vec<String> =
             self.strokes.iter().enumerate().map(|(i, s)| stroke_line(i + 1, s)).collect();
+        // Older programs open what they understand.
+        let version = if self.plants.is_empty() { 1 } else { 3 };
         format!(
-            "{{ \"format\": \"penstemon-sketch\", \"version\": 1,\n  \
+            "{{ \"format\": \"penstemon-sketch\", \"version\": {version},\n  \
              \"canvas\": {{ \"width\": {}, \"height\": {} }},\n  \
-             \"species\": \"{}\", \"seed\": 1, \"params\": {{ }},\n  \
+             \"species\": \"{}\", \"seed\": 1, \"params\": {{ }},\n{}  \
              \"strokes\": [\n{}\n  ] }}\n",
             self.size[0],
             self.size[1],
             self.species,
+            plant_lines(self.plants),
             lines.join(",\n")
         )
     }
+}
+
+/// The list of plants, one on a line; nothing without any.
+fn plant_lines(plants: &[Grown]) -> String {
+    let line = |plant: &Grown| {
+        let Grown { species, seed, age, foot: [x, y], height } = plant;
+        format!(
+            "    {{ \"maker\": \"growth\", \"species\": \"{species}\", \"seed\": {seed}, \"age\": {age}, \
+             \"foot\": [{x},{y}], \"height\": {height} }}"
+        )
+    };
+    let lines: Vec<String> = plants.iter().map(line).collect();
+    if lines.is_empty() { String::new() } else { format!("  \"plants\": [\n{}\n  ],\n", lines.join(",\n")) }
 }
 
 fn stroke_line(id: usize, stroke: &Stroke) -> String {

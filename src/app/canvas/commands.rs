@@ -72,6 +72,13 @@ impl Canvas {
         true
     }
 
+    /// Selects no stroke.
+    pub fn deselect(&mut self, out: &mut Vec<CanvasOutcome>) {
+        if self.selection.take([], false) {
+            self.selection_changed(out);
+        }
+    }
+
     /// Changes the drawing ahead of the application, which applies the same: copies are selected before they are there.
     fn change(&mut self, changes: Vec<StrokeChange>, out: &mut Vec<CanvasOutcome>) {
         if changes.is_empty() {
@@ -128,8 +135,8 @@ impl Canvas {
     /// A tool taken up while another is at work serves from the next touch on. The selection belongs to its tool.
     fn set_tool(&mut self, tool: CanvasTool, out: &mut Vec<CanvasOutcome>) {
         self.tool = tool;
-        if tool != CanvasTool::Select && self.selection.take([], false) {
-            self.selection_changed(out);
+        if tool != CanvasTool::Select {
+            self.deselect(out);
         }
         out.push(CanvasOutcome::OverlayChanged);
     }

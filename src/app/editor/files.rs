@@ -1,6 +1,7 @@
 //! Drawings on disk: new, open, save, recover, import; and the questions that come before.
 
 use super::Editor;
+use super::beside_state::Beside;
 use super::open_drawing::OwnFile;
 use super::saver::Target;
 use crate::app::action::Action;
@@ -106,6 +107,7 @@ impl Editor {
                 let own = stamp.is_some();
                 let document = if own { Document::new(sketch) } else { Document::unsaved(sketch) };
                 self.take_over(document, OwnFile { path: own.then(|| path.clone()), stamp });
+                self.tell_missing_species();
                 self.prefs.remember_drawing(&path);
                 self.save_settings();
             }
@@ -130,6 +132,7 @@ impl Editor {
         self.live.forget_species();
         self.dialogs.close_part_menu();
         self.pens.hold = None;
+        self.beside = Beside::default();
         // Tool, selection and view belong to the drawing; what the artist chose for pens stays.
         self.canvas = Canvas::new(self.canvas.settings);
         self.layout.forget();
@@ -249,6 +252,7 @@ impl Editor {
                 }
                 let file = OwnFile { path: meta.path, stamp: meta.stamp };
                 self.take_over_with(Document::unsaved(restored.sketch), file, Some(journal));
+                self.tell_missing_species();
                 self.show_lost_drawings();
             }
             Err(error) => self.tell_error(&error),

@@ -50,6 +50,12 @@ impl Editor {
         }
     }
 
+    /// Strokes that are selected go before a plant that is.
+    fn delete(&self) -> Action {
+        let plant = self.beside.selected().filter(|_| self.canvas.selection().is_empty());
+        plant.map_or(Action::DeleteSelected, Action::RemovePlant)
+    }
+
     fn plain(&self, key: Key, modifiers: Modifiers) -> Option<Action> {
         if modifiers.alt {
             return None;
@@ -59,7 +65,8 @@ impl Editor {
             return is_any.then_some(Action::NudgeSelected { right, down, far: modifiers.shift });
         }
         match key {
-            Key::Delete | Key::Backspace => Some(Action::DeleteSelected),
+            Key::Delete | Key::Backspace => Some(self.delete()),
+            Key::G => Some(Action::ShowDialog(Dialog::PlantSpecies(None))),
             Key::Home | Key::Num0 => Some(Action::FitCanvas),
             Key::Num1 => Some(Action::FrontView),
             Key::H if modifiers.shift => Some(Action::MirrorSelected(Mirror::LeftRight)),

@@ -9,7 +9,7 @@ use crate::app::messages::{Localize as _, Messages};
 use crate::app::worker::{self, Counts, Growing, Update, Worker};
 use crate::growth::overlay::Wanted;
 use crate::pipeline::{self, Built, DEFAULT_SPECIES};
-use crate::sketch::{Sketch, Stroke, StrokeId, Tool, Warning};
+use crate::sketch::{Remark, Sketch, Stroke, StrokeId, Tool, Warning};
 use crate::species::Species;
 use glam::Vec3;
 use std::path::Path;
@@ -83,6 +83,8 @@ pub(super) struct LivePlant {
     counts: Counts,
     /// The species of the drawing, for the panels; `None` where it cannot be read.
     species: Option<(String, Species)>,
+    /// What is to be said of a species file that is missing.
+    missing_species: Option<Remark>,
     outlines: Outlines,
     revisions: Revisions,
     /// What the worker has of the stroke under the pen.
@@ -110,6 +112,7 @@ impl LivePlant {
             built: None,
             counts: Counts::default(),
             species: None,
+            missing_species: None,
             outlines: Outlines::default(),
             revisions: Revisions::default(),
             handed: Handed::default(),
@@ -140,6 +143,16 @@ impl LivePlant {
     /// The species of the drawing; `None` where it cannot be read.
     pub(super) fn species(&self) -> Option<&Species> {
         self.species.as_ref().map(|(_, species)| species)
+    }
+
+    /// What is to be said of the drawing's species file, if it is missing.
+    pub(super) fn missing_species(&self) -> Option<&Remark> {
+        self.missing_species.as_ref()
+    }
+
+    /// The height on the canvas at which the plant built last stands.
+    pub(super) fn ground(&self) -> Option<f32> {
+        self.built.as_ref().map(|built| built.provenance.world_from_canvas.origin.y)
     }
 
     /// Outlines that are drawn.
@@ -185,7 +198,9 @@ impl LivePlant {
         let name = sketch.species.clone().unwrap_or_else(|| DEFAULT_SPECIES.to_owned());
         if self.species.as_ref().is_none_or(|(known, _)| *known != name) {
             let read = pipeline::species_or_usual(sketch, folder);
-            self.species = read.ok().map(|(species, _)| (name, species));
+            let (species, missing) = read.ok().unzip();
+            self.species = species.map(|species| (name, species));
+            self.missing_species = missing.flatten().map(|warning| warning.remark);
         }
     }
 

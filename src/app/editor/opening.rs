@@ -2,6 +2,7 @@
 
 use super::Editor;
 use super::background::{Background, Wake};
+use super::beside_state::Beside;
 use super::dialogs::Dialogs;
 use super::disk::Disk;
 use super::export::Exports;
@@ -83,6 +84,7 @@ impl Editor {
             outcomes: Vec::new(),
             plant: PlantView::new(prefs.settings().view),
             live,
+            beside: Beside::default(),
             pens: Pens::default(),
             dialogs: Dialogs::default(),
             layout: Layout::default(),

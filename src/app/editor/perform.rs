@@ -4,6 +4,7 @@
 //! the view of the plant, and what the artist chose for the program.
 
 use super::Editor;
+use super::dice;
 use super::parameters::without;
 use super::saver::Target;
 use crate::app::action::Action;
@@ -25,7 +26,10 @@ impl Editor {
     pub fn perform(&mut self, action: Action) {
         if self.on_canvas(|canvas, drawing, out| canvas.act(&action, drawing, out)) {
             self.dialogs.close_part_menu();
-            self.layout.shows_all |= action == Action::FitCanvas;
+            if action == Action::FitCanvas {
+                self.fit_plants();
+                self.layout.shows_all = true;
+            }
             return;
         }
         match action {
@@ -75,7 +79,7 @@ impl Editor {
             Action::SetStrokePart { stroke, tool } => self.set_stroke_part(stroke, tool),
             Action::SetSpecies(name) => self.change(Change::species(Some(name))),
             Action::SetSeed(seed) => self.change(Change::seed(seed)),
-            Action::RollSeed => self.change(Change::seed(rand_seed(self.sketch().seed))),
+            Action::RollSeed => self.change(Change::seed(dice::another_seed(self.sketch().seed))),
             Action::SetParam { path, value } => self.set_param(&path, value),
             Action::SetParams(params) => self.change(Change::params(params)),
             Action::PlayGrowth(on) => self.live.play_growth(on, self.drawing.sketch()),
@@ -83,12 +87,12 @@ impl Editor {
             Action::SetReferenceOpacity(opacity) => self.edit_reference(|r| r.opacity = opacity),
             Action::LockReference(locked) => self.edit_reference(|r| r.locked = locked),
             Action::RemoveReference => self.change(Change::reference(None)),
-            other => self.perform_on_dialogs(other),
+            other => self.perform_on_plants(other),
         }
     }
 
     /// Wishes about what stands over the window.
-    fn perform_on_dialogs(&mut self, action: Action) {
+    pub(super) fn perform_on_dialogs(&mut self, action: Action) {
         match action {
             Action::ShowExport => self.dialogs.set_dialog(Some(Dialog::Export)),
             Action::ShowDialog(dialog) => self.dialogs.set_dialog(Some(dialog)),
@@ -198,16 +202,9 @@ impl Editor {
                 let species = species.map(Some);
                 let (params, textures) = (Some(params), Some(textures));
                 self.change(Settings { species, params, textures, ..Settings::default() }.into());
+                self.tell_missing_species();
             }
             Err(error) => self.tell_error(&error),
         }
     }
-}
-
-/// A seed that differs from the last, by the clock.
-fn rand_seed(last: u64) -> u64 {
-    let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap_or_default();
-    // Small enough to be read and typed.
-    let seed = crate::random::mix(last, now.subsec_nanos().into()) % 10_000;
-    if seed == last { seed + 1 } else { seed }
 }

@@ -1,11 +1,12 @@
 //! A click on the plant selects the stroke that drew what it hits.
 //!
-//! What was generated leads to the nearest branch below it that was drawn. A plant that grew without a drawing has no
-//! strokes to select.
+//! What was generated leads to the nearest branch below it that was drawn. A plant beside the drawn one is selected as a
+//! whole.
 
 use super::Editor;
 use crate::app::action::Action;
-use crate::model::pick::pick;
+use crate::model::pick::{Element, pick};
+use crate::pipeline::Standing;
 use std::time::Instant;
 
 impl Editor {
@@ -16,10 +17,25 @@ impl Editor {
         let (built, begun) = (self.built()?, Instant::now());
         let picked = pick(&built.model, &built.plant, &ray)?;
         let took_ms = begun.elapsed().as_secs_f64() * 1e3;
+        if let Some(place) = place_of(picked.element, &built.beside) {
+            tracing::debug!("picked plant={place} took={took_ms:.1}ms");
+            self.on_canvas(|canvas, _, out| canvas.deselect(out));
+            return Some(Action::SelectPlant(Some(place)));
+        }
         let stroke = picked.element.stroke(&built.plant, &built.provenance)?;
         tracing::debug!("picked {:?} stroke={stroke} took={took_ms:.1}ms", picked.element);
+        self.beside.select(None);
         Some(Action::SelectStroke { stroke, besides: click.besides })
     }
+}
+
+/// Which of the plants beside the drawn one a branch or an organ belongs to.
+fn place_of(element: Element, beside: &[Option<Standing>]) -> Option<usize> {
+    let holds = |standing: &Standing| match element {
+        Element::Branch(branch) => standing.branches.contains(&branch),
+        Element::Organ(organ) => standing.organs.contains(&organ),
+    };
+    beside.iter().position(|standing| standing.as_ref().is_some_and(holds))
 }
 
 #[cfg(test)]

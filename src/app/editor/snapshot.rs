@@ -8,6 +8,7 @@ use crate::app::panels::snapshot::{
 use crate::app::panels::{Snapshot, toolbar};
 use crate::growth::Habit;
 use crate::pipeline::DEFAULT_SPECIES;
+use crate::sketch::Remark;
 use crate::sketch::journal::JournalState;
 use serde_json::Map;
 use std::time::{Duration, Instant};
@@ -32,10 +33,12 @@ impl Editor {
             chinese_font: self.prefs.have_chinese_font(),
             lacks_chinese_font: self.prefs.lack_chinese_font(),
             species: sketch.species.clone().unwrap_or_else(|| DEFAULT_SPECIES.to_owned()),
+            missing_species: self.missing_species(),
             textures: sketch.textures.clone(),
             seed: sketch.seed,
             params: self.param_values(),
             growth: self.live.growth_state(sketch),
+            beside: self.beside_state(),
             presets: self.disk.presets.listed().to_vec(),
             reference,
             view: self.plant.state,
@@ -51,6 +54,13 @@ impl Editor {
             ..Snapshot::default()
         }
         .with_settings(self.prefs.settings())
+    }
+
+    fn missing_species(&self) -> Option<String> {
+        match self.live.missing_species()? {
+            Remark::SpeciesMissing { name } => Some(name.clone()),
+            _ => None,
+        }
     }
 
     fn param_values(&self) -> ParamValues {

@@ -5,8 +5,8 @@ use super::icons::{self, Icon};
 use super::snapshot::{Dialog, PathPurpose, Recovered, Snapshot};
 use super::toolbar::TOOLS;
 use super::widgets::{IconButton, note, palette, text_button};
+use super::{beside, path_dialog, pen};
 use super::{export, widgets};
-use super::{path_dialog, pen};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
 use crate::app::theme::TARGET;
@@ -18,7 +18,7 @@ pub fn show(ctx: &Context, snapshot: &Snapshot, messages: &Messages, out: &mut V
     let Some(dialog) = &snapshot.dialog else { return };
     let screen = ctx.content_rect();
     let width = match dialog {
-        Dialog::About | Dialog::Pen => 640.0,
+        Dialog::About | Dialog::Pen | Dialog::PlantSpecies(_) => 640.0,
         Dialog::Path(_) | Dialog::Recovery(_) => 560.0,
         Dialog::Unsaved | Dialog::Replace { .. } | Dialog::Export => 440.0,
     };
@@ -37,11 +37,12 @@ pub fn show(ctx: &Context, snapshot: &Snapshot, messages: &Messages, out: &mut V
             Dialog::Export => export::show(ui, snapshot, messages, out),
             Dialog::Path(request) => path_dialog::show(ui, request, screen.height(), messages, out),
             Dialog::Pen => pen::show(ui, snapshot, screen.height(), messages, out),
+            Dialog::PlantSpecies(place) => beside::dialog(ui, *place, snapshot, messages, out),
             Dialog::About => about(ui, screen.height(), messages, out),
         }
     });
     // a tap beside the dialog must not throw a question away that somebody has to answer
-    let may_leave = matches!(dialog, Dialog::About | Dialog::Pen)
+    let may_leave = matches!(dialog, Dialog::About | Dialog::Pen | Dialog::PlantSpecies(_))
         || (matches!(dialog, Dialog::Export) && snapshot.task.is_none());
     let escaped = ctx.input(|i| i.key_pressed(egui::Key::Escape));
     if out.is_empty() && ((modal.should_close() && may_leave) || (escaped && snapshot.task.is_none())) {
@@ -55,6 +56,8 @@ fn title(dialog: &Dialog) -> Msg {
         Dialog::Replace { .. } => Msg::ReplaceTitle,
         Dialog::Recovery(_) => Msg::RecoveryTitle,
         Dialog::Export => Msg::ExportTitle,
+        Dialog::PlantSpecies(None) => Msg::BesideAddTitle,
+        Dialog::PlantSpecies(Some(_)) => Msg::BesideChangeTitle,
         Dialog::Pen => Msg::PenTitle,
         Dialog::About => Msg::AboutTitle,
         Dialog::Path(request) => match request.purpose {
@@ -218,6 +221,7 @@ fn shortcuts(ui: &mut Ui, messages: &Messages) {
         ("Ctrl+O", Msg::FileOpen),
         ("Ctrl+E", Msg::FileExport),
         ("Ctrl+A", Msg::EditSelectAll),
+        ("G", Msg::BesideAddTitle),
         ("Ctrl+C", Msg::EditCopy),
         ("Ctrl+X", Msg::EditCut),
         ("Ctrl+V", Msg::EditPaste),

@@ -3,8 +3,8 @@
 use super::snapshot::Snapshot;
 use super::widgets::{palette, segments};
 use super::{
-    dialogs, focus, growth, legend, materials, notices, parameters, part_menu, presets, seed, species,
-    status, toolbar, view,
+    beside, dialogs, focus, growth, legend, materials, notices, parameters, part_menu, presets, seed,
+    species, status, toolbar, view,
 };
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
@@ -56,6 +56,11 @@ fn side(ui: &mut Ui, right_handed: bool, snapshot: &Snapshot, messages: &Message
     let shown = panel.frame(frame).show(ui, |ui| {
         let at = Id::unique("page of the side panel");
         let mut page: Page = ui.data(|data| data.get_temp(at)).unwrap_or_default();
+        // What is selected in the view of the plant is shown.
+        if beside::selection_changed(ui, snapshot) {
+            page = Page::Plant;
+            ui.data_mut(|data| data.insert_temp(at, page));
+        }
         let pages = [
             (Page::Plant, messages.get(Msg::TabPlant)),
             (Page::Shape, messages.get(Msg::TabShape)),
@@ -72,6 +77,7 @@ fn side(ui: &mut Ui, right_handed: bool, snapshot: &Snapshot, messages: &Message
             match page {
                 Page::Plant => {
                     growth::show(ui, snapshot, messages, out);
+                    beside::show(ui, snapshot, messages, out);
                     species::show(ui, snapshot, messages, out);
                     seed::show(ui, snapshot, messages, out);
                     materials::show(ui, snapshot, messages, out);

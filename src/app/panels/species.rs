@@ -16,8 +16,11 @@ const COLUMNS: usize = 3;
 /// The species of the drawing.
 pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<Action>) {
     section(ui, messages.get(Msg::SpeciesTitle), |ui| {
-        let own = snapshot.species.ends_with(".toml");
-        if own {
+        let missing = snapshot.missing_species.as_ref();
+        if let Some(name) = missing {
+            note(ui, &messages.fill(Msg::SpeciesGone, &[("name", name)]));
+            file_button(ui, Msg::NoticeFind, true, messages, out);
+        } else if snapshot.species.ends_with(".toml") {
             let name = Path::new(&snapshot.species).file_stem().unwrap_or_default().to_string_lossy();
             note(ui, &messages.fill(Msg::SpeciesOwn, &[("name", &name)]));
         }
@@ -26,13 +29,18 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec
         pictures(ui, &drawn, snapshot, messages, out);
         note(ui, messages.get(Msg::SpeciesGrowing));
         pictures(ui, &growing, snapshot, messages, out);
-        let width = ui.available_width();
-        if text_button_sized(ui, Some(Icon::Open), messages.get(Msg::SpeciesFile), false, Some(width))
-            .clicked()
-        {
-            out.push(Action::ChooseFile(PathPurpose::Species));
+        if missing.is_none() {
+            file_button(ui, Msg::SpeciesFile, false, messages, out);
         }
     });
+}
+
+/// Asks for a species file.
+fn file_button(ui: &mut Ui, label: Msg, loud: bool, messages: &Messages, out: &mut Vec<Action>) {
+    let width = ui.available_width();
+    if text_button_sized(ui, Some(Icon::Open), messages.get(label), loud, Some(width)).clicked() {
+        out.push(Action::ChooseFile(PathPurpose::Species));
+    }
 }
 
 /// A picture of each of some species.

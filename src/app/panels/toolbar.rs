@@ -203,6 +203,7 @@ fn file_menu(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Ve
             (Icon::Save, Msg::FileSaveAs, "Ctrl+Shift+S", Action::SaveAs),
             (Icon::Export, Msg::FileExport, "Ctrl+E", Action::ShowExport),
             (Icon::Picture, Msg::FileReference, "", Action::OpenReference),
+            (Icon::Plant, Msg::BesideAdd, "G", Action::ShowDialog(Dialog::PlantSpecies(None))),
             (Icon::Lasso, Msg::EditSelectAll, "Ctrl+A", Action::SelectAll),
             (Icon::Paste, Msg::EditPaste, "Ctrl+V", Action::Paste),
         ];

@@ -65,7 +65,7 @@ impl<'de> Visitor<'de> for PlantsSeed<'_> {
                 return Err(progress.refuse(Fault::TooMany { what: "plants", limit: limits::MAX_PLANTS }));
             }
             let plant = plant.placed();
-            plant.check().map_err(|what| progress.malformed(what))?;
+            plant.check().map_err(|fault| progress.malformed(fault.to_string()))?;
             plants.push(plant);
             progress.plant.set(plants.len() + 1);
         }

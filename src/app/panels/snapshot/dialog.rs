@@ -21,6 +21,8 @@ pub enum Dialog {
         /// Over which file.
         path: PathBuf,
     },
+    /// The species of a plant beside the drawn one: of a new one, or of that at this place in the list.
+    PlantSpecies(Option<usize>),
     /// Pen and tablet.
     Pen,
     /// What the program is, first steps and keys.
@@ -36,6 +38,7 @@ impl Dialog {
             Self::Export => "export",
             Self::Path(_) => "path",
             Self::Replace { .. } => "replace",
+            Self::PlantSpecies(_) => "plant species",
             Self::Pen => "pen",
             Self::About => "about",
         }

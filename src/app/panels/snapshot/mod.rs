@@ -2,6 +2,7 @@
 //!
 //! [`Snapshot`] is the whole; its parts stand in a file each.
 
+mod beside;
 mod dialog;
 mod export;
 mod notice;
@@ -10,6 +11,7 @@ mod pen;
 mod status;
 mod view;
 
+pub use beside::{BesideState, PlantState};
 pub use dialog::{Dialog, PathPurpose, PathRequest, Recovered};
 pub use export::{ExportChoice, ExportFormat};
 pub use notice::{Notice, Severity};
@@ -58,6 +60,8 @@ pub struct Snapshot {
     pub side_width: f32,
     /// Species of the drawing: a built-in name or a file.
     pub species: String,
+    /// The name of the species file that the drawing names, if it is missing.
+    pub missing_species: Option<String>,
     /// Textures that the artist chose, by kind of part (`branch`, `leaf`, …).
     pub textures: Textures,
     /// Seed of everything random.
@@ -66,6 +70,8 @@ pub struct Snapshot {
     pub params: ParamValues,
     /// How the plant grows; `None` where it does not.
     pub growth: Option<GrowthState>,
+    /// The plants beside the drawn one.
+    pub beside: BesideState,
     /// Presets in the artist's folder.
     pub presets: Vec<Listed>,
     /// The reference picture under the drawing.
