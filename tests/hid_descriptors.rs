@@ -41,6 +41,7 @@ fn a_pen_display_says_everything() {
         serial: true,
         battery: true,
         touch: true,
+        is_pad: false,
     };
     assert_eq!(display.abilities(), all);
     let report = DisplayReport {
@@ -199,10 +200,36 @@ fn wacoms_own_page_is_read_like_the_standard_one() {
 }
 
 #[test]
+fn keys_rings_and_strips_are_read_beside_a_pen_and_alone() {
+    let both = [virtual_tablets::WACOM_PAGE, virtual_tablets::WACOM_PAD].concat();
+    let alone = DescriptorDecoder::of_pad(virtual_tablets::WACOM_PAD).unwrap().unwrap();
+    assert_eq!(alone.abilities(), Abilities { is_pad: true, ..Abilities::default() });
+    assert!(!decoder(&both).abilities().is_pad && DescriptorDecoder::of_pad(&both).unwrap().is_none());
+    for mut tablet in [decoder(&both), alone] {
+        let ring = |place| HidEvent::Ring { number: 0, place, places: 72 };
+        let strip = |place| HidEvent::Strip { number: 0, place, places: 13 };
+        let report = [17, 0b1000_0001, 1, 40, 0, 0x10];
+        assert_eq!(decode(&mut tablet, &report), [HidEvent::Keys(0x81), ring(Some(40)), strip(Some(12))]);
+        assert_eq!(
+            decode(&mut tablet, &[17, 0x81, 0, 40, 1, 0]),
+            [ring(None), strip(Some(0))],
+            "keys are told once"
+        );
+        assert_eq!(
+            decode(&mut tablet, &[17, 0, 1, 71, 0, 0]),
+            [HidEvent::Keys(0), ring(Some(71)), strip(None)]
+        );
+        assert_eq!(decode(&mut tablet, &report[..5]), [], "cut short");
+    }
+}
+
+#[test]
 fn no_other_device_is_taken_for_a_pen() {
     for descriptor in [virtual_tablets::TOUCH_SCREEN, virtual_tablets::MOUSE, virtual_tablets::KEYBOARD] {
         assert!(DescriptorDecoder::new(descriptor).unwrap().is_none());
+        assert!(DescriptorDecoder::of_pad(descriptor).unwrap().is_none());
     }
+    assert!(DescriptorDecoder::new(virtual_tablets::WACOM_PAD).unwrap().is_none());
 }
 
 #[test]

@@ -250,7 +250,11 @@ impl Tablets {
     /// Whether some node of this device is read; then its others do not matter.
     fn reads(&self, device: &DeviceInfo) -> bool {
         let identity = device.identity();
-        self.known.values().any(|tablet| tablet.arrival.info.identity() == identity)
+        let is_read = |tablet: &Tablet| {
+            // Keys alone say nothing of the pen.
+            !tablet.arrival.abilities.is_pad && tablet.arrival.info.identity() == identity
+        };
+        self.known.values().any(is_read)
     }
 
     fn find_doubts(&self) -> Vec<TabletDoubt> {

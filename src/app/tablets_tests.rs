@@ -4,7 +4,7 @@ use super::*;
 use crate::app::tablet_keys::KeyUse;
 use crate::pen::PenPhase;
 use crate::pen::hid::Table;
-use crate::pen::hid::made_up::{DisplayReport, PEN_DISPLAY, VENDOR_PAGE, switch};
+use crate::pen::hid::made_up::{DisplayReport, PEN_DISPLAY, VENDOR_PAGE, WACOM_PAD, switch};
 use crate::pen::hid::simulated::{SimulatedBus, SimulatedDevice};
 use glam::DVec2;
 use std::time::Duration;
@@ -124,6 +124,41 @@ fn keys_of_a_tablet_wish_for_what_the_artist_chose() {
     assert_eq!(press(&mut desk, 2), [Action::Undo], "the first key, once");
     desk.pen.keys.keys[0] = KeyUse::Fit;
     assert_eq!(press(&mut desk, 4), [Action::FitCanvas]);
+}
+
+#[test]
+fn keys_on_a_node_of_their_own_are_those_of_the_tablet() {
+    let node = |path: &str| DeviceInfo {
+        path: path.into(),
+        vendor_id: 0x56A,
+        product: "Slate".into(),
+        serial: "7".into(),
+        ..DeviceInfo::default()
+    };
+    let mut desk = Desk::with(SimulatedDevice::new(node("sim0"), PEN_DISPLAY));
+    let pad = SimulatedDevice::new(node("sim1"), WACOM_PAD);
+    desk.tablets.obey(PenSource::Raw, &desk.models, &mut desk.heard);
+    desk.bus.forbid("sim0", true);
+    desk.bus.plug(&desk.tablet);
+    desk.bus.plug(&pad);
+    desk.until(|tablets, _| tablets.known.len() == 1 && tablets.trouble().is_some());
+    // A pen that may not be read is not made good by keys that are.
+    desk.bus.forbid("sim0", false);
+    desk.until(|tablets, _| tablets.known.len() == 2 && tablets.trouble().is_none());
+    let names: Vec<String> = desk.tablets.known.values().map(|tablet| tablet.name.clone()).collect();
+    assert_eq!(names, ["Slate", "Slate"], "what the artist chose for the pen holds for its keys");
+    desk.report(switch::IN_RANGE | switch::TIP);
+    pad.send(&[17, 1, 1, 10, 0, 0]);
+    pad.send(&[17, 0, 1, 16, 0, 0]);
+    let (begin, mut wishes) = (Instant::now(), Vec::new());
+    while wishes.len() < 2 || desk.heard.len() < 2 {
+        assert!(begin.elapsed() < Duration::from_secs(60), "{wishes:?} {:?}", desk.heard);
+        let pen = desk.pen;
+        desk.tablets.take(&REACH, |_| pen, &mut desk.heard);
+        wishes.extend(desk.tablets.wishes());
+    }
+    assert_eq!(wishes, [Action::Undo, Action::Zoom(1)], "the first key, and a notch of the ring");
+    assert_eq!(desk.heard[1].1.phase, PenPhase::Down, "the pen draws beside them");
 }
 
 #[test]

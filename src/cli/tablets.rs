@@ -175,6 +175,9 @@ fn doubt_text(doubt: &Doubt) -> String {
 }
 
 fn abilities_text(abilities: &Abilities) -> String {
+    if abilities.is_pad {
+        return "keys, rings or strips, and no pen".to_owned();
+    }
     let mut parts = vec![match abilities.pressure_levels {
         0 => "no pressure".to_owned(),
         levels => format!("{levels} levels of pressure"),

@@ -56,11 +56,11 @@ fn a_birch_is_put_beside_a_daisy_picked_moved_and_taken_away() {
 
     // A click on the plant beside selects it, whatever was selected before.
     let [left, top, width, height] = program.area("plant");
-    let picked = (5..19).find(|k| {
-        screen.click([left + f64::from(*k) / 20.0 * width, top + 0.45 * height]);
+    let picked = (5..19).find_map(|k| {
+        screen.click([left + f64::from(k) / 20.0 * width, top + 0.45 * height]);
         std::thread::sleep(std::time::Duration::from_millis(700));
         program.rest();
-        program.has_told("picked plant=0")
+        program.has_told("picked plant=0").then_some(k)
     });
     assert!(picked.is_some(), "the plant beside is nowhere");
 

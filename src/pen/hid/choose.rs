@@ -14,7 +14,9 @@ use super::table::{Certainty, FIRMWARE_NAME, Match, Table};
 use super::uclogic::{self, Protocol, Ranges};
 use super::wake::Wake;
 use super::waking;
-use super::{Abilities, Bus, ChooseError, DescriptorDecoder, DeviceInfo, StringsKept, Tablet};
+use super::{
+    Abilities, Bus, ChooseError, Decode, DescriptorDecoder, DeviceInfo, HidEvent, StringsKept, Tablet,
+};
 use crate::pen::machine::Silence;
 use std::collections::BTreeMap;
 
@@ -78,7 +80,8 @@ pub fn choose_model(
             Some(Identity::Firmware(name)) => Ok(Some(by_firmware(name, descriptor, strings))),
             None => match DescriptorDecoder::of_imitation(descriptor) {
                 Ok(Some(imitation)) => Ok(Some(by_descriptor(imitation))),
-                _ => Ok(nothing.map(|_| None)?),
+                // Keys beside a pen that another node of the tablet has.
+                _ => Ok(nothing.and_then(|_| DescriptorDecoder::of_pad(descriptor))?.map(by_descriptor)),
             },
         },
     }
@@ -87,7 +90,7 @@ pub fn choose_model(
 /// A device that describes itself.
 fn by_descriptor(decoder: DescriptorDecoder) -> Choice {
     let abilities = decoder.abilities();
-    let silence = match (decoder.waits_to_be_woken(), abilities.leaves) {
+    let silence = match (decoder.waits_to_be_woken(), abilities.leaves || abilities.is_pad) {
         (true, _) => Some(Silence::LIKELY),
         (false, leaves) => (!leaves).then_some(Silence::KNOWN),
     };
@@ -115,10 +118,13 @@ fn by_table(
     let spec = tablet.spec(lengths.input);
     let silence = tablet.silence().or(imitation.as_ref().map(|_| Silence::LIKELY));
     Choice {
-        decoder: waking::reader(&spec, imitation.clone()),
+        decoder: match waking::reader(&spec, imitation.clone()) {
+            pen if !tablet.keys_only => pen,
+            keys => Box::new(WithoutPen(keys)),
+        },
         way: format!("the table, as {}", tablet.name),
         area_mm: Some(tablet.area_mm),
-        silence,
+        silence: silence.filter(|_| !tablet.keys_only),
         abilities: abilities(tablet),
         doubt,
         wake_up: (!tablet.wake.is_empty()).then(|| WakeUp {
@@ -129,6 +135,19 @@ fn by_table(
             imitation,
             known: Known::Model,
         }),
+    }
+}
+
+/// Reads a node of keys in a format that has pens, too.
+struct WithoutPen(Box<dyn Decode>);
+
+impl Decode for WithoutPen {
+    fn decode(&mut self, report: &[u8], sink: &mut dyn FnMut(HidEvent)) {
+        self.0.decode(report, &mut |event| {
+            if !matches!(event, HidEvent::Pen(_)) {
+                sink(event);
+            }
+        });
     }
 }
 
@@ -220,7 +239,10 @@ fn identify(
             Taken::Untold(models) => {
                 return Err(ChooseError::StringsUnread { models, reason: strings.kept() });
             }
-            Taken::Pen(..) => return Ok(None),
+            Taken::Keys(tablet) if carries(tablet, descriptor, lengths) => {
+                return Ok(Some(Identity::Model(tablet, None)));
+            }
+            Taken::Pen(..) | Taken::Keys(_) => return Ok(None),
             Taken::NoPen => {}
         }
     }
@@ -253,7 +275,9 @@ fn unlisted(descriptor: &[u8], strings: &mut dyn DeviceStrings) -> Result<Option
 enum Taken<'t> {
     /// It is read as this tablet.
     Pen(&'t Tablet, Option<Doubt>),
-    /// It is no node of a pen.
+    /// It has the keys of this tablet, whose pen has another node.
+    Keys(&'t Tablet),
+    /// It is no node of a tablet.
     NoPen,
     /// Only its strings would tell which of these it is.
     Untold(Vec<String>),
@@ -265,18 +289,22 @@ fn take<'t>(found: &Match<'t>, model: Option<&str>) -> Taken<'t> {
     let models: Vec<String> = pens().map(|tablet| tablet.name.clone()).collect();
     let chosen = pens().find(|tablet| model == Some(tablet.name.as_str()));
     let best = found.best().filter(|tablet| !tablet.keys_only);
+    let keys = || found.best().filter(|tablet| tablet.keys_only).map_or(Taken::NoPen, Taken::Keys);
     match (found.certainty, chosen.or(best)) {
-        (Certainty::Sure, _) => best.map_or(Taken::NoPen, |tablet| Taken::Pen(tablet, None)),
+        (Certainty::Sure, _) => best.map_or_else(keys, |tablet| Taken::Pen(tablet, None)),
         (_, Some(tablet)) => {
             let doubt = Doubt { models, taken: tablet.name.clone(), is_chosen: chosen.is_some() };
             Taken::Pen(tablet, Some(doubt))
         }
         (Certainty::StringsUnread, None) if !models.is_empty() => Taken::Untold(models),
-        (_, None) => Taken::NoPen,
+        (_, None) => keys(),
     }
 }
 
 fn abilities(tablet: &Tablet) -> Abilities {
+    if tablet.keys_only {
+        return Abilities { is_pad: true, touch: tablet.touch.is_some(), ..Abilities::default() };
+    }
     Abilities {
         pressure_levels: u64::from(tablet.pressure) + 1,
         tilt: tablet.tilts,

@@ -49,6 +49,21 @@ fn a_tablet_of_the_table_is_known_woken_and_read() {
     assert!((pens[0].pressure.unwrap() - 0.5).abs() < 1e-3);
 }
 
+#[test]
+fn keys_on_a_node_of_their_own_are_read_without_a_pen() {
+    // Graphire 4: its keys stand on a node with reports of 64 bytes.
+    let info = DeviceInfo { vendor_id: 0x056A, product_id: 0x0015, ..DeviceInfo::default() };
+    let mut choice = choose_decoder(&info, &vendor_descriptor(2, 63)).unwrap().expect("it is in the table");
+    assert!(choice.abilities.is_pad && choice.silence.is_none() && choice.doubt.is_none());
+    let mut events = Vec::new();
+    let report = [&[2, 0, 0, 0x0A][..], &[0; 60]].concat();
+    choice.decoder.decode(&report, &mut |event| events.push(event));
+    assert_eq!(events, [HidEvent::Keys(10)]);
+    // One that describes itself.
+    let choice = choose_decoder(&DeviceInfo::default(), tablets::WACOM_PAD).unwrap().unwrap();
+    assert!(choice.abilities.is_pad && choice.wake_up.is_none());
+}
+
 /// A table of two tablets with the same numbers, of which nothing else is known, and one that its strings tell.
 fn doubtful() -> Table {
     let tablet = |name: &str, steps: u16, node: &str| {
@@ -75,6 +90,7 @@ fn the_artist_chooses_among_models_that_fit() {
             Taken::Pen(tablet, doubt) => (tablet.name.clone(), doubt),
             Taken::NoPen => ("no pen".to_owned(), None),
             Taken::Untold(models) => (format!("one of {models:?}"), None),
+            Taken::Keys(tablet) => (format!("keys of {}", tablet.name), None),
         }
     };
     let doubt = |taken: &str, is_chosen: bool| {

@@ -39,6 +39,8 @@ pub struct Abilities {
     pub battery: bool,
     /// Fingers on the same surface.
     pub touch: bool,
+    /// There is no pen at all, but keys, rings or strips of a tablet whose pen has another node.
+    pub is_pad: bool,
 }
 
 /// Decodes the reports of a device by its report descriptor.
@@ -68,7 +70,7 @@ impl DescriptorDecoder {
     /// # Errors
     /// A descriptor that breaks the rules of HID or is too large.
     pub fn new(descriptor: &[u8]) -> Result<Option<Self>, DescriptorError> {
-        Self::if_some(descriptor, |pen| !pen.imitates)
+        Self::if_any(descriptor, |layouts| pens(layouts).any(|pen| !pen.imitates))
     }
 
     /// The same for a node that has only the mouse which its tablet imitates until it is woken; `None` for other mice.
@@ -76,13 +78,22 @@ impl DescriptorDecoder {
     /// # Errors
     /// As before.
     pub fn of_imitation(descriptor: &[u8]) -> Result<Option<Self>, DescriptorError> {
-        Self::if_some(descriptor, |pen| pen.imitates)
+        Self::if_any(descriptor, |layouts| pens(layouts).any(|pen| pen.imitates))
     }
 
-    /// A decoder if some pen of the descriptor is of the kind that is asked for.
-    fn if_some(descriptor: &[u8], is_kind: fn(&PenFields) -> bool) -> Result<Option<Self>, DescriptorError> {
+    /// The same for a node without a pen that has keys, rings or strips of a tablet; `None` for other keys.
+    ///
+    /// # Errors
+    /// As before.
+    pub fn of_pad(descriptor: &[u8]) -> Result<Option<Self>, DescriptorError> {
+        let has_pad = |layouts: &[Layout]| layouts.iter().any(|layout| !layout.pad.is_empty());
+        Self::if_any(descriptor, |layouts| pens(layouts).next().is_none() && has_pad(layouts))
+    }
+
+    /// A decoder if the reports of the descriptor are what is asked for.
+    fn if_any(descriptor: &[u8], is_it: impl Fn(&[Layout]) -> bool) -> Result<Option<Self>, DescriptorError> {
         let mut layouts = descriptor_layout::layouts(descriptor)?;
-        if !layouts.iter().filter_map(|layout| layout.pen.as_ref()).any(is_kind) {
+        if !is_it(&layouts) {
             return Ok(None);
         }
         layouts.truncate(usize::from(NONE));
@@ -115,6 +126,7 @@ impl DescriptorDecoder {
             serial: any(|pen| pen.serial[0].is_some()),
             battery: self.layouts.iter().any(|l| l.battery.is_some()),
             touch: self.layouts.iter().any(|l| l.touch.is_some()),
+            is_pad: self.pens().next().is_none(),
         }
     }
 
@@ -134,8 +146,12 @@ impl DescriptorDecoder {
     }
 
     fn pens(&self) -> impl Iterator<Item = &PenFields> {
-        self.layouts.iter().filter_map(|l| l.pen.as_ref())
+        pens(&self.layouts)
     }
+}
+
+fn pens(layouts: &[Layout]) -> impl Iterator<Item = &PenFields> {
+    layouts.iter().filter_map(|layout| layout.pen.as_ref())
 }
 
 impl Decode for DescriptorDecoder {
@@ -163,14 +179,7 @@ impl Decode for DescriptorDecoder {
                 sink(HidEvent::Battery(percent));
             }
         }
-        if !layout.keys.is_empty() {
-            let held = layout.keys.iter().filter(|(_, bits)| bits.is_set(report));
-            let keys =
-                held.fold(0, |keys, (number, _)| keys | 1u32.checked_shl(u32::from(*number)).unwrap_or(0));
-            if std::mem::replace(&mut self.keys, keys) != keys {
-                sink(HidEvent::Keys(keys));
-            }
-        }
+        layout.pad.decode(report, &mut self.keys, sink);
     }
 }
 

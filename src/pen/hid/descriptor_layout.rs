@@ -6,6 +6,7 @@
 //! that imitates one ([`super::until_woken`]). Fingers count only in a Touch Screen collection of a device that has a pen
 //! as well; pucks, touchpads and other mice do not count. Sources: HID Usage Tables 1.5, chapter 16.
 
+use super::descriptor_pad::{self, PadFields, PadRole};
 use super::field::{Angle, Bits, Share, area_mm};
 use super::{DescriptorError, descriptor_items};
 use glam::DVec2;
@@ -37,7 +38,7 @@ enum Role {
     Serial,
     SerialHigh,
     Battery,
-    Key(u16),
+    Pad(PadRole),
     Contact,
     Confidence,
     ContactCount,
@@ -47,10 +48,11 @@ enum Role {
 
 /// Page of buttons, which are counted from 1.
 const BUTTONS: u32 = 0x09;
-/// First and last of Wacom's keys.
-const WACOM_KEYS: std::ops::Range<u16> = 0x910..0x930;
 
 fn role(usage: u32) -> Option<Role> {
+    if let Some(role) = descriptor_pad::role(usage) {
+        return Some(Role::Pad(role));
+    }
     let id = (usage & 0xFFFF) as u16;
     Some(match Usage::try_from(usage).ok()? {
         Usage::GenericDesktop(GenericDesktop::X) | Usage::Wacom(Wacom::X) => Role::X,
@@ -84,7 +86,6 @@ fn role(usage: u32) -> Option<Role> {
         Usage::Digitizers(Digitizers::TouchValid) | Usage::Wacom(Wacom::Confidence) => Role::Confidence,
         Usage::Digitizers(Digitizers::ContactCount) | Usage::Wacom(Wacom::ContactCount) => Role::ContactCount,
         _ if usage >> 16 == BUTTONS => Role::Button(id.checked_sub(1)?),
-        _ if usage >> 16 == 0xFF0D && WACOM_KEYS.contains(&id) => Role::Key(id - WACOM_KEYS.start),
         _ => return None,
     })
 }
@@ -98,7 +99,7 @@ pub(super) struct Layout {
     pub(super) pen: Option<PenFields>,
     pub(super) touch: Option<TouchFields>,
     pub(super) battery: Option<Share>,
-    pub(super) keys: Vec<(u16, Bits)>,
+    pub(super) pad: PadFields,
 }
 
 /// Where the fields of a pen lie.
@@ -149,7 +150,7 @@ pub(super) fn layouts(descriptor: &[u8]) -> Result<Vec<Layout>, DescriptorError>
     let parsed = ReportDescriptor::try_from(plain.as_slice());
     let parsed = parsed.map_err(|fault| DescriptorError::Meaning(fault.to_string()))?;
     let layouts = parsed.input_reports().iter().map(layout);
-    Ok(layouts.filter(|l| l.pen.is_some() || l.touch.is_some() || l.battery.is_some()).collect())
+    Ok(layouts.filter(|layout| !layout.is_empty()).collect())
 }
 
 /// What a field stands in.
@@ -174,8 +175,8 @@ fn layout(report: &impl Report) -> Layout {
     let fields: Vec<Known<'_>> = report.fields().iter().filter_map(known).collect();
     let pen = pen_fields(&fields).or_else(|| mouse_fields(&fields));
     let first = |role| fields.iter().find(|f| f.role == role).map(|f| f.field);
-    let keys = fields.iter().filter_map(|known| match known.role {
-        Role::Key(number) => Some((number, Bits::new(&known.field.bits, false)?)),
+    let of_pad = fields.iter().filter_map(|known| match known.role {
+        Role::Pad(role) => Some((role, Bits::new(&known.field.bits, false)?, Share::new(known.field))),
         _ => None,
     });
     let mut layout = Layout {
@@ -183,7 +184,7 @@ fn layout(report: &impl Report) -> Layout {
         length: 0,
         touch: touch_fields(&fields),
         battery: first(Role::Battery).and_then(Share::new),
-        keys: keys.collect(),
+        pad: PadFields::of(&of_pad.collect::<Vec<_>>()),
         pen,
     };
     layout.length = layout.last_byte();
@@ -311,6 +312,11 @@ fn touch_fields(fields: &[Known<'_>]) -> Option<TouchFields> {
 }
 
 impl Layout {
+    /// Whether the report says nothing of interest.
+    fn is_empty(&self) -> bool {
+        self.pen.is_none() && self.touch.is_none() && self.battery.is_none() && self.pad.is_empty()
+    }
+
     fn last_byte(&self) -> usize {
         let mut ends = vec![1];
         let mut note = |bits: Option<Bits>| ends.extend(bits.map(|b| b.end()));
@@ -330,7 +336,7 @@ impl Layout {
             }
         }
         note(self.battery.map(|b| b.bits));
-        self.keys.iter().for_each(|(_, bits)| note(Some(*bits)));
+        ends.push(self.pad.end());
         ends.into_iter().max().unwrap_or(1)
     }
 }

@@ -10,6 +10,7 @@ mod descriptor_error;
 mod descriptor_items;
 mod descriptor_layout;
 mod descriptor_limits;
+mod descriptor_pad;
 pub mod device;
 pub mod families;
 mod field;
