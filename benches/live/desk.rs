@@ -3,7 +3,8 @@
 use crate::figures::Figures;
 use egui::{Context, Pos2, RawInput, Rect, TextureId, ViewportId, vec2};
 use glam::Vec2;
-use penstemon::app::action::{Action, CanvasTool};
+use penstemon::app::action::Action;
+use penstemon::app::canvas_tool::CanvasTool;
 use penstemon::app::editor::{Editor, Places};
 use penstemon::app::sheet::Sheet;
 use penstemon::pen::{PenButtons, PenEvent, PenPhase, PenSample, PenTool};

@@ -3,10 +3,14 @@
 //! Panels and keys produce [`Action`]s and change nothing themselves; the application carries them out in one place.
 //! So a panel is tested without a window, and a key and a button cannot drift apart.
 
+use super::canvas_tool::{CanvasTool, Mirror};
+use super::dialog::{Dialog, PathPurpose};
+use super::export_choice::ExportChoice;
 use super::messages::Language;
-use super::panels::snapshot::{Dialog, ExportChoice, LightChoice, PathPurpose, Shading};
 use super::pen_settings::PenSettings;
-use super::settings::{Handedness, Stabiliser, ThemeChoice};
+use super::settings::{Handedness, ThemeChoice};
+use super::stabiliser::Stabiliser;
+use super::view_state::{LightChoice, Shading};
 use crate::growth::overlay::Wanted;
 use crate::pen::PenSource;
 use crate::picture::{Picture, PictureError};
@@ -14,37 +18,6 @@ use crate::plant::OrganKind;
 use crate::sketch::{PlacedPlant, StrokeId, TextureChoice, Tool};
 use serde_json::Value;
 use std::path::PathBuf;
-
-/// What the pen does on the canvas.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum CanvasTool {
-    /// Draws a stroke of this kind.
-    Draw(Tool),
-    /// Removes what it touches: whole strokes, or only the part touched.
-    Erase {
-        /// Only the part touched.
-        partial: bool,
-    },
-    /// Selects strokes with a lasso and changes them.
-    Select,
-    /// Moves the canvas.
-    Pan,
-}
-
-/// How strokes are mirrored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Mirror {
-    /// Left and right change places.
-    LeftRight,
-    /// Top and bottom change places.
-    TopBottom,
-}
-
-impl Default for CanvasTool {
-    fn default() -> Self {
-        Self::Draw(Tool::Auto)
-    }
-}
 
 /// One wish.
 #[derive(Clone, Debug, PartialEq)]

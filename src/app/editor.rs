@@ -19,6 +19,7 @@
 mod accessors;
 mod background;
 mod beside;
+mod beside_carry;
 mod beside_marks;
 mod beside_state;
 mod clipboard;

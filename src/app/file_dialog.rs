@@ -1,10 +1,10 @@
 //! Asking for a file: with the system's dialog where there is one, with our own elsewhere.
 //!
 //! The system's dialog runs on a thread of its own, so that the window goes on; its answer arrives as an action. A system
-//! without a desktop portal (no session bus) is asked by [`Dialog::Path`](super::panels::snapshot::Dialog::Path).
+//! without a desktop portal (no session bus) is asked by [`Dialog::Path`](super::dialog::Dialog::Path).
 
 use super::action::Action;
-use super::panels::snapshot::{PathPurpose, PathRequest};
+use super::dialog::{PathPurpose, PathRequest};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::Sender;

@@ -7,7 +7,7 @@
 //! Limits: families that are not in `FAMILIES` are found only if their name says that they hold Chinese.
 
 use super::messages::{Language, Messages, Msg};
-use super::panels::snapshot::Notice;
+use super::notice::Notice;
 use egui::{FontData, FontDefinitions, FontFamily};
 use fontdb::{Database, FaceInfo, Source, Style, Weight};
 use std::sync::Arc;

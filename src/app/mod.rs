@@ -5,12 +5,14 @@
 //! | `window` | receives events of the system and hands each to its owner |
 //! | [`editor`] | the open drawing with everything around it, without window or graphics card |
 //! | [`action`] | every wish of the artist |
+//! | [`canvas_tool`], [`dialog`], [`export_choice`], [`notice`], [`pen_uses`], [`stabiliser`], [`view_state`] | plain data that wishes and settings are made of |
 //! | [`canvas`] | what pens, fingers and keys do to the drawing |
 //! | [`worker`] | the thread that builds the plant while the pen moves |
 //! | [`paper`] | what must change on the canvas to show the drawing |
 //! | [`sheet`] | the strokes as ink, in step with the drawing |
 //! | [`plant_view`] | camera and light of the plant |
 //! | [`tool`] | what a tool of a view is; [`plant_tools`]: those of the plant |
+//! | [`tablet_wishes`] | what keys of tablets wish for |
 //! | `plant_painter` | the thread that paints it, on a graphics device of its own |
 //! | [`panels`] | bars, side panel, menus and dialogs |
 //! | `layout` | where all of these are in a frame |
@@ -19,24 +21,30 @@
 mod accessibility;
 pub mod action;
 pub mod canvas;
+pub mod canvas_tool;
 mod composition;
 mod damage;
 #[cfg_attr(not(target_os = "linux"), path = "desktop_of_system.rs")]
 mod desktop;
+pub mod dialog;
 mod display_loss;
 pub mod editor;
 pub mod egui_input;
 mod ending;
+pub mod export_choice;
 mod file_dialog;
 pub mod fonts;
 mod frame;
 mod graphics;
 pub mod growth_spots;
+mod invitation;
 mod layout;
 pub mod messages;
+pub mod notice;
 pub mod panels;
 pub mod paper;
 pub mod pen_settings;
+pub mod pen_uses;
 mod plant_painter;
 mod plant_texture;
 pub mod plant_tools;
@@ -48,14 +56,18 @@ mod revival;
 pub mod settings;
 pub mod sheet;
 mod sides;
+pub mod stabiliser;
 mod surface;
 mod system_theme;
 pub mod tablet_keys;
+pub mod tablet_wishes;
 mod tablets;
+pub mod texture_files;
 pub mod theme;
 mod thumbnail;
 pub mod tool;
 mod transfer;
+pub mod view_state;
 mod window;
 pub mod window_size;
 pub mod worker;

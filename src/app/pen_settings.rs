@@ -1,7 +1,7 @@
 //! What the artist chose about pens: how they are read, and for each pen how it presses, what its buttons do and what its
 //! tablet covers. Plain data, kept with the other settings.
 
-use super::canvas::PenUses;
+use super::pen_uses::PenUses;
 use super::tablet_keys::TabletKeys;
 use crate::pen::PressureCurve;
 use crate::pen::calibration::Calibration;

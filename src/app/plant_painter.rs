@@ -7,7 +7,7 @@
 //! quality has on this driver. The thread steps back behind the window, and so do the threads of a software driver,
 //! which it starts.
 
-use super::{growth_spots, plant_view, priority};
+use super::{growth_spots, priority, texture_files};
 use crate::pipeline::Built;
 use crate::render::{Look, OrbitCamera, RenderError, Renderer, ShownPicture, Viewport};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -197,7 +197,7 @@ impl Easel {
         if std::mem::replace(&mut self.plant, plant) == plant {
             return Ok(());
         }
-        let stats = self.viewport.update(&self.renderer, &built.model, &plant_view::texture)?;
+        let stats = self.viewport.update(&self.renderer, &built.model, &texture_files::texture)?;
         tracing::debug!("uploaded {} of {} parts", stats.uploaded_parts, stats.parts);
         self.viewport.set_overlay(&self.renderer, &growth_spots::drawn(&built.overlay));
         Ok(())

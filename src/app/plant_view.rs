@@ -1,20 +1,15 @@
 //! The plant's side of the window: camera, light and what the pointer does to them.
 //!
-//! Drag turns, right or middle drag (or Shift) moves, wheel and pinch zoom, a double tap shows the front as it was drawn. A
-//! single tap picks a part of the plant, once it is clear that no second tap follows.
+//! Wheel and pinch zoom, a double tap shows the front as it was drawn. A single tap picks a part of the plant, once it is
+//! clear that no second tap follows. What presses do is up to the tools (`plant_tools`).
 //! The camera follows the plant's growth until the artist takes hold of it; camera moves that were asked for by a button
 //! are shown as a short flight. Pictures are drafts while anything moves and finished ones when it rests.
 
-use super::messages::{Messages, Msg};
-use super::panels::snapshot::{LightChoice, Shading, ViewState};
-use super::theme::Palette;
+use super::view_state::{LightChoice, Shading, ViewState};
 use crate::geom::ray::Ray;
-use crate::plant::Texture;
 use crate::render::{Background, LightParams, Look, Mode, OrbitCamera, Projection, Quality};
-use egui::{PointerButton, Response, Sense, Ui};
+use egui::{Response, Sense, Ui};
 use glam::{DVec2, Vec2, Vec3};
-use std::borrow::Cow;
-use std::error::Error;
 use std::time::{Duration, Instant};
 
 /// Length of a flight of the camera.
@@ -23,7 +18,7 @@ const FLIGHT: Duration = Duration::from_millis(280);
 const TURNTABLE: f32 = 24.0;
 /// How long the view must rest before it is finished.
 const REST: Duration = Duration::from_millis(450);
-/// How long after a click a second one makes it a double click; a little longer than egui's own delay.
+/// How long after a click a second one makes it a double click.
 const DOUBLE_CLICK: Duration = Duration::from_millis(350);
 /// Zoom of one point of scrolling.
 const ZOOM_PER_POINT: f32 = 1.0025;
@@ -65,6 +60,8 @@ pub struct PlantView {
     moved: Option<Instant>,
     /// A click that may become a double click, and when it was.
     click: Option<(Click, Instant)>,
+    /// From where to where something is being carried, physical pixels of the window.
+    carried: Option<(DVec2, DVec2)>,
     aspect: f32,
     /// Height of the view in points.
     height: f32,
@@ -87,6 +84,7 @@ impl Default for PlantView {
             last_step: None,
             moved: None,
             click: None,
+            carried: None,
             aspect: 1.0,
             height: 1.0,
             middle: egui::Pos2::ZERO,
@@ -107,8 +105,8 @@ impl PlantView {
     /// Shows the texture with the plant, filling what is left of `ui`, and handles the pointer.
     pub fn show(&mut self, ui: &mut Ui, texture: egui::TextureId) {
         let size = ui.available_size();
-        // Only for pointers: keys for the plant work whatever has the keyboard's focus.
-        let (rect, response) = ui.allocate_exact_size(size, Sense::CLICK | Sense::DRAG);
+        // Presses come sample by sample (`plant_tools`); keys for the plant work whatever has the keyboard's focus.
+        let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
         self.aspect = (size.x / size.y.max(1.0)).max(0.01);
         self.height = size.y.max(1.0);
         self.middle = rect.center();
@@ -123,46 +121,19 @@ impl PlantView {
         }
     }
 
+    /// Hears wheel and pinch over the view.
     fn handle(&mut self, ui: &Ui, response: &Response) {
+        if !response.hovered() {
+            return;
+        }
         let rect = response.rect;
-        // Shares of the view's height from its centre, y down, as the camera has them.
-        let share = |p: egui::Vec2| Vec2::new(p.x, p.y) / rect.height().max(1.0);
-        let from_centre = |p: egui::Pos2| share(p - rect.center());
-        if response.double_clicked() {
-            self.click = None;
-            self.show_front();
-            return;
-        }
-        if response.clicked()
-            && let Some(at) = response.interact_pointer_pos()
-        {
-            let click = Click { at: from_centre(at), besides: ui.input(|i| i.modifiers.shift) };
-            self.click = Some((click, Instant::now()));
-        }
-        let drag = share(response.drag_delta());
-        if drag != Vec2::ZERO {
-            let (shift, touches) = ui.input(|i| (i.modifiers.shift, i.multi_touch().is_some()));
-            let moves = shift
-                || response.dragged_by(PointerButton::Secondary)
-                || response.dragged_by(PointerButton::Middle);
-            if !touches {
-                self.take_hold();
-                if moves { self.camera.pan(drag) } else { self.camera.orbit(drag) }
-            }
-        }
-        if !response.hovered() && !response.dragged() {
-            return;
-        }
-        let (scroll, pinch, at, touch) =
-            ui.input(|i| (i.smooth_scroll_delta().y, i.zoom_delta(), i.pointer.hover_pos(), i.multi_touch()));
-        if let Some(touch) = touch {
+        let (scroll, pinch, at) =
+            ui.input(|i| (i.smooth_scroll_delta().y, i.zoom_delta(), i.pointer.hover_pos()));
+        if scroll != 0.0 || pinch != 1.0 {
             self.take_hold();
-            self.camera.pan(share(touch.translation_delta));
-            self.camera.zoom(touch.zoom_delta, from_centre(touch.center_pos));
-            self.camera.turn(-touch.rotation_delta.to_degrees());
-        } else if scroll != 0.0 || pinch != 1.0 {
-            self.take_hold();
-            let about = at.map_or(Vec2::ZERO, from_centre);
+            // Shares of the view's height from its centre, y down, as the camera has them.
+            let share = |p: egui::Pos2| (p - rect.center()) / rect.height().max(1.0);
+            let about = at.map(share).map_or(Vec2::ZERO, |share| Vec2::new(share.x, share.y));
             self.camera.zoom(ZOOM_PER_POINT.powf(scroll) * pinch, about);
         }
     }
@@ -181,13 +152,43 @@ impl PlantView {
         self.camera.pan(by);
     }
 
+    /// Follows two fingers from one place to another: moves, zooms and turns the plant together. Physical pixels.
+    pub fn follow_pair(&mut self, from: [DVec2; 2], to: [DVec2; 2]) {
+        let middle = |pair: [DVec2; 2]| (pair[0] + pair[1]) / 2.0;
+        let (before, after) = (from[1] - from[0], to[1] - to[0]);
+        let factor = after.length() / before.length();
+        let by = self.share(middle(to) - middle(from));
+        let about = self.place(middle(to));
+        self.take_hold();
+        self.camera.pan(by);
+        if factor.is_finite() && factor > 0.0 {
+            self.camera.zoom(factor as f32, about);
+            self.camera.turn(-before.angle_to(after).to_degrees() as f32);
+        }
+    }
+
+    /// What is held is carried from one place in the window to another, physical pixels.
+    pub fn carry(&mut self, from: DVec2, to: DVec2) {
+        self.carried = Some((self.carried.map_or(from, |(first, _)| first), to));
+    }
+
+    /// From where to where something was carried since this was asked last.
+    pub fn take_carried(&mut self) -> Option<(DVec2, DVec2)> {
+        self.carried.take()
+    }
+
     /// A tap at a place in the window, physical pixels: a click, or with one just before the front as it was drawn.
     pub fn tap(&mut self, at: DVec2, besides: bool) {
         if self.click.take_if(|(_, at)| at.elapsed() < DOUBLE_CLICK).is_some() {
             return self.show_front();
         }
+        self.click = Some((Click { at: self.place(at), besides }, Instant::now()));
+    }
+
+    /// A place in the window, physical pixels, as the view has it: shares of its height from its centre, y down.
+    pub fn place(&self, at: DVec2) -> Vec2 {
         let middle = DVec2::new(self.middle.x.into(), self.middle.y.into()) * self.pixels_per_point;
-        self.click = Some((Click { at: self.share(at - middle), besides }, Instant::now()));
+        self.share(at - middle)
     }
 
     /// Physical pixels as shares of the view's height.
@@ -354,109 +355,6 @@ impl PlantView {
     }
 }
 
-/// Says on an empty canvas what to do first.
-pub(super) fn invite(painter: &egui::Painter, canvas: egui::Rect, messages: &Messages, palette: &Palette) {
-    let font = egui::FontId::proportional(19.0);
-    let (first, then) = (messages.get(Msg::CanvasInvite), messages.get(Msg::CanvasInviteHint));
-    let middle = canvas.center();
-    painter.text(middle, egui::Align2::CENTER_BOTTOM, first, font, palette.weak);
-    let small = egui::FontId::proportional(14.0);
-    painter.text(middle + egui::vec2(0.0, 8.0), egui::Align2::CENTER_TOP, then, small, palette.weak);
-}
-
-/// The bytes of a texture's file: the program's own or the artist's.
-pub fn texture(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
-    Ok(crate::formats::textures::fetch(texture, &built_in_texture)?)
-}
-
-/// The program's own textures, for the exporters.
-pub(super) fn built_in_texture(name: &str) -> Option<Cow<'static, [u8]>> {
-    crate::species::builtin_texture(name).map(Cow::Borrowed)
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    const BOX: (Vec3, Vec3) = (Vec3::new(-0.2, 0.0, -0.2), Vec3::new(0.2, 1.0, 0.2));
-
-    #[test]
-    fn the_camera_follows_the_plant_until_the_artist_takes_hold() {
-        let mut view = PlantView::default();
-        view.set_bounds(Some(BOX));
-        let small = view.camera();
-        view.set_bounds(Some((BOX.0, BOX.1 * 3.0)));
-        assert!(view.camera().distance > small.distance);
-        view.take_hold();
-        let held = view.camera();
-        view.set_bounds(Some(BOX));
-        assert_eq!(view.camera(), held);
-    }
-
-    /// One frame of a view of 200 by 200 points with these events of the pointer.
-    fn frame(view: &mut PlantView, ctx: &egui::Context, time: f64, events: Vec<egui::Event>) {
-        let screen_rect = Some(egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(200.0, 200.0)));
-        let input = egui::RawInput { time: Some(time), events, screen_rect, ..Default::default() };
-        let mut output = ctx.run_ui(input, |ui| view.show(ui, egui::TextureId::default()));
-        output.textures_delta.clear();
-    }
-
-    fn button(pressed: bool) -> egui::Event {
-        let (button, modifiers) = (PointerButton::Primary, egui::Modifiers::NONE);
-        egui::Event::PointerButton { pos: egui::pos2(150.0, 50.0), button, pressed, modifiers }
-    }
-
-    #[test]
-    fn a_single_click_picks_once_and_a_double_click_does_not() {
-        let (mut view, ctx) = (PlantView::default(), egui::Context::default());
-        view.set_bounds(Some(BOX));
-        frame(&mut view, &ctx, 0.0, vec![egui::Event::PointerMoved(egui::pos2(150.0, 50.0))]);
-        frame(&mut view, &ctx, 0.1, vec![button(true)]);
-        frame(&mut view, &ctx, 0.15, vec![button(false)]);
-        assert_eq!(view.take_click(), None, "a second click may follow");
-        let (click, _) = view.click.unwrap();
-        assert!(click.at.x > 0.1 && click.at.y < -0.1 && !click.besides, "{click:?}");
-        view.click = Some((click, Instant::now() - DOUBLE_CLICK));
-        assert_eq!((view.take_click(), view.take_click()), (Some(click), None));
-        frame(&mut view, &ctx, 2.0, vec![button(true)]);
-        frame(&mut view, &ctx, 2.05, vec![button(false)]);
-        frame(&mut view, &ctx, 2.1, vec![button(true)]);
-        frame(&mut view, &ctx, 2.15, vec![button(false)]);
-        assert!(view.click.is_none() && view.flight.is_some());
-    }
-
-    #[test]
-    fn a_plant_that_grows_from_its_beginning_leaves_the_camera_where_it_is() {
-        let mut view = PlantView::default();
-        view.set_bounds(Some(BOX));
-        let whole = view.camera();
-        view.keeps_room = true;
-        view.set_bounds(Some((BOX.0, BOX.1 * 0.2)));
-        assert_eq!(view.camera(), whole);
-        view.set_bounds(None);
-        assert_eq!(view.camera(), whole);
-        view.keeps_room = false;
-        view.set_bounds(Some((BOX.0, BOX.1 * 0.2)));
-        assert!(view.camera().distance < whole.distance);
-    }
-
-    #[test]
-    fn a_flight_to_a_plant_that_is_gone_ends() {
-        let mut view = PlantView::default();
-        view.set_bounds(Some(BOX));
-        view.show_front();
-        assert!(view.is_moving());
-        view.set_bounds(None);
-        assert!(!view.is_moving());
-    }
-
-    #[test]
-    fn drafts_while_moving_and_a_finished_picture_at_rest() {
-        let mut view = PlantView::default();
-        view.set_bounds(Some(BOX));
-        assert_eq!(view.look(egui::Theme::Light).quality, Quality::Draft);
-        view.moved = Some(Instant::now() - REST);
-        assert_eq!(view.look(egui::Theme::Light).quality, Quality::Full);
-        assert_eq!(view.wakes_at(), None);
-    }
-}
+#[path = "plant_view_tests.rs"]
+mod tests;

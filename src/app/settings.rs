@@ -6,10 +6,13 @@
 //!
 //! Limits: two windows that change settings at once: the last one wins.
 
-pub use super::canvas::Stabiliser;
+use super::dialog::PathPurpose;
+use super::export_choice::ExportChoice;
 use super::messages::{Language, Messages, Msg};
-use super::panels::snapshot::{ExportChoice, Notice, PathPurpose, ViewState};
+use super::notice::Notice;
 use super::pen_settings::PenSettings;
+use super::stabiliser::Stabiliser;
+use super::view_state::ViewState;
 use super::window_size::WindowSize;
 use crate::atomic::{WriteError, write_atomically};
 use crate::pen::PenSource;
@@ -265,7 +268,7 @@ fn put_aside(path: &Path) -> PathBuf {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::panels::snapshot::{LightChoice, Shading};
+    use crate::app::view_state::{LightChoice, Shading};
     use crate::pen::mapping::Turn;
 
     fn load(folder: &Path) -> (Settings, Option<Notice>) {

@@ -69,8 +69,9 @@ impl Sheet {
 mod tests {
     use super::*;
     use crate::app::action::Action;
-    use crate::app::canvas::{Rect, Stabiliser};
+    use crate::app::canvas::Rect;
     use crate::app::editor::Places;
+    use crate::app::stabiliser::Stabiliser;
     use crate::pen::tests::Hand;
     use crate::pen::{PenPhase, PenTool};
     use glam::DVec2;

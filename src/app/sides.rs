@@ -1,7 +1,7 @@
 //! Which side of the window an event of a pointer belongs to: the canvas, the plant, or neither, which is egui's.
 //!
-//! A press decides: what went down on a side stays that side's until it is lifted. Both sides get pens; mice and
-//! fingers over the plant go to egui. What hovers over the canvas is the canvas's while nothing is held down.
+//! A press decides: what went down on a side stays that side's until it is lifted. Over the plant any button of a mouse is a
+//! press. What hovers over the canvas is the canvas's while nothing is held down; what hovers over the plant is egui's.
 
 use crate::pen::{PenEvent, PenPhase, PenTool};
 use std::collections::BTreeMap;
@@ -33,6 +33,10 @@ impl PointerName {
 #[derive(Debug, Default)]
 pub(super) struct Sides {
     held: BTreeMap<PointerName, Side>,
+    /// Whether the mouse is held on the plant by a button that is not the first.
+    by_button: bool,
+    /// Whether such a button was held when the mouse was seen last.
+    had_button: bool,
     /// Whether the pointer was over the canvas when last seen, so that egui is notified once that it left.
     over_canvas: bool,
 }
@@ -44,21 +48,53 @@ impl Sides {
         let name = PointerName::of(tool);
         match event.phase {
             PenPhase::Down => {
-                let side = over.filter(|side| *side == Side::Canvas || is_pen(tool))?;
                 if self.held.contains_key(&name) {
-                    return None;
+                    // A second button of a mouse that is at work on the plant.
+                    return self.by_button.then_some(Side::Plant);
                 }
+                let side = over?;
                 self.held.insert(name, side);
                 Some(side)
             }
             PenPhase::Move => self.held.get(&name).copied(),
-            PenPhase::Up | PenPhase::Cancel => self.held.remove(&name),
+            PenPhase::Up if self.by_button && tool == PenTool::Mouse => Some(Side::Plant),
+            PenPhase::Up | PenPhase::Cancel => self.release(name),
+            PenPhase::Hover if tool == PenTool::Mouse && self.hovers_with_button(event, over) => {
+                Some(Side::Plant)
+            }
             PenPhase::Enter | PenPhase::Hover => {
                 over.filter(|side| *side == Side::Canvas && self.held.is_empty())
             }
-            PenPhase::Leave if self.held.get(&name) == Some(&Side::Plant) => self.held.remove(&name),
+            PenPhase::Leave if self.held.get(&name) == Some(&Side::Plant) => self.release(name),
             PenPhase::Leave => self.leave_canvas().then_some(Side::Canvas),
         }
+    }
+
+    fn release(&mut self, name: PointerName) -> Option<Side> {
+        if name == PointerName::Pointer {
+            self.by_button = false;
+        }
+        self.held.remove(&name)
+    }
+
+    /// Whether a mouse is at work on the plant with a button that is not the first, or just was.
+    fn hovers_with_button(&mut self, event: &PenEvent, over: Option<Side>) -> bool {
+        let buttons = event.sample.buttons;
+        let is_pressed = buttons.secondary || buttons.middle;
+        let was_pressed = std::mem::replace(&mut self.had_button, is_pressed);
+        if self.by_button {
+            if !is_pressed {
+                self.release(PointerName::Pointer);
+            }
+            return true;
+        }
+        let is_new = is_pressed && !was_pressed && !self.held.contains_key(&PointerName::Pointer);
+        let begins = is_new && over == Some(Side::Plant);
+        if begins {
+            self.held.insert(PointerName::Pointer, Side::Plant);
+            self.by_button = true;
+        }
+        begins
     }
 
     /// Whether the pointer is over the canvas.
@@ -85,6 +121,7 @@ pub(super) fn is_pen(tool: PenTool) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::pen::PenButtons;
     use crate::pen::tests::Hand;
 
     #[test]
@@ -102,10 +139,32 @@ mod tests {
         assert_eq!(owner(PenPhase::Hover, PenTool::Pen, canvas), canvas);
         assert_eq!(owner(PenPhase::Hover, PenTool::Pen, plant), None, "egui shows what is under it");
         for tool in [PenTool::Mouse, PenTool::Finger(2)] {
-            assert_eq!(owner(PenPhase::Down, tool, plant), None, "egui's");
+            assert_eq!(owner(PenPhase::Down, tool, plant), plant);
+            assert_eq!(owner(PenPhase::Up, tool, canvas), plant);
         }
+        assert_eq!(owner(PenPhase::Down, PenTool::Mouse, None), None, "egui's");
         assert_eq!(owner(PenPhase::Down, PenTool::Eraser, plant), plant);
         assert_eq!(owner(PenPhase::Leave, PenTool::Eraser, plant), plant);
         assert_eq!(owner(PenPhase::Up, PenTool::Eraser, plant), None, "it has left");
+    }
+
+    #[test]
+    fn any_button_of_a_mouse_holds_the_plant() {
+        let mut sides = Sides::default();
+        let mut owner = |phase, secondary: bool, over| {
+            let buttons = PenButtons { secondary, ..PenButtons::default() };
+            sides.owner(&Hand { buttons, ..Hand::default() }.event(phase, PenTool::Mouse, 0.0), over)
+        };
+        let (canvas, plant) = (Some(Side::Canvas), Some(Side::Plant));
+        assert_eq!(owner(PenPhase::Hover, true, plant), plant);
+        assert_eq!(owner(PenPhase::Hover, true, canvas), plant, "until it is let go");
+        assert_eq!(owner(PenPhase::Down, true, canvas), plant, "another button changes nothing");
+        assert_eq!(owner(PenPhase::Move, true, canvas), plant);
+        assert_eq!(owner(PenPhase::Up, true, canvas), plant);
+        assert_eq!(owner(PenPhase::Hover, false, canvas), plant, "its end is the plant's, too");
+        assert_eq!(owner(PenPhase::Hover, false, canvas), canvas);
+        assert_eq!(owner(PenPhase::Hover, false, plant), None, "egui shows what is under it");
+        assert_eq!(owner(PenPhase::Hover, true, None), None, "it was pressed on a panel");
+        assert_eq!(owner(PenPhase::Hover, true, plant), None);
     }
 }

@@ -7,7 +7,7 @@
 use super::action::Action;
 use super::messages::Localize;
 use super::pen_settings::{Covers, PenSettings, TabletDoubt};
-use super::tablet_keys::HeldKeys;
+use super::tablet_wishes::HeldKeys;
 use crate::pen::hid::{
     Arrival, DeviceId, DeviceInfo, Enumerate, HidEvent, Message, Models, Notice, Refused, TransportError,
     Watcher,

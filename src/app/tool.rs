@@ -5,8 +5,8 @@
 
 use crate::pen::PenSample;
 
-/// A tool that works on a view.
-pub trait Tool<View: ?Sized> {
+/// A tool that works on a view; `Shown` is what can be seen of its work before that counts.
+pub trait Tool<View: ?Sized, Shown: Default = ()> {
     /// The pointer touches.
     fn begin(&mut self, sample: &PenSample, view: &mut View);
 
@@ -18,4 +18,9 @@ pub trait Tool<View: ?Sized> {
 
     /// The touch is taken away, or was another tool's: what was done does not count.
     fn cancel(&mut self, view: &mut View);
+
+    /// What the view would become if the pointer were lifted now.
+    fn preview(&self) -> Shown {
+        Shown::default()
+    }
 }

@@ -12,10 +12,7 @@ use crate::source::{Source, sources};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Circles that stand, by folder. The list only ever becomes shorter.
-const STANDING: &[(&str, &[&str])] = &[
-    ("app", &["action", "canvas", "fonts", "panels", "pen_settings", "settings", "tablet_keys"]),
-    ("app::canvas", &["activity", "controller"]),
-];
+const STANDING: &[(&str, &[&str])] = &[];
 
 /// A file or folder, as the path of its module.
 type Path = Vec<String>;

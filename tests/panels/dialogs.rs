@@ -4,12 +4,12 @@ use super::stage::{ROLES, Stage, asked, busy, drag, press, stage};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use penstemon::app::action::Action;
-use penstemon::app::canvas::ButtonUse;
 use penstemon::app::messages::Language;
 use penstemon::app::panels::snapshot::{
     Dialog, ExportChoice, ExportFormat, Notice, PathPurpose, PathRequest, Recovered, Task,
 };
 use penstemon::app::pen_settings::{Covers, TabletDoubt};
+use penstemon::app::pen_uses::ButtonUse;
 use penstemon::app::tablet_keys::KeyUse;
 use penstemon::pen::calibration::CROSSES;
 use penstemon::pen::mapping::Turn;

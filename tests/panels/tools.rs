@@ -2,11 +2,13 @@
 
 use super::stage::{self, asked, busy, english, press, stage, stage_of};
 use egui_kittest::kittest::Queryable;
-use penstemon::app::action::{Action, Mirror};
+use penstemon::app::action::Action;
+use penstemon::app::canvas_tool::Mirror;
 use penstemon::app::messages::{Language, Messages};
 use penstemon::app::panels::snapshot::{Dialog, MenuOf, PartMenu};
 use penstemon::app::panels::toolbar::TOOLS;
-use penstemon::app::settings::{Handedness, Stabiliser, ThemeChoice};
+use penstemon::app::settings::{Handedness, ThemeChoice};
+use penstemon::app::stabiliser::Stabiliser;
 use penstemon::sketch::Tool;
 
 #[test]

@@ -56,13 +56,28 @@ fn a_birch_is_put_beside_a_daisy_picked_moved_and_taken_away() {
 
     // A click on the plant beside selects it, whatever was selected before.
     let [left, top, width, height] = program.area("plant");
-    let picked = (5..19).find_map(|k| {
-        screen.click([left + f64::from(k) / 20.0 * width, top + 0.45 * height]);
+    let at = |k: u8| [left + f64::from(k) / 20.0 * width, top + 0.45 * height];
+    let picked = (5..19).find(|k| {
+        screen.click(at(*k));
         std::thread::sleep(std::time::Duration::from_millis(700));
         program.rest();
-        program.has_told("picked plant=0").then_some(k)
+        program.has_told("picked plant=0")
     });
-    assert!(picked.is_some(), "the plant beside is nowhere");
+    let [x, y] = at(picked.expect("the plant beside is nowhere"));
+
+    // Selected it is carried along the ground; one drag is one step.
+    let places: Vec<[f64; 2]> = (0..=12).map(|i| [x + 3.0 * f64::from(i), y]).collect();
+    screen.draw(&places);
+    program.built();
+    program.picture(&screen).keep("plant-beside-carried");
+    let carried = saved(&screen, &mut program, &file);
+    assert!(
+        carried[0].foot.x > plants[0].foot.x + 5.0 && carried[0].foot.y == plants[0].foot.y,
+        "{carried:?}"
+    );
+    screen.hand(&["key", "ctrl+z"]);
+    program.built();
+    assert_eq!(saved(&screen, &mut program, &file), plants);
 
     // With the selection tool the dot at its foot moves it; one drag is one step.
     screen.hand(&["key", "s"]);

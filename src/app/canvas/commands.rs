@@ -3,7 +3,8 @@
 use super::controller::Canvas;
 use super::outcome::{CanvasOutcome, Drawing};
 use super::view::Rect;
-use crate::app::action::{Action, CanvasTool};
+use crate::app::action::Action;
+use crate::app::canvas_tool::CanvasTool;
 use crate::sketch::change::StrokeChange;
 use crate::sketch::{Stroke, StrokeId};
 use glam::{DAffine2, DVec2};

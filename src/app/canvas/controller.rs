@@ -7,24 +7,21 @@
 //! Changes reach the drawing only through outcomes. Where a change is still being made (an eraser or a handle on its way)
 //! [`Canvas::preview`] says what the drawing will look like.
 
-use super::activity::{Activity, Trigger};
+use super::desk::Keys;
+use super::doing::{Activity, Trigger};
 use super::gesture::{Touch, TouchGestures};
 use super::outcome::{CanvasKey, CanvasOutcome, Drawing, Scroll};
 use super::select::Selection;
-use super::settings::{ButtonUse, CanvasSettings};
+use super::settings::CanvasSettings;
 use super::stroke_index::StrokeIndex;
 use super::view::{CanvasView, Rect};
-use crate::app::action::{Action, CanvasTool};
+use crate::app::action::Action;
+use crate::app::canvas_tool::CanvasTool;
+use crate::app::pen_uses::ButtonUse;
 use crate::pen::{MAX_POSITION_PX, PalmGate, PenButtons, PenEvent, PenPhase, PenSample, PenTool, palm_gate};
 use crate::sketch::{Stroke, Tool};
 use glam::DVec2;
 use std::sync::Arc;
-
-/// Distance within which a tap of a pen or mouse hits a stroke, in logical pixels.
-pub const PICK_REACH: f64 = 10.0;
-
-/// Distance within which a tap of a finger hits a stroke, in logical pixels.
-pub const FINGER_PICK_REACH: f64 = 20.0;
 
 /// Zoom of one notch of a wheel.
 const ZOOM_PER_LINE: f64 = 1.15;
@@ -37,14 +34,6 @@ const PAN_PER_LINE: f64 = 60.0;
 
 /// Most that one event may scroll, in notches.
 const MOST_LINES: f64 = 50.0;
-
-/// Modifier keys held.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Keys {
-    pub(super) space: bool,
-    pub(super) shift: bool,
-    pub(super) ctrl: bool,
-}
 
 /// The canvas.
 #[derive(Debug)]

@@ -8,6 +8,8 @@
 mod activity;
 mod commands;
 pub mod controller;
+pub mod desk;
+mod doing;
 pub mod erase;
 pub mod gesture;
 pub mod outcome;
@@ -16,12 +18,12 @@ pub mod select;
 pub mod settings;
 pub mod stroke_builder;
 pub mod stroke_index;
+mod tools;
 pub mod transform;
 pub mod view;
 
 pub use controller::Canvas;
 pub use outcome::{CanvasKey, CanvasOutcome, Drawing, Scroll};
 pub use overlay::{CanvasCursor, CursorShape, Overlay, Preview};
-pub use settings::{ButtonUse, CanvasSettings, PenUses};
-pub use stroke_builder::Stabiliser;
+pub use settings::CanvasSettings;
 pub use view::{CanvasView, Rect};

@@ -1,10 +1,11 @@
 //! What is shown over the drawing: lasso, selection box, handles, the eraser's circle, the cursor, and the drawing as it
 //! will be while a change is still being made. Positions are physical pixels of the window.
 
-use super::activity::{Doing, ViewDrag};
 use super::controller::Canvas;
+use super::doing::{Activity, Doing};
+use super::tools::{Shown, ViewDrag};
 use super::transform::{HANDLE_REACH, Handle, frame, transformed};
-use crate::app::action::CanvasTool;
+use crate::app::canvas_tool::CanvasTool;
 use crate::pen::PenTool;
 use crate::sketch::change::StrokeChange;
 use crate::sketch::{Stroke, StrokeId};
@@ -77,7 +78,7 @@ impl Canvas {
         let shape = self.shape();
         let radius = self.eraser_radius() * self.view.zoom();
         let is_eraser = shape == CursorShape::Erase;
-        let busy = self.activity.as_ref().map(|a| a.last);
+        let busy = self.activity.as_ref().map(|a| a.touch.last);
         let place = busy.or(self.hover.map(|sample| sample.position)).filter(|_| is_eraser);
         let circle = place.map(|place| (place, radius));
         CanvasCursor { shape, circle }
@@ -90,9 +91,9 @@ impl Canvas {
             ViewDrag::Zoom => CursorShape::Zoom,
         };
         match self.activity.as_ref().map(|a| &a.doing) {
-            Some(Doing::View(ViewDrag::Pan)) => return CursorShape::Grabbing,
-            Some(Doing::View(kind)) => return of_view(*kind),
-            Some(Doing::Drag(drag)) => return self.shape_of(drag.handle),
+            Some(Doing::View(tool)) if tool.by == ViewDrag::Pan => return CursorShape::Grabbing,
+            Some(Doing::View(tool)) => return of_view(tool.by),
+            Some(Doing::Drag(tool)) => return self.shape_of(tool.handle()),
             Some(Doing::Draw(_)) => return CursorShape::Draw,
             Some(Doing::Erase(_)) => return CursorShape::Erase,
             Some(Doing::Lasso(_)) => return CursorShape::Select,
@@ -133,7 +134,7 @@ impl Canvas {
     /// What to paint over the drawing.
     pub fn overlay(&self) -> Overlay {
         let mut overlay = Overlay::default();
-        if let Some(Doing::Lasso(lasso)) = self.activity.as_ref().map(|a| &a.doing) {
+        if let Some(Shown::Lasso(lasso)) = self.activity.as_ref().map(Activity::shown) {
             overlay.lasso = lasso.iter().map(|p| self.view.to_window(*p)).collect();
         }
         if let Some(bounds) = self.bounds {
@@ -153,15 +154,12 @@ impl Canvas {
 
     /// How the drawing will differ from what it is.
     pub fn preview(&self) -> Preview<'_> {
-        let Some(activity) = &self.activity else { return Preview::Same };
-        if let Doing::Erase(eraser) = &activity.doing {
-            return Preview::Changes(eraser.changes());
-        }
-        match activity.drag() {
-            Some(drag) => {
+        match self.activity.as_ref().map(Activity::shown) {
+            Some(Shown::Changes(changes)) => Preview::Changes(changes),
+            Some(Shown::Drag(drag)) => {
                 Preview::Moved { ids: self.selection.ids(), transform: drag.transform(self.keys.shift) }
             }
-            None => Preview::Same,
+            Some(Shown::Nothing | Shown::Lasso(_)) | None => Preview::Same,
         }
     }
 

@@ -6,7 +6,7 @@
 use super::stroke_index::StrokeIndex;
 use super::transform::{mirrored, transformed};
 use super::view::Rect;
-use crate::app::action::Mirror;
+use crate::app::canvas_tool::Mirror;
 use crate::geom::region::Region;
 use crate::sketch::change::StrokeChange;
 use crate::sketch::{Stroke, StrokeId, Tool, limits};

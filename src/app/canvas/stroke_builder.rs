@@ -11,38 +11,11 @@
 //! rounded over as many samples; pressure is left as it is, since it is meaning.
 
 use super::view::CanvasView;
+use crate::app::stabiliser::Stabiliser;
 use crate::pen::{PenSample, PenTool, PressureCurve};
 use crate::sketch::{Stroke, StrokeId, StrokePoint, Tool, limits};
 use glam::{DVec2, Vec2};
-use serde::{Deserialize, Serialize};
 use std::sync::Arc;
-
-/// How much the hand's jitter is calmed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Stabiliser {
-    /// The samples as they are.
-    #[default]
-    Off,
-    /// Calms the tremble of a hand and the steps of a mouse.
-    Light,
-    /// Calms slow waves too.
-    Strong,
-}
-
-impl Stabiliser {
-    /// Every strength, weakest first.
-    pub const ALL: [Stabiliser; 3] = [Self::Off, Self::Light, Self::Strong];
-
-    /// Samples on either side that a point is smoothed with.
-    pub fn reach(self) -> usize {
-        match self {
-            Stabiliser::Off => 0,
-            Stabiliser::Light => 3,
-            Stabiliser::Strong => 16,
-        }
-    }
-}
 
 /// A stroke under the pen.
 #[derive(Clone, Debug)]

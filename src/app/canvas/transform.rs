@@ -6,7 +6,7 @@
 //! never turns the selection inside out. Handles have a size on the screen, not on the canvas.
 
 use super::view::{CanvasView, Rect};
-use crate::app::action::Mirror;
+use crate::app::canvas_tool::Mirror;
 use crate::sketch::{Stroke, StrokePoint, limits};
 use glam::{DAffine2, DVec2, Vec2};
 

@@ -6,7 +6,7 @@
 use super::Editor;
 use super::beside::to_points;
 use super::beside_state::Hold;
-use crate::app::action::CanvasTool;
+use crate::app::canvas_tool::CanvasTool;
 use crate::app::theme::Palette;
 use crate::pen::{PenEvent, PenPhase};
 use crate::sketch::{PlacedPlant, Sketch};

@@ -1,8 +1,8 @@
 //! Plants beside the drawn one, by wishes and by hand.
 
 use super::*;
-use crate::app::action::CanvasTool;
 use crate::app::canvas::Rect as CanvasRect;
+use crate::app::canvas_tool::CanvasTool;
 use crate::app::editor::Places;
 use crate::app::panels::snapshot::Severity;
 use crate::pen::tests::Hand;

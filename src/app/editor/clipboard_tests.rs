@@ -1,7 +1,8 @@
 //! Strokes copied, pasted and moved by keys.
 
 use super::*;
-use crate::app::action::{Action, CanvasTool, Mirror};
+use crate::app::action::Action;
+use crate::app::canvas_tool::{CanvasTool, Mirror};
 use crate::app::editor::Places;
 use crate::sketch::{Change, Stroke, StrokePoint, Tool};
 use egui::{Key, Modifiers};

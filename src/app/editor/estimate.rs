@@ -4,7 +4,7 @@
 //! large a picture of the plant becomes depends on what is on it: nobody knows before.
 
 use crate::app::panels::snapshot::{ExportChoice, ExportFormat};
-use crate::app::plant_view::built_in_texture;
+use crate::app::texture_files::built_in_texture;
 use crate::model::{Model, PartKind};
 use crate::plant::Texture;
 use crate::sketch::Sketch;

@@ -7,7 +7,7 @@ use super::background::{self, Wake, Work};
 use super::estimate::is_wanted;
 use crate::app::messages::Localize;
 use crate::app::panels::snapshot::{self, ExportChoice, ExportFormat};
-use crate::app::plant_view::{self, built_in_texture};
+use crate::app::texture_files::{self, built_in_texture};
 use crate::formats::write::{self, ExportError, InstanceForm};
 use crate::input::Sources;
 use crate::model::Model;
@@ -174,7 +174,7 @@ fn picture(renderer: &mut Renderer, order: &Order, camera: &OrbitCamera) -> Resu
     use crate::render::{Background, Look, Viewport};
     let mut viewport = Viewport::new(renderer).map_err(boxed)?;
     viewport.set_size(order.choice.width, order.choice.height);
-    viewport.update(renderer, &order.built.model, &plant_view::texture).map_err(boxed)?;
+    viewport.update(renderer, &order.built.model, &texture_files::texture).map_err(boxed)?;
     let background = if order.choice.transparent { Background::Transparent } else { Background::Paper };
     let look = Look { background, light: order.light.clone(), ..Look::default() };
     viewport.draw(renderer, camera, &look).map_err(boxed)?;

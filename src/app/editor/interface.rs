@@ -8,10 +8,10 @@ use super::reference_hold::Frame;
 use crate::app::action::Action;
 use crate::app::canvas::CursorShape;
 use crate::app::fonts::missing_notice;
+use crate::app::invitation;
 use crate::app::layout::GRIP;
 use crate::app::panels::frame;
 use crate::app::panels::snapshot::Dialog;
-use crate::app::plant_view;
 use crate::app::settings::Handedness;
 use crate::app::theme::{self, Palette};
 use crate::sketch::Sketch;
@@ -175,7 +175,7 @@ impl Editor {
             painter.circle(point(at), 2.5, palette.ink, Stroke::new(1.0, palette.paper));
         }
         if self.is_blank() {
-            plant_view::invite(&painter, self.layout.canvas, self.prefs.messages(), palette);
+            invitation::invite(&painter, self.layout.canvas, self.prefs.messages(), palette);
         }
     }
 

@@ -1,8 +1,8 @@
 //! Whole frames of the interface over an editor, without a graphics card.
 
 use super::*;
-use crate::app::action::CanvasTool;
 use crate::app::canvas::Scroll;
+use crate::app::canvas_tool::CanvasTool;
 use crate::app::editor::Places;
 use crate::app::layout::Layout;
 use crate::app::messages::{Language, Messages, Msg};

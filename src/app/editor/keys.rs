@@ -1,8 +1,9 @@
 //! What keys mean when no text is being written.
 
 use super::Editor;
-use crate::app::action::{Action, Mirror};
+use crate::app::action::Action;
 use crate::app::canvas::CanvasKey;
+use crate::app::canvas_tool::Mirror;
 use crate::app::panels::snapshot::Dialog;
 use crate::app::panels::toolbar;
 use egui::{Key, Modifiers};

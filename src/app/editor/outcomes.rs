@@ -2,12 +2,12 @@
 
 use super::Editor;
 use super::pens::TabletNews;
-use crate::app::action::CanvasTool;
 use crate::app::canvas::{CanvasOutcome, Drawing, Scroll};
+use crate::app::canvas_tool::CanvasTool;
 use crate::app::messages::Localize;
 use crate::app::panels::snapshot::{MenuOf, Notice, PartMenu};
 use crate::app::pen_settings::TabletDoubt;
-use crate::app::plant_tools::PlantTool;
+use crate::app::plant_tools::{Keys, PlantTool};
 use crate::app::tablets::Reach;
 use crate::pen::{PenEvent, PenPhase};
 use crate::sketch::{Change, Tool};
@@ -25,12 +25,19 @@ impl Editor {
         }
     }
 
-    /// An event of a pen that went down over the plant, until it is lifted.
+    /// An event of a pointer that went down over the plant, until it is lifted.
     pub fn plant_pen(&mut self, event: &PenEvent) {
-        if event.phase == PenPhase::Down {
+        let is_down = event.phase == PenPhase::Down;
+        if is_down {
             self.dialogs.close_part_menu();
         }
-        self.pens.in_plant.event(event, self.canvas.is_shift_held(), &mut self.plant);
+        let over_carried = is_down && self.is_over_selected_plant(event.sample.position);
+        let keys = Keys { shift: self.canvas.is_shift_held(), over_carried };
+        self.pens.in_plant.event(event, keys, &mut self.plant);
+        self.carry_plant();
+        if matches!(event.phase, PenPhase::Up | PenPhase::Leave | PenPhase::Cancel) {
+            self.drawing.end_merging();
+        }
     }
 
     /// Takes up a tool in the view of the plant; `None` gives it back.

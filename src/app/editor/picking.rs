@@ -30,7 +30,7 @@ impl Editor {
 }
 
 /// Which of the plants beside the drawn one a branch or an organ belongs to.
-fn place_of(element: Element, beside: &[Option<Standing>]) -> Option<usize> {
+pub(super) fn place_of(element: Element, beside: &[Option<Standing>]) -> Option<usize> {
     let holds = |standing: &Standing| match element {
         Element::Branch(branch) => standing.branches.contains(&branch),
         Element::Organ(organ) => standing.organs.contains(&organ),

@@ -1,6 +1,7 @@
 //! What is clicked in the view of the plant is selected in the drawing.
 
-use crate::app::action::{Action, CanvasTool};
+use crate::app::action::Action;
+use crate::app::canvas_tool::CanvasTool;
 use crate::app::editor::{Editor, Places};
 use crate::model::pick::{Element, pick};
 use crate::pen::tests::Hand;
@@ -17,6 +18,12 @@ fn daisy(home: &tempfile::TempDir) -> Editor {
     let places = Places { config: home.path().join("config"), state: home.path().join("state") };
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/sketches/daisy.penstemon");
     let mut editor = Editor::open_in(places, Some(file.into()), || ()).unwrap();
+    build(&mut editor);
+    editor
+}
+
+/// Waits for the plant.
+fn build(editor: &mut Editor) {
     let begun = Instant::now();
     while editor.is_working() || editor.built().is_none() {
         assert!(begun.elapsed() < PATIENCE, "it is built for ever");
@@ -24,7 +31,27 @@ fn daisy(home: &tempfile::TempDir) -> Editor {
         editor.collect();
         std::thread::sleep(Duration::from_millis(1));
     }
-    editor
+}
+
+/// One frame of a window of 1280 × 800.
+fn frame(editor: &mut Editor, egui: &egui::Context) {
+    let screen_rect = Some(egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1280.0, 800.0)));
+    let input = egui::RawInput { screen_rect, ..egui::RawInput::default() };
+    let mut output = egui.run_ui(input, |ui| editor.ui(ui, egui::TextureId::default()));
+    output.textures_delta.clear();
+}
+
+/// An element that is seen in the window, and where.
+fn seen(editor: &Editor, mut elements: impl Iterator<Item = Element>) -> (Element, glam::DVec2) {
+    let (area, built) = (editor.layout().plant, editor.built().unwrap());
+    let at = |element: Element| editor.plant.camera().project(middle(editor, element)).unwrap();
+    let is_seen = |element: &Element| {
+        let ray = editor.plant.ray(at(*element)).unwrap();
+        pick(&built.model, &built.plant, &ray).is_some_and(|picked| picked.element == *element)
+    };
+    let element = elements.find(is_seen).unwrap();
+    let at = at(element) * area.height();
+    (element, glam::DVec2::new(f64::from(area.center().x + at.x), f64::from(area.center().y + at.y)))
 }
 
 /// The middle of a blade, or of a branch.
@@ -106,22 +133,10 @@ fn a_tap_of_a_pen_on_a_branch_picks_it_where_the_window_shows_it() {
     let home = tempfile::tempdir().unwrap();
     let mut editor = daisy(&home);
     let egui = egui::Context::default();
-    let screen_rect = Some(egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1280.0, 800.0)));
-    let frame = |editor: &mut Editor| {
-        let input = egui::RawInput { screen_rect, ..egui::RawInput::default() };
-        let mut output = egui.run_ui(input, |ui| editor.ui(ui, egui::TextureId::default()));
-        output.textures_delta.clear();
-    };
-    frame(&mut editor);
-    let (area, built) = (editor.layout().plant, editor.built().unwrap().clone());
-    let element = (0..built.plant.branches.len()).map(Element::Branch).find(|element| {
-        let at = editor.plant.camera().project(middle(&editor, *element)).unwrap();
-        let ray = editor.plant.ray(at).unwrap();
-        pick(&built.model, &built.plant, &ray).is_some_and(|picked| picked.element == *element)
-    });
-    let element = element.unwrap();
-    let at = editor.plant.camera().project(middle(&editor, element)).unwrap() * area.height();
-    let position = glam::DVec2::new(f64::from(area.center().x + at.x), f64::from(area.center().y + at.y));
+    frame(&mut editor, &egui);
+    let built = editor.built().unwrap().clone();
+    let branches = (0..built.plant.branches.len()).map(Element::Branch);
+    let (element, position) = seen(&editor, branches);
     for phase in [PenPhase::Down, PenPhase::Up] {
         let mut hand = Hand { position, ..Hand::default() };
         editor.plant_pen(&hand.event(phase, PenTool::Pen, 0.0));
@@ -130,7 +145,57 @@ fn a_tap_of_a_pen_on_a_branch_picks_it_where_the_window_shows_it() {
     let begun = Instant::now();
     while editor.canvas.selection().is_empty() {
         assert!(begun.elapsed() < PATIENCE, "nothing is picked");
-        frame(&mut editor);
+        frame(&mut editor, &egui);
     }
     assert_eq!(editor.canvas.selection().ids().iter().copied().collect::<Vec<_>>(), [stroke]);
+}
+
+#[test]
+fn a_plant_beside_is_tapped_and_then_carried_along_the_ground() {
+    let home = tempfile::tempdir().unwrap();
+    let (mut editor, egui) = (daisy(&home), egui::Context::default());
+    editor.perform(Action::AddPlant("hazel".to_owned()));
+    editor.perform(Action::SelectPlant(None));
+    build(&mut editor);
+    frame(&mut editor, &egui);
+    let standing = editor.built().unwrap().beside[0].clone().unwrap();
+    let (_, position) = seen(&editor, standing.branches.map(Element::Branch));
+    let touch = |editor: &mut Editor, phase, tool, by: f64| {
+        let mut hand = Hand { position: position + glam::DVec2::X * by, ..Hand::default() };
+        editor.plant_pen(&hand.event(phase, tool, 0.0));
+    };
+    let before = editor.sketch().plants[0].clone();
+    for tool in [PenTool::Mouse, PenTool::Pen] {
+        touch(&mut editor, PenPhase::Down, tool, 0.0);
+        touch(&mut editor, PenPhase::Move, tool, 30.0);
+        touch(&mut editor, PenPhase::Up, tool, 30.0);
+        assert_eq!(editor.sketch().plants[0], before, "what is not selected stays");
+        editor.plant.show_front();
+        while editor.plant.is_moving() {
+            frame(&mut editor, &egui);
+        }
+        touch(&mut editor, PenPhase::Down, tool, 0.0);
+        touch(&mut editor, PenPhase::Up, tool, 0.0);
+        let begun = Instant::now();
+        while editor.panel_snapshot().beside.selected.is_none() {
+            assert!(begun.elapsed() < PATIENCE, "nothing is picked");
+            frame(&mut editor, &egui);
+        }
+        let camera = editor.plant.camera();
+        touch(&mut editor, PenPhase::Down, tool, 0.0);
+        [10.0, 20.0, 30.0].into_iter().for_each(|by| touch(&mut editor, PenPhase::Move, tool, by));
+        touch(&mut editor, PenPhase::Up, tool, 30.0);
+        assert_eq!(editor.plant.camera(), camera);
+        let after = &editor.sketch().plants[0];
+        // As far as the pointer went, from the front.
+        let pixel = camera.height() / editor.layout().plant.height();
+        let scale = editor.built().unwrap().provenance.world_from_canvas.scale;
+        let by = (after.foot.x - before.foot.x) * scale / pixel;
+        assert!((by - 30.0).abs() < 0.5 && after.foot.y == before.foot.y, "{by} points");
+        editor.perform(Action::Undo);
+        assert_eq!(editor.sketch().plants[0], before, "one drag is one step");
+        editor.perform(Action::SelectPlant(None));
+        build(&mut editor);
+        frame(&mut editor, &egui);
+    }
 }

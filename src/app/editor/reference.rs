@@ -6,8 +6,8 @@
 
 use super::Editor;
 use super::reference_hold::{Frame, GRIP, Hold, corners, drag};
-use crate::app::action::CanvasTool;
 use crate::app::canvas::transform::TURN_HANDLE_DISTANCE;
+use crate::app::canvas_tool::CanvasTool;
 use crate::pen::{PenEvent, PenPhase};
 use crate::sketch::{Change, Picture, Reference};
 use glam::{DVec2, Vec2};

@@ -3,7 +3,8 @@
 use super::icons::Icon;
 use super::snapshot::{MenuOf, PartMenu, Snapshot};
 use super::widgets::{CAPTIONED, IconButton, card, note, palette};
-use crate::app::action::{Action, CanvasTool, Mirror};
+use crate::app::action::Action;
+use crate::app::canvas_tool::{CanvasTool, Mirror};
 use crate::app::messages::{Messages, Msg};
 use crate::app::theme::TOOL;
 use crate::sketch::Tool;

@@ -3,10 +3,12 @@
 use super::icons::Icon;
 use super::snapshot::{Dialog, Snapshot};
 use super::widgets::{IconButton, menu_line, note, palette, segments, text_button};
-use crate::app::action::{Action, CanvasTool};
+use crate::app::action::Action;
+use crate::app::canvas_tool::CanvasTool;
 use crate::app::fonts;
 use crate::app::messages::{Language, Messages, Msg};
-use crate::app::settings::{Handedness, Stabiliser, ThemeChoice};
+use crate::app::settings::{Handedness, ThemeChoice};
+use crate::app::stabiliser::Stabiliser;
 use crate::app::theme::{TARGET, TOOL};
 use crate::sketch::Tool;
 use egui::{Align, Align2, Key, Layout, Popup, PopupCloseBehavior, Rect, ScrollArea, TextStyle, Ui, vec2};

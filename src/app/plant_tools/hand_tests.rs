@@ -1,4 +1,4 @@
-//! Pens in the view of the plant.
+//! Pointers in the view of the plant.
 
 use super::*;
 use crate::pen::PenButtons;
@@ -37,7 +37,8 @@ fn view() -> PlantView {
 }
 
 fn play(hand: &mut PlantHand, view: &mut PlantView, events: &[PenEvent], shift: bool) {
-    events.iter().for_each(|event| hand.event(event, shift, view));
+    let keys = Keys { shift, ..Keys::default() };
+    events.iter().for_each(|event| hand.event(event, keys, view));
 }
 
 /// Sends on every sample that it gets.
@@ -98,8 +99,82 @@ fn a_second_tap_shows_the_front_and_a_touch_that_is_taken_away_picks_nothing() {
     play(&mut hand, &mut view, &stroke(0.1), false);
     assert!(!view.has_click() && view.is_moving());
     let (mut hand, mut view) = (PlantHand::default(), self::view());
-    hand.event(&event(PenPhase::Down, 40.0, 0.5, Vec2::ZERO), false, &mut view);
-    hand.event(&event(PenPhase::Cancel, 40.0, 0.5, Vec2::ZERO), false, &mut view);
-    hand.event(&event(PenPhase::Up, 40.0, 0.5, Vec2::ZERO), false, &mut view);
+    hand.event(&event(PenPhase::Down, 40.0, 0.5, Vec2::ZERO), Keys::default(), &mut view);
+    hand.event(&event(PenPhase::Cancel, 40.0, 0.5, Vec2::ZERO), Keys::default(), &mut view);
+    hand.event(&event(PenPhase::Up, 40.0, 0.5, Vec2::ZERO), Keys::default(), &mut view);
     assert!(!view.has_click());
+}
+
+/// The same stroke by another pointer.
+fn by(tool: PenTool, mut events: Vec<PenEvent>) -> Vec<PenEvent> {
+    events.iter_mut().for_each(|event| event.sample.tool = tool);
+    events
+}
+
+#[test]
+fn mice_and_fingers_go_the_way_of_pens() {
+    for tool in [PenTool::Mouse, PenTool::Finger(3)] {
+        let (mut hand, mut view) = (PlantHand::default(), view());
+        let before = view.camera();
+        play(&mut hand, &mut view, &by(tool, stroke(3.0)), false);
+        assert_ne!(view.camera().yaw_deg, before.yaw_deg, "{tool:?}");
+        play(&mut hand, &mut view, &by(tool, stroke(0.1)), false);
+        assert!(view.has_click(), "{tool:?}");
+    }
+}
+
+#[test]
+fn a_mouse_moves_the_camera_with_its_other_buttons() {
+    let (mut hand, mut view) = (PlantHand::default(), view());
+    let before = view.camera();
+    let mut events = by(PenTool::Mouse, stroke(3.0));
+    for (k, event) in events.iter_mut().enumerate() {
+        event.phase = PenPhase::Hover;
+        event.sample.buttons = PenButtons { secondary: k < 10, ..PenButtons::default() };
+    }
+    play(&mut hand, &mut view, &events, false);
+    let after = view.camera();
+    assert!(after.target != before.target && after.yaw_deg == before.yaw_deg);
+    play(&mut hand, &mut view, &by(PenTool::Mouse, stroke(0.1)), false);
+    assert!(view.has_click(), "the button was let go");
+}
+
+#[test]
+fn two_fingers_move_zoom_and_turn_together() {
+    let (mut hand, mut view) = (PlantHand::default(), view());
+    let before = view.camera();
+    let at = |phase, finger: u64, x: f64, y: f64| {
+        let mut event = event(phase, x, 0.5, Vec2::ZERO);
+        (event.sample.tool, event.sample.position, event.sample.time_ms) =
+            (PenTool::Finger(finger), DVec2::new(x, y), 0.0);
+        event
+    };
+    let down = [at(PenPhase::Down, 1, 100.0, 100.0), at(PenPhase::Down, 2, 200.0, 100.0)];
+    let apart = [at(PenPhase::Move, 2, 280.0, 100.0), at(PenPhase::Move, 2, 300.0, 100.0)];
+    play(&mut hand, &mut view, &down, false);
+    play(&mut hand, &mut view, &apart, false);
+    let zoomed = view.camera();
+    assert!(zoomed.distance < before.distance && zoomed.yaw_deg == before.yaw_deg);
+    play(&mut hand, &mut view, &[at(PenPhase::Move, 2, 300.0, 160.0)], false);
+    assert_ne!(view.camera().yaw_deg, zoomed.yaw_deg);
+    play(
+        &mut hand,
+        &mut view,
+        &[at(PenPhase::Up, 2, 300.0, 160.0), at(PenPhase::Up, 1, 100.0, 100.0)],
+        false,
+    );
+    assert!(!view.has_click(), "that was no tap");
+}
+
+#[test]
+fn what_is_selected_is_carried_and_not_turned() {
+    let (mut hand, mut view) = (PlantHand::default(), view());
+    let before = view.camera();
+    let keys = Keys { over_carried: true, shift: false };
+    for event in stroke(3.0) {
+        hand.event(&event, keys, &mut view);
+    }
+    let (from, to) = view.take_carried().unwrap();
+    assert_eq!((from.x, to.x, view.take_carried()), (40.0, 70.0, None));
+    assert_eq!(view.camera(), before);
 }

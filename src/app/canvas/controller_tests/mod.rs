@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::app::canvas::overlay::{CursorShape, Preview};
-use crate::app::canvas::stroke_builder::Stabiliser;
 use crate::app::canvas::transform::Handle;
+use crate::app::stabiliser::Stabiliser;
 use crate::pen::tests::{Hand, random_hand};
 use crate::sketch::change::StrokeChange;
 use crate::sketch::{StrokeId, StrokePoint};

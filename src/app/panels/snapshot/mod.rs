@@ -3,26 +3,24 @@
 //! [`Snapshot`] is the whole; its parts stand in a file each.
 
 mod beside;
-mod dialog;
-mod export;
-mod notice;
 mod params;
 mod pen;
 mod status;
-mod view;
 
 pub use beside::{BesideState, PlantState};
-pub use dialog::{Dialog, PathPurpose, PathRequest, Recovered};
-pub use export::{ExportChoice, ExportFormat};
-pub use notice::{Notice, Severity};
 pub use params::ParamValues;
 pub use pen::{PenLive, PenState};
 pub use status::{Autosave, Found, PenUsed, Status, Task};
-pub use view::{LightChoice, ReferenceState, Shading, ViewState};
 
-use crate::app::action::CanvasTool;
+pub use crate::app::dialog::{Dialog, PathPurpose, PathRequest, Recovered};
+pub use crate::app::export_choice::{ExportChoice, ExportFormat};
+pub use crate::app::notice::{Notice, Severity};
+pub use crate::app::view_state::{LightChoice, ReferenceState, Shading, ViewState};
+
+use crate::app::canvas_tool::CanvasTool;
 use crate::app::presets::Listed;
-use crate::app::settings::{Handedness, Settings, Stabiliser, ThemeChoice};
+use crate::app::settings::{Handedness, Settings, ThemeChoice};
+use crate::app::stabiliser::Stabiliser;
 use crate::growth::habit::Resource;
 use crate::sketch::{StrokeId, Textures, Tool};
 use std::path::PathBuf;

@@ -1,26 +1,24 @@
-//! Moves the camera beside the plant.
+//! Carries the plant that was taken hold of; where to, the editor makes of it.
 
 use crate::app::plant_view::PlantView;
 use crate::app::tool::Tool;
 use crate::pen::PenSample;
 use glam::DVec2;
 
-/// Moves the camera; what was moved stays.
+/// Hands on from where to where the pointer moves.
 #[derive(Debug, Default)]
-pub(super) struct Pan {
+pub(super) struct Carry {
     last: DVec2,
 }
 
-impl Tool<PlantView> for Pan {
+impl Tool<PlantView> for Carry {
     fn begin(&mut self, sample: &PenSample, _: &mut PlantView) {
         self.last = sample.position;
     }
 
     fn sample(&mut self, sample: &PenSample, view: &mut PlantView) {
         let from = std::mem::replace(&mut self.last, sample.position);
-        if from != sample.position {
-            view.pan(sample.position - from);
-        }
+        view.carry(from, sample.position);
     }
 
     fn end(&mut self, sample: &PenSample, view: &mut PlantView) {
