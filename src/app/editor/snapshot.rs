@@ -98,12 +98,15 @@ impl Editor {
         about.map(|warning| warning.remark.localize(self.prefs.messages())).collect()
     }
 
-    /// What the plant lacks of what was drawn for it last, by what it was drawn as.
+    /// What a plant beside the drawn one lacks, or else this one of what was drawn for it last, by what it was drawn as.
     fn shortfall(&self) -> Option<String> {
         let lacking = self.live.warnings().iter().rfind(|warning| warning.remark.is_shortfall())?;
+        let remark = lacking.remark.localize(self.prefs.messages());
+        if matches!(lacking.remark, Remark::OfPlant { .. }) {
+            return Some(remark);
+        }
         let stroke = self.sketch().strokes.iter().rfind(|s| Some(s.id) == lacking.stroke)?;
         let part = self.prefs.messages().get(toolbar::name_of(stroke.tool));
-        let remark = lacking.remark.localize(self.prefs.messages());
         Some(self.prefs.messages().fill(Msg::WarningPart, &[("part", &part), ("remark", &remark)]))
     }
 

@@ -47,3 +47,16 @@ fn an_outline_without_a_branch_is_told_until_there_is_one() {
     assert_eq!(editor.panel_snapshot().status.shortfall, None);
     assert!(editor.panel_snapshot().remarks.is_empty());
 }
+
+#[test]
+fn a_plant_beside_that_cannot_stand_is_told() {
+    let home = tempfile::tempdir().unwrap();
+    let places = Places { config: home.path().join("config"), state: home.path().join("state") };
+    let mut editor = Editor::open_in(places, None, || ()).unwrap();
+    editor.prefs.speak(Language::English);
+    editor.perform(Action::New);
+    editor.perform(Action::AddPlant("daisy".to_owned()));
+    build(&mut editor);
+    let told = editor.panel_snapshot().status.shortfall.unwrap();
+    assert!(told.starts_with("plant 1 (`Daisy`): no species of this name grows"), "{told}");
+}
