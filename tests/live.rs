@@ -4,6 +4,7 @@
 
 use crate::drawings;
 use glam::{Vec2, Vec3};
+use penstemon::anatomy::{self, AnatomyParams};
 use penstemon::model::Model;
 use penstemon::pipeline::{self, Ages, Built, Cache, Seed};
 use penstemon::plant::{OrganKind, Shape};
@@ -186,6 +187,41 @@ proptest! {
                 assert_same(&live(&mut cache, &drawing), &fresh(&drawing));
             }
             sketch.strokes.push(growing.into());
+        }
+    }
+}
+
+/// Branches that meet in one spot, some of them on whole pixels so that many lie equally near, with leaves and petals among
+/// them.
+fn crowd(count: usize) -> Sketch {
+    let stroke = |k: usize| {
+        let (root, out) =
+            (Vec2::splat(500.0), Vec2::from_angle(k as f32 * 0.618) * (100.0 + (k % 89) as f32));
+        match k % 5 {
+            0 => (Tool::Leaf, drawings::blade(root + 0.7 * out, root + out, 0.3)),
+            1 => (Tool::Petal, drawings::blade(root + 0.9 * out, root + 1.1 * out, 0.4)),
+            2 => (Tool::Branch, drawings::curve(root.round(), (root + out).round(), 0.0)),
+            _ => (Tool::Branch, drawings::curve(root + 0.01 * out, root + out, 0.1)),
+        }
+    };
+    drawings::sketch((0..count).map(stroke))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(6))]
+
+    #[test]
+    fn edits_of_a_crowd_give_the_anatomy_that_a_fresh_analysis_gives(
+        count in 150usize..500,
+        edits in prop::collection::vec((0u8..8, 0usize..1000, -30.0f32..30.0), 1..8),
+    ) {
+        let (mut cache, params) = (anatomy::Cache::default(), AnatomyParams::default());
+        let mut sketch = crowd(count);
+        for (what, which, by) in edits {
+            // Half of the edits are by whole pixels, so that more lies equally near.
+            edit(&mut sketch, (what % 4, which, if which % 2 == 0 { by.round() } else { by }));
+            let live = anatomy::analyse_with(&mut cache, &sketch, &params, &|| false);
+            prop_assert_eq!(live, Some(anatomy::analyse(&sketch, &params)));
         }
     }
 }

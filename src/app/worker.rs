@@ -12,7 +12,7 @@
 use super::priority;
 use crate::anatomy::Part;
 use crate::growth::overlay::Wanted;
-use crate::model::KnownBounds;
+use crate::model::{Measure, Measures};
 use crate::pipeline::{self, Built, Cache, SetupError};
 use crate::sketch::{Sketch, Stroke, StrokeId, StrokePoint, Tool};
 use crate::species::Species;
@@ -111,12 +111,12 @@ pub struct Counts {
 
 impl Counts {
     /// Counts, which takes as long as the plant is large.
-    pub fn of(built: &Built) -> Self {
+    pub fn of(built: &Built, measure: &Measure) -> Self {
         let has = |part: Part| built.anatomy.marks.iter().any(|mark| mark.part == part);
         Self {
             flowers: built.plant.flowers.len(),
-            vertices: built.model.vertex_count(),
-            triangles: built.model.triangle_count(),
+            vertices: measure.vertices,
+            triangles: measure.triangles,
             branch_levels: built.anatomy.branches.iter().map(|b| b.level + 1).max().unwrap_or(0),
             petals: has(Part::Petal),
             leaves: has(Part::Leaf),
@@ -230,7 +230,7 @@ impl Drop for Worker {
 #[derive(Default)]
 struct Bench {
     cache: Cache,
-    bounds: KnownBounds,
+    measures: Measures,
     species: Option<(Option<String>, PathBuf, Species)>,
 }
 
@@ -244,7 +244,8 @@ fn work(shared: &Shared, wake: &dyn Fn()) {
         let (mut counts, mut bounds) = (Counts::default(), None);
         let result = match std::panic::catch_unwind(build) {
             Ok(Ok(Some(built))) => {
-                (counts, bounds) = (Counts::of(&built), bench.bounds.of(&built.model));
+                let measure = bench.measures.of(&built.model);
+                (counts, bounds) = (Counts::of(&built, &measure), measure.bounds);
                 Ok(Arc::new(built))
             }
             Ok(Ok(None)) => continue,

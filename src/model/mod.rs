@@ -19,12 +19,11 @@
 //! | `afford` | how fine a plant can be |
 //! | `recipe`, `cache` | which parts are the same as last time |
 //! | `quality`, `topology`, `crossing` | what is wrong with a mesh |
-//! | `bounds` | the corners of a model, kept from one to the next |
+//! | `measure` | what there is of a model and how far it reaches, meshes measured once |
 //! | `pick` | which branch or organ a ray meets |
 
 mod afford;
 mod blade;
-mod bounds;
 mod build;
 mod cache;
 pub mod copies;
@@ -37,6 +36,7 @@ mod interior;
 pub mod invariants;
 mod joint;
 mod limbs;
+mod measure;
 pub mod mesh;
 mod midline;
 mod organs;
@@ -61,12 +61,12 @@ mod tube;
 mod wood;
 
 pub use afford::affordable;
-pub use bounds::KnownBounds;
 pub use build::{build, rebuild};
 pub use cache::Cache;
 pub use copies::{Copies, Placement};
 pub use flat::{BladeMeshParams, PlanarGraph, TriangulationScratch, triangulation_input};
 pub use instances::{InstanceGroup, InstancedModel, Pose};
+pub use measure::{Measure, Measures};
 pub use mesh::{Mesh, Vertex};
 pub use params::ModelParams;
 pub use solids::SolidParams;
