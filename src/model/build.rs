@@ -42,7 +42,7 @@ struct Workshop<'a> {
 /// Builds the meshes of a plant that keeps its invariants.
 pub fn build(plant: &FinishedPlant, params: &ModelParams) -> Model {
     // Nothing stops it, so there is a model.
-    rebuild(plant, params, &mut Cache::default(), &|| false).unwrap_or_default()
+    rebuild(plant, params, &mut Cache::for_one_build(), &|| false).unwrap_or_default()
 }
 
 /// Builds the same model as [`build`], taking from the cache what has not changed since it was last used. `stop` is
@@ -57,10 +57,17 @@ pub fn rebuild(
     let mut plans = parts::plan(plant, params);
     let workshop = Workshop::new(plant, params, cache);
     workshop.take_copies(&mut plans);
-    let (known, round) = (&cache.meshes, cache.round);
+    let (known, round, is_for_one_build) = (&cache.meshes, cache.round, cache.is_for_one_build);
     let make = |scratch: &mut Scratch, plan: &Plan| {
         if stop() {
             return None;
+        }
+        if is_for_one_build {
+            return Some(Made {
+                hash: 0,
+                recipe: None,
+                mesh: Arc::new(workshop.mesh(&plan.source, scratch)),
+            });
         }
         workshop.write_recipe(&plan.source, &mut scratch.recipe);
         let hash = scratch.recipe.hash();

@@ -22,6 +22,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// What was built before.
 #[derive(Debug, Default)]
 pub struct Cache {
+    /// Whether there is no next build, so that recipes of parts need not be written.
+    pub(super) is_for_one_build: bool,
     params: ModelParams,
     pub(super) round: u64,
     pub(super) meshes: Shelf<Arc<Mesh>>,
@@ -39,6 +41,11 @@ pub(super) struct FlatTemplate {
 }
 
 impl Cache {
+    /// A cache for a single build, which keeps no meshes of parts.
+    pub fn for_one_build() -> Self {
+        Self { is_for_one_build: true, ..Self::default() }
+    }
+
     /// How many meshes it holds.
     pub fn len(&self) -> usize {
         self.meshes.held.len()
@@ -90,7 +97,7 @@ impl Cache {
     pub(super) fn keep(&mut self, Made { hash, recipe, mesh }: Made) -> Arc<Mesh> {
         match recipe {
             Some(recipe) => self.meshes.keep(hash, recipe, mesh, self.round),
-            // It was marked as used when it was found.
+            // What was found was marked as used then.
             None => mesh,
         }
     }
@@ -99,7 +106,7 @@ impl Cache {
 /// The mesh of one part, on its way into the cache.
 pub(super) struct Made {
     pub(super) hash: u64,
-    /// None where the mesh came out of the cache.
+    /// None where the mesh came out of the cache or is not to be kept.
     pub(super) recipe: Option<WrittenRecipe>,
     pub(super) mesh: Arc<Mesh>,
 }
