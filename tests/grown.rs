@@ -7,7 +7,7 @@
 use glam::Vec3;
 use penstemon::growth::{Habit, Limits, Outcome, Simulation, plant_at};
 use penstemon::pipeline::{self, Built, Seed};
-use penstemon::plant::{FinishedPlant, Plant, Provenance};
+use penstemon::plant::{Branch, FinishedPlant, Plant, Provenance};
 use penstemon::species::{self, Species};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -33,6 +33,42 @@ fn grown(name: &str, age: f32) -> (Simulation, FinishedPlant) {
     let plant = species::apply(plant_at(&simulation, age), &Provenance::default(), &species, 1).plant;
     plant.check_invariants().unwrap();
     (simulation, plant)
+}
+
+/// The distance of a point from a branch's axis, in radii of the branch there.
+fn off_axis(branch: &Branch, p: Vec3) -> f32 {
+    let off = |k: usize| {
+        let (from, along) = (branch.points[k], branch.points[k + 1] - branch.points[k]);
+        let share = ((p - from).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+        let radius = branch.radii[k] + (branch.radii[k + 1] - branch.radii[k]) * share;
+        p.distance(from + along * share) / radius
+    };
+    (0..branch.points.len() - 1).map(off).fold(f32::INFINITY, f32::min)
+}
+
+/// No twig hangs in the air: every branch begins inside of the wood that carries it, at every age, on the ground too.
+#[test]
+fn every_branch_begins_inside_of_its_parent() {
+    let check = |what: &str, plant: &Plant| {
+        let carried = |branch: &Branch| Some((branch.parent?, branch.points[0]));
+        let feet = plant.branches.iter().filter_map(carried);
+        let off = feet.map(|(parent, foot)| off_axis(&plant.branches[parent], foot)).fold(0.0, f32::max);
+        assert!(off < 1.0, "{what}: a branch begins {off} radii from the axis of its parent");
+    };
+    Species::growing().into_par_iter().for_each(|name| {
+        let (oldest, plant) = full_grown(name);
+        check(name, plant);
+        let species = Species::built_in(name).unwrap();
+        for seed in 1..=3 {
+            let mut younger = Simulation::new(species.growth.as_ref().unwrap(), seed, Limits::default());
+            for age in [2u16, 3, 5, 8, 12].into_iter().filter(|age| *age < oldest.age()) {
+                younger.grow_to(age, &|| false);
+                let plant = plant_at(&younger, f32::from(age));
+                let plant = species::apply(plant, &Provenance::default(), &species, seed).plant;
+                check(&format!("{name} of {age} years, seed {seed}"), &plant);
+            }
+        }
+    });
 }
 
 fn size(plant: &Plant) -> Vec3 {

@@ -19,8 +19,7 @@ const CURL: f32 = 0.15;
 
 /// Lifts wood and leaves that would stand below the ground.
 pub(super) fn keep_above(plant: &mut Plant) {
-    // Drawn wood stays where it was drawn; the ground is as low as that.
-    plant.branches.iter_mut().filter(|branch| !branch.origin.is_drawn()).for_each(lift_branch);
+    lift_wood(&mut plant.branches);
     for organ in plant.organs.iter_mut().filter(|organ| organ.kind() == OrganKind::Leaf) {
         match &mut organ.shape {
             Shape::Blade(blade) if blade.rest == RestSurface::Plane => {
@@ -29,6 +28,38 @@ pub(super) fn keep_above(plant: &mut Plant) {
             _ => {}
         }
     }
+}
+
+/// Lifts branches, and the feet of what they carry with them. Drawn wood stays where it was drawn; the ground is as low as
+/// that.
+fn lift_wood(branches: &mut [Branch]) {
+    // Where those that were lifted stood before.
+    let mut before: Vec<Option<Vec<Vec3>>> = Vec::with_capacity(branches.len());
+    for index in 0..branches.len() {
+        let (carriers, others) = branches.split_at_mut(index);
+        let branch = &mut others[0];
+        let stood = (!branch.origin.is_drawn()).then(|| branch.points.clone());
+        if stood.is_some() {
+            let carrier = branch.parent.and_then(|p| Some((before[p].as_deref()?, &carriers[p].points)));
+            if let Some((stood, stands)) = carrier {
+                let lift = lift_at(stood, stands, branch.points[0]);
+                branch.points[0] += lift;
+            }
+            lift_branch(branch);
+        }
+        before.push(stood.filter(|stood| *stood != branch.points));
+    }
+}
+
+/// By how much a line of at least two points was lifted where it came nearest to a point.
+fn lift_at(stood: &[Vec3], stands: &[Vec3], p: Vec3) -> Vec3 {
+    let share = |k: usize| {
+        let along = stood[k + 1] - stood[k];
+        ((p - stood[k]).dot(along) / along.length_squared().max(f32::MIN_POSITIVE)).clamp(0.0, 1.0)
+    };
+    let off = |k: &usize| p.distance_squared(stood[*k].lerp(stood[k + 1], share(*k)));
+    let nearest = (0..stood.len() - 1).min_by(|a, b| off(a).total_cmp(&off(b)));
+    nearest.map_or(Vec3::ZERO, |k| (stands[k] - stood[k]).lerp(stands[k + 1] - stood[k + 1], share(k)))
 }
 
 /// Lifts what comes after the foot: a trunk begins below the surface of the ground by half its slant, and a branch within

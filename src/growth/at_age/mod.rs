@@ -1,11 +1,15 @@
 //! The plant of one age: its wood as chains of nodes, cut where there is no room, with leaves and flower buds.
 
+mod aside;
 pub mod bloom;
+mod capsule;
 pub(super) mod chains;
 pub(super) mod diameter;
 pub mod foliage;
+mod fork;
 mod insertion;
 mod pruning;
+mod rounding;
 mod rubbing;
 mod stem_base;
 pub(super) mod to_plant;

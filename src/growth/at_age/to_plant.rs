@@ -1,19 +1,17 @@
 //! A grown tree at an age as a [`Plant`]: chains become branches, young wood gets leaves.
 //!
-//! Chains of more than three nodes are rounded by cubic Hermite pieces with Catmull–Rom tangents (001 §2.4) wherever
-//! they turn noticeably. Trunks widen at their foot.
+//! Chains are rounded ([`rounding`](super::rounding)). Trunks widen at their foot.
 
 use super::bloom;
 use super::chains::{Chain, Chains};
 use super::foliage::{self, Wood};
+use super::rounding::rounded;
 use super::stem_base::StemBase;
 use super::wood_at_age::{WoodAtAge, wood_at_age};
 use crate::growth::simulation::Simulation;
 use crate::plant::{Branch, Origin, Plant, Role, WoodPart};
 use glam::Vec3;
 
-/// Turns with a larger cosine than this need no rounding: 8°.
-const STRAIGHT: f32 = 0.99;
 /// Heights above the ground, in radii of the trunk, at which its foot is modelled.
 const FOOT: [f32; 5] = [0.35, 0.8, 1.4, 2.4, 4.0];
 /// Share of its parent's radius that a branch may begin with.
@@ -30,8 +28,14 @@ pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) 
     let age = if age.is_finite() { age.clamp(0.0, f32::from(simulation.age())) } else { 0.0 };
     let WoodAtAge { chains, at, diameters, grown } = wood_at_age(tree, habit, age);
     let base = StemBase::of(tree, &chains, &diameters);
-    let branch = |(index, chain): (usize, &Chain)| {
-        let mut skeleton = rounded(&skeleton_of(chain, &chains, &at, &diameters));
+    let mut branches: Vec<Branch> = Vec::with_capacity(chains.chains.len());
+    for (index, chain) in chains.chains.iter().enumerate() {
+        let mut skeleton = skeleton_of(chain, &chains, &at, &diameters);
+        if let Some(carrier) = chain.parent {
+            // The carrier's course is rounded where it bends, away from the node that the chain begins at.
+            skeleton[0].0 = nearest(&branches[carrier as usize].points, skeleton[0].0);
+        }
+        let mut skeleton = rounded(&skeleton);
         let parent = match (chain.parent, &base) {
             (Some(parent), _) => Some(parent as usize),
             (None, Some(base)) => base.join(index, &mut skeleton),
@@ -40,9 +44,8 @@ pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) 
         if parent.is_none() {
             skeleton = with_foot(&skeleton, habit.flare);
         }
-        branch_along(skeleton, parent, chain.level)
-    };
-    let branches = chains.chains.iter().enumerate().map(branch).collect();
+        branches.push(branch_along(skeleton, parent, chain.level));
+    }
     let wood = Wood {
         tree,
         chains: &chains,
@@ -83,6 +86,17 @@ fn skeleton_of(chain: &Chain, chains: &Chains, at: &[Vec3], diameters: &[f32]) -
     skeleton
 }
 
+/// The place on a line of at least two points that is nearest to a point.
+fn nearest(line: &[Vec3], p: Vec3) -> Vec3 {
+    let on = |w: &[Vec3]| {
+        let along = w[1] - w[0];
+        let share = (p - w[0]).dot(along) / along.length_squared().max(f32::MIN_POSITIVE);
+        w[0] + along * share.clamp(0.0, 1.0)
+    };
+    let places = line.windows(2).map(on);
+    places.min_by(|a, b| a.distance_squared(p).total_cmp(&b.distance_squared(p))).unwrap_or(p)
+}
+
 /// The branch along a skeleton: points that lie on each other become one, and a single point a short branch.
 fn branch_along(mut skeleton: Vec<(Vec3, f32)>, parent: Option<usize>, level: u32) -> Branch {
     skeleton.dedup_by(|b, a| a.0.distance_squared(b.0) <= (1e-3 * a.1).powi(2));
@@ -97,31 +111,6 @@ fn branch_along(mut skeleton: Vec<(Vec3, f32)>, parent: Option<usize>, level: u3
         radii: skeleton.iter().map(|s| s.1.max(1e-6)).collect(),
         role: Role::of(WoodPart::Stem),
     }
-}
-
-/// Puts a point into every segment that turns at one of its ends.
-fn rounded(skeleton: &[(Vec3, f32)]) -> Vec<(Vec3, f32)> {
-    let count = skeleton.len();
-    if count <= 3 {
-        return skeleton.to_vec();
-    }
-    let at = |k: usize| skeleton[k.min(count - 1)].0;
-    let turns = |k: usize| {
-        let (a, b) = (at(k) - at(k.saturating_sub(1)), at(k + 1) - at(k));
-        k > 0 && k + 1 < count && a.dot(b) < STRAIGHT * a.length() * b.length()
-    };
-    let mut out = Vec::with_capacity(2 * count);
-    for k in 0..count - 1 {
-        out.push(skeleton[k]);
-        if turns(k) || turns(k + 1) {
-            // The Hermite piece half way: tangents are half the way between the neighbours.
-            let (t0, t1) = ((at(k + 1) - at(k.saturating_sub(1))) * 0.5, (at(k + 2) - at(k)) * 0.5);
-            let middle = at(k).midpoint(at(k + 1)) + (t0 - t1) * 0.125;
-            out.push((middle, skeleton[k].1.midpoint(skeleton[k + 1].1)));
-        }
-    }
-    out.push(skeleton[count - 1]);
-    out
 }
 
 /// A trunk with more points near the ground, where it widens.

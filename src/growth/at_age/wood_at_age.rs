@@ -10,6 +10,7 @@
 //! year runs. Which internode goes on at a fork is that of the year's end all through it. Leaves fall in one moment, and
 //! those of an end that was cut are there in one.
 
+use super::aside;
 use super::chains::{self, Chains};
 use super::diameter;
 use super::pruning;
@@ -80,7 +81,8 @@ fn at_the_end(tree: &Tree, habit: &Habit, year: u16) -> WoodAtAge {
     let diameters = diameter::diameters(tree, habit, f32::from(year));
     let (lives, mut places) = (chains::living(tree, year), tree.nodes.at.clone());
     stem_base::gather(tree, &lives, &mut places, &diameters);
-    let (chains, at) = pruning::pruned(tree, lives, &places, &diameters, habit.pipe);
+    let (mut chains, mut at) = pruning::pruned(tree, lives, &places, &diameters, habit.pipe);
+    aside::bend(tree, &mut chains, &mut at, &diameters);
     let grown = vec![1.0; chains.of_node.len()];
     WoodAtAge { chains, at, diameters, grown }
 }
