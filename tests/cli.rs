@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -61,6 +62,12 @@ fn build_writes_every_format_and_check_finds_them_clean() {
     assert_eq!(plant["world_from_canvas"]["origin"].as_array().unwrap().len(), 2);
     assert!(plant["branches"][0]["points"][0].as_array().unwrap().len() == 3);
     assert!(plant["branches"][0]["radii"].as_array().is_some() && plant["organs"].as_array().is_some());
+    // Every blade names a template, and every template is named.
+    let templates = plant["templates"].as_array().unwrap();
+    let blades = plant["organs"].as_array().unwrap().iter().map(|organ| &organ["shape"]["blade"]);
+    let named: BTreeSet<u64> = blades.filter_map(|blade| blade["template"].as_u64()).collect();
+    assert_eq!(named, (0..templates.len() as u64).collect());
+    assert!(templates.iter().all(|template| template["outline"].as_array().unwrap().len() >= 3));
 }
 
 #[test]

@@ -8,9 +8,11 @@
 
 use crate::geom::{convex_hull::convex_hull, simple_loop};
 use glam::Vec2;
+use serde::Serialize;
 
 /// With how much effort blades are made: how finely they are meshed, and whether each has a form of its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Detail {
     /// As finely as it was drawn and with a form of its own: for blades of which each is looked at.
     Full,

@@ -1,6 +1,7 @@
-//! The plant itself as JSON: one branch, flower, organ or material per line, readable and diffable.
+//! The plant itself as JSON: one branch, flower, template, organ or material per line, readable and diffable.
 //!
-//! Top-level keys are the fields of [`Plant`], its materials, to which branches and organs refer by index, and how the
+//! Top-level keys are the fields of [`Plant`], its materials, to which branches and organs refer by index, as blades do to
+//! its templates, and how the
 //! drawing maps to the world; branches and organs have the stroke that drew them from the plant's [`Provenance`]. Numbers
 //! are the shortest that read back the same. World space is metres, y up; `world_from_canvas` tells how the drawing maps to it: x = (x_canvas − origin.x)·scale,
 //! y = (origin.y − y_canvas)·scale.
@@ -10,7 +11,7 @@ use super::exporter::{Encoded, Exporter, Takes};
 use super::scene::{PlantAndProvenance, Scene};
 use crate::plant::{
     Blade, BladeForm, Branch, Cone, Detail, FinishedPlant, Flower, Organ, OrganKind, Plant, Provenance,
-    RestSurface, Shape, Template, Templates,
+    RestSurface, Shape, Template,
 };
 use glam::{Vec2, Vec3};
 use serde::Serialize;
@@ -43,13 +44,14 @@ pub fn to_bytes(plant: &FinishedPlant, provenance: &Provenance) -> Result<Vec<u8
     let with = (plant, provenance);
     let branches: Vec<_> = branches.iter().map(|branch| BranchText::new(branch, with)).collect();
     let flowers: Vec<_> = flowers.iter().map(FlowerText::new).collect();
-    let numbers = numbers(templates);
-    let organs: Vec<_> = organs.iter().map(|organ| OrganText::new(organ, with, &numbers)).collect();
+    let templates: Vec<_> = templates.iter().map(TemplateText::new).collect();
+    let organs: Vec<_> = organs.iter().map(|organ| OrganText::new(organ, with)).collect();
     let mut out = Vec::new();
     out.extend_from_slice(b"{\n\"world_from_canvas\":");
     serde_json::to_writer(&mut out, &provenance.world_from_canvas)?;
     write_list(&mut out, "branches", &branches)?;
     write_list(&mut out, "flowers", &flowers)?;
+    write_list(&mut out, "templates", &templates)?;
     write_list(&mut out, "organs", &organs)?;
     write_list(&mut out, "materials", plant.materials())?;
     out.extend_from_slice(b"\n}\n");
@@ -112,49 +114,49 @@ enum ShapeText<'a> {
     Lathe { base: Vec3, axis: Vec3, profile: &'a [Vec2] },
 }
 
-/// A blade as the file has it: with all that its template says.
+/// A blade as the file has it: with the index of its template.
 #[derive(Serialize)]
 struct BladeText<'a> {
-    outline: &'a [Vec2],
-    curl: &'a [f32],
+    template: usize,
     base: Vec3,
     u: Vec3,
     v: Vec3,
-    length: f32,
     rest: &'a RestSurface,
     form: &'a BladeForm,
-    /// The same for all copies of a template; none for a blade that is the only one.
-    template: Option<u32>,
 }
 
 impl<'a> BladeText<'a> {
-    fn new(blade: &'a Blade, templates: &'a Templates, numbers: &[Option<u32>]) -> Self {
+    fn new(blade: &'a Blade) -> Self {
         let Blade { template, base, u, v, rest, form } = blade;
-        let (of, number) = (&templates[*template], numbers[template.index()]);
-        let (outline, curl, length) = (of.outline(), of.curl(), of.length());
-        Self { outline, curl, base: *base, u: *u, v: *v, length, rest, form, template: number }
+        Self { template: template.index(), base: *base, u: *u, v: *v, rest, form }
     }
 }
 
-/// The number of each template that is meant to have many copies.
-fn numbers(templates: &Templates) -> Vec<Option<u32>> {
-    let mut next = 0..;
-    let number = |template: &Template| match template.detail() {
-        Detail::Full => None,
-        Detail::Reduced => next.next(),
-    };
-    templates.iter().map(number).collect()
+/// What copies of a blade have in common, as the file has it.
+#[derive(Serialize)]
+struct TemplateText<'a> {
+    outline: &'a [Vec2],
+    curl: &'a [f32],
+    length: f32,
+    detail: Detail,
+}
+
+impl<'a> TemplateText<'a> {
+    fn new(template: &'a Template) -> Self {
+        let (outline, curl) = (template.outline(), template.curl());
+        Self { outline, curl, length: template.length(), detail: template.detail() }
+    }
 }
 
 impl<'a> OrganText<'a> {
-    fn new(organ: &'a Organ, (plant, provenance): PlantAndProvenance<'a>, numbers: &[Option<u32>]) -> Self {
+    fn new(organ: &'a Organ, (plant, provenance): PlantAndProvenance<'_>) -> Self {
         let Organ { role, origin, branch, flower, shape } = organ;
         let shape = match shape {
             Shape::Filament { points, radius, head } => {
                 let head_material = plant.material(role.of_head());
                 ShapeText::Filament { points, radius: *radius, head: *head, head_material }
             }
-            Shape::Blade(blade) => ShapeText::Blade(BladeText::new(blade, &plant.templates, numbers)),
+            Shape::Blade(blade) => ShapeText::Blade(BladeText::new(blade)),
             Shape::Dome { base, axis, radius, height } => {
                 ShapeText::Dome { base: *base, axis: *axis, radius: *radius, height: *height }
             }
