@@ -17,7 +17,7 @@
 use super::flat::{BladeMeshParams, FlatBlade};
 use super::mesh::{Mesh, Vertex};
 use super::relief::Relief;
-use super::shapes::{BladeShape, THINNEST};
+use super::shapes::{CopyShape, THINNEST};
 use crate::plant::{ResolvedBlade, RestSurface};
 use glam::{Vec2, Vec3};
 
@@ -57,9 +57,9 @@ pub(super) fn shape(
     flat: &FlatBlade,
     params: &BladeMeshParams,
     scratch: &mut BladeScratch,
-) -> Option<BladeShape> {
+) -> Option<CopyShape> {
     let mesh = mesh(blade, flat, params, scratch)?;
-    Some(BladeShape::new(mesh, flat, half_thickness(blade, flat, flat.size)))
+    Some(CopyShape::blade(mesh, flat, half_thickness(blade, flat, flat.size)))
 }
 
 /// Half the thickness in the middle of a blade that is `size` metres large.

@@ -12,7 +12,7 @@ use super::flat::FlatBlade;
 use super::mesh::Mesh;
 use super::params::ModelParams;
 use super::recipe::{Recipe, WrittenRecipe};
-use super::shapes::BladeShape;
+use super::shapes::CopyShape;
 use crate::kept::NameHasher;
 use std::collections::HashMap;
 use std::hash::BuildHasherDefault;
@@ -28,7 +28,7 @@ pub struct Cache {
     pub(super) round: u64,
     pub(super) meshes: Shelf<Arc<Mesh>>,
     pub(super) templates: Shelf<FlatTemplate>,
-    pub(super) shapes: Shelf<BladeShape>,
+    pub(super) shapes: Shelf<CopyShape>,
     names: u64,
 }
 
@@ -89,7 +89,7 @@ impl Cache {
     }
 
     /// Keeps a shape in the running build.
-    pub(super) fn shape(&mut self, hash: u64, recipe: WrittenRecipe, shape: BladeShape) -> BladeShape {
+    pub(super) fn shape(&mut self, hash: u64, recipe: WrittenRecipe, shape: CopyShape) -> CopyShape {
         self.shapes.keep(hash, recipe, shape, self.round)
     }
 

@@ -1,10 +1,10 @@
-//! Blades that are copies of few shapes: the mesh of each shape once, and where its copies stand.
+//! Organs that are copies of few shapes: the mesh of each shape once, and where its copies stand.
 //!
 //! A crown of fifty thousand leaves has a dozen shapes. They stay shapes and placements from here to the graphics card and
 //! into glTF; whoever needs one surface, as OBJ and the judges of meshes do, asks for [`Model::flattened`].
 //!
-//! A shape stands at the origin, base to tip along y, seen from z. A placement takes x, y and z to the blade's u, its v, and
-//! the direction that it faces times the length of v.
+//! The shape of a blade stands at the origin, base to tip along y, seen from z; that of a solid has its axis along y. A
+//! placement takes x, y and z to u, v, and the direction square to both times the length of v.
 //!
 //! Limits: a copy that is stretched across has its thickness stretched where it is steep.
 

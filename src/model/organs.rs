@@ -1,6 +1,6 @@
 //! Organs to meshes: blades, solids and filaments, one of them or many in one part.
 //!
-//! Blades of one template are triangulated once, before any part is made, and those of one shape bent once. Where a part
+//! Blades of one template are triangulated once, before any part is made, and what has one shape is made once. Where a part
 //! has many copies of few shapes they stay copies; what is left is appended in its order. Where a part has several
 //! materials its triangles are ordered by them.
 
@@ -13,17 +13,17 @@ use super::mesh::Mesh;
 use super::params::ModelParams;
 use super::piece::Piece;
 use super::recipe::{Recipe, RecipeShape, TemplateName};
-use super::shapes::{self, BladeShape, ShapesInCommon};
+use super::shapes::{self, CopyShape, Original, ShapesInCommon};
 use super::solids::{self, Stand};
 use super::tube::TubeScratch;
 
-use crate::plant::{Blade, Detail, Plant, ResolvedBlade, Shape, Template, TemplateId};
+use crate::plant::{Blade, Detail, Plant, Shape, Template, TemplateId};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 /// Shapes that one thread makes at a time.
 const BATCH: usize = 8;
-/// Fewest blades of a part that are kept as copies, and fewest for each shape: fewer are no less as triangles, and each
+/// Fewest organs of a part that are kept as copies, and fewest for each shape: fewer are no less as triangles, and each
 /// shape is a call to the graphics card.
 const FEWEST_COPIES: usize = 16;
 const FEWEST_OF_A_SHAPE: usize = 4;
@@ -42,17 +42,17 @@ pub(super) struct OrganWorkshop<'a> {
     params: &'a ModelParams,
     /// For each template of reduced detail its triangulation.
     templates: Vec<Option<FlatTemplate>>,
-    /// For each organ the number of its shape.
+    /// For each organ the number of its shape, for a filament of that of its head.
     shape_of: Vec<Option<u32>>,
     /// None where a shape has no area.
-    shapes: Vec<Option<BladeShape>>,
+    shapes: Vec<Option<CopyShape>>,
 }
 
 impl<'a> OrganWorkshop<'a> {
     pub(super) fn new(plant: &'a Plant, params: &'a ModelParams, cache: &mut Cache) -> Self {
         let templates = templates(plant, params, cache);
-        let ShapesInCommon { of_organ: shape_of, firsts } = ShapesInCommon::of(plant);
-        let shapes = shapes(&firsts, &templates, params, cache);
+        let ShapesInCommon { of_organ: shape_of, originals } = ShapesInCommon::of(plant);
+        let shapes = shapes(&originals, &templates, params, cache);
         Self { plant, params, templates, shape_of, shapes }
     }
 
@@ -81,10 +81,10 @@ impl<'a> OrganWorkshop<'a> {
             if slot > 0 {
                 mesh.breaks.push(mesh.triangles.len() as u32);
             }
-            for run in pieces.chunk_by(|a, b| self.is_filament(a.0) == self.is_filament(b.0)) {
-                if self.is_filament(run[0].0) {
-                    let pieces = run.iter().map(|&(organ, piece)| (self.shape(organ), piece));
-                    filaments::append(&mut mesh, pieces, &self.params.solid, &mut scratch.tube);
+            for run in pieces.chunk_by(|a, b| self.is_thread(*a) == self.is_thread(*b)) {
+                if self.is_thread(run[0]) {
+                    let threads = run.iter().map(|&(organ, _)| self.shape(organ));
+                    filaments::append(&mut mesh, threads, &self.params.solid, &mut scratch.tube);
                 } else {
                     self.append_bodies(run, &mut mesh, scratch);
                 }
@@ -93,7 +93,7 @@ impl<'a> OrganWorkshop<'a> {
         mesh
     }
 
-    /// Takes the blades that are copies of few shapes out of a part's pieces.
+    /// Takes what is a copy of few shapes out of a part's pieces.
     pub(super) fn take_copies(&self, slots: &mut [Vec<(usize, Piece)>]) -> Option<Copies> {
         if slots.iter().map(Vec::len).sum::<usize>() < FEWEST_COPIES {
             return None;
@@ -104,7 +104,7 @@ impl<'a> OrganWorkshop<'a> {
         let mut others: Vec<Vec<(usize, Piece)>> = vec![Vec::new(); slots.len()];
         for ((pieces, others), slot) in slots.iter().zip(&mut others).zip(0..) {
             for &(organ, piece) in pieces {
-                let Some((shape, placement)) = self.placement(organ) else {
+                let Some((shape, placement)) = self.placement((organ, piece)) else {
                     others.push((organ, piece));
                     continue;
                 };
@@ -122,11 +122,13 @@ impl<'a> OrganWorkshop<'a> {
         Some(Copies { shapes: shapes.map(|shape| shape.mesh.clone()).collect(), placements })
     }
 
-    /// The number of the shape of which an organ is a copy, and where the copy stands.
-    fn placement(&self, organ: usize) -> Option<(u32, Placement)> {
-        let Shape::Blade(blade) = self.shape(organ) else { return None };
+    /// The number of the shape of which a piece is a copy, and where the copy stands.
+    fn placement(&self, (organ, piece): (usize, Piece)) -> Option<(u32, Placement)> {
+        if self.is_thread((organ, piece)) {
+            return None;
+        }
         let number = self.shape_of[organ]?;
-        let placement = self.shapes[number as usize].as_ref()?.placement(blade)?;
+        let placement = self.shapes[number as usize].as_ref()?.placement(self.shape(organ))?;
         Some((number, placement))
     }
 
@@ -134,25 +136,20 @@ impl<'a> OrganWorkshop<'a> {
         &self.plant.organs[organ].shape
     }
 
-    fn is_filament(&self, organ: usize) -> bool {
-        matches!(self.shape(organ), Shape::Filament { .. })
+    fn is_thread(&self, (organ, piece): (usize, Piece)) -> bool {
+        piece == Piece::Body && matches!(self.shape(organ), Shape::Filament { .. })
     }
 
-    /// Appends blades and solids.
+    /// Appends blades, solids and heads.
     fn append_bodies(&self, run: &[(usize, Piece)], mesh: &mut Mesh, scratch: &mut OrganScratch) {
-        for (done, &(organ, _)) in run.iter().enumerate() {
+        for (done, &piece) in run.iter().enumerate() {
             let before = mesh.counts();
-            match self.shape(organ) {
-                Shape::Blade(blade) => self.append_blade((organ, blade), mesh, scratch),
-                Shape::Dome { base, axis, radius, height } => {
-                    let stand = Stand { base: *base, axis: *axis };
-                    take_in(mesh, solids::dome(stand, (*radius, *height), &self.params.solid));
+            if let Some((number, placement)) = self.placement(piece) {
+                if let Some(shape) = &self.shapes[number as usize] {
+                    placement.append(&shape.mesh, mesh);
                 }
-                Shape::Lathe { base, axis, profile } => {
-                    let stand = Stand { base: *base, axis: *axis };
-                    take_in(mesh, solids::lathe(stand, profile, &self.params.solid));
-                }
-                Shape::Filament { .. } => {}
+            } else {
+                self.append_own(self.shape(piece.0), mesh, scratch);
             }
             if done == 0 {
                 mesh.reserve_more(before, run.len() - 1);
@@ -160,30 +157,35 @@ impl<'a> OrganWorkshop<'a> {
         }
     }
 
-    /// Appends the blade of an organ to an empty mesh or to other organs.
-    fn append_blade(&self, (organ, blade): (usize, &Blade), mesh: &mut Mesh, scratch: &mut OrganScratch) {
+    /// Appends what is no copy to an empty mesh or to other organs.
+    fn append_own(&self, shape: &Shape, mesh: &mut Mesh, scratch: &mut OrganScratch) {
+        match shape {
+            Shape::Blade(blade) => take_in(mesh, self.own_blade(blade, scratch)),
+            Shape::Lathe { base, axis, profile } => {
+                let stand = Stand { base: *base, axis: *axis };
+                take_in(mesh, Some(solids::lathe(stand, profile, &self.params.solid)));
+            }
+            // What of these is no copy encloses nothing.
+            Shape::Dome { .. } | Shape::Filament { .. } => {}
+        }
+    }
+
+    /// The mesh of a blade that is no copy.
+    fn own_blade(&self, blade: &Blade, scratch: &mut OrganScratch) -> Option<Mesh> {
         let params = &self.params.blade;
         let resolved = &self.plant.templates.resolve(blade);
-        let Some(FlatTemplate { flat, .. }) = &self.templates[blade.template.index()] else {
-            let waves = flat::waves_of(&blade.form);
-            let flat = flat::flatten(resolved.template, waves, params, &mut scratch.flat);
-            let own = flat.and_then(|flat| blade::mesh(resolved, &flat, params, &mut scratch.blade));
-            return own.into_iter().for_each(|own| take_in(mesh, own));
-        };
-        let Some(flat) = flat.as_ref() else { return };
-        if let Some((number, placement)) = self.placement(organ)
-            && let Some(shape) = &self.shapes[number as usize]
-        {
-            placement.append(&shape.mesh, mesh);
-        } else {
-            let own = blade::mesh(resolved, flat, params, &mut scratch.blade);
-            own.into_iter().for_each(|own| take_in(mesh, own));
+        if let Some(FlatTemplate { flat, .. }) = &self.templates[blade.template.index()] {
+            return blade::mesh(resolved, flat.as_ref().as_ref()?, params, &mut scratch.blade);
         }
+        let waves = flat::waves_of(&blade.form);
+        let flat = flat::flatten(resolved.template, waves, params, &mut scratch.flat)?;
+        blade::mesh(resolved, &flat, params, &mut scratch.blade)
     }
 }
 
 /// Appends a mesh to another, or puts it into its place where that is empty.
-fn take_in(mesh: &mut Mesh, own: Mesh) {
+fn take_in(mesh: &mut Mesh, own: Option<Mesh>) {
+    let Some(own) = own else { return };
     if *mesh == Mesh::default() {
         *mesh = own;
     } else {
@@ -203,25 +205,34 @@ fn templates(plant: &Plant, params: &ModelParams, cache: &mut Cache) -> Vec<Opti
     plant.templates.iter().map(triangulated).collect()
 }
 
-/// The shapes that blades have in common, from the first blade of each, made on all cores.
+/// The shapes that organs have in common, made on all cores.
 fn shapes(
-    firsts: &[(TemplateId, ResolvedBlade<'_>)],
+    originals: &[Original<'_>],
     templates: &[Option<FlatTemplate>],
     params: &ModelParams,
     cache: &mut Cache,
-) -> Vec<Option<BladeShape>> {
+) -> Vec<Option<CopyShape>> {
     let (known, round) = (&cache.shapes, cache.round);
-    let make = |(scratch, recipe): &mut (BladeScratch, Recipe),
-                (id, blade): &(TemplateId, ResolvedBlade<'_>)| {
-        let template = templates[id.index()].as_ref()?;
-        let flat = template.flat.as_ref().as_ref()?;
-        let standing = shapes::standing(blade);
-        recipe.shape(&standing, template.name);
+    let make = |(scratch, recipe): &mut (BladeScratch, Recipe), original: &Original<'_>| {
+        let of_blade = |id: TemplateId| {
+            let template = templates[id.index()].as_ref()?;
+            Some((template.name, template.flat.as_ref().as_ref()?))
+        };
+        match original {
+            Original::Blade(id, blade) => recipe.shape(&shapes::standing(blade), of_blade(*id)?.0),
+            Original::Dome(proportion) => recipe.solid_shape(false, *proportion),
+            Original::Head(proportion) => recipe.solid_shape(true, *proportion),
+        }
         let hash = recipe.hash();
-        let shape = known.get(hash, recipe, round).cloned();
-        let shape = shape.or_else(|| blade::shape(&standing, flat, &params.blade, scratch))?;
+        let shape = known.get(hash, recipe, round).cloned().or_else(|| match original {
+            Original::Blade(id, blade) => {
+                blade::shape(&shapes::standing(blade), of_blade(*id)?.1, &params.blade, scratch)
+            }
+            Original::Dome(proportion) => CopyShape::solid(solids::dome(*proportion, &params.solid)),
+            Original::Head(proportion) => CopyShape::solid(solids::head(*proportion, &params.solid)),
+        })?;
         Some((hash, recipe.written(), shape))
     };
-    let made: Vec<_> = firsts.par_iter().with_min_len(BATCH).map_init(Default::default, make).collect();
+    let made: Vec<_> = originals.par_iter().with_min_len(BATCH).map_init(Default::default, make).collect();
     made.into_iter().map(|made| made.map(|(hash, recipe, shape)| cache.shape(hash, recipe, shape))).collect()
 }

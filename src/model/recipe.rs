@@ -9,6 +9,7 @@
 
 use super::limbs::Twig;
 use super::piece::Piece;
+use super::solids::Proportion;
 use crate::plant::{Blade, Branch, Cone, Detail, ResolvedBlade, RestSurface, Shape, Template};
 use crate::random::mix;
 use glam::{Vec2, Vec3};
@@ -76,6 +77,11 @@ impl Recipe {
     /// The recipe of the shape of a blade that stands at the origin, by the name of its triangulation.
     pub(super) fn shape(&mut self, standing: &ResolvedBlade<'_>, flat: u64) {
         self.begin(3).blade(standing, TemplateName::Flat(flat));
+    }
+
+    /// The recipe of the shape of a dome or of a head of these proportions.
+    pub(super) fn solid_shape(&mut self, is_head: bool, proportion: Proportion) {
+        self.begin(if is_head { 5 } else { 4 }).real(proportion.height());
     }
 
     /// The recipe of pieces of organs that are one part, a group for each material; blades come with what

@@ -1,13 +1,16 @@
-//! What blades are copies of: blades of one template of reduced detail and one form differ only in where they stand, so that one of them
-//! is bent and given thickness, standing at the origin, and the others are placed.
+//! What organs are copies of. Blades of one template of reduced detail and one form differ only in where they stand, so that one
+//! of them is bent and given thickness, standing at the origin, and the others are placed. So are domes and the heads of
+//! filaments: those of one proportion differ in place and size, and one of radius 1 is made.
 //!
-//! Limits: only flat blades. A blade so small, or so far from the origin, that its thickness would drown in the rounding of
-//! its coordinates is no copy: `blade` makes it thicker.
+//! Limits: only flat blades; threads, which all bend in their own way, and lathed bodies are no copies. A blade so small, or
+//! so far from the origin, that its thickness would drown in the rounding of its coordinates is no copy: `blade` makes it
+//! thicker.
 
 use super::copies::Placement;
 use super::flat::FlatBlade;
 use super::mesh::Mesh;
-use crate::plant::{Blade, Detail, Plant, ResolvedBlade, RestSurface, Shape, TemplateId};
+use super::solids::{Proportion, Stand};
+use crate::plant::{Blade, Detail, Organ, Plant, ResolvedBlade, RestSurface, Shape, TemplateId};
 use glam::Vec3;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -15,61 +18,91 @@ use std::sync::Arc;
 /// Half of a blade's thickness is at least this share of its distance from the origin.
 pub(super) const THINNEST: f32 = 4e-6;
 
-/// Template of a blade, and its form bit by bit.
-type Key = (TemplateId, [u32; 7]);
+/// What organs have in common that are copies of one shape: of blades the template, and the form bit by bit.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Key {
+    Blade(TemplateId, [u32; 7]),
+    Dome(Proportion),
+    Head(Proportion),
+}
 
-/// A blade that stands at the origin, u along x and v along y.
+/// What a shape is made from.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Original<'a> {
+    /// The first blade that has it, with the place of its template.
+    Blade(TemplateId, ResolvedBlade<'a>),
+    /// The height of a dome in radii.
+    Dome(Proportion),
+    /// The half length of a head in radii.
+    Head(Proportion),
+}
+
+/// The mesh of a shape. That of a blade stands at the origin, u along x and v along y; that of a solid has its axis along y
+/// and the radius 1.
 #[derive(Clone, Debug)]
-pub(super) struct BladeShape {
+pub(super) struct CopyShape {
     pub(super) mesh: Arc<Mesh>,
-    /// Extent in its plane and half thickness.
-    size: f32,
-    half: f32,
+    /// Extent in its plane and half thickness of a blade.
+    sheet: Option<(f32, f32)>,
 }
 
-impl BladeShape {
-    pub(super) fn new(mesh: Mesh, flat: &FlatBlade, half: f32) -> Self {
-        Self { mesh: Arc::new(mesh), size: flat.size, half }
+impl CopyShape {
+    /// The shape of a blade and half its thickness.
+    pub(super) fn blade(mesh: Mesh, flat: &FlatBlade, half: f32) -> Self {
+        Self { mesh: Arc::new(mesh), sheet: Some((flat.size, half)) }
     }
 
-    /// Where the copy stands that a blade is; `None` for a blade without area, or whose faces would be too near to one
-    /// another. Shape and slot are 0.
-    pub(super) fn placement<T>(&self, blade: &Blade<T>) -> Option<Placement> {
-        let &Blade { base, u, v, .. } = blade;
+    /// The shape of a solid; `None` if it encloses nothing.
+    pub(super) fn solid(mesh: Mesh) -> Option<Self> {
+        (!mesh.triangles.is_empty()).then(|| Self { mesh: Arc::new(mesh), sheet: None })
+    }
+
+    /// Where the copy stands that an organ of this shape is; `None` for one without area, or for a blade whose faces would be
+    /// too near to one another. Shape and slot are 0.
+    pub(super) fn placement(&self, shape: &Shape) -> Option<Placement> {
+        let placement = match shape {
+            Shape::Blade(Blade { base, u, v, .. }) => {
+                Placement { shape: 0, slot: 0, base: *base, u: *u, v: *v }
+            }
+            Shape::Dome { base, axis, radius, .. } => Stand { base: *base, axis: *axis }.placement(*radius),
+            Shape::Filament { points, head, .. } => Stand::of_head(points)?.placement(head.x),
+            Shape::Lathe { .. } => return None,
+        };
+        let Placement { base, u, v, .. } = placement;
         u.cross(v).try_normalize()?;
-        let (across, along) = (u.length(), v.length());
-        let far = base.abs().max_element() + self.size * across.max(along);
-        let is_thick_enough = far.is_finite() && self.half * along >= THINNEST * far;
-        is_thick_enough.then_some(Placement { shape: 0, slot: 0, base, u, v })
+        let is_sound = match self.sheet {
+            None => base.is_finite(),
+            Some((size, half)) => {
+                let (across, along) = (u.length(), v.length());
+                let far = base.abs().max_element() + size * across.max(along);
+                far.is_finite() && half * along >= THINNEST * far
+            }
+        };
+        is_sound.then_some(placement)
     }
 }
 
-/// Which blades of a plant have their shape in common.
+/// Which organs of a plant have their shape in common.
 pub(super) struct ShapesInCommon<'a> {
-    /// For each organ the number of its shape.
+    /// For each organ the number of its shape; for a filament of that of its head.
     pub(super) of_organ: Vec<Option<u32>>,
-    /// For each shape the first blade that has it, with the place of its template.
-    pub(super) firsts: Vec<(TemplateId, ResolvedBlade<'a>)>,
+    /// What each shape is made from.
+    pub(super) originals: Vec<Original<'a>>,
 }
 
 impl<'a> ShapesInCommon<'a> {
     pub(super) fn of(plant: &'a Plant) -> Self {
         let mut known: BTreeMap<Key, u32> = BTreeMap::new();
-        let mut firsts = Vec::new();
-        let mut of_organ = Vec::with_capacity(plant.organs.len());
-        for organ in &plant.organs {
-            let Shape::Blade(blade) = &organ.shape else {
-                of_organ.push(None);
-                continue;
-            };
-            of_organ.push(key(plant, blade).map(|key| {
-                *known.entry(key).or_insert_with(|| {
-                    firsts.push((blade.template, plant.templates.resolve(blade)));
-                    firsts.len() as u32 - 1
-                })
-            }));
-        }
-        Self { of_organ, firsts }
+        let mut originals = Vec::new();
+        let number = |organ: &'a Organ| {
+            let (key, original) = key(plant, &organ.shape)?;
+            Some(*known.entry(key).or_insert_with(|| {
+                originals.push(original);
+                originals.len() as u32 - 1
+            }))
+        };
+        let of_organ = plant.organs.iter().map(number).collect();
+        Self { of_organ, originals }
     }
 }
 
@@ -78,11 +111,25 @@ pub(super) fn standing<'a>(blade: &ResolvedBlade<'a>) -> ResolvedBlade<'a> {
     Blade { base: Vec3::ZERO, u: Vec3::X, v: Vec3::Y, ..*blade }
 }
 
-/// What two blades have in common that are copies of one shape; `None` for one that is no copy.
-fn key(plant: &Plant, blade: &Blade) -> Option<Key> {
-    let is_copy =
-        blade.rest == RestSurface::Plane && plant.templates[blade.template].detail() == Detail::Reduced;
-    is_copy.then(|| (blade.template, blade.form.to_row().map(f32::to_bits)))
+/// What an organ has in common with others of its shape, and what the shape is made from; `None` for one that is no copy.
+fn key<'a>(plant: &'a Plant, shape: &Shape) -> Option<(Key, Original<'a>)> {
+    match shape {
+        Shape::Blade(blade) => {
+            let resolved = plant.templates.resolve(blade);
+            let is_copy = blade.rest == RestSurface::Plane && resolved.template.detail() == Detail::Reduced;
+            let form = blade.form.to_row().map(f32::to_bits);
+            is_copy.then_some((Key::Blade(blade.template, form), Original::Blade(blade.template, resolved)))
+        }
+        Shape::Dome { radius, height, .. } => {
+            let proportion = Proportion::of(*radius, *height)?;
+            Some((Key::Dome(proportion), Original::Dome(proportion)))
+        }
+        Shape::Filament { head, .. } => {
+            let proportion = Proportion::of(head.x, head.y)?;
+            Some((Key::Head(proportion), Original::Head(proportion)))
+        }
+        Shape::Lathe { .. } => None,
+    }
 }
 
 #[cfg(test)]
@@ -90,7 +137,7 @@ mod tests {
     use super::super::blade::{self, BladeScratch};
     use super::super::flat::{BladeMeshParams, FlatScratch, flatten};
     use super::*;
-    use crate::plant::{BladeForm, Template};
+    use crate::plant::{BladeForm, Template, Templates};
     use glam::Vec2;
 
     fn leaf(base: Vec3, u: Vec3, v: Vec3) -> Blade<Arc<Template>> {
@@ -106,7 +153,8 @@ mod tests {
         let (params, scratch) = (BladeMeshParams::default(), &mut BladeScratch::default());
         let flat = flatten(leaf.template, None, &params, &mut FlatScratch::default()).unwrap();
         let shape = blade::shape(&standing(leaf), &flat, &params, scratch).unwrap();
-        let copy = shape.placement(leaf).map(|placement| {
+        let placed = Shape::Blade(leaf.with_template(Templates::default().add(leaf.template.clone())));
+        let copy = shape.placement(&placed).map(|placement| {
             let mut copy = Mesh::default();
             placement.append(&shape.mesh, &mut copy);
             copy

@@ -6,9 +6,10 @@
 //! UV: around and along the profile, 0 to 1; a dome is seen from above, `½ + ½·(x, y)/radius`, so that the picture of
 //! a daisy's disc fits.
 
+use super::copies::Placement;
 use super::mesh::{Mesh, Vertex};
 use crate::geom::frame;
-use glam::{Mat3, Vec2, Vec3};
+use glam::{Vec2, Vec3};
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
 crate::parameters! {
@@ -48,52 +49,56 @@ enum Picture {
     FromAbove,
 }
 
-/// A half ellipsoid, closed underneath.
-pub(super) fn dome(stand: Stand, (radius, height): (f32, f32), params: &SolidParams) -> Mesh {
-    let rows = params.dome_rows;
-    let arc =
-        (0..=rows).map(|i| Vec2::from_angle(FRAC_PI_2 * i as f32 / rows as f32) * Vec2::new(radius, height));
-    let profile: Vec<Vec2> = std::iter::once(Vec2::ZERO).chain(arc).collect();
-    revolved(stand, &profile, params.sides, Picture::FromAbove)
-}
-
-/// An ellipsoid that is shaped once and placed many times.
-pub(super) struct Ellipsoid {
-    size: Vec2,
-    /// Around the origin, with its axis upright.
-    upright: Mesh,
-}
-
-impl Ellipsoid {
-    /// `size` is its radius and half length in metres.
-    pub(super) fn new(size: Vec2, params: &SolidParams) -> Self {
-        let rows = params.head_rows;
-        let arc = (0..=rows).map(|i| Vec2::from_angle(PI * i as f32 / rows as f32 - FRAC_PI_2) * size);
-        let stand = Stand { base: Vec3::ZERO, axis: Vec3::Y };
-        let mut upright = Mesh::default();
-        revolve(&mut upright, stand, &arc.collect::<Vec<_>>(), params.head_sides, Picture::Wrapped);
-        Self { size, upright }
+impl Stand {
+    /// Where the head of a filament along these points stands: at its end, in its direction.
+    pub(super) fn of_head(points: &[Vec3]) -> Option<Self> {
+        let [.., before, end] = *points else { return None };
+        Some(Self { base: end, axis: (end - before).try_normalize().unwrap_or(Vec3::Y) })
     }
 
-    /// Radius and half length in metres.
-    pub(super) fn size(&self) -> Vec2 {
-        self.size
-    }
-
-    /// Appends it around the stand's base.
-    pub(super) fn append(&self, mesh: &mut Mesh, stand: Stand) {
-        let (first_point, first_vertex) = (mesh.points.len() as u32, mesh.vertices.len() as u32);
+    /// The placement of an upright body of radius 1 that becomes one of this radius here.
+    pub(super) fn placement(self, radius: f32) -> Placement {
         // Upright, the hidden side is −z and the side after it −x.
-        let side = frame::hidden_side(stand.axis);
-        let turn = Mat3::from_cols(side.cross(stand.axis), stand.axis, -side);
-        mesh.points.extend(self.upright.points.iter().map(|p| stand.base + turn * *p));
-        mesh.vertices.extend(self.upright.vertices.iter().map(|v| Vertex {
-            point: first_point + v.point,
-            normal: turn * v.normal,
-            uv: v.uv,
-        }));
-        mesh.triangles.extend(self.upright.triangles.iter().map(|t| t.map(|v| first_vertex + v)));
+        let across = frame::hidden_side(self.axis).cross(self.axis);
+        Placement { shape: 0, slot: 0, base: self.base, u: across * radius, v: self.axis * radius }
     }
+}
+
+/// The height of a body in its radii: what bodies have in common that differ only in size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Proportion(u32);
+
+impl Proportion {
+    /// That of a body of a radius and a height; `None` for one that has none to speak of.
+    pub(super) fn of(radius: f32, height: f32) -> Option<Self> {
+        let share = height / radius;
+        (share.is_finite() && share > 0.0).then_some(Self(share.to_bits()))
+    }
+
+    /// The height in radii.
+    pub(super) fn height(self) -> f32 {
+        f32::from_bits(self.0)
+    }
+}
+
+/// Upright at the origin.
+const UPRIGHT: Stand = Stand { base: Vec3::ZERO, axis: Vec3::Y };
+
+/// A half ellipsoid of radius 1, upright at the origin and closed underneath.
+pub(super) fn dome(proportion: Proportion, params: &SolidParams) -> Mesh {
+    let (rows, size) = (params.dome_rows, Vec2::new(1.0, proportion.height()));
+    let arc = (0..=rows).map(|i| Vec2::from_angle(FRAC_PI_2 * i as f32 / rows as f32) * size);
+    let profile: Vec<Vec2> = std::iter::once(Vec2::ZERO).chain(arc).collect();
+    revolved(UPRIGHT, &profile, params.sides, Picture::FromAbove)
+}
+
+/// An ellipsoid of radius 1 around the origin, its axis upright; the proportion is that of its half length.
+pub(super) fn head(proportion: Proportion, params: &SolidParams) -> Mesh {
+    let (rows, size) = (params.head_rows, Vec2::new(1.0, proportion.height()));
+    let arc = (0..=rows).map(|i| Vec2::from_angle(PI * i as f32 / rows as f32 - FRAC_PI_2) * size);
+    let mut mesh = Mesh::default();
+    revolve(&mut mesh, UPRIGHT, &arc.collect::<Vec<_>>(), params.head_sides, Picture::Wrapped);
+    mesh
 }
 
 /// A lathed body; `profile` holds (radius, height) along the outside and back along the inside, metres.
@@ -236,19 +241,21 @@ impl Sweep {
 mod tests {
     use super::*;
 
-    const UPRIGHT: Stand = Stand { base: Vec3::ZERO, axis: Vec3::Y };
+    fn proportion(height: f32) -> Proportion {
+        Proportion::of(1.0, height).unwrap()
+    }
 
     #[test]
     fn a_dome_wears_its_picture_from_above() {
-        let mesh = dome(UPRIGHT, (2.0, 1.0), &SolidParams::default());
+        let mesh = dome(proportion(0.5), &SolidParams::default());
         mesh.check_invariants().unwrap();
         for vertex in &mesh.vertices {
             let p = mesh.points[vertex.point as usize];
-            let from_middle = Vec2::new(p.x, p.z).length() / 2.0;
+            let from_middle = Vec2::new(p.x, p.z).length();
             assert!((vertex.uv.distance(Vec2::splat(0.5)) * 2.0 - from_middle).abs() < 1e-4);
         }
         let top = mesh.points.iter().map(|p| p.y).fold(0.0, f32::max);
-        assert_eq!(top, 1.0);
+        assert_eq!(top, 0.5);
     }
 
     #[test]
@@ -256,7 +263,8 @@ mod tests {
         let axis = Vec3::new(0.6, -0.48, 0.64);
         let base = Vec3::new(1.0, 2.0, 3.0);
         let mut mesh = Mesh::default();
-        Ellipsoid::new(Vec2::new(0.5, 2.0), &SolidParams::default()).append(&mut mesh, Stand { base, axis });
+        let shape = head(proportion(4.0), &SolidParams::default());
+        Stand { base, axis }.placement(0.5).append(&shape, &mut mesh);
         mesh.check_invariants().unwrap();
         for p in mesh.points {
             let (along, off) = ((p - base).dot(axis), (p - base).reject_from_normalized(axis).length());
