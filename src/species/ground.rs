@@ -36,12 +36,12 @@ fn lift_wood(branches: &mut [Branch]) {
     // Where those that were lifted stood before.
     let mut before: Vec<Option<Vec<Vec3>>> = Vec::with_capacity(branches.len());
     for index in 0..branches.len() {
-        let (carriers, others) = branches.split_at_mut(index);
+        let (earlier, others) = branches.split_at_mut(index);
         let branch = &mut others[0];
         let stood = (!branch.origin.is_drawn()).then(|| branch.points.clone());
         if stood.is_some() {
-            let carrier = branch.parent.and_then(|p| Some((before[p].as_deref()?, &carriers[p].points)));
-            if let Some((stood, stands)) = carrier {
+            let parent = branch.parent.and_then(|p| Some((before[p].as_deref()?, &earlier[p].points)));
+            if let Some((stood, stands)) = parent {
                 let lift = lift_at(stood, stands, branch.points[0]);
                 branch.points[0] += lift;
             }

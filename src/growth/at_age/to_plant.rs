@@ -31,9 +31,9 @@ pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) 
     let mut branches: Vec<Branch> = Vec::with_capacity(chains.chains.len());
     for (index, chain) in chains.chains.iter().enumerate() {
         let mut skeleton = skeleton_of(chain, &chains, &at, &diameters);
-        if let Some(carrier) = chain.parent {
-            // The carrier's course is rounded where it bends, away from the node that the chain begins at.
-            skeleton[0].0 = nearest(&branches[carrier as usize].points, skeleton[0].0);
+        if let Some(parent) = chain.parent {
+            // The parent's course is rounded where it bends, away from the node that the chain begins at.
+            skeleton[0].0 = nearest(&branches[parent as usize].points, skeleton[0].0);
         }
         let mut skeleton = rounded(&skeleton);
         let parent = match (chain.parent, &base) {
