@@ -38,16 +38,19 @@ fn lift_wood(branches: &mut [Branch]) {
     for index in 0..branches.len() {
         let (earlier, others) = branches.split_at_mut(index);
         let branch = &mut others[0];
-        let stood = (!branch.origin.is_drawn()).then(|| branch.points.clone());
-        if stood.is_some() {
-            let parent = branch.parent.and_then(|p| Some((before[p].as_deref()?, &earlier[p].points)));
-            if let Some((stood, stands)) = parent {
-                let lift = lift_at(stood, stands, branch.points[0]);
-                branch.points[0] += lift;
-            }
-            lift_branch(branch);
+        let parent = branch.parent.and_then(|p| Some((before[p].as_deref()?, &earlier[p].points)));
+        let is_low = branch.points.iter().zip(&branch.radii).any(|(point, radius)| point.y < *radius);
+        if branch.origin.is_drawn() || !(is_low || parent.is_some()) {
+            before.push(None);
+            continue;
         }
-        before.push(stood.filter(|stood| *stood != branch.points));
+        let own = branch.points.clone();
+        if let Some((stood, stands)) = parent {
+            let lift = lift_at(stood, stands, branch.points[0]);
+            branch.points[0] += lift;
+        }
+        lift_branch(branch);
+        before.push((own != branch.points).then_some(own));
     }
 }
 
