@@ -70,6 +70,11 @@ impl<'a> Wood<'a> {
         std::iter::successors(Some(node), |n| Some(parents[*n as usize]).filter(|p| *p != NONE))
     }
 
+    /// Whether the internode below a node is the first of its chain.
+    pub(super) fn is_first(&self, node: u32) -> bool {
+        self.chains.first(self.chains.of_node[node as usize]) == node
+    }
+
     /// Whether two internodes belong to one chain, or to a chain and the one that carries it.
     pub(super) fn is_joined(&self, i: u32, j: u32) -> bool {
         let (of_i, of_j) = (self.chains.of_node[i as usize], self.chains.of_node[j as usize]);
