@@ -24,6 +24,10 @@ pub(crate) fn scaled(sketch: &Sketch, factor: f32) -> Sketch {
     for point in scaled.strokes.iter_mut().flat_map(|s| &mut Arc::make_mut(s).points) {
         point.position *= factor;
     }
+    for plant in &mut scaled.plants {
+        plant.foot *= factor;
+        plant.height = plant.height.map(|height| height * factor);
+    }
     scaled
 }
 
