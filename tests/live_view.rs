@@ -13,7 +13,7 @@ use penstemon::model::{InstancedModel, Mesh, Model, Part};
 use penstemon::pipeline::{Built, Cache, build, build_with, params_of, species_of};
 use penstemon::plant::Texture;
 use penstemon::render::{
-    Background, Direction, Gpu, Look, Mode, OrbitCamera, Picture, PictureOptions, Projection, Quality,
+    Background, Direction, Gpu, Look, Mode, OrbitCamera, RenderedImage, PictureOptions, Projection, Quality,
     RenderError, Renderer, View, Viewport,
 };
 use penstemon::sketch::{Sketch, Stroke, StrokePoint, Tool};
@@ -66,19 +66,19 @@ pub(crate) fn shot(
     viewport: &mut Viewport,
     camera: &OrbitCamera,
     look: &Look,
-) -> Picture {
+) -> RenderedImage {
     viewport.draw(renderer, camera, look).unwrap();
     viewport.snapshot(renderer).unwrap()
 }
 
-pub(crate) fn keep(name: &str, picture: &Picture) {
+pub(crate) fn keep(name: &str, picture: &RenderedImage) {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("live_view");
     std::fs::create_dir_all(&folder).unwrap();
     std::fs::write(folder.join(format!("{name}.png")), picture.to_png().unwrap()).unwrap();
 }
 
 /// Mean difference of the channels, and the share of pixels that differ by more than `much`, of 255.
-pub(crate) fn difference(a: &Picture, b: &Picture, much: u8) -> (f32, f32) {
+pub(crate) fn difference(a: &RenderedImage, b: &RenderedImage, much: u8) -> (f32, f32) {
     assert_eq!((a.width(), a.height()), (b.width(), b.height()));
     let pairs = || a.pixels().iter().zip(b.pixels()).map(|(a, b)| a.abs_diff(*b));
     let mean = pairs().map(f32::from).sum::<f32>() / a.pixels().len() as f32;
@@ -263,7 +263,7 @@ fn debugging_views_show_parts_and_edges() {
     look.mode = Mode::Wireframe;
     let edges = shot(&renderer, &mut viewport, &camera, &look);
     keep("wireframe", &edges);
-    let count = |picture: &Picture, wanted: &dyn Fn([u8; 4]) -> bool| {
+    let count = |picture: &RenderedImage, wanted: &dyn Fn([u8; 4]) -> bool| {
         picture.pixels().as_chunks::<4>().0.iter().filter(|p| wanted(**p)).count()
     };
     let solid = |p: [u8; 4]| p[3] == 255;
@@ -290,7 +290,7 @@ fn the_panel_moves_the_sun_and_the_theme_darkens_the_sheet() {
     evening.light.sun_temperature_k = 2600.0;
     let evening = shot(&renderer, &mut viewport, &camera, &evening);
     keep("evening", &evening);
-    let warmth = |p: &Picture| {
+    let warmth = |p: &RenderedImage| {
         p.pixels().as_chunks::<4>().0.iter().map(|p| f32::from(p[0]) - f32::from(p[2])).sum::<f32>()
     };
     assert!(warmth(&evening) > warmth(&plain));
@@ -298,7 +298,7 @@ fn the_panel_moves_the_sun_and_the_theme_darkens_the_sheet() {
     night.light.sun_strength = 0.0;
     night.light.sky_strength = 0.3;
     let night = shot(&renderer, &mut viewport, &camera, &night);
-    let brightness = |p: &Picture| {
+    let brightness = |p: &RenderedImage| {
         let seen = p.pixels().as_chunks::<4>().0.iter().filter(|p| p[3] == 255);
         let (sum, count) = seen.fold((0.0, 0.0), |(s, n), p| (s + f32::from(p[1]), n + 1.0));
         sum / count
@@ -368,7 +368,7 @@ fn pixel_of(camera: &OrbitCamera, world: Vec3) -> Vec2 {
 }
 
 /// Pixels that differ, with how much they do.
-fn changes(a: &Picture, b: &Picture) -> Vec<(Vec2, u8)> {
+fn changes(a: &RenderedImage, b: &RenderedImage) -> Vec<(Vec2, u8)> {
     let (a, b) = (a.pixels().as_chunks::<4>().0, b.pixels().as_chunks::<4>().0);
     let by = |(a, b): (&[u8; 4], &[u8; 4])| a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max().unwrap_or(0);
     let at = |k: usize| Vec2::new((k % SIZE.0 as usize) as f32 + 0.5, (k / SIZE.0 as usize) as f32 + 0.5);

@@ -6,7 +6,7 @@ use glam::{Vec2, Vec3, vec3};
 use penstemon::model::{Mesh, Model, Part, PartKind, Vertex};
 use penstemon::plant::{Material, OrganKind, Texture};
 use penstemon::render::{
-    Direction, Gpu, Look, OrbitCamera, Picture, PictureOptions, Projection, RenderError, Renderer, View,
+    Direction, Gpu, Look, OrbitCamera, RenderedImage, PictureOptions, Projection, RenderError, Renderer, View,
     Viewport,
 };
 use penstemon::sketch::{Canvas, Sketch, Stroke, StrokePoint, Tool};
@@ -84,7 +84,7 @@ fn seedling() -> Model {
     ])
 }
 
-fn picture(model: &Model, view: &View, options: &PictureOptions) -> Picture {
+fn picture(model: &Model, view: &View, options: &PictureOptions) -> RenderedImage {
     Renderer::new().unwrap().picture(model, &no_textures, view, options).unwrap()
 }
 
@@ -92,7 +92,7 @@ fn brightness([r, g, b, _]: [u8; 4]) -> f32 {
     (0.2126 * f32::from(r) + 0.7152 * f32::from(g) + 0.0722 * f32::from(b)) / 255.0
 }
 
-fn all_pixels(picture: &Picture) -> impl Iterator<Item = (u32, u32, [u8; 4])> {
+fn all_pixels(picture: &RenderedImage) -> impl Iterator<Item = (u32, u32, [u8; 4])> {
     let width = picture.width();
     (0..).zip(picture.pixels().as_chunks().0).map(move |(i, &p)| (i % width, i / width, p))
 }
@@ -159,8 +159,8 @@ fn a_turntable_shows_all_sides_and_comes_back() {
     let uploaded = renderer.upload(&seedling(), &no_textures).unwrap();
     let mut views: Vec<View> = View::default().turntable(4).collect();
     views.push(View { turn_deg: 360.0, ..View::default() });
-    let frames: Vec<Picture> = renderer.pictures(&uploaded, &views, &SMALL).map(Result::unwrap).collect();
-    let green = |p: &Picture| all_pixels(p).filter(|(_, _, [r, g, _, _])| *g > r.saturating_add(30)).count();
+    let frames: Vec<RenderedImage> = renderer.pictures(&uploaded, &views, &SMALL).map(Result::unwrap).collect();
+    let green = |p: &RenderedImage| all_pixels(p).filter(|(_, _, [r, g, _, _])| *g > r.saturating_add(30)).count();
     assert!(green(&frames[0]) > 10 * green(&frames[1]), "the blade is thin from the side");
     assert!(green(&frames[2]) * 10 > green(&frames[0]) * 9, "and as large from behind");
     let differences = frames[0].pixels().iter().zip(frames[4].pixels()).filter(|(a, b)| a.abs_diff(**b) > 8);
@@ -236,7 +236,7 @@ fn pictured_blade(cut_out: bool) -> Model {
     model([(blade, Material { texture, cut_out, double_sided: true, ..white })])
 }
 
-fn with_texture(model: &Model, colours: &[[u8; 4]], options: &PictureOptions) -> Picture {
+fn with_texture(model: &Model, colours: &[[u8; 4]], options: &PictureOptions) -> RenderedImage {
     let source = |_: &Texture| -> Bytes { Ok(png_column(colours).into()) };
     Renderer::new().unwrap().picture(model, &source, &LEVEL, options).unwrap()
 }

@@ -16,8 +16,8 @@ mod noise;
 mod petal;
 #[path = "../examples/paint_textures/petals.rs"]
 mod petals;
-#[path = "../examples/paint_textures/picture.rs"]
-mod picture;
+#[path = "../examples/paint_textures/indexed_image.rs"]
+mod indexed_image;
 
 use penstemon::species::{builtin_texture, builtin_textures::texture_names};
 

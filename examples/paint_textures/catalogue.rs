@@ -5,7 +5,7 @@ use super::color::{Lab, hex};
 use super::disc::Disc;
 use super::leaf::{Leaf, Marking, Venation};
 use super::petals;
-use super::picture::Picture;
+use super::indexed_image::IndexedImage;
 use glam::Vec2;
 
 /// A texture that can be painted.
@@ -18,8 +18,8 @@ pub(crate) struct Texture {
 
 impl Texture {
     /// Paints it.
-    pub(crate) fn picture(&self) -> Picture {
-        Picture::new(self.size.0, self.size.1, &self.paint)
+    pub(crate) fn picture(&self) -> IndexedImage {
+        IndexedImage::new(self.size.0, self.size.1, &self.paint)
     }
 }
 

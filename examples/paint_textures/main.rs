@@ -12,7 +12,7 @@ mod leaf;
 mod noise;
 mod petal;
 mod petals;
-mod picture;
+mod indexed_image;
 
 use anyhow::Context;
 use std::path::PathBuf;

@@ -8,7 +8,7 @@ use crate::input::Sources;
 use crate::model::Model;
 use crate::pipeline::Built;
 use crate::plant::Texture;
-use crate::render::{Direction, Picture, PictureOptions, Projection, Renderer, View};
+use crate::render::{Direction, RenderedImage, PictureOptions, Projection, Renderer, View};
 use crate::sketch::Sketch;
 use anyhow::{Context as _, Result, bail, ensure};
 use std::borrow::Cow;
@@ -168,7 +168,7 @@ fn render_views(args: &Args, scene: &Scene, renderer: &mut Renderer) -> Result<u
     Ok(bytes)
 }
 
-fn write(path: &Path, picture: &Picture) -> Result<usize> {
+fn write(path: &Path, picture: &RenderedImage) -> Result<usize> {
     let bytes = picture.to_png()?;
     atomic::write_atomically(path, &bytes)?;
     Ok(bytes.len())

@@ -6,7 +6,7 @@
 use super::mesh::Mesh;
 use super::solids::SolidParams;
 use super::spine;
-use super::tube::{self, Picture, TubeLook, TubeScratch};
+use super::tube::{self, Tiling, TubeLook, TubeScratch};
 use crate::plant::Shape;
 
 /// Threads are thin: they may leave their skeleton by half their radius, and end round.
@@ -22,7 +22,7 @@ pub(super) fn append<'a>(
 ) {
     let first = mesh.triangles.len();
     let detail = spine::Detail { of_radius: TOLERANCE, metres: (0.0, f32::INFINITY) };
-    let look = TubeLook { sides: params.filament_sides.max(3), picture: Picture::Whole, tip: TIP, detail };
+    let look = TubeLook { sides: params.filament_sides.max(3), tiling: Tiling::Whole, tip: TIP, detail };
     for shape in shapes {
         let Shape::Filament { points, radius, .. } = shape else { continue };
         tube::append(mesh, points.iter().map(|p| (*p, *radius)), look, scratch);

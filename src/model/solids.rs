@@ -40,13 +40,13 @@ pub(super) struct Stand {
     pub(super) axis: Vec3,
 }
 
-/// How a body of revolution takes its picture.
+/// How the coordinates of a texture are laid onto a body of revolution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Picture {
-    /// Wrapped around the axis.
-    Wrapped,
-    /// Laid on from above.
-    FromAbove,
+enum Projection {
+    /// Around the axis and along the profile.
+    Cylindrical,
+    /// From above, along the axis.
+    Planar,
 }
 
 impl Stand {
@@ -89,7 +89,7 @@ pub(super) fn dome(proportion: Proportion, params: &SolidParams) -> Mesh {
     let (rows, size) = (params.dome_rows, Vec2::new(1.0, proportion.height()));
     let arc = (0..=rows).map(|i| Vec2::from_angle(FRAC_PI_2 * i as f32 / rows as f32) * size);
     let profile: Vec<Vec2> = std::iter::once(Vec2::ZERO).chain(arc).collect();
-    revolved(UPRIGHT, &profile, params.sides, Picture::FromAbove)
+    revolved(UPRIGHT, &profile, params.sides, Projection::Planar)
 }
 
 /// An ellipsoid of radius 1 around the origin, its axis upright; the proportion is that of its half length.
@@ -97,18 +97,18 @@ pub(super) fn head(proportion: Proportion, params: &SolidParams) -> Mesh {
     let (rows, size) = (params.head_rows, Vec2::new(1.0, proportion.height()));
     let arc = (0..=rows).map(|i| Vec2::from_angle(PI * i as f32 / rows as f32 - FRAC_PI_2) * size);
     let mut mesh = Mesh::default();
-    revolve(&mut mesh, UPRIGHT, &arc.collect::<Vec<_>>(), params.head_sides, Picture::Wrapped);
+    revolve(&mut mesh, UPRIGHT, &arc.collect::<Vec<_>>(), params.head_sides, Projection::Cylindrical);
     mesh
 }
 
 /// A lathed body; `profile` holds (radius, height) along the outside and back along the inside, metres.
 pub(super) fn lathe(stand: Stand, profile: &[Vec2], params: &SolidParams) -> Mesh {
-    revolved(stand, profile, params.sides, Picture::Wrapped)
+    revolved(stand, profile, params.sides, Projection::Cylindrical)
 }
 
-fn revolved(stand: Stand, profile: &[Vec2], sides: u32, picture: Picture) -> Mesh {
+fn revolved(stand: Stand, profile: &[Vec2], sides: u32, projection: Projection) -> Mesh {
     let mut mesh = Mesh::default();
-    revolve(&mut mesh, stand, profile, sides, picture);
+    revolve(&mut mesh, stand, profile, sides, projection);
     mesh.split_disagreeing_corners();
     mesh
 }
@@ -152,12 +152,12 @@ struct Sweep {
     /// Unit directions from the axis to the sides.
     around: Vec<Vec3>,
     sides: u32,
-    picture: Picture,
+    projection: Projection,
     widest: f32,
 }
 
 /// Appends the sweep of a profile around an axis, nothing if the profile encloses nothing.
-fn revolve(mesh: &mut Mesh, stand: Stand, profile: &[Vec2], sides: u32, picture: Picture) {
+fn revolve(mesh: &mut Mesh, stand: Stand, profile: &[Vec2], sides: u32, projection: Projection) {
     let profile = closed_profile(profile);
     let last = profile.len() - 1;
     if last < 2 {
@@ -169,7 +169,7 @@ fn revolve(mesh: &mut Mesh, stand: Stand, profile: &[Vec2], sides: u32, picture:
     let direction = |c: Vec2| side * c.x + other * c.y;
     let angles = (0..sides).map(|j| TAU * j as f32 / sides as f32);
     let around = angles.map(|angle| direction(Vec2::from_angle(angle))).collect();
-    let sweep = Sweep { stand, around, sides, picture, widest };
+    let sweep = Sweep { stand, around, sides, projection, widest };
     let length: f32 = profile.windows(2).map(|w| w[0].distance(w[1])).sum();
     let mut first_point = sweep.points(mesh, profile[0]);
     let mut bottom = sweep.row(mesh, profile[0], profile_normals(&profile, 0).1, 0.0, first_point);
@@ -205,9 +205,9 @@ impl Sweep {
         let count = if pole { self.sides } else { self.sides + 1 };
         mesh.vertices.extend((0..count).map(|j| {
             let around = (j as f32 + if pole { 0.5 } else { 0.0 }) / self.sides as f32;
-            let uv = match self.picture {
-                Picture::Wrapped => Vec2::new(around, along.min(1.0)),
-                Picture::FromAbove => {
+            let uv = match self.projection {
+                Projection::Cylindrical => Vec2::new(around, along.min(1.0)),
+                Projection::Planar => {
                     let c = Vec2::from_angle(TAU * around) * (0.5 * p.x / self.widest);
                     (Vec2::splat(0.5) + c).clamp(Vec2::ZERO, Vec2::ONE)
                 }
@@ -246,7 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn a_dome_wears_its_picture_from_above() {
+    fn a_dome_has_its_texture_from_above() {
         let mesh = dome(proportion(0.5), &SolidParams::default());
         mesh.check_invariants().unwrap();
         for vertex in &mesh.vertices {

@@ -48,9 +48,9 @@ const FARTHEST: f32 = 0.002;
 /// Bark shrinks with the branch, but not beyond this share of the radius at its base.
 pub(super) const FINEST_BARK: f32 = 0.3;
 
-/// How a tube takes its picture.
+/// How often a texture repeats on a tube.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Picture {
+pub(super) enum Tiling {
     /// Bark that repeats this many times around, and along as often as keeps it square.
     Bark(f32),
     /// One picture from base to tip.
@@ -61,17 +61,17 @@ pub(super) enum Picture {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TubeLook {
     pub(super) sides: u32,
-    /// What the tube wears.
-    pub(super) picture: Picture,
+    /// How its texture repeats.
+    pub(super) tiling: Tiling,
     /// Length of the end's cone in radii.
     pub(super) tip: f32,
     pub(super) detail: spine::Detail,
 }
 
 impl TubeLook {
-    /// How often the picture repeats around.
+    /// How often the texture repeats around.
     pub(super) fn repeats(&self) -> f32 {
-        if let Picture::Bark(repeats) = self.picture { repeats } else { 1.0 }
+        if let Tiling::Bark(repeats) = self.tiling { repeats } else { 1.0 }
     }
 }
 
@@ -95,7 +95,7 @@ pub(super) fn look(branch: &Branch, params: &TubeParams, plant_size: f32) -> Tub
     let around = TAU * base / (params.bark_width * plant_size);
     TubeLook {
         sides: sides(params.sides, thickness.sqrt()).clamp(fewest, most),
-        picture: Picture::Bark(around.round().clamp(1.0, 8.0)),
+        tiling: Tiling::Bark(around.round().clamp(1.0, 8.0)),
         tip: params.tip,
         detail: spine::Detail {
             of_radius: params.tolerance / quality,
@@ -135,7 +135,7 @@ pub(super) fn append(
     let v = wall(mesh, rings, circle, repeats);
     base_cap(mesh, first.0, rings[0].tangent, circle);
     tip_cap(mesh, end, look, Vec2::new(repeats, v + repeats * look.tip / TAU));
-    if look.picture == Picture::Whole {
+    if look.tiling == Tiling::Whole {
         let whole = 1.0 / (v + repeats * look.tip / TAU);
         let (walls, rest) = mesh.vertices[first.1 as usize..].split_at_mut(count * (k + 1));
         walls

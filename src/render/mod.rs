@@ -1,7 +1,7 @@
 //! Pictures: a [`Model`](crate::model::Model) or a drawing seen by a camera, drawn by wgpu into memory.
 //!
 //! A [`Renderer`] owns the GPU and its pipelines, [`ModelDrawData`] is one uploaded model, and a target is what is
-//! drawn into, so far a [`Picture`]. Each kind of thing that is drawn is a trio of draw data, renderer and a WGSL file
+//! drawn into, so far a [`RenderedImage`]. Each kind of thing that is drawn is a trio of draw data, renderer and a WGSL file
 //! of one name:
 //!
 //! | file | shader | draws |
@@ -28,7 +28,7 @@ pub mod camera;
 pub mod canvas;
 pub mod error;
 pub mod orbit;
-pub mod picture;
+pub mod rendered_image;
 pub mod viewport;
 
 mod arena;
@@ -70,7 +70,7 @@ pub use look::{Background, Look, Mode, Quality};
 pub use material::TextureSource;
 pub use orbit::OrbitCamera;
 pub use overlay::Spot;
-pub use picture::Picture;
+pub use rendered_image::RenderedImage;
 pub use renderer::{ModelDrawData, PictureOptions, Renderer};
 pub use resident::UploadStats;
 pub use viewport::{ShownPicture, Viewport};

@@ -12,7 +12,7 @@ use super::scene::{Scene, SceneLayout, SkyMaps};
 use super::shadow::ShadowRenderer;
 use super::surface::{SurfaceDrawData, SurfaceRenderer};
 use super::target::OffscreenTarget;
-use super::{Picture, RenderError, View};
+use super::{RenderedImage, RenderError, View};
 use crate::model::{Model, Part};
 use crate::sketch::Sketch;
 use bytemuck::Zeroable;
@@ -167,7 +167,7 @@ impl Renderer {
         textures: &TextureSource<'_>,
         view: &View,
         options: &PictureOptions,
-    ) -> Result<Picture, RenderError> {
+    ) -> Result<RenderedImage, RenderError> {
         let model = self.upload(model, textures)?;
         let mut pictures = self.pictures(&model, std::slice::from_ref(view), options);
         pictures.next().unwrap_or(Err(RenderError::Empty { what: "the list of views" }))
@@ -182,7 +182,7 @@ impl Renderer {
         model: &'a ModelDrawData,
         views: &'a [View],
         options: &PictureOptions,
-    ) -> impl Iterator<Item = Result<Picture, RenderError>> + use<'a> {
+    ) -> impl Iterator<Item = Result<RenderedImage, RenderError>> + use<'a> {
         let options = *options;
         let lamps = LightParams::default();
         let aspect = options.width.max(1) as f32 / options.height.max(1) as f32;
@@ -201,7 +201,7 @@ impl Renderer {
         frame: &FrameUniform,
         light: &LightUniform,
         options: &PictureOptions,
-    ) -> Result<Picture, RenderError> {
+    ) -> Result<RenderedImage, RenderError> {
         let target = sized(&mut self.target, &self.gpu, options)?;
         self.scene.set(&self.gpu, frame, light);
         for (i, (lamp, map)) in light.lamps().zip(&self.scene.maps).enumerate() {
@@ -231,7 +231,7 @@ impl Renderer {
     ///
     /// # Errors
     /// An empty drawing, [`RenderError::Size`], or a failure of the driver.
-    pub fn drawing(&mut self, sketch: &Sketch, options: &PictureOptions) -> Result<Picture, RenderError> {
+    pub fn drawing(&mut self, sketch: &Sketch, options: &PictureOptions) -> Result<RenderedImage, RenderError> {
         let ink = InkDrawData::new(&self.gpu, sketch)?;
         let target = sized(&mut self.target, &self.gpu, options)?;
         self.scene.set(&self.gpu, &FrameUniform::paper(), &LightUniform::zeroed());

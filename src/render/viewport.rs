@@ -20,7 +20,7 @@ use super::scene::{Scene, SkyMaps};
 use super::surface::SurfaceRenderer;
 use super::target::{PictureBuffers, Readback};
 use super::{
-    Background, Look, Mode, OrbitCamera, Picture, Quality, RenderError, Renderer, TextureSource, UploadStats,
+    Background, Look, Mode, OrbitCamera, RenderedImage, Quality, RenderError, Renderer, TextureSource, UploadStats,
 };
 use crate::model::Model;
 use glam::{Mat4, Vec3};
@@ -65,8 +65,8 @@ pub struct ShownPicture {
 
 impl ShownPicture {
     /// The same with straight opacity.
-    pub fn picture(&self) -> Picture {
-        Picture::from_premultiplied_rows(self.width, self.height, &self.rows, self.bytes_per_row)
+    pub fn picture(&self) -> RenderedImage {
+        RenderedImage::from_premultiplied_rows(self.width, self.height, &self.rows, self.bytes_per_row)
     }
 }
 
@@ -225,7 +225,7 @@ impl Viewport {
     ///
     /// # Errors
     /// A failure of the driver.
-    pub fn snapshot(&self, renderer: &Renderer) -> Result<Picture, RenderError> {
+    pub fn snapshot(&self, renderer: &Renderer) -> Result<RenderedImage, RenderError> {
         self.read(renderer).map(|shown| shown.picture())
     }
 

@@ -13,7 +13,7 @@ use super::gltf_buffer::{VERTEX_BYTES, accessor, view};
 use super::gltf_instances;
 use super::gltf_materials::push_materials;
 use super::gltf_tree::push_nodes;
-use super::pictures::Pictures;
+use super::image_files::ImageFiles;
 use super::scene::Scene;
 use crate::model::{Mesh, Part};
 use glam::Vec3;
@@ -46,7 +46,7 @@ impl Exporter for Glb {
 
     fn encode(&self, scene: &Scene<'_>) -> Result<Encoded, ExportError> {
         scene.surfaces()?;
-        let pictures = Pictures::of(scene)?;
+        let pictures = ImageFiles::of(scene)?;
         let bodies: Vec<Body<'_>> = bodies(scene).collect();
         let regions = Regions::of(&bodies, gltf_instances::table_bytes(scene), &pictures);
         let mut out = vec![0; HEADER_BYTES + CHUNK_HEADER_BYTES];
@@ -111,7 +111,7 @@ struct Regions {
 }
 
 impl Regions {
-    fn of(bodies: &[Body<'_>], table_bytes: usize, pictures: &Pictures) -> Self {
+    fn of(bodies: &[Body<'_>], table_bytes: usize, pictures: &ImageFiles) -> Self {
         let surfaces = || bodies.iter().map(|body| body.mesh);
         let indices = |narrow| -> usize {
             surfaces().filter(|m| is_narrow(m) == narrow).map(|m| 3 * m.triangles.len()).sum()
@@ -128,7 +128,7 @@ impl Regions {
 fn document(
     scene: &Scene<'_>,
     bodies: &[Body<'_>],
-    pictures: &Pictures,
+    pictures: &ImageFiles,
     regions: &Regions,
 ) -> serde_json::Result<json::Root> {
     let mut root = json::Root::default();
@@ -153,7 +153,7 @@ fn document(
     Ok(root)
 }
 
-fn push_images(root: &mut json::Root, pictures: &Pictures, regions: &Regions) {
+fn push_images(root: &mut json::Root, pictures: &ImageFiles, regions: &Regions) {
     let mut offset = regions.pictures;
     for picture in &pictures.all {
         let view = root.push(view(offset, picture.bytes.len(), None));
@@ -254,7 +254,7 @@ fn local_bounds(body: &Body<'_>) -> (Vec3, Vec3) {
     })
 }
 
-fn write_buffer(out: &mut Vec<u8>, bodies: &[Body<'_>], scene: &Scene<'_>, pictures: &Pictures) {
+fn write_buffer(out: &mut Vec<u8>, bodies: &[Body<'_>], scene: &Scene<'_>, pictures: &ImageFiles) {
     bodies.iter().for_each(|body| write_vertices(out, body));
     for body in bodies.iter().filter(|body| !is_narrow(body.mesh)) {
         out.extend(body.mesh.triangles.iter().flatten().flat_map(|v| v.to_le_bytes()));

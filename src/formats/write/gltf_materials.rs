@@ -4,7 +4,7 @@
 //! highlight that of a microfacet surface ([`Material::roughness`]); what else a material has is in `gltf_extensions.rs`.
 //! `Ka` has no place: ambient light is the viewer's.
 
-use super::{Pictures, Scene};
+use super::{ImageFiles, Scene};
 use crate::formats::gltf_extensions;
 use crate::plant::Material;
 use gltf_json as json;
@@ -17,7 +17,7 @@ use std::collections::BTreeSet;
 pub(super) fn push_materials(
     root: &mut json::Root,
     scene: &Scene<'_>,
-    pictures: &Pictures,
+    pictures: &ImageFiles,
 ) -> serde_json::Result<Vec<Option<Index<json::Material>>>> {
     let textures = push_textures(root, pictures);
     let mut pushed = Vec::with_capacity(scene.model.materials.len());
@@ -33,7 +33,7 @@ pub(super) fn push_materials(
     Ok(pushed)
 }
 
-fn push_textures(root: &mut json::Root, pictures: &Pictures) -> Vec<Index<json::Texture>> {
+fn push_textures(root: &mut json::Root, pictures: &ImageFiles) -> Vec<Index<json::Texture>> {
     if pictures.all.is_empty() {
         return Vec::new();
     }

@@ -13,14 +13,14 @@ mod gltf_tree;
 pub mod mtl;
 mod names;
 pub mod obj;
-pub mod pictures;
+pub mod image_files;
 pub mod plant_json;
 pub mod scene;
 mod tint;
 
 pub use error::ExportError;
 pub use exporter::{Encoded, Exporter, Takes};
-pub use pictures::Pictures;
+pub use image_files::ImageFiles;
 pub use scene::{InstanceForm, PlantAndProvenance, Scene};
 
 use crate::atomic::WriteError;

@@ -9,7 +9,7 @@
 use super::error::ExportError;
 use super::exporter::{Encoded, Exporter, Takes};
 use super::names::word;
-use super::pictures::Pictures;
+use super::image_files::ImageFiles;
 use super::scene::Scene;
 use super::scene::specimen_name;
 use super::{mtl, tint};
@@ -30,7 +30,7 @@ impl Exporter for Obj {
 
     fn encode(&self, scene: &Scene<'_>) -> Result<Encoded, ExportError> {
         let parts = scene.surfaces()?;
-        let tinted = tint::tinted(scene, Pictures::of(scene)?);
+        let tinted = tint::tinted(scene, ImageFiles::of(scene)?);
         let stem = word(&scene.stem);
         let picture_files = mtl::picture_files(&stem, &tinted.pictures);
         let materials = mtl::material_words(scene);

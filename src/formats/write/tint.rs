@@ -8,7 +8,7 @@
 //! colour of its material.
 
 use super::Scene;
-use super::pictures::{Picture, Pictures};
+use super::image_files::{ImageFile, ImageFiles};
 use crate::picture::PictureFormat;
 use crate::picture::decode::{Rgba, decode};
 use crate::srgb::{linear_from_srgb, srgb_from_linear};
@@ -18,15 +18,15 @@ const WHITE: [f32; 3] = [1.0; 3];
 
 /// Pictures and, for each material of the model, the colour that remains beside its picture.
 pub(super) struct Tinted {
-    pub(super) pictures: Pictures,
+    pub(super) pictures: ImageFiles,
     pub(super) diffuse: Vec<[f32; 3]>,
 }
 
 /// Multiplies the materials' colours into their pictures; each picture is there once for each colour, in the order in
 /// which materials first want it.
-pub(super) fn tinted(scene: &Scene<'_>, plain: Pictures) -> Tinted {
+pub(super) fn tinted(scene: &Scene<'_>, plain: ImageFiles) -> Tinted {
     let mut diffuse: Vec<[f32; 3]> = scene.model.materials.iter().map(|material| material.diffuse).collect();
-    let mut pictures = Pictures { all: Vec::new(), of_material: vec![None; plain.of_material.len()] };
+    let mut pictures = ImageFiles { all: Vec::new(), of_material: vec![None; plain.of_material.len()] };
     let mut known: Vec<(usize, [u8; 3])> = Vec::new();
     let mut remaining: Vec<[f32; 3]> = Vec::new();
     for (material, picture) in plain.of_material.iter().enumerate() {
@@ -52,7 +52,7 @@ fn encoded(colour: [f32; 3]) -> [u8; 3] {
 }
 
 /// The picture with a colour in it, and the colour that is left to be multiplied.
-fn coloured(picture: &Picture, colour: [f32; 3]) -> (Picture, [f32; 3]) {
+fn coloured(picture: &ImageFile, colour: [f32; 3]) -> (ImageFile, [f32; 3]) {
     let name = encoded(colour);
     if name == [255; 3] {
         return (picture.clone(), WHITE);
@@ -62,7 +62,7 @@ fn coloured(picture: &Picture, colour: [f32; 3]) -> (Picture, [f32; 3]) {
     };
     let [r, g, b] = name;
     let stem = format!("{}_{r:02x}{g:02x}{b:02x}", picture.stem);
-    (Picture { stem, format: PictureFormat::Png, bytes: bytes.into() }, WHITE)
+    (ImageFile { stem, format: PictureFormat::Png, bytes: bytes.into() }, WHITE)
 }
 
 /// The pixels times a colour, as a PNG file.

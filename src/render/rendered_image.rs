@@ -5,13 +5,13 @@ use crate::srgb::{linear_from_srgb, srgb_from_linear};
 
 /// An RGBA picture: sRGB, straight alpha, rows from the top, four bytes per pixel.
 #[derive(Clone, PartialEq, Eq)]
-pub struct Picture {
+pub struct RenderedImage {
     width: u32,
     height: u32,
     pixels: Vec<u8>,
 }
 
-impl Picture {
+impl RenderedImage {
     /// Width in pixels.
     pub fn width(&self) -> u32 {
         self.width
@@ -64,9 +64,9 @@ impl Picture {
     }
 
     /// Both pictures side by side, `self` left; the shorter one is continued with its lowest row.
-    pub fn beside(&self, right: &Picture) -> Picture {
+    pub fn beside(&self, right: &RenderedImage) -> RenderedImage {
         let height = self.height.max(right.height);
-        let row = |picture: &Picture, y: u32| {
+        let row = |picture: &RenderedImage, y: u32| {
             let width = 4 * picture.width as usize;
             let begin = y.min(picture.height.saturating_sub(1)) as usize * width;
             begin..begin + width
@@ -76,7 +76,7 @@ impl Picture {
             pixels.extend_from_slice(&self.pixels[row(self, y)]);
             pixels.extend_from_slice(&right.pixels[row(right, y)]);
         }
-        Picture { width: self.width + right.width, height, pixels }
+        RenderedImage { width: self.width + right.width, height, pixels }
     }
 
     /// The picture as the bytes of a PNG file, the same bytes every time.
@@ -96,9 +96,9 @@ impl Picture {
     }
 }
 
-impl std::fmt::Debug for Picture {
+impl std::fmt::Debug for RenderedImage {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "Picture({}×{})", self.width, self.height)
+        write!(f, "RenderedImage({}×{})", self.width, self.height)
     }
 }
 
@@ -115,14 +115,14 @@ fn undiluted(channel: u8, alpha: u8) -> u8 {
 mod tests {
     use super::*;
 
-    fn plain(width: u32, height: u32, pixel: [u8; 4]) -> Picture {
-        Picture { width, height, pixels: pixel.repeat((width * height) as usize) }
+    fn plain(width: u32, height: u32, pixel: [u8; 4]) -> RenderedImage {
+        RenderedImage { width, height, pixels: pixel.repeat((width * height) as usize) }
     }
 
     #[test]
     fn half_covered_white_is_white_at_half_alpha() {
         let half_white = (srgb_from_linear(0.5) * 255.0).round() as u8;
-        let picture = Picture::from_see_through_rows(1, 1, &[half_white, half_white, half_white, 127], 4);
+        let picture = RenderedImage::from_see_through_rows(1, 1, &[half_white, half_white, half_white, 127], 4);
         let [r, g, b, a] = picture.pixel(0, 0).unwrap();
         assert_eq!(a, 128);
         assert!([r, g, b].iter().all(|&c| c >= 254), "{r} {g} {b}");
@@ -131,7 +131,7 @@ mod tests {
     #[test]
     fn padding_between_rows_is_left_out() {
         let picture =
-            Picture::from_see_through_rows(1, 2, &[1, 2, 3, 0, 9, 9, 9, 9, 4, 5, 6, 0, 9, 9, 9, 9], 8);
+            RenderedImage::from_see_through_rows(1, 2, &[1, 2, 3, 0, 9, 9, 9, 9, 4, 5, 6, 0, 9, 9, 9, 9], 8);
         assert_eq!(picture.pixels(), [1, 2, 3, 255, 4, 5, 6, 255]);
     }
 

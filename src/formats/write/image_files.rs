@@ -11,7 +11,7 @@ use std::path::Path;
 
 /// One picture.
 #[derive(Clone, Debug)]
-pub struct Picture {
+pub struct ImageFile {
     /// File name without folder and extension.
     pub stem: String,
     /// Encoding of `bytes`.
@@ -22,14 +22,14 @@ pub struct Picture {
 
 /// Every picture in use.
 #[derive(Clone, Debug, Default)]
-pub struct Pictures {
+pub struct ImageFiles {
     /// Each picture once, in the order in which materials first name them.
-    pub all: Vec<Picture>,
+    pub all: Vec<ImageFile>,
     /// For each material of the model the index of its picture; `None` too for materials that no part has.
     pub of_material: Vec<Option<usize>>,
 }
 
-impl Pictures {
+impl ImageFiles {
     /// Fetches the pictures of all materials that parts use.
     ///
     /// # Errors
@@ -60,7 +60,7 @@ fn picture(
     material: &Material,
     texture: &Texture,
     built_in: &BuiltInTextures<'_>,
-) -> Result<Picture, ExportError> {
+) -> Result<ImageFile, ExportError> {
     let wanted_by = || material.name.clone();
     let bytes =
         fetch(texture, built_in).map_err(|fault| ExportError::Texture { material: wanted_by(), fault })?;
@@ -76,5 +76,5 @@ fn picture(
     };
     let strange = || ExportError::NotAPicture { material: wanted_by(), picture };
     let format = PictureFormat::of(&bytes).ok_or_else(strange)?;
-    Ok(Picture { stem, format, bytes })
+    Ok(ImageFile { stem, format, bytes })
 }

@@ -14,7 +14,7 @@ const SAMPLES: [Vec2; 4] =
 
 /// A picture with its own palette.
 #[derive(Debug, PartialEq)]
-pub(crate) struct Picture {
+pub(crate) struct IndexedImage {
     /// Width in pixels.
     pub(crate) width: u32,
     /// Height in pixels.
@@ -25,7 +25,7 @@ pub(crate) struct Picture {
     pub(crate) pixels: Vec<u8>,
 }
 
-impl Picture {
+impl IndexedImage {
     /// Paints `paint(u, v)`, u to the right and v upward, both 0 to 1.
     pub(crate) fn new(width: u32, height: u32, paint: impl Fn(Vec2) -> Lab) -> Self {
         let pixel = |i: u32| {
