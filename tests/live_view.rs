@@ -13,8 +13,8 @@ use penstemon::model::{InstancedModel, Mesh, Model, Part};
 use penstemon::pipeline::{Built, Cache, build, build_with, params_of, species_of};
 use penstemon::plant::Texture;
 use penstemon::render::{
-    Background, Direction, Gpu, Look, Mode, OrbitCamera, RenderedImage, PictureOptions, Projection, Quality,
-    RenderError, Renderer, View, Viewport,
+    Background, Direction, Gpu, Look, Mode, OrbitCamera, PictureOptions, Projection, Quality, RenderError,
+    RenderedImage, Renderer, View, Viewport,
 };
 use penstemon::sketch::{Sketch, Stroke, StrokePoint, Tool};
 use std::borrow::Cow;

@@ -6,8 +6,8 @@ use glam::{Vec2, Vec3, vec3};
 use penstemon::model::{Mesh, Model, Part, PartKind, Vertex};
 use penstemon::plant::{Material, OrganKind, Texture};
 use penstemon::render::{
-    Direction, Gpu, Look, OrbitCamera, RenderedImage, PictureOptions, Projection, RenderError, Renderer, View,
-    Viewport,
+    Direction, Gpu, Look, OrbitCamera, PictureOptions, Projection, RenderError, RenderedImage, Renderer,
+    View, Viewport,
 };
 use penstemon::sketch::{Canvas, Sketch, Stroke, StrokePoint, Tool};
 use std::borrow::Cow;
@@ -159,8 +159,10 @@ fn a_turntable_shows_all_sides_and_comes_back() {
     let uploaded = renderer.upload(&seedling(), &no_textures).unwrap();
     let mut views: Vec<View> = View::default().turntable(4).collect();
     views.push(View { turn_deg: 360.0, ..View::default() });
-    let frames: Vec<RenderedImage> = renderer.pictures(&uploaded, &views, &SMALL).map(Result::unwrap).collect();
-    let green = |p: &RenderedImage| all_pixels(p).filter(|(_, _, [r, g, _, _])| *g > r.saturating_add(30)).count();
+    let frames: Vec<RenderedImage> =
+        renderer.pictures(&uploaded, &views, &SMALL).map(Result::unwrap).collect();
+    let green =
+        |p: &RenderedImage| all_pixels(p).filter(|(_, _, [r, g, _, _])| *g > r.saturating_add(30)).count();
     assert!(green(&frames[0]) > 10 * green(&frames[1]), "the blade is thin from the side");
     assert!(green(&frames[2]) * 10 > green(&frames[0]) * 9, "and as large from behind");
     let differences = frames[0].pixels().iter().zip(frames[4].pixels()).filter(|(a, b)| a.abs_diff(**b) > 8);

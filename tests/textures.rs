@@ -8,6 +8,8 @@ mod catalogue;
 mod color;
 #[path = "../examples/paint_textures/disc.rs"]
 mod disc;
+#[path = "../examples/paint_textures/indexed_image.rs"]
+mod indexed_image;
 #[path = "../examples/paint_textures/leaf.rs"]
 mod leaf;
 #[path = "../examples/paint_textures/noise.rs"]
@@ -16,8 +18,6 @@ mod noise;
 mod petal;
 #[path = "../examples/paint_textures/petals.rs"]
 mod petals;
-#[path = "../examples/paint_textures/indexed_image.rs"]
-mod indexed_image;
 
 use penstemon::species::{builtin_texture, builtin_textures::texture_names};
 

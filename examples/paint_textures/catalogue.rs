@@ -3,9 +3,9 @@
 use super::bark;
 use super::color::{Lab, hex};
 use super::disc::Disc;
+use super::indexed_image::IndexedImage;
 use super::leaf::{Leaf, Marking, Venation};
 use super::petals;
-use super::indexed_image::IndexedImage;
 use glam::Vec2;
 
 /// A texture that can be painted.

@@ -8,11 +8,11 @@ mod bark;
 mod catalogue;
 mod color;
 mod disc;
+mod indexed_image;
 mod leaf;
 mod noise;
 mod petal;
 mod petals;
-mod indexed_image;
 
 use anyhow::Context;
 use std::path::PathBuf;

@@ -8,7 +8,7 @@ use crate::input::Sources;
 use crate::model::Model;
 use crate::pipeline::Built;
 use crate::plant::Texture;
-use crate::render::{Direction, RenderedImage, PictureOptions, Projection, Renderer, View};
+use crate::render::{Direction, PictureOptions, Projection, RenderedImage, Renderer, View};
 use crate::sketch::Sketch;
 use anyhow::{Context as _, Result, bail, ensure};
 use std::borrow::Cow;

@@ -122,7 +122,8 @@ mod tests {
     #[test]
     fn half_covered_white_is_white_at_half_alpha() {
         let half_white = (srgb_from_linear(0.5) * 255.0).round() as u8;
-        let picture = RenderedImage::from_see_through_rows(1, 1, &[half_white, half_white, half_white, 127], 4);
+        let picture =
+            RenderedImage::from_see_through_rows(1, 1, &[half_white, half_white, half_white, 127], 4);
         let [r, g, b, a] = picture.pixel(0, 0).unwrap();
         assert_eq!(a, 128);
         assert!([r, g, b].iter().all(|&c| c >= 254), "{r} {g} {b}");

@@ -12,7 +12,7 @@ use super::scene::{Scene, SceneLayout, SkyMaps};
 use super::shadow::ShadowRenderer;
 use super::surface::{SurfaceDrawData, SurfaceRenderer};
 use super::target::OffscreenTarget;
-use super::{RenderedImage, RenderError, View};
+use super::{RenderError, RenderedImage, View};
 use crate::model::{Model, Part};
 use crate::sketch::Sketch;
 use bytemuck::Zeroable;
@@ -231,7 +231,11 @@ impl Renderer {
     ///
     /// # Errors
     /// An empty drawing, [`RenderError::Size`], or a failure of the driver.
-    pub fn drawing(&mut self, sketch: &Sketch, options: &PictureOptions) -> Result<RenderedImage, RenderError> {
+    pub fn drawing(
+        &mut self,
+        sketch: &Sketch,
+        options: &PictureOptions,
+    ) -> Result<RenderedImage, RenderError> {
         let ink = InkDrawData::new(&self.gpu, sketch)?;
         let target = sized(&mut self.target, &self.gpu, options)?;
         self.scene.set(&self.gpu, &FrameUniform::paper(), &LightUniform::zeroed());

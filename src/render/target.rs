@@ -3,7 +3,7 @@
 
 use super::gpu::Gpu;
 use super::pipeline::{COLOUR_FORMAT, DEPTH_FORMAT, SAMPLES};
-use super::{RenderedImage, RenderError};
+use super::{RenderError, RenderedImage};
 
 /// Most pixels of a picture: about 1.4 GB of buffers at four samples each.
 pub(super) const PIXEL_LIMIT: u32 = 8192 * 4096;
@@ -170,7 +170,11 @@ impl OffscreenTarget {
     ///
     /// # Errors
     /// Any failure of the driver since the last check.
-    pub(super) fn finish(&self, gpu: &Gpu, encoder: wgpu::CommandEncoder) -> Result<RenderedImage, RenderError> {
+    pub(super) fn finish(
+        &self,
+        gpu: &Gpu,
+        encoder: wgpu::CommandEncoder,
+    ) -> Result<RenderedImage, RenderError> {
         let PictureBuffers { width, height, ref resolved, .. } = self.buffers;
         self.readback.finish(gpu, encoder, resolved, |rows, bytes_per_row| {
             RenderedImage::from_see_through_rows(width, height, rows, bytes_per_row)

@@ -20,7 +20,8 @@ use super::scene::{Scene, SkyMaps};
 use super::surface::SurfaceRenderer;
 use super::target::{PictureBuffers, Readback};
 use super::{
-    Background, Look, Mode, OrbitCamera, RenderedImage, Quality, RenderError, Renderer, TextureSource, UploadStats,
+    Background, Look, Mode, OrbitCamera, Quality, RenderError, RenderedImage, Renderer, TextureSource,
+    UploadStats,
 };
 use crate::model::Model;
 use glam::{Mat4, Vec3};

@@ -6,8 +6,8 @@
 //! two-sidedness have no place in MTL and are left out: its `Tf` means glass.
 
 use super::Scene;
-use super::names::distinct_words;
 use super::image_files::{ImageFile, ImageFiles};
+use super::names::distinct_words;
 use super::tint::Tinted;
 use crate::plant::Material;
 use std::fmt::Write;
@@ -65,6 +65,7 @@ fn write_material(out: &mut String, material: &Material, word: &str, picture: Op
 /// File names for the pictures, beginning with the model's own, so that no user's file is overwritten by chance.
 pub(super) fn picture_files(stem: &str, pictures: &ImageFiles) -> Vec<String> {
     let words = distinct_words(pictures.all.iter().map(|picture| picture.stem.as_str()));
-    let name = |(word, picture): (&String, &ImageFile)| format!("{stem}_{word}.{}", picture.format.extension());
+    let name =
+        |(word, picture): (&String, &ImageFile)| format!("{stem}_{word}.{}", picture.format.extension());
     words.iter().zip(&pictures.all).map(name).collect()
 }

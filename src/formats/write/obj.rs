@@ -8,8 +8,8 @@
 
 use super::error::ExportError;
 use super::exporter::{Encoded, Exporter, Takes};
-use super::names::word;
 use super::image_files::ImageFiles;
+use super::names::word;
 use super::scene::Scene;
 use super::scene::specimen_name;
 use super::{mtl, tint};
