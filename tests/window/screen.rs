@@ -45,8 +45,9 @@ impl Screen {
 
     fn on_turn(_turn: Turn, width: u32, height: u32) -> Self {
         let folder = TempDir::new().unwrap();
+        // Without `-noreset` the server starts anew when its last program leaves, and refuses the next one meanwhile.
         let mut server = Command::new("Xvfb")
-            .args(["-displayfd", "1", "-nolisten", "tcp", "-dpi", "96", "-fbdir"])
+            .args(["-displayfd", "1", "-noreset", "-nolisten", "tcp", "-dpi", "96", "-fbdir"])
             .arg(folder.path())
             .args(["-screen", "0", &format!("{width}x{height}x24")])
             .stdout(Stdio::piped())
