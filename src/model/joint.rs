@@ -13,7 +13,7 @@
 //! Limits: a branch that never leaves its parent has no exit and is not seen.
 
 use super::spine::{self, Ring};
-use crate::plant::junction::{COLLAR, Footprint, LEAST_SINE, half_angle};
+use crate::plant::junction::{COLLAR, Footprint, LEAST_ANGLE_RAD, LEAST_SINE, half_angle};
 use glam::Vec3;
 use std::f32::consts::TAU;
 use std::ops::Range;
@@ -22,11 +22,6 @@ use std::ops::Range;
 const CLEAR: f32 = 0.2;
 /// Less than this of a branch outside, as a multiple of its radius, is not worth a joint.
 const SHORTEST: f32 = 0.5;
-/// Longest window, as a multiple of its least length: branches that hug their parent leave it by a long slit otherwise.
-const LONGEST: f32 = 2.5;
-
-/// Least angle between a parent and the foot of a branch, radians: 54°.
-const ASLANT: f32 = 0.95;
 /// How far the window reaches beyond the first ring, as a multiple of how far that reaches along the parent.
 const OVERHANG: f32 = 1.2;
 /// Widest window, as the sine of half its angle around the parent: beyond this the bark falls away from the branch.
@@ -148,7 +143,7 @@ impl Carrier<'_> {
         let slant = ring.tangent.cross(axis).length();
         let collar = COLLAR * ring.radius;
         // Not shorter than what the first ring overhangs.
-        let half_length = (collar / slant.max(1.0 / LONGEST)).max(OVERHANG * (along.abs() + collar * slant));
+        let half_length = (collar / slant.max(LEAST_SINE)).max(OVERHANG * (along.abs() + collar * slant));
         Some(Exit {
             ring,
             arc,
@@ -184,18 +179,19 @@ impl Carrier<'_> {
     }
 
     /// The first ring of a branch, and the place on the parent from which it comes. One that runs along its parent is bent
-    /// out of it by [`ASLANT`] at least, instead of leaving through a slit as long as the bark is thick.
+    /// out of it by [`LEAST_ANGLE_RAD`] at least, instead of leaving through a slit as long as the bark is thick.
     fn lean(&self, ring: Ring, near: &Foot) -> (Ring, Foot) {
         let beside = self.foot_near(ring.at, near);
         let axis = beside.ring.tangent;
         let (across, _) = beside.off_axis(ring.at);
         let outward = across.normalize_or(axis.any_orthonormal_vector());
         let along = ring.tangent.dot(axis);
-        let tangent = if along.abs() < ASLANT.cos() {
+        let tangent = if along.abs() < LEAST_ANGLE_RAD.cos() {
             ring.tangent
         } else {
             let sideways = ring.tangent.reject_from_normalized(axis).reject_from_normalized(outward);
-            (axis * (along.signum() * ASLANT.cos()) + outward * ASLANT.sin() + sideways).normalize()
+            (axis * (along.signum() * LEAST_ANGLE_RAD.cos()) + outward * LEAST_ANGLE_RAD.sin() + sideways)
+                .normalize()
         };
         let back = (across.length() - beside.ring.radius).max(0.0) / tangent.dot(outward).max(LEAST_SINE);
         (Ring { tangent, ..ring }, self.foot_near(ring.at - tangent * back, &beside))

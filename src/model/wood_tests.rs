@@ -4,7 +4,7 @@ use super::super::disjoint_sets::DisjointSets;
 use super::*;
 use crate::model::crossing::crossing_faces;
 use crate::model::tube::{self, TubeParams};
-use crate::plant::{Origin, Role, WoodPart};
+use crate::plant::{Origin, Role, StemBase, WoodPart};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -210,5 +210,32 @@ fn a_branch_that_leaves_beside_the_foot_of_its_parent_is_led_to_free_bark() {
             branch(Vec3::new(0.5, 1.0, 0.0) * height + Vec3::Y * 0.05, Vec3::new(1.0, 0.6, 0.1), 0.5, 0.012);
         let mesh = joined(&[(stem, None), (first, Some(0)), (second, Some(1))]);
         assert_eq!((surfaces(&mesh), crossing_faces(&mesh)), (1, Some(0)), "{height} m along its parent");
+    }
+}
+
+/// So many stems of one radius on their common base, which lean outward by this share of their height.
+fn bush(count: usize, radius: f32, lean: f32) -> Vec<(Branch, Option<usize>)> {
+    let base = StemBase::below(Vec3::ZERO, std::iter::repeat_n(radius, count));
+    let stem = |below: &[(Vec3, f32)], foot: Vec3, lean: Vec3| {
+        let mut stem = branch(foot, Vec3::Y + lean, 1.5, radius);
+        stem.points.splice(0..0, below.iter().map(|(at, _)| *at));
+        stem.radii.splice(0..0, below.iter().map(|(_, radius)| *radius));
+        stem
+    };
+    let top = base.to_top();
+    let others = base.to_sides(0.3, count - 1).map(|side| {
+        let lean = lean * side.with_y(0.0).normalize();
+        (stem(&[(base.start(side), radius)], side, lean), Some(0))
+    });
+    std::iter::once((stem(&base.skeleton(top), top, Vec3::ZERO), None)).chain(others).collect()
+}
+
+#[test]
+fn the_base_of_a_bush_has_bark_for_every_joint() {
+    for (lean, most) in [(0.3, 25), (1.0, 30), (2.0, 30)] {
+        for count in 2..=most {
+            let mesh = joined(&bush(count, 0.02, lean));
+            assert_eq!((surfaces(&mesh), crossing_faces(&mesh)), (1, Some(0)), "{count} stems, lean {lean}");
+        }
     }
 }

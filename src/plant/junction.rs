@@ -2,7 +2,8 @@
 //!
 //! Where a branch leaves its parent it swells to a collar, which takes a stretch of the parent's bark along it and an
 //! angle around it: its [`Footprint`]. A maker that places branches gives each a footprint of its own; the model cuts the
-//! window for the branch into it. Both read the numbers of this file, so neither has to know the other.
+//! window for the branch into it. Both read the numbers of this file, so neither has to know the other. So they do for the
+//! distance between branches that have no junction.
 
 use glam::Vec3;
 
@@ -11,9 +12,15 @@ pub const COLLAR: f32 = 1.25;
 /// Radius of what a maker keeps free for a collar, in radii of the branch: a little more, because surfaces follow the
 /// skeletons of branches only roughly.
 pub const KEPT_FREE: f32 = 1.35;
-/// Least sine of the angle between a branch and its parent that is counted with: the model bends branches that leave by
-/// a smaller angle outward.
+/// Least angle between a parent and the foot of a branch, radians: 54°. Surfaces bend branches that leave by less
+/// outward, as collars of real wood are; else their windows would be long slits.
+pub const LEAST_ANGLE_RAD: f32 = 0.95;
+/// Least sine of the angle between a branch and its parent that lengths along the parent are reckoned with: less than
+/// that of [`LEAST_ANGLE_RAD`], for the parent may bend.
 pub const LEAST_SINE: f32 = 0.4;
+/// Least distance that makers leave between the axes of two branches that are not joined, in the sum of their radii:
+/// surfaces are a little wider than the wood in places.
+pub const APART: f32 = 1.2;
 /// Angle around the parent that a maker leaves between branches beside each other, radians: room for the corners of
 /// surfaces with four sides.
 pub const BESIDE_RAD: f32 = 0.9;
@@ -66,6 +73,11 @@ pub fn half_angle(radius: f32, of_parent: f32, widest: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn lengths_are_reckoned_for_angles_that_surfaces_leave() {
+        assert!(LEAST_SINE < LEAST_ANGLE_RAD.sin());
+    }
 
     #[test]
     fn footprints_next_to_each_other_are_clear() {

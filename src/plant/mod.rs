@@ -19,6 +19,7 @@ pub mod material;
 pub mod organ_kind;
 pub mod provenance;
 pub mod role;
+pub mod stem_base;
 pub mod template;
 mod templates;
 
@@ -29,6 +30,7 @@ pub use material::{Material, Texture};
 pub use organ_kind::{OrganClass, OrganForm, OrganKind};
 pub use provenance::{DrawnId, Origin, Provenance, WorldFromCanvas};
 pub use role::{OrganPart, PlantPart, Role, WoodPart};
+pub use stem_base::StemBase;
 pub use template::{Detail, Template, TemplateId};
 pub use templates::Templates;
 
@@ -41,10 +43,10 @@ pub struct Branch {
     pub origin: Origin,
     /// Index of the branch that carries it; always smaller than its own.
     pub parent: Option<usize>,
-    /// Branching order: 0 for trunks, and for the stems of a bush, which stand on the stump of its first one; for all
-    /// others one more than their parent's.
+    /// Branching order: 0 for trunks, and for the stems of a bush, which stand on a base that the first of them runs through
+    /// ([`StemBase`]); for all others one more than their parent's.
     pub level: u32,
-    /// Skeleton in metres, base first, at least two points, no two consecutive ones equal.
+    /// Skeleton in metres, base first, at least two points, no two consecutive ones equal. It begins inside of the parent.
     pub points: Vec<Vec3>,
     /// Radius in metres at each point, positive.
     pub radii: Vec<f32>,
@@ -53,7 +55,7 @@ pub struct Branch {
 }
 
 impl Branch {
-    /// Whether it is a stem of a bush that stands on the stump of another one.
+    /// Whether it is one of the stems of a bush, but not the first, which runs through their base.
     pub fn is_basal_stem(&self) -> bool {
         self.level == 0 && self.parent.is_some()
     }

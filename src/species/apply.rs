@@ -98,7 +98,7 @@ fn set_roles_of_wood(plant: &mut Plant, species: &Species) {
     let look = &species.stem;
     let foot = |branch: &Branch| branch.radii.first().copied().unwrap_or(0.0);
     let thickest = |branches: &mut dyn Iterator<Item = &Branch>| branches.map(foot).reduce(f32::max);
-    // The stump of a bush is thicker than any of its stems.
+    // The first stem of a bush is as thick at its foot as the base of all.
     let stems = thickest(&mut plant.branches.iter().filter(|branch| branch.is_basal_stem()));
     let thick = look.twig_thickest * stems.or_else(|| thickest(&mut plant.branches.iter())).unwrap_or(0.0);
     for branch in &mut plant.branches {

@@ -14,10 +14,10 @@ use super::capsule::Capsule;
 use super::chains::Chains;
 use super::fork::{Fork, Wood};
 use super::rounding;
-use super::rubbing::KEPT;
 use crate::budget::Budget;
 use crate::geom::meetings::{Bounds, meetings_within};
 use crate::growth::tree::{NONE, Tree};
+use crate::plant::junction::APART;
 use glam::Vec3;
 
 /// How often what touches is moved.
@@ -76,7 +76,7 @@ struct Touch {
 /// The ways that nodes have to go with all that they carry, in the order of the nodes.
 fn ways(wood: &Wood<'_>, diameters: &[f32]) -> Vec<(u32, Vec3)> {
     let pieces = pieces(wood, diameters);
-    let boxes: Vec<Bounds> = pieces.iter().map(|piece| piece.capsule.bounds(KEPT)).collect();
+    let boxes: Vec<Bounds> = pieces.iter().map(|piece| piece.capsule.bounds(APART)).collect();
     let (any, each) = Budget::PLANT.overlaps;
     let touching = meetings_within(any + each * pieces.len() as u64, &boxes, |i, j| {
         let (a, b) = (&pieces[i], &pieces[j]);
@@ -123,7 +123,7 @@ fn pieces(wood: &Wood<'_>, diameters: &[f32]) -> Vec<Piece> {
 /// Where two pieces touch away from their fork.
 fn touch(wood: &Wood<'_>, one: &Piece, other: &Piece) -> Option<Touch> {
     let (a, b) = (one.capsule, other.capsule);
-    if !a.overlaps(&b, KEPT) {
+    if !a.overlaps(&b, APART) {
         return None;
     }
     let radii = a.radius + b.radius;
@@ -131,7 +131,7 @@ fn touch(wood: &Wood<'_>, one: &Piece, other: &Piece) -> Option<Touch> {
     let touch = |a: Option<Capsule>, b: Option<Capsule>| {
         let (a, b) = (a?, b?);
         let (p, q) = a.nearest(&b);
-        a.overlaps(&b, KEPT).then_some(Touch { places: [p, q], kept: KEPT * radii })
+        a.overlaps(&b, APART).then_some(Touch { places: [p, q], kept: APART * radii })
     };
     let Some([of_a, of_b]) = wood.fork(one.node, other.node, near) else { return touch(Some(a), Some(b)) };
     let beyond =

@@ -15,11 +15,9 @@ use super::fork::Wood;
 use crate::budget::Budget;
 use crate::geom::meetings::{Bounds, meetings_within};
 use crate::growth::tree::Tree;
+use crate::plant::junction::APART;
 use glam::Vec3;
 use rayon::prelude::*;
-
-/// Distance that two branches keep, in the sum of their radii: surfaces are a little wider than the wood in places.
-pub(super) const KEPT: f32 = 1.2;
 
 /// The nodes at which wood has to be cut so that none grows through thicker wood, besides those that are cut already.
 /// What `stays` is never cut.
@@ -52,11 +50,11 @@ pub(super) fn cuts(
 fn pairs(wood: &Wood<'_>, diameters: &[f32], stays: impl Fn(u32) -> bool + Sync) -> Vec<(u32, u32)> {
     let nodes: Vec<u32> = wood.living().collect();
     let capsules: Vec<Capsule> = nodes.iter().map(|node| wood.internode(*node, diameters)).collect();
-    let boxes: Vec<Bounds> = capsules.iter().map(|capsule| capsule.bounds(KEPT)).collect();
+    let boxes: Vec<Bounds> = capsules.iter().map(|capsule| capsule.bounds(APART)).collect();
     let (any, each) = Budget::PLANT.overlaps;
     let overlapping = meetings_within(any + each * nodes.len() as u64, &boxes, |i, j| {
         let (a, b) = (capsules[i], capsules[j]);
-        if a.overlaps(&b, KEPT) { verdict(wood, (nodes[i], a), (nodes[j], b), &stays) } else { None }
+        if a.overlaps(&b, APART) { verdict(wood, (nodes[i], a), (nodes[j], b), &stays) } else { None }
     });
     overlapping.unwrap_or_default()
 }
@@ -78,7 +76,7 @@ fn verdict(
         Some([of_a, of_b]) => (of_a.beyond(a, near)?, of_b.beyond(b, near)?),
         None => (a, b),
     };
-    a.overlaps(&b, KEPT).then_some((stays, goes))
+    a.overlaps(&b, APART).then_some((stays, goes))
 }
 
 #[cfg(test)]

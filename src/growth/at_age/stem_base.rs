@@ -1,31 +1,18 @@
-//! The common base of a bush's stems (its root crown), so that the wood of one plant is one surface.
+//! Brings the stems of a bush to their common base, so that the wood of one plant is one surface.
 //!
-//! The stems of a bush sprout around one stump. Each grows by itself; here they are brought together: the first stem goes
-//! on from the stump's top, the others leave its bark alternately low and high, evenly around it, in the order of the
-//! directions in which they lean. What a stem carries near the ground moves with it, less and less with height. The stump
-//! is thick enough to give every stem bark of its own, and so grows with them.
+//! The stems of a bush sprout around one place, and each grows by itself. Here they are brought to a base
+//! ([`StemBase`]): the first stem goes on from its top, the others leave its bark evenly around it, in the order of the
+//! directions in which they lean. What a stem carries near the ground moves with it, less and less with height. The base
+//! is as thick as its stems need it, and so grows with them.
 //!
 //! Limits: drawn trunks stay where they were drawn. Buds and markers, as overlays show them, are not moved.
 
 use super::chains::Chains;
 use crate::growth::tree::{NONE, Tree};
+use crate::plant::StemBase;
 use glam::Vec3;
-use std::f32::consts::TAU;
 
-/// Radius of the stump over the root of the sum of the stems' squared radii: a little more than as thick as all of them.
-const THICK: f32 = 1.2;
-/// Radius of the stump over the sum of the stems' radii: with 1.2 stems' widths of its girth for each, no two cross.
-const AROUND: f32 = 0.39;
-/// Heights at which stems leave the stump in turn, and of its shoulder, in radii of the thickest stem: a joint is nearly
-/// four high.
-const LOW: f32 = 2.4;
-const HIGH: f32 = 6.4;
-const SHOULDER: f32 = 8.0;
-/// Height of the stump's round top, in its own radii.
-const TOP: f32 = 0.8;
-/// How steeply stems rise inside of the stump, height over its radius: no less than joints would bend them.
-const RISE: f32 = 0.8;
-/// Height up to which a stem is moved, in lengths of its way to the stump: at 2 what stands just above its foot would be pressed flat.
+/// Height up to which a stem is moved, in lengths of its way to the base: at 2 what stands just above its foot would be pressed flat.
 const REACH: f32 = 4.0;
 
 /// The feet of a plant that stand on a common base, in the order of their nodes; none if it has one trunk or drawn ones.
@@ -37,54 +24,44 @@ fn feet(tree: &Tree) -> Vec<u32> {
     if feet.len() > 1 { feet } else { Vec::new() }
 }
 
-/// Where the stump stands: amid the feet.
-fn middle(tree: &Tree, feet: &[u32]) -> Vec3 {
-    feet.iter().map(|foot| tree.nodes.at[*foot as usize]).sum::<Vec3>() / feet.len() as f32
+/// The base below stems on these feet; it stands amid them.
+fn base(tree: &Tree, feet: &[u32], diameters: &[f32]) -> StemBase {
+    let middle = feet.iter().map(|foot| tree.nodes.at[*foot as usize]).sum::<Vec3>() / feet.len() as f32;
+    StemBase::below(middle, feet.iter().map(|foot| 0.5 * diameters[*foot as usize]))
 }
 
-/// Radius of the stump below stems on these feet.
-fn stump(feet: &[u32], diameters: &[f32]) -> f32 {
-    let radii = feet.iter().map(|foot| 0.5 * diameters[*foot as usize]);
-    let squares: f32 = radii.clone().map(|r| r * r).sum();
-    (THICK * squares.sqrt()).max(AROUND * radii.sum::<f32>())
-}
-
-/// Brings the stems of a bush to their stump. `lives` is for every node that has been born.
+/// Brings the stems of a bush to their base. `lives` is for every node that has been born.
 pub(super) fn gather(tree: &Tree, lives: &[bool], at: &mut [Vec3], diameters: &[f32]) {
     let feet = feet(tree);
     let Some(leader) = feet.first().map(|first| leader(tree, lives).unwrap_or(*first)) else { return };
-    let middle = middle(tree, &feet);
-    let ways = ways(tree, &feet, leader, diameters);
+    let base = base(tree, &feet, diameters);
+    let ways = ways(tree, &feet, leader, &base);
     // Feet come first, and parents before their children.
     let mut root: Vec<usize> = Vec::with_capacity(lives.len());
     for (n, place) in at.iter_mut().enumerate().take(lives.len()) {
         let parent = tree.nodes.parent[n];
         root.push(if parent == NONE { n } else { root[parent as usize] });
         let way = ways[root[n]];
-        let height = (place.y - middle.y).max(0.0);
+        let height = (place.y - base.middle.y).max(0.0);
         let left = (1.0 - height / (REACH * way.length()).max(f32::MIN_POSITIVE)).max(0.0);
         *place += way * (left * left);
     }
 }
 
-/// The way of each foot to where its stem leaves the stump.
-fn ways(tree: &Tree, feet: &[u32], leader: u32, diameters: &[f32]) -> Vec<Vec3> {
-    let (middle, radius) = (middle(tree, feet), stump(feet, diameters));
-    let thickest = feet.iter().map(|foot| 0.5 * diameters[*foot as usize]).fold(0.0, f32::max);
-    let from = |foot: u32| tree.nodes.at[foot as usize] - middle;
+/// The way of each foot to where its stem leaves the base.
+fn ways(tree: &Tree, feet: &[u32], leader: u32, base: &StemBase) -> Vec<Vec3> {
+    let from = |foot: u32| tree.nodes.at[foot as usize] - base.middle;
     let mut ways = vec![Vec3::ZERO; feet.len()];
-    ways[leader as usize] = Vec3::Y * (SHOULDER * thickest + TOP * radius) - from(leader);
+    ways[leader as usize] = base.to_top() - from(leader);
     let azimuth = |foot: &u32| {
         let out = from(*foot);
         out.z.atan2(out.x)
     };
     let mut others: Vec<u32> = feet.iter().copied().filter(|foot| *foot != leader).collect();
     others.sort_by(|a, b| azimuth(a).total_cmp(&azimuth(b)));
-    let begin = others.first().map_or(0.0, azimuth);
-    for (k, &foot) in others.iter().enumerate() {
-        let (sin, cos) = (begin + TAU * k as f32 / others.len() as f32).sin_cos();
-        let height = thickest * if k % 2 == 0 { LOW } else { HIGH };
-        ways[foot as usize] = Vec3::new(radius * cos, height, radius * sin) - from(foot);
+    let sides = base.to_sides(others.first().map_or(0.0, azimuth), others.len());
+    for (foot, side) in others.iter().zip(sides) {
+        ways[*foot as usize] = side - from(*foot);
     }
     ways
 }
@@ -96,37 +73,31 @@ fn leader(tree: &Tree, lives: &[bool]) -> Option<u32> {
     std::iter::successors(Some(first as u32), |n| Some(parents[*n as usize]).filter(|p| *p != NONE)).last()
 }
 
-/// The stump below the stems of a plant with several.
-pub(super) struct StemBase {
-    /// The chain that goes on from the stump's top.
+/// The stems of a bush.
+pub(super) struct Stems {
+    /// The chain that goes on from the top of the base.
     leader: usize,
-    /// Middle of the stump's foot, metres.
-    middle: Vec3,
-    /// Radius of the stump, metres.
-    radius: f32,
+    base: StemBase,
 }
 
-impl StemBase {
-    /// The stump of a plant; `None` if it has one trunk or drawn ones.
+impl Stems {
+    /// The stems of a plant; `None` if it has one trunk or drawn ones.
     pub(super) fn of(tree: &Tree, chains: &Chains, diameters: &[f32]) -> Option<Self> {
         let feet = feet(tree);
         let leader = chains.chains.iter().position(|chain| chain.parent.is_none())?;
-        let radius = stump(&feet, diameters);
-        (!feet.is_empty()).then(|| Self { leader, middle: middle(tree, &feet), radius })
+        (!feet.is_empty()).then(|| Self { leader, base: base(tree, &feet, diameters) })
     }
 
-    /// Joins a trunk, points with their radii from its foot, to the stump: the leader becomes the stump below its foot,
-    /// the others begin inside of it. Gives the trunk's new parent.
-    pub(super) fn join(&self, trunk: usize, skeleton: &mut Vec<(Vec3, f32)>) -> Option<usize> {
-        let Self { leader, middle, radius } = *self;
-        let (foot, thickness) = skeleton[0];
-        if trunk == leader {
-            let shoulder = foot - Vec3::Y * (TOP * radius).min(0.5 * (foot.y - middle.y));
-            skeleton.splice(0..0, [(middle, radius), (shoulder, radius)]);
+    /// Joins a stem, points with their radii from its foot, to the base: the leader runs through it, the others begin
+    /// inside of it. Gives the stem's parent.
+    pub(super) fn join(&self, stem: usize, skeleton: &mut Vec<(Vec3, f32)>) -> Option<usize> {
+        let (foot, radius) = skeleton[0];
+        if stem == self.leader {
+            skeleton.splice(0..0, self.base.skeleton(foot));
             return None;
         }
-        skeleton.insert(0, (middle.with_y((foot.y - RISE * radius).max(middle.y)), thickness));
-        Some(leader)
+        skeleton.insert(0, (self.base.start(foot), radius));
+        Some(self.leader)
     }
 }
 
@@ -134,6 +105,7 @@ impl StemBase {
 mod tests {
     use super::*;
     use crate::growth::{Habit, Limits, Simulation, plant_at};
+    use std::f32::consts::TAU;
 
     fn bush(stems: u32, age: u16) -> Simulation {
         let habit = Habit { stems, internode: 0.2, lift: 0.3.into(), flare: 0.0, ..Habit::default() };
@@ -143,18 +115,18 @@ mod tests {
     }
 
     #[test]
-    fn all_stems_of_a_bush_stand_on_one_stump() {
+    fn all_stems_of_a_bush_stand_on_one_base() {
         for (stems, age) in [(2, 3), (3, 8), (9, 1), (9, 8), (20, 6)] {
             let plant = plant_at(&bush(stems, age), f32::from(age));
             let trunks = plant.branches.iter().filter(|b| b.parent.is_none()).count();
             let sides: Vec<_> = plant.branches[1..].iter().filter(|b| b.level == 0).collect();
             assert_eq!((trunks, sides.len()), (1, stems as usize - 1), "{stems} stems at {age}");
-            let stump = &plant.branches[0];
+            let base = &plant.branches[0];
             let girth: f32 = sides.iter().map(|stem| 2.0 * stem.radii[0]).sum();
-            assert!(stump.radii[1] * TAU > 1.3 * girth, "bark for every stem");
+            assert!(base.radii[1] * TAU > 1.3 * girth, "bark for every stem");
             for stem in &sides {
                 assert_eq!(stem.parent, Some(0));
-                let (inside, foot) = (stem.points[0] - stump.points[0], stem.points[1] - stump.points[0]);
+                let (inside, foot) = (stem.points[0] - base.points[0], stem.points[1] - base.points[0]);
                 assert!(inside.with_y(0.0).length() < 1e-4 && inside.y >= 0.0);
                 assert!(foot.y > inside.y && foot.with_y(0.0).length() > inside.with_y(0.0).length());
             }
@@ -171,15 +143,15 @@ mod tests {
         let bush = bush(7, 1);
         for age in [0.02, 0.3, 0.7, 1.0] {
             let plant = plant_at(&bush, age);
-            let stump = plant.branches[0].points[0];
-            let off = |b: &crate::plant::Branch| (b.points[1] - stump).with_y(0.0).length();
+            let base = plant.branches[0].points[0];
+            let off = |b: &crate::plant::Branch| (b.points[1] - base).with_y(0.0).length();
             let widest = plant.branches.iter().map(off).fold(0.0, f32::max);
             assert!(widest < 0.04, "stems begin {widest} m from the middle at {age}");
         }
     }
 
     #[test]
-    fn wood_high_above_the_stump_stays_where_it_grew() {
+    fn wood_high_above_the_base_stays_where_it_grew() {
         let bush = bush(7, 8);
         let tree = bush.tree();
         let lives = vec![true; tree.len()];

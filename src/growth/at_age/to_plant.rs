@@ -6,7 +6,7 @@ use super::bloom;
 use super::chains::{Chain, Chains};
 use super::foliage::{self, Wood};
 use super::rounding::rounded;
-use super::stem_base::StemBase;
+use super::stem_base::Stems;
 use super::wood_at_age::{WoodAtAge, wood_at_age};
 use crate::growth::simulation::Simulation;
 use crate::plant::{Branch, Origin, Plant, Role, WoodPart};
@@ -27,7 +27,7 @@ pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) 
     let (tree, habit, limits) = (simulation.tree(), simulation.habit(), simulation.limits());
     let age = if age.is_finite() { age.clamp(0.0, f32::from(simulation.age())) } else { 0.0 };
     let WoodAtAge { chains, at, diameters, grown } = wood_at_age(tree, habit, age);
-    let base = StemBase::of(tree, &chains, &diameters);
+    let stems = Stems::of(tree, &chains, &diameters);
     let mut branches: Vec<Branch> = Vec::with_capacity(chains.chains.len());
     for (index, chain) in chains.chains.iter().enumerate() {
         let mut skeleton = skeleton_of(chain, &chains, &at, &diameters);
@@ -36,9 +36,9 @@ pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) 
             skeleton[0].0 = nearest(&branches[parent as usize].points, skeleton[0].0);
         }
         let mut skeleton = rounded(&skeleton);
-        let parent = match (chain.parent, &base) {
+        let parent = match (chain.parent, &stems) {
             (Some(parent), _) => Some(parent as usize),
-            (None, Some(base)) => base.join(index, &mut skeleton),
+            (None, Some(stems)) => stems.join(index, &mut skeleton),
             (None, None) => None,
         };
         if parent.is_none() {
