@@ -18,7 +18,7 @@ mod drawings;
 fn svg(sketch: &Sketch) -> String {
     let mut text = String::from("<svg xmlns=\"http://www.w3.org/2000/svg\">");
     for stroke in &sketch.strokes {
-        text.push_str("<path fill=\"none\" d=\"M");
+        text.push_str("<path fill=\"none\" stroke=\"black\" d=\"M");
         for point in &stroke.points {
             write!(text, " {},{}", point.position.x, point.position.y).unwrap();
         }

@@ -85,6 +85,39 @@ fn librsvg_draws_the_strokes_where_they_were_drawn_and_nothing_else() {
     }
 }
 
+/// Icons and what design programs write, in which styles decide what is seen: ink and strokes lie together.
+#[test]
+fn what_librsvg_draws_of_icons_is_what_is_read() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    let icons = std::fs::read_dir(root.join("data/icons")).unwrap().map(|entry| entry.unwrap().path());
+    let svgs = icons.filter(|path| path.extension().is_some_and(|ending| ending == "svg"));
+    let mut count = 0;
+    for file in svgs {
+        let folder = TempDir::new().unwrap();
+        let picture = folder.path().join("drawing.png");
+        let [from, to] = [&file, &picture].map(|path| path.to_str().unwrap());
+        run("rsvg-convert", &["-b", "white", "-w", "480", from, "-o", to], "librsvg2-bin");
+        let (width, dark) = darkness(&picture);
+        let (sketch, _) = sketch::read(&file).unwrap();
+        let scale = width as f32 / sketch.canvas.width;
+        let line = |line: Vec<Vec2>| line.into_iter().map(|p| p * scale).collect::<Vec<_>>();
+        let lines: Vec<Vec<Vec2>> = lines(&sketch).into_iter().map(line).collect();
+        for p in lines.iter().flatten() {
+            let (x, y) = ((p.x as usize).min(width - 1), (p.y as usize).min(width - 1));
+            assert!(dark[y * width + x] > 40, "{from}: no ink at {p}");
+        }
+        // Their lines are 1.5 or 2 units wide.
+        let reach = scale + 1.5;
+        for (i, _) in dark.iter().enumerate().filter(|(i, dark)| **dark > 40 && i % 7 == 0) {
+            let p = Vec2::new((i % width) as f32 + 0.5, (i / width) as f32 + 0.5);
+            let nearest = lines.iter().map(|line| distance(p, line)).fold(f32::INFINITY, f32::min);
+            assert!(nearest <= reach, "{from}: ink at {p}, {nearest} from the nearest stroke");
+        }
+        count += 1;
+    }
+    assert_eq!(count, 24);
+}
+
 #[test]
 fn a_file_that_scour_rewrote_is_the_same_drawing() {
     for name in NAMES {

@@ -151,6 +151,14 @@ pub enum Fault {
     /// Nothing to build from.
     #[error("there is no stroke in the drawing; draw at least one line")]
     NoStrokes,
+    /// An SVG in which nothing is to be seen.
+    #[error(
+        "no path or shape of the SVG can be seen: all {count} have neither stroke nor fill; give them a stroke"
+    )]
+    NothingPainted {
+        /// How many there are.
+        count: usize,
+    },
     /// Strokes, but every one of them stands still.
     #[error("every stroke is a mere dot; draw at least one line")]
     OnlyDots,

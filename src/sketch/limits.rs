@@ -72,3 +72,9 @@ pub const MAX_SVG_USE_DEPTH: usize = 16;
 
 /// Most bytes of attributes that `<use>` may have read again.
 pub const MAX_SVG_COPIED_BYTES: usize = 64 << 20;
+
+/// Most bytes of all style sheets of an SVG together.
+pub const MAX_SVG_STYLE_BYTES: usize = 4 << 20;
+
+/// Most steps of finding the rules of style sheets that hold for elements, copies by `<use>` included.
+pub const MAX_SVG_STYLE_STEPS: u64 = 20_000_000;

@@ -52,9 +52,9 @@ pub enum Remark {
         /// How many samples.
         points: usize,
     },
-    /// Elements of an SVG that are no lines.
+    /// Elements of an SVG that have no outline.
     #[error(
-        "{count} <{element}> left out: only paths and lines are strokes (Inkscape: Path > Object to Path)"
+        "{count} <{element}> left out: only lines and shapes are strokes (Inkscape: Path > Object to Path)"
     )]
     NoLines {
         /// How many.

@@ -1,17 +1,22 @@
-//! SVG as Inkscape, Krita and hands write it: every `<path>`, `<polyline>`, `<polygon>` and `<line>` is a stroke, in
-//! document order; a path with several subpaths gives several strokes.
+//! SVG as Inkscape, Krita, drawing and icon programs and hands write it: whatever is painted, filled or stroked, is
+//! strokes, in document order, by its outline; a path with several subpaths gives several strokes.
 //!
-//! The canvas is the page in CSS pixels (96 per inch), so that units, `viewBox` and nested transforms are all resolved
-//! here. Curves become polylines within [`TOLERANCE`] of the drawing's diagonal. `data-tool`, or the label or id of the
-//! nearest group that names a tool, says what a stroke was drawn as. Pressure and tilt are unknown to SVG: strokes have
-//! the neutral ones, but for polylines with `data-pressure`, a list of one number per point, which [`write()`] adds. Not
-//! read: style sheets, basic shapes, text, and stroke width (a remark counts what was left out).
-//! Source: SVG 1.1 second edition, chapters 5, 7, 8 and 9.
+//! The canvas is the page in CSS pixels (96 per inch), so that units, `viewBox`, nested viewports and transforms are all
+//! resolved here. Curves become polylines within [`TOLERANCE`] of the drawing's diagonal. Attributes, style sheets and
+//! inheritance decide what is painted; what has neither fill nor stroke is not, nor what is hidden, and a rectangle
+//! without stroke that covers the page is paper. `data-tool`, or the label or id of the nearest group that names a tool,
+//! says what a stroke was drawn as. Pressure and tilt are unknown to SVG: strokes have the neutral ones, but for
+//! polylines with `data-pressure`, a list of one number per point, which [`write()`] adds. Not read: text, images (a
+//! remark counts what was left out), stroke width, clipping, markers and what a fill hides.
+//! Source: SVG 1.1 second edition, chapters 5 to 9 and 11.
 
 mod guard;
 mod naming;
 mod path_data;
 mod pressure;
+mod shapes;
+mod style;
+mod style_sheet;
 mod viewport;
 mod walk;
 mod write;
@@ -45,7 +50,9 @@ pub(super) fn parse(text: &str, warnings: &mut Warnings) -> Result<Draft, Flaw> 
         return Err((Place::default(), Fault::NotADrawing { found: "it is XML, but its root is not <svg>" }));
     }
     let page = viewport::Viewport::of_page(root, warnings);
-    let outlines = walk::outlines(&document, page.user_to_canvas, warnings)?;
+    let css = style_sheet::text_of(&document).map_err(|fault| (Place::default(), fault))?;
+    let sheet = style_sheet::StyleSheet::parse(&css);
+    let outlines = walk::outlines(&document, &page, &sheet, warnings)?;
     Ok(Draft { canvas: page.canvas, strokes: flattened(&outlines)?, ..Draft::default() })
 }
 

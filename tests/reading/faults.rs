@@ -270,6 +270,50 @@ fn hostile_svg_ends_soon() {
     assert!(start.elapsed() < Duration::from_secs(60), "{:?}", start.elapsed());
 }
 
+/// Style sheets of many rules, of rules that all look at all ancestors, and of lists against lists of declarations.
+#[test]
+fn hostile_style_sheets_end_soon() {
+    let start = Instant::now();
+    let styled = |css: &str, content: &str| read(&format!("<svg><style>{css}</style>{content}</svg>"));
+    let line = "<line x2='9' class='c'/>";
+    let (open, close) = ("<g>".repeat(100_000), "</g>".repeat(100_000));
+    let descendants = format!("x {}line {{fill:red}}", "g ".repeat(100_000));
+    assert!(styled(&descendants, &format!("{open}{line}{close}")).is_err());
+    let rules: String = (0..20_000).map(|i| format!(".c{i}{{fill:red}}")).collect();
+    let classes: String = (0..20_000).map(|i| format!("<line x2='9' class='c{i}'/>")).collect();
+    assert_eq!(styled(&rules, &classes).unwrap().0.strokes.len(), 20_000);
+    let for_all = "[class]{fill:red}".repeat(20_000);
+    assert!(styled(&for_all, &classes).is_err());
+    let (list, declarations) = ("line,".repeat(50_000), "fill:red;".repeat(50_000));
+    assert_eq!(styled(&format!("{list}line {{{declarations}}}"), line).unwrap().0.strokes.len(), 1);
+    assert!(styled(&"/**/".repeat(500_000), line).is_ok());
+    let message = styled(&" ".repeat(limits::MAX_SVG_STYLE_BYTES), line).unwrap_err().to_string();
+    assert!(message.contains("style sheets are larger"), "{message}");
+    for css in [
+        "{",
+        "}",
+        "@",
+        "@{",
+        "a{",
+        ",{fill:none}",
+        "a>{x:y}",
+        "*|*{fill:none}",
+        "a[b='{']{fill:none}",
+        "é{é:é}",
+    ] {
+        assert!(styled(css, line).is_ok(), "{css}");
+    }
+    assert!(start.elapsed() < Duration::from_secs(60), "{:?}", start.elapsed());
+}
+
+#[test]
+fn a_path_of_ten_megabytes_is_read() {
+    let data: String = (0..1_000_000).map(|i| format!("L{}.5 {}.5 ", i % 999, i % 777)).collect();
+    assert!(data.len() > 10_000_000);
+    let (sketch, _) = read(&format!("<svg><path d='M0 0 {data}'/></svg>")).unwrap();
+    assert_eq!(sketch.strokes[0].points.len(), 1_000_001);
+}
+
 #[test]
 fn the_good_file_is_good() {
     let (sketch, warnings) = read(GOOD).unwrap();

@@ -65,7 +65,7 @@ enum LastCurve {
 
 /// Where path data has drawn to.
 #[derive(Default)]
-struct Pen {
+pub(super) struct Pen {
     elements: Vec<PathEl>,
     start: Point,
     at: Point,
@@ -109,7 +109,15 @@ impl Pen {
         }
     }
 
-    fn move_to(&mut self, to: Point) {
+    pub(super) fn at(&self) -> Point {
+        self.at
+    }
+
+    pub(super) fn finish(self) -> BezPath {
+        BezPath::from_vec(self.elements)
+    }
+
+    pub(super) fn move_to(&mut self, to: Point) {
         // A move that another move follows draws nothing.
         if let Some(PathEl::MoveTo(_)) = self.elements.last() {
             self.elements.pop();
@@ -118,7 +126,7 @@ impl Pen {
         (self.start, self.at, self.last, self.closed) = (to, to, LastCurve::None, false);
     }
 
-    fn close(&mut self) {
+    pub(super) fn close(&mut self) {
         if !self.closed {
             self.elements.push(PathEl::ClosePath);
         }
@@ -134,7 +142,7 @@ impl Pen {
         (self.at, self.last, self.closed) = (to, last, false);
     }
 
-    fn line_to(&mut self, to: Point) {
+    pub(super) fn line_to(&mut self, to: Point) {
         self.push(PathEl::LineTo(to), to, LastCurve::None);
     }
 
@@ -146,7 +154,7 @@ impl Pen {
         self.push(PathEl::CurveTo(first, second, to), to, LastCurve::Cubic(second));
     }
 
-    fn arc_to(&mut self, svg_arc: SvgArc) {
+    pub(super) fn arc_to(&mut self, svg_arc: SvgArc) {
         let to = svg_arc.to;
         let Some((arc, back)) = unit_scaled(&svg_arc) else { return self.line_to(to) };
         arc.to_cubic_beziers(arc.radii.x.max(arc.radii.y) * ARC_TOLERANCE, |p1, p2, p3| {

@@ -1,6 +1,7 @@
 //! Page size, units and `viewBox`: from user units to CSS pixels (SVG 1.1, sections 7.2, 7.7, 7.8 and 7.10).
 //!
-//! 1 in = 96 px = 72 pt = 25.4 mm. Percentages and what cannot be read count as not given.
+//! 1 in = 96 px = 72 pt = 25.4 mm. Percentages are of the viewport around; those of the page itself, whose window is
+//! unknown, and what cannot be read count as not given.
 
 use crate::quote;
 use crate::sketch::warnings::Warnings;
@@ -15,6 +16,21 @@ pub(super) struct Viewport {
     pub(super) canvas: Option<Canvas>,
     /// From the root's user units to canvas pixels.
     pub(super) user_to_canvas: Affine,
+    /// Lengths in the root's user units.
+    pub(super) lengths: Lengths,
+}
+
+/// What percentages are of: the viewport around an element, in the user units there, where it is known.
+#[derive(Clone, Copy)]
+pub(super) struct Lengths(Option<Size>);
+
+/// Which side of the viewport a percentage is of.
+#[derive(Clone, Copy)]
+pub(super) enum Axis {
+    X,
+    Y,
+    /// Neither: the side of a square with the same diagonal.
+    Both,
 }
 
 impl Viewport {
@@ -30,19 +46,49 @@ impl Viewport {
         let size = size.filter(|size| fits(size.width) && fits(size.height));
         let canvas = size.map(|size| Canvas { width: size.width as f32, height: size.height as f32 });
         let user_to_canvas = size.map_or(Affine::IDENTITY, |size| user_to_viewport(root, size));
-        Self { canvas, user_to_canvas }
+        let lengths = Lengths(view_box(root).map(|view| Size::new(view.w, view.h)).or(size));
+        Self { canvas, user_to_canvas, lengths }
     }
 }
 
-/// From the user units inside an inner `<svg>` or a used `<symbol>` to those around it; `sized` is the element that
-/// carries width and height. Without a size it keeps its own units.
-pub(super) fn inner_transform(viewport: Node<'_, '_>, sized: Node<'_, '_>) -> Affine {
-    size_of(viewport, sized).map_or(Affine::IDENTITY, |size| user_to_viewport(viewport, size))
-}
+impl Lengths {
+    /// The attribute as user units.
+    pub(super) fn of(self, node: Node<'_, '_>, name: &str, axis: Axis) -> Option<f64> {
+        let text = node.attribute(name)?;
+        let percent = || {
+            let percent = text.trim().strip_suffix('%')?.parse::<f64>().ok()?;
+            Some(self.side(axis)? * percent / 100.0)
+        };
+        pixels(text).or_else(percent)
+    }
 
-/// The attribute as user units.
-pub(super) fn length(node: Node<'_, '_>, name: &str) -> Option<f64> {
-    node.attribute(name).and_then(pixels)
+    fn side(self, axis: Axis) -> Option<f64> {
+        let Size { width, height } = self.0?;
+        Some(match axis {
+            Axis::X => width,
+            Axis::Y => height,
+            Axis::Both => ((width * width + height * height) / 2.0).sqrt(),
+        })
+    }
+
+    /// The shift by an element's `x` and `y`.
+    pub(super) fn offset(self, node: Node<'_, '_>) -> Affine {
+        let at = |name, axis| self.of(node, name, axis).unwrap_or(0.0);
+        Affine::translate((at("x", Axis::X), at("y", Axis::Y)))
+    }
+
+    /// From the user units inside an inner `<svg>` or a used `<symbol>` to those around it, and the lengths inside;
+    /// `sized` is the element that carries width and height. Without them it is as large as the viewport around.
+    pub(super) fn inner(self, viewport: Node<'_, '_>, sized: Node<'_, '_>) -> (Affine, Self) {
+        let side = |name, axis| {
+            let given = self.of(sized, name, axis).or_else(|| self.side(axis));
+            given.filter(|side| *side > 0.0)
+        };
+        let full = side("width", Axis::X).zip(side("height", Axis::Y));
+        let size = full.map(|(width, height)| Size::new(width, height)).or_else(|| size_of(viewport, sized));
+        let inside = view_box(viewport).map(|view| Size::new(view.w, view.h)).or(size);
+        (size.map_or(Affine::IDENTITY, |size| user_to_viewport(viewport, size)), Self(inside))
+    }
 }
 
 fn is_unusable(name: &str, text: &str) -> bool {
@@ -75,7 +121,7 @@ fn view_box(node: Node<'_, '_>) -> Option<ViewBox> {
 
 /// Width and height; one that is missing follows from the `viewBox`.
 fn size_of(viewport: Node<'_, '_>, sized: Node<'_, '_>) -> Option<Size> {
-    let side = |name| length(sized, name).filter(|side| *side > 0.0);
+    let side = |name| sized.attribute(name).and_then(pixels).filter(|side| *side > 0.0);
     let view = view_box(viewport);
     match (side("width"), side("height"), view) {
         (Some(width), Some(height), _) => Some(Size::new(width, height)),

@@ -1,17 +1,20 @@
-//! From the XML tree to outlines in canvas pixels: which elements are drawn, through which transforms, with which tool.
+//! From the XML tree to outlines in canvas pixels: which elements are painted, through which transforms, with which tool.
 //!
 //! The walk keeps its own stack, so nesting costs no call depth; `<use>` copies count like elements, so that copies of
 //! copies end at the limit.
 
 use super::path_data::{PathData, parse_path, parse_points};
-use super::{naming, pressure, viewport};
+use super::style::Style;
+use super::style_sheet::StyleSheet;
+use super::viewport::{Lengths, Viewport};
+use super::{naming, pressure, shapes};
 use crate::quote;
 use crate::sketch::draft::{Flaw, coordinate_fault};
 use crate::sketch::error::{Fault, Place};
 use crate::sketch::remark::Element;
 use crate::sketch::warnings::Warnings;
-use crate::sketch::{Remark, Tool, limits};
-use kurbo::{Affine, BezPath, PathEl, Point};
+use crate::sketch::{Canvas, Remark, Tool, limits};
+use kurbo::{Affine, BezPath, PathEl, Point, Rect};
 use roxmltree::{Document, Node, NodeId};
 use std::collections::HashMap;
 use svgtypes::Transform;
@@ -21,7 +24,7 @@ const XLINK: &str = "http://www.w3.org/1999/xlink";
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 
 /// Visible elements that an artist may take for strokes but that are none.
-const LEFT_OUT: [&str; 5] = ["rect", "circle", "ellipse", "text", "image"];
+const LEFT_OUT: [&str; 3] = ["text", "image", "foreignObject"];
 
 /// An outline in canvas pixels, curves and all.
 pub(super) struct Outline {
@@ -34,31 +37,38 @@ pub(super) struct Outline {
 /// Every drawn outline of `document`, in document order.
 pub(super) fn outlines(
     document: &Document<'_>,
-    user_to_canvas: Affine,
+    page: &Viewport,
+    sheet: &StyleSheet<'_>,
     warnings: &mut Warnings,
 ) -> Result<Vec<Outline>, Flaw> {
     let walk = Walk {
         document,
+        page,
+        sheet,
         warnings,
         by_id: None,
         outlines: Vec::new(),
         room: limits::MAX_POINTS,
         left_out: [0; LEFT_OUT.len()],
+        unpainted: 0,
     };
-    walk.run(user_to_canvas)
+    walk.run()
 }
 
 /// What an element inherits.
 #[derive(Clone, Copy)]
 struct Inherited {
     to_canvas: Affine,
+    lengths: Lengths,
     tool: Tool,
-    hidden: bool,
+    style: Style,
     use_depth: usize,
 }
 
 struct Walk<'d, 'i, 'w> {
     document: &'d Document<'i>,
+    page: &'w Viewport,
+    sheet: &'w StyleSheet<'w>,
     warnings: &'w mut Warnings,
     /// Elements by id; made when the first `<use>` asks.
     by_id: Option<HashMap<&'d str, NodeId>>,
@@ -67,13 +77,23 @@ struct Walk<'d, 'i, 'w> {
     room: usize,
     /// How many of each of [`LEFT_OUT`] were met.
     left_out: [usize; LEFT_OUT.len()],
+    /// How many outlines have neither stroke nor fill.
+    unpainted: usize,
 }
 
 impl<'d, 'i> Walk<'d, 'i, '_> {
-    fn run(mut self, user_to_canvas: Affine) -> Result<Vec<Outline>, Flaw> {
-        let page = Inherited { to_canvas: user_to_canvas, tool: Tool::Auto, hidden: false, use_depth: 0 };
-        let mut stack = Vec::new();
-        push_children(&mut stack, self.document.root_element(), page);
+    fn run(mut self) -> Result<Vec<Outline>, Flaw> {
+        let page = Inherited {
+            to_canvas: self.page.user_to_canvas,
+            lengths: self.page.lengths,
+            tool: Tool::Auto,
+            style: Style::INITIAL,
+            use_depth: 0,
+        };
+        let (mut stack, root) = (Vec::new(), self.document.root_element());
+        if let Some(style) = self.style(root, page.style)? {
+            push_children(&mut stack, root, Inherited { style, ..page });
+        }
         let (mut visited, mut copied_bytes) = (0, 0);
         while let Some((node, inherited)) = stack.pop() {
             visited += 1;
@@ -89,6 +109,9 @@ impl<'d, 'i> Walk<'d, 'i, '_> {
                 self.visit(node, inherited, &mut stack)?;
             }
         }
+        if self.outlines.is_empty() && self.unpainted > 0 {
+            return Err((Place::default(), Fault::NothingPainted { count: self.unpainted }));
+        }
         for (name, count) in LEFT_OUT.iter().zip(self.left_out).filter(|(_, count)| *count > 0) {
             self.warnings.add(None, || Remark::NoLines { count, element: name });
         }
@@ -100,11 +123,12 @@ impl<'d, 'i> Walk<'d, 'i, '_> {
         match node.tag_name().name() {
             "g" | "a" | "switch" => push_children(stack, node, here),
             "svg" => {
-                let to_canvas = here.to_canvas * offset(node) * viewport::inner_transform(node, node);
-                push_children(stack, node, Inherited { to_canvas, ..here });
+                let (inner, lengths) = here.lengths.inner(node, node);
+                let to_canvas = here.to_canvas * here.lengths.offset(node) * inner;
+                push_children(stack, node, Inherited { to_canvas, lengths, ..here });
             }
             "use" => self.follow(node, here, stack),
-            _ if here.hidden => {}
+            _ if here.style.is_hidden() => {}
             "path" => {
                 let data = parse_path(node.attribute("d").unwrap_or_default(), self.room);
                 self.add(node, here, data)?;
@@ -113,11 +137,9 @@ impl<'d, 'i> Walk<'d, 'i, '_> {
                 let points = node.attribute("points").unwrap_or_default();
                 self.add(node, here, parse_points(points, shape == "polygon", self.room))?;
             }
-            "line" => {
-                let [x1, y1, x2, y2] =
-                    ["x1", "y1", "x2", "y2"].map(|n| viewport::length(node, n).unwrap_or(0.0));
-                let path = [PathEl::MoveTo(Point::new(x1, y1)), PathEl::LineTo(Point::new(x2, y2))];
-                self.add(node, here, PathData { path: BezPath::from_vec(path.to_vec()), error: None })?;
+            "line" | "rect" | "circle" | "ellipse" => {
+                let path = shapes::outline(node, here.lengths);
+                self.add(node, here, PathData { path, error: None })?;
             }
             other => {
                 if let Some(at) = LEFT_OUT.iter().position(|name| *name == other) {
@@ -130,14 +152,7 @@ impl<'d, 'i> Walk<'d, 'i, '_> {
 
     /// What holds at `node`, `None` if neither it nor anything inside is displayed.
     fn inherit(&mut self, node: Node<'d, 'i>, from: Inherited) -> Result<Option<Inherited>, Flaw> {
-        if property(node, "display") == Some("none") {
-            return Ok(None);
-        }
-        let hidden = match property(node, "visibility") {
-            Some("hidden" | "collapse") => true,
-            Some("visible") => false,
-            _ => from.hidden,
-        };
+        let Some(style) = self.style(node, from.style)? else { return Ok(None) };
         let transform = node.attribute("transform").map(str::parse::<Transform>);
         let own = match transform {
             None => Affine::IDENTITY,
@@ -151,7 +166,13 @@ impl<'d, 'i> Walk<'d, 'i, '_> {
             }
         };
         let tool = self.tool(node, from.tool)?.unwrap_or(from.tool);
-        Ok(Some(Inherited { to_canvas: from.to_canvas * own, tool, hidden, use_depth: from.use_depth }))
+        Ok(Some(Inherited { to_canvas: from.to_canvas * own, tool, style, ..from }))
+    }
+
+    /// The style of `node` in an element of style `around`, `None` if neither it nor anything inside is displayed.
+    fn style(&self, node: Node<'d, 'i>, around: Style) -> Result<Option<Style>, Flaw> {
+        let declared = self.sheet.declarations(node).map_err(|fault| (Place::default(), fault))?;
+        Ok(around.inherited_by(&declared))
     }
 
     /// The tool that this very element names; `around` is that of the groups around it.
@@ -181,18 +202,23 @@ impl<'d, 'i> Walk<'d, 'i, '_> {
             self.warnings.add(None, || Remark::LeadsNowhere { element: title(node) });
             return;
         };
-        let to_canvas = here.to_canvas * offset(node);
+        let to_canvas = here.to_canvas * here.lengths.offset(node);
         let there = Inherited { to_canvas, use_depth: here.use_depth + 1, ..here };
         if target.tag_name().name() == "symbol" {
-            let to_canvas = to_canvas * viewport::inner_transform(target, node);
-            push_children(stack, target, Inherited { to_canvas, ..there });
+            let (inner, lengths) = here.lengths.inner(target, node);
+            push_children(stack, target, Inherited { to_canvas: to_canvas * inner, lengths, ..there });
         } else {
             stack.push((target, there));
         }
     }
 
+    /// Adds what an element draws, if it is painted and not the paper.
     fn add(&mut self, node: Node<'d, 'i>, here: Inherited, data: PathData) -> Result<(), Flaw> {
         let PathData { mut path, error } = data;
+        if !here.style.is_stroked() && !here.style.is_filled() {
+            self.unpainted += usize::from(path.elements().len() > 1);
+            return Ok(());
+        }
         if let Some(error) = error {
             self.warnings.add(None, || {
                 let reason = quote::name(&error.to_string());
@@ -205,7 +231,8 @@ impl<'d, 'i> Walk<'d, 'i, '_> {
         }
         let fault = Fault::TooMany { what: "points", limit: limits::MAX_POINTS };
         self.room = self.room.checked_sub(path.elements().len()).ok_or((Place::default(), fault))?;
-        if path.elements().len() > 1 {
+        let is_paper = !here.style.is_stroked() && self.page.canvas.is_some_and(|page| covers(&path, page));
+        if path.elements().len() > 1 && !is_paper {
             let listed = node.attribute("data-pressure");
             let pressures = listed.and_then(|text| pressure::parse(text, path.elements()));
             if listed.is_some() && pressures.is_none() {
@@ -233,17 +260,20 @@ fn is_svg_element(node: Node<'_, '_>) -> bool {
     node.is_element() && matches!(node.tag_name().namespace(), None | Some(SVG))
 }
 
-/// The shift by an element's `x` and `y`.
-fn offset(node: Node<'_, '_>) -> Affine {
-    let at = |name| viewport::length(node, name).unwrap_or(0.0);
-    Affine::translate((at("x"), at("y")))
-}
-
-/// A presentation property, from `style` or from the attribute of its name.
-fn property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
-    let declarations = node.attribute("style").unwrap_or_default().split(';');
-    let mut styled = declarations.filter_map(|d| d.split_once(':')).filter(|(key, _)| key.trim() == name);
-    styled.next_back().map(|(_, value)| value).or_else(|| node.attribute(name)).map(str::trim)
+/// Whether the path is a rectangle over the whole page, to a thousandth of its sides: a coloured ground.
+fn covers(path: &BezPath, page: Canvas) -> bool {
+    let sides = Rect::new(0.0, 0.0, page.width.into(), page.height.into());
+    let inset = sides.inset((-1e-3 * sides.width(), -1e-3 * sides.height()));
+    let is_outside = |element: &PathEl| match element {
+        PathEl::MoveTo(p) | PathEl::LineTo(p) => !inset.contains(*p),
+        PathEl::ClosePath => true,
+        PathEl::QuadTo(..) | PathEl::CurveTo(..) => false,
+    };
+    let most_corners = 6;
+    let bounds = path.control_box();
+    path.elements().len() <= most_corners
+        && path.elements().iter().all(is_outside)
+        && bounds.union(inset) == bounds
 }
 
 /// The element as a remark names it.
