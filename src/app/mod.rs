@@ -35,6 +35,7 @@ pub mod export_choice;
 mod file_dialog;
 pub mod fonts;
 mod frame;
+mod free_memory;
 mod graphics;
 pub mod growth_spots;
 mod invitation;

@@ -7,7 +7,7 @@
 //! quality has on this driver. The thread steps back behind the window, and so do the threads of a software driver,
 //! which it starts.
 
-use super::{growth_spots, priority, texture_files};
+use super::{free_memory, growth_spots, priority, texture_files};
 use crate::pipeline::Built;
 use crate::render::{Look, OrbitCamera, RenderError, Renderer, ShownPicture, Viewport};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -131,7 +131,8 @@ fn paint(shared: &Shared, wake: &dyn Fn()) {
             return wake();
         }
     };
-    while let Some((scene, built)) = next(shared) {
+    let mut has_worked = true;
+    while let Some((scene, built)) = next(shared, &mut has_worked) {
         let painted = easel.paint(&scene, built.as_deref());
         drop(built);
         let mut desk = shared.desk();
@@ -153,7 +154,7 @@ fn paint(shared: &Shared, wake: &dyn Fn()) {
 }
 
 /// Waits for a wish; `None` when the window closes.
-fn next(shared: &Shared) -> Option<(Scene, Option<Arc<Built>>)> {
+fn next(shared: &Shared, has_worked: &mut bool) -> Option<(Scene, Option<Arc<Built>>)> {
     let mut desk = shared.desk();
     loop {
         if desk.is_closing {
@@ -161,12 +162,12 @@ fn next(shared: &Shared) -> Option<(Scene, Option<Arc<Built>>)> {
         }
         let outdated = std::mem::take(&mut desk.outdated);
         if let Some(wish) = desk.wish.take() {
-            desk.is_painting = true;
+            (desk.is_painting, *has_worked) = (true, true);
             drop(desk);
             drop(outdated);
             return Some(wish);
         }
-        desk = shared.news.wait(desk).unwrap_or_else(PoisonError::into_inner);
+        desk = free_memory::wait(&shared.desk, &shared.news, desk, has_worked);
     }
 }
 

@@ -9,7 +9,7 @@
 //! Species files and the parts of the plant that did not change are kept from build to build. What would make the window
 //! wait on large plants is done here as well: counting, and giving back the memory of plants that are no longer shown.
 
-use super::priority;
+use super::{free_memory, priority};
 use crate::anatomy::Part;
 use crate::growth::overlay::Wanted;
 use crate::model::{Measure, Measures};
@@ -237,7 +237,8 @@ struct Bench {
 fn work(shared: &Shared, wake: &dyn Fn()) {
     priority::step_back();
     let mut bench = Bench::default();
-    while let Some(snapshot) = next(shared) {
+    let mut has_worked = true;
+    while let Some(snapshot) = next(shared, &mut has_worked) {
         let begun = Instant::now();
         let revision = snapshot.revision;
         let build = std::panic::AssertUnwindSafe(|| bench.build(&snapshot, &shared.cancel));
@@ -268,7 +269,7 @@ fn work(shared: &Shared, wake: &dyn Fn()) {
 }
 
 /// Waits for the next snapshot; `None` when the window closes.
-fn next(shared: &Shared) -> Option<Snapshot> {
+fn next(shared: &Shared, has_worked: &mut bool) -> Option<Snapshot> {
     let mut desk = shared.desk();
     loop {
         if desk.closing {
@@ -278,6 +279,7 @@ fn next(shared: &Shared) -> Option<Snapshot> {
             shared.cancel.store(false, Ordering::Relaxed);
             let growing = desk.growing.clone();
             drop(desk);
+            *has_worked = true;
             snapshot.sketch.strokes = snapshot.strokes.iter().cloned().chain(growing.map(Arc::new)).collect();
             return Some(snapshot);
         }
@@ -285,10 +287,11 @@ fn next(shared: &Shared) -> Option<Snapshot> {
         if !discarded.is_empty() {
             drop(desk);
             drop(discarded);
+            *has_worked = true;
             desk = shared.desk();
             continue;
         }
-        desk = shared.news.wait(desk).unwrap_or_else(PoisonError::into_inner);
+        desk = free_memory::wait(&shared.desk, &shared.news, desk, has_worked);
     }
 }
 

@@ -1,9 +1,9 @@
 //! Memory of the window: level while one draws and undoes, and given back when a large plant is gone.
 //!
 //! Counted is what the process has for itself, without files (`RssAnon` of `/proc/PID/status`), graphics driver included.
-//! The allocator gives back what has been free for a second, with the next frame that is drawn. What a small plant of the
-//! same species leaves behind counts as the window's own: pictures kept for the next plant of the species, threads, and
-//! what the driver compiled to draw leaves and bark.
+//! Free memory goes back when the window's threads have rested for a little more than a second (`app/free_memory.rs`). What
+//! a small plant of the same species leaves behind counts as the window's own: pictures kept for the next plant of the
+//! species, threads, and what the driver compiled to draw leaves and bark.
 
 use crate::client::Client;
 use crate::program::Program;
@@ -16,25 +16,20 @@ use tempfile::TempDir;
 /// More than this, as a factor, is growth.
 const LEVEL: f64 = 1.1;
 /// Least factor by which a large plant fills the memory: its leaves are copies, so that most of it is wood.
-const LARGE: f64 = 1.05;
-/// How often the memory is looked at, two seconds apart, until what is free must be back: up to 100 MB come back only with
-/// what the allocator does next.
-const LOOKS: usize = 10;
-/// Most that stays when it is gone, as a factor: measured are 1.06 to 1.16. The rest are blocks of 64 kB that a software
+const LARGE: f64 = 1.1;
+/// Longer than the threads rest before they give back what is free.
+const GIVEN_BACK: Duration = Duration::from_millis(2500);
+/// Most that stays when it is gone, as a factor: measured are 1.10 to 1.14. The rest are blocks of 64 kB that a software
 /// driver keeps here and there for its next pictures, each in a page of the allocator's that cannot go back meanwhile.
-const LEFT: f64 = 1.25;
+const LEFT: f64 = 1.2;
 /// Rounds of drawing and undoing before the memory is looked at first, and after that. In the first twenty the pages of
 /// the allocator and of the driver still find their places.
 const ROUNDS: [usize; 2] = [20, 10];
 
 /// Memory of the program's own, MB, once what is free has been given back.
-fn memory(screen: &Screen, client: &Client, program: &mut Program) -> f64 {
+fn memory(program: &mut Program) -> f64 {
     program.rest();
-    for i in 0..12 {
-        client.point([300.0 + 8.0 * f64::from(i), 300.0]);
-        std::thread::sleep(Duration::from_millis(150));
-    }
-    program.picture(screen);
+    std::thread::sleep(GIVEN_BACK);
     let status = std::fs::read_to_string(format!("/proc/{}/status", program.id())).unwrap();
     let line = status.lines().find_map(|line| line.strip_prefix("RssAnon:")).unwrap();
     line.trim().strip_suffix(" kB").unwrap().parse::<f64>().unwrap() / 1024.0
@@ -94,7 +89,7 @@ fn memory_stays_level_while_one_draws_and_undoes() {
     let [first, last] = ROUNDS.map(|count| {
         rounds.by_ref().take(count).for_each(|round| draw_and_undo(&screen, &client, canvas, round));
         program.built_of(31);
-        memory(&screen, &client, &mut program)
+        memory(&mut program)
     });
     eprintln!("{first:.0} MB after {} rounds, {last:.0} MB after {} more", ROUNDS[0], ROUNDS[1]);
     assert!(last < LEVEL * first, "{first:.0} MB became {last:.0} MB");
@@ -108,27 +103,18 @@ fn the_memory_of_a_large_plant_comes_back_with_a_new_drawing() {
     program.built();
     let (client, window) = (Client::on(&screen), program.window(&screen));
     let [left, top, width, height] = program.area("canvas");
-    // The new drawing's memory, once it is below a limit or will not be.
-    let new = |program: &mut Program, limit: f64| {
-        screen.hand(&["key", "ctrl+n"]);
-        program.built_of(0);
-        let mut looks: Vec<f64> = Vec::new();
-        while looks.len() < LOOKS && looks.last().is_none_or(|last| *last >= limit) {
-            looks.push(memory(&screen, &client, program));
-        }
-        eprintln!("MB without the plant, two seconds apart: {looks:.0?}");
-        looks.last().copied().unwrap()
-    };
-    let mut show_and_leave = |file: &Path, strokes: usize, limit: f64| {
+    let mut show_and_leave = |file: &Path, strokes: usize| {
         client.drop_file(&window, [left + 0.5 * width, top + 0.5 * height], file);
         program.built_of(strokes);
-        let full = memory(&screen, &client, &mut program);
-        [full, new(&mut program, limit)]
+        let full = memory(&mut program);
+        screen.hand(&["key", "ctrl+n"]);
+        program.built_of(0);
+        [full, memory(&mut program)]
     };
     let small = sketch_file("tree_round");
     let strokes = penstemon::sketch::read(&small).unwrap().0.strokes.len();
-    let [_, before] = show_and_leave(&small, strokes, f64::INFINITY);
-    let large = [(); 2].map(|()| show_and_leave(&file, 28, LEFT * before));
+    let [_, before] = show_and_leave(&small, strokes);
+    let large = [(); 2].map(|()| show_and_leave(&file, 28));
     eprintln!("{before:.0} MB after a small plant, then with and without a large one: {large:.0?}");
     for [full, after] in large {
         assert!(full > LARGE * before, "the plant is not large: {full:.0} MB");
