@@ -52,26 +52,35 @@ impl Damage {
     }
 
     /// Takes out what one frame paints of it: what lies in `first`, then small places before large ones, up to an area of
-    /// `most` square points; a place that is larger than what is left of that is cut, and its lower part stays.
+    /// `most` square points; a place that is larger than what is left of that is cut, and its lower part stays. What it takes
+    /// is apart from each other.
     pub(super) fn take(&mut self, first: Rect, most: f32) -> Self {
         let urgent =
             self.places.iter().map(|place| place.intersect(first)).filter(|place| place.is_positive());
         let mut now = Self { places: urgent.collect() };
+        let urgent = now.places.len();
         self.places.sort_by(|a, b| b.area().total_cmp(&a.area()));
         let mut left = most;
         while let Some(place) = self.places.pop() {
-            let height = left / place.width();
+            let height = (left / place.width()).clamp(0.0, place.height());
             left -= place.area();
-            if left >= 0.0 {
-                now.places.push(place);
-                continue;
-            }
             let (strip, rest) = place.split_top_bottom_at_y(place.top() + height);
-            now.places.push(strip);
-            self.places.push(rest);
-            break;
+            now.add_beside(strip, urgent);
+            if left < 0.0 {
+                self.places.push(rest);
+                break;
+            }
         }
         now
+    }
+
+    /// Adds what of a place lies beside the first few ones.
+    fn add_beside(&mut self, place: Rect, first: usize) {
+        let mut parts = vec![place];
+        for hole in &self.places[..first] {
+            parts = parts.into_iter().flat_map(|part| around(part, *hole)).collect();
+        }
+        self.places.extend(parts.into_iter().filter(Rect::is_positive));
     }
 
     /// Adds where pictures are shown that are replaced. Not where glyphs are added to that of the fonts: they come where
@@ -110,6 +119,18 @@ impl Damage {
             }
         }
     }
+}
+
+/// What is left of a place around a hole: above, below, left and right of it, some of them empty.
+fn around(place: Rect, hole: Rect) -> [Rect; 4] {
+    let hole = hole.intersect(place);
+    if !hole.is_positive() {
+        return [place, Rect::NOTHING, Rect::NOTHING, Rect::NOTHING];
+    }
+    let (above, rest) = place.split_top_bottom_at_y(hole.top());
+    let (beside, below) = rest.split_top_bottom_at_y(hole.bottom());
+    let (left, rest) = beside.split_left_right_at_x(hole.left());
+    [above, below, left, rest.split_left_right_at_x(hole.right()).1]
 }
 
 /// Where two meshes differ; `None` where they do not.
@@ -209,6 +230,20 @@ mod tests {
         assert_eq!(damage.take(Rect::NOTHING, 4000.0).places, [strip(40.0, 80.0)]);
         assert_eq!(damage.take(Rect::NOTHING, 4000.0).places, [strip(80.0, 100.0)]);
         assert_eq!(damage, Damage::default());
+    }
+
+    #[test]
+    fn what_lies_at_the_pen_is_painted_once() {
+        let mut damage = Damage::default();
+        damage.add(Rect::from_min_size(pos2(0.0, 0.0), vec2(100.0, 100.0)));
+        let pen = Rect::from_min_size(pos2(40.0, 20.0), vec2(20.0, 30.0));
+        let now = damage.take(pen, 20_000.0);
+        assert_eq!(damage, Damage::default());
+        assert!((now.places.iter().map(Rect::area).sum::<f32>() - 10_000.0).abs() < 1e-3);
+        for (i, one) in now.places.iter().enumerate() {
+            assert!(now.places[..i].iter().all(|other| !one.intersect(*other).is_positive()), "{one} twice");
+        }
+        assert_eq!(now.places[0], pen);
     }
 
     #[test]

@@ -6,6 +6,7 @@
 //! egui's pictures are uploaded before the surface is asked for a frame, because a frame may not be had and egui sends
 //! each picture only once.
 
+use super::cut_meshes;
 use super::damage::Damage;
 use super::surface::Surface;
 use egui::{ClippedPrimitive, Pos2, Rect, TexturesDelta, pos2, vec2};
@@ -99,7 +100,7 @@ impl EguiPainter {
         };
         tracing::debug!("painted share={:.4}", damage.share(window));
         if let Some(target) = surface.acquire() {
-            self.draw(surface, &mut frame, &target, &damage, below);
+            self.draw(surface, &frame, &target, &damage, below);
             if is_lost() {
                 Surface::abandon(target);
             } else {
@@ -139,7 +140,7 @@ impl EguiPainter {
     fn draw(
         &mut self,
         surface: &Surface,
-        frame: &mut EguiFrame,
+        frame: &EguiFrame,
         target: &wgpu::SurfaceTexture,
         damage: &Damage,
         below: impl Fn(&mut wgpu::RenderPass<'_>, [u32; 4]),
@@ -154,13 +155,12 @@ impl EguiPainter {
         let painted = kept.unwrap_or(&target.texture);
         let view = painted.create_view(&wgpu::TextureViewDescriptor::default());
         let mut encoder = surface.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        let mut commands = self.renderer.update_buffers(
-            &surface.device,
-            &surface.queue,
-            &mut encoder,
-            &frame.primitives,
-            &screen,
-        );
+        let size = (width, height);
+        let pixels: Vec<[u32; 4]> = places.iter().filter_map(|place| pixels(*place, scale, size)).collect();
+        let places: Vec<Rect> = pixels.iter().map(|pixels| points(*pixels, scale)).collect();
+        let cut = cut_meshes::within(&frame.primitives, &places);
+        let mut commands =
+            self.renderer.update_buffers(&surface.device, &surface.queue, &mut encoder, &cut, &screen);
         let load = if kept.is_some() { wgpu::LoadOp::Load } else { wgpu::LoadOp::Clear(wgpu::Color::BLACK) };
         let mut pass = encoder
             .begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -174,24 +174,14 @@ impl EguiPainter {
                 ..Default::default()
             })
             .forget_lifetime();
-        let clips: Vec<Rect> = frame.primitives.iter().map(|primitive| primitive.clip_rect).collect();
-        for place in places {
-            let Some(pixels) = pixels(*place, scale, (width, height)) else { continue };
-            let [left, top, wide, high] = pixels;
+        for place in pixels {
+            let [left, top, wide, high] = place;
             pass.set_viewport(0.0, 0.0, width as f32, height as f32, 0.0, 1.0);
             pass.set_scissor_rect(left, top, wide, high);
-            below(&mut pass, pixels);
-            let at = |x: u32, y: u32| pos2(x as f32, y as f32) / scale;
-            let place = Rect::from_min_max(at(left, top), at(left + wide, top + high));
-            for (primitive, clip) in frame.primitives.iter_mut().zip(&clips) {
-                primitive.clip_rect = clip.intersect(place);
-            }
-            self.renderer.render(&mut pass, &frame.primitives, &screen);
+            below(&mut pass, place);
         }
+        self.renderer.render(&mut pass, &cut, &screen);
         drop(pass);
-        for (primitive, clip) in frame.primitives.iter_mut().zip(clips) {
-            primitive.clip_rect = clip;
-        }
         if let Some(picture) = kept {
             let (from, onto) = (picture.as_image_copy(), target.texture.as_image_copy());
             encoder.copy_texture_to_texture(from, onto, picture.size());
@@ -201,11 +191,16 @@ impl EguiPainter {
     }
 }
 
-/// The pixels that a place touches: left, top, width, height; `None` where there are none.
+/// A place's pixels: left, top, width, height; `None` where there are none. Places that are apart have none in common.
 fn pixels(place: Rect, scale: f32, (width, height): (u32, u32)) -> Option<[u32; 4]> {
-    let side = |at: f32, most: u32| (at * scale).clamp(0.0, most as f32) as u32;
+    let side = |at: f32, most: u32| (at * scale).round().clamp(0.0, most as f32) as u32;
     let (left, top) = (side(place.min.x, width), side(place.min.y, height));
-    let right = ((place.max.x * scale).ceil().clamp(0.0, width as f32)) as u32;
-    let bottom = ((place.max.y * scale).ceil().clamp(0.0, height as f32)) as u32;
+    let (right, bottom) = (side(place.max.x, width), side(place.max.y, height));
     (right > left && bottom > top).then(|| [left, top, right - left, bottom - top])
+}
+
+/// The points that pixels are: left, top, width, height.
+fn points([left, top, wide, high]: [u32; 4], scale: f32) -> Rect {
+    let at = |x: u32, y: u32| pos2(x as f32, y as f32) / scale;
+    Rect::from_min_max(at(left, top), at(left + wide, top + high))
 }

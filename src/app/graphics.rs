@@ -27,7 +27,7 @@ use winit::window::Window;
 const EDGE_PX: f32 = 3.0;
 
 /// Share of the window that a frame paints beside growing ink where the processor paints: a few milliseconds of its work.
-const SHARE_BESIDE_INK: f32 = 0.1;
+const SHARE_BESIDE_INK: f32 = 0.06;
 /// How far from the pen ink is new since the last frame, at most, points.
 const PEN_REACH: f32 = 64.0;
 
@@ -138,7 +138,7 @@ impl Graphics {
             canvas.paint_paper(pass);
             if let Some([x, y, width, height]) = scissor(canvas_area, place, size) {
                 pass.set_scissor_rect(x, y, width, height);
-                canvas.paint_drawing(pass);
+                canvas.paint_drawing(pass, [x, y, width, height]);
             }
         };
         let damage = std::mem::take(&mut self.damage);

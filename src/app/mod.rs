@@ -23,6 +23,7 @@ pub mod action;
 pub mod canvas;
 pub mod canvas_tool;
 mod composition;
+mod cut_meshes;
 mod damage;
 #[cfg_attr(not(target_os = "linux"), path = "desktop_of_system.rs")]
 mod desktop;

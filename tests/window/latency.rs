@@ -23,9 +23,9 @@ const LEGEND: f64 = 110.0;
 const BENDS: usize = 6;
 /// Paper is brighter than this in every colour, ink is not.
 const PAPER: u8 = 200;
-/// Most that a frame paints while a line grows, share of the window: a tenth, which is a part of the plant's new picture
-/// where there is one, and the end of the line with the status line, which are less than half as much.
-const LARGEST_SHARE: f64 = 0.15;
+/// Most that a frame paints while a line grows, share of the window: 0.06, which is a part of the plant's new picture where
+/// there is one, and the end of the line with the status line, which are less than half as much.
+const LARGEST_SHARE: f64 = 0.1;
 /// A move that is not seen by then is lost.
 const LOST: Duration = Duration::from_secs(10);
 

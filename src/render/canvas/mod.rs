@@ -6,13 +6,15 @@
 //!
 //! | file | what |
 //! | --- | --- |
+//! | `blocks` | where the lines lie, for painting a small place |
 //! | `curve` | samples to a smooth line, one sample at a time |
 //! | `ink` | all lines in one array, and what of it changed |
 //! | `reference` | the picture under the drawing |
 //!
-//! The first two know no GPU: what a sample costs the processor can be measured on them alone. Limits: ink is drawn over
+//! `curve` and `ink` know no GPU: what a sample costs the processor can be measured on them alone. Limits: ink is drawn over
 //! what is below, so a see-through stroke is darker where it crosses itself.
 
+mod blocks;
 mod curve;
 mod ink;
 mod reference;
@@ -25,6 +27,7 @@ use super::pipeline::{Into, PipelineSpec};
 use super::uniform::Uniform;
 use super::{RenderError, shaders};
 use crate::picture::decode::Rgba;
+use blocks::Blocks;
 use bytemuck::{Pod, Zeroable};
 use glam::{Affine2, Vec2, Vec3, Vec4};
 use reference::Reference;
@@ -33,6 +36,8 @@ use reference::Reference;
 const FIRST_CAPACITY: usize = 1 << 14;
 /// Points that a piece of a stroke looks at: its ends and their neighbours.
 const POINTS_PER_PIECE: usize = 4;
+/// How far a line's smooth edge, and the least width of a line, reach beyond its radius at most, pixels.
+const EDGE_PX: f32 = 2.0;
 
 /// Where the canvas is seen, and on what.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +54,17 @@ pub struct CanvasView {
     pub sheet: Option<Vec2>,
     /// Factor on the width of all lines; 1 shows them as wide on the canvas as they are.
     pub line_scale: f32,
+}
+
+impl CanvasView {
+    /// Smallest and largest corner of the canvas that a place shows: left, top, width, height, pixels.
+    fn canvas_bounds(&self, [left, top, width, height]: [u32; 4]) -> blocks::Bounds {
+        let (low, size) = (Vec2::new(left as f32, top as f32), Vec2::new(width as f32, height as f32));
+        let canvas_from_pixel = self.pixel_from_canvas.inverse();
+        let corners = [Vec2::ZERO, Vec2::X, Vec2::Y, Vec2::ONE];
+        let corners = corners.map(|corner| canvas_from_pixel.transform_point2(low + size * corner));
+        corners.iter().fold((corners[0], corners[0]), |(low, high), c| (low.min(*c), high.max(*c)))
+    }
 }
 
 /// `Sheet` in `canvas.wgsl`.
@@ -101,6 +117,10 @@ pub struct CanvasLayer {
     decode: bool,
     /// How many points [`CanvasLayer::paint`] draws.
     ready: usize,
+    /// Where those points lie.
+    blocks: Blocks,
+    /// The view of the next [`CanvasLayer::paint`].
+    view: Option<CanvasView>,
 }
 
 impl CanvasLayer {
@@ -132,6 +152,8 @@ impl CanvasLayer {
             paper,
             decode: target.is_srgb(),
             ready: 0,
+            blocks: Blocks::default(),
+            view: None,
         };
         gpu.check()?;
         Ok(layer)
@@ -168,11 +190,13 @@ impl CanvasLayer {
         let mut bytes = 0;
         for range in self.ink.take_dirty() {
             let range = range.start.min(points)..range.end.min(points);
+            self.blocks.update(self.ink.points(), range.clone());
             let run: &[u8] = bytemuck::cast_slice(&self.ink.points()[range.clone()]);
             gpu.queue.write_buffer(&self.points, (range.start * size_of::<InkPoint>()) as u64, run);
             bytes += run.len() as u64;
         }
         self.ready = points;
+        self.view = Some(*view);
         gpu.check().inspect_err(|_| {
             self.ink.touch_all();
             self.capacity = 0;
@@ -183,8 +207,9 @@ impl CanvasLayer {
 
     /// Paints paper, picture and strokes as prepared.
     pub fn paint(&self, pass: &mut wgpu::RenderPass<'_>) {
+        let (width, height) = self.view.map_or((0, 0), |view| view.framebuffer);
         self.paint_paper(pass);
-        self.paint_drawing(pass);
+        self.paint_drawing(pass, [0, 0, width, height]);
     }
 
     /// Paints the paper alone, over everything.
@@ -194,16 +219,23 @@ impl CanvasLayer {
         pass.draw(0..3, 0..1);
     }
 
-    /// Paints picture and strokes.
-    pub fn paint_drawing(&self, pass: &mut wgpu::RenderPass<'_>) {
+    /// Paints the picture, and the strokes that may be seen in a place of the framebuffer: left, top, width, height, pixels.
+    /// What it paints beyond that place is not complete.
+    pub fn paint_drawing(&self, pass: &mut wgpu::RenderPass<'_>, place: [u32; 4]) {
         pass.set_bind_group(0, &self.sheet.group, &[]);
         self.reference.paint(pass);
-        let Some(pieces) = self.ready.checked_sub(POINTS_PER_PIECE - 1) else { return };
+        let (Some(pieces), Some(view)) = (self.ready.checked_sub(POINTS_PER_PIECE - 1), &self.view) else {
+            return;
+        };
         pass.set_pipeline(&self.strokes);
         for slot in 0..POINTS_PER_PIECE {
             pass.set_vertex_buffer(slot as u32, self.points.slice((slot * size_of::<InkPoint>()) as u64..));
         }
-        pass.draw(0..4, 0..pieces as u32);
+        let zoom = view.pixel_from_canvas.matrix2.determinant().abs().sqrt();
+        let ranges = self.blocks.within(pieces, view.canvas_bounds(place), view.line_scale, EDGE_PX / zoom);
+        for range in ranges {
+            pass.draw(0..4, range.start as u32..range.end as u32);
+        }
     }
 }
 
