@@ -33,6 +33,10 @@ use penstemon::sketch::{self, Sketch, StrokePoint, Tool};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+/// The program's own.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 const REFERENCE: [&str; 8] =
     ["daisy", "hepatica_red", "hepatica_blue", "jasmine", "mallow", "balloon_flower", "plumeria", "oxalis"];
 /// Leaves of the tree that is rebuilt, and strokes of the large drawing.

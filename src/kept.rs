@@ -91,11 +91,20 @@ impl<T: ?Sized> Hash for Same<T> {
 #[derive(Debug)]
 pub struct Kept<K, V> {
     held: Vec<(K, V)>,
+    /// Whether there is no next call, so that nothing is kept and no key is asked for.
+    is_for_one_call: bool,
 }
 
 impl<K, V> Default for Kept<K, V> {
     fn default() -> Self {
-        Self { held: Vec::new() }
+        Self { held: Vec::new(), is_for_one_call: false }
+    }
+}
+
+impl<K, V> Kept<K, V> {
+    /// For a single call, which keeps nothing.
+    pub fn for_one_call() -> Self {
+        Self { held: Vec::new(), is_for_one_call: true }
     }
 }
 
@@ -119,6 +128,9 @@ impl<K: Eq + Hash, V: Clone + Send + Sync> Kept<K, V> {
         holds: impl Fn(&I, &V) -> bool,
         make: impl Fn(&I) -> V + Sync,
     ) -> Vec<V> {
+        if self.is_for_one_call {
+            return inputs.par_iter().with_min_len(BATCH).map(&make).collect();
+        }
         let keys: Vec<K> = inputs.iter().map(key).collect();
         // Most calls ask for what the last one asked for, in the same order: only what stands between the common beginning
         // and the common end needs a search.
@@ -204,6 +216,13 @@ mod tests {
         assert_eq!(times(&mut kept, 2), [(2, 8)]);
         assert_eq!(times(&mut kept, 3), [(3, 12)]);
         assert_eq!(kept.len(), 1);
+    }
+
+    #[test]
+    fn a_single_call_makes_all_and_keeps_nothing() {
+        let mut kept = Kept::for_one_call();
+        assert_eq!(squares(&mut kept, &[3, 1, 3]), (vec![9, 1, 9], 3));
+        assert!(kept.is_empty());
     }
 
     #[test]

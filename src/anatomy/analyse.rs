@@ -49,6 +49,7 @@ crate::parameter_groups! {
 pub struct Cache {
     /// Everything in here was made with these.
     params: AnatomyParams,
+    is_for_one_build: bool,
     readings: Readings,
     branches: Arranger,
     flowers: Gatherer,
@@ -56,9 +57,30 @@ pub struct Cache {
     outlines: Outlines,
 }
 
+impl Cache {
+    /// For a single drawing: what is made is not kept by what it was made from.
+    pub fn for_one_build() -> Self {
+        Self {
+            is_for_one_build: true,
+            readings: Readings::for_one_build(),
+            branches: Arranger::for_one_build(),
+            places: Attacher::for_one_build(),
+            ..Self::default()
+        }
+    }
+
+    /// Begins a drawing with these parameters; what was made with others is of no use.
+    fn begin(&mut self, params: &AnatomyParams) {
+        if self.params != *params {
+            let empty = if self.is_for_one_build { Self::for_one_build() } else { Self::default() };
+            *self = Self { params: params.clone(), ..empty };
+        }
+    }
+}
+
 /// Finds out what every stroke is and how the parts hang together; generates what outlines ask for.
 pub fn analyse(sketch: &Sketch, params: &AnatomyParams) -> Anatomy {
-    analysis(&mut Cache::default(), sketch, params, &|| false)
+    analysis(&mut Cache::for_one_build(), sketch, params, &|| false)
 }
 
 /// The very anatomy that [`analyse`] gives, again and again while a drawing changes; nothing if `stop` ever said yes.
@@ -74,9 +96,7 @@ pub fn analyse_with(
 
 /// The whole analysis; once `stop` says yes it hurries to its end, and what it gives is of no use.
 fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: Stop) -> Anatomy {
-    if cache.params != *params {
-        *cache = Cache { params: params.clone(), ..Cache::default() };
-    }
+    cache.begin(params);
     let rules = Rules { preprocess: &params.preprocess, ignore: &params.ignore, tip: &params.tip };
     let reading::Drawn { readings, bounds } = cache.readings.read(&sketch.strokes, rules);
     let diagonal = bounds.0.distance(bounds.1);

@@ -53,6 +53,11 @@ impl LeafKey {
 }
 
 impl Attacher {
+    /// For a single drawing, of which nothing is kept by name.
+    pub fn for_one_build() -> Self {
+        Self { lines: Vec::new(), leaves: Kept::for_one_call(), flowers: Kept::for_one_call() }
+    }
+
     /// Gives leaves and flowers their places on the branches that these lines are.
     pub fn attach(
         &mut self,

@@ -85,7 +85,7 @@ pub fn arrange(
     diagonal: f32,
     params: &HierarchyParams,
 ) -> Vec<FlatBranch> {
-    arrange_with(&mut Arranger::default(), lines, diagonal, params).branches
+    arrange_with(&mut Arranger::for_one_build(), lines, diagonal, params).branches
 }
 
 /// The very forest that [`arrange`] gives, again and again while a drawing changes.
@@ -122,6 +122,11 @@ pub fn arrange_with(
 }
 
 impl Arranger {
+    /// For a single drawing, of which nothing is kept by name.
+    pub fn for_one_build() -> Self {
+        Self { measured: Kept::for_one_call(), turned: Kept::for_one_call(), ..Self::default() }
+    }
+
     /// Finds where each of these lines touches others.
     fn find_touches(&mut self, lines: &[Arc<Line>], diagonal: f32, params: &HierarchyParams) {
         let radii: Vec<f32> = lines

@@ -108,6 +108,11 @@ struct Placed<'a> {
 }
 
 impl Readings {
+    /// For a single drawing, of which nothing is kept.
+    pub fn for_one_build() -> Self {
+        Self { measures: Kept::for_one_call(), readings: Kept::for_one_call() }
+    }
+
     /// Reads the strokes of a drawing.
     pub fn read(&mut self, strokes: &[Arc<Stroke>], rules: Rules<'_>) -> Drawn {
         let measures = self.measures.made(strokes, Same::of, |stroke| Measure::of(stroke));

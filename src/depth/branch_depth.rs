@@ -58,13 +58,20 @@ const EASE: f32 = 0.3;
 #[derive(Debug, Default)]
 pub struct Spreads(Kept<SpreadKey, Arc<[f32]>>);
 
+impl Spreads {
+    /// For a single drawing, of which nothing is kept.
+    pub fn for_one_build() -> Self {
+        Self(Kept::for_one_call())
+    }
+}
+
 /// The seed; name and chord of every child, in their order along the parent.
 type SpreadKey = (u64, Vec<(u64, [u32; 2])>);
 
 /// Depth in pixels toward the viewer of every sample of every branch, in the order of `branches` (parents before
 /// children). The same `seed` gives the same depths.
 pub fn branch_depths(branches: &[FlatBranch], params: &BranchDepthParams, seed: u64) -> Vec<Vec<f32>> {
-    branch_depths_with(&mut Spreads::default(), branches, params, seed)
+    branch_depths_with(&mut Spreads::for_one_build(), branches, params, seed)
 }
 
 /// The very depths that [`branch_depths`] gives, again and again while a drawing changes.

@@ -50,6 +50,11 @@ struct Standing<'a> {
 }
 
 impl Flowers {
+    /// For a single drawing, of which nothing is kept.
+    pub fn for_one_build() -> Self {
+        Self { poses: Kept::for_one_call(), petals: Kept::for_one_call() }
+    }
+
     /// The poses of all flowers of a drawing.
     pub fn poses(&mut self, anatomy: &Anatomy, params: &ConeParams) -> Vec<Arc<FlowerPose>> {
         let stem = |flower: &FlatFlower| {

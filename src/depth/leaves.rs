@@ -113,6 +113,11 @@ struct LeafKey {
 }
 
 impl Leaves {
+    /// For a single drawing, of which nothing is kept.
+    pub fn for_one_build() -> Self {
+        Self(Kept::for_one_call())
+    }
+
     /// Poses leaves, each at its foot, in their order, and puts their templates behind those of a plant; `outlines` are those
     /// that leaves are copies of. Copies are posed anew: there are many, and each is posed in no time.
     pub fn pose(

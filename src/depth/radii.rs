@@ -37,6 +37,13 @@ const LARGEST_CHILD: f32 = 0.92;
 #[derive(Debug, Default)]
 pub struct Tapers(Kept<Same<[Sample]>, Arc<Tapered>>);
 
+impl Tapers {
+    /// For a single drawing, of which nothing is kept.
+    pub fn for_one_build() -> Self {
+        Self(Kept::for_one_call())
+    }
+}
+
 /// A branch whose thickness at its base is not known yet.
 #[derive(Debug)]
 struct Tapered {
@@ -60,7 +67,7 @@ impl Tapered {
 
 /// Radius in pixels at every sample of every branch.
 pub fn radii(branches: &[FlatBranch], diagonal: f32, params: &RadiusParams) -> Vec<Vec<f32>> {
-    radii_with(&mut Tapers::default(), branches, diagonal, params)
+    radii_with(&mut Tapers::for_one_build(), branches, diagonal, params)
 }
 
 /// The very radii that [`radii`] gives, again and again while a drawing changes.

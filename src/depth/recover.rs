@@ -59,16 +59,39 @@ const PETIOLE_SHARE: f32 = 0.5;
 pub struct Cache {
     /// Everything in here was made with these.
     params: DepthParams,
+    is_for_one_build: bool,
     branches: Spreads,
     radii: Tapers,
     flowers: Flowers,
     leaves: Leaves,
 }
 
+impl Cache {
+    /// For a single drawing, of which nothing is kept.
+    pub fn for_one_build() -> Self {
+        Self {
+            params: DepthParams::default(),
+            is_for_one_build: true,
+            branches: Spreads::for_one_build(),
+            radii: Tapers::for_one_build(),
+            flowers: Flowers::for_one_build(),
+            leaves: Leaves::for_one_build(),
+        }
+    }
+
+    /// Begins a drawing with these parameters; what was made with others is of no use.
+    fn begin(&mut self, params: &DepthParams) {
+        if self.params != *params {
+            let empty = if self.is_for_one_build { Self::for_one_build() } else { Self::default() };
+            *self = Self { params: params.clone(), ..empty };
+        }
+    }
+}
+
 /// Lifts an anatomy into space, and keeps what only the drawing knows beside the plant. Forms are plain, for they are the
 /// species'.
 pub fn recover(anatomy: &Anatomy, seed: u64, params: &DepthParams) -> (Plant, Provenance) {
-    recover_with(&mut Cache::default(), anatomy, seed, params)
+    recover_with(&mut Cache::for_one_build(), anatomy, seed, params)
 }
 
 /// The very plant that [`recover`] gives, again and again while a drawing changes.
@@ -78,9 +101,7 @@ pub fn recover_with(
     seed: u64,
     params: &DepthParams,
 ) -> (Plant, Provenance) {
-    if cache.params != *params {
-        *cache = Cache { params: params.clone(), ..Cache::default() };
-    }
+    cache.begin(params);
     let mut skeleton = Skeleton::new(&mut cache.branches, anatomy, seed, params);
     let poses = cache.flowers.poses(anatomy, &params.cone);
     let centers = skeleton.lead_stems(anatomy, &poses, &params.stem);

@@ -13,11 +13,16 @@ use super::parts::{self, Limb, Plan, Source};
 use super::recipe::Recipe;
 use super::tube::{self, TubeScratch};
 use super::wood::{self, WoodScratch};
+use super::wood_memory::WoodMemory;
 use super::{Mesh, Model, Part};
 use crate::plant::{Branch, FinishedPlant, Organ, Plant};
 use glam::Vec3;
 use rayon::prelude::*;
-use std::sync::Arc;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// Fewest branches of one wood that are worth being known from build to build.
+const FEWEST_KNOWN: usize = 24;
 
 /// Parts that one thread takes at a time: fewer are not worth waking another thread for.
 const BATCH: usize = 4;
@@ -57,17 +62,15 @@ pub fn rebuild(
     let mut plans = parts::plan(plant, params);
     let workshop = Workshop::new(plant, params, cache);
     workshop.take_copies(&mut plans);
+    let woods = if cache.is_for_one_build { BTreeMap::new() } else { known_woods(&plans, cache) };
     let (known, round, is_for_one_build) = (&cache.meshes, cache.round, cache.is_for_one_build);
-    let make = |scratch: &mut Scratch, plan: &Plan| {
+    let make = |scratch: &mut Scratch, (part, plan): (usize, &Plan)| {
         if stop() {
             return None;
         }
         if is_for_one_build {
-            return Some(Made {
-                hash: 0,
-                recipe: None,
-                mesh: Arc::new(workshop.mesh(&plan.source, scratch)),
-            });
+            let mesh = Arc::new(workshop.mesh(&plan.source, scratch));
+            return Some(Made { hash: 0, recipe: None, mesh });
         }
         workshop.write_recipe(&plan.source, &mut scratch.recipe);
         let hash = scratch.recipe.hash();
@@ -75,16 +78,32 @@ pub fn rebuild(
             return Some(Made { hash, recipe: None, mesh: mesh.clone() });
         }
         let recipe = Some(scratch.recipe.written());
-        Some(Made { hash, recipe, mesh: Arc::new(workshop.mesh(&plan.source, scratch)) })
+        let mesh = match (woods.get(&part), &plan.source) {
+            (Some(wood), Source::Wood(limbs)) => workshop.known_wood(limbs, wood, scratch),
+            _ => Arc::new(workshop.mesh(&plan.source, scratch)),
+        };
+        Some(Made { hash, recipe, mesh })
     };
     let made: Vec<Option<Made>> =
-        plans.par_iter().with_min_len(BATCH).map_init(Scratch::default, make).collect();
+        plans.par_iter().enumerate().with_min_len(BATCH).map_init(Scratch::default, make).collect();
+    cache.keep_woods(
+        woods.into_values().map(|wood| wood.into_inner().unwrap_or_else(PoisonError::into_inner)),
+    );
     let meshes: Vec<Arc<Mesh>> = made.into_iter().flatten().map(|made| cache.keep(made)).collect();
     if meshes.len() < plans.len() {
         return None;
     }
     cache.finish();
     Some(assembled(plant, plans, meshes))
+}
+
+/// What is known of the larger woods, by their parts.
+fn known_woods(plans: &[Plan], cache: &mut Cache) -> BTreeMap<usize, Mutex<WoodMemory>> {
+    let wood = |(part, plan): (usize, &Plan)| {
+        let is_large = matches!(&plan.source, Source::Wood(limbs) if limbs.len() >= FEWEST_KNOWN);
+        is_large.then(|| (part, Mutex::new(cache.take_wood(plan.pivot))))
+    };
+    plans.iter().enumerate().filter_map(wood).collect()
 }
 
 /// Puts plans and meshes together; what cannot be seen is left out. Wood, which comes first, always has a mesh, so that
@@ -151,6 +170,13 @@ impl<'a> Workshop<'a> {
         let twig =
             |&Limb { branch, parent, slot }| Twig { branch: &self.plant.branches[branch], parent, slot };
         limbs.iter().map(twig)
+    }
+
+    /// Wood made anew only near what changed.
+    fn known_wood(&self, limbs: &[Limb], wood: &Mutex<WoodMemory>, scratch: &mut Scratch) -> Arc<Mesh> {
+        let twigs: Vec<Twig<'_>> = self.twigs(limbs).collect();
+        let mut wood = wood.lock().unwrap_or_else(PoisonError::into_inner);
+        wood.mesh(&twigs, |branch| self.look(branch), self.plant_size, &mut scratch.wood)
     }
 
     fn mesh(&self, source: &Source, scratch: &mut Scratch) -> Mesh {

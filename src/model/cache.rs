@@ -2,7 +2,8 @@
 //!
 //! Meshes are kept by the recipe of their part (`recipe`): found by its hash, taken only if every word is the same. So
 //! a plant built with a cache has the same bytes as one built without, and an unchanged part has the very same
-//! [`Arc`], which a renderer recognises by its pointer. What a finished build did not use is forgotten; a stopped
+//! [`Arc`], which a renderer recognises by its pointer. Wood of many branches is kept so that it is made anew only near what
+//! changed (`wood_memory`). What a finished build did not use is forgotten; a stopped
 //! build forgets nothing, so its work is not lost.
 //!
 //! Limits: a plant whose scale changes, as when the drawing grows higher, has new parts throughout; so has one built
@@ -13,7 +14,9 @@ use super::mesh::Mesh;
 use super::params::ModelParams;
 use super::recipe::{Recipe, WrittenRecipe};
 use super::shapes::CopyShape;
+use super::wood_memory::WoodMemory;
 use crate::kept::NameHasher;
+use glam::Vec3;
 use std::collections::HashMap;
 use std::hash::BuildHasherDefault;
 use std::sync::Arc;
@@ -29,6 +32,8 @@ pub struct Cache {
     pub(super) meshes: Shelf<Arc<Mesh>>,
     pub(super) templates: Shelf<FlatTemplate>,
     pub(super) shapes: Shelf<CopyShape>,
+    /// Wood of many branches.
+    woods: Vec<WoodMemory>,
     names: u64,
 }
 
@@ -63,6 +68,7 @@ impl Cache {
             self.meshes.held.clear();
             self.templates.held.clear();
             self.shapes.held.clear();
+            self.woods.clear();
         }
         self.round += 1;
     }
@@ -72,6 +78,18 @@ impl Cache {
         self.meshes.forget_before(self.round);
         self.templates.forget_before(self.round);
         self.shapes.forget_before(self.round);
+    }
+
+    /// What is known of wood that stands on this foot; it comes back by [`Self::keep_woods`].
+    pub(super) fn take_wood(&mut self, foot: Vec3) -> WoodMemory {
+        let known = self.woods.iter().position(|wood| wood.foot() == Some(foot));
+        known.map(|place| self.woods.swap_remove(place)).unwrap_or_default()
+    }
+
+    /// Keeps what is known of wood; what is known of other wood is forgotten.
+    pub(super) fn keep_woods(&mut self, woods: impl Iterator<Item = WoodMemory>) {
+        self.woods.clear();
+        self.woods.extend(woods);
     }
 
     /// The triangulation of a template with this recipe, made by `flatten` if it is new.

@@ -76,7 +76,7 @@ impl Placement {
         to.triangles.extend(shape.triangles.iter().map(|triangle| triangle.map(|i| i + vertex)));
         if !is_similar {
             // A strong stretch leaves little of a normal's digits.
-            to.split_disagreeing_corners_from(face);
+            to.split_disagreeing_corners_in(face..to.triangles.len());
         }
     }
 }

@@ -28,5 +28,5 @@ pub(super) fn append<'a>(
         tube::append(mesh, points.iter().map(|p| (*p, *radius)), look, scratch);
     }
     // Threads may bend back on themselves.
-    mesh.split_disagreeing_corners_from(first);
+    mesh.split_disagreeing_corners_in(first..mesh.triangles.len());
 }

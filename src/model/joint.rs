@@ -59,6 +59,15 @@ impl Exit {
         let Self { at: along, outward, half_length, half_angle, .. } = *self;
         Footprint { along, outward, half_length, half_angle }
     }
+
+    /// Whether two exits are the same in every bit.
+    pub(super) fn is(&self, other: &Self) -> bool {
+        let bits = |Self { ring, arc, outward, upward, at, half_length, half_angle }: &Self| {
+            let directions = [outward, upward].map(|v| v.to_array().map(f32::to_bits));
+            (ring.bits(), directions, [arc, at, half_length, half_angle].map(|x| x.to_bits()))
+        };
+        bits(self) == bits(other)
+    }
 }
 
 /// Where a branch is watched for coming back into its parent, in radii of the parent beyond its exit.

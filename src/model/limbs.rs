@@ -38,7 +38,7 @@ pub(super) struct Twig<'a> {
 }
 
 /// A branch on its way to the surface.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(super) struct Limb {
     pub(super) look: TubeLook,
     /// Its rings in [`Limbs::rings`].
@@ -46,12 +46,16 @@ pub(super) struct Limb {
     /// Its barks in [`Limbs::slots`].
     slots: Range<usize>,
     /// The limb that carries it, and where it leaves that; a trunk has none.
-    parent: Option<usize>,
+    pub(super) parent: Option<usize>,
     pub(super) exit: Option<Exit>,
     /// It stays inside of its parent or is one limb with it, and what grows on it grows on the parent.
     pub(super) hidden: bool,
+    /// It goes on from an end of its parent.
+    goes_on: bool,
     /// The rim of its window among those of all.
     pub(super) rim: Range<usize>,
+    /// Its window reaches the first ring of its parent.
+    pub(super) is_at_foot: bool,
     /// What grows on it, in [`Limbs::children`].
     pub(super) children: Range<usize>,
 }
@@ -62,10 +66,19 @@ impl Limb {
     }
 }
 
+/// An earlier survey, and for every branch the one in it that has the same skeleton and bark.
+#[derive(Clone, Copy)]
+pub(super) struct Earlier<'a> {
+    pub(super) limbs: &'a Limbs,
+    pub(super) twigs: &'a [Option<usize>],
+}
+
 /// The limbs of one plant, a limb for every branch, in memory that is used again.
-#[derive(Default)]
+#[derive(Debug, Default)]
 pub(super) struct Limbs {
     pub(super) all: Vec<Limb>,
+    /// For each limb the one of the earlier survey that has the same rings, barks and exit.
+    pub(super) same: Vec<Option<usize>>,
     /// Rings of all limbs, and the length of the limb before each.
     pub(super) rings: Vec<Ring>,
     pub(super) arcs: Vec<f32>,
@@ -86,9 +99,16 @@ pub(super) struct Limbs {
 }
 
 impl Limbs {
-    /// Rings of every branch and where it leaves its parent.
-    pub(super) fn survey(&mut self, branches: &[Twig<'_>], look: impl Fn(&Branch) -> TubeLook) {
+    /// Rings of every branch and where it leaves its parent; what is the same as in an earlier survey, of limbs with the same
+    /// looks, is taken from there.
+    pub(super) fn survey(
+        &mut self,
+        branches: &[Twig<'_>],
+        look: impl Fn(&Branch) -> TubeLook,
+        earlier: Option<Earlier<'_>>,
+    ) {
         self.all.clear();
+        self.same.clear();
         self.rings.clear();
         self.arcs.clear();
         self.slots.clear();
@@ -104,21 +124,115 @@ impl Limbs {
                 parent = self.all[hidden].parent;
             }
             let (rings, slots) = (self.rings.len(), self.slots.len());
-            let exit = if goes_on { Some(None) } else { self.trace(branches, index, look, parent) };
+            let known = earlier
+                .and_then(|earlier| Some((earlier.limbs, self.same_as(earlier, index, (goes_on, parent))?)));
+            let exit = match known {
+                Some((limbs, limb)) => self.take(limbs, &limbs.all[limb]),
+                None if goes_on => Some(None),
+                None => self.trace(branches, index, look, parent),
+            };
             let before = parent.and_then(|p| self.last_child[p].replace(index));
             self.before.push(before);
-            self.all.push(Limb {
+            let mut limb = Limb {
                 look,
                 rings: rings..self.rings.len(),
                 slots: slots..self.slots.len(),
                 parent,
                 exit: exit.flatten(),
                 hidden: matches!(exit, Some(None)),
+                goes_on,
                 rim: 0..0,
+                is_at_foot: false,
                 children: 0..0,
-            });
+            };
+            let same = known.map(|(_, limb)| limb);
+            let same = same.or_else(|| self.turned_out_as(earlier?, index, &limb));
+            if let (Some(earlier), Some(same)) = (earlier, same) {
+                limb.is_at_foot = earlier.limbs.all[same].is_at_foot;
+            }
+            self.same.push(same);
+            self.all.push(limb);
         }
         self.sort_children();
+    }
+
+    /// The limb of an earlier survey for which [`Self::trace`] read the very same, where there is one.
+    fn same_as(
+        &self,
+        Earlier { limbs: then, twigs }: Earlier<'_>,
+        index: usize,
+        (goes_on, parent): (bool, Option<usize>),
+    ) -> Option<usize> {
+        let old = twigs[index]?;
+        let is_twig = |(new, old): (Option<usize>, Option<usize>)| match (new, old) {
+            (Some(new), Some(old)) => twigs[new] == Some(old),
+            (new, old) => new == old,
+        };
+        let goes_on_alike = goes_on == then.all[old].goes_on
+            && is_twig((self.below[index], then.below[old]))
+            && pairs(self.onward(index), then.onward(old)).all(is_twig);
+        let last = parent.and_then(|p| self.last_child[p]);
+        let are_siblings_alike = || {
+            pairs(self.siblings(last), then.siblings(then.before[old])).all(|(new, old)| match (new, old) {
+                (Some(new), Some(old)) => {
+                    self.same[new] == Some(old) || has_same_exit(&self.all[new], &then.all[old])
+                }
+                _ => false,
+            })
+        };
+        (self.is_carried_alike(parent, then.all[old].parent) && goes_on_alike && are_siblings_alike())
+            .then_some(old)
+    }
+
+    /// The limb of an earlier survey of which this one, just traced, has every bit, although something else around it changed.
+    fn turned_out_as(
+        &self,
+        Earlier { limbs: then, twigs }: Earlier<'_>,
+        index: usize,
+        limb: &Limb,
+    ) -> Option<usize> {
+        let old = twigs[index]?;
+        let other = &then.all[old];
+        let same = (limb.hidden, limb.goes_on) == (other.hidden, other.goes_on)
+            && self.is_carried_alike(limb.parent, other.parent)
+            && has_same_exit(limb, other)
+            && self.ring_bits(limb).eq(then.ring_bits(other))
+            && self.slot_bits(limb).eq(then.slot_bits(other));
+        same.then_some(old)
+    }
+
+    fn ring_bits(&self, limb: &Limb) -> impl Iterator<Item = [u32; 7]> {
+        self.rings[limb.rings.clone()].iter().map(Ring::bits)
+    }
+
+    fn slot_bits(&self, limb: &Limb) -> impl Iterator<Item = (u32, u32)> {
+        self.slots[limb.slots.clone()].iter().map(|(from, slot)| (from.to_bits(), *slot))
+    }
+
+    /// The branches that go on from the end of a branch, one after the other.
+    fn onward(&self, from: usize) -> impl Iterator<Item = usize> {
+        std::iter::successors(self.next[from], |branch| self.next[*branch])
+    }
+
+    /// The latest limbs of one parent, from this one back.
+    fn siblings(&self, last: Option<usize>) -> impl Iterator<Item = usize> {
+        std::iter::successors(last, |limb| self.before[*limb]).take(SIBLINGS)
+    }
+
+    /// Whether what carries a limb is the same as what carried another in an earlier survey.
+    fn is_carried_alike(&self, parent: Option<usize>, then: Option<usize>) -> bool {
+        match (parent, then) {
+            (Some(new), Some(old)) => self.same[new] == Some(old),
+            (new, old) => new == old,
+        }
+    }
+
+    /// Appends what a limb of an earlier survey has, as [`Self::trace`] does.
+    fn take(&mut self, then: &Self, limb: &Limb) -> Option<Option<Exit>> {
+        self.rings.extend_from_slice(&then.rings[limb.rings.clone()]);
+        self.arcs.extend_from_slice(&then.arcs[limb.rings.clone()]);
+        self.slots.extend_from_slice(&then.slots[limb.slots.clone()]);
+        if limb.hidden { Some(None) } else { limb.exit.map(Some) }
     }
 
     /// The bark of a limb at a length along it.
@@ -143,9 +257,9 @@ impl Limbs {
             let on = self.all[p].rings.clone();
             let free = self.all[p].exit.map_or(0.0, |exit| exit.arc + COLLAR_LENGTH * exit.ring.radius);
             let carrier = (&self.rings[on.clone()], &self.arcs[on]);
-            let siblings = std::iter::successors(self.last_child[p], |c| self.before[*c]);
+            let siblings = std::iter::successors(self.last_child[p], |c| self.before[*c]).take(SIBLINGS);
             self.others.clear();
-            self.others.extend(siblings.take(SIBLINGS).filter_map(|c| self.all[c].exit));
+            self.others.extend(siblings.filter_map(|c| self.all[c].exit));
             joint::exit(&mut self.one, carrier, free, &self.others)
         });
         let mut arc = 0.0;
@@ -230,6 +344,25 @@ impl Limbs {
             from = to;
         }
     }
+}
+
+/// Whether two limbs leave what carries them in the very same way, or both not at all.
+pub(super) fn has_same_exit(a: &Limb, b: &Limb) -> bool {
+    match (&a.exit, &b.exit) {
+        (Some(a), Some(b)) => a.is(b),
+        (a, b) => a.is_none() && b.is_none(),
+    }
+}
+
+/// The items of two rows side by side, to the end of the longer one.
+fn pairs<T>(
+    mut a: impl Iterator<Item = T>,
+    mut b: impl Iterator<Item = T>,
+) -> impl Iterator<Item = (Option<T>, Option<T>)> {
+    std::iter::from_fn(move || match (a.next(), b.next()) {
+        (None, None) => None,
+        pair => Some(pair),
+    })
 }
 
 /// One of the ends of a branch.

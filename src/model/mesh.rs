@@ -5,6 +5,11 @@
 //! refer to them. OBJ writes exactly this; GLB expands it.
 
 use glam::{Vec2, Vec3};
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// Faces that one thread looks at.
+const FACES: usize = 8192;
 
 /// A corner: a point with the normal and UV that it has on one side of a seam.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,17 +92,20 @@ impl Mesh {
     ///
     /// Smooth normals fail where a surface folds back on itself; there the crease is shown as a crease.
     pub fn split_disagreeing_corners(&mut self) {
-        self.split_disagreeing_corners_from(0);
+        self.split_disagreeing_corners_in(0..self.triangles.len());
     }
 
-    /// The same for the triangles from `first` on.
-    pub fn split_disagreeing_corners_from(&mut self, first: usize) {
+    /// The same for some of the triangles.
+    pub fn split_disagreeing_corners_in(&mut self, faces: Range<usize>) {
+        self.split_corners_of(faces);
+    }
+
+    /// The same for these triangles.
+    pub fn split_corners_of(&mut self, faces: impl Iterator<Item = usize>) {
         let Self { points, vertices, triangles, .. } = self;
-        for triangle in &mut triangles[first..] {
-            let corners = triangle.map(|v| &vertices[v as usize]);
-            let [a, b, c] = corners.map(|vertex| points[vertex.point as usize]);
-            let cross = (b - a).cross(c - a);
-            let agree = corners.map(|vertex| vertex.normal.dot(cross) > 0.0);
+        for face in faces {
+            let triangle = &mut triangles[face];
+            let (cross, agree) = agreement(points, vertices, triangle);
             if agree == [true; 3] {
                 continue;
             }
@@ -111,6 +119,15 @@ impl Mesh {
                 }
             }
         }
+    }
+
+    /// The triangles that [`Self::split_corners_of`] looks for, in their order; found on all cores.
+    pub fn disagreeing_faces(&self) -> Vec<usize> {
+        let Self { points, vertices, triangles, .. } = self;
+        let disagrees =
+            |(_, triangle): &(usize, &[u32; 3])| agreement(points, vertices, triangle).1 != [true; 3];
+        let faces = triangles.par_iter().enumerate().with_min_len(FACES).filter(disagrees);
+        faces.map(|(face, _)| face).collect()
     }
 
     /// Checks what every mesh of a model promises: finite numbers, indices in range, unit normals that agree with the
@@ -187,6 +204,14 @@ impl Mesh {
         let used = wedges.chunk_by(|x, y| x[0] == y[0]).count();
         ensure(used == self.points.len(), || format!("{used} of {} points are used", self.points.len()))
     }
+}
+
+/// Twice the area of a face as a vector out of it, and for each corner whether its normal points to that side.
+fn agreement(points: &[Vec3], vertices: &[Vertex], triangle: &[u32; 3]) -> (Vec3, [bool; 3]) {
+    let corners = triangle.map(|v| &vertices[v as usize]);
+    let [a, b, c] = corners.map(|vertex| points[vertex.point as usize]);
+    let cross = (b - a).cross(c - a);
+    (cross, corners.map(|vertex| vertex.normal.dot(cross) > 0.0))
 }
 
 fn ensure(holds: bool, what: impl FnOnce() -> String) -> Result<(), String> {

@@ -12,7 +12,8 @@
 //! | `shapes`, `copies` | blades that are copies of few shapes |
 //! | `instances` | copies by their shapes, for glTF |
 //! | `spine`, `tube` | single branches |
-//! | `limbs`, `joint`, `strip`, `wood` | branches that grow out of one another |
+//! | `limbs`, `rows`, `joint`, `strip`, `wood`, `sealing` | branches that grow out of one another |
+//! | `surface`, `wood_changes`, `wood_memory` | their surface made anew only near what changed |
 //! | `solids`, `filaments` | receptacles, fruits, pots |
 //! | `organs` | all organs of one part |
 //! | `build` | all parts at once, on all cores |
@@ -49,16 +50,21 @@ mod piece;
 pub mod quality;
 mod recipe;
 mod relief;
+mod rows;
+mod sealing;
 mod sections;
 mod shapes;
 mod solids;
 mod spine;
 mod strip;
+mod surface;
 #[cfg(test)]
 mod tests;
 mod topology;
 mod tube;
 mod wood;
+mod wood_changes;
+mod wood_memory;
 
 pub use afford::affordable;
 pub use build::{build, rebuild};

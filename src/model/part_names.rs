@@ -6,16 +6,35 @@
 
 use super::piece::{Piece, Scope};
 use crate::plant::{Organ, OrganKind, Shape};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, HashSet};
 
 /// Counts what has been named so far.
 #[derive(Default)]
 pub(super) struct PartNames {
-    singles: BTreeMap<(Option<usize>, OrganKind), usize>,
+    singles: Singles,
     gathered: BTreeMap<(OrganKind, Piece), usize>,
     lone_filaments: BTreeMap<(OrganKind, Piece), usize>,
     /// Names in the plural: flowers and plants may have the same numbers.
-    plurals: BTreeSet<String>,
+    plurals: HashSet<String>,
+}
+
+/// How many single organs of each flower and kind there are. Those of one flower mostly come one after the other, so that
+/// the last count is at hand.
+#[derive(Default)]
+struct Singles {
+    last: Option<((Option<usize>, OrganKind), usize)>,
+    others: BTreeMap<(Option<usize>, OrganKind), usize>,
+}
+
+impl Singles {
+    /// The number of the next one.
+    fn next(&mut self, of: (Option<usize>, OrganKind)) -> usize {
+        if let Some((last, count)) = self.last.take_if(|(last, _)| *last != of) {
+            self.others.insert(last, count);
+        }
+        let (_, count) = self.last.get_or_insert_with(|| (of, self.others.get(&of).copied().unwrap_or(0)));
+        next(count)
+    }
 }
 
 impl PartNames {
@@ -37,9 +56,11 @@ impl PartNames {
     }
 
     fn single(&mut self, organ: &Organ) -> String {
-        let number = next(self.singles.entry((organ.flower, organ.kind())).or_default());
-        let kind = organ.kind().name();
-        organ.flower.map_or_else(|| format!("{kind}_{number}"), |flower| format!("{kind}_{flower}_{number}"))
+        let number = self.singles.next((organ.flower, organ.kind()));
+        let mut name = String::with_capacity(24);
+        name.push_str(organ.kind().name());
+        organ.flower.into_iter().chain([number]).for_each(|number| push_number(&mut name, number));
+        name
     }
 
     /// The name, with a number behind it if it is taken.
@@ -57,6 +78,15 @@ impl PartNames {
 /// A name for the first of its kind, and with numbers for those after it.
 pub(super) fn numbered(name: &str, number: usize) -> String {
     if number == 0 { name.to_owned() } else { format!("{name}_{number}") }
+}
+
+/// Appends a number, which takes a part of the time of `format!`: large drawings have a name for every stroke.
+fn push_number(name: &mut String, number: usize) {
+    let digits = number.checked_ilog10().unwrap_or(0);
+    name.push('_');
+    for place in (0..=digits).rev() {
+        name.push(char::from(b'0' + (number / 10usize.pow(place) % 10) as u8));
+    }
 }
 
 fn next(counter: &mut usize) -> usize {

@@ -121,7 +121,8 @@ impl OrganPlans<'_> {
         let scope = self.scope(index);
         for (piece, role) in pieces(organ) {
             let material = self.plant.material(role);
-            let known = self.known.get(&(scope, organ.kind(), piece)).copied();
+            let is_single = matches!(scope, Scope::Organ(_));
+            let known = if is_single { None } else { self.known.get(&(scope, organ.kind(), piece)).copied() };
             let part = known.unwrap_or_else(|| self.begin(index, scope, piece, material));
             let plan = &mut self.plans[part];
             let slot = plan.slot(material);

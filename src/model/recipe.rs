@@ -118,15 +118,22 @@ impl Recipe {
 
     /// A number that tells nearly all recipes apart.
     pub(super) fn hash(&self) -> u64 {
-        let pairs =
-            self.words.chunks(2).map(|pair| u64::from(pair[0]) << 32 | pair.get(1).map_or(0, |&w| w.into()));
-        pairs.fold(self.words.len() as u64, mix)
+        // Four rows of words side by side: the next of one does not wait for the last of another.
+        let mut rows = [self.words.len() as u64, 1, 2, 3];
+        let mut eights = self.words.chunks_exact(8);
+        for eight in eights.by_ref() {
+            for (row, pair) in rows.iter_mut().zip(eight.chunks_exact(2)) {
+                *row = mix(*row, u64::from(pair[0]) << 32 | u64::from(pair[1]));
+            }
+        }
+        let rest = eights.remainder().iter().map(|word| u64::from(*word));
+        rest.chain(rows).fold(0, mix)
     }
 
     fn limb(&mut self, branch: &Branch) -> &mut Self {
         let Branch { origin: _, parent: _, level: _, points, radii, role: _ } = branch;
         self.points(points).length(radii.len());
-        self.words.extend(radii.iter().map(|radius| radius.to_bits()));
+        self.words.extend_from_slice(bytemuck::cast_slice(radii));
         self
     }
 
@@ -137,7 +144,7 @@ impl Recipe {
             Detail::Reduced => 1,
         };
         self.word(detail).real(template.length()).plane(outline).length(curl.len());
-        self.words.extend(curl.iter().map(|curl| curl.to_bits()));
+        self.words.extend_from_slice(bytemuck::cast_slice(curl));
         self
     }
 
@@ -200,13 +207,13 @@ impl Recipe {
 
     fn points(&mut self, points: &[Vec3]) -> &mut Self {
         self.length(points.len());
-        self.words.extend(points.iter().flat_map(|p| p.to_array().map(f32::to_bits)));
+        self.words.extend_from_slice(bytemuck::cast_slice(points));
         self
     }
 
     fn plane(&mut self, points: &[Vec2]) -> &mut Self {
         self.length(points.len());
-        self.words.extend(points.iter().flat_map(|p| p.to_array().map(f32::to_bits)));
+        self.words.extend_from_slice(bytemuck::cast_slice(points));
         self
     }
 }

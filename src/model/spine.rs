@@ -19,6 +19,12 @@ pub(super) struct Ring {
 }
 
 impl Ring {
+    /// Every bit of it.
+    pub(super) fn bits(&self) -> [u32; 7] {
+        let Self { at, radius, tangent } = self;
+        [at.x, at.y, at.z, *radius, tangent.x, tangent.y, tangent.z].map(f32::to_bits)
+    }
+
     /// The foot of a trunk stands level on its ground, as long as the trunk leans by less than 45 degrees.
     pub(super) fn levelled(self) -> Self {
         if self.tangent.y > std::f32::consts::FRAC_1_SQRT_2 {
@@ -30,7 +36,7 @@ impl Ring {
 }
 
 /// Memory that is used again for every tube.
-#[derive(Default)]
+#[derive(Debug, Default)]
 pub(super) struct SpineScratch {
     spaced: Vec<Ring>,
     kept: Vec<bool>,

@@ -10,52 +10,39 @@
 //! Limits: branches that pass through each other in mid-air are not joined. A branch that finds no free place on its
 //! parent is closed at its foot and stands alone.
 
-use super::joint::{self, Cells, Exit};
-use super::limbs::{COLLAR_LENGTH, Limb, Limbs, Twig};
+use super::joint::Cells;
+use super::limbs::{Limb, Limbs, Twig};
 use super::mesh::{Mesh, Vertex};
-use super::spine::Ring;
+use super::rows::{Row, Rows};
+use super::sealing::{Raw, RawLimb};
 use super::strip::{self, Around, StripScratch};
+use super::surface::Surface;
 use super::tube::{FINEST_BARK, TubeLook};
-use crate::geom::frame;
 use crate::plant::Branch;
-use crate::plant::junction::COLLAR;
-use glam::{Quat, Vec2, Vec3};
+use glam::{Vec2, Vec3};
 use std::f32::consts::TAU;
-
-/// Rings closer than this share of a side's length are one.
-const CLOSEST: f32 = 0.45;
 
 /// Memory that is used again for every plant.
 #[derive(Default)]
 pub(super) struct WoodScratch {
-    limbs: Limbs,
+    pub(super) limbs: Limbs,
     cells: Cells,
     rim: Vec<(usize, usize, f32)>,
     /// Rims of the windows cut so far.
     rims: Vec<(u32, f32)>,
-    grid: Vec<Row>,
-    turns: Vec<Turn>,
+    rows: Rows,
     strip: StripScratch,
 }
 
-/// A ring of the final grid.
-#[derive(Clone, Copy)]
-struct Row {
-    arc: f32,
-    ring: Ring,
-    /// Unit direction from its centre to its first point.
-    side: Vec3,
-}
-
-impl Row {
-    fn new(arc: f32, ring: Ring) -> Self {
-        Self { arc, ring, side: Vec3::ZERO }
-    }
-
-    /// The angle at which a direction lies around the ring.
-    fn angle_of(&self, direction: Vec3) -> f32 {
-        direction.dot(self.ring.tangent.cross(self.side)).atan2(direction.dot(self.side))
-    }
+/// What of a limb a surface has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Share {
+    /// Nothing.
+    Left,
+    /// Only what it does to others: a normal or a point of theirs may be there by its faces.
+    Around,
+    /// All of it.
+    Whole,
 }
 
 /// The surface of branches that all grow on the first.
@@ -64,32 +51,44 @@ pub(super) fn mesh(
     look: impl Fn(&Branch) -> TubeLook,
     scratch: &mut WoodScratch,
 ) -> Mesh {
+    scratch.limbs.survey(branches, look, None);
+    surface(branches, |_| Share::Whole, scratch).mesh
+}
+
+/// The surface of some of the surveyed limbs, as it is in the surface of all of them. With a limb must come what carries it,
+/// whole, and what it carries, at least as what is around it.
+pub(super) fn surface(
+    branches: &[Twig<'_>],
+    share: impl Fn(usize) -> Share,
+    scratch: &mut WoodScratch,
+) -> Surface {
     scratch.rims.clear();
-    scratch.limbs.survey(branches, look);
-    let limbs = &scratch.limbs.all;
-    let mut mesh = Mesh::default();
-    let total: usize =
-        limbs.iter().map(|limb| (limb.rings.len() + 3 * limb.children.len()) * limb.sides()).sum();
-    mesh.points.reserve(total);
-    mesh.vertices.reserve(total + total / 4);
-    mesh.triangles.reserve(2 * total);
+    let shown = |limb: &usize| !scratch.limbs.all[*limb].hidden && share(*limb) != Share::Left;
+    let shown: Vec<usize> = (0..branches.len()).filter(shown).collect();
+    let mut raw = Raw::with_room_for(shown.iter().map(|limb| &scratch.limbs.all[*limb]));
     let mut open_ends = Vec::new();
-    let mut slots = Vec::with_capacity(mesh.triangles.capacity());
-    for (limb, twig) in branches.iter().enumerate() {
-        if !scratch.limbs.all[limb].hidden {
-            build(limb, (&mut mesh, &mut slots), &mut open_ends, scratch);
-            slots.resize(mesh.triangles.len(), twig.slot as u32);
-        }
-    }
-    mesh.smooth_missing_normals();
-    for (limb, end) in open_ends {
-        close_end(&mut mesh, end);
+    for limb in shown {
+        let (mesh, slots) = (&mut raw.mesh, &mut raw.slots);
+        let [points, vertices, faces] = mesh.counts();
+        let strip = build(limb, (mesh, slots), &mut open_ends, scratch);
         slots.resize(mesh.triangles.len(), branches[limb].slot as u32);
+        let [points_end, vertices_end, faces_end] = mesh.counts();
+        raw.limbs.push(RawLimb {
+            limb,
+            is_whole: share(limb) == Share::Whole,
+            points: points..points_end,
+            own_vertices: vertices..strip,
+            strip_vertices: strip..vertices_end,
+            faces: faces..faces_end,
+        });
     }
-    sort_by_slot(&mut mesh, &slots);
-    drop_unused(&mut mesh);
-    mesh.split_disagreeing_corners();
-    mesh
+    raw.mesh.smooth_missing_normals();
+    for (limb, end) in open_ends.into_iter().filter(|(limb, _)| share(*limb) == Share::Whole) {
+        raw.caps.push((limb, raw.mesh.vertices.len(), raw.mesh.triangles.len()));
+        close_end(&mut raw.mesh, end);
+        raw.slots.resize(raw.mesh.triangles.len(), branches[limb].slot as u32);
+    }
+    raw.seal(branches.len())
 }
 
 /// A ring of points that has to be closed: its first point, how many there are, and where it looks.
@@ -107,125 +106,48 @@ struct Grid {
     sides: u32,
 }
 
-/// Appends a limb's surface to the mesh, and the barks of its walls and its tip to those of the faces before.
+/// Appends a limb's surface to the mesh, and the barks of its walls and its tip to those of the faces before; gives the first
+/// vertex of its strip.
 fn build(
     index: usize,
     (mesh, slots): (&mut Mesh, &mut Vec<u32>),
     open_ends: &mut Vec<(usize, OpenEnd)>,
     scratch: &mut WoodScratch,
-) {
-    lay_out(index, scratch);
+) -> usize {
     let limb = scratch.limbs.all[index].clone();
+    scratch.rows.lay_out(&scratch.limbs, &limb);
     let sides = limb.sides();
-    let up = limb.exit.map(|exit| upward(&exit));
     let grid = Grid {
         first_point: mesh.points.len() as u32,
         first_vertex: mesh.vertices.len() as u32,
         sides: sides as u32,
     };
-    let first_side = up.unwrap_or_else(|| frame::hidden_side(scratch.grid[0].ring.tangent));
-    transport(&mut scratch.grid, first_side);
-    align(&limb, scratch);
-    let end_v = rings(mesh, &scratch.grid, sides, limb.look.repeats());
+    let end_v = rings(mesh, &scratch.rows.all, sides, limb.look.repeats());
     cut_windows(&limb, grid, scratch);
-    for row in 0..scratch.grid.len() - 1 {
+    let rows = &scratch.rows.all;
+    for row in 0..rows.len() - 1 {
         walls(mesh, grid, row, &scratch.cells);
-        let middle = 0.5 * (scratch.grid[row].arc + scratch.grid[row + 1].arc);
+        let middle = 0.5 * (rows[row].arc + rows[row + 1].arc);
         slots.resize(mesh.triangles.len(), scratch.limbs.slot(&limb, middle));
     }
-    tip(mesh, grid, &scratch.grid, &limb.look, end_v);
+    tip(mesh, grid, rows, &limb.look, end_v);
     slots.resize(mesh.triangles.len(), scratch.limbs.slot(&limb, f32::INFINITY));
+    let first_of_strip = mesh.vertices.len();
     if limb.rim.is_empty() {
-        let normal = -scratch.grid[0].ring.tangent;
+        let normal = -rows[0].ring.tangent;
         open_ends.push((index, OpenEnd { first: grid.first_point, sides: grid.sides, normal }));
     } else {
         let rim = &scratch.rims[limb.rim.clone()];
-        let ring = Around { first_vertex: grid.first_vertex, sides, ring: scratch.grid[0].ring };
+        let ring = Around { first_vertex: grid.first_vertex, sides, ring: rows[0].ring };
         strip::join(mesh, rim, &ring, limb.look.repeats(), &mut scratch.strip);
     }
-}
-
-/// The direction in the plane of a branch's first ring that lies above it on the parent.
-fn upward(exit: &Exit) -> Vec3 {
-    let axis = exit.ring.tangent;
-    let above = exit.upward.reject_from_normalized(axis);
-    let above =
-        if above.length_squared() > 1e-4 { above } else { -exit.outward.reject_from_normalized(axis) };
-    above.try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector())
-}
-
-/// The rings of a limb's final grid: those of its skeleton, and those that its windows need.
-fn lay_out(index: usize, scratch: &mut WoodScratch) {
-    let WoodScratch { limbs: Limbs { rings, arcs, all: limbs, children, .. }, grid, .. } = scratch;
-    let limb = &limbs[index];
-    let (own, along) = (&rings[limb.rings.clone()], &arcs[limb.rings.clone()]);
-    let end = along[along.len() - 1];
-    grid.clear();
-    let start = limb.exit.map_or(0.0, |exit| exit.arc);
-    let first =
-        limb.exit.map_or(own[0].levelled(), |exit| Ring { radius: COLLAR * exit.ring.radius, ..exit.ring });
-    grid.push(Row::new(start, first));
-    let after_collar = start + limb.exit.map_or(0.0, |exit| COLLAR_LENGTH * exit.ring.radius);
-    if limb.exit.is_some() && after_collar < end {
-        grid.push(Row::new(after_collar, at(own, along, after_collar)));
-    }
-    let kept = grid.len();
-    grid.extend(
-        own.iter()
-            .zip(along)
-            .filter(|(_, arc)| **arc > after_collar)
-            .map(|(ring, arc)| Row::new(*arc, *ring)),
-    );
-    if grid.len() == 1 {
-        grid.push(Row::new(end, own[own.len() - 1]));
-    }
-    for child in &children[limb.children.clone()] {
-        let Some(exit) = limbs[*child as usize].exit else { continue };
-        let low = exit.at - exit.half_length;
-        let high = exit.at + exit.half_length;
-        for arc in [low, high] {
-            if arc > after_collar && arc < end {
-                grid.push(Row::new(arc, at(own, along, arc)));
-            }
-        }
-    }
-    grid[kept..].sort_by(|a, b| a.arc.total_cmp(&b.arc));
-    thin(grid, kept, limb.sides());
-}
-
-/// Leaves out rings that are too close to the one before; the last one stays.
-fn thin(grid: &mut Vec<Row>, kept: usize, sides: usize) {
-    let Some(last) = grid.pop() else { return };
-    let near = |a: &Row, b: &Row| {
-        let side = TAU * a.ring.radius.max(b.ring.radius) / sides as f32;
-        let turn = a.ring.radius * a.ring.tangent.distance(b.ring.tangent) * 1.1;
-        b.arc - a.arc < (CLOSEST * side).max(turn)
-    };
-    let kept = kept.min(grid.len());
-    let mut count = kept;
-    for i in kept..grid.len() {
-        if count == 0 || !near(&grid[count - 1], &grid[i]) {
-            grid[count] = grid[i];
-            count += 1;
-        }
-    }
-    grid.truncate(count);
-    while grid.len() > 1 && near(&grid[grid.len() - 1], &last) {
-        grid.pop();
-    }
-    grid.push(last);
-}
-
-/// The ring of a limb at a length along it.
-fn at(rings: &[Ring], arcs: &[f32], arc: f32) -> Ring {
-    let i = arcs.partition_point(|a| *a <= arc).clamp(1, rings.len() - 1);
-    let share = ((arc - arcs[i - 1]) / (arcs[i] - arcs[i - 1])).clamp(0.0, 1.0);
-    joint::between(&rings[i - 1], &rings[i], share)
+    first_of_strip
 }
 
 /// Cuts a window for everything that grows on a limb and notes the rims.
 fn cut_windows(limb: &Limb, on: Grid, scratch: &mut WoodScratch) {
-    let WoodScratch { limbs: Limbs { all: limbs, children, .. }, grid, cells, rim, rims, .. } = scratch;
+    let WoodScratch { limbs: Limbs { all: limbs, children, .. }, rows, cells, rim, rims, .. } = scratch;
+    let grid = &rows.all;
     let sides = limb.sides();
     cells.clear(grid.len() - 1, sides);
     for &child in &children[limb.children.clone()] {
@@ -244,63 +166,8 @@ fn cut_windows(limb: &Limb, on: Grid, scratch: &mut WoodScratch) {
             rim.iter().map(|(row, side, turn)| (on.first_point + (row * sides + side) as u32, *turn)),
         );
         limbs[child as usize].rim = first..rims.len();
+        limbs[child as usize].is_at_foot = window.rows.start == 0;
     }
-}
-
-/// Carries the direction to the first point from ring to ring without a turn.
-fn transport(grid: &mut [Row], first_side: Vec3) {
-    let mut side = first_side;
-    for i in 0..grid.len() {
-        if i > 0 {
-            let (before, ring) = (&grid[i - 1].ring, &grid[i].ring);
-            side = frame::transport(side, (before.at, before.tangent), (ring.at, ring.tangent));
-        }
-        grid[i].side = side;
-    }
-}
-
-/// Turns rings about their axis so that the windows come to lie under what grows out of them: by at most half a side
-/// from one window to the next, evenly along the limb. Of windows beside each other the thickest one's decides.
-fn align(limb: &Limb, scratch: &mut WoodScratch) {
-    let WoodScratch { limbs: Limbs { all: limbs, children, .. }, grid, turns, .. } = scratch;
-    let per_side = TAU / limb.sides() as f32;
-    turns.clear();
-    for &child in &children[limb.children.clone()] {
-        let Some(exit) = limbs[child as usize].exit else { continue };
-        let span = (exit.at - exit.half_length, exit.at + exit.half_length);
-        if turns.iter().any(|turn| turn.span.0 < span.1 && span.0 < turn.span.1) {
-            continue;
-        }
-        let row = grid.partition_point(|row| row.arc < exit.at).min(grid.len() - 1);
-        let columns = joint::columns(exit.half_angle, limb.sides());
-        let first = grid[row].angle_of(exit.outward) / per_side - 0.5 * columns as f32;
-        turns.push(Turn { span, by: first - first.round() });
-    }
-    turns.sort_by(|a, b| a.span.0.total_cmp(&b.span.0));
-    for i in 1..turns.len() {
-        turns[i].by -= (turns[i].by - turns[i - 1].by).round();
-    }
-    let mut next = 0;
-    for row in grid.iter_mut() {
-        while next < turns.len() && turns[next].span.1 < row.arc {
-            next += 1;
-        }
-        let by = match (next.checked_sub(1).map(|i| &turns[i]), turns.get(next)) {
-            (Some(a), Some(b)) => {
-                let share = (row.arc - a.span.1) / (b.span.0 - a.span.1).max(f32::MIN_POSITIVE);
-                a.by + (b.by - a.by) * share.clamp(0.0, 1.0)
-            }
-            (one, other) => one.or(other).map_or(0.0, |turn| turn.by),
-        };
-        row.side = Quat::from_axis_angle(row.ring.tangent, by * per_side) * row.side;
-    }
-}
-
-/// How far the rings of a window are turned, in sides.
-struct Turn {
-    /// Length of the limb before the window's ends.
-    span: (f32, f32),
-    by: f32,
 }
 
 /// Appends points and vertices of all rings; gives the last ring's v.
@@ -364,46 +231,6 @@ fn close_end(mesh: &mut Mesh, OpenEnd { first: point, sides, normal }: OpenEnd) 
         uv: Vec2::splat(0.5) + Vec2::from_angle(TAU * j as f32 / sides as f32) * 0.5,
     }));
     mesh.triangles.extend((1..sides - 1).map(|j| [first, first + j + 1, first + j]));
-}
-
-/// Puts faces of one slot next to one another, without another change of their order.
-fn sort_by_slot(mesh: &mut Mesh, slots: &[u32]) {
-    let last = slots.iter().copied().max().unwrap_or(0);
-    if last == 0 {
-        return;
-    }
-    let mut sorted = Vec::with_capacity(mesh.triangles.len());
-    for slot in 0..=last {
-        if slot > 0 {
-            mesh.breaks.push(sorted.len() as u32);
-        }
-        let faces = mesh.triangles.iter().zip(slots).filter(|(_, of)| **of == slot);
-        sorted.extend(faces.map(|(face, _)| *face));
-    }
-    mesh.triangles = sorted;
-}
-
-/// Takes out points and vertices inside of windows, which no face has.
-fn drop_unused(mesh: &mut Mesh) {
-    const UNUSED: u32 = u32::MAX;
-    let (mut points, mut vertices) = (vec![UNUSED; mesh.points.len()], vec![UNUSED; mesh.vertices.len()]);
-    for vertex in mesh.triangles.iter().flatten() {
-        vertices[*vertex as usize] = 0;
-        points[mesh.vertices[*vertex as usize].point as usize] = 0;
-    }
-    number(&mut points);
-    number(&mut vertices);
-    let mut at = points.iter();
-    mesh.points.retain(|_| at.next().is_some_and(|new| *new != UNUSED));
-    let mut at = vertices.iter();
-    mesh.vertices.retain(|_| at.next().is_some_and(|new| *new != UNUSED));
-    mesh.vertices.iter_mut().for_each(|vertex| vertex.point = points[vertex.point as usize]);
-    mesh.triangles.iter_mut().flatten().for_each(|vertex| *vertex = vertices[*vertex as usize]);
-}
-
-/// Numbers those that are used, which have a 0.
-fn number(places: &mut [u32]) {
-    places.iter_mut().filter(|place| **place == 0).enumerate().for_each(|(new, place)| *place = new as u32);
 }
 
 #[cfg(test)]

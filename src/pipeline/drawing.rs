@@ -20,6 +20,12 @@ pub struct DrawingMemory {
 }
 
 impl DrawingMemory {
+    /// For a single build, of which nothing is kept.
+    pub(super) fn for_one_build() -> Self {
+        let (anatomy, depth) = (anatomy::Cache::for_one_build(), depth::Cache::for_one_build());
+        Self { anatomy, depth, growth: Memory::default() }
+    }
+
     /// What growth looks like from inside, at an age that the plant has lived through.
     pub(super) fn overlay(&self, age: f32, wanted: Wanted) -> Vec<Spot> {
         self.growth.overlay(age, wanted)

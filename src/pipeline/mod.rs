@@ -69,7 +69,8 @@ impl Cache {
 /// Builds a plant. Same input, same output, on any number of threads. A source without anything to build gives an empty
 /// model.
 pub fn build<'a>(source: impl Into<Source<'a>>, species: &Species, params: &Params) -> Built {
-    let mut cache = Cache { model: model::Cache::for_one_build(), ..Cache::default() };
+    let (model, drawing) = (model::Cache::for_one_build(), DrawingMemory::for_one_build());
+    let mut cache = Cache { model, drawing, ..Cache::default() };
     let built = build_with(&mut cache, source, species, params, &|| false);
     built.unwrap_or_else(|| unreachable!("nothing stops it"))
 }
