@@ -13,6 +13,9 @@ mod ground;
 mod grown;
 mod live;
 mod outlines;
+#[path = "common/people.rs"]
+mod people;
+mod people_drawings;
 mod properties;
 mod several;
 mod sketches;

@@ -1,0 +1,122 @@
+//! Contact sheets of the drawings by people: each drawing beside the plant that is made of it, from the front and turned.
+//!
+//! ```text
+//! cargo run --example draw_contact_sheets -- FOLDER [development] [icons] [held_back]
+//! ```
+//!
+//! Without a choice, the development half and the icons. The held-back half is there to judge by, not to look at on the way.
+//! The sheets are FOLDER/NAME-01.png and so on, twelve drawings each. A plant that cannot be built leaves its place empty and
+//! is told.
+
+mod letters;
+#[path = "../../tests/common/people.rs"]
+mod people;
+
+use penstemon::cli::common::built_in_texture;
+use penstemon::formats::textures::fetch;
+use penstemon::pipeline;
+use penstemon::plant::Texture;
+use penstemon::render::{Direction, PictureOptions, Projection, RenderedImage, Renderer, View};
+use people::{Drawing, Half};
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+/// Sides of a picture in pixels.
+const SIDE: usize = 230;
+/// Height of the names in pixels.
+const NAME: usize = 24;
+/// Drawings beside each other, and below.
+const COLUMNS: usize = 2;
+const ROWS: usize = 6;
+/// Pictures of a drawing: itself, from the front, turned.
+const PICTURES: usize = 3;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut words = std::env::args().skip(1);
+    let folder = words.next().ok_or("name a folder")?;
+    let mut chosen: Vec<String> = words.collect();
+    if chosen.is_empty() {
+        chosen = ["development", "icons"].map(str::to_owned).to_vec();
+    }
+    fs::create_dir_all(&folder)?;
+    let mut renderer = Renderer::new()?;
+    for name in chosen {
+        let drawings = match name.as_str() {
+            "development" => people::drawings(Half::Development)?,
+            "held_back" => people::drawings(Half::HeldBack)?,
+            "icons" => people::icons()?,
+            _ => return Err(format!("`{name}` is none of development, held_back and icons").into()),
+        };
+        for (number, drawings) in drawings.chunks(COLUMNS * ROWS).enumerate() {
+            let mut sheet = Sheet::blank();
+            for (place, drawing) in drawings.iter().enumerate() {
+                sheet.add(place, drawing, &mut renderer)?;
+            }
+            let path = Path::new(&folder).join(format!("{name}-{:02}.png", number + 1));
+            fs::write(path, sheet.to_png()?)?;
+        }
+    }
+    Ok(())
+}
+
+/// A picture in rows of red, green and blue.
+struct Sheet(Vec<u8>);
+
+impl Sheet {
+    const WIDTH: usize = COLUMNS * PICTURES * SIDE;
+    const HEIGHT: usize = ROWS * (SIDE + NAME);
+
+    fn blank() -> Self {
+        Self(vec![255; 3 * Self::WIDTH * Self::HEIGHT])
+    }
+
+    fn dot(&mut self, x: usize, y: usize, colour: [u8; 3]) {
+        let at = 3 * (y * Self::WIDTH + x);
+        self.0[at..at + 3].copy_from_slice(&colour);
+    }
+
+    fn put(&mut self, left: usize, top: usize, picture: &RenderedImage) {
+        for (i, pixel) in picture.pixels().chunks_exact(4).enumerate() {
+            let (x, y) = (i % picture.width() as usize, i / picture.width() as usize);
+            self.dot(left + x, top + y, [pixel[0], pixel[1], pixel[2]]);
+        }
+    }
+
+    fn add(
+        &mut self,
+        place: usize,
+        drawing: &Drawing,
+        renderer: &mut Renderer,
+    ) -> Result<(), Box<dyn Error>> {
+        let (left, top) = (place % COLUMNS * PICTURES * SIDE, place / COLUMNS * (SIDE + NAME));
+        let options = PictureOptions { width: SIDE as u32, height: SIDE as u32, transparent: false };
+        self.put(left, top, &renderer.drawing(&drawing.sketch, &options)?);
+        let (species, _) = pipeline::species_or_usual(&drawing.sketch, Path::new(""))?;
+        let params = pipeline::params_of(&drawing.sketch, &species, &[])?;
+        let built = pipeline::build(&drawing.sketch, &species, &params);
+        let textures = |texture: &Texture| Ok(fetch(texture, &built_in_texture)?);
+        for (column, direction) in [Direction::Front, Direction::ThreeQuarter].into_iter().enumerate() {
+            let view = View { direction, projection: Projection::Perspective, turn_deg: 0.0 };
+            match renderer.picture(&built.model, &textures, &view, &options) {
+                Ok(picture) => self.put(left + (column + 1) * SIDE, top, &picture),
+                Err(error) => eprintln!("{} {}: {error}", drawing.class, drawing.name),
+            }
+        }
+        for (x, y) in letters::dots(&format!("{} {}", drawing.class, drawing.name)) {
+            let (x, y) = (left + 8 + 2 * x, top + SIDE + 4 + 2 * y);
+            [(0, 0), (1, 0), (0, 1), (1, 1)]
+                .into_iter()
+                .for_each(|(dx, dy)| self.dot(x + dx, y + dy, [0; 3]));
+        }
+        Ok(())
+    }
+
+    fn to_png(&self) -> Result<Vec<u8>, png::EncodingError> {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, Self::WIDTH as u32, Self::HEIGHT as u32);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.write_header()?.write_image_data(&self.0)?;
+        Ok(bytes)
+    }
+}

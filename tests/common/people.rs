@@ -1,0 +1,111 @@
+//! Plants that people drew, whole, as sketches: `tests/data/strokes`, whose README names origin and licence, and icons.
+//!
+//! The drawings are split in two by a hash of class and index, so that no taste decides: one half is looked at while
+//! the program is made, the other is held back to judge it.
+
+#![allow(dead_code, reason = "tests and examples take what they need")]
+
+use penstemon::checksum::fnv1a;
+use penstemon::sketch::{self, Sketch};
+use serde::Deserialize;
+use std::fs;
+use std::io::{self, Error};
+use std::path::{Path, PathBuf};
+
+/// The classes, each a file.
+pub(crate) const CLASSES: [&str; 11] = [
+    "broccoli",
+    "bush",
+    "cactus",
+    "flower",
+    "garden",
+    "grass",
+    "house_plant",
+    "leaf",
+    "mushroom",
+    "palm_tree",
+    "tree",
+];
+
+/// Which half a drawing belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Half {
+    /// Looked at, labelled and run.
+    Development,
+    /// Neither looked at nor run but to judge.
+    HeldBack,
+}
+
+impl Half {
+    /// The half of a drawing. FNV-1a hardly mixes its last bytes, so the rounds that end MurmurHash3 follow.
+    pub(crate) fn of(class: &str, index: usize) -> Self {
+        let mut hash = fnv1a(&format!("{class}/{index}"));
+        hash = (hash ^ hash >> 16).wrapping_mul(0x85eb_ca6b);
+        hash = (hash ^ hash >> 13).wrapping_mul(0xc2b2_ae35);
+        if (hash ^ hash >> 16) & 1 == 0 { Self::Development } else { Self::HeldBack }
+    }
+}
+
+/// A drawing by a person.
+pub(crate) struct Drawing {
+    /// What the person was asked to draw; an icon's set.
+    pub(crate) class: String,
+    /// Its place in the file of the class, or the icon's name.
+    pub(crate) name: String,
+    /// The strokes.
+    pub(crate) sketch: Sketch,
+}
+
+#[derive(Deserialize)]
+struct Recorded {
+    strokes: Vec<Vec<[f32; 2]>>,
+}
+
+/// The drawings of a half, by class and index.
+///
+/// # Errors
+/// A file that cannot be read or holds something else.
+pub(crate) fn drawings(half: Half) -> io::Result<Vec<Drawing>> {
+    let mut all = Vec::new();
+    for class in CLASSES {
+        let text = fs::read_to_string(data("strokes").join(class).with_extension("json"))?;
+        let recorded: Vec<Recorded> = serde_json::from_str(&text)?;
+        for (index, drawing) in
+            recorded.iter().enumerate().filter(|(index, _)| Half::of(class, *index) == half)
+        {
+            let sketch = sketch_of(&drawing.strokes)?;
+            all.push(Drawing { class: class.to_owned(), name: index.to_string(), sketch });
+        }
+    }
+    Ok(all)
+}
+
+/// The icons, by name.
+///
+/// # Errors
+/// A file that cannot be read or holds something else.
+pub(crate) fn icons() -> io::Result<Vec<Drawing>> {
+    let entries = fs::read_dir(data("icons"))?.map(|entry| Ok(entry?.path()));
+    let mut files = entries.collect::<io::Result<Vec<PathBuf>>>()?;
+    files.retain(|path| path.extension().is_some_and(|ending| ending == "svg"));
+    files.sort();
+    let icon = |file: &PathBuf| {
+        let (sketch, _) = sketch::read(file).map_err(Error::other)?;
+        let name = file.file_stem().unwrap_or_default().to_string_lossy();
+        let (class, name) = name.split_once('_').ok_or_else(|| Error::other("an icon without a set"))?;
+        Ok(Drawing { class: class.to_owned(), name: name.to_owned(), sketch })
+    };
+    files.iter().map(icon).collect()
+}
+
+fn data(folder: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(folder)
+}
+
+/// Strokes without tools on a sheet just as large as they are, as a file would bring them.
+fn sketch_of(strokes: &[Vec<[f32; 2]>]) -> io::Result<Sketch> {
+    let strokes: Vec<_> = strokes.iter().map(|points| serde_json::json!({ "points": points })).collect();
+    let file = serde_json::json!({ "format": "penstemon-sketch", "version": 1, "strokes": strokes });
+    let (sketch, _) = sketch::from_bytes(file.to_string().as_bytes(), "drawing").map_err(Error::other)?;
+    Ok(sketch)
+}
