@@ -111,7 +111,7 @@ impl Raw {
     /// Puts faces of one bark next to one another, without another change of their order, and gives their corners their new
     /// numbers.
     fn sort_faces(&mut self, vertices: &[u32], places: &mut Places) {
-        let faces = std::mem::take(&mut self.mesh.triangles);
+        let mut faces = std::mem::take(&mut self.mesh.triangles);
         let of_limbs = self.limbs.iter().filter(|limb| limb.is_whole);
         let of_limbs = of_limbs.map(|limb| (limb.limb, limb.faces.clone()));
         let of_caps = self.caps.iter().enumerate().map(|(cap, (limb, _, first))| {
@@ -119,8 +119,19 @@ impl Raw {
             (places.pieces.len() + limb, *first..end)
         });
         let lanes: Vec<(usize, Range<usize>)> = of_limbs.chain(of_caps).collect();
+        let last = self.slots.iter().copied().max().unwrap_or(0);
+        if last == 0 && self.limbs.iter().all(|limb| limb.is_whole) {
+            // They are in their order already.
+            places.runs.resize(places.lanes(), Run::default());
+            for (lane, of_lane) in lanes {
+                places.runs[lane].faces = of_lane.start as u32..of_lane.end as u32;
+            }
+            faces.iter_mut().flatten().for_each(|vertex| *vertex = vertices[*vertex as usize]);
+            self.mesh.triangles = faces;
+            return;
+        }
         let mut sorted = Vec::with_capacity(faces.len());
-        for slot in 0..=self.slots.iter().copied().max().unwrap_or(0) {
+        for slot in 0..=last {
             if slot > 0 {
                 self.mesh.breaks.push(sorted.len() as u32);
             }
