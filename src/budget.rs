@@ -9,6 +9,9 @@
 pub struct Budget {
     /// Places along branches at which something may sprout, of one outline in one generation.
     pub growth_points: usize,
+    /// Samples of branches and places inside of outlines that are looked at for them, for all outlines of a drawing together,
+    /// about ten nanoseconds each.
+    pub outline_looks: usize,
     /// Twigs that outlines are filled with.
     pub twigs: usize,
     /// Samples of all these twigs together.
@@ -38,6 +41,7 @@ impl Budget {
     /// and of the triangles each side has half.
     pub const PLANT: Self = Self {
         growth_points: 2_000_000,
+        outline_looks: 150_000_000,
         twigs: 60_000,
         twig_samples: 2_000_000,
         leaves: 400_000,
@@ -56,10 +60,12 @@ impl Budget {
     #[must_use]
     pub const fn shared_by(self, plants: usize) -> Self {
         let parts = if plants == 0 { 1 } else { plants.next_power_of_two() };
-        let Self { growth_points, twigs, twig_samples, leaves, flower_buds, blossoms, .. } = self;
+        let Self { growth_points, outline_looks, twigs, twig_samples, leaves, flower_buds, blossoms, .. } =
+            self;
         let Self { internodes, markers, voxels, growth_steps, overlaps, triangles, .. } = self;
         Self {
             growth_points: growth_points / parts,
+            outline_looks: outline_looks / parts,
             twigs: twigs / parts,
             twig_samples: twig_samples / parts,
             leaves: leaves / parts,

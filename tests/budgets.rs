@@ -106,6 +106,34 @@ fn drawings_with_parameters_at_their_ends_are_built() {
 }
 
 #[test]
+fn thousands_of_outlines_over_one_branch_are_filled_as_far_as_the_budget_goes() {
+    use std::fmt::Write as _;
+    let folder = tempfile::tempdir().unwrap();
+    let (drawing, out) = (folder.path().join("outlines.penstemon"), folder.path().join("a.glb"));
+    let mut text = r#"{"format": "penstemon-sketch", "version": 1, "strokes": [
+        {"id": 1, "tool": "branch", "points": [[500, 900], [500, 400]]}"#
+        .to_owned();
+    for k in 0..7500 {
+        let tool = ["leaf_outline", "branch_outline"][k % 2];
+        let corner = |i: usize| {
+            let (sin, cos) = (i as f64 * std::f64::consts::FRAC_PI_4).sin_cos();
+            let radius = 300.0 + (k % 50) as f64;
+            format!("[{:.0}, {:.0}]", 500.0 + radius * cos, 500.0 + radius * sin)
+        };
+        let corners: Vec<String> = (0..=8).map(corner).collect();
+        write!(text, ",\n{{\"id\": {}, \"tool\": \"{tool}\", \"points\": [{}]}}", k + 2, corners.join(", "))
+            .unwrap();
+    }
+    text.push_str("]}");
+    std::fs::write(&drawing, text).unwrap();
+    let args = ["build", drawing.to_str().unwrap(), "-o", out.to_str().unwrap()].map(str::to_owned);
+    let output = penstemon(&args);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{}: {message}", output.status);
+    assert!(message.contains("more remarks like these"), "outlines beyond the budget say so: {message}");
+}
+
+#[test]
 fn plants_with_parameters_at_their_ends_grow() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("a.glb");

@@ -3,7 +3,7 @@
 //! A vein grows from every growth point as a twig would; a leaf drawn by the artist, chosen at random, is laid on it by
 //! an affine map: root on the vein's beginning, tip on its end. A leaf grows no longer than the drawn ones (with some
 //! variation), so one sample leaf sets the size of a whole crown. Without a drawn leaf a plain ovate one is used;
-//! without a branch inside the outline, leaves are strewn over it.
+//! without a branch inside the outline, leaves are scattered over it.
 
 use super::{
     Copy, FlatBlade, Stop,
@@ -140,14 +140,18 @@ pub struct LeafFill<'a> {
 
 impl LeafFill<'_> {
     /// At most `limit` leaves, in the order of their places on the branches, and whether the limit thinned them.
-    pub fn fill(&self, forest: &Forest, limit: usize, known: &mut Leaves) -> (Vec<FlatBlade>, bool) {
+    pub fn fill(&self, forest: &mut Forest, limit: usize, known: &mut Leaves) -> (Vec<FlatBlade>, bool) {
         let spacing = (self.params.spacing * self.templates.length).max(1e-3 * self.diagonal);
         let mut points = Thinned::new(limit);
         let all = 0..forest.branches().len();
         forest.growth_points(all, (self.outline, self.region), spacing, &mut points);
-        if points.is_empty() {
-            strewn(self.region, self.outline, 2.0 * spacing)
-                .for_each(|(point, number)| points.add(point, number));
+        if points.is_empty() && !points.is_thinned() {
+            let grid = Grid::new(self.region, 2.0 * spacing);
+            if forest.may_look_at(grid.len()) {
+                grid.scatter(self.region, self.outline).for_each(|(point, number)| points.add(point, number));
+            } else {
+                points.leave_out();
+            }
         }
         let leaf = |(point, laid): (&GrowthPoint, Option<Laid>)| {
             let Laid { tip, template, aspect } = laid?;
@@ -202,23 +206,43 @@ impl LeafFill<'_> {
     }
 }
 
-/// Growth points on a grid over the region with their numbers there, for an outline without a branch; wider where they would be too many.
-fn strewn(region: &Region, outline: StrokeId, spacing: f32) -> impl Iterator<Item = (GrowthPoint, u64)> {
-    let (low, high) = region.bounds().unwrap_or((Vec2::ZERO, Vec2::NEG_ONE));
-    let size = high - low;
-    let spacing = spacing.max(size.max_element() / MAX_PLACES);
-    let last = |extent: f32| (extent >= 0.0).then_some((extent / spacing) as usize);
-    let (columns, rows) = (last(size.x), last(size.y));
-    let middle = low.midpoint(high);
-    let places = (0..rows.map_or(0, |r| r + 1))
-        .flat_map(move |row| (0..columns.map_or(0, |c| c + 1)).map(move |column| (row, column)));
-    places.filter_map(move |(row, column)| {
-        let position = low + spacing * Vec2::new(column as f32 + 0.5 * (row % 2) as f32, row as f32);
-        let direction = (position - middle).normalize_or(Vec2::NEG_Y);
-        let key = mix(mix(outline, row as u64), column as u64);
-        let point = GrowthPoint { position, direction, attachment: None, side: side(column), key };
-        region.contains(position).then_some((point, interleaved(row as u32, column as u32)))
-    })
+/// A grid of places over an outline without a branch, every other row moved by half a place; wider where they would be too
+/// many.
+struct Grid {
+    low: Vec2,
+    high: Vec2,
+    spacing: f32,
+    columns: usize,
+    rows: usize,
+}
+
+impl Grid {
+    fn new(region: &Region, spacing: f32) -> Self {
+        let (low, high) = region.bounds().unwrap_or((Vec2::ZERO, Vec2::NEG_ONE));
+        let size = high - low;
+        let spacing = spacing.max(size.max_element() / MAX_PLACES);
+        let count = |extent: f32| if extent >= 0.0 { (extent / spacing) as usize + 1 } else { 0 };
+        Self { low, high, spacing, columns: count(size.x), rows: count(size.y) }
+    }
+
+    /// Number of places.
+    fn len(&self) -> usize {
+        self.columns * self.rows
+    }
+
+    /// Growth points at the places inside the region, with their numbers on the grid; they point away from its middle.
+    fn scatter(self, region: &Region, outline: StrokeId) -> impl Iterator<Item = (GrowthPoint, u64)> {
+        let Self { low, high, spacing, columns, rows } = self;
+        let middle = low.midpoint(high);
+        let places = (0..rows).flat_map(move |row| (0..columns).map(move |column| (row, column)));
+        places.filter_map(move |(row, column)| {
+            let position = low + spacing * Vec2::new(column as f32 + 0.5 * (row % 2) as f32, row as f32);
+            let direction = (position - middle).normalize_or(Vec2::NEG_Y);
+            let key = mix(mix(outline, row as u64), column as u64);
+            let point = GrowthPoint { position, direction, attachment: None, side: side(column), key };
+            region.contains(position).then_some((point, interleaved(row as u32, column as u32)))
+        })
+    }
 }
 
 /// A number of a place on a grid: multiples of a power of two are evenly spaced both ways.
@@ -255,7 +279,7 @@ mod tests {
             params,
             stop: &|| false,
         };
-        fill.fill(&Forest::new(branches.to_vec()), 1000, &mut Leaves::default()).0
+        fill.fill(&mut Forest::new(branches.to_vec()), 1000, &mut Leaves::default()).0
     }
 
     #[test]
@@ -269,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn an_outline_without_branch_is_strewn() {
+    fn leaves_are_scattered_over_an_outline_without_branch() {
         let leaves = filled(&[]);
         assert!(leaves.len() > 100 && leaves.iter().all(|l| l.attachment.is_none()));
     }

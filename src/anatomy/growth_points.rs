@@ -35,6 +35,9 @@ impl GrowthPoint {
     }
 }
 
+/// Boxes of branches that are compared in the time of one look at a sample.
+const BOXES_PER_LOOK: usize = 8;
+
 /// The side of the `number`-th growth point: they alternate.
 pub fn side(number: usize) -> f32 {
     if number.is_multiple_of(2) { 1.0 } else { -1.0 }
@@ -49,13 +52,15 @@ pub struct Forest {
     drawn: usize,
     /// Samples of generated twigs.
     samples: usize,
+    /// How much more may be looked at, see [`Budget::outline_looks`].
+    looks: usize,
 }
 
 impl Forest {
     /// The drawn branches.
     pub fn new(branches: Vec<FlatBranch>) -> Self {
         let boxes = branches.iter().map(box_of).collect();
-        Self { drawn: branches.len(), branches, boxes, samples: 0 }
+        Self { drawn: branches.len(), branches, boxes, samples: 0, looks: Budget::PLANT.outline_looks }
     }
 
     /// All branches.
@@ -88,6 +93,13 @@ impl Forest {
         })
     }
 
+    /// Whether so many more samples or places may be looked at; if so, they are counted.
+    pub fn may_look_at(&mut self, count: usize) -> bool {
+        let left = self.looks.checked_sub(count);
+        self.looks = left.unwrap_or(self.looks);
+        left.is_some()
+    }
+
     /// Adds the twig that grew along a line from a point on a branch; a point without a branch gives none.
     pub fn sprout(&mut self, point: &GrowthPoint, line: Arc<[Sample]>) {
         let Some(Attachment { branch, at }) = point.attachment else { return };
@@ -105,22 +117,29 @@ impl Forest {
     }
 
     /// Adds to `points` the growth points `spacing` pixels apart on the branches `of`, as far as they lie inside the
-    /// region of the outline's stroke; farther apart where there would be too many to look at.
+    /// region of the outline's stroke; farther apart where there would be too many to look at, and none once all outlines
+    /// together have looked at too many.
     pub fn growth_points(
-        &self,
+        &mut self,
         of: Range<usize>,
         (outline, region): (StrokeId, &Region),
         spacing: f32,
         points: &mut Thinned<GrowthPoint>,
     ) {
+        let compared = of.len() / BOXES_PER_LOOK;
         let branches: Vec<usize> = self.near(region, of).collect();
         let steps = branches.iter().flat_map(|branch| self.branches[*branch].line.windows(2));
-        let whole: f64 = steps.map(|w| f64::from(w[0].position.distance(w[1].position))).sum();
+        let (count, whole) = steps.fold((0, 0.0), |(count, whole), w| {
+            (count + 1, whole + f64::from(w[0].position.distance(w[1].position)))
+        });
         let least = (whole / Budget::PLANT.growth_points as f64) as f32;
         if spacing < least {
             points.leave_out();
         }
         let spacing = spacing.max(least);
+        if !self.may_look_at(compared + count + (whole / f64::from(spacing)) as usize) {
+            return points.leave_out();
+        }
         for branch in branches {
             let (mut arc, mut number) = (0.0, 1);
             for w in self.branches[branch].line.windows(2) {

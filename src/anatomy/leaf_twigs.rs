@@ -84,7 +84,11 @@ impl LeafTwigs<'_> {
             return true;
         }
         let mut wood = Wood::new(self.region, spacing);
-        for i in forest.near(self.region, 0..forest.branches().len()) {
+        let near: Vec<usize> = forest.near(self.region, 0..forest.branches().len()).collect();
+        if !forest.may_look_at(near.iter().map(|i| forest.branches()[*i].line.len()).sum()) {
+            return false;
+        }
+        for i in near {
             wood.mark(forest.branches()[i].line.iter().map(|s| s.position));
         }
         let mut parents = 0..forest.branches().len();

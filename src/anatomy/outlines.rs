@@ -16,6 +16,7 @@ use crate::geom::region::Region;
 use crate::kept::Same;
 use crate::sketch::warnings::Warnings;
 use crate::sketch::{Remark, StrokeId};
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// What is kept of the outlines of one drawing for the next, all filled with the same parameters.
@@ -130,13 +131,12 @@ impl Fill<'_> {
 impl Outlines {
     /// Brings what is kept into the order of the outlines; what is kept of no outline is forgotten.
     fn arrange(&mut self, outlines: &[&Arc<Reading>]) {
-        let mut old = std::mem::take(&mut self.0);
+        let old = std::mem::take(&mut self.0);
+        let mut old: HashMap<Same<[Sample]>, Filled> =
+            old.into_iter().map(|filled| (filled.samples.clone(), filled)).collect();
         let filled = |reading: &&Arc<Reading>| {
             let samples = Same::of(&reading.samples);
-            match old.iter().position(|filled| filled.samples == samples) {
-                Some(place) => old.swap_remove(place),
-                None => Filled::new(samples, reading),
-            }
+            old.remove(&samples).unwrap_or_else(|| Filled::new(samples, reading))
         };
         self.0 = outlines.iter().map(filled).collect();
     }
