@@ -6,9 +6,11 @@ use crate::common::{leafy, provenance, textures, two_specimens};
 use glam::Vec3;
 use gltf_json as json;
 use penstemon::formats::read::{ReadFormat, from_bytes};
-use penstemon::formats::write::{Encoded, ExportError, FORMATS, Scene, export, format_of, glb, plant_json};
+use penstemon::formats::write::{
+    Encoded, ExportError, FORMATS, InstanceForm, Scene, export, format_of, glb, plant_json,
+};
 use penstemon::model::quality::{Report, judge, judge_model};
-use penstemon::model::{Model, Part, Vertex};
+use penstemon::model::{InstancedModel, Mesh, Model, Part, Placement, Vertex};
 use penstemon::picture::Picture;
 use penstemon::picture::decode::decode;
 use penstemon::pipeline::{self, Seed};
@@ -146,6 +148,40 @@ fn a_grown_plant_is_wood_and_leaves() {
     let with_mesh = root.nodes.iter().filter(|node| node.mesh.is_some());
     assert_eq!(names(with_mesh.map(|node| node.name.as_ref()).collect()), ["leaves", "wood"]);
     assert_eq!(names(root.meshes.iter().map(|mesh| mesh.name.as_ref()).collect()), ["leaves", "wood"]);
+}
+
+/// Bytes of a model's meshes and of the places of copies.
+fn bytes_of(model: &Model) -> usize {
+    let mesh = |mesh: &Mesh| {
+        12 * mesh.points.len() + size_of::<Vertex>() * mesh.vertices.len() + 12 * mesh.triangles.len()
+    };
+    let copies = model.parts.iter().filter_map(|part| part.copies.as_ref());
+    let of_copies = copies.map(|copies| {
+        copies.shapes.iter().map(|shape| mesh(shape)).sum::<usize>()
+            + size_of::<Placement>() * copies.placements.len()
+    });
+    model.parts.iter().map(|part| mesh(&part.mesh)).sum::<usize>() + of_copies.sum::<usize>()
+}
+
+#[test]
+fn an_old_oak_of_copies_takes_a_third_of_what_its_triangles_take() {
+    let species = Species::built_in("oak").unwrap();
+    let params = pipeline::params_of_species(&species, &[]).unwrap();
+    let oak = pipeline::build(&Seed { number: 1, age: Some(20.0), ..Seed::default() }, &species, &params);
+    let flat = oak.model.flattened();
+    assert!(flat.triangle_count() > 500_000);
+    let [of_copies, of_triangles] = [&oak.model, &flat].map(bytes_of);
+    assert!(3 * of_copies <= of_triangles, "{of_copies} bytes in memory, {of_triangles} as triangles");
+    let built_in = |name: &str| builtin_texture(name).map(Cow::Borrowed);
+    let scene =
+        |model| Scene::new(model, (&oak.plant, &oak.provenance), &built_in, Cow::Borrowed("oak")).unwrap();
+    let glb = |scene: Scene<'_>| format_of(Path::new("oak.glb")).unwrap().encode(&scene).unwrap().bytes.len();
+    let whole = glb(scene(&oak.model));
+    let instanced = InstancedModel::from(&oak.model);
+    for form in [InstanceForm::Nodes, InstanceForm::Gpu] {
+        let bytes = glb(scene(&instanced.model).with_instances(&instanced.groups, form).unwrap());
+        assert!(3 * bytes <= whole, "{bytes} bytes of GLB as {form:?}, {whole} as triangles");
+    }
 }
 
 #[test]
