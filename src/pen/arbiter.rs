@@ -1,4 +1,4 @@
-//! Which of several ways in a pen is heard by, when more than one tells of it.
+//! Which of several sources a pen is read from, when more than one reports it.
 //!
 //! A tablet that is read directly mostly moves the system's pointer as well, as a pen or as a mouse. Of all that points, one
 //! thing is in range at a time; a pen takes over from a mouse that does not press, never the other way round. Between the
@@ -6,7 +6,7 @@
 //! because it knows which monitor the tablet covers, and a tablet that the system was once seen to serve is not read
 //! directly any more. Nothing is taken over while it touches, so that no stroke has two ends.
 //!
-//! What comes out obeys [`super::grammar`] if every way in does: who is not heard has left, who is heard again enters.
+//! What comes out obeys [`super::grammar`] if every way in does: a pen that is shut out has left, one that is let in again enters.
 //! Fingers pass; the palm gate is their judge.
 
 use super::{PenButtons, PenEvent, PenPhase, PenSample, PenTool};
@@ -22,7 +22,7 @@ pub enum PenSource {
     Auto,
     /// Only what the window system says.
     System,
-    /// Every tablet directly; the window system's pens are not heard while one of them is in range.
+    /// Every tablet directly; the window system's pens are ignored while one of them is in range.
     Raw,
 }
 
@@ -76,7 +76,7 @@ impl Arbiter {
         self.owner.map(|(origin, _)| origin)
     }
 
-    /// Takes an event and appends what is to be heard of it: nothing, the event, or two where one thing takes over from
+    /// Takes an event and appends what passes of it: nothing, the event, or two where one thing takes over from
     /// another.
     pub fn pass(&mut self, event: PenEvent, origin: Origin, out: &mut Vec<PenEvent>) {
         if matches!(event.sample.tool, PenTool::Finger(_)) {
@@ -87,7 +87,7 @@ impl Arbiter {
         }
         let is_known = self.owner.is_some_and(|(_, last)| last.tool == event.sample.tool);
         let phase = match event.phase {
-            // Heard again in the middle of something.
+            // Let in again in the middle of something.
             PenPhase::Hover if !is_known => PenPhase::Enter,
             PenPhase::Down if !is_known => {
                 let buttons = PenButtons { primary: false, ..event.sample.buttons };
@@ -108,7 +108,7 @@ impl Arbiter {
         }
     }
 
-    /// Whether something else than the owner may be heard with this event; the owner leaves.
+    /// Whether something else than the owner may pass with this event; the owner leaves.
     fn take_over(&mut self, event: &PenEvent, origin: Origin, out: &mut Vec<PenEvent>) -> bool {
         let now_ms = event.sample.time_ms;
         self.learn(origin);
@@ -170,8 +170,8 @@ mod tests {
     const SYSTEM: (Origin, PenTool) = (Origin::System, PenTool::Pen);
     const DIRECT: (Origin, PenTool) = (Origin::Direct(7), PenTool::Pen);
 
-    /// What is heard of a run of events, one every 10 ms: phases and whose.
-    fn heard(source: PenSource, events: &[((Origin, PenTool), PenPhase)]) -> Vec<(PenTool, PenPhase, f64)> {
+    /// What passes of a run of events, one every 10 ms: phases and whose.
+    fn passed(source: PenSource, events: &[((Origin, PenTool), PenPhase)]) -> Vec<(PenTool, PenPhase, f64)> {
         let (mut arbiter, mut out) = (Arbiter::new(source), Vec::new());
         for (k, ((origin, tool), phase)) in events.iter().enumerate() {
             // Each way in points elsewhere, so that the places tell them apart.
@@ -186,12 +186,12 @@ mod tests {
         out.iter().map(|e| (e.sample.tool, e.phase, e.sample.position.x)).collect()
     }
 
-    fn places(heard: &[(PenTool, PenPhase, f64)], phase: PenPhase) -> Vec<f64> {
-        heard.iter().filter(|h| h.1 == phase).map(|h| h.2).collect()
+    fn places(passed: &[(PenTool, PenPhase, f64)], phase: PenPhase) -> Vec<f64> {
+        passed.iter().filter(|h| h.1 == phase).map(|h| h.2).collect()
     }
 
     #[test]
-    fn left_to_itself_the_systems_pen_is_heard() {
+    fn left_to_itself_the_systems_pen_passes() {
         let both = [
             (DIRECT, Enter),
             (SYSTEM, Enter),
@@ -206,9 +206,9 @@ mod tests {
             (DIRECT, Down),
             (SYSTEM, Down),
         ];
-        assert_eq!(places(&heard(PenSource::Auto, &both), Down), [2.0, 2.0]);
-        assert_eq!(places(&heard(PenSource::System, &both), Down), [2.0, 2.0]);
-        assert_eq!(places(&heard(PenSource::Raw, &both), Down), [3.0, 3.0]);
+        assert_eq!(places(&passed(PenSource::Auto, &both), Down), [2.0, 2.0]);
+        assert_eq!(places(&passed(PenSource::System, &both), Down), [2.0, 2.0]);
+        assert_eq!(places(&passed(PenSource::Raw, &both), Down), [3.0, 3.0]);
     }
 
     #[test]
@@ -227,9 +227,9 @@ mod tests {
             (DIRECT, Leave),
             (MOUSE, Hover),
         ];
-        let heard = heard(PenSource::Auto, &shadowed);
-        assert_eq!(places(&heard, Down), [3.0]);
-        let phases: Vec<_> = heard.iter().map(|h| (h.2, h.1)).collect();
+        let passed = passed(PenSource::Auto, &shadowed);
+        assert_eq!(places(&passed, Down), [3.0]);
+        let phases: Vec<_> = passed.iter().map(|h| (h.2, h.1)).collect();
         assert_eq!(phases[..4], [(1.0, Enter), (1.0, Hover), (1.0, Leave), (3.0, Enter)]);
         assert_eq!(phases.last(), Some(&(3.0, Leave)), "the shadow of the pen is no mouse");
     }
@@ -238,9 +238,9 @@ mod tests {
     fn a_touching_pen_keeps_its_stroke() {
         let late =
             [(DIRECT, Enter), (DIRECT, Down), (SYSTEM, Enter), (SYSTEM, Down), (DIRECT, Move), (DIRECT, Up)];
-        let heard = heard(PenSource::Auto, &late);
-        assert_eq!(places(&heard, Move), [3.0]);
-        assert_eq!(places(&heard, Down), [3.0]);
+        let passed = passed(PenSource::Auto, &late);
+        assert_eq!(places(&passed, Move), [3.0]);
+        assert_eq!(places(&passed, Down), [3.0]);
     }
 
     #[test]

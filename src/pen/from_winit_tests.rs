@@ -97,7 +97,7 @@ fn a_mouse_that_leaves_while_drawing_draws_until_it_is_released() {
 }
 
 #[test]
-fn other_mouse_buttons_are_told_without_touching() {
+fn other_mouse_buttons_are_reported_without_touching() {
     let press = |which, pressed| button(3.0, 4.0, ButtonSource::Mouse(which), pressed);
     let events = run(&[
         entered(PointerKind::Mouse),
@@ -143,7 +143,7 @@ fn a_finger_that_the_system_takes_away_is_cancelled() {
 }
 
 #[test]
-fn a_pen_tells_pressure_tilt_and_twist() {
+fn a_pen_reports_pressure_tilt_and_twist() {
     let contact = TabletToolButton::Contact;
     let events = run(&[
         pen_moved(4.0, None),
@@ -183,7 +183,7 @@ fn a_contact_without_pressure_is_the_barrel_button() {
 }
 
 #[test]
-fn the_third_button_of_a_pen_is_told() {
+fn the_third_button_of_a_pen_is_reported() {
     const BTN_STYLUS3: u16 = 0x149;
     let press = |pressed| pen_button(TabletToolButton::Other(BTN_STYLUS3), Some(0.0), pressed);
     let said: Vec<_> = run(&[pen_moved(4.0, None), press(true), press(false)])
@@ -194,7 +194,7 @@ fn the_third_button_of_a_pen_is_told() {
 }
 
 #[test]
-fn a_tablet_without_pressure_draws_when_told_so() {
+fn a_tablet_without_pressure_draws_where_that_is_set() {
     let (mut pen, mut out) = (WinitPen { tip_without_pressure: true, ..WinitPen::new() }, Vec::new());
     pen.event(&pen_button(TabletToolButton::Contact, None, true), 0.0, &mut out);
     assert_eq!(

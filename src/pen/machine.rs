@@ -84,7 +84,7 @@ impl PenMachine {
         }
     }
 
-    /// Lets the pen leave if nothing was heard of it for so long: for tablets that do not say when it leaves.
+    /// Lets the pen leave if it sent nothing for so long: for tablets that do not say when it leaves.
     pub fn idle(&mut self, now_ms: f64, silence: Silence, out: &mut Vec<PenEvent>) {
         let is_over = |last: PenSample| {
             silence.applies(last.buttons.primary) && now_ms - last.time_ms >= silence.after_ms

@@ -131,8 +131,8 @@ fn time_never_goes_back_and_places_that_are_none_count_as_the_last() {
     machine.sample(&RawPen { position: DVec2::ONE, ..HOVERS }, 10.0, &mut out);
     machine.sample(&RawPen { position: DVec2::NAN, ..TOUCHES }, f64::NAN, &mut out);
     machine.sample(&TOUCHES, 4.0, &mut out);
-    let told: Vec<_> = out.iter().map(|e| (e.phase, e.sample.position.x, e.sample.time_ms)).collect();
-    assert_eq!(told, [(Enter, 1000.0, 10.0), (Down, 1000.0, 10.0), (Move, 0.0, 10.0)]);
+    let reported: Vec<_> = out.iter().map(|e| (e.phase, e.sample.position.x, e.sample.time_ms)).collect();
+    assert_eq!(reported, [(Enter, 1000.0, 10.0), (Down, 1000.0, 10.0), (Move, 0.0, 10.0)]);
 }
 
 /// Numbers as broken devices send them.

@@ -6,7 +6,7 @@ use super::PenEvent;
 use std::convert::Infallible;
 use thiserror::Error;
 
-/// Why pens are not heard.
+/// Why pens are not read.
 #[derive(Debug, Error)]
 #[error("this system has no X11")]
 pub struct X11PenError;

@@ -236,7 +236,7 @@ fn identify(
             Taken::Pen(tablet, doubt) if carries(tablet, descriptor, lengths) => {
                 return Ok(Some(Identity::Model(tablet, doubt)));
             }
-            Taken::Untold(models) => {
+            Taken::Ambiguous(models) => {
                 return Err(ChooseError::StringsUnread { models, reason: strings.kept() });
             }
             Taken::Keys(tablet) if carries(tablet, descriptor, lengths) => {
@@ -246,7 +246,7 @@ fn identify(
             Taken::NoPen => {}
         }
     }
-    if table.tells_itself(device.vendor_id) { unlisted(descriptor, strings) } else { Ok(None) }
+    if table.is_self_describing(device.vendor_id) { unlisted(descriptor, strings) } else { Ok(None) }
 }
 
 /// Whether a node can carry the reports of a tablet that was found by its firmware's name, whatever the lengths: all nodes
@@ -280,7 +280,7 @@ enum Taken<'t> {
     /// It is no node of a tablet.
     NoPen,
     /// Only its strings would tell which of these it is.
-    Untold(Vec<String>),
+    Ambiguous(Vec<String>),
 }
 
 /// The tablet that a device is read as: the one that fits, the one that the artist chose of several, or the best guess.
@@ -296,7 +296,7 @@ fn take<'t>(found: &Match<'t>, model: Option<&str>) -> Taken<'t> {
             let doubt = Doubt { models, taken: tablet.name.clone(), is_chosen: chosen.is_some() };
             Taken::Pen(tablet, Some(doubt))
         }
-        (Certainty::StringsUnread, None) if !models.is_empty() => Taken::Untold(models),
+        (Certainty::StringsUnread, None) if !models.is_empty() => Taken::Ambiguous(models),
         (_, None) => keys(),
     }
 }

@@ -89,7 +89,7 @@ fn the_artist_chooses_among_models_that_fit() {
         match take(&found, model) {
             Taken::Pen(tablet, doubt) => (tablet.name.clone(), doubt),
             Taken::NoPen => ("no pen".to_owned(), None),
-            Taken::Untold(models) => (format!("one of {models:?}"), None),
+            Taken::Ambiguous(models) => (format!("one of {models:?}"), None),
             Taken::Keys(tablet) => (format!("keys of {}", tablet.name), None),
         }
     };
@@ -108,7 +108,7 @@ fn the_artist_chooses_among_models_that_fit() {
 }
 
 #[test]
-fn a_tablet_that_only_strings_would_tell_is_refused_until_its_model_is_chosen() {
+fn a_tablet_that_only_strings_would_identify_is_refused_until_its_model_is_chosen() {
     let info = |bus| DeviceInfo { vendor_id: 0x256C, product_id: 0x6D, bus, ..DeviceInfo::default() };
     let descriptor = vendor_descriptor(8, 11);
     let refused = |bus| choose_decoder(&info(bus), &descriptor).map(|_| ()).unwrap_err();

@@ -135,7 +135,7 @@ impl Outbox {
     }
 
     /// Says something of a device that is not read; where there is no room it goes unsaid.
-    pub(super) fn tell(&self, device: DeviceId, notice: Notice) {
+    pub(super) fn notify(&self, device: DeviceId, notice: Notice) {
         let _ = self.try_send(Message { device, time_ms: self.now_ms(), notice });
     }
 

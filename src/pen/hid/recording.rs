@@ -1,6 +1,6 @@
 //! Recordings of tablets: what devices sent, report by report, in a text file.
 //!
-//! A person whose tablet is not understood sends one; tests play them. The format is told in `docs/pen-recordings.md`.
+//! A person whose tablet is not understood sends one; tests play them. The format is described in `docs/pen-recordings.md`.
 //! Serial numbers of devices are not written: they would tell who sent it. Nor are USB strings, unless that person agrees.
 
 use super::device::DeviceInfo;

@@ -77,7 +77,7 @@ fn a_serial_number_is_not_written() {
 }
 
 #[test]
-fn faults_are_told_with_file_line_reason_and_remedy() {
+fn faults_are_reported_with_file_line_reason_and_remedy() {
     use LineFault::*;
     let with = |lines: &str| fault(&format!("{FIRST_LINE}\n{lines}"));
     let head = "device 0\nvendor 056a\nproduct 0001\ndescriptor 050d\n";
@@ -105,10 +105,10 @@ fn faults_are_told_with_file_line_reason_and_remedy() {
     assert_eq!(with(&format!("{head}9 0")), (6, Report));
     assert_eq!(with(&format!("{head}9 ")), (6, Report));
     assert_eq!(with(&format!("{head}9 gone\n9 00")), (7, WasGone(0)));
-    let told = Recording::from_bytes(b"\xFF", "pen.txt").unwrap_err().to_string();
-    assert!(told.starts_with("pen.txt, line 1: ") && told.contains("get it again"), "{told}");
-    let told = Recording::open(Path::new("/nowhere/pen.txt")).unwrap_err().to_string();
-    assert!(told.starts_with("/nowhere/pen.txt: ") && told.contains("check the name"), "{told}");
+    let message = Recording::from_bytes(b"\xFF", "pen.txt").unwrap_err().to_string();
+    assert!(message.starts_with("pen.txt, line 1: ") && message.contains("get it again"), "{message}");
+    let message = Recording::open(Path::new("/nowhere/pen.txt")).unwrap_err().to_string();
+    assert!(message.starts_with("/nowhere/pen.txt: ") && message.contains("check the name"), "{message}");
 }
 
 #[test]
@@ -139,7 +139,7 @@ fn a_device_that_is_no_pen_is_named() {
 }
 
 #[test]
-fn a_device_that_says_nothing_of_a_pen_is_told() {
+fn a_device_that_says_nothing_of_a_pen_is_reported() {
     let mut recording = stroke();
     recording.entries = vec![Entry { time_us: 0, device: 0, what: Recorded::Report(vec![9, 0, 1]) }];
     let unread = replay::play(&recording, window(), &mut |_, _| panic!("nothing happened"));

@@ -99,20 +99,20 @@ mod tests {
 
     #[test]
     fn every_reason_says_what_to_do() {
-        let told = |reason| {
+        let message = |reason| {
             let models = vec!["Huion H640P".to_owned(), "Huion H950P".to_owned()];
             let why = ChooseError::StringsUnread { models, reason }.into();
             let device = DeviceInfo { product: "HUION Tablet".into(), ..DeviceInfo::default() };
             Refused { device, why }.to_string()
         };
-        let forbidden = told(StringsKept::Forbidden);
+        let forbidden = message(StringsKept::Forbidden);
         for part in ["HUION Tablet: ", "Huion H640P", ": 2)", RULES_FILE, INSTALL_RULES, "“Pen and tablet”"]
         {
             assert!(forbidden.contains(part), "{part} is missing: {forbidden}");
         }
-        assert!(told(StringsKept::Wireless).contains("by cable"));
-        assert!(told(StringsKept::Unanswered).contains("plug it in again"));
-        assert!(told(StringsKept::NotRecorded).contains("--strings"));
+        assert!(message(StringsKept::Wireless).contains("by cable"));
+        assert!(message(StringsKept::Unanswered).contains("plug it in again"));
+        assert!(message(StringsKept::NotRecorded).contains("--strings"));
     }
 
     #[test]

@@ -147,7 +147,7 @@ pub fn play(recording: &Recording, target: Rect, sink: &mut dyn FnMut(usize, &Pe
         players.push(chosen.ok().flatten().map(|choice| Player::new(choice, target)));
     }
     let (mut events, mut end_ms) = (Vec::new(), 0.0);
-    let mut tell = |device: usize, events: &mut Vec<PenEvent>| {
+    let mut forward = |device: usize, events: &mut Vec<PenEvent>| {
         events.drain(..).for_each(|event| sink(device, &event));
     };
     for entry in &recording.entries {
@@ -156,7 +156,7 @@ pub fn play(recording: &Recording, target: Rect, sink: &mut dyn FnMut(usize, &Pe
         for (number, player) in players.iter_mut().enumerate() {
             if let Some(player) = player {
                 player.pass_silence(time_ms, &mut events);
-                tell(number, &mut events);
+                forward(number, &mut events);
             }
         }
         let Some(Some(player)) = players.get_mut(entry.device) else { continue };
@@ -164,12 +164,12 @@ pub fn play(recording: &Recording, target: Rect, sink: &mut dyn FnMut(usize, &Pe
             Recorded::Report(report) => player.report(report, time_ms, &mut events),
             Recorded::Gone => player.machine.leave(time_ms, &mut events),
         }
-        tell(entry.device, &mut events);
+        forward(entry.device, &mut events);
     }
     for (number, player) in players.iter_mut().enumerate() {
         if let Some(player) = player {
             player.machine.leave(end_ms, &mut events);
-            tell(number, &mut events);
+            forward(number, &mut events);
         }
     }
     let silent = players.iter().enumerate().filter_map(|(device, player)| {

@@ -101,26 +101,26 @@ mod tests {
 
     #[test]
     fn a_refused_device_says_what_helps_there() {
-        let told = |vendor_id, product_id, bus| {
+        let message = |vendor_id, product_id, bus| {
             let device =
                 DeviceInfo { path: "/dev/hidraw3".into(), vendor_id, product_id, bus, ..Default::default() };
             TransportError::forbidden(&device).to_string()
         };
-        let parts = |told: &str, parts: &[&str]| {
-            parts.iter().for_each(|part| assert!(told.contains(part), "{part} is missing: {told}"));
+        let parts = |message: &str, parts: &[&str]| {
+            parts.iter().for_each(|part| assert!(message.contains(part), "{part} is missing: {message}"));
         };
         let installs = ["/dev/hidraw3", "70-penstemon.rules", "./run.sh --install-udev"];
-        parts(&told(0x56A, 0x357, Bus::Usb), &installs);
-        parts(&told(0x56A, 0x360, Bus::Bluetooth), &installs);
-        parts(&told(0x256C, 0xFFFF, Bus::Usb), &installs);
-        let of_usb = told(0x1234, 0xABCD, Bus::Usb);
+        parts(&message(0x56A, 0x357, Bus::Usb), &installs);
+        parts(&message(0x56A, 0x360, Bus::Bluetooth), &installs);
+        parts(&message(0x256C, 0xFFFF, Bus::Usb), &installs);
+        let of_usb = message(0x1234, 0xABCD, Bus::Usb);
         parts(&of_usb, &["/dev/hidraw3", "/etc/udev/rules.d", "ATTRS{idVendor}==\"1234\"", "\"abcd\""]);
-        let of_bluetooth = told(0x56A, 0xABCD, Bus::Bluetooth);
+        let of_bluetooth = message(0x56A, 0xABCD, Bus::Bluetooth);
         parts(&of_bluetooth, &["/etc/udev/rules.d", "KERNELS==\"0005:056A:ABCD.*\""]);
-        let built_in = told(0x56A, 0x4806, Bus::I2c);
+        let built_in = message(0x56A, 0x4806, Bus::I2c);
         parts(&built_in, &["built into this machine", "“Automatic”"]);
-        for told in [of_usb, of_bluetooth, built_in] {
-            assert!(!told.contains("install-udev"), "that would not help: {told}");
+        for message in [of_usb, of_bluetooth, built_in] {
+            assert!(!message.contains("install-udev"), "that would not help: {message}");
         }
     }
 }

@@ -193,10 +193,10 @@ mod tests {
     }
 
     #[test]
-    fn a_node_that_is_not_there_is_told_with_its_remedy() {
-        let told = UsbStrings::open(Path::new("/dev/hidraw-none")).err().unwrap().to_string();
-        assert!(told.contains("/dev/hidraw-none") && told.contains("cable"), "{told}");
-        let told = UsbStringsError::Forbidden { bus: 1, address: 12 }.to_string();
-        assert!(told.contains("/dev/bus/usb/001/012") && told.contains("--install-udev"), "{told}");
+    fn a_node_that_is_not_there_is_reported_with_its_remedy() {
+        let message = UsbStrings::open(Path::new("/dev/hidraw-none")).err().unwrap().to_string();
+        assert!(message.contains("/dev/hidraw-none") && message.contains("cable"), "{message}");
+        let message = UsbStringsError::Forbidden { bus: 1, address: 12 }.to_string();
+        assert!(message.contains("/dev/bus/usb/001/012") && message.contains("--install-udev"), "{message}");
     }
 }

@@ -113,7 +113,7 @@ fn filled(report: &[u8], length: usize) -> Vec<u8> {
 mod tests {
     use super::*;
 
-    /// Writes down what it is asked, and refuses what it is told to.
+    /// Writes down the steps, and fails those that it is set to fail.
     #[derive(Default)]
     struct Scripted {
         log: Vec<String>,
@@ -173,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn a_step_that_fails_is_told_and_the_others_still_come() {
+    fn a_step_that_fails_is_reported_and_the_others_still_come() {
         for (refuses, step) in
             [("string 100", WakeStep::String(100)), ("output", WakeStep::Output(vec![2, 0xB0, 4]))]
         {
@@ -181,8 +181,8 @@ mod tests {
             let failed = everything().run(5, 3, &mut device);
             assert_eq!(failed.iter().map(|error| &error.step).collect::<Vec<_>>(), [&step]);
             assert_eq!(device.log, ALL_STEPS);
-            let told = failed[0].to_string();
-            assert!(told.contains("stalled") && told.contains(&step.to_string()), "{told}");
+            let message = failed[0].to_string();
+            assert!(message.contains("stalled") && message.contains(&step.to_string()), "{message}");
         }
     }
 

@@ -14,7 +14,7 @@ use std::io;
 use std::time::Duration;
 
 impl Choice {
-    /// Wakes the tablet and hears what it says of itself.
+    /// Wakes the tablet and reads what it says of itself.
     ///
     /// # Errors
     /// A tablet that is not listed and does not say its ranges. What fails in waking is a warning, since it may work all
@@ -33,7 +33,7 @@ impl Choice {
         self.learn(wake_up)
     }
 
-    /// Hears what a tablet said of itself when it was recorded; it was woken then.
+    /// Reads what a tablet said of itself when it was recorded; it was woken then.
     ///
     /// # Errors
     /// As [`Self::wake`].

@@ -70,7 +70,7 @@ impl Roster {
     /// Looks which devices came and went.
     ///
     /// # Errors
-    /// A system that does not tell its devices; those that are read go on being read.
+    /// A system that does not list its devices; those that are read go on being read.
     pub fn poll(&mut self) -> Result<(), TransportError> {
         let found = self.system.devices()?;
         let is_there = |info: &DeviceInfo| found.iter().any(|device| device == info);
@@ -92,7 +92,7 @@ impl Roster {
         self.refused.retain(|path, _| {
             let is_refused = matches!(known.get(path), Some((_, Known::Failed)));
             if !is_refused {
-                outbox.tell(id, Notice::Settled(path.as_str().into()));
+                outbox.notify(id, Notice::Settled(path.as_str().into()));
             }
             is_refused
         });
@@ -118,7 +118,7 @@ impl Roster {
         if self.refused.get(&device.path).is_none_or(|said| **said != refused) {
             tracing::warn!("{refused}");
             let refused = Arc::new(refused);
-            self.outbox.tell(self.next_id, Notice::Refused(Arc::clone(&refused)));
+            self.outbox.notify(self.next_id, Notice::Refused(Arc::clone(&refused)));
             self.refused.insert(device.path.clone(), refused);
         }
         Known::Failed
@@ -179,13 +179,13 @@ impl Watcher {
         roster.set_models(models);
         let (sender, orders) = channel();
         let watch = move || {
-            let mut told = None;
+            let mut reported = None;
             loop {
                 let fault = roster.poll().err();
-                if let Some(fault) = fault.as_ref().filter(|fault| told.as_ref() != Some(*fault)) {
+                if let Some(fault) = fault.as_ref().filter(|fault| reported.as_ref() != Some(*fault)) {
                     tracing::warn!("tablets cannot be looked for: {fault}");
                 }
-                told = fault;
+                reported = fault;
                 match orders.recv_timeout(POLL) {
                     Ok(models) => roster.set_models(models),
                     Err(RecvTimeoutError::Timeout) => {}

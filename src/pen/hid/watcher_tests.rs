@@ -93,13 +93,13 @@ fn a_device_that_was_forbidden_is_read_once_it_is_allowed() {
     bus.forbid("a", false);
     roster.poll().unwrap();
     assert_eq!((roster.readers(), tablet.handles()), (1, 1));
-    let mut told = Vec::new();
+    let mut notices = Vec::new();
     inbox.drain(|message| match message.notice {
-        Notice::Refused(refused) => told.push(format!("refused {}", refused.device.path)),
-        Notice::Settled(path) => told.push(format!("settled {path}")),
+        Notice::Refused(refused) => notices.push(format!("refused {}", refused.device.path)),
+        Notice::Settled(path) => notices.push(format!("settled {path}")),
         _ => {}
     });
-    assert_eq!(told, ["refused a", "settled a"], "each is said once");
+    assert_eq!(notices, ["refused a", "settled a"], "each is said once");
 }
 
 /// A tablet whose numbers fit many models and whose strings nobody gives.
@@ -145,13 +145,13 @@ fn a_chosen_model_is_read_at_once_and_another_in_its_place() {
     };
     choose(&models[0]);
     let way = |model: &str| format!("the table, as {model}");
-    let mut told = Vec::new();
+    let mut notices = Vec::new();
     wait(|| {
-        told.extend(ways(&inbox));
-        told.len() == 2
+        notices.extend(ways(&inbox));
+        notices.len() == 2
     });
-    told.sort();
-    assert_eq!(told, ["a".to_owned(), way(&models[0])]);
+    notices.sort();
+    assert_eq!(notices, ["a".to_owned(), way(&models[0])]);
     choose(&models[1]);
     wait(|| ways(&inbox) == [way(&models[1])]);
     // Choosing for another device leaves this one alone.
@@ -190,9 +190,9 @@ fn a_model_that_does_not_say_how_large_it_is_is_refused_once() {
     bus.plug(&SimulatedDevice::new(info, tablets::VENDOR_PAGE).with_strings(strings));
     let (mut roster, inbox) = roster(&bus);
     (0..5).for_each(|_| roster.poll().unwrap());
-    let mut told = Vec::new();
-    inbox.drain(|message| told.push(message.notice));
-    let [Notice::Refused(refused)] = &told[..] else { panic!("{told:?}") };
+    let mut notices = Vec::new();
+    inbox.drain(|message| notices.push(message.notice));
+    let [Notice::Refused(refused)] = &notices[..] else { panic!("{notices:?}") };
     assert!(refused.to_string().contains("HUION_T999_300101"), "{refused}");
     assert_eq!(roster.readers(), 0);
 }
@@ -230,7 +230,7 @@ fn the_watcher_finds_what_is_plugged_in_and_ends() {
     assert_eq!(tablet.handles(), 0);
 }
 
-/// Threads of this process that read the device `cycling`, as Linux tells.
+/// Threads of this process that read the device `cycling`, as Linux lists them.
 fn reading_threads() -> usize {
     let tasks = std::fs::read_dir("/proc/self/task").into_iter().flatten().flatten();
     let names = tasks.filter_map(|task| std::fs::read_to_string(task.path().join("comm")).ok());
@@ -242,7 +242,7 @@ fn ten_thousand_times_plugged_in_and_out_leaves_nothing_behind() {
     const CYCLES: u32 = 10_000;
     let bus = SimulatedBus::new();
     let (mut roster, inbox) = roster(&bus);
-    let mut told = Vec::new();
+    let mut notices = Vec::new();
     for cycle in 0..CYCLES {
         let tablet = device("cycling", tablets::DESK_TABLET);
         bus.plug(&tablet);
@@ -256,9 +256,9 @@ fn ten_thousand_times_plugged_in_and_out_leaves_nothing_behind() {
             roster.readers() == 0
         });
         assert_eq!(tablet.handles(), 0);
-        told.extend(comings(&inbox));
+        notices.extend(comings(&inbox));
     }
-    assert!(told.into_iter().eq((0..CYCLES).flat_map(|id| [(id, true), (id, false)])));
+    assert!(notices.into_iter().eq((0..CYCLES).flat_map(|id| [(id, true), (id, false)])));
     assert_eq!(roster.known.len(), 0);
     // Linux lists a thread for a moment after it was joined.
     wait(|| reading_threads() == 0);

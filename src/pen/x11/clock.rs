@@ -20,15 +20,15 @@ struct Last {
     server_ms: f64,
     /// What turns it into the program's.
     offset_ms: f64,
-    /// Latest time told.
-    told_ms: f64,
+    /// Latest time given out.
+    reported_ms: f64,
 }
 
 impl ServerClock {
-    /// When something with this stamp, which arrived at `arrived_ms`, happened. Never before what was told last.
+    /// When something with this stamp, which arrived at `arrived_ms`, happened. Never before what was given out last.
     pub fn time_ms(&mut self, stamp: u32, arrived_ms: f64) -> f64 {
         let Some(last) = &mut self.last else {
-            self.last = Some(Last { stamp, server_ms: 0.0, offset_ms: arrived_ms, told_ms: arrived_ms });
+            self.last = Some(Last { stamp, server_ms: 0.0, offset_ms: arrived_ms, reported_ms: arrived_ms });
             return arrived_ms;
         };
         // Seen from the last stamp the new one is at most half the circle away, forward or back.
@@ -38,8 +38,8 @@ impl ServerClock {
         if offset_ms < last.offset_ms || offset_ms > last.offset_ms + MOST_DELAY_MS {
             last.offset_ms = offset_ms;
         }
-        last.told_ms = last.told_ms.max(last.server_ms + last.offset_ms);
-        last.told_ms
+        last.reported_ms = last.reported_ms.max(last.server_ms + last.offset_ms);
+        last.reported_ms
     }
 }
 
@@ -48,7 +48,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_fastest_event_tells_the_difference_of_the_clocks() {
+    fn the_fastest_event_gives_the_difference_of_the_clocks() {
         let mut clock = ServerClock::default();
         assert_eq!(clock.time_ms(1000, 50.0), 50.0);
         // This one was 4 ms faster; the ones after it are placed by it, however late they are.
@@ -65,7 +65,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stamp_that_goes_back_tells_no_earlier_time() {
+    fn a_stamp_that_goes_back_gives_no_earlier_time() {
         let mut clock = ServerClock::default();
         clock.time_ms(500, 10.0);
         assert_eq!(clock.time_ms(400, 11.0), 10.0);

@@ -28,7 +28,7 @@ const ALL_DEVICES: u16 = 0;
 /// All pointers that the user sees on the screen.
 const ALL_POINTERS: u16 = 1;
 
-/// Why pens are not heard.
+/// Why pens are not read.
 #[derive(Debug, Error)]
 pub enum X11PenError {
     /// No second connection.
@@ -55,14 +55,14 @@ pub enum X11PenError {
 /// The pens over a window.
 #[derive(Debug)]
 pub struct X11Pens {
-    heard: Receiver<(Reading, f64)>,
+    receiver: Receiver<(Reading, f64)>,
     /// The window was woken and has not fetched yet.
-    is_told: Arc<AtomicBool>,
+    is_notified: Arc<AtomicBool>,
     follower: PenFollower,
 }
 
 impl X11Pens {
-    /// Listens to the pens over a window. `clock` tells the program's milliseconds; `wake` is called from another thread
+    /// Listens to the pens over a window. `clock` gives the program's milliseconds; `wake` is called from another thread
     /// when there is something to [`X11Pens::take`].
     ///
     /// # Errors
@@ -74,22 +74,28 @@ impl X11Pens {
     ) -> Result<Self, X11PenError> {
         let (connection, _) = x11rb::connect(None)?;
         let mut listener = Listener::new(connection, window)?;
-        let (tell, heard) = channel();
-        let is_told = Arc::new(AtomicBool::new(false));
-        let theirs = Arc::clone(&is_told);
+        let (sender, receiver) = channel();
+        let is_notified = Arc::new(AtomicBool::new(false));
+        let for_thread = Arc::clone(&is_notified);
         std::thread::Builder::new().name("x11-pens".into()).spawn(move || {
-            let mut voice = Voice { tell, is_told: theirs, clock, wake, server: ServerClock::default() };
-            if let Err(error) = listener.listen(&mut voice) {
+            let mut sender = ReadingSender {
+                sender,
+                is_notified: for_thread,
+                clock,
+                wake,
+                server: ServerClock::default(),
+            };
+            if let Err(error) = listener.listen(&mut sender) {
                 tracing::warn!("{error}");
             }
         })?;
-        Ok(Self { heard, is_told, follower: PenFollower::default() })
+        Ok(Self { receiver, is_notified, follower: PenFollower::default() })
     }
 
     /// Appends what the pens did since the last call to `out`.
     pub fn take(&mut self, out: &mut Vec<PenEvent>) {
-        self.is_told.store(false, Ordering::Release);
-        while let Ok((reading, time_ms)) = self.heard.try_recv() {
+        self.is_notified.store(false, Ordering::Release);
+        while let Ok((reading, time_ms)) = self.receiver.try_recv() {
             self.follower.feed(&reading, time_ms, out);
         }
     }
@@ -100,7 +106,7 @@ impl X11Pens {
         self.follower.other_device(time_ms, out);
     }
 
-    /// Tells the time: a hovering pen that has been silent for long leaves.
+    /// Gives the time: a hovering pen that has been silent for long leaves.
     pub fn idle(&mut self, now_ms: f64, out: &mut Vec<PenEvent>) {
         self.follower.idle(now_ms, out);
     }
@@ -111,24 +117,24 @@ impl X11Pens {
     }
 }
 
-/// The way to the window.
-struct Voice<C, W> {
-    tell: Sender<(Reading, f64)>,
-    is_told: Arc<AtomicBool>,
+/// Sends readings to the window.
+struct ReadingSender<C, W> {
+    sender: Sender<(Reading, f64)>,
+    is_notified: Arc<AtomicBool>,
     clock: C,
     wake: W,
     server: ServerClock,
 }
 
-impl<C: Fn() -> f64, W: Fn()> Voice<C, W> {
-    /// Tells the window; whether it still listens.
-    fn say(&mut self, reading: Reading) -> bool {
+impl<C: Fn() -> f64, W: Fn()> ReadingSender<C, W> {
+    /// Sends a reading to the window; whether it still receives.
+    fn send(&mut self, reading: Reading) -> bool {
         let time_ms = self.server.time_ms(reading.stamp, (self.clock)());
-        let is_heard = self.tell.send((reading, time_ms)).is_ok();
-        if !self.is_told.swap(true, Ordering::AcqRel) {
+        let is_received = self.sender.send((reading, time_ms)).is_ok();
+        if !self.is_notified.swap(true, Ordering::AcqRel) {
             (self.wake)();
         }
-        is_heard
+        is_received
     }
 }
 
@@ -168,7 +174,7 @@ impl Listener {
         Ok(listener)
     }
 
-    /// Asks for what is told of no single pen.
+    /// Selects the events that belong to no single pen.
     fn select_window(&self) -> Result<(), X11PenError> {
         let devices = EventMask {
             deviceid: ALL_DEVICES,
@@ -205,7 +211,7 @@ impl Listener {
             let mask = XIEventMask::MOTION | XIEventMask::BUTTON_PRESS | XIEventMask::BUTTON_RELEASE;
             let mask = EventMask { deviceid: pen.id, mask: vec![mask | XIEventMask::DEVICE_CHANGED] };
             match self.connection.xinput_xi_select_events(self.window, &[mask])?.check() {
-                // Unplugged meanwhile: the server tells next.
+                // Unplugged meanwhile: the server reports that next.
                 Err(ReplyError::X11Error(error)) => tracing::debug!("pen {}: {error:?}", pen.id),
                 done => done?,
             }
@@ -218,13 +224,16 @@ impl Listener {
     }
 
     /// Listens until the window or the connection is gone.
-    fn listen<C: Fn() -> f64, W: Fn()>(&mut self, voice: &mut Voice<C, W>) -> Result<(), X11PenError> {
+    fn listen<C: Fn() -> f64, W: Fn()>(
+        &mut self,
+        sender: &mut ReadingSender<C, W>,
+    ) -> Result<(), X11PenError> {
         loop {
             let event = self.connection.wait_for_event()?;
-            let mut is_heard = true;
+            let mut is_received = true;
             match &event {
                 Event::XinputHierarchy(_) | Event::XinputDeviceChanged(_) => {
-                    self.ask_for_pens(|reading| is_heard = voice.say(reading))?;
+                    self.ask_for_pens(|reading| is_received = sender.send(reading))?;
                 }
                 Event::ConfigureNotify(event) if event.window == self.root => {
                     self.decoder.set_desktop(DVec2::new(event.width.into(), event.height.into()));
@@ -232,11 +241,11 @@ impl Listener {
                 Event::DestroyNotify(event) if event.window == self.window => return Ok(()),
                 _ => {
                     if let Some(reading) = self.decoder.decode(&event) {
-                        is_heard = voice.say(reading);
+                        is_received = sender.send(reading);
                     }
                 }
             }
-            if !is_heard {
+            if !is_received {
                 return Ok(());
             }
         }

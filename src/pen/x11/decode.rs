@@ -65,7 +65,7 @@ impl Decoder {
         self.desktop = size;
     }
 
-    /// Learns which pens there are now. Tells of those that are gone that they went out of range.
+    /// Learns which pens there are now. Those that are gone go out of range.
     pub fn set_pens(&mut self, pens: Vec<PenDevice>, mut sink: impl FnMut(Reading)) {
         let before = std::mem::take(&mut self.pens);
         for pen in before.iter().filter(|pen| pens.iter().all(|now| now.id != pen.device.id)) {
@@ -134,14 +134,14 @@ impl Pen {
     /// Where in the window.
     fn place(&self, event: &ButtonPressEvent, desktop: DVec2) -> DVec2 {
         let on_desktop = pixels(event.root_x, event.root_y);
-        let told = pixels(event.event_x, event.event_y);
+        let event_place = pixels(event.event_x, event.event_y);
         let is_servers = |place: &DVec2| {
             let apart = *place - on_desktop;
             (apart - apart.round()).abs().max_element() <= SAME_PART
         };
         match self.device.place_on(desktop).filter(is_servers) {
-            Some(place) => place - (on_desktop - told),
-            None => told,
+            Some(place) => place - (on_desktop - event_place),
+            None => event_place,
         }
     }
 

@@ -43,7 +43,7 @@ fn decoder() -> Decoder {
     decoder
 }
 
-/// What the canvas hears of these events.
+/// What the canvas receives of these events.
 fn run(events: &[Event]) -> Vec<PenEvent> {
     let (mut decoder, mut follower, mut out) = (decoder(), PenFollower::default(), Vec::new());
     for reading in events.iter().filter_map(|event| decoder.decode(event)) {
@@ -115,7 +115,7 @@ fn a_button_without_place_happens_where_the_pen_was() {
 }
 
 #[test]
-fn barrel_buttons_are_told_while_hovering() {
+fn barrel_buttons_are_reported_while_hovering() {
     let said = run(&[
         moved(PEN, 0, 1),
         Event::XinputButtonPress(press(PEN, 2, 0, 2)),
@@ -195,16 +195,16 @@ fn a_list_of_devices_asked_again_changes_nothing_in_the_hand() {
 #[test]
 fn a_silent_pen_leaves_unless_it_touches() {
     let (mut decoder, mut follower, mut out) = (decoder(), PenFollower::default(), Vec::new());
-    let mut hear = |event, time_ms, follower: &mut PenFollower, out: &mut Vec<_>| {
+    let mut handle = |event, time_ms, follower: &mut PenFollower, out: &mut Vec<_>| {
         follower.feed(&decoder.decode(&event).unwrap(), time_ms, out);
     };
-    hear(moved(PEN, 0, 1), 10.0, &mut follower, &mut out);
+    handle(moved(PEN, 0, 1), 10.0, &mut follower, &mut out);
     follower.idle(10.0 + HOVER_MS - 1.0, &mut out);
     assert_eq!(out.len(), 1);
-    hear(Event::XinputButtonPress(press(PEN, 1, 0, 2)), 20.0, &mut follower, &mut out);
+    handle(Event::XinputButtonPress(press(PEN, 1, 0, 2)), 20.0, &mut follower, &mut out);
     assert_eq!(follower.leaves_at(), None);
     follower.idle(1e6, &mut out);
-    hear(Event::XinputButtonRelease(press(PEN, 1, 0b10, 3)), 30.0, &mut follower, &mut out);
+    handle(Event::XinputButtonRelease(press(PEN, 1, 0b10, 3)), 30.0, &mut follower, &mut out);
     assert_eq!(follower.leaves_at(), Some(30.0 + HOVER_MS));
     follower.idle(30.0 + HOVER_MS, &mut out);
     follower.idle(1e6, &mut out);
@@ -214,13 +214,13 @@ fn a_silent_pen_leaves_unless_it_touches() {
 #[test]
 fn neither_the_mouse_nor_a_pen_that_hovers_ends_another_pens_stroke() {
     let (mut decoder, mut follower, mut out) = (decoder(), PenFollower::default(), Vec::new());
-    let mut hear = |event, time_ms, follower: &mut PenFollower, out: &mut Vec<_>| {
+    let mut handle = |event, time_ms, follower: &mut PenFollower, out: &mut Vec<_>| {
         follower.feed(&decoder.decode(&event).unwrap(), time_ms, out);
     };
-    hear(Event::XinputButtonPress(press(PEN, 1, 0, 1)), 1.0, &mut follower, &mut out);
+    handle(Event::XinputButtonPress(press(PEN, 1, 0, 1)), 1.0, &mut follower, &mut out);
     follower.other_device(2.0, &mut out);
-    hear(moved(ERASER, 0, 3), 3.0, &mut follower, &mut out);
-    hear(Event::XinputButtonRelease(press(PEN, 1, 0b10, 4)), 4.0, &mut follower, &mut out);
+    handle(moved(ERASER, 0, 3), 3.0, &mut follower, &mut out);
+    handle(Event::XinputButtonRelease(press(PEN, 1, 0b10, 4)), 4.0, &mut follower, &mut out);
     follower.other_device(5.0, &mut out);
     assert_eq!(out.iter().map(|e| e.phase).collect::<Vec<_>>(), [Enter, Down, Up, Leave]);
 }

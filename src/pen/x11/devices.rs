@@ -64,7 +64,7 @@ pub enum DeviceKind {
     Other,
 }
 
-/// Names of atoms by which drivers tell the type.
+/// Names of atoms by which drivers give the type.
 pub const KINDS: [(&str, DeviceKind); 5] = [
     ("PAD", DeviceKind::NoPen),
     ("TOUCH", DeviceKind::NoPen),
@@ -96,7 +96,7 @@ pub struct PenDevice {
 }
 
 impl PenDevice {
-    /// What the server tells about a device, if that is a pen in use. `role_of` knows the atoms of [`LABELS`].
+    /// What the server says about a device, if that is a pen in use. `role_of` knows the atoms of [`LABELS`].
     pub fn read(
         info: &XIDeviceInfo,
         kind: DeviceKind,

@@ -73,7 +73,7 @@ fn axes_are_found_by_label_and_not_by_number() {
 }
 
 #[test]
-fn tilt_in_another_unit_is_told_in_degrees_too() {
+fn tilt_in_another_unit_is_reported_in_degrees_too() {
     let tilted = |max: f64, resolution, value: f64| {
         let classes = vec![axis(3, atom("Abs Tilt X"), -max, max, resolution)];
         let mut pen = PenDevice::read(&device("x", classes), DeviceKind::Other, role_of).unwrap();
@@ -103,7 +103,7 @@ fn mice_screens_pads_and_sleeping_pens_are_no_pens() {
 }
 
 #[test]
-fn an_eraser_is_told_by_its_type_or_its_name() {
+fn an_eraser_is_recognised_by_its_type_or_its_name() {
     let classes = || vec![axis(2, atom("Abs Pressure"), 0.0, 100.0, 1)];
     let is_eraser = |name, kind| PenDevice::read(&device(name, classes()), kind, role_of).unwrap().eraser;
     assert!(is_eraser("x", DeviceKind::Eraser));

@@ -1,7 +1,7 @@
 //! From states of pens to events that obey [`crate::pen::grammar`].
 //!
 //! [`PenMachine`] does the work. Here is what X11 adds: there is one pen in the artist's hand, so when another device
-//! speaks, the one before leaves. That a hovering pen was taken away is told by no event of XInput 2, so a pen that says
+//! speaks, the one before leaves. That a hovering pen was taken away is reported by no event of XInput 2, so a pen that says
 //! nothing for a while has left; so has one when the mouse moves, since both move the same pointer. A pen that touches stays
 //! for as long as it is held still, and nothing that hovers or moves beside it ends its stroke.
 
@@ -18,12 +18,12 @@ pub struct PenFollower {
     machine: PenMachine,
     /// The device that spoke last.
     device: Option<u16>,
-    heard_ms: f64,
+    received_ms: f64,
 }
 
 impl Default for PenFollower {
     fn default() -> Self {
-        Self { machine: PenMachine::new(Mapping::pixels()), device: None, heard_ms: 0.0 }
+        Self { machine: PenMachine::new(Mapping::pixels()), device: None, received_ms: 0.0 }
     }
 }
 
@@ -38,7 +38,7 @@ impl PenFollower {
             self.device = Some(reading.device);
         }
         if time_ms.is_finite() {
-            self.heard_ms = self.heard_ms.max(time_ms);
+            self.received_ms = self.received_ms.max(time_ms);
         }
         self.machine.sample(&RawPen { position: reading.position, ..reading.state }, time_ms, out);
     }
@@ -50,7 +50,7 @@ impl PenFollower {
         }
     }
 
-    /// Tells the time: a hovering pen that has been silent for long leaves.
+    /// Gives the time: a hovering pen that has been silent for long leaves.
     pub fn idle(&mut self, now_ms: f64, out: &mut Vec<PenEvent>) {
         if self.leaves_at().is_some_and(|at| now_ms >= at) {
             self.machine.leave(now_ms, out);
@@ -60,7 +60,7 @@ impl PenFollower {
     /// When a pen leaves if it stays silent.
     pub fn leaves_at(&self) -> Option<f64> {
         let (_, touches) = self.machine.state()?;
-        (!touches).then_some(self.heard_ms + HOVER_MS)
+        (!touches).then_some(self.received_ms + HOVER_MS)
     }
 
     fn touches(&self) -> bool {

@@ -1,10 +1,10 @@
 //! Pens under X11, read beside winit, whose X11 part drops them.
 //!
 //! A second connection to the server asks for the events of every pen over the window of winit. It asks each pen itself, not
-//! the pointer that all devices move together: of two connections that ask for the buttons of one device, only one hears
+//! the pointer that all devices move together: of two connections that ask for the buttons of one device, only one receives
 //! what happens while a button is held, and for the pointer that is winit, which the mouse needs. So nothing comes twice
 //! either. A device is a pen by the same mark as in winit, an axis of pressure
-//! or tilt, so that every device is heard by exactly one of the two.
+//! or tilt, so that every device is read by exactly one of the two.
 //!
 //! | file | what |
 //! | --- | --- |

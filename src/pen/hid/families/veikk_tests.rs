@@ -52,7 +52,7 @@ fn narrow_reports() {
 }
 
 #[test]
-fn typed_keys_tell_the_fourth_from_the_sixth_by_the_modifier() {
+fn typed_keys_distinguish_the_fourth_from_the_sixth_by_the_modifier() {
     let mut veikk = spec(Family::VeikkV1, 8).decoder();
     // id, modifier, key codes
     assert_eq!(keys(&mut *veikk, &[3, 0, 0x3E, 0x2F]), 0x801);

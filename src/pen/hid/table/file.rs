@@ -54,7 +54,7 @@ pub enum TableError {
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 struct TableFile {
     #[serde(default)]
-    self_telling: Vec<String>,
+    self_describing: Vec<String>,
     #[serde(default)]
     wake: BTreeMap<String, WakeFile>,
     maker: Vec<MakerFile>,
@@ -145,10 +145,10 @@ pub(super) fn read(text: &str) -> Result<Table, TableError> {
             tablets.extend(nodes);
         }
     }
-    let self_telling: Option<Vec<u16>> = file.self_telling.iter().map(|id| number(id)).collect();
+    let self_describing: Option<Vec<u16>> = file.self_describing.iter().map(|id| number(id)).collect();
     let wrong =
-        || TableError::Toml("self-telling takes four lower-case hexadecimal digits for each maker".into());
-    Ok(Table { tablets, self_telling: self_telling.ok_or_else(wrong)? })
+        || TableError::Toml("self-describing takes four lower-case hexadecimal digits for each maker".into());
+    Ok(Table { tablets, self_describing: self_describing.ok_or_else(wrong)? })
 }
 
 fn wake_of(file: WakeFile) -> Result<Wake, String> {

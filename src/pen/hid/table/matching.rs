@@ -69,9 +69,9 @@ impl Strings<'_> {
     /// gives others, and none of the row's, has none of these.
     fn might_fit(&self, tablet: &Tablet) -> bool {
         let text = |index: &u8| self.known.get(index).and_then(Option::as_ref);
-        let is_told = |rule: &StringRule| text(&rule.index).is_some();
+        let is_readable = |rule: &StringRule| text(&rule.index).is_some();
         let is_mute = self.known.values().all(Option::is_none);
-        (is_mute || tablet.strings.iter().any(is_told))
+        (is_mute || tablet.strings.iter().any(is_readable))
             && tablet.strings.iter().all(|rule| match text(&rule.index) {
                 Some(text) => rule.pattern.is_match(text.as_bytes()) == rule.must_match,
                 None => true,
@@ -133,10 +133,10 @@ impl Table {
 fn by_strings<'t>(fitting: &[&'t Tablet], strings: &mut Strings<'_>) -> (Certainty, Vec<&'t Tablet>) {
     let (with, without): (Vec<&Tablet>, Vec<&Tablet>) =
         fitting.iter().copied().partition(|tablet| !tablet.strings.is_empty());
-    let told: Vec<&Tablet> = with.iter().copied().filter(|tablet| strings.fit(tablet)).collect();
+    let fitting: Vec<&Tablet> = with.iter().copied().filter(|tablet| strings.fit(tablet)).collect();
     let might: Vec<&Tablet> = with.into_iter().filter(|tablet| strings.might_fit(tablet)).collect();
-    if !told.is_empty() {
-        certain(told)
+    if !fitting.is_empty() {
+        certain(fitting)
     } else if !without.is_empty() {
         certain(without)
     } else if might.is_empty() {

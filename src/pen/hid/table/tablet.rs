@@ -121,7 +121,7 @@ impl Tablet {
 pub struct Table {
     pub(super) tablets: Vec<Tablet>,
     /// Makers of nothing but tablets whose models say their ranges themselves.
-    pub(super) self_telling: Vec<u16>,
+    pub(super) self_describing: Vec<u16>,
 }
 
 impl Table {
@@ -139,8 +139,8 @@ impl Table {
 
     /// Models of this maker say their ranges themselves, so that they are read without being listed.
     #[must_use]
-    pub fn tells_itself(&self, vendor: u16) -> bool {
-        self.self_telling.contains(&vendor)
+    pub fn is_self_describing(&self, vendor: u16) -> bool {
+        self.self_describing.contains(&vendor)
     }
 
     /// The rules that are made of the table let the user open this device.
@@ -150,7 +150,7 @@ impl Table {
         match device.bus {
             Bus::Bluetooth => self.tablets.iter().any(|t| t.bluetooth && (t.vendor, t.product) == ids),
             Bus::I2c | Bus::Spi => false,
-            Bus::Usb | Bus::Unknown => self.tells_itself(ids.0) || self.knows(ids.0, ids.1),
+            Bus::Usb | Bus::Unknown => self.is_self_describing(ids.0) || self.knows(ids.0, ids.1),
         }
     }
 }

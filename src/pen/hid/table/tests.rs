@@ -90,7 +90,7 @@ fn strings_come_first_and_order_decides() {
 }
 
 #[test]
-fn what_cannot_be_told_apart_is_said() {
+fn tablets_without_a_difference_are_reported() {
     let table = table(&[
         tablet("One", "wake = \"v2\"", "{ usb = \"256c:006d\" }"),
         tablet("Same", "wake = \"v2\"\nkeys = 3", "{ usb = \"256c:006d\" }"),
@@ -137,7 +137,7 @@ fn waking_decides_the_report_id_and_how_the_pen_leaves() {
 #[test]
 fn what_is_wrong_is_refused_by_name() {
     let good = "{ usb = \"256c:006d\", input = 12 }";
-    for (fields, nodes, told) in [
+    for (fields, nodes, message) in [
         ("buttons = 4", good, "at most 3 buttons"),
         ("keys = 33", good, "at most 3 buttons and 32 keys"),
         ("touch = [0, 1]", good, "from 1 to"),
@@ -155,7 +155,7 @@ fn what_is_wrong_is_refused_by_name() {
     ] {
         let error =
             Table::from_toml(&(HEAD.to_owned() + &tablet("Bad", fields, nodes))).unwrap_err().to_string();
-        assert!(error.contains(told), "{error}\nshould say: {told}");
+        assert!(error.contains(message), "{error}\nshould say: {message}");
     }
     let twice = HEAD.to_owned() + &tablet("A", "", good) + &tablet("A", "", good);
     assert_eq!(Table::from_toml(&twice).unwrap_err().to_string(), "tablet \"Maker A\": is there twice");

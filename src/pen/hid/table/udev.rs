@@ -45,7 +45,7 @@ impl Table {
             // Writing to a String cannot fail.
             let _ = write!(rules, "{}", block(*vendor, *product, device));
         }
-        for vendor in &self.self_telling {
+        for vendor in &self.self_describing {
             let _ = write!(rules, "{}", maker(*vendor));
         }
         rules.push_str("\nLABEL=\"penstemon_end\"\n");
