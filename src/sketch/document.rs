@@ -16,7 +16,7 @@ pub use super::sound::ChangeError;
 /// Which settings a merging change belongs to, so that one drag of one slider is one step.
 pub type MergeKey = String;
 
-/// A state that a document was in, to be told later that it was the one saved.
+/// A state that a document was in, to be marked later as the one saved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SavePoint(u64);
 
@@ -237,7 +237,7 @@ impl Document {
         Ok(())
     }
 
-    /// Changes the strokes, and tells what lay where before and after.
+    /// Changes the strokes, and returns what lay where before and after.
     fn swapped(&mut self, changes: Vec<StrokeChange>) -> Vec<Swap> {
         let strokes = &mut self.sketch.strokes;
         let (mut hint, mut newest) = (0, self.last_id);

@@ -13,7 +13,7 @@ use serde_json::{Map, Value};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// A drawing as its file tells it.
+/// A drawing as its file has it.
 #[derive(Debug, Default)]
 pub(super) struct Draft {
     pub(super) canvas: Option<Canvas>,
@@ -35,7 +35,7 @@ pub(super) enum Purpose {
     Edit,
 }
 
-/// A stroke as its file tells it.
+/// A stroke as its file has it.
 #[derive(Debug)]
 pub(super) struct DraftStroke {
     pub(super) id: Option<StrokeId>,

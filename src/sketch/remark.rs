@@ -1,6 +1,6 @@
 //! What can be odd about a drawing that is built all the same: every kind with its English words.
 //!
-//! One list for the readers and the analysis, so that whoever tells a drawing's author in another language
+//! One list for the readers and the analysis, so that whoever speaks to a drawing's author in another language
 //! sees all of it.
 
 use super::StrokeId;
@@ -46,7 +46,7 @@ pub enum Remark {
         /// How many samples.
         points: usize,
     },
-    /// Times that no clock tells.
+    /// Times outside the range that a file may hold.
     #[error("time of {} lay outside 0 to 1e9 milliseconds and was brought into it", counted(.points, "point"))]
     TimeOutside {
         /// How many samples.
@@ -238,7 +238,7 @@ pub enum Remark {
         /// What was odd.
         remark: Box<Remark>,
     },
-    /// What was too much to be told.
+    /// What was too much to be reported.
     #[error("and {} like these", counted(.count, "more remark"))]
     More {
         /// How many remarks.

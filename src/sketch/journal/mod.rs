@@ -25,10 +25,10 @@
 mod error;
 mod file;
 mod flusher;
+mod journal_thread;
 mod record;
 pub mod recovery;
 mod replay;
-mod scribe;
 mod session;
 mod shared;
 pub mod writer;

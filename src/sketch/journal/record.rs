@@ -275,7 +275,7 @@ mod tests {
     }
 
     #[test]
-    fn headers_tell_versions_and_what_is_broken_is_searched() {
+    fn headers_give_versions_and_what_is_broken_is_searched() {
         let header = |bytes: &[u8]| read(bytes).0;
         assert_eq!(header(HEADER.as_bytes()), Header::Known);
         assert_eq!(header(b"penstemon-journal 1\nxyz"), Header::Known);

@@ -2,8 +2,8 @@
 
 use super::error::JournalError;
 use super::file::Identity;
+use super::journal_thread::Subject;
 use super::replay::{self, Found, Restored};
-use super::scribe::Subject;
 use super::session::{DAMAGED, Folder, Meta, PREFIX, Session};
 use super::writer::JournalWriter;
 use crate::file_system::{FileSystem, System};
@@ -97,7 +97,7 @@ impl Recovery {
     /// or at once unless it `is_saved` (an import).
     ///
     /// # Errors
-    /// No thread; what goes wrong later is told by [`JournalWriter::state`].
+    /// No thread; what goes wrong later is reported by [`JournalWriter::state`].
     pub fn start(&self, sketch: &Sketch, meta: Meta, is_saved: bool) -> Result<JournalWriter, JournalError> {
         let identity = Identity { meta, is_saved };
         self.write(None, Subject { sketch: sketch.clone(), identity, damaged: Vec::new() })

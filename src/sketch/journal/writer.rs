@@ -2,7 +2,7 @@
 
 use super::error::JournalError;
 use super::flusher::Flusher;
-use super::scribe::{Scribe, Subject};
+use super::journal_thread::{JournalThread, Subject};
 use super::session::{Meta, Session};
 use super::shared::{Command, Progress, Shared};
 use crate::file_system::FileSystem;
@@ -29,10 +29,10 @@ pub enum JournalState {
     Failed(String),
 }
 
-/// Says that the thread is gone, however it went.
-struct Farewell(Arc<Shared>);
+/// Marks the thread as ended when it is dropped, also by a panic.
+struct EndOnDrop(Arc<Shared>);
 
-impl Drop for Farewell {
+impl Drop for EndOnDrop {
     fn drop(&mut self) {
         self.0.change(|progress| progress.ended = true);
     }
@@ -62,11 +62,11 @@ impl JournalWriter {
         let (commands, inbox) = mpsc::channel();
         let shared = Arc::new(Shared::default());
         let flusher = Flusher::start(shared.clone(), commands.clone()).map_err(JournalError::NoThread)?;
-        let farewell = Farewell(shared.clone());
-        let scribe = Scribe::new(files, state, session, subject, shared.clone(), flusher);
+        let end_on_drop = EndOnDrop(shared.clone());
+        let journal_thread = JournalThread::new(files, state, session, subject, shared.clone(), flusher);
         let thread = Builder::new().name("journal".to_owned()).spawn(move || {
-            let _farewell = farewell;
-            scribe.run(&inbox);
+            let _end_on_drop = end_on_drop;
+            journal_thread.run(&inbox);
         });
         let thread = Some(thread.map_err(JournalError::NoThread)?);
         let writer = Self { commands, shared, thread, appended: 0, behind_since: Instant::now() };

@@ -8,7 +8,7 @@ use crate::sketch::error::Fault;
 use serde::Deserialize;
 use serde_json::error::Category;
 
-/// The fault behind `error`. A file of another format or version is told so, whatever the parser stumbled over first.
+/// The fault behind `error`. A file of another format or version is reported as such, whatever the parser stumbled over first.
 pub(super) fn flaw(error: &serde_json::Error, text: &str, progress: &Progress) -> Flaw {
     let place = progress.place(error.line(), error.column());
     if let Some(fault) = header_fault(text) {

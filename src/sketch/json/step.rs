@@ -145,7 +145,7 @@ pub(in crate::sketch) enum Fit {
     ByName,
 }
 
-/// Carries out the step that `text` tells.
+/// Carries out the step that `text` holds.
 ///
 /// # Errors
 /// Text that is no step or does not fit the sketch, in words; the sketch is as it was then.

@@ -15,31 +15,32 @@ fn stroke(id: u64) -> Stroke {
     Stroke { id, tool: Tool::Leaf, points }
 }
 
-/// A scribe and the document that it writes down.
-struct Desk {
+/// A journal and the document that it writes down.
+struct Fixture {
     document: Document,
-    scribe: Scribe,
+    journal: JournalThread,
     failures: Receiver<Command>,
     number: u64,
 }
 
-impl Desk {
+impl Fixture {
     fn new(state: &Path) -> Self {
         let document = Document::empty();
         let meta = Meta { title: "a drawing".into(), ..Meta::default() };
         let identity = Identity { meta, is_saved: true };
         let subject = Subject { sketch: document.sketch().clone(), identity, damaged: Vec::new() };
-        let (shared, (tell, failures)) = (Arc::new(Shared::default()), channel());
-        let flusher = Flusher::start(shared.clone(), tell).unwrap();
-        let mut scribe = Scribe::new(Arc::new(System), state.to_owned(), None, subject, shared, flusher);
-        scribe.carry_out(std::iter::once(Command::Begin));
-        Self { document, scribe, failures, number: 0 }
+        let (shared, (sender, failures)) = (Arc::new(Shared::default()), channel());
+        let flusher = Flusher::start(shared.clone(), sender).unwrap();
+        let mut journal =
+            JournalThread::new(Arc::new(System), state.to_owned(), None, subject, shared, flusher);
+        journal.carry_out(std::iter::once(Command::Begin));
+        Self { document, journal, failures, number: 0 }
     }
 
     fn apply(&mut self, change: Change) {
         let step = self.document.apply(change).unwrap().unwrap();
         self.number += 1;
-        self.scribe.carry_out(std::iter::once(Command::Step(self.number, step)));
+        self.journal.carry_out(std::iter::once(Command::Step(self.number, step)));
     }
 
     fn draw(&mut self) {
@@ -48,13 +49,13 @@ impl Desk {
 
     /// Waits for the disk.
     fn settle(&mut self) {
-        self.scribe.finish_background(true);
-        self.scribe.flusher.wait();
+        self.journal.finish_background(true);
+        self.journal.flusher.wait();
         assert!(self.failures.try_recv().is_err());
     }
 
     fn folder(&self) -> PathBuf {
-        self.scribe.session.as_ref().unwrap().folder.path.clone()
+        self.journal.session.as_ref().unwrap().folder.path.clone()
     }
 
     fn files(&mut self) -> Vec<String> {
@@ -67,7 +68,7 @@ impl Desk {
 
     /// What a later start of the program finds.
     fn found(self, state: &Path) -> Vec<crate::sketch::journal::Recoverable> {
-        drop(self.scribe);
+        drop(self.journal);
         Recovery::at(state).list().unwrap()
     }
 }
@@ -82,30 +83,30 @@ fn only(found: Vec<crate::sketch::journal::Recoverable>) -> Sketch {
 #[test]
 fn a_folder_that_vanishes_is_made_again_with_everything_in_it() {
     let state = tempfile::tempdir().unwrap();
-    let mut desk = Desk::new(state.path());
-    desk.draw();
-    desk.settle();
-    fs::remove_dir_all(desk.folder()).unwrap();
-    desk.draw();
-    assert_eq!(desk.files(), ["journal-1", "lock", "snapshot-1.penstemon"]);
-    let expected = desk.document.sketch().clone();
-    assert_eq!(only(desk.found(state.path())), expected);
+    let mut fixture = Fixture::new(state.path());
+    fixture.draw();
+    fixture.settle();
+    fs::remove_dir_all(fixture.folder()).unwrap();
+    fixture.draw();
+    assert_eq!(fixture.files(), ["journal-1", "lock", "snapshot-1.penstemon"]);
+    let expected = fixture.document.sketch().clone();
+    assert_eq!(only(fixture.found(state.path())), expected);
 }
 
 #[test]
 fn two_generations_are_kept_and_either_snapshot_may_be_lost() {
     let state = tempfile::tempdir().unwrap();
-    let mut desk = Desk::new(state.path());
+    let mut fixture = Fixture::new(state.path());
     for _ in 0..4 {
-        desk.draw();
-        desk.scribe.snapshot();
-        desk.draw();
-        desk.settle();
+        fixture.draw();
+        fixture.journal.snapshot();
+        fixture.draw();
+        fixture.settle();
     }
     let names = ["journal-4", "journal-5", "lock", "snapshot-4.penstemon", "snapshot-5.penstemon"];
-    assert_eq!(desk.files(), names);
-    let (folder, expected) = (desk.folder(), desk.document.sketch().clone());
-    drop(desk.scribe);
+    assert_eq!(fixture.files(), names);
+    let (folder, expected) = (fixture.folder(), fixture.document.sketch().clone());
+    drop(fixture.journal);
     for lost in ["snapshot-4.penstemon", "snapshot-5.penstemon"] {
         let kept = fs::read(folder.join(lost)).unwrap();
         fs::remove_file(folder.join(lost)).unwrap();
@@ -117,61 +118,61 @@ fn two_generations_are_kept_and_either_snapshot_may_be_lost() {
 #[test]
 fn a_snapshot_that_is_lost_on_its_way_costs_nothing() {
     let state = tempfile::tempdir().unwrap();
-    let mut desk = Desk::new(state.path());
-    desk.draw();
-    desk.scribe.snapshot();
-    desk.draw();
-    desk.scribe.background.take().unwrap().join().unwrap().unwrap();
-    fs::remove_file(desk.folder().join("snapshot-2.penstemon")).unwrap();
-    let expected = desk.document.sketch().clone();
-    assert_eq!(only(desk.found(state.path())), expected);
+    let mut fixture = Fixture::new(state.path());
+    fixture.draw();
+    fixture.journal.snapshot();
+    fixture.draw();
+    fixture.journal.background.take().unwrap().join().unwrap().unwrap();
+    fs::remove_file(fixture.folder().join("snapshot-2.penstemon")).unwrap();
+    let expected = fixture.document.sketch().clone();
+    assert_eq!(only(fixture.found(state.path())), expected);
 }
 
 #[test]
 fn a_long_journal_makes_room_for_a_snapshot() {
     let state = tempfile::tempdir().unwrap();
-    let mut desk = Desk::new(state.path());
-    desk.draw();
-    desk.scribe.journal.as_mut().unwrap().pretend_long(JOURNAL_BYTES);
-    desk.draw();
-    desk.settle();
-    assert!(desk.folder().join("snapshot-2.penstemon").exists());
-    desk.scribe.snapshot();
-    assert!(desk.scribe.background.is_none(), "nothing new, no snapshot");
+    let mut fixture = Fixture::new(state.path());
+    fixture.draw();
+    fixture.journal.journal.as_mut().unwrap().pretend_long(JOURNAL_BYTES);
+    fixture.draw();
+    fixture.settle();
+    assert!(fixture.folder().join("snapshot-2.penstemon").exists());
+    fixture.journal.snapshot();
+    assert!(fixture.journal.background.is_none(), "nothing new, no snapshot");
 }
 
 #[test]
 fn a_reference_picture_is_written_once_however_often_it_is_moved() {
     let state = tempfile::tempdir().unwrap();
-    let mut desk = Desk::new(state.path());
-    desk.draw();
+    let mut fixture = Fixture::new(state.path());
+    fixture.draw();
     let picture = Picture::new(&include_bytes!("../../../tests/fixtures/reference/small.jpg")[..]).unwrap();
     let size = picture.bytes().len() as u64;
-    let before = desk.scribe.journal.as_ref().unwrap().bytes();
+    let before = fixture.journal.journal.as_ref().unwrap().bytes();
     for k in 0..20 {
         let reference = Reference::new(picture.clone(), Vec2::splat(k as f32), 300.0);
-        desk.apply(Change::reference(Some(reference)));
+        fixture.apply(Change::reference(Some(reference)));
     }
-    let grown = desk.scribe.journal.as_ref().unwrap().bytes() - before;
+    let grown = fixture.journal.journal.as_ref().unwrap().bytes() - before;
     assert!(grown < size + 20 * 200, "{grown} bytes for a picture of {size}");
-    let expected = desk.document.sketch().clone();
+    let expected = fixture.document.sketch().clone();
     assert!(expected.reference.is_some());
-    assert_eq!(only(desk.found(state.path())), expected);
+    assert_eq!(only(fixture.found(state.path())), expected);
 }
 
 #[test]
 fn a_saved_drawing_leaves_nothing_to_recover_until_it_changes() {
     let state = tempfile::tempdir().unwrap();
     let drawn = |saved: u64, more: bool| {
-        let mut desk = Desk::new(state.path());
-        desk.draw();
-        desk.draw();
-        desk.scribe.carry_out(std::iter::once(Command::Saved(Meta::default(), saved)));
+        let mut fixture = Fixture::new(state.path());
+        fixture.draw();
+        fixture.draw();
+        fixture.journal.carry_out(std::iter::once(Command::Saved(Meta::default(), saved)));
         if more {
-            desk.draw();
+            fixture.draw();
         }
-        let expected = desk.document.sketch().clone();
-        (expected, desk.found(state.path()))
+        let expected = fixture.document.sketch().clone();
+        (expected, fixture.found(state.path()))
     };
     let (expected, found) = drawn(1, false);
     assert_eq!(only(found), expected, "something was drawn while it was being saved");
@@ -182,10 +183,10 @@ fn a_saved_drawing_leaves_nothing_to_recover_until_it_changes() {
     let (expected, found) = drawn(2, true);
     assert_eq!(only(found), expected);
 
-    let mut desk = Desk::new(state.path());
-    desk.draw();
-    desk.scribe.carry_out(std::iter::once(Command::Close));
-    assert_eq!(desk.found(state.path()).len(), 1, "only the one from above");
+    let mut fixture = Fixture::new(state.path());
+    fixture.draw();
+    fixture.journal.carry_out(std::iter::once(Command::Close));
+    assert_eq!(fixture.found(state.path()).len(), 1, "only the one from above");
 }
 
 #[test]
@@ -193,13 +194,13 @@ fn a_state_folder_that_cannot_be_made_is_named() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("file");
     fs::write(&file, b"").unwrap();
-    let mut desk = Desk::new(&file.join("state"));
-    desk.draw();
-    assert!(desk.scribe.failed_at.is_some());
+    let mut fixture = Fixture::new(&file.join("state"));
+    fixture.draw();
+    assert!(fixture.journal.failed_at.is_some());
     // Where there is a folder after all, the whole drawing goes there.
     fs::remove_file(&file).unwrap();
-    desk.scribe.on_time();
-    assert!(desk.scribe.failed_at.is_none());
-    let expected = desk.document.sketch().clone();
-    assert_eq!(only(desk.found(&file.join("state"))), expected);
+    fixture.journal.on_time();
+    assert!(fixture.journal.failed_at.is_none());
+    let expected = fixture.document.sketch().clone();
+    assert_eq!(only(fixture.found(&file.join("state"))), expected);
 }

@@ -52,7 +52,7 @@ pub(super) struct Subject {
 }
 
 #[derive(Debug)]
-pub(super) struct Scribe {
+pub(super) struct JournalThread {
     files: Arc<dyn FileSystem>,
     state: PathBuf,
     session: Option<Session>,
@@ -71,7 +71,7 @@ pub(super) struct Scribe {
     failed_at: Option<Instant>,
 }
 
-impl Scribe {
+impl JournalThread {
     pub(super) fn new(
         files: Arc<dyn FileSystem>,
         state: PathBuf,
@@ -97,7 +97,7 @@ impl Scribe {
         }
     }
 
-    /// Carries out commands until it is told to end.
+    /// Carries out commands until one of them ends it.
     pub(super) fn run(mut self, inbox: &Receiver<Command>) {
         let mut flow = Flow::GoOn;
         while flow == Flow::GoOn {
@@ -345,5 +345,5 @@ fn write_snapshot(folder: &Folder, generation: u64, sketch: &Sketch) -> Result<S
 }
 
 #[cfg(test)]
-#[path = "scribe_tests.rs"]
+#[path = "journal_thread_tests.rs"]
 mod tests;
