@@ -29,8 +29,8 @@ fn main() -> ExitCode {
         Err(help) => help.exit(),
     };
     let level = if cli.verbose { tracing::Level::DEBUG } else { tracing::Level::WARN };
-    let told = tracing_subscriber::fmt().with_max_level(level).with_writer(std::io::stderr).without_time();
-    told.finish().with(Targets::new().with_default(level).with_target(NOISY, LevelFilter::OFF)).init();
+    let log = tracing_subscriber::fmt().with_max_level(level).with_writer(std::io::stderr).without_time();
+    log.finish().with(Targets::new().with_default(level).with_target(NOISY, LevelFilter::OFF)).init();
     match cli::run(cli) {
         Ok(code) => code,
         Err(error) => {

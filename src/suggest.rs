@@ -17,8 +17,8 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
 
 /// `; did you mean …?`, or nothing.
 pub fn did_you_mean(nearest: &Option<String>) -> String {
-    let told = |word: &String| format!("; did you mean `{}`?", crate::quote::name(word));
-    nearest.as_ref().map(told).unwrap_or_default()
+    let text = |word: &String| format!("; did you mean `{}`?", crate::quote::name(word));
+    nearest.as_ref().map(text).unwrap_or_default()
 }
 
 #[cfg(test)]

@@ -56,7 +56,7 @@ impl SetupOptions {
     }
 }
 
-/// Reads a sketch, and tells the files that it is made from; warnings go to stderr.
+/// Reads a sketch, and lists the files that it is made from; warnings go to stderr.
 ///
 /// # Errors
 /// A sketch that cannot be used.

@@ -9,7 +9,7 @@
 use std::env;
 use std::os::unix::process::CommandExt as _;
 
-/// What the Vulkan loader hears, by the layer's description.
+/// What the Vulkan loader reads, by the layer's description.
 const SWITCH: &str = "NODEVICE_SELECT";
 
 /// Sees to it that nobody looks for a compositor that cannot be there. Returns where all is well, or cannot be changed.

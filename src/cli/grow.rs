@@ -299,7 +299,7 @@ mod tests {
     }
 
     #[test]
-    fn faults_are_told_before_anything_is_written() {
+    fn faults_are_reported_before_anything_is_written() {
         assert!(message("penstemon grow oka -o a.glb").contains("did you mean `oak`?"));
         assert!(message("penstemon grow daisy -o a.glb").contains("[growth]"));
         assert!(message("penstemon grow oak -o a.xyz").contains("xyz"));

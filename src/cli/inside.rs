@@ -82,8 +82,8 @@ fn sized(text: &str) -> Option<Vec3> {
 }
 
 fn solid(path: &str) -> Result<Solid> {
-    let told = || format!("--inside {path}");
-    let bytes = input::read(Path::new(path), MAX_SOLID_BYTES as u64).with_context(told)?;
+    let context = || format!("--inside {path}");
+    let bytes = input::read(Path::new(path), MAX_SOLID_BYTES as u64).with_context(context)?;
     // Names and comments may be in any encoding; all that counts is plain.
     Solid::from_obj(&String::from_utf8_lossy(&bytes), path).context("--inside")
 }
@@ -137,7 +137,7 @@ mod tests {
         text
     }
 
-    fn told(text: &str) -> String {
+    fn message(text: &str) -> String {
         crate::cli::one_line(&volume(text).unwrap_err())
     }
 
@@ -154,17 +154,18 @@ mod tests {
         for wrong in
             ["box:2x3", "box:2x3x0", "box:2x3xnan", "sphere:-1", "cube:1x1x1", "shape.stl", "", "sphere:"]
         {
-            assert!(told(wrong).contains("write it as"), "{}", told(wrong));
+            assert!(message(wrong).contains("write it as"), "{}", message(wrong));
         }
         assert!(
-            told("sphere:200").contains("scale it") && told("box:0.001x0.001x0.001").contains("scale it")
+            message("sphere:200").contains("scale it")
+                && message("box:0.001x0.001x0.001").contains("scale it")
         );
-        assert!(told("no-such-file.obj").contains("--inside no-such-file.obj: "));
+        assert!(message("no-such-file.obj").contains("--inside no-such-file.obj: "));
         let folder = tempfile::tempdir().unwrap();
         let file = |text: &str| {
             let path = folder.path().join("shape.obj");
             std::fs::write(&path, text).unwrap();
-            told(path.to_str().unwrap())
+            message(path.to_str().unwrap())
         };
         let ring = torus(1.0, 0.3, 1.0);
         let open = ring.rsplit_once("\nf ").unwrap().0;

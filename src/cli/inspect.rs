@@ -172,10 +172,10 @@ pub fn report(
 }
 
 fn known_strokes(anatomy: &Anatomy) -> BTreeMap<StrokeId, Known> {
-    let carrier = |place: Option<Attachment>| place.and_then(|p| anatomy.branches[p.branch].stroke);
+    let parent_of = |place: Option<Attachment>| place.and_then(|p| anatomy.branches[p.branch].stroke);
     let blade = |b: &FlatBlade, place, flower| Known {
         flower,
-        parent: carrier(place),
+        parent: parent_of(place),
         level: None,
         ends: Some((b.root, b.tip)),
     };

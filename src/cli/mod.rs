@@ -73,8 +73,8 @@ pub fn one_line(error: &anyhow::Error) -> String {
         let cause = cause.to_string();
         match message.as_str() {
             "" => cause,
-            told if told.ends_with(&cause) => message,
-            told => format!("{told}: {cause}"),
+            text if text.ends_with(&cause) => message,
+            text => format!("{text}: {cause}"),
         }
     });
     crate::quote::message(&whole)

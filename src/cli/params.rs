@@ -29,7 +29,7 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         None => Params::of_any_species(),
         Some(path) => params_of(path)?,
     };
-    // What changes with age is told of a plant as old as its species' usually are.
+    // What changes with age is given for a plant as old as its species' usually are.
     let all = params.describe_at(params.habit.age as f32);
     let text = if args.json {
         serde_json::to_string_pretty(&all.iter().map(object).collect::<Vec<_>>())?

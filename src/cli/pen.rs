@@ -131,7 +131,7 @@ fn spare(file: &Path) -> anyhow::Result<()> {
 }
 
 /// What a thread says of its device.
-struct Heard {
+struct Received {
     device: usize,
     when: Instant,
     /// `None` when it was unplugged.
@@ -149,38 +149,38 @@ fn record(system: &mut dyn Enumerate, args: &Record) -> anyhow::Result<String> {
         bail!("no tablet to record was found; plug it in, or name it with --device VENDOR:PRODUCT");
     }
     let mut writer = RecordingWriter::new(BufWriter::new(File::create_new(&args.file)?))?;
-    let (heard, hears) = sync_channel(MOST_WAITING);
+    let (sender, receiver) = sync_channel(MOST_WAITING);
     // Room for reports goes back to the threads, so that none is taken for each.
     let mut spent = Vec::new();
     for (recorded, transport) in found {
         let device = writer.device(&recorded)?;
-        let (heard, (back, room)) = (heard.clone(), sync_channel(MOST_WAITING));
-        std::thread::spawn(move || listen(device, transport, &heard, &room));
+        let (sender, (back, room)) = (sender.clone(), sync_channel(MOST_WAITING));
+        std::thread::spawn(move || listen(device, transport, &sender, &room));
         spent.push(back);
     }
-    drop(heard);
+    drop(sender);
     writer.flush()?;
     tracing::warn!("recording {devices} device(s); draw, then press Ctrl+C");
     let mut reports = 0usize;
     loop {
         let left = end.map_or(PATIENCE, |end| end.saturating_duration_since(Instant::now()));
-        let first = match hears.recv_timeout(left) {
-            Ok(heard) => heard,
+        let first = match receiver.recv_timeout(left) {
+            Ok(received) => received,
             Err(RecvTimeoutError::Timeout) if end.is_none() => continue,
             Err(_) => return Ok(format!("{reports} reports of {devices} device(s)")),
         };
         // Whole lines reach the file whenever the tablets pause, so that Ctrl+C leaves a sound recording.
-        for heard in std::iter::once(first).chain(hears.try_iter()) {
-            let time_us = u64::try_from((heard.when - begin).as_micros()).unwrap_or(u64::MAX);
-            match heard.report {
+        for received in std::iter::once(first).chain(receiver.try_iter()) {
+            let time_us = u64::try_from((received.when - begin).as_micros()).unwrap_or(u64::MAX);
+            match received.report {
                 Some(report) => {
-                    writer.report(time_us, heard.device, &report)?;
-                    if let Some(back) = spent.get(heard.device) {
+                    writer.report(time_us, received.device, &report)?;
+                    if let Some(back) = spent.get(received.device) {
                         // The room is not needed where its thread has ended.
                         let _ = back.try_send(report);
                     }
                 }
-                None => writer.gone(time_us, heard.device)?,
+                None => writer.gone(time_us, received.device)?,
             }
             reports += 1;
         }
@@ -237,7 +237,7 @@ fn open(
 fn listen(
     device: usize,
     mut transport: Box<dyn Transport>,
-    heard: &SyncSender<Heard>,
+    sender: &SyncSender<Received>,
     room: &Receiver<Vec<u8>>,
 ) {
     let typed = TypedReports::of(transport.descriptor());
@@ -247,7 +247,7 @@ fn listen(
             Ok(0) => continue,
             Ok(length) => buffer.get(..length).unwrap_or_default(),
             Err(_) => {
-                let _ = heard.send(Heard { device, when: Instant::now(), report: None });
+                let _ = sender.send(Received { device, when: Instant::now(), report: None });
                 return;
             }
         };
@@ -258,7 +258,7 @@ fn listen(
         let mut kept = room.try_recv().unwrap_or_default();
         kept.clear();
         kept.extend_from_slice(report);
-        if heard.send(Heard { device, when, report: Some(kept) }).is_err() {
+        if sender.send(Received { device, when, report: Some(kept) }).is_err() {
             return;
         }
     }

@@ -61,7 +61,7 @@ impl From<Refusal> for Unread {
 /// Runs `tablets`.
 ///
 /// # Errors
-/// A system that does not tell its devices.
+/// A system that does not list its devices.
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     let found = look(&mut System::new())?;
     if found.is_empty() && !args.json {
@@ -337,19 +337,19 @@ mod tests {
         }
         bus.forbid("d", true);
         let found = look(&mut bus).unwrap();
-        let told: Vec<String> = found.iter().map(Found::text).collect();
-        assert_eq!(told.len(), 3, "a mouse is no tablet");
+        let texts: Vec<String> = found.iter().map(Found::text).collect();
+        assert_eq!(texts.len(), 3, "a mouse is no tablet");
         assert!(
-            told[0].contains("4096 levels of pressure, tilt, twist, eraser")
-                && told[0].contains("295 × 166 mm")
+            texts[0].contains("4096 levels of pressure, tilt, twist, eraser")
+                && texts[0].contains("295 × 166 mm")
         );
-        assert!(told[1].contains("pen record FILE"));
-        assert!(told[2].contains("./run.sh --install-udev"));
+        assert!(texts[1].contains("pen record FILE"));
+        assert!(texts[2].contains("./run.sh --install-udev"));
         assert_eq!(found[0].json()["read"], true);
     }
 
     #[test]
-    fn a_guess_is_told_and_so_are_the_models_of_a_tablet_that_is_not_read() {
+    fn a_guess_is_reported_and_so_are_the_models_of_a_tablet_that_is_not_read() {
         // Report 2 of eleven bytes; writes 63, another length than the table has for 28bd:0936.
         let longer: &[u8] = &[
             0x06, 0x0A, 0xFF, 0x09, 0x01, 0xA1, 0x01, 0x85, 0x02, 0x75, 0x08, 0x95, 0x0B, 0x81, 0x02, 0x95,
@@ -364,10 +364,18 @@ mod tests {
             bus.plug(&SimulatedDevice::new(info, descriptor));
         }
         let found = look(&mut bus).unwrap();
-        let told: Vec<String> = found.iter().map(Found::text).collect();
-        assert!(told[0].contains("as XP-Pen Deco M") && told[0].contains("this is a guess"), "{}", told[0]);
+        let texts: Vec<String> = found.iter().map(Found::text).collect();
+        assert!(
+            texts[0].contains("as XP-Pen Deco M") && texts[0].contains("this is a guess"),
+            "{}",
+            texts[0]
+        );
         assert_eq!((&found[0].json()["guess"], &found[0].json()["read"]), (&json!(true), &json!(true)));
-        assert!(told[1].contains("not read: it may be ") && told[1].contains("USB strings"), "{}", told[1]);
+        assert!(
+            texts[1].contains("not read: it may be ") && texts[1].contains("USB strings"),
+            "{}",
+            texts[1]
+        );
         assert!(found[1].json()["models"].as_array().unwrap().len() > 10);
         let models = ["A 1", "A 2", "A 3"].map(str::to_owned).to_vec();
         let doubt = Doubt { models, taken: "A 2".into(), is_chosen: false };

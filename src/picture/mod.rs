@@ -240,7 +240,7 @@ mod tests {
     }
 
     #[test]
-    fn hashes_tell_contents_and_lengths_apart() {
+    fn hashes_differ_by_contents_and_lengths() {
         let hashes = [&b""[..], b"\0", b"\0\0", b"12345678", b"12345678\0", b"12345679"].map(content_hash);
         for (i, hash) in hashes.iter().enumerate() {
             assert!(!hashes[..i].contains(hash), "{i}");

@@ -59,11 +59,11 @@ fn is_generated_leaf(organ: &Organ) -> bool {
     organ.kind() == OrganKind::Leaf && !organ.origin.is_drawn()
 }
 
-/// The share of leaves that open: as wished, or as many as the budget leaves after the buds.
-fn affordable_share(plant: &Plant, wished: f32, most: usize) -> f32 {
+/// The share of leaves that open: as many as the species asks for, or as many as the budget leaves after the buds.
+fn affordable_share(plant: &Plant, wanted: f32, most: usize) -> f32 {
     let buds = plant.buds.len();
     let leaves = plant.organs.iter().filter(|organ| is_generated_leaf(organ)).count();
-    wished.min(most.saturating_sub(buds) as f32 / leaves.max(1) as f32)
+    wanted.min(most.saturating_sub(buds) as f32 / leaves.max(1) as f32)
 }
 
 fn length_of(leaf: &ResolvedBlade<'_>) -> f32 {

@@ -196,10 +196,10 @@ fn flower_references<'a>(look: &'a FlowerLook, mut add: impl FnMut(&str, &'a str
     look.sepals.iter().for_each(|s| add("sepals.material", &s.material));
     look.cup.iter().for_each(|c| add("cup.material", &c.material));
     add("disc.material", &look.disc.material);
-    for (group, threads) in [("stamens", &look.stamens), ("pistils", &look.pistils)] {
-        for thread in threads {
-            add(&format!("{group}.material"), &thread.material);
-            thread.head_material.iter().for_each(|m| add(&format!("{group}.head_material"), m));
+    for (group, filaments) in [("stamens", &look.stamens), ("pistils", &look.pistils)] {
+        for filament in filaments {
+            add(&format!("{group}.material"), &filament.material);
+            filament.head_material.iter().for_each(|m| add(&format!("{group}.head_material"), m));
         }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! A root node per specimen stands at the plant's base; below it every part hangs on the part that carries it, its
 //! origin at its own base. So a rotated node turns a branch with all it carries about the place where it is attached.
-//! Translations are relative to the carrier's pivot and meshes relative to their own; both are rounded to single
+//! Translations are relative to the parent's pivot and meshes relative to their own; both are rounded to single
 //! precision, which puts a vertex within a few ulps of its place in the model.
 
 use super::scene::specimen_name;
@@ -26,14 +26,14 @@ pub(super) fn push_nodes(
     }
     let first_part = bases.len() as u32;
     for (part, &mesh) in model.parts.iter().zip(mesh_of_part) {
-        let (carrier, pivot) = match part.parent {
+        let (parent, pivot) = match part.parent {
             Some(parent) => (first_part + parent as u32, model.parts[parent].pivot),
             None => (root_of_specimen[&part.specimen], bases[&part.specimen]),
         };
         let mut node = node(part.name.clone(), part.pivot - pivot);
         node.mesh = mesh;
         let index = root.push(node);
-        root.nodes[carrier as usize].children.get_or_insert_default().push(index);
+        root.nodes[parent as usize].children.get_or_insert_default().push(index);
     }
     let scene = json::Scene {
         name: None,
