@@ -12,7 +12,7 @@ struct Sheet {
     canvas_axes: vec4<f32>,
     canvas_origin: vec4<f32>,
     paper: vec4<f32>,
-    desk: vec4<f32>,
+    surround: vec4<f32>,
     // xy: width and height of the sheet in canvas units, zero for a sheet without end; z: factor on the width of lines.
     size: vec4<f32>,
 };

@@ -1,4 +1,4 @@
-// The sheet that is drawn on, and the desk around it.
+// The sheet that is drawn on, and what surrounds it.
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
@@ -12,5 +12,5 @@ fn fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) vec4<f32> {
     let middle = sheet.size.xy / 2.0;
     let outside = (abs(at - middle) - middle) * sheet.pixel_origin.z;
     let inside = clamp(0.5 - max(outside.x, outside.y), 0.0, 1.0);
-    return blended(mix(sheet.desk.rgb, sheet.paper.rgb, inside), 1.0);
+    return blended(mix(sheet.surround.rgb, sheet.paper.rgb, inside), 1.0);
 }

@@ -89,7 +89,7 @@ fn view(zoom: f32, at: Vec2) -> CanvasView {
             * Affine2::from_translation(-at),
         framebuffer: SIZE,
         paper: PAPER,
-        desk: [200, 196, 188],
+        surround: [200, 196, 188],
         sheet: None,
         line_scale: 1.0,
     }
@@ -236,7 +236,7 @@ fn the_dark_theme_shows_coloured_strokes_in_their_order() {
     for (stroke, colour) in sketch.strokes.iter().zip(colours.iter().cycle()) {
         layer.ink.set(stroke.id, &stroke.points, *colour, 5.0);
     }
-    let dark = CanvasView { paper: [32, 33, 36], desk: [18, 18, 20], ..fitting(&sketch) };
+    let dark = CanvasView { paper: [32, 33, 36], surround: [18, 18, 20], ..fitting(&sketch) };
     keep("dark", &shown(&renderer, &mut layer, &dark));
 
     layer.ink.clear();

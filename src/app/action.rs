@@ -19,7 +19,7 @@ use crate::sketch::{PlacedPlant, StrokeId, TextureChoice, Tool};
 use serde_json::Value;
 use std::path::PathBuf;
 
-/// One wish.
+/// One action.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
     /// Start an empty drawing.

@@ -30,7 +30,7 @@ pub enum Dialog {
 }
 
 impl Dialog {
-    /// Its name in what the program tells of itself.
+    /// Its name in the log.
     pub fn name(&self) -> &'static str {
         match self {
             Self::Unsaved => "unsaved",

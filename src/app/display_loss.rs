@@ -1,34 +1,34 @@
 //! The display goes away under the window: the X server ends, the session is closed, a remote connection breaks.
 //!
-//! Then the program can only end, with a word about the drawing, which the journal has. Three things happen, depending on
+//! Then the program can only end, with a message about the drawing, which the journal has. Three things happen, depending on
 //! who notices: winit ends its loop with an error; a call of winit or of the driver panics; or Xlib, while winit waits for
 //! events, ends the process itself by `exit(1)`. The first two come back to the caller of [`run`]. Of the third only the
-//! destructors of the main thread's own variables learn, and one of them says the word.
+//! destructors of the main thread's own variables learn, and one of them writes the message.
 
 use std::cell::Cell;
 use std::io::Write as _;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
-/// What is said.
+/// The message.
 pub(super) const LOST: &str =
     "the connection to the display broke; the drawing is kept and offered at the next start";
 
-/// Says the word when the process ends while the window is open.
-struct Farewell {
+/// Writes the message when the process ends while the window is open.
+struct ReportOnExit {
     is_open: Cell<bool>,
 }
 
-impl Drop for Farewell {
+impl Drop for ReportOnExit {
     fn drop(&mut self) {
         if self.is_open.get() {
-            // Nobody is left to hear of a failure.
+            // Nobody is left to report a failure to.
             let _ = writeln!(std::io::stderr(), "penstemon: {LOST}");
         }
     }
 }
 
 thread_local! {
-    static FAREWELL: Farewell = const { Farewell { is_open: Cell::new(false) } };
+    static REPORT_ON_EXIT: ReportOnExit = const { ReportOnExit { is_open: Cell::new(false) } };
 }
 
 /// Runs the window on the main thread until it is closed; `None` where the display went away.
@@ -43,9 +43,9 @@ pub(super) fn run<T>(window: impl FnOnce() -> T) -> Option<T> {
             report(panic);
         }
     }));
-    FAREWELL.with(|farewell| farewell.is_open.set(true));
+    REPORT_ON_EXIT.with(|report| report.is_open.set(true));
     let done = catch_unwind(AssertUnwindSafe(window));
-    FAREWELL.with(|farewell| farewell.is_open.set(false));
+    REPORT_ON_EXIT.with(|report| report.is_open.set(false));
     match done {
         Ok(done) => Some(done),
         Err(_) if is_gone() => None,

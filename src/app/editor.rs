@@ -1,7 +1,7 @@
 //! The editor: the open drawing with everything around it, without window and without graphics card.
 //!
 //! It is made of parts that own what they are about, a file each; other files hold what several parts do together. The
-//! window hands it events and draws what it says; every wish of the artist, from whichever button or key, ends in
+//! window hands it events and draws what it says; every action of the artist, from whichever button or key, ends in
 //! [`Editor::perform`], which gives it to its owner. Whatever goes wrong becomes a notice, and the drawing stays.
 //!
 //! | part | what it owns |
@@ -14,7 +14,7 @@
 //! | `beside_state` | which plant beside the drawn one is selected and held |
 //! | `pens` | the pens and tablets in use |
 //! | `dialogs` | the dialog, the menu of parts, messages |
-//! | `news` | changes that the window and the graphics card have to be notified of |
+//! | `updates` | changes that the window and the graphics card have to be notified of |
 
 mod accessors;
 mod background;
@@ -35,7 +35,6 @@ mod keys;
 mod live_plant;
 mod lost_drawings;
 mod missing_species;
-mod news;
 mod notices;
 mod open_drawing;
 mod opening;
@@ -53,6 +52,7 @@ mod replay;
 mod saver;
 mod saving;
 mod snapshot;
+mod updates;
 
 use super::canvas::{Canvas, CanvasOutcome};
 use super::layout::Layout;
@@ -68,17 +68,17 @@ use beside_state::Beside;
 use dialogs::Dialogs;
 use disk::Disk;
 use live_plant::{Collected, LivePlant};
-use news::News;
 use open_drawing::OpenDrawing;
 use pens::Pens;
 use preferences::Preferences;
 use std::time::{Duration, Instant};
+use updates::Updates;
 use winit::dpi::PhysicalSize;
 
 pub use live_plant::Revisions;
-pub(super) use news::Copied;
-pub use news::Versions;
 pub use opening::Places;
+pub(super) use updates::Copied;
+pub use updates::Versions;
 
 /// How often it is looked whether the journal is on disk, while it is on its way and while it cannot be written.
 const JOURNAL_LOOK: [Duration; 2] = [Duration::from_millis(250), Duration::from_secs(1)];
@@ -98,7 +98,7 @@ pub struct Editor {
     pens: Pens,
     dialogs: Dialogs,
     layout: Layout,
-    news: News,
+    updates: Updates,
 }
 
 impl Editor {
@@ -107,17 +107,17 @@ impl Editor {
         match self.live.collect(self.prefs.messages()) {
             Some(Collected::Plant(bounds)) => {
                 self.plant.set_bounds(bounds);
-                self.news.plant_changed();
+                self.updates.plant_changed();
             }
-            Some(Collected::Failure(Some(reason))) => self.tell(Notice::error(reason, "")),
+            Some(Collected::Failure(Some(reason))) => self.notify(Notice::error(reason, "")),
             Some(Collected::Failure(None)) | None => {}
         }
         self.collect_export();
         self.collect_save();
         if self.prefs.collect_system_theme() {
-            self.news.drawing_changed();
+            self.updates.drawing_changed();
         }
-        while let Some(action) = self.background.take_wish() {
+        while let Some(action) = self.background.take_action() {
             self.perform(action);
         }
     }
@@ -134,19 +134,19 @@ impl Editor {
     /// Applies a change as one step: to the document, the journal, the canvas and the plant.
     fn change(&mut self, change: Change) {
         let applied = self.drawing.apply(change);
-        self.changed_or_tell(applied);
+        self.changed_or_notify(applied);
     }
 
     /// The same for a slider on its way: one step from press to release.
     fn change_merging(&mut self, change: Change, key: &str) {
         let applied = self.drawing.apply_merging(change, key);
-        self.changed_or_tell(applied);
+        self.changed_or_notify(applied);
     }
 
-    fn changed_or_tell(&mut self, is_other: Result<bool, ChangeError>) {
+    fn changed_or_notify(&mut self, is_other: Result<bool, ChangeError>) {
         match is_other {
             Ok(is_other) => self.changed(is_other),
-            Err(error) => self.tell_error(&error),
+            Err(error) => self.notify_error(&error),
         }
     }
 
@@ -164,8 +164,8 @@ impl Editor {
         self.outcomes = outcomes;
         self.beside.keep_known(self.drawing.sketch().plants.len());
         self.live.drawing_changed(self.drawing.sketch(), self.drawing.folder());
-        self.news.drawing_changed();
-        self.news.reference_changed();
+        self.updates.drawing_changed();
+        self.updates.reference_changed();
         self.refresh_title();
     }
 
@@ -173,40 +173,40 @@ impl Editor {
         let name = self.drawing.name();
         let name = name.unwrap_or_else(|| self.prefs.messages().get(Msg::AppUntitled).to_owned());
         let mark = if self.drawing.is_saved() { "" } else { "• " };
-        self.news.set_title(format!("{mark}{name} – Penstemon"));
+        self.updates.set_title(format!("{mark}{name} – Penstemon"));
     }
 
     /// Shows a message.
-    pub(super) fn tell(&mut self, notice: Notice) {
-        self.dialogs.tell(notice);
+    pub(super) fn notify(&mut self, notice: Notice) {
+        self.dialogs.notify(notice);
     }
 
-    /// Tells of a failure.
-    fn tell_error(&mut self, error: &dyn Localize) {
-        self.tell(Notice::error(error.localize(self.prefs.messages()), ""));
+    /// Shows a failure.
+    fn notify_error(&mut self, error: &dyn Localize) {
+        self.notify(Notice::error(error.localize(self.prefs.messages()), ""));
     }
 
-    /// Tells of a failure, if it is one.
-    fn or_tell<T, E: Localize>(&mut self, result: Result<T, E>) {
+    /// Shows a failure, if it is one.
+    fn notify_failure<T, E: Localize>(&mut self, result: Result<T, E>) {
         if let Err(error) = result {
-            self.tell_error(&error);
+            self.notify_error(&error);
         }
     }
 
-    /// Tells that the graphics card could not show something.
-    pub(super) fn tell_render_failure(&mut self, error: &RenderError) {
-        self.tell_error(error);
+    /// Says that the graphics card could not show something.
+    pub(super) fn notify_render_failure(&mut self, error: &RenderError) {
+        self.notify_error(error);
     }
 
-    /// Tells that the graphics card was lost, and that all is drawn again.
-    pub(super) fn tell_graphics_are_back(&mut self) {
-        self.tell(Notice::info(self.prefs.messages().get(Msg::NoticeGraphicsBack)));
+    /// Says that the graphics card was lost, and that all is drawn again.
+    pub(super) fn notify_graphics_are_back(&mut self) {
+        self.notify(Notice::info(self.prefs.messages().get(Msg::NoticeGraphicsBack)));
     }
 
     /// The window's system said what its colours are.
     pub fn set_system_theme(&mut self, theme: Option<egui::Theme>) {
         if self.prefs.set_system_theme(theme) {
-            self.news.drawing_changed();
+            self.updates.drawing_changed();
         }
     }
 
@@ -273,13 +273,13 @@ impl Editor {
 
     /// When something on the screen changes by itself.
     pub fn wakes_at(&self) -> Option<Instant> {
-        let news = self.dialogs.notices().next_goes_at();
+        let updates = self.dialogs.notices().next_goes_at();
         let look = self.drawing.journal_state().and_then(|state| match state {
             JournalState::Saved => None,
             JournalState::Saving { .. } => Some(JOURNAL_LOOK[0]),
             JournalState::Failed(_) => Some(JOURNAL_LOOK[1]),
         });
         let saving = look.map(|after| Instant::now() + after);
-        [news, saving, self.plant.wakes_at(), self.live.next_age_at()].into_iter().flatten().min()
+        [updates, saving, self.plant.wakes_at(), self.live.next_age_at()].into_iter().flatten().min()
     }
 }

@@ -82,7 +82,7 @@ impl EguiInput {
         self.raw.events.push(Event::PointerGone);
     }
 
-    /// Hears a pen that winit does not see; its tip is the left button.
+    /// Passes on a pen that winit does not see; its tip is the left button.
     pub fn on_pen(&mut self, event: &PenEvent) {
         let position = event.sample.position;
         let pos = self.point(PhysicalPosition::new(position.x, position.y));
@@ -96,7 +96,7 @@ impl EguiInput {
         }
     }
 
-    /// Hears one event; `false` where it means nothing to egui.
+    /// Handles one event; `false` where it means nothing to egui.
     pub fn on_event(&mut self, event: &WindowEvent) -> bool {
         match event {
             WindowEvent::ScaleFactorChanged { scale_factor, .. } => {

@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub(super) struct Ending(Arc<AtomicBool>);
 
 impl Ending {
-    /// Listens from now on, and calls `wake` when there is something to hear. A second signal ends the program at once.
+    /// Listens from now on, and calls `wake` when a signal comes. A second signal ends the program at once.
     ///
     /// # Errors
     /// A system without threads.
@@ -20,11 +20,11 @@ impl Ending {
     pub(super) fn listen(wake: impl Fn() + Send + 'static) -> io::Result<Self> {
         use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
         let ending = Self::default();
-        let heard = ending.clone();
+        let requested = ending.clone();
         let mut signals = signal_hook::iterator::Signals::new([SIGTERM, SIGHUP, SIGINT])?;
         let listen = move || {
             for signal in signals.forever() {
-                if heard.0.swap(true, Ordering::Relaxed) {
+                if requested.0.swap(true, Ordering::Relaxed) {
                     // What the signal does where nobody listens.
                     let _ = signal_hook::low_level::emulate_default_handler(signal);
                 }
@@ -45,7 +45,7 @@ impl Ending {
     }
 
     /// Whether the program was asked to end.
-    pub(super) fn is_told(&self) -> bool {
+    pub(super) fn is_requested(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }
 }

@@ -32,7 +32,7 @@ const FAMILIES: [&str; 16] = [
     "Noto Serif CJK SC",
 ];
 /// What names of other families with Chinese contain.
-const TELLING: [&str; 4] = ["CJK", "Han Sans", "WenQuanYi", "Heiti"];
+const NAME_PARTS: [&str; 4] = ["CJK", "Han Sans", "WenQuanYi", "Heiti"];
 /// Largest font file that is read, bytes.
 const MAX_BYTES: u64 = 64 << 20;
 const NAME: &str = "chinese";
@@ -110,11 +110,11 @@ impl ChineseLookup {
 /// Place of a face's family in the list, `None` for one that is not for Chinese.
 fn rank(face: &FaceInfo) -> Option<usize> {
     let named = |wanted: &str| face.families.iter().any(|(name, _)| name == wanted);
-    let telling = || {
-        let tells = |(name, _): &(String, _)| TELLING.iter().any(|part| name.contains(part));
-        face.families.iter().any(tells).then_some(FAMILIES.len())
+    let by_name_part = || {
+        let has_part = |(name, _): &(String, _)| NAME_PARTS.iter().any(|part| name.contains(part));
+        face.families.iter().any(has_part).then_some(FAMILIES.len())
     };
-    FAMILIES.iter().position(|family| named(family)).or_else(telling)
+    FAMILIES.iter().position(|family| named(family)).or_else(by_name_part)
 }
 
 /// How far a face is from upright regular.

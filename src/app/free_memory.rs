@@ -14,26 +14,26 @@ use std::time::Duration;
 /// How long a thread rests before it gives back: longer than the allocator keeps what is free.
 const REST: Duration = Duration::from_millis(1200);
 
-/// Waits for news of a desk, and gives free memory back if it waits for long. `has_worked` says whether there may be any;
-/// it is cleared by giving back.
+/// Waits until a shared state has changed, and gives free memory back if it waits for long. `has_worked` says whether there
+/// may be any; it is cleared by giving back.
 pub(super) fn wait<'a, T>(
-    desk: &'a Mutex<T>,
-    news: &Condvar,
+    state: &'a Mutex<T>,
+    changed: &Condvar,
     guard: MutexGuard<'a, T>,
     has_worked: &mut bool,
 ) -> MutexGuard<'a, T> {
     if !*has_worked {
-        return news.wait(guard).unwrap_or_else(PoisonError::into_inner);
+        return changed.wait(guard).unwrap_or_else(PoisonError::into_inner);
     }
-    let (guard, waited) = news.wait_timeout(guard, REST).unwrap_or_else(PoisonError::into_inner);
+    let (guard, waited) = changed.wait_timeout(guard, REST).unwrap_or_else(PoisonError::into_inner);
     if !waited.timed_out() {
         return guard;
     }
-    // Nobody else may wait for the desk meanwhile.
+    // No other thread may wait for the state meanwhile.
     drop(guard);
     give_back();
     *has_worked = false;
-    desk.lock().unwrap_or_else(PoisonError::into_inner)
+    state.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 fn give_back() {

@@ -120,7 +120,7 @@ impl Graphics {
         for failure in self.show_plant(editor).into_iter().chain(drawn) {
             // A lost device is not reported: all is drawn again on the next one.
             if !self.is_lost() {
-                editor.tell_render_failure(&failure);
+                editor.notify_render_failure(&failure);
             }
         }
         if self.is_lost() {
@@ -164,7 +164,7 @@ impl Graphics {
         self.painter.is_due(egui::Rect::EVERYTHING)
     }
 
-    /// Shows the newest picture of the plant, and wishes for the next where that would be another.
+    /// Shows the newest picture of the plant, and requests the next where that would be another.
     fn show_plant(&mut self, editor: &mut Editor) -> Option<RenderError> {
         // A picture that is still being painted on the window is not taken away from it.
         let next = (!self.painter.is_due(editor.layout().plant)).then(|| self.plant_painter.take()).flatten();
@@ -181,7 +181,7 @@ impl Graphics {
         if size.0 > 0 && size.1 > 0 {
             let (camera, look) = (editor.plant.camera(), editor.plant_look());
             let scene = Scene { size, camera, look, plant: editor.versions().plant };
-            self.plant_painter.wish(scene, editor.built());
+            self.plant_painter.request(scene, editor.built());
         }
         editor.plant.awaits_picture = self.plant_painter.is_busy();
         if let Some(picture) = &self.plant.picture
@@ -208,7 +208,7 @@ impl Graphics {
             pixel_from_canvas: narrow(editor.canvas.view().window_from_canvas()),
             framebuffer: self.surface.size(),
             paper: rgb(palette.paper),
-            desk: rgb(palette.paper),
+            surround: rgb(palette.paper),
             sheet: None,
             line_scale: editor.line_scale(sheet::LINE_WIDTH),
         };

@@ -4,15 +4,15 @@
 //! | --- | --- |
 //! | `window` | receives events of the system and hands each to its owner |
 //! | [`editor`] | the open drawing with everything around it, without window or graphics card |
-//! | [`action`] | every wish of the artist |
-//! | [`canvas_tool`], [`dialog`], [`export_choice`], [`notice`], [`pen_uses`], [`stabiliser`], [`view_state`] | plain data that wishes and settings are made of |
+//! | [`action`] | everything that the artist can ask for |
+//! | [`canvas_tool`], [`dialog`], [`export_choice`], [`notice`], [`pen_uses`], [`stabiliser`], [`view_state`] | plain data that actions and settings are made of |
 //! | [`canvas`] | what pens, fingers and keys do to the drawing |
 //! | [`worker`] | the thread that builds the plant while the pen moves |
 //! | [`paper`] | what must change on the canvas to show the drawing |
 //! | [`sheet`] | the strokes as ink, in step with the drawing |
 //! | [`plant_view`] | camera and light of the plant |
 //! | [`tool`] | what a tool of a view is; [`plant_tools`]: those of the plant |
-//! | [`tablet_wishes`] | what keys of tablets wish for |
+//! | [`tablet_actions`] | actions of keys of tablets |
 //! | `plant_painter` | the thread that paints it, on a graphics device of its own |
 //! | [`panels`] | bars, side panel, menus and dialogs |
 //! | `layout` | where all of these are in a frame |
@@ -61,8 +61,8 @@ mod sides;
 pub mod stabiliser;
 mod surface;
 mod system_theme;
+pub mod tablet_actions;
 pub mod tablet_keys;
-pub mod tablet_wishes;
 mod tablets;
 pub mod texture_files;
 pub mod theme;

@@ -30,7 +30,7 @@ pub struct Notice {
 }
 
 impl Notice {
-    /// Good news.
+    /// Something went as it should.
     pub fn info(what: impl Into<String>) -> Self {
         Self { what: what.into(), ..Self::default() }
     }

@@ -137,11 +137,11 @@ mod tests {
     use super::*;
     use crate::sketch::Tool;
 
-    /// A canvas that does what it is told: strokes by name and colour, the last on top.
+    /// A canvas that carries out every change: strokes by name and colour, the last on top.
     #[derive(Default)]
-    struct Told(Vec<(Arc<Stroke>, Color32)>);
+    struct FakeCanvas(Vec<(Arc<Stroke>, Color32)>);
 
-    impl Told {
+    impl FakeCanvas {
         fn make(&mut self, changes: Vec<PaperChange>) {
             for change in changes {
                 let names: Vec<StrokeId> = self.0.iter().map(|(s, _)| s.id).collect();
@@ -167,7 +167,7 @@ mod tests {
 
     #[test]
     fn whatever_happens_to_the_drawing_the_canvas_shows_it() {
-        let (mut paper, mut told) = (Paper::default(), Told::default());
+        let (mut paper, mut canvas) = (Paper::default(), FakeCanvas::default());
         let mut strokes: Vec<Arc<Stroke>> = Vec::new();
         let mut random = 7_u64;
         for step in 0..2000_u64 {
@@ -183,9 +183,9 @@ mod tests {
             }
             strokes.truncate(40);
             let shade = |s: &Stroke| Color32::from_gray(((s.id + step / 3) % 5) as u8);
-            told.make(paper.show(&strokes, shade));
+            canvas.make(paper.show(&strokes, shade));
             let expected: Vec<_> = strokes.iter().map(|s| (Arc::clone(s), shade(s))).collect();
-            assert_eq!(told.0, expected, "step {step}");
+            assert_eq!(canvas.0, expected, "step {step}");
             assert!(strokes.iter().all(|s| paper.shows(s.id)) && !paper.shows(9_999));
         }
     }

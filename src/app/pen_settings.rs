@@ -26,7 +26,7 @@ pub enum Covers {
 pub struct TabletDoubt {
     /// What it is known by ([`crate::pen::hid::DeviceInfo::identity`]).
     pub device: String,
-    /// Its name, as it tells it.
+    /// Its name, as the device reports it.
     pub name: String,
     /// Models that it may be, the best guess first.
     pub models: Vec<String>,

@@ -2,9 +2,9 @@
 //!
 //! A driver carries out what one device is asked for in order: behind the picture of a large tree, on which a software
 //! driver or an old card works for a good part of a second, ink would wait. So the plant has its own device, and its
-//! pictures come to the window as pixels. The window says what it wants to see and never waits; a newer wish takes the
+//! pictures come to the window as pixels. The window says what it wants to see and never waits; a newer request takes the
 //! place of one that was not begun, and pictures come as fast as they are painted, each in the resolution that its
-//! quality has on this driver. The thread steps back behind the window, and so do the threads of a software driver,
+//! quality has on this driver. The thread has a lower priority than the window, and so do the threads of a software driver,
 //! which it starts.
 
 use super::{free_memory, growth_spots, priority, texture_files};
@@ -24,7 +24,7 @@ pub(super) struct Scene {
     pub(super) plant: u64,
 }
 
-/// What came of a wish.
+/// The answer to a request.
 #[derive(Default)]
 pub(super) struct Painted {
     /// The picture, unless it would be the one before.
@@ -34,11 +34,11 @@ pub(super) struct Painted {
 }
 
 #[derive(Default)]
-struct Desk {
-    wish: Option<(Scene, Option<Arc<Built>>)>,
+struct State {
+    request: Option<(Scene, Option<Arc<Built>>)>,
     is_painting: bool,
     painted: Option<Painted>,
-    /// Plants of wishes that nobody has begun: their memory is given back here and not by the window.
+    /// Plants of requests that were replaced: their memory is freed on this thread and not in the window.
     outdated: Vec<Option<Arc<Built>>>,
     is_lost: bool,
     is_closing: bool,
@@ -46,13 +46,13 @@ struct Desk {
 
 #[derive(Default)]
 struct Shared {
-    desk: Mutex<Desk>,
-    news: Condvar,
+    state: Mutex<State>,
+    changed: Condvar,
 }
 
 impl Shared {
-    fn desk(&self) -> MutexGuard<'_, Desk> {
-        self.desk.lock().unwrap_or_else(PoisonError::into_inner)
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -60,8 +60,8 @@ impl Shared {
 pub(super) struct PlantPainter {
     shared: Arc<Shared>,
     thread: Option<JoinHandle<()>>,
-    /// What was wished for last.
-    wished: Option<Scene>,
+    /// What was requested last.
+    requested: Option<Scene>,
 }
 
 impl PlantPainter {
@@ -71,46 +71,46 @@ impl PlantPainter {
     /// A system that gives no thread.
     pub(super) fn start(wake: impl Fn() + Send + 'static) -> std::io::Result<Self> {
         let shared = Arc::new(Shared::default());
-        let theirs = Arc::clone(&shared);
+        let for_thread = Arc::clone(&shared);
         let name = "plant painter".to_owned();
-        let thread = std::thread::Builder::new().name(name).spawn(move || paint(&theirs, &wake))?;
-        Ok(Self { shared, thread: Some(thread), wished: None })
+        let thread = std::thread::Builder::new().name(name).spawn(move || paint(&for_thread, &wake))?;
+        Ok(Self { shared, thread: Some(thread), requested: None })
     }
 
-    /// Wishes for a picture, unless it is the one that was wished for last.
-    pub(super) fn wish(&mut self, scene: Scene, built: Option<&Arc<Built>>) {
-        if self.wished.as_ref() == Some(&scene) {
+    /// Requests a picture, unless it is the one that was requested last.
+    pub(super) fn request(&mut self, scene: Scene, built: Option<&Arc<Built>>) {
+        if self.requested.as_ref() == Some(&scene) {
             return;
         }
-        self.wished = Some(scene.clone());
-        let mut desk = self.shared.desk();
-        let outdated = desk.wish.replace((scene, built.map(Arc::clone)));
-        desk.outdated.extend(outdated.map(|(_, built)| built));
-        drop(desk);
-        self.shared.news.notify_one();
+        self.requested = Some(scene.clone());
+        let mut state = self.shared.state();
+        let outdated = state.request.replace((scene, built.map(Arc::clone)));
+        state.outdated.extend(outdated.map(|(_, built)| built));
+        drop(state);
+        self.shared.changed.notify_one();
     }
 
     /// What was painted last and not taken yet.
     pub(super) fn take(&self) -> Option<Painted> {
-        self.shared.desk().painted.take()
+        self.shared.state().painted.take()
     }
 
     /// Whether a picture is still to come.
     pub(super) fn is_busy(&self) -> bool {
-        let desk = self.shared.desk();
-        !desk.is_lost && (desk.is_painting || desk.wish.is_some() || desk.painted.is_some())
+        let state = self.shared.state();
+        !state.is_lost && (state.is_painting || state.request.is_some() || state.painted.is_some())
     }
 
     /// Whether its device is gone.
     pub(super) fn is_lost(&self) -> bool {
-        self.shared.desk().is_lost
+        self.shared.state().is_lost
     }
 }
 
 impl Drop for PlantPainter {
     fn drop(&mut self) {
-        self.shared.desk().is_closing = true;
-        self.shared.news.notify_one();
+        self.shared.state().is_closing = true;
+        self.shared.changed.notify_one();
         if let Some(thread) = self.thread.take() {
             // A painter that panicked has been reported by the panic hook.
             let _ = thread.join();
@@ -121,31 +121,31 @@ impl Drop for PlantPainter {
 /// The painter's thread.
 fn paint(shared: &Shared, wake: &dyn Fn()) {
     priority::step_back();
-    let mut easel = match Easel::open() {
-        Ok(easel) => easel,
+    let mut painter = match Painter::open() {
+        Ok(painter) => painter,
         Err(failure) => {
-            let mut desk = shared.desk();
-            desk.is_lost = true;
-            desk.painted = Some(Painted { failure: Some(failure), ..Painted::default() });
-            drop(desk);
+            let mut state = shared.state();
+            state.is_lost = true;
+            state.painted = Some(Painted { failure: Some(failure), ..Painted::default() });
+            drop(state);
             return wake();
         }
     };
     let mut has_worked = true;
     while let Some((scene, built)) = next(shared, &mut has_worked) {
-        let painted = easel.paint(&scene, built.as_deref());
+        let painted = painter.paint(&scene, built.as_deref());
         drop(built);
-        let mut desk = shared.desk();
-        desk.is_painting = false;
-        desk.is_lost = easel.renderer.is_lost();
+        let mut state = shared.state();
+        state.is_painting = false;
+        state.is_lost = painter.renderer.is_lost();
         // A picture that the window has not taken yet is outdated, a failure is not.
-        let unseen = desk.painted.take().unwrap_or_default();
-        desk.painted = Some(Painted {
+        let unseen = state.painted.take().unwrap_or_default();
+        state.painted = Some(Painted {
             picture: painted.picture.or(unseen.picture),
             failure: painted.failure.or(unseen.failure),
         });
-        let is_lost = desk.is_lost;
-        drop(desk);
+        let is_lost = state.is_lost;
+        drop(state);
         wake();
         if is_lost {
             return;
@@ -153,33 +153,33 @@ fn paint(shared: &Shared, wake: &dyn Fn()) {
     }
 }
 
-/// Waits for a wish; `None` when the window closes.
+/// Waits for a request; `None` when the window closes.
 fn next(shared: &Shared, has_worked: &mut bool) -> Option<(Scene, Option<Arc<Built>>)> {
-    let mut desk = shared.desk();
+    let mut state = shared.state();
     loop {
-        if desk.is_closing {
+        if state.is_closing {
             return None;
         }
-        let outdated = std::mem::take(&mut desk.outdated);
-        if let Some(wish) = desk.wish.take() {
-            (desk.is_painting, *has_worked) = (true, true);
-            drop(desk);
+        let outdated = std::mem::take(&mut state.outdated);
+        if let Some(request) = state.request.take() {
+            (state.is_painting, *has_worked) = (true, true);
+            drop(state);
             drop(outdated);
-            return Some(wish);
+            return Some(request);
         }
-        desk = free_memory::wait(&shared.desk, &shared.news, desk, has_worked);
+        state = free_memory::wait(&shared.state, &shared.changed, state, has_worked);
     }
 }
 
 /// What it paints with.
-struct Easel {
+struct Painter {
     renderer: Renderer,
     viewport: Viewport,
     /// The plant that the viewport has.
     plant: u64,
 }
 
-impl Easel {
+impl Painter {
     fn open() -> Result<Self, RenderError> {
         let renderer = Renderer::new()?;
         let viewport = Viewport::new(&renderer)?;

@@ -121,7 +121,7 @@ impl PlantView {
         }
     }
 
-    /// Hears wheel and pinch over the view.
+    /// Handles wheel and pinch over the view.
     fn handle(&mut self, ui: &Ui, response: &Response) {
         if !response.hovered() {
             return;

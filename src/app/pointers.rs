@@ -22,12 +22,12 @@ use winit::event_loop::ActiveEventLoop;
 use winit::monitor::MonitorHandle;
 use winit::window::Window;
 
-/// An event that is to be heard.
+/// An event that passed.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Heard {
+pub(super) struct PointerEvent {
     /// What happened.
     pub(super) event: PenEvent,
-    /// It did not come through winit, so nobody else has heard it.
+    /// It did not come through winit, so egui has not received it.
     pub(super) is_beside: bool,
     /// The way it came.
     pub(super) origin: Origin,
@@ -128,9 +128,9 @@ impl Pointers {
         self.reach.as_ref()
     }
 
-    /// What keys and wheels of tablets wished for since the last time.
-    pub(super) fn wishes(&mut self) -> Vec<Action> {
-        self.tablets.wishes()
+    /// Actions of keys and wheels of tablets since the last call.
+    pub(super) fn actions(&mut self) -> Vec<Action> {
+        self.tablets.actions()
     }
 
     /// Why a tablet cannot be read, and what to do.
@@ -143,8 +143,8 @@ impl Pointers {
         self.tablets.doubts()
     }
 
-    /// Hears winit. Whether something was not let pass: it is the shadow of a pen, and nobody else's event either.
-    pub(super) fn window_event(&mut self, event: &WindowEvent, out: &mut Vec<Heard>) -> bool {
+    /// Handles an event of winit. Whether something was not let pass: it is the shadow of a pen, and nobody else's event either.
+    pub(super) fn window_event(&mut self, event: &WindowEvent, out: &mut Vec<PointerEvent>) -> bool {
         if self.x11.is_some() {
             // Under X11 pens too come into the window as mice; a mouse that does so moves next.
             if matches!(event, WindowEvent::PointerEntered { kind: PointerKind::Mouse, .. }) {
@@ -172,8 +172,8 @@ impl Pointers {
         is_shadow
     }
 
-    /// Hears what other threads have to tell: pens of X11, and tablets that are read directly.
-    pub(super) fn take(&mut self, place: &Place<'_>, settings: &Settings, out: &mut Vec<Heard>) {
+    /// Takes what other threads have read: pens of X11, and tablets that are read directly.
+    pub(super) fn take(&mut self, place: &Place<'_>, settings: &Settings, out: &mut Vec<PointerEvent>) {
         self.handle_x11(X11Pens::take, out);
         let mut events = std::mem::take(&mut self.of_tablets);
         let has_focus = place.window.has_focus();
@@ -201,7 +201,7 @@ impl Pointers {
     }
 
     /// Lets a pen leave that was silent for so long that it must have; only X11 needs it.
-    pub(super) fn idle(&mut self, out: &mut Vec<Heard>) {
+    pub(super) fn idle(&mut self, out: &mut Vec<PointerEvent>) {
         let now_ms = self.now_ms();
         self.handle_x11(|pens, events| pens.idle(now_ms, events), out);
     }
@@ -216,7 +216,11 @@ impl Pointers {
         self.started.elapsed().as_secs_f64() * 1e3
     }
 
-    fn handle_x11(&mut self, handle: impl FnOnce(&mut X11Pens, &mut Vec<PenEvent>), out: &mut Vec<Heard>) {
+    fn handle_x11(
+        &mut self,
+        handle: impl FnOnce(&mut X11Pens, &mut Vec<PenEvent>),
+        out: &mut Vec<PointerEvent>,
+    ) {
         let Some(pens) = &mut self.x11 else { return };
         let mut events = std::mem::take(&mut self.events);
         handle(pens, &mut events);
@@ -227,11 +231,17 @@ impl Pointers {
     }
 
     /// Appends what the arbiter makes of an event; whether that is anything.
-    fn admit(&mut self, event: PenEvent, origin: Origin, is_beside: bool, out: &mut Vec<Heard>) -> bool {
+    fn admit(
+        &mut self,
+        event: PenEvent,
+        origin: Origin,
+        is_beside: bool,
+        out: &mut Vec<PointerEvent>,
+    ) -> bool {
         self.arbiter.pass(event, origin, &mut self.passed);
-        let is_heard = !self.passed.is_empty();
-        out.extend(self.passed.drain(..).map(|event| Heard { event, is_beside, origin }));
-        is_heard
+        let has_passed = !self.passed.is_empty();
+        out.extend(self.passed.drain(..).map(|event| PointerEvent { event, is_beside, origin }));
+        has_passed
     }
 }
 

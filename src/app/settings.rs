@@ -310,7 +310,7 @@ mod tests {
     }
 
     #[test]
-    fn a_broken_file_is_kept_aside_and_told_about() {
+    fn a_broken_file_is_kept_aside_and_reported() {
         let folder = tempfile::tempdir().unwrap();
         for (round, aside) in ["settings.toml.broken", "settings.toml.broken-2"].into_iter().enumerate() {
             let text = format!("theme = [[[ {round}");

@@ -1,6 +1,6 @@
 //! Whether the system's colours are light or dark.
 //!
-//! Windows and macOS tell it through winit. On Linux desktops tell it over the session bus (the settings portal's
+//! Windows and macOS report it through winit. On Linux desktops report it over the session bus (the settings portal's
 //! `org.freedesktop.appearance color-scheme`); one of three small programs that speak to the bus is asked: every desktop
 //! has at least one. That happens on a thread, when the window opens and when it is looked at again.
 //!

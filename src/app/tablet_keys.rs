@@ -24,7 +24,7 @@ pub enum KeyUse {
     ZoomOut,
     /// Shows the whole drawing.
     Fit,
-    /// Takes up the tool that tells parts by itself.
+    /// Takes up the tool that classifies strokes by itself.
     Draw,
     /// Takes up the eraser of whole strokes.
     Erase,

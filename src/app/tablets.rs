@@ -7,7 +7,7 @@
 use super::action::Action;
 use super::messages::Localize;
 use super::pen_settings::{Covers, PenSettings, TabletDoubt};
-use super::tablet_wishes::HeldKeys;
+use super::tablet_actions::HeldKeys;
 use crate::pen::hid::{
     Arrival, DeviceId, DeviceInfo, Enumerate, HidEvent, Message, Models, Notice, Refused, TransportError,
     Watcher,
@@ -87,8 +87,8 @@ pub(super) struct Tablets {
     begin: Instant,
     /// Room for the events of one tablet.
     events: Vec<PenEvent>,
-    /// What keys and wheels of tablets wished for since the last look.
-    wishes: Vec<Action>,
+    /// Actions of keys and wheels of tablets since the last call.
+    actions: Vec<Action>,
 }
 
 impl Tablets {
@@ -114,16 +114,16 @@ impl Tablets {
             wake,
             begin,
             events: Vec::new(),
-            wishes: Vec::new(),
+            actions: Vec::new(),
         }
     }
 
-    /// What keys and wheels of tablets wished for since the last time.
-    pub(super) fn wishes(&mut self) -> Vec<Action> {
-        std::mem::take(&mut self.wishes)
+    /// Actions of keys and wheels of tablets since the last call.
+    pub(super) fn actions(&mut self) -> Vec<Action> {
+        std::mem::take(&mut self.actions)
     }
 
-    /// Pens are heard, or are not because the artist works in another window; then they leave.
+    /// Pens are followed, or are not because the artist works in another window; then they leave.
     pub(super) fn listen(&mut self, listens: bool, out: &mut Vec<(Origin, PenEvent)>) {
         let now_ms = self.now_ms();
         if std::mem::replace(&mut self.listens, listens) && !listens {
@@ -178,7 +178,7 @@ impl Tablets {
         let mut is_other = false;
         watcher.inbox().drain(|message| {
             is_other |= !matches!(message.notice, Notice::Said(_));
-            self.hear_notice(message, reach, &chosen, out);
+            self.handle_notice(message, reach, &chosen, out);
         });
         if is_other {
             self.doubts = self.find_doubts();
@@ -186,7 +186,7 @@ impl Tablets {
         self.watcher = Some(watcher);
     }
 
-    fn hear_notice(
+    fn handle_notice(
         &mut self,
         message: Message,
         reach: &Reach,
@@ -307,9 +307,9 @@ impl Tablets {
             _ if !self.listens => {}
             HidEvent::Pen(raw) => tablet.machine.sample(&raw, time_ms, &mut self.events),
             HidEvent::Keys(_) | HidEvent::Dial { .. } | HidEvent::Ring { .. } | HidEvent::Strip { .. } => {
-                tablet.keys.handle(&event, &chosen(&tablet.name).keys, &mut self.wishes);
+                tablet.keys.handle(&event, &chosen(&tablet.name).keys, &mut self.actions);
             }
-            // The system tells of fingers.
+            // The system reports fingers.
             HidEvent::Touch { .. } => {}
         }
         out.extend(self.events.drain(..).map(|event| (Origin::Direct(id), event)));

@@ -15,7 +15,7 @@ use super::editor::Editor;
 use super::egui_input::{self, EguiInput};
 use super::ending::Ending;
 use super::notice::Notice;
-use super::pointers::{Heard, Pointers};
+use super::pointers::{PointerEvent, Pointers};
 use super::revival::Revival;
 use super::sides::Sides;
 use super::theme::Palette;
@@ -88,7 +88,7 @@ impl ApplicationHandler for App {
 
     fn proxy_wake_up(&mut self, _: &dyn ActiveEventLoop) {
         if let Some(running) = &mut self.running {
-            running.hear_beside();
+            running.take_pens();
             running.editor.collect();
             running.input.add(running.accessibility.take_requests());
             running.want_frame();
@@ -103,7 +103,7 @@ impl ApplicationHandler for App {
 
     fn about_to_wait(&mut self, event_loop: &dyn ActiveEventLoop) {
         let Some(running) = &mut self.running else { return };
-        running.hear_beside();
+        running.take_pens();
         running.editor.submit();
         if let Some(error) = running.broken.take() {
             running.editor.break_off();
@@ -111,7 +111,7 @@ impl ApplicationHandler for App {
             event_loop.exit();
             return;
         }
-        if running.ending.is_told() {
+        if running.ending.is_requested() {
             running.editor.break_off();
             event_loop.exit();
             return;
@@ -142,7 +142,7 @@ struct Running {
     input: EguiInput,
     pointers: Pointers,
     /// Room for what they say.
-    heard: Vec<Heard>,
+    received: Vec<PointerEvent>,
     editor: Editor,
     accessibility: Accessibility,
     /// Which side of the window has which pointer.
@@ -192,7 +192,7 @@ impl Running {
             None => Pointers::open(event_loop, &*window, Pointers::of_machine),
         };
         if let Some(error) = trouble {
-            editor.tell(Notice::warning(error.to_string(), ""));
+            editor.notify(Notice::warning(error.to_string(), ""));
         }
         desktop::fill(&*window, Palette::of(editor.theme()).ground);
         let graphics = Revival::open(event_loop, &window)?;
@@ -205,7 +205,7 @@ impl Running {
             egui,
             input,
             pointers,
-            heard: Vec::new(),
+            received: Vec::new(),
             editor,
             accessibility,
             sides: Sides::default(),
@@ -247,7 +247,7 @@ impl Running {
         }
     }
 
-    /// Hears what the system says of the window as a whole; whether it was that.
+    /// Handles events of the window as a whole; whether it was that.
     fn on_system(&mut self, event_loop: &dyn ActiveEventLoop, event: &WindowEvent) -> bool {
         self.accessibility.follow(&*self.window, event);
         match event {

@@ -128,13 +128,13 @@ impl Counts {
 /// What window and worker share.
 #[derive(Default)]
 struct Shared {
-    desk: Mutex<Desk>,
-    news: Condvar,
+    state: Mutex<State>,
+    changed: Condvar,
     cancel: AtomicBool,
 }
 
 #[derive(Default)]
-struct Desk {
+struct State {
     next: Option<Snapshot>,
     /// The stroke under the pen, as in the newest snapshot.
     growing: Option<Stroke>,
@@ -147,7 +147,7 @@ struct Desk {
     closing: bool,
 }
 
-impl Desk {
+impl State {
     fn follow(&mut self, growing: Option<Growing>) {
         let Some(Growing { id, tool, kept, points }) = growing else {
             self.growing = None;
@@ -164,8 +164,8 @@ impl Desk {
 }
 
 impl Shared {
-    fn desk(&self) -> MutexGuard<'_, Desk> {
-        self.desk.lock().unwrap_or_else(PoisonError::into_inner)
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -182,43 +182,43 @@ impl Worker {
     /// A system that gives no thread.
     pub fn start(wake: impl Fn() + Send + 'static) -> std::io::Result<Self> {
         let shared = Arc::new(Shared::default());
-        let theirs = Arc::clone(&shared);
+        let for_thread = Arc::clone(&shared);
         let thread =
-            std::thread::Builder::new().name("live worker".into()).spawn(move || work(&theirs, &wake))?;
+            std::thread::Builder::new().name("live worker".into()).spawn(move || work(&for_thread, &wake))?;
         Ok(Self { shared, thread: Some(thread) })
     }
 
     /// Hands over the newest drawing; never waits for a build.
     pub fn submit(&self, mut snapshot: Snapshot) {
-        let mut desk = self.shared.desk();
-        desk.follow(snapshot.growing.take());
-        let outdated = desk.next.replace(snapshot);
-        if desk.last_took > QUICK && desk.last_finish.is_some_and(|at| at.elapsed() < PATIENCE) {
+        let mut state = self.shared.state();
+        state.follow(snapshot.growing.take());
+        let outdated = state.next.replace(snapshot);
+        if state.last_took > QUICK && state.last_finish.is_some_and(|at| at.elapsed() < PATIENCE) {
             self.shared.cancel.store(true, Ordering::Relaxed);
         }
-        drop(desk);
-        self.shared.news.notify_one();
+        drop(state);
+        self.shared.changed.notify_one();
         // After the worker was notified, who could not have taken it while it was being dropped.
         drop(outdated);
     }
 
     /// Hands over a plant that is not shown any more, so that the worker gives its memory back.
     pub fn discard(&self, plant: Arc<Built>) {
-        self.shared.desk().discarded.push(plant);
-        self.shared.news.notify_one();
+        self.shared.state().discarded.push(plant);
+        self.shared.changed.notify_one();
     }
 
     /// The newest result that was not taken yet.
     pub fn take(&self) -> Option<Update> {
-        self.shared.desk().done.take()
+        self.shared.state().done.take()
     }
 }
 
 impl Drop for Worker {
     fn drop(&mut self) {
-        self.shared.desk().closing = true;
+        self.shared.state().closing = true;
         self.shared.cancel.store(true, Ordering::Relaxed);
-        self.shared.news.notify_one();
+        self.shared.changed.notify_one();
         if let Some(thread) = self.thread.take() {
             // A worker that panicked has been reported by the panic hook; the window closes all the same.
             let _ = thread.join();
@@ -228,7 +228,7 @@ impl Drop for Worker {
 
 /// What the worker keeps between builds.
 #[derive(Default)]
-struct Bench {
+struct BuildContext {
     cache: Cache,
     measures: Measures,
     species: Option<(Option<String>, PathBuf, Species)>,
@@ -236,32 +236,32 @@ struct Bench {
 
 fn work(shared: &Shared, wake: &dyn Fn()) {
     priority::step_back();
-    let mut bench = Bench::default();
+    let mut context = BuildContext::default();
     let mut has_worked = true;
     while let Some(snapshot) = next(shared, &mut has_worked) {
         let begun = Instant::now();
         let revision = snapshot.revision;
-        let build = std::panic::AssertUnwindSafe(|| bench.build(&snapshot, &shared.cancel));
+        let build = std::panic::AssertUnwindSafe(|| context.build(&snapshot, &shared.cancel));
         let (mut counts, mut bounds) = (Counts::default(), None);
         let result = match std::panic::catch_unwind(build) {
             Ok(Ok(Some(built))) => {
-                let measure = bench.measures.of(&built.model);
+                let measure = context.measures.of(&built.model);
                 (counts, bounds) = (Counts::of(&built, &measure), measure.bounds);
                 Ok(Arc::new(built))
             }
             Ok(Ok(None)) => continue,
             Ok(Err(error)) => Err(error.into()),
             Err(_) => {
-                bench = Bench::default();
+                context = BuildContext::default();
                 Err(BuildError::Defect)
             }
         };
         let took = begun.elapsed();
-        let mut desk = shared.desk();
-        let unseen = desk.done.replace(Update { revision, result, took, counts, bounds });
-        (desk.last_finish, desk.last_took) = (Some(Instant::now()), took);
-        let discarded = std::mem::take(&mut desk.discarded);
-        drop(desk);
+        let mut state = shared.state();
+        let unseen = state.done.replace(Update { revision, result, took, counts, bounds });
+        (state.last_finish, state.last_took) = (Some(Instant::now()), took);
+        let discarded = std::mem::take(&mut state.discarded);
+        drop(state);
         wake();
         // Here, where most of it was allocated: what another thread frees stays in this thread's pages while it waits.
         drop((unseen, discarded));
@@ -270,32 +270,32 @@ fn work(shared: &Shared, wake: &dyn Fn()) {
 
 /// Waits for the next snapshot; `None` when the window closes.
 fn next(shared: &Shared, has_worked: &mut bool) -> Option<Snapshot> {
-    let mut desk = shared.desk();
+    let mut state = shared.state();
     loop {
-        if desk.closing {
+        if state.closing {
             return None;
         }
-        if let Some(mut snapshot) = desk.next.take() {
+        if let Some(mut snapshot) = state.next.take() {
             shared.cancel.store(false, Ordering::Relaxed);
-            let growing = desk.growing.clone();
-            drop(desk);
+            let growing = state.growing.clone();
+            drop(state);
             *has_worked = true;
             snapshot.sketch.strokes = snapshot.strokes.iter().cloned().chain(growing.map(Arc::new)).collect();
             return Some(snapshot);
         }
-        let discarded = std::mem::take(&mut desk.discarded);
+        let discarded = std::mem::take(&mut state.discarded);
         if !discarded.is_empty() {
-            drop(desk);
+            drop(state);
             drop(discarded);
             *has_worked = true;
-            desk = shared.desk();
+            state = shared.state();
             continue;
         }
-        desk = free_memory::wait(&shared.desk, &shared.news, desk, has_worked);
+        state = free_memory::wait(&shared.state, &shared.changed, state, has_worked);
     }
 }
 
-impl Bench {
+impl BuildContext {
     /// `Ok(None)` where it was cancelled.
     fn build(&mut self, snapshot: &Snapshot, cancel: &AtomicBool) -> Result<Option<Built>, SetupError> {
         let Snapshot { sketch, folder, overlay, .. } = snapshot;

@@ -69,7 +69,7 @@ fn parts_that_did_not_change_are_the_very_same() {
 fn the_stroke_under_the_pen_is_put_together_from_what_is_new_of_it() {
     let mut daisy = drawing("daisy");
     let last = daisy.strokes.pop().unwrap();
-    let mut desk = Desk::default();
+    let mut state = State::default();
     let mut settled = 0;
     for count in 1..=last.points.len() {
         // The last three points are elsewhere until they have settled.
@@ -77,13 +77,13 @@ fn the_stroke_under_the_pen_is_put_together_from_what_is_new_of_it() {
         let kept = std::mem::replace(&mut settled, count.saturating_sub(3));
         points[settled - kept..].iter_mut().for_each(|p| p.position.y += 1.0);
         assert!(points.len() <= 4);
-        desk.follow(Some(Growing { id: last.id, tool: last.tool, kept, points }));
+        state.follow(Some(Growing { id: last.id, tool: last.tool, kept, points }));
     }
     let points = last.points[settled..].to_vec();
-    desk.follow(Some(Growing { id: last.id, tool: last.tool, kept: settled, points }));
-    assert_eq!(desk.growing.as_ref(), Some(&*last));
-    desk.follow(None);
-    assert_eq!(desk.growing, None);
+    state.follow(Some(Growing { id: last.id, tool: last.tool, kept: settled, points }));
+    assert_eq!(state.growing.as_ref(), Some(&*last));
+    state.follow(None);
+    assert_eq!(state.growing, None);
 }
 
 #[test]

@@ -49,7 +49,7 @@ impl Pictures {
         self.0.len()
     }
 
-    /// Forgets pictures that none of `materials` wears.
+    /// Forgets pictures that none of `materials` uses.
     pub(super) fn keep_only(&mut self, materials: &[Material]) {
         self.0.retain(|(texture, _)| materials.iter().any(|m| m.texture == *texture));
     }

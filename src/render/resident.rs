@@ -13,7 +13,7 @@ use super::drawn::Drawn;
 use super::gpu::Gpu;
 use super::material::{MaterialLayout, Pictures, TextureSource};
 use super::pool::{Place, Pool};
-use super::surface::{self, Batch, Coat, Room, SurfaceDrawData};
+use super::surface::{self, Batch, Room, Submesh, SurfaceDrawData};
 use crate::model::{Mesh, Model, PartKind};
 use crate::plant::Material;
 use crate::random::mix;
@@ -23,7 +23,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Pictures that are kept although nothing wears them, so that changing one's mind is free.
+/// Pictures that are kept although no material uses them, so that changing one's mind is free.
 const SPARE_PICTURES: usize = 64;
 /// Points of a mesh that its fingerprint looks at.
 const FINGERPRINT_POINTS: usize = 8;
@@ -54,7 +54,7 @@ pub struct UploadStats {
 /// Where a pool is found: by its material and its number among that material's.
 type PoolKey = (usize, usize);
 
-/// A coat on the GPU.
+/// A submesh on the GPU.
 struct Resident {
     pool: PoolKey,
     triangles: Range<usize>,
@@ -86,7 +86,7 @@ pub(super) struct ResidentModel {
     edges: Option<(u64, Vec<(Drawn, wgpu::Buffer)>)>,
 }
 
-/// A coat of the next model: known already, or its corners and triangles.
+/// A submesh of the next model: known already, or its corners and triangles.
 enum Next<'a> {
     Known(Resident),
     New(Vec<Corner>, Cow<'a, [[u32; 3]]>),
@@ -144,7 +144,7 @@ impl ResidentModel {
         materials.iter().map(|m| layout.picture(gpu, pictures, m.texture.as_ref(), textures)).collect()
     }
 
-    /// For each coat the resident that it is, or its corners. Residents that are left over stay in the list.
+    /// For each submesh the resident that it is, or its corners. Residents that are left over stay in the list.
     fn new_corners<'a>(&mut self, model: &'a Model, room: Room) -> Result<Vec<Next<'a>>, RenderError> {
         let mut by_mesh: BTreeMap<(usize, u64), Vec<usize>> = BTreeMap::new();
         for (i, resident) in self.residents.iter().enumerate().rev() {
@@ -154,7 +154,7 @@ impl ResidentModel {
         }
         let mut claimed = Vec::with_capacity(model.parts.len());
         let mut corners = Vec::with_capacity(model.parts.len());
-        for (part, (material, triangles)) in surface::coats(model, room) {
+        for (part, (material, triangles)) in surface::submeshes(model, room) {
             let alike = by_mesh.get_mut(&(material, fingerprint(&part.mesh)));
             let claim = alike.and_then(|alike| {
                 let is_this = |i: &usize| {
@@ -166,7 +166,7 @@ impl ResidentModel {
             claimed.push(claim);
             corners.push(match claim {
                 Some(_) => None,
-                None => Some(surface::coat_of(part, &triangles)?),
+                None => Some(surface::geometry_of(part, &triangles)?),
             });
         }
         // From here on nothing fails.
@@ -190,9 +190,9 @@ impl ResidentModel {
         }
         let room = Room::of(gpu);
         let levels = model.parts.iter().zip(levels(model));
-        let levels = levels.flat_map(|(part, level)| surface::coats_of(part, room).map(move |_| level));
-        for ((coat, next), level) in surface::coats(model, room).zip(next).zip(levels) {
-            let (part, (material, _)) = coat;
+        let levels = levels.flat_map(|(part, level)| surface::submeshes_of(part, room).map(move |_| level));
+        for ((submesh, next), level) in surface::submeshes(model, room).zip(next).zip(levels) {
+            let (part, (material, _)) = submesh;
             let tint = debug::tint(part.kind, level, &part.name);
             self.residents.push(match next {
                 Next::Known(resident) => {
@@ -205,7 +205,7 @@ impl ResidentModel {
                     stats.uploaded_parts += 1;
                     let key = self.pool_with_room(material, corners.len(), triangles.len());
                     let pool = self.pools.entry(key).or_insert_with(|| Pool::new(gpu));
-                    resident(coat, key, tint, &corners, pool.insert(&corners, &triangles, tint))
+                    resident(submesh, key, tint, &corners, pool.insert(&corners, &triangles, tint))
                 }
             });
         }
@@ -321,7 +321,7 @@ impl ResidentModel {
 }
 
 fn resident(
-    (part, (_, triangles)): Coat<'_>,
+    (part, (_, triangles)): Submesh<'_>,
     pool: PoolKey,
     tint: Tint,
     corners: &[Corner],

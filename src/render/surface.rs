@@ -35,16 +35,16 @@ impl Room {
     }
 }
 
-/// What of a part wears one material and fits one buffer: the part, the material and the triangles.
-pub(super) type Coat<'a> = (&'a Part, (usize, Range<usize>));
+/// Triangles of one part that share a material slot and fit one buffer: the part, the material and the triangles.
+pub(super) type Submesh<'a> = (&'a Part, (usize, Range<usize>));
 
-/// All of a model in coats.
-pub(super) fn coats(model: &Model, room: Room) -> impl Iterator<Item = Coat<'_>> {
-    model.parts.iter().flat_map(move |part| coats_of(part, room).map(move |coat| (part, coat)))
+/// All submeshes of a model.
+pub(super) fn submeshes(model: &Model, room: Room) -> impl Iterator<Item = Submesh<'_>> {
+    model.parts.iter().flat_map(move |part| submeshes_of(part, room).map(move |submesh| (part, submesh)))
 }
 
 /// The materials of a part with their triangles, divided where they are too many for one buffer.
-pub(super) fn coats_of(part: &Part, room: Room) -> impl Iterator<Item = (usize, Range<usize>)> {
+pub(super) fn submeshes_of(part: &Part, room: Room) -> impl Iterator<Item = (usize, Range<usize>)> {
     part.material_slots().flat_map(move |(material, all)| {
         let ends = all.clone().step_by(room.triangles()).skip(1).chain([all.end]);
         all.step_by(room.triangles()).zip(ends).map(move |(from, to)| (material, from..to))
@@ -79,7 +79,7 @@ type Triangles<'a> = Cow<'a, [[u32; 3]]>;
 ///
 /// # Errors
 /// A part that contradicts itself.
-pub(super) fn coat_of<'a>(
+pub(super) fn geometry_of<'a>(
     part: &'a Part,
     range: &Range<usize>,
 ) -> Result<(Vec<Corner>, Triangles<'a>), RenderError> {
@@ -169,7 +169,8 @@ impl SurfaceDrawData {
         check_materials(model)?;
         let mut gathering = Gathering::new(gpu, model);
         for material in 0..model.materials.len() {
-            for (part, (_, triangles)) in coats(model, gathering.room).filter(|(_, coat)| coat.0 == material)
+            for (part, (_, triangles)) in
+                submeshes(model, gathering.room).filter(|(_, submesh)| submesh.0 == material)
             {
                 gathering.append(material, part, &triangles)?;
             }
@@ -202,7 +203,7 @@ impl SurfaceDrawData {
     }
 }
 
-/// A model's coats on their way to the GPU, material by material; buffers are filled one after the other.
+/// A model's submeshes on their way to the GPU, material by material; buffers are filled one after the other.
 struct Gathering<'a> {
     gpu: &'a Gpu,
     room: Room,
@@ -232,8 +233,8 @@ impl<'a> Gathering<'a> {
         }
     }
 
-    fn append(&mut self, material: usize, part: &Part, coat: &Range<usize>) -> Result<(), RenderError> {
-        let (corners, triangles) = coat_of(part, coat)?;
+    fn append(&mut self, material: usize, part: &Part, submesh: &Range<usize>) -> Result<(), RenderError> {
+        let (corners, triangles) = geometry_of(part, submesh)?;
         let fits = self.corners.len() + corners.len() <= self.room.corners as usize
             && self.indices.len() + 3 * triangles.len() <= self.room.indices as usize;
         if !fits {

@@ -1,11 +1,11 @@
 //! Which tool goes to work when a pointer touches, and what it is given until it is lifted.
 
 use super::controller::Canvas;
-use super::desk::{Desk, Touch};
 use super::doing::{Activity, Doing, Trigger};
 use super::erase::Eraser;
 use super::outcome::{CanvasOutcome, Drawing};
 use super::stroke_builder::StrokeBuilder;
+use super::tool_context::{ToolContext, Touch};
 use super::tools::{DragHandle, Erase, Lasso, MoveView, Pen, ViewDrag};
 use super::transform::{Drag, FINGER_HANDLE_REACH, HANDLE_REACH, Handle};
 use crate::app::action::Action;
@@ -26,13 +26,13 @@ impl Canvas {
     }
 
     /// What a tool works on during a touch.
-    pub(super) fn desk<'a>(
+    pub(super) fn context<'a>(
         &'a mut self,
         touch: Touch,
         drawing: &'a mut Drawing<'_>,
         out: &'a mut Vec<CanvasOutcome>,
-    ) -> Desk<'a> {
-        Desk {
+    ) -> ToolContext<'a> {
+        ToolContext {
             viewport: self.viewport(),
             view: &mut self.view,
             index: &mut self.index,
@@ -68,7 +68,7 @@ impl Canvas {
             }
         };
         let mut activity = Activity::new(sample, Trigger::Tip, doing);
-        activity.doing.tool().begin(sample, &mut self.desk(activity.touch, drawing, out));
+        activity.doing.tool().begin(sample, &mut self.context(activity.touch, drawing, out));
         // A stroke that would begin off the largest canvas is none.
         let is_void = matches!(activity.doing, Doing::Draw(_)) && activity.stroke().is_none();
         self.activity = (!is_void).then_some(activity);
@@ -115,7 +115,7 @@ impl Canvas {
             ButtonUse::Orbit => self.activity = drag(ViewDrag::Orbit),
             ButtonUse::Pick => {
                 let touch = Touch { start: *sample, last: sample.position, is_still: true };
-                self.desk(touch, drawing, out).pick(sample);
+                self.context(touch, drawing, out).pick(sample);
             }
             ButtonUse::Menu => out.push(CanvasOutcome::AskWhatToDraw { at: sample.position }),
             ButtonUse::Undo => out.push(CanvasOutcome::Action(Action::Undo)),
@@ -153,7 +153,7 @@ impl Canvas {
     pub(super) fn moved(&mut self, sample: &PenSample, drawing: &mut Drawing, out: &mut Vec<CanvasOutcome>) {
         let Some(mut activity) = self.activity.take() else { return };
         activity.note(sample, self.scale_factor);
-        activity.doing.tool().sample(sample, &mut self.desk(activity.touch, drawing, out));
+        activity.doing.tool().sample(sample, &mut self.context(activity.touch, drawing, out));
         activity.touch.last = sample.position;
         self.activity = Some(activity);
     }
@@ -173,7 +173,7 @@ impl Canvas {
         if activity.stroke().is_none() {
             activity.note(sample, self.scale_factor);
         }
-        activity.doing.tool().end(sample, &mut self.desk(activity.touch, drawing, out));
+        activity.doing.tool().end(sample, &mut self.context(activity.touch, drawing, out));
         out.push(CanvasOutcome::OverlayChanged);
     }
 
@@ -182,7 +182,7 @@ impl Canvas {
         let Some(mut activity) = self.activity.take() else { return };
         // What is given up asks nothing of the drawing.
         let mut drawing = Drawing { strokes: &[], new_id: &mut || StrokeId::MAX };
-        activity.doing.tool().cancel(&mut self.desk(activity.touch, &mut drawing, out));
+        activity.doing.tool().cancel(&mut self.context(activity.touch, &mut drawing, out));
         out.push(CanvasOutcome::OverlayChanged);
     }
 }

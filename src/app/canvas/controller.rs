@@ -1,19 +1,19 @@
 //! The canvas as a whole: events of pens, fingers, wheel and keys in, outcomes for the window out.
 //!
-//! One thing happens at a time and belongs to the tool that began it; what other tools do meanwhile is not heard. Fingers
+//! One thing happens at a time and belongs to the tool that began it; what other tools do meanwhile is ignored. Fingers
 //! pass the palm gate, then the gestures, and draw like any other tool. What a tool does on the drawing is in
 //! `activity.rs`, what actions do in `commands.rs`, what is shown of it in [`super::overlay`].
 //!
 //! Changes reach the drawing only through outcomes. Where a change is still being made (an eraser or a handle on its way)
 //! [`Canvas::preview`] says what the drawing will look like.
 
-use super::desk::Keys;
 use super::doing::{Activity, Trigger};
 use super::gesture::{Touch, TouchGestures};
 use super::outcome::{CanvasKey, CanvasOutcome, Drawing, Scroll};
 use super::select::Selection;
 use super::settings::CanvasSettings;
 use super::stroke_index::StrokeIndex;
+use super::tool_context::Keys;
 use super::view::{CanvasView, Rect};
 use crate::app::action::Action;
 use crate::app::canvas_tool::CanvasTool;
@@ -108,7 +108,7 @@ impl Canvas {
         self.view = view;
     }
 
-    /// Tells which part of the window shows the canvas (physical pixels), and the physical pixels per logical pixel. Where
+    /// Sets which part of the window shows the canvas (physical pixels), and the physical pixels per logical pixel. Where
     /// that part moves or changes its size, the place of the canvas in its middle stays there.
     pub fn set_viewport(&mut self, rect: Rect, scale_factor: f64) {
         if let Some(before) = self.viewport.replace(rect) {
@@ -135,7 +135,7 @@ impl Canvas {
         &self.selection
     }
 
-    /// Tells that the drawing has changed, by this canvas or by anybody: opened, taken back, edited. An eraser or handle
+    /// The drawing has changed, by this canvas or by anybody: opened, taken back, edited. An eraser or handle
     /// on its way lets go, since what it held is no more; a growing stroke goes on.
     pub fn drawing_changed(&mut self, strokes: &[Arc<Stroke>], out: &mut Vec<CanvasOutcome>) {
         if self.activity.as_ref().is_some_and(Activity::holds_strokes) {

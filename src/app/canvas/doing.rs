@@ -1,7 +1,7 @@
 //! One tool at work on the canvas: which it is, which pointer it belongs to, and what keeps it going.
 
-use super::desk::{Desk, Touch};
 use super::stroke_builder::StrokeBuilder;
+use super::tool_context::{ToolContext, Touch};
 use super::tools::{DragHandle, Erase, Lasso, MoveView, Pen, Shown};
 use super::transform::Drag;
 use crate::app::tool::Tool;
@@ -36,7 +36,7 @@ pub(super) enum Doing {
 }
 
 impl Doing {
-    pub(super) fn tool(&mut self) -> &mut dyn for<'d> Tool<Desk<'d>, Shown> {
+    pub(super) fn tool(&mut self) -> &mut dyn for<'d> Tool<ToolContext<'d>, Shown> {
         match self {
             Self::Draw(tool) => tool,
             Self::Erase(tool) => tool,
@@ -57,7 +57,7 @@ impl Doing {
     }
 }
 
-fn preview(tool: &dyn for<'d> Tool<Desk<'d>, Shown>) -> Shown {
+fn preview(tool: &dyn for<'d> Tool<ToolContext<'d>, Shown>) -> Shown {
     tool.preview()
 }
 

@@ -8,6 +8,7 @@
 //! One drag is one change: what was erased shows at once, and is handed over when the eraser is lifted.
 
 use super::stroke_index::{StrokeIndex, segments};
+use crate::geom::polyline;
 use crate::sketch::change::StrokeChange;
 use crate::sketch::{Stroke, StrokeId, StrokePoint};
 use glam::DVec2;
@@ -107,7 +108,8 @@ impl Eraser {
 }
 
 fn length(points: &[StrokePoint]) -> f64 {
-    points.windows(2).map(|w| f64::from(w[0].position.distance(w[1].position))).sum()
+    let positions: Vec<_> = points.iter().map(|point| point.position).collect();
+    polyline::length(&positions).into()
 }
 
 /// A disc that moves from one place to another.

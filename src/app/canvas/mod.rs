@@ -8,7 +8,6 @@
 mod activity;
 mod commands;
 pub mod controller;
-pub mod desk;
 mod doing;
 pub mod erase;
 pub mod gesture;
@@ -18,6 +17,7 @@ pub mod select;
 pub mod settings;
 pub mod stroke_builder;
 pub mod stroke_index;
+pub mod tool_context;
 mod tools;
 pub mod transform;
 pub mod view;

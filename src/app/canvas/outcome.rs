@@ -41,7 +41,7 @@ pub enum CanvasOutcome {
     SelectionChanged,
     /// Paint overlay and cursor again.
     OverlayChanged,
-    /// A wish for the application.
+    /// An action for the application.
     Action(Action),
     /// The plant is to be turned by a drag of so many physical pixels.
     Orbit(DVec2),

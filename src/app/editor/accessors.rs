@@ -2,7 +2,7 @@
 
 use super::Editor;
 use super::live_plant::Revisions;
-use super::news::{Copied, Versions};
+use super::updates::{Copied, Versions};
 use crate::app::canvas::Canvas;
 use crate::app::layout::Layout;
 use crate::app::panels::snapshot::Dialog;
@@ -30,7 +30,7 @@ impl Editor {
 
     /// Changes that the graphics card has to be notified of.
     pub fn versions(&self) -> Versions {
-        self.news.versions()
+        self.updates.versions()
     }
 
     /// How the next picture of the plant looks; tells the view that it is being drawn.
@@ -75,21 +75,21 @@ impl Editor {
 
     /// Whether the window should close.
     pub fn is_closed(&self) -> bool {
-        self.news.is_closed()
+        self.updates.is_closed()
     }
 
     /// A new title for the window.
     pub fn take_title(&mut self) -> Option<String> {
-        self.news.take_title()
+        self.updates.take_title()
     }
 
     /// Something for the clipboard.
     pub(in crate::app) fn take_copied(&mut self) -> Option<Copied> {
-        self.news.take_copied()
+        self.updates.take_copied()
     }
 
     /// Whether the clipboard's content was asked for since the last call.
     pub(in crate::app) fn take_paste_request(&mut self) -> bool {
-        self.news.take_paste_request()
+        self.updates.take_paste_request()
     }
 }

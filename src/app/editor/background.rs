@@ -1,4 +1,4 @@
-//! Work on threads of its own, and what those threads wish for.
+//! Work on threads of its own, and the actions that those threads send.
 
 use crate::app::action::Action;
 use std::sync::Arc;
@@ -10,14 +10,14 @@ pub(super) type Wake = Arc<dyn Fn() + Send + Sync>;
 /// The way back from other threads.
 pub(super) struct Background {
     wake: Wake,
-    wishes: Sender<Action>,
-    wished: Receiver<Action>,
+    sender: Sender<Action>,
+    receiver: Receiver<Action>,
 }
 
 impl Background {
     pub(super) fn new(wake: Wake) -> Self {
-        let (wishes, wished) = channel();
-        Self { wake, wishes, wished }
+        let (sender, receiver) = channel();
+        Self { wake, sender, receiver }
     }
 
     /// What calls from other threads.
@@ -25,14 +25,14 @@ impl Background {
         &self.wake
     }
 
-    /// Where other threads put their wishes; they call [`Self::wake`] afterwards.
-    pub(super) fn wishes(&self) -> &Sender<Action> {
-        &self.wishes
+    /// Where other threads send actions; they call [`Self::wake`] afterwards.
+    pub(super) fn sender(&self) -> &Sender<Action> {
+        &self.sender
     }
 
-    /// The next wish of another thread.
-    pub(super) fn take_wish(&self) -> Option<Action> {
-        self.wished.try_recv().ok()
+    /// The next action that another thread sent.
+    pub(super) fn take_action(&self) -> Option<Action> {
+        self.receiver.try_recv().ok()
     }
 }
 
@@ -56,9 +56,9 @@ impl<T> Work<T> {
 }
 
 /// Wakes the window when it goes, whatever became of the work.
-struct Farewell(Wake);
+struct WakeOnDrop(Wake);
 
-impl Drop for Farewell {
+impl Drop for WakeOnDrop {
     fn drop(&mut self) {
         (self.0)();
     }
@@ -73,14 +73,14 @@ pub(super) fn begin<T: Send + 'static>(
     wake: &Wake,
     work: impl FnOnce() -> T + Send + 'static,
 ) -> std::io::Result<Work<T>> {
-    let (tell, done) = channel();
-    let farewell = Farewell(Arc::clone(wake));
+    let (sender, done) = channel();
+    let wake_on_drop = WakeOnDrop(Arc::clone(wake));
     let work = move || {
-        let _farewell = farewell;
-        // Dropped before the farewell: whoever is woken finds the end, also of work that broke off.
-        let tell = tell;
+        let _wake_on_drop = wake_on_drop;
+        // Dropped before the window is woken: whoever is woken finds the end, also of work that broke off.
+        let sender = sender;
         // A window that closed does not listen any more.
-        let _ = tell.send(work());
+        let _ = sender.send(work());
     };
     std::thread::Builder::new().name(name.into()).spawn(work)?;
     Ok(Work(done))

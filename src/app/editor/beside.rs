@@ -23,7 +23,7 @@ const BEYOND: f32 = 1.5;
 const LEAST_AGE: f32 = 10.0;
 
 impl Editor {
-    /// Wishes about plants beside the drawn one.
+    /// Actions about plants beside the drawn one.
     pub(super) fn perform_on_plants(&mut self, action: Action) {
         match action {
             Action::AddPlant(species) => self.add_plant(species),
@@ -102,8 +102,8 @@ impl Editor {
         let plant = self.sketch().plants.get(place)?;
         let grown = || {
             let built = self.built()?;
-            let standing = built.beside.get(place)?.as_ref()?;
-            Some(standing.height / built.provenance.world_from_canvas.scale)
+            let placed = built.beside.get(place)?.as_ref()?;
+            Some(placed.height / built.provenance.world_from_canvas.scale)
         };
         plant.height.or_else(grown)
     }

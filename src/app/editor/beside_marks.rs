@@ -74,7 +74,7 @@ impl Editor {
         self.on_canvas(|canvas, _, out| canvas.fit(bounds, out));
     }
 
-    /// Hears a pointer before the canvas does; whether it is at work on a plant.
+    /// Handles a pointer before the canvas does; whether it is at work on a plant.
     pub(super) fn hold_plant(&mut self, event: &PenEvent) -> bool {
         let at = event.sample.position;
         match (event.phase, self.beside.hold, self.beside.selected()) {

@@ -1,4 +1,4 @@
-//! Plants beside the drawn one, by wishes and by hand.
+//! Plants beside the drawn one, by actions and by hand.
 
 use super::*;
 use crate::app::canvas::Rect as CanvasRect;
@@ -102,8 +102,9 @@ fn one_plant_too_many_is_refused_with_a_reason() {
     let feet: Vec<f32> = plants(&editor).iter().map(|plant| plant.foot.x).collect();
     let apart = |a: usize, b: usize| (feet[a] - feet[b]).abs() >= 0.5 * 600.0;
     assert!((0..feet.len()).all(|a| (0..a).all(|b| apart(a, b))), "{feet:?}");
-    let told: Vec<_> = editor.dialogs.notices().iter().filter(|n| n.severity == Severity::Error).collect();
-    assert!(told.len() == 1 && told[0].what.contains("16"), "{told:?}");
+    let reported: Vec<_> =
+        editor.dialogs.notices().iter().filter(|n| n.severity == Severity::Error).collect();
+    assert!(reported.len() == 1 && reported[0].what.contains("16"), "{reported:?}");
 }
 
 #[test]

@@ -4,7 +4,7 @@
 //! read as a sketch file or as SVG; pictures go under the drawing.
 
 use super::Editor;
-use super::news::Copied;
+use super::updates::Copied;
 use crate::app::messages::Msg;
 use crate::app::panels::snapshot::Notice;
 use crate::sketch::{self, Sketch, json};
@@ -12,7 +12,7 @@ use crate::sketch::{self, Sketch, json};
 impl Editor {
     /// Puts a picture on the clipboard.
     pub(in crate::app) fn copy_picture(&mut self, picture: egui::ColorImage) {
-        self.news.copy(Copied::Picture(picture));
+        self.updates.copy(Copied::Picture(picture));
     }
 
     /// Puts the selected strokes on the clipboard, in the order in which they were drawn.
@@ -22,7 +22,7 @@ impl Editor {
         let strokes: Vec<_> = strokes.cloned().collect();
         if !strokes.is_empty() {
             let text = json::write(&Sketch { strokes, ..Sketch::empty() });
-            self.news.copy(Copied::Text(text));
+            self.updates.copy(Copied::Text(text));
         }
     }
 
@@ -42,7 +42,7 @@ impl Editor {
                 self.on_canvas(|canvas, drawing, out| canvas.insert(&strokes, drawing, out));
                 self.dialogs.close_part_menu();
             }
-            _ => self.tell(Notice::info(self.prefs.messages().get(Msg::NoticeNothingToPaste))),
+            _ => self.notify(Notice::info(self.prefs.messages().get(Msg::NoticeNothingToPaste))),
         }
     }
 }

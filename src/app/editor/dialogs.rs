@@ -63,9 +63,9 @@ impl Dialogs {
     }
 
     /// Shows a message.
-    pub(super) fn tell(&mut self, notice: Notice) {
+    pub(super) fn notify(&mut self, notice: Notice) {
         tracing::debug!("notice: {} {}", notice.what, notice.remedy);
-        self.notices.tell(notice, Instant::now());
+        self.notices.add(notice, Instant::now());
     }
 
     /// The messages.

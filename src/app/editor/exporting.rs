@@ -23,7 +23,7 @@ impl Editor {
             built,
         };
         let begun = self.disk.exports.begin(order, self.background.wake());
-        self.or_tell(begun);
+        self.notify_failure(begun);
     }
 
     /// The files that the plant is made from.
@@ -35,17 +35,17 @@ impl Editor {
         sources
     }
 
-    /// Tells what came of an export that has ended.
+    /// Shows what came of an export that has ended.
     pub(super) fn collect_export(&mut self) {
         let Some(Exported { name, result }) = self.disk.exports.take() else { return };
         match result {
             Some(Ok(bytes)) => {
                 tracing::debug!("exported {name} bytes={bytes}");
                 let what = self.prefs.messages().fill(Msg::NoticeExported, &[("file", &name)]);
-                self.tell(Notice::info(what));
+                self.notify(Notice::info(what));
             }
-            Some(Err(failure)) => self.tell_error(&*failure),
-            None => self.tell(Notice::error(self.prefs.messages().get(Msg::NoticeExportFailed), "")),
+            Some(Err(failure)) => self.notify_error(&*failure),
+            None => self.notify(Notice::error(self.prefs.messages().get(Msg::NoticeExportFailed), "")),
         }
     }
 }

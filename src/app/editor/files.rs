@@ -68,7 +68,7 @@ impl Editor {
             Action::Open => self.choose(PathPurpose::OpenDrawing),
             Action::OpenPath(path) => self.open_file(&path),
             Action::Recover(path) => self.recover(&path),
-            Action::Quit => self.news.close(),
+            Action::Quit => self.updates.close(),
             _ => {}
         }
     }
@@ -83,7 +83,7 @@ impl Editor {
         match sketch::from_bytes(SAMPLE.as_bytes(), "the sample") {
             Ok((sample, _)) => self.take_over(Document::new(sample), OwnFile::default()),
             Err(error) => {
-                self.tell_error(&error);
+                self.notify_error(&error);
                 self.start_empty();
             }
         }
@@ -95,7 +95,7 @@ impl Editor {
         match save::open(&path) {
             Ok(Opened { mut sketch, warnings, stamp }) => {
                 for warning in &warnings {
-                    self.tell(Notice::warning(warning.localize(self.prefs.messages()), ""));
+                    self.notify(Notice::warning(warning.localize(self.prefs.messages()), ""));
                 }
                 let folder = path.parent().unwrap_or(Path::new(""));
                 self.take_in(&mut sketch.textures, folder);
@@ -107,12 +107,12 @@ impl Editor {
                 let own = stamp.is_some();
                 let document = if own { Document::new(sketch) } else { Document::unsaved(sketch) };
                 self.take_over(document, OwnFile { path: own.then(|| path.clone()), stamp });
-                self.tell_missing_species();
+                self.notify_missing_species();
                 self.prefs.remember_drawing(&path);
                 self.save_settings();
             }
             Err(error) => {
-                self.tell_error(&error);
+                self.notify_error(&error);
                 if self.drawing.journal_state().is_none() {
                     self.start_empty();
                 }
@@ -123,7 +123,7 @@ impl Editor {
     /// Begins to work on another drawing.
     fn take_over(&mut self, document: Document, file: OwnFile) {
         let begun = self.disk.lost.begin(document.sketch(), file.meta(), document.is_saved());
-        let journal = begun.map_err(|error| self.tell_error(&error)).ok();
+        let journal = begun.map_err(|error| self.notify_error(&error)).ok();
         self.take_over_with(document, file, journal);
     }
 
@@ -144,7 +144,7 @@ impl Editor {
     pub(super) fn choose(&mut self, purpose: PathPurpose) {
         let request = self.path_request(purpose);
         let wake = Arc::clone(self.background.wake());
-        if let Err(request) = file_dialog::ask(request, self.background.wishes(), wake) {
+        if let Err(request) = file_dialog::ask(request, self.background.sender(), wake) {
             self.dialogs.set_dialog(Some(Dialog::Path(request)));
         }
     }
@@ -225,7 +225,7 @@ impl Editor {
     /// Offers what windows left that are gone.
     pub(super) fn look_for_lost_drawings(&mut self) {
         if let Err(error) = self.disk.lost.look() {
-            self.tell(Notice::warning(error.localize(self.prefs.messages()), ""));
+            self.notify(Notice::warning(error.localize(self.prefs.messages()), ""));
         }
         if let Some(dialog) = self.disk.lost.dialog(self.prefs.messages()) {
             self.dialogs.set_dialog(Some(dialog));
@@ -248,20 +248,20 @@ impl Editor {
                 let kept =
                     self.prefs.messages().fill(Msg::NoticeDamagedKept, &[("folder", &damaged.display())]);
                 for gap in restored.gaps {
-                    self.tell(Notice::warning(gap.localize(self.prefs.messages()), &kept));
+                    self.notify(Notice::warning(gap.localize(self.prefs.messages()), &kept));
                 }
                 let file = OwnFile { path: meta.path, stamp: meta.stamp };
                 self.take_over_with(Document::unsaved(restored.sketch), file, Some(journal));
-                self.tell_missing_species();
+                self.notify_missing_species();
                 self.show_lost_drawings();
             }
-            Err(error) => self.tell_error(&error),
+            Err(error) => self.notify_error(&error),
         }
     }
 
     pub(super) fn discard_recovery(&mut self, path: &Path) {
         let discarded = self.disk.lost.discard(path);
-        self.or_tell(discarded);
+        self.notify_failure(discarded);
         self.show_lost_drawings();
     }
 }

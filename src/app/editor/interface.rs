@@ -29,7 +29,7 @@ impl Editor {
         let divider = self.divide(ui, room);
         self.layout.pixels_per_point = f64::from(ui.ctx().pixels_per_point());
         if self.layout.canvas != before.canvas || self.layout.plant != before.plant {
-            self.tell_layout();
+            self.log_layout();
         }
         self.canvas.set_viewport(self.layout.canvas_px(), self.layout.pixels_per_point);
         let is_new = std::mem::take(&mut self.layout.is_new);
@@ -65,7 +65,7 @@ impl Editor {
         if self.prefs.take_need_of_fonts() {
             let (fonts, are_missing) = self.prefs.fonts();
             if are_missing {
-                self.tell(missing_notice());
+                self.notify(missing_notice());
             }
             ctx.set_fonts(fonts);
         }
@@ -95,7 +95,7 @@ impl Editor {
         x
     }
 
-    /// Hears the divider. Called after the plant was shown: of things that overlap egui asks the last.
+    /// Handles the divider. Called after the plant was shown: of things that overlap egui asks the last.
     fn hold_divider(&mut self, ui: &Ui, x: f32, room: Rect) {
         let canvas_first = self.prefs.settings().handedness == Handedness::Right;
         let grip = Rect::from_x_y_ranges(x - GRIP / 2.0..=x + GRIP / 2.0, room.y_range());
@@ -111,7 +111,7 @@ impl Editor {
         }
     }
 
-    fn tell_layout(&self) {
+    fn log_layout(&self) {
         let scale = self.layout.pixels_per_point as f32;
         let area = |r: Rect| {
             let numbers = [r.left(), r.top(), r.width(), r.height()].map(|x| (x * scale).round());

@@ -9,7 +9,7 @@ use crate::app::panels::toolbar;
 use egui::{Key, Modifiers};
 
 impl Editor {
-    /// Hears a key; whether it meant something here.
+    /// Handles a key; whether it meant something here.
     pub fn key(&mut self, key: Key, modifiers: Modifiers, pressed: bool, repeat: bool) -> bool {
         if let Some(canvas_key) = canvas_key(key) {
             // A held key repeats its press; the canvas gets it once.
@@ -33,10 +33,10 @@ impl Editor {
         known
     }
 
-    /// Hears what a key or a wheel of a tablet wishes for; in a dialog they are silent, like other keys.
-    pub fn tablet_wishes(&mut self, wish: Action) {
+    /// Carries out what a key or a wheel of a tablet is set to; in a dialog they do nothing, like other keys.
+    pub fn tablet_action(&mut self, action: Action) {
         if !self.dialogs.is_open() {
-            self.perform(wish);
+            self.perform(action);
         }
     }
 

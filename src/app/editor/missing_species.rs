@@ -6,10 +6,10 @@ use crate::app::panels::snapshot::{Notice, PathPurpose};
 
 impl Editor {
     /// Says that the drawing's species file is missing, if it is; another that is chosen takes its place in one step.
-    pub(super) fn tell_missing_species(&mut self) {
+    pub(super) fn notify_missing_species(&mut self) {
         if let Some(missing) = self.live.missing_species() {
             let what = missing.localize(self.prefs.messages());
-            self.tell(Notice { find: Some(PathPurpose::Species), ..Notice::warning(what, "") });
+            self.notify(Notice { find: Some(PathPurpose::Species), ..Notice::warning(what, "") });
         }
     }
 }

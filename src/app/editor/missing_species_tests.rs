@@ -46,7 +46,7 @@ fn a_missing_species_is_one_notice_and_is_found_again_in_one_step() {
 }
 
 #[test]
-fn a_species_that_is_there_is_no_news() {
+fn a_species_that_is_there_is_not_reported() {
     let home = tempfile::tempdir().unwrap();
     std::fs::create_dir(home.path().join("own")).unwrap();
     std::fs::write(home.path().join("own/weed.toml"), SPECIES).unwrap();

@@ -1,14 +1,14 @@
 //! Messages on the screen: each once, a few at a time, and no longer than they are needed.
 //!
-//! Good news go after [`GOOD_NEWS`], warnings when they can have been read. A message with something to decide stays until
+//! Information goes after [`INFO_STAYS`], warnings when they can have been read. A message with something to decide stays until
 //! the artist puts it away: a failure, and whatever says what can be done or offers to do it. Nothing goes while the
 //! pointer is over it. What is said again while it is still shown is not said twice; it stays as long as if it were new.
 
 use crate::app::panels::snapshot::{Notice, Severity};
 use std::time::{Duration, Instant};
 
-/// How long good news stay on the screen.
-const GOOD_NEWS: Duration = Duration::from_secs(6);
+/// How long information stays on the screen.
+const INFO_STAYS: Duration = Duration::from_secs(6);
 /// How long a warning stays: until it is seen, and then for each of its characters.
 const SEEN: Duration = Duration::from_secs(8);
 const PER_CHARACTER: Duration = Duration::from_millis(70);
@@ -24,7 +24,7 @@ pub(super) struct Notices {
 
 impl Notices {
     /// Adds a message, or keeps the equal one that is there.
-    pub(super) fn tell(&mut self, notice: Notice, now: Instant) {
+    pub(super) fn add(&mut self, notice: Notice, now: Instant) {
         let same = |shown: &Notice| (&shown.what, &shown.remedy) == (&notice.what, &notice.remedy);
         if let Some((_, since)) = self.waiting.iter_mut().find(|(shown, _)| same(shown)) {
             *since = now;
@@ -69,7 +69,7 @@ fn stay(notice: &Notice) -> Option<Duration> {
     let decides = notice.find.is_some() || !notice.remedy.is_empty();
     match notice.severity {
         _ if decides => None,
-        Severity::Info => Some(GOOD_NEWS),
+        Severity::Info => Some(INFO_STAYS),
         Severity::Warning => Some(SEEN + PER_CHARACTER * notice.what.chars().count() as u32),
         Severity::Error => None,
     }
@@ -85,15 +85,15 @@ mod tests {
     }
 
     #[test]
-    fn what_is_said_again_is_one_message() {
+    fn a_repeated_message_is_shown_once() {
         let (mut notices, now) = (Notices::default(), Instant::now());
         for _ in 0..9 {
-            notices.tell(Notice::error("no", ""), now);
-            notices.tell(Notice::warning("odd", ""), now);
+            notices.add(Notice::error("no", ""), now);
+            notices.add(Notice::warning("odd", ""), now);
         }
         assert_eq!(words(&notices), ["no", "odd"]);
         for number in 0..200 {
-            notices.tell(Notice::error(number.to_string(), ""), now);
+            notices.add(Notice::error(number.to_string(), ""), now);
         }
         assert_eq!((words(&notices).len(), words(&notices).last()), (MOST, Some(&"199")));
     }
@@ -101,14 +101,14 @@ mod tests {
     #[test]
     fn only_what_needs_a_decision_stays() {
         let (mut notices, now) = (Notices::default(), Instant::now());
-        notices.tell(Notice::info("done"), now);
-        notices.tell(Notice::warning("odd", ""), now);
-        notices.tell(Notice::warning("odd, but", "do this"), now);
+        notices.add(Notice::info("done"), now);
+        notices.add(Notice::warning("odd", ""), now);
+        notices.add(Notice::warning("odd, but", "do this"), now);
         let find = Some(PathPurpose::Reference);
-        notices.tell(Notice { find, ..Notice::warning("missing", "") }, now);
-        notices.tell(Notice::error("no", ""), now);
-        assert_eq!(notices.next_goes_at(), Some(now + GOOD_NEWS));
-        notices.let_go(now + GOOD_NEWS);
+        notices.add(Notice { find, ..Notice::warning("missing", "") }, now);
+        notices.add(Notice::error("no", ""), now);
+        assert_eq!(notices.next_goes_at(), Some(now + INFO_STAYS));
+        notices.let_go(now + INFO_STAYS);
         assert_eq!(words(&notices), ["odd", "odd, but", "missing", "no"]);
         notices.let_go(now + Duration::from_secs(3600));
         assert_eq!(words(&notices), ["odd, but", "missing", "no"]);
@@ -118,10 +118,10 @@ mod tests {
     #[test]
     fn a_message_under_the_pointer_stays_and_a_long_one_can_be_read() {
         let (mut notices, now) = (Notices::default(), Instant::now());
-        notices.tell(Notice::info("done"), now);
+        notices.add(Notice::info("done"), now);
         let id = notices.iter().next().unwrap().id;
-        notices.hold(id, now + GOOD_NEWS / 2);
-        notices.let_go(now + GOOD_NEWS);
+        notices.hold(id, now + INFO_STAYS / 2);
+        notices.let_go(now + INFO_STAYS);
         assert_eq!(words(&notices), ["done"]);
         let long = Notice::warning("word ".repeat(100), "");
         assert!(stay(&long).unwrap() > Duration::from_secs(40));

@@ -48,7 +48,7 @@ pub(super) struct OpenDrawing {
     /// Journals of the drawings before.
     closing: Vec<Closing>,
     /// The artist knows that the journal cannot be written.
-    failure_is_told: bool,
+    failure_is_reported: bool,
     /// Revision that the artist does not want to keep.
     given_up: Option<u64>,
     /// When strokes were moved by a key last.
@@ -63,7 +63,7 @@ impl OpenDrawing {
             file: OwnFile::default(),
             journal: None,
             closing: Vec::new(),
-            failure_is_told: false,
+            failure_is_reported: false,
             given_up: None,
             nudged_at: None,
         }
@@ -223,8 +223,8 @@ impl OpenDrawing {
     /// Why no recovery copy can be kept, once until it can be kept again.
     pub(super) fn take_journal_failure(&mut self) -> Option<Arc<JournalError>> {
         let failure = self.journal.as_ref().and_then(JournalWriter::failure);
-        let was_told = std::mem::replace(&mut self.failure_is_told, failure.is_some());
-        failure.filter(|_| !was_told)
+        let was_reported = std::mem::replace(&mut self.failure_is_reported, failure.is_some());
+        failure.filter(|_| !was_reported)
     }
 
     /// Ends the journal of a drawing that is saved or given up; a slow disk keeps nobody from drawing on.

@@ -8,12 +8,12 @@ use super::disk::Disk;
 use super::export::Exports;
 use super::live_plant::LivePlant;
 use super::lost_drawings::LostDrawings;
-use super::news::News;
 use super::open_drawing::OpenDrawing;
 use super::pens::Pens;
 use super::preferences::Preferences;
 use super::preset_folder::PresetFolder;
 use super::saver::Saver;
+use super::updates::Updates;
 use crate::app::canvas::Canvas;
 use crate::app::fonts;
 use crate::app::layout::Layout;
@@ -88,7 +88,7 @@ impl Editor {
             pens: Pens::default(),
             dialogs: Dialogs::default(),
             layout: Layout::default(),
-            news: News::default(),
+            updates: Updates::default(),
             prefs,
         };
         editor.begin(file, is_first_start, broken);
@@ -98,9 +98,9 @@ impl Editor {
     /// Begins the session: with this drawing, with the sample, or with nothing.
     fn begin(&mut self, file: Option<PathBuf>, is_first_start: bool, broken: Option<Notice>) {
         self.apply_settings();
-        broken.into_iter().for_each(|notice| self.tell(notice));
+        broken.into_iter().for_each(|notice| self.notify(notice));
         if self.prefs.lack_language() {
-            self.tell(fonts::missing_notice());
+            self.notify(fonts::missing_notice());
         }
         match file {
             Some(file) => self.open_file(&file),

@@ -1,7 +1,7 @@
 //! Pens, wheels and fingers on the canvas, and what comes of them.
 
 use super::Editor;
-use super::pens::TabletNews;
+use super::pens::TabletUpdate;
 use crate::app::canvas::{CanvasOutcome, Drawing, Scroll};
 use crate::app::canvas_tool::CanvasTool;
 use crate::app::messages::Localize;
@@ -67,9 +67,9 @@ impl Editor {
     /// once beside the dialog, too: a tablet that does nothing is not looked for there. Whether anything is new.
     pub fn note_tablets(&mut self, trouble: Option<&dyn Localize>, doubts: &[TabletDoubt]) -> bool {
         let trouble = trouble.map(|trouble| trouble.localize(self.prefs.messages()));
-        let TabletNews { is_any, trouble } = self.pens.note_tablets(trouble, doubts);
+        let TabletUpdate { is_any, trouble } = self.pens.note_tablets(trouble, doubts);
         if let Some(what) = trouble {
-            self.tell(Notice::warning(what, ""));
+            self.notify(Notice::warning(what, ""));
         }
         is_any
     }
@@ -111,7 +111,7 @@ impl Editor {
             CanvasOutcome::StrokeBegan(_) | CanvasOutcome::StrokeGrew { .. } => self.live.set_stale(),
             CanvasOutcome::StrokeCancelled(_) => {
                 self.live.set_stale();
-                self.news.drawing_changed();
+                self.updates.drawing_changed();
             }
             CanvasOutcome::StrokeFinished(stroke) => {
                 self.change(Change::put(stroke));
@@ -120,15 +120,15 @@ impl Editor {
             CanvasOutcome::Changed(changes) => self.change(Change::strokes(changes)),
             CanvasOutcome::Nudged(changes) => {
                 let moved = self.drawing.apply_nudge(changes);
-                self.changed_or_tell(moved);
+                self.changed_or_notify(moved);
             }
             CanvasOutcome::PreviewChanged => {
                 self.live.set_stale();
-                self.news.drawing_changed();
+                self.updates.drawing_changed();
             }
             CanvasOutcome::SelectionChanged => {
                 self.drawing.end_nudging();
-                self.news.drawing_changed();
+                self.updates.drawing_changed();
                 self.dialogs.close_part_menu();
             }
             CanvasOutcome::ViewChanged => {

@@ -19,7 +19,7 @@ fn refused() -> Refused {
 }
 
 #[test]
-fn what_keeps_a_tablet_from_being_read_is_told_once_and_in_the_language_of_the_interface() {
+fn what_keeps_a_tablet_from_being_read_is_reported_once_and_in_the_language_of_the_interface() {
     let home = tempfile::tempdir().unwrap();
     let mut editor = editor(home.path());
     let reported = |editor: &Editor| -> Vec<String> {

@@ -34,7 +34,7 @@ pub(super) struct Pens {
 }
 
 /// What is new about tablets.
-pub(super) struct TabletNews {
+pub(super) struct TabletUpdate {
     /// Whether anything is.
     pub(super) is_any: bool,
     /// Why one cannot be read since now.
@@ -96,7 +96,7 @@ impl Pens {
     }
 
     /// Why a tablet cannot be read, or that all can, and of which tablets the model is not sure.
-    pub(super) fn note_tablets(&mut self, trouble: Option<String>, doubts: &[TabletDoubt]) -> TabletNews {
+    pub(super) fn note_tablets(&mut self, trouble: Option<String>, doubts: &[TabletDoubt]) -> TabletUpdate {
         let is_other = self.trouble != trouble;
         let is_any = is_other || self.doubts != doubts;
         if is_other {
@@ -105,7 +105,7 @@ impl Pens {
         if is_any {
             self.doubts = doubts.to_vec();
         }
-        TabletNews { is_any, trouble: trouble.filter(|_| is_other) }
+        TabletUpdate { is_any, trouble: trouble.filter(|_| is_other) }
     }
 
     /// What the panels show, with what the artist chose and the physical pixels of a point.

@@ -1,6 +1,6 @@
-//! Carries out wishes: the one place where an [`Action`] becomes a change.
+//! Carries out actions: the one place where an [`Action`] becomes a change.
 //!
-//! Each wish goes to the part that owns what it is about: the canvas first, then the drawing and what happens on the disk,
+//! Each action goes to the part that owns what it is about: the canvas first, then the drawing and what happens on the disk,
 //! the view of the plant, and what the artist chose for the program.
 
 use super::Editor;
@@ -45,13 +45,13 @@ impl Editor {
             Action::DiscardRecovery(path) => self.discard_recovery(&path),
             Action::CopySelected => self.copy_selected(),
             Action::CutSelected => self.cut_selected(),
-            Action::Paste => self.news.want_paste(),
+            Action::Paste => self.updates.want_paste(),
             Action::PictureRead { purpose, name, picture } => self.use_picture(purpose, &name, picture),
             Action::SavePreset(name) => self.save_preset(name),
             Action::ApplyPreset(path) => self.apply_preset(&path),
             Action::DeletePreset(path) => {
                 let removed = self.disk.presets.remove(&path);
-                self.or_tell(removed);
+                self.notify_failure(removed);
             }
             Action::OpenReference => self.choose(PathPurpose::Reference),
             Action::SetExport(choice) => self.prefs.set_export(choice),
@@ -65,7 +65,7 @@ impl Editor {
         }
     }
 
-    /// Wishes about what is drawn and what grows of it.
+    /// Actions about what is drawn and what grows of it.
     fn perform_on_drawing(&mut self, action: Action) {
         match action {
             Action::Undo => {
@@ -91,7 +91,7 @@ impl Editor {
         }
     }
 
-    /// Wishes about what stands over the window.
+    /// Actions about what stands over the window.
     pub(super) fn perform_on_dialogs(&mut self, action: Action) {
         match action {
             Action::ShowExport => self.dialogs.set_dialog(Some(Dialog::Export)),
@@ -104,7 +104,7 @@ impl Editor {
         }
     }
 
-    /// Wishes about how things look.
+    /// Actions about how things look.
     fn perform_on_view(&mut self, action: Action) {
         match action {
             Action::FrontView => self.plant.show_front(),
@@ -126,7 +126,7 @@ impl Editor {
             }
         }
         self.apply_settings();
-        self.news.drawing_changed();
+        self.updates.drawing_changed();
     }
 
     /// Gives the canvas what the artist chose for it and for the pen in use.
@@ -141,7 +141,7 @@ impl Editor {
     pub(super) fn save_settings(&mut self) {
         let view = ViewState { turntable: false, overlay: Wanted::default(), ..self.plant.state };
         let trouble = self.prefs.save(view);
-        trouble.into_iter().for_each(|notice| self.tell(notice));
+        trouble.into_iter().for_each(|notice| self.notify(notice));
     }
 
     fn set_stroke_part(&mut self, id: StrokeId, tool: Tool) {
@@ -191,7 +191,7 @@ impl Editor {
             textures: sketch.textures.clone(),
         };
         let saved = self.disk.presets.save(&preset);
-        self.or_tell(saved);
+        self.notify_failure(saved);
     }
 
     fn apply_preset(&mut self, path: &Path) {
@@ -202,9 +202,9 @@ impl Editor {
                 let species = species.map(Some);
                 let (params, textures) = (Some(params), Some(textures));
                 self.change(Settings { species, params, textures, ..Settings::default() }.into());
-                self.tell_missing_species();
+                self.notify_missing_species();
             }
-            Err(error) => self.tell_error(&error),
+            Err(error) => self.notify_error(&error),
         }
     }
 }

@@ -31,11 +31,11 @@ impl Editor {
 
 /// Which of the plants beside the drawn one a branch or an organ belongs to.
 pub(super) fn place_of(element: Element, beside: &[Option<Standing>]) -> Option<usize> {
-    let holds = |standing: &Standing| match element {
-        Element::Branch(branch) => standing.branches.contains(&branch),
-        Element::Organ(organ) => standing.organs.contains(&organ),
+    let holds = |placed: &Standing| match element {
+        Element::Branch(branch) => placed.branches.contains(&branch),
+        Element::Organ(organ) => placed.organs.contains(&organ),
     };
-    beside.iter().position(|standing| standing.as_ref().is_some_and(holds))
+    beside.iter().position(|placed| placed.as_ref().is_some_and(holds))
 }
 
 #[cfg(test)]

@@ -158,8 +158,8 @@ fn a_plant_beside_is_tapped_and_then_carried_along_the_ground() {
     editor.perform(Action::SelectPlant(None));
     build(&mut editor);
     frame(&mut editor, &egui);
-    let standing = editor.built().unwrap().beside[0].clone().unwrap();
-    let (_, position) = seen(&editor, standing.branches.map(Element::Branch));
+    let placed = editor.built().unwrap().beside[0].clone().unwrap();
+    let (_, position) = seen(&editor, placed.branches.map(Element::Branch));
     let touch = |editor: &mut Editor, phase, tool, by: f64| {
         let mut hand = Hand { position: position + glam::DVec2::X * by, ..Hand::default() };
         editor.plant_pen(&hand.event(phase, tool, 0.0));

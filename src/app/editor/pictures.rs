@@ -32,14 +32,14 @@ impl Editor {
         name: String,
         read: impl FnOnce() -> Result<Picture, PictureError> + Send + 'static,
     ) {
-        let (answers, wake) = (self.background.wishes().clone(), Arc::clone(self.background.wake()));
+        let (answers, wake) = (self.background.sender().clone(), Arc::clone(self.background.wake()));
         let work = move || {
             // A window that closed does not listen any more.
             let _ = answers.send(Action::PictureRead { purpose, name, picture: read() });
             wake();
         };
         if let Err(error) = std::thread::Builder::new().name("picture".into()).spawn(work) {
-            self.tell_error(&error);
+            self.notify_error(&error);
         }
     }
 
@@ -58,7 +58,7 @@ impl Editor {
             (Ok(picture), _) => self.lay(picture),
             (Err(error), _) => {
                 let what = format!("{name}: {}", error.localize(self.prefs.messages()));
-                self.tell(Notice { find: Some(purpose), ..Notice::error(what, "") });
+                self.notify(Notice { find: Some(purpose), ..Notice::error(what, "") });
             }
         }
     }
@@ -73,7 +73,7 @@ impl Editor {
                 }
                 _ => None,
             };
-            self.tell(Notice { find, ..Notice::warning(warning.localize(self.prefs.messages()), "") });
+            self.notify(Notice { find, ..Notice::warning(warning.localize(self.prefs.messages()), "") });
         }
     }
 }

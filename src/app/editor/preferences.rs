@@ -67,7 +67,7 @@ impl Preferences {
         self.settings.pen(name)
     }
 
-    /// Carries out a wish that is about these choices, the pen last used among them; gives back any other.
+    /// Carries out an action that is about these choices, the pen last used among them; gives back any other.
     pub(super) fn obey(&mut self, action: Action, pen: &str, wake: &Wake) -> Result<(), Action> {
         let settings = &mut self.settings;
         match action {

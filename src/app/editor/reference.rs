@@ -34,7 +34,7 @@ impl Editor {
         Some(Frame { corners, middle, turn: [edge, if is_seen { above } else { edge - away }] })
     }
 
-    /// Hears a pointer before the canvas does; whether it is at work on the picture.
+    /// Handles a pointer before the canvas does; whether it is at work on the picture.
     pub(super) fn hold_reference(&mut self, event: &PenEvent) -> bool {
         let at = event.sample.position;
         match (event.phase, self.pens.hold) {

@@ -33,7 +33,7 @@ impl Editor {
     fn begin_save(&mut self, path: PathBuf, expected: Option<FileStamp>) {
         let what = (self.sketch().clone(), self.drawing.save_point());
         let begun = self.disk.saver.begin(what, path, expected, self.background.wake());
-        self.or_tell(begun);
+        self.notify_failure(begun);
     }
 
     /// Takes what was saved since.
@@ -53,7 +53,7 @@ impl Editor {
     /// Says it when no recovery copy can be kept.
     pub(super) fn watch_journal(&mut self) {
         if let Some(error) = self.drawing.take_journal_failure() {
-            self.tell_error(&*error);
+            self.notify_error(&*error);
         }
     }
 
@@ -72,7 +72,7 @@ impl Editor {
                 let broken = || messages.get(Msg::NoticeSaveFailed).to_owned();
                 let reason =
                     failed.and_then(Result::err).map_or_else(broken, |error| error.localize(messages));
-                self.tell(Notice::error(reason, ""));
+                self.notify(Notice::error(reason, ""));
                 // What waited for a saved drawing is given up: the artist reads why, and decides.
                 self.disk.saver.set_then(None);
             }

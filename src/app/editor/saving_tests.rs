@@ -45,8 +45,8 @@ fn strokes_at(path: &Path) -> usize {
 }
 
 fn errors(editor: &Editor) -> Vec<&str> {
-    let told = editor.dialogs.notices().iter().filter(|notice| notice.severity == Severity::Error);
-    told.map(|notice| notice.what.as_str()).collect()
+    let reported = editor.dialogs.notices().iter().filter(|notice| notice.severity == Severity::Error);
+    reported.map(|notice| notice.what.as_str()).collect()
 }
 
 #[test]
@@ -92,7 +92,7 @@ fn saves_in_a_row_end_with_the_last_and_know_each_other() {
 }
 
 #[test]
-fn a_failure_is_told_and_the_drawing_stays_unsaved_and_open() {
+fn a_failure_is_reported_and_the_drawing_stays_unsaved_and_open() {
     let home = TempDir::new().unwrap();
     let (mut editor, path) = (editor(home.path()), home.path().join("gone/rose.penstemon"));
     draw(&mut editor);
@@ -102,7 +102,7 @@ fn a_failure_is_told_and_the_drawing_stays_unsaved_and_open() {
     assert!(errors(&editor)[0].contains("rose.penstemon"), "{:?}", errors(&editor));
     assert!(!editor.drawing.is_saved() && !editor.is_closed());
     assert_eq!(editor.drawing.path(), None);
-    // Elsewhere it works, and does not close the window long after that was wished.
+    // Elsewhere it works, and does not close the window long after that was asked for.
     save_as(&mut editor, &home.path().join("rose.penstemon"));
     settle(&mut editor);
     assert!(editor.drawing.is_saved() && !editor.is_closed());
@@ -252,7 +252,7 @@ fn folders_are_remembered_for_each_kind_of_file() {
 }
 
 #[test]
-fn a_recovery_copy_that_cannot_be_kept_is_told_once() {
+fn a_recovery_copy_that_cannot_be_kept_is_reported_once() {
     let home = TempDir::new().unwrap();
     std::fs::write(home.path().join("state"), b"a file where the folder belongs").unwrap();
     let mut editor = editor(home.path());
@@ -263,8 +263,8 @@ fn a_recovery_copy_that_cannot_be_kept_is_told_once() {
         std::thread::sleep(Duration::from_millis(1));
         editor.submit();
     }
-    let told = errors(&editor);
-    assert!(told.len() == 1 && told[0].contains("no recovery copy can be kept"), "{told:?}");
+    let reported = errors(&editor);
+    assert!(reported.len() == 1 && reported[0].contains("no recovery copy can be kept"), "{reported:?}");
     let shown: Vec<u64> = editor.dialogs.notices().iter().map(|notice| notice.id).collect();
     shown.into_iter().for_each(|id| editor.dialogs.notices_mut().dismiss(id));
     editor.submit();

@@ -23,7 +23,7 @@ fn build(editor: &mut Editor) {
 }
 
 #[test]
-fn an_outline_without_a_branch_is_told_until_there_is_one() {
+fn an_outline_without_a_branch_is_reported_until_there_is_one() {
     let home = tempfile::tempdir().unwrap();
     let places = Places { config: home.path().join("config"), state: home.path().join("state") };
     let mut editor = Editor::open_in(places, None, || ()).unwrap();
@@ -49,7 +49,7 @@ fn an_outline_without_a_branch_is_told_until_there_is_one() {
 }
 
 #[test]
-fn a_plant_beside_that_cannot_stand_is_told() {
+fn a_plant_beside_that_cannot_stand_is_reported() {
     let home = tempfile::tempdir().unwrap();
     let places = Places { config: home.path().join("config"), state: home.path().join("state") };
     let mut editor = Editor::open_in(places, None, || ()).unwrap();
@@ -57,6 +57,6 @@ fn a_plant_beside_that_cannot_stand_is_told() {
     editor.perform(Action::New);
     editor.perform(Action::AddPlant("daisy".to_owned()));
     build(&mut editor);
-    let told = editor.panel_snapshot().status.shortfall.unwrap();
-    assert!(told.starts_with("plant 1 (`Daisy`): no species of this name grows"), "{told}");
+    let reported = editor.panel_snapshot().status.shortfall.unwrap();
+    assert!(reported.starts_with("plant 1 (`Daisy`): no species of this name grows"), "{reported}");
 }

@@ -121,20 +121,20 @@ fn the_english_words_are_those_of_the_errors() {
 }
 
 #[test]
-fn what_artists_meet_is_told_in_chinese() {
+fn what_artists_meet_is_translated_into_chinese() {
     let chinese = Messages::new(Language::Chinese);
     for error in known() {
-        let told = error.localize(&chinese);
+        let text = error.localize(&chinese);
         // Names and the systems' words stay; sentences do not.
-        let words = told.replace("/home/ann/rose.penstemon", "").replace("rose.penstemon", "");
+        let words = text.replace("/home/ann/rose.penstemon", "").replace("rose.penstemon", "");
         let words = words.replace("/home/ann", "").replace("Penstemon", "").replace(".penstemon", "");
         let of_tablets =
             [NODE, MODEL, RULES_FILE, RULES_FOLDER, INSTALL_RULES, "penstemon pen record FILE", "--strings"];
         let words = of_tablets.iter().fold(words, |words, name| words.replace(name, ""));
         let latin: Vec<&str> = words.split(|c: char| !c.is_ascii_alphabetic()).collect();
         let known = ["", "e", "MiB", "SVG", "PNG", "JPEG", "USB", "toml"];
-        assert!(latin.iter().all(|word| known.contains(word)), "{told}");
-        assert!(told.chars().any(|c| c > '\u{4e00}'), "{told}");
+        assert!(latin.iter().all(|word| known.contains(word)), "{text}");
+        assert!(text.chars().any(|c| c > '\u{4e00}'), "{text}");
     }
 }
 

@@ -182,12 +182,12 @@ mod tests {
     }
 
     #[test]
-    fn every_kind_is_told_in_chinese_with_its_numbers() {
+    fn every_kind_is_translated_into_chinese_with_its_numbers() {
         let chinese = Messages::new(Language::Chinese);
         for warning in every_kind() {
-            let (told, words) = (warning.localize(&chinese), warning.to_string());
-            assert!(told.chars().filter(|c| *c > '\u{4e00}').count() >= 4, "{told}");
-            assert!(!told.contains('{') && told.chars().last().is_some_and(|c| c != '：'), "{told}");
+            let (text, words) = (warning.localize(&chinese), warning.to_string());
+            assert!(text.chars().filter(|c| *c > '\u{4e00}').count() >= 4, "{text}");
+            assert!(!text.contains('{') && text.chars().last().is_some_and(|c| c != '：'), "{text}");
             let numbers = |text: &str| {
                 let mut found: Vec<String> = text
                     .replace("1e9", "10")
@@ -198,7 +198,7 @@ mod tests {
                 found.sort();
                 found
             };
-            assert_eq!(numbers(&told), numbers(&words), "{told}");
+            assert_eq!(numbers(&text), numbers(&words), "{text}");
         }
     }
 }

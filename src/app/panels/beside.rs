@@ -2,7 +2,7 @@
 
 use super::icons::Icon;
 use super::rail::{Rail, RailChange, Scale, number};
-use super::seed::{self, SeedWish};
+use super::seed::{self, SeedEdit};
 use super::snapshot::{BesideState, Dialog, PlantState, Snapshot};
 use super::widgets::{IconButton, note, palette, section, text_button, text_button_sized};
 use super::{export, thumbnails, tiles};
@@ -143,8 +143,8 @@ fn details(
         set(PlacedPlant { foot, ..state.plant.clone() });
     }
     match seed::row(ui, seed.seed, messages) {
-        Some(SeedWish::Roll) => out.push(Action::RollPlantSeed(place)),
-        Some(SeedWish::To(number)) => {
+        Some(SeedEdit::Roll) => out.push(Action::RollPlantSeed(place)),
+        Some(SeedEdit::To(number)) => {
             let plant = of_seed(SeedOf { seed: number, ..seed.clone() });
             out.push(Action::SetPlant { place, plant });
         }

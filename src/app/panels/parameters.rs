@@ -265,7 +265,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn counts_and_switches_are_told_from_numbers() {
+    fn counts_and_switches_are_distinguished_from_numbers() {
         let kind = |path: &str| known().iter().find(|d| d.path == path).unwrap().kind;
         assert_eq!(kind("depth.cone.flip"), Kind::Switch);
         assert_eq!(kind("anatomy.flowers.min_petals"), Kind::Whole);

@@ -80,7 +80,7 @@ impl PlantHand {
         self.own = tool;
     }
 
-    /// Hears a pointer that went down over the plant, until it is lifted.
+    /// Handles a pointer that went down over the plant, until it is lifted.
     pub fn event(&mut self, event: &PenEvent, keys: Keys, view: &mut PlantView) {
         if !matches!(event.sample.tool, PenTool::Finger(_)) {
             return self.pointer(event, keys, view);

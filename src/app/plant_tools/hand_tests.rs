@@ -62,15 +62,15 @@ impl Tool<PlantView> for Recorder {
 
 #[test]
 fn every_sample_reaches_a_tool_with_pressure_and_tilt() {
-    let (tell, heard) = channel();
+    let (sender, received) = channel();
     let (mut hand, mut view) = (PlantHand::default(), view());
-    hand.take_up(Some(Box::new(Recorder(tell))), &mut view);
+    hand.take_up(Some(Box::new(Recorder(sender))), &mut view);
     let (events, before) = (stroke(3.0), view.camera());
     play(&mut hand, &mut view, &events, false);
-    let heard: Vec<_> = heard.try_iter().collect();
-    let samples: Vec<PenSample> = heard.iter().map(|(_, sample)| *sample).collect();
+    let received: Vec<_> = received.try_iter().collect();
+    let samples: Vec<PenSample> = received.iter().map(|(_, sample)| *sample).collect();
     assert_eq!(samples, events.iter().map(|event| event.sample).collect::<Vec<_>>());
-    assert_eq!((heard[0].0, heard[1].0, heard[10].0), ("begin", "sample", "end"));
+    assert_eq!((received[0].0, received[1].0, received[10].0), ("begin", "sample", "end"));
     assert_eq!((samples[7].pressure, samples[7].tilt_deg), (0.7, Vec2::new(7.0, -5.0)));
     assert_eq!(view.camera(), before, "it works in the place of the camera's tools");
 }

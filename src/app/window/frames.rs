@@ -56,7 +56,7 @@ impl Running {
                 // egui believes that its pictures are on the device: a new context sends them again.
                 self.egui = egui::Context::default();
                 self.editor.forget_textures();
-                self.editor.tell_graphics_are_back();
+                self.editor.notify_graphics_are_back();
                 if let Some(graphics) = self.graphics.get() {
                     graphics.grow_stroke(&self.editor);
                 }

@@ -2,7 +2,7 @@
 
 use super::Running;
 use crate::app::canvas::Scroll;
-use crate::app::pointers::{Heard, Place};
+use crate::app::pointers::{Place, PointerEvent};
 use crate::app::sides::{Side, is_pen};
 use crate::pen::mapping::Rect;
 use crate::pen::{PenEvent, PenPhase};
@@ -24,37 +24,37 @@ impl Running {
 
     /// Hands an event of a pointer to its side, sample by sample; whether it was a side's, or nobody's.
     pub(super) fn on_pointer(&mut self, event: &WindowEvent) -> bool {
-        let mut heard = std::mem::take(&mut self.heard);
-        let is_shadow = self.pointers.window_event(event, &mut heard);
-        self.dispatch(heard) || is_shadow
+        let mut received = std::mem::take(&mut self.received);
+        let is_shadow = self.pointers.window_event(event, &mut received);
+        self.dispatch(received) || is_shadow
     }
 
-    /// Hears pens that do not come through winit.
-    pub(super) fn hear_beside(&mut self) {
-        let mut heard = std::mem::take(&mut self.heard);
+    /// Takes events of pens that do not come through winit.
+    pub(super) fn take_pens(&mut self) {
+        let mut received = std::mem::take(&mut self.received);
         let scale = f64::from(self.input.pixels_per_point());
         let pixels = |at: egui::Pos2| DVec2::new(f64::from(at.x), f64::from(at.y)) * scale;
         let canvas = self.editor.layout().canvas;
         let canvas = Rect { min: pixels(canvas.min), max: pixels(canvas.max) };
         let place = Place { window: &*self.window, size: self.size, canvas };
-        self.pointers.take(&place, self.editor.settings(), &mut heard);
-        self.pointers.idle(&mut heard);
+        self.pointers.take(&place, self.editor.settings(), &mut received);
+        self.pointers.idle(&mut received);
         let is_new = self.editor.note_tablets(self.pointers.trouble(), self.pointers.doubts());
         if let Some(reach) = self.pointers.reach() {
             self.editor.note_reach(reach);
         }
-        let wishes = self.pointers.wishes();
-        if is_new || !heard.is_empty() || !wishes.is_empty() {
+        let actions = self.pointers.actions();
+        if is_new || !received.is_empty() || !actions.is_empty() {
             self.want_frame();
         }
-        wishes.into_iter().for_each(|wish| self.editor.tablet_wishes(wish));
-        self.dispatch(heard);
+        actions.into_iter().for_each(|action| self.editor.tablet_action(action));
+        self.dispatch(received);
     }
 
     /// Hands events to their sides, or to egui those that it does not get from winit; whether one was a side's.
-    fn dispatch(&mut self, mut heard: Vec<Heard>) -> bool {
+    fn dispatch(&mut self, mut received: Vec<PointerEvent>) -> bool {
         let mut ours = false;
-        for Heard { event, is_beside, origin } in heard.drain(..) {
+        for PointerEvent { event, is_beside, origin } in received.drain(..) {
             // With every event: one pen may leave and another draw while the window is busy.
             if let Some(pen) = self.pointers.pen(origin) {
                 self.editor.take_up_pen(pen.name, pen.is_raw, pen.battery);
@@ -66,7 +66,7 @@ impl Running {
                 self.input.on_pen(&event);
             }
         }
-        self.heard = heard;
+        self.received = received;
         ours
     }
 

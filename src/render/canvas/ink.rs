@@ -423,7 +423,7 @@ mod tests {
     }
 
     #[test]
-    fn what_looks_different_is_told_and_no_more() {
+    fn what_looks_different_is_reported_and_no_more() {
         let mut ink = InkBuffer::default();
         let (long, other) = (wave(400, 0.0), wave(20, 900.0));
         ink.set(1, &other, BLACK, 3.0);

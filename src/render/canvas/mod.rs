@@ -49,7 +49,7 @@ pub struct CanvasView {
     /// Encoded colour of the sheet.
     pub paper: [u8; 3],
     /// Encoded colour around the sheet.
-    pub desk: [u8; 3],
+    pub surround: [u8; 3],
     /// Width and height of the sheet in canvas units; `None` for a sheet without end.
     pub sheet: Option<Vec2>,
     /// Factor on the width of all lines; 1 shows them as wide on the canvas as they are.
@@ -77,7 +77,7 @@ struct SheetUniform {
     canvas_axes: Vec4,
     canvas_origin: Vec4,
     paper: Vec4,
-    desk: Vec4,
+    surround: Vec4,
     size: Vec4,
 }
 
@@ -96,7 +96,7 @@ impl SheetUniform {
             canvas_axes: axes(&to_canvas),
             canvas_origin: to_canvas.translation.extend(0.0).extend(0.0),
             paper: colour(view.paper),
-            desk: colour(view.desk),
+            surround: colour(view.surround),
             size: view.sheet.unwrap_or(Vec2::ZERO).extend(view.line_scale).extend(0.0),
         }
     }

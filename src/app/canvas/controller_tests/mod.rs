@@ -19,7 +19,7 @@ mod selecting;
 use PenPhase::*;
 
 /// A canvas with a drawing that takes its changes.
-struct Desk {
+struct Fixture {
     canvas: Canvas,
     strokes: Vec<Arc<Stroke>>,
     next_id: StrokeId,
@@ -29,7 +29,7 @@ struct Desk {
     applies: bool,
 }
 
-impl Desk {
+impl Fixture {
     fn new() -> Self {
         let mut canvas = Canvas::default();
         canvas.set_viewport(Rect::new(DVec2::ZERO, DVec2::new(1000.0, 800.0)), 1.0);
@@ -39,14 +39,14 @@ impl Desk {
 
     /// Horizontal lines of ids 1, 2, … at y = 100, 200, …, from x = 100 to 300.
     fn with_lines(count: u64) -> Self {
-        let mut desk = Self::new();
+        let mut fixture = Self::new();
         for id in 1..=count {
             let points =
                 (0..=20).map(|i| StrokePoint::at(Vec2::new(100.0 + i as f32 * 10.0, id as f32 * 100.0)));
-            desk.strokes.push(Arc::new(Stroke { id, tool: Tool::Auto, points: points.collect() }));
+            fixture.strokes.push(Arc::new(Stroke { id, tool: Tool::Auto, points: points.collect() }));
         }
-        desk.next_id = count;
-        desk
+        fixture.next_id = count;
+        fixture
     }
 
     fn event(&mut self, event: &PenEvent) -> Vec<CanvasOutcome> {

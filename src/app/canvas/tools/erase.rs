@@ -1,9 +1,9 @@
 //! Erases what it sweeps over.
 
 use super::shown::Shown;
-use crate::app::canvas::desk::Desk;
 use crate::app::canvas::erase::Eraser;
 use crate::app::canvas::outcome::CanvasOutcome;
+use crate::app::canvas::tool_context::ToolContext;
 use crate::app::tool::Tool;
 use crate::pen::PenSample;
 
@@ -19,34 +19,34 @@ impl Erase {
         Self { eraser }
     }
 
-    fn sweep(&mut self, sample: &PenSample, desk: &mut Desk<'_>) {
-        let place = desk.place(sample);
-        if self.eraser.sweep(place, desk.index, desk.new_id) {
-            desk.out.push(CanvasOutcome::PreviewChanged);
+    fn sweep(&mut self, sample: &PenSample, context: &mut ToolContext<'_>) {
+        let place = context.place(sample);
+        if self.eraser.sweep(place, context.index, context.new_id) {
+            context.out.push(CanvasOutcome::PreviewChanged);
         }
     }
 }
 
-impl Tool<Desk<'_>, Shown> for Erase {
-    fn begin(&mut self, sample: &PenSample, desk: &mut Desk<'_>) {
-        desk.sync();
-        self.sweep(sample, desk);
+impl Tool<ToolContext<'_>, Shown> for Erase {
+    fn begin(&mut self, sample: &PenSample, context: &mut ToolContext<'_>) {
+        context.sync();
+        self.sweep(sample, context);
     }
 
-    fn sample(&mut self, sample: &PenSample, desk: &mut Desk<'_>) {
-        self.sweep(sample, desk);
-        desk.out.push(CanvasOutcome::OverlayChanged);
+    fn sample(&mut self, sample: &PenSample, context: &mut ToolContext<'_>) {
+        self.sweep(sample, context);
+        context.out.push(CanvasOutcome::OverlayChanged);
     }
 
-    fn end(&mut self, sample: &PenSample, desk: &mut Desk<'_>) {
-        if desk.has_moved(sample) {
-            self.sample(sample, desk);
+    fn end(&mut self, sample: &PenSample, context: &mut ToolContext<'_>) {
+        if context.has_moved(sample) {
+            self.sample(sample, context);
         }
-        desk.change(self.eraser.changes());
+        context.change(self.eraser.changes());
     }
 
-    fn cancel(&mut self, desk: &mut Desk<'_>) {
-        desk.out.push(CanvasOutcome::PreviewChanged);
+    fn cancel(&mut self, context: &mut ToolContext<'_>) {
+        context.out.push(CanvasOutcome::PreviewChanged);
     }
 
     fn preview(&self) -> Shown {

@@ -1,8 +1,8 @@
 //! Drags a handle of the selection: moves, scales or turns it.
 
 use super::shown::Shown;
-use crate::app::canvas::desk::Desk;
 use crate::app::canvas::outcome::CanvasOutcome;
+use crate::app::canvas::tool_context::ToolContext;
 use crate::app::canvas::transform::{Drag, Handle};
 use crate::app::tool::Tool;
 use crate::pen::PenSample;
@@ -25,29 +25,29 @@ impl DragHandle {
     }
 }
 
-impl Tool<Desk<'_>, Shown> for DragHandle {
-    fn begin(&mut self, _: &PenSample, _: &mut Desk<'_>) {}
+impl Tool<ToolContext<'_>, Shown> for DragHandle {
+    fn begin(&mut self, _: &PenSample, _: &mut ToolContext<'_>) {}
 
-    fn sample(&mut self, sample: &PenSample, desk: &mut Desk<'_>) {
-        self.drag.drag_to(desk.place(sample));
-        if !desk.touch.is_still {
-            desk.out.extend([CanvasOutcome::PreviewChanged, CanvasOutcome::OverlayChanged]);
+    fn sample(&mut self, sample: &PenSample, context: &mut ToolContext<'_>) {
+        self.drag.drag_to(context.place(sample));
+        if !context.touch.is_still {
+            context.out.extend([CanvasOutcome::PreviewChanged, CanvasOutcome::OverlayChanged]);
         }
     }
 
-    fn end(&mut self, sample: &PenSample, desk: &mut Desk<'_>) {
-        if desk.has_moved(sample) {
-            self.sample(sample, desk);
+    fn end(&mut self, sample: &PenSample, context: &mut ToolContext<'_>) {
+        if context.has_moved(sample) {
+            self.sample(sample, context);
         }
-        if desk.touch.is_still {
-            return desk.tap_select();
+        if context.touch.is_still {
+            return context.tap_select();
         }
-        let transform = self.drag.transform(desk.keys.shift);
-        desk.change(desk.selection.transform(desk.index, &transform));
+        let transform = self.drag.transform(context.keys.shift);
+        context.change(context.selection.transform(context.index, &transform));
     }
 
-    fn cancel(&mut self, desk: &mut Desk<'_>) {
-        desk.out.push(CanvasOutcome::PreviewChanged);
+    fn cancel(&mut self, context: &mut ToolContext<'_>) {
+        context.out.push(CanvasOutcome::PreviewChanged);
     }
 
     fn preview(&self) -> Shown {

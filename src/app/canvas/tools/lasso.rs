@@ -1,9 +1,9 @@
 //! Selects strokes: those in a loop, or the one that is tapped.
 
 use super::shown::Shown;
-use crate::app::canvas::desk::Desk;
 use crate::app::canvas::outcome::CanvasOutcome;
 use crate::app::canvas::select::lassoed;
+use crate::app::canvas::tool_context::ToolContext;
 use crate::app::tool::Tool;
 use crate::pen::PenSample;
 use glam::DVec2;
@@ -18,31 +18,31 @@ pub(in crate::app::canvas) struct Lasso {
     places: Vec<DVec2>,
 }
 
-impl Tool<Desk<'_>, Shown> for Lasso {
-    fn begin(&mut self, sample: &PenSample, desk: &mut Desk<'_>) {
-        self.places.push(desk.place(sample));
+impl Tool<ToolContext<'_>, Shown> for Lasso {
+    fn begin(&mut self, sample: &PenSample, context: &mut ToolContext<'_>) {
+        self.places.push(context.place(sample));
     }
 
-    fn sample(&mut self, sample: &PenSample, desk: &mut Desk<'_>) {
-        let (place, step) = (desk.place(sample), STEP * desk.scale_factor / desk.view.zoom());
+    fn sample(&mut self, sample: &PenSample, context: &mut ToolContext<'_>) {
+        let (place, step) = (context.place(sample), STEP * context.scale_factor / context.view.zoom());
         if self.places.last().is_none_or(|last| last.distance(place) >= step) {
             self.places.push(place);
-            desk.out.push(CanvasOutcome::OverlayChanged);
+            context.out.push(CanvasOutcome::OverlayChanged);
         }
     }
 
-    fn end(&mut self, sample: &PenSample, desk: &mut Desk<'_>) {
-        if desk.has_moved(sample) {
-            self.sample(sample, desk);
+    fn end(&mut self, sample: &PenSample, context: &mut ToolContext<'_>) {
+        if context.has_moved(sample) {
+            self.sample(sample, context);
         }
-        if desk.touch.is_still {
-            desk.tap_select();
-        } else if desk.selection.take(lassoed(&self.places, desk.index), desk.keys.shift) {
-            desk.selection_changed();
+        if context.touch.is_still {
+            context.tap_select();
+        } else if context.selection.take(lassoed(&self.places, context.index), context.keys.shift) {
+            context.selection_changed();
         }
     }
 
-    fn cancel(&mut self, _: &mut Desk<'_>) {}
+    fn cancel(&mut self, _: &mut ToolContext<'_>) {}
 
     fn preview(&self) -> Shown {
         Shown::Lasso(self.places.clone())

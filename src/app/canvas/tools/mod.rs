@@ -1,4 +1,4 @@
-//! What pointers do on the canvas: a tool a file, each a [`Tool`](crate::app::tool::Tool) of the [`Desk`](super::desk::Desk).
+//! What pointers do on the canvas: a tool a file, each a [`Tool`](crate::app::tool::Tool) of the [`ToolContext`](super::tool_context::ToolContext).
 
 mod erase;
 mod handle;

@@ -1,9 +1,9 @@
 //! Draws a stroke.
 
 use super::shown::Shown;
-use crate::app::canvas::desk::Desk;
 use crate::app::canvas::outcome::CanvasOutcome;
 use crate::app::canvas::stroke_builder::StrokeBuilder;
+use crate::app::canvas::tool_context::ToolContext;
 use crate::app::tool;
 use crate::pen::PenSample;
 use crate::sketch::Tool;
@@ -29,32 +29,32 @@ impl Pen {
     }
 }
 
-impl tool::Tool<Desk<'_>, Shown> for Pen {
-    fn begin(&mut self, sample: &PenSample, desk: &mut Desk<'_>) {
-        let how = (desk.settings.stabiliser, desk.settings.pressure);
-        self.stroke = StrokeBuilder::begin((desk.new_id)(), self.kind, sample, desk.view, how);
-        desk.out.extend(self.stroke.as_ref().map(|stroke| CanvasOutcome::StrokeBegan(stroke.id())));
+impl tool::Tool<ToolContext<'_>, Shown> for Pen {
+    fn begin(&mut self, sample: &PenSample, context: &mut ToolContext<'_>) {
+        let how = (context.settings.stabiliser, context.settings.pressure);
+        self.stroke = StrokeBuilder::begin((context.new_id)(), self.kind, sample, context.view, how);
+        context.out.extend(self.stroke.as_ref().map(|stroke| CanvasOutcome::StrokeBegan(stroke.id())));
     }
 
-    fn sample(&mut self, sample: &PenSample, desk: &mut Desk<'_>) {
-        let from = self.stroke.as_mut().and_then(|stroke| stroke.push(sample, desk.view));
-        desk.out.extend(from.map(|from| CanvasOutcome::StrokeGrew { from }));
+    fn sample(&mut self, sample: &PenSample, context: &mut ToolContext<'_>) {
+        let from = self.stroke.as_mut().and_then(|stroke| stroke.push(sample, context.view));
+        context.out.extend(from.map(|from| CanvasOutcome::StrokeGrew { from }));
     }
 
-    fn end(&mut self, sample: &PenSample, desk: &mut Desk<'_>) {
-        if desk.touch.is_still {
+    fn end(&mut self, sample: &PenSample, context: &mut ToolContext<'_>) {
+        if context.touch.is_still {
             // A dot means nothing in a plant, and hardly anybody would see it.
-            self.cancel(desk);
-            let start = desk.touch.start;
-            return desk.pick(&start);
+            self.cancel(context);
+            let start = context.touch.start;
+            return context.pick(&start);
         }
         if let Some(mut stroke) = self.stroke.take() {
-            stroke.lift(sample, desk.view);
-            desk.out.push(CanvasOutcome::StrokeFinished(stroke.finish()));
+            stroke.lift(sample, context.view);
+            context.out.push(CanvasOutcome::StrokeFinished(stroke.finish()));
         }
     }
 
-    fn cancel(&mut self, desk: &mut Desk<'_>) {
-        desk.out.extend(self.stroke.take().map(|stroke| CanvasOutcome::StrokeCancelled(stroke.id())));
+    fn cancel(&mut self, context: &mut ToolContext<'_>) {
+        context.out.extend(self.stroke.take().map(|stroke| CanvasOutcome::StrokeCancelled(stroke.id())));
     }
 }

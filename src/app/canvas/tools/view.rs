@@ -1,8 +1,8 @@
 //! Moves, turns or zooms the canvas, or turns the plant.
 
 use super::shown::Shown;
-use crate::app::canvas::desk::Desk;
 use crate::app::canvas::outcome::CanvasOutcome;
+use crate::app::canvas::tool_context::ToolContext;
 use crate::app::tool::Tool;
 use crate::pen::PenSample;
 use glam::DVec2;
@@ -26,40 +26,40 @@ pub(in crate::app::canvas) struct MoveView {
     pub(in crate::app::canvas) by: ViewDrag,
 }
 
-impl Tool<Desk<'_>, Shown> for MoveView {
-    fn begin(&mut self, _: &PenSample, _: &mut Desk<'_>) {}
+impl Tool<ToolContext<'_>, Shown> for MoveView {
+    fn begin(&mut self, _: &PenSample, _: &mut ToolContext<'_>) {}
 
-    fn sample(&mut self, sample: &PenSample, desk: &mut Desk<'_>) {
-        let (start, from, to) = (desk.touch.start.position, desk.touch.last, sample.position);
+    fn sample(&mut self, sample: &PenSample, context: &mut ToolContext<'_>) {
+        let (start, from, to) = (context.touch.start.position, context.touch.last, sample.position);
         match self.by {
-            ViewDrag::Pan => desk.view.pan(to - from),
-            ViewDrag::Turn => turn(desk, from, to),
+            ViewDrag::Pan => context.view.pan(to - from),
+            ViewDrag::Turn => turn(context, from, to),
             ViewDrag::Zoom => {
                 let along = (to.x - from.x) - (to.y - from.y);
-                desk.view.zoom_about(start, (along / (ZOOM_DRAG * desk.scale_factor)).exp());
+                context.view.zoom_about(start, (along / (ZOOM_DRAG * context.scale_factor)).exp());
             }
-            ViewDrag::Orbit => return desk.out.push(CanvasOutcome::Orbit(to - from)),
+            ViewDrag::Orbit => return context.out.push(CanvasOutcome::Orbit(to - from)),
         }
-        desk.out.push(CanvasOutcome::ViewChanged);
+        context.out.push(CanvasOutcome::ViewChanged);
     }
 
-    fn end(&mut self, sample: &PenSample, desk: &mut Desk<'_>) {
-        if desk.has_moved(sample) {
-            self.sample(sample, desk);
+    fn end(&mut self, sample: &PenSample, context: &mut ToolContext<'_>) {
+        if context.has_moved(sample) {
+            self.sample(sample, context);
         }
-        desk.view.settle();
+        context.view.settle();
     }
 
-    fn cancel(&mut self, desk: &mut Desk<'_>) {
-        desk.view.settle();
+    fn cancel(&mut self, context: &mut ToolContext<'_>) {
+        context.view.settle();
     }
 }
 
 /// Turns the canvas about the middle of what is seen of it.
-fn turn(desk: &mut Desk<'_>, from: DVec2, to: DVec2) {
-    let middle = desk.viewport.center();
+fn turn(context: &mut ToolContext<'_>, from: DVec2, to: DVec2) {
+    let middle = context.viewport.center();
     let (a, b) = (from - middle, to - middle);
     if a.length() * b.length() > 0.0 {
-        desk.view.rotate_about(middle, a.angle_to(b));
+        context.view.rotate_about(middle, a.angle_to(b));
     }
 }

@@ -38,7 +38,7 @@ pub(super) struct Touch {
 }
 
 /// What a tool works on.
-pub(super) struct Desk<'a> {
+pub(super) struct ToolContext<'a> {
     pub(super) view: &'a mut CanvasView,
     pub(super) index: &'a mut StrokeIndex,
     pub(super) selection: &'a mut Selection,
@@ -58,7 +58,7 @@ pub(super) struct Desk<'a> {
     pub(super) touch: Touch,
 }
 
-impl Desk<'_> {
+impl ToolContext<'_> {
     /// The place on the canvas of a sample.
     pub(super) fn place(&self, sample: &PenSample) -> DVec2 {
         self.view.to_canvas(sample.position)

@@ -21,7 +21,7 @@ pub(in crate::app) enum Copied {
 
 /// What is new for those who show the editor.
 #[derive(Default)]
-pub(super) struct News {
+pub(super) struct Updates {
     versions: Versions,
     /// A new title for the window, and that which it was given last.
     title: Option<String>,
@@ -32,7 +32,7 @@ pub(super) struct News {
     is_closed: bool,
 }
 
-impl News {
+impl Updates {
     pub(super) fn versions(&self) -> Versions {
         self.versions
     }

@@ -1,6 +1,6 @@
-//! What keys, dials and rings of tablets that are read directly wish for.
+//! Actions of keys, dials and rings of tablets that are read directly.
 //!
-//! A key wishes once, when it goes down; a dial wishes once for each notch.
+//! A key acts once, when it goes down; a dial acts once for each notch.
 
 use super::action::Action;
 use super::canvas_tool::CanvasTool;
@@ -21,7 +21,7 @@ pub struct HeldKeys {
 }
 
 impl HeldKeys {
-    /// Hears what a tablet says and appends what it wishes for.
+    /// Handles an event of a tablet and appends the actions that follow.
     pub fn handle(&mut self, event: &HidEvent, uses: &TabletKeys, out: &mut Vec<Action>) {
         match *event {
             HidEvent::Keys(held) => {
@@ -59,7 +59,7 @@ fn turn(notches: i32, usage: WheelUse, out: &mut Vec<Action>) {
     }
 }
 
-/// What a key wishes for.
+/// The action of a key.
 fn action(usage: KeyUse) -> Option<Action> {
     Some(match usage {
         KeyUse::Nothing => return None,
@@ -81,19 +81,19 @@ fn action(usage: KeyUse) -> Option<Action> {
 mod tests {
     use super::*;
 
-    fn wishes(events: &[HidEvent], uses: &TabletKeys) -> Vec<Action> {
+    fn actions(events: &[HidEvent], uses: &TabletKeys) -> Vec<Action> {
         let (mut keys, mut out) = (HeldKeys::default(), Vec::new());
         events.iter().for_each(|event| keys.handle(event, uses, &mut out));
         out
     }
 
     #[test]
-    fn a_key_wishes_when_it_goes_down() {
+    fn a_key_acts_when_it_goes_down() {
         let uses = TabletKeys::default();
         let events = [1, 3, 2, 0, 1 << 5].map(HidEvent::Keys);
-        assert_eq!(wishes(&events, &uses), [Action::Undo, Action::Redo, Action::Zoom(-1)]);
+        assert_eq!(actions(&events, &uses), [Action::Undo, Action::Redo, Action::Zoom(-1)]);
         let beyond = [1 << 11, 1 << 12, !0xFFF].map(HidEvent::Keys);
-        assert_eq!(wishes(&beyond, &uses), []);
+        assert_eq!(actions(&beyond, &uses), []);
     }
 
     #[test]
@@ -101,18 +101,18 @@ mod tests {
         let dial = |notches| HidEvent::Dial { number: 0, notches };
         let ring = |place| HidEvent::Ring { number: 1, place, places: 12 };
         let uses = TabletKeys::default();
-        assert_eq!(wishes(&[dial(2), dial(-1)], &uses), [Action::Zoom(2), Action::Zoom(-1)]);
-        assert_eq!(wishes(&[ring(Some(4)), ring(Some(6)), ring(None)], &uses), [Action::Zoom(2)]);
+        assert_eq!(actions(&[dial(2), dial(-1)], &uses), [Action::Zoom(2), Action::Zoom(-1)]);
+        assert_eq!(actions(&[ring(Some(4)), ring(Some(6)), ring(None)], &uses), [Action::Zoom(2)]);
         let history = TabletKeys { wheel: WheelUse::History, ..uses };
-        assert_eq!(wishes(&[dial(-2), dial(1)], &history), [Action::Undo, Action::Undo, Action::Redo]);
+        assert_eq!(actions(&[dial(-2), dial(1)], &history), [Action::Undo, Action::Undo, Action::Redo]);
         let strip = |place| HidEvent::Strip { number: 0, place, places: 13 };
-        assert_eq!(wishes(&[strip(Some(4)), strip(Some(2)), strip(None)], &uses), [Action::Zoom(-2)]);
+        assert_eq!(actions(&[strip(Some(4)), strip(Some(2)), strip(None)], &uses), [Action::Zoom(-2)]);
         let nothing = TabletKeys { wheel: WheelUse::Nothing, ..uses };
-        assert_eq!(wishes(&[dial(1), HidEvent::Ring { number: 9, place: None, places: 0 }], &nothing), []);
+        assert_eq!(actions(&[dial(1), HidEvent::Ring { number: 9, place: None, places: 0 }], &nothing), []);
     }
 
     #[test]
-    fn every_use_but_nothing_wishes_for_something() {
+    fn every_use_but_nothing_gives_an_action() {
         for usage in KeyUse::ALL {
             assert_eq!(action(usage).is_none(), usage == KeyUse::Nothing, "{usage:?}");
         }
