@@ -42,7 +42,7 @@ fn clean_models_pass() {
 }
 
 #[test]
-fn defects_are_told_with_their_mesh_and_exit_code_1() {
+fn defects_are_reported_with_their_mesh_and_exit_code_1() {
     let (mut model, plant) = two_specimens();
     Arc::make_mut(&mut model.parts[2].mesh).triangles.remove(0);
     Arc::make_mut(&mut model.parts[3].mesh).triangles[5].swap(0, 1);
@@ -219,7 +219,7 @@ fn glb_indices_without_vertex_are_a_defect_not_an_error() {
 }
 
 #[test]
-fn faces_without_all_their_corners_are_told_and_not_placed() {
+fn faces_without_all_their_corners_are_reported_and_not_placed() {
     let mut bytes = altered("{}", "{}");
     let end = bytes.len();
     bytes[end - 4] = 200;
@@ -253,7 +253,7 @@ fn tables_of_copies_are_read_or_refused_with_their_node() {
 }
 
 #[test]
-fn extensions_that_a_file_requires_and_nobody_reads_are_told() {
+fn extensions_that_a_file_requires_and_nobody_reads_are_reported() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("packed.glb");
     let required =

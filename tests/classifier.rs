@@ -93,7 +93,7 @@ fn the_same_seed_draws_the_same_strokes_and_another_draws_others() {
 }
 
 #[test]
-fn strokes_of_another_seed_are_told_apart_and_confidence_is_honest() {
+fn strokes_of_another_seed_are_classified_and_confidence_is_honest() {
     let mut confusion = Confusion::default();
     let mut confidence = 0.0;
     let strokes: Vec<LabelledStroke> = synthetic::strokes(1430, HELD_OUT_SEED);

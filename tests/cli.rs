@@ -302,8 +302,8 @@ fn a_missing_species_file_gives_a_plant_and_one_remark() {
     let out = |name: &str| folder.path().join(name).display().to_string();
     let built = penstemon(&["build", &named("/home/ada/weed.toml"), "-o", &out("a.glb")]);
     assert!(built.status.success(), "{}", stderr(&built));
-    let told = stderr(&built);
-    assert!(told.matches("weed.toml").count() == 1 && !told.contains("/home/ada"), "{told}");
+    let message = stderr(&built);
+    assert!(message.matches("weed.toml").count() == 1 && !message.contains("/home/ada"), "{message}");
     assert!(penstemon(&["build", &named("plant"), "-o", &out("b.glb")]).status.success());
     assert_eq!(fs::read(out("a.glb")).unwrap(), fs::read(out("b.glb")).unwrap());
     // Beside the drawing it is found; what the command line names has to be there.

@@ -351,8 +351,8 @@ fn habits_in_the_drawing_are_those_of_the_command_line_and_grow_anew() {
     assert_eq!(build(&sketch, &["growth.years=4"]).plant, set.plant);
     sketch.params = serde_json::json!({"habit": {"branching": 250}}).as_object().unwrap().clone();
     let species = pipeline::species_of(&sketch, Path::new("")).unwrap();
-    let told = pipeline::params_of(&sketch, &species, &[]).unwrap_err().to_string();
-    assert_eq!(told, "the sketch: parameter `habit.branching` is 250, outside 0 to 175");
+    let message = pipeline::params_of(&sketch, &species, &[]).unwrap_err().to_string();
+    assert_eq!(message, "the sketch: parameter `habit.branching` is 250, outside 0 to 175");
 }
 
 #[test]
@@ -392,11 +392,11 @@ fn growth_heeds_a_stop_and_goes_on_from_there() {
 #[test]
 fn a_species_that_does_not_grow_says_so_and_grows_all_the_same() {
     let built = build(&drawing("daisy", &heart(), true), &[]);
-    let told = &built.remarks[0];
+    let message = &built.remarks[0];
     assert!(
-        matches!(&told.remark, Remark::DoesNotGrow { species, known } if species == "daisy" && known.contains("oak"))
+        matches!(&message.remark, Remark::DoesNotGrow { species, known } if species == "daisy" && known.contains("oak"))
     );
-    assert_eq!(told.stroke, Some(2));
+    assert_eq!(message.stroke, Some(2));
     let (share, _) = agreement(&built);
     assert!(share > 0.7, "{share}");
 }

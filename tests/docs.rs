@@ -68,7 +68,7 @@ fn every_path_in_the_documents_exists() {
 }
 
 #[test]
-fn paths_are_told_from_other_words() {
+fn paths_are_distinguished_from_other_words() {
     let text = "see [a](docs/a.md#b) and [b](https://x.y), `geom/mod.rs`, `a/b`, `x.rs`, `fuzz/`, `N*.rs`";
     assert_eq!(links(text), ["docs/a.md"]);
     assert_eq!(code_paths(text), ["geom/mod.rs", "fuzz/"]);

@@ -258,7 +258,7 @@ fn many_windows_saving_at_once_lose_nothing_unseen() {
 }
 
 #[test]
-fn a_vanished_file_is_written_again_and_a_vanished_folder_told() {
+fn a_vanished_file_is_written_again_and_a_vanished_folder_reported() {
     let folder = tempfile::tempdir().unwrap();
     let below = folder.path().join("below");
     fs::create_dir(&below).unwrap();

@@ -285,9 +285,9 @@ fn glb_nodes_follow_the_branch_tree_with_pivots_at_the_base() {
     for part in &model.parts {
         let node = root.nodes.iter().position(|n| n.name.as_ref() == Some(&part.name)).unwrap();
         assert!(pivots[node].abs_diff_eq(part.pivot, 1e-6), "{}", part.name);
-        let carrier =
+        let parent =
             part.parent.map_or(format!("plant_{}", part.specimen + 1), |p| model.parts[p].name.clone());
-        assert_eq!(names[node], carrier, "{}", part.name);
+        assert_eq!(names[node], parent, "{}", part.name);
     }
 }
 

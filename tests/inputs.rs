@@ -35,9 +35,9 @@ fn penstemon(folder: &Path, args: &[&str]) -> Output {
         .unwrap();
     let mut pipe = child.stderr.take().unwrap();
     let reader = thread::spawn(move || {
-        let mut told = Vec::new();
-        pipe.read_to_end(&mut told).unwrap();
-        told
+        let mut read = Vec::new();
+        pipe.read_to_end(&mut read).unwrap();
+        read
     });
     let begin = Instant::now();
     let status = loop {

@@ -101,24 +101,27 @@ fn a_woken_tablet_is_read_by_the_ranges_that_its_recording_keeps() {
 fn a_replay_that_saw_no_pen_says_so_and_fails() {
     let folder = tempfile::tempdir().unwrap();
     let output = silent(&folder, "", &["0800000000", "0800000000"]);
-    let told = String::from_utf8(output.stderr).unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(1));
     assert!(
-        told.contains("silent.txt") && told.contains("its 2 reports") && told.contains("woken"),
-        "{told}"
+        message.contains("silent.txt") && message.contains("its 2 reports") && message.contains("woken"),
+        "{message}"
     );
     assert!(output.stdout.is_empty());
 }
 
 #[test]
-fn a_broken_recording_is_told_with_its_place() {
+fn a_broken_recording_is_reported_with_its_place() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("broken.txt");
     std::fs::write(&path, "penstemon-pen-recording 1\ndevice 0\nvendor nobody\n").unwrap();
     let output = penstemon(&["pen", "replay", path.to_str().unwrap()]);
-    let told = String::from_utf8(output.stderr).unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(1));
-    assert!(told.contains("broken.txt, line 3: ") && told.contains("four hexadecimal digits"), "{told}");
+    assert!(
+        message.contains("broken.txt, line 3: ") && message.contains("four hexadecimal digits"),
+        "{message}"
+    );
 }
 
 #[test]

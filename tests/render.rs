@@ -194,7 +194,7 @@ fn impossible_sizes_are_refused() {
 }
 
 #[test]
-fn a_machine_without_a_driver_is_told_what_to_install() {
+fn a_machine_without_a_driver_is_shown_what_to_install() {
     let refused = Renderer::with_backends(wgpu::Backends::empty()).map(drop).unwrap_err();
     assert!(matches!(refused, RenderError::NoAdapter { .. }));
     assert!(refused.to_string().contains("mesa-vulkan-drivers"), "{refused}");

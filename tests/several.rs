@@ -76,17 +76,17 @@ fn a_grown_plant_stands_behind_the_drawn_one_as_it_is_alone() {
     let drawn_specimens = drawn.model.parts.iter().map(|part| part.specimen).max().unwrap();
     assert!(parts.iter().all(|part| part.specimen > drawn_specimens));
     // It is known which branches and organs are its own.
-    let standing = both.beside[0].as_ref().unwrap();
-    assert_eq!(standing.branches, drawn.plant.branches.len()..both.plant.branches.len());
-    assert_eq!(standing.organs, drawn.plant.organs.len()..both.plant.organs.len());
+    let placed = both.beside[0].as_ref().unwrap();
+    assert_eq!(placed.branches, drawn.plant.branches.len()..both.plant.branches.len());
+    assert_eq!(placed.organs, drawn.plant.organs.len()..both.plant.organs.len());
     // It stands where the sketch says, as high as it says.
     let world = both.provenance.world_from_canvas;
     let foot = world.point(Vec2::new(700.0, 900.0));
     assert!(branches[0].points[0].distance(foot) < 0.02 * world.scale * 500.0);
     let top = branches.iter().flat_map(|b| &b.points).map(|p| p.y).fold(f32::MIN, f32::max);
     let height = (top - foot.y) / world.scale;
-    assert_eq!(standing.foot, foot);
-    assert!((standing.height / world.scale - 500.0).abs() < 0.5, "{standing:?}");
+    assert_eq!(placed.foot, foot);
+    assert!((placed.height / world.scale - 500.0).abs() < 0.5, "{placed:?}");
     assert!((400.0..=501.0).contains(&height), "{height} pixels");
 }
 
@@ -102,8 +102,8 @@ fn plants_of_every_maker_keep_what_holds_of_one() {
     let built = build(&with(plants));
     assert_sound(&built);
     let names = |prefix: &str| built.model.parts.iter().filter(|part| part.name.starts_with(prefix)).count();
-    let told: Vec<String> = built.remarks.iter().map(ToString::to_string).collect();
-    assert!(names("birch_2_") > 0 && names("cherry_") > 0 && names("spruce_") > 0, "{told:?}");
+    let remarks: Vec<String> = built.remarks.iter().map(ToString::to_string).collect();
+    assert!(names("birch_2_") > 0 && names("cherry_") > 0 && names("spruce_") > 0, "{remarks:?}");
     assert_eq!(built.remarks, build(&daisy()).remarks);
     assert!(built.model.parts.iter().any(|part| part.name.starts_with("cherry") && part.copies.is_some()));
 }
@@ -120,13 +120,13 @@ fn what_cannot_stand_there_is_left_out_and_said() {
     ];
     let (built, drawn) = (build(&with(wrong)), build(&daisy()));
     assert_sound(&built);
-    let told: Vec<String> = built.remarks[drawn.remarks.len()..].iter().map(ToString::to_string).collect();
-    assert_eq!(told.len(), 5, "{told:?}");
+    let remarks: Vec<String> = built.remarks[drawn.remarks.len()..].iter().map(ToString::to_string).collect();
+    assert_eq!(remarks.len(), 5, "{remarks:?}");
     for (k, word) in ["oak", "oak", "away", "large", "small"].into_iter().enumerate() {
         let begin = format!("plant {} (`", k + 1);
-        assert!(told[k].starts_with(&begin) && told[k].contains(word), "{}", told[k]);
+        assert!(remarks[k].starts_with(&begin) && remarks[k].contains(word), "{}", remarks[k]);
     }
-    assert!(told[0].contains("`oka`"));
+    assert!(remarks[0].contains("`oka`"));
     assert!(built.remarks[drawn.remarks.len()..].iter().all(|warning| warning.remark.is_shortfall()));
     assert!(matches!(built.remarks[drawn.remarks.len()].remark, Remark::OfPlant { place: 1, .. }));
     assert!(built.model.parts.iter().any(|part| part.name == "hazel_wood"));

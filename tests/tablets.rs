@@ -146,7 +146,7 @@ fn no_device_without_strings_stays_ambiguous() {
 #[test]
 fn udev_rules_are_those_of_the_table() {
     let rules = table().udev_rules();
-    if std::env::var("INSTA_UPDATE").is_ok_and(|wish| wish == "always") {
+    if std::env::var("INSTA_UPDATE").is_ok_and(|value| value == "always") {
         std::fs::create_dir_all(rules_path().parent().unwrap()).unwrap();
         std::fs::write(rules_path(), &rules).unwrap();
     }

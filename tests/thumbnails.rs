@@ -149,7 +149,7 @@ fn every_species_looks_like_its_picture() {
     let grown = Species::growing().into_iter().map(|name| (name, false));
     for (name, is_drawn) in grown.chain(DRAWN.map(|name| (name, true))) {
         let now = if is_drawn { of_drawing(&mut renderer, name) } else { drawn(&mut renderer, name) };
-        if std::env::var_os("THUMBNAILS").is_some_and(|wish| wish == "write") {
+        if std::env::var_os("THUMBNAILS").is_some_and(|value| value == "write") {
             store(name, &now);
         }
         let likeness = likeness(&now, &stored(name));

@@ -161,10 +161,10 @@ pub(crate) fn two_specimens() -> (Model, FinishedPlant) {
         };
         wood(&mut parts, None, base, top, 0.01);
         wood(&mut parts, Some(trunk), fork, end, 0.005);
-        for (carrier, at) in [(trunk, top), (trunk + 1, end)] {
+        for (parent, at) in [(trunk, top), (trunk + 1, end)] {
             let name = format!("leaf_{}", parts.len());
             let mesh = leaf(at, Vec3::X * 0.02, Vec3::new(0.0, 0.03, 0.01), 4, 12);
-            parts.push(part(name, PartKind::Organ(OrganKind::Leaf), Some(carrier), specimen, at, mesh));
+            parts.push(part(name, PartKind::Organ(OrganKind::Leaf), Some(parent), specimen, at, mesh));
         }
     }
     let model = Model { parts, materials: materials() };

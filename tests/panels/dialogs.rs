@@ -102,9 +102,9 @@ fn the_model_of_a_tablet_in_doubt_is_chosen() {
         harness.run();
         harness.get_by_label("Huion H950P").click();
         harness.run();
-        let wish =
+        let action =
             Action::SetTabletModel { device: "256c:006d HUION Tablet".into(), model: "Huion H950P".into() };
-        assert_eq!(asked(&mut harness), [wish]);
+        assert_eq!(asked(&mut harness), [action]);
     }
     assert!(with_dialog(Dialog::Pen).query_by_label_contains("Model of the tablet").is_none());
 }
@@ -199,8 +199,8 @@ fn four_crosses_put_a_pen_display_right() {
     snapshot.pen.is_raw = true;
     snapshot.pen.target = Some(egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1280.0, 800.0)));
     let mut harness = stage(snapshot, Language::English);
-    let wishes = touch_crosses(&mut harness, |cross| cross + egui::vec2(12.8, -8.0));
-    let [.., Action::SetPen(pen)] = &wishes[..] else { panic!("{wishes:?}") };
+    let actions = touch_crosses(&mut harness, |cross| cross + egui::vec2(12.8, -8.0));
+    let [.., Action::SetPen(pen)] = &actions[..] else { panic!("{actions:?}") };
     let put_right = pen.calibration.apply(glam::DVec2::new(0.51, 0.49));
     assert!(put_right.distance(glam::DVec2::splat(0.5)) < 1e-3, "{put_right}");
     assert!(harness.query_by_label_contains("Touch the middle of the cross").is_none(), "that was all");
@@ -208,8 +208,8 @@ fn four_crosses_put_a_pen_display_right() {
     assert!(far.query_by_label_contains("Touch four crosses").is_none(), "its monitor is not in the window");
     far.state_mut().snapshot.pen.target = harness.state().snapshot.pen.target;
     far.run();
-    let wishes = touch_crosses(&mut far, |_| egui::pos2(600.0, 400.0));
-    assert_eq!(wishes, [], "all at one place");
+    let actions = touch_crosses(&mut far, |_| egui::pos2(600.0, 400.0));
+    assert_eq!(actions, [], "all at one place");
     assert!(far.query_by_label_contains("Touch the middle of the cross").is_some(), "once more");
 }
 

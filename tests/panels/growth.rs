@@ -105,15 +105,15 @@ fn growth_is_seen_from_inside_by_three_switches() {
 
 #[test]
 fn what_a_plant_does_not_compete_for_is_said_and_others_have_nothing_to_see() {
-    let told = |resource: Resource, text: &str| {
+    let says = |resource: Resource, text: &str| {
         let mut snapshot = growing(GrowthState { resource: Some(resource), ..STATE });
         snapshot.view.overlay = Wanted { markers: true, buds: true, light: true };
         let mut harness = stage(snapshot, Language::English);
         press(&mut harness, "View");
         harness.query_by_label_contains(text).is_some()
     };
-    assert!(told(Resource::Light, "no markers") && !told(Resource::Space, "no markers"));
-    assert!(told(Resource::Space, "not for light") && !told(Resource::Light, "not for light"));
+    assert!(says(Resource::Light, "no markers") && !says(Resource::Space, "no markers"));
+    assert!(says(Resource::Space, "not for light") && !says(Resource::Light, "not for light"));
     let mut harness = stage(busy(), Language::English);
     press(&mut harness, "View");
     assert!(harness.query_by_label("Buds").is_none(), "a daisy does not grow");

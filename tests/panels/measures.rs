@@ -136,7 +136,7 @@ fn an_idle_interface_asks_for_no_more_frames() {
 }
 
 #[test]
-fn everything_that_can_be_touched_is_told_from_everything_else() {
+fn everything_that_can_be_touched_is_distinguished_from_everything_else() {
     for language in Language::ALL {
         let mut snapshot = busy();
         snapshot.theme = ThemeChoice::Light;

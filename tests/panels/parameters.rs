@@ -213,9 +213,9 @@ fn a_number_is_typed_and_a_tap_on_it_changes_nothing() {
         harness.run();
         harness.key_press(key);
         harness.run();
-        let wish =
+        let action =
             expected.map(|value| Action::SetParam { path: path.clone(), value: Some(Value::from(value)) });
-        assert_eq!(asked(&mut harness), wish.into_iter().collect::<Vec<_>>(), "{text} {key:?}");
+        assert_eq!(asked(&mut harness), action.into_iter().collect::<Vec<_>>(), "{text} {key:?}");
     }
     // Looked at and left as it is, it stays exactly what it is.
     let mut harness = searched("opening_prior");

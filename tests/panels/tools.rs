@@ -111,13 +111,13 @@ fn a_wrong_guess_is_corrected_by_one_tap() {
 }
 
 #[test]
-fn what_is_odd_about_a_stroke_is_told_where_it_is_asked_about() {
+fn what_is_odd_about_a_stroke_is_reported_where_it_is_asked_about() {
     let mut snapshot = busy();
     snapshot.part_menu = Some(PartMenu { of: MenuOf::Stroke(9), tool: Tool::Auto, at: [300.0, 300.0] });
     snapshot.remarks = vec!["太短，看不出含义，已跳过".to_owned()];
     let harness = stage(snapshot, Language::Chinese);
-    let told = harness.get_by_label("太短，看不出含义，已跳过").rect();
-    assert!(harness.state().canvas.contains_rect(told), "{told:?}");
+    let shown = harness.get_by_label("太短，看不出含义，已跳过").rect();
+    assert!(harness.state().canvas.contains_rect(shown), "{shown:?}");
 }
 
 #[test]
@@ -128,12 +128,12 @@ fn the_status_line_tells_what_the_plant_lacks_and_stays_readable() {
         snapshot.status.shortfall = Some(lacking.to_owned());
         let size = egui::vec2(width, 700.0);
         let harness = stage_of(snapshot, Language::English, size, 1.0, None);
-        let [told, safe, time] = [lacking, "Unsaved, kept safe", "built in 6.4 ms"].map(|label| {
+        let [shown, safe, time] = [lacking, "Unsaved, kept safe", "built in 6.4 ms"].map(|label| {
             let shown = harness.query_by_label(label);
             shown.unwrap_or_else(|| panic!("{label} is not shown in {width}")).rect()
         });
-        assert!(safe.right() <= width && told.right() <= safe.left(), "{told:?} {safe:?}");
-        assert!(told.left() >= time.right() || width < 700.0, "{told:?} {time:?}");
+        assert!(safe.right() <= width && shown.right() <= safe.left(), "{shown:?} {safe:?}");
+        assert!(shown.left() >= time.right() || width < 700.0, "{shown:?} {time:?}");
     }
 }
 

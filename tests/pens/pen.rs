@@ -63,14 +63,14 @@ pub(crate) fn assert_drawn(stroke: &Stroke, touches: &[Touch], has_tilt: bool) {
     let place = |i: usize| stroke.points[i].position.as_dvec2();
     let (first, last) = (place(0), place(touches.len() - 1));
     for (i, (point, touch)) in stroke.points.iter().zip(touches).enumerate() {
-        let told = format!("sample {i}: {point:?} of {touch:?}");
-        assert!((f64::from(point.pressure) - touch.pressure).abs() < 0.01, "{told}");
+        let context = format!("sample {i}: {point:?} of {touch:?}");
+        assert!((f64::from(point.pressure) - touch.pressure).abs() < 0.01, "{context}");
         // Samples lie evenly on the line, finer than pixels.
         let even = first.lerp(last, i as f64 / (touches.len() - 1) as f64);
-        assert!((place(i) - even).length() < 0.1, "{told}: not at {even}");
+        assert!((place(i) - even).length() < 0.1, "{context}: not at {even}");
         if has_tilt {
             let tilt = point.tilt_deg.as_dvec2() - DVec2::from(touch.tilt_deg);
-            assert!(tilt.abs().max_element() < 1.0, "{told}");
+            assert!(tilt.abs().max_element() < 1.0, "{context}");
         }
     }
     let times: Vec<f32> = stroke.points.iter().map(|point| point.time_ms).collect();

@@ -113,7 +113,7 @@ fn drawn() -> Sketch {
     screen.hand(&["key", "ctrl+q"]);
     assert!(program.wait().success());
     for bad in ["notice", "ERROR penstemon", "WARN penstemon", "panicked"] {
-        assert!(!program.has_told(bad), "{bad}");
+        assert!(!program.has_logged(bad), "{bad}");
     }
     saved(&file)
 }
@@ -129,11 +129,11 @@ pub(crate) fn holds(sketch: &Sketch, strokes: &[Vec<PenEvent>]) {
     for (stroke, events) in sketch.strokes.iter().zip(strokes) {
         assert_eq!(stroke.points.len(), events.len());
         for (point, event) in stroke.points.iter().zip(events) {
-            let told = format!("{point:?} of {event:?}");
+            let context = format!("{point:?} of {event:?}");
             let place = on_sheet(0) + scale * (event.sample.position - first.sample.position);
-            assert!(point.position.as_dvec2().distance(place) < 0.01, "{told}: not at {place}");
-            assert!((point.pressure - event.sample.pressure).abs() < 1e-3, "{told}");
-            assert!((point.tilt_deg - event.sample.tilt_deg).abs().max_element() < 0.1, "{told}");
+            assert!(point.position.as_dvec2().distance(place) < 0.01, "{context}: not at {place}");
+            assert!((point.pressure - event.sample.pressure).abs() < 1e-3, "{context}");
+            assert!((point.tilt_deg - event.sample.tilt_deg).abs().max_element() < 0.1, "{context}");
         }
     }
 }
@@ -141,7 +141,7 @@ pub(crate) fn holds(sketch: &Sketch, strokes: &[Vec<PenEvent>]) {
 /// The recording in a file of the tests, which holds what is made here; `INSTA_UPDATE=always` writes it.
 pub(crate) fn kept(path: &str, made: &Recording) -> Recording {
     let text = made.to_text();
-    if std::env::var("INSTA_UPDATE").is_ok_and(|wish| wish == "always") {
+    if std::env::var("INSTA_UPDATE").is_ok_and(|value| value == "always") {
         std::fs::write(path, &text).unwrap();
     }
     assert_eq!(std::fs::read_to_string(path).unwrap(), text, "INSTA_UPDATE=always writes it");

@@ -122,12 +122,12 @@ fn eraser_and_buttons_of_a_recording_do_what_was_chosen_for_them() {
     });
     assert_eq!(unread, []);
     assert_eq!(presses, [4, 2], "samples with the upper button twice, with the third once");
-    let told: Vec<_> =
+    let seen: Vec<_> =
         touches.iter().map(|t| (t[0].sample.tool, t[0].sample.buttons.secondary, t.len())).collect();
     let all = usize::from(SAMPLES);
     let (pen, eraser, with_button) =
         ((PenTool::Pen, false, all), (PenTool::Eraser, false, all), (PenTool::Pen, true, all));
-    assert_eq!(told, [pen, pen, pen, eraser, with_button]);
+    assert_eq!(seen, [pen, pen, pen, eraser, with_button]);
 
     let (screen, home) = (Screen::beside_others(WINDOW.0, WINDOW.1), TempDir::new().unwrap());
     let file = empty_drawing(home.path());
@@ -138,14 +138,14 @@ fn eraser_and_buttons_of_a_recording_do_what_was_chosen_for_them() {
     let mut program = Program::start(&screen, home.path(), &args);
     program.wait_for("tablet Simulated Page Tablet is gone");
     program.rest();
-    let built = program.told("built revision");
+    let built = program.last_logged("built revision");
     assert!(built.contains(" strokes=2 "), "{built}");
     screen.hand(&["key", "ctrl+s"]);
     program.wait_for("saved");
     screen.hand(&["key", "ctrl+q"]);
     assert!(program.wait().success());
     for bad in ["notice", "ERROR penstemon", "WARN penstemon", "panicked"] {
-        assert!(!program.has_told(bad), "{bad}");
+        assert!(!program.has_logged(bad), "{bad}");
     }
     let left = [touches.swap_remove(0), touches.swap_remove(2)];
     holds(&saved(&file), &left);

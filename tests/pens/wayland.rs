@@ -73,7 +73,7 @@ fn pressure(touch: &Touch) -> u32 {
 }
 
 /// The program under a compositor of its own.
-struct Desk {
+struct Fixture {
     program: Program,
     compositor: Compositor,
     file: PathBuf,
@@ -81,7 +81,7 @@ struct Desk {
     _turn: Turn,
 }
 
-impl Desk {
+impl Fixture {
     fn set_up() -> Self {
         let (_turn, home) = (turn::beside_others(), TempDir::new().unwrap());
         let compositor = Compositor::start(home.path());
@@ -113,43 +113,43 @@ impl Desk {
 
 #[test]
 fn a_tablet_draws_with_pressure_and_tilt_and_erases() {
-    let mut desk = Desk::set_up();
-    let first = ramp(desk.on_canvas(0.1, 0.2), desk.on_canvas(0.8, 0.3), SAMPLES);
-    let second = ramp(desk.on_canvas(0.9, 0.7), desk.on_canvas(0.2, 0.6), SAMPLES);
-    desk.pen(End::Tip).stroke(&first);
-    desk.program.built_of(1);
-    desk.pen(End::Tip).stroke(&second);
-    desk.program.built_of(2);
-    let sketch = desk.save();
+    let mut fixture = Fixture::set_up();
+    let first = ramp(fixture.on_canvas(0.1, 0.2), fixture.on_canvas(0.8, 0.3), SAMPLES);
+    let second = ramp(fixture.on_canvas(0.9, 0.7), fixture.on_canvas(0.2, 0.6), SAMPLES);
+    fixture.pen(End::Tip).stroke(&first);
+    fixture.program.built_of(1);
+    fixture.pen(End::Tip).stroke(&second);
+    fixture.program.built_of(2);
+    let sketch = fixture.save();
     assert_drawn(&sketch.strokes[0], &first, true);
     assert_drawn(&sketch.strokes[1], &second, true);
 
     // The other end takes away the stroke that it crosses.
-    let across = ramp(desk.on_canvas(0.4, 0.1), desk.on_canvas(0.4, 0.4), 40);
-    desk.pen(End::Eraser).stroke(&across);
-    desk.program.built_of(1);
+    let across = ramp(fixture.on_canvas(0.4, 0.1), fixture.on_canvas(0.4, 0.4), 40);
+    fixture.pen(End::Eraser).stroke(&across);
+    fixture.program.built_of(1);
 
     // The lower button moves the sheet while the pen hovers, and draws nothing.
-    desk.pen(End::Tip).drag(2, [600.0, 400.0], [630.0, 420.0]);
-    desk.program.rest();
-    desk.pen(End::Tip).stroke(&second);
-    desk.program.built_of(2);
+    fixture.pen(End::Tip).drag(2, [600.0, 400.0], [630.0, 420.0]);
+    fixture.program.rest();
+    fixture.pen(End::Tip).stroke(&second);
+    fixture.program.built_of(2);
 
     // The mouse still draws.
     let mouse: Vec<[f64; 2]> = across.iter().map(|touch| touch.at).collect();
-    desk.compositor.drag(mouse.clone());
-    desk.program.built_of(3);
+    fixture.compositor.drag(mouse.clone());
+    fixture.program.built_of(3);
 
-    let sketch = desk.save();
+    let sketch = fixture.save();
     let [before, shifted, by_mouse] = &sketch.strokes[..] else { panic!("{} strokes", sketch.strokes.len()) };
     assert_drawn(before, &second, true);
     assert_drawn(shifted, &second, true);
     assert_shifted(before, shifted);
     assert_eq!(by_mouse.points.len(), mouse.len());
     assert!(by_mouse.points.iter().all(|point| point.pressure == 0.5));
-    desk.compositor.press_ctrl(KEY_Q);
-    desk.compositor.press_ctrl(KEY_S);
+    fixture.compositor.press_ctrl(KEY_Q);
+    fixture.compositor.press_ctrl(KEY_S);
     for bad in ["notice", "ERROR penstemon", "WARN penstemon", "panicked"] {
-        assert!(!desk.program.has_told(bad), "{bad}");
+        assert!(!fixture.program.has_logged(bad), "{bad}");
     }
 }

@@ -27,10 +27,10 @@ fn only_format_version_strokes_and_points_are_needed() {
 fn a_point_has_2_3_5_or_6_numbers() {
     let text = with_points("[[1,2], [1,2,0.25], [1,3,0.25,-10,20], [1,2,0.25,-10,20,7.5]]");
     let points = &read(&text).unwrap().0.strokes[0].points;
-    let told: Vec<_> = points.iter().map(|p| (p.pressure, p.tilt_deg, p.time_ms)).collect();
+    let read: Vec<_> = points.iter().map(|p| (p.pressure, p.tilt_deg, p.time_ms)).collect();
     let tilt = vec2(-10.0, 20.0);
     assert_eq!(
-        told,
+        read,
         [(0.5, vec2(0.0, 0.0), 0.0), (0.25, vec2(0.0, 0.0), 0.0), (0.25, tilt, 0.0), (0.25, tilt, 7.5)]
     );
 }

@@ -42,7 +42,7 @@ fn copies_of_a_newer_program_are_kept_and_said_to_be_so() {
 }
 
 #[test]
-fn a_damaged_copy_is_told_and_kept_until_it_is_discarded() {
+fn a_damaged_copy_is_reported_and_kept_until_it_is_discarded() {
     let state = tempfile::tempdir().unwrap();
     let recovery = Recovery::at(state.path());
     let (mut document, mut writer) = begin(&recovery, "damaged");
@@ -267,7 +267,7 @@ fn child_without_any_room() {
 }
 
 #[test]
-fn a_state_folder_that_cannot_be_written_is_told_while_drawing_goes_on() {
+fn a_state_folder_that_cannot_be_written_is_reported_while_drawing_goes_on() {
     let folder = tempfile::tempdir().unwrap();
     let in_the_way = folder.path().join("file");
     fs::write(&in_the_way, b"").unwrap();
@@ -303,7 +303,7 @@ fn child_on_a_full_disk() {
 
 #[cfg(unix)]
 #[test]
-fn a_full_disk_is_told_and_what_was_written_before_is_kept() {
+fn a_full_disk_is_reported_and_what_was_written_before_is_kept() {
     let state = tempfile::tempdir().unwrap();
     let program = env::current_exe().unwrap();
     // Blocks of 512 bytes; without the trap the system would end the program instead of refusing the write.

@@ -61,7 +61,7 @@ fn a_birch_is_put_beside_a_daisy_picked_moved_and_taken_away() {
         screen.click(at(*k));
         std::thread::sleep(std::time::Duration::from_millis(700));
         program.rest();
-        program.has_told("picked plant=0")
+        program.has_logged("picked plant=0")
     });
     let [x, y] = at(picked.expect("the plant beside is nowhere"));
 

@@ -103,8 +103,8 @@ fn a_device_lost_while_a_stroke_is_drawn_costs_nothing() {
     let before = program.picture(&screen);
     fs::write(layer.lose(), "").unwrap();
     assert_eq!(number(&draw_line(&screen, &mut program), "strokes"), 3);
-    assert!(program.has_told("the graphics device was lost"), "nothing was lost");
-    assert!(program.told("notice").contains("Nothing of the drawing is lost"));
+    assert!(program.has_logged("the graphics device was lost"), "nothing was lost");
+    assert!(program.last_logged("notice").contains("Nothing of the drawing is lost"));
     is_whole(&screen, &mut program, &before, home.path());
 }
 
@@ -137,9 +137,9 @@ fn where_no_device_comes_back_the_program_says_so_and_offers_the_drawing_at_the_
     fs::write(layer.lose(), "").unwrap();
     screen.hand(&["mousemove", "600", "400", "mousemove", "620", "420"]);
     assert_eq!(program.wait().code(), Some(1));
-    let told = program.told("penstemon:");
-    assert!(told.contains("the drawing is kept") && told.contains("mesa-vulkan-drivers"), "{told}");
+    let message = program.last_logged("penstemon:");
+    assert!(message.contains("the drawing is kept") && message.contains("mesa-vulkan-drivers"), "{message}");
     let mut again = Program::start(&screen, home.path(), &[]);
     again.built();
-    assert_eq!(number(&again.told("recoverable"), "strokes"), 2);
+    assert_eq!(number(&again.last_logged("recoverable"), "strokes"), 2);
 }

@@ -79,11 +79,11 @@ fn try_disk(done: &str, reason: &str) {
 }
 
 #[test]
-fn a_full_disk_is_told_and_the_drawing_is_saved_elsewhere() {
+fn a_full_disk_is_reported_and_the_drawing_is_saved_elsewhere() {
     try_disk(FILL, "disk is full");
 }
 
 #[test]
-fn a_folder_that_is_read_only_is_told_and_the_drawing_is_saved_elsewhere() {
+fn a_folder_that_is_read_only_is_reported_and_the_drawing_is_saved_elsewhere() {
     try_disk(PROTECT, "no permission");
 }

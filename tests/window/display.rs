@@ -20,12 +20,12 @@ fn ends_with_a_word(work: impl FnOnce(&Screen, &mut Program)) {
     screen.end();
     program.wait_for("penstemon: the connection to the display broke; the drawing is kept");
     assert_eq!(program.wait().code(), Some(1));
-    assert!(!program.has_told("panicked"));
+    assert!(!program.has_logged("panicked"));
     drop(screen);
     let screen = Screen::beside_others(1280, 800);
     let mut again = Program::start(&screen, home.path(), &[]);
     again.built();
-    assert_eq!(number(&again.told("recoverable"), "strokes"), 1);
+    assert_eq!(number(&again.last_logged("recoverable"), "strokes"), 1);
 }
 
 #[test]

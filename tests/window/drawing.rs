@@ -115,7 +115,7 @@ fn a_killed_program_offers_the_drawing_back() {
 
     let mut again = Program::start(&screen, home.path(), &[]);
     again.built();
-    assert_eq!(number(&again.told("recoverable"), "strokes"), 3);
+    assert_eq!(number(&again.last_logged("recoverable"), "strokes"), 3);
     again.rest_in_dialog("recovery");
     again.picture(&screen).keep("recovery");
     again.press_loud_button(&screen, "recovery");
@@ -143,7 +143,7 @@ fn two_windows_on_one_file_do_not_destroy_each_others_work() {
     one.built();
     let mut other = Program::start(&screen, home.path(), &[file.to_str().unwrap()]);
     other.built();
-    assert!(!other.has_told("recoverable"), "the first window is still open");
+    assert!(!other.has_logged("recoverable"), "the first window is still open");
 
     one.raise(&screen);
     one.rest();

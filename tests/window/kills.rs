@@ -28,7 +28,7 @@ struct Lifted(Vec<(u64, Instant)>);
 impl Lifted {
     fn listen(&mut self, program: &mut Program) {
         let now = Instant::now();
-        let lines = program.news().into_iter().filter(|line| line.contains("lifted strokes="));
+        let lines = program.new_lines().into_iter().filter(|line| line.contains("lifted strokes="));
         self.0.extend(lines.map(|line| (number(&line, "strokes"), now)));
     }
 

@@ -119,19 +119,19 @@ fn no_ink_is_lost_beside_a_tree() {
     program.built();
     let (client, watch) = (Client::on(&screen), Watch::on(&screen));
     program.rest();
-    program.news();
+    program.new_lines();
     let (mut seen, mut shares) = (Vec::new(), Vec::new());
     // Beside the legend, which lies over the drawing.
     let [left, top, width, height] = program.area("canvas");
     let canvas = [left + LEGEND, top, width - LEGEND, height];
     for stroke in 0..4 {
         seen.extend(draw(&client, &watch, &way(canvas, 300, 173.0 * f64::from(stroke))));
-        let drawn = program.news();
+        let drawn = program.new_lines();
         let growing = drawn.iter().take_while(|line| !line.contains("lifted strokes="));
         let painted = growing.filter(|line| line.contains("painted share="));
         shares.extend(painted.map(|line| field(line, "share").parse::<f64>().unwrap()));
         program.rest();
-        program.news();
+        program.new_lines();
     }
     program.picture(&screen).keep("ink-beside-a-tree");
     seen.sort();

@@ -194,9 +194,9 @@ fn the_windows_size_is_kept_for_the_next_session_as_far_as_the_monitor_has_room(
 
 /// Width and height of the window in pixels.
 fn size_of(program: &mut Program, screen: &Screen) -> [u32; 2] {
-    let told = screen.hand(&["getwindowgeometry", "--shell", &program.window(screen)]);
+    let output = screen.hand(&["getwindowgeometry", "--shell", &program.window(screen)]);
     ["WIDTH=", "HEIGHT="].map(|name| {
-        told.lines().find_map(|line| line.strip_prefix(name)).and_then(|size| size.parse().ok()).unwrap()
+        output.lines().find_map(|line| line.strip_prefix(name)).and_then(|size| size.parse().ok()).unwrap()
     })
 }
 
@@ -205,7 +205,7 @@ fn the_divider_between_drawing_and_plant_is_dragged_and_the_drawing_still_fits()
     let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let mut program = daisy_in(&screen, home.path(), &[]);
     let before = (program.area("canvas"), program.area("plant"));
-    let strokes = program.told("built revision");
+    let strokes = program.last_logged("built revision");
     let [left, top, width, height] = before.0;
     let ink = ink_in(&program.picture(&screen), before.0);
     let (from, y) = (left + width, top + 0.5 * height);
@@ -222,7 +222,7 @@ fn the_divider_between_drawing_and_plant_is_dragged_and_the_drawing_still_fits()
     let shape = |[left, top, right, bottom]: [f64; 4]| (right - left) / (bottom - top);
     assert!((shape(narrow) / shape(ink) - 1.0).abs() < 0.05, "{narrow:?} after {ink:?}");
     assert!(narrow[2] - narrow[0] < ink[2] - ink[0], "the drawing was fitted anew");
-    assert_eq!(program.told("built revision"), strokes, "nothing was drawn");
+    assert_eq!(program.last_logged("built revision"), strokes, "nothing was drawn");
 
     // As far as it goes: both sides stay wide enough to be taken hold of.
     let from = after.1[0];

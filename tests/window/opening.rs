@@ -34,8 +34,8 @@ fn a_window_leaves_room_for_panels_and_its_title_bar() {
     client.call_work_area([0, 28, 1280, 740]);
     let mut program = Program::start(&screen, home.path(), &[]);
     program.built();
-    let told = screen.hand(&["getwindowgeometry", "--shell", &program.window(&screen)]);
-    assert!(told.contains("WIDTH=1280\n") && told.contains("HEIGHT=700\n"), "{told}");
+    let output = screen.hand(&["getwindowgeometry", "--shell", &program.window(&screen)]);
+    assert!(output.contains("WIDTH=1280\n") && output.contains("HEIGHT=700\n"), "{output}");
     let [_, top, _, height] = program.area("plant");
     assert!(top + height < 700.0, "the status line is below");
     program.picture(&screen).keep("opening-in-a-work-area");

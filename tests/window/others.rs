@@ -9,7 +9,7 @@ use std::time::Duration;
 use tempfile::TempDir;
 
 #[test]
-fn a_window_that_is_told_to_close_asks_about_unsaved_work_first() {
+fn a_window_that_is_asked_to_close_asks_about_unsaved_work_first() {
     let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let file = home.path().join("daisy.penstemon");
     std::fs::copy(sketch_file("daisy"), &file).unwrap();
@@ -21,7 +21,7 @@ fn a_window_that_is_told_to_close_asks_about_unsaved_work_first() {
     std::thread::sleep(Duration::from_secs(4));
     client.close(&window);
     program.rest_in_dialog("unsaved");
-    program.picture(&screen).keep("told-to-close");
+    program.picture(&screen).keep("asked-to-close");
     // Save: and the window closes.
     program.press_loud_button(&screen, "unsaved");
     assert!(program.wait().success());
@@ -56,7 +56,7 @@ fn a_program_that_is_ended_by_the_system_offers_the_drawing_back() {
     screen.hand(&["mouseup", "1"]);
     let mut again = Program::start(&screen, home.path(), &[]);
     again.built();
-    assert_eq!(number(&again.told("recoverable"), "strokes"), 2);
+    assert_eq!(number(&again.last_logged("recoverable"), "strokes"), 2);
 }
 
 #[test]

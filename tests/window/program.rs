@@ -1,4 +1,4 @@
-//! The program under test: a real process with a window, and what it tells on stderr.
+//! The program under test: a real process with a window, and what it logs on stderr.
 
 use crate::screen::{Area, Pixels, Screen};
 use std::io::{BufRead, BufReader};
@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 /// Longest wait for anything; software drivers on a busy machine are slow.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// Longest time from a move of the mouse to the program's first word about it.
+/// Longest time from a move of the mouse to the program's first line about it.
 const QUIET: Duration = Duration::from_millis(300);
 
 /// Colour of what stands out, in the light theme.
@@ -19,7 +19,7 @@ pub(crate) const ACCENT: [u8; 3] = [0x7b, 0x3f, 0x83];
 pub(crate) struct Program {
     child: Child,
     lines: Receiver<String>,
-    told: Vec<String>,
+    log: Vec<String>,
 }
 
 impl Program {
@@ -44,13 +44,15 @@ impl Program {
         program
     }
 
-    /// Starts the program and listens to it.
+    /// Starts the program and reads its log.
     pub(crate) fn spawn(mut command: Command) -> Self {
         let mut child = command.stderr(Stdio::piped()).spawn().unwrap();
-        let (tell, lines) = channel();
+        let (sender, lines) = channel();
         let stderr = BufReader::new(child.stderr.take().unwrap());
-        std::thread::spawn(move || stderr.lines().map_while(Result::ok).try_for_each(|line| tell.send(line)));
-        Self { child, lines, told: Vec::new() }
+        std::thread::spawn(move || {
+            stderr.lines().map_while(Result::ok).try_for_each(|line| sender.send(line))
+        });
+        Self { child, lines, log: Vec::new() }
     }
 
     pub(crate) fn id(&self) -> u32 {
@@ -76,34 +78,34 @@ impl Program {
         loop {
             match self.lines.recv_timeout(deadline.saturating_duration_since(Instant::now())) {
                 Ok(line) => {
-                    self.told.push(line.clone());
+                    self.log.push(line.clone());
                     if line.contains(words) {
                         return line;
                     }
                 }
-                Err(_) => panic!("never told `{words}`; told:\n{}", self.told.join("\n")),
+                Err(_) => panic!("never logged `{words}`; logged:\n{}", self.log.join("\n")),
             }
         }
     }
 
-    /// The last line told that contains `words`.
-    pub(crate) fn told(&mut self, words: &str) -> String {
-        self.told.extend(self.lines.try_iter());
-        let line = self.told.iter().rev().find(|line| line.contains(words));
-        line.unwrap_or_else(|| panic!("never told `{words}`; told:\n{}", self.told.join("\n"))).clone()
+    /// The last line logged that contains `words`.
+    pub(crate) fn last_logged(&mut self, words: &str) -> String {
+        self.log.extend(self.lines.try_iter());
+        let line = self.log.iter().rev().find(|line| line.contains(words));
+        line.unwrap_or_else(|| panic!("never logged `{words}`; logged:\n{}", self.log.join("\n"))).clone()
     }
 
-    /// What has been told since this was last asked.
-    pub(crate) fn news(&mut self) -> Vec<String> {
-        let news: Vec<String> = self.lines.try_iter().collect();
-        self.told.extend(news.iter().cloned());
-        news
+    /// What has been logged since the last call.
+    pub(crate) fn new_lines(&mut self) -> Vec<String> {
+        let new_lines: Vec<String> = self.lines.try_iter().collect();
+        self.log.extend(new_lines.iter().cloned());
+        new_lines
     }
 
-    /// Whether something that contains `words` has been told, up to now.
-    pub(crate) fn has_told(&mut self, words: &str) -> bool {
-        self.told.extend(self.lines.try_iter());
-        self.told.iter().any(|line| line.contains(words))
+    /// Whether something that contains `words` has been logged, up to now.
+    pub(crate) fn has_logged(&mut self, words: &str) -> bool {
+        self.log.extend(self.lines.try_iter());
+        self.log.iter().any(|line| line.contains(words))
     }
 
     /// Waits until the program has carried out everything and sleeps.
@@ -120,19 +122,19 @@ impl Program {
         let deadline = Instant::now() + PATIENCE;
         loop {
             match self.lines.recv_timeout(QUIET) {
-                Ok(line) => self.told.push(line),
+                Ok(line) => self.log.push(line),
                 Err(_) => {
-                    let last = self.told.iter().rev().find(|line| line.contains("app::window"));
+                    let last = self.log.iter().rev().find(|line| line.contains("app::window"));
                     if last.is_some_and(|line| line.contains(state)) {
                         return;
                     }
                 }
             }
-            assert!(Instant::now() < deadline, "never {state}; told:\n{}", self.told.join("\n"));
+            assert!(Instant::now() < deadline, "never {state}; logged:\n{}", self.log.join("\n"));
         }
     }
 
-    /// Waits for a new plant and for rest, and returns what was told last of what was built.
+    /// Waits for a new plant and for rest, and returns what was logged last of what was built.
     pub(crate) fn built(&mut self) -> String {
         self.wait_for("built revision");
         self.built_now()
@@ -146,7 +148,7 @@ impl Program {
 
     fn built_now(&mut self) -> String {
         self.rest();
-        self.told("built revision")
+        self.last_logged("built revision")
     }
 
     /// What is on the screen once the program rests.
@@ -173,7 +175,7 @@ impl Program {
 
     /// An area of the window by its name, as last laid out.
     pub(crate) fn area(&mut self, name: &str) -> Area {
-        let line = self.told.iter().rev().find(|line| line.contains("layout")).expect("no layout was told");
+        let line = self.log.iter().rev().find(|line| line.contains("layout")).expect("no layout was logged");
         let value = field(line, name);
         let numbers: Vec<f64> = value.split(',').map(|n| n.parse().unwrap()).collect();
         numbers.try_into().unwrap()

@@ -45,8 +45,8 @@ fn a_compositor_that_goes_away_ends_the_program_with_a_word() {
     drop(compositor);
     let status = program.wait();
     assert!(!status.success(), "{status}");
-    assert!(program.has_told("the connection to the display broke"));
-    assert!(!program.has_told("panicked"));
+    assert!(program.has_logged("the connection to the display broke"));
+    assert!(!program.has_logged("panicked"));
 }
 
 impl Drop for Compositor {
@@ -65,10 +65,10 @@ fn the_window_opens_and_stays_under_wayland() {
     let mut program = Program::spawn(command);
     let built = program.built();
     assert!(number(&built, "triangles") > 1000, "{built}");
-    assert!(program.has_told("uploaded") && program.has_told("layout"));
+    assert!(program.has_logged("uploaded") && program.has_logged("layout"));
     std::thread::sleep(Duration::from_secs(1));
     assert!(program.is_running());
     for bad in ["notice", "ERROR penstemon", "WARN penstemon", "panicked"] {
-        assert!(!program.has_told(bad), "{bad}");
+        assert!(!program.has_logged(bad), "{bad}");
     }
 }

@@ -41,9 +41,9 @@ impl Listener {
                 return Some(message);
             }
             // That a refusal is over comes beside the arrival that ended it, before or after.
-            let is_heard = |message: &Message| !matches!(message.notice, Notice::Settled(_));
+            let is_unsettled = |message: &Message| !matches!(message.notice, Notice::Settled(_));
             let messages = &mut self.messages;
-            self.watcher.inbox().drain(|message| messages.extend(Some(message).filter(is_heard)));
+            self.watcher.inbox().drain(|message| messages.extend(Some(message).filter(is_unsettled)));
             let left = end.saturating_duration_since(Instant::now());
             if self.messages.is_empty() && self.woken.recv_timeout(left).is_err() {
                 return None;

@@ -29,8 +29,8 @@ fn main() {
 
 fn verdict() -> Result<(), Box<dyn Error>> {
     for (name, check) in checks::ALL {
-        let told = check().map_err(|error| format!("{name}: {error}"))?;
-        println!("{SAYS} {name}: {told}");
+        let report = check().map_err(|error| format!("{name}: {error}"))?;
+        println!("{SAYS} {name}: {report}");
     }
     Ok(())
 }

@@ -82,8 +82,8 @@ impl VirtualDevice {
         create.resize(MAX_EVENT, 0);
         kernel.write_all(&create)?;
         let (asks, asked) = channel();
-        let hears = kernel.try_clone()?;
-        let listens = std::thread::Builder::new().name("uhid".into()).spawn(move || listen(hears, &asks))?;
+        let reader = kernel.try_clone()?;
+        let listens = std::thread::Builder::new().name("uhid".into()).spawn(move || listen(reader, &asks))?;
         Ok(Self { kernel, asked, listens: Some(listens) })
     }
 
@@ -113,21 +113,21 @@ impl Drop for VirtualDevice {
 
 /// Hears the kernel until the device is unplugged.
 fn listen(mut kernel: File, asks: &Sender<Asked>) {
-    let mut heard = vec![0; MAX_EVENT];
-    while let Ok(length) = kernel.read(&mut heard) {
-        let heard = &heard[..length];
-        let asked = match u32_at(heard, 0) {
+    let mut received = vec![0; MAX_EVENT];
+    while let Ok(length) = kernel.read(&mut received) {
+        let received = &received[..length];
+        let asked = match u32_at(received, 0) {
             event::STOP => return,
             event::OPEN => Asked::Open,
             event::CLOSE => Asked::Close,
-            event::OUTPUT => Asked::Output(data(heard, 4, u16_at(heard, 4 + MAX_DATA))),
+            event::OUTPUT => Asked::Output(data(received, 4, u16_at(received, 4 + MAX_DATA))),
             // The request's number, the report's id and kind, then its length and bytes.
             event::SET_REPORT => {
-                let _ = kernel.write_all(&reply(event::SET_REPORT_REPLY, heard));
-                Asked::Feature(data(heard, 12, u16_at(heard, 10)))
+                let _ = kernel.write_all(&reply(event::SET_REPORT_REPLY, received));
+                Asked::Feature(data(received, 12, u16_at(received, 10)))
             }
             event::GET_REPORT => {
-                let _ = kernel.write_all(&reply(event::GET_REPORT_REPLY, heard));
+                let _ = kernel.write_all(&reply(event::GET_REPORT_REPLY, received));
                 continue;
             }
             _ => continue,
