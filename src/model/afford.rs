@@ -108,7 +108,7 @@ fn of_wood(plant: &Plant, params: &TubeParams, size: f32, rings: &Rings) -> u64 
     let of_branch = |scratch: &mut SpineScratch, branch: &Branch| {
         let look = tube::look(branch, params, size);
         let rings = rings(branch, look.detail, scratch) as u64;
-        // A branch's foot is joined by a strip and some rings of its carrier.
+        // A branch's foot is joined by a strip and some rings of its parent.
         2 * u64::from(look.sides) * (rings + 3)
     };
     plant.branches.par_iter().with_min_len(256).map_init(SpineScratch::default, of_branch).sum()

@@ -13,7 +13,7 @@ impl Model {
         for (i, part) in self.parts.iter().enumerate() {
             let here = |what: &str| format!("part {i} `{}`: {what}", part.name);
             if part.parent.is_some_and(|parent| parent >= i) {
-                return Err(here("its carrier stands after it"));
+                return Err(here("its parent stands after it"));
             }
             let mut materials = std::iter::once(&part.material).chain(&part.more_materials);
             if materials.any(|material| *material >= self.materials.len()) {

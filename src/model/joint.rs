@@ -1,10 +1,8 @@
-//! Where a branch leaves its parent, and the window that is cut into the parent's bark for it.
+//! Where a branch leaves its parent, and which of the parent's bark it takes there.
 //!
 //! A branch's skeleton begins inside its parent. What is seen of it begins where a ring around it lies wholly outside of
-//! the parent: its exit. The window is a rectangle of the parent's grid of rings and sides, as wide as the branch is
-//! thick and as long as the branch's slanting section through the bark; `wood` joins its rim to the ring at the exit.
-//!
-//! Windows of one parent never overlap. A branch whose place is taken goes to the nearest free cells.
+//! the parent: its exit. The window that is cut into the parent's bark for it (`window`) is as wide as the branch is thick
+//! and as long as the branch's slanting section through the bark; `wood` joins its rim to the ring at the exit.
 //!
 //! A branch is followed along its parent, whichever way that bends: it is out once it has passed through the bark and
 //! does not come back soon after. One that leaves by a small angle is bent out of its parent over its first ring, as a
@@ -15,7 +13,6 @@
 use super::spine::{self, Ring};
 use crate::plant::junction::{COLLAR, Footprint, LEAST_ANGLE_RAD, LEAST_SINE, half_angle};
 use glam::Vec3;
-use std::f32::consts::TAU;
 use std::ops::Range;
 
 /// Space between the parent's bark and the first ring, as a share of the parent's radius: strips around coarse rings sag.
@@ -88,7 +85,7 @@ pub(super) fn exit(
     from: f32,
     others: &[Exit],
 ) -> Option<Exit> {
-    let on = Carrier { rings: parent, arcs: parent_arcs };
+    let on = Parent { rings: parent, arcs: parent_arcs };
     let exit = on.leave(branch)?;
     let end = parent_arcs[parent_arcs.len() - 1];
     let place = |exit: &Exit| {
@@ -99,7 +96,8 @@ pub(super) fn exit(
     if (led - exit.at).abs() <= LED * exit.half_length {
         return Some(exit);
     }
-    let way = on.at(led) - on.at(exit.at);
+    let place = |arc: f32| at(parent, parent_arcs, arc).at;
+    let way = place(led) - place(exit.at);
     let reach = exit.arc + AFTER * way.length();
     let mut arc = 0.0;
     for i in 0..branch.len() {
@@ -132,12 +130,12 @@ fn free_place(exit: &Exit, (lowest, highest): (f32, f32), others: &[Exit]) -> f3
 
 /// A parent's rings and the length before each.
 #[derive(Clone, Copy)]
-struct Carrier<'a> {
+struct Parent<'a> {
     rings: &'a [Ring],
     arcs: &'a [f32],
 }
 
-impl Carrier<'_> {
+impl Parent<'_> {
     /// The exit of a branch whose foot is near.
     fn leave(self, branch: &mut [Ring]) -> Option<Exit> {
         let bark = self.foot(branch.first()?.at, 0..self.rings.len() - 1);
@@ -162,13 +160,6 @@ impl Carrier<'_> {
             half_length,
             half_angle: half_angle(collar, foot.ring.radius, WIDEST),
         })
-    }
-
-    /// The place on the axis at a length along it.
-    fn at(&self, arc: f32) -> Vec3 {
-        let i = self.arcs.partition_point(|a| *a <= arc).clamp(1, self.arcs.len() - 1);
-        let share = ((arc - self.arcs[i - 1]) / (self.arcs[i] - self.arcs[i - 1])).clamp(0.0, 1.0);
-        self.rings[i - 1].at.lerp(self.rings[i].at, share)
     }
 
     /// The place nearest to a point on some of the segments.
@@ -218,7 +209,7 @@ const NEAR: usize = 3;
 
 /// A branch's way out of its parent.
 struct Way<'a> {
-    on: Carrier<'a>,
+    on: Parent<'a>,
     /// The place on the parent beside its exit, or near to that.
     near: Foot,
     /// Its first ring outside, and the branch's length before it.
@@ -314,107 +305,9 @@ pub(super) fn between(a: &Ring, b: &Ring, share: f32) -> Ring {
     }
 }
 
-/// Cells of a parent's grid: between rings `rows` and between sides `column` and `column + columns`, modulo the sides.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Window {
-    pub(super) rows: Range<usize>,
-    pub(super) column: usize,
-    pub(super) columns: usize,
-}
-
-/// How many columns a window has that is `half_angle` wide on either side.
-pub(super) fn columns(half_angle: f32, sides: usize) -> usize {
-    ((2.0 * half_angle * sides as f32 / TAU).round() as usize).clamp(1, sides / 2)
-}
-
-/// How many rows away a branch looks for free cells.
-const FARTHEST: usize = 32;
-
-/// Which cells of a limb's grid are cut out.
-#[derive(Default)]
-pub(super) struct Cells {
-    sides: usize,
-    taken: Vec<bool>,
-}
-
-impl Cells {
-    pub(super) fn clear(&mut self, rows: usize, sides: usize) {
-        self.sides = sides;
-        self.taken.clear();
-        self.taken.resize(rows * sides, false);
-    }
-
-    pub(super) fn is_taken(&self, row: usize, column: usize) -> bool {
-        self.taken[row * self.sides + column]
-    }
-
-    /// Indices of a window's cells.
-    fn of(&self, window: &Window) -> impl Iterator<Item = usize> + use<> {
-        let (sides, first, columns) = (self.sides, window.column, window.columns);
-        window
-            .rows
-            .clone()
-            .flat_map(move |row| (first..first + columns).map(move |c| row * sides + c % sides))
-    }
-
-    fn is_free(&self, window: &Window) -> bool {
-        self.of(window).all(|cell| !self.taken[cell])
-    }
-
-    fn take(&mut self, window: Window) -> Window {
-        self.of(&window).for_each(|cell| self.taken[cell] = true);
-        window
-    }
-
-    /// Cuts a window of `rows` that is `half_angle` wide on either side of `angle`; a smaller one, or one elsewhere, where
-    /// those cells are taken; `None` when no cell is left.
-    pub(super) fn cut(&mut self, rows: Range<usize>, angle: f32, half_angle: f32) -> Option<Window> {
-        let per_side = TAU / self.sides as f32;
-        let columns = columns(half_angle, self.sides);
-        let middle = angle.rem_euclid(TAU) / per_side;
-        let first = |columns: usize| {
-            (middle - 0.5 * columns as f32).round().rem_euclid(self.sides as f32) as usize % self.sides
-        };
-        let wide = Window { rows: rows.clone(), column: first(columns), columns };
-        let narrow = Window { column: middle as usize % self.sides, columns: 1, ..wide.clone() };
-        if let Some(window) = [wide, narrow].into_iter().find(|window| self.is_free(window)) {
-            return Some(self.take(window));
-        }
-        self.nearest_free(0.5 * (rows.start + rows.end - 1) as f32, middle).map(|window| self.take(window))
-    }
-
-    fn nearest_free(&self, row: f32, column: f32) -> Option<Window> {
-        let sides = self.sides as f32;
-        let off = |cell: usize| {
-            let (r, c) = ((cell / self.sides) as f32 - row, (cell % self.sides) as f32 + 0.5 - column);
-            let around = (c.abs()).min(sides - c.abs());
-            r * r + around * around
-        };
-        let near = (row as usize).saturating_sub(FARTHEST)
-            ..(row as usize + FARTHEST).min(self.taken.len() / self.sides);
-        let free = (near.start * self.sides..near.end * self.sides).filter(|cell| !self.taken[*cell]);
-        let cell = free.min_by(|a, b| off(*a).total_cmp(&off(*b)))?;
-        let row = cell / self.sides;
-        Some(Window { rows: row..row + 1, column: cell % self.sides, columns: 1 })
-    }
-}
-
-impl Window {
-    /// The grid points (ring, side) of the rim, counter-clockwise seen from outside, and how far around the window's middle
-    /// each lies: a share of a turn, 0 upward; ascending, beginning with the first that is not negative.
-    pub(super) fn rim(&self, sides: usize, out: &mut Vec<(usize, usize, f32)>) {
-        out.clear();
-        let (w, h) = (self.columns, self.rows.len());
-        let mut push = |x: usize, y: usize| {
-            let (right, up) = (2.0 * x as f32 / w as f32 - 1.0, 2.0 * y as f32 / h as f32 - 1.0);
-            let turn = (-right).atan2(up) / TAU;
-            out.push((self.rows.start + y, (self.column + x) % sides, turn.rem_euclid(1.0)));
-        };
-        (0..w).for_each(|x| push(x, 0));
-        (0..h).for_each(|y| push(w, y));
-        (0..w).for_each(|x| push(w - x, h));
-        (0..h).for_each(|y| push(0, h - y));
-        let lowest = (0..out.len()).min_by(|a, b| out[*a].2.total_cmp(&out[*b].2)).unwrap_or(0);
-        out.rotate_left(lowest);
-    }
+/// The ring at a length along rings, which have these lengths before them.
+pub(super) fn at(rings: &[Ring], arcs: &[f32], arc: f32) -> Ring {
+    let i = arcs.partition_point(|a| *a <= arc).clamp(1, rings.len() - 1);
+    let share = ((arc - arcs[i - 1]) / (arcs[i] - arcs[i - 1])).clamp(0.0, 1.0);
+    between(&rings[i - 1], &rings[i], share)
 }

@@ -256,11 +256,11 @@ impl Limbs {
         let exit = parent.map(|p| {
             let on = self.all[p].rings.clone();
             let free = self.all[p].exit.map_or(0.0, |exit| exit.arc + COLLAR_LENGTH * exit.ring.radius);
-            let carrier = (&self.rings[on.clone()], &self.arcs[on]);
+            let of_parent = (&self.rings[on.clone()], &self.arcs[on]);
             let siblings = std::iter::successors(self.last_child[p], |c| self.before[*c]).take(SIBLINGS);
             self.others.clear();
             self.others.extend(siblings.filter_map(|c| self.all[c].exit));
-            joint::exit(&mut self.one, carrier, free, &self.others)
+            joint::exit(&mut self.one, of_parent, free, &self.others)
         });
         let mut arc = 0.0;
         for (i, ring) in self.one.iter().enumerate() {
@@ -308,10 +308,10 @@ impl Limbs {
         }
         for (index, twig) in branches.iter().enumerate() {
             let Some(parent) = twig.parent else { continue };
-            let carrier = branches[parent];
-            let next = if End::top(carrier.branch).goes_on(twig.branch) {
+            let lower = branches[parent];
+            let next = if End::top(lower.branch).goes_on(twig.branch) {
                 &mut self.next[parent]
-            } else if carrier.parent.is_none() && stands_under(carrier.branch, twig.branch) {
+            } else if lower.parent.is_none() && stands_under(lower.branch, twig.branch) {
                 &mut self.below[parent]
             } else {
                 continue;

@@ -12,7 +12,7 @@
 //! | `shapes`, `copies` | blades that are copies of few shapes |
 //! | `instances` | copies by their shapes, for glTF |
 //! | `spine`, `tube` | single branches |
-//! | `limbs`, `rows`, `joint`, `strip`, `wood`, `sealing` | branches that grow out of one another |
+//! | `limbs`, `rows`, `joint`, `window`, `strip`, `wood`, `sealing` | branches that grow out of one another |
 //! | `surface`, `wood_changes`, `wood_memory` | their surface made anew only near what changed |
 //! | `solids`, `filaments` | receptacles, fruits, pots |
 //! | `organs` | all organs of one part |
@@ -62,6 +62,7 @@ mod surface;
 mod tests;
 mod topology;
 mod tube;
+mod window;
 mod wood;
 mod wood_changes;
 mod wood_memory;

@@ -9,6 +9,7 @@
 use super::joint::{self, Exit};
 use super::limbs::{COLLAR_LENGTH, Limb, Limbs};
 use super::spine::Ring;
+use super::window;
 use crate::geom::frame;
 use crate::plant::junction::COLLAR;
 use glam::{Quat, Vec3};
@@ -69,7 +70,7 @@ fn lay_out(Limbs { rings, arcs, all: limbs, children, .. }: &Limbs, limb: &Limb,
     grid.push(Row::new(start, first));
     let after_collar = start + limb.exit.map_or(0.0, |exit| COLLAR_LENGTH * exit.ring.radius);
     if limb.exit.is_some() && after_collar < end {
-        grid.push(Row::new(after_collar, at(own, along, after_collar)));
+        grid.push(Row::new(after_collar, joint::at(own, along, after_collar)));
     }
     let kept = grid.len();
     grid.extend(
@@ -87,7 +88,7 @@ fn lay_out(Limbs { rings, arcs, all: limbs, children, .. }: &Limbs, limb: &Limb,
         let high = exit.at + exit.half_length;
         for arc in [low, high] {
             if arc > after_collar && arc < end {
-                grid.push(Row::new(arc, at(own, along, arc)));
+                grid.push(Row::new(arc, joint::at(own, along, arc)));
             }
         }
     }
@@ -116,13 +117,6 @@ fn thin(grid: &mut Vec<Row>, kept: usize, sides: usize) {
         grid.pop();
     }
     grid.push(last);
-}
-
-/// The ring of a limb at a length along it.
-fn at(rings: &[Ring], arcs: &[f32], arc: f32) -> Ring {
-    let i = arcs.partition_point(|a| *a <= arc).clamp(1, rings.len() - 1);
-    let share = ((arc - arcs[i - 1]) / (arcs[i] - arcs[i - 1])).clamp(0.0, 1.0);
-    joint::between(&rings[i - 1], &rings[i], share)
 }
 
 /// The direction in the plane of a branch's first ring that lies above it on the parent.
@@ -158,7 +152,7 @@ fn align(Limbs { all: limbs, children, .. }: &Limbs, limb: &Limb, Rows { all: gr
             continue;
         }
         let row = grid.partition_point(|row| row.arc < exit.at).min(grid.len() - 1);
-        let columns = joint::columns(exit.half_angle, limb.sides());
+        let columns = window::columns(exit.half_angle, limb.sides());
         let first = grid[row].angle_of(exit.outward) / per_side - 0.5 * columns as f32;
         turns.push(Turn { span, by: first - first.round() });
     }

@@ -93,9 +93,9 @@ impl Taken<'_> {
     }
 
     /// The first point of what carries the limb.
-    fn first_point_of_carrier(&self) -> u32 {
-        let carrier = self.from.limbs[self.limb].parent;
-        carrier.map_or(0, |carrier| self.from.places.pieces[carrier].points.start)
+    fn first_point_of_parent(&self) -> u32 {
+        let parent = self.from.limbs[self.limb].parent;
+        parent.map_or(0, |parent| self.from.places.pieces[parent].points.start)
     }
 }
 
@@ -109,18 +109,18 @@ pub(super) fn joined(limbs: &[Limb], taken: &[Option<Taken<'_>>]) -> Surface {
         places.pieces[limb].points = appended(&mut mesh.points, points.iter().copied());
     }
     let shift = |places: &Places, limb: usize, taken: &Taken<'_>| {
-        let carrier = limbs[limb].parent.map_or(0, |carrier| places.pieces[carrier].points.start);
+        let parent = limbs[limb].parent.map_or(0, |parent| places.pieces[parent].points.start);
         Shift {
             own: places.pieces[limb].points.start.wrapping_sub(taken.piece().points.start),
-            carriers: carrier.wrapping_sub(taken.first_point_of_carrier()),
+            parents: parent.wrapping_sub(taken.first_point_of_parent()),
         }
     };
     for (limb, taken) in shown() {
         let (vertices, piece) = (&taken.from.mesh.vertices, taken.piece());
-        let Shift { own, carriers } = shift(places, limb, taken);
+        let Shift { own, parents } = shift(places, limb, taken);
         let moved = |range: Range<usize>, by: u32| vertices[range].iter().map(move |v| moved(v, by));
         places.pieces[limb].own = appended(&mut mesh.vertices, moved(range(&piece.own), own));
-        places.pieces[limb].strip = appended(&mut mesh.vertices, moved(range(&piece.strip), carriers));
+        places.pieces[limb].strip = appended(&mut mesh.vertices, moved(range(&piece.strip), parents));
     }
     for (limb, taken) in shown().filter(|(_, taken)| !taken.piece().cap.is_empty()) {
         let (vertices, own) = (&taken.from.mesh.vertices, shift(places, limb, taken).own);
@@ -154,7 +154,7 @@ pub(super) fn joined(limbs: &[Limb], taken: &[Option<Taken<'_>>]) -> Surface {
 /// By how much the points of a limb and those of what carries it are moved.
 struct Shift {
     own: u32,
-    carriers: u32,
+    parents: u32,
 }
 
 /// Appends the faces of a limb in one bark and the vertices that were split off for them.
@@ -180,7 +180,7 @@ fn append_faces(
     let faces = appended(&mut mesh.triangles, faces.map(|face| face.map(corner)));
     let splits = from.mesh.vertices[range(&run.splits)].iter().map(|vertex| {
         let is_own = then.points.contains(&vertex.point);
-        moved(vertex, if is_own { shift.own } else { shift.carriers })
+        moved(vertex, if is_own { shift.own } else { shift.parents })
     });
     Run { faces, splits: appended(&mut mesh.vertices, splits) }
 }

@@ -208,7 +208,7 @@ fn check(model: &Model) -> Result<(), String> {
             return Err(here("name is not unique".into()));
         }
         if part.parent.is_some_and(|p| p >= i || model.parts[p].specimen != part.specimen) {
-            return Err(here("carrier".into()));
+            return Err(here("parent".into()));
         }
     }
     Ok(())

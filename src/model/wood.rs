@@ -10,7 +10,6 @@
 //! Limits: branches that pass through each other in mid-air are not joined. A branch that finds no free place on its
 //! parent is closed at its foot and stands alone.
 
-use super::joint::Cells;
 use super::limbs::{Limb, Limbs, Twig};
 use super::mesh::{Mesh, Vertex};
 use super::rows::{Row, Rows};
@@ -18,6 +17,7 @@ use super::sealing::{Raw, RawLimb};
 use super::strip::{self, Around, StripScratch};
 use super::surface::Surface;
 use super::tube::{FINEST_BARK, TubeLook};
+use super::window::Cells;
 use crate::plant::Branch;
 use glam::{Vec2, Vec3};
 use std::f32::consts::TAU;
