@@ -42,7 +42,7 @@ const BANNED: &[(&str, &str)] = &[
 const NOT_CLEANED: &[(&str, &[&str])] = &[
     ("depth", &["standing"]),
     ("growth", &["told"]),
-    ("model", &["carrier", "standing", "wears"]),
+    ("model", &["standing", "wears"]),
     ("pipeline", &["standing", "wish"]),
     ("plant", &["told", "wish"]),
 ];
