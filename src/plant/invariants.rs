@@ -25,6 +25,9 @@ impl Plant {
             ensure(is_unit(flower.cone.axis), || here("axis is not a unit vector"))?;
             ensure(flower.cone.apex.is_finite(), || here("apex not finite"))?;
             ensure(flower.reach.is_finite() && flower.reach > 0.0, || here("reach not positive"))?;
+            ensure(flower.centre_radius.is_finite() && flower.centre_radius >= 0.0, || {
+                here("radius of the centre negative")
+            })?;
         }
         for (i, bud) in self.buds.iter().enumerate() {
             let here = |what: &str| format!("bud {i}: {what}");
@@ -46,9 +49,12 @@ impl Plant {
     }
 
     fn check_level(&self, branch: &Branch) -> Result<(), String> {
-        let above = branch.parent.map(|parent| self.branches[parent].level);
+        let parent = branch.parent.map(|parent| &self.branches[parent]);
+        let above = parent.map(|parent| parent.level);
         let is_next = branch.level == above.map_or(0, |level| level + 1);
-        ensure(is_next || (branch.is_basal_stem() && above == Some(0)), || {
+        // The stems of a bush stand on the first of them, which stands on the ground.
+        let is_on_first_stem = branch.is_basal_stem() && parent.is_some_and(|parent| parent.parent.is_none());
+        ensure(is_next || is_on_first_stem, || {
             format!("level {} on a parent of level {above:?}", branch.level)
         })
     }
@@ -88,4 +94,95 @@ fn is_unit(v: Vec3) -> bool {
 
 fn ensure(holds: bool, what: impl FnOnce() -> String) -> Result<(), String> {
     if holds { Ok(()) } else { Err(what()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Cone, Flower, FlowerBud, OrganPart, Origin, Role, WoodPart};
+    use super::*;
+    use glam::Vec2;
+
+    fn branch(parent: Option<usize>, level: u32) -> Branch {
+        let (origin, role) = (Origin::Generated, Role::of(WoodPart::Stem));
+        Branch { origin, parent, level, points: vec![Vec3::ZERO, Vec3::Y], radii: vec![0.1; 2], role }
+    }
+
+    fn organ(shape: Shape) -> Organ {
+        let (origin, role) = (Origin::Generated, Role::of(OrganPart::Disc));
+        Organ { role, origin, branch: Some(1), flower: Some(0), shape }
+    }
+
+    /// A bush of two stems with a twig, a flower, a bud and a solid of each kind.
+    fn bush() -> Plant {
+        let cone = Cone { apex: Vec3::Y, axis: Vec3::Y, opening_rad: 0.5, height: 0.1 };
+        let (base, axis, points) = (Vec3::Y, Vec3::Y, vec![Vec3::ZERO, Vec3::Y]);
+        Plant {
+            branches: vec![branch(None, 0), branch(Some(0), 0), branch(Some(1), 1)],
+            flowers: vec![Flower { branch: Some(1), cone, centre_radius: 0.01, reach: 0.1, look: 0 }],
+            organs: vec![
+                organ(Shape::Dome { base, axis, radius: 0.1, height: 0.1 }),
+                organ(Shape::Filament { points, radius: 0.1, head: Vec2::ZERO }),
+                organ(Shape::Lathe { base, axis, profile: vec![Vec2::ZERO, Vec2::X, Vec2::Y] }),
+            ],
+            buds: vec![FlowerBud { branch: None, base, u: Vec3::X, v: Vec3::Y }],
+            ..Plant::default()
+        }
+    }
+
+    /// The words about a bush after something was done to it.
+    fn after(change: impl FnOnce(&mut Plant)) -> String {
+        let mut plant = bush();
+        change(&mut plant);
+        plant.check_invariants().expect_err("the change must be noticed")
+    }
+
+    fn shape(of: &mut Plant, number: usize) -> &mut Shape {
+        &mut of.organs[number].shape
+    }
+
+    #[test]
+    fn a_sound_plant_is_sound() {
+        assert_eq!(bush().check_invariants(), Ok(()));
+        assert_eq!(Plant::default().check_invariants(), Ok(()));
+    }
+
+    #[test]
+    fn branches_that_cannot_be_are_named() {
+        assert!(after(|p| p.branches[0].parent = Some(0)).contains("branch 0: parent"));
+        assert!(after(|p| p.branches[1].parent = Some(2)).contains("branch 1: parent"));
+        assert!(after(|p| p.branches[2].level = 2).contains("branch 2: level 2"));
+        assert!(after(|p| p.branches[2].level = 0).contains("branch 2: level 0"), "a stem on a stem");
+        assert!(after(|p| p.branches[0].level = 1).contains("branch 0: level 1"));
+        assert!(after(|p| p.branches[1].points.truncate(1)).contains("fewer than two points"));
+        assert!(after(|p| p.branches[1].points.push(Vec3::X)).contains("differ in number"));
+        assert!(after(|p| p.branches[1].points[0] = Vec3::Y).contains("repeated point"));
+        assert!(after(|p| p.branches[1].points[0].x = f32::NAN).contains("not finite"));
+        assert!(after(|p| p.branches[1].radii[1] = 0.0).contains("radius not positive"));
+    }
+
+    #[test]
+    fn flowers_and_buds_that_cannot_be_are_named() {
+        assert!(after(|p| p.flowers[0].branch = Some(3)).contains("flower 0: branch out of range"));
+        assert!(after(|p| p.flowers[0].cone.axis = 2.0 * Vec3::Y).contains("unit"));
+        assert!(after(|p| p.flowers[0].cone.apex.y = f32::INFINITY).contains("apex"));
+        assert!(after(|p| p.flowers[0].reach = 0.0).contains("reach"));
+        assert!(after(|p| p.flowers[0].centre_radius = -0.1).contains("centre"));
+        assert!(after(|p| p.flowers[0].look = 1).contains("look"));
+        assert!(after(|p| p.buds[0].branch = Some(3)).contains("bud 0"));
+        assert!(after(|p| p.buds[0].v.x = f32::NAN).contains("bud 0"));
+    }
+
+    #[test]
+    fn organs_that_cannot_be_are_named() {
+        assert!(after(|p| p.organs[0].branch = Some(3)).contains("branch out of range"));
+        assert!(after(|p| p.organs[1].flower = Some(1)).contains("flower out of range"));
+        let dome = |axis, radius| Shape::Dome { base: Vec3::ZERO, axis, radius, height: 0.1 };
+        assert!(after(|p| *shape(p, 0) = dome(Vec3::Y, 0.0)).contains("size"));
+        assert!(after(|p| *shape(p, 0) = dome(Vec3::ZERO, 0.1)).contains("pose"));
+        let filament = |points| Shape::Filament { points, radius: 0.1, head: Vec2::ZERO };
+        assert!(after(|p| *shape(p, 1) = filament(vec![Vec3::ZERO])).contains("organ 1"));
+        assert!(after(|p| *shape(p, 1) = filament(vec![Vec3::ZERO; 2])).contains("repeated"));
+        let lathe = Shape::Lathe { base: Vec3::ZERO, axis: Vec3::Y, profile: vec![Vec2::ZERO; 2] };
+        assert!(after(|p| *shape(p, 2) = lathe).contains("profile"));
+    }
 }
