@@ -122,8 +122,8 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
     let gathering = flowers::gather_with(&mut cache.flowers, blades, &stems, &params.flowers);
     (anatomy.petals, anatomy.flowers, anatomy.leaves) =
         (gathering.petals, gathering.flowers, gathering.leaves);
-    for &heart in &gathering.hearts {
-        warnings.add(Some(heart), || Remark::Heart);
+    for &centre in &gathering.centres {
+        warnings.add(Some(centre), || Remark::FlowerCentre);
     }
     anatomy.crowns = crowns(&readings, &mut warnings);
     let flowers = (&mut anatomy.flowers[..], &anatomy.petals[..]);
@@ -132,7 +132,7 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
     let fill = Fill { readings: &readings, seed: sketch.seed, twigs, leaf_twigs, leaf_fill, stop };
     fill.fill(&mut cache.outlines, &mut anatomy, &mut warnings);
     anatomy.warnings = warnings.into_vec();
-    anatomy.marks = marks(&readings, &anatomy.petals, &gathering.hearts);
+    anatomy.marks = marks(&readings, &anatomy.petals, &gathering.centres);
     anatomy
 }
 
@@ -167,14 +167,14 @@ fn stems(branches: &[FlatBranch]) -> Vec<Stem> {
 }
 
 /// The verdicts in drawing order; blades that gathered to flowers are petals.
-fn marks(readings: &[Arc<Reading>], petals: &[FlatBlade], hearts: &[StrokeId]) -> Vec<Mark> {
+fn marks(readings: &[Arc<Reading>], petals: &[FlatBlade], centres: &[StrokeId]) -> Vec<Mark> {
     let mut petal_ids: Vec<StrokeId> = petals.iter().filter_map(|p| p.stroke).collect();
     petal_ids.sort_unstable();
-    let mut hearts = hearts.to_vec();
-    hearts.sort_unstable();
+    let mut centres = centres.to_vec();
+    centres.sort_unstable();
     let part = |r: &Arc<Reading>| match r.part {
         Part::Leaf if petal_ids.binary_search(&r.id).is_ok() => Part::Petal,
-        Part::Leaf if hearts.binary_search(&r.id).is_ok() => Part::Ignored,
+        Part::Leaf if centres.binary_search(&r.id).is_ok() => Part::Ignored,
         part => part,
     };
     readings.iter().map(|r| Mark { stroke: r.id, part: part(r), confidence: r.confidence }).collect()

@@ -7,7 +7,7 @@
 //! Departures from the paper: the verdict carries a calibrated confidence, and the features are scale-free (see
 //! [`super::features`]).
 //!
-//! Limit: one stroke is seen on its own. The heart of a flower or the outline of a crown is a blade by its shape, one
+//! Limit: one stroke is seen on its own. The centre of a flower or the outline of a crown is a blade by its shape, one
 //! side of a leaf is a branch; the artist's explicit tools are for those.
 
 use super::features::stroke_features;

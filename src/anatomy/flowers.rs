@@ -6,9 +6,9 @@
 //! any number, those drawn with the leaf tool never are. What the artist says of one blade is no verdict on another: a
 //! blade beside an explicit petal or leaf is what it would be beside any blade.
 //!
-//! Two habits of hands that the papers do not know: many draw a flower's heart as a circle and petals around it, whose
+//! Two habits of hands that the papers do not know: many draw a flower's centre as a circle and petals around it, whose
 //! roots keep a distance (an open flower: a wider search, accepted only if the petals stand all round and point away
-//! from the middle); and the circle itself is no petal: a blade that lies around the flower's centre is its heart.
+//! from the middle); and the circle itself is no petal: a round blade around the point where the petals meet is the flower's centre.
 //!
 //! Blades that gather at the foot of a stem are a rosette of leaves, but for those that the petal tool drew: flowers end
 //! stems, they do not begin them.
@@ -16,7 +16,7 @@
 //! From one drawing to the next it is remembered where roots gather ([`Gatherer`]): only roots near a blade that came or
 //! went are looked at again.
 
-use super::{FlatBlade, FlatFlower, flower_heart::Roundness};
+use super::{FlatBlade, FlatFlower, flower_centre::Roundness};
 use crate::geom::mean_shift::{self, Climbs};
 use crate::sketch::{StrokeId, Tool};
 use glam::Vec2;
@@ -26,11 +26,11 @@ crate::parameters! {
     pub struct FlowerParams {
         /// Radius within which roots belong together.
         bandwidth: f32 = 0.3, 0.02..=2.0, "of the blade's length";
-        /// The same for flowers that are drawn around an open heart.
+        /// The same for flowers that are drawn around an open centre.
         open_bandwidth: f32 = 0.75, 0.02..=2.0, "of the blade's length";
         /// Fewest blades that make a flower where the artist did not say petal.
         min_petals: u32 = 3, 1..=50, "";
-        /// Widest angle without a petal in a flower with an open heart.
+        /// Widest angle without a petal in a flower with an open centre.
         open_gap: f32 = 150.0, 30.0..=360.0, "degrees";
     }
 }
@@ -38,7 +38,7 @@ crate::parameters! {
 /// Share of a bandwidth within which two modes are the same cluster.
 const MERGE: f32 = 0.7;
 
-/// Fewest petals around an open heart.
+/// Fewest petals around an open centre.
 const OPEN_PETALS: usize = 4;
 
 /// Blades sorted into flowers and leaves.
@@ -50,8 +50,8 @@ pub struct Gathering {
     pub flowers: Vec<FlatFlower>,
     /// The rest.
     pub leaves: Vec<FlatBlade>,
-    /// Strokes that draw the heart of a flower.
-    pub hearts: Vec<StrokeId>,
+    /// Strokes that draw the centre of a flower.
+    pub centres: Vec<StrokeId>,
 }
 
 /// A blade on its way into a flower.
@@ -207,11 +207,11 @@ fn is_rosette(blades: &[Drawn], stems: &Stems, bandwidth: f32) -> bool {
     stems.near(center, reach).iter().any(at_foot)
 }
 
-/// Whether blades stand all round a common centre and point away from it, their heart left out.
+/// Whether blades stand all round a common centre and point away from it, their centre left out.
 fn is_open_flower(blades: &[Drawn], widest_gap: f32) -> bool {
     let center = center_of(blades);
     let petals: Vec<&FlatBlade> =
-        blades.iter().filter(|drawn| !drawn.roundness.is_heart(center)).map(|drawn| &drawn.blade).collect();
+        blades.iter().filter(|drawn| !drawn.roundness.is_centre(center)).map(|drawn| &drawn.blade).collect();
     let outward = |b: &&FlatBlade| {
         let out = (b.tip - center).normalize_or_zero();
         b.axis().normalize_or_zero().dot(out) > 0.7 && b.root.distance(center) < 0.6 * b.tip.distance(center)
@@ -229,19 +229,19 @@ fn is_open_flower(blades: &[Drawn], widest_gap: f32) -> bool {
 impl Gathering {
     fn add_flower(&mut self, blades: Vec<Drawn>) {
         let center = center_of(&blades);
-        let is_heart = |drawn: &Drawn| drawn.tool == Tool::Auto && drawn.roundness.is_heart(center);
-        let (hearts, petals): (Vec<Drawn>, Vec<Drawn>) = blades.into_iter().partition(is_heart);
+        let is_centre = |drawn: &Drawn| drawn.tool == Tool::Auto && drawn.roundness.is_centre(center);
+        let (centres, petals): (Vec<Drawn>, Vec<Drawn>) = blades.into_iter().partition(is_centre);
         if petals.is_empty() {
-            self.leaves.extend(hearts.into_iter().map(|drawn| drawn.blade));
+            self.leaves.extend(centres.into_iter().map(|drawn| drawn.blade));
             return;
         }
         let center = center_of(&petals);
-        let heart_radius = hearts.iter().map(|drawn| drawn.roundness.radius()).reduce(f32::max);
-        self.hearts.extend(hearts.iter().filter_map(|drawn| drawn.blade.stroke));
+        let centre_radius = centres.iter().map(|drawn| drawn.roundness.radius()).reduce(f32::max);
+        self.centres.extend(centres.iter().filter_map(|drawn| drawn.blade.stroke));
         let first = self.petals.len();
         self.petals.extend(petals.into_iter().map(|drawn| drawn.blade));
         let petals = (first..self.petals.len()).collect();
-        self.flowers.push(FlatFlower { petals, center, heart_radius, attachment: None });
+        self.flowers.push(FlatFlower { petals, center, centre_radius, attachment: None });
     }
 }
 
@@ -354,12 +354,12 @@ mod tests {
     }
 
     #[test]
-    fn petals_around_an_open_heart_are_a_flower_and_the_circle_is_its_heart() {
+    fn petals_around_an_open_centre_are_a_flower_and_the_circle_is_its_centre() {
         let gathering = gather(open_flower(), &[], &FlowerParams::default());
         assert_eq!(gathering.flowers.len(), 1);
         assert_eq!(gathering.flowers[0].petals.len(), 5);
-        assert_eq!(gathering.hearts, [9]);
-        let radius = gathering.flowers[0].heart_radius.unwrap();
+        assert_eq!(gathering.centres, [9]);
+        let radius = gathering.flowers[0].centre_radius.unwrap();
         assert!((20.0..32.0).contains(&radius), "{radius}");
     }
 

@@ -11,7 +11,7 @@ pub mod classify;
 pub mod features;
 pub mod fill_leaves;
 pub mod fill_twigs;
-pub mod flower_heart;
+pub mod flower_centre;
 pub mod flowers;
 pub mod growth_points;
 pub mod hierarchy;
@@ -167,8 +167,8 @@ pub struct FlatFlower {
     pub petals: Vec<usize>,
     /// Mean of the petals' roots.
     pub center: Vec2,
-    /// Radius of its heart in pixels, where one was drawn.
-    pub heart_radius: Option<f32>,
+    /// Radius of its centre in pixels, where one was drawn.
+    pub centre_radius: Option<f32>,
     /// The place on a branch where it grows.
     pub attachment: Option<Attachment>,
 }

@@ -9,7 +9,7 @@ use super::{
     FlatBlade, Part, Sample,
     blade_outline::{self, TipParams},
     classify::Classifier,
-    flower_heart::Roundness,
+    flower_centre::Roundness,
     preprocess::{self, PreprocessParams, preprocess},
 };
 use crate::geom::{convex_hull::convex_hull, polyline, simple_loop};

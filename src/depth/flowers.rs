@@ -42,7 +42,7 @@ struct PetalKey {
 }
 
 /// A petal on its way into space.
-struct Standing<'a> {
+struct PlacedPetal<'a> {
     flat: &'a FlatBlade,
     cone: Cone,
     /// World depth of its tip.
@@ -83,9 +83,9 @@ impl Flowers {
         let posed = anatomy.flowers.iter().zip(poses).zip(depths);
         let flowers: Vec<Flower> =
             posed.map(|((flat, pose), depth)| flower(flat, pose, *depth, &anatomy.petals, world)).collect();
-        let mut standing = Vec::with_capacity(anatomy.petals.len());
+        let mut placed = Vec::with_capacity(anatomy.petals.len());
         for ((flat, pose), flower) in anatomy.flowers.iter().zip(poses).zip(&flowers) {
-            standing.extend(flat.petals.iter().zip(&pose.tip_depths).map(|(&p, tip_depth)| Standing {
+            placed.extend(flat.petals.iter().zip(&pose.tip_depths).map(|(&p, tip_depth)| PlacedPetal {
                 flat: &anatomy.petals[p],
                 cone: flower.cone,
                 tip_depth: flower.cone.apex.z + tip_depth * world.scale,
@@ -94,12 +94,12 @@ impl Flowers {
         let mut blades = self
             .petals
             .made(
-                &standing,
+                &placed,
                 |petal| petal.key(world),
                 |petal| petals::petal(petal.flat, &petal.cone, petal.tip_depth, world, curl),
             )
             .into_iter();
-        let (mut organs, mut templates) = (Vec::with_capacity(standing.len()), Templates::default());
+        let (mut organs, mut templates) = (Vec::with_capacity(placed.len()), Templates::default());
         for (index, (flat, flower)) in anatomy.flowers.iter().zip(&flowers).enumerate() {
             organs.extend(flat.petals.iter().zip(blades.by_ref()).map(|(&p, blade)| Organ {
                 role: Role::of(OrganPart::Petal),
@@ -113,7 +113,7 @@ impl Flowers {
     }
 }
 
-impl Standing<'_> {
+impl PlacedPetal<'_> {
     fn key(&self, world: &WorldFromCanvas) -> PetalKey {
         let Cone { apex, axis, opening_rad, height } = self.cone;
         let WorldFromCanvas { scale, origin } = *world;
@@ -149,7 +149,7 @@ fn flower(
         Cone { apex, axis: pose.axis, opening_rad: pose.opening_rad, height: pose.height_px * world.scale };
     let members = flat.petals.iter().map(|&p| &petals[p]);
     let centre =
-        flat.heart_radius.unwrap_or_else(|| petals::root_distance(members, pose.center)) * world.scale;
+        flat.centre_radius.unwrap_or_else(|| petals::root_distance(members, pose.center)) * world.scale;
     Flower {
         branch: flat.attachment.map(|place| place.branch),
         cone,

@@ -237,9 +237,9 @@ fn add_leaves(
         Some(place) => skeleton.point(place, &poser.world),
         None => poser.world.point(leaf.root),
     };
-    let standing: Vec<(&FlatBlade, Vec3)> = anatomy.leaves.iter().map(|leaf| (leaf, foot(leaf))).collect();
-    let blades = known.pose(&standing, &anatomy.templates, poser, &mut plant.templates);
-    for ((leaf, foot), blade) in standing.into_iter().zip(blades) {
+    let placed: Vec<(&FlatBlade, Vec3)> = anatomy.leaves.iter().map(|leaf| (leaf, foot(leaf))).collect();
+    let blades = known.pose(&placed, &anatomy.templates, poser, &mut plant.templates);
+    for ((leaf, foot), blade) in placed.into_iter().zip(blades) {
         let parent = match leaf.attachment.map(|place| place.branch) {
             Some(branch)
                 if foot.distance(blade.base) > PETIOLE_GAP * plant.templates[blade.template].length() =>

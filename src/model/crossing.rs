@@ -89,8 +89,8 @@ mod tests {
     /// A face in the ground, and one that stands on edge at a place along x.
     fn two(x: f32, low: f32) -> Mesh {
         let ground = [vec3(0.0, 0.0, -1.0), vec3(2.0, 0.0, 0.0), vec3(0.0, 0.0, 1.0)];
-        let standing = [vec3(x, low, 0.0), vec3(x, 1.0, -0.2), vec3(x, 1.0, 0.2)];
-        mesh(&[ground, standing].concat(), &[[0, 1, 2], [3, 4, 5]])
+        let upright = [vec3(x, low, 0.0), vec3(x, 1.0, -0.2), vec3(x, 1.0, 0.2)];
+        mesh(&[ground, upright].concat(), &[[0, 1, 2], [3, 4, 5]])
     }
 
     #[test]

@@ -219,14 +219,14 @@ fn shapes(
             Some((template.name, template.flat.as_ref().as_ref()?))
         };
         match original {
-            Original::Blade(id, blade) => recipe.shape(&shapes::standing(blade), of_blade(*id)?.0),
+            Original::Blade(id, blade) => recipe.shape(&shapes::upright(blade), of_blade(*id)?.0),
             Original::Dome(proportion) => recipe.solid_shape(false, *proportion),
             Original::Head(proportion) => recipe.solid_shape(true, *proportion),
         }
         let hash = recipe.hash();
         let shape = known.get(hash, recipe, round).cloned().or_else(|| match original {
             Original::Blade(id, blade) => {
-                blade::shape(&shapes::standing(blade), of_blade(*id)?.1, &params.blade, scratch)
+                blade::shape(&shapes::upright(blade), of_blade(*id)?.1, &params.blade, scratch)
             }
             Original::Dome(proportion) => CopyShape::solid(solids::dome(*proportion, &params.solid)),
             Original::Head(proportion) => CopyShape::solid(solids::head(*proportion, &params.solid)),

@@ -75,8 +75,8 @@ impl Recipe {
     }
 
     /// The recipe of the shape of a blade that stands at the origin, by the name of its triangulation.
-    pub(super) fn shape(&mut self, standing: &ResolvedBlade<'_>, flat: u64) {
-        self.begin(3).blade(standing, TemplateName::Flat(flat));
+    pub(super) fn shape(&mut self, upright: &ResolvedBlade<'_>, flat: u64) {
+        self.begin(3).blade(upright, TemplateName::Flat(flat));
     }
 
     /// The recipe of the shape of a dome or of a head of these proportions.

@@ -1,5 +1,5 @@
 //! What organs are copies of. Blades of one template of reduced detail and one form differ only in where they stand, so that one
-//! of them is bent and given thickness, standing at the origin, and the others are placed. So are domes and the heads of
+//! of them is bent and given thickness, upright at the origin, and the others are placed. So are domes and the heads of
 //! filaments: those of one proportion differ in place and size, and one of radius 1 is made.
 //!
 //! Limits: only flat blades; threads, which all bend in their own way, and lathed bodies are no copies. A blade so small, or
@@ -107,7 +107,7 @@ impl<'a> ShapesInCommon<'a> {
 }
 
 /// The blade as its shape stands.
-pub(super) fn standing<'a>(blade: &ResolvedBlade<'a>) -> ResolvedBlade<'a> {
+pub(super) fn upright<'a>(blade: &ResolvedBlade<'a>) -> ResolvedBlade<'a> {
     Blade { base: Vec3::ZERO, u: Vec3::X, v: Vec3::Y, ..*blade }
 }
 
@@ -152,7 +152,7 @@ mod tests {
         let leaf = &leaf.resolved();
         let (params, scratch) = (BladeMeshParams::default(), &mut BladeScratch::default());
         let flat = flatten(leaf.template, None, &params, &mut FlatScratch::default()).unwrap();
-        let shape = blade::shape(&standing(leaf), &flat, &params, scratch).unwrap();
+        let shape = blade::shape(&upright(leaf), &flat, &params, scratch).unwrap();
         let placed = Shape::Blade(leaf.with_template(Templates::default().add(leaf.template.clone())));
         let copy = shape.placement(&placed).map(|placement| {
             let mut copy = Mesh::default();

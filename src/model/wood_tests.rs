@@ -179,7 +179,7 @@ fn a_branch_on_the_end_of_another_goes_on_with_it() {
 }
 
 #[test]
-fn what_goes_on_from_the_end_of_another_wears_its_own_bark() {
+fn what_goes_on_from_the_end_of_another_has_its_own_bark() {
     let limbs = [trunk().0, branch(Vec3::Y * 2.0, Vec3::Y, 1.0, 0.03)];
     let twig = |k: usize| Twig { branch: &limbs[k], parent: (k > 0).then_some(0), slot: k };
     let look = |branch: &Branch| tube::look(branch, &TubeParams::default(), 3.0);

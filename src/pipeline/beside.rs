@@ -9,7 +9,7 @@
 
 use super::clock::Clock;
 use super::finish::{Built, Finish, finish};
-use super::placing::{Placing, Standing, height_above};
+use super::placing::{BuiltBeside, Placing, height_above};
 use super::seed::{self, SeedMemory};
 use super::setup::{Params, params_of_species};
 use super::source::Seed;
@@ -38,12 +38,12 @@ struct Kept {
     with: Option<Box<(Species, Params)>>,
     seed: SeedMemory,
     model: model::Cache,
-    last: Option<(Wish, Arc<Made>)>,
+    last: Option<(Request, Arc<Made>)>,
 }
 
 /// All that decides what a plant is like.
 #[derive(Clone, Debug, PartialEq)]
-struct Wish {
+struct Request {
     maker: Maker,
     placing: Placing,
     budget: Budget,
@@ -104,8 +104,8 @@ pub(super) fn add(
             Made::Stands(built) => {
                 drawn.remarks.extend(built.remarks.iter().map(|warning| of_plant(&warning.remark)));
                 let foot = Placing::new(plant, &world).foot();
-                let standing = put_behind(&mut drawn, built, (plant.maker.species(), foot), &mut names);
-                drawn.beside.push(Some(standing));
+                let placed = put_behind(&mut drawn, built, (plant.maker.species(), foot), &mut names);
+                drawn.beside.push(Some(placed));
             }
         }
     }
@@ -162,37 +162,37 @@ impl Kept {
         stop: &(dyn Fn() -> bool + Sync),
     ) -> Option<Arc<Made>> {
         let placing = Placing::new(plant, world);
-        let wish = Wish { maker: plant.maker.clone(), placing, budget };
-        if let Some((_, made)) = self.last.as_ref().filter(|(last, _)| *last == wish) {
+        let request = Request { maker: plant.maker.clone(), placing, budget };
+        if let Some((_, made)) = self.last.as_ref().filter(|(last, _)| *last == request) {
             return Some(made.clone());
         }
-        let made = Arc::new(self.made(&wish, stop)?);
-        self.last = Some((wish, made.clone()));
+        let made = Arc::new(self.made(&request, stop)?);
+        self.last = Some((request, made.clone()));
         Some(made)
     }
 
-    fn made(&mut self, wish: &Wish, stop: &(dyn Fn() -> bool + Sync)) -> Option<Made> {
+    fn made(&mut self, request: &Request, stop: &(dyn Fn() -> bool + Sync)) -> Option<Made> {
         let Self { with, seed: memory, model, .. } = self;
         let Some((species, params)) = with.as_deref() else {
             return Some(Made::LeftOut(Remark::NoSuchPlant { known: Species::growing().join(", ") }));
         };
-        let Maker::Growth(SeedOf { species: _, seed: number, age }) = wish.maker;
-        let seed = Seed { number, age, volume: None, limits: Limits::within(&wish.budget) };
+        let Maker::Growth(SeedOf { species: _, seed: number, age }) = request.maker;
+        let seed = Seed { number, age, volume: None, limits: Limits::within(&request.budget) };
         // Times of the stages are counted together.
         let clock = &mut Clock::default();
         let produced = seed::produce(memory, &seed, (species, params), clock, stop)?;
-        if !wish.placing.fits(&produced.plant) {
+        if !request.placing.fits(&produced.plant) {
             return Some(Made::LeftOut(Remark::PlantOutOfScale));
         }
         let pictures = &Textures::default();
-        let how = Finish { seed: number, pictures, budget: wish.budget, placing: Some(&wish.placing) };
+        let how = Finish { seed: number, pictures, budget: request.budget, placing: Some(&request.placing) };
         finish(model, produced, (species, params), &how, clock, stop)
             .map(|built| Made::Stands(Box::new(built)))
     }
 }
 
 /// Puts a plant of this species, which stands there, with its model behind those that are there.
-fn put_behind(all: &mut Built, one: &Built, (species, foot): (&str, Vec3), names: &mut Names) -> Standing {
+fn put_behind(all: &mut Built, one: &Built, (species, foot): (&str, Vec3), names: &mut Names) -> BuiltBeside {
     let (branches, organs) = (all.plant.branches.len(), all.plant.organs.len());
     let materials = all.plant.append(&one.plant, species);
     let prefix = names.prefix(species);
@@ -207,7 +207,7 @@ fn put_behind(all: &mut Built, one: &Built, (species, foot): (&str, Vec3), names
         ..part.clone()
     }));
     all.model.materials = all.plant.materials().to_vec();
-    Standing {
+    BuiltBeside {
         branches: branches..all.plant.branches.len(),
         organs: organs..all.plant.organs.len(),
         foot,

@@ -2,7 +2,7 @@
 //! those, and they become surfaces, as fine as the budget of triangles allows.
 
 use super::clock::Clock;
-use super::placing::{Placing, Standing};
+use super::placing::{BuiltBeside, Placing};
 use super::setup::Params;
 use super::source::{Ages, Produced};
 use crate::anatomy::Anatomy;
@@ -30,7 +30,7 @@ pub struct Built {
     /// What only its drawing knows of the plant.
     pub provenance: Provenance,
     /// The plants beside the drawn one, in the order of the drawing; none for what was left out.
-    pub beside: Vec<Option<Standing>>,
+    pub beside: Vec<Option<BuiltBeside>>,
     /// The plant as surfaces.
     pub model: Model,
     /// What growth looks like from inside; empty until [`Cache::look_inside`](super::Cache::look_inside).

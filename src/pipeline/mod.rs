@@ -25,7 +25,7 @@ mod source;
 pub use beside::Beside;
 pub use drawing::DrawingMemory;
 pub use finish::Built;
-pub use placing::Standing;
+pub use placing::BuiltBeside;
 pub use seed::SeedMemory;
 pub use setup::{
     DEFAULT_SPECIES, Params, SetupError, check_grows, params_of, params_of_species, species_file, species_of,

@@ -15,7 +15,7 @@ const FARTHEST: f32 = 30.0;
 
 /// A plant beside the drawn one, as it stands in the world among all branches and organs.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Standing {
+pub struct BuiltBeside {
     /// Its branches.
     pub branches: Range<usize>,
     /// Its organs.

@@ -114,10 +114,10 @@ impl FinishedPlant {
         places
     }
 
-    fn unused_name(&self, wish: &str) -> String {
+    fn unused_name(&self, wanted: &str) -> String {
         let free = |name: &String| self.materials.iter().all(|material| material.name != *name);
-        let mut names = std::iter::once(wish.to_owned()).chain((2..).map(|n| format!("{wish}{n}")));
-        names.find(free).unwrap_or_else(|| wish.to_owned())
+        let mut names = std::iter::once(wanted.to_owned()).chain((2..).map(|n| format!("{wanted}{n}")));
+        names.find(free).unwrap_or_else(|| wanted.to_owned())
     }
 
     /// Checks the plant, that it has no buds left, and that every role has its material.

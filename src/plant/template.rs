@@ -152,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_is_told() {
+    fn what_is_wrong_is_named() {
         let sound = template(&[(0.0, 0.0), (1.0, 0.5), (0.0, 1.0), (-1.0, 0.5)], &[]);
         let points = sound.outline.to_vec();
         let crossed = [points[0], points[2], points[1], points[3]];

@@ -135,8 +135,8 @@ pub enum Remark {
     #[error("encloses nothing and was skipped as a blade")]
     EnclosesNothing,
     /// A stroke amid petals.
-    #[error("is taken for the heart of a flower, which the species draws")]
-    Heart,
+    #[error("is taken for the centre of a flower, which the species draws")]
+    FlowerCentre,
     /// An outline that could not have all twigs.
     #[error("has fewer twigs than it asks for: the drawing has as many as it may")]
     FewTwigs,
@@ -288,7 +288,7 @@ impl Remark {
             | Self::SpeciesMissing { .. }
             | Self::PictureDamaged { .. }
             | Self::TooShort
-            | Self::Heart
+            | Self::FlowerCentre
             | Self::FinenessUnused
             | Self::More { .. } => false,
         }

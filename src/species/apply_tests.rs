@@ -103,9 +103,9 @@ prop_compose! {
         face_on in any::<bool>(),
     ) -> Plant {
         let mut plant = bare(branches, leaves);
-        for (axis, opening, heart, petals) in flowers {
+        for (axis, opening, centre, petals) in flowers {
             let axis = if face_on { Vec3::Z } else { Vec3::from(axis).normalize_or(Vec3::Z) };
-            add_flower(&mut plant, axis * 0.1, axis, opening, heart, petals);
+            add_flower(&mut plant, axis * 0.1, axis, opening, centre, petals);
         }
         plant
     }

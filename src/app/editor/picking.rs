@@ -6,7 +6,7 @@
 use super::Editor;
 use crate::app::action::Action;
 use crate::model::pick::{Element, pick};
-use crate::pipeline::Standing;
+use crate::pipeline::BuiltBeside;
 use std::time::Instant;
 
 impl Editor {
@@ -30,8 +30,8 @@ impl Editor {
 }
 
 /// Which of the plants beside the drawn one a branch or an organ belongs to.
-pub(super) fn place_of(element: Element, beside: &[Option<Standing>]) -> Option<usize> {
-    let holds = |placed: &Standing| match element {
+pub(super) fn place_of(element: Element, beside: &[Option<BuiltBeside>]) -> Option<usize> {
+    let holds = |placed: &BuiltBeside| match element {
         Element::Branch(branch) => placed.branches.contains(&branch),
         Element::Organ(organ) => placed.organs.contains(&organ),
     };

@@ -323,7 +323,7 @@ keys! {
     WarningPictureDamaged = "warning.picture_damaged",
     WarningTooShort = "warning.too_short",
     WarningEnclosesNothing = "warning.encloses_nothing",
-    WarningHeart = "warning.heart",
+    WarningFlowerCentre = "warning.flower_centre",
     WarningFewTwigs = "warning.few_twigs",
     WarningFilledThinly = "warning.filled_thinly",
     WarningNoBranch = "warning.no_branch",

@@ -81,7 +81,8 @@ impl<'a> BranchText<'a> {
 struct FlowerText<'a> {
     branch: Option<usize>,
     cone: &'a Cone,
-    heart_radius: f32,
+    #[serde(rename = "heart_radius")]
+    centre_radius: f32,
     reach: f32,
     look: usize,
 }
@@ -89,7 +90,7 @@ struct FlowerText<'a> {
 impl<'a> FlowerText<'a> {
     fn new(flower: &'a Flower) -> Self {
         let Flower { branch, cone, centre_radius, reach, look } = flower;
-        Self { branch: *branch, cone, heart_radius: *centre_radius, reach: *reach, look: *look }
+        Self { branch: *branch, cone, centre_radius: *centre_radius, reach: *reach, look: *look }
     }
 }
 

@@ -64,7 +64,7 @@ fn meshes_that_are_no_volume_are_refused_with_a_remedy() {
 
 proptest! {
     #[test]
-    fn a_cube_and_its_grid_points_are_told_apart(x in -4i32..12, y in -4i32..12, z in -4i32..12) {
+    fn a_cube_and_its_grid_points_are_distinguished(x in -4i32..12, y in -4i32..12, z in -4i32..12) {
         let cube = Solid::from_obj(CUBE, "cube").unwrap();
         // Eighths lie on edges and diagonals of the faces, where a careless ray counts twice.
         let p = Vec3::new(x as f32, y as f32, z as f32) / 8.0;

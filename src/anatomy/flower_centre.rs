@@ -1,18 +1,18 @@
-//! The heart of a flower, drawn as a circle.
+//! The centre of a flower, drawn as a circle.
 //!
-//! A petal reaches away from the flower's centre; a heart is a round shape around it. So a blade is a heart when it is
-//! nearly a circle and its centre of area lies near the flower's centre. Limits: a heart drawn as a filled scribble is
-//! one long stroke and may be taken for a branch.
+//! A petal reaches away from the point where petals meet; the flower's centre is a round shape around that point. So a blade
+//! is a flower's centre when it is nearly a circle and its centre of area lies near that point. Limits: one drawn as a filled
+//! scribble is one long stroke and may be taken for a branch.
 
 use super::FlatBlade;
 use crate::geom::simple_loop;
 use glam::Vec2;
 
-/// Farthest distance between a heart's centre of area and the flower's, as a share of the heart's extent. A petal that
-/// starts at the centre has about half.
+/// Farthest distance between the circle's centre of area and the point where petals meet, as a share of the circle's extent. A
+/// petal that starts there has about half.
 const OFF_CENTER: f32 = 0.3;
 
-/// Least share of the circle over its extent that a heart fills.
+/// Least share of the circle over its extent that it fills.
 const ROUND: f32 = 0.6;
 
 /// How near a blade's outline is to a circle.
@@ -35,7 +35,7 @@ impl Roundness {
     }
 
     /// Whether the blade is a circle around `center` instead of reaching away from it.
-    pub fn is_heart(&self, center: Vec2) -> bool {
+    pub fn is_centre(&self, center: Vec2) -> bool {
         let around_center = self.middle.distance(center) < OFF_CENTER * self.extent;
         around_center && self.radius.powi(2) > ROUND * (0.5 * self.extent).powi(2)
     }
@@ -82,15 +82,15 @@ mod tests {
     }
 
     #[test]
-    fn a_circle_around_the_centre_is_a_heart() {
+    fn a_circle_around_the_centre_is_a_centre() {
         let circle = ellipse(Vec2::new(3.0, -2.0), Vec2::splat(20.0));
-        assert!(Roundness::of(&circle).is_heart(Vec2::ZERO));
+        assert!(Roundness::of(&circle).is_centre(Vec2::ZERO));
         assert!((Roundness::of(&circle).radius() - 20.0).abs() < 0.2);
     }
 
     #[test]
     fn a_petal_that_starts_at_the_centre_is_none() {
         let petal = ellipse(Vec2::new(-50.0, 0.0), Vec2::new(50.0, 20.0));
-        assert!(!Roundness::of(&petal).is_heart(Vec2::ZERO));
+        assert!(!Roundness::of(&petal).is_centre(Vec2::ZERO));
     }
 }
