@@ -41,6 +41,39 @@ fn clean_models_pass() {
     }
 }
 
+/// An OBJ file with a disc of so many corners around a middle, as one polygon or as a fan of triangles.
+fn disc(corners: usize, as_fan: bool) -> String {
+    let angle = |k: usize| k as f64 * std::f64::consts::TAU / corners as f64;
+    let corner = |k: usize| format!("v {:.6} 0 {:.6}\n", angle(k).cos(), angle(k).sin());
+    let points: String = std::iter::once("v 0 0 0\n".to_owned()).chain((0..corners).map(corner)).collect();
+    let faces: String = if as_fan {
+        (0..corners).map(|k| format!("f 1 {} {}\n", k + 2, (k + 1) % corners + 2)).collect()
+    } else {
+        let all: Vec<String> = (0..corners).map(|k| (k + 2).to_string()).collect();
+        format!("f {}\n", all.join(" "))
+    };
+    points + &faces
+}
+
+#[test]
+fn large_fans_and_polygons_are_judged() {
+    let folder = tempfile::tempdir().unwrap();
+    for (corners, as_fan) in [(1500, true), (4000, false)] {
+        let path = folder.path().join("disc.obj");
+        fs::write(&path, disc(corners, as_fan)).unwrap();
+        let output = check(&path, &["--json"]);
+        let report: serde_json::Value = serde_json::from_str(stdout(&output)).unwrap();
+        let triangles = if as_fan { corners } else { corners - 2 };
+        assert_eq!(
+            (output.status.code(), &report["triangles"]),
+            (Some(1), &triangles.into()),
+            "{}",
+            stderr(&output)
+        );
+        assert_eq!(report["boundary_edges"], corners, "{report}");
+    }
+}
+
 #[test]
 fn defects_are_reported_with_their_mesh_and_exit_code_1() {
     let (mut model, plant) = two_specimens();

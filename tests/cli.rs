@@ -420,3 +420,37 @@ fn a_picture_made_without_a_desktop_is_made_in_silence() {
         std::fs::remove_file(&out).unwrap();
     }
 }
+
+#[test]
+fn what_can_never_grow_is_refused_with_a_remedy() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("hazel.glb").display().to_string();
+    let grow = |age: &str, pieces: &[&str]| {
+        refused(&["grow", "hazel", "--age", age, "--set", "habit.supply=0", "-o", &out], pieces);
+    };
+    grow("60", &["no bud is left", "a higher habit.supply"]);
+    // While buds still wait, they may grow later for all that is known.
+    grow("2", &["choose a higher --age"]);
+    assert!(written(folder.path()).is_empty());
+}
+
+#[test]
+fn fineness_without_a_crown_is_remarked_on() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("daisy.glb").display().to_string();
+    let message = |set: &str| stderr(&penstemon(&["build", &sketch("daisy"), "-o", &out, "--set", set]));
+    assert!(message("habit.fineness=0.5").contains("fineness changes only what grows in a crown"));
+    assert!(!message("habit.height=2").contains("fineness"));
+}
+
+#[test]
+fn a_model_that_cannot_be_read_is_named_where_it_is_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).display().to_string();
+    let (obj, glb, picture) = (file("broken.obj"), file("broken.glb"), file("picture.png"));
+    fs::write(&obj, "v 0 0 0\nv 1 0 x\nf 1 2 3\n").unwrap();
+    fs::write(&glb, b"glTF but no more").unwrap();
+    refused(&["render", &obj, "-o", &picture], &["broken.obj", "line 2"]);
+    refused(&["render", &glb, "-o", &picture], &["broken.glb"]);
+    assert!(!Path::new(&picture).exists());
+}

@@ -73,3 +73,11 @@ fn paths_are_distinguished_from_other_words() {
     assert_eq!(links(text), ["docs/a.md"]);
     assert_eq!(code_paths(text), ["geom/mod.rs", "fuzz/"]);
 }
+
+#[test]
+fn the_species_of_a_drawing_without_one_is_the_documented_one() {
+    let text = fs::read_to_string(root().join("docs/sketches.md")).unwrap();
+    let row = text.lines().find(|line| line.starts_with("| `species` |")).unwrap();
+    let usual = row.split('|').nth(3).unwrap();
+    assert!(usual.contains(&format!("`{}`", penstemon::pipeline::DEFAULT_SPECIES)), "{row}");
+}

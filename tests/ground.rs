@@ -11,6 +11,8 @@ use std::path::{Path, PathBuf};
 
 /// How far below the ground the bark around the lowest point that was drawn may be, as a share of the plant's height.
 const SKIN: f32 = 0.01;
+/// How far below the ground a leaf or petal may reach, metres: what rounding and its curl do.
+const LEAF_M: f32 = 0.005;
 
 fn assert_above(name: &str, model: &Model) {
     let heights = |part: &penstemon::model::Part| part.points().map(|p| p.y).collect::<Vec<_>>();
@@ -20,7 +22,9 @@ fn assert_above(name: &str, model: &Model) {
     }
     for part in &model.parts {
         let low = heights(part).into_iter().fold(0.0, f32::min);
-        assert!(low >= -SKIN * high, "{name}: {} reaches {} m under the ground", part.name, -low);
+        let allowed =
+            if matches!(part.kind, PartKind::Organ(_)) { LEAF_M.min(SKIN * high) } else { SKIN * high };
+        assert!(low >= -allowed, "{name}: {} reaches {} m under the ground", part.name, -low);
     }
 }
 

@@ -58,6 +58,15 @@ fn every_tablet_has_plausible_measures() {
 }
 
 #[test]
+fn a_circle_on_these_tablets_is_a_circle() {
+    for name in ["UGEE M708", "XP-Pen Artist 15.6 Pro"] {
+        let t = table().tablets().iter().find(|t| t.name == name).unwrap();
+        let [x, y] = [f64::from(t.steps[0]) / t.area_mm.x, f64::from(t.steps[1]) / t.area_mm.y];
+        assert!((x / y - 1.0).abs() < 1e-3, "{name}: {x} steps a mm across, {y} along");
+    }
+}
+
+#[test]
 fn every_row_can_be_reached() {
     let mut hidden = Vec::new();
     for t in table().tablets().iter().filter(|t| t.strings.is_empty()) {

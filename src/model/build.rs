@@ -6,10 +6,10 @@
 //! Limits: a blade too small or too thin to be seen has no mesh and no part.
 
 use super::cache::{Cache, Made};
-use super::limbs::Twig;
+use super::limbs::WoodBranch;
 use super::organs::{OrganScratch, OrganWorkshop};
 use super::params::ModelParams;
-use super::parts::{self, Limb, Plan, Source};
+use super::parts::{self, Plan, Source};
 use super::recipe::Recipe;
 use super::tube::{self, TubeScratch};
 use super::wood::{self, WoodScratch};
@@ -157,7 +157,7 @@ impl<'a> Workshop<'a> {
     /// Everything that [`Self::mesh`] reads but the parameters.
     fn write_recipe(&self, source: &Source, recipe: &mut Recipe) {
         match source {
-            Source::Wood(twigs) => recipe.wood(self.twigs(twigs), self.plant_size),
+            Source::Wood(branches) => recipe.wood(self.wood_branches(branches), self.plant_size),
             Source::Organs(slots) => self.organs.write_recipe(slots, recipe),
         }
     }
@@ -166,28 +166,39 @@ impl<'a> Workshop<'a> {
         tube::look(branch, &self.params.tube, self.plant_size)
     }
 
-    fn twigs<'t>(&'t self, limbs: &'t [Limb]) -> impl Iterator<Item = Twig<'t>> {
-        let twig =
-            |&Limb { branch, parent, slot }| Twig { branch: &self.plant.branches[branch], parent, slot };
-        limbs.iter().map(twig)
+    fn wood_branches<'t>(
+        &'t self,
+        limbs: &'t [WoodBranch<usize>],
+    ) -> impl Iterator<Item = WoodBranch<&'t Branch>> {
+        let borrowed = |&WoodBranch { branch, parent, slot }| WoodBranch {
+            branch: &self.plant.branches[branch],
+            parent,
+            slot,
+        };
+        limbs.iter().map(borrowed)
     }
 
     /// Wood made anew only near what changed.
-    fn known_wood(&self, limbs: &[Limb], wood: &Mutex<WoodMemory>, scratch: &mut Scratch) -> Arc<Mesh> {
-        let twigs: Vec<Twig<'_>> = self.twigs(limbs).collect();
+    fn known_wood(
+        &self,
+        limbs: &[WoodBranch<usize>],
+        wood: &Mutex<WoodMemory>,
+        scratch: &mut Scratch,
+    ) -> Arc<Mesh> {
+        let branches: Vec<WoodBranch<&Branch>> = self.wood_branches(limbs).collect();
         let mut wood = wood.lock().unwrap_or_else(PoisonError::into_inner);
-        wood.mesh(&twigs, |branch| self.look(branch), self.plant_size, &mut scratch.wood)
+        wood.mesh(&branches, |branch| self.look(branch), self.plant_size, &mut scratch.wood)
     }
 
     fn mesh(&self, source: &Source, scratch: &mut Scratch) -> Mesh {
         match source {
-            Source::Wood(twigs) => {
-                if let [Limb { branch, .. }] = twigs[..] {
+            Source::Wood(branches) => {
+                if let [WoodBranch { branch, .. }] = branches[..] {
                     let branch = &self.plant.branches[branch];
                     return tube::branch(branch, self.look(branch), &mut scratch.tube);
                 }
-                let twigs: Vec<Twig<'_>> = self.twigs(twigs).collect();
-                wood::mesh(&twigs, |branch| self.look(branch), &mut scratch.wood)
+                let branches: Vec<WoodBranch<&Branch>> = self.wood_branches(branches).collect();
+                wood::mesh(&branches, |branch| self.look(branch), &mut scratch.wood)
             }
             Source::Organs(slots) => self.organs.mesh(slots, &mut scratch.organs),
         }

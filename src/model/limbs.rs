@@ -28,12 +28,13 @@ const BELOW: f32 = 0.5;
 /// Other branches of its parent, the latest, that a branch keeps clear of.
 const SIBLINGS: usize = 16;
 
-/// A branch and the place, in the same list, of the one that it grows on, which comes before it.
-#[derive(Clone, Copy)]
-pub(super) struct Twig<'a> {
-    pub(super) branch: &'a Branch,
+/// A branch of joined wood, or its index in the plant, in a list in which parents come before what grows on them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct WoodBranch<B> {
+    pub(super) branch: B,
+    /// The place in the list of the branch that it grows on.
     pub(super) parent: Option<usize>,
-    /// Which of the barks it has; the first one's is 0.
+    /// Which of the part's materials it has, its bark; the first one's is 0.
     pub(super) slot: usize,
 }
 
@@ -70,7 +71,7 @@ impl Limb {
 #[derive(Clone, Copy)]
 pub(super) struct Earlier<'a> {
     pub(super) limbs: &'a Limbs,
-    pub(super) twigs: &'a [Option<usize>],
+    pub(super) known: &'a [Option<usize>],
 }
 
 /// The limbs of one plant, a limb for every branch, in memory that is used again.
@@ -84,7 +85,7 @@ pub(super) struct Limbs {
     pub(super) arcs: Vec<f32>,
     /// Limbs in the order of what they grow on.
     pub(super) children: Vec<u32>,
-    /// Barks of all limbs, each with the length of the limb from which it is worn.
+    /// Barks of all limbs, each with the length of the limb at which it begins.
     slots: Vec<(f32, u32)>,
     /// For each branch the one that goes on from its end, and for a trunk the one that goes on from its foot.
     next: Vec<Option<usize>>,
@@ -103,7 +104,7 @@ impl Limbs {
     /// looks, is taken from there.
     pub(super) fn survey(
         &mut self,
-        branches: &[Twig<'_>],
+        branches: &[WoodBranch<&Branch>],
         look: impl Fn(&Branch) -> TubeLook,
         earlier: Option<Earlier<'_>>,
     ) {
@@ -159,13 +160,13 @@ impl Limbs {
     /// The limb of an earlier survey for which [`Self::trace`] read the very same, where there is one.
     fn same_as(
         &self,
-        Earlier { limbs: then, twigs }: Earlier<'_>,
+        Earlier { limbs: then, known }: Earlier<'_>,
         index: usize,
         (goes_on, parent): (bool, Option<usize>),
     ) -> Option<usize> {
-        let old = twigs[index]?;
+        let old = known[index]?;
         let is_twig = |(new, old): (Option<usize>, Option<usize>)| match (new, old) {
-            (Some(new), Some(old)) => twigs[new] == Some(old),
+            (Some(new), Some(old)) => known[new] == Some(old),
             (new, old) => new == old,
         };
         let goes_on_alike = goes_on == then.all[old].goes_on
@@ -187,11 +188,11 @@ impl Limbs {
     /// The limb of an earlier survey of which this one, just traced, has every bit, although something else around it changed.
     fn turned_out_as(
         &self,
-        Earlier { limbs: then, twigs }: Earlier<'_>,
+        Earlier { limbs: then, known }: Earlier<'_>,
         index: usize,
         limb: &Limb,
     ) -> Option<usize> {
-        let old = twigs[index]?;
+        let old = known[index]?;
         let other = &then.all[old];
         let same = (limb.hidden, limb.goes_on) == (other.hidden, other.goes_on)
             && self.is_carried_alike(limb.parent, other.parent)
@@ -245,7 +246,7 @@ impl Limbs {
     /// one that stays inside its parent.
     fn trace(
         &mut self,
-        branches: &[Twig<'_>],
+        branches: &[WoodBranch<&Branch>],
         index: usize,
         look: TubeLook,
         parent: Option<usize>,
@@ -280,8 +281,8 @@ impl Limbs {
     }
 
     /// The skeleton of a branch and of those that go on from its end and from its foot; its barks, each with the place in the
-    /// skeleton from which it is worn.
-    fn link(&mut self, branches: &[Twig<'_>], index: usize) {
+    /// skeleton at which it begins.
+    fn link(&mut self, branches: &[WoodBranch<&Branch>], index: usize) {
         let skeleton = &mut self.skeleton;
         skeleton.clear();
         let mut begin = |from: usize, twig: usize| self.slots.push((from as f32, branches[twig].slot as u32));
@@ -301,7 +302,7 @@ impl Limbs {
     }
 
     /// Finds for each branch the one that goes on from its end or, below a trunk, from its foot.
-    fn find_next(&mut self, branches: &[Twig<'_>]) {
+    fn find_next(&mut self, branches: &[WoodBranch<&Branch>]) {
         for list in [&mut self.next, &mut self.below] {
             list.clear();
             list.resize(branches.len(), None);

@@ -11,6 +11,7 @@
 
 use super::PartKind;
 use super::copies::Copies;
+use super::limbs::WoodBranch;
 use super::params::ModelParams;
 use super::part_names::{PartNames, numbered};
 use super::piece::{Piece, Scope, pieces};
@@ -23,20 +24,9 @@ use std::sync::Arc;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Source {
     /// One surface of these branches.
-    Wood(Vec<Limb>),
+    Wood(Vec<WoodBranch<usize>>),
     /// Pieces of the organs of these indices, a list for each of the part's materials.
     Organs(Vec<Vec<(usize, Piece)>>),
-}
-
-/// A branch of joined wood.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Limb {
-    /// Its index in the plant.
-    pub(super) branch: usize,
-    /// The place of the limb that it grows on.
-    pub(super) parent: Option<usize>,
-    /// Its material slot: which of the part's materials it has.
-    pub(super) slot: usize,
 }
 
 /// A part without its mesh.
@@ -216,7 +206,7 @@ fn plan_wood(plant: &FinishedPlant, specimens: &Specimens, plans: &mut Vec<Plan>
             let slot = plans[part].slot(plant.material(branch.role));
             let Source::Wood(limbs) = &mut plans[part].source else { continue };
             place_of.push(limbs.len());
-            limbs.push(Limb { branch: i, parent: branch.parent.map(|parent| place_of[parent]), slot });
+            limbs.push(WoodBranch { branch: i, parent: branch.parent.map(|parent| place_of[parent]), slot });
         }
     }
     part_of
@@ -232,7 +222,7 @@ fn wood(plant: &FinishedPlant, specimens: &Specimens, i: usize, parent: Option<u
         pivot: branch.points.first().copied().unwrap_or(Vec3::ZERO),
         material: plant.material(branch.role),
         more_materials: Vec::new(),
-        source: Source::Wood(vec![Limb { branch: i, parent: None, slot: 0 }]),
+        source: Source::Wood(vec![WoodBranch { branch: i, parent: None, slot: 0 }]),
         copies: None,
     }
 }

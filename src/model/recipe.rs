@@ -7,7 +7,7 @@
 //! other by its address, for stages before keep what they made, too. Whoever keeps a recipe holds these templates, so that
 //! nothing else comes to lie there.
 
-use super::limbs::Twig;
+use super::limbs::WoodBranch;
 use super::piece::Piece;
 use super::solids::Proportion;
 use crate::plant::{Blade, Branch, Cone, Detail, ResolvedBlade, RestSurface, Shape, Template};
@@ -62,9 +62,9 @@ impl Recipe {
     }
 
     /// The recipe of branches that are one surface and whose tolerances are shares of `unit` metres.
-    pub(super) fn wood<'a>(&mut self, twigs: impl Iterator<Item = Twig<'a>>, unit: f32) {
+    pub(super) fn wood<'a>(&mut self, branches: impl Iterator<Item = WoodBranch<&'a Branch>>, unit: f32) {
         self.begin(0).real(unit);
-        for Twig { branch, parent, slot } in twigs {
+        for WoodBranch { branch, parent, slot } in branches {
             self.word(parent.map_or(u32::MAX, |parent| parent as u32)).length(slot).limb(branch);
         }
     }

@@ -10,7 +10,7 @@
 //! Limits: branches that pass through each other in mid-air are not joined. A branch that finds no free place on its
 //! parent is closed at its foot and stands alone.
 
-use super::limbs::{Limb, Limbs, Twig};
+use super::limbs::{Limb, Limbs, WoodBranch};
 use super::mesh::{Mesh, Vertex};
 use super::rows::{Row, Rows};
 use super::sealing::{Raw, RawLimb};
@@ -47,7 +47,7 @@ pub(super) enum Share {
 
 /// The surface of branches that all grow on the first.
 pub(super) fn mesh(
-    branches: &[Twig<'_>],
+    branches: &[WoodBranch<&Branch>],
     look: impl Fn(&Branch) -> TubeLook,
     scratch: &mut WoodScratch,
 ) -> Mesh {
@@ -58,7 +58,7 @@ pub(super) fn mesh(
 /// The surface of some of the surveyed limbs, as it is in the surface of all of them. With a limb must come what carries it,
 /// whole, and what it carries, at least as what is around it.
 pub(super) fn surface(
-    branches: &[Twig<'_>],
+    branches: &[WoodBranch<&Branch>],
     share: impl Fn(usize) -> Share,
     scratch: &mut WoodScratch,
 ) -> Surface {

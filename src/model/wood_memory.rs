@@ -6,7 +6,7 @@
 //!
 //! Limits: what is taken is still copied, once for every change. Where most limbs changed, all are made.
 
-use super::limbs::{Earlier, Limbs, Twig};
+use super::limbs::{Earlier, Limbs, WoodBranch};
 use super::mesh::Mesh;
 use super::surface::{self, Places, Source, Surface, Taken};
 use super::tube::TubeLook;
@@ -25,7 +25,7 @@ use std::sync::Arc;
 pub(super) struct WoodMemory {
     /// The plant's size, on which looks depend.
     unit: f32,
-    twigs: Twigs,
+    skeletons: Skeletons,
     limbs: Limbs,
     mesh: Arc<Mesh>,
     places: Places,
@@ -34,14 +34,14 @@ pub(super) struct WoodMemory {
 impl WoodMemory {
     /// Where the wood stands: what tells it from other wood.
     pub(super) fn foot(&self) -> Option<Vec3> {
-        self.twigs.points.first().copied()
+        self.skeletons.points.first().copied()
     }
 
     /// The surface of branches that all grow on the first, whose looks are those of the last surface if the branches and
     /// `unit` are: the very mesh that [`wood::mesh`] makes.
     pub(super) fn mesh(
         &mut self,
-        branches: &[Twig<'_>],
+        branches: &[WoodBranch<&Branch>],
         look: impl Fn(&Branch) -> TubeLook,
         unit: f32,
         scratch: &mut WoodScratch,
@@ -49,8 +49,8 @@ impl WoodMemory {
         if self.unit.to_bits() != unit.to_bits() {
             *self = Self { unit, ..Self::default() };
         }
-        let twigs = self.twigs.places(branches);
-        scratch.limbs.survey(branches, look, Some(Earlier { limbs: &self.limbs, twigs: &twigs }));
+        let known = self.skeletons.places(branches);
+        scratch.limbs.survey(branches, look, Some(Earlier { limbs: &self.limbs, known: &known }));
         let shares = wood_changes::changed(&scratch.limbs, &self.limbs);
         let count = |wanted: Share| shares.iter().filter(|share| **share == wanted).count();
         let Surface { mesh, places } = if count(Share::Left) > count(Share::Whole) {
@@ -59,7 +59,7 @@ impl WoodMemory {
         } else {
             wood::surface(branches, |_| Share::Whole, scratch)
         };
-        self.twigs.replace(branches);
+        self.skeletons.replace(branches);
         std::mem::swap(&mut self.limbs, &mut scratch.limbs);
         (self.mesh, self.places) = (Arc::new(mesh), places);
         Arc::clone(&self.mesh)
@@ -81,19 +81,19 @@ impl WoodMemory {
 
 /// Branches, to be compared with others.
 #[derive(Debug, Default)]
-struct Twigs {
+struct Skeletons {
     /// For each branch its bark and the end of its points.
     all: Vec<(usize, usize)>,
     points: Vec<Vec3>,
     radii: Vec<f32>,
 }
 
-impl Twigs {
-    fn replace(&mut self, branches: &[Twig<'_>]) {
+impl Skeletons {
+    fn replace(&mut self, branches: &[WoodBranch<&Branch>]) {
         self.all.clear();
         self.points.clear();
         self.radii.clear();
-        for Twig { branch, slot, .. } in branches {
+        for WoodBranch { branch, slot, .. } in branches {
             self.points.extend_from_slice(&branch.points);
             self.radii.extend_from_slice(&branch.radii);
             self.all.push((*slot, self.points.len()));
@@ -101,33 +101,33 @@ impl Twigs {
     }
 
     /// The bark, points and radii of a branch.
-    fn twig(&self, index: usize) -> (usize, &[Vec3], &[f32]) {
+    fn skeleton(&self, index: usize) -> (usize, &[Vec3], &[f32]) {
         let from = index.checked_sub(1).map_or(0, |before| self.all[before].1);
         let (slot, end) = self.all[index];
         (slot, &self.points[from..end], &self.radii[from..end])
     }
 
     /// For each branch one that is the same in every bit; what carries it does not count.
-    fn places(&self, branches: &[Twig<'_>]) -> Vec<Option<usize>> {
+    fn places(&self, branches: &[WoodBranch<&Branch>]) -> Vec<Option<usize>> {
         let own: Vec<usize> = (0..self.all.len()).collect();
-        let is_same = |old: &usize, new: &Twig<'_>| is_same(self.twig(*old), parts(new));
+        let is_same = |old: &usize, new: &WoodBranch<&Branch>| is_same(self.skeleton(*old), parts(new));
         let Window { begin, end } = Window::between(&own, branches, is_same);
         let (old_end, new_end) = (own.len() - end, branches.len() - end);
         let by_name: HashMap<u64, usize, BuildHasherDefault<NameHasher>> = match begin < new_end {
-            true => (begin..old_end).map(|old| (name(self.twig(old)), old)).collect(),
+            true => (begin..old_end).map(|old| (name(self.skeleton(old)), old)).collect(),
             false => HashMap::default(),
         };
-        let place = |(index, twig): (usize, &Twig<'_>)| match index {
+        let place = |(index, branch): (usize, &WoodBranch<&Branch>)| match index {
             index if index < begin => Some(index),
             index if index >= new_end => Some(index - new_end + old_end),
-            _ => by_name.get(&name(parts(twig))).copied().filter(|old| is_same(old, twig)),
+            _ => by_name.get(&name(parts(branch))).copied().filter(|old| is_same(old, branch)),
         };
         branches.iter().enumerate().map(place).collect()
     }
 }
 
-fn parts<'a>(twig: &Twig<'a>) -> (usize, &'a [Vec3], &'a [f32]) {
-    (twig.slot, &twig.branch.points, &twig.branch.radii)
+fn parts<'a>(branch: &WoodBranch<&'a Branch>) -> (usize, &'a [Vec3], &'a [f32]) {
+    (branch.slot, &branch.branch.points, &branch.branch.radii)
 }
 
 fn is_same(a: (usize, &[Vec3], &[f32]), b: (usize, &[Vec3], &[f32])) -> bool {

@@ -97,8 +97,10 @@ fn assert_same(memory: &mut WoodMemory, tree: &[Grown], unit: f32) {
         (branch.clone(), *parent, slot)
     };
     let tree: Vec<Grown> = tree.iter().map(twig).collect();
-    let twigs: Vec<Twig<'_>> =
-        tree.iter().map(|(branch, parent, slot)| Twig { branch, parent: *parent, slot: *slot }).collect();
+    let twigs: Vec<WoodBranch<&Branch>> = tree
+        .iter()
+        .map(|(branch, parent, slot)| WoodBranch { branch, parent: *parent, slot: *slot })
+        .collect();
     let look = |branch: &Branch| tube::look(branch, &TubeParams::default(), unit);
     let kept = memory.mesh(&twigs, look, unit, &mut WoodScratch::default());
     let whole = wood::mesh(&twigs, look, &mut WoodScratch::default());
@@ -142,12 +144,12 @@ fn a_twig_that_grows_leaves_most_of_a_tree_alone() {
         tree.iter().map(|(branch, parent, _)| (branch.clone(), *parent)).collect()
     };
     let survey = |tree: &[(Branch, Option<usize>)], memory: &mut WoodMemory| -> usize {
-        let twigs: Vec<Twig<'_>> =
-            tree.iter().map(|(branch, parent)| Twig { branch, parent: *parent, slot: 0 }).collect();
+        let twigs: Vec<WoodBranch<&Branch>> =
+            tree.iter().map(|(branch, parent)| WoodBranch { branch, parent: *parent, slot: 0 }).collect();
         let look = |branch: &Branch| tube::look(branch, &TubeParams::default(), 3.0);
         let mut limbs = Limbs::default();
-        let places = memory.twigs.places(&twigs);
-        limbs.survey(&twigs, look, Some(Earlier { limbs: &memory.limbs, twigs: &places }));
+        let places = memory.skeletons.places(&twigs);
+        limbs.survey(&twigs, look, Some(Earlier { limbs: &memory.limbs, known: &places }));
         let shares = wood_changes::changed(&limbs, &memory.limbs);
         memory.mesh(&twigs, look, 3.0, &mut WoodScratch::default());
         shares.iter().filter(|share| **share != Share::Left).count()

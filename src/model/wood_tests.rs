@@ -23,8 +23,8 @@ fn branch(from: Vec3, direction: Vec3, length: f32, radius: f32) -> Branch {
 }
 
 fn joined(branches: &[(Branch, Option<usize>)]) -> Mesh {
-    let twigs: Vec<Twig<'_>> =
-        branches.iter().map(|(branch, parent)| Twig { branch, parent: *parent, slot: 0 }).collect();
+    let twigs: Vec<WoodBranch<&Branch>> =
+        branches.iter().map(|(branch, parent)| WoodBranch { branch, parent: *parent, slot: 0 }).collect();
     let look = |branch: &Branch| tube::look(branch, &TubeParams::default(), 3.0);
     let mesh = mesh(&twigs, look, &mut WoodScratch::default());
     mesh.check_invariants().unwrap();
@@ -44,7 +44,7 @@ fn surfaces(mesh: &Mesh) -> usize {
 #[test]
 fn barks_of_several_kinds_are_one_surface_and_faces_stand_by_bark() {
     let limbs = [trunk().0, branch(Vec3::Y, Vec3::X, 1.0, 0.04), branch(Vec3::Y * 1.3, -Vec3::X, 1.0, 0.04)];
-    let twig = |k: usize, slot| Twig { branch: &limbs[k], parent: (k > 0).then_some(0), slot };
+    let twig = |k: usize, slot| WoodBranch { branch: &limbs[k], parent: (k > 0).then_some(0), slot };
     let look = |branch: &Branch| tube::look(branch, &TubeParams::default(), 3.0);
     let mesh = mesh(&[twig(0, 0), twig(1, 1), twig(2, 0)], look, &mut WoodScratch::default());
     mesh.check_invariants().unwrap();
@@ -151,7 +151,7 @@ fn quality_gives_more_sides_and_rings_of_one_closed_surface() {
     let limbs = [trunk().0, bent];
     let faces = |quality: f32| {
         let params = TubeParams { quality, ..TubeParams::default() };
-        let twigs = [0, 1].map(|k| Twig { branch: &limbs[k], parent: (k > 0).then_some(0), slot: 0 });
+        let twigs = [0, 1].map(|k| WoodBranch { branch: &limbs[k], parent: (k > 0).then_some(0), slot: 0 });
         let mesh = mesh(&twigs, |branch| tube::look(branch, &params, 3.0), &mut WoodScratch::default());
         mesh.check_invariants().unwrap();
         assert_eq!(surfaces(&mesh), 1, "quality {quality}");
@@ -181,7 +181,7 @@ fn a_branch_on_the_end_of_another_goes_on_with_it() {
 #[test]
 fn what_goes_on_from_the_end_of_another_has_its_own_bark() {
     let limbs = [trunk().0, branch(Vec3::Y * 2.0, Vec3::Y, 1.0, 0.03)];
-    let twig = |k: usize| Twig { branch: &limbs[k], parent: (k > 0).then_some(0), slot: k };
+    let twig = |k: usize| WoodBranch { branch: &limbs[k], parent: (k > 0).then_some(0), slot: k };
     let look = |branch: &Branch| tube::look(branch, &TubeParams::default(), 3.0);
     let mesh = mesh(&[twig(0), twig(1)], look, &mut WoodScratch::default());
     let (first, second) = mesh.triangles.split_at(mesh.breaks[0] as usize);
