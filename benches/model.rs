@@ -82,7 +82,6 @@ fn flower() -> Plant {
         flowers: vec![Flower { branch: Some(0), cone, centre_radius: 0.01, reach: 0.1, look: 0 }],
         organs,
         templates,
-        buds: Vec::new(),
     }
 }
 

@@ -232,7 +232,7 @@ fn a_seedling_fills_the_volume_of_an_outline_and_nothing_else() {
         let mut simulation = Simulation::in_envelope(&Habit::default(), volume, 4, Limits::default());
         simulation.grow_to(60, &|| false);
         simulation.check_envelope().unwrap();
-        let (share, _) = agreement_with(&plant_at(&simulation, 60.0), lifted);
+        let (share, _) = agreement_with(&plant_at(&simulation, 60.0).plant, lifted);
         assert!(share >= 0.85, "{name}: intersection over union {share}");
     }
 }

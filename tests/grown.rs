@@ -5,7 +5,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 
 use glam::Vec3;
-use penstemon::growth::{Habit, Limits, Outcome, Simulation, plant_at};
+use penstemon::growth::{Habit, Limits, Outcome, PlantAtAge, Simulation, plant_at};
 use penstemon::pipeline::{self, Built, Seed};
 use penstemon::plant::{Branch, FinishedPlant, Plant, Provenance};
 use penstemon::species::{self, Species};
@@ -24,14 +24,21 @@ fn full_grown(name: &str) -> &'static (Simulation, FinishedPlant) {
     &GROWN.get_or_init(|| Species::growing().into_par_iter().map(grow).collect())[name]
 }
 
+/// A plant of an age with its species applied.
+fn finished_at(simulation: &Simulation, age: f32, species: &Species, seed: u64) -> FinishedPlant {
+    let PlantAtAge { plant, buds } = plant_at(simulation, age);
+    let plant = species::apply(plant, &buds, &Provenance::default(), species, seed).plant;
+    plant.check_invariants().unwrap();
+    plant
+}
+
 fn grown(name: &str, age: f32) -> (Simulation, FinishedPlant) {
     let species = Species::built_in(name).unwrap();
     let habit = species.growth.as_ref().unwrap();
     let mut simulation = Simulation::new(habit, 1, Limits::default());
     let outcome = simulation.grow_to(age as u16, &|| false);
     assert!(matches!(outcome, Outcome::Growing), "{name}: {outcome}");
-    let plant = species::apply(plant_at(&simulation, age), &Provenance::default(), &species, 1).plant;
-    plant.check_invariants().unwrap();
+    let plant = finished_at(&simulation, age, &species, 1);
     (simulation, plant)
 }
 
@@ -63,8 +70,7 @@ fn every_branch_begins_inside_of_its_parent() {
             let mut younger = Simulation::new(species.growth.as_ref().unwrap(), seed, Limits::default());
             for age in [2u16, 3, 5, 8, 12].into_iter().filter(|age| *age < oldest.age()) {
                 younger.grow_to(age, &|| false);
-                let plant = plant_at(&younger, f32::from(age));
-                let plant = species::apply(plant, &Provenance::default(), &species, seed).plant;
+                let plant = finished_at(&younger, f32::from(age), &species, seed);
                 check(&format!("{name} of {age} years, seed {seed}"), &plant);
             }
         }
@@ -108,18 +114,13 @@ fn every_species_grows_as_before() {
 
 #[test]
 fn fruit_trees_flower_when_they_are_of_age_and_their_flowers_open() {
-    let flowers = |age: f32| {
-        let plant = grown("cherry", age).1;
-        assert!(plant.buds.is_empty(), "all buds are open");
-        plant.flowers.len()
-    };
+    let flowers = |age: f32| grown("cherry", age).1.flowers.len();
     let species = Species::built_in("cherry").unwrap();
     let habit =
         Habit { flowering: 0.0.into(), flowering_side: 0.0.into(), ..species.growth.clone().unwrap() };
     let mut bare = Simulation::new(&habit, 1, Limits::default());
     bare.grow_to(20, &|| false);
-    let of_leaves =
-        species::apply(plant_at(&bare, 20.0), &Provenance::default(), &species, 1).plant.flowers.len();
+    let of_leaves = finished_at(&bare, 20.0, &species, 1).flowers.len();
     assert!(flowers(20.0) > of_leaves + 100, "{} with and {of_leaves} without fates", flowers(20.0));
     let buds = |age: f32| plant_at(&grown("cherry", 20.0).0, age).buds.len();
     assert_eq!((buds(3.0), buds(20.0) > 100), (0, true), "flowering age is 4");
@@ -142,8 +143,7 @@ fn flowers_open_gradually_and_old_ones_do_not_close() {
     let mut simulation = Simulation::new(species.growth.as_ref().unwrap(), 1, Limits::default());
     simulation.grow_to(20, &|| false);
     let reaches = |age: f32| {
-        let plant = species::apply(plant_at(&simulation, age), &Provenance::default(), &species, 1).plant;
-        plant.check_invariants().unwrap();
+        let plant = finished_at(&simulation, age, &species, 1);
         let mut reaches: Vec<f32> = plant.flowers.iter().map(|flower| flower.reach).collect();
         reaches.sort_by(f32::total_cmp);
         (reaches[0], reaches[reaches.len() - 1])
@@ -223,7 +223,7 @@ fn a_plant_is_taller_and_thicker_every_five_years() {
     let (simulation, _) = full_grown("oak");
     let mut last = (0.0, 0.0);
     for age in [5.0, 10.0, 15.0, 20.0] {
-        let plant = plant_at(simulation, age);
+        let plant = plant_at(simulation, age).plant;
         let now = (size(&plant).y, plant.branches[0].radii[0]);
         assert!(now.0 > last.0 && now.1 > last.1, "{last:?} then {now:?} at {age}");
         last = now;

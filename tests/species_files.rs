@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
 use penstemon::growth::habit::CrownHabit;
-use penstemon::growth::{Habit, Limits, Simulation, plant_at};
+use penstemon::growth::{Habit, Limits, PlantAtAge, Simulation, plant_at};
 use penstemon::params::{Description, Kind, Parameters as _};
 use penstemon::pipeline;
 use penstemon::plant::Provenance;
@@ -162,7 +162,8 @@ proptest! {
                 let limits = Limits { internodes: 1500, markers: 4000, voxels: 1 << 20, ..Limits::default() };
                 let mut simulation = Simulation::new(&params.habit, seed, limits);
                 simulation.grow_to(5, &|| false);
-                let plant = species::apply(plant_at(&simulation, 4.7), &Provenance::default(), &species, seed).plant;
+                let PlantAtAge { plant, buds } = plant_at(&simulation, 4.7);
+                let plant = species::apply(plant, &buds, &Provenance::default(), &species, seed).plant;
                 prop_assert_eq!(plant.check_invariants(), Ok(()), "{}", text);
             }
         }

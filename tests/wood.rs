@@ -47,7 +47,7 @@ fn grown_wood_hardly_cuts_itself_at_any_age() {
             for age in ages(&species).into_iter().take(if seed == 1 { 6 } else { 5 }) {
                 simulation.grow_to(age as u16, &|| false);
                 let what = format!("{name} of {age} years, seed {seed}");
-                let (count, all) = crossing_wood(&what, &plant_at(&simulation, age));
+                let (count, all) = crossing_wood(&what, &plant_at(&simulation, age).plant);
                 assert!(count <= 40.max(all / 1000), "{what}: {count} of {all} faces cross others");
                 if count * 1000 > all {
                     above.push(format!("{what}: {count} of {all}"));
@@ -72,7 +72,7 @@ fn five_plants_of_every_species_hardly_cut_themselves() {
         let mut simulation = Simulation::new(habit, seed, Limits::default());
         simulation.grow_to(habit.age as u16, &|| false);
         let what = format!("{name} of {} years, seed {seed}", habit.age);
-        let (count, all) = crossing_wood(&what, &plant_at(&simulation, habit.age as f32));
+        let (count, all) = crossing_wood(&what, &plant_at(&simulation, habit.age as f32).plant);
         assert!(count * 1000 <= all, "{what}: {count} of {all} faces cross others");
         (count, all)
     };

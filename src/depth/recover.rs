@@ -112,7 +112,7 @@ pub fn recover_with(
     let branches = skeleton.lifted(radii, &mut provenance);
     let (flowers, organs, templates) =
         cache.flowers.stand(anatomy, (&poses, &centers), &params.curl, &mut provenance);
-    let mut plant = Plant { branches, flowers, organs, templates, buds: Vec::new() };
+    let mut plant = Plant { branches, flowers, organs, templates };
     let poser = LeafPoser { world, seed, params: &params.leaves, curl: &params.curl };
     add_leaves((&mut plant, &mut provenance), &skeleton, anatomy, (&mut cache.leaves, &poser));
     debug_assert_eq!(provenance.check_invariants(&plant), Ok(()));

@@ -3,6 +3,7 @@
 
 use super::*;
 use crate::budget::Budget;
+use crate::growth::at_age::PlantAtAge;
 use crate::growth::at_age::chains::Chain;
 use crate::growth::at_age::to_plant::with_chains;
 use crate::growth::at_age::wood_at_age::{WoodAtAge, wood_at_age};
@@ -84,7 +85,8 @@ fn leaves_have_the_looks_of_the_age_that_is_shown() {
     let habit = Habit { leaf, ..every_number_counts() };
     let simulation = grown(&habit, 8);
     let blades = |age: f32| -> Vec<(Vec3, f32)> {
-        let organs = plant_at(&simulation, age).organs.into_iter().filter(|o| o.kind() == OrganKind::Leaf);
+        let organs =
+            plant_at(&simulation, age).plant.organs.into_iter().filter(|o| o.kind() == OrganKind::Leaf);
         organs.map(|o| (o.base(), if let Shape::Blade(b) = o.shape { b.v.length() } else { 0.0 })).collect()
     };
     let longest = |age| blades(age).iter().map(|b| b.1).fold(0.0, f32::max);
@@ -124,10 +126,10 @@ fn fig_2_7(lambda: &str, lift_branch: &str) -> Simulation {
 fn one_plant_is_a_whip_at_5_and_a_wide_crown_at_30() {
     let plant = fig_2_7("[[0, 0.8], [5, 0.8], [8, 0.42]]", "[[0, 0.5], [5, 0.5], [12, -0.05]]");
     let [always_young, always_old] = [fig_2_7("0.8", "0.5"), fig_2_7("0.42", "-0.05")];
-    let at = |simulation: &Simulation, age| slender(&plant_at(simulation, age));
+    let at = |simulation: &Simulation, age| slender(&plant_at(simulation, age).plant);
     assert!(at(&plant, 5.0) > 8.0, "a whip: {}", at(&plant, 5.0));
     assert!(at(&plant, 30.0) < 1.2, "a crown as wide as high: {}", at(&plant, 30.0));
-    assert!(plant_at(&plant, 30.0).branches.len() > 1000, "a full one");
+    assert!(plant_at(&plant, 30.0).plant.branches.len() > 1000, "a full one");
     assert!(
         at(&always_young, 30.0) > 8.0,
         "what is young for ever gets no crown: {}",
@@ -147,7 +149,7 @@ struct Shown {
 
 impl Shown {
     fn new(simulation: &Simulation, age: f32) -> Self {
-        let (plant, chains) = with_chains(simulation, age);
+        let (PlantAtAge { plant, .. }, chains) = with_chains(simulation, age);
         let nodes = |c: &Chain| chains.nodes[c.range.0 as usize..c.range.1 as usize].to_vec();
         let blade = |o: &Organ| match &o.shape {
             Shape::Blade(b) => Some((b.base, b.v.length())),

@@ -3,7 +3,7 @@
 //! Every year each bud learns how much of the resource it has and where more is (eqs. 2.1, 2.2); the plant gathers it
 //! at its root and shares it out again (eqs. 2.4 to 2.6); buds that get enough grow shoots in a direction of their own
 //! (eq. 2.3), branches that earn too little are shed, and wood thickens by the pipe model (eq. 2.7). [`Simulation`] is
-//! the stage; [`plant_at`] gives the [`Plant`](crate::plant::Plant) of any age. A [`Habit`] says how a species grows.
+//! the stage; [`plant_at`] gives the [`Plant`](crate::plant::Plant) of any age with its flower buds. A [`Habit`] says how a species grows.
 //!
 //! | room | what |
 //! | --- | --- |
@@ -37,7 +37,7 @@ mod tree;
 mod volume;
 mod year;
 
-pub use at_age::{bloom, foliage, plant_at};
+pub use at_age::{PlantAtAge, bloom, foliage, plant_at};
 pub use from_drawing::{GrowthParams, Memory, Start, drawing, merge};
 pub use habit::{Habit, Schedule};
 pub use limits::{Limits, Outcome};

@@ -126,7 +126,7 @@ fn no_branch_leaves_its_envelope() {
         simulation.grow_to(14, &never);
         simulation.check_envelope().unwrap();
         assert!(simulation.tree().len() > 300, "{} nodes in {volume:?}", simulation.tree().len());
-        let plant = plant_at(&simulation, 14.0);
+        let plant = plant_at(&simulation, 14.0).plant;
         plant.check_invariants().unwrap();
     }
     let crown = CrownHabit { height: 4.0, width: 3.0, ..CrownHabit::default() };
@@ -288,7 +288,7 @@ fn caps_end_growth_with_a_message() {
     assert!(simulation.tree().len() <= 500 && outcome.to_string().contains("500 internodes"));
     let mut simulation = Simulation::new(&mad, 1, Limits { voxels: 20_000, ..LIMITS });
     assert!(matches!(simulation.grow_to(1000, &never), Outcome::TooLarge(20_000)));
-    plant_at(&simulation, 1000.0).check_invariants().unwrap();
+    plant_at(&simulation, 1000.0).plant.check_invariants().unwrap();
     let mut simulation = Simulation::new(&spacious(), 1, Limits { steps: 0, ..LIMITS });
     let outcome = simulation.grow_to(1000, &never);
     assert_eq!((outcome, simulation.age(), simulation.tree().len()), (Outcome::TooManySteps(0), 0, 1));
@@ -356,7 +356,7 @@ fn drawn_branches_are_grown_on() {
     let tree = simulation.tree();
     tree.check_invariants().unwrap();
     assert!(tree.len() > 3 * before.len() && tree.nodes.at[..before.len()] == before.nodes.at[..]);
-    let plant = plant_at(&simulation, 6.0);
+    let plant = plant_at(&simulation, 6.0).plant;
     assert!(plant.branches[0].radii.iter().take(3).all(|r| *r >= 0.099), "{:?}", plant.branches[0].radii);
     let empty = Plant { branches: Vec::new(), ..drawn() };
     let mut seed = Simulation::from_skeleton(&lit(), &empty, Envelope::Free, 2, LIMITS);
@@ -376,7 +376,7 @@ fn wood_only_ever_thickens_and_ages_flow_into_each_other() {
         last = now;
     }
     let top = |age: f32| {
-        let points = plant_at(&simulation, age).branches.into_iter().flat_map(|b| b.points);
+        let points = plant_at(&simulation, age).plant.branches.into_iter().flat_map(|b| b.points);
         points.map(|p| p.y).fold(0.0, f32::max)
     };
     assert!(top(5.0) < top(5.5) && top(5.5) < top(6.0));
@@ -475,7 +475,7 @@ proptest! {
             Field::Light(shadow) => prop_assert!(shadow.len() <= limits.voxels),
             Field::Space(markers) => prop_assert!(markers.len() <= limits.markers),
         }
-        let plant = plant_at(&simulation, f32::from(age) - 0.4);
+        let plant = plant_at(&simulation, f32::from(age) - 0.4).plant;
         prop_assert_eq!(plant.check_invariants(), Ok(()));
         simulation.rewind(age / 2);
         prop_assert_eq!(simulation.tree().check_invariants(), Ok(()));

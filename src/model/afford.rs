@@ -168,7 +168,7 @@ fn blade_at_most(template: &Template, params: &BladeMeshParams) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::growth::{Limits, Simulation, plant_at};
+    use crate::growth::{Limits, PlantAtAge, Simulation, plant_at};
     use crate::model::build;
     use crate::plant::{FinishedPlant, Provenance};
     use crate::species::{self, Species};
@@ -177,7 +177,8 @@ mod tests {
         let species = Species::built_in("cherry").unwrap();
         let mut simulation = Simulation::new(species.growth.as_ref().unwrap(), 1, Limits::default());
         simulation.grow_to(age, &|| false);
-        species::apply(plant_at(&simulation, f32::from(age)), &Provenance::default(), &species, 1).plant
+        let PlantAtAge { plant, buds } = plant_at(&simulation, f32::from(age));
+        species::apply(plant, &buds, &Provenance::default(), &species, 1).plant
     }
 
     /// The finest that may be asked for.

@@ -97,7 +97,7 @@ fn without_copies(part: &Part, copies: &Copies, groups: &mut Vec<InstanceGroup>)
 mod tests {
     use super::super::{Cache, ModelParams, Part, build, rebuild};
     use super::InstancedModel;
-    use crate::growth::{Limits, Simulation, plant_at};
+    use crate::growth::{Limits, PlantAtAge, Simulation, plant_at};
     use crate::plant::Provenance;
     use crate::species::{self, Species};
     use glam::Vec3;
@@ -109,8 +109,8 @@ mod tests {
             let species = Species::built_in(name).unwrap();
             let mut simulation = Simulation::new(species.growth.as_ref().unwrap(), 1, Limits::default());
             simulation.grow_to(age, &|| false);
-            let grown = plant_at(&simulation, f32::from(age));
-            let plant = species::apply(grown, &Provenance::default(), &species, 1).plant;
+            let PlantAtAge { plant, buds } = plant_at(&simulation, f32::from(age));
+            let plant = species::apply(plant, &buds, &Provenance::default(), &species, 1).plant;
             let mut params = ModelParams::default();
             params.blade.gathered = true;
             let built = build(&plant, &params);

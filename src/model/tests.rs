@@ -188,7 +188,6 @@ fn plant() -> impl Strategy<Value = FinishedPlant> {
             branches,
             flowers: vec![flower(Some(0)), flower(None)],
             templates,
-            buds: Vec::new(),
         })
     })
 }
@@ -371,7 +370,6 @@ fn flowering(petal: Option<u64>) -> FinishedPlant {
         flowers: (0..2).map(flower).collect(),
         organs,
         templates,
-        buds: Vec::new(),
     })
 }
 

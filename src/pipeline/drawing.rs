@@ -6,8 +6,8 @@ use super::setup::Params;
 use super::source::Produced;
 use crate::anatomy;
 use crate::depth;
-use crate::growth::Memory;
 use crate::growth::overlay::{Spot, Wanted};
+use crate::growth::{Memory, PlantAtAge};
 use crate::sketch::Sketch;
 use crate::species::Species;
 
@@ -51,7 +51,8 @@ pub(super) fn produce(
     }
     if !growing::grows(&anatomy, species, params) {
         memory.growth.clear();
-        return Some(Produced { plant, provenance, remarks, anatomy, growth: None, may_flower: true });
+        let buds = Vec::new();
+        return Some(Produced { plant, buds, provenance, remarks, anatomy, growth: None, may_flower: true });
     }
     let grown = clock.time("growth", || {
         growing::grow_on(
@@ -64,6 +65,6 @@ pub(super) fn produce(
             stop,
         )
     });
-    let (plant, ages) = grown?;
-    Some(Produced { plant, provenance, remarks, anatomy, growth: Some(ages), may_flower: true })
+    let (PlantAtAge { plant, buds }, ages) = grown?;
+    Some(Produced { plant, buds, provenance, remarks, anatomy, growth: Some(ages), may_flower: true })
 }

@@ -60,7 +60,7 @@ pub(super) fn finish(
     clock: &mut Clock,
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Option<Built> {
-    let Produced { plant, provenance, mut remarks, anatomy, growth, may_flower } = produced;
+    let Produced { plant, buds, provenance, mut remarks, anatomy, growth, may_flower } = produced;
     let mut remark = |remark| {
         // A maker's number of flowers is that of buds; what the species makes of them is what the artist sees.
         if matches!(remark, Remark::BlossomThinned { .. }) {
@@ -72,7 +72,7 @@ pub(super) fn finish(
     };
     let plant = clock.time("species", || {
         let Applied { mut plant, is_blossom_thinned } =
-            species::apply_within(plant, &provenance, &looks(species, may_flower), seed, &budget);
+            species::apply_within(plant, &buds, &provenance, &looks(species, may_flower), seed, &budget);
         if is_blossom_thinned {
             remark(Remark::BlossomThinned { flowers: plant.flowers.len() });
         }

@@ -7,8 +7,8 @@ use super::setup::Params;
 use super::source::Ages;
 use crate::anatomy::Anatomy;
 use crate::depth;
-use crate::growth::{Limits, Memory, Outcome, Start, bloom, drawing, foliage, merge};
-use crate::plant::{Plant, Provenance};
+use crate::growth::{Limits, Memory, Outcome, PlantAtAge, Start, bloom, drawing, foliage, merge};
+use crate::plant::{FlowerBud, Plant, Provenance};
 use crate::quote;
 use crate::sketch::{Remark, StrokeId, Warning};
 use crate::species::Species;
@@ -35,7 +35,7 @@ pub(super) fn grow_on(
     seed: u64,
     remarks: &mut Vec<Warning>,
     stop: &dyn Fn() -> bool,
-) -> Option<(Plant, Ages)> {
+) -> Option<(PlantAtAge, Ages)> {
     let growth = &params.growth;
     let grows = merge::grows(&drawn);
     let crowns = depth::crowns(anatomy, &provenance.world_from_canvas);
@@ -55,9 +55,15 @@ pub(super) fn grow_on(
     }
     of_growth.extend(why_no_older(grown.outcome, grown.simulation.age()));
     remarks.extend(of_growth.into_iter().map(|remark| Warning { stroke, remark }));
-    let plant = merge::merged(drawn, &grows, &grown);
-    remark_shortfalls(&plant, grown.simulation.limits(), species.blossom.is_some(), stroke, remarks);
-    Some((plant, ages))
+    let merged = merge::merged(drawn, &grows, &grown);
+    remark_shortfalls(
+        (&merged.plant, &merged.buds),
+        grown.simulation.limits(),
+        species.blossom.is_some(),
+        stroke,
+        remarks,
+    );
+    Some((merged, ages))
 }
 
 /// Why growth ended before what was asked for, at an age.
@@ -73,13 +79,13 @@ pub(super) fn why_no_older(outcome: Outcome, years: u16) -> Option<Remark> {
 /// Remarks that a grown plant has fewer leaves, or fewer flowers if it `flowers`, than its species asks for. Before the
 /// species is applied: then some of the leaves stand as flowers.
 pub(super) fn remark_shortfalls(
-    plant: &Plant,
+    (plant, buds): (&Plant, &[FlowerBud]),
     limits: &Limits,
     flowers: bool,
     stroke: Option<StrokeId>,
     remarks: &mut Vec<Warning>,
 ) {
-    if flowers && bloom::is_thinned(&plant.buds, limits.flower_buds) {
+    if flowers && bloom::is_thinned(buds, limits.flower_buds) {
         remarks.push(Warning { stroke, remark: Remark::BlossomThinned { flowers: limits.flower_buds } });
     }
     if foliage::is_thinned(&plant.organs, limits.leaves) {

@@ -8,7 +8,7 @@ use super::setup::Params;
 use super::source::{Ages, Produced, Seed};
 use crate::anatomy::Anatomy;
 use crate::growth::overlay::{Spot, Wanted, overlay};
-use crate::growth::{self, Envelope, Habit, Outcome, Schedule, Simulation, drawing};
+use crate::growth::{self, Envelope, Habit, Outcome, PlantAtAge, Schedule, Simulation, drawing};
 use crate::plant::Provenance;
 use crate::sketch::Warning;
 use crate::species::Species;
@@ -106,14 +106,14 @@ pub(super) fn produce(
     let own = seed.volume.is_none().then_some(habit.age as f32);
     let age = seed.age.or(own).map(|age| age.max(0.0));
     let (simulation, ages) = clock.time("growth", || memory.grow(habit, seed, age, stop))?;
-    let plant = clock.time("plant", || growth::plant_at(simulation, ages.shown));
+    let PlantAtAge { plant, buds } = clock.time("plant", || growth::plant_at(simulation, ages.shown));
     let may_flower = may_flower(species, habit, ages.shown);
     let early = growing::why_no_older(ages.outcome, simulation.age());
     let mut remarks: Vec<_> = early.map(|remark| Warning { stroke: None, remark }).into_iter().collect();
     let flowers = may_flower && species.blossom.is_some();
-    growing::remark_shortfalls(&plant, simulation.limits(), flowers, None, &mut remarks);
+    growing::remark_shortfalls((&plant, &buds), simulation.limits(), flowers, None, &mut remarks);
     let (provenance, anatomy) = (Provenance::default(), Anatomy::default());
-    Some(Produced { plant, provenance, remarks, anatomy, growth: Some(ages), may_flower })
+    Some(Produced { plant, buds, provenance, remarks, anatomy, growth: Some(ages), may_flower })
 }
 
 /// Whether a plant of an age may flower: one that is too young may not, where it is the buds that decide about flowers.

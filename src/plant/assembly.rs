@@ -22,9 +22,6 @@ impl Plant {
             flower.centre_radius *= scale;
             flower.reach *= scale;
         }
-        for bud in &mut self.buds {
-            (bud.base, bud.u, bud.v) = (moved(bud.base), bud.u * scale, bud.v * scale);
-        }
         for organ in &mut self.organs {
             organ.shape.scale_and_move(scale, by);
         }
@@ -33,12 +30,11 @@ impl Plant {
     /// Puts another plant behind this one: its branches, flowers and organs keep their order and follow those that are
     /// there. Nothing of the other one is drawn, for a [`Provenance`](super::Provenance) knows one drawing only.
     pub fn append(&mut self, other: Self) {
-        let Self { branches, flowers, organs, templates, buds } = other;
+        let Self { branches, flowers, organs, templates } = other;
         let (branch, flower) = (self.branches.len(), self.flowers.len());
         let on = |index: Option<usize>| index.map(|index| index + branch);
         self.branches.extend(branches.into_iter().map(|b| Branch { parent: on(b.parent), ..b }));
         self.flowers.extend(flowers.into_iter().map(|f| Flower { branch: on(f.branch), ..f }));
-        self.buds.extend(buds.into_iter().map(|b| super::FlowerBud { branch: on(b.branch), ..b }));
         let organ =
             |o: Organ| Organ { branch: on(o.branch), flower: o.flower.map(|index| index + flower), ..o };
         self.add_organs(organs.into_iter().map(organ), templates);

@@ -18,9 +18,8 @@ pub struct FinishedPlant {
 
 impl FinishedPlant {
     /// Gives every role of a plant its material. Materials stand in the order in which they are first needed, those of
-    /// the roles in `first` before all others; materials of one name are one. Flower buds that nothing opened are gone.
-    pub fn new(mut plant: Plant, first: &[Role], material_of: impl Fn(Role) -> Material) -> Self {
-        plant.buds.clear();
+    /// the roles in `first` before all others; materials of one name are one.
+    pub fn new(plant: Plant, first: &[Role], material_of: impl Fn(Role) -> Material) -> Self {
         let (mut materials, mut of_role) = (Vec::<Material>::new(), BTreeMap::new());
         for role in first.iter().copied().chain(plant.roles()) {
             of_role.entry(role).or_insert_with(|| {
@@ -120,15 +119,12 @@ impl FinishedPlant {
         names.find(free).unwrap_or_else(|| wanted.to_owned())
     }
 
-    /// Checks the plant, that it has no buds left, and that every role has its material.
+    /// Checks the plant, and that every role has its material.
     ///
     /// # Errors
     /// The first violation, in words.
     pub fn check_invariants(&self) -> Result<(), String> {
         self.plant.check_invariants()?;
-        if !self.plant.buds.is_empty() {
-            return Err(format!("{} buds are closed", self.plant.buds.len()));
-        }
         if let Some(role) = self.plant.roles().find(|role| !self.of_role.contains_key(role)) {
             return Err(format!("{role:?} has no material"));
         }

@@ -29,13 +29,6 @@ impl Plant {
                 here("radius of the centre negative")
             })?;
         }
-        for (i, bud) in self.buds.iter().enumerate() {
-            let here = |what: &str| format!("bud {i}: {what}");
-            ensure(bud.branch.is_none_or(|b| b < self.branches.len()), || here("branch out of range"))?;
-            ensure(bud.base.is_finite() && bud.u.is_finite() && bud.v.is_finite(), || {
-                here("pose not finite")
-            })?;
-        }
         for (i, template) in self.templates.iter().enumerate() {
             template.check_invariants().map_err(|what| format!("template {i}: {what}"))?;
         }
@@ -92,13 +85,13 @@ fn is_unit(v: Vec3) -> bool {
     (v.length_squared() - 1.0).abs() < 1e-3
 }
 
-fn ensure(holds: bool, what: impl FnOnce() -> String) -> Result<(), String> {
+pub(super) fn ensure(holds: bool, what: impl FnOnce() -> String) -> Result<(), String> {
     if holds { Ok(()) } else { Err(what()) }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Cone, Flower, FlowerBud, OrganPart, Origin, Role, WoodPart};
+    use super::super::{Cone, Flower, OrganPart, Origin, Role, WoodPart};
     use super::*;
     use glam::Vec2;
 
@@ -112,7 +105,7 @@ mod tests {
         Organ { role, origin, branch: Some(1), flower: Some(0), shape }
     }
 
-    /// A bush of two stems with a twig, a flower, a bud and a solid of each kind.
+    /// A bush of two stems with a twig, a flower and a solid of each kind.
     fn bush() -> Plant {
         let cone = Cone { apex: Vec3::Y, axis: Vec3::Y, opening_rad: 0.5, height: 0.1 };
         let (base, axis, points) = (Vec3::Y, Vec3::Y, vec![Vec3::ZERO, Vec3::Y]);
@@ -124,7 +117,6 @@ mod tests {
                 organ(Shape::Filament { points, radius: 0.1, head: Vec2::ZERO }),
                 organ(Shape::Lathe { base, axis, profile: vec![Vec2::ZERO, Vec2::X, Vec2::Y] }),
             ],
-            buds: vec![FlowerBud { branch: None, base, u: Vec3::X, v: Vec3::Y }],
             ..Plant::default()
         }
     }
@@ -161,15 +153,13 @@ mod tests {
     }
 
     #[test]
-    fn flowers_and_buds_that_cannot_be_are_named() {
+    fn flowers_that_cannot_be_are_named() {
         assert!(after(|p| p.flowers[0].branch = Some(3)).contains("flower 0: branch out of range"));
         assert!(after(|p| p.flowers[0].cone.axis = 2.0 * Vec3::Y).contains("unit"));
         assert!(after(|p| p.flowers[0].cone.apex.y = f32::INFINITY).contains("apex"));
         assert!(after(|p| p.flowers[0].reach = 0.0).contains("reach"));
         assert!(after(|p| p.flowers[0].centre_radius = -0.1).contains("centre"));
         assert!(after(|p| p.flowers[0].look = 1).contains("look"));
-        assert!(after(|p| p.buds[0].branch = Some(3)).contains("bud 0"));
-        assert!(after(|p| p.buds[0].v.x = f32::NAN).contains("bud 0"));
     }
 
     #[test]

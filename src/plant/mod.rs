@@ -13,6 +13,7 @@ mod assembly;
 pub mod blade;
 pub mod cone;
 pub mod finished;
+pub mod flower_bud;
 pub mod invariants;
 pub mod junction;
 pub mod material;
@@ -26,6 +27,7 @@ mod templates;
 pub use blade::{Blade, BladeForm, ResolvedBlade, RestSurface};
 pub use cone::Cone;
 pub use finished::FinishedPlant;
+pub use flower_bud::FlowerBud;
 pub use material::{Material, Texture};
 pub use organ_kind::{OrganClass, OrganForm, OrganKind};
 pub use provenance::{DrawnId, Origin, Provenance, WorldFromCanvas};
@@ -74,19 +76,6 @@ pub struct Flower {
     pub reach: f32,
     /// Index of the flower's look among the species' flowers.
     pub look: usize,
-}
-
-/// A flower that has not opened; a species says what it becomes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FlowerBud {
-    /// The branch it grows on.
-    pub branch: Option<usize>,
-    /// Where it stands, metres.
-    pub base: Vec3,
-    /// Vector to its right seen on its face, metres.
-    pub u: Vec3,
-    /// Vector in which it opens; its length is the flower's size, metres.
-    pub v: Vec3,
 }
 
 /// Shape and pose of an organ.
@@ -178,8 +167,6 @@ pub struct Plant {
     pub organs: Vec<Organ>,
     /// What blades are copies of; each has a copy.
     pub templates: Templates,
-    /// Flowers that are still closed; none once a species is applied.
-    pub buds: Vec<FlowerBud>,
 }
 
 impl Plant {

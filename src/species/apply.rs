@@ -14,8 +14,8 @@ use super::receptacle::{Petals, flower_centre};
 use super::thorns::thorns;
 use crate::budget::Budget;
 use crate::plant::{
-    BladeForm, Branch, Detail, FinishedPlant, Organ, OrganKind, OrganPart, Origin, Plant, Provenance, Role,
-    Shape, Templates, WoodPart,
+    BladeForm, Branch, Detail, FinishedPlant, FlowerBud, Organ, OrganKind, OrganPart, Origin, Plant,
+    Provenance, Role, Shape, Templates, WoodPart,
 };
 use glam::Vec3;
 use rand::{RngExt, SeedableRng};
@@ -56,17 +56,24 @@ pub struct Applied {
     pub is_blossom_thinned: bool,
 }
 
-/// Gives a plant its species' materials and forms and adds what the drawing does not say: receptacles with stamens and
+/// Gives a plant with flower buds its species' materials and forms and adds what the drawing does not say: receptacles with stamens and
 /// styles, sepals, blossom, thorns, pot.
 ///
-/// The flowers' looks are taken in turn. Petals of a species without flowers look like leaves.
-pub fn apply(plant: Plant, provenance: &Provenance, species: &Species, seed: u64) -> Applied {
-    apply_within(plant, provenance, species, seed, &Budget::PLANT)
+/// Buds open where the species says how it blossoms. The flowers' looks are taken in turn. Petals of a species without flowers look like leaves.
+pub fn apply(
+    plant: Plant,
+    buds: &[FlowerBud],
+    provenance: &Provenance,
+    species: &Species,
+    seed: u64,
+) -> Applied {
+    apply_within(plant, buds, provenance, species, seed, &Budget::PLANT)
 }
 
 /// The same for a plant that has its own budget: no more flowers of its blossom open.
 pub fn apply_within(
     mut plant: Plant,
+    buds: &[FlowerBud],
     provenance: &Provenance,
     species: &Species,
     seed: u64,
@@ -76,7 +83,7 @@ pub fn apply_within(
     set_roles_of_wood(&mut plant, species);
     if let Some(look) = species.blossom.as_ref().filter(|_| !species.flowers.is_empty()) {
         let rng = &mut stream(seed, Purpose::Blossom, 0);
-        is_blossom_thinned = blossom(&mut plant, look, budget.blossoms, rng);
+        is_blossom_thinned = blossom(&mut plant, buds, look, budget.blossoms, rng);
     }
     for (index, flower) in plant.flowers.iter_mut().enumerate() {
         flower.look = index % species.flowers.len().max(1);

@@ -91,7 +91,7 @@ fn flowering() -> Plant {
 }
 
 fn finished(plant: &Plant, species: &str, seed: u64) -> FinishedPlant {
-    apply(plant.clone(), &provenance(), &Species::built_in(species).unwrap(), seed).plant
+    apply(plant.clone(), &[], &provenance(), &Species::built_in(species).unwrap(), seed).plant
 }
 
 prop_compose! {
@@ -223,7 +223,7 @@ fn an_artists_picture_replaces_every_material_of_its_part_only() {
     let own = Texture::Own(Picture::read(picture).unwrap());
     let mut rose = Species::built_in("rose").unwrap();
     rose.set_texture("petal", picture).unwrap();
-    let plant = apply(flowering(), &provenance(), &rose, 1).plant;
+    let plant = apply(flowering(), &[], &provenance(), &rose, 1).plant;
     plant.check_invariants().unwrap();
     for organ in &plant.organs {
         let pictured = plant.materials()[plant.material(organ.role)].texture.as_ref() == Some(&own);
@@ -260,9 +260,9 @@ fn a_cherry_tree_blossoms_in_place_of_generated_leaves_only() {
 #[test]
 fn a_tree_of_more_flowers_than_a_plant_may_have_says_so() {
     let species = Species::built_in("cherry").unwrap();
-    assert!(!apply(bare(1, 400), &provenance(), &species, 5).is_blossom_thinned);
+    assert!(!apply(bare(1, 400), &[], &provenance(), &species, 5).is_blossom_thinned);
     let most = crate::budget::Budget::PLANT.blossoms;
-    let Applied { plant, is_blossom_thinned } = apply(bare(1, 2 * most), &provenance(), &species, 5);
+    let Applied { plant, is_blossom_thinned } = apply(bare(1, 2 * most), &[], &provenance(), &species, 5);
     assert!(is_blossom_thinned);
     assert!((most * 9 / 10..=most * 11 / 10).contains(&plant.flowers.len()), "{}", plant.flowers.len());
 }

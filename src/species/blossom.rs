@@ -18,17 +18,23 @@ use std::f32::consts::TAU;
 /// Radius of the flower's centre, as a share of the reach.
 const CENTRE: f32 = 0.08;
 
-/// Opens the flower buds and replaces leaves by flowers, whose petals are all copies of one template. Says whether fewer open than the species asks for, because a plant may not have more than `most`.
-pub(super) fn blossom(plant: &mut Plant, look: &BlossomLook, most: usize, rng: &mut Pcg64Mcg) -> bool {
+/// Opens a plant's flower buds and replaces leaves by flowers, whose petals are all copies of one template. Says whether fewer
+/// open than the species asks for, because a plant may not have more than `most`.
+pub(super) fn blossom(
+    plant: &mut Plant,
+    buds: &[FlowerBud],
+    look: &BlossomLook,
+    most: usize,
+    rng: &mut Pcg64Mcg,
+) -> bool {
     let Some(mean) = mean_leaf_length(plant) else { return false };
     let reach = mean * look.reach;
     let length = reach * (1.0 - CENTRE);
     let outline = notched(length, look);
     let template = plant.templates.add(Template::new(outline, Vec::new(), length, Detail::Reduced));
-    let share = affordable_share(plant, look.share, most);
+    let share = affordable_share(plant, look.share, most.saturating_sub(buds.len()));
     let room = (plant.organs.len() as f32 * (1.0 + share * look.petals as f32)) as usize;
     let organs = std::mem::replace(&mut plant.organs, Vec::with_capacity(room));
-    let buds = std::mem::take(&mut plant.buds);
     let open = |plant: &mut Plant, bud: &FlowerBud, rng: &mut Pcg64Mcg| {
         let size = bud.v.length() / mean;
         let flower = pose(bud, reach * size, look);
@@ -59,11 +65,10 @@ fn is_generated_leaf(organ: &Organ) -> bool {
     organ.kind() == OrganKind::Leaf && !organ.origin.is_drawn()
 }
 
-/// The share of leaves that open: as many as the species asks for, or as many as the budget leaves after the buds.
+/// The share of leaves that open: as many as the species asks for, but at most so many leaves.
 fn affordable_share(plant: &Plant, wanted: f32, most: usize) -> f32 {
-    let buds = plant.buds.len();
     let leaves = plant.organs.iter().filter(|organ| is_generated_leaf(organ)).count();
-    wanted.min(most.saturating_sub(buds) as f32 / leaves.max(1) as f32)
+    wanted.min(most as f32 / leaves.max(1) as f32)
 }
 
 fn length_of(leaf: &ResolvedBlade<'_>) -> f32 {

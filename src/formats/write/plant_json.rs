@@ -40,7 +40,7 @@ impl Exporter for PlantJson {
 /// None for a plant and a provenance whose invariants hold.
 pub fn to_bytes(plant: &FinishedPlant, provenance: &Provenance) -> Result<Vec<u8>, serde_json::Error> {
     // Every field is named here and below, so that a new one cannot be forgotten.
-    let Plant { branches, flowers, organs, templates, buds: _ } = &**plant;
+    let Plant { branches, flowers, organs, templates } = &**plant;
     let with = (plant, provenance);
     let branches: Vec<_> = branches.iter().map(|branch| BranchText::new(branch, with)).collect();
     let flowers: Vec<_> = flowers.iter().map(FlowerText::new).collect();

@@ -15,4 +15,4 @@ mod stem_base;
 pub(super) mod to_plant;
 pub(super) mod wood_at_age;
 
-pub use to_plant::plant_at;
+pub use to_plant::{PlantAtAge, plant_at};

@@ -117,7 +117,7 @@ mod tests {
     #[test]
     fn all_stems_of_a_bush_stand_on_one_base() {
         for (stems, age) in [(2, 3), (3, 8), (9, 1), (9, 8), (20, 6)] {
-            let plant = plant_at(&bush(stems, age), f32::from(age));
+            let plant = plant_at(&bush(stems, age), f32::from(age)).plant;
             let trunks = plant.branches.iter().filter(|b| b.parent.is_none()).count();
             let sides: Vec<_> = plant.branches[1..].iter().filter(|b| b.level == 0).collect();
             assert_eq!((trunks, sides.len()), (1, stems as usize - 1), "{stems} stems at {age}");
@@ -142,7 +142,7 @@ mod tests {
     fn shoots_of_the_first_days_rise_from_the_middle() {
         let bush = bush(7, 1);
         for age in [0.02, 0.3, 0.7, 1.0] {
-            let plant = plant_at(&bush, age);
+            let plant = plant_at(&bush, age).plant;
             let base = plant.branches[0].points[0];
             let off = |b: &crate::plant::Branch| (b.points[1] - base).with_y(0.0).length();
             let widest = plant.branches.iter().map(off).fold(0.0, f32::max);

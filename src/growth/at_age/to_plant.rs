@@ -1,4 +1,4 @@
-//! A grown tree at an age as a [`Plant`]: chains become branches, young wood gets leaves.
+//! A grown tree at an age as a [`Plant`]: chains become branches, young wood gets leaves, and flower buds stand beside it.
 //!
 //! Chains are rounded ([`rounding`](super::rounding)). Trunks widen at their foot.
 
@@ -9,7 +9,7 @@ use super::rounding::rounded;
 use super::stem_base::Stems;
 use super::wood_at_age::{WoodAtAge, wood_at_age};
 use crate::growth::simulation::Simulation;
-use crate::plant::{Branch, Origin, Plant, Role, WoodPart};
+use crate::plant::{Branch, FlowerBud, Origin, Plant, Role, WoodPart};
 use glam::Vec3;
 
 /// Heights above the ground, in radii of the trunk, at which its foot is modelled.
@@ -17,13 +17,22 @@ const FOOT: [f32; 5] = [0.35, 0.8, 1.4, 2.4, 4.0];
 /// Share of its parent's radius that a branch may begin with.
 const NARROWER: f32 = 0.92;
 
+/// A plant of one age.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlantAtAge {
+    /// Its wood and leaves.
+    pub plant: Plant,
+    /// The flower buds on it.
+    pub buds: Vec<FlowerBud>,
+}
+
 /// The plant at an age, at most the simulation's own. Ages between years are years that run.
-pub fn plant_at(simulation: &Simulation, age: f32) -> Plant {
+pub fn plant_at(simulation: &Simulation, age: f32) -> PlantAtAge {
     with_chains(simulation, age).0
 }
 
 /// The same with the chains that became its branches, in their order.
-pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) {
+pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (PlantAtAge, Chains) {
     let (tree, habit, limits) = (simulation.tree(), simulation.habit(), simulation.limits());
     let age = if age.is_finite() { age.clamp(0.0, f32::from(simulation.age())) } else { 0.0 };
     let WoodAtAge { chains, at, diameters, grown } = wood_at_age(tree, habit, age);
@@ -59,10 +68,11 @@ pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (Plant, Chains) 
     };
     let (organs, templates) = foliage::leaves(limits.leaves, &wood, &habit.leaf);
     let buds = bloom::buds(limits.flower_buds, &wood, habit);
-    let mut plant = Plant { branches, flowers: Vec::new(), organs, templates, buds };
+    let mut plant = Plant { branches, flowers: Vec::new(), organs, templates };
     plant.drop_unused_templates();
     debug_assert_eq!(plant.check_invariants(), Ok(()));
-    (plant, chains)
+    debug_assert_eq!(buds.iter().try_for_each(|bud| bud.check_invariants(&plant)), Ok(()));
+    (PlantAtAge { plant, buds }, chains)
 }
 
 /// The nodes of a chain with the radii there, metres, from its base.

@@ -6,7 +6,7 @@
 
 use super::drawing::Grown;
 use crate::growth::at_age::chains::Chains;
-use crate::growth::at_age::to_plant;
+use crate::growth::at_age::{PlantAtAge, to_plant};
 use crate::growth::tree::NONE;
 use crate::plant::{Branch, Plant};
 use glam::Vec3;
@@ -46,9 +46,9 @@ fn numbers(grows: &[bool]) -> Vec<Option<usize>> {
     grows.iter().map(number).collect()
 }
 
-/// The drawn plant with what grew from its [`wood`].
-pub fn merged(drawn: Plant, grows: &[bool], grown: &Grown<'_>) -> Plant {
-    let (mut plant, chains) = to_plant::with_chains(grown.simulation, grown.age);
+/// The drawn plant with what grew from its [`wood`], flower buds among that.
+pub fn merged(drawn: Plant, grows: &[bool], grown: &Grown<'_>) -> PlantAtAge {
+    let (PlantAtAge { mut plant, buds }, chains) = to_plant::with_chains(grown.simulation, grown.age);
     let on = GrownParents { grown, chains: &chains, number: numbers(grows), drawn: &drawn.branches };
     // Where a branch that stays now is, and how far it went in depth.
     let mut moved: Vec<Option<(usize, f32)>> = vec![None; drawn.branches.len()];
@@ -78,7 +78,7 @@ pub fn merged(drawn: Plant, grows: &[bool], grown: &Grown<'_>) -> Plant {
     }
     plant.add_organs(leaves, of_leaves);
     debug_assert_eq!(plant.check_invariants(), Ok(()));
-    plant
+    PlantAtAge { plant, buds }
 }
 
 /// Finds the grown branch that runs where a drawn one ran.

@@ -1,0 +1,47 @@
+//! Flower buds: flowers that have not opened yet.
+//!
+//! They stand beside the plant that carries them, not in it: a maker gives both, and a species makes flowers of the plant out
+//! of them or drops them, so that no finished plant has any.
+
+use super::Plant;
+use super::invariants::ensure;
+use glam::Vec3;
+
+/// A flower that has not opened; a species says what it becomes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlowerBud {
+    /// The branch it grows on.
+    pub branch: Option<usize>,
+    /// Where it stands, metres.
+    pub base: Vec3,
+    /// Vector to its right seen on its face, metres.
+    pub u: Vec3,
+    /// Vector in which it opens; its length is the flower's size, metres.
+    pub v: Vec3,
+}
+
+impl FlowerBud {
+    /// Checks that it grows on a branch of the plant, and that its pose is finite.
+    ///
+    /// # Errors
+    /// The first violation, in words.
+    pub fn check_invariants(&self, plant: &Plant) -> Result<(), String> {
+        ensure(self.branch.is_none_or(|b| b < plant.branches.len()), || "branch out of range".to_owned())?;
+        let is_finite = self.base.is_finite() && self.u.is_finite() && self.v.is_finite();
+        ensure(is_finite, || "pose not finite".to_owned())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn buds_that_cannot_be_are_named() {
+        let bud = FlowerBud { branch: None, base: Vec3::Y, u: Vec3::X, v: Vec3::Y };
+        let fault = |bud: FlowerBud| bud.check_invariants(&Plant::default()).expect_err("must be noticed");
+        assert_eq!(bud.check_invariants(&Plant::default()), Ok(()));
+        assert!(fault(FlowerBud { branch: Some(0), ..bud }).contains("branch"));
+        assert!(fault(FlowerBud { v: Vec3::NAN, ..bud }).contains("pose"));
+    }
+}
