@@ -8,6 +8,7 @@ use glam::Vec3;
 use penstemon::growth::{Habit, Limits, Outcome, PlantAtAge, Simulation, plant_at};
 use penstemon::pipeline::{self, Built, Seed};
 use penstemon::plant::{Branch, FinishedPlant, Plant, Provenance};
+use penstemon::sketch::Remark;
 use penstemon::species::{self, Species};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -122,9 +123,31 @@ fn fruit_trees_flower_when_they_are_of_age_and_their_flowers_open() {
     bare.grow_to(20, &|| false);
     let of_leaves = finished_at(&bare, 20.0, &species, 1).flowers.len();
     assert!(flowers(20.0) > of_leaves + 100, "{} with and {of_leaves} without fates", flowers(20.0));
-    let buds = |age: f32| plant_at(&grown("cherry", 20.0).0, age).buds.len();
+    let buds = |age: f32| plant_at(&grown("cherry", 20.0).0, age).buds.buds.len();
     assert_eq!((buds(3.0), buds(20.0) > 100), (0, true), "flowering age is 4");
     assert!(buds(20.0) > buds(6.0));
+}
+
+#[test]
+fn flowers_that_a_tree_may_not_have_are_remarked_once_with_the_number_that_it_has() {
+    let species = Species::built_in("cherry").unwrap();
+    let params = pipeline::params_of_species(&species, &[]).unwrap();
+    let built = |flower_buds: usize, age: f32| {
+        let limits = Limits { flower_buds, ..Limits::default() };
+        let seed = Seed { number: 1, age: Some(age), limits, ..Seed::default() };
+        let built = pipeline::build(&seed, &species, &params);
+        let thinned = built.remarks.iter().filter_map(|warning| match warning.remark {
+            Remark::BlossomThinned { flowers } => Some(flowers),
+            _ => None,
+        });
+        (thinned.collect::<Vec<_>>(), built.plant.flowers.len())
+    };
+    let (remarked, whole) = built(6000, 16.0);
+    assert!(remarked.is_empty(), "{remarked:?}");
+    let (remarked, thinned) = built(10, 16.0);
+    assert_eq!(remarked, [thinned]);
+    assert!(thinned >= 10 && thinned + 20 < whole, "{thinned} of {whole}");
+    assert!(built(10, 3.0).0.is_empty(), "flowering age is 4");
 }
 
 /// Drawings are scaled by it: what is drawn as high as a grown plant goes on like one.

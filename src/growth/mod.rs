@@ -37,7 +37,7 @@ mod tree;
 mod volume;
 mod year;
 
-pub use at_age::{PlantAtAge, bloom, foliage, plant_at};
+pub use at_age::{PlantAtAge, foliage, plant_at};
 pub use from_drawing::{GrowthParams, Memory, Start, drawing, merge};
 pub use habit::{Habit, Schedule};
 pub use limits::{Limits, Outcome};

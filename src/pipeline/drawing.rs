@@ -8,6 +8,7 @@ use crate::anatomy;
 use crate::depth;
 use crate::growth::overlay::{Spot, Wanted};
 use crate::growth::{Memory, PlantAtAge};
+use crate::plant::FlowerBuds;
 use crate::sketch::Sketch;
 use crate::species::Species;
 
@@ -51,7 +52,7 @@ pub(super) fn produce(
     }
     if !growing::grows(&anatomy, species, params) {
         memory.growth.clear();
-        let buds = Vec::new();
+        let buds = FlowerBuds::default();
         return Some(Produced { plant, buds, provenance, remarks, anatomy, growth: None, may_flower: true });
     }
     let grown = clock.time("growth", || {

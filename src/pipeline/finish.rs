@@ -61,15 +61,7 @@ pub(super) fn finish(
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Option<Built> {
     let Produced { plant, buds, provenance, mut remarks, anatomy, growth, may_flower } = produced;
-    let mut remark = |remark| {
-        // A maker's number of flowers is that of buds; what the species makes of them is what the artist sees.
-        if matches!(remark, Remark::BlossomThinned { .. }) {
-            remarks.retain(|known| {
-                known.stroke.is_some() || !matches!(known.remark, Remark::BlossomThinned { .. })
-            });
-        }
-        remarks.push(Warning { stroke: None, remark });
-    };
+    let mut remark = |remark| remarks.push(Warning { stroke: None, remark });
     let plant = clock.time("species", || {
         let Applied { mut plant, is_blossom_thinned } =
             species::apply_within(plant, &buds, &provenance, &looks(species, may_flower), seed, &budget);

@@ -7,8 +7,8 @@ use super::setup::Params;
 use super::source::Ages;
 use crate::anatomy::Anatomy;
 use crate::depth;
-use crate::growth::{Limits, Memory, Outcome, PlantAtAge, Start, bloom, drawing, foliage, merge};
-use crate::plant::{FlowerBud, Plant, Provenance};
+use crate::growth::{Limits, Memory, Outcome, PlantAtAge, Start, drawing, foliage, merge};
+use crate::plant::{Plant, Provenance};
 use crate::quote;
 use crate::sketch::{Remark, StrokeId, Warning};
 use crate::species::Species;
@@ -56,13 +56,7 @@ pub(super) fn grow_on(
     of_growth.extend(why_no_older(grown.outcome, grown.simulation.age()));
     remarks.extend(of_growth.into_iter().map(|remark| Warning { stroke, remark }));
     let merged = merge::merged(drawn, &grows, &grown);
-    remark_shortfalls(
-        (&merged.plant, &merged.buds),
-        grown.simulation.limits(),
-        species.blossom.is_some(),
-        stroke,
-        remarks,
-    );
+    remarks.extend(thinned_leaves(&merged.plant, grown.simulation.limits(), stroke));
     Some((merged, ages))
 }
 
@@ -76,19 +70,9 @@ pub(super) fn why_no_older(outcome: Outcome, years: u16) -> Option<Remark> {
     }
 }
 
-/// Remarks that a grown plant has fewer leaves, or fewer flowers if it `flowers`, than its species asks for. Before the
-/// species is applied: then some of the leaves stand as flowers.
-pub(super) fn remark_shortfalls(
-    (plant, buds): (&Plant, &[FlowerBud]),
-    limits: &Limits,
-    flowers: bool,
-    stroke: Option<StrokeId>,
-    remarks: &mut Vec<Warning>,
-) {
-    if flowers && bloom::is_thinned(buds, limits.flower_buds) {
-        remarks.push(Warning { stroke, remark: Remark::BlossomThinned { flowers: limits.flower_buds } });
-    }
-    if foliage::is_thinned(&plant.organs, limits.leaves) {
-        remarks.push(Warning { stroke, remark: Remark::LeavesThinned { leaves: limits.leaves } });
-    }
+/// The remark that a grown plant has fewer leaves than its species asks for. Before the species is applied: then some of the
+/// leaves stand as flowers.
+pub(super) fn thinned_leaves(plant: &Plant, limits: &Limits, stroke: Option<StrokeId>) -> Option<Warning> {
+    let is_thinned = foliage::is_thinned(&plant.organs, limits.leaves);
+    is_thinned.then_some(Warning { stroke, remark: Remark::LeavesThinned { leaves: limits.leaves } })
 }

@@ -110,8 +110,7 @@ pub(super) fn produce(
     let may_flower = may_flower(species, habit, ages.shown);
     let early = growing::why_no_older(ages.outcome, simulation.age());
     let mut remarks: Vec<_> = early.map(|remark| Warning { stroke: None, remark }).into_iter().collect();
-    let flowers = may_flower && species.blossom.is_some();
-    growing::remark_shortfalls((&plant, &buds), simulation.limits(), flowers, None, &mut remarks);
+    remarks.extend(growing::thinned_leaves(&plant, simulation.limits(), None));
     let (provenance, anatomy) = (Provenance::default(), Anatomy::default());
     Some(Produced { plant, buds, provenance, remarks, anatomy, growth: Some(ages), may_flower })
 }

@@ -7,7 +7,7 @@
 use crate::anatomy::Anatomy;
 use crate::growth::habit::Resource;
 use crate::growth::{Envelope, Field, Limits, Outcome, Simulation};
-use crate::plant::{FlowerBud, Plant, Provenance};
+use crate::plant::{FlowerBuds, Plant, Provenance};
 use crate::sketch::{Sketch, Warning};
 use std::sync::Arc;
 
@@ -50,8 +50,8 @@ pub struct Seed {
 pub struct Produced {
     /// The plant in space.
     pub plant: Plant,
-    /// The flower buds on it, which its species opens.
-    pub buds: Vec<FlowerBud>,
+    /// The flower buds on it, which its species may open.
+    pub buds: FlowerBuds,
     /// What only its drawing knows of it.
     pub provenance: Provenance,
     /// What was odd about its source, and what the plant lacks.

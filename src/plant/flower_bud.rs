@@ -20,12 +20,31 @@ pub struct FlowerBud {
     pub v: Vec3,
 }
 
-impl FlowerBud {
-    /// Checks that it grows on a branch of the plant, and that its pose is finite.
+/// The flower buds of a plant.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FlowerBuds {
+    /// Each of them.
+    pub buds: Vec<FlowerBud>,
+    /// Whether there would be more if a plant might have more.
+    pub is_thinned: bool,
+}
+
+impl FlowerBuds {
+    /// Checks every bud.
     ///
     /// # Errors
     /// The first violation, in words.
     pub fn check_invariants(&self, plant: &Plant) -> Result<(), String> {
+        let check = |(i, bud): (usize, &FlowerBud)| {
+            bud.check_invariants(plant).map_err(|what| format!("bud {i}: {what}"))
+        };
+        self.buds.iter().enumerate().try_for_each(check)
+    }
+}
+
+impl FlowerBud {
+    /// Checks that it grows on a branch of the plant, and that its pose is finite.
+    fn check_invariants(&self, plant: &Plant) -> Result<(), String> {
         ensure(self.branch.is_none_or(|b| b < plant.branches.len()), || "branch out of range".to_owned())?;
         let is_finite = self.base.is_finite() && self.u.is_finite() && self.v.is_finite();
         ensure(is_finite, || "pose not finite".to_owned())
@@ -39,9 +58,12 @@ mod tests {
     #[test]
     fn buds_that_cannot_be_are_named() {
         let bud = FlowerBud { branch: None, base: Vec3::Y, u: Vec3::X, v: Vec3::Y };
-        let fault = |bud: FlowerBud| bud.check_invariants(&Plant::default()).expect_err("must be noticed");
-        assert_eq!(bud.check_invariants(&Plant::default()), Ok(()));
-        assert!(fault(FlowerBud { branch: Some(0), ..bud }).contains("branch"));
-        assert!(fault(FlowerBud { v: Vec3::NAN, ..bud }).contains("pose"));
+        let check = |second: FlowerBud| {
+            FlowerBuds { buds: vec![bud, second], is_thinned: false }.check_invariants(&Plant::default())
+        };
+        let fault = |second: FlowerBud| check(second).expect_err("must be noticed");
+        assert_eq!(check(bud), Ok(()));
+        assert!(fault(FlowerBud { branch: Some(0), ..bud }).contains("bud 1: branch"));
+        assert!(fault(FlowerBud { v: Vec3::NAN, ..bud }).contains("bud 1: pose"));
     }
 }

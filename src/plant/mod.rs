@@ -27,7 +27,7 @@ mod templates;
 pub use blade::{Blade, BladeForm, ResolvedBlade, RestSurface};
 pub use cone::Cone;
 pub use finished::FinishedPlant;
-pub use flower_bud::FlowerBud;
+pub use flower_bud::{FlowerBud, FlowerBuds};
 pub use material::{Material, Texture};
 pub use organ_kind::{OrganClass, OrganForm, OrganKind};
 pub use provenance::{DrawnId, Origin, Provenance, WorldFromCanvas};

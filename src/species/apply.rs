@@ -14,7 +14,7 @@ use super::receptacle::{Petals, flower_centre};
 use super::thorns::thorns;
 use crate::budget::Budget;
 use crate::plant::{
-    BladeForm, Branch, Detail, FinishedPlant, FlowerBud, Organ, OrganKind, OrganPart, Origin, Plant,
+    BladeForm, Branch, Detail, FinishedPlant, FlowerBuds, Organ, OrganKind, OrganPart, Origin, Plant,
     Provenance, Role, Shape, Templates, WoodPart,
 };
 use glam::Vec3;
@@ -62,7 +62,7 @@ pub struct Applied {
 /// Buds open where the species says how it blossoms. The flowers' looks are taken in turn. Petals of a species without flowers look like leaves.
 pub fn apply(
     plant: Plant,
-    buds: &[FlowerBud],
+    buds: &FlowerBuds,
     provenance: &Provenance,
     species: &Species,
     seed: u64,
@@ -73,7 +73,7 @@ pub fn apply(
 /// The same for a plant that has its own budget: no more flowers of its blossom open.
 pub fn apply_within(
     mut plant: Plant,
-    buds: &[FlowerBud],
+    buds: &FlowerBuds,
     provenance: &Provenance,
     species: &Species,
     seed: u64,

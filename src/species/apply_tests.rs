@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::picture::Picture;
-use crate::plant::{Blade, Branch, Cone, Flower, RestSurface, Template, TemplateId, Texture};
+use crate::plant::{Blade, Branch, Cone, Flower, FlowerBud, RestSurface, Template, TemplateId, Texture};
 use crate::species::seat::Seat;
 use glam::{Quat, Vec2, Vec3};
 use proptest::prelude::*;
@@ -91,7 +91,8 @@ fn flowering() -> Plant {
 }
 
 fn finished(plant: &Plant, species: &str, seed: u64) -> FinishedPlant {
-    apply(plant.clone(), &[], &provenance(), &Species::built_in(species).unwrap(), seed).plant
+    apply(plant.clone(), &FlowerBuds::default(), &provenance(), &Species::built_in(species).unwrap(), seed)
+        .plant
 }
 
 prop_compose! {
@@ -223,7 +224,7 @@ fn an_artists_picture_replaces_every_material_of_its_part_only() {
     let own = Texture::Own(Picture::read(picture).unwrap());
     let mut rose = Species::built_in("rose").unwrap();
     rose.set_texture("petal", picture).unwrap();
-    let plant = apply(flowering(), &[], &provenance(), &rose, 1).plant;
+    let plant = apply(flowering(), &FlowerBuds::default(), &provenance(), &rose, 1).plant;
     plant.check_invariants().unwrap();
     for organ in &plant.organs {
         let pictured = plant.materials()[plant.material(organ.role)].texture.as_ref() == Some(&own);
@@ -260,11 +261,26 @@ fn a_cherry_tree_blossoms_in_place_of_generated_leaves_only() {
 #[test]
 fn a_tree_of_more_flowers_than_a_plant_may_have_says_so() {
     let species = Species::built_in("cherry").unwrap();
-    assert!(!apply(bare(1, 400), &[], &provenance(), &species, 5).is_blossom_thinned);
+    assert!(!apply(bare(1, 400), &FlowerBuds::default(), &provenance(), &species, 5).is_blossom_thinned);
     let most = crate::budget::Budget::PLANT.blossoms;
-    let Applied { plant, is_blossom_thinned } = apply(bare(1, 2 * most), &[], &provenance(), &species, 5);
+    let Applied { plant, is_blossom_thinned } =
+        apply(bare(1, 2 * most), &FlowerBuds::default(), &provenance(), &species, 5);
     assert!(is_blossom_thinned);
     assert!((most * 9 / 10..=most * 11 / 10).contains(&plant.flowers.len()), "{}", plant.flowers.len());
+}
+
+#[test]
+fn buds_that_were_left_out_count_as_flowers_that_do_not_open_where_buds_open() {
+    let bud = FlowerBud { branch: Some(0), base: Vec3::Y, u: Vec3::X * 0.02, v: Vec3::Y * 0.02 };
+    for (name, opens) in [("cherry", true), ("maple", false)] {
+        let species = Species::built_in(name).unwrap();
+        for is_thinned in [false, true] {
+            let buds = FlowerBuds { buds: vec![bud; 3], is_thinned };
+            let applied = apply(bare(1, 4), &buds, &provenance(), &species, 5);
+            assert_eq!(applied.is_blossom_thinned, is_thinned && opens, "{name}");
+            assert_eq!(applied.plant.flowers.len() >= 3, opens, "{name}: {}", applied.plant.flowers.len());
+        }
+    }
 }
 
 #[test]

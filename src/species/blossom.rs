@@ -7,8 +7,8 @@
 use super::looks::BlossomLook;
 use super::sepals::blade_at;
 use crate::plant::{
-    BladeForm, Cone, Detail, Flower, FlowerBud, Organ, OrganKind, OrganPart, Origin, Plant, ResolvedBlade,
-    Role, Shape, Template, TemplateId,
+    BladeForm, Cone, Detail, Flower, FlowerBud, FlowerBuds, Organ, OrganKind, OrganPart, Origin, Plant,
+    ResolvedBlade, Role, Shape, Template, TemplateId,
 };
 use glam::{Quat, Vec2, Vec3};
 use rand::RngExt;
@@ -22,7 +22,7 @@ const CENTRE: f32 = 0.08;
 /// open than the species asks for, because a plant may not have more than `most`.
 pub(super) fn blossom(
     plant: &mut Plant,
-    buds: &[FlowerBud],
+    buds: &FlowerBuds,
     look: &BlossomLook,
     most: usize,
     rng: &mut Pcg64Mcg,
@@ -32,7 +32,7 @@ pub(super) fn blossom(
     let length = reach * (1.0 - CENTRE);
     let outline = notched(length, look);
     let template = plant.templates.add(Template::new(outline, Vec::new(), length, Detail::Reduced));
-    let share = affordable_share(plant, look.share, most.saturating_sub(buds.len()));
+    let share = affordable_share(plant, look.share, most.saturating_sub(buds.buds.len()));
     let room = (plant.organs.len() as f32 * (1.0 + share * look.petals as f32)) as usize;
     let organs = std::mem::replace(&mut plant.organs, Vec::with_capacity(room));
     let open = |plant: &mut Plant, bud: &FlowerBud, rng: &mut Pcg64Mcg| {
@@ -51,9 +51,9 @@ pub(super) fn blossom(
             _ => plant.organs.push(organ),
         }
     }
-    buds.iter().for_each(|bud| open(plant, bud, rng));
+    buds.buds.iter().for_each(|bud| open(plant, bud, rng));
     plant.drop_unused_templates();
-    share < look.share
+    buds.is_thinned || share < look.share
 }
 
 /// The bud in a leaf's place.

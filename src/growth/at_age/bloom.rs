@@ -6,7 +6,7 @@
 use super::foliage::{self, Wood};
 use crate::growth::habit::Habit;
 use crate::growth::tree::{Fate, NONE};
-use crate::plant::FlowerBud;
+use crate::plant::{FlowerBud, FlowerBuds};
 use crate::random::{Choice, mix};
 use glam::Vec3;
 use rayon::prelude::*;
@@ -15,13 +15,8 @@ use rayon::prelude::*;
 const APART: f32 = 0.9;
 const ASIDE: f32 = 0.35;
 
-/// Whether these are so many buds that others had to be left out of a plant that may have `most`.
-pub fn is_thinned(buds: &[FlowerBud], most: usize) -> bool {
-    buds.len() >= most
-}
-
 /// The flower buds of a plant at an age, in the order of the buds; thinned to `most` where there would be more.
-pub fn buds(most: usize, wood: &Wood<'_>, habit: &Habit) -> Vec<FlowerBud> {
+pub(super) fn buds(most: usize, wood: &Wood<'_>, habit: &Habit) -> FlowerBuds {
     let sites = sites(wood, habit);
     let pose = habit.leaf.at(wood.age);
     let cluster = habit.flower_cluster as usize;
@@ -33,12 +28,13 @@ pub fn buds(most: usize, wood: &Wood<'_>, habit: &Habit) -> Vec<FlowerBud> {
     };
     let whole = sites.len() * cluster;
     if whole <= most {
-        return (0..whole).filter_map(bud).collect();
+        return FlowerBuds { buds: (0..whole).filter_map(bud).collect(), is_thinned: false };
     }
     // A volume leaves out some; of the others, where they are too many, the same share stays everywhere.
     let held: Vec<usize> = (0..whole).into_par_iter().filter(|nth| bud(*nth).is_some()).collect();
-    let most = most.min(held.len());
-    (0..most).filter_map(|n| bud(held[n * held.len() / most])).collect()
+    let kept = most.min(held.len());
+    let buds = (0..kept).filter_map(|n| bud(held[n * held.len() / kept])).collect();
+    FlowerBuds { buds, is_thinned: kept < held.len() }
 }
 
 /// A bud that flowers, and the chain that carries it.

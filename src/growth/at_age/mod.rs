@@ -1,7 +1,7 @@
 //! The plant of one age: its wood as chains of nodes, cut where there is no room, with leaves and flower buds.
 
 mod aside;
-pub mod bloom;
+mod bloom;
 mod capsule;
 pub(super) mod chains;
 pub(super) mod diameter;

@@ -9,7 +9,7 @@ use super::rounding::rounded;
 use super::stem_base::Stems;
 use super::wood_at_age::{WoodAtAge, wood_at_age};
 use crate::growth::simulation::Simulation;
-use crate::plant::{Branch, FlowerBud, Origin, Plant, Role, WoodPart};
+use crate::plant::{Branch, FlowerBuds, Origin, Plant, Role, WoodPart};
 use glam::Vec3;
 
 /// Heights above the ground, in radii of the trunk, at which its foot is modelled.
@@ -23,7 +23,7 @@ pub struct PlantAtAge {
     /// Its wood and leaves.
     pub plant: Plant,
     /// The flower buds on it.
-    pub buds: Vec<FlowerBud>,
+    pub buds: FlowerBuds,
 }
 
 /// The plant at an age, at most the simulation's own. Ages between years are years that run.
@@ -71,7 +71,7 @@ pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (PlantAtAge, Cha
     let mut plant = Plant { branches, flowers: Vec::new(), organs, templates };
     plant.drop_unused_templates();
     debug_assert_eq!(plant.check_invariants(), Ok(()));
-    debug_assert_eq!(buds.iter().try_for_each(|bud| bud.check_invariants(&plant)), Ok(()));
+    debug_assert_eq!(buds.check_invariants(&plant), Ok(()));
     (PlantAtAge { plant, buds }, chains)
 }
 
