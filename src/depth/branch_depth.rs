@@ -16,6 +16,7 @@
 //! branches, also where one branch carries thousands. Limit: branches of different parents do not see each other.
 
 use crate::anatomy::FlatBranch;
+use crate::geom::polyline;
 use crate::kept::Kept;
 use crate::random::stream;
 use glam::{Vec2, Vec3};
@@ -243,15 +244,7 @@ fn neighbours(directions: &[Vec3], k: usize) -> (&[Vec3], &[Vec3]) {
 
 /// Arc length at each sample of a branch, pixels.
 fn arc_lengths(branch: &FlatBranch) -> Vec<f32> {
-    let mut run = Vec::with_capacity(branch.line.len());
-    let mut sum = 0.0;
-    let mut previous = None;
-    for sample in branch.line.iter() {
-        sum += previous.map_or(0.0, |p| sample.position.distance(p));
-        previous = Some(sample.position);
-        run.push(sum);
-    }
-    run
+    polyline::arc_lengths(branch.line.iter().map(|sample| sample.position))
 }
 
 /// Value at arc length `at` of a quantity known at the samples, held constant beyond the ends.

@@ -26,7 +26,7 @@ fn alternating(count: usize) -> Vec<FlatBranch> {
 
 fn length(branch: &FlatBranch, depths: &[f32]) -> f32 {
     let points: Vec<_> = branch.line.iter().zip(depths).map(|(s, &z)| s.position.extend(z)).collect();
-    points.windows(2).map(|w| w[0].distance(w[1])).sum()
+    polyline::length(&points)
 }
 
 fn drawn_length(branch: &FlatBranch) -> f32 {

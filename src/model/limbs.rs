@@ -9,6 +9,7 @@
 use super::joint::{self, Exit};
 use super::spine::{self, Ring, SpineScratch};
 use super::tube::TubeLook;
+use crate::geom::polyline;
 use crate::plant::Branch;
 use glam::Vec3;
 use std::ops::Range;
@@ -270,11 +271,10 @@ impl Limbs {
             self.rings.push(*ring);
         }
         if self.slots.len() > first_slot + 1 {
-            let length =
-                |to: usize| -> f32 { self.skeleton[..=to].windows(2).map(|w| w[0].0.distance(w[1].0)).sum() };
-            let along = arc / length(self.skeleton.len() - 1).max(f32::MIN_POSITIVE);
+            let arcs = polyline::arc_lengths(self.skeleton.iter().map(|(at, _)| *at));
+            let along = arc / arcs.last().map_or(f32::MIN_POSITIVE, |whole| whole.max(f32::MIN_POSITIVE));
             for slot in &mut self.slots[first_slot..] {
-                slot.0 = length(slot.0 as usize) * along;
+                slot.0 = arcs[slot.0 as usize] * along;
             }
         }
         exit

@@ -8,7 +8,7 @@
 
 use super::copies::Placement;
 use super::mesh::{Mesh, Vertex};
-use crate::geom::frame;
+use crate::geom::{frame, polyline};
 use glam::{Vec2, Vec3};
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
@@ -170,7 +170,7 @@ fn revolve(mesh: &mut Mesh, stand: Stand, profile: &[Vec2], sides: u32, projecti
     let angles = (0..sides).map(|j| TAU * j as f32 / sides as f32);
     let around = angles.map(|angle| direction(Vec2::from_angle(angle))).collect();
     let sweep = Sweep { stand, around, sides, projection, widest };
-    let length: f32 = profile.windows(2).map(|w| w[0].distance(w[1])).sum();
+    let length = polyline::length(&profile);
     let mut first_point = sweep.points(mesh, profile[0]);
     let mut bottom = sweep.row(mesh, profile[0], profile_normals(&profile, 0).1, 0.0, first_point);
     let mut along = 0.0;

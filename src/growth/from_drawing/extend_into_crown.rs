@@ -6,6 +6,7 @@
 //! Growth begins at buds that perceive space, so each separate part of a crown needs wood in it. Where the drawn
 //! branches end below a part, the nearest of them is extended, straight, to a place inside that is near and deep.
 
+use crate::geom::polyline;
 use crate::growth::volume::Inflated;
 use crate::plant::{Branch, Origin};
 use glam::Vec2;
@@ -83,8 +84,8 @@ fn shortest(wood: &[Branch], places: &[(Vec2, f32)]) -> Option<Way> {
 fn follow(wood: &mut Vec<Branch>, way: Way) {
     let branch = &mut wood[way.branch];
     let (from, radius) = (branch.points[way.point], branch.radii[way.point]);
-    let whole: f32 = branch.points.windows(2).map(|w| w[0].distance(w[1])).sum();
-    let left: f32 = branch.points[way.point..].windows(2).map(|w| w[0].distance(w[1])).sum();
+    let whole = polyline::length(&branch.points);
+    let left = polyline::length(&branch.points[way.point..]);
     let to = way.to.extend(0.0);
     if left <= AT_END * whole {
         let end = branch.points.last().copied().unwrap_or(from);

@@ -6,6 +6,7 @@
 
 use super::Family;
 use glam::Vec2;
+use penstemon::geom::polyline;
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use std::f32::consts::{PI, TAU};
@@ -148,7 +149,7 @@ fn serrated(rng: &mut Pcg64Mcg) -> Vec<Vec2> {
 fn open(rng: &mut Pcg64Mcg, shape: impl Fn(&mut Pcg64Mcg) -> Vec<Vec2>) -> Vec<Vec2> {
     loop {
         let line = shape(rng);
-        let length: f32 = line.windows(2).map(|p| p[0].distance(p[1])).sum();
+        let length = polyline::length(&line);
         if line[0].distance(line[line.len() - 1]) <= WIDEST_GAP * length {
             return line;
         }

@@ -1,6 +1,7 @@
 //! An ideal line as a hand draws it: uneven speed, wobble, tremor, hooks where the pen lands or lifts, any direction.
 
 use glam::Vec2;
+use penstemon::geom::polyline;
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use std::f32::consts::TAU;
@@ -49,7 +50,7 @@ fn at_uneven_speed(line: &[Vec2], samples: usize, rng: &mut Pcg64Mcg) -> Vec<Vec
 
 /// Points at ascending shares (0 to 1) of the line's length.
 fn along(line: &[Vec2], shares: &[f32]) -> Vec<Vec2> {
-    let length: f32 = line.windows(2).map(|p| p[0].distance(p[1])).sum();
+    let length = polyline::length(line);
     let (mut segment, mut passed) = (0, 0.0);
     let at = |&share: &f32| loop {
         let (a, b) = (line[segment], line[segment + 1]);
