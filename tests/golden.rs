@@ -69,34 +69,38 @@ fn every_sketch_is_understood_as_before() {
     }
 }
 
-/// 000 table 7.1: vertices and triangles of the eight reference plants.
-const TABLE_7_1: [(&str, usize, usize); 8] = [
-    ("daisy", 4134, 8942),
-    ("hepatica_red", 3820, 7958),
-    ("hepatica_blue", 2524, 5192),
-    ("jasmine", 3422, 7072),
-    ("mallow", 2204, 5294),
-    ("balloon_flower", 4528, 9540),
-    ("plumeria", 2526, 5180),
-    ("oxalis", 3418, 6876),
+/// Points and triangles of a model.
+type Counts = (usize, usize);
+
+/// The eight reference plants: what 000 table 7.1 counts, and what is built here: 0.69 of its points for the balloon flower, 2.6 times
+/// as many for the mallow, whose petals are cupped and closed with a face on either side.
+const TABLE_7_1: [(&str, Counts, Counts); 8] = [
+    ("daisy", (4134, 8942), (4190, 8096)),
+    ("hepatica_red", (3820, 7958), (7121, 13406)),
+    ("hepatica_blue", (2524, 5192), (4850, 9084)),
+    ("jasmine", (3422, 7072), (5481, 10630)),
+    ("mallow", (2204, 5294), (5723, 10670)),
+    ("balloon_flower", (4528, 9540), (3106, 5916)),
+    ("plumeria", (2526, 5180), (4022, 7904)),
+    ("oxalis", (3418, 6876), (5044, 9544)),
 ];
 
+/// A finer or coarser look at any part of one of these plants is a decision, not a side effect.
 #[test]
-fn reference_plants_are_of_the_size_of_table_7_1() {
-    for (name, vertices, triangles) in TABLE_7_1 {
+fn reference_plants_are_of_their_sizes_beside_table_7_1() {
+    for (name, thesis, expected) in TABLE_7_1 {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("assets/sketches/{name}.penstemon"));
         let (sketch, _) = sketch::read(&path).unwrap();
         let species = pipeline::species_of(&sketch, path.parent().unwrap()).unwrap();
         let params = pipeline::params_of(&sketch, &species, &[]).unwrap();
         let model = pipeline::build(&sketch, &species, &params).model;
         let points: usize = model.parts.iter().map(|part| part.points().count()).sum();
-        // Of the balloon flower 0.69 and 0.62 of the thesis's numbers, of the mallow, whose petals are cupped and closed with
-        // a face on either side, 2.60 and 2.02; the other six lie between.
-        let share = points as f32 / vertices as f32;
-        assert!((0.65..2.65).contains(&share), "{name}: {points} points, the thesis has {vertices}");
-        let ours = model.triangle_count();
-        let share = ours as f32 / triangles as f32;
-        assert!((0.6..2.05).contains(&share), "{name}: {ours} triangles, the thesis has {triangles}");
+        let ours = [points, model.triangle_count()];
+        let here = format!("{name}: {ours:?}, the thesis has {thesis:?}");
+        // Another processor's last bits may move a few of the triangles.
+        for (ours, expected) in ours.into_iter().zip([expected.0, expected.1]) {
+            assert!(ours.abs_diff(expected) * 100 <= expected, "{here}, expected {expected:?}");
+        }
     }
 }
 
