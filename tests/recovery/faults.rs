@@ -4,6 +4,8 @@
 use super::test_name;
 use super::{PATIENCE, begin, draw, file, stroke};
 use penstemon::sketch::document::Document;
+#[cfg(unix)]
+use penstemon::sketch::journal::JournalWriter;
 use penstemon::sketch::journal::{Gap, JournalError, JournalState, Recovery};
 use penstemon::sketch::{self, Change};
 #[cfg(unix)]
@@ -13,7 +15,9 @@ use std::path::{Path, PathBuf};
 #[cfg(unix)]
 use std::process::Command;
 #[cfg(unix)]
-use std::time::Duration;
+use std::sync::Arc;
+#[cfg(unix)]
+use std::time::{Duration, Instant};
 
 #[test]
 fn copies_of_a_newer_program_are_kept_and_said_to_be_so() {
@@ -256,14 +260,31 @@ fn child_without_any_room() {
     let recovery = Recovery::at(&folder);
     let (mut document, mut writer) = begin(&recovery, "no room");
     for id in 1..4 {
+        let before = writer.failure();
         writer.append(&document.apply(Change::put(stroke(id))).unwrap().unwrap());
-        // Longer than it waits before it tries again.
-        std::thread::sleep(Duration::from_millis(2100));
+        assert!(fails_anew(&writer, before.as_ref()), "it tries again by itself");
         assert!(matches!(writer.state(), JournalState::Failed(_)), "{:?}", writer.state());
         assert!(recovery.list().unwrap().is_empty(), "it is still open here");
         assert_eq!(fs::read_dir(&folder).unwrap().count(), 1, "one session, one folder");
     }
     println!("survived");
+}
+
+/// Whether another attempt to write fails than the one that is known.
+#[cfg(unix)]
+fn fails_anew(writer: &JournalWriter, known: Option<&Arc<JournalError>>) -> bool {
+    let deadline = Instant::now() + PATIENCE;
+    let is_known = |failure: Option<Arc<JournalError>>| match (failure, known) {
+        (Some(failure), Some(known)) => Arc::ptr_eq(&failure, known),
+        (failure, _) => failure.is_none(),
+    };
+    while is_known(writer.failure()) {
+        if Instant::now() > deadline {
+            return false;
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    true
 }
 
 #[test]

@@ -59,9 +59,9 @@ fn a_birch_is_put_beside_a_daisy_picked_moved_and_taken_away() {
     let at = |k: u8| [left + f64::from(k) / 20.0 * width, top + 0.45 * height];
     let picked = (5..19).find(|k| {
         screen.click(at(*k));
-        std::thread::sleep(std::time::Duration::from_millis(700));
+        let picked = program.wait_for("picked ").contains("picked plant=0");
         program.rest();
-        program.has_logged("picked plant=0")
+        picked
     });
     let [x, y] = at(picked.expect("the plant beside is nowhere"));
 

@@ -3,7 +3,7 @@
 
 use crate::not_run::not_run;
 use crate::program::Program;
-use crate::screen::Screen;
+use crate::screen::{Pixels, Screen};
 use crate::{draw_line, number, sketch_saved_by};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -77,18 +77,18 @@ impl Layer {
 }
 
 /// Everything is seen as it was before, and can be saved.
-fn is_whole(screen: &Screen, program: &mut Program, before: &crate::screen::Pixels, home: &Path) {
+fn is_whole(screen: &Screen, program: &mut Program, before: &Pixels, home: &Path) {
     let canvas = program.area("canvas");
     program.picture(screen).keep("after-lost-device");
     assert!(program.picture(screen).changed(before, canvas) > 0.0005, "the third line is seen");
     screen.hand(&["key", "ctrl+z"]);
     program.built_of(2);
-    // Good news go by themselves.
-    std::thread::sleep(std::time::Duration::from_secs(6));
-    let after = program.picture(screen);
+    // Good news go by themselves, after some seconds.
+    let whole = [0.0, 0.0, f64::from(before.width), f64::from(before.height)];
+    let is_as_before = |picture: &Pixels| picture.changed(before, whole) < 0.002;
+    let after = program.picture_where(screen, is_as_before);
     after.keep("after-lost-device-undone");
-    let whole = [0.0, 0.0, f64::from(after.width), f64::from(after.height)];
-    assert!(after.changed(before, whole) < 0.002, "drawing, plant and panels are as before");
+    assert!(is_as_before(&after), "drawing, plant and panels are as before");
     screen.hand(&["key", "ctrl+s"]);
     program.type_name(screen, "kept");
     program.wait_for("saved");

@@ -4,7 +4,6 @@ use crate::draw_line;
 use crate::number;
 use crate::program::Program;
 use crate::screen::Screen;
-use std::time::Duration;
 use tempfile::TempDir;
 
 /// The program on a server that ends after `work`; then it has said so, and the next one offers the drawing.
@@ -30,7 +29,7 @@ fn ends_with_a_word(work: impl FnOnce(&Screen, &mut Program)) {
 
 #[test]
 fn a_display_that_goes_away_at_rest_ends_the_program_with_a_word() {
-    ends_with_a_word(|_, _| std::thread::sleep(Duration::from_secs(1)));
+    ends_with_a_word(|_, program| program.idle());
 }
 
 #[test]

@@ -5,7 +5,6 @@ use crate::program::Program;
 use crate::screen::Screen;
 use crate::{draw_line, number, photograph, sketch_file, sketch_saved_by};
 use std::process::{Command, Stdio};
-use std::time::Duration;
 use tempfile::TempDir;
 
 #[test]
@@ -17,8 +16,8 @@ fn a_window_that_is_asked_to_close_asks_about_unsaved_work_first() {
     let strokes = number(&program.built(), "strokes");
     draw_line(&screen, &mut program);
     let (client, window) = (Client::on(&screen), program.window(&screen));
-    // Fast asleep: nothing but the request itself wakes the window.
-    std::thread::sleep(Duration::from_secs(4));
+    // Nothing but the request itself wakes the window.
+    program.idle();
     client.close(&window);
     program.rest_in_dialog("unsaved");
     program.picture(&screen).keep("asked-to-close");

@@ -13,6 +13,9 @@ const PATIENCE: Duration = Duration::from_secs(60);
 /// Longest time from a move of the mouse to the program's first line about it.
 const QUIET: Duration = Duration::from_millis(300);
 
+/// Longer than any thread that has done its work waits for more before it gives free memory back, which it logs.
+const IDLE: Duration = Duration::from_millis(1500);
+
 /// Colour of what stands out, in the light theme.
 pub(crate) const ACCENT: [u8; 3] = [0x7b, 0x3f, 0x83];
 
@@ -110,18 +113,24 @@ impl Program {
 
     /// Waits until the program has carried out everything and sleeps.
     pub(crate) fn rest(&mut self) {
-        self.rest_in("at rest");
+        self.rest_in("at rest", QUIET);
+    }
+
+    /// Waits until the program sleeps and all its threads have done the last that they do by themselves.
+    pub(crate) fn idle(&mut self) {
+        self.rest_in("at rest", IDLE);
     }
 
     /// Waits until the program sleeps and a dialog of this name is open.
     pub(crate) fn rest_in_dialog(&mut self, name: &str) {
-        self.rest_in(&format!("at rest in the dialog {name}"));
+        self.rest_in(&format!("at rest in the dialog {name}"), QUIET);
     }
 
-    fn rest_in(&mut self, state: &str) {
+    /// Waits until the program sleeps in this state and has logged nothing for so long.
+    fn rest_in(&mut self, state: &str, quiet: Duration) {
         let deadline = Instant::now() + PATIENCE;
         loop {
-            match self.lines.recv_timeout(QUIET) {
+            match self.lines.recv_timeout(quiet) {
                 Ok(line) => self.log.push(line),
                 Err(_) => {
                     let last = self.log.iter().rev().find(|line| line.contains("app::window"));
@@ -155,6 +164,17 @@ impl Program {
     pub(crate) fn picture(&mut self, screen: &Screen) -> Pixels {
         self.rest();
         screen.still()
+    }
+
+    /// What is on the screen once that is as it should be; where it does not become so, what it is at last.
+    pub(crate) fn picture_where(&mut self, screen: &Screen, is_so: impl Fn(&Pixels) -> bool) -> Pixels {
+        let deadline = Instant::now() + PATIENCE;
+        loop {
+            let picture = self.picture(screen);
+            if is_so(&picture) || Instant::now() > deadline {
+                return picture;
+            }
+        }
     }
 
     /// Presses the one button that stands out in the dialog of this name, once it is open.

@@ -15,14 +15,20 @@ impl Editor {
         let click = self.plant.take_click()?;
         let ray = self.plant.ray(click.at)?;
         let (built, begun) = (self.built()?, Instant::now());
-        let picked = pick(&built.model, &built.plant, &ray)?;
+        let Some(picked) = pick(&built.model, &built.plant, &ray) else {
+            tracing::debug!("picked nothing");
+            return None;
+        };
         let took_ms = begun.elapsed().as_secs_f64() * 1e3;
         if let Some(place) = place_of(picked.element, &built.beside) {
             tracing::debug!("picked plant={place} took={took_ms:.1}ms");
             self.on_canvas(|canvas, _, out| canvas.deselect(out));
             return Some(Action::SelectPlant(Some(place)));
         }
-        let stroke = picked.element.stroke(&built.plant, &built.provenance)?;
+        let Some(stroke) = picked.element.stroke(&built.plant, &built.provenance) else {
+            tracing::debug!("picked {:?} of no stroke", picked.element);
+            return None;
+        };
         tracing::debug!("picked {:?} stroke={stroke} took={took_ms:.1}ms", picked.element);
         self.beside.select(None);
         Some(Action::SelectStroke { stroke, besides: click.besides })
