@@ -2,7 +2,7 @@
 
 use super::read;
 use glam::{Vec2, vec2};
-use penstemon::sketch::{Canvas, Stroke, Tool};
+use penstemon::sketch::{Canvas, Sketch, Stroke, Tool};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -75,14 +75,29 @@ fn tools(strokes: &[Arc<Stroke>]) -> Vec<Tool> {
     strokes.iter().map(|s| s.tool).collect()
 }
 
+/// Reads a file in which nothing is odd.
+fn read_cleanly(text: &str) -> Sketch {
+    let (sketch, warnings) = read(text).unwrap();
+    assert_eq!(warnings, []);
+    sketch
+}
+
+/// Checks a drawing on a canvas of some width and height: the tool and the box of each of its strokes.
+fn assert_strokes(text: &str, [width, height]: [f32; 2], expected: &[(Tool, [f32; 4])]) {
+    let sketch = read_cleanly(text);
+    assert_eq!(sketch.canvas, Canvas { width, height });
+    let (tools_expected, boxes): (Vec<Tool>, Vec<[f32; 4]>) = expected.iter().copied().unzip();
+    assert_eq!(tools(&sketch.strokes), tools_expected);
+    assert_boxes(&sketch.strokes, &boxes);
+}
+
 fn svg(content: &str) -> String {
     format!(r#"<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100">{content}</svg>"#)
 }
 
 #[test]
 fn inkscape_layers_lie_where_inkscape_draws_them() {
-    let (sketch, warnings) = read(INKSCAPE).unwrap();
-    assert_eq!(warnings, []);
+    let sketch = read_cleanly(INKSCAPE);
     let Canvas { width, height } = sketch.canvas;
     assert!((width - 793.701).abs() < 1e-3 && (height - 559.370).abs() < 1e-3);
     assert_boxes(&sketch.strokes, &INKSCAPE_BOXES);
@@ -97,23 +112,18 @@ fn inkscape_layer_names_are_tools_and_hidden_layers_are_not_drawn() {
 
 #[test]
 fn plain_svg_from_inkscape_is_the_same_drawing() {
-    let (sketch, warnings) = read(INKSCAPE_PLAIN).unwrap();
-    assert_eq!(warnings, []);
+    let sketch = read_cleanly(INKSCAPE_PLAIN);
     assert_boxes(&sketch.strokes, &INKSCAPE_BOXES);
 }
 
 #[test]
 fn krita_shapes_lie_where_inkscape_draws_them() {
-    let (sketch, warnings) = read(KRITA).unwrap();
-    assert_eq!(warnings, []);
-    assert_eq!(sketch.canvas, Canvas { width: 768.0, height: 576.0 });
-    assert_eq!(tools(&sketch.strokes), [Tool::Auto, Tool::Auto, Tool::Branch]);
     let expected = [
-        [160.321, 129.006, 54.4632, 105.234],
-        [190.24, 141.706, 94.114, 76.4123],
-        [210.495, 234.24, 3.58544, 268.8],
+        (Tool::Auto, [160.321, 129.006, 54.4632, 105.234]),
+        (Tool::Auto, [190.24, 141.706, 94.114, 76.4123]),
+        (Tool::Branch, [210.495, 234.24, 3.58544, 268.8]),
     ];
-    assert_boxes(&sketch.strokes, &expected);
+    assert_strokes(KRITA, [768.0, 576.0], &expected);
 }
 
 #[test]
@@ -235,29 +245,23 @@ fn icons_are_read_without_their_frames() {
 
 #[test]
 fn classes_copies_shapes_and_nested_transforms_of_design_programs() {
-    let (sketch, warnings) = read(DESIGNER).unwrap();
-    assert_eq!(warnings, []);
-    assert_eq!(sketch.canvas, Canvas { width: 400.0, height: 300.0 });
-    let [branch, petal, auto] = [Tool::Branch, Tool::Petal, Tool::Auto];
-    assert_eq!(tools(&sketch.strokes), [branch, branch, petal, petal, auto, auto]);
     let expected = [
-        [200.0, 160.0, 0.0, 120.0],
-        [200.0, 180.0, 20.0, 60.0],
-        [180.0, 100.0, 40.0, 40.0],
+        (Tool::Branch, [200.0, 160.0, 0.0, 120.0]),
+        (Tool::Branch, [200.0, 180.0, 20.0, 60.0]),
+        (Tool::Petal, [180.0, 100.0, 40.0, 40.0]),
         // 8 by 4 units, half as wide, a quarter turn, 20 units along the scaled x axis.
-        [192.0, 132.0, 16.0, 16.0],
-        [318.0, 216.0, 64.0, 48.0],
-        [30.0, 30.0, 20.0, 20.0],
+        (Tool::Petal, [192.0, 132.0, 16.0, 16.0]),
+        (Tool::Auto, [318.0, 216.0, 64.0, 48.0]),
+        (Tool::Auto, [30.0, 30.0, 20.0, 20.0]),
     ];
-    assert_boxes(&sketch.strokes, &expected);
+    assert_strokes(DESIGNER, [400.0, 300.0], &expected);
 }
 
 #[test]
 fn circles_ellipses_and_rectangles_are_their_outlines() {
     let shapes = r#"<circle cx="50%" cy="20" r="10"/><ellipse cx="50" cy="50" rx="20"/>
         <rect x="10" y="20" width="30" height="40"/><rect width="20" height="10" rx="50"/>"#;
-    let (sketch, warnings) = read(&svg(shapes)).unwrap();
-    assert_eq!(warnings, []);
+    let sketch = read_cleanly(&svg(shapes));
     assert_boxes(
         &sketch.strokes,
         &[

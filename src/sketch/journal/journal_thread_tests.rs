@@ -71,6 +71,12 @@ impl Fixture {
         drop(self.journal);
         Recovery::at(state).list().unwrap()
     }
+
+    /// Checks that a later start of the program finds all of the drawing.
+    fn assert_found(self, state: &Path) {
+        let expected = self.document.sketch().clone();
+        assert_eq!(only(self.found(state)), expected);
+    }
 }
 
 fn only(found: Vec<crate::sketch::journal::Recoverable>) -> Sketch {
@@ -89,8 +95,7 @@ fn a_folder_that_vanishes_is_made_again_with_everything_in_it() {
     fs::remove_dir_all(fixture.folder()).unwrap();
     fixture.draw();
     assert_eq!(fixture.files(), ["journal-1", "lock", "snapshot-1.penstemon"]);
-    let expected = fixture.document.sketch().clone();
-    assert_eq!(only(fixture.found(state.path())), expected);
+    fixture.assert_found(state.path());
 }
 
 #[test]
@@ -124,8 +129,7 @@ fn a_snapshot_that_is_lost_on_its_way_costs_nothing() {
     fixture.draw();
     fixture.journal.background.take().unwrap().join().unwrap().unwrap();
     fs::remove_file(fixture.folder().join("snapshot-2.penstemon")).unwrap();
-    let expected = fixture.document.sketch().clone();
-    assert_eq!(only(fixture.found(state.path())), expected);
+    fixture.assert_found(state.path());
 }
 
 #[test]
@@ -155,9 +159,8 @@ fn a_reference_picture_is_written_once_however_often_it_is_moved() {
     }
     let grown = fixture.journal.journal.as_ref().unwrap().bytes() - before;
     assert!(grown < size + 20 * 200, "{grown} bytes for a picture of {size}");
-    let expected = fixture.document.sketch().clone();
-    assert!(expected.reference.is_some());
-    assert_eq!(only(fixture.found(state.path())), expected);
+    assert!(fixture.document.sketch().reference.is_some());
+    fixture.assert_found(state.path());
 }
 
 #[test]
@@ -201,6 +204,5 @@ fn a_state_folder_that_cannot_be_made_is_named() {
     fs::remove_file(&file).unwrap();
     fixture.journal.on_time();
     assert!(fixture.journal.failed_at.is_none());
-    let expected = fixture.document.sketch().clone();
-    assert_eq!(only(fixture.found(&file.join("state"))), expected);
+    fixture.assert_found(&file.join("state"));
 }
