@@ -1,0 +1,134 @@
+//! How people draw plants who do not know the papers: several strokes for one part, several parts in one stroke.
+//!
+//! The papers take every stroke for one organ. People draw a trunk by its two sides, a corolla or a crown in one line, grass as
+//! a zigzag, a pot under it all. This stage looks at the whole drawing before single strokes are judged. Every convention, a
+//! file each, proposes [`Hypothesis`]es: which strokes, which parts they are, how likely. [`choice`] takes the best set in which
+//! no stroke is used twice. What it makes are strokes again, each with the tool that its part asks for ([`Piece`]), so that all
+//! stages behind this one are those of drawings in the papers' way. Strokes that no hypothesis uses go on untouched, to the
+//! classifier; strokes whose tool the artist chose are never looked at.
+//!
+//! | file | what |
+//! | --- | --- |
+//! | `page` | strokes as even lines with their measures |
+//! | `choice` | the best set of hypotheses |
+//! | `pieces` | what hypotheses make: strokes with tools |
+//! | `silhouette` | the area that strokes enclose together, on a grid; its rows and its contour |
+//! | `lobes` | an outline cut at its notches toward a centre |
+//! | `tree` | a trunk of two sides with a crown, in any number of strokes |
+//! | `bush` | a crown without a trunk: outline, open outline, scribble |
+//! | `body` | fleshy bodies: cactus and mushroom |
+//! | `corolla` | a corolla in one stroke around a flower centre, or at the end of a stem |
+//! | `leaf` | a blade of several strokes, its midrib and veins, blade and stalk in one stroke |
+//! | `grass` | a zigzag, or lines side by side: blades of grass |
+//! | `fronds` | lines or lobes that radiate from a trunk's top |
+//! | `pot` | what a plant stands in |
+//! | `not_plant` | ground lines and frames |
+//!
+//! The reading depends on nothing but the strokes, so the same drawing means the same plant however it came about.
+//! Limits: what is drawn over several plants at once, and strokes that only hatch a shade, are not understood. Sources: counts
+//! of what people draw in `docs/drawings.md`; no paper treats them.
+
+pub mod choice;
+pub mod page;
+pub mod pieces;
+
+mod body;
+mod bush;
+mod corolla;
+mod fronds;
+mod grass;
+mod leaf;
+mod lobes;
+mod not_plant;
+mod pot;
+mod silhouette;
+mod tree;
+
+pub use pieces::{Interpretation, Piece};
+
+use crate::sketch::{Reading, Stroke, StrokePoint, Tool};
+use page::Page;
+use std::sync::Arc;
+
+crate::parameters! {
+    /// How drawings are read that are not drawn in the papers' way.
+    pub struct ConventionParams {
+        /// Reads trunks of two lines, corollas in one stroke and the like; off, every stroke is one organ, as in the papers.
+        enabled: bool = true, 0..=1, "";
+    }
+}
+
+/// What kind of plant a drawing shows, as far as that can be seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Habit {
+    /// A trunk with a crown.
+    Tree,
+    /// A crown that stands on the ground.
+    Bush,
+    /// A corolla on a stem.
+    Flower,
+    /// A trunk with fronds.
+    Palm,
+    /// Blades of grass.
+    Grass,
+    /// A cactus.
+    Succulent,
+    /// A cap on a stalk.
+    Mushroom,
+}
+
+/// What a part of a hypothesis becomes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Made {
+    /// The tool that such a part is drawn with.
+    pub tool: Tool,
+    /// Its line or outline.
+    pub points: Vec<StrokePoint>,
+    /// The half width that a pressure of 1 stands for, pixels, where the thickness was drawn.
+    pub half_width: Option<f32>,
+}
+
+impl Made {
+    /// A part drawn with `tool` along these places.
+    pub fn new(tool: Tool, points: impl IntoIterator<Item = glam::Vec2>) -> Self {
+        Self { tool, points: points.into_iter().map(StrokePoint::at).collect(), half_width: None }
+    }
+}
+
+/// A reading of some strokes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hypothesis {
+    /// Which lines of the page it explains, ascending.
+    pub uses: Vec<usize>,
+    /// Log-odds against leaving these strokes to the classifier; below 0 it is never taken.
+    pub score: f32,
+    /// What the strokes become; none where they are not the plant.
+    pub parts: Vec<Made>,
+    /// What the strokes were read as, for the artist.
+    pub reading: Reading,
+    /// What kind of plant it speaks for.
+    pub habit: Option<Habit>,
+}
+
+/// Reads the strokes of a drawing; those that no convention explains come back as they are.
+pub fn interpret(strokes: &[Arc<Stroke>], params: &ConventionParams) -> Interpretation {
+    if !params.enabled {
+        return Interpretation::untouched(strokes);
+    }
+    let page = Page::new(strokes);
+    let mut hypotheses = Vec::new();
+    let conventions = [
+        tree::propose,
+        bush::propose,
+        body::propose,
+        corolla::propose,
+        leaf::propose,
+        grass::propose,
+        fronds::propose,
+        pot::propose,
+        not_plant::propose,
+    ];
+    conventions.iter().for_each(|propose| propose(&page, &mut hypotheses));
+    let chosen = choice::best(hypotheses);
+    Interpretation::of(strokes, &page, chosen)
+}

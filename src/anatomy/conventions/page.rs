@@ -1,0 +1,167 @@
+//! The strokes of a drawing as even lines with their measures: what conventions look at.
+//!
+//! A line is its stroke at even steps of arc length, at most [`MOST_POINTS`] of them, evened out a little: angles and corners then
+//! mean the same in a fast and in a slow hand. All lengths are canvas pixels.
+
+use crate::geom::{convex_hull::convex_hull, polyline, simple_loop};
+use crate::sketch::{Stroke, Tool};
+use glam::{IVec2, Vec2};
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// Step between points of a line, as a share of the drawing's diagonal.
+const STEP: f32 = 0.006;
+/// Fewest and most points of a line.
+const POINTS: (usize, usize) = (16, 400);
+/// Shortest stroke that conventions look at, as a share of the drawing's diagonal.
+const SHORTEST: f32 = 0.012;
+/// Distance within which lines touch, as a share of the drawing's diagonal.
+const TOUCH: f32 = 0.025;
+/// Distance within which lines are near one another.
+const NEAR: f32 = 0.09;
+
+/// A stroke that may be read otherwise than by itself.
+#[derive(Clone, Debug)]
+pub struct Line {
+    /// Its place among the strokes of the drawing.
+    pub stroke: usize,
+    /// Even points from its beginning to its end.
+    pub points: Vec<Vec2>,
+    /// Length, pixels.
+    pub length: f32,
+    /// Smallest and largest corner.
+    pub bounds: (Vec2, Vec2),
+    /// Distance between its ends over the diagonal of its bounds: 0 is closed.
+    pub openness: f32,
+    /// Area between the line and its chord, pixels².
+    pub area: f32,
+    /// Convex hull, counter-clockwise with y up.
+    pub hull: Vec<Vec2>,
+    /// Its area, pixels².
+    pub hull_area: f32,
+}
+
+/// All lines of a drawing that conventions look at.
+#[derive(Clone, Debug)]
+pub struct Page {
+    /// The lines, in the order of the drawing.
+    pub lines: Vec<Line>,
+    /// Lines that touch one another, directly or through others, ascending.
+    pub groups: Vec<Vec<usize>>,
+    /// The same for lines that are near one another; only groups that are wider than those that touch.
+    pub wide_groups: Vec<Vec<usize>>,
+    /// Smallest and largest corner over all strokes.
+    pub bounds: (Vec2, Vec2),
+    /// Diagonal of the bounds.
+    pub diagonal: f32,
+}
+
+impl Page {
+    /// The lines of those strokes whose tool nobody chose.
+    pub fn new(strokes: &[Arc<Stroke>]) -> Self {
+        let positions = strokes.iter().flat_map(|s| &s.points).map(|p| p.position);
+        let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+        let bounds = positions.fold(empty, |(low, high), p| (low.min(p), high.max(p)));
+        let diagonal = if strokes.is_empty() { 0.0 } else { bounds.0.distance(bounds.1) };
+        let automatic = strokes.iter().enumerate().filter(|(_, stroke)| stroke.tool == Tool::Auto);
+        let lines: Vec<Line> = automatic.filter_map(|(i, stroke)| Line::new(i, stroke, diagonal)).collect();
+        let touching = groups(&lines, TOUCH * diagonal);
+        let mut wide_groups = groups(&lines, NEAR * diagonal);
+        wide_groups.retain(|group| touching.binary_search(group).is_err());
+        Self { lines, groups: touching, wide_groups, bounds, diagonal }
+    }
+}
+
+/// Lines of which some points are nearer than about `reach`: a point joins the lines of its cell and of the cells around it.
+fn groups(lines: &[Line], reach: f32) -> Vec<Vec<usize>> {
+    let mut leader: Vec<usize> = (0..lines.len()).collect();
+    let mut user_of: HashMap<IVec2, usize> = HashMap::new();
+    for (i, line) in lines.iter().enumerate() {
+        for point in &line.points {
+            let cell = (point / reach).floor().as_ivec2();
+            for (dx, dy) in (-1..=1).flat_map(|dx| (-1..=1).map(move |dy| (dx, dy))) {
+                if let Some(&other) = user_of.get(&(cell + IVec2::new(dx, dy))) {
+                    unite(&mut leader, i, other);
+                }
+            }
+            user_of.entry(cell).or_insert(i);
+        }
+    }
+    let mut members: Vec<Vec<usize>> = vec![Vec::new(); lines.len()];
+    for i in 0..lines.len() {
+        let first = root(&mut leader, i);
+        members[first].push(i);
+    }
+    members.retain(|group| !group.is_empty());
+    members
+}
+
+/// Makes two things members of one group, whose leader is its first.
+pub(super) fn unite(leader: &mut [usize], a: usize, b: usize) {
+    let (a, b) = (root(leader, a), root(leader, b));
+    leader[a.max(b)] = a.min(b);
+}
+
+/// The leader of the group of `i`.
+pub(super) fn root(leader: &mut [usize], mut i: usize) -> usize {
+    while leader[i] != i {
+        leader[i] = leader[leader[i]];
+        i = leader[i];
+    }
+    i
+}
+
+impl Line {
+    fn new(stroke: usize, drawn: &Stroke, diagonal: f32) -> Option<Self> {
+        let positions: Vec<Vec2> = drawn.points.iter().map(|p| p.position).collect();
+        let length = polyline::length(&positions);
+        if !length.is_finite() || length <= SHORTEST * diagonal {
+            return None;
+        }
+        let count = ((length / (STEP * diagonal)) as usize).clamp(POINTS.0, POINTS.1);
+        let points = even(&positions, count);
+        let bounds = points.iter().fold((points[0], points[0]), |(low, high), p| (low.min(*p), high.max(*p)));
+        let hull = convex_hull(&points, |p| *p);
+        let gap = points[0].distance(points[points.len() - 1]);
+        Some(Self {
+            stroke,
+            length,
+            bounds,
+            openness: gap / bounds.0.distance(bounds.1),
+            area: simple_loop::signed_area(points.iter().copied()).abs(),
+            hull_area: simple_loop::signed_area(hull.iter().copied()).abs(),
+            hull,
+            points,
+        })
+    }
+
+    /// Beginning and end.
+    pub fn ends(&self) -> (Vec2, Vec2) {
+        (self.points[0], self.points[self.points.len() - 1])
+    }
+
+    /// Width and height.
+    pub fn size(&self) -> Vec2 {
+        self.bounds.1 - self.bounds.0
+    }
+
+    /// Middle of the bounds.
+    pub fn middle(&self) -> Vec2 {
+        self.bounds.0.midpoint(self.bounds.1)
+    }
+
+    /// Share of the convex hull that the line encloses: 1 for convex outlines, little for stars and zigzags.
+    pub fn solidity(&self) -> f32 {
+        self.area / self.hull_area.max(f32::MIN_POSITIVE)
+    }
+}
+
+/// A polyline at `count` even steps of its length, at least two.
+pub fn even(positions: &[Vec2], count: usize) -> Vec<Vec2> {
+    let arcs = polyline::arc_lengths(positions.iter().copied());
+    let length = arcs.last().copied().unwrap_or(0.0);
+    let last = count.max(2) - 1;
+    (0..=last)
+        .map(|k| polyline::interpolate(positions, polyline::locate(&arcs, length * k as f32 / last as f32)))
+        .collect()
+}

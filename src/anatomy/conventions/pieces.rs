@@ -1,0 +1,98 @@
+//! What hypotheses make: strokes again, each with the tool that its part asks for, and where they come from.
+//!
+//! A piece stands in the drawing where the first of its strokes stood. Its stroke has a name of its own, made from that stroke's
+//! and its number, so that it has random streams of its own and a new stroke elsewhere changes nothing.
+
+use super::{Habit, Hypothesis, Made, page::Page};
+use crate::checksum;
+use crate::sketch::{Remark, Stroke, StrokeId, Warning};
+use std::collections::{BTreeMap, HashSet};
+use std::sync::Arc;
+
+/// The strokes of a drawing as they were understood.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Interpretation {
+    /// What the stages after this one read, in the order of the drawing.
+    pub strokes: Vec<Arc<Stroke>>,
+    /// Of every stroke that was made, which drawn ones it comes from.
+    pub sources: BTreeMap<StrokeId, Piece>,
+    /// Strokes that became other strokes or nothing.
+    pub explained: Vec<StrokeId>,
+    /// What the artist is told.
+    pub remarks: Vec<Warning>,
+    /// What kind of plant the whole is; none where nothing spoke for one.
+    pub habit: Option<Habit>,
+}
+
+/// Where a stroke that was made comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Piece {
+    /// The drawn strokes, in the order of the drawing, at least one.
+    pub strokes: Vec<StrokeId>,
+    /// The half width that a pressure of 1 stands for, pixels, where the thickness was drawn.
+    pub half_width: Option<f32>,
+}
+
+impl Interpretation {
+    /// All strokes as they were drawn.
+    pub fn untouched(strokes: &[Arc<Stroke>]) -> Self {
+        Self { strokes: strokes.to_vec(), ..Self::default() }
+    }
+
+    /// The strokes of a drawing, some of them replaced by what hypotheses make of them.
+    pub(super) fn of(strokes: &[Arc<Stroke>], page: &Page, chosen: Vec<Hypothesis>) -> Self {
+        if chosen.is_empty() {
+            return Self::untouched(strokes);
+        }
+        let mut it = Self { habit: habit(&chosen), ..Self::default() };
+        let mut names: HashSet<StrokeId> = strokes.iter().map(|stroke| stroke.id).collect();
+        let mut made_at: BTreeMap<usize, Vec<Arc<Stroke>>> = BTreeMap::new();
+        let mut is_used = vec![false; strokes.len()];
+        for Hypothesis { uses, parts, reading, .. } in chosen {
+            let used: Vec<usize> = uses.iter().map(|line| page.lines[*line].stroke).collect();
+            used.iter().for_each(|stroke| is_used[*stroke] = true);
+            let drawn: Vec<StrokeId> = used.iter().map(|stroke| strokes[*stroke].id).collect();
+            let Some((&place, &first)) = used.first().zip(drawn.first()) else { continue };
+            it.explained.extend(&drawn);
+            it.remarks.push(Warning { stroke: Some(first), remark: Remark::ReadAs(reading) });
+            for (number, Made { tool, points, half_width }) in parts.into_iter().enumerate() {
+                let id = name(first, number, &mut names);
+                it.sources.insert(id, Piece { strokes: drawn.clone(), half_width });
+                made_at.entry(place).or_default().push(Arc::new(Stroke { id, tool, points }));
+            }
+        }
+        for (i, stroke) in strokes.iter().enumerate() {
+            it.strokes.extend(made_at.remove(&i).unwrap_or_default());
+            if !is_used[i] {
+                it.strokes.push(Arc::clone(stroke));
+            }
+        }
+        it.explained.sort_unstable();
+        it
+    }
+
+    /// The drawn stroke that a stroke of [`Interpretation::strokes`] comes from, the first where there are several.
+    pub fn drawn(&self, id: StrokeId) -> StrokeId {
+        self.sources.get(&id).and_then(|piece| piece.strokes.first()).copied().unwrap_or(id)
+    }
+}
+
+/// A bit that hardly any stroke's name has: programs and artists count from 0.
+const MADE: StrokeId = 1 << 62;
+
+/// A name that no other stroke has, from that of a drawn stroke and a number.
+fn name(drawn: StrokeId, number: usize, names: &mut HashSet<StrokeId>) -> StrokeId {
+    let mut name = MADE | u64::from(checksum::fnv1a(&format!("{drawn}/{number}")));
+    while !names.insert(name) {
+        name = name.wrapping_add(1);
+    }
+    name
+}
+
+/// The kind of plant that most hypotheses speak for; of several the first in the order of the kinds.
+fn habit(chosen: &[Hypothesis]) -> Option<Habit> {
+    let mut votes: BTreeMap<Habit, usize> = BTreeMap::new();
+    chosen.iter().filter_map(|h| h.habit).for_each(|habit| *votes.entry(habit).or_default() += 1);
+    let most = votes.values().copied().max()?;
+    votes.into_iter().find(|(_, count)| *count == most).map(|(habit, _)| habit)
+}

@@ -1,0 +1,225 @@
+//! What lines enclose together, on a grid: nobody's lines meet exactly, so gaps of a few cells count as closed.
+//!
+//! Lines are drawn into a grid of square cells and thickened; what can be reached from outside around the thick lines, thickened
+//! back by as much, is outside, the rest is the silhouette (a morphological closing). Its contour runs between inner and
+//! outer cells. Cost: the number of cells, [`LONG_SIDE`]² at most, whatever the lines.
+
+use glam::{IVec2, Vec2};
+use std::collections::VecDeque;
+
+/// Cells along the longer side.
+pub const LONG_SIDE: f32 = 128.0;
+/// Cells left free on every side, more than lines are thickened.
+const MARGIN: i32 = 6;
+
+/// Cells inside lines.
+#[derive(Clone, Debug)]
+pub struct Silhouette {
+    low: Vec2,
+    cell: f32,
+    size: IVec2,
+    ink: Vec<bool>,
+    inside: Vec<bool>,
+}
+
+impl Silhouette {
+    /// The area that lines enclose, gaps of up to `bridge` cells closed.
+    pub fn new<'a>(lines: impl Iterator<Item = &'a [Vec2]> + Clone, bridge: i32) -> Self {
+        let points = lines.clone().flatten();
+        let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+        let (low, high) = points.fold(empty, |(low, high), p| (low.min(*p), high.max(*p)));
+        let cell = ((high - low).max_element() / LONG_SIDE).max(f32::MIN_POSITIVE);
+        let size = ((high - low) / cell).ceil().as_ivec2() + 2 * MARGIN + 1;
+        let cells = (size.x * size.y) as usize;
+        let mut it = Self { low, cell, size, ink: vec![false; cells], inside: Vec::new() };
+        lines.for_each(|line| it.draw(line));
+        it.fill((bridge + 1) / 2);
+        it
+    }
+
+    fn draw(&mut self, line: &[Vec2]) {
+        for pair in line.windows(2) {
+            let steps = (2.0 * pair[0].distance(pair[1]) / self.cell).ceil().max(1.0) as usize;
+            for k in 0..=steps {
+                let at = self.cell_at(pair[0].lerp(pair[1], k as f32 / steps as f32));
+                let number = self.number(at);
+                self.ink[number] = true;
+            }
+        }
+    }
+
+    fn fill(&mut self, thick: i32) {
+        let to_ink = self.steps_from(|i| self.ink[i], |_| true);
+        let is_wall = |i: usize| to_ink[i] <= thick;
+        let from_outside = self.steps_from(|i| i == 0, |i| !is_wall(i));
+        let is_reached = |i: usize| from_outside[i] < i32::MAX;
+        let to_outside = self.steps_from(is_reached, |_| true);
+        self.inside = (0..self.ink.len()).map(|i| self.ink[i] || to_outside[i] > thick).collect();
+    }
+
+    /// Steps from each cell to the nearest that is a source, through cells that are `open`, to the four sides.
+    fn steps_from(&self, is_source: impl Fn(usize) -> bool, is_open: impl Fn(usize) -> bool) -> Vec<i32> {
+        let mut steps = vec![i32::MAX; self.ink.len()];
+        let mut queue: VecDeque<usize> = (0..steps.len()).filter(|i| is_source(*i)).collect();
+        queue.iter().for_each(|i| steps[*i] = 0);
+        while let Some(i) = queue.pop_front() {
+            for next in self.sides(i) {
+                if steps[next] == i32::MAX && is_open(next) {
+                    steps[next] = steps[i] + 1;
+                    queue.push_back(next);
+                }
+            }
+        }
+        steps
+    }
+
+    fn sides(&self, i: usize) -> impl Iterator<Item = usize> + use<> {
+        let (size, at) = (self.size, IVec2::new(i as i32 % self.size.x, i as i32 / self.size.x));
+        [IVec2::X, IVec2::NEG_X, IVec2::Y, IVec2::NEG_Y]
+            .into_iter()
+            .map(move |step| at + step)
+            .filter(move |at| at.cmpge(IVec2::ZERO).all() && at.cmplt(size).all())
+            .map(move |at| (at.y * size.x + at.x) as usize)
+    }
+
+    fn cell_at(&self, p: Vec2) -> IVec2 {
+        (((p - self.low) / self.cell).floor().as_ivec2() + MARGIN).clamp(IVec2::ZERO, self.size - 1)
+    }
+
+    fn number(&self, at: IVec2) -> usize {
+        (at.y * self.size.x + at.x) as usize
+    }
+
+    /// Middle of a cell, pixels.
+    fn place(&self, at: IVec2) -> Vec2 {
+        self.low + ((at - MARGIN).as_vec2() + 0.5) * self.cell
+    }
+
+    /// Side of a cell, pixels.
+    pub fn cell(&self) -> f32 {
+        self.cell
+    }
+
+    /// Area of the silhouette, pixels².
+    pub fn area(&self) -> f32 {
+        self.inside.iter().filter(|inside| **inside).count() as f32 * self.cell * self.cell
+    }
+
+    /// Radius of the largest circle in it, about, pixels.
+    pub fn inscribed_radius(&self) -> f32 {
+        let steps = self.steps_from(|i| !self.inside[i], |_| true);
+        steps.into_iter().max().unwrap_or(0) as f32 * self.cell * STEP_TO_LENGTH
+    }
+
+    /// Contour of the largest connected area, first point not repeated; empty where nothing is enclosed.
+    pub fn contour(&self) -> Vec<Vec2> {
+        let largest = self.largest_area();
+        let is_in = |at: IVec2| {
+            at.cmpge(IVec2::ZERO).all() && at.cmplt(self.size).all() && largest[self.number(at)]
+        };
+        let Some(first) = (0..largest.len()).find(|i| largest[*i]) else { return Vec::new() };
+        // Along the corners of cells with the area on the right hand, from the upper left corner of the topmost cell.
+        let start = IVec2::new(first as i32 % self.size.x, first as i32 / self.size.x);
+        let (mut at, mut heading) = (start, IVec2::X);
+        let mut contour = Vec::new();
+        loop {
+            contour.push(self.place(at) - 0.5 * self.cell);
+            at += heading;
+            let right = IVec2::new(-heading.y, heading.x);
+            let cell_ahead = |side: IVec2| at + (heading + side - 1) / 2;
+            if !is_in(cell_ahead(right)) {
+                heading = right;
+            } else if is_in(cell_ahead(-right)) {
+                heading = -right;
+            }
+            if (at == start && heading == IVec2::X) || contour.len() > 4 * largest.len() {
+                return contour;
+            }
+        }
+    }
+
+    fn largest_area(&self) -> Vec<bool> {
+        let mut best: (usize, Vec<usize>) = (0, Vec::new());
+        let mut seen = vec![false; self.inside.len()];
+        for first in 0..seen.len() {
+            if seen[first] || !self.inside[first] {
+                continue;
+            }
+            let mut members = vec![first];
+            seen[first] = true;
+            let mut next = 0;
+            while next < members.len() {
+                for side in self.sides(members[next]) {
+                    if !seen[side] && self.inside[side] {
+                        seen[side] = true;
+                        members.push(side);
+                    }
+                }
+                next += 1;
+            }
+            if members.len() > best.0 {
+                best = (members.len(), members);
+            }
+        }
+        let mut area = vec![false; seen.len()];
+        best.1.into_iter().for_each(|i| area[i] = true);
+        area
+    }
+}
+
+/// Length of a step between cells on the average over all directions, in cells: steps go to four sides only.
+const STEP_TO_LENGTH: f32 = 0.8;
+
+/// A closed contour evened out: `rounds` of the mean of neighbours, at `count` even points.
+pub fn smooth_contour(contour: &[Vec2], count: usize, rounds: usize) -> Vec<Vec2> {
+    let Some(&first) = contour.first() else { return Vec::new() };
+    let mut closed = contour.to_vec();
+    closed.push(first);
+    let mut points = super::page::even(&closed, count + 1);
+    points.pop();
+    for _ in 0..rounds {
+        let n = points.len();
+        points = (0..n).map(|i| 0.25 * (points[(i + n - 1) % n] + points[(i + 1) % n]) + 0.5 * points[i]).collect();
+    }
+    points
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geom::simple_loop;
+    use std::f32::consts::{PI, TAU};
+
+    fn arc(from: f32, to: f32) -> Vec<Vec2> {
+        (0..=100).map(|k| 50.0 * Vec2::from_angle(from + (to - from) * k as f32 / 100.0)).collect()
+    }
+
+    fn of(lines: &[Vec<Vec2>], bridge: i32) -> Silhouette {
+        Silhouette::new(lines.iter().map(Vec::as_slice), bridge)
+    }
+
+    #[test]
+    fn a_circle_with_a_gap_is_closed_if_the_gap_is_narrow() {
+        let whole = PI * 2500.0;
+        let narrow = of(&[arc(0.0, TAU - 0.04)], 4);
+        assert!((narrow.area() / whole - 1.0).abs() < 0.06, "{}", narrow.area() / whole);
+        let wide = of(&[arc(0.0, TAU - 0.6)], 4);
+        assert!(wide.area() < 0.2 * whole);
+    }
+
+    #[test]
+    fn two_halves_make_one_contour() {
+        let contour = of(&[arc(0.1, PI), arc(PI, TAU)], 8).contour();
+        let smooth = smooth_contour(&contour, 100, 2);
+        let area = simple_loop::signed_area(smooth.iter().copied()).abs();
+        assert!((area / (PI * 2500.0) - 1.0).abs() < 0.06, "{area}");
+        assert!(simple_loop::is_simple(&smooth));
+    }
+
+    #[test]
+    fn the_inscribed_circle_of_a_band_is_half_as_wide() {
+        let band = vec![Vec2::ZERO, Vec2::new(100.0, 0.0), Vec2::new(100.0, 20.0), Vec2::new(0.0, 20.0), Vec2::ZERO];
+        let radius = of(&[band], 2).inscribed_radius();
+        assert!((7.0..13.0).contains(&radius), "{radius}");
+    }
+}
