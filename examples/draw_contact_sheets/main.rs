@@ -1,9 +1,10 @@
 //! Contact sheets of the drawings by people: each drawing beside the plant that is made of it, from the front and turned.
 //!
 //! ```text
-//! cargo run --example draw_contact_sheets -- FOLDER [development] [icons] [held_back]
+//! cargo run --example draw_contact_sheets -- FOLDER [development] [icons] [held_back] [CLASS]...
 //! ```
 //!
+//! A class, such as `tree`, is that class' drawings of the development half.
 //! Without a choice, the development half and the icons. The held-back half is there to judge by, not to look at on the way.
 //! The sheets are FOLDER/NAME-01.png and so on, twelve drawings each. A plant that cannot be built leaves its place empty and
 //! is told.
@@ -46,7 +47,16 @@ fn main() -> Result<(), Box<dyn Error>> {
             "development" => people::drawings(Half::Development)?,
             "held_back" => people::drawings(Half::HeldBack)?,
             "icons" => people::icons()?,
-            _ => return Err(format!("`{name}` is none of development, held_back and icons").into()),
+            class if people::CLASSES.contains(&class) => {
+                let mut drawings = people::drawings(Half::Development)?;
+                drawings.retain(|drawing| drawing.class == class);
+                drawings
+            }
+            _ => {
+                return Err(
+                    format!("`{name}` is none of development, held_back, icons and the classes").into()
+                );
+            }
         };
         for (number, drawings) in drawings.chunks(COLUMNS * ROWS).enumerate() {
             let mut sheet = Sheet::blank();

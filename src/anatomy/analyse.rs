@@ -6,6 +6,7 @@ use super::{
     Anatomy, FlatBlade, FlatBranch, FlatCrown, Mark, Part, Stop,
     attach::{AttachParams, Attacher},
     blade_outline::TipParams,
+    conventions::{self, ConventionParams, Interpretation, Piece},
     fill_leaves::LeafFillParams,
     fill_twigs::TwigParams,
     flowers::{self, Drawn, FlowerParams, Gatherer, Stem},
@@ -16,13 +17,16 @@ use super::{
     reading::{self, IgnoreParams, Reading, Readings, Rules},
 };
 use crate::sketch::warnings::Warnings;
-use crate::sketch::{Remark, Sketch, StrokeId};
+use crate::sketch::{Remark, Sketch, Stroke, StrokeId, Warning};
 use glam::Vec2;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 crate::parameter_groups! {
     /// Everything that decides what a drawing means.
     pub struct AnatomyParams {
+        /// Ways of drawing besides the papers'.
+        conventions: ConventionParams;
         /// Resampling and smoothing.
         preprocess: PreprocessParams;
         /// Which strokes are too small to mean anything.
@@ -98,13 +102,18 @@ pub fn analyse_with(
 fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: Stop) -> Anatomy {
     cache.begin(params);
     let rules = Rules { preprocess: &params.preprocess, ignore: &params.ignore, tip: &params.tip };
-    let reading::Drawn { readings, bounds } = cache.readings.read(&sketch.strokes, rules);
+    let Interpretation { strokes, pieces, explained, remarks, habit } =
+        conventions::interpret(&sketch.strokes, &params.conventions);
+    let reading::Drawn { readings, bounds } = cache.readings.read(&strokes, rules);
     let diagonal = bounds.0.distance(bounds.1);
-    let mut anatomy = Anatomy { diagonal, bounds, ..Anatomy::default() };
+    let mut anatomy = Anatomy { diagonal, bounds, pieces, habit, ..Anatomy::default() };
     if stop() {
         return anatomy;
     }
     let mut warnings = Warnings::default();
+    for Warning { stroke, remark } in remarks {
+        warnings.add(stroke, || remark);
+    }
     for reading in &readings {
         if let Some(remark) = &reading.warning {
             warnings.add(Some(reading.id), || remark.clone());
@@ -115,6 +124,10 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
     let Arranged { branches, lines } =
         hierarchy::arrange_with(&mut cache.branches, lines.collect(), diagonal, &params.hierarchy);
     anatomy.branches = branches;
+    for branch in &mut anatomy.branches {
+        let piece = branch.stroke.and_then(|stroke| anatomy.pieces.get(&stroke));
+        branch.half_width = piece.and_then(|piece| piece.half_width);
+    }
     let drawn =
         |r: &Arc<Reading>| Some(Drawn { blade: r.blade.clone()?, tool: r.tool, roundness: r.roundness? });
     let blades = readings.iter().filter_map(drawn).collect();
@@ -132,7 +145,12 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
     let fill = Fill { readings: &readings, seed: sketch.seed, twigs, leaf_twigs, leaf_fill, stop };
     fill.fill(&mut cache.outlines, &mut anatomy, &mut warnings);
     anatomy.warnings = warnings.into_vec();
-    anatomy.marks = marks(&readings, &anatomy.petals, &gathering.centres);
+    for warning in &mut anatomy.warnings {
+        warning.stroke =
+            warning.stroke.map(|stroke| anatomy.pieces.get(&stroke).map_or(stroke, Piece::first));
+    }
+    let read = marks(&readings, &anatomy.petals, &gathering.centres);
+    anatomy.marks = of_drawn(&sketch.strokes, &anatomy.pieces, &explained, read);
     anatomy
 }
 
@@ -178,6 +196,30 @@ fn marks(readings: &[Arc<Reading>], petals: &[FlatBlade], centres: &[StrokeId]) 
         part => part,
     };
     readings.iter().map(|r| Mark { stroke: r.id, part: part(r), confidence: r.confidence }).collect()
+}
+
+/// The verdicts on drawn strokes from those on the strokes that were made of them: what a stroke became first counts. One that
+/// became nothing is ignored.
+fn of_drawn(
+    strokes: &[Arc<Stroke>],
+    pieces: &BTreeMap<StrokeId, Piece>,
+    explained: &[StrokeId],
+    read: Vec<Mark>,
+) -> Vec<Mark> {
+    if explained.is_empty() {
+        return read;
+    }
+    let mut first: HashMap<StrokeId, Mark> = HashMap::new();
+    for mark in read {
+        match pieces.get(&mark.stroke) {
+            None => _ = first.insert(mark.stroke, mark),
+            Some(piece) => piece.strokes.iter().for_each(|&stroke| {
+                first.entry(stroke).or_insert(Mark { stroke, ..mark.clone() });
+            }),
+        }
+    }
+    let nothing = |stroke| Mark { stroke, part: Part::Ignored, confidence: 1.0 };
+    strokes.iter().map(|s| first.remove(&s.id).unwrap_or_else(|| nothing(s.id))).collect()
 }
 
 #[cfg(test)]

@@ -262,7 +262,15 @@ mod tests {
 
     fn stem() -> Vec<FlatBranch> {
         let line = (0..=50).map(|k| Sample::neutral(Vec2::new(500.0, 990.0 - 19.0 * k as f32))).collect();
-        vec![FlatBranch { stroke: Some(1), key: 1, line, parent: None, attached_at: 0.0, level: 0 }]
+        vec![FlatBranch {
+            stroke: Some(1),
+            key: 1,
+            line,
+            half_width: None,
+            parent: None,
+            attached_at: 0.0,
+            level: 0,
+        }]
     }
 
     fn filled(branches: &[FlatBranch]) -> Vec<FlatBlade> {

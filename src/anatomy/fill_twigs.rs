@@ -158,7 +158,15 @@ mod tests {
 
     fn trunk() -> Vec<FlatBranch> {
         let line = (0..=40).map(|k| Sample::neutral(Vec2::new(0.0, 400.0 - 10.0 * k as f32))).collect();
-        vec![FlatBranch { stroke: Some(1), key: 1, line, parent: None, attached_at: 0.0, level: 0 }]
+        vec![FlatBranch {
+            stroke: Some(1),
+            key: 1,
+            line,
+            half_width: None,
+            parent: None,
+            attached_at: 0.0,
+            level: 0,
+        }]
     }
 
     fn crown() -> Region {

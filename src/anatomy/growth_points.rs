@@ -104,6 +104,7 @@ impl Forest {
     pub fn sprout(&mut self, point: &GrowthPoint, line: Arc<[Sample]>) {
         let Some(Attachment { branch, at }) = point.attachment else { return };
         let twig = FlatBranch {
+            half_width: None,
             stroke: None,
             key: point.key,
             line,

@@ -299,6 +299,7 @@ impl Forest<'_> {
             let as_drawn = (line, Arc::clone(&flat[old]));
             let (line, measured) = if seat.reversed { turned.next().unwrap_or(as_drawn) } else { as_drawn };
             arranged.branches.push(FlatBranch {
+                half_width: None,
                 stroke,
                 key: stroke.unwrap_or(old as u64),
                 line,

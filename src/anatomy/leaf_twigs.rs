@@ -221,7 +221,15 @@ mod tests {
 
     fn stem() -> Vec<FlatBranch> {
         let line = (0..=50).map(|k| Sample::neutral(Vec2::new(0.0, 300.0 - 12.0 * k as f32))).collect();
-        vec![FlatBranch { stroke: Some(1), key: 1, line, parent: None, attached_at: 0.0, level: 0 }]
+        vec![FlatBranch {
+            stroke: Some(1),
+            key: 1,
+            line,
+            half_width: None,
+            parent: None,
+            attached_at: 0.0,
+            level: 0,
+        }]
     }
 
     fn oval(half_width: f32) -> Region {

@@ -8,6 +8,7 @@ pub mod analyse;
 pub mod attach;
 pub mod blade_outline;
 pub mod classify;
+pub mod conventions;
 pub mod features;
 pub mod fill_leaves;
 pub mod fill_twigs;
@@ -28,6 +29,7 @@ pub use analyse::{AnatomyParams, Cache, analyse, analyse_with};
 use crate::sketch::{StrokeId, StrokePoint, Warning};
 use glam::Vec2;
 use serde::Serialize;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Asked again and again, from any thread, whether the work is still wanted; yes to stop, and yes from then on.
@@ -152,6 +154,8 @@ pub struct FlatBranch {
     pub key: u64,
     /// Skeleton from base to end, at least two samples.
     pub line: Arc<[Sample]>,
+    /// The half width that a pressure of 1 stands for, pixels, where the branch was drawn by its sides.
+    pub half_width: Option<f32>,
     /// Index of the branch that carries it, always smaller than its own.
     pub parent: Option<usize>,
     /// Arc length along the parent at which it is attached, pixels.
@@ -189,8 +193,12 @@ pub struct Anatomy {
     pub diagonal: f32,
     /// Bounding box of the strokes: smallest and largest corner in pixels.
     pub bounds: (Vec2, Vec2),
-    /// A verdict for each stroke, in drawing order.
+    /// A verdict for each stroke, in drawing order; for one that is several parts, that of the first of them.
     pub marks: Vec<Mark>,
+    /// Of the strokes that were made of drawn ones, where they come from: names of strokes below may be theirs.
+    pub pieces: BTreeMap<StrokeId, conventions::Piece>,
+    /// What kind of plant the drawing shows, as far as that can be seen.
+    pub habit: Option<conventions::Habit>,
     /// Branches, parents before children; generated twigs among them.
     pub branches: Vec<FlatBranch>,
     /// Petals of all flowers.
@@ -205,4 +213,11 @@ pub struct Anatomy {
     pub templates: Vec<Arc<[Vec2]>>,
     /// Remarks about odd input.
     pub warnings: Vec<Warning>,
+}
+
+impl Anatomy {
+    /// The drawn stroke behind the name of a stroke: its own, or the first of those that it was made of.
+    pub fn drawn(&self, stroke: StrokeId) -> StrokeId {
+        self.pieces.get(&stroke).map_or(stroke, conventions::Piece::first)
+    }
 }

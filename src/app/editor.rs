@@ -107,6 +107,7 @@ impl Editor {
         match self.live.collect(self.prefs.messages()) {
             Some(Collected::Plant(bounds)) => {
                 self.plant.set_bounds(bounds);
+                self.live.read_species(self.drawing.sketch(), self.drawing.folder());
                 self.updates.plant_changed();
             }
             Some(Collected::Failure(Some(reason))) => self.notify(Notice::error(reason, "")),

@@ -231,7 +231,7 @@ impl Drop for Worker {
 struct BuildContext {
     cache: Cache,
     measures: Measures,
-    species: Option<(Option<String>, PathBuf, Species)>,
+    species: Option<(String, PathBuf, Species)>,
 }
 
 fn work(shared: &Shared, wake: &dyn Fn()) {
@@ -299,12 +299,13 @@ impl BuildContext {
     /// `Ok(None)` where it was cancelled.
     fn build(&mut self, snapshot: &Snapshot, cancel: &AtomicBool) -> Result<Option<Built>, SetupError> {
         let Snapshot { sketch, folder, overlay, .. } = snapshot;
-        let known = self.species.take().filter(|(name, at, _)| *name == sketch.species && at == folder);
+        let name = sketch.species.clone().unwrap_or_else(|| pipeline::usual_species(sketch, &[]).to_owned());
+        let known = self.species.take().filter(|(known, at, _)| *known == name && at == folder);
         let (species, missing) = match known {
             Some((_, _, species)) => (species, None),
             None => pipeline::species_or_usual(sketch, folder)?,
         };
-        let (_, _, species) = self.species.insert((sketch.species.clone(), folder.clone(), species));
+        let (_, _, species) = self.species.insert((name, folder.clone(), species));
         let params = pipeline::params_of(sketch, species, &[])?;
         let cancelled = || cancel.load(Ordering::Relaxed);
         let mut built = pipeline::build_with(&mut self.cache, sketch, species, &params, &cancelled);

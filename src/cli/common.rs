@@ -99,6 +99,9 @@ impl Setup {
             sketch.species.clone_from(&options.species);
             (folder, whose) = (Path::new(""), "--species".to_owned());
         }
+        if sketch.species.is_none() {
+            sketch.species = Some(pipeline::usual_species(&sketch, &options.assignments).to_owned());
+        }
         // What the command line names has to be there.
         let mut species = if options.species.is_some() {
             pipeline::species_of(&sketch, folder).context(whose)?

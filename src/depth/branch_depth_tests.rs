@@ -7,7 +7,15 @@ use proptest::prelude::*;
 fn branch(parent: Option<usize>, attached_at: f32, level: u32, line: &[Vec2]) -> FlatBranch {
     let sample = |&position: &Vec2| Sample { position, pressure: 0.5, tilt_deg: Vec2::ZERO };
     let key = attached_at.to_bits().into();
-    FlatBranch { stroke: None, key, line: line.iter().map(sample).collect(), parent, attached_at, level }
+    FlatBranch {
+        stroke: None,
+        key,
+        line: line.iter().map(sample).collect(),
+        half_width: None,
+        parent,
+        attached_at,
+        level,
+    }
 }
 
 /// A trunk 400 px high with `count` children, alternately left and right.

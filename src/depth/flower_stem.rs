@@ -111,7 +111,15 @@ mod tests {
     fn stem() -> (FlatBranch, Vec<f32>) {
         let line = (0..=20).map(|k| Sample::neutral(Vec2::new(0.0, 200.0 - 10.0 * k as f32))).collect();
         (
-            FlatBranch { stroke: Some(1), key: 1, line, parent: None, attached_at: 0.0, level: 0 },
+            FlatBranch {
+                stroke: Some(1),
+                key: 1,
+                line,
+                half_width: None,
+                parent: None,
+                attached_at: 0.0,
+                level: 0,
+            },
             vec![0.0; 21],
         )
     }

@@ -87,6 +87,10 @@ pub fn radii_with(
     );
     let mut out: Vec<Vec<f32>> = Vec::with_capacity(branches.len());
     for (branch, (&pipes, of_branch)) in branches.iter().zip(pipes.iter().zip(&tapered)) {
+        if let Some(widest) = branch.half_width {
+            out.push(branch.line.iter().map(|s| (widest * s.pressure).max(thinnest)).collect());
+            continue;
+        }
         let mut base = params.trunk * diagonal * (pipes as f32 / most).powf(1.0 / params.pipe_exponent);
         if let Some(parent) = branch.parent {
             base = base.min(LARGEST_CHILD * at(&tapered[parent].arcs, &out[parent], branch.attached_at));
@@ -133,7 +137,15 @@ mod tests {
 
     fn branch(parent: Option<usize>, attached_at: f32) -> FlatBranch {
         let line = (0..=20).map(|k| Sample::neutral(Vec2::new(0.0, -10.0 * k as f32))).collect();
-        FlatBranch { stroke: None, key: 0, line, parent, attached_at, level: parent.is_some().into() }
+        FlatBranch {
+            stroke: None,
+            key: 0,
+            line,
+            half_width: None,
+            parent,
+            attached_at,
+            level: parent.is_some().into(),
+        }
     }
 
     #[test]

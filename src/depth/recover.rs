@@ -115,6 +115,7 @@ pub fn recover_with(
     let mut plant = Plant { branches, flowers, organs, templates };
     let poser = LeafPoser { world, seed, params: &params.leaves, curl: &params.curl };
     add_leaves((&mut plant, &mut provenance), &skeleton, anatomy, (&mut cache.leaves, &poser));
+    provenance.rename(|stroke| anatomy.drawn(stroke));
     debug_assert_eq!(provenance.check_invariants(&plant), Ok(()));
     (plant, provenance)
 }

@@ -21,6 +21,7 @@ mod placing;
 mod seed;
 mod setup;
 mod source;
+mod usual_species;
 
 pub use beside::Beside;
 pub use drawing::DrawingMemory;
@@ -28,10 +29,11 @@ pub use finish::Built;
 pub use placing::BuiltBeside;
 pub use seed::SeedMemory;
 pub use setup::{
-    DEFAULT_SPECIES, Params, SetupError, check_grows, params_of, params_of_species, species_file, species_of,
-    species_or_usual,
+    Params, SetupError, check_grows, params_of, params_of_species, species_file, species_of,
+    species_or_usual, usual_species,
 };
 pub use source::{Ages, Produced, Seed, Source};
+pub use usual_species::{DEFAULT_SPECIES, species_of_habit};
 
 use crate::budget::Budget;
 use crate::growth::overlay::Wanted;

@@ -3,7 +3,8 @@
 //! Parameters lie over each other in layers: defaults, then the species file's, then the sketch's own, then assignments
 //! of the command line. What a layer says wrongly is reported with its file and line.
 
-use crate::anatomy::AnatomyParams;
+use super::usual_species::{DEFAULT_SPECIES, species_of_habit};
+use crate::anatomy::{AnatomyParams, conventions};
 use crate::depth::DepthParams;
 use crate::growth::habit::CrownHabit;
 use crate::growth::{GrowthParams, Habit};
@@ -17,9 +18,6 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use thiserror::Error;
-
-/// Species of a sketch that names none.
-pub const DEFAULT_SPECIES: &str = "plant";
 
 crate::parameter_groups! {
     /// Every parameter of the way from drawing to model.
@@ -99,8 +97,17 @@ pub enum SetupError {
 pub fn species_of(sketch: &Sketch, folder: &Path) -> Result<Species, SpeciesError> {
     match species_file(sketch, folder) {
         Some(file) => Species::read(&file),
-        None => Species::built_in(sketch.species.as_deref().unwrap_or(DEFAULT_SPECIES)),
+        None => Species::built_in(sketch.species.as_deref().unwrap_or_else(|| usual_species(sketch, &[]))),
     }
+}
+
+/// The built-in species of a sketch that names none, with these `PATH=VALUE` assignments.
+pub fn usual_species(sketch: &Sketch, assignments: &[String]) -> &'static str {
+    let default = Species::built_in(DEFAULT_SPECIES).ok();
+    // Wrong parameters are reported where they are used.
+    let params = default.and_then(|species| params_of(sketch, &species, assignments).ok());
+    let conventions = params.map(|params| params.anatomy.conventions).unwrap_or_default();
+    species_of_habit(conventions::interpret(&sketch.strokes, &conventions).habit)
 }
 
 /// The same; where the species file that the sketch names is missing, the species of a sketch that names none, with a

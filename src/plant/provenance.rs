@@ -85,6 +85,11 @@ impl Provenance {
         Origin::Drawn(DrawnId(self.strokes.len() as u32 - 1))
     }
 
+    /// Gives the strokes behind everything that is drawn other names.
+    pub fn rename(&mut self, name: impl Fn(u64) -> u64) {
+        self.strokes.iter_mut().for_each(|stroke| *stroke = name(*stroke));
+    }
+
     /// Id of the stroke that drew what has this origin; none if it was generated.
     pub fn stroke(&self, origin: Origin) -> Option<u64> {
         match origin {

@@ -22,6 +22,7 @@ pub mod settings;
 mod sound;
 pub mod species_file;
 pub mod step;
+pub mod stroke_reading;
 pub mod svg;
 pub mod textures;
 pub(crate) mod warnings;
@@ -34,6 +35,7 @@ pub use read::{editable_from_bytes, from_bytes, read};
 pub use reference::{Reference, ReferenceError};
 pub use remark::{Remark, Warning};
 pub use step::Step;
+pub use stroke_reading::Reading;
 pub use textures::{TextureChoice, Textures};
 
 pub use crate::picture::Picture;

@@ -3,7 +3,7 @@
 //! One list for the readers and the analysis, so that whoever speaks to a drawing's author in another language
 //! sees all of it.
 
-use super::StrokeId;
+use super::{Reading, StrokeId};
 use std::fmt;
 use thiserror::Error;
 
@@ -134,6 +134,9 @@ pub enum Remark {
     /// A petal or leaf without area.
     #[error("encloses nothing and was skipped as a blade")]
     EnclosesNothing,
+    /// What a stroke, alone or with others, was read as.
+    #[error("{0}")]
+    ReadAs(Reading),
     /// A stroke amid petals.
     #[error("is taken for the centre of a flower, which the species draws")]
     FlowerCentre,
@@ -288,6 +291,7 @@ impl Remark {
             | Self::SpeciesMissing { .. }
             | Self::PictureDamaged { .. }
             | Self::TooShort
+            | Self::ReadAs(_)
             | Self::FlowerCentre
             | Self::FinenessUnused
             | Self::More { .. } => false,

@@ -13,7 +13,8 @@ const EXACT: usize = 16;
 /// The best set, in the order of the proposals.
 pub fn best(mut hypotheses: Vec<Hypothesis>) -> Vec<Hypothesis> {
     hypotheses.retain(|hypothesis| hypothesis.score > 0.0);
-    let mut chosen: Vec<usize> = groups(&hypotheses).iter().flat_map(|group| of_group(&hypotheses, group)).collect();
+    let mut chosen: Vec<usize> =
+        groups(&hypotheses).iter().flat_map(|group| of_group(&hypotheses, group)).collect();
     chosen.sort_unstable();
     let mut is_chosen = vec![false; hypotheses.len()];
     chosen.into_iter().for_each(|i| is_chosen[i] = true);
@@ -66,7 +67,8 @@ struct Search<'a> {
 impl Search<'_> {
     fn is_free(&self, candidate: usize) -> bool {
         let uses = &self.hypotheses[candidate].uses;
-        let is_used = |line: &usize| self.taken.iter().any(|t| self.hypotheses[*t].uses.binary_search(line).is_ok());
+        let is_used =
+            |line: &usize| self.taken.iter().any(|t| self.hypotheses[*t].uses.binary_search(line).is_ok());
         !uses.iter().any(is_used)
     }
 

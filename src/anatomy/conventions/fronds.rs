@@ -2,4 +2,4 @@
 
 use super::{Hypothesis, page::Page};
 
-pub fn propose(_: &Page, _: &mut Vec<Hypothesis>) {}
+pub(super) fn propose(_: &Page, _: &mut Vec<Hypothesis>) {}

@@ -9,12 +9,14 @@
 //!
 //! | file | what |
 //! | --- | --- |
+//! | `hypothesis` | a reading of some strokes, and what becomes of them |
 //! | `page` | strokes as even lines with their measures |
 //! | `choice` | the best set of hypotheses |
 //! | `pieces` | what hypotheses make: strokes with tools |
 //! | `silhouette` | the area that strokes enclose together, on a grid; its rows and its contour |
 //! | `lobes` | an outline cut at its notches toward a centre |
 //! | `tree` | a trunk of two sides with a crown, in any number of strokes |
+//! | `trunk` | the narrow stretch with two sides below a crown |
 //! | `bush` | a crown without a trunk: outline, open outline, scribble |
 //! | `body` | fleshy bodies: cactus and mushroom |
 //! | `corolla` | a corolla in one stroke around a flower centre, or at the end of a stem |
@@ -29,6 +31,7 @@
 //! of what people draw in `docs/drawings.md`; no paper treats them.
 
 pub mod choice;
+pub mod hypothesis;
 pub mod page;
 pub mod pieces;
 
@@ -43,10 +46,12 @@ mod not_plant;
 mod pot;
 mod silhouette;
 mod tree;
+mod trunk;
 
+pub use hypothesis::{Habit, Hypothesis, Made};
 pub use pieces::{Interpretation, Piece};
 
-use crate::sketch::{Reading, Stroke, StrokePoint, Tool};
+use crate::sketch::Stroke;
 use page::Page;
 use std::sync::Arc;
 
@@ -56,58 +61,6 @@ crate::parameters! {
         /// Reads trunks of two lines, corollas in one stroke and the like; off, every stroke is one organ, as in the papers.
         enabled: bool = true, 0..=1, "";
     }
-}
-
-/// What kind of plant a drawing shows, as far as that can be seen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Habit {
-    /// A trunk with a crown.
-    Tree,
-    /// A crown that stands on the ground.
-    Bush,
-    /// A corolla on a stem.
-    Flower,
-    /// A trunk with fronds.
-    Palm,
-    /// Blades of grass.
-    Grass,
-    /// A cactus.
-    Succulent,
-    /// A cap on a stalk.
-    Mushroom,
-}
-
-/// What a part of a hypothesis becomes.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Made {
-    /// The tool that such a part is drawn with.
-    pub tool: Tool,
-    /// Its line or outline.
-    pub points: Vec<StrokePoint>,
-    /// The half width that a pressure of 1 stands for, pixels, where the thickness was drawn.
-    pub half_width: Option<f32>,
-}
-
-impl Made {
-    /// A part drawn with `tool` along these places.
-    pub fn new(tool: Tool, points: impl IntoIterator<Item = glam::Vec2>) -> Self {
-        Self { tool, points: points.into_iter().map(StrokePoint::at).collect(), half_width: None }
-    }
-}
-
-/// A reading of some strokes.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Hypothesis {
-    /// Which lines of the page it explains, ascending.
-    pub uses: Vec<usize>,
-    /// Log-odds against leaving these strokes to the classifier; below 0 it is never taken.
-    pub score: f32,
-    /// What the strokes become; none where they are not the plant.
-    pub parts: Vec<Made>,
-    /// What the strokes were read as, for the artist.
-    pub reading: Reading,
-    /// What kind of plant it speaks for.
-    pub habit: Option<Habit>,
 }
 
 /// Reads the strokes of a drawing; those that no convention explains come back as they are.

@@ -150,10 +150,38 @@ impl Line {
         self.bounds.0.midpoint(self.bounds.1)
     }
 
+    /// Whether it is an outline that comes back to its beginning and has no deep notches.
+    pub fn is_closed_and_solid(&self) -> bool {
+        self.openness < 0.2 && self.solidity() > 0.8
+    }
+
     /// Share of the convex hull that the line encloses: 1 for convex outlines, little for stars and zigzags.
     pub fn solidity(&self) -> f32 {
         self.area / self.hull_area.max(f32::MIN_POSITIVE)
     }
+}
+
+/// Stretch of an outline over which a notch turns, as a share of its length, and least turn there, radians.
+const NOTCH: (f32, f32) = (0.05, 0.8);
+
+/// Notches of a closed outline of even points: places where it turns against its own direction.
+pub fn notches(outline: &[Vec2]) -> usize {
+    let n = outline.len();
+    let reach = ((NOTCH.0 * n as f32) as usize / 2).max(1);
+    if n < 8 {
+        return 0;
+    }
+    let turning = simple_loop::signed_area(outline.iter().copied()).signum();
+    let turn = |i: usize| {
+        let (before, here, after) = (outline[(i + n - reach) % n], outline[i], outline[(i + reach) % n]);
+        turning * (here - before).angle_to(after - here)
+    };
+    let turns: Vec<f32> = (0..n).map(turn).collect();
+    let is_least = |i: usize| {
+        let is_less = |k: usize| turns[i] <= turns[(i + k) % n] && turns[i] < turns[(i + n - k) % n];
+        turns[i] < -NOTCH.1 && (1..=reach).all(is_less)
+    };
+    (0..n).filter(|i| is_least(*i)).count()
 }
 
 /// A polyline at `count` even steps of its length, at least two.

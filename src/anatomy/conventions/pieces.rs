@@ -15,7 +15,7 @@ pub struct Interpretation {
     /// What the stages after this one read, in the order of the drawing.
     pub strokes: Vec<Arc<Stroke>>,
     /// Of every stroke that was made, which drawn ones it comes from.
-    pub sources: BTreeMap<StrokeId, Piece>,
+    pub pieces: BTreeMap<StrokeId, Piece>,
     /// Strokes that became other strokes or nothing.
     pub explained: Vec<StrokeId>,
     /// What the artist is told.
@@ -57,7 +57,7 @@ impl Interpretation {
             it.remarks.push(Warning { stroke: Some(first), remark: Remark::ReadAs(reading) });
             for (number, Made { tool, points, half_width }) in parts.into_iter().enumerate() {
                 let id = name(first, number, &mut names);
-                it.sources.insert(id, Piece { strokes: drawn.clone(), half_width });
+                it.pieces.insert(id, Piece { strokes: drawn.clone(), half_width });
                 made_at.entry(place).or_default().push(Arc::new(Stroke { id, tool, points }));
             }
         }
@@ -70,10 +70,12 @@ impl Interpretation {
         it.explained.sort_unstable();
         it
     }
+}
 
-    /// The drawn stroke that a stroke of [`Interpretation::strokes`] comes from, the first where there are several.
-    pub fn drawn(&self, id: StrokeId) -> StrokeId {
-        self.sources.get(&id).and_then(|piece| piece.strokes.first()).copied().unwrap_or(id)
+impl Piece {
+    /// The first of the drawn strokes.
+    pub fn first(&self) -> StrokeId {
+        self.strokes.first().copied().unwrap_or_default()
     }
 }
 

@@ -5,35 +5,37 @@
 //! outer cells. Cost: the number of cells, [`LONG_SIDE`]² at most, whatever the lines.
 
 use glam::{IVec2, Vec2};
-use std::collections::VecDeque;
+use std::collections::{HashSet, VecDeque};
 
 /// Cells along the longer side.
-pub const LONG_SIDE: f32 = 128.0;
-/// Cells left free on every side, more than lines are thickened.
-const MARGIN: i32 = 6;
+const LONG_SIDE: f32 = 128.0;
 
 /// Cells inside lines.
 #[derive(Clone, Debug)]
-pub struct Silhouette {
+pub(super) struct Silhouette {
     low: Vec2,
     cell: f32,
     size: IVec2,
+    /// Cells left free on every side, more than lines are thickened.
+    margin: i32,
     ink: Vec<bool>,
     inside: Vec<bool>,
 }
 
 impl Silhouette {
     /// The area that lines enclose, gaps of up to `bridge` cells closed.
-    pub fn new<'a>(lines: impl Iterator<Item = &'a [Vec2]> + Clone, bridge: i32) -> Self {
+    pub(super) fn new<'a>(lines: impl Iterator<Item = &'a [Vec2]> + Clone, bridge: i32) -> Self {
         let points = lines.clone().flatten();
         let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
         let (low, high) = points.fold(empty, |(low, high), p| (low.min(*p), high.max(*p)));
         let cell = ((high - low).max_element() / LONG_SIDE).max(f32::MIN_POSITIVE);
-        let size = ((high - low) / cell).ceil().as_ivec2() + 2 * MARGIN + 1;
+        let thick = (bridge + 1) / 2;
+        let margin = thick + 2;
+        let size = ((high - low) / cell).ceil().as_ivec2() + 2 * margin + 1;
         let cells = (size.x * size.y) as usize;
-        let mut it = Self { low, cell, size, ink: vec![false; cells], inside: Vec::new() };
+        let mut it = Self { low, cell, size, margin, ink: vec![false; cells], inside: Vec::new() };
         lines.for_each(|line| it.draw(line));
-        it.fill((bridge + 1) / 2);
+        it.fill(thick);
         it
     }
 
@@ -83,7 +85,7 @@ impl Silhouette {
     }
 
     fn cell_at(&self, p: Vec2) -> IVec2 {
-        (((p - self.low) / self.cell).floor().as_ivec2() + MARGIN).clamp(IVec2::ZERO, self.size - 1)
+        (((p - self.low) / self.cell).floor().as_ivec2() + self.margin).clamp(IVec2::ZERO, self.size - 1)
     }
 
     fn number(&self, at: IVec2) -> usize {
@@ -92,31 +94,41 @@ impl Silhouette {
 
     /// Middle of a cell, pixels.
     fn place(&self, at: IVec2) -> Vec2 {
-        self.low + ((at - MARGIN).as_vec2() + 0.5) * self.cell
+        self.low + ((at - self.margin).as_vec2() + 0.5) * self.cell
     }
 
     /// Side of a cell, pixels.
-    pub fn cell(&self) -> f32 {
+    pub(super) fn cell(&self) -> f32 {
         self.cell
     }
 
     /// Area of the silhouette, pixels².
-    pub fn area(&self) -> f32 {
+    pub(super) fn area(&self) -> f32 {
         self.inside.iter().filter(|inside| **inside).count() as f32 * self.cell * self.cell
     }
 
     /// Radius of the largest circle in it, about, pixels.
-    pub fn inscribed_radius(&self) -> f32 {
+    pub(super) fn inscribed_radius(&self) -> f32 {
         let steps = self.steps_from(|i| !self.inside[i], |_| true);
         steps.into_iter().max().unwrap_or(0) as f32 * self.cell * STEP_TO_LENGTH
     }
 
-    /// Contour of the largest connected area, first point not repeated; empty where nothing is enclosed.
-    pub fn contour(&self) -> Vec<Vec2> {
+    /// Share of these places that lies in the largest connected area.
+    pub(super) fn share_inside<'a>(&self, places: impl Iterator<Item = &'a Vec2>) -> f32 {
         let largest = self.largest_area();
-        let is_in = |at: IVec2| {
-            at.cmpge(IVec2::ZERO).all() && at.cmplt(self.size).all() && largest[self.number(at)]
-        };
+        let (mut inside, mut all) = (0, 0);
+        for place in places {
+            all += 1;
+            inside += usize::from(largest[self.number(self.cell_at(*place))]);
+        }
+        inside as f32 / all.max(1) as f32
+    }
+
+    /// Contour of the largest connected area, first point not repeated; empty where nothing is enclosed.
+    pub(super) fn contour(&self) -> Vec<Vec2> {
+        let largest = self.largest_area();
+        let is_in =
+            |at: IVec2| at.cmpge(IVec2::ZERO).all() && at.cmplt(self.size).all() && largest[self.number(at)];
         let Some(first) = (0..largest.len()).find(|i| largest[*i]) else { return Vec::new() };
         // Along the corners of cells with the area on the right hand, from the upper left corner of the topmost cell.
         let start = IVec2::new(first as i32 % self.size.x, first as i32 / self.size.x);
@@ -170,8 +182,20 @@ impl Silhouette {
 /// Length of a step between cells on the average over all directions, in cells: steps go to four sides only.
 const STEP_TO_LENGTH: f32 = 0.8;
 
+/// Share of a contour's points that are nearer than `reach` to some point of these lines, whose points are nearer to one another
+/// than that.
+pub(super) fn share_along<'a>(contour: &[Vec2], lines: impl Iterator<Item = &'a [Vec2]>, reach: f32) -> f32 {
+    let cell = |p: &Vec2| (p / reach).floor().as_ivec2();
+    let drawn: HashSet<IVec2> = lines.flatten().map(cell).collect();
+    let is_near = |p: &&Vec2| {
+        let at = cell(p);
+        (-1..=1).any(|dx| (-1..=1).any(|dy| drawn.contains(&(at + IVec2::new(dx, dy)))))
+    };
+    contour.iter().filter(is_near).count() as f32 / contour.len().max(1) as f32
+}
+
 /// A closed contour evened out: `rounds` of the mean of neighbours, at `count` even points.
-pub fn smooth_contour(contour: &[Vec2], count: usize, rounds: usize) -> Vec<Vec2> {
+pub(super) fn smooth_contour(contour: &[Vec2], count: usize, rounds: usize) -> Vec<Vec2> {
     let Some(&first) = contour.first() else { return Vec::new() };
     let mut closed = contour.to_vec();
     closed.push(first);
@@ -179,7 +203,9 @@ pub fn smooth_contour(contour: &[Vec2], count: usize, rounds: usize) -> Vec<Vec2
     points.pop();
     for _ in 0..rounds {
         let n = points.len();
-        points = (0..n).map(|i| 0.25 * (points[(i + n - 1) % n] + points[(i + 1) % n]) + 0.5 * points[i]).collect();
+        points = (0..n)
+            .map(|i| 0.25 * (points[(i + n - 1) % n] + points[(i + 1) % n]) + 0.5 * points[i])
+            .collect();
     }
     points
 }
@@ -218,7 +244,8 @@ mod tests {
 
     #[test]
     fn the_inscribed_circle_of_a_band_is_half_as_wide() {
-        let band = vec![Vec2::ZERO, Vec2::new(100.0, 0.0), Vec2::new(100.0, 20.0), Vec2::new(0.0, 20.0), Vec2::ZERO];
+        let band =
+            vec![Vec2::ZERO, Vec2::new(100.0, 0.0), Vec2::new(100.0, 20.0), Vec2::new(0.0, 20.0), Vec2::ZERO];
         let radius = of(&[band], 2).inscribed_radius();
         assert!((7.0..13.0).contains(&radius), "{radius}");
     }

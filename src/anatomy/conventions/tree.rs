@@ -1,198 +1,228 @@
 //! A trunk with a crown, in any number of strokes: crown and trunk in one line, two lines for a trunk, a box, a scribble.
 //!
-//! Lines that touch are looked at row by row from below. A trunk is a narrow stretch, [`NECK`] of the widest row at most, above
-//! which the drawing grows wide: it ends where its width has gone [`SHOULDER`] of the way from its narrowest to the crown's. Its
-//! centre line runs in the middle of its two sides and keeps their distance as the drawn width. The crown is what the lines above
-//! enclose, gaps closed.
+//! Lines that touch or are near one another are searched for a [`trunk`](super::trunk); the crown is what the lines above it
+//! enclose, gaps closed as little as needed. What speaks for a crown is that a few lines draw its outline, that it is solid,
+//! compact and wider than the trunk, and that it begins with a jump of the width or has notches. Arms of a cactus, the web of
+//! drawn branches and the base of a leaf are not so; a round outline in its middle makes it a corolla, and several closed
+//! outlines in it are leaves or petals that were drawn one by one.
 //!
-//! What speaks for a crown is that it encloses an area much wider than the trunk ([`WIDER`]); arms of a cactus do not, nor do
-//! the fronds of a palm. A single line below an outline is a stem, and that a flower: see [`corolla`](super::corolla).
-//!
-//! Limits: rows are level, so a trunk that leans by more than half a right angle is not found.
+//! Limits: a single line below an outline is a stem, and that a flower, see [`corolla`](super::corolla).
 
-use super::page::{Line, Page};
-use super::silhouette::{Silhouette, smooth_contour};
+use super::page::{Line, Page, notches};
+use super::silhouette::{self, Silhouette, smooth_contour};
+use super::trunk::{Rows, Trunk};
 use super::{Habit, Hypothesis, Made};
-use crate::sketch::{Reading, StrokePoint, Tool};
+use crate::geom::{convex_hull::convex_hull, simple_loop};
+use crate::sketch::{Reading, Tool};
 use glam::Vec2;
+use std::f32::consts::PI;
 
-/// Rows that a group of lines is divided into.
-const ROWS: usize = 120;
-/// Widest narrow stretch of a trunk, as a share of the widest row above it.
-const NECK: f32 = 0.62;
-/// How far the width goes from the trunk's to the crown's where the trunk ends.
-const SHOULDER: f32 = 0.35;
-/// Narrowest trunk of two sides, as a share of the height.
-const NARROWEST: f32 = 0.025;
-/// Shortest and longest trunk, as shares of the height.
-const TRUNK: (f32, f32) = (0.12, 0.85);
-/// Least radius of the largest circle in a crown, in half widths of its trunk.
-const WIDER: f32 = 1.6;
+/// Lowest tree, as a share of the drawing's diagonal.
+const LOWEST: f32 = 0.15;
+/// Fewest blades, drawn one by one, that speak against a crown; their largest extent and least area as shares of the whole.
+const BLADES: (usize, f32, f32) = (3, 0.4, 0.002);
+/// How wide gaps of a crown's outline are closed, in cells of its silhouette, one after the other until it is closed.
+const BRIDGES: [i32; 3] = [8, 16, 24];
+/// Share of its convex hull that an outline without a wide gap encloses.
+const CLOSED: f32 = 0.4;
 /// Least share of its convex hull that a crown fills.
 const SOLID: f32 = 0.6;
-/// How far up in the crown the trunk goes on, as a share of the crown's height, and its width there, as a share.
-const INTO_CROWN: (f32, f32) = (0.45, 0.35);
+/// Least radius of the largest circle in a crown, in half widths of its trunk.
+const WIDER: f32 = 1.25;
+/// Least share of what is drawn above the trunk that lies in the crown.
+const INSIDE: f32 = 0.85;
+/// Most lines that draw a crown's outline, least share of it that they draw, and how near they are, in cells of the silhouette.
+const OUTLINE: (usize, f32, f32) = (4, 0.7, 3.0);
+/// Most area of a crown that is higher than so many times its width, in areas of the largest circle in it.
+const COMPACT: (f32, f32) = (4.0, 0.8);
+/// Fewest notches of a crown that begins without a jump of the width.
+const NOTCHES: usize = 3;
+/// Extent of a flower centre, and how far it may lie from the middle, in reaches of the crown.
+const CENTRE: (f32, f32, f32) = (0.2, 1.0, 0.4);
 /// Points of a crown's outline.
-const OUTLINE: usize = 160;
+const POINTS: usize = 160;
+/// Log-odds of a tree where all of this holds.
+const SCORE: f32 = 3.0;
 
 /// Proposes trees, one for each group of lines at most.
-pub fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
+pub(super) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     out.extend(page.groups.iter().chain(&page.wide_groups).filter_map(|group| tree(page, group)));
 }
 
 fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let lines: Vec<&Line> = group.iter().map(|i| &page.lines[*i]).collect();
     let rows = Rows::new(&lines)?;
-    let trunk = rows.trunk()?;
-    let above: Vec<Vec<Vec2>> = lines.iter().flat_map(|line| above(&line.points, trunk.top)).collect();
-    let sill = vec![Vec2::new(trunk.left, trunk.top), Vec2::new(trunk.right, trunk.top)];
-    let all = above.iter().chain([&sill]).map(Vec::as_slice);
-    let silhouette = Silhouette::new(all, 10);
-    let outline = smooth_contour(&silhouette.contour(), OUTLINE, 2);
-    let hull_area = hull_area(&outline);
-    let half = trunk.median_half();
-    if silhouette.inscribed_radius() < WIDER * half || silhouette.area() < SOLID * hull_area {
+    if rows.height() < LOWEST * page.diagonal || blades(&lines, rows.width_and_height()) >= BLADES.0 {
         return None;
     }
-    let score = 3.0;
+    let trunk = rows.trunk()?;
+    let outline = crown(&lines, &trunk)?;
+    if lines.iter().any(|line| is_flower_centre(line, &outline)) {
+        return None;
+    }
     let parts = vec![trunk.centre_line(&outline), Made::new(Tool::Crown, outline)];
-    Some(Hypothesis {
-        uses: group.to_vec(),
-        score,
-        parts,
-        reading: Reading::Tree,
-        habit: Some(Habit::Tree),
-    })
+    let (reading, habit) = (Reading::Tree, Some(Habit::Tree));
+    Some(Hypothesis { uses: group.to_vec(), score: SCORE, parts, reading, habit })
 }
 
-fn hull_area(outline: &[Vec2]) -> f32 {
-    let hull = crate::geom::convex_hull::convex_hull(outline, |p| *p);
-    crate::geom::simple_loop::signed_area(hull.iter().copied()).abs()
+/// The outline of the crown above a trunk.
+fn crown(lines: &[&Line], trunk: &Trunk) -> Option<Vec<Vec2>> {
+    let above: Vec<Vec<Vec2>> = lines.iter().flat_map(|line| above(&line.points, trunk.top)).collect();
+    // What the crown rests on: its outline is open where the trunk comes in.
+    let sill = vec![trunk.sill.0, trunk.sill.1];
+    let all = above.iter().chain([&sill]).map(Vec::as_slice);
+    let mut longest: Vec<&[Vec2]> = above.iter().map(Vec::as_slice).collect();
+    longest.sort_by_key(|line| std::cmp::Reverse(line.len()));
+    longest.truncate(OUTLINE.0);
+    longest.push(&sill);
+    let ink: Vec<Vec2> = above.iter().flatten().copied().collect();
+    let hull = convex_hull(&ink, |p| *p);
+    let hull_area = simple_loop::signed_area(hull.iter().copied()).abs();
+    let closed =
+        |bridge: &i32| Some(Silhouette::new(all.clone(), *bridge)).filter(|s| s.area() > CLOSED * hull_area);
+    let silhouette = BRIDGES.iter().find_map(closed)?;
+    let outline = smooth_contour(&silhouette.contour(), POINTS, 2);
+    let reach = OUTLINE.2 * silhouette.cell();
+    let is_crown = is_compact(&silhouette, &hull, trunk.narrow)
+        && silhouette.share_inside(ink.iter()) >= INSIDE
+        && silhouette::share_along(&outline, longest.iter().copied(), reach) >= OUTLINE.1
+        && (trunk.is_sharp || notches(&outline) >= NOTCHES);
+    is_crown.then_some(outline)
+}
+
+/// Whether an area is solid, wider than its trunk and no long arm.
+fn is_compact(silhouette: &Silhouette, hull: &[Vec2], half_trunk: f32) -> bool {
+    let hull_area = simple_loop::signed_area(hull.iter().copied()).abs();
+    let (area, radius) = (silhouette.area(), silhouette.inscribed_radius());
+    let (low, high) = hull.iter().fold((hull[0], hull[0]), |(low, high), p| (low.min(*p), high.max(*p)));
+    let is_high = high.y - low.y > COMPACT.1 * (high.x - low.x);
+    let is_arm = is_high && area > COMPACT.0 * PI * radius * radius;
+    area >= SOLID * hull_area && radius >= WIDER * half_trunk && !is_arm
+}
+
+/// How many of these lines are outlines of blades, drawn one by one: closed, convex but for little, and small in the whole.
+fn blades(lines: &[&Line], whole: Vec2) -> usize {
+    let is_blade = |line: &&&Line| {
+        line.is_closed_and_solid()
+            && line.size().max_element() < BLADES.1 * whole.max_element()
+            && line.area > BLADES.2 * whole.x * whole.y
+    };
+    lines.iter().filter(is_blade).count()
+}
+
+/// Whether a line is a round outline about the middle of a crown: then that is a corolla.
+fn is_flower_centre(line: &Line, outline: &[Vec2]) -> bool {
+    let middle = outline.iter().sum::<Vec2>() / outline.len().max(1) as f32;
+    let reach = outline.iter().map(|p| p.distance(middle)).fold(0.0, f32::max);
+    let is_of_size = (CENTRE.0 * reach..CENTRE.1 * reach).contains(&line.size().max_element());
+    line.is_closed_and_solid() && is_of_size && line.middle().distance(middle) < CENTRE.2 * reach
 }
 
 /// The stretches of a line above a height.
 fn above(points: &[Vec2], height: f32) -> Vec<Vec<Vec2>> {
-    points.chunk_by(|a, b| (a.y <= height) == (b.y <= height)).filter(|run| run[0].y <= height).map(<[Vec2]>::to_vec).collect()
-}
-
-/// Leftmost and rightmost ink of each row, from below.
-struct Rows {
-    /// Lower edge of the lowest row, and height of a row, pixels.
-    foot: f32,
-    step: f32,
-    ends: Vec<(f32, f32)>,
-}
-
-/// A trunk, row by row from below: the middle and half the distance of its sides.
-struct Trunk {
-    rows: Vec<(Vec2, f32)>,
-    top: f32,
-    left: f32,
-    right: f32,
-}
-
-impl Rows {
-    fn new(lines: &[&Line]) -> Option<Self> {
-        let foot = lines.iter().map(|line| line.bounds.1.y).reduce(f32::max)?;
-        let top = lines.iter().map(|line| line.bounds.0.y).reduce(f32::min)?;
-        let step = (foot - top) / ROWS as f32;
-        if step <= 0.0 {
-            return None;
-        }
-        let mut ends = vec![(f32::INFINITY, f32::NEG_INFINITY); ROWS];
-        for pair in lines.iter().flat_map(|line| line.points.windows(2)) {
-            let pieces = (2.0 * pair[0].distance(pair[1]) / step).ceil().max(1.0) as usize;
-            for k in 0..=pieces {
-                let p = pair[0].lerp(pair[1], k as f32 / pieces as f32);
-                let row = &mut ends[(((foot - p.y) / step) as usize).min(ROWS - 1)];
-                *row = (row.0.min(p.x), row.1.max(p.x));
-            }
-        }
-        Some(Self { foot, step, ends })
-    }
-
-    fn width(&self, row: usize) -> f32 {
-        (self.ends[row].1 - self.ends[row].0).max(0.0)
-    }
-
-    /// Whether both sides of something are drawn in a row, and not only one line.
-    fn has_two_sides(&self, row: usize) -> bool {
-        self.width(row) > NARROWEST * self.step * ROWS as f32
-    }
-
-    fn height_of(&self, row: usize) -> f32 {
-        self.foot - (row as f32 + 0.5) * self.step
-    }
-
-    /// The narrow stretch below, if the drawing has one.
-    fn trunk(&self) -> Option<Trunk> {
-        let share = |share: f32| (share * ROWS as f32) as usize;
-        let is_drawn = |row: &usize| self.has_two_sides(*row);
-        // Sides seldom end at one height; what has one side only, below, is the foot of the longer.
-        let foot = (0..share(TRUNK.1)).find(is_drawn)?;
-        let neck = (foot + share(0.03)..share(TRUNK.1)).filter(is_drawn).min_by(|a, b| self.width(*a).total_cmp(&self.width(*b)))?;
-        let narrow = self.width(neck);
-        let wide = (neck..ROWS).map(|row| self.width(row)).fold(0.0, f32::max);
-        let height = self.step * ROWS as f32;
-        if narrow > NECK * wide {
-            return None;
-        }
-        let most = narrow + SHOULDER * (wide - narrow);
-        let top = (neck..ROWS).find(|row| self.width(*row) > most)?;
-        let length = top as f32 / ROWS as f32;
-        if !(TRUNK.0..=TRUNK.1).contains(&length) {
-            return None;
-        }
-        // Below the neck roots may spread; they are the trunk's as far as they are not wider than the crown is.
-        let rows: Vec<(Vec2, f32)> = (0..top)
-            .filter(is_drawn)
-            .map(|row| {
-                let (left, right) = self.ends[row];
-                (Vec2::new(0.5 * (left + right), self.height_of(row)), 0.5 * (right - left).min(1.8 * most))
-            })
-            .collect();
-        let is_mostly_two_sided = rows.len() * 10 >= (top - foot) * 8;
-        if !is_mostly_two_sided {
-            return None;
-        }
-        let (last, half) = *rows.last()?;
-        Some(Trunk { top: self.height_of(top - 1), left: last.x - half, right: last.x + half, rows })
-    }
-}
-
-impl Trunk {
-    fn median_half(&self) -> f32 {
-        let mut halves: Vec<f32> = self.rows.iter().map(|row| row.1).collect();
-        let middle = halves.len() / 2;
-        *halves.select_nth_unstable_by(middle, f32::total_cmp).1
-    }
-
-    /// The middle of the trunk, which goes on into the crown, with its width as pressure.
-    fn centre_line(&self, crown: &[Vec2]) -> Made {
-        let top = crown.iter().map(|p| p.y).fold(self.top, f32::min);
-        let mut rows = evened(&self.rows);
-        let (last, half) = rows[rows.len() - 1];
-        let middle = crown.iter().sum::<Vec2>() / crown.len().max(1) as f32;
-        let end = Vec2::new(last.x + 0.5 * (middle.x - last.x), last.y + INTO_CROWN.0 * (top - last.y));
-        rows.extend((1..=12).map(|k| {
-            let share = k as f32 / 12.0;
-            (last.lerp(end, share), half * (1.0 + share * (INTO_CROWN.1 - 1.0)))
-        }));
-        let widest = rows.iter().map(|row| row.1).fold(f32::MIN_POSITIVE, f32::max);
-        let point = |(position, half): (Vec2, f32)| StrokePoint { pressure: half / widest, ..StrokePoint::at(position) };
-        Made { tool: Tool::Branch, points: rows.into_iter().map(point).collect(), half_width: Some(widest) }
-    }
-}
-
-/// Middles and widths without the jitter of single rows: running means over a tenth of the trunk.
-fn evened(rows: &[(Vec2, f32)]) -> Vec<(Vec2, f32)> {
-    let reach = (rows.len() / 20).max(2);
-    (0..rows.len())
-        .map(|i| {
-            let near = i.min(rows.len() - 1 - i).min(reach);
-            let window = &rows[i - near..=i + near];
-            let count = window.len() as f32;
-            (window.iter().map(|row| row.0).sum::<Vec2>() / count, window.iter().map(|row| row.1).sum::<f32>() / count)
-        })
+    points
+        .chunk_by(|a, b| (a.y <= height) == (b.y <= height))
+        .filter(|run| run[0].y <= height)
+        .map(<[Vec2]>::to_vec)
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sketch::{Stroke, StrokePoint};
+    use std::f32::consts::TAU;
+    use std::sync::Arc;
+
+    /// A cloud of `lobes` around (0, -100), from the angle `from` to `to` about straight down.
+    fn cloud(lobes: f32, from: f32, to: f32) -> Vec<Vec2> {
+        let place = |k: usize| {
+            let angle = from + (to - from) * k as f32 / 200.0;
+            let reach = 50.0 + 8.0 * (0.5 * lobes * angle).sin().abs();
+            Vec2::new(0.0, -100.0) + reach * Vec2::new(-angle.sin(), angle.cos())
+        };
+        (0..=200).map(place).collect()
+    }
+
+    fn line(points: &[(f32, f32)]) -> Vec<Vec2> {
+        points.iter().map(|p| Vec2::from(*p)).collect()
+    }
+
+    fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
+        let stroke = |(id, line): (usize, &Vec<Vec2>)| {
+            let points = line.iter().map(|p| StrokePoint::at(*p)).collect();
+            Arc::new(Stroke { id: id as u64, tool: Tool::Auto, points })
+        };
+        let strokes: Vec<_> = lines.iter().enumerate().map(stroke).collect();
+        let mut out = Vec::new();
+        propose(&Page::new(&strokes), &mut out);
+        out
+    }
+
+    fn parts(tree: &Hypothesis) -> (&Made, &Made) {
+        let [trunk, crown] = &tree.parts[..] else { panic!("{} parts", tree.parts.len()) };
+        assert_eq!((trunk.tool, crown.tool), (Tool::Branch, Tool::Crown));
+        (trunk, crown)
+    }
+
+    #[test]
+    fn two_lines_below_a_cloud_are_a_trunk_as_wide_as_they_are_apart() {
+        let sides = [line(&[(-9.0, 40.0), (-9.0, -60.0)]), line(&[(9.0, 38.0), (9.0, -60.0)])];
+        let trees = read(&[cloud(9.0, 0.0, TAU), sides[0].clone(), sides[1].clone()]);
+        assert_eq!(trees.len(), 1);
+        assert_eq!(trees[0].uses, [0, 1, 2]);
+        let (trunk, crown) = parts(&trees[0]);
+        let foot = trunk.points[0];
+        let half = foot.pressure * trunk.half_width.unwrap();
+        assert!((half - 9.0).abs() < 1.5 && foot.position.x.abs() < 1.0, "{half} at {}", foot.position);
+        assert!(foot.position.y > 36.0, "{}", foot.position);
+        let lowest = crown.points.iter().map(|p| p.position.y).fold(f32::MIN, f32::max);
+        assert!((-70.0..-35.0).contains(&lowest), "the crown ends above the trunk: {lowest}");
+    }
+
+    #[test]
+    fn crown_and_trunk_may_be_one_line() {
+        let mut outline = line(&[(-8.0, 40.0), (-8.0, -45.0)]);
+        outline.extend(cloud(9.0, 0.2, TAU - 0.2));
+        outline.extend(line(&[(8.0, -45.0), (8.0, 40.0)]));
+        let trees = read(&[outline]);
+        assert_eq!(trees.len(), 1);
+        assert!((parts(&trees[0]).0.half_width.unwrap() - 8.0).abs() < 2.0);
+    }
+
+    #[test]
+    fn a_cloud_with_a_gap_is_closed() {
+        let sides = [line(&[(-9.0, 40.0), (-9.0, -45.0)]), line(&[(9.0, 38.0), (9.0, -45.0)])];
+        let trees = read(&[cloud(9.0, 0.2, TAU - 0.45), sides[0].clone(), sides[1].clone()]);
+        assert_eq!(trees.len(), 1);
+    }
+
+    #[test]
+    fn an_outline_on_a_single_line_is_no_tree() {
+        assert!(read(&[cloud(6.0, 0.0, TAU), line(&[(0.0, 60.0), (0.0, -44.0)])]).is_empty());
+    }
+
+    #[test]
+    fn a_column_with_arms_is_no_tree() {
+        let column = line(&[
+            (-10.0, 60.0),
+            (-10.0, 0.0),
+            (-35.0, 0.0),
+            (-35.0, -30.0),
+            (-20.0, -30.0),
+            (-20.0, -15.0),
+            (-10.0, -15.0),
+            (-10.0, -60.0),
+            (0.0, -70.0),
+            (10.0, -60.0),
+            (10.0, -20.0),
+            (20.0, -20.0),
+            (20.0, -40.0),
+            (35.0, -40.0),
+            (35.0, -5.0),
+            (10.0, -5.0),
+            (10.0, 60.0),
+        ]);
+        assert!(read(&[column]).is_empty());
+    }
 }

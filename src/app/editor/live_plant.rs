@@ -8,7 +8,7 @@ use crate::app::canvas::{Canvas, Preview};
 use crate::app::messages::{Localize as _, Messages};
 use crate::app::worker::{self, Counts, Growing, Update, Worker};
 use crate::growth::overlay::Wanted;
-use crate::pipeline::{self, Built, DEFAULT_SPECIES};
+use crate::pipeline::{self, Built};
 use crate::sketch::{Remark, Sketch, Stroke, StrokeId, Tool, Warning};
 use crate::species::Species;
 use glam::Vec3;
@@ -195,9 +195,21 @@ impl LivePlant {
         self.replay = None;
         self.is_stale = true;
         self.outlines = Outlines::among(&sketch.strokes);
-        let name = sketch.species.clone().unwrap_or_else(|| DEFAULT_SPECIES.to_owned());
+        self.read_species(sketch, folder);
+    }
+
+    /// The name of the drawing's species; of one that names none, the species of what was built last.
+    pub(super) fn species_name(&self, sketch: &Sketch) -> String {
+        let habit = self.built.as_ref().and_then(|built| built.anatomy.habit);
+        sketch.species.clone().unwrap_or_else(|| pipeline::species_of_habit(habit).to_owned())
+    }
+
+    /// Reads the drawing's species if it is another than before: it may be that of what the strokes were understood as.
+    pub(super) fn read_species(&mut self, sketch: &Sketch, folder: &Path) {
+        let name = self.species_name(sketch);
         if self.species.as_ref().is_none_or(|(known, _)| *known != name) {
-            let read = pipeline::species_or_usual(sketch, folder);
+            let named = Sketch { species: Some(name.clone()), ..Sketch::empty() };
+            let read = pipeline::species_or_usual(&named, folder);
             let (species, missing) = read.ok().unzip();
             self.species = species.map(|species| (name, species));
             self.missing_species = missing.flatten().map(|warning| warning.remark);
@@ -217,7 +229,7 @@ impl LivePlant {
         let growing = self.handed.grown(canvas.growing());
         let sketch = Sketch {
             canvas: *size,
-            species: Some(species.clone().unwrap_or_else(|| DEFAULT_SPECIES.to_owned())),
+            species: species.clone(),
             seed: *seed,
             params: self.params_at_age(params),
             textures: textures.clone(),

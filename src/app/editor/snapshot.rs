@@ -7,7 +7,6 @@ use crate::app::panels::snapshot::{
 };
 use crate::app::panels::{Snapshot, toolbar};
 use crate::growth::Habit;
-use crate::pipeline::DEFAULT_SPECIES;
 use crate::sketch::Remark;
 use crate::sketch::journal::JournalState;
 use serde_json::Map;
@@ -32,7 +31,7 @@ impl Editor {
             selected: self.canvas.selection().ids().len(),
             chinese_font: self.prefs.have_chinese_font(),
             lacks_chinese_font: self.prefs.lack_chinese_font(),
-            species: sketch.species.clone().unwrap_or_else(|| DEFAULT_SPECIES.to_owned()),
+            species: self.live.species_name(sketch),
             missing_species: self.missing_species(),
             textures: sketch.textures.clone(),
             seed: sketch.seed,

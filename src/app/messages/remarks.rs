@@ -2,6 +2,7 @@
 //! [`Remark`]. What parsers of paths and transforms say stays English.
 
 use super::{Localize, Messages, Msg, Named};
+use crate::sketch::Reading;
 use crate::sketch::remark::{Element, Remark, Warning};
 
 impl Localize for Warning {
@@ -42,6 +43,7 @@ impl Localize for Remark {
             Self::SpeciesMissing { name } => fill(Msg::WarningSpeciesMissing, &[("name", name)]),
             Self::TooShort => fill(Msg::WarningTooShort, &[]),
             Self::EnclosesNothing => fill(Msg::WarningEnclosesNothing, &[]),
+            Self::ReadAs(reading) => fill(words_of(*reading), &[]),
             Self::FlowerCentre => fill(Msg::WarningFlowerCentre, &[]),
             Self::FewTwigs => fill(Msg::WarningFewTwigs, &[]),
             Self::FilledThinly => fill(Msg::WarningFilledThinly, &[]),
@@ -78,6 +80,22 @@ impl Localize for Remark {
             }
             Self::More { count } => fill(Msg::WarningMore, &[("count", count)]),
         }
+    }
+}
+
+fn words_of(reading: Reading) -> Msg {
+    match reading {
+        Reading::Tree => Msg::ReadAsTree,
+        Reading::Bush => Msg::ReadAsBush,
+        Reading::Cactus => Msg::ReadAsCactus,
+        Reading::Mushroom => Msg::ReadAsMushroom,
+        Reading::Corolla => Msg::ReadAsCorolla,
+        Reading::Leaf => Msg::ReadAsLeaf,
+        Reading::Grass => Msg::ReadAsGrass,
+        Reading::Fronds => Msg::ReadAsFronds,
+        Reading::Pot => Msg::ReadAsPot,
+        Reading::Ground => Msg::ReadAsGround,
+        Reading::Frame => Msg::ReadAsFrame,
     }
 }
 
@@ -118,7 +136,11 @@ mod tests {
             Remark::PictureDamaged { .. } => Remark::SpeciesMissing { name: "58".to_owned() },
             Remark::SpeciesMissing { .. } => Remark::TooShort,
             Remark::TooShort => Remark::EnclosesNothing,
-            Remark::EnclosesNothing => Remark::FlowerCentre,
+            Remark::EnclosesNothing => Remark::ReadAs(Reading::ALL[0]),
+            Remark::ReadAs(reading) => {
+                let next = Reading::ALL.iter().skip_while(|known| *known != reading).nth(1);
+                next.map_or(Remark::FlowerCentre, |next| Remark::ReadAs(*next))
+            }
             Remark::FlowerCentre => Remark::FewTwigs,
             Remark::FewTwigs => Remark::FilledThinly,
             Remark::FilledThinly => Remark::NoBranch,

@@ -1,0 +1,216 @@
+//! The trunk of a drawn tree: a narrow stretch with two sides, below something wide.
+//!
+//! Lines are looked at row by row from below ([`Rows`]). A trunk is at most [`NECK`] as wide as the widest row above it, and ends
+//! where its width has gone [`SHOULDER`] of the way from its narrowest to that. Its centre line runs in the middle of its sides
+//! and keeps their distance as the drawn width; lines of the ground that leave it at its foot do not count.
+//!
+//! Limits: rows are level, so a trunk that leans by more than half a right angle is not found; of several trunks under one crown
+//! the outer sides count.
+
+use super::Made;
+use super::page::Line;
+use crate::sketch::{StrokePoint, Tool};
+use glam::Vec2;
+
+/// Rows that lines are divided into.
+const ROWS: usize = 120;
+/// Columns in which a row knows of ink.
+const COLUMNS: u32 = u64::BITS;
+/// Widest narrow stretch of a trunk, as a share of the widest row above it.
+const NECK: f32 = 0.62;
+/// How far the width goes from the trunk's to the crown's where the trunk ends.
+const SHOULDER: f32 = 0.35;
+/// Highest place at which the second side of a trunk begins, as a share of the height.
+const UNEVEN: f32 = 0.3;
+/// Least share of a trunk's rows that have two sides.
+const TWO_SIDED: f32 = 0.75;
+/// Narrowest trunk of two sides, as a share of the height.
+const NARROWEST: f32 = 0.025;
+/// Shortest and longest trunk, as shares of the height.
+const TRUNK: (f32, f32) = (0.12, 0.85);
+/// Height, as a share of the whole, in which the width grows so many times where a crown begins with a jump.
+const JUMP: (f32, f32) = (0.06, 1.5);
+/// How far a side of the trunk may go outward for each step down and up: steeper lines are ground, or crown.
+const STEEP: (f32, f32) = (0.6, 0.6);
+/// Widest foot of a trunk, in widths of its narrowest place.
+const WIDEST: f32 = 1.8;
+/// How far up in the crown the trunk goes on, as a share of the crown's height, and its width there, as a share.
+const INTO_CROWN: (f32, f32) = (0.45, 0.35);
+
+/// Leftmost and rightmost ink of each row, from below.
+pub(super) struct Rows {
+    /// Lower edge of the lowest row, and height of a row, pixels.
+    foot: f32,
+    step: f32,
+    ends: Vec<(f32, f32)>,
+    /// The places of the columns, of which there are [`COLUMNS`] across, with ink in each row.
+    ink: Vec<u64>,
+}
+
+/// A trunk, row by row from below: the middle and half the distance of its sides.
+pub(super) struct Trunk {
+    rows: Vec<(Vec2, f32)>,
+    /// Half its width where it is narrowest, pixels.
+    pub narrow: f32,
+    /// Height of the row below the crown.
+    pub top: f32,
+    /// The ends of that row.
+    pub sill: (Vec2, Vec2),
+    /// Whether the crown begins with a jump of the width.
+    pub is_sharp: bool,
+}
+
+impl Rows {
+    /// The rows of these lines; none where they have no height.
+    pub(super) fn new(lines: &[&Line]) -> Option<Self> {
+        let foot = lines.iter().map(|line| line.bounds.1.y).reduce(f32::max)?;
+        let top = lines.iter().map(|line| line.bounds.0.y).reduce(f32::min)?;
+        let step = (foot - top) / ROWS as f32;
+        if step <= 0.0 {
+            return None;
+        }
+        let left = lines.iter().map(|line| line.bounds.0.x).reduce(f32::min)?;
+        let right = lines.iter().map(|line| line.bounds.1.x).reduce(f32::max)?;
+        let column = ((right - left) / COLUMNS as f32).max(f32::MIN_POSITIVE);
+        let (mut ends, mut ink) = (vec![(f32::INFINITY, f32::NEG_INFINITY); ROWS], vec![0; ROWS]);
+        for pair in lines.iter().flat_map(|line| line.points.windows(2)) {
+            let pieces = (2.0 * pair[0].distance(pair[1]) / step).ceil().max(1.0) as usize;
+            for k in 0..=pieces {
+                let p = pair[0].lerp(pair[1], k as f32 / pieces as f32);
+                let row = (((foot - p.y) / step) as usize).min(ROWS - 1);
+                ends[row] = (ends[row].0.min(p.x), ends[row].1.max(p.x));
+                ink[row] |= 1_u64 << (((p.x - left) / column) as u32).min(COLUMNS - 1);
+            }
+        }
+        Some(Self { foot, step, ends, ink })
+    }
+
+    /// Width and height of the whole, pixels.
+    pub(super) fn width_and_height(&self) -> Vec2 {
+        let empty = (f32::INFINITY, f32::NEG_INFINITY);
+        let (left, right) = self.ends.iter().fold(empty, |all, row| (all.0.min(row.0), all.1.max(row.1)));
+        Vec2::new(right - left, self.height())
+    }
+
+    /// Height of all rows, pixels.
+    pub(super) fn height(&self) -> f32 {
+        self.step * ROWS as f32
+    }
+
+    fn width(&self, row: usize) -> f32 {
+        (self.ends[row].1 - self.ends[row].0).max(0.0)
+    }
+
+    /// Whether both sides of something are drawn in a row, and not only one line.
+    fn has_two_sides(&self, row: usize) -> bool {
+        let ink = self.ink[row];
+        let has_gap = ink != 0
+            && (ink >> ink.trailing_zeros()).trailing_ones()
+                < u64::BITS - ink.leading_zeros() - ink.trailing_zeros();
+        has_gap && self.width(row) > NARROWEST * self.height()
+    }
+
+    fn height_of(&self, row: usize) -> f32 {
+        self.foot - (row as f32 + 0.5) * self.step
+    }
+
+    /// The narrow stretch below, if the drawing has one.
+    pub(super) fn trunk(&self) -> Option<Trunk> {
+        let has_sides = |row: &usize| self.has_two_sides(*row);
+        // Sides seldom end at one height; what has one side only, below, is the foot of the longer.
+        let foot = (0..rows(UNEVEN)).find(has_sides)?;
+        let candidates = (foot + rows(0.03)..rows(TRUNK.1)).filter(has_sides);
+        let neck = candidates.min_by(|a, b| self.width(*a).total_cmp(&self.width(*b)))?;
+        let narrow = self.width(neck);
+        let wide = (neck..ROWS).map(|row| self.width(row)).fold(0.0, f32::max);
+        let most = narrow + SHOULDER * (wide - narrow);
+        let top = (neck..ROWS).find(|row| self.width(*row) > most)?;
+        let is_long = (TRUNK.0..=TRUNK.1).contains(&(top as f32 / ROWS as f32));
+        let two_sided = (0..top).filter(has_sides).count() as f32;
+        if narrow > NECK * wide || !is_long || two_sided < TWO_SIDED * top as f32 {
+            return None;
+        }
+        let at = |x| Vec2::new(x, self.height_of(top - 1));
+        Some(Trunk {
+            rows: self.sides(neck, top),
+            narrow: 0.5 * narrow,
+            top: self.height_of(top - 1),
+            sill: (at(self.ends[top - 1].0), at(self.ends[top - 1].1)),
+            is_sharp: self.jumps(neck, top),
+        })
+    }
+
+    /// Whether the width jumps where a crown begins at the row `top`.
+    fn jumps(&self, neck: usize, top: usize) -> bool {
+        let above = (top..ROWS.min(top + rows(JUMP.0))).map(|row| self.width(row)).fold(0.0, f32::max);
+        let below = self.width(top.saturating_sub(rows(JUMP.0)).max(neck));
+        above > JUMP.1 * below
+    }
+
+    /// Middle and half width of a trunk at each row from the lowest to the one below `top`. From the neck, where both sides are
+    /// known to be the trunk's, each side is followed up and down as far as it does not turn away ([`STEEP`]): there the crown
+    /// begins, or the line of the ground.
+    fn sides(&self, neck: usize, top: usize) -> Vec<(Vec2, f32)> {
+        let follow = |rows: &mut dyn Iterator<Item = usize>, steep: f32| -> Vec<(usize, f32, f32)> {
+            let (mut left, mut right) = self.ends[neck];
+            let (narrow, out) = (right - left, steep * self.step);
+            rows.map(|row| {
+                let (l, r) = self.ends[row];
+                if r - l > 0.6 * (right - left) {
+                    left = l.clamp(left - out, left + out);
+                    right = r.clamp(right - out, right + out);
+                }
+                let (middle, most) = (0.5 * (left + right), 0.5 * WIDEST * narrow);
+                let half = (0.5 * (right - left)).min(most);
+                (row, middle, half)
+            })
+            .collect()
+        };
+        let mut rows = follow(&mut (0..neck).rev(), STEEP.0);
+        rows.reverse();
+        rows.extend(follow(&mut (neck..top), STEEP.1));
+        rows.into_iter().map(|(row, x, half)| (Vec2::new(x, self.height_of(row)), half)).collect()
+    }
+}
+
+/// So many rows as this share of the whole.
+fn rows(share: f32) -> usize {
+    (share * ROWS as f32) as usize
+}
+
+impl Trunk {
+    /// The middle of the trunk, which goes on into the crown, with its width as pressure.
+    pub(super) fn centre_line(&self, crown: &[Vec2]) -> Made {
+        let top = crown.iter().map(|p| p.y).fold(self.top, f32::min);
+        let mut rows = evened(&self.rows);
+        let (last, half) = rows[rows.len() - 1];
+        let middle = crown.iter().sum::<Vec2>() / crown.len().max(1) as f32;
+        let end = Vec2::new(last.x + 0.5 * (middle.x - last.x), last.y + INTO_CROWN.0 * (top - last.y));
+        rows.extend((1..=12).map(|k| {
+            let share = k as f32 / 12.0;
+            (last.lerp(end, share), half * (1.0 + share * (INTO_CROWN.1 - 1.0)))
+        }));
+        let widest = rows.iter().map(|row| row.1).fold(f32::MIN_POSITIVE, f32::max);
+        let point = |(position, half): (Vec2, f32)| StrokePoint {
+            pressure: half / widest,
+            ..StrokePoint::at(position)
+        };
+        Made { tool: Tool::Branch, points: rows.into_iter().map(point).collect(), half_width: Some(widest) }
+    }
+}
+
+/// Middles and widths without the jitter of single rows: running means over a tenth of the trunk.
+fn evened(rows: &[(Vec2, f32)]) -> Vec<(Vec2, f32)> {
+    let reach = (rows.len() / 20).max(2);
+    (0..rows.len())
+        .map(|i| {
+            let near = i.min(rows.len() - 1 - i).min(reach);
+            let window = &rows[i - near..=i + near];
+            let count = window.len() as f32;
+            (
+                window.iter().map(|row| row.0).sum::<Vec2>() / count,
+                window.iter().map(|row| row.1).sum::<f32>() / count,
+            )
+        })
+        .collect()
+}
