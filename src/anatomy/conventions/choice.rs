@@ -1,7 +1,7 @@
 //! The best set of hypotheses in which no stroke is used twice.
 //!
 //! Hypotheses that share strokes form groups; in each group the set with the greatest sum of scores is found exactly by
-//! branch and bound where it has at most [`EXACT`] members, and greedily by score where it has more. Equal sums are decided by
+//! branch and bound where it has at most 16 members, and greedily by score where it has more. Equal sums are decided by
 //! the order of the proposals, so that the choice depends on nothing else.
 
 use super::Hypothesis;

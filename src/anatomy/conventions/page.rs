@@ -1,6 +1,6 @@
 //! The strokes of a drawing as even lines with their measures: what conventions look at.
 //!
-//! A line is its stroke at even steps of arc length, at most [`MOST_POINTS`] of them, evened out a little: angles and corners then
+//! A line is its stroke at even steps of arc length, at most 400 of them: angles and corners then
 //! mean the same in a fast and in a slow hand. All lengths are canvas pixels.
 
 use crate::geom::{convex_hull::convex_hull, polyline, simple_loop};

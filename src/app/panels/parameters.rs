@@ -40,6 +40,7 @@ const ORDER: [&str; 25] = [
     "model.blade",
     "model.tube",
     "model.solid",
+    "anatomy.conventions",
     "anatomy.flowers",
     "anatomy.hierarchy",
     "anatomy.attach",
