@@ -102,11 +102,13 @@ pub fn analyse_with(
 fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: Stop) -> Anatomy {
     cache.begin(params);
     let rules = Rules { preprocess: &params.preprocess, ignore: &params.ignore, tip: &params.tip };
-    let Interpretation { strokes, pieces, explained, remarks, habit } =
+    let Interpretation { strokes, pieces, explained, solids, remarks, habit } =
         conventions::interpret(&sketch.strokes, &params.conventions);
     let reading::Drawn { readings, bounds } = cache.readings.read(&strokes, rules);
+    let bounds =
+        solids.iter().map(|drawn| drawn.solid.bounds()).fold(bounds, |a, b| (a.0.min(b.0), a.1.max(b.1)));
     let diagonal = bounds.0.distance(bounds.1);
-    let mut anatomy = Anatomy { diagonal, bounds, pieces, habit, ..Anatomy::default() };
+    let mut anatomy = Anatomy { diagonal, bounds, pieces, solids, habit, ..Anatomy::default() };
     if stop() {
         return anatomy;
     }

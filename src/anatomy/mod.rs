@@ -197,6 +197,8 @@ pub struct Anatomy {
     pub marks: Vec<Mark>,
     /// Of the strokes that were made of drawn ones, where they come from: names of strokes below may be theirs.
     pub pieces: BTreeMap<StrokeId, conventions::Piece>,
+    /// Bodies of revolution, such as the pot that the plant stands in.
+    pub solids: Vec<conventions::DrawnSolid>,
     /// What kind of plant the drawing shows, as far as that can be seen.
     pub habit: Option<conventions::Habit>,
     /// Branches, parents before children; generated twigs among them.

@@ -15,6 +15,7 @@ pub mod leaves;
 pub mod outline;
 mod petal_tip;
 pub mod petals;
+mod pots;
 pub mod radii;
 pub mod recover;
 

@@ -8,6 +8,7 @@ use super::{
     flowers::Flowers,
     leaves::{LeafParams, LeafPoser, Leaves},
     outline::CurlParams,
+    pots,
     radii::{self, RadiusParams, Tapers},
 };
 use crate::anatomy::{Anatomy, Attachment, FlatBlade, FlatBranch, FlatFlower};
@@ -115,13 +116,14 @@ pub fn recover_with(
     let mut plant = Plant { branches, flowers, organs, templates };
     let poser = LeafPoser { world, seed, params: &params.leaves, curl: &params.curl };
     add_leaves((&mut plant, &mut provenance), &skeleton, anatomy, (&mut cache.leaves, &poser));
+    pots::add(&mut plant, &mut provenance, anatomy);
     provenance.rename(|stroke| anatomy.drawn(stroke));
     debug_assert_eq!(provenance.check_invariants(&plant), Ok(()));
     (plant, provenance)
 }
 
 /// The scale that makes the drawing as high as the plant, the origin below its lowest root, as low as any wood that was
-/// drawn: nothing stands below the ground.
+/// drawn: nothing stands below the ground. A drawn pot stands on it.
 fn world_from_canvas(anatomy: &Anatomy, params: &WorldParams) -> WorldFromCanvas {
     let (low, high) = anatomy.bounds;
     // A drawing without height (one level stroke) is sized by its width.
@@ -130,6 +132,7 @@ fn world_from_canvas(anatomy: &Anatomy, params: &WorldParams) -> WorldFromCanvas
     let wood = anatomy.branches.iter().filter(|b| b.stroke.is_some()).flat_map(|b| b.line.iter());
     let ground = wood.map(|s| s.position.y).fold(f32::NEG_INFINITY, f32::max);
     let lowest = |a: &Vec2, b: &Vec2| a.y.total_cmp(&b.y);
+    let pot = pots::foot(anatomy);
     let origin = trunks
         .map(|s| s.position)
         .max_by(lowest)
@@ -138,6 +141,7 @@ fn world_from_canvas(anatomy: &Anatomy, params: &WorldParams) -> WorldFromCanvas
         .or_else(|| anatomy.flowers.iter().map(|f| f.center).max_by(lowest))
         .or_else(|| anatomy.leaves.iter().map(|l| l.root).max_by(lowest))
         .unwrap_or(low.midpoint(high));
+    let origin = pot.map_or(origin, |pot| pot.with_y(pot.y.max(origin.y)));
     WorldFromCanvas { scale: params.height / extent.max(f32::MIN_POSITIVE), origin }
 }
 

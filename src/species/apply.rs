@@ -90,12 +90,15 @@ pub fn apply_within(
     }
     let petals = petals_of(&plant);
     shape_blades(&mut plant, provenance, species, &petals, seed);
-    if species.pot.is_none() {
+    let has_drawn_pot = plant.organs.iter().any(|organ| organ.kind() == OrganKind::Pot);
+    if species.pot.is_none() || has_drawn_pot {
         ground::keep_above(&mut plant);
     }
     let (mut added, templates) = flower_centres(&plant, species, &petals, seed);
     added.extend(thorny(&plant, provenance, species, seed));
-    added.extend(potted(&plant, species));
+    if !has_drawn_pot {
+        added.extend(potted(&plant, species));
+    }
     plant.add_organs(added, templates);
     Applied { plant: with_materials(plant, species), is_blossom_thinned }
 }

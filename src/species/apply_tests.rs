@@ -322,6 +322,23 @@ fn the_pot_stands_below_the_lowest_trunk_and_holds_all_of_it() {
 }
 
 #[test]
+fn a_drawn_pot_takes_the_place_of_the_species_own_and_is_of_clay_everywhere() {
+    let mut plant = bare(1, 0);
+    let profile = [(0.0, 0.0), (0.1, 0.0), (0.1, 0.1), (0.0, 0.1)].map(Vec2::from).to_vec();
+    let shape = Shape::Lathe { base: Vec3::ZERO, axis: Vec3::Y, profile };
+    let role = Role::of(OrganPart::Pot);
+    plant.organs.push(Organ { role, origin: Origin::Generated, branch: None, flower: None, shape });
+    for name in ["potted", "plant", "maple"] {
+        let plant = finished(&plant, name, 1);
+        let pots: Vec<_> = plant.organs.iter().filter(|organ| organ.kind() == OrganKind::Pot).collect();
+        assert_eq!(pots.len(), 1, "{name}");
+        let material = &plant.materials()[plant.material(pots[0].role)];
+        let clay = Texture::BuiltIn("terracotta.png".to_owned());
+        assert_eq!((material.name.as_str(), material.texture.as_ref()), ("pot", Some(&clay)), "{name}");
+    }
+}
+
+#[test]
 fn only_used_materials_are_kept_and_named_once() {
     let maple = finished(&bare(1, 0), "maple", 1);
     let mut names: Vec<_> = maple.materials().iter().map(|m| m.name.clone()).collect();

@@ -5,7 +5,8 @@
 //! farther than it must.
 //!
 //! Limits: the hollow, waves and curl of a leaf are known by their largest height only. Petals are left where the drawing
-//! has them. A plant in a pot has no ground to speak of.
+//! has them. A plant in its species' pot has no ground to speak of;
+//! one in a drawn pot has the ground below that.
 
 use crate::plant::{Blade, Branch, OrganKind, Plant, ResolvedBlade, RestSurface, Shape, Template};
 use glam::{Mat3, Quat, Vec3};

@@ -22,7 +22,7 @@ pub(super) fn with_materials(plant: Plant, species: &Species) -> FinishedPlant {
 /// What a role is made of: with the artist's own picture if its part was given one.
 fn material(species: &Species, role: Role) -> Material {
     let (part, name) = named(species, role);
-    let look = species.materials.get(name).cloned().unwrap_or_else(MaterialLook::default);
+    let look = species.materials.get(name).cloned().unwrap_or_else(|| usual(role));
     let Some(own) = species.pictures.get(&part) else { return look.material(name) };
     // The species' own materials have no hyphen in their names, see `SpeciesError::MaterialName`.
     let unique = format!("{}-picture", part.name());
@@ -32,6 +32,20 @@ fn material(species: &Species, role: Role) -> Material {
         ambient: white.ambient,
         texture: Some(Texture::Own(own.clone())),
         ..look.material(&unique)
+    }
+}
+
+/// What a part is made of where the species has no material for it: a drawn pot is of clay.
+fn usual(role: Role) -> MaterialLook {
+    let of = |texture: &str, specular| MaterialLook {
+        texture: Some(Texture::BuiltIn(texture.to_owned())),
+        specular,
+        ..MaterialLook::default()
+    };
+    match role.part {
+        PlantPart::Organ(OrganPart::Pot) => of("terracotta.png", 0.02),
+        PlantPart::Organ(OrganPart::Soil) => of("soil.png", 0.0),
+        _ => MaterialLook::default(),
     }
 }
 
@@ -53,8 +67,8 @@ fn named(species: &Species, role: Role) -> (PlantPart, &str) {
         OrganPart::Pistil => of_filaments(|look| &look.pistils).map(FilamentLook::material),
         OrganPart::Stigma => of_filaments(|look| &look.pistils).map(FilamentLook::head_material),
         OrganPart::Thorn => species.thorns.as_ref().map(|look| look.material.as_str()),
-        OrganPart::Pot => species.pot.as_ref().map(|look| look.material.as_str()),
-        OrganPart::Soil => species.pot.as_ref().map(|look| look.soil.as_str()),
+        OrganPart::Pot => Some(species.pot.as_ref().map_or(part.name(), |look| &look.material)),
+        OrganPart::Soil => Some(species.pot.as_ref().map_or(part.name(), |look| &look.soil)),
         OrganPart::Leaf | OrganPart::Fruit => None,
     };
     let own = match role.part {

@@ -106,7 +106,14 @@ mod tests {
     use crate::sketch::Reading;
 
     fn hypothesis(uses: &[usize], score: f32) -> Hypothesis {
-        Hypothesis { uses: uses.to_vec(), score, parts: Vec::new(), reading: Reading::Tree, habit: None }
+        Hypothesis {
+            uses: uses.to_vec(),
+            score,
+            parts: Vec::new(),
+            solids: Vec::new(),
+            reading: Reading::Tree,
+            habit: None,
+        }
     }
 
     fn scores(hypotheses: Vec<Hypothesis>) -> Vec<f32> {

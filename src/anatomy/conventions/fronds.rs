@@ -1,5 +1,254 @@
-//! Not written yet.
+//! Fronds about the top of a trunk: a palm. Blades that rise from the mouth of a pot are found in the same way.
+//!
+//! A [`TrunkSides`] is found below. All other lines, and what is left of the lines of its sides, are cut into
+//! [`spikes`](super::spikes) by their distance from the trunk's top: each is a frond, as wide as it was drawn, led to that top.
+//!
+//! What speaks for fronds and against a crown: they are slender, their tips are sharp ([`SHARP`]), the notches between them go
+//! down to near the trunk's top ([`DEEP`]), and together they are nearly all that is drawn there ([`EXPLAINED`]). Lobes of crowns
+//! and petals are round, and outlines of crowns go far around. Lines above a single line are twigs unless they hang or have
+//! two sides.
+//!
+//! Limits: fruit among the fronds is left to the classifier; fronds whose leaflets are drawn are not understood.
 
-use super::{Hypothesis, page::Page};
+use super::page::Page;
+use super::spikes::{Spike, joined, spikes};
+use super::trunk_sides::TrunkSides;
+use super::{Habit, Hypothesis, Made, pot};
+use crate::sketch::{Reading, Tool};
+use glam::Vec2;
+use std::f32::consts::PI;
 
-pub(super) fn propose(_: &Page, _: &mut Vec<Hypothesis>) {}
+/// Fewest fronds; that many less if all of them hang.
+const FEWEST: usize = 3;
+/// Widest angle of a tip in the middle of all, and where it is measured, as a share of the shorter flank.
+const SHARP: (f32, f32) = (0.5 * PI, 0.12);
+/// Greatest distance of the notches beside a frond from the trunk's top, as a share of its tip's.
+const DEEP: f32 = 0.65;
+/// Least distance of a tip from the trunk's top, as a share of the farthest's.
+const SHORTEST: f32 = 0.3;
+/// Least change of distance that makes a frond, as a share of its line's farthest.
+const PROMINENCE: f32 = 0.1;
+/// Half of the mean distance of the two sides of a frond at most, as a share of its length.
+const SLENDER: f32 = 0.3;
+/// Share of what is drawn about the trunk's top that fronds must be.
+const EXPLAINED: f32 = 0.65;
+/// Where blades in a pot have their roots, as a share of its height from above: in the earth.
+const IN_POT: f32 = 0.15;
+/// Half width of a frond at most, as a share of its length.
+const HALF: f32 = 0.2;
+
+/// Proposes palms, one for each group of lines at most, and what rises from the mouth of a pot.
+pub(super) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
+    let mut pots = Vec::new();
+    pot::propose(page, &mut pots);
+    let is_pot = |line: &usize| pots.iter().any(|pot| pot.uses.binary_search(line).is_ok());
+    for group in page.groups.iter().chain(&page.wide_groups) {
+        let plant: Vec<usize> = group.iter().copied().filter(|line| !is_pot(line)).collect();
+        out.extend(palm(page, &plant));
+    }
+    out.extend(pots.first().and_then(|pot| potted(page, pot)));
+}
+
+/// Blades that rise from the mouth of a pot, if they are all that is in it.
+fn potted(page: &Page, pot: &Hypothesis) -> Option<Hypothesis> {
+    let solid = pot.solids.first()?;
+    let (top, bottom) = (solid.profile.first()?.y, solid.profile.last()?.y);
+    let mouth = Vec2::new(solid.axis, top + IN_POT * (bottom - top));
+    let plant = (0..page.lines.len()).filter(|line| pot.uses.binary_search(line).is_err());
+    let lines: Vec<(Vec<Vec2>, usize)> = plant.map(|line| (page.lines[line].points.clone(), line)).collect();
+    let crown = Crown::about(mouth, &lines);
+    // Blunt tips are those of broad leaves: a crown that stands on a pot has no notches that go down to it.
+    let is_plant = crown.fronds.len() >= FEWEST && crown.has_blades();
+    (is_plant && crown.explained > EXPLAINED).then(|| crown.hypothesis(mouth, None))
+}
+
+fn palm(page: &Page, group: &[usize]) -> Option<Hypothesis> {
+    let trunk = TrunkSides::find(page, group)?;
+    let rest: Vec<(Vec<Vec2>, usize)> =
+        group.iter().flat_map(|i| trunk.rest_of(*i, &page.lines[*i])).collect();
+    let crown = Crown::about(trunk.top(), &rest);
+    let fewest = FEWEST - usize::from(!trunk.is_line() && crown.fronds.iter().all(|frond| hangs(&frond.0)));
+    let is_crown = crown.fronds.len() >= fewest && crown.is_sharp() && crown.explained > EXPLAINED;
+    if !is_crown || trunk.is_line() && !crown.has_blades() || lies_below(&rest, &trunk) {
+        return None;
+    }
+    Some(crown.hypothesis(trunk.top(), Some(&trunk)))
+}
+
+/// Fronds about a place.
+struct Crown {
+    /// Each with the lines that it comes from.
+    fronds: Vec<(Spike, Vec<usize>)>,
+    /// Share of the lines' length that fronds are.
+    explained: f32,
+}
+
+impl Crown {
+    /// What radiates from `top` among some runs of points, each with the number of its line.
+    fn about(top: Vec2, runs: &[(Vec<Vec2>, usize)]) -> Self {
+        let reach = |points: &[Vec2]| points.iter().map(|p| p.distance(top)).fold(0.0, f32::max);
+        let farthest = runs.iter().map(|run| reach(&run.0)).fold(0.0, f32::max);
+        let of_run = |(points, line): &(Vec<Vec2>, usize)| {
+            let all = spikes(points, |p| p.distance(top), PROMINENCE * reach(points));
+            let line = *line;
+            all.into_iter().map(move |spike| (spike, line))
+        };
+        let all: Vec<(Spike, usize)> = runs.iter().flat_map(of_run).collect();
+        let (single, double): (Vec<_>, Vec<_>) =
+            all.into_iter().partition(|(spike, _)| spike.flanks.len() == 1);
+        let mut fronds = joined(single, |tip| (tip - top).to_angle());
+        fronds.extend(double.into_iter().map(|(spike, line)| (spike, vec![line])));
+        fronds.retain(|(spike, _)| {
+            let far = spike.tip().distance(top);
+            far > SHORTEST * farthest && spike.foot().distance(top) < DEEP * far && spike.is_slender(SLENDER)
+        });
+        let length = |points: &[Vec2]| crate::geom::polyline::length(points);
+        let whole: f32 = runs.iter().map(|run| length(&run.0)).sum();
+        let own: f32 = fronds.iter().flat_map(|frond| &frond.0.flanks).map(|flank| length(flank)).sum();
+        Self { fronds, explained: own / whole.max(f32::MIN_POSITIVE) }
+    }
+
+    /// One blade for each frond, all from one root, with the trunk if there is one.
+    fn hypothesis(&self, root: Vec2, trunk: Option<&TrunkSides>) -> Hypothesis {
+        let blades = self.fronds.iter().map(|frond| Made::new(Tool::Leaf, frond.0.blade(root, HALF)));
+        let trunk_lines = trunk.into_iter().flat_map(TrunkSides::lines);
+        let mut uses: Vec<usize> =
+            self.fronds.iter().flat_map(|frond| frond.1.clone()).chain(trunk_lines).collect();
+        uses.sort_unstable();
+        uses.dedup();
+        Hypothesis {
+            uses,
+            score: 3.0 + 0.3 * self.fronds.len().min(6) as f32,
+            parts: trunk.map(TrunkSides::branch).into_iter().chain(blades).collect(),
+            solids: Vec::new(),
+            reading: Reading::Fronds,
+            habit: trunk.map(|_| Habit::Palm),
+        }
+    }
+
+    /// Whether the tips of fronds with two sides are sharp.
+    fn is_sharp(&self) -> bool {
+        let mut angles: Vec<f32> = self.fronds.iter().filter_map(|frond| frond.0.angle(SHARP.1)).collect();
+        let middle = angles.len() / 2;
+        angles.is_empty() || *angles.select_nth_unstable_by(middle, f32::total_cmp).1 < SHARP.0
+    }
+
+    /// Whether most fronds have two sides or hang.
+    fn has_blades(&self) -> bool {
+        let is_blade = |spike: &Spike| spike.flanks.len() == 2 || hangs(spike);
+        2 * self.fronds.iter().filter(|frond| is_blade(&frond.0)).count() > self.fronds.len()
+    }
+}
+
+/// Whether the tip is well below the highest point.
+fn hangs(spike: &Spike) -> bool {
+    let highest = spike.flanks.iter().flatten().map(|p| p.y).fold(f32::INFINITY, f32::min);
+    spike.tip().y > highest + 0.15 * spike.reach()
+}
+
+/// Whether much of the rest lies beside the lower half of the trunk.
+fn lies_below(rest: &[(Vec<Vec2>, usize)], trunk: &TrunkSides) -> bool {
+    let half = 0.5 * (trunk.foot().y + trunk.top().y);
+    let all = rest.iter().flat_map(|run| &run.0);
+    10 * all.clone().filter(|p| p.y > half).count() > 3 * all.count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
+        let mut out = Vec::new();
+        propose(&Page::of_lines(lines), &mut out);
+        out
+    }
+
+    fn sides() -> [Vec<Vec2>; 2] {
+        [-6.0, 6.0].map(|x| vec![Vec2::new(x, 0.0), Vec2::new(x + 10.0, -100.0)])
+    }
+
+    /// Fronds about (10, -105) in one line: `sharp` ones, or lobes that reach as far.
+    fn crown(is_sharp: bool) -> Vec<Vec2> {
+        let top = Vec2::new(10.0, -105.0);
+        let frond = |k: usize| {
+            let (from, to) = (-3.6 + 0.9 * k as f32, -3.6 + 0.9 * (k + 1) as f32);
+            (0..=16).map(move |i| {
+                let t = i as f32 / 16.0;
+                let reach = if is_sharp {
+                    50.0 - 40.0 * (2.0 * t - 1.0).abs()
+                } else {
+                    60.0 - 20.0 * (2.0 * t - 1.0).powi(4)
+                };
+                top + reach * Vec2::from_angle(from + t * (to - from))
+            })
+        };
+        (0..4).flat_map(frond).collect()
+    }
+
+    #[test]
+    fn spikes_about_a_trunk_are_fronds_that_are_led_to_its_top() {
+        let [left, right] = sides();
+        let found = read(&[left, right, crown(true)]);
+        assert_eq!(found.len(), 1);
+        let palm = &found[0];
+        assert_eq!((palm.habit, &palm.uses[..]), (Some(Habit::Palm), &[0, 1, 2][..]));
+        assert_eq!(
+            palm.parts.iter().map(|part| part.tool).collect::<Vec<_>>()[..2],
+            [Tool::Branch, Tool::Leaf]
+        );
+        assert_eq!(palm.parts.len(), 5);
+        let top = palm.parts[0].points[palm.parts[0].points.len() - 1].position;
+        for frond in &palm.parts[1..] {
+            let root = frond.points[0].position.midpoint(frond.points[frond.points.len() - 1].position);
+            assert!(root.distance(top) < 1.0, "{root} {top}");
+        }
+    }
+
+    #[test]
+    fn lobes_are_no_fronds() {
+        let [left, right] = sides();
+        assert!(read(&[left, right, crown(false)]).is_empty());
+    }
+
+    #[test]
+    fn lines_on_a_single_line_are_fronds_if_they_hang() {
+        let stem = vec![Vec2::new(0.0, 0.0), Vec2::new(0.0, -100.0)];
+        let arm = |x: f32, bend: f32| {
+            let arc = move |k: usize| {
+                let t = k as f32 / 20.0;
+                Vec2::new(x * t, -100.0 - 20.0 * t + bend * t * t)
+            };
+            (0..=20).map(arc).collect::<Vec<Vec2>>()
+        };
+        let with = |bend: f32| {
+            [vec![stem.clone()], [-50.0, -30.0, 35.0, 50.0].map(|x| arm(x, bend)).to_vec()].concat()
+        };
+        assert_eq!(read(&with(60.0)).len(), 1);
+        assert!(read(&with(0.0)).is_empty(), "branches that rise");
+    }
+
+    #[test]
+    fn blades_that_fill_a_pot_have_their_roots_in_it() {
+        let pot = vec![
+            Vec2::new(-20.0, -40.0),
+            Vec2::new(-15.0, 0.0),
+            Vec2::new(15.0, 0.0),
+            Vec2::new(20.0, -40.0),
+            Vec2::new(-20.0, -40.0),
+        ];
+        let blade = |x: f32| {
+            vec![
+                Vec2::new(-2.0, -41.0),
+                Vec2::new(x - 3.0, -90.0),
+                Vec2::new(x, -120.0),
+                Vec2::new(0.8 * x + 3.0, -85.0),
+                Vec2::new(2.0, -41.0),
+            ]
+        };
+        let found = read(&[pot, blade(-40.0), blade(2.0), blade(40.0)]);
+        assert_eq!(found.len(), 1);
+        assert_eq!((found[0].parts.len(), found[0].habit), (3, None));
+        let root = found[0].parts[0].points[0].position;
+        assert!((-40.0..-20.0).contains(&root.y), "{root}");
+    }
+}

@@ -1,6 +1,7 @@
 //! A reading of some strokes: which, how likely, and what becomes of them.
 
 use crate::sketch::{Reading, StrokePoint, Tool};
+use glam::Vec2;
 
 /// What kind of plant a drawing shows, as far as that can be seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -34,8 +35,34 @@ pub struct Made {
 
 impl Made {
     /// A part drawn with `tool` along these places.
-    pub fn new(tool: Tool, points: impl IntoIterator<Item = glam::Vec2>) -> Self {
+    pub fn new(tool: Tool, points: impl IntoIterator<Item = Vec2>) -> Self {
         Self { tool, points: points.into_iter().map(StrokePoint::at).collect(), half_width: None }
+    }
+}
+
+/// What a body of revolution is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SolidKind {
+    /// A pot.
+    Pot,
+}
+
+/// A body of revolution about an upright axis, in canvas pixels.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solid {
+    /// What it is.
+    pub kind: SolidKind,
+    /// Where the axis is, to the right.
+    pub axis: f32,
+    /// Radius and height of its outside, from above.
+    pub profile: Vec<Vec2>,
+}
+
+impl Solid {
+    /// Smallest and largest corner, seen from the front.
+    pub fn bounds(&self) -> (Vec2, Vec2) {
+        let sides = self.profile.iter().flat_map(|p| [-p.x, p.x].map(|x| Vec2::new(self.axis + x, p.y)));
+        sides.fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)))
     }
 }
 
@@ -48,6 +75,8 @@ pub struct Hypothesis {
     pub score: f32,
     /// What the strokes become; none where they are not the plant.
     pub parts: Vec<Made>,
+    /// Bodies of revolution that they become.
+    pub solids: Vec<Solid>,
     /// What the strokes were read as, for the artist.
     pub reading: Reading,
     /// What kind of plant it speaks for.

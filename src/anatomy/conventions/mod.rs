@@ -17,6 +17,8 @@
 //! | `lobes` | an outline cut at its notches toward a centre |
 //! | `tree` | a trunk of two sides with a crown, in any number of strokes |
 //! | `trunk` | the narrow stretch with two sides below a crown |
+//! | `trunk_sides` | a trunk of two sides that leans or bends, or of one line |
+//! | `spikes` | lines cut into what tapers to a tip |
 //! | `bush` | a crown without a trunk: outline, open outline, scribble |
 //! | `body` | fleshy bodies: cactus and mushroom |
 //! | `corolla` | a corolla in one stroke around a flower centre, or at the end of a stem |
@@ -45,11 +47,13 @@ mod lobes;
 mod not_plant;
 mod pot;
 mod silhouette;
+mod spikes;
 mod tree;
 mod trunk;
+mod trunk_sides;
 
-pub use hypothesis::{Habit, Hypothesis, Made};
-pub use pieces::{Interpretation, Piece};
+pub use hypothesis::{Habit, Hypothesis, Made, Solid, SolidKind};
+pub use pieces::{DrawnSolid, Interpretation, Piece};
 
 use crate::sketch::Stroke;
 use page::Page;

@@ -54,6 +54,8 @@ pub struct Page {
     pub bounds: (Vec2, Vec2),
     /// Diagonal of the bounds.
     pub diagonal: f32,
+    /// Length of all strokes, also of those whose tool was chosen, pixels.
+    pub length: f32,
 }
 
 impl Page {
@@ -68,8 +70,25 @@ impl Page {
         let touching = groups(&lines, TOUCH * diagonal);
         let mut wide_groups = groups(&lines, NEAR * diagonal);
         wide_groups.retain(|group| touching.binary_search(group).is_err());
-        Self { lines, groups: touching, wide_groups, bounds, diagonal }
+        let length = strokes.iter().map(|stroke| length_of(stroke)).filter(|length| length.is_finite()).sum();
+        Self { lines, groups: touching, wide_groups, bounds, diagonal, length }
     }
+}
+
+#[cfg(test)]
+impl Page {
+    /// That of lines through some corners, drawn at even steps.
+    pub(super) fn of_lines(lines: &[Vec<Vec2>]) -> Self {
+        let stroke = |(id, line): (usize, &Vec<Vec2>)| {
+            let points = even(line, 120).into_iter().map(crate::sketch::StrokePoint::at).collect();
+            Arc::new(Stroke { id: id as u64, tool: Tool::Auto, points })
+        };
+        Self::new(&lines.iter().enumerate().map(stroke).collect::<Vec<_>>())
+    }
+}
+
+fn length_of(stroke: &Stroke) -> f32 {
+    stroke.points.windows(2).map(|pair| pair[0].position.distance(pair[1].position)).sum()
 }
 
 /// Lines of which some points are nearer than about `reach`: a point joins the lines of its cell and of the cells around it.

@@ -3,7 +3,7 @@
 //! A piece stands in the drawing where the first of its strokes stood. Its stroke has a name of its own, made from that stroke's
 //! and its number, so that it has random streams of its own and a new stroke elsewhere changes nothing.
 
-use super::{Habit, Hypothesis, Made, page::Page};
+use super::{Habit, Hypothesis, Made, Solid, page::Page};
 use crate::checksum;
 use crate::sketch::{Remark, Stroke, StrokeId, Warning};
 use std::collections::{BTreeMap, HashSet};
@@ -18,6 +18,8 @@ pub struct Interpretation {
     pub pieces: BTreeMap<StrokeId, Piece>,
     /// Strokes that became other strokes or nothing.
     pub explained: Vec<StrokeId>,
+    /// Bodies of revolution.
+    pub solids: Vec<DrawnSolid>,
     /// What the artist is told.
     pub remarks: Vec<Warning>,
     /// What kind of plant the whole is; none where nothing spoke for one.
@@ -31,6 +33,15 @@ pub struct Piece {
     pub strokes: Vec<StrokeId>,
     /// The half width that a pressure of 1 stands for, pixels, where the thickness was drawn.
     pub half_width: Option<f32>,
+}
+
+/// A body of revolution, and the first of the strokes that it comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnSolid {
+    /// That stroke.
+    pub stroke: StrokeId,
+    /// The body.
+    pub solid: Solid,
 }
 
 impl Interpretation {
@@ -48,13 +59,14 @@ impl Interpretation {
         let mut names: HashSet<StrokeId> = strokes.iter().map(|stroke| stroke.id).collect();
         let mut made_at: BTreeMap<usize, Vec<Arc<Stroke>>> = BTreeMap::new();
         let mut is_used = vec![false; strokes.len()];
-        for Hypothesis { uses, parts, reading, .. } in chosen {
+        for Hypothesis { uses, parts, solids, reading, .. } in chosen {
             let used: Vec<usize> = uses.iter().map(|line| page.lines[*line].stroke).collect();
             used.iter().for_each(|stroke| is_used[*stroke] = true);
             let drawn: Vec<StrokeId> = used.iter().map(|stroke| strokes[*stroke].id).collect();
             let Some((&place, &first)) = used.first().zip(drawn.first()) else { continue };
             it.explained.extend(&drawn);
             it.remarks.push(Warning { stroke: Some(first), remark: Remark::ReadAs(reading) });
+            it.solids.extend(solids.into_iter().map(|solid| DrawnSolid { stroke: first, solid }));
             for (number, Made { tool, points, half_width }) in parts.into_iter().enumerate() {
                 let id = name(first, number, &mut names);
                 it.pieces.insert(id, Piece { strokes: drawn.clone(), half_width });

@@ -1,5 +1,291 @@
-//! Not written yet.
+//! The pot in which a plant stands: what is lowest, box-like with a flat bottom, and has a plant in its upper edge.
+//!
+//! A line may be a pot if it has two sides nearly all the way up, a bottom that is flat over [`FLAT`] of its width, no notches
+//! ([`SOLID`]) and is not much higher than wide ([`HIGHEST`]). What lies within its bounds belongs to it, and so do level
+//! bands at its upper edge: the rim. It is a pot only if a plant stands in it: other lines have their lowest point at the upper
+//! edge between the sides and rise well above it, narrower than the pot where they enter. A trunk, the stalk of a mushroom and
+//! the lower part of a body have no such plant: what rests on them reaches past both sides.
+//!
+//! The pot is a [`Solid`] of revolution. Its profile is half of the distance of its sides in each row, from the rim to the
+//! bottom. The plant in it stays with its own conventions.
+//!
+//! Limits: a pot beside something that stands lower is not found; a pot in one stroke with its plant is not found, nor one behind leaves that hang over both of its sides.
 
-use super::{Hypothesis, page::Page};
+use super::page::{Line, Page};
+use super::{Hypothesis, Solid, SolidKind};
+use crate::geom::{convex_hull::convex_hull, simple_loop};
+use crate::sketch::Reading;
+use glam::Vec2;
 
-pub(super) fn propose(_: &Page, _: &mut Vec<Hypothesis>) {}
+/// Rows of a profile.
+const ROWS: usize = 24;
+/// Least width of a flat bottom, as a share of the pot's, and its slope at most; a circle is as flat over a quarter of its width.
+const FLAT: (f32, f32) = (0.33, 0.27);
+/// Least share of its convex hull that lies between its sides.
+const SOLID: f32 = 0.75;
+/// Greatest height, in widths: a vase.
+const HIGHEST: f32 = 1.6;
+/// Least height, in widths: a bowl.
+const LOWEST: f32 = 0.15;
+/// Least width, as a share of the drawing's diagonal.
+const NARROWEST: f32 = 0.06;
+/// Length at most, in perimeters of the hull: a lip is drawn in the same stroke, lobes are not.
+const LONGEST: f32 = 1.9;
+/// Distance from the upper edge within which plants end, in heights of the pot: above, below.
+const MOUTH: (f32, f32) = (0.3, 0.7);
+/// Least height of a plant above the pot, in heights of the pot.
+const PLANT: f32 = 0.4;
+/// Greatest width of a plant where it enters, as a share of the pot's.
+const ENTRY: f32 = 0.85;
+/// Log-odds: more than those of a tree, whose trunk a pot would be.
+const SCORE: f32 = 3.5;
+/// How far other things may reach below it, in heights of the pot: under it, and beside it, where they may stand before it.
+const BELOW: (f32, f32) = (0.15, 0.5);
+/// Candidates that are looked at, the lowest first.
+const MOST: usize = 4;
+
+/// Proposes the lowest pot with a plant in it.
+pub(super) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
+    let has_bottom = |i: &usize| has_bottom(page, &page.lines[*i]);
+    let mut candidates: Vec<usize> = (0..page.lines.len()).filter(has_bottom).collect();
+    candidates.sort_by(|a, b| page.lines[*b].bounds.1.y.total_cmp(&page.lines[*a].bounds.1.y).then(a.cmp(b)));
+    candidates.truncate(MOST);
+    out.extend(candidates.into_iter().find_map(|body| pot(page, body)));
+}
+
+fn pot(page: &Page, body: usize) -> Option<Hypothesis> {
+    let pot = Pot::around(page, body);
+    let lines: Vec<&[Vec2]> = pot.uses.iter().map(|i| &page.lines[*i].points[..]).collect();
+    let rows = rows(&lines, pot.low, pot.high);
+    if !pot.is_box(&lines, &rows) || pot.stands_on_more(page) || !pot.has_plant(page) {
+        return None;
+    }
+    let axis = 0.5 * (pot.low.x + pot.high.x);
+    Some(Hypothesis {
+        uses: pot.uses,
+        score: SCORE,
+        parts: Vec::new(),
+        solids: vec![Solid { kind: SolidKind::Pot, axis, profile: profile(&rows) }],
+        reading: Reading::Pot,
+        habit: None,
+    })
+}
+
+/// Whether a line by itself has the size and the bottom of a pot; it may lack a side.
+fn has_bottom(page: &Page, line: &Line) -> bool {
+    let size = line.size();
+    let edges = (0..line.hull.len()).map(|i| (line.hull[i], line.hull[(i + 1) % line.hull.len()]));
+    let perimeter: f32 = edges.clone().map(|(a, b)| a.distance(b)).sum();
+    let is_below =
+        |a: Vec2, b: Vec2| a.y.min(b.y) > line.middle().y && (b.y - a.y).abs() < FLAT.1 * (b.x - a.x).abs();
+    let flat: f32 = edges.filter(|(a, b)| is_below(*a, *b)).map(|(a, b)| (b.x - a.x).abs()).sum();
+    size.x >= NARROWEST * page.diagonal
+        && size.y <= HIGHEST * size.x
+        && size.y >= LOWEST * size.x
+        && line.length < LONGEST * perimeter
+        && flat > FLAT.0 * size.x
+}
+
+/// A pot with all its lines.
+struct Pot {
+    uses: Vec<usize>,
+    low: Vec2,
+    high: Vec2,
+    size: Vec2,
+}
+
+impl Pot {
+    /// The lines within a body's bounds and the bands at its upper edge.
+    fn around(page: &Page, body: usize) -> Self {
+        let (low, high) = page.lines[body].bounds;
+        let size = high - low;
+        let is_part = |line: &Line| {
+            let own = line.size();
+            let within = line.bounds.0.x > low.x - 0.12 * size.x && line.bounds.1.x < high.x + 0.12 * size.x;
+            let is_rim =
+                own.x > 0.6 * size.x && own.y < 0.5 * own.x && line.bounds.0.y > low.y - 0.6 * size.y;
+            let is_inside = line.bounds.0.y > low.y - 0.1 * size.y;
+            within
+                && line.bounds.1.y < high.y + 0.1 * size.y
+                && (is_inside || is_rim && line.bounds.1.y > low.y - 0.15 * size.y)
+        };
+        let uses: Vec<usize> =
+            (0..page.lines.len()).filter(|i| *i == body || is_part(&page.lines[*i])).collect();
+        let bounds = uses.iter().map(|i| page.lines[*i].bounds);
+        let (low, high) = bounds.fold((low, high), |(l, h), (low, high)| (l.min(low), h.max(high)));
+        Self { uses, low, high, size: high - low }
+    }
+
+    /// Whether its lines have two sides nearly all the way up, and no notches.
+    fn is_box(&self, lines: &[&[Vec2]], rows: &[Row]) -> bool {
+        let hull = convex_hull(&lines.concat(), |p| *p);
+        let hull_area = simple_loop::signed_area(hull.iter().copied()).abs();
+        let between = rows.iter().map(Row::width).sum::<f32>() * self.size.y / ROWS as f32;
+        let two_sided = rows.iter().filter(|row| row.width() > 0.4 * self.size.x).count();
+        self.size.y <= HIGHEST * self.size.x && between > SOLID * hull_area && 5 * two_sided >= 4 * ROWS
+    }
+
+    fn others<'a>(&'a self, page: &'a Page) -> impl Iterator<Item = &'a Line> {
+        (0..page.lines.len()).filter(|i| self.uses.binary_search(i).is_err()).map(|i| &page.lines[i])
+    }
+
+    /// Whether something but level lines goes on below it, or something but straight lines beside it.
+    fn stands_on_more(&self, page: &Page) -> bool {
+        self.others(page).any(|line| {
+            let is_level = line.size().y < 0.2 * line.size().x;
+            let is_around = line.bounds.0.cmplt(self.low).all() && line.bounds.1.cmpgt(self.high).all();
+            let is_beside = line.bounds.1.x < self.low.x || line.bounds.0.x > self.high.x;
+            // The edge of a table.
+            let is_straight = line.ends().0.distance(line.ends().1) > 0.97 * line.length;
+            let is_other = is_beside && is_straight && line.length < self.size.x;
+            let lower = if is_beside { BELOW.1 } else { BELOW.0 };
+            !is_level && !is_other && !is_around && line.bounds.1.y > self.high.y + lower * self.size.y
+        })
+    }
+
+    /// Whether lines stand in the upper edge, and nothing rests on it that reaches past both sides.
+    fn has_plant(&self, page: &Page) -> bool {
+        let (above, below) = (self.low.y - MOUTH.0 * self.size.y, self.low.y + MOUTH.1 * self.size.y);
+        let (mut enters, mut left, mut right) = (false, f32::INFINITY, f32::NEG_INFINITY);
+        for line in self.others(page) {
+            let at_edge =
+                |p: &&Vec2| p.y > self.low.y - 0.2 * self.size.y && p.y < self.low.y + 0.15 * self.size.y;
+            let (l, r) = line
+                .points
+                .iter()
+                .filter(at_edge)
+                .fold((f32::INFINITY, f32::NEG_INFINITY), |(l, r), p| (l.min(p.x), r.max(p.x)));
+            let is_level = line.size().y < 0.1 * line.size().x;
+            if l < self.low.x && r > self.high.x && !is_level {
+                return false;
+            }
+            let foot = line.points.iter().copied().reduce(|a, b| if b.y > a.y { b } else { a });
+            let is_in_mouth = |p: Vec2| p.x > self.low.x && p.x < self.high.x && p.y > above && p.y < below;
+            if foot.is_some_and(is_in_mouth) && line.bounds.0.y < self.low.y - PLANT * self.size.y {
+                enters = true;
+                (left, right) = (left.min(l), right.max(r));
+            }
+        }
+        enters && right - left < ENTRY * self.size.x
+    }
+}
+
+/// Leftmost and rightmost ink at a height.
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    y: f32,
+    left: f32,
+    right: f32,
+}
+
+impl Row {
+    fn width(&self) -> f32 {
+        (self.right - self.left).max(0.0)
+    }
+}
+
+/// The rows of some lines between two corners, from above.
+fn rows(lines: &[&[Vec2]], low: Vec2, high: Vec2) -> Vec<Row> {
+    let step = ((high.y - low.y) / ROWS as f32).max(f32::MIN_POSITIVE);
+    let row =
+        |k: usize| Row { y: low.y + (k as f32 + 0.5) * step, left: f32::INFINITY, right: f32::NEG_INFINITY };
+    let mut rows: Vec<Row> = (0..ROWS).map(row).collect();
+    for pair in lines.iter().flat_map(|line| line.windows(2)) {
+        let pieces = (2.0 * pair[0].distance(pair[1]) / step).ceil().max(1.0) as usize;
+        for k in 0..=pieces {
+            let p = pair[0].lerp(pair[1], k as f32 / pieces as f32);
+            let row = &mut rows[(((p.y - low.y) / step) as usize).min(ROWS - 1)];
+            (row.left, row.right) = (row.left.min(p.x), row.right.max(p.x));
+        }
+    }
+    rows
+}
+
+/// Half widths and heights from the rim to the bottom: rows in which one side only was drawn are as wide as their neighbours.
+fn profile(rows: &[Row]) -> Vec<Vec2> {
+    let widest = rows.iter().map(Row::width).fold(0.0, f32::max);
+    let is_whole = |row: &&Row| row.width() > 0.4 * widest;
+    // The upper rows of an open rim and the lower ones of a round bottom are narrow by perspective or haste.
+    let mut whole: Vec<Vec2> =
+        rows.iter().filter(is_whole).map(|row| Vec2::new(0.5 * row.width(), row.y)).collect();
+    let even = whole.clone();
+    for i in 1..whole.len().saturating_sub(1) {
+        whole[i].x = 0.25 * (even[i - 1].x + even[i + 1].x) + 0.5 * even[i].x;
+    }
+    whole
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
+        let mut out = Vec::new();
+        propose(&Page::of_lines(lines), &mut out);
+        out
+    }
+
+    fn line(points: &[(f32, f32)]) -> Vec<Vec2> {
+        points.iter().map(|p| Vec2::from(*p)).collect()
+    }
+
+    fn body() -> Vec<Vec2> {
+        line(&[(-25.0, -40.0), (-18.0, 0.0), (18.0, 0.0), (25.0, -40.0)])
+    }
+
+    fn stem() -> Vec<Vec2> {
+        line(&[(0.0, -30.0), (2.0, -110.0)])
+    }
+
+    fn ellipse(middle: Vec2, half: Vec2) -> Vec<Vec2> {
+        (0..=60).map(|k| middle + half * Vec2::from_angle(std::f32::consts::TAU * k as f32 / 60.0)).collect()
+    }
+
+    #[test]
+    fn a_box_with_a_stem_in_it_is_a_pot_of_its_drawn_profile() {
+        let found = read(&[stem(), body()]);
+        assert_eq!(found.len(), 1);
+        assert_eq!((&found[0].uses[..], found[0].parts.len()), (&[1][..], 0));
+        let solid = &found[0].solids[0];
+        let (top, bottom) = (solid.profile[0], solid.profile[solid.profile.len() - 1]);
+        assert!(solid.axis.abs() < 0.5, "{}", solid.axis);
+        assert!((top.x - 25.0).abs() < 1.5 && (bottom.x - 18.0).abs() < 1.5, "{top} {bottom}");
+        assert!((top.y + 40.0).abs() < 2.0 && bottom.y.abs() < 2.0, "{top} {bottom}");
+    }
+
+    #[test]
+    fn a_band_at_its_upper_edge_belongs_to_it() {
+        let rim = ellipse(Vec2::new(0.0, -42.0), Vec2::new(27.0, 6.0));
+        let found = read(&[stem(), body(), rim]);
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].uses, [1, 2]);
+    }
+
+    #[test]
+    fn without_a_plant_it_is_none() {
+        assert!(read(&[body()]).is_empty());
+        let beside = line(&[(60.0, -30.0), (62.0, -110.0)]);
+        assert!(read(&[body(), beside]).is_empty());
+    }
+
+    #[test]
+    fn a_trunk_below_a_crown_and_a_stalk_below_a_cap_are_none() {
+        assert!(read(&[body(), ellipse(Vec2::new(0.0, -80.0), Vec2::new(60.0, 45.0))]).is_empty());
+        let cap = line(&[(-60.0, -40.0), (-40.0, -80.0), (40.0, -80.0), (60.0, -40.0), (-60.0, -40.0)]);
+        assert!(read(&[body(), cap]).is_empty());
+    }
+
+    #[test]
+    fn a_leaf_with_a_stalk_is_none() {
+        let blade = ellipse(Vec2::new(0.0, -40.0), Vec2::new(30.0, 40.0));
+        assert!(read(&[blade.clone(), line(&[(0.0, -10.0), (0.0, 40.0)])]).is_empty());
+        assert!(read(&[blade, line(&[(0.0, -75.0), (0.0, -140.0)])]).is_empty(), "round below");
+    }
+
+    #[test]
+    fn a_table_below_it_does_not_matter_but_a_stem_does() {
+        let table = line(&[(-90.0, 12.0), (90.0, 12.0)]);
+        assert_eq!(read(&[stem(), body(), table]).len(), 1);
+        assert!(read(&[stem(), body(), line(&[(0.0, 0.0), (1.0, 60.0)])]).is_empty());
+    }
+}

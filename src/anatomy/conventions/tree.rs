@@ -62,7 +62,7 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     }
     let parts = vec![trunk.centre_line(&outline), Made::new(Tool::Crown, outline)];
     let (reading, habit) = (Reading::Tree, Some(Habit::Tree));
-    Some(Hypothesis { uses: group.to_vec(), score: SCORE, parts, reading, habit })
+    Some(Hypothesis { uses: group.to_vec(), score: SCORE, parts, solids: Vec::new(), reading, habit })
 }
 
 /// The outline of the crown above a trunk.
