@@ -14,13 +14,16 @@
 //! | `choice` | the best set of hypotheses |
 //! | `pieces` | what hypotheses make: strokes with tools |
 //! | `silhouette` | the area that strokes enclose together, on a grid; its rows and its contour |
+//! | `evidence` | what speaks for and against outlines of crowns |
+//! | `medial_axis` | the middle lines of an area, a trunk and its arms |
 //! | `lobes` | an outline cut at its notches toward a centre |
 //! | `tree` | a trunk of two sides with a crown, in any number of strokes |
 //! | `trunk` | the narrow stretch with two sides below a crown |
 //! | `trunk_sides` | a trunk of two sides that leans or bends, or of one line |
 //! | `spikes` | lines cut into what tapers to a tip |
 //! | `bush` | a crown without a trunk: outline, open outline, scribble |
-//! | `body` | fleshy bodies: cactus and mushroom |
+//! | `body` | the body of a cactus, a column with arms |
+//! | `mushroom` | a cap on a stalk |
 //! | `corolla` | a corolla in one stroke around a flower centre, or at the end of a stem |
 //! | `leaf` | a blade of several strokes, its midrib and veins, blade and stalk in one stroke |
 //! | `grass` | a zigzag, or lines side by side: blades of grass |
@@ -40,10 +43,13 @@ pub mod pieces;
 mod body;
 mod bush;
 mod corolla;
+mod evidence;
 mod fronds;
 mod grass;
 mod leaf;
 mod lobes;
+mod medial_axis;
+mod mushroom;
 mod not_plant;
 mod pot;
 mod silhouette;
@@ -78,6 +84,7 @@ pub fn interpret(strokes: &[Arc<Stroke>], params: &ConventionParams) -> Interpre
         tree::propose,
         bush::propose,
         body::propose,
+        mushroom::propose,
         corolla::propose,
         leaf::propose,
         grass::propose,

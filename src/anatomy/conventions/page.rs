@@ -3,7 +3,7 @@
 //! A line is its stroke at even steps of arc length, at most 400 of them: angles and corners then
 //! mean the same in a fast and in a slow hand. All lengths are canvas pixels.
 
-use crate::geom::{convex_hull::convex_hull, polyline, simple_loop};
+use crate::geom::{convex_hull::convex_hull, polyline, region::Region, simple_loop};
 use crate::sketch::{Stroke, Tool};
 use glam::{IVec2, Vec2};
 use std::collections::HashMap;
@@ -59,6 +59,23 @@ pub struct Page {
 }
 
 impl Page {
+    /// These lines and all others that lie within an outline, ascending.
+    pub fn with_what_is_inside(&self, lines: &[usize], outline: &[Vec2]) -> Vec<usize> {
+        let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+        let (low, high) = outline.iter().fold(empty, |(low, high), p| (low.min(*p), high.max(*p)));
+        let region = Region::new(outline.to_vec());
+        let is_inside = |line: &Line| {
+            let is_near = line.bounds.0.cmpge(low).all() && line.bounds.1.cmple(high).all();
+            is_near
+                && line.points.iter().filter(|p| region.contains(**p)).count() * 10 >= line.points.len() * 9
+        };
+        let inside = (0..self.lines.len()).filter(|i| is_inside(&self.lines[*i]));
+        let mut all: Vec<usize> = lines.iter().copied().chain(inside).collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
+
     /// The lines of those strokes whose tool nobody chose.
     pub fn new(strokes: &[Arc<Stroke>]) -> Self {
         let positions = strokes.iter().flat_map(|s| &s.points).map(|p| p.position);
@@ -169,6 +186,17 @@ impl Line {
         self.bounds.0.midpoint(self.bounds.1)
     }
 
+    /// Whether it goes over its own area again and again.
+    pub fn is_scribble(&self) -> bool {
+        self.length > SCRIBBLE * self.hull_area.sqrt()
+    }
+
+    /// Its stretches above a height.
+    pub fn above(&self, height: f32) -> Vec<Vec<Vec2>> {
+        let runs = self.points.chunk_by(|a, b| (a.y <= height) == (b.y <= height));
+        runs.filter(|run| run[0].y <= height).map(<[Vec2]>::to_vec).collect()
+    }
+
     /// Whether it is an outline that comes back to its beginning and has no deep notches.
     pub fn is_closed_and_solid(&self) -> bool {
         self.openness < 0.2 && self.solidity() > 0.8
@@ -180,15 +208,18 @@ impl Line {
     }
 }
 
+/// Length from which a line is a scribble, in roots of the area of its hull: about twice the outline of a circle.
+const SCRIBBLE: f32 = 8.0;
+
 /// Stretch of an outline over which a notch turns, as a share of its length, and least turn there, radians.
-const NOTCH: (f32, f32) = (0.05, 0.8);
+const NOTCH: (f32, f32) = (0.05, 0.55);
 
 /// Notches of a closed outline of even points: places where it turns against its own direction.
-pub fn notches(outline: &[Vec2]) -> usize {
+pub fn notches(outline: &[Vec2]) -> Vec<Vec2> {
     let n = outline.len();
     let reach = ((NOTCH.0 * n as f32) as usize / 2).max(1);
     if n < 8 {
-        return 0;
+        return Vec::new();
     }
     let turning = simple_loop::signed_area(outline.iter().copied()).signum();
     let turn = |i: usize| {
@@ -200,7 +231,7 @@ pub fn notches(outline: &[Vec2]) -> usize {
         let is_less = |k: usize| turns[i] <= turns[(i + k) % n] && turns[i] < turns[(i + n - k) % n];
         turns[i] < -NOTCH.1 && (1..=reach).all(is_less)
     };
-    (0..n).filter(|i| is_least(*i)).count()
+    (0..n).filter(|i| is_least(*i)).map(|i| outline[i]).collect()
 }
 
 /// A polyline at `count` even steps of its length, at least two.

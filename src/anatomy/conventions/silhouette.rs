@@ -76,7 +76,7 @@ impl Silhouette {
     }
 
     fn sides(&self, i: usize) -> impl Iterator<Item = usize> + use<> {
-        let (size, at) = (self.size, IVec2::new(i as i32 % self.size.x, i as i32 / self.size.x));
+        let (size, at) = (self.size, self.place_of(i));
         [IVec2::X, IVec2::NEG_X, IVec2::Y, IVec2::NEG_Y]
             .into_iter()
             .map(move |step| at + step)
@@ -109,8 +109,44 @@ impl Silhouette {
 
     /// Radius of the largest circle in it, about, pixels.
     pub(super) fn inscribed_radius(&self) -> f32 {
-        let steps = self.steps_from(|i| !self.inside[i], |_| true);
-        steps.into_iter().max().unwrap_or(0) as f32 * self.cell * STEP_TO_LENGTH
+        self.depths().into_iter().fold(0.0, f32::max) * self.cell
+    }
+
+    /// Distance of each cell from the outside, cells, by steps to the eight neighbours; 0 outside.
+    pub(super) fn depths(&self) -> Vec<f32> {
+        let mut depth: Vec<f32> =
+            self.inside.iter().map(|inside| if *inside { f32::INFINITY } else { 0.0 }).collect();
+        let step = |i: usize, depth: &mut Vec<f32>| {
+            let nearest = self.around(i).map(|(next, length)| depth[next] + length).fold(depth[i], f32::min);
+            depth[i] = nearest;
+        };
+        (0..depth.len()).for_each(|i| step(i, &mut depth));
+        (0..depth.len()).rev().for_each(|i| step(i, &mut depth));
+        depth
+    }
+
+    /// The eight neighbours of a cell and their distances, cells.
+    pub(super) fn around(&self, i: usize) -> impl Iterator<Item = (usize, f32)> + use<'_> {
+        let at = self.place_of(i);
+        let offsets = (-1..=1).flat_map(|x| (-1..=1).map(move |y| IVec2::new(x, y)));
+        offsets
+            .filter(|offset| *offset != IVec2::ZERO)
+            .filter_map(move |offset| Some((self.number_at(at + offset)?, offset.as_vec2().length())))
+    }
+
+    /// Column and row of a cell.
+    pub(super) fn place_of(&self, i: usize) -> IVec2 {
+        IVec2::new(i as i32 % self.size.x, i as i32 / self.size.x)
+    }
+
+    /// The cell at a column and row; none outside of the grid.
+    pub(super) fn number_at(&self, at: IVec2) -> Option<usize> {
+        (at.cmpge(IVec2::ZERO).all() && at.cmplt(self.size).all()).then(|| self.number(at))
+    }
+
+    /// Middle of a cell, pixels.
+    pub(super) fn middle(&self, i: usize) -> Vec2 {
+        self.place(self.place_of(i))
     }
 
     /// Share of these places that lies in the largest connected area.
@@ -124,14 +160,33 @@ impl Silhouette {
         inside as f32 / all.max(1) as f32
     }
 
+    /// Share of the area that lies in circles, given by their middles and radii in pixels.
+    pub(super) fn share_within<'a>(&self, circles: impl Iterator<Item = &'a (Vec2, f32)>) -> f32 {
+        let mut is_within = vec![false; self.inside.len()];
+        for &(middle, radius) in circles {
+            let (at, reach) = (self.cell_at(middle), radius / self.cell);
+            let around = reach.ceil() as i32;
+            for offset in (-around..=around).flat_map(|x| (-around..=around).map(move |y| IVec2::new(x, y))) {
+                if offset.as_vec2().length() <= reach
+                    && let Some(i) = self.number_at(at + offset)
+                {
+                    is_within[i] = true;
+                }
+            }
+        }
+        let inside = self.inside.iter().filter(|inside| **inside).count();
+        let within =
+            self.inside.iter().zip(&is_within).filter(|(inside, within)| **inside && **within).count();
+        within as f32 / inside.max(1) as f32
+    }
+
     /// Contour of the largest connected area, first point not repeated; empty where nothing is enclosed.
     pub(super) fn contour(&self) -> Vec<Vec2> {
         let largest = self.largest_area();
-        let is_in =
-            |at: IVec2| at.cmpge(IVec2::ZERO).all() && at.cmplt(self.size).all() && largest[self.number(at)];
+        let is_in = |at: IVec2| self.number_at(at).is_some_and(|i| largest[i]);
         let Some(first) = (0..largest.len()).find(|i| largest[*i]) else { return Vec::new() };
         // Along the corners of cells with the area on the right hand, from the upper left corner of the topmost cell.
-        let start = IVec2::new(first as i32 % self.size.x, first as i32 / self.size.x);
+        let start = self.place_of(first);
         let (mut at, mut heading) = (start, IVec2::X);
         let mut contour = Vec::new();
         loop {
@@ -178,9 +233,6 @@ impl Silhouette {
         area
     }
 }
-
-/// Length of a step between cells on the average over all directions, in cells: steps go to four sides only.
-const STEP_TO_LENGTH: f32 = 0.8;
 
 /// Share of a contour's points that are nearer than `reach` to some point of these lines, whose points are nearer to one another
 /// than that.

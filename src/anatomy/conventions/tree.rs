@@ -8,8 +8,9 @@
 //!
 //! Limits: a single line below an outline is a stem, and that a flower, see [`corolla`](super::corolla).
 
+use super::evidence;
 use super::page::{Line, Page, notches};
-use super::silhouette::{self, Silhouette, smooth_contour};
+use super::silhouette::{Silhouette, smooth_contour};
 use super::trunk::{Rows, Trunk};
 use super::{Habit, Hypothesis, Made};
 use crate::geom::{convex_hull::convex_hull, simple_loop};
@@ -19,8 +20,6 @@ use std::f32::consts::PI;
 
 /// Lowest tree, as a share of the drawing's diagonal.
 const LOWEST: f32 = 0.15;
-/// Fewest blades, drawn one by one, that speak against a crown; their largest extent and least area as shares of the whole.
-const BLADES: (usize, f32, f32) = (3, 0.4, 0.002);
 /// How wide gaps of a crown's outline are closed, in cells of its silhouette, one after the other until it is closed.
 const BRIDGES: [i32; 3] = [8, 16, 24];
 /// Share of its convex hull that an outline without a wide gap encloses.
@@ -31,14 +30,10 @@ const SOLID: f32 = 0.6;
 const WIDER: f32 = 1.25;
 /// Least share of what is drawn above the trunk that lies in the crown.
 const INSIDE: f32 = 0.85;
-/// Most lines that draw a crown's outline, least share of it that they draw, and how near they are, in cells of the silhouette.
-const OUTLINE: (usize, f32, f32) = (4, 0.7, 3.0);
 /// Most area of a crown that is higher than so many times its width, in areas of the largest circle in it.
 const COMPACT: (f32, f32) = (4.0, 0.8);
 /// Fewest notches of a crown that begins without a jump of the width.
 const NOTCHES: usize = 3;
-/// Extent of a flower centre, and how far it may lie from the middle, in reaches of the crown.
-const CENTRE: (f32, f32, f32) = (0.2, 1.0, 0.4);
 /// Points of a crown's outline.
 const POINTS: usize = 160;
 /// Log-odds of a tree where all of this holds.
@@ -52,41 +47,40 @@ pub(super) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
 fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let lines: Vec<&Line> = group.iter().map(|i| &page.lines[*i]).collect();
     let rows = Rows::new(&lines)?;
-    if rows.height() < LOWEST * page.diagonal || blades(&lines, rows.width_and_height()) >= BLADES.0 {
+    let size = rows.width_and_height();
+    let is_of_form = size.y > LOWEST * page.diagonal && evidence::has_outline(&lines, size);
+    if !is_of_form || evidence::has_blades(&lines, size) {
         return None;
     }
     let trunk = rows.trunk()?;
     let outline = crown(&lines, &trunk)?;
-    if lines.iter().any(|line| is_flower_centre(line, &outline)) {
+    if evidence::has_flower_centre(&lines, &outline) {
         return None;
     }
+    let uses = page.with_what_is_inside(group, &outline);
     let parts = vec![trunk.centre_line(&outline), Made::new(Tool::Crown, outline)];
     let (reading, habit) = (Reading::Tree, Some(Habit::Tree));
-    Some(Hypothesis { uses: group.to_vec(), score: SCORE, parts, solids: Vec::new(), reading, habit })
+    Some(Hypothesis { uses, score: SCORE, parts, solids: Vec::new(), reading, habit })
 }
 
 /// The outline of the crown above a trunk.
 fn crown(lines: &[&Line], trunk: &Trunk) -> Option<Vec<Vec2>> {
-    let above: Vec<Vec<Vec2>> = lines.iter().flat_map(|line| above(&line.points, trunk.top)).collect();
+    let above: Vec<Vec<Vec2>> = lines.iter().flat_map(|line| line.above(trunk.top)).collect();
     // What the crown rests on: its outline is open where the trunk comes in.
     let sill = vec![trunk.sill.0, trunk.sill.1];
     let all = above.iter().chain([&sill]).map(Vec::as_slice);
-    let mut longest: Vec<&[Vec2]> = above.iter().map(Vec::as_slice).collect();
-    longest.sort_by_key(|line| std::cmp::Reverse(line.len()));
-    longest.truncate(OUTLINE.0);
-    longest.push(&sill);
+    let drawn = above.iter().map(Vec::as_slice);
     let ink: Vec<Vec2> = above.iter().flatten().copied().collect();
     let hull = convex_hull(&ink, |p| *p);
     let hull_area = simple_loop::signed_area(hull.iter().copied()).abs();
     let closed =
         |bridge: &i32| Some(Silhouette::new(all.clone(), *bridge)).filter(|s| s.area() > CLOSED * hull_area);
     let silhouette = BRIDGES.iter().find_map(closed)?;
-    let outline = smooth_contour(&silhouette.contour(), POINTS, 2);
-    let reach = OUTLINE.2 * silhouette.cell();
+    let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
     let is_crown = is_compact(&silhouette, &hull, trunk.narrow)
         && silhouette.share_inside(ink.iter()) >= INSIDE
-        && silhouette::share_along(&outline, longest.iter().copied(), reach) >= OUTLINE.1
-        && (trunk.is_sharp || notches(&outline) >= NOTCHES);
+        && evidence::is_drawn_by_few(&outline, drawn, &[&sill], &silhouette)
+        && (trunk.is_sharp || notches(&outline).len() >= NOTCHES);
     is_crown.then_some(outline)
 }
 
@@ -98,33 +92,6 @@ fn is_compact(silhouette: &Silhouette, hull: &[Vec2], half_trunk: f32) -> bool {
     let is_high = high.y - low.y > COMPACT.1 * (high.x - low.x);
     let is_arm = is_high && area > COMPACT.0 * PI * radius * radius;
     area >= SOLID * hull_area && radius >= WIDER * half_trunk && !is_arm
-}
-
-/// How many of these lines are outlines of blades, drawn one by one: closed, convex but for little, and small in the whole.
-fn blades(lines: &[&Line], whole: Vec2) -> usize {
-    let is_blade = |line: &&&Line| {
-        line.is_closed_and_solid()
-            && line.size().max_element() < BLADES.1 * whole.max_element()
-            && line.area > BLADES.2 * whole.x * whole.y
-    };
-    lines.iter().filter(is_blade).count()
-}
-
-/// Whether a line is a round outline about the middle of a crown: then that is a corolla.
-fn is_flower_centre(line: &Line, outline: &[Vec2]) -> bool {
-    let middle = outline.iter().sum::<Vec2>() / outline.len().max(1) as f32;
-    let reach = outline.iter().map(|p| p.distance(middle)).fold(0.0, f32::max);
-    let is_of_size = (CENTRE.0 * reach..CENTRE.1 * reach).contains(&line.size().max_element());
-    line.is_closed_and_solid() && is_of_size && line.middle().distance(middle) < CENTRE.2 * reach
-}
-
-/// The stretches of a line above a height.
-fn above(points: &[Vec2], height: f32) -> Vec<Vec<Vec2>> {
-    points
-        .chunk_by(|a, b| (a.y <= height) == (b.y <= height))
-        .filter(|run| run[0].y <= height)
-        .map(<[Vec2]>::to_vec)
-        .collect()
 }
 
 #[cfg(test)]

@@ -179,6 +179,11 @@ fn rows(share: f32) -> usize {
 }
 
 impl Trunk {
+    /// Middles and half widths from below, pixels.
+    pub(super) fn rows(&self) -> &[(Vec2, f32)] {
+        &self.rows
+    }
+
     /// The middle of the trunk, which goes on into the crown, with its width as pressure.
     pub(super) fn centre_line(&self, crown: &[Vec2]) -> Made {
         let top = crown.iter().map(|p| p.y).fold(self.top, f32::min);
