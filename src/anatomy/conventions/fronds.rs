@@ -13,7 +13,7 @@
 use super::page::Page;
 use super::spikes::{Spike, joined, spikes};
 use super::trunk_sides::TrunkSides;
-use super::{Habit, Hypothesis, Made, pot};
+use super::{Habit, Hypothesis, Made};
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
 use std::f32::consts::PI;
@@ -37,16 +37,11 @@ const IN_POT: f32 = 0.15;
 /// Half width of a frond at most, as a share of its length.
 const HALF: f32 = 0.2;
 
-/// Proposes palms, one for each group of lines at most, and what rises from the mouth of a pot.
+/// Proposes palms, one for each group of lines at most, and what rises from the mouth of a pot that was proposed.
 pub(super) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
-    let mut pots = Vec::new();
-    pot::propose(page, &mut pots);
-    let is_pot = |line: &usize| pots.iter().any(|pot| pot.uses.binary_search(line).is_ok());
-    for group in page.groups.iter().chain(&page.wide_groups) {
-        let plant: Vec<usize> = group.iter().copied().filter(|line| !is_pot(line)).collect();
-        out.extend(palm(page, &plant));
-    }
-    out.extend(pots.first().and_then(|pot| potted(page, pot)));
+    let potted = out.iter().find(|other| other.reading == Reading::Pot).and_then(|pot| potted(page, pot));
+    out.extend(page.groups.iter().chain(&page.wide_groups).filter_map(|group| palm(page, group)));
+    out.extend(potted);
 }
 
 /// Blades that rise from the mouth of a pot, if they are all that is in it.
@@ -54,7 +49,7 @@ fn potted(page: &Page, pot: &Hypothesis) -> Option<Hypothesis> {
     let solid = pot.solids.first()?;
     let (top, bottom) = (solid.profile.first()?.y, solid.profile.last()?.y);
     let mouth = Vec2::new(solid.axis, top + IN_POT * (bottom - top));
-    let plant = (0..page.lines.len()).filter(|line| pot.uses.binary_search(line).is_err());
+    let plant = (0..page.lines.len()).filter(|line| !page.is_apart(*line));
     let lines: Vec<(Vec<Vec2>, usize)> = plant.map(|line| (page.lines[line].points.clone(), line)).collect();
     let crown = Crown::about(mouth, &lines);
     // Blunt tips are those of broad leaves: a crown that stands on a pot has no notches that go down to it.
@@ -64,15 +59,20 @@ fn potted(page: &Page, pot: &Hypothesis) -> Option<Hypothesis> {
 
 fn palm(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let trunk = TrunkSides::find(page, group)?;
+    let (bark, others): (Vec<usize>, Vec<usize>) =
+        group.iter().partition(|line| trunk.has_on_it(**line, &page.lines[**line]));
     let rest: Vec<(Vec<Vec2>, usize)> =
-        group.iter().flat_map(|i| trunk.rest_of(*i, &page.lines[*i])).collect();
+        others.iter().flat_map(|line| trunk.rest_of(*line, &page.lines[*line])).collect();
     let crown = Crown::about(trunk.top(), &rest);
     let fewest = FEWEST - usize::from(!trunk.is_line() && crown.fronds.iter().all(|frond| hangs(&frond.0)));
     let is_crown = crown.fronds.len() >= fewest && crown.is_sharp() && crown.explained > EXPLAINED;
     if !is_crown || trunk.is_line() && !crown.has_blades() || lies_below(&rest, &trunk) {
         return None;
     }
-    Some(crown.hypothesis(trunk.top(), Some(&trunk)))
+    let mut palm = crown.hypothesis(trunk.top(), Some(&trunk));
+    palm.uses.extend(bark);
+    palm.uses.sort_unstable();
+    Some(palm)
 }
 
 /// Fronds about a place.
@@ -158,8 +158,12 @@ mod tests {
     use super::*;
 
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
-        let mut out = Vec::new();
-        propose(&Page::of_lines(lines), &mut out);
+        let (mut page, mut out) = (Page::of_lines(lines), Vec::new());
+        super::super::pot::propose(&page, &mut out);
+        let pots: Vec<usize> = out.iter().flat_map(|pot| pot.uses.clone()).collect();
+        page.set_apart(&pots);
+        propose(&page, &mut out);
+        out.retain(|found| found.reading == Reading::Fronds);
         out
     }
 

@@ -1,7 +1,7 @@
 //! Blades of grass: a zigzag, or lines side by side that stand on one level.
 //!
-//! Every line is cut into its [`spikes`](super::spikes) above the ground. A zigzag is an open line with [`TEETH`] sharp tips at
-//! least, most of which are drawn one after the other to one side. Lines side by side are upright and their feet at about one level;
+//! Every line is cut into its [`spikes`](super::spikes) above the ground. A zigzag is a line with [`TEETH`] sharp tips at
+//! least, one more if it is closed by a line along the ground, most of which are drawn one after the other to one side. Lines side by side are upright and their feet at about one level;
 //! arcs that lean to a common tip are one blade. Every spike becomes one blade, as wide as it was drawn up to [`HALF`], and
 //! its root is led down to the lowest foot, on which all stand.
 //!
@@ -26,6 +26,9 @@ const PROMINENCE: f32 = 0.1;
 const TIP_SHARE: f32 = 0.3;
 /// Widest angle of a tip in the middle of all: a right angle is a saw, a half circle has nearly two.
 const SHARP: f32 = 0.45 * PI;
+/// Least depth of the notch in the middle of all below the highest tip, as a share of the line's height: the edge of a crown
+/// has its notches far above its foot.
+const DEEP: f32 = 0.35;
 /// Distance between the ends over the diagonal below which a line is an outline.
 const CLOSED: f32 = 0.3;
 /// Greatest area of a blade drawn as an outline, over the square of its length: a circle has 0.08.
@@ -66,13 +69,22 @@ fn upright_spikes(line: &Line) -> Vec<Spike> {
 
 /// The teeth of a line, if it is a zigzag.
 fn zigzag(line: &Line) -> Option<Vec<Spike>> {
-    if line.openness < CLOSED {
-        return None;
-    }
     let teeth = upright_spikes(line);
     let mut angles: Vec<f32> = teeth.iter().filter_map(|tooth| tooth.angle(TIP_SHARE)).collect();
-    let is_zigzag = angles.len() >= TEETH && median(&mut angles) < SHARP && goes_to_one_side(&teeth);
-    is_zigzag.then_some(teeth)
+    let is_closed = line.openness < CLOSED;
+    if angles.len() < TEETH + usize::from(is_closed) || is_closed && !is_level_below(line) {
+        return None;
+    }
+    let mut notches: Vec<f32> = teeth.iter().map(|tooth| tooth.foot().y).collect();
+    let is_deep = median(&mut notches) > line.bounds.0.y + DEEP * line.size().y;
+    (is_deep && median(&mut angles) < SHARP && goes_to_one_side(&teeth)).then_some(teeth)
+}
+
+/// Whether the lowest part of an outline runs along the ground.
+fn is_level_below(line: &Line) -> bool {
+    let lowest = line.points.iter().filter(|p| p.y > line.bounds.1.y - 0.12 * line.size().y).map(|p| p.x);
+    let (left, right) = lowest.fold((f32::INFINITY, f32::NEG_INFINITY), |(l, r), x| (l.min(x), r.max(x)));
+    right - left > 0.6 * line.size().x
 }
 
 /// Whether most tips come one after the other to the left, or to the right.
@@ -105,7 +117,8 @@ fn is_inside_another(page: &Page, index: usize) -> bool {
 
 /// All lines that stand side by side, if they are most of the drawing.
 fn tuft(page: &Page) -> Option<Hypothesis> {
-    let upright: Vec<usize> = (0..page.lines.len()).filter(|i| is_upright(&page.lines[*i])).collect();
+    let upright: Vec<usize> =
+        (0..page.lines.len()).filter(|i| !page.is_apart(*i) && is_upright(&page.lines[*i])).collect();
     let length: f32 = upright.iter().map(|i| page.lines[*i].length).sum();
     if upright.len() < LINES || length < MOST_OF_ALL * page.length {
         return None;
@@ -194,6 +207,15 @@ mod tests {
         let roots = roots(&found[0]);
         assert!(roots.iter().all(|root| (root.y - roots[0].y).abs() < 0.5), "{roots:?}");
         assert!(roots.windows(2).all(|pair| (pair[1].x - pair[0].x - 18.0).abs() < 4.0), "{roots:?}");
+    }
+
+    #[test]
+    fn a_zigzag_that_is_closed_along_the_ground_is_grass_and_a_crown_with_spikes_is_none() {
+        let mut closed = zigzag(5, 0.0);
+        closed.extend([Vec2::new(85.0, 3.0), Vec2::new(5.0, 4.0), Vec2::new(0.0, 0.0)]);
+        assert_eq!(read(&[closed.clone()]).first().map(|grass| grass.parts.len()), Some(5));
+        closed.splice(11.., [Vec2::new(90.0, 150.0), Vec2::new(0.0, 150.0), Vec2::new(0.0, 0.0)]);
+        assert!(read(&[closed]).is_empty());
     }
 
     #[test]

@@ -78,8 +78,12 @@ pub fn interpret(strokes: &[Arc<Stroke>], params: &ConventionParams) -> Interpre
     if !params.enabled {
         return Interpretation::untouched(strokes);
     }
-    let page = Page::new(strokes);
+    let mut page = Page::new(strokes);
     let mut hypotheses = Vec::new();
+    // What stands in a pot is looked at without it.
+    pot::propose(&page, &mut hypotheses);
+    let pots: Vec<usize> = hypotheses.iter().flat_map(|pot| pot.uses.clone()).collect();
+    page.set_apart(&pots);
     let conventions = [
         tree::propose,
         bush::propose,
@@ -89,7 +93,6 @@ pub fn interpret(strokes: &[Arc<Stroke>], params: &ConventionParams) -> Interpre
         leaf::propose,
         grass::propose,
         fronds::propose,
-        pot::propose,
         not_plant::propose,
     ];
     conventions.iter().for_each(|propose| propose(&page, &mut hypotheses));

@@ -54,8 +54,10 @@ pub struct Page {
     pub bounds: (Vec2, Vec2),
     /// Diagonal of the bounds.
     pub diagonal: f32,
-    /// Length of all strokes, also of those whose tool was chosen, pixels.
+    /// Length of all strokes, also of those whose tool was chosen, but not of lines apart, pixels.
     pub length: f32,
+    /// Lines that belong to no group, ascending.
+    apart: Vec<usize>,
 }
 
 impl Page {
@@ -84,11 +86,34 @@ impl Page {
         let diagonal = if strokes.is_empty() { 0.0 } else { bounds.0.distance(bounds.1) };
         let automatic = strokes.iter().enumerate().filter(|(_, stroke)| stroke.tool == Tool::Auto);
         let lines: Vec<Line> = automatic.filter_map(|(i, stroke)| Line::new(i, stroke, diagonal)).collect();
-        let touching = groups(&lines, TOUCH * diagonal);
-        let mut wide_groups = groups(&lines, NEAR * diagonal);
-        wide_groups.retain(|group| touching.binary_search(group).is_err());
         let length = strokes.iter().map(|stroke| length_of(stroke)).filter(|length| length.is_finite()).sum();
-        Self { lines, groups: touching, wide_groups, bounds, diagonal, length }
+        let (groups, wide_groups) = (Vec::new(), Vec::new());
+        let mut it = Self { lines, groups, wide_groups, bounds, diagonal, length, apart: Vec::new() };
+        it.group();
+        it
+    }
+
+    /// Takes lines out of all groups: what stands in a pot is not one thing with it.
+    pub(super) fn set_apart(&mut self, lines: &[usize]) {
+        if lines.is_empty() {
+            return;
+        }
+        self.length -= lines.iter().map(|line| self.lines[*line].length).sum::<f32>();
+        self.apart = lines.to_vec();
+        self.group();
+    }
+
+    /// Whether a line belongs to no group.
+    pub(super) fn is_apart(&self, line: usize) -> bool {
+        self.apart.binary_search(&line).is_ok()
+    }
+
+    fn group(&mut self) {
+        let mut touching = groups(&self.lines, TOUCH * self.diagonal, &self.apart);
+        let mut near = groups(&self.lines, NEAR * self.diagonal, &self.apart);
+        touching.retain(|group| !self.is_apart(group[0]));
+        near.retain(|group| !self.is_apart(group[0]) && touching.binary_search(group).is_err());
+        (self.groups, self.wide_groups) = (touching, near);
     }
 }
 
@@ -109,10 +134,11 @@ fn length_of(stroke: &Stroke) -> f32 {
 }
 
 /// Lines of which some points are nearer than about `reach`: a point joins the lines of its cell and of the cells around it.
-fn groups(lines: &[Line], reach: f32) -> Vec<Vec<usize>> {
+/// Those `apart` are by themselves.
+fn groups(lines: &[Line], reach: f32, apart: &[usize]) -> Vec<Vec<usize>> {
     let mut leader: Vec<usize> = (0..lines.len()).collect();
     let mut user_of: HashMap<IVec2, usize> = HashMap::new();
-    for (i, line) in lines.iter().enumerate() {
+    for (i, line) in lines.iter().enumerate().filter(|(i, _)| apart.binary_search(i).is_err()) {
         for point in &line.points {
             let cell = (point / reach).floor().as_ivec2();
             for (dx, dy) in (-1..=1).flat_map(|dx| (-1..=1).map(move |dy| (dx, dy))) {

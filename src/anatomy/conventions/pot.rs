@@ -1,6 +1,6 @@
 //! The pot in which a plant stands: what is lowest, box-like with a flat bottom, and has a plant in its upper edge.
 //!
-//! A line may be a pot if it has two sides nearly all the way up, a bottom that is flat over [`FLAT`] of its width, no notches
+//! A line, or three for the bottom and the sides, may be a pot if it has two sides nearly all the way up, a bottom that is flat over [`FLAT`] of its width, no notches
 //! ([`SOLID`]) and is not much higher than wide ([`HIGHEST`]). What lies within its bounds belongs to it, and so do level
 //! bands at its upper edge: the rim. It is a pot only if a plant stands in it: other lines have their lowest point at the upper
 //! edge between the sides and rise well above it, narrower than the pot where they enter. A trunk, the stalk of a mushroom and
@@ -42,19 +42,24 @@ const SCORE: f32 = 3.5;
 /// How far other things may reach below it, in heights of the pot: under it, and beside it, where they may stand before it.
 const BELOW: (f32, f32) = (0.15, 0.5);
 /// Candidates that are looked at, the lowest first.
-const MOST: usize = 4;
+const MOST: usize = 8;
 
 /// Proposes the lowest pot with a plant in it.
 pub(super) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
-    let has_bottom = |i: &usize| has_bottom(page, &page.lines[*i]);
-    let mut candidates: Vec<usize> = (0..page.lines.len()).filter(has_bottom).collect();
-    candidates.sort_by(|a, b| page.lines[*b].bounds.1.y.total_cmp(&page.lines[*a].bounds.1.y).then(a.cmp(b)));
-    candidates.truncate(MOST);
-    out.extend(candidates.into_iter().find_map(|body| pot(page, body)));
+    let bodies = (0..page.lines.len())
+        .filter(|i| has_bottom(page, &page.lines[*i]) || is_level(page, &page.lines[*i]));
+    let mut bodies: Vec<usize> = bodies.collect();
+    bodies.sort_by(|a, b| page.lines[*b].bounds.1.y.total_cmp(&page.lines[*a].bounds.1.y).then(a.cmp(b)));
+    bodies.truncate(MOST);
+    out.extend(bodies.into_iter().find_map(|body| pot(page, body)));
 }
 
 fn pot(page: &Page, body: usize) -> Option<Hypothesis> {
-    let pot = Pot::around(page, body);
+    let pot = if is_level(page, &page.lines[body]) {
+        Pot::around(page, &with_sides(page, body)?)
+    } else {
+        Pot::around(page, &[body])
+    };
     let lines: Vec<&[Vec2]> = pot.uses.iter().map(|i| &page.lines[*i].points[..]).collect();
     let rows = rows(&lines, pot.low, pot.high);
     if !pot.is_box(&lines, &rows) || pot.stands_on_more(page) || !pot.has_plant(page) {
@@ -86,6 +91,28 @@ fn has_bottom(page: &Page, line: &Line) -> bool {
         && flat > FLAT.0 * size.x
 }
 
+/// Whether a line may be the bottom of a pot of which the sides were drawn by themselves.
+fn is_level(page: &Page, line: &Line) -> bool {
+    let size = line.size();
+    size.x >= NARROWEST * page.diagonal && size.y < LOWEST * size.x
+}
+
+/// A level line with the two lines that rise from its ends.
+fn with_sides(page: &Page, bottom: usize) -> Option<[usize; 3]> {
+    let line = &page.lines[bottom];
+    let (width, ends) = (line.size().x, line.ends());
+    let side = |corner: Vec2| {
+        let rises = |other: &Line| {
+            let (first, last) = other.ends();
+            let foot = if first.y > last.y { first } else { last };
+            foot.distance(corner) < 0.2 * width && other.size().y > other.size().x.max(LOWEST * width)
+        };
+        (0..page.lines.len()).find(|i| rises(&page.lines[*i]))
+    };
+    let (left, right) = (side(ends.0)?, side(ends.1)?);
+    (left != right).then_some([left, bottom, right])
+}
+
 /// A pot with all its lines.
 struct Pot {
     uses: Vec<usize>,
@@ -96,8 +123,10 @@ struct Pot {
 
 impl Pot {
     /// The lines within a body's bounds and the bands at its upper edge.
-    fn around(page: &Page, body: usize) -> Self {
-        let (low, high) = page.lines[body].bounds;
+    fn around(page: &Page, body: &[usize]) -> Self {
+        let union = |a: (Vec2, Vec2), b: (Vec2, Vec2)| (a.0.min(b.0), a.1.max(b.1));
+        let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+        let (low, high) = body.iter().map(|i| page.lines[*i].bounds).fold(empty, union);
         let size = high - low;
         let is_part = |line: &Line| {
             let own = line.size();
@@ -110,9 +139,8 @@ impl Pot {
                 && (is_inside || is_rim && line.bounds.1.y > low.y - 0.15 * size.y)
         };
         let uses: Vec<usize> =
-            (0..page.lines.len()).filter(|i| *i == body || is_part(&page.lines[*i])).collect();
-        let bounds = uses.iter().map(|i| page.lines[*i].bounds);
-        let (low, high) = bounds.fold((low, high), |(l, h), (low, high)| (l.min(low), h.max(high)));
+            (0..page.lines.len()).filter(|i| body.contains(i) || is_part(&page.lines[*i])).collect();
+        let (low, high) = uses.iter().map(|i| page.lines[*i].bounds).fold((low, high), union);
         Self { uses, low, high, size: high - low }
     }
 
@@ -251,6 +279,14 @@ mod tests {
         assert!(solid.axis.abs() < 0.5, "{}", solid.axis);
         assert!((top.x - 25.0).abs() < 1.5 && (bottom.x - 18.0).abs() < 1.5, "{top} {bottom}");
         assert!((top.y + 40.0).abs() < 2.0 && bottom.y.abs() < 2.0, "{top} {bottom}");
+    }
+
+    #[test]
+    fn bottom_and_sides_may_be_drawn_by_themselves() {
+        let sides = [line(&[(-18.0, 1.0), (-25.0, -40.0)]), line(&[(25.0, -39.0), (19.0, 0.0)])];
+        let bottom = line(&[(-18.0, 0.0), (18.0, 0.0)]);
+        let found = read(&[stem(), bottom, sides[0].clone(), sides[1].clone()]);
+        assert_eq!(found.first().map(|pot| &pot.uses[..]), Some(&[1, 2, 3][..]));
     }
 
     #[test]

@@ -23,6 +23,8 @@ const SIDE: (f32, f32) = (0.25, 0.3);
 const APART: (f32, f32) = (0.02, 0.5);
 /// Greatest width at the top, in mean widths: what widens upward is a pair of leaves.
 const WIDER: f32 = 1.4;
+/// How far from the middle lines on the bark reach, in half widths of the trunk.
+const BARK: f32 = 1.3;
 /// Lean of a side at which it is no more the trunk's, radians.
 const LEAN: f32 = 1.2;
 /// Gap over which a line goes on, as a share of the height.
@@ -166,6 +168,18 @@ impl TrunkSides {
         self.middle[self.middle.len() - 1].0
     }
 
+    /// Whether another line lies on its bark, between its sides and below its top: a ring, a knot, a shade.
+    pub(super) fn has_on_it(&self, number: usize, line: &Line) -> bool {
+        let lower = &self.middle[..POINTS * 9 / 10];
+        let is_on = |p: &Vec2| {
+            let away = |row: &&(Vec2, f32)| row.0.distance_squared(*p);
+            let near = lower.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
+            near.is_some_and(|row| row.0.distance(*p) < BARK * row.1)
+        };
+        let is_side = self.own.range((number, 0)..=(number, usize::MAX)).next().is_some();
+        !is_side && line.points.iter().all(is_on)
+    }
+
     /// The runs of points of a line that are not the trunk's, each with the line's number.
     pub(super) fn rest_of(&self, number: usize, line: &Line) -> Vec<(Vec<Vec2>, usize)> {
         let is_own = |k: &usize| self.own.contains(&(number, *k));
@@ -279,6 +293,16 @@ mod tests {
         let fan = |x: f32| vec![Vec2::new(50.0 + 0.1 * x, 0.0), Vec2::new(50.0 + x, -80.0)];
         let (_, trunk) = found(&[fan(-30.0), fan(30.0), crown()]).unwrap();
         assert!(trunk.is_line() && trunk.branch().half_width.is_none());
+    }
+
+    #[test]
+    fn rings_lie_on_the_bark_and_fronds_do_not() {
+        let ring = |y: f32| vec![Vec2::new(1.0, y), Vec2::new(6.0, y + 2.0), Vec2::new(11.0, y)];
+        let sides = [0.0, 12.0].map(|x| vec![Vec2::new(x, 0.0), Vec2::new(x, -90.0)]);
+        let (page, trunk) =
+            found(&[ring(-30.0), ring(-60.0), sides[0].clone(), sides[1].clone(), crown()]).unwrap();
+        let on_it: Vec<bool> = (0..5).map(|i| trunk.has_on_it(i, &page.lines[i])).collect();
+        assert_eq!(on_it, [true, true, false, false, false]);
     }
 
     #[test]
