@@ -2,7 +2,7 @@
 //!
 //! Lines that touch or are near one another are searched for a [`trunk`](super::trunk); the crown is what the lines above it
 //! enclose, gaps closed as little as needed. What speaks for a crown is that a few lines draw its outline, that it is solid,
-//! compact and wider than the trunk, and that it begins with a jump of the width or has notches. Arms of a cactus, the web of
+//! compact, wider than the trunk and no smaller, and that it begins with a jump of the width or has notches. Arms of a cactus, the web of
 //! drawn branches and the base of a leaf are not so; a round outline in its middle makes it a corolla, and several closed
 //! outlines in it are leaves or petals that were drawn one by one.
 //!
@@ -54,7 +54,8 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     }
     let trunk = rows.trunk()?;
     let outline = crown(&lines, &trunk)?;
-    if evidence::has_flower_centre(&lines, &outline) {
+    let area = simple_loop::signed_area(outline.iter().copied()).abs();
+    if area < trunk.area() || evidence::has_flower_centre(&lines, &outline) {
         return None;
     }
     let uses = page.with_what_is_inside(group, &outline);

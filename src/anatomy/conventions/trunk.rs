@@ -184,6 +184,11 @@ impl Trunk {
         &self.rows
     }
 
+    /// Area between its sides, pixels².
+    pub(super) fn area(&self) -> f32 {
+        self.rows.windows(2).map(|pair| 2.0 * pair[0].1 * (pair[0].0.y - pair[1].0.y).abs()).sum()
+    }
+
     /// The middle of the trunk, which goes on into the crown, with its width as pressure.
     pub(super) fn centre_line(&self, crown: &[Vec2]) -> Made {
         let top = crown.iter().map(|p| p.y).fold(self.top, f32::min);
