@@ -48,7 +48,6 @@ fn grown_wood_hardly_cuts_itself_at_any_age() {
                 simulation.grow_to(age as u16, &|| false);
                 let what = format!("{name} of {age} years, seed {seed}");
                 let (count, all) = crossing_wood(&what, &plant_at(&simulation, age).plant);
-                assert!(count <= 40.max(all / 1000), "{what}: {count} of {all} faces cross others");
                 if count * 1000 > all {
                     above.push(format!("{what}: {count} of {all}"));
                 }
@@ -57,8 +56,8 @@ fn grown_wood_hardly_cuts_itself_at_any_age() {
         }
     }
     eprintln!("{crossing} of {faces} faces of {plants} plants; more than 0.1 %: {above:#?}");
-    assert!(crossing * 10_000 <= 2 * faces, "{crossing} of {faces}");
-    assert!(above.len() <= 2 && plants > 200, "{} of {plants}: {above:?}", above.len());
+    assert!(crossing * 10_000 <= faces, "{crossing} of {faces}");
+    assert!(above.is_empty() && plants > 200, "{} of {plants}: {above:?}", above.len());
 }
 
 /// Five plants of every species as old as it says: each keeps what is said of grown wood, without the exceptions of young wood.
@@ -79,7 +78,7 @@ fn five_plants_of_every_species_hardly_cut_themselves() {
     let counts: Vec<(usize, usize)> = plants.par_iter().map(crossing_of).collect();
     let (crossing, faces) = counts.iter().fold((0, 0), |sum, of| (sum.0 + of.0, sum.1 + of.1));
     eprintln!("{crossing} of {faces} faces of {} plants", counts.len());
-    assert!(crossing * 10_000 <= 2 * faces, "{crossing} of {faces}");
+    assert!(crossing * 10_000 <= faces, "{crossing} of {faces}");
     assert_eq!(counts.len(), 70);
 }
 

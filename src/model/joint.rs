@@ -10,7 +10,8 @@
 //!
 //! Limits: a branch that never leaves its parent has no exit and is not seen.
 
-use super::spine::{self, Ring};
+use super::bend::Bend;
+use super::spine::{self, Ring, between};
 use crate::plant::junction::{COLLAR, Footprint, LEAST_ANGLE_RAD, LEAST_SINE, half_angle};
 use glam::Vec3;
 use std::ops::Range;
@@ -96,7 +97,7 @@ pub(super) fn exit(
     if (led - exit.at).abs() <= LED * exit.half_length {
         return Some(exit);
     }
-    let place = |arc: f32| at(parent, parent_arcs, arc).at;
+    let place = |arc: f32| spine::at(parent, parent_arcs, arc).at;
     let way = place(led) - place(exit.at);
     let reach = exit.arc + AFTER * way.length();
     let mut arc = 0.0;
@@ -147,17 +148,21 @@ impl Parent<'_> {
         let (ring, foot) = self.lean(ring, &way.near);
         let (across, along) = foot.off_axis(ring.at);
         let axis = foot.ring.tangent;
+        let outward = across.try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector());
         let slant = ring.tangent.cross(axis).length();
         let collar = COLLAR * ring.radius;
         // Not shorter than what the first ring overhangs.
         let half_length = (collar / slant.max(LEAST_SINE)).max(OVERHANG * (along.abs() + collar * slant));
+        let bend =
+            Bend { parent: (self.rings, self.arcs), ring, outward, upward: axis, at: foot.arc, half_length };
+        let [below, above] = bend.half_lengths();
         Some(Exit {
             ring,
             arc,
-            outward: across.try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector()),
+            outward,
             upward: axis,
-            at: foot.arc,
-            half_length,
+            at: foot.arc + 0.5 * (above - below),
+            half_length: 0.5 * (above + below),
             half_angle: half_angle(collar, foot.ring.radius, WIDEST),
         })
     }
@@ -294,20 +299,4 @@ impl Foot {
         let inner = collar * (1.0 - facing * facing).max(0.0).sqrt();
         (away - inner - (1.0 + CLEAR) * self.ring.radius).max(along - self.left - collar)
     }
-}
-
-/// A ring between two.
-pub(super) fn between(a: &Ring, b: &Ring, share: f32) -> Ring {
-    Ring {
-        at: a.at.lerp(b.at, share),
-        radius: a.radius + (b.radius - a.radius) * share,
-        tangent: a.tangent.lerp(b.tangent, share).try_normalize().unwrap_or(a.tangent),
-    }
-}
-
-/// The ring at a length along rings, which have these lengths before them.
-pub(super) fn at(rings: &[Ring], arcs: &[f32], arc: f32) -> Ring {
-    let i = arcs.partition_point(|a| *a <= arc).clamp(1, rings.len() - 1);
-    let share = ((arc - arcs[i - 1]) / (arcs[i] - arcs[i - 1])).clamp(0.0, 1.0);
-    between(&rings[i - 1], &rings[i], share)
 }

@@ -12,7 +12,7 @@
 //! | `shapes`, `copies` | blades that are copies of few shapes |
 //! | `instances` | copies by their shapes, for glTF |
 //! | `spine`, `tube` | single branches |
-//! | `limbs`, `rows`, `joint`, `window`, `strip`, `wood`, `sealing` | branches that grow out of one another |
+//! | `limbs`, `rows`, `joint`, `bend`, `window`, `strip`, `wood`, `sealing` | branches that grow out of one another |
 //! | `surface`, `wood_changes`, `wood_memory` | their surface made anew only near what changed |
 //! | `solids`, `filaments` | receptacles, fruits, pots |
 //! | `organs` | all organs of one part |
@@ -24,6 +24,7 @@
 //! | `pick` | which branch or organ a ray meets |
 
 mod afford;
+mod bend;
 mod blade;
 mod build;
 mod cache;

@@ -6,9 +6,9 @@
 //!
 //! Limits: of windows beside each other only the thickest one's branch decides how its rings are turned.
 
-use super::joint::{self, Exit};
+use super::joint::Exit;
 use super::limbs::{COLLAR_LENGTH, Limb, Limbs};
-use super::spine::Ring;
+use super::spine::{self, Ring};
 use super::window;
 use crate::geom::frame;
 use crate::plant::junction::COLLAR;
@@ -70,7 +70,7 @@ fn lay_out(Limbs { rings, arcs, all: limbs, children, .. }: &Limbs, limb: &Limb,
     grid.push(Row::new(start, first));
     let after_collar = start + limb.exit.map_or(0.0, |exit| COLLAR_LENGTH * exit.ring.radius);
     if limb.exit.is_some() && after_collar < end {
-        grid.push(Row::new(after_collar, joint::at(own, along, after_collar)));
+        grid.push(Row::new(after_collar, spine::at(own, along, after_collar)));
     }
     let kept = grid.len();
     grid.extend(
@@ -88,7 +88,7 @@ fn lay_out(Limbs { rings, arcs, all: limbs, children, .. }: &Limbs, limb: &Limb,
         let high = exit.at + exit.half_length;
         for arc in [low, high] {
             if arc > after_collar && arc < end {
-                grid.push(Row::new(arc, joint::at(own, along, arc)));
+                grid.push(Row::new(arc, spine::at(own, along, arc)));
             }
         }
     }

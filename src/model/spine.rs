@@ -35,6 +35,22 @@ impl Ring {
     }
 }
 
+/// A ring between two.
+pub(super) fn between(a: &Ring, b: &Ring, share: f32) -> Ring {
+    Ring {
+        at: a.at.lerp(b.at, share),
+        radius: a.radius + (b.radius - a.radius) * share,
+        tangent: a.tangent.lerp(b.tangent, share).try_normalize().unwrap_or(a.tangent),
+    }
+}
+
+/// The ring at a length along rings, which have these lengths before them.
+pub(super) fn at(rings: &[Ring], arcs: &[f32], arc: f32) -> Ring {
+    let i = arcs.partition_point(|a| *a <= arc).clamp(1, rings.len() - 1);
+    let share = ((arc - arcs[i - 1]) / (arcs[i] - arcs[i - 1])).clamp(0.0, 1.0);
+    between(&rings[i - 1], &rings[i], share)
+}
+
 /// Memory that is used again for every tube.
 #[derive(Debug, Default)]
 pub(super) struct SpineScratch {
