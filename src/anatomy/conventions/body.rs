@@ -36,15 +36,15 @@ const BLUNT: f32 = 0.6;
 /// One tip in more than so many may be pointed.
 const MOSTLY: usize = 2;
 /// Shortest arm, in half widths of the trunk there, and shortest that does not rise: what is shorter is a corner at the foot.
-const ARM: (f32, f32) = (2.0, 4.0);
+const ARM: (f32, f32) = (2.5, 4.0);
 /// Least distance of the ends of a column's outline, as a share of its width.
 const OPEN: f32 = 0.6;
 /// Least share of what is drawn that lies in the body.
 const INSIDE: f32 = 0.95;
 /// Points of the outline.
 const POINTS: usize = 160;
-/// Log-odds of a body.
-const SCORE: f32 = 3.5;
+/// Log-odds of a body: where it could be a tree, it is one.
+const SCORE: f32 = 2.9;
 
 /// Proposes bodies, one for each group of lines at most.
 pub(super) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
@@ -81,7 +81,7 @@ fn body(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
     let covered = silhouette.share_within(axes.iter().flat_map(|axis| &axis.points));
     let inside = silhouette.share_inside(lines.iter().flat_map(|line| &line.points));
-    let is_smooth = notches(&outline).len() <= 2 * axes.len();
+    let is_smooth = notches(&outline).len() < 2 * axes.len();
     if !is_body
         || !is_smooth
         || covered < COVERED

@@ -20,8 +20,8 @@ const SMALLEST: f32 = 0.2;
 const NARROWEST: f32 = 0.6;
 /// Fewest notches of an outline that is closed, and of one that is open below, as no blade is.
 const NOTCHES: (usize, usize) = (3, 2);
-/// Length of the lines in perimeters of their hull from which they are a scribble.
-const SCRIBBLE: f32 = 2.2;
+/// Least share of the whole that lines scribble over.
+const SCRIBBLE: f32 = 0.35;
 /// Least share of its convex hull that a bush fills.
 const SOLID: f32 = 0.62;
 /// Height above its lowest point at which a bush is measured, and least width there, as shares of its height and width.
@@ -29,7 +29,7 @@ const FOOT: (f32, f32) = (0.15, 0.4);
 /// Farthest that a line may leave the area, as a share of its height.
 const OUTSIDE: f32 = 0.15;
 /// How wide gaps of the outline are closed, in cells of the silhouette.
-const BRIDGE: i32 = 12;
+const BRIDGE: i32 = 15;
 /// Points of the outline.
 const POINTS: usize = 160;
 /// Stems: directions from upright in degrees, and lengths in heights of the bush.
@@ -59,9 +59,10 @@ fn bush(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let silhouette = Silhouette::new(drawn().chain(closing.iter().copied()), BRIDGE);
     let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
     let area = simple_loop::signed_area(outline.iter().copied()).abs();
-    let length: f32 = lines.iter().map(|line| line.length).sum();
-    let is_scribble = length > SCRIBBLE * perimeter(&hull);
-    let is_solid = area > SOLID * simple_loop::signed_area(hull.iter().copied()).abs();
+    let hull_area = simple_loop::signed_area(hull.iter().copied()).abs();
+    let scribbled: f32 = lines.iter().filter(|line| line.is_scribble()).map(|line| line.hull_area).sum();
+    let is_scribble = scribbled > SCRIBBLE * hull_area;
+    let is_solid = area > SOLID * hull_area;
     let has_notches = notches(&outline).len() >= if closing.is_empty() { NOTCHES.0 } else { NOTCHES.1 };
     let is_outline = has_notches
         && evidence::is_drawn_by_few(&outline, drawn(), &closing, &silhouette)
@@ -112,10 +113,6 @@ fn is_left(lines: &[&Line], outline: &[Vec2]) -> bool {
     let ends = lines.iter().flat_map(|line| [line.ends().0, line.ends().1]);
     let mut away = ends.map(|end| (end.clamp(bounds.0, bounds.1)).distance(end));
     away.any(|away| away > reach)
-}
-
-fn perimeter(hull: &[Vec2]) -> f32 {
-    hull.iter().zip(hull.iter().cycle().skip(1)).map(|(a, b)| a.distance(*b)).sum()
 }
 
 /// Stems from the middle of the foot.

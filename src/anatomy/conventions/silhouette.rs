@@ -5,10 +5,12 @@
 //! outer cells. Cost: the number of cells, [`LONG_SIDE`]² at most, whatever the lines.
 
 use glam::{IVec2, Vec2};
-use std::collections::{HashSet, VecDeque};
+use std::collections::HashSet;
 
 /// Cells along the longer side.
-const LONG_SIDE: f32 = 128.0;
+const LONG_SIDE: f32 = 112.0;
+/// What a step to a cell beside and one to a cell across count, about as long as they are.
+const CHAMFER: (u16, u16) = (5, 7);
 
 /// Cells inside lines.
 #[derive(Clone, Debug)]
@@ -20,6 +22,8 @@ pub(super) struct Silhouette {
     margin: i32,
     ink: Vec<bool>,
     inside: Vec<bool>,
+    /// The largest connected part of the inside.
+    largest: Vec<bool>,
 }
 
 impl Silhouette {
@@ -33,7 +37,15 @@ impl Silhouette {
         let margin = thick + 2;
         let size = ((high - low) / cell).ceil().as_ivec2() + 2 * margin + 1;
         let cells = (size.x * size.y) as usize;
-        let mut it = Self { low, cell, size, margin, ink: vec![false; cells], inside: Vec::new() };
+        let mut it = Self {
+            low,
+            cell,
+            size,
+            margin,
+            ink: vec![false; cells],
+            inside: Vec::new(),
+            largest: Vec::new(),
+        };
         lines.for_each(|line| it.draw(line));
         it.fill(thick);
         it
@@ -51,28 +63,49 @@ impl Silhouette {
     }
 
     fn fill(&mut self, thick: i32) {
-        let to_ink = self.steps_from(|i| self.ink[i], |_| true);
-        let is_wall = |i: usize| to_ink[i] <= thick;
-        let from_outside = self.steps_from(|i| i == 0, |i| !is_wall(i));
-        let is_reached = |i: usize| from_outside[i] < i32::MAX;
-        let to_outside = self.steps_from(is_reached, |_| true);
-        self.inside = (0..self.ink.len()).map(|i| self.ink[i] || to_outside[i] > thick).collect();
+        let wall = CHAMFER.0 * thick as u16;
+        let to_ink = self.distances(|i| self.ink[i]);
+        // The margin is wider than lines are thickened, so the first cell is outside.
+        let outside = self.connected(0, |i| to_ink[i] > wall);
+        let to_outside = self.distances(|i| outside[i]);
+        self.inside = (0..self.ink.len()).map(|i| self.ink[i] || to_outside[i] > wall).collect();
+        self.largest = self.largest_area();
     }
 
-    /// Steps from each cell to the nearest that is a source, through cells that are `open`, to the four sides.
-    fn steps_from(&self, is_source: impl Fn(usize) -> bool, is_open: impl Fn(usize) -> bool) -> Vec<i32> {
-        let mut steps = vec![i32::MAX; self.ink.len()];
-        let mut queue: VecDeque<usize> = (0..steps.len()).filter(|i| is_source(*i)).collect();
-        queue.iter().for_each(|i| steps[*i] = 0);
-        while let Some(i) = queue.pop_front() {
+    /// Distance of each cell from the nearest that is a source, in steps to the eight neighbours, which count [`CHAMFER`]: two
+    /// sweeps (Borgefors, “Distance transformations in digital images”, 1986). Cells on the rim of the grid count as far away.
+    fn distances(&self, is_source: impl Fn(usize) -> bool) -> Vec<u16> {
+        let far = u16::MAX - CHAMFER.1;
+        let mut distance: Vec<u16> =
+            (0..self.ink.len()).map(|i| if is_source(i) { 0 } else { far }).collect();
+        let (width, height) = (self.size.x as usize, self.size.y as usize);
+        let before = [(1, CHAMFER.0), (width - 1, CHAMFER.1), (width, CHAMFER.0), (width + 1, CHAMFER.1)];
+        let inner = |row: usize| row * width + 1..(row + 1) * width - 1;
+        for i in (1..height - 1).flat_map(inner) {
+            let nearest = before.iter().map(|(offset, step)| distance[i - offset] + step).min();
+            distance[i] = distance[i].min(nearest.unwrap_or(far)).min(far);
+        }
+        for i in (1..height - 1).rev().flat_map(|row| inner(row).rev()) {
+            let nearest = before.iter().map(|(offset, step)| distance[i + offset] + step).min();
+            distance[i] = distance[i].min(nearest.unwrap_or(far)).min(far);
+        }
+        distance
+    }
+
+    /// The cells that are connected with one through open cells, over their sides.
+    fn connected(&self, first: usize, is_open: impl Fn(usize) -> bool) -> Vec<bool> {
+        let mut is_reached = vec![false; self.ink.len()];
+        let mut open = vec![first];
+        is_reached[first] = true;
+        while let Some(i) = open.pop() {
             for next in self.sides(i) {
-                if steps[next] == i32::MAX && is_open(next) {
-                    steps[next] = steps[i] + 1;
-                    queue.push_back(next);
+                if !is_reached[next] && is_open(next) {
+                    is_reached[next] = true;
+                    open.push(next);
                 }
             }
         }
-        steps
+        is_reached
     }
 
     fn sides(&self, i: usize) -> impl Iterator<Item = usize> + use<> {
@@ -112,17 +145,10 @@ impl Silhouette {
         self.depths().into_iter().fold(0.0, f32::max) * self.cell
     }
 
-    /// Distance of each cell from the outside, cells, by steps to the eight neighbours; 0 outside.
+    /// Distance of each cell from the outside, cells; 0 outside.
     pub(super) fn depths(&self) -> Vec<f32> {
-        let mut depth: Vec<f32> =
-            self.inside.iter().map(|inside| if *inside { f32::INFINITY } else { 0.0 }).collect();
-        let step = |i: usize, depth: &mut Vec<f32>| {
-            let nearest = self.around(i).map(|(next, length)| depth[next] + length).fold(depth[i], f32::min);
-            depth[i] = nearest;
-        };
-        (0..depth.len()).for_each(|i| step(i, &mut depth));
-        (0..depth.len()).rev().for_each(|i| step(i, &mut depth));
-        depth
+        let distances = self.distances(|i| !self.inside[i]);
+        distances.into_iter().map(|distance| f32::from(distance) / f32::from(CHAMFER.0)).collect()
     }
 
     /// The eight neighbours of a cell and their distances, cells.
@@ -151,7 +177,7 @@ impl Silhouette {
 
     /// Share of these places that lies in the largest connected area.
     pub(super) fn share_inside<'a>(&self, places: impl Iterator<Item = &'a Vec2>) -> f32 {
-        let largest = self.largest_area();
+        let largest = &self.largest;
         let (mut inside, mut all) = (0, 0);
         for place in places {
             all += 1;
@@ -182,7 +208,7 @@ impl Silhouette {
 
     /// Contour of the largest connected area, first point not repeated; empty where nothing is enclosed.
     pub(super) fn contour(&self) -> Vec<Vec2> {
-        let largest = self.largest_area();
+        let largest = &self.largest;
         let is_in = |at: IVec2| self.number_at(at).is_some_and(|i| largest[i]);
         let Some(first) = (0..largest.len()).find(|i| largest[*i]) else { return Vec::new() };
         // Along the corners of cells with the area on the right hand, from the upper left corner of the topmost cell.
@@ -205,31 +231,32 @@ impl Silhouette {
         }
     }
 
+    /// The largest connected area, of equals the first.
     fn largest_area(&self) -> Vec<bool> {
-        let mut best: (usize, Vec<usize>) = (0, Vec::new());
-        let mut seen = vec![false; self.inside.len()];
-        for first in 0..seen.len() {
-            if seen[first] || !self.inside[first] {
+        let mut is_seen = vec![false; self.inside.len()];
+        let mut best: Vec<usize> = Vec::new();
+        for first in 0..is_seen.len() {
+            if is_seen[first] || !self.inside[first] {
                 continue;
             }
             let mut members = vec![first];
-            seen[first] = true;
+            is_seen[first] = true;
             let mut next = 0;
             while next < members.len() {
                 for side in self.sides(members[next]) {
-                    if !seen[side] && self.inside[side] {
-                        seen[side] = true;
+                    if !is_seen[side] && self.inside[side] {
+                        is_seen[side] = true;
                         members.push(side);
                     }
                 }
                 next += 1;
             }
-            if members.len() > best.0 {
-                best = (members.len(), members);
+            if members.len() > best.len() {
+                best = members;
             }
         }
-        let mut area = vec![false; seen.len()];
-        best.1.into_iter().for_each(|i| area[i] = true);
+        let mut area = vec![false; is_seen.len()];
+        best.into_iter().for_each(|i| area[i] = true);
         area
     }
 }

@@ -38,6 +38,8 @@ const NOTCHES: usize = 3;
 const POINTS: usize = 160;
 /// Log-odds of a tree where all of this holds.
 const SCORE: f32 = 3.0;
+/// More for each line that it explains.
+const EACH: f32 = 0.02;
 
 /// Proposes trees, one for each group of lines at most.
 pub(super) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
@@ -61,7 +63,9 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let uses = page.with_what_is_inside(group, &outline);
     let parts = vec![trunk.centre_line(&outline), Made::new(Tool::Crown, outline)];
     let (reading, habit) = (Reading::Tree, Some(Habit::Tree));
-    Some(Hypothesis { uses, score: SCORE, parts, solids: Vec::new(), reading, habit })
+    // Of two groups the one that explains more.
+    let score = SCORE + EACH * uses.len() as f32;
+    Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit })
 }
 
 /// The outline of the crown above a trunk.
