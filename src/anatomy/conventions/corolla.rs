@@ -1,5 +1,359 @@
-//! Not written yet.
+//! A corolla in any number of strokes around a flower's centre: every lobe becomes a petal.
+//!
+//! The centre is a round closed stroke, a spiral or a small scribble. Around it stand lines that come near it and leave it again:
+//! one for the whole corolla, or an arc for each petal. Lines whose ends meet are one; what they are cut into at their notches
+//! ([`lobes`](super::lobes)) are the petals, at least [`FEWEST`], more than half around. Their roots are led to the centre, under
+//! its edge, where petals gather; the centre's own stroke is drawn anew from its middle, so that it gathers with them. What
+//! stands inside the centre is its ornament. Where half of the petals are loops of
+//! their own that overlap the round one, as in the papers, that is a petal like them, and all stay as they are.
+//!
+//! A crown with an apple in it has two sides of a trunk below and shallow notches far from the apple: that speaks against.
+//!
+//! Limits: a plain ring around a centre has no petals. A heap of more than [`MOST_LINES`] lines at one centre is not looked at.
 
-use super::{Hypothesis, page::Page};
+use super::lobes::{self, Focus};
+use super::page::{Line, Page};
+use super::{Habit, Hypothesis, Made};
+use crate::sketch::{Reading, Tool};
+use glam::Vec2;
+use std::f32::consts::{FRAC_PI_4, PI, TAU};
 
-pub(super) fn propose(_: &Page, _: &mut Vec<Hypothesis>) {}
+/// Fewest petals of a corolla.
+const FEWEST: usize = 3;
+/// Most lines that are looked at around one centre.
+const MOST_LINES: usize = 64;
+/// Narrowest centre, its width over its height or the other way round; a disc seen from the side.
+const NARROWEST: f32 = 0.35;
+/// Share of the ellipse in its bounds that the hull of a centre fills: a square has 1.27, a leaf that lies askew about 0.5.
+const FILL: (f32, f32) = (0.7, 1.2);
+/// Largest opening of a round stroke.
+const OPEN: f32 = 0.35;
+/// Least area inside a round stroke, as a share of its hull; and how often a spiral winds.
+const SOLID: f32 = 0.8;
+const WOUND: f32 = 1.4;
+/// Most that a corolla's line winds around the centre, in turns: a scribble winds more.
+const ONCE: f32 = 1.3;
+/// How far from the middle a petal reaches, in half sizes of the centre, and where petals' lines come nearest to it.
+const REACH: (f32, f32) = (1.3, 6.0);
+const NEAREST: f32 = 2.2;
+/// How far petals reach at least around a centre that is no disc: a scribble in a crown fills it.
+const SCRIBBLED: f32 = 2.0;
+/// Widest angle between the directions of loops around a centre that keeps them apart.
+const LOOP_GAP: f32 = 0.28 * TAU;
+/// How far petals of their own stay away from the middle if what stands there is a centre and no petal.
+const KEPT_OUT: f32 = 0.75;
+/// Least angle that petals fill if they go all around.
+const ALL_AROUND: f32 = 0.85 * TAU;
+/// Farthest end of an arc for one petal, as a share of its reach.
+const BACK: f32 = 0.7;
+/// Distance within which ends of lines meet, as a share of the corolla's reach.
+const MEET: f32 = 0.15;
+/// Smallest petal, as a share of the largest one's area.
+const SMALLEST: f32 = 0.06;
+/// Least angle that petals fill together.
+const AROUND: f32 = PI * 0.9;
+/// Where the roots of petals are brought, in half sizes of the centre.
+const ROOT: f32 = 0.15;
+/// Farthest from the middle of the corolla that the centre stands, as a share of the corolla's half size.
+const OFF_CENTRE: f32 = 0.5;
+
+/// Points of a centre's outline.
+const RING: usize = 90;
+
+/// Proposes a corolla around each centre.
+pub(super) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
+    let centres: Vec<usize> = (0..page.lines.len()).filter(|i| is_round(&page.lines[*i])).collect();
+    let grown = |i: &usize| {
+        let line = &page.lines[*i];
+        (line.bounds.0 - 0.5 * line.size(), line.bounds.1 + 0.5 * line.size())
+    };
+    let boxes: Vec<(Vec2, Vec2)> = centres.iter().map(grown).collect();
+    let near = page.lines_at(&boxes);
+    out.extend(centres.iter().zip(near).filter_map(|(centre, near)| corolla(page, *centre, &near)));
+}
+
+/// Whether a line may be a flower's centre: a disc, a spiral or a scribble about as wide as high.
+fn is_round(line: &Line) -> bool {
+    let size = line.size();
+    let fill = line.hull_area / (FRAC_PI_4 * size.x * size.y).max(f32::MIN_POSITIVE);
+    let is_disc = line.openness < OPEN && line.solidity() > SOLID;
+    let is_wound = winding(&line.points, line.middle()) > WOUND * TAU;
+    size.min_element() >= NARROWEST * size.max_element()
+        && (FILL.0..=FILL.1).contains(&fill)
+        && (is_disc || is_wound)
+}
+
+/// A line around a centre, of one stroke or of several whose ends meet.
+struct Chain {
+    points: Vec<Vec2>,
+    is_closed: bool,
+}
+
+fn corolla(page: &Page, centre: usize, near: &[usize]) -> Option<Hypothesis> {
+    let disc = &page.lines[centre];
+    let focus = Focus { place: disc.middle(), half: 0.5 * disc.size() };
+    if near.len() > MOST_LINES {
+        return None;
+    }
+    let others = || near.iter().copied().filter(|i| *i != centre);
+    let is_inside = |i: &usize| focus.reach(&page.lines[*i].points) < REACH.0 - 0.1;
+    let petal_lines: Vec<usize> = others().filter(|i| is_around(&page.lines[*i], &focus)).collect();
+    let chains = chains(petal_lines.iter().map(|i| &page.lines[*i]), &focus);
+    if chains.iter().any(|chain| winding(&chain.points, focus.place) > ONCE * TAU) {
+        return None;
+    }
+    let is_loop = |chain: &&Chain| chain.is_closed && winding(&chain.points, focus.place) < PI;
+    let loops = chains.iter().filter(is_loop).count();
+    let petals = petals(&chains, &focus);
+    let reach = petals.iter().map(|stretch| focus.reach(stretch)).sum::<f32>() / petals.len().max(1) as f32;
+    if disc.openness >= OPEN && reach < SCRIBBLED {
+        return None;
+    }
+    let keep_out = petals.iter().flatten().all(|p| focus.distance(*p) > KEPT_OUT);
+    let is_open = keep_out && widest_gap(&petals, focus.place) < LOOP_GAP;
+    let is_papers_way = 2 * loops >= petals.len() && !is_open;
+    if is_papers_way
+        || petals.len() < FEWEST
+        || lobes::around(&petals, focus.place) < AROUND
+        || !is_amid(&petals, &focus)
+    {
+        return None;
+    }
+    let mut uses: Vec<usize> =
+        others().filter(is_inside).chain(petal_lines.iter().copied()).chain([centre]).collect();
+    uses.sort_unstable();
+    let score = score(page, near, &uses, &petals, &focus);
+    let root = |stretch: &[Vec2]| {
+        focus.place + ROOT * focus.half.min_element() * lobes::direction(stretch, focus.place)
+    };
+    let parts = petals.iter().map(|stretch| Made::new(Tool::Petal, lobes::rooted(stretch, root(stretch))));
+    let parts = parts.chain([Made::new(Tool::Auto, from_middle(&disc.hull, focus.place))]).collect();
+    Some(Hypothesis {
+        uses,
+        score,
+        parts,
+        solids: Vec::new(),
+        reading: Reading::Corolla,
+        habit: Some(Habit::Flower),
+    })
+}
+
+/// Whether a line comes near a centre and reaches out from there, with both ends near it, with notches, or around it.
+fn is_around(line: &Line, focus: &Focus) -> bool {
+    let reach = focus.reach(&line.points);
+    let nearest = line.points.iter().map(|p| focus.distance(*p)).fold(f32::INFINITY, f32::min);
+    let (first, last) = line.ends();
+    let comes_back = focus.distance(first).max(focus.distance(last)) < BACK * reach || line.openness < OPEN;
+    let has_notches =
+        || winding(&line.points, focus.place) > PI || lobes::cut(&line.points, focus, false).len() > 1;
+    (REACH.0..REACH.1).contains(&reach) && nearest < NEAREST && (comes_back || has_notches())
+}
+
+/// Angle that a line turns around a place, without sign.
+fn winding(points: &[Vec2], place: Vec2) -> f32 {
+    points.windows(2).map(|pair| (pair[0] - place).angle_to(pair[1] - place)).sum::<f32>().abs()
+}
+
+/// Puts lines together whose ends meet, each with the nearest of the others, again and again.
+fn chains<'a>(lines: impl Iterator<Item = &'a Line>, focus: &Focus) -> Vec<Chain> {
+    let mut open: Vec<Vec<Vec2>> = Vec::new();
+    let mut out: Vec<Chain> = Vec::new();
+    for line in lines {
+        if line.openness < OPEN {
+            out.push(Chain { points: line.points.clone(), is_closed: true });
+        } else {
+            open.push(line.points.clone());
+        }
+    }
+    let reach = open.iter().map(|points| focus.reach(points)).fold(0.0, f32::max);
+    let meets = MEET * reach * focus.half.min_element();
+    while let Some(mut chain) = open.pop() {
+        while let Some((k, next)) = continuation(&chain, &open, meets) {
+            open.remove(k);
+            chain = next;
+        }
+        let is_closed =
+            chain[0].distance(chain[chain.len() - 1]) < meets && winding(&chain, focus.place) > PI;
+        out.push(Chain { points: chain, is_closed });
+    }
+    out
+}
+
+/// The line among `others` that begins or ends nearest to an end of a chain, and the chain with it.
+fn continuation(chain: &[Vec2], others: &[Vec<Vec2>], meets: f32) -> Option<(usize, Vec<Vec2>)> {
+    let ways = |points: &[Vec2]| [points.to_vec(), points.iter().rev().copied().collect::<Vec<Vec2>>()];
+    let mut best: Option<(f32, usize, Vec<Vec2>)> = None;
+    for (k, other) in others.iter().enumerate() {
+        for before in ways(chain) {
+            for after in ways(other) {
+                let gap = before[before.len() - 1].distance(after[0]);
+                if gap < best.as_ref().map_or(meets, |best| best.0) {
+                    best = Some((gap, k, before.iter().copied().chain(after).collect()));
+                }
+            }
+        }
+    }
+    best.map(|(_, k, points)| (k, points))
+}
+
+/// The petals of all lines around a centre: stretches that leave it and are not too small.
+fn petals(chains: &[Chain], focus: &Focus) -> Vec<Vec<Vec2>> {
+    let mut petals: Vec<Vec<Vec2>> = Vec::new();
+    for Chain { points, is_closed } in chains {
+        let is_ring = *is_closed && winding(points, focus.place) > PI;
+        if *is_closed && !is_ring {
+            petals.push(from_nearest(points, focus));
+        } else {
+            petals.extend(lobes::cut(points, focus, is_ring));
+        }
+    }
+    let area = |stretch: &[Vec2]| lobes::area(&lobes::rooted(stretch, focus.place));
+    let largest = petals.iter().map(|stretch| area(stretch)).fold(0.0, f32::max);
+    petals.retain(|stretch| area(stretch) > SMALLEST * largest && focus.reach(stretch) > REACH.0);
+    petals
+}
+
+/// A loop that begins and ends where it is nearest to the centre.
+fn from_nearest(points: &[Vec2], focus: &Focus) -> Vec<Vec2> {
+    let nearest =
+        (0..points.len()).min_by(|a, b| focus.distance(points[*a]).total_cmp(&focus.distance(points[*b])));
+    let mut around = points.to_vec();
+    around.rotate_left(nearest.unwrap_or(0));
+    around
+}
+
+/// Widest angle between neighbouring petals' directions.
+fn widest_gap(petals: &[Vec<Vec2>], place: Vec2) -> f32 {
+    let mut angles: Vec<f32> = petals.iter().map(|petal| lobes::direction(petal, place).to_angle()).collect();
+    angles.sort_by(f32::total_cmp);
+    angles.extend(angles.first().map(|first| first + TAU));
+    angles.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f32::max)
+}
+
+/// Whether a centre stands in the middle of its petals as far as they go around it, and is no dot among them.
+fn is_amid(petals: &[Vec<Vec2>], focus: &Focus) -> bool {
+    let points = || petals.iter().flatten();
+    let low = points().copied().fold(Vec2::INFINITY, Vec2::min);
+    let high = points().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
+    let half = 0.5 * (high - low);
+    let off = (low.midpoint(high) - focus.place).abs() / half.max(Vec2::splat(f32::MIN_POSITIVE));
+    // A corolla that is not drawn all around has its middle elsewhere.
+    let is_whole = lobes::around(petals, focus.place) > ALL_AROUND;
+    !is_whole || off.max_element() < OFF_CENTRE
+}
+
+/// What speaks for a corolla, and against.
+fn score(page: &Page, near: &[usize], uses: &[usize], petals: &[Vec<Vec2>], focus: &Focus) -> f32 {
+    let depth = petals.iter().map(|petal| lobes::depth(petal, focus)).sum::<f32>() / petals.len() as f32;
+    let hangs = |i: &&usize| {
+        let line = &page.lines[**i];
+        uses.binary_search(*i).is_err()
+            && line.bounds.1.y > focus.place.y + REACH.0 * focus.half.y
+            && line.openness > 0.8
+    };
+    let stems = near.iter().filter(hangs).count();
+    let against = if stems > 1 && depth > 0.75 { 2.5 } else { 0.0 };
+    4.0 + 0.1 * petals.len().min(8) as f32 + (1.0 - depth) - against
+}
+
+/// The outline of a disc as one stroke from its middle and back to it, the mouth hardly open.
+fn from_middle(hull: &[Vec2], middle: Vec2) -> Vec<Vec2> {
+    let mut ring = hull.to_vec();
+    ring.extend(hull.first());
+    let even = super::page::even(&ring, RING);
+    std::iter::once(middle).chain(even[..RING - 1].iter().copied()).chain([middle]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
+        let mut out = Vec::new();
+        propose(&Page::of_lines(lines), &mut out);
+        out
+    }
+
+    /// Around (0, 0) from one angle to another, `lobes` all around that are `depth` higher than the ring of radius 40.
+    fn ring(lobes: f32, depth: f32, (from, to): (f32, f32)) -> Vec<Vec2> {
+        let place = |k: usize| {
+            let angle = from + (to - from) * k as f32 / 200.0;
+            (40.0 + depth * (0.5 * lobes * angle).sin().abs()) * Vec2::from_angle(angle)
+        };
+        (0..=200).map(place).collect()
+    }
+
+    fn circle(radius: f32) -> Vec<Vec2> {
+        (0..=60).map(|k| radius * Vec2::from_angle(TAU * k as f32 / 60.0 + 1.0)).collect()
+    }
+
+    fn line(from: (f32, f32), to: (f32, f32)) -> Vec<Vec2> {
+        vec![Vec2::from(from), Vec2::from(to)]
+    }
+
+    #[test]
+    fn a_corolla_in_one_stroke_becomes_petals_from_the_centre() {
+        for (from, to) in [(0.0, TAU), (0.6, TAU + 0.5), (4.0, 4.0 - TAU)] {
+            let drawing = [line((0.0, 300.0), (0.0, 60.0)), ring(6.0, 30.0, (from, to)), circle(25.0)];
+            let found = read(&drawing);
+            let [flower] = &found[..] else { panic!("{} corollas", found.len()) };
+            assert_eq!(flower.uses, [1, 2], "the stem stays");
+            let (petals, centre): (Vec<_>, Vec<_>) =
+                flower.parts.iter().partition(|part| part.tool == Tool::Petal);
+            assert_eq!((petals.len(), centre.len()), (6, 1));
+            assert!(petals.iter().all(|petal| petal.points[0].position.length() < 10.0));
+            assert_eq!(centre[0].tool, Tool::Auto);
+            assert!(flower.score > 3.0, "{}", flower.score);
+        }
+    }
+
+    #[test]
+    fn arcs_of_their_own_are_petals_and_what_stands_in_the_centre_is_its_ornament() {
+        let arc = |k: usize| ring(5.0, 60.0, (k as f32 * TAU / 5.0 + 0.1, (k + 1) as f32 * TAU / 5.0 - 0.1));
+        let mut drawing: Vec<Vec<Vec2>> = (0..5).map(arc).collect();
+        drawing.extend([circle(36.0), line((-10.0, 0.0), (10.0, 5.0))]);
+        let found = read(&drawing);
+        assert_eq!(found[0].uses, [0, 1, 2, 3, 4, 5, 6]);
+        assert_eq!(found[0].parts.len(), 6);
+    }
+
+    #[test]
+    fn two_strokes_that_meet_are_one_corolla() {
+        let drawing = [ring(6.0, 30.0, (0.5, 3.3)), ring(6.0, 30.0, (3.35, 0.45 + TAU)), circle(25.0)];
+        assert_eq!(read(&drawing)[0].parts.len(), 7);
+    }
+
+    #[test]
+    fn loops_of_their_own_are_petals_around_a_disc_but_not_around_a_loop_like_them() {
+        let drawing = |away: f32| -> Vec<Vec<Vec2>> {
+            let petal = |k: usize| {
+                let turn = Vec2::from_angle(k as f32 * TAU / 6.0);
+                circle(20.0)
+                    .into_iter()
+                    .map(|p| turn.rotate(Vec2::new(away, 0.0) + p * Vec2::new(1.2, 1.1)))
+                    .collect()
+            };
+            (0..6).map(petal).chain([circle(25.0)]).collect()
+        };
+        assert!(read(&drawing(30.0)).is_empty());
+        assert_eq!(read(&drawing(52.0))[0].parts.len(), 7);
+        assert!(read(&drawing(52.0)[2..]).is_empty(), "not all around");
+    }
+
+    #[test]
+    fn plain_rings_and_scribbles_are_no_corolla() {
+        assert!(read(&[ring(1.0, 0.0, (0.0, TAU)), circle(20.0)]).is_empty());
+        let frame: Vec<Vec2> = [(-60.0, -60.0), (60.0, -60.0), (60.0, 60.0), (-60.0, 60.0), (-60.0, -60.0)]
+            .map(Vec2::from)
+            .into();
+        assert!(read(&[frame, circle(20.0)]).is_empty());
+        assert!(read(&[ring(6.0, 30.0, (0.0, 3.0 * TAU)), circle(20.0)]).is_empty());
+    }
+
+    #[test]
+    fn an_apple_in_a_crown_speaks_less_for_a_flower_than_a_trunk_for_a_tree() {
+        let crown = ring(7.0, 8.0, (2.0, 2.0 + TAU));
+        let tree = [line((-8.0, 120.0), (-8.0, 40.0)), line((8.0, 120.0), (8.0, 40.0)), crown, circle(16.0)];
+        assert!(read(&tree).iter().all(|flower| flower.score < 3.0));
+    }
+}

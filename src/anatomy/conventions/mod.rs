@@ -24,8 +24,11 @@
 //! | `bush` | a crown without a trunk: outline, open outline, scribble |
 //! | `body` | the body of a cactus, a column with arms |
 //! | `mushroom` | a cap on a stalk |
-//! | `corolla` | a corolla in one stroke around a flower centre, or at the end of a stem |
+//! | `corolla` | a corolla around a flower's centre |
+//! | `corolla_on_stem` | a lobed outline at the end of a stem, without a centre |
+//! | `blade` | outlines of blades, of one stroke or two, and what they leave over |
 //! | `leaf` | a blade of several strokes, its midrib and veins, blade and stalk in one stroke |
+//! | `leaf_loops` | several leaves in one stroke |
 //! | `grass` | a zigzag, or lines side by side: blades of grass |
 //! | `fronds` | lines or lobes that radiate from a trunk's top |
 //! | `pot` | what a plant stands in |
@@ -40,13 +43,16 @@ pub mod hypothesis;
 pub mod page;
 pub mod pieces;
 
+mod blade;
 mod body;
 mod bush;
 mod corolla;
+mod corolla_on_stem;
 mod evidence;
 mod fronds;
 mod grass;
 mod leaf;
+mod leaf_loops;
 mod lobes;
 mod medial_axis;
 mod mushroom;
@@ -90,7 +96,9 @@ pub fn interpret(strokes: &[Arc<Stroke>], params: &ConventionParams) -> Interpre
         body::propose,
         mushroom::propose,
         corolla::propose,
+        corolla_on_stem::propose,
         leaf::propose,
+        leaf_loops::propose,
         grass::propose,
         fronds::propose,
         not_plant::propose,

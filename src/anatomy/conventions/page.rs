@@ -3,7 +3,7 @@
 //! A line is its stroke at even steps of arc length, at most 400 of them: angles and corners then
 //! mean the same in a fast and in a slow hand. All lengths are canvas pixels.
 
-use crate::geom::{convex_hull::convex_hull, polyline, region::Region, simple_loop};
+use crate::geom::{convex_hull::convex_hull, meetings, polyline, region::Region, simple_loop};
 use crate::sketch::{Stroke, Tool};
 use glam::{IVec2, Vec2};
 use std::collections::HashMap;
@@ -117,6 +117,33 @@ impl Page {
     }
 }
 
+/// Size from which a part counts fully, as a share of the drawing's diagonal, and the least that a smaller one counts.
+const FULL_WEIGHT: f32 = 0.4;
+const LEAST_WEIGHT: f32 = 0.3;
+
+/// Most steps that a search for lines in boxes takes: that many lines in one spot are no drawing.
+const MOST_STEPS: u64 = 1 << 24;
+
+impl Page {
+    /// How much a part of such a diagonal counts: what is small beside the drawing must not outweigh what explains all of it.
+    pub(super) fn weight(&self, diagonal: f32) -> f32 {
+        (diagonal / (FULL_WEIGHT * self.diagonal)).clamp(LEAST_WEIGHT, 1.0)
+    }
+
+    /// For each box, by its smallest and largest corner, the lines whose bounds it touches, ascending.
+    pub(super) fn lines_at(&self, boxes: &[(Vec2, Vec2)]) -> Vec<Vec<usize>> {
+        let asked = boxes.len();
+        let all = boxes.iter().copied().chain(self.lines.iter().map(|line| line.bounds));
+        let all: Vec<meetings::Bounds> = all.map(|(low, high)| (low.extend(0.0), high.extend(0.0))).collect();
+        let of_box = |a: usize, b: usize| (a < asked && asked <= b).then(|| (a, b - asked));
+        let mut pairs = meetings::meetings_within(MOST_STEPS, &all, of_box).unwrap_or_default();
+        pairs.sort_unstable();
+        let mut lines = vec![Vec::new(); asked];
+        pairs.into_iter().for_each(|(place, line)| lines[place].push(line));
+        lines
+    }
+}
+
 #[cfg(test)]
 impl Page {
     /// That of lines through some corners, drawn at even steps.
@@ -226,6 +253,12 @@ impl Line {
     /// Whether it is an outline that comes back to its beginning and has no deep notches.
     pub fn is_closed_and_solid(&self) -> bool {
         self.openness < 0.2 && self.solidity() > 0.8
+    }
+
+    /// Whether another line lies in the bounds of this one, which encloses much more.
+    pub fn is_around(&self, other: &Line) -> bool {
+        let is_in = other.bounds.0.cmpge(self.bounds.0).all() && other.bounds.1.cmple(self.bounds.1).all();
+        is_in && self.hull_area > 2.0 * other.hull_area && self.solidity() > 0.5
     }
 
     /// Share of the convex hull that the line encloses: 1 for convex outlines, little for stars and zigzags.

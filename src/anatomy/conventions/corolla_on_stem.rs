@@ -1,0 +1,247 @@
+//! A flower without a drawn centre: a lobed outline at the upper end of a single stem line.
+//!
+//! The outline is one stroke, open or closed, with at least three lobes: around its middle, as in a flower seen from the
+//! front, or, if it has none there, from where the stem meets it, as in a tulip seen from the side. What carries it is one line
+//! that begins at the outline or within and ends below; two such lines are a trunk's sides, and that is a tree.
+//! Lines within say that it is something else, a leaf with its veins or a crown with twigs; a dot may stand there.
+//!
+//! A crown on a trunk that is a single line has shallow lobes, and a trunk shorter than itself.
+//!
+//! Limits: a crown with deep lobes on a long line is read as a flower, too: nothing tells them apart.
+
+use super::lobes::{self, Focus};
+use super::page::{Line, Page};
+use super::{Habit, Hypothesis, Made};
+use crate::geom::polyline;
+use crate::sketch::{Reading, Tool};
+use glam::Vec2;
+use std::f32::consts::TAU;
+
+/// Fewest lobes.
+const FEWEST: usize = 3;
+/// Least chord of a stem over its length, and least rise over its run.
+const STRAIGHT: f32 = 0.85;
+const UPRIGHT: f32 = 1.5;
+/// How far from an outline's bounds a stem may end, as a share of their diagonal, and the least part of a stem below: of its
+/// length, and of the outline's height, for trunks are shorter than their crowns.
+const TOUCH: f32 = 0.1;
+const BELOW: (f32, f32) = (0.3, 0.45);
+/// Least size of an outline, as a share of its stem's length.
+const HEAD: f32 = 0.12;
+/// Longest line in a scribble-free outline, over the root of its hull's area: a circle has 3.5.
+const WIGGLY: f32 = 9.0;
+/// Least share of the bounds that the outline's hull fills, and of the hull that the outline fills.
+const FULL: (f32, f32) = (0.5, 0.4);
+/// Longest line that may stand within, as a share of the outline's diagonal.
+const DOT: f32 = 0.3;
+/// Distance within which a line in an outline begins at the stem, as a share of the outline's diagonal.
+const TWIG: f32 = 0.03;
+/// Farthest notches from the middle on the average, as a share of their petals' reach: those of a crown are shallow.
+const DEEP: f32 = 0.85;
+/// Smallest petal, as a share of the largest one's area.
+const SMALLEST: f32 = 0.04;
+/// Least angle that petals fill around the middle of a corolla.
+const AROUND: f32 = 0.75 * TAU;
+/// Most lines that are looked at near an outline.
+const MOST_LINES: usize = 64;
+
+/// Proposes a corolla for each outline that stands on a stem of its own.
+pub(super) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
+    let heads: Vec<usize> = (0..page.lines.len()).filter(|i| is_head(&page.lines[*i])).collect();
+    let grown = |i: &usize| {
+        let line = &page.lines[*i];
+        let margin = Vec2::splat(TOUCH * line.size().length());
+        (line.bounds.0 - margin, line.bounds.1 + margin)
+    };
+    let boxes: Vec<(Vec2, Vec2)> = heads.iter().map(grown).collect();
+    let near = page.lines_at(&boxes);
+    out.extend(heads.iter().zip(near).filter_map(|(head, near)| corolla(page, *head, &near)));
+}
+
+/// Whether a line encloses something and is no scribble.
+fn is_head(line: &Line) -> bool {
+    let size = line.size();
+    line.hull_area > FULL.0 * size.x * size.y
+        && line.solidity() > FULL.1
+        && line.length < WIGGLY * line.hull_area.sqrt()
+        && size.min_element() > 0.3 * size.max_element()
+}
+
+fn corolla(page: &Page, head: usize, near: &[usize]) -> Option<Hypothesis> {
+    let line = &page.lines[head];
+    let diagonal = line.size().length();
+    if near.len() > MOST_LINES {
+        return None;
+    }
+    let others = || near.iter().copied().filter(|i| *i != head);
+    let mut stems = others().filter_map(|i| Some((i, stem_top(&page.lines[i], line)?)));
+    let (stem, top) = stems.next()?;
+    if stems.next().is_some() {
+        return None;
+    }
+    // The other side of a trunk may be one stroke with a frond.
+    let foot = page.lines[stem].bounds.1.y;
+    let is_beside = |i: usize| i != stem && page.lines[i].bounds.1.y > 0.5 * (foot + line.bounds.1.y);
+    if others().any(is_beside) {
+        return None;
+    }
+    let (low, high) = line.bounds;
+    let is_within = |i: &usize| {
+        let middle = page.lines[*i].middle();
+        *i != stem && middle.cmpgt(low).all() && middle.cmplt(high).all()
+    };
+    let within: Vec<usize> = others().filter(is_within).collect();
+    let is_twig = |i: &usize| {
+        let (line, stem) = (&page.lines[*i], &page.lines[stem].points);
+        let gap = |p: Vec2| polyline::nearest(stem, p).map_or(f32::INFINITY, |(gap, _)| gap);
+        line.length > DOT * diagonal || line.points.iter().any(|p| gap(*p) < TWIG * diagonal)
+    };
+    if within.iter().any(is_twig) {
+        return None;
+    }
+    let (focus, petals) = seen_from_the_front(line).or_else(|| seen_from_the_side(line, top))?;
+    let parts = petals.iter().map(|stretch| {
+        let root = focus.place + 0.02 * diagonal * lobes::direction(stretch, focus.place);
+        Made::new(Tool::Petal, lobes::rooted(stretch, root))
+    });
+    let parts = parts.collect();
+    let mut uses: Vec<usize> = within.into_iter().chain([head]).collect();
+    uses.sort_unstable();
+    let score = 3.2 + 0.1 * petals.len().min(8) as f32;
+    Some(Hypothesis {
+        uses,
+        score,
+        parts,
+        solids: Vec::new(),
+        reading: Reading::Corolla,
+        habit: Some(Habit::Flower),
+    })
+}
+
+/// The upper end of a line that carries an outline.
+fn stem_top(stem: &Line, head: &Line) -> Option<Vec2> {
+    let (first, last) = stem.ends();
+    let (top, foot) = if first.y < last.y { (first, last) } else { (last, first) };
+    let run = foot - top;
+    let margin = TOUCH * head.size().length();
+    let (low, high) = (head.bounds.0 - margin, head.bounds.1 + margin);
+    let is_stem = run.length() > STRAIGHT * stem.length && run.y > UPRIGHT * run.x.abs();
+    let carries = top.cmpgt(low).all()
+        && top.cmplt(high).all()
+        && foot.y - head.bounds.1.y > (BELOW.0 * run.y).max(BELOW.1 * head.size().y);
+    (is_stem && carries && head.size().max_element() > HEAD * stem.length).then_some(top)
+}
+
+/// Petals around the middle of an outline.
+fn seen_from_the_front(line: &Line) -> Option<(Focus, Vec<Vec<Vec2>>)> {
+    let focus = Focus { place: line.middle(), half: 0.5 * line.size() };
+    let petals = petals(line, &focus);
+    let is_around = lobes::around(&petals, focus.place) > AROUND;
+    let depth =
+        petals.iter().map(|petal| lobes::depth(petal, &focus)).sum::<f32>() / petals.len().max(1) as f32;
+    (petals.len() >= FEWEST && is_around && depth < DEEP).then_some((focus, petals))
+}
+
+/// Petals from the top of a stem up.
+fn seen_from_the_side(line: &Line, top: Vec2) -> Option<(Focus, Vec<Vec<Vec2>>)> {
+    let nearest = line.points.iter().copied().min_by(|a, b| a.distance(top).total_cmp(&b.distance(top)))?;
+    let focus = Focus::round(nearest, line.size().length());
+    let petals = petals(line, &focus);
+    let is_above = line.middle().y < nearest.y - 0.25 * line.size().y;
+    (petals.len() >= FEWEST && is_above).then_some((focus, petals))
+}
+
+fn petals(line: &Line, focus: &Focus) -> Vec<Vec<Vec2>> {
+    let mut petals = lobes::cut(&line.points, focus, line.openness < 0.3);
+    let area = |stretch: &[Vec2]| lobes::area(&lobes::rooted(stretch, focus.place));
+    let largest = petals.iter().map(|stretch| area(stretch)).fold(0.0, f32::max);
+    petals.retain(|stretch| area(stretch) > SMALLEST * largest);
+    petals
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
+        let mut out = Vec::new();
+        propose(&Page::of_lines(lines), &mut out);
+        out
+    }
+
+    fn line(places: &[(f32, f32)]) -> Vec<Vec2> {
+        places.iter().map(|p| Vec2::from(*p)).collect()
+    }
+
+    /// Six lobes around (0, 0), the stroke begun at their foot.
+    fn head() -> Vec<Vec2> {
+        let place = |k: usize| {
+            let angle = TAU * k as f32 / 200.0;
+            (30.0 + 25.0 * (3.0 * angle).sin().abs()) * Vec2::new(-angle.sin(), angle.cos())
+        };
+        (0..=200).map(place).collect()
+    }
+
+    /// A cup with three teeth on (0, 60).
+    fn tulip() -> Vec<Vec2> {
+        line(&[
+            (0.0, 60.0),
+            (-35.0, 40.0),
+            (-40.0, -50.0),
+            (-20.0, -10.0),
+            (0.0, -50.0),
+            (20.0, -10.0),
+            (40.0, -50.0),
+            (35.0, 40.0),
+            (2.0, 60.0),
+        ])
+    }
+
+    #[test]
+    fn a_lobed_outline_on_a_line_is_a_flower() {
+        let found = read(&[line(&[(0.0, 200.0), (3.0, 35.0)]), head()]);
+        let [flower] = &found[..] else { panic!("{} corollas", found.len()) };
+        assert_eq!((flower.parts.len(), &flower.uses[..]), (6, &[1][..]));
+        assert!(
+            flower
+                .parts
+                .iter()
+                .all(|petal| petal.tool == Tool::Petal && petal.points[0].position.length() < 10.0)
+        );
+    }
+
+    #[test]
+    fn a_tulip_has_its_petals_from_the_stem() {
+        let found = read(&[tulip(), line(&[(0.0, 62.0), (0.0, 250.0)])]);
+        assert_eq!(found[0].parts.len(), 3);
+        assert!(
+            found[0].parts.iter().all(|petal| petal.points[0].position.distance(Vec2::new(0.0, 60.0)) < 12.0)
+        );
+    }
+
+    #[test]
+    fn without_a_stem_on_two_sides_or_with_twigs_it_is_none() {
+        let (left, right) = (line(&[(-10.0, 200.0), (-10.0, 35.0)]), line(&[(10.0, 200.0), (10.0, 35.0)]));
+        let twig = line(&[(0.0, 30.0), (5.0, -30.0)]);
+        assert!(read(&[head()]).is_empty());
+        assert!(read(&[head(), left.clone(), right]).is_empty());
+        assert!(read(&[head(), left, twig]).is_empty());
+    }
+
+    #[test]
+    fn a_crown_has_shallow_lobes_or_a_short_trunk() {
+        let middle = |depth: f32| {
+            head().into_iter().map(|p| p.normalize() * (50.0 + depth * (p.length() - 30.0))).collect()
+        };
+        let stem = |foot: f32| line(&[(0.0, foot), (0.0, 40.0)]);
+        assert_eq!(read(&[middle(1.0), stem(200.0)]).len(), 1);
+        assert!(read(&[middle(0.3), stem(200.0)]).is_empty());
+        assert!(read(&[middle(1.0), stem(90.0)]).is_empty());
+    }
+
+    #[test]
+    fn a_plain_outline_on_a_stem_is_none() {
+        let disc: Vec<Vec2> = (0..=60).map(|k| 40.0 * Vec2::from_angle(TAU * k as f32 / 60.0)).collect();
+        assert!(read(&[disc, line(&[(0.0, 200.0), (0.0, 40.0)])]).is_empty());
+    }
+}
