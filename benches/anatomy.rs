@@ -1,17 +1,21 @@
-//! Understanding a drawing, alone: the daisy on one thread, growing meadows, and drawings that are meant to be hard.
+//! Understanding a drawing, alone: the daisy on one thread, growing meadows, crowds of drawings by people, and drawings that are meant to be hard.
 //! `cargo bench --bench anatomy`.
 
 #![allow(clippy::unwrap_used, reason = "a bench that cannot go on has failed")]
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use glam::Vec2;
+use penstemon::anatomy::conventions::{self, ConventionParams};
 use penstemon::anatomy::{AnatomyParams, analyse};
-use penstemon::sketch::{self, Sketch, Tool};
+use penstemon::sketch::{self, Sketch, Stroke, Tool};
 use std::hint::black_box;
 use std::path::Path;
+use std::sync::Arc;
 
 #[path = "../tests/common/drawings.rs"]
 mod drawings;
+#[path = "../tests/common/people.rs"]
+mod people;
 
 fn daisy(c: &mut Criterion) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/sketches/daisy.penstemon");
@@ -34,6 +38,38 @@ fn meadows(c: &mut Criterion) {
         let meadow = drawings::meadow(strokes);
         group.bench_function(BenchmarkId::from_parameter(strokes), |b| {
             b.iter(|| black_box(analyse(&meadow, &AnatomyParams::default())));
+        });
+    }
+    group.finish();
+}
+
+/// Drawings by people beside one another, as many as have about so many strokes.
+fn crowd(strokes: usize) -> Vec<Arc<Stroke>> {
+    let drawings = people::drawings(people::Half::Development).unwrap();
+    let mut crowd: Vec<Arc<Stroke>> = Vec::new();
+    for (place, drawing) in drawings.iter().cycle().enumerate() {
+        if crowd.len() >= strokes {
+            break;
+        }
+        let at = Vec2::new((place % 64) as f32, (place / 64) as f32) * 1500.0;
+        for stroke in &drawing.sketch.strokes {
+            let mut moved = Stroke::clone(stroke);
+            moved.id = crowd.len() as u64;
+            moved.points.iter_mut().for_each(|point| point.position += at);
+            crowd.push(Arc::new(moved));
+        }
+    }
+    crowd
+}
+
+fn conventions_of_crowds(c: &mut Criterion) {
+    let mut group = c.benchmark_group("anatomy/conventions");
+    group.sample_size(10);
+    for strokes in [10, 100, 1000, 10_000] {
+        let crowd = crowd(strokes);
+        group.throughput(Throughput::Elements(crowd.len() as u64));
+        group.bench_function(BenchmarkId::from_parameter(strokes), |b| {
+            b.iter(|| black_box(conventions::interpret(&crowd, &ConventionParams::default())));
         });
     }
     group.finish();
@@ -94,5 +130,5 @@ fn hard(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, daisy, meadows, hard);
+criterion_group!(benches, daisy, meadows, conventions_of_crowds, hard);
 criterion_main!(benches);

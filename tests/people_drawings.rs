@@ -2,8 +2,11 @@
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
-use crate::people::{CLASSES, Half, drawings, icons};
-use std::collections::BTreeSet;
+use crate::people::{CLASSES, Drawing, Half, drawings, icons};
+use penstemon::anatomy::conventions::{self, ConventionParams, Habit, Interpretation};
+use penstemon::anatomy::{self, AnatomyParams, Part};
+use penstemon::sketch::{Remark, Tool};
+use std::collections::{BTreeMap, BTreeSet};
 
 const LABELS: &str = include_str!("fixtures/real_strokes.tsv");
 const HABITS: [&str; 12] = [
@@ -40,6 +43,24 @@ const ROLES: [&str; 17] = [
     "other",
 ];
 
+/// Drawings of each habit that are read as such, of the development half: fewer is a step back.
+const LEAST: [(&str, usize); 11] = [
+    ("bush", 0),
+    ("flower", 0),
+    ("garden", 0),
+    ("grass", 0),
+    ("herb", 0),
+    ("leaf", 0),
+    ("mushroom", 0),
+    ("palm", 0),
+    ("potted", 0),
+    ("succulent", 0),
+    ("tree", 0),
+];
+
+/// Leaves of the development half, leaves themselves left out, that are long and have notches: more is a step back.
+const GIANTS: usize = 0;
+
 #[test]
 fn all_drawings_are_read_and_split_as_they_were_first() {
     let halves = [Half::Development, Half::HeldBack].map(|half| drawings(half).unwrap());
@@ -67,5 +88,96 @@ fn labels_are_of_the_development_half_a_role_for_every_stroke() {
         }
         let numbered_from_one = parts.iter().copied().eq(1..=parts.len());
         assert!(numbered_from_one, "{row}");
+    }
+}
+
+/// The habit that the labels give each drawing of the development half.
+fn labelled() -> Vec<(Drawing, &'static str)> {
+    let habits = LABELS.lines().filter(|line| !line.starts_with('#')).map(|row| row.split('\t').nth(2).unwrap());
+    drawings(Half::Development).unwrap().into_iter().zip(habits).collect()
+}
+
+fn read(drawing: &Drawing) -> Interpretation {
+    conventions::interpret(&drawing.sketch.strokes, &ConventionParams::default())
+}
+
+/// Whether a drawing is read as a plant of the habit that its label gives.
+fn is_read_as(interpretation: &Interpretation, habit: &str) -> bool {
+    match habit {
+        "tree" => interpretation.habit == Some(Habit::Tree),
+        "bush" => interpretation.habit == Some(Habit::Bush),
+        "palm" => interpretation.habit == Some(Habit::Palm),
+        "grass" => interpretation.habit == Some(Habit::Grass),
+        "succulent" => interpretation.habit == Some(Habit::Succulent),
+        "mushroom" => interpretation.habit == Some(Habit::Mushroom),
+        "flower" => interpretation.habit == Some(Habit::Flower),
+        "potted" => !interpretation.solids.is_empty(),
+        // Leaves, herbs and gardens may be read in several ways; that they become no trees is counted.
+        _ => !matches!(interpretation.habit, Some(Habit::Tree | Habit::Bush | Habit::Palm)),
+    }
+}
+
+#[test]
+fn most_drawings_are_read_as_what_they_show() {
+    let mut counts: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
+    for (drawing, habit) in labelled() {
+        let count = counts.entry(habit).or_default();
+        count.1 += 1;
+        count.0 += usize::from(is_read_as(&read(&drawing), habit));
+    }
+    for (habit, least) in LEAST {
+        let (right, all) = counts.remove(habit).unwrap();
+        assert!(right >= least, "{habit}: {right} of {all}, {least} were right before");
+    }
+    assert!(counts.is_empty(), "{counts:?}");
+}
+
+#[test]
+fn what_is_drawn_is_a_part_or_remarked_on() {
+    for (drawing, _) in labelled() {
+        let anatomy = anatomy::analyse(&drawing.sketch, &AnatomyParams::default());
+        let remarked: BTreeSet<u64> = anatomy.warnings.iter().filter_map(|warning| warning.stroke).collect();
+        let with_others = |stroke: u64| anatomy.explained_with(stroke).any(|other| remarked.contains(&other));
+        for mark in anatomy.marks.iter().filter(|mark| mark.part == Part::Ignored) {
+            let is_said = remarked.contains(&mark.stroke) || with_others(mark.stroke);
+            assert!(is_said, "{} {}: stroke {} is lost", drawing.class, drawing.name, mark.stroke);
+        }
+    }
+}
+
+#[test]
+fn outlines_with_notches_do_not_become_giant_leaves() {
+    let mut giants = Vec::new();
+    for (drawing, habit) in labelled() {
+        let anatomy = anatomy::analyse(&drawing.sketch, &AnatomyParams::default());
+        for leaf in anatomy.leaves.iter().filter(|leaf| leaf.axis().length() > 0.4 * anatomy.diagonal) {
+            let outline: Vec<_> = leaf.outline.iter().map(|sample| sample.position).collect();
+            if habit != "leaf" && conventions::page::notches(&outline).len() >= 2 {
+                giants.push(format!("{} {}", drawing.class, drawing.name));
+            }
+        }
+    }
+    assert!(giants.len() <= GIANTS, "{giants:?}");
+}
+
+#[test]
+fn the_papers_way_of_reading_is_one_switch_away() {
+    let mut params = ConventionParams::default();
+    params.enabled = false;
+    for (drawing, _) in labelled() {
+        let strict = conventions::interpret(&drawing.sketch.strokes, &params);
+        assert!(strict.remarks.is_empty() && strict.strokes == drawing.sketch.strokes);
+    }
+}
+
+#[test]
+fn tools_that_the_artist_chose_are_never_read_otherwise() {
+    for (mut drawing, _) in labelled() {
+        for stroke in &mut drawing.sketch.strokes {
+            std::sync::Arc::make_mut(stroke).tool = Tool::Branch;
+        }
+        let interpretation = read(&drawing);
+        assert!(interpretation.remarks.iter().all(|warning| !matches!(warning.remark, Remark::ReadAs(_))));
+        assert_eq!(interpretation.strokes, drawing.sketch.strokes);
     }
 }
