@@ -102,13 +102,14 @@ pub fn analyse_with(
 fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: Stop) -> Anatomy {
     cache.begin(params);
     let rules = Rules { preprocess: &params.preprocess, ignore: &params.ignore, tip: &params.tip };
-    let Interpretation { strokes, pieces, explained, solids, remarks, habit } =
+    let Interpretation { strokes, pieces, readings: together, solids, remarks, habit } =
         conventions::interpret(&sketch.strokes, &params.conventions);
     let reading::Drawn { readings, bounds } = cache.readings.read(&strokes, rules);
     let bounds =
         solids.iter().map(|drawn| drawn.solid.bounds()).fold(bounds, |a, b| (a.0.min(b.0), a.1.max(b.1)));
     let diagonal = bounds.0.distance(bounds.1);
-    let mut anatomy = Anatomy { diagonal, bounds, pieces, solids, habit, ..Anatomy::default() };
+    let mut anatomy =
+        Anatomy { diagonal, bounds, pieces, readings: together, solids, habit, ..Anatomy::default() };
     if stop() {
         return anatomy;
     }
@@ -152,7 +153,7 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
             warning.stroke.map(|stroke| anatomy.pieces.get(&stroke).map_or(stroke, Piece::first));
     }
     let read = marks(&readings, &anatomy.petals, &gathering.centres);
-    anatomy.marks = of_drawn(&sketch.strokes, &anatomy.pieces, &explained, read);
+    anatomy.marks = of_drawn(&sketch.strokes, &anatomy.pieces, read);
     anatomy
 }
 
@@ -202,13 +203,8 @@ fn marks(readings: &[Arc<Reading>], petals: &[FlatBlade], centres: &[StrokeId]) 
 
 /// The verdicts on drawn strokes from those on the strokes that were made of them: what a stroke became first counts. One that
 /// became nothing is ignored.
-fn of_drawn(
-    strokes: &[Arc<Stroke>],
-    pieces: &BTreeMap<StrokeId, Piece>,
-    explained: &[StrokeId],
-    read: Vec<Mark>,
-) -> Vec<Mark> {
-    if explained.is_empty() {
+fn of_drawn(strokes: &[Arc<Stroke>], pieces: &BTreeMap<StrokeId, Piece>, read: Vec<Mark>) -> Vec<Mark> {
+    if read.len() == strokes.len() && pieces.is_empty() {
         return read;
     }
     let mut first: HashMap<StrokeId, Mark> = HashMap::new();

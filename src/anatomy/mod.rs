@@ -199,6 +199,8 @@ pub struct Anatomy {
     pub pieces: BTreeMap<StrokeId, conventions::Piece>,
     /// Bodies of revolution, such as the pot that the plant stands in.
     pub solids: Vec<conventions::DrawnSolid>,
+    /// Which strokes were read together, and as what.
+    pub readings: Vec<conventions::ReadStrokes>,
     /// What kind of plant the drawing shows, as far as that can be seen.
     pub habit: Option<conventions::Habit>,
     /// Branches, parents before children; generated twigs among them.

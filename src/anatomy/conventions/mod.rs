@@ -65,7 +65,7 @@ mod trunk;
 mod trunk_sides;
 
 pub use hypothesis::{Habit, Hypothesis, Made, Solid, SolidKind};
-pub use pieces::{DrawnSolid, Interpretation, Piece};
+pub use pieces::{DrawnSolid, Interpretation, Piece, ReadStrokes};
 
 use crate::sketch::Stroke;
 use page::Page;

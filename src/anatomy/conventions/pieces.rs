@@ -5,7 +5,7 @@
 
 use super::{Habit, Hypothesis, Made, Solid, page::Page};
 use crate::checksum;
-use crate::sketch::{Remark, Stroke, StrokeId, Warning};
+use crate::sketch::{Reading, Remark, Stroke, StrokeId, Warning};
 use std::collections::{BTreeMap, HashSet};
 use std::sync::Arc;
 
@@ -16,14 +16,23 @@ pub struct Interpretation {
     pub strokes: Vec<Arc<Stroke>>,
     /// Of every stroke that was made, which drawn ones it comes from.
     pub pieces: BTreeMap<StrokeId, Piece>,
-    /// Strokes that became other strokes or nothing.
-    pub explained: Vec<StrokeId>,
+    /// Which strokes were read together, and as what; no stroke twice.
+    pub readings: Vec<ReadStrokes>,
     /// Bodies of revolution.
     pub solids: Vec<DrawnSolid>,
     /// What the artist is told.
     pub remarks: Vec<Warning>,
     /// What kind of plant the whole is; none where nothing spoke for one.
     pub habit: Option<Habit>,
+}
+
+/// Strokes that are one thing or one plant together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReadStrokes {
+    /// The drawn strokes, in the order of the drawing, at least one.
+    pub strokes: Vec<StrokeId>,
+    /// What they were read as.
+    pub reading: Reading,
 }
 
 /// Where a stroke that was made comes from.
@@ -64,7 +73,6 @@ impl Interpretation {
             used.iter().for_each(|stroke| is_used[*stroke] = true);
             let drawn: Vec<StrokeId> = used.iter().map(|stroke| strokes[*stroke].id).collect();
             let Some((&place, &first)) = used.first().zip(drawn.first()) else { continue };
-            it.explained.extend(&drawn);
             it.remarks.push(Warning { stroke: Some(first), remark: Remark::ReadAs(reading) });
             it.solids.extend(solids.into_iter().map(|solid| DrawnSolid { stroke: first, solid }));
             for (number, Made { tool, points, half_width }) in parts.into_iter().enumerate() {
@@ -72,6 +80,7 @@ impl Interpretation {
                 it.pieces.insert(id, Piece { strokes: drawn.clone(), half_width });
                 made_at.entry(place).or_default().push(Arc::new(Stroke { id, tool, points }));
             }
+            it.readings.push(ReadStrokes { strokes: drawn, reading });
         }
         for (i, stroke) in strokes.iter().enumerate() {
             it.strokes.extend(made_at.remove(&i).unwrap_or_default());
@@ -79,7 +88,6 @@ impl Interpretation {
                 it.strokes.push(Arc::clone(stroke));
             }
         }
-        it.explained.sort_unstable();
         it
     }
 }
