@@ -163,8 +163,7 @@ fn outlines_with_notches_do_not_become_giant_leaves() {
 
 #[test]
 fn the_papers_way_of_reading_is_one_switch_away() {
-    let mut params = ConventionParams::default();
-    params.enabled = false;
+    let params = ConventionParams { enabled: false };
     for (drawing, _) in labelled() {
         let strict = conventions::interpret(&drawing.sketch.strokes, &params);
         assert!(strict.remarks.is_empty() && strict.strokes == drawing.sketch.strokes);
