@@ -13,9 +13,10 @@
 
 use super::lobes::{self, Focus};
 use super::page::{Line, Page};
-use super::{Habit, Hypothesis, Made};
+use super::{Habit, Hypothesis, Made, stem_tail};
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
+use std::borrow::Cow;
 use std::f32::consts::{FRAC_PI_4, PI, TAU};
 
 /// Fewest petals of a corolla.
@@ -97,8 +98,9 @@ fn corolla(page: &Page, centre: usize, near: &[usize]) -> Option<Hypothesis> {
     }
     let others = || near.iter().copied().filter(|i| *i != centre);
     let is_inside = |i: &usize| focus.reach(&page.lines[*i].points) < REACH.0 - 0.1;
-    let petal_lines: Vec<usize> = others().filter(|i| is_around(&page.lines[*i], &focus)).collect();
-    let chains = chains(petal_lines.iter().map(|i| &page.lines[*i]), &focus);
+    let petal_lines: Vec<(usize, Around)> =
+        others().filter_map(|i| Some((i, Around::new(&page.lines[i], &focus)?))).collect();
+    let chains = chains(petal_lines.iter().map(|(_, around)| &*around.line), &focus);
     if chains.iter().any(|chain| winding(&chain.points, focus.place) > ONCE * TAU) {
         return None;
     }
@@ -120,13 +122,15 @@ fn corolla(page: &Page, centre: usize, near: &[usize]) -> Option<Hypothesis> {
         return None;
     }
     let mut uses: Vec<usize> =
-        others().filter(is_inside).chain(petal_lines.iter().copied()).chain([centre]).collect();
+        others().filter(is_inside).chain(petal_lines.iter().map(|(i, _)| *i)).chain([centre]).collect();
     uses.sort_unstable();
     let score = score(page, near, &uses, &petals, &focus);
     let root = |stretch: &[Vec2]| {
         focus.place + ROOT * focus.half.min_element() * lobes::direction(stretch, focus.place)
     };
     let parts = petals.iter().map(|stretch| Made::new(Tool::Petal, lobes::rooted(stretch, root(stretch))));
+    let stems = petal_lines.into_iter().filter_map(|(_, around)| around.stem);
+    let parts = parts.chain(stems.map(|stem| Made::new(Tool::Branch, stem)));
     let parts = parts.chain([Made::new(Tool::Auto, from_middle(&disc.hull, focus.place))]).collect();
     Some(Hypothesis {
         uses,
@@ -136,6 +140,22 @@ fn corolla(page: &Page, centre: usize, near: &[usize]) -> Option<Hypothesis> {
         reading: Reading::Corolla,
         habit: Some(Habit::Flower),
     })
+}
+
+/// A line around a centre, without the stem that is one stroke with it.
+struct Around<'a> {
+    line: Cow<'a, Line>,
+    stem: Option<Vec<Vec2>>,
+}
+
+impl<'a> Around<'a> {
+    fn new(line: &'a Line, focus: &Focus) -> Option<Self> {
+        let of_rest = stem_tail::cut(line).filter(|(_, rest)| is_around(rest, focus));
+        match of_rest {
+            Some((stem, rest)) => Some(Self { line: Cow::Owned(rest), stem: Some(stem) }),
+            None => is_around(line, focus).then_some(Self { line: Cow::Borrowed(line), stem: None }),
+        }
+    }
 }
 
 /// Whether a line comes near a centre and reaches out from there, with both ends near it, with notches, or around it.
@@ -315,6 +335,15 @@ mod tests {
         let found = read(&drawing);
         assert_eq!(found[0].uses, [0, 1, 2, 3, 4, 5, 6]);
         assert_eq!(found[0].parts.len(), 6);
+    }
+
+    #[test]
+    fn a_stem_in_one_stroke_with_the_corolla_is_a_branch() {
+        let mut drawn = line((0.0, 250.0), (0.0, 45.0));
+        drawn.extend(ring(6.0, 30.0, (0.25 * TAU, 1.24 * TAU)));
+        let found = read(&[drawn, circle(25.0)]);
+        let count = |tool: Tool| found[0].parts.iter().filter(|part| part.tool == tool).count();
+        assert_eq!((count(Tool::Branch), count(Tool::Petal)), (1, 7), "{:?}", found[0].parts.len());
     }
 
     #[test]

@@ -11,10 +11,11 @@
 
 use super::lobes::{self, Focus};
 use super::page::{Line, Page};
-use super::{Habit, Hypothesis, Made};
+use super::{Habit, Hypothesis, Made, stem_tail};
 use crate::geom::polyline;
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
+use std::borrow::Cow;
 use std::f32::consts::TAU;
 
 /// Fewest lobes.
@@ -47,15 +48,32 @@ const MOST_LINES: usize = 64;
 
 /// Proposes a corolla for each outline that stands on a stem of its own.
 pub(super) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
-    let heads: Vec<usize> = (0..page.lines.len()).filter(|i| is_head(&page.lines[*i])).collect();
-    let grown = |i: &usize| {
-        let line = &page.lines[*i];
-        let margin = Vec2::splat(TOUCH * line.size().length());
-        (line.bounds.0 - margin, line.bounds.1 + margin)
+    let heads: Vec<Head> = (0..page.lines.len()).filter_map(|i| Head::new(page, i)).collect();
+    let grown = |head: &Head| {
+        let margin = Vec2::splat(TOUCH * head.line.size().length());
+        (head.line.bounds.0 - margin, head.line.bounds.1 + margin)
     };
     let boxes: Vec<(Vec2, Vec2)> = heads.iter().map(grown).collect();
     let near = page.lines_at(&boxes);
-    out.extend(heads.iter().zip(near).filter_map(|(head, near)| corolla(page, *head, &near)));
+    out.extend(heads.iter().zip(near).filter_map(|(head, near)| corolla(page, head, &near)));
+}
+
+/// What may be a corolla.
+struct Head<'a> {
+    number: usize,
+    line: Cow<'a, Line>,
+    /// The stem in one stroke with it.
+    stem: Option<Line>,
+}
+
+impl<'a> Head<'a> {
+    fn new(page: &'a Page, number: usize) -> Option<Self> {
+        let line = &page.lines[number];
+        if let Some((stem, rest)) = stem_tail::cut(line).filter(|(_, rest)| is_head(rest)) {
+            return Some(Self { number, line: Cow::Owned(rest), stem: line.part(stem) });
+        }
+        is_head(line).then_some(Self { number, line: Cow::Borrowed(line), stem: None })
+    }
 }
 
 /// Whether a line encloses something and is no scribble.
@@ -67,55 +85,51 @@ fn is_head(line: &Line) -> bool {
         && size.min_element() > 0.3 * size.max_element()
 }
 
-fn corolla(page: &Page, head: usize, near: &[usize]) -> Option<Hypothesis> {
-    let line = &page.lines[head];
-    let diagonal = line.size().length();
+fn corolla(page: &Page, head: &Head, near: &[usize]) -> Option<Hypothesis> {
+    let line = &*head.line;
     if near.len() > MOST_LINES {
         return None;
     }
-    let others = || near.iter().copied().filter(|i| *i != head);
-    let mut stems = others().filter_map(|i| Some((i, stem_top(&page.lines[i], line)?)));
+    let others: Vec<usize> = near.iter().copied().filter(|i| *i != head.number).collect();
+    let of_others = others.iter().map(|i| &page.lines[*i]);
+    let mut stems = head.stem.iter().chain(of_others).filter_map(|stem| Some((stem, stem_top(stem, line)?)));
     let (stem, top) = stems.next()?;
     if stems.next().is_some() {
         return None;
     }
-    // The other side of a trunk may be one stroke with a frond.
-    let foot = page.lines[stem].bounds.1.y;
-    let is_beside = |i: usize| i != stem && page.lines[i].bounds.1.y > 0.5 * (foot + line.bounds.1.y);
-    if others().any(is_beside) {
-        return None;
-    }
-    let (low, high) = line.bounds;
-    let is_within = |i: &usize| {
-        let middle = page.lines[*i].middle();
-        *i != stem && middle.cmpgt(low).all() && middle.cmplt(high).all()
-    };
-    let within: Vec<usize> = others().filter(is_within).collect();
-    let is_twig = |i: &usize| {
-        let (line, stem) = (&page.lines[*i], &page.lines[stem].points);
-        let gap = |p: Vec2| polyline::nearest(stem, p).map_or(f32::INFINITY, |(gap, _)| gap);
-        line.length > DOT * diagonal || line.points.iter().any(|p| gap(*p) < TWIG * diagonal)
-    };
-    if within.iter().any(is_twig) {
-        return None;
-    }
+    let within = within(page, line, stem, &others)?;
     let (focus, petals) = seen_from_the_front(line).or_else(|| seen_from_the_side(line, top))?;
     let parts = petals.iter().map(|stretch| {
-        let root = focus.place + 0.02 * diagonal * lobes::direction(stretch, focus.place);
+        let root = focus.place + 0.02 * line.size().length() * lobes::direction(stretch, focus.place);
         Made::new(Tool::Petal, lobes::rooted(stretch, root))
     });
-    let parts = parts.collect();
-    let mut uses: Vec<usize> = within.into_iter().chain([head]).collect();
+    let own_stem = head.stem.iter().map(|stem| Made::new(Tool::Branch, stem.points.iter().copied()));
+    let parts = parts.chain(own_stem).collect();
+    let mut uses: Vec<usize> = within.into_iter().chain([head.number]).collect();
     uses.sort_unstable();
     let score = 3.2 + 0.1 * petals.len().min(8) as f32;
-    Some(Hypothesis {
-        uses,
-        score,
-        parts,
-        solids: Vec::new(),
-        reading: Reading::Corolla,
-        habit: Some(Habit::Flower),
-    })
+    let (reading, habit) = (Reading::Corolla, Some(Habit::Flower));
+    Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit })
+}
+
+/// The lines within an outline on a stem; nothing where one of all that are near speaks against a flower.
+fn within(page: &Page, head: &Line, stem: &Line, others: &[usize]) -> Option<Vec<usize>> {
+    let diagonal = head.size().length();
+    let others = || others.iter().copied().filter(|i| !std::ptr::eq(&page.lines[*i], stem));
+    // The other side of a trunk may be one stroke with a frond.
+    let half = 0.5 * (stem.bounds.1.y + head.bounds.1.y);
+    if others().any(|i| page.lines[i].bounds.1.y > half) {
+        return None;
+    }
+    let (low, high) = head.bounds;
+    let is_within = |middle: Vec2| middle.cmpgt(low).all() && middle.cmplt(high).all();
+    let within: Vec<usize> = others().filter(|i| is_within(page.lines[*i].middle())).collect();
+    let is_twig = |i: &usize| {
+        let line = &page.lines[*i];
+        let gap = |p: Vec2| polyline::nearest(&stem.points, p).map_or(f32::INFINITY, |(gap, _)| gap);
+        line.length > DOT * diagonal || line.points.iter().any(|p| gap(*p) < TWIG * diagonal)
+    };
+    (!within.iter().any(is_twig)).then_some(within)
 }
 
 /// The upper end of a line that carries an outline.
@@ -208,6 +222,15 @@ mod tests {
                 .iter()
                 .all(|petal| petal.tool == Tool::Petal && petal.points[0].position.length() < 10.0)
         );
+    }
+
+    #[test]
+    fn stem_and_corolla_may_be_one_stroke() {
+        let mut drawn = line(&[(0.0, 200.0)]);
+        drawn.extend(head());
+        let found = read(&[drawn]);
+        let count = |tool: Tool| found[0].parts.iter().filter(|part| part.tool == tool).count();
+        assert_eq!((found.len(), count(Tool::Branch), count(Tool::Petal)), (1, 1, 6));
     }
 
     #[test]

@@ -26,6 +26,7 @@
 //! | `mushroom` | a cap on a stalk |
 //! | `corolla` | a corolla around a flower's centre |
 //! | `corolla_on_stem` | a lobed outline at the end of a stem, without a centre |
+//! | `stem_tail` | a stem in one stroke with what it carries |
 //! | `blade` | outlines of blades, of one stroke or two, and what they leave over |
 //! | `leaf` | a blade of several strokes, its midrib and veins, blade and stalk in one stroke |
 //! | `leaf_loops` | several leaves in one stroke |
@@ -60,6 +61,7 @@ mod not_plant;
 mod pot;
 mod silhouette;
 mod spikes;
+mod stem_tail;
 mod tree;
 mod trunk;
 mod trunk_sides;

@@ -130,12 +130,14 @@ impl Page {
         (diagonal / (FULL_WEIGHT * self.diagonal)).clamp(LEAST_WEIGHT, 1.0)
     }
 
-    /// For each box, by its smallest and largest corner, the lines whose bounds it touches, ascending.
+    /// For each box, by its smallest and largest corner, the lines whose bounds it touches, ascending; none that are
+    /// set apart.
     pub(super) fn lines_at(&self, boxes: &[(Vec2, Vec2)]) -> Vec<Vec<usize>> {
         let asked = boxes.len();
         let all = boxes.iter().copied().chain(self.lines.iter().map(|line| line.bounds));
         let all: Vec<meetings::Bounds> = all.map(|(low, high)| (low.extend(0.0), high.extend(0.0))).collect();
-        let of_box = |a: usize, b: usize| (a < asked && asked <= b).then(|| (a, b - asked));
+        let is_asked = |a: usize, b: usize| a < asked && asked <= b && !self.is_apart(b - asked);
+        let of_box = |a: usize, b: usize| is_asked(a, b).then(|| (a, b - asked));
         let mut pairs = meetings::meetings_within(MOST_STEPS, &all, of_box).unwrap_or_default();
         pairs.sort_unstable();
         let mut lines = vec![Vec::new(); asked];
@@ -208,11 +210,19 @@ impl Line {
             return None;
         }
         let count = ((length / (STEP * diagonal)) as usize).clamp(POINTS.0, POINTS.1);
-        let points = even(&positions, count);
+        Some(Self::of(stroke, length, even(&positions, count)))
+    }
+
+    /// Some consecutive points of this line, as a line; at least three.
+    pub(super) fn part(&self, points: Vec<Vec2>) -> Option<Self> {
+        (points.len() > 2).then(|| Self::of(self.stroke, polyline::length(&points), points))
+    }
+
+    fn of(stroke: usize, length: f32, points: Vec<Vec2>) -> Self {
         let bounds = points.iter().fold((points[0], points[0]), |(low, high), p| (low.min(*p), high.max(*p)));
         let hull = convex_hull(&points, |p| *p);
         let gap = points[0].distance(points[points.len() - 1]);
-        Some(Self {
+        Self {
             stroke,
             length,
             bounds,
@@ -221,7 +231,7 @@ impl Line {
             hull_area: simple_loop::signed_area(hull.iter().copied()).abs(),
             hull,
             points,
-        })
+        }
     }
 
     /// Beginning and end.
