@@ -276,4 +276,25 @@ mod tests {
         assert_eq!(twigs(&before), twigs(&after));
         assert_eq!(leaves(&before), leaves(&after));
     }
+
+    #[test]
+    fn a_corolla_in_one_stroke_gathers_around_its_drawn_centre() {
+        let around = |angle: f32, reach: f32| reach * Vec2::from_angle(angle);
+        let angle = |k: usize| 0.3 + std::f32::consts::TAU * k as f32 / 120.0;
+        let corolla = (0..=120).map(|k| around(angle(k), 40.0 + 30.0 * (3.0 * angle(k)).sin().abs()));
+        let centre = (0..=120).map(|k| around(angle(k), 25.0));
+        let stem = (0..10).map(|k| Vec2::new(0.0, 300.0 - 26.0 * k as f32));
+        let stroke = |(id, points): (usize, Vec<Vec2>)| {
+            let points = points.into_iter().map(crate::sketch::StrokePoint::at).collect();
+            Arc::new(Stroke { id: id as u64, tool: Tool::Auto, points })
+        };
+        let lines = [stem.collect(), corolla.collect(), centre.collect()];
+        let strokes = lines.into_iter().enumerate().map(stroke).collect();
+        let anatomy = analyse(&Sketch { strokes, ..drawing("daisy") }, &AnatomyParams::default());
+        let [flower] = &anatomy.flowers[..] else { panic!("{} flowers", anatomy.flowers.len()) };
+        assert_eq!((flower.petals.len(), anatomy.leaves.len(), anatomy.branches.len()), (6, 0, 1));
+        assert!(flower.center.length() < 3.0, "{}", flower.center);
+        assert!(flower.centre_radius.is_some_and(|radius| (radius / 25.0 - 1.0).abs() < 0.05));
+        assert!(flower.attachment.is_some());
+    }
 }

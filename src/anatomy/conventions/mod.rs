@@ -30,6 +30,7 @@
 //! | `blade` | outlines of blades, of one stroke or two, and what they leave over |
 //! | `leaf` | a blade of several strokes, its midrib and veins, blade and stalk in one stroke |
 //! | `leaf_loops` | several leaves in one stroke |
+//! | `stem_loops` | leaves that are loops in the stroke of their stem |
 //! | `grass` | a zigzag, or lines side by side: blades of grass |
 //! | `fronds` | lines or lobes that radiate from a trunk's top |
 //! | `pot` | what a plant stands in |
@@ -61,6 +62,7 @@ mod not_plant;
 mod pot;
 mod silhouette;
 mod spikes;
+mod stem_loops;
 mod stem_tail;
 mod tree;
 mod trunk;
@@ -101,6 +103,7 @@ pub fn interpret(strokes: &[Arc<Stroke>], params: &ConventionParams) -> Interpre
         corolla_on_stem::propose,
         leaf::propose,
         leaf_loops::propose,
+        stem_loops::propose,
         grass::propose,
         fronds::propose,
         not_plant::propose,
