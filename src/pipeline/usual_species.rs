@@ -10,6 +10,8 @@ pub fn species_of_habit(habit: Option<Habit>) -> &'static str {
     match habit {
         Some(Habit::Tree) => "oak",
         Some(Habit::Bush) => "hazel",
+        Some(Habit::Palm) => "palm",
+        Some(Habit::Grass) => "grass",
         Some(Habit::Succulent) => "cactus",
         Some(Habit::Mushroom) => "mushroom",
         _ => DEFAULT_SPECIES,

@@ -34,6 +34,8 @@ const SLENDER: f32 = 0.3;
 const EXPLAINED: f32 = 0.65;
 /// Where blades in a pot have their roots, as a share of its height from above: in the earth.
 const IN_POT: f32 = 0.15;
+/// Least reach of the farthest frond, in widths of the trunk: what rounds off a body is shorter.
+const LONG: f32 = 1.2;
 /// Half width of a frond at most, as a share of its length.
 const HALF: f32 = 0.2;
 
@@ -66,7 +68,11 @@ fn palm(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let crown = Crown::about(trunk.top(), &rest);
     let fewest = FEWEST - usize::from(!trunk.is_line() && crown.fronds.iter().all(|frond| hangs(&frond.0)));
     let is_crown = crown.fronds.len() >= fewest && crown.is_sharp() && crown.explained > EXPLAINED;
-    if !is_crown || trunk.is_line() && !crown.has_blades() || lies_below(&rest, &trunk) {
+    if !is_crown
+        || crown.reach < LONG * trunk.width()
+        || trunk.is_line() && !crown.has_blades()
+        || lies_below(&rest, &trunk)
+    {
         return None;
     }
     let mut palm = crown.hypothesis(trunk.top(), Some(&trunk));
@@ -79,6 +85,8 @@ fn palm(page: &Page, group: &[usize]) -> Option<Hypothesis> {
 struct Crown {
     /// Each with the lines that it comes from.
     fronds: Vec<(Spike, Vec<usize>)>,
+    /// Distance of the farthest point.
+    reach: f32,
     /// Share of the lines' length that fronds are.
     explained: f32,
 }
@@ -88,10 +96,9 @@ impl Crown {
     fn about(top: Vec2, runs: &[(Vec<Vec2>, usize)]) -> Self {
         let reach = |points: &[Vec2]| points.iter().map(|p| p.distance(top)).fold(0.0, f32::max);
         let farthest = runs.iter().map(|run| reach(&run.0)).fold(0.0, f32::max);
-        let of_run = |(points, line): &(Vec<Vec2>, usize)| {
+        let of_run = |(points, line): &(Vec<Vec2>, usize)| -> Vec<(Spike, usize)> {
             let all = spikes(points, |p| p.distance(top), PROMINENCE * reach(points));
-            let line = *line;
-            all.into_iter().map(move |spike| (spike, line))
+            all.into_iter().map(|spike| (spike.hanging(points, top, DEEP), *line)).collect()
         };
         let all: Vec<(Spike, usize)> = runs.iter().flat_map(of_run).collect();
         let (single, double): (Vec<_>, Vec<_>) =
@@ -105,7 +112,7 @@ impl Crown {
         let length = |points: &[Vec2]| crate::geom::polyline::length(points);
         let whole: f32 = runs.iter().map(|run| length(&run.0)).sum();
         let own: f32 = fronds.iter().flat_map(|frond| &frond.0.flanks).map(|flank| length(flank)).sum();
-        Self { fronds, explained: own / whole.max(f32::MIN_POSITIVE) }
+        Self { fronds, reach: farthest, explained: own / whole.max(f32::MIN_POSITIVE) }
     }
 
     /// One blade for each frond, all from one root, with the trunk if there is one.
@@ -212,6 +219,15 @@ mod tests {
     fn lobes_are_no_fronds() {
         let [left, right] = sides();
         assert!(read(&[left, right, crown(false)]).is_empty());
+    }
+
+    #[test]
+    fn a_round_end_of_a_body_is_no_crown_of_fronds() {
+        let arc =
+            (0..=20).map(|k| Vec2::new(10.0, -100.0) + 6.0 * Vec2::from_angle(PI + PI * k as f32 / 20.0));
+        let [left, right] = sides();
+        let body: Vec<Vec2> = left.into_iter().chain(arc).chain(right.into_iter().rev()).collect();
+        assert!(read(&[body]).is_empty());
     }
 
     #[test]

@@ -100,13 +100,17 @@ fn stands_on_something(page: &Page, index: usize) -> bool {
     let height = high.y - low.y;
     let is_below = |other: &Line| {
         let across = other.bounds.1.x.min(high.x) - other.bounds.0.x.max(low.x);
-        let is_ground = other.size().y < 0.15 * other.size().x;
-        across >= 0.0 && other.bounds.1.y > high.y + 0.35 * height && !is_ground
+        across >= 0.0 && other.bounds.1.y > high.y + 0.35 * height && !is_ground(other)
     };
     page.lines.iter().enumerate().any(|(i, other)| i != index && is_below(other))
 }
 
-/// Whether the largest of the other outlines goes around a zigzag, which then is foliage in it.
+/// Whether a line is level and may be the ground.
+fn is_ground(line: &Line) -> bool {
+    line.size().y < 0.15 * line.size().x
+}
+
+/// Whether one of the other lines goes around a zigzag, which then is foliage in it.
 fn is_inside_another(page: &Page, index: usize) -> bool {
     let (low, high) = page.lines[index].bounds;
     page.lines
@@ -120,7 +124,8 @@ fn tuft(page: &Page) -> Option<Hypothesis> {
     let upright: Vec<usize> =
         (0..page.lines.len()).filter(|i| !page.is_apart(*i) && is_upright(&page.lines[*i])).collect();
     let length: f32 = upright.iter().map(|i| page.lines[*i].length).sum();
-    if upright.len() < LINES || length < MOST_OF_ALL * page.length {
+    let ground: f32 = page.lines.iter().filter(|line| is_ground(line)).map(|line| line.length).sum();
+    if upright.len() < LINES || length < MOST_OF_ALL * (page.length - ground) {
         return None;
     }
     let of_line = |&i: &usize| upright_spikes(&page.lines[i]).into_iter().map(move |spike| (spike, i));

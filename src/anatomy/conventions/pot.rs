@@ -1,6 +1,6 @@
 //! The pot in which a plant stands: what is lowest, box-like with a flat bottom, and has a plant in its upper edge.
 //!
-//! A line, or three for the bottom and the sides, may be a pot if it has two sides nearly all the way up, a bottom that is flat over [`FLAT`] of its width, no notches
+//! A line, or three for the bottom and the sides, may be a pot if it has two sides nearly all the way up, a bottom that is flat over [`FLAT`] of its width or a level upper edge, no notches
 //! ([`SOLID`]) and is not much higher than wide ([`HIGHEST`]). What lies within its bounds belongs to it, and so do level
 //! bands at its upper edge: the rim. It is a pot only if a plant stands in it: other lines have their lowest point at the upper
 //! edge between the sides and rise well above it, narrower than the pot where they enter. A trunk, the stalk of a mushroom and
@@ -21,6 +21,8 @@ use glam::Vec2;
 const ROWS: usize = 24;
 /// Least width of a flat bottom, as a share of the pot's, and its slope at most; a circle is as flat over a quarter of its width.
 const FLAT: (f32, f32) = (0.33, 0.27);
+/// Least width of a level upper edge above a round bottom: a bowl.
+const MOUTH_EDGE: f32 = 0.75;
 /// Least share of its convex hull that lies between its sides.
 const SOLID: f32 = 0.75;
 /// Greatest height, in widths: a vase.
@@ -81,14 +83,17 @@ fn has_bottom(page: &Page, line: &Line) -> bool {
     let size = line.size();
     let edges = (0..line.hull.len()).map(|i| (line.hull[i], line.hull[(i + 1) % line.hull.len()]));
     let perimeter: f32 = edges.clone().map(|(a, b)| a.distance(b)).sum();
-    let is_below =
-        |a: Vec2, b: Vec2| a.y.min(b.y) > line.middle().y && (b.y - a.y).abs() < FLAT.1 * (b.x - a.x).abs();
-    let flat: f32 = edges.filter(|(a, b)| is_below(*a, *b)).map(|(a, b)| (b.x - a.x).abs()).sum();
+    let is_level = |a: Vec2, b: Vec2| (b.y - a.y).abs() < FLAT.1 * (b.x - a.x).abs();
+    let level = |is_lower: bool| -> f32 {
+        let there =
+            |(a, b): &(Vec2, Vec2)| is_level(*a, *b) && (a.midpoint(*b).y > line.middle().y) == is_lower;
+        edges.clone().filter(there).map(|(a, b)| (b.x - a.x).abs()).sum()
+    };
     size.x >= NARROWEST * page.diagonal
         && size.y <= HIGHEST * size.x
         && size.y >= LOWEST * size.x
         && line.length < LONGEST * perimeter
-        && flat > FLAT.0 * size.x
+        && (level(true) > FLAT.0 * size.x || level(false) > MOUTH_EDGE * size.x)
 }
 
 /// Whether a line may be the bottom of a pot of which the sides were drawn by themselves.
@@ -295,6 +300,17 @@ mod tests {
         let found = read(&[stem(), body(), rim]);
         assert_eq!(found.len(), 1);
         assert_eq!(found[0].uses, [1, 2]);
+    }
+
+    #[test]
+    fn a_bowl_has_a_level_edge_and_a_round_bottom() {
+        let arc = (0..=30).map(|k| {
+            Vec2::new(-25.0, -40.0) * Vec2::from_angle(std::f32::consts::PI * k as f32 / 30.0)
+                - Vec2::Y * 40.0
+        });
+        let bowl: Vec<Vec2> =
+            arc.chain([Vec2::new(-25.0, -40.0)]).map(|p| Vec2::new(p.x, -80.0 - p.y)).collect();
+        assert_eq!(read(&[stem(), bowl]).len(), 1);
     }
 
     #[test]

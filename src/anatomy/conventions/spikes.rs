@@ -19,6 +19,10 @@ const CLOSED: f32 = 0.03;
 const MEETING: f32 = 0.16;
 /// Most that an arc turns, and turns back, radians.
 const ARC: (f32, f32) = (5.0, 1.2);
+/// Angle from which on a tip is blunt, radians.
+const BLUNT: f32 = 1.6;
+/// Widest angle of a fold, and where it is measured, as a share of the shorter flank.
+const FOLD: (f32, f32) = (1.0, 0.12);
 /// Flanks whose lengths differ by more are paired as far down as the shorter goes.
 const ALIKE: f32 = 0.6;
 /// Half width of a blade that one line stands for, as a share of its length.
@@ -78,10 +82,14 @@ pub(super) fn spikes(points: &[Vec2], height: impl Fn(Vec2) -> f32, prominence: 
     (first_tip..found.len()).step_by(2).map(flanks).collect()
 }
 
+fn is_closed(points: &[Vec2]) -> bool {
+    let ends = points.first().zip(points.last());
+    ends.is_some_and(|(first, last)| first.distance(*last) <= CLOSED * polyline::length(points))
+}
+
 /// A line whose ends meet, beginning at its lowest point and ending there again.
 fn closed_from_below(points: &[Vec2], height: impl Fn(Vec2) -> f32) -> Option<Vec<Vec2>> {
-    let (first, last) = (points.first()?, points.last()?);
-    if first.distance(*last) > CLOSED * polyline::length(points) {
+    if !is_closed(points) {
         return None;
     }
     let lowest = points.iter().enumerate().min_by(|a, b| height(*a.1).total_cmp(&height(*b.1)))?.0;
@@ -141,6 +149,34 @@ impl Spike {
         let [a, b] = &self.flanks[..] else { return None };
         let away = share * polyline::length(a).min(polyline::length(b));
         Some((at(a, away) - self.tip()).angle_to(at(b, away) - self.tip()).abs())
+    }
+
+    /// The spike of something that bends back toward the base: where it is blunt, its tip is the far end of the line that it is
+    /// cut from, or the sharp fold of that if it is closed.
+    pub(super) fn hanging(self, line: &[Vec2], base: Vec2, deep: f32) -> Self {
+        let ([a, b], Some(angle)) = (&self.flanks[..], self.angle(FOLD.1)) else { return self };
+        if angle < BLUNT {
+            return self;
+        }
+        let whole: Vec<Vec2> = a.iter().rev().chain(b.iter().skip(1)).copied().collect();
+        let far = deep * self.tip().distance(base);
+        let is_far = |p: Vec2| p.distance(base) > far;
+        let (first, last) = (line[0], line[line.len() - 1]);
+        if is_closed(line) {
+            let window = ((FOLD.1 * a.len().min(b.len()) as f32) as usize).max(2);
+            let turn = |k: usize| (whole[k - window] - whole[k]).angle_to(whole[k + window] - whole[k]).abs();
+            let inner = (window..whole.len().saturating_sub(window)).filter(|k| is_far(whole[*k]));
+            let fold = inner.min_by(|j, k| turn(*j).total_cmp(&turn(*k))).filter(|k| turn(*k) < FOLD.0);
+            let cut = |k: usize| vec![whole[..=k].iter().rev().copied().collect(), whole[k..].to_vec()];
+            return fold.map(|k| Self { flanks: cut(k) }).unwrap_or(self);
+        }
+        if whole[0] == first && is_far(first) && !is_far(whole[whole.len() - 1]) {
+            return Self { flanks: vec![whole] };
+        }
+        if whole[whole.len() - 1] == last && is_far(last) && !is_far(whole[0]) {
+            return Self { flanks: vec![whole.into_iter().rev().collect()] };
+        }
+        self
     }
 
     /// Whether the flanks run straight or bend to one side, and two of them run side by side, `widest` of the reach apart.
@@ -309,5 +345,27 @@ mod tests {
         assert!(!Spike { flanks: vec![wavy] }.is_slender(0.3));
         let arc: Vec<Vec2> = (0..80).map(|k| 50.0 * Vec2::from_angle(k as f32 * 0.03)).collect();
         assert!(Spike { flanks: vec![arc] }.is_slender(0.3));
+    }
+
+    #[test]
+    fn the_tip_of_what_hangs_is_its_far_end_or_its_fold() {
+        // Up and over: farthest from the base before its end.
+        let over = |k: usize| Vec2::new(1.5 * k as f32, -60.0 * (k as f32 * 0.045).sin());
+        let line: Vec<Vec2> = (0..=60).map(over).collect();
+        let away = |p: Vec2| p.length();
+        let found = spikes(&line, away, 4.0);
+        let tip = |line: &[Vec2]| {
+            let all = spikes(line, away, 4.0).into_iter().map(|spike| spike.hanging(line, Vec2::ZERO, 0.5));
+            all.map(|spike| (spike.tip(), spike.flanks.len())).collect::<Vec<_>>()
+        };
+        assert_eq!(found.len(), 1);
+        assert_eq!(tip(&line), [(line[60], 1)]);
+        let inner = line.iter().rev().skip(1).map(|p| 0.85 * *p + Vec2::new(0.0, 4.0 * p.length() / 90.0));
+        let closed: Vec<Vec2> = line.iter().copied().chain(inner).collect();
+        let hanging = tip(&closed);
+        assert!(
+            hanging.len() == 1 && hanging[0].1 == 2 && hanging[0].0.distance(line[60]) < 8.0,
+            "{hanging:?}"
+        );
     }
 }

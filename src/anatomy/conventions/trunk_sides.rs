@@ -24,11 +24,14 @@ const APART: (f32, f32) = (0.02, 0.5);
 /// Greatest width at the top, in mean widths: what widens upward is a pair of leaves.
 const WIDER: f32 = 1.4;
 /// How far from the middle lines on the bark reach, in half widths of the trunk.
-const BARK: f32 = 1.3;
+const BARK: f32 = 1.5;
 /// Lean of a side at which it is no more the trunk's, radians.
 const LEAN: f32 = 1.2;
-/// Gap over which a line goes on, as a share of the height.
+/// Gap over which a line goes on, as a share of the height, and most that it turns there, radians.
 const GAP: f32 = 0.04;
+const STRAIGHT: f32 = 0.7;
+/// Distance between the ends of a line that may go on, as a share of the diagonal of its bounds: leaves are closed.
+const OPEN: f32 = 0.3;
 /// What a side may be longer than the other, as a share of that, and still be the trunk's.
 const LONGER: f32 = 0.35;
 /// Most sides that are looked at.
@@ -60,19 +63,25 @@ impl Side {
         found.windows(2).map(|pair| Self(steep(places(number, line, pair[0], pair[1])))).collect()
     }
 
-    /// The side with the steep beginning of another line that goes on where it ends.
+    /// The side with the steep beginning of another line that goes on where it ends, in about its direction.
     fn continued(mut self, page: &Page, group: &[usize], gap: f32) -> Self {
-        let (own, top) = (self.0[0].0, self.top());
+        let (own, end, top) = self.0[self.0.len() - 1];
+        if end != 0 && end + 1 != page.lines[own].points.len() {
+            return self;
+        }
+        let before = top - self.0[self.0.len().saturating_sub(1 + 4 * STEPS)].2;
         let next = group.iter().filter(|i| **i != own).find_map(|i| {
             let line = &page.lines[*i];
             let (first, last) = line.ends();
-            let goes_on = first.distance(top).min(last.distance(top)) < gap;
-            let mut all = places(*i, line, 0, line.points.len() - 1);
-            if last.distance(top) < first.distance(top) {
-                all.reverse();
-            }
-            let begins_steep = goes_on && all[STEPS].2.y < all[0].2.y;
-            begins_steep.then(|| steep(all)).filter(|rest| rest[0].2.distance(top) < gap)
+            let numbers = 0..line.points.len();
+            let is_turned = last.distance(top) < first.distance(top);
+            let order: Vec<usize> = if is_turned { numbers.rev().collect() } else { numbers.collect() };
+            let ahead = line.points[order[4 * STEPS]] - line.points[order[0]];
+            let goes_on = line.openness > OPEN
+                && line.points[order[0]].distance(top) < gap
+                && before.angle_to(ahead).abs() < STRAIGHT;
+            let rest = || steep(order.iter().map(|k| (*i, *k, line.points[*k])).collect());
+            goes_on.then(rest).filter(|rest| rest[0].1 == order[0])
         });
         self.0.extend(next.unwrap_or_default());
         self
@@ -84,10 +93,6 @@ impl Side {
 
     fn foot(&self) -> Vec2 {
         self.0[0].2
-    }
-
-    fn top(&self) -> Vec2 {
-        self.0[self.0.len() - 1].2
     }
 
     fn length(&self) -> f32 {
@@ -156,6 +161,11 @@ impl TrunkSides {
     /// The lines of its sides.
     pub(super) fn lines(&self) -> impl Iterator<Item = usize> {
         self.own.iter().map(|place| place.0)
+    }
+
+    /// Width in the middle of its length, pixels.
+    pub(super) fn width(&self) -> f32 {
+        2.0 * self.middle[POINTS / 2].1
     }
 
     /// Middle of its lower end.
