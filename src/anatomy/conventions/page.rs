@@ -122,7 +122,7 @@ const FULL_WEIGHT: f32 = 0.4;
 const LEAST_WEIGHT: f32 = 0.3;
 
 /// Most steps that a search for lines in boxes takes: that many lines in one spot are no drawing.
-const MOST_STEPS: u64 = 1 << 24;
+const MOST_STEPS: u64 = 1 << 22;
 
 impl Page {
     /// How much a part of such a diagonal counts: what is small beside the drawing must not outweigh what explains all of it.
