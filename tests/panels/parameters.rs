@@ -115,7 +115,7 @@ fn every_value_that_a_rail_gives_is_accepted_by_the_pipeline() {
         }
     }
     /// Parameters that have no rail.
-    const SWITCHES: usize = 5;
+    const SWITCHES: usize = 6;
     assert!(moved + SWITCHES >= described.len(), "only {moved} of {} rails were moved", described.len());
 }
 

@@ -13,6 +13,8 @@ use penstemon::sketch::{Picture, TextureChoice};
 #[test]
 fn species_textures_and_seed_are_chosen_by_tapping() {
     let mut harness = stage(busy(), Language::English);
+    harness.get_by_label("Plumeria").scroll_to_me();
+    harness.run();
     press(&mut harness, "Plumeria");
     assert_eq!(asked(&mut harness), [Action::SetSpecies("plumeria".into())]);
     harness.get_by_label("Roll the dice").scroll_to_me();
