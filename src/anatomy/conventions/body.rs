@@ -27,6 +27,8 @@ const COVERED: f32 = 0.94;
 const THINNEST: f32 = 2.5;
 /// Least length of all middle lines, in half widths.
 const SLENDER: f32 = 5.0;
+/// Least length of each, in half widths of its own.
+const SLENDER_ARM: f32 = 3.4;
 /// Most of the greatest half width in the least, ends left out.
 const EVEN: f32 = 2.2;
 /// Least climb of a line from its beginning to its tip, as a share of their distance: arms of a cactus turn up.
@@ -81,8 +83,10 @@ fn body(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
     let covered = silhouette.share_within(axes.iter().flat_map(|axis| &axis.points));
     let inside = silhouette.share_inside(lines.iter().flat_map(|line| &line.points));
+    let is_long = axes.iter().all(|axis| axis.length() > SLENDER_ARM * median_half(axis.middle()));
     let is_smooth = notches(&outline).len() < 2 * axes.len();
     if !is_body
+        || !is_long
         || !is_smooth
         || covered < COVERED
         || inside < INSIDE

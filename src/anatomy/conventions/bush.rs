@@ -28,8 +28,8 @@ const SOLID: f32 = 0.62;
 const FOOT: (f32, f32) = (0.15, 0.4);
 /// Farthest that a line may leave the area, as a share of its height.
 const OUTSIDE: f32 = 0.15;
-/// How wide gaps of the outline are closed, in cells of the silhouette.
-const BRIDGE: i32 = 15;
+/// How wide gaps of the outline are closed, in cells of the silhouette, one after the other.
+const BRIDGES: [i32; 2] = [15, 20];
 /// Points of the outline.
 const POINTS: usize = 160;
 /// Stems: directions from upright in degrees, and lengths in heights of the bush.
@@ -56,19 +56,21 @@ fn bush(page: &Page, group: &[usize]) -> Option<Hypothesis> {
         lines.iter().filter(|line| is_arch(line)).map(|line| vec![line.ends().0, line.ends().1]).collect();
     let closing: Vec<&[Vec2]> = chords.iter().map(Vec::as_slice).collect();
     let drawn = || lines.iter().map(|line| line.points.as_slice());
-    let silhouette = Silhouette::new(drawn().chain(closing.iter().copied()), BRIDGE);
-    let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
-    let area = simple_loop::signed_area(outline.iter().copied()).abs();
     let hull_area = simple_loop::signed_area(hull.iter().copied()).abs();
     let scribbled: f32 = lines.iter().filter(|line| line.is_scribble()).map(|line| line.hull_area).sum();
     let is_scribble = scribbled > SCRIBBLE * hull_area;
-    let is_solid = area > SOLID * hull_area;
-    let has_notches = notches(&outline).len() >= if closing.is_empty() { NOTCHES.0 } else { NOTCHES.1 };
-    let is_outline = has_notches
-        && evidence::is_drawn_by_few(&outline, drawn(), &closing, &silhouette)
-        && !evidence::has_flower_centre(&lines, &outline);
-    let is_crown = is_solid && (is_scribble || is_outline);
-    if !is_crown || !(is_scribble || stands(&outline, (low, high))) || is_left(&lines, &outline) {
+    let fewest = if closing.is_empty() { NOTCHES.0 } else { NOTCHES.1 };
+    let crown = |bridge: &i32| {
+        let silhouette = Silhouette::new(drawn().chain(closing.iter().copied()), *bridge);
+        let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
+        let is_solid = simple_loop::signed_area(outline.iter().copied()).abs() > SOLID * hull_area;
+        let is_outline = notches(&outline).len() >= fewest
+            && evidence::is_drawn_by_few(&outline, drawn(), &closing, &silhouette)
+            && !evidence::has_flower_centre(&lines, &outline);
+        (is_solid && (is_scribble || is_outline)).then_some(outline)
+    };
+    let outline = BRIDGES.iter().find_map(crown)?;
+    if !(is_scribble || stands(&outline, (low, high))) || is_left(&lines, &outline) {
         return None;
     }
     let uses = page.with_what_is_inside(group, &outline);

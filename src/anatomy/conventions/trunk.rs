@@ -28,6 +28,10 @@ const TWO_SIDED: f32 = 0.75;
 const NARROWEST: f32 = 0.025;
 /// Shortest and longest trunk, as shares of the height.
 const TRUNK: (f32, f32) = (0.12, 0.85);
+/// Most pieces of ink in a row of a trunk, and width, as a share of the widest row, up to which a scribble may have more: several
+/// stems side by side are no trunk.
+const RUNS: u32 = 3;
+const SCRIBBLED: f32 = 0.3;
 /// Height, as a share of the whole, in which the width grows so many times where a crown begins with a jump.
 const JUMP: (f32, f32) = (0.06, 1.5);
 /// How far a side of the trunk may go outward for each step down and up: steeper lines are ground, or crown.
@@ -120,7 +124,11 @@ impl Rows {
         // Sides seldom end at one height; what has one side only, below, is the foot of the longer.
         let foot = (0..rows(UNEVEN)).find(has_sides)?;
         let candidates = (foot + rows(0.03)..rows(TRUNK.1)).filter(has_sides);
-        let neck = candidates.min_by(|a, b| self.width(*a).total_cmp(&self.width(*b)))?;
+        // Single rows may be narrow by chance, where lines of the ground or hooks of the hand end.
+        let around =
+            |row: usize| (row.saturating_sub(2)..=(row + 2).min(ROWS - 1)).map(|row| self.width(row));
+        let widest = |row: usize| around(row).fold(0.0, f32::max);
+        let neck = candidates.min_by(|a, b| widest(*a).total_cmp(&widest(*b)))?;
         let narrow = self.width(neck);
         let wide = (neck..ROWS).map(|row| self.width(row)).fold(0.0, f32::max);
         let most = narrow + SHOULDER * (wide - narrow);
@@ -128,6 +136,9 @@ impl Rows {
         let is_long = (TRUNK.0..=TRUNK.1).contains(&(top as f32 / ROWS as f32));
         let two_sided = (0..top).filter(has_sides).count() as f32;
         if narrow > NECK * wide || !is_long || two_sided < TWO_SIDED * top as f32 {
+            return None;
+        }
+        if narrow > SCRIBBLED * wide && self.most_runs(neck, top) > RUNS {
             return None;
         }
         let at = |x| Vec2::new(x, self.height_of(top - 1));
@@ -138,6 +149,15 @@ impl Rows {
             sill: (at(self.ends[top - 1].0), at(self.ends[top - 1].1)),
             is_sharp: self.jumps(neck, top),
         })
+    }
+
+    /// How many separate pieces of ink half of these rows have at least.
+    fn most_runs(&self, first: usize, end: usize) -> u32 {
+        // A run ends where ink has none on its left.
+        let mut runs: Vec<u32> =
+            self.ink[first..end].iter().map(|ink| (ink & !(ink << 1)).count_ones()).collect();
+        let middle = runs.len() / 2;
+        runs.get(middle).is_some().then(|| *runs.select_nth_unstable(middle).1).unwrap_or(0)
     }
 
     /// Whether the width jumps where a crown begins at the row `top`.
