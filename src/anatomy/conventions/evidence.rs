@@ -11,7 +11,7 @@ const ENCLOSED: f32 = 0.12;
 /// Extent of a flower centre, least and most, and how far it may lie from the middle, in reaches of the crown.
 const CENTRE: (f32, f32, f32) = (0.2, 1.0, 0.4);
 /// Most lines that draw a crown's outline, least share of it that they draw, and how near they are, in cells of the silhouette.
-const OUTLINE: (usize, f32, f32) = (4, 0.8, 3.0);
+const OUTLINE: (usize, f32, f32) = (4, 0.7, 3.0);
 
 /// Whether several of these lines are outlines of blades, drawn one by one: closed, convex but for little, and small in the
 /// whole, which has this width and height.

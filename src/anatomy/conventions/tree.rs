@@ -22,6 +22,8 @@ use std::f32::consts::PI;
 const LOWEST: f32 = 0.15;
 /// How wide gaps of a crown's outline are closed, in cells of its silhouette, one after the other until it is closed.
 const BRIDGES: [i32; 3] = [8, 16, 24];
+/// Least hull of one stretch of line above the trunk, as a share of the hull of all.
+const TURNED: f32 = 0.3;
 /// Share of its convex hull that an outline without a wide gap encloses.
 const CLOSED: f32 = 0.4;
 /// Least share of its convex hull that a crown fills.
@@ -75,9 +77,14 @@ fn crown(lines: &[&Line], trunk: &Trunk) -> Option<Vec<Vec2>> {
     let sill = vec![trunk.sill.0, trunk.sill.1];
     let all = above.iter().chain([&sill]).map(Vec::as_slice);
     let drawn = above.iter().map(Vec::as_slice);
+    // The stretches of an outline turn round what they enclose; sides of stems that go on upward do not.
+    let turned = above.iter().map(|run| hull_area_of(run)).fold(0.0, f32::max);
     let ink: Vec<Vec2> = above.iter().flatten().copied().collect();
     let hull = convex_hull(&ink, |p| *p);
-    let hull_area = simple_loop::signed_area(hull.iter().copied()).abs();
+    let hull_area = hull_area_of(&hull);
+    if turned < TURNED * hull_area {
+        return None;
+    }
     let closed =
         |bridge: &i32| Some(Silhouette::new(all.clone(), *bridge)).filter(|s| s.area() > CLOSED * hull_area);
     let silhouette = BRIDGES.iter().find_map(closed)?;
@@ -87,6 +94,11 @@ fn crown(lines: &[&Line], trunk: &Trunk) -> Option<Vec<Vec2>> {
         && evidence::is_drawn_by_few(&outline, drawn, &[&sill], &silhouette)
         && (trunk.is_sharp || notches(&outline).len() >= NOTCHES);
     is_crown.then_some(outline)
+}
+
+fn hull_area_of(points: &[Vec2]) -> f32 {
+    let hull = convex_hull(points, |p| *p);
+    simple_loop::signed_area(hull.iter().copied()).abs()
 }
 
 /// Whether an area is solid, wider than its trunk and no long arm.
