@@ -157,7 +157,7 @@ impl Rows {
         let mut runs: Vec<u32> =
             self.ink[first..end].iter().map(|ink| (ink & !(ink << 1)).count_ones()).collect();
         let middle = runs.len() / 2;
-        runs.get(middle).is_some().then(|| *runs.select_nth_unstable(middle).1).unwrap_or(0)
+        if runs.is_empty() { 0 } else { *runs.select_nth_unstable(middle).1 }
     }
 
     /// Whether the width jumps where a crown begins at the row `top`.
