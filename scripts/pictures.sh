@@ -10,6 +10,13 @@ for name in daisy hepatica_red balloon_flower bouquet tree_round topiary; do
     "$program" render "assets/sketches/$name.penstemon" -o "docs/images/$name.png" --size 560x640 --with-drawing
 done
 
+# Drawings by people beside their plants.
+people=$(mktemp -d)
+cargo run --release --quiet --example draw_contact_sheets -- "$people" \
+    tree/5,flower/10,cactus/0,house_plant/4,bush/12,flower/13,leaf/29,palm_tree/3,tree/15,grass/1,mushroom/1,house_plant/10
+cp "$people/picked-01.png" docs/images/people.png
+rm -rf "$people"
+
 # Trees that grow by themselves, side by side.
 grown=$(mktemp -d)
 for species in $("$program" grow --list); do

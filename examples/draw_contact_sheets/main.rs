@@ -1,10 +1,11 @@
 //! Contact sheets of the drawings by people: each drawing beside the plant that is made of it, from the front and turned.
 //!
 //! ```text
-//! cargo run --example draw_contact_sheets -- FOLDER [development] [icons] [held_back] [CLASS]...
+//! cargo run --example draw_contact_sheets -- FOLDER [development] [icons] [held_back] [CLASS]... [CLASS/INDEX,...]...
 //! ```
 //!
-//! A class, such as `tree`, is that class' drawings of the development half.
+//! A class, such as `tree`, is that class' drawings of the development half; `tree/5,leaf/29` are these drawings of it, in this
+//! order, on the sheet `picked`.
 //! Without a choice, the development half and the icons. The held-back half is there to judge by, not to look at on the way.
 //! The sheets are FOLDER/NAME-01.png and so on, twelve drawings each. A plant that cannot be built leaves its place empty and
 //! is told.
@@ -52,6 +53,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 drawings.retain(|drawing| drawing.class == class);
                 drawings
             }
+            list if list.contains('/') => picked(list)?,
             _ => {
                 return Err(
                     format!("`{name}` is none of development, held_back, icons and the classes").into()
@@ -63,11 +65,23 @@ fn main() -> Result<(), Box<dyn Error>> {
             for (place, drawing) in drawings.iter().enumerate() {
                 sheet.add(place, drawing, &mut renderer)?;
             }
-            let path = Path::new(&folder).join(format!("{name}-{:02}.png", number + 1));
+            let sheet_name = if name.contains('/') { "picked" } else { &name };
+            let path = Path::new(&folder).join(format!("{sheet_name}-{:02}.png", number + 1));
             fs::write(path, sheet.to_png()?)?;
         }
     }
     Ok(())
+}
+
+/// The drawings of a list, `CLASS/INDEX,...`, of the development half.
+fn picked(list: &str) -> Result<Vec<Drawing>, Box<dyn Error>> {
+    let mut drawings = people::drawings(Half::Development)?;
+    let mut pick = |wanted: &str| {
+        let is_it = |d: &Drawing| format!("{}/{}", d.class, d.name) == wanted;
+        let place = drawings.iter().position(is_it).ok_or_else(|| format!("there is no `{wanted}`"))?;
+        Ok(drawings.remove(place))
+    };
+    list.split(',').map(&mut pick).collect()
 }
 
 /// A picture in rows of red, green and blue.

@@ -2,14 +2,14 @@
 //!
 //! Lines that touch or are near one another are searched for a [`trunk`](super::trunk); the crown is what the lines above it
 //! enclose, gaps closed as little as needed. What speaks for a crown is that a few lines draw its outline, that it is solid,
-//! compact, wider than the trunk and no smaller, and that it begins with a jump of the width or has notches. Arms of a cactus, the web of
+//! compact, wider than the trunk and no smaller, and that it begins with a jump of the width. Arms of a cactus, the web of
 //! drawn branches and the base of a leaf are not so; a round outline in its middle makes it a corolla, and several closed
 //! outlines in it are leaves or petals that were drawn one by one.
 //!
 //! Limits: a single line below an outline is a stem, and that a flower, see [`corolla`](super::corolla).
 
 use super::evidence;
-use super::page::{Line, Page, notches};
+use super::page::{Line, Page};
 use super::silhouette::{Silhouette, smooth_contour};
 use super::trunk::{Rows, Trunk};
 use super::{Habit, Hypothesis, Made};
@@ -34,8 +34,6 @@ const WIDER: f32 = 1.25;
 const INSIDE: f32 = 0.85;
 /// Most area of a crown that is higher than so many times its width, in areas of the largest circle in it.
 const COMPACT: (f32, f32) = (4.0, 0.8);
-/// Fewest notches of a crown that begins without a jump of the width.
-const NOTCHES: usize = 3;
 /// Points of a crown's outline.
 const POINTS: usize = 160;
 /// Log-odds of a tree where all of this holds.
@@ -92,7 +90,7 @@ fn crown(lines: &[&Line], trunk: &Trunk) -> Option<Vec<Vec2>> {
     let is_crown = is_compact(&silhouette, &hull, trunk.narrow)
         && silhouette.share_inside(ink.iter()) >= INSIDE
         && evidence::is_drawn_by_few(&outline, drawn, &[&sill], &silhouette)
-        && (trunk.is_sharp || notches(&outline).len() >= NOTCHES);
+        && trunk.is_sharp;
     is_crown.then_some(outline)
 }
 
