@@ -6,7 +6,7 @@ use super::{
     Anatomy, FlatBlade, FlatBranch, FlatCrown, Mark, Part, Stop,
     attach::{AttachParams, Attacher},
     blade_outline::TipParams,
-    conventions::{self, ConventionParams, Interpretation, Piece},
+    conventions::{self, ConventionParams, Habit, Interpretation, Piece},
     fill_leaves::LeafFillParams,
     fill_twigs::TwigParams,
     flowers::{self, Drawn, FlowerParams, Gatherer, Stem},
@@ -54,6 +54,7 @@ pub struct Cache {
     /// Everything in here was made with these.
     params: AnatomyParams,
     is_for_one_build: bool,
+    conventions: conventions::Memory,
     readings: Readings,
     branches: Arranger,
     flowers: Gatherer,
@@ -66,11 +67,17 @@ impl Cache {
     pub fn for_one_build() -> Self {
         Self {
             is_for_one_build: true,
+            conventions: conventions::Memory::for_one_build(),
             readings: Readings::for_one_build(),
             branches: Arranger::for_one_build(),
             places: Attacher::for_one_build(),
             ..Self::default()
         }
+    }
+
+    /// What kind of plant a drawing shows; kept for its analysis.
+    pub fn habit(&mut self, sketch: &Sketch, params: &ConventionParams) -> Option<Habit> {
+        conventions::interpret_with(&mut self.conventions, &sketch.strokes, params).habit
     }
 
     /// Begins a drawing with these parameters; what was made with others is of no use.
@@ -103,7 +110,7 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
     cache.begin(params);
     let rules = Rules { preprocess: &params.preprocess, ignore: &params.ignore, tip: &params.tip };
     let Interpretation { strokes, pieces, readings: together, solids, remarks, habit } =
-        conventions::interpret(&sketch.strokes, &params.conventions);
+        conventions::interpret_with(&mut cache.conventions, &sketch.strokes, &params.conventions);
     let reading::Drawn { readings, bounds } = cache.readings.read(&strokes, rules);
     let bounds =
         solids.iter().map(|drawn| drawn.solid.bounds()).fold(bounds, |a, b| (a.0.min(b.0), a.1.max(b.1)));
@@ -113,15 +120,7 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
     if stop() {
         return anatomy;
     }
-    let mut warnings = Warnings::default();
-    for Warning { stroke, remark } in remarks {
-        warnings.add(stroke, || remark);
-    }
-    for reading in &readings {
-        if let Some(remark) = &reading.warning {
-            warnings.add(Some(reading.id), || remark.clone());
-        }
-    }
+    let mut warnings = remarks_on(&readings, remarks);
     let lines =
         readings.iter().filter(|r| r.part == Part::Branch).map(|r| (Some(r.id), Arc::clone(&r.samples)));
     let Arranged { branches, lines } =
@@ -148,13 +147,25 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
     let fill = Fill { readings: &readings, seed: sketch.seed, twigs, leaf_twigs, leaf_fill, stop };
     fill.fill(&mut cache.outlines, &mut anatomy, &mut warnings);
     anatomy.warnings = warnings.into_vec();
-    for warning in &mut anatomy.warnings {
-        warning.stroke =
-            warning.stroke.map(|stroke| anatomy.pieces.get(&stroke).map_or(stroke, Piece::first));
-    }
+    let drawn = |stroke| anatomy.pieces.get(&stroke).map_or(stroke, Piece::first);
+    anatomy.warnings.iter_mut().for_each(|warning| warning.stroke = warning.stroke.map(drawn));
     let read = marks(&readings, &anatomy.petals, &gathering.centres);
     anatomy.marks = of_drawn(&sketch.strokes, &anatomy.pieces, read);
     anatomy
+}
+
+/// What is said of strokes that were read together, then of single ones.
+fn remarks_on(readings: &[Arc<Reading>], together: Vec<Warning>) -> Warnings {
+    let mut warnings = Warnings::default();
+    for Warning { stroke, remark } in together {
+        warnings.add(stroke, || remark);
+    }
+    for reading in readings {
+        if let Some(remark) = &reading.warning {
+            warnings.add(Some(reading.id), || remark.clone());
+        }
+    }
+    warnings
 }
 
 /// Most outlines of crowns in a drawing.

@@ -299,11 +299,14 @@ impl BuildContext {
     /// `Ok(None)` where it was cancelled.
     fn build(&mut self, snapshot: &Snapshot, cancel: &AtomicBool) -> Result<Option<Built>, SetupError> {
         let Snapshot { sketch, folder, overlay, .. } = snapshot;
-        let name = sketch.species.clone().unwrap_or_else(|| pipeline::usual_species(sketch, &[]).to_owned());
+        let name = self.cache.species_name(sketch);
         let known = self.species.take().filter(|(known, at, _)| *known == name && at == folder);
         let (species, missing) = match known {
             Some((_, _, species)) => (species, None),
-            None => pipeline::species_or_usual(sketch, folder)?,
+            None => {
+                let named = Sketch { species: Some(name.clone()), ..Sketch::empty() };
+                pipeline::species_or_usual(&named, folder)?
+            }
         };
         let (_, _, species) = self.species.insert((name, folder.clone(), species));
         let params = pipeline::params_of(sketch, species, &[])?;

@@ -5,6 +5,7 @@ use super::growing;
 use super::setup::Params;
 use super::source::Produced;
 use crate::anatomy;
+use crate::anatomy::conventions::{ConventionParams, Habit};
 use crate::depth;
 use crate::growth::overlay::{Spot, Wanted};
 use crate::growth::{Memory, PlantAtAge};
@@ -25,6 +26,11 @@ impl DrawingMemory {
     pub(super) fn for_one_build() -> Self {
         let (anatomy, depth) = (anatomy::Cache::for_one_build(), depth::Cache::for_one_build());
         Self { anatomy, depth, growth: Memory::default() }
+    }
+
+    /// What kind of plant a drawing shows.
+    pub(super) fn habit(&mut self, sketch: &Sketch, params: &ConventionParams) -> Option<Habit> {
+        self.anatomy.habit(sketch, params)
     }
 
     /// What growth looks like from inside, at an age that the plant has lived through.

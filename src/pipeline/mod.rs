@@ -38,7 +38,7 @@ pub use usual_species::{DEFAULT_SPECIES, species_of_habit};
 use crate::budget::Budget;
 use crate::growth::overlay::Wanted;
 use crate::model;
-use crate::sketch::Textures;
+use crate::sketch::{Sketch, Textures};
 use crate::species::Species;
 use clock::Clock;
 use finish::Finish;
@@ -58,6 +58,15 @@ pub struct Cache {
 }
 
 impl Cache {
+    /// The name of a sketch's species: its own, or that of what it shows; what was read for that is kept for its build.
+    pub fn species_name(&mut self, sketch: &Sketch) -> String {
+        if let Some(name) = &sketch.species {
+            return name.clone();
+        }
+        let params = setup::convention_params(sketch, &[]);
+        species_of_habit(self.drawing.habit(sketch, &params)).to_owned()
+    }
+
     /// Adds to what [`build_with`] has just built what is wanted of its growth, at the age that it shows.
     pub fn look_inside(&self, source: Source<'_>, built: &mut Built, wanted: Wanted) {
         let Some(ages) = built.growth.filter(|_| wanted.any()) else { return };

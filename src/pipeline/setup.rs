@@ -4,7 +4,8 @@
 //! of the command line. What a layer says wrongly is reported with its file and line.
 
 use super::usual_species::{DEFAULT_SPECIES, species_of_habit};
-use crate::anatomy::{AnatomyParams, conventions};
+use crate::anatomy::AnatomyParams;
+use crate::anatomy::conventions::{self, ConventionParams};
 use crate::depth::DepthParams;
 use crate::growth::habit::CrownHabit;
 use crate::growth::{GrowthParams, Habit};
@@ -103,11 +104,18 @@ pub fn species_of(sketch: &Sketch, folder: &Path) -> Result<Species, SpeciesErro
 
 /// The built-in species of a sketch that names none, with these `PATH=VALUE` assignments.
 pub fn usual_species(sketch: &Sketch, assignments: &[String]) -> &'static str {
+    let params = convention_params(sketch, assignments);
+    species_of_habit(conventions::interpret(&sketch.strokes, &params).habit)
+}
+
+/// How the drawing of a sketch that names no species is read. Wrong parameters are reported where they are used.
+pub(super) fn convention_params(sketch: &Sketch, assignments: &[String]) -> ConventionParams {
+    if sketch.params.is_empty() && assignments.is_empty() {
+        return ConventionParams::default();
+    }
     let default = Species::built_in(DEFAULT_SPECIES).ok();
-    // Wrong parameters are reported where they are used.
     let params = default.and_then(|species| params_of(sketch, &species, assignments).ok());
-    let conventions = params.map(|params| params.anatomy.conventions).unwrap_or_default();
-    species_of_habit(conventions::interpret(&sketch.strokes, &conventions).habit)
+    params.map(|params| params.anatomy.conventions).unwrap_or_default()
 }
 
 /// The same; where the species file that the sketch names is missing, the species of a sketch that names none, with a

@@ -25,13 +25,11 @@ pub enum Reading {
     Pot,
     /// The ground.
     Ground,
-    /// Something that is not the plant.
-    Frame,
 }
 
 impl Reading {
     /// Every reading, in the order of this list.
-    pub const ALL: [Reading; 11] = [
+    pub const ALL: [Reading; 10] = [
         Self::Tree,
         Self::Bush,
         Self::Cactus,
@@ -42,7 +40,6 @@ impl Reading {
         Self::Fronds,
         Self::Pot,
         Self::Ground,
-        Self::Frame,
     ];
 }
 
@@ -59,7 +56,6 @@ impl fmt::Display for Reading {
             Self::Fronds => "is read as fronds",
             Self::Pot => "is read as the pot in which the plant stands",
             Self::Ground => "is read as the ground and is no part of the plant",
-            Self::Frame => "is no part of the plant",
         })
     }
 }

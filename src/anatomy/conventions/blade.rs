@@ -62,6 +62,18 @@ impl Blade {
         self.ring.iter().zip(next).filter(|(a, b)| crosses((a, b))).count() % 2 == 1
     }
 
+    /// Share of a line that lies in the outline, by every third of its points.
+    pub(super) fn share_of(&self, line: &Line) -> f32 {
+        let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+        let (low, high) = self.ring.iter().fold(empty, |(low, high), p| (low.min(*p), high.max(*p)));
+        if line.bounds.0.cmpgt(high).any() || line.bounds.1.cmplt(low).any() {
+            return 0.0;
+        }
+        let points = line.points.iter().step_by(3);
+        let is_inside = |p: &&Vec2| p.cmpge(low).all() && p.cmple(high).all() && self.holds(**p);
+        points.clone().filter(is_inside).count() as f32 / points.len() as f32
+    }
+
     /// The point of the outline nearest to a place, and how far it is.
     pub(super) fn nearest(&self, p: Vec2) -> (usize, f32) {
         let away = |i: &usize| self.ring[*i].distance(p);

@@ -35,7 +35,7 @@ const EVEN: f32 = 2.2;
 const RISE: f32 = 0.5;
 /// Least half width at a tip, one half width before its end, as a share.
 const BLUNT: f32 = 0.6;
-/// One tip in more than so many may be pointed.
+/// One tip of so many, and one besides, may be pointed.
 const MOSTLY: usize = 2;
 /// Shortest arm, in half widths of the trunk there, and shortest that does not rise: what is shorter is a corner at the foot.
 const ARM: (f32, f32) = (2.5, 4.0);
@@ -73,28 +73,14 @@ fn body(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     }
     let root = foot.map_or(Vec2::new(0.5 * (low.x + high.x), high.y), |(left, right)| left.midpoint(right));
     let axes = arms(medial_axes(&silhouette, root));
-    let half = median_half(&axes.first()?.points);
-    let length: f32 = axes.iter().map(Axis::length).sum();
-    let is_body = half > THINNEST * silhouette.cell()
-        && length > SLENDER * half
-        && axes.iter().all(|axis| axis.is_even() && axis.rises())
-        && axes.iter().filter(|axis| !axis.is_blunt()).count() * MOSTLY <= axes.len() + 1
-        && (axes.len() > 1 || foot.is_some_and(|(left, right)| left.distance(right) > OPEN * 2.0 * half));
     let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
-    let covered = silhouette.share_within(axes.iter().flat_map(|axis| &axis.points));
-    let inside = silhouette.share_inside(lines.iter().flat_map(|line| &line.points));
-    let is_long = axes.iter().all(|axis| axis.length() > SLENDER_ARM * median_half(axis.middle()));
     let is_smooth = notches(&outline).len() < 2 * axes.len();
-    if !is_body
-        || !is_long
-        || !is_smooth
-        || covered < COVERED
-        || inside < INSIDE
-        || evidence::has_flower_centre(&lines, &outline)
-    {
-        return None;
-    }
-    Some(Hypothesis {
+    let is_body = is_fleshy(&axes, foot, THINNEST * silhouette.cell())
+        && is_smooth
+        && silhouette.share_within(axes.iter().flat_map(|axis| &axis.points)) >= COVERED
+        && silhouette.share_inside(lines.iter().flat_map(|line| &line.points)) >= INSIDE
+        && !evidence::has_flower_centre(&lines, &outline);
+    is_body.then(|| Hypothesis {
         uses: page.with_what_is_inside(group, &outline),
         score: SCORE,
         parts: axes.iter().map(branch).collect(),
@@ -102,6 +88,20 @@ fn body(page: &Page, group: &[usize]) -> Option<Hypothesis> {
         reading: Reading::Cactus,
         habit: Some(Habit::Succulent),
     })
+}
+
+/// Whether middle lines are those of a column with arms: long, evenly thick, turned up and mostly blunt. One without arms is open
+/// at its foot.
+fn is_fleshy(axes: &[Axis], foot: Option<(Vec2, Vec2)>, thinnest: f32) -> bool {
+    let Some(half) = axes.first().map(|trunk| median_half(&trunk.points)) else { return false };
+    let length: f32 = axes.iter().map(Axis::length).sum();
+    let is_open = foot.is_some_and(|(left, right)| left.distance(right) > OPEN * 2.0 * half);
+    let pointed = axes.iter().filter(|axis| !axis.is_blunt()).count();
+    half > thinnest
+        && length > SLENDER * half
+        && axes.iter().all(|axis| axis.is_even() && axis.rises() && axis.is_long())
+        && pointed * MOSTLY <= axes.len() + 1
+        && (axes.len() > 1 || is_open)
 }
 
 /// The two ends of the outline where it is open toward the ground.
@@ -148,6 +148,11 @@ impl Axis {
         halves.sort_by(f32::total_cmp);
         let at = |share: f32| halves.get((share * halves.len() as f32) as usize).copied().unwrap_or(0.0);
         !halves.is_empty() && at(0.9) < EVEN * at(0.1)
+    }
+
+    /// Whether it is long for its own thickness.
+    fn is_long(&self) -> bool {
+        self.length() > SLENDER_ARM * median_half(self.middle())
     }
 
     /// Whether it ends well above its beginning.

@@ -122,8 +122,7 @@ impl<'a> Parts<'a> {
         };
         for &i in near.iter().filter(|i| blade.lines.binary_search(i).is_err()) {
             let line = &page.lines[i];
-            let share =
-                line.points.iter().filter(|p| blade.holds(**p)).count() as f32 / line.points.len() as f32;
+            let share = blade.share_of(line);
             let is_straight = line.ends().0.distance(line.ends().1) > MIDRIB.1 * line.length;
             let is_midrib = is_straight && share * line.length > MIDRIB.0 * diagonal && share > INSIDE.1;
             if share > INSIDE.0 && !is_midrib && !is_vein(line) {

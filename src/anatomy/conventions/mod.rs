@@ -34,7 +34,7 @@
 //! | `grass` | a zigzag, or lines side by side: blades of grass |
 //! | `fronds` | lines or lobes that radiate from a trunk's top |
 //! | `pot` | what a plant stands in |
-//! | `not_plant` | ground lines and frames |
+//! | `ground` | ground lines |
 //!
 //! The reading depends on nothing but the strokes, so the same drawing means the same plant however it came about.
 //! Limits: what is drawn over several plants at once, and strokes that only hatch a shade, are not understood. Sources: counts
@@ -53,12 +53,12 @@ mod corolla_on_stem;
 mod evidence;
 mod fronds;
 mod grass;
+mod ground;
 mod leaf;
 mod leaf_loops;
 mod lobes;
 mod medial_axis;
 mod mushroom;
-mod not_plant;
 mod pot;
 mod silhouette;
 mod spikes;
@@ -83,12 +83,60 @@ crate::parameters! {
     }
 }
 
+/// What is kept of one drawing's reading for the next: its lines, and the whole of it as long as nothing changes.
+#[derive(Debug, Default)]
+pub struct Memory {
+    shapes: page::Shapes,
+    last: Option<Last>,
+}
+
+/// A reading, and what it was made from.
+#[derive(Debug)]
+struct Last {
+    strokes: Vec<Arc<Stroke>>,
+    params: ConventionParams,
+    interpretation: Interpretation,
+}
+
+impl Memory {
+    /// For a single drawing, of which nothing is kept.
+    pub fn for_one_build() -> Self {
+        Self { shapes: page::Shapes::for_one_call(), last: None }
+    }
+}
+
 /// Reads the strokes of a drawing; those that no convention explains come back as they are.
 pub fn interpret(strokes: &[Arc<Stroke>], params: &ConventionParams) -> Interpretation {
+    interpret_with(&mut Memory::for_one_build(), strokes, params)
+}
+
+/// The very interpretation that [`interpret`] gives, again and again while a drawing changes.
+pub fn interpret_with(
+    known: &mut Memory,
+    strokes: &[Arc<Stroke>],
+    params: &ConventionParams,
+) -> Interpretation {
     if !params.enabled {
         return Interpretation::untouched(strokes);
     }
-    let mut page = Page::new(strokes);
+    let is_same = |last: &&Last| {
+        let same = |(a, b): (&Arc<Stroke>, &Arc<Stroke>)| Arc::ptr_eq(a, b);
+        last.params == *params
+            && last.strokes.len() == strokes.len()
+            && last.strokes.iter().zip(strokes).all(same)
+    };
+    if let Some(last) = known.last.as_ref().filter(is_same) {
+        return last.interpretation.clone();
+    }
+    let page = Page::with(&mut known.shapes, strokes);
+    let interpretation = read(page, strokes);
+    let (strokes, params) = (strokes.to_vec(), params.clone());
+    known.last = Some(Last { strokes, params, interpretation: interpretation.clone() });
+    interpretation
+}
+
+/// Proposes what every convention knows, takes the best, and makes what they say.
+fn read(mut page: Page, strokes: &[Arc<Stroke>]) -> Interpretation {
     let mut hypotheses = Vec::new();
     // What stands in a pot is looked at without it.
     pot::propose(&page, &mut hypotheses);
@@ -106,7 +154,7 @@ pub fn interpret(strokes: &[Arc<Stroke>], params: &ConventionParams) -> Interpre
         stem_loops::propose,
         grass::propose,
         fronds::propose,
-        not_plant::propose,
+        ground::propose,
     ];
     conventions.iter().for_each(|propose| propose(&page, &mut hypotheses));
     let chosen = choice::best(hypotheses);

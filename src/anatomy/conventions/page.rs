@@ -4,9 +4,11 @@
 //! mean the same in a fast and in a slow hand. All lengths are canvas pixels.
 
 use crate::geom::{convex_hull::convex_hull, meetings, polyline, region::Region, simple_loop};
+use crate::kept::{Kept, Same};
 use crate::sketch::{Stroke, Tool};
 use glam::{IVec2, Vec2};
 use std::collections::HashMap;
+use std::ops::Deref;
 use std::sync::Arc;
 
 /// Step between points of a line, as a share of the drawing's diagonal.
@@ -25,6 +27,15 @@ const NEAR: f32 = 0.09;
 pub struct Line {
     /// Its place among the strokes of the drawing.
     pub stroke: usize,
+    shape: Arc<Shape>,
+}
+
+/// The lines of one drawing, kept for the next: each by its stroke and the scale of the drawing; none for what is no line.
+pub(super) type Shapes = Kept<(Same<Stroke>, u32), Option<Arc<Shape>>>;
+
+/// A line wherever it stands in the drawing's order.
+#[derive(Clone, Debug)]
+pub struct Shape {
     /// Even points from its beginning to its end.
     pub points: Vec<Vec2>,
     /// Length, pixels.
@@ -80,12 +91,19 @@ impl Page {
 
     /// The lines of those strokes whose tool nobody chose.
     pub fn new(strokes: &[Arc<Stroke>]) -> Self {
+        Self::with(&mut Shapes::for_one_call(), strokes)
+    }
+
+    /// The same page, its lines taken from those of the drawing that was read last where strokes and scale are the same.
+    pub(super) fn with(known: &mut Shapes, strokes: &[Arc<Stroke>]) -> Self {
         let positions = strokes.iter().flat_map(|s| &s.points).map(|p| p.position);
         let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
         let bounds = positions.fold(empty, |(low, high), p| (low.min(p), high.max(p)));
         let diagonal = if strokes.is_empty() { 0.0 } else { bounds.0.distance(bounds.1) };
-        let automatic = strokes.iter().enumerate().filter(|(_, stroke)| stroke.tool == Tool::Auto);
-        let lines: Vec<Line> = automatic.filter_map(|(i, stroke)| Line::new(i, stroke, diagonal)).collect();
+        let key = |stroke: &Arc<Stroke>| (Same::of(stroke), diagonal.to_bits());
+        let shapes = known.made(strokes, key, |stroke| Shape::new(stroke, diagonal).map(Arc::new));
+        let line = |(stroke, shape): (usize, Option<Arc<Shape>>)| Some(Line { stroke, shape: shape? });
+        let lines = shapes.into_iter().enumerate().filter_map(line).collect();
         let length = strokes.iter().map(|stroke| length_of(stroke)).filter(|length| length.is_finite()).sum();
         let (groups, wide_groups) = (Vec::new(), Vec::new());
         let mut it = Self { lines, groups, wide_groups, bounds, diagonal, length, apart: Vec::new() };
@@ -168,8 +186,13 @@ fn groups(lines: &[Line], reach: f32, apart: &[usize]) -> Vec<Vec<usize>> {
     let mut leader: Vec<usize> = (0..lines.len()).collect();
     let mut user_of: HashMap<IVec2, usize> = HashMap::new();
     for (i, line) in lines.iter().enumerate().filter(|(i, _)| apart.binary_search(i).is_err()) {
+        let mut last = None;
         for point in &line.points {
             let cell = (point / reach).floor().as_ivec2();
+            // Most points lie in the cell of the one before.
+            if last.replace(cell) == Some(cell) {
+                continue;
+            }
             for (dx, dy) in (-1..=1).flat_map(|dx| (-1..=1).map(move |dy| (dx, dy))) {
                 if let Some(&other) = user_of.get(&(cell + IVec2::new(dx, dy))) {
                     unite(&mut leader, i, other);
@@ -202,28 +225,41 @@ pub(super) fn root(leader: &mut [usize], mut i: usize) -> usize {
     i
 }
 
+impl Deref for Line {
+    type Target = Shape;
+
+    fn deref(&self) -> &Shape {
+        &self.shape
+    }
+}
+
 impl Line {
-    fn new(stroke: usize, drawn: &Stroke, diagonal: f32) -> Option<Self> {
+    /// Some consecutive points of this line, as a line; at least three.
+    pub(super) fn part(&self, points: Vec<Vec2>) -> Option<Self> {
+        let shape = (points.len() > 2).then(|| Shape::of(polyline::length(&points), points))?;
+        Some(Self { stroke: self.stroke, shape: Arc::new(shape) })
+    }
+}
+
+impl Shape {
+    fn new(drawn: &Stroke, diagonal: f32) -> Option<Self> {
+        if drawn.tool != Tool::Auto {
+            return None;
+        }
         let positions: Vec<Vec2> = drawn.points.iter().map(|p| p.position).collect();
         let length = polyline::length(&positions);
         if !length.is_finite() || length <= SHORTEST * diagonal {
             return None;
         }
         let count = ((length / (STEP * diagonal)) as usize).clamp(POINTS.0, POINTS.1);
-        Some(Self::of(stroke, length, even(&positions, count)))
+        Some(Self::of(length, even(&positions, count)))
     }
 
-    /// Some consecutive points of this line, as a line; at least three.
-    pub(super) fn part(&self, points: Vec<Vec2>) -> Option<Self> {
-        (points.len() > 2).then(|| Self::of(self.stroke, polyline::length(&points), points))
-    }
-
-    fn of(stroke: usize, length: f32, points: Vec<Vec2>) -> Self {
+    fn of(length: f32, points: Vec<Vec2>) -> Self {
         let bounds = points.iter().fold((points[0], points[0]), |(low, high), p| (low.min(*p), high.max(*p)));
         let hull = convex_hull(&points, |p| *p);
         let gap = points[0].distance(points[points.len() - 1]);
         Self {
-            stroke,
             length,
             bounds,
             openness: gap / bounds.0.distance(bounds.1),
@@ -266,7 +302,7 @@ impl Line {
     }
 
     /// Whether another line lies in the bounds of this one, which encloses much more.
-    pub fn is_around(&self, other: &Line) -> bool {
+    pub fn is_around(&self, other: &Shape) -> bool {
         let is_in = other.bounds.0.cmpge(self.bounds.0).all() && other.bounds.1.cmple(self.bounds.1).all();
         is_in && self.hull_area > 2.0 * other.hull_area && self.solidity() > 0.5
     }

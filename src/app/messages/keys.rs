@@ -333,7 +333,6 @@ keys! {
     ReadAsFronds = "reading.fronds",
     ReadAsPot = "reading.pot",
     ReadAsGround = "reading.ground",
-    ReadAsFrame = "reading.frame",
     WarningFlowerCentre = "warning.flower_centre",
     WarningFewTwigs = "warning.few_twigs",
     WarningFilledThinly = "warning.filled_thinly",

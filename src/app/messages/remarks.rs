@@ -95,7 +95,6 @@ fn words_of(reading: Reading) -> Msg {
         Reading::Fronds => Msg::ReadAsFronds,
         Reading::Pot => Msg::ReadAsPot,
         Reading::Ground => Msg::ReadAsGround,
-        Reading::Frame => Msg::ReadAsFrame,
     }
 }
 
