@@ -45,7 +45,7 @@ fn meadows(c: &mut Criterion) {
 
 /// Drawings by people beside one another, as many as have about so many strokes.
 fn crowd(strokes: usize) -> Vec<Arc<Stroke>> {
-    let drawings = people::drawings(people::Half::Development).unwrap();
+    let drawings = people::drawings(people::Share::Development).unwrap();
     let mut crowd: Vec<Arc<Stroke>> = Vec::new();
     for (place, drawing) in drawings.iter().cycle().enumerate() {
         if crowd.len() >= strokes {

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
-use crate::people::{CLASSES, Drawing, Half, drawings, icons};
+use crate::people::{CLASSES, Drawing, Share, drawings, icons};
 use penstemon::anatomy::conventions::{self, ConventionParams, Habit, Interpretation};
 use penstemon::anatomy::{self, AnatomyParams, Part};
 use penstemon::sketch::{Remark, Tool};
@@ -63,8 +63,8 @@ const GIANTS: usize = 3;
 
 #[test]
 fn all_drawings_are_read_and_split_as_they_were_first() {
-    let halves = [Half::Development, Half::HeldBack].map(|half| drawings(half).unwrap());
-    assert_eq!(halves.map(|half| half.len()), [92, 104]);
+    let shares = [Share::Development, Share::Opened, Share::HeldBack].map(|share| drawings(share).unwrap());
+    assert_eq!(shares.map(|share| share.len()), [92, 55, 49]);
     assert_eq!(icons().unwrap().len(), 24);
     assert!(CLASSES.is_sorted());
 }
@@ -72,7 +72,7 @@ fn all_drawings_are_read_and_split_as_they_were_first() {
 #[test]
 fn labels_are_of_the_development_half_a_role_for_every_stroke() {
     let rows: Vec<&str> = LABELS.lines().filter(|line| !line.starts_with('#')).collect();
-    let drawings = drawings(Half::Development).unwrap();
+    let drawings = drawings(Share::Development).unwrap();
     assert_eq!(rows.len(), drawings.len());
     for (row, drawing) in rows.iter().zip(&drawings) {
         let [class, index, habit, strokes] = row.split('\t').collect::<Vec<_>>().try_into().unwrap();
@@ -95,7 +95,7 @@ fn labels_are_of_the_development_half_a_role_for_every_stroke() {
 fn labelled() -> Vec<(Drawing, &'static str)> {
     let habits =
         LABELS.lines().filter(|line| !line.starts_with('#')).map(|row| row.split('\t').nth(2).unwrap());
-    drawings(Half::Development).unwrap().into_iter().zip(habits).collect()
+    drawings(Share::Development).unwrap().into_iter().zip(habits).collect()
 }
 
 fn read(drawing: &Drawing) -> Interpretation {

@@ -1,12 +1,12 @@
 //! Contact sheets of the drawings by people: each drawing beside the plant that is made of it, from the front and turned.
 //!
 //! ```text
-//! cargo run --example draw_contact_sheets -- FOLDER [development] [icons] [held_back] [CLASS]... [CLASS/INDEX,...]...
+//! cargo run --example draw_contact_sheets -- FOLDER [development] [opened] [icons] [held_back] [CLASS]... [CLASS/INDEX,...]...
 //! ```
 //!
-//! A class, such as `tree`, is that class' drawings of the development half; `tree/5,leaf/29` are these drawings of it, in this
+//! A class, such as `tree`, is that class' drawings but those held back; `tree/5,leaf/29` are these drawings of them, in this
 //! order, on the sheet `picked`.
-//! Without a choice, the development half and the icons. The held-back half is there to judge by, not to look at on the way.
+//! Without a choice, the development half and the icons. The held-back quarter is there to judge by, not to look at on the way.
 //! The sheets are FOLDER/NAME-01.png and so on, twelve drawings each. A plant that cannot be built leaves its place empty and
 //! is told.
 
@@ -19,9 +19,10 @@ use penstemon::formats::textures::fetch;
 use penstemon::pipeline;
 use penstemon::plant::Texture;
 use penstemon::render::{Direction, PictureOptions, Projection, RenderedImage, Renderer, View};
-use people::{Drawing, Half};
+use people::{Drawing, Share};
 use std::error::Error;
 use std::fs;
+use std::io;
 use std::path::Path;
 
 /// Sides of a picture in pixels.
@@ -45,19 +46,21 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut renderer = Renderer::new()?;
     for name in chosen {
         let drawings = match name.as_str() {
-            "development" => people::drawings(Half::Development)?,
-            "held_back" => people::drawings(Half::HeldBack)?,
+            "development" => people::drawings(Share::Development)?,
+            "opened" => people::drawings(Share::Opened)?,
+            "held_back" => people::drawings(Share::HeldBack)?,
             "icons" => people::icons()?,
             class if people::CLASSES.contains(&class) => {
-                let mut drawings = people::drawings(Half::Development)?;
+                let mut drawings = known()?;
                 drawings.retain(|drawing| drawing.class == class);
                 drawings
             }
             list if list.contains('/') => picked(list)?,
             _ => {
-                return Err(
-                    format!("`{name}` is none of development, held_back, icons and the classes").into()
-                );
+                return Err(format!(
+                    "`{name}` is none of development, opened, held_back, icons and the classes"
+                )
+                .into());
             }
         };
         for (number, drawings) in drawings.chunks(COLUMNS * ROWS).enumerate() {
@@ -73,9 +76,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The drawings of a list, `CLASS/INDEX,...`, of the development half.
+/// The drawings that are looked at while the program is made.
+fn known() -> io::Result<Vec<Drawing>> {
+    let mut drawings = people::drawings(Share::Development)?;
+    drawings.extend(people::drawings(Share::Opened)?);
+    Ok(drawings)
+}
+
+/// The drawings of a list, `CLASS/INDEX,...`, none of them held back.
 fn picked(list: &str) -> Result<Vec<Drawing>, Box<dyn Error>> {
-    let mut drawings = people::drawings(Half::Development)?;
+    let mut drawings = known()?;
     let mut pick = |wanted: &str| {
         let is_it = |d: &Drawing| format!("{}/{}", d.class, d.name) == wanted;
         let place = drawings.iter().position(is_it).ok_or_else(|| format!("there is no `{wanted}`"))?;

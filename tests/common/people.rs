@@ -1,7 +1,7 @@
 //! Plants that people drew, whole, as sketches: `tests/data/strokes`, whose README names origin and licence, and icons.
 //!
-//! The drawings are split in two by a hash of class and index, so that no taste decides: one half is looked at while
-//! the program is made, the other is held back to judge it.
+//! The drawings are split by a hash of class and index, so that no taste decides: half of them are looked at while the
+//! program is made, a quarter is looked at since it was judged once unseen, the rest is held back to judge the program.
 
 #![allow(dead_code, reason = "tests and examples take what they need")]
 
@@ -27,22 +27,28 @@ pub(crate) const CLASSES: [&str; 11] = [
     "tree",
 ];
 
-/// Which half a drawing belongs to.
+/// What a drawing is used for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Half {
-    /// Looked at, labelled and run.
+pub(crate) enum Share {
+    /// A half: looked at, labelled and run.
     Development,
-    /// Neither looked at nor run but to judge.
+    /// A quarter: held back until the first judgement, looked at and run since, not labelled.
+    Opened,
+    /// A quarter: neither looked at nor run but to judge.
     HeldBack,
 }
 
-impl Half {
-    /// The half of a drawing. FNV-1a hardly mixes its last bytes, so the rounds that end MurmurHash3 follow.
+impl Share {
+    /// The share of a drawing. FNV-1a hardly mixes its last bytes, so the rounds that end MurmurHash3 follow.
     pub(crate) fn of(class: &str, index: usize) -> Self {
         let mut hash = fnv1a(&format!("{class}/{index}"));
         hash = (hash ^ hash >> 16).wrapping_mul(0x85eb_ca6b);
         hash = (hash ^ hash >> 13).wrapping_mul(0xc2b2_ae35);
-        if (hash ^ hash >> 16) & 1 == 0 { Self::Development } else { Self::HeldBack }
+        match (hash ^ hash >> 16) & 3 {
+            0 | 2 => Self::Development,
+            1 => Self::Opened,
+            _ => Self::HeldBack,
+        }
     }
 }
 
@@ -61,17 +67,17 @@ struct Recorded {
     strokes: Vec<Vec<[f32; 2]>>,
 }
 
-/// The drawings of a half, by class and index.
+/// The drawings of a share, by class and index.
 ///
 /// # Errors
 /// A file that cannot be read or holds something else.
-pub(crate) fn drawings(half: Half) -> io::Result<Vec<Drawing>> {
+pub(crate) fn drawings(share: Share) -> io::Result<Vec<Drawing>> {
     let mut all = Vec::new();
     for class in CLASSES {
         let text = fs::read_to_string(data("strokes").join(class).with_extension("json"))?;
         let recorded: Vec<Recorded> = serde_json::from_str(&text)?;
         for (index, drawing) in
-            recorded.iter().enumerate().filter(|(index, _)| Half::of(class, *index) == half)
+            recorded.iter().enumerate().filter(|(index, _)| Share::of(class, *index) == share)
         {
             let sketch = sketch_of(&drawing.strokes)?;
             all.push(Drawing { class: class.to_owned(), name: index.to_string(), sketch });
