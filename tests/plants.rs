@@ -5,6 +5,7 @@
 mod budgets;
 mod classifier;
 mod cone_accuracy;
+mod corrections;
 mod crowns;
 #[path = "common/drawings.rs"]
 mod drawings;

@@ -77,7 +77,7 @@ impl Cache {
 
     /// What kind of plant a drawing shows; kept for its analysis.
     pub fn habit(&mut self, sketch: &Sketch, params: &ConventionParams) -> Option<Habit> {
-        conventions::interpret_with(&mut self.conventions, &sketch.strokes, params).habit
+        conventions::interpret_with(&mut self.conventions, &sketch.strokes, &sketch.corrections, params).habit
     }
 
     /// Begins a drawing with these parameters; what was made with others is of no use.
@@ -110,7 +110,12 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
     cache.begin(params);
     let rules = Rules { preprocess: &params.preprocess, ignore: &params.ignore, tip: &params.tip };
     let Interpretation { strokes, pieces, readings: together, solids, remarks, habit } =
-        conventions::interpret_with(&mut cache.conventions, &sketch.strokes, &params.conventions);
+        conventions::interpret_with(
+            &mut cache.conventions,
+            &sketch.strokes,
+            &sketch.corrections,
+            &params.conventions,
+        );
     let reading::Drawn { readings, bounds } = cache.readings.read(&strokes, rules);
     let bounds =
         solids.iter().map(|drawn| drawn.solid.bounds()).fold(bounds, |a, b| (a.0.min(b.0), a.1.max(b.1)));

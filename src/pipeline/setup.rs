@@ -105,7 +105,9 @@ pub fn species_of(sketch: &Sketch, folder: &Path) -> Result<Species, SpeciesErro
 /// The built-in species of a sketch that names none, with these `PATH=VALUE` assignments.
 pub fn usual_species(sketch: &Sketch, assignments: &[String]) -> &'static str {
     let params = convention_params(sketch, assignments);
-    species_of_habit(conventions::interpret(&sketch.strokes, &params).habit)
+    let memory = &mut conventions::Memory::for_one_build();
+    let read = conventions::interpret_with(memory, &sketch.strokes, &sketch.corrections, &params);
+    species_of_habit(read.habit)
 }
 
 /// How the drawing of a sketch that names no species is read. Wrong parameters are reported where they are used.

@@ -1,7 +1,7 @@
 //! Changes of a drawing: what tools and panels hand to the document as one undoable step.
 
 use super::settings::Settings;
-use super::{PlacedPlant, Reference, Stroke, StrokeId, Textures};
+use super::{Corrections, PlacedPlant, Reference, Stroke, StrokeId, Textures};
 use serde_json::{Map, Value};
 use std::sync::Arc;
 
@@ -68,6 +68,11 @@ impl Change {
     /// Other plants beside the drawn one, all of them.
     pub fn plants(plants: Vec<PlacedPlant>) -> Self {
         Settings { plants: Some(plants), ..Settings::default() }.into()
+    }
+
+    /// Other corrections of how strokes are read together, all of them.
+    pub fn corrections(corrections: Corrections) -> Self {
+        Settings { corrections: Some(corrections), ..Settings::default() }.into()
     }
 
     /// Another picture under the drawing, or the same lying otherwise, or none.

@@ -7,7 +7,7 @@ use super::error::{Fault, Place};
 use super::reference::Reference;
 use super::textures::Textures;
 use super::warnings::Warnings;
-use super::{Canvas, PlacedPlant, Remark, Sketch, Stroke, StrokeId, StrokePoint, Tool, limits};
+use super::{Canvas, Corrections, PlacedPlant, Remark, Sketch, Stroke, StrokeId, StrokePoint, Tool, limits};
 use glam::Vec2;
 use serde_json::{Map, Value};
 use std::collections::HashMap;
@@ -23,6 +23,7 @@ pub(super) struct Draft {
     pub(super) textures: Textures,
     pub(super) reference: Option<Arc<Reference>>,
     pub(super) plants: Vec<PlacedPlant>,
+    pub(super) corrections: Corrections,
     pub(super) strokes: Vec<DraftStroke>,
 }
 
@@ -76,11 +77,21 @@ impl Draft {
         if strokes.iter().all(is_dot) && needs_lines {
             return Err((Place::default(), Fault::OnlyDots));
         }
-        let Self { canvas, species, seed, params, textures, reference, plants, strokes: _ } = self;
+        let Self { canvas, species, seed, params, textures, reference, plants, corrections, strokes: _ } =
+            self;
         let strokes = strokes.into_iter().map(Arc::new).collect();
         let sheet = canvas.unwrap_or(Canvas::DEFAULT);
-        let mut sketch =
-            Sketch { canvas: sheet, species, seed, params, textures, reference, plants, strokes };
+        let mut sketch = Sketch {
+            canvas: sheet,
+            species,
+            seed,
+            params,
+            textures,
+            reference,
+            plants,
+            corrections,
+            strokes,
+        };
         if canvas.is_none() {
             sketch.canvas = bounding_canvas(&sketch);
         }

@@ -54,6 +54,12 @@ pub const MIN_PLANT_HEIGHT: f32 = 0.01;
 /// Longest name of its species in bytes.
 pub const MAX_SPECIES_NAME_BYTES: usize = 200;
 
+/// Most corrections of how strokes are read together.
+pub const MAX_CORRECTIONS: usize = 4096;
+
+/// Most strokes that all corrections together name, one that two of them name counted twice.
+pub const MAX_CORRECTED_STROKES: usize = 200_000;
+
 /// Most remarks kept; the rest is counted.
 pub const MAX_WARNINGS: usize = 100;
 

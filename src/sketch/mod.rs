@@ -6,6 +6,7 @@
 //! wrong and where. Limits are constants in [`limits`].
 
 pub mod change;
+pub mod corrections;
 pub mod document;
 mod draft;
 pub mod error;
@@ -28,6 +29,7 @@ pub mod textures;
 pub(crate) mod warnings;
 
 pub use change::{Change, StrokeChange};
+pub use corrections::{Correction, Corrections, Verdict};
 pub use document::{ChangeError, Document};
 pub use error::SketchError;
 pub use plants::{Maker, PlacedPlant, PlantFault, PlantsError, SeedOf};
@@ -161,6 +163,8 @@ pub struct Sketch {
     pub reference: Option<Arc<Reference>>,
     /// The plants beside the drawn one.
     pub plants: Vec<PlacedPlant>,
+    /// What the artist says of how strokes are read together.
+    pub corrections: Corrections,
     /// The strokes, oldest first.
     pub strokes: Vec<Arc<Stroke>>,
 }
@@ -176,6 +180,7 @@ impl Sketch {
             textures: Textures::new(),
             reference: None,
             plants: Vec::new(),
+            corrections: Corrections::default(),
             strokes: Vec::new(),
         }
     }

@@ -1,6 +1,6 @@
 //! What belongs to a drawing besides its strokes, each setting listed once: as changes ask for it and as steps keep it.
 
-use super::{Canvas, Picture, PlacedPlant, Reference, Sketch, Textures, textures};
+use super::{Canvas, Corrections, Picture, PlacedPlant, Reference, Sketch, Textures, textures};
 use serde_json::{Map, Value};
 use std::sync::Arc;
 
@@ -50,6 +50,8 @@ settings! {
     reference: Option<Arc<Reference>>,
     /// All plants beside the drawn one.
     plants: Vec<PlacedPlant>,
+    /// All corrections of how strokes are read together.
+    corrections: Corrections,
 }
 
 impl Settings {

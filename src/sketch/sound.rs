@@ -3,7 +3,7 @@
 use super::change::{Change, StrokeChange};
 use super::invariants::{check_stroke, is_in_range};
 use super::plants::PlantsError;
-use super::{Canvas, ReferenceError, Stroke, StrokePoint, limits, plants, textures};
+use super::{Canvas, ReferenceError, Stroke, StrokePoint, corrections, limits, plants, textures};
 use glam::Vec2;
 use serde_json::{Map, Value};
 use std::sync::Arc;
@@ -42,6 +42,9 @@ pub enum ChangeError {
     /// A plant beside the drawn one, or too many of them.
     #[error(transparent)]
     Plants(#[from] PlantsError),
+    /// Too many corrections.
+    #[error("{0}; undo some of them")]
+    Corrections(String),
     /// The picture under the drawing.
     #[error(transparent)]
     Reference(#[from] ReferenceError),
@@ -65,6 +68,7 @@ pub(super) fn made_sound(mut change: Change) -> Result<Change, ChangeError> {
     }
     settings.textures.as_ref().map_or(Ok(()), textures::check).map_err(ChangeError::Texture)?;
     settings.plants.as_deref().map_or(Ok(()), plants::check)?;
+    settings.corrections.as_deref().map_or(Ok(()), corrections::check).map_err(ChangeError::Corrections)?;
     settings.reference.iter().flatten().try_for_each(|reference| reference.check())?;
     Ok(change)
 }

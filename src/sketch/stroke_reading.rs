@@ -1,61 +1,56 @@
-//! What strokes were read as that do not say it themselves, for the artist.
+//! What strokes were read as that do not say it themselves, each listed once: as code, files and remarks name it.
 
 use std::fmt;
 
-/// What several strokes, or one that is several parts, were read as.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Reading {
+macro_rules! readings {
+    ($($(#[$doc:meta])* $reading:ident = $name:literal, $remark:literal;)*) => {
+        /// What several strokes, or one that is several parts, were read as.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum Reading {
+            $($(#[$doc])* $reading,)*
+        }
+
+        impl Reading {
+            /// Every reading, in the order of this list.
+            pub const ALL: [Reading; [$($name),*].len()] = [$(Self::$reading),*];
+
+            /// The name used in files.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Self::$reading => $name,)*
+                }
+            }
+        }
+
+        impl fmt::Display for Reading {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(match self {
+                    $(Self::$reading => $remark,)*
+                })
+            }
+        }
+    };
+}
+
+readings! {
     /// A trunk with a crown.
-    Tree,
+    Tree = "tree", "is read as a trunk and its crown";
     /// A crown without a trunk.
-    Bush,
+    Bush = "bush", "is read as a bush";
     /// A cactus.
-    Cactus,
+    Cactus = "cactus", "is read as the outline of a cactus";
     /// A mushroom.
-    Mushroom,
+    Mushroom = "mushroom", "is read as a mushroom";
     /// A corolla with its petals.
-    Corolla,
+    Corolla = "corolla", "is read as a corolla, cut into its petals";
     /// A leaf with its veins.
-    Leaf,
+    Leaf = "leaf", "is read as a leaf with its midrib, veins and stalk";
     /// Blades of grass.
-    Grass,
+    Grass = "grass", "is read as blades of grass";
     /// Fronds of a palm.
-    Fronds,
+    Fronds = "fronds", "is read as fronds";
     /// A pot.
-    Pot,
+    Pot = "pot", "is read as the pot in which the plant stands";
     /// The ground.
-    Ground,
-}
-
-impl Reading {
-    /// Every reading, in the order of this list.
-    pub const ALL: [Reading; 10] = [
-        Self::Tree,
-        Self::Bush,
-        Self::Cactus,
-        Self::Mushroom,
-        Self::Corolla,
-        Self::Leaf,
-        Self::Grass,
-        Self::Fronds,
-        Self::Pot,
-        Self::Ground,
-    ];
-}
-
-impl fmt::Display for Reading {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Tree => "is read as a trunk and its crown",
-            Self::Bush => "is read as a bush",
-            Self::Cactus => "is read as the outline of a cactus",
-            Self::Mushroom => "is read as a mushroom",
-            Self::Corolla => "is read as a corolla, cut into its petals",
-            Self::Leaf => "is read as a leaf with its midrib, veins and stalk",
-            Self::Grass => "is read as blades of grass",
-            Self::Fronds => "is read as fronds",
-            Self::Pot => "is read as the pot in which the plant stands",
-            Self::Ground => "is read as the ground and is no part of the plant",
-        })
-    }
+    Ground = "ground", "is read as the ground and is no part of the plant";
 }

@@ -34,6 +34,54 @@ fn a_file_cut_off_anywhere_is_an_error_and_says_where() {
     assert_message(cut, &["stroke 2 (id `4`), point 2, line 4", &format!("column {column}: ")]);
 }
 
+/// A file with these corrections.
+fn with_corrections(corrections: &str) -> String {
+    GOOD.replace("\"strokes\": [\n", &format!("\"corrections\": {corrections},\n  \"strokes\": [\n"))
+}
+
+#[test]
+fn corrections_that_say_nothing_are_refused() {
+    let sound =
+        with_corrections(r#"[{"strokes": [9, 3, 3], "not": "tree"}, {"strokes": [7], "as": "separate"}]"#);
+    let corrections = read(&sound).unwrap().0.corrections;
+    assert_eq!(corrections.len(), 2);
+    assert_eq!(corrections[0].strokes, [3, 9], "strokes that are not there do no harm");
+    for (bad, part) in [
+        (r#"{"strokes": [3], "not": "shrub"}"#, "never read as `shrub`; readings are tree, bush"),
+        (r#"{"strokes": [3], "not": "separate"}"#, "never read as `separate`"),
+        (r#"{"strokes": [3], "not": "tree", "as": "bush"}"#, "either `not` or `as`"),
+        (r#"{"strokes": [3]}"#, "either `not` or `as`"),
+        (r#"{"strokes": [], "not": "tree"}"#, "names no strokes"),
+        (r#"{"not": "tree"}"#, "missing field `strokes`"),
+        (r#"{"strokes": [-1], "not": "tree"}"#, "whole number"),
+        (r#"{"strokes": 3, "not": "tree"}"#, "a list of ids of strokes"),
+        (r#"{"strokes": [3], "not": "tree", "why": 1}"#, "unknown field `why`"),
+        (r#"[3, "tree"]"#, "line 2"),
+    ] {
+        assert_message(&with_corrections(&format!("[{bad}]")), &[part]);
+        let second = with_corrections(&format!(r#"[{{"strokes": [3], "as": "leaf"}}, {bad}]"#));
+        assert!(read(&second).is_err());
+    }
+    assert_message(&with_corrections("{}"), &["a list of corrections"]);
+    assert_message(&with_corrections(r#"[], "corrections": []"#), &["duplicate field `corrections`"]);
+}
+
+#[test]
+fn endless_corrections_are_refused() {
+    let one = r#"{"strokes": [3], "not": "tree"}"#;
+    let all = vec![one; limits::MAX_CORRECTIONS].join(",");
+    assert!(read(&with_corrections(&format!("[{all}]"))).is_ok());
+    assert_message(&with_corrections(&format!("[{all}, {one}]")), &["corrections", "4096"]);
+    let names = |count: usize| format!(r#"{{"strokes": [{}7], "not": "tree"}}"#, "7, ".repeat(count - 1));
+    let half = names(limits::MAX_CORRECTED_STROKES / 2);
+    assert!(read(&with_corrections(&format!("[{half}, {half}]"))).is_ok());
+    assert_message(&with_corrections(&format!("[{half}, {half}, {one}]")), &["200000"]);
+    assert_message(
+        &with_corrections(&format!("[{}]", names(limits::MAX_CORRECTED_STROKES + 1))),
+        &["200000"],
+    );
+}
+
 #[test]
 fn a_file_that_cannot_be_opened() {
     let missing = penstemon::sketch::read(Path::new("no/such/drawing.penstemon")).unwrap_err().to_string();
@@ -71,11 +119,11 @@ fn files_of_other_kinds() {
 
 #[test]
 fn other_versions() {
-    let newer = r#"{"format": "penstemon-sketch", "layers": [], "version": 4, "strokes": []}"#;
-    assert_message(newer, &["version 4", "reads versions 1 to 3", "newer Penstemon"]);
+    let newer = r#"{"format": "penstemon-sketch", "layers": [], "version": 5, "strokes": []}"#;
+    assert_message(newer, &["version 5", "reads versions 1 to 4", "newer Penstemon"]);
     assert_message(
         &GOOD.replace("\"version\": 1", "\"version\": 0"),
-        &["version 0", "reads versions 1 to 3"],
+        &["version 0", "reads versions 1 to 4"],
     );
     assert_message(&GOOD.replace("\"version\": 1,", ""), &["`version` is missing"]);
     assert_message(&GOOD.replace("\"version\": 1", "\"version\": \"one\""), &["\"one\"", "line 1"]);

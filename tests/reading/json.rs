@@ -3,8 +3,8 @@
 use super::{read, with_points, with_strokes};
 use glam::vec2;
 use penstemon::sketch::{
-    Canvas, Maker, Picture, PlacedPlant, Reference, SeedOf, Sketch, Stroke, StrokePoint, TextureChoice, Tool,
-    from_bytes, json, limits, textures,
+    Canvas, Correction, Maker, Picture, PlacedPlant, Reading, Reference, SeedOf, Sketch, Stroke, StrokePoint,
+    TextureChoice, Tool, Verdict, from_bytes, json, limits, textures,
 };
 use proptest::prelude::*;
 use serde_json::{Map, Value};
@@ -154,6 +154,17 @@ prop_compose! {
     }
 }
 
+fn correction() -> impl Strategy<Value = Correction> {
+    let reading = prop::sample::select(&Reading::ALL[..]);
+    let verdict = prop_oneof![
+        Just(Verdict::Separate),
+        reading.clone().prop_map(Verdict::Not),
+        reading.prop_map(Verdict::As)
+    ];
+    let strokes = prop::collection::vec(any::<u64>(), 1..6);
+    (strokes, verdict).prop_map(|(strokes, verdict)| Correction::new(strokes, verdict))
+}
+
 prop_compose! {
     fn sketch()(
         size in (1e-3_f32..1e6, 1e-3_f32..1e6),
@@ -163,6 +174,7 @@ prop_compose! {
         textures in prop::collection::btree_map(prop::sample::select(&textures::PARTS[..]).prop_map(str::to_owned), texture(), 0..4),
         reference in prop::option::of(reference()),
         plants in prop::collection::vec(placed_plant(), 0..4),
+        corrections in prop::collection::vec(correction(), 0..4),
         strokes in prop::collection::btree_map(
             any::<u64>(),
             (prop::sample::select(&Tool::ALL[..]), prop::collection::vec(point(), 2..20)),
@@ -171,7 +183,7 @@ prop_compose! {
     ) -> Sketch {
         let strokes = strokes.into_iter().map(|(id, (tool, points))| Arc::new(Stroke { id, tool, points })).collect();
         let canvas = Canvas { width: size.0, height: size.1 };
-        Sketch { canvas, species, seed, params: params.into_iter().collect(), textures, reference, plants, strokes }
+        Sketch { canvas, species, seed, params: params.into_iter().collect(), textures, reference, plants, corrections: corrections.into(), strokes }
     }
 }
 

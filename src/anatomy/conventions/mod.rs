@@ -12,6 +12,7 @@
 //! | `hypothesis` | a reading of some strokes, and what becomes of them |
 //! | `page` | strokes as even lines with their measures |
 //! | `choice` | the best set of hypotheses |
+//! | `corrected` | hypotheses as the artist corrected them |
 //! | `pieces` | what hypotheses make: strokes with tools |
 //! | `silhouette` | the area that strokes enclose together, on a grid; its rows and its contour |
 //! | `evidence` | what speaks for and against outlines of crowns |
@@ -50,6 +51,7 @@ mod body;
 mod bush;
 mod corolla;
 mod corolla_on_stem;
+mod corrected;
 mod evidence;
 mod fronds;
 mod grass;
@@ -71,7 +73,8 @@ mod trunk_sides;
 pub use hypothesis::{Habit, Hypothesis, Made, Solid, SolidKind};
 pub use pieces::{DrawnSolid, Interpretation, Piece, ReadStrokes};
 
-use crate::sketch::Stroke;
+use crate::sketch::{Correction, Corrections, Stroke};
+use corrected::Corrected;
 use page::Page;
 use std::sync::Arc;
 
@@ -94,6 +97,7 @@ pub struct Memory {
 #[derive(Debug)]
 struct Last {
     strokes: Vec<Arc<Stroke>>,
+    corrections: Corrections,
     params: ConventionParams,
     interpretation: Interpretation,
 }
@@ -105,15 +109,16 @@ impl Memory {
     }
 }
 
-/// Reads the strokes of a drawing; those that no convention explains come back as they are.
+/// Reads the strokes of a drawing of which the artist corrected nothing; those that no convention explains come back as they are.
 pub fn interpret(strokes: &[Arc<Stroke>], params: &ConventionParams) -> Interpretation {
-    interpret_with(&mut Memory::for_one_build(), strokes, params)
+    interpret_with(&mut Memory::for_one_build(), strokes, &Corrections::default(), params)
 }
 
-/// The very interpretation that [`interpret`] gives, again and again while a drawing changes.
+/// The interpretation of strokes with the artist's corrections, the same as of a drawing that is new, again and again while it changes.
 pub fn interpret_with(
     known: &mut Memory,
     strokes: &[Arc<Stroke>],
+    corrections: &Corrections,
     params: &ConventionParams,
 ) -> Interpretation {
     if !params.enabled {
@@ -122,6 +127,7 @@ pub fn interpret_with(
     let is_same = |last: &&Last| {
         let same = |(a, b): (&Arc<Stroke>, &Arc<Stroke>)| Arc::ptr_eq(a, b);
         last.params == *params
+            && last.corrections == *corrections
             && last.strokes.len() == strokes.len()
             && last.strokes.iter().zip(strokes).all(same)
     };
@@ -129,19 +135,21 @@ pub fn interpret_with(
         return last.interpretation.clone();
     }
     let page = Page::with(&mut known.shapes, strokes);
-    let interpretation = read(page, strokes);
-    let (strokes, params) = (strokes.to_vec(), params.clone());
-    known.last = Some(Last { strokes, params, interpretation: interpretation.clone() });
+    let interpretation = read(page, strokes, corrections);
+    let (strokes, corrections, params) = (strokes.to_vec(), corrections.clone(), params.clone());
+    known.last = Some(Last { strokes, corrections, params, interpretation: interpretation.clone() });
     interpretation
 }
 
 /// Proposes what every convention knows, takes the best, and makes what they say.
-fn read(mut page: Page, strokes: &[Arc<Stroke>]) -> Interpretation {
-    let mut hypotheses = Vec::new();
+fn read(mut page: Page, strokes: &[Arc<Stroke>], corrections: &[Correction]) -> Interpretation {
+    let corrected = Corrected::on(&page, strokes, corrections);
     // What stands in a pot is looked at without it.
-    pot::propose(&page, &mut hypotheses);
-    let pots: Vec<usize> = hypotheses.iter().flat_map(|pot| pot.uses.clone()).collect();
-    page.set_apart(&pots);
+    let mut pots = Vec::new();
+    pot::propose(&page, &mut pots);
+    corrected.apply(&mut pots);
+    let of_pots: Vec<usize> = pots.iter().flat_map(|pot| pot.uses.clone()).collect();
+    page.set_apart(&of_pots);
     let conventions = [
         tree::propose,
         bush::propose,
@@ -156,7 +164,10 @@ fn read(mut page: Page, strokes: &[Arc<Stroke>]) -> Interpretation {
         fronds::propose,
         ground::propose,
     ];
-    conventions.iter().for_each(|propose| propose(&page, &mut hypotheses));
-    let chosen = choice::best(hypotheses);
+    let mut others = Vec::new();
+    conventions.iter().for_each(|propose| propose(&page, &mut others));
+    corrected.apply(&mut others);
+    pots.append(&mut others);
+    let chosen = choice::best(pots);
     Interpretation::of(strokes, &page, chosen)
 }

@@ -222,7 +222,8 @@ impl LivePlant {
             return;
         }
         // Not simply a clone: of many strokes even the list is copied only where it changed.
-        let Sketch { canvas: size, species, seed, params, textures, reference, plants, strokes } = sketch;
+        let Sketch { canvas: size, species, seed, params, textures, reference, plants, corrections, strokes } =
+            sketch;
         if !(matches!(canvas.preview(), Preview::Same) && is_same_list(&self.strokes, strokes)) {
             self.strokes = Arc::new(canvas.previewed(strokes));
         }
@@ -235,6 +236,7 @@ impl LivePlant {
             textures: textures.clone(),
             reference: reference.clone(),
             plants: plants.clone(),
+            corrections: corrections.clone(),
             strokes: Vec::new(),
         };
         self.revisions.submitted += 1;

@@ -1,5 +1,6 @@
 //! JSON text to a [`Draft`], in one pass and without intermediate values.
 
+use super::corrections::CorrectionsSeed;
 use super::fault;
 use super::params::GroupSeed;
 use super::picture::PicturesSeed;
@@ -11,7 +12,7 @@ use crate::quote;
 use crate::sketch::draft::{Draft, DraftStroke, Flaw};
 use crate::sketch::error::Fault;
 use crate::sketch::textures::{self, ChoiceText};
-use crate::sketch::{Canvas, Tool, limits};
+use crate::sketch::{Canvas, Picture, Textures, Tool, limits};
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use std::cell::Cell;
@@ -43,6 +44,7 @@ enum SketchField {
     Reference,
     Pictures,
     Plants,
+    Corrections,
     Strokes,
 }
 
@@ -67,7 +69,7 @@ impl<'de> Visitor<'de> for SketchSeed<'_> {
         let progress = self.0;
         let (mut format, mut version, mut canvas, mut species) = (None, None, None, None);
         let (mut seed, mut params, mut plants, mut strokes) = (None, None, None, None);
-        let (mut textures, mut reference, mut pictures) = (None, None, None);
+        let (mut textures, mut reference, mut pictures, mut corrections) = (None, None, None, None);
         while let Some(field) = map.next_key()? {
             match field {
                 SketchField::Format => {
@@ -94,6 +96,13 @@ impl<'de> Visitor<'de> for SketchSeed<'_> {
                 SketchField::Plants => {
                     set_once(&mut plants, map.next_value_seed(PlantsSeed(progress))?, "plants")?
                 }
+                SketchField::Corrections => {
+                    set_once(
+                        &mut corrections,
+                        map.next_value_seed(CorrectionsSeed(progress))?,
+                        "corrections",
+                    )?;
+                }
                 SketchField::Pictures => {
                     set_once(&mut pictures, map.next_value_seed(PicturesSeed(progress))?, "pictures")?;
                 }
@@ -111,9 +120,7 @@ impl<'de> Visitor<'de> for SketchSeed<'_> {
         }
         let strokes =
             strokes.ok_or_else(|| progress.malformed("the sketch has no `strokes`; add a list of them"))?;
-        let pictures = pictures.unwrap_or_default();
-        let textures = textures::resolved(textures.unwrap_or_default(), |name| pictures.get(name).cloned());
-        let textures = textures.and_then(|all| textures::check(&all).map(|()| all));
+        let textures = with_pictures(textures.unwrap_or_default(), &pictures.unwrap_or_default());
         let textures = textures.map_err(|message| progress.malformed(message))?;
         let canvas = canvas.flatten();
         check_canvas(canvas).map_err(|message| progress.malformed(message))?;
@@ -125,9 +132,20 @@ impl<'de> Visitor<'de> for SketchSeed<'_> {
             textures,
             reference: reference.flatten().map(Arc::new),
             plants: plants.unwrap_or_default(),
+            corrections: corrections.unwrap_or_default(),
             strokes,
         })
     }
+}
+
+/// The textures with the pictures that they name.
+fn with_pictures(
+    choices: BTreeMap<String, ChoiceText>,
+    pictures: &BTreeMap<String, Picture>,
+) -> Result<Textures, String> {
+    let textures = textures::resolved(choices, |name| pictures.get(name).cloned())?;
+    textures::check(&textures)?;
+    Ok(textures)
 }
 
 fn check_canvas(canvas: Option<Canvas>) -> Result<(), String> {

@@ -6,6 +6,7 @@
 //!
 //! What was before is not written: whoever replays has it. Textures and a reference name their pictures by their hash.
 
+use super::corrections::{self, CorrectionList};
 use super::parse::StrokeSeed;
 use super::plants::{self, Plants};
 use super::progress::Progress;
@@ -46,20 +47,14 @@ pub(in crate::sketch) fn write(step: &Step) -> String {
         out.push('}');
     }
     out.push(']');
-    let Settings { canvas, species, seed, params, textures, reference, plants } = &step.after;
+    let Settings { canvas, species, seed, params, textures, reference, plants, corrections } = &step.after;
     push_field(&mut out, "canvas", canvas);
     push_field(&mut out, "species", species);
     push_field(&mut out, "seed", seed);
     push_field(&mut out, "params", params);
     push_field(&mut out, "textures", &textures.as_ref().map(|textures| textures::named(textures).0));
-    if let Some(plants) = plants {
-        out.push_str(", \"plants\": [");
-        for (i, plant) in plants.iter().enumerate() {
-            out.push_str(if i == 0 { "" } else { ", " });
-            plants::push(&mut out, plant);
-        }
-        out.push(']');
-    }
+    push_list(&mut out, "plants", plants.as_deref(), plants::push);
+    push_list(&mut out, "corrections", corrections.as_deref(), corrections::push);
     match reference {
         None => {}
         Some(None) => out.push_str(", \"reference\": null"),
@@ -79,6 +74,16 @@ fn push_field(out: &mut String, name: &str, value: &Option<impl Serialize>) {
     }
 }
 
+fn push_list<T>(out: &mut String, name: &str, items: Option<&[T]>, push: impl Fn(&mut String, &T)) {
+    let Some(items) = items else { return };
+    out.push_str(&format!(", \"{name}\": ["));
+    for (i, item) in items.iter().enumerate() {
+        out.push_str(if i == 0 { "" } else { ", " });
+        push(out, item);
+    }
+    out.push(']');
+}
+
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct StepText {
@@ -91,6 +96,7 @@ struct StepText {
     params: Option<Map<String, Value>>,
     textures: Option<BTreeMap<String, ChoiceText>>,
     plants: Option<Plants>,
+    corrections: Option<CorrectionList>,
     #[serde(default, deserialize_with = "given")]
     reference: Option<Option<ReferenceText>>,
 }
@@ -176,9 +182,9 @@ pub(in crate::sketch) fn replay(
             return Err("it changes a stroke that is not there".to_owned());
         }
     }
-    let StepText { canvas, species, seed, params, plants, .. } = text;
-    let plants = plants.map(|plants| plants.0);
-    Settings { canvas, species, seed, params, textures, reference, plants }.carry_out(sketch);
+    let StepText { canvas, species, seed, params, plants, corrections, .. } = text;
+    let (plants, corrections) = (plants.map(|plants| plants.0), corrections.map(|list| list.0));
+    Settings { canvas, species, seed, params, textures, reference, plants, corrections }.carry_out(sketch);
     Ok(())
 }
 
@@ -230,7 +236,7 @@ fn found_reference(text: ReferenceText, pictures: &Pictures) -> Result<Reference
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sketch::{Maker, PlacedPlant, SeedOf, StrokePoint, Tool};
+    use crate::sketch::{Correction, Maker, PlacedPlant, Reading, SeedOf, StrokePoint, Tool, Verdict};
 
     fn stroke(id: u64) -> Arc<Stroke> {
         let points = [[0.5, 1e-7], [3.0, -4.25]].map(|p| StrokePoint::at(p.into())).to_vec();
@@ -249,7 +255,10 @@ mod tests {
         let maker = Maker::Growth(SeedOf { species: "oak".into(), seed: u64::MAX, age: Some(0.1) });
         let plants = vec![PlacedPlant { maker, foot: Vec2::new(-3.25, 1e6), height: Some(0.3) }];
         let species = Some(Some("a \"b\"".into()));
-        let new = Settings { seed: Some(7), species, plants: Some(plants), ..Settings::default() };
+        let verdicts = [Verdict::Not(Reading::Tree), Verdict::As(Reading::Pot), Verdict::Separate];
+        let corrections = Some(verdicts.map(|verdict| Correction::new([3, 1], verdict)).into());
+        let new =
+            Settings { seed: Some(7), species, plants: Some(plants), corrections, ..Settings::default() };
         let (before, after) = new.against(&start);
         let step = Step { strokes, before, after };
         let mut expected = start.clone();

@@ -3,7 +3,7 @@
 //! Numbers are the shortest that read back to the same bits; a stroke's points carry no more numbers than it needs.
 
 use super::number::push_number;
-use super::{FORMAT, plants, version_of};
+use super::{FORMAT, corrections, plants, version_of};
 use crate::sketch::reference::Reference;
 use crate::sketch::textures;
 use crate::sketch::{Sketch, Stroke, StrokePoint};
@@ -29,13 +29,8 @@ pub fn write(sketch: &Sketch) -> String {
     if !choices.is_empty() {
         out.push_str(&format!("  \"textures\": {},\n", json!(choices)));
     }
-    for (i, plant) in sketch.plants.iter().enumerate() {
-        out.push_str(if i == 0 { "  \"plants\": [\n    " } else { ",\n    " });
-        plants::push(&mut out, plant);
-    }
-    if !sketch.plants.is_empty() {
-        out.push_str("\n  ],\n");
-    }
+    push_lines(&mut out, "plants", &sketch.plants, plants::push);
+    push_lines(&mut out, "corrections", &sketch.corrections, corrections::push);
     out.push_str("  \"strokes\": [");
     for (i, stroke) in sketch.strokes.iter().enumerate() {
         out.push_str(if i == 0 { "\n    " } else { ",\n    " });
@@ -60,6 +55,17 @@ pub fn write(sketch: &Sketch) -> String {
     }
     out.push_str("\n}\n");
     out
+}
+
+/// A field that is a list, each of its items on a line; nothing where there are none.
+fn push_lines<T>(out: &mut String, name: &str, items: &[T], push: impl Fn(&mut String, &T)) {
+    for (i, item) in items.iter().enumerate() {
+        out.push_str(&if i == 0 { format!("  \"{name}\": [\n    ") } else { ",\n    ".to_owned() });
+        push(out, item);
+    }
+    if !items.is_empty() {
+        out.push_str("\n  ],\n");
+    }
 }
 
 /// How the reference lies, without its picture and without braces.
