@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
 use crate::people::{Share, drawings};
+use penstemon::anatomy::conventions::alternatives::alternatives;
 use penstemon::anatomy::conventions::{self, ConventionParams, Interpretation, Memory, ReadStrokes};
 use penstemon::anatomy::{self, AnatomyParams, Part};
 use penstemon::sketch::corrections::{corrected, shares_most};
@@ -133,4 +134,29 @@ proptest! {
         let kept = sketch.strokes.iter().filter(|s| read.strokes.contains(s)).count();
         prop_assert_eq!(kept + used.len(), sketch.strokes.len());
     }
+}
+
+#[test]
+fn whatever_is_offered_can_be_chosen() {
+    let mut others = 0;
+    for sketch in DRAWINGS.iter().step_by(3) {
+        let before = read(sketch);
+        for about in &before.readings {
+            let offered = alternatives(sketch, &ConventionParams::default(), &about.strokes);
+            assert_eq!(offered.last().unwrap().verdict, Verdict::Separate);
+            assert!(offered.iter().any(|offer| offer.verdict == Verdict::As(about.reading)), "{about:?}");
+            others += offered.len() - 2;
+            for offer in offered {
+                let chosen = with(sketch, &offer.strokes, offer.verdict);
+                let after = read(&chosen);
+                let is_it =
+                    |r: &ReadStrokes| Verdict::As(r.reading) == offer.verdict && r.strokes == offer.strokes;
+                assert!(offer.verdict == Verdict::Separate || after.readings.iter().any(is_it), "{offer:?}");
+                // Whatever was chosen, the same is offered again.
+                let again = alternatives(&chosen, &ConventionParams::default(), &offer.strokes);
+                assert!(again.len() > 1 || offer.strokes != about.strokes, "{offer:?}");
+            }
+        }
+    }
+    assert!(others > 7, "{others}");
 }

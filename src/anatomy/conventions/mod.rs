@@ -13,6 +13,7 @@
 //! | `page` | strokes as even lines with their measures |
 //! | `choice` | the best set of hypotheses |
 //! | `corrected` | hypotheses as the artist corrected them |
+//! | `alternatives` | other readings of some strokes, for the artist to choose from |
 //! | `pieces` | what hypotheses make: strokes with tools |
 //! | `silhouette` | the area that strokes enclose together, on a grid; its rows and its contour |
 //! | `evidence` | what speaks for and against outlines of crowns |
@@ -41,6 +42,7 @@
 //! Limits: what is drawn over several plants at once, and strokes that only hatch a shade, are not understood. Sources: counts
 //! of what people draw in `docs/drawings.md`; no paper treats them.
 
+pub mod alternatives;
 pub mod choice;
 pub mod hypothesis;
 pub mod page;
@@ -134,19 +136,20 @@ pub fn interpret_with(
     if let Some(last) = known.last.as_ref().filter(is_same) {
         return last.interpretation.clone();
     }
-    let page = Page::with(&mut known.shapes, strokes);
-    let interpretation = read(page, strokes, corrections);
+    let mut page = Page::with(&mut known.shapes, strokes);
+    let chosen = choice::best(proposed(&mut page, strokes, corrections));
+    let interpretation = Interpretation::of(strokes, &page, chosen);
     let (strokes, corrections, params) = (strokes.to_vec(), corrections.clone(), params.clone());
     known.last = Some(Last { strokes, corrections, params, interpretation: interpretation.clone() });
     interpretation
 }
 
-/// Proposes what every convention knows, takes the best, and makes what they say.
-fn read(mut page: Page, strokes: &[Arc<Stroke>], corrections: &[Correction]) -> Interpretation {
-    let corrected = Corrected::on(&page, strokes, corrections);
+/// What every convention proposes, as far as the corrections leave it.
+fn proposed(page: &mut Page, strokes: &[Arc<Stroke>], corrections: &[Correction]) -> Vec<Hypothesis> {
+    let corrected = Corrected::on(page, strokes, corrections);
     // What stands in a pot is looked at without it.
     let mut pots = Vec::new();
-    pot::propose(&page, &mut pots);
+    pot::propose(page, &mut pots);
     corrected.apply(&mut pots);
     let of_pots: Vec<usize> = pots.iter().flat_map(|pot| pot.uses.clone()).collect();
     page.set_apart(&of_pots);
@@ -165,9 +168,8 @@ fn read(mut page: Page, strokes: &[Arc<Stroke>], corrections: &[Correction]) -> 
         ground::propose,
     ];
     let mut others = Vec::new();
-    conventions.iter().for_each(|propose| propose(&page, &mut others));
+    conventions.iter().for_each(|propose| propose(page, &mut others));
     corrected.apply(&mut others);
     pots.append(&mut others);
-    let chosen = choice::best(pots);
-    Interpretation::of(strokes, &page, chosen)
+    pots
 }
