@@ -5,8 +5,10 @@
 use crate::people::{CLASSES, Drawing, Share, drawings, icons};
 use penstemon::anatomy::conventions::{self, ConventionParams, Habit, Interpretation};
 use penstemon::anatomy::{self, AnatomyParams, Part};
+use penstemon::pipeline;
 use penstemon::sketch::{Remark, Tool};
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 
 const LABELS: &str = include_str!("fixtures/real_strokes.tsv");
 const HABITS: [&str; 12] = [
@@ -159,6 +161,33 @@ fn outlines_with_notches_do_not_become_giant_leaves() {
         }
     }
     assert!(giants.len() <= GIANTS, "{giants:?}");
+}
+
+/// Drawings of one leaf stand as they were drawn, wherever the stalk is: from the front they are about as high and as wide.
+#[test]
+fn single_leaves_keep_the_pose_in_which_they_were_drawn() {
+    let (mut kept, mut all) = (0, 0);
+    for drawing in [Share::Development, Share::Opened].iter().flat_map(|share| drawings(*share).unwrap()) {
+        let anatomy = anatomy::analyse(&drawing.sketch, &AnatomyParams::default());
+        if drawing.class != "leaf" || anatomy.leaves.len() != 1 {
+            continue;
+        }
+        let species = pipeline::species_of(&drawing.sketch, Path::new("")).unwrap();
+        let params = pipeline::params_of(&drawing.sketch, &species, &[]).unwrap();
+        let model = pipeline::build(&drawing.sketch, &species, &params).model;
+        let points = || model.parts.iter().flat_map(|part| part.points());
+        let (low, high) = points().fold((f32::MAX, f32::MIN), |(low, high), p| (low.min(p.y), high.max(p.y)));
+        let drawn = anatomy.bounds.1.y - anatomy.bounds.0.y;
+        let width = anatomy.bounds.1.x - anatomy.bounds.0.x;
+        all += 1;
+        if drawn > 0.2 * width {
+            let scale = params.depth.world.height / drawn;
+            kept += usize::from((0.7..1.3).contains(&((high - low) / (drawn * scale))));
+        } else {
+            kept += 1;
+        }
+    }
+    assert!(all > 15 && 10 * kept >= 9 * all, "{kept} of {all}");
 }
 
 #[test]

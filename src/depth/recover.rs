@@ -141,8 +141,27 @@ fn world_from_canvas(anatomy: &Anatomy, params: &WorldParams) -> WorldFromCanvas
         .or_else(|| anatomy.flowers.iter().map(|f| f.center).max_by(lowest))
         .or_else(|| anatomy.leaves.iter().map(|l| l.root).max_by(lowest))
         .unwrap_or(low.midpoint(high));
-    let origin = pot.map_or(origin, |pot| pot.with_y(pot.y.max(origin.y)));
+    let origin = pot.map_or_else(
+        || origin.with_y(below_leaves(anatomy, origin.y, extent)),
+        |pot| pot.with_y(pot.y.max(origin.y)),
+    );
     WorldFromCanvas { scale: params.height / extent.max(f32::MIN_POSITIVE), origin }
+}
+
+/// How far drawn leaves may reach below the lowest root of what stands on the ground, as a share of the drawing's height.
+const DROOP: f32 = 0.15;
+
+/// The ground below a root: as low as drawn leaves where these reach far below it. A leaf that was picked, or a twig that hangs, does
+/// not stand on its foot. So with a leaf alone, however little it reaches.
+fn below_leaves(anatomy: &Anatomy, root: f32, extent: f32) -> f32 {
+    if !anatomy.flowers.is_empty() || !anatomy.crowns.is_empty() {
+        return root;
+    }
+    let drawn = || anatomy.leaves.iter().filter(|leaf| leaf.stroke.is_some());
+    let lowest =
+        drawn().flat_map(|leaf| leaf.outline.iter()).map(|s| s.position.y).fold(f32::NEG_INFINITY, f32::max);
+    let droop = if drawn().count() == 1 { 0.0 } else { DROOP * extent };
+    if lowest > root + droop { lowest } else { root }
 }
 
 /// Branches with arc length and depth of their samples, pixels; depth grows toward the viewer.

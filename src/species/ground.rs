@@ -2,13 +2,13 @@
 //!
 //! Wood that nobody drew and that would dip below is lifted to lie on the ground. A leaf that would, bent as its species bends it, swings up
 //! about its base: first until it lies level, its face to the sky, then further until nothing of it is below. It swings no
-//! farther than it must.
+//! farther than it must. A leaf alone with its stalk keeps the pose in which it was drawn and is raised as a whole.
 //!
 //! Limits: the hollow, waves and curl of a leaf are known by their largest height only. Petals are left where the drawing
 //! has them. A plant in its species' pot has no ground to speak of;
 //! one in a drawn pot has the ground below that.
 
-use crate::plant::{Blade, Branch, OrganKind, Plant, ResolvedBlade, RestSurface, Shape, Template};
+use crate::plant::{Blade, Branch, Organ, OrganKind, Plant, ResolvedBlade, RestSurface, Shape, Template};
 use glam::{Mat3, Quat, Vec3};
 
 /// Angles over level to which a leaf swings up one after the other, radians.
@@ -21,6 +21,9 @@ const CURL: f32 = 0.15;
 /// Lifts wood and leaves that would stand below the ground.
 pub(super) fn keep_above(plant: &mut Plant) {
     lift_wood(&mut plant.branches);
+    if raise_single_leaf(plant) {
+        return;
+    }
     for organ in plant.organs.iter_mut().filter(|organ| organ.kind() == OrganKind::Leaf) {
         match &mut organ.shape {
             Shape::Blade(blade) if blade.rest == RestSurface::Plane => {
@@ -29,6 +32,21 @@ pub(super) fn keep_above(plant: &mut Plant) {
             _ => {}
         }
     }
+}
+
+/// Raises a leaf that is all there is, with its stalk, until nothing of it is below; says whether it is alone.
+fn raise_single_leaf(plant: &mut Plant) -> bool {
+    let is_leaf = |organ: &&mut Organ| organ.kind() == OrganKind::Leaf;
+    let mut leaves = plant.organs.iter_mut().filter(is_leaf);
+    let (Some(leaf), None) = (leaves.next(), leaves.next()) else { return false };
+    let Shape::Blade(blade) = &mut leaf.shape else { return false };
+    if blade.rest != RestSurface::Plane || !plant.flowers.is_empty() {
+        return false;
+    }
+    let rise = Vec3::Y * (-lowest(&blade.with_template(&plant.templates[blade.template]))).max(0.0);
+    blade.base += rise;
+    plant.branches.iter_mut().flat_map(|branch| &mut branch.points).for_each(|point| *point += rise);
+    true
 }
 
 /// Lifts branches, and the feet of what they carry with them. Drawn wood stays where it was drawn; the ground is as low as
@@ -134,7 +152,7 @@ fn lowest(blade: &ResolvedBlade<'_>) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plant::{BladeForm, Detail, Origin, Role, Templates, WoodPart};
+    use crate::plant::{BladeForm, Detail, OrganPart, Origin, Role, Templates, WoodPart};
     use glam::Vec2;
 
     fn leaf(base: Vec3, v: Vec3) -> (Blade, Templates) {
@@ -183,5 +201,36 @@ mod tests {
         };
         lift_branch(&mut branch);
         assert_eq!(branch.points.iter().map(|p| p.y).collect::<Vec<_>>(), [0.5, 0.1, 0.02, 0.02]);
+    }
+
+    #[test]
+    fn a_leaf_alone_keeps_its_pose_and_its_stalk() {
+        let (blade, templates) = leaf(Vec3::Y * 0.1, Vec3::new(0.6, -0.6, 0.2));
+        let stalk = Branch {
+            origin: Origin::Generated,
+            parent: None,
+            level: 0,
+            points: vec![blade.base + Vec3::Y, blade.base],
+            radii: vec![0.02; 2],
+            role: Role::of(WoodPart::Stem),
+        };
+        let organ = || Organ {
+            role: Role::of(OrganPart::Leaf),
+            origin: Origin::Generated,
+            branch: Some(0),
+            flower: None,
+            shape: Shape::Blade(blade),
+        };
+        let mut alone = Plant { branches: vec![stalk], templates, organs: vec![organ()], ..Plant::default() };
+        let mut two = alone.clone();
+        two.organs.push(organ());
+        keep_above(&mut alone);
+        keep_above(&mut two);
+        let blades = |plant: &Plant| -> Vec<Blade> { plant.blades().copied().collect() };
+        let own = blades(&alone)[0];
+        assert_eq!((own.u, own.v), (blade.u, blade.v));
+        assert!(lowest(&alone.templates.resolve(&own)) >= -1e-6);
+        assert_eq!(alone.branches[0].points[1], own.base);
+        assert!(blades(&two)[0].v != blade.v, "leaves of a plant that stands swing up");
     }
 }

@@ -16,10 +16,14 @@ use glam::Vec2;
 const GAP: f32 = 0.06;
 /// The same for the ends of a line, between which the hand has lifted.
 const END_GAP: f32 = 0.25;
+/// The same where a stalk or a midrib leaves the outline through the gap.
+const STALK_GAP: f32 = 0.42;
 /// Least share of a line's points that lie in its loop.
 const LOOP: f32 = 0.4;
-/// Farthest gap between two arcs at their ends, as a share of the shorter one's chord.
+/// Farthest gap between two arcs at their ends, as a share of the shorter one's chord, and the same at one of them where a stalk or
+/// a midrib leaves the outline there.
 const MEET: f32 = 0.12;
+const STALK_MEET: f32 = 0.38;
 /// Share of an arc near its ends in which it meets the other.
 const END: f32 = 0.35;
 /// Least area between two arcs, as a share of the square of the distance between the places where they meet.
@@ -38,9 +42,21 @@ pub(super) struct Blade {
     pub tails: Vec<Vec<Vec2>>,
     /// Whether it bulges to both sides: the rim of a pot or the ground under a hill is flat.
     pub is_lens: bool,
+    /// A gap so wide that something must pass it.
+    pub gap: Option<(Vec2, Vec2)>,
+    /// The midrib, where it is in one stroke with the outline.
+    pub midrib: Option<Vec<Vec2>>,
+    /// Whether it is what a whole group of lines encloses: nothing of the group may be left over.
+    pub is_whole: bool,
 }
 
 impl Blade {
+    /// An outline of some lines, still without places.
+    pub(super) fn of(lines: Vec<usize>) -> Self {
+        let (ring, tails) = (Vec::new(), Vec::new());
+        Self { lines, ring, tails, is_lens: true, gap: None, midrib: None, is_whole: false }
+    }
+
     /// Smallest and largest corner of the outline.
     pub(super) fn bounds(&self) -> (Vec2, Vec2) {
         let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
@@ -81,6 +97,11 @@ impl Blade {
         (nearest, self.ring.get(nearest).map_or(f32::INFINITY, |at| at.distance(p)))
     }
 
+    /// How far a line goes away from the outline, by every third of its points.
+    pub(super) fn farthest(&self, line: &Line) -> f32 {
+        line.points.iter().step_by(3).map(|p| self.nearest(*p).1).fold(0.0, f32::max)
+    }
+
     /// Share of its convex hull that it fills.
     pub(super) fn solidity(&self) -> f32 {
         let hull = crate::geom::convex_hull::convex_hull(&self.ring, |p| *p);
@@ -103,7 +124,7 @@ pub(super) fn of_one(number: usize, line: &Line) -> Option<Blade> {
     for i in 0..last.saturating_sub(least) {
         for j in i + least..=last {
             let gap = points[i].distance(points[j]) / diagonal;
-            let most = if i == 0 && j == last { END_GAP } else { GAP };
+            let most = if i == 0 && j == last { STALK_GAP } else { GAP };
             if gap > most {
                 continue;
             }
@@ -118,7 +139,9 @@ pub(super) fn of_one(number: usize, line: &Line) -> Option<Blade> {
     let (worth, i, j) = best;
     let mut tails = vec![points[..=i].iter().rev().copied().collect::<Vec<Vec2>>(), points[j..].to_vec()];
     tails.retain(|tail| tail.len() > 1);
-    (worth > 0.0).then(|| Blade { lines: vec![number], ring: points[i..j].to_vec(), tails, is_lens: true })
+    let gap = (points[i].distance(points[j]) > END_GAP * diagonal).then_some((points[i], points[j]));
+    let blade = Blade { ring: points[i..j].to_vec(), tails, gap, ..Blade::of(vec![number]) };
+    (worth > 0.0).then_some(blade)
 }
 
 /// All outlines of two arcs each.
@@ -126,15 +149,18 @@ pub(super) fn of_two(page: &Page) -> Vec<Blade> {
     let chord = |line: &Line| line.ends().0.distance(line.ends().1);
     let is_arc = |i: &usize| page.lines[*i].openness > END_GAP;
     let arcs: Vec<usize> = (0..page.lines.len()).filter(is_arc).collect();
-    let margin = |line: &Line| Vec2::splat(MEET * chord(line));
-    let around_end = |i: &usize| {
-        let line = &page.lines[*i];
-        (line.ends().0 - margin(line), line.ends().0 + margin(line))
+    let around = |i: &usize, end: Vec2| {
+        let margin = Vec2::splat(MEET * chord(&page.lines[*i]));
+        (end - margin, end + margin)
     };
-    let boxes: Vec<(Vec2, Vec2)> = arcs.iter().map(around_end).collect();
+    let ends = |i: &usize| {
+        let (first, last) = page.lines[*i].ends();
+        [around(i, first), around(i, last)]
+    };
+    let boxes: Vec<(Vec2, Vec2)> = arcs.iter().flat_map(ends).collect();
     let near = page.lines_at(&boxes);
     let mut pairs: Vec<(usize, usize)> = Vec::new();
-    for (a, near) in arcs.iter().zip(near) {
+    for (a, near) in arcs.iter().flat_map(|a| [a, a]).zip(near) {
         let others = near.into_iter().filter(|b| b != a && arcs.binary_search(b).is_ok()).take(MOST_PAIRS);
         pairs.extend(others.map(|b| (*a.min(&b), *a.max(&b))));
     }
@@ -156,9 +182,18 @@ fn of_pair(page: &Page, a: usize, b: usize) -> Option<Blade> {
         other = reversed;
     }
     let ends = |points: &[Vec2]| points[0].distance(points[points.len() - 1]);
-    let most = MEET * ends(one).min(ends(&other));
-    let (i, j) = meeting(one, &other, most, false)?;
-    let (k, l) = meeting(one, &other, most, true)?;
+    let chord = ends(one).min(ends(&other));
+    let (begin, end) = [false, true].map(|at_end| meeting(one, &other, MEET * chord, at_end)).into();
+    let open = |at_end: bool| meeting(one, &other, STALK_MEET * chord, at_end);
+    let ((i, j), (k, l)) = match (begin, end) {
+        (None, None) => return None,
+        (begin, end) => (begin.or_else(|| open(false))?, end.or_else(|| open(true))?),
+    };
+    let gap = match (begin, end) {
+        (None, _) => Some((one[i], other[j])),
+        (_, None) => Some((one[k], other[l])),
+        _ => None,
+    };
     let tips = one[i].distance(one[k]);
     let ring: Vec<Vec2> = one[i..=k].iter().chain(other[j..=l].iter().rev()).copied().collect();
     let depths = (depth(&one[i..=k]), -depth(&other[j..=l]));
@@ -170,7 +205,7 @@ fn of_pair(page: &Page, a: usize, b: usize) -> Option<Blade> {
     let back = |points: &[Vec2]| points.iter().rev().copied().collect::<Vec<Vec2>>();
     let mut tails = vec![back(&one[..=i]), one[k..].to_vec(), back(&other[..=j]), other[l..].to_vec()];
     tails.retain(|tail| tail.len() > 1);
-    Some(Blade { lines: vec![a, b], ring, tails, is_lens })
+    Some(Blade { ring, tails, is_lens, gap, ..Blade::of(vec![a, b]) })
 }
 
 /// Where two arcs come nearest to one another near their beginnings or their ends.

@@ -1,249 +1,110 @@
 //! A leaf of several strokes, or of one with its stalk: outline, midrib, veins.
 //!
-//! Lines in a blade's outline ([`blade`](super::blade)) are its midrib and veins: the model draws veins of its own, so they only
-//! say where the leaf's base is. The part of a midrib that sticks out is the stalk, as is a tail of the outline, and the blade's
-//! root is where the stalk begins; else where a stem ends at the outline, else at the end of the midrib.
+//! Outlines come from one stroke or two ([`blade`](super::blade)), or are what a group of lines encloses ([`leaf_area`](super::leaf_area));
+//! what lies in and at them is sorted in [`leaf_parts`](super::leaf_parts). The model draws veins of its own, so drawn ones only
+//! say where the leaf's base is.
 //!
 //! What speaks for a leaf is a midrib along most of it with veins that begin there; a crown has lobes all around, a disc or a face
-//! has something round inside, a body has spines that are short. A plain closed outline is one leaf as it is: no hypothesis.
+//! has something round inside, a body has spines that are short. A blade with lobes is a leaf if a midrib runs through it and on as a
+//! stalk, and its lobes are no rounder than its notches. A plain closed outline is one leaf as it is: no hypothesis.
 //!
 //! Limits: an outline inside of another is not understood.
 
 use super::blade::{self, Blade};
+use super::leaf_area::{has_lobes_of_a_leaf, of_group};
+use super::leaf_parts::{AT, Parts};
 use super::lobes::{self, Focus};
-use super::page::{Line, Page};
+use super::page::Page;
 use super::{Hypothesis, Made};
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
 
-/// Least share of its hull that a blade fills.
-const SOLID: f32 = 0.75;
-/// Most of its bounds that a blade fills: an ellipse fills 0.79, a pot more.
-const BOX: f32 = 0.85;
-/// Most lobes around the middle of a blade.
-const LOBES: usize = 4;
-/// Least share of a vein's points in the outline, and of a midrib's that goes on as a stalk.
-const INSIDE: (f32, f32) = (0.7, 0.3);
-/// Least length of a midrib, as a share of the blade's diagonal, and its least chord over its length.
-const MIDRIB: (f32, f32) = (0.28, 0.75);
-/// Longest vein, over the diagonal of its bounds.
-const VEIN: f32 = 2.0;
-/// Shortest tail that is a stalk, as a share of the blade's diagonal, and the longest; where nothing else speaks for a leaf, the
-/// shortest is twice as long.
-const STALK: (f32, f32) = (0.1, 3.0);
-/// Longest tail that is neither stalk nor midrib, as a share of the blade's diagonal: an end that went too far.
-const OVERSHOT: f32 = 0.15;
-/// Least distance of a stalk's end from the outline, as a share of its length: what runs along it is no stalk.
-const OUTWARD: f32 = 0.6;
-/// How far from the outline a stem or a midrib may end to be at it, as a share of the blade's diagonal.
-const AT: f32 = 0.15;
+/// Least share of its hull that a blade fills, and that one with lobes fills.
+const SOLID: (f32, f32) = (0.75, 0.45);
+/// Most of its bounds that a blade fills: an ellipse fills 0.79, a pot more, as do window frames, which have bars like midribs.
+const BOX: (f32, f32) = (0.85, 0.8);
+/// Most lobes around the middle of a blade, and around one with a midrib that goes on as a stalk.
+const LOBES: (usize, usize) = (4, 12);
 /// Most lines that are looked at in one outline.
 const MOST_LINES: usize = 64;
+/// More log-odds of a blade with lobes, which looks like a corolla without its midrib.
+const LOBED: f32 = 0.8;
 
 /// Proposes a leaf for each outline that has more than itself.
 pub(super) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let of_one = (0..page.lines.len()).filter_map(|i| blade::of_one(i, &page.lines[i]));
-    let blades: Vec<Blade> = of_one.chain(blade::of_two(page)).collect();
+    let mut blades: Vec<Blade> = of_one.chain(blade::of_two(page)).collect();
+    blades.extend(page.groups.iter().filter_map(|group| of_group(page, group)));
     let grown = |blade: &Blade| {
         let ((low, high), margin) = (blade.bounds(), Vec2::splat(AT * blade.diagonal()));
         (low - margin, high + margin)
     };
     let boxes: Vec<(Vec2, Vec2)> = blades.iter().map(grown).collect();
     let near = page.lines_at(&boxes);
-    out.extend(blades.iter().zip(near).filter_map(|(blade, near)| leaf(page, blade, &near)));
-}
-
-/// The lines in and at a blade.
-struct Parts<'a> {
-    blade: &'a Blade,
-    diagonal: f32,
-    /// The longest straight line along the blade.
-    midrib: Option<usize>,
-    /// All lines inside, the midrib among them.
-    inside: Vec<usize>,
-    /// A line that ends at the outline from outside.
-    stem: Option<Vec2>,
-    stalks: Vec<Vec<Vec2>>,
-    /// A midrib in one stroke with the outline, from the outline inward.
-    inner_tail: Option<Vec<Vec2>>,
+    let begin = out.len();
+    for found in blades.iter().zip(near).filter_map(|(blade, near)| leaf(page, blade, &near)) {
+        // What one or two strokes draw needs no contour of an area.
+        if !out[begin..].iter().any(|other| other.uses == found.uses) {
+            out.push(found);
+        }
+    }
 }
 
 fn leaf(page: &Page, blade: &Blade, near: &[usize]) -> Option<Hypothesis> {
-    if near.len() > MOST_LINES || blade.solidity() < SOLID || is_lobed(blade) {
+    let (solidity, lobes) = (blade.solidity(), lobes_of(blade));
+    if near.len() > MOST_LINES || solidity < SOLID.1 || lobes > LOBES.1 {
         return None;
     }
+    let is_lobed = solidity < SOLID.0 || lobes > LOBES.0;
     let size = blade.bounds().1 - blade.bounds().0;
-    if lobes::area(&blade.ring) > BOX * size.x * size.y {
+    let boxy = if blade.is_whole { BOX.1 } else { BOX.0 };
+    if lobes::area(&blade.ring) > boxy * size.x * size.y {
         return None;
     }
     let parts = Parts::of(page, blade, near)?;
     let is_plain = parts.inside.is_empty() && parts.stalks.is_empty() && blade.lines.len() == 1;
-    if is_plain || parts.stalks.len() > 1 {
+    let is_odd = is_lobed && !parts.speak_for_lobes();
+    if is_plain || parts.stalks.len() > 1 || is_odd || !has_lobes_of_a_leaf(page, blade) {
         return None;
     }
-    let is_leaf = parts.has_midrib() || (blade.is_lens && (parts.inside.is_empty() || parts.stem.is_some()));
+    let is_leaf = parts.has_midrib() || (blade.is_lens && (parts.inside.is_empty() || parts.has_stem()));
     let is_in_crown = |i: &usize| near.iter().any(|k| page.lines[*k].is_around(&page.lines[*i]));
     if !is_leaf || (!parts.has_midrib() && blade.lines.iter().any(is_in_crown)) {
         return None;
     }
-    let root = parts.root(page);
+    if blade.is_whole && !(parts.has_midrib() && parts.explain(&group_of(page, blade))) {
+        return None;
+    }
     let mut ring = blade.ring.clone();
-    ring.rotate_left(blade.nearest(root).0);
+    ring.rotate_left(blade.nearest(parts.root()).0);
     ring.push(ring[0]);
     let mut made = vec![Made::new(Tool::Leaf, ring)];
-    made.extend(parts.stalk(page).map(|points| Made::new(Tool::Branch, points)));
+    made.extend(parts.stalk().map(|points| Made::new(Tool::Branch, points)));
     let mut uses: Vec<usize> = blade.lines.iter().chain(&parts.inside).copied().collect();
     uses.sort_unstable();
-    let score = parts.score() * page.weight(parts.diagonal);
+    let score = (parts.score() + if is_lobed { LOBED } else { 0.0 }) * page.weight(parts.diagonal);
     Some(Hypothesis { uses, score, parts: made, solids: Vec::new(), reading: Reading::Leaf, habit: None })
 }
 
-/// Whether an outline has lobes all around its middle.
-fn is_lobed(blade: &Blade) -> bool {
+/// The lines that touch a blade, directly or through others.
+fn group_of(page: &Page, blade: &Blade) -> Vec<usize> {
+    let is_own = |group: &&Vec<usize>| blade.lines.first().is_some_and(|i| group.binary_search(i).is_ok());
+    page.groups.iter().find(is_own).cloned().unwrap_or_default()
+}
+
+/// How many lobes an outline has around its middle.
+fn lobes_of(blade: &Blade) -> usize {
     let (low, high) = blade.bounds();
     let focus = Focus { place: low.midpoint(high), half: 0.5 * (high - low) };
     let mut closed = blade.ring.clone();
     closed.push(closed[0]);
-    lobes::cut(&closed, &focus, true).len() > LOBES
-}
-
-impl<'a> Parts<'a> {
-    /// Sorts the lines near a blade; nothing where one inside is no vein.
-    fn of(page: &Page, blade: &'a Blade, near: &[usize]) -> Option<Self> {
-        let diagonal = blade.diagonal();
-        let mut it = Self {
-            blade,
-            diagonal,
-            midrib: None,
-            inside: Vec::new(),
-            stem: None,
-            stalks: Vec::new(),
-            inner_tail: None,
-        };
-        for &i in near.iter().filter(|i| blade.lines.binary_search(i).is_err()) {
-            let line = &page.lines[i];
-            let share = blade.share_of(line);
-            let is_straight = line.ends().0.distance(line.ends().1) > MIDRIB.1 * line.length;
-            let is_midrib = is_straight && share * line.length > MIDRIB.0 * diagonal && share > INSIDE.1;
-            if share > INSIDE.0 && !is_midrib && !is_vein(line) {
-                return None;
-            }
-            if is_midrib || share > INSIDE.0 {
-                it.inside.push(i);
-            } else if let Some(end) = stem_end(line, blade, AT * diagonal) {
-                it.stem = Some(end);
-            }
-            let is_longer = it.midrib.is_none_or(|known| page.lines[known].length < line.length);
-            if is_midrib && is_longer {
-                it.midrib = Some(i);
-            }
-        }
-        let least = if it.inside.is_empty() { 2.0 * STALK.0 } else { STALK.0 };
-        for tail in &blade.tails {
-            let length = crate::geom::polyline::length(tail) / diagonal;
-            let end = tail[tail.len() - 1];
-            let reach = blade.nearest(end).1 / diagonal;
-            if blade.holds(end) {
-                it.inner_tail = Some(tail.clone()).filter(|_| length > MIDRIB.0);
-            } else if (least..STALK.1).contains(&length) && reach > OUTWARD * length {
-                it.stalks.push(tail.clone());
-            } else if length > OVERSHOT {
-                return None;
-            }
-        }
-        Some(it)
-    }
-
-    fn has_midrib(&self) -> bool {
-        self.midrib.is_some() || self.inner_tail.is_some()
-    }
-
-    /// Where the blade grows from its stalk.
-    fn root(&self, page: &Page) -> Vec2 {
-        let tail = self.stalks.first().or(self.inner_tail.as_ref()).map(|tail| tail[0]);
-        let midrib = || self.midrib.map(|i| self.base_of(&page.lines[i]));
-        tail.or(self.stem).or_else(midrib).unwrap_or_else(|| self.sharper_end())
-    }
-
-    /// Where a midrib begins at the outline.
-    fn base_of(&self, midrib: &Line) -> Vec2 {
-        let (first, last) = midrib.ends();
-        // The end that is outside or nearer to the outline; of equals the lower.
-        let out =
-            |p: Vec2| if self.blade.holds(p) { -self.blade.nearest(p).1 } else { self.blade.nearest(p).1 };
-        let difference = out(first) - out(last);
-        let is_first =
-            if difference.abs() > AT * self.diagonal { difference > 0.0 } else { first.y > last.y };
-        let (base, tip) = if is_first { (first, last) } else { (last, first) };
-        if !self.blade.holds(base) {
-            let from_base: Vec<Vec2> =
-                if is_first { midrib.points.clone() } else { midrib.points.iter().rev().copied().collect() };
-            return from_base.into_iter().find(|p| self.blade.holds(*p)).unwrap_or(base);
-        }
-        // Ahead of where the midrib begins.
-        let along = (base - tip).normalize_or_zero();
-        let off = |p: &Vec2| {
-            let way = *p - base;
-            way.perp_dot(along).abs() + 0.1 * way.length() - 10.0 * way.dot(along).min(0.0)
-        };
-        self.blade.ring.iter().copied().min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(base)
-    }
-
-    /// Of an outline of two arcs the lower of its ends; of one stroke where it begins.
-    fn sharper_end(&self) -> Vec2 {
-        let ring = &self.blade.ring;
-        if self.blade.lines.len() == 1 {
-            return ring[0];
-        }
-        // The outline runs along one arc from end to end and back along the other.
-        let far =
-            (0..ring.len()).max_by(|a, b| ring[*a].distance(ring[0]).total_cmp(&ring[*b].distance(ring[0])));
-        let other = far.map_or(ring[0], |i| ring[i]);
-        if other.y > ring[0].y { other } else { ring[0] }
-    }
-
-    /// A stalk from the blade outward, a tail of the outline or of the midrib.
-    fn stalk(&self, page: &Page) -> Option<Vec<Vec2>> {
-        let of_midrib = || {
-            let points = &page.lines[self.midrib?].points;
-            let begins_outside = !self.blade.holds(points[0]);
-            let from_end: Vec<Vec2> =
-                if begins_outside { points.clone() } else { points.iter().rev().copied().collect() };
-            let outside = from_end.iter().take_while(|p| !self.blade.holds(**p)).count();
-            let stalk: Vec<Vec2> = from_end[..(outside + 1).min(from_end.len())].to_vec();
-            (crate::geom::polyline::length(&stalk) > STALK.0 * self.diagonal).then_some(stalk)
-        };
-        self.stalks.first().cloned().or_else(of_midrib)
-    }
-
-    /// What speaks for a leaf.
-    fn score(&self) -> f32 {
-        let midrib = if self.has_midrib() { 1.4 } else { 0.0 };
-        let stalk = if self.stalks.len() == 1 || self.stem.is_some() { 0.4 } else { 0.0 };
-        1.6 + midrib + stalk + 0.1 * self.inside.len().min(8) as f32
-    }
-}
-
-/// Whether a line may be a vein: open, and not to and fro.
-fn is_vein(line: &Line) -> bool {
-    line.openness > 0.3 && line.length < VEIN * line.size().length()
-}
-
-/// The end of a line that is at an outline while the other is away from it.
-fn stem_end(line: &Line, blade: &Blade, at: f32) -> Option<Vec2> {
-    let (first, last) = line.ends();
-    let is_at = |p: Vec2| blade.nearest(p).1 < at;
-    let is_away = |p: Vec2| !blade.holds(p) && blade.nearest(p).1 > at;
-    if is_at(first) && is_away(last) {
-        return Some(first);
-    }
-    (is_at(last) && is_away(first)).then_some(last)
+    lobes::cut(&closed, &focus, true).len()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::f32::consts::TAU;
+    use std::f32::consts::{PI, TAU};
 
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
         let mut out = Vec::new();
@@ -266,9 +127,9 @@ mod tests {
     }
 
     fn leaf(found: &[Hypothesis]) -> &Hypothesis {
-        let [leaf] = found else { panic!("{} leaves", found.len()) };
-        assert_eq!(leaf.parts[0].tool, Tool::Leaf);
-        leaf
+        let best = found.iter().max_by(|a, b| a.score.total_cmp(&b.score)).unwrap();
+        assert_eq!(best.parts[0].tool, Tool::Leaf);
+        best
     }
 
     #[test]
@@ -324,5 +185,80 @@ mod tests {
         assert!(read(&[outline(), line(&[(0.0, 60.0), (0.0, -80.0)]), eye]).is_empty());
         let pot = line(&[(-30.0, 0.0), (-30.0, 60.0), (30.0, 60.0), (30.0, 0.0), (-30.0, 0.0)]);
         assert!(read(&[pot, line(&[(0.0, -100.0), (0.0, 50.0)])]).is_empty());
+    }
+
+    /// One side of a leaf from (0, 0) up to (0, -100), `gap` pixels from the other at the foot.
+    fn side(sign: f32, gap: f32) -> Vec<Vec2> {
+        let place = |t: f32| Vec2::new(sign * (120.0 * t * (1.0 - t) + 0.5 * gap * (1.0 - t)), -100.0 * t);
+        (0..=40).map(|k| place(k as f32 / 40.0)).collect()
+    }
+
+    fn back(mut points: Vec<Vec2>) -> Vec<Vec2> {
+        points.reverse();
+        points
+    }
+
+    fn midrib() -> Vec<Vec2> {
+        line(&[(0.0, 45.0), (0.0, -85.0)])
+    }
+
+    #[test]
+    fn an_outline_that_is_open_at_its_foot_is_closed_where_the_stalk_passes() {
+        let arcs = [side(-1.0, 24.0), side(1.0, 24.0)];
+        let in_one = [side(-1.0, 40.0), back(side(1.0, 40.0))].concat();
+        for outline in [arcs.to_vec(), vec![in_one]] {
+            let with = |others: Vec<Vec<Vec2>>| read(&[outline.clone(), others].concat());
+            let tools: Vec<Tool> = leaf(&with(vec![midrib()])).parts.iter().map(|part| part.tool).collect();
+            assert_eq!(tools, [Tool::Leaf, Tool::Branch]);
+            assert!(with(Vec::new()).is_empty(), "nothing passes the gap");
+        }
+    }
+
+    #[test]
+    fn an_outline_in_four_strokes_is_one_blade() {
+        let (left, right) = (side(-1.0, 0.0), side(1.0, 0.0));
+        let pieces = [&left[..22], &left[20..], &right[..18], &right[19..]].map(<[Vec2]>::to_vec);
+        let found = read(&[pieces.to_vec(), vec![midrib()]].concat());
+        let leaf = leaf(&found);
+        assert_eq!(leaf.uses, [0, 1, 2, 3, 4]);
+        let drawn: Vec<Vec2> = leaf.parts[0].points.iter().map(|p| p.position).collect();
+        assert!((lobes::area(&drawn) / 4000.0 - 1.0).abs() < 0.1, "{}", lobes::area(&drawn));
+        assert!(drawn[0].length() < 8.0, "{}", drawn[0]);
+    }
+
+    #[test]
+    fn two_halves_with_one_midrib_are_one_leaf() {
+        let half = [side(-1.0, 0.0), line(&[(0.0, -100.0), (0.0, 0.0)])].concat();
+        let found = read(&[half, back(side(1.0, 0.0)), line(&[(0.0, -40.0), (20.0, -55.0)])]);
+        let whole = found.iter().max_by(|a, b| a.score.total_cmp(&b.score)).unwrap();
+        assert_eq!(whole.uses, [0, 1, 2]);
+        assert!(whole.parts[0].points[0].position.length() < 8.0);
+    }
+
+    #[test]
+    fn midrib_and_stalk_may_follow_the_outline_in_its_stroke_or_be_two_lines() {
+        let outline = [side(-1.0, 0.0), back(side(1.0, 0.0))].concat();
+        let stroke = [back(side(-1.0, 0.0)), side(1.0, 0.0), line(&[(0.0, -100.0), (0.0, 40.0)])].concat();
+        let double = line(&[(-3.0, 50.0), (-2.0, -70.0), (2.0, -70.0), (3.0, 50.0)]);
+        for drawn in [vec![stroke], vec![outline, double]] {
+            let found = read(&drawn);
+            let [blade, stalk] = &leaf(&found).parts[..] else { panic!("no stalk") };
+            assert!(blade.points[0].position.length() < 8.0, "{}", blade.points[0].position);
+            assert!(stalk.points.iter().all(|p| p.position.x.abs() < 3.0 && p.position.y > -8.0));
+        }
+    }
+
+    #[test]
+    fn lobes_as_sharp_as_their_notches_are_a_leafs_and_round_ones_a_crowns() {
+        let ring = |reach: fn(f32) -> f32| -> Vec<Vec2> {
+            let turn = |k: usize| 1.75 + 5.93 * k as f32 / 240.0;
+            let place = |k: usize| reach((5.0 * k as f32 / 240.0).fract()) * Vec2::from_angle(turn(k));
+            (0..=240).map(|k| place(k) - 50.0 * Vec2::Y).collect()
+        };
+        let (pointed, round) =
+            (ring(|t| 62.0 - 52.0 * (t - 0.5).abs()), ring(|t| 40.0 + 22.0 * (PI * t).sin()));
+        let ribs = || vec![line(&[(0.0, 60.0), (0.0, -80.0)]), line(&[(0.0, -30.0), (25.0, -55.0)])];
+        assert_eq!(leaf(&read(&[vec![pointed], ribs()].concat())).uses, [0, 1, 2]);
+        assert!(read(&[vec![round], ribs()].concat()).is_empty());
     }
 }

@@ -31,8 +31,11 @@
 //! | `stem_tail` | a stem in one stroke with what it carries |
 //! | `blade` | outlines of blades, of one stroke or two, and what they leave over |
 //! | `leaf` | a blade of several strokes, its midrib and veins, blade and stalk in one stroke |
+//! | `leaf_parts` | midrib, veins and stalk of a blade |
+//! | `leaf_area` | the blade that a group of lines encloses together: several strokes, halves, lobes |
 //! | `leaf_loops` | several leaves in one stroke |
 //! | `stem_loops` | leaves that are loops in the stroke of their stem |
+//! | `stem_arcs` | leaves whose one edge is the stem |
 //! | `grass` | a zigzag, or lines side by side: blades of grass |
 //! | `fronds` | lines or lobes that radiate from a trunk's top |
 //! | `pot` | what a plant stands in |
@@ -59,13 +62,16 @@ mod fronds;
 mod grass;
 mod ground;
 mod leaf;
+mod leaf_area;
 mod leaf_loops;
+mod leaf_parts;
 mod lobes;
 mod medial_axis;
 mod mushroom;
 mod pot;
 mod silhouette;
 mod spikes;
+mod stem_arcs;
 mod stem_loops;
 mod stem_tail;
 mod tree;
@@ -163,6 +169,7 @@ fn proposed(page: &mut Page, strokes: &[Arc<Stroke>], corrections: &[Correction]
         leaf::propose,
         leaf_loops::propose,
         stem_loops::propose,
+        stem_arcs::propose,
         grass::propose,
         fronds::propose,
         ground::propose,

@@ -145,6 +145,16 @@ impl Silhouette {
         self.depths().into_iter().fold(0.0, f32::max) * self.cell
     }
 
+    /// The same area without what is narrower than twice `half` cells (a morphological opening).
+    pub(super) fn without_thin_parts(mut self, half: f32) -> Self {
+        let depths = self.depths();
+        let to_core = self.distances(|i| depths[i] > half);
+        let reach = (half * f32::from(CHAMFER.0)).ceil() as u16;
+        (0..self.inside.len()).for_each(|i| self.inside[i] &= to_core[i] <= reach);
+        self.largest = self.largest_area();
+        self
+    }
+
     /// Distance of each cell from the outside, cells; 0 outside.
     pub(super) fn depths(&self) -> Vec<f32> {
         let distances = self.distances(|i| !self.inside[i]);
