@@ -11,11 +11,12 @@ use super::pen_settings::PenSettings;
 use super::settings::{Handedness, ThemeChoice};
 use super::stabiliser::Stabiliser;
 use super::view_state::{LightChoice, Shading};
+use super::ways_to_read::WayToRead;
 use crate::growth::overlay::Wanted;
 use crate::pen::PenSource;
 use crate::picture::{Picture, PictureError};
 use crate::plant::OrganKind;
-use crate::sketch::{PlacedPlant, StrokeId, TextureChoice, Tool};
+use crate::sketch::{Correction, PlacedPlant, StrokeId, TextureChoice, Tool};
 use serde_json::Value;
 use std::path::PathBuf;
 
@@ -48,6 +49,24 @@ pub enum Action {
         stroke: StrokeId,
         /// What it is.
         tool: Tool,
+    },
+    /// The strokes that this one was read with are not what they were read as.
+    RefuseReading(StrokeId),
+    /// Say how strokes are read.
+    Correct(Correction),
+    /// Show in which ways the strokes can be read that a stroke was read with.
+    ShowWays {
+        /// The stroke.
+        stroke: StrokeId,
+        /// Where, logical pixels of the window.
+        at: [f32; 2],
+    },
+    /// The ways to read some strokes have been found.
+    WaysFound {
+        /// The strokes.
+        about: Vec<StrokeId>,
+        /// The ways.
+        ways: Vec<WayToRead>,
     },
     /// Close the menu that asks what a stroke is.
     ClosePartMenu,

@@ -17,6 +17,7 @@
 //! | `updates` | changes that the window and the graphics card have to be notified of |
 
 mod accessors;
+mod asked_ways;
 mod background;
 mod beside;
 mod beside_carry;
@@ -46,6 +47,7 @@ mod picking;
 mod pictures;
 mod preferences;
 mod preset_folder;
+mod readings;
 mod reference;
 mod reference_hold;
 mod replay;

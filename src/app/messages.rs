@@ -84,6 +84,8 @@ pub enum Named {
     Unit,
     /// A group of parameters.
     Group,
+    /// What strokes are read as.
+    Reading,
 }
 
 impl Named {
@@ -93,6 +95,7 @@ impl Named {
             Self::Organ => "organ",
             Self::Unit => "unit",
             Self::Group => "group",
+            Self::Reading => "reading",
         }
     }
 }

@@ -70,6 +70,7 @@ mod thumbnail;
 pub mod tool;
 mod transfer;
 pub mod view_state;
+pub mod ways_to_read;
 mod window;
 pub mod window_size;
 pub mod worker;

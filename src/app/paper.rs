@@ -6,8 +6,9 @@
 use super::canvas::Preview;
 use super::editor::Editor;
 use super::theme::Palette;
-use crate::anatomy::Part;
-use crate::sketch::{Stroke, StrokeId};
+use crate::anatomy::conventions::ReadStrokes;
+use crate::anatomy::{Anatomy, Part};
+use crate::sketch::{Reading, Stroke, StrokeId};
 use egui::Color32;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -103,16 +104,12 @@ struct Understood {
 impl Understood {
     fn of(editor: &Editor, palette: &Palette) -> Self {
         let Some(built) = editor.built() else { return Self { colours: Vec::new(), next: 0 } };
+        let beside: BTreeMap<StrokeId, Reading> = beside(&built.anatomy);
         let branches = built.anatomy.branches.iter();
         let levels: BTreeMap<StrokeId, u32> = branches.filter_map(|b| Some((b.stroke?, b.level))).collect();
-        let colour = |stroke: StrokeId, part: Part| match part {
-            Part::Petal => palette.petal,
-            Part::Leaf => palette.leaf,
-            Part::Branch => palette.branch_level(levels.get(&stroke).copied().unwrap_or(0)),
-            Part::BranchOutline => palette.branch_outline,
-            Part::LeafOutline => palette.leaf_outline,
-            Part::Crown => palette.crown,
-            Part::Ignored => palette.ignored,
+        let colour = |stroke: StrokeId, part: Part| match beside.get(&stroke) {
+            Some(reading) if part == Part::Ignored => palette.beside(*reading),
+            _ => palette.part(part, levels.get(&stroke).copied().unwrap_or(0)),
         };
         let marks = built.anatomy.marks.iter();
         let mut colours: Vec<_> = marks.map(|mark| (mark.stroke, colour(mark.stroke, mark.part))).collect();
@@ -130,6 +127,15 @@ impl Understood {
         self.next = at + 1;
         Some(self.colours.get(at)?.1)
     }
+}
+
+/// The strokes that were read as something with others.
+fn beside(anatomy: &Anatomy) -> BTreeMap<StrokeId, Reading> {
+    let of = |read: &ReadStrokes| {
+        let reading = read.reading;
+        read.strokes.clone().into_iter().map(move |stroke| (stroke, reading))
+    };
+    anatomy.readings.iter().flat_map(of).collect()
 }
 
 #[cfg(test)]

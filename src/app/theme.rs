@@ -5,7 +5,8 @@
 //! wherever it stands. Text and part colours keep a contrast against their grounds that the tests measure (WCAG 2.1).
 //! Everything that can be touched is [`TARGET`] wide and high at least.
 
-use crate::sketch::Tool;
+use crate::anatomy::Part;
+use crate::sketch::{Reading, Tool};
 use egui::style::{HandleShape, TextCursorStyle, WidgetVisuals, Widgets};
 use egui::{Color32, CornerRadius, FontId, Margin, Shadow, Stroke, Style, TextStyle, Theme, Vec2, Visuals};
 
@@ -63,6 +64,10 @@ pub struct Palette {
     pub crown: Color32,
     /// Strokes that mean nothing.
     pub ignored: Color32,
+    /// Pots.
+    pub pot: Color32,
+    /// The ground that is drawn.
+    pub earth: Color32,
     /// Selected strokes and the lasso.
     pub selection: Color32,
 }
@@ -95,6 +100,8 @@ pub const LIGHT: Palette = Palette {
     leaf_outline: rgb(0x18808a),
     crown: rgb(0x4a4fb5),
     ignored: rgb(0x868b86),
+    pot: rgb(0xb5482c),
+    earth: rgb(0x7a6a4f),
     selection: rgb(0x2769c9),
 };
 
@@ -122,6 +129,8 @@ pub const DARK: Palette = Palette {
     leaf_outline: rgb(0x64c4cc),
     crown: rgb(0xa4a6ff),
     ignored: rgb(0x858d88),
+    pot: rgb(0xf0906f),
+    earth: rgb(0xc2b190),
     selection: rgb(0x7fb2ff),
 };
 
@@ -137,6 +146,28 @@ impl Palette {
     /// The colours of the theme that a piece of interface is shown in.
     pub fn in_use(visuals: &Visuals) -> &'static Palette {
         if visuals.dark_mode { &DARK } else { &LIGHT }
+    }
+
+    /// Colour of what a stroke was understood as, of a branch by its level.
+    pub fn part(&self, part: Part, level: u32) -> Color32 {
+        match part {
+            Part::Petal => self.petal,
+            Part::Leaf => self.leaf,
+            Part::Branch => self.branch_level(level),
+            Part::BranchOutline => self.branch_outline,
+            Part::LeafOutline => self.leaf_outline,
+            Part::Crown => self.crown,
+            Part::Ignored => self.ignored,
+        }
+    }
+
+    /// Colour of strokes that became no part of the plant but were read as something.
+    pub fn beside(&self, reading: Reading) -> Color32 {
+        match reading {
+            Reading::Pot => self.pot,
+            Reading::Ground => self.earth,
+            _ => self.leaf,
+        }
     }
 
     /// Colour of a branch by its level, 0 for trunk or stem.
@@ -281,7 +312,8 @@ mod tests {
     fn parts_are_seen_on_paper_and_panels() {
         for p in [LIGHT, DARK] {
             let outlines = [p.branch_outline, p.leaf_outline, p.crown];
-            let others = [p.ink, p.petal, p.leaf, p.ignored, p.selection].into_iter().chain(outlines);
+            let others =
+                [p.ink, p.petal, p.leaf, p.ignored, p.pot, p.earth, p.selection].into_iter().chain(outlines);
             for colour in others.chain(p.branch) {
                 for ground in [p.paper, p.panel] {
                     assert!(contrast(colour, ground) >= 3.0, "{colour:?}: {}", contrast(colour, ground));

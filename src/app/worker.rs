@@ -10,13 +10,14 @@
 //! wait on large plants is done here as well: counting, and giving back the memory of plants that are no longer shown.
 
 use super::{free_memory, priority};
-use crate::anatomy::Part;
+use crate::anatomy::{Anatomy, Part};
 use crate::growth::overlay::Wanted;
 use crate::model::{Measure, Measures};
 use crate::pipeline::{self, Built, Cache, SetupError};
-use crate::sketch::{Sketch, Stroke, StrokeId, StrokePoint, Tool};
+use crate::sketch::{Reading, Sketch, Stroke, StrokeId, StrokePoint, Tool};
 use crate::species::Species;
 use glam::Vec3;
+use std::collections::HashSet;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -105,6 +106,10 @@ pub struct Counts {
     pub petals: bool,
     /// Whether strokes were taken for leaves.
     pub leaves: bool,
+    /// Whether strokes are a pot.
+    pub pots: bool,
+    /// Whether strokes are the ground.
+    pub ground: bool,
     /// Whether strokes were not used.
     pub ignored: bool,
 }
@@ -113,6 +118,7 @@ impl Counts {
     /// Counts, which takes as long as the plant is large.
     pub fn of(built: &Built, measure: &Measure) -> Self {
         let has = |part: Part| built.anatomy.marks.iter().any(|mark| mark.part == part);
+        let reads = |reading: Reading| built.anatomy.readings.iter().any(|read| read.reading == reading);
         Self {
             flowers: built.plant.flowers.len(),
             vertices: measure.vertices,
@@ -120,9 +126,18 @@ impl Counts {
             branch_levels: built.anatomy.branches.iter().map(|b| b.level + 1).max().unwrap_or(0),
             petals: has(Part::Petal),
             leaves: has(Part::Leaf),
-            ignored: has(Part::Ignored),
+            pots: reads(Reading::Pot),
+            ground: reads(Reading::Ground),
+            ignored: has_unused(&built.anatomy),
         }
     }
+}
+
+/// Whether strokes were not used, neither as a part nor with others.
+fn has_unused(anatomy: &Anatomy) -> bool {
+    let with_others: HashSet<StrokeId> =
+        anatomy.readings.iter().flat_map(|read| &read.strokes).copied().collect();
+    anatomy.marks.iter().any(|mark| mark.part == Part::Ignored && !with_others.contains(&mark.stroke))
 }
 
 /// What window and worker share.

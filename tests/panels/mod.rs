@@ -11,6 +11,7 @@ mod looks;
 mod measures;
 mod parameters;
 mod pictures;
+mod readings;
 mod side;
 mod stage;
 mod tools;

@@ -49,6 +49,7 @@ pub(super) fn busy() -> Snapshot {
             leaf_outlines: true,
             crowns: true,
             ignored: true,
+            ..Found::default()
         },
         status: Status {
             strokes: 42,

@@ -1,8 +1,11 @@
 //! What stands over the window and waits for the artist: one dialog, the menu of parts, and messages.
 
+use super::asked_ways::AskedWays;
 use super::notices::Notices;
 use crate::app::action::Action;
 use crate::app::panels::snapshot::{Dialog, Notice, PartMenu};
+use crate::app::ways_to_read::WayToRead;
+use crate::sketch::StrokeId;
 use std::time::Instant;
 
 /// One dialog, the menu of parts, and messages.
@@ -12,6 +15,8 @@ pub(super) struct Dialogs {
     /// What waits for the answer about unsaved changes.
     held_up: Option<Action>,
     part_menu: Option<PartMenu>,
+    /// How the strokes can be read that it is about.
+    ways: Option<AskedWays>,
     notices: Notices,
 }
 
@@ -55,11 +60,30 @@ impl Dialogs {
     /// Opens that menu.
     pub(super) fn ask_for_part(&mut self, menu: PartMenu) {
         self.part_menu = Some(menu);
+        self.ways = None;
     }
 
     /// Closes it.
     pub(super) fn close_part_menu(&mut self) {
         self.part_menu = None;
+        self.ways = None;
+    }
+
+    /// How the strokes can be read that the menu is about.
+    pub(super) fn ways(&self) -> Option<&AskedWays> {
+        self.ways.as_ref()
+    }
+
+    /// These ways were asked for.
+    pub(super) fn set_ways(&mut self, ways: AskedWays) {
+        self.ways = Some(ways);
+    }
+
+    /// The ways to read these strokes have been found.
+    pub(super) fn ways_found(&mut self, about: &[StrokeId], ways: Vec<WayToRead>) {
+        if let Some(asked) = &mut self.ways {
+            asked.take(about, ways);
+        }
     }
 
     /// Shows a message.

@@ -42,6 +42,7 @@ impl Editor {
         self.hold_divider(ui, divider, room);
         self.paint_overlay(ui);
         frame::overlays(ui, self.layout.canvas, &snapshot, self.prefs.messages(), &mut actions);
+        self.paint_pointed_reading(ui);
         for action in actions {
             self.perform(action);
         }

@@ -143,6 +143,7 @@ impl Editor {
                 let at = at / self.layout.pixels_per_point();
                 let (of, tool) = (MenuOf::Stroke(id), stroke.tool);
                 self.dialogs.ask_for_part(PartMenu { of, tool, at: [at.x as f32, at.y as f32] });
+                self.ask_for_ways(id);
             }
             CanvasOutcome::AskWhatToDraw { at } => {
                 let at = at / self.layout.pixels_per_point();

@@ -77,6 +77,10 @@ impl Editor {
                 self.changed(is_other);
             }
             Action::SetStrokePart { stroke, tool } => self.set_stroke_part(stroke, tool),
+            Action::RefuseReading(stroke) => self.refuse_reading(stroke),
+            Action::Correct(correction) => self.correct(correction),
+            Action::ShowWays { stroke, at } => self.show_ways(stroke, at),
+            Action::WaysFound { about, ways } => self.dialogs.ways_found(&about, ways),
             Action::SetSpecies(name) => self.change(Change::species(Some(name))),
             Action::SetSeed(seed) => self.change(Change::seed(seed)),
             Action::RollSeed => self.change(Change::seed(dice::another_seed(self.sketch().seed))),

@@ -44,6 +44,8 @@ impl Editor {
             pen: self.pens.state(self.prefs.settings(), self.layout.pixels_per_point()),
             status: self.status(),
             found: self.found_parts(),
+            readings: self.read_together(),
+            ways: self.ways(),
             part_menu: self.dialogs.part_menu(),
             remarks: self.remarks(),
             dialog: self.dialogs.dialog().cloned(),
@@ -93,7 +95,9 @@ impl Editor {
         let Some(PartMenu { of: MenuOf::Stroke(stroke), .. }) = self.dialogs.part_menu() else {
             return Vec::new();
         };
-        let about = self.live.warnings().iter().filter(|warning| warning.stroke == Some(stroke));
+        // What strokes are read as is shown with the other ways.
+        let is_odd = |remark: &Remark| !matches!(remark, Remark::ReadAs(_));
+        let about = self.live.warnings().iter().filter(|w| w.stroke == Some(stroke) && is_odd(&w.remark));
         about.map(|warning| warning.remark.localize(self.prefs.messages())).collect()
     }
 
@@ -136,6 +140,8 @@ impl Editor {
             branch_outlines: outlines.branches,
             leaf_outlines: outlines.leaves,
             crowns: outlines.crowns,
+            pots: counts.pots,
+            ground: counts.ground,
             ignored: counts.ignored,
         }
     }

@@ -3,6 +3,7 @@
 use super::*;
 use crate::params::Parameters;
 use crate::pipeline::Params;
+use crate::sketch::Reading;
 use crate::species::Species;
 use std::collections::BTreeSet;
 
@@ -145,6 +146,7 @@ fn every_group_unit_and_species_has_a_name_in_both_languages() {
             }
         }
         Species::all().into_iter().for_each(|name| known(Named::Species, name));
+        Reading::ALL.iter().for_each(|reading| known(Named::Reading, reading.name()));
     }
 }
 

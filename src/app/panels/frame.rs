@@ -3,8 +3,8 @@
 use super::snapshot::Snapshot;
 use super::widgets::{palette, segments};
 use super::{
-    beside, dialogs, focus, growth, legend, materials, notices, parameters, part_menu, presets, seed,
-    species, status, toolbar, view,
+    beside, dialogs, focus, growth, legend, materials, notices, parameters, part_menu, presets, readings,
+    seed, species, status, toolbar, view,
 };
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
@@ -111,6 +111,7 @@ pub fn overlays(ui: &Ui, canvas: Rect, snapshot: &Snapshot, messages: &Messages,
         .pivot(pivot)
         .interactable(false);
     area.show(ctx, |ui| legend::show(ui, snapshot, messages));
+    readings::show(ctx, canvas, snapshot, messages, out);
     part_menu::selection(ctx, canvas, snapshot, messages, out);
     part_menu::show(ctx, canvas, snapshot, messages, out);
     notices::show(ctx, canvas, snapshot, messages, out);

@@ -38,6 +38,8 @@ fn entries(found: &Found, p: &Palette) -> Vec<(Msg, Color32)> {
         (found.branch_outlines, Msg::ToolBranchOutline, p.branch_outline),
         (found.leaf_outlines, Msg::ToolLeafOutline, p.leaf_outline),
         (found.crowns, Msg::ToolCrown, p.crown),
+        (found.pots, Msg::LegendPot, p.pot),
+        (found.ground, Msg::LegendGround, p.earth),
         (found.ignored, Msg::LegendIgnored, p.ignored),
     ];
     all.into_iter().filter(|(there, ..)| *there).map(|(_, msg, colour)| (msg, colour)).collect()

@@ -24,6 +24,7 @@ mod path_dialog;
 pub mod pen;
 pub mod presets;
 pub mod rail;
+pub mod readings;
 pub mod seed;
 pub mod snapshot;
 pub mod species;

@@ -1,6 +1,7 @@
 //! What is this stroke? One tap corrects a wrong guess. And what can be done with selected strokes.
 
 use super::icons::Icon;
+use super::readings;
 use super::snapshot::{MenuOf, PartMenu, Snapshot};
 use super::widgets::{CAPTIONED, IconButton, card, note, palette};
 use crate::app::action::Action;
@@ -40,7 +41,15 @@ pub fn show(ctx: &Context, canvas: Rect, snapshot: &Snapshot, messages: &Message
     let id = Id::unique("part menu");
     let area = Area::new(id).order(Order::Foreground).fixed_pos(at).constrain_to(canvas.shrink(8.0));
     let shown = area.show(ctx, |ui| {
-        card(ui).show(ui, |ui| choices(ui, &menu, &snapshot.remarks, messages, out));
+        card(ui).show(ui, |ui| {
+            ui.set_width(3.0 * CAPTIONED + 8.0);
+            if let Some(ways) = &snapshot.ways {
+                readings::ways(ui, ways, messages, out);
+            }
+            if !matches!(menu.of, MenuOf::Reading(_)) {
+                choices(ui, &menu, &snapshot.remarks, messages, out);
+            }
+        });
     });
     if ctx.input(|i| i.pointer.any_pressed()) {
         let outside =
@@ -52,7 +61,6 @@ pub fn show(ctx: &Context, canvas: Rect, snapshot: &Snapshot, messages: &Message
 }
 
 fn choices(ui: &mut Ui, menu: &PartMenu, remarks: &[String], messages: &Messages, out: &mut Vec<Action>) {
-    ui.set_width(3.0 * CAPTIONED + 8.0);
     let title = if menu.of == MenuOf::Pen { Msg::PenDrawNext } else { Msg::PartTitle };
     note(ui, messages.get(title));
     ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
@@ -68,7 +76,9 @@ fn choices(ui: &mut Ui, menu: &PartMenu, remarks: &[String], messages: &Messages
                 }
                 if button.show(ui).clicked() {
                     out.push(match menu.of {
-                        MenuOf::Stroke(stroke) => Action::SetStrokePart { stroke, tool: *tool },
+                        MenuOf::Stroke(stroke) | MenuOf::Reading(stroke) => {
+                            Action::SetStrokePart { stroke, tool: *tool }
+                        }
                         MenuOf::Pen => Action::SetTool(CanvasTool::Draw(*tool)),
                     });
                     out.push(Action::ClosePartMenu);

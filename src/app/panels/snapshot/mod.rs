@@ -5,11 +5,13 @@
 mod beside;
 mod params;
 mod pen;
+mod readings;
 mod status;
 
 pub use beside::{BesideState, PlantState};
 pub use params::ParamValues;
 pub use pen::{PenLive, PenState};
+pub use readings::{ReadTogether, Ways};
 pub use status::{Autosave, Found, PenUsed, Status, Task};
 
 pub use crate::app::dialog::{Dialog, PathPurpose, PathRequest, Recovered};
@@ -82,6 +84,10 @@ pub struct Snapshot {
     pub status: Status,
     /// Parts that the analysis found, for the legend.
     pub found: Found,
+    /// Strokes that were read together, in the order of the drawing.
+    pub readings: Vec<ReadTogether>,
+    /// How the strokes can be read that the menu of parts is about.
+    pub ways: Option<Ways>,
     /// The menu that asks what a stroke is, at this place in logical pixels.
     pub part_menu: Option<PartMenu>,
     /// What is odd about the stroke that the menu is about.
@@ -145,6 +151,8 @@ pub struct PartMenu {
 pub enum MenuOf {
     /// What this stroke is.
     Stroke(StrokeId),
+    /// What the strokes are that this one was read with.
+    Reading(StrokeId),
     /// What the pen draws next.
     Pen,
 }

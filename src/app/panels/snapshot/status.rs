@@ -68,6 +68,10 @@ pub struct Found {
     pub leaf_outlines: bool,
     /// Crowns.
     pub crowns: bool,
+    /// Pots.
+    pub pots: bool,
+    /// The ground.
+    pub ground: bool,
     /// Strokes that were not used.
     pub ignored: bool,
 }
