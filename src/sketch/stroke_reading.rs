@@ -53,4 +53,6 @@ readings! {
     Pot = "pot", "is read as the pot in which the plant stands";
     /// The ground.
     Ground = "ground", "is read as the ground and is no part of the plant";
+    /// The sun.
+    Sun = "sun", "is read as the sun and is no part of the plant";
 }

@@ -4,8 +4,11 @@
 //! one for the whole corolla, or an arc for each petal. Lines whose ends meet are one; what they are cut into at their notches
 //! ([`lobes`](super::lobes)) are the petals, at least [`FEWEST`], more than half around. Their roots are led to the centre, under
 //! its edge, where petals gather; the centre's own stroke is drawn anew from its middle, so that it gathers with them. What
-//! stands inside the centre is its ornament. Where half of the petals are loops of
-//! their own that overlap the round one, as in the papers, that is a petal like them, and all stay as they are.
+//! stands inside the centre is its ornament.
+//!
+//! Loops of their own are petals around a centre if their feet lie around it and they point away from it. Where half of the
+//! petals are loops whose feet gather beside the round one, as in the papers, that is a petal like them, and all stay as they
+//! are.
 //!
 //! A crown with an apple in it has two sides of a trunk below and shallow notches far from the apple: that speaks against.
 //!
@@ -37,18 +40,31 @@ const ONCE: f32 = 1.3;
 /// How far from the middle a petal reaches, in half sizes of the centre, and where petals' lines come nearest to it.
 const REACH: (f32, f32) = (1.3, 6.0);
 const NEAREST: f32 = 2.2;
+/// The same for a petal in a stroke of its own that encloses so much of its hull: a small centre has long petals.
+const FAR: (f32, f32) = (9.0, 0.85);
 /// How far petals reach at least around a centre that is no disc: a scribble in a crown fills it.
 const SCRIBBLED: f32 = 2.0;
 /// Widest angle between the directions of loops around a centre that keeps them apart.
 const LOOP_GAP: f32 = 0.28 * TAU;
-/// How far petals of their own stay away from the middle if what stands there is a centre and no petal.
-const KEPT_OUT: f32 = 0.75;
+/// How far petals of their own stay away from the middle if what stands there is a centre and no petal, and the most of their
+/// points that come nearer: their feet.
+const KEPT_OUT: (f32, f32) = (0.75, 0.15);
+/// Farthest middle of the feet of such petals from the middle of a centre, in half sizes of it: petals that gather at the root
+/// of one among them have their feet beside it.
+const FEET_OFF: f32 = 0.5;
+/// Least cosine between where a petal points from its foot and from the centre.
+const OUTWARD: f32 = 0.8;
+/// The same as the two before the last, and the widest angle, for so many loops, which may stand on one side of a head that is seen from the side; their
+/// feet lie at least that far apart, on the average from their middle.
+const SIDE: (usize, f32, f32, f32) = (5, 0.85, 0.6 * TAU, 0.4);
 /// Least angle that petals fill if they go all around.
 const ALL_AROUND: f32 = 0.85 * TAU;
 /// Farthest end of an arc for one petal, as a share of its reach.
 const BACK: f32 = 0.7;
 /// Distance within which ends of lines meet, as a share of the corolla's reach.
 const MEET: f32 = 0.15;
+/// How far a petal reaches at most, in reaches of the middle one: a stem goes farther.
+const LONGEST: f32 = 2.2;
 /// Smallest petal, as a share of the largest one's area.
 const SMALLEST: f32 = 0.06;
 /// Least angle that petals fill together.
@@ -74,7 +90,7 @@ pub(super) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
 }
 
 /// Whether a line may be a flower's centre: a disc, a spiral or a scribble about as wide as high.
-fn is_round(line: &Line) -> bool {
+pub(super) fn is_round(line: &Line) -> bool {
     let size = line.size();
     let fill = line.hull_area / (FRAC_PI_4 * size.x * size.y).max(f32::MIN_POSITIVE);
     let is_disc = line.openness < OPEN && line.solidity() > SOLID;
@@ -111,12 +127,10 @@ fn corolla(page: &Page, centre: usize, near: &[usize]) -> Option<Hypothesis> {
     if disc.openness >= OPEN && reach < SCRIBBLED {
         return None;
     }
-    let keep_out = petals.iter().flatten().all(|p| focus.distance(*p) > KEPT_OUT);
-    let is_open = keep_out && widest_gap(&petals, focus.place) < LOOP_GAP;
-    let is_papers_way = 2 * loops >= petals.len() && !is_open;
+    let is_papers_way = 2 * loops >= petals.len() && !stand_around(&petals, &focus);
     if is_papers_way
         || petals.len() < FEWEST
-        || lobes::around(&petals, focus.place) < AROUND
+        || lobes::around(&petals, focus.place) < if disc.is_scribble() { ALL_AROUND } else { AROUND }
         || !is_amid(&petals, &focus)
     {
         return None;
@@ -166,7 +180,10 @@ fn is_around(line: &Line, focus: &Focus) -> bool {
     let comes_back = focus.distance(first).max(focus.distance(last)) < BACK * reach || line.openness < OPEN;
     let has_notches =
         || winding(&line.points, focus.place) > PI || lobes::cut(&line.points, focus, false).len() > 1;
-    (REACH.0..REACH.1).contains(&reach) && nearest < NEAREST && (comes_back || has_notches())
+    let ends_there = focus.distance(first).max(focus.distance(last)) < NEAREST;
+    let is_petal = || line.solidity() > FAR.1 && (ends_there || line.openness < OPEN && nearest < REACH.0);
+    let farthest = if reach > REACH.1 && is_petal() { FAR.0 } else { REACH.1 };
+    (REACH.0..farthest).contains(&reach) && nearest < NEAREST && (comes_back || has_notches())
 }
 
 /// Angle that a line turns around a place, without sign.
@@ -230,6 +247,10 @@ fn petals(chains: &[Chain], focus: &Focus) -> Vec<Vec<Vec2>> {
     let area = |stretch: &[Vec2]| lobes::area(&lobes::rooted(stretch, focus.place));
     let largest = petals.iter().map(|stretch| area(stretch)).fold(0.0, f32::max);
     petals.retain(|stretch| area(stretch) > SMALLEST * largest && focus.reach(stretch) > REACH.0);
+    let mut reaches: Vec<f32> = petals.iter().map(|stretch| focus.reach(stretch)).collect();
+    reaches.sort_by(f32::total_cmp);
+    let middle = reaches.get(reaches.len() / 2).copied().unwrap_or(0.0);
+    petals.retain(|stretch| focus.reach(stretch) < LONGEST * middle);
     petals
 }
 
@@ -242,8 +263,28 @@ fn from_nearest(points: &[Vec2], focus: &Focus) -> Vec<Vec2> {
     around
 }
 
+/// Whether loops stand around a centre with their feet at its edge instead of gathering beside it.
+fn stand_around(petals: &[Vec<Vec2>], focus: &Focus) -> bool {
+    let comes_in = |petal: &Vec<Vec2>| {
+        let inside = petal.iter().filter(|p| focus.distance(**p) < KEPT_OUT.0).count();
+        inside as f32 > KEPT_OUT.1 * petal.len() as f32
+    };
+    let foot = |petal: &Vec<Vec2>| petal[0].midpoint(petal[petal.len() - 1]);
+    let is_askew = |petal: &Vec<Vec2>| {
+        lobes::direction(petal, foot(petal)).dot(lobes::direction(petal, focus.place)) < OUTWARD
+    };
+    let feet: Vec<Vec2> = petals.iter().map(foot).map(|foot| (foot - focus.place) / focus.half).collect();
+    let count = feet.len().max(1) as f32;
+    let middle = feet.iter().sum::<Vec2>() / count;
+    let spread = feet.iter().map(|foot| foot.distance(middle)).sum::<f32>() / count;
+    let gap = widest_gap(petals, focus.place);
+    let is_all_around = middle.length() < FEET_OFF && gap < LOOP_GAP;
+    let is_half = petals.len() >= SIDE.0 && middle.length() < SIDE.1 && gap < SIDE.2 && spread > SIDE.3;
+    (is_all_around || is_half) && !petals.iter().any(|petal| comes_in(petal) || is_askew(petal))
+}
+
 /// Widest angle between neighbouring petals' directions.
-fn widest_gap(petals: &[Vec<Vec2>], place: Vec2) -> f32 {
+pub(super) fn widest_gap(petals: &[Vec<Vec2>], place: Vec2) -> f32 {
     let mut angles: Vec<f32> = petals.iter().map(|petal| lobes::direction(petal, place).to_angle()).collect();
     angles.sort_by(f32::total_cmp);
     angles.extend(angles.first().map(|first| first + TAU));
@@ -277,7 +318,7 @@ fn score(page: &Page, near: &[usize], uses: &[usize], petals: &[Vec<Vec2>], focu
 }
 
 /// The outline of a disc as one stroke from its middle and back to it, the mouth hardly open.
-fn from_middle(hull: &[Vec2], middle: Vec2) -> Vec<Vec2> {
+pub(super) fn from_middle(hull: &[Vec2], middle: Vec2) -> Vec<Vec2> {
     let mut ring = hull.to_vec();
     ring.extend(hull.first());
     let even = super::page::even(&ring, RING);
@@ -285,104 +326,5 @@ fn from_middle(hull: &[Vec2], middle: Vec2) -> Vec<Vec2> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
-        let mut out = Vec::new();
-        propose(&Page::of_lines(lines), &mut out);
-        out
-    }
-
-    /// Around (0, 0) from one angle to another, `lobes` all around that are `depth` higher than the ring of radius 40.
-    fn ring(lobes: f32, depth: f32, (from, to): (f32, f32)) -> Vec<Vec2> {
-        let place = |k: usize| {
-            let angle = from + (to - from) * k as f32 / 200.0;
-            (40.0 + depth * (0.5 * lobes * angle).sin().abs()) * Vec2::from_angle(angle)
-        };
-        (0..=200).map(place).collect()
-    }
-
-    fn circle(radius: f32) -> Vec<Vec2> {
-        (0..=60).map(|k| radius * Vec2::from_angle(TAU * k as f32 / 60.0 + 1.0)).collect()
-    }
-
-    fn line(from: (f32, f32), to: (f32, f32)) -> Vec<Vec2> {
-        vec![Vec2::from(from), Vec2::from(to)]
-    }
-
-    #[test]
-    fn a_corolla_in_one_stroke_becomes_petals_from_the_centre() {
-        for (from, to) in [(0.0, TAU), (0.6, TAU + 0.5), (4.0, 4.0 - TAU)] {
-            let drawing = [line((0.0, 300.0), (0.0, 60.0)), ring(6.0, 30.0, (from, to)), circle(25.0)];
-            let found = read(&drawing);
-            let [flower] = &found[..] else { panic!("{} corollas", found.len()) };
-            assert_eq!(flower.uses, [1, 2], "the stem stays");
-            let (petals, centre): (Vec<_>, Vec<_>) =
-                flower.parts.iter().partition(|part| part.tool == Tool::Petal);
-            assert_eq!((petals.len(), centre.len()), (6, 1));
-            assert!(petals.iter().all(|petal| petal.points[0].position.length() < 10.0));
-            assert_eq!(centre[0].tool, Tool::Auto);
-            assert!(flower.score > 3.0, "{}", flower.score);
-        }
-    }
-
-    #[test]
-    fn arcs_of_their_own_are_petals_and_what_stands_in_the_centre_is_its_ornament() {
-        let arc = |k: usize| ring(5.0, 60.0, (k as f32 * TAU / 5.0 + 0.1, (k + 1) as f32 * TAU / 5.0 - 0.1));
-        let mut drawing: Vec<Vec<Vec2>> = (0..5).map(arc).collect();
-        drawing.extend([circle(36.0), line((-10.0, 0.0), (10.0, 5.0))]);
-        let found = read(&drawing);
-        assert_eq!(found[0].uses, [0, 1, 2, 3, 4, 5, 6]);
-        assert_eq!(found[0].parts.len(), 6);
-    }
-
-    #[test]
-    fn a_stem_in_one_stroke_with_the_corolla_is_a_branch() {
-        let mut drawn = line((0.0, 250.0), (0.0, 45.0));
-        drawn.extend(ring(6.0, 30.0, (0.25 * TAU, 1.24 * TAU)));
-        let found = read(&[drawn, circle(25.0)]);
-        let count = |tool: Tool| found[0].parts.iter().filter(|part| part.tool == tool).count();
-        assert_eq!((count(Tool::Branch), count(Tool::Petal)), (1, 7), "{:?}", found[0].parts.len());
-    }
-
-    #[test]
-    fn two_strokes_that_meet_are_one_corolla() {
-        let drawing = [ring(6.0, 30.0, (0.5, 3.3)), ring(6.0, 30.0, (3.35, 0.45 + TAU)), circle(25.0)];
-        assert_eq!(read(&drawing)[0].parts.len(), 7);
-    }
-
-    #[test]
-    fn loops_of_their_own_are_petals_around_a_disc_but_not_around_a_loop_like_them() {
-        let drawing = |away: f32| -> Vec<Vec<Vec2>> {
-            let petal = |k: usize| {
-                let turn = Vec2::from_angle(k as f32 * TAU / 6.0);
-                circle(20.0)
-                    .into_iter()
-                    .map(|p| turn.rotate(Vec2::new(away, 0.0) + p * Vec2::new(1.2, 1.1)))
-                    .collect()
-            };
-            (0..6).map(petal).chain([circle(25.0)]).collect()
-        };
-        assert!(read(&drawing(30.0)).is_empty());
-        assert_eq!(read(&drawing(52.0))[0].parts.len(), 7);
-        assert!(read(&drawing(52.0)[2..]).is_empty(), "not all around");
-    }
-
-    #[test]
-    fn plain_rings_and_scribbles_are_no_corolla() {
-        assert!(read(&[ring(1.0, 0.0, (0.0, TAU)), circle(20.0)]).is_empty());
-        let frame: Vec<Vec2> = [(-60.0, -60.0), (60.0, -60.0), (60.0, 60.0), (-60.0, 60.0), (-60.0, -60.0)]
-            .map(Vec2::from)
-            .into();
-        assert!(read(&[frame, circle(20.0)]).is_empty());
-        assert!(read(&[ring(6.0, 30.0, (0.0, 3.0 * TAU)), circle(20.0)]).is_empty());
-    }
-
-    #[test]
-    fn an_apple_in_a_crown_speaks_less_for_a_flower_than_a_trunk_for_a_tree() {
-        let crown = ring(7.0, 8.0, (2.0, 2.0 + TAU));
-        let tree = [line((-8.0, 120.0), (-8.0, 40.0)), line((8.0, 120.0), (8.0, 40.0)), crown, circle(16.0)];
-        assert!(read(&tree).iter().all(|flower| flower.score < 3.0));
-    }
-}
+#[path = "corolla_tests.rs"]
+mod tests;

@@ -2,15 +2,18 @@
 //!
 //! The outline is one stroke, open or closed, with at least three lobes: around its middle, as in a flower seen from the
 //! front, or, if it has none there, from where the stem meets it, as in a tulip seen from the side. What carries it is one line
-//! that begins at the outline or within and ends below; two such lines are a trunk's sides, and that is a tree.
+//! that begins at the outline or within and ends below.
+//! Two lines that stand close together are the sides of a slender stem; a trunk is broader and shorter. An outline without a stem
+//! is a flower if it is cut deep all around and its lobes are alike.
 //! Lines within say that it is something else, a leaf with its veins or a crown with twigs; a dot may stand there.
 //!
 //! A crown on a trunk that is a single line has shallow lobes, and a trunk shorter than itself.
 //!
 //! Limits: a crown with deep lobes on a long line is read as a flower, too: nothing tells them apart.
 
+use super::corolla::widest_gap;
 use super::lobes::{self, Focus};
-use super::page::{Line, Page};
+use super::page::{Line, Page, even};
 use super::{Habit, Hypothesis, Made, stem_tail};
 use crate::geom::polyline;
 use crate::sketch::{Reading, Tool};
@@ -43,6 +46,12 @@ const DEEP: f32 = 0.85;
 const SMALLEST: f32 = 0.04;
 /// Least angle that petals fill around the middle of a corolla.
 const AROUND: f32 = 0.75 * TAU;
+/// Widest stem of two sides, as a share of the head, and least length over its width; points of each side.
+const SIDES: (f32, f32) = (0.4, 5.0);
+const SIDE_POINTS: usize = 24;
+/// Of a flower without a stem: fewest petals, farthest notches, largest opening, least size of a petal over the mean one's, and
+/// widest gap over the mean one.
+const STAR: (usize, f32, f32, f32, f32) = (4, 0.7, 0.15, 0.7, 1.4);
 /// Most lines that are looked at near an outline.
 const MOST_LINES: usize = 64;
 
@@ -92,32 +101,43 @@ fn corolla(page: &Page, head: &Head, near: &[usize]) -> Option<Hypothesis> {
     }
     let others: Vec<usize> = near.iter().copied().filter(|i| *i != head.number).collect();
     let of_others = others.iter().map(|i| &page.lines[*i]);
-    let mut stems = head.stem.iter().chain(of_others).filter_map(|stem| Some((stem, stem_top(stem, line)?)));
-    let (stem, top) = stems.next()?;
-    if stems.next().is_some() {
-        return None;
-    }
-    let within = within(page, line, stem, &others)?;
-    let (focus, petals) = seen_from_the_front(line).or_else(|| seen_from_the_side(line, top))?;
+    let stems: Vec<(&Line, Vec2)> =
+        head.stem.iter().chain(of_others).filter_map(|stem| Some((stem, stem_top(stem, line)?))).collect();
+    let sides = match &stems[..] {
+        [a, b] => Some(two_sides(a.0, b.0, line)?),
+        [_] | [] => None,
+        _ => return None,
+    };
+    let sides_of: Vec<&Line> = stems.iter().map(|(stem, _)| *stem).collect();
+    let within = within(page, line, &sides_of, &others)?;
+    let (focus, petals) = match stems.first() {
+        Some((_, top)) => seen_from_the_front(line).or_else(|| seen_from_the_side(line, *top))?,
+        None => seen_from_the_front(line).filter(|(focus, petals)| is_a_star(line, focus, petals))?,
+    };
     let parts = petals.iter().map(|stretch| {
         let root = focus.place + 0.02 * line.size().length() * lobes::direction(stretch, focus.place);
         Made::new(Tool::Petal, lobes::rooted(stretch, root))
     });
     let own_stem = head.stem.iter().map(|stem| Made::new(Tool::Branch, stem.points.iter().copied()));
-    let parts = parts.chain(own_stem).collect();
-    let mut uses: Vec<usize> = within.into_iter().chain([head.number]).collect();
+    let is_side =
+        |i: &usize| sides.is_some() && sides_of.iter().any(|side| std::ptr::eq(*side, &page.lines[*i]));
+    let side_lines = others.iter().copied().filter(is_side);
+    let mut uses: Vec<usize> = within.into_iter().chain(side_lines).chain([head.number]).collect();
     uses.sort_unstable();
+    let parts = parts.chain(own_stem).chain(sides.clone()).collect();
     let score = 3.2 + 0.1 * petals.len().min(8) as f32;
     let (reading, habit) = (Reading::Corolla, Some(Habit::Flower));
     Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit })
 }
 
 /// The lines within an outline on a stem; nothing where one of all that are near speaks against a flower.
-fn within(page: &Page, head: &Line, stem: &Line, others: &[usize]) -> Option<Vec<usize>> {
+fn within(page: &Page, head: &Line, stems: &[&Line], others: &[usize]) -> Option<Vec<usize>> {
     let diagonal = head.size().length();
-    let others = || others.iter().copied().filter(|i| !std::ptr::eq(&page.lines[*i], stem));
+    let is_stem = |i: &usize| stems.iter().any(|stem| std::ptr::eq(&page.lines[*i], *stem));
+    let others = || others.iter().copied().filter(|i| !is_stem(i));
     // The other side of a trunk may be one stroke with a frond.
-    let half = 0.5 * (stem.bounds.1.y + head.bounds.1.y);
+    let foot = stems.iter().map(|stem| stem.bounds.1.y).fold(head.bounds.1.y, f32::max);
+    let half = 0.5 * (foot + head.bounds.1.y);
     if others().any(|i| page.lines[i].bounds.1.y > half) {
         return None;
     }
@@ -126,10 +146,50 @@ fn within(page: &Page, head: &Line, stem: &Line, others: &[usize]) -> Option<Vec
     let within: Vec<usize> = others().filter(|i| is_within(page.lines[*i].middle())).collect();
     let is_twig = |i: &usize| {
         let line = &page.lines[*i];
-        let gap = |p: Vec2| polyline::nearest(&stem.points, p).map_or(f32::INFINITY, |(gap, _)| gap);
-        line.length > DOT * diagonal || line.points.iter().any(|p| gap(*p) < TWIG * diagonal)
+        let gap =
+            |stem: &Line, p: Vec2| polyline::nearest(&stem.points, p).map_or(f32::INFINITY, |(gap, _)| gap);
+        let is_at = |stem: &&Line| line.points.iter().any(|p| gap(stem, *p) < TWIG * diagonal);
+        line.length > DOT * diagonal || stems.iter().any(is_at)
     };
     (!within.iter().any(is_twig)).then_some(within)
+}
+
+/// A stem with two sides, its drawn width along it: narrow beside the head that it carries and long beside its width.
+fn two_sides(a: &Line, b: &Line, head: &Line) -> Option<Made> {
+    let down = |line: &Line| {
+        let mut points = even(&line.points, SIDE_POINTS);
+        if line.ends().0.y < line.ends().1.y {
+            points.reverse();
+        }
+        points
+    };
+    let (a, b) = (down(a), down(b));
+    let widths: Vec<f32> = a.iter().zip(&b).map(|(a, b)| a.distance(*b)).collect();
+    let widest = widths.iter().copied().fold(f32::MIN_POSITIVE, f32::max);
+    let length = polyline::length(&a).min(polyline::length(&b));
+    if widest > SIDES.0 * head.size().min_element() || length < SIDES.1 * widest {
+        return None;
+    }
+    let mut stem = Made::new(Tool::Branch, a.iter().zip(&b).map(|(a, b)| a.midpoint(*b)));
+    let pressures = widths.iter().map(|width| width / widest);
+    stem.points.iter_mut().zip(pressures).for_each(|(point, pressure)| point.pressure = pressure);
+    stem.half_width = Some(0.5 * widest);
+    Some(stem)
+}
+
+/// Whether an outline without a stem is a flower and no crown, cactus or leaf: closed, deeply cut all around, its lobes alike.
+fn is_a_star(line: &Line, focus: &Focus, petals: &[Vec<Vec2>]) -> bool {
+    let mean = |of: &dyn Fn(&Vec<Vec2>) -> f32| petals.iter().map(of).sum::<f32>() / petals.len() as f32;
+    let is_even = |of: &dyn Fn(&Vec<Vec2>) -> f32| {
+        let mean = mean(of);
+        petals.iter().all(|petal| (STAR.3 * mean..mean / STAR.3).contains(&of(petal)))
+    };
+    let widest = STAR.4 * TAU / petals.len() as f32;
+    line.openness < STAR.2
+        && petals.len() >= STAR.0
+        && mean(&|petal| lobes::depth(petal, focus)) < STAR.1
+        && is_even(&|petal| lobes::area(&lobes::rooted(petal, focus.place)).sqrt())
+        && widest_gap(petals, focus.place) < widest
 }
 
 /// The upper end of a line that carries an outline.
@@ -243,11 +303,34 @@ mod tests {
     }
 
     #[test]
-    fn without_a_stem_on_two_sides_or_with_twigs_it_is_none() {
-        let (left, right) = (line(&[(-10.0, 200.0), (-10.0, 35.0)]), line(&[(10.0, 200.0), (10.0, 35.0)]));
+    fn a_stem_may_have_two_sides_if_it_is_slender() {
+        let side = |x: f32, foot: f32| line(&[(x, foot), (x, 35.0)]);
+        let found = read(&[head(), side(-10.0, 220.0), side(10.0, 220.0)]);
+        let stem = found[0].parts.last().unwrap();
+        assert_eq!((found[0].uses.len(), stem.tool), (3, Tool::Branch));
+        assert!((stem.half_width.unwrap() - 10.0).abs() < 0.5);
+        assert!(stem.points.iter().all(|p| p.position.x.abs() < 0.5));
+        assert!(read(&[head(), side(-25.0, 220.0), side(25.0, 220.0)]).is_empty(), "a trunk");
+        assert!(read(&[head(), side(-10.0, 120.0), side(10.0, 120.0)]).is_empty(), "a short trunk");
+    }
+
+    #[test]
+    fn without_a_stem_only_what_is_cut_deep_and_even_is_a_flower() {
+        let lobed = |depth: f32| -> Vec<Vec2> {
+            head().into_iter().map(|p| p.normalize() * (55.0 + depth * (p.length() - 55.0))).collect()
+        };
+        let found = read(&[lobed(1.3)]);
+        assert_eq!((found.len(), found[0].parts.len()), (1, 6));
+        assert!(read(&[lobed(0.5)]).is_empty(), "a crown");
+        let mut uneven = lobed(1.3);
+        uneven.iter_mut().filter(|p| p.y > 0.0).for_each(|p| p.y *= 2.2);
+        assert!(read(&[uneven]).is_empty(), "a cactus");
+    }
+
+    #[test]
+    fn with_twigs_it_is_none() {
+        let left = line(&[(-10.0, 200.0), (-10.0, 35.0)]);
         let twig = line(&[(0.0, 30.0), (5.0, -30.0)]);
-        assert!(read(&[head()]).is_empty());
-        assert!(read(&[head(), left.clone(), right]).is_empty());
         assert!(read(&[head(), left, twig]).is_empty());
     }
 

@@ -28,6 +28,8 @@
 //! | `mushroom` | a cap on a stalk |
 //! | `corolla` | a corolla around a flower's centre |
 //! | `corolla_on_stem` | a lobed outline at the end of a stem, without a centre |
+//! | `rays` | single lines around a centre: thin petals, or a sun |
+//! | `gathered` | petals that gather at one place, without a centre |
 //! | `stem_tail` | a stem in one stroke with what it carries |
 //! | `blade` | outlines of blades, of one stroke or two, and what they leave over |
 //! | `leaf` | a blade of several strokes, its midrib and veins, blade and stalk in one stroke |
@@ -59,6 +61,7 @@ mod corolla_on_stem;
 mod corrected;
 mod evidence;
 mod fronds;
+mod gathered;
 mod grass;
 mod ground;
 mod leaf;
@@ -69,6 +72,7 @@ mod lobes;
 mod medial_axis;
 mod mushroom;
 mod pot;
+mod rays;
 mod silhouette;
 mod spikes;
 mod stem_arcs;
@@ -166,6 +170,8 @@ fn proposed(page: &mut Page, strokes: &[Arc<Stroke>], corrections: &[Correction]
         mushroom::propose,
         corolla::propose,
         corolla_on_stem::propose,
+        rays::propose,
+        gathered::propose,
         leaf::propose,
         leaf_loops::propose,
         stem_loops::propose,

@@ -333,6 +333,7 @@ keys! {
     ReadAsFronds = "reading.fronds",
     ReadAsPot = "reading.pot",
     ReadAsGround = "reading.ground",
+    ReadAsSun = "reading.sun",
     ReadTogetherRefuse = "together.refuse",
     ReadTogetherRefuseHint = "together.refuse_hint",
     ReadTogetherHint = "together.hint",

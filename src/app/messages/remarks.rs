@@ -95,6 +95,7 @@ fn words_of(reading: Reading) -> Msg {
         Reading::Fronds => Msg::ReadAsFronds,
         Reading::Pot => Msg::ReadAsPot,
         Reading::Ground => Msg::ReadAsGround,
+        Reading::Sun => Msg::ReadAsSun,
     }
 }
 
