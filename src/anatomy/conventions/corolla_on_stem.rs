@@ -1,7 +1,7 @@
 //! A flower without a drawn centre: a lobed outline at the upper end of a single stem line.
 //!
 //! The outline is one stroke, open or closed, with at least three lobes: around its middle, as in a flower seen from the
-//! front, or, if it has none there, from where the stem meets it, as in a tulip seen from the side. What carries it is one line
+//! front, or, if it has none there, from where the stem meets it, as in a tulip seen from the side ([`cup`] where they stand close). What carries it is one line
 //! that begins at the outline or within and ends below.
 //! Two lines that stand close together are the sides of a slender stem; a trunk is broader and shorter. An outline without a stem
 //! is a flower if it is cut deep all around and its lobes are alike.
@@ -14,7 +14,7 @@
 use super::corolla::widest_gap;
 use super::lobes::{self, Focus};
 use super::page::{Line, Page, even};
-use super::{Habit, Hypothesis, Made, stem_tail};
+use super::{Habit, Hypothesis, Made, cup, stem_tail};
 use crate::geom::polyline;
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
@@ -101,33 +101,45 @@ fn corolla(page: &Page, head: &Head, near: &[usize]) -> Option<Hypothesis> {
     }
     let others: Vec<usize> = near.iter().copied().filter(|i| *i != head.number).collect();
     let of_others = others.iter().map(|i| &page.lines[*i]);
-    let stems: Vec<(&Line, Vec2)> =
-        head.stem.iter().chain(of_others).filter_map(|stem| Some((stem, stem_top(stem, line)?))).collect();
+    let carries = |stem: &&Line| stem_top(stem, line).is_some();
+    let stems: Vec<&Line> = head.stem.iter().chain(of_others).filter(carries).collect();
     let sides = match &stems[..] {
-        [a, b] => Some(two_sides(a.0, b.0, line)?),
-        [_] | [] => None,
+        [] | [_] => None,
+        [a, b] => Some(two_sides(a, b, line)?),
         _ => return None,
     };
-    let sides_of: Vec<&Line> = stems.iter().map(|(stem, _)| *stem).collect();
-    let within = within(page, line, &sides_of, &others)?;
-    let (focus, petals) = match stems.first() {
-        Some((_, top)) => seen_from_the_front(line).or_else(|| seen_from_the_side(line, *top))?,
-        None => seen_from_the_front(line).filter(|(focus, petals)| is_a_star(line, focus, petals))?,
-    };
-    let parts = petals.iter().map(|stretch| {
-        let root = focus.place + 0.02 * line.size().length() * lobes::direction(stretch, focus.place);
-        Made::new(Tool::Petal, lobes::rooted(stretch, root))
-    });
+    let within = within(page, line, &stems, &others)?;
+    let petals = outlines(line, stems.first().and_then(|stem| stem_top(stem, line)))?;
+    let score = 3.2 + 0.1 * petals.len().min(8) as f32;
+    let petals = petals.into_iter().map(|outline| Made::new(Tool::Petal, outline));
     let own_stem = head.stem.iter().map(|stem| Made::new(Tool::Branch, stem.points.iter().copied()));
     let is_side =
-        |i: &usize| sides.is_some() && sides_of.iter().any(|side| std::ptr::eq(*side, &page.lines[*i]));
+        |i: &usize| sides.is_some() && stems.iter().any(|stem| std::ptr::eq(*stem, &page.lines[*i]));
     let side_lines = others.iter().copied().filter(is_side);
     let mut uses: Vec<usize> = within.into_iter().chain(side_lines).chain([head.number]).collect();
     uses.sort_unstable();
-    let parts = parts.chain(own_stem).chain(sides.clone()).collect();
-    let score = 3.2 + 0.1 * petals.len().min(8) as f32;
+    let parts = petals.chain(own_stem).chain(sides.clone()).collect();
     let (reading, habit) = (Reading::Corolla, Some(Habit::Flower));
     Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit })
+}
+
+/// The petals of an outline, on the upper end of its stem if it has one.
+fn outlines(line: &Line, top: Option<Vec2>) -> Option<Vec<Vec<Vec2>>> {
+    let front = seen_from_the_front(line);
+    let (focus, petals) = match top {
+        None => front.filter(|(focus, petals)| is_a_star(line, focus, petals))?,
+        Some(top) if front.is_none() => {
+            let side = seen_from_the_side(line, top)?;
+            if let Some(cup) = cup::petals_of_one(line, top) {
+                return Some(cup);
+            }
+            side
+        }
+        Some(_) => front?,
+    };
+    let root =
+        |stretch: &[Vec2]| focus.place + 0.02 * line.size().length() * lobes::direction(stretch, focus.place);
+    Some(petals.iter().map(|stretch| lobes::rooted(stretch, root(stretch))).collect())
 }
 
 /// The lines within an outline on a stem; nothing where one of all that are near speaks against a flower.

@@ -1,3 +1,5 @@
+//! Corollas around centres, and what only looks like them.
+
 use super::*;
 
 fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {

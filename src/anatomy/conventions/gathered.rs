@@ -3,7 +3,7 @@
 //! A hand draws out from the middle of a flower, around a petal's tip, and back, once for each stroke or again and again. All
 //! lines near a place where lines begin or end are cut there ([`lobes`](super::lobes)); what leaves that place, encloses
 //! enough and comes back is a petal. Petals all around the place, of about one size and side by side, are a flower; three are
-//! enough where a stem ends there. What lies between their feet, a dot or a scribble, is the heart's ornament. A stem in one
+//! enough where a stem ends there. What lies between their feet, a dot or a scribble, is the centre's ornament. A stem in one
 //! stroke with petals is cut off.
 //!
 //! Petals that are single strokes, closed at their foot, as in the papers, are left to the classifier. Lines that rise from the
@@ -125,10 +125,10 @@ impl Petals {
         let is_stem = |points: &Vec<Vec2>| is_stem(points, self.place, reach);
         let stems: Vec<Vec<Vec2>> = rest.into_iter().filter(is_stem).collect();
         let length: f32 = petals.iter().chain(&stems).map(|points| polyline::length(points)).sum();
-        // A line winds on at the heart.
-        let at_heart = line.points.windows(2).filter(|p| focus.distance(p[0]) < 0.25 * reach);
-        let heart: f32 = at_heart.map(|p| p[0].distance(p[1])).sum();
-        if !petals.is_empty() && length + heart > MOSTLY * line.length && stems.len() < 2 {
+        // A line may wind on in the centre.
+        let at_centre = line.points.windows(2).filter(|p| focus.distance(p[0]) < 0.25 * reach);
+        let wound: f32 = at_centre.map(|p| p[0].distance(p[1])).sum();
+        if !petals.is_empty() && length + wound > MOSTLY * line.length && stems.len() < 2 {
             self.petals.extend(petals.into_iter().map(|points| Petal { line: number, points }));
             self.stems.extend(stems);
         }

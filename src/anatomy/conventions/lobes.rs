@@ -112,7 +112,11 @@ fn notches(points: &[Vec2], focus: &Focus) -> Vec<usize> {
 
 /// Lowest places between falls and rises of [`DEPTH`].
 pub(super) fn valleys(distances: &[f32]) -> Vec<usize> {
-    let step = DEPTH * distances.iter().copied().fold(0.0, f32::max);
+    valleys_between(distances, DEPTH * distances.iter().copied().fold(0.0, f32::max))
+}
+
+/// Lowest places between falls and rises of `step`.
+pub(super) fn valleys_between(distances: &[f32], step: f32) -> Vec<usize> {
     let (mut highest, mut lowest, mut falls) = (0.0_f32, 0, false);
     let mut found = Vec::new();
     for (i, &distance) in distances.iter().enumerate() {

@@ -28,6 +28,7 @@
 //! | `mushroom` | a cap on a stalk |
 //! | `corolla` | a corolla around a flower's centre |
 //! | `corolla_on_stem` | a lobed outline at the end of a stem, without a centre |
+//! | `cup` | petals that stand close together, seen from the side |
 //! | `rays` | single lines around a centre: thin petals, or a sun |
 //! | `gathered` | petals that gather at one place, without a centre |
 //! | `stem_tail` | a stem in one stroke with what it carries |
@@ -59,6 +60,7 @@ mod bush;
 mod corolla;
 mod corolla_on_stem;
 mod corrected;
+mod cup;
 mod evidence;
 mod fronds;
 mod gathered;
@@ -172,6 +174,7 @@ fn proposed(page: &mut Page, strokes: &[Arc<Stroke>], corrections: &[Correction]
         corolla_on_stem::propose,
         rays::propose,
         gathered::propose,
+        cup::propose,
         leaf::propose,
         leaf_loops::propose,
         stem_loops::propose,
@@ -180,8 +183,10 @@ fn proposed(page: &mut Page, strokes: &[Arc<Stroke>], corrections: &[Correction]
         fronds::propose,
         ground::propose,
     ];
-    let mut others = Vec::new();
-    conventions.iter().for_each(|propose| propose(page, &mut others));
+    // What rises from a pot is found by the pot.
+    let count = pots.len();
+    conventions.iter().for_each(|propose| propose(page, &mut pots));
+    let mut others = pots.split_off(count);
     corrected.apply(&mut others);
     pots.append(&mut others);
     pots
