@@ -308,7 +308,7 @@ mod tests {
     #[test]
     fn a_tulip_has_its_petals_from_the_stem() {
         let found = read(&[tulip(), line(&[(0.0, 62.0), (0.0, 250.0)])]);
-        assert_eq!(found[0].parts.len(), 3);
+        assert_eq!(found[0].parts.len(), 5, "three tips, and two petals in front");
         assert!(
             found[0].parts.iter().all(|petal| petal.points[0].position.distance(Vec2::new(0.0, 60.0)) < 12.0)
         );

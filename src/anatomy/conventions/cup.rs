@@ -27,7 +27,7 @@ const HANGS: f32 = 0.5;
 /// Least length of a stem, as a share of its head's height.
 const LONG: f32 = 0.5;
 /// Part of a stem's end that gives its direction.
-const END: f32 = 0.2;
+const END: f32 = 0.1;
 /// How far from the stem's end a head may begin, and how far it may reach back, as shares of its height.
 const BEGIN: f32 = 0.2;
 const BACK: f32 = 0.12;
