@@ -32,6 +32,11 @@ const PROMINENCE: f32 = 0.1;
 const SLENDER: f32 = 0.3;
 /// Share of what is drawn about the trunk's top that fronds must be.
 const EXPLAINED: f32 = 0.65;
+/// How far from a single line's end, or from a pot's mouth, closed lines may begin, as a share of their reach: leaves along a stem
+/// begin farther away. Least length of a line that is asked, as a share of all, and most distance of its ends over its length.
+const APART: f32 = 0.45;
+const MAIN: f32 = 0.08;
+const CLOSED: f32 = 0.15;
 /// Where blades in a pot have their roots, as a share of its height from above: in the earth.
 const IN_POT: f32 = 0.15;
 /// Least reach of the farthest frond, in widths of the trunk: what rounds off a body is shorter.
@@ -56,7 +61,8 @@ fn potted(page: &Page, pot: &Hypothesis) -> Option<Hypothesis> {
     let crown = Crown::about(mouth, &lines);
     // Blunt tips are those of broad leaves: a crown that stands on a pot has no notches that go down to it.
     let is_plant = crown.fronds.len() >= FEWEST && crown.has_blades();
-    (is_plant && crown.explained > EXPLAINED).then(|| crown.hypothesis(mouth, None))
+    let is_whole = crown.explained > EXPLAINED && crown.apart < APART;
+    (is_plant && is_whole).then(|| crown.hypothesis(mouth, None))
 }
 
 fn palm(page: &Page, group: &[usize]) -> Option<Hypothesis> {
@@ -70,7 +76,7 @@ fn palm(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let is_crown = crown.fronds.len() >= fewest && crown.is_sharp() && crown.explained > EXPLAINED;
     if !is_crown
         || crown.reach < LONG * trunk.width()
-        || trunk.is_line() && !crown.has_blades()
+        || trunk.is_line() && (!crown.has_blades() || crown.apart > APART)
         || lies_below(&rest, &trunk)
     {
         return None;
@@ -89,6 +95,8 @@ struct Crown {
     reach: f32,
     /// Share of the lines' length that fronds are.
     explained: f32,
+    /// How far the closed line that is farthest away begins, as a share of its reach.
+    apart: f32,
 }
 
 impl Crown {
@@ -112,7 +120,12 @@ impl Crown {
         let length = |points: &[Vec2]| crate::geom::polyline::length(points);
         let whole: f32 = runs.iter().map(|run| length(&run.0)).sum();
         let own: f32 = fronds.iter().flat_map(|frond| &frond.0.flanks).map(|flank| length(flank)).sum();
-        Self { fronds, reach: farthest, explained: own / whole.max(f32::MIN_POSITIVE) }
+        let nearest = |points: &[Vec2]| points.iter().map(|p| p.distance(top)).fold(f32::INFINITY, f32::min);
+        let is_closed =
+            |points: &[Vec2]| points[0].distance(points[points.len() - 1]) < CLOSED * length(points);
+        let main = runs.iter().filter(|run| length(&run.0) > MAIN * whole && is_closed(&run.0));
+        let apart = main.map(|run| nearest(&run.0) / reach(&run.0)).fold(0.0, f32::max);
+        Self { fronds, reach: farthest, explained: own / whole.max(f32::MIN_POSITIVE), apart }
     }
 
     /// One blade for each frond, all from one root, with the trunk if there is one.
@@ -270,5 +283,22 @@ mod tests {
         assert_eq!((found[0].parts.len(), found[0].habit), (3, None));
         let root = found[0].parts[0].points[0].position;
         assert!((-40.0..-20.0).contains(&root.y), "{root}");
+    }
+
+    #[test]
+    fn leaves_along_a_stem_in_a_pot_are_no_fronds() {
+        let pot = vec![
+            Vec2::new(-20.0, -40.0),
+            Vec2::new(-15.0, 0.0),
+            Vec2::new(15.0, 0.0),
+            Vec2::new(20.0, -40.0),
+            Vec2::new(-20.0, -40.0),
+        ];
+        let leaf = |y: f32, x: f32| {
+            let corners = [(0.0, 0.0), (0.5, -14.0), (1.0, -10.0), (0.5, 2.0), (0.0, 0.0)];
+            corners.map(|(t, dy)| Vec2::new(x * t, y + dy)).to_vec()
+        };
+        let stem = vec![Vec2::new(0.0, -38.0), Vec2::new(1.0, -130.0)];
+        assert!(read(&[pot, stem, leaf(-75.0, 40.0), leaf(-95.0, -40.0), leaf(-130.0, 30.0)]).is_empty());
     }
 }

@@ -5,6 +5,7 @@
 //! is a tail of the outline, or two lines side by side that end there. The blade's root is where the stalk begins; else where a stem ends at the outline, else at the end of the midrib.
 
 use super::blade::Blade;
+use super::lobes;
 use super::page::{Line, Page, even};
 use crate::geom::polyline;
 use glam::Vec2;
@@ -23,8 +24,10 @@ const VEIN: f32 = 2.0;
 /// Shortest tail that is a stalk, as a share of the blade's diagonal, and the longest; where nothing else speaks for a leaf, the
 /// shortest is twice as long.
 const STALK: (f32, f32) = (0.1, 3.0);
-/// Longest tail that is neither stalk nor midrib, as a share of the blade's diagonal: an end that went too far.
-const OVERSHOT: f32 = 0.15;
+/// Longest tail that is neither stalk nor midrib, as a share of the blade's diagonal: an end that went too far; and beside a stalk.
+const OVERSHOT: (f32, f32) = (0.15, 0.25);
+/// Least area of such an outline, as a share of the square of its diagonal: the sides of a narrow one may cross anywhere.
+const FAT: f32 = 0.2;
 /// Least distance of a stalk's end from the outline, as a share of its length: what runs along it is no stalk.
 const OUTWARD: f32 = 0.6;
 /// How far from the outline a stem or a midrib may end to be at it, as a share of the blade's diagonal.
@@ -73,7 +76,8 @@ impl<'a> Parts<'a> {
         }
         let least = if it.inside.is_empty() { 2.0 * STALK.0 } else { STALK.0 };
         blade.tails.iter().try_for_each(|tail| it.sort_tail(tail, least))?;
-        (it.passes_gap()).then_some(it)
+        it.leave_overshot();
+        it.passes_gap().then_some(it)
     }
 
     /// Sorts one line; nothing where it is inside and no vein.
@@ -124,10 +128,24 @@ impl<'a> Parts<'a> {
         let least = if is_midrib { STALK.0 } else { least };
         if (least..STALK.1).contains(&length) && reach > OUTWARD * length {
             self.stalks.push(outside.to_vec());
-        } else if length > OVERSHOT {
+        } else if length > OVERSHOT.0 {
             return None;
         }
         Some(())
+    }
+
+    /// Of two stalks, leaves out the one that is a short end beside a long stalk: an outline that crosses its own stem.
+    fn leave_overshot(&mut self) {
+        let length = |stalk: &Vec<Vec2>| polyline::length(stalk);
+        if lobes::area(&self.blade.ring) < FAT * self.diagonal * self.diagonal {
+            return;
+        }
+        self.stalks.sort_by(|a, b| length(b).total_cmp(&length(a)));
+        if let [long, short] = &self.stalks[..]
+            && length(short) < (OVERSHOT.1 * self.diagonal).min(0.4 * length(long))
+        {
+            self.stalks.pop();
+        }
     }
 
     /// Whether a midrib or a stem passes the gap of the outline, if that is wide.

@@ -42,6 +42,7 @@
 //! | `grass` | a zigzag, or lines side by side: blades of grass |
 //! | `fronds` | lines or lobes that radiate from a trunk's top |
 //! | `pot` | what a plant stands in |
+//! | `pot_rows` | the two sides of a pot, row by row |
 //! | `ground` | ground lines |
 //!
 //! The reading depends on nothing but the strokes, so the same drawing means the same plant however it came about.
@@ -74,6 +75,7 @@ mod lobes;
 mod medial_axis;
 mod mushroom;
 mod pot;
+mod pot_rows;
 mod rays;
 mod silhouette;
 mod spikes;

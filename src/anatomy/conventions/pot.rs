@@ -2,7 +2,7 @@
 //!
 //! A line, or three for the bottom and the sides, may be a pot if it has two sides nearly all the way up, a bottom that is flat over [`FLAT`] of its width or a level upper edge, no notches
 //! ([`SOLID`]) and is not much higher than wide ([`HIGHEST`]). What lies within its bounds belongs to it, and so do level
-//! bands at its upper edge: the rim. It is a pot only if a plant stands in it: other lines have their lowest point at the upper
+//! bands and ellipses at its upper edge, the rim, and a saucer below. It is a pot only if a plant stands in it: other lines have their lowest point at the upper
 //! edge between the sides and rise well above it, narrower than the pot where they enter. A trunk, the stalk of a mushroom and
 //! the lower part of a body have no such plant: what rests on them reaches past both sides.
 //!
@@ -12,13 +12,12 @@
 //! Limits: a pot beside something that stands lower is not found; a pot in one stroke with its plant is not found, nor one behind leaves that hang over both of its sides.
 
 use super::page::{Line, Page};
+use super::pot_rows::{ROWS, Row, mirrored, profile, rows};
 use super::{Hypothesis, Solid, SolidKind};
 use crate::geom::{convex_hull::convex_hull, simple_loop};
 use crate::sketch::Reading;
 use glam::Vec2;
 
-/// Rows of a profile.
-const ROWS: usize = 24;
 /// Least width of a flat bottom, as a share of the pot's, and its slope at most; a circle is as flat over a quarter of its width.
 const FLAT: (f32, f32) = (0.33, 0.27);
 /// Least width of a level upper edge above a round bottom: a bowl.
@@ -33,6 +32,13 @@ const LOWEST: f32 = 0.15;
 const NARROWEST: f32 = 0.06;
 /// Length at most, in perimeters of the hull: a lip is drawn in the same stroke, lobes are not.
 const LONGEST: f32 = 1.9;
+/// Height of a rim over its width at most, its width over that of the body below, which may have one side only, and how far above
+/// the body's edge it begins, as a share of the width: it is seen from above.
+const RIM: (f32, f32, f32) = (0.6, 1.7, 0.45);
+/// Height of a saucer over its width at most.
+const SAUCER: f32 = 0.4;
+/// Most rows, as a share of all, above the upper edge in which an end of one side goes on.
+const OVERSHOT: f32 = 0.4;
 /// Distance from the upper edge within which plants end, in heights of the pot: above, below.
 const MOUTH: (f32, f32) = (0.3, 0.7);
 /// Least height of a plant above the pot, in heights of the pot.
@@ -57,13 +63,14 @@ pub(super) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
 }
 
 fn pot(page: &Page, body: usize) -> Option<Hypothesis> {
-    let pot = if is_level(page, &page.lines[body]) {
+    let mut pot = if is_level(page, &page.lines[body]) {
         Pot::around(page, &with_sides(page, body)?)
     } else {
         Pot::around(page, &[body])
     };
     let lines: Vec<&[Vec2]> = pot.uses.iter().map(|i| &page.lines[*i].points[..]).collect();
-    let rows = rows(&lines, pot.low, pot.high);
+    let mut rows = mirrored(rows(&lines, pot.low, pot.high));
+    pot.trim(&mut rows);
     if !pot.is_box(&lines, &rows) || pot.stands_on_more(page) || !pot.has_plant(page) {
         return None;
     }
@@ -118,6 +125,31 @@ fn with_sides(page: &Page, bottom: usize) -> Option<[usize; 3]> {
     (left != right).then_some([left, bottom, right])
 }
 
+/// Whether a line is a band or an ellipse at the upper edge of a body.
+fn is_rim(line: &Line, (low, high): (Vec2, Vec2)) -> bool {
+    let (size, own) = (high - low, line.size());
+    let (l, h) = line.bounds;
+    let shared = h.x.min(high.x) - l.x.max(low.x);
+    let is_band = own.y < RIM.0 * own.x && (0.7..RIM.1).contains(&(own.x / size.x));
+    is_band
+        && shared > 0.6 * size.x
+        && l.y < low.y + 0.3 * size.y
+        && h.y > low.y - 0.15 * size.y
+        && h.y < high.y
+        && l.y > low.y - RIM.2 * own.x.max(size.x)
+}
+
+/// Whether a line is the saucer below a pot.
+fn is_saucer(line: &Line, (low, high): (Vec2, Vec2)) -> bool {
+    let (size, own, (l, h)) = (high - low, line.size(), line.bounds);
+    let is_flat = own.y < SAUCER * own.x && (0.6..1.7).contains(&(own.x / size.x));
+    let is_below = (l.y - high.y).abs() < 0.15 * size.y && h.y < high.y + 0.4 * size.y;
+    is_flat
+        && line.area > 0.1 * own.x * own.y
+        && is_below
+        && (line.middle().x - low.midpoint(high).x).abs() < 0.25 * size.x
+}
+
 /// A pot with all its lines.
 struct Pot {
     uses: Vec<usize>,
@@ -127,35 +159,54 @@ struct Pot {
 }
 
 impl Pot {
-    /// The lines within a body's bounds and the bands at its upper edge.
+    /// The lines within a body's bounds, the bands at its upper edge and a saucer below.
     fn around(page: &Page, body: &[usize]) -> Self {
         let union = |a: (Vec2, Vec2), b: (Vec2, Vec2)| (a.0.min(b.0), a.1.max(b.1));
         let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
-        let (low, high) = body.iter().map(|i| page.lines[*i].bounds).fold(empty, union);
-        let size = high - low;
+        let own = body.iter().map(|i| page.lines[*i].bounds).fold(empty, union);
+        let rims = (0..page.lines.len()).filter(|i| !body.contains(i) && is_rim(&page.lines[*i], own));
+        let (low, high) = rims.map(|i| page.lines[i].bounds).fold(own, union);
+        let (size, upper) = (high - low, own.0.y);
         let is_part = |line: &Line| {
-            let own = line.size();
-            let within = line.bounds.0.x > low.x - 0.12 * size.x && line.bounds.1.x < high.x + 0.12 * size.x;
-            let is_rim =
-                own.x > 0.6 * size.x && own.y < 0.5 * own.x && line.bounds.0.y > low.y - 0.6 * size.y;
-            let is_inside = line.bounds.0.y > low.y - 0.1 * size.y;
-            within
-                && line.bounds.1.y < high.y + 0.1 * size.y
-                && (is_inside || is_rim && line.bounds.1.y > low.y - 0.15 * size.y)
+            let (l, h) = line.bounds;
+            let within = l.x > low.x - 0.12 * size.x && h.x < high.x + 0.12 * size.x;
+            let is_inside = l.y > upper - 0.1 * size.y;
+            let is_wide = line.size().x > 0.6 * size.x;
+            let is_collar = line.size().y < 0.5 * line.size().x && l.y > upper - 0.6 * size.y;
+            let is_above =
+                is_wide && (is_collar && h.y > upper - 0.15 * size.y || l.y > upper - 0.2 * size.x);
+            within && h.y < high.y + 0.1 * size.y && (is_inside || is_above)
         };
-        let uses: Vec<usize> =
-            (0..page.lines.len()).filter(|i| body.contains(i) || is_part(&page.lines[*i])).collect();
+        let belongs = |i: &usize| {
+            let line = &page.lines[*i];
+            body.contains(i) || is_rim(line, own) || is_part(line) || is_saucer(line, (low, high))
+        };
+        let uses: Vec<usize> = (0..page.lines.len()).filter(belongs).collect();
         let (low, high) = uses.iter().map(|i| page.lines[*i].bounds).fold((low, high), union);
         Self { uses, low, high, size: high - low }
     }
 
+    /// Leaves out what of the uppermost rows is an end of a side that went too far.
+    fn trim(&mut self, rows: &mut Vec<Row>) {
+        let widest = rows.iter().map(Row::width).fold(0.0, f32::max);
+        let above = rows.iter().take_while(|row| row.width() < 0.4 * widest).count();
+        if above > 0 && (above as f32) < OVERSHOT * ROWS as f32 {
+            rows.drain(..above);
+            self.low.y += above as f32 / ROWS as f32 * self.size.y;
+            self.size = self.high - self.low;
+        }
+    }
+
     /// Whether its lines have two sides nearly all the way up, and no notches.
     fn is_box(&self, lines: &[&[Vec2]], rows: &[Row]) -> bool {
-        let hull = convex_hull(&lines.concat(), |p| *p);
+        let below: Vec<Vec2> = lines.concat().into_iter().filter(|p| p.y >= self.low.y).collect();
+        let sides = rows.iter().flat_map(|row| [Vec2::new(row.left, row.y), Vec2::new(row.right, row.y)]);
+        let all: Vec<Vec2> = below.into_iter().chain(sides.filter(|p| p.is_finite())).collect();
+        let hull = convex_hull(&all, |p| *p);
         let hull_area = simple_loop::signed_area(hull.iter().copied()).abs();
-        let between = rows.iter().map(Row::width).sum::<f32>() * self.size.y / ROWS as f32;
+        let between = rows.iter().map(Row::width).sum::<f32>() * self.size.y / rows.len().max(1) as f32;
         let two_sided = rows.iter().filter(|row| row.width() > 0.4 * self.size.x).count();
-        self.size.y <= HIGHEST * self.size.x && between > SOLID * hull_area && 5 * two_sided >= 4 * ROWS
+        self.size.y <= HIGHEST * self.size.x && between > SOLID * hull_area && 5 * two_sided >= 4 * rows.len()
     }
 
     fn others<'a>(&'a self, page: &'a Page) -> impl Iterator<Item = &'a Line> {
@@ -201,51 +252,6 @@ impl Pot {
         }
         enters && right - left < ENTRY * self.size.x
     }
-}
-
-/// Leftmost and rightmost ink at a height.
-#[derive(Clone, Copy, Debug)]
-struct Row {
-    y: f32,
-    left: f32,
-    right: f32,
-}
-
-impl Row {
-    fn width(&self) -> f32 {
-        (self.right - self.left).max(0.0)
-    }
-}
-
-/// The rows of some lines between two corners, from above.
-fn rows(lines: &[&[Vec2]], low: Vec2, high: Vec2) -> Vec<Row> {
-    let step = ((high.y - low.y) / ROWS as f32).max(f32::MIN_POSITIVE);
-    let row =
-        |k: usize| Row { y: low.y + (k as f32 + 0.5) * step, left: f32::INFINITY, right: f32::NEG_INFINITY };
-    let mut rows: Vec<Row> = (0..ROWS).map(row).collect();
-    for pair in lines.iter().flat_map(|line| line.windows(2)) {
-        let pieces = (2.0 * pair[0].distance(pair[1]) / step).ceil().max(1.0) as usize;
-        for k in 0..=pieces {
-            let p = pair[0].lerp(pair[1], k as f32 / pieces as f32);
-            let row = &mut rows[(((p.y - low.y) / step) as usize).min(ROWS - 1)];
-            (row.left, row.right) = (row.left.min(p.x), row.right.max(p.x));
-        }
-    }
-    rows
-}
-
-/// Half widths and heights from the rim to the bottom: rows in which one side only was drawn are as wide as their neighbours.
-fn profile(rows: &[Row]) -> Vec<Vec2> {
-    let widest = rows.iter().map(Row::width).fold(0.0, f32::max);
-    let is_whole = |row: &&Row| row.width() > 0.4 * widest;
-    // The upper rows of an open rim and the lower ones of a round bottom are narrow by perspective or haste.
-    let mut whole: Vec<Vec2> =
-        rows.iter().filter(is_whole).map(|row| Vec2::new(0.5 * row.width(), row.y)).collect();
-    let even = whole.clone();
-    for i in 1..whole.len().saturating_sub(1) {
-        whole[i].x = 0.25 * (even[i - 1].x + even[i + 1].x) + 0.5 * even[i].x;
-    }
-    whole
 }
 
 #[cfg(test)]
@@ -339,5 +345,35 @@ mod tests {
         let table = line(&[(-90.0, 12.0), (90.0, 12.0)]);
         assert_eq!(read(&[stem(), body(), table]).len(), 1);
         assert!(read(&[stem(), body(), line(&[(0.0, 0.0), (1.0, 60.0)])]).is_empty());
+    }
+
+    #[test]
+    fn an_open_stroke_with_an_end_that_goes_too_far_is_cut_at_its_edge() {
+        let long = line(&[(-25.0, -40.0), (25.0, -42.0), (18.0, 0.0), (-18.0, 0.0), (-26.0, -62.0)]);
+        let found = read(&[stem(), long]);
+        let [pot] = &found[..] else { panic!("{} pots", found.len()) };
+        assert!((pot.solids[0].profile[0].y + 41.0).abs() < 4.0, "{}", pot.solids[0].profile[0]);
+    }
+
+    #[test]
+    fn one_side_below_an_elliptic_rim_is_a_pot_with_two() {
+        let rim = ellipse(Vec2::new(0.0, -42.0), Vec2::new(27.0, 9.0));
+        let side = line(&[(-26.0, -36.0), (-18.0, 0.0), (16.0, 1.0)]);
+        let found = read(&[stem(), rim, side.clone()]);
+        let [pot] = &found[..] else { panic!("{} pots", found.len()) };
+        assert_eq!(pot.uses, [1, 2]);
+        let solid = &pot.solids[0];
+        assert!(solid.axis.abs() < 1.5, "{}", solid.axis);
+        assert!(solid.profile.iter().all(|p| (15.0..29.0).contains(&p.x)), "{:?}", solid.profile);
+        assert!(read(&[stem(), side]).is_empty(), "without a rim");
+    }
+
+    #[test]
+    fn soil_patterns_and_saucers_belong_to_it() {
+        let soil = line(&[(-23.0, -38.0), (0.0, -43.0), (23.0, -38.0)]);
+        let pattern = line(&[(-20.0, -20.0), (-10.0, -12.0), (0.0, -20.0), (10.0, -12.0), (20.0, -20.0)]);
+        let saucer = line(&[(-26.0, 0.0), (-20.0, 7.0), (20.0, 7.0), (26.0, 0.0), (-26.0, 0.0)]);
+        let found = read(&[stem(), body(), soil, pattern, saucer]);
+        assert_eq!(found.first().map(|pot| &pot.uses[..]), Some(&[1, 2, 3, 4][..]));
     }
 }
