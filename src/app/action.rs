@@ -123,6 +123,8 @@ pub enum Action {
     FrontView,
     /// Choose a species by name or file.
     SetSpecies(String),
+    /// Let the drawing decide its species.
+    GuessSpecies,
     /// Ask for a file and use it for this.
     ChooseFile(PathPurpose),
     /// The path dialog's answer.

@@ -24,6 +24,7 @@ pub mod canvas;
 pub mod canvas_tool;
 mod composition;
 mod cut_meshes;
+mod cut_strokes;
 mod damage;
 #[cfg_attr(not(target_os = "linux"), path = "desktop_of_system.rs")]
 mod desktop;
@@ -59,6 +60,7 @@ pub mod settings;
 pub mod sheet;
 mod sides;
 pub mod stabiliser;
+mod stroke_colours;
 mod surface;
 mod system_theme;
 pub mod tablet_actions;

@@ -4,11 +4,11 @@
 //! little however many strokes there are.
 
 use super::canvas::Preview;
+use super::cut_strokes::CutStrokes;
 use super::editor::Editor;
 use super::theme::Palette;
-use crate::anatomy::conventions::ReadStrokes;
-use crate::anatomy::{Anatomy, Part};
-use crate::sketch::{Reading, Stroke, StrokeId};
+use crate::anatomy::Part;
+use crate::sketch::{Stroke, StrokeId};
 use egui::Color32;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -31,23 +31,28 @@ pub enum PaperChange {
 #[derive(Debug, Default)]
 pub struct Paper {
     shown: Vec<(Arc<Stroke>, Color32)>,
+    cut: CutStrokes,
 }
 
 impl Paper {
     /// Says what must change to show the drawing of the editor as it is previewed.
     pub fn follow(&mut self, editor: &Editor) -> Vec<PaperChange> {
         let strokes = match editor.canvas.preview() {
-            Preview::Same => Cow::Borrowed(&editor.sketch().strokes),
+            Preview::Same => Cow::Borrowed(&editor.sketch().strokes[..]),
             _ => Cow::Owned(editor.canvas.previewed(&editor.sketch().strokes)),
         };
         let palette = Palette::of(editor.theme());
         let selected = editor.canvas.selection().ids();
         let mut understood = Understood::of(editor, palette);
+        let (strokes, pieces) = self.cut.with_pieces(strokes, editor.pieces());
         self.show(&strokes, |stroke| {
-            if !selected.is_empty() && selected.contains(&stroke.id) {
+            let piece = pieces.get(&stroke.id);
+            let drawn = piece.map_or(stroke.id, |(drawn, _)| *drawn);
+            if !selected.is_empty() && selected.contains(&drawn) {
                 return palette.selection;
             }
-            understood.colour(stroke.id).unwrap_or_else(|| palette.tool(stroke.tool))
+            let shown = piece.map(|(_, shown)| palette.shown(*shown));
+            shown.or_else(|| understood.colour(stroke.id)).unwrap_or_else(|| palette.tool(stroke.tool))
         })
     }
 
@@ -104,12 +109,14 @@ struct Understood {
 impl Understood {
     fn of(editor: &Editor, palette: &Palette) -> Self {
         let Some(built) = editor.built() else { return Self { colours: Vec::new(), next: 0 } };
-        let beside: BTreeMap<StrokeId, Reading> = beside(&built.anatomy);
         let branches = built.anatomy.branches.iter();
         let levels: BTreeMap<StrokeId, u32> = branches.filter_map(|b| Some((b.stroke?, b.level))).collect();
-        let colour = |stroke: StrokeId, part: Part| match beside.get(&stroke) {
-            Some(reading) if part == Part::Ignored => palette.beside(*reading),
-            _ => palette.part(part, levels.get(&stroke).copied().unwrap_or(0)),
+        let pieces = editor.pieces();
+        let colour = |stroke: StrokeId, part: Part| match pieces
+            .binary_search_by_key(&stroke, |pieces| pieces.stroke)
+        {
+            Ok(at) => palette.shown(pieces[at].most),
+            Err(_) => palette.part(part, levels.get(&stroke).copied().unwrap_or(0)),
         };
         let marks = built.anatomy.marks.iter();
         let mut colours: Vec<_> = marks.map(|mark| (mark.stroke, colour(mark.stroke, mark.part))).collect();
@@ -127,15 +134,6 @@ impl Understood {
         self.next = at + 1;
         Some(self.colours.get(at)?.1)
     }
-}
-
-/// The strokes that were read as something with others.
-fn beside(anatomy: &Anatomy) -> BTreeMap<StrokeId, Reading> {
-    let of = |read: &ReadStrokes| {
-        let reading = read.reading;
-        read.strokes.clone().into_iter().map(move |stroke| (stroke, reading))
-    };
-    anatomy.readings.iter().flat_map(of).collect()
 }
 
 #[cfg(test)]

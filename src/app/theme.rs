@@ -5,6 +5,7 @@
 //! wherever it stands. Text and part colours keep a contrast against their grounds that the tests measure (WCAG 2.1).
 //! Everything that can be touched is [`TARGET`] wide and high at least.
 
+use super::ways_to_read::Shown;
 use crate::anatomy::Part;
 use crate::sketch::{Reading, Tool};
 use egui::style::{HandleShape, TextCursorStyle, WidgetVisuals, Widgets};
@@ -161,8 +162,16 @@ impl Palette {
         }
     }
 
+    /// Colour of a part, or of what is no part of the plant itself.
+    pub fn shown(&self, shown: Shown) -> Color32 {
+        match shown {
+            Shown::Part(part, level) => self.part(part, level),
+            Shown::Beside(reading) => self.beside(reading),
+        }
+    }
+
     /// Colour of strokes that became no part of the plant but were read as something.
-    pub fn beside(&self, reading: Reading) -> Color32 {
+    fn beside(&self, reading: Reading) -> Color32 {
         match reading {
             Reading::Pot => self.pot,
             Reading::Ground => self.earth,

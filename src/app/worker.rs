@@ -9,6 +9,7 @@
 //! Species files and the parts of the plant that did not change are kept from build to build. What would make the window
 //! wait on large plants is done here as well: counting, and giving back the memory of plants that are no longer shown.
 
+use super::stroke_colours::{Pieces, pieces_of};
 use super::{free_memory, priority};
 use crate::anatomy::{Anatomy, Part};
 use crate::growth::overlay::Wanted;
@@ -76,6 +77,8 @@ pub struct Update {
     pub counts: Counts,
     /// Its smallest and largest corner in the world, metres; `None` where there is nothing.
     pub bounds: Option<(Vec3, Vec3)>,
+    /// What the pieces of strokes are that were read together, by the names of the strokes.
+    pub pieces: Vec<Pieces>,
 }
 
 /// Why there is no plant.
@@ -257,11 +260,12 @@ fn work(shared: &Shared, wake: &dyn Fn()) {
         let begun = Instant::now();
         let revision = snapshot.revision;
         let build = std::panic::AssertUnwindSafe(|| context.build(&snapshot, &shared.cancel));
-        let (mut counts, mut bounds) = (Counts::default(), None);
+        let (mut counts, mut bounds, mut pieces) = (Counts::default(), None, Vec::new());
         let result = match std::panic::catch_unwind(build) {
             Ok(Ok(Some(built))) => {
                 let measure = context.measures.of(&built.model);
                 (counts, bounds) = (Counts::of(&built, &measure), measure.bounds);
+                pieces = pieces_of(&snapshot.sketch, &built.anatomy);
                 Ok(Arc::new(built))
             }
             Ok(Ok(None)) => continue,
@@ -273,7 +277,7 @@ fn work(shared: &Shared, wake: &dyn Fn()) {
         };
         let took = begun.elapsed();
         let mut state = shared.state();
-        let unseen = state.done.replace(Update { revision, result, took, counts, bounds });
+        let unseen = state.done.replace(Update { revision, result, took, counts, bounds, pieces });
         (state.last_finish, state.last_took) = (Some(Instant::now()), took);
         let discarded = std::mem::take(&mut state.discarded);
         drop(state);

@@ -1,15 +1,19 @@
 //! `penstemon inspect SKETCH`: what the analysis understood, as JSON.
 
 use super::common::{self, Setup, SetupOptions};
+use crate::anatomy::conventions::ReadStrokes;
 use crate::anatomy::{Anatomy, Attachment, FlatBlade, Part};
 use crate::plant::{Plant, Provenance};
-use crate::sketch::{Maker, PlacedPlant, SeedOf, StrokeId};
+use crate::sketch::{Maker, PlacedPlant, Remark, SeedOf, StrokeId, Warning};
 use crate::{anatomy, depth};
 use glam::Vec2;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::process::ExitCode;
+
+/// Most strokes of a reading that a message names.
+const NAMED: usize = 12;
 
 /// Arguments of `inspect`.
 #[derive(Debug, clap::Args)]
@@ -30,6 +34,9 @@ pub struct Report {
     pub flowers: Vec<FlowerReport>,
     /// What outlines were filled with.
     pub generated: Generated,
+    /// Strokes that were read together, or that are several parts; left out where there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub readings: Vec<ReadingReport>,
     /// Plants beside the drawn one; left out where there are none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub plants: Vec<PlantReport>,
@@ -54,6 +61,17 @@ pub struct StrokeReport {
     pub tip: Option<[f32; 2]>,
     /// How sure the classification is, 0 to 1.
     pub confidence: f32,
+}
+
+/// Strokes that were read together, or one that is several parts.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ReadingReport {
+    /// What they were read as.
+    pub reading: &'static str,
+    /// The strokes, in drawing order.
+    pub strokes: Vec<StrokeId>,
+    /// How many parts they became, by what these are; none where they are no part of the plant.
+    pub parts: BTreeMap<&'static str, usize>,
 }
 
 /// One flower.
@@ -114,11 +132,26 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     let setup = Setup::open(&args.sketch, &args.options)?;
     let anatomy = anatomy::analyse(&setup.sketch, &setup.params.anatomy);
     let (plant, provenance) = depth::recover(&anatomy, setup.sketch.seed, &setup.params.depth);
-    for warning in &anatomy.warnings {
+    for read in &anatomy.readings {
+        tracing::warn!("{}: {}: {}", args.sketch.display(), named(&read.strokes), read.reading);
+    }
+    let is_reading = |warning: &&Warning| matches!(warning.remark, Remark::ReadAs(_));
+    for warning in anatomy.warnings.iter().filter(|warning| !is_reading(warning)) {
         tracing::warn!("{}: {warning}", args.sketch.display());
     }
     common::print(&serde_json::to_string_pretty(&report(&setup.sketch, &anatomy, (&plant, &provenance)))?)?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// Strokes as messages name them: all of a few, of many the first and how many more.
+fn named(strokes: &[StrokeId]) -> String {
+    let names: Vec<String> = strokes.iter().take(NAMED).map(StrokeId::to_string).collect();
+    let names = names.join(", ");
+    match strokes.len() {
+        1 => format!("stroke {names}"),
+        count if count <= NAMED => format!("strokes {names} together"),
+        count => format!("strokes {names} and {} more together", count - NAMED),
+    }
 }
 
 /// What is known of a stroke besides its mark.
@@ -167,8 +200,26 @@ pub fn report(
             branches: anatomy.branches.iter().filter(|b| b.stroke.is_none()).count(),
             leaves: anatomy.leaves.iter().filter(|l| l.copy_of.is_some()).count(),
         },
+        readings: anatomy.readings.iter().map(|read| reading(anatomy, read)).collect(),
         plants: sketch.plants.iter().map(PlantReport::new).collect(),
     }
+}
+
+fn reading(anatomy: &Anatomy, read: &ReadStrokes) -> ReadingReport {
+    let of_it =
+        |stroke: StrokeId| anatomy.pieces.get(&stroke).is_some_and(|piece| piece.strokes == read.strokes);
+    let count =
+        |strokes: &mut dyn Iterator<Item = Option<StrokeId>>| strokes.flatten().filter(|s| of_it(*s)).count();
+    let bodies = anatomy.solids.iter().filter(|drawn| read.strokes.first() == Some(&drawn.stroke)).count();
+    let counts = [
+        ("branches", count(&mut anatomy.branches.iter().map(|branch| branch.stroke))),
+        ("leaves", count(&mut anatomy.leaves.iter().map(|leaf| leaf.stroke))),
+        ("petals", count(&mut anatomy.petals.iter().map(|petal| petal.stroke))),
+        ("crowns", count(&mut anatomy.crowns.iter().map(|crown| Some(crown.stroke)))),
+        ("bodies", bodies),
+    ];
+    let parts = counts.into_iter().filter(|(_, count)| *count > 0).collect();
+    ReadingReport { reading: read.reading.name(), strokes: read.strokes.clone(), parts }
 }
 
 fn known_strokes(anatomy: &Anatomy) -> BTreeMap<StrokeId, Known> {

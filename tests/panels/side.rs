@@ -4,7 +4,8 @@ use super::stage::{asked, busy, drag, press, stage};
 use egui::vec2;
 use egui_kittest::kittest::Queryable;
 use penstemon::app::action::Action;
-use penstemon::app::messages::Language;
+use penstemon::app::messages::{Language, Messages, Msg};
+use penstemon::app::panels::Snapshot;
 use penstemon::app::panels::snapshot::{PathPurpose, ReferenceState, Shading};
 use penstemon::app::presets::Listed;
 use penstemon::plant::OrganKind;
@@ -115,4 +116,21 @@ fn the_view_is_set_by_tapping_and_dragging() {
     drag(&mut harness, "Strength", vec2(-30.0, 0.0));
     let actions = asked(&mut harness);
     assert!(matches!(actions.last(), Some(Action::SetLight(l)) if l.strength < 1.0), "{actions:?}");
+}
+
+#[test]
+fn a_guessed_species_says_so_and_is_kept_or_left_to_the_drawing_with_one_tap() {
+    for language in Language::ALL {
+        let messages = Messages::new(language);
+        let guessed = Snapshot { species: "oak".into(), species_is_guess: true, ..busy() };
+        let mut harness = stage(guessed.clone(), language);
+        let of_guess = harness.get_by_label(messages.get(Msg::SpeciesGuessed)).rect();
+        press(&mut harness, messages.get(Msg::SpeciesKeep));
+        assert_eq!(asked(&mut harness), [Action::SetSpecies("oak".into())]);
+        let mut harness = stage(Snapshot { species_is_guess: false, ..guessed }, language);
+        let of_choice = harness.get_by_label(messages.get(Msg::SpeciesChosen)).rect();
+        assert_eq!(of_guess.top(), of_choice.top(), "nothing moves");
+        press(&mut harness, messages.get(Msg::SpeciesGuess));
+        assert_eq!(asked(&mut harness), [Action::GuessSpecies]);
+    }
 }

@@ -7,6 +7,7 @@ use crate::app::canvas::Canvas;
 use crate::app::layout::Layout;
 use crate::app::panels::snapshot::Dialog;
 use crate::app::settings::Settings;
+use crate::app::stroke_colours::Pieces;
 use crate::pipeline::Built;
 use crate::render::Look;
 use crate::sketch::Sketch;
@@ -26,6 +27,11 @@ impl Editor {
     /// The newest plant.
     pub fn built(&self) -> Option<&Arc<Built>> {
         self.live.built()
+    }
+
+    /// What the pieces of strokes are that were read together, by the names of the strokes.
+    pub(in crate::app) fn pieces(&self) -> &[Pieces] {
+        self.live.pieces()
     }
 
     /// Changes that the graphics card has to be notified of.

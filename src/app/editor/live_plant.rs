@@ -6,6 +6,7 @@ use super::replay::Replay;
 use crate::app::canvas::stroke_builder::StrokeBuilder;
 use crate::app::canvas::{Canvas, Preview};
 use crate::app::messages::{Localize as _, Messages};
+use crate::app::stroke_colours::Pieces;
 use crate::app::worker::{self, Counts, Growing, Update, Worker};
 use crate::growth::overlay::Wanted;
 use crate::pipeline::{self, Built};
@@ -81,6 +82,8 @@ pub(super) struct LivePlant {
     built: Option<Arc<Built>>,
     /// What there is of it.
     counts: Counts,
+    /// What the pieces of strokes are that were read together, by the names of the strokes.
+    pieces: Vec<Pieces>,
     /// The species of the drawing, for the panels; `None` where it cannot be read.
     species: Option<(String, Species)>,
     /// What is to be said of a species file that is missing.
@@ -111,6 +114,7 @@ impl LivePlant {
             worker: Worker::start(wake)?,
             built: None,
             counts: Counts::default(),
+            pieces: Vec::new(),
             species: None,
             missing_species: None,
             outlines: Outlines::default(),
@@ -133,6 +137,11 @@ impl LivePlant {
     /// What there is of it.
     pub(super) fn counts(&self) -> &Counts {
         &self.counts
+    }
+
+    /// What the pieces of strokes are that were read together, by the names of the strokes.
+    pub(super) fn pieces(&self) -> &[Pieces] {
+        &self.pieces
     }
 
     /// What was odd about the drawing.
@@ -258,7 +267,7 @@ impl LivePlant {
         self.is_running = update.revision < self.revisions.submitted;
         self.revisions.collected = update.revision;
         self.last = Some(update.took);
-        let Update { revision, result, took, counts, bounds } = update;
+        let Update { revision, result, took, counts, bounds, pieces } = update;
         match result {
             Ok(built) => {
                 self.failure = None;
@@ -271,6 +280,7 @@ impl LivePlant {
                     took.as_secs_f64() * 1e3
                 );
                 self.counts = counts;
+                self.pieces = pieces;
                 if let Some(old) = self.built.replace(built) {
                     self.worker.discard(old);
                 }

@@ -82,6 +82,7 @@ impl Editor {
             Action::ShowWays { stroke, at } => self.show_ways(stroke, at),
             Action::WaysFound { about, ways } => self.dialogs.ways_found(&about, ways),
             Action::SetSpecies(name) => self.change(Change::species(Some(name))),
+            Action::GuessSpecies => self.change(Change::species(None)),
             Action::SetSeed(seed) => self.change(Change::seed(seed)),
             Action::RollSeed => self.change(Change::seed(dice::another_seed(self.sketch().seed))),
             Action::SetParam { path, value } => self.set_param(&path, value),

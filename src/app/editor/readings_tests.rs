@@ -131,6 +131,19 @@ fn found(editor: &mut Editor) -> Vec<crate::app::ways_to_read::WayToRead> {
 }
 
 #[test]
+fn the_guess_of_the_species_is_kept_or_left_to_the_drawing() {
+    let home = tempfile::tempdir().unwrap();
+    let mut editor = potted(&home);
+    let guess = editor.panel_snapshot();
+    assert!(guess.species_is_guess);
+    editor.perform(Action::SetSpecies(guess.species.clone()));
+    let kept = editor.panel_snapshot();
+    assert_eq!((kept.species, kept.species_is_guess), (guess.species, false));
+    editor.perform(Action::GuessSpecies);
+    assert!(editor.panel_snapshot().species_is_guess && editor.sketch().species.is_none());
+}
+
+#[test]
 fn a_stroke_with_a_tool_of_its_own_is_what_that_says() {
     let home = tempfile::tempdir().unwrap();
     let mut editor = potted(&home);

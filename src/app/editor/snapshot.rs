@@ -1,6 +1,7 @@
 //! What the panels show of the editor, copied together once per frame.
 
 use super::{Editor, estimate};
+use crate::anatomy::Part;
 use crate::app::messages::{Localize as _, Msg};
 use crate::app::panels::snapshot::{
     Autosave, Dialog, Found, MenuOf, ParamValues, PartMenu, ReferenceState, Status,
@@ -32,6 +33,7 @@ impl Editor {
             chinese_font: self.prefs.have_chinese_font(),
             lacks_chinese_font: self.prefs.lack_chinese_font(),
             species: self.live.species_name(sketch),
+            species_is_guess: sketch.species.is_none(),
             missing_species: self.missing_species(),
             textures: sketch.textures.clone(),
             seed: sketch.seed,
@@ -133,13 +135,14 @@ impl Editor {
             return Found::default();
         }
         let (counts, outlines) = (self.live.counts(), self.live.outlines());
+        let is_read = |part| self.live.pieces().iter().any(|pieces| pieces.have(part));
         Found {
-            petals: counts.petals,
-            leaves: counts.leaves,
+            petals: counts.petals || is_read(Part::Petal),
+            leaves: counts.leaves || is_read(Part::Leaf),
             branch_levels: counts.branch_levels,
             branch_outlines: outlines.branches,
             leaf_outlines: outlines.leaves,
-            crowns: outlines.crowns,
+            crowns: outlines.crowns || is_read(Part::Crown),
             pots: counts.pots,
             ground: counts.ground,
             ignored: counts.ignored,

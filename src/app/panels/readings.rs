@@ -8,11 +8,11 @@ use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg, Named};
 use crate::app::settings::Handedness;
 use crate::app::theme::{Palette, ROUND, TARGET};
-use crate::app::ways_to_read::{PictureLine, Shown, WayToRead, holds};
+use crate::app::ways_to_read::{PictureLine, WayToRead, holds};
 use crate::sketch::Verdict;
 use egui::{
-    Align, Align2, Area, Color32, Context, CornerRadius, Id, Layout, Margin, Order, Pos2, Rect, Response,
-    Role, ScrollArea, Sense, Shape, Stroke, TextStyle, Ui, WidgetInfo, pos2, vec2,
+    Align, Align2, Area, Context, CornerRadius, Id, Layout, Margin, Order, Pos2, Rect, Response, Role,
+    ScrollArea, Sense, Shape, Stroke, TextStyle, Ui, WidgetInfo, pos2, vec2,
 };
 
 /// Width of the card, logical pixels, where there is room.
@@ -170,13 +170,6 @@ fn extent(ways: &[WayToRead]) -> egui::Vec2 {
 fn shape(line: &PictureLine, square: Rect, p: &Palette) -> Shape {
     let at = |[x, y]: [f32; 2]| square.min + vec2(x, y) * square.width();
     let points: Vec<Pos2> = line.points.iter().map(|point| at(*point)).collect();
-    let stroke = Stroke::new((line.width * square.width()).clamp(LINES.0, LINES.1), colour(line.part, p));
+    let stroke = Stroke::new((line.width * square.width()).clamp(LINES.0, LINES.1), p.shown(line.part));
     if line.is_closed { Shape::closed_line(points, stroke) } else { Shape::line(points, stroke) }
-}
-
-fn colour(part: Shown, p: &Palette) -> Color32 {
-    match part {
-        Shown::Part(part, level) => p.part(part, level),
-        Shown::Beside(reading) => p.beside(reading),
-    }
 }

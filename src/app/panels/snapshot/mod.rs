@@ -60,6 +60,8 @@ pub struct Snapshot {
     pub side_width: f32,
     /// Species of the drawing: a built-in name or a file.
     pub species: String,
+    /// Whether the species is a guess from what is drawn.
+    pub species_is_guess: bool,
     /// The name of the species file that the drawing names, if it is missing.
     pub missing_species: Option<String>,
     /// Textures that the artist chose, by kind of part (`branch`, `leaf`, …).
