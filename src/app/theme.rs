@@ -175,7 +175,7 @@ impl Palette {
         match reading {
             Reading::Pot => self.pot,
             Reading::Ground => self.earth,
-            _ => self.leaf,
+            _ => self.ignored,
         }
     }
 

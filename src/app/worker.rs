@@ -138,8 +138,11 @@ impl Counts {
 
 /// Whether strokes were not used, neither as a part nor with others.
 fn has_unused(anatomy: &Anatomy) -> bool {
-    let with_others: HashSet<StrokeId> =
-        anatomy.readings.iter().flat_map(|read| &read.strokes).copied().collect();
+    let is_beside = |reading| matches!(reading, Reading::Pot | Reading::Ground);
+    let beside =
+        anatomy.readings.iter().filter(|read| is_beside(read.reading)).flat_map(|read| &read.strokes);
+    let made = anatomy.pieces.values().flat_map(|piece| &piece.strokes);
+    let with_others: HashSet<StrokeId> = beside.chain(made).copied().collect();
     anatomy.marks.iter().any(|mark| mark.part == Part::Ignored && !with_others.contains(&mark.stroke))
 }
 
