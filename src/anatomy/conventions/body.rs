@@ -1,111 +1,212 @@
-//! The fleshy body of a cactus: a column, with arms or without, drawn by its outline.
+//! The fleshy body of a cactus: a column, with arms or without, drawn by its outline in one stroke or several.
 //!
-//! Its middle lines ([`medial_axis`](super::medial_axis)) become branches as thick as drawn. What speaks for a body is that all of
-//! it is about equally thick and longer than that, and that its ends are blunt: leaves, petals and fronds are pointed, crowns are
-//! wider than their trunks and have notches beside those between arms. A column without arms must be open below, or it is a blade.
+//! Its middle lines ([`medial_axis`](super::medial_axis)) become branches as thick as drawn if they are the [`limbs`](super::limbs)
+//! of a body. A column without arms must be open below, or it is a blade. Short strokes across the outline or on the body are its spines and belong to it, and so do lines inside, its
+//! ribs, and a level line at its foot.
 //!
-//! Short strokes on the body are its spines and belong to it. Limits: bodies of flat joints one on another are not understood.
+//! People leave outlines unfinished: one that lacks a side from its foot to some tip is closed at the distance that its other sides
+//! have from one another ([`half_outline`](super::half_outline)). Limits: bodies of flat joints one on another are not understood.
 
 use super::evidence;
-use super::medial_axis::{Axis, medial_axes};
+use super::ground;
+use super::half_outline;
+use super::limbs::Limbs;
+use super::medial_axis::medial_axes;
 use super::page::{Line, Page, notches};
 use super::silhouette::{Silhouette, smooth_contour};
-use super::{Habit, Hypothesis, Made};
-use crate::sketch::{Reading, StrokePoint, Tool};
+use super::{Habit, Hypothesis};
+use crate::geom::{convex_hull::convex_hull, simple_loop};
+use crate::sketch::Reading;
 use glam::Vec2;
 use std::f32::consts::PI;
 
 /// Smallest body, as a share of the drawing's diagonal.
 const SMALLEST: f32 = 0.2;
-/// How wide gaps of the outline are closed, in cells of the silhouette.
-const BRIDGE: i32 = 6;
-/// Least area of a body, in areas of the largest circle in it.
-const LONG: f32 = 1.8;
+/// How wide gaps of the outline are closed, in cells of the silhouette, one after the other.
+const BRIDGES: (i32, i32) = (6, 14);
+/// Least area of the hulls of all lines, and of what they enclose, as a share of the whole's bounds.
+const ENCLOSED: f32 = 0.12;
+/// Least distance of the ends of a line that may be the middle of an arm, as a share of its diagonal, and most such lines.
+const SLENDER: f32 = 0.6;
+const MOST_LINES: usize = 4;
+/// Least distance of the ends of the outline from which such arms come, as a share of its diagonal.
+const OPEN_ARCH: f32 = 0.08;
+/// Most lines that draw an outline, with what is inside.
+const MOST: usize = 9;
+/// Largest flower, as a share of the whole.
+const FLOWER: f32 = 0.15;
+/// Least area of a column and of a body with arms, in areas of the largest circle in it.
+const LONG: (f32, f32) = (1.8, 2.3);
+/// Least of its convex hull that a column fills, and most that a body with arms does.
+const SOLID: (f32, f32) = (0.8, 0.87);
 /// Least share of the area that circles about the middle lines, as large as they fit, cover.
-const COVERED: f32 = 0.94;
-/// Thinnest body, in cells of the silhouette: what is thinner is a line.
-const THINNEST: f32 = 2.5;
-/// Least length of all middle lines, in half widths.
-const SLENDER: f32 = 5.0;
-/// Least length of each, in half widths of its own.
-const SLENDER_ARM: f32 = 3.4;
-/// Most of the greatest half width in the least, ends left out.
-const EVEN: f32 = 2.2;
-/// Least climb of a line from its beginning to its tip, as a share of their distance: arms of a cactus turn up.
-const RISE: f32 = 0.5;
-/// Least half width at a tip, one half width before its end, as a share.
-const BLUNT: f32 = 0.6;
-/// One tip of so many, and one besides, may be pointed.
-const MOSTLY: usize = 2;
-/// Shortest arm, in half widths of the trunk there, and shortest that does not rise: what is shorter is a corner at the foot.
-const ARM: (f32, f32) = (2.5, 4.0);
-/// Least distance of the ends of a column's outline, as a share of its width.
-const OPEN: f32 = 0.6;
+const COVERED: f32 = 0.935;
+/// Distance of the ends of a column's outline, least and most, as shares of its width.
+const OPEN: (f32, f32) = (0.6, 2.2);
 /// Least share of what is drawn that lies in the body.
 const INSIDE: f32 = 0.95;
+/// Longest spine, as a share of the whole, and fewest, if they are to be looked at by themselves.
+const SPINES: (f32, usize) = (0.16, 2);
+/// Lowest part of an outline, as a share of its height.
+const LOWEST: f32 = 0.06;
 /// Points of the outline.
 const POINTS: usize = 160;
-/// Log-odds of a body: where it could be a tree, it is one.
-const SCORE: f32 = 2.9;
+/// Log-odds of a column, of a body with arms, where it could be a tree, and of one whose outline was not finished.
+const SCORE: (f32, f32, f32) = (2.9, 4.3, 2.6);
 
 /// Proposes bodies, one for each group of lines at most.
 pub(super) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
-    out.extend(page.groups.iter().filter_map(|group| body(page, group)));
+    out.extend(page.groups.iter().chain(&page.wide_groups).filter_map(|group| body(page, group)));
 }
 
 fn body(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let lines: Vec<&Line> = group.iter().map(|i| &page.lines[*i]).collect();
-    let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
-    let (low, high) =
-        lines.iter().fold(empty, |all, line| (all.0.min(line.bounds.0), all.1.max(line.bounds.1)));
-    if high.distance(low) < SMALLEST * page.diagonal
-        || evidence::has_blades(&lines, high - low)
-        || !evidence::has_outline(&lines, high - low)
+    let size = size_of(&lines);
+    if size.length() < SMALLEST * page.diagonal || !may_enclose(&lines, size) {
+        return None;
+    }
+    // Flowers on it stay by themselves.
+    let is_flower =
+        |line: &Line| line.is_closed_and_solid() && line.size().max_element() < FLOWER * size.max_element();
+    let (flowers, group): (Vec<usize>, Vec<usize>) = group.iter().partition(|i| is_flower(&page.lines[**i]));
+    let lines: Vec<&Line> = group.iter().map(|i| &page.lines[*i]).collect();
+    if evidence::has_blades(&lines, size) {
+        return None;
+    }
+    let outlines = without_spines(&lines);
+    if outlines.len() > MOST
+        || outlines.iter().any(|line| line.is_scribble() && line.hull_area > ENCLOSED * size.x * size.y)
     {
         return None;
     }
-    let foot = foot(&lines, (low, high));
-    let base = foot.map(|(left, right)| vec![left, right]);
-    let drawn = lines.iter().map(|line| line.points.as_slice());
-    let silhouette = Silhouette::new(drawn.clone().chain(base.iter().map(Vec::as_slice)), BRIDGE);
-    if silhouette.area() < LONG * PI * silhouette.inscribed_radius().powi(2) {
+    let (limbs, outline, score) = with_lines(&outlines)?;
+    if evidence::has_flower_centre(&lines, &outline) {
         return None;
     }
-    let root = foot.map_or(Vec2::new(0.5 * (low.x + high.x), high.y), |(left, right)| left.midpoint(right));
-    let axes = arms(medial_axes(&silhouette, root));
-    let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
-    let is_smooth = notches(&outline).len() < 2 * axes.len();
-    let is_body = is_fleshy(&axes, foot, THINNEST * silhouette.cell())
-        && is_smooth
-        && silhouette.share_within(axes.iter().flat_map(|axis| &axis.points)) >= COVERED
-        && silhouette.share_inside(lines.iter().flat_map(|line| &line.points)) >= INSIDE
-        && !evidence::has_flower_centre(&lines, &outline);
-    is_body.then(|| Hypothesis {
-        uses: page.with_what_is_inside(group, &outline),
-        score: SCORE,
-        parts: axes.iter().map(branch).collect(),
+    let mut uses = page.with_what_is_inside(&group, &outline);
+    uses.retain(|line| !flowers.contains(line) && !ground::is_ground(page, &page.lines[*line]));
+    Some(Hypothesis {
+        uses,
+        score,
+        parts: limbs.branches(),
         solids: Vec::new(),
         reading: Reading::Cactus,
         habit: Some(Habit::Succulent),
     })
 }
 
-/// Whether middle lines are those of a column with arms: long, evenly thick, turned up and mostly blunt. One without arms is open
-/// at its foot.
-fn is_fleshy(axes: &[Axis], foot: Option<(Vec2, Vec2)>, thinnest: f32) -> bool {
-    let Some(half) = axes.first().map(|trunk| median_half(&trunk.points)) else { return false };
-    let length: f32 = axes.iter().map(Axis::length).sum();
-    let is_open = foot.is_some_and(|(left, right)| left.distance(right) > OPEN * 2.0 * half);
-    let pointed = axes.iter().filter(|axis| !axis.is_blunt()).count();
-    half > thinnest
-        && length > SLENDER * half
-        && axes.iter().all(|axis| axis.is_even() && axis.rises() && axis.is_long())
-        && pointed * MOSTLY <= axes.len() + 1
-        && (axes.len() > 1 || is_open)
+/// Whether lines may enclose a body together.
+fn may_enclose(lines: &[&Line], size: Vec2) -> bool {
+    lines.iter().map(|line| line.hull_area).sum::<f32>() > ENCLOSED * size.x * size.y
+}
+
+/// The body that lines enclose; some lines may be arms of which only the middle was drawn.
+fn with_lines(lines: &[&Line]) -> Option<(Limbs, Vec<Vec2>, f32)> {
+    let is_slender = |line: &&&Line| line.openness > SLENDER && line.ends().0.y != line.ends().1.y;
+    let (arms, outlines): (Vec<&Line>, Vec<&Line>) = lines.iter().partition(is_slender);
+    let is_arch = outlines.len() == 1 && outlines[0].openness > OPEN_ARCH;
+    if arms.is_empty() || arms.len() > MOST_LINES || !is_arch {
+        return enclosed(lines);
+    }
+    enclosed(lines).or_else(|| {
+        let (mut limbs, outline, _) = enclosed(&outlines)?;
+        arms.iter().all(|line| limbs.add_line(&line.points)).then_some((limbs, outline, SCORE.1))
+    })
+}
+
+/// The body that lines enclose, its outline and how likely it is.
+fn enclosed(lines: &[&Line]) -> Option<(Limbs, Vec<Vec2>, f32)> {
+    let (foot, size) = (foot(lines), size_of(lines));
+    let base = foot.map(|(left, right)| vec![left, right]);
+    let drawn = || lines.iter().map(|line| line.points.as_slice());
+    let area = |bridge| Silhouette::new(drawn().chain(base.iter().map(Vec::as_slice)), bridge);
+    let is_closed = |area: &Silhouette| {
+        area.share_inside(drawn().flatten()) >= INSIDE && area.area() > ENCLOSED * size.x * size.y
+    };
+    let narrow = area(BRIDGES.0);
+    // One stroke by itself has no gaps but that at its foot.
+    let may_have_gaps = lines.len() > 1;
+    let wide = || Some(area(BRIDGES.1)).filter(is_closed);
+    let closed = if is_closed(&narrow) { Some(narrow.clone()) } else { may_have_gaps.then(wide).flatten() };
+    if let Some((limbs, outline)) = closed.and_then(|area| limbs(&area, foot)) {
+        let open = foot.map_or(0.0, |(left, right)| left.distance(right) / (2.0 * limbs.half()));
+        let is_open = (OPEN.0..OPEN.1).contains(&open);
+        return match limbs.arms() {
+            0 => is_open.then_some((limbs, outline, SCORE.0)),
+            _ => Some((limbs, outline, SCORE.1)),
+        };
+    }
+    let [line] = lines else { return None };
+    let (closed, root) = half_outline::closed(line, &narrow)?;
+    let area = Silhouette::new(closed.iter().map(Vec::as_slice), BRIDGES.0);
+    let (limbs, outline) = limbs(&area, Some((root, root)))?;
+    (limbs.arms() > 0).then_some((limbs, outline, SCORE.2))
+}
+
+/// The limbs of an area, if they are those of a body, and its outline.
+fn limbs(silhouette: &Silhouette, foot: Option<(Vec2, Vec2)>) -> Option<(Limbs, Vec<Vec2>)> {
+    let radius = silhouette.inscribed_radius();
+    let long = silhouette.area() / (PI * radius * radius);
+    let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
+    let solid = area_of(&outline) / area_of(&convex_hull(&outline, |p| *p)).max(f32::MIN_POSITIVE);
+    let notches = notches(&outline).len();
+    let may_be_column =
+        long > LONG.0 && solid > SOLID.0 && foot.is_some_and(|(a, b)| a.distance(b) > OPEN.0 * radius);
+    let may_have_arms = long > LONG.1 && solid < SOLID.1 && notches > 0;
+    if !may_be_column && !may_have_arms {
+        return None;
+    }
+    let limbs = Limbs::new(medial_axes(silhouette, root(&outline, foot)?), silhouette.cell())?;
+    let is_of_form = if limbs.arms() == 0 { may_be_column } else { may_have_arms };
+    let is_smooth = notches <= 2 * (limbs.arms() + 1);
+    let is_body = is_of_form && is_smooth && silhouette.share_within(limbs.circles()) >= COVERED;
+    is_body.then_some((limbs, outline))
+}
+
+fn area_of(outline: &[Vec2]) -> f32 {
+    simple_loop::signed_area(outline.iter().copied()).abs()
+}
+
+/// The middle of the lowest part of an outline, or between the ends of the line where it is open about as wide as that.
+fn root(outline: &[Vec2], foot: Option<(Vec2, Vec2)>) -> Option<Vec2> {
+    let (top, bottom) =
+        outline.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |all, p| (all.0.min(p.y), all.1.max(p.y)));
+    let low = outline.iter().filter(|p| p.y > bottom - LOWEST * (bottom - top));
+    let (left, right) =
+        low.fold((f32::INFINITY, f32::NEG_INFINITY), |all, p| (all.0.min(p.x), all.1.max(p.x)));
+    match foot {
+        Some((a, b)) if a == b || a.distance(b) > 0.5 * (right - left) => Some(a.midpoint(b)),
+        _ => (left <= right).then(|| Vec2::new(0.5 * (left + right), bottom)),
+    }
+}
+
+fn size_of(lines: &[&Line]) -> Vec2 {
+    let (low, high) = bounds(lines);
+    high - low
+}
+
+fn bounds(lines: &[&Line]) -> (Vec2, Vec2) {
+    let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+    lines.iter().fold(empty, |all, line| (all.0.min(line.bounds.0), all.1.max(line.bounds.1)))
+}
+
+/// The lines that draw the outline: without short ones, if there are several, and without a level one at the foot.
+fn without_spines<'a>(lines: &[&'a Line]) -> Vec<&'a Line> {
+    let size = size_of(lines);
+    let is_short = |line: &&Line| line.length < SPINES.0 * size.length();
+    let lowest = bounds(lines).1.y;
+    let is_ground = |line: &Line| {
+        let is_level =
+            line.size().y < 0.1 * line.size().x && line.ends().0.distance(line.ends().1) > 0.9 * line.length;
+        is_level && lowest - line.middle().y < 0.1 * size.y
+    };
+    let has_spines = lines.iter().filter(|line| is_short(line)).count() >= SPINES.1;
+    lines.iter().copied().filter(|line| !(has_spines && is_short(line) || is_ground(line))).collect()
 }
 
 /// The two ends of the outline where it is open toward the ground.
-fn foot(lines: &[&Line], (low, high): (Vec2, Vec2)) -> Option<(Vec2, Vec2)> {
+fn foot(lines: &[&Line]) -> Option<(Vec2, Vec2)> {
+    let (low, high) = bounds(lines);
     let is_low = |p: &Vec2| p.y > high.y - 0.25 * (high.y - low.y);
     let ends: Vec<Vec2> =
         lines.iter().flat_map(|line| [line.ends().0, line.ends().1]).filter(is_low).collect();
@@ -114,183 +215,6 @@ fn foot(lines: &[&Line], (low, high): (Vec2, Vec2)) -> Option<(Vec2, Vec2)> {
     (left != right).then_some((left, right))
 }
 
-/// Middle lines without those that are no arms but corners of the outline.
-fn arms(axes: Vec<Axis>) -> Vec<Axis> {
-    let is_arm = |axis: &Axis| {
-        let Some((parent, place)) = axis.parent else { return true };
-        let on_parent = axes.get(parent).and_then(|p| p.points.get(place)).map_or(0.0, |p| p.1);
-        axis.length() > if axis.rises() { ARM.0 } else { ARM.1 } * on_parent
-    };
-    axes.iter().filter(|axis| is_arm(axis)).cloned().collect()
-}
-
-impl Axis {
-    fn length(&self) -> f32 {
-        self.points.windows(2).map(|w| w[0].0.distance(w[1].0)).sum()
-    }
-
-    /// The part that is neither in its parent nor at its tip.
-    fn middle(&self) -> &[(Vec2, f32)] {
-        let half = median_half(&self.points);
-        let away = |p: &(Vec2, f32), end: &(Vec2, f32)| p.0.distance(end.0) > 1.2 * half;
-        let (Some(first), Some(last)) = (self.points.first(), self.points.last()) else { return &[] };
-        // An arm begins in the middle of its parent.
-        let in_parent = if self.parent.is_some() { 1.1 * first.1 } else { 0.0 };
-        let begin =
-            self.points.iter().position(|p| away(p, first) && p.0.distance(first.0) > in_parent).unwrap_or(0);
-        let end = self.points.iter().rposition(|p| away(p, last)).map_or(0, |i| i + 1);
-        self.points.get(begin..end).unwrap_or(&[])
-    }
-
-    /// Whether it is about equally thick.
-    fn is_even(&self) -> bool {
-        let mut halves: Vec<f32> = self.middle().iter().map(|p| p.1).collect();
-        halves.sort_by(f32::total_cmp);
-        let at = |share: f32| halves.get((share * halves.len() as f32) as usize).copied().unwrap_or(0.0);
-        !halves.is_empty() && at(0.9) < EVEN * at(0.1)
-    }
-
-    /// Whether it is long for its own thickness.
-    fn is_long(&self) -> bool {
-        self.length() > SLENDER_ARM * median_half(self.middle())
-    }
-
-    /// Whether it ends well above its beginning.
-    fn rises(&self) -> bool {
-        let ends = self.points.first().zip(self.points.last());
-        ends.is_some_and(|(first, last)| first.0.y - last.0.y > RISE * first.0.distance(last.0))
-    }
-
-    /// Whether it does not thin out toward its tip.
-    fn is_blunt(&self) -> bool {
-        let half = median_half(self.middle());
-        let Some(tip) = self.points.last() else { return false };
-        let before = self.points.iter().rev().find(|p| p.0.distance(tip.0) > 0.8 * half);
-        before.is_some_and(|p| p.1 > BLUNT * half)
-    }
-}
-
-fn median_half(points: &[(Vec2, f32)]) -> f32 {
-    let mut halves: Vec<f32> = points.iter().map(|p| p.1).collect();
-    if halves.is_empty() {
-        return 0.0;
-    }
-    let middle = halves.len() / 2;
-    *halves.select_nth_unstable_by(middle, f32::total_cmp).1
-}
-
-/// A branch along a middle line, round at its tip; in its parent it is no thicker than after it.
-fn branch(axis: &Axis) -> Made {
-    let half = median_half(axis.middle());
-    let (mut points, most) = (smooth(&axis.points), 1.15 * half);
-    let tip = points.last().map_or(Vec2::ZERO, |p| p.0);
-    let end = points.iter().rposition(|p| p.0.distance(tip) > p.1.min(most)).unwrap_or(0);
-    points.truncate(end.max(1) + 1);
-    let (count, is_trunk) = (points.len(), axis.parent.is_none());
-    for (i, point) in points.iter_mut().enumerate() {
-        // The first line begins at the edge of the area, where it stands on the ground: as thick as above.
-        let least = if i < count / 2 && is_trunk { 0.85 * half } else { 0.0 };
-        point.1 = point.1.clamp(least, most.max(least));
-    }
-    points.extend(cap(points[points.len() - 1], tip));
-    let widest = points.iter().map(|p| p.1).fold(f32::MIN_POSITIVE, f32::max);
-    let point =
-        |(position, half): (Vec2, f32)| StrokePoint { pressure: half / widest, ..StrokePoint::at(position) };
-    Made { tool: Tool::Branch, points: points.into_iter().map(point).collect(), half_width: Some(widest) }
-}
-
-/// A round end from the middle of its circle toward the tip.
-fn cap((middle, half): (Vec2, f32), tip: Vec2) -> impl Iterator<Item = (Vec2, f32)> {
-    let along = (tip - middle).normalize_or_zero();
-    (1..=8).map(move |k| {
-        let angle = 0.47 * PI * k as f32 / 8.0;
-        (middle + along * half * angle.sin(), half * angle.cos())
-    })
-}
-
-/// A middle line without the steps of the grid and without bends that are tighter than it is thick, ends kept.
-fn smooth(points: &[(Vec2, f32)]) -> Vec<(Vec2, f32)> {
-    let reach = (points.len() / 5).clamp(1, 16);
-    (0..points.len())
-        .map(|i| {
-            let near = i.min(points.len() - 1 - i).min(reach);
-            let window = &points[i - near..=i + near];
-            let count = window.len() as f32;
-            (
-                window.iter().map(|p| p.0).sum::<Vec2>() / count,
-                window.iter().map(|p| p.1).sum::<f32>() / count,
-            )
-        })
-        .collect()
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::sketch::Stroke;
-    use std::sync::Arc;
-
-    fn read(lines: &[&[(f32, f32)]]) -> Vec<Hypothesis> {
-        let stroke = |(id, line): (usize, &&[(f32, f32)])| {
-            let points = line.iter().map(|p| StrokePoint::at(Vec2::from(*p))).collect();
-            Arc::new(Stroke { id: id as u64, tool: Tool::Auto, points })
-        };
-        let strokes: Vec<_> = lines.iter().enumerate().map(stroke).collect();
-        let mut out = Vec::new();
-        propose(&Page::new(&strokes), &mut out);
-        out
-    }
-
-    const COLUMN: [(f32, f32); 6] =
-        [(-10.0, 60.0), (-10.0, -60.0), (-5.0, -68.0), (5.0, -68.0), (10.0, -60.0), (10.0, 60.0)];
-
-    #[test]
-    fn a_column_that_is_open_below_is_a_body_as_thick_as_drawn() {
-        let bodies = read(&[&COLUMN]);
-        assert_eq!(bodies.len(), 1);
-        let [trunk] = &bodies[0].parts[..] else { panic!("{} parts", bodies[0].parts.len()) };
-        let middle = trunk.points[trunk.points.len() / 2];
-        let half = middle.pressure * trunk.half_width.unwrap();
-        assert!((half - 10.0).abs() < 1.5 && middle.position.x.abs() < 1.5, "{half} at {}", middle.position);
-    }
-
-    #[test]
-    fn arms_are_branches_of_their_own() {
-        let outline = [
-            (-10.0, 60.0),
-            (-10.0, 10.0),
-            (-34.0, 10.0),
-            (-38.0, 5.0),
-            (-38.0, -35.0),
-            (-34.0, -40.0),
-            (-26.0, -40.0),
-            (-22.0, -35.0),
-            (-22.0, -8.0),
-            (-10.0, -8.0),
-            (-10.0, -60.0),
-            (-5.0, -68.0),
-            (5.0, -68.0),
-            (10.0, -60.0),
-            (10.0, 60.0),
-        ];
-        let bodies = read(&[&outline]);
-        assert_eq!(bodies.len(), 1);
-        assert_eq!(bodies[0].parts.len(), 2);
-    }
-
-    #[test]
-    fn leaves_and_closed_columns_are_none() {
-        let leaf: Vec<(f32, f32)> = (0..=80)
-            .map(|k| {
-                let t = k as f32 / 40.0;
-                let side = if t < 1.0 { 1.0 } else { -1.0 };
-                let up = if t < 1.0 { t } else { 2.0 - t };
-                (side * 25.0 * (std::f32::consts::PI * up).sin(), -120.0 * up)
-            })
-            .collect();
-        assert!(read(&[&leaf]).is_empty());
-        let mut closed = COLUMN.to_vec();
-        closed.push(closed[0]);
-        assert!(read(&[&closed]).is_empty(), "a blade");
-    }
-}
+#[path = "body_tests.rs"]
+mod tests;

@@ -36,7 +36,8 @@ pub(super) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     }));
 }
 
-fn is_ground(page: &Page, line: &Line) -> bool {
+/// Whether a line is the ground.
+pub(super) fn is_ground(page: &Page, line: &Line) -> bool {
     let whole = page.bounds.1 - page.bounds.0;
     let (begin, end) = line.ends();
     let size = line.size();

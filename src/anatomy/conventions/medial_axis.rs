@@ -1,7 +1,7 @@
 //! The middle lines of an area with their distances from its edge: a trunk and its arms.
 //!
 //! From a root cell the cheapest paths through the area are found, dear near the edge; the path from the farthest cell is the
-//! first line. Cells within a little more than its distance from the edge count as covered; the farthest cell that is not gives the
+//! first line, or, once all tips are known, that from the one most straight above the root. Cells within a little more than its distance from the edge count as covered; the farthest cell that is not gives the
 //! next line, which ends where it meets an earlier one, until all that is left is short (Sato et al., “TEASAR: tree-structure
 //! extraction algorithm”, 2000, in two dimensions). Cost: cells times lines, times a logarithm.
 
@@ -14,6 +14,10 @@ use std::collections::BinaryHeap;
 const MOST: usize = 12;
 /// Reach of a line's cover, in distances from the edge, and cells added to it.
 const COVER: (f32, f32) = (1.35, 3.0);
+/// Distance of circles that cover a line, in their radii.
+const APART: f32 = 0.2;
+/// Least height of the first line's tip above the root, as a share of the highest tip's.
+const HIGH: f32 = 0.6;
 /// How much dearer a cell on the edge is than one in the deepest middle.
 const EDGE: f32 = 300.0;
 
@@ -26,35 +30,23 @@ pub(super) struct Axis {
     pub parent: Option<(usize, usize)>,
 }
 
-/// The middle lines of the area of a silhouette, the first from the place nearest to `root`.
+/// The middle lines of the area of a silhouette from the place nearest to `root`, the first to the tip to which the way is most
+/// upright.
 pub(super) fn medial_axes(silhouette: &Silhouette, root: Vec2) -> Vec<Axis> {
     let depth = silhouette.depths();
     let Some(start) = nearest_inside(silhouette, &depth, root) else { return Vec::new() };
     let paths = Paths::from(silhouette, &depth, start);
-    let mut owner: Vec<Option<(usize, usize)>> = vec![None; depth.len()];
-    let mut is_covered = vec![false; depth.len()];
-    let mut axes: Vec<Axis> = Vec::new();
-    while axes.len() < MOST {
-        let uncovered = (0..depth.len()).filter(|i| paths.is_reached(*i) && !is_covered[*i]);
-        let Some(tip) = uncovered.max_by(|a, b| paths.steps[*a].total_cmp(&paths.steps[*b])) else { break };
-        let mut cells = vec![tip];
-        let mut parent = None;
-        while let Some(before) = paths.before[cells[cells.len() - 1]] {
-            cells.push(before);
-            if owner[before].is_some() {
-                parent = owner[before];
-                break;
-            }
-        }
-        cells.reverse();
-        for (place, &cell) in cells.iter().enumerate() {
-            owner[cell].get_or_insert((axes.len(), place));
-            cover(silhouette, cell, COVER.0 * depth[cell] + COVER.1, &mut is_covered);
-        }
-        let point = |cell: &usize| (silhouette.middle(*cell), depth[*cell] * silhouette.cell());
-        axes.push(Axis { points: cells.iter().map(point).collect(), parent });
+    let foot = silhouette.place_of(start).y;
+    let height = |tip: usize| (foot - silhouette.place_of(tip).y) as f32;
+    let (axes, tips) = paths.lines(silhouette, &depth, None);
+    let highest = tips.iter().map(|tip| height(*tip)).fold(0.0, f32::max);
+    let upright = |tip: &usize| height(*tip) / paths.steps[*tip].max(1.0);
+    let high = tips.iter().copied().filter(|tip| height(*tip) > HIGH * highest);
+    let main = high.max_by(|a, b| upright(a).total_cmp(&upright(b)));
+    match main.filter(|main| *main != tips[0]) {
+        Some(main) => paths.lines(silhouette, &depth, Some(main)).0,
+        None => axes,
     }
-    axes
 }
 
 fn nearest_inside(silhouette: &Silhouette, depth: &[f32], root: Vec2) -> Option<usize> {
@@ -80,6 +72,8 @@ struct Paths {
     /// Length of the way, cells.
     steps: Vec<f32>,
     before: Vec<Option<usize>>,
+    /// All cells that are reached, the farthest first, of equals the last.
+    farthest: Vec<usize>,
 }
 
 impl Paths {
@@ -87,7 +81,11 @@ impl Paths {
         let deepest = depth.iter().copied().fold(f32::MIN_POSITIVE, f32::max);
         let price = |i: usize| 1.0 + EDGE * (1.0 - depth[i] / deepest).powi(6);
         let mut cost = vec![f32::INFINITY; depth.len()];
-        let mut it = Self { steps: vec![f32::INFINITY; depth.len()], before: vec![None; depth.len()] };
+        let mut it = Self {
+            steps: vec![f32::INFINITY; depth.len()],
+            before: vec![None; depth.len()],
+            farthest: Vec::new(),
+        };
         (cost[start], it.steps[start]) = (0.0, 0.0);
         // Costs as integers, so that they have an order; thousandths are fine enough.
         let mut queue = BinaryHeap::from([(Reverse(0_u64), start)]);
@@ -103,11 +101,44 @@ impl Paths {
                 }
             }
         }
+        it.farthest = (0..depth.len()).rev().filter(|i| it.steps[*i].is_finite()).collect();
+        it.farthest.sort_by(|a, b| it.steps[*b].total_cmp(&it.steps[*a]));
         it
     }
 
-    fn is_reached(&self, i: usize) -> bool {
-        self.steps[i].is_finite()
+    /// Lines from their beginnings to their tips, and the cells of these; the first to the tip `main`, or else the farthest.
+    fn lines(&self, silhouette: &Silhouette, depth: &[f32], main: Option<usize>) -> (Vec<Axis>, Vec<usize>) {
+        let mut owner: Vec<Option<(usize, usize)>> = vec![None; depth.len()];
+        let mut is_covered = vec![false; depth.len()];
+        let (mut axes, mut tips): (Vec<Axis>, Vec<usize>) = (Vec::new(), Vec::new());
+        let mut far = self.farthest.iter().copied();
+        while axes.len() < MOST {
+            let Some(tip) = main.filter(|_| axes.is_empty()).or_else(|| far.find(|i| !is_covered[*i])) else {
+                break;
+            };
+            let mut cells = vec![tip];
+            let mut parent = None;
+            while let Some(before) = self.before[cells[cells.len() - 1]] {
+                cells.push(before);
+                if owner[before].is_some() {
+                    parent = owner[before];
+                    break;
+                }
+            }
+            cells.reverse();
+            for (place, &cell) in cells.iter().enumerate() {
+                owner[cell].get_or_insert((axes.len(), place));
+                let reach = COVER.0 * depth[cell] + COVER.1;
+                // Circles so near to one another cover the same.
+                if place % (reach * APART).max(1.0) as usize == 0 || place + 1 == cells.len() {
+                    cover(silhouette, cell, reach, &mut is_covered);
+                }
+            }
+            let point = |cell: &usize| (silhouette.middle(*cell), depth[*cell] * silhouette.cell());
+            axes.push(Axis { points: cells.iter().map(point).collect(), parent });
+            tips.push(tip);
+        }
+        (axes, tips)
     }
 }
 

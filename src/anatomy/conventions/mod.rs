@@ -25,6 +25,8 @@
 //! | `spikes` | lines cut into what tapers to a tip |
 //! | `bush` | a crown without a trunk: outline, open outline, scribble |
 //! | `body` | the body of a cactus, a column with arms |
+//! | `limbs` | the column and the arms of a body |
+//! | `half_outline` | an outline that was not finished |
 //! | `mushroom` | a cap on a stalk |
 //! | `corolla` | a corolla around a flower's centre |
 //! | `corolla_on_stem` | a lobed outline at the end of a stem, without a centre |
@@ -67,10 +69,12 @@ mod fronds;
 mod gathered;
 mod grass;
 mod ground;
+mod half_outline;
 mod leaf;
 mod leaf_area;
 mod leaf_loops;
 mod leaf_parts;
+mod limbs;
 mod lobes;
 mod medial_axis;
 mod mushroom;

@@ -12,6 +12,9 @@ const LONG_SIDE: f32 = 112.0;
 /// What a step to a cell beside and one to a cell across count, about as long as they are.
 const CHAMFER: (u16, u16) = (5, 7);
 
+/// Half cells in which a line may still be met that a way begins on.
+const OWN_LINE: usize = 6;
+
 /// Cells inside lines.
 #[derive(Clone, Debug)]
 pub(super) struct Silhouette {
@@ -128,6 +131,14 @@ impl Silhouette {
     /// Middle of a cell, pixels.
     fn place(&self, at: IVec2) -> Vec2 {
         self.low + ((at - self.margin).as_vec2() + 0.5) * self.cell
+    }
+
+    /// How far it is from a place on a line along a direction of length 1 to the next line; none where that is beyond `most`.
+    pub(super) fn way_to_ink(&self, from: Vec2, along: Vec2, most: f32) -> Option<f32> {
+        // The line itself is some cells wide.
+        let steps = (2.0 * most / self.cell) as usize;
+        let way = |step: usize| 0.5 * self.cell * step as f32;
+        (OWN_LINE..steps).map(way).find(|way| self.ink[self.number(self.cell_at(from + along * *way))])
     }
 
     /// Side of a cell, pixels.

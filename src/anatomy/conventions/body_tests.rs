@@ -1,0 +1,153 @@
+//! Cacti in the ways in which people draw them, and what is none.
+
+use super::*;
+use crate::sketch::Tool;
+
+fn line(points: &[(f32, f32)]) -> Vec<Vec2> {
+    points.iter().map(|p| Vec2::from(*p)).collect()
+}
+
+fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
+    let mut out = Vec::new();
+    propose(&Page::of_lines(lines), &mut out);
+    out
+}
+
+/// Numbers of branches of the bodies that are found.
+fn limbs(lines: &[Vec<Vec2>]) -> Vec<usize> {
+    read(lines).iter().map(|body| body.parts.len()).collect()
+}
+
+fn column() -> Vec<Vec2> {
+    line(&[(-10.0, 60.0), (-10.0, -60.0), (-5.0, -68.0), (5.0, -68.0), (10.0, -60.0), (10.0, 60.0)])
+}
+
+/// A column with an arm on each side in one line, from its left foot to its right one.
+fn saguaro() -> Vec<Vec2> {
+    let left = [
+        (-10.0, 60.0),
+        (-10.0, 10.0),
+        (-34.0, 10.0),
+        (-38.0, 5.0),
+        (-38.0, -35.0),
+        (-34.0, -40.0),
+        (-26.0, -40.0),
+        (-22.0, -35.0),
+        (-22.0, -8.0),
+        (-10.0, -8.0),
+        (-10.0, -60.0),
+        (-5.0, -68.0),
+    ];
+    let right = left.iter().rev().map(|p| (-p.0, p.1));
+    line(&left.into_iter().chain(right).collect::<Vec<_>>())
+}
+
+#[test]
+fn a_column_that_is_open_below_is_a_body_as_thick_as_drawn() {
+    let bodies = read(&[column()]);
+    assert_eq!(bodies.len(), 1);
+    let [trunk] = &bodies[0].parts[..] else { panic!("{} parts", bodies[0].parts.len()) };
+    assert_eq!(trunk.tool, Tool::Branch);
+    let middle = trunk.points[trunk.points.len() / 2];
+    let half = middle.pressure * trunk.half_width.unwrap();
+    assert!((half - 10.0).abs() < 1.5 && middle.position.x.abs() < 1.5, "{half} at {}", middle.position);
+}
+
+#[test]
+fn arms_are_branches_of_their_own_and_the_column_comes_first() {
+    let bodies = read(&[saguaro()]);
+    assert_eq!(bodies.len(), 1);
+    assert_eq!(bodies[0].parts.len(), 3);
+    let tips = bodies[0].parts.iter().map(|part| part.points[part.points.len() - 1].position.x);
+    let sides: Vec<i32> = tips.map(|x| if x.abs() < 10.0 { 0 } else { x.signum() as i32 }).collect();
+    assert!(sides[0] == 0 && sides[1] * sides[2] == -1, "{sides:?}");
+}
+
+#[test]
+fn an_outline_may_be_several_strokes_with_gaps() {
+    let whole = crate::anatomy::conventions::page::even(&saguaro(), 300);
+    let mut middle = whole[104..200].to_vec();
+    middle.reverse();
+    assert_eq!(limbs(&[whole[..100].to_vec(), middle, whole[204..].to_vec()]), [3]);
+}
+
+#[test]
+fn arms_may_be_outlines_of_their_own_or_single_lines() {
+    let arm = line(&[
+        (9.0, -4.0),
+        (30.0, -4.0),
+        (30.0, -30.0),
+        (36.0, -36.0),
+        (42.0, -30.0),
+        (42.0, 10.0),
+        (9.0, 10.0),
+    ]);
+    assert_eq!(limbs(&[column(), arm]), [2]);
+    let wire = line(&[(11.0, 0.0), (30.0, 0.0), (36.0, -6.0), (36.0, -40.0)]);
+    let bodies = read(&[column(), wire]);
+    assert_eq!(bodies.len(), 1);
+    assert_eq!(bodies[0].uses, [0, 1]);
+    let arm = &bodies[0].parts[1];
+    let half = arm.points[arm.points.len() / 2].pressure * arm.half_width.unwrap();
+    assert!((3.0..10.0).contains(&half), "{half}");
+}
+
+#[test]
+fn spines_ribs_and_the_ground_belong_to_it_but_flowers_do_not() {
+    let mut lines = vec![saguaro(), line(&[(-60.0, 61.0), (60.0, 60.0)]), line(&[(0.0, 50.0), (0.0, -50.0)])];
+    lines.extend([-20.0, 0.0, 20.0, 40.0].map(|y| line(&[(6.0, y), (16.0, y - 4.0)])));
+    let bodies = read(&lines);
+    assert_eq!(bodies.len(), 1);
+    assert_eq!(
+        (bodies[0].parts.len(), &bodies[0].uses[..]),
+        (3, &[0, 2, 3, 4, 5, 6][..]),
+        "the ground is by itself"
+    );
+    let ring =
+        |x: f32| (0..=20).map(|k| Vec2::new(x, -72.0) + 4.0 * Vec2::from_angle(0.3142 * k as f32)).collect();
+    let bodies = read(&[saguaro(), ring(-4.0), ring(4.0), ring(0.0)]);
+    assert_eq!(bodies[0].uses, [0]);
+}
+
+#[test]
+fn what_was_not_finished_is_closed_as_wide_as_the_rest() {
+    // Up to the tip of the right arm, and no farther.
+    let whole = saguaro();
+    let half: Vec<Vec2> = whole[..whole.len() - 4].to_vec();
+    let bodies = read(&[half]);
+    assert_eq!(bodies.len(), 1);
+    assert_eq!(bodies[0].parts.len(), 3);
+    let foot = bodies[0].parts[0].points[0];
+    assert!(foot.position.x.abs() < 5.0 && foot.position.y > 50.0, "{}", foot.position);
+}
+
+#[test]
+fn leaves_closed_columns_and_half_leaves_are_none() {
+    let side = |k: usize| {
+        let t = k as f32 / 40.0;
+        let (side, up) = if t < 1.0 { (1.0, t) } else { (-1.0, 2.0 - t) };
+        Vec2::new(side * 25.0 * (PI * up).sin(), -120.0 * up)
+    };
+    assert!(read(&[(0..=80).map(side).collect()]).is_empty());
+    assert!(read(&[(0..=60).map(side).collect()]).is_empty());
+    let mut closed = column();
+    closed.push(closed[0]);
+    assert!(read(&[closed]).is_empty(), "a blade");
+}
+
+#[test]
+fn crowns_on_trunks_and_forked_stalks_with_lobes_are_none() {
+    let crown = |lobes: f32| -> Vec<Vec2> {
+        let mut outline = line(&[(-14.0, 60.0), (-12.0, -20.0)]);
+        outline.extend((0..=120).map(|k| {
+            let angle = 0.35 + (std::f32::consts::TAU - 0.7) * k as f32 / 120.0;
+            let reach = 36.0 + 9.0 * (0.5 * lobes * angle).sin().abs();
+            Vec2::new(0.0, -55.0) + reach * Vec2::new(-1.3 * angle.sin(), angle.cos())
+        }));
+        outline.extend(line(&[(12.0, -20.0), (14.0, 60.0)]));
+        outline
+    };
+    for lobes in [3.0, 5.0, 8.0] {
+        assert!(read(&[crown(lobes)]).is_empty(), "{lobes} lobes");
+    }
+}
