@@ -56,7 +56,7 @@ const LEAST: [(&str, usize); 11] = [
     ("mushroom", 1),
     ("palm", 6),
     ("potted", 8),
-    ("succulent", 3),
+    ("succulent", 6),
     ("tree", 16),
 ];
 

@@ -36,8 +36,9 @@ const BLUNT: f32 = 0.5;
 const MOSTLY: usize = 2;
 /// Least height of an arm's tip over the foot, as a share of the body's: what ends lower is a corner of the foot.
 const LOW: f32 = 0.2;
-/// Most of a limb's half width, in its median.
+/// Most of a limb's half width, and least at its beginning, in its median.
 const THICKER: f32 = 1.25;
+const THINNER: f32 = 0.8;
 /// Distance of the middle of a tip's circle from the tip, in its radii: a little more, as both are counted in cells.
 const AT_TIP: f32 = 1.15;
 /// An arm of which the middle was drawn: least length from the middle of the column, its half width, farthest beginning, in half
@@ -201,12 +202,14 @@ fn median_half(points: &[(Vec2, f32)]) -> f32 {
 /// A branch along a middle line, round at its tip; where others leave it and in its parent hardly thicker than elsewhere.
 fn branch(axis: &Axis) -> Made {
     let half = median_half(axis.middle());
-    let most = THICKER * half;
-    let (mut points, is_trunk) = (smooth(in_circles(&axis.points)), axis.parent.is_none());
-    let count = points.len();
+    let mut points = smooth(in_circles(&axis.points));
+    if axis.parent.is_none() {
+        points = standing(points, half);
+    }
+    let (count, most) = (points.len(), THICKER * half);
     for (i, point) in points.iter_mut().enumerate() {
-        // The first line begins at the edge of the area, where it stands on the ground: as thick as above.
-        let least = if i < count / 2 && is_trunk { 0.85 * half } else { 0.0 };
+        // An arm begins in its parent, as thick as outside of it.
+        let least = if i < count / 2 { THINNER * half } else { 0.0 };
         point.1 = point.1.clamp(least, most.max(least));
     }
     points.extend(cap(&points));
@@ -214,6 +217,21 @@ fn branch(axis: &Axis) -> Made {
     let point =
         |(position, half): (Vec2, f32)| StrokePoint { pressure: half / widest, ..StrokePoint::at(position) };
     Made { tool: Tool::Branch, points: points.into_iter().map(point).collect(), half_width: Some(widest) }
+}
+
+/// A column that stands as it goes on above: its middle line begins somewhere on the edge of the area.
+fn standing(points: Vec<(Vec2, f32)>, half: f32) -> Vec<(Vec2, f32)> {
+    let Some(&(foot, _)) = points.first() else { return points };
+    let at = |reach: f32| points.iter().position(|p| p.0.distance(foot) > reach * half);
+    let Some((low, high)) = at(1.2).zip(at(2.4)) else { return points };
+    let ((from, width), along) = (points[low], points[low].0 - points[high].0);
+    let down = (foot.y - from.y).max(0.0);
+    let lean = (along.x / along.y.max(f32::MIN_POSITIVE)).clamp(-0.5, 0.5);
+    let below = (0..=4).map(|k| {
+        let share = 1.0 - k as f32 / 5.0;
+        (from + share * down * Vec2::new(lean, 1.0), width)
+    });
+    below.chain(points[low..].iter().copied()).collect()
 }
 
 /// A middle line up to the middle of the last circle that fits into its tip: from there it goes straight to the edge, about as far
