@@ -204,7 +204,7 @@ fn branch(axis: &Axis) -> Made {
     let half = median_half(axis.middle());
     let mut points = smooth(in_circles(&axis.points));
     if axis.parent.is_none() {
-        points = standing(points, half);
+        points = upright_at_foot(points, half);
     }
     let (count, most) = (points.len(), THICKER * half);
     for (i, point) in points.iter_mut().enumerate() {
@@ -220,7 +220,7 @@ fn branch(axis: &Axis) -> Made {
 }
 
 /// A column that stands as it goes on above: its middle line begins somewhere on the edge of the area.
-fn standing(points: Vec<(Vec2, f32)>, half: f32) -> Vec<(Vec2, f32)> {
+fn upright_at_foot(points: Vec<(Vec2, f32)>, half: f32) -> Vec<(Vec2, f32)> {
     let Some(&(foot, _)) = points.first() else { return points };
     let at = |reach: f32| points.iter().position(|p| p.0.distance(foot) > reach * half);
     let Some((low, high)) = at(1.2).zip(at(2.4)) else { return points };
