@@ -6,6 +6,7 @@
 //! Limits: where two parts run side by side, the nearer one wins, whichever the stroke was meant for.
 
 use super::ways_to_read::Shown;
+use crate::anatomy::conventions::ReadStrokes;
 use crate::anatomy::{Anatomy, Part, Sample};
 use crate::sketch::{Reading, Sketch, Stroke, StrokeId};
 use glam::Vec2;
@@ -13,6 +14,9 @@ use std::collections::HashMap;
 
 /// Most places of a stroke that are looked at, and most places of a part.
 const PLACES: (usize, usize) = (96, 48);
+/// Fewest places of a stroke that are looked at, and how often a part is looked at for all strokes that it was made of.
+const LEAST: usize = 8;
+const LOOKS: usize = 400_000;
 /// Shortest piece that has a colour of its own, as a share of the places of its stroke.
 const SHORTEST: f32 = 0.06;
 
@@ -39,6 +43,27 @@ impl Pieces {
 struct Made {
     shown: Shown,
     places: Vec<Vec2>,
+    bounds: (Vec2, Vec2),
+}
+
+impl Made {
+    fn new(shown: Shown, places: &[Vec2]) -> Self {
+        let places: Vec<Vec2> =
+            places.iter().step_by(places.len().div_ceil(PLACES.1).max(1)).copied().collect();
+        let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+        let bounds = places.iter().fold(empty, |(low, high), p| (low.min(*p), high.max(*p)));
+        Self { shown, places, bounds }
+    }
+
+    /// The squared distance of its nearest place if that is less than `most`.
+    fn nearer(&self, place: Vec2, most: f32) -> Option<f32> {
+        let (low, high) = self.bounds;
+        if place.distance_squared(place.clamp(low, high)) >= most {
+            return None;
+        }
+        let nearest = self.places.iter().map(|p| p.distance_squared(place)).fold(f32::INFINITY, f32::min);
+        (nearest < most).then_some(nearest)
+    }
 }
 
 /// The pieces of all strokes that were read together, by the names of the strokes.
@@ -46,18 +71,17 @@ pub(super) fn pieces_of(sketch: &Sketch, anatomy: &Anatomy) -> Vec<Pieces> {
     if anatomy.readings.is_empty() {
         return Vec::new();
     }
-    let parts = parts(anatomy);
-    let mut read: HashMap<StrokeId, Reading> = HashMap::new();
+    let (parts, mut read) = (parts(anatomy), HashMap::new());
     for together in &anatomy.readings {
-        read.extend(together.strokes.iter().map(|stroke| (*stroke, together.reading)));
+        read.extend(together.strokes.iter().map(|stroke| (*stroke, together)));
     }
     let of = |stroke: &Stroke| {
-        let reading = read.get(&stroke.id)?;
-        match parts.get(&stroke.id) {
-            Some(made) => Some(pieces(stroke, made)),
-            None => is_beside(*reading).then(|| Pieces {
+        let together: &ReadStrokes = read.get(&stroke.id)?;
+        match parts.get(together.strokes.first()?) {
+            Some(made) => Some(pieces(stroke, made, together.strokes.len())),
+            None => is_beside(together.reading).then(|| Pieces {
                 stroke: stroke.id,
-                most: Shown::Beside(*reading),
+                most: Shown::Beside(together.reading),
                 others: Vec::new(),
             }),
         }
@@ -72,12 +96,12 @@ fn is_beside(reading: Reading) -> bool {
     matches!(reading, Reading::Pot | Reading::Ground)
 }
 
-/// The parts that were made of each drawn stroke together with others.
+/// The parts that were made of strokes together, by the first of these strokes.
 fn parts(anatomy: &Anatomy) -> HashMap<StrokeId, Vec<Made>> {
     let mut parts: HashMap<StrokeId, Vec<Made>> = HashMap::new();
     let mut add = |stroke: StrokeId, shown: Shown, places: &[Vec2]| {
-        for drawn in anatomy.pieces.get(&stroke).iter().flat_map(|piece| &piece.strokes) {
-            parts.entry(*drawn).or_default().push(Made { shown, places: thinned(places, PLACES.1) });
+        if let Some(piece) = anatomy.pieces.get(&stroke) {
+            parts.entry(piece.first()).or_default().push(Made::new(shown, places));
         }
     };
     let positions = |samples: &[Sample]| samples.iter().map(|s| s.position).collect::<Vec<_>>();
@@ -97,20 +121,20 @@ fn parts(anatomy: &Anatomy) -> HashMap<StrokeId, Vec<Made>> {
     parts
 }
 
-/// Some of these places, evenly.
-fn thinned(places: &[Vec2], most: usize) -> Vec<Vec2> {
-    places.iter().step_by(places.len().div_ceil(most).max(1)).copied().collect()
-}
-
-/// The pieces of one stroke of which these parts were made, at least one.
-fn pieces(stroke: &Stroke, made: &[Made]) -> Pieces {
-    let step = stroke.points.len().div_ceil(PLACES.0).max(1);
+/// The pieces of one of so many strokes of which these parts were made, at least one.
+fn pieces(stroke: &Stroke, made: &[Made], together: usize) -> Pieces {
+    let first = made[0].shown;
+    if made.iter().all(|part| part.shown == first) {
+        return Pieces { stroke: stroke.id, most: first, others: Vec::new() };
+    }
+    let places = (LOOKS / (made.len() * together).max(1)).clamp(LEAST, PLACES.0);
+    let step = stroke.points.len().div_ceil(places).max(1);
     let nearest = |place: Vec2| {
-        let distance =
-            |part: &Made| part.places.iter().map(|p| p.distance_squared(place)).fold(f32::INFINITY, f32::min);
-        made.iter()
-            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
-            .map_or(made[0].shown, |part| part.shown)
+        let mut best = (f32::INFINITY, first);
+        for part in made {
+            best = part.nearer(place, best.0).map_or(best, |distance| (distance, part.shown));
+        }
+        best.1
     };
     let shown: Vec<Shown> = stroke.points.iter().step_by(step).map(|point| nearest(point.position)).collect();
     let runs = runs(&shown);
@@ -123,7 +147,7 @@ fn pieces(stroke: &Stroke, made: &[Made]) -> Pieces {
     }
     let first_of_most = |a: &(Shown, usize), b: &(Shown, usize)| b.1.cmp(&a.1);
     counts.sort_by(first_of_most);
-    let most = counts.first().map_or(made[0].shown, |(shown, _)| *shown);
+    let most = counts.first().map_or(first, |(shown, _)| *shown);
     let last = stroke.points.len() - 1;
     let others = runs.into_iter().filter(|(shown, ..)| *shown != most);
     let others = others.map(|(shown, from, to)| (shown, from * step, (to * step).min(last))).collect();
