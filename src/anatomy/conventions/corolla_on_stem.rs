@@ -205,7 +205,7 @@ fn is_a_star(line: &Line, focus: &Focus, petals: &[Vec<Vec2>]) -> bool {
 }
 
 /// The upper end of a line that carries an outline.
-fn stem_top(stem: &Line, head: &Line) -> Option<Vec2> {
+pub(super) fn stem_top(stem: &Line, head: &Line) -> Option<Vec2> {
     let (first, last) = stem.ends();
     let (top, foot) = if first.y < last.y { (first, last) } else { (last, first) };
     let run = foot - top;

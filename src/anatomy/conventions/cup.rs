@@ -84,6 +84,15 @@ impl Base {
         Self { place: points[last], along: (points[last] - before).normalize_or_zero() }
     }
 
+    /// The same with a direction between that of the stem and that of the lines' middle, and their height along it.
+    fn toward(self, lines: &[&Line]) -> (Self, f32) {
+        let middle = lines.iter().map(|line| line.middle()).sum::<Vec2>() / lines.len().max(1) as f32;
+        let along = (self.along + (middle - self.place).normalize_or_zero()).normalize_or_zero();
+        let base = Self { along, ..self };
+        let heights = lines.iter().flat_map(|line| &line.points).map(|p| base.height(*p));
+        (base, heights.fold(f32::MIN_POSITIVE, f32::max))
+    }
+
     fn height(&self, p: Vec2) -> f32 {
         (p - self.place).dot(self.along)
     }
@@ -106,6 +115,7 @@ fn cup(page: &Page, group: &[usize], stem: usize, base: Base) -> Option<Hypothes
         return None;
     }
     let lines: Vec<&Line> = head.iter().map(|i| &page.lines[*i]).collect();
+    let (base, height) = base.toward(&lines);
     let sides = lines.iter().flat_map(|line| &line.points).map(|p| (*p - base.place).perp_dot(base.along));
     let (left, right) = sides.fold((0.0_f32, 0.0_f32), |(low, high), side| (low.min(side), high.max(side)));
     let nearest = lines.iter().filter_map(|line| polyline::nearest(&line.points, base.place));

@@ -32,6 +32,7 @@
 //! | `corolla_on_stem` | a lobed outline at the end of a stem, without a centre |
 //! | `cup` | petals that stand close together, seen from the side |
 //! | `rays` | single lines around a centre: thin petals, or a sun |
+//! | `rose` | a spiral, or arcs in a disc, on a stem |
 //! | `gathered` | petals that gather at one place, without a centre |
 //! | `stem_tail` | a stem in one stroke with what it carries |
 //! | `blade` | outlines of blades, of one stroke or two, and what they leave over |
@@ -81,6 +82,7 @@ mod mushroom;
 mod pot;
 mod pot_rows;
 mod rays;
+mod rose;
 mod silhouette;
 mod spikes;
 mod stem_arcs;
@@ -181,6 +183,7 @@ fn proposed(page: &mut Page, strokes: &[Arc<Stroke>], corrections: &[Correction]
         rays::propose,
         gathered::propose,
         cup::propose,
+        rose::propose,
         leaf::propose,
         leaf_loops::propose,
         stem_loops::propose,
