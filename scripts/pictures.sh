@@ -10,6 +10,14 @@ for name in daisy hepatica_red balloon_flower bouquet tree_round topiary; do
     "$program" render "assets/sketches/$name.penstemon" -o "docs/images/$name.png" --size 560x640 --with-drawing
 done
 
+# The drawings in the way of people, each beside its plant.
+freehand=$(mktemp -d)
+for drawing in assets/sketches/freehand_*.penstemon; do
+    "$program" render "$drawing" -o "$freehand/$(basename "$drawing" .penstemon).png" --size 230x260 --with-drawing
+done
+python3 scripts/sheet.py 3 docs/images/freehand.png "$freehand"/*.png
+rm -rf "$freehand"
+
 # Drawings by people beside their plants.
 people=$(mktemp -d)
 cargo run --release --quiet --example draw_contact_sheets -- "$people" \

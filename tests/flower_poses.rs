@@ -13,6 +13,8 @@ use std::path::{Path, PathBuf};
 fn drawings() -> Vec<(String, Sketch)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/sketches");
     let mut files: Vec<PathBuf> = folder.read_dir().unwrap().map(|entry| entry.unwrap().path()).collect();
+    // Whole corollas in one stroke have no petals that could be erased.
+    files.retain(|path| !path.file_stem().unwrap().to_string_lossy().starts_with("freehand"));
     files.sort();
     let read = |path: PathBuf| {
         let name = path.file_stem().unwrap().to_string_lossy().into_owned();

@@ -6,7 +6,7 @@ use crate::people::{CLASSES, Drawing, Share, drawings, icons};
 use penstemon::anatomy::conventions::{self, ConventionParams, Habit, Interpretation};
 use penstemon::anatomy::{self, AnatomyParams, Part};
 use penstemon::pipeline;
-use penstemon::sketch::{Remark, Tool};
+use penstemon::sketch::{self, Reading, Remark, Tool};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
@@ -133,6 +133,35 @@ fn most_drawings_are_read_as_what_they_show() {
         assert!(right >= least, "{habit}: {right} of {all}, {least} were right before");
     }
     assert!(counts.is_empty(), "{counts:?}");
+}
+
+/// The drawings made for this, what they show, and what must be among their readings.
+const FREEHAND: [(&str, &str, &[Reading]); 12] = [
+    ("apple_tree", "tree", &[Reading::Tree]),
+    ("bush", "bush", &[Reading::Bush, Reading::Ground]),
+    ("cactus", "succulent", &[Reading::Cactus]),
+    ("fir", "tree", &[Reading::Tree]),
+    ("flower", "flower", &[Reading::Corolla, Reading::Leaf]),
+    ("grass", "grass", &[Reading::Grass]),
+    ("house_plant", "potted", &[Reading::Pot, Reading::Leaf]),
+    ("leaf", "leaf", &[Reading::Leaf]),
+    ("mushroom", "mushroom", &[Reading::Mushroom]),
+    ("palm", "palm", &[Reading::Fronds]),
+    ("tree", "tree", &[Reading::Tree]),
+    ("tulip", "flower", &[Reading::Corolla]),
+];
+
+#[test]
+fn the_freehand_sketches_are_read_as_what_they_show() {
+    for (name, habit, readings) in FREEHAND {
+        let file = format!("{}/assets/sketches/freehand_{name}.penstemon", env!("CARGO_MANIFEST_DIR"));
+        let (sketch, _) = sketch::read(Path::new(&file)).unwrap();
+        assert!(sketch.species.is_none() && sketch.strokes.iter().all(|stroke| stroke.tool == Tool::Auto));
+        let read = conventions::interpret(&sketch.strokes, &ConventionParams::default());
+        assert!(is_read_as(&read, habit), "{name}: {:?}", read.habit);
+        let missing = readings.iter().find(|reading| read.readings.iter().all(|r| r.reading != **reading));
+        assert_eq!(missing, None, "{name}");
+    }
 }
 
 #[test]

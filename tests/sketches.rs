@@ -53,7 +53,9 @@ fn strokes_are_sound() {
         let name = drawing.name;
         let (width, height) = (f64::from(drawing.sheet.size[0]), f64::from(drawing.sheet.size[1]));
         let strokes = strokes(&drawing);
-        assert!(strokes.len() >= 8, "{name} has only {} strokes", strokes.len());
+        // A whole tree may be one stroke where people draw in their own way.
+        let fewest = if name.starts_with("freehand") { 2 } else { 8 };
+        assert!(strokes.len() >= fewest, "{name} has only {} strokes", strokes.len());
         let ids: HashSet<u64> = strokes.iter().map(|s| s.id).collect();
         assert_eq!(ids.len(), strokes.len(), "{name}: ids repeat");
         for Stroke { id, tool, points } in &strokes {
@@ -94,7 +96,8 @@ const FLOWERS: [(&str, usize); 19] = [
 /// Leaves whose roots crowd would be taken for a flower unless they were drawn with the leaf tool.
 #[test]
 fn blades_crowd_only_in_flowers() {
-    for drawing in all() {
+    let in_the_papers_way = |drawing: &Drawing| !drawing.name.starts_with("freehand");
+    for drawing in all().into_iter().filter(in_the_papers_way) {
         let diagonal = f64::from(drawing.sheet.size[0]).hypot(f64::from(drawing.sheet.size[1]));
         let mut roots: Vec<[f64; 2]> = strokes(&drawing)
             .iter()

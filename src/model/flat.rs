@@ -5,6 +5,10 @@
 //! search: the outline's points come first and in order, so a face between three of them is inside exactly if it
 //! turns the way the outline does, and a face that touches an interior point is always inside.
 //!
+//! The midrib is a chain of edges, too. A blade is lowest along it, and where a narrow blade has rows farther apart than
+//! its margins, plain Delaunay faces would reach from margin to margin and dam the hollow between two rows. Where a
+//! piece of the chain would cross the outline it is left out.
+//!
 //! An outline that turns out to cross itself is cut down to its largest simple part; failing that, its convex hull
 //! is used. Only an outline without area has no triangulation.
 
@@ -55,6 +59,8 @@ pub struct PlanarGraph {
     pub points: Vec<Vec2>,
     /// How many of them are the outline, counter-clockwise; each is joined to the next and the last to the first.
     pub margin: usize,
+    /// The points of the midrib from base to tip, two of which may be joined where no edge of the outline lies between.
+    pub midrib: Vec<usize>,
 }
 
 impl PlanarGraph {
@@ -111,8 +117,16 @@ impl PlanarGraph {
             return None;
         }
         let is_missing = |[a, b]: [usize; 2]| cdt.get_edge_from_neighbors(handles[a], handles[b]).is_none();
-        if self.margin_edges().any(is_missing) {
+        let along = || self.midrib.windows(2).map(|pair| [pair[0], pair[1]]);
+        let is_dammed = along().any(is_missing);
+        if is_dammed || self.margin_edges().any(is_missing) {
             for [a, b] in self.margin_edges() {
+                cdt.try_add_constraint(handles[a], handles[b]);
+            }
+        }
+        if is_dammed {
+            // The outline is whole by now: a piece that would cross it is refused.
+            for [a, b] in along() {
                 cdt.try_add_constraint(handles[a], handles[b]);
             }
         }
@@ -213,7 +227,7 @@ pub(super) fn flatten(
     let rim = &graph.points[..graph.margin];
     let perimeter = (0..rim.len()).map(|i| rim[i].distance(rim[(i + 1) % rim.len()])).sum();
     let area = crate::geom::simple_loop::signed_area(rim.iter().copied());
-    let PlanarGraph { mut points, margin } = graph;
+    let PlanarGraph { mut points, margin, .. } = graph;
     points.iter_mut().for_each(|p| *p *= size);
     Some(FlatBlade { points, margin, triangles, sections, size, perimeter, area })
 }
@@ -277,8 +291,20 @@ fn graph(
     let sections = Sections::new(margin, tip);
     let mut points = Vec::with_capacity(margin.len() + ((density.rows * (2 * density.columns + 1)) as usize));
     points.extend(margin.iter().map(|m| m.at));
-    interior::fill(margin, &sections, density, scratch, &mut points);
-    Some((PlanarGraph { points, margin: margin.len() }, sections))
+    let middle = interior::fill(margin, &sections, density, scratch, &mut points);
+    let midrib = midrib(middle, &points[..margin.len()], tip);
+    Some((PlanarGraph { points, margin: margin.len(), midrib }, sections))
+}
+
+/// The interior points on the middle line between base and tip; empty without such points.
+fn midrib(middle: &[usize], margin: &[Vec2], tip: f32) -> Vec<usize> {
+    if middle.is_empty() {
+        return Vec::new();
+    }
+    let away = |i: &usize| margin[*i].distance_squared(Vec2::new(0.0, tip));
+    let tip = (0..margin.len()).min_by(|a, b| away(a).total_cmp(&away(b)));
+    // The outline begins at the base.
+    [0].into_iter().chain(middle.iter().copied()).chain(tip).collect()
 }
 
 #[cfg(test)]
@@ -312,6 +338,23 @@ mod tests {
         let flat = flat(&tail, Detail::Full).unwrap();
         assert!(covered(&flat) > 0.5);
         assert!(flat.points[..flat.margin].iter().all(|p| p.y > -1e-3));
+    }
+
+    #[test]
+    fn no_face_of_a_narrow_blade_reaches_over_its_midrib() {
+        let lens = |k: usize| {
+            let angle = std::f32::consts::TAU * k as f32 / 120.0;
+            (0.04 * angle.sin(), 0.5 - 0.5 * angle.cos())
+        };
+        let outline: Vec<(f32, f32)> = (0..120).map(lens).collect();
+        let flat = flat(&outline, Detail::Full).unwrap();
+        assert!(flat.points.len() > flat.margin + 3, "{} points inside", flat.points.len() - flat.margin);
+        let across = flat
+            .triangles
+            .iter()
+            .map(|face| face.map(|i| flat.points[i as usize].x))
+            .filter(|x| x.iter().any(|x| *x > 1e-4) && x.iter().any(|x| *x < -1e-4));
+        assert_eq!(across.count(), 0);
     }
 
     #[test]

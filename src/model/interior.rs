@@ -28,6 +28,8 @@ pub(super) struct InteriorScratch {
     crossings: Vec<(u32, f32)>,
     row_starts: Vec<u32>,
     near: Vec<bool>,
+    /// Places of the points on the middle line.
+    middle: Vec<usize>,
 }
 
 /// The rows of one blade.
@@ -68,17 +70,18 @@ impl Rows {
     }
 }
 
-/// Appends the interior points of the outline to `out`.
-pub(super) fn fill(
+/// Appends the interior points of the outline to `out`; where those on its middle line stand there, from base to tip.
+pub(super) fn fill<'a>(
     outline: &[MarginPoint],
     sections: &Sections,
     density: Density,
-    scratch: &mut InteriorScratch,
+    scratch: &'a mut InteriorScratch,
     out: &mut Vec<Vec2>,
-) {
+) -> &'a [usize] {
+    scratch.middle.clear();
     let rows = Rows::new(sections, density);
     if rows.step <= f32::MIN_POSITIVE || rows.count == 0 {
-        return;
+        return &[];
     }
     let first = out.len();
     cross_rows(outline, &rows, &mut scratch.crossings);
@@ -89,12 +92,13 @@ pub(super) fn fill(
         let here = rest.partition_point(|c| c.0 == row);
         for span in rest[..here].chunks_exact(2) {
             let middle = sections.middle.at(rows.height(row));
-            fill_span(&rows, row, middle, (span[0].1, span[1].1), out);
+            scratch.middle.extend(fill_span(&rows, row, middle, (span[0].1, span[1].1), out));
         }
         rest = &rest[here..];
         scratch.row_starts.push((out.len() - first) as u32);
     }
     drop_near_margin(outline, &rows, scratch, first, out);
+    &scratch.middle
 }
 
 /// Where the outline crosses each row, sorted by row and u; an even number for each row.
@@ -116,14 +120,23 @@ fn cross_rows(outline: &[MarginPoint], rows: &Rows, crossings: &mut Vec<(u32, f3
     crossings.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
 }
 
-fn fill_span(rows: &Rows, row: u32, middle: f32, (left, right): (f32, f32), out: &mut Vec<Vec2>) {
-    if left < middle && right > middle {
-        rows.fill(row, middle, left, out);
-        out.push(Vec2::new(middle, rows.height(row)));
-        rows.fill(row, middle, right, out);
-    } else {
+/// Fills a row between two crossings of the outline; where its point on the middle line stands, if that lies between.
+fn fill_span(
+    rows: &Rows,
+    row: u32,
+    middle: f32,
+    (left, right): (f32, f32),
+    out: &mut Vec<Vec2>,
+) -> Option<usize> {
+    if left >= middle || right <= middle {
         rows.fill(row, left, right, out);
+        return None;
     }
+    rows.fill(row, middle, left, out);
+    let place = out.len();
+    out.push(Vec2::new(middle, rows.height(row)));
+    rows.fill(row, middle, right, out);
+    Some(place)
 }
 
 fn drop_near_margin(
@@ -154,6 +167,14 @@ fn drop_near_margin(
         }
         from = to;
     }
-    let mut near = std::iter::repeat_n(&false, first).chain(&scratch.near);
+    let (near, mut seen, mut dropped) = (&scratch.near, 0, 0);
+    scratch.middle.retain_mut(|place| {
+        let number = *place - first;
+        dropped += near[seen..number].iter().filter(|near| **near).count();
+        seen = number;
+        *place -= dropped;
+        !near[number]
+    });
+    let mut near = std::iter::repeat_n(&false, first).chain(near);
     out.retain(|_| !near.next().copied().unwrap_or(false));
 }

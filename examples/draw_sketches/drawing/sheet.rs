@@ -28,7 +28,7 @@ pub struct Grown {
 
 /// A drawing.
 pub struct Sheet {
-    /// Built-in species that the drawing shows.
+    /// Built-in species that the drawing shows; empty leaves it to the program.
     pub species: &'static str,
     /// Width and height in pixels.
     pub size: [u32; 2],
@@ -45,14 +45,17 @@ impl Sheet {
             self.strokes.iter().enumerate().map(|(i, s)| stroke_line(i + 1, s)).collect();
         // Older programs open what they understand.
         let version = if self.plants.is_empty() { 1 } else { 3 };
+        let species = match self.species {
+            "" => String::new(),
+            name => format!("\"species\": \"{name}\", "),
+        };
         format!(
             "{{ \"format\": \"penstemon-sketch\", \"version\": {version},\n  \
              \"canvas\": {{ \"width\": {}, \"height\": {} }},\n  \
-             \"species\": \"{}\", \"seed\": 1, \"params\": {{ }},\n{}  \
+             {species}\"seed\": 1, \"params\": {{ }},\n{}  \
              \"strokes\": [\n{}\n  ] }}\n",
             self.size[0],
             self.size[1],
-            self.species,
             plant_lines(self.plants),
             lines.join(",\n")
         )

@@ -60,11 +60,13 @@ fn bush(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let scribbled: f32 = lines.iter().filter(|line| line.is_scribble()).map(|line| line.hull_area).sum();
     let is_scribble = scribbled > SCRIBBLE * hull_area;
     let fewest = if closing.is_empty() { NOTCHES.0 } else { NOTCHES.1 };
+    // Where gaps are closed, so are the notches between flat lobes; those of an arch can be counted on its line.
+    let has_lobes = lines.iter().any(|line| is_arch(line) && lobes_of(line) > NOTCHES.1);
     let crown = |bridge: &i32| {
         let silhouette = Silhouette::new(drawn().chain(closing.iter().copied()), *bridge);
         let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
         let is_solid = simple_loop::signed_area(outline.iter().copied()).abs() > SOLID * hull_area;
-        let is_outline = notches(&outline).len() >= fewest
+        let is_outline = (has_lobes || notches(&outline).len() >= fewest)
             && evidence::is_drawn_by_few(&outline, drawn(), &closing, &silhouette)
             && !evidence::has_flower_centre(&lines, &outline);
         (is_solid && (is_scribble || is_outline)).then_some(outline)
@@ -93,6 +95,12 @@ fn is_arch(line: &Line) -> bool {
     let (low, size) = (line.bounds.1.y, line.size());
     let lower = low - begin.y.min(end.y);
     lower < 0.35 * size.y && (begin.x - end.x).abs() > 0.2 * size.x
+}
+
+/// How many lobes an arch has whose notches are not as low as those between blades of grass.
+fn lobes_of(arch: &Line) -> usize {
+    let is_high = |place: &Vec2| place.y < arch.bounds.1.y - 0.35 * arch.size().y;
+    1 + notches(&arch.points).into_iter().filter(is_high).count()
 }
 
 /// Whether an area stands on a broad foot.

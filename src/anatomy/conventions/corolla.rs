@@ -44,6 +44,8 @@ const NEAREST: f32 = 2.2;
 const FAR: (f32, f32) = (9.0, 0.85);
 /// How far petals reach at least around a centre that is no disc: a scribble in a crown fills it.
 const SCRIBBLED: f32 = 2.0;
+/// Farthest middle of the feet of petals from where the round stroke begins and ends if that is one of them, in half sizes of it.
+const AT_MOUTH: f32 = 0.6;
 /// Widest angle between the directions of loops around a centre that keeps them apart.
 const LOOP_GAP: f32 = 0.28 * TAU;
 /// How far petals of their own stay away from the middle if what stands there is a centre and no petal, and the most of their
@@ -127,7 +129,7 @@ fn corolla(page: &Page, centre: usize, near: &[usize]) -> Option<Hypothesis> {
     if disc.openness >= OPEN && reach < SCRIBBLED {
         return None;
     }
-    let is_papers_way = 2 * loops >= petals.len() && !stand_around(&petals, &focus);
+    let is_papers_way = 2 * loops >= petals.len() && !stand_around(&petals, disc, &focus);
     if is_papers_way
         || petals.len() < FEWEST
         || lobes::around(&petals, focus.place) < if disc.is_scribble() { ALL_AROUND } else { AROUND }
@@ -264,7 +266,7 @@ fn from_nearest(points: &[Vec2], focus: &Focus) -> Vec<Vec2> {
 }
 
 /// Whether loops stand around a centre with their feet at its edge instead of gathering beside it.
-fn stand_around(petals: &[Vec<Vec2>], focus: &Focus) -> bool {
+fn stand_around(petals: &[Vec<Vec2>], disc: &Line, focus: &Focus) -> bool {
     let comes_in = |petal: &Vec<Vec2>| {
         let inside = petal.iter().filter(|p| focus.distance(**p) < KEPT_OUT.0).count();
         inside as f32 > KEPT_OUT.1 * petal.len() as f32
@@ -279,7 +281,12 @@ fn stand_around(petals: &[Vec<Vec2>], focus: &Focus) -> bool {
     let spread = feet.iter().map(|foot| foot.distance(middle)).sum::<f32>() / count;
     let gap = widest_gap(petals, focus.place);
     let is_all_around = middle.length() < FEET_OFF && gap < LOOP_GAP;
-    let is_half = petals.len() >= SIDE.0 && middle.length() < SIDE.1 && gap < SIDE.2 && spread > SIDE.3;
+    let mouth = (disc.ends().0.midpoint(disc.ends().1) - focus.place) / focus.half;
+    let is_half = petals.len() >= SIDE.0
+        && middle.length() < SIDE.1
+        && gap < SIDE.2
+        && spread > SIDE.3
+        && mouth.distance(middle) > AT_MOUTH;
     (is_all_around || is_half) && !petals.iter().any(|petal| comes_in(petal) || is_askew(petal))
 }
 

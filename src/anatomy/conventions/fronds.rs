@@ -180,8 +180,7 @@ mod tests {
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
         let (mut page, mut out) = (Page::of_lines(lines), Vec::new());
         super::super::pot::propose(&page, &mut out);
-        let pots: Vec<usize> = out.iter().flat_map(|pot| pot.uses.clone()).collect();
-        page.set_apart(&pots);
+        page.set_apart(out.iter().flat_map(|pot| pot.uses.clone()).collect());
         propose(&page, &mut out);
         out.retain(|found| found.reading == Reading::Fronds);
         out

@@ -140,7 +140,9 @@ fn tuft(page: &Page) -> Option<Hypothesis> {
     uses.sort_unstable();
     uses.dedup();
     let spikes: Vec<Spike> = blades.into_iter().map(|blade| blade.0).collect();
-    Some(grass(uses, 1.5 + 0.25 * spikes.len().min(12) as f32, &spikes))
+    // Blades beside a zigzag belong to it.
+    let score = 1.9 + 0.25 * spikes.len().min(12) as f32 + 0.05 * uses.len() as f32;
+    Some(grass(uses, score, &spikes))
 }
 
 /// Whether a line may be a blade or a zigzag of blades by itself: higher than wide, or sharp.

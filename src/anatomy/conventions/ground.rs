@@ -23,10 +23,10 @@ const SCORE: f32 = 2.0;
 
 /// Proposes lines that are the ground.
 pub(super) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
-    let lowest = page.lines.iter().filter(|line| is_ground(page, line));
-    let lowest = lowest.max_by(|a, b| a.middle().y.total_cmp(&b.middle().y));
-    let place = lowest.and_then(|line| page.lines.iter().position(|other| other.stroke == line.stroke));
-    out.extend(place.map(|line| Hypothesis {
+    let grounds = (0..page.lines.len()).filter(|i| !page.is_apart(*i) && is_ground(page, &page.lines[*i]));
+    let height = |i: &usize| page.lines[*i].middle().y;
+    let lowest = grounds.max_by(|a, b| height(a).total_cmp(&height(b)));
+    out.extend(lowest.map(|line| Hypothesis {
         uses: vec![line],
         score: SCORE,
         parts: Vec::new(),

@@ -158,45 +158,57 @@ pub fn interpret_with(
     }
     let mut page = Page::with(&mut known.shapes, strokes);
     let chosen = choice::best(proposed(&mut page, strokes, corrections));
-    let interpretation = Interpretation::of(strokes, &page, chosen);
+    let mut interpretation = Interpretation::of(strokes, &page, chosen);
+    if let Some(last) = &known.last {
+        interpretation.share_with(&last.interpretation);
+    }
     let (strokes, corrections, params) = (strokes.to_vec(), corrections.clone(), params.clone());
     known.last = Some(Last { strokes, corrections, params, interpretation: interpretation.clone() });
     interpretation
 }
 
+/// A way of drawing: adds what it proposes for a page to what others proposed.
+type Propose = fn(&Page, &mut Vec<Hypothesis>);
+
+/// What plants stand in or on, the first beneath which the next is looked for.
+const BENEATH: &[Propose] = &[pot::propose, ground::propose];
+
+/// All others.
+const CONVENTIONS: &[Propose] = &[
+    tree::propose,
+    bush::propose,
+    body::propose,
+    mushroom::propose,
+    corolla::propose,
+    corolla_on_stem::propose,
+    rays::propose,
+    gathered::propose,
+    cup::propose,
+    rose::propose,
+    leaf::propose,
+    leaf_loops::propose,
+    stem_loops::propose,
+    stem_arcs::propose,
+    grass::propose,
+    fronds::propose,
+];
+
 /// What every convention proposes, as far as the corrections leave it.
 fn proposed(page: &mut Page, strokes: &[Arc<Stroke>], corrections: &[Correction]) -> Vec<Hypothesis> {
     let corrected = Corrected::on(page, strokes, corrections);
-    // What stands in a pot is looked at without it.
-    let mut pots = Vec::new();
-    pot::propose(page, &mut pots);
-    corrected.apply(&mut pots);
-    let of_pots: Vec<usize> = pots.iter().flat_map(|pot| pot.uses.clone()).collect();
-    page.set_apart(&of_pots);
-    let conventions = [
-        tree::propose,
-        bush::propose,
-        body::propose,
-        mushroom::propose,
-        corolla::propose,
-        corolla_on_stem::propose,
-        rays::propose,
-        gathered::propose,
-        cup::propose,
-        rose::propose,
-        leaf::propose,
-        leaf_loops::propose,
-        stem_loops::propose,
-        stem_arcs::propose,
-        grass::propose,
-        fronds::propose,
-        ground::propose,
-    ];
-    // What rises from a pot is found by the pot.
-    let count = pots.len();
-    conventions.iter().for_each(|propose| propose(page, &mut pots));
-    let mut others = pots.split_off(count);
-    corrected.apply(&mut others);
-    pots.append(&mut others);
-    pots
+    let ask = |propose: Propose, page: &Page, all: &mut Vec<Hypothesis>| {
+        let known = all.len();
+        propose(page, all);
+        let mut new = all.split_off(known);
+        corrected.apply(&mut new);
+        all.append(&mut new);
+    };
+    let mut all = Vec::new();
+    for propose in BENEATH {
+        ask(*propose, page, &mut all);
+        // What stands in a pot or on the ground is looked at without it.
+        page.set_apart(all.iter().flat_map(|beneath| beneath.uses.iter().copied()).collect());
+    }
+    CONVENTIONS.iter().for_each(|propose| ask(*propose, page, &mut all));
+    all
 }

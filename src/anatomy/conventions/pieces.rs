@@ -6,7 +6,7 @@
 use super::{Habit, Hypothesis, Made, Solid, page::Page};
 use crate::checksum;
 use crate::sketch::{Reading, Remark, Stroke, StrokeId, Warning};
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
 
 /// The strokes of a drawing as they were understood.
@@ -89,6 +89,20 @@ impl Interpretation {
             }
         }
         it
+    }
+}
+
+impl Interpretation {
+    /// Takes strokes that were made before, just as they are now, from there: what stages behind this one keep is known by its
+    /// address.
+    pub(super) fn share_with(&mut self, before: &Self) {
+        let made = before.strokes.iter().filter(|stroke| before.pieces.contains_key(&stroke.id));
+        let known: HashMap<StrokeId, &Arc<Stroke>> = made.map(|stroke| (stroke.id, stroke)).collect();
+        for stroke in self.strokes.iter_mut().filter(|stroke| self.pieces.contains_key(&stroke.id)) {
+            if let Some(same) = known.get(&stroke.id).filter(|known| ***known == *stroke) {
+                *stroke = Arc::clone(same);
+            }
+        }
     }
 }
 

@@ -12,6 +12,8 @@ use super::page::Line;
 use crate::sketch::{StrokePoint, Tool};
 use glam::Vec2;
 
+/// Height over which a trunk that leans comes up plumb, in half widths of its foot.
+const PLUMB: f32 = 2.0;
 /// Rows that lines are divided into.
 const ROWS: usize = 120;
 /// Columns in which a row knows of ink.
@@ -212,7 +214,7 @@ impl Trunk {
     /// The middle of the trunk, which goes on into the crown, with its width as pressure.
     pub(super) fn centre_line(&self, crown: &[Vec2]) -> Made {
         let top = crown.iter().map(|p| p.y).fold(self.top, f32::min);
-        let mut rows = evened(&self.rows);
+        let mut rows = plumb(evened(&self.rows));
         let (last, half) = rows[rows.len() - 1];
         let middle = crown.iter().sum::<Vec2>() / crown.len().max(1) as f32;
         let end = Vec2::new(last.x + 0.5 * (middle.x - last.x), last.y + INTO_CROWN.0 * (top - last.y));
@@ -227,6 +229,16 @@ impl Trunk {
         };
         Made { tool: Tool::Branch, points: rows.into_iter().map(point).collect(), half_width: Some(widest) }
     }
+}
+
+/// A trunk's middles and widths, from the foot up, so that it rises plumb: its foot is level, however the trunk leans above.
+pub(super) fn plumb(mut rows: Vec<(Vec2, f32)>) -> Vec<(Vec2, f32)> {
+    let Some(&(foot, half)) = rows.first() else { return rows };
+    for (place, _) in &mut rows {
+        let share = ((foot.y - place.y) / (PLUMB * half).max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
+        place.x = foot.x + (place.x - foot.x) * share * share * (3.0 - 2.0 * share);
+    }
+    rows
 }
 
 /// Middles and widths without the jitter of single rows: running means over a tenth of the trunk.

@@ -10,6 +10,7 @@
 use super::Made;
 use super::page::{Line, Page, even};
 use super::spikes::extremes;
+use super::trunk::plumb;
 use crate::geom::polyline;
 use crate::sketch::{StrokePoint, Tool};
 use glam::Vec2;
@@ -205,11 +206,11 @@ impl TrunkSides {
         if self.is_line() {
             return Made::new(Tool::Branch, self.middle.iter().map(|row| row.0));
         }
-        let point = |&(position, half): &(Vec2, f32)| StrokePoint {
+        let point = |(position, half): (Vec2, f32)| StrokePoint {
             pressure: half / widest,
             ..StrokePoint::at(position)
         };
-        let points = self.middle.iter().map(point).collect();
+        let points = plumb(self.middle.clone()).into_iter().map(point).collect();
         Made { tool: Tool::Branch, points, half_width: Some(widest) }
     }
 }

@@ -4,6 +4,7 @@ pub mod balloon_flower;
 pub mod bamboo;
 pub mod bouquet;
 pub mod daisy;
+pub mod freehand;
 pub mod garden;
 pub mod hepatica;
 pub mod jasmine;
