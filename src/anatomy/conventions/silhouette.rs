@@ -30,11 +30,12 @@ pub(super) struct Silhouette {
 }
 
 impl Silhouette {
-    /// The area that lines enclose, gaps of up to `bridge` cells closed.
+    /// The area that lines enclose, gaps of up to `bridge` cells closed; of no lines there is one cell at most.
     pub(super) fn new<'a>(lines: impl Iterator<Item = &'a [Vec2]> + Clone, bridge: i32) -> Self {
         let points = lines.clone().flatten();
         let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
         let (low, high) = points.fold(empty, |(low, high), p| (low.min(*p), high.max(*p)));
+        let (low, high) = if low.cmple(high).all() { (low, high) } else { (Vec2::ZERO, Vec2::ZERO) };
         let cell = ((high - low).max_element() / LONG_SIDE).max(f32::MIN_POSITIVE);
         let thick = (bridge + 1) / 2;
         let margin = thick + 2;
@@ -331,6 +332,12 @@ mod tests {
         assert!((narrow.area() / whole - 1.0).abs() < 0.06, "{}", narrow.area() / whole);
         let wide = of(&[arc(0.0, TAU - 0.6)], 4);
         assert!(wide.area() < 0.2 * whole);
+    }
+
+    #[test]
+    fn no_lines_enclose_nothing() {
+        let nothing = of(&[], 6);
+        assert_eq!((nothing.area(), nothing.inscribed_radius()), (0.0, 0.0));
     }
 
     #[test]
