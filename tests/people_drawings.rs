@@ -3,9 +3,12 @@
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
 use crate::people::{CLASSES, Drawing, Share, drawings, icons};
+use glam::Vec3;
 use penstemon::anatomy::conventions::{self, ConventionParams, Habit, Interpretation};
 use penstemon::anatomy::{self, AnatomyParams, Part};
+use penstemon::depth::{self, DepthParams};
 use penstemon::pipeline;
+use penstemon::plant::{OrganKind, Shape};
 use penstemon::sketch::{self, Reading, Remark, Tool};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -217,6 +220,40 @@ fn single_leaves_keep_the_pose_in_which_they_were_drawn() {
         }
     }
     assert!(all > 15 && 10 * kept >= 9 * all, "{kept} of {all}");
+}
+
+/// Drawings with leaves that hang in the air although there is wood: more is a step back.
+const FLOATING: usize = 6;
+
+#[test]
+fn no_leaf_is_farther_from_its_branch_than_its_stalk() {
+    let mut floating = Vec::new();
+    for drawing in [Share::Development, Share::Opened].iter().flat_map(|share| drawings(*share).unwrap()) {
+        let anatomy = anatomy::analyse(&drawing.sketch, &AnatomyParams::default());
+        let (plant, _) = depth::recover(&anatomy, drawing.sketch.seed, &DepthParams::default());
+        for organ in plant.organs.iter().filter(|organ| organ.kind() == OrganKind::Leaf) {
+            let Shape::Blade(blade) = &organ.shape else { continue };
+            let Some(branch) = organ.branch else {
+                if anatomy.branches.iter().any(|branch| branch.stroke.is_some()) {
+                    let is_said = anatomy.warnings.iter().any(|w| w.remark == Remark::StandsApart);
+                    assert!(is_said, "{} {}", drawing.class, drawing.name);
+                    floating.push(format!("{} {}", drawing.class, drawing.name));
+                }
+                continue;
+            };
+            let branch = &plant.branches[branch];
+            let to_segment = |pair: &[Vec3]| {
+                let along = pair[1] - pair[0];
+                let share = (blade.base - pair[0]).dot(along) / along.length_squared().max(f32::MIN_POSITIVE);
+                blade.base.distance(pair[0] + along * share.clamp(0.0, 1.0))
+            };
+            let away = branch.points.windows(2).map(to_segment).fold(f32::INFINITY, f32::min);
+            let length = plant.templates[blade.template].length() * blade.v.length();
+            assert!(away < 0.1 * length, "{} {}: {away} of {length}", drawing.class, drawing.name);
+        }
+    }
+    floating.dedup();
+    assert!(floating.len() <= FLOATING, "{floating:?}");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 //! What is made again and again while a drawing grows is kept in a [`Cache`]; with an empty one everything is made.
 
 use super::{
-    Anatomy, FlatBlade, FlatBranch, FlatCrown, Mark, Part, Stop,
+    Anatomy, FlatBlade, FlatBranch, FlatCrown, FlatFlower, Mark, Part, Stop,
     attach::{AttachParams, Attacher},
     blade_outline::TipParams,
     conventions::{self, ConventionParams, Habit, Interpretation, Piece},
@@ -148,6 +148,7 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
     anatomy.crowns = crowns(&readings, &mut warnings);
     let flowers = (&mut anatomy.flowers[..], &anatomy.petals[..]);
     cache.places.attach(lines, &mut anatomy.leaves, flowers, &params.attach);
+    remark_on_what_stands_apart(&anatomy, &mut warnings);
     let AnatomyParams { twigs, leaf_twigs, leaf_fill, .. } = params;
     let fill = Fill { readings: &readings, seed: sketch.seed, twigs, leaf_twigs, leaf_fill, stop };
     fill.fill(&mut cache.outlines, &mut anatomy, &mut warnings);
@@ -157,6 +158,19 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
     let read = marks(&readings, &anatomy.petals, &gathering.centres);
     anatomy.marks = of_drawn(&sketch.strokes, &anatomy.pieces, read);
     anatomy
+}
+
+/// Remarks on drawn leaves and flowers that no drawn branch is near, if there are any: a leaf by itself needs none.
+fn remark_on_what_stands_apart(anatomy: &Anatomy, warnings: &mut Warnings) {
+    if !anatomy.branches.iter().any(|branch| branch.stroke.is_some()) {
+        return;
+    }
+    let leaves = anatomy.leaves.iter().filter(|leaf| leaf.attachment.is_none()).map(|leaf| leaf.stroke);
+    let flowers = anatomy.flowers.iter().filter(|flower| flower.attachment.is_none());
+    let first = |flower: &FlatFlower| anatomy.petals[*flower.petals.first()?].stroke;
+    for stroke in leaves.chain(flowers.map(first)).flatten() {
+        warnings.add(Some(stroke), || Remark::StandsApart);
+    }
 }
 
 /// What is said of strokes that were read together, then of single ones.

@@ -140,6 +140,9 @@ pub enum Remark {
     /// A stroke amid petals.
     #[error("is taken for the centre of a flower, which the species draws")]
     FlowerCentre,
+    /// A leaf or a petal that no wood is near.
+    #[error("is too far from every branch to grow on one; bring it nearer, or draw its stalk")]
+    StandsApart,
     /// An outline that could not have all twigs.
     #[error("has fewer twigs than it asks for: the drawing has as many as it may")]
     FewTwigs,
@@ -293,6 +296,7 @@ impl Remark {
             | Self::TooShort
             | Self::ReadAs(_)
             | Self::FlowerCentre
+            | Self::StandsApart
             | Self::FinenessUnused
             | Self::More { .. } => false,
         }

@@ -348,6 +348,7 @@ keys! {
     LegendPot = "legend.pot",
     LegendGround = "legend.ground",
     WarningFlowerCentre = "warning.flower_centre",
+    WarningStandsApart = "warning.stands_apart",
     WarningFewTwigs = "warning.few_twigs",
     WarningFilledThinly = "warning.filled_thinly",
     WarningNoBranch = "warning.no_branch",

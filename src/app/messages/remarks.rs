@@ -45,6 +45,7 @@ impl Localize for Remark {
             Self::EnclosesNothing => fill(Msg::WarningEnclosesNothing, &[]),
             Self::ReadAs(reading) => fill(words_of(*reading), &[]),
             Self::FlowerCentre => fill(Msg::WarningFlowerCentre, &[]),
+            Self::StandsApart => fill(Msg::WarningStandsApart, &[]),
             Self::FewTwigs => fill(Msg::WarningFewTwigs, &[]),
             Self::FilledThinly => fill(Msg::WarningFilledThinly, &[]),
             Self::NoBranch => fill(Msg::WarningNoBranch, &[]),
@@ -141,7 +142,8 @@ mod tests {
                 let next = Reading::ALL.iter().skip_while(|known| *known != reading).nth(1);
                 next.map_or(Remark::FlowerCentre, |next| Remark::ReadAs(*next))
             }
-            Remark::FlowerCentre => Remark::FewTwigs,
+            Remark::FlowerCentre => Remark::StandsApart,
+            Remark::StandsApart => Remark::FewTwigs,
             Remark::FewTwigs => Remark::FilledThinly,
             Remark::FilledThinly => Remark::NoBranch,
             Remark::NoBranch => Remark::NoRoom,
