@@ -56,7 +56,7 @@ const LEAST: [(&str, usize); 11] = [
     ("grass", 11),
     ("herb", 1),
     ("leaf", 15),
-    ("mushroom", 1),
+    ("mushroom", 2),
     ("palm", 6),
     ("potted", 8),
     ("succulent", 6),

@@ -16,10 +16,14 @@ use glam::Vec2;
 const WIDE: f32 = 1.15;
 /// Height above the cap's foot, as a share of its height, and least width there, as a share of its width.
 const BROAD: (f32, f32) = (0.25, 0.7);
+/// Where the rim of a cap is: least distance from its middle, as a share of its width, and most height above its foot.
+const RIM: (f32, f32) = (0.36, 0.6);
 /// Thinnest stalk, as a share of the cap's width.
 const STALK: f32 = 0.12;
 /// Least width of a cap, as a share of the whole.
 const WHOLE: f32 = 0.85;
+/// Least hull of a scribble, as a share of the whole's bounds.
+const SCRIBBLE: f32 = 0.1;
 /// How wide gaps of the outline are closed, in cells of the silhouette.
 const BRIDGE: i32 = 10;
 /// Points of the cap's outline, and rows of the cap.
@@ -35,7 +39,10 @@ pub(super) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
 fn mushroom(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let lines: Vec<&Line> = group.iter().map(|i| &page.lines[*i]).collect();
     let rows = Rows::new(&lines)?;
-    if !evidence::has_outline(&lines, rows.width_and_height()) {
+    let size = rows.width_and_height();
+    // Foliage is scribbled, caps are not.
+    let is_scribble = |line: &&Line| line.is_scribble() && line.hull_area > SCRIBBLE * size.x * size.y;
+    if !evidence::has_outline(&lines, size) || lines.iter().any(is_scribble) {
         return None;
     }
     let trunk = rows.trunk()?;
@@ -47,8 +54,13 @@ fn mushroom(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let bounds = lines.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(left, right), line| {
         (left.min(line.bounds.0.x), right.max(line.bounds.1.x))
     });
-    // Where the cap meets the stalk there may be notches.
-    let is_free = |place: &Vec2| place.y < cap.high.y - BROAD.0 * cap.height();
+    // Where the cap meets the stalk there may be notches, and at its rim, if it is seen from below.
+    let middle = 0.5 * (cap.low.x + cap.high.x);
+    let is_free = |place: &Vec2| {
+        let height = (cap.high.y - place.y) / cap.height();
+        let is_at_rim = (place.x - middle).abs() > RIM.0 * cap.width() && height < RIM.1;
+        height > BROAD.0 && !is_at_rim
+    };
     let is_cap = trunk.is_sharp
         && !notches(&outline).iter().any(is_free)
         && cap.width() > WHOLE * (bounds.1 - bounds.0)
@@ -162,6 +174,29 @@ mod tests {
         assert!((half_at(0.0) - 12.0).abs() < 2.0, "stalk {}", half_at(0.0));
         assert!(half_at(-50.0) > 42.0, "cap {}", half_at(-50.0));
         assert!(half_at(-90.0) < 25.0, "top {}", half_at(-90.0));
+    }
+
+    #[test]
+    fn the_underside_of_a_cap_may_be_seen() {
+        let ellipse: Vec<(f32, f32)> = (0..=60)
+            .map(|k| {
+                let angle = std::f32::consts::TAU * k as f32 / 60.0;
+                (50.0 * angle.cos(), -52.0 + 14.0 * angle.sin())
+            })
+            .collect();
+        // The dome comes down inside of the rim.
+        let dome: Vec<(f32, f32)> = (0..=40)
+            .map(|k| {
+                let angle = std::f32::consts::PI * k as f32 / 40.0;
+                (-44.0 * angle.cos(), -60.0 - 34.0 * angle.sin())
+            })
+            .collect();
+        assert_eq!(read(&[&dome, &ellipse, &STALK]).len(), 1);
+        let scribble: Vec<(f32, f32)> = (0..400)
+            .map(|k| 0.31 * k as f32)
+            .map(|t| (48.0 * t.cos(), -62.0 + 24.0 * (1.37 * t).sin()))
+            .collect();
+        assert!(read(&[&dome, &ellipse, &STALK, &scribble]).is_empty(), "foliage");
     }
 
     #[test]
