@@ -18,6 +18,8 @@ const WIDE: f32 = 1.15;
 const BROAD: (f32, f32) = (0.25, 0.7);
 /// Where the rim of a cap is: least distance from its middle, as a share of its width, and most height above its foot.
 const RIM: (f32, f32) = (0.36, 0.6);
+/// Fewest notches of a line that draws the lobes of a crown.
+const LOBES: usize = 4;
 /// Thinnest stalk, as a share of the cap's width.
 const STALK: f32 = 0.12;
 /// Least width of a cap, as a share of the whole.
@@ -63,6 +65,7 @@ fn mushroom(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     };
     let is_cap = trunk.is_sharp
         && !notches(&outline).iter().any(is_free)
+        && above.iter().all(|line| notches(line).len() < LOBES)
         && cap.width() > WHOLE * (bounds.1 - bounds.0)
         && cap.width() > WIDE * cap.height()
         && cap.half_at(BROAD.0) > BROAD.1 * 0.5 * cap.width()
