@@ -60,7 +60,7 @@ const LEAST: [(&str, usize); 11] = [
     ("palm", 6),
     ("potted", 8),
     ("succulent", 6),
-    ("tree", 16),
+    ("tree", 19),
 ];
 
 /// Leaves of the development half, leaves themselves left out, that are long and have notches: more is a step back.
@@ -111,6 +111,7 @@ fn read(drawing: &Drawing) -> Interpretation {
 fn is_read_as(interpretation: &Interpretation, habit: &str) -> bool {
     match habit {
         "tree" => interpretation.habit == Some(Habit::Tree),
+        "conifer" => interpretation.habit == Some(Habit::Conifer),
         "bush" => interpretation.habit == Some(Habit::Bush),
         "palm" => interpretation.habit == Some(Habit::Palm),
         "grass" => interpretation.habit == Some(Habit::Grass),
@@ -119,7 +120,7 @@ fn is_read_as(interpretation: &Interpretation, habit: &str) -> bool {
         "flower" => interpretation.habit == Some(Habit::Flower),
         "potted" => !interpretation.solids.is_empty(),
         // Leaves, herbs and gardens may be read in several ways; that they become no trees is counted.
-        _ => !matches!(interpretation.habit, Some(Habit::Tree | Habit::Bush | Habit::Palm)),
+        _ => !matches!(interpretation.habit, Some(Habit::Tree | Habit::Conifer | Habit::Bush | Habit::Palm)),
     }
 }
 

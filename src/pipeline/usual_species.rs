@@ -9,6 +9,7 @@ pub const DEFAULT_SPECIES: &str = "plant";
 pub fn species_of_habit(habit: Option<Habit>) -> &'static str {
     match habit {
         Some(Habit::Tree) => "oak",
+        Some(Habit::Conifer) => "spruce",
         Some(Habit::Bush) => "hazel",
         Some(Habit::Palm) => "palm",
         Some(Habit::Grass) => "grass",

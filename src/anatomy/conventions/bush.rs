@@ -7,7 +7,7 @@
 //! Limits: two bushes that touch are one; a hedge with a straight upper edge has no notches and is read as a leaf.
 
 use super::evidence;
-use super::page::{Line, Page, notches};
+use super::page::{Line, Page, even, notches};
 use super::silhouette::{Silhouette, smooth_contour};
 use super::{Habit, Hypothesis, Made};
 use crate::geom::{convex_hull::convex_hull, simple_loop};
@@ -30,6 +30,8 @@ const FOOT: (f32, f32) = (0.15, 0.4);
 const OUTSIDE: f32 = 0.15;
 /// How wide gaps of the outline are closed, in cells of the silhouette, one after the other.
 const BRIDGES: [i32; 2] = [15, 20];
+/// Points of a line that closes an outline.
+const CHORD: usize = 60;
 /// Points of the outline.
 const POINTS: usize = 160;
 /// Stems: directions from upright in degrees, and lengths in heights of the bush.
@@ -52,8 +54,11 @@ fn bush(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     if !is_of_form || evidence::has_blades(&lines, size) || !evidence::has_outline(&lines, size) {
         return None;
     }
-    let chords: Vec<Vec<Vec2>> =
-        lines.iter().filter(|line| is_arch(line)).map(|line| vec![line.ends().0, line.ends().1]).collect();
+    let chords: Vec<Vec<Vec2>> = lines
+        .iter()
+        .filter(|line| is_arch(line))
+        .map(|line| even(&[line.ends().0, line.ends().1], CHORD))
+        .collect();
     let closing: Vec<&[Vec2]> = chords.iter().map(Vec::as_slice).collect();
     let drawn = || lines.iter().map(|line| line.points.as_slice());
     let hull_area = simple_loop::signed_area(hull.iter().copied()).abs();
@@ -196,5 +201,13 @@ mod tests {
         assert!(read(&[cloud(0.0, 0.0, TAU)]).is_empty());
         let stem = (0..=20).map(|k| Vec2::new(0.0, 45.0 + 8.0 * k as f32)).collect();
         assert!(read(&[cloud(7.0, 0.0, TAU), stem]).is_empty());
+    }
+
+    #[test]
+    fn what_lies_in_a_bush_is_its_own() {
+        let dot =
+            |x: f32| (0..=20).map(|k| Vec2::new(x, 0.0) + 3.0 * Vec2::from_angle(0.33 * k as f32)).collect();
+        let bushes = read(&[cloud(9.0, 0.0, TAU), dot(-30.0), dot(0.0), dot(30.0)]);
+        assert_eq!(bushes.first().map(|bush| bush.uses.len()), Some(4));
     }
 }

@@ -2,6 +2,7 @@
 
 use super::page::Line;
 use super::silhouette::{Silhouette, share_along};
+use crate::geom::{polyline, simple_loop};
 use glam::Vec2;
 
 /// Fewest blades, drawn one by one, that speak against a crown; their largest extent and least area as shares of the whole.
@@ -10,16 +11,23 @@ const BLADES: (usize, f32, f32) = (3, 0.4, 0.002);
 const ENCLOSED: f32 = 0.12;
 /// Extent of a flower centre, least and most, and how far it may lie from the middle, in reaches of the crown.
 const CENTRE: (f32, f32, f32) = (0.2, 1.0, 0.4);
+/// Least of the narrower side of a corolla, in the wider.
+const LONG: f32 = 0.45;
+/// Most round outlines of a flower: its centre, and what is drawn around or in it.
+const CENTRES: usize = 2;
+/// Least area of a bow; a quarter of a circle has 0.12.
+const BOW: f32 = 0.06;
 /// Most lines that draw a crown's outline, least share of it that they draw, and how near they are, in cells of the silhouette.
 const OUTLINE: (usize, f32, f32) = (4, 0.7, 3.0);
 
 /// Whether several of these lines are outlines of blades, drawn one by one: closed, convex but for little, and small in the
-/// whole, which has this width and height.
+/// whole, which has this width and height. In an outline of its own such a one is a fruit.
 pub(super) fn has_blades(lines: &[&Line], whole: Vec2) -> bool {
     let is_blade = |line: &&&Line| {
         line.is_closed_and_solid()
             && line.size().max_element() < BLADES.1 * whole.max_element()
             && line.area > BLADES.2 * whole.x * whole.y
+            && !lines.iter().any(|other| other.is_around(line))
     };
     lines.iter().filter(is_blade).count() >= BLADES.0
 }
@@ -31,18 +39,27 @@ pub(super) fn has_outline(lines: &[&Line], whole: Vec2) -> bool {
     lines.iter().map(enclosed).sum::<f32>() > ENCLOSED * whole.x * whole.y
 }
 
-/// Whether one of these lines is a round outline about the middle of a crown: then that is a corolla.
+/// Whether one of these lines is a round outline about the middle of a crown: then that is a corolla. Several are apples, or the
+/// loops of a scribble.
 pub(super) fn has_flower_centre(lines: &[&Line], outline: &[Vec2]) -> bool {
-    let middle = outline.iter().sum::<Vec2>() / outline.len().max(1) as f32;
-    let reach = outline.iter().map(|p| p.distance(middle)).fold(0.0, f32::max);
-    let is_centre = |line: &&Line| {
-        let is_of_size = (CENTRE.0 * reach..CENTRE.1 * reach).contains(&line.size().max_element());
-        line.is_closed_and_solid() && is_of_size && line.middle().distance(middle) < CENTRE.2 * reach
+    let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+    let (low, high) = outline.iter().fold(empty, |(low, high), p| (low.min(*p), high.max(*p)));
+    let (middle, half) = (low.midpoint(high), 0.5 * (high - low));
+    let reach = half.max_element();
+    if half.min_element() < LONG * reach {
+        return false;
+    }
+    let is_of_size = |line: &&&Line| {
+        let size = CENTRE.0 * reach..CENTRE.1 * reach;
+        line.is_closed_and_solid() && size.contains(&line.size().max_element())
     };
-    lines.iter().any(is_centre)
+    let is_central = |line: &&Line| ((line.middle() - middle) / half).length() < CENTRE.2;
+    let round: Vec<&&Line> = lines.iter().filter(is_of_size).collect();
+    round.len() <= CENTRES && round.into_iter().any(is_central)
 }
 
-/// Whether the longest few of these lines, with what closes them, draw most of an outline: a web of branches has many more.
+/// Whether the longest few of these lines, or all that are bows, with what closes them, draw most of an outline: a web of branches
+/// has many more, and they are straight.
 pub(super) fn is_drawn_by_few<'a>(
     outline: &[Vec2],
     lines: impl Iterator<Item = &'a [Vec2]>,
@@ -51,7 +68,14 @@ pub(super) fn is_drawn_by_few<'a>(
 ) -> bool {
     let mut longest: Vec<&[Vec2]> = lines.collect();
     longest.sort_by_key(|line| std::cmp::Reverse(line.len()));
-    longest.truncate(OUTLINE.0);
-    let drawn = longest.iter().chain(closing).copied();
+    let few: Vec<&[Vec2]> = longest.iter().take(OUTLINE.0).copied().collect();
+    let bows = longest.iter().skip(OUTLINE.0).copied().filter(|line| is_bow(line));
+    let drawn = few.iter().chain(closing).copied().chain(bows);
     share_along(outline, drawn, OUTLINE.2 * silhouette.cell()) >= OUTLINE.1
+}
+
+/// Whether a line bends to one side, as an arc of a cloud does: least area between it and its chord, over the square of its length.
+pub(super) fn is_bow(line: &[Vec2]) -> bool {
+    let length = polyline::length(line);
+    simple_loop::signed_area(line.iter().copied()).abs() > BOW * length * length
 }

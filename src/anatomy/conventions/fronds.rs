@@ -8,14 +8,19 @@
 //! and petals are round, and outlines of crowns go far around. Lines above a single line are twigs unless they hang or have
 //! two sides.
 //!
-//! Limits: fruit among the fronds is left to the classifier; fronds whose leaflets are drawn are not understood.
+//! Small outlines at the trunk's top are fruit, several short lines along fronds their leaflets; neither becomes a part.
+//!
+//! Limits: single fronds whose leaflets are drawn, without a trunk, are not understood.
 
+use super::frond_details::{is_fruit, leaflets, reach_of};
 use super::page::Page;
 use super::spikes::{Spike, joined, spikes};
 use super::trunk_sides::TrunkSides;
 use super::{Habit, Hypothesis, Made};
+use crate::geom::polyline;
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
+use std::collections::BTreeSet;
 use std::f32::consts::PI;
 
 /// Fewest fronds; that many less if all of them hang.
@@ -30,6 +35,14 @@ const SHORTEST: f32 = 0.3;
 const PROMINENCE: f32 = 0.1;
 /// Half of the mean distance of the two sides of a frond at most, as a share of its length.
 const SLENDER: f32 = 0.3;
+/// Length of a frond's shorter flank at most, in distances of its tip from the trunk's top: a half circle has 1.6.
+const AROUND: f32 = 2.0;
+/// Tips of one line, less one, from which on it may be a scribble.
+const SCRIBBLE: usize = 5;
+/// On a trunk of one line: farthest root of a frond from its top, as a share of its tip's, and how far the trunk reaches below all
+/// else, as a share of the whole height.
+const AT_TOP: f32 = 0.5;
+const FREE: f32 = 0.2;
 /// Share of what is drawn about the trunk's top that fronds must be.
 const EXPLAINED: f32 = 0.65;
 /// How far from a single line's end, or from a pot's mouth, closed lines may begin, as a share of their reach: leaves along a stem
@@ -67,8 +80,15 @@ fn potted(page: &Page, pot: &Hypothesis) -> Option<Hypothesis> {
 
 fn palm(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let trunk = TrunkSides::find(page, group)?;
-    let (bark, others): (Vec<usize>, Vec<usize>) =
-        group.iter().partition(|line| trunk.has_on_it(**line, &page.lines[**line]));
+    let sides: BTreeSet<usize> = trunk.lines().collect();
+    let free = group.iter().filter(|line| !sides.contains(line));
+    let reach = free.map(|line| reach_of(&page.lines[*line], trunk.top())).fold(0.0, f32::max);
+    let leaflets = leaflets(page, group, reach);
+    let is_detail = |line: &&usize| {
+        let shape = &page.lines[**line];
+        trunk.has_on_it(**line, shape) || is_fruit(shape, &trunk, reach) || leaflets.contains(*line)
+    };
+    let (details, others): (Vec<usize>, Vec<usize>) = group.iter().partition(is_detail);
     let rest: Vec<(Vec<Vec2>, usize)> =
         others.iter().flat_map(|line| trunk.rest_of(*line, &page.lines[*line])).collect();
     let crown = Crown::about(trunk.top(), &rest);
@@ -76,13 +96,13 @@ fn palm(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let is_crown = crown.fronds.len() >= fewest && crown.is_sharp() && crown.explained > EXPLAINED;
     if !is_crown
         || crown.reach < LONG * trunk.width()
-        || trunk.is_line() && (!crown.has_blades() || crown.apart > APART)
+        || trunk.is_line() && !(crown.has_blades() && crown.apart <= APART && crown.sits_on(&trunk, &rest))
         || lies_below(&rest, &trunk)
     {
         return None;
     }
     let mut palm = crown.hypothesis(trunk.top(), Some(&trunk));
-    palm.uses.extend(bark);
+    palm.uses.extend(details);
     palm.uses.sort_unstable();
     Some(palm)
 }
@@ -106,6 +126,9 @@ impl Crown {
         let farthest = runs.iter().map(|run| reach(&run.0)).fold(0.0, f32::max);
         let of_run = |(points, line): &(Vec<Vec2>, usize)| -> Vec<(Spike, usize)> {
             let all = spikes(points, |p| p.distance(top), PROMINENCE * reach(points));
+            if !goes_on(&all, top) {
+                return Vec::new();
+            }
             all.into_iter().map(|spike| (spike.hanging(points, top, DEEP), *line)).collect()
         };
         let all: Vec<(Spike, usize)> = runs.iter().flat_map(of_run).collect();
@@ -115,9 +138,12 @@ impl Crown {
         fronds.extend(double.into_iter().map(|(spike, line)| (spike, vec![line])));
         fronds.retain(|(spike, _)| {
             let far = spike.tip().distance(top);
-            far > SHORTEST * farthest && spike.foot().distance(top) < DEEP * far && spike.is_slender(SLENDER)
+            far > SHORTEST * farthest
+                && spike.foot().distance(top) < DEEP * far
+                && spike.is_slender(SLENDER)
+                && !goes_around(spike, far)
         });
-        let length = |points: &[Vec2]| crate::geom::polyline::length(points);
+        let length = |points: &[Vec2]| polyline::length(points);
         let whole: f32 = runs.iter().map(|run| length(&run.0)).sum();
         let own: f32 = fronds.iter().flat_map(|frond| &frond.0.flanks).map(|flank| length(flank)).sum();
         let nearest = |points: &[Vec2]| points.iter().map(|p| p.distance(top)).fold(f32::INFINITY, f32::min);
@@ -153,11 +179,36 @@ impl Crown {
         angles.is_empty() || *angles.select_nth_unstable_by(middle, f32::total_cmp).1 < SHARP.0
     }
 
+    /// Whether all fronds begin at the top of a trunk of one line, and nothing else is near its foot: twigs leave a stem here and
+    /// there, and the last arc of a cloud ends beside the others.
+    fn sits_on(&self, trunk: &TrunkSides, rest: &[(Vec<Vec2>, usize)]) -> bool {
+        let low = rest.iter().flat_map(|run| &run.0).map(|p| p.y).fold(f32::NEG_INFINITY, f32::max);
+        let high = rest.iter().flat_map(|run| &run.0).map(|p| p.y).fold(trunk.top().y, f32::min);
+        let begins =
+            |spike: &Spike| spike.foot().distance(trunk.top()) < AT_TOP * spike.tip().distance(trunk.top());
+        let is_free = trunk.foot().y - low > FREE * (trunk.foot().y - high);
+        is_free && self.fronds.iter().all(|frond| begins(&frond.0))
+    }
+
     /// Whether most fronds have two sides or hang.
     fn has_blades(&self) -> bool {
         let is_blade = |spike: &Spike| spike.flanks.len() == 2 || hangs(spike);
         2 * self.fronds.iter().filter(|frond| is_blade(&frond.0)).count() > self.fronds.len()
     }
+}
+
+/// Whether the tips in one line follow each other around the trunk's top, as no scribble's do.
+fn goes_on(spikes: &[Spike], top: Vec2) -> bool {
+    let steps: Vec<f32> =
+        spikes.windows(2).map(|pair| (pair[0].tip() - top).angle_to(pair[1].tip() - top)).collect();
+    let left = steps.iter().filter(|step| **step > 0.0).count();
+    steps.len() < SCRIBBLE || 10 * left.max(steps.len() - left) >= 7 * steps.len()
+}
+
+/// Whether a spike winds so much that its tip, so far from the trunk, is no frond's: the outline of a crown.
+fn goes_around(spike: &Spike, far: f32) -> bool {
+    let lengths = spike.flanks.iter().map(|flank| polyline::length(flank));
+    lengths.fold(f32::INFINITY, f32::min) > AROUND * far
 }
 
 /// Whether the tip is well below the highest point.
@@ -299,5 +350,49 @@ mod tests {
         };
         let stem = vec![Vec2::new(0.0, -38.0), Vec2::new(1.0, -130.0)];
         assert!(read(&[pot, stem, leaf(-75.0, 40.0), leaf(-95.0, -40.0), leaf(-130.0, 30.0)]).is_empty());
+    }
+
+    #[test]
+    fn fruit_and_leaflets_are_no_fronds() {
+        let top = Vec2::new(10.0, -100.0);
+        let mut lines: Vec<Vec<Vec2>> = sides().to_vec();
+        for side in [-1.0_f32, 1.0] {
+            for lean in [0.3_f32, 0.8] {
+                let at = |t: f32| top + Vec2::new(side * 70.0 * t, -70.0 * lean * t + 60.0 * t * t);
+                lines.push((0..=20).map(|k| at(k as f32 / 20.0)).collect());
+                lines.extend([0.4_f32, 0.6, 0.8].map(|t| vec![at(t), at(t) + Vec2::new(side * 3.0, 12.0)]));
+            }
+        }
+        let ring = (0..=20).map(|k| Vec2::new(10.0, -92.0) + 6.0 * Vec2::from_angle(0.315 * k as f32));
+        lines.push(ring.collect());
+        let found = read(&lines);
+        assert_eq!(found.len(), 1);
+        assert_eq!((found[0].parts.len(), found[0].uses.len()), (5, lines.len()));
+    }
+
+    #[test]
+    fn arcs_around_a_crown_and_scribbles_are_no_fronds() {
+        let half = |side: f32| -> Vec<Vec2> {
+            (0..=30)
+                .map(|k| 0.1 * k as f32)
+                .map(|t| Vec2::new(10.0 + side * (4.0 + 45.0 * t.sin()), -145.0 + 42.0 * t.cos()))
+                .collect()
+        };
+        let [left, right] = sides();
+        assert!(read(&[left.clone(), right.clone(), half(-1.0), half(1.0)]).is_empty());
+        let scribble = (0..500).map(|k| 0.05 * k as f32);
+        let scribble =
+            scribble.map(|t| Vec2::new(10.0 + 45.0 * (1.31 * t).cos(), -135.0 + 40.0 * (2.17 * t).sin()));
+        assert!(read(&[left, right, scribble.collect()]).is_empty());
+    }
+
+    #[test]
+    fn twigs_of_a_single_line_are_no_fronds() {
+        let stem = vec![Vec2::new(0.0, 100.0), Vec2::new(0.0, -60.0)];
+        let twig = |from: f32, x: f32, y: f32| vec![Vec2::new(0.0, from), Vec2::new(x, y)];
+        assert!(
+            read(&[stem, twig(20.0, -40.0, -30.0), twig(0.0, 40.0, -50.0), twig(-30.0, -30.0, -80.0)])
+                .is_empty()
+        );
     }
 }

@@ -14,6 +14,7 @@
 use super::page::{Line, Page};
 use super::spikes::{Spike, joined, spikes};
 use super::{Habit, Hypothesis, Made};
+use crate::geom::region::Region;
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
 use std::f32::consts::PI;
@@ -26,13 +27,21 @@ const PROMINENCE: f32 = 0.1;
 const TIP_SHARE: f32 = 0.3;
 /// Widest angle of a tip in the middle of all: a right angle is a saw, a half circle has nearly two.
 const SHARP: f32 = 0.45 * PI;
+/// Tips and width, in heights, of a long row in which they may be as blunt as this: grass in a quick hand.
+const ROW: (usize, f32) = (8, 4.0);
+const BLUNT: f32 = 0.7 * PI;
 /// Least depth of the notch in the middle of all below the highest tip, as a share of the line's height: the edge of a crown
 /// has its notches far above its foot.
 const DEEP: f32 = 0.35;
+/// Fewest tips of an outline that does not run along the ground, and least depth of the notch in the middle of all: a star has its
+/// notches farther up.
+const TUFT: (usize, f32) = (5, 0.5);
 /// Distance between the ends over the diagonal below which a line is an outline.
 const CLOSED: f32 = 0.3;
 /// Greatest area of a blade drawn as an outline, over the square of its length: a circle has 0.08.
 const NARROW: f32 = 0.045;
+/// Least size of an outline around a zigzag, in its sizes, and least share of the zigzag's points in it.
+const AROUND: (f32, f32) = (0.8, 0.7);
 /// Share of the length of all strokes that stands side by side.
 const MOST_OF_ALL: f32 = 0.8;
 /// Most zigzags that are looked at.
@@ -72,12 +81,20 @@ fn zigzag(line: &Line) -> Option<Vec<Spike>> {
     let teeth = upright_spikes(line);
     let mut angles: Vec<f32> = teeth.iter().filter_map(|tooth| tooth.angle(TIP_SHARE)).collect();
     let is_closed = line.openness < CLOSED;
-    if angles.len() < TEETH + usize::from(is_closed) || is_closed && !is_level_below(line) {
+    if angles.len() < TEETH + usize::from(is_closed) {
         return None;
     }
     let mut notches: Vec<f32> = teeth.iter().map(|tooth| tooth.foot().y).collect();
-    let is_deep = median(&mut notches) > line.bounds.0.y + DEEP * line.size().y;
-    (is_deep && median(&mut angles) < SHARP && goes_to_one_side(&teeth)).then_some(teeth)
+    let notch = (median(&mut notches) - line.bounds.0.y) / line.size().y;
+    let is_tuft = angles.len() >= TUFT.0 && notch > TUFT.1;
+    if is_closed && !is_level_below(line) && !is_tuft {
+        return None;
+    }
+    let is_deep = notch > DEEP;
+    let size = line.size();
+    let is_row = angles.len() >= ROW.0 && size.x > ROW.1 * size.y;
+    let widest = if is_row { BLUNT } else { SHARP };
+    (is_deep && median(&mut angles) < widest && goes_to_one_side(&teeth)).then_some(teeth)
 }
 
 /// Whether the lowest part of an outline runs along the ground.
@@ -110,13 +127,19 @@ fn is_ground(line: &Line) -> bool {
     line.size().y < 0.15 * line.size().x
 }
 
-/// Whether one of the other lines goes around a zigzag, which then is foliage in it.
+/// Whether one of the other lines goes around most of a zigzag, which then is foliage in it.
 fn is_inside_another(page: &Page, index: usize) -> bool {
-    let (low, high) = page.lines[index].bounds;
-    page.lines
-        .iter()
-        .enumerate()
-        .any(|(i, other)| i != index && other.bounds.0.cmplt(low).all() && other.bounds.1.cmpgt(high).all())
+    let zigzag = &page.lines[index];
+    let goes_around = |other: &Line| {
+        let size = other.size();
+        let is_large = size.cmpgt(AROUND.0 * zigzag.size()).all() && other.solidity() > 0.5;
+        is_large && {
+            let hull = Region::new(other.hull.clone());
+            let inside = zigzag.points.iter().filter(|p| hull.contains(**p)).count();
+            inside as f32 > AROUND.1 * zigzag.points.len() as f32
+        }
+    };
+    page.lines.iter().enumerate().any(|(i, other)| i != index && goes_around(other))
 }
 
 /// All lines that stand side by side, if they are most of the drawing.
@@ -267,5 +290,42 @@ mod tests {
         assert!(read(&[zigzag(5, 0.0), around]).is_empty());
         let ground = vec![Vec2::new(-20.0, 4.0), Vec2::new(120.0, 5.0)];
         assert_eq!(read(&[zigzag(5, 0.0), ground]).len(), 1);
+    }
+
+    #[test]
+    fn a_closed_tuft_is_a_blade_for_each_tip_and_a_star_is_none() {
+        let tips = [(-45.0, -50.0), (-28.0, -75.0), (0.0, -90.0), (30.0, -70.0), (48.0, -48.0)];
+        let notches = [(-22.0, -25.0), (-9.0, -22.0), (9.0, -22.0), (22.0, -25.0)];
+        let mut tuft = vec![Vec2::new(-20.0, 0.0)];
+        for (k, tip) in tips.into_iter().enumerate() {
+            tuft.push(tip.into());
+            tuft.extend(notches.get(k).map(|notch| Vec2::from(*notch)));
+        }
+        tuft.extend([Vec2::new(20.0, 0.0), Vec2::new(-20.0, 0.0)]);
+        assert_eq!(read(&[tuft]).first().map(|grass| grass.parts.len()), Some(5));
+        let corner = |k: usize| {
+            (if k.is_multiple_of(2) { 50.0 } else { 22.0 }) * Vec2::from_angle(PI * k as f32 / 5.0)
+        };
+        assert!(read(&[(0..=10).map(corner).collect()]).is_empty());
+    }
+
+    #[test]
+    fn a_long_row_may_have_blunt_tips_and_a_short_one_not() {
+        let row = |waves: usize| -> Vec<Vec2> {
+            (0..=24 * waves)
+                .map(|k| k as f32 / 24.0)
+                .map(|t| Vec2::new(12.0 * t, -10.0 * (PI * t).sin().abs()))
+                .collect()
+        };
+        assert_eq!(read(&[row(12)]).len(), 1);
+        assert!(read(&[row(4)]).is_empty());
+    }
+
+    #[test]
+    fn a_zigzag_in_an_arch_that_is_open_below_is_no_grass() {
+        let arch: Vec<Vec2> = (0..=40)
+            .map(|k| Vec2::new(45.0, 5.0) + 62.0 * Vec2::from_angle(PI + 0.0785 * k as f32))
+            .collect();
+        assert!(read(&[zigzag(5, 0.0), arch]).is_empty());
     }
 }

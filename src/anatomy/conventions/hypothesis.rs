@@ -8,6 +8,8 @@ use glam::Vec2;
 pub enum Habit {
     /// A trunk with a crown.
     Tree,
+    /// A fir.
+    Conifer,
     /// A crown that stands on the ground.
     Bush,
     /// A corolla on a stem.

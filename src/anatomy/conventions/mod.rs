@@ -20,9 +20,12 @@
 //! | `medial_axis` | the middle lines of an area, a trunk and its arms |
 //! | `lobes` | an outline cut at its notches toward a centre |
 //! | `tree` | a trunk of two sides with a crown, in any number of strokes |
+//! | `tree_on_line` | a crown on a trunk that is a single line |
 //! | `trunk` | the narrow stretch with two sides below a crown |
+//! | `root_flare` | the width of a trunk without its roots |
 //! | `trunk_sides` | a trunk of two sides that leans or bends, or of one line |
 //! | `spikes` | lines cut into what tapers to a tip |
+//! | `conifer` | a fir: what narrows to a point in steps |
 //! | `bush` | a crown without a trunk: outline, open outline, scribble |
 //! | `body` | the body of a cactus, a column with arms |
 //! | `limbs` | the column and the arms of a body |
@@ -43,6 +46,7 @@
 //! | `stem_loops` | leaves that are loops in the stroke of their stem |
 //! | `stem_arcs` | leaves whose one edge is the stem |
 //! | `grass` | a zigzag, or lines side by side: blades of grass |
+//! | `frond_details` | fruit among fronds, and the leaflets of fronds |
 //! | `fronds` | lines or lobes that radiate from a trunk's top |
 //! | `pot` | what a plant stands in |
 //! | `pot_rows` | the two sides of a pot, row by row |
@@ -61,11 +65,13 @@ pub mod pieces;
 mod blade;
 mod body;
 mod bush;
+mod conifer;
 mod corolla;
 mod corolla_on_stem;
 mod corrected;
 mod cup;
 mod evidence;
+mod frond_details;
 mod fronds;
 mod gathered;
 mod grass;
@@ -82,6 +88,7 @@ mod mushroom;
 mod pot;
 mod pot_rows;
 mod rays;
+mod root_flare;
 mod rose;
 mod silhouette;
 mod spikes;
@@ -89,6 +96,7 @@ mod stem_arcs;
 mod stem_loops;
 mod stem_tail;
 mod tree;
+mod tree_on_line;
 mod trunk;
 mod trunk_sides;
 
@@ -176,6 +184,8 @@ const BENEATH: &[Propose] = &[pot::propose, ground::propose];
 /// All others.
 const CONVENTIONS: &[Propose] = &[
     tree::propose,
+    tree_on_line::propose,
+    conifer::propose,
     bush::propose,
     body::propose,
     mushroom::propose,

@@ -13,8 +13,10 @@ const LONG: (f32, f32) = (0.35, 0.7);
 /// How far below what it carries a stem begins, as a share of that one's height, and how far in that it ends at most.
 const BELOW: f32 = 0.3;
 const INTO: f32 = 0.6;
-/// Largest opening of what it carries: an outline comes back to the stem.
+/// Largest opening of what it carries: an outline comes back to the stem, if it is no scribble.
 const OPEN: f32 = 0.35;
+/// Least share of its bounds that the hull of a scribble fills.
+const FULL: f32 = 0.4;
 
 /// The stem, from its foot, and the rest of its line; nothing where neither end of the line is a stem.
 pub(super) fn cut(line: &Line) -> Option<(Vec<Vec2>, Line)> {
@@ -38,7 +40,8 @@ fn of_beginning(line: &Line, points: Vec<Vec2>) -> Option<(Vec<Vec2>, Line)> {
     let is_long = foot.distance(points[top]) > LONG.0 * size.length();
     let is_below =
         foot.y > rest.bounds.1.y + BELOW * size.y && points[top].y > rest.bounds.1.y - INTO * size.y;
-    (rest.openness < OPEN && is_long && is_below).then(|| (points[..=top].to_vec(), rest))
+    let is_whole = rest.openness < OPEN || rest.is_scribble() && rest.hull_area > FULL * size.x * size.y;
+    (is_whole && is_long && is_below).then(|| (points[..=top].to_vec(), rest))
 }
 
 #[cfg(test)]

@@ -9,9 +9,10 @@
 //! Limits: a single line below an outline is a stem, and that a flower, see [`corolla`](super::corolla).
 
 use super::evidence;
-use super::page::{Line, Page};
+use super::page::{Line, Page, even};
 use super::silhouette::{Silhouette, smooth_contour};
 use super::trunk::{Rows, Trunk};
+use super::trunk_sides::TrunkSides;
 use super::{Habit, Hypothesis, Made};
 use crate::geom::{convex_hull::convex_hull, simple_loop};
 use crate::sketch::{Reading, Tool};
@@ -34,10 +35,24 @@ const WIDER: f32 = 1.25;
 const INSIDE: f32 = 0.85;
 /// Most area of a crown that is higher than so many times its width, in areas of the largest circle in it.
 const COMPACT: (f32, f32) = (4.0, 0.8);
+/// Greatest distance of a trunk's sides that lean, as a share of their length.
+const STOUT: f32 = 1.5;
+/// Least share of its hull that a crown on such a trunk fills.
+const FULL: f32 = 0.7;
+/// Lower part of a crown in which open ends of its outline are led to the trunk, as a share of its height, and how far away they
+/// are at most, as a share of its width.
+const LOW: f32 = 0.5;
+const GAP: f32 = 0.5;
+/// Width of a trunk below which it may be a flower's stem, as a share of its crown's.
+const THIN: f32 = 0.2;
+/// Height of such a trunk above which it is, in heights of its crown.
+const LONG: f32 = 1.8;
+/// Points of a line that closes an outline.
+const CHORD: usize = 40;
 /// Points of a crown's outline.
 const POINTS: usize = 160;
 /// Log-odds of a tree where all of this holds.
-const SCORE: f32 = 3.0;
+const SCORE: f32 = 3.4;
 /// More for each line that it explains.
 const EACH: f32 = 0.02;
 
@@ -54,10 +69,8 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     if !is_of_form || evidence::has_blades(&lines, size) {
         return None;
     }
-    let trunk = rows.trunk()?;
-    let outline = crown(&lines, &trunk)?;
-    let area = simple_loop::signed_area(outline.iter().copied()).abs();
-    if area < trunk.area() || evidence::has_flower_centre(&lines, &outline) {
+    let (trunk, outline) = upright(&lines, &rows).or_else(|| leaning(page, group))?;
+    if is_stem(&trunk, &outline, &lines) {
         return None;
     }
     let uses = page.with_what_is_inside(group, &outline);
@@ -68,33 +81,83 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit })
 }
 
-/// The outline of the crown above a trunk.
-fn crown(lines: &[&Line], trunk: &Trunk) -> Option<Vec<Vec2>> {
+/// Whether a trunk is a flower's stem: thin beside its crown, with a round outline in the middle of that, or very long.
+fn is_stem(trunk: &Trunk, crown: &[Vec2], lines: &[&Line]) -> bool {
+    let (low, high) = crown.iter().fold((crown[0], crown[0]), |(low, high), p| (low.min(*p), high.max(*p)));
+    let is_thin = 2.0 * trunk.narrow < THIN * (high.x - low.x);
+    is_thin && (trunk.height() > LONG * (high.y - low.y) || evidence::has_flower_centre(lines, crown))
+}
+
+/// A trunk that is found in level rows, and the outline of what is drawn above it.
+fn upright(lines: &[&Line], rows: &Rows) -> Option<(Trunk, Vec<Vec2>)> {
+    let trunk = rows.trunk().filter(|trunk| trunk.is_sharp)?;
     let above: Vec<Vec<Vec2>> = lines.iter().flat_map(|line| line.above(trunk.top)).collect();
-    // What the crown rests on: its outline is open where the trunk comes in.
-    let sill = vec![trunk.sill.0, trunk.sill.1];
-    let all = above.iter().chain([&sill]).map(Vec::as_slice);
-    let drawn = above.iter().map(Vec::as_slice);
+    let outline = crown(above, &trunk)?;
+    Some((trunk, outline))
+}
+
+/// A trunk by its two sides, which may lean, and the outline of what is drawn beside them.
+fn leaning(page: &Page, group: &[usize]) -> Option<(Trunk, Vec<Vec2>)> {
+    let sides = TrunkSides::find_within(page, group, STOUT).filter(|sides| !sides.is_line())?;
+    let others = group.iter().filter(|line| !sides.has_on_it(**line, &page.lines[**line]));
+    let rest = others.flat_map(|line| sides.rest_of(*line, &page.lines[*line])).map(|rest| rest.0);
+    let trunk = Trunk::of_sides(&sides)?;
+    // What is left of the sides at their feet is ground, or a root.
+    let half = trunk.top.midpoint(sides.foot().y);
+    let above: Vec<Vec<Vec2>> = rest.filter(|run| run.iter().any(|p| p.y < half)).collect();
+    let outline = crown(above, &trunk)?;
+    let area = simple_loop::signed_area(outline.iter().copied()).abs();
+    let is_crown = area > FULL * hull_area_of(&outline) && outline.iter().all(|p| p.y < half);
+    is_crown.then_some((trunk, outline))
+}
+
+/// The outline of the crown above a trunk, from what is drawn there.
+pub(super) fn crown(above: Vec<Vec<Vec2>>, trunk: &Trunk) -> Option<Vec<Vec2>> {
     // The stretches of an outline turn round what they enclose; sides of stems that go on upward do not.
     let turned = above.iter().map(|run| hull_area_of(run)).fold(0.0, f32::max);
+    let bows: f32 = above.iter().filter(|run| evidence::is_bow(run)).map(|run| hull_area_of(run)).sum();
     let ink: Vec<Vec2> = above.iter().flatten().copied().collect();
     let hull = convex_hull(&ink, |p| *p);
     let hull_area = hull_area_of(&hull);
-    if turned < TURNED * hull_area {
+    if hull.len() < 3 || turned.max(bows) < TURNED * hull_area {
         return None;
     }
+    // What the crown rests on: its outline is open where the trunk comes in.
+    let mut closing = gaps(&above, trunk);
+    closing.push(vec![trunk.sill.0, trunk.sill.1]);
+    let closing: Vec<&[Vec2]> = closing.iter().map(Vec::as_slice).collect();
+    let drawn = above.iter().map(Vec::as_slice);
+    let all = drawn.clone().chain(closing.iter().copied());
     let closed =
         |bridge: &i32| Some(Silhouette::new(all.clone(), *bridge)).filter(|s| s.area() > CLOSED * hull_area);
     let silhouette = BRIDGES.iter().find_map(closed)?;
     let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
     let is_crown = is_compact(&silhouette, &hull, trunk.narrow)
         && silhouette.share_inside(ink.iter()) >= INSIDE
-        && evidence::is_drawn_by_few(&outline, drawn, &[&sill], &silhouette)
-        && trunk.is_sharp;
+        && evidence::is_drawn_by_few(&outline, drawn, &closing, &silhouette)
+        && simple_loop::signed_area(outline.iter().copied()).abs() > trunk.least_area();
     is_crown.then_some(outline)
 }
 
-fn hull_area_of(points: &[Vec2]) -> f32 {
+/// Lines from the lower open ends of what is drawn to the top of the trunk.
+fn gaps(above: &[Vec<Vec2>], trunk: &Trunk) -> Vec<Vec<Vec2>> {
+    let bounds = above
+        .iter()
+        .flatten()
+        .fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(low, high), p| (low.min(*p), high.max(*p)));
+    let size = bounds.1 - bounds.0;
+    let ends = above.iter().flat_map(|run| [run[0], run[run.len() - 1]]);
+    let to_trunk = ends.filter_map(|end| {
+        let is_left = end.distance(trunk.sill.0) < end.distance(trunk.sill.1);
+        let corner = if is_left { trunk.sill.0 } else { trunk.sill.1 };
+        let is_low = end.y > bounds.1.y - LOW * size.y;
+        (is_low && end.distance(corner) < GAP * size.x).then(|| even(&[end, corner], CHORD))
+    });
+    to_trunk.collect()
+}
+
+/// Area of the convex hull of some points.
+pub(super) fn hull_area_of(points: &[Vec2]) -> f32 {
     let hull = convex_hull(points, |p| *p);
     simple_loop::signed_area(hull.iter().copied()).abs()
 }
@@ -206,5 +269,45 @@ mod tests {
             (10.0, 60.0),
         ]);
         assert!(read(&[column]).is_empty());
+    }
+
+    #[test]
+    fn a_crown_that_is_open_below_is_closed_toward_its_trunk() {
+        let sides = [line(&[(-10.0, 40.0), (-10.0, -55.0)]), line(&[(10.0, 38.0), (10.0, -55.0)])];
+        let crown = cloud(9.0, 0.0, TAU - 0.9);
+        let found = read(&[crown, sides[0].clone(), sides[1].clone()]);
+        assert_eq!(found.iter().map(|tree| tree.uses.len()).max(), Some(3));
+    }
+
+    #[test]
+    fn a_crown_of_many_arcs_is_one_and_a_knot_in_a_stout_tree_no_flower_centre() {
+        let arc = |k: usize| -> Vec<Vec2> {
+            let away = Vec2::from_angle(TAU * k as f32 / 6.0);
+            let middle = Vec2::new(0.0, -100.0) + 40.0 * away;
+            let turn = |i: usize| away.rotate(Vec2::from_angle(-1.9 + 0.19 * i as f32));
+            (0..=20).map(|i| middle + 24.0 * turn(i)).collect()
+        };
+        let mut lines: Vec<Vec<Vec2>> = (0..6).map(arc).collect();
+        let sides = [-14.0, 14.0].map(|x| line(&[(x, 40.0), (x, -55.0)]));
+        lines.extend(sides.clone());
+        assert_eq!(read(&lines).iter().map(|tree| tree.uses.len()).max(), Some(8));
+        let knot =
+            (0..=30).map(|k| Vec2::new(0.0, -100.0) + 14.0 * Vec2::from_angle(0.21 * k as f32)).collect();
+        assert!(!read(&[cloud(9.0, 0.0, TAU), knot, sides[0].clone(), sides[1].clone()]).is_empty());
+    }
+
+    #[test]
+    fn a_trunk_that_leans_much_is_as_thick_as_across_it() {
+        let sides = [line(&[(-90.0, 40.0), (-8.0, -62.0)]), line(&[(-68.0, 52.0), (14.0, -52.0)])];
+        let trees = read(&[cloud(9.0, 0.0, TAU), sides[0].clone(), sides[1].clone()]);
+        let half = parts(&trees[0]).0.half_width.unwrap();
+        assert!((11.0..15.5).contains(&half), "{half}");
+    }
+
+    #[test]
+    fn the_lower_tip_of_an_outline_is_no_trunk() {
+        let drop = (0..=100).map(|k| TAU * k as f32 / 100.0);
+        let drop = drop.map(|t| Vec2::new(50.0 * t.sin() * (1.2 - t.cos()) / 2.0, 45.0 * t.cos()));
+        assert!(read(&[drop.collect()]).is_empty());
     }
 }

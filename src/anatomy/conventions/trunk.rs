@@ -2,13 +2,16 @@
 //!
 //! Lines are looked at row by row from below ([`Rows`]). A trunk is at most [`NECK`] as wide as the widest row above it, and ends
 //! where its width has gone [`SHOULDER`] of the way from its narrowest to that. Its centre line runs in the middle of its sides
-//! and keeps their distance as the drawn width; lines of the ground that leave it at its foot do not count.
+//! and keeps their distance as the drawn width; lines of the ground that leave it at its foot do not count, and where it flares
+//! into roots it widens by half at most ([`without_roots`]): a trunk that is as thick as its roots reach looks like a bottle.
 //!
 //! Limits: rows are level, so a trunk that leans by more than half a right angle is not found; of several trunks under one crown
 //! the outer sides count.
 
 use super::Made;
 use super::page::Line;
+use super::root_flare::without_roots;
+use super::trunk_sides::TrunkSides;
 use crate::sketch::{StrokePoint, Tool};
 use glam::Vec2;
 
@@ -28,6 +31,10 @@ const UNEVEN: f32 = 0.3;
 const TWO_SIDED: f32 = 0.75;
 /// Narrowest trunk of two sides, as a share of the height.
 const NARROWEST: f32 = 0.025;
+/// Width half way up and near the top of what is no trunk, but the lower tip of an outline, in its least width; and shortest trunk,
+/// in widths.
+const WIDENS: (f32, f32) = (1.9, 2.0);
+const STUB: f32 = 0.75;
 /// Shortest and longest trunk, as shares of the height.
 const TRUNK: (f32, f32) = (0.12, 0.85);
 /// Most pieces of ink in a row of a trunk, and width, as a share of the widest row, up to which a scribble may have more: several
@@ -35,11 +42,11 @@ const TRUNK: (f32, f32) = (0.12, 0.85);
 const RUNS: u32 = 3;
 const SCRIBBLED: f32 = 0.3;
 /// Height, as a share of the whole, in which the width grows so many times where a crown begins with a jump.
-const JUMP: (f32, f32) = (0.06, 1.5);
+const JUMP: (f32, f32) = (0.06, 1.35);
 /// How far a side of the trunk may go outward for each step down and up: steeper lines are ground, or crown.
 const STEEP: (f32, f32) = (0.6, 0.6);
-/// Widest foot of a trunk, in widths of its narrowest place.
-const WIDEST: f32 = 1.8;
+/// Half width of a trunk that is one line, as a share of the tree's height.
+const LINE: f32 = 0.02;
 /// How far up in the crown the trunk goes on, as a share of the crown's height, and its width there, as a share.
 const INTO_CROWN: (f32, f32) = (0.45, 0.35);
 
@@ -103,6 +110,17 @@ impl Rows {
         self.step * ROWS as f32
     }
 
+    /// Left end, right end and height of each row from below; of one without ink, those of the row below it.
+    pub(super) fn ends(&self) -> impl Iterator<Item = (f32, f32, f32)> {
+        let mut last = (0.0, 0.0);
+        (0..ROWS).map(move |row| {
+            if self.ends[row].0 <= self.ends[row].1 {
+                last = self.ends[row];
+            }
+            (last.0, last.1, self.height_of(row))
+        })
+    }
+
     fn width(&self, row: usize) -> f32 {
         (self.ends[row].1 - self.ends[row].0).max(0.0)
     }
@@ -140,6 +158,9 @@ impl Rows {
         if narrow > NECK * wide || !is_long || two_sided < TWO_SIDED * top as f32 {
             return None;
         }
+        if self.is_tip(neck, top) || ((top - foot) as f32) * self.step < STUB * narrow {
+            return None;
+        }
         if narrow > SCRIBBLED * wide && self.most_runs(neck, top) > RUNS {
             return None;
         }
@@ -151,6 +172,13 @@ impl Rows {
             sill: (at(self.ends[top - 1].0), at(self.ends[top - 1].1)),
             is_sharp: self.jumps(neck, top),
         })
+    }
+
+    /// Whether the width grows all the way from its narrowest row to the row `top`: the lower tip of an outline.
+    fn is_tip(&self, neck: usize, top: usize) -> bool {
+        let upper = self.width(top.saturating_sub(rows(JUMP.0)).max(neck));
+        let narrow = self.width(neck);
+        self.width(neck.midpoint(top)) > WIDENS.0 * narrow && upper > WIDENS.1 * narrow
     }
 
     /// How many separate pieces of ink half of these rows have at least.
@@ -175,24 +203,31 @@ impl Rows {
     fn sides(&self, neck: usize, top: usize) -> Vec<(Vec2, f32)> {
         let follow = |rows: &mut dyn Iterator<Item = usize>, steep: f32| -> Vec<(usize, f32, f32)> {
             let (mut left, mut right) = self.ends[neck];
-            let (narrow, out) = (right - left, steep * self.step);
+            let out = steep * self.step;
             rows.map(|row| {
                 let (l, r) = self.ends[row];
                 if r - l > 0.6 * (right - left) {
                     left = l.clamp(left - out, left + out);
                     right = r.clamp(right - out, right + out);
                 }
-                let (middle, most) = (0.5 * (left + right), 0.5 * WIDEST * narrow);
-                let half = (0.5 * (right - left)).min(most);
-                (row, middle, half)
+                (row, 0.5 * (left + right), 0.5 * (right - left))
             })
             .collect()
         };
         let mut rows = follow(&mut (0..neck).rev(), STEEP.0);
         rows.reverse();
         rows.extend(follow(&mut (neck..top), STEEP.1));
-        rows.into_iter().map(|(row, x, half)| (Vec2::new(x, self.height_of(row)), half)).collect()
+        let rows = rows.into_iter().map(|(row, x, half)| (Vec2::new(x, self.height_of(row)), half));
+        without_roots(&upright(&evened(&rows.collect::<Vec<_>>())))
     }
+}
+
+/// Rows from below with the thickness across the trunk, where level rows cut one that leans.
+fn upright(rows: &[(Vec2, f32)]) -> Vec<(Vec2, f32)> {
+    let reach = (rows.len() / 6).max(1);
+    let lean = |i: usize| rows[(i + reach).min(rows.len() - 1)].0 - rows[i.saturating_sub(reach)].0;
+    let across = |i: usize| lean(i).try_normalize().map_or(1.0, |along| along.y.abs());
+    rows.iter().enumerate().map(|(i, row)| (row.0, row.1 * across(i))).collect()
 }
 
 /// So many rows as this share of the whole.
@@ -201,20 +236,46 @@ fn rows(share: f32) -> usize {
 }
 
 impl Trunk {
+    /// The trunk between two sides.
+    pub(super) fn of_sides(sides: &TrunkSides) -> Option<Self> {
+        let rows = sides.rows().to_vec();
+        let (top, half) = *rows.last()?;
+        let narrow = rows.iter().map(|row| row.1).fold(f32::INFINITY, f32::min);
+        let before = rows[rows.len().saturating_sub(4)].0;
+        let aside = half * (top - before).normalize_or(Vec2::NEG_Y).perp();
+        let (a, b) = (top - aside, top + aside);
+        let sill = if a.x < b.x { (a, b) } else { (b, a) };
+        Some(Self { rows, narrow, top: top.y, sill, is_sharp: true })
+    }
+
     /// Middles and half widths from below, pixels.
     pub(super) fn rows(&self) -> &[(Vec2, f32)] {
         &self.rows
     }
 
-    /// Area between its sides, pixels².
-    pub(super) fn area(&self) -> f32 {
-        self.rows.windows(2).map(|pair| 2.0 * pair[0].1 * (pair[0].0.y - pair[1].0.y).abs()).sum()
+    /// That of one line from its foot up, thin, below a height; the whole tree is so high.
+    pub(super) fn of_line(line: &[Vec2], below: f32, height: f32) -> Option<Self> {
+        let half = LINE * height;
+        let rows: Vec<(Vec2, f32)> = line.iter().take_while(|p| p.y > below).map(|p| (*p, half)).collect();
+        let top = rows.last()?.0;
+        let sill = (top - half * Vec2::X, top + half * Vec2::X);
+        Some(Self { rows, narrow: half, top: top.y, sill, is_sharp: true })
+    }
+
+    /// From its foot to its top, pixels.
+    pub(super) fn height(&self) -> f32 {
+        self.rows.first().map_or(0.0, |row| row.0.y - self.top)
+    }
+
+    /// Area between its sides if it were nowhere thicker than at its narrowest, pixels².
+    pub(super) fn least_area(&self) -> f32 {
+        self.rows.windows(2).map(|pair| 2.0 * self.narrow * (pair[0].0.y - pair[1].0.y).abs()).sum()
     }
 
     /// The middle of the trunk, which goes on into the crown, with its width as pressure.
     pub(super) fn centre_line(&self, crown: &[Vec2]) -> Made {
         let top = crown.iter().map(|p| p.y).fold(self.top, f32::min);
-        let mut rows = plumb(evened(&self.rows));
+        let mut rows = plumb(self.rows.clone());
         let (last, half) = rows[rows.len() - 1];
         let middle = crown.iter().sum::<Vec2>() / crown.len().max(1) as f32;
         let end = Vec2::new(last.x + 0.5 * (middle.x - last.x), last.y + INTO_CROWN.0 * (top - last.y));

@@ -9,6 +9,7 @@
 
 use super::Made;
 use super::page::{Line, Page, even};
+use super::root_flare::without_roots;
 use super::spikes::extremes;
 use super::trunk::plumb;
 use crate::geom::polyline;
@@ -70,6 +71,14 @@ impl Side {
         if end != 0 && end + 1 != page.lines[own].points.len() {
             return self;
         }
+        // Where several lines begin are fronds.
+        let begins = |i: &&usize| {
+            let (first, last) = page.lines[**i].ends();
+            **i != own && first.distance(top).min(last.distance(top)) < gap
+        };
+        if group.iter().filter(begins).count() > 1 {
+            return self;
+        }
         let before = top - self.0[self.0.len().saturating_sub(1 + 4 * STEPS)].2;
         let next = group.iter().filter(|i| **i != own).find_map(|i| {
             let line = &page.lines[*i];
@@ -110,21 +119,28 @@ fn places(number: usize, line: &Line, from: usize, to: usize) -> Vec<Place> {
     all
 }
 
-/// The first stretch of some points that rises steeply; never empty.
+/// The longest stretch of some points that rises steeply, so that hooks of the hand do not count; never empty.
 fn steep(places: Vec<Place>) -> Vec<Place> {
     // Over a few points, so that no single step decides.
-    let is_steep = |k: &usize| {
+    let is_steep = |k: usize| {
         let along = places[(k + STEPS).min(places.len() - 1)].2 - places[k.saturating_sub(STEPS)].2;
         along.x.abs() < LEAN.tan() * -along.y
     };
-    let first = (0..places.len()).find(is_steep).unwrap_or(0);
-    let end = (first + 1..places.len()).find(|k| !is_steep(k)).unwrap_or(places.len());
-    places[first..end].to_vec()
+    let numbers: Vec<usize> = (0..places.len()).collect();
+    let runs = numbers.chunk_by(|a, b| is_steep(*a) == is_steep(*b)).filter(|run| is_steep(run[0]));
+    // Of equals the first.
+    let longest = runs.rev().max_by_key(|run| run.len());
+    longest.map_or_else(|| places[..1].to_vec(), |run| places[run[0]..=run[run.len() - 1]].to_vec())
 }
 
 impl TrunkSides {
     /// The sides that rise from the lowest part of a group of lines.
     pub(super) fn find(page: &Page, group: &[usize]) -> Option<Self> {
+        Self::find_within(page, group, APART.1)
+    }
+
+    /// The same, with sides so far apart at most, as a share of their length.
+    pub(super) fn find_within(page: &Page, group: &[usize], apart: f32) -> Option<Self> {
         let low = group.iter().map(|i| page.lines[*i].bounds.1.y).reduce(f32::max)?;
         let high = group.iter().map(|i| page.lines[*i].bounds.0.y).reduce(f32::min)?;
         let height = low - high;
@@ -140,13 +156,14 @@ impl TrunkSides {
             sides.iter().flat_map(|side| side.0.iter().map(|p| p.0).filter(|i| *i != side.0[0].0)).collect();
         sides.retain(|side| side.length() > SIDE.0 * height && !upper.contains(&side.0[0].0));
         sides.sort_by(|a, b| a.foot().x.total_cmp(&b.foot().x));
-        let pairs =
-            sides.windows(2).filter_map(|pair| Some((pair, between(&pair[0].points(), &pair[1].points())?)));
+        let pairs = sides
+            .windows(2)
+            .filter_map(|pair| Some((pair, between(&pair[0].points(), &pair[1].points(), apart)?)));
         let shorter = |pair: &[Side]| pair[0].length().min(pair[1].length());
         if let Some((pair, paired)) = pairs.max_by(|a, b| shorter(a.0).total_cmp(&shorter(b.0))) {
             let own =
                 pair.iter().zip(paired.own).flat_map(|(side, own)| side.0[..own].iter().map(|p| (p.0, p.1)));
-            return Some(Self { own: own.collect(), middle: paired.middle });
+            return Some(Self { own: own.collect(), middle: without_roots(&paired.middle) });
         }
         let longest = sides.into_iter().max_by(|a, b| a.length().total_cmp(&b.length()))?;
         let middle = even(&longest.points(), POINTS).into_iter().map(|p| (p, 0.0)).collect();
@@ -162,6 +179,11 @@ impl TrunkSides {
     /// The lines of its sides.
     pub(super) fn lines(&self) -> impl Iterator<Item = usize> {
         self.own.iter().map(|place| place.0)
+    }
+
+    /// Middles and half widths from its foot up, pixels.
+    pub(super) fn rows(&self) -> &[(Vec2, f32)] {
+        &self.middle
     }
 
     /// Width in the middle of its length, pixels.
@@ -224,7 +246,7 @@ struct Paired {
 }
 
 /// Two sides from their feet up, if they are those of one trunk.
-fn between(a: &[Vec2], b: &[Vec2]) -> Option<Paired> {
+fn between(a: &[Vec2], b: &[Vec2], apart: f32) -> Option<Paired> {
     let lengths = (polyline::length(a), polyline::length(b));
     let (short, long) = if lengths.0 < lengths.1 { (a, b) } else { (b, a) };
     // Where the sides lean, the point of one nearest to the other's end lies lower or higher than its own end.
@@ -245,7 +267,7 @@ fn between(a: &[Vec2], b: &[Vec2]) -> Option<Paired> {
     let overlap = short[0].y.min(long[0].y) - short[short.len() - 1].y.max(long[beside - 1].y);
     let own = if lengths.0 < lengths.1 { [short.len(), own_of_long] } else { [own_of_long, short.len()] };
     let is_trunk = overlap > 0.4 * length
-        && (APART.0..APART.1).contains(&(2.0 * mean / length))
+        && (APART.0..apart).contains(&(2.0 * mean / length))
         && middle[POINTS - 1].1 < WIDER * mean;
     is_trunk.then_some(Paired { middle, own })
 }

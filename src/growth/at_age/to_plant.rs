@@ -14,6 +14,8 @@ use glam::Vec3;
 
 /// Heights above the ground, in radii of the trunk, at which its foot is modelled.
 const FOOT: [f32; 5] = [0.35, 0.8, 1.4, 2.4, 4.0];
+/// Lengths of trunks in radii of their foot: up to the first they do not widen there, from the second on fully.
+const SLENDER: (f32, f32) = (8.0, 30.0);
 /// Share of its parent's radius that a branch may begin with.
 const NARROWER: f32 = 0.92;
 
@@ -123,9 +125,12 @@ fn branch_along(mut skeleton: Vec<(Vec3, f32)>, parent: Option<usize>, level: u3
     }
 }
 
-/// A trunk with more points near the ground, where it widens.
+/// A trunk with more points near the ground, where it widens; a stout one, as it is drawn, hardly does: its foot would be a skirt.
 fn with_foot(skeleton: &[(Vec3, f32)], flare: f32) -> Vec<(Vec3, f32)> {
     let radius = skeleton[0].1;
+    let length: f32 = skeleton.windows(2).map(|w| w[0].0.distance(w[1].0)).sum();
+    let slender = (length / radius.max(f32::MIN_POSITIVE) - SLENDER.0) / (SLENDER.1 - SLENDER.0);
+    let flare = flare * slender.clamp(0.0, 1.0);
     let mut out = Vec::with_capacity(skeleton.len() + FOOT.len());
     let mut walked = 0.0;
     let mut feet = FOOT.iter().map(|f| f * radius).peekable();

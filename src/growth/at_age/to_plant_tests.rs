@@ -135,3 +135,10 @@ fn what_is_shown_of_a_plant_stays_in_its_volume() {
         assert_eq!(leaves.filter(|tip| !volume.contains(*tip)).count(), 0, "no leaf comes out");
     }
 }
+
+#[test]
+fn a_slender_trunk_widens_at_its_foot_and_a_stout_one_does_not() {
+    let foot = |radius: f32| with_foot(&[(Vec3::ZERO, radius), (10.0 * Vec3::Y, radius)], 0.8)[0].1 / radius;
+    assert!((foot(0.2) - 1.8).abs() < 1e-3, "{}", foot(0.2));
+    assert!((foot(1.5) - 1.0).abs() < 1e-3, "{}", foot(1.5));
+}
