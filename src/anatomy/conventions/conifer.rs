@@ -8,6 +8,7 @@
 //!
 //! Limits: firs that lean by more than a few degrees, and two that overlap, are not found.
 
+use super::blade;
 use super::evidence;
 use super::page::{Line, Page};
 use super::trunk::Rows;
@@ -42,6 +43,8 @@ const TRUNK: (f32, f32) = (0.022, 0.15);
 /// Largest group of which single lines are looked at, and least hull of such a line, as a share of the largest.
 const MOST_LINES: usize = 12;
 const LARGE: f32 = 0.3;
+/// Fewest leaves that say that lines are no fir, and their least width, as a share of the whole's: fruit and balls are smaller.
+const LEAVES: (usize, f32) = (3, 0.15);
 /// What it costs that one side is wider.
 const UNEVEN: f32 = 2.0;
 /// Log-odds of a fir, and more for each line that it explains.
@@ -99,12 +102,32 @@ fn fir(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let all: Vec<(f32, f32, f32)> = rows.ends().collect();
     let is_fir = |sides: &Sides| sides.narrows() && (sides.has_teeth() || sides.is_straight());
     let sides = Sides::of(&all).filter(is_fir).or_else(|| Sides::of(&hatched(&all)?).filter(is_fir))?;
+    if leaves(page, group, rows.width_and_height()) >= LEAVES.0 {
+        return None;
+    }
     let outline = sides.outline();
     let uses = page.with_what_is_inside(group, &outline);
     let parts = vec![sides.trunk(&rows), Made::new(Tool::Crown, outline)];
     let score = SCORE.0 + SCORE.1 * uses.len() as f32 - UNEVEN * sides.skew();
     let (reading, habit) = (Reading::Tree, Some(Habit::Conifer));
     Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit })
+}
+
+/// How many lines have a loop on one side of the middle, as leaves on a stem do: tiers of a fir go from side to side.
+fn leaves(page: &Page, group: &[usize], whole: Vec2) -> usize {
+    let bounds = group.iter().map(|i| page.lines[*i].bounds);
+    let (low, high) = bounds.fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), line| {
+        (low.min(line.0.x), high.max(line.1.x))
+    });
+    let middle = 0.5 * (low + high);
+    let is_leaf = |i: &&usize| {
+        blade::of_one(**i, &page.lines[**i]).is_some_and(|blade| {
+            let (low, high) = blade.bounds();
+            let is_aside = low.x > middle || high.x < middle;
+            is_aside && high.x - low.x > LEAVES.1 * whole.x
+        })
+    };
+    group.iter().filter(is_leaf).count()
 }
 
 /// Rows with the ends of all that are near, if most are crossed by one line only, as those of a zigzag scribble.

@@ -31,7 +31,7 @@ const BRIDGE: i32 = 10;
 /// Points of the cap's outline, and rows of the cap.
 const POINTS: (usize, usize) = (160, 24);
 /// Log-odds of a mushroom.
-const SCORE: f32 = 3.5;
+const SCORE: f32 = 3.8;
 
 /// Proposes mushrooms, one for each group of lines at most.
 pub(super) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
