@@ -260,7 +260,7 @@ mod tests {
     #[test]
     fn crown_and_trunk_may_be_one_line_also_up_and_down_again() {
         let mut once = stem();
-        once.extend(cloud(8.0, 0.15));
+        once.extend(cloud(8.0, 0.2));
         assert_eq!(read(&[once.clone()]).len(), 1);
         once.extend(line(&[(3.0, -50.0), (4.0, 40.0)]));
         assert_eq!(read(&[once]).len(), 1);
