@@ -144,7 +144,7 @@ const FREEHAND: [(&str, &str, &[Reading]); 12] = [
     ("apple_tree", "tree", &[Reading::Tree]),
     ("bush", "bush", &[Reading::Bush, Reading::Ground]),
     ("cactus", "succulent", &[Reading::Cactus]),
-    ("fir", "tree", &[Reading::Tree]),
+    ("fir", "conifer", &[Reading::Tree]),
     ("flower", "flower", &[Reading::Corolla, Reading::Leaf]),
     ("grass", "grass", &[Reading::Grass]),
     ("house_plant", "potted", &[Reading::Pot, Reading::Leaf]),
