@@ -1,6 +1,6 @@
 //! What speaks for and against outlines of crowns, whoever proposes them.
 
-use super::page::Line;
+use super::page::{Line, notches};
 use super::silhouette::{Silhouette, share_along};
 use crate::geom::{polyline, simple_loop};
 use glam::Vec2;
@@ -15,6 +15,9 @@ const CENTRE: (f32, f32, f32) = (0.2, 1.0, 0.4);
 const LONG: f32 = 0.45;
 /// Most round outlines of a flower: its centre, and what is drawn around or in it.
 const CENTRES: usize = 2;
+/// Fewest notches of a crown with lobes, and least distance of them from its middle on the average, that of an ellipse being 1.
+pub(super) const NOTCHES: usize = 3;
+const SHALLOW: f32 = 0.72;
 /// Least area of a bow; a quarter of a circle has 0.12.
 const BOW: f32 = 0.06;
 /// Most lines that draw a crown's outline, least share of it that they draw, and how near they are, in cells of the silhouette.
@@ -56,6 +59,20 @@ pub(super) fn has_flower_centre(lines: &[&Line], outline: &[Vec2]) -> bool {
     let is_central = |line: &&Line| ((line.middle() - middle) / half).length() < CENTRE.2;
     let round: Vec<&&Line> = lines.iter().filter(is_of_size).collect();
     round.len() <= CENTRES && round.into_iter().any(is_central)
+}
+
+/// Whether an outline has lobes as a crown has: several, and the notches between them are shallow.
+pub(super) fn has_shallow_lobes(outline: &[Vec2]) -> bool {
+    let notches = notches(outline);
+    notches.len() >= NOTCHES && depth(outline, &notches) > SHALLOW
+}
+
+/// Mean distance of notches from the middle of an outline, that of an ellipse being 1.
+pub(super) fn depth(outline: &[Vec2], notches: &[Vec2]) -> f32 {
+    let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+    let (low, high) = outline.iter().fold(empty, |(low, high), p| (low.min(*p), high.max(*p)));
+    let away = |p: &Vec2| ((*p - low.midpoint(high)) / (0.5 * (high - low))).length();
+    notches.iter().map(away).sum::<f32>() / notches.len().max(1) as f32
 }
 
 /// Whether the longest few of these lines, or all that are bows, with what closes them, draw most of an outline: a web of branches

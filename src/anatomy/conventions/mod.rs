@@ -22,7 +22,7 @@
 //! | `tree` | a trunk of two sides with a crown, in any number of strokes |
 //! | `tree_on_line` | a crown on a trunk that is a single line |
 //! | `trunk` | the narrow stretch with two sides below a crown |
-//! | `root_flare` | the width of a trunk without its roots |
+//! | `trunk_foot` | the width of a trunk without its roots, and how it rises |
 //! | `trunk_sides` | a trunk of two sides that leans or bends, or of one line |
 //! | `spikes` | lines cut into what tapers to a tip |
 //! | `conifer` | a fir: what narrows to a point in steps |
@@ -88,7 +88,6 @@ mod mushroom;
 mod pot;
 mod pot_rows;
 mod rays;
-mod root_flare;
 mod rose;
 mod silhouette;
 mod spikes;
@@ -98,6 +97,7 @@ mod stem_tail;
 mod tree;
 mod tree_on_line;
 mod trunk;
+mod trunk_foot;
 mod trunk_sides;
 
 pub use hypothesis::{Habit, Hypothesis, Made, Solid, SolidKind};

@@ -39,6 +39,8 @@ const COMPACT: (f32, f32) = (4.0, 0.8);
 const STOUT: f32 = 1.5;
 /// Least share of its hull that a crown on such a trunk fills.
 const FULL: f32 = 0.7;
+/// The same where wide gaps are closed, and of crowns whose lobes speak for them.
+const WHOLE: f32 = 0.8;
 /// Lower part of a crown in which open ends of its outline are led to the trunk, as a share of its height, and how far away they
 /// are at most, as a share of its width.
 const LOW: f32 = 0.5;
@@ -52,9 +54,12 @@ const CHORD: usize = 40;
 /// Points of a crown's outline.
 const POINTS: usize = 160;
 /// Log-odds of a tree where all of this holds.
-const SCORE: f32 = 3.4;
-/// More for each line that it explains.
+const SCORE: f32 = 3.36;
+/// More for each line that it explains, up to so many: less than a mushroom, which is a tree in a few ways.
 const EACH: f32 = 0.02;
+const MOST_LINES: usize = 6;
+/// More for a crown with shallow lobes: mushrooms have none, and those of corollas are deep.
+const LOBED: f32 = 0.9;
 
 /// Proposes trees, one for each group of lines at most.
 pub(super) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
@@ -74,10 +79,13 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
         return None;
     }
     let uses = page.with_what_is_inside(group, &outline);
+    let area = simple_loop::signed_area(outline.iter().copied()).abs();
+    let is_lobed = evidence::has_shallow_lobes(&outline) && area > WHOLE * hull_area_of(&outline);
+    let lobes = if is_lobed { LOBED } else { 0.0 };
     let parts = vec![trunk.centre_line(&outline), Made::new(Tool::Crown, outline)];
     let (reading, habit) = (Reading::Tree, Some(Habit::Tree));
     // Of two groups the one that explains more.
-    let score = SCORE + EACH * uses.len() as f32;
+    let score = SCORE + lobes + EACH * uses.len().min(MOST_LINES) as f32;
     Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit })
 }
 
@@ -128,15 +136,24 @@ pub(super) fn crown(above: Vec<Vec<Vec2>>, trunk: &Trunk) -> Option<Vec<Vec2>> {
     let closing: Vec<&[Vec2]> = closing.iter().map(Vec::as_slice).collect();
     let drawn = above.iter().map(Vec::as_slice);
     let all = drawn.clone().chain(closing.iter().copied());
-    let closed =
-        |bridge: &i32| Some(Silhouette::new(all.clone(), *bridge)).filter(|s| s.area() > CLOSED * hull_area);
-    let silhouette = BRIDGES.iter().find_map(closed)?;
-    let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
-    let is_crown = is_compact(&silhouette, &hull, trunk.narrow)
-        && silhouette.share_inside(ink.iter()) >= INSIDE
-        && evidence::is_drawn_by_few(&outline, drawn, &closing, &silhouette)
-        && simple_loop::signed_area(outline.iter().copied()).abs() > trunk.least_area();
-    is_crown.then_some(outline)
+    let is_closed = |bridge: &&i32| Silhouette::new(all.clone(), **bridge).area() > CLOSED * hull_area;
+    let enclosed = |bridge: &i32| {
+        let silhouette = Silhouette::new(all.clone(), *bridge);
+        let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
+        let is_crown = is_compact(&silhouette, &hull, trunk.narrow)
+            && silhouette.share_inside(ink.iter()) >= INSIDE
+            && evidence::is_drawn_by_few(&outline, drawn.clone(), &closing, &silhouette)
+            && simple_loop::signed_area(outline.iter().copied()).abs() > trunk.least_area();
+        is_crown.then_some(outline)
+    };
+    let mut closed = BRIDGES.iter().skip_while(|bridge| !is_closed(bridge));
+    // One stretch of line has no gap but that above the trunk: the first that is closed is meant. Of several a wider gap may be
+    // closed if what they enclose is full then: leaves along a stem are not.
+    let first = enclosed(closed.next()?);
+    let is_full = |outline: &Vec<Vec2>| {
+        above.len() > 1 && simple_loop::signed_area(outline.iter().copied()).abs() > WHOLE * hull_area
+    };
+    first.or_else(|| closed.find_map(enclosed).filter(is_full))
 }
 
 /// Lines from the lower open ends of what is drawn to the top of the trunk.

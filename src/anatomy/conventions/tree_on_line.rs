@@ -29,12 +29,9 @@ const LOW: f32 = 0.06;
 const DOUBLED: f32 = 0.06;
 /// Shortest and longest trunk below the crown, in heights of that.
 const BELOW: (f32, f32) = (0.12, 1.6);
-/// Least lobes of a crown, and the sharp tips that it may have.
-const NOTCHES: usize = 3;
+/// Sharp tips that a crown may have.
 const TIPS: usize = 1;
-/// Least distance of notches from the middle on the average, as a share of what the outline has there without them.
-const SHALLOW: f32 = 0.72;
-/// The same of a line below which it draws petals.
+/// Mean distance of the longest line's notches from the middle, that of an ellipse being 1, below which it draws petals.
 const PETALS: f32 = 0.56;
 /// Stretch of an outline over which a tip turns, as a share of its length, and least turn there, radians.
 const TIP: (f32, f32) = (0.06, 1.1);
@@ -144,24 +141,16 @@ impl Crown<'_> {
         if tips(self.outline) > TIPS {
             return None;
         }
-        let notches = notches(self.outline);
-        let has_lobes = notches.len() >= NOTCHES && self.depth(&notches) > SHALLOW && !self.has_petals();
+        let has_lobes = evidence::has_shallow_lobes(self.outline) && !self.has_petals();
         if has_lobes || tips(self.outline) == 0 && self.has_branches() {
             return Some(SCORE.0);
         }
-        (notches.is_empty() && self.is_round()).then_some(SCORE.1)
+        (notches(self.outline).len() < evidence::NOTCHES && self.is_round()).then_some(SCORE.1)
     }
 
     fn bounds(&self) -> (Vec2, Vec2) {
         let first = self.outline[0];
         self.outline.iter().fold((first, first), |(low, high), p| (low.min(*p), high.max(*p)))
-    }
-
-    /// Mean distance of notches from the middle, that of an ellipse being 1.
-    fn depth(&self, notches: &[Vec2]) -> f32 {
-        let (low, high) = self.bounds();
-        let away = |p: &Vec2| ((*p - low.midpoint(high)) / (0.5 * (high - low))).length();
-        notches.iter().map(away).sum::<f32>() / notches.len().max(1) as f32
     }
 
     /// Whether the longest line has deep notches: the outline of the whole has none where they are narrow.
@@ -172,7 +161,7 @@ impl Crown<'_> {
         let (first, last) = line.ends();
         let away = |p: &Vec2| p.distance(first).min(p.distance(last)) > 0.1 * line.size().length();
         let deep: Vec<Vec2> = notches(&line.points).into_iter().filter(away).collect();
-        deep.len() >= NOTCHES && self.depth(&deep) < PETALS
+        deep.len() >= evidence::NOTCHES && evidence::depth(self.outline, &deep) < PETALS
     }
 
     /// Whether all in it is two short lines at least that leave the trunk, as veins do, too.

@@ -10,13 +10,11 @@
 
 use super::Made;
 use super::page::Line;
-use super::root_flare::without_roots;
+use super::trunk_foot::{plumb, without_roots};
 use super::trunk_sides::TrunkSides;
 use crate::sketch::{StrokePoint, Tool};
 use glam::Vec2;
 
-/// Height over which a trunk that leans comes up plumb, in half widths of its foot.
-const PLUMB: f32 = 2.0;
 /// Rows that lines are divided into.
 const ROWS: usize = 120;
 /// Columns in which a row knows of ink.
@@ -290,16 +288,6 @@ impl Trunk {
         };
         Made { tool: Tool::Branch, points: rows.into_iter().map(point).collect(), half_width: Some(widest) }
     }
-}
-
-/// A trunk's middles and widths, from the foot up, so that it rises plumb: its foot is level, however the trunk leans above.
-pub(super) fn plumb(mut rows: Vec<(Vec2, f32)>) -> Vec<(Vec2, f32)> {
-    let Some(&(foot, half)) = rows.first() else { return rows };
-    for (place, _) in &mut rows {
-        let share = ((foot.y - place.y) / (PLUMB * half).max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
-        place.x = foot.x + (place.x - foot.x) * share * share * (3.0 - 2.0 * share);
-    }
-    rows
 }
 
 /// Middles and widths without the jitter of single rows: running means over a tenth of the trunk.

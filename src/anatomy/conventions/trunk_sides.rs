@@ -9,9 +9,8 @@
 
 use super::Made;
 use super::page::{Line, Page, even};
-use super::root_flare::without_roots;
 use super::spikes::extremes;
-use super::trunk::plumb;
+use super::trunk_foot::{plumb, without_roots};
 use crate::geom::polyline;
 use crate::sketch::{StrokePoint, Tool};
 use glam::Vec2;

@@ -1,4 +1,4 @@
-//! The drawn width of a trunk without its roots.
+//! The foot of a drawn trunk: its width without its roots, and how it rises from level ground.
 //!
 //! People draw roots by leading the two sides of a trunk outward at its foot. A round trunk as thick as its roots reach looks like a
 //! bottle, so its width grows toward the foot by a limited share, ever faster; a trunk that widens evenly from its upper half on is a
@@ -6,6 +6,8 @@
 
 use glam::Vec2;
 
+/// Height over which a trunk that leans comes up plumb, in half widths of its foot.
+const PLUMB: f32 = 2.0;
 /// Widest foot of a trunk, in the middle width of its upper part, and of one that widens evenly all the way down.
 const FLARE: f32 = 1.5;
 const CONE: f32 = 2.4;
@@ -27,6 +29,16 @@ pub(super) fn without_roots(rows: &[(Vec2, f32)]) -> Vec<(Vec2, f32)> {
         stem + ((FLARE - 1.0) * stem * down * down).max(even)
     };
     rows.iter().enumerate().map(|(i, row)| (row.0, row.1.min(most(i)))).collect()
+}
+
+/// A trunk's middles and widths, from the foot up, so that it rises plumb: its foot is level, however the trunk leans above.
+pub(super) fn plumb(mut rows: Vec<(Vec2, f32)>) -> Vec<(Vec2, f32)> {
+    let Some(&(foot, half)) = rows.first() else { return rows };
+    for (place, _) in &mut rows {
+        let share = ((foot.y - place.y) / (PLUMB * half).max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
+        place.x = foot.x + (place.x - foot.x) * share * share * (3.0 - 2.0 * share);
+    }
+    rows
 }
 
 #[cfg(test)]
