@@ -49,9 +49,10 @@ fn a_reading_that_is_refused_is_gone_and_the_rest_stays() {
             let after = read(&with(sketch, &refused.strokes, Verdict::Not(refused.reading)));
             let still = |r: &&ReadStrokes| r.reading == refused.reading && is_about(r, &refused.strokes);
             assert_eq!(after.readings.iter().find(still), None);
-            // What was set free may join others, which are then read with it.
+            // What was set free may join others, which are then read with it; what stood on it is looked at anew.
             let joined = |r: &ReadStrokes| r.strokes.iter().any(|stroke| refused.strokes.contains(stroke));
-            if after.readings.iter().any(joined) || refused.reading == Reading::Pot {
+            let is_beneath = matches!(refused.reading, Reading::Pot | Reading::Ground);
+            if after.readings.iter().any(joined) || is_beneath {
                 continue;
             }
             let others = before.readings.iter().filter(|other| *other != refused);

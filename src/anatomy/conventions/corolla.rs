@@ -46,6 +46,8 @@ const FAR: (f32, f32) = (9.0, 0.85);
 const SCRIBBLED: f32 = 2.0;
 /// Farthest middle of the feet of petals from where the round stroke begins and ends if that is one of them, in half sizes of it.
 const AT_MOUTH: f32 = 0.6;
+/// Distance of feet from there, and how many that near say that all gather at its root.
+const GATHERED: (f32, usize) = (0.4, 3);
 /// Widest angle between the directions of loops around a centre that keeps them apart.
 const LOOP_GAP: f32 = 0.28 * TAU;
 /// How far petals of their own stay away from the middle if what stands there is a centre and no petal, and the most of their
@@ -129,7 +131,8 @@ fn corolla(page: &Page, centre: usize, near: &[usize]) -> Option<Hypothesis> {
     if disc.openness >= OPEN && reach < SCRIBBLED {
         return None;
     }
-    let is_papers_way = 2 * loops >= petals.len() && !stand_around(&petals, disc, &focus);
+    let is_papers_way = 2 * loops >= petals.len() && !stand_around(&petals, disc, &focus)
+        || gathers(disc, petal_lines.iter().map(|(i, _)| &page.lines[*i]));
     if is_papers_way
         || petals.len() < FEWEST
         || lobes::around(&petals, focus.place) < if disc.is_scribble() { ALL_AROUND } else { AROUND }
@@ -265,6 +268,16 @@ fn from_nearest(points: &[Vec2], focus: &Focus) -> Vec<Vec2> {
     around
 }
 
+/// Whether several loops begin and end where the round one does, which then is a petal like them.
+fn gathers<'a>(disc: &Line, lines: impl Iterator<Item = &'a Line>) -> bool {
+    let mouth = |line: &Line| line.ends().0.midpoint(line.ends().1);
+    let is_beside = |line: &&Line| {
+        let off = (mouth(line) - mouth(disc)) / (0.5 * disc.size());
+        line.openness < OPEN && off.length() < GATHERED.0
+    };
+    disc.openness < OPEN && lines.filter(is_beside).count() >= GATHERED.1
+}
+
 /// Whether loops stand around a centre with their feet at its edge instead of gathering beside it.
 fn stand_around(petals: &[Vec<Vec2>], disc: &Line, focus: &Focus) -> bool {
     let comes_in = |petal: &Vec<Vec2>| {
@@ -287,7 +300,10 @@ fn stand_around(petals: &[Vec<Vec2>], disc: &Line, focus: &Focus) -> bool {
         && gap < SIDE.2
         && spread > SIDE.3
         && mouth.distance(middle) > AT_MOUTH;
-    (is_all_around || is_half) && !petals.iter().any(|petal| comes_in(petal) || is_askew(petal))
+    let beside_it = feet.iter().filter(|foot| foot.distance(mouth) < GATHERED.0).count();
+    beside_it < GATHERED.1
+        && (is_all_around || is_half)
+        && !petals.iter().any(|petal| comes_in(petal) || is_askew(petal))
 }
 
 /// Widest angle between neighbouring petals' directions.

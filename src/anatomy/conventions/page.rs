@@ -63,7 +63,7 @@ pub struct Page {
     pub wide_groups: Vec<Vec<usize>>,
     /// Smallest and largest corner over all strokes.
     pub bounds: (Vec2, Vec2),
-    /// Diagonal of the bounds, rounded to a sixteenth: lines stay what they are while a drawing grows a little.
+    /// Diagonal of the bounds.
     pub diagonal: f32,
     /// Length of all strokes, also of those whose tool was chosen, but not of lines apart, pixels.
     pub length: f32,
@@ -99,7 +99,7 @@ impl Page {
         let positions = strokes.iter().flat_map(|s| &s.points).map(|p| p.position);
         let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
         let bounds = positions.fold(empty, |(low, high), p| (low.min(p), high.max(p)));
-        let diagonal = if strokes.is_empty() { 0.0 } else { rounded(bounds.0.distance(bounds.1)) };
+        let diagonal = if strokes.is_empty() { 0.0 } else { bounds.0.distance(bounds.1) };
         let key = |stroke: &Arc<Stroke>| (Same::of(stroke), diagonal.to_bits());
         let shapes = known.made(strokes, key, |stroke| Shape::new(stroke, diagonal).map(Arc::new));
         let line = |(stroke, shape): (usize, Option<Arc<Shape>>)| Some(Line { stroke, shape: shape? });
@@ -176,12 +176,6 @@ impl Page {
         };
         Self::new(&lines.iter().enumerate().map(stroke).collect::<Vec<_>>())
     }
-}
-
-/// A number with four binary digits behind its first.
-fn rounded(number: f32) -> f32 {
-    const BELOW: u32 = (1 << (f32::MANTISSA_DIGITS - 1 - 4)) - 1;
-    f32::from_bits((number.to_bits() + BELOW / 2) & !BELOW)
 }
 
 fn length_of(stroke: &Stroke) -> f32 {
