@@ -15,42 +15,16 @@
 //! | `corrected` | hypotheses as the artist corrected them |
 //! | `alternatives` | other readings of some strokes, for the artist to choose from |
 //! | `pieces` | what hypotheses make: strokes with tools |
-//! | `silhouette` | the area that strokes enclose together, on a grid; its rows and its contour |
-//! | `evidence` | what speaks for and against outlines of crowns |
-//! | `medial_axis` | the middle lines of an area, a trunk and its arms |
-//! | `lobes` | an outline cut at its notches toward a centre |
-//! | `tree` | a trunk of two sides with a crown, in any number of strokes |
-//! | `tree_on_line` | a crown on a trunk that is a single line |
-//! | `trunk` | the narrow stretch with two sides below a crown |
-//! | `trunk_foot` | the width of a trunk without its roots, and how it rises |
-//! | `trunk_sides` | a trunk of two sides that leans or bends, or of one line |
-//! | `spikes` | lines cut into what tapers to a tip |
-//! | `conifer` | a fir: what narrows to a point in steps |
-//! | `bush` | a crown without a trunk: outline, open outline, scribble |
-//! | `body` | the body of a cactus, a column with arms |
-//! | `limbs` | the column and the arms of a body |
-//! | `half_outline` | an outline that was not finished |
-//! | `mushroom` | a cap on a stalk |
-//! | `corolla` | a corolla around a flower's centre |
-//! | `corolla_on_stem` | a lobed outline at the end of a stem, without a centre |
-//! | `cup` | petals that stand close together, seen from the side |
-//! | `rays` | single lines around a centre: thin petals, or a sun |
-//! | `rose` | a spiral, or arcs in a disc, on a stem |
-//! | `gathered` | petals that gather at one place, without a centre |
-//! | `stem_tail` | a stem in one stroke with what it carries |
-//! | `blade` | outlines of blades, of one stroke or two, and what they leave over |
-//! | `leaf` | a blade of several strokes, its midrib and veins, blade and stalk in one stroke |
-//! | `leaf_parts` | midrib, veins and stalk of a blade |
-//! | `leaf_area` | the blade that a group of lines encloses together: several strokes, halves, lobes |
-//! | `leaf_loops` | several leaves in one stroke |
-//! | `stem_loops` | leaves that are loops in the stroke of their stem |
-//! | `stem_arcs` | leaves whose one edge is the stem |
-//! | `grass` | a zigzag, or lines side by side: blades of grass |
-//! | `frond_details` | fruit among fronds, and the leaflets of fronds |
-//! | `fronds` | lines or lobes that radiate from a trunk's top |
-//! | `pot` | what a plant stands in |
-//! | `pot_rows` | the two sides of a pot, row by row |
-//! | `ground` | ground lines |
+//!
+//! | folder | what |
+//! | --- | --- |
+//! | `beneath` | what plants stand in or on: pots, ground lines |
+//! | `trees` | trees, firs, bushes |
+//! | `bodies` | cacti, mushrooms |
+//! | `flowers` | flowers from above and from the side |
+//! | `leaves` | leaves of any number of strokes, several in one stroke, at a stem |
+//! | `tufts` | grass, palms and other fronds |
+//! | `shapes` | what conventions share: silhouettes, middle lines, lobes, tips |
 //!
 //! The reading depends on nothing but the strokes, so the same drawing means the same plant however it came about.
 //! Limits: what is drawn over several plants at once, and strokes that only hatch a shade, are not understood. Sources: counts
@@ -62,51 +36,28 @@ pub mod hypothesis;
 pub mod page;
 pub mod pieces;
 
-mod blade;
-mod body;
-mod bush;
-mod conifer;
-mod corolla;
-mod corolla_on_stem;
+mod beneath;
+mod bodies;
 mod corrected;
-mod cup;
-mod evidence;
-mod frond_details;
-mod fronds;
-mod gathered;
-mod grass;
-mod ground;
-mod half_outline;
-mod leaf;
-mod leaf_area;
-mod leaf_loops;
-mod leaf_parts;
-mod limbs;
-mod lobes;
-mod medial_axis;
-mod mushroom;
-mod pot;
-mod pot_rows;
-mod rays;
-mod rose;
-mod silhouette;
-mod spikes;
-mod stem_arcs;
-mod stem_loops;
-mod stem_tail;
-mod tree;
-mod tree_on_line;
-mod trunk;
-mod trunk_foot;
-mod trunk_sides;
+mod flowers;
+mod leaves;
+mod shapes;
+mod trees;
+mod tufts;
 
 pub use hypothesis::{Habit, Hypothesis, Made, Solid, SolidKind};
 pub use pieces::{DrawnSolid, Interpretation, Piece, ReadStrokes};
 
 use crate::sketch::{Correction, Corrections, Stroke};
+use beneath::{ground, pot};
+use bodies::{body, mushroom};
 use corrected::Corrected;
+use flowers::{corolla, corolla_on_stem, cup, gathered, rays, rose};
+use leaves::{leaf, leaf_loops, stem_arcs, stem_loops};
 use page::Page;
 use std::sync::Arc;
+use trees::{bush, conifer, tree, tree_on_line};
+use tufts::{fronds, grass};
 
 crate::parameters! {
     /// How drawings are read that are not drawn in the papers' way.

@@ -1,0 +1,379 @@
+//! The pot in which a plant stands: what is lowest, box-like with a flat bottom, and has a plant in its upper edge.
+//!
+//! A line, or three for the bottom and the sides, may be a pot if it has two sides nearly all the way up, a bottom that is flat over [`FLAT`] of its width or a level upper edge, no notches
+//! ([`SOLID`]) and is not much higher than wide ([`HIGHEST`]). What lies within its bounds belongs to it, and so do level
+//! bands and ellipses at its upper edge, the rim, and a saucer below. It is a pot only if a plant stands in it: other lines have their lowest point at the upper
+//! edge between the sides and rise well above it, narrower than the pot where they enter. A trunk, the stalk of a mushroom and
+//! the lower part of a body have no such plant: what rests on them reaches past both sides.
+//!
+//! The pot is a [`Solid`] of revolution. Its profile is half of the distance of its sides in each row, from the rim to the
+//! bottom. The plant in it stays with its own conventions.
+//!
+//! Limits: a pot beside something that stands lower is not found; a pot in one stroke with its plant is not found, nor one behind leaves that hang over both of its sides.
+
+use super::pot_rows::{ROWS, Row, mirrored, profile, rows};
+use crate::anatomy::conventions::page::{Line, Page};
+use crate::anatomy::conventions::{Hypothesis, Solid, SolidKind};
+use crate::geom::{convex_hull::convex_hull, simple_loop};
+use crate::sketch::Reading;
+use glam::Vec2;
+
+/// Least width of a flat bottom, as a share of the pot's, and its slope at most; a circle is as flat over a quarter of its width.
+const FLAT: (f32, f32) = (0.33, 0.27);
+/// Least width of a level upper edge above a round bottom: a bowl.
+const MOUTH_EDGE: f32 = 0.75;
+/// Least share of its convex hull that lies between its sides.
+const SOLID: f32 = 0.75;
+/// Greatest height, in widths: a vase.
+const HIGHEST: f32 = 1.6;
+/// Least height, in widths: a bowl.
+const LOWEST: f32 = 0.15;
+/// Least width, as a share of the drawing's diagonal.
+const NARROWEST: f32 = 0.06;
+/// Length at most, in perimeters of the hull: a lip is drawn in the same stroke, lobes are not.
+const LONGEST: f32 = 1.9;
+/// Height of a rim over its width at most, its width over that of the body below, which may have one side only, and how far above
+/// the body's edge it begins, as a share of the width: it is seen from above.
+const RIM: (f32, f32, f32) = (0.6, 1.7, 0.45);
+/// Height of a saucer over its width at most.
+const SAUCER: f32 = 0.4;
+/// Most rows, as a share of all, above the upper edge in which an end of one side goes on.
+const OVERSHOT: f32 = 0.4;
+/// Distance from the upper edge within which plants end, in heights of the pot: above, below.
+const MOUTH: (f32, f32) = (0.3, 0.7);
+/// Least height of a plant above the pot, in heights of the pot.
+const PLANT: f32 = 0.4;
+/// Greatest width of a plant where it enters, as a share of the pot's.
+const ENTRY: f32 = 0.85;
+/// Log-odds: more than those of a tree, whose trunk a pot would be.
+const SCORE: f32 = 3.5;
+/// How far other things may reach below it, in heights of the pot: under it, and beside it, where they may stand before it.
+const BELOW: (f32, f32) = (0.15, 0.5);
+/// Candidates that are looked at, the lowest first.
+const MOST: usize = 8;
+
+/// Proposes the lowest pot with a plant in it.
+pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
+    let bodies = (0..page.lines.len())
+        .filter(|i| has_bottom(page, &page.lines[*i]) || is_level(page, &page.lines[*i]));
+    let mut bodies: Vec<usize> = bodies.collect();
+    bodies.sort_by(|a, b| page.lines[*b].bounds.1.y.total_cmp(&page.lines[*a].bounds.1.y).then(a.cmp(b)));
+    bodies.truncate(MOST);
+    out.extend(bodies.into_iter().find_map(|body| pot(page, body)));
+}
+
+fn pot(page: &Page, body: usize) -> Option<Hypothesis> {
+    let mut pot = if is_level(page, &page.lines[body]) {
+        Pot::around(page, &with_sides(page, body)?)
+    } else {
+        Pot::around(page, &[body])
+    };
+    let lines: Vec<&[Vec2]> = pot.uses.iter().map(|i| &page.lines[*i].points[..]).collect();
+    let mut rows = mirrored(rows(&lines, pot.low, pot.high));
+    pot.trim(&mut rows);
+    if !pot.is_box(&lines, &rows) || pot.stands_on_more(page) || !pot.has_plant(page) {
+        return None;
+    }
+    let axis = 0.5 * (pot.low.x + pot.high.x);
+    Some(Hypothesis {
+        uses: pot.uses,
+        score: SCORE,
+        parts: Vec::new(),
+        solids: vec![Solid { kind: SolidKind::Pot, axis, profile: profile(&rows) }],
+        reading: Reading::Pot,
+        habit: None,
+    })
+}
+
+/// Whether a line by itself has the size and the bottom of a pot; it may lack a side.
+fn has_bottom(page: &Page, line: &Line) -> bool {
+    let size = line.size();
+    let edges = (0..line.hull.len()).map(|i| (line.hull[i], line.hull[(i + 1) % line.hull.len()]));
+    let perimeter: f32 = edges.clone().map(|(a, b)| a.distance(b)).sum();
+    let is_level = |a: Vec2, b: Vec2| (b.y - a.y).abs() < FLAT.1 * (b.x - a.x).abs();
+    let level = |is_lower: bool| -> f32 {
+        let there =
+            |(a, b): &(Vec2, Vec2)| is_level(*a, *b) && (a.midpoint(*b).y > line.middle().y) == is_lower;
+        edges.clone().filter(there).map(|(a, b)| (b.x - a.x).abs()).sum()
+    };
+    size.x >= NARROWEST * page.diagonal
+        && size.y <= HIGHEST * size.x
+        && size.y >= LOWEST * size.x
+        && line.length < LONGEST * perimeter
+        && (level(true) > FLAT.0 * size.x || level(false) > MOUTH_EDGE * size.x)
+}
+
+/// Whether a line may be the bottom of a pot of which the sides were drawn by themselves.
+fn is_level(page: &Page, line: &Line) -> bool {
+    let size = line.size();
+    size.x >= NARROWEST * page.diagonal && size.y < LOWEST * size.x
+}
+
+/// A level line with the two lines that rise from its ends.
+fn with_sides(page: &Page, bottom: usize) -> Option<[usize; 3]> {
+    let line = &page.lines[bottom];
+    let (width, ends) = (line.size().x, line.ends());
+    let side = |corner: Vec2| {
+        let rises = |other: &Line| {
+            let (first, last) = other.ends();
+            let foot = if first.y > last.y { first } else { last };
+            foot.distance(corner) < 0.2 * width && other.size().y > other.size().x.max(LOWEST * width)
+        };
+        (0..page.lines.len()).find(|i| rises(&page.lines[*i]))
+    };
+    let (left, right) = (side(ends.0)?, side(ends.1)?);
+    (left != right).then_some([left, bottom, right])
+}
+
+/// Whether a line is a band or an ellipse at the upper edge of a body.
+fn is_rim(line: &Line, (low, high): (Vec2, Vec2)) -> bool {
+    let (size, own) = (high - low, line.size());
+    let (l, h) = line.bounds;
+    let shared = h.x.min(high.x) - l.x.max(low.x);
+    let is_band = own.y < RIM.0 * own.x && (0.7..RIM.1).contains(&(own.x / size.x));
+    is_band
+        && shared > 0.6 * size.x
+        && l.y < low.y + 0.3 * size.y
+        && h.y > low.y - 0.15 * size.y
+        && h.y < high.y
+        && l.y > low.y - RIM.2 * own.x.max(size.x)
+}
+
+/// Whether a line is the saucer below a pot.
+fn is_saucer(line: &Line, (low, high): (Vec2, Vec2)) -> bool {
+    let (size, own, (l, h)) = (high - low, line.size(), line.bounds);
+    let is_flat = own.y < SAUCER * own.x && (0.6..1.7).contains(&(own.x / size.x));
+    let is_below = (l.y - high.y).abs() < 0.15 * size.y && h.y < high.y + 0.4 * size.y;
+    is_flat
+        && line.area > 0.1 * own.x * own.y
+        && is_below
+        && (line.middle().x - low.midpoint(high).x).abs() < 0.25 * size.x
+}
+
+/// A pot with all its lines.
+struct Pot {
+    uses: Vec<usize>,
+    low: Vec2,
+    high: Vec2,
+    size: Vec2,
+}
+
+impl Pot {
+    /// The lines within a body's bounds, the bands at its upper edge and a saucer below.
+    fn around(page: &Page, body: &[usize]) -> Self {
+        let union = |a: (Vec2, Vec2), b: (Vec2, Vec2)| (a.0.min(b.0), a.1.max(b.1));
+        let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+        let own = body.iter().map(|i| page.lines[*i].bounds).fold(empty, union);
+        let rims = (0..page.lines.len()).filter(|i| !body.contains(i) && is_rim(&page.lines[*i], own));
+        let (low, high) = rims.map(|i| page.lines[i].bounds).fold(own, union);
+        let (size, upper) = (high - low, own.0.y);
+        let is_part = |line: &Line| {
+            let (l, h) = line.bounds;
+            let within = l.x > low.x - 0.12 * size.x && h.x < high.x + 0.12 * size.x;
+            let is_inside = l.y > upper - 0.1 * size.y;
+            let is_wide = line.size().x > 0.6 * size.x;
+            let is_collar = line.size().y < 0.5 * line.size().x && l.y > upper - 0.6 * size.y;
+            let is_above =
+                is_wide && (is_collar && h.y > upper - 0.15 * size.y || l.y > upper - 0.2 * size.x);
+            within && h.y < high.y + 0.1 * size.y && (is_inside || is_above)
+        };
+        let belongs = |i: &usize| {
+            let line = &page.lines[*i];
+            body.contains(i) || is_rim(line, own) || is_part(line) || is_saucer(line, (low, high))
+        };
+        let uses: Vec<usize> = (0..page.lines.len()).filter(belongs).collect();
+        let (low, high) = uses.iter().map(|i| page.lines[*i].bounds).fold((low, high), union);
+        Self { uses, low, high, size: high - low }
+    }
+
+    /// Leaves out what of the uppermost rows is an end of a side that went too far.
+    fn trim(&mut self, rows: &mut Vec<Row>) {
+        let widest = rows.iter().map(Row::width).fold(0.0, f32::max);
+        let above = rows.iter().take_while(|row| row.width() < 0.4 * widest).count();
+        if above > 0 && (above as f32) < OVERSHOT * ROWS as f32 {
+            rows.drain(..above);
+            self.low.y += above as f32 / ROWS as f32 * self.size.y;
+            self.size = self.high - self.low;
+        }
+    }
+
+    /// Whether its lines have two sides nearly all the way up, and no notches.
+    fn is_box(&self, lines: &[&[Vec2]], rows: &[Row]) -> bool {
+        let below: Vec<Vec2> = lines.concat().into_iter().filter(|p| p.y >= self.low.y).collect();
+        let sides = rows.iter().flat_map(|row| [Vec2::new(row.left, row.y), Vec2::new(row.right, row.y)]);
+        let all: Vec<Vec2> = below.into_iter().chain(sides.filter(|p| p.is_finite())).collect();
+        let hull = convex_hull(&all, |p| *p);
+        let hull_area = simple_loop::signed_area(hull.iter().copied()).abs();
+        let between = rows.iter().map(Row::width).sum::<f32>() * self.size.y / rows.len().max(1) as f32;
+        let two_sided = rows.iter().filter(|row| row.width() > 0.4 * self.size.x).count();
+        self.size.y <= HIGHEST * self.size.x && between > SOLID * hull_area && 5 * two_sided >= 4 * rows.len()
+    }
+
+    fn others<'a>(&'a self, page: &'a Page) -> impl Iterator<Item = &'a Line> {
+        (0..page.lines.len()).filter(|i| self.uses.binary_search(i).is_err()).map(|i| &page.lines[i])
+    }
+
+    /// Whether something but level lines goes on below it, or something but straight lines beside it.
+    fn stands_on_more(&self, page: &Page) -> bool {
+        self.others(page).any(|line| {
+            let is_level = line.size().y < 0.2 * line.size().x;
+            let is_around = line.bounds.0.cmplt(self.low).all() && line.bounds.1.cmpgt(self.high).all();
+            let is_beside = line.bounds.1.x < self.low.x || line.bounds.0.x > self.high.x;
+            // The edge of a table.
+            let is_straight = line.ends().0.distance(line.ends().1) > 0.97 * line.length;
+            let is_other = is_beside && is_straight && line.length < self.size.x;
+            let lower = if is_beside { BELOW.1 } else { BELOW.0 };
+            !is_level && !is_other && !is_around && line.bounds.1.y > self.high.y + lower * self.size.y
+        })
+    }
+
+    /// Whether lines stand in the upper edge, and nothing rests on it that reaches past both sides.
+    fn has_plant(&self, page: &Page) -> bool {
+        let (above, below) = (self.low.y - MOUTH.0 * self.size.y, self.low.y + MOUTH.1 * self.size.y);
+        let (mut enters, mut left, mut right) = (false, f32::INFINITY, f32::NEG_INFINITY);
+        for line in self.others(page) {
+            let at_edge =
+                |p: &&Vec2| p.y > self.low.y - 0.2 * self.size.y && p.y < self.low.y + 0.15 * self.size.y;
+            let (l, r) = line
+                .points
+                .iter()
+                .filter(at_edge)
+                .fold((f32::INFINITY, f32::NEG_INFINITY), |(l, r), p| (l.min(p.x), r.max(p.x)));
+            let is_level = line.size().y < 0.1 * line.size().x;
+            if l < self.low.x && r > self.high.x && !is_level {
+                return false;
+            }
+            let foot = line.points.iter().copied().reduce(|a, b| if b.y > a.y { b } else { a });
+            let is_in_mouth = |p: Vec2| p.x > self.low.x && p.x < self.high.x && p.y > above && p.y < below;
+            if foot.is_some_and(is_in_mouth) && line.bounds.0.y < self.low.y - PLANT * self.size.y {
+                enters = true;
+                (left, right) = (left.min(l), right.max(r));
+            }
+        }
+        enters && right - left < ENTRY * self.size.x
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
+        let mut out = Vec::new();
+        propose(&Page::of_lines(lines), &mut out);
+        out
+    }
+
+    fn line(points: &[(f32, f32)]) -> Vec<Vec2> {
+        points.iter().map(|p| Vec2::from(*p)).collect()
+    }
+
+    fn body() -> Vec<Vec2> {
+        line(&[(-25.0, -40.0), (-18.0, 0.0), (18.0, 0.0), (25.0, -40.0)])
+    }
+
+    fn stem() -> Vec<Vec2> {
+        line(&[(0.0, -30.0), (2.0, -110.0)])
+    }
+
+    fn ellipse(middle: Vec2, half: Vec2) -> Vec<Vec2> {
+        (0..=60).map(|k| middle + half * Vec2::from_angle(std::f32::consts::TAU * k as f32 / 60.0)).collect()
+    }
+
+    #[test]
+    fn a_box_with_a_stem_in_it_is_a_pot_of_its_drawn_profile() {
+        let found = read(&[stem(), body()]);
+        assert_eq!(found.len(), 1);
+        assert_eq!((&found[0].uses[..], found[0].parts.len()), (&[1][..], 0));
+        let solid = &found[0].solids[0];
+        let (top, bottom) = (solid.profile[0], solid.profile[solid.profile.len() - 1]);
+        assert!(solid.axis.abs() < 0.5, "{}", solid.axis);
+        assert!((top.x - 25.0).abs() < 1.5 && (bottom.x - 18.0).abs() < 1.5, "{top} {bottom}");
+        assert!((top.y + 40.0).abs() < 2.0 && bottom.y.abs() < 2.0, "{top} {bottom}");
+    }
+
+    #[test]
+    fn bottom_and_sides_may_be_drawn_by_themselves() {
+        let sides = [line(&[(-18.0, 1.0), (-25.0, -40.0)]), line(&[(25.0, -39.0), (19.0, 0.0)])];
+        let bottom = line(&[(-18.0, 0.0), (18.0, 0.0)]);
+        let found = read(&[stem(), bottom, sides[0].clone(), sides[1].clone()]);
+        assert_eq!(found.first().map(|pot| &pot.uses[..]), Some(&[1, 2, 3][..]));
+    }
+
+    #[test]
+    fn a_band_at_its_upper_edge_belongs_to_it() {
+        let rim = ellipse(Vec2::new(0.0, -42.0), Vec2::new(27.0, 6.0));
+        let found = read(&[stem(), body(), rim]);
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].uses, [1, 2]);
+    }
+
+    #[test]
+    fn a_bowl_has_a_level_edge_and_a_round_bottom() {
+        let arc = (0..=30).map(|k| {
+            Vec2::new(-25.0, -40.0) * Vec2::from_angle(std::f32::consts::PI * k as f32 / 30.0)
+                - Vec2::Y * 40.0
+        });
+        let bowl: Vec<Vec2> =
+            arc.chain([Vec2::new(-25.0, -40.0)]).map(|p| Vec2::new(p.x, -80.0 - p.y)).collect();
+        assert_eq!(read(&[stem(), bowl]).len(), 1);
+    }
+
+    #[test]
+    fn without_a_plant_it_is_none() {
+        assert!(read(&[body()]).is_empty());
+        let beside = line(&[(60.0, -30.0), (62.0, -110.0)]);
+        assert!(read(&[body(), beside]).is_empty());
+    }
+
+    #[test]
+    fn a_trunk_below_a_crown_and_a_stalk_below_a_cap_are_none() {
+        assert!(read(&[body(), ellipse(Vec2::new(0.0, -80.0), Vec2::new(60.0, 45.0))]).is_empty());
+        let cap = line(&[(-60.0, -40.0), (-40.0, -80.0), (40.0, -80.0), (60.0, -40.0), (-60.0, -40.0)]);
+        assert!(read(&[body(), cap]).is_empty());
+    }
+
+    #[test]
+    fn a_leaf_with_a_stalk_is_none() {
+        let blade = ellipse(Vec2::new(0.0, -40.0), Vec2::new(30.0, 40.0));
+        assert!(read(&[blade.clone(), line(&[(0.0, -10.0), (0.0, 40.0)])]).is_empty());
+        assert!(read(&[blade, line(&[(0.0, -75.0), (0.0, -140.0)])]).is_empty(), "round below");
+    }
+
+    #[test]
+    fn a_table_below_it_does_not_matter_but_a_stem_does() {
+        let table = line(&[(-90.0, 12.0), (90.0, 12.0)]);
+        assert_eq!(read(&[stem(), body(), table]).len(), 1);
+        assert!(read(&[stem(), body(), line(&[(0.0, 0.0), (1.0, 60.0)])]).is_empty());
+    }
+
+    #[test]
+    fn an_open_stroke_with_an_end_that_goes_too_far_is_cut_at_its_edge() {
+        let long = line(&[(-25.0, -40.0), (25.0, -42.0), (18.0, 0.0), (-18.0, 0.0), (-26.0, -62.0)]);
+        let found = read(&[stem(), long]);
+        let [pot] = &found[..] else { panic!("{} pots", found.len()) };
+        assert!((pot.solids[0].profile[0].y + 41.0).abs() < 4.0, "{}", pot.solids[0].profile[0]);
+    }
+
+    #[test]
+    fn one_side_below_an_elliptic_rim_is_a_pot_with_two() {
+        let rim = ellipse(Vec2::new(0.0, -42.0), Vec2::new(27.0, 9.0));
+        let side = line(&[(-26.0, -36.0), (-18.0, 0.0), (16.0, 1.0)]);
+        let found = read(&[stem(), rim, side.clone()]);
+        let [pot] = &found[..] else { panic!("{} pots", found.len()) };
+        assert_eq!(pot.uses, [1, 2]);
+        let solid = &pot.solids[0];
+        assert!(solid.axis.abs() < 1.5, "{}", solid.axis);
+        assert!(solid.profile.iter().all(|p| (15.0..29.0).contains(&p.x)), "{:?}", solid.profile);
+        assert!(read(&[stem(), side]).is_empty(), "without a rim");
+    }
+
+    #[test]
+    fn soil_patterns_and_saucers_belong_to_it() {
+        let soil = line(&[(-23.0, -38.0), (0.0, -43.0), (23.0, -38.0)]);
+        let pattern = line(&[(-20.0, -20.0), (-10.0, -12.0), (0.0, -20.0), (10.0, -12.0), (20.0, -20.0)]);
+        let saucer = line(&[(-26.0, 0.0), (-20.0, 7.0), (20.0, 7.0), (26.0, 0.0), (-26.0, 0.0)]);
+        let found = read(&[stem(), body(), soil, pattern, saucer]);
+        assert_eq!(found.first().map(|pot| &pot.uses[..]), Some(&[1, 2, 3, 4][..]));
+    }
+}

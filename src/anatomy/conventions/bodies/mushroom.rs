@@ -1,0 +1,215 @@
+//! A mushroom: a smooth cap, broad below, on a thick stalk.
+//!
+//! It is what a tree would be ([`trunk`](super::trunk)) but for its crown, which has no notches, is wider than high and nearly as
+//! wide at its foot as anywhere. Stalk and cap become one body of revolution: a branch up the middle, as thick at each height as
+//! was drawn. Limits: caps that lean are made upright.
+
+use crate::anatomy::conventions::page::{Line, Page, notches};
+use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
+use crate::anatomy::conventions::trees::evidence;
+use crate::anatomy::conventions::trees::trunk::{Rows, Trunk};
+use crate::anatomy::conventions::{Habit, Hypothesis, Made};
+use crate::sketch::{Reading, StrokePoint, Tool};
+use glam::Vec2;
+
+/// Least width of a cap, in its heights.
+const WIDE: f32 = 1.15;
+/// Height above the cap's foot, as a share of its height, and least width there, as a share of its width.
+const BROAD: (f32, f32) = (0.25, 0.7);
+/// Where the rim of a cap is: least distance from its middle, as a share of its width, and most height above its foot.
+const RIM: (f32, f32) = (0.36, 0.6);
+/// Fewest notches of a line that draws the lobes of a crown.
+const LOBES: usize = 4;
+/// Thinnest stalk, as a share of the cap's width.
+const STALK: f32 = 0.12;
+/// Least width of a cap, as a share of the whole.
+const WHOLE: f32 = 0.85;
+/// Least hull of a scribble, as a share of the whole's bounds.
+const SCRIBBLE: f32 = 0.1;
+/// How wide gaps of the outline are closed, in cells of the silhouette.
+const BRIDGE: i32 = 10;
+/// Points of the cap's outline, and rows of the cap.
+const POINTS: (usize, usize) = (160, 24);
+/// Log-odds of a mushroom.
+const SCORE: f32 = 3.8;
+
+/// Proposes mushrooms, one for each group of lines at most.
+pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
+    out.extend(page.groups.iter().chain(&page.wide_groups).filter_map(|group| mushroom(page, group)));
+}
+
+fn mushroom(page: &Page, group: &[usize]) -> Option<Hypothesis> {
+    let lines: Vec<&Line> = group.iter().map(|i| &page.lines[*i]).collect();
+    let rows = Rows::new(&lines)?;
+    let size = rows.width_and_height();
+    // Foliage is scribbled, caps are not.
+    let is_scribble = |line: &&Line| line.is_scribble() && line.hull_area > SCRIBBLE * size.x * size.y;
+    if !evidence::has_outline(&lines, size) || lines.iter().any(is_scribble) {
+        return None;
+    }
+    let trunk = rows.trunk()?;
+    let above: Vec<Vec<Vec2>> = lines.iter().flat_map(|line| line.above(trunk.top)).collect();
+    let sill = [trunk.sill.0, trunk.sill.1];
+    let silhouette = Silhouette::new(above.iter().map(Vec::as_slice).chain([sill.as_slice()]), BRIDGE);
+    let outline = smooth_contour(&silhouette.contour(), POINTS.0, 1);
+    let cap = Cap::new(&outline)?;
+    let bounds = lines.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(left, right), line| {
+        (left.min(line.bounds.0.x), right.max(line.bounds.1.x))
+    });
+    // Where the cap meets the stalk there may be notches, and at its rim, if it is seen from below.
+    let middle = 0.5 * (cap.low.x + cap.high.x);
+    let is_free = |place: &Vec2| {
+        let height = (cap.high.y - place.y) / cap.height();
+        let is_at_rim = (place.x - middle).abs() > RIM.0 * cap.width() && height < RIM.1;
+        height > BROAD.0 && !is_at_rim
+    };
+    let is_cap = trunk.is_sharp
+        && !notches(&outline).iter().any(is_free)
+        && above.iter().all(|line| notches(line).len() < LOBES)
+        && cap.width() > WHOLE * (bounds.1 - bounds.0)
+        && cap.width() > WIDE * cap.height()
+        && cap.half_at(BROAD.0) > BROAD.1 * 0.5 * cap.width()
+        && trunk.narrow > STALK * 0.5 * cap.width()
+        && silhouette.share_inside(above.iter().flatten()) > 0.9;
+    is_cap.then(|| Hypothesis {
+        uses: page.with_what_is_inside(group, &outline),
+        score: SCORE,
+        parts: vec![whole(&trunk, &cap)],
+        solids: Vec::new(),
+        reading: Reading::Mushroom,
+        habit: Some(Habit::Mushroom),
+    })
+}
+
+/// A cap by the ends of its rows.
+struct Cap<'a> {
+    outline: &'a [Vec2],
+    low: Vec2,
+    high: Vec2,
+}
+
+impl<'a> Cap<'a> {
+    fn new(outline: &'a [Vec2]) -> Option<Self> {
+        let first = *outline.first()?;
+        let (low, high) = outline.iter().fold((first, first), |(low, high), p| (low.min(*p), high.max(*p)));
+        (high.y > low.y).then_some(Self { outline, low, high })
+    }
+
+    fn width(&self) -> f32 {
+        self.high.x - self.low.x
+    }
+
+    fn height(&self) -> f32 {
+        self.high.y - self.low.y
+    }
+
+    /// Half width at a share of its height, from below.
+    fn half_at(&self, share: f32) -> f32 {
+        let y = self.high.y - share * self.height();
+        let next = self.outline.iter().cycle().skip(1);
+        let crossings = self.outline.iter().zip(next).filter(|(a, b)| (a.y <= y) != (b.y <= y));
+        let places = crossings.map(|(a, b)| a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
+        let (left, right) = places.fold((f32::INFINITY, f32::NEG_INFINITY), |(l, r), x| (l.min(x), r.max(x)));
+        (0.5 * (right - left)).max(0.0)
+    }
+}
+
+/// Stalk and cap as one branch from the ground to the top, with its half widths as pressure.
+fn whole(trunk: &Trunk, cap: &Cap) -> Made {
+    let middle = 0.5 * (cap.low.x + cap.high.x);
+    let widest = 0.5 * cap.width();
+    let mut points: Vec<(Vec2, f32)> =
+        trunk.rows().iter().copied().filter(|row| row.0.y > cap.high.y).collect();
+    let foot = points.last().map_or(middle, |row| row.0.x);
+    points.extend((0..=POINTS.1).map(|k| {
+        // Denser toward foot and top, where the cap is round.
+        let share = 0.5 - 0.5 * (std::f32::consts::PI * (k as f32 + 0.2) / (POINTS.1 as f32 + 0.4)).cos();
+        let x = foot + (middle - foot) * share.min(0.3) / 0.3;
+        (Vec2::new(x, cap.high.y - share * cap.height()), cap.half_at(share))
+    }));
+    let point =
+        |(position, half): (Vec2, f32)| StrokePoint { pressure: half / widest, ..StrokePoint::at(position) };
+    Made { tool: Tool::Branch, points: points.into_iter().map(point).collect(), half_width: Some(widest) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sketch::Stroke;
+    use std::sync::Arc;
+
+    fn read(lines: &[&[(f32, f32)]]) -> Vec<Hypothesis> {
+        let stroke = |(id, line): (usize, &&[(f32, f32)])| {
+            let points = line.iter().map(|p| StrokePoint::at(Vec2::from(*p))).collect();
+            Arc::new(Stroke { id: id as u64, tool: Tool::Auto, points })
+        };
+        let strokes: Vec<_> = lines.iter().enumerate().map(stroke).collect();
+        let mut out = Vec::new();
+        propose(&Page::new(&strokes), &mut out);
+        out
+    }
+
+    const CAP: [(f32, f32); 9] = [
+        (-12.0, -40.0),
+        (-50.0, -42.0),
+        (-48.0, -62.0),
+        (-30.0, -82.0),
+        (0.0, -90.0),
+        (30.0, -82.0),
+        (48.0, -62.0),
+        (50.0, -42.0),
+        (12.0, -40.0),
+    ];
+    const STALK: [(f32, f32); 4] = [(-12.0, -38.0), (-12.0, 20.0), (12.0, 20.0), (12.0, -38.0)];
+
+    #[test]
+    fn a_smooth_cap_on_a_stalk_is_one_body_of_revolution() {
+        let mushrooms = read(&[&CAP, &STALK]);
+        assert_eq!(mushrooms.len(), 1);
+        let [whole] = &mushrooms[0].parts[..] else { panic!("{} parts", mushrooms[0].parts.len()) };
+        let half_at = |y: f32| {
+            let near = whole
+                .points
+                .iter()
+                .min_by(|a, b| (a.position.y - y).abs().total_cmp(&(b.position.y - y).abs()));
+            near.unwrap().pressure * whole.half_width.unwrap()
+        };
+        assert!((half_at(0.0) - 12.0).abs() < 2.0, "stalk {}", half_at(0.0));
+        assert!(half_at(-50.0) > 42.0, "cap {}", half_at(-50.0));
+        assert!(half_at(-90.0) < 25.0, "top {}", half_at(-90.0));
+    }
+
+    #[test]
+    fn the_underside_of_a_cap_may_be_seen() {
+        let ellipse: Vec<(f32, f32)> = (0..=60)
+            .map(|k| {
+                let angle = std::f32::consts::TAU * k as f32 / 60.0;
+                (50.0 * angle.cos(), -52.0 + 14.0 * angle.sin())
+            })
+            .collect();
+        // The dome comes down inside of the rim.
+        let dome: Vec<(f32, f32)> = (0..=40)
+            .map(|k| {
+                let angle = std::f32::consts::PI * k as f32 / 40.0;
+                (-44.0 * angle.cos(), -60.0 - 34.0 * angle.sin())
+            })
+            .collect();
+        assert_eq!(read(&[&dome, &ellipse, &STALK]).len(), 1);
+        let scribble: Vec<(f32, f32)> = (0..400)
+            .map(|k| 0.31 * k as f32)
+            .map(|t| (48.0 * t.cos(), -62.0 + 24.0 * (1.37 * t).sin()))
+            .collect();
+        assert!(read(&[&dome, &ellipse, &STALK, &scribble]).is_empty(), "foliage");
+    }
+
+    #[test]
+    fn a_round_crown_is_none() {
+        let crown: Vec<(f32, f32)> = (0..=60)
+            .map(|k| {
+                let angle = std::f32::consts::TAU * k as f32 / 60.0;
+                (42.0 * angle.sin(), -78.0 + 42.0 * angle.cos())
+            })
+            .collect();
+        assert!(read(&[&crown, &STALK]).is_empty());
+    }
+}

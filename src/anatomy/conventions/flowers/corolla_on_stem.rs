@@ -1,0 +1,367 @@
+//! A flower without a drawn centre: a lobed outline at the upper end of a single stem line.
+//!
+//! The outline is one stroke, open or closed, with at least three lobes: around its middle, as in a flower seen from the
+//! front, or, if it has none there, from where the stem meets it, as in a tulip seen from the side ([`cup`] where they stand close). What carries it is one line
+//! that begins at the outline or within and ends below.
+//! Two lines that stand close together are the sides of a slender stem; a trunk is broader and shorter. An outline without a stem
+//! is a flower if it is cut deep all around and its lobes are alike.
+//! Lines within say that it is something else, a leaf with its veins or a crown with twigs; a dot may stand there.
+//!
+//! A crown on a trunk that is a single line has shallow lobes, and a trunk shorter than itself.
+//!
+//! Limits: a crown with deep lobes on a long line is read as a flower, too: nothing tells them apart.
+
+use super::corolla::widest_gap;
+use super::cup;
+use crate::anatomy::conventions::page::{Line, Page, even};
+use crate::anatomy::conventions::shapes::lobes::{self, Focus};
+use crate::anatomy::conventions::shapes::stem_tail;
+use crate::anatomy::conventions::{Habit, Hypothesis, Made};
+use crate::geom::polyline;
+use crate::sketch::{Reading, Tool};
+use glam::Vec2;
+use std::borrow::Cow;
+use std::f32::consts::TAU;
+
+/// Fewest lobes.
+const FEWEST: usize = 3;
+/// Least chord of a stem over its length, and least rise over its run.
+const STRAIGHT: f32 = 0.85;
+const UPRIGHT: f32 = 1.5;
+/// How far from an outline's bounds a stem may end, as a share of their diagonal, and the least part of a stem below: of its
+/// length, and of the outline's height, for trunks are shorter than their crowns.
+const TOUCH: f32 = 0.1;
+const BELOW: (f32, f32) = (0.3, 0.45);
+/// Least size of an outline, as a share of its stem's length.
+const HEAD: f32 = 0.12;
+/// Longest line in a scribble-free outline, over the root of its hull's area: a circle has 3.5.
+const WIGGLY: f32 = 9.0;
+/// Least share of the bounds that the outline's hull fills, and of the hull that the outline fills.
+const FULL: (f32, f32) = (0.5, 0.4);
+/// Longest line that may stand within, as a share of the outline's diagonal.
+const DOT: f32 = 0.3;
+/// Distance within which a line in an outline begins at the stem, as a share of the outline's diagonal.
+const TWIG: f32 = 0.03;
+/// Farthest notches from the middle on the average, as a share of their petals' reach: those of a crown are shallow.
+const DEEP: f32 = 0.85;
+/// Smallest petal, as a share of the largest one's area.
+const SMALLEST: f32 = 0.04;
+/// Least angle that petals fill around the middle of a corolla.
+const AROUND: f32 = 0.75 * TAU;
+/// Widest stem of two sides, as a share of the head, and least length over its width; points of each side.
+const SIDES: (f32, f32) = (0.4, 5.0);
+const SIDE_POINTS: usize = 24;
+/// Of a flower without a stem: fewest petals, farthest notches, largest opening, least size of a petal over the mean one's, and
+/// widest gap over the mean one.
+const STAR: (usize, f32, f32, f32, f32) = (4, 0.7, 0.15, 0.7, 1.4);
+/// Most lines that are looked at near an outline.
+const MOST_LINES: usize = 64;
+
+/// Proposes a corolla for each outline that stands on a stem of its own.
+pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
+    let heads: Vec<Head> = (0..page.lines.len()).filter_map(|i| Head::new(page, i)).collect();
+    let grown = |head: &Head| {
+        let margin = Vec2::splat(TOUCH * head.line.size().length());
+        (head.line.bounds.0 - margin, head.line.bounds.1 + margin)
+    };
+    let boxes: Vec<(Vec2, Vec2)> = heads.iter().map(grown).collect();
+    let near = page.lines_at(&boxes);
+    out.extend(heads.iter().zip(near).filter_map(|(head, near)| corolla(page, head, &near)));
+}
+
+/// What may be a corolla.
+struct Head<'a> {
+    number: usize,
+    line: Cow<'a, Line>,
+    /// The stem in one stroke with it.
+    stem: Option<Line>,
+}
+
+impl<'a> Head<'a> {
+    fn new(page: &'a Page, number: usize) -> Option<Self> {
+        let line = &page.lines[number];
+        if let Some((stem, rest)) = stem_tail::cut(line).filter(|(_, rest)| is_head(rest)) {
+            return Some(Self { number, line: Cow::Owned(rest), stem: line.part(stem) });
+        }
+        is_head(line).then_some(Self { number, line: Cow::Borrowed(line), stem: None })
+    }
+}
+
+/// Whether a line encloses something and is no scribble.
+fn is_head(line: &Line) -> bool {
+    let size = line.size();
+    line.hull_area > FULL.0 * size.x * size.y
+        && line.solidity() > FULL.1
+        && line.length < WIGGLY * line.hull_area.sqrt()
+        && size.min_element() > 0.3 * size.max_element()
+}
+
+fn corolla(page: &Page, head: &Head, near: &[usize]) -> Option<Hypothesis> {
+    let line = &*head.line;
+    if near.len() > MOST_LINES {
+        return None;
+    }
+    let others: Vec<usize> = near.iter().copied().filter(|i| *i != head.number).collect();
+    let of_others = others.iter().map(|i| &page.lines[*i]);
+    let carries = |stem: &&Line| stem_top(stem, line).is_some();
+    let stems: Vec<&Line> = head.stem.iter().chain(of_others).filter(carries).collect();
+    let sides = match &stems[..] {
+        [] | [_] => None,
+        [a, b] => Some(two_sides(a, b, line)?),
+        _ => return None,
+    };
+    let within = within(page, line, &stems, &others)?;
+    let petals = outlines(line, stems.first().and_then(|stem| stem_top(stem, line)))?;
+    let score = 3.2 + 0.1 * petals.len().min(8) as f32;
+    let petals = petals.into_iter().map(|outline| Made::new(Tool::Petal, outline));
+    let own_stem = head.stem.iter().map(|stem| Made::new(Tool::Branch, stem.points.iter().copied()));
+    let is_side =
+        |i: &usize| sides.is_some() && stems.iter().any(|stem| std::ptr::eq(*stem, &page.lines[*i]));
+    let side_lines = others.iter().copied().filter(is_side);
+    let mut uses: Vec<usize> = within.into_iter().chain(side_lines).chain([head.number]).collect();
+    uses.sort_unstable();
+    let parts = petals.chain(own_stem).chain(sides.clone()).collect();
+    let (reading, habit) = (Reading::Corolla, Some(Habit::Flower));
+    Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit })
+}
+
+/// The petals of an outline, on the upper end of its stem if it has one.
+fn outlines(line: &Line, top: Option<Vec2>) -> Option<Vec<Vec<Vec2>>> {
+    let front = seen_from_the_front(line);
+    let (focus, petals) = match top {
+        None => front.filter(|(focus, petals)| is_a_star(line, focus, petals))?,
+        Some(top) if front.is_none() => {
+            let side = seen_from_the_side(line, top)?;
+            if let Some(cup) = cup::petals_of_one(line, top) {
+                return Some(cup);
+            }
+            side
+        }
+        Some(_) => front?,
+    };
+    let root =
+        |stretch: &[Vec2]| focus.place + 0.02 * line.size().length() * lobes::direction(stretch, focus.place);
+    Some(petals.iter().map(|stretch| lobes::rooted(stretch, root(stretch))).collect())
+}
+
+/// The lines within an outline on a stem; nothing where one of all that are near speaks against a flower.
+fn within(page: &Page, head: &Line, stems: &[&Line], others: &[usize]) -> Option<Vec<usize>> {
+    let diagonal = head.size().length();
+    let is_stem = |i: &usize| stems.iter().any(|stem| std::ptr::eq(&page.lines[*i], *stem));
+    let others = || others.iter().copied().filter(|i| !is_stem(i));
+    // The other side of a trunk may be one stroke with a frond.
+    let foot = stems.iter().map(|stem| stem.bounds.1.y).fold(head.bounds.1.y, f32::max);
+    let half = 0.5 * (foot + head.bounds.1.y);
+    if others().any(|i| page.lines[i].bounds.1.y > half) {
+        return None;
+    }
+    let (low, high) = head.bounds;
+    let is_within = |middle: Vec2| middle.cmpgt(low).all() && middle.cmplt(high).all();
+    let within: Vec<usize> = others().filter(|i| is_within(page.lines[*i].middle())).collect();
+    let is_twig = |i: &usize| {
+        let line = &page.lines[*i];
+        let gap =
+            |stem: &Line, p: Vec2| polyline::nearest(&stem.points, p).map_or(f32::INFINITY, |(gap, _)| gap);
+        let is_at = |stem: &&Line| line.points.iter().any(|p| gap(stem, *p) < TWIG * diagonal);
+        line.length > DOT * diagonal || stems.iter().any(is_at)
+    };
+    (!within.iter().any(is_twig)).then_some(within)
+}
+
+/// A stem with two sides, its drawn width along it: narrow beside the head that it carries and long beside its width.
+fn two_sides(a: &Line, b: &Line, head: &Line) -> Option<Made> {
+    let down = |line: &Line| {
+        let mut points = even(&line.points, SIDE_POINTS);
+        if line.ends().0.y < line.ends().1.y {
+            points.reverse();
+        }
+        points
+    };
+    let (a, b) = (down(a), down(b));
+    let widths: Vec<f32> = a.iter().zip(&b).map(|(a, b)| a.distance(*b)).collect();
+    let widest = widths.iter().copied().fold(f32::MIN_POSITIVE, f32::max);
+    let length = polyline::length(&a).min(polyline::length(&b));
+    if widest > SIDES.0 * head.size().min_element() || length < SIDES.1 * widest {
+        return None;
+    }
+    let mut stem = Made::new(Tool::Branch, a.iter().zip(&b).map(|(a, b)| a.midpoint(*b)));
+    let pressures = widths.iter().map(|width| width / widest);
+    stem.points.iter_mut().zip(pressures).for_each(|(point, pressure)| point.pressure = pressure);
+    stem.half_width = Some(0.5 * widest);
+    Some(stem)
+}
+
+/// Whether an outline without a stem is a flower and no crown, cactus or leaf: closed, deeply cut all around, its lobes alike.
+fn is_a_star(line: &Line, focus: &Focus, petals: &[Vec<Vec2>]) -> bool {
+    let mean = |of: &dyn Fn(&Vec<Vec2>) -> f32| petals.iter().map(of).sum::<f32>() / petals.len() as f32;
+    let is_even = |of: &dyn Fn(&Vec<Vec2>) -> f32| {
+        let mean = mean(of);
+        petals.iter().all(|petal| (STAR.3 * mean..mean / STAR.3).contains(&of(petal)))
+    };
+    let widest = STAR.4 * TAU / petals.len() as f32;
+    line.openness < STAR.2
+        && petals.len() >= STAR.0
+        && mean(&|petal| lobes::depth(petal, focus)) < STAR.1
+        && is_even(&|petal| lobes::area(&lobes::rooted(petal, focus.place)).sqrt())
+        && widest_gap(petals, focus.place) < widest
+}
+
+/// The upper end of a line that carries an outline.
+pub(crate) fn stem_top(stem: &Line, head: &Line) -> Option<Vec2> {
+    let (first, last) = stem.ends();
+    let (top, foot) = if first.y < last.y { (first, last) } else { (last, first) };
+    let run = foot - top;
+    let margin = TOUCH * head.size().length();
+    let (low, high) = (head.bounds.0 - margin, head.bounds.1 + margin);
+    let is_stem = run.length() > STRAIGHT * stem.length && run.y > UPRIGHT * run.x.abs();
+    let carries = top.cmpgt(low).all()
+        && top.cmplt(high).all()
+        && foot.y - head.bounds.1.y > (BELOW.0 * run.y).max(BELOW.1 * head.size().y);
+    (is_stem && carries && head.size().max_element() > HEAD * stem.length).then_some(top)
+}
+
+/// Petals around the middle of an outline.
+fn seen_from_the_front(line: &Line) -> Option<(Focus, Vec<Vec<Vec2>>)> {
+    let focus = Focus { place: line.middle(), half: 0.5 * line.size() };
+    let petals = petals(line, &focus);
+    let is_around = lobes::around(&petals, focus.place) > AROUND;
+    let depth =
+        petals.iter().map(|petal| lobes::depth(petal, &focus)).sum::<f32>() / petals.len().max(1) as f32;
+    (petals.len() >= FEWEST && is_around && depth < DEEP).then_some((focus, petals))
+}
+
+/// Petals from the top of a stem up.
+fn seen_from_the_side(line: &Line, top: Vec2) -> Option<(Focus, Vec<Vec<Vec2>>)> {
+    let nearest = line.points.iter().copied().min_by(|a, b| a.distance(top).total_cmp(&b.distance(top)))?;
+    let focus = Focus::round(nearest, line.size().length());
+    let petals = petals(line, &focus);
+    let is_above = line.middle().y < nearest.y - 0.25 * line.size().y;
+    (petals.len() >= FEWEST && is_above).then_some((focus, petals))
+}
+
+fn petals(line: &Line, focus: &Focus) -> Vec<Vec<Vec2>> {
+    let mut petals = lobes::cut(&line.points, focus, line.openness < 0.3);
+    let area = |stretch: &[Vec2]| lobes::area(&lobes::rooted(stretch, focus.place));
+    let largest = petals.iter().map(|stretch| area(stretch)).fold(0.0, f32::max);
+    petals.retain(|stretch| area(stretch) > SMALLEST * largest);
+    petals
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
+        let mut out = Vec::new();
+        propose(&Page::of_lines(lines), &mut out);
+        out
+    }
+
+    fn line(places: &[(f32, f32)]) -> Vec<Vec2> {
+        places.iter().map(|p| Vec2::from(*p)).collect()
+    }
+
+    /// Six lobes around (0, 0), the stroke begun at their foot.
+    fn head() -> Vec<Vec2> {
+        let place = |k: usize| {
+            let angle = TAU * k as f32 / 200.0;
+            (30.0 + 25.0 * (3.0 * angle).sin().abs()) * Vec2::new(-angle.sin(), angle.cos())
+        };
+        (0..=200).map(place).collect()
+    }
+
+    /// A cup with three teeth on (0, 60).
+    fn tulip() -> Vec<Vec2> {
+        line(&[
+            (0.0, 60.0),
+            (-35.0, 40.0),
+            (-40.0, -50.0),
+            (-20.0, -10.0),
+            (0.0, -50.0),
+            (20.0, -10.0),
+            (40.0, -50.0),
+            (35.0, 40.0),
+            (2.0, 60.0),
+        ])
+    }
+
+    #[test]
+    fn a_lobed_outline_on_a_line_is_a_flower() {
+        let found = read(&[line(&[(0.0, 200.0), (3.0, 35.0)]), head()]);
+        let [flower] = &found[..] else { panic!("{} corollas", found.len()) };
+        assert_eq!((flower.parts.len(), &flower.uses[..]), (6, &[1][..]));
+        assert!(
+            flower
+                .parts
+                .iter()
+                .all(|petal| petal.tool == Tool::Petal && petal.points[0].position.length() < 10.0)
+        );
+    }
+
+    #[test]
+    fn stem_and_corolla_may_be_one_stroke() {
+        let mut drawn = line(&[(0.0, 200.0)]);
+        drawn.extend(head());
+        let found = read(&[drawn]);
+        let count = |tool: Tool| found[0].parts.iter().filter(|part| part.tool == tool).count();
+        assert_eq!((found.len(), count(Tool::Branch), count(Tool::Petal)), (1, 1, 6));
+    }
+
+    #[test]
+    fn a_tulip_has_its_petals_from_the_stem() {
+        let found = read(&[tulip(), line(&[(0.0, 62.0), (0.0, 250.0)])]);
+        assert_eq!(found[0].parts.len(), 5, "three tips, and two petals in front");
+        assert!(
+            found[0].parts.iter().all(|petal| petal.points[0].position.distance(Vec2::new(0.0, 60.0)) < 12.0)
+        );
+    }
+
+    #[test]
+    fn a_stem_may_have_two_sides_if_it_is_slender() {
+        let side = |x: f32, foot: f32| line(&[(x, foot), (x, 35.0)]);
+        let found = read(&[head(), side(-10.0, 220.0), side(10.0, 220.0)]);
+        let stem = found[0].parts.last().unwrap();
+        assert_eq!((found[0].uses.len(), stem.tool), (3, Tool::Branch));
+        assert!((stem.half_width.unwrap() - 10.0).abs() < 0.5);
+        assert!(stem.points.iter().all(|p| p.position.x.abs() < 0.5));
+        assert!(read(&[head(), side(-25.0, 220.0), side(25.0, 220.0)]).is_empty(), "a trunk");
+        assert!(read(&[head(), side(-10.0, 120.0), side(10.0, 120.0)]).is_empty(), "a short trunk");
+    }
+
+    #[test]
+    fn without_a_stem_only_what_is_cut_deep_and_even_is_a_flower() {
+        let lobed = |depth: f32| -> Vec<Vec2> {
+            head().into_iter().map(|p| p.normalize() * (55.0 + depth * (p.length() - 55.0))).collect()
+        };
+        let found = read(&[lobed(1.3)]);
+        assert_eq!((found.len(), found[0].parts.len()), (1, 6));
+        assert!(read(&[lobed(0.5)]).is_empty(), "a crown");
+        let mut uneven = lobed(1.3);
+        uneven.iter_mut().filter(|p| p.y > 0.0).for_each(|p| p.y *= 2.2);
+        assert!(read(&[uneven]).is_empty(), "a cactus");
+    }
+
+    #[test]
+    fn with_twigs_it_is_none() {
+        let left = line(&[(-10.0, 200.0), (-10.0, 35.0)]);
+        let twig = line(&[(0.0, 30.0), (5.0, -30.0)]);
+        assert!(read(&[head(), left, twig]).is_empty());
+    }
+
+    #[test]
+    fn a_crown_has_shallow_lobes_or_a_short_trunk() {
+        let middle = |depth: f32| {
+            head().into_iter().map(|p| p.normalize() * (50.0 + depth * (p.length() - 30.0))).collect()
+        };
+        let stem = |foot: f32| line(&[(0.0, foot), (0.0, 40.0)]);
+        assert_eq!(read(&[middle(1.0), stem(200.0)]).len(), 1);
+        assert!(read(&[middle(0.3), stem(200.0)]).is_empty());
+        assert!(read(&[middle(1.0), stem(90.0)]).is_empty());
+    }
+
+    #[test]
+    fn a_plain_outline_on_a_stem_is_none() {
+        let disc: Vec<Vec2> = (0..=60).map(|k| 40.0 * Vec2::from_angle(TAU * k as f32 / 60.0)).collect();
+        assert!(read(&[disc, line(&[(0.0, 200.0), (0.0, 40.0)])]).is_empty());
+    }
+}

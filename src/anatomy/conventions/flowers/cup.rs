@@ -1,0 +1,298 @@
+//! Flowers seen from the side whose petals stand close together: tulips and bells.
+//!
+//! A head of several lines stands beyond the end of a stem, in the direction in which the stem arrives: arcs side by side, or a
+//! cup with a zigzag over it. What all of them enclose has at least [`TIPS`] tips away from the stem and no notches elsewhere,
+//! and every line draws a good part of its outline, which a leaf's veins and a crown's twigs do not. One line alone is a bell if it hangs; standing outlines of one line are read by
+//! [`corolla_on_stem`](super::corolla_on_stem). Each tip is that of a
+//! petal from the stem's end, so broad that the outer ones reach the sides of the cup. Between two of them another stands in
+//! front, its tip a little lower ([`LOWER`]): the ellipse of their rim then closes, and the cone fit of the later stages
+//! makes a cup of them ([`petals`]).
+//!
+//! Limits: buds of one outline are leaves; heads whose stem arrives from the side are not found.
+
+use crate::anatomy::conventions::page::{Line, Page, even, notches};
+use crate::anatomy::conventions::shapes::lobes;
+use crate::anatomy::conventions::shapes::silhouette::{Silhouette, share_along, smooth_contour};
+use crate::anatomy::conventions::{Habit, Hypothesis, Made};
+use crate::geom::polyline;
+use crate::sketch::{Reading, Tool};
+use glam::Vec2;
+
+/// Fewest tips and most.
+const TIPS: (usize, usize) = (3, 9);
+/// Fewest lines of a head that stands, most of it, and most of a group that is looked at.
+const LINES: (usize, usize, usize) = (2, 10, 40);
+/// Steepest way down of a stem, from which a head of one line is a bell: leaves hang, too, but have one tip.
+const HANGS: f32 = 0.5;
+/// Least length of a stem, as a share of its head's height.
+const LONG: f32 = 0.5;
+/// Part of a stem's end that gives its direction.
+const END: f32 = 0.1;
+/// How far from the stem's end a head may begin, and how far it may reach back, as shares of its height.
+const BEGIN: f32 = 0.2;
+const BACK: f32 = 0.12;
+/// Width of a head over its height.
+const WIDTH: (f32, f32) = (0.4, 1.7);
+/// Widest head of one line, over its height: what opens wider is drawn with its petals apart.
+const NARROW: f32 = 1.2;
+/// Least height of a tip, and of a notch, as shares of the head's.
+const HIGH: (f32, f32) = (0.6, 0.4);
+/// Least fall of the outline beside a tip, as a share of the head's height.
+const PROMINENCE: f32 = 0.04;
+/// Least part of the outline that each line draws.
+const DRAWN: f32 = 0.12;
+/// How wide gaps of the outline are closed, in cells of the silhouette.
+const BRIDGE: i32 = 8;
+/// Points of the outline, and of each side of a petal.
+const POINTS: (usize, usize) = (160, 16);
+/// Half the width of a petal, least and most, as a share of its length.
+const HALF: (f32, f32) = (0.16, 0.34);
+/// How much nearer to the stem the tips of petals in front are, as a share of their length.
+const LOWER: f32 = 0.14;
+
+/// Proposes a cup at the end of each stem that has one.
+pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
+    for group in page.groups.iter().filter(|group| (2..=LINES.2).contains(&group.len())) {
+        out.extend(group.iter().filter_map(|stem| at_end(page, group, *stem)));
+    }
+}
+
+/// The cup at either end of a line.
+fn at_end(page: &Page, group: &[usize], stem: usize) -> Option<Hypothesis> {
+    let line = &page.lines[stem];
+    if line.openness < 0.5 {
+        return None;
+    }
+    let mut points = even(&line.points, 40);
+    let forward = Base::new(&points);
+    points.reverse();
+    [forward, Base::new(&points)].into_iter().find_map(|base| cup(page, group, stem, base))
+}
+
+/// Where a head begins, and where it goes from there.
+#[derive(Clone, Copy)]
+struct Base {
+    place: Vec2,
+    along: Vec2,
+}
+
+impl Base {
+    /// That at the last of these points.
+    fn new(points: &[Vec2]) -> Self {
+        let last = points.len() - 1;
+        let before = points[last - (END * last as f32) as usize];
+        Self { place: points[last], along: (points[last] - before).normalize_or_zero() }
+    }
+
+    /// The same with a direction between that of the stem and that of the lines' middle, and their height along it.
+    fn toward(self, lines: &[&Line]) -> (Self, f32) {
+        let middle = lines.iter().map(|line| line.middle()).sum::<Vec2>() / lines.len().max(1) as f32;
+        let along = (self.along + (middle - self.place).normalize_or_zero()).normalize_or_zero();
+        let base = Self { along, ..self };
+        let heights = lines.iter().flat_map(|line| &line.points).map(|p| base.height(*p));
+        (base, heights.fold(f32::MIN_POSITIVE, f32::max))
+    }
+
+    fn height(&self, p: Vec2) -> f32 {
+        (p - self.place).dot(self.along)
+    }
+}
+
+fn cup(page: &Page, group: &[usize], stem: usize, base: Base) -> Option<Hypothesis> {
+    let heights = |line: &Line| {
+        let all = line.points.iter().map(|p| base.height(*p));
+        all.fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), h| (low.min(h), high.max(h)))
+    };
+    let others = || group.iter().copied().filter(|i| *i != stem);
+    let height = others().map(|i| heights(&page.lines[i]).1).fold(0.0, f32::max);
+    let head: Vec<usize> = others().filter(|i| heights(&page.lines[*i]).0 > -BACK * height).collect();
+    let fewest = if base.along.y > HANGS { 1 } else { LINES.0 };
+    let is_of_form = (fewest..=LINES.1).contains(&head.len())
+        && height > 0.0
+        && page.lines[stem].length > LONG * height
+        && head.len() * 2 > others().count();
+    if !is_of_form {
+        return None;
+    }
+    let lines: Vec<&Line> = head.iter().map(|i| &page.lines[*i]).collect();
+    let (base, height) = base.toward(&lines);
+    let sides = lines.iter().flat_map(|line| &line.points).map(|p| (*p - base.place).perp_dot(base.along));
+    let (left, right) = sides.fold((0.0_f32, 0.0_f32), |(low, high), side| (low.min(side), high.max(side)));
+    let nearest = lines.iter().filter_map(|line| polyline::nearest(&line.points, base.place));
+    let gap = nearest.map(|(gap, _)| gap).fold(f32::INFINITY, f32::min);
+    // The stem arrives at the middle of its head.
+    let is_amid = left.abs().min(right) > 0.25 * (right - left);
+    if gap > BEGIN * height || !is_amid || !(WIDTH.0..WIDTH.1).contains(&((right - left) / height)) {
+        return None;
+    }
+    let outline = outline(&lines, base, height)?;
+    let parts: Vec<Made> = petals(&outline, base.place, &tips(&outline, base, height))?
+        .into_iter()
+        .map(|petal| Made::new(Tool::Petal, petal))
+        .collect();
+    let score = 3.4 + 0.1 * head.len().min(6) as f32;
+    let (reading, habit) = (Reading::Corolla, Some(Habit::Flower));
+    Some(Hypothesis { uses: head, score, parts, solids: Vec::new(), reading, habit })
+}
+
+/// What the lines of a head enclose, if all of them draw it and it has notches between its tips only.
+fn outline(lines: &[&Line], base: Base, height: f32) -> Option<Vec<Vec2>> {
+    let silhouette = Silhouette::new(lines.iter().map(|line| line.points.as_slice()), BRIDGE);
+    let outline = smooth_contour(&silhouette.contour(), POINTS.0, 1);
+    let near = 3.0 * silhouette.cell();
+    let draws = |line: &&Line| share_along(&outline, std::iter::once(line.points.as_slice()), near) > DRAWN;
+    let is_high = |p: &Vec2| base.height(*p) > HIGH.1 * height;
+    (lines.iter().all(draws) && notches(&outline).iter().all(is_high)).then_some(outline)
+}
+
+/// The tips of an outline: where it turns back toward its base, high up.
+fn tips(outline: &[Vec2], base: Base, height: f32) -> Vec<Vec2> {
+    let lowest = (0..outline.len())
+        .min_by(|a, b| base.height(outline[*a]).total_cmp(&base.height(outline[*b])))
+        .unwrap_or(0);
+    let around: Vec<Vec2> = (0..=outline.len()).map(|k| outline[(lowest + k) % outline.len()]).collect();
+    let below: Vec<f32> = around.iter().map(|p| (height - base.height(*p)).max(0.0)).collect();
+    let all = lobes::valleys_between(&below, PROMINENCE * height).into_iter().map(|k| around[k]);
+    all.filter(|tip| base.height(*tip) > HIGH.0 * height).collect()
+}
+
+/// A petal from the base to each tip, and between neighbours one in front.
+pub(crate) fn petals(outline: &[Vec2], base: Vec2, tips: &[Vec2]) -> Option<Vec<Vec<Vec2>>> {
+    if !(TIPS.0..=TIPS.1).contains(&tips.len()) {
+        return None;
+    }
+    let (first, last) = (tips[0], tips[tips.len() - 1]);
+    let half = side_of(outline, base, first).max(side_of(outline, base, last));
+    let length = tips.iter().map(|tip| tip.distance(base)).sum::<f32>() / tips.len() as f32;
+    let half = half.clamp(HALF.0 * length, HALF.1 * length);
+    let front = tips.windows(2).map(|pair| base + (1.0 - LOWER) * (pair[0].midpoint(pair[1]) - base));
+    Some(tips.iter().copied().chain(front).map(|tip| petal(base, tip, half)).collect())
+}
+
+/// The petals of a cup in one line on the end of a stem; nothing where its tips do not stand close together above that.
+pub(crate) fn petals_of_one(line: &Line, place: Vec2) -> Option<Vec<Vec<Vec2>>> {
+    let base = Base { place, along: (line.middle() - place).normalize_or_zero() };
+    let height = line.points.iter().map(|p| base.height(*p)).fold(0.0, f32::max);
+    let sides = line.points.iter().map(|p| (*p - place).perp_dot(base.along));
+    let (left, right) = sides.fold((0.0_f32, 0.0_f32), |(low, high), side| (low.min(side), high.max(side)));
+    let is_narrow = right - left < NARROW * height;
+    let is_high = |p: &Vec2| base.height(*p) > HIGH.1 * height;
+    let outline = even(&line.points, POINTS.0);
+    let is_cup = is_narrow && notches(&outline).iter().all(is_high);
+    petals(&outline, place, &tips(&outline, base, height)).filter(|_| is_cup)
+}
+
+/// How far an outline goes beyond the line from the base to an outer tip, away from the others.
+fn side_of(outline: &[Vec2], base: Vec2, tip: Vec2) -> f32 {
+    let middle = outline.iter().sum::<Vec2>() / outline.len() as f32;
+    let axis = (tip - base).normalize_or_zero();
+    let outside = -axis.perp_dot(middle - base).signum();
+    outline.iter().map(|p| outside * axis.perp_dot(*p - base)).fold(0.0, f32::max)
+}
+
+/// The outline of a petal, broadest beyond its middle, its root a little beside the base so that the petals stay apart.
+fn petal(base: Vec2, tip: Vec2, half: f32) -> Vec<Vec2> {
+    let axis = tip - base;
+    let side = |k: usize, sign: f32| {
+        let along = k as f32 / POINTS.1 as f32;
+        let away = (std::f32::consts::PI * along.powf(1.2)).sin().max(0.0).powf(0.8);
+        base + along * axis + sign * half * away * axis.normalize_or_zero().perp()
+    };
+    let out = (0..=POINTS.1).map(|k| side(k, 1.0));
+    out.chain((0..POINTS.1).rev().map(|k| side(k, -1.0))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
+        let mut out = Vec::new();
+        propose(&Page::of_lines(lines), &mut out);
+        out
+    }
+
+    fn line(places: &[(f32, f32)]) -> Vec<Vec2> {
+        places.iter().map(|p| Vec2::from(*p)).collect()
+    }
+
+    /// From the left rim of a cup on the origin down and up to its right rim.
+    fn cup() -> Vec<Vec2> {
+        let place = |k: usize| {
+            let angle = std::f32::consts::PI * (k as f32 / 40.0);
+            Vec2::new(-50.0 * angle.cos(), -100.0 + 100.0 * angle.sin())
+        };
+        [vec![Vec2::new(-46.0, -140.0)], (0..=40).map(place).collect(), vec![Vec2::new(46.0, -140.0)]]
+            .concat()
+    }
+
+    fn zigzag() -> Vec<Vec2> {
+        line(&[(-46.0, -140.0), (-22.0, -105.0), (0.0, -145.0), (22.0, -105.0), (46.0, -140.0)])
+    }
+
+    fn stem() -> Vec<Vec2> {
+        line(&[(5.0, 200.0), (0.0, 2.0)])
+    }
+
+    #[test]
+    fn a_cup_with_a_zigzag_is_a_tulip_of_petals_behind_and_in_front() {
+        let found = read(&[stem(), cup(), zigzag()]);
+        let [tulip] = &found[..] else { panic!("{} cups", found.len()) };
+        assert_eq!((&tulip.uses[..], tulip.parts.len()), (&[1, 2][..], 5));
+        let outline = |part: &Made| part.points.iter().map(|p| p.position).collect::<Vec<_>>();
+        let top = |part: &Made| outline(part).iter().map(|p| p.y).fold(f32::INFINITY, f32::min);
+        for petal in &tulip.parts {
+            assert!(petal.tool == Tool::Petal && outline(petal)[0].length() < 5.0, "from the stem's end");
+        }
+        let (drawn, front) = tulip.parts.split_at(3);
+        assert!(drawn.iter().all(|petal| (-150.0..-130.0).contains(&top(petal))));
+        assert!(front.iter().all(|petal| (-135.0..-105.0).contains(&top(petal))));
+        let left = drawn.iter().flat_map(outline).map(|p| p.x).fold(0.0, f32::min);
+        assert!((-65.0..-42.0).contains(&left), "as broad as drawn: {left}");
+    }
+
+    #[test]
+    fn three_arcs_side_by_side_are_a_tulip() {
+        let arc = |x: f32, tip: f32| {
+            line(&[
+                (0.0, 0.0),
+                (x - 30.0, -50.0),
+                (x - 26.0, -90.0),
+                (x, tip),
+                (x + 26.0, -90.0),
+                (x + 30.0, -50.0),
+                (0.0, 0.0),
+            ])
+        };
+        let found = read(&[stem(), arc(0.0, -150.0), arc(-32.0, -135.0), arc(32.0, -135.0)]);
+        assert_eq!((found.len(), found[0].uses.len(), found[0].parts.len()), (1, 3, 5));
+    }
+
+    #[test]
+    fn a_bell_hangs_from_an_arching_stem() {
+        let bell: Vec<Vec2> =
+            [cup(), zigzag().into_iter().rev().collect()].concat().into_iter().map(|p| -p).collect();
+        let arch = line(&[
+            (150.0, 300.0),
+            (150.0, -20.0),
+            (120.0, -60.0),
+            (60.0, -80.0),
+            (20.0, -60.0),
+            (0.0, -20.0),
+            (0.0, -2.0),
+        ]);
+        let found = read(&[arch, bell.clone()]);
+        assert_eq!((found.len(), &found[0].uses[..]), (1, &[1][..]));
+        assert!(read(&[bell, line(&[(0.0, -200.0), (0.0, -2.0)])]).len() == 1, "from above");
+    }
+
+    #[test]
+    fn leaves_with_veins_and_cups_without_tips_are_none() {
+        let closed = [cup(), line(&[(-46.0, -140.0)])].concat();
+        let (midrib, vein) = (line(&[(0.0, 0.0), (0.0, -120.0)]), line(&[(0.0, -40.0), (25.0, -80.0)]));
+        assert!(read(&[stem(), closed, midrib.clone(), vein.clone()]).is_empty());
+        assert!(
+            read(&[stem(), [cup(), zigzag().into_iter().rev().collect()].concat(), midrib, vein]).is_empty()
+        );
+    }
+}

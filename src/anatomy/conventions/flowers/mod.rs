@@ -1,0 +1,17 @@
+//! Flowers from above and from the side.
+//!
+//! | file | what |
+//! | --- | --- |
+//! | `corolla` | a corolla around a flower's centre |
+//! | `corolla_on_stem` | a lobed outline at the end of a stem, without a centre |
+//! | `cup` | petals that stand close together, seen from the side |
+//! | `gathered` | petals that gather at one place, without a centre |
+//! | `rays` | single lines around a centre: thin petals, or a sun |
+//! | `rose` | a spiral, or arcs in a disc, on a stem |
+
+pub(crate) mod corolla;
+pub(crate) mod corolla_on_stem;
+pub(crate) mod cup;
+pub(crate) mod gathered;
+pub(crate) mod rays;
+pub(crate) mod rose;

@@ -1,0 +1,188 @@
+//! A rose: a spiral, or arcs in a disc, at the upper end of a stem.
+//!
+//! A spiral winds at least [`TURNS`] around its inner end, always in one direction, and ends farther out than it began. A disc is
+//! a round closed line with at least [`ARCS`] lines within that bend around its middle as the edges of petals do, none straight as
+//! veins are. One stem line carries either, and nothing else comes near. What a hand only hints at is drawn in full: broad
+//! petals in three rings ([`RINGS`]) that fill the head and overlap.
+//!
+//! Limits: stem and spiral in one stroke are the curled tip of a fern as well, and are left to the classifier.
+
+use super::corolla_on_stem::stem_top;
+use crate::anatomy::conventions::page::{Line, Page};
+use crate::anatomy::conventions::{Habit, Hypothesis, Made};
+use crate::sketch::{Reading, Tool};
+use glam::Vec2;
+use std::f32::consts::{PI, TAU};
+
+/// Least turns of a spiral, and least share of its turning that goes one way.
+const TURNS: f32 = 1.6;
+const ONE_WAY: f32 = 0.85;
+/// Farthest that a spiral's beginning is from its inner end, on the average, as a share of its end's.
+const OUTWARD: f32 = 0.6;
+/// Fewest arcs in a disc, and how much each turns at least, radians.
+const ARCS: usize = 2;
+const BENDS: f32 = 0.9;
+/// Narrowest head, its width over its height or the other way round.
+const ROUND: f32 = 0.6;
+/// Most lines that are looked at near a head.
+const MOST_LINES: usize = 32;
+/// Petals of each ring, their reach in radii of the head, and half width as a share of that.
+const RINGS: [(usize, f32, f32); 3] = [(6, 1.0, 0.6), (5, 0.72, 0.66), (4, 0.45, 0.7)];
+/// Points of each side of a petal.
+const SIDE: usize = 16;
+
+/// Proposes a rose for each spiral or disc on a stem.
+pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
+    let is_head = |line: &Line| {
+        let size = line.size();
+        size.min_element() > ROUND * size.max_element() && (is_spiral(line) || line.is_closed_and_solid())
+    };
+    let heads: Vec<usize> = (0..page.lines.len()).filter(|i| is_head(&page.lines[*i])).collect();
+    let grown = |i: &usize| {
+        let (low, high) = page.lines[*i].bounds;
+        let margin = 0.15 * (high - low);
+        (low - margin, high + margin)
+    };
+    let boxes: Vec<(Vec2, Vec2)> = heads.iter().map(grown).collect();
+    let near = page.lines_at(&boxes);
+    out.extend(heads.iter().zip(near).filter_map(|(head, near)| rose(page, *head, &near)));
+}
+
+fn rose(page: &Page, number: usize, near: &[usize]) -> Option<Hypothesis> {
+    let head = &page.lines[number];
+    if near.len() < 2 || near.len() > MOST_LINES {
+        return None;
+    }
+    let others: Vec<usize> = near.iter().copied().filter(|i| *i != number).collect();
+    let (stems, within): (Vec<usize>, Vec<usize>) =
+        others.iter().partition(|i| stem_top(&page.lines[**i], head).is_some());
+    let is_inside = |i: &usize| {
+        let line = &page.lines[*i];
+        line.bounds.0.cmpge(head.bounds.0).all() && line.bounds.1.cmple(head.bounds.1).all()
+    };
+    let is_edge = |i: &usize| turning(&page.lines[*i].points).1 > BENDS;
+    let is_alone = stems.len() == 1 && within.iter().all(|i| is_inside(i) && is_edge(i));
+    let is_rose = is_spiral(head) || within.len() >= ARCS;
+    if !is_alone || !is_rose {
+        return None;
+    }
+    let mut uses: Vec<usize> = within.into_iter().chain([number]).collect();
+    uses.sort_unstable();
+    let score = 4.2;
+    let (reading, habit) = (Reading::Corolla, Some(Habit::Flower));
+    Some(Hypothesis { uses, score, parts: petals(head), solids: Vec::new(), reading, habit })
+}
+
+/// Whether a line winds outward around one of its ends, always in one direction.
+fn is_spiral(line: &Line) -> bool {
+    let winds = |points: &[Vec2]| {
+        let (once, all) = turning(points);
+        let third = points.len() / 3;
+        let away = |part: &[Vec2]| {
+            part.iter().map(|p| p.distance(points[0])).sum::<f32>() / part.len().max(1) as f32
+        };
+        once > TURNS * TAU
+            && once > ONE_WAY * all
+            && away(&points[..third]) < OUTWARD * away(&points[2 * third..])
+    };
+    let reversed: Vec<Vec2> = line.points.iter().rev().copied().collect();
+    winds(&line.points) || winds(&reversed)
+}
+
+/// How much a line turns in all, both ways counted against each other and together.
+fn turning(points: &[Vec2]) -> (f32, f32) {
+    // Steps wide enough that the tremor of a hand does not count.
+    let step = (points.len() / 40).max(1);
+    let coarse: Vec<Vec2> = points.iter().copied().step_by(step).collect();
+    let turns = coarse.windows(3).map(|p| (p[1] - p[0]).angle_to(p[2] - p[1]));
+    let (once, all) = turns.fold((0.0_f32, 0.0), |(once, all), turn| (once + turn, all + turn.abs()));
+    (once.abs(), all)
+}
+
+/// Rings of petals that fill a head.
+fn petals(head: &Line) -> Vec<Made> {
+    let (middle, half) = (head.middle(), 0.5 * head.size());
+    let ring = |(number, (count, reach, width)): (usize, (usize, f32, f32))| {
+        (0..count).map(move |k| {
+            let turn = TAU * (k as f32 / count as f32) + 0.9 * number as f32 + 0.3;
+            let (along, across) = (Vec2::from_angle(turn), Vec2::from_angle(turn).perp());
+            let side = |i: usize, sign: f32| {
+                let t = i as f32 / SIDE as f32;
+                let away = (PI * t.powf(1.6)).sin().max(0.0).powf(0.6);
+                middle + half * reach * (t * along + sign * width * away * across)
+            };
+            let out = (0..=SIDE).map(|i| side(i, 1.0));
+            Made::new(Tool::Petal, out.chain((0..SIDE).rev().map(|i| side(i, -1.0))).collect::<Vec<_>>())
+        })
+    };
+    RINGS.into_iter().enumerate().flat_map(ring).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
+        let mut out = Vec::new();
+        propose(&Page::of_lines(lines), &mut out);
+        out
+    }
+
+    /// Around the origin so many turns, from one radius to another.
+    fn wound(turns: f32, from: f32, to: f32) -> Vec<Vec2> {
+        let place = |k: usize| {
+            let t = k as f32 / 200.0;
+            (from + (to - from) * t) * Vec2::from_angle(turns * TAU * t + 1.0)
+        };
+        (0..=200).map(place).collect()
+    }
+
+    fn arc(height: f32, bow: f32) -> Vec<Vec2> {
+        (0..=20)
+            .map(|k| PI * k as f32 / 20.0)
+            .map(|a| Vec2::new(28.0 * a.cos(), height + bow * a.sin()))
+            .collect()
+    }
+
+    fn stem() -> Vec<Vec2> {
+        vec![Vec2::new(4.0, 220.0), Vec2::new(0.0, 52.0)]
+    }
+
+    #[test]
+    fn a_spiral_drawn_either_way_is_a_rose_that_fills_it() {
+        let spiral = wound(3.0, 4.0, 50.0);
+        for drawn in [spiral.clone(), spiral.into_iter().rev().collect()] {
+            let found = read(&[drawn, stem()]);
+            let [rose] = &found[..] else { panic!("{} roses", found.len()) };
+            assert_eq!((&rose.uses[..], rose.parts.len()), (&[0][..], 15));
+            let points = rose.parts.iter().flat_map(|part| &part.points).map(|p| p.position);
+            let reach = points.map(Vec2::length).fold(0.0, f32::max);
+            assert!((42.0..58.0).contains(&reach), "{reach}");
+            assert!(
+                rose.parts
+                    .iter()
+                    .all(|part| part.tool == Tool::Petal && part.points[0].position.length() < 6.0)
+            );
+        }
+    }
+
+    #[test]
+    fn arcs_in_a_disc_are_a_rose_but_veins_are_none() {
+        let disc = wound(1.0, 50.0, 50.0);
+        assert_eq!(read(&[disc.clone(), stem(), arc(-10.0, -18.0), arc(5.0, 20.0)])[0].uses, [0, 2, 3]);
+        let midrib = vec![Vec2::new(0.0, 48.0), Vec2::new(0.0, -40.0)];
+        let vein = vec![Vec2::new(0.0, 20.0), Vec2::new(25.0, -10.0)];
+        assert!(read(&[disc.clone(), stem(), midrib, vein]).is_empty());
+        assert!(read(&[disc, stem()]).is_empty(), "a disc on a line");
+    }
+
+    #[test]
+    fn without_a_stem_or_with_scribbles_it_is_none() {
+        assert!(read(&[wound(3.0, 4.0, 50.0)]).is_empty());
+        let scribble: Vec<Vec2> = (0..400)
+            .map(|k| 0.05 * k as f32)
+            .map(|t| Vec2::new(50.0 * (1.31 * t).cos(), 50.0 * (2.17 * t).sin()))
+            .collect();
+        assert!(read(&[scribble, stem()]).is_empty());
+    }
+}

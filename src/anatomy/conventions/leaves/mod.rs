@@ -1,0 +1,19 @@
+//! Leaves: outlines of blades in any number of strokes, with their midribs, veins and stalks.
+//!
+//! | file | what |
+//! | --- | --- |
+//! | `leaf` | a blade of several strokes, its midrib and veins, blade and stalk in one stroke |
+//! | `leaf_area` | the blade that a group of lines encloses together: several strokes, halves, lobes |
+//! | `leaf_parts` | midrib, veins and stalk of a blade |
+//! | `leaf_loops` | several leaves in one stroke |
+//! | `stem_loops` | leaves that are loops in the stroke of their stem |
+//! | `stem_arcs` | leaves whose one edge is the stem |
+//! | `blade` | outlines of blades, of one stroke or two, and what they leave over |
+
+pub(crate) mod blade;
+pub(crate) mod leaf;
+pub(crate) mod leaf_area;
+pub(crate) mod leaf_loops;
+pub(crate) mod leaf_parts;
+pub(crate) mod stem_arcs;
+pub(crate) mod stem_loops;

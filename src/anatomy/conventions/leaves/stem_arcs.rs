@@ -1,0 +1,131 @@
+//! Leaves whose one edge is the stem: arcs that leave a stem and come back to it.
+//!
+//! A hand draws a leaf at a stem as a bow from the stem out and back, and takes the stem for its other side, or its midrib. Such an
+//! arc has both ends at one nearly straight, longer line ([`AT`]), lies on one side of it and bulges; the leaf is what lies between the arc
+//! and the stem, its root the lower end. Two arcs or more on one stem, or one beside other blades, are leaves; a single arc at a
+//! line alone may be anything.
+//!
+//! Limits: arcs at a stem that bends much are not found; a cactus' arm has one end at its body.
+
+use crate::anatomy::conventions::page::{Line, Page};
+use crate::anatomy::conventions::{Hypothesis, Made};
+use crate::geom::polyline;
+use crate::sketch::{Reading, Tool};
+use glam::Vec2;
+
+/// Farthest distance of an arc's ends from the stem, as a share of its chord.
+const AT: f32 = 0.15;
+/// Least and most distance of an arc from its chord, as a share of the chord.
+const BULGE: (f32, f32) = (0.15, 1.2);
+/// Longest chord of an arc, as a share of the stem's, and the least chord of a stem over its length.
+const SHORT: f32 = 0.6;
+const STRAIGHT: f32 = 0.8;
+/// Most of an arc's points beyond the stem's line on the other side.
+const BEYOND: f32 = 0.1;
+/// Fewest arcs on one stem, and most.
+const ARCS: (usize, usize) = (2, 24);
+/// Log-odds of each.
+const SCORE: f32 = 1.5;
+
+/// Proposes leaves for the arcs at each stem.
+pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
+    let chord = |line: &Line| line.ends().0.distance(line.ends().1);
+    let is_stem = |i: &usize| chord(&page.lines[*i]) > STRAIGHT * page.lines[*i].length;
+    let stems: Vec<usize> = (0..page.lines.len()).filter(|i| is_stem(i) && !page.is_apart(*i)).collect();
+    let boxes: Vec<(Vec2, Vec2)> = stems.iter().map(|i| page.lines[*i].bounds).collect();
+    for (&stem, near) in stems.iter().zip(page.lines_at(&boxes)) {
+        let arcs: Vec<usize> =
+            near.into_iter().filter(|i| *i != stem && is_arc(&page.lines[*i], &page.lines[stem])).collect();
+        if (ARCS.0..=ARCS.1).contains(&arcs.len()) {
+            out.extend(arcs.into_iter().map(|arc| leaf(page, arc)));
+        }
+    }
+}
+
+/// Whether a line leaves a stem and comes back to it.
+fn is_arc(line: &Line, stem: &Line) -> bool {
+    let (first, last) = line.ends();
+    let chord = first.distance(last);
+    let (foot, tip) = stem.ends();
+    let long = foot.distance(tip);
+    if chord > SHORT * long || line.openness < 0.25 || line.is_scribble() {
+        return false;
+    }
+    let away = |p: Vec2| polyline::nearest(&stem.points, p).map_or(f32::INFINITY, |(distance, _)| distance);
+    let deep = depths(line);
+    let bulge = deep.iter().fold(0.0_f32, |most, depth| if depth.abs() > most.abs() { *depth } else { most });
+    let beyond = deep.iter().filter(|depth| **depth * bulge.signum() < -0.05).count();
+    (BULGE.0..BULGE.1).contains(&bulge.abs())
+        && (beyond as f32) < BEYOND * deep.len() as f32
+        && away(first).max(away(last)) < AT * chord
+        && along(line, stem) > 0.7
+}
+
+/// How far each point of a line is from its chord, with the side, as a share of the chord.
+fn depths(line: &Line) -> Vec<f32> {
+    let (first, last) = line.ends();
+    let chord = last - first;
+    let square = chord.length_squared().max(f32::MIN_POSITIVE);
+    line.points.iter().map(|p| chord.perp_dot(*p - first) / square).collect()
+}
+
+/// Cosine between an arc's chord and its stem's.
+fn along(line: &Line, stem: &Line) -> f32 {
+    let direction = |line: &Line| (line.ends().1 - line.ends().0).normalize_or_zero();
+    direction(line).dot(direction(stem)).abs()
+}
+
+fn leaf(page: &Page, arc: usize) -> Hypothesis {
+    let line = &page.lines[arc];
+    let mut points = line.points.clone();
+    if points[0].y < points[points.len() - 1].y {
+        points.reverse();
+    }
+    points.push(points[0]);
+    Hypothesis {
+        uses: vec![arc],
+        score: SCORE * page.weight(2.0 * line.size().length()),
+        parts: vec![Made::new(Tool::Leaf, points)],
+        solids: Vec::new(),
+        reading: Reading::Leaf,
+        habit: None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn bow(x: f32, low: f32, high: f32) -> Vec<Vec2> {
+        let place = |t: f32| Vec2::new(x * (std::f32::consts::PI * t).sin(), low + (high - low) * t);
+        (0..=30).map(|k| place(k as f32 / 30.0)).collect()
+    }
+
+    fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
+        let mut out = Vec::new();
+        propose(&Page::of_lines(lines), &mut out);
+        out
+    }
+
+    #[test]
+    fn bows_at_a_stem_are_leaves_that_grow_from_their_lower_ends() {
+        let stem = vec![Vec2::new(0.0, 100.0), Vec2::new(0.0, -100.0)];
+        let found = read(&[stem, bow(30.0, 60.0, 10.0), bow(-25.0, -20.0, 30.0)]);
+        assert_eq!(found.len(), 2);
+        for (leaf, low) in found.iter().zip([60.0, 30.0]) {
+            assert_eq!(leaf.parts[0].tool, Tool::Leaf);
+            assert!(leaf.parts[0].points[0].position.distance(Vec2::new(0.0, low)) < 1.0);
+        }
+    }
+
+    #[test]
+    fn one_bow_alone_twigs_and_waves_are_none() {
+        let stem = vec![Vec2::new(0.0, 100.0), Vec2::new(0.0, -100.0)];
+        assert!(read(&[stem.clone(), bow(30.0, 60.0, 10.0)]).is_empty());
+        let twig = |y: f32| vec![Vec2::new(0.0, y), Vec2::new(30.0, y - 20.0), Vec2::new(45.0, y - 50.0)];
+        assert!(read(&[stem.clone(), twig(60.0), twig(0.0)]).is_empty());
+        let wave =
+            |y: f32| (0..=40).map(|k| Vec2::new(15.0 * (0.157 * k as f32).sin(), y + k as f32)).collect();
+        assert!(read(&[stem, wave(-60.0), wave(20.0)]).is_empty());
+    }
+}

@@ -1,0 +1,15 @@
+//! What the shapes of lines and areas tell, whatever the plant.
+//!
+//! | file | what |
+//! | --- | --- |
+//! | `silhouette` | the area that strokes enclose together, on a grid; its rows and its contour |
+//! | `medial_axis` | the middle lines of an area, a trunk and its arms |
+//! | `lobes` | an outline cut at its notches toward a centre |
+//! | `spikes` | lines cut into what tapers to a tip |
+//! | `stem_tail` | a stem in one stroke with what it carries |
+
+pub(crate) mod lobes;
+pub(crate) mod medial_axis;
+pub(crate) mod silhouette;
+pub(crate) mod spikes;
+pub(crate) mod stem_tail;

@@ -1,0 +1,360 @@
+//! What lines enclose together, on a grid: nobody's lines meet exactly, so gaps of a few cells count as closed.
+//!
+//! Lines are drawn into a grid of square cells and thickened; what can be reached from outside around the thick lines, thickened
+//! back by as much, is outside, the rest is the silhouette (a morphological closing). Its contour runs between inner and
+//! outer cells. Cost: the number of cells, [`LONG_SIDE`]² at most, whatever the lines.
+
+use crate::anatomy::conventions::page::even;
+use glam::{IVec2, Vec2};
+use std::collections::HashSet;
+
+/// Cells along the longer side.
+const LONG_SIDE: f32 = 112.0;
+/// What a step to a cell beside and one to a cell across count, about as long as they are.
+const CHAMFER: (u16, u16) = (5, 7);
+
+/// Half cells in which a line may still be met that a way begins on.
+const OWN_LINE: usize = 6;
+
+/// Cells inside lines.
+#[derive(Clone, Debug)]
+pub(crate) struct Silhouette {
+    low: Vec2,
+    cell: f32,
+    size: IVec2,
+    /// Cells left free on every side, more than lines are thickened.
+    margin: i32,
+    ink: Vec<bool>,
+    inside: Vec<bool>,
+    /// The largest connected part of the inside.
+    largest: Vec<bool>,
+}
+
+impl Silhouette {
+    /// The area that lines enclose, gaps of up to `bridge` cells closed; of no lines there is one cell at most.
+    pub(crate) fn new<'a>(lines: impl Iterator<Item = &'a [Vec2]> + Clone, bridge: i32) -> Self {
+        let points = lines.clone().flatten();
+        let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+        let (low, high) = points.fold(empty, |(low, high), p| (low.min(*p), high.max(*p)));
+        let (low, high) = if low.cmple(high).all() { (low, high) } else { (Vec2::ZERO, Vec2::ZERO) };
+        let cell = ((high - low).max_element() / LONG_SIDE).max(f32::MIN_POSITIVE);
+        let thick = (bridge + 1) / 2;
+        let margin = thick + 2;
+        let size = ((high - low) / cell).ceil().as_ivec2() + 2 * margin + 1;
+        let cells = (size.x * size.y) as usize;
+        let mut it = Self {
+            low,
+            cell,
+            size,
+            margin,
+            ink: vec![false; cells],
+            inside: Vec::new(),
+            largest: Vec::new(),
+        };
+        lines.for_each(|line| it.draw(line));
+        it.fill(thick);
+        it
+    }
+
+    fn draw(&mut self, line: &[Vec2]) {
+        for pair in line.windows(2) {
+            let steps = (2.0 * pair[0].distance(pair[1]) / self.cell).ceil().max(1.0) as usize;
+            for k in 0..=steps {
+                let at = self.cell_at(pair[0].lerp(pair[1], k as f32 / steps as f32));
+                let number = self.number(at);
+                self.ink[number] = true;
+            }
+        }
+    }
+
+    fn fill(&mut self, thick: i32) {
+        let wall = CHAMFER.0 * thick as u16;
+        let to_ink = self.distances(|i| self.ink[i]);
+        // The margin is wider than lines are thickened, so the first cell is outside.
+        let outside = self.connected(0, |i| to_ink[i] > wall);
+        let to_outside = self.distances(|i| outside[i]);
+        self.inside = (0..self.ink.len()).map(|i| self.ink[i] || to_outside[i] > wall).collect();
+        self.largest = self.largest_area();
+    }
+
+    /// Distance of each cell from the nearest that is a source, in steps to the eight neighbours, which count [`CHAMFER`]: two
+    /// sweeps (Borgefors, “Distance transformations in digital images”, 1986). Cells on the rim of the grid count as far away.
+    fn distances(&self, is_source: impl Fn(usize) -> bool) -> Vec<u16> {
+        let far = u16::MAX - CHAMFER.1;
+        let mut distance: Vec<u16> =
+            (0..self.ink.len()).map(|i| if is_source(i) { 0 } else { far }).collect();
+        let (width, height) = (self.size.x as usize, self.size.y as usize);
+        let before = [(1, CHAMFER.0), (width - 1, CHAMFER.1), (width, CHAMFER.0), (width + 1, CHAMFER.1)];
+        let inner = |row: usize| row * width + 1..(row + 1) * width - 1;
+        for i in (1..height - 1).flat_map(inner) {
+            let nearest = before.iter().map(|(offset, step)| distance[i - offset] + step).min();
+            distance[i] = distance[i].min(nearest.unwrap_or(far)).min(far);
+        }
+        for i in (1..height - 1).rev().flat_map(|row| inner(row).rev()) {
+            let nearest = before.iter().map(|(offset, step)| distance[i + offset] + step).min();
+            distance[i] = distance[i].min(nearest.unwrap_or(far)).min(far);
+        }
+        distance
+    }
+
+    /// The cells that are connected with one through open cells, over their sides.
+    fn connected(&self, first: usize, is_open: impl Fn(usize) -> bool) -> Vec<bool> {
+        let mut is_reached = vec![false; self.ink.len()];
+        let mut open = vec![first];
+        is_reached[first] = true;
+        while let Some(i) = open.pop() {
+            for next in self.sides(i) {
+                if !is_reached[next] && is_open(next) {
+                    is_reached[next] = true;
+                    open.push(next);
+                }
+            }
+        }
+        is_reached
+    }
+
+    fn sides(&self, i: usize) -> impl Iterator<Item = usize> + use<> {
+        let (size, at) = (self.size, self.place_of(i));
+        [IVec2::X, IVec2::NEG_X, IVec2::Y, IVec2::NEG_Y]
+            .into_iter()
+            .map(move |step| at + step)
+            .filter(move |at| at.cmpge(IVec2::ZERO).all() && at.cmplt(size).all())
+            .map(move |at| (at.y * size.x + at.x) as usize)
+    }
+
+    fn cell_at(&self, p: Vec2) -> IVec2 {
+        (((p - self.low) / self.cell).floor().as_ivec2() + self.margin).clamp(IVec2::ZERO, self.size - 1)
+    }
+
+    fn number(&self, at: IVec2) -> usize {
+        (at.y * self.size.x + at.x) as usize
+    }
+
+    /// Middle of a cell, pixels.
+    fn place(&self, at: IVec2) -> Vec2 {
+        self.low + ((at - self.margin).as_vec2() + 0.5) * self.cell
+    }
+
+    /// How far it is from a place on a line along a direction of length 1 to the next line; none where that is beyond `most`.
+    pub(crate) fn way_to_ink(&self, from: Vec2, along: Vec2, most: f32) -> Option<f32> {
+        // The line itself is some cells wide.
+        let steps = (2.0 * most / self.cell) as usize;
+        let way = |step: usize| 0.5 * self.cell * step as f32;
+        (OWN_LINE..steps).map(way).find(|way| self.ink[self.number(self.cell_at(from + along * *way))])
+    }
+
+    /// Side of a cell, pixels.
+    pub(crate) fn cell(&self) -> f32 {
+        self.cell
+    }
+
+    /// Area of the silhouette, pixels².
+    pub(crate) fn area(&self) -> f32 {
+        self.inside.iter().filter(|inside| **inside).count() as f32 * self.cell * self.cell
+    }
+
+    /// Radius of the largest circle in it, about, pixels.
+    pub(crate) fn inscribed_radius(&self) -> f32 {
+        self.depths().into_iter().fold(0.0, f32::max) * self.cell
+    }
+
+    /// The same area without what is narrower than twice `half` cells (a morphological opening).
+    pub(crate) fn without_thin_parts(mut self, half: f32) -> Self {
+        let depths = self.depths();
+        let to_core = self.distances(|i| depths[i] > half);
+        let reach = (half * f32::from(CHAMFER.0)).ceil() as u16;
+        (0..self.inside.len()).for_each(|i| self.inside[i] &= to_core[i] <= reach);
+        self.largest = self.largest_area();
+        self
+    }
+
+    /// Distance of each cell from the outside, cells; 0 outside.
+    pub(crate) fn depths(&self) -> Vec<f32> {
+        let distances = self.distances(|i| !self.inside[i]);
+        distances.into_iter().map(|distance| f32::from(distance) / f32::from(CHAMFER.0)).collect()
+    }
+
+    /// The eight neighbours of a cell and their distances, cells.
+    pub(crate) fn around(&self, i: usize) -> impl Iterator<Item = (usize, f32)> + use<'_> {
+        let at = self.place_of(i);
+        let offsets = (-1..=1).flat_map(|x| (-1..=1).map(move |y| IVec2::new(x, y)));
+        offsets
+            .filter(|offset| *offset != IVec2::ZERO)
+            .filter_map(move |offset| Some((self.number_at(at + offset)?, offset.as_vec2().length())))
+    }
+
+    /// Column and row of a cell.
+    pub(crate) fn place_of(&self, i: usize) -> IVec2 {
+        IVec2::new(i as i32 % self.size.x, i as i32 / self.size.x)
+    }
+
+    /// The cell at a column and row; none outside of the grid.
+    pub(crate) fn number_at(&self, at: IVec2) -> Option<usize> {
+        (at.cmpge(IVec2::ZERO).all() && at.cmplt(self.size).all()).then(|| self.number(at))
+    }
+
+    /// Middle of a cell, pixels.
+    pub(crate) fn middle(&self, i: usize) -> Vec2 {
+        self.place(self.place_of(i))
+    }
+
+    /// Share of these places that lies in the largest connected area.
+    pub(crate) fn share_inside<'a>(&self, places: impl Iterator<Item = &'a Vec2>) -> f32 {
+        let largest = &self.largest;
+        let (mut inside, mut all) = (0, 0);
+        for place in places {
+            all += 1;
+            inside += usize::from(largest[self.number(self.cell_at(*place))]);
+        }
+        inside as f32 / all.max(1) as f32
+    }
+
+    /// Share of the area that lies in circles, given by their middles and radii in pixels.
+    pub(crate) fn share_within<'a>(&self, circles: impl Iterator<Item = &'a (Vec2, f32)>) -> f32 {
+        let mut is_within = vec![false; self.inside.len()];
+        for &(middle, radius) in circles {
+            let (at, reach) = (self.cell_at(middle), radius / self.cell);
+            let around = reach.ceil() as i32;
+            for offset in (-around..=around).flat_map(|x| (-around..=around).map(move |y| IVec2::new(x, y))) {
+                if offset.as_vec2().length() <= reach
+                    && let Some(i) = self.number_at(at + offset)
+                {
+                    is_within[i] = true;
+                }
+            }
+        }
+        let inside = self.inside.iter().filter(|inside| **inside).count();
+        let within =
+            self.inside.iter().zip(&is_within).filter(|(inside, within)| **inside && **within).count();
+        within as f32 / inside.max(1) as f32
+    }
+
+    /// Contour of the largest connected area, first point not repeated; empty where nothing is enclosed.
+    pub(crate) fn contour(&self) -> Vec<Vec2> {
+        let largest = &self.largest;
+        let is_in = |at: IVec2| self.number_at(at).is_some_and(|i| largest[i]);
+        let Some(first) = (0..largest.len()).find(|i| largest[*i]) else { return Vec::new() };
+        // Along the corners of cells with the area on the right hand, from the upper left corner of the topmost cell.
+        let start = self.place_of(first);
+        let (mut at, mut heading) = (start, IVec2::X);
+        let mut contour = Vec::new();
+        loop {
+            contour.push(self.place(at) - 0.5 * self.cell);
+            at += heading;
+            let right = IVec2::new(-heading.y, heading.x);
+            let cell_ahead = |side: IVec2| at + (heading + side - 1) / 2;
+            if !is_in(cell_ahead(right)) {
+                heading = right;
+            } else if is_in(cell_ahead(-right)) {
+                heading = -right;
+            }
+            if (at == start && heading == IVec2::X) || contour.len() > 4 * largest.len() {
+                return contour;
+            }
+        }
+    }
+
+    /// The largest connected area, of equals the first.
+    fn largest_area(&self) -> Vec<bool> {
+        let mut is_seen = vec![false; self.inside.len()];
+        let mut best: Vec<usize> = Vec::new();
+        for first in 0..is_seen.len() {
+            if is_seen[first] || !self.inside[first] {
+                continue;
+            }
+            let mut members = vec![first];
+            is_seen[first] = true;
+            let mut next = 0;
+            while next < members.len() {
+                for side in self.sides(members[next]) {
+                    if !is_seen[side] && self.inside[side] {
+                        is_seen[side] = true;
+                        members.push(side);
+                    }
+                }
+                next += 1;
+            }
+            if members.len() > best.len() {
+                best = members;
+            }
+        }
+        let mut area = vec![false; is_seen.len()];
+        best.into_iter().for_each(|i| area[i] = true);
+        area
+    }
+}
+
+/// Share of a contour's points that are nearer than `reach` to some point of these lines, whose points are nearer to one another
+/// than that.
+pub(crate) fn share_along<'a>(contour: &[Vec2], lines: impl Iterator<Item = &'a [Vec2]>, reach: f32) -> f32 {
+    let cell = |p: &Vec2| (p / reach).floor().as_ivec2();
+    let drawn: HashSet<IVec2> = lines.flatten().map(cell).collect();
+    let is_near = |p: &&Vec2| {
+        let at = cell(p);
+        (-1..=1).any(|dx| (-1..=1).any(|dy| drawn.contains(&(at + IVec2::new(dx, dy)))))
+    };
+    contour.iter().filter(is_near).count() as f32 / contour.len().max(1) as f32
+}
+
+/// A closed contour evened out: `rounds` of the mean of neighbours, at `count` even points.
+pub(crate) fn smooth_contour(contour: &[Vec2], count: usize, rounds: usize) -> Vec<Vec2> {
+    let Some(&first) = contour.first() else { return Vec::new() };
+    let mut closed = contour.to_vec();
+    closed.push(first);
+    let mut points = even(&closed, count + 1);
+    points.pop();
+    for _ in 0..rounds {
+        let n = points.len();
+        points = (0..n)
+            .map(|i| 0.25 * (points[(i + n - 1) % n] + points[(i + 1) % n]) + 0.5 * points[i])
+            .collect();
+    }
+    points
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geom::simple_loop;
+    use std::f32::consts::{PI, TAU};
+
+    fn arc(from: f32, to: f32) -> Vec<Vec2> {
+        (0..=100).map(|k| 50.0 * Vec2::from_angle(from + (to - from) * k as f32 / 100.0)).collect()
+    }
+
+    fn of(lines: &[Vec<Vec2>], bridge: i32) -> Silhouette {
+        Silhouette::new(lines.iter().map(Vec::as_slice), bridge)
+    }
+
+    #[test]
+    fn a_circle_with_a_gap_is_closed_if_the_gap_is_narrow() {
+        let whole = PI * 2500.0;
+        let narrow = of(&[arc(0.0, TAU - 0.04)], 4);
+        assert!((narrow.area() / whole - 1.0).abs() < 0.06, "{}", narrow.area() / whole);
+        let wide = of(&[arc(0.0, TAU - 0.6)], 4);
+        assert!(wide.area() < 0.2 * whole);
+    }
+
+    #[test]
+    fn no_lines_enclose_nothing() {
+        let nothing = of(&[], 6);
+        assert_eq!((nothing.area(), nothing.inscribed_radius()), (0.0, 0.0));
+    }
+
+    #[test]
+    fn two_halves_make_one_contour() {
+        let contour = of(&[arc(0.1, PI), arc(PI, TAU)], 8).contour();
+        let smooth = smooth_contour(&contour, 100, 2);
+        let area = simple_loop::signed_area(smooth.iter().copied()).abs();
+        assert!((area / (PI * 2500.0) - 1.0).abs() < 0.06, "{area}");
+        assert!(simple_loop::is_simple(&smooth));
+    }
+
+    #[test]
+    fn the_inscribed_circle_of_a_band_is_half_as_wide() {
+        let band =
+            vec![Vec2::ZERO, Vec2::new(100.0, 0.0), Vec2::new(100.0, 20.0), Vec2::new(0.0, 20.0), Vec2::ZERO];
+        let radius = of(&[band], 2).inscribed_radius();
+        assert!((7.0..13.0).contains(&radius), "{radius}");
+    }
+}

@@ -1,0 +1,98 @@
+//! What speaks for and against outlines of crowns, whoever proposes them.
+
+use crate::anatomy::conventions::page::{Line, notches};
+use crate::anatomy::conventions::shapes::silhouette::{Silhouette, share_along};
+use crate::geom::{polyline, simple_loop};
+use glam::Vec2;
+
+/// Fewest blades, drawn one by one, that speak against a crown; their largest extent and least area as shares of the whole.
+const BLADES: (usize, f32, f32) = (3, 0.4, 0.002);
+/// Least area between lines and their chords, as a share of the whole's bounds.
+const ENCLOSED: f32 = 0.12;
+/// Extent of a flower centre, least and most, and how far it may lie from the middle, in reaches of the crown.
+const CENTRE: (f32, f32, f32) = (0.2, 1.0, 0.4);
+/// Least of the narrower side of a corolla, in the wider.
+const LONG: f32 = 0.45;
+/// Most round outlines of a flower: its centre, and what is drawn around or in it.
+const CENTRES: usize = 2;
+/// Fewest notches of a crown with lobes, and least distance of them from its middle on the average, that of an ellipse being 1.
+pub(crate) const NOTCHES: usize = 3;
+const SHALLOW: f32 = 0.72;
+/// Least area of a bow; a quarter of a circle has 0.12.
+const BOW: f32 = 0.06;
+/// Most lines that draw a crown's outline, least share of it that they draw, and how near they are, in cells of the silhouette.
+const OUTLINE: (usize, f32, f32) = (4, 0.7, 3.0);
+
+/// Whether several of these lines are outlines of blades, drawn one by one: closed, convex but for little, and small in the
+/// whole, which has this width and height. In an outline of its own such a one is a fruit.
+pub(crate) fn has_blades(lines: &[&Line], whole: Vec2) -> bool {
+    let is_blade = |line: &&&Line| {
+        line.is_closed_and_solid()
+            && line.size().max_element() < BLADES.1 * whole.max_element()
+            && line.area > BLADES.2 * whole.x * whole.y
+            && !lines.iter().any(|other| other.is_around(line))
+    };
+    lines.iter().filter(is_blade).count() >= BLADES.0
+}
+
+/// Whether these lines enclose something by themselves, not only branches between one another; the whole has this width and
+/// height.
+pub(crate) fn has_outline(lines: &[&Line], whole: Vec2) -> bool {
+    let enclosed = |line: &&Line| if line.is_scribble() { line.hull_area } else { line.area };
+    lines.iter().map(enclosed).sum::<f32>() > ENCLOSED * whole.x * whole.y
+}
+
+/// Whether one of these lines is a round outline about the middle of a crown: then that is a corolla. Several are apples, or the
+/// loops of a scribble.
+pub(crate) fn has_flower_centre(lines: &[&Line], outline: &[Vec2]) -> bool {
+    let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+    let (low, high) = outline.iter().fold(empty, |(low, high), p| (low.min(*p), high.max(*p)));
+    let (middle, half) = (low.midpoint(high), 0.5 * (high - low));
+    let reach = half.max_element();
+    if half.min_element() < LONG * reach {
+        return false;
+    }
+    let is_of_size = |line: &&&Line| {
+        let size = CENTRE.0 * reach..CENTRE.1 * reach;
+        line.is_closed_and_solid() && size.contains(&line.size().max_element())
+    };
+    let is_central = |line: &&Line| ((line.middle() - middle) / half).length() < CENTRE.2;
+    let round: Vec<&&Line> = lines.iter().filter(is_of_size).collect();
+    round.len() <= CENTRES && round.into_iter().any(is_central)
+}
+
+/// Whether an outline has lobes as a crown has: several, and the notches between them are shallow.
+pub(crate) fn has_shallow_lobes(outline: &[Vec2]) -> bool {
+    let notches = notches(outline);
+    notches.len() >= NOTCHES && depth(outline, &notches) > SHALLOW
+}
+
+/// Mean distance of notches from the middle of an outline, that of an ellipse being 1.
+pub(crate) fn depth(outline: &[Vec2], notches: &[Vec2]) -> f32 {
+    let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+    let (low, high) = outline.iter().fold(empty, |(low, high), p| (low.min(*p), high.max(*p)));
+    let away = |p: &Vec2| ((*p - low.midpoint(high)) / (0.5 * (high - low))).length();
+    notches.iter().map(away).sum::<f32>() / notches.len().max(1) as f32
+}
+
+/// Whether the longest few of these lines, or all that are bows, with what closes them, draw most of an outline: a web of branches
+/// has many more, and they are straight.
+pub(crate) fn is_drawn_by_few<'a>(
+    outline: &[Vec2],
+    lines: impl Iterator<Item = &'a [Vec2]>,
+    closing: &[&'a [Vec2]],
+    silhouette: &Silhouette,
+) -> bool {
+    let mut longest: Vec<&[Vec2]> = lines.collect();
+    longest.sort_by_key(|line| std::cmp::Reverse(line.len()));
+    let few: Vec<&[Vec2]> = longest.iter().take(OUTLINE.0).copied().collect();
+    let bows = longest.iter().skip(OUTLINE.0).copied().filter(|line| is_bow(line));
+    let drawn = few.iter().chain(closing).copied().chain(bows);
+    share_along(outline, drawn, OUTLINE.2 * silhouette.cell()) >= OUTLINE.1
+}
+
+/// Whether a line bends to one side, as an arc of a cloud does: least area between it and its chord, over the square of its length.
+pub(crate) fn is_bow(line: &[Vec2]) -> bool {
+    let length = polyline::length(line);
+    simple_loop::signed_area(line.iter().copied()).abs() > BOW * length * length
+}

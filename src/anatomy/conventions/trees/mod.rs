@@ -1,0 +1,21 @@
+//! Trees, firs and bushes: crowns and what they stand on.
+//!
+//! | file | what |
+//! | --- | --- |
+//! | `tree` | a trunk of two sides with a crown, in any number of strokes |
+//! | `tree_on_line` | a crown on a trunk that is a single line |
+//! | `conifer` | a fir: what narrows to a point in steps |
+//! | `bush` | a crown without a trunk: outline, open outline, scribble |
+//! | `trunk` | the narrow stretch with two sides below a crown |
+//! | `trunk_sides` | a trunk of two sides that leans or bends, or of one line |
+//! | `trunk_foot` | the width of a trunk without its roots, and how it rises |
+//! | `evidence` | what speaks for and against outlines of crowns |
+
+pub(crate) mod bush;
+pub(crate) mod conifer;
+pub(crate) mod evidence;
+pub(crate) mod tree;
+pub(crate) mod tree_on_line;
+pub(crate) mod trunk;
+pub(crate) mod trunk_foot;
+pub(crate) mod trunk_sides;

@@ -1,0 +1,330 @@
+//! A trunk with a crown, in any number of strokes: crown and trunk in one line, two lines for a trunk, a box, a scribble.
+//!
+//! Lines that touch or are near one another are searched for a [`trunk`](super::trunk); the crown is what the lines above it
+//! enclose, gaps closed as little as needed. What speaks for a crown is that a few lines draw its outline, that it is solid,
+//! compact, wider than the trunk and no smaller, and that it begins with a jump of the width. Arms of a cactus, the web of
+//! drawn branches and the base of a leaf are not so; a round outline in its middle makes it a corolla, and several closed
+//! outlines in it are leaves or petals that were drawn one by one.
+//!
+//! Limits: a single line below an outline is a stem, and that a flower, see [`corolla`](super::corolla).
+
+use super::evidence;
+use super::trunk::{Rows, Trunk};
+use super::trunk_sides::TrunkSides;
+use crate::anatomy::conventions::page::{Line, Page, even};
+use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
+use crate::anatomy::conventions::{Habit, Hypothesis, Made};
+use crate::geom::{convex_hull::convex_hull, simple_loop};
+use crate::sketch::{Reading, Tool};
+use glam::Vec2;
+use std::f32::consts::PI;
+
+/// Lowest tree, as a share of the drawing's diagonal.
+const LOWEST: f32 = 0.15;
+/// How wide gaps of a crown's outline are closed, in cells of its silhouette, one after the other until it is closed.
+const BRIDGES: [i32; 3] = [8, 16, 24];
+/// Least hull of one stretch of line above the trunk, as a share of the hull of all.
+const TURNED: f32 = 0.3;
+/// Share of its convex hull that an outline without a wide gap encloses.
+const CLOSED: f32 = 0.4;
+/// Least share of its convex hull that a crown fills.
+const SOLID: f32 = 0.6;
+/// Least radius of the largest circle in a crown, in half widths of its trunk.
+const WIDER: f32 = 1.25;
+/// Least share of what is drawn above the trunk that lies in the crown.
+const INSIDE: f32 = 0.85;
+/// Most area of a crown that is higher than so many times its width, in areas of the largest circle in it.
+const COMPACT: (f32, f32) = (4.0, 0.8);
+/// Greatest distance of a trunk's sides that lean, as a share of their length.
+const STOUT: f32 = 1.5;
+/// Least share of its hull that a crown on such a trunk fills.
+const FULL: f32 = 0.7;
+/// The same where wide gaps are closed, and of crowns whose lobes speak for them.
+const WHOLE: f32 = 0.8;
+/// Lower part of a crown in which open ends of its outline are led to the trunk, as a share of its height, and how far away they
+/// are at most, as a share of its width.
+const LOW: f32 = 0.5;
+const GAP: f32 = 0.5;
+/// Width of a trunk below which it may be a flower's stem, as a share of its crown's.
+const THIN: f32 = 0.2;
+/// Height of such a trunk above which it is, in heights of its crown.
+const LONG: f32 = 1.8;
+/// Points of a line that closes an outline.
+const CHORD: usize = 40;
+/// Points of a crown's outline.
+const POINTS: usize = 160;
+/// Log-odds of a tree where all of this holds.
+const SCORE: f32 = 3.36;
+/// More for each line that it explains, up to so many: less than a mushroom, which is a tree in a few ways.
+const EACH: f32 = 0.02;
+const MOST_LINES: usize = 6;
+/// More for a crown with shallow lobes: mushrooms have none, and those of corollas are deep.
+const LOBED: f32 = 0.9;
+
+/// Proposes trees, one for each group of lines at most.
+pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
+    out.extend(page.groups.iter().chain(&page.wide_groups).filter_map(|group| tree(page, group)));
+}
+
+fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
+    let lines: Vec<&Line> = group.iter().map(|i| &page.lines[*i]).collect();
+    let rows = Rows::new(&lines)?;
+    let size = rows.width_and_height();
+    let is_of_form = size.y > LOWEST * page.diagonal && evidence::has_outline(&lines, size);
+    if !is_of_form || evidence::has_blades(&lines, size) {
+        return None;
+    }
+    let (trunk, outline) = upright(&lines, &rows).or_else(|| leaning(page, group))?;
+    if is_stem(&trunk, &outline, &lines) {
+        return None;
+    }
+    let uses = page.with_what_is_inside(group, &outline);
+    let area = simple_loop::signed_area(outline.iter().copied()).abs();
+    let is_lobed = evidence::has_shallow_lobes(&outline) && area > WHOLE * hull_area_of(&outline);
+    let lobes = if is_lobed { LOBED } else { 0.0 };
+    let parts = vec![trunk.centre_line(&outline), Made::new(Tool::Crown, outline)];
+    let (reading, habit) = (Reading::Tree, Some(Habit::Tree));
+    // Of two groups the one that explains more.
+    let score = SCORE + lobes + EACH * uses.len().min(MOST_LINES) as f32;
+    Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit })
+}
+
+/// Whether a trunk is a flower's stem: thin beside its crown, with a round outline in the middle of that, or very long.
+fn is_stem(trunk: &Trunk, crown: &[Vec2], lines: &[&Line]) -> bool {
+    let (low, high) = crown.iter().fold((crown[0], crown[0]), |(low, high), p| (low.min(*p), high.max(*p)));
+    let is_thin = 2.0 * trunk.narrow < THIN * (high.x - low.x);
+    is_thin && (trunk.height() > LONG * (high.y - low.y) || evidence::has_flower_centre(lines, crown))
+}
+
+/// A trunk that is found in level rows, and the outline of what is drawn above it.
+fn upright(lines: &[&Line], rows: &Rows) -> Option<(Trunk, Vec<Vec2>)> {
+    let trunk = rows.trunk().filter(|trunk| trunk.is_sharp)?;
+    let above: Vec<Vec<Vec2>> = lines.iter().flat_map(|line| line.above(trunk.top)).collect();
+    let outline = crown(above, &trunk)?;
+    Some((trunk, outline))
+}
+
+/// A trunk by its two sides, which may lean, and the outline of what is drawn beside them.
+fn leaning(page: &Page, group: &[usize]) -> Option<(Trunk, Vec<Vec2>)> {
+    let sides = TrunkSides::find_within(page, group, STOUT).filter(|sides| !sides.is_line())?;
+    let others = group.iter().filter(|line| !sides.has_on_it(**line, &page.lines[**line]));
+    let rest = others.flat_map(|line| sides.rest_of(*line, &page.lines[*line])).map(|rest| rest.0);
+    let trunk = Trunk::of_sides(&sides)?;
+    // What is left of the sides at their feet is ground, or a root.
+    let half = trunk.top.midpoint(sides.foot().y);
+    let above: Vec<Vec<Vec2>> = rest.filter(|run| run.iter().any(|p| p.y < half)).collect();
+    let outline = crown(above, &trunk)?;
+    let area = simple_loop::signed_area(outline.iter().copied()).abs();
+    let is_crown = area > FULL * hull_area_of(&outline) && outline.iter().all(|p| p.y < half);
+    is_crown.then_some((trunk, outline))
+}
+
+/// The outline of the crown above a trunk, from what is drawn there.
+pub(crate) fn crown(above: Vec<Vec<Vec2>>, trunk: &Trunk) -> Option<Vec<Vec2>> {
+    // The stretches of an outline turn round what they enclose; sides of stems that go on upward do not.
+    let turned = above.iter().map(|run| hull_area_of(run)).fold(0.0, f32::max);
+    let bows: f32 = above.iter().filter(|run| evidence::is_bow(run)).map(|run| hull_area_of(run)).sum();
+    let ink: Vec<Vec2> = above.iter().flatten().copied().collect();
+    let hull = convex_hull(&ink, |p| *p);
+    let hull_area = hull_area_of(&hull);
+    if hull.len() < 3 || turned.max(bows) < TURNED * hull_area {
+        return None;
+    }
+    // What the crown rests on: its outline is open where the trunk comes in.
+    let mut closing = gaps(&above, trunk);
+    closing.push(vec![trunk.sill.0, trunk.sill.1]);
+    let closing: Vec<&[Vec2]> = closing.iter().map(Vec::as_slice).collect();
+    let drawn = above.iter().map(Vec::as_slice);
+    let all = drawn.clone().chain(closing.iter().copied());
+    let is_closed = |bridge: &&i32| Silhouette::new(all.clone(), **bridge).area() > CLOSED * hull_area;
+    let enclosed = |bridge: &i32| {
+        let silhouette = Silhouette::new(all.clone(), *bridge);
+        let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
+        let is_crown = is_compact(&silhouette, &hull, trunk.narrow)
+            && silhouette.share_inside(ink.iter()) >= INSIDE
+            && evidence::is_drawn_by_few(&outline, drawn.clone(), &closing, &silhouette)
+            && simple_loop::signed_area(outline.iter().copied()).abs() > trunk.least_area();
+        is_crown.then_some(outline)
+    };
+    let mut closed = BRIDGES.iter().skip_while(|bridge| !is_closed(bridge));
+    // One stretch of line has no gap but that above the trunk: the first that is closed is meant. Of several a wider gap may be
+    // closed if what they enclose is full then: leaves along a stem are not.
+    let first = enclosed(closed.next()?);
+    let is_full = |outline: &Vec<Vec2>| {
+        above.len() > 1 && simple_loop::signed_area(outline.iter().copied()).abs() > WHOLE * hull_area
+    };
+    first.or_else(|| closed.find_map(enclosed).filter(is_full))
+}
+
+/// Lines from the lower open ends of what is drawn to the top of the trunk.
+fn gaps(above: &[Vec<Vec2>], trunk: &Trunk) -> Vec<Vec<Vec2>> {
+    let bounds = above
+        .iter()
+        .flatten()
+        .fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(low, high), p| (low.min(*p), high.max(*p)));
+    let size = bounds.1 - bounds.0;
+    let ends = above.iter().flat_map(|run| [run[0], run[run.len() - 1]]);
+    let to_trunk = ends.filter_map(|end| {
+        let is_left = end.distance(trunk.sill.0) < end.distance(trunk.sill.1);
+        let corner = if is_left { trunk.sill.0 } else { trunk.sill.1 };
+        let is_low = end.y > bounds.1.y - LOW * size.y;
+        (is_low && end.distance(corner) < GAP * size.x).then(|| even(&[end, corner], CHORD))
+    });
+    to_trunk.collect()
+}
+
+/// Area of the convex hull of some points.
+pub(crate) fn hull_area_of(points: &[Vec2]) -> f32 {
+    let hull = convex_hull(points, |p| *p);
+    simple_loop::signed_area(hull.iter().copied()).abs()
+}
+
+/// Whether an area is solid, wider than its trunk and no long arm.
+fn is_compact(silhouette: &Silhouette, hull: &[Vec2], half_trunk: f32) -> bool {
+    let hull_area = simple_loop::signed_area(hull.iter().copied()).abs();
+    let (area, radius) = (silhouette.area(), silhouette.inscribed_radius());
+    let (low, high) = hull.iter().fold((hull[0], hull[0]), |(low, high), p| (low.min(*p), high.max(*p)));
+    let is_high = high.y - low.y > COMPACT.1 * (high.x - low.x);
+    let is_arm = is_high && area > COMPACT.0 * PI * radius * radius;
+    area >= SOLID * hull_area && radius >= WIDER * half_trunk && !is_arm
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sketch::{Stroke, StrokePoint};
+    use std::f32::consts::TAU;
+    use std::sync::Arc;
+
+    /// A cloud of `lobes` around (0, -100), from the angle `from` to `to` about straight down.
+    fn cloud(lobes: f32, from: f32, to: f32) -> Vec<Vec2> {
+        let place = |k: usize| {
+            let angle = from + (to - from) * k as f32 / 200.0;
+            let reach = 50.0 + 8.0 * (0.5 * lobes * angle).sin().abs();
+            Vec2::new(0.0, -100.0) + reach * Vec2::new(-angle.sin(), angle.cos())
+        };
+        (0..=200).map(place).collect()
+    }
+
+    fn line(points: &[(f32, f32)]) -> Vec<Vec2> {
+        points.iter().map(|p| Vec2::from(*p)).collect()
+    }
+
+    fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
+        let stroke = |(id, line): (usize, &Vec<Vec2>)| {
+            let points = line.iter().map(|p| StrokePoint::at(*p)).collect();
+            Arc::new(Stroke { id: id as u64, tool: Tool::Auto, points })
+        };
+        let strokes: Vec<_> = lines.iter().enumerate().map(stroke).collect();
+        let mut out = Vec::new();
+        propose(&Page::new(&strokes), &mut out);
+        out
+    }
+
+    fn parts(tree: &Hypothesis) -> (&Made, &Made) {
+        let [trunk, crown] = &tree.parts[..] else { panic!("{} parts", tree.parts.len()) };
+        assert_eq!((trunk.tool, crown.tool), (Tool::Branch, Tool::Crown));
+        (trunk, crown)
+    }
+
+    #[test]
+    fn two_lines_below_a_cloud_are_a_trunk_as_wide_as_they_are_apart() {
+        let sides = [line(&[(-9.0, 40.0), (-9.0, -60.0)]), line(&[(9.0, 38.0), (9.0, -60.0)])];
+        let trees = read(&[cloud(9.0, 0.0, TAU), sides[0].clone(), sides[1].clone()]);
+        assert_eq!(trees.len(), 1);
+        assert_eq!(trees[0].uses, [0, 1, 2]);
+        let (trunk, crown) = parts(&trees[0]);
+        let foot = trunk.points[0];
+        let half = foot.pressure * trunk.half_width.unwrap();
+        assert!((half - 9.0).abs() < 1.5 && foot.position.x.abs() < 1.0, "{half} at {}", foot.position);
+        assert!(foot.position.y > 36.0, "{}", foot.position);
+        let lowest = crown.points.iter().map(|p| p.position.y).fold(f32::MIN, f32::max);
+        assert!((-70.0..-35.0).contains(&lowest), "the crown ends above the trunk: {lowest}");
+    }
+
+    #[test]
+    fn crown_and_trunk_may_be_one_line() {
+        let mut outline = line(&[(-8.0, 40.0), (-8.0, -45.0)]);
+        outline.extend(cloud(9.0, 0.2, TAU - 0.2));
+        outline.extend(line(&[(8.0, -45.0), (8.0, 40.0)]));
+        let trees = read(&[outline]);
+        assert_eq!(trees.len(), 1);
+        assert!((parts(&trees[0]).0.half_width.unwrap() - 8.0).abs() < 2.0);
+    }
+
+    #[test]
+    fn a_cloud_with_a_gap_is_closed() {
+        let sides = [line(&[(-9.0, 40.0), (-9.0, -45.0)]), line(&[(9.0, 38.0), (9.0, -45.0)])];
+        let trees = read(&[cloud(9.0, 0.2, TAU - 0.45), sides[0].clone(), sides[1].clone()]);
+        assert_eq!(trees.len(), 1);
+    }
+
+    #[test]
+    fn an_outline_on_a_single_line_is_no_tree() {
+        assert!(read(&[cloud(6.0, 0.0, TAU), line(&[(0.0, 60.0), (0.0, -44.0)])]).is_empty());
+    }
+
+    #[test]
+    fn a_column_with_arms_is_no_tree() {
+        let column = line(&[
+            (-10.0, 60.0),
+            (-10.0, 0.0),
+            (-35.0, 0.0),
+            (-35.0, -30.0),
+            (-20.0, -30.0),
+            (-20.0, -15.0),
+            (-10.0, -15.0),
+            (-10.0, -60.0),
+            (0.0, -70.0),
+            (10.0, -60.0),
+            (10.0, -20.0),
+            (20.0, -20.0),
+            (20.0, -40.0),
+            (35.0, -40.0),
+            (35.0, -5.0),
+            (10.0, -5.0),
+            (10.0, 60.0),
+        ]);
+        assert!(read(&[column]).is_empty());
+    }
+
+    #[test]
+    fn a_crown_that_is_open_below_is_closed_toward_its_trunk() {
+        let sides = [line(&[(-10.0, 40.0), (-10.0, -55.0)]), line(&[(10.0, 38.0), (10.0, -55.0)])];
+        let crown = cloud(9.0, 0.0, TAU - 0.9);
+        let found = read(&[crown, sides[0].clone(), sides[1].clone()]);
+        assert_eq!(found.iter().map(|tree| tree.uses.len()).max(), Some(3));
+    }
+
+    #[test]
+    fn a_crown_of_many_arcs_is_one_and_a_knot_in_a_stout_tree_no_flower_centre() {
+        let arc = |k: usize| -> Vec<Vec2> {
+            let away = Vec2::from_angle(TAU * k as f32 / 6.0);
+            let middle = Vec2::new(0.0, -100.0) + 40.0 * away;
+            let turn = |i: usize| away.rotate(Vec2::from_angle(-1.9 + 0.19 * i as f32));
+            (0..=20).map(|i| middle + 24.0 * turn(i)).collect()
+        };
+        let mut lines: Vec<Vec<Vec2>> = (0..6).map(arc).collect();
+        let sides = [-14.0, 14.0].map(|x| line(&[(x, 40.0), (x, -55.0)]));
+        lines.extend(sides.clone());
+        assert_eq!(read(&lines).iter().map(|tree| tree.uses.len()).max(), Some(8));
+        let knot =
+            (0..=30).map(|k| Vec2::new(0.0, -100.0) + 14.0 * Vec2::from_angle(0.21 * k as f32)).collect();
+        assert!(!read(&[cloud(9.0, 0.0, TAU), knot, sides[0].clone(), sides[1].clone()]).is_empty());
+    }
+
+    #[test]
+    fn a_trunk_that_leans_much_is_as_thick_as_across_it() {
+        let sides = [line(&[(-90.0, 40.0), (-8.0, -62.0)]), line(&[(-68.0, 52.0), (14.0, -52.0)])];
+        let trees = read(&[cloud(9.0, 0.0, TAU), sides[0].clone(), sides[1].clone()]);
+        let half = parts(&trees[0]).0.half_width.unwrap();
+        assert!((11.0..15.5).contains(&half), "{half}");
+    }
+
+    #[test]
+    fn the_lower_tip_of_an_outline_is_no_trunk() {
+        let drop = (0..=100).map(|k| TAU * k as f32 / 100.0);
+        let drop = drop.map(|t| Vec2::new(50.0 * t.sin() * (1.2 - t.cos()) / 2.0, 45.0 * t.cos()));
+        assert!(read(&[drop.collect()]).is_empty());
+    }
+}

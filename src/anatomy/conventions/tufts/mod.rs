@@ -1,0 +1,11 @@
+//! What grows in tufts: blades of grass, and fronds at the top of a trunk.
+//!
+//! | file | what |
+//! | --- | --- |
+//! | `grass` | a zigzag, or lines side by side: blades of grass |
+//! | `fronds` | lines or lobes that radiate from a trunk's top |
+//! | `frond_details` | fruit among fronds, and the leaflets of fronds |
+
+pub(crate) mod frond_details;
+pub(crate) mod fronds;
+pub(crate) mod grass;
