@@ -28,6 +28,11 @@ pub fn length<P: Point>(points: &[P]) -> f32 {
     points.windows(2).map(|w| (w[1] - w[0]).norm()).sum()
 }
 
+/// Smallest and largest corner of some points; of none the smallest is infinitely large.
+pub fn bounds(points: impl Iterator<Item = Vec2>) -> (Vec2, Vec2) {
+    points.fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)))
+}
+
 /// Arc length from the first point to every point; as long as the input, starting with 0.
 pub fn arc_lengths<P: Point>(points: impl Iterator<Item = P>) -> Vec<f32> {
     let mut total = 0.0;

@@ -23,6 +23,11 @@ pub fn signed_area(points: impl Iterator<Item = Vec2> + Clone) -> f32 {
     points.zip(next).map(|(a, b)| (a - first).perp_dot(b - first)).sum::<f32>() * 0.5
 }
 
+/// Area of a closed outline, without sign.
+pub fn area(outline: &[Vec2]) -> f32 {
+    signed_area(outline.iter().copied()).abs()
+}
+
 /// Most crossings that are taken out of one outline.
 pub const MOST_CUTS: usize = 64;
 

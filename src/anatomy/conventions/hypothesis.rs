@@ -1,5 +1,6 @@
 //! A reading of some strokes: which, how likely, and what becomes of them.
 
+use crate::geom::polyline;
 use crate::sketch::{Reading, StrokePoint, Tool};
 use glam::Vec2;
 
@@ -64,7 +65,7 @@ impl Solid {
     /// Smallest and largest corner, seen from the front.
     pub fn bounds(&self) -> (Vec2, Vec2) {
         let sides = self.profile.iter().flat_map(|p| [-p.x, p.x].map(|x| Vec2::new(self.axis + x, p.y)));
-        sides.fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)))
+        polyline::bounds(sides)
     }
 }
 

@@ -129,6 +129,24 @@ pub fn interpret_with(
 /// A way of drawing: adds what it proposes for a page to what others proposed.
 type Propose = fn(&Page, &mut Vec<Hypothesis>);
 
+/// What one convention proposes for lines through some corners.
+#[cfg(test)]
+fn read_by(propose: Propose, lines: &[Vec<glam::Vec2>]) -> Vec<Hypothesis> {
+    let mut all = Vec::new();
+    propose(&Page::of_lines(lines), &mut all);
+    all
+}
+
+/// The same, beside what `beneath` proposes and sets apart.
+#[cfg(test)]
+fn read_above(beneath: Propose, propose: Propose, lines: &[Vec<glam::Vec2>]) -> Vec<Hypothesis> {
+    let (mut page, mut all) = (Page::of_lines(lines), read_by(beneath, lines));
+    page.set_apart(all.iter().flat_map(|hypothesis| hypothesis.uses.iter().copied()).collect());
+    let known = all.len();
+    propose(&page, &mut all);
+    all.split_off(known)
+}
+
 /// What plants stand in or on, the first beneath which the next is looked for.
 const BENEATH: &[Propose] = &[pot::propose, ground::propose];
 

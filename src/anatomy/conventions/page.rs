@@ -72,17 +72,16 @@ pub struct Page {
 }
 
 impl Page {
-    /// These lines and all others that lie within an outline, ascending.
+    /// These lines and all others that lie within an outline and are not set apart, ascending.
     pub fn with_what_is_inside(&self, lines: &[usize], outline: &[Vec2]) -> Vec<usize> {
-        let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
-        let (low, high) = outline.iter().fold(empty, |(low, high), p| (low.min(*p), high.max(*p)));
+        let (low, high) = polyline::bounds(outline.iter().copied());
         let region = Region::new(outline.to_vec());
         let is_inside = |line: &Line| {
             let is_near = line.bounds.0.cmpge(low).all() && line.bounds.1.cmple(high).all();
             is_near
                 && line.points.iter().filter(|p| region.contains(**p)).count() * 10 >= line.points.len() * 9
         };
-        let inside = (0..self.lines.len()).filter(|i| is_inside(&self.lines[*i]));
+        let inside = (0..self.lines.len()).filter(|i| !self.is_apart(*i) && is_inside(&self.lines[*i]));
         let mut all: Vec<usize> = lines.iter().copied().chain(inside).collect();
         all.sort_unstable();
         all.dedup();
@@ -97,8 +96,7 @@ impl Page {
     /// The same page, its lines taken from those of the drawing that was read last where strokes and scale are the same.
     pub(super) fn with(known: &mut Shapes, strokes: &[Arc<Stroke>]) -> Self {
         let positions = strokes.iter().flat_map(|s| &s.points).map(|p| p.position);
-        let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
-        let bounds = positions.fold(empty, |(low, high), p| (low.min(p), high.max(p)));
+        let bounds = polyline::bounds(positions);
         let diagonal = if strokes.is_empty() { 0.0 } else { bounds.0.distance(bounds.1) };
         let key = |stroke: &Arc<Stroke>| (Same::of(stroke), diagonal.to_bits());
         let shapes = known.made(strokes, key, |stroke| Shape::new(stroke, diagonal).map(Arc::new));
@@ -258,15 +256,15 @@ impl Shape {
     }
 
     fn of(length: f32, points: Vec<Vec2>) -> Self {
-        let bounds = points.iter().fold((points[0], points[0]), |(low, high), p| (low.min(*p), high.max(*p)));
+        let bounds = polyline::bounds(points.iter().copied());
         let hull = convex_hull(&points, |p| *p);
         let gap = points[0].distance(points[points.len() - 1]);
         Self {
             length,
             bounds,
             openness: gap / bounds.0.distance(bounds.1),
-            area: simple_loop::signed_area(points.iter().copied()).abs(),
-            hull_area: simple_loop::signed_area(hull.iter().copied()).abs(),
+            area: simple_loop::area(&points),
+            hull_area: simple_loop::area(&hull),
             hull,
             points,
         }
@@ -321,24 +319,39 @@ const SCRIBBLE: f32 = 8.0;
 /// Stretch of an outline over which a notch turns, as a share of its length, and least turn there, radians.
 const NOTCH: (f32, f32) = (0.05, 0.55);
 
+/// Smallest and largest corner of some lines.
+pub fn bounds<'a>(lines: impl Iterator<Item = &'a Line>) -> (Vec2, Vec2) {
+    polyline::bounds(lines.flat_map(|line| [line.bounds.0, line.bounds.1]))
+}
+
 /// Notches of a closed outline of even points: places where it turns against its own direction.
 pub fn notches(outline: &[Vec2]) -> Vec<Vec2> {
+    bends(outline, NOTCH, -1.0)
+}
+
+/// Tips of a closed outline of even points: places where it turns over a stretch of that share of its length by that angle.
+pub(super) fn tips(outline: &[Vec2], tip: (f32, f32)) -> Vec<Vec2> {
+    bends(outline, tip, 1.0)
+}
+
+/// Places where a closed outline turns most: its own way where `sense` is 1, against it where that is -1.
+fn bends(outline: &[Vec2], (stretch, least): (f32, f32), sense: f32) -> Vec<Vec2> {
     let n = outline.len();
-    let reach = ((NOTCH.0 * n as f32) as usize / 2).max(1);
+    let reach = ((0.5 * stretch * n as f32) as usize).max(1);
     if n < 8 {
         return Vec::new();
     }
-    let turning = simple_loop::signed_area(outline.iter().copied()).signum();
+    let turning = sense * simple_loop::signed_area(outline.iter().copied()).signum();
     let turn = |i: usize| {
         let (before, here, after) = (outline[(i + n - reach) % n], outline[i], outline[(i + reach) % n]);
         turning * (here - before).angle_to(after - here)
     };
     let turns: Vec<f32> = (0..n).map(turn).collect();
-    let is_least = |i: usize| {
-        let is_less = |k: usize| turns[i] <= turns[(i + k) % n] && turns[i] < turns[(i + n - k) % n];
-        turns[i] < -NOTCH.1 && (1..=reach).all(is_less)
+    let is_most = |i: usize| {
+        let is_more = |k: usize| turns[i] >= turns[(i + k) % n] && turns[i] > turns[(i + n - k) % n];
+        turns[i] > least && (1..=reach).all(is_more)
     };
-    (0..n).filter(|i| is_least(*i)).map(|i| outline[i]).collect()
+    (0..n).filter(|i| is_most(*i)).map(|i| outline[i]).collect()
 }
 
 /// A polyline at `count` even steps of its length, at least two.

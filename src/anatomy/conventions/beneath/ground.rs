@@ -37,7 +37,7 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
 }
 
 /// Whether a line is the ground.
-pub(crate) fn is_ground(page: &Page, line: &Line) -> bool {
+fn is_ground(page: &Page, line: &Line) -> bool {
     let whole = page.bounds.1 - page.bounds.0;
     let (begin, end) = line.ends();
     let size = line.size();

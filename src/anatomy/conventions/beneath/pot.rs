@@ -203,7 +203,7 @@ impl Pot {
         let sides = rows.iter().flat_map(|row| [Vec2::new(row.left, row.y), Vec2::new(row.right, row.y)]);
         let all: Vec<Vec2> = below.into_iter().chain(sides.filter(|p| p.is_finite())).collect();
         let hull = convex_hull(&all, |p| *p);
-        let hull_area = simple_loop::signed_area(hull.iter().copied()).abs();
+        let hull_area = simple_loop::area(&hull);
         let between = rows.iter().map(Row::width).sum::<f32>() * self.size.y / rows.len().max(1) as f32;
         let two_sided = rows.iter().filter(|row| row.width() > 0.4 * self.size.x).count();
         self.size.y <= HIGHEST * self.size.x && between > SOLID * hull_area && 5 * two_sided >= 4 * rows.len()
@@ -259,9 +259,7 @@ mod tests {
     use super::*;
 
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
-        let mut out = Vec::new();
-        propose(&Page::of_lines(lines), &mut out);
-        out
+        crate::anatomy::conventions::read_by(propose, lines)
     }
 
     fn line(points: &[(f32, f32)]) -> Vec<Vec2> {

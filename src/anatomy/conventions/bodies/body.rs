@@ -9,8 +9,7 @@
 
 use super::half_outline;
 use super::limbs::Limbs;
-use crate::anatomy::conventions::beneath::ground;
-use crate::anatomy::conventions::page::{Line, Page, notches};
+use crate::anatomy::conventions::page::{self, Line, Page, notches};
 use crate::anatomy::conventions::shapes::medial_axis::medial_axes;
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
 use crate::anatomy::conventions::trees::evidence;
@@ -84,7 +83,7 @@ fn body(page: &Page, group: &[usize]) -> Option<Hypothesis> {
         return None;
     }
     let mut uses = page.with_what_is_inside(&group, &outline);
-    uses.retain(|line| !flowers.contains(line) && !ground::is_ground(page, &page.lines[*line]));
+    uses.retain(|line| !flowers.contains(line));
     Some(Hypothesis {
         uses,
         score,
@@ -148,7 +147,8 @@ fn limbs(silhouette: &Silhouette, foot: Option<(Vec2, Vec2)>) -> Option<(Limbs, 
     let radius = silhouette.inscribed_radius();
     let long = silhouette.area() / (PI * radius * radius);
     let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
-    let solid = area_of(&outline) / area_of(&convex_hull(&outline, |p| *p)).max(f32::MIN_POSITIVE);
+    let solid = simple_loop::area(&outline)
+        / simple_loop::area(&convex_hull(&outline, |p| *p)).max(f32::MIN_POSITIVE);
     let notches = notches(&outline).len();
     let may_be_column =
         long > LONG.0 && solid > SOLID.0 && foot.is_some_and(|(a, b)| a.distance(b) > OPEN.0 * radius);
@@ -161,10 +161,6 @@ fn limbs(silhouette: &Silhouette, foot: Option<(Vec2, Vec2)>) -> Option<(Limbs, 
     let is_smooth = notches <= 2 * (limbs.arms() + 1);
     let is_body = is_of_form && is_smooth && silhouette.share_within(limbs.circles()) >= COVERED;
     is_body.then_some((limbs, outline))
-}
-
-fn area_of(outline: &[Vec2]) -> f32 {
-    simple_loop::signed_area(outline.iter().copied()).abs()
 }
 
 /// The middle of the lowest part of an outline, or between the ends of the line where it is open about as wide as that.
@@ -181,20 +177,15 @@ fn root(outline: &[Vec2], foot: Option<(Vec2, Vec2)>) -> Option<Vec2> {
 }
 
 fn size_of(lines: &[&Line]) -> Vec2 {
-    let (low, high) = bounds(lines);
+    let (low, high) = page::bounds(lines.iter().copied());
     high - low
-}
-
-fn bounds(lines: &[&Line]) -> (Vec2, Vec2) {
-    let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
-    lines.iter().fold(empty, |all, line| (all.0.min(line.bounds.0), all.1.max(line.bounds.1)))
 }
 
 /// The lines that draw the outline: without short ones, if there are several, and without a level one at the foot.
 fn without_spines<'a>(lines: &[&'a Line]) -> Vec<&'a Line> {
     let size = size_of(lines);
     let is_short = |line: &&Line| line.length < SPINES.0 * size.length();
-    let lowest = bounds(lines).1.y;
+    let lowest = page::bounds(lines.iter().copied()).1.y;
     let is_ground = |line: &Line| {
         let is_level =
             line.size().y < 0.1 * line.size().x && line.ends().0.distance(line.ends().1) > 0.9 * line.length;
@@ -206,7 +197,7 @@ fn without_spines<'a>(lines: &[&'a Line]) -> Vec<&'a Line> {
 
 /// The two ends of the outline where it is open toward the ground.
 fn foot(lines: &[&Line]) -> Option<(Vec2, Vec2)> {
-    let (low, high) = bounds(lines);
+    let (low, high) = page::bounds(lines.iter().copied());
     let is_low = |p: &Vec2| p.y > high.y - 0.25 * (high.y - low.y);
     let ends: Vec<Vec2> =
         lines.iter().flat_map(|line| [line.ends().0, line.ends().1]).filter(is_low).collect();

@@ -8,9 +8,11 @@ fn line(points: &[(f32, f32)]) -> Vec<Vec2> {
 }
 
 fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
-    let mut out = Vec::new();
-    propose(&Page::of_lines(lines), &mut out);
-    out
+    crate::anatomy::conventions::read_above(
+        crate::anatomy::conventions::beneath::ground::propose,
+        propose,
+        lines,
+    )
 }
 
 /// Numbers of branches of the bodies that are found.

@@ -18,6 +18,7 @@ use crate::anatomy::conventions::page::{Line, Page, even};
 use crate::anatomy::conventions::shapes::lobes::{self, Focus};
 use crate::anatomy::conventions::shapes::stem_tail;
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
+use crate::geom::{polyline, simple_loop};
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
 use std::borrow::Cow;
@@ -250,7 +251,7 @@ fn petals(chains: &[Chain], focus: &Focus) -> Vec<Vec<Vec2>> {
             petals.extend(lobes::cut(points, focus, is_ring));
         }
     }
-    let area = |stretch: &[Vec2]| lobes::area(&lobes::rooted(stretch, focus.place));
+    let area = |stretch: &[Vec2]| simple_loop::area(&lobes::rooted(stretch, focus.place));
     let largest = petals.iter().map(|stretch| area(stretch)).fold(0.0, f32::max);
     petals.retain(|stretch| area(stretch) > SMALLEST * largest && focus.reach(stretch) > REACH.0);
     let mut reaches: Vec<f32> = petals.iter().map(|stretch| focus.reach(stretch)).collect();
@@ -317,9 +318,7 @@ pub(crate) fn widest_gap(petals: &[Vec<Vec2>], place: Vec2) -> f32 {
 
 /// Whether a centre stands in the middle of its petals as far as they go around it, and is no dot among them.
 fn is_amid(petals: &[Vec<Vec2>], focus: &Focus) -> bool {
-    let points = || petals.iter().flatten();
-    let low = points().copied().fold(Vec2::INFINITY, Vec2::min);
-    let high = points().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
+    let (low, high) = polyline::bounds(petals.iter().flatten().copied());
     let half = 0.5 * (high - low);
     let off = (low.midpoint(high) - focus.place).abs() / half.max(Vec2::splat(f32::MIN_POSITIVE));
     // A corolla that is not drawn all around has its middle elsewhere.

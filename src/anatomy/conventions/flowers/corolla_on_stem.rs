@@ -17,7 +17,7 @@ use crate::anatomy::conventions::page::{Line, Page, even};
 use crate::anatomy::conventions::shapes::lobes::{self, Focus};
 use crate::anatomy::conventions::shapes::stem_tail;
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
-use crate::geom::polyline;
+use crate::geom::{polyline, simple_loop};
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
 use std::borrow::Cow;
@@ -202,7 +202,7 @@ fn is_a_star(line: &Line, focus: &Focus, petals: &[Vec<Vec2>]) -> bool {
     line.openness < STAR.2
         && petals.len() >= STAR.0
         && mean(&|petal| lobes::depth(petal, focus)) < STAR.1
-        && is_even(&|petal| lobes::area(&lobes::rooted(petal, focus.place)).sqrt())
+        && is_even(&|petal| simple_loop::area(&lobes::rooted(petal, focus.place)).sqrt())
         && widest_gap(petals, focus.place) < widest
 }
 
@@ -241,7 +241,7 @@ fn seen_from_the_side(line: &Line, top: Vec2) -> Option<(Focus, Vec<Vec<Vec2>>)>
 
 fn petals(line: &Line, focus: &Focus) -> Vec<Vec<Vec2>> {
     let mut petals = lobes::cut(&line.points, focus, line.openness < 0.3);
-    let area = |stretch: &[Vec2]| lobes::area(&lobes::rooted(stretch, focus.place));
+    let area = |stretch: &[Vec2]| simple_loop::area(&lobes::rooted(stretch, focus.place));
     let largest = petals.iter().map(|stretch| area(stretch)).fold(0.0, f32::max);
     petals.retain(|stretch| area(stretch) > SMALLEST * largest);
     petals
@@ -252,9 +252,7 @@ mod tests {
     use super::*;
 
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
-        let mut out = Vec::new();
-        propose(&Page::of_lines(lines), &mut out);
-        out
+        crate::anatomy::conventions::read_by(propose, lines)
     }
 
     fn line(places: &[(f32, f32)]) -> Vec<Vec2> {

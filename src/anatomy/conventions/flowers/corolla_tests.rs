@@ -3,9 +3,7 @@
 use super::*;
 
 fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
-    let mut out = Vec::new();
-    propose(&Page::of_lines(lines), &mut out);
-    out
+    crate::anatomy::conventions::read_by(propose, lines)
 }
 
 /// Around (0, 0) from one angle to another, `lobes` all around that are `depth` higher than the ring of radius 40.

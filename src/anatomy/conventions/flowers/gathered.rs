@@ -16,7 +16,7 @@ use super::corolla::widest_gap;
 use crate::anatomy::conventions::page::{Line, Page};
 use crate::anatomy::conventions::shapes::lobes::{self, Focus};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
-use crate::geom::{convex_hull::convex_hull, polyline};
+use crate::geom::{convex_hull::convex_hull, polyline, simple_loop};
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
 
@@ -178,12 +178,12 @@ fn is_petal(points: &[Vec2], focus: &Focus, farthest: f32) -> bool {
     let (first, last) = (points[0], points[points.len() - 1]);
     let reach = focus.reach(points);
     let length = polyline::length(points) + first.distance(last);
-    let area = lobes::area(points);
+    let area = simple_loop::area(points);
     reach > 0.3 * farthest
         && focus.distance(first).max(focus.distance(last)) < BACK * reach
         && first.distance(last) < FOOT * reach
         && area > FAT * length * length
-        && area > SOLID * lobes::area(&convex_hull(points, |p| *p))
+        && area > SOLID * simple_loop::area(&convex_hull(points, |p| *p))
 }
 
 /// Whether a line is nearly straight, goes away from a place, and is long beside this reach.
@@ -203,7 +203,7 @@ fn far_end(points: &[Vec2], place: Vec2) -> Vec2 {
 /// Whether petals stand all around a place, side by side, about of one size.
 fn are_a_flower(petals: &[Vec<Vec2>], place: Vec2, has_stem: bool) -> bool {
     let (fewest, gap) = if has_stem { (PETALS.1, GAP.1) } else { (PETALS.0, GAP.0) };
-    let areas = || petals.iter().map(|points| lobes::area(points));
+    let areas = || petals.iter().map(|points| simple_loop::area(points));
     let (least, most) = (areas().fold(f32::INFINITY, f32::min), areas().fold(0.0, f32::max));
     // Feet lie around the place itself.
     let outer = |points: &Vec<Vec2>| -> Vec<Vec2> {
@@ -224,9 +224,7 @@ mod tests {
     use std::f32::consts::{PI, TAU};
 
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
-        let mut out = Vec::new();
-        propose(&Page::of_lines(lines), &mut out);
-        out
+        crate::anatomy::conventions::read_by(propose, lines)
     }
 
     /// A petal from near the origin and back, `turn` away from the right, its ends so far apart.

@@ -153,9 +153,7 @@ mod tests {
     use super::*;
 
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
-        let mut out = Vec::new();
-        propose(&Page::of_lines(lines), &mut out);
-        out
+        crate::anatomy::conventions::read_by(propose, lines)
     }
 
     /// A disc around a place and so many rays, over a share of the circle.
@@ -183,7 +181,7 @@ mod tests {
             let outline: Vec<Vec2> = petal.points.iter().map(|p| p.position).collect();
             assert!(outline[0].length() < 10.0, "it meets the centre");
             assert!(outline.iter().any(|p| p.length() > 68.0), "it reaches as far as its ray");
-            assert!(crate::anatomy::conventions::shapes::lobes::area(&outline) > 300.0);
+            assert!(crate::geom::simple_loop::area(&outline) > 300.0);
         }
     }
 

@@ -123,9 +123,7 @@ mod tests {
     use super::*;
 
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
-        let mut out = Vec::new();
-        propose(&Page::of_lines(lines), &mut out);
-        out
+        crate::anatomy::conventions::read_by(propose, lines)
     }
 
     /// Around the origin so many turns, from one radius to another.

@@ -9,7 +9,7 @@
 //! [`MOST_POINTS`](super::page); of pairs of lines only those whose ends are near.
 
 use crate::anatomy::conventions::page::{Line, Page};
-use crate::anatomy::conventions::shapes::lobes;
+use crate::geom::{polyline, simple_loop};
 use glam::Vec2;
 
 /// Farthest distance of two places of a line that count as one, as a share of the diagonal of its bounds.
@@ -59,8 +59,7 @@ impl Blade {
 
     /// Smallest and largest corner of the outline.
     pub(crate) fn bounds(&self) -> (Vec2, Vec2) {
-        let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
-        self.ring.iter().fold(empty, |(low, high), p| (low.min(*p), high.max(*p)))
+        polyline::bounds(self.ring.iter().copied())
     }
 
     /// Diagonal of its bounds.
@@ -80,8 +79,7 @@ impl Blade {
 
     /// Share of a line that lies in the outline, by every third of its points.
     pub(crate) fn share_of(&self, line: &Line) -> f32 {
-        let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
-        let (low, high) = self.ring.iter().fold(empty, |(low, high), p| (low.min(*p), high.max(*p)));
+        let (low, high) = polyline::bounds(self.ring.iter().copied());
         if line.bounds.0.cmpgt(high).any() || line.bounds.1.cmplt(low).any() {
             return 0.0;
         }
@@ -105,7 +103,7 @@ impl Blade {
     /// Share of its convex hull that it fills.
     pub(crate) fn solidity(&self) -> f32 {
         let hull = crate::geom::convex_hull::convex_hull(&self.ring, |p| *p);
-        lobes::area(&self.ring) / lobes::area(&hull).max(f32::MIN_POSITIVE)
+        simple_loop::area(&self.ring) / simple_loop::area(&hull).max(f32::MIN_POSITIVE)
     }
 }
 
@@ -199,7 +197,7 @@ fn of_pair(page: &Page, a: usize, b: usize) -> Option<Blade> {
     let depths = (depth(&one[i..=k]), -depth(&other[j..=l]));
     let bulge = depths.0.abs().max(depths.1.abs()) * BULGE;
     let is_lens = depths.0.signum() == depths.1.signum() && depths.0.abs().min(depths.1.abs()) > bulge;
-    if lobes::area(&ring) < ENCLOSED * tips * tips {
+    if simple_loop::area(&ring) < ENCLOSED * tips * tips {
         return None;
     }
     let back = |points: &[Vec2]| points.iter().rev().copied().collect::<Vec<Vec2>>();
@@ -270,7 +268,7 @@ mod tests {
             let found = of_two(&Page::of_lines(&[side(1.0), other]));
             let [blade] = &found[..] else { panic!("{} outlines", found.len()) };
             assert!(blade.is_lens && blade.solidity() > 0.9);
-            assert!((lobes::area(&blade.ring) / 3333.0 - 1.0).abs() < 0.1);
+            assert!((simple_loop::area(&blade.ring) / 3333.0 - 1.0).abs() < 0.1);
         }
     }
 

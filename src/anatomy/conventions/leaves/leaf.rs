@@ -16,6 +16,7 @@ use super::leaf_parts::{AT, Parts};
 use crate::anatomy::conventions::page::Page;
 use crate::anatomy::conventions::shapes::lobes::{self, Focus};
 use crate::anatomy::conventions::{Hypothesis, Made};
+use crate::geom::simple_loop;
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
 
@@ -58,7 +59,7 @@ fn leaf(page: &Page, blade: &Blade, near: &[usize]) -> Option<Hypothesis> {
     let is_lobed = solidity < SOLID.0 || lobes > LOBES.0;
     let size = blade.bounds().1 - blade.bounds().0;
     let boxy = if blade.is_whole { BOX.1 } else { BOX.0 };
-    if lobes::area(&blade.ring) > boxy * size.x * size.y {
+    if simple_loop::area(&blade.ring) > boxy * size.x * size.y {
         return None;
     }
     let parts = Parts::of(page, blade, near)?;
@@ -107,9 +108,7 @@ mod tests {
     use std::f32::consts::{PI, TAU};
 
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
-        let mut out = Vec::new();
-        propose(&Page::of_lines(lines), &mut out);
-        out
+        crate::anatomy::conventions::read_by(propose, lines)
     }
 
     fn line(places: &[(f32, f32)]) -> Vec<Vec2> {
@@ -222,7 +221,7 @@ mod tests {
         let leaf = leaf(&found);
         assert_eq!(leaf.uses, [0, 1, 2, 3, 4]);
         let drawn: Vec<Vec2> = leaf.parts[0].points.iter().map(|p| p.position).collect();
-        assert!((lobes::area(&drawn) / 4000.0 - 1.0).abs() < 0.1, "{}", lobes::area(&drawn));
+        assert!((simple_loop::area(&drawn) / 4000.0 - 1.0).abs() < 0.1, "{}", simple_loop::area(&drawn));
         assert!(drawn[0].length() < 8.0, "{}", drawn[0]);
     }
 

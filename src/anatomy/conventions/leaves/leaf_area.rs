@@ -9,9 +9,8 @@
 
 use super::blade::Blade;
 use crate::anatomy::conventions::page::{self, Line, Page};
-use crate::anatomy::conventions::shapes::lobes;
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, share_along, smooth_contour};
-use crate::geom::polyline;
+use crate::geom::{polyline, simple_loop};
 use glam::{IVec2, Vec2};
 use std::collections::HashSet;
 
@@ -68,7 +67,7 @@ pub(crate) fn of_group(page: &Page, group: &[usize]) -> Option<Blade> {
     }
     let drawn = || outline.iter().map(|i| &page.lines[*i]);
     let length: f32 = drawn().map(|line| line.length).sum();
-    let is_leaflet = |line: &Line| line.openness < 0.2 && line.area < CLOSED * lobes::area(&ring);
+    let is_leaflet = |line: &Line| line.openness < 0.2 && line.area < CLOSED * simple_loop::area(&ring);
     if length > LONGEST * polyline::length(&ring) || drawn().any(is_leaflet) {
         return None;
     }
@@ -83,9 +82,7 @@ pub(crate) fn of_group(page: &Page, group: &[usize]) -> Option<Blade> {
 /// Whether lines may be a leaf, before their area is asked for: something may be the midrib, and nothing is scribbled.
 fn may_be_leaf(page: &Page, group: &[usize]) -> bool {
     let lines = || group.iter().map(|i| &page.lines[*i]);
-    let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
-    let (low, high) =
-        lines().fold(empty, |(low, high), line| (low.min(line.bounds.0), high.max(line.bounds.1)));
+    let (low, high) = page::bounds(lines());
     let diagonal = low.distance(high);
     let chord = |line: &Line| line.ends().0.distance(line.ends().1);
     let is_midrib =

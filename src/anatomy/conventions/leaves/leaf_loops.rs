@@ -11,7 +11,7 @@
 use crate::anatomy::conventions::page::{Line, Page};
 use crate::anatomy::conventions::shapes::lobes::{self, Focus};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
-use crate::geom::{convex_hull::convex_hull, polyline};
+use crate::geom::{convex_hull::convex_hull, polyline, simple_loop};
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
 use std::f32::consts::TAU;
@@ -128,7 +128,7 @@ impl Loops {
 
     /// Area of the smallest loop, as a share of the largest one's.
     fn evenness(&self) -> f32 {
-        let areas = || self.closed.iter().map(|points| lobes::area(points));
+        let areas = || self.closed.iter().map(|points| simple_loop::area(points));
         areas().fold(f32::INFINITY, f32::min) / areas().fold(f32::MIN_POSITIVE, f32::max)
     }
 
@@ -156,8 +156,8 @@ impl Loops {
 fn is_leaf(points: &[Vec2], fat: f32) -> bool {
     let length = polyline::length(points) + points[0].distance(points[points.len() - 1]);
     let hull = convex_hull(points, |p| *p);
-    let area = lobes::area(points);
-    area > fat * length * length && area > SOLID * lobes::area(&hull)
+    let area = simple_loop::area(points);
+    area > fat * length * length && area > SOLID * simple_loop::area(&hull)
 }
 
 /// Where a line comes nearest to itself with a good part of it on both sides, if it is hardly apart there.
@@ -232,9 +232,7 @@ mod tests {
     use super::*;
 
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
-        let mut out = Vec::new();
-        propose(&Page::of_lines(lines), &mut out);
-        out
+        crate::anatomy::conventions::read_by(propose, lines)
     }
 
     /// A leaf from the origin and back to it, `turn` away from the right.

@@ -6,8 +6,7 @@
 
 use super::blade::Blade;
 use crate::anatomy::conventions::page::{Line, Page, even};
-use crate::anatomy::conventions::shapes::lobes;
-use crate::geom::polyline;
+use crate::geom::{polyline, simple_loop};
 use glam::Vec2;
 
 /// Least share of a vein's points in the outline, and of a midrib's that goes on as a stalk.
@@ -137,7 +136,7 @@ impl<'a> Parts<'a> {
     /// Of two stalks, leaves out the one that is a short end beside a long stalk: an outline that crosses its own stem.
     fn leave_overshot(&mut self) {
         let length = |stalk: &Vec<Vec2>| polyline::length(stalk);
-        if lobes::area(&self.blade.ring) < FAT * self.diagonal * self.diagonal {
+        if simple_loop::area(&self.blade.ring) < FAT * self.diagonal * self.diagonal {
             return;
         }
         self.stalks.sort_by(|a, b| length(b).total_cmp(&length(a)));

@@ -7,7 +7,7 @@
 use crate::anatomy::conventions::page::{Line, Page};
 use crate::anatomy::conventions::shapes::lobes;
 use crate::anatomy::conventions::{Hypothesis, Made};
-use crate::geom::{convex_hull::convex_hull, polyline};
+use crate::geom::{convex_hull::convex_hull, polyline, simple_loop};
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
 
@@ -76,8 +76,8 @@ fn taken_apart(line: &Line) -> (Vec<Vec<Vec2>>, Vec<Vec2>) {
 
 fn is_leaf(points: &[Vec2]) -> bool {
     let length = polyline::length(points);
-    let area = lobes::area(points);
-    area > FAT * length * length && area > SOLID * lobes::area(&convex_hull(points, |p| *p))
+    let area = simple_loop::area(points);
+    area > FAT * length * length && area > SOLID * simple_loop::area(&convex_hull(points, |p| *p))
 }
 
 #[cfg(test)]

@@ -10,7 +10,6 @@
 //!
 //! Limits: lobes that overhang their neighbours so far that a ray from the centre meets them twice may be cut once too often.
 
-use crate::geom::simple_loop;
 use glam::Vec2;
 use std::f32::consts::TAU;
 
@@ -151,11 +150,6 @@ pub(crate) fn rooted(stretch: &[Vec2], root: Vec2) -> Vec<Vec2> {
 /// How far a stretch's ends are from the focus, as a share of its reach.
 pub(crate) fn depth(stretch: &[Vec2], focus: &Focus) -> f32 {
     0.5 * (focus.distance(stretch[0]) + focus.distance(stretch[stretch.len() - 1])) / focus.reach(stretch)
-}
-
-/// Area of a closed outline, without sign.
-pub(crate) fn area(outline: &[Vec2]) -> f32 {
-    simple_loop::signed_area(outline.iter().copied()).abs()
 }
 
 /// Where a petal points from a place.

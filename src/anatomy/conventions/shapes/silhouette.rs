@@ -5,6 +5,7 @@
 //! outer cells. Cost: the number of cells, [`LONG_SIDE`]² at most, whatever the lines.
 
 use crate::anatomy::conventions::page::even;
+use crate::geom::polyline;
 use glam::{IVec2, Vec2};
 use std::collections::HashSet;
 
@@ -34,8 +35,7 @@ impl Silhouette {
     /// The area that lines enclose, gaps of up to `bridge` cells closed; of no lines there is one cell at most.
     pub(crate) fn new<'a>(lines: impl Iterator<Item = &'a [Vec2]> + Clone, bridge: i32) -> Self {
         let points = lines.clone().flatten();
-        let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
-        let (low, high) = points.fold(empty, |(low, high), p| (low.min(*p), high.max(*p)));
+        let (low, high) = polyline::bounds(points.copied());
         let (low, high) = if low.cmple(high).all() { (low, high) } else { (Vec2::ZERO, Vec2::ZERO) };
         let cell = ((high - low).max_element() / LONG_SIDE).max(f32::MIN_POSITIVE);
         let thick = (bridge + 1) / 2;
@@ -345,7 +345,7 @@ mod tests {
     fn two_halves_make_one_contour() {
         let contour = of(&[arc(0.1, PI), arc(PI, TAU)], 8).contour();
         let smooth = smooth_contour(&contour, 100, 2);
-        let area = simple_loop::signed_area(smooth.iter().copied()).abs();
+        let area = simple_loop::area(&smooth);
         assert!((area / (PI * 2500.0) - 1.0).abs() < 0.06, "{area}");
         assert!(simple_loop::is_simple(&smooth));
     }

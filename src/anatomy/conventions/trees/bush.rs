@@ -10,7 +10,7 @@ use super::evidence;
 use crate::anatomy::conventions::page::{Line, Page, even, notches};
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
-use crate::geom::{convex_hull::convex_hull, simple_loop};
+use crate::geom::{convex_hull::convex_hull, polyline, simple_loop};
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
 
@@ -48,7 +48,7 @@ fn bush(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let lines: Vec<&Line> = group.iter().map(|i| &page.lines[*i]).collect();
     let ink: Vec<Vec2> = lines.iter().flat_map(|line| &line.points).copied().collect();
     let hull = convex_hull(&ink, |p| *p);
-    let (low, high) = hull.iter().fold((hull[0], hull[0]), |(low, high), p| (low.min(*p), high.max(*p)));
+    let (low, high) = polyline::bounds(hull.iter().copied());
     let size = high - low;
     let is_of_form = size.length() > SMALLEST * page.diagonal && size.x > NARROWEST * size.y;
     if !is_of_form || evidence::has_blades(&lines, size) || !evidence::has_outline(&lines, size) {
@@ -61,7 +61,7 @@ fn bush(page: &Page, group: &[usize]) -> Option<Hypothesis> {
         .collect();
     let closing: Vec<&[Vec2]> = chords.iter().map(Vec::as_slice).collect();
     let drawn = || lines.iter().map(|line| line.points.as_slice());
-    let hull_area = simple_loop::signed_area(hull.iter().copied()).abs();
+    let hull_area = simple_loop::area(&hull);
     let scribbled: f32 = lines.iter().filter(|line| line.is_scribble()).map(|line| line.hull_area).sum();
     let is_scribble = scribbled > SCRIBBLE * hull_area;
     let fewest = if closing.is_empty() { NOTCHES.0 } else { NOTCHES.1 };
@@ -70,7 +70,7 @@ fn bush(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let crown = |bridge: &i32| {
         let silhouette = Silhouette::new(drawn().chain(closing.iter().copied()), *bridge);
         let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
-        let is_solid = simple_loop::signed_area(outline.iter().copied()).abs() > SOLID * hull_area;
+        let is_solid = simple_loop::area(&outline) > SOLID * hull_area;
         let is_outline = (has_lobes || notches(&outline).len() >= fewest)
             && evidence::is_drawn_by_few(&outline, drawn(), &closing, &silhouette)
             && !evidence::has_flower_centre(&lines, &outline);
@@ -123,7 +123,7 @@ fn foot(outline: &[Vec2], (low, high): (Vec2, Vec2)) -> (f32, f32) {
 
 /// Whether a line goes far out of an area.
 fn is_left(lines: &[&Line], outline: &[Vec2]) -> bool {
-    let bounds = outline.iter().fold((outline[0], outline[0]), |(low, high), p| (low.min(*p), high.max(*p)));
+    let bounds = polyline::bounds(outline.iter().copied());
     let reach = OUTSIDE * (bounds.1.y - bounds.0.y);
     let ends = lines.iter().flat_map(|line| [line.ends().0, line.ends().1]);
     let mut away = ends.map(|end| (end.clamp(bounds.0, bounds.1)).distance(end));

@@ -45,8 +45,7 @@ pub(crate) fn has_outline(lines: &[&Line], whole: Vec2) -> bool {
 /// Whether one of these lines is a round outline about the middle of a crown: then that is a corolla. Several are apples, or the
 /// loops of a scribble.
 pub(crate) fn has_flower_centre(lines: &[&Line], outline: &[Vec2]) -> bool {
-    let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
-    let (low, high) = outline.iter().fold(empty, |(low, high), p| (low.min(*p), high.max(*p)));
+    let (low, high) = polyline::bounds(outline.iter().copied());
     let (middle, half) = (low.midpoint(high), 0.5 * (high - low));
     let reach = half.max_element();
     if half.min_element() < LONG * reach {
@@ -69,8 +68,7 @@ pub(crate) fn has_shallow_lobes(outline: &[Vec2]) -> bool {
 
 /// Mean distance of notches from the middle of an outline, that of an ellipse being 1.
 pub(crate) fn depth(outline: &[Vec2], notches: &[Vec2]) -> f32 {
-    let empty = (Vec2::INFINITY, Vec2::NEG_INFINITY);
-    let (low, high) = outline.iter().fold(empty, |(low, high), p| (low.min(*p), high.max(*p)));
+    let (low, high) = polyline::bounds(outline.iter().copied());
     let away = |p: &Vec2| ((*p - low.midpoint(high)) / (0.5 * (high - low))).length();
     notches.iter().map(away).sum::<f32>() / notches.len().max(1) as f32
 }
@@ -94,5 +92,5 @@ pub(crate) fn is_drawn_by_few<'a>(
 /// Whether a line bends to one side, as an arc of a cloud does: least area between it and its chord, over the square of its length.
 pub(crate) fn is_bow(line: &[Vec2]) -> bool {
     let length = polyline::length(line);
-    simple_loop::signed_area(line.iter().copied()).abs() > BOW * length * length
+    simple_loop::area(line) > BOW * length * length
 }

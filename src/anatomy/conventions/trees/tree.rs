@@ -14,7 +14,10 @@ use super::trunk_sides::TrunkSides;
 use crate::anatomy::conventions::page::{Line, Page, even};
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
-use crate::geom::{convex_hull::convex_hull, simple_loop};
+use crate::geom::{
+    convex_hull::{convex_hull, hull_area},
+    polyline, simple_loop,
+};
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
 use std::f32::consts::PI;
@@ -79,8 +82,8 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
         return None;
     }
     let uses = page.with_what_is_inside(group, &outline);
-    let area = simple_loop::signed_area(outline.iter().copied()).abs();
-    let is_lobed = evidence::has_shallow_lobes(&outline) && area > WHOLE * hull_area_of(&outline);
+    let area = simple_loop::area(&outline);
+    let is_lobed = evidence::has_shallow_lobes(&outline) && area > WHOLE * hull_area(&outline);
     let lobes = if is_lobed { LOBED } else { 0.0 };
     let parts = vec![trunk.centre_line(&outline), Made::new(Tool::Crown, outline)];
     let (reading, habit) = (Reading::Tree, Some(Habit::Tree));
@@ -91,7 +94,7 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
 
 /// Whether a trunk is a flower's stem: thin beside its crown, with a round outline in the middle of that, or very long.
 fn is_stem(trunk: &Trunk, crown: &[Vec2], lines: &[&Line]) -> bool {
-    let (low, high) = crown.iter().fold((crown[0], crown[0]), |(low, high), p| (low.min(*p), high.max(*p)));
+    let (low, high) = polyline::bounds(crown.iter().copied());
     let is_thin = 2.0 * trunk.narrow < THIN * (high.x - low.x);
     is_thin && (trunk.height() > LONG * (high.y - low.y) || evidence::has_flower_centre(lines, crown))
 }
@@ -114,19 +117,19 @@ fn leaning(page: &Page, group: &[usize]) -> Option<(Trunk, Vec<Vec2>)> {
     let half = trunk.top.midpoint(sides.foot().y);
     let above: Vec<Vec<Vec2>> = rest.filter(|run| run.iter().any(|p| p.y < half)).collect();
     let outline = crown(above, &trunk)?;
-    let area = simple_loop::signed_area(outline.iter().copied()).abs();
-    let is_crown = area > FULL * hull_area_of(&outline) && outline.iter().all(|p| p.y < half);
+    let area = simple_loop::area(&outline);
+    let is_crown = area > FULL * hull_area(&outline) && outline.iter().all(|p| p.y < half);
     is_crown.then_some((trunk, outline))
 }
 
 /// The outline of the crown above a trunk, from what is drawn there.
 pub(crate) fn crown(above: Vec<Vec<Vec2>>, trunk: &Trunk) -> Option<Vec<Vec2>> {
     // The stretches of an outline turn round what they enclose; sides of stems that go on upward do not.
-    let turned = above.iter().map(|run| hull_area_of(run)).fold(0.0, f32::max);
-    let bows: f32 = above.iter().filter(|run| evidence::is_bow(run)).map(|run| hull_area_of(run)).sum();
+    let turned = above.iter().map(|run| hull_area(run)).fold(0.0, f32::max);
+    let bows: f32 = above.iter().filter(|run| evidence::is_bow(run)).map(|run| hull_area(run)).sum();
     let ink: Vec<Vec2> = above.iter().flatten().copied().collect();
     let hull = convex_hull(&ink, |p| *p);
-    let hull_area = hull_area_of(&hull);
+    let hull_area = hull_area(&hull);
     if hull.len() < 3 || turned.max(bows) < TURNED * hull_area {
         return None;
     }
@@ -143,25 +146,20 @@ pub(crate) fn crown(above: Vec<Vec<Vec2>>, trunk: &Trunk) -> Option<Vec<Vec2>> {
         let is_crown = is_compact(&silhouette, &hull, trunk.narrow)
             && silhouette.share_inside(ink.iter()) >= INSIDE
             && evidence::is_drawn_by_few(&outline, drawn.clone(), &closing, &silhouette)
-            && simple_loop::signed_area(outline.iter().copied()).abs() > trunk.least_area();
+            && simple_loop::area(&outline) > trunk.least_area();
         is_crown.then_some(outline)
     };
     let mut closed = BRIDGES.iter().skip_while(|bridge| !is_closed(bridge));
     // One stretch of line has no gap but that above the trunk: the first that is closed is meant. Of several a wider gap may be
     // closed if what they enclose is full then: leaves along a stem are not.
     let first = enclosed(closed.next()?);
-    let is_full = |outline: &Vec<Vec2>| {
-        above.len() > 1 && simple_loop::signed_area(outline.iter().copied()).abs() > WHOLE * hull_area
-    };
+    let is_full = |outline: &Vec<Vec2>| above.len() > 1 && simple_loop::area(outline) > WHOLE * hull_area;
     first.or_else(|| closed.find_map(enclosed).filter(is_full))
 }
 
 /// Lines from the lower open ends of what is drawn to the top of the trunk.
 fn gaps(above: &[Vec<Vec2>], trunk: &Trunk) -> Vec<Vec<Vec2>> {
-    let bounds = above
-        .iter()
-        .flatten()
-        .fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(low, high), p| (low.min(*p), high.max(*p)));
+    let bounds = polyline::bounds(above.iter().flatten().copied());
     let size = bounds.1 - bounds.0;
     let ends = above.iter().flat_map(|run| [run[0], run[run.len() - 1]]);
     let to_trunk = ends.filter_map(|end| {
@@ -173,17 +171,11 @@ fn gaps(above: &[Vec<Vec2>], trunk: &Trunk) -> Vec<Vec<Vec2>> {
     to_trunk.collect()
 }
 
-/// Area of the convex hull of some points.
-pub(crate) fn hull_area_of(points: &[Vec2]) -> f32 {
-    let hull = convex_hull(points, |p| *p);
-    simple_loop::signed_area(hull.iter().copied()).abs()
-}
-
 /// Whether an area is solid, wider than its trunk and no long arm.
 fn is_compact(silhouette: &Silhouette, hull: &[Vec2], half_trunk: f32) -> bool {
-    let hull_area = simple_loop::signed_area(hull.iter().copied()).abs();
+    let hull_area = simple_loop::area(hull);
     let (area, radius) = (silhouette.area(), silhouette.inscribed_radius());
-    let (low, high) = hull.iter().fold((hull[0], hull[0]), |(low, high), p| (low.min(*p), high.max(*p)));
+    let (low, high) = polyline::bounds(hull.iter().copied());
     let is_high = high.y - low.y > COMPACT.1 * (high.x - low.x);
     let is_arm = is_high && area > COMPACT.0 * PI * radius * radius;
     area >= SOLID * hull_area && radius >= WIDER * half_trunk && !is_arm

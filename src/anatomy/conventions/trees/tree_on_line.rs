@@ -9,12 +9,12 @@
 //! Limits: a round flower on a short stem, without petals, is read as a tree.
 
 use super::evidence;
-use super::tree::{crown, hull_area_of};
+use super::tree::crown;
 use super::trunk::Trunk;
-use crate::anatomy::conventions::page::{Line, Page, notches};
+use crate::anatomy::conventions::page::{self, Line, Page, notches};
 use crate::anatomy::conventions::shapes::stem_tail;
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
-use crate::geom::polyline;
+use crate::geom::{convex_hull::hull_area, polyline};
 use crate::sketch::Reading;
 use crate::sketch::Tool;
 use glam::Vec2;
@@ -64,9 +64,7 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let visible = points[0].y - crown_low;
     let is_of_form = (BELOW.0..BELOW.1).contains(&(visible / (crown_low - high)));
     let whole: Vec<&Line> = lines.iter().map(|line| &**line).collect();
-    let size = whole.iter().fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(l, h), line| {
-        (l.min(line.bounds.0), h.max(line.bounds.1))
-    });
+    let size = page::bounds(whole.iter().copied());
     let size = size.1 - size.0;
     if !is_of_form || evidence::has_blades(&whole, size) || !evidence::has_outline(&whole, size) {
         return None;
@@ -134,17 +132,17 @@ struct Crown<'a> {
 impl Crown<'_> {
     /// Log-odds that it is one.
     fn score(&self) -> Option<f32> {
-        let area = hull_area_of(self.outline);
+        let area = hull_area(self.outline);
         let scribbled: f32 =
             self.lines.iter().filter(|line| line.is_scribble()).map(|line| line.hull_area).sum();
         if scribbled > SCRIBBLED * area {
             return Some(SCORE.0);
         }
-        if tips(self.outline) > TIPS {
+        if page::tips(self.outline, TIP).len() > TIPS {
             return None;
         }
         let has_lobes = evidence::has_shallow_lobes(self.outline) && !self.has_petals();
-        if has_lobes || tips(self.outline) == 0 && self.has_branches() {
+        if has_lobes || page::tips(self.outline, TIP).is_empty() && self.has_branches() {
             return Some(SCORE.0);
         }
         (notches(self.outline).len() < evidence::NOTCHES && self.is_round()).then_some(SCORE.1)
@@ -182,29 +180,12 @@ impl Crown<'_> {
         let (low, high) = self.bounds();
         let size = high - low;
         let top = self.trunk[self.trunk.len() - 1].y;
-        let has_tip = tips(self.outline) > 0;
+        let has_tip = !page::tips(self.outline, TIP).is_empty();
         self.lines.len() == 1
             && !has_tip
             && (ROUND.0..ROUND.1).contains(&(size.x / size.y))
             && (low.y + (1.0 - ENTERS) * size.y..high.y + 0.1 * size.y).contains(&top)
     }
-}
-
-/// How many times a closed outline turns sharply outward.
-fn tips(outline: &[Vec2]) -> usize {
-    let n = outline.len();
-    let reach = ((0.5 * TIP.0 * n as f32) as usize).max(1);
-    let turning = crate::geom::simple_loop::signed_area(outline.iter().copied()).signum();
-    let turn = |i: usize| {
-        let (before, here, after) = (outline[(i + n - reach) % n], outline[i], outline[(i + reach) % n]);
-        turning * (here - before).angle_to(after - here)
-    };
-    let turns: Vec<f32> = (0..n).map(turn).collect();
-    let is_most = |i: usize| {
-        let is_more = |k: usize| turns[i] >= turns[(i + k) % n] && turns[i] > turns[(i + n - k) % n];
-        turns[i] > TIP.1 && (1..=reach).all(is_more)
-    };
-    (0..n).filter(|i| is_most(*i)).count()
 }
 
 #[cfg(test)]
@@ -213,9 +194,7 @@ mod tests {
     use std::f32::consts::TAU;
 
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
-        let mut out = Vec::new();
-        propose(&Page::of_lines(lines), &mut out);
-        out
+        crate::anatomy::conventions::read_by(propose, lines)
     }
 
     /// A ring of `lobes` about (0, -100), each rising by `depth` of the radius.

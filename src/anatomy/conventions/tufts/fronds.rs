@@ -229,12 +229,11 @@ mod tests {
     use super::*;
 
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
-        let (mut page, mut out) = (Page::of_lines(lines), Vec::new());
-        crate::anatomy::conventions::beneath::pot::propose(&page, &mut out);
-        page.set_apart(out.iter().flat_map(|pot| pot.uses.clone()).collect());
-        propose(&page, &mut out);
-        out.retain(|found| found.reading == Reading::Fronds);
-        out
+        crate::anatomy::conventions::read_above(
+            crate::anatomy::conventions::beneath::pot::propose,
+            propose,
+            lines,
+        )
     }
 
     fn sides() -> [Vec<Vec2>; 2] {

@@ -210,9 +210,7 @@ mod tests {
     use super::*;
 
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
-        let mut out = Vec::new();
-        propose(&Page::of_lines(lines), &mut out);
-        out
+        crate::anatomy::conventions::read_by(propose, lines)
     }
 
     fn zigzag(teeth: usize, lowest: f32) -> Vec<Vec2> {
