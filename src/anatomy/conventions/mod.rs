@@ -15,6 +15,7 @@
 //! | `corrected` | hypotheses as the artist corrected them |
 //! | `alternatives` | other readings of some strokes, for the artist to choose from |
 //! | `pieces` | what hypotheses make: strokes with tools |
+//! | `plants` | plants that stand side by side, each with a page of its own |
 //!
 //! | folder | what |
 //! | --- | --- |
@@ -41,6 +42,7 @@ mod bodies;
 mod corrected;
 mod flowers;
 mod leaves;
+mod plants;
 mod shapes;
 mod trees;
 mod tufts;
@@ -48,7 +50,7 @@ mod tufts;
 pub use hypothesis::{Habit, Hypothesis, Made, Solid, SolidKind};
 pub use pieces::{DrawnSolid, Interpretation, Piece, ReadStrokes};
 
-use crate::sketch::{Correction, Corrections, Stroke};
+use crate::sketch::{Correction, Corrections, Reading, Stroke};
 use beneath::{ground, pot};
 use bodies::{body, mushroom};
 use corrected::Corrected;
@@ -187,6 +189,15 @@ fn proposed(page: &mut Page, strokes: &[Arc<Stroke>], corrections: &[Correction]
         ask(*propose, page, &mut all);
         // What stands in a pot or on the ground is looked at without it.
         page.set_apart(all.iter().flat_map(|beneath| beneath.uses.iter().copied()).collect());
+    }
+    let ground = all.iter().find(|beneath| beneath.reading == Reading::Ground).map(|ground| ground.uses[0]);
+    for plant in plants::small(page, ground.map(|line| &page.lines[line])) {
+        let every = |page: &Page, out: &mut Vec<Hypothesis>| {
+            CONVENTIONS.iter().for_each(|propose| propose(page, out))
+        };
+        let mut new = plant.proposed(page, strokes, every);
+        corrected.apply(&mut new);
+        all.append(&mut new);
     }
     CONVENTIONS.iter().for_each(|propose| ask(*propose, page, &mut all));
     all

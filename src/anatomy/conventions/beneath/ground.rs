@@ -1,11 +1,13 @@
-//! Ground lines: a long level line, low in the drawing, with everything else above it.
+//! Ground lines: a long level line, low in the drawing, with everything else above it, or on which several plants stand.
 //!
 //! What speaks for the ground is that the line is nearly straight and level, spans most of the drawing and lies in its lower part
-//! with nothing below. It becomes no part of the plant. Limits: ground drawn as a hill, in pieces, or as grass is not found here
-//! (for grass see [`grass`](super::grass)).
+//! with nothing below. If plants stand on it side by side, it may roll, lie higher, and pass behind their stems, as the
+//! ground of a garden does; one plant is enough where it lies low. It becomes no part of the plant. Limits: ground drawn
+//! as one high hill, in pieces, or as grass is not found here (for grass see [`grass`](super::grass)).
 
 use crate::anatomy::conventions::Hypothesis;
 use crate::anatomy::conventions::page::{Line, Page};
+use crate::anatomy::conventions::plants::{self, Plant};
 use crate::sketch::Reading;
 
 /// Least distance between the ends of a ground line, as a share of its length.
@@ -18,15 +20,25 @@ const WIDE: f32 = 0.6;
 const LOW: (f32, f32) = (0.35, 0.12);
 /// Least height of a drawing, as a share of its width: a level line alone is a branch that lies.
 const HIGH: f32 = 0.25;
+/// The first two for ground on which plants stand.
+const ROLLING: (f32, f32) = (0.8, 0.25);
+/// Fewest plants on ground that rolls or lies high, their greatest width as a share of the ground's, and the least share of
+/// all other lines' length that is theirs.
+const PLANTS: usize = 2;
+const NARROW: f32 = 0.5;
+const MOST: f32 = 0.8;
 /// Log-odds of a ground line.
 const SCORE: f32 = 2.0;
 
 /// Proposes lines that are the ground.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
-    let grounds = (0..page.lines.len()).filter(|i| !page.is_apart(*i) && is_ground(page, &page.lines[*i]));
+    let lines = || (0..page.lines.len()).filter(|i| !page.is_apart(*i));
     let height = |i: &usize| page.lines[*i].middle().y;
-    let lowest = grounds.max_by(|a, b| height(a).total_cmp(&height(b)));
-    out.extend(lowest.map(|line| Hypothesis {
+    let lowest = lines().filter(|i| is_ground(page, &page.lines[*i]));
+    let lowest = lowest.max_by(|a, b| height(a).total_cmp(&height(b)));
+    let widest = lines().max_by(|a, b| page.lines[*a].size().x.total_cmp(&page.lines[*b].size().x));
+    let ground = lowest.or(widest.filter(|i| carries_a_garden(page, *i)));
+    out.extend(ground.map(|line| Hypothesis {
         uses: vec![line],
         score: SCORE,
         parts: Vec::new(),
@@ -36,15 +48,46 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     }));
 }
 
-/// Whether a line is the ground.
+/// Whether a line is level and lies below all else that is drawn.
 fn is_ground(page: &Page, line: &Line) -> bool {
+    let whole = page.bounds.1 - page.bounds.0;
+    is_level(page, line) && whole.y > HIGH * whole.x
+}
+
+/// Whether a line is level, wide and low.
+fn is_level(page: &Page, line: &Line) -> bool {
     let whole = page.bounds.1 - page.bounds.0;
     let (begin, end) = line.ends();
     let size = line.size();
     let is_line = begin.distance(end) > STRAIGHT * line.length && size.y < LEVEL * size.x;
     let is_low = line.bounds.0.y > page.bounds.1.y - LOW.0 * whole.y;
     let is_lowest = page.bounds.1.y - line.bounds.1.y < LOW.1 * whole.y;
-    is_line && size.x > WIDE * whole.x && whole.y > HIGH * whole.x && is_low && is_lowest
+    is_line && size.x > WIDE * whole.x && is_low && is_lowest
+}
+
+/// Whether plants stand side by side on a line that may roll.
+fn carries_a_garden(page: &Page, number: usize) -> bool {
+    let line = &page.lines[number];
+    let size = line.size();
+    let (begin, end) = line.ends();
+    let is_wide = size.x > WIDE * (page.bounds.1.x - page.bounds.0.x);
+    let rolls = begin.distance(end) > ROLLING.0 * line.length && size.y < ROLLING.1 * size.x;
+    let fewest = if is_level(page, line) { 1 } else { PLANTS };
+    is_wide && rolls && plants_on(page, number) >= fewest
+}
+
+/// How many plants stand on a line; none unless they are most of what else is drawn.
+fn plants_on(page: &Page, number: usize) -> usize {
+    let line = &page.lines[number];
+    let length = |plant: &Plant| plant.lines.iter().map(|i| page.lines[*i].length).sum::<f32>();
+    let all = plants::side_by_side(page, Some(number));
+    let stands = |plant: &&Plant| {
+        let size = plant.size();
+        size.x < NARROW * line.size().x && size.y > 0.5 * size.x && plant.stands_on(line)
+    };
+    let on_it: Vec<&Plant> = all.iter().filter(stands).collect();
+    let theirs: f32 = on_it.iter().map(|plant| length(plant)).sum();
+    if theirs > MOST * all.iter().map(length).sum::<f32>() { on_it.len() } else { 0 }
 }
 
 #[cfg(test)]
@@ -71,6 +114,41 @@ mod tests {
     #[test]
     fn a_level_line_below_everything_is_the_ground() {
         assert_eq!(read(&[&STEM, &GROUND]), [[1]]);
+    }
+
+    /// A stem with a head, its foot here.
+    fn flower(x: f32, y: f32) -> [Vec<(f32, f32)>; 2] {
+        let head = [(0.0, -60.0), (-20.0, -70.0), (0.0, -90.0), (20.0, -70.0), (0.0, -60.0)];
+        [vec![(x, y), (x, y - 60.0)], head.map(|(dx, dy)| (x + dx, y + dy)).to_vec()]
+    }
+
+    fn rolling(y: f32) -> Vec<(f32, f32)> {
+        (0..=80).map(|k| 10.0 * k as f32).map(|x| (x, y + 25.0 * (x / 110.0).sin())).collect()
+    }
+
+    fn read_all(lines: &[Vec<(f32, f32)>]) -> Vec<Vec<usize>> {
+        read(&lines.iter().map(Vec::as_slice).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn where_plants_stand_side_by_side_it_may_roll_and_pass_behind_them() {
+        let [a, b] = [flower(120.0, 30.0), flower(500.0, 40.0)].map(|flower| flower.to_vec());
+        assert_eq!(read_all(&[a.clone(), b.clone(), vec![rolling(0.0)]].concat()), [[4]]);
+        assert_eq!(read_all(&[a.clone(), b.clone(), vec![rolling(-20.0)]].concat()), [[4]], "a horizon");
+        assert!(read_all(&[a.clone(), vec![rolling(-20.0)]].concat()).is_empty(), "a branch with a leaf");
+    }
+
+    #[test]
+    fn what_hangs_from_a_line_does_not_stand_on_it() {
+        let hang =
+            |x: f32| vec![vec![(x, 30.0), (x, 90.0)], vec![(x - 20.0, 90.0), (x, 130.0), (x + 20.0, 90.0)]];
+        assert!(read_all(&[hang(100.0), hang(400.0), vec![rolling(0.0)]].concat()).is_empty());
+    }
+
+    #[test]
+    fn a_wide_drawing_with_one_low_plant_has_level_ground() {
+        let level = vec![(0.0, 2.0), (800.0, -4.0)];
+        assert_eq!(read_all(&[flower(150.0, 0.0).to_vec(), vec![level]].concat()), [[2]]);
     }
 
     #[test]
