@@ -1,12 +1,12 @@
 //! Contact sheets of the drawings by people: each drawing beside the plant that is made of it, from the front and turned.
 //!
 //! ```text
-//! cargo run --example draw_contact_sheets -- FOLDER [development] [opened] [icons] [held_back] [CLASS]... [CLASS/INDEX,...]...
+//! cargo run --example draw_contact_sheets -- FOLDER [development] [opened] [added] [icons] [held_back] [added_held_back] [CLASS]... [CLASS/INDEX,...]...
 //! ```
 //!
 //! A class, such as `tree`, is that class' drawings but those held back; `tree/5,leaf/29` are these drawings of them, in this
-//! order, on the sheet `picked`.
-//! Without a choice, the development half and the icons. The held-back quarter is there to judge by, not to look at on the way.
+//! order, on the sheet `picked`; `tree/+5` is one of those that were added later.
+//! Without a choice, the development half and the icons. The held-back drawings are there to judge by, not to look at on the way.
 //! The sheets are FOLDER/NAME-01.png and so on, twelve drawings each. A plant that cannot be built leaves its place empty and
 //! is told.
 
@@ -48,7 +48,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         let drawings = match name.as_str() {
             "development" => people::drawings(Share::Development)?,
             "opened" => people::drawings(Share::Opened)?,
+            "added" => people::drawings(Share::Added)?,
             "held_back" => people::drawings(Share::HeldBack)?,
+            "added_held_back" => people::drawings(Share::AddedHeldBack)?,
             "icons" => people::icons()?,
             class if people::CLASSES.contains(&class) => {
                 let mut drawings = known()?;
@@ -58,7 +60,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             list if list.contains('/') => picked(list)?,
             _ => {
                 return Err(format!(
-                    "`{name}` is none of development, opened, held_back, icons and the classes"
+                    "`{name}` is none of development, opened, added, held_back, added_held_back, icons and the classes"
                 )
                 .into());
             }
@@ -80,6 +82,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn known() -> io::Result<Vec<Drawing>> {
     let mut drawings = people::drawings(Share::Development)?;
     drawings.extend(people::drawings(Share::Opened)?);
+    drawings.extend(people::drawings(Share::Added)?);
     Ok(drawings)
 }
 

@@ -3,15 +3,23 @@
 //! Then the program can only end, with a message about the drawing, which the journal has. Three things happen, depending on
 //! who notices: winit ends its loop with an error; a call of winit or of the driver panics; or Xlib, while winit waits for
 //! events, ends the process itself by `exit(1)`. The first two come back to the caller of [`run`]. Of the third only the
-//! destructors of the main thread's own variables learn, and one of them writes the message.
+//! destructors of the main thread's own variables learn, and one of them writes the message. A driver may also wait for ever
+//! for a picture to be shown: so a thread waits beside the window on a connection of its own, and ends a process that has not
+//! ended [`GRACE`] after its X server.
 
 use std::cell::Cell;
 use std::io::Write as _;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
 /// The message.
 pub(super) const LOST: &str =
     "the connection to the display broke; the drawing is kept and offered at the next start";
+
+/// How long a window may take to end by itself.
+const GRACE: Duration = Duration::from_secs(3);
 
 /// Writes the message when the process ends while the window is open.
 struct ReportOnExit {
@@ -21,10 +29,14 @@ struct ReportOnExit {
 impl Drop for ReportOnExit {
     fn drop(&mut self) {
         if self.is_open.get() {
-            // Nobody is left to report a failure to.
-            let _ = writeln!(std::io::stderr(), "penstemon: {LOST}");
+            report();
         }
     }
+}
+
+fn report() {
+    // Nobody is left to report a failure to.
+    let _ = writeln!(std::io::stderr(), "penstemon: {LOST}");
 }
 
 thread_local! {
@@ -36,21 +48,44 @@ thread_local! {
 /// # Panics
 /// As `window` does, with the display there.
 pub(super) fn run<T>(window: impl FnOnce() -> T) -> Option<T> {
-    let report = std::panic::take_hook();
+    let hook = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {
         let is_of_display = std::thread::current().name() == Some("main") && is_gone();
         if !is_of_display {
-            report(panic);
+            hook(panic);
         }
     }));
+    let is_open = Arc::new(AtomicBool::new(true));
+    #[cfg(target_os = "linux")]
+    end_after_the_server(&is_open);
     REPORT_ON_EXIT.with(|report| report.is_open.set(true));
     let done = catch_unwind(AssertUnwindSafe(window));
     REPORT_ON_EXIT.with(|report| report.is_open.set(false));
+    is_open.store(false, Ordering::Relaxed);
     match done {
         Ok(done) => Some(done),
         Err(_) if is_gone() => None,
         Err(panic) => resume_unwind(panic),
     }
+}
+
+/// Ends the process where the window is still open after its X server is gone; without one, or a thread, nothing.
+#[cfg(target_os = "linux")]
+fn end_after_the_server(is_open: &Arc<AtomicBool>) {
+    use x11rb::connection::Connection as _;
+    let Ok((server, _)) = x11rb::connect(None) else { return };
+    let is_open = Arc::clone(is_open);
+    let wait = move || {
+        // No events were asked for; the few that a server sends unasked say nothing.
+        while server.wait_for_event().is_ok() {}
+        std::thread::sleep(GRACE);
+        if is_open.load(Ordering::Relaxed) && is_gone() {
+            report();
+            std::process::exit(1);
+        }
+    };
+    // Without it a window that never ends is the worst that happens.
+    let _ = std::thread::Builder::new().name("display watch".to_owned()).spawn(wait);
 }
 
 /// Whether no display answers any more.

@@ -1,7 +1,9 @@
-//! Plants that people drew, whole, as sketches: `tests/data/strokes`, whose README names origin and licence, and icons.
+//! Plants that people drew, whole, as sketches: `tests/data/strokes` and `strokes_added`, whose READMEs name origin and
+//! licence, and icons.
 //!
-//! The drawings are split by a hash of class and index, so that no taste decides: half of them are looked at while the
-//! program is made, a quarter is looked at since it was judged once unseen, the rest is held back to judge the program.
+//! The drawings are split by a hash of class and index, so that no taste decides: half of the first are looked at while the
+//! program is made, a quarter is looked at since it was judged once unseen, the rest is held back to judge the program. Of
+//! those that were added later half are looked at since they were judged once unseen, half are held back.
 
 #![allow(dead_code, reason = "tests and examples take what they need")]
 
@@ -36,27 +38,41 @@ pub(crate) enum Share {
     Opened,
     /// A quarter: neither looked at nor run but to judge.
     HeldBack,
+    /// A half of those added later: looked at and run since they were judged unseen, not labelled.
+    Added,
+    /// The other half of those: neither looked at nor run but to judge.
+    AddedHeldBack,
 }
 
 impl Share {
-    /// The share of a drawing. FNV-1a hardly mixes its last bytes, so the rounds that end MurmurHash3 follow.
-    pub(crate) fn of(class: &str, index: usize) -> Self {
-        let mut hash = fnv1a(&format!("{class}/{index}"));
-        hash = (hash ^ hash >> 16).wrapping_mul(0x85eb_ca6b);
-        hash = (hash ^ hash >> 13).wrapping_mul(0xc2b2_ae35);
-        match (hash ^ hash >> 16) & 3 {
+    /// The share of one of the first drawings.
+    fn of(class: &str, index: usize) -> Self {
+        match mixed(&format!("{class}/{index}")) & 3 {
             0 | 2 => Self::Development,
             1 => Self::Opened,
             _ => Self::HeldBack,
         }
     }
+
+    /// The share of a drawing that was added later.
+    fn of_added(class: &str, index: usize) -> Self {
+        if mixed(&format!("{class}/added/{index}")) & 1 == 0 { Self::Added } else { Self::AddedHeldBack }
+    }
+}
+
+/// A hash of a name: FNV-1a hardly mixes its last bytes, so the rounds that end MurmurHash3 follow.
+fn mixed(name: &str) -> u32 {
+    let mut hash = fnv1a(name);
+    hash = (hash ^ hash >> 16).wrapping_mul(0x85eb_ca6b);
+    hash = (hash ^ hash >> 13).wrapping_mul(0xc2b2_ae35);
+    hash ^ hash >> 16
 }
 
 /// A drawing by a person.
 pub(crate) struct Drawing {
     /// What the person was asked to draw; an icon's set.
     pub(crate) class: String,
-    /// Its place in the file of the class, or the icon's name.
+    /// Its place in the file of the class, with a plus before it where it was added later, or the icon's name.
     pub(crate) name: String,
     /// The strokes.
     pub(crate) sketch: Sketch,
@@ -72,15 +88,17 @@ struct Recorded {
 /// # Errors
 /// A file that cannot be read or holds something else.
 pub(crate) fn drawings(share: Share) -> io::Result<Vec<Drawing>> {
+    let is_added = matches!(share, Share::Added | Share::AddedHeldBack);
+    let (folder, sign) = if is_added { ("strokes_added", "+") } else { ("strokes", "") };
+    let share_of = if is_added { Share::of_added } else { Share::of };
     let mut all = Vec::new();
     for class in CLASSES {
-        let text = fs::read_to_string(data("strokes").join(class).with_extension("json"))?;
+        let text = fs::read_to_string(data(folder).join(class).with_extension("json"))?;
         let recorded: Vec<Recorded> = serde_json::from_str(&text)?;
-        for (index, drawing) in
-            recorded.iter().enumerate().filter(|(index, _)| Share::of(class, *index) == share)
-        {
+        let drawn = recorded.iter().enumerate().filter(|(index, _)| share_of(class, *index) == share);
+        for (index, drawing) in drawn {
             let sketch = sketch_of(&drawing.strokes)?;
-            all.push(Drawing { class: class.to_owned(), name: index.to_string(), sketch });
+            all.push(Drawing { class: class.to_owned(), name: format!("{sign}{index}"), sketch });
         }
     }
     Ok(all)
