@@ -69,17 +69,25 @@ pub(super) fn run<T>(window: impl FnOnce() -> T) -> Option<T> {
     }
 }
 
-/// Ends the process where the window is still open after its X server is gone; without one, or a thread, nothing.
+/// Whether the window's X server ended: by the time that somebody asks, another may answer under its name.
+#[cfg(target_os = "linux")]
+static SERVER_ENDED: AtomicBool = AtomicBool::new(false);
+
+/// Ends the process where the window is still open after its X server ended; without a server, or a thread, nothing.
 #[cfg(target_os = "linux")]
 fn end_after_the_server(is_open: &Arc<AtomicBool>) {
     use x11rb::connection::Connection as _;
+    if wayland().is_some() {
+        return;
+    }
     let Ok((server, _)) = x11rb::connect(None) else { return };
     let is_open = Arc::clone(is_open);
     let wait = move || {
         // No events were asked for; the few that a server sends unasked say nothing.
         while server.wait_for_event().is_ok() {}
+        SERVER_ENDED.store(true, Ordering::Relaxed);
         std::thread::sleep(GRACE);
-        if is_open.load(Ordering::Relaxed) && is_gone() {
+        if is_open.load(Ordering::Relaxed) {
             report();
             std::process::exit(1);
         }
@@ -88,14 +96,17 @@ fn end_after_the_server(is_open: &Arc<AtomicBool>) {
     let _ = std::thread::Builder::new().name("display watch".to_owned()).spawn(wait);
 }
 
+/// The Wayland compositor that the window is shown by.
+#[cfg(target_os = "linux")]
+fn wayland() -> Option<std::os::unix::net::UnixStream> {
+    let folder = std::path::PathBuf::from(std::env::var_os("XDG_RUNTIME_DIR")?);
+    std::os::unix::net::UnixStream::connect(folder.join(std::env::var_os("WAYLAND_DISPLAY")?)).ok()
+}
+
 /// Whether no display answers any more.
 #[cfg(target_os = "linux")]
 fn is_gone() -> bool {
-    let wayland = std::env::var_os("WAYLAND_DISPLAY").and_then(|name| {
-        let folder = std::path::PathBuf::from(std::env::var_os("XDG_RUNTIME_DIR")?);
-        std::os::unix::net::UnixStream::connect(folder.join(name)).ok()
-    });
-    wayland.is_none() && x11rb::connect(None).is_err()
+    SERVER_ENDED.load(Ordering::Relaxed) || wayland().is_none() && x11rb::connect(None).is_err()
 }
 
 #[cfg(not(target_os = "linux"))]
