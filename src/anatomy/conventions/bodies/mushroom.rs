@@ -7,6 +7,7 @@
 use crate::anatomy::conventions::page::{Line, Page, notches};
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
 use crate::anatomy::conventions::trees::evidence;
+use crate::anatomy::conventions::trees::stacked::stacked;
 use crate::anatomy::conventions::trees::trunk::{Rows, Trunk};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::sketch::{Reading, StrokePoint, Tool};
@@ -35,7 +36,9 @@ const SCORE: f32 = 3.8;
 
 /// Proposes mushrooms, one for each group of lines at most.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
-    out.extend(page.groups.iter().chain(&page.wide_groups).filter_map(|group| mushroom(page, group)));
+    let stacked = stacked(page);
+    let groups = page.groups.iter().chain(&page.wide_groups).chain(&stacked);
+    out.extend(groups.filter_map(|group| mushroom(page, group)));
 }
 
 fn mushroom(page: &Page, group: &[usize]) -> Option<Hypothesis> {

@@ -6,8 +6,10 @@
 //! | `medial_axis` | the middle lines of an area, a trunk and its arms |
 //! | `lobes` | an outline cut at its notches toward a centre |
 //! | `spikes` | lines cut into what tapers to a tip |
+//! | `folds` | spikes by the sharp folds of an outline |
 //! | `stem_tail` | a stem in one stroke with what it carries |
 
+pub(crate) mod folds;
 pub(crate) mod lobes;
 pub(crate) mod medial_axis;
 pub(crate) mod silhouette;

@@ -17,8 +17,8 @@ const POINTS: usize = 24;
 const CLOSED: f32 = 0.03;
 /// How far the ends of two flanks may be apart for one tip, as a share of the shorter.
 const MEETING: f32 = 0.16;
-/// Most that an arc turns, and turns back, radians.
-const ARC: (f32, f32) = (5.0, 1.2);
+/// Most that an arc turns, radians.
+const ARC: f32 = 5.0;
 /// Angle from which on a tip is blunt, radians.
 const BLUNT: f32 = 1.6;
 /// Widest angle of a fold, and where it is measured, as a share of the shorter flank.
@@ -88,7 +88,7 @@ fn is_closed(points: &[Vec2]) -> bool {
 }
 
 /// A line whose ends meet, beginning at its lowest point and ending there again.
-fn closed_from_below(points: &[Vec2], height: impl Fn(Vec2) -> f32) -> Option<Vec<Vec2>> {
+pub(crate) fn closed_from_below(points: &[Vec2], height: impl Fn(Vec2) -> f32) -> Option<Vec<Vec2>> {
     if !is_closed(points) {
         return None;
     }
@@ -144,6 +144,11 @@ impl Spike {
         self.flanks.iter().map(chord).fold(0.0, f32::max)
     }
 
+    /// Length of its flanks together.
+    pub(crate) fn length(&self) -> f32 {
+        self.flanks.iter().map(|flank| polyline::length(flank)).sum()
+    }
+
     /// Angle between the two flanks, measured from the tip at a share of the shorter flank, radians; none with one flank.
     pub(crate) fn angle(&self, share: f32) -> Option<f32> {
         let [a, b] = &self.flanks[..] else { return None };
@@ -179,10 +184,11 @@ impl Spike {
         self
     }
 
-    /// Whether the flanks run straight or bend to one side, and two of them run side by side, `widest` of the reach apart.
-    pub(crate) fn is_slender(&self, widest: f32) -> bool {
+    /// Whether the flanks run straight or bend to one side, turning no more than `against` to the other, and two of them run side
+    /// by side, `widest` of the reach apart.
+    pub(crate) fn is_slender(&self, widest: f32, against: f32) -> bool {
         let apart = || self.rows().iter().filter_map(|row| row.1).sum::<f32>() / POINTS as f32;
-        self.flanks.iter().all(|flank| is_arc(flank)) && apart() < widest * self.reach()
+        self.flanks.iter().all(|flank| is_arc(flank, against)) && apart() < widest * self.reach()
     }
 
     /// Whether two single flanks end in one tip, toward which they come together.
@@ -244,12 +250,12 @@ fn half_width(drawn: Option<f32>, share: f32, most: f32) -> f32 {
 }
 
 /// Whether a flank is straight or bends to one side; near its foot it may lead around the base.
-fn is_arc(flank: &[Vec2]) -> bool {
+fn is_arc(flank: &[Vec2], against: f32) -> bool {
     let upper = even_to(flank, 0.8 * polyline::length(flank));
     let turns = upper.windows(3).map(|w| (w[1] - w[0]).angle_to(w[2] - w[1]));
     let (to_left, to_right) =
         turns.fold((0.0, 0.0), |(l, r), turn: f32| (l + turn.max(0.0), r - turn.min(0.0)));
-    to_left.max(to_right) < ARC.0 && to_left.min(to_right) < ARC.1
+    to_left.max(to_right) < ARC.max(against) && to_left.min(to_right) < against
 }
 
 /// The first so many pixels of a line at [`POINTS`] even steps.
@@ -342,9 +348,9 @@ mod tests {
     #[test]
     fn what_winds_is_not_slender() {
         let wavy: Vec<Vec2> = (0..80).map(|k| Vec2::new(4.0 * (k as f32 * 0.4).sin(), -(k as f32))).collect();
-        assert!(!Spike { flanks: vec![wavy] }.is_slender(0.3));
+        assert!(!Spike { flanks: vec![wavy] }.is_slender(0.3, 1.2));
         let arc: Vec<Vec2> = (0..80).map(|k| 50.0 * Vec2::from_angle(k as f32 * 0.03)).collect();
-        assert!(Spike { flanks: vec![arc] }.is_slender(0.3));
+        assert!(Spike { flanks: vec![arc] }.is_slender(0.3, 1.2));
     }
 
     #[test]

@@ -17,7 +17,7 @@ const LONG: f32 = 0.45;
 const CENTRES: usize = 2;
 /// Fewest notches of a crown with lobes, and least distance of them from its middle on the average, that of an ellipse being 1.
 pub(crate) const NOTCHES: usize = 3;
-const SHALLOW: f32 = 0.72;
+pub(crate) const SHALLOW: f32 = 0.72;
 /// Least area of a bow; a quarter of a circle has 0.12.
 const BOW: f32 = 0.06;
 /// Most lines that draw a crown's outline, least share of it that they draw, and how near they are, in cells of the silhouette.

@@ -9,9 +9,10 @@
 //! Limits: a single line below an outline is a stem, and that a flower, see [`corolla`](super::corolla).
 
 use super::evidence;
+use super::stacked::stacked;
 use super::trunk::{Rows, Trunk};
 use super::trunk_sides::TrunkSides;
-use crate::anatomy::conventions::page::{Line, Page, even};
+use crate::anatomy::conventions::page::{Line, Page, even, notches};
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::geom::{
@@ -50,8 +51,8 @@ const LOW: f32 = 0.5;
 const GAP: f32 = 0.5;
 /// Width of a trunk below which it may be a flower's stem, as a share of its crown's.
 const THIN: f32 = 0.2;
-/// Height of such a trunk above which it is, in heights of its crown.
-const LONG: f32 = 1.8;
+/// Height of such a trunk above which it is, in heights of its crown and in its own widths.
+const LONG: (f32, f32) = (1.8, 7.0);
 /// Points of a line that closes an outline.
 const CHORD: usize = 40;
 /// Points of a crown's outline.
@@ -61,12 +62,22 @@ const SCORE: f32 = 3.36;
 /// More for each line that it explains, up to so many: less than a mushroom, which is a tree in a few ways.
 const EACH: f32 = 0.02;
 const MOST_LINES: usize = 6;
-/// More for a crown with shallow lobes: mushrooms have none, and those of corollas are deep.
-const LOBED: f32 = 0.9;
+/// More for a crown with shallow lobes, and for each besides, up to so many: mushrooms have none, and those of corollas are deep.
+const LOBED: (f32, f32) = (0.9, 0.1);
+const MOST_LOBES: usize = 3;
+/// How much deeper notches may be on a stout trunk, as a share of the way to the middle.
+const DEEPER: f32 = 0.08;
+/// Least hull of a bow that is a lobe, as a share of the crown's area.
+const BOW: f32 = 0.06;
+/// More for a stout trunk, and the widths, as shares of the crown's, between which it grows.
+const STOUTER: f32 = 0.2;
+const SLIGHT: (f32, f32) = (0.05, 0.2);
 
 /// Proposes trees, one for each group of lines at most.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
-    out.extend(page.groups.iter().chain(&page.wide_groups).filter_map(|group| tree(page, group)));
+    let stacked = stacked(page);
+    let groups = page.groups.iter().chain(&page.wide_groups).chain(&stacked);
+    out.extend(groups.filter_map(|group| tree(page, group)));
 }
 
 fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
@@ -82,13 +93,12 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
         return None;
     }
     let uses = page.with_what_is_inside(group, &outline);
-    let area = simple_loop::area(&outline);
-    let is_lobed = evidence::has_shallow_lobes(&outline) && area > WHOLE * hull_area(&outline);
-    let lobes = if is_lobed { LOBED } else { 0.0 };
+    let stout = stoutness(&trunk, &outline);
+    let speaks = lobes(&lines, &trunk, &outline, stout) + STOUTER * stout;
     let parts = vec![trunk.centre_line(&outline), Made::new(Tool::Crown, outline)];
     let (reading, habit) = (Reading::Tree, Some(Habit::Tree));
     // Of two groups the one that explains more.
-    let score = SCORE + lobes + EACH * uses.len().min(MOST_LINES) as f32;
+    let score = SCORE + speaks + EACH * uses.len().min(MOST_LINES) as f32;
     Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit })
 }
 
@@ -96,7 +106,32 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
 fn is_stem(trunk: &Trunk, crown: &[Vec2], lines: &[&Line]) -> bool {
     let (low, high) = polyline::bounds(crown.iter().copied());
     let is_thin = 2.0 * trunk.narrow < THIN * (high.x - low.x);
-    is_thin && (trunk.height() > LONG * (high.y - low.y) || evidence::has_flower_centre(lines, crown))
+    let is_long = trunk.height() > LONG.0 * (high.y - low.y) && trunk.height() > LONG.1 * 2.0 * trunk.narrow;
+    is_thin && (is_long || evidence::has_flower_centre(lines, crown))
+}
+
+/// Log-odds that lobes speak for a crown: it is full, and has shallow notches all around or was drawn by several bows; the more
+/// the better. Arms of cacti have spaces between them, and petals, on slender stems, deep notches.
+fn lobes(lines: &[&Line], trunk: &Trunk, outline: &[Vec2], stout: f32) -> f32 {
+    let area = simple_loop::area(outline);
+    if area <= WHOLE * hull_area(outline) {
+        return 0.0;
+    }
+    let notches = notches(outline);
+    let is_shallow = evidence::depth(outline, &notches) > evidence::SHALLOW - DEEPER * stout;
+    let notches = if is_shallow { notches.len() } else { 0 };
+    let above = lines.iter().flat_map(|line| line.above(trunk.top));
+    let bows = above.filter(|run| evidence::is_bow(run) && hull_area(run) > BOW * area).count();
+    let count = notches.max(bows);
+    let more = count.saturating_sub(evidence::NOTCHES).min(MOST_LOBES);
+    if count < evidence::NOTCHES { 0.0 } else { LOBED.0 + LOBED.1 * more as f32 }
+}
+
+/// How stout a trunk is beside its crown, from 0 to 1: stalks of leaves and flowers are slender.
+fn stoutness(trunk: &Trunk, crown: &[Vec2]) -> f32 {
+    let (low, high) = polyline::bounds(crown.iter().copied());
+    let share = 2.0 * trunk.narrow / (high.x - low.x).max(f32::MIN_POSITIVE);
+    ((share - SLIGHT.0) / (SLIGHT.1 - SLIGHT.0)).clamp(0.0, 1.0)
 }
 
 /// A trunk that is found in level rows, and the outline of what is drawn above it.
@@ -318,5 +353,30 @@ mod tests {
         let drop = (0..=100).map(|k| TAU * k as f32 / 100.0);
         let drop = drop.map(|t| Vec2::new(50.0 * t.sin() * (1.2 - t.cos()) / 2.0, 45.0 * t.cos()));
         assert!(read(&[drop.collect()]).is_empty());
+    }
+
+    #[test]
+    fn an_arch_whose_ends_are_far_from_the_trunk_is_its_crown() {
+        let sides = [-8.0, 8.0].map(|x| line(&[(x, 40.0), (x, -62.0)]));
+        let found = read(&[cloud(9.0, 0.9, TAU - 0.9), sides[0].clone(), sides[1].clone()]);
+        assert_eq!(found.iter().map(|tree| tree.uses.len()).max(), Some(3));
+    }
+
+    #[test]
+    fn a_trunk_may_widen_toward_its_crown_and_fork() {
+        let side = |x: f32| line(&[(12.0 * x, 60.0), (12.0 * x, 0.0), (27.0 * x, -46.0)]);
+        let fork = line(&[(-15.0, -46.0), (0.0, -20.0), (15.0, -46.0)]);
+        assert_eq!(read(&[cloud(9.0, 0.0, TAU), side(-1.0), side(1.0)]).len(), 1);
+        assert_eq!(read(&[cloud(9.0, 0.0, TAU), side(-1.0), side(1.0), fork]).len(), 1);
+    }
+
+    #[test]
+    fn a_stout_trunk_and_lobes_speak_for_a_tree() {
+        let score = |lobes: f32, half: f32| {
+            let sides = [-half, half].map(|x| line(&[(x, 40.0), (x, -50.0)]));
+            read(&[cloud(lobes, 0.0, TAU), sides[0].clone(), sides[1].clone()])[0].score
+        };
+        assert!(score(9.0, 14.0) > score(9.0, 6.0));
+        assert!(score(9.0, 14.0) > score(0.0, 14.0) + LOBED.0);
     }
 }

@@ -33,14 +33,17 @@ const NARROWEST: f32 = 0.025;
 /// in widths.
 const WIDENS: (f32, f32) = (1.9, 2.0);
 const STUB: f32 = 0.75;
+/// A trunk may widen toward its crown if it is a column up to such a share of its length: so wide there at most, in its least width.
+const COLUMN: (f32, f32) = (0.5, 1.5);
 /// Shortest and longest trunk, as shares of the height.
 const TRUNK: (f32, f32) = (0.12, 0.85);
 /// Most pieces of ink in a row of a trunk, and width, as a share of the widest row, up to which a scribble may have more: several
 /// stems side by side are no trunk.
 const RUNS: u32 = 3;
 const SCRIBBLED: f32 = 0.3;
-/// Height, as a share of the whole, in which the width grows so many times where a crown begins with a jump.
-const JUMP: (f32, f32) = (0.06, 1.35);
+/// Height below and above a crown's beginning, as a share of the whole, in which the width grows so many times if it is a jump, and
+/// above what widens from a column.
+const JUMP: (f32, f32, f32) = (0.06, 1.35, 0.1);
 /// How far a side of the trunk may go outward for each step down and up: steeper lines are ground, or crown.
 const STEEP: (f32, f32) = (0.6, 0.6);
 /// Half width of a trunk that is one line, as a share of the tree's height.
@@ -156,7 +159,8 @@ impl Rows {
         if narrow > NECK * wide || !is_long || two_sided < TWO_SIDED * top as f32 {
             return None;
         }
-        if self.is_tip(neck, top) || ((top - foot) as f32) * self.step < STUB * narrow {
+        let is_column = self.width(foot + (COLUMN.0 * (top - foot) as f32) as usize) < COLUMN.1 * narrow;
+        if self.is_tip(neck, top) && !is_column || ((top - foot) as f32) * self.step < STUB * narrow {
             return None;
         }
         if narrow > SCRIBBLED * wide && self.most_runs(neck, top) > RUNS {
@@ -168,7 +172,7 @@ impl Rows {
             narrow: 0.5 * narrow,
             top: self.height_of(top - 1),
             sill: (at(self.ends[top - 1].0), at(self.ends[top - 1].1)),
-            is_sharp: self.jumps(neck, top),
+            is_sharp: self.jumps(neck, top, is_column),
         })
     }
 
@@ -189,8 +193,9 @@ impl Rows {
     }
 
     /// Whether the width jumps where a crown begins at the row `top`.
-    fn jumps(&self, neck: usize, top: usize) -> bool {
-        let above = (top..ROWS.min(top + rows(JUMP.0))).map(|row| self.width(row)).fold(0.0, f32::max);
+    fn jumps(&self, neck: usize, top: usize, is_column: bool) -> bool {
+        let reach = if is_column { JUMP.2 } else { JUMP.0 };
+        let above = (top..ROWS.min(top + rows(reach))).map(|row| self.width(row)).fold(0.0, f32::max);
         let below = self.width(top.saturating_sub(rows(JUMP.0)).max(neck));
         above > JUMP.1 * below
     }

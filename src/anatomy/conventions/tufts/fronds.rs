@@ -1,61 +1,37 @@
 //! Fronds about the top of a trunk: a palm. Blades that rise from the mouth of a pot are found in the same way.
 //!
-//! A [`TrunkSides`] is found below. All other lines, and what is left of the lines of its sides, are cut into
-//! [`spikes`](super::spikes) by their distance from the trunk's top: each is a frond, as wide as it was drawn, led to that top.
+//! A [`TrunkSides`] is found below. All other lines, and what is left of the lines of its sides, are cut into spikes
+//! about the trunk's top: each is a frond, as wide as it was drawn, led to that top.
 //!
-//! What speaks for fronds and against a crown: they are slender, their tips are sharp ([`SHARP`]), the notches between them go
-//! down to near the trunk's top ([`DEEP`]), and together they are nearly all that is drawn there ([`EXPLAINED`]). Lobes of crowns
-//! and petals are round, and outlines of crowns go far around. Lines above a single line are twigs unless they hang or have
-//! two sides.
+//! What speaks for fronds and against a crown is said in [`frond_crown`](super::frond_crown). Lines above a single line are twigs
+//! unless they hang or have two sides.
 //!
 //! Small outlines at the trunk's top are fruit, several short lines along fronds their leaflets; neither becomes a part.
 //!
 //! Limits: single fronds whose leaflets are drawn, without a trunk, are not understood.
 
+use super::frond_crown::{Crown, hangs};
 use super::frond_details::{is_fruit, leaflets, reach_of};
+use crate::anatomy::conventions::Hypothesis;
 use crate::anatomy::conventions::page::Page;
-use crate::anatomy::conventions::shapes::spikes::{Spike, joined, spikes};
 use crate::anatomy::conventions::trees::trunk_sides::TrunkSides;
-use crate::anatomy::conventions::{Habit, Hypothesis, Made};
-use crate::geom::polyline;
-use crate::sketch::{Reading, Tool};
+use crate::sketch::Reading;
 use glam::Vec2;
 use std::collections::BTreeSet;
-use std::f32::consts::PI;
 
 /// Fewest fronds; that many less if all of them hang.
 const FEWEST: usize = 3;
-/// Widest angle of a tip in the middle of all, and where it is measured, as a share of the shorter flank.
-const SHARP: (f32, f32) = (0.5 * PI, 0.12);
-/// Greatest distance of the notches beside a frond from the trunk's top, as a share of its tip's.
-const DEEP: f32 = 0.65;
-/// Least distance of a tip from the trunk's top, as a share of the farthest's.
-const SHORTEST: f32 = 0.3;
-/// Least change of distance that makes a frond, as a share of its line's farthest.
-const PROMINENCE: f32 = 0.1;
-/// Half of the mean distance of the two sides of a frond at most, as a share of its length.
-const SLENDER: f32 = 0.3;
-/// Length of a frond's shorter flank at most, in distances of its tip from the trunk's top: a half circle has 1.6.
-const AROUND: f32 = 2.0;
-/// Tips of one line, less one, from which on it may be a scribble.
-const SCRIBBLE: usize = 5;
-/// On a trunk of one line: farthest root of a frond from its top, as a share of its tip's, and how far the trunk reaches below all
-/// else, as a share of the whole height.
-const AT_TOP: f32 = 0.5;
-const FREE: f32 = 0.2;
 /// Share of what is drawn about the trunk's top that fronds must be.
 const EXPLAINED: f32 = 0.65;
 /// How far from a single line's end, or from a pot's mouth, closed lines may begin, as a share of their reach: leaves along a stem
-/// begin farther away. Least length of a line that is asked, as a share of all, and most distance of its ends over its length.
+/// begin farther away.
 const APART: f32 = 0.45;
-const MAIN: f32 = 0.08;
-const CLOSED: f32 = 0.15;
 /// Where blades in a pot have their roots, as a share of its height from above: in the earth.
 const IN_POT: f32 = 0.15;
+/// Longest stroke between fronds that is a shade, as a share of their reach.
+const STROKE: f32 = 0.4;
 /// Least reach of the farthest frond, in widths of the trunk: what rounds off a body is shorter.
 const LONG: f32 = 1.2;
-/// Half width of a frond at most, as a share of its length.
-const HALF: f32 = 0.2;
 
 /// Proposes palms, one for each group of lines at most, and what rises from the mouth of a pot that was proposed.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
@@ -89,8 +65,11 @@ fn palm(page: &Page, group: &[usize]) -> Option<Hypothesis> {
         trunk.has_on_it(**line, shape) || is_fruit(shape, &trunk, reach) || leaflets.contains(*line)
     };
     let (details, others): (Vec<usize>, Vec<usize>) = group.iter().partition(is_detail);
-    let rest: Vec<(Vec<Vec2>, usize)> =
+    let mut rest: Vec<(Vec<Vec2>, usize)> =
         others.iter().flat_map(|line| trunk.rest_of(*line, &page.lines[*line])).collect();
+    // What joins the sides at their feet is ground, or the end of the trunk.
+    let half = 0.5 * (trunk.foot().y + trunk.top().y);
+    rest.retain(|(run, line)| run.iter().any(|p| p.y < half) || !sides.contains(line));
     let crown = Crown::about(trunk.top(), &rest);
     let fewest = FEWEST - usize::from(!trunk.is_line() && crown.fronds.iter().all(|frond| hangs(&frond.0)));
     let is_crown = crown.fronds.len() >= fewest && crown.is_sharp() && crown.explained > EXPLAINED;
@@ -102,119 +81,13 @@ fn palm(page: &Page, group: &[usize]) -> Option<Hypothesis> {
         return None;
     }
     let mut palm = crown.hypothesis(trunk.top(), Some(&trunk));
-    palm.uses.extend(details);
+    palm.uses.extend(details.into_iter().chain(others.into_iter().filter(|line| {
+        let shape = &page.lines[*line];
+        shape.length < STROKE * crown.reach && reach_of(shape, trunk.top()) < crown.reach
+    })));
     palm.uses.sort_unstable();
+    palm.uses.dedup();
     Some(palm)
-}
-
-/// Fronds about a place.
-struct Crown {
-    /// Each with the lines that it comes from.
-    fronds: Vec<(Spike, Vec<usize>)>,
-    /// Distance of the farthest point.
-    reach: f32,
-    /// Share of the lines' length that fronds are.
-    explained: f32,
-    /// How far the closed line that is farthest away begins, as a share of its reach.
-    apart: f32,
-}
-
-impl Crown {
-    /// What radiates from `top` among some runs of points, each with the number of its line.
-    fn about(top: Vec2, runs: &[(Vec<Vec2>, usize)]) -> Self {
-        let reach = |points: &[Vec2]| points.iter().map(|p| p.distance(top)).fold(0.0, f32::max);
-        let farthest = runs.iter().map(|run| reach(&run.0)).fold(0.0, f32::max);
-        let of_run = |(points, line): &(Vec<Vec2>, usize)| -> Vec<(Spike, usize)> {
-            let all = spikes(points, |p| p.distance(top), PROMINENCE * reach(points));
-            if !goes_on(&all, top) {
-                return Vec::new();
-            }
-            all.into_iter().map(|spike| (spike.hanging(points, top, DEEP), *line)).collect()
-        };
-        let all: Vec<(Spike, usize)> = runs.iter().flat_map(of_run).collect();
-        let (single, double): (Vec<_>, Vec<_>) =
-            all.into_iter().partition(|(spike, _)| spike.flanks.len() == 1);
-        let mut fronds = joined(single, |tip| (tip - top).to_angle());
-        fronds.extend(double.into_iter().map(|(spike, line)| (spike, vec![line])));
-        fronds.retain(|(spike, _)| {
-            let far = spike.tip().distance(top);
-            far > SHORTEST * farthest
-                && spike.foot().distance(top) < DEEP * far
-                && spike.is_slender(SLENDER)
-                && !goes_around(spike, far)
-        });
-        let length = |points: &[Vec2]| polyline::length(points);
-        let whole: f32 = runs.iter().map(|run| length(&run.0)).sum();
-        let own: f32 = fronds.iter().flat_map(|frond| &frond.0.flanks).map(|flank| length(flank)).sum();
-        let nearest = |points: &[Vec2]| points.iter().map(|p| p.distance(top)).fold(f32::INFINITY, f32::min);
-        let is_closed =
-            |points: &[Vec2]| points[0].distance(points[points.len() - 1]) < CLOSED * length(points);
-        let main = runs.iter().filter(|run| length(&run.0) > MAIN * whole && is_closed(&run.0));
-        let apart = main.map(|run| nearest(&run.0) / reach(&run.0)).fold(0.0, f32::max);
-        Self { fronds, reach: farthest, explained: own / whole.max(f32::MIN_POSITIVE), apart }
-    }
-
-    /// One blade for each frond, all from one root, with the trunk if there is one.
-    fn hypothesis(&self, root: Vec2, trunk: Option<&TrunkSides>) -> Hypothesis {
-        let blades = self.fronds.iter().map(|frond| Made::new(Tool::Leaf, frond.0.blade(root, HALF)));
-        let trunk_lines = trunk.into_iter().flat_map(TrunkSides::lines);
-        let mut uses: Vec<usize> =
-            self.fronds.iter().flat_map(|frond| frond.1.clone()).chain(trunk_lines).collect();
-        uses.sort_unstable();
-        uses.dedup();
-        Hypothesis {
-            uses,
-            score: 3.0 + 0.3 * self.fronds.len().min(6) as f32,
-            parts: trunk.map(TrunkSides::branch).into_iter().chain(blades).collect(),
-            solids: Vec::new(),
-            reading: Reading::Fronds,
-            habit: trunk.map(|_| Habit::Palm),
-        }
-    }
-
-    /// Whether the tips of fronds with two sides are sharp.
-    fn is_sharp(&self) -> bool {
-        let mut angles: Vec<f32> = self.fronds.iter().filter_map(|frond| frond.0.angle(SHARP.1)).collect();
-        let middle = angles.len() / 2;
-        angles.is_empty() || *angles.select_nth_unstable_by(middle, f32::total_cmp).1 < SHARP.0
-    }
-
-    /// Whether all fronds begin at the top of a trunk of one line, and nothing else is near its foot: twigs leave a stem here and
-    /// there, and the last arc of a cloud ends beside the others.
-    fn sits_on(&self, trunk: &TrunkSides, rest: &[(Vec<Vec2>, usize)]) -> bool {
-        let low = rest.iter().flat_map(|run| &run.0).map(|p| p.y).fold(f32::NEG_INFINITY, f32::max);
-        let high = rest.iter().flat_map(|run| &run.0).map(|p| p.y).fold(trunk.top().y, f32::min);
-        let begins =
-            |spike: &Spike| spike.foot().distance(trunk.top()) < AT_TOP * spike.tip().distance(trunk.top());
-        let is_free = trunk.foot().y - low > FREE * (trunk.foot().y - high);
-        is_free && self.fronds.iter().all(|frond| begins(&frond.0))
-    }
-
-    /// Whether most fronds have two sides or hang.
-    fn has_blades(&self) -> bool {
-        let is_blade = |spike: &Spike| spike.flanks.len() == 2 || hangs(spike);
-        2 * self.fronds.iter().filter(|frond| is_blade(&frond.0)).count() > self.fronds.len()
-    }
-}
-
-/// Whether the tips in one line follow each other around the trunk's top, as no scribble's do.
-fn goes_on(spikes: &[Spike], top: Vec2) -> bool {
-    let steps: Vec<f32> =
-        spikes.windows(2).map(|pair| (pair[0].tip() - top).angle_to(pair[1].tip() - top)).collect();
-    let left = steps.iter().filter(|step| **step > 0.0).count();
-    steps.len() < SCRIBBLE || 10 * left.max(steps.len() - left) >= 7 * steps.len()
-}
-
-/// Whether a spike winds so much that its tip, so far from the trunk, is no frond's: the outline of a crown.
-fn goes_around(spike: &Spike, far: f32) -> bool {
-    let lengths = spike.flanks.iter().map(|flank| polyline::length(flank));
-    lengths.fold(f32::INFINITY, f32::min) > AROUND * far
-}
-
-/// Whether the tip is well below the highest point.
-fn hangs(spike: &Spike) -> bool {
-    let highest = spike.flanks.iter().flatten().map(|p| p.y).fold(f32::INFINITY, f32::min);
-    spike.tip().y > highest + 0.15 * spike.reach()
 }
 
 /// Whether much of the rest lies beside the lower half of the trunk.
@@ -227,6 +100,9 @@ fn lies_below(rest: &[(Vec<Vec2>, usize)], trunk: &TrunkSides) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::anatomy::conventions::Habit;
+    use crate::sketch::Tool;
+    use std::f32::consts::PI;
 
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
         crate::anatomy::conventions::read_above(
@@ -393,5 +269,21 @@ mod tests {
             read(&[stem, twig(20.0, -40.0, -30.0), twig(0.0, 40.0, -50.0), twig(-30.0, -30.0, -80.0)])
                 .is_empty()
         );
+    }
+
+    #[test]
+    fn fronds_in_one_line_may_arch_over_and_hang_and_have_strokes_between_them() {
+        let top = Vec2::new(10.0, -100.0);
+        let frond = |side: f32| {
+            let corners = [(0.0, -2.0), (30.0, -60.0), (70.0, -60.0), (85.0, -10.0), (87.0, 35.0)];
+            let back = [(72.0, -5.0), (60.0, -35.0), (35.0, -30.0), (8.0, 0.0)];
+            corners.into_iter().chain(back).map(move |(x, y)| top + Vec2::new(side * x, y))
+        };
+        let line: Vec<Vec2> = frond(-1.0).collect::<Vec<_>>().into_iter().rev().chain(frond(1.0)).collect();
+        let shade = vec![top + Vec2::new(40.0, -45.0), top + Vec2::new(60.0, -45.0)];
+        let [left, right] = sides();
+        let found = read(&[left, right, line, shade]);
+        assert_eq!(found.len(), 1);
+        assert_eq!((found[0].parts.len(), &found[0].uses[..]), (3, &[0, 1, 2, 3][..]));
     }
 }

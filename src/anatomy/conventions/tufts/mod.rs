@@ -4,8 +4,10 @@
 //! | --- | --- |
 //! | `grass` | a zigzag, or lines side by side: blades of grass |
 //! | `fronds` | lines or lobes that radiate from a trunk's top |
+//! | `frond_crown` | what speaks for fronds about a place |
 //! | `frond_details` | fruit among fronds, and the leaflets of fronds |
 
+mod frond_crown;
 pub(crate) mod frond_details;
 pub(crate) mod fronds;
 pub(crate) mod grass;
