@@ -54,7 +54,7 @@ use crate::sketch::{Correction, Corrections, Reading, Stroke};
 use beneath::{ground, pot};
 use bodies::{body, mushroom};
 use corrected::Corrected;
-use flowers::{corolla, corolla_on_stem, cup, gathered, rays, rose};
+use flowers::{bud, corolla, corolla_on_stem, cup, gathered, rays, rose};
 use leaves::{leaf, leaf_loops, stem_arcs, stem_loops};
 use page::Page;
 use std::sync::Arc;
@@ -165,6 +165,7 @@ const CONVENTIONS: &[Propose] = &[
     rays::propose,
     gathered::propose,
     cup::propose,
+    bud::propose,
     rose::propose,
     leaf::propose,
     leaf_loops::propose,

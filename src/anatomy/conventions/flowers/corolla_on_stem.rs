@@ -40,10 +40,16 @@ const WIGGLY: f32 = 9.0;
 const FULL: (f32, f32) = (0.5, 0.4);
 /// Longest line that may stand within, as a share of the outline's diagonal.
 const DOT: f32 = 0.3;
+/// Distance from an outline within which loops begin and end that are petals around it, as a share of its diagonal.
+const FEET: f32 = 0.4;
 /// Distance within which a line in an outline begins at the stem, as a share of the outline's diagonal.
 const TWIG: f32 = 0.03;
 /// Farthest notches from the middle on the average, as a share of their petals' reach: those of a crown are shallow.
 const DEEP: f32 = 0.85;
+/// What notches in the middle itself speak for a flower, over those as far from it as they may be.
+const CUT: f32 = 2.6;
+/// Most that petals of a line lie over one another, as the angle that they fill each by itself over that of all.
+const OVERLAP: f32 = 1.35;
 /// Smallest petal, as a share of the largest one's area.
 const SMALLEST: f32 = 0.04;
 /// Least angle that petals fill around the middle of a corolla.
@@ -70,15 +76,18 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
 }
 
 /// What may be a corolla.
-struct Head<'a> {
-    number: usize,
-    line: Cow<'a, Line>,
+pub(crate) struct Head<'a> {
+    /// The line of the page that it is, or is a part of.
+    pub number: usize,
+    /// Its outline.
+    pub line: Cow<'a, Line>,
     /// The stem in one stroke with it.
-    stem: Option<Line>,
+    pub stem: Option<Line>,
 }
 
 impl<'a> Head<'a> {
-    fn new(page: &'a Page, number: usize) -> Option<Self> {
+    /// The head that a line is, if it encloses something and is no scribble.
+    pub(crate) fn new(page: &'a Page, number: usize) -> Option<Self> {
         let line = &page.lines[number];
         if let Some((stem, rest)) = stem_tail::cut(line).filter(|(_, rest)| is_head(rest)) {
             return Some(Self { number, line: Cow::Owned(rest), stem: line.part(stem) });
@@ -111,8 +120,11 @@ fn corolla(page: &Page, head: &Head, near: &[usize]) -> Option<Hypothesis> {
         _ => return None,
     };
     let within = within(page, line, &stems, &others)?;
-    let petals = outlines(line, stems.first().and_then(|stem| stem_top(stem, line)))?;
-    let score = 3.2 + 0.1 * petals.len().min(8) as f32;
+    let (depth, petals) = outlines(line, stems.first().and_then(|stem| stem_top(stem, line)))?;
+    // Crowns stand on two lines as a rule, or lie over themselves, whatever their lobes.
+    let is_cut = sides.is_none() && overlap(&petals, line.middle()) < OVERLAP;
+    let cut = if is_cut { CUT * (DEEP - depth).max(0.0) } else { 0.0 };
+    let score = 3.2 + 0.1 * petals.len().min(8) as f32 + cut;
     let petals = petals.into_iter().map(|outline| Made::new(Tool::Petal, outline));
     let own_stem = head.stem.iter().map(|stem| Made::new(Tool::Branch, stem.points.iter().copied()));
     let is_side =
@@ -125,15 +137,15 @@ fn corolla(page: &Page, head: &Head, near: &[usize]) -> Option<Hypothesis> {
     Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit })
 }
 
-/// The petals of an outline, on the upper end of its stem if it has one.
-fn outlines(line: &Line, top: Option<Vec2>) -> Option<Vec<Vec<Vec2>>> {
+/// The petals of an outline, on the upper end of its stem if it has one, and how far from their middle the notches between them are.
+fn outlines(line: &Line, top: Option<Vec2>) -> Option<(f32, Vec<Vec<Vec2>>)> {
     let front = seen_from_the_front(line);
     let (focus, petals) = match top {
         None => front.filter(|(focus, petals)| is_a_star(line, focus, petals))?,
         Some(top) if front.is_none() => {
             let side = seen_from_the_side(line, top)?;
             if let Some(cup) = cup::petals_of_one(line, top) {
-                return Some(cup);
+                return Some((DEEP, cup));
             }
             side
         }
@@ -141,7 +153,19 @@ fn outlines(line: &Line, top: Option<Vec2>) -> Option<Vec<Vec<Vec2>>> {
     };
     let root =
         |stretch: &[Vec2]| focus.place + 0.02 * line.size().length() * lobes::direction(stretch, focus.place);
-    Some(petals.iter().map(|stretch| lobes::rooted(stretch, root(stretch))).collect())
+    let rooted = petals.iter().map(|stretch| lobes::rooted(stretch, root(stretch))).collect();
+    Some((if top.is_some() { depth(&petals, &focus) } else { DEEP }, rooted))
+}
+
+/// Angle that petals fill each by itself over that which they fill together.
+fn overlap(petals: &[Vec<Vec2>], place: Vec2) -> f32 {
+    let single: f32 = petals.iter().map(|petal| lobes::around(std::slice::from_ref(petal), place)).sum();
+    single / lobes::around(petals, place).max(f32::MIN_POSITIVE)
+}
+
+/// How far from the focus the notches between petals are on the average, as a share of the petals' reach.
+fn depth(petals: &[Vec<Vec2>], focus: &Focus) -> f32 {
+    petals.iter().map(|petal| lobes::depth(petal, focus)).sum::<f32>() / petals.len().max(1) as f32
 }
 
 /// The lines within an outline on a stem; nothing where one of all that are near speaks against a flower.
@@ -156,6 +180,16 @@ fn within(page: &Page, head: &Line, stems: &[&Line], others: &[usize]) -> Option
         return None;
     }
     let (low, high) = head.bounds;
+    // Loops that begin and end at an outline are petals around it.
+    let margin = Vec2::splat(FEET * diagonal);
+    let is_at = |p: Vec2| p.cmpgt(low - margin).all() && p.cmplt(high + margin).all();
+    let is_petal = |i: &usize| {
+        let (first, last) = page.lines[*i].ends();
+        page.lines[*i].size().length() > diagonal && is_at(first) && is_at(last)
+    };
+    if others().filter(is_petal).count() > 1 {
+        return None;
+    }
     let is_within = |middle: Vec2| middle.cmpgt(low).all() && middle.cmplt(high).all();
     let within: Vec<usize> = others().filter(|i| is_within(page.lines[*i].middle())).collect();
     let is_twig = |i: &usize| {
@@ -225,8 +259,7 @@ fn seen_from_the_front(line: &Line) -> Option<(Focus, Vec<Vec<Vec2>>)> {
     let focus = Focus { place: line.middle(), half: 0.5 * line.size() };
     let petals = petals(line, &focus);
     let is_around = lobes::around(&petals, focus.place) > AROUND;
-    let depth =
-        petals.iter().map(|petal| lobes::depth(petal, &focus)).sum::<f32>() / petals.len().max(1) as f32;
+    let depth = depth(&petals, &focus);
     (petals.len() >= FEWEST && is_around && depth < DEEP).then_some((focus, petals))
 }
 
@@ -248,118 +281,5 @@ fn petals(line: &Line, focus: &Focus) -> Vec<Vec<Vec2>> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
-        crate::anatomy::conventions::read_by(propose, lines)
-    }
-
-    fn line(places: &[(f32, f32)]) -> Vec<Vec2> {
-        places.iter().map(|p| Vec2::from(*p)).collect()
-    }
-
-    /// Six lobes around (0, 0), the stroke begun at their foot.
-    fn head() -> Vec<Vec2> {
-        let place = |k: usize| {
-            let angle = TAU * k as f32 / 200.0;
-            (30.0 + 25.0 * (3.0 * angle).sin().abs()) * Vec2::new(-angle.sin(), angle.cos())
-        };
-        (0..=200).map(place).collect()
-    }
-
-    /// A cup with three teeth on (0, 60).
-    fn tulip() -> Vec<Vec2> {
-        line(&[
-            (0.0, 60.0),
-            (-35.0, 40.0),
-            (-40.0, -50.0),
-            (-20.0, -10.0),
-            (0.0, -50.0),
-            (20.0, -10.0),
-            (40.0, -50.0),
-            (35.0, 40.0),
-            (2.0, 60.0),
-        ])
-    }
-
-    #[test]
-    fn a_lobed_outline_on_a_line_is_a_flower() {
-        let found = read(&[line(&[(0.0, 200.0), (3.0, 35.0)]), head()]);
-        let [flower] = &found[..] else { panic!("{} corollas", found.len()) };
-        assert_eq!((flower.parts.len(), &flower.uses[..]), (6, &[1][..]));
-        assert!(
-            flower
-                .parts
-                .iter()
-                .all(|petal| petal.tool == Tool::Petal && petal.points[0].position.length() < 10.0)
-        );
-    }
-
-    #[test]
-    fn stem_and_corolla_may_be_one_stroke() {
-        let mut drawn = line(&[(0.0, 200.0)]);
-        drawn.extend(head());
-        let found = read(&[drawn]);
-        let count = |tool: Tool| found[0].parts.iter().filter(|part| part.tool == tool).count();
-        assert_eq!((found.len(), count(Tool::Branch), count(Tool::Petal)), (1, 1, 6));
-    }
-
-    #[test]
-    fn a_tulip_has_its_petals_from_the_stem() {
-        let found = read(&[tulip(), line(&[(0.0, 62.0), (0.0, 250.0)])]);
-        assert_eq!(found[0].parts.len(), 5, "three tips, and two petals in front");
-        assert!(
-            found[0].parts.iter().all(|petal| petal.points[0].position.distance(Vec2::new(0.0, 60.0)) < 12.0)
-        );
-    }
-
-    #[test]
-    fn a_stem_may_have_two_sides_if_it_is_slender() {
-        let side = |x: f32, foot: f32| line(&[(x, foot), (x, 35.0)]);
-        let found = read(&[head(), side(-10.0, 220.0), side(10.0, 220.0)]);
-        let stem = found[0].parts.last().unwrap();
-        assert_eq!((found[0].uses.len(), stem.tool), (3, Tool::Branch));
-        assert!((stem.half_width.unwrap() - 10.0).abs() < 0.5);
-        assert!(stem.points.iter().all(|p| p.position.x.abs() < 0.5));
-        assert!(read(&[head(), side(-25.0, 220.0), side(25.0, 220.0)]).is_empty(), "a trunk");
-        assert!(read(&[head(), side(-10.0, 120.0), side(10.0, 120.0)]).is_empty(), "a short trunk");
-    }
-
-    #[test]
-    fn without_a_stem_only_what_is_cut_deep_and_even_is_a_flower() {
-        let lobed = |depth: f32| -> Vec<Vec2> {
-            head().into_iter().map(|p| p.normalize() * (55.0 + depth * (p.length() - 55.0))).collect()
-        };
-        let found = read(&[lobed(1.3)]);
-        assert_eq!((found.len(), found[0].parts.len()), (1, 6));
-        assert!(read(&[lobed(0.5)]).is_empty(), "a crown");
-        let mut uneven = lobed(1.3);
-        uneven.iter_mut().filter(|p| p.y > 0.0).for_each(|p| p.y *= 2.2);
-        assert!(read(&[uneven]).is_empty(), "a cactus");
-    }
-
-    #[test]
-    fn with_twigs_it_is_none() {
-        let left = line(&[(-10.0, 200.0), (-10.0, 35.0)]);
-        let twig = line(&[(0.0, 30.0), (5.0, -30.0)]);
-        assert!(read(&[head(), left, twig]).is_empty());
-    }
-
-    #[test]
-    fn a_crown_has_shallow_lobes_or_a_short_trunk() {
-        let middle = |depth: f32| {
-            head().into_iter().map(|p| p.normalize() * (50.0 + depth * (p.length() - 30.0))).collect()
-        };
-        let stem = |foot: f32| line(&[(0.0, foot), (0.0, 40.0)]);
-        assert_eq!(read(&[middle(1.0), stem(200.0)]).len(), 1);
-        assert!(read(&[middle(0.3), stem(200.0)]).is_empty());
-        assert!(read(&[middle(1.0), stem(90.0)]).is_empty());
-    }
-
-    #[test]
-    fn a_plain_outline_on_a_stem_is_none() {
-        let disc: Vec<Vec2> = (0..=60).map(|k| 40.0 * Vec2::from_angle(TAU * k as f32 / 60.0)).collect();
-        assert!(read(&[disc, line(&[(0.0, 200.0), (0.0, 40.0)])]).is_empty());
-    }
-}
+#[path = "corolla_on_stem_tests.rs"]
+mod tests;

@@ -20,6 +20,9 @@ use glam::Vec2;
 
 /// Fewest tips and most.
 const TIPS: (usize, usize) = (3, 9);
+/// The same of a cup that is known by them alone, and the least depth of notches between them, as a share of its height.
+const FEW: (usize, usize) = (2, 4);
+const CLEAR: f32 = 0.07;
 /// Fewest lines of a head that stands, most of it, and most of a group that is looked at.
 const LINES: (usize, usize, usize) = (2, 10, 40);
 /// Steepest way down of a stem, from which a head of one line is a bell: leaves hang, too, but have one tip.
@@ -158,15 +161,17 @@ fn tips(outline: &[Vec2], base: Base, height: f32) -> Vec<Vec2> {
 
 /// A petal from the base to each tip, and between neighbours one in front.
 pub(crate) fn petals(outline: &[Vec2], base: Vec2, tips: &[Vec2]) -> Option<Vec<Vec<Vec2>>> {
-    if !(TIPS.0..=TIPS.1).contains(&tips.len()) {
-        return None;
-    }
+    (TIPS.0..=TIPS.1).contains(&tips.len()).then(|| from_tips(outline, base, tips))
+}
+
+/// The same for any number of tips, at least two.
+fn from_tips(outline: &[Vec2], base: Vec2, tips: &[Vec2]) -> Vec<Vec<Vec2>> {
     let (first, last) = (tips[0], tips[tips.len() - 1]);
     let half = side_of(outline, base, first).max(side_of(outline, base, last));
     let length = tips.iter().map(|tip| tip.distance(base)).sum::<f32>() / tips.len() as f32;
     let half = half.clamp(HALF.0 * length, HALF.1 * length);
     let front = tips.windows(2).map(|pair| base + (1.0 - LOWER) * (pair[0].midpoint(pair[1]) - base));
-    Some(tips.iter().copied().chain(front).map(|tip| petal(base, tip, half)).collect())
+    tips.iter().copied().chain(front).map(|tip| petal(base, tip, half)).collect()
 }
 
 /// The petals of a cup in one line on the end of a stem; nothing where its tips do not stand close together above that.
@@ -180,6 +185,20 @@ pub(crate) fn petals_of_one(line: &Line, place: Vec2) -> Option<Vec<Vec<Vec2>>> 
     let outline = even(&line.points, POINTS.0);
     let is_cup = is_narrow && notches(&outline).iter().all(is_high);
     petals(&outline, place, &tips(&outline, base, height)).filter(|_| is_cup)
+}
+
+/// The petals of a cup in one line whose lower edge is here and that has [`FEW`] tips, with notches between them that nobody draws
+/// by chance.
+pub(crate) fn petals_of_teeth(line: &Line, place: Vec2) -> Option<Vec<Vec<Vec2>>> {
+    let base = Base { place, along: Vec2::NEG_Y };
+    let height = line.size().y;
+    let outline = even(&line.points, POINTS.0);
+    let lowest = (0..outline.len()).max_by(|a, b| outline[*a].y.total_cmp(&outline[*b].y)).unwrap_or(0);
+    let around: Vec<Vec2> = (0..=outline.len()).map(|k| outline[(lowest + k) % outline.len()]).collect();
+    let below: Vec<f32> = around.iter().map(|p| (height - base.height(*p)).max(0.0)).collect();
+    let all = lobes::valleys_between(&below, CLEAR * height).into_iter().map(|k| around[k]);
+    let tips: Vec<Vec2> = all.filter(|tip| base.height(*tip) > HIGH.0 * height).collect();
+    (FEW.0..=FEW.1).contains(&tips.len()).then(|| from_tips(&outline, place, &tips))
 }
 
 /// How far an outline goes beyond the line from the base to an outer tip, away from the others.

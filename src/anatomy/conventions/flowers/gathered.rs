@@ -43,6 +43,8 @@ const AT: f32 = 0.5;
 const STEM: (f32, f32) = (0.6, 0.85);
 /// How far what lies within reaches from the place, as a share of the petals' reach.
 const WITHIN: f32 = 0.45;
+/// What each further line of petals speaks for a flower: as much as for a leaf by itself.
+const EACH: f32 = 2.2;
 /// Least part of a line that must be petals and stem.
 const MOSTLY: f32 = 0.7;
 
@@ -167,7 +169,7 @@ impl Petals {
             outlines.iter().map(|points| Made::new(Tool::Petal, lobes::rooted(points, root(points))));
         let own_stems = self.stems.iter().map(|points| Made::new(Tool::Branch, points.iter().copied()));
         let parts = petals.chain(own_stems).collect();
-        let score = 3.6 + 0.1 * outlines.len().min(8) as f32;
+        let score = 4.2 + 0.1 * outlines.len().min(8) as f32 + EACH * (lines.len() - 1) as f32;
         let (reading, habit) = (Reading::Corolla, Some(Habit::Flower));
         Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit })
     }
@@ -266,6 +268,15 @@ mod tests {
         assert_eq!(counts(&read(&[most.clone(), drawn[4].clone()])), [(5, 0)]);
         most.extend(stem(5.0, 300.0));
         assert_eq!(counts(&read(&[most, drawn[4].clone()])), [(5, 1)], "a stem in the same stroke");
+    }
+
+    #[test]
+    fn petals_in_one_stroke_on_a_stem_are_no_crown_and_several_strokes_speak_for_one_flower() {
+        let drawn = petals(5, 6.0);
+        let alone = read(&[vec![drawn.concat()], vec![stem(5.0, 300.0)]].concat());
+        assert!(alone[0].score > 4.3, "more than a crown with lobes");
+        let parted = read(&[vec![drawn[..3].concat(), drawn[3..].concat()], vec![stem(5.0, 300.0)]].concat());
+        assert!(parted[0].score > alone[0].score + 2.0, "more than a leaf for each stroke");
     }
 
     #[test]

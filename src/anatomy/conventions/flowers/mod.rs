@@ -2,6 +2,7 @@
 //!
 //! | file | what |
 //! | --- | --- |
+//! | `bud` | a head without drawn petals on a stem: round, or a cup with few teeth |
 //! | `corolla` | a corolla around a flower's centre |
 //! | `corolla_on_stem` | a lobed outline at the end of a stem, without a centre |
 //! | `cup` | petals that stand close together, seen from the side |
@@ -9,6 +10,7 @@
 //! | `rays` | single lines around a centre: thin petals, or a sun |
 //! | `rose` | a spiral, or arcs in a disc, on a stem |
 
+pub(crate) mod bud;
 pub(crate) mod corolla;
 pub(crate) mod corolla_on_stem;
 pub(crate) mod cup;

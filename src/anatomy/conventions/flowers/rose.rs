@@ -100,7 +100,7 @@ fn turning(points: &[Vec2]) -> (f32, f32) {
 }
 
 /// Rings of petals that fill a head.
-fn petals(head: &Line) -> Vec<Made> {
+pub(crate) fn petals(head: &Line) -> Vec<Made> {
     let (middle, half) = (head.middle(), 0.5 * head.size());
     let ring = |(number, (count, reach, width)): (usize, (usize, f32, f32))| {
         (0..count).map(move |k| {
