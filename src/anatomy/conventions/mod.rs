@@ -57,6 +57,7 @@ use corrected::Corrected;
 use flowers::{bud, corolla, corolla_on_stem, cup, gathered, rays, rose};
 use leaves::{leaf, leaf_loops, stem_arcs, stem_loops};
 use page::Page;
+use rayon::prelude::*;
 use std::sync::Arc;
 use trees::{bush, conifer, tree, tree_on_line};
 use tufts::{fronds, grass};
@@ -192,11 +193,11 @@ fn proposed(page: &mut Page, strokes: &[Arc<Stroke>], corrections: &[Correction]
         page.set_apart(all.iter().flat_map(|beneath| beneath.uses.iter().copied()).collect());
     }
     let ground = all.iter().find(|beneath| beneath.reading == Reading::Ground).map(|ground| ground.uses[0]);
-    for plant in plants::small(page, ground.map(|line| &page.lines[line])) {
-        let every = |page: &Page, out: &mut Vec<Hypothesis>| {
-            CONVENTIONS.iter().for_each(|propose| propose(page, out))
-        };
-        let mut new = plant.proposed(page, strokes, every);
+    let every =
+        |page: &Page, out: &mut Vec<Hypothesis>| CONVENTIONS.iter().for_each(|propose| propose(page, out));
+    let alone = plants::small(page, ground.map(|line| &page.lines[line]));
+    let found: Vec<_> = alone.par_iter().map(|plant| plant.proposed(page, strokes, every)).collect();
+    for mut new in found {
         corrected.apply(&mut new);
         all.append(&mut new);
     }

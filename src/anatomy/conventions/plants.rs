@@ -6,7 +6,8 @@
 //! or, where none is drawn, about as low as the others, if it is no speck beside the tallest of them, and if what is read there
 //! is a plant and not a leaf or a twig. Cost: one sort, and the points of each line once more.
 //!
-//! Limits: plants that overlap from left to right are looked at together, on the page of the whole.
+//! Limits: plants that overlap from left to right are looked at together, on the page of the whole, and so
+//! are those of a meadow, more than [`MOST`].
 
 use super::Hypothesis;
 use super::page::{Line, Page};
@@ -24,6 +25,9 @@ const SPECK: f32 = 0.2;
 const FLOATS: f32 = 0.3;
 /// The same above the lowest plant's foot, as a share of the tallest plant's height.
 const LEVEL: f32 = 0.3;
+
+/// Most plants that have pages of their own: reading each costs as much as a drawing.
+const MOST: usize = 12;
 
 /// Lines that are one plant, as far as can be seen from where they stand.
 #[derive(Clone, Debug)]
@@ -93,7 +97,7 @@ pub(super) fn side_by_side(page: &Page, besides: Option<usize>) -> Vec<Plant> {
 /// The plants that are small beside the drawing and stand on the ground, if one is drawn, or side by side.
 pub(super) fn small(page: &Page, ground: Option<&Line>) -> Vec<Plant> {
     let mut plants = side_by_side(page, None);
-    if plants.len() < 2 && ground.is_none() {
+    if plants.len() < 2 && ground.is_none() || plants.len() > MOST {
         return Vec::new();
     }
     let tallest = plants.iter().map(|plant| plant.size().y).fold(0.0, f32::max);
@@ -190,5 +194,9 @@ mod tests {
         assert_eq!(small(&[tall.clone(), beside(150.0, 0.0, 100.0)]), 1);
         assert_eq!(small(&[tall.clone(), beside(150.0, -250.0, 100.0)]), 0, "it floats");
         assert_eq!(small(&[tall, beside(150.0, 0.0, 40.0)]), 0, "a speck");
+        let row = |count: usize| -> Vec<Vec<Vec2>> {
+            (0..count).map(|k| beside(200.0 * k as f32, 0.0, 100.0)).collect()
+        };
+        assert_eq!((small(&row(MOST)), small(&row(MOST + 1))), (MOST, 0), "a meadow");
     }
 }
