@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::sketch::Tool;
+use std::f32::consts::PI;
 
 fn line(points: &[(f32, f32)]) -> Vec<Vec2> {
     points.iter().map(|p| Vec2::from(*p)).collect()
@@ -152,4 +153,104 @@ fn crowns_on_trunks_and_forked_stalks_with_lobes_are_none() {
     for lobes in [3.0, 5.0, 8.0] {
         assert!(read(&[crown(lobes)]).is_empty(), "{lobes} lobes");
     }
+}
+
+#[test]
+fn arms_may_be_pointed_leave_at_any_height_and_be_open_arcs_at_a_closed_column() {
+    let mut outline =
+        line(&[(-10.0, 60.0), (-10.0, 35.0), (-34.0, 35.0), (-42.0, -12.0), (-26.0, 15.0), (-10.0, 15.0)]);
+    outline.extend(line(&[
+        (-10.0, -60.0),
+        (0.0, -70.0),
+        (10.0, -60.0),
+        (10.0, -38.0),
+        (24.0, -38.0),
+        (24.0, -62.0),
+    ]));
+    outline.extend(line(&[(38.0, -62.0), (38.0, -24.0), (10.0, -22.0), (10.0, 60.0)]));
+    assert_eq!(limbs(&[outline]), [3]);
+    let mut closed = column();
+    closed.push(closed[0]);
+    let ear = |side: f32, low: f32| {
+        let arc = |k: i32| {
+            let angle = 0.35 * (k - 5) as f32;
+            let (along, aside) = (20.0 + 16.0 * angle.cos(), 7.0 * angle.sin());
+            let at = Vec2::new(0.8 * along + 0.6 * aside, 0.8 * aside - 0.6 * along);
+            Vec2::new(side * (6.0 + at.x), low + at.y)
+        };
+        let mut ear = vec![Vec2::new(side * 9.0, low - 12.0)];
+        ear.extend((0..=10).map(arc));
+        ear.push(Vec2::new(side * 9.0, low + 6.0));
+        ear
+    };
+    assert_eq!(limbs(&[closed, ear(-1.0, 10.0), ear(1.0, -5.0)]), [3]);
+}
+
+#[test]
+fn a_closed_column_with_spines_across_its_outline_is_a_body() {
+    let oval: Vec<Vec2> =
+        (0..=60).map(|k| Vec2::from_angle(0.1047 * k as f32) * Vec2::new(24.0, 55.0)).collect();
+    let spine = |k: i32| {
+        let out = Vec2::from_angle(-0.2 - 0.45 * k as f32);
+        line(&[(20.0 * out.x, 46.0 * out.y), (42.0 * out.x, 74.0 * out.y)])
+    };
+    let mut lines = vec![oval];
+    assert!(read(&lines).is_empty(), "a blade");
+    lines.extend((0..7).map(spine));
+    let bodies = read(&lines);
+    assert_eq!(bodies.len(), 1);
+    assert_eq!((bodies[0].parts.len(), bodies[0].uses.len()), (1, 8));
+}
+
+#[test]
+fn half_an_outline_is_a_body_by_the_arm_on_it() {
+    let arm = [
+        (-10.0, 60.0),
+        (-10.0, 12.0),
+        (-34.0, 10.0),
+        (-38.0, 5.0),
+        (-38.0, -35.0),
+        (-34.0, -40.0),
+        (-26.0, -40.0),
+        (-22.0, -35.0),
+        (-22.0, -8.0),
+        (-10.0, -8.0),
+        (-10.0, -60.0),
+    ];
+    let bodies = read(&[line(&arm)]);
+    assert_eq!(bodies.len(), 1);
+    assert_eq!(bodies[0].parts.len(), 2);
+    let top = bodies[0].parts[0].points.last().unwrap().position;
+    assert!(
+        top.x > -10.0 && top.y < -50.0,
+        "the column is on the other side of the line than the gap: {top}"
+    );
+}
+
+#[test]
+fn straight_stems_side_by_side_are_none() {
+    let stem = |foot: f32, tip: f32, top: f32| line(&[(foot, 60.0), (tip, top)]);
+    assert!(read(&[stem(-12.0, -10.0, -70.0), stem(0.0, 2.0, -60.0), stem(14.0, 16.0, -5.0)]).is_empty());
+}
+
+#[test]
+fn pointed_blades_and_caps_are_none() {
+    // Three blades that grow from one place.
+    let tuft = line(&[
+        (-6.0, 40.0),
+        (-50.0, -10.0),
+        (-8.0, 14.0),
+        (0.0, -70.0),
+        (8.0, 14.0),
+        (50.0, -10.0),
+        (6.0, 40.0),
+    ]);
+    assert!(read(&[tuft]).is_empty());
+    let mut cap = line(&[(-9.0, 60.0), (-9.0, -20.0), (-60.0, -22.0)]);
+    cap.extend((0..=20).map(|k| {
+        let angle = PI * k as f32 / 20.0;
+        Vec2::new(-60.0 * angle.cos(), -22.0 - 26.0 * angle.sin())
+    }));
+    cap.extend(line(&[(9.0, -20.0), (9.0, 60.0)]));
+    assert!(read(&[cap]).is_empty());
 }

@@ -2,19 +2,22 @@
 //!
 //! Where two sides are drawn, the distance from one to the other across the body is known, and its median holds for the rest: from
 //! every point a ray goes into the body, to the other side or, where there is none, as far as that. What these rays cover is the
-//! body. Which side of the line is inside follows from where it turns: an outline goes round what it encloses.
+//! body. Which side of the line is inside follows from where it lies: arms that are drawn are on one side of what joins its ends.
 //!
 //! Cost: points of the line times cells across the silhouette.
 
 use crate::anatomy::conventions::page::{Line, even};
 use crate::anatomy::conventions::shapes::silhouette::Silhouette;
+use crate::geom::simple_loop;
 use glam::Vec2;
 use std::f32::consts::PI;
 
 /// Least height of the end that is not the foot above it, as a share of the line's height.
 const UNFINISHED: f32 = 0.25;
-/// How far the line turns from its foot to its end, least and most, radians: halfway round what it encloses.
-const TURN: (f32, f32) = (0.35 * PI, 1.4 * PI);
+/// Least area between the line and what joins its ends, as a share of its bounds, and how far it turns at most, radians: once round
+/// what it encloses.
+const AREA: f32 = 0.08;
+const TURN: f32 = 1.4 * PI;
 /// Longest ray, as a share of the line's diagonal.
 const ACROSS: f32 = 0.4;
 /// Least share of the rays that meet another side, and least ratio of the first and last quarter of their lengths.
@@ -34,12 +37,13 @@ pub(crate) fn closed(line: &Line, silhouette: &Silhouette) -> Option<(Vec<Vec<Ve
     let (foot, end) = (points[0], points[points.len() - 1]);
     let is_unfinished =
         foot.y - end.y > UNFINISHED * size.y && line.bounds.1.y - foot.y < UNFINISHED * size.y;
-    let turn = turning(&points);
-    if !is_unfinished || !(TURN.0..TURN.1).contains(&turn.abs()) {
+    // The line as a loop turns the way in which its area counts; in pixels, with y down, that is to the right where it is above 0.
+    let area = simple_loop::signed_area(points.iter().copied());
+    if !is_unfinished || turning(&points).abs() > TURN || area.abs() < AREA * size.x * size.y {
         return None;
     }
     let most = ACROSS * size.length();
-    let rays = rays(&points, turn.signum());
+    let rays = rays(&points, area.signum());
     let ways: Vec<Option<f32>> =
         rays.iter().map(|(from, along)| silhouette.way_to_ink(*from, *along, most)).collect();
     let mut known: Vec<f32> = ways.iter().flatten().copied().collect();

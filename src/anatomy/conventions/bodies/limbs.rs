@@ -19,24 +19,44 @@ const SLENDER: f32 = 5.0;
 const BELOW: f32 = 0.4;
 /// Least of it, in half widths of all of the column.
 const FOOT: f32 = 0.85;
-/// Greatest half width anywhere, in half widths of the column: arms meet there.
-const WIDEST: f32 = 1.8;
-/// Half width of an arm, least and most, in those of the column.
-const THICK: (f32, f32) = (0.2, 1.35);
-/// Least length of an arm outside of the column, in half widths of its own.
+/// Least length of an arm outside of the column, in half widths of its own, and least half width, in those of the column: what is
+/// shorter is a bend of the outline, what is thinner a spine.
 const FREE: f32 = 1.8;
-/// Most of the greatest half width in the least, ends left out: of a column, of an arm.
-const EVEN: (f32, f32) = (3.5, 3.2);
+const SPINE: f32 = 0.15;
+/// Most of a column's greatest half width in its least, ends left out.
+const EVEN: f32 = 3.5;
 /// Least height of a column's tip over its foot, as a share of their distance.
-const UPRIGHT: f32 = 0.8;
-/// How far an arm's tip may be below its beginning, as a share of their distance.
-const HANGS: f32 = 0.15;
+const UPRIGHT: f32 = 0.75;
 /// Least half width at a tip, one half width before its end, as a share: the tip of a wedge of 65° is pointed.
 const BLUNT: f32 = 0.5;
-/// One tip of so many, and one besides, may be pointed.
-const MOSTLY: usize = 2;
 /// Least height of an arm's tip over the foot, as a share of the body's: what ends lower is a corner of the foot.
 const LOW: f32 = 0.2;
+/// What an arm is measured by, each where it speaks against one and where for it: free length in half widths of its own, which
+/// neither lumps have nor leaves on stalks; half width in those of the column; greatest half width in the least, ends left out; height
+/// of its tip over its beginning as a share of their distance.
+const LONG_ARM: (f32, f32) = (1.6, 3.6);
+const STALK: (f32, f32) = (22.0, 12.0);
+const THIN_ARM: (f32, f32) = (0.15, 0.45);
+const THICK_ARM: (f32, f32) = (1.7, 1.15);
+const UNEVEN_ARM: (f32, f32) = (6.0, 2.4);
+const HANGING_ARM: (f32, f32) = (-0.4, 0.2);
+/// The same of arms above which the column does not go on by so many half widths: those of a fork rise, caps and crowns do not.
+const RISING_ARM: (f32, f32) = (0.1, 0.7);
+const GOES_ON: f32 = 2.2;
+/// What a pointed arm counts, and log-odds of an uneven or pointed column and where all limbs are pointed, not only half of them.
+const POINTED_ARM: f32 = 0.8;
+const COLUMN: f32 = -0.3;
+const POINTED: f32 = -3.0;
+/// What an arm counts below which it speaks against a body.
+const WEAK: f32 = 0.25;
+/// Log-odds of arms: before anything is known of them, of the first that is one, of the rest, and of each that is none.
+const ARMS: (f32, f32, f32, f32) = (2.3, 2.5, 0.5, -1.0);
+/// A column is wider where arms leave it, by so much of their half width; where it is by this much more, and by this, it is a crown.
+const WIDER: (f32, f32, f32) = (0.45, 0.2, 0.7);
+/// Lumps of a crown make the column wider where they leave it, and are short: least slenderness of the longest arm for each half
+/// width by which the column is wider there, what it has above that where it is a lump and where it is none, and log-odds of lumps.
+const LUMPS: (f32, f32, f32) = (3.0, 1.2, 2.0);
+const LUMPY: f32 = -4.0;
 /// Most of a limb's half width, and least at its beginning, in its median.
 const THICKER: f32 = 1.25;
 const THINNER: f32 = 0.8;
@@ -45,6 +65,8 @@ const AT_TIP: f32 = 1.15;
 /// An arm of which the middle was drawn: least length from the middle of the column, its half width, farthest beginning, in half
 /// widths of the column.
 const LINE: (f32, f32, f32) = (2.2, 0.6, 1.6);
+/// Least height of its tip over its beginning, as a share of their distance.
+const RISES: f32 = 0.15;
 
 /// The column and the arms of a body.
 #[derive(Clone, Debug)]
@@ -65,27 +87,66 @@ impl Limbs {
         let foot = column.points.first()?.0.y;
         let top = axes.iter().flat_map(|axis| axis.points.last()).map(|p| p.0.y).fold(foot, f32::min);
         let is_high = |axis: &Axis| axis.points.last().is_some_and(|tip| foot - tip.0.y > LOW * (foot - top));
-        let widest = axes.iter().flat_map(|axis| &axis.points).map(|p| p.1).fold(0.0, f32::max);
         let length: f32 = axes.iter().map(Axis::length).sum();
-        let is_column = half > THINNEST * cell
-            && column.is_even(EVEN.0)
-            && column.rise() > UPRIGHT
-            && widest < WIDEST * half
-            && length > SLENDER * half
-            && foot - top > 0.0;
+        let is_column =
+            half > THINNEST * cell && column.rise() > UPRIGHT && length > SLENDER * half && foot - top > 0.0;
         if !is_column {
             return None;
         }
-        let is_long = |axis: &&Axis| axis.length() - axis.points[0].1 > FREE * median_half(axis.free());
-        let arms: Vec<&Axis> = axes.iter().skip(1).filter(|axis| is_high(axis) && is_long(axis)).collect();
-        let is_fleshy = |axis: &&Axis| {
-            let is_thick = (THICK.0 * half..THICK.1 * half).contains(&median_half(axis.free()));
-            is_thick && axis.is_even(EVEN.1) && axis.rise() > -HANGS
+        let is_arm = |axis: &&Axis| {
+            let own = median_half(axis.free());
+            is_high(axis) && axis.length() - axis.points[0].1 > FREE * own && own > SPINE * half
         };
-        let pointed = arms.iter().chain([&column]).filter(|axis| !axis.is_blunt()).count();
-        let are_fleshy = arms.iter().all(is_fleshy) && pointed * MOSTLY <= arms.len() + 2;
+        let arms = axes.iter().skip(1).filter(is_arm);
         let axes = [column].into_iter().chain(arms).cloned().collect();
-        are_fleshy.then_some(Self { axes, half })
+        Some(Self { axes, half })
+    }
+
+    /// Log-odds of a body with arms, by its limbs alone.
+    pub(crate) fn log_odds(&self) -> f32 {
+        let Some((column, arms)) = self.axes.split_first().filter(|(_, arms)| !arms.is_empty()) else {
+            return f32::NEG_INFINITY;
+        };
+        let strengths: Vec<f32> = arms.iter().map(|arm| self.strength(arm)).collect();
+        let sum: f32 = strengths.iter().sum();
+        let weak = strengths.iter().filter(|strength| **strength < WEAK).count() as f32;
+        let widest = |axes: &[Axis]| {
+            axes.iter().flat_map(|axis| &axis.points).map(|p| p.1 / self.half).fold(0.0, f32::max)
+        };
+        let long = arms.iter().map(Axis::slenderness).fold(0.0, f32::max);
+        let lumps = 1.0 - ramp(long - LUMPS.0 * (widest(&self.axes) - 1.0).max(0.0), (LUMPS.1, LUMPS.2));
+        let thick = arms.iter().map(|arm| median_half(arm.free()) / self.half).fold(0.0, f32::max);
+        let crown = ramp(widest(&self.axes[..1]) - 1.0 - WIDER.0 * thick, (WIDER.1, WIDER.2));
+        let irregular = [column.evenness() < EVEN, column.is_blunt()].iter().filter(|is_so| !**is_so).count();
+        let pointed =
+            self.axes.iter().filter(|axis| !axis.is_blunt()).count() as f32 / self.axes.len() as f32;
+        ARMS.0
+            + ARMS.1 * sum.min(1.0)
+            + ARMS.2 * (sum - 1.0).clamp(0.0, 1.0)
+            + ARMS.3 * weak
+            + LUMPY * lumps.max(crown)
+            + POINTED * ramp(pointed, (0.6, 1.0))
+            + COLUMN * irregular as f32
+    }
+
+    /// How far the column goes on above the beginning of an arm, in half widths.
+    fn goes_on_above(&self, arm: &Axis) -> f32 {
+        let tip = self.axes[0].points.last().zip(arm.points.first());
+        tip.map_or(0.0, |(tip, root)| (root.0.y - tip.0.y) / self.half)
+    }
+
+    /// How much of an arm something is that leaves the column, from 0 to 1.
+    fn strength(&self, arm: &Axis) -> f32 {
+        let thick = median_half(arm.free()) / self.half;
+        let long = arm.slenderness();
+        let goes_on = self.goes_on_above(arm) > GOES_ON;
+        ramp(long, LONG_ARM)
+            * ramp(long, STALK)
+            * ramp(thick, THIN_ARM)
+            * ramp(thick, THICK_ARM)
+            * ramp(arm.evenness(), UNEVEN_ARM)
+            * ramp(arm.rise(), if goes_on { HANGING_ARM } else { RISING_ARM })
+            * if arm.is_blunt() { 1.0 } else { POINTED_ARM }
     }
 
     /// Adds an arm of which only the middle was drawn, if this line is one: it goes on outside of the column and upward.
@@ -106,7 +167,7 @@ impl Limbs {
         let half = LINE.1 * self.half;
         let points = even(&points, points.len()).into_iter().map(|p| (p, half)).collect();
         let arm = Axis { points, parent: Some((0, place)) };
-        let is_arm = root < LINE.2 * self.half && arm.length() > LINE.0 * self.half && arm.rise() > HANGS;
+        let is_arm = root < LINE.2 * self.half && arm.length() > LINE.0 * self.half && arm.rise() > RISES;
         if is_arm {
             self.axes.push(arm);
         }
@@ -139,6 +200,12 @@ impl Axis {
         self.points.windows(2).map(|w| w[0].0.distance(w[1].0)).sum()
     }
 
+    /// Length outside of its parent, in half widths of its own there.
+    fn slenderness(&self) -> f32 {
+        let parent = self.points.first().filter(|_| self.parent.is_some()).map_or(0.0, |first| first.1);
+        (self.length() - parent) / median_half(self.free()).max(f32::MIN_POSITIVE)
+    }
+
     /// Half width in the lower part, the very foot left out.
     fn half_below(&self) -> f32 {
         let end = ((BELOW * self.points.len() as f32) as usize).max(1);
@@ -166,12 +233,14 @@ impl Axis {
         free.get(begin..end).unwrap_or(&[])
     }
 
-    /// Whether it is about equally thick.
-    fn is_even(&self, most: f32) -> bool {
+    /// Its greatest half width in its least, ends left out; great where it has no middle.
+    fn evenness(&self) -> f32 {
         let mut halves: Vec<f32> = self.middle().iter().map(|p| p.1).collect();
         halves.sort_by(f32::total_cmp);
-        let at = |share: f32| halves.get((share * halves.len() as f32) as usize).copied().unwrap_or(0.0);
-        !halves.is_empty() && at(0.9) < most * at(0.1)
+        let at = |share: f32| halves.get((share * halves.len() as f32) as usize).copied();
+        at(0.9)
+            .zip(at(0.1))
+            .map_or(f32::INFINITY, |(greatest, least)| greatest / least.max(f32::MIN_POSITIVE))
     }
 
     /// Height of its tip over its beginning, as a share of their distance.
@@ -189,6 +258,11 @@ impl Axis {
         let before = self.points.iter().rev().find(|p| p.0.distance(tip.0) > half);
         before.is_some_and(|p| p.1 > BLUNT * half)
     }
+}
+
+/// How far a measure is from where it counts nothing to where it counts in full, from 0 to 1.
+pub(crate) fn ramp(measure: f32, (none, full): (f32, f32)) -> f32 {
+    ((measure - none) / (full - none)).clamp(0.0, 1.0)
 }
 
 fn median_half(points: &[(Vec2, f32)]) -> f32 {

@@ -4,6 +4,7 @@
 //! wide at its foot as anywhere. Stalk and cap become one body of revolution: a branch up the middle, as thick at each height as
 //! was drawn. Limits: caps that lean are made upright.
 
+use super::limbs::ramp;
 use crate::anatomy::conventions::page::{Line, Page, notches};
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
 use crate::anatomy::conventions::trees::evidence;
@@ -13,8 +14,10 @@ use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::sketch::{Reading, StrokePoint, Tool};
 use glam::Vec2;
 
-/// Least width of a cap, in its heights.
-const WIDE: f32 = 1.15;
+/// Least width of a cap, in its heights, and where it speaks for one most.
+const WIDE: (f32, f32) = (0.95, 1.8);
+/// Width near the foot of a cap that is no wider than this, in its heights, least, as a share of its width.
+const DOME: (f32, f32, f32) = (1.15, 0.08, 0.9);
 /// Height above the cap's foot, as a share of its height, and least width there, as a share of its width.
 const BROAD: (f32, f32) = (0.25, 0.7);
 /// Where the rim of a cap is: least distance from its middle, as a share of its width, and most height above its foot.
@@ -22,7 +25,7 @@ const RIM: (f32, f32) = (0.36, 0.6);
 /// Fewest notches of a line that draws the lobes of a crown.
 const LOBES: usize = 4;
 /// Thinnest stalk, as a share of the cap's width.
-const STALK: f32 = 0.12;
+const STALK: f32 = 0.08;
 /// Least width of a cap, as a share of the whole.
 const WHOLE: f32 = 0.85;
 /// Least hull of a scribble, as a share of the whole's bounds.
@@ -31,8 +34,8 @@ const SCRIBBLE: f32 = 0.1;
 const BRIDGE: i32 = 10;
 /// Points of the cap's outline, and rows of the cap.
 const POINTS: (usize, usize) = (160, 24);
-/// Log-odds of a mushroom.
-const SCORE: f32 = 3.8;
+/// Log-odds of a mushroom, and more for the widest caps.
+const SCORE: (f32, f32) = (3.8, 1.2);
 
 /// Proposes mushrooms, one for each group of lines at most.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
@@ -66,17 +69,18 @@ fn mushroom(page: &Page, group: &[usize]) -> Option<Hypothesis> {
         let is_at_rim = (place.x - middle).abs() > RIM.0 * cap.width() && height < RIM.1;
         height > BROAD.0 && !is_at_rim
     };
+    let wide = cap.width() / cap.height();
     let is_cap = trunk.is_sharp
         && !notches(&outline).iter().any(is_free)
         && above.iter().all(|line| notches(line).len() < LOBES)
         && cap.width() > WHOLE * (bounds.1 - bounds.0)
-        && cap.width() > WIDE * cap.height()
+        && (wide > DOME.0 || wide > WIDE.0 && cap.half_at(DOME.1) > DOME.2 * 0.5 * cap.width())
         && cap.half_at(BROAD.0) > BROAD.1 * 0.5 * cap.width()
         && trunk.narrow > STALK * 0.5 * cap.width()
         && silhouette.share_inside(above.iter().flatten()) > 0.9;
     is_cap.then(|| Hypothesis {
         uses: page.with_what_is_inside(group, &outline),
-        score: SCORE,
+        score: SCORE.0 + SCORE.1 * ramp(wide, WIDE),
         parts: vec![whole(&trunk, &cap)],
         solids: Vec::new(),
         reading: Reading::Mushroom,
@@ -203,6 +207,16 @@ mod tests {
             .map(|t| (48.0 * t.cos(), -62.0 + 24.0 * (1.37 * t).sin()))
             .collect();
         assert!(read(&[&dome, &ellipse, &STALK, &scribble]).is_empty(), "foliage");
+    }
+
+    #[test]
+    fn a_flat_cap_may_have_a_thin_stalk_and_is_sure() {
+        let wide: Vec<(f32, f32)> = CAP.iter().map(|p| (1.8 * p.0, -40.0 + 0.7 * (p.1 + 40.0))).collect();
+        let thin: Vec<(f32, f32)> = STALK.iter().map(|p| (0.7 * p.0, p.1)).collect();
+        let high: Vec<(f32, f32)> = CAP.iter().map(|p| (p.0, -40.0 + 1.4 * (p.1 + 40.0))).collect();
+        let (flat, high) = (read(&[&wide, &thin]), read(&[&high, &STALK]));
+        assert_eq!((flat.len(), high.len()), (1, 1));
+        assert!(flat[0].score > high[0].score);
     }
 
     #[test]
