@@ -1,6 +1,5 @@
 //! Convex hull of anything with a position, by Andrew's monotone chain in O(n log n).
 
-use super::simple_loop;
 use glam::Vec2;
 
 /// The corners of the hull, counter-clockwise with y up, no three on a line. Fewer than three points have no inside
@@ -31,11 +30,6 @@ pub fn convex_hull<T: Clone>(points: &[T], position: impl Fn(&T) -> Vec2) -> Vec
     let mut hull = half(&mut sorted.iter());
     hull.extend(half(&mut sorted.iter().rev()));
     hull
-}
-
-/// Area of the convex hull of some points.
-pub fn hull_area(points: &[Vec2]) -> f32 {
-    simple_loop::area(&convex_hull(points, |p| *p))
 }
 
 #[cfg(test)]

@@ -28,6 +28,11 @@ pub fn area(outline: &[Vec2]) -> f32 {
     signed_area(outline.iter().copied()).abs()
 }
 
+/// Area of the convex hull of some points.
+pub fn hull_area(points: &[Vec2]) -> f32 {
+    area(&convex_hull(points, |p| *p))
+}
+
 /// Most crossings that are taken out of one outline.
 pub const MOST_CUTS: usize = 64;
 

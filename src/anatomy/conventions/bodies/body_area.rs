@@ -10,7 +10,7 @@ use super::spines::Spines;
 use crate::anatomy::conventions::page::{self, Line, even, notches};
 use crate::anatomy::conventions::shapes::medial_axis::medial_axes;
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, share_along, smooth_contour};
-use crate::geom::{convex_hull::hull_area, simple_loop};
+use crate::geom::simple_loop::{self, hull_area};
 use glam::Vec2;
 use std::f32::consts::PI;
 

@@ -16,8 +16,9 @@ use crate::anatomy::conventions::page::{Line, Page, even, notches};
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::geom::{
-    convex_hull::{convex_hull, hull_area},
-    polyline, simple_loop,
+    convex_hull::convex_hull,
+    polyline,
+    simple_loop::{self, hull_area},
 };
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;

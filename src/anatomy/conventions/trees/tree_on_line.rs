@@ -14,7 +14,7 @@ use super::trunk::Trunk;
 use crate::anatomy::conventions::page::{self, Line, Page, notches};
 use crate::anatomy::conventions::shapes::stem_tail;
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
-use crate::geom::{convex_hull::hull_area, polyline};
+use crate::geom::{polyline, simple_loop::hull_area};
 use crate::sketch::Reading;
 use crate::sketch::Tool;
 use glam::Vec2;
