@@ -148,7 +148,7 @@ const LEAST_LATER: [(&str, &str, usize, usize); 10] = [
     ("bush", "bush", 9, 9),
     ("cactus", "succulent", 13, 15),
     ("flower", "flower", 10, 11),
-    ("grass", "grass", 9, 14),
+    ("grass", "grass", 14, 14),
     ("house_plant", "potted", 4, 5),
     ("leaf", "leaf", 12, 12),
     ("mushroom", "mushroom", 9, 9),

@@ -60,7 +60,7 @@ use page::Page;
 use rayon::prelude::*;
 use std::sync::Arc;
 use trees::{bush, conifer, tree, tree_on_line};
-use tufts::{fronds, grass};
+use tufts::{fronds, grass, tuft};
 
 crate::parameters! {
     /// How drawings are read that are not drawn in the papers' way.
@@ -174,6 +174,7 @@ const CONVENTIONS: &[Propose] = &[
     stem_arcs::propose,
     grass::propose,
     fronds::propose,
+    tuft::propose,
 ];
 
 /// What every convention proposes, as far as the corrections leave it.

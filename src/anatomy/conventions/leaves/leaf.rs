@@ -248,6 +248,25 @@ mod tests {
     }
 
     #[test]
+    fn veins_at_a_midrib_speak_for_a_leaf() {
+        let vein = |y: f32| line(&[(0.0, y), (18.0, y - 10.0)]);
+        let apart = |y: f32| line(&[(10.0, y), (18.0, y - 10.0)]);
+        let with = |vein: &dyn Fn(f32) -> Vec<Vec2>| {
+            leaf(&read(&[outline(), midrib(), vein(-30.0), vein(-45.0), vein(-60.0)])).score
+        };
+        assert!(with(&vein) > with(&apart) + 0.5);
+    }
+
+    #[test]
+    fn a_line_along_the_outline_is_no_midrib() {
+        let mut ground = line(&[(-25.0, -20.0), (-29.0, -50.0), (-25.0, -80.0)]);
+        ground.iter_mut().for_each(|p| p.x += 4.0);
+        let found = read(&[outline(), ground]);
+        assert!(found.iter().all(|leaf| leaf.score < 3.0), "{found:?}");
+        assert!(leaf(&read(&[outline(), midrib()])).score > 3.0);
+    }
+
+    #[test]
     fn lobes_as_sharp_as_their_notches_are_a_leafs_and_round_ones_a_crowns() {
         let ring = |reach: fn(f32) -> f32| -> Vec<Vec2> {
             let turn = |k: usize| 1.75 + 5.93 * k as f32 / 240.0;

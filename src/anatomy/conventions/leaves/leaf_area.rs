@@ -26,6 +26,8 @@ const ALONG: f32 = 3.5;
 const OUTLINE: (f32, f32) = (0.4, 0.85);
 /// Least length of a stretch of an outline's line inside of it to be a midrib, as a share of the blade's diagonal.
 const MIDRIB: f32 = 0.35;
+/// Least chord of such a stretch over its length.
+const STRAIGHT: f32 = 0.75;
 /// Largest opening of an outline of half a leaf, of which one side is the midrib.
 const HALF: f32 = 0.2;
 /// Least length of a scribble, over the diagonal of its bounds: a straight line is none.
@@ -125,7 +127,8 @@ impl Contour {
                 continue;
             }
             let holds = blade.holds(run[run.len() / 2]);
-            if holds && polyline::length(run) > MIDRIB * diagonal {
+            let (length, chord) = (polyline::length(run), run[0].distance(run[run.len() - 1]));
+            if holds && length > MIDRIB * diagonal && chord > STRAIGHT * length {
                 blade.midrib = Some(run.to_vec());
             } else if !holds && (is_first || is_last) {
                 let outward: Vec<Vec2> =

@@ -24,7 +24,7 @@ const VEIN: f32 = 2.0;
 /// shortest is twice as long.
 const STALK: (f32, f32) = (0.1, 3.0);
 /// Longest tail that is neither stalk nor midrib, as a share of the blade's diagonal: an end that went too far; and beside a stalk.
-const OVERSHOT: (f32, f32) = (0.15, 0.25);
+const OVERSHOT: (f32, f32) = (0.2, 0.25);
 /// Least area of such an outline, as a share of the square of its diagonal: the sides of a narrow one may cross anywhere.
 const FAT: f32 = 0.2;
 /// Least distance of a stalk's end from the outline, as a share of its length: what runs along it is no stalk.
@@ -37,6 +37,11 @@ const ALONG: (f32, f32) = (0.1, 0.3);
 const OPEN: f32 = 0.5;
 /// Farthest that a midrib or a stalk passes from the middle of a wide gap, in widths of the gap.
 const THROUGH: f32 = 0.6;
+/// Least distance of half of a midrib from the outline, as a share of the blade's mean width: in the middle of a lens about 0.5.
+const AMID: f32 = 0.2;
+/// Farthest distance of a vein's end from the midrib, as a share of the blade's diagonal, and log-odds of each.
+const JOINED: f32 = 0.06;
+const VEINS: f32 = 0.25;
 /// Points of a line drawn to and fro that is taken as one.
 const POINTS: usize = 60;
 
@@ -68,8 +73,9 @@ impl<'a> Parts<'a> {
             inside: Vec::new(),
             stems: Vec::new(),
             stalks: Vec::new(),
-            inner_tail: blade.midrib.clone(),
+            inner_tail: None,
         };
+        it.inner_tail = blade.midrib.clone().filter(|points| it.is_amid(points));
         for &i in near.iter().filter(|i| blade.lines.binary_search(i).is_err()) {
             it.sort(i)?;
         }
@@ -84,7 +90,8 @@ impl<'a> Parts<'a> {
         let line = &self.page.lines[i];
         let share = self.blade.share_of(line);
         let is_long = share * extent(line) > MIDRIB.0 * self.diagonal && share > INSIDE.1;
-        let is_midrib = is_long && (is_straight(line) || self.is_double_stalk(line));
+        let is_midrib =
+            is_long && (is_straight(line) || self.is_double_stalk(line)) && self.is_amid(&line.points);
         let away = || self.blade.farthest(line);
         let is_restated =
             || line.openness > OPEN && away() < (ALONG.0 * self.diagonal).min(ALONG.1 * line.length);
@@ -111,13 +118,35 @@ impl<'a> Parts<'a> {
         is_to_and_fro(line) && is_narrow && is_out(line.ends().0) && is_out(line.ends().1)
     }
 
+    /// Whether what of a line is inside keeps away from the outline: what runs along it is the ground, or draws it again.
+    fn is_amid(&self, points: &[Vec2]) -> bool {
+        let inside = points.iter().step_by(3).filter(|p| self.blade.holds(**p));
+        let mut away: Vec<f32> = inside.map(|p| self.blade.nearest(*p).1).collect();
+        let middle = away.len() / 2;
+        let least = AMID * simple_loop::area(&self.blade.ring) / self.diagonal;
+        away.is_empty() || *away.select_nth_unstable_by(middle, f32::total_cmp).1 > least
+    }
+
+    /// How many lines inside begin at the midrib.
+    fn joined_veins(&self) -> usize {
+        let Some(midrib) = self.midrib else { return 0 };
+        let points = &self.page.lines[midrib].points;
+        let at = |p: Vec2| polyline::nearest(points, p).is_some_and(|(gap, _)| gap < JOINED * self.diagonal);
+        let is_joined = |i: &&usize| {
+            let (first, last) = self.page.lines[**i].ends();
+            **i != midrib && (at(first) || at(last))
+        };
+        self.inside.iter().filter(is_joined).count()
+    }
+
     /// Sorts a tail of the outline: through the blade it is the midrib, from there or from the outline outward the stalk.
     fn sort_tail(&mut self, tail: &[Vec2], least: f32) -> Option<()> {
         let within = tail.iter().rposition(|p| self.blade.holds(*p)).unwrap_or(0);
         let held: usize = tail.iter().filter(|p| self.blade.holds(**p)).count();
         let length = polyline::length(tail) / self.diagonal;
         let is_straight = tail[0].distance(tail[within]) > MIDRIB.1 * polyline::length(&tail[..=within]);
-        let is_midrib = is_straight && length * held as f32 > MIDRIB.0 * tail.len() as f32;
+        let is_midrib =
+            is_straight && length * held as f32 > MIDRIB.0 * tail.len() as f32 && self.is_amid(tail);
         let outside = if is_midrib { &tail[within..] } else { tail };
         if is_midrib {
             self.inner_tail = Some(tail[..=within].to_vec());
@@ -269,7 +298,8 @@ impl<'a> Parts<'a> {
         let midrib = if self.has_midrib() { 1.4 + through } else { 0.0 };
         let stalk = if self.stalks.len() == 1 || self.has_stem() { 0.4 } else { 0.0 };
         let explained = self.inside.len() + self.blade.lines.len() - 1;
-        1.6 + midrib + stalk + 0.1 * explained.min(12) as f32
+        let veins = VEINS * self.joined_veins().min(6) as f32;
+        1.6 + midrib + stalk + veins + 0.1 * explained.min(12) as f32
     }
 }
 

@@ -25,6 +25,8 @@ const BLUNT: f32 = 1.6;
 const FOLD: (f32, f32) = (1.0, 0.12);
 /// Flanks whose lengths differ by more are paired as far down as the shorter goes.
 const ALIKE: f32 = 0.6;
+/// Most width of an arch near its foot, in its widths halfway up.
+const ARCH: f32 = 1.15;
 /// Half width of a blade that one line stands for, as a share of its length.
 const LINE_HALF: f32 = 0.035;
 /// Where a blade is widest, as a share of its length, and the share of that width at its root.
@@ -196,7 +198,9 @@ impl Spike {
         let ([a], [b]) = (&self.flanks[..], &other.flanks[..]) else { return false };
         let reach = self.reach().min(other.reach());
         let gap = a[0].distance(b[0]);
-        gap < MEETING * reach && gap < 0.7 * a[a.len() - 1].distance(b[b.len() - 1])
+        // Apart at the foot, or in the middle of a blade whose sides meet there again.
+        let apart = |share: f32| even_at(a, share).distance(even_at(b, share));
+        gap < MEETING * reach && gap < 0.7 * apart(1.0).max(apart(0.5))
     }
 
     /// Middle and half distance of the flanks from below to the tip, as far down as both go; no distance where there is one.
@@ -210,6 +214,13 @@ impl Spike {
         let mut second = even_to(flank, length(1));
         second.reverse();
         first.iter().zip(&second).map(|(a, b)| (a.midpoint(*b), Some(0.5 * a.distance(*b)))).collect()
+    }
+
+    /// Whether its flanks do not come apart toward the foot: the outline of a blade that is open below.
+    pub(crate) fn is_arch(&self) -> bool {
+        let rows = self.rows();
+        let half = |k: usize| rows[k].1.unwrap_or(0.0);
+        half(POINTS / 8) < ARCH * half(POINTS / 2)
     }
 
     /// Where the middle of its flanks ends below, and the direction in which it goes there from the tip, not of unit length.
@@ -263,6 +274,11 @@ fn even_to(points: &[Vec2], length: f32) -> Vec<Vec2> {
     let arcs = polyline::arc_lengths(points.iter().copied());
     let at = |k: usize| polyline::locate(&arcs, length * k as f32 / (POINTS - 1) as f32);
     (0..POINTS).map(|k| polyline::interpolate(points, at(k))).collect()
+}
+
+/// The point of a line after a share of its points.
+fn even_at(points: &[Vec2], share: f32) -> Vec2 {
+    points[(share * (points.len() - 1) as f32) as usize]
 }
 
 /// The point of a line so far from its beginning.

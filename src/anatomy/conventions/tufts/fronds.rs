@@ -35,6 +35,8 @@ const MOST_LINES: usize = 12;
 const STROKE: f32 = 0.4;
 /// Least reach of the farthest frond, in widths of the trunk: what rounds off a body is shorter.
 const LONG: f32 = 1.2;
+/// Least height of the trunk, as a share of the farthest frond's reach: what is lower is where a tuft is gathered.
+const HIGH: f32 = 0.25;
 
 /// Proposes palms, one for each group of lines at most, and what rises from the mouth of a pot that was proposed.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
@@ -78,6 +80,7 @@ fn palm(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let is_crown = crown.fronds.len() >= fewest && crown.is_sharp() && crown.explained > EXPLAINED;
     if !is_crown
         || crown.reach < LONG * trunk.width()
+        || trunk.foot().y - trunk.top().y < HIGH * crown.reach
         || trunk.is_line() && !(crown.has_blades() && crown.apart <= APART && crown.sits_on(&trunk, &rest))
         || lies_below(&rest, &trunk)
     {

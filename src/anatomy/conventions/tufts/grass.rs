@@ -14,6 +14,7 @@
 use crate::anatomy::conventions::page::{Line, Page};
 use crate::anatomy::conventions::shapes::spikes::{Spike, joined, spikes};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
+use crate::geom::polyline;
 use crate::geom::region::Region;
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
@@ -23,6 +24,10 @@ use std::f32::consts::PI;
 const TEETH: usize = 3;
 /// Least height of a tip over the notches beside it, as a share of the line's height.
 const PROMINENCE: f32 = 0.1;
+/// Longest hook at a blade's tip, as a share of the blade's length, and least rise of the end of a zigzag that is a blade, over its
+/// width.
+const HOOK: f32 = 0.2;
+const LIES: f32 = 0.3;
 /// Where along its flanks the angle of a tip is measured, as a share of the shorter.
 const TIP_SHARE: f32 = 0.3;
 /// Widest angle of a tip in the middle of all: a right angle is a saw, a half circle has nearly two.
@@ -51,7 +56,11 @@ const LINES: usize = 3;
 const BLADES: usize = 4;
 /// Half width of a blade at most, as a share of its length.
 const HALF: f32 = 0.09;
-/// How far from level the feet of blades may be, as a share of the middle height of the blades.
+/// The same where the sides do not come apart toward the foot: not a tooth between others, but a blade as it is.
+const ARCH: f32 = 0.25;
+/// Least chord of a line that leans, over its length, and least rise, as a share of its chord.
+const LEANING: (f32, f32) = (0.75, 0.25);
+/// How far from level the feet of blades may be, as a share of the middle length of the blades.
 const LEVEL: f32 = 0.4;
 
 /// Proposes one hypothesis for each zigzag, and one for all lines that stand side by side.
@@ -61,9 +70,9 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let stand = |(i, _): &(usize, Vec<Spike>)| !stands_on_something(page, *i) && !is_inside_another(page, *i);
     out.extend(zigzags.take(MOST_ZIGZAGS).filter(stand).map(|(i, teeth)| {
         let score = 2.0 + 0.25 * teeth.len().min(12) as f32;
-        grass(vec![i], score, &teeth)
+        grass(vec![i], score, &teeth.into_iter().map(|tooth| (tooth, HALF)).collect::<Vec<_>>())
     }));
-    out.extend(tuft(page));
+    out.extend(side_by_side(page));
 }
 
 /// Height above the ground, but for a constant.
@@ -71,9 +80,23 @@ fn height(p: Vec2) -> f32 {
     -p.y
 }
 
-/// A line as spikes above the ground.
+/// A line as spikes above the ground, a single one without a hook at its tip, several without ends that lie along the ground.
 fn upright_spikes(line: &Line) -> Vec<Spike> {
-    spikes(&line.points, height, PROMINENCE * line.size().y)
+    let mut all = spikes(&line.points, height, PROMINENCE * line.size().y);
+    let length = |spike: &Spike, flank: usize| polyline::length(&spike.flanks[flank]);
+    if let [spike] = &mut all[..]
+        && spike.flanks.len() == 2
+        && let Some(hook) = (0..2).find(|hook| length(spike, *hook) < HOOK * length(spike, 1 - hook))
+    {
+        spike.flanks.remove(hook);
+    }
+    let lies = |spike: &Spike| {
+        let way = spike.tip() - spike.foot();
+        spike.flanks.len() == 1 && way.y.abs() < LIES * way.x.abs()
+    };
+    let several = all.len() > 1;
+    all.retain(|spike| !(several && lies(spike)));
+    all
 }
 
 /// The teeth of a line, if it is a zigzag.
@@ -143,26 +166,46 @@ fn is_inside_another(page: &Page, index: usize) -> bool {
 }
 
 /// All lines that stand side by side, if they are most of the drawing.
-fn tuft(page: &Page) -> Option<Hypothesis> {
-    let upright: Vec<usize> =
-        (0..page.lines.len()).filter(|i| !page.is_apart(*i) && is_upright(&page.lines[*i])).collect();
-    let length: f32 = upright.iter().map(|i| page.lines[*i].length).sum();
-    let ground: f32 = page.lines.iter().filter(|line| is_ground(line)).map(|line| line.length).sum();
-    if upright.len() < LINES || length < MOST_OF_ALL * (page.length - ground) {
-        return None;
-    }
-    let of_line = |&i: &usize| upright_spikes(&page.lines[i]).into_iter().map(move |spike| (spike, i));
-    let all: Vec<(Spike, usize)> = upright.iter().flat_map(of_line).collect();
-    let (single, double): (Vec<_>, Vec<_>) = all.into_iter().partition(|(spike, _)| spike.flanks.len() == 1);
+fn side_by_side(page: &Page) -> Option<Hypothesis> {
+    let all = || (0..page.lines.len()).filter(|i| !page.is_apart(*i));
+    let upright: Vec<usize> = all().filter(|i| is_upright(&page.lines[*i])).collect();
+    let leaning: Vec<usize> = all().filter(|i| is_leaning(&page.lines[*i])).collect();
+    let (upright, leaning) = (blades_of(page, &upright), blades_of(page, &leaning));
+    upright.into_iter().chain(leaning).max_by(|a, b| a.score.total_cmp(&b.score))
+}
+
+/// The blades that some lines are, with the ground on which they stand, if these are most of the drawing.
+fn blades_of(page: &Page, upright: &[usize]) -> Option<Hypothesis> {
+    let teeth: Vec<(usize, Vec<Spike>)> =
+        upright.iter().map(|i| (*i, upright_spikes(&page.lines[*i]))).collect();
+    let has_one = |i: &usize| teeth.iter().any(|(line, spikes)| line == i && spikes.len() == 1);
+    let all = teeth.iter().flat_map(|(i, spikes)| spikes.iter().map(|spike| (spike.clone(), *i)));
+    let (single, double): (Vec<_>, Vec<_>) = all.partition(|(spike, _)| spike.flanks.len() == 1);
     let mut blades = joined(single, |tip| tip.x);
     blades.extend(double.into_iter().map(|(spike, line)| (spike, vec![line])));
-    if blades.len() < BLADES || !stand_level(&blades) {
+    if upright.len() < LINES || blades.len() < BLADES {
         return None;
     }
-    let mut uses: Vec<usize> = blades.iter().flat_map(|blade| blade.1.clone()).collect();
+    let (level, height) = level_of(&blades)?;
+    let is_beneath = |line: &Line| is_ground(line) && (line.middle().y - level).abs() < LEVEL * height;
+    let mut uses: Vec<usize> = (0..page.lines.len())
+        .filter(|i| !page.is_apart(*i) && !upright.contains(i) && is_beneath(&page.lines[*i]))
+        .chain(upright.iter().copied())
+        .collect();
+    if uses.iter().map(|i| page.lines[*i].length).sum::<f32>() < MOST_OF_ALL * page.length {
+        return None;
+    }
     uses.sort_unstable();
-    uses.dedup();
-    let spikes: Vec<Spike> = blades.into_iter().map(|blade| blade.0).collect();
+    let half = |spike: &Spike, lines: &[usize]| {
+        if spike.is_arch() && lines.iter().all(has_one) { ARCH } else { HALF }
+    };
+    let spikes: Vec<(Spike, f32)> = blades
+        .into_iter()
+        .map(|(spike, lines)| {
+            let half = half(&spike, &lines);
+            (spike, half)
+        })
+        .collect();
     // Blades beside a zigzag belong to it.
     let score = 1.9 + 0.25 * spikes.len().min(12) as f32 + 0.05 * uses.len() as f32;
     Some(grass(uses, score, &spikes))
@@ -177,24 +220,31 @@ fn is_upright(line: &Line) -> bool {
     is_steep && is_narrow && !teeth.is_empty() && (angles.is_empty() || median(&mut angles) < SHARP)
 }
 
-/// Whether most blades stand at one level, and none far below, as a trunk would.
-fn stand_level(blades: &[(Spike, Vec<usize>)]) -> bool {
-    let mut feet: Vec<f32> = blades.iter().map(|blade| blade.0.foot().y).collect();
-    let mut heights: Vec<f32> = blades.iter().map(|blade| blade.0.foot().y - blade.0.tip().y).collect();
-    let (level, height) = (median(&mut feet), median(&mut heights));
-    let even = feet.iter().filter(|foot| (**foot - level).abs() < LEVEL * height).count();
-    5 * even >= 4 * feet.len() && feet.iter().all(|foot| foot - level < height)
+/// Whether a line goes one way, though it leans far.
+fn is_leaning(line: &Line) -> bool {
+    let way = line.ends().1 - line.ends().0;
+    way.length() > LEANING.0 * line.length && way.y.abs() > LEANING.1 * way.length()
 }
 
-/// One blade for each spike, all on one level.
-fn grass(uses: Vec<usize>, score: f32, spikes: &[Spike]) -> Hypothesis {
-    let feet = spikes.iter().flat_map(|spike| &spike.flanks).map(|flank| flank[flank.len() - 1].y);
+/// The level at which most blades stand, and their middle length; nothing if one stands far below, as a trunk would.
+fn level_of(blades: &[(Spike, Vec<usize>)]) -> Option<(f32, f32)> {
+    let mut feet: Vec<f32> = blades.iter().map(|blade| blade.0.foot().y).collect();
+    let mut lengths: Vec<f32> = blades.iter().map(|blade| blade.0.foot().distance(blade.0.tip())).collect();
+    let (level, height) = (median(&mut feet), median(&mut lengths));
+    let even = feet.iter().filter(|foot| (**foot - level).abs() < LEVEL * height).count();
+    let is_level = 5 * even >= 4 * feet.len() && feet.iter().all(|foot| foot - level < height);
+    is_level.then_some((level, height))
+}
+
+/// One blade for each spike, all on one level, and each no wider than that.
+fn grass(uses: Vec<usize>, score: f32, spikes: &[(Spike, f32)]) -> Hypothesis {
+    let feet = spikes.iter().flat_map(|spike| &spike.0.flanks).map(|flank| flank[flank.len() - 1].y);
     let ground = feet.fold(f32::NEG_INFINITY, f32::max);
-    let blade = |spike: &Spike| {
+    let blade = |(spike, most): &(Spike, f32)| {
         let (low, along) = spike.lower_end();
         let down = (ground - low.y).max(0.0);
         let aside = (along.x / along.y.max(f32::MIN_POSITIVE)).clamp(-0.5, 0.5) * down;
-        Made::new(Tool::Leaf, spike.blade(low + Vec2::new(aside, down), HALF))
+        Made::new(Tool::Leaf, spike.blade(low + Vec2::new(aside, down), *most))
     };
     let parts = spikes.iter().map(blade).collect();
     Hypothesis { uses, score, parts, solids: Vec::new(), reading: Reading::Grass, habit: Some(Habit::Grass) }
@@ -206,124 +256,5 @@ fn median(values: &mut [f32]) -> f32 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
-        crate::anatomy::conventions::read_by(propose, lines)
-    }
-
-    fn zigzag(teeth: usize, lowest: f32) -> Vec<Vec2> {
-        let height = |k: usize| if k % 2 == 1 { -40.0 } else { lowest - 2.0 * (k % 3) as f32 };
-        (0..=2 * teeth).map(|k| Vec2::new(9.0 * k as f32, height(k))).collect()
-    }
-
-    fn roots(grass: &Hypothesis) -> Vec<Vec2> {
-        grass
-            .parts
-            .iter()
-            .map(|part| part.points[0].position.midpoint(part.points[part.points.len() - 1].position))
-            .collect()
-    }
-
-    #[test]
-    fn a_zigzag_is_a_blade_for_each_tip_on_one_ground() {
-        let found = read(&[zigzag(5, 0.0)]);
-        assert_eq!(found.len(), 1);
-        assert_eq!((found[0].parts.len(), found[0].habit), (5, Some(Habit::Grass)));
-        assert!(found[0].parts.iter().all(|part| part.tool == Tool::Leaf));
-        let roots = roots(&found[0]);
-        assert!(roots.iter().all(|root| (root.y - roots[0].y).abs() < 0.5), "{roots:?}");
-        assert!(roots.windows(2).all(|pair| (pair[1].x - pair[0].x - 18.0).abs() < 4.0), "{roots:?}");
-    }
-
-    #[test]
-    fn a_zigzag_that_is_closed_along_the_ground_is_grass_and_a_crown_with_spikes_is_none() {
-        let mut closed = zigzag(5, 0.0);
-        closed.extend([Vec2::new(85.0, 3.0), Vec2::new(5.0, 4.0), Vec2::new(0.0, 0.0)]);
-        assert_eq!(read(&[closed.clone()]).first().map(|grass| grass.parts.len()), Some(5));
-        closed.splice(11.., [Vec2::new(90.0, 150.0), Vec2::new(0.0, 150.0), Vec2::new(0.0, 0.0)]);
-        assert!(read(&[closed]).is_empty());
-    }
-
-    #[test]
-    fn lines_side_by_side_are_blades_and_arcs_that_meet_are_one() {
-        let line = |x: f32| vec![Vec2::new(x, 0.0), Vec2::new(x + 4.0, -50.0)];
-        let arcs = [
-            vec![Vec2::new(90.0, 1.0), Vec2::new(92.0, -30.0), Vec2::new(100.0, -50.0)],
-            vec![Vec2::new(112.0, 0.0), Vec2::new(108.0, -30.0), Vec2::new(101.0, -50.0)],
-        ];
-        let found = read(&[line(0.0), line(25.0), line(50.0), arcs[0].clone(), arcs[1].clone()]);
-        assert_eq!(found.len(), 1);
-        assert_eq!((found[0].parts.len(), &found[0].uses[..]), (4, &[0, 1, 2, 3, 4][..]));
-    }
-
-    #[test]
-    fn feet_at_many_levels_are_no_grass() {
-        let line = |k: usize| {
-            vec![
-                Vec2::new(20.0 * k as f32, -30.0 * k as f32),
-                Vec2::new(20.0 * k as f32 + 4.0, -30.0 * k as f32 - 40.0),
-            ]
-        };
-        assert!(read(&(0..6).map(line).collect::<Vec<_>>()).is_empty());
-    }
-
-    #[test]
-    fn round_lobes_are_no_grass() {
-        let lobe = |k: usize| {
-            (0..=20).map(move |i| {
-                Vec2::new(20.0 * k as f32, 0.0) + 10.0 * Vec2::from_angle(PI + PI * i as f32 / 20.0)
-            })
-        };
-        assert!(read(&[(0..5).flat_map(lobe).collect()]).is_empty());
-    }
-
-    #[test]
-    fn a_zigzag_on_a_trunk_or_in_an_outline_is_no_grass() {
-        let trunk = vec![Vec2::new(45.0, -5.0), Vec2::new(45.0, 80.0)];
-        assert!(read(&[zigzag(5, 0.0), trunk]).is_empty());
-        let around: Vec<Vec2> =
-            (0..=40).map(|k| Vec2::new(45.0, -20.0) + 90.0 * Vec2::from_angle(0.157 * k as f32)).collect();
-        assert!(read(&[zigzag(5, 0.0), around]).is_empty());
-        let ground = vec![Vec2::new(-20.0, 4.0), Vec2::new(120.0, 5.0)];
-        assert_eq!(read(&[zigzag(5, 0.0), ground]).len(), 1);
-    }
-
-    #[test]
-    fn a_closed_tuft_is_a_blade_for_each_tip_and_a_star_is_none() {
-        let tips = [(-45.0, -50.0), (-28.0, -75.0), (0.0, -90.0), (30.0, -70.0), (48.0, -48.0)];
-        let notches = [(-22.0, -25.0), (-9.0, -22.0), (9.0, -22.0), (22.0, -25.0)];
-        let mut tuft = vec![Vec2::new(-20.0, 0.0)];
-        for (k, tip) in tips.into_iter().enumerate() {
-            tuft.push(tip.into());
-            tuft.extend(notches.get(k).map(|notch| Vec2::from(*notch)));
-        }
-        tuft.extend([Vec2::new(20.0, 0.0), Vec2::new(-20.0, 0.0)]);
-        assert_eq!(read(&[tuft]).first().map(|grass| grass.parts.len()), Some(5));
-        let corner = |k: usize| {
-            (if k.is_multiple_of(2) { 50.0 } else { 22.0 }) * Vec2::from_angle(PI * k as f32 / 5.0)
-        };
-        assert!(read(&[(0..=10).map(corner).collect()]).is_empty());
-    }
-
-    #[test]
-    fn a_long_row_may_have_blunt_tips_and_a_short_one_not() {
-        let row = |waves: usize| -> Vec<Vec2> {
-            (0..=24 * waves)
-                .map(|k| k as f32 / 24.0)
-                .map(|t| Vec2::new(12.0 * t, -10.0 * (PI * t).sin().abs()))
-                .collect()
-        };
-        assert_eq!(read(&[row(12)]).len(), 1);
-        assert!(read(&[row(4)]).is_empty());
-    }
-
-    #[test]
-    fn a_zigzag_in_an_arch_that_is_open_below_is_no_grass() {
-        let arch: Vec<Vec2> = (0..=40)
-            .map(|k| Vec2::new(45.0, 5.0) + 62.0 * Vec2::from_angle(PI + 0.0785 * k as f32))
-            .collect();
-        assert!(read(&[zigzag(5, 0.0), arch]).is_empty());
-    }
-}
+#[path = "grass_tests.rs"]
+mod tests;

@@ -3,6 +3,7 @@
 //! | file | what |
 //! | --- | --- |
 //! | `grass` | a zigzag, or lines side by side: blades of grass |
+//! | `tuft` | blades from one place near the ground |
 //! | `fronds` | lines or lobes that radiate from a trunk's top |
 //! | `frond_crown` | what speaks for fronds about a place |
 //! | `frond_details` | fruit among fronds, and the leaflets of fronds |
@@ -11,3 +12,4 @@ mod frond_crown;
 pub(crate) mod frond_details;
 pub(crate) mod fronds;
 pub(crate) mod grass;
+pub(crate) mod tuft;
