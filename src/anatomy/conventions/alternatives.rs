@@ -5,7 +5,7 @@
 //! is computed while a drawing grows, only when somebody asks.
 
 use super::page::Page;
-use super::{ConventionParams, Hypothesis, page, proposed};
+use super::{ConventionParams, Hypothesis, plants, proposed};
 use crate::sketch::corrections::{corrected, shares_most};
 use crate::sketch::{Correction, Reading, Sketch, StrokeId, Verdict};
 
@@ -40,8 +40,8 @@ pub fn alternatives(sketch: &Sketch, params: &ConventionParams, about: &[StrokeI
 
 /// The readings of these strokes that are proposed, with their scores.
 fn readings_of(sketch: &Sketch, corrections: &[Correction], about: &[StrokeId]) -> Vec<(f32, Correction)> {
-    let mut page = Page::with(&mut page::Shapes::for_one_call(), &sketch.strokes);
-    let proposals = proposed(&mut page, &sketch.strokes, corrections);
+    let mut page = Page::new(&sketch.strokes);
+    let proposals = proposed(&mut plants::Proposals::for_one_call(), &mut page, &sketch.strokes, corrections);
     let correction = |h: Hypothesis| {
         let strokes: Vec<StrokeId> =
             h.uses.iter().map(|line| sketch.strokes[page.lines[*line].stroke].id).collect();

@@ -70,10 +70,12 @@ crate::parameters! {
     }
 }
 
-/// What is kept of one drawing's reading for the next: its lines, and the whole of it as long as nothing changes.
+/// What is kept of one drawing's reading for the next: its lines, what its small plants may be, and the whole of it as long as
+/// nothing changes.
 #[derive(Debug, Default)]
 pub struct Memory {
     shapes: page::Shapes,
+    plants: plants::Proposals,
     last: Option<Last>,
 }
 
@@ -89,7 +91,7 @@ struct Last {
 impl Memory {
     /// For a single drawing, of which nothing is kept.
     pub fn for_one_build() -> Self {
-        Self { shapes: page::Shapes::for_one_call(), last: None }
+        Self { shapes: page::Shapes::for_one_call(), plants: plants::Proposals::for_one_call(), last: None }
     }
 }
 
@@ -119,7 +121,7 @@ pub fn interpret_with(
         return last.interpretation.clone();
     }
     let mut page = Page::with(&mut known.shapes, strokes);
-    let chosen = choice::best(proposed(&mut page, strokes, corrections));
+    let chosen = choice::best(proposed(&mut known.plants, &mut page, strokes, corrections));
     let mut interpretation = Interpretation::of(strokes, &page, chosen);
     if let Some(last) = &known.last {
         interpretation.share_with(&last.interpretation);
@@ -178,30 +180,39 @@ const CONVENTIONS: &[Propose] = &[
 ];
 
 /// What every convention proposes, as far as the corrections leave it.
-fn proposed(page: &mut Page, strokes: &[Arc<Stroke>], corrections: &[Correction]) -> Vec<Hypothesis> {
+fn proposed(
+    known: &mut plants::Proposals,
+    page: &mut Page,
+    strokes: &[Arc<Stroke>],
+    corrections: &[Correction],
+) -> Vec<Hypothesis> {
     let corrected = Corrected::on(page, strokes, corrections);
-    let ask = |propose: Propose, page: &Page, all: &mut Vec<Hypothesis>| {
+    let mut all = Vec::new();
+    for propose in BENEATH {
         let known = all.len();
-        propose(page, all);
+        propose(page, &mut all);
         let mut new = all.split_off(known);
         corrected.apply(&mut new);
         all.append(&mut new);
-    };
-    let mut all = Vec::new();
-    for propose in BENEATH {
-        ask(*propose, page, &mut all);
         // What stands in a pot or on the ground is looked at without it.
         page.set_apart(all.iter().flat_map(|beneath| beneath.uses.iter().copied()).collect());
     }
     let ground = all.iter().find(|beneath| beneath.reading == Reading::Ground).map(|ground| ground.uses[0]);
-    let every =
-        |page: &Page, out: &mut Vec<Hypothesis>| CONVENTIONS.iter().for_each(|propose| propose(page, out));
     let alone = plants::small(page, ground.map(|line| &page.lines[line]));
-    let found: Vec<_> = alone.par_iter().map(|plant| plant.proposed(page, strokes, every)).collect();
-    for mut new in found {
-        corrected.apply(&mut new);
-        all.append(&mut new);
-    }
-    CONVENTIONS.iter().for_each(|propose| ask(*propose, page, &mut all));
+    let mut new = plants::proposed(known, &alone, (page, strokes), |page| proposed_above(page, &[]));
+    new.extend(proposed_above(page, &all));
+    corrected.apply(&mut new);
+    all.append(&mut new);
     all
+}
+
+/// What all other conventions propose, which know what lies beneath; each by itself, on as many threads as there are.
+fn proposed_above(page: &Page, beneath: &[Hypothesis]) -> Vec<Hypothesis> {
+    let by = |propose: &Propose| {
+        let mut all = beneath.to_vec();
+        propose(page, &mut all);
+        all.split_off(beneath.len())
+    };
+    let found: Vec<Vec<Hypothesis>> = CONVENTIONS.par_iter().with_max_len(1).map(by).collect();
+    found.into_iter().flatten().collect()
 }

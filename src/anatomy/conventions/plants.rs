@@ -4,13 +4,15 @@
 //! would be read alone: at its own scale, weighed against its own size. Lines belong to one plant if some of them overlap from left
 //! to right; between two plants there is a gap from top to bottom. A plant has a page of its own if it stands on the ground,
 //! or, where none is drawn, about as low as the others, if it is no speck beside the tallest of them, and if what is read there
-//! is a plant and not a leaf or a twig. Cost: one sort, and the points of each line once more.
+//! is a plant and not a leaf or a twig. What is read there is kept as long as its strokes are the same. Cost: one sort, and the
+//! points of each line once more.
 //!
 //! Limits: plants that overlap from left to right are looked at together, on the page of the whole, and so
 //! are those of a meadow, more than [`MOST`].
 
 use super::Hypothesis;
 use super::page::{Line, Page};
+use crate::kept::{Kept, Same};
 use crate::sketch::Stroke;
 use glam::Vec2;
 use std::sync::Arc;
@@ -50,27 +52,41 @@ impl Plant {
         let below = ground.points.iter().min_by(|a, b| (a.x - foot.x).abs().total_cmp(&(b.x - foot.x).abs()));
         below.is_some_and(|below| foot.y > below.y - FLOATS * self.size().y && self.bounds.0.y < below.y)
     }
+}
 
-    /// What is proposed for it alone, by lines of the whole page; nothing unless it is a plant then.
-    pub(super) fn proposed(
-        &self,
-        page: &Page,
-        strokes: &[Arc<Stroke>],
-        propose: impl Fn(&Page, &mut Vec<Hypothesis>),
-    ) -> Vec<Hypothesis> {
-        let own: Vec<Arc<Stroke>> =
-            self.lines.iter().map(|line| Arc::clone(&strokes[page.lines[*line].stroke])).collect();
-        let own = Page::new(&own);
-        let mut found = Vec::new();
-        propose(&own, &mut found);
-        if !found.iter().any(|hypothesis| hypothesis.habit.is_some() && hypothesis.score > 0.0) {
-            return Vec::new();
-        }
-        for line in found.iter_mut().flat_map(|hypothesis| &mut hypothesis.uses) {
-            *line = self.lines[own.lines[*line].stroke];
-        }
+/// What is proposed for plants that are alone on their pages, kept for the next reading of the drawing: each by its strokes,
+/// the places among them in place of lines.
+pub(super) type Proposals = Kept<Vec<Same<Stroke>>, Arc<Vec<Hypothesis>>>;
+
+/// What is proposed for each of some plants alone, by lines of the whole page.
+pub(super) fn proposed(
+    known: &mut Proposals,
+    plants: &[Plant],
+    (page, strokes): (&Page, &[Arc<Stroke>]),
+    propose: impl Fn(&Page) -> Vec<Hypothesis> + Sync,
+) -> Vec<Hypothesis> {
+    let own = |plant: &Plant| -> Vec<Arc<Stroke>> {
+        plant.lines.iter().map(|line| Arc::clone(&strokes[page.lines[*line].stroke])).collect()
+    };
+    let key = |plant: &Plant| own(plant).iter().map(Same::of).collect();
+    let found = known.made(plants, key, |plant| Arc::new(proposed_alone(&own(plant), &propose)));
+    let of_page = |(plant, found): (&Plant, Arc<Vec<Hypothesis>>)| {
+        let mut found = found.to_vec();
+        found.iter_mut().flat_map(|it| &mut it.uses).for_each(|place| *place = plant.lines[*place]);
         found
+    };
+    plants.iter().zip(found).flat_map(of_page).collect()
+}
+
+/// What is proposed for strokes that are a whole drawing, by their places; nothing unless they are a plant then.
+fn proposed_alone(strokes: &[Arc<Stroke>], propose: impl Fn(&Page) -> Vec<Hypothesis>) -> Vec<Hypothesis> {
+    let page = Page::new(strokes);
+    let mut found = propose(&page);
+    if !found.iter().any(|hypothesis| hypothesis.habit.is_some() && hypothesis.score > 0.0) {
+        return Vec::new();
     }
+    found.iter_mut().flat_map(|it| &mut it.uses).for_each(|line| *line = page.lines[*line].stroke);
+    found
 }
 
 /// The plants of a page from left to right, without what is set apart and without one line more.
