@@ -12,14 +12,10 @@ use std::io::Write as _;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Duration;
 
 /// The message.
 pub(super) const LOST: &str =
     "the connection to the display broke; the drawing is kept and offered at the next start";
-
-/// How long a window may take to end by itself.
-const GRACE: Duration = Duration::from_secs(3);
 
 /// Writes the message when the process ends while the window is open.
 struct ReportOnExit {
@@ -68,6 +64,10 @@ pub(super) fn run<T>(window: impl FnOnce() -> T) -> Option<T> {
         Err(panic) => resume_unwind(panic),
     }
 }
+
+/// How long a window may take to end by itself.
+#[cfg(target_os = "linux")]
+const GRACE: std::time::Duration = std::time::Duration::from_secs(3);
 
 /// Whether the window's X server ended: by the time that somebody asks, another may answer under its name.
 #[cfg(target_os = "linux")]

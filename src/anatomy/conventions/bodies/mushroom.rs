@@ -121,22 +121,26 @@ impl<'a> Cap<'a> {
     }
 }
 
-/// Stalk and cap as one branch from the ground to the top, with its half widths as pressure.
+/// Stalk and cap as one branch from the ground to the top, with its half widths as pressure. The axis of the cap is plumb, since
+/// sections across a bent one would tilt its rim; a stalk that stands beside it leans toward it.
 fn whole(trunk: &Trunk, cap: &Cap) -> Made {
     let middle = 0.5 * (cap.low.x + cap.high.x);
     let widest = 0.5 * cap.width();
-    let mut points: Vec<(Vec2, f32)> =
-        trunk.rows().iter().copied().filter(|row| row.0.y > cap.high.y).collect();
-    let foot = points.last().map_or(middle, |row| row.0.x);
-    points.extend((0..=POINTS.1).map(|k| {
+    let stalk: Vec<(Vec2, f32)> = trunk.rows().iter().copied().filter(|row| row.0.y > cap.high.y).collect();
+    let aside = stalk.last().map_or(0.0, |row| middle - row.0.x);
+    let last = stalk.len().max(2) - 1;
+    let leaning = stalk.iter().enumerate().map(|(i, (place, half))| {
+        let share = i as f32 / last as f32;
+        (*place + Vec2::new(aside * share * share * (3.0 - 2.0 * share), 0.0), *half)
+    });
+    let round = (0..=POINTS.1).map(|k| {
         // Denser toward foot and top, where the cap is round.
         let share = 0.5 - 0.5 * (std::f32::consts::PI * (k as f32 + 0.2) / (POINTS.1 as f32 + 0.4)).cos();
-        let x = foot + (middle - foot) * share.min(0.3) / 0.3;
-        (Vec2::new(x, cap.high.y - share * cap.height()), cap.half_at(share))
-    }));
+        (Vec2::new(middle, cap.high.y - share * cap.height()), cap.half_at(share))
+    });
     let point =
         |(position, half): (Vec2, f32)| StrokePoint { pressure: half / widest, ..StrokePoint::at(position) };
-    Made { tool: Tool::Branch, points: points.into_iter().map(point).collect(), half_width: Some(widest) }
+    Made { tool: Tool::Branch, points: leaning.chain(round).map(point).collect(), half_width: Some(widest) }
 }
 
 #[cfg(test)]
@@ -228,5 +232,16 @@ mod tests {
             })
             .collect();
         assert!(read(&[&crown, &STALK]).is_empty());
+    }
+
+    #[test]
+    fn the_axis_of_a_cap_is_plumb_where_its_stalk_stands_aside() {
+        let stalk: Vec<(f32, f32)> = STALK.iter().map(|p| (p.0 + 14.0, p.1)).collect();
+        let found = read(&[&CAP, &stalk]);
+        let points = &found[0].parts[0].points;
+        let (foot, top) = (points[0].position, points[points.len() - 1].position);
+        assert!((foot.x - 14.0).abs() < 2.0, "the foot stays where it was drawn: {foot}");
+        let cap: Vec<_> = points.iter().filter(|p| p.position.y < -45.0).collect();
+        assert!(cap.len() > 5 && cap.iter().all(|p| (p.position.x - top.x).abs() < 0.5));
     }
 }
