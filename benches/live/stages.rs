@@ -3,8 +3,8 @@
 use crate::drawings;
 use penstemon::pipeline::{self, Cache};
 use penstemon::sketch::{Sketch, Stroke, StrokePoint, Tool};
+use penstemon::species::Species;
 use std::collections::BTreeMap;
-use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -27,23 +27,23 @@ pub(crate) fn print(many: usize) {
 
 fn compare(name: &str, many: usize, unit: &str, mut sketches: [Sketch; 2], on: usize) {
     let mut times: [Times; 3] = Default::default();
-    let mut caches = [Cache::default(), Cache::default()];
-    for (sketch, cache) in sketches.iter().zip(&mut caches) {
-        build(cache, sketch, &mut Times::default());
+    let mut lives = [Live::default(), Live::default()];
+    for (sketch, live) in sketches.iter().zip(&mut lives) {
+        build(live, sketch, &mut Times::default());
     }
     let stroke = extra(&sketches[0].strokes[on]);
     sketches.iter_mut().for_each(|sketch| sketch.strokes.push(Arc::clone(&stroke)));
     for count in 2..2 + SAMPLES {
-        for ((sketch, cache), times) in sketches.iter_mut().zip(&mut caches).zip(&mut times) {
+        for ((sketch, live), times) in sketches.iter_mut().zip(&mut lives).zip(&mut times) {
             let mut drawn = (*stroke).clone();
             drawn.points.truncate(count);
             if let Some(last) = sketch.strokes.last_mut() {
                 *last = Arc::new(drawn);
             }
-            build(cache, sketch, times);
+            build(live, sketch, times);
         }
         if count % SCRATCH == 0 {
-            build(&mut Cache::default(), &sketches[1], &mut times[2]);
+            build(&mut Live::default(), &sketches[1], &mut times[2]);
         }
     }
     println!("one more sample on a {name} of {} and of {many} {unit}, milliseconds", many / 4);
@@ -69,11 +69,22 @@ fn extra(on: &Stroke) -> Arc<Stroke> {
 /// Milliseconds by stage.
 type Times = BTreeMap<&'static str, Vec<f64>>;
 
-fn build(cache: &mut Cache, sketch: &Sketch, times: &mut Times) {
+/// What the window keeps of a drawing: the species is read again only when the drawing shows another plant.
+#[derive(Default)]
+struct Live {
+    cache: Cache,
+    species: Option<(String, Species)>,
+}
+
+fn build(live: &mut Live, sketch: &Sketch, times: &mut Times) {
     let begun = Instant::now();
-    let species = pipeline::species_of(sketch, Path::new("")).unwrap();
-    let params = pipeline::params_of(sketch, &species, &[]).unwrap();
-    let built = pipeline::build_with(cache, sketch, &species, &params, &|| false).unwrap();
+    let name = live.cache.species_name(sketch);
+    if live.species.as_ref().is_none_or(|(known, _)| *known != name) {
+        live.species = Some((name.clone(), Species::built_in(&name).unwrap()));
+    }
+    let Some((_, species)) = &live.species else { unreachable!("it was just read") };
+    let params = pipeline::params_of(sketch, species, &[]).unwrap();
+    let built = pipeline::build_with(&mut live.cache, sketch, species, &params, &|| false).unwrap();
     let mut note = |stage, took: Duration| times.entry(stage).or_default().push(took.as_secs_f64() * 1e3);
     note("whole", begun.elapsed());
     built.stages.into_iter().for_each(|(stage, took)| note(stage, took));
