@@ -142,7 +142,25 @@ fn read_by(propose: Propose, lines: &[Vec<glam::Vec2>]) -> Vec<Hypothesis> {
     all
 }
 
-/// The same, beside what `beneath` proposes and sets apart.
+/// The same for strokes that have these points and no others.
+#[cfg(test)]
+fn read_as_drawn(propose: Propose, lines: &[Vec<glam::Vec2>]) -> Vec<Hypothesis> {
+    let stroke = |(id, line): (usize, &Vec<glam::Vec2>)| {
+        let points = line.iter().copied().map(crate::sketch::StrokePoint::at).collect();
+        Arc::new(Stroke { id: id as u64, tool: crate::sketch::Tool::Auto, points })
+    };
+    let (strokes, mut all): (Vec<_>, _) = (lines.iter().enumerate().map(stroke).collect(), Vec::new());
+    propose(&Page::new(&strokes), &mut all);
+    all
+}
+
+/// A line through some corners.
+#[cfg(test)]
+fn line(places: &[(f32, f32)]) -> Vec<glam::Vec2> {
+    places.iter().map(|p| glam::Vec2::from(*p)).collect()
+}
+
+/// The first of these, beside what `beneath` proposes and sets apart.
 #[cfg(test)]
 fn read_above(beneath: Propose, propose: Propose, lines: &[Vec<glam::Vec2>]) -> Vec<Hypothesis> {
     let (mut page, mut all) = (Page::of_lines(lines), read_by(beneath, lines));

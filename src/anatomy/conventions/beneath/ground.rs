@@ -93,19 +93,15 @@ fn plants_on(page: &Page, number: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sketch::{Stroke, StrokePoint, Tool};
+    use crate::anatomy::conventions::line;
     use glam::Vec2;
-    use std::sync::Arc;
 
     fn read(lines: &[&[(f32, f32)]]) -> Vec<Vec<usize>> {
-        let stroke = |(id, line): (usize, &&[(f32, f32)])| {
-            let points = line.iter().map(|p| StrokePoint::at(Vec2::from(*p))).collect();
-            Arc::new(Stroke { id: id as u64, tool: Tool::Auto, points })
-        };
-        let strokes: Vec<_> = lines.iter().enumerate().map(stroke).collect();
-        let mut out = Vec::new();
-        propose(&Page::new(&strokes), &mut out);
-        out.into_iter().map(|ground| ground.uses).collect()
+        let lines: Vec<Vec<Vec2>> = lines.iter().map(|places| line(places)).collect();
+        crate::anatomy::conventions::read_as_drawn(propose, &lines)
+            .into_iter()
+            .map(|ground| ground.uses)
+            .collect()
     }
 
     const STEM: [(f32, f32); 2] = [(50.0, 98.0), (52.0, 0.0)];

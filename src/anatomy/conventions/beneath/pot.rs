@@ -257,13 +257,10 @@ impl Pot {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::anatomy::conventions::line;
 
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
         crate::anatomy::conventions::read_by(propose, lines)
-    }
-
-    fn line(points: &[(f32, f32)]) -> Vec<Vec2> {
-        points.iter().map(|p| Vec2::from(*p)).collect()
     }
 
     fn body() -> Vec<Vec2> {

@@ -10,7 +10,10 @@ use super::spines::Spines;
 use crate::anatomy::conventions::page::{self, Line, even, notches};
 use crate::anatomy::conventions::shapes::medial_axis::medial_axes;
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, share_along, smooth_contour};
-use crate::geom::simple_loop::{self, hull_area};
+use crate::geom::{
+    polyline,
+    simple_loop::{self, hull_area},
+};
 use glam::Vec2;
 use std::f32::consts::PI;
 
@@ -148,11 +151,11 @@ fn body(silhouette: &Silhouette, foot: Option<(Vec2, Vec2)>, spines: &Spines) ->
 
 /// The middle of the lowest part of an outline, or between the ends of the line where it is open about as wide as that.
 fn root(outline: &[Vec2], foot: Option<(Vec2, Vec2)>) -> Option<Vec2> {
-    let (top, bottom) =
-        outline.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |all, p| (all.0.min(p.y), all.1.max(p.y)));
+    let (top, bottom) = polyline::bounds(outline.iter().copied());
+    let (top, bottom) = (top.y, bottom.y);
     let low = outline.iter().filter(|p| p.y > bottom - LOWEST * (bottom - top));
-    let (left, right) =
-        low.fold((f32::INFINITY, f32::NEG_INFINITY), |all, p| (all.0.min(p.x), all.1.max(p.x)));
+    let (left, right) = polyline::bounds(low.copied());
+    let (left, right) = (left.x, right.x);
     match foot {
         Some((a, b)) if a == b || a.distance(b) > 0.5 * (right - left) => Some(a.midpoint(b)),
         _ => (left <= right).then(|| Vec2::new(0.5 * (left + right), bottom)),

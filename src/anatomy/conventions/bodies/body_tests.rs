@@ -1,12 +1,9 @@
 //! Cacti in the ways in which people draw them, and what is none.
 
 use super::*;
+use crate::anatomy::conventions::line;
 use crate::sketch::Tool;
 use std::f32::consts::PI;
-
-fn line(points: &[(f32, f32)]) -> Vec<Vec2> {
-    points.iter().map(|p| Vec2::from(*p)).collect()
-}
 
 fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
     crate::anatomy::conventions::read_above(

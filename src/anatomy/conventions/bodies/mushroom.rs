@@ -146,18 +146,11 @@ fn whole(trunk: &Trunk, cap: &Cap) -> Made {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sketch::Stroke;
-    use std::sync::Arc;
+    use crate::anatomy::conventions::line;
 
     fn read(lines: &[&[(f32, f32)]]) -> Vec<Hypothesis> {
-        let stroke = |(id, line): (usize, &&[(f32, f32)])| {
-            let points = line.iter().map(|p| StrokePoint::at(Vec2::from(*p))).collect();
-            Arc::new(Stroke { id: id as u64, tool: Tool::Auto, points })
-        };
-        let strokes: Vec<_> = lines.iter().enumerate().map(stroke).collect();
-        let mut out = Vec::new();
-        propose(&Page::new(&strokes), &mut out);
-        out
+        let lines: Vec<Vec<Vec2>> = lines.iter().map(|places| line(places)).collect();
+        crate::anatomy::conventions::read_as_drawn(propose, &lines)
     }
 
     const CAP: [(f32, f32); 9] = [

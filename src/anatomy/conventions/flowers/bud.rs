@@ -129,14 +129,11 @@ fn is_round(head: &Line) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::anatomy::conventions::line;
     use std::f32::consts::TAU;
 
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
         crate::anatomy::conventions::read_by(propose, lines)
-    }
-
-    fn line(places: &[(f32, f32)]) -> Vec<Vec2> {
-        places.iter().map(|p| Vec2::from(*p)).collect()
     }
 
     /// An ellipse on (0, 0), open below by that angle.

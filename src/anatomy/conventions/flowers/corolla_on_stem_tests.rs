@@ -1,13 +1,10 @@
 //! Tests of flowers without a drawn centre, on a stem or not.
 
 use super::*;
+use crate::anatomy::conventions::line;
 
 fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
     crate::anatomy::conventions::read_by(propose, lines)
-}
-
-fn line(places: &[(f32, f32)]) -> Vec<Vec2> {
-    places.iter().map(|p| Vec2::from(*p)).collect()
 }
 
 /// Six lobes around (0, 0), the stroke begun at their foot.

@@ -224,13 +224,10 @@ fn petal(base: Vec2, tip: Vec2, half: f32) -> Vec<Vec2> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::anatomy::conventions::line;
 
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
         crate::anatomy::conventions::read_by(propose, lines)
-    }
-
-    fn line(places: &[(f32, f32)]) -> Vec<Vec2> {
-        places.iter().map(|p| Vec2::from(*p)).collect()
     }
 
     /// From the left rim of a cup on the origin down and up to its right rim.

@@ -105,14 +105,11 @@ fn lobes_of(blade: &Blade) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::anatomy::conventions::line;
     use std::f32::consts::{PI, TAU};
 
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
         crate::anatomy::conventions::read_by(propose, lines)
-    }
-
-    fn line(places: &[(f32, f32)]) -> Vec<Vec2> {
-        places.iter().map(|p| Vec2::from(*p)).collect()
     }
 
     /// A blade from (0, 0) up to (0, -100), begun at its side.

@@ -144,19 +144,10 @@ fn stems(outline: &[Vec2], (low, high): (Vec2, Vec2)) -> Vec<Made> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sketch::{Stroke, StrokePoint};
     use std::f32::consts::{PI, TAU};
-    use std::sync::Arc;
 
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
-        let stroke = |(id, line): (usize, &Vec<Vec2>)| {
-            let points = line.iter().map(|p| StrokePoint::at(*p)).collect();
-            Arc::new(Stroke { id: id as u64, tool: Tool::Auto, points })
-        };
-        let strokes: Vec<_> = lines.iter().enumerate().map(stroke).collect();
-        let mut out = Vec::new();
-        propose(&Page::new(&strokes), &mut out);
-        out
+        crate::anatomy::conventions::read_as_drawn(propose, lines)
     }
 
     fn cloud(lobes: f32, from: f32, to: f32) -> Vec<Vec2> {

@@ -280,13 +280,10 @@ impl Sides {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::anatomy::conventions::line;
 
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
         crate::anatomy::conventions::read_by(propose, lines)
-    }
-
-    fn line(points: &[(f32, f32)]) -> Vec<Vec2> {
-        points.iter().map(|p| Vec2::from(*p)).collect()
     }
 
     fn triangle(top: f32, foot: f32, half: f32) -> Vec<Vec2> {

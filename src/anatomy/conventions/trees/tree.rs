@@ -220,9 +220,8 @@ fn is_compact(silhouette: &Silhouette, hull: &[Vec2], half_trunk: f32) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sketch::{Stroke, StrokePoint};
+    use crate::anatomy::conventions::line;
     use std::f32::consts::TAU;
-    use std::sync::Arc;
 
     /// A cloud of `lobes` around (0, -100), from the angle `from` to `to` about straight down.
     fn cloud(lobes: f32, from: f32, to: f32) -> Vec<Vec2> {
@@ -234,19 +233,8 @@ mod tests {
         (0..=200).map(place).collect()
     }
 
-    fn line(points: &[(f32, f32)]) -> Vec<Vec2> {
-        points.iter().map(|p| Vec2::from(*p)).collect()
-    }
-
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
-        let stroke = |(id, line): (usize, &Vec<Vec2>)| {
-            let points = line.iter().map(|p| StrokePoint::at(*p)).collect();
-            Arc::new(Stroke { id: id as u64, tool: Tool::Auto, points })
-        };
-        let strokes: Vec<_> = lines.iter().enumerate().map(stroke).collect();
-        let mut out = Vec::new();
-        propose(&Page::new(&strokes), &mut out);
-        out
+        crate::anatomy::conventions::read_as_drawn(propose, lines)
     }
 
     fn parts(tree: &Hypothesis) -> (&Made, &Made) {

@@ -191,6 +191,7 @@ impl Crown<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::anatomy::conventions::line;
     use std::f32::consts::TAU;
 
     fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
@@ -205,10 +206,6 @@ mod tests {
             Vec2::new(0.0, -100.0) + reach * Vec2::new(-angle.sin(), angle.cos())
         };
         (0..=200).map(place).collect()
-    }
-
-    fn line(points: &[(f32, f32)]) -> Vec<Vec2> {
-        points.iter().map(|p| Vec2::from(*p)).collect()
     }
 
     fn stem() -> Vec<Vec2> {

@@ -193,15 +193,12 @@ mod tests {
         assert!(read(&with(0.0)).is_empty(), "branches that rise");
     }
 
+    fn pot() -> Vec<Vec2> {
+        [(-20.0, -40.0), (-15.0, 0.0), (15.0, 0.0), (20.0, -40.0), (-20.0, -40.0)].map(Vec2::from).to_vec()
+    }
+
     #[test]
     fn blades_that_fill_a_pot_have_their_roots_in_it() {
-        let pot = vec![
-            Vec2::new(-20.0, -40.0),
-            Vec2::new(-15.0, 0.0),
-            Vec2::new(15.0, 0.0),
-            Vec2::new(20.0, -40.0),
-            Vec2::new(-20.0, -40.0),
-        ];
         let blade = |x: f32| {
             vec![
                 Vec2::new(-2.0, -41.0),
@@ -211,7 +208,7 @@ mod tests {
                 Vec2::new(2.0, -41.0),
             ]
         };
-        let found = read(&[pot, blade(-40.0), blade(2.0), blade(40.0)]);
+        let found = read(&[pot(), blade(-40.0), blade(2.0), blade(40.0)]);
         assert_eq!(found.len(), 1);
         assert_eq!((found[0].parts.len(), found[0].habit), (3, None));
         let root = found[0].parts[0].points[0].position;
@@ -220,19 +217,12 @@ mod tests {
 
     #[test]
     fn leaves_along_a_stem_in_a_pot_are_no_fronds() {
-        let pot = vec![
-            Vec2::new(-20.0, -40.0),
-            Vec2::new(-15.0, 0.0),
-            Vec2::new(15.0, 0.0),
-            Vec2::new(20.0, -40.0),
-            Vec2::new(-20.0, -40.0),
-        ];
         let leaf = |y: f32, x: f32| {
             let corners = [(0.0, 0.0), (0.5, -14.0), (1.0, -10.0), (0.5, 2.0), (0.0, 0.0)];
             corners.map(|(t, dy)| Vec2::new(x * t, y + dy)).to_vec()
         };
         let stem = vec![Vec2::new(0.0, -38.0), Vec2::new(1.0, -130.0)];
-        assert!(read(&[pot, stem, leaf(-75.0, 40.0), leaf(-95.0, -40.0), leaf(-130.0, 30.0)]).is_empty());
+        assert!(read(&[pot(), stem, leaf(-75.0, 40.0), leaf(-95.0, -40.0), leaf(-130.0, 30.0)]).is_empty());
     }
 
     #[test]

@@ -4,8 +4,8 @@
 //! is the one from which most of what is drawn radiates ([`Crown`]). Every spike is a blade from there.
 //!
 //! What speaks for a tuft: nearly all that is drawn there are spikes ([`EXPLAINED`]), slender and with sharp tips, none of them goes
-//! down ([`DOWN`]), which would be a stalk or a trunk, none lies in another, and nothing else is drawn far below. Corollas and stars go all around, leaves of
-//! plants are broader, limbs of cacti blunt.
+//! down ([`DOWN`]), which would be a stalk or a trunk, none lies in another, and nothing else is drawn far below. Corollas and stars
+//! go all around, leaves of plants are broader, limbs of cacti blunt.
 //!
 //! Limits: a tuft of two blades, or one whose blades lie level, is not found.
 
@@ -13,7 +13,7 @@ use super::frond_crown::Crown;
 use crate::anatomy::conventions::page::Page;
 use crate::anatomy::conventions::shapes::spikes::{Spike, spikes};
 use crate::anatomy::conventions::{Habit, Hypothesis};
-use crate::geom::region::Region;
+use crate::geom::{polyline, region::Region};
 use crate::sketch::Reading;
 use glam::Vec2;
 
@@ -73,8 +73,8 @@ fn tuft(page: &Page, group: &[usize]) -> Option<Hypothesis> {
 
 /// Where blades may come together: the lowest ends and notches, and the middle of all ends that are low.
 fn places(runs: &[(Vec<Vec2>, usize)]) -> Vec<Vec2> {
-    let heights = || runs.iter().flat_map(|run| &run.0).map(|p| p.y);
-    let (top, foot) = heights().fold((f32::INFINITY, f32::NEG_INFINITY), |(l, h), y| (l.min(y), h.max(y)));
+    let (high, low) = polyline::bounds(runs.iter().flat_map(|run| &run.0).copied());
+    let (top, foot) = (high.y, low.y);
     let ends = runs.iter().flat_map(|run| [run.0[0], run.0[run.0.len() - 1]]);
     let feet = |run: &(Vec<Vec2>, usize)| {
         let all = spikes(&run.0, |p| -p.y, PROMINENCE * (foot - top));
