@@ -10,7 +10,7 @@ use std::collections::HashSet;
 use std::sync::Arc;
 
 /// What is said of some strokes.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Correction {
     /// The strokes, ascending, each once, at least one.
     pub strokes: Vec<StrokeId>,
@@ -19,7 +19,7 @@ pub struct Correction {
 }
 
 /// What can be said of strokes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Verdict {
     /// They are not this together; the next likely reading holds.
     Not(Reading),

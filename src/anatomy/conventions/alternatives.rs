@@ -4,8 +4,7 @@
 //! stands and once without the pot, ground or sun that hides them. Last comes that each stroke is a part by itself. Nothing of it
 //! is computed while a drawing grows, only when somebody asks.
 
-use super::page::Page;
-use super::{ConventionParams, Hypothesis, plants, proposed};
+use super::{ConventionParams, Hypothesis, Memory, proposals};
 use crate::sketch::corrections::{corrected, shares_most};
 use crate::sketch::{Correction, Reading, Sketch, StrokeId, Verdict};
 
@@ -40,11 +39,9 @@ pub fn alternatives(sketch: &Sketch, params: &ConventionParams, about: &[StrokeI
 
 /// The readings of these strokes that are proposed, with their scores.
 fn readings_of(sketch: &Sketch, corrections: &[Correction], about: &[StrokeId]) -> Vec<(f32, Correction)> {
-    let mut page = Page::new(&sketch.strokes);
-    let proposals = proposed(&mut plants::Proposals::for_one_call(), &mut page, &sketch.strokes, corrections);
+    let proposals = proposals(&mut Memory::for_one_build(), &sketch.strokes, corrections);
     let correction = |h: Hypothesis| {
-        let strokes: Vec<StrokeId> =
-            h.uses.iter().map(|line| sketch.strokes[page.lines[*line].stroke].id).collect();
+        let strokes: Vec<StrokeId> = h.uses.iter().map(|stroke| sketch.strokes[*stroke].id).collect();
         let shared = strokes.iter().filter(|stroke| about.contains(stroke)).count();
         let is_about = h.score > 0.0 && shares_most(shared, strokes.len(), about.len());
         is_about.then(|| (h.score, Correction::new(strokes, Verdict::As(h.reading))))

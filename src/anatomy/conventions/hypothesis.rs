@@ -72,7 +72,7 @@ impl Solid {
 /// A reading of some strokes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hypothesis {
-    /// Which lines of the page it explains, ascending.
+    /// What it explains, ascending: lines of the page that it was read from, or in the end strokes by their places.
     pub uses: Vec<usize>,
     /// Log-odds against leaving these strokes to the classifier; below 0 it is never taken.
     pub score: f32,

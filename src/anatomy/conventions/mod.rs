@@ -16,6 +16,7 @@
 //! | `alternatives` | other readings of some strokes, for the artist to choose from |
 //! | `pieces` | what hypotheses make: strokes with tools |
 //! | `plants` | plants that stand side by side, each with a page of its own |
+//! | `meadow` | many plants, each read alone |
 //!
 //! | folder | what |
 //! | --- | --- |
@@ -42,6 +43,7 @@ mod bodies;
 mod corrected;
 mod flowers;
 mod leaves;
+mod meadow;
 mod plants;
 mod shapes;
 mod trees;
@@ -76,6 +78,7 @@ crate::parameters! {
 pub struct Memory {
     shapes: page::Shapes,
     plants: plants::Proposals,
+    meadow: meadow::Memory,
     last: Option<Last>,
 }
 
@@ -91,7 +94,8 @@ struct Last {
 impl Memory {
     /// For a single drawing, of which nothing is kept.
     pub fn for_one_build() -> Self {
-        Self { shapes: page::Shapes::for_one_call(), plants: plants::Proposals::for_one_call(), last: None }
+        let (shapes, plants) = (page::Shapes::for_one_call(), plants::Proposals::for_one_call());
+        Self { shapes, plants, meadow: meadow::Memory::for_one_build(), last: None }
     }
 }
 
@@ -120,9 +124,8 @@ pub fn interpret_with(
     if let Some(last) = known.last.as_ref().filter(is_same) {
         return last.interpretation.clone();
     }
-    let mut page = Page::with(&mut known.shapes, strokes);
-    let chosen = choice::best(proposed(&mut known.plants, &mut page, strokes, corrections));
-    let mut interpretation = Interpretation::of(strokes, &page, chosen);
+    let chosen = choice::best(proposals(known, strokes, corrections));
+    let mut interpretation = Interpretation::of(strokes, chosen);
     if let Some(last) = &known.last {
         interpretation.share_with(&last.interpretation);
     }
@@ -197,7 +200,19 @@ const CONVENTIONS: &[Propose] = &[
     tuft::propose,
 ];
 
-/// What every convention proposes, as far as the corrections leave it.
+/// What is proposed for a drawing, by the places of its strokes.
+fn proposals(known: &mut Memory, strokes: &[Arc<Stroke>], corrections: &[Correction]) -> Vec<Hypothesis> {
+    let alone = |page: &mut Page, strokes: &[Arc<Stroke>], corrections: &[Correction]| {
+        proposed(&mut plants::Proposals::for_one_call(), page, strokes, corrections)
+    };
+    meadow::proposals(&mut known.meadow, strokes, corrections, alone).unwrap_or_else(|| {
+        let mut page = Page::with(&mut known.shapes, strokes);
+        let proposed = proposed(&mut known.plants, &mut page, strokes, corrections);
+        page.by_strokes(proposed)
+    })
+}
+
+/// What every convention proposes for a page, by its lines, as far as the corrections leave it.
 fn proposed(
     known: &mut plants::Proposals,
     page: &mut Page,

@@ -3,6 +3,7 @@
 //! A line is its stroke at even steps of arc length, at most 400 of them: angles and corners then
 //! mean the same in a fast and in a slow hand. All lengths are canvas pixels.
 
+use super::Hypothesis;
 use crate::geom::{convex_hull::convex_hull, meetings, polyline, region::Region, simple_loop};
 use crate::kept::{Kept, Same};
 use crate::sketch::{Stroke, Tool};
@@ -119,6 +120,12 @@ impl Page {
         self.length -= new.map(|line| self.lines[*line].length).sum::<f32>();
         self.apart = lines;
         self.group();
+    }
+
+    /// The same hypotheses by the places of strokes in the drawing instead of by lines.
+    pub(super) fn by_strokes(&self, mut hypotheses: Vec<Hypothesis>) -> Vec<Hypothesis> {
+        hypotheses.iter_mut().flat_map(|it| &mut it.uses).for_each(|line| *line = self.lines[*line].stroke);
+        hypotheses
     }
 
     /// Whether a line belongs to no group.

@@ -3,7 +3,7 @@
 //! A piece stands in the drawing where the first of its strokes stood. Its stroke has a name of its own, made from that stroke's
 //! and its number, so that it has random streams of its own and a new stroke elsewhere changes nothing.
 
-use super::{Habit, Hypothesis, Made, Solid, page::Page};
+use super::{Habit, Hypothesis, Made, Solid};
 use crate::checksum;
 use crate::sketch::{Reading, Remark, Stroke, StrokeId, Warning};
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -60,7 +60,8 @@ impl Interpretation {
     }
 
     /// The strokes of a drawing, some of them replaced by what hypotheses make of them.
-    pub(super) fn of(strokes: &[Arc<Stroke>], page: &Page, chosen: Vec<Hypothesis>) -> Self {
+    /// Those use strokes by their places.
+    pub(super) fn of(strokes: &[Arc<Stroke>], chosen: Vec<Hypothesis>) -> Self {
         if chosen.is_empty() {
             return Self::untouched(strokes);
         }
@@ -69,10 +70,9 @@ impl Interpretation {
         let mut made_at: BTreeMap<usize, Vec<Arc<Stroke>>> = BTreeMap::new();
         let mut is_used = vec![false; strokes.len()];
         for Hypothesis { uses, parts, solids, reading, .. } in chosen {
-            let used: Vec<usize> = uses.iter().map(|line| page.lines[*line].stroke).collect();
-            used.iter().for_each(|stroke| is_used[*stroke] = true);
-            let drawn: Vec<StrokeId> = used.iter().map(|stroke| strokes[*stroke].id).collect();
-            let Some((&place, &first)) = used.first().zip(drawn.first()) else { continue };
+            uses.iter().for_each(|stroke| is_used[*stroke] = true);
+            let drawn: Vec<StrokeId> = uses.iter().map(|stroke| strokes[*stroke].id).collect();
+            let Some((&place, &first)) = uses.first().zip(drawn.first()) else { continue };
             it.remarks.push(Warning { stroke: Some(first), remark: Remark::ReadAs(reading) });
             it.solids.extend(solids.into_iter().map(|solid| DrawnSolid { stroke: first, solid }));
             for (number, Made { tool, points, half_width }) in parts.into_iter().enumerate() {

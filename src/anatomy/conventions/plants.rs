@@ -8,7 +8,7 @@
 //! points of each line once more.
 //!
 //! Limits: plants that overlap from left to right are looked at together, on the page of the whole, and so
-//! are those of a meadow, more than [`MOST`].
+//! are more than [`MOST`] that are no meadow.
 
 use super::Hypothesis;
 use super::page::{Line, Page};
@@ -81,12 +81,13 @@ pub(super) fn proposed(
 /// What is proposed for strokes that are a whole drawing, by their places; nothing unless they are a plant then.
 fn proposed_alone(strokes: &[Arc<Stroke>], propose: impl Fn(&Page) -> Vec<Hypothesis>) -> Vec<Hypothesis> {
     let page = Page::new(strokes);
-    let mut found = propose(&page);
-    if !found.iter().any(|hypothesis| hypothesis.habit.is_some() && hypothesis.score > 0.0) {
-        return Vec::new();
-    }
-    found.iter_mut().flat_map(|it| &mut it.uses).for_each(|line| *line = page.lines[*line].stroke);
-    found
+    let found = propose(&page);
+    if is_plant(&found) { page.by_strokes(found) } else { Vec::new() }
+}
+
+/// Whether what is proposed may be a plant, and not just a leaf or a twig.
+pub(super) fn is_plant(proposed: &[Hypothesis]) -> bool {
+    proposed.iter().any(|hypothesis| hypothesis.habit.is_some() && hypothesis.score > 0.0)
 }
 
 /// The plants of a page from left to right, without what is set apart and without one line more.

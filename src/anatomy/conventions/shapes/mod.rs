@@ -2,6 +2,7 @@
 //!
 //! | file | what |
 //! | --- | --- |
+//! | `grid` | cells in rows: distances, connected areas |
 //! | `silhouette` | the area that strokes enclose together, on a grid; its rows and its contour |
 //! | `medial_axis` | the middle lines of an area, a trunk and its arms |
 //! | `lobes` | an outline cut at its notches toward a centre |
@@ -10,6 +11,7 @@
 //! | `stem_tail` | a stem in one stroke with what it carries |
 
 pub(crate) mod folds;
+mod grid;
 pub(crate) mod lobes;
 pub(crate) mod medial_axis;
 pub(crate) mod silhouette;

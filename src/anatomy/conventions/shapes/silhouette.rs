@@ -4,6 +4,7 @@
 //! back by as much, is outside, the rest is the silhouette (a morphological closing). Its contour runs between inner and
 //! outer cells. Cost: the number of cells, [`LONG_SIDE`]² at most, whatever the lines.
 
+use super::grid::{Grid, STEPS};
 use crate::anatomy::conventions::page::even;
 use crate::geom::polyline;
 use glam::{IVec2, Vec2};
@@ -11,9 +12,6 @@ use std::collections::HashSet;
 
 /// Cells along the longer side.
 const LONG_SIDE: f32 = 112.0;
-/// What a step to a cell beside and one to a cell across count, about as long as they are.
-const CHAMFER: (u16, u16) = (5, 7);
-
 /// Half cells in which a line may still be met that a way begins on.
 const OWN_LINE: usize = 6;
 
@@ -68,58 +66,14 @@ impl Silhouette {
     }
 
     fn fill(&mut self, thick: i32) {
-        let wall = CHAMFER.0 * thick as u16;
-        let to_ink = self.distances(|i| self.ink[i]);
+        let wall = STEPS * thick as u16;
+        let grid = self.grid();
+        let to_ink = grid.distances(|i| self.ink[i]);
         // The margin is wider than lines are thickened, so the first cell is outside.
-        let outside = self.connected(0, |i| to_ink[i] > wall);
-        let to_outside = self.distances(|i| outside[i]);
+        let outside = grid.connected(0, |i| to_ink[i] > wall);
+        let to_outside = grid.distances(|i| outside[i]);
         self.inside = (0..self.ink.len()).map(|i| self.ink[i] || to_outside[i] > wall).collect();
         self.largest = self.largest_area();
-    }
-
-    /// Distance of each cell from the nearest that is a source, in steps to the eight neighbours, which count [`CHAMFER`]: two
-    /// sweeps (Borgefors, “Distance transformations in digital images”, 1986). Cells on the rim of the grid count as far away.
-    fn distances(&self, is_source: impl Fn(usize) -> bool) -> Vec<u16> {
-        let far = u16::MAX - CHAMFER.1;
-        let mut distance: Vec<u16> =
-            (0..self.ink.len()).map(|i| if is_source(i) { 0 } else { far }).collect();
-        let (width, height) = (self.size.x as usize, self.size.y as usize);
-        let before = [(1, CHAMFER.0), (width - 1, CHAMFER.1), (width, CHAMFER.0), (width + 1, CHAMFER.1)];
-        let inner = |row: usize| row * width + 1..(row + 1) * width - 1;
-        for i in (1..height - 1).flat_map(inner) {
-            let nearest = before.iter().map(|(offset, step)| distance[i - offset] + step).min();
-            distance[i] = distance[i].min(nearest.unwrap_or(far)).min(far);
-        }
-        for i in (1..height - 1).rev().flat_map(|row| inner(row).rev()) {
-            let nearest = before.iter().map(|(offset, step)| distance[i + offset] + step).min();
-            distance[i] = distance[i].min(nearest.unwrap_or(far)).min(far);
-        }
-        distance
-    }
-
-    /// The cells that are connected with one through open cells, over their sides.
-    fn connected(&self, first: usize, is_open: impl Fn(usize) -> bool) -> Vec<bool> {
-        let mut is_reached = vec![false; self.ink.len()];
-        let mut open = vec![first];
-        is_reached[first] = true;
-        while let Some(i) = open.pop() {
-            for next in self.sides(i) {
-                if !is_reached[next] && is_open(next) {
-                    is_reached[next] = true;
-                    open.push(next);
-                }
-            }
-        }
-        is_reached
-    }
-
-    fn sides(&self, i: usize) -> impl Iterator<Item = usize> + use<> {
-        let (size, at) = (self.size, self.place_of(i));
-        [IVec2::X, IVec2::NEG_X, IVec2::Y, IVec2::NEG_Y]
-            .into_iter()
-            .map(move |step| at + step)
-            .filter(move |at| at.cmpge(IVec2::ZERO).all() && at.cmplt(size).all())
-            .map(move |at| (at.y * size.x + at.x) as usize)
     }
 
     fn cell_at(&self, p: Vec2) -> IVec2 {
@@ -161,8 +115,8 @@ impl Silhouette {
     /// The same area without what is narrower than twice `half` cells (a morphological opening).
     pub(crate) fn without_thin_parts(mut self, half: f32) -> Self {
         let depths = self.depths();
-        let to_core = self.distances(|i| depths[i] > half);
-        let reach = (half * f32::from(CHAMFER.0)).ceil() as u16;
+        let to_core = self.grid().distances(|i| depths[i] > half);
+        let reach = (half * f32::from(STEPS)).ceil() as u16;
         (0..self.inside.len()).for_each(|i| self.inside[i] &= to_core[i] <= reach);
         self.largest = self.largest_area();
         self
@@ -170,8 +124,8 @@ impl Silhouette {
 
     /// Distance of each cell from the outside, cells; 0 outside.
     pub(crate) fn depths(&self) -> Vec<f32> {
-        let distances = self.distances(|i| !self.inside[i]);
-        distances.into_iter().map(|distance| f32::from(distance) / f32::from(CHAMFER.0)).collect()
+        let distances = self.grid().distances(|i| !self.inside[i]);
+        distances.into_iter().map(|distance| f32::from(distance) / f32::from(STEPS)).collect()
     }
 
     /// The eight neighbours of a cell and their distances, cells.
@@ -256,31 +210,13 @@ impl Silhouette {
 
     /// The largest connected area, of equals the first.
     fn largest_area(&self) -> Vec<bool> {
-        let mut is_seen = vec![false; self.inside.len()];
-        let mut best: Vec<usize> = Vec::new();
-        for first in 0..is_seen.len() {
-            if is_seen[first] || !self.inside[first] {
-                continue;
-            }
-            let mut members = vec![first];
-            is_seen[first] = true;
-            let mut next = 0;
-            while next < members.len() {
-                for side in self.sides(members[next]) {
-                    if !is_seen[side] && self.inside[side] {
-                        is_seen[side] = true;
-                        members.push(side);
-                    }
-                }
-                next += 1;
-            }
-            if members.len() > best.len() {
-                best = members;
-            }
-        }
-        let mut area = vec![false; is_seen.len()];
-        best.into_iter().for_each(|i| area[i] = true);
-        area
+        let (number_of, sizes) = self.grid().areas(|i| self.inside[i]);
+        let largest = (1..=sizes.len() as u32).rev().max_by_key(|number| sizes[*number as usize - 1]);
+        number_of.into_iter().map(|number| Some(number) == largest).collect()
+    }
+
+    fn grid(&self) -> Grid {
+        Grid::new(self.size)
     }
 }
 
