@@ -139,7 +139,7 @@ fn build(sketch: &Sketch, set: &[&str]) -> Built {
 }
 
 /// How silhouette and drawn crown agree, as shares of the crown's area: intersection over union, and what lies outside.
-fn agreement(built: &Built) -> (f32, f32) {
+pub(crate) fn agreement(built: &Built) -> (f32, f32) {
     agreement_with(&built.plant, depth::crowns(&built.anatomy, &built.provenance.world_from_canvas))
 }
 

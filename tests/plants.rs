@@ -17,6 +17,7 @@ mod outlines;
 #[path = "common/people.rs"]
 mod people;
 mod people_drawings;
+mod people_silhouettes;
 mod properties;
 mod several;
 mod sketches;
