@@ -56,7 +56,7 @@ use crate::sketch::{Correction, Corrections, Reading, Stroke};
 use beneath::{ground, pot};
 use bodies::{body, mushroom};
 use corrected::Corrected;
-use flowers::{bud, corolla, corolla_on_stem, cup, gathered, rays, rose};
+use flowers::{bud, corolla, corolla_on_stem, cup, gathered, rays, rose, row};
 use leaves::{leaf, leaf_loops, stem_arcs, stem_loops};
 use page::Page;
 use rayon::prelude::*;
@@ -191,6 +191,7 @@ const CONVENTIONS: &[Propose] = &[
     cup::propose,
     bud::propose,
     rose::propose,
+    row::propose,
     leaf::propose,
     leaf_loops::propose,
     stem_loops::propose,

@@ -128,6 +128,11 @@ impl Page {
         hypotheses
     }
 
+    /// Whether some line belongs to no group.
+    pub(super) fn has_apart(&self) -> bool {
+        !self.apart.is_empty()
+    }
+
     /// Whether a line belongs to no group.
     pub(super) fn is_apart(&self, line: usize) -> bool {
         self.apart.binary_search(&line).is_ok()

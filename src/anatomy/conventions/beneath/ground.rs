@@ -2,10 +2,12 @@
 //!
 //! What speaks for the ground is that the line is nearly straight and level, spans most of the drawing and lies in its lower part
 //! with nothing below. If plants stand on it side by side, it may roll, lie higher, and pass behind their stems, as the
-//! ground of a garden does; one plant is enough where it lies low. It becomes no part of the plant. Limits: ground drawn
+//! ground of a garden does; one plant is enough where it lies low. The outline of a bed, wider than high, is the ground as well if
+//! several stems that carry something stand in it side by side. It becomes no part of the plant. Limits: ground drawn
 //! as one high hill, in pieces, or as grass is not found here (for grass see [`grass`](super::grass)).
 
 use crate::anatomy::conventions::Hypothesis;
+use crate::anatomy::conventions::flowers::upright::feet_within;
 use crate::anatomy::conventions::page::{Line, Page};
 use crate::anatomy::conventions::plants::{self, Plant};
 use crate::sketch::Reading;
@@ -27,6 +29,12 @@ const ROLLING: (f32, f32) = (0.8, 0.25);
 const PLANTS: usize = 2;
 const NARROW: f32 = 0.5;
 const MOST: f32 = 0.8;
+/// Of the outline of a bed: largest opening, least share of its hull that it encloses, least width over its height and as a share of
+/// the drawing's, and least distance between the outer stems in it, as a share of its width.
+const BED: (f32, f32, f32, f32, f32) = (0.3, 0.75, 1.3, 0.5, 0.25);
+/// What each stem in it adds to the log-odds of a bed, and how many are counted.
+const EACH: f32 = 1.0;
+const MOST_FEET: usize = 6;
 /// Log-odds of a ground line.
 const SCORE: f32 = 2.0;
 
@@ -37,15 +45,29 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let lowest = lines().filter(|i| is_ground(page, &page.lines[*i]));
     let lowest = lowest.max_by(|a, b| height(a).total_cmp(&height(b)));
     let widest = lines().max_by(|a, b| page.lines[*a].size().x.total_cmp(&page.lines[*b].size().x));
-    let ground = lowest.or(widest.filter(|i| carries_a_garden(page, *i)));
-    out.extend(ground.map(|line| Hypothesis {
+    let bed = || lines().find_map(|i| Some((i, bed(page, i)?)));
+    let ground = lowest.or(widest.filter(|i| carries_a_garden(page, *i))).map(|line| (line, SCORE));
+    out.extend(ground.or_else(bed).map(|(line, score)| Hypothesis {
         uses: vec![line],
-        score: SCORE,
+        score,
         parts: Vec::new(),
         solids: Vec::new(),
         reading: Reading::Ground,
         habit: None,
     }));
+}
+
+/// Log-odds that a line is the outline of a bed, wider than high, in which several stems stand side by side.
+fn bed(page: &Page, number: usize) -> Option<f32> {
+    let line = &page.lines[number];
+    let size = line.size();
+    let is_of_form = line.openness < BED.0 && line.solidity() > BED.1 && size.x > BED.2 * size.y;
+    if !is_of_form || size.x < BED.3 * (page.bounds.1.x - page.bounds.0.x) {
+        return None;
+    }
+    let (feet, spread) = feet_within(page, line.bounds);
+    let stands = feet >= PLANTS && spread > BED.4 * size.x;
+    stands.then(|| SCORE + EACH * feet.min(MOST_FEET) as f32)
 }
 
 /// Whether a line is level and lies below all else that is drawn.
@@ -145,6 +167,18 @@ mod tests {
     fn a_wide_drawing_with_one_low_plant_has_level_ground() {
         let level = vec![(0.0, 2.0), (800.0, -4.0)];
         assert_eq!(read_all(&[flower(150.0, 0.0).to_vec(), vec![level]].concat()), [[2]]);
+    }
+
+    #[test]
+    fn the_outline_of_a_bed_is_the_ground_but_not_that_of_a_leaf_or_a_pot() {
+        let rectangle =
+            |high: f32| vec![(-60.0, -high), (560.0, -high), (555.0, 60.0), (-55.0, 60.0), (-60.0, -high)];
+        let row = [flower(60.0, 10.0), flower(250.0, 15.0), flower(440.0, 5.0)].concat();
+        assert_eq!(read_all(&[row.clone(), vec![rectangle(30.0)]].concat()), [[6]], "they rise above it");
+        assert_eq!(read_all(&[row, vec![rectangle(120.0)]].concat()), [[6]], "all of them in it");
+        let veins = (0..4).map(|k| vec![(100.0 * k as f32, 20.0), (100.0 * k as f32 + 40.0, -30.0)]);
+        assert!(read_all(&veins.chain([rectangle(60.0)]).collect::<Vec<_>>()).is_empty());
+        assert!(read_all(&[flower(250.0, 15.0).to_vec(), vec![rectangle(30.0)]].concat()).is_empty());
     }
 
     #[test]

@@ -12,6 +12,7 @@
 //! Limits: a pot beside something that stands lower is not found; a pot in one stroke with its plant is not found, nor one behind leaves that hang over both of its sides.
 
 use super::pot_rows::{ROWS, Row, mirrored, profile, rows};
+use crate::anatomy::conventions::flowers::upright::feet_within;
 use crate::anatomy::conventions::page::{Line, Page};
 use crate::anatomy::conventions::{Hypothesis, Solid, SolidKind};
 use crate::geom::{convex_hull::convex_hull, simple_loop};
@@ -47,6 +48,10 @@ const PLANT: f32 = 0.4;
 const ENTRY: f32 = 0.85;
 /// Log-odds: more than those of a tree, whose trunk a pot would be.
 const SCORE: f32 = 3.5;
+/// Least width of a bed over its height, and least distance between the outer stems in it, as a share of its width.
+const BED: (f32, f32) = (1.8, 0.25);
+/// How near to the upper end of a side something else ends that it carries, as a share of its height.
+const CARRIED: f32 = 0.12;
 /// How far other things may reach below it, in heights of the pot: under it, and beside it, where they may stand before it.
 const BELOW: (f32, f32) = (0.15, 0.5);
 /// Candidates that are looked at, the lowest first.
@@ -71,7 +76,7 @@ fn pot(page: &Page, body: usize) -> Option<Hypothesis> {
     let lines: Vec<&[Vec2]> = pot.uses.iter().map(|i| &page.lines[*i].points[..]).collect();
     let mut rows = mirrored(rows(&lines, pot.low, pot.high));
     pot.trim(&mut rows);
-    if !pot.is_box(&lines, &rows) || pot.stands_on_more(page) || !pot.has_plant(page) {
+    if !pot.is_box(&lines, &rows) || pot.stands_on_more(page) || !pot.has_plant(page) || pot.is_bed(page) {
         return None;
     }
     let axis = 0.5 * (pot.low.x + pot.high.x);
@@ -117,12 +122,28 @@ fn with_sides(page: &Page, bottom: usize) -> Option<[usize; 3]> {
         let rises = |other: &Line| {
             let (first, last) = other.ends();
             let foot = if first.y > last.y { first } else { last };
-            foot.distance(corner) < 0.2 * width && other.size().y > other.size().x.max(LOWEST * width)
+            let top = if first.y > last.y { last } else { first };
+            foot.distance(corner) < 0.2 * width
+                && other.size().y > other.size().x.max(LOWEST * width)
+                && !carries(page, other, top, width)
         };
         (0..page.lines.len()).find(|i| rises(&page.lines[*i]))
     };
     let (left, right) = (side(ends.0)?, side(ends.1)?);
     (left != right).then_some([left, bottom, right])
+}
+
+/// Whether something no wider than the bottom stands on the upper end of a line, which is a stem then and no side.
+fn carries(page: &Page, line: &Line, top: Vec2, width: f32) -> bool {
+    let near = CARRIED * line.size().y;
+    page.lines.iter().any(|other| {
+        let (low, high) = other.bounds;
+        let is_over = low.x - near < top.x && top.x < high.x + near && other.middle().y < top.y;
+        is_over
+            && high.y > top.y - near
+            && high.y < top.y + near.max(0.3 * other.size().y)
+            && high.x - low.x < width
+    })
 }
 
 /// Whether a line is a band or an ellipse at the upper edge of a body.
@@ -227,6 +248,12 @@ impl Pot {
         })
     }
 
+    /// Whether several stems stand in it one beside the other, as they do in a bed.
+    fn is_bed(&self, page: &Page) -> bool {
+        let is_wide = self.size.x > BED.0 * self.size.y;
+        is_wide && feet_within(page, (self.low, self.high)).1 > BED.1 * self.size.x
+    }
+
     /// Whether lines stand in the upper edge, and nothing rests on it that reaches past both sides.
     fn has_plant(&self, page: &Page) -> bool {
         let (above, below) = (self.low.y - MOUTH.0 * self.size.y, self.low.y + MOUTH.1 * self.size.y);
@@ -255,120 +282,5 @@ impl Pot {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::anatomy::conventions::line;
-
-    fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
-        crate::anatomy::conventions::read_by(propose, lines)
-    }
-
-    fn body() -> Vec<Vec2> {
-        line(&[(-25.0, -40.0), (-18.0, 0.0), (18.0, 0.0), (25.0, -40.0)])
-    }
-
-    fn stem() -> Vec<Vec2> {
-        line(&[(0.0, -30.0), (2.0, -110.0)])
-    }
-
-    fn ellipse(middle: Vec2, half: Vec2) -> Vec<Vec2> {
-        (0..=60).map(|k| middle + half * Vec2::from_angle(std::f32::consts::TAU * k as f32 / 60.0)).collect()
-    }
-
-    #[test]
-    fn a_box_with_a_stem_in_it_is_a_pot_of_its_drawn_profile() {
-        let found = read(&[stem(), body()]);
-        assert_eq!(found.len(), 1);
-        assert_eq!((&found[0].uses[..], found[0].parts.len()), (&[1][..], 0));
-        let solid = &found[0].solids[0];
-        let (top, bottom) = (solid.profile[0], solid.profile[solid.profile.len() - 1]);
-        assert!(solid.axis.abs() < 0.5, "{}", solid.axis);
-        assert!((top.x - 25.0).abs() < 1.5 && (bottom.x - 18.0).abs() < 1.5, "{top} {bottom}");
-        assert!((top.y + 40.0).abs() < 2.0 && bottom.y.abs() < 2.0, "{top} {bottom}");
-    }
-
-    #[test]
-    fn bottom_and_sides_may_be_drawn_by_themselves() {
-        let sides = [line(&[(-18.0, 1.0), (-25.0, -40.0)]), line(&[(25.0, -39.0), (19.0, 0.0)])];
-        let bottom = line(&[(-18.0, 0.0), (18.0, 0.0)]);
-        let found = read(&[stem(), bottom, sides[0].clone(), sides[1].clone()]);
-        assert_eq!(found.first().map(|pot| &pot.uses[..]), Some(&[1, 2, 3][..]));
-    }
-
-    #[test]
-    fn a_band_at_its_upper_edge_belongs_to_it() {
-        let rim = ellipse(Vec2::new(0.0, -42.0), Vec2::new(27.0, 6.0));
-        let found = read(&[stem(), body(), rim]);
-        assert_eq!(found.len(), 1);
-        assert_eq!(found[0].uses, [1, 2]);
-    }
-
-    #[test]
-    fn a_bowl_has_a_level_edge_and_a_round_bottom() {
-        let arc = (0..=30).map(|k| {
-            Vec2::new(-25.0, -40.0) * Vec2::from_angle(std::f32::consts::PI * k as f32 / 30.0)
-                - Vec2::Y * 40.0
-        });
-        let bowl: Vec<Vec2> =
-            arc.chain([Vec2::new(-25.0, -40.0)]).map(|p| Vec2::new(p.x, -80.0 - p.y)).collect();
-        assert_eq!(read(&[stem(), bowl]).len(), 1);
-    }
-
-    #[test]
-    fn without_a_plant_it_is_none() {
-        assert!(read(&[body()]).is_empty());
-        let beside = line(&[(60.0, -30.0), (62.0, -110.0)]);
-        assert!(read(&[body(), beside]).is_empty());
-    }
-
-    #[test]
-    fn a_trunk_below_a_crown_and_a_stalk_below_a_cap_are_none() {
-        assert!(read(&[body(), ellipse(Vec2::new(0.0, -80.0), Vec2::new(60.0, 45.0))]).is_empty());
-        let cap = line(&[(-60.0, -40.0), (-40.0, -80.0), (40.0, -80.0), (60.0, -40.0), (-60.0, -40.0)]);
-        assert!(read(&[body(), cap]).is_empty());
-    }
-
-    #[test]
-    fn a_leaf_with_a_stalk_is_none() {
-        let blade = ellipse(Vec2::new(0.0, -40.0), Vec2::new(30.0, 40.0));
-        assert!(read(&[blade.clone(), line(&[(0.0, -10.0), (0.0, 40.0)])]).is_empty());
-        assert!(read(&[blade, line(&[(0.0, -75.0), (0.0, -140.0)])]).is_empty(), "round below");
-    }
-
-    #[test]
-    fn a_table_below_it_does_not_matter_but_a_stem_does() {
-        let table = line(&[(-90.0, 12.0), (90.0, 12.0)]);
-        assert_eq!(read(&[stem(), body(), table]).len(), 1);
-        assert!(read(&[stem(), body(), line(&[(0.0, 0.0), (1.0, 60.0)])]).is_empty());
-    }
-
-    #[test]
-    fn an_open_stroke_with_an_end_that_goes_too_far_is_cut_at_its_edge() {
-        let long = line(&[(-25.0, -40.0), (25.0, -42.0), (18.0, 0.0), (-18.0, 0.0), (-26.0, -62.0)]);
-        let found = read(&[stem(), long]);
-        let [pot] = &found[..] else { panic!("{} pots", found.len()) };
-        assert!((pot.solids[0].profile[0].y + 41.0).abs() < 4.0, "{}", pot.solids[0].profile[0]);
-    }
-
-    #[test]
-    fn one_side_below_an_elliptic_rim_is_a_pot_with_two() {
-        let rim = ellipse(Vec2::new(0.0, -42.0), Vec2::new(27.0, 9.0));
-        let side = line(&[(-26.0, -36.0), (-18.0, 0.0), (16.0, 1.0)]);
-        let found = read(&[stem(), rim, side.clone()]);
-        let [pot] = &found[..] else { panic!("{} pots", found.len()) };
-        assert_eq!(pot.uses, [1, 2]);
-        let solid = &pot.solids[0];
-        assert!(solid.axis.abs() < 1.5, "{}", solid.axis);
-        assert!(solid.profile.iter().all(|p| (15.0..29.0).contains(&p.x)), "{:?}", solid.profile);
-        assert!(read(&[stem(), side]).is_empty(), "without a rim");
-    }
-
-    #[test]
-    fn soil_patterns_and_saucers_belong_to_it() {
-        let soil = line(&[(-23.0, -38.0), (0.0, -43.0), (23.0, -38.0)]);
-        let pattern = line(&[(-20.0, -20.0), (-10.0, -12.0), (0.0, -20.0), (10.0, -12.0), (20.0, -20.0)]);
-        let saucer = line(&[(-26.0, 0.0), (-20.0, 7.0), (20.0, 7.0), (26.0, 0.0), (-26.0, 0.0)]);
-        let found = read(&[stem(), body(), soil, pattern, saucer]);
-        assert_eq!(found.first().map(|pot| &pot.uses[..]), Some(&[1, 2, 3, 4][..]));
-    }
-}
+#[path = "pot_tests.rs"]
+mod tests;

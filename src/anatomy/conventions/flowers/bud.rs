@@ -71,7 +71,9 @@ fn flower(
     let visible = stem.bounds.1.y - head.bounds.1.y;
     let (score, mut parts) = match teeth(head, &stem) {
         Some(petals) => (SCORE.0, petals),
-        None if is_round(head) && visible > LONG * head.size().y => (SCORE.1, rose::petals(head)),
+        None if is_round(head) && visible > LONG * head.size().y => {
+            (SCORE.1, rose::petals(head.middle(), 0.5 * head.size()))
+        }
         None => return None,
     };
     // A stem that is a stroke of its own stays.

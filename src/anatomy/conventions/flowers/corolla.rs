@@ -194,7 +194,7 @@ fn is_around(line: &Line, focus: &Focus) -> bool {
 }
 
 /// Angle that a line turns around a place, without sign.
-fn winding(points: &[Vec2], place: Vec2) -> f32 {
+pub(crate) fn winding(points: &[Vec2], place: Vec2) -> f32 {
     points.windows(2).map(|pair| (pair[0] - place).angle_to(pair[1] - place)).sum::<f32>().abs()
 }
 

@@ -157,6 +157,16 @@ fn outlines(line: &Line, top: Option<Vec2>) -> Option<(f32, Vec<Vec<Vec2>>)> {
     Some((if top.is_some() { depth(&petals, &focus) } else { DEEP }, rooted))
 }
 
+/// Whether petals stand all around the middle of an outline.
+pub(crate) fn is_seen_from_the_front(line: &Line) -> bool {
+    is_head(line) && seen_from_the_front(line).is_some()
+}
+
+/// The petals of an outline on a stem whose upper end is here, where it shows any.
+pub(crate) fn petals_on_stem(line: &Line, top: Vec2) -> Option<Vec<Vec<Vec2>>> {
+    is_head(line).then(|| outlines(line, Some(top)))?.map(|(_, petals)| petals)
+}
+
 /// Angle that petals fill each by itself over that which they fill together.
 fn overlap(petals: &[Vec<Vec2>], place: Vec2) -> f32 {
     let single: f32 = petals.iter().map(|petal| lobes::around(std::slice::from_ref(petal), place)).sum();

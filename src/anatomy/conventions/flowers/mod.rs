@@ -9,6 +9,8 @@
 //! | `gathered` | petals that gather at one place, without a centre |
 //! | `rays` | single lines around a centre: thin petals, or a sun |
 //! | `rose` | a spiral, or arcs in a disc, on a stem |
+//! | `row` | heads of any kind on stems side by side |
+//! | `upright` | stems side by side, and what is drawn at their upper ends |
 
 pub(crate) mod bud;
 pub(crate) mod corolla;
@@ -17,3 +19,5 @@ pub(crate) mod cup;
 pub(crate) mod gathered;
 pub(crate) mod rays;
 pub(crate) mod rose;
+pub(crate) mod row;
+pub(crate) mod upright;

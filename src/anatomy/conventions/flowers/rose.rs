@@ -70,7 +70,14 @@ fn rose(page: &Page, number: usize, near: &[usize]) -> Option<Hypothesis> {
     uses.sort_unstable();
     let score = 4.2;
     let (reading, habit) = (Reading::Corolla, Some(Habit::Flower));
-    Some(Hypothesis { uses, score, parts: petals(head), solids: Vec::new(), reading, habit })
+    Some(Hypothesis {
+        uses,
+        score,
+        parts: petals(head.middle(), 0.5 * head.size()),
+        solids: Vec::new(),
+        reading,
+        habit,
+    })
 }
 
 /// Whether a line winds outward around one of its ends, always in one direction.
@@ -99,9 +106,8 @@ fn turning(points: &[Vec2]) -> (f32, f32) {
     (once.abs(), all)
 }
 
-/// Rings of petals that fill a head.
-pub(crate) fn petals(head: &Line) -> Vec<Made> {
-    let (middle, half) = (head.middle(), 0.5 * head.size());
+/// Rings of petals that fill a head, by its middle and half its size.
+pub(crate) fn petals(middle: Vec2, half: Vec2) -> Vec<Made> {
     let ring = |(number, (count, reach, width)): (usize, (usize, f32, f32))| {
         (0..count).map(move |k| {
             let turn = TAU * (k as f32 / count as f32) + 0.9 * number as f32 + 0.3;

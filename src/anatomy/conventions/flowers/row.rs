@@ -1,0 +1,214 @@
+//! Flowers in a row: heads of any kind on stems side by side, however roughly they are drawn ([`upright`](super::upright)).
+//!
+//! A head on a stem says little by itself: it may be a crown or a leaf. Several stems with heads of their own are a garden, and there
+//! each head speaks for the others: petals, teeth, windings, rays, stems that are long beside their heads, and ground under them
+//! make flowers of those beside them as well, and so do bare stems on the ground. Against it speak the tip of a blade, heads
+//! that touch, which may be halves of a crown, and other lines at the same height. Petals are as drawn where they can be told, along the rays
+//! where a head is made of rays, and else fill the head as those of a [`rose`](super::rose) do.
+//!
+//! Limits: plants in pots; heads on two lines, which are trunks; flowers one above the other; row upon row.
+
+use super::corolla_on_stem::{is_seen_from_the_front, petals_on_stem};
+use super::upright::{Flower, feet_within, is_wound, upright};
+use super::{cup, rays, rose};
+use crate::anatomy::conventions::page::{Line, Page, even, tips};
+use crate::anatomy::conventions::{Habit, Hypothesis, Made};
+use crate::geom::polyline;
+use crate::sketch::{Reading, Tool};
+use glam::Vec2;
+
+/// Fewest stems of a row.
+const FEWEST: usize = 2;
+/// Least chord of a ray over its length, how near it passes to the head's middle, as a share of the head's size, and fewest rays.
+const RAY: (f32, f32, usize) = (0.9, 0.3, 2);
+/// Points of a petal along a ray, where it begins, as a share of the ray, and half its width, as a share of the head's half size.
+const THIN: (usize, f32, f32) = (10, 0.06, 0.2);
+/// Log-odds of a head by itself, and most of one whose petals are not seen all around: conventions that know more of it come first.
+const SCORE: f32 = 1.6;
+const MOST: f32 = 4.1;
+/// What each flower beside it speaks for a head, and how much of what speaks for that one; the same of a bare stem on the ground;
+/// how many are counted.
+const BESIDE: (f32, f32, f32) = (0.3, 0.6, 0.3);
+const COUNTED: usize = 3;
+/// What speaks for a flower: petals, windings or many lines, a blade's tip, each e-fold of the visible stem over the head's height.
+const PETALS: f32 = 1.2;
+const MANY: f32 = 0.8;
+const BLADE: f32 = -1.0;
+const SLENDER: f32 = 0.8;
+/// The same of ground under its foot, how near that is, as a share of the stem's length, and greatest height of ground, as a share
+/// of its width.
+const GROUND: (f32, f32, f32) = (0.8, 0.3, 0.25);
+/// Least width of ground, as a share of the drawing's; of a bed over its height; and least distance of the outer stems in a bed, as
+/// a share of its width.
+const BED: (f32, f32, f32) = (0.35, 1.8, 0.25);
+/// What speaks against it: as much of other lines at its height as it has itself; a head that touches it.
+const CROWDED: f32 = 1.5;
+const TOUCHING: f32 = 1.5;
+/// Points of an outline, and the stretch and turn of a blade's tip.
+const POINTS: usize = 80;
+const TIP: (f32, f32) = (0.1, 1.6);
+
+/// Proposes a flower for each head of a row.
+pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
+    let ground = ground(page);
+    // In a pot leaves stand on stems as well.
+    if ground.is_empty() && page.has_apart() {
+        return;
+    }
+    let (flowers, bare) = flowers(page, &ground);
+    if flowers.len() + bare < FEWEST {
+        return;
+    }
+    let touches =
+        |i: usize| flowers.iter().enumerate().any(|(k, other)| k != i && flowers[i].is_beside(other));
+    let apart = |i: usize| if touches(i) { TOUCHING } else { 0.0 };
+    let of_flower =
+        |flower: &Flower| flower.head.iter().copied().chain([flower.stem.number]).collect::<Vec<_>>();
+    let mut row: Vec<usize> = flowers.iter().flat_map(of_flower).collect();
+    row.sort_unstable();
+    let against = |i: usize| apart(i) + CROWDED * flowers[i].crowded(page, &row).min(1.0);
+    let evidence: Vec<f32> =
+        flowers.iter().enumerate().map(|(i, flower)| flower.evidence(page, &ground) - against(i)).collect();
+    for (i, flower) in flowers.iter().enumerate() {
+        let others = evidence.iter().enumerate().filter(|(k, _)| *k != i);
+        let mut beside: Vec<f32> = others.map(|(_, it)| (BESIDE.0 + BESIDE.1 * it).max(0.0)).collect();
+        beside.sort_by(|a, b| b.total_cmp(a));
+        beside.extend((0..bare).map(|_| BESIDE.2));
+        let score = SCORE + evidence[i] + beside.iter().take(COUNTED).sum::<f32>();
+        let most = if flower.shows_its_face(page) { f32::INFINITY } else { MOST };
+        out.push(flower.hypothesis(page, score.min(most)));
+    }
+}
+
+/// Lines that are set apart and lie below stems as the ground or a bed does: a pot is narrower or holds all stems in its middle.
+fn ground(page: &Page) -> Vec<&Line> {
+    let width = page.bounds.1.x - page.bounds.0.x;
+    let is_ground = |line: &&Line| {
+        let size = line.size();
+        let is_level = size.y < GROUND.2 * size.x;
+        let is_bed = || size.x > BED.1 * size.y && feet_within(page, line.bounds).1 > BED.2 * size.x;
+        size.x > BED.0 * width && (is_level || is_bed())
+    };
+    (0..page.lines.len()).filter(|i| page.is_apart(*i)).map(|i| &page.lines[i]).filter(is_ground).collect()
+}
+
+/// All flowers of a page that are of the form of one, and how many other stems stand on the ground beside them.
+fn flowers<'a>(page: &'a Page, ground: &[&Line]) -> (Vec<Flower<'a>>, usize) {
+    let all = upright(page);
+    let on_ground = |flowers: &[Flower]| flowers.iter().filter(|flower| flower.is_on(ground)).count();
+    let stems = on_ground(&all);
+    let (bare, mut flowers): (Vec<_>, Vec<_>) = all.into_iter().partition(Flower::is_bare);
+    flowers.retain(|flower| {
+        let is_on_trunk = bare.iter().any(|bare| flower.stands_on(bare));
+        flower.is_of_form(page) && !flower.is_inside(page) && !is_on_trunk
+    });
+    let others = stems - on_ground(&flowers);
+    (flowers, others)
+}
+
+impl Flower<'_> {
+    /// Whether its foot is on the ground.
+    fn is_on(&self, ground: &[&Line]) -> bool {
+        let (foot, near) = (self.stem.foot(), GROUND.1 * self.stem.length);
+        let is_near = |p: &Vec2| (p.x - foot.x).abs() < near && (p.y - foot.y).abs() < near;
+        let is_in = |line: &Line| foot.cmpgt(line.bounds.0).all() && foot.cmplt(line.bounds.1).all();
+        ground.iter().any(|line| is_in(line) || line.points.iter().any(is_near))
+    }
+
+    /// Whether its head is the outline of a leaf: one that has a tip.
+    fn is_blade(&self, page: &Page) -> bool {
+        self.only(page).is_some_and(|line| {
+            let ring: Vec<Vec2> = line.hull.iter().copied().chain(line.hull.first().copied()).collect();
+            line.is_closed_and_solid() && !tips(&even(&ring, POINTS)[1..], TIP).is_empty()
+        })
+    }
+
+    /// How much longer than this flower is what else of its height touches it.
+    fn crowded(&self, page: &Page, row: &[usize]) -> f32 {
+        let group = page.groups.iter().find(|group| group.binary_search(&self.stem.number).is_ok());
+        let is_high = |i: usize| page.lines[i].bounds.0.y < self.bounds.1.y;
+        let others =
+            group.into_iter().flatten().copied().filter(|i| row.binary_search(i).is_err() && is_high(*i));
+        let own = self.stem.length + self.lines(page).map(|line| line.length).sum::<f32>();
+        others.map(|i| page.lines[i].length).sum::<f32>() / own.max(f32::MIN_POSITIVE)
+    }
+
+    /// The one line of the head, if it is one.
+    fn only<'a>(&'a self, page: &'a Page) -> Option<&'a Line> {
+        let mut lines = self.lines(page);
+        lines.next().filter(|_| lines.next().is_none())
+    }
+
+    /// Lines of the head that go straight through its middle or out from there.
+    fn rays<'a>(&'a self, page: &'a Page) -> Vec<&'a Line> {
+        let (middle, size) = (self.bounds.0.midpoint(self.bounds.1), self.size().max_element());
+        let is_ray = |line: &&Line| {
+            let (a, b) = line.ends();
+            let is_straight = a.distance(b) > RAY.0 * line.length;
+            is_straight && polyline::nearest(&line.points, middle).is_some_and(|(gap, _)| gap < RAY.1 * size)
+        };
+        self.lines(page).filter(is_ray).collect()
+    }
+
+    /// Petals that can be told in the drawing.
+    fn drawn(&self, page: &Page) -> Option<Vec<Vec<Vec2>>> {
+        let rays = self.rays(page);
+        if rays.len() >= RAY.2 && 2 * rays.len() >= self.lines(page).count() {
+            return Some(self.along(&rays));
+        }
+        let line = self.only(page).filter(|line| !is_wound(line))?;
+        let foot = Vec2::new(self.stem.top().x.clamp(self.bounds.0.x, self.bounds.1.x), self.bounds.1.y);
+        petals_on_stem(line, self.stem.top()).or_else(|| cup::petals_of_teeth(line, foot))
+    }
+
+    /// Whether its petals are drawn in one line all around its middle.
+    fn shows_its_face(&self, page: &Page) -> bool {
+        self.only(page).is_some_and(|line| !is_wound(line) && is_seen_from_the_front(line))
+    }
+
+    /// A thin petal along each ray out from the middle of the head.
+    fn along(&self, rays: &[&Line]) -> Vec<Vec<Vec2>> {
+        let (middle, reach) = (self.bounds.0.midpoint(self.bounds.1), 0.5 * self.size().max_element());
+        let tips = rays.iter().flat_map(|ray| [ray.ends().0, ray.ends().1]);
+        let far = tips.filter(|tip| tip.distance(middle) > 0.5 * reach);
+        far.map(|tip| rays::blade(&even(&[middle + THIN.1 * (tip - middle), tip], THIN.0), THIN.2 * reach))
+            .collect()
+    }
+
+    /// What speaks for a flower in the drawing of this one: petals, windings, a long stem.
+    fn evidence(&self, page: &Page, ground: &[&Line]) -> f32 {
+        let head = if self.is_blade(page) {
+            BLADE
+        } else if self.drawn(page).is_some() {
+            PETALS
+        } else if self.lines(page).any(is_wound) || self.lines(page).count() > 2 {
+            MANY
+        } else {
+            0.0
+        };
+        let slender = SLENDER * self.visible().ln().clamp(-1.0, 1.0);
+        let stands = if self.is_on(ground) { GROUND.0 } else { 0.0 };
+        head + slender + stands
+    }
+
+    fn hypothesis(&self, page: &Page, score: f32) -> Hypothesis {
+        let petals = match self.drawn(page) {
+            Some(petals) => petals.into_iter().map(|petal| Made::new(Tool::Petal, petal)).collect(),
+            None => rose::petals(self.bounds.0.midpoint(self.bounds.1), 0.5 * self.size()),
+        };
+        let below = self.stem.points.iter().take_while(|p| p.y > self.bounds.1.y).count().max(2);
+        let runs_along = below < self.stem.points.len() && self.stem.bends();
+        let is_cut = self.stem.rest.is_some() || runs_along;
+        let own_stem = is_cut.then(|| Made::new(Tool::Branch, self.stem.points.iter().copied().take(below)));
+        let own_line = own_stem.as_ref().map(|_| self.stem.number);
+        let mut uses: Vec<usize> = self.head.iter().copied().chain(own_line).collect();
+        uses.sort_unstable();
+        let parts = petals.into_iter().chain(own_stem).collect();
+        let (reading, habit) = (Reading::Corolla, Some(Habit::Flower));
+        Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit }
+    }
+}
+
+#[cfg(test)]
+#[path = "row_tests.rs"]
+mod tests;
