@@ -15,13 +15,13 @@ use crate::sketch::Reading;
 /// Least distance between the ends of a ground line, as a share of its length.
 const STRAIGHT: f32 = 0.9;
 /// Largest height, as a share of its width.
-const LEVEL: f32 = 0.12;
+const LEVEL: f32 = 0.2;
 /// Least width, as a share of the drawing's.
 const WIDE: f32 = 0.6;
 /// Lowest part of the drawing in which it lies, and how far anything may reach below it, as shares of the drawing's height.
 const LOW: (f32, f32) = (0.35, 0.12);
 /// Least height of a drawing, as a share of its width: a level line alone is a branch that lies.
-const HIGH: f32 = 0.25;
+const HIGH: f32 = 0.18;
 /// The first two for ground on which plants stand.
 const ROLLING: (f32, f32) = (0.8, 0.25);
 /// Fewest plants on ground that rolls or lies high, their greatest width as a share of the ground's, and the least share of
@@ -82,7 +82,7 @@ fn is_level(page: &Page, line: &Line) -> bool {
     let (begin, end) = line.ends();
     let size = line.size();
     let is_line = begin.distance(end) > STRAIGHT * line.length && size.y < LEVEL * size.x;
-    let is_low = line.bounds.0.y > page.bounds.1.y - LOW.0 * whole.y;
+    let is_low = line.middle().y > page.bounds.1.y - LOW.0 * whole.y;
     let is_lowest = page.bounds.1.y - line.bounds.1.y < LOW.1 * whole.y;
     is_line && size.x > WIDE * whole.x && is_low && is_lowest
 }

@@ -7,6 +7,7 @@
 use crate::anatomy::conventions::Made;
 use crate::anatomy::conventions::page::even;
 use crate::anatomy::conventions::shapes::medial_axis::Axis;
+use crate::anatomy::conventions::trees::evidence::ramp;
 use crate::sketch::{StrokePoint, Tool};
 use glam::Vec2;
 use std::f32::consts::PI;
@@ -258,11 +259,6 @@ impl Axis {
         let before = self.points.iter().rev().find(|p| p.0.distance(tip.0) > half);
         before.is_some_and(|p| p.1 > BLUNT * half)
     }
-}
-
-/// How far a measure is from where it counts nothing to where it counts in full, from 0 to 1.
-pub(crate) fn ramp(measure: f32, (none, full): (f32, f32)) -> f32 {
-    ((measure - none) / (full - none)).clamp(0.0, 1.0)
 }
 
 fn median_half(points: &[(Vec2, f32)]) -> f32 {

@@ -4,11 +4,12 @@
 //! wide at its foot as anywhere. Stalk and cap become one body of revolution: a branch up the middle, as thick at each height as
 //! was drawn. Limits: caps that lean are made upright.
 
-use super::limbs::ramp;
 use crate::anatomy::conventions::page::{Line, Page, notches};
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
 use crate::anatomy::conventions::trees::evidence;
+use crate::anatomy::conventions::trees::evidence::ramp;
 use crate::anatomy::conventions::trees::stacked::stacked;
+use crate::anatomy::conventions::trees::tilted;
 use crate::anatomy::conventions::trees::trunk::{Rows, Trunk};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::sketch::{Reading, StrokePoint, Tool};
@@ -34,8 +35,11 @@ const SCRIBBLE: f32 = 0.1;
 const BRIDGE: i32 = 10;
 /// Points of the cap's outline, and rows of the cap.
 const POINTS: (usize, usize) = (160, 24);
-/// Log-odds of a mushroom, and more for the widest caps.
-const SCORE: (f32, f32) = (3.8, 1.2);
+/// Height above the cap's foot, as a share of its height, and width there, as a share of its own, that ovals have, and that with a level
+/// underside.
+const FLAT: (f32, (f32, f32)) = (0.15, (0.7, 0.88));
+/// Log-odds of a mushroom, and more for the widest caps, for those with a level underside, and for those that lean.
+const SCORE: (f32, f32, f32, f32) = (2.9, 1.0, 1.4, -0.3);
 
 /// Proposes mushrooms, one for each group of lines at most.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
@@ -46,14 +50,40 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
 
 fn mushroom(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let lines: Vec<&Line> = group.iter().map(|i| &page.lines[*i]).collect();
-    let rows = Rows::new(&lines)?;
-    let size = rows.width_and_height();
+    let size = Rows::new(&lines)?.width_and_height();
     // Foliage is scribbled, caps are not.
     let is_scribble = |line: &&Line| line.is_scribble() && line.hull_area > SCRIBBLE * size.x * size.y;
     if !evidence::has_outline(&lines, size) || lines.iter().any(is_scribble) {
         return None;
     }
-    let trunk = rows.trunk()?;
+    let as_drawn = of_lines(&lines).map(|found| (found, 0.0));
+    let turned = tilted::turned(&lines, of_lines, |found| found.score).map(|(mut found, angle)| {
+        found.score += SCORE.3;
+        (found, angle)
+    });
+    let better = |best: (Found, f32), it: (Found, f32)| if it.0.score > best.0.score { it } else { best };
+    let (found, angle) = as_drawn.into_iter().chain(turned).reduce(better)?;
+    let outline: Vec<Vec2> = found.outline.into_iter().map(|p| tilted::turned_by(p, -angle)).collect();
+    Some(Hypothesis {
+        uses: page.with_what_is_inside(group, &outline),
+        score: found.score,
+        parts: vec![tilted::turned_back(found.whole, angle)],
+        solids: Vec::new(),
+        reading: Reading::Mushroom,
+        habit: Some(Habit::Mushroom),
+    })
+}
+
+/// A mushroom: stalk and cap in one, the outline of its cap, and how likely it is.
+struct Found {
+    whole: Made,
+    outline: Vec<Vec2>,
+    score: f32,
+}
+
+/// The mushroom that lines draw which stands upright.
+fn of_lines(lines: &[&Line]) -> Option<Found> {
+    let trunk = Rows::new(lines)?.trunk()?;
     let above: Vec<Vec<Vec2>> = lines.iter().flat_map(|line| line.above(trunk.top)).collect();
     let sill = [trunk.sill.0, trunk.sill.1];
     let silhouette = Silhouette::new(above.iter().map(Vec::as_slice).chain([sill.as_slice()]), BRIDGE);
@@ -78,14 +108,9 @@ fn mushroom(page: &Page, group: &[usize]) -> Option<Hypothesis> {
         && cap.half_at(BROAD.0) > BROAD.1 * 0.5 * cap.width()
         && trunk.narrow > STALK * 0.5 * cap.width()
         && silhouette.share_inside(above.iter().flatten()) > 0.9;
-    is_cap.then(|| Hypothesis {
-        uses: page.with_what_is_inside(group, &outline),
-        score: SCORE.0 + SCORE.1 * ramp(wide, WIDE),
-        parts: vec![whole(&trunk, &cap)],
-        solids: Vec::new(),
-        reading: Reading::Mushroom,
-        habit: Some(Habit::Mushroom),
-    })
+    let whole = is_cap.then(|| whole(&trunk, &cap))?;
+    let flat = ramp(cap.half_at(FLAT.0) / (0.5 * cap.width()), FLAT.1);
+    Some(Found { whole, score: SCORE.0 + SCORE.1 * ramp(wide, WIDE) + SCORE.2 * flat, outline })
 }
 
 /// A cap by the ends of its rows.
@@ -214,6 +239,22 @@ mod tests {
         let (flat, high) = (read(&[&wide, &thin]), read(&[&high, &STALK]));
         assert_eq!((flat.len(), high.len()), (1, 1));
         assert!(flat[0].score > high[0].score);
+    }
+
+    #[test]
+    fn a_mushroom_that_leans_is_one_and_a_level_underside_speaks_for_it() {
+        let leaning = |points: &[(f32, f32)]| -> Vec<(f32, f32)> {
+            points.iter().map(|p| Vec2::from_angle(0.12).rotate(Vec2::from(*p)).into()).collect()
+        };
+        assert_eq!(read(&[&leaning(&CAP), &leaning(&STALK)]).len(), 1);
+        let oval: Vec<(f32, f32)> = (0..=60)
+            .map(|k| {
+                let angle = std::f32::consts::TAU * k as f32 / 60.0;
+                (50.0 * angle.sin(), -65.0 + 25.0 * angle.cos())
+            })
+            .collect();
+        let (level, oval) = (read(&[&CAP, &STALK]), read(&[&oval, &STALK]));
+        assert!(oval.first().is_none_or(|oval| oval.score < level[0].score));
     }
 
     #[test]

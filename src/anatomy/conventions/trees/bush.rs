@@ -36,11 +36,16 @@ const CHORD: usize = 60;
 const POINTS: usize = 160;
 /// Stems: directions from upright in degrees, and lengths in heights of the bush.
 const STEMS: [(f32, f32); 5] = [(-38.0, 0.4), (-17.0, 0.5), (2.0, 0.55), (20.0, 0.5), (40.0, 0.4)];
+/// Least length of the lines that conventions look at, as a share of all: among parts whose tool the artist chose, lines are branches.
+const AUTO: f32 = 0.5;
 /// Log-odds of an outline, and of a scribble.
 const SCORE: (f32, f32) = (2.0, 2.5);
 
 /// Proposes bushes, one for each group of lines at most.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
+    if page.lines.iter().map(|line| line.length).sum::<f32>() < AUTO * page.length {
+        return;
+    }
     out.extend(page.groups.iter().filter_map(|group| bush(page, group)));
 }
 
@@ -110,15 +115,8 @@ fn lobes_of(arch: &Line) -> usize {
 
 /// Whether an area stands on a broad foot.
 fn stands(outline: &[Vec2], (low, high): (Vec2, Vec2)) -> bool {
-    let (left, right) = foot(outline, (low, high));
-    right - left > FOOT.1 * (high.x - low.x)
-}
-
-/// Left and right end of the lowest part of an area.
-fn foot(outline: &[Vec2], (low, high): (Vec2, Vec2)) -> (f32, f32) {
-    let height = high.y - FOOT.0 * (high.y - low.y);
-    let below = outline.iter().filter(|p| p.y > height).map(|p| p.x);
-    below.fold((f32::INFINITY, f32::NEG_INFINITY), |(left, right), x| (left.min(x), right.max(x)))
+    let (left, right) = evidence::foot(outline, FOOT.0);
+    right.x - left.x > FOOT.1 * (high.x - low.x)
 }
 
 /// Whether a line goes far out of an area.
@@ -132,8 +130,8 @@ fn is_left(lines: &[&Line], outline: &[Vec2]) -> bool {
 
 /// Stems from the middle of the foot.
 fn stems(outline: &[Vec2], (low, high): (Vec2, Vec2)) -> Vec<Made> {
-    let (left, right) = foot(outline, (low, high));
-    let foot = Vec2::new(0.5 * (left + right), high.y);
+    let (left, right) = evidence::foot(outline, FOOT.0);
+    let foot = Vec2::new(0.5 * (left.x + right.x), high.y);
     let stem = |(degrees, length): (f32, f32)| {
         let along = Vec2::new(degrees.to_radians().sin(), -degrees.to_radians().cos());
         Made::new(Tool::Branch, (0..=8).map(|k| foot + along * (length * (high.y - low.y) * k as f32 / 8.0)))

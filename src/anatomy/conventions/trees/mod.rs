@@ -10,12 +10,14 @@
 //! | `trunk_sides` | a trunk of two sides that leans or bends, or of one line |
 //! | `trunk_foot` | the width of a trunk without its roots, and how it rises |
 //! | `stacked` | what stands above what without coming near it: an open crown over its trunk |
+//! | `tilted` | what leans a little, read as if upright |
 //! | `evidence` | what speaks for and against outlines of crowns |
 
 pub(crate) mod bush;
 pub(crate) mod conifer;
 pub(crate) mod evidence;
 pub(crate) mod stacked;
+pub(crate) mod tilted;
 pub(crate) mod tree;
 pub(crate) mod tree_on_line;
 pub(crate) mod trunk;

@@ -10,6 +10,7 @@
 
 use super::evidence;
 use super::stacked::stacked;
+use super::tilted;
 use super::trunk::{Rows, Trunk};
 use super::trunk_sides::TrunkSides;
 use crate::anatomy::conventions::page::{Line, Page, even, notches};
@@ -66,6 +67,8 @@ const MOST_LINES: usize = 6;
 /// More for a crown with shallow lobes, and for each besides, up to so many: mushrooms have none, and those of corollas are deep.
 const LOBED: (f32, f32) = (0.9, 0.1);
 const MOST_LOBES: usize = 3;
+/// Lower part of a crown whose notches do not count, as a share of its height.
+const RIM: f32 = 0.15;
 /// How much deeper notches may be on a stout trunk, as a share of the way to the middle.
 const DEEPER: f32 = 0.08;
 /// Least hull of a bow that is a lobe, as a share of the crown's area.
@@ -73,6 +76,14 @@ const BOW: f32 = 0.06;
 /// More for a stout trunk, and the widths, as shares of the crown's, between which it grows.
 const STOUTER: f32 = 0.2;
 const SLIGHT: (f32, f32) = (0.05, 0.2);
+
+/// What leans must be a tree for certain: height of its trunk, as a share of the whole, and share of its hull that its crown fills, each
+/// where it speaks against one and where it does no more; and log-odds of each.
+const SHORT: (f32, f32) = (0.17, 0.25);
+const HOLLOW: (f32, f32) = (0.68, 0.76);
+const DOUBT: f32 = 4.0;
+/// Least log-odds of a tree.
+const LEAST: f32 = 1.5;
 
 /// Proposes trees, one for each group of lines at most.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
@@ -89,18 +100,30 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     if !is_of_form || evidence::has_blades(&lines, size) {
         return None;
     }
-    let (trunk, outline) = upright(&lines, &rows).or_else(|| leaning(page, group))?;
-    if is_stem(&trunk, &outline, &lines) {
-        return None;
-    }
+    let speaks = |lines: &[&Line], (trunk, outline): (Trunk, Vec<Vec2>)| {
+        let stout = stoutness(&trunk, &outline);
+        let speaks = lobes(lines, &trunk, &outline, stout) + STOUTER * stout;
+        (!is_stem(&trunk, &outline, lines)).then_some((trunk, outline, speaks))
+    };
+    let find = |lines: &[&Line]| speaks(lines, upright(lines, &Rows::new(lines)?)?);
+    let (trunk, outline, speaks, angle) = match upright(&lines, &rows).or_else(|| leaning(page, group)) {
+        Some(found) => speaks(&lines, found).map(|(trunk, outline, speaks)| (trunk, outline, speaks, 0.0))?,
+        None if matches!(&lines[..], [line] if line.is_scribble()) => return None,
+        None => {
+            let ((trunk, outline, speaks), angle) = tilted::turned(&lines, find, |found| found.2)?;
+            let short = 1.0 - evidence::ramp(trunk.height() / size.y, SHORT);
+            let hollow = 1.0 - evidence::ramp(simple_loop::area(&outline) / hull_area(&outline), HOLLOW);
+            (trunk, outline, speaks + tilted::LEANING - DOUBT * (short + hollow), angle)
+        }
+    };
+    let trunk = tilted::turned_back(trunk.centre_line(&outline), angle);
+    let outline: Vec<Vec2> = outline.into_iter().map(|p| tilted::turned_by(p, -angle)).collect();
     let uses = page.with_what_is_inside(group, &outline);
-    let stout = stoutness(&trunk, &outline);
-    let speaks = lobes(&lines, &trunk, &outline, stout) + STOUTER * stout;
-    let parts = vec![trunk.centre_line(&outline), Made::new(Tool::Crown, outline)];
+    let parts = vec![trunk, Made::new(Tool::Crown, outline)];
     let (reading, habit) = (Reading::Tree, Some(Habit::Tree));
     // Of two groups the one that explains more.
     let score = SCORE + speaks + EACH * uses.len().min(MOST_LINES) as f32;
-    Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit })
+    (score > LEAST).then_some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit })
 }
 
 /// Whether a trunk is a flower's stem: thin beside its crown, with a round outline in the middle of that, or very long.
@@ -118,7 +141,10 @@ fn lobes(lines: &[&Line], trunk: &Trunk, outline: &[Vec2], stout: f32) -> f32 {
     if area <= WHOLE * hull_area(outline) {
         return 0.0;
     }
-    let notches = notches(outline);
+    // Where a cap rests on its stalk, and at its rim, there may be some as well.
+    let (high, low) = polyline::bounds(outline.iter().copied());
+    let mut notches = notches(outline);
+    notches.retain(|place| place.y < low.y - RIM * (low.y - high.y));
     let is_shallow = evidence::depth(outline, &notches) > evidence::SHALLOW - DEEPER * stout;
     let notches = if is_shallow { notches.len() } else { 0 };
     let above = lines.iter().flat_map(|line| line.above(trunk.top));

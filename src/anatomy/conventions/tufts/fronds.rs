@@ -14,6 +14,7 @@ use super::frond_crown::{Crown, hangs};
 use super::frond_details::{is_fruit, leaflets, reach_of};
 use crate::anatomy::conventions::Hypothesis;
 use crate::anatomy::conventions::page::Page;
+use crate::anatomy::conventions::trees::evidence::ramp;
 use crate::anatomy::conventions::trees::trunk_sides::TrunkSides;
 use crate::sketch::Reading;
 use glam::Vec2;
@@ -35,6 +36,11 @@ const MOST_LINES: usize = 12;
 const STROKE: f32 = 0.4;
 /// Least reach of the farthest frond, in widths of the trunk: what rounds off a body is shorter.
 const LONG: f32 = 1.2;
+/// Reach of the farthest frond, in widths of the trunk, that speaks against a palm, as the tips of a cactus do, and that does no more; and
+/// log-odds.
+const STOUT: ((f32, f32), f32) = ((1.2, 2.4), 1.5);
+/// Log-odds of lines of the group that it does not explain, for their share of its length.
+const OVER: f32 = 6.0;
 /// Least height of the trunk, as a share of the farthest frond's reach: what is lower is where a tuft is gathered.
 const HIGH: f32 = 0.25;
 
@@ -93,9 +99,18 @@ fn palm(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     })));
     palm.uses.sort_unstable();
     palm.uses.dedup();
+    palm.score -= doubt(page, group, &palm.uses, crown.reach / trunk.width().max(f32::MIN_POSITIVE));
     // Of two groups the one that explains more.
     palm.score += EACH * palm.uses.len().min(MOST_LINES) as f32;
     Some(palm)
+}
+
+/// What speaks against a palm that uses these lines of a group and whose fronds reach so many widths of its trunk, in log-odds.
+fn doubt(page: &Page, group: &[usize], uses: &[usize], reach: f32) -> f32 {
+    let length = |line: &usize| page.lines[*line].length;
+    let over: f32 = group.iter().filter(|line| uses.binary_search(line).is_err()).map(length).sum();
+    let all: f32 = group.iter().map(length).sum();
+    STOUT.1 * (1.0 - ramp(reach, STOUT.0)) + OVER * over / all
 }
 
 /// Whether much of the rest lies beside the lower half of the trunk.

@@ -13,6 +13,7 @@
 
 use crate::anatomy::conventions::page::{Line, Page};
 use crate::anatomy::conventions::shapes::spikes::{Spike, joined, spikes};
+use crate::anatomy::conventions::trees::evidence;
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::geom::polyline;
 use crate::geom::region::Region;
@@ -60,8 +61,13 @@ const HALF: f32 = 0.09;
 const ARCH: f32 = 0.25;
 /// Least chord of a line that leans, over its length, and least rise, as a share of its chord.
 const LEANING: (f32, f32) = (0.75, 0.25);
-/// How far from level the feet of blades may be, as a share of the middle length of the blades.
+/// How far from their ground the feet of blades may be, as a share of the middle length of the blades, the steepest ground, and least
+/// width of a row by whose feet it is known, in lengths of its blades.
 const LEVEL: f32 = 0.4;
+const STEEP: f32 = 0.2;
+const LONG_ROW: f32 = 4.0;
+/// Greatest height of a line that may be the ground, as a share of its width.
+const GROUND: f32 = 0.22;
 
 /// Proposes one hypothesis for each zigzag, and one for all lines that stand side by side.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
@@ -70,7 +76,7 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let stand = |(i, _): &(usize, Vec<Spike>)| !stands_on_something(page, *i) && !is_inside_another(page, *i);
     out.extend(zigzags.take(MOST_ZIGZAGS).filter(stand).map(|(i, teeth)| {
         let score = 2.0 + 0.25 * teeth.len().min(12) as f32;
-        grass(vec![i], score, &teeth.into_iter().map(|tooth| (tooth, HALF)).collect::<Vec<_>>())
+        grass(vec![i], score, &teeth.into_iter().map(|tooth| (tooth, HALF)).collect::<Vec<_>>(), 0.0)
     }));
     out.extend(side_by_side(page));
 }
@@ -122,9 +128,8 @@ fn zigzag(line: &Line) -> Option<Vec<Spike>> {
 
 /// Whether the lowest part of an outline runs along the ground.
 fn is_level_below(line: &Line) -> bool {
-    let lowest = line.points.iter().filter(|p| p.y > line.bounds.1.y - 0.12 * line.size().y).map(|p| p.x);
-    let (left, right) = lowest.fold((f32::INFINITY, f32::NEG_INFINITY), |(l, r), x| (l.min(x), r.max(x)));
-    right - left > 0.6 * line.size().x
+    let (left, right) = evidence::foot(&line.points, 0.12);
+    right.x - left.x > 0.6 * line.size().x
 }
 
 /// Whether most tips come one after the other to the left, or to the right.
@@ -147,7 +152,7 @@ fn stands_on_something(page: &Page, index: usize) -> bool {
 
 /// Whether a line is level and may be the ground.
 fn is_ground(line: &Line) -> bool {
-    line.size().y < 0.15 * line.size().x
+    line.size().y < GROUND * line.size().x
 }
 
 /// Whether one of the other lines goes around most of a zigzag, which then is foliage in it.
@@ -186,8 +191,9 @@ fn blades_of(page: &Page, upright: &[usize]) -> Option<Hypothesis> {
     if upright.len() < LINES || blades.len() < BLADES {
         return None;
     }
-    let (level, height) = level_of(&blades)?;
-    let is_beneath = |line: &Line| is_ground(line) && (line.middle().y - level).abs() < LEVEL * height;
+    let (ground, height) = ground_of(&blades)?;
+    let is_at_feet = |line: &Line| line.points.iter().any(|p| ground.above(*p).abs() < LEVEL * height);
+    let is_beneath = |line: &Line| is_ground(line) && is_at_feet(line);
     let mut uses: Vec<usize> = (0..page.lines.len())
         .filter(|i| !page.is_apart(*i) && !upright.contains(i) && is_beneath(&page.lines[*i]))
         .chain(upright.iter().copied())
@@ -208,7 +214,7 @@ fn blades_of(page: &Page, upright: &[usize]) -> Option<Hypothesis> {
         .collect();
     // Blades beside a zigzag belong to it.
     let score = 1.9 + 0.25 * spikes.len().min(12) as f32 + 0.05 * uses.len() as f32;
-    Some(grass(uses, score, &spikes))
+    Some(grass(uses, score, &spikes, ground.slope))
 }
 
 /// Whether a line may be a blade or a zigzag of blades by itself: higher than wide, or sharp.
@@ -226,23 +232,54 @@ fn is_leaning(line: &Line) -> bool {
     way.length() > LEANING.0 * line.length && way.y.abs() > LEANING.1 * way.length()
 }
 
-/// The level at which most blades stand, and their middle length; nothing if one stands far below, as a trunk would.
-fn level_of(blades: &[(Spike, Vec<usize>)]) -> Option<(f32, f32)> {
-    let mut feet: Vec<f32> = blades.iter().map(|blade| blade.0.foot().y).collect();
-    let mut lengths: Vec<f32> = blades.iter().map(|blade| blade.0.foot().distance(blade.0.tip())).collect();
-    let (level, height) = (median(&mut feet), median(&mut lengths));
-    let even = feet.iter().filter(|foot| (**foot - level).abs() < LEVEL * height).count();
-    let is_level = 5 * even >= 4 * feet.len() && feet.iter().all(|foot| foot - level < height);
-    is_level.then_some((level, height))
+/// The line on which blades stand.
+#[derive(Clone, Copy)]
+struct Ground {
+    /// Its height where x is 0, and its slope.
+    level: f32,
+    slope: f32,
 }
 
-/// One blade for each spike, all on one level, and each no wider than that.
-fn grass(uses: Vec<usize>, score: f32, spikes: &[(Spike, f32)]) -> Hypothesis {
-    let feet = spikes.iter().flat_map(|spike| &spike.0.flanks).map(|flank| flank[flank.len() - 1].y);
-    let ground = feet.fold(f32::NEG_INFINITY, f32::max);
+impl Ground {
+    /// How far a place is above it.
+    fn above(self, p: Vec2) -> f32 {
+        self.level + self.slope * p.x - p.y
+    }
+
+    /// That of this slope on which most places are, about.
+    fn with_slope(feet: &[Vec2], slope: f32) -> Self {
+        Self { level: median(&mut feet.iter().map(|p| p.y - slope * p.x).collect::<Vec<_>>()), slope }
+    }
+}
+
+/// The ground on which most blades stand, level or, where that is not so, as the two ends of a long row say, and their middle length;
+/// nothing if one stands far below, as a trunk would.
+fn ground_of(blades: &[(Spike, Vec<usize>)]) -> Option<(Ground, f32)> {
+    let mut feet: Vec<Vec2> = blades.iter().map(|blade| blade.0.foot()).collect();
+    let mut lengths: Vec<f32> = blades.iter().map(|blade| blade.0.foot().distance(blade.0.tip())).collect();
+    let height = median(&mut lengths);
+    feet.sort_by(|a, b| a.x.total_cmp(&b.x));
+    let is_ground = |ground: &Ground| {
+        let even = feet.iter().filter(|foot| ground.above(**foot).abs() < LEVEL * height).count();
+        5 * even >= 4 * feet.len() && feet.iter().all(|foot| -ground.above(*foot) < height)
+    };
+    let end = (feet.len() / 3).max(1);
+    let middle = |part: &[Vec2]| part.iter().sum::<Vec2>() / part.len() as f32;
+    let run = middle(&feet[feet.len() - end..]) - middle(&feet[..end]);
+    let is_long = feet[feet.len() - 1].x - feet[0].x > LONG_ROW * height && run.y.abs() < STEEP * run.x;
+    let slopes = [Some(0.0), is_long.then(|| run.y / run.x)];
+    let ground =
+        slopes.into_iter().flatten().map(|slope| Ground::with_slope(&feet, slope)).find(is_ground)?;
+    Some((ground, height))
+}
+
+/// One blade for each spike, all on one ground of this slope, and each no wider than that.
+fn grass(uses: Vec<usize>, score: f32, spikes: &[(Spike, f32)], slope: f32) -> Hypothesis {
+    let feet = spikes.iter().flat_map(|spike| &spike.0.flanks).map(|flank| flank[flank.len() - 1]);
+    let ground = feet.map(|foot| foot.y - slope * foot.x).fold(f32::NEG_INFINITY, f32::max);
     let blade = |(spike, most): &(Spike, f32)| {
         let (low, along) = spike.lower_end();
-        let down = (ground - low.y).max(0.0);
+        let down = (ground + slope * low.x - low.y).max(0.0);
         let aside = (along.x / along.y.max(f32::MIN_POSITIVE)).clamp(-0.5, 0.5) * down;
         Made::new(Tool::Leaf, spike.blade(low + Vec2::new(aside, down), *most))
     };

@@ -156,3 +156,19 @@ fn a_zigzag_in_an_arch_that_is_open_below_is_no_grass() {
         (0..=40).map(|k| Vec2::new(45.0, 5.0) + 62.0 * Vec2::from_angle(PI + 0.0785 * k as f32)).collect();
     assert!(read(&[zigzag(5, 0.0), arch]).is_empty());
 }
+
+#[test]
+fn a_long_row_may_go_up_a_slope_and_its_blades_stay_as_long_as_drawn() {
+    let blade = |k: usize| {
+        let x = 18.0 * k as f32;
+        vec![Vec2::new(x, -0.1 * x), Vec2::new(x + 3.0, -0.1 * x - 20.0)]
+    };
+    let row: Vec<Vec<Vec2>> = (0..14).map(blade).collect();
+    let found = read(&row);
+    assert_eq!(found.first().map(|grass| grass.parts.len()), Some(14));
+    let roots = roots(&found[0]);
+    assert!(roots.windows(2).all(|pair| (pair[0].y - pair[1].y - 1.8).abs() < 0.5), "{roots:?}");
+    let steep: Vec<Vec<Vec2>> =
+        row.iter().map(|blade| blade.iter().map(|p| Vec2::new(p.x, p.y - 0.4 * p.x)).collect()).collect();
+    assert!(read(&steep).is_empty(), "twigs at a stem");
+}
