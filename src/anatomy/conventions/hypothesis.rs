@@ -69,6 +69,12 @@ impl Solid {
     }
 }
 
+/// The same hypotheses with other numbers for what they use, which must keep the order.
+pub(super) fn renumbered(mut all: Vec<Hypothesis>, number: impl Fn(usize) -> usize) -> Vec<Hypothesis> {
+    all.iter_mut().flat_map(|it| &mut it.uses).for_each(|used| *used = number(*used));
+    all
+}
+
 /// A reading of some strokes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hypothesis {

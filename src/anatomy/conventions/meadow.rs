@@ -8,8 +8,9 @@
 //!
 //! Limits: a line under all plants, such as the ground's, makes them one, and the drawing is read as a whole.
 
-use super::page::{Page, root, unite};
-use super::{Hypothesis, plants};
+use super::hypothesis::{Hypothesis, renumbered};
+use super::page::{Page, length_of, root, unite};
+use super::plants;
 use crate::geom::{meetings, polyline};
 use crate::kept::{Kept, Same};
 use crate::sketch::{Correction, Stroke, StrokeId};
@@ -61,10 +62,10 @@ struct Size {
 impl Size {
     /// That of a stroke; nothing if it is none that can be drawn.
     fn of(stroke: &Stroke) -> Option<Self> {
-        let positions = || stroke.points.iter().map(|point| point.position);
-        let ink = positions().zip(positions().skip(1)).map(|(a, b)| a.distance(b)).sum::<f32>();
+        let ink = length_of(stroke);
+        let positions = stroke.points.iter().map(|point| point.position);
         let is_drawn = ink.is_finite() && !stroke.points.is_empty();
-        is_drawn.then(|| Self { bounds: polyline::bounds(positions()), ink })
+        is_drawn.then(|| Self { bounds: polyline::bounds(positions), ink })
     }
 
     fn with(self, other: Self) -> Self {
@@ -106,9 +107,7 @@ pub(super) fn proposals(
     let found =
         known.plants.made(&plants, key, |(places, about)| Arc::new(alone(&own(places), about, &propose)));
     let of_drawing = |((places, _), found): (&(Places, _), Arc<Vec<Hypothesis>>)| {
-        let mut found = found.to_vec();
-        found.iter_mut().flat_map(|it| &mut it.uses).for_each(|place| *place = places[*place]);
-        found
+        renumbered(found.to_vec(), |place| places[place])
     };
     Some(plants.iter().zip(found).flat_map(of_drawing).collect())
 }
@@ -253,18 +252,11 @@ fn of_plants(plants: &[Places], strokes: &[Arc<Stroke>], corrections: &[Correcti
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::anatomy::conventions::{self, ConventionParams, Interpretation, interpret, interpret_with};
-    use crate::sketch::{Reading, StrokePoint, Tool, Verdict};
+    use crate::anatomy::conventions::{
+        self, ConventionParams, Interpretation, interpret, interpret_with, strokes,
+    };
+    use crate::sketch::{Reading, Verdict};
     use std::f32::consts::TAU;
-
-    /// Strokes along some lines, named by their places.
-    fn strokes(lines: &[Vec<Vec2>]) -> Vec<Arc<Stroke>> {
-        let stroke = |(id, line): (usize, &Vec<Vec2>)| {
-            let points = line.iter().copied().map(StrokePoint::at).collect();
-            Arc::new(Stroke { id: id as u64, tool: Tool::Auto, points })
-        };
-        lines.iter().enumerate().map(stroke).collect()
-    }
 
     /// A corolla with a centre on a stem.
     fn flower(foot: Vec2) -> Vec<Vec<Vec2>> {

@@ -148,13 +148,19 @@ fn read_by(propose: Propose, lines: &[Vec<glam::Vec2>]) -> Vec<Hypothesis> {
 /// The same for strokes that have these points and no others.
 #[cfg(test)]
 fn read_as_drawn(propose: Propose, lines: &[Vec<glam::Vec2>]) -> Vec<Hypothesis> {
+    let mut all = Vec::new();
+    propose(&Page::new(&strokes(lines)), &mut all);
+    all
+}
+
+/// Strokes that have these points and no others, named by their places.
+#[cfg(test)]
+fn strokes(lines: &[Vec<glam::Vec2>]) -> Vec<Arc<Stroke>> {
     let stroke = |(id, line): (usize, &Vec<glam::Vec2>)| {
         let points = line.iter().copied().map(crate::sketch::StrokePoint::at).collect();
         Arc::new(Stroke { id: id as u64, tool: crate::sketch::Tool::Auto, points })
     };
-    let (strokes, mut all): (Vec<_>, _) = (lines.iter().enumerate().map(stroke).collect(), Vec::new());
-    propose(&Page::new(&strokes), &mut all);
-    all
+    lines.iter().enumerate().map(stroke).collect()
 }
 
 /// A line through some corners.

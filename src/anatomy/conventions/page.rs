@@ -3,7 +3,7 @@
 //! A line is its stroke at even steps of arc length, at most 400 of them: angles and corners then
 //! mean the same in a fast and in a slow hand. All lengths are canvas pixels.
 
-use super::Hypothesis;
+use super::hypothesis::{Hypothesis, renumbered};
 use crate::geom::{convex_hull::convex_hull, meetings, polyline, region::Region, simple_loop};
 use crate::kept::{Kept, Same};
 use crate::sketch::{Stroke, Tool};
@@ -123,9 +123,8 @@ impl Page {
     }
 
     /// The same hypotheses by the places of strokes in the drawing instead of by lines.
-    pub(super) fn by_strokes(&self, mut hypotheses: Vec<Hypothesis>) -> Vec<Hypothesis> {
-        hypotheses.iter_mut().flat_map(|it| &mut it.uses).for_each(|line| *line = self.lines[*line].stroke);
-        hypotheses
+    pub(super) fn by_strokes(&self, hypotheses: Vec<Hypothesis>) -> Vec<Hypothesis> {
+        renumbered(hypotheses, |line| self.lines[line].stroke)
     }
 
     /// Whether some line belongs to no group.
@@ -188,7 +187,8 @@ impl Page {
     }
 }
 
-fn length_of(stroke: &Stroke) -> f32 {
+/// Length of a stroke as drawn, pixels.
+pub(super) fn length_of(stroke: &Stroke) -> f32 {
     stroke.points.windows(2).map(|pair| pair[0].position.distance(pair[1].position)).sum()
 }
 

@@ -10,7 +10,7 @@
 //! Limits: plants that overlap from left to right are looked at together, on the page of the whole, and so
 //! are more than [`MOST`] that are no meadow.
 
-use super::Hypothesis;
+use super::hypothesis::{Hypothesis, renumbered};
 use super::page::{Line, Page};
 use crate::kept::{Kept, Same};
 use crate::sketch::Stroke;
@@ -71,9 +71,7 @@ pub(super) fn proposed(
     let key = |plant: &Plant| own(plant).iter().map(Same::of).collect();
     let found = known.made(plants, key, |plant| Arc::new(proposed_alone(&own(plant), &propose)));
     let of_page = |(plant, found): (&Plant, Arc<Vec<Hypothesis>>)| {
-        let mut found = found.to_vec();
-        found.iter_mut().flat_map(|it| &mut it.uses).for_each(|place| *place = plant.lines[*place]);
-        found
+        renumbered(found.to_vec(), |place| plant.lines[place])
     };
     plants.iter().zip(found).flat_map(of_page).collect()
 }

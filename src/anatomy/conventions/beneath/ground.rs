@@ -7,7 +7,7 @@
 //! as one high hill, in pieces, or as grass is not found here (for grass see [`grass`](super::grass)).
 
 use crate::anatomy::conventions::Hypothesis;
-use crate::anatomy::conventions::flowers::upright::feet_within;
+use crate::anatomy::conventions::flowers::upright::{feet_within, upright};
 use crate::anatomy::conventions::page::{Line, Page};
 use crate::anatomy::conventions::plants::{self, Plant};
 use crate::sketch::Reading;
@@ -45,9 +45,8 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let lowest = lines().filter(|i| is_ground(page, &page.lines[*i]));
     let lowest = lowest.max_by(|a, b| height(a).total_cmp(&height(b)));
     let widest = lines().max_by(|a, b| page.lines[*a].size().x.total_cmp(&page.lines[*b].size().x));
-    let bed = || lines().find_map(|i| Some((i, bed(page, i)?)));
     let ground = lowest.or(widest.filter(|i| carries_a_garden(page, *i))).map(|line| (line, SCORE));
-    out.extend(ground.or_else(bed).map(|(line, score)| Hypothesis {
+    out.extend(ground.or_else(|| bed(page, lines())).map(|(line, score)| Hypothesis {
         uses: vec![line],
         score,
         parts: Vec::new(),
@@ -57,17 +56,24 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     }));
 }
 
-/// Log-odds that a line is the outline of a bed, wider than high, in which several stems stand side by side.
-fn bed(page: &Page, number: usize) -> Option<f32> {
-    let line = &page.lines[number];
+/// The first of these lines that is the outline of a bed, wider than high, in which several stems stand side by side, and its log-odds.
+fn bed(page: &Page, lines: impl Iterator<Item = usize>) -> Option<(usize, f32)> {
+    let mut outlines = lines.filter(|i| is_outline_of_bed(page, &page.lines[*i])).peekable();
+    outlines.peek()?;
+    let stems = upright(page);
+    outlines.find_map(|i| {
+        let line = &page.lines[i];
+        let (feet, spread) = feet_within(&stems, line.bounds);
+        let stands = feet >= PLANTS && spread > BED.4 * line.size().x;
+        stands.then(|| (i, SCORE + EACH * feet.min(MOST_FEET) as f32))
+    })
+}
+
+/// Whether a line is closed, wider than high, and wide beside the drawing.
+fn is_outline_of_bed(page: &Page, line: &Line) -> bool {
     let size = line.size();
     let is_of_form = line.openness < BED.0 && line.solidity() > BED.1 && size.x > BED.2 * size.y;
-    if !is_of_form || size.x < BED.3 * (page.bounds.1.x - page.bounds.0.x) {
-        return None;
-    }
-    let (feet, spread) = feet_within(page, line.bounds);
-    let stands = feet >= PLANTS && spread > BED.4 * size.x;
-    stands.then(|| SCORE + EACH * feet.min(MOST_FEET) as f32)
+    is_of_form && size.x >= BED.3 * (page.bounds.1.x - page.bounds.0.x)
 }
 
 /// Whether a line is level and lies below all else that is drawn.

@@ -12,7 +12,7 @@
 //! Limits: a pot beside something that stands lower is not found; a pot in one stroke with its plant is not found, nor one behind leaves that hang over both of its sides.
 
 use super::pot_rows::{ROWS, Row, mirrored, profile, rows};
-use crate::anatomy::conventions::flowers::upright::feet_within;
+use crate::anatomy::conventions::flowers::upright::{stand_in_bed, upright};
 use crate::anatomy::conventions::page::{Line, Page};
 use crate::anatomy::conventions::{Hypothesis, Solid, SolidKind};
 use crate::geom::{convex_hull::convex_hull, simple_loop};
@@ -48,8 +48,6 @@ const PLANT: f32 = 0.4;
 const ENTRY: f32 = 0.85;
 /// Log-odds: more than those of a tree, whose trunk a pot would be.
 const SCORE: f32 = 3.5;
-/// Least width of a bed over its height, and least distance between the outer stems in it, as a share of its width.
-const BED: (f32, f32) = (1.8, 0.25);
 /// How near to the upper end of a side something else ends that it carries, as a share of its height.
 const CARRIED: f32 = 0.12;
 /// How far other things may reach below it, in heights of the pot: under it, and beside it, where they may stand before it.
@@ -76,7 +74,10 @@ fn pot(page: &Page, body: usize) -> Option<Hypothesis> {
     let lines: Vec<&[Vec2]> = pot.uses.iter().map(|i| &page.lines[*i].points[..]).collect();
     let mut rows = mirrored(rows(&lines, pot.low, pot.high));
     pot.trim(&mut rows);
-    if !pot.is_box(&lines, &rows) || pot.stands_on_more(page) || !pot.has_plant(page) || pot.is_bed(page) {
+    if !pot.is_box(&lines, &rows) || pot.stands_on_more(page) || !pot.has_plant(page) {
+        return None;
+    }
+    if stand_in_bed(&upright(page), (pot.low, pot.high)) {
         return None;
     }
     let axis = 0.5 * (pot.low.x + pot.high.x);
@@ -246,12 +247,6 @@ impl Pot {
             let lower = if is_beside { BELOW.1 } else { BELOW.0 };
             !is_level && !is_other && !is_around && line.bounds.1.y > self.high.y + lower * self.size.y
         })
-    }
-
-    /// Whether several stems stand in it one beside the other, as they do in a bed.
-    fn is_bed(&self, page: &Page) -> bool {
-        let is_wide = self.size.x > BED.0 * self.size.y;
-        is_wide && feet_within(page, (self.low, self.high)).1 > BED.1 * self.size.x
     }
 
     /// Whether lines stand in the upper edge, and nothing rests on it that reaches past both sides.

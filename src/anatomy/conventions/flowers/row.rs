@@ -3,13 +3,13 @@
 //! A head on a stem says little by itself: it may be a crown or a leaf. Several stems with heads of their own are a garden, and there
 //! each head speaks for the others: petals, teeth, windings, rays, stems that are long beside their heads, and ground under them
 //! make flowers of those beside them as well, and so do bare stems on the ground. Against it speak the tip of a blade, heads
-//! that touch, which may be halves of a crown, and other lines at the same height. Petals are as drawn where they can be told, along the rays
+//! that touch, which may be halves of a crown, and other lines at the same height. Petals are as drawn where they can be seen, along the rays
 //! where a head is made of rays, and else fill the head as those of a [`rose`](super::rose) do.
 //!
 //! Limits: plants in pots; heads on two lines, which are trunks; flowers one above the other; row upon row.
 
 use super::corolla_on_stem::{is_seen_from_the_front, petals_on_stem};
-use super::upright::{Flower, feet_within, is_wound, upright};
+use super::upright::{Flower, is_wound, stand_in_bed, upright};
 use super::{cup, rays, rose};
 use crate::anatomy::conventions::page::{Line, Page, even, tips};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
@@ -38,9 +38,8 @@ const SLENDER: f32 = 0.8;
 /// The same of ground under its foot, how near that is, as a share of the stem's length, and greatest height of ground, as a share
 /// of its width.
 const GROUND: (f32, f32, f32) = (0.8, 0.3, 0.25);
-/// Least width of ground, as a share of the drawing's; of a bed over its height; and least distance of the outer stems in a bed, as
-/// a share of its width.
-const BED: (f32, f32, f32) = (0.35, 1.8, 0.25);
+/// Least width of ground, as a share of the drawing's.
+const WIDE: f32 = 0.35;
 /// What speaks against it: as much of other lines at its height as it has itself; a head that touches it.
 const CROWDED: f32 = 1.5;
 const TOUCHING: f32 = 1.5;
@@ -48,14 +47,18 @@ const TOUCHING: f32 = 1.5;
 const POINTS: usize = 80;
 const TIP: (f32, f32) = (0.1, 1.6);
 
+/// Outlines of petals.
+type Petals = Vec<Vec<Vec2>>;
+
 /// Proposes a flower for each head of a row.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
-    let ground = ground(page);
+    let stems = upright(page);
+    let ground = ground(page, &stems);
     // In a pot leaves stand on stems as well.
     if ground.is_empty() && page.has_apart() {
         return;
     }
-    let (flowers, bare) = flowers(page, &ground);
+    let (flowers, bare) = flowers(page, stems, &ground);
     if flowers.len() + bare < FEWEST {
         return;
     }
@@ -67,34 +70,34 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let mut row: Vec<usize> = flowers.iter().flat_map(of_flower).collect();
     row.sort_unstable();
     let against = |i: usize| apart(i) + CROWDED * flowers[i].crowded(page, &row).min(1.0);
-    let evidence: Vec<f32> =
-        flowers.iter().enumerate().map(|(i, flower)| flower.evidence(page, &ground) - against(i)).collect();
-    for (i, flower) in flowers.iter().enumerate() {
+    let petals: Vec<Option<Petals>> = flowers.iter().map(|flower| flower.drawn(page)).collect();
+    let speaks =
+        |(i, flower): (usize, &Flower)| flower.evidence(page, &ground, petals[i].is_some()) - against(i);
+    let evidence: Vec<f32> = flowers.iter().enumerate().map(speaks).collect();
+    for ((i, flower), petals) in flowers.iter().enumerate().zip(petals) {
         let others = evidence.iter().enumerate().filter(|(k, _)| *k != i);
         let mut beside: Vec<f32> = others.map(|(_, it)| (BESIDE.0 + BESIDE.1 * it).max(0.0)).collect();
         beside.sort_by(|a, b| b.total_cmp(a));
         beside.extend((0..bare).map(|_| BESIDE.2));
         let score = SCORE + evidence[i] + beside.iter().take(COUNTED).sum::<f32>();
         let most = if flower.shows_its_face(page) { f32::INFINITY } else { MOST };
-        out.push(flower.hypothesis(page, score.min(most)));
+        out.push(flower.hypothesis(petals, score.min(most)));
     }
 }
 
 /// Lines that are set apart and lie below stems as the ground or a bed does: a pot is narrower or holds all stems in its middle.
-fn ground(page: &Page) -> Vec<&Line> {
+fn ground<'a>(page: &'a Page, stems: &[Flower]) -> Vec<&'a Line> {
     let width = page.bounds.1.x - page.bounds.0.x;
     let is_ground = |line: &&Line| {
         let size = line.size();
         let is_level = size.y < GROUND.2 * size.x;
-        let is_bed = || size.x > BED.1 * size.y && feet_within(page, line.bounds).1 > BED.2 * size.x;
-        size.x > BED.0 * width && (is_level || is_bed())
+        size.x > WIDE * width && (is_level || stand_in_bed(stems, line.bounds))
     };
     (0..page.lines.len()).filter(|i| page.is_apart(*i)).map(|i| &page.lines[i]).filter(is_ground).collect()
 }
 
-/// All flowers of a page that are of the form of one, and how many other stems stand on the ground beside them.
-fn flowers<'a>(page: &'a Page, ground: &[&Line]) -> (Vec<Flower<'a>>, usize) {
-    let all = upright(page);
+/// Those of all stems of a page that are of the form of a flower, and how many other stems stand on the ground beside them.
+fn flowers<'a>(page: &Page, all: Vec<Flower<'a>>, ground: &[&Line]) -> (Vec<Flower<'a>>, usize) {
     let on_ground = |flowers: &[Flower]| flowers.iter().filter(|flower| flower.is_on(ground)).count();
     let stems = on_ground(&all);
     let (bare, mut flowers): (Vec<_>, Vec<_>) = all.into_iter().partition(Flower::is_bare);
@@ -150,8 +153,8 @@ impl Flower<'_> {
         self.lines(page).filter(is_ray).collect()
     }
 
-    /// Petals that can be told in the drawing.
-    fn drawn(&self, page: &Page) -> Option<Vec<Vec<Vec2>>> {
+    /// Petals that can be seen in the drawing.
+    fn drawn(&self, page: &Page) -> Option<Petals> {
         let rays = self.rays(page);
         if rays.len() >= RAY.2 && 2 * rays.len() >= self.lines(page).count() {
             return Some(self.along(&rays));
@@ -167,7 +170,7 @@ impl Flower<'_> {
     }
 
     /// A thin petal along each ray out from the middle of the head.
-    fn along(&self, rays: &[&Line]) -> Vec<Vec<Vec2>> {
+    fn along(&self, rays: &[&Line]) -> Petals {
         let (middle, reach) = (self.bounds.0.midpoint(self.bounds.1), 0.5 * self.size().max_element());
         let tips = rays.iter().flat_map(|ray| [ray.ends().0, ray.ends().1]);
         let far = tips.filter(|tip| tip.distance(middle) > 0.5 * reach);
@@ -176,10 +179,10 @@ impl Flower<'_> {
     }
 
     /// What speaks for a flower in the drawing of this one: petals, windings, a long stem.
-    fn evidence(&self, page: &Page, ground: &[&Line]) -> f32 {
+    fn evidence(&self, page: &Page, ground: &[&Line], shows_petals: bool) -> f32 {
         let head = if self.is_blade(page) {
             BLADE
-        } else if self.drawn(page).is_some() {
+        } else if shows_petals {
             PETALS
         } else if self.lines(page).any(is_wound) || self.lines(page).count() > 2 {
             MANY
@@ -191,8 +194,8 @@ impl Flower<'_> {
         head + slender + stands
     }
 
-    fn hypothesis(&self, page: &Page, score: f32) -> Hypothesis {
-        let petals = match self.drawn(page) {
+    fn hypothesis(&self, petals: Option<Petals>, score: f32) -> Hypothesis {
+        let petals = match petals {
             Some(petals) => petals.into_iter().map(|petal| Made::new(Tool::Petal, petal)).collect(),
             None => rose::petals(self.bounds.0.midpoint(self.bounds.1), 0.5 * self.size()),
         };

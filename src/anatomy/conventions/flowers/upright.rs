@@ -50,11 +50,13 @@ const WOUND: f32 = 1.5;
 const BESIDE: f32 = 0.15;
 /// Least area of an outline around a whole flower, as a share of the flower's bounds: that is what grows there.
 const AROUND: f32 = 2.0;
+/// Least width of a bed over its height, and least distance between the outer stems in it, as a share of its width.
+const BED: (f32, f32) = (1.8, 0.25);
 /// Largest of a petal drawn by itself, as a share of its head, and how many of them say that others read this head.
 const PETAL: (f32, usize) = (0.7, 3);
 
 /// What may be a stem: from its foot to its top.
-pub(super) struct Stem<'a> {
+pub(crate) struct Stem<'a> {
     pub number: usize,
     pub points: Vec<Vec2>,
     pub length: f32,
@@ -122,7 +124,7 @@ impl<'a> Stem<'a> {
 }
 
 /// A stem and what is drawn at its end.
-pub(super) struct Flower<'a> {
+pub(crate) struct Flower<'a> {
     pub stem: Stem<'a>,
     /// Lines of the head, without the end of the stem's own stroke.
     pub head: Vec<usize>,
@@ -131,7 +133,7 @@ pub(super) struct Flower<'a> {
 }
 
 /// The stems of a page with what is drawn at their upper ends.
-pub(super) fn upright(page: &Page) -> Vec<Flower<'_>> {
+pub(crate) fn upright(page: &Page) -> Vec<Flower<'_>> {
     if page.lines.len() > MOST_LINES {
         return Vec::new();
     }
@@ -179,11 +181,15 @@ fn gather(page: &Page, flowers: &mut [Flower]) {
     }
 }
 
-/// Feet of the stems of a page that carry something, whatever that is, within two corners: how many, and how far apart the outer ones
-/// are.
-pub(crate) fn feet_within(page: &Page, (low, high): (Vec2, Vec2)) -> (usize, f32) {
-    let all = upright(page);
-    let feet = all.iter().filter(|flower| !flower.is_bare()).map(|flower| flower.stem.foot());
+/// Whether stems stand side by side within two corners that are wider than high, as in a bed.
+pub(crate) fn stand_in_bed(stems: &[Flower], (low, high): (Vec2, Vec2)) -> bool {
+    let size = high - low;
+    size.x > BED.0 * size.y && feet_within(stems, (low, high)).1 > BED.1 * size.x
+}
+
+/// Feet of stems that carry something, whatever that is, within two corners: how many, and how far apart the outer ones are.
+pub(crate) fn feet_within(stems: &[Flower], (low, high): (Vec2, Vec2)) -> (usize, f32) {
+    let feet = stems.iter().filter(|flower| !flower.is_bare()).map(|flower| flower.stem.foot());
     let within = feet.filter(|foot| foot.cmpgt(low).all() && foot.cmplt(high).all());
     let none = (0, f32::INFINITY, f32::NEG_INFINITY);
     let (count, left, right) =
