@@ -3,13 +3,15 @@
 //! Every stage is a pure function of plain data, so a thing whose key says everything that it was made from is the very
 //! thing that would be made again. A stage asks once in a build for all things of a kind ([`Kept::made`]); what it does not
 //! ask for is forgotten. Long lists are not compared but known by their address ([`Same`]): what comes unchanged out of one
-//! stage's memory is found at once in the next one's.
+//! stage's memory is found at once in the next one's. What did not change is neither moved nor copied: stages are given the
+//! kept things themselves.
 //!
 //! Limits: lists of equal content at two addresses are two keys, which costs time but changes nothing.
 
 use rayon::prelude::*;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::hash::{Hash, Hasher};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Things that one thread makes at a time: fewer are not worth waking another thread for.
@@ -52,30 +54,39 @@ impl Window {
     }
 }
 
-/// Shared data, known by its address. It is held, so that nothing else comes to lie there.
+/// What a key is made for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Use {
+    /// Only to be compared while its input is there.
+    Comparing,
+    /// To be kept: it holds what it knows by its address, so that nothing else comes to lie there.
+    Keeping,
+}
+
+/// Shared data, known by its address.
 #[derive(Debug)]
-pub struct Same<T: ?Sized>(Arc<T>);
+pub struct Same<T: ?Sized> {
+    address: usize,
+    _held: Option<Arc<T>>,
+}
 
 impl<T: ?Sized> Same<T> {
-    /// This very data.
-    pub fn of(data: &Arc<T>) -> Self {
-        Self(Arc::clone(data))
-    }
-
-    fn address(&self) -> *const () {
-        Arc::as_ptr(&self.0).cast()
+    /// This very data. Holding it writes to memory that is far away, so that comparing thousands goes without.
+    pub fn of(data: &Arc<T>, used: Use) -> Self {
+        let held = (used == Use::Keeping).then(|| Arc::clone(data));
+        Self { address: Arc::as_ptr(data).addr(), _held: held }
     }
 }
 
 impl<T: ?Sized> Clone for Same<T> {
     fn clone(&self) -> Self {
-        Self::of(&self.0)
+        Self { address: self.address, _held: self._held.clone() }
     }
 }
 
 impl<T: ?Sized> PartialEq for Same<T> {
     fn eq(&self, other: &Self) -> bool {
-        self.address() == other.address()
+        self.address == other.address
     }
 }
 
@@ -83,28 +94,30 @@ impl<T: ?Sized> Eq for Same<T> {}
 
 impl<T: ?Sized> Hash for Same<T> {
     fn hash<H: Hasher>(&self, state: &mut H) {
-        self.address().hash(state);
+        self.address.hash(state);
     }
 }
 
 /// Things of one kind, by what they were made from, in the order in which the last call asked for them.
 #[derive(Debug)]
 pub struct Kept<K, V> {
-    held: Vec<(K, V)>,
-    /// Whether there is no next call, so that nothing is kept and no key is asked for.
+    /// One for each thing; none at all for a single call.
+    keys: Vec<K>,
+    things: Vec<V>,
+    /// Whether there is no next call, so that no key is asked for.
     is_for_one_call: bool,
 }
 
 impl<K, V> Default for Kept<K, V> {
     fn default() -> Self {
-        Self { held: Vec::new(), is_for_one_call: false }
+        Self { keys: Vec::new(), things: Vec::new(), is_for_one_call: false }
     }
 }
 
 impl<K, V> Kept<K, V> {
-    /// For a single call, which keeps nothing.
+    /// For a single call, for which no keys are made.
     pub fn for_one_call() -> Self {
-        Self { held: Vec::new(), is_for_one_call: true }
+        Self { is_for_one_call: true, ..Self::default() }
     }
 }
 
@@ -114,9 +127,9 @@ impl<K: Eq + Hash, V: Clone + Send + Sync> Kept<K, V> {
     pub fn made<I: Sync>(
         &mut self,
         inputs: &[I],
-        key: impl Fn(&I) -> K,
+        key: impl Fn(&I, Use) -> K,
         make: impl Fn(&I) -> V + Sync,
-    ) -> Vec<V> {
+    ) -> &[V] {
         self.made_where(inputs, key, |_, _| true, make)
     }
 
@@ -124,59 +137,69 @@ impl<K: Eq + Hash, V: Clone + Send + Sync> Kept<K, V> {
     pub fn made_where<I: Sync>(
         &mut self,
         inputs: &[I],
-        key: impl Fn(&I) -> K,
+        key: impl Fn(&I, Use) -> K,
         holds: impl Fn(&I, &V) -> bool,
         make: impl Fn(&I) -> V + Sync,
-    ) -> Vec<V> {
+    ) -> &[V] {
         if self.is_for_one_call {
-            return inputs.par_iter().with_min_len(BATCH).map(&make).collect();
+            self.things = inputs.par_iter().with_min_len(BATCH).map(&make).collect();
+            return &self.things;
         }
-        let keys: Vec<K> = inputs.iter().map(key).collect();
         // Most calls ask for what the last one asked for, in the same order: only what stands between the common beginning
         // and the common end needs a search.
-        let Window { begin, end } = Window::between(&self.held, &keys, |(held, _), key| held == key);
-        let (old_end, new_end) = (self.held.len() - end, keys.len() - end);
-        let by_key: HashMap<&K, usize> = match begin < new_end {
-            true => (begin..old_end).map(|place| (&self.held[place].0, place)).collect(),
-            false => HashMap::new(),
-        };
+        let is_same = |known: &K, input: &I| *known == key(input, Use::Comparing);
+        let Window { begin, end } = Window::between(&self.keys, inputs, is_same);
+        let (old_end, new_end) = (self.keys.len() - end, inputs.len() - end);
+        let keys: Vec<K> = inputs[begin..new_end].iter().map(|input| key(input, Use::Keeping)).collect();
+        let between = self.places(begin..old_end, &keys);
         let place_of = |i: usize| match i {
             i if i < begin => Some(i),
-            i if i < new_end => by_key.get(&keys[i]).copied(),
+            i if i < new_end => between[i - begin],
             i => Some(i - new_end + old_end),
         };
-        let known = |(i, input): (usize, &I)| {
-            let (_, thing) = &self.held[place_of(i)?];
-            holds(input, thing).then(|| thing.clone())
-        };
-        let found: Vec<Option<V>> = inputs.iter().enumerate().map(known).collect();
-        let missing: Vec<usize> = (0..inputs.len()).filter(|i| found[*i].is_none()).collect();
+        let is_missing =
+            |i: &usize| place_of(*i).is_none_or(|place| !holds(&inputs[*i], &self.things[place]));
+        let missing: Vec<usize> = (0..inputs.len()).filter(is_missing).collect();
         let new: Vec<V> = missing.par_iter().with_min_len(BATCH).map(|i| make(&inputs[*i])).collect();
-        for (i, thing) in missing.iter().zip(&new).filter(|(i, _)| **i < begin || **i >= new_end) {
-            let place = if *i < begin { *i } else { *i - new_end + old_end };
-            self.held[place].1 = thing.clone();
+        let mut new: BTreeMap<usize, V> = missing.into_iter().zip(new).collect();
+        let thing = |i: usize| new.remove(&i).or_else(|| Some(self.things[between[i - begin]?].clone()));
+        let things: Vec<V> = (begin..new_end).filter_map(thing).collect();
+        self.keys.splice(begin..old_end, keys);
+        self.things.splice(begin..old_end, things);
+        for (i, thing) in new {
+            self.things[i] = thing;
         }
-        let mut new = new.into_iter();
-        let things: Vec<V> = found.into_iter().filter_map(|found| found.or_else(|| new.next())).collect();
-        let between = keys.into_iter().zip(&things).take(new_end).skip(begin);
-        let between: Vec<(K, V)> = between.map(|(key, thing)| (key, thing.clone())).collect();
-        self.held.splice(begin..old_end, between);
-        things
+        &self.things
+    }
+
+    /// Where these keys stand among those of a range.
+    fn places(&self, among: Range<usize>, keys: &[K]) -> Vec<Option<usize>> {
+        if keys.is_empty() {
+            return Vec::new();
+        }
+        let by_key: HashMap<&K, usize> = among.map(|place| (&self.keys[place], place)).collect();
+        keys.iter().map(|key| by_key.get(key).copied()).collect()
     }
 
     /// Forgets all things but those that are wanted, which may be changed on the way.
     pub fn keep_only(&mut self, mut is_wanted: impl FnMut(&mut V) -> bool) {
-        self.held.retain_mut(|(_, thing)| is_wanted(thing));
+        let is_wanted: Vec<bool> = self.things.iter_mut().map(&mut is_wanted).collect();
+        if is_wanted.iter().all(|is_wanted| *is_wanted) {
+            return;
+        }
+        let (mut of_keys, mut of_things) = (is_wanted.iter(), is_wanted.iter());
+        self.keys.retain(|_| of_keys.next().is_none_or(|is_wanted| *is_wanted));
+        self.things.retain(|_| of_things.next().is_none_or(|is_wanted| *is_wanted));
     }
 
     /// How many things are kept.
     pub fn len(&self) -> usize {
-        self.held.len()
+        self.things.len()
     }
 
     /// Whether nothing is kept.
     pub fn is_empty(&self) -> bool {
-        self.held.is_empty()
+        self.things.is_empty()
     }
 }
 
@@ -192,7 +215,7 @@ mod tests {
             made.fetch_add(1, Ordering::Relaxed);
             x * x
         };
-        let squares = kept.made(of, |x| *x, square);
+        let squares = kept.made(of, |x, _| *x, square).to_vec();
         (squares, made.into_inner())
     }
 
@@ -211,7 +234,7 @@ mod tests {
     fn what_does_not_hold_is_made_again() {
         let mut kept = Kept::default();
         let times = |kept: &mut Kept<u32, (u32, u32)>, factor| {
-            kept.made_where(&[4], |x| *x, |_, made| made.0 == factor, |x| (factor, factor * x))
+            kept.made_where(&[4], |x, _| *x, |_, made| made.0 == factor, |x| (factor, factor * x)).to_vec()
         };
         assert_eq!(times(&mut kept, 2), [(2, 8)]);
         assert_eq!(times(&mut kept, 3), [(3, 12)]);
@@ -219,16 +242,34 @@ mod tests {
     }
 
     #[test]
-    fn a_single_call_makes_all_and_keeps_nothing() {
+    fn a_single_call_makes_all() {
         let mut kept = Kept::for_one_call();
         assert_eq!(squares(&mut kept, &[3, 1, 3]), (vec![9, 1, 9], 3));
-        assert!(kept.is_empty());
+    }
+
+    #[test]
+    fn what_does_not_hold_is_made_again_wherever_it_stands() {
+        let mut kept = Kept::default();
+        let made = |kept: &mut Kept<u32, (u32, u32)>, of: &[u32], again: u32, round| {
+            let holds = |x: &u32, _: &(u32, u32)| *x != again;
+            kept.made_where(of, |x, _| *x, holds, |x| (*x, round)).to_vec()
+        };
+        made(&mut kept, &[1, 2, 3, 4], 0, 1);
+        assert_eq!(made(&mut kept, &[1, 5, 2, 4], 2, 2), [(1, 1), (5, 2), (2, 2), (4, 1)]);
+        assert_eq!(made(&mut kept, &[1, 5, 2, 4], 1, 3), [(1, 3), (5, 2), (2, 2), (4, 1)]);
+        assert_eq!(made(&mut kept, &[0, 1, 5, 4], 4, 4), [(0, 4), (1, 3), (5, 2), (4, 4)]);
+        kept.keep_only(|(x, _)| *x != 5);
+        assert_eq!(made(&mut kept, &[0, 1, 5, 4], 9, 5), [(0, 4), (1, 3), (5, 5), (4, 4)]);
     }
 
     #[test]
     fn data_is_known_by_its_address() {
         let data: Arc<[u8]> = Arc::from([1, 2]);
-        assert!(Same::of(&data) == Same::of(&Arc::clone(&data)));
-        assert!(Same::of(&data) != Same::of(&Arc::from([1, 2])));
+        assert!(Same::of(&data, Use::Keeping) == Same::of(&Arc::clone(&data), Use::Comparing));
+        assert!(Same::of(&data, Use::Keeping) != Same::of(&Arc::from([1, 2]), Use::Comparing));
+        let before = Arc::strong_count(&data);
+        let (compared, kept) = (Same::of(&data, Use::Comparing), Same::of(&data, Use::Keeping));
+        assert_eq!(Arc::strong_count(&data), before + 1);
+        drop((compared, kept));
     }
 }

@@ -13,6 +13,7 @@ mod flower_poses;
 mod ground;
 mod grown;
 mod live;
+mod other_hands;
 mod outlines;
 #[path = "common/people.rs"]
 mod people;

@@ -125,7 +125,7 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
     if stop() {
         return anatomy;
     }
-    let mut warnings = remarks_on(&readings, remarks);
+    let mut warnings = remarks_on(readings, remarks);
     let lines =
         readings.iter().filter(|r| r.part == Part::Branch).map(|r| (Some(r.id), Arc::clone(&r.samples)));
     let Arranged { branches, lines } =
@@ -135,8 +135,9 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
         let piece = branch.stroke.and_then(|stroke| anatomy.pieces.get(&stroke));
         branch.half_width = piece.and_then(|piece| piece.half_width);
     }
-    let drawn =
-        |r: &Arc<Reading>| Some(Drawn { blade: r.blade.clone()?, tool: r.tool, roundness: r.roundness? });
+    fn drawn(r: &Arc<Reading>) -> Option<Drawn<'_>> {
+        Some(Drawn { blade: r.blade.as_ref()?, tool: r.tool, roundness: r.roundness.as_ref()? })
+    }
     let blades = readings.iter().filter_map(drawn).collect();
     let stems = stems(&anatomy.branches);
     let gathering = flowers::gather_with(&mut cache.flowers, blades, &stems, &params.flowers);
@@ -145,17 +146,17 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
     for &centre in &gathering.centres {
         warnings.add(Some(centre), || Remark::FlowerCentre);
     }
-    anatomy.crowns = crowns(&readings, &mut warnings);
+    anatomy.crowns = crowns(readings, &mut warnings);
     let flowers = (&mut anatomy.flowers[..], &anatomy.petals[..]);
     cache.places.attach(lines, &mut anatomy.leaves, flowers, &params.attach);
     remark_on_what_stands_apart(&anatomy, &mut warnings);
     let AnatomyParams { twigs, leaf_twigs, leaf_fill, .. } = params;
-    let fill = Fill { readings: &readings, seed: sketch.seed, twigs, leaf_twigs, leaf_fill, stop };
+    let fill = Fill { readings, seed: sketch.seed, twigs, leaf_twigs, leaf_fill, stop };
     fill.fill(&mut cache.outlines, &mut anatomy, &mut warnings);
     anatomy.warnings = warnings.into_vec();
     let drawn = |stroke| anatomy.pieces.get(&stroke).map_or(stroke, Piece::first);
     anatomy.warnings.iter_mut().for_each(|warning| warning.stroke = warning.stroke.map(drawn));
-    let read = marks(&readings, &anatomy.petals, &gathering.centres);
+    let read = marks(readings, &anatomy.petals, &gathering.centres);
     anatomy.marks = of_drawn(&sketch.strokes, &anatomy.pieces, read);
     anatomy
 }

@@ -9,7 +9,7 @@ use crate::geom::{
     line_changes::LineChanges,
     segment_index::{Line, Near, SegmentIndex},
 };
-use crate::kept::{Kept, Same};
+use crate::kept::{Kept, Same, Use};
 use glam::Vec2;
 use std::sync::Arc;
 
@@ -46,9 +46,9 @@ struct LeafKey {
 }
 
 impl LeafKey {
-    fn of(leaf: &FlatBlade) -> Self {
+    fn of(leaf: &FlatBlade, used: Use) -> Self {
         let ([a, b], [c, d]) = (leaf.root.to_array(), leaf.tip.to_array());
-        Self { outline: Same::of(&leaf.outline), ends: [a, b, c, d].map(f32::to_bits) }
+        Self { outline: Same::of(&leaf.outline, used), ends: [a, b, c, d].map(f32::to_bits) }
     }
 }
 
@@ -75,11 +75,12 @@ impl Attacher {
             let farthest = farthest_of(leaf, params);
             !changes.may_matter(leaf.root, farthest) && !changes.may_matter(leaf.tip, farthest)
         };
-        *leaves = self.leaves.made_where(leaves, LeafKey::of, is_as_it_was, |leaf| {
+        let placed = self.leaves.made_where(leaves, LeafKey::of, is_as_it_was, |leaf| {
             let mut leaf = leaf.clone();
             branches.attach_leaf(&mut leaf, params);
             leaf
         });
+        *leaves = placed.to_vec();
         let reaches: Vec<(Vec2, f32)> = flowers
             .iter()
             .map(|flower| {
@@ -89,12 +90,12 @@ impl Attacher {
             .collect();
         let places = self.flowers.made_where(
             &reaches,
-            |(center, reach)| [center.x, center.y, *reach].map(f32::to_bits),
+            |(center, reach), _| [center.x, center.y, *reach].map(f32::to_bits),
             |(center, reach), _| !changes.may_matter(*center, *reach),
             |(center, reach)| branches.place_of_flower(*center, *reach),
         );
         for (flower, place) in flowers.iter_mut().zip(places) {
-            flower.attachment = place;
+            flower.attachment = *place;
         }
     }
 

@@ -55,14 +55,14 @@ pub struct Gathering {
 }
 
 /// A blade on its way into a flower.
-#[derive(Clone, Debug)]
-pub struct Drawn {
+#[derive(Clone, Copy, Debug)]
+pub struct Drawn<'a> {
     /// The blade.
-    pub blade: FlatBlade,
+    pub blade: &'a FlatBlade,
     /// The tool of its stroke.
     pub tool: Tool,
     /// How round it is.
-    pub roundness: Roundness,
+    pub roundness: &'a Roundness,
 }
 
 /// A stem that stands by itself: where it begins, and where it ends.
@@ -91,21 +91,23 @@ struct Divider {
 
 /// Sorts blades, each with the tool of its stroke, into flowers and leaves.
 pub fn gather(blades: Vec<(FlatBlade, Tool)>, stems: &[Stem], params: &FlowerParams) -> Gathering {
-    let drawn = |(blade, tool): (FlatBlade, Tool)| Drawn { roundness: Roundness::of(&blade), blade, tool };
-    gather_with(&mut Gatherer::default(), blades.into_iter().map(drawn).collect(), stems, params)
+    let roundness: Vec<Roundness> = blades.iter().map(|(blade, _)| Roundness::of(blade)).collect();
+    let drawn = blades.iter().zip(&roundness);
+    let drawn = drawn.map(|((blade, tool), roundness)| Drawn { blade, tool: *tool, roundness }).collect();
+    gather_with(&mut Gatherer::default(), drawn, stems, params)
 }
 
 /// The very gathering that [`gather`] gives, again and again while a drawing changes.
 pub fn gather_with(
     known: &mut Gatherer,
-    blades: Vec<Drawn>,
+    blades: Vec<Drawn<'_>>,
     stems: &[Stem],
     params: &FlowerParams,
 ) -> Gathering {
     let stems = &Stems::new(stems);
+    let mut out = Gathering { petals: Vec::with_capacity(blades.len()), ..Gathering::default() };
     let (drawn_leaves, candidates): (Vec<_>, Vec<_>) =
         blades.into_iter().partition(|drawn| drawn.tool == Tool::Leaf);
-    let mut out = Gathering::default();
     let (flowers, mut no_flower) = divide(&mut known.any, candidates, stems, params);
     flowers.into_iter().for_each(|cluster| out.add_flower(cluster));
     if no_flower.is_empty() {
@@ -117,7 +119,7 @@ pub fn gather_with(
         no_flower = rest;
         for cluster in flowers {
             let (leaves, petals) = cluster.into_iter().partition(|drawn| drawn.tool == Tool::Leaf);
-            no_flower.extend::<Vec<Drawn>>(leaves);
+            no_flower.extend::<Vec<Drawn<'_>>>(leaves);
             out.add_flower(petals);
         }
     }
@@ -126,18 +128,18 @@ pub fn gather_with(
         no_flower.into_iter().partition(|drawn| drawn.tool == Tool::Petal);
     let drawn_petals = clusters(&mut known.petals, drawn_petals, params.bandwidth);
     drawn_petals.into_iter().for_each(|cluster| out.add_flower(cluster));
-    out.leaves.extend(leaves.into_iter().map(|drawn| drawn.blade));
+    out.leaves.extend(leaves.into_iter().map(|drawn| drawn.blade.clone()));
     out.leaves.sort_by_key(|leaf| leaf.stroke);
     out
 }
 
 /// Divides blades into clusters that are flowers, and those that are in none.
-fn divide(
+fn divide<'a>(
     known: &mut Divider,
-    blades: Vec<Drawn>,
+    blades: Vec<Drawn<'a>>,
     stems: &Stems,
     params: &FlowerParams,
-) -> (Vec<Vec<Drawn>>, Vec<Drawn>) {
+) -> (Vec<Vec<Drawn<'a>>>, Vec<Drawn<'a>>) {
     let (mut flowers, mut alone, mut no_flower) = (Vec::new(), Vec::new(), Vec::new());
     for cluster in clusters(&mut known.closed, blades, params.bandwidth) {
         if is_rosette(&cluster, stems, params.bandwidth) {
@@ -160,18 +162,17 @@ fn divide(
 }
 
 /// Blades by the place where their roots gather.
-fn clusters(known: &mut Climbs, blades: Vec<Drawn>, bandwidth: f32) -> Vec<Vec<Drawn>> {
+fn clusters<'a>(known: &mut Climbs, blades: Vec<Drawn<'a>>, bandwidth: f32) -> Vec<Vec<Drawn<'a>>> {
     let roots: Vec<Vec2> = blades.iter().map(|drawn| drawn.blade.root).collect();
     let reach: Vec<f32> = blades.iter().map(|drawn| bandwidth * drawn.blade.axis().length()).collect();
     let labels = mean_shift::cluster_with(known, &roots, &reach, MERGE);
-    let mut members = vec![Vec::new(); labels.iter().max().map_or(0, |m| m + 1)];
-    for (blade, label) in blades.into_iter().zip(labels) {
-        members[label].push(blade);
-    }
-    members
+    let mut labelled: Vec<(usize, Drawn<'_>)> = labels.into_iter().zip(blades).collect();
+    labelled.sort_by_key(|(label, _)| *label);
+    let members = labelled.chunk_by(|a, b| a.0 == b.0);
+    members.map(|members| members.iter().map(|(_, blade)| *blade).collect()).collect()
 }
 
-fn center_of(blades: &[Drawn]) -> Vec2 {
+fn center_of(blades: &[Drawn<'_>]) -> Vec2 {
     blades.iter().map(|drawn| drawn.blade.root).sum::<Vec2>() / blades.len().max(1) as f32
 }
 
@@ -185,18 +186,19 @@ impl Stems {
         Self(sorted)
     }
 
-    /// All stems whose feet are less than `reach` away from a place, and some more.
-    fn near(&self, place: Vec2, reach: f32) -> &[Stem] {
+    /// All stems whose feet are less than `reach` away from a place, and some more. Few are left to be measured.
+    fn near(&self, place: Vec2, reach: f32) -> impl Iterator<Item = &Stem> {
         // More than the reach by more than any rounding.
-        let (left, right) = (place.x - 1.001 * reach, place.x + 1.001 * reach);
-        let first = self.0.partition_point(|stem| stem.foot.x < left);
-        let count = self.0[first..].partition_point(|stem| stem.foot.x <= right);
-        &self.0[first..first + count]
+        let reach = 1.001 * reach;
+        let first = self.0.partition_point(|stem| stem.foot.x < place.x - reach);
+        let count = self.0[first..].partition_point(|stem| stem.foot.x <= place.x + reach);
+        let beside = &self.0[first..first + count];
+        beside.iter().filter(move |stem| (stem.foot.y - place.y).abs() <= reach)
     }
 }
 
 /// Whether blades gather at the foot of a stem.
-fn is_rosette(blades: &[Drawn], stems: &Stems, bandwidth: f32) -> bool {
+fn is_rosette(blades: &[Drawn<'_>], stems: &Stems, bandwidth: f32) -> bool {
     let center = center_of(blades);
     let lengths: f32 = blades.iter().map(|drawn| drawn.blade.axis().length()).sum();
     let reach = bandwidth * lengths / blades.len().max(1) as f32;
@@ -204,14 +206,14 @@ fn is_rosette(blades: &[Drawn], stems: &Stems, bandwidth: f32) -> bool {
         let away = stem.foot.distance(center);
         away < reach && away < stem.tip.distance(center)
     };
-    stems.near(center, reach).iter().any(at_foot)
+    stems.near(center, reach).any(at_foot)
 }
 
 /// Whether blades stand all round a common centre and point away from it, their centre left out.
-fn is_open_flower(blades: &[Drawn], widest_gap: f32) -> bool {
+fn is_open_flower(blades: &[Drawn<'_>], widest_gap: f32) -> bool {
     let center = center_of(blades);
     let petals: Vec<&FlatBlade> =
-        blades.iter().filter(|drawn| !drawn.roundness.is_centre(center)).map(|drawn| &drawn.blade).collect();
+        blades.iter().filter(|drawn| !drawn.roundness.is_centre(center)).map(|drawn| drawn.blade).collect();
     let outward = |b: &&FlatBlade| {
         let out = (b.tip - center).normalize_or_zero();
         b.axis().normalize_or_zero().dot(out) > 0.7 && b.root.distance(center) < 0.6 * b.tip.distance(center)
@@ -227,19 +229,19 @@ fn is_open_flower(blades: &[Drawn], widest_gap: f32) -> bool {
 }
 
 impl Gathering {
-    fn add_flower(&mut self, blades: Vec<Drawn>) {
+    fn add_flower(&mut self, blades: Vec<Drawn<'_>>) {
         let center = center_of(&blades);
-        let is_centre = |drawn: &Drawn| drawn.tool == Tool::Auto && drawn.roundness.is_centre(center);
-        let (centres, petals): (Vec<Drawn>, Vec<Drawn>) = blades.into_iter().partition(is_centre);
+        let is_centre = |drawn: &Drawn<'_>| drawn.tool == Tool::Auto && drawn.roundness.is_centre(center);
+        let (centres, petals): (Vec<Drawn<'_>>, Vec<Drawn<'_>>) = blades.into_iter().partition(is_centre);
         if petals.is_empty() {
-            self.leaves.extend(centres.into_iter().map(|drawn| drawn.blade));
+            self.leaves.extend(centres.into_iter().map(|drawn| drawn.blade.clone()));
             return;
         }
         let center = center_of(&petals);
         let centre_radius = centres.iter().map(|drawn| drawn.roundness.radius()).reduce(f32::max);
         self.centres.extend(centres.iter().filter_map(|drawn| drawn.blade.stroke));
         let first = self.petals.len();
-        self.petals.extend(petals.into_iter().map(|drawn| drawn.blade));
+        self.petals.extend(petals.into_iter().map(|drawn| drawn.blade.clone()));
         let petals = (first..self.petals.len()).collect();
         self.flowers.push(FlatFlower { petals, center, centre_radius, attachment: None });
     }

@@ -97,7 +97,7 @@ pub fn arrange_with(
 ) -> Arranged {
     let line_of =
         |(_, samples): &(_, Arc<[Sample]>)| Arc::new(Line::new(samples.iter().map(|s: &Sample| s.position)));
-    let flat = known.measured.made(&lines, |(_, samples)| Same::of(samples), line_of);
+    let flat = known.measured.made(&lines, |(_, samples), used| Same::of(samples, used), line_of).to_vec();
     known.find_touches(&flat, diagonal, params);
     let mut touched_by = vec![Vec::new(); lines.len()];
     for (child, touches) in known.touches.iter().enumerate() {
@@ -285,7 +285,7 @@ impl Forest<'_> {
             .filter(|&&old| seat_of(old).reversed)
             .map(|&old| lines[old].1.clone())
             .collect();
-        let mut turned = turned.made(&upside_down, Same::of, |line| turned_round(line)).into_iter();
+        let mut turned = turned.made(&upside_down, Same::of, |line| turned_round(line)).iter().cloned();
         let attached_at = |place: Near, parent: usize| {
             let line = &flat[parent];
             let (from, to) = (line.points[place.segment], line.points[place.segment + 1]);

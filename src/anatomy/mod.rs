@@ -15,6 +15,7 @@ pub mod fill_twigs;
 pub mod flower_centre;
 pub mod flowers;
 pub mod growth_points;
+pub mod habit_classifier;
 pub mod hierarchy;
 pub mod leaf_twigs;
 mod outlines;

@@ -13,7 +13,7 @@ use super::{
 };
 use crate::budget::Budget;
 use crate::geom::region::Region;
-use crate::kept::Same;
+use crate::kept::{Same, Use};
 use crate::sketch::warnings::Warnings;
 use crate::sketch::{Remark, StrokeId};
 use std::collections::HashMap;
@@ -135,7 +135,7 @@ impl Outlines {
         let mut old: HashMap<Same<[Sample]>, Filled> =
             old.into_iter().map(|filled| (filled.samples.clone(), filled)).collect();
         let filled = |reading: &&Arc<Reading>| {
-            let samples = Same::of(&reading.samples);
+            let samples = Same::of(&reading.samples, Use::Keeping);
             old.remove(&samples).unwrap_or_else(|| Filled::new(samples, reading))
         };
         self.0 = outlines.iter().map(filled).collect();

@@ -76,10 +76,10 @@ pub struct Reading {
 }
 
 /// The strokes of a drawing, read.
-#[derive(Debug, Default)]
-pub struct Drawn {
+#[derive(Debug)]
+pub struct Drawn<'a> {
     /// In the order of the drawing.
-    pub readings: Vec<Arc<Reading>>,
+    pub readings: &'a [Arc<Reading>],
     /// Of all strokes but dots.
     pub bounds: Bounds,
 }
@@ -114,13 +114,13 @@ impl Readings {
     }
 
     /// Reads the strokes of a drawing.
-    pub fn read(&mut self, strokes: &[Arc<Stroke>], rules: Rules<'_>) -> Drawn {
+    pub fn read(&mut self, strokes: &[Arc<Stroke>], rules: Rules<'_>) -> Drawn<'_> {
         let measures = self.measures.made(strokes, Same::of, |stroke| Measure::of(stroke));
-        let (bounds, dots) = bounds_without_dots(&measures);
+        let (bounds, dots) = bounds_without_dots(measures);
         let diagonal = bounds.0.distance(bounds.1);
         let placed: Vec<Placed<'_>> = strokes
             .iter()
-            .zip(&measures)
+            .zip(measures)
             .zip(dots)
             .map(|((stroke, measure), is_dot)| {
                 let samples = preprocess::count(measure.length, diagonal, rules.preprocess);
@@ -129,7 +129,7 @@ impl Readings {
             .collect();
         let readings = self.readings.made_where(
             &placed,
-            |placed| Same::of(placed.stroke),
+            |placed, used| Same::of(placed.stroke, used),
             |placed, reading| reading.holds(placed, diagonal, rules.ignore),
             |placed| Arc::new(read_stroke(placed, diagonal, rules)),
         );

@@ -95,7 +95,7 @@ pub fn branch_depths_with(
     for (_, siblings) in &mut families {
         siblings.sort_by(|&a, &b| branches[a].attached_at.total_cmp(&branches[b].attached_at));
     }
-    let key = |(_, siblings): &(usize, Vec<usize>)| {
+    let key = |(_, siblings): &(usize, Vec<usize>), _| {
         let child = |&i: &usize| (branches[i].key, chord_of(&branches[i]).to_array().map(f32::to_bits));
         (seed, siblings.iter().map(child).collect())
     };

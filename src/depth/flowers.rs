@@ -9,7 +9,7 @@ use super::flower_stem;
 use super::outline::{CurlParams, DrawnBlade};
 use super::petals;
 use crate::anatomy::{Anatomy, FlatBlade, FlatFlower};
-use crate::kept::Kept;
+use crate::kept::{Kept, Use};
 use crate::plant::{
     Blade, Cone, Flower, Organ, OrganPart, Provenance, Role, Shape, Template, Templates, WorldFromCanvas,
 };
@@ -63,11 +63,13 @@ impl Flowers {
         };
         let flowers: Vec<(&FlatFlower, Option<Vec2>)> =
             anatomy.flowers.iter().map(|flower| (flower, stem(flower))).collect();
-        let key = |(flower, stem): &(&FlatFlower, Option<Vec2>)| PoseKey {
-            petals: flower.petals.iter().map(|&p| DrawnBlade::of(&anatomy.petals[p])).collect(),
+        let key = |(flower, stem): &(&FlatFlower, Option<Vec2>), used: Use| PoseKey {
+            petals: flower.petals.iter().map(|&p| DrawnBlade::of(&anatomy.petals[p], used)).collect(),
             stem: stem.map(|stem| stem.to_array().map(f32::to_bits)),
         };
-        self.poses.made(&flowers, key, |(flower, stem)| Arc::new(pose_of(flower, *stem, anatomy, params)))
+        let pose =
+            |(flower, stem): &(&FlatFlower, Option<Vec2>)| Arc::new(pose_of(flower, *stem, anatomy, params));
+        self.poses.made(&flowers, key, pose).to_vec()
     }
 
     /// The flowers of a drawing and the organs that are their petals, flower by flower, with templates of their own; `depths`
@@ -95,18 +97,19 @@ impl Flowers {
             .petals
             .made(
                 &placed,
-                |petal| petal.key(world),
+                |petal, used| petal.key(world, used),
                 |petal| petals::petal(petal.flat, &petal.cone, petal.tip_depth, world, curl),
             )
-            .into_iter();
-        let (mut organs, mut templates) = (Vec::with_capacity(placed.len()), Templates::default());
+            .iter();
+        let (mut organs, mut templates) =
+            (Vec::with_capacity(placed.len() + anatomy.leaves.len()), Templates::default());
         for (index, (flat, flower)) in anatomy.flowers.iter().zip(&flowers).enumerate() {
             organs.extend(flat.petals.iter().zip(blades.by_ref()).map(|(&p, blade)| Organ {
                 role: Role::of(OrganPart::Petal),
                 origin: provenance.record(anatomy.petals[p].stroke),
                 branch: flower.branch,
                 flower: Some(index),
-                shape: Shape::Blade(blade.with_template(templates.add(blade.template.clone()))),
+                shape: Shape::Blade(blade.with_template(templates.add(Arc::clone(&blade.template)))),
             }));
         }
         (flowers, organs, templates)
@@ -114,12 +117,12 @@ impl Flowers {
 }
 
 impl PlacedPetal<'_> {
-    fn key(&self, world: &WorldFromCanvas) -> PetalKey {
+    fn key(&self, world: &WorldFromCanvas, used: Use) -> PetalKey {
         let Cone { apex, axis, opening_rad, height } = self.cone;
         let WorldFromCanvas { scale, origin } = *world;
         let ([a, b, c], [d, e, f], [g, h]) = (apex.to_array(), axis.to_array(), origin.to_array());
         let place = [a, b, c, d, e, f, opening_rad, height, self.tip_depth, scale, g, h].map(f32::to_bits);
-        PetalKey { petal: DrawnBlade::of(self.flat), place }
+        PetalKey { petal: DrawnBlade::of(self.flat, used), place }
     }
 }
 

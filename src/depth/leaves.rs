@@ -11,7 +11,7 @@
 
 use super::outline::{BladeFrame, CurlParams, DrawnBlade, outline_of};
 use crate::anatomy::{Copy, FlatBlade};
-use crate::kept::Kept;
+use crate::kept::{Kept, Use};
 use crate::plant::{Blade, BladeForm, Detail, RestSurface, Template, TemplateId, Templates, WorldFromCanvas};
 use crate::random::stream;
 use glam::{Quat, Vec2, Vec3};
@@ -128,8 +128,8 @@ impl Leaves {
         templates: &mut Templates,
     ) -> Vec<Blade> {
         let WorldFromCanvas { scale, origin } = poser.world;
-        let key = |(leaf, foot): &(&FlatBlade, Vec3)| LeafKey {
-            leaf: DrawnBlade::of(leaf),
+        let key = |(leaf, foot): &(&FlatBlade, Vec3), used: Use| LeafKey {
+            leaf: DrawnBlade::of(leaf, used),
             chance: [poser.seed, leaf.key()],
             place: [foot.z, scale, origin.x, origin.y].map(f32::to_bits),
         };
@@ -146,7 +146,7 @@ impl Leaves {
             })
             .collect();
         let mut drawn =
-            drawn.into_iter().map(|blade| blade.with_template(templates.add(blade.template.clone())));
+            drawn.iter().map(|blade| blade.with_template(templates.add(Arc::clone(&blade.template))));
         copied.into_iter().filter_map(|blade| blade.or_else(|| drawn.next())).collect()
     }
 }

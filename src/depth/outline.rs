@@ -1,7 +1,7 @@
 //! A drawn outline in its blade's own plane.
 
 use crate::anatomy::{FlatBlade, Sample};
-use crate::kept::Same;
+use crate::kept::{Same, Use};
 use crate::plant::WorldFromCanvas;
 use crate::sketch::StrokePoint;
 use glam::Vec2;
@@ -15,17 +15,17 @@ crate::parameters! {
 }
 
 /// A drawn blade by what it looks like in the drawing: its outline, identified by its address, its root and its tip.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Debug, PartialEq, Eq, Hash)]
 pub struct DrawnBlade {
     outline: Same<[Sample]>,
     ends: [u32; 4],
 }
 
 impl DrawnBlade {
-    /// That of this blade.
-    pub fn of(flat: &FlatBlade) -> Self {
+    /// That of this blade, for a key.
+    pub fn of(flat: &FlatBlade, used: Use) -> Self {
         let ([a, b], [c, d]) = (flat.root.to_array(), flat.tip.to_array());
-        Self { outline: Same::of(&flat.outline), ends: [a, b, c, d].map(f32::to_bits) }
+        Self { outline: Same::of(&flat.outline, used), ends: [a, b, c, d].map(f32::to_bits) }
     }
 }
 

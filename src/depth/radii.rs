@@ -82,11 +82,11 @@ pub fn radii_with(
     let thinnest = params.thinnest * diagonal;
     let tapered = known.0.made(
         branches,
-        |branch| Same::of(&branch.line),
+        |branch, used| Same::of(&branch.line, used),
         |branch| Arc::new(Tapered::new(&branch.line, params)),
     );
     let mut out: Vec<Vec<f32>> = Vec::with_capacity(branches.len());
-    for (branch, (&pipes, of_branch)) in branches.iter().zip(pipes.iter().zip(&tapered)) {
+    for (branch, (&pipes, of_branch)) in branches.iter().zip(pipes.iter().zip(tapered)) {
         if let Some(widest) = branch.half_width {
             out.push(branch.line.iter().map(|s| (widest * s.pressure).max(thinnest)).collect());
             continue;

@@ -17,6 +17,7 @@ use crate::plant::{
     Branch, Organ, OrganPart, Origin, Plant, Provenance, Role, Shape, WoodPart, WorldFromCanvas,
 };
 use glam::{Vec2, Vec3};
+use rayon::prelude::*;
 use std::sync::Arc;
 
 crate::parameter_groups! {
@@ -48,6 +49,9 @@ crate::parameters! {
         trunk: f32 = 0.2, 0.0..=3.0, "of the crown's height";
     }
 }
+
+/// Branches or leaves that one thread places at a time.
+const BATCH: usize = 128;
 
 /// Gap between a leaf and its branch, as a share of the leaf's length, from which a petiole bridges it.
 const PETIOLE_GAP: f32 = 0.06;
@@ -174,7 +178,7 @@ struct Skeleton {
 impl Skeleton {
     fn new(known: &mut Spreads, anatomy: &Anatomy, seed: u64, params: &DepthParams) -> Self {
         let depths = branch_depth::branch_depths_with(known, &anatomy.branches, &params.branches, seed);
-        let arcs = anatomy.branches.iter().map(arcs_of).collect();
+        let arcs = anatomy.branches.par_iter().with_min_len(BATCH).map(arcs_of).collect();
         Self { branches: anatomy.branches.clone(), arcs, depths }
     }
 
@@ -232,7 +236,8 @@ impl Skeleton {
             let point =
                 |(s, &z): (&crate::anatomy::Sample, &f32)| world.point(s.position).with_z(z * world.scale);
             let points = flat.line.iter().zip(&self.depths[i]).map(point);
-            let (points, radii) = without_repeats(points.zip(radii.into_iter().map(|r| r * world.scale)));
+            let (points, radii) =
+                without_repeats(points.zip(radii.into_iter().map(|r| r * world.scale)), flat.line.len());
             let (origin, role) = (provenance.record(flat.stroke), Role::of(WoodPart::Stem));
             Branch { origin, parent: flat.parent, level: flat.level, points, radii, role }
         };
@@ -244,10 +249,16 @@ fn arcs_of(branch: &FlatBranch) -> Vec<f32> {
     polyline::arc_lengths(branch.line.iter().map(|s| s.position))
 }
 
-/// Drops points that coincide with the one before.
-fn without_repeats(samples: impl Iterator<Item = (Vec3, f32)>) -> (Vec<Vec3>, Vec<f32>) {
-    let mut last = None;
-    samples.filter(|&(p, _)| last.replace(p) != Some(p)).unzip()
+/// Drops points that coincide with the one before; there are at most so many.
+fn without_repeats(samples: impl Iterator<Item = (Vec3, f32)>, most: usize) -> (Vec<Vec3>, Vec<f32>) {
+    let (mut points, mut radii) = (Vec::with_capacity(most), Vec::with_capacity(most));
+    for (point, radius) in samples {
+        if points.last() != Some(&point) {
+            points.push(point);
+            radii.push(radius);
+        }
+    }
+    (points, radii)
 }
 
 /// Adds leaves, with petioles where the hand left a gap to the branch.
@@ -261,7 +272,8 @@ fn add_leaves(
         Some(place) => skeleton.point(place, &poser.world),
         None => poser.world.point(leaf.root),
     };
-    let placed: Vec<(&FlatBlade, Vec3)> = anatomy.leaves.iter().map(|leaf| (leaf, foot(leaf))).collect();
+    let placed: Vec<(&FlatBlade, Vec3)> =
+        anatomy.leaves.par_iter().with_min_len(BATCH).map(|leaf| (leaf, foot(leaf))).collect();
     let blades = known.pose(&placed, &anatomy.templates, poser, &mut plant.templates);
     for ((leaf, foot), blade) in placed.into_iter().zip(blades) {
         let parent = match leaf.attachment.map(|place| place.branch) {

@@ -5,10 +5,11 @@
 //!
 //! Limits: a blade too small or too thin to be seen has no mesh and no part.
 
-use super::cache::{Cache, Made};
+use super::cache::Cache;
 use super::limbs::WoodBranch;
 use super::organs::{OrganScratch, OrganWorkshop};
 use super::params::ModelParams;
+use super::part_memory::Made;
 use super::parts::{self, Plan, Source};
 use super::recipe::Recipe;
 use super::tube::{self, TubeScratch};
@@ -24,16 +25,19 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// Fewest branches of one wood that are worth being known from build to build.
 const FEWEST_KNOWN: usize = 24;
 
+/// Says whether to give up; asked from any thread.
+type Stop<'a> = &'a (dyn Fn() -> bool + Sync);
+
 /// Parts that one thread takes at a time: fewer are not worth waking another thread for.
 const BATCH: usize = 4;
 
 /// Memory that each thread uses again for all its parts.
 #[derive(Default)]
-struct Scratch {
+struct Scratch<'a> {
     organs: OrganScratch,
     tube: TubeScratch,
     wood: WoodScratch,
-    recipe: Recipe,
+    recipe: Recipe<'a>,
 }
 
 /// What the parts of one plant have in common.
@@ -56,43 +60,17 @@ pub fn rebuild(
     plant: &FinishedPlant,
     params: &ModelParams,
     cache: &mut Cache,
-    stop: &(dyn Fn() -> bool + Sync),
+    stop: Stop<'_>,
 ) -> Option<Model> {
     cache.begin(params);
     let mut plans = parts::plan(plant, params);
     let workshop = Workshop::new(plant, params, cache);
     workshop.take_copies(&mut plans);
-    let woods = if cache.is_for_one_build { BTreeMap::new() } else { known_woods(&plans, cache) };
-    let (known, round, is_for_one_build) = (&cache.meshes, cache.round, cache.is_for_one_build);
-    let make = |scratch: &mut Scratch, (part, plan): (usize, &Plan)| {
-        if stop() {
-            return None;
-        }
-        if is_for_one_build {
-            let mesh = Arc::new(workshop.mesh(&plan.source, scratch));
-            return Some(Made { hash: 0, recipe: None, mesh });
-        }
-        workshop.write_recipe(&plan.source, &mut scratch.recipe);
-        let hash = scratch.recipe.hash();
-        if let Some(mesh) = known.get(hash, &scratch.recipe, round) {
-            return Some(Made { hash, recipe: None, mesh: mesh.clone() });
-        }
-        let recipe = Some(scratch.recipe.written());
-        let mesh = match (woods.get(&part), &plan.source) {
-            (Some(wood), Source::Wood(limbs)) => workshop.known_wood(limbs, wood, scratch),
-            _ => Arc::new(workshop.mesh(&plan.source, scratch)),
-        };
-        Some(Made { hash, recipe, mesh })
+    let meshes = if cache.is_for_one_build {
+        workshop.meshes(&plans, stop)?
+    } else {
+        workshop.changed_meshes(&plans, cache, stop)?
     };
-    let made: Vec<Option<Made>> =
-        plans.par_iter().enumerate().with_min_len(BATCH).map_init(Scratch::default, make).collect();
-    cache.keep_woods(
-        woods.into_values().map(|wood| wood.into_inner().unwrap_or_else(PoisonError::into_inner)),
-    );
-    let meshes: Vec<Arc<Mesh>> = made.into_iter().flatten().map(|made| cache.keep(made)).collect();
-    if meshes.len() < plans.len() {
-        return None;
-    }
     cache.finish();
     Some(assembled(plant, plans, meshes))
 }
@@ -154,10 +132,47 @@ impl<'a> Workshop<'a> {
         }
     }
 
+    /// The meshes of all parts; nothing if `stop` said yes.
+    fn meshes(&self, plans: &[Plan], stop: Stop<'_>) -> Option<Vec<Arc<Mesh>>> {
+        let make = |scratch: &mut Scratch<'a>, plan: &Plan| {
+            (!stop()).then(|| Arc::new(self.mesh(&plan.source, scratch)))
+        };
+        plans.par_iter().with_min_len(BATCH).map_init(Scratch::default, make).collect()
+    }
+
+    /// The same, where only those are made that the cache does not know.
+    fn changed_meshes(&self, plans: &[Plan], cache: &mut Cache, stop: Stop<'_>) -> Option<Vec<Arc<Mesh>>> {
+        let woods = known_woods(plans, cache);
+        let known = cache.parts.search(plans.len());
+        let make = |scratch: &mut Scratch<'a>, (part, plan): (usize, &Plan)| {
+            if stop() {
+                return None;
+            }
+            self.write_recipe(&plan.source, &mut scratch.recipe);
+            known.find(part, &scratch.recipe).or_else(|| {
+                let mesh = match (woods.get(&part), &plan.source) {
+                    (Some(wood), Source::Wood(limbs)) => self.known_wood(limbs, wood, scratch),
+                    _ => Arc::new(self.mesh(&plan.source, scratch)),
+                };
+                Some(Made::new(&scratch.recipe, mesh))
+            })
+        };
+        let plans = plans.par_iter().enumerate().with_min_len(BATCH);
+        let made: Vec<Option<Made>> = plans.map_init(Scratch::default, make).collect();
+        let woods = woods.into_values().map(|wood| wood.into_inner().unwrap_or_else(PoisonError::into_inner));
+        cache.keep_woods(woods);
+        if made.iter().any(Option::is_none) {
+            cache.parts.add(made);
+            return None;
+        }
+        Some(cache.parts.keep(made))
+    }
+
     /// Everything that [`Self::mesh`] reads but the parameters.
-    fn write_recipe(&self, source: &Source, recipe: &mut Recipe) {
+    fn write_recipe(&self, source: &Source, recipe: &mut Recipe<'a>) {
         match source {
             Source::Wood(branches) => recipe.wood(self.wood_branches(branches), self.plant_size),
+            Source::Organ(piece) => self.organs.write_recipe(&[[*piece]], recipe),
             Source::Organs(slots) => self.organs.write_recipe(slots, recipe),
         }
     }
@@ -183,14 +198,14 @@ impl<'a> Workshop<'a> {
         &self,
         limbs: &[WoodBranch<usize>],
         wood: &Mutex<WoodMemory>,
-        scratch: &mut Scratch,
+        scratch: &mut Scratch<'_>,
     ) -> Arc<Mesh> {
         let branches: Vec<WoodBranch<&Branch>> = self.wood_branches(limbs).collect();
         let mut wood = wood.lock().unwrap_or_else(PoisonError::into_inner);
         wood.mesh(&branches, |branch| self.look(branch), self.plant_size, &mut scratch.wood)
     }
 
-    fn mesh(&self, source: &Source, scratch: &mut Scratch) -> Mesh {
+    fn mesh(&self, source: &Source, scratch: &mut Scratch<'_>) -> Mesh {
         match source {
             Source::Wood(branches) => {
                 if let [WoodBranch { branch, .. }] = branches[..] {
@@ -200,6 +215,7 @@ impl<'a> Workshop<'a> {
                 let branches: Vec<WoodBranch<&Branch>> = self.wood_branches(branches).collect();
                 wood::mesh(&branches, |branch| self.look(branch), &mut scratch.wood)
             }
+            Source::Organ(piece) => self.organs.mesh(&[[*piece]], &mut scratch.organs),
             Source::Organs(slots) => self.organs.mesh(slots, &mut scratch.organs),
         }
     }

@@ -1,6 +1,6 @@
 //! Meshes from one build to the next, so that a stroke more costs only the parts that it changes.
 //!
-//! Meshes are kept by the recipe of their part (`recipe`): found by its hash, taken only if every word is the same. So
+//! Meshes are kept by the recipe of their part (`recipe`, `part_memory`): taken only if every word is the same. So
 //! a plant built with a cache has the same bytes as one built without, and an unchanged part has the very same
 //! [`Arc`], which a renderer recognises by its pointer. Wood of many branches is kept so that it is made anew only near what
 //! changed (`wood_memory`). What a finished build did not use is forgotten; a stopped
@@ -10,8 +10,8 @@
 //! with other parameters.
 
 use super::flat::FlatBlade;
-use super::mesh::Mesh;
 use super::params::ModelParams;
+use super::part_memory::PartMemory;
 use super::recipe::{Recipe, WrittenRecipe};
 use super::shapes::CopyShape;
 use super::wood_memory::WoodMemory;
@@ -29,7 +29,7 @@ pub struct Cache {
     pub(super) is_for_one_build: bool,
     params: ModelParams,
     pub(super) round: u64,
-    pub(super) meshes: Shelf<Arc<Mesh>>,
+    pub(super) parts: PartMemory,
     pub(super) templates: Shelf<FlatTemplate>,
     pub(super) shapes: Shelf<CopyShape>,
     /// Wood of many branches.
@@ -53,19 +53,19 @@ impl Cache {
 
     /// How many meshes it holds.
     pub fn len(&self) -> usize {
-        self.meshes.held.len()
+        self.parts.len()
     }
 
     /// Whether it holds none.
     pub fn is_empty(&self) -> bool {
-        self.meshes.held.is_empty()
+        self.len() == 0
     }
 
     /// Begins a build with these parameters; those of a build with others are of no use.
     pub(super) fn begin(&mut self, params: &ModelParams) {
         if self.params != *params {
             self.params = params.clone();
-            self.meshes.held.clear();
+            self.parts.clear();
             self.templates.held.clear();
             self.shapes.held.clear();
             self.woods.clear();
@@ -73,9 +73,8 @@ impl Cache {
         self.round += 1;
     }
 
-    /// Ends a build: what it did not use is forgotten.
+    /// Ends a build: templates and shapes that it did not use are forgotten.
     pub(super) fn finish(&mut self) {
-        self.meshes.forget_before(self.round);
         self.templates.forget_before(self.round);
         self.shapes.forget_before(self.round);
     }
@@ -95,7 +94,7 @@ impl Cache {
     /// The triangulation of a template with this recipe, made by `flatten` if it is new.
     pub(super) fn template(
         &mut self,
-        recipe: &Recipe,
+        recipe: &Recipe<'_>,
         flatten: impl FnOnce() -> Option<FlatBlade>,
     ) -> FlatTemplate {
         let hash = recipe.hash();
@@ -110,23 +109,6 @@ impl Cache {
     pub(super) fn shape(&mut self, hash: u64, recipe: WrittenRecipe, shape: CopyShape) -> CopyShape {
         self.shapes.keep(hash, recipe, shape, self.round)
     }
-
-    /// Keeps the mesh of a part in the running build; of twins, which were made at once, the first.
-    pub(super) fn keep(&mut self, Made { hash, recipe, mesh }: Made) -> Arc<Mesh> {
-        match recipe {
-            Some(recipe) => self.meshes.keep(hash, recipe, mesh, self.round),
-            // What was found was marked as used then.
-            None => mesh,
-        }
-    }
-}
-
-/// The mesh of one part, on its way into the cache.
-pub(super) struct Made {
-    pub(super) hash: u64,
-    /// None where the mesh came out of the cache or is not to be kept.
-    pub(super) recipe: Option<WrittenRecipe>,
-    pub(super) mesh: Arc<Mesh>,
 }
 
 /// Things by the recipe that made them; of two recipes with one hash the later stays.
@@ -151,7 +133,7 @@ impl<T> Default for Shelf<T> {
 
 impl<T: Clone> Shelf<T> {
     /// The thing with this recipe, which is used in a build from now on.
-    pub(super) fn get(&self, hash: u64, recipe: &Recipe, round: u64) -> Option<&T> {
+    pub(super) fn get(&self, hash: u64, recipe: &Recipe<'_>, round: u64) -> Option<&T> {
         let held = self.held.get(&hash).filter(|held| recipe.is(&held.recipe))?;
         held.round.store(round, Ordering::Relaxed);
         Some(&held.thing)

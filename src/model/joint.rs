@@ -169,14 +169,16 @@ impl Parent<'_> {
 
     /// The place nearest to a point on some of the segments.
     fn foot(&self, p: Vec3, segments: Range<usize>) -> Foot {
-        let place = |i: usize| {
+        let (mut nearest, mut segment, mut share) = (f32::INFINITY, 0, 0.0);
+        for i in segments {
             let (a, b) = (self.rings[i].at, self.rings[i + 1].at);
             let along = b - a;
-            let share = ((p - a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
-            (p.distance_squared(a + along * share), i, share)
-        };
-        let best = segments.map(place).min_by(|a, b| a.0.total_cmp(&b.0));
-        let (_, segment, share) = best.unwrap_or((0.0, 0, 0.0));
+            let here = ((p - a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+            let away = p.distance_squared(a + along * here);
+            if away < nearest {
+                (nearest, segment, share) = (away, i, here);
+            }
+        }
         let (a, b) = (&self.rings[segment], &self.rings[segment + 1]);
         let ring = Ring { tangent: (b.at - a.at).normalize(), ..between(a, b, share) };
         let arc = self.arcs[segment] + share * (self.arcs[segment + 1] - self.arcs[segment]);

@@ -42,12 +42,12 @@ impl Measures {
     pub fn of(&mut self, model: &Model) -> Measure {
         let meshes: Vec<&Arc<Mesh>> = model.parts.iter().map(|part| &part.mesh).collect();
         let of_mesh = |mesh: &&Arc<Mesh>| Measure::of(mesh, mesh.points.iter().copied());
-        let of_meshes = self.0.made(&meshes, |mesh| Same::of(mesh), of_mesh);
+        let of_meshes = self.0.made(&meshes, |mesh, used| Same::of(mesh, used), of_mesh);
         let copies = model.parts.iter().filter_map(|part| part.copies.as_deref());
         let of_copies = copies
             .flat_map(|copies| copies.iter())
             .map(|(shape, placement)| Measure::of(shape, placement.places(&shape.points)));
-        of_meshes.into_iter().chain(of_copies).fold(Measure::default(), Measure::and)
+        of_meshes.iter().copied().chain(of_copies).fold(Measure::default(), Measure::and)
     }
 }
 

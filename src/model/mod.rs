@@ -18,7 +18,7 @@
 //! | `organs` | all organs of one part |
 //! | `build` | all parts at once, on all cores |
 //! | `afford` | how fine a plant can be |
-//! | `recipe`, `cache` | which parts are the same as last time |
+//! | `recipe`, `part_memory`, `cache` | which parts are the same as last time |
 //! | `quality`, `topology`, `crossing` | what is wrong with a mesh |
 //! | `measure` | what there is of a model and how far it reaches, meshes measured once |
 //! | `pick` | which branch or organ a ray meets |
@@ -44,6 +44,7 @@ mod midline;
 mod organs;
 mod outline;
 mod params;
+mod part_memory;
 mod part_names;
 mod parts;
 pub mod pick;

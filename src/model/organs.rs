@@ -57,7 +57,10 @@ impl<'a> OrganWorkshop<'a> {
     }
 
     /// Everything that [`Self::mesh`] reads but the parameters.
-    pub(super) fn write_recipe(&self, slots: &[Vec<(usize, Piece)>], recipe: &mut Recipe) {
+    pub(super) fn write_recipe<Pieces>(&self, slots: &[Pieces], recipe: &mut Recipe<'a>)
+    where
+        Pieces: AsRef<[(usize, Piece)]>,
+    {
         let described = |&(organ, piece): &(usize, Piece)| {
             let shape = match self.shape(organ) {
                 Shape::Blade(blade) => {
@@ -71,17 +74,20 @@ impl<'a> OrganWorkshop<'a> {
             };
             (shape, piece)
         };
-        recipe.organs(slots.iter().map(|pieces| pieces.iter().map(described)));
+        recipe.organs(slots.iter().map(|pieces| pieces.as_ref().iter().map(described)));
     }
 
     /// The mesh of pieces of organs, a list for each material.
-    pub(super) fn mesh(&self, slots: &[Vec<(usize, Piece)>], scratch: &mut OrganScratch) -> Mesh {
+    pub(super) fn mesh<Pieces>(&self, slots: &[Pieces], scratch: &mut OrganScratch) -> Mesh
+    where
+        Pieces: AsRef<[(usize, Piece)]>,
+    {
         let mut mesh = Mesh::default();
         for (slot, pieces) in slots.iter().enumerate() {
             if slot > 0 {
                 mesh.breaks.push(mesh.triangles.len() as u32);
             }
-            for run in pieces.chunk_by(|a, b| self.is_thread(*a) == self.is_thread(*b)) {
+            for run in pieces.as_ref().chunk_by(|a, b| self.is_thread(*a) == self.is_thread(*b)) {
                 if self.is_thread(run[0]) {
                     let threads = run.iter().map(|&(organ, _)| self.shape(organ));
                     filaments::append(&mut mesh, threads, &self.params.solid, &mut scratch.tube);
@@ -213,7 +219,7 @@ fn shapes(
     cache: &mut Cache,
 ) -> Vec<Option<CopyShape>> {
     let (known, round) = (&cache.shapes, cache.round);
-    let make = |(scratch, recipe): &mut (BladeScratch, Recipe), original: &Original<'_>| {
+    let make = |(scratch, recipe): &mut (BladeScratch, Recipe<'_>), original: &Original<'_>| {
         let of_blade = |id: TemplateId| {
             let template = templates[id.index()].as_ref()?;
             Some((template.name, template.flat.as_ref().as_ref()?))

@@ -44,9 +44,9 @@ impl PartNames {
             Scope::Organ(_) if !matches!(organ.shape, Shape::Filament { .. }) => return self.single(organ),
             Scope::Organ(_) => {
                 let number = next(self.lone_filaments.entry((organ.kind(), piece)).or_default());
-                format!("{}_lone_{number}", plural(organ.kind(), piece))
+                with_numbers(plural(organ.kind(), piece), "_lone", [number])
             }
-            Scope::Flower(flower) => format!("{}_{flower}", plural(organ.kind(), piece)),
+            Scope::Flower(flower) => with_numbers(plural(organ.kind(), piece), "", [flower]),
             Scope::Specimen(_) => numbered(
                 plural(organ.kind(), piece),
                 next(self.gathered.entry((organ.kind(), piece)).or_default()),
@@ -57,30 +57,34 @@ impl PartNames {
 
     fn single(&mut self, organ: &Organ) -> String {
         let number = self.singles.next((organ.flower, organ.kind()));
-        let mut name = String::with_capacity(24);
-        name.push_str(organ.kind().name());
-        organ.flower.into_iter().chain([number]).for_each(|number| push_number(&mut name, number));
-        name
+        with_numbers(organ.kind().name(), "", organ.flower.into_iter().chain([number]))
     }
 
     /// The name, with a number behind it if it is taken.
     fn unused(&mut self, name: String) -> String {
-        let mut candidate = name.clone();
-        let mut twin = 1;
-        while !self.plurals.insert(candidate.clone()) {
-            candidate = format!("{name}_{twin}");
-            twin += 1;
+        if self.plurals.insert(name.clone()) {
+            return name;
         }
-        candidate
+        let mut twins = (1..).map(|twin| format!("{name}_{twin}"));
+        twins.find(|twin| self.plurals.insert(twin.clone())).unwrap_or(name)
     }
 }
 
 /// A name for the first of its kind, and with numbers for those after it.
 pub(super) fn numbered(name: &str, number: usize) -> String {
-    if number == 0 { name.to_owned() } else { format!("{name}_{number}") }
+    with_numbers(name, "", (number > 0).then_some(number))
 }
 
-/// Appends a number, which takes a part of the time of `format!`: large drawings have a name for every stroke.
+/// A name with what comes behind it and some numbers. It takes a part of the time of `format!`: large drawings have a name for
+/// every stroke.
+fn with_numbers(name: &str, behind: &str, numbers: impl IntoIterator<Item = usize>) -> String {
+    let mut whole = String::with_capacity(24);
+    whole.push_str(name);
+    whole.push_str(behind);
+    numbers.into_iter().for_each(|number| push_number(&mut whole, number));
+    whole
+}
+
 fn push_number(name: &mut String, number: usize) {
     let digits = number.checked_ilog10().unwrap_or(0);
     name.push('_');

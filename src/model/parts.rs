@@ -25,6 +25,8 @@ use std::sync::Arc;
 pub(super) enum Source {
     /// One surface of these branches.
     Wood(Vec<WoodBranch<usize>>),
+    /// A piece of the organ of this index, which is a part by itself.
+    Organ((usize, Piece)),
     /// Pieces of the organs of these indices, a list for each of the part's materials.
     Organs(Vec<Vec<(usize, Piece)>>),
 }
@@ -111,8 +113,11 @@ impl OrganPlans<'_> {
         let scope = self.scope(index);
         for (piece, role) in pieces(organ) {
             let material = self.plant.material(role);
-            let is_single = matches!(scope, Scope::Organ(_));
-            let known = if is_single { None } else { self.known.get(&(scope, organ.kind(), piece)).copied() };
+            if matches!(scope, Scope::Organ(_)) {
+                self.begin(index, scope, piece, material);
+                continue;
+            }
+            let known = self.known.get(&(scope, organ.kind(), piece)).copied();
             let part = known.unwrap_or_else(|| self.begin(index, scope, piece, material));
             let plan = &mut self.plans[part];
             let slot = plan.slot(material);
@@ -159,6 +164,7 @@ impl OrganPlans<'_> {
         let trunk =
             parent.filter(|_| matches!(scope, Scope::Specimen(_))).map(|parent| root(&self.plans, parent));
         let part = self.plans.len();
+        let is_single = matches!(scope, Scope::Organ(_));
         self.plans.push(Plan {
             name: self.names.organs(organ, scope, piece),
             kind: PartKind::Organ(organ.kind()),
@@ -167,10 +173,10 @@ impl OrganPlans<'_> {
             pivot: trunk.map_or_else(|| organ.base(), |trunk| self.plans[trunk].pivot),
             material,
             more_materials: Vec::new(),
-            source: Source::Organs(Vec::new()),
+            source: if is_single { Source::Organ((index, piece)) } else { Source::Organs(Vec::new()) },
             copies: None,
         });
-        if !matches!(scope, Scope::Organ(_)) {
+        if !is_single {
             self.known.insert((scope, organ.kind(), piece), part);
         }
         part

@@ -34,10 +34,10 @@ pub(super) enum RecipeShape<'a> {
 
 /// A row of words, used again for every part.
 #[derive(Debug, Default)]
-pub(super) struct Recipe {
+pub(super) struct Recipe<'a> {
     words: Vec<u32>,
     /// Templates that are known by their addresses.
-    templates: Vec<Arc<Template>>,
+    templates: Vec<&'a Arc<Template>>,
 }
 
 /// A recipe that is kept.
@@ -53,7 +53,7 @@ impl PartialEq for WrittenRecipe {
     }
 }
 
-impl Recipe {
+impl<'a> Recipe<'a> {
     /// Begins anew with the kind of part.
     fn begin(&mut self, kind: u32) -> &mut Self {
         self.words.clear();
@@ -62,7 +62,7 @@ impl Recipe {
     }
 
     /// The recipe of branches that are one surface and whose tolerances are shares of `unit` metres.
-    pub(super) fn wood<'a>(&mut self, branches: impl Iterator<Item = WoodBranch<&'a Branch>>, unit: f32) {
+    pub(super) fn wood<'b>(&mut self, branches: impl Iterator<Item = WoodBranch<&'b Branch>>, unit: f32) {
         self.begin(0).real(unit);
         for WoodBranch { branch, parent, slot } in branches {
             self.word(parent.map_or(u32::MAX, |parent| parent as u32)).length(slot).limb(branch);
@@ -86,7 +86,7 @@ impl Recipe {
 
     /// The recipe of pieces of organs that are one part, a group for each material; blades come with what
     /// their template is known by.
-    pub(super) fn organs<'a, Group>(&mut self, groups: impl Iterator<Item = Group>)
+    pub(super) fn organs<Group>(&mut self, groups: impl Iterator<Item = Group>)
     where
         Group: Iterator<Item = (RecipeShape<'a>, Piece)>,
     {
@@ -108,7 +108,10 @@ impl Recipe {
 
     /// The recipe, to be kept.
     pub(super) fn written(&self) -> WrittenRecipe {
-        WrittenRecipe { words: self.words.as_slice().into(), _templates: self.templates.as_slice().into() }
+        WrittenRecipe {
+            words: self.words.as_slice().into(),
+            _templates: self.templates.iter().map(|template| Arc::clone(template)).collect(),
+        }
     }
 
     /// Whether a recipe that is kept says the same.
@@ -152,12 +155,12 @@ impl Recipe {
         self.word(name as u32).word((name >> 32) as u32)
     }
 
-    fn blade<T>(&mut self, blade: &Blade<T>, template: TemplateName<'_>) -> &mut Self {
+    fn blade<T>(&mut self, blade: &Blade<T>, template: TemplateName<'a>) -> &mut Self {
         let Blade { template: _, base, u, v, rest, form } = blade;
         match template {
             TemplateName::Flat(name) => self.word(4).name(name),
             TemplateName::Address(template) => {
-                self.templates.push(Arc::clone(template));
+                self.templates.push(template);
                 self.word(5).name(Arc::as_ptr(template).addr() as u64)
             }
         };

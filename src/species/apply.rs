@@ -7,7 +7,7 @@
 use super::blossom::blossom;
 use super::form;
 use super::ground;
-use super::looks::{PetalLook, Species};
+use super::looks::{FlowerLook, PetalLook, Species};
 use super::materials::with_materials;
 use super::pot::pot;
 use super::receptacle::{Petals, flower_centre};
@@ -20,6 +20,10 @@ use crate::plant::{
 use glam::Vec3;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
+use rayon::prelude::*;
+
+/// Blades that one thread shapes at a time.
+const BATCH: usize = 256;
 
 /// What a random stream is for.
 #[derive(Clone, Copy)]
@@ -121,19 +125,25 @@ fn set_roles_of_wood(plant: &mut Plant, species: &Species) {
 /// Gives petals and leaves their form, and chooses among the materials of their part.
 fn shape_blades(plant: &mut Plant, provenance: &Provenance, species: &Species, petals: &[Petals], seed: u64) {
     let mut done = vec![0; plant.flowers.len()];
-    let leaf_materials = species.leaf.materials.0.len();
     for organ in &mut plant.organs {
         let look = organ.flower.map_or(0, |flower| plant.flowers[flower].look);
         organ.role.look = look as u32;
+        let is_petal = matches!(organ.shape, Shape::Blade(_)) && organ.kind() == OrganKind::Petal;
+        if let (true, Some(flower), Some(look)) = (is_petal, organ.flower, species.flowers.get(look)) {
+            organ.role.variant = (done[flower] % look.petals.materials.0.len()) as u32;
+            done[flower] += 1;
+        }
+    }
+    let leaf_materials = species.leaf.materials.0.len();
+    let templates = &plant.templates;
+    plant.organs.par_iter_mut().with_min_len(BATCH).for_each(|organ| {
         let flower = organ.flower.filter(|_| organ.kind() == OrganKind::Petal);
-        let Shape::Blade(blade) = &mut organ.shape else { continue };
-        let template = &plant.templates[blade.template];
+        let Shape::Blade(blade) = &mut organ.shape else { return };
+        let template = &templates[blade.template];
         let key = identity(provenance.stroke(organ.origin), blade.base, blade.v);
         let rng = &mut stream(seed, Purpose::Blade, key);
-        match flower.and_then(|flower| Some((flower, &species.flowers.get(look)?.petals))) {
-            Some((flower, look)) => {
-                organ.role.variant = (done[flower] % look.materials.0.len()) as u32;
-                done[flower] += 1;
+        match flower.zip(species.flowers.get(organ.role.look as usize)) {
+            Some((flower, FlowerLook { petals: look, .. })) => {
                 let form = petal_form(look, template.length(), petals[flower].longest);
                 blade.form = varied(seed, template.detail(), &form, look.vary, rng);
             }
@@ -142,7 +152,7 @@ fn shape_blades(plant: &mut Plant, provenance: &Provenance, species: &Species, p
                 blade.form = varied(seed, template.detail(), &species.leaf.form, species.leaf.vary, rng);
             }
         }
-    }
+    });
 }
 
 /// How many forms the copies of a template of reduced detail have.

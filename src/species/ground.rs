@@ -10,7 +10,10 @@
 
 use crate::plant::{Blade, Branch, Organ, OrganKind, Plant, ResolvedBlade, RestSurface, Shape, Template};
 use glam::{Mat3, Quat, Vec3};
+use rayon::prelude::*;
 
+/// Organs that one thread looks at at a time.
+const BATCH: usize = 256;
 /// Angles over level to which a leaf swings up one after the other, radians.
 const RISES: [f32; 5] = [0.0, 0.3, 0.6, 0.95, 1.3];
 /// Steps on the way to each.
@@ -24,14 +27,16 @@ pub(super) fn keep_above(plant: &mut Plant) {
     if raise_single_leaf(plant) {
         return;
     }
-    for organ in plant.organs.iter_mut().filter(|organ| organ.kind() == OrganKind::Leaf) {
+    let templates = &plant.templates;
+    plant.organs.par_iter_mut().with_min_len(BATCH).for_each(|organ| {
+        let is_leaf = organ.kind() == OrganKind::Leaf;
         match &mut organ.shape {
-            Shape::Blade(blade) if blade.rest == RestSurface::Plane => {
-                lift_leaf(blade, &plant.templates[blade.template]);
+            Shape::Blade(blade) if is_leaf && blade.rest == RestSurface::Plane => {
+                lift_leaf(blade, &templates[blade.template]);
             }
             _ => {}
         }
-    }
+    });
 }
 
 /// Raises a leaf that is all there is, with its stalk, until nothing of it is below; says whether it is alone.

@@ -135,17 +135,32 @@ pub(crate) fn drawings(share: Share) -> io::Result<Vec<Drawing>> {
 /// # Errors
 /// A file that cannot be read or holds something else.
 pub(crate) fn icons() -> io::Result<Vec<Drawing>> {
-    let entries = fs::read_dir(data("icons"))?.map(|entry| Ok(entry?.path()));
+    named(&data("icons"), |name| name.ends_with(".svg"))
+}
+
+/// The sketches that ship with the program and are drawn as people draw, by name.
+///
+/// # Errors
+/// A file that cannot be read or holds something else.
+pub(crate) fn freehand_sketches() -> io::Result<Vec<Drawing>> {
+    named(&Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/sketches"), |name| {
+        name.starts_with("freehand_")
+    })
+}
+
+/// The sketches of a folder whose files are named by set and name.
+fn named(folder: &Path, is_one: impl Fn(&str) -> bool) -> io::Result<Vec<Drawing>> {
+    let entries = fs::read_dir(folder)?.map(|entry| Ok(entry?.path()));
     let mut files = entries.collect::<io::Result<Vec<PathBuf>>>()?;
-    files.retain(|path| path.extension().is_some_and(|ending| ending == "svg"));
+    files.retain(|path| path.file_name().is_some_and(|name| is_one(&name.to_string_lossy())));
     files.sort();
-    let icon = |file: &PathBuf| {
+    let drawing = |file: &PathBuf| {
         let (sketch, _) = sketch::read(file).map_err(Error::other)?;
         let name = file.file_stem().unwrap_or_default().to_string_lossy();
-        let (class, name) = name.split_once('_').ok_or_else(|| Error::other("an icon without a set"))?;
+        let (class, name) = name.split_once('_').ok_or_else(|| Error::other("a sketch without a set"))?;
         Ok(Drawing { class: class.to_owned(), name: name.to_owned(), sketch })
     };
-    files.iter().map(icon).collect()
+    files.iter().map(drawing).collect()
 }
 
 fn data(folder: &str) -> PathBuf {

@@ -11,23 +11,28 @@ use super::page::{root, unite};
 const EXACT: usize = 16;
 
 /// The best set, in the order of the proposals.
-pub fn best(mut hypotheses: Vec<Hypothesis>) -> Vec<Hypothesis> {
-    hypotheses.retain(|hypothesis| hypothesis.score > 0.0);
-    let mut chosen: Vec<usize> =
-        groups(&hypotheses).iter().flat_map(|group| of_group(&hypotheses, group)).collect();
-    chosen.sort_unstable();
+pub fn best(hypotheses: Vec<Hypothesis>) -> Vec<Hypothesis> {
     let mut is_chosen = vec![false; hypotheses.len()];
-    chosen.into_iter().for_each(|i| is_chosen[i] = true);
+    chosen(&hypotheses).into_iter().for_each(|i| is_chosen[i] = true);
     hypotheses.into_iter().zip(is_chosen).filter(|(_, is_chosen)| *is_chosen).map(|(h, _)| h).collect()
 }
 
-/// Hypotheses that share strokes, directly or through others; each group ascending.
-fn groups(hypotheses: &[Hypothesis]) -> Vec<Vec<usize>> {
+/// The members of the best set, ascending.
+pub(super) fn chosen(hypotheses: &[Hypothesis]) -> Vec<usize> {
+    let likely: Vec<usize> = (0..hypotheses.len()).filter(|i| hypotheses[*i].score > 0.0).collect();
+    let mut chosen: Vec<usize> =
+        groups(hypotheses, &likely).iter().flat_map(|group| of_group(hypotheses, group)).collect();
+    chosen.sort_unstable();
+    chosen
+}
+
+/// Those of the hypotheses that share strokes, directly or through others; each group ascending.
+fn groups(hypotheses: &[Hypothesis], which: &[usize]) -> Vec<Vec<usize>> {
     let lines = hypotheses.iter().flat_map(|h| h.uses.last()).max().map_or(0, |last| last + 1);
     let mut first_user: Vec<Option<usize>> = vec![None; lines];
     let mut leader: Vec<usize> = (0..hypotheses.len()).collect();
-    for (i, hypothesis) in hypotheses.iter().enumerate() {
-        for &line in &hypothesis.uses {
+    for &i in which {
+        for &line in &hypotheses[i].uses {
             match first_user[line] {
                 None => first_user[line] = Some(i),
                 Some(other) => unite(&mut leader, i, other),
@@ -35,7 +40,7 @@ fn groups(hypotheses: &[Hypothesis]) -> Vec<Vec<usize>> {
         }
     }
     let mut members: Vec<Vec<usize>> = vec![Vec::new(); hypotheses.len()];
-    for i in 0..hypotheses.len() {
+    for &i in which {
         let first = root(&mut leader, i);
         members[first].push(i);
     }

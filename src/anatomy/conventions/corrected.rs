@@ -8,7 +8,7 @@ use super::Hypothesis;
 use super::page::Page;
 use crate::sketch::corrections::shares_most;
 use crate::sketch::{Correction, Stroke, StrokeId, Verdict};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
 
 /// What speaks for a hypothesis that the artist chose and that has the very strokes that were meant, log-odds.
@@ -24,19 +24,30 @@ pub(super) struct Corrected {
 }
 
 impl Corrected {
-    /// The corrections as they concern the lines of a page.
+    /// The corrections as they concern the lines of a page of these strokes.
     pub(super) fn on(page: &Page, strokes: &[Arc<Stroke>], corrections: &[Correction]) -> Self {
+        Self::on_lines(page, corrections, |stroke| vec![strokes[stroke].id])
+    }
+
+    /// The same where a stroke of the page may stand for several of the drawing, which `names` gives.
+    pub(super) fn on_lines(
+        page: &Page,
+        corrections: &[Correction],
+        names: impl Fn(usize) -> Vec<StrokeId>,
+    ) -> Self {
         let verdicts = corrections.iter().map(|correction| correction.verdict).collect();
         let mut it = Self { verdicts, sizes: vec![0; corrections.len()], of_line: Vec::new() };
         if corrections.is_empty() {
             return it;
         }
-        let lines = page.lines.iter().enumerate().map(|(i, line)| (strokes[line.stroke].id, i));
+        let lines = page.lines.iter().enumerate();
+        let lines = lines.flat_map(|(i, line)| names(line.stroke).into_iter().map(move |name| (name, i)));
         let lines: HashMap<StrokeId, usize> = lines.collect();
         it.of_line = vec![Vec::new(); page.lines.len()];
         for (number, correction) in corrections.iter().enumerate() {
-            for line in correction.strokes.iter().filter_map(|stroke| lines.get(stroke)) {
-                it.of_line[*line].push(number);
+            let concerned = correction.strokes.iter().filter_map(|stroke| lines.get(stroke).copied());
+            for line in concerned.collect::<BTreeSet<usize>>() {
+                it.of_line[line].push(number);
                 it.sizes[number] += 1;
             }
         }
@@ -74,7 +85,8 @@ impl Corrected {
                 Verdict::As(reading) if is_about && reading != hypothesis.reading => return None,
                 Verdict::As(_) if is_about => {
                     let fit = shared as f32 / (self.sizes[number] + size - shared) as f32;
-                    bonus = bonus.max(CHOSEN * fit);
+                    // Squared: parts of what was meant are less, all together, than the whole.
+                    bonus = bonus.max(CHOSEN * fit * fit);
                 }
                 Verdict::Not(_) | Verdict::As(_) => {}
             }

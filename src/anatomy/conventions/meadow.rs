@@ -12,7 +12,7 @@ use super::hypothesis::{Hypothesis, renumbered};
 use super::page::{Page, length_of, root, unite};
 use super::plants;
 use crate::geom::{meetings, polyline};
-use crate::kept::{Kept, Same};
+use crate::kept::{Kept, Same, Use};
 use crate::sketch::{Correction, Stroke, StrokeId};
 use glam::{Vec2, Vec3};
 use std::collections::HashMap;
@@ -96,17 +96,17 @@ pub(super) fn proposals(
     propose: impl Fn(&mut Page, &[Arc<Stroke>], &[Correction]) -> Vec<Hypothesis> + Sync,
 ) -> Option<Vec<Hypothesis>> {
     let sizes = known.sizes.made(strokes, Same::of, |stroke| Size::of(stroke));
-    let plants = plants_of(&sizes, &together(strokes, corrections))?;
+    let plants = plants_of(sizes, &together(strokes, corrections))?;
     let about = of_plants(&plants, strokes, corrections);
     let plants: Vec<(Places, Vec<Correction>)> = plants.into_iter().zip(about).collect();
     let own =
         |places: &Places| -> Vec<Arc<Stroke>> { places.iter().map(|i| Arc::clone(&strokes[*i])).collect() };
-    let key = |(places, about): &(Places, Vec<Correction>)| {
-        (places.iter().map(|i| Same::of(&strokes[*i])).collect(), about.clone())
+    let key = |(places, about): &(Places, Vec<Correction>), used: Use| {
+        (places.iter().map(|i| Same::of(&strokes[*i], used)).collect(), about.clone())
     };
     let found =
         known.plants.made(&plants, key, |(places, about)| Arc::new(alone(&own(places), about, &propose)));
-    let of_drawing = |((places, _), found): (&(Places, _), Arc<Vec<Hypothesis>>)| {
+    let of_drawing = |((places, _), found): (&(Places, _), &Arc<Vec<Hypothesis>>)| {
         renumbered(found.to_vec(), |place| places[place])
     };
     Some(plants.iter().zip(found).flat_map(of_drawing).collect())

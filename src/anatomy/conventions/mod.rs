@@ -20,12 +20,14 @@
 //!
 //! | folder | what |
 //! | --- | --- |
+//! | `lines` | strokes that are one line together |
 //! | `beneath` | what plants stand in or on: pots, ground lines |
 //! | `trees` | trees, firs, bushes |
 //! | `bodies` | cacti, mushrooms |
 //! | `flowers` | flowers from above and from the side |
 //! | `leaves` | leaves of any number of strokes, several in one stroke, at a stem |
 //! | `tufts` | grass, palms and other fronds |
+//! | `whole` | what drawings look like as a whole |
 //! | `shapes` | what conventions share: silhouettes, middle lines, lobes, tips |
 //!
 //! The reading depends on nothing but the strokes, so the same drawing means the same plant however it came about.
@@ -43,26 +45,30 @@ mod bodies;
 mod corrected;
 mod flowers;
 mod leaves;
+mod lines;
 mod meadow;
 mod plants;
 mod shapes;
 mod trees;
 mod tufts;
+mod whole;
 
 pub use hypothesis::{Habit, Hypothesis, Made, Solid, SolidKind};
 pub use pieces::{DrawnSolid, Interpretation, Piece, ReadStrokes};
 
-use crate::sketch::{Correction, Corrections, Reading, Stroke};
+use crate::sketch::{Correction, Corrections, Reading, Stroke, StrokeId, Verdict};
 use beneath::{ground, pot};
 use bodies::{body, mushroom};
 use corrected::Corrected;
 use flowers::{bud, corolla, corolla_on_stem, cup, gathered, rays, rose, row};
 use leaves::{leaf, leaf_loops, stem_arcs, stem_loops};
+use lines::{Redrawn, chains::Chains};
 use page::Page;
 use rayon::prelude::*;
 use std::sync::Arc;
 use trees::{bush, conifer, tree, tree_on_line};
 use tufts::{fronds, grass, tuft};
+use whole::Looks;
 
 crate::parameters! {
     /// How drawings are read that are not drawn in the papers' way.
@@ -76,10 +82,25 @@ crate::parameters! {
 /// nothing changes.
 #[derive(Debug, Default)]
 pub struct Memory {
-    shapes: page::Shapes,
-    plants: plants::Proposals,
+    drawn: page::Shapes,
+    restated: Seen,
+    joined: Seen,
+    chains: lines::chains::Joined,
     meadow: meadow::Memory,
     last: Option<Last>,
+}
+
+/// What is kept of the lines of a page.
+#[derive(Debug, Default)]
+struct Seen {
+    shapes: page::Shapes,
+    plants: plants::Proposals,
+}
+
+impl Seen {
+    fn for_one_build() -> Self {
+        Self { shapes: page::Shapes::for_one_call(), plants: plants::Proposals::for_one_call() }
+    }
 }
 
 /// A reading, and what it was made from.
@@ -94,8 +115,9 @@ struct Last {
 impl Memory {
     /// For a single drawing, of which nothing is kept.
     pub fn for_one_build() -> Self {
-        let (shapes, plants) = (page::Shapes::for_one_call(), plants::Proposals::for_one_call());
-        Self { shapes, plants, meadow: meadow::Memory::for_one_build(), last: None }
+        let (drawn, chains) = (page::Shapes::for_one_call(), lines::chains::Joined::for_one_call());
+        let (restated, joined) = (Seen::for_one_build(), Seen::for_one_build());
+        Self { drawn, restated, joined, chains, meadow: meadow::Memory::for_one_build(), last: None }
     }
 }
 
@@ -210,13 +232,58 @@ const CONVENTIONS: &[Propose] = &[
 /// What is proposed for a drawing, by the places of its strokes.
 fn proposals(known: &mut Memory, strokes: &[Arc<Stroke>], corrections: &[Correction]) -> Vec<Hypothesis> {
     let alone = |page: &mut Page, strokes: &[Arc<Stroke>], corrections: &[Correction]| {
-        proposed(&mut plants::Proposals::for_one_call(), page, strokes, corrections)
+        let corrected = Corrected::on(page, strokes, corrections);
+        proposed(&mut plants::Proposals::for_one_call(), page, strokes, &corrected)
     };
     meadow::proposals(&mut known.meadow, strokes, corrections, alone).unwrap_or_else(|| {
-        let mut page = Page::with(&mut known.shapes, strokes);
-        let proposed = proposed(&mut known.plants, &mut page, strokes, corrections);
-        page.by_strokes(proposed)
+        let page = Page::with(&mut known.drawn, strokes);
+        let drawn = Redrawn::untouched(strokes);
+        match restated(&page, strokes, corrections) {
+            None => proposed_of_lines(known, page, (&drawn, strokes), corrections),
+            Some(restated) => {
+                let page = Page::with(&mut known.restated.shapes, &restated.strokes);
+                restated.by_members(proposed_of_lines(known, page, (&restated, strokes), corrections))
+            }
+        }
     })
+}
+
+/// The drawing with strokes over one another made one line, but for those of which the artist said otherwise.
+fn restated(page: &Page, strokes: &[Arc<Stroke>], corrections: &[Correction]) -> Option<Redrawn> {
+    let is_apart = |correction: &Correction, stroke: StrokeId| {
+        matches!(correction.verdict, Verdict::Separate | Verdict::Not(Reading::Line))
+            && correction.strokes.contains(&stroke)
+    };
+    lines::restated(page, strokes, |stroke| corrections.iter().all(|it| !is_apart(it, strokes[stroke].id)))
+}
+
+/// What is proposed for the lines of a page and for those that continue each other as one line, by the lines' places among all that
+/// stand for the drawn strokes.
+fn proposed_of_lines(
+    known: &mut Memory,
+    mut page: Page,
+    (lines, drawn): (&Redrawn, &[Arc<Stroke>]),
+    corrections: &[Correction],
+) -> Vec<Hypothesis> {
+    let names = |line: usize| -> Vec<StrokeId> {
+        lines.members[line].iter().map(|stroke| drawn[*stroke].id).collect()
+    };
+    let corrected = Corrected::on_lines(&page, corrections, names);
+    let chains = Chains::of(&mut known.chains, &page, &lines.strokes);
+    let mut found = proposed(&mut known.restated.plants, &mut page, &lines.strokes, &corrected);
+    let mut again = lines.as_lines(&page);
+    corrected.apply(&mut again);
+    found.append(&mut again);
+    let mut all = page.by_strokes(found);
+    if let Some(chains) = chains.filter(|chains| !chains.are_explained_by(&all)) {
+        let joined = &chains.redrawn;
+        let mut page = Page::with(&mut known.joined.shapes, &joined.strokes);
+        let names = |line: usize| joined.members[line].iter().flat_map(|line| names(*line)).collect();
+        let corrected = Corrected::on_lines(&page, corrections, names);
+        let found = proposed(&mut known.joined.plants, &mut page, &joined.strokes, &corrected);
+        chains.add(&mut all, page.by_strokes(found));
+    }
+    all
 }
 
 /// What every convention proposes for a page, by its lines, as far as the corrections leave it.
@@ -224,25 +291,49 @@ fn proposed(
     known: &mut plants::Proposals,
     page: &mut Page,
     strokes: &[Arc<Stroke>],
-    corrections: &[Correction],
+    corrected: &Corrected,
 ) -> Vec<Hypothesis> {
-    let corrected = Corrected::on(page, strokes, corrections);
-    let mut all = Vec::new();
+    let (looks, mut all) = (Looks::of(page), Vec::new());
     for propose in BENEATH {
         let known = all.len();
         propose(page, &mut all);
         let mut new = all.split_off(known);
+        if let Some(looks) = &looks {
+            looks.weigh(page, &mut new);
+            looks.propose_pot(page, &all, &mut new);
+        }
         corrected.apply(&mut new);
+        new.retain(|beneath| beneath.score > 0.0);
         all.append(&mut new);
         // What stands in a pot or on the ground is looked at without it.
         page.set_apart(all.iter().flat_map(|beneath| beneath.uses.iter().copied()).collect());
     }
     let ground = all.iter().find(|beneath| beneath.reading == Reading::Ground).map(|ground| ground.uses[0]);
     let alone = plants::small(page, ground.map(|line| &page.lines[line]));
-    let mut new = plants::proposed(known, &alone, (page, strokes), |page| proposed_above(page, &[]));
-    new.extend(proposed_above(page, &all));
+    let is_garden = looks.as_ref().is_some_and(Looks::is_garden);
+    let of_small = |page: &Page| {
+        let (looks, mut all) = (Looks::of(page), proposed_above(page, &[]));
+        if let Some(looks) = looks {
+            looks.weigh(page, &mut all);
+            if is_garden {
+                looks.propose(page, &mut all);
+            }
+        }
+        all
+    };
+    let mut new = plants::proposed(known, &alone, (page, strokes), of_small);
+    new.extend(as_it_looks(page, looks.as_ref(), proposed_above(page, &all)));
     corrected.apply(&mut new);
     all.append(&mut new);
+    all
+}
+
+/// What is proposed for a page with what it looks like taken into account.
+fn as_it_looks(page: &Page, looks: Option<&Looks>, mut all: Vec<Hypothesis>) -> Vec<Hypothesis> {
+    if let Some(looks) = looks {
+        looks.weigh(page, &mut all);
+        looks.propose(page, &mut all);
+    }
     all
 }
 

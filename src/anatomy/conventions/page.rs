@@ -5,7 +5,7 @@
 
 use super::hypothesis::{Hypothesis, renumbered};
 use crate::geom::{convex_hull::convex_hull, meetings, polyline, region::Region, simple_loop};
-use crate::kept::{Kept, Same};
+use crate::kept::{Kept, Same, Use};
 use crate::sketch::{Stroke, Tool};
 use glam::{IVec2, Vec2};
 use std::collections::{BTreeSet, HashMap};
@@ -99,10 +99,11 @@ impl Page {
         let positions = strokes.iter().flat_map(|s| &s.points).map(|p| p.position);
         let bounds = polyline::bounds(positions);
         let diagonal = if strokes.is_empty() { 0.0 } else { bounds.0.distance(bounds.1) };
-        let key = |stroke: &Arc<Stroke>| (Same::of(stroke), diagonal.to_bits());
+        let key = |stroke: &Arc<Stroke>, used: Use| (Same::of(stroke, used), diagonal.to_bits());
         let shapes = known.made(strokes, key, |stroke| Shape::new(stroke, diagonal).map(Arc::new));
-        let line = |(stroke, shape): (usize, Option<Arc<Shape>>)| Some(Line { stroke, shape: shape? });
-        let lines = shapes.into_iter().enumerate().filter_map(line).collect();
+        let line =
+            |(stroke, shape): (usize, &Option<Arc<Shape>>)| Some(Line { stroke, shape: shape.clone()? });
+        let lines = shapes.iter().enumerate().filter_map(line).collect();
         let length = strokes.iter().map(|stroke| length_of(stroke)).filter(|length| length.is_finite()).sum();
         let (groups, wide_groups) = (Vec::new(), Vec::new());
         let mut it = Self { lines, groups, wide_groups, bounds, diagonal, length, apart: Vec::new() };

@@ -12,7 +12,7 @@
 
 use super::hypothesis::{Hypothesis, renumbered};
 use super::page::{Line, Page};
-use crate::kept::{Kept, Same};
+use crate::kept::{Kept, Same, Use};
 use crate::sketch::Stroke;
 use glam::Vec2;
 use std::sync::Arc;
@@ -68,9 +68,9 @@ pub(super) fn proposed(
     let own = |plant: &Plant| -> Vec<Arc<Stroke>> {
         plant.lines.iter().map(|line| Arc::clone(&strokes[page.lines[*line].stroke])).collect()
     };
-    let key = |plant: &Plant| own(plant).iter().map(Same::of).collect();
+    let key = |plant: &Plant, used: Use| own(plant).iter().map(|stroke| Same::of(stroke, used)).collect();
     let found = known.made(plants, key, |plant| Arc::new(proposed_alone(&own(plant), &propose)));
-    let of_page = |(plant, found): (&Plant, Arc<Vec<Hypothesis>>)| {
+    let of_page = |(plant, found): (&Plant, &Arc<Vec<Hypothesis>>)| {
         renumbered(found.to_vec(), |place| plant.lines[place])
     };
     plants.iter().zip(found).flat_map(of_page).collect()

@@ -338,6 +338,7 @@ keys! {
     ReadAsPot = "reading.pot",
     ReadAsGround = "reading.ground",
     ReadAsSun = "reading.sun",
+    ReadAsLine = "reading.line",
     ReadTogetherRefuse = "together.refuse",
     ReadTogetherRefuseHint = "together.refuse_hint",
     ReadTogetherHint = "together.hint",

@@ -97,6 +97,7 @@ fn words_of(reading: Reading) -> Msg {
         Reading::Pot => Msg::ReadAsPot,
         Reading::Ground => Msg::ReadAsGround,
         Reading::Sun => Msg::ReadAsSun,
+        Reading::Line => Msg::ReadAsLine,
     }
 }
 

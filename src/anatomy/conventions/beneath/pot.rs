@@ -13,7 +13,7 @@
 
 use super::pot_rows::{ROWS, Row, mirrored, profile, rows};
 use crate::anatomy::conventions::flowers::upright::{stand_in_bed, upright};
-use crate::anatomy::conventions::page::{Line, Page};
+use crate::anatomy::conventions::page::{Line, Page, bounds};
 use crate::anatomy::conventions::{Hypothesis, Solid, SolidKind};
 use crate::geom::{convex_hull::convex_hull, simple_loop};
 use crate::sketch::Reading;
@@ -80,15 +80,17 @@ fn pot(page: &Page, body: usize) -> Option<Hypothesis> {
     if stand_in_bed(&upright(page), (pot.low, pot.high)) {
         return None;
     }
-    let axis = 0.5 * (pot.low.x + pot.high.x);
-    Some(Hypothesis {
-        uses: pot.uses,
-        score: SCORE,
-        parts: Vec::new(),
-        solids: vec![Solid { kind: SolidKind::Pot, axis, profile: profile(&rows) }],
-        reading: Reading::Pot,
-        habit: None,
-    })
+    Some(pot.hypothesis(&rows, SCORE))
+}
+
+/// A pot that consists of these lines.
+pub(crate) fn of_lines(page: &Page, uses: Vec<usize>, score: f32) -> Option<Hypothesis> {
+    let lines: Vec<&[Vec2]> = uses.iter().map(|i| &page.lines[*i].points[..]).collect();
+    let (low, high) = bounds(uses.iter().map(|i| &page.lines[*i]));
+    let mut pot = Pot { uses, low, high, size: high - low };
+    let mut rows = mirrored(rows(&lines, low, high));
+    pot.trim(&mut rows);
+    (profile(&rows).len() > 1).then(|| pot.hypothesis(&rows, score))
 }
 
 /// Whether a line by itself has the size and the bottom of a pot; it may lack a side.
@@ -216,6 +218,18 @@ impl Pot {
             rows.drain(..above);
             self.low.y += above as f32 / ROWS as f32 * self.size.y;
             self.size = self.high - self.low;
+        }
+    }
+
+    fn hypothesis(self, rows: &[Row], score: f32) -> Hypothesis {
+        let axis = 0.5 * (self.low.x + self.high.x);
+        Hypothesis {
+            uses: self.uses,
+            score,
+            parts: Vec::new(),
+            solids: vec![Solid { kind: SolidKind::Pot, axis, profile: profile(rows) }],
+            reading: Reading::Pot,
+            habit: None,
         }
     }
 

@@ -113,6 +113,11 @@ fn of_lines(lines: &[&Line]) -> Option<Found> {
     Some(Found { whole, score: SCORE.0 + SCORE.1 * ramp(wide, WIDE) + SCORE.2 * flat, outline })
 }
 
+/// A cap of this outline on a stalk, as one branch.
+pub(crate) fn on_stalk(stalk: &Trunk, outline: &[Vec2]) -> Option<Made> {
+    Some(whole(stalk, &Cap::new(outline)?))
+}
+
 /// A cap by the ends of its rows.
 struct Cap<'a> {
     outline: &'a [Vec2],

@@ -129,7 +129,7 @@ fn is_left(lines: &[&Line], outline: &[Vec2]) -> bool {
 }
 
 /// Stems from the middle of the foot.
-fn stems(outline: &[Vec2], (low, high): (Vec2, Vec2)) -> Vec<Made> {
+pub(crate) fn stems(outline: &[Vec2], (low, high): (Vec2, Vec2)) -> Vec<Made> {
     let (left, right) = evidence::foot(outline, FOOT.0);
     let foot = Vec2::new(0.5 * (left.x + right.x), high.y);
     let stem = |(degrees, length): (f32, f32)| {

@@ -176,6 +176,23 @@ impl Rows {
         })
     }
 
+    /// What stands below the row `top`, whatever its form: a trunk of two sides, or of one line.
+    pub(crate) fn below(&self, top: usize) -> Trunk {
+        let ends: Vec<(f32, f32, f32)> = self.ends().take(top.max(1)).collect();
+        let mut halves: Vec<f32> = ends.iter().map(|(left, right, _)| 0.5 * (right - left)).collect();
+        let middle = halves.len() / 2;
+        // Lines of the ground and ends of the head are wider, rows that one side lacks narrower.
+        let half = halves.select_nth_unstable_by(middle, f32::total_cmp).1.max(LINE * self.height());
+        let row = |(left, right, y): &(f32, f32, f32)| {
+            (Vec2::new(0.5 * (left + right), *y), (0.5 * (right - left)).clamp(0.7 * half, 1.3 * half))
+        };
+        let rows = evened(&ends.iter().map(row).collect::<Vec<_>>());
+        let narrow = rows.iter().map(|row| row.1).fold(f32::INFINITY, f32::min);
+        let (last, half) = rows[rows.len() - 1];
+        let sill = (last - half * Vec2::X, last + half * Vec2::X);
+        Trunk { rows, narrow, top: last.y, sill, is_sharp: true }
+    }
+
     /// Whether the width grows all the way from its narrowest row to the row `top`: the lower tip of an outline.
     fn is_tip(&self, neck: usize, top: usize) -> bool {
         let upper = self.width(top.saturating_sub(rows(JUMP.0)).max(neck));

@@ -46,7 +46,7 @@ const FOLDED: f32 = 1.1;
 const HALF: f32 = 0.2;
 
 /// Fronds about a place.
-pub(super) struct Crown {
+pub(crate) struct Crown {
     /// Each with the lines that it comes from.
     pub fronds: Vec<(Spike, Vec<usize>)>,
     /// Distance of the farthest point.
@@ -59,7 +59,7 @@ pub(super) struct Crown {
 
 impl Crown {
     /// What radiates from `top` among some runs of points, each with the number of its line.
-    pub(super) fn about(top: Vec2, runs: &[(Vec<Vec2>, usize)]) -> Self {
+    pub(crate) fn about(top: Vec2, runs: &[(Vec<Vec2>, usize)]) -> Self {
         let reach = |points: &[Vec2]| points.iter().map(|p| p.distance(top)).fold(0.0, f32::max);
         let farthest = runs.iter().map(|run| reach(&run.0)).fold(0.0, f32::max);
         let all = runs.iter().flat_map(|(points, line)| {
@@ -83,7 +83,7 @@ impl Crown {
     }
 
     /// One blade for each frond, all from one root, with the trunk if there is one.
-    pub(super) fn hypothesis(&self, root: Vec2, trunk: Option<&TrunkSides>) -> Hypothesis {
+    pub(crate) fn hypothesis(&self, root: Vec2, trunk: Option<&TrunkSides>) -> Hypothesis {
         let blades = self.fronds.iter().map(|frond| Made::new(Tool::Leaf, frond.0.blade(root, HALF)));
         let trunk_lines = trunk.into_iter().flat_map(TrunkSides::lines);
         let mut uses: Vec<usize> =
@@ -101,7 +101,7 @@ impl Crown {
     }
 
     /// Whether the tips of fronds with two sides are sharp.
-    pub(super) fn is_sharp(&self) -> bool {
+    pub(crate) fn is_sharp(&self) -> bool {
         let mut angles: Vec<f32> = self.fronds.iter().filter_map(|frond| frond.0.angle(SHARP.1)).collect();
         let middle = angles.len() / 2;
         angles.is_empty() || *angles.select_nth_unstable_by(middle, f32::total_cmp).1 < SHARP.0
@@ -109,7 +109,7 @@ impl Crown {
 
     /// Whether all fronds begin at the top of a trunk of one line, and nothing else is near its foot: twigs leave a stem here and
     /// there, and the last arc of a cloud ends beside the others.
-    pub(super) fn sits_on(&self, trunk: &TrunkSides, rest: &[(Vec<Vec2>, usize)]) -> bool {
+    pub(crate) fn sits_on(&self, trunk: &TrunkSides, rest: &[(Vec<Vec2>, usize)]) -> bool {
         let low = rest.iter().flat_map(|run| &run.0).map(|p| p.y).fold(f32::NEG_INFINITY, f32::max);
         let high = rest.iter().flat_map(|run| &run.0).map(|p| p.y).fold(trunk.top().y, f32::min);
         let begins =
@@ -119,7 +119,7 @@ impl Crown {
     }
 
     /// Whether most fronds have two sides or hang.
-    pub(super) fn has_blades(&self) -> bool {
+    pub(crate) fn has_blades(&self) -> bool {
         let is_blade = |spike: &Spike| spike.flanks.len() == 2 || hangs(spike);
         2 * self.fronds.iter().filter(|frond| is_blade(&frond.0)).count() > self.fronds.len()
     }
@@ -169,7 +169,7 @@ fn goes_around(spike: &Spike, far: f32) -> bool {
 }
 
 /// Whether the tip is well below the highest point.
-pub(super) fn hangs(spike: &Spike) -> bool {
+pub(crate) fn hangs(spike: &Spike) -> bool {
     let highest = spike.flanks.iter().flatten().map(|p| p.y).fold(f32::INFINITY, f32::min);
     spike.tip().y > highest + 0.15 * spike.reach()
 }

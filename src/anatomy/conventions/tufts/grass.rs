@@ -217,6 +217,13 @@ fn blades_of(page: &Page, upright: &[usize]) -> Option<Hypothesis> {
     Some(grass(uses, score, &spikes, ground.slope))
 }
 
+/// A blade for every tip of these lines, all on one ground.
+pub(crate) fn upright_blades(lines: &[&Line]) -> Vec<Made> {
+    let spikes: Vec<(Spike, f32)> =
+        lines.iter().flat_map(|line| upright_spikes(line)).map(|spike| (spike, HALF)).collect();
+    grass(Vec::new(), 0.0, &spikes, 0.0).parts
+}
+
 /// Whether a line may be a blade or a zigzag of blades by itself: higher than wide, or sharp.
 fn is_upright(line: &Line) -> bool {
     let teeth = upright_spikes(line);

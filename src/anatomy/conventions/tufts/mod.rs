@@ -8,7 +8,7 @@
 //! | `frond_crown` | what speaks for fronds about a place |
 //! | `frond_details` | fruit among fronds, and the leaflets of fronds |
 
-mod frond_crown;
+pub(crate) mod frond_crown;
 pub(crate) mod frond_details;
 pub(crate) mod fronds;
 pub(crate) mod grass;
