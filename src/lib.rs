@@ -21,6 +21,7 @@
 //! | [`sketch`] | the document: strokes, tools, file formats |
 //! | [`pen`] | what every pointing device says, in one form |
 //! | [`plant`] | the waist: branches and organs in space, and what they are |
+//! | [`flower`] | full flowers: petals in layers |
 //! | [`anatomy`] | what the strokes mean, still flat |
 //! | [`depth`] | anatomy to plant |
 //! | [`growth`] | plants that grow themselves |
@@ -42,6 +43,7 @@ pub mod checksum;
 pub mod cli;
 pub mod depth;
 pub mod file_system;
+pub mod flower;
 pub mod formats;
 pub mod geom;
 pub mod growth;

@@ -1,20 +1,16 @@
 //! `penstemon grow SPECIES -o OUT`: a plant that grows by itself, at one age or at many ages one after the other.
 
+use super::studio::{Outputs, Studio, is_picture, open_species};
 use super::{common, inside};
-use crate::atomic;
-use crate::formats::textures::fetch;
 use crate::formats::write;
 use crate::growth::{Limits, Outcome, Simulation};
 use crate::input::Sources;
-use crate::model::Model;
 use crate::pipeline::{self, Ages, Built, Cache, Params, Seed};
-use crate::plant::{OrganKind, Texture};
-use crate::render::{Direction, ModelDrawData, PictureOptions, Projection, Renderer, View};
+use crate::plant::OrganKind;
+use crate::render::{Direction, PictureOptions, Projection, View};
 use crate::sketch::Remark;
 use crate::species::Species;
 use anyhow::{Context, Result, ensure};
-use std::borrow::Cow;
-use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -74,7 +70,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         write::format_of(out)?;
     }
     let name = args.species.as_deref().context("which species?")?;
-    let species = open(name)?;
+    let species = open_species(name)?;
     let sources = sources_of(args, &species);
     sources.spare(args.out.iter().map(PathBuf::as_path))?;
     if let Some(age) = args.age {
@@ -176,24 +172,12 @@ fn why_bare(ages: Ages) -> &'static str {
 
 /// Writes the plant, or its frames; returns the number of bytes.
 fn write(args: &Args, sources: &Sources, grown: &Built, nursery: &mut Nursery<'_>) -> Result<usize> {
-    let (pictures, models): (Vec<&PathBuf>, Vec<&PathBuf>) = args.out.iter().partition(|out| is_picture(out));
-    let mut studio = if pictures.is_empty() { None } else { Some(Studio::new(&grown.model)?) };
-    let mut write = |built: &Built, named: &dyn Fn(&Path) -> PathBuf| -> Result<usize> {
-        let named_all = |outs: &[&PathBuf]| outs.iter().map(|out| named(out)).collect::<Vec<_>>();
-        let (models, pictures) = (named_all(&models), named_all(&pictures));
-        sources.spare(pictures.iter().map(PathBuf::as_path))?;
-        let Built { model, plant, provenance, .. } = built;
-        let mut bytes = common::export(&models, ((plant, provenance), model), args.instances, sources)?;
-        if let Some(studio) = &mut studio {
-            let png = studio.picture(model)?;
-            for out in &pictures {
-                atomic::write_atomically(out, &png)?;
-                bytes += png.len();
-            }
-        }
-        Ok(bytes)
-    };
-    let Some(frames) = args.frames else { return write(grown, &Path::to_owned) };
+    let view = View { direction: Direction::Front, projection: Projection::Perspective, turn_deg: 0.0 };
+    let options = PictureOptions { width: 1200, height: 900, transparent: false };
+    let outputs = Outputs { outs: &args.out, instances: args.instances, sources, view, options };
+    // All pictures are framed for the plant that it becomes.
+    let mut studio = Studio::new(&outputs, &grown.model)?;
+    let Some(frames) = args.frames else { return studio.write(grown, &Path::to_owned) };
     let oldest = args.age.unwrap_or(f32::from(nursery.simulation()?.age()));
     let mut bytes = 0;
     for frame in 1..=frames {
@@ -201,43 +185,10 @@ fn write(args: &Args, sources: &Sources, grown: &Built, nursery: &mut Nursery<'_
         if built.model.parts.is_empty() {
             tracing::warn!("frame {frame}: nothing has grown yet, so it has no file");
         } else {
-            bytes += write(&built, &|out| common::numbered(out, usize::from(frame)))?;
+            bytes += studio.write(&built, &|out| common::numbered(out, usize::from(frame)))?;
         }
     }
     Ok(bytes)
-}
-
-fn is_picture(out: &Path) -> bool {
-    out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"))
-}
-
-/// Takes pictures of a plant while it grows, all framed for the plant that it becomes.
-struct Studio {
-    renderer: Renderer,
-    grown: ModelDrawData,
-}
-
-impl Studio {
-    /// `grown` is the plant at its last age.
-    fn new(grown: &Model) -> Result<Self> {
-        let renderer = Renderer::new()?;
-        let grown = renderer.upload(grown, &texture)?;
-        Ok(Self { renderer, grown })
-    }
-
-    /// A picture as a PNG file.
-    fn picture(&mut self, model: &Model) -> Result<Vec<u8>> {
-        let model = self.renderer.upload(model, &texture)?.framed_as(&self.grown);
-        let view = View { direction: Direction::Front, projection: Projection::Perspective, turn_deg: 0.0 };
-        let options = PictureOptions { width: 1200, height: 900, transparent: false };
-        let picture = self.renderer.pictures(&model, &[view], &options).next().context("no picture")??;
-        Ok(picture.to_png()?)
-    }
-}
-
-/// The file of a texture.
-fn texture(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
-    Ok(fetch(texture, &common::built_in_texture)?)
 }
 
 /// The files that a plant is made from.
@@ -247,12 +198,6 @@ fn sources_of(args: &Args, species: &Species) -> Sources {
     [&args.species, &args.inside].into_iter().flatten().for_each(|file| sources.add(Path::new(file)));
     species.picture_files().for_each(|picture| sources.add(picture));
     sources
-}
-
-/// A built-in species, or one of the artist's own where the name is that of a file.
-fn open(name: &str) -> Result<Species> {
-    let own = name.ends_with(".toml");
-    Ok(if own { Species::read(Path::new(name))? } else { Species::built_in(name)? })
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 //!
 //! Exit codes: 0 done, 1 bad input or failure with one message on stderr, 2 wrong usage (clap's).
 
+pub mod bloom;
 pub mod build;
 pub mod check;
 pub mod common;
@@ -13,6 +14,7 @@ pub mod inspect;
 pub mod params;
 pub mod pen;
 pub mod render;
+pub mod studio;
 pub mod tablets;
 
 use clap::{CommandFactory, Parser, Subcommand};
@@ -41,6 +43,8 @@ pub enum Verb {
     Build(build::Args),
     /// A plant that grows by itself, without a drawing: OBJ, GLB or the plant itself as JSON.
     Grow(grow::Args),
+    /// A full flower without a drawing: OBJ, GLB, the plant itself as JSON, or a picture.
+    Bloom(bloom::Args),
     /// What the analysis understood of a drawing, as JSON.
     Inspect(inspect::Args),
     /// Every parameter that --set can change: path, value, unit, range and meaning.
@@ -92,13 +96,14 @@ pub fn usage(error: &clap::Error) -> String {
 /// Anything that kept the verb from its result, ready to be shown.
 pub fn run(cli: Cli) -> anyhow::Result<ExitCode> {
     #[cfg(target_os = "linux")]
-    if matches!(cli.verb, Some(Verb::Render(_) | Verb::Grow(_))) {
+    if matches!(cli.verb, Some(Verb::Render(_) | Verb::Grow(_) | Verb::Bloom(_))) {
         compositor::leave_alone();
     }
     match cli.verb {
         None => crate::app::run(cli.file).map(|()| ExitCode::SUCCESS),
         Some(Verb::Build(args)) => build::run(&args),
         Some(Verb::Grow(args)) => grow::run(&args),
+        Some(Verb::Bloom(args)) => bloom::run(&args),
         Some(Verb::Inspect(args)) => inspect::run(&args),
         Some(Verb::Params(args)) => params::run(&args),
         Some(Verb::Check(args)) => check::run(&args),

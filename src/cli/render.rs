@@ -19,7 +19,7 @@ use std::time::Instant;
 
 /// What is seen, and from where.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum ViewName {
+pub enum ViewName {
     /// As it was drawn.
     Front,
     /// From its right.
@@ -33,7 +33,8 @@ enum ViewName {
 }
 
 impl ViewName {
-    fn direction(self) -> Direction {
+    /// The direction of the camera; that of the drawing from the front.
+    pub fn direction(self) -> Direction {
         match self {
             ViewName::Front | ViewName::Drawing => Direction::Front,
             ViewName::Side => Direction::Side,
@@ -45,9 +46,11 @@ impl ViewName {
 
 /// Width and height of a picture in pixels, written `1200x900`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Size {
-    width: u32,
-    height: u32,
+pub struct Size {
+    /// Pixels from left to right.
+    pub width: u32,
+    /// Pixels from top to bottom.
+    pub height: u32,
 }
 
 impl std::str::FromStr for Size {

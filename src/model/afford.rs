@@ -68,6 +68,10 @@ fn coarsened(params: &ModelParams, step: u32) -> ModelParams {
             columns: fewer(blade.columns, b.columns, 0),
             template_tolerance: wider(blade.template_tolerance, b.template_tolerance, 0.1),
             template_outline_points: fewer(blade.template_outline_points, b.template_outline_points, 4),
+            petal_tolerance: wider(blade.petal_tolerance, b.petal_tolerance, 0.1),
+            petal_outline_points: fewer(blade.petal_outline_points, b.petal_outline_points, 4),
+            petal_rows: fewer(blade.petal_rows, b.petal_rows, 1),
+            petal_columns: fewer(blade.petal_columns, b.petal_columns, 0),
             template_rows: fewer(blade.template_rows, b.template_rows, 0),
             template_columns: fewer(blade.template_columns, b.template_columns, 0),
             ..blade.clone()
@@ -158,6 +162,10 @@ fn blade_at_most(template: &Template, params: &BladeMeshParams) -> u64 {
         Detail::Reduced => {
             let most = u64::from(params.template_outline_points);
             (drawn.min(most), params.template_rows, params.template_columns)
+        }
+        Detail::Moderate => {
+            let most = u64::from(params.petal_outline_points);
+            (drawn.min(most), params.petal_rows, params.petal_columns)
         }
         Detail::Full => (drawn, params.rows, params.columns),
     };

@@ -77,7 +77,7 @@ fn put_on_rest(blade: &ResolvedBlade<'_>, flat: &FlatBlade, facing: Vec3, scratc
             scratch.normals.clear();
             scratch.normals.resize(flat.points.len(), facing);
         }
-        RestSurface::Cone { .. } => {
+        RestSurface::Cone { .. } | RestSurface::Patch(_) | RestSurface::Ring(_) => {
             smooth_normals(&flat.triangles, &scratch.middle, facing, &mut scratch.normals);
         }
     }

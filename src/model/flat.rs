@@ -41,6 +41,14 @@ crate::parameters! {
         template_tolerance: f32 = 0.02, 0.0001..=0.1, "of the blade's size";
         /// Most points that carry a generated leaf's outline; a five-lobed leaf needs ten.
         template_outline_points: u32 = 10, 4..=200, "";
+        /// How far the margin of a petal of a full flower may leave its outline.
+        petal_tolerance: f32 = 0.006, 0.0001..=0.1, "of the blade's size";
+        /// Most points that carry the outline of such a petal.
+        petal_outline_points: u32 = 40, 4..=400, "";
+        /// Rows of points in petals of full flowers.
+        petal_rows: u32 = 4, 0..=64, "";
+        /// Columns of points in petals of full flowers.
+        petal_columns: u32 = 1, 0..=32, "";
         /// Rows of points in generated leaves.
         template_rows: u32 = 1, 0..=64, "";
         /// Columns of points in generated leaves.
@@ -253,6 +261,7 @@ fn size_of(template: &Template) -> f32 {
 fn density(template: &Template, params: &BladeMeshParams) -> Density {
     match template.detail() {
         Detail::Reduced => Density { rows: params.template_rows, columns: params.template_columns },
+        Detail::Moderate => Density { rows: params.petal_rows, columns: params.petal_columns },
         Detail::Full => Density { rows: params.rows, columns: params.columns },
     }
 }
@@ -266,6 +275,7 @@ fn prepare_margin(
     let Density { rows, .. } = density(template, params);
     let (tolerance, most_points, waves) = match template.detail() {
         Detail::Reduced => (params.template_tolerance, params.template_outline_points as usize, None),
+        Detail::Moderate => (params.petal_tolerance, params.petal_outline_points as usize, None),
         Detail::Full => (params.outline_tolerance, usize::MAX, waves),
     };
     // A wave needs a few points; the outline of a blade is about two and a half times as long as the blade.

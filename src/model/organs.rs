@@ -17,7 +17,7 @@ use super::shapes::{self, CopyShape, Original, ShapesInCommon};
 use super::solids::{self, Stand};
 use super::tube::TubeScratch;
 
-use crate::plant::{Blade, Detail, Plant, Shape, Template, TemplateId};
+use crate::plant::{Blade, Plant, Shape, Template, TemplateId};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -40,7 +40,7 @@ pub(super) struct OrganScratch {
 pub(super) struct OrganWorkshop<'a> {
     plant: &'a Plant,
     params: &'a ModelParams,
-    /// For each template of reduced detail its triangulation.
+    /// For each template whose blades share one its triangulation.
     templates: Vec<Option<FlatTemplate>>,
     /// For each organ the number of its shape, for a filament of that of its head.
     shape_of: Vec<Option<u32>>,
@@ -199,11 +199,11 @@ fn take_in(mesh: &mut Mesh, own: Option<Mesh>) {
     }
 }
 
-/// The triangulations of the templates of reduced detail.
+/// The triangulations of the templates whose blades share one.
 fn templates(plant: &Plant, params: &ModelParams, cache: &mut Cache) -> Vec<Option<FlatTemplate>> {
     let (mut scratch, mut recipe) = (FlatScratch::default(), Recipe::default());
     let triangulated = |template: &Template| {
-        (template.detail() == Detail::Reduced).then(|| {
+        template.detail().is_shared().then(|| {
             recipe.template(template);
             cache.template(&recipe, || flat::flatten(template, None, &params.blade, &mut scratch))
         })

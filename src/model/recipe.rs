@@ -145,6 +145,7 @@ impl<'a> Recipe<'a> {
         let detail = match template.detail() {
             Detail::Full => 0,
             Detail::Reduced => 1,
+            Detail::Moderate => 2,
         };
         self.word(detail).real(template.length()).plane(outline).length(curl.len());
         self.words.extend_from_slice(bytemuck::cast_slice(curl));
@@ -170,6 +171,14 @@ impl<'a> Recipe<'a> {
             RestSurface::Cone { cone, hint } => {
                 let Cone { apex, axis, opening_rad, height } = cone;
                 self.word(1).point(*apex).point(*axis).real(*opening_rad).real(*height).real(*hint)
+            }
+            RestSurface::Patch(patch) => {
+                self.word(2).words.extend(patch.words().map(f32::to_bits));
+                &mut *self
+            }
+            RestSurface::Ring(sheet) => {
+                self.word(3).words.extend(sheet.words().map(f32::to_bits));
+                &mut *self
             }
         };
         self.words.extend(form.to_row().map(f32::to_bits));

@@ -2,7 +2,7 @@
 //! of them is bent and given thickness, upright at the origin, and the others are placed. So are domes and the heads of
 //! filaments: those of one proportion differ in place and size, and one of radius 1 is made.
 //!
-//! Limits: only flat blades; threads, which all bend in their own way, and lathed bodies are no copies. A blade so small, or
+//! Limits: only flat blades and those on patches; threads, which all bend in their own way, and lathed bodies are no copies. A blade so small, or
 //! so far from the origin, that its thickness would drown in the rounding of its coordinates is no copy: `blade` makes it
 //! thicker.
 
@@ -10,7 +10,7 @@ use super::copies::Placement;
 use super::flat::FlatBlade;
 use super::mesh::Mesh;
 use super::solids::{Proportion, Stand};
-use crate::plant::{Blade, Detail, Organ, Plant, ResolvedBlade, RestSurface, Shape, TemplateId};
+use crate::plant::{Blade, Organ, Plant, ResolvedBlade, RestSurface, Shape, TemplateId};
 use glam::Vec3;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -18,16 +18,17 @@ use std::sync::Arc;
 /// Half of a blade's thickness is at least this share of its distance from the origin.
 pub(super) const THINNEST: f32 = 4e-6;
 
-/// What organs have in common that are copies of one shape: of blades the template, and the form bit by bit.
+/// What organs have in common that are copies of one shape: of blades the template, the form bit by bit, and the address of the
+/// patch on which they lie.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Key {
-    Blade(TemplateId, [u32; 7]),
+    Blade(TemplateId, [u32; 7], Option<usize>),
     Dome(Proportion),
     Head(Proportion),
 }
 
 /// What a shape is made from.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Original<'a> {
     /// The first blade that has it, with the place of its template.
     Blade(TemplateId, ResolvedBlade<'a>),
@@ -108,7 +109,7 @@ impl<'a> ShapesInCommon<'a> {
 
 /// The blade as its shape stands.
 pub(super) fn upright<'a>(blade: &ResolvedBlade<'a>) -> ResolvedBlade<'a> {
-    Blade { base: Vec3::ZERO, u: Vec3::X, v: Vec3::Y, ..*blade }
+    Blade { base: Vec3::ZERO, u: Vec3::X, v: Vec3::Y, ..blade.clone() }
 }
 
 /// What an organ has in common with others of its shape, and what the shape is made from; `None` for one that is no copy.
@@ -116,9 +117,16 @@ fn key<'a>(plant: &'a Plant, shape: &Shape) -> Option<(Key, Original<'a>)> {
     match shape {
         Shape::Blade(blade) => {
             let resolved = plant.templates.resolve(blade);
-            let is_copy = blade.rest == RestSurface::Plane && resolved.template.detail() == Detail::Reduced;
+            let is_copy =
+                resolved.template.detail().is_shared() && !matches!(blade.rest, RestSurface::Cone { .. });
             let form = blade.form.to_row().map(f32::to_bits);
-            is_copy.then_some((Key::Blade(blade.template, form), Original::Blade(blade.template, resolved)))
+            let patch = match &blade.rest {
+                RestSurface::Patch(patch) => Some(Arc::as_ptr(patch).addr()),
+                RestSurface::Ring(sheet) => Some(Arc::as_ptr(sheet).addr()),
+                RestSurface::Plane | RestSurface::Cone { .. } => None,
+            };
+            is_copy
+                .then(|| (Key::Blade(blade.template, form, patch), Original::Blade(blade.template, resolved)))
         }
         Shape::Dome { radius, height, .. } => {
             let proportion = Proportion::of(*radius, *height)?;

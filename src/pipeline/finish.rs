@@ -63,8 +63,14 @@ pub(super) fn finish(
     let Produced { plant, buds, provenance, mut remarks, anatomy, growth, may_flower } = produced;
     let mut remark = |remark| remarks.push(Warning { stroke: None, remark });
     let plant = clock.time("species", || {
-        let Applied { mut plant, is_blossom_thinned } =
-            species::apply_within(plant, &buds, &provenance, &looks(species, may_flower), seed, &budget);
+        let Applied { mut plant, is_blossom_thinned } = species::apply_within(
+            plant,
+            &buds,
+            &provenance,
+            &looks(species, params, may_flower),
+            seed,
+            &budget,
+        );
         if is_blossom_thinned {
             remark(Remark::BlossomThinned { flowers: plant.flowers.len() });
         }
@@ -83,14 +89,13 @@ pub(super) fn finish(
     Some(Built { anatomy, remarks, growth, plant, provenance, beside, model, overlay, stages })
 }
 
-/// The looks of a species, without flowers where the plant may not have any.
-fn looks(species: &Species, may_flower: bool) -> Cow<'_, Species> {
-    if may_flower || species.blossom.is_none() {
-        return Cow::Borrowed(species);
+/// The looks of a species with the artist's flowers, without blossom where the plant may not have any.
+fn looks<'a>(species: &'a Species, params: &Params, may_flower: bool) -> Cow<'a, Species> {
+    let mut looks = params.flower.applied(species);
+    if !may_flower && looks.blossom.is_some() {
+        looks.to_mut().blossom = None;
     }
-    let mut young = species.clone();
-    young.blossom = None;
-    Cow::Owned(young)
+    looks
 }
 
 /// How fine surfaces become.

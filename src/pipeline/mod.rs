@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! Source ──produce──► Produced { plant, provenance, .. } ──finish──► Built { plant, model, .. }
-//!   drawing, seed       one file for each maker           species, pictures, surfaces: the same for all
+//!   drawing, seed, bloom  one file for each maker           species, pictures, surfaces: the same for all
 //! ```
 //!
 //! A drawing may name plants that stand beside the drawn one. Each goes this way by itself; then they are put together
@@ -13,6 +13,7 @@
 //! callers'.
 
 mod beside;
+mod bloom;
 mod clock;
 mod drawing;
 mod finish;
@@ -29,10 +30,10 @@ pub use finish::Built;
 pub use placing::BuiltBeside;
 pub use seed::SeedMemory;
 pub use setup::{
-    Params, SetupError, check_grows, params_of, params_of_species, species_file, species_of,
+    Params, SetupError, check_blooms, check_grows, params_of, params_of_species, species_file, species_of,
     species_or_usual, usual_species,
 };
-pub use source::{Ages, Produced, Seed, Source};
+pub use source::{Ages, Bloom, Produced, Seed, Source};
 pub use usual_species::{DEFAULT_SPECIES, species_of_habit};
 
 use crate::budget::Budget;
@@ -73,6 +74,7 @@ impl Cache {
         built.overlay = match source {
             Source::Drawing(_) => self.drawing.overlay(ages.shown, wanted),
             Source::Seed(_) => self.seed.overlay(ages.shown, wanted),
+            Source::Bloom(_) => Vec::new(),
         };
     }
 }
@@ -116,6 +118,12 @@ pub fn build_with<'a>(
             let how = Finish { seed: sketch.seed, pictures: &sketch.textures, budget, placing: None };
             let drawn = finish::finish(&mut cache.model, produced, with, &how, &mut clock, &stop)?;
             beside::add(&mut cache.beside, drawn, &sketch.plants, &mut clock, &stop)
+        }
+        Source::Bloom(bloom) => {
+            let produced = clock.time("bloom", || bloom::produce(bloom, params));
+            let pictures = &Textures::default();
+            let how = Finish { seed: bloom.number, pictures, budget: Budget::PLANT, placing: None };
+            finish::finish(&mut cache.model, produced, with, &how, &mut clock, &stop)
         }
         Source::Seed(seed) => {
             let produced = seed::produce(&mut cache.seed, seed, with, &mut clock, &stop)?;

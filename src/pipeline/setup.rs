@@ -7,6 +7,7 @@ use super::usual_species::{DEFAULT_SPECIES, species_of_habit};
 use crate::anatomy::AnatomyParams;
 use crate::anatomy::conventions::{self, ConventionParams};
 use crate::depth::DepthParams;
+use crate::flower::Layers;
 use crate::growth::habit::CrownHabit;
 use crate::growth::{GrowthParams, Habit};
 use crate::model::ModelParams;
@@ -14,7 +15,7 @@ use crate::params::{Description, Overrides, ParamError, Parameters as _};
 use crate::quote;
 use crate::sketch::species_file::{find, is_file, own_name};
 use crate::sketch::{Remark, Sketch, Warning};
-use crate::species::{Species, SpeciesError};
+use crate::species::{FlowerParams, Species, SpeciesError};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
@@ -31,6 +32,8 @@ crate::parameter_groups! {
         growth: GrowthParams;
         /// How the plant becomes surfaces.
         model: ModelParams;
+        /// The flowers of the species.
+        flower: FlowerParams;
         /// How plants of the species grow. A species that does not say it grows like an ordinary tree.
         habit: Habit;
     }
@@ -42,13 +45,15 @@ static ANY_SPECIES: LazyLock<Vec<Description>> = LazyLock::new(|| Params::of_any
 impl Params {
     /// What a plant of a species has where nobody says otherwise.
     pub fn of_species(species: &Species) -> Self {
-        Self { habit: species.growth.clone().unwrap_or_default(), ..Self::default() }
+        let habit = species.growth.clone().unwrap_or_default();
+        Self { habit, flower: FlowerParams::of(species), ..Self::default() }
     }
 
     /// Parameters with every group that a species may have.
     pub fn of_any_species() -> Self {
         let crown = Some(CrownHabit::default());
-        Self { habit: Habit { crown, ..Habit::default() }, ..Self::default() }
+        let flower = FlowerParams { layers: Some(Layers::default()), ..FlowerParams::default() };
+        Self { habit: Habit { crown, ..Habit::default() }, flower, ..Self::default() }
     }
 }
 
@@ -66,6 +71,16 @@ pub enum SetupError {
         /// The species.
         name: String,
         /// Built-in species that grow.
+        known: String,
+    },
+    /// The species has no flower that can be made without a drawing.
+    #[error(
+        "the species `{name}` has no full flower: its file has no section [flowers.layers]; those that have one are {known}"
+    )]
+    NoBloom {
+        /// The species.
+        name: String,
+        /// Built-in species with full flowers.
         known: String,
     },
     /// A volume without a place for anything.
@@ -179,4 +194,15 @@ pub fn check_grows(species: &Species) -> Result<(), SetupError> {
     }
     let known = Species::growing().join(", ");
     Err(SetupError::NoGrowth { name: quote::name(&species.name), known })
+}
+
+/// Whether a species has a flower that is made without a drawing.
+///
+/// # Errors
+/// [`SetupError::NoBloom`] where it has none.
+pub fn check_blooms(species: &Species) -> Result<(), SetupError> {
+    if species.blooms() {
+        return Ok(());
+    }
+    Err(SetupError::NoBloom { name: quote::name(&species.name), known: Species::blooming().join(", ") })
 }

@@ -18,6 +18,8 @@ pub enum Source<'a> {
     Drawing(&'a Sketch),
     /// A seed of a species that says how it grows.
     Seed(&'a Seed),
+    /// One flower of a species that has full ones, on its stem.
+    Bloom(&'a Bloom),
 }
 
 impl<'a> From<&'a Sketch> for Source<'a> {
@@ -30,6 +32,19 @@ impl<'a> From<&'a Seed> for Source<'a> {
     fn from(seed: &'a Seed) -> Self {
         Self::Seed(seed)
     }
+}
+
+impl<'a> From<&'a Bloom> for Source<'a> {
+    fn from(bloom: &'a Bloom) -> Self {
+        Self::Bloom(bloom)
+    }
+}
+
+/// A flower without a drawing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Bloom {
+    /// Decides everything that is left to chance.
+    pub number: u64,
 }
 
 /// A plant without a drawing.

@@ -4,10 +4,11 @@
 //! The rest surface says where that plane stands in the world; the form (000 eqs. 5.1 to 5.3) is what the plant, not the
 //! drawing, adds: bending, cupping, thickness. The model stage turns all three into a mesh.
 
-use super::{Cone, Template, TemplateId};
+use super::{BezierPatch, Cone, RingSheet, Template, TemplateId};
 use glam::{Vec2, Vec3};
 use serde::Serialize;
 use std::ops::Deref;
+use std::sync::Arc;
 
 crate::parameters! {
     /// How a blade departs from its rest surface; lengths are shares of the blade's length.
@@ -45,7 +46,7 @@ impl BladeForm {
 }
 
 /// Where the blade's plane stands in the world before it bends.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum RestSurface {
     /// The plane through `base` spanned by `u` and `v`.
@@ -58,13 +59,17 @@ pub enum RestSurface {
         /// Depth of the blade's tip: tells which of the cone's two depths is meant.
         hint: f32,
     },
+    /// A curved sheet in the frame of the blade: u, v, and toward the face. Copies of one petal share it.
+    Patch(Arc<BezierPatch>),
+    /// A sheet on a ring of a full flower, in the same frame. Petals that differ in nothing but their place share it.
+    Ring(Arc<RingSheet>),
 }
 
 /// A petal, leaf or sepal: a copy of a template with its own pose and form.
 ///
 /// In a plant it names its template by its place. Who needs the template too takes a [`ResolvedBlade`]; makers may hand
 /// blades on with templates that no plant has yet.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Blade<T = TemplateId> {
     /// Its outline, curl and length.
     pub template: T,
@@ -86,8 +91,8 @@ pub type ResolvedBlade<'a> = Blade<&'a Template>;
 impl<T> Blade<T> {
     /// The same copy of another template.
     pub fn with_template<U>(&self, template: U) -> Blade<U> {
-        let Self { template: _, base, u, v, rest, form } = *self;
-        Blade { template, base, u, v, rest, form }
+        let Self { template: _, base, u, v, ref rest, form } = *self;
+        Blade { template, base, u, v, rest: rest.clone(), form }
     }
 
     /// Moves it with its rest surface.
@@ -116,7 +121,15 @@ impl<T: Deref<Target = Template>> Blade<T> {
                 let hint = cone.apex.z + (hint - cone.apex.z) * share;
                 Vec3::new(p.x, p.y, cone.depth_near(p.truncate(), hint))
             }
+            RestSurface::Patch(patch) => self.placed(patch.at(uv)),
+            RestSurface::Ring(sheet) => self.placed(sheet.at(uv)),
         }
+    }
+
+    /// World position of a point that is given along u, along v and toward the face.
+    fn placed(&self, local: Vec3) -> Vec3 {
+        let face = self.u.cross(self.v) / self.v.length().max(f32::MIN_POSITIVE);
+        self.base + self.u * local.x + self.v * local.y + face * local.z
     }
 
     /// World position of the tip on the rest surface.

@@ -18,6 +18,10 @@ pub struct FlowerBud {
     pub u: Vec3,
     /// Vector in which it opens; its length is the flower's size, metres.
     pub v: Vec3,
+    /// Which of the species' flowers it is; taken in turn where the species has fewer.
+    pub look: usize,
+    /// How far it has opened of what its species' flowers open: 0 not at all, 1 all the way.
+    pub open: f32,
 }
 
 /// The flower buds of a plant.
@@ -47,7 +51,8 @@ impl FlowerBud {
     fn check_invariants(&self, plant: &Plant) -> Result<(), String> {
         ensure(self.branch.is_none_or(|b| b < plant.branches.len()), || "branch out of range".to_owned())?;
         let is_finite = self.base.is_finite() && self.u.is_finite() && self.v.is_finite();
-        ensure(is_finite, || "pose not finite".to_owned())
+        ensure(is_finite, || "pose not finite".to_owned())?;
+        ensure((0.0..=1.0).contains(&self.open), || "opening out of range".to_owned())
     }
 }
 
@@ -57,7 +62,7 @@ mod tests {
 
     #[test]
     fn buds_that_cannot_be_are_named() {
-        let bud = FlowerBud { branch: None, base: Vec3::Y, u: Vec3::X, v: Vec3::Y };
+        let bud = FlowerBud { branch: None, base: Vec3::Y, u: Vec3::X, v: Vec3::Y, look: 0, open: 1.0 };
         let check = |second: FlowerBud| {
             FlowerBuds { buds: vec![bud, second], is_thinned: false }.check_invariants(&Plant::default())
         };
@@ -65,5 +70,6 @@ mod tests {
         assert_eq!(check(bud), Ok(()));
         assert!(fault(FlowerBud { branch: Some(0), ..bud }).contains("bud 1: branch"));
         assert!(fault(FlowerBud { v: Vec3::NAN, ..bud }).contains("bud 1: pose"));
+        assert!(fault(FlowerBud { open: 1.5, ..bud }).contains("bud 1: opening"));
     }
 }

@@ -1,6 +1,6 @@
 //! What must hold for every [`Plant`]; called by tests, property tests, fuzz targets and debug builds.
 
-use super::{Blade, Branch, Organ, Plant, Shape};
+use super::{Blade, Branch, Organ, Plant, RestSurface, Shape};
 use glam::Vec3;
 
 impl Plant {
@@ -61,8 +61,14 @@ impl Plant {
         match &organ.shape {
             Shape::Blade(blade) => {
                 ensure(self.templates.get(blade.template).is_some(), || here("template out of range"))?;
-                let Blade { base, u, v, .. } = blade;
-                ensure(base.is_finite() && u.is_finite() && v.is_finite(), || here("pose not finite"))
+                let Blade { base, u, v, rest, .. } = blade;
+                ensure(base.is_finite() && u.is_finite() && v.is_finite(), || here("pose not finite"))?;
+                let is_sound = match rest {
+                    RestSurface::Plane | RestSurface::Cone { .. } => true,
+                    RestSurface::Patch(patch) => patch.is_finite(),
+                    RestSurface::Ring(sheet) => sheet.is_finite(),
+                };
+                ensure(is_sound, || here("rest surface not finite"))
             }
             Shape::Dome { base, axis, radius, height } => {
                 ensure(base.is_finite() && is_unit(*axis), || here("pose"))?;

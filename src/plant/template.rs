@@ -16,8 +16,17 @@ use serde::Serialize;
 pub enum Detail {
     /// As finely as it was drawn and with a form of its own: for blades of which each is looked at.
     Full,
+    /// Finely enough to bend, all of one outline alike: for the petals of full flowers.
+    Moderate,
     /// Of few points and in a few forms, of which all copies of one are one mesh: for many small blades.
     Reduced,
+}
+
+impl Detail {
+    /// Whether all blades of a template have one triangulation, so that those of one form are copies of one mesh.
+    pub fn is_shared(self) -> bool {
+        self != Self::Full
+    }
 }
 
 /// What the copies of one blade have in common.

@@ -6,6 +6,7 @@
 
 use super::blossom::blossom;
 use super::form;
+use super::full::{self, FullSeat};
 use super::ground;
 use super::looks::{FlowerLook, PetalLook, Species};
 use super::materials::with_materials;
@@ -15,7 +16,7 @@ use super::thorns::thorns;
 use crate::budget::Budget;
 use crate::plant::{
     BladeForm, Branch, Detail, FinishedPlant, FlowerBuds, Organ, OrganKind, OrganPart, Origin, Plant,
-    Provenance, Role, Shape, Templates, WoodPart,
+    Provenance, RestSurface, Role, Shape, Templates, WoodPart,
 };
 use glam::Vec3;
 use rand::{RngExt, SeedableRng};
@@ -92,7 +93,9 @@ pub fn apply_within(
     for (index, flower) in plant.flowers.iter_mut().enumerate() {
         flower.look = index % species.flowers.len().max(1);
     }
-    let petals = petals_of(&plant);
+    let open = full::open_buds(&mut plant, buds, species, budget.blossoms);
+    let seats = full::add_layers(&mut plant, &open, species, seed);
+    let petals = petals_of(&plant, &seats);
     shape_blades(&mut plant, provenance, species, &petals, seed);
     let has_drawn_pot = plant.organs.iter().any(|organ| organ.kind() == OrganKind::Pot);
     if species.pot.is_none() || has_drawn_pot {
@@ -128,7 +131,7 @@ fn shape_blades(plant: &mut Plant, provenance: &Provenance, species: &Species, p
     for organ in &mut plant.organs {
         let look = organ.flower.map_or(0, |flower| plant.flowers[flower].look);
         organ.role.look = look as u32;
-        let is_petal = matches!(organ.shape, Shape::Blade(_)) && organ.kind() == OrganKind::Petal;
+        let is_petal = organ.kind() == OrganKind::Petal && !has_its_form(&organ.shape);
         if let (true, Some(flower), Some(look)) = (is_petal, organ.flower, species.flowers.get(look)) {
             organ.role.variant = (done[flower] % look.petals.materials.0.len()) as u32;
             done[flower] += 1;
@@ -138,6 +141,9 @@ fn shape_blades(plant: &mut Plant, provenance: &Provenance, species: &Species, p
     let templates = &plant.templates;
     plant.organs.par_iter_mut().with_min_len(BATCH).for_each(|organ| {
         let flower = organ.flower.filter(|_| organ.kind() == OrganKind::Petal);
+        if has_its_form(&organ.shape) {
+            return;
+        }
         let Shape::Blade(blade) = &mut organ.shape else { return };
         let template = &templates[blade.template];
         let key = identity(provenance.stroke(organ.origin), blade.base, blade.v);
@@ -155,6 +161,14 @@ fn shape_blades(plant: &mut Plant, provenance: &Provenance, species: &Species, p
     });
 }
 
+/// Whether whoever made an organ gave it the form that it has.
+fn has_its_form(shape: &Shape) -> bool {
+    match shape {
+        Shape::Blade(blade) => matches!(blade.rest, RestSurface::Patch(_) | RestSurface::Ring(_)),
+        _ => true,
+    }
+}
+
 /// How many forms the copies of a template of reduced detail have.
 const VARIANTS: u64 = 4;
 
@@ -162,7 +176,7 @@ const VARIANTS: u64 = 4;
 fn varied(seed: u64, detail: Detail, form: &BladeForm, vary: f32, rng: &mut Pcg64Mcg) -> BladeForm {
     match detail {
         Detail::Full => form::varied(form, vary, rng),
-        Detail::Reduced => {
+        Detail::Reduced | Detail::Moderate => {
             let variant = rng.random_range(0..VARIANTS);
             form::varied(form, vary, &mut stream(seed, Purpose::Variant, variant))
         }
@@ -178,14 +192,15 @@ fn petal_form(look: &PetalLook, length: f32, longest: f32) -> BladeForm {
 }
 
 /// What is known of the petals of each flower.
-fn petals_of(plant: &Plant) -> Vec<Petals> {
-    let mut petals = vec![Petals::default(); plant.flowers.len()];
+fn petals_of(plant: &Plant, seats: &[Option<FullSeat>]) -> Vec<Petals> {
+    let mut petals: Vec<Petals> =
+        seats.iter().map(|seat| Petals { full: *seat, ..Petals::default() }).collect();
     for organ in plant.organs.iter().filter(|organ| organ.kind() == OrganKind::Petal) {
         if let (Some(flower), Shape::Blade(blade)) = (organ.flower, &organ.shape) {
             let of = &mut petals[flower];
             of.count += 1;
             let blade = plant.templates.resolve(blade);
-            of.longest = of.longest.max(blade.template.length());
+            of.longest = of.longest.max(blade.template.length() * blade.v.length());
             of.first_tip.get_or_insert_with(|| blade.tip_at_rest());
         }
     }

@@ -271,7 +271,8 @@ fn a_tree_of_more_flowers_than_a_plant_may_have_says_so() {
 
 #[test]
 fn buds_that_were_left_out_count_as_flowers_that_do_not_open_where_buds_open() {
-    let bud = FlowerBud { branch: Some(0), base: Vec3::Y, u: Vec3::X * 0.02, v: Vec3::Y * 0.02 };
+    let (u, v) = (Vec3::X * 0.02, Vec3::Y * 0.02);
+    let bud = FlowerBud { branch: Some(0), base: Vec3::Y, u, v, look: 0, open: 1.0 };
     for (name, opens) in [("cherry", true), ("maple", false)] {
         let species = Species::built_in(name).unwrap();
         for is_thinned in [false, true] {

@@ -58,7 +58,8 @@ pub(super) fn blossom(
 
 /// The bud in a leaf's place.
 fn bud_of(leaf: &ResolvedBlade<'_>, branch: Option<usize>) -> FlowerBud {
-    FlowerBud { branch, base: leaf.base, u: leaf.u, v: leaf.v * leaf.template.length() }
+    let v = leaf.v * leaf.template.length();
+    FlowerBud { branch, base: leaf.base, u: leaf.u, v, look: 0, open: 1.0 }
 }
 
 fn is_generated_leaf(organ: &Organ) -> bool {

@@ -31,6 +31,13 @@ impl Species {
         names
     }
 
+    /// Names of all built-in species with flowers that are made without a drawing, sorted.
+    pub fn blooming() -> Vec<&'static str> {
+        let mut names = Self::all();
+        names.retain(|name| Self::built_in(name).is_ok_and(|species| species.blooms()));
+        names
+    }
+
     /// Names of all built-in species, those that only grow among them, sorted.
     pub fn all() -> Vec<&'static str> {
         let mut names = [Self::names(), Self::growing()].concat();

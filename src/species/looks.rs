@@ -4,6 +4,7 @@
 //! a flower of any size. Every number's range is checked while reading
 //! ([`parameters!`](crate::parameters!)).
 
+use crate::flower::Layers;
 use crate::growth::Habit;
 use crate::params::{ParamValue as _, Range};
 use crate::picture::Picture;
@@ -34,6 +35,9 @@ pub struct Species {
     /// Looks of the flowers; the drawing's flowers take them in turn.
     #[serde(default)]
     pub flowers: Vec<FlowerLook>,
+    /// How one flower stands that is made without a drawing.
+    #[serde(default)]
+    pub bloom: BloomLook,
     /// Small flowers among the leaves of a tree.
     pub blossom: Option<BlossomLook>,
     /// Thorns on stems and branches.
@@ -57,6 +61,13 @@ pub struct Written {
     pub file: String,
     /// The lines of the parameters by their paths.
     pub params: Vec<(String, usize)>,
+}
+
+impl Species {
+    /// Whether it has a flower that is made without a drawing.
+    pub fn blooms(&self) -> bool {
+        self.flowers.iter().any(|look| look.layers.is_some())
+    }
 }
 
 impl Written {
@@ -151,6 +162,8 @@ crate::parameters! {
         stamens: Vec<FilamentLook> = Vec::new();
         /// Groups of styles.
         pistils: Vec<FilamentLook> = Vec::new();
+        /// Layers of a full flower, for buds and for flowers of which hardly any petal was drawn.
+        layers: Option<Layers> = None;
         sections:
         /// Petals.
         petals: PetalLook;
@@ -277,6 +290,22 @@ crate::parameters! {
         arrangement: Arrangement;
         /// Radius and half length of the head, shares of the reach.
         head: [f32; 2] = [0.0; 2], read_head;
+    }
+}
+
+crate::parameters! {
+    /// A flower on its stem, made without a drawing.
+    pub struct BloomLook {
+        /// Distance from the flower's centre to its tips.
+        reach: f32 = 0.05, 0.001..=2.0, "m";
+        /// Length of the stem.
+        stem: f32 = 2.6, 0.1..=60.0, "of the reach";
+        /// Radius of the stem.
+        stem_radius: f32 = 0.045, 0.002..=0.5, "of the reach";
+        /// How far the stem bows aside.
+        bow: f32 = 0.06, 0.0..=0.5, "of its length";
+        /// How far the flower leans toward the viewer.
+        lean_deg: f32 = 25.0, 0.0..=120.0, "degrees";
     }
 }
 

@@ -1,6 +1,7 @@
 //! The centre of a flower: its receptacle (disc and cup) with stamens, styles and sepals.
 
 use super::filaments::filaments;
+use super::full::{FullSeat, stamens_left};
 use super::looks::{Along, CupLook, FlowerLook};
 use super::seat::Seat;
 use super::sepals::sepals;
@@ -26,6 +27,8 @@ pub(super) struct Petals {
     pub(super) longest: f32,
     /// World position of the first one's tip before it bends.
     pub(super) first_tip: Option<Vec3>,
+    /// Where they stand, if they are the layers of a full flower.
+    pub(super) full: Option<FullSeat>,
 }
 
 /// What is added to flower `flower` of `plant`, which has these petals. The template of its sepals comes behind the others.
@@ -40,6 +43,10 @@ pub(super) fn flower_centre(
     let pose = &plant.flowers[flower];
     let first_tip = petals.first_tip.unwrap_or(pose.cone.apex);
     let seat = Seat::new(pose, first_tip, look.disc.radius, look.disc.height);
+    let (seat, behind) = match &petals.full {
+        Some(full) => (seat.inside(full), seat.behind(full)),
+        None => (seat, seat),
+    };
     let disc = Shape::Dome {
         base: seat.apex + seat.axis * seat.floor,
         axis: seat.axis,
@@ -57,7 +64,9 @@ pub(super) fn flower_centre(
     let mut left = (MOST_FILAMENTS / plant.flowers.len()).max(3);
     for (part, groups) in [(OrganPart::Stamen, &look.stamens), (OrganPart::Pistil, &look.pistils)] {
         for (group, variant) in groups.iter().zip(0..) {
-            let shapes = filaments(group, &seat, left, rng);
+            let share = if part == OrganPart::Stamen { stamens_left(look) } else { 1.0 };
+            let most = left.min((share * group.count as f32).round() as usize);
+            let shapes = filaments(group, &seat, most, rng);
             left -= shapes.len();
             out.extend(shapes.into_iter().map(|shape| organ(part, variant, shape)));
         }
@@ -66,11 +75,11 @@ pub(super) fn flower_centre(
         return out;
     }
     if let Some(cup_look) = &look.cup {
-        let shape = cup(cup_look, &seat, stem_end(plant, flower));
+        let shape = cup(cup_look, &behind, stem_end(plant, flower));
         out.extend(shape.map(|shape| organ(OrganPart::Cup, 0, shape)));
     }
     if let Some(sepal_look) = &look.sepals {
-        let blades = sepals(sepal_look, &seat, petals.count, &look.petals.form, templates);
+        let blades = sepals(sepal_look, &behind, petals.count, &look.petals.form, templates);
         out.extend(blades.into_iter().map(|blade| organ(OrganPart::Sepal, 0, Shape::Blade(blade))));
     }
     out

@@ -4,6 +4,7 @@
 //! apex, so a disc of that radius put there covers the petals' roots and is not pierced by them; in a narrow, shut
 //! flower the disc shrinks so that it still lies deep between the petals.
 
+use super::full::FullSeat;
 use crate::plant::Flower;
 use glam::{Quat, Vec3};
 
@@ -15,6 +16,7 @@ const OVERLAP: f32 = 1.08;
 const CLEARANCE: f32 = 0.06;
 
 /// Frame and proportions of a flower's centre, metres.
+#[derive(Clone, Copy)]
 pub(super) struct Seat {
     /// Where the petals meet.
     pub(super) apex: Vec3,
@@ -55,6 +57,17 @@ impl Seat {
             floor: radius * (1.0 / opening_rad.tan() + CLEARANCE),
             height: radius * disc_height,
         }
+    }
+
+    /// The seat of what stands inside of the layers of a full flower, whose petals begin around it.
+    pub(super) fn inside(&self, full: &FullSeat) -> Self {
+        let radius = self.radius.min(full.core.max(0.01 * self.reach));
+        Self { radius, floor: 0.0, height: self.height * radius / self.radius, ..*self }
+    }
+
+    /// The seat of what stands behind its outermost petals.
+    pub(super) fn behind(&self, full: &FullSeat) -> Self {
+        Self { apex: full.base, opening_rad: full.outer_opening_rad, reach: full.reach, ..*self }
     }
 
     /// Unit vector across the axis at an angle from the first petal.

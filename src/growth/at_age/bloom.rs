@@ -73,5 +73,7 @@ fn one(wood: &Wood<'_>, Site { bud, chain, .. }: Site, k: usize, length: f32) ->
         base: at + aside * (ASIDE * length),
         u: way.any_orthonormal_vector() * length,
         v: way * length,
+        look: 0,
+        open: 1.0,
     }
 }

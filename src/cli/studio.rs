@@ -1,0 +1,102 @@
+//! What verbs share that make plants without a drawing: opening a species, and writing models and pictures, once or frame by
+//! frame.
+
+use super::common;
+use crate::atomic;
+use crate::formats::textures::fetch;
+use crate::input::Sources;
+use crate::model::Model;
+use crate::pipeline::Built;
+use crate::plant::Texture;
+use crate::render::{ModelDrawData, PictureOptions, Renderer, View};
+use crate::species::Species;
+use anyhow::{Context, Result};
+use std::borrow::Cow;
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
+/// A built-in species, or one of the artist's own where the name is that of a file.
+pub fn open_species(name: &str) -> Result<Species> {
+    let own = name.ends_with(".toml");
+    Ok(if own { Species::read(Path::new(name))? } else { Species::built_in(name)? })
+}
+
+/// Whether an output is a picture, not a model.
+pub fn is_picture(out: &Path) -> bool {
+    out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"))
+}
+
+/// Where plants go, and how their pictures are taken.
+pub struct Outputs<'a> {
+    /// Models and pictures.
+    pub outs: &'a [PathBuf],
+    /// In which form GLB files have copies.
+    pub instances: Option<common::Instances>,
+    /// The files that the plants come from.
+    pub sources: &'a Sources,
+    /// From where pictures are taken.
+    pub view: View,
+    /// Their size.
+    pub options: PictureOptions,
+}
+
+/// Writes plants, all of whose pictures are framed for one of them.
+pub struct Studio<'a> {
+    outputs: &'a Outputs<'a>,
+    camera: Option<Camera>,
+}
+
+struct Camera {
+    renderer: Renderer,
+    framed_for: ModelDrawData,
+}
+
+impl<'a> Studio<'a> {
+    /// A studio whose pictures are framed for a plant.
+    ///
+    /// # Errors
+    /// Pictures are wanted and nothing can draw them.
+    pub fn new(outputs: &'a Outputs<'a>, framed_for: &Model) -> Result<Self> {
+        let camera = outputs.outs.iter().any(|out| is_picture(out)).then(|| {
+            let renderer = Renderer::new()?;
+            let framed_for = renderer.upload(framed_for, &texture)?;
+            anyhow::Ok(Camera { renderer, framed_for })
+        });
+        Ok(Self { outputs, camera: camera.transpose()? })
+    }
+
+    /// Writes a plant to files with these names; returns the number of bytes.
+    ///
+    /// # Errors
+    /// A file that cannot be written, a picture that cannot be drawn.
+    pub fn write(&mut self, built: &Built, named: &dyn Fn(&Path) -> PathBuf) -> Result<usize> {
+        let Outputs { outs, instances, sources, view, options } = self.outputs;
+        let (pictures, models): (Vec<PathBuf>, Vec<PathBuf>) =
+            outs.iter().map(|out| named(out)).partition(|out| is_picture(out));
+        sources.spare(pictures.iter().map(PathBuf::as_path))?;
+        let Built { model, plant, provenance, .. } = built;
+        let mut bytes = common::export(&models, ((plant, provenance), model), *instances, sources)?;
+        if let Some(camera) = &mut self.camera {
+            let png = camera.picture(model, *view, options)?;
+            for out in &pictures {
+                atomic::write_atomically(out, &png)?;
+                bytes += png.len();
+            }
+        }
+        Ok(bytes)
+    }
+}
+
+impl Camera {
+    /// A picture as a PNG file.
+    fn picture(&mut self, model: &Model, view: View, options: &PictureOptions) -> Result<Vec<u8>> {
+        let model = self.renderer.upload(model, &texture)?.framed_as(&self.framed_for);
+        let picture = self.renderer.pictures(&model, &[view], options).next().context("no picture")??;
+        Ok(picture.to_png()?)
+    }
+}
+
+/// The file of a texture.
+fn texture(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
+    Ok(fetch(texture, &common::built_in_texture)?)
+}

@@ -1,0 +1,59 @@
+//! The maker of single flowers: a stem with one flower bud at its end, which the species opens.
+
+use super::setup::Params;
+use super::source::{Bloom, Produced};
+use crate::anatomy::Anatomy;
+use crate::plant::{Branch, FlowerBud, FlowerBuds, Origin, Plant, Provenance, Role, WoodPart};
+use crate::random::stream;
+use crate::species::looks::BloomLook;
+use glam::{Quat, Vec3};
+use rand::RngExt;
+
+/// Pieces of a stem.
+const PIECES: usize = 10;
+/// Radius of a stem at its upper end against that at its foot.
+const TAPER: f32 = 0.8;
+
+/// Makes the plant of one flower.
+pub(super) fn produce(bloom: &Bloom, params: &Params) -> Produced {
+    let look = &params.flower.bloom;
+    let (stem, axis) = stem(look, bloom.number);
+    let end = stem.points[stem.points.len() - 1];
+    let u = axis.any_orthonormal_vector() * look.reach;
+    let bud = FlowerBud { branch: Some(0), base: end, u, v: axis * look.reach, look: 0, open: 1.0 };
+    Produced {
+        plant: Plant { branches: vec![stem], ..Plant::default() },
+        buds: FlowerBuds { buds: vec![bud], is_thinned: false },
+        provenance: Provenance::default(),
+        remarks: Vec::new(),
+        anatomy: Anatomy::default(),
+        growth: None,
+        may_flower: true,
+    }
+}
+
+/// A stem that bows aside and ends in the direction in which the flower looks, which is given, too.
+fn stem(look: &BloomLook, seed: u64) -> (Branch, Vec3) {
+    let rng = &mut stream(seed, "stem of a flower", 0);
+    let length = look.stem * look.reach;
+    let aside = Quat::from_rotation_y(rng.random_range(-0.5..0.5_f32)) * Vec3::X;
+    let axis = Quat::from_rotation_x(look.lean_deg.to_radians()) * Vec3::Y;
+    // A cubic from upright at the ground to the flower's axis.
+    let top = Vec3::Y * length + aside * (look.bow * length);
+    let (start, end) = (Vec3::Y * (1.2 * length), axis * (0.7 * length));
+    let point = |k: usize| {
+        let t = k as f32 / PIECES as f32;
+        let s = 1.0 - t;
+        top * (t * t * (1.0 + 2.0 * s)) + start * (t * s * s) - end * (t * t * s)
+    };
+    let radius = look.stem_radius * look.reach;
+    let branch = Branch {
+        origin: Origin::Generated,
+        parent: None,
+        level: 0,
+        points: (0..=PIECES).map(point).collect(),
+        radii: (0..=PIECES).map(|k| radius * (1.0 + (TAPER - 1.0) * k as f32 / PIECES as f32)).collect(),
+        role: Role::of(WoodPart::Stem),
+    };
+    (branch, axis)
+}

@@ -1,0 +1,174 @@
+//! Full flowers of a plant: flower buds open, and flowers of which hardly any petal was drawn get theirs in layers.
+//!
+//! A flower that was drawn with several petals keeps them. One or two petals say what a petal looks like: the flower gets its
+//! layers of such petals. Where a plant has many flowers of one look, they are copies of a few, in few stages of opening.
+
+use super::looks::{FlowerLook, Species};
+use crate::flower::{FullFlower, Layers, Pose, full_flower};
+use crate::plant::{
+    Cone, Detail, Flower, FlowerBud, FlowerBuds, Organ, OrganKind, OrganPart, Origin, Plant, Role, Shape,
+    Template, TemplateId,
+};
+use crate::random::mix;
+use glam::Vec3;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Drawn petals up to which a flower gets its layers.
+const FEW_DRAWN: usize = 2;
+/// Flowers of one look from which on they are copies of one another, and how many different ones there are then.
+const MANY: usize = 12;
+const DIFFERENT: u64 = 4;
+/// Stages of opening that copies have.
+const STAGES: f32 = 12.0;
+
+/// What is known of a flower with layers, beside what stands in the plant.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FullSeat {
+    /// Where its petals begin, metres.
+    pub(super) base: Vec3,
+    /// Angle between the axis and the outermost petals, radians.
+    pub(super) outer_opening_rad: f32,
+    /// Distance from the axis within which no petal begins, metres.
+    pub(super) core: f32,
+    /// Distance from the centre to the tips in bloom, metres.
+    pub(super) reach: f32,
+}
+
+/// Makes flowers of a plant's buds where the species has full ones; `most` at most. Says whether there are more buds.
+pub(super) fn open_buds(plant: &mut Plant, buds: &FlowerBuds, species: &Species, most: usize) -> Vec<f32> {
+    let of_look = |bud: &FlowerBud| bud.look % species.flowers.len().max(1);
+    let is_full =
+        |bud: &&FlowerBud| species.flowers.get(of_look(bud)).is_some_and(|look| look.layers.is_some());
+    let mut open = vec![1.0; plant.flowers.len()];
+    for bud in buds.buds.iter().filter(is_full).take(most) {
+        let Some(axis) = bud.v.try_normalize() else { continue };
+        let (reach, opening_rad) = (bud.v.length(), 1.0f32);
+        let cone = Cone { apex: bud.base, axis, opening_rad, height: reach * opening_rad.cos() };
+        plant.flowers.push(Flower {
+            branch: bud.branch,
+            cone,
+            centre_radius: 0.0,
+            reach,
+            look: of_look(bud),
+        });
+        open.push(bud.open);
+    }
+    open
+}
+
+/// Gives flowers their layers of petals; `open` is for each how far it opens of what its look does. What is known of those
+/// that got some.
+pub(super) fn add_layers(
+    plant: &mut Plant,
+    open: &[f32],
+    species: &Species,
+    seed: u64,
+) -> Vec<Option<FullSeat>> {
+    let drawn = drawn_petals(plant);
+    let mut made: BTreeMap<(usize, u32, u64), (Arc<FullFlower>, Vec<TemplateId>)> = BTreeMap::new();
+    let mut of_look = vec![0usize; species.flowers.len()];
+    plant.flowers.iter().for_each(|flower| of_look[flower.look] += 1);
+    let gets = |index: usize, flower: &Flower| {
+        let layers = species.flowers[flower.look].layers.as_ref()?;
+        (drawn[index].len() <= FEW_DRAWN).then_some(layers)
+    };
+    let gets: Vec<Option<&Layers>> =
+        plant.flowers.iter().enumerate().map(|(index, flower)| gets(index, flower)).collect();
+    replace_drawn(plant, &gets);
+    let mut seats = vec![None; plant.flowers.len()];
+    for (index, layers) in gets.iter().enumerate() {
+        let Some(layers) = layers else { continue };
+        let flower = plant.flowers[index].clone();
+        let own = own_template(&drawn[index]);
+        let is_copy = own.is_none() && of_look[flower.look] >= MANY;
+        let number = if is_copy { mix(seed, index as u64) % DIFFERENT } else { index as u64 };
+        let open = layers.open * open[index];
+        let open = if is_copy { (open * STAGES).round() / STAGES } else { open };
+        let key = (flower.look, open.to_bits(), number);
+        let (full, templates) = made.entry(key).or_insert_with(|| {
+            let full = full_flower(&Layers { open, ..(*layers).clone() }, own.as_ref(), mix(seed, number));
+            let templates =
+                full.templates.iter().map(|template| plant.templates.add(template.clone())).collect();
+            (Arc::new(full), templates)
+        });
+        let pose = pose_of(&flower);
+        let materials = species.flowers[flower.look].petals.materials.0.len();
+        let petals = petals(full, templates, &pose, (index, &flower), materials);
+        plant.organs.extend(petals);
+        seats[index] = Some(seat(&mut plant.flowers[index], layers, full));
+    }
+    plant.drop_unused_templates();
+    seats
+}
+
+/// For each flower the templates of its petals.
+fn drawn_petals(plant: &Plant) -> Vec<Vec<Arc<Template>>> {
+    let mut petals = vec![Vec::new(); plant.flowers.len()];
+    for organ in plant.organs.iter().filter(|organ| organ.kind() == OrganKind::Petal) {
+        if let (Some(flower), Shape::Blade(blade)) = (organ.flower, &organ.shape) {
+            petals[flower].push(plant.templates.shared(blade.template).clone());
+        }
+    }
+    petals
+}
+
+/// The longest of the drawn petals, of length 1.
+fn own_template(drawn: &[Arc<Template>]) -> Option<Arc<Template>> {
+    let longest = drawn.iter().max_by(|a, b| a.length().total_cmp(&b.length()))?;
+    let outline = longest.outline().iter().map(|point| *point / longest.length()).collect();
+    Some(Arc::new(Template::new(outline, Vec::new(), 1.0, Detail::Moderate)))
+}
+
+/// Takes the drawn petals away of flowers that get layers of them.
+fn replace_drawn(plant: &mut Plant, gets: &[Option<&Layers>]) {
+    plant.organs.retain(|organ| {
+        let is_petal = organ.kind() == OrganKind::Petal;
+        !(is_petal && organ.flower.is_some_and(|flower| gets[flower].is_some()))
+    });
+}
+
+fn pose_of(flower: &Flower) -> Pose {
+    let axis = flower.cone.axis.normalize();
+    let toward = Vec3::Z.reject_from_normalized(axis).try_normalize();
+    let side = toward.unwrap_or_else(|| axis.any_orthonormal_vector());
+    Pose { centre: flower.cone.apex, axis, side, reach: flower.reach }
+}
+
+/// The petals of a flower as organs.
+fn petals<'a>(
+    full: &'a FullFlower,
+    templates: &'a [TemplateId],
+    pose: &'a Pose,
+    (index, flower): (usize, &'a Flower),
+    materials: usize,
+) -> impl Iterator<Item = Organ> + 'a {
+    let last = materials.saturating_sub(1) as f32;
+    full.petals.iter().map(move |petal| Organ {
+        role: Role {
+            part: OrganPart::Petal,
+            look: flower.look as u32,
+            variant: (petal.inward * last).round() as u32,
+        },
+        origin: Origin::Generated,
+        branch: flower.branch,
+        flower: Some(index),
+        shape: Shape::Blade(pose.placed(&petal.blade, templates[petal.template])),
+    })
+}
+
+/// Where the middle of a full flower stands; its cone becomes that of the innermost petals.
+fn seat(flower: &mut Flower, layers: &Layers, full: &FullFlower) -> FullSeat {
+    let (base, reach) = (flower.cone.apex, flower.reach);
+    flower.reach = reach * full.core_size;
+    flower.cone.apex += flower.cone.axis * (full.core_height * reach);
+    flower.cone.opening_rad = full.inner_opening_rad;
+    flower.cone.height = flower.reach * full.inner_opening_rad.cos();
+    FullSeat { base, outer_opening_rad: full.outer_opening_rad, core: layers.core * reach, reach }
+}
+
+/// How many stamens of a look are left where so many layers of petals stand: stamens became petals (003 §3.2).
+pub(super) fn stamens_left(look: &FlowerLook) -> f32 {
+    const NONE_LEFT: f32 = 15.0;
+    look.layers.as_ref().map_or(1.0, |layers| (1.0 - (layers.count - 1) as f32 / NONE_LEFT).max(0.0))
+}
