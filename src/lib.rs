@@ -21,6 +21,7 @@
 //! | [`sketch`] | the document: strokes, tools, file formats |
 //! | [`pen`] | what every pointing device says, in one form |
 //! | [`plant`] | the waist: branches and organs in space, and what they are |
+//! | [`grammar`] | L-systems as text, and what they draw |
 //! | [`anatomy`] | what the strokes mean, still flat |
 //! | [`depth`] | anatomy to plant |
 //! | [`growth`] | plants that grow themselves |
@@ -44,6 +45,7 @@ pub mod depth;
 pub mod file_system;
 pub mod formats;
 pub mod geom;
+pub mod grammar;
 pub mod growth;
 pub mod input;
 pub mod kept;
