@@ -62,6 +62,22 @@ fn every_inflorescence_flowers_from_all_buds_to_all_open() {
 }
 
 #[test]
+fn every_inflorescence_is_drawn_at_both_ends_of_every_range() {
+    for name in library::names() {
+        let grammar = library::inflorescence(name).unwrap();
+        let ranged: Vec<_> = grammar.constants().iter().filter_map(|c| Some((c.name.as_str(), c.range?))).collect();
+        for (constant, (low, high)) in &ranged {
+            drawn(name, &[(constant, *low)]);
+            drawn(name, &[(constant, *high)]);
+        }
+        let lowest: Vec<_> = ranged.iter().map(|(name, range)| (*name, range.0)).collect();
+        let highest: Vec<_> = ranged.iter().map(|(name, range)| (*name, range.1)).collect();
+        drawn(name, &lowest);
+        drawn(name, &highest);
+    }
+}
+
+#[test]
 fn every_inflorescence_says_what_its_constants_are() {
     for name in library::names() {
         let grammar = library::inflorescence(name).unwrap();
