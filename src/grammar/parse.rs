@@ -10,6 +10,7 @@ use super::cursor::Cursor;
 use super::error::{GrammarError, Place};
 use super::expression::{self, Scope};
 use super::lexer::{self, Kind, Token};
+use super::limits;
 use super::rules::{Alternative, Constant, Grammar, Rule, Symbol};
 use super::successor::{Body, Known};
 use super::symbols::{self, Meaning};
@@ -96,6 +97,11 @@ impl<'a, 't> Parser<'a, 't> {
                 let Some(Kind::Name(word)) = cursor.peek() else {
                     return Err(cursor.unexpected("the name of a parameter", "write a word"));
                 };
+                if parameters.len() == limits::PARAMETERS {
+                    let what =
+                        format!("`{}` has more than {} parameters", quote::name(name), limits::PARAMETERS);
+                    return Err(GrammarError::at(parameter, what, "give it fewer"));
+                }
                 if expression::is_taken(word) || parameters.contains(&word) {
                     let what = format!("`{}` cannot be the name of this parameter", quote::name(word));
                     return Err(GrammarError::at(parameter, what, "choose a name that nothing else has"));

@@ -262,6 +262,19 @@ fn what_cannot_be_drawn_is_named_with_its_place() {
 }
 
 #[test]
+fn many_parameters_are_too_many() {
+    let names: Vec<String> = (0..8000).map(|k| format!("p{k}")).collect();
+    let text = format!("axiom: F(1)\nA({}) -> F(1)", names.join(","));
+    assert!(said(&text).starts_with("line 2, column 57: `A` has more than 16 parameters"), "{}", said(&text));
+    let text = format!("axiom: *o({}1)", "1,".repeat(16));
+    assert!(
+        said(&text).starts_with("line 1, column 8: `o` has 17 parameters here; give it fewer"),
+        "{}",
+        said(&text)
+    );
+}
+
+#[test]
 fn many_operations_are_too_many() {
     let text = format!("axiom: A(0)\nA(i) : i < 90000 -> B(i{}) A(i + 1)\nB(x) ->", " + 1".repeat(4000));
     assert!(
