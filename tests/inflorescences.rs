@@ -65,7 +65,8 @@ fn every_inflorescence_flowers_from_all_buds_to_all_open() {
 fn every_inflorescence_is_drawn_at_both_ends_of_every_range() {
     for name in library::names() {
         let grammar = library::inflorescence(name).unwrap();
-        let ranged: Vec<_> = grammar.constants().iter().filter_map(|c| Some((c.name.as_str(), c.range?))).collect();
+        let ranged: Vec<_> =
+            grammar.constants().iter().filter_map(|c| Some((c.name.as_str(), c.range?))).collect();
         for (constant, (low, high)) in &ranged {
             drawn(name, &[(constant, *low)]);
             drawn(name, &[(constant, *high)]);
