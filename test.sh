@@ -177,7 +177,7 @@ check "sketches build and pass our own judge" build_sketches
 check "tablets on a real kernel, in QEMU" tests/kernel/run.sh
 check "trimesh, MeshLab and the Khronos validator" tests/interop.sh target/sketches
 if $fuzz; then
-    readers=(sketch_json sketch_svg species model_reader journal pen_families pen_descriptor pen_recording)
+    readers=(sketch_json sketch_svg species grammar model_reader journal pen_families pen_descriptor pen_recording)
     # For pictures the whole program is compiled once more.
     ! $nightly || readers+=(picture)
     check "fuzzing, ${FUZZ_SECONDS:=8} s a reader" fuzz/run.sh "$FUZZ_SECONDS" "${readers[@]}"

@@ -22,6 +22,7 @@
 //! | [`pen`] | what every pointing device says, in one form |
 //! | [`plant`] | the waist: branches and organs in space, and what they are |
 //! | [`flower`] | full flowers: petals in layers |
+//! | [`grammar`] | L-systems as text, and what they draw |
 //! | [`anatomy`] | what the strokes mean, still flat |
 //! | [`depth`] | anatomy to plant |
 //! | [`growth`] | plants that grow themselves |
@@ -46,6 +47,7 @@ pub mod file_system;
 pub mod flower;
 pub mod formats;
 pub mod geom;
+pub mod grammar;
 pub mod growth;
 pub mod input;
 pub mod kept;

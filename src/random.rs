@@ -85,6 +85,16 @@ impl Choice {
     pub const LEAF_OUTLINE: Self = Self(9);
 }
 
+/// About a module of a grammar.
+impl Choice {
+    /// Which of its rule's alternatives replaces it.
+    pub const ALTERNATIVE: Self = Self(1);
+    /// The stream of numbers in conditions and weights of its rules.
+    pub const RULE_CONDITION: Self = Self(2);
+    /// The stream of numbers in its parameters.
+    pub const MODULE_PARAMETERS: Self = Self(3);
+}
+
 /// About a flower, a spot or a crown.
 impl Choice {
     /// Its place in its cluster or beside the middle of its voxel, along three axes.

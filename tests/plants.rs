@@ -12,6 +12,7 @@ mod drawings;
 mod flower_poses;
 mod ground;
 mod grown;
+mod inflorescences;
 mod live;
 mod other_hands;
 mod outlines;

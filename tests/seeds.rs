@@ -85,6 +85,7 @@ macro_rules! targets {
 }
 
 targets! {
+    grammar: checks::grammar::check,
     journal: checks::journal::check,
     model_reader: checks::model_reader::check,
     pen_descriptor: checks::pen_descriptor::check,

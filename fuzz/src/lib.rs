@@ -2,6 +2,7 @@
 //!
 //! Nothing here needs a fuzzer, so that `tests/seeds.rs` replays the seeds of every target through the same code.
 
+pub mod grammar;
 pub mod journal;
 pub mod model_reader;
 pub mod pen_descriptor;
