@@ -1,10 +1,14 @@
-//! The maker of single flowers: a stem with one flower bud at its end, which the species opens.
+//! The maker of flowers without a drawing: a stem with one flower bud at its end, or an inflorescence with many. The species
+//! opens them.
 
+use super::figure_plant;
 use super::setup::Params;
 use super::source::{Bloom, Produced};
 use crate::anatomy::Anatomy;
 use crate::plant::{Branch, FlowerBud, FlowerBuds, Origin, Plant, Provenance, Role, WoodPart};
 use crate::random::stream;
+use crate::sketch::{Remark, Warning};
+use crate::species::Species;
 use crate::species::looks::BloomLook;
 use glam::{Quat, Vec3};
 use rand::RngExt;
@@ -14,22 +18,31 @@ const PIECES: usize = 10;
 /// Radius of a stem at its upper end against that at its foot.
 const TAPER: f32 = 0.8;
 
-/// Makes the plant of one flower.
-pub(super) fn produce(bloom: &Bloom, params: &Params) -> Produced {
-    let look = &params.flower.bloom;
-    let (stem, axis) = stem(look, bloom.number);
+/// Makes the plant of one flower, or of an inflorescence.
+pub(super) fn produce(bloom: &Bloom, (species, params): (&Species, &Params)) -> Produced {
+    let (made, remarks) = match &params.flower.inflorescence {
+        None => (single(&params.flower.bloom, bloom.number), Vec::new()),
+        Some(inflorescence) => match inflorescence.draw(bloom.number, params.flower.open) {
+            Ok(figure) => (figure_plant::plant_of(&figure, species), Vec::new()),
+            Err(error) => {
+                let remark = Remark::GrammarStopped { fault: error.to_string() };
+                (Default::default(), vec![Warning { stroke: None, remark }])
+            }
+        },
+    };
+    let (plant, buds) = made;
+    let (provenance, anatomy) = (Provenance::default(), Anatomy::default());
+    Produced { plant, buds, provenance, remarks, anatomy, growth: None, may_flower: true }
+}
+
+/// One flower on its stem.
+fn single(look: &BloomLook, seed: u64) -> (Plant, FlowerBuds) {
+    let (stem, axis) = stem(look, seed);
     let end = stem.points[stem.points.len() - 1];
     let u = axis.any_orthonormal_vector() * look.reach;
     let bud = FlowerBud { branch: Some(0), base: end, u, v: axis * look.reach, look: 0, open: 1.0 };
-    Produced {
-        plant: Plant { branches: vec![stem], ..Plant::default() },
-        buds: FlowerBuds { buds: vec![bud], is_thinned: false },
-        provenance: Provenance::default(),
-        remarks: Vec::new(),
-        anatomy: Anatomy::default(),
-        growth: None,
-        may_flower: true,
-    }
+    let plant = Plant { branches: vec![stem], ..Plant::default() };
+    (plant, FlowerBuds { buds: vec![bud], is_thinned: false })
 }
 
 /// A stem that bows aside and ends in the direction in which the flower looks, which is given, too.

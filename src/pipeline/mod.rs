@@ -16,6 +16,7 @@ mod beside;
 mod bloom;
 mod clock;
 mod drawing;
+mod figure_plant;
 mod finish;
 mod growing;
 mod placing;
@@ -120,7 +121,7 @@ pub fn build_with<'a>(
             beside::add(&mut cache.beside, drawn, &sketch.plants, &mut clock, &stop)
         }
         Source::Bloom(bloom) => {
-            let produced = clock.time("bloom", || bloom::produce(bloom, params));
+            let produced = clock.time("bloom", || bloom::produce(bloom, with));
             let pictures = &Textures::default();
             let how = Finish { seed: bloom.number, pictures, budget: Budget::PLANT, placing: None };
             finish::finish(&mut cache.model, produced, with, &how, &mut clock, &stop)

@@ -208,6 +208,12 @@ pub enum Remark {
         /// How many there may be.
         flowers: usize,
     },
+    /// A grammar whose rules cannot be applied with the numbers that it has.
+    #[error("the grammar of the inflorescence stopped, so there are no flowers: {fault}")]
+    GrammarStopped {
+        /// Where and why, and what helps.
+        fault: String,
+    },
     /// Surfaces that are coarser than was asked for.
     #[error(
         "surfaces are coarser than asked for: the plant would have more than {triangles} triangles, the most that a plant may \
@@ -275,6 +281,7 @@ impl Remark {
             | Self::GrownTooLarge { .. }
             | Self::GrowthTooCostly { .. }
             | Self::BlossomThinned { .. }
+            | Self::GrammarStopped { .. }
             | Self::LeavesThinned { .. }
             | Self::NoSuchPlant { .. }
             | Self::PlantOutOfScale

@@ -1,5 +1,6 @@
 //! The parameters of a species' flowers, `flower.…`: what its file says, as the artist changes it.
 
+use super::inflorescence::Inflorescence;
 use super::looks::{BloomLook, Species};
 use crate::flower::Layers;
 use std::borrow::Cow;
@@ -12,6 +13,8 @@ crate::parameters! {
         sections:
         /// Layers of the first full flower of the species; none where it has none.
         layers: Option<Layers> = None;
+        /// How flowers stand together that are made without a drawing; none where one stands alone.
+        inflorescence: Option<Inflorescence> = None;
         /// One flower that is made without a drawing.
         bloom: BloomLook = BloomLook::default();
     }
@@ -21,7 +24,8 @@ impl FlowerParams {
     /// What the flowers of a species have where nobody says otherwise.
     pub fn of(species: &Species) -> Self {
         let layers = species.flowers.iter().find_map(|look| look.layers.clone());
-        Self { layers, bloom: species.bloom.clone(), ..Self::default() }
+        let (bloom, inflorescence) = (species.bloom.clone(), species.inflorescence.clone());
+        Self { layers, inflorescence, bloom, ..Self::default() }
     }
 
     /// The species with these flowers.
@@ -31,11 +35,14 @@ impl FlowerParams {
         }
         let mut changed = species.clone();
         changed.bloom = self.bloom.clone();
+        changed.inflorescence.clone_from(&self.inflorescence);
         if let Some(first) = changed.flowers.iter_mut().find(|look| look.layers.is_some()) {
             first.layers.clone_from(&self.layers);
         }
+        // Florets of an inflorescence say themselves how far they have opened.
+        let open = if self.inflorescence.is_some() { 1.0 } else { self.open };
         for layers in changed.flowers.iter_mut().filter_map(|look| look.layers.as_mut()) {
-            layers.open *= self.open;
+            layers.open *= open;
         }
         Cow::Owned(changed)
     }

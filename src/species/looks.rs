@@ -4,7 +4,8 @@
 //! a flower of any size. Every number's range is checked while reading
 //! ([`parameters!`](crate::parameters!)).
 
-use crate::flower::Layers;
+use super::inflorescence::Inflorescence;
+use crate::flower::{Layers, PetalOutline};
 use crate::growth::Habit;
 use crate::params::{ParamValue as _, Range};
 use crate::picture::Picture;
@@ -38,6 +39,8 @@ pub struct Species {
     /// How one flower stands that is made without a drawing.
     #[serde(default)]
     pub bloom: BloomLook,
+    /// How flowers stand together that are made without a drawing; one alone if left out.
+    pub inflorescence: Option<Inflorescence>,
     /// Small flowers among the leaves of a tree.
     pub blossom: Option<BlossomLook>,
     /// Thorns on stems and branches.
@@ -145,6 +148,8 @@ crate::parameters! {
         /// Materials; each leaf takes one at random.
         materials: Names;
         sections:
+        /// Outline of leaves that nobody drew.
+        outline: PetalOutline = PetalOutline { width: 0.42, widest: 0.38, foot: 0.1, point: 0.7, ..PetalOutline::default() };
         /// How leaves bend.
         form: BladeForm = BladeForm::default();
     }

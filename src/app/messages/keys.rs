@@ -361,6 +361,7 @@ keys! {
     WarningGrownTooLarge = "warning.grown_too_large",
     WarningGrowthTooCostly = "warning.growth_too_costly",
     WarningBlossomThinned = "warning.blossom_thinned",
+    WarningGrammarStopped = "warning.grammar_stopped",
     WarningLeavesThinned = "warning.leaves_thinned",
     WarningCoarser = "warning.coarser",
     WarningFineness = "warning.fineness",
