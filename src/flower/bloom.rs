@@ -8,7 +8,7 @@ use super::layers::{Aestivation, LayerShape, Layers};
 use super::outline::PetalOutline;
 use super::profile::{self, Lay, Line};
 use crate::plant::ring_curve::STEPS;
-use crate::plant::ring_sheet::{FARTHEST, span_of};
+use crate::plant::ring_sheet::{BETWEEN, FARTHEST, room_for_levels, span_of};
 use crate::plant::{Blade, BladeForm, Level, RestSurface, RingCurve, RingSheet, Template};
 use glam::{Quat, Vec2, Vec3};
 use std::collections::BTreeMap;
@@ -22,6 +22,8 @@ const OUTLINES: u32 = 6;
 const FEW: usize = 5;
 /// How far petals reach around that do not cover each other, in sectors.
 const BESIDE: f32 = 0.48;
+/// Petals that would be narrower than this share of their outline are not formed.
+const NO_ROOM: f32 = 0.12;
 /// Share of the way from the axis to the outermost ring that rings may fill.
 const ROOM: f32 = 0.75;
 /// How much of its sector a valvate petal fills.
@@ -85,6 +87,8 @@ struct Laid<'a> {
     ring: &'a Ring,
     shape: LayerShape,
     outline: PetalOutline,
+    /// Half the width of its petals at equal steps from foot to tip, shares of their length.
+    half_widths: [f32; STEPS + 1],
     line: Line,
     levels: Levels,
     half_span_rad: f32,
@@ -104,7 +108,7 @@ pub fn full_flower(layers: &Layers, own: Option<&Arc<Template>>, seed: u64) -> F
     let curves: Vec<Arc<RingCurve>> = (0..laid.len()).map(curve).collect();
     let (templates, template_of) = templates(layers, own);
     let petals = laid.iter().zip(&curves);
-    let petals = petals.flat_map(|(laid, curve)| petals_of(layers, own, laid, curve, &template_of)).collect();
+    let petals = petals.flat_map(|(laid, curve)| petals_of(layers, laid, curve, &template_of)).collect();
     let opening = |curve: Option<&Arc<RingCurve>>| {
         let chord = curve.map_or(Vec2::X, |curve| curve.chord());
         chord.x.atan2(chord.y).clamp(0.05, 1.55)
@@ -130,14 +134,31 @@ fn inside_by(layers: &Layers, half_span_rad: f32) -> usize {
     }
 }
 
+/// Distance of two rings at their feet, whose petals lie a gap apart further up.
+fn at_foot(layers: &Layers, gap: f32) -> f32 {
+    const SHARE: f32 = 0.3;
+    const LEAST: f32 = 1.6;
+    match layers.aestivation {
+        Aestivation::Spiral => SHARE * gap,
+        _ => (SHARE * gap).max(LEAST * layers.thickness).min(gap),
+    }
+}
+
+/// Angle between the petals of a spiral that touch at their feet, radians.
+fn nearest_at_foot(layers: &Layers, gap: f32) -> f32 {
+    let touching = (BETWEEN * layers.thickness / at_foot(layers, gap).max(1e-6)).clamp(1.0, 34.0) as usize;
+    (1..=touching).map(|k| angle_between(layers.spiral_t, k)).fold(std::f32::consts::PI, f32::min)
+}
+
+/// Angle between a petal of a spiral and the one formed so many later, radians.
+fn angle_between(t: u32, later: usize) -> f32 {
+    let angle = (arrangement::divergence_rad(t) * later as f32).rem_euclid(std::f32::consts::TAU);
+    angle.min(std::f32::consts::TAU - angle)
+}
+
 /// How many petals of a spiral later one stands above another that spans so far.
 fn petals_between(t: u32, half_span_rad: f32) -> usize {
-    let turn = arrangement::divergence_rad(t);
-    let off = |k: usize| {
-        let angle = (turn * k as f32).rem_euclid(std::f32::consts::TAU);
-        angle.min(std::f32::consts::TAU - angle)
-    };
-    (1..=13).find(|k| off(*k) < 2.0 * half_span_rad).unwrap_or(13)
+    (1..=13).find(|k| angle_between(t, *k) < 2.0 * half_span_rad).unwrap_or(13)
 }
 
 /// Lays the curves of all rings, each inside of the one before.
@@ -154,7 +175,7 @@ fn lay<'a>(layers: &Layers, own: Option<&Arc<Template>>, rings: &'a [Ring], seed
     }
     for k in 0..laid.len() {
         let (before, after) = laid.split_at_mut(k);
-        let outside = before.last().map(|outside| (&outside.line, outside.gap));
+        let outside = before.last().map(|outside| (&outside.line, outside.gap, at_foot(layers, outside.gap)));
         let of = &mut after[0];
         let (foot, nearest) = (of.line[0], nearest[k]);
         of.line = profile::lay(&Lay { shape: &of.shape, foot, nearest, outside });
@@ -184,17 +205,23 @@ fn free<'a>(layers: &Layers, own: Option<&Arc<Template>>, ring: &'a Ring, seed: 
     let foot = Vec2::new(radius.max(1e-3), layers.rise * ring.inward);
     let line = profile::lay(&Lay { shape: &shape, foot, nearest: 0.0, outside: None });
     let curve = profile::curve(&line, shape.length, None);
+    let half_widths = std::array::from_fn(|k| match own {
+        Some(own) => half_width_at(own, k as f32 / STEPS as f32),
+        None => outline.half_width(k as f32 / STEPS as f32),
+    });
     let count = ring.places.len();
     let farthest_rad = farthest_around(layers, count);
-    let half_span_rad = span_of(&curve, 0.5 * outline.width, outline.widest).min(farthest_rad);
-    let levels = arrangement::levels(layers.aestivation, count, half_span_rad, seed);
+    let half_span_rad = span_of(&curve, &half_widths).min(farthest_rad);
+    // Turned and grown as far as they may be.
+    let reaches = half_span_rad * (1.0 + layers.shrink_vary) + layers.turn_vary_deg.to_radians();
+    let levels = arrangement::levels(layers.aestivation, count, reaches, seed);
     let gap = CLEAR
         * layers.thickness
         * match layers.aestivation {
-            Aestivation::Spiral => 1.0 / petals_between(layers.spiral_t, half_span_rad) as f32,
+            Aestivation::Spiral => 2.0 / petals_between(layers.spiral_t, half_span_rad) as f32,
             _ => 1.0 + levels.stacked as f32,
         };
-    Laid { ring, shape, outline, line, levels, half_span_rad, farthest_rad, gap }
+    Laid { ring, shape, outline, half_widths, line, levels, half_span_rad, farthest_rad, gap }
 }
 
 /// How far around the petals of a ring reach to each side at most: where there are many, nearly to the middle of the next one.
@@ -203,7 +230,11 @@ fn farthest_around(layers: &Layers, petals: usize) -> f32 {
     match layers.aestivation {
         Aestivation::Spiral => FARTHEST,
         _ if petals <= FEW => FARTHEST,
-        _ => FARTHEST.min((0.95 * sector - layers.turn_vary_deg.to_radians()).max(0.5 * sector)),
+        _ => {
+            // Turned and grown as far as they may be, they still cover their next neighbours only.
+            let free = 0.97 * sector - layers.turn_vary_deg.to_radians();
+            FARTHEST.min((free / (1.0 + layers.shrink_vary)).max(0.4 * sector))
+        }
     }
 }
 
@@ -233,10 +264,10 @@ fn templates(layers: &Layers, own: Option<&Arc<Template>>) -> (Vec<Arc<Template>
     (templates, move |inward: f32| (inward * last).round() as usize)
 }
 
-/// The petals of a ring. Those that differ in nothing but their azimuth share a sheet.
+/// The petals of a ring, none where there is no room for them between the others. Those that differ in nothing but their
+/// azimuth share a sheet.
 fn petals_of(
     layers: &Layers,
-    own: Option<&Arc<Template>>,
     laid: &Laid<'_>,
     curve: &Arc<RingCurve>,
     template_of: &impl Fn(f32) -> usize,
@@ -251,7 +282,10 @@ fn petals_of(
         ruffle_waves: layers.ruffle_waves,
         thickness: (layers.thickness / shape.length).clamp(0.001, 0.1),
     };
-    let any = sheet_of(layers, own, laid, curve);
+    let any = sheet_of(layers, laid, curve);
+    if any.unfolded() < NO_ROOM {
+        return Vec::new();
+    }
     let mut known: BTreeMap<[u32; 4], Arc<RingSheet>> = BTreeMap::new();
     let petal = |(place, level): (&arrangement::Place, &Level)| {
         let key = [place.size, place.tilt, level.height, level.slope].map(f32::to_bits);
@@ -274,23 +308,18 @@ fn calm(laid: &Laid<'_>, curve: &RingCurve) -> f32 {
 }
 
 /// The sheet of a petal of a ring that does not differ from others.
-fn sheet_of(
-    layers: &Layers,
-    own: Option<&Arc<Template>>,
-    laid: &Laid<'_>,
-    curve: &Arc<RingCurve>,
-) -> RingSheet {
-    let Laid { ring, shape, outline, levels, half_span_rad, farthest_rad, .. } = laid;
+fn sheet_of(layers: &Layers, laid: &Laid<'_>, curve: &Arc<RingCurve>) -> RingSheet {
+    let Laid { ring, shape, outline, half_widths, levels, half_span_rad, farthest_rad, .. } = laid;
     let (sector, half_span_rad) = (ring.sector_rad(), half_span_rad.max(1e-3));
     let narrowed = match layers.aestivation {
         Aestivation::Valvate => (FILLED * 0.5 * sector / half_span_rad).min(1.0),
         _ => 1.0,
     };
-    let half_widths = |share: f32| match own {
-        Some(own) => half_width_at(own, share),
-        None => outline.half_width(share),
+    let (free, needed) = match layers.aestivation {
+        Aestivation::Spiral => (nearest_at_foot(layers, laid.gap), BETWEEN * layers.thickness),
+        _ => (sector, room_for_levels(layers.thickness, levels.apart)),
     };
-    let beside = BESIDE * sector - layers.turn_vary_deg.to_radians();
+    let beside = BESIDE * free - layers.turn_vary_deg.to_radians();
     RingSheet {
         curve: curve.clone(),
         size: 1.0,
@@ -298,13 +327,13 @@ fn sheet_of(
         level: Level { height: 0.0, slope: 0.0 },
         apart: levels.apart,
         half_width: 0.5 * outline.width,
-        half_widths: std::array::from_fn(|k| half_widths(k as f32 / STEPS as f32)),
+        half_widths: *half_widths,
         narrowed,
         covered: ((2.0 * half_span_rad - sector) / half_span_rad).clamp(0.0, 1.0),
         cup: shape.cup,
         half_span_rad,
         farthest_rad: *farthest_rad,
-        beside_rad: beside.max(0.3 * sector),
-        thickness: layers.thickness,
+        beside_rad: beside.max(0.15 * free),
+        needed,
     }
 }

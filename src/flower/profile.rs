@@ -11,14 +11,12 @@ use super::layers::LayerShape;
 use crate::plant::ring_curve::{POINTS, RingCurve, STEPS};
 use glam::Vec2;
 
-/// Distance at the foot, share of what is needed further up.
-const FOOT: f32 = 0.3;
 /// Share of the length in which the distance to the curve outside grows to what is needed.
 const FREE_FOOT: f32 = 0.25;
 /// Where tips begin to roll back, share of the length.
 const ROLL_FROM: f32 = 0.5;
 /// Share of the way to the axis that may be used.
-const TO_AXIS: f32 = 0.8;
+const TO_AXIS: f32 = 0.4;
 
 /// Points of a curve of (distance from the axis, height), shares of the flower's reach.
 pub type Line = [Vec2; POINTS];
@@ -32,21 +30,21 @@ pub struct Lay<'a> {
     pub foot: Vec2,
     /// Nearest that it may come to the axis.
     pub nearest: f32,
-    /// The curve outside of it and the distance between them.
-    pub outside: Option<(&'a Line, f32)>,
+    /// The curve outside of it, the distance between them, and that at the foot.
+    pub outside: Option<(&'a Line, f32, f32)>,
 }
 
 /// Lays a curve.
 pub fn lay(lay: &Lay<'_>) -> Line {
     let (shape, step) = (lay.shape, lay.shape.length / STEPS as f32);
-    let foot = lay.outside.map_or(lay.foot, |(outside, gap)| pushed(outside, lay.foot, FOOT * gap));
+    let foot = lay.outside.map_or(lay.foot, |(outside, _, foot)| pushed(outside, lay.foot, foot));
     let mut points = [Vec2::new(foot.x.max(lay.nearest.min(lay.foot.x)), foot.y); POINTS];
     for k in 1..POINTS {
         let share = (k as f32 - 0.5) / STEPS as f32;
         let from = points[k - 1];
         let mut to = from + Vec2::from_angle(direction(shape, share)) * step;
-        if let Some((outside, gap)) = lay.outside {
-            let needed = gap * (FOOT + (1.0 - FOOT) * (share / FREE_FOOT).min(1.0));
+        if let Some((outside, gap, foot)) = lay.outside {
+            let needed = foot + (gap - foot) * (share / FREE_FOOT).min(1.0);
             to = from + (pushed(outside, to, needed) - from).normalize_or(Vec2::Y) * step;
             to = pushed(outside, to, needed);
         }
@@ -145,7 +143,7 @@ mod tests {
         let outer = alone(&shape(70.0, 90.0));
         let inner = shape(20.0, 0.0);
         let foot = Vec2::new(0.08, 0.02);
-        let inner = lay(&Lay { shape: &inner, foot, nearest: 0.01, outside: Some((&outer, 0.05)) });
+        let inner = lay(&Lay { shape: &inner, foot, nearest: 0.01, outside: Some((&outer, 0.05, 0.01)) });
         for k in 4..=STEPS {
             assert!(distance(&outer, inner[k]) > 0.045, "point {k}");
             assert!(inner[k].x > 0.0);
@@ -157,6 +155,6 @@ mod tests {
         let (outer, inner) = (alone(&shape(0.0, 0.0)), alone(&shape(90.0, 0.0)));
         let outer = curve(&outer, 1.0, Some(&inner));
         assert!(outer.spot(0.9).room > outer.spot(0.3).room);
-        assert!((curve(&inner, 1.0, None).spot(0.5).room - 0.08).abs() < 1e-3);
+        assert!((curve(&inner, 1.0, None).spot(0.5).room - 0.04).abs() < 1e-3);
     }
 }

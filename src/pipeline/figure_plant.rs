@@ -2,8 +2,8 @@
 
 use crate::grammar::{Figure, Item};
 use crate::plant::{
-    Blade, BladeForm, Branch, Detail, FlowerBud, FlowerBuds, Organ, OrganPart, Origin, Plant, RestSurface, Role,
-    Shape, Template, TemplateId, WoodPart,
+    Blade, BladeForm, Branch, Detail, FlowerBud, FlowerBuds, Organ, OrganPart, Origin, Plant, RestSurface,
+    Role, Shape, Template, TemplateId, WoodPart,
 };
 use crate::species::Species;
 use glam::Vec2;
@@ -43,7 +43,14 @@ fn bud(item: &Item) -> Option<FlowerBud> {
     };
     let size = item.args[1] * item.scale;
     let (base, u, v) = (item.origin, item.left * size, item.heading * size);
-    (size > 0.0).then_some(FlowerBud { branch: item.stem, base, u, v, look, open: item.args[0].clamp(0.0, 1.0) })
+    (size > 0.0).then_some(FlowerBud {
+        branch: item.stem,
+        base,
+        u,
+        v,
+        look,
+        open: item.args[0].clamp(0.0, 1.0),
+    })
 }
 
 fn organ(item: &Item, template: TemplateId) -> Option<Organ> {
@@ -56,9 +63,10 @@ fn organ(item: &Item, template: TemplateId) -> Option<Organ> {
             let (rest, form) = (RestSurface::Plane, BladeForm::default());
             (OrganPart::Leaf, Shape::Blade(Blade { template, base, u, v, rest, form }))
         }
-        "receptacle" if size(0) > 0.0 => {
-            (OrganPart::Disc, Shape::Dome { base, axis, radius: size(0), height: size(1).max(0.02 * size(0)) })
-        }
+        "receptacle" if size(0) > 0.0 => (
+            OrganPart::Disc,
+            Shape::Dome { base, axis, radius: size(0), height: size(1).max(0.02 * size(0)) },
+        ),
         "fruit" | "@ball" if size(0) > 0.0 => {
             let at = |(r, h): &(f32, f32)| Vec2::new(r * size(0), h * FRUIT_HEIGHT * size(0));
             (OrganPart::Fruit, lathe(FRUIT.iter().map(at).collect()))

@@ -20,7 +20,7 @@ use std::sync::Arc;
 pub const FARTHEST: f32 = 1.4;
 /// Share of the room that is used, and how far apart petals lie that cover each other, in thicknesses.
 const USED: f32 = 0.9;
-const BETWEEN: f32 = 2.0;
+pub const BETWEEN: f32 = 2.0;
 /// Shares of the room for the levels of the ring and for the hollow.
 const FOR_LEVELS: f32 = 0.5;
 const FOR_HOLLOW: f32 = 0.35;
@@ -69,8 +69,13 @@ pub struct RingSheet {
     pub farthest_rad: f32,
     /// How far around petals reach where they do not overlap, radians.
     pub beside_rad: f32,
-    /// Thickness of the petals.
-    pub thickness: f32,
+    /// Room that they need to lie over each other.
+    pub needed: f32,
+}
+
+/// Room that petals of a thickness need to lie over each other where their levels differ by `apart`.
+pub fn room_for_levels(thickness: f32, apart: f32) -> f32 {
+    BETWEEN * thickness / (FOR_LEVELS * USED * apart)
 }
 
 impl RingSheet {
@@ -104,21 +109,27 @@ impl RingSheet {
         (limited(around(&spot, u), FARTHEST), further)
     }
 
+    /// How wide the petal is against its outline where it has most room in its upper half, up to three quarters of it.
+    pub fn unfolded(&self) -> f32 {
+        let places = (STEPS / 2..=3 * STEPS / 4).map(|k| k as f32 / STEPS as f32);
+        places.map(|share| self.gathered(&self.curve.spot(share), share)).fold(0.0, f32::max)
+    }
+
     /// How wide the petal is at a share of the way against its outline, so that it reaches no farther around than it may.
     fn gathered(&self, spot: &Spot, share: f32) -> f32 {
         let place = (share / self.size * STEPS as f32).clamp(0.0, STEPS as f32 - 1e-3);
         let (k, part) = (place as usize, place.fract());
         let half = self.half_widths[k] + (self.half_widths[k + 1] - self.half_widths[k]) * part;
         let margin = around(spot, half * self.narrowed * self.size * self.curve.length());
-        let farthest = self.farthest(spot.room);
+        let farthest = self.farthest(spot);
         if margin < 0.5 * farthest { 1.0 } else { limited(margin, farthest) / margin }
     }
 
     /// How far around the petal may reach where the ring has so much room: where that is too little for petals to lie over
     /// each other, only to the next one.
-    fn farthest(&self, room: f32) -> f32 {
-        let needed = BETWEEN * self.thickness / (FOR_LEVELS * USED * self.apart);
-        let enough = ((room - needed) / needed).clamp(0.0, 1.0);
+    fn farthest(&self, spot: &Spot) -> f32 {
+        let needed = self.needed + bulge(spot.at.x, self.half_span_rad) / self.apart;
+        let enough = ((spot.room - needed) / needed).clamp(0.0, 1.0);
         let beside = self.beside_rad.min(self.farthest_rad);
         beside + (self.farthest_rad - beside) * enough * enough * (3.0 - 2.0 * enough)
     }
@@ -147,9 +158,9 @@ impl RingSheet {
     pub fn words(&self) -> impl Iterator<Item = f32> + '_ {
         let Self { curve, size, tilt, level: Level { height, slope }, apart, half_width, narrowed, .. } =
             self;
-        let Self { covered, cup, half_span_rad, farthest_rad, beside_rad, thickness, .. } = self;
+        let Self { covered, cup, half_span_rad, farthest_rad, beside_rad, needed, .. } = self;
         let own = [size, tilt, height, slope, apart, half_width, narrowed];
-        let more = [covered, cup, half_span_rad, farthest_rad, beside_rad, thickness];
+        let more = [covered, cup, half_span_rad, farthest_rad, beside_rad, needed];
         curve.words().chain(self.half_widths).chain(own.into_iter().chain(more).copied())
     }
 
@@ -159,9 +170,18 @@ impl RingSheet {
     }
 }
 
-/// How far around half a width lies on a ring, radians; `share` says at which share of the way from foot to tip.
-pub fn span_of(curve: &RingCurve, half_width: f32, share: f32) -> f32 {
-    limited(around(&curve.spot(share), half_width * curve.length()), FARTHEST)
+/// How far around a petal lies on a ring to each side where it lies farthest, radians. `half_widths` are those at equal steps
+/// from foot to tip, shares of the ring's length; where it is narrow at its foot it counts for nothing.
+pub fn span_of(curve: &RingCurve, half_widths: &[f32; STEPS + 1]) -> f32 {
+    const FROM: usize = STEPS / 3;
+    let at = |k: usize| around(&curve.spot(k as f32 / STEPS as f32), half_widths[k] * curve.length());
+    limited((FROM..=STEPS).map(at).fold(0.0, f32::max), FARTHEST)
+}
+
+/// How far the flat faces of a petal that spans so far to each side leave a ring of a radius.
+fn bulge(radius: f32, half_span_rad: f32) -> f32 {
+    // Of two petals with two columns of faces on each side.
+    radius * half_span_rad * half_span_rad / 16.0
 }
 
 fn radius(spot: &Spot) -> f32 {

@@ -51,6 +51,12 @@ impl Template {
         Self { outline: outline.into(), curl: curl.into(), length, detail }
     }
 
+    /// The same outline for copies of reduced detail.
+    #[must_use]
+    pub fn reduced(&self) -> Self {
+        Self { detail: Detail::Reduced, ..self.clone() }
+    }
+
     /// Closed outline in (u, v), base at the origin: a simple polygon, counter-clockwise, first point not repeated. Metres,
     /// where u and v of the copy have unit length.
     pub fn outline(&self) -> &[Vec2] {

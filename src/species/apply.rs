@@ -93,8 +93,8 @@ pub fn apply_within(
     for (index, flower) in plant.flowers.iter_mut().enumerate() {
         flower.look = index % species.flowers.len().max(1);
     }
-    let open = full::open_buds(&mut plant, buds, species, budget.blossoms);
-    let seats = full::add_layers(&mut plant, &open, species, seed);
+    let openings = full::open_buds(&mut plant, buds, species, budget.blossoms);
+    let seats = full::add_layers(&mut plant, &openings, species, seed);
     let petals = petals_of(&plant, &seats);
     shape_blades(&mut plant, provenance, species, &petals, seed);
     let has_drawn_pot = plant.organs.iter().any(|organ| organ.kind() == OrganKind::Pot);

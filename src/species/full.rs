@@ -35,33 +35,59 @@ pub(super) struct FullSeat {
     pub(super) reach: f32,
 }
 
-/// Makes flowers of a plant's buds where the species has full ones; `most` at most. Says whether there are more buds.
-pub(super) fn open_buds(plant: &mut Plant, buds: &FlowerBuds, species: &Species, most: usize) -> Vec<f32> {
-    let of_look = |bud: &FlowerBud| bud.look % species.flowers.len().max(1);
-    let is_full =
-        |bud: &&FlowerBud| species.flowers.get(of_look(bud)).is_some_and(|look| look.layers.is_some());
-    let mut open = vec![1.0; plant.flowers.len()];
-    for bud in buds.buds.iter().filter(is_full).take(most) {
-        let Some(axis) = bud.v.try_normalize() else { continue };
-        let (reach, opening_rad) = (bud.v.length(), 1.0f32);
-        let cone = Cone { apex: bud.base, axis, opening_rad, height: reach * opening_rad.cos() };
-        plant.flowers.push(Flower {
-            branch: bud.branch,
-            cone,
-            centre_radius: 0.0,
-            reach,
-            look: of_look(bud),
-        });
-        open.push(bud.open);
-    }
-    open
+/// What a flower that comes from a bud has beside its cone.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Opening {
+    /// How far it opens of what its look does.
+    open: f32,
+    /// Across the axis, toward the first petal; none for flowers that were drawn.
+    side: Option<Vec3>,
 }
 
-/// Gives flowers their layers of petals; `open` is for each how far it opens of what its look does. What is known of those
-/// that got some.
+/// Makes flowers of a plant's buds where the species has full ones, `most` at most, and discs of those that have no petals. What
+/// is known of all flowers of the plant.
+pub(super) fn open_buds(
+    plant: &mut Plant,
+    buds: &FlowerBuds,
+    species: &Species,
+    most: usize,
+) -> Vec<Opening> {
+    let mut openings = vec![Opening { open: 1.0, side: None }; plant.flowers.len()];
+    if species.flowers.is_empty() || species.blossom.is_some() {
+        return openings;
+    }
+    for bud in buds.buds.iter().take(most) {
+        let Some(axis) = bud.v.try_normalize() else { continue };
+        let (reach, index) = (bud.v.length(), bud.look % species.flowers.len());
+        let look = &species.flowers[index];
+        if look.layers.is_none() {
+            plant.organs.push(disc(bud, axis, look, index));
+            continue;
+        }
+        let opening_rad = 1.0f32;
+        let cone = Cone { apex: bud.base, axis, opening_rad, height: reach * opening_rad.cos() };
+        plant.flowers.push(Flower { branch: bud.branch, cone, centre_radius: 0.0, reach, look: index });
+        openings.push(Opening { open: bud.open, side: bud.u.cross(bud.v).try_normalize() });
+    }
+    openings
+}
+
+/// A floret without petals.
+fn disc(bud: &FlowerBud, axis: Vec3, look: &FlowerLook, index: usize) -> Organ {
+    let radius = look.disc.radius.max(1e-3) * bud.v.length();
+    Organ {
+        role: Role { part: OrganPart::Disc, look: index as u32, variant: 0 },
+        origin: Origin::Generated,
+        branch: bud.branch,
+        flower: None,
+        shape: Shape::Dome { base: bud.base, axis, radius, height: look.disc.height * radius },
+    }
+}
+
+/// Gives flowers their layers of petals. What is known of those that got some.
 pub(super) fn add_layers(
     plant: &mut Plant,
-    open: &[f32],
+    openings: &[Opening],
     species: &Species,
     seed: u64,
 ) -> Vec<Option<FullSeat>> {
@@ -83,16 +109,19 @@ pub(super) fn add_layers(
         let own = own_template(&drawn[index]);
         let is_copy = own.is_none() && of_look[flower.look] >= MANY;
         let number = if is_copy { mix(seed, index as u64) % DIFFERENT } else { index as u64 };
-        let open = layers.open * open[index];
+        let open = layers.open * openings[index].open;
         let open = if is_copy { (open * STAGES).round() / STAGES } else { open };
         let key = (flower.look, open.to_bits(), number);
         let (full, templates) = made.entry(key).or_insert_with(|| {
             let full = full_flower(&Layers { open, ..(*layers).clone() }, own.as_ref(), mix(seed, number));
-            let templates =
-                full.templates.iter().map(|template| plant.templates.add(template.clone())).collect();
+            let templates = full.templates.iter().map(|template| {
+                let template = if is_copy { Arc::new(template.reduced()) } else { template.clone() };
+                plant.templates.add(template)
+            });
+            let templates = templates.collect();
             (Arc::new(full), templates)
         });
-        let pose = pose_of(&flower);
+        let pose = pose_of(&flower, openings[index].side);
         let materials = species.flowers[flower.look].petals.materials.0.len();
         let petals = petals(full, templates, &pose, (index, &flower), materials);
         plant.organs.extend(petals);
@@ -128,9 +157,10 @@ fn replace_drawn(plant: &mut Plant, gets: &[Option<&Layers>]) {
     });
 }
 
-fn pose_of(flower: &Flower) -> Pose {
+/// The pose of a flower whose first petal stands to a side, or else toward the viewer.
+fn pose_of(flower: &Flower, side: Option<Vec3>) -> Pose {
     let axis = flower.cone.axis.normalize();
-    let toward = Vec3::Z.reject_from_normalized(axis).try_normalize();
+    let toward = side.unwrap_or(Vec3::Z).reject_from_normalized(axis).try_normalize();
     let side = toward.unwrap_or_else(|| axis.any_orthonormal_vector());
     Pose { centre: flower.cone.apex, axis, side, reach: flower.reach }
 }

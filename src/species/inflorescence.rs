@@ -81,7 +81,8 @@ impl Inflorescence {
             (name.clone(), if name == BLOOM { value * f64::from(open) } else { *value })
         };
         let values: Vec<(String, f64)> = self.values.iter().map(value).collect();
-        let constants: Vec<(&str, f64)> = values.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+        let constants: Vec<(&str, f64)> =
+            values.iter().map(|(name, value)| (name.as_str(), *value)).collect();
         self.grammar.draw(&Settings { seed, constants: &constants, ..Settings::default() })
     }
 
