@@ -141,8 +141,9 @@ join() {
     jobs_names=()
 }
 
+program=${CARGO_TARGET_DIR:-target}/debug/penstemon
 build_sketches() {
-    local folder=target/sketches program=${CARGO_TARGET_DIR:-target}/debug/penstemon sketch name
+    local folder=target/sketches sketch name
     rm -rf "$folder" && mkdir -p "$folder" || return 1
     for sketch in assets/sketches/*.penstemon; do
         name=$(basename "$sketch" .penstemon)
@@ -175,16 +176,18 @@ check "documentation" env RUSTDOCFLAGS="-D warnings" cargo doc --quiet --no-deps
 wait "$fetch"
 check "sketches build and pass our own judge" build_sketches
 check "tablets on a real kernel, in QEMU" tests/kernel/run.sh
-check "trimesh, MeshLab and the Khronos validator" tests/interop.sh target/sketches
 if $fuzz; then
     readers=(sketch_json sketch_svg species grammar model_reader journal pen_families pen_descriptor pen_recording)
     # For pictures the whole program is compiled once more.
     ! $nightly || readers+=(picture)
     check "fuzzing, ${FUZZ_SECONDS:=8} s a reader" fuzz/run.sh "$FUZZ_SECONDS" "${readers[@]}"
 fi
-# Last, since these compile much and may be left out where all before them was slow.
+# The judges are one thread, and the last of many libraries is compiled by one, too: so beside each other. These are last, since
+# they compile much and may be left out where all before them was slow.
+beside "trimesh, MeshLab and the Khronos validator" env PENSTEMON="$program" tests/interop.sh target/sketches
+beside "licences, sources and advisories of dependencies" scripts/deny.sh "$SECONDS"
 check "compiles for Windows and macOS" scripts/other_systems.sh "$SECONDS"
-check "licences, sources and advisories of dependencies" scripts/deny.sh "$SECONDS"
+join
 
 echo
 echo "seconds, and seconds of processor time"

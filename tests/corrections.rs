@@ -10,7 +10,7 @@ use penstemon::sketch::corrections::{corrected, shares_most};
 use penstemon::sketch::{Correction, Reading, Sketch, StrokeId, Verdict, from_bytes, json};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 /// The drawings by people that may be looked at.
 static DRAWINGS: LazyLock<Vec<Sketch>> = LazyLock::new(|| {
@@ -18,11 +18,11 @@ static DRAWINGS: LazyLock<Vec<Sketch>> = LazyLock::new(|| {
     known.iter().flat_map(|share| drawings(*share).unwrap()).map(|drawing| drawing.sketch).collect()
 });
 
-fn read_with(memory: &mut Memory, sketch: &Sketch) -> Interpretation {
+fn read_with(memory: &mut Memory, sketch: &Sketch) -> Arc<Interpretation> {
     conventions::interpret_with(memory, &sketch.strokes, &sketch.corrections, &ConventionParams::default())
 }
 
-fn read(sketch: &Sketch) -> Interpretation {
+fn read(sketch: &Sketch) -> Arc<Interpretation> {
     read_with(&mut Memory::for_one_build(), sketch)
 }
 
@@ -66,7 +66,7 @@ fn a_reading_that_is_refused_is_gone_and_the_rest_stays() {
 #[test]
 fn strokes_that_are_separate_are_read_one_by_one() {
     for sketch in DRAWINGS.iter() {
-        for apart in read(sketch).readings {
+        for apart in &read(sketch).readings {
             let after = read(&with(sketch, &apart.strokes, Verdict::Separate));
             let read = after.readings.iter().flat_map(|r| &r.strokes).chain(after.pieces.keys());
             assert!(read.into_iter().all(|stroke| !apart.strokes.contains(stroke)));

@@ -283,10 +283,10 @@ fn glb_nodes_follow_the_branch_tree_with_pivots_at_the_base() {
         }
     }
     for part in &model.parts {
-        let node = root.nodes.iter().position(|n| n.name.as_ref() == Some(&part.name)).unwrap();
+        let node = root.nodes.iter().position(|n| n.name.as_deref() == Some(part.name.as_str())).unwrap();
         assert!(pivots[node].abs_diff_eq(part.pivot, 1e-6), "{}", part.name);
         let parent =
-            part.parent.map_or(format!("plant_{}", part.specimen + 1), |p| model.parts[p].name.clone());
+            part.parent.map_or(format!("plant_{}", part.specimen + 1), |p| model.parts[p].name.to_string());
         assert_eq!(names[node], parent, "{}", part.name);
     }
 }

@@ -161,7 +161,7 @@ fn only_changed_parts_are_uploaded() {
 
     let mut without = model.clone();
     without.parts.remove(petal);
-    without.parts.iter_mut().for_each(|p| p.name = format!("other_{}", p.name));
+    without.parts.iter_mut().for_each(|p| p.name = format!("other_{}", p.name).into());
     let removed = viewport.update(&renderer, &without, &textures).unwrap();
     assert_eq!((removed.uploaded_parts, removed.removed_parts), (0, 1), "other names are no other meshes");
 

@@ -58,7 +58,7 @@ fn model(parts: impl IntoIterator<Item = (Mesh, Material)>) -> Model {
     let mut model = Model::default();
     for (i, (mesh, material)) in parts.into_iter().enumerate() {
         let kind = PartKind::Organ(OrganKind::Leaf);
-        let name = format!("part_{i}");
+        let name = format!("part_{i}").into();
         model.parts.push(Part {
             name,
             kind,

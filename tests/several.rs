@@ -72,7 +72,7 @@ fn a_grown_plant_stands_behind_the_drawn_one_as_it_is_alone() {
     assert_eq!(both.plant.organs.len(), drawn.plant.organs.len() + hazel.plant.organs.len());
     let parts = &both.model.parts[drawn.model.parts.len()..];
     let names: Vec<String> = hazel.model.parts.iter().map(|part| format!("hazel_{}", part.name)).collect();
-    assert_eq!(parts.iter().map(|part| part.name.clone()).collect::<Vec<_>>(), names);
+    assert_eq!(parts.iter().map(|part| part.name.to_string()).collect::<Vec<_>>(), names);
     let drawn_specimens = drawn.model.parts.iter().map(|part| part.specimen).max().unwrap();
     assert!(parts.iter().all(|part| part.specimen > drawn_specimens));
     // It is known which branches and organs are its own.

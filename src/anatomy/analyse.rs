@@ -109,19 +109,27 @@ pub fn analyse_with(
 fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: Stop) -> Anatomy {
     cache.begin(params);
     let rules = Rules { preprocess: &params.preprocess, ignore: &params.ignore, tip: &params.tip };
-    let Interpretation { strokes, pieces, readings: together, solids, remarks, habit } =
-        conventions::interpret_with(
-            &mut cache.conventions,
-            &sketch.strokes,
-            &sketch.corrections,
-            &params.conventions,
-        );
-    let reading::Drawn { readings, bounds } = cache.readings.read(&strokes, rules);
+    let interpretation = conventions::interpret_with(
+        &mut cache.conventions,
+        &sketch.strokes,
+        &sketch.corrections,
+        &params.conventions,
+    );
+    let Interpretation { strokes, pieces, readings: together, solids, remarks, habit } = &*interpretation;
+    let reading::Drawn { readings, bounds } = cache.readings.read(strokes, rules);
     let bounds =
         solids.iter().map(|drawn| drawn.solid.bounds()).fold(bounds, |a, b| (a.0.min(b.0), a.1.max(b.1)));
     let diagonal = bounds.0.distance(bounds.1);
-    let mut anatomy =
-        Anatomy { diagonal, bounds, pieces, readings: together, solids, habit, ..Anatomy::default() };
+    let (pieces, readings_together, solids) = (pieces.clone(), together.clone(), solids.clone());
+    let mut anatomy = Anatomy {
+        diagonal,
+        bounds,
+        pieces,
+        readings: readings_together,
+        solids,
+        habit: *habit,
+        ..Anatomy::default()
+    };
     if stop() {
         return anatomy;
     }
@@ -175,10 +183,10 @@ fn remark_on_what_stands_apart(anatomy: &Anatomy, warnings: &mut Warnings) {
 }
 
 /// What is said of strokes that were read together, then of single ones.
-fn remarks_on(readings: &[Arc<Reading>], together: Vec<Warning>) -> Warnings {
+fn remarks_on(readings: &[Arc<Reading>], together: &[Warning]) -> Warnings {
     let mut warnings = Warnings::default();
     for Warning { stroke, remark } in together {
-        warnings.add(stroke, || remark);
+        warnings.add(*stroke, || remark.clone());
     }
     for reading in readings {
         if let Some(remark) = &reading.warning {

@@ -176,24 +176,41 @@ fn center_of(blades: &[Drawn<'_>]) -> Vec2 {
     blades.iter().map(|drawn| drawn.blade.root).sum::<Vec2>() / blades.len().max(1) as f32
 }
 
-/// Stems from left to right by their feet, so that those near a place are found without a look at all.
-struct Stems(Vec<Stem>);
+/// Stems by their feet: from left to right in columns of equal numbers, and downward in each, so that those near a place are
+/// found without a look at all.
+struct Stems {
+    stems: Vec<Stem>,
+    /// How many stand in a column; the last may have fewer.
+    height: usize,
+    /// Where each column begins and ends, to the right.
+    columns: Vec<[f32; 2]>,
+}
 
 impl Stems {
     fn new(stems: &[Stem]) -> Self {
-        let mut sorted = stems.to_vec();
-        sorted.sort_by(|a, b| a.foot.x.total_cmp(&b.foot.x));
-        Self(sorted)
+        let (mut stems, height) = (stems.to_vec(), stems.len().isqrt().max(1));
+        stems.sort_by(|a, b| a.foot.x.total_cmp(&b.foot.x));
+        let mut columns = Vec::new();
+        for column in stems.chunks_mut(height) {
+            columns.extend(
+                column.first().zip(column.last()).map(|(first, last)| [first, last].map(|stem| stem.foot.x)),
+            );
+            column.sort_by(|a, b| a.foot.y.total_cmp(&b.foot.y));
+        }
+        Self { stems, height, columns }
     }
 
     /// All stems whose feet are less than `reach` away from a place, and some more. Few are left to be measured.
     fn near(&self, place: Vec2, reach: f32) -> impl Iterator<Item = &Stem> {
         // More than the reach by more than any rounding.
         let reach = 1.001 * reach;
-        let first = self.0.partition_point(|stem| stem.foot.x < place.x - reach);
-        let count = self.0[first..].partition_point(|stem| stem.foot.x <= place.x + reach);
-        let beside = &self.0[first..first + count];
-        beside.iter().filter(move |stem| (stem.foot.y - place.y).abs() <= reach)
+        let first = self.columns.partition_point(|[_, right]| *right < place.x - reach);
+        let beside = self.columns[first..].iter().take_while(move |[left, _]| *left <= place.x + reach);
+        let columns = self.stems.chunks(self.height).skip(first).zip(beside);
+        columns.flat_map(move |(column, _)| {
+            let top = column.partition_point(|stem| stem.foot.y < place.y - reach);
+            column[top..].iter().take_while(move |stem| stem.foot.y <= place.y + reach)
+        })
     }
 }
 

@@ -6,13 +6,16 @@
 //! longer than that second starts a thread that ends at once. That takes about a tenth of a millisecond, and what is
 //! returned is that of the whole process.
 //!
+//! What a thread had allocated and another one freed comes back only when the first one allocates or ends; so the threads of
+//! builds end at rest, too (`build_threads`).
+//!
 //! Limits: a page of the allocator that still holds one living block stays.
 
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 /// How long a thread rests before it gives back: longer than the allocator keeps what is free.
-const REST: Duration = Duration::from_millis(1200);
+pub(super) const REST: Duration = Duration::from_millis(1200);
 
 /// Waits until a shared state has changed, and gives free memory back if it waits for long. `has_worked` says whether there
 /// may be any; it is cleared by giving back.
@@ -36,7 +39,8 @@ pub(super) fn wait<'a, T>(
     state.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-fn give_back() {
+/// Gives back what is free.
+pub(super) fn give_back() {
     let ended = std::thread::Builder::new().name("free memory".into()).spawn(|| ());
     match ended.map(std::thread::JoinHandle::join) {
         Ok(Ok(())) => tracing::debug!("free memory was given back"),

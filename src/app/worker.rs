@@ -10,7 +10,7 @@
 //! wait on large plants is done here as well: counting, and giving back the memory of plants that are no longer shown.
 
 use super::stroke_colours::{Pieces, pieces_of};
-use super::{free_memory, priority};
+use super::{build_threads, free_memory, priority};
 use crate::anatomy::{Anatomy, Part};
 use crate::growth::overlay::Wanted;
 use crate::model::{Measure, Measures};
@@ -201,11 +201,12 @@ impl Worker {
     ///
     /// # Errors
     /// A system that gives no thread.
-    pub fn start(wake: impl Fn() + Send + 'static) -> std::io::Result<Self> {
+    pub fn start(mut wake: impl Fn() + Send + 'static) -> std::io::Result<Self> {
         let shared = Arc::new(Shared::default());
         let for_thread = Arc::clone(&shared);
-        let thread =
-            std::thread::Builder::new().name("live worker".into()).spawn(move || work(&for_thread, &wake))?;
+        let thread = std::thread::Builder::new()
+            .name("live worker".into())
+            .spawn(move || work(&for_thread, &mut wake))?;
         Ok(Self { shared, thread: Some(thread) })
     }
 
@@ -255,32 +256,38 @@ struct BuildContext {
     species: Option<(String, PathBuf, Species)>,
 }
 
-fn work(shared: &Shared, wake: &dyn Fn()) {
+/// Waits for work, which is done by threads that end at the next rest (`build_threads`).
+fn work(shared: &Shared, wake: &mut (dyn Fn() + Send)) {
     priority::step_back();
     let mut context = BuildContext::default();
-    let mut has_worked = true;
-    while let Some(snapshot) = next(shared, &mut has_worked) {
+    while is_work_there(shared) {
+        build_threads::run(|| work_until_rest(shared, wake, &mut context));
+        free_memory::give_back();
+    }
+}
+
+/// Builds one snapshot after the other.
+fn work_until_rest(shared: &Shared, wake: &mut (dyn Fn() + Send), context: &mut BuildContext) {
+    while let Some(snapshot) = next(shared) {
         let begun = Instant::now();
         let revision = snapshot.revision;
-        let build = std::panic::AssertUnwindSafe(|| context.build(&snapshot, &shared.cancel));
-        let (mut counts, mut bounds, mut pieces) = (Counts::default(), None, Vec::new());
-        let result = match std::panic::catch_unwind(build) {
-            Ok(Ok(Some(built))) => {
-                let measure = context.measures.of(&built.model);
-                (counts, bounds) = (Counts::of(&built, &measure), measure.bounds);
-                pieces = pieces_of(&snapshot.sketch, &built.anatomy);
-                Ok(Arc::new(built))
-            }
+        let build = std::panic::AssertUnwindSafe(|| context.update(&snapshot, begun, &shared.cancel));
+        let failed = |error| {
+            let (counts, bounds, pieces) = (Counts::default(), None, Vec::new());
+            Update { revision, result: Err(error), took: begun.elapsed(), counts, bounds, pieces }
+        };
+        let update = match std::panic::catch_unwind(build) {
+            Ok(Ok(Some(update))) => update,
             Ok(Ok(None)) => continue,
-            Ok(Err(error)) => Err(error.into()),
+            Ok(Err(error)) => failed(error.into()),
             Err(_) => {
-                context = BuildContext::default();
-                Err(BuildError::Defect)
+                *context = BuildContext::default();
+                failed(BuildError::Defect)
             }
         };
-        let took = begun.elapsed();
+        let took = update.took;
         let mut state = shared.state();
-        let unseen = state.done.replace(Update { revision, result, took, counts, bounds, pieces });
+        let unseen = state.done.replace(update);
         (state.last_finish, state.last_took) = (Some(Instant::now()), took);
         let discarded = std::mem::take(&mut state.discarded);
         drop(state);
@@ -290,8 +297,15 @@ fn work(shared: &Shared, wake: &dyn Fn()) {
     }
 }
 
-/// Waits for the next snapshot; `None` when the window closes.
-fn next(shared: &Shared, has_worked: &mut bool) -> Option<Snapshot> {
+/// Waits until there is something to do; nothing will be when the window closes.
+fn is_work_there(shared: &Shared) -> bool {
+    let is_idle = |state: &mut State| !state.closing && state.next.is_none() && state.discarded.is_empty();
+    let waited = shared.changed.wait_while(shared.state(), is_idle);
+    !waited.unwrap_or_else(PoisonError::into_inner).closing
+}
+
+/// Waits for the next snapshot; none at a rest, or when the window closes.
+fn next(shared: &Shared) -> Option<Snapshot> {
     let mut state = shared.state();
     loop {
         if state.closing {
@@ -301,7 +315,6 @@ fn next(shared: &Shared, has_worked: &mut bool) -> Option<Snapshot> {
             shared.cancel.store(false, Ordering::Relaxed);
             let growing = state.growing.clone();
             drop(state);
-            *has_worked = true;
             snapshot.sketch.strokes = snapshot.strokes.iter().cloned().chain(growing.map(Arc::new)).collect();
             return Some(snapshot);
         }
@@ -309,15 +322,33 @@ fn next(shared: &Shared, has_worked: &mut bool) -> Option<Snapshot> {
         if !discarded.is_empty() {
             drop(state);
             drop(discarded);
-            *has_worked = true;
             state = shared.state();
             continue;
         }
-        state = free_memory::wait(&shared.state, &shared.changed, state, has_worked);
+        let (now, waited) =
+            shared.changed.wait_timeout(state, free_memory::REST).unwrap_or_else(PoisonError::into_inner);
+        if waited.timed_out() && now.next.is_none() && now.discarded.is_empty() {
+            return None;
+        }
+        state = now;
     }
 }
 
 impl BuildContext {
+    /// The plant and what is counted of it; `Ok(None)` where it was cancelled.
+    fn update(
+        &mut self,
+        snapshot: &Snapshot,
+        begun: Instant,
+        cancel: &AtomicBool,
+    ) -> Result<Option<Update>, SetupError> {
+        let Some(built) = self.build(snapshot, cancel)? else { return Ok(None) };
+        let measure = self.measures.of(&built.model);
+        let (counts, pieces) = (Counts::of(&built, &measure), pieces_of(&snapshot.sketch, &built.anatomy));
+        let (result, bounds, revision) = (Ok(Arc::new(built)), measure.bounds, snapshot.revision);
+        Ok(Some(Update { revision, result, took: begun.elapsed(), counts, bounds, pieces }))
+    }
+
     /// `Ok(None)` where it was cancelled.
     fn build(&mut self, snapshot: &Snapshot, cancel: &AtomicBool) -> Result<Option<Built>, SetupError> {
         let Snapshot { sketch, folder, overlay, .. } = snapshot;

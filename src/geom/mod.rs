@@ -1,6 +1,7 @@
 //! Mathematics that knows no plant: polylines, loops, regions, clusters, frames, ellipses, grids, boxes.
 
 mod boundary;
+pub mod bvh;
 pub mod cells;
 mod cluster_heads;
 pub mod convex_hull;
@@ -9,7 +10,6 @@ pub mod ellipse;
 pub mod frame;
 pub mod line_changes;
 pub mod mean_shift;
-pub mod meetings;
 pub mod polyline;
 pub mod ray;
 pub mod region;

@@ -8,7 +8,7 @@
 //! faces that just touch may count or not.
 
 use super::Mesh;
-use crate::geom::meetings::{Bounds, meetings_within};
+use crate::geom::bvh::{Bounds, overlapping_within};
 use glam::DVec3;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -29,7 +29,7 @@ pub fn crossing_faces(mesh: &Mesh) -> Option<usize> {
         }
         None
     };
-    meetings_within(STEPS.0 + STEPS.1 * faces.len() as u64, &boxes, mark)?;
+    overlapping_within(STEPS.0 + STEPS.1 * faces.len() as u64, &boxes, mark)?;
     Some(crossing.into_iter().filter(|crosses| crosses.load(Ordering::Relaxed)).count())
 }
 

@@ -1,7 +1,7 @@
-//! Threads of stamens, pistils and thorns.
+//! Stalks of stamens, pistils and thorns.
 //!
 //! A flower has dozens of them, so that they are never parts of their own: at least those of one flower are gathered, the
-//! threads (`stamens_3`) apart from their heads (`anthers_3`), which are copies of few `shapes`.
+//! stalks (`stamens_3`) apart from their heads (`anthers_3`), which are copies of few `shapes`.
 
 use super::mesh::Mesh;
 use super::solids::SolidParams;
@@ -9,11 +9,11 @@ use super::spine;
 use super::tube::{self, Tiling, TubeLook, TubeScratch};
 use crate::plant::Shape;
 
-/// Threads are thin: they may leave their skeleton by half their radius, and end round.
+/// Stalks are thin: they may leave their skeleton by half their radius, and end round.
 const TOLERANCE: f32 = 0.5;
 const TIP: f32 = 0.8;
 
-/// Appends the threads of filaments to a mesh; shapes that are no filaments add nothing.
+/// Appends the stalks of filaments to a mesh; shapes that are no filaments add nothing.
 pub(super) fn append<'a>(
     mesh: &mut Mesh,
     shapes: impl Iterator<Item = &'a Shape>,
@@ -27,6 +27,6 @@ pub(super) fn append<'a>(
         let Shape::Filament { points, radius, .. } = shape else { continue };
         tube::append(mesh, points.iter().map(|p| (*p, *radius)), look, scratch);
     }
-    // Threads may bend back on themselves.
+    // Stalks may bend back on themselves.
     mesh.split_disagreeing_corners_in(first..mesh.triangles.len());
 }

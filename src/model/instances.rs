@@ -6,6 +6,7 @@
 use super::copies::{Copies, Placement};
 use super::{Model, Part};
 use glam::{Mat3, Quat, Vec3};
+use smol_str::format_smolstr;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -84,7 +85,7 @@ fn without_copies(part: &Part, copies: &Copies, groups: &mut Vec<InstanceGroup>)
     }
     for (number, ((slot, shape), poses)) in poses.into_iter().enumerate() {
         let Some(mesh) = copies.shapes.get(shape as usize).cloned() else { continue };
-        let (name, material) = (format!("{}_shape_{number}", part.name), part.material_of_slot(slot));
+        let (name, material) = (format_smolstr!("{}_shape_{number}", part.name), part.material_of_slot(slot));
         let shape = Part { name, material, more_materials: Vec::new(), mesh, copies: None, ..part.clone() };
         groups.push(InstanceGroup { shape, poses });
     }

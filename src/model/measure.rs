@@ -69,7 +69,7 @@ mod tests {
         let copies =
             Copies { shapes: vec![Arc::clone(&shape)], placements: (0..copies).map(place).collect() };
         Part {
-            name: String::new(),
+            name: "part".into(),
             kind: PartKind::Wood,
             parent: None,
             specimen: 0,

@@ -83,6 +83,7 @@ pub use tube::TubeParams;
 
 use crate::plant::{Material, OrganKind};
 use glam::Vec3;
+use smol_str::SmolStr;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -99,7 +100,7 @@ pub enum PartKind {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
     /// Unique name, such as `wood` or `petal_12`.
-    pub name: String,
+    pub name: SmolStr,
     /// What it is.
     pub kind: PartKind,
     /// Index of the part that carries it: a branch's parent branch, an organ's branch. Always smaller than its own.

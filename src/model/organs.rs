@@ -87,10 +87,10 @@ impl<'a> OrganWorkshop<'a> {
             if slot > 0 {
                 mesh.breaks.push(mesh.triangles.len() as u32);
             }
-            for run in pieces.as_ref().chunk_by(|a, b| self.is_thread(*a) == self.is_thread(*b)) {
-                if self.is_thread(run[0]) {
-                    let threads = run.iter().map(|&(organ, _)| self.shape(organ));
-                    filaments::append(&mut mesh, threads, &self.params.solid, &mut scratch.tube);
+            for run in pieces.as_ref().chunk_by(|a, b| self.is_stalk(*a) == self.is_stalk(*b)) {
+                if self.is_stalk(run[0]) {
+                    let stalks = run.iter().map(|&(organ, _)| self.shape(organ));
+                    filaments::append(&mut mesh, stalks, &self.params.solid, &mut scratch.tube);
                 } else {
                     self.append_bodies(run, &mut mesh, scratch);
                 }
@@ -130,7 +130,7 @@ impl<'a> OrganWorkshop<'a> {
 
     /// The number of the shape of which a piece is a copy, and where the copy stands.
     fn placement(&self, (organ, piece): (usize, Piece)) -> Option<(u32, Placement)> {
-        if self.is_thread((organ, piece)) {
+        if self.is_stalk((organ, piece)) {
             return None;
         }
         let number = self.shape_of[organ]?;
@@ -142,7 +142,7 @@ impl<'a> OrganWorkshop<'a> {
         &self.plant.organs[organ].shape
     }
 
-    fn is_thread(&self, (organ, piece): (usize, Piece)) -> bool {
+    fn is_stalk(&self, (organ, piece): (usize, Piece)) -> bool {
         piece == Piece::Body && matches!(self.shape(organ), Shape::Filament { .. })
     }
 

@@ -6,6 +6,7 @@
 
 use super::piece::{Piece, Scope};
 use crate::plant::{Organ, OrganKind, Shape};
+use smol_str::{SmolStr, SmolStrBuilder, format_smolstr};
 use std::collections::{BTreeMap, HashSet};
 
 /// Counts what has been named so far.
@@ -15,7 +16,7 @@ pub(super) struct PartNames {
     gathered: BTreeMap<(OrganKind, Piece), usize>,
     lone_filaments: BTreeMap<(OrganKind, Piece), usize>,
     /// Names in the plural: flowers and plants may have the same numbers.
-    plurals: HashSet<String>,
+    plurals: HashSet<SmolStr>,
 }
 
 /// How many single organs of each flower and kind there are. Those of one flower mostly come one after the other, so that
@@ -39,7 +40,7 @@ impl Singles {
 
 impl PartNames {
     /// The name of a part that begins with this organ.
-    pub(super) fn organs(&mut self, organ: &Organ, scope: Scope, piece: Piece) -> String {
+    pub(super) fn organs(&mut self, organ: &Organ, scope: Scope, piece: Piece) -> SmolStr {
         let name = match scope {
             Scope::Organ(_) if !matches!(organ.shape, Shape::Filament { .. }) => return self.single(organ),
             Scope::Organ(_) => {
@@ -55,37 +56,37 @@ impl PartNames {
         self.unused(name)
     }
 
-    fn single(&mut self, organ: &Organ) -> String {
+    fn single(&mut self, organ: &Organ) -> SmolStr {
         let number = self.singles.next((organ.flower, organ.kind()));
         with_numbers(organ.kind().name(), "", organ.flower.into_iter().chain([number]))
     }
 
     /// The name, with a number behind it if it is taken.
-    fn unused(&mut self, name: String) -> String {
+    fn unused(&mut self, name: SmolStr) -> SmolStr {
         if self.plurals.insert(name.clone()) {
             return name;
         }
-        let mut twins = (1..).map(|twin| format!("{name}_{twin}"));
+        let mut twins = (1..).map(|twin| format_smolstr!("{name}_{twin}"));
         twins.find(|twin| self.plurals.insert(twin.clone())).unwrap_or(name)
     }
 }
 
 /// A name for the first of its kind, and with numbers for those after it.
-pub(super) fn numbered(name: &str, number: usize) -> String {
+pub(super) fn numbered(name: &str, number: usize) -> SmolStr {
     with_numbers(name, "", (number > 0).then_some(number))
 }
 
-/// A name with what comes behind it and some numbers. It takes a part of the time of `format!`: large drawings have a name for
-/// every stroke.
-fn with_numbers(name: &str, behind: &str, numbers: impl IntoIterator<Item = usize>) -> String {
-    let mut whole = String::with_capacity(24);
+/// A name with what comes behind it and some numbers. It takes a part of the time of `format!`, and short names take no memory
+/// of their own: large drawings have a name for every stroke.
+fn with_numbers(name: &str, behind: &str, numbers: impl IntoIterator<Item = usize>) -> SmolStr {
+    let mut whole = SmolStrBuilder::new();
     whole.push_str(name);
     whole.push_str(behind);
     numbers.into_iter().for_each(|number| push_number(&mut whole, number));
-    whole
+    whole.finish()
 }
 
-fn push_number(name: &mut String, number: usize) {
+fn push_number(name: &mut SmolStrBuilder, number: usize) {
     let digits = number.checked_ilog10().unwrap_or(0);
     name.push('_');
     for place in (0..=digits).rev() {

@@ -17,6 +17,7 @@ use super::part_names::{PartNames, numbered};
 use super::piece::{Piece, Scope, pieces};
 use crate::plant::{FinishedPlant, Organ, OrganKind, Plant, Shape};
 use glam::Vec3;
+use smol_str::{SmolStr, format_smolstr};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -34,7 +35,7 @@ pub(super) enum Source {
 /// A part without its mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Plan {
-    pub(super) name: String,
+    pub(super) name: SmolStr,
     pub(super) kind: PartKind,
     pub(super) parent: Option<usize>,
     pub(super) specimen: usize,
@@ -193,7 +194,7 @@ fn root(plans: &[Plan], mut part: usize) -> usize {
 
 /// One part for every branch; gives the part of each.
 fn plan_branches(plant: &FinishedPlant, specimens: &Specimens, plans: &mut Vec<Plan>) -> Vec<usize> {
-    let part = |i: usize| wood(plant, specimens, i, plant.branches[i].parent, format!("branch_{i}"));
+    let part = |i: usize| wood(plant, specimens, i, plant.branches[i].parent, format_smolstr!("branch_{i}"));
     plans.extend((0..plant.branches.len()).map(part));
     (0..plant.branches.len()).collect()
 }
@@ -218,7 +219,13 @@ fn plan_wood(plant: &FinishedPlant, specimens: &Specimens, plans: &mut Vec<Plan>
     part_of
 }
 
-fn wood(plant: &FinishedPlant, specimens: &Specimens, i: usize, parent: Option<usize>, name: String) -> Plan {
+fn wood(
+    plant: &FinishedPlant,
+    specimens: &Specimens,
+    i: usize,
+    parent: Option<usize>,
+    name: SmolStr,
+) -> Plan {
     let branch = &plant.branches[i];
     Plan {
         name,

@@ -199,7 +199,7 @@ fn put_behind(all: &mut Built, one: &Built, (species, foot): (&str, Vec3), names
     let first = all.model.parts.len();
     let specimens = all.model.parts.iter().map(|part| part.specimen + 1).max().unwrap_or(0);
     all.model.parts.extend(one.model.parts.iter().map(|part| Part {
-        name: names.unused(format!("{prefix}_{}", part.name)),
+        name: names.unused(format!("{prefix}_{}", part.name)).into(),
         parent: part.parent.map(|parent| parent + first),
         specimen: part.specimen + specimens,
         material: materials[part.material],
@@ -223,7 +223,7 @@ struct Names {
 
 impl Names {
     fn of(model: &Model) -> Self {
-        Self { taken: model.parts.iter().map(|part| part.name.clone()).collect(), plants: Vec::new() }
+        Self { taken: model.parts.iter().map(|part| part.name.to_string()).collect(), plants: Vec::new() }
     }
 
     /// What the names of the parts of a plant begin with: its species, from the second of a species on with a number.

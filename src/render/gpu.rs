@@ -227,7 +227,7 @@ mod tests {
             triangles: vec![[0, 1, 2]],
             breaks: vec![],
         };
-        let name = "branch_0".to_owned();
+        let name = "branch_0".into();
         let (kind, pivot) = (PartKind::Wood, Vec3::ZERO);
         let part = Part {
             name,

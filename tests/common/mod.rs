@@ -135,7 +135,7 @@ fn part(
         _ => 1 + specimen % 2,
     };
     Part {
-        name,
+        name: name.into(),
         kind,
         parent,
         specimen,

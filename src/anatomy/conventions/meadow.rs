@@ -11,7 +11,7 @@
 use super::hypothesis::{Hypothesis, renumbered};
 use super::page::{Page, length_of, root, unite};
 use super::plants;
-use crate::geom::{meetings, polyline};
+use crate::geom::{bvh, polyline};
 use crate::kept::{Kept, Same, Use};
 use crate::sketch::{Correction, Stroke, StrokeId};
 use glam::{Vec2, Vec3};
@@ -172,12 +172,12 @@ fn unite_where(
         let whole = boxes[run.clone()].iter().copied().reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
         whole.map_or((Vec3::ZERO, Vec3::ZERO), |(low, high)| (low.extend(0.0), high.extend(0.0)))
     };
-    let bounds: Vec<meetings::Bounds> = runs.iter().map(around).collect();
+    let bounds: Vec<bvh::Bounds> = runs.iter().map(around).collect();
     let meet = |a: usize, b: usize| {
         let mut pairs = runs[a].clone().flat_map(|i| runs[b].clone().map(move |k| (i, k)));
         pairs.find(|(i, k)| are_one(*i, *k))
     };
-    let mut pairs = meetings::meetings_within(CROWDED * boxes.len() as u64, &bounds, meet)?;
+    let mut pairs = bvh::overlapping_within(CROWDED * boxes.len() as u64, &bounds, meet)?;
     pairs.extend(runs.iter().flat_map(|run| (run.start..run.end - 1).map(|i| (i, i + 1))));
     pairs.iter().for_each(|(a, b)| unite(leader, members[*a], members[*b]));
     Some(!pairs.is_empty())

@@ -109,7 +109,7 @@ struct Last {
     strokes: Vec<Arc<Stroke>>,
     corrections: Corrections,
     params: ConventionParams,
-    interpretation: Interpretation,
+    interpretation: Arc<Interpretation>,
 }
 
 impl Memory {
@@ -123,7 +123,10 @@ impl Memory {
 
 /// Reads the strokes of a drawing of which the artist corrected nothing; those that no convention explains come back as they are.
 pub fn interpret(strokes: &[Arc<Stroke>], params: &ConventionParams) -> Interpretation {
-    interpret_with(&mut Memory::for_one_build(), strokes, &Corrections::default(), params)
+    let mut memory = Memory::for_one_build();
+    let interpretation = interpret_with(&mut memory, strokes, &Corrections::default(), params);
+    drop(memory);
+    Arc::unwrap_or_clone(interpretation)
 }
 
 /// The interpretation of strokes with the artist's corrections, the same as of a drawing that is new, again and again while it changes.
@@ -132,9 +135,9 @@ pub fn interpret_with(
     strokes: &[Arc<Stroke>],
     corrections: &Corrections,
     params: &ConventionParams,
-) -> Interpretation {
+) -> Arc<Interpretation> {
     if !params.enabled {
-        return Interpretation::untouched(strokes);
+        return Arc::new(Interpretation::untouched(strokes));
     }
     let is_same = |last: &&Last| {
         let same = |(a, b): (&Arc<Stroke>, &Arc<Stroke>)| Arc::ptr_eq(a, b);
@@ -144,15 +147,16 @@ pub fn interpret_with(
             && last.strokes.iter().zip(strokes).all(same)
     };
     if let Some(last) = known.last.as_ref().filter(is_same) {
-        return last.interpretation.clone();
+        return Arc::clone(&last.interpretation);
     }
     let chosen = choice::best(proposals(known, strokes, corrections));
     let mut interpretation = Interpretation::of(strokes, chosen);
     if let Some(last) = &known.last {
         interpretation.share_with(&last.interpretation);
     }
+    let interpretation = Arc::new(interpretation);
     let (strokes, corrections, params) = (strokes.to_vec(), corrections.clone(), params.clone());
-    known.last = Some(Last { strokes, corrections, params, interpretation: interpretation.clone() });
+    known.last = Some(Last { strokes, corrections, params, interpretation: Arc::clone(&interpretation) });
     interpretation
 }
 

@@ -4,7 +4,7 @@
 //! mean the same in a fast and in a slow hand. All lengths are canvas pixels.
 
 use super::hypothesis::{Hypothesis, renumbered};
-use crate::geom::{convex_hull::convex_hull, meetings, polyline, region::Region, simple_loop};
+use crate::geom::{bvh, convex_hull::convex_hull, polyline, region::Region, simple_loop};
 use crate::kept::{Kept, Same, Use};
 use crate::sketch::{Stroke, Tool};
 use glam::{IVec2, Vec2};
@@ -165,10 +165,10 @@ impl Page {
     pub(super) fn lines_at(&self, boxes: &[(Vec2, Vec2)]) -> Vec<Vec<usize>> {
         let asked = boxes.len();
         let all = boxes.iter().copied().chain(self.lines.iter().map(|line| line.bounds));
-        let all: Vec<meetings::Bounds> = all.map(|(low, high)| (low.extend(0.0), high.extend(0.0))).collect();
+        let all: Vec<bvh::Bounds> = all.map(|(low, high)| (low.extend(0.0), high.extend(0.0))).collect();
         let is_asked = |a: usize, b: usize| a < asked && asked <= b && !self.is_apart(b - asked);
         let of_box = |a: usize, b: usize| is_asked(a, b).then(|| (a, b - asked));
-        let mut pairs = meetings::meetings_within(MOST_STEPS, &all, of_box).unwrap_or_default();
+        let mut pairs = bvh::overlapping_within(MOST_STEPS, &all, of_box).unwrap_or_default();
         pairs.sort_unstable();
         let mut lines = vec![Vec::new(); asked];
         pairs.into_iter().for_each(|(place, line)| lines[place].push(line));

@@ -46,7 +46,7 @@ impl Loaded {
         }
         let (kind, pivot) = (PartKind::Wood, Vec3::ZERO);
         self.model.parts.push(Part {
-            name,
+            name: name.into(),
             kind,
             parent: None,
             specimen: 0,

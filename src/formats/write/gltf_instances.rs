@@ -68,7 +68,7 @@ pub(super) fn push(
         let above =
             group.shape.parent.map(|parent| (first_part as usize + parent, scene.model.parts[parent].pivot));
         let mut of_group =
-            node(group.shape.name.clone(), group.shape.pivot - above.map_or(glam::Vec3::ZERO, |a| a.1));
+            node(group.shape.name.to_string(), group.shape.pivot - above.map_or(glam::Vec3::ZERO, |a| a.1));
         match &mut table {
             Some(table) => {
                 of_group.mesh = Some(*mesh);

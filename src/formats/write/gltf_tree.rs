@@ -30,7 +30,7 @@ pub(super) fn push_nodes(
             Some(parent) => (first_part + parent as u32, model.parts[parent].pivot),
             None => (root_of_specimen[&part.specimen], bases[&part.specimen]),
         };
-        let mut node = node(part.name.clone(), part.pivot - pivot);
+        let mut node = node(part.name.to_string(), part.pivot - pivot);
         node.mesh = mesh;
         let index = root.push(node);
         root.nodes[parent as usize].children.get_or_insert_default().push(index);

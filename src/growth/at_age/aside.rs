@@ -15,7 +15,7 @@ use super::chains::Chains;
 use super::fork::{Fork, Wood};
 use super::rounding;
 use crate::budget::Budget;
-use crate::geom::meetings::{Bounds, meetings_within};
+use crate::geom::bvh::{Bounds, overlapping_within};
 use crate::growth::tree::{NONE, Tree};
 use crate::plant::junction::APART;
 use glam::Vec3;
@@ -78,7 +78,7 @@ fn ways(wood: &Wood<'_>, diameters: &[f32]) -> Vec<(u32, Vec3)> {
     let pieces = pieces(wood, diameters);
     let boxes: Vec<Bounds> = pieces.iter().map(|piece| piece.capsule.bounds(APART)).collect();
     let (any, each) = Budget::PLANT.overlaps;
-    let touching = meetings_within(any + each * pieces.len() as u64, &boxes, |i, j| {
+    let touching = overlapping_within(any + each * pieces.len() as u64, &boxes, |i, j| {
         let (a, b) = (&pieces[i], &pieces[j]);
         let touch = (a.node != b.node).then(|| touch(wood, a, b)).flatten()?;
         way(wood, [a, b], touch)

@@ -1,6 +1,6 @@
 //! Internodes as capsules: what of two is nearest, and whether they keep their distance.
 
-use crate::geom::meetings::Bounds;
+use crate::geom::bvh::Bounds;
 use glam::Vec3;
 
 /// An internode, or a piece of one.

@@ -13,7 +13,7 @@ use super::capsule::Capsule;
 use super::chains::Chains;
 use super::fork::Wood;
 use crate::budget::Budget;
-use crate::geom::meetings::{Bounds, meetings_within};
+use crate::geom::bvh::{Bounds, overlapping_within};
 use crate::growth::tree::Tree;
 use crate::plant::junction::APART;
 use glam::Vec3;
@@ -52,7 +52,7 @@ fn pairs(wood: &Wood<'_>, diameters: &[f32], stays: impl Fn(u32) -> bool + Sync)
     let capsules: Vec<Capsule> = nodes.iter().map(|node| wood.internode(*node, diameters)).collect();
     let boxes: Vec<Bounds> = capsules.iter().map(|capsule| capsule.bounds(APART)).collect();
     let (any, each) = Budget::PLANT.overlaps;
-    let overlapping = meetings_within(any + each * nodes.len() as u64, &boxes, |i, j| {
+    let overlapping = overlapping_within(any + each * nodes.len() as u64, &boxes, |i, j| {
         let (a, b) = (capsules[i], capsules[j]);
         if a.overlaps(&b, APART) { verdict(wood, (nodes[i], a), (nodes[j], b), &stays) } else { None }
     });

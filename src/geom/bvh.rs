@@ -1,8 +1,8 @@
-//! Which boxes meet: pairs of a set whose bounding boxes touch.
+//! Bounding volume hierarchy: the pairs of a set of boxes that overlap.
 //!
 //! Boxes are halved again and again by their middles along the widest axis into a tree; two branches of the tree are
 //! compared only where their bounds touch. Near-linear for any mixture of sizes as long as few boxes meet, and as many
-//! steps as there are pairs where many do: [`meetings_within`] ends at a number of steps, the same on any number of threads.
+//! steps as there are pairs where many do: [`overlapping_within`] ends at a number of steps, the same on any number of threads.
 
 use glam::Vec3;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -15,13 +15,9 @@ const LEAF: usize = 8;
 /// Boxes from which halves are worth a thread of their own.
 const THREAD: usize = 4096;
 
-/// What `of` makes of every two boxes that touch, the earlier first; in no particular order.
-pub fn meetings<T: Send>(boxes: &[Bounds], of: impl Fn(usize, usize) -> Option<T> + Sync) -> Vec<T> {
-    meetings_within(u64::MAX, boxes, of).unwrap_or_default()
-}
-
-/// The same, or nothing if more than `most` pairs of boxes, and of groups of boxes, would have to be compared.
-pub fn meetings_within<T: Send>(
+/// What `of` makes of every two boxes that touch, the earlier first, in no particular order; nothing if more than `most` pairs of
+/// boxes, and of groups of boxes, would have to be compared.
+pub fn overlapping_within<T: Send>(
     most: u64,
     boxes: &[Bounds],
     of: impl Fn(usize, usize) -> Option<T> + Sync,
@@ -188,6 +184,10 @@ mod tests {
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
+    fn overlapping<T: Send>(boxes: &[Bounds], of: impl Fn(usize, usize) -> Option<T> + Sync) -> Vec<T> {
+        overlapping_within(u64::MAX, boxes, of).unwrap()
+    }
+
     #[test]
     fn every_two_boxes_that_touch_are_found_once() {
         let mut random = Pcg64Mcg::seed_from_u64(3);
@@ -199,7 +199,7 @@ mod tests {
                 (at, at + Vec3::from_array(std::array::from_fn(|_| random.random_range(0.0..side))))
             };
             let boxes: Vec<Bounds> = (0..count).map(|_| one(30.0)).collect();
-            let mut found = meetings(&boxes, |a, b| Some((a, b)));
+            let mut found = overlapping(&boxes, |a, b| Some((a, b)));
             found.sort_unstable();
             let all = |a: usize| (a + 1..count).map(move |b| (a, b));
             let expected: Vec<_> =
@@ -211,16 +211,16 @@ mod tests {
     #[test]
     fn a_search_ends_at_its_steps() {
         let boxes = vec![(Vec3::ZERO, Vec3::ONE); 500];
-        let steps = |most| meetings_within(most, &boxes, |_, _| Some(())).map(|found| found.len());
+        let steps = |most| overlapping_within(most, &boxes, |_, _| Some(())).map(|found| found.len());
         assert_eq!(steps(200_000), Some(500 * 499 / 2));
         assert_eq!(steps(50_000), None);
         let many = vec![(Vec3::ZERO, Vec3::ONE); 100_000];
-        assert!(meetings_within(1_000_000, &many, |_, _| None::<()>).is_none());
+        assert!(overlapping_within(1_000_000, &many, |_, _| None::<()>).is_none());
     }
 
     #[test]
     fn boxes_in_one_spot_end_too() {
         let boxes = vec![(Vec3::ZERO, Vec3::ONE); 500];
-        assert_eq!(meetings(&boxes, |_, _| Some(())).len(), 500 * 499 / 2);
+        assert_eq!(overlapping(&boxes, |_, _| Some(())).len(), 500 * 499 / 2);
     }
 }
