@@ -1,5 +1,7 @@
 //! The built-in inflorescences against botany: where florets stand, how pedicels grow, in which order they open.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
+
 use glam::{Vec2, Vec3};
 use penstemon::grammar::{Figure, Item, Settings, library};
 use std::collections::BTreeMap;

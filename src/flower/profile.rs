@@ -144,9 +144,8 @@ mod tests {
         let inner = shape(20.0, 0.0);
         let foot = Vec2::new(0.08, 0.02);
         let inner = lay(&Lay { shape: &inner, foot, nearest: 0.01, outside: Some((&outer, 0.05, 0.01)) });
-        for k in 4..=STEPS {
-            assert!(distance(&outer, inner[k]) > 0.045, "point {k}");
-            assert!(inner[k].x > 0.0);
+        for point in &inner[4..=STEPS] {
+            assert!(distance(&outer, *point) > 0.045 && point.x > 0.0, "{point}");
         }
     }
 

@@ -253,7 +253,7 @@ mod tests {
             let apex = Vec3::new(0.3, 0.2, -0.1);
             let cone = Cone { apex, axis: axis.normalize(), opening_rad: 0.8, height: 1.0 };
             let rest = RestSurface::Cone { cone, hint: -0.1 };
-            let ((flat, still), (_, bent)) = (built(&oval(rest, STILL)), built(&oval(rest, hollow)));
+            let ((flat, still), (_, bent)) = (built(&oval(rest.clone(), STILL)), built(&oval(rest, hollow)));
             let to_axis = |p: Vec3| (p - apex).reject_from_normalized(cone.axis).length();
             let middle =
                 (0..flat.points.len()).find(|i| flat.points[*i].distance(Vec2::Y * 0.5) < 0.01).unwrap();

@@ -125,8 +125,8 @@ fn key<'a>(plant: &'a Plant, shape: &Shape) -> Option<(Key, Original<'a>)> {
                 RestSurface::Ring(sheet) => Some(Arc::as_ptr(sheet).addr()),
                 RestSurface::Plane | RestSurface::Cone { .. } => None,
             };
-            is_copy
-                .then(|| (Key::Blade(blade.template, form, patch), Original::Blade(blade.template, resolved)))
+            let key = Key::Blade(blade.template, form, patch);
+            is_copy.then_some((key, Original::Blade(blade.template, resolved)))
         }
         Shape::Dome { radius, height, .. } => {
             let proportion = Proportion::of(*radius, *height)?;
@@ -145,7 +145,7 @@ mod tests {
     use super::super::blade::{self, BladeScratch};
     use super::super::flat::{BladeMeshParams, FlatScratch, flatten};
     use super::*;
-    use crate::plant::{BladeForm, Template, Templates};
+    use crate::plant::{BladeForm, Detail, Template, Templates};
     use glam::Vec2;
 
     fn leaf(base: Vec3, u: Vec3, v: Vec3) -> Blade<Arc<Template>> {

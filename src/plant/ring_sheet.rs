@@ -18,8 +18,9 @@ use std::sync::Arc;
 
 /// Farthest that a petal reaches around to a side, radians.
 pub const FARTHEST: f32 = 1.4;
-/// Share of the room that is used, and how far apart petals lie that cover each other, in thicknesses.
+/// Share of the room that is used.
 const USED: f32 = 0.9;
+/// How far apart petals lie that cover each other, in thicknesses.
 pub const BETWEEN: f32 = 2.0;
 /// Shares of the room for the levels of the ring and for the hollow.
 const FOR_LEVELS: f32 = 0.5;

@@ -84,6 +84,12 @@ fn disc(bud: &FlowerBud, axis: Vec3, look: &FlowerLook, index: usize) -> Organ {
     }
 }
 
+/// A flower in its own frame, with its templates among those of the plant.
+struct Made {
+    full: FullFlower,
+    templates: Vec<TemplateId>,
+}
+
 /// Gives flowers their layers of petals. What is known of those that got some.
 pub(super) fn add_layers(
     plant: &mut Plant,
@@ -92,7 +98,7 @@ pub(super) fn add_layers(
     seed: u64,
 ) -> Vec<Option<FullSeat>> {
     let drawn = drawn_petals(plant);
-    let mut made: BTreeMap<(usize, u32, u64), (Arc<FullFlower>, Vec<TemplateId>)> = BTreeMap::new();
+    let mut made: BTreeMap<(usize, u32, u64), Made> = BTreeMap::new();
     let mut of_look = vec![0usize; species.flowers.len()];
     plant.flowers.iter().for_each(|flower| of_look[flower.look] += 1);
     let gets = |index: usize, flower: &Flower| {
@@ -112,14 +118,14 @@ pub(super) fn add_layers(
         let open = layers.open * openings[index].open;
         let open = if is_copy { (open * STAGES).round() / STAGES } else { open };
         let key = (flower.look, open.to_bits(), number);
-        let (full, templates) = made.entry(key).or_insert_with(|| {
+        let Made { full, templates } = made.entry(key).or_insert_with(|| {
             let full = full_flower(&Layers { open, ..(*layers).clone() }, own.as_ref(), mix(seed, number));
             let templates = full.templates.iter().map(|template| {
                 let template = if is_copy { Arc::new(template.reduced()) } else { template.clone() };
                 plant.templates.add(template)
             });
             let templates = templates.collect();
-            (Arc::new(full), templates)
+            Made { full, templates }
         });
         let pose = pose_of(&flower, openings[index].side);
         let materials = species.flowers[flower.look].petals.materials.0.len();

@@ -188,7 +188,7 @@ mod tests {
     #[test]
     fn leaves_above_the_ground_stay() {
         let (high, templates) = leaf(Vec3::Y, Vec3::new(0.6, -0.6, 0.2));
-        let (mut blade, template) = (high, &templates[high.template]);
+        let (mut blade, template) = (high.clone(), &templates[high.template]);
         lift_leaf(&mut blade, template);
         assert_eq!(blade, high);
     }
@@ -224,15 +224,15 @@ mod tests {
             origin: Origin::Generated,
             branch: Some(0),
             flower: None,
-            shape: Shape::Blade(blade),
+            shape: Shape::Blade(blade.clone()),
         };
         let mut alone = Plant { branches: vec![stalk], templates, organs: vec![organ()], ..Plant::default() };
         let mut two = alone.clone();
         two.organs.push(organ());
         keep_above(&mut alone);
         keep_above(&mut two);
-        let blades = |plant: &Plant| -> Vec<Blade> { plant.blades().copied().collect() };
-        let own = blades(&alone)[0];
+        let blades = |plant: &Plant| -> Vec<Blade> { plant.blades().cloned().collect() };
+        let own = blades(&alone).remove(0);
         assert_eq!((own.u, own.v), (blade.u, blade.v));
         assert!(lowest(&alone.templates.resolve(&own)) >= -1e-6);
         assert_eq!(alone.branches[0].points[1], own.base);

@@ -109,7 +109,7 @@ fn settable(grammar: &Grammar) -> impl Iterator<Item = &crate::grammar::Constant
 }
 
 fn is_known(name: &str, arguments: usize) -> bool {
-    ORGANS.iter().any(|known| *known == (name, arguments))
+    ORGANS.contains(&(name, arguments))
 }
 
 fn unknown_organ(organ: &crate::grammar::OrganUse) -> String {
