@@ -1,6 +1,6 @@
-//! Pictures of grown plants: each species that grows still looks like its own.
+//! Pictures of plants without a drawing: each species that grows, or has flowers without a drawing, still looks like its own.
 //!
-//! Of species that only grow they are those by which they are chosen in the window. Those that are drawn, too, are
+//! Of species that only grow or flower they are those by which they are chosen in the window. Those that are drawn, too, are
 //! chosen by drawings; pictures of what they grow are kept with the tests.
 //!
 //! Every species is grown and drawn anew as its picture was, and compared by silhouette and by mean colour. Where that
@@ -12,7 +12,7 @@
 use penstemon::formats::textures::fetch;
 use penstemon::model::Model;
 use penstemon::picture::decode::decode;
-use penstemon::pipeline::{self, Seed};
+use penstemon::pipeline::{self, Bloom, Seed};
 use penstemon::plant::Texture;
 use penstemon::render::{Direction, PictureOptions, Projection, Renderer, View};
 use penstemon::species::{Species, builtin_texture};
@@ -40,11 +40,19 @@ type Pixels = Vec<[f32; 3]>;
 /// Species whose picture in the window is that of the drawing of their name.
 const DRAWN: [&str; 1] = ["bamboo"];
 
+/// Species that are chosen by a drawing and have flowers without one.
+const DRAWN_OR_FLOWERING: [&str; 3] = ["daisy", "rose", "sunflower"];
+
+/// Species that are chosen by their flower.
+fn flowering() -> impl Iterator<Item = &'static str> {
+    Species::blooming().into_iter().filter(|name| !DRAWN_OR_FLOWERING.contains(name))
+}
+
 /// Where the picture of a species is stored: the window's if there is no drawing of it, or if the drawing is its own.
 fn path(name: &str) -> PathBuf {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let only_grows = root.join(format!("assets/growth/{name}.toml")).exists();
-    let in_window = only_grows || DRAWN.contains(&name);
+    let in_window = only_grows || DRAWN.contains(&name) || flowering().any(|known| known == name);
     let folder = if in_window { "assets/species-thumbnails" } else { "tests/pictures/grown" };
     root.join(folder).join(format!("{name}.png"))
 }
@@ -59,6 +67,17 @@ fn drawn(renderer: &mut Renderer, name: &str) -> Pixels {
     let params = pipeline::params_of_species(&species, &[]).unwrap();
     let grown = pipeline::build(&Seed { number: 1, age: None, ..Seed::default() }, &species, &params);
     picture(renderer, &grown.model)
+}
+
+/// The picture of the flower of a species on a short stem.
+fn in_flower(renderer: &mut Renderer, name: &str) -> Pixels {
+    let species = Species::built_in(name).unwrap();
+    let short = match &species.inflorescence {
+        Some(_) => "flower.inflorescence.peduncle=0.06",
+        None => "flower.bloom.stem=1.5",
+    };
+    let params = pipeline::params_of_species(&species, &[short.to_owned()]).unwrap();
+    picture(renderer, &pipeline::build(&Bloom { number: 1 }, &species, &params).model)
 }
 
 /// The picture of a drawing as it is built now.
@@ -146,9 +165,12 @@ fn no_picture_passes_for_another() {
 fn every_species_looks_like_its_picture() {
     let mut renderer = Renderer::new().unwrap();
     let mut strangers = Vec::new();
-    let grown = Species::growing().into_iter().map(|name| (name, false));
-    for (name, is_drawn) in grown.chain(DRAWN.map(|name| (name, true))) {
-        let now = if is_drawn { of_drawing(&mut renderer, name) } else { drawn(&mut renderer, name) };
+    type Maker = fn(&mut Renderer, &str) -> Pixels;
+    let grown = Species::growing().into_iter().map(|name| (name, drawn as Maker));
+    let of_drawings = DRAWN.into_iter().map(|name| (name, of_drawing as Maker));
+    let in_flower = flowering().map(|name| (name, in_flower as Maker));
+    for (name, make) in grown.chain(of_drawings).chain(in_flower) {
+        let now = make(&mut renderer, name);
         if std::env::var_os("THUMBNAILS").is_some_and(|value| value == "write") {
             store(name, &now);
         }

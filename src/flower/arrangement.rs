@@ -17,6 +17,8 @@ use std::f32::consts::{PI, TAU};
 
 /// The golden section, φ of the divergence `360° / (t + 1/φ)`.
 const GOLDEN: f32 = 1.618_034;
+/// Petals of a ring up to which each has a level of its own.
+pub const FEW: usize = 5;
 /// Turns of a layer against another that are tried.
 const TURNS_TRIED: usize = 48;
 
@@ -149,7 +151,7 @@ pub fn levels(aestivation: Aestivation, count: usize, half_span_rad: f32, seed: 
 }
 
 fn imbricate(count: usize, overlapping: usize, seed: u64) -> Levels {
-    let ages = if count <= 2 * overlapping + 1 {
+    let ages = if count <= FEW.max(2 * overlapping + 1) {
         formed_one_by_one(count)
     } else {
         greedy(count, overlapping, &mut stream(seed, "aestivation", count as u64))

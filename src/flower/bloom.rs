@@ -18,8 +18,6 @@ use std::sync::Arc;
 const CLEAR: f32 = 2.2;
 /// Outlines into which those from the outermost to the innermost petals are divided.
 const OUTLINES: u32 = 6;
-/// Petals of a ring up to which they may cover more than their next neighbours.
-const FEW: usize = 5;
 /// How far petals reach around that do not cover each other, in sectors.
 const BESIDE: f32 = 0.48;
 /// Petals that would be narrower than this share of their outline are not formed.
@@ -229,7 +227,8 @@ fn farthest_around(layers: &Layers, petals: usize) -> f32 {
     let sector = std::f32::consts::TAU / petals.max(1) as f32;
     match layers.aestivation {
         Aestivation::Spiral => FARTHEST,
-        _ if petals <= FEW => FARTHEST,
+        // Each of a few has a level of its own, and may cover more than its next neighbours.
+        _ if petals <= arrangement::FEW => FARTHEST,
         _ => {
             // Turned and grown as far as they may be, they still cover their next neighbours only.
             let free = 0.97 * sector - layers.turn_vary_deg.to_radians();

@@ -21,7 +21,8 @@ pub(super) fn plant_of(figure: &Figure, species: &Species) -> (Plant, FlowerBuds
     let template = plant.templates.add(template);
     plant.organs = figure.items.iter().filter_map(|item| organ(item, template)).collect();
     plant.drop_unused_templates();
-    let buds = figure.items.iter().filter_map(bud).collect();
+    let looks = species.looks_of_florets();
+    let buds = figure.items.iter().filter_map(|item| bud(item, &looks)).collect();
     (plant, FlowerBuds { buds, is_thinned: false })
 }
 
@@ -35,10 +36,11 @@ fn branches(figure: &Figure) -> Vec<Branch> {
     branches
 }
 
-fn bud(item: &Item) -> Option<FlowerBud> {
+/// The bud of a flower, of the first of these looks, or of a ray, of the second.
+fn bud(item: &Item, looks: &[usize]) -> Option<FlowerBud> {
     let look = match &*item.name {
-        "flower" => 0,
-        "ray" => 1,
+        "flower" => *looks.first()?,
+        "ray" => *looks.get(1).or(looks.first())?,
         _ => return None,
     };
     let size = item.args[1] * item.scale;

@@ -7,7 +7,7 @@
 //!
 //! Where we depart: 003 calls n = m = 4 bicubic; its own formula with 3 is right.
 //!
-//! Limits: a patch follows a surface only as far as cubics do. An arc of 150° across is met within 1 % of its radius.
+//! Limits: a patch follows a surface only as far as cubics do. An arc of 120° across is met within 1 % of its radius, one of 150° within 3 %.
 
 use glam::{Vec2, Vec3};
 use serde::Serialize;
@@ -164,14 +164,16 @@ mod tests {
     }
 
     #[test]
-    fn a_rolled_petal_is_met_within_a_hundredth_of_its_radius() {
-        let radius = 1.0 / 150.0f32.to_radians();
-        let rolled = |uv: Vec2| {
-            let angle = uv.x / radius;
-            Vec3::new(radius * angle.sin(), uv.y, radius * (1.0 - angle.cos()))
-        };
-        let off = worst(&BezierPatch::fit(&SHEET, rolled), rolled);
-        assert!(off < 0.01 * radius, "{off} of {radius}");
+    fn rolled_petals_are_met_within_hundredths_of_their_radius() {
+        for (across_deg, most) in [(120.0f32, 0.01), (150.0, 0.03)] {
+            let radius = 1.0 / across_deg.to_radians();
+            let rolled = |uv: Vec2| {
+                let angle = uv.x / radius;
+                Vec3::new(radius * angle.sin(), uv.y, radius * (1.0 - angle.cos()))
+            };
+            let off = worst(&BezierPatch::fit(&SHEET, rolled), rolled);
+            assert!(off < most * radius, "{off} of {radius}");
+        }
     }
 
     #[test]

@@ -90,8 +90,9 @@ pub fn apply_within(
         let rng = &mut stream(seed, Purpose::Blossom, 0);
         is_blossom_thinned = blossom(&mut plant, buds, look, budget.blossoms, rng);
     }
+    let looks = species.looks_of_drawn();
     for (index, flower) in plant.flowers.iter_mut().enumerate() {
-        flower.look = index % species.flowers.len().max(1);
+        flower.look = looks.get(index % looks.len().max(1)).copied().unwrap_or(0);
     }
     let openings = full::open_buds(&mut plant, buds, species, budget.blossoms);
     let seats = full::add_layers(&mut plant, &openings, species, seed);

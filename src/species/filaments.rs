@@ -17,6 +17,8 @@ const GOLDEN_ANGLE: f32 = 2.399_963_2;
 const INSIDE: f32 = 0.85;
 /// How deep a filament is rooted in the disc, as a share of its length.
 const ROOTED: f32 = 0.06;
+/// How far above the disc it begins where nothing is to pass through anything, as a share of its length.
+const LIFTED: f32 = 0.02;
 
 /// The stamens or styles of one group, at most `most` of them.
 pub(super) fn filaments(look: &FilamentLook, seat: &Seat, most: usize, rng: &mut Pcg64Mcg) -> Vec<Shape> {
@@ -42,7 +44,10 @@ fn skeleton(
     let share = (i as f32 + 0.5) / count as f32;
     let (angle, outward) = match look.arrangement {
         Arrangement::Whorl => (TAU * share + PI / count as f32 * (wobble(0.5) - 1.0), 1.0),
-        Arrangement::Spiral => (GOLDEN_ANGLE * i as f32, share.sqrt()),
+        Arrangement::Spiral => {
+            let inner = look.ring_from * look.ring_from;
+            (GOLDEN_ANGLE * i as f32, (inner + (1.0 - inner) * share).sqrt())
+        }
         Arrangement::Column => (GOLDEN_ANGLE * i as f32, 1.0),
     };
     let radial = seat.around(angle);
@@ -55,7 +60,8 @@ fn skeleton(
     let spread = (look.spread_deg.to_radians() * outward * wobble(0.4)).min(INSIDE * seat.opening_rad);
     let direction = seat.axis * spread.cos() + radial * spread.sin();
     let length = look.length * seat.reach * wobble(0.35);
-    let start = seat.apex + foot - direction * (ROOTED * length);
+    let rooted = if seat.is_rooted { -ROOTED } else { LIFTED };
+    let start = seat.apex + foot + direction * (rooted * length);
     let end = seat.apex + foot + direction * length;
     let bow = (radial * spread.cos() - seat.axis * spread.sin()) * (look.bow * length * wobble(0.5));
     let middle = start.lerp(end, 0.55) + bow;

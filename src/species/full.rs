@@ -16,8 +16,10 @@ use std::sync::Arc;
 
 /// Drawn petals up to which a flower gets its layers.
 const FEW_DRAWN: usize = 2;
-/// Flowers of one look from which on they are copies of one another, and how many different ones there are then.
+/// Flowers of one look from which on they are copies of one another, and from which on these are of reduced detail.
 const MANY: usize = 12;
+const VERY_MANY: usize = 60;
+/// How many different flowers copies are of.
 const DIFFERENT: u64 = 4;
 /// Stages of opening that copies have.
 const STAGES: f32 = 12.0;
@@ -31,6 +33,10 @@ pub(super) struct FullSeat {
     pub(super) outer_opening_rad: f32,
     /// Distance from the axis within which no petal begins, metres.
     pub(super) core: f32,
+    /// Distance from the axis at which the outermost petals begin, metres.
+    pub(super) receptacle: f32,
+    /// Thickness of the petals, metres.
+    pub(super) thickness: f32,
     /// Distance from the centre to the tips in bloom, metres.
     pub(super) reach: f32,
 }
@@ -97,6 +103,9 @@ pub(super) fn add_layers(
     species: &Species,
     seed: u64,
 ) -> Vec<Option<FullSeat>> {
+    if species.flowers.iter().all(|look| look.layers.is_none()) {
+        return vec![None; plant.flowers.len()];
+    }
     let drawn = drawn_petals(plant);
     let mut made: BTreeMap<(usize, u32, u64), Made> = BTreeMap::new();
     let mut of_look = vec![0usize; species.flowers.len()];
@@ -121,7 +130,8 @@ pub(super) fn add_layers(
         let Made { full, templates } = made.entry(key).or_insert_with(|| {
             let full = full_flower(&Layers { open, ..(*layers).clone() }, own.as_ref(), mix(seed, number));
             let templates = full.templates.iter().map(|template| {
-                let template = if is_copy { Arc::new(template.reduced()) } else { template.clone() };
+                let is_small = of_look[flower.look] >= VERY_MANY;
+                let template = if is_small { Arc::new(template.reduced()) } else { template.clone() };
                 plant.templates.add(template)
             });
             let templates = templates.collect();
@@ -200,7 +210,14 @@ fn seat(flower: &mut Flower, layers: &Layers, full: &FullFlower) -> FullSeat {
     flower.cone.apex += flower.cone.axis * (full.core_height * reach);
     flower.cone.opening_rad = full.inner_opening_rad;
     flower.cone.height = flower.reach * full.inner_opening_rad.cos();
-    FullSeat { base, outer_opening_rad: full.outer_opening_rad, core: layers.core * reach, reach }
+    FullSeat {
+        base,
+        outer_opening_rad: full.outer_opening_rad,
+        core: layers.core * reach,
+        receptacle: layers.receptacle * reach,
+        thickness: layers.thickness * reach,
+        reach,
+    }
 }
 
 /// How many stamens of a look are left where so many layers of petals stand: stamens became petals (003 §3.2).

@@ -4,8 +4,8 @@
 //! grammar's constants. They are the parameters `flower.inflorescence.…`, with the ranges and helps that the grammar gives
 //! them.
 //!
-//! What the grammar's organs become: `flower(open, size)` a flower of the species' first look, `ray(open, size)` one of its
-//! second; `leaf(size)` and `bract(size)` leaves, `receptacle(radius, height)` a disc, `fruit(radius)` a fruit. Others are
+//! What the grammar's organs become: `flower(open, size)` a flower of the first look that is not for drawn flowers, or else of
+//! the first of all, `ray(open, size)` one of the second; `leaf(size)` and `bract(size)` leaves, `receptacle(radius, height)` a disc, `fruit(radius)` a fruit. Others are
 //! refused where the grammar places them.
 
 use crate::grammar::{Figure, Grammar, GrammarError, Settings, library};
@@ -202,7 +202,7 @@ mod tests {
     }
 
     #[test]
-    fn it_opens_as_far_as_it_is_told() {
+    fn it_opens_as_far_as_asked_for() {
         let raceme = Inflorescence::of_kind("raceme").unwrap();
         let opened = |open: f32| {
             let figure = raceme.draw(1, open).unwrap();

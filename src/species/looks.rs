@@ -67,9 +67,21 @@ pub struct Written {
 }
 
 impl Species {
+    /// The looks that drawn flowers have in turn; all of them if none is meant for drawn ones.
+    pub fn looks_of_drawn(&self) -> Vec<usize> {
+        let drawn: Vec<usize> = (0..self.flowers.len()).filter(|k| self.flowers[*k].drawn).collect();
+        if drawn.is_empty() { (0..self.flowers.len()).collect() } else { drawn }
+    }
+
+    /// The looks of florets: those that drawn flowers may not have, or all of them if there are none such.
+    pub fn looks_of_florets(&self) -> Vec<usize> {
+        let florets: Vec<usize> = (0..self.flowers.len()).filter(|k| !self.flowers[*k].drawn).collect();
+        if florets.is_empty() { (0..self.flowers.len()).collect() } else { florets }
+    }
+
     /// Whether it has a flower that is made without a drawing.
     pub fn blooms(&self) -> bool {
-        self.flowers.iter().any(|look| look.layers.is_some())
+        self.inflorescence.is_some() || self.flowers.iter().any(|look| look.layers.is_some())
     }
 }
 
@@ -167,6 +179,8 @@ crate::parameters! {
         stamens: Vec<FilamentLook> = Vec::new();
         /// Groups of styles.
         pistils: Vec<FilamentLook> = Vec::new();
+        /// Whether drawn flowers may have this look; the looks that they may not have are those of florets.
+        drawn: bool = true;
         /// Layers of a full flower, for buds and for flowers of which hardly any petal was drawn.
         layers: Option<Layers> = None;
         sections:
@@ -276,6 +290,8 @@ crate::parameters! {
         radius: f32, 0.001..=0.2, "of the reach";
         /// Distance of the ring, or of the outermost filament, from the axis: share of the disc's radius.
         ring: f32 = 0.0, 0.0..=1.0, "of the disc's radius";
+        /// Where the innermost filament of a spiral stands: share of the ring's distance from the axis.
+        ring_from: f32 = 0.0, 0.0..=0.99, "of the ring";
         /// Height of the lowest filament above the disc, share of the reach.
         rise: f32 = 0.0, 0.0..=3.0, "of the reach";
         /// Length of the column, share of the reach.
@@ -302,7 +318,7 @@ crate::parameters! {
     /// A flower on its stem, made without a drawing.
     pub struct BloomLook {
         /// Distance from the flower's centre to its tips.
-        reach: f32 = 0.05, 0.001..=2.0, "m";
+        reach: f32 = 0.05, 0.001..=2.0, "metres";
         /// Length of the stem.
         stem: f32 = 2.6, 0.1..=60.0, "of the reach";
         /// Radius of the stem.

@@ -15,6 +15,13 @@ const OVERLAP: f32 = 1.08;
 /// How far a disc lies above the petals, as a share of its radius, because their margins rise from the cone.
 const CLEARANCE: f32 = 0.06;
 
+/// How much of the room between the innermost petals the disc of a full flower fills.
+const WITHIN: f32 = 0.85;
+/// Where what stands behind full flowers begins: share of the radius on which the outermost petals stand, and thicknesses of a
+/// petal behind them.
+const BEHIND: f32 = 0.9;
+const CLEAR_BEHIND: f32 = 2.0;
+
 /// Frame and proportions of a flower's centre, metres.
 #[derive(Clone, Copy)]
 pub(super) struct Seat {
@@ -34,6 +41,10 @@ pub(super) struct Seat {
     pub(super) floor: f32,
     /// Height of the disc above its underside.
     pub(super) height: f32,
+    /// How far from the axis what stands behind the petals begins.
+    pub(super) rim: f32,
+    /// Whether filaments begin in the disc, not on it.
+    pub(super) is_rooted: bool,
 }
 
 impl Seat {
@@ -56,18 +67,23 @@ impl Seat {
             radius,
             floor: radius * (1.0 / opening_rad.tan() + CLEARANCE),
             height: radius * disc_height,
+            rim: 0.0,
+            is_rooted: true,
         }
     }
 
     /// The seat of what stands inside of the layers of a full flower, whose petals begin around it.
     pub(super) fn inside(&self, full: &FullSeat) -> Self {
-        let radius = self.radius.min(full.core.max(0.01 * self.reach));
-        Self { radius, floor: 0.0, height: self.height * radius / self.radius, ..*self }
+        let radius = self.radius.min((WITHIN * full.core).max(0.01 * self.reach));
+        let height = self.height * radius / self.radius;
+        Self { radius, floor: 0.0, height, is_rooted: false, ..*self }
     }
 
     /// The seat of what stands behind its outermost petals.
     pub(super) fn behind(&self, full: &FullSeat) -> Self {
-        Self { apex: full.base, opening_rad: full.outer_opening_rad, reach: full.reach, ..*self }
+        let apex = full.base - self.axis * (CLEAR_BEHIND * full.thickness);
+        let (opening_rad, reach, rim) = (full.outer_opening_rad, full.reach, BEHIND * full.receptacle);
+        Self { apex, opening_rad, reach, rim, ..*self }
     }
 
     /// Unit vector across the axis at an angle from the first petal.

@@ -36,7 +36,8 @@ pub(super) fn sepals(
         let radial = seat.around(first + TAU * k as f32 / count as f32);
         let v = seat.axis * angle.cos() + radial * angle.sin();
         let face = seat.axis * angle.sin() - radial * angle.cos();
-        blade_at(seat.apex - face * (BEHIND * seat.reach), v, face, look.form, template)
+        let base = seat.apex + radial * seat.rim - face * (BEHIND * seat.reach);
+        blade_at(base, v, face, look.form, template)
     };
     (0..count).map(blade).collect()
 }

@@ -20,8 +20,12 @@ use std::sync::OnceLock;
 
 /// Groups in the order in which an artist comes to them: the plant as a whole, flowers and leaves, branches, what fills
 /// outlines, surfaces, and last what only matters where strokes were misunderstood.
-const ORDER: [&str; 26] = [
+const ORDER: [&str; 30] = [
     "depth.world",
+    "flower",
+    "flower.layers",
+    "flower.layers.outline",
+    "flower.bloom",
     "growth",
     "habit",
     "habit.crown",
