@@ -22,6 +22,8 @@ const TIP: (f32, f32) = (0.06, 1.5);
 /// Fewest and most lobes, and fewest notches between them.
 const LOBES: (usize, usize) = (3, 11);
 const NOTCHES: usize = 2;
+/// Shortest line that goes round lobes, in diagonals of its bounds: stems are shorter.
+const LONG: f32 = 1.8;
 /// Largest opening of the outline, and least and most of its hull that it fills.
 const OPEN: f32 = 0.2;
 const SOLID: (f32, f32) = (0.35, 0.85);
@@ -70,6 +72,9 @@ struct Blade<'a> {
 impl<'a> Blade<'a> {
     fn of(page: &'a Page, number: usize) -> Option<Self> {
         let line = &page.lines[number];
+        if line.length < LONG * line.size().length() {
+            return None;
+        }
         if line.openness < OPEN {
             return Self::of_outline(number, Cow::Borrowed(line), None);
         }
