@@ -61,7 +61,7 @@ use beneath::{ground, pot};
 use bodies::{body, mushroom};
 use corrected::Corrected;
 use flowers::{bud, corolla, corolla_on_stem, cup, gathered, rays, rose, row};
-use leaves::{leaf, leaf_loops, stem_arcs, stem_loops};
+use leaves::{leaf, leaf_loops, lobed_leaf, stem_arcs, stem_loops};
 use lines::{Redrawn, chains::Chains};
 use page::Page;
 use rayon::prelude::*;
@@ -225,6 +225,7 @@ const CONVENTIONS: &[Propose] = &[
     rose::propose,
     row::propose,
     leaf::propose,
+    lobed_leaf::propose,
     leaf_loops::propose,
     stem_loops::propose,
     stem_arcs::propose,

@@ -5,6 +5,7 @@
 //! | `leaf` | a blade of several strokes, its midrib and veins, blade and stalk in one stroke |
 //! | `leaf_area` | the blade that a group of lines encloses together: several strokes, halves, lobes |
 //! | `leaf_parts` | midrib, veins and stalk of a blade |
+//! | `lobed_leaf` | a blade with pointed lobes on its stalk |
 //! | `leaf_loops` | several leaves in one stroke |
 //! | `stem_loops` | leaves that are loops in the stroke of their stem |
 //! | `stem_arcs` | leaves whose one edge is the stem |
@@ -15,5 +16,6 @@ pub(crate) mod leaf;
 pub(crate) mod leaf_area;
 pub(crate) mod leaf_loops;
 pub(crate) mod leaf_parts;
+pub(crate) mod lobed_leaf;
 pub(crate) mod stem_arcs;
 pub(crate) mod stem_loops;

@@ -16,6 +16,7 @@ use crate::anatomy::conventions::Hypothesis;
 use crate::anatomy::conventions::page::Page;
 use crate::anatomy::conventions::trees::evidence::ramp;
 use crate::anatomy::conventions::trees::trunk_sides::TrunkSides;
+use crate::geom::polyline;
 use crate::sketch::Reading;
 use glam::Vec2;
 use std::collections::BTreeSet;
@@ -41,6 +42,8 @@ const LONG: f32 = 1.2;
 const STOUT: ((f32, f32), f32) = ((1.2, 2.4), 1.5);
 /// Log-odds of lines of the group that it does not explain, for their share of its length.
 const OVER: f32 = 6.0;
+/// Length to each side over which teeth are evened out, as a share of the fronds' reach.
+const TEETH: f32 = 0.1;
 /// Least height of the trunk, as a share of the farthest frond's reach: what is lower is where a tuft is gathered.
 const HIGH: f32 = 0.25;
 
@@ -81,7 +84,7 @@ fn palm(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     // What joins the sides at their feet is ground, or the end of the trunk.
     let half = 0.5 * (trunk.foot().y + trunk.top().y);
     rest.retain(|(run, line)| run.iter().any(|p| p.y < half) || !sides.contains(line));
-    let crown = Crown::about(trunk.top(), &rest);
+    let crown = crown(trunk.top(), &rest);
     let fewest = FEWEST - usize::from(!trunk.is_line() && crown.fronds.iter().all(|frond| hangs(&frond.0)));
     let is_crown = crown.fronds.len() >= fewest && crown.is_sharp() && crown.explained > EXPLAINED;
     if !is_crown
@@ -103,6 +106,29 @@ fn palm(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     // Of two groups the one that explains more.
     palm.score += EACH * palm.uses.len().min(MOST_LINES) as f32;
     Some(palm)
+}
+
+/// What radiates from the top of a trunk, with the teeth of its edges evened out if so more of it is fronds.
+fn crown(top: Vec2, rest: &[(Vec<Vec2>, usize)]) -> Crown {
+    let drawn = Crown::about(top, rest);
+    if drawn.explained > EXPLAINED {
+        return drawn;
+    }
+    let evened: Vec<(Vec<Vec2>, usize)> =
+        rest.iter().map(|(run, line)| (without_teeth(run, TEETH * drawn.reach), *line)).collect();
+    let even = Crown::about(top, &evened);
+    if even.explained > drawn.explained { even } else { drawn }
+}
+
+/// A run of even points with means over so much of its length to each side in place of its points, its ends as they are.
+fn without_teeth(run: &[Vec2], reach: f32) -> Vec<Vec2> {
+    let step = polyline::length(run) / (run.len() - 1).max(1) as f32;
+    let most = (reach / step.max(f32::MIN_POSITIVE)) as usize;
+    let mean = |i: usize| {
+        let near = most.min(i).min(run.len() - 1 - i);
+        run[i - near..=i + near].iter().sum::<Vec2>() / (2 * near + 1) as f32
+    };
+    (0..run.len()).map(mean).collect()
 }
 
 /// What speaks against a palm that uses these lines of a group and whose fronds reach so many widths of its trunk, in log-odds.
@@ -174,6 +200,18 @@ mod tests {
             let root = frond.points[0].position.midpoint(frond.points[frond.points.len() - 1].position);
             assert!(root.distance(top) < 1.0, "{root} {top}");
         }
+    }
+
+    #[test]
+    fn teeth_are_evened_out_and_ends_and_straight_lines_stay() {
+        let teeth: Vec<Vec2> =
+            (0..=40).map(|k| Vec2::new(2.0 * k as f32, if k % 2 == 0 { 0.0 } else { 6.0 })).collect();
+        let even = without_teeth(&teeth, 20.0);
+        assert_eq!((even[0], even[40]), (teeth[0], teeth[40]));
+        assert!(even[10..30].iter().all(|p| (p.y - 3.0).abs() < 1.0));
+        let straight: Vec<Vec2> = (0..=40).map(|k| Vec2::new(2.0 * k as f32, 0.0)).collect();
+        let even = without_teeth(&straight, 20.0);
+        assert!(even.iter().zip(&straight).all(|(a, b)| a.distance(*b) < 1e-3));
     }
 
     #[test]

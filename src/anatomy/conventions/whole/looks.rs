@@ -3,7 +3,8 @@
 //! The network gives each class of drawings a likelihood. A reading of a class loses [`WEIGHT`] times the logarithm of how much
 //! likelier the likeliest class is, [`MOST`] at most, and in proportion to how much of the drawing it explains: a leaf beside a
 //! tree is no less a leaf. Gardens and potted plants consist of other plants, so where the drawing looks like one of them all
-//! readings are as likely. Where one class is likelier than [`SURE`] there is a plain reading as well.
+//! readings are as likely. Where one class is likelier than [`SURE`] there is a plain reading as well, and one of the likeliest class where
+//! no way of drawing reads most of what is drawn.
 //!
 //! Drawings in the papers' way are not read plainly: they are better understood stroke by stroke.
 //!
@@ -15,7 +16,7 @@ use super::{fleshy, soft, vessel, wood};
 use crate::anatomy::conventions::page::{Page, bounds};
 use crate::anatomy::conventions::trees::evidence::ramp;
 use crate::anatomy::conventions::{Habit, Hypothesis};
-use crate::anatomy::habit_classifier::{self, Class, Likeness};
+use crate::anatomy::habit_classifier::{self, CLASSES, Class, Likeness};
 use crate::sketch::Reading;
 use std::collections::BTreeSet;
 
@@ -28,10 +29,13 @@ const WHOLE: (f32, f32) = (0.4, 0.8);
 const PART: f32 = 0.5;
 /// Least likelihood of a class as which a drawing is read plainly.
 const SURE: f32 = 0.6;
+/// Least likelihood of a class as which a drawing is read that nothing else reads, and log-odds of such a reading.
+const LIKELY: f32 = 0.3;
+const UNSURE: f32 = 0.3;
 /// Share of the drawing from which a reading of its class makes a plain one needless.
 const MAIN: f32 = 0.6;
 /// Log-odds of a plain reading, and for each of its class's: less than those of ways of drawing that are known.
-const PLAIN: (f32, f32, f32) = (0.5, 0.5, 3.0);
+const PLAIN: (f32, f32, f32) = (0.5, 0.75, 3.0);
 /// Least length of the lines that conventions look at, as a share of all: of what is left beside parts whose tool the artist chose the
 /// network knows nothing.
 const AUTO: f32 = 0.9;
@@ -141,6 +145,20 @@ impl Looks {
             let view = View::of(page, lines).filter(|view| !view.is_of_blades());
             let plain = view.and_then(|view| read(class, &view));
             out.extend(plain.map(|plain| plain.hypothesis(self.score())));
+            return;
+        }
+        // What nothing reads at all is read as what it looks like most, however little that is.
+        let explained = |line: &&usize| {
+            out.iter().any(|known| known.score > 0.0 && known.uses.binary_search(line).is_ok())
+        };
+        let own: Vec<usize> = lines.iter().filter(explained).copied().collect();
+        if share_of(page, &own, all) < OPEN {
+            let view = View::of(page, lines).filter(|view| view.is_outline_without_blades());
+            let likely = CLASSES.into_iter().filter(|class| self.likeness.of(*class) > LIKELY);
+            let mut likely: Vec<Class> = likely.collect();
+            likely.sort_by(|a, b| self.likeness.of(*b).total_cmp(&self.likeness.of(*a)));
+            let plain = view.and_then(|view| likely.into_iter().find_map(|class| read(class, &view)));
+            out.extend(plain.map(|plain| plain.hypothesis(UNSURE)));
         }
     }
 
@@ -261,8 +279,26 @@ mod tests {
             all.split_off(count)
         };
         assert_eq!(plain(0.95, Vec::new()).first().and_then(|tree| tree.habit), Some(Habit::Tree));
-        assert!(plain(0.6, Vec::new()).is_empty());
+        assert!(plain(0.6, Vec::new()).is_empty(), "an outline that is closed is a blade as well");
         assert!(plain(0.95, vec![reading(vec![0, 1], Some(Habit::Tree), Reading::Tree)]).is_empty());
+    }
+
+    #[test]
+    fn what_nothing_reads_is_read_as_what_it_looks_like_most() {
+        // A crown of which the right side was left out, on two lines.
+        let place =
+            |k: usize| Vec2::new(0.0, -160.0) - 60.0 * Vec2::from_angle(0.8 * TAU * (k as f32 / 120.0 - 0.5));
+        let side = |x: f32| even(&[Vec2::new(x, -104.0), Vec2::new(x, 0.0)], 40);
+        let page = Page::of_lines(&[(0..=120).map(place).collect(), side(-8.0), side(8.0)]);
+        let plain = |likely: f32, known: Vec<Hypothesis>| {
+            let (count, mut all) = (known.len(), known);
+            looks(Class::Tree, likely).propose(&page, &mut all);
+            all.split_off(count)
+        };
+        let found = plain(0.5, Vec::new());
+        assert_eq!(found.first().map(|tree| (tree.habit, tree.score)), Some((Some(Habit::Tree), UNSURE)));
+        assert!(plain(0.25, Vec::new()).is_empty(), "it looks like nothing");
+        assert!(plain(0.5, vec![reading(vec![0], None, Reading::Leaf)]).is_empty(), "most of it is read");
     }
 
     #[test]

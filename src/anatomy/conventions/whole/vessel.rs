@@ -3,11 +3,14 @@
 //! The pot ends at the narrowest place of the lower part of the drawing, where only the plant's stem goes through. Lines of
 //! which most lies below are the pot; what stands in it stays with the other ways of drawing.
 //!
-//! Limits: a plant that is nowhere narrower than its pot is not parted from it, nor one in a stroke with it.
+//! Where the plant is nowhere narrower, a closed outline below all others is the pot.
+//!
+//! Limits: a plant in a stroke with its pot is not parted from it.
 
 use super::view::View;
 use crate::anatomy::conventions::Hypothesis;
 use crate::anatomy::conventions::beneath::pot::of_lines;
+use crate::anatomy::conventions::page::Line;
 
 /// Lowest and highest place of the pot's edge, as shares of the height.
 const EDGE: (f32, f32) = (0.08, 0.6);
@@ -15,6 +18,9 @@ const EDGE: (f32, f32) = (0.08, 0.6);
 const STEM: f32 = 0.6;
 /// Narrowest pot, as a share of the drawing's width.
 const WIDE: f32 = 0.2;
+/// A pot in one line below all others: least share of its bounds that it fills, upper part of it in which others may begin, how far above
+/// the foot of all it may stand, and its least height, as shares of its own height and of the whole's.
+const BOX: (f32, f32, f32, f32) = (0.7, 0.35, 0.08, 0.15);
 /// Least share of a line below the edge that is the pot's.
 const BELOW: f32 = 0.7;
 
@@ -35,7 +41,29 @@ pub(super) fn pot(view: &View, score: f32) -> Option<Hypothesis> {
     let uses: Vec<usize> = view.own.iter().copied().filter(is_below).collect();
     let is_wide = widest > WIDE * view.rows.width_and_height().x;
     let is_pot = is_wide && width(edge) < STEM * widest && !uses.is_empty() && uses.len() < view.own.len();
-    is_pot.then(|| of_lines(view.page, uses, score)).flatten()
+    let uses = if is_pot { uses } else { vec![boxed(view)?] };
+    of_lines(view.page, uses, score)
+}
+
+/// The one line below all others that is a pot by itself.
+fn boxed(view: &View) -> Option<usize> {
+    let size = view.rows.width_and_height();
+    let lowest = view.lines.iter().map(|line| line.bounds.1.y).fold(f32::NEG_INFINITY, f32::max);
+    let is_box = |line: &Line| {
+        let own = line.size();
+        let is_low = lowest - line.bounds.1.y < BOX.2 * size.y;
+        let is_of_size = (BOX.3..EDGE.1).contains(&(own.y / size.y)) && own.x > WIDE * size.x;
+        line.is_closed_and_solid() && line.area > BOX.0 * own.x * own.y && is_low && is_of_size
+    };
+    let is_above = |line: &Line, sill: f32| {
+        line.points.iter().filter(|p| p.y < sill).count() as f32 > BELOW * line.points.len() as f32
+    };
+    view.own.iter().copied().find(|number| {
+        let pot = &view.page.lines[*number];
+        let sill = pot.bounds.0.y + BOX.1 * pot.size().y;
+        let mut others = view.own.iter().filter(|other| *other != number).map(|i| &view.page.lines[*i]);
+        view.own.len() > 1 && is_box(pot) && others.all(|line| is_above(line, sill))
+    })
 }
 
 #[cfg(test)]
@@ -57,5 +85,16 @@ mod tests {
         assert!((low.x + 45.0).abs() < 5.0 && (high.x - 46.0).abs() < 5.0 && high.y > -6.0, "{low} {high}");
         let page = Page::of_lines(&[stem, leaf]);
         assert!(super::pot(&View::of(&page, vec![0, 1]).unwrap(), 2.0).is_none());
+    }
+
+    #[test]
+    fn a_box_below_a_bush_that_is_nowhere_narrower_is_its_pot() {
+        let bush = line(&[(-40.0, -70.0), (-60.0, -150.0), (60.0, -150.0), (40.0, -70.0), (-40.0, -70.0)]);
+        let corners = [(-40.0, -72.0), (-38.0, 0.0), (38.0, 0.0), (40.0, -72.0), (-40.0, -72.0)];
+        let page = Page::of_lines(&[bush.clone(), line(&corners)]);
+        let found = pot(&View::of(&page, vec![0, 1]).unwrap(), 2.0).unwrap();
+        assert_eq!((found.uses.as_slice(), found.solids.len()), (&[1][..], 1));
+        let page = Page::of_lines(&[bush]);
+        assert!(pot(&View::of(&page, vec![0]).unwrap(), 2.0).is_none());
     }
 }

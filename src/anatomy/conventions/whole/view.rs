@@ -6,8 +6,9 @@
 //!
 //! Limits: a drawing that is wider below than above has no stalk.
 
-use crate::anatomy::conventions::page::{Line, Page, even};
+use crate::anatomy::conventions::page::{Line, Page, even, notches};
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
+use crate::anatomy::conventions::trees::evidence;
 use crate::anatomy::conventions::trees::trunk::{Rows, Trunk};
 use crate::geom::{convex_hull::convex_hull, simple_loop};
 use glam::Vec2;
@@ -53,6 +54,15 @@ impl<'a> View<'a> {
         let outlines = || self.lines.iter().filter(|line| is_blade(line));
         self.blades() > BLADES
             || outlines().count() > BLADES && inked(&mut outlines()) > INK * inked(&mut self.lines.iter())
+    }
+
+    /// Whether lines enclose something, and none of them is a large outline of a blade by itself, which has few notches.
+    pub(super) fn is_outline_without_blades(&self) -> bool {
+        let size = self.rows.width_and_height();
+        let is_large = |line: &&&Line| is_blade(line) && line.area > LARGE * size.x * size.y;
+        let is_lobed = |line: &Line| notches(&line.points).len() >= evidence::NOTCHES;
+        self.lines.iter().filter(is_large).all(|line| is_lobed(line))
+            && evidence::has_outline(&self.lines, size)
     }
 
     /// How many lines are outlines of blades by themselves, and large.
