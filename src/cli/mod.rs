@@ -12,6 +12,7 @@ pub mod inside;
 pub mod inspect;
 pub mod params;
 pub mod pen;
+pub mod photo;
 pub mod render;
 pub mod tablets;
 
@@ -43,6 +44,8 @@ pub enum Verb {
     Grow(grow::Args),
     /// What the analysis understood of a drawing, as JSON.
     Inspect(inspect::Args),
+    /// Petals, leaves and bark from photographs: outline, texture, or a drawing with both.
+    Photo(photo::Args),
     /// Every parameter that --set can change: path, value, unit, range and meaning.
     Params(params::Args),
     /// Mesh quality report of an OBJ or GLB file; exit code 1 when a defect is found.
@@ -100,6 +103,7 @@ pub fn run(cli: Cli) -> anyhow::Result<ExitCode> {
         Some(Verb::Build(args)) => build::run(&args),
         Some(Verb::Grow(args)) => grow::run(&args),
         Some(Verb::Inspect(args)) => inspect::run(&args),
+        Some(Verb::Photo(args)) => photo::run(&args),
         Some(Verb::Params(args)) => params::run(&args),
         Some(Verb::Check(args)) => check::run(&args),
         Some(Verb::Render(args)) => render::run(&args),
