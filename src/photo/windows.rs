@@ -21,10 +21,10 @@ pub(super) fn window_sums(raster: &Raster<f32>, reach: usize) -> Raster<f32> {
         cells.par_chunks_exact_mut(width).zip(raster.cells().par_chunks_exact(width)).for_each(
             |(sums, values)| {
                 let mut sum: f64 = values[..reach.min(width)].iter().map(|v| f64::from(*v)).sum();
-                for x in 0..width {
+                for (x, out) in sums.iter_mut().enumerate() {
                     sum += values.get(x + reach).map_or(0.0, |v| f64::from(*v));
                     sum -= (x.checked_sub(reach + 1)).map_or(0.0, |gone| f64::from(values[gone]));
-                    sums[x] = sum as f32;
+                    *out = sum as f32;
                 }
             },
         );
