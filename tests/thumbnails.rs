@@ -72,11 +72,13 @@ fn drawn(renderer: &mut Renderer, name: &str) -> Pixels {
 /// The picture of the flower of a species on a short stem.
 fn in_flower(renderer: &mut Renderer, name: &str) -> Pixels {
     let species = Species::built_in(name).unwrap();
-    let short = match &species.inflorescence {
-        Some(_) => "flower.inflorescence.peduncle=0.06",
-        None => "flower.bloom.stem=1.5",
+    // A grammar of a species' own may have no peduncle that could be shorter.
+    let short = ["flower.inflorescence.peduncle=0.06", "flower.bloom.stem=1.5"];
+    let params = |assignments: &[&str]| {
+        pipeline::params_of_species(&species, &assignments.iter().map(|&s| s.to_owned()).collect::<Vec<_>>())
     };
-    let params = pipeline::params_of_species(&species, &[short.to_owned()]).unwrap();
+    let short = &short[usize::from(species.inflorescence.is_none())..][..1];
+    let params = params(short).or_else(|_| params(&[])).unwrap();
     picture(renderer, &pipeline::build(&Bloom { number: 1 }, &species, &params).model)
 }
 

@@ -5,6 +5,8 @@
 //! triangulation of the blade over its texture, the texture, and a drawing; for `bark` the photograph, alone and repeated, the tile, alone and
 //! repeated, and a drawing.
 
+#![expect(clippy::print_stdout, reason = "a program of the terminal")]
+
 mod panel;
 mod scene;
 

@@ -1,8 +1,10 @@
 //! Compound leaves: leaflets in pairs along a rachis with one at its end, or all at the end of the stalk (004 §2, fig. 1 c).
 //!
 //! A compound leaf lies in one plane; leaflets of the right are mirror images of those of the left in the plane of the
-//! rachis (004 eq. 8 prints a point reflection where a mirror is meant). Its leaflets are copies of one template.
+//! rachis (004 eq. 8 prints a point reflection where a mirror is meant). Its leaflets are copies of one template. The fronds of ferns
+//! are leaves whose many leaflets fill the outline of a lance.
 
+use super::outline::LeafOutline;
 use glam::{Quat, Vec3};
 use serde::Deserialize;
 
@@ -17,6 +19,9 @@ crate::parameters! {
         leaflet: f32 = 0.4, 0.02..=1.0, "of the leaf's length";
         /// Size of each pair against the one nearer to the tip.
         shrink: f32 = 0.88, 0.3..=1.2, "";
+        /// How far leaflets follow the outline of a lance, longest at a third of the way: 0 for all but `shrink`, 1 for a
+        /// frond. Those that are shorter stand closer together.
+        lance: f32 = 0.0, 0.0..=1.0, "";
         /// Angle between lateral leaflets and the rachis.
         angle_deg: f32 = 58.0, 0.0..=120.0, "degrees";
         /// Whether a leaflet stands at the end.
@@ -37,6 +42,9 @@ crate::parameters! {
     }
 }
 
+/// The outline that the leaflets of a frond fill; its half width is 1 where it is widest.
+const LANCE: LeafOutline =
+    LeafOutline { width: 2.0, widest: 0.35, wedge: 0.1, point: 0.25, teeth: 0, tooth_depth: 0.0 };
 /// Most leaflets of one leaf.
 const MOST_LEAFLETS: u32 = 60;
 
@@ -95,6 +103,14 @@ pub struct CompoundLeaf {
     pub stipules: Vec<Leaflet>,
 }
 
+/// A pair of leaflets among all.
+struct PairShare {
+    /// Its size, 1 for the largest.
+    size: f32,
+    /// Its distance from the first, in mean distances of pairs.
+    place: f32,
+}
+
 impl Compound {
     /// The number of leaflets of a leaf; `chance` is uniform from 0 to 1.
     pub fn count(&self, chance: f32) -> u32 {
@@ -109,6 +125,24 @@ impl Compound {
             }
         }
         self.leaflets[self.leaflets.len() - 1]
+    }
+
+    /// How large pairs of leaflets are and where they stand, as a lance has it.
+    fn shares_of_lance(&self, pairs: u32) -> Vec<PairShare> {
+        let size = |pair: u32| {
+            let share = LANCE.half_width((pair as f32 + 0.5) / pairs as f32);
+            1.0 - self.lance + self.lance * share
+        };
+        let sizes: Vec<f32> = (0..pairs).map(size).collect();
+        // The pairs reach as far as equal ones do.
+        let mean = sizes.iter().sum::<f32>() / pairs.max(1) as f32;
+        let mut place = 0.0;
+        let share = |size: f32| {
+            let here = PairShare { size, place };
+            place += size / mean;
+            here
+        };
+        sizes.into_iter().map(share).collect()
     }
 
     /// The parts of a leaf with so many leaflets.
@@ -129,7 +163,10 @@ impl Compound {
             |s: f32| pose.base + pose.v * s - face * (droop * (s / reach).powi(2) * (reach / pose.length));
         let toward =
             |s: f32| (pose.v - face * (2.0 * droop * s / (reach * pose.length))).normalize_or(pose.v);
-        let size = |pair: u32| self.leaflet * unit * self.shrink.powi((pairs - pair) as i32);
+        let shares = self.shares_of_lance(pairs);
+        let size = |pair: u32| {
+            self.leaflet * unit * self.shrink.powi((pairs - pair) as i32) * shares[pair as usize].size
+        };
         let leaflet = |s: f32, turn: f32, size: f32| {
             let (v, u) = (toward(s), pose.u);
             let turned = Quat::from_axis_angle(u.cross(v).normalize_or(face), turn);
@@ -137,7 +174,7 @@ impl Compound {
         };
         let mut leaflets = Vec::with_capacity(count as usize);
         for pair in 0..pairs {
-            let s = stalk + if self.palmate { 0.0 } else { self.pair_gap * unit * pair as f32 };
+            let s = stalk + if self.palmate { 0.0 } else { self.pair_gap * unit * shares[pair as usize].place };
             let fan = if self.palmate { 1.0 - pair as f32 / (pairs as f32 + 0.5) } else { 1.0 };
             for side in [-1.0, 1.0] {
                 leaflets.push(leaflet(s, side * fan * self.angle_deg.to_radians(), size(pair)));
@@ -145,7 +182,8 @@ impl Compound {
         }
         let end = if self.palmate { stalk } else { stalk + along };
         if self.terminal || count == 1 {
-            leaflets.push(leaflet(end, 0.0, self.leaflet * unit));
+            let last = shares.last().map_or(1.0, |share| share.size);
+            leaflets.push(leaflet(end, 0.0, self.leaflet * unit * last));
         }
         let stipule = |side: f32| leaflet(0.02 * pose.length, side * 0.35, self.stipules * pose.length);
         CompoundLeaf {

@@ -101,8 +101,12 @@ mod tests {
     fn teeth_are_counted() {
         let outline = LeafOutline { teeth: 9, tooth_depth: 0.03, ..LeafOutline::default() };
         let right: Vec<Vec2> = outline.points().into_iter().filter(|p| p.x > 0.0).collect();
-        let deep: Vec<f32> = right.iter().map(|p| outline.half_width(p.y) - p.x).collect();
         assert_eq!(right.len(), 18);
-        assert!(deep.chunks(2).all(|pair| pair[0] > pair[1] + 0.005), "{deep:?}");
+        // Every notch between two tips lies inside the line from the one to the other.
+        for notch in right[1..].windows(3).step_by(2) {
+            let (along, across) = (notch[2] - notch[0], notch[1] - notch[0]);
+            let depth = along.perp_dot(across) / along.length();
+            assert!(depth > 0.01, "{right:?}");
+        }
     }
 }

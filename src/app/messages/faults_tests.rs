@@ -31,20 +31,6 @@ fn known() -> Vec<Box<dyn Localize>> {
         Box::new(read(Fault::Empty, nowhere())),
         Box::new(read(Fault::NotADrawing { found: "7" }, nowhere())),
         Box::new(read(Fault::Truncated, Place::at(3, 9))),
-        Box::new(PictureError::Unreadable("7".to_owned())),
-        Box::new(PictureError::NotAPicture),
-        Box::new(PictureError::Damaged("7".to_owned())),
-        Box::new(PictureError::TooLarge),
-        Box::new(CutError::Picture(PictureError::TooLarge)),
-        Box::new(CutError::Photo(PhotoError::TooSmall { width: 7, height: 8, least: 9 })),
-        Box::new(PhotoError::OneColour { contrast: 7.0, least: 9.0 }),
-        Box::new(PhotoError::NothingThere),
-        Box::new(PhotoError::CutOff { share: 7.0 }),
-        Box::new(PhotoError::NoOutline),
-        Box::new(PhotoError::BesidePicture),
-        Box::new(PhotoRemark::Several { count: 7 }),
-        Box::new(PhotoRemark::TouchesEdge),
-        Box::new(PhotoRemark::PartlyBeside { share: 7.0 }),
         Box::new(ChangeError::Full { what: "strokes", limit: 7 }),
         Box::new(ChangeError::Full { what: "points", limit: 7 }),
         Box::new(ChangeError::Reference(PictureError::TooLarge.into())),
@@ -80,8 +66,29 @@ fn known() -> Vec<Box<dyn Localize>> {
         Box::new(ExportError::Overwrites(Overwrites { output: path(), source_file: path() })),
         Box::new(ExportError::Write(full())),
     ];
+    all.extend(of_pictures());
     all.extend(of_tablets());
     all
+}
+
+/// One of every kind that has words and is about a picture or a photograph.
+fn of_pictures() -> Vec<Box<dyn Localize>> {
+    vec![
+        Box::new(PictureError::Unreadable("7".to_owned())),
+        Box::new(PictureError::NotAPicture),
+        Box::new(PictureError::Damaged("7".to_owned())),
+        Box::new(PictureError::TooLarge),
+        Box::new(CutError::Picture(PictureError::TooLarge)),
+        Box::new(CutError::Photo(PhotoError::TooSmall { width: 7, height: 8, least: 9 })),
+        Box::new(PhotoError::OneColour { contrast: 7.0, least: 9.0 }),
+        Box::new(PhotoError::NothingThere),
+        Box::new(PhotoError::CutOff { share: 7.0 }),
+        Box::new(PhotoError::NoOutline),
+        Box::new(PhotoError::BesidePicture),
+        Box::new(PhotoRemark::Several { count: 7 }),
+        Box::new(PhotoRemark::TouchesEdge),
+        Box::new(PhotoRemark::PartlyBeside { share: 7.0 }),
+    ]
 }
 
 /// One of every kind that has words and is about a tablet.
