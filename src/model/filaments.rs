@@ -8,10 +8,13 @@ use super::solids::SolidParams;
 use super::spine;
 use super::tube::{self, Tiling, TubeLook, TubeScratch};
 use crate::plant::Shape;
+use glam::{Vec2, Vec3};
 
 /// Stalks are thin: they may leave their skeleton by half their radius, and end round.
 const TOLERANCE: f32 = 0.5;
 const TIP: f32 = 0.8;
+/// Share of its last piece by which a stalk is shortened for its head at most.
+const MOST_BACK: f32 = 0.9;
 
 /// Appends the stalks of filaments to a mesh; shapes that are no filaments add nothing.
 pub(super) fn append<'a>(
@@ -24,9 +27,21 @@ pub(super) fn append<'a>(
     let detail = spine::Detail { of_radius: TOLERANCE, metres: (0.0, f32::INFINITY) };
     let look = TubeLook { sides: params.filament_sides.max(3), tiling: Tiling::Whole, tip: TIP, detail };
     for shape in shapes {
-        let Shape::Filament { points, radius, .. } = shape else { continue };
-        tube::append(mesh, points.iter().map(|p| (*p, *radius)), look, scratch);
+        let Shape::Filament { points, radius, head } = shape else { continue };
+        let [stalk @ .., end] = points.as_slice() else { continue };
+        let end = below_head(stalk, *end, *radius, *head);
+        tube::append(mesh, stalk.iter().chain([&end]).map(|p| (*p, *radius)), look, scratch);
     }
     // Stalks may bend back on themselves.
     mesh.split_disagreeing_corners_in(first..mesh.triangles.len());
+}
+
+/// Where a stalk ends: its round end touches the head from below, so that neither passes through the other.
+fn below_head(stalk: &[Vec3], end: Vec3, radius: f32, head: Vec2) -> Vec3 {
+    let Some(before) = stalk.last() else { return end };
+    if head.min_element() <= 0.0 {
+        return end;
+    }
+    let most = MOST_BACK * before.distance(end);
+    end + (*before - end).clamp_length_max((head.y + TIP * radius).min(most))
 }
