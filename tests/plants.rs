@@ -2,6 +2,7 @@
 //!
 //! One program of tests out of many files: each would be linked by itself, with all libraries, otherwise.
 
+mod blooms;
 mod budgets;
 mod classifier;
 mod cone_accuracy;

@@ -150,6 +150,8 @@ pub enum Action {
     SetParams(serde_json::Map<String, Value>),
     /// Let the plant grow from its beginning to the age that is shown, or go on with that, or pause.
     PlayGrowth(bool),
+    /// The same for flowers that open from their buds.
+    PlayOpening(bool),
     /// Choose the texture of a kind of part: `None` returns to the species' own.
     SetTexture {
         /// Which organs; `None` means branches.

@@ -15,6 +15,7 @@ use crate::anatomy::{Anatomy, Part};
 use crate::growth::overlay::Wanted;
 use crate::model::{Measure, Measures};
 use crate::pipeline::{self, Built, Cache, SetupError};
+use crate::plant::{Blade, Organ, RestSurface, Shape};
 use crate::sketch::{Reading, Sketch, Stroke, StrokeId, StrokePoint, Tool};
 use crate::species::Species;
 use glam::Vec3;
@@ -113,6 +114,8 @@ pub struct Counts {
     pub pots: bool,
     /// Whether strokes are the ground.
     pub ground: bool,
+    /// Whether there are flowers that open from buds.
+    pub opens: bool,
     /// Whether strokes were not used.
     pub ignored: bool,
 }
@@ -131,9 +134,15 @@ impl Counts {
             leaves: has(Part::Leaf),
             pots: reads(Reading::Pot),
             ground: reads(Reading::Ground),
+            opens: built.plant.organs.iter().any(opens),
             ignored: has_unused(&built.anatomy),
         }
     }
+}
+
+/// Whether an organ is a petal in layers, which opens.
+fn opens(organ: &Organ) -> bool {
+    matches!(&organ.shape, Shape::Blade(Blade { rest: RestSurface::Ring(_), .. }))
 }
 
 /// Whether strokes were not used, neither as a part nor with others.

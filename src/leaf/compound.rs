@@ -112,6 +112,13 @@ struct PairShare {
 }
 
 impl Compound {
+    /// How many leaflets a leaf has in the mean.
+    pub fn mean_count(&self) -> f32 {
+        const SAMPLES: u32 = 32;
+        let counts = (0..SAMPLES).map(|k| self.count((k as f32 + 0.5) / SAMPLES as f32));
+        counts.sum::<u32>() as f32 / SAMPLES as f32
+    }
+
     /// The number of leaflets of a leaf; `chance` is uniform from 0 to 1.
     pub fn count(&self, chance: f32) -> u32 {
         let share =
@@ -174,7 +181,8 @@ impl Compound {
         };
         let mut leaflets = Vec::with_capacity(count as usize);
         for pair in 0..pairs {
-            let s = stalk + if self.palmate { 0.0 } else { self.pair_gap * unit * shares[pair as usize].place };
+            let s =
+                stalk + if self.palmate { 0.0 } else { self.pair_gap * unit * shares[pair as usize].place };
             let fan = if self.palmate { 1.0 - pair as f32 / (pairs as f32 + 0.5) } else { 1.0 };
             for side in [-1.0, 1.0] {
                 leaflets.push(leaflet(s, side * fan * self.angle_deg.to_radians(), size(pair)));

@@ -1,5 +1,6 @@
 //! The maker of drawn plants: strokes are understood, stood up in space, and grow on where they may.
 
+use super::bare_stems;
 use super::clock::Clock;
 use super::growing;
 use super::setup::Params;
@@ -9,7 +10,6 @@ use crate::anatomy::conventions::{ConventionParams, Habit};
 use crate::depth;
 use crate::growth::overlay::{Spot, Wanted};
 use crate::growth::{Memory, PlantAtAge};
-use crate::plant::FlowerBuds;
 use crate::sketch::Sketch;
 use crate::species::Species;
 
@@ -58,7 +58,8 @@ pub(super) fn produce(
     }
     if !growing::grows(&anatomy, species, params) {
         memory.growth.clear();
-        let buds = FlowerBuds::default();
+        let mut plant = plant;
+        let buds = bare_stems::furnish(&mut plant, (species, params), sketch.seed);
         return Some(Produced { plant, buds, provenance, remarks, anatomy, growth: None, may_flower: true });
     }
     let grown = clock.time("growth", || {

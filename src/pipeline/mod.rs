@@ -13,6 +13,7 @@
 //! callers'.
 
 mod alone;
+mod bare_stems;
 mod beside;
 mod bloom;
 mod clock;

@@ -28,18 +28,24 @@ const HIP_HEIGHT: f32 = 2.2;
 /// Makes the rose of a seed.
 pub(super) fn produce(seed: &Seed, habit: &RoseHabit, (species, _): (&Species, &Params)) -> Produced {
     let shrub = rose::shrub(habit, seed.number);
-    let mut plant = Plant { branches: branches(&shrub), ..Plant::default() };
+    let mut plant = Plant { branches: branches(&shrub.stems), ..Plant::default() };
+    let buds = put_on(&mut plant, &shrub, species);
+    let (provenance, anatomy) = (Provenance::default(), Anatomy::default());
+    Produced { plant, buds, provenance, remarks: Vec::new(), anatomy, growth: None, may_flower: true }
+}
+
+/// Puts leaves and hips of a rose on a plant that has its stems; its flower buds.
+pub(super) fn put_on(plant: &mut Plant, shrub: &Shrub, species: &Species) -> FlowerBuds {
     let outline = Template::new(species.leaf.outline.points(), Vec::new(), 1.0, Detail::Reduced);
     let leaflet = plant.templates.add(outline);
     plant.organs.extend(shrub.leaves.iter().map(|leaf| whole_leaf(leaf, leaflet, species)));
     plant.organs.extend(shrub.buds.iter().filter_map(hip));
     plant.drop_unused_templates();
-    let buds = FlowerBuds { buds: shrub.buds.iter().filter_map(bud).collect(), is_thinned: false };
-    let (provenance, anatomy) = (Provenance::default(), Anatomy::default());
-    Produced { plant, buds, provenance, remarks: Vec::new(), anatomy, growth: None, may_flower: true }
+    FlowerBuds { buds: shrub.buds.iter().filter_map(bud).collect(), is_thinned: false }
 }
 
-fn branches(shrub: &Shrub) -> Vec<Branch> {
+/// Stems that nobody drew, as branches.
+pub(super) fn branches(stems: &[rose::Stem]) -> Vec<Branch> {
     let branch = |stem: &rose::Stem| Branch {
         origin: Origin::Generated,
         parent: stem.parent,
@@ -48,7 +54,7 @@ fn branches(shrub: &Shrub) -> Vec<Branch> {
         radii: stem.radii.clone(),
         role: Role::of(WoodPart::Stem),
     };
-    shrub.stems.iter().map(branch).collect()
+    stems.iter().map(branch).collect()
 }
 
 /// A leaf before it is divided: the species does that.

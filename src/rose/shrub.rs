@@ -65,7 +65,11 @@ pub struct Shrub {
 
 /// The plant of a seed.
 pub fn shrub(habit: &RoseHabit, seed: u64) -> Shrub {
-    let stems = stems(habit, seed);
+    leaves_and_buds(habit, stems(habit, seed))
+}
+
+/// Stems with their leaves, and with what stands at their ends.
+pub(super) fn leaves_and_buds(habit: &RoseHabit, stems: Vec<Stem>) -> Shrub {
     let leaves = (0..stems.len()).flat_map(|index| leaves(habit, &stems, index)).collect();
     let highest = stems.iter().map(end_height).fold(0.0, f32::max);
     let buds =
@@ -81,7 +85,7 @@ fn leaves(habit: &RoseHabit, stems: &[Stem], index: usize) -> Vec<Leaf> {
     let stem = &stems[index];
     let season = habit.at_season();
     let foot = if stem.order == 0 { BARE_FOOT } else { 0.12 };
-    let step = habit.internode / stem.length;
+    let step = habit.internode / stem.length.max(1e-6);
     let count = ((1.0 - foot) / step).floor().min(400.0) as usize;
     let taken: Vec<f32> =
         stems.iter().filter(|other| other.parent == Some(index)).map(|other| other.place).collect();

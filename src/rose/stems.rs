@@ -160,6 +160,19 @@ fn branch(
     ))
 }
 
+/// A shoot of this length on a stem, of an order, at a place on it; from a point in a direction; where the stem has this radius.
+pub(super) fn shoot(
+    habit: &RoseHabit,
+    (parent, order, place): (usize, u32, f32),
+    (from, direction): (Vec3, Vec3),
+    length: f32,
+    radius: f32,
+    key: u64,
+) -> Stem {
+    let (parent, radius) = (Some(parent), habit.thinner * radius);
+    grow(habit, Begin { parent, order, place, turn_deg: None, from, direction, length, radius, key })
+}
+
 /// A unit vector across a direction, the same for directions that hardly differ.
 pub(super) fn reference_side(along: Vec3) -> Vec3 {
     Vec3::Z.reject_from_normalized(along).try_normalize().unwrap_or(Vec3::X)

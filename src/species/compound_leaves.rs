@@ -3,17 +3,21 @@
 //! A leaf's own outline becomes that of its leaflets, its length that of the whole. So it is for roses, for plants that grow, and for
 //! the leaves that fill drawn outlines.
 //!
-//! Limits: drawn leaves stay as they are. Where leaves are very many their stalks are left out.
+//! Limits: drawn leaves stay as they are. Where leaves are very many their stalks are left out, then some of them.
 
 use super::looks::LeafLook;
 use crate::leaf::compound::{Compound, LeafPose, Leaflet};
 use crate::plant::{Blade, Organ, OrganKind, OrganPart, Plant, RestSurface, Role, Shape};
-use crate::random::stream;
+use crate::random::{mix, stream, unit};
 use glam::{Vec2, Vec3};
 use rand::RngExt;
 
 /// Leaves up to which stalks are made.
 const MOST_STALKS: usize = 1500;
+/// Leaflets of a plant, about; where its leaves would have more, some leaves are left out and the others are larger.
+const MOST_LEAFLETS: f32 = 60_000.0;
+/// How much larger these are at most.
+const LARGER: f32 = 1.6;
 
 /// Divides the leaves of a plant.
 pub(super) fn divide(plant: &mut Plant, look: &LeafLook, seed: u64) {
@@ -22,11 +26,18 @@ pub(super) fn divide(plant: &mut Plant, look: &LeafLook, seed: u64) {
         let is_flat = matches!(&organ.shape, Shape::Blade(blade) if blade.rest == RestSurface::Plane);
         organ.kind() == OrganKind::Leaf && !organ.origin.is_drawn() && organ.flower.is_none() && is_flat
     };
-    let has_stalks = plant.organs.iter().filter(|organ| is_whole(organ)).count() <= MOST_STALKS;
+    let whole = plant.organs.iter().filter(|organ| is_whole(organ)).count();
+    let has_stalks = whole <= MOST_STALKS;
+    let kept = (MOST_LEAFLETS / (whole as f32 * compound.mean_count())).min(1.0);
+    let larger = kept.powf(-0.5).min(LARGER);
     let organs = std::mem::take(&mut plant.organs);
     for organ in organs {
         match &organ.shape {
             Shape::Blade(blade) if is_whole(&organ) => {
+                if kept < 1.0 && unit(mix(name_of(blade.base), seed)) >= kept {
+                    continue;
+                }
+                let blade = &Blade { u: blade.u * larger, v: blade.v * larger, ..blade.clone() };
                 let length = plant.templates[blade.template].length();
                 divide_leaf(&mut plant.organs, &organ, (blade, length), (compound, has_stalks), seed);
             }
@@ -62,7 +73,7 @@ fn divide_leaf(
 
 /// What tells a leaf from others, whatever their number: its place to a tenth of a millimetre.
 fn name_of(place: Vec3) -> u64 {
-    let mixed = |key: u64, x: f32| crate::random::mix(key, (x * 1e4).round() as i64 as u64);
+    let mixed = |key: u64, x: f32| mix(key, (x * 1e4).round() as i64 as u64);
     place.to_array().into_iter().fold(1, mixed)
 }
 
@@ -94,6 +105,24 @@ mod tests {
         assert_eq!(kinds.iter().filter(|kind| **kind == OrganKind::Leaf).count(), 5);
         assert_eq!(kinds[0], OrganKind::Petiole);
         assert_eq!(plant.check_invariants(), Ok(()));
+    }
+
+    #[test]
+    fn plants_of_very_many_leaves_have_no_more_leaflets_than_they_may() {
+        let mut many = plant(Origin::Generated);
+        let leaf = many.organs[0].clone();
+        many.organs = (0..30_000)
+            .map(|k| {
+                let mut leaf = leaf.clone();
+                leaf.shape.translate(Vec3::new(k as f32 * 0.01, 0.0, 0.0));
+                leaf
+            })
+            .collect();
+        divide(&mut many, &look(), 1);
+        let leaflets = many.organs.len() as f32;
+        assert!((leaflets / MOST_LEAFLETS - 1.0).abs() < 0.05, "{leaflets}");
+        let Shape::Blade(blade) = &many.organs[0].shape else { unreachable!("a leaf is a blade") };
+        assert!(blade.v.length() > 0.0 && many.check_invariants() == Ok(()));
     }
 
     #[test]

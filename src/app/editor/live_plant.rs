@@ -1,8 +1,9 @@
 //! The live plant: the worker that builds it, how far that is, and the newest plant with what the panels show of it.
 
 mod growth;
+mod opening;
 
-use super::replay::Replay;
+use super::replay::{Replay, Replayed};
 use crate::app::canvas::stroke_builder::StrokeBuilder;
 use crate::app::canvas::{Canvas, Preview};
 use crate::app::messages::{Localize as _, Messages};
@@ -241,7 +242,7 @@ impl LivePlant {
             canvas: *size,
             species: species.clone(),
             seed: *seed,
-            params: self.params_at_age(params),
+            params: self.params_of_replay(params),
             textures: textures.clone(),
             reference: reference.clone(),
             plants: plants.clone(),
@@ -298,27 +299,43 @@ impl LivePlant {
 
 /// Growth replayed.
 impl LivePlant {
-    /// Whether growth is being replayed right now.
+    /// Whether growth or opening is being replayed right now.
     pub(super) fn is_playing(&self) -> bool {
         self.replay.is_some_and(|replay| replay.is_running())
     }
 
-    /// Whether growth is being replayed, or pauses.
+    /// Whether growth or opening is being replayed, or pauses.
     pub(super) fn has_replay(&self) -> bool {
         self.replay.is_some()
     }
 
+    /// What is replayed of this, if it is.
+    fn replay_of(&self, of: Replayed) -> Option<Replay> {
+        self.replay.filter(|replay| replay.of() == of)
+    }
+
     /// Replays growth from the beginning to the age that is shown, goes on where it paused, or pauses.
     pub(super) fn play_growth(&mut self, on: bool, sketch: &Sketch) {
+        let end = self.growth_state(sketch).map_or(0.0, |state| state.age);
+        self.play(Replayed::Age, on, end);
+    }
+
+    /// The same for flowers that open.
+    pub(super) fn play_opening(&mut self, on: bool, sketch: &Sketch) {
+        let end = self.opening_state(sketch).map_or(0.0, |state| state.open);
+        self.play(Replayed::Opening, on, end);
+    }
+
+    /// Begins a replay up to `end`, in place of one of something else.
+    fn play(&mut self, of: Replayed, on: bool, end: f32) {
         let now = Instant::now();
         match &mut self.replay {
-            Some(replay) => replay.play(on.then_some(now)),
-            None if on => {
-                let end = self.growth_state(sketch).map_or(0.0, |state| state.age);
-                self.replay = (end > 0.0).then(|| Replay::begin(end, now));
-                self.is_stale = self.replay.is_some();
+            Some(replay) if replay.of() == of => replay.play(on.then_some(now)),
+            _ if on => {
+                self.replay = (end > 0.0).then(|| Replay::begin(of, end, now));
+                self.is_stale = true;
             }
-            None => {}
+            _ => {}
         }
     }
 

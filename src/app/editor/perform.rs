@@ -90,6 +90,7 @@ impl Editor {
             Action::SetParam { path, value } => self.set_param(&path, value),
             Action::SetParams(params) => self.change(Change::params(params)),
             Action::PlayGrowth(on) => self.live.play_growth(on, self.drawing.sketch()),
+            Action::PlayOpening(on) => self.live.play_opening(on, self.drawing.sketch()),
             Action::SetTexture { organ, texture } => self.set_texture(organ, texture),
             Action::SetReferenceOpacity(opacity) => self.edit_reference(|r| r.opacity = opacity),
             Action::LockReference(locked) => self.edit_reference(|r| r.locked = locked),

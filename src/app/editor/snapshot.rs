@@ -39,6 +39,7 @@ impl Editor {
             seed: sketch.seed,
             params: self.param_values(),
             growth: self.live.growth_state(sketch),
+            opening: self.live.opening_state(sketch),
             beside: self.beside_state(),
             presets: self.disk.presets.listed().to_vec(),
             reference,

@@ -3,8 +3,8 @@
 use super::snapshot::Snapshot;
 use super::widgets::{palette, segments};
 use super::{
-    beside, dialogs, focus, growth, legend, materials, notices, parameters, part_menu, presets, readings,
-    seed, species, status, toolbar, view,
+    beside, dialogs, focus, growth, legend, materials, notices, opening, parameters, part_menu, presets,
+    readings, seed, species, status, toolbar, view,
 };
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
@@ -77,6 +77,7 @@ fn side(ui: &mut Ui, right_handed: bool, snapshot: &Snapshot, messages: &Message
             match page {
                 Page::Plant => {
                     growth::show(ui, snapshot, messages, out);
+                    opening::show(ui, snapshot, messages, out);
                     beside::show(ui, snapshot, messages, out);
                     species::show(ui, snapshot, messages, out);
                     seed::show(ui, snapshot, messages, out);

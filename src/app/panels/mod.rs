@@ -18,6 +18,7 @@ pub mod icons;
 pub mod legend;
 pub mod materials;
 pub mod notices;
+pub mod opening;
 pub mod parameters;
 pub mod part_menu;
 mod path_dialog;

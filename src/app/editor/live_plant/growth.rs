@@ -6,6 +6,7 @@
 
 use super::LivePlant;
 use crate::app::editor::parameters;
+use crate::app::editor::replay::Replayed;
 use crate::app::panels::growth::YEARS;
 use crate::app::panels::snapshot::{GrowthState, ParamValues};
 use crate::growth::GrowthParams;
@@ -36,8 +37,9 @@ impl LivePlant {
         }
         let own = years(sketch);
         let shown = own.or_else(|| ages.map(|ages| ages.shown)).unwrap_or(0.0);
-        let shown = self.replay.map_or(shown, |replay| replay.age());
-        let end = self.replay.map_or(shown, |replay| replay.end());
+        let replay = self.replay_of(Replayed::Age);
+        let shown = replay.map_or(shown, |replay| replay.value());
+        let end = replay.map_or(shown, |replay| replay.end());
         let age = own_number(sketch, AGE).or(habit.map(|habit| habit.age as f32));
         let species = BEYOND * age.unwrap_or(0.0);
         Some(GrowthState {
@@ -45,16 +47,17 @@ impl LivePlant {
             most: species.max(end).ceil().clamp(LEAST, oldest()),
             chosen: own.is_some(),
             crown: self.outlines.crowns,
-            playing: self.is_playing(),
+            playing: replay.is_some_and(|replay| replay.is_running()),
             resource: ages.map(|ages| ages.resource),
         })
     }
 
-    /// The parameters of a drawing with the age of a replay.
-    pub(super) fn params_at_age(&self, params: &Map<String, Value>) -> Map<String, Value> {
+    /// The parameters of a drawing with what a replay shows.
+    pub(super) fn params_of_replay(&self, params: &Map<String, Value>) -> Map<String, Value> {
         let Some(replay) = self.replay else { return params.clone() };
-        let mut params = parameters::without(params, YEARS);
-        params.insert(YEARS.to_owned(), Value::from(replay.age()));
+        let path = replay.of().parameter();
+        let mut params = parameters::without(params, path);
+        params.insert(path.to_owned(), Value::from(replay.value()));
         params
     }
 }
@@ -65,7 +68,7 @@ fn years(sketch: &Sketch) -> Option<f32> {
 }
 
 /// A parameter that the artist changed.
-fn own_number(sketch: &Sketch, path: &str) -> Option<f32> {
+pub(super) fn own_number(sketch: &Sketch, path: &str) -> Option<f32> {
     let flat = ParamValues::of(&Map::new(), &sketch.params);
     flat.own.get(path).map(|number| *number as f32)
 }

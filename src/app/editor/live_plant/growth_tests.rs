@@ -72,7 +72,7 @@ fn a_replay_follows_the_clock() {
     editor.perform(Action::PlayGrowth(true));
     editor.live.is_stale = false;
     editor.live.replay_growth(Instant::now() + LENGTH / 2);
-    assert!(editor.live.is_stale && editor.live.replay.unwrap().age() > 0.0);
+    assert!(editor.live.is_stale && editor.live.replay.unwrap().value() > 0.0);
 }
 
 #[test]

@@ -72,6 +72,8 @@ pub struct Snapshot {
     pub params: ParamValues,
     /// How the plant grows; `None` where it does not.
     pub growth: Option<GrowthState>,
+    /// How far its flowers have opened; `None` where none opens from a bud.
+    pub opening: Option<OpeningState>,
     /// The plants beside the drawn one.
     pub beside: BesideState,
     /// Presets in the artist's folder.
@@ -137,6 +139,17 @@ pub struct GrowthState {
     pub playing: bool,
     /// What its buds compete for, once it has grown.
     pub resource: Option<Resource>,
+}
+
+/// How far flowers have opened.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OpeningState {
+    /// 0 bud, 1 as far as the species opens them.
+    pub open: f32,
+    /// Whether the artist chose it.
+    pub chosen: bool,
+    /// Whether the opening is being replayed.
+    pub playing: bool,
 }
 
 /// The menu that asks what a stroke is, or what to draw.
