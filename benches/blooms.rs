@@ -29,8 +29,8 @@ fn layers(c: &mut Criterion) {
     let mut group = c.benchmark_group("layers");
     group.sample_size(20);
     for count in [1, 2, 5, 10, 20] {
-        let petals = format!("flower.layers.petals=[[0, 15], [{count}, 15]]");
-        let made = with("chrysanthemum", &[format!("flower.layers.count={count}"), petals]);
+        let mut made = with("chrysanthemum", &[format!("flower.layers.count={count}")]);
+        made.1.flower.layers.as_mut().unwrap().petals = vec![(0, 15)];
         let per_flower = bloom(&made).plant.organs.len() as u64;
         group.throughput(Throughput::Elements(per_flower));
         group.bench_function(BenchmarkId::from_parameter(count), |b| {
