@@ -2,11 +2,13 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 use penstemon::model::crossing::crossing_faces;
 use penstemon::model::quality::judge_model;
 use penstemon::model::{Mesh, Model};
 use penstemon::pipeline::{self, Bloom, Built, Seed};
+use penstemon::plant::OrganKind;
+use penstemon::sketch::{Sketch, Stroke, StrokePoint, Tool};
 use penstemon::species::Species;
 use rayon::prelude::*;
 
@@ -123,4 +125,60 @@ fn roses_stay_within_their_budget() {
         assert!(built.model.triangle_count() <= 80_000, "{}", built.model.triangle_count());
         assert!(judge_model(&built.model).is_clean());
     }
+}
+
+/// A drawing of one line with the branch tool, of this species, so high.
+fn one_line(points: &[(f32, f32)], species: &str, height: f64) -> Built {
+    let line = (0..=40).map(|k| {
+        let t = k as f32 / 40.0 * (points.len() - 1) as f32;
+        let (i, part) = ((t as usize).min(points.len() - 2), t.fract());
+        let part = if t as usize > i { 1.0 } else { part };
+        let ((x0, y0), (x1, y1)) = (points[i], points[i + 1]);
+        StrokePoint::at(Vec2::new(x0 + (x1 - x0) * part, y0 + (y1 - y0) * part))
+    });
+    let stroke = Stroke { id: 1, tool: Tool::Branch, points: line.collect() };
+    let mut sketch =
+        Sketch { species: Some(species.to_owned()), strokes: vec![stroke.into()], ..Sketch::empty() };
+    sketch.params.insert("depth.world.height".to_owned(), height.into());
+    let species = Species::built_in(species).unwrap();
+    let params = pipeline::params_of(&sketch, &species, &[]).unwrap();
+    pipeline::build(&sketch, &species, &params)
+}
+
+fn organs(built: &Built, kind: OrganKind) -> usize {
+    built.plant.organs.iter().filter(|organ| organ.kind() == kind).count()
+}
+
+#[test]
+fn bare_stems_come_into_leaf_and_flower_by_their_species() {
+    let upright = [(200.0, 580.0), (190.0, 420.0), (215.0, 250.0), (205.0, 60.0)];
+    let rose = one_line(&upright, "rose", 0.6);
+    assert_eq!(rose.plant.flowers.len(), 1);
+    assert!(organs(&rose, OrganKind::Leaf) > 15 && organs(&rose, OrganKind::Thorn) > 3);
+    let end = rose.plant.branches[0].points.last().unwrap();
+    assert!(rose.plant.flowers[0].cone.apex.distance(*end) < 0.03);
+    let peony = one_line(&upright, "peony", 0.6);
+    assert_eq!((peony.plant.flowers.len(), organs(&peony, OrganKind::Leaf)), (1, 0));
+    // Species without full flowers leave stems as they are.
+    assert_eq!(one_line(&upright, "mallow", 0.6).plant.flowers.len(), 0);
+    for built in [rose, peony] {
+        assert!(judge_model(&built.model).is_clean());
+    }
+}
+
+#[test]
+fn roses_climb_along_a_drawn_arch() {
+    let arch = [
+        (100.0, 580.0),
+        (95.0, 300.0),
+        (200.0, 100.0),
+        (300.0, 60.0),
+        (400.0, 100.0),
+        (505.0, 300.0),
+        (500.0, 560.0),
+    ];
+    let rose = one_line(&arch, "rose", 2.2);
+    assert!(rose.plant.flowers.len() > 15, "{}", rose.plant.flowers.len());
+    assert!(rose.plant.branches[1..].iter().all(|branch| branch.parent == Some(0)));
+    assert!(judge_model(&rose.model).is_clean());
 }

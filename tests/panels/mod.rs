@@ -9,6 +9,7 @@ mod growth;
 mod keyboard;
 mod looks;
 mod measures;
+mod opening;
 mod parameters;
 mod pictures;
 mod readings;

@@ -171,3 +171,47 @@ fn a_pause_keeps_its_age_at_rest_and_a_change_ends_it() {
     assert!(editor.live.replay.is_none());
     assert_eq!(shown(&editor), 3.0);
 }
+
+/// An editor with a bare stem of a peony, which ends in a flower.
+fn peony(home: &tempfile::TempDir) -> Editor {
+    let places = Places { config: home.path().join("config"), state: home.path().join("state") };
+    let mut editor = Editor::open_in(places, None, || ()).unwrap();
+    editor.perform(Action::New);
+    editor.perform(Action::SetSpecies("peony".into()));
+    let points = (0..=20).map(|k| StrokePoint::at(vec2(300.0, 500.0 - 18.0 * k as f32))).collect();
+    editor.change(Change::put(Stroke { id: 1, tool: Tool::Branch, points }));
+    settle(&mut editor);
+    editor
+}
+
+/// How high the petals of its flower reach, and how many there are.
+fn petals(editor: &Editor) -> (f32, usize) {
+    let built = editor.built().unwrap();
+    let petals = built.model.parts.iter().filter(|part| part.name.starts_with("petal"));
+    let heights = petals.flat_map(|part| part.flattened_mesh().points.clone()).map(|point| point.x.abs());
+    (heights.fold(0.0, f32::max), built.plant.flowers.len())
+}
+
+#[test]
+fn the_flower_of_a_bare_stem_opens_by_the_slider_and_before_the_artists_eyes() {
+    let home = tempfile::tempdir().unwrap();
+    let mut editor = peony(&home);
+    let state = editor.panel_snapshot().opening.unwrap();
+    assert!(state.open == 1.0 && !state.chosen && !state.playing, "{state:?}");
+    let (wide, flowers) = petals(&editor);
+    assert!(flowers == 1 && wide > 0.0);
+    editor.perform(Action::PlayOpening(true));
+    let mut widths = Vec::new();
+    while editor.live.replay.is_some() {
+        advance(&mut editor, LENGTH / 4);
+        widths.push(petals(&editor).0);
+    }
+    assert!(widths.windows(2).all(|pair| pair[0] < pair[1]) && widths[3] == wide, "{widths:?}");
+    assert!(editor.sketch().params.is_empty(), "it is no change of the drawing");
+    editor.perform(Action::SetParam { path: "flower.open".into(), value: Some(Value::from(0.0)) });
+    settle(&mut editor);
+    assert!(petals(&editor).0 < 0.75 * wide && editor.panel_snapshot().opening.unwrap().chosen);
+    editor.perform(Action::SetSpecies("oak".into()));
+    settle(&mut editor);
+    assert_eq!(editor.panel_snapshot().opening, None);
+}
