@@ -49,9 +49,9 @@ fn a_reading_that_is_refused_is_gone_and_the_rest_stays() {
             let after = read(&with(sketch, &refused.strokes, Verdict::Not(refused.reading)));
             let still = |r: &&ReadStrokes| r.reading == refused.reading && is_about(r, &refused.strokes);
             assert_eq!(after.readings.iter().find(still), None);
-            // What was set free may join others, which are then read with it; what stood on it is looked at anew.
+            // What was set free may join others, which are then read with it; what stood on it or beside it is looked at anew.
             let joined = |r: &ReadStrokes| r.strokes.iter().any(|stroke| refused.strokes.contains(stroke));
-            let is_beneath = matches!(refused.reading, Reading::Pot | Reading::Ground);
+            let is_beneath = matches!(refused.reading, Reading::Pot | Reading::Ground | Reading::Frame);
             if after.readings.iter().any(joined) || is_beneath {
                 continue;
             }

@@ -171,6 +171,28 @@ fn most_drawings_that_came_later_are_read_as_what_they_show() {
     }
 }
 
+/// Drawings in which something stands beside a plant, and what must be among their readings.
+const BESIDE: [(&str, &str, &[Reading]); 3] = [
+    ("garden", "3", &[Reading::Tree, Reading::Bush]),
+    ("house_plant", "7", &[Reading::Pot, Reading::Frame]),
+    ("house_plant", "4", &[Reading::Pot, Reading::Leaf]),
+];
+
+#[test]
+fn what_stands_beside_a_plant_is_read_by_itself() {
+    let drawings = drawings(Share::Development).unwrap();
+    for (class, name, readings) in BESIDE {
+        let drawing = drawings.iter().find(|it| it.class == class && it.name == name).unwrap();
+        let read = read(drawing).readings;
+        let missing = readings.iter().find(|reading| read.iter().all(|r| r.reading != **reading));
+        assert_eq!(missing, None, "{class} {name}");
+    }
+    // A stem, two leaves in one stroke and one that is a line are one plant.
+    let potted = drawings.iter().find(|it| it.class == "house_plant" && it.name == "4").unwrap();
+    let leaves = read(potted).strokes.iter().filter(|stroke| stroke.tool == Tool::Leaf).count();
+    assert_eq!(leaves, 3);
+}
+
 /// The drawings made for this, what they show, and what must be among their readings.
 const FREEHAND: [(&str, &str, &[Reading]); 12] = [
     ("apple_tree", "tree", &[Reading::Tree]),

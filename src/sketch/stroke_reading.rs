@@ -55,6 +55,8 @@ readings! {
     Ground = "ground", "is read as the ground and is no part of the plant";
     /// The sun.
     Sun = "sun", "is read as the sun and is no part of the plant";
+    /// A window, a frame or a fence.
+    Frame = "frame", "is read as a window, a frame or a fence and is no part of the plant";
     /// Strokes over one another.
     Line = "line", "is read as one line that was drawn again";
 }

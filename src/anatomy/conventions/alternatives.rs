@@ -1,7 +1,7 @@
 //! In which other ways some strokes could be read: what is offered to an artist who says that they are something else.
 //!
 //! Every reading that is proposed for the strokes, the likeliest first, whatever was said of them before; once as the drawing
-//! stands and once without the pot, ground or sun that hides them. Last comes that each stroke is a part by itself. Nothing of it
+//! stands and once without the pot, ground, sun or fence that hides them. Last comes that each stroke is a part by itself. Nothing of it
 //! is computed while a drawing grows, only when somebody asks.
 
 use super::{ConventionParams, Hypothesis, Memory, proposals};
@@ -22,7 +22,7 @@ pub fn alternatives(sketch: &Sketch, params: &ConventionParams, about: &[StrokeI
     let mut corrections = corrected(&sketch.corrections, separate.clone(), ids()).to_vec();
     corrections.pop();
     let mut found = readings_of(sketch, &corrections, about);
-    let hidden_by = [Reading::Pot, Reading::Ground, Reading::Sun].map(Verdict::Not);
+    let hidden_by = [Reading::Pot, Reading::Ground, Reading::Sun, Reading::Frame].map(Verdict::Not);
     corrections.extend(hidden_by.map(|verdict| Correction::new(about.iter().copied(), verdict)));
     found.extend(readings_of(sketch, &corrections, about));
     found.sort_by(|a, b| b.0.total_cmp(&a.0));

@@ -21,7 +21,7 @@
 //! | folder | what |
 //! | --- | --- |
 //! | `lines` | strokes that are one line together |
-//! | `beneath` | what plants stand in or on: pots, ground lines |
+//! | `beneath` | what plants stand in, on or beside: pots, ground lines, fences |
 //! | `trees` | trees, firs, bushes |
 //! | `bodies` | cacti, mushrooms |
 //! | `flowers` | flowers from above and from the side |
@@ -57,17 +57,17 @@ pub use hypothesis::{Habit, Hypothesis, Made, Solid, SolidKind};
 pub use pieces::{DrawnSolid, Interpretation, Piece, ReadStrokes};
 
 use crate::sketch::{Correction, Corrections, Reading, Stroke, StrokeId, Verdict};
-use beneath::{ground, pot};
+use beneath::{frame, ground, pot};
 use bodies::{body, mushroom};
 use corrected::Corrected;
 use flowers::{bud, corolla, corolla_on_stem, cup, gathered, rays, rose, row};
-use leaves::{leaf, leaf_loops, lobed_leaf, stem_arcs, stem_loops};
+use leaves::{leaf, leaf_loops, lobed_leaf, potted_stem, stem_arcs, stem_loops};
 use lines::{Redrawn, chains::Chains};
 use page::Page;
 use rayon::prelude::*;
 use std::sync::Arc;
 use trees::{bush, conifer, tree, tree_on_line};
-use tufts::{fronds, grass, tuft};
+use tufts::{fronds, grass, lawn, tuft};
 use whole::Looks;
 
 crate::parameters! {
@@ -206,7 +206,7 @@ fn read_above(beneath: Propose, propose: Propose, lines: &[Vec<glam::Vec2>]) -> 
 }
 
 /// What plants stand in or on, the first beneath which the next is looked for.
-const BENEATH: &[Propose] = &[pot::propose, ground::propose];
+const BENEATH: &[Propose] = &[pot::propose, frame::propose, ground::propose];
 
 /// All others.
 const CONVENTIONS: &[Propose] = &[
@@ -229,7 +229,9 @@ const CONVENTIONS: &[Propose] = &[
     leaf_loops::propose,
     stem_loops::propose,
     stem_arcs::propose,
+    potted_stem::propose,
     grass::propose,
+    lawn::propose,
     fronds::propose,
     tuft::propose,
 ];

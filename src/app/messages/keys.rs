@@ -359,6 +359,7 @@ keys! {
     ReadAsPot = "reading.pot",
     ReadAsGround = "reading.ground",
     ReadAsSun = "reading.sun",
+    ReadAsFrame = "reading.frame",
     ReadAsLine = "reading.line",
     ReadTogetherRefuse = "together.refuse",
     ReadTogetherRefuseHint = "together.refuse_hint",

@@ -98,6 +98,7 @@ fn words_of(reading: Reading) -> Msg {
         Reading::Pot => Msg::ReadAsPot,
         Reading::Ground => Msg::ReadAsGround,
         Reading::Sun => Msg::ReadAsSun,
+        Reading::Frame => Msg::ReadAsFrame,
         Reading::Line => Msg::ReadAsLine,
     }
 }

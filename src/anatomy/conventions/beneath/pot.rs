@@ -15,7 +15,7 @@ use super::pot_rows::{ROWS, Row, mirrored, profile, rows};
 use crate::anatomy::conventions::flowers::upright::{stand_in_bed, upright};
 use crate::anatomy::conventions::page::{Line, Page, bounds};
 use crate::anatomy::conventions::{Hypothesis, Solid, SolidKind};
-use crate::geom::{convex_hull::convex_hull, simple_loop};
+use crate::geom::{convex_hull::convex_hull, polyline, simple_loop};
 use crate::sketch::Reading;
 use glam::Vec2;
 
@@ -44,8 +44,11 @@ const OVERSHOT: f32 = 0.4;
 const MOUTH: (f32, f32) = (0.3, 0.7);
 /// Least height of a plant above the pot, in heights of the pot.
 const PLANT: f32 = 0.4;
-/// Greatest width of a plant where it enters, as a share of the pot's.
+/// Greatest width of a plant where it enters, as a share of the pot's, and how near to a line's foot that is, as a share as well.
 const ENTRY: f32 = 0.85;
+const FOOT: f32 = 0.15;
+/// Height of a line, as a share of its width, and how often it may cross the middle of it if it is no zigzag.
+const ZIGZAG: (f32, usize) = (0.4, 6);
 /// Log-odds: more than those of a tree, whose trunk a pot would be.
 const SCORE: f32 = 3.5;
 /// How near to the upper end of a side something else ends that it carries, as a share of its height.
@@ -74,7 +77,11 @@ fn pot(page: &Page, body: usize) -> Option<Hypothesis> {
     let lines: Vec<&[Vec2]> = pot.uses.iter().map(|i| &page.lines[*i].points[..]).collect();
     let mut rows = mirrored(rows(&lines, pot.low, pot.high));
     pot.trim(&mut rows);
-    if !pot.is_box(&lines, &rows) || pot.stands_on_more(page) || !pot.has_plant(page) {
+    if is_zigzag(&page.lines[body])
+        || !pot.is_box(&lines, &rows)
+        || pot.stands_on_more(page)
+        || !pot.has_plant(page)
+    {
         return None;
     }
     if stand_in_bed(&upright(page), (pot.low, pot.high)) {
@@ -142,9 +149,11 @@ fn carries(page: &Page, line: &Line, top: Vec2, width: f32) -> bool {
     page.lines.iter().any(|other| {
         let (low, high) = other.bounds;
         let is_over = low.x - near < top.x && top.x < high.x + near && other.middle().y < top.y;
+        let reach = near.max(0.3 * other.size().y);
         is_over
+            && polyline::nearest(&other.points, top).is_some_and(|(gap, _)| gap < reach)
             && high.y > top.y - near
-            && high.y < top.y + near.max(0.3 * other.size().y)
+            && high.y < top.y + reach
             && high.x - low.x < width
     })
 }
@@ -172,6 +181,19 @@ fn is_saucer(line: &Line, (low, high): (Vec2, Vec2)) -> bool {
         && line.area > 0.1 * own.x * own.y
         && is_below
         && (line.middle().x - low.midpoint(high).x).abs() < 0.25 * size.x
+}
+
+/// Whether a line that is wide beside its height goes up and down again and again: grass.
+fn is_zigzag(line: &Line) -> bool {
+    let middle = line.middle().y;
+    let crossings =
+        line.points.windows(2).filter(|pair| (pair[0].y < middle) != (pair[1].y < middle)).count();
+    line.size().y < ZIGZAG.0 * line.size().x && crossings > ZIGZAG.1
+}
+
+/// Where points of a line are from left to right that are so near to its foot.
+fn near_foot(line: &Line, foot: Vec2, near: f32) -> impl Iterator<Item = f32> {
+    line.points.iter().filter(move |p| p.distance(foot) < near).map(|p| p.x)
 }
 
 /// A pot with all its lines.
@@ -283,6 +305,10 @@ impl Pot {
             let is_in_mouth = |p: Vec2| p.x > self.low.x && p.x < self.high.x && p.y > above && p.y < below;
             if foot.is_some_and(is_in_mouth) && line.bounds.0.y < self.low.y - PLANT * self.size.y {
                 enters = true;
+                // A leaf that leans over the edge enters where it begins.
+                let at_foot = foot.into_iter().flat_map(|foot| near_foot(line, foot, FOOT * self.size.x));
+                let (l, r) =
+                    at_foot.fold((f32::INFINITY, f32::NEG_INFINITY), |(l, r), x| (l.min(x), r.max(x)));
                 (left, right) = (left.min(l), right.max(r));
             }
         }

@@ -123,3 +123,30 @@ fn soil_patterns_and_saucers_belong_to_it() {
     let found = read(&[stem(), body(), soil, pattern, saucer]);
     assert_eq!(found.first().map(|pot| &pot.uses[..]), Some(&[1, 2, 3, 4][..]));
 }
+
+#[test]
+fn leaves_may_lean_over_the_edge_and_stand_over_its_corners() {
+    let leaf = |tip: (f32, f32)| {
+        let (tip, root) = (Vec2::from(tip), Vec2::new(0.0, -41.0));
+        let side = 0.15 * (tip - root).perp();
+        let middle = root.midpoint(tip);
+        page_line(&[root, middle + side, tip, middle - side, root])
+    };
+    let leaves = [leaf((-80.0, -60.0)), leaf((0.0, -130.0)), leaf((85.0, -58.0)), leaf((40.0, -120.0))];
+    let pot = line(&[(-25.0, -40.0), (-18.0, 0.0), (18.0, 0.0), (25.0, -40.0), (-25.0, -40.0)]);
+    assert_eq!(read(&[&leaves[..], &[pot]].concat()).first().map(|pot| &pot.uses[..]), Some(&[4][..]));
+    let sides = [line(&[(-18.0, 1.0), (-25.0, -40.0)]), line(&[(25.0, -39.0), (19.0, 0.0)])];
+    let bottom = line(&[(-18.0, 0.0), (18.0, 0.0)]);
+    let parts = [bottom, sides[0].clone(), sides[1].clone()];
+    assert_eq!(read(&[&leaves[..], &parts[..]].concat()).first().map(|pot| pot.uses.len()), Some(3));
+}
+
+#[test]
+fn a_zigzag_below_a_flower_is_no_pot() {
+    let zigzag = (0..=16).map(|k| Vec2::new(15.0 * k as f32 - 120.0, if k % 2 == 1 { -30.0 } else { 5.0 }));
+    assert!(read(&[line(&[(0.0, -10.0), (2.0, -150.0)]), zigzag.collect()]).is_empty());
+}
+
+fn page_line(places: &[Vec2]) -> Vec<Vec2> {
+    crate::anatomy::conventions::page::even(places, 80)
+}

@@ -25,6 +25,8 @@ const MOST: usize = 9;
 const FLOWER: f32 = 0.15;
 /// Least length of a line that goes round a tip, in distances of its ends; half a circle has 1.57.
 const TIP: f32 = 1.2;
+/// Fewest blades of a rosette, largest opening of one, and greatest area over the square of its length: a circle has 0.08.
+const ROSETTE: (usize, f32, f32) = (3, 0.25, 0.05);
 /// Least log-odds of what may be a body: many things have some of its parts.
 const LEAST: f32 = 2.0;
 /// More for each line of an outline but the first, up to so many: what a few leaves would be is seldom a body by chance.
@@ -46,7 +48,7 @@ fn body(page: &Page, group: &[usize]) -> Option<Hypothesis> {
         |line: &Line| line.is_closed_and_solid() && line.size().max_element() < FLOWER * size.max_element();
     let (flowers, group): (Vec<usize>, Vec<usize>) = group.iter().partition(|i| is_flower(&page.lines[**i]));
     let lines: Vec<&Line> = group.iter().map(|i| &page.lines[*i]).collect();
-    if evidence::has_blades(&lines, size) {
+    if evidence::has_blades(&lines, size) || is_rosette(&lines) {
         return None;
     }
     let found = spines::ways_apart(&lines, size).into_iter().filter_map(|spines| with_spines(&spines, size));
@@ -83,6 +85,17 @@ fn with_spines(spines: &Spines, size: Vec2) -> Option<(Body, f32)> {
     let lines = EACH.0 * (outlines.len() - 1).min(EACH.1) as f32;
     let score = body.score + lines + spines.log_odds(&body.outline)?;
     Some((body, score))
+}
+
+/// Whether most of these lines are outlines of slender blades, each closed by itself.
+fn is_rosette(lines: &[&Line]) -> bool {
+    let is_blade = |line: &&&Line| {
+        line.openness < ROSETTE.1
+            && line.solidity() > 0.5
+            && line.area < ROSETTE.2 * line.length * line.length
+    };
+    let blades = lines.iter().filter(is_blade).count();
+    blades >= ROSETTE.0 && 2 * blades > lines.len()
 }
 
 /// Whether lines may enclose a body together.

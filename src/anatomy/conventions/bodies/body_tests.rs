@@ -251,3 +251,16 @@ fn pointed_blades_and_caps_are_none() {
     cap.extend(line(&[(9.0, -20.0), (9.0, 60.0)]));
     assert!(read(&[cap]).is_empty());
 }
+
+#[test]
+fn slender_blades_from_one_place_are_no_body() {
+    let blade = |tip: Vec2| {
+        let side = 0.1 * tip.perp();
+        crate::anatomy::conventions::page::even(
+            &[Vec2::ZERO, 0.5 * tip + side, tip, 0.5 * tip - side, Vec2::ZERO],
+            80,
+        )
+    };
+    let tips = [(-90.0, -60.0), (-40.0, -110.0), (10.0, -120.0), (60.0, -100.0), (95.0, -50.0)];
+    assert!(read(&tips.map(|tip| blade(Vec2::from(tip)))).is_empty());
+}

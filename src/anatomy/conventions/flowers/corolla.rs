@@ -50,16 +50,19 @@ const SCRIBBLED: f32 = 2.0;
 const AT_MOUTH: f32 = 0.6;
 /// Distance of feet from there, and how many that near say that all gather at its root.
 const GATHERED: (f32, usize) = (0.4, 3);
-/// Widest angle between the directions of loops around a centre that keeps them apart.
-const LOOP_GAP: f32 = 0.28 * TAU;
+/// Widest angle between the directions of loops around a centre that keeps them apart, and the same times their number: three are far
+/// apart.
+const LOOP_GAP: (f32, f32) = (0.28 * TAU, 1.35 * TAU);
 /// How far petals of their own stay away from the middle if what stands there is a centre and no petal, and the most of their
 /// points that come nearer: their feet.
 const KEPT_OUT: (f32, f32) = (0.75, 0.15);
-/// Farthest middle of the feet of such petals from the middle of a centre, in half sizes of it: petals that gather at the root
-/// of one among them have their feet beside it.
-const FEET_OFF: f32 = 0.5;
-/// Least cosine between where a petal points from its foot and from the centre.
+/// Farthest middle of the feet of such petals from the middle of a centre, in half sizes of it, and as a share of their reach: petals
+/// that gather at the root of one among them have their feet beside it.
+const FEET_OFF: (f32, f32) = (0.5, 0.12);
+/// Least cosine between where a petal points from its foot and from the centre, and of how many one may point elsewhere: it was not
+/// drawn to its end.
 const OUTWARD: f32 = 0.8;
+const ASKEW: usize = 3;
 /// The same as the two before the last, and the widest angle, for so many loops, which may stand on one side of a head that is seen from the side; their
 /// feet lie at least that far apart, on the average from their middle.
 const SIDE: (usize, f32, f32, f32) = (5, 0.85, 0.6 * TAU, 0.4);
@@ -67,6 +70,9 @@ const SIDE: (usize, f32, f32, f32) = (5, 0.85, 0.6 * TAU, 0.4);
 const ALL_AROUND: f32 = 0.85 * TAU;
 /// Farthest end of an arc for one petal, as a share of its reach.
 const BACK: f32 = 0.7;
+/// Least area between a petal's arc and its chord, over the square of its length, if only one of its ends is near the centre, and greatest
+/// chord over its length.
+const BULGE: (f32, f32) = (0.05, 0.75);
 /// Distance within which ends of lines meet, as a share of the corolla's reach.
 const MEET: f32 = 0.15;
 /// How far a petal reaches at most, in reaches of the middle one: a stem goes farther.
@@ -79,6 +85,16 @@ const AROUND: f32 = PI * 0.9;
 const ROOT: f32 = 0.15;
 /// Farthest from the middle of the corolla that the centre stands, as a share of the corolla's half size.
 const OFF_CENTRE: f32 = 0.5;
+
+/// How far from the middle of a ring of lobes that is far around it a centre may be, as a share of the ring's size; least turns and
+/// lobes of that: a crown has apples in any place.
+const RING_OFF: f32 = 0.12;
+const RING_TURNS: f32 = 0.85;
+const RING_LOBES: usize = 5;
+
+/// How far below such a ring the sides of a trunk go, and where they begin, as shares of its height; width of both sides in one line, as a
+/// share of its width.
+const TRUNK: (f32, f32, f32) = (0.25, 0.08, 0.12);
 
 /// Points of a centre's outline.
 const RING: usize = 90;
@@ -129,6 +145,9 @@ fn corolla(page: &Page, centre: usize, near: &[usize]) -> Option<Hypothesis> {
     let is_loop = |chain: &&Chain| chain.is_closed && winding(&chain.points, focus.place) < PI;
     let loops = chains.iter().filter(is_loop).count();
     let petals = petals(&chains, &focus);
+    if petal_lines.iter().any(|(_, around)| stands_on_trunk(page, &around.line, &focus)) {
+        return None;
+    }
     let reach = petals.iter().map(|stretch| focus.reach(stretch)).sum::<f32>() / petals.len().max(1) as f32;
     if disc.openness >= OPEN && reach < SCRIBBLED {
         return None;
@@ -184,13 +203,47 @@ fn is_around(line: &Line, focus: &Focus) -> bool {
     let reach = focus.reach(&line.points);
     let nearest = line.points.iter().map(|p| focus.distance(*p)).fold(f32::INFINITY, f32::min);
     let (first, last) = line.ends();
-    let comes_back = focus.distance(first).max(focus.distance(last)) < BACK * reach || line.openness < OPEN;
+    let is_left_open = focus.distance(first).min(focus.distance(last)) < NEAREST
+        && line.area > BULGE.0 * line.length * line.length
+        && first.distance(last) < BULGE.1 * line.length;
+    let comes_back = focus.distance(first).max(focus.distance(last)) < BACK * reach
+        || line.openness < OPEN
+        || is_left_open;
     let has_notches =
         || winding(&line.points, focus.place) > PI || lobes::cut(&line.points, focus, false).len() > 1;
     let ends_there = focus.distance(first).max(focus.distance(last)) < NEAREST;
-    let is_petal = || line.solidity() > FAR.1 && (ends_there || line.openness < OPEN && nearest < REACH.0);
+    let is_petal = || {
+        line.solidity() > FAR.1 && (ends_there || is_left_open || line.openness < OPEN && nearest < REACH.0)
+    };
     let farthest = if reach > REACH.1 && is_petal() { FAR.0 } else { REACH.1 };
     (REACH.0..farthest).contains(&reach) && nearest < NEAREST && (comes_back || has_notches())
+        || (NEAREST..FAR.0).contains(&nearest) && reach < FAR.0 && is_ring(line, focus)
+}
+
+/// Whether a line is a ring of many lobes about a small centre in its middle.
+fn is_ring(line: &Line, focus: &Focus) -> bool {
+    let off = (line.middle() - focus.place).abs() / line.size();
+    line.openness < OPEN
+        && off.max_element() < RING_OFF
+        && winding(&line.points, focus.place) > RING_TURNS * TAU
+        && lobes::cut(&line.points, focus, true).len() >= RING_LOBES
+}
+
+/// Whether a ring far around a centre has the two sides of a trunk below, or something as wide.
+fn stands_on_trunk(page: &Page, ring: &Line, focus: &Focus) -> bool {
+    if !is_ring(ring, focus) || ring.points.iter().any(|p| focus.distance(*p) < NEAREST) {
+        return false;
+    }
+    let ((_, foot), size) = (ring.bounds, ring.size());
+    let sides = |line: &Line| {
+        let hangs =
+            line.bounds.1.y > foot.y + TRUNK.0 * size.y && line.bounds.0.y < foot.y + TRUNK.1 * size.y;
+        let is_wide = line.size().x > TRUNK.2 * size.x && line.openness < 0.8;
+        usize::from(hangs) * if is_wide { 2 } else { 1 }
+    };
+    let grown = TRUNK.1 * size;
+    let below = page.lines_at(&[(ring.bounds.0, foot + grown)]);
+    below.iter().flatten().map(|i| sides(&page.lines[*i])).sum::<usize>() > 1
 }
 
 /// Angle that a line turns around a place, without sign.
@@ -295,7 +348,9 @@ fn stand_around(petals: &[Vec<Vec2>], disc: &Line, focus: &Focus) -> bool {
     let middle = feet.iter().sum::<Vec2>() / count;
     let spread = feet.iter().map(|foot| foot.distance(middle)).sum::<f32>() / count;
     let gap = widest_gap(petals, focus.place);
-    let is_all_around = middle.length() < FEET_OFF && gap < LOOP_GAP;
+    let reach = petals.iter().map(|petal| focus.reach(petal)).sum::<f32>() / count;
+    let (feet_off, loop_gap) = (FEET_OFF.0.max(FEET_OFF.1 * reach), LOOP_GAP.0.max(LOOP_GAP.1 / count));
+    let is_all_around = middle.length() < feet_off && gap < loop_gap;
     let mouth = (disc.ends().0.midpoint(disc.ends().1) - focus.place) / focus.half;
     let is_half = petals.len() >= SIDE.0
         && middle.length() < SIDE.1
@@ -305,7 +360,8 @@ fn stand_around(petals: &[Vec<Vec2>], disc: &Line, focus: &Focus) -> bool {
     let beside_it = feet.iter().filter(|foot| foot.distance(mouth) < GATHERED.0).count();
     beside_it < GATHERED.1
         && (is_all_around || is_half)
-        && !petals.iter().any(|petal| comes_in(petal) || is_askew(petal))
+        && !petals.iter().any(comes_in)
+        && petals.iter().filter(|petal| is_askew(petal)).count() <= petals.len() / ASKEW
 }
 
 /// Widest angle between neighbouring petals' directions.

@@ -124,3 +124,31 @@ fn an_apple_in_a_crown_speaks_less_for_a_flower_than_a_trunk_for_a_tree() {
     let tree = [line((-8.0, 120.0), (-8.0, 40.0)), line((8.0, 120.0), (8.0, 40.0)), crown, circle(16.0)];
     assert!(read(&tree).iter().all(|flower| flower.score < 3.0));
 }
+
+#[test]
+fn a_ring_of_lobes_far_around_a_small_centre_is_a_corolla_unless_a_trunk_stands_below() {
+    let stem = line((0.0, 200.0), (0.0, 58.0));
+    let drawing = [stem, ring(8.0, 15.0, (0.0, TAU)), circle(9.0)];
+    let found = read(&drawing);
+    assert_eq!(found.first().map(|flower| &flower.uses[..]), Some(&[1, 2][..]));
+    let sides = [-9.0, 9.0].map(|x| line((x, 160.0), (x, 52.0)));
+    let tree = [sides[0].clone(), ring(8.0, 15.0, (0.0, TAU)), circle(9.0), sides[1].clone()];
+    assert!(read(&tree).is_empty());
+    let aside: Vec<Vec2> = circle(9.0).into_iter().map(|p| p + Vec2::new(25.0, 0.0)).collect();
+    assert!(read(&[ring(8.0, 15.0, (0.0, TAU)), aside]).is_empty(), "an apple");
+}
+
+#[test]
+fn petals_that_were_not_drawn_to_their_end_and_few_far_apart_are_petals() {
+    let petal = |turn: f32, end: usize| {
+        let at = |angle: f32, away: f32| away * Vec2::from_angle(turn + angle);
+        let corners = [at(-0.45, 15.0), at(-0.5, 35.0), at(0.0, 52.0), at(0.5, 35.0), at(0.45, 15.0)];
+        even(&corners[..end], 60)
+    };
+    let open = |count: usize| (0..count).map(move |k| petal(TAU * k as f32 / count as f32, 4));
+    let found = read(&open(5).chain([circle(12.0)]).collect::<Vec<_>>());
+    assert_eq!(found.first().map(|flower| flower.uses.len()), Some(6));
+    let three = (0..3).map(|k| petal(TAU * k as f32 / 3.0, 5));
+    let found = read(&three.chain([circle(12.0)]).collect::<Vec<_>>());
+    assert_eq!(found.first().map(|flower| flower.uses.len()), Some(4));
+}

@@ -6,7 +6,9 @@
 //! that touch, which may be halves of a crown, and other lines at the same height. Petals are as drawn where they can be seen, along the rays
 //! where a head is made of rays, and else fill the head as those of a [`rose`](super::rose) do.
 //!
-//! Limits: plants in pots; heads on two lines, which are trunks; flowers one above the other; row upon row.
+//! In a pot, where leaves stand on stems as well, one head at least must show petals or windings.
+//!
+//! Limits: heads on two lines, which are trunks; flowers one above the other; row upon row.
 
 use super::corolla_on_stem::{is_seen_from_the_front, petals_on_stem};
 use super::upright::{Flower, is_wound, stand_in_bed, upright};
@@ -21,11 +23,16 @@ use glam::Vec2;
 const FEWEST: usize = 2;
 /// Least chord of a ray over its length, how near it passes to the head's middle, as a share of the head's size, and fewest rays.
 const RAY: (f32, f32, usize) = (0.9, 0.3, 2);
+/// Lines that cross in the middle of a head which is a flower even if it is the only one; how far from there their middles are at most, and
+/// their least length, as shares of its size.
+const STAR: (usize, f32, f32) = (3, 0.2, 0.6);
 /// Points of a petal along a ray, where it begins, as a share of the ray, and half its width, as a share of the head's half size.
 const THIN: (usize, f32, f32) = (10, 0.06, 0.2);
 /// Log-odds of a head by itself, and most of one whose petals are not seen all around: conventions that know more of it come first.
 const SCORE: f32 = 1.6;
 const MOST: f32 = 4.1;
+/// From how many flowers that show their petals on those beside them may be that much likelier: in a row of flowers is no tree on a line.
+const CERTAIN: (usize, f32) = (2, 0.6);
 /// What each flower beside it speaks for a head, and how much of what speaks for that one; the same of a bare stem on the ground;
 /// how many are counted.
 const BESIDE: (f32, f32, f32) = (0.3, 0.6, 0.3);
@@ -54,12 +61,10 @@ type Petals = Vec<Vec<Vec2>>;
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let stems = upright(page);
     let ground = ground(page, &stems);
-    // In a pot leaves stand on stems as well.
-    if ground.is_empty() && page.has_apart() {
-        return;
-    }
+    let is_potted = ground.is_empty() && page.has_apart();
     let (flowers, bare) = flowers(page, stems, &ground);
-    if flowers.len() + bare < FEWEST {
+    let is_star = |flower: &Flower| flower.crossing(page) >= STAR.0;
+    if flowers.len() + bare < FEWEST && !flowers.iter().any(is_star) {
         return;
     }
     let touches =
@@ -70,17 +75,23 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let mut row: Vec<usize> = flowers.iter().flat_map(of_flower).collect();
     row.sort_unstable();
     let against = |i: usize| apart(i) + CROWDED * flowers[i].crowded(page, &row).min(1.0);
+    // In a pot leaves stand on stems as well.
+    if is_potted && !are_potted_flowers(page, &flowers) {
+        return;
+    }
     let petals: Vec<Option<Petals>> = flowers.iter().map(|flower| flower.drawn(page)).collect();
     let speaks =
         |(i, flower): (usize, &Flower)| flower.evidence(page, &ground, petals[i].is_some()) - against(i);
     let evidence: Vec<f32> = flowers.iter().enumerate().map(speaks).collect();
+    let certain = petals.iter().flatten().count();
     for ((i, flower), petals) in flowers.iter().enumerate().zip(petals) {
         let others = evidence.iter().enumerate().filter(|(k, _)| *k != i);
         let mut beside: Vec<f32> = others.map(|(_, it)| (BESIDE.0 + BESIDE.1 * it).max(0.0)).collect();
         beside.sort_by(|a, b| b.total_cmp(a));
         beside.extend((0..bare).map(|_| BESIDE.2));
         let score = SCORE + evidence[i] + beside.iter().take(COUNTED).sum::<f32>();
-        let most = if flower.shows_its_face(page) { f32::INFINITY } else { MOST };
+        let most = if flower.shows_its_face(page) || is_star(flower) { f32::INFINITY } else { MOST };
+        let most = if certain >= CERTAIN.0 { most + CERTAIN.1 } else { most };
         out.push(flower.hypothesis(petals, score.min(most)));
     }
 }
@@ -107,6 +118,16 @@ fn flowers<'a>(page: &Page, all: Vec<Flower<'a>>, ground: &[&Line]) -> (Vec<Flow
     });
     let others = stems - on_ground(&flowers);
     (flowers, others)
+}
+
+/// Whether heads on stems in a pot are flowers: one of them at least has petals or is wound, and none is a blade.
+fn are_potted_flowers(page: &Page, flowers: &[Flower]) -> bool {
+    let is_one = |flower: &Flower| flower.drawn(page).is_some() || flower.lines(page).any(is_wound);
+    flowers.len() >= FEWEST
+        && flowers.iter().any(is_one)
+        && !flowers.iter().any(|flower| {
+            flower.is_blade(page) || flower.lines(page).count() > 2 && flower.drawn(page).is_none()
+        })
 }
 
 impl Flower<'_> {
@@ -151,6 +172,14 @@ impl Flower<'_> {
             is_straight && polyline::nearest(&line.points, middle).is_some_and(|(gap, _)| gap < RAY.1 * size)
         };
         self.lines(page).filter(is_ray).collect()
+    }
+
+    /// How many lines of the head cross in its middle.
+    fn crossing(&self, page: &Page) -> usize {
+        let (middle, size) = (self.bounds.0.midpoint(self.bounds.1), self.size().max_element());
+        let is_across =
+            |ray: &&&Line| ray.middle().distance(middle) < STAR.1 * size && ray.length > STAR.2 * size;
+        self.rays(page).iter().filter(is_across).count()
     }
 
     /// Petals that can be seen in the drawing.

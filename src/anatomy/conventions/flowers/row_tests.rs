@@ -96,3 +96,29 @@ fn trunks_arches_pots_and_what_grows_in_an_outline_speak_against() {
     let outline = line(&[(-400.0, 80.0), (-400.0, -400.0), (500.0, -400.0), (500.0, 80.0), (-400.0, 80.0)]);
     assert!(read(&[flowers, vec![outline]].concat()).is_empty());
 }
+
+#[test]
+fn lines_that_cross_on_a_stem_are_a_flower_even_if_it_is_the_only_one() {
+    let rays = (0..4).map(|k| Vec2::from_angle(0.3 + 0.125 * TAU * k as f32) * 30.0);
+    let rays = rays.map(|ray| vec![Vec2::new(100.0, -150.0) - ray, Vec2::new(100.0, -150.0) + ray]);
+    let drawn: Vec<Vec<Vec2>> = std::iter::once(stem(98.0, 140.0)).chain(rays).collect();
+    assert_eq!(read(&drawn).iter().map(|flower| flower.uses.len()).collect::<Vec<_>>(), [4]);
+    assert!(read(&drawn[..3]).is_empty());
+}
+
+#[test]
+fn in_a_pot_heads_are_flowers_if_one_of_them_shows_it() {
+    let body = line(&[(40.0, 0.0), (50.0, 110.0), (140.0, 110.0), (150.0, 0.0), (40.0, 0.0)]);
+    let lower = |mut drawn: Vec<Vec2>| {
+        drawn.iter_mut().for_each(|p| p.y += 10.0);
+        drawn
+    };
+    let stems = [lower(stem(70.0, 130.0)), lower(stem(120.0, 130.0))];
+    let ring = ring(123.0, -145.0, 22.0, 1.0);
+    let wound = [&stems[..], &[spiral(70.0, -145.0, 22.0, 2.4), ring.clone(), body.clone()]].concat();
+    assert_eq!(read_above(pot::propose, propose, &wound).len(), 2);
+    let leaf =
+        |x: f32| line(&[(x, -122.0), (x - 18.0, -140.0), (x, -180.0), (x + 18.0, -140.0), (x, -122.0)]);
+    let leaves = [&stems[..], &[leaf(71.0), leaf(123.0), body]].concat();
+    assert!(read_above(pot::propose, propose, &leaves).is_empty());
+}

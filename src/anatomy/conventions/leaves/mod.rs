@@ -9,6 +9,8 @@
 //! | `leaf_loops` | several leaves in one stroke |
 //! | `stem_loops` | leaves that are loops in the stroke of their stem |
 //! | `stem_arcs` | leaves whose one edge is the stem |
+//! | `potted_stem` | stems that rise from a pot, with what grows along them |
+//! | `spurs` | where a stroke goes out and back over itself |
 //! | `blade` | outlines of blades, of one stroke or two, and what they leave over |
 
 pub(crate) mod blade;
@@ -17,5 +19,7 @@ pub(crate) mod leaf_area;
 pub(crate) mod leaf_loops;
 pub(crate) mod leaf_parts;
 pub(crate) mod lobed_leaf;
+pub(crate) mod potted_stem;
+pub(crate) mod spurs;
 pub(crate) mod stem_arcs;
 pub(crate) mod stem_loops;

@@ -32,7 +32,7 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
 
 fn stem(page: &Page, number: usize) -> Option<Hypothesis> {
     let line = &page.lines[number];
-    let (loops, way) = taken_apart(line);
+    let (loops, way) = taken_apart(line, LOOP);
     let length = polyline::length(&way);
     let longest = loops.iter().map(|points| polyline::length(points)).fold(0.0, f32::max);
     let is_straight = way[0].distance(way[way.len() - 1]) > STRAIGHT * length && length > LONG * longest;
@@ -56,10 +56,10 @@ fn stem(page: &Page, number: usize) -> Option<Hypothesis> {
     })
 }
 
-/// The loops of a line, and the way that is left without them.
-fn taken_apart(line: &Line) -> (Vec<Vec<Vec2>>, Vec<Vec2>) {
+/// The loops of a line that have at least such a share of its points, and the way that is left without them.
+pub(super) fn taken_apart(line: &Line, share: f32) -> (Vec<Vec<Vec2>>, Vec<Vec2>) {
     let gap = GAP * line.size().length();
-    let least = ((line.points.len() as f32 * LOOP) as usize).max(4);
+    let least = ((line.points.len() as f32 * share) as usize).max(4);
     let mut loops = Vec::new();
     let mut way: Vec<Vec2> = Vec::new();
     for &p in &line.points {
@@ -74,7 +74,8 @@ fn taken_apart(line: &Line) -> (Vec<Vec<Vec2>>, Vec<Vec2>) {
     (loops, way)
 }
 
-fn is_leaf(points: &[Vec2]) -> bool {
+/// Whether a closed stretch encloses enough, and is not jagged.
+pub(super) fn is_leaf(points: &[Vec2]) -> bool {
     let length = polyline::length(points);
     let area = simple_loop::area(points);
     area > FAT * length * length && area > SOLID * simple_loop::area(&convex_hull(points, |p| *p))

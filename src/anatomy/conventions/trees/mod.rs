@@ -11,11 +11,13 @@
 //! | `trunk_foot` | the width of a trunk without its roots, and how it rises |
 //! | `stacked` | what stands above what without coming near it: an open crown over its trunk |
 //! | `tilted` | what leans a little, read as if upright |
+//! | `half_crown` | crowns of which one side was left out |
 //! | `evidence` | what speaks for and against outlines of crowns |
 
 pub(crate) mod bush;
 pub(crate) mod conifer;
 pub(crate) mod evidence;
+pub(crate) mod half_crown;
 pub(crate) mod stacked;
 pub(crate) mod tilted;
 pub(crate) mod tree;

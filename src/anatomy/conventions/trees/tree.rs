@@ -9,6 +9,7 @@
 //! Limits: a single line below an outline is a stem, and that a flower, see [`corolla`](super::corolla).
 
 use super::evidence;
+use super::half_crown;
 use super::stacked::stacked;
 use super::tilted;
 use super::trunk::{Rows, Trunk};
@@ -21,7 +22,7 @@ use crate::geom::{
     polyline,
     simple_loop::{self, hull_area},
 };
-use crate::sketch::{Reading, Tool};
+use crate::sketch::{Reading, StrokePoint, Tool};
 use glam::Vec2;
 use std::f32::consts::PI;
 
@@ -85,6 +86,14 @@ const DOUBT: f32 = 4.0;
 /// Least log-odds of a tree.
 const LEAST: f32 = 1.5;
 
+/// How far beside a trunk another plant stands, as a share of the trunk's height.
+const BESIDE: f32 = 0.1;
+/// Log-odds that a crown of which one side was left out loses.
+const HALF: f32 = 1.0;
+
+/// A trunk, the outline of its crown, and log-odds against them.
+type Found = (Trunk, Vec<Vec2>, f32);
+
 /// Proposes trees, one for each group of lines at most.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let stacked = stacked(page);
@@ -100,9 +109,9 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     if !is_of_form || evidence::has_blades(&lines, size) {
         return None;
     }
-    let speaks = |lines: &[&Line], (trunk, outline): (Trunk, Vec<Vec2>)| {
+    let speaks = |lines: &[&Line], (trunk, outline, doubt): Found| {
         let stout = stoutness(&trunk, &outline);
-        let speaks = lobes(lines, &trunk, &outline, stout) + STOUTER * stout;
+        let speaks = lobes(lines, &trunk, &outline, stout) + STOUTER * stout - doubt;
         (!is_stem(&trunk, &outline, lines)).then_some((trunk, outline, speaks))
     };
     let find = |lines: &[&Line]| speaks(lines, upright(lines, &Rows::new(lines)?)?);
@@ -118,12 +127,23 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     };
     let trunk = tilted::turned_back(trunk.centre_line(&outline), angle);
     let outline: Vec<Vec2> = outline.into_iter().map(|p| tilted::turned_by(p, -angle)).collect();
-    let uses = page.with_what_is_inside(group, &outline);
+    let own: Vec<usize> =
+        group.iter().copied().filter(|i| !stands_beside(&page.lines[*i], &outline, &trunk.points)).collect();
+    let uses = page.with_what_is_inside(&own, &outline);
     let parts = vec![trunk, Made::new(Tool::Crown, outline)];
     let (reading, habit) = (Reading::Tree, Some(Habit::Tree));
     // Of two groups the one that explains more.
     let score = SCORE + speaks + EACH * uses.len().min(MOST_LINES) as f32;
     (score > LEAST).then_some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit })
+}
+
+/// Whether an outline lies below the crown and beside the trunk: another plant.
+fn stands_beside(line: &Line, crown: &[Vec2], trunk: &[StrokePoint]) -> bool {
+    let (_, foot) = polyline::bounds(crown.iter().copied());
+    let (left, right) = polyline::bounds(trunk.iter().map(|point| point.position));
+    let slack = BESIDE * (right.y - left.y);
+    let is_beside = line.bounds.1.x < left.x - slack || line.bounds.0.x > right.x + slack;
+    is_beside && line.bounds.0.y > foot.y - slack && line.openness < 0.5 && line.solidity() > 0.5
 }
 
 /// Whether a trunk is a flower's stem: thin beside its crown, with a round outline in the middle of that, or very long.
@@ -162,15 +182,26 @@ fn stoutness(trunk: &Trunk, crown: &[Vec2]) -> f32 {
 }
 
 /// A trunk that is found in level rows, and the outline of what is drawn above it.
-fn upright(lines: &[&Line], rows: &Rows) -> Option<(Trunk, Vec<Vec2>)> {
+fn upright(lines: &[&Line], rows: &Rows) -> Option<Found> {
     let trunk = rows.trunk().filter(|trunk| trunk.is_sharp)?;
     let above: Vec<Vec<Vec2>> = lines.iter().flat_map(|line| line.above(trunk.top)).collect();
-    let outline = crown(above, &trunk)?;
-    Some((trunk, outline))
+    if let Some(outline) = crown(above.clone(), &trunk) {
+        return Some((trunk, outline, 0.0));
+    }
+    let all = hull_area(&above.concat());
+    let higher = rows.trunk_to_shoulder().filter(|trunk| trunk.is_sharp).and_then(|trunk| {
+        let above = lines.iter().flat_map(|line| line.above(trunk.top)).collect();
+        let outline = crown(above, &trunk)?;
+        (simple_loop::area(&outline) > SOLID * all).then_some((trunk, outline, 0.0))
+    });
+    higher.or_else(|| {
+        let outline = crown(half_crown::completed(&above, trunk.axis())?, &trunk)?;
+        Some((trunk, outline, HALF))
+    })
 }
 
 /// A trunk by its two sides, which may lean, and the outline of what is drawn beside them.
-fn leaning(page: &Page, group: &[usize]) -> Option<(Trunk, Vec<Vec2>)> {
+fn leaning(page: &Page, group: &[usize]) -> Option<Found> {
     let sides = TrunkSides::find_within(page, group, STOUT).filter(|sides| !sides.is_line())?;
     let others = group.iter().filter(|line| !sides.has_on_it(**line, &page.lines[**line]));
     let rest = others.flat_map(|line| sides.rest_of(*line, &page.lines[*line])).map(|rest| rest.0);
@@ -181,7 +212,7 @@ fn leaning(page: &Page, group: &[usize]) -> Option<(Trunk, Vec<Vec2>)> {
     let outline = crown(above, &trunk)?;
     let area = simple_loop::area(&outline);
     let is_crown = area > FULL * hull_area(&outline) && outline.iter().all(|p| p.y < half);
-    is_crown.then_some((trunk, outline))
+    is_crown.then_some((trunk, outline, 0.0))
 }
 
 /// The outline of the crown above a trunk, from what is drawn there.
@@ -393,5 +424,18 @@ mod tests {
         };
         assert!(score(9.0, 14.0) > score(9.0, 6.0));
         assert!(score(9.0, 14.0) > score(0.0, 14.0) + LOBED.0);
+    }
+
+    #[test]
+    fn a_crown_of_which_one_side_was_left_out_is_completed_about_its_trunk() {
+        let sides = [-7.0, 7.0].map(|x| line(&[(x, 40.0), (x, -44.0)]));
+        for crown in [cloud(9.0, 0.2, 0.68 * TAU), cloud(9.0, 0.32 * TAU, TAU - 0.2)] {
+            let trees = read(&[crown, sides[0].clone(), sides[1].clone()]);
+            let best = trees.iter().max_by(|a, b| a.score.total_cmp(&b.score)).unwrap();
+            let (trunk, crown) = parts(best);
+            let (low, high) = polyline::bounds(crown.points.iter().map(|p| p.position));
+            assert!((low.x + 55.0).abs() < 8.0 && (high.x - 55.0).abs() < 8.0, "{low} {high}");
+            assert!(trunk.points.iter().all(|p| p.position.x.abs() < 6.0), "it stands upright");
+        }
     }
 }

@@ -44,6 +44,8 @@ const SCRIBBLED: f32 = 0.3;
 /// Height below and above a crown's beginning, as a share of the whole, in which the width grows so many times if it is a jump, and
 /// above what widens from a column.
 const JUMP: (f32, f32, f32) = (0.06, 1.35, 0.1);
+/// How far beside the sides of a trunk, in its widths, what is drawn higher up is no side of it any more.
+const BESIDE: f32 = 0.5;
 /// How far a side of the trunk may go outward for each step down and up: steeper lines are ground, or crown.
 const STEEP: (f32, f32) = (0.6, 0.6);
 /// Half width of a trunk that is one line, as a share of the tree's height.
@@ -139,8 +141,17 @@ impl Rows {
         self.foot - (row as f32 + 0.5) * self.step
     }
 
-    /// The narrow stretch below, if the drawing has one.
+    /// The narrow stretch below, if the drawing has one, up to where the crown begins, also if that is open there.
     pub(crate) fn trunk(&self) -> Option<Trunk> {
+        self.trunk_up_to(|neck, shoulder| self.leaves_its_sides(neck, shoulder).unwrap_or(shoulder))
+    }
+
+    /// The same up to where what is drawn is much wider, whatever lies between.
+    pub(crate) fn trunk_to_shoulder(&self) -> Option<Trunk> {
+        self.trunk_up_to(|_, shoulder| shoulder)
+    }
+
+    fn trunk_up_to(&self, end: impl Fn(usize, usize) -> usize) -> Option<Trunk> {
         let has_sides = |row: &usize| self.has_two_sides(*row);
         // Sides seldom end at one height; what has one side only, below, is the foot of the longer.
         let foot = (0..rows(UNEVEN)).find(has_sides)?;
@@ -153,7 +164,8 @@ impl Rows {
         let narrow = self.width(neck);
         let wide = (neck..ROWS).map(|row| self.width(row)).fold(0.0, f32::max);
         let most = narrow + SHOULDER * (wide - narrow);
-        let top = (neck..ROWS).find(|row| self.width(*row) > most)?;
+        let shoulder = (neck..ROWS).find(|row| self.width(*row) > most)?;
+        let top = end(neck, shoulder);
         let is_long = (TRUNK.0..=TRUNK.1).contains(&(top as f32 / ROWS as f32));
         let two_sided = (0..top).filter(has_sides).count() as f32;
         if narrow > NECK * wide || !is_long || two_sided < TWO_SIDED * top as f32 {
@@ -172,8 +184,24 @@ impl Rows {
             narrow: 0.5 * narrow,
             top: self.height_of(top - 1),
             sill: (at(self.ends[top - 1].0), at(self.ends[top - 1].1)),
-            is_sharp: self.jumps(neck, top, is_column),
+            // What goes on beside the trunk is no longer it.
+            is_sharp: top < shoulder || self.jumps(neck, top, is_column),
         })
+    }
+
+    /// The row above the last one with two sides below which all ink is far beside these: one side of a crown that is open there.
+    fn leaves_its_sides(&self, neck: usize, end: usize) -> Option<usize> {
+        let mut last = neck;
+        for row in neck..end {
+            let (own, known) = (self.ends[row], self.ends[last]);
+            let slack = BESIDE * self.width(last);
+            if self.has_two_sides(row) {
+                last = row;
+            } else if own.0 <= own.1 && (own.1 < known.0 - slack || own.0 > known.1 + slack) {
+                return Some(last + 1);
+            }
+        }
+        None
     }
 
     /// What stands below the row `top`, whatever its form: a trunk of two sides, or of one line.
@@ -280,6 +308,11 @@ impl Trunk {
         let top = rows.last()?.0;
         let sill = (top - half * Vec2::X, top + half * Vec2::X);
         Some(Self { rows, narrow: half, top: top.y, sill, is_sharp: true })
+    }
+
+    /// Where its middle is at its top, to the right, pixels.
+    pub(crate) fn axis(&self) -> f32 {
+        0.5 * (self.sill.0.x + self.sill.1.x)
     }
 
     /// From its foot to its top, pixels.

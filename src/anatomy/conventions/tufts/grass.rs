@@ -66,6 +66,8 @@ const LEANING: (f32, f32) = (0.75, 0.25);
 const LEVEL: f32 = 0.4;
 const STEEP: f32 = 0.2;
 const LONG_ROW: f32 = 4.0;
+/// Height from which a line is no blade beside others, in heights of the one in the middle of all.
+const GIANT: f32 = 3.5;
 /// Greatest height of a line that may be the ground, as a share of its width.
 const GROUND: f32 = 0.22;
 
@@ -145,7 +147,8 @@ fn stands_on_something(page: &Page, index: usize) -> bool {
     let height = high.y - low.y;
     let is_below = |other: &Line| {
         let across = other.bounds.1.x.min(high.x) - other.bounds.0.x.max(low.x);
-        across >= 0.0 && other.bounds.1.y > high.y + 0.35 * height && !is_ground(other)
+        let is_lower = across >= 0.0 && other.bounds.1.y > high.y + 0.35 * height;
+        is_lower && !is_ground(other) && zigzag(other).is_none()
     };
     page.lines.iter().enumerate().any(|(i, other)| i != index && is_below(other))
 }
@@ -181,6 +184,7 @@ fn side_by_side(page: &Page) -> Option<Hypothesis> {
 
 /// The blades that some lines are, with the ground on which they stand, if these are most of the drawing.
 fn blades_of(page: &Page, upright: &[usize]) -> Option<Hypothesis> {
+    let upright = &without_giants(page, upright);
     let teeth: Vec<(usize, Vec<Spike>)> =
         upright.iter().map(|i| (*i, upright_spikes(&page.lines[*i]))).collect();
     let has_one = |i: &usize| teeth.iter().any(|(line, spikes)| line == i && spikes.len() == 1);
@@ -215,6 +219,17 @@ fn blades_of(page: &Page, upright: &[usize]) -> Option<Hypothesis> {
     // Blades beside a zigzag belong to it.
     let score = 1.9 + 0.25 * spikes.len().min(12) as f32 + 0.05 * uses.len() as f32;
     Some(grass(uses, score, &spikes, ground.slope))
+}
+
+/// Those of some lines that are not much higher than most: a flower in grass is no blade.
+fn without_giants(page: &Page, lines: &[usize]) -> Vec<usize> {
+    let height = |line: &usize| page.lines[*line].size().y;
+    let mut heights: Vec<f32> = lines.iter().map(height).collect();
+    if heights.is_empty() {
+        return Vec::new();
+    }
+    let most = GIANT * median(&mut heights);
+    lines.iter().copied().filter(|line| height(line) < most).collect()
 }
 
 /// A blade for every tip of these lines, all on one ground.

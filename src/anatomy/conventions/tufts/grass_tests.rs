@@ -172,3 +172,12 @@ fn a_long_row_may_go_up_a_slope_and_its_blades_stay_as_long_as_drawn() {
         row.iter().map(|blade| blade.iter().map(|p| Vec2::new(p.x, p.y - 0.4 * p.x)).collect()).collect();
     assert!(read(&steep).is_empty(), "twigs at a stem");
 }
+
+#[test]
+fn a_flower_among_blades_is_none_of_them() {
+    let blade = |k: usize| vec![Vec2::new(20.0 * k as f32, 0.0), Vec2::new(20.0 * k as f32 + 3.0, -25.0)];
+    let blades: Vec<Vec<Vec2>> = (0..6).map(blade).collect();
+    assert_eq!(read(&blades).len(), 1);
+    let stem = vec![Vec2::new(50.0, 0.0), Vec2::new(53.0, -200.0)];
+    assert!(read(&[blades, vec![stem]].concat()).is_empty());
+}

@@ -3,6 +3,7 @@
 //! | file | what |
 //! | --- | --- |
 //! | `grass` | a zigzag, or lines side by side: blades of grass |
+//! | `lawn` | short lines at the foot of something else |
 //! | `tuft` | blades from one place near the ground |
 //! | `fronds` | lines or lobes that radiate from a trunk's top |
 //! | `frond_crown` | what speaks for fronds about a place |
@@ -12,4 +13,5 @@ pub(crate) mod frond_crown;
 pub(crate) mod frond_details;
 pub(crate) mod fronds;
 pub(crate) mod grass;
+pub(crate) mod lawn;
 pub(crate) mod tuft;

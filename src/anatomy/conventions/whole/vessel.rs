@@ -10,7 +10,7 @@
 use super::view::View;
 use crate::anatomy::conventions::Hypothesis;
 use crate::anatomy::conventions::beneath::pot::of_lines;
-use crate::anatomy::conventions::page::Line;
+use crate::anatomy::conventions::page::{Line, bounds};
 
 /// Lowest and highest place of the pot's edge, as shares of the height.
 const EDGE: (f32, f32) = (0.08, 0.6);
@@ -21,6 +21,8 @@ const WIDE: f32 = 0.2;
 /// A pot in one line below all others: least share of its bounds that it fills, upper part of it in which others may begin, how far above
 /// the foot of all it may stand, and its least height, as shares of its own height and of the whole's.
 const BOX: (f32, f32, f32, f32) = (0.7, 0.35, 0.08, 0.15);
+/// Least height of a pot, as a share of its width.
+const LOWEST: f32 = 0.25;
 /// Least share of a line below the edge that is the pot's.
 const BELOW: f32 = 0.7;
 
@@ -42,7 +44,10 @@ pub(super) fn pot(view: &View, score: f32) -> Option<Hypothesis> {
     let is_wide = widest > WIDE * view.rows.width_and_height().x;
     let is_pot = is_wide && width(edge) < STEM * widest && !uses.is_empty() && uses.len() < view.own.len();
     let uses = if is_pot { uses } else { vec![boxed(view)?] };
-    of_lines(view.page, uses, score)
+    let (low, high) = bounds(uses.iter().map(|line| &view.page.lines[*line]));
+    // Ground is wider.
+    let is_high = high.y - low.y > LOWEST * (high.x - low.x);
+    is_high.then(|| of_lines(view.page, uses, score)).flatten()
 }
 
 /// The one line below all others that is a pot by itself.
@@ -96,5 +101,13 @@ mod tests {
         assert_eq!((found.uses.as_slice(), found.solids.len()), (&[1][..], 1));
         let page = Page::of_lines(&[bush]);
         assert!(pot(&View::of(&page, vec![0]).unwrap(), 2.0).is_none());
+    }
+
+    #[test]
+    fn ground_below_a_flower_is_no_pot() {
+        let corners = [(-40.0, -120.0), (-30.0, -170.0), (40.0, -165.0), (45.0, -115.0), (-40.0, -120.0)];
+        let stem = line(&[(0.0, -115.0), (3.0, -4.0)]);
+        let page = Page::of_lines(&[line(&corners), stem, line(&[(-110.0, 0.0), (0.0, -4.0), (110.0, 2.0)])]);
+        assert!(pot(&View::of(&page, vec![0, 1, 2]).unwrap(), 2.0).is_none());
     }
 }
