@@ -6,10 +6,13 @@ mod budgets;
 mod classifier;
 mod cone_accuracy;
 mod corrections;
+#[path = "common/cone_flowers.rs"]
+mod cone_flowers;
 mod crowns;
 #[path = "common/drawings.rs"]
 mod drawings;
 mod flower_poses;
+mod flower_table;
 mod ground;
 mod grown;
 mod inflorescences;
