@@ -22,6 +22,8 @@
 //! | [`pen`] | what every pointing device says, in one form |
 //! | [`plant`] | the waist: branches and organs in space, and what they are |
 //! | [`flower`] | full flowers: petals in layers |
+//! | [`leaf`] | leaves from numbers, compound leaves |
+//! | [`rose`] | roses from measured form |
 //! | [`grammar`] | L-systems as text, and what they draw |
 //! | [`anatomy`] | what the strokes mean, still flat |
 //! | [`depth`] | anatomy to plant |
@@ -51,6 +53,7 @@ pub mod grammar;
 pub mod growth;
 pub mod input;
 pub mod kept;
+pub mod leaf;
 pub mod model;
 pub mod obj_text;
 pub mod params;
@@ -62,6 +65,7 @@ pub mod quote;
 pub mod random;
 #[cfg(feature = "program")]
 pub mod render;
+pub mod rose;
 pub mod sketch;
 pub mod species;
 pub mod srgb;

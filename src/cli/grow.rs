@@ -1,7 +1,7 @@
 //! `penstemon grow SPECIES -o OUT`: a plant that grows by itself, at one age or at many ages one after the other.
 
 use super::studio::{Outputs, Studio, is_picture, open_species};
-use super::{common, inside};
+use super::{common, inside, rose};
 use crate::formats::write;
 use crate::growth::{Limits, Outcome, Simulation};
 use crate::input::Sources;
@@ -32,7 +32,8 @@ pub struct Args {
     /// is full.
     #[arg(long, value_name = "YEARS")]
     pub age: Option<f32>,
-    /// The plant at this many ages, evenly up to --age, each in a file with a number before the ending: an animation.
+    /// The plant at this many ages, evenly up to --age, each in a file with a number before the ending: an animation. Roses go
+    /// through the seasons up to rose.season.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=3600))]
     pub frames: Option<u16>,
     /// Leaves and petals in GLB as copies of a few meshes instead of one large mesh; `nodes` for every program, `gpu` for
@@ -63,7 +64,7 @@ pub struct Args {
 /// A species that cannot be used or does not grow, an output that cannot be written.
 pub fn run(args: &Args) -> Result<ExitCode> {
     if args.list {
-        common::print(&Species::growing().join("\n"))?;
+        common::print(&Species::growing_or_roses().join("\n"))?;
         return Ok(ExitCode::SUCCESS);
     }
     for out in args.out.iter().filter(|out| !is_picture(out)) {
@@ -77,6 +78,19 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         ensure!((0.0..=10_000.0).contains(&age), "--age {age}: write the years, from 0 to 10000");
     }
     let params = pipeline::params_of_species(&species, &args.assignments).with_context(|| name.to_owned())?;
+    if params.rose.is_some() {
+        ensure!(
+            args.age.is_none(),
+            "{name}: a rose has seasons, not years; leave out --age, or --set rose.season=3 for hips"
+        );
+        ensure!(args.inside.is_none(), "{name}: a rose does not fill volumes; leave out --inside");
+        let view = View { direction: Direction::Front, projection: Projection::Perspective, turn_deg: 0.0 };
+        let options = PictureOptions { width: 1200, height: 900, transparent: false };
+        let (outs, sources, instances) = (&args.out[..], &sources, args.instances);
+        let outputs = Outputs { outs, instances, sources, view, options };
+        let bed = rose::Bed { name, species: &species, assignments: &args.assignments, seed: args.seed };
+        return rose::run(&bed, &outputs, args.frames, args.stats);
+    }
     let usual = species.growth.as_ref().map_or(params.habit.fineness, |habit| habit.fineness);
     if args.inside.is_none() && params.habit.fineness != usual {
         tracing::warn!(

@@ -14,6 +14,7 @@ pub mod inspect;
 pub mod params;
 pub mod pen;
 pub mod render;
+mod rose;
 pub mod studio;
 pub mod tablets;
 

@@ -10,6 +10,7 @@ use super::build::size_of;
 use super::flat::{self, BladeMeshParams, FlatScratch};
 use super::params::ModelParams;
 use super::solids::SolidParams;
+use super::spike;
 use super::spine::{self, SpineScratch};
 use super::tube::{self, TubeParams};
 use crate::plant::{Branch, Detail, Plant, Shape, Template};
@@ -128,6 +129,7 @@ fn of_organs(plant: &Plant, params: &ModelParams) -> u64 {
             counted.unwrap_or_else(|| blade_at_most(&plant.templates[blade.template], &params.blade))
         }
         Shape::Dome { .. } => 2 * sides * (rows + 1),
+        Shape::Spike { .. } => spike::TRIANGLES,
         Shape::Lathe { profile, .. } => 2 * sides * profile.len() as u64,
         Shape::Filament { points, head, .. } => {
             let head = if head.x > 0.0 { u64::from(solid.head_sides * solid.head_rows) } else { 0 };

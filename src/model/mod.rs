@@ -57,6 +57,7 @@ mod sealing;
 mod sections;
 mod shapes;
 mod solids;
+mod spike;
 mod spine;
 mod strip;
 mod surface;

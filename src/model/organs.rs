@@ -15,6 +15,7 @@ use super::piece::Piece;
 use super::recipe::{Recipe, RecipeShape, TemplateName};
 use super::shapes::{self, CopyShape, Original, ShapesInCommon};
 use super::solids::{self, Stand};
+use super::spike;
 use super::tube::TubeScratch;
 
 use crate::plant::{Blade, Plant, Shape, Template, TemplateId};
@@ -171,6 +172,7 @@ impl<'a> OrganWorkshop<'a> {
                 let stand = Stand { base: *base, axis: *axis };
                 take_in(mesh, Some(solids::lathe(stand, profile, &self.params.solid)));
             }
+            Shape::Spike { .. } => take_in(mesh, spike::mesh(shape)),
             // What of these is no copy encloses nothing.
             Shape::Dome { .. } | Shape::Filament { .. } => {}
         }

@@ -195,6 +195,9 @@ impl<'a> Recipe<'a> {
             Shape::Filament { points, radius, head } => {
                 self.word(2).points(points).real(*radius).real(head.x).real(head.y)
             }
+            Shape::Spike { base, tip, side, foot, hook } => {
+                self.word(4).point(*base).point(*tip).point(*side).real(foot.x).real(foot.y).point(*hook)
+            }
             Shape::Lathe { base, axis, profile } => self.word(3).point(*base).point(*axis).plane(profile),
         }
     }

@@ -67,7 +67,7 @@ impl CopyShape {
             }
             Shape::Dome { base, axis, radius, .. } => Stand { base: *base, axis: *axis }.placement(*radius),
             Shape::Filament { points, head, .. } => Stand::of_head(points)?.placement(head.x),
-            Shape::Lathe { .. } => return None,
+            Shape::Lathe { .. } | Shape::Spike { .. } => return None,
         };
         let Placement { base, u, v, .. } = placement;
         u.cross(v).try_normalize()?;
@@ -136,7 +136,7 @@ fn key<'a>(plant: &'a Plant, shape: &Shape) -> Option<(Key, Original<'a>)> {
             let proportion = Proportion::of(head.x, head.y)?;
             Some((Key::Head(proportion), Original::Head(proportion)))
         }
-        Shape::Lathe { .. } => None,
+        Shape::Lathe { .. } | Shape::Spike { .. } => None,
     }
 }
 

@@ -7,10 +7,11 @@
 //! Limits: parameters and textures of the drawing are those of the drawn plant alone; species are built-in ones. When the
 //! drawing's scale changes, the surfaces of all plants are made anew.
 
+use super::alone;
 use super::clock::Clock;
 use super::finish::{Built, Finish, finish};
 use super::placing::{BuiltBeside, Placing, height_above};
-use super::seed::{self, SeedMemory};
+use super::seed::SeedMemory;
 use super::setup::{Params, params_of_species};
 use super::source::Seed;
 use crate::budget::Budget;
@@ -144,7 +145,7 @@ fn grows_the_same(a: &Maker, b: &Maker) -> bool {
 
 impl Kept {
     fn begin(maker: &Maker) -> Self {
-        let species = Species::built_in(maker.species()).ok().filter(|species| species.growth.is_some());
+        let species = Species::built_in(maker.species()).ok().filter(Species::makes_itself);
         let with = species.and_then(|species| {
             let params = params_of_species(&species, &[]).ok()?;
             Some(Box::new((species, params)))
@@ -174,13 +175,13 @@ impl Kept {
     fn made(&mut self, request: &Request, stop: &(dyn Fn() -> bool + Sync)) -> Option<Made> {
         let Self { with, seed: memory, model, .. } = self;
         let Some((species, params)) = with.as_deref() else {
-            return Some(Made::LeftOut(Remark::NoSuchPlant { known: Species::growing().join(", ") }));
+            return Some(Made::LeftOut(Remark::NoSuchPlant { known: Species::by_themselves().join(", ") }));
         };
         let Maker::Growth(SeedOf { species: _, seed: number, age }) = request.maker;
         let seed = Seed { number, age, volume: None, limits: Limits::within(&request.budget) };
         // Times of the stages are counted together.
         let clock = &mut Clock::default();
-        let produced = seed::produce(memory, &seed, (species, params), clock, stop)?;
+        let produced = alone::produce(memory, &seed, (species, params), clock, stop)?;
         if !request.placing.fits(&produced.plant) {
             return Some(Made::LeftOut(Remark::PlantOutOfScale));
         }

@@ -8,6 +8,8 @@ use crate::plant::{
 use crate::species::Species;
 use glam::Vec2;
 
+/// Leaves from which on they are of reduced detail.
+const MANY_LEAVES: usize = 60;
 /// How a fruit swells from its foot to its top: shares of its radius and of its height.
 const FRUIT: [(f32, f32); 7] =
     [(0.0, 0.0), (0.45, 0.06), (0.85, 0.28), (1.0, 0.55), (0.85, 0.82), (0.4, 0.97), (0.0, 1.0)];
@@ -17,7 +19,10 @@ const FRUIT_HEIGHT: f32 = 2.2;
 /// The plant of a figure, and its flower buds.
 pub(super) fn plant_of(figure: &Figure, species: &Species) -> (Plant, FlowerBuds) {
     let mut plant = Plant { branches: branches(figure), ..Plant::default() };
-    let template = Template::new(species.leaf.outline.points(), Vec::new(), 1.0, Detail::Moderate);
+    let leaves = figure.items.iter().filter(|item| matches!(&*item.name, "leaf" | "bract")).count();
+    let is_rich = leaves > MANY_LEAVES || species.leaf.compound.is_some();
+    let detail = if is_rich { Detail::Reduced } else { Detail::Moderate };
+    let template = Template::new(species.leaf.outline.points(), Vec::new(), 1.0, detail);
     let template = plant.templates.add(template);
     plant.organs = figure.items.iter().filter_map(|item| organ(item, template)).collect();
     plant.drop_unused_templates();

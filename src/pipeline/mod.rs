@@ -12,6 +12,7 @@
 //! [`build`] is [`build_with`] an empty cache and nothing that stops it. In memory only: reading and writing files are the
 //! callers'.
 
+mod alone;
 mod beside;
 mod bloom;
 mod clock;
@@ -20,6 +21,7 @@ mod figure_plant;
 mod finish;
 mod growing;
 mod placing;
+mod rose;
 mod seed;
 mod setup;
 mod source;
@@ -127,7 +129,7 @@ pub fn build_with<'a>(
             finish::finish(&mut cache.model, produced, with, &how, &mut clock, &stop)
         }
         Source::Seed(seed) => {
-            let produced = seed::produce(&mut cache.seed, seed, with, &mut clock, &stop)?;
+            let produced = alone::produce(&mut cache.seed, seed, with, &mut clock, &stop)?;
             let pictures = &Textures::default();
             let how = Finish { seed: seed.number, pictures, budget: Budget::PLANT, placing: None };
             finish::finish(&mut cache.model, produced, with, &how, &mut clock, &stop)

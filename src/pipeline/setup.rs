@@ -13,6 +13,7 @@ use crate::growth::{GrowthParams, Habit};
 use crate::model::ModelParams;
 use crate::params::{Description, Overrides, ParamError, Parameters as _};
 use crate::quote;
+use crate::rose::RoseHabit;
 use crate::sketch::species_file::{find, is_file, own_name};
 use crate::sketch::{Remark, Sketch, Warning};
 use crate::species::{FlowerParams, Species, SpeciesError};
@@ -34,6 +35,8 @@ crate::parameter_groups! {
         model: ModelParams;
         /// The flowers of the species.
         flower: FlowerParams;
+        /// How roses of the species are built; none where it has another way to grow.
+        rose: Option<RoseHabit>;
         /// How plants of the species grow. A species that does not say it grows like an ordinary tree.
         habit: Habit;
     }
@@ -46,14 +49,15 @@ impl Params {
     /// What a plant of a species has where nobody says otherwise.
     pub fn of_species(species: &Species) -> Self {
         let habit = species.growth.clone().unwrap_or_default();
-        Self { habit, flower: FlowerParams::of(species), ..Self::default() }
+        Self { habit, flower: FlowerParams::of(species), rose: species.rose.clone(), ..Self::default() }
     }
 
     /// Parameters with every group that a species may have.
     pub fn of_any_species() -> Self {
         let crown = Some(CrownHabit::default());
         let flower = FlowerParams { layers: Some(Layers::default()), ..FlowerParams::default() };
-        Self { habit: Habit { crown, ..Habit::default() }, flower, ..Self::default() }
+        let rose = Some(RoseHabit::default());
+        Self { habit: Habit { crown, ..Habit::default() }, flower, rose, ..Self::default() }
     }
 }
 
@@ -189,10 +193,10 @@ pub fn params_of_species(species: &Species, assignments: &[String]) -> Result<Pa
 /// # Errors
 /// [`SetupError::NoGrowth`] where they do not.
 pub fn check_grows(species: &Species) -> Result<(), SetupError> {
-    if species.growth.is_some() {
+    if species.growth.is_some() || species.rose.is_some() {
         return Ok(());
     }
-    let known = Species::growing().join(", ");
+    let known = Species::growing_or_roses().join(", ");
     Err(SetupError::NoGrowth { name: quote::name(&species.name), known })
 }
 

@@ -103,6 +103,11 @@ impl Shape {
                 *base = moved(*base);
                 profile.iter_mut().for_each(|point| *point *= scale);
             }
+            Self::Spike { base, tip, side: _, foot, hook } => {
+                (*base, *tip) = (moved(*base), moved(*tip));
+                *foot *= scale;
+                *hook *= scale;
+            }
         }
     }
 }

@@ -79,6 +79,11 @@ impl Plant {
                 ensure(points.windows(2).all(|w| w[0] != w[1]), || here("repeated point"))?;
                 ensure(*radius > 0.0 && head.min_element() >= 0.0, || here("size not positive"))
             }
+            Shape::Spike { base, tip, side, foot, hook } => {
+                ensure(base.is_finite() && tip.is_finite() && hook.is_finite(), || here("pose"))?;
+                ensure(is_unit(*side) && base != tip, || here("pose"))?;
+                ensure(foot.is_finite() && foot.min_element() > 0.0, || here("size not positive"))
+            }
             Shape::Lathe { base, axis, profile } => {
                 ensure(base.is_finite() && is_unit(*axis), || here("pose"))?;
                 ensure(profile.len() >= 3 && profile.iter().all(|p| p.is_finite()), || here("profile"))

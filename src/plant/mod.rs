@@ -118,6 +118,19 @@ pub enum Shape {
         /// (radius, height) along the outside from bottom to top and down the inside, metres; first and last radius 0.
         profile: Vec<Vec2>,
     },
+    /// A cone with an elliptic foot, bent toward its tip: a thorn.
+    Spike {
+        /// Middle of the foot, metres.
+        base: Vec3,
+        /// The tip, metres.
+        tip: Vec3,
+        /// Unit vector across the axis in which the foot is `foot.x` long to each side.
+        side: Vec3,
+        /// Half the length and half the width of the foot, metres, positive.
+        foot: Vec2,
+        /// How far the tip lies aside of where the foot points, metres.
+        hook: Vec3,
+    },
 }
 
 /// One organ of the plant.
@@ -141,6 +154,10 @@ impl Shape {
         match self {
             Self::Blade(blade) => blade.translate(by),
             Self::Dome { base, .. } | Self::Lathe { base, .. } => *base += by,
+            Self::Spike { base, tip, .. } => {
+                *base += by;
+                *tip += by;
+            }
             Self::Filament { points, .. } => points.iter_mut().for_each(|point| *point += by),
         }
     }
@@ -156,7 +173,7 @@ impl Organ {
     pub fn base(&self) -> Vec3 {
         match &self.shape {
             Shape::Blade(blade) => blade.base,
-            Shape::Dome { base, .. } | Shape::Lathe { base, .. } => *base,
+            Shape::Dome { base, .. } | Shape::Lathe { base, .. } | Shape::Spike { base, .. } => *base,
             Shape::Filament { points, .. } => points.first().copied().unwrap_or(Vec3::ZERO),
         }
     }

@@ -64,6 +64,8 @@ macro_rules! organ_kinds {
 organ_kinds! {
     /// Green blade on a branch.
     Leaf = "leaf", "leaves", "leaf_heads", Foliage, Blade, [92, 172, 72];
+    /// Stalk of a leaf, and the rachis that carries its leaflets.
+    Petiole = "petiole", "petioles", "petiole_heads", Foliage, Solid, [120, 150, 70];
     /// Coloured blade of a flower.
     Petal = "petal", "petals", "petal_heads", Flower, Blade, [226, 104, 150];
     /// Green blade behind the petals.

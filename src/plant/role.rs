@@ -41,6 +41,8 @@ parts! {
     Petal = "petal";
     /// Leaves.
     Leaf = "leaf";
+    /// Stalks of leaves and what carries their leaflets.
+    Petiole = "petiole";
     /// Green blades behind the petals.
     Sepal = "sepal";
     /// What carries the petals from behind: calyx cup or flower tube.
@@ -71,6 +73,7 @@ impl OrganPart {
         match self {
             Self::Petal => OrganKind::Petal,
             Self::Leaf => OrganKind::Leaf,
+            Self::Petiole => OrganKind::Petiole,
             Self::Sepal => OrganKind::Sepal,
             Self::Cup | Self::Disc => OrganKind::Receptacle,
             Self::Stamen | Self::Anther => OrganKind::Stamen,

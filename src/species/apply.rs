@@ -5,6 +5,7 @@
 //! apart by the stroke that drew them, or by where they stand if they were generated; flowers by their order.
 
 use super::blossom::blossom;
+use super::compound_leaves;
 use super::form;
 use super::full::{self, FullSeat};
 use super::ground;
@@ -94,6 +95,7 @@ pub fn apply_within(
     for (index, flower) in plant.flowers.iter_mut().enumerate() {
         flower.look = looks.get(index % looks.len().max(1)).copied().unwrap_or(0);
     }
+    compound_leaves::divide(&mut plant, &species.leaf, seed);
     let openings = full::open_buds(&mut plant, buds, species, budget.blossoms);
     let seats = full::add_layers(&mut plant, &openings, species, seed);
     let petals = petals_of(&plant, &seats);
@@ -155,7 +157,10 @@ fn shape_blades(plant: &mut Plant, provenance: &Provenance, species: &Species, p
                 blade.form = varied(seed, template.detail(), &form, look.vary, rng);
             }
             None => {
-                organ.role.variant = rng.random_range(0..leaf_materials) as u32;
+                let any = rng.random_range(0..leaf_materials) as u32;
+                if (organ.role.variant as usize) < leaf_materials {
+                    organ.role.variant = any;
+                }
                 blade.form = varied(seed, template.detail(), &species.leaf.form, species.leaf.vary, rng);
             }
         }

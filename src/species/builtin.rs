@@ -31,6 +31,26 @@ impl Species {
         names
     }
 
+    /// Names of all built-in species of which plants are made without a drawing, sorted.
+    pub fn by_themselves() -> Vec<&'static str> {
+        static NAMES: OnceLock<Vec<&'static str>> = OnceLock::new();
+        let find = || {
+            let mut names = Self::all();
+            names.retain(|name| Self::built_in(name).is_ok_and(|species| species.makes_itself()));
+            names
+        };
+        NAMES.get_or_init(find).clone()
+    }
+
+    /// Names of all built-in species that grow by themselves, and of roses, sorted.
+    pub fn growing_or_roses() -> Vec<&'static str> {
+        let mut names = Self::by_themselves();
+        names.retain(|name| {
+            Self::built_in(name).is_ok_and(|species| species.growth.is_some() || species.rose.is_some())
+        });
+        names
+    }
+
     /// Names of all built-in species with flowers that are made without a drawing, sorted.
     pub fn blooming() -> Vec<&'static str> {
         let mut names = Self::all();

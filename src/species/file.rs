@@ -177,6 +177,9 @@ impl Species {
         let mut out: Vec<(String, &str)> = vec![("stem.material".into(), &self.stem.material)];
         out.extend(self.stem.twig.iter().map(|m| ("stem.twig".into(), m.as_str())));
         out.extend(self.leaf.materials.0.iter().map(|m| ("leaf.materials".into(), m.as_str())));
+        out.extend(self.leaf.young.iter().map(|m| ("leaf.young".into(), m.as_str())));
+        out.extend(self.leaf.autumn.iter().map(|m| ("leaf.autumn".into(), m.as_str())));
+        out.extend(self.fruit.iter().map(|fruit| ("fruit.material".into(), fruit.material.as_str())));
         out.extend(self.thorns.iter().map(|t| ("thorns.material".into(), t.material.as_str())));
         if let Some(pot) = &self.pot {
             out.extend([

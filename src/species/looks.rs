@@ -5,12 +5,14 @@
 //! ([`parameters!`](crate::parameters!)).
 
 use super::inflorescence::Inflorescence;
-use crate::flower::{Layers, PetalOutline};
+use crate::flower::Layers;
 use crate::growth::Habit;
+use crate::leaf::{Compound, LeafOutline};
 use crate::params::{ParamValue as _, Range};
 use crate::picture::Picture;
 use crate::plant::{BladeForm, Material, PlantPart, Texture};
 use crate::quote;
+use crate::rose::RoseHabit;
 use crate::srgb::linear_from_srgb;
 use serde::{Deserialize, Deserializer, Serialize, de};
 use serde_json::{Map, Value};
@@ -43,12 +45,16 @@ pub struct Species {
     pub inflorescence: Option<Inflorescence>,
     /// Small flowers among the leaves of a tree.
     pub blossom: Option<BlossomLook>,
+    /// Fruits.
+    pub fruit: Option<FruitLook>,
     /// Thorns on stems and branches.
     pub thorns: Option<ThornLook>,
     /// What the plant stands in.
     pub pot: Option<PotLook>,
     /// How the plant grows by itself.
     pub growth: Option<Habit>,
+    /// How a rose is built by itself.
+    pub rose: Option<RoseHabit>,
     /// Where it is written.
     #[serde(skip)]
     pub written: Written,
@@ -67,6 +73,11 @@ pub struct Written {
 }
 
 impl Species {
+    /// Whether plants of it are made without a drawing: they grow, are roses, or have flowers of their own.
+    pub fn makes_itself(&self) -> bool {
+        self.growth.is_some() || self.rose.is_some() || self.blooms()
+    }
+
     /// The looks that drawn flowers have in turn; all of them if none is meant for drawn ones.
     pub fn looks_of_drawn(&self) -> Vec<usize> {
         let drawn: Vec<usize> = (0..self.flowers.len()).filter(|k| self.flowers[*k].drawn).collect();
@@ -159,9 +170,15 @@ crate::parameters! {
         choices:
         /// Materials; each leaf takes one at random.
         materials: Names;
+        /// Material of young leaves and of those in autumn; that of the others if left out.
+        young: Option<String> = None;
+        /// The same in autumn.
+        autumn: Option<String> = None;
+        /// How leaves that nobody drew are divided into leaflets.
+        compound: Option<Compound> = None;
         sections:
-        /// Outline of leaves that nobody drew.
-        outline: PetalOutline = PetalOutline { width: 0.42, widest: 0.38, foot: 0.1, point: 0.7, ..PetalOutline::default() };
+        /// Outline of leaves that nobody drew, of their leaflets if they have several.
+        outline: LeafOutline = LeafOutline::default();
         /// How leaves bend.
         form: BladeForm = BladeForm::default();
     }
@@ -348,6 +365,14 @@ crate::parameters! {
     }
 }
 
+/// Fruits.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FruitLook {
+    /// Material.
+    pub material: String,
+}
+
 crate::parameters! {
     /// Thorns.
     pub struct ThornLook {
@@ -373,6 +398,28 @@ crate::parameters! {
         material: String;
         /// Material of the earth in it.
         soil: String;
+    }
+}
+
+impl LeafLook {
+    /// Which of several materials young leaves have, and those in autumn.
+    pub fn young_variant(&self) -> u32 {
+        self.materials.0.len() as u32
+    }
+
+    /// The same of those in autumn.
+    pub fn autumn_variant(&self) -> u32 {
+        self.young_variant() + 1
+    }
+
+    /// The name of the material of a variant.
+    pub(super) fn material(&self, variant: u32) -> &str {
+        let own = match variant.checked_sub(self.young_variant()) {
+            Some(0) => self.young.as_deref(),
+            Some(1) => self.autumn.as_deref(),
+            _ => None,
+        };
+        own.unwrap_or_else(|| self.materials.nth(variant))
     }
 }
 

@@ -69,7 +69,8 @@ fn named(species: &Species, role: Role) -> (PlantPart, &str) {
         OrganPart::Thorn => species.thorns.as_ref().map(|look| look.material.as_str()),
         OrganPart::Pot => Some(species.pot.as_ref().map_or(part.name(), |look| &look.material)),
         OrganPart::Soil => Some(species.pot.as_ref().map_or(part.name(), |look| &look.soil)),
-        OrganPart::Leaf | OrganPart::Fruit => None,
+        OrganPart::Fruit => species.fruit.as_ref().map(|look| look.material.as_str()),
+        OrganPart::Leaf | OrganPart::Petiole => None,
     };
     let own = match role.part {
         PlantPart::Organ(part) => of_organ(part),
@@ -79,7 +80,7 @@ fn named(species: &Species, role: Role) -> (PlantPart, &str) {
     match (own, role.part) {
         (Some(name), part) => (part, name),
         (None, PlantPart::Organ(OrganPart::Leaf | OrganPart::Petal | OrganPart::Sepal)) => {
-            (OrganPart::Leaf.into(), species.leaf.materials.nth(role.variant))
+            (OrganPart::Leaf.into(), species.leaf.material(role.variant))
         }
         (None, _) => (WoodPart::Stem.into(), &species.stem.material),
     }

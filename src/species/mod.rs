@@ -12,6 +12,7 @@ pub mod apply;
 pub mod blossom;
 pub mod builtin;
 pub mod builtin_textures;
+mod compound_leaves;
 pub mod filaments;
 pub mod file;
 pub mod flower_params;

@@ -55,8 +55,8 @@ fn a_plant_beside_that_cannot_stand_is_reported() {
     let mut editor = Editor::open_in(places, None, || ()).unwrap();
     editor.prefs.speak(Language::English);
     editor.perform(Action::New);
-    editor.perform(Action::AddPlant("daisy".to_owned()));
+    editor.perform(Action::AddPlant("mallow".to_owned()));
     build(&mut editor);
     let reported = editor.panel_snapshot().status.shortfall.unwrap();
-    assert!(reported.starts_with("plant 1 (`Daisy`): no species of this name grows"), "{reported}");
+    assert!(reported.starts_with("plant 1 (`Mallow`): no species of this name grows"), "{reported}");
 }

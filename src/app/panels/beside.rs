@@ -59,7 +59,10 @@ fn row(
 ) {
     let species = state.plant.maker.species();
     let name = messages.name(Named::Species, species);
-    let years = messages.fill(Msg::GrowthYears, &[("count", &shown_age(state))]);
+    let years = match has_age(species) {
+        true => messages.fill(Msg::GrowthYears, &[("count", &shown_age(state))]),
+        false => String::new(),
+    };
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 0.0;
         let width = ui.available_width() - TARGET;
@@ -94,7 +97,7 @@ fn line(ui: &mut Ui, width: f32, species: &str, (name, end): (&str, &str), is_se
     clipped.text(left, Align2::LEFT_CENTER, name, font, p.text);
     let right = pos2(rect.right() - 8.0, rect.center().y);
     clipped.text(right, Align2::RIGHT_CENTER, end, small, p.weak);
-    let label = format!("{name}, {end}");
+    let label = if end.is_empty() { name.to_owned() } else { format!("{name}, {end}") };
     response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_selected, &label));
     response
 }
@@ -117,7 +120,9 @@ fn details(
     }
     let mut set = |plant: PlacedPlant| out.push(Action::SetPlant { place, plant });
     let of_seed = |seed: SeedOf| PlacedPlant { maker: Maker::Growth(seed), ..state.plant.clone() };
-    if let Some(age) = age(ui, state, seed.age.is_some(), messages) {
+    if has_age(&seed.species)
+        && let Some(age) = age(ui, state, seed.age.is_some(), messages)
+    {
         set(of_seed(SeedOf { age, ..seed.clone() }));
     }
     let [sheet_width, sheet_height] = snapshot.beside.sheet;
@@ -157,6 +162,11 @@ fn details(
 /// Years with one decimal at most.
 fn shown_age(state: &PlantState) -> String {
     number((f64::from(state.age) * 10.0).round() / 10.0)
+}
+
+/// Whether plants of a species have an age: roses and single flowers have none.
+fn has_age(species: &str) -> bool {
+    Species::growing().contains(&species)
 }
 
 /// The slider of the age; the new age when it was changed.
@@ -203,7 +213,7 @@ pub(super) fn dialog(
     if place.is_none() {
         note(ui, messages.get(Msg::BesideAddHint));
     }
-    let names = Species::growing();
+    let names = Species::by_themselves();
     ui.scope(|ui| {
         tiles::grid(
             ui,

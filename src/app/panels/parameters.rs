@@ -20,12 +20,13 @@ use std::sync::OnceLock;
 
 /// Groups in the order in which an artist comes to them: the plant as a whole, flowers and leaves, branches, what fills
 /// outlines, surfaces, and last what only matters where strokes were misunderstood.
-const ORDER: [&str; 30] = [
+const ORDER: [&str; 31] = [
     "depth.world",
     "flower",
     "flower.layers",
     "flower.layers.outline",
     "flower.bloom",
+    "rose",
     "growth",
     "habit",
     "habit.crown",

@@ -113,6 +113,7 @@ enum ShapeText<'a> {
     Blade(BladeText<'a>),
     Dome { base: Vec3, axis: Vec3, radius: f32, height: f32 },
     Lathe { base: Vec3, axis: Vec3, profile: &'a [Vec2] },
+    Spike { base: Vec3, tip: Vec3, side: Vec3, foot: Vec2, hook: Vec3 },
 }
 
 /// A blade as the file has it: with the index of its template.
@@ -160,6 +161,9 @@ impl<'a> OrganText<'a> {
             Shape::Blade(blade) => ShapeText::Blade(BladeText::new(blade)),
             Shape::Dome { base, axis, radius, height } => {
                 ShapeText::Dome { base: *base, axis: *axis, radius: *radius, height: *height }
+            }
+            Shape::Spike { base, tip, side, foot, hook } => {
+                ShapeText::Spike { base: *base, tip: *tip, side: *side, foot: *foot, hook: *hook }
             }
             Shape::Lathe { base, axis, profile } => ShapeText::Lathe { base: *base, axis: *axis, profile },
         };
