@@ -25,6 +25,17 @@ cargo run --release --quiet --example draw_contact_sheets -- "$people" \
 cp "$people/picked-01.png" docs/images/people.png
 rm -rf "$people"
 
+# Petal, leaf and bark from photographs, stage by stage, and what grows of them.
+photographs=$(mktemp -d)
+cargo run --release --quiet --example draw_photographs -- "$photographs"
+for name in petal leaf; do
+    "$program" render "$photographs/$name.penstemon" -o "$photographs/$name-5-plant.png" --size 880x1000
+done
+"$program" render assets/sketches/tree_round.penstemon --texture "stem=$photographs/bark-3-tile.png" \
+    --texture "twig=$photographs/bark-3-tile.png" -o "$photographs/bark-5-plant.png" --size 880x1000
+python3 scripts/sheet.py 5 docs/images/photographs.png --size 264x300 "$photographs"/{petal,leaf,bark}-?-*.png
+rm -rf "$photographs"
+
 # Trees that grow by themselves, side by side.
 grown=$(mktemp -d)
 for species in $("$program" grow --list); do

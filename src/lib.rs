@@ -30,6 +30,7 @@
 //! | [`growth`] | plants that grow themselves |
 //! | [`species`] | what the drawing does not say: materials, forms, centres of flowers |
 //! | [`model`] | plant to meshes |
+//! | [`photo`] | photographs of petals, leaves and bark to outlines and textures |
 //! | [`pipeline`] | all of these in a row |
 //! | [`formats`] | model files, written and read: OBJ, glTF, JSON |
 //! | [`render`] | pictures |
@@ -58,6 +59,7 @@ pub mod model;
 pub mod obj_text;
 pub mod params;
 pub mod pen;
+pub mod photo;
 pub mod picture;
 pub mod pipeline;
 pub mod plant;

@@ -15,6 +15,7 @@ mod memory;
 #[path = "common/not_run.rs"]
 mod not_run;
 mod pen_recordings;
+mod photographs;
 mod read_back;
 mod reading;
 mod recovery;

@@ -10,6 +10,7 @@ use super::messages::Language;
 use super::pen_settings::PenSettings;
 use super::settings::{Handedness, ThemeChoice};
 use super::stabiliser::Stabiliser;
+use super::texture_cut::{CutError, TextureCut};
 use super::view_state::{LightChoice, Shading};
 use super::ways_to_read::WayToRead;
 use crate::growth::overlay::Wanted;
@@ -164,6 +165,17 @@ pub enum Action {
         name: String,
         /// The picture, if it can be used.
         picture: Result<Picture, PictureError>,
+    },
+    /// Give the part that this stroke draws the picture under it as its texture.
+    TakePictureUnder(StrokeId),
+    /// A texture has been cut out of a photograph.
+    TextureCut {
+        /// For which organs; `None` means branches.
+        organ: Option<OrganKind>,
+        /// The file of the photograph; empty for the picture under the drawing.
+        name: String,
+        /// The texture, if there is one.
+        cut: Result<TextureCut, CutError>,
     },
     /// Keep species, textures and parameters as a preset of this name.
     SavePreset(String),

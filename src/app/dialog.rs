@@ -71,6 +71,8 @@ pub enum PathPurpose {
     Export,
     /// A texture; `None` means branches.
     Texture(Option<OrganKind>),
+    /// A photograph from which a texture is cut; `None` means bark.
+    Photograph(Option<OrganKind>),
     /// A species file.
     Species,
     /// A reference picture.
@@ -83,7 +85,7 @@ impl PathPurpose {
         match self {
             Self::OpenDrawing | Self::SaveDrawing => "drawings",
             Self::Export => "exports",
-            Self::Texture(_) | Self::Reference => "pictures",
+            Self::Texture(_) | Self::Photograph(_) | Self::Reference => "pictures",
             Self::Species => "species",
         }
     }

@@ -43,6 +43,7 @@ mod outcomes;
 mod parameters;
 mod pens;
 mod perform;
+mod photographs;
 mod picking;
 mod pictures;
 mod preferences;

@@ -12,6 +12,7 @@
 
 mod faults;
 mod keys;
+mod photos;
 mod remarks;
 
 pub use faults::Localize;

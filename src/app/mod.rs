@@ -67,6 +67,7 @@ mod system_theme;
 pub mod tablet_actions;
 pub mod tablet_keys;
 mod tablets;
+pub mod texture_cut;
 pub mod texture_files;
 pub mod theme;
 mod thumbnail;

@@ -13,6 +13,7 @@ pub mod inside;
 pub mod inspect;
 pub mod params;
 pub mod pen;
+pub mod photo;
 pub mod render;
 mod rose;
 pub mod studio;
@@ -48,6 +49,8 @@ pub enum Verb {
     Bloom(bloom::Args),
     /// What the analysis understood of a drawing, as JSON.
     Inspect(inspect::Args),
+    /// Petals, leaves and bark from photographs: outline, texture, or a drawing with both.
+    Photo(photo::Args),
     /// Every parameter that --set can change: path, value, unit, range and meaning.
     Params(params::Args),
     /// Mesh quality report of an OBJ or GLB file; exit code 1 when a defect is found.
@@ -106,6 +109,7 @@ pub fn run(cli: Cli) -> anyhow::Result<ExitCode> {
         Some(Verb::Grow(args)) => grow::run(&args),
         Some(Verb::Bloom(args)) => bloom::run(&args),
         Some(Verb::Inspect(args)) => inspect::run(&args),
+        Some(Verb::Photo(args)) => photo::run(&args),
         Some(Verb::Params(args)) => params::run(&args),
         Some(Verb::Check(args)) => check::run(&args),
         Some(Verb::Render(args)) => render::run(&args),

@@ -63,7 +63,8 @@ fn is_on(value: f64) -> bool {
     value > 0.5
 }
 
-fn line(of: &Description) -> String {
+/// A parameter as a line of text.
+pub(super) fn line(of: &Description) -> String {
     let Description { path, help, kind, unit, min, max, default } = of;
     let (value, range) = match kind {
         Kind::Switch => (is_on(*default).to_string(), "true or false".to_owned()),

@@ -8,12 +8,12 @@
 //! Where we depart: the paper copies the surface along the flower's axis, which leaves no thickness on steep petals.
 //! On a cone the face of a petal is its inner side, toward the flower's axis, whichever side the viewer sees.
 //!
-//! UV: v runs along the axis over the outline's whole height (base 0, tip 1 unless lobes reach below the base), u
-//! across with ½ on the middle line, scaled by the larger half width; the back has the same picture.
+//! UV: by `blade_uv`; the back has the same picture.
 //!
 //! Limits: thickness is at most a fifth of the mean width. A blade of less than a ten-thousandth of its distance from
 //! the origin has no mesh, for its faces would drown in the rounding of its coordinates.
 
+use super::blade_uv::BladeUv;
 use super::flat::{BladeMeshParams, FlatBlade};
 use super::mesh::{Mesh, Vertex};
 use super::relief::Relief;
@@ -142,20 +142,13 @@ fn doubled(flat: &FlatBlade, scratch: &BladeScratch, half: f32, margin_half: f32
         triangles: Vec::with_capacity(2 * (flat.triangles.len() + margin)),
         breaks: Vec::new(),
     };
-    let sections = &flat.sections;
-    let tall = 1.0 / (sections.high - sections.low) / flat.size;
-    let wide = 0.5 / sections.widest;
-    let low = sections.low * flat.size;
-    let uv = |p: Vec2| {
-        let off_middle = p.x / flat.size - sections.middle.at(p.y / flat.size);
-        Vec2::new(0.5 + off_middle * wide, (p.y - low) * tall).clamp(Vec2::ZERO, Vec2::ONE)
-    };
+    let uv = BladeUv::of(flat);
     for side in [1.0, -1.0] {
         let first = mesh.points.len() as u32;
         for (i, (point, normal)) in scratch.middle.iter().zip(&scratch.normals).enumerate() {
             let normal = *normal * side;
             mesh.points.push(*point + normal * if i < margin { margin_half } else { half });
-            mesh.vertices.push(Vertex { point: first + i as u32, normal, uv: uv(flat.points[i]) });
+            mesh.vertices.push(Vertex { point: first + i as u32, normal, uv: uv.uv(flat.points[i]) });
         }
     }
     let back = count as u32;

@@ -9,6 +9,7 @@
 //! | `params` | how finely a plant is modelled |
 //! | `outline`, `sections`, `interior`, `flat` | a blade in its plane, triangulated |
 //! | `relief`, `blade` | the blade bent and given thickness |
+//! | `blade_uv` | where a blade's points lie in its picture |
 //! | `shapes`, `copies` | blades that are copies of few shapes |
 //! | `instances` | copies by their shapes, for glTF |
 //! | `spine`, `tube` | single branches |
@@ -26,6 +27,7 @@
 mod afford;
 mod bend;
 mod blade;
+mod blade_uv;
 mod build;
 mod cache;
 pub mod copies;
@@ -71,6 +73,7 @@ mod wood_changes;
 mod wood_memory;
 
 pub use afford::affordable;
+pub use blade_uv::BladeUv;
 pub use build::{build, rebuild};
 pub use cache::Cache;
 pub use copies::{Copies, Placement};

@@ -8,7 +8,7 @@ use zune_jpeg::zune_core::{colorspace::ColorSpace, options::DecoderOptions};
 const SIDE_LIMIT: u32 = 8192;
 
 /// A picture in memory: straight alpha, sRGB, rows from the top.
-#[derive(Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Rgba {
     /// Width in pixels.
     pub width: u32,

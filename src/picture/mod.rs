@@ -15,6 +15,7 @@ use crate::input;
 use crate::random::mix;
 use base64::engine::general_purpose::STANDARD;
 use base64::{DecodeError, Engine};
+use decode::Rgba;
 use glam::UVec2;
 use std::hash::{Hash, Hasher};
 use std::io::{Cursor, ErrorKind};
@@ -86,7 +87,7 @@ impl Picture {
     /// As [`Picture::new`], and a picture that cannot be decoded.
     pub fn decoded(bytes: impl Into<Arc<[u8]>>) -> Result<Self, PictureError> {
         let picture = Self::new(bytes)?;
-        decode::decode(picture.bytes()).map_err(PictureError::Damaged)?;
+        picture.pixels()?;
         Ok(picture)
     }
 
@@ -95,11 +96,29 @@ impl Picture {
     /// # Errors
     /// As [`Picture::decoded`], and a file that cannot be read.
     pub fn read(path: &Path) -> Result<Self, PictureError> {
+        Ok(Self::read_with_pixels(path)?.0)
+    }
+
+    /// The same, with its pixels.
+    ///
+    /// # Errors
+    /// As [`Picture::read`].
+    pub fn read_with_pixels(path: &Path) -> Result<(Self, Rgba), PictureError> {
         let bytes = input::read(path, MAX_BYTES as u64).map_err(|error| match error.kind() {
             ErrorKind::FileTooLarge => PictureError::TooLarge,
             _ => PictureError::Unreadable(error.to_string()),
         })?;
-        Self::decoded(bytes)
+        let picture = Self::new(bytes)?;
+        let pixels = picture.pixels()?;
+        Ok((picture, pixels))
+    }
+
+    /// Its pixels.
+    ///
+    /// # Errors
+    /// A picture that cannot be decoded.
+    pub fn pixels(&self) -> Result<Rgba, PictureError> {
+        decode::decode(&self.bytes).map_err(PictureError::Damaged)
     }
 
     /// The picture that [`Picture::to_base64`] wrote.

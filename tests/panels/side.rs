@@ -34,6 +34,8 @@ fn species_textures_and_seed_are_chosen_by_tapping() {
     press(&mut harness, "Branches");
     press(&mut harness, "Picture file…");
     assert_eq!(asked(&mut harness), [Action::ChooseFile(PathPurpose::Texture(None))]);
+    press(&mut harness, "From a photograph…");
+    assert_eq!(asked(&mut harness), [Action::ChooseFile(PathPurpose::Photograph(None))]);
 }
 
 #[test]

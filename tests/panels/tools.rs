@@ -4,7 +4,8 @@ use super::stage::{self, asked, busy, english, press, stage, stage_of};
 use egui_kittest::kittest::Queryable;
 use penstemon::app::action::Action;
 use penstemon::app::canvas_tool::Mirror;
-use penstemon::app::messages::{Language, Messages};
+use penstemon::app::messages::{Language, Messages, Msg};
+use penstemon::app::panels::Snapshot;
 use penstemon::app::panels::snapshot::{Dialog, MenuOf, PartMenu};
 use penstemon::app::panels::toolbar::TOOLS;
 use penstemon::app::settings::{Handedness, ThemeChoice};
@@ -153,5 +154,26 @@ fn selected_strokes_offer_what_can_be_done() {
     ] {
         press(&mut harness, label);
         assert_eq!(asked(&mut harness), [action]);
+    }
+}
+
+#[test]
+fn a_stroke_over_a_picture_offers_it_as_its_texture() {
+    for language in Language::ALL {
+        let messages = Messages::new(language);
+        let label = messages.get(Msg::PartPictureUnder);
+        let over = |stroke| {
+            let mut snapshot = busy();
+            (snapshot.selected, snapshot.over_picture) = (1, stroke);
+            snapshot
+        };
+        assert!(stage(over(None), language).query_by_label(label).is_none());
+        let mut harness = stage(over(Some(9)), language);
+        press(&mut harness, label);
+        assert_eq!(asked(&mut harness), [Action::TakePictureUnder(9)]);
+        let menu = PartMenu { of: MenuOf::Stroke(9), tool: Tool::Leaf, at: [300.0, 200.0] };
+        let mut harness = stage(Snapshot { part_menu: Some(menu), ..over(Some(9)) }, language);
+        press(&mut harness, label);
+        assert!(asked(&mut harness).contains(&Action::TakePictureUnder(9)));
     }
 }

@@ -166,7 +166,9 @@ impl Editor {
             PathPurpose::OpenDrawing => DRAWINGS.to_vec(),
             PathPurpose::SaveDrawing => vec!["penstemon"],
             PathPurpose::Export => vec![export],
-            PathPurpose::Texture(_) | PathPurpose::Reference => PICTURES.to_vec(),
+            PathPurpose::Texture(_) | PathPurpose::Photograph(_) | PathPurpose::Reference => {
+                PICTURES.to_vec()
+            }
             PathPurpose::Species => SPECIES.to_vec(),
         };
         let name = match purpose {
@@ -204,6 +206,7 @@ impl Editor {
             }
             PathPurpose::Export => self.begin_export(path),
             PathPurpose::Species => self.change(Change::species(Some(path.to_string_lossy().into_owned()))),
+            PathPurpose::Photograph(organ) => self.read_photograph(organ, path),
             PathPurpose::Texture(_) | PathPurpose::Reference => self.read_picture(purpose, path),
         }
     }

@@ -47,6 +47,8 @@ impl Editor {
             Action::CutSelected => self.cut_selected(),
             Action::Paste => self.updates.want_paste(),
             Action::PictureRead { purpose, name, picture } => self.use_picture(purpose, &name, picture),
+            Action::TakePictureUnder(stroke) => self.take_picture_under(stroke),
+            Action::TextureCut { organ, name, cut } => self.use_cut(organ, &name, cut),
             Action::SavePreset(name) => self.save_preset(name),
             Action::ApplyPreset(path) => self.apply_preset(&path),
             Action::DeletePreset(path) => {

@@ -49,6 +49,7 @@ impl Editor {
             readings: self.read_together(),
             ways: self.ways(),
             part_menu: self.dialogs.part_menu(),
+            over_picture: self.over_picture(),
             remarks: self.remarks(),
             dialog: self.dialogs.dialog().cloned(),
             export_bytes: self.export_bytes(),

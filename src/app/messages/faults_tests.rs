@@ -2,7 +2,9 @@
 
 use super::*;
 use crate::app::messages::Language;
+use crate::app::texture_cut::CutError;
 use crate::pen::hid::DeviceInfo;
+use crate::photo::{PhotoError, PhotoRemark};
 use std::io;
 
 /// One of every kind that has words.
@@ -33,6 +35,16 @@ fn known() -> Vec<Box<dyn Localize>> {
         Box::new(PictureError::NotAPicture),
         Box::new(PictureError::Damaged("7".to_owned())),
         Box::new(PictureError::TooLarge),
+        Box::new(CutError::Picture(PictureError::TooLarge)),
+        Box::new(CutError::Photo(PhotoError::TooSmall { width: 7, height: 8, least: 9 })),
+        Box::new(PhotoError::OneColour { contrast: 7.0, least: 9.0 }),
+        Box::new(PhotoError::NothingThere),
+        Box::new(PhotoError::CutOff { share: 7.0 }),
+        Box::new(PhotoError::NoOutline),
+        Box::new(PhotoError::BesidePicture),
+        Box::new(PhotoRemark::Several { count: 7 }),
+        Box::new(PhotoRemark::TouchesEdge),
+        Box::new(PhotoRemark::PartlyBeside { share: 7.0 }),
         Box::new(ChangeError::Full { what: "strokes", limit: 7 }),
         Box::new(ChangeError::Full { what: "points", limit: 7 }),
         Box::new(ChangeError::Reference(PictureError::TooLarge.into())),

@@ -65,6 +65,7 @@ fn title(dialog: &Dialog) -> Msg {
             PathPurpose::SaveDrawing => Msg::PathSaveTitle,
             PathPurpose::Export => Msg::PathExportTitle,
             PathPurpose::Texture(_) => Msg::PathTextureTitle,
+            PathPurpose::Photograph(_) => Msg::PathPhotographTitle,
             PathPurpose::Species => Msg::PathSpeciesTitle,
             PathPurpose::Reference => Msg::PathReferenceTitle,
         },

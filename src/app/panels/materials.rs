@@ -104,4 +104,11 @@ fn part(
     if text_button_sized(ui, Some(Icon::Picture), label, missing.is_some(), Some(width)).clicked() {
         out.push(Action::ChooseFile(PathPurpose::Texture(organ)));
     }
+    if matches!(organ, None | Some(OrganKind::Petal | OrganKind::Leaf)) {
+        let label = messages.get(Msg::MaterialsPhotograph);
+        let button = text_button_sized(ui, Some(Icon::Picture), label, false, Some(width));
+        if button.on_hover_text(messages.get(Msg::MaterialsPhotographHint)).clicked() {
+            out.push(Action::ChooseFile(PathPurpose::Photograph(organ)));
+        }
+    }
 }

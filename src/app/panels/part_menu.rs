@@ -3,7 +3,7 @@
 use super::icons::Icon;
 use super::readings;
 use super::snapshot::{MenuOf, PartMenu, Snapshot};
-use super::widgets::{CAPTIONED, IconButton, card, note, palette};
+use super::widgets::{CAPTIONED, IconButton, card, note, palette, text_button};
 use crate::app::action::Action;
 use crate::app::canvas_tool::{CanvasTool, Mirror};
 use crate::app::messages::{Messages, Msg};
@@ -48,6 +48,7 @@ pub fn show(ctx: &Context, canvas: Rect, snapshot: &Snapshot, messages: &Message
             }
             if !matches!(menu.of, MenuOf::Reading(_)) {
                 choices(ui, &menu, &snapshot.remarks, messages, out);
+                picture_under(ui, snapshot, messages, out);
             }
         });
     });
@@ -88,6 +89,15 @@ fn choices(ui: &mut Ui, menu: &PartMenu, remarks: &[String], messages: &Messages
     }
     for remark in remarks {
         ui.label(RichText::new(remark).size(13.0).color(palette(ui).warning));
+    }
+}
+
+/// The button that gives the part of a stroke the picture under it.
+fn picture_under(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<Action>) {
+    let Some(stroke) = snapshot.over_picture else { return };
+    let button = text_button(ui, Some(Icon::Picture), messages.get(Msg::PartPictureUnder), false);
+    if button.on_hover_text(messages.get(Msg::PartPictureUnderHint)).clicked() {
+        out.push(Action::TakePictureUnder(stroke));
     }
 }
 
@@ -132,6 +142,7 @@ pub fn selection(
                     }
                 }
             });
+            picture_under(ui, snapshot, messages, out);
         });
     });
 }

@@ -92,6 +92,8 @@ pub struct Snapshot {
     pub ways: Option<Ways>,
     /// The menu that asks what a stroke is, at this place in logical pixels.
     pub part_menu: Option<PartMenu>,
+    /// The stroke that is asked about or selected, if its part can have the picture under it as its texture.
+    pub over_picture: Option<StrokeId>,
     /// What is odd about the stroke that the menu is about.
     pub remarks: Vec<String>,
     /// The dialog that is open.
