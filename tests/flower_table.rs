@@ -1,4 +1,4 @@
-//! How well drawn flowers are recovered, as a table: `docs/flowers.md` shows it, and what it promises is held here.
+//! How well drawn flowers are recovered, as a table: the figures of `docs/drawings.md`, and bounds to hold them.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 
@@ -12,6 +12,9 @@ use penstemon::sketch::Tool;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use std::f32::consts::TAU;
+
+/// How well a species knows how its flowers open, degrees.
+const KNOWN_DEG: f32 = 8.0;
 
 /// Flowers of each row.
 const FLOWERS: usize = 300;
@@ -27,8 +30,10 @@ struct Case {
     tool: Tool,
     /// How far the stem may leave the axis, degrees; none without a stem.
     stem: Option<f32>,
-    /// Whether the species says how its flowers open, to about 8°.
+    /// Whether the species says how its flowers open.
     is_known: bool,
+    /// Where petals begin, share of their length.
+    foot: f32,
 }
 
 const PLAIN: Case = Case {
@@ -39,6 +44,7 @@ const PLAIN: Case = Case {
     tool: Tool::Petal,
     stem: None,
     is_known: false,
+    foot: 0.0,
 };
 
 /// What became of the flowers of a row.
@@ -70,6 +76,7 @@ impl Outcome {
             length: 200.0,
             start: rng.random_range(0.0..TAU),
             fullness: rng.random_range(0.6..1.0),
+            foot: case.foot,
         };
         let truth =
             Truth { center: Vec2::splat(500.0), axis, rings: vec![ring], shape: rng.random_range(0..3) };
@@ -86,9 +93,9 @@ impl Outcome {
         }
         let mut params = DepthParams::default();
         if case.is_known {
-            let known = opening.to_degrees() + 8.0 * cone_flowers::gauss(rng);
+            let known = opening.to_degrees() + KNOWN_DEG * cone_flowers::gauss(rng);
             params.cone.opening_prior = known.clamp(10.0, 85.0);
-            KNOWN(&mut params);
+            params.cone.opening_spread = KNOWN_DEG;
         }
         let found = anatomy::analyse(&drawings::sketch(strokes), &AnatomyParams::default());
         let most = found.flowers.iter().map(|flower| flower.petals.len()).max().unwrap_or(0);
@@ -119,32 +126,114 @@ impl Outcome {
     }
 }
 
-const KNOWN: fn(&mut DepthParams) = |_| ();
-
 fn percent(count: usize) -> f32 {
     100.0 * count as f32 / FLOWERS as f32
 }
 
-#[test]
-fn table() {
+/// Most that a row may have: median and 95th percentile of the error of the axis and of the opening, degrees; share of flowers
+/// that lose a petal, and of those that lean toward their stem, percent.
+struct Bounds {
+    axis: [f32; 2],
+    opening: [f32; 2],
+    lost: f32,
+    leaning: f32,
+}
+
+const fn at_most(axis: [f32; 2], opening: [f32; 2], lost: f32, leaning: f32) -> Bounds {
+    Bounds { axis, opening, lost, leaning }
+}
+
+fn rows() -> Vec<(&'static str, Case, Bounds)> {
     let uneven = Hand { lengths: 0.03, ..PLAIN.hand };
     let one_side = Hand { missing: 5, ..PLAIN.hand };
     let natural = Hand { lengths: 0.08, turns: 0.08, ..PLAIN.hand };
-    let rows = [
-        ("pen shakes by 0.5 %", PLAIN),
-        ("lengths vary by 3 %", Case { hand: uneven, ..PLAIN }),
-        ("lengths and turns vary by 8 %", Case { hand: natural, ..PLAIN }),
-        ("five petals of 8 to 13 missing", Case { hand: one_side, petals: (8, 13), ..PLAIN }),
-        ("the same with a stem", Case { hand: one_side, petals: (8, 13), stem: Some(20.0), ..PLAIN }),
-        ("face-on, lengths vary by 3 %", Case { hand: uneven, elevation: (75.0, 90.0), ..PLAIN }),
-        ("the same, species known", Case { hand: uneven, elevation: (75.0, 90.0), is_known: true, ..PLAIN }),
-        ("open, on a stem", Case { hand: natural, opening: (60.0, 82.0), elevation: (20.0, 85.0), petals: (5, 9), stem: Some(40.0), ..PLAIN }),
-        ("seen from the side, no tool", Case { elevation: (5.0, 60.0), petals: (5, 13), tool: Tool::Auto, ..PLAIN }),
-        ("the same, lengths vary", Case { hand: natural, elevation: (5.0, 60.0), petals: (5, 13), tool: Tool::Auto, ..PLAIN }),
-    ];
-    for (name, case) in rows {
+    let missing = Case { hand: one_side, petals: (10, 21), ..PLAIN };
+    let face_on = Case { hand: uneven, elevation: (75.0, 90.0), ..PLAIN };
+    let open =
+        Case { hand: natural, opening: (60.0, 82.0), elevation: (20.0, 85.0), petals: (5, 9), ..PLAIN };
+    let end_on = Case { hand: natural, elevation: (15.0, 70.0), foot: 0.1, ..PLAIN };
+    vec![
+        ("pen shakes by 0.5 %", PLAIN, at_most([1.0, 4.0], [1.0, 6.0], 0.0, 1.0)),
+        ("lengths vary by 3 %", Case { hand: uneven, ..PLAIN }, at_most([2.0, 8.0], [2.0, 10.0], 0.0, 1.0)),
+        (
+            "lengths and turns vary by 8 %",
+            Case { hand: natural, ..PLAIN },
+            at_most([4.5, 16.0], [3.5, 19.0], 0.0, 1.0),
+        ),
+        ("five petals of 10 to 21 missing", missing, at_most([2.0, 10.0], [1.5, 12.0], 0.0, 2.0)),
+        (
+            "five petals of 8 to 13 missing",
+            Case { petals: (8, 13), ..missing },
+            at_most([6.0, 100.0], [4.5, 36.0], 0.0, 14.0),
+        ),
+        (
+            "the same with a stem",
+            Case { petals: (8, 13), stem: Some(20.0), ..missing },
+            at_most([6.0, 90.0], [4.5, 32.0], 0.0, 10.0),
+        ),
+        ("face-on, lengths vary by 3 %", face_on, at_most([5.5, 18.0], [14.0, 42.0], 0.0, 3.0)),
+        (
+            "the same, opening known to 8°",
+            Case { is_known: true, ..face_on },
+            at_most([2.5, 11.0], [6.0, 20.0], 0.0, 2.0),
+        ),
+        ("open, on a stem", Case { stem: Some(40.0), ..open }, at_most([6.0, 26.0], [3.5, 20.0], 0.0, 5.0)),
+        ("petals end-on, roots apart", end_on, at_most([4.5, 18.0], [4.0, 20.0], 1.0, 1.0)),
+    ]
+}
+
+#[test]
+fn flowers_on_known_cones_come_back() {
+    eprintln!("| drawing | axis | 95 % | opening | 95 % | petal lost | toward stem | behind stem |");
+    let mut broken = Vec::new();
+    for (name, case, most) in rows() {
         let out = Outcome::of(&case, 2026);
-        let at = |list: &[f32], share: usize| list[list.len() * share / 100];
-        eprintln!("| {name} | {:.1} | {:.1} | {:.1} | {:.1} | lost {:.1} | leaning {:.1} | hidden {:.1} |", at(&out.axis, 50), at(&out.axis, 95), at(&out.opening, 50), at(&out.opening, 95), percent(out.lost), percent(out.leaning), percent(out.hidden));
+        let at = |list: &[f32]| [50, 95].map(|share| list[list.len() * share / 100]);
+        let (axis, opening) = (at(&out.axis), at(&out.opening));
+        let [lost, leaning, hidden] = [out.lost, out.leaning, out.hidden].map(percent);
+        eprintln!(
+            "| {name} | {:.1} | {:.1} | {:.1} | {:.1} | {lost:.1} | {leaning:.1} | {hidden:.1} |",
+            axis[0], axis[1], opening[0], opening[1]
+        );
+        let found = [axis[0], axis[1], opening[0], opening[1], lost, leaning];
+        let most = [most.axis[0], most.axis[1], most.opening[0], most.opening[1], most.lost, most.leaning];
+        if found.iter().zip(&most).any(|(found, most)| found > most) {
+            broken.push(format!("{name}: {found:?} of at most {most:?}"));
+        }
     }
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+}
+
+/// Share of flowers that lose a petal, percent, where from `min_petals` on those that gather are a flower.
+fn losing_a_petal(min_petals: u32) -> f32 {
+    let hand = Hand { lengths: 0.08, turns: 0.08, ..PLAIN.hand };
+    let mut rng = Pcg64Mcg::seed_from_u64(7);
+    let lost = (0..FLOWERS).filter(|_| {
+        let ring = Ring {
+            petals: rng.random_range(5..=21),
+            opening: rng.random_range(20f32..75.0).to_radians(),
+            length: 200.0,
+            start: rng.random_range(0.0..TAU),
+            fullness: rng.random_range(0.6..1.0),
+            foot: rng.random_range(0.05..0.15),
+        };
+        let axis = cone_flowers::axis(&mut rng, (10.0, 80.0));
+        let truth =
+            Truth { center: Vec2::splat(500.0), axis, rings: vec![ring], shape: rng.random_range(0..3) };
+        let petals = truth.drawn(&hand, &mut rng);
+        let drawn = petals.len();
+        let mut params = AnatomyParams::default();
+        params.flowers.min_petals = min_petals;
+        let sketch = drawings::sketch(petals.into_iter().map(|petal| (Tool::Petal, petal)));
+        anatomy::analyse(&sketch, &params).flowers.iter().all(|flower| flower.petals.len() < drawn)
+    });
+    percent(lost.count())
+}
+
+#[test]
+fn petals_seen_end_on_stay_in_their_flower() {
+    // With so many petals asked for no flower is one that short petals could join: each sees as far as it is long.
+    let (alone, joined) = (losing_a_petal(50), losing_a_petal(3));
+    eprintln!("{alone} % of flowers lose a petal that sees as far as it is long, {joined} % where it joins");
+    assert!(alone > 3.0 && joined <= 0.5, "{alone} %, {joined} %");
 }

@@ -5,9 +5,9 @@
 mod budgets;
 mod classifier;
 mod cone_accuracy;
-mod corrections;
 #[path = "common/cone_flowers.rs"]
 mod cone_flowers;
+mod corrections;
 mod crowns;
 #[path = "common/drawings.rs"]
 mod drawings;

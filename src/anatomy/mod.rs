@@ -9,6 +9,7 @@ pub mod attach;
 pub mod blade_outline;
 pub mod classify;
 pub mod conventions;
+mod end_on;
 pub mod features;
 pub mod fill_leaves;
 pub mod fill_twigs;

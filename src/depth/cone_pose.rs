@@ -75,13 +75,16 @@ const NATURAL: Hand = Hand { tip: 0.06, known: 4.0 };
 /// Opening's standard deviation, radians: where the drawing shows it, and where it does not.
 const FACE_ON_OPENING: f64 = 0.03;
 /// Evenness's standard deviation: where petals stand all around, and where they stand on one side only.
-const EVENNESS: (f64, f64) = (0.3, 0.02);
+const EVENNESS: [f64; 2] = [0.3, 0.02];
 /// The same where petals are missing.
 const MISSING_EVENNESS: f64 = 10.0;
-/// Standard deviation of the turns from petal to petal, in units of the usual one.
-const TURNS: f64 = 0.2;
+/// Standard deviation of the turns from petal to petal, in units of the usual one: where petals are missing, and where they
+/// are not, so that all of them tell more than how they follow each other.
+const TURNS: [f64; 2] = [0.2, 20.0];
 /// Largest turn, in usual ones, at which petals begin to be missing there, and are.
-const MISSING: (f64, f64) = (1.6, 2.4);
+const MISSING: (f64, f64) = (3.8, 5.0);
+/// How often it is asked which petals are missing.
+const LOOKS: u32 = 3;
 /// Fewest petals that show it.
 const SHOWING: usize = 4;
 /// Likely angle between a flower's axis and the drawing where only its stem tells, radians.
@@ -113,13 +116,15 @@ pub fn flower_pose(petals: &[PetalOutline<'_>], stem: Option<Vec2>, params: &Con
     let hand = if stem.is_some() { NATURAL } else { CAREFUL };
     let spread = f64::from(params.opening_spread).to_radians();
     let trust =
-        Trust { tip: hand.tip, opening: (prior, spread), evenness: EVENNESS.0, turns: TURNS, stem };
+        Trust { tip: hand.tip, opening: (prior, spread), evenness: EVENNESS[0], turns: turns(0.0), stem };
     let mut best = flower.best_fit(&trust, params.rounds);
-    if may_miss_petals(&best) {
-        let free = flower.best_fit(&Trust { evenness: MISSING_EVENNESS, ..trust }, params.rounds);
-        if missing(&free) > 0.0 {
-            best = free;
+    for _ in 0..LOOKS {
+        let missing = missing(&best);
+        if missing == 0.0 {
+            break;
         }
+        let trust = Trust { evenness: evenness(0.0, missing), turns: turns(missing), ..trust };
+        best = flower.best_fit(&trust, params.rounds);
     }
     let (cone, trusted) = settled(&best, &trust, &hand, params);
     flower.pose(cone, &best.tips, trusted && best.tips.len() >= 5, params, petals)
@@ -260,9 +265,8 @@ fn settled(best: &Fitted, trust: &Trust, hand: &Hand, params: &ConeParams) -> (C
     let trust = Trust {
         tip,
         opening: (trust.opening.0, spread * (FACE_ON_OPENING / spread).min(1.0).powf(face_on)),
-        evenness: EVENNESS.0
-            * (EVENNESS.1 / EVENNESS.0).powf(if trust.stem.is_some() { 0.0 } else { one_sided })
-            * (MISSING_EVENNESS / EVENNESS.0).powf(missing),
+        evenness: evenness(if trust.stem.is_some() { 0.0 } else { one_sided }, missing),
+        turns: turns(missing),
         ..*trust
     };
     let moments = Moments::of(&best.tips);
@@ -277,10 +281,15 @@ fn settled(best: &Fitted, trust: &Trust, hand: &Hand, params: &ConeParams) -> (C
     (last.0, face_on < 0.5 && one_sided < 0.5 && tip < LOOSE)
 }
 
-/// Whether it is worth to ask what the flower would be if petals were missing.
-fn may_miss_petals(fit: &Fitted) -> bool {
-    let turns = fit.cone.rim().turns(&fit.tips);
-    fit.tips.len() >= SHOWING && turns.largest > 1.2 * turns.usual()
+/// Standard deviation of evenness where petals are one-sided, and where they are missing, each from 0 to 1.
+fn evenness(one_sided: f64, missing: f64) -> f64 {
+    let ([usual, strict], loose) = (EVENNESS, MISSING_EVENNESS);
+    usual * (strict / usual).powf(one_sided) * (loose / usual).powf(missing)
+}
+
+/// Standard deviation of the turns where petals are missing, from 0 to 1.
+fn turns(missing: f64) -> f64 {
+    TURNS[1] * (TURNS[0] / TURNS[1]).powf(missing)
 }
 
 /// How sure it is that petals are missing on one side, 0 to 1: the others turn alike from one to the next there is a

@@ -20,6 +20,8 @@ pub(crate) struct Ring {
     pub(crate) start: f32,
     /// Share of the angle between neighbours that a petal fills.
     pub(crate) fullness: f32,
+    /// Where petals begin, share of their length.
+    pub(crate) foot: f32,
 }
 
 /// A flower as it is.
@@ -85,10 +87,11 @@ impl Truth {
         };
         let at = |share: f32, sign: f32| {
             let round = (share * (1.0 - share)).sqrt() * (1.2 + 0.8 * share);
+            let along = ring.foot + (1.0 - ring.foot) * share;
             let p = match self.shape {
-                0 => side(azimuth + sign * half * (PI * share).sin()) * share,
-                1 => side(azimuth + sign * half * round) * share,
-                _ => side(azimuth) * share + self.axis.cross(side(azimuth)) * (sign * half * round),
+                0 => side(azimuth + sign * half * (PI * share).sin()) * along,
+                1 => side(azimuth + sign * half * round) * along,
+                _ => side(azimuth) * along + self.axis.cross(side(azimuth)) * (sign * half * round),
             };
             self.center + Vec2::new(p.x, -p.y) * (ring.length * size)
         };
