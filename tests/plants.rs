@@ -11,6 +11,7 @@ mod corrections;
 mod crowns;
 #[path = "common/drawings.rs"]
 mod drawings;
+mod drawn_petals;
 mod flower_poses;
 mod flower_table;
 mod ground;
