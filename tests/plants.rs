@@ -25,6 +25,7 @@ mod people;
 mod people_drawings;
 mod people_silhouettes;
 mod properties;
+mod proposed_species;
 mod several;
 mod sketches;
 mod textures;

@@ -10,7 +10,6 @@
 //! gather belongs to the nearer one, in units of their lengths. Cost: near-linear, as few flowers of one size gather in one
 //! place.
 
-use super::flowers::Drawn;
 use glam::Vec2;
 use std::collections::BTreeMap;
 
@@ -28,9 +27,15 @@ struct Gathered {
     count: usize,
 }
 
+/// Where a blade begins, and the way from there to its tip.
+pub(super) struct Rooted {
+    pub(super) root: Vec2,
+    pub(super) axis: Vec2,
+}
+
 /// Gives blades seen end-on the label of their flower. `labels` name the clusters of the blades, counted from 0; one of at least
 /// `min_petals` is a flower, within whose `bandwidth`, a share of its petals' length, roots belong to it.
-pub(super) fn join(labels: &mut [usize], blades: &[Drawn<'_>], bandwidth: f32, min_petals: usize) {
+pub(super) fn join(labels: &mut [usize], blades: &[Rooted], bandwidth: f32, min_petals: usize) {
     let clusters = clusters(labels, blades);
     let is_flower = |cluster: &Gathered| cluster.count >= min_petals && cluster.length > 0.0;
     let flowers = ByPlace::new(&clusters, bandwidth, is_flower);
@@ -41,30 +46,30 @@ pub(super) fn join(labels: &mut [usize], blades: &[Drawn<'_>], bandwidth: f32, m
     for (label, cluster) in clusters.iter().enumerate().filter(|(_, cluster)| is_flower(cluster)) {
         outward[label] = flowers.around(cluster.center, cluster.length / SHORT);
     }
-    for (label, drawn) in labels.iter().zip(blades) {
+    for (label, blade) in labels.iter().zip(blades) {
         let Some(other) = outward[*label] else { continue };
-        let away = (drawn.blade.root - clusters[other].center).normalize_or_zero();
-        if away.dot(drawn.blade.axis().normalize_or_zero()) < OUTWARD {
+        let away = (blade.root - clusters[other].center).normalize_or_zero();
+        if away.dot(blade.axis.normalize_or_zero()) < OUTWARD {
             outward[*label] = None;
         }
     }
-    for (label, drawn) in labels.iter_mut().zip(blades) {
+    for (label, blade) in labels.iter_mut().zip(blades) {
         let joined = if is_flower(&clusters[*label]) {
             outward[*label]
         } else {
-            flowers.around(drawn.blade.root, drawn.blade.axis().length())
+            flowers.around(blade.root, blade.axis.length())
         };
         *label = joined.unwrap_or(*label);
     }
 }
 
-fn clusters(labels: &[usize], blades: &[Drawn<'_>]) -> Vec<Gathered> {
+fn clusters(labels: &[usize], blades: &[Rooted]) -> Vec<Gathered> {
     let none = Gathered { center: Vec2::ZERO, length: 0.0, count: 0 };
     let mut clusters = vec![none; labels.iter().max().map_or(0, |most| most + 1)];
-    for (label, drawn) in labels.iter().zip(blades) {
+    for (label, blade) in labels.iter().zip(blades) {
         let cluster = &mut clusters[*label];
-        cluster.center += drawn.blade.root;
-        cluster.length += drawn.blade.axis().length();
+        cluster.center += blade.root;
+        cluster.length += blade.axis.length();
         cluster.count += 1;
     }
     for cluster in &mut clusters {
@@ -114,60 +119,4 @@ impl<'a> ByPlace<'a> {
 
 fn cell(place: Vec2, size: i32) -> [i64; 2] {
     (place.as_dvec2() / f64::from(size).exp2()).floor().to_array().map(|x| x as i64)
-}
-
-#[cfg(test)]
-mod tests {
-    use crate::anatomy::flowers::{FlowerParams, gather};
-    use crate::anatomy::{FlatBlade, Sample};
-    use crate::sketch::Tool;
-    use glam::Vec2;
-    use std::f32::consts::TAU;
-
-    fn blade(id: u64, root: Vec2, axis: Vec2) -> (FlatBlade, Tool) {
-        let side = axis.perp() * 0.3;
-        let outline = [root, root + axis * 0.5 + side, root + axis, root + axis * 0.5 - side];
-        let outline = outline.map(Sample::neutral).into();
-        let (stroke, tip) = (Some(id), root + axis);
-        (FlatBlade { stroke, outline, root, tip, copy_of: None, attachment: None }, Tool::Petal)
-    }
-
-    /// Petals around the origin from a foot, of these lengths.
-    fn ring(lengths: &[f32], foot: f32) -> Vec<(FlatBlade, Tool)> {
-        let petal = |(k, length): (usize, &f32)| {
-            let out = Vec2::from_angle(TAU * k as f32 / lengths.len() as f32);
-            blade(k as u64, out * foot, out * *length)
-        };
-        lengths.iter().enumerate().map(petal).collect()
-    }
-
-    fn petals_of_flowers(blades: Vec<(FlatBlade, Tool)>) -> Vec<usize> {
-        let gathering = gather(blades, &[], &FlowerParams::default());
-        gathering.flowers.iter().map(|flower| flower.petals.len()).collect()
-    }
-
-    #[test]
-    fn one_and_several_end_on_petals_stay_in_their_flower() {
-        assert_eq!(petals_of_flowers(ring(&[100.0, 90.0, 5.0, 90.0, 100.0], 12.0)), [5]);
-        let several = [100.0, 100.0, 90.0, 60.0, 9.0, 8.0, 9.0, 60.0, 90.0, 100.0, 100.0, 100.0, 100.0];
-        assert_eq!(petals_of_flowers(ring(&several, 12.0)), [13]);
-    }
-
-    #[test]
-    fn a_small_flower_before_a_large_one_stays_a_flower() {
-        let mut blades = ring(&[100.0; 8], 10.0);
-        let small = ring(&[8.0; 6], 0.5).into_iter();
-        blades.extend(small.map(|(petal, tool)| {
-            let off = Vec2::new(18.0, 0.0);
-            (blade(20 + petal.stroke.unwrap(), petal.root + off, petal.axis()).0, tool)
-        }));
-        assert_eq!(petals_of_flowers(blades), [8, 6]);
-    }
-
-    #[test]
-    fn blades_beside_a_flower_stay_what_they_are() {
-        let mut blades = ring(&[100.0; 8], 10.0);
-        blades.push(blade(20, Vec2::new(0.0, 45.0), Vec2::new(4.0, 8.0)));
-        assert_eq!(petals_of_flowers(blades), [8, 1]);
-    }
 }

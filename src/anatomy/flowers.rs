@@ -18,7 +18,8 @@
 //! From one drawing to the next it is remembered where roots gather ([`Gatherer`]): only roots near a blade that came or
 //! went are looked at again.
 
-use super::{FlatBlade, FlatFlower, end_on, flower_centre::Roundness};
+use super::end_on::{self, Rooted};
+use super::{FlatBlade, FlatFlower, flower_centre::Roundness};
 use crate::geom::mean_shift::{self, Climbs};
 use crate::sketch::{StrokeId, Tool};
 use glam::Vec2;
@@ -174,7 +175,9 @@ fn clusters<'a>(
     let reach: Vec<f32> = blades.iter().map(|drawn| bandwidth * drawn.blade.axis().length()).collect();
     let mut labels = mean_shift::cluster_with(known, &roots, &reach, MERGE);
     if let Some(params) = end_on {
-        end_on::join(&mut labels, &blades, bandwidth, params.min_petals as usize);
+        let rooted = |drawn: &Drawn<'_>| Rooted { root: drawn.blade.root, axis: drawn.blade.axis() };
+        let rooted: Vec<Rooted> = blades.iter().map(rooted).collect();
+        end_on::join(&mut labels, &rooted, bandwidth, params.min_petals as usize);
     }
     let mut labelled: Vec<(usize, Drawn<'_>)> = labels.into_iter().zip(blades).collect();
     labelled.sort_by_key(|(label, _)| *label);

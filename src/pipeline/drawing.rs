@@ -1,9 +1,9 @@
 //! The maker of drawn plants: strokes are understood, stood up in space, and grow on where they may.
 
 use super::clock::Clock;
-use super::growing;
 use super::setup::Params;
 use super::source::Produced;
+use super::{growing, proposed_species};
 use crate::anatomy;
 use crate::anatomy::conventions::{ConventionParams, Habit};
 use crate::depth;
@@ -56,6 +56,7 @@ pub(super) fn produce(
     if stop() {
         return None;
     }
+    remarks.extend(proposed_species::proposal(sketch, &anatomy, &plant));
     if !growing::grows(&anatomy, species, params) {
         memory.growth.clear();
         let buds = FlowerBuds::default();
