@@ -6,11 +6,15 @@ mod blooms;
 mod budgets;
 mod classifier;
 mod cone_accuracy;
+#[path = "common/cone_flowers.rs"]
+mod cone_flowers;
 mod corrections;
 mod crowns;
 #[path = "common/drawings.rs"]
 mod drawings;
+mod drawn_petals;
 mod flower_poses;
+mod flower_table;
 mod ground;
 mod grown;
 mod inflorescences;
@@ -22,6 +26,7 @@ mod people;
 mod people_drawings;
 mod people_silhouettes;
 mod properties;
+mod proposed_species;
 mod several;
 mod sketches;
 mod textures;

@@ -10,12 +10,15 @@
 //! roots keep a distance (an open flower: a wider search, accepted only if the petals stand all round and point away
 //! from the middle); and the circle itself is no petal: a round blade around the point where the petals meet is the flower's centre.
 //!
+//! Petals seen end-on are shorter than their flower is wide: they join it afterwards (`end_on`).
+//!
 //! Blades that gather at the foot of a stem are a rosette of leaves, but for those that the petal tool drew: flowers end
 //! stems, they do not begin them.
 //!
 //! From one drawing to the next it is remembered where roots gather ([`Gatherer`]): only roots near a blade that came or
 //! went are looked at again.
 
+use super::end_on::{self, Rooted};
 use super::{FlatBlade, FlatFlower, flower_centre::Roundness};
 use crate::geom::mean_shift::{self, Climbs};
 use crate::sketch::{StrokeId, Tool};
@@ -126,7 +129,7 @@ pub fn gather_with(
     // The artist's word counts here, and for these blades alone.
     let (drawn_petals, leaves): (Vec<_>, Vec<_>) =
         no_flower.into_iter().partition(|drawn| drawn.tool == Tool::Petal);
-    let drawn_petals = clusters(&mut known.petals, drawn_petals, params.bandwidth);
+    let drawn_petals = clusters(&mut known.petals, drawn_petals, params.bandwidth, Some(params));
     drawn_petals.into_iter().for_each(|cluster| out.add_flower(cluster));
     out.leaves.extend(leaves.into_iter().map(|drawn| drawn.blade.clone()));
     out.leaves.sort_by_key(|leaf| leaf.stroke);
@@ -141,7 +144,7 @@ fn divide<'a>(
     params: &FlowerParams,
 ) -> (Vec<Vec<Drawn<'a>>>, Vec<Drawn<'a>>) {
     let (mut flowers, mut alone, mut no_flower) = (Vec::new(), Vec::new(), Vec::new());
-    for cluster in clusters(&mut known.closed, blades, params.bandwidth) {
+    for cluster in clusters(&mut known.closed, blades, params.bandwidth, Some(params)) {
         if is_rosette(&cluster, stems, params.bandwidth) {
             no_flower.extend(cluster);
         } else if cluster.len() >= params.min_petals as usize {
@@ -150,7 +153,7 @@ fn divide<'a>(
             alone.extend(cluster);
         }
     }
-    for cluster in clusters(&mut known.open, alone, params.open_bandwidth) {
+    for cluster in clusters(&mut known.open, alone, params.open_bandwidth, None) {
         let rosette = is_rosette(&cluster, stems, params.bandwidth);
         if !rosette && is_open_flower(&cluster, params.open_gap.to_radians()) {
             flowers.push(cluster);
@@ -161,11 +164,21 @@ fn divide<'a>(
     (flowers, no_flower)
 }
 
-/// Blades by the place where their roots gather.
-fn clusters<'a>(known: &mut Climbs, blades: Vec<Drawn<'a>>, bandwidth: f32) -> Vec<Vec<Drawn<'a>>> {
+/// Blades by the place where their roots gather; `end_on` says from how many on they are flowers that short petals join.
+fn clusters<'a>(
+    known: &mut Climbs,
+    blades: Vec<Drawn<'a>>,
+    bandwidth: f32,
+    end_on: Option<&FlowerParams>,
+) -> Vec<Vec<Drawn<'a>>> {
     let roots: Vec<Vec2> = blades.iter().map(|drawn| drawn.blade.root).collect();
     let reach: Vec<f32> = blades.iter().map(|drawn| bandwidth * drawn.blade.axis().length()).collect();
-    let labels = mean_shift::cluster_with(known, &roots, &reach, MERGE);
+    let mut labels = mean_shift::cluster_with(known, &roots, &reach, MERGE);
+    if let Some(params) = end_on {
+        let rooted = |drawn: &Drawn<'_>| Rooted { root: drawn.blade.root, axis: drawn.blade.axis() };
+        let rooted: Vec<Rooted> = blades.iter().map(rooted).collect();
+        end_on::join(&mut labels, &rooted, bandwidth, params.min_petals as usize);
+    }
     let mut labelled: Vec<(usize, Drawn<'_>)> = labels.into_iter().zip(blades).collect();
     labelled.sort_by_key(|(label, _)| *label);
     let members = labelled.chunk_by(|a, b| a.0 == b.0);

@@ -9,6 +9,9 @@ pub mod attach;
 pub mod blade_outline;
 pub mod classify;
 pub mod conventions;
+mod end_on;
+#[cfg(test)]
+mod end_on_tests;
 pub mod features;
 pub mod fill_leaves;
 pub mod fill_twigs;

@@ -17,6 +17,7 @@
 //! face-on and no step can leave the half space toward the viewer.
 
 use glam::{DVec2, DVec3};
+use std::f64::consts::TAU;
 
 /// Flattest cone: opening in radians.
 const WIDEST: f64 = 85.0 * std::f64::consts::PI / 180.0;
@@ -121,6 +122,28 @@ fn stretched(t: DVec2, per_sin2: f64, a: DVec2, b: DVec2) -> f64 {
     a.dot(b) + t.dot(a) * t.dot(b) * per_sin2
 }
 
+/// The turns between neighbouring tips about the axis, radians.
+#[derive(Clone, Debug)]
+pub(super) struct Turns {
+    /// All but the largest, in their order behind it.
+    others: Vec<f64>,
+    /// The largest.
+    pub largest: f64,
+}
+
+impl Turns {
+    /// What the turns other than the largest are in the mean.
+    pub(super) fn usual(&self) -> f64 {
+        (TAU - self.largest) / self.others.len().max(1) as f64
+    }
+
+    /// How far they are from all being alike, in units of the usual turn: one number for each but the largest.
+    fn unevenness(&self) -> impl Iterator<Item = f64> + '_ {
+        let usual = self.usual().max(1e-6);
+        self.others.iter().map(move |turn| turn / usual - 1.0)
+    }
+}
+
 impl Rim {
     /// Size of the ellipse about the rim's centre through `d`, counted from there; the rim's own is 1.
     fn gauge(&self, d: DVec2) -> f64 {
@@ -167,8 +190,8 @@ impl Rim {
         self.height * sin - share * self.radius * cos
     }
 
-    /// Largest angle around the axis without a tip, radians.
-    pub(super) fn largest_gap(&self, tips: &[DVec2]) -> f64 {
+    /// How tips turn about the axis from one to the next.
+    pub(super) fn turns(&self, tips: &[DVec2]) -> Turns {
         let minor = self.t.try_normalize().unwrap_or(DVec2::Y);
         let around = |&q: &DVec2| {
             let d = q - self.center;
@@ -177,10 +200,19 @@ impl Rim {
         let mut angles: Vec<f64> = tips.iter().map(around).collect();
         angles.sort_by(f64::total_cmp);
         let (Some(first), Some(last)) = (angles.first(), angles.last()) else {
-            return std::f64::consts::TAU;
+            return Turns { others: Vec::new(), largest: TAU };
         };
-        let across = first + std::f64::consts::TAU - last;
-        angles.windows(2).map(|pair| pair[1] - pair[0]).fold(across, f64::max)
+        let across = first + TAU - last;
+        let mut turns: Vec<f64> = angles.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        turns.push(across);
+        let mut at = 0;
+        for (i, turn) in turns.iter().enumerate() {
+            at = if *turn > turns[at] { i } else { at };
+        }
+        let largest = turns[at];
+        turns.rotate_left(at + 1);
+        turns.pop();
+        Turns { others: turns, largest }
     }
 
     /// Whether the rim's nearest point to `q` lies on the arc toward the apex, where the cone is seen from outside.
@@ -199,6 +231,8 @@ pub(super) struct Trust {
     pub opening: (f64, f64),
     /// Standard deviation of the evenness of petals, in units of the tips' mean distance from the apex.
     pub evenness: f64,
+    /// Standard deviation of the turns between neighbours, in units of the usual one.
+    pub turns: f64,
     /// Where the flower's stem says that the axis points.
     pub stem: Option<StemPrior>,
 }
@@ -305,7 +339,8 @@ fn huber(r: f64) -> (f64, f64) {
 fn cost(cone: &ConeFit, tips: &[DVec2], moments: &Moments, trust: &Trust) -> f64 {
     let rim = cone.rim();
     let of_tips: f64 = tips.iter().map(|&q| huber(rim.distance(q) / trust.tip).0).sum();
-    of_tips + priors(cone, &rim, moments, trust).iter().map(|r| r * r).sum::<f64>()
+    let of_turns: f64 = rim.turns(tips).unevenness().map(|r| huber(r / trust.turns).0).sum();
+    of_tips + of_turns + priors(cone, &rim, moments, trust).iter().map(|r| r * r).sum::<f64>()
 }
 
 /// Cost, gradient and Gauss–Newton matrix at a cone, by forward differences.
@@ -338,6 +373,12 @@ fn normal(cone: &ConeFit, tips: &[DVec2], moments: &Moments, trust: &Trust) -> N
         // Near the ellipse only the gauge changes, not its slope: half the work for the same step.
         let per_gauge = 1.0 / (trust.tip * rim.slope(q - rim.center, gauge));
         add(r, rims.map(|rim| r + (rim.gauge(q - rim.center) - gauge) * per_gauge), huber(r));
+    }
+    let turns = rims.map(|rim| rim.turns(tips));
+    for (k, here) in rim.turns(tips).unevenness().enumerate() {
+        let r = here / trust.turns;
+        let there = turns.each_ref().map(|turns| turns.others[k] / turns.usual().max(1e-6) - 1.0);
+        add(r, there.map(|there| there / trust.turns), huber(r));
     }
     let here = priors(cone, &rim, moments, trust);
     let there: [_; UNKNOWNS] = std::array::from_fn(|k| priors(&moved[k], &rims[k], moments, trust));

@@ -27,6 +27,8 @@ crate::parameters! {
     pub struct ConeParams {
         /// Angle between axis and petals of a flower drawn face-on, which does not show it.
         opening_prior: f32 = 65.0, 10.0..=85.0, "degrees";
+        /// How far openings are from that in the mean; a species whose flowers open alike says less.
+        opening_spread: f32 = 28.0, 2.0..=60.0, "degrees";
         /// Sine of the angle between axis and drawing from which the opening prior gains weight, fully at 1.
         face_on: f32 = 0.985, 0.5..=0.999, "";
         /// Whether flowers face away from the viewer.
@@ -67,17 +69,32 @@ struct Hand {
 }
 
 /// Where nothing but the tips tells the axis they are believed as a careful hand's.
-const CAREFUL: Hand = Hand { tip: 0.005, known: 2.0 };
+const CAREFUL: Hand = Hand { tip: 0.015, known: 2.0 };
 /// Beside a stem they count as what petals are, which are not all of one length.
 const NATURAL: Hand = Hand { tip: 0.06, known: 4.0 };
 /// Opening's standard deviation, radians: where the drawing shows it, and where it does not.
-const OPENING: (f64, f64) = (0.5, 0.03);
+const FACE_ON_OPENING: f64 = 0.03;
 /// Evenness's standard deviation: where petals stand all around, and where they stand on one side only.
-const EVENNESS: (f64, f64) = (0.3, 0.02);
+const EVENNESS: [f64; 2] = [0.3, 0.02];
+/// The same where petals are missing.
+const MISSING_EVENNESS: f64 = 10.0;
+/// Standard deviation of the turns from petal to petal, in units of the usual one: where petals are missing, and where they
+/// are not, so that all of them tell more than how they follow each other.
+const TURNS: [f64; 2] = [0.2, 20.0];
+/// Largest turn, in usual ones, at which petals begin to be missing there, and are.
+const MISSING: (f64, f64) = (3.8, 5.0);
+/// How often it is asked which petals are missing.
+const LOOKS: u32 = 3;
+/// Fewest petals that show it.
+const SHOWING: usize = 4;
 /// Likely angle between a flower's axis and the drawing where only its stem tells, radians.
 const STEM_RISE: f64 = 0.9;
 /// How far axes leave that: across the plane of stem and viewer, and within it, as sines.
 const STEM_SPREAD: (f64, f64) = (0.2, 0.35);
+/// Turn without petals from which on, and at which, they are a fan that is seen from the side, radians.
+const FAN: (f64, f64) = (3.4, 3.8);
+/// Sine of the angle between axis and drawing from which on they may be such a fan.
+const FACE_ON_FAN: (f64, f64) = (0.9, 0.97);
 /// Gap between neighbouring petals around the axis at which a flower begins, and ceases, to be one-sided, radians.
 const GAP: (f64, f64) = (2.3, 3.3);
 /// Squared length, in units of the petals', by which petals must differ in direction to tell where they come together.
@@ -97,8 +114,18 @@ pub fn flower_pose(petals: &[PetalOutline<'_>], stem: Option<Vec2>, params: &Con
     let stem = stem.and_then(|arrival| arrival.as_dvec2().try_normalize());
     let stem = stem.map(|arrival| StemPrior::new(arrival, STEM_RISE, STEM_SPREAD));
     let hand = if stem.is_some() { NATURAL } else { CAREFUL };
-    let trust = Trust { tip: hand.tip, opening: (prior, OPENING.0), evenness: EVENNESS.0, stem };
-    let best = flower.best_fit(&trust, params.rounds);
+    let spread = f64::from(params.opening_spread).to_radians();
+    let trust =
+        Trust { tip: hand.tip, opening: (prior, spread), evenness: EVENNESS[0], turns: turns(0.0), stem };
+    let mut best = flower.best_fit(&trust, params.rounds);
+    for _ in 0..LOOKS {
+        let missing = missing(&best);
+        if missing == 0.0 {
+            break;
+        }
+        let trust = Trust { evenness: evenness(0.0, missing), turns: turns(missing), ..trust };
+        best = flower.best_fit(&trust, params.rounds);
+    }
     let (cone, trusted) = settled(&best, &trust, &hand, params);
     flower.pose(cone, &best.tips, trusted && best.tips.len() >= 5, params, petals)
 }
@@ -232,16 +259,15 @@ fn settled(best: &Fitted, trust: &Trust, hand: &Hand, params: &ConeParams) -> (C
     let rim = best.cone.rim();
     let tip = spread_of_tips(&rim, &best.tips, hand);
     let face_on = smooth_step(f64::from(params.face_on), 1.0, rim.sin2.sqrt());
-    let one_sided = smooth_step(GAP.0, GAP.1, rim.largest_gap(&best.tips));
+    let missing = missing(best);
+    let one_sided = smooth_step(GAP.0, GAP.1, rim.turns(&best.tips).largest) * (1.0 - missing);
+    let spread = trust.opening.1;
     let trust = Trust {
         tip,
-        opening: (trust.opening.0, OPENING.0 * (OPENING.1 / OPENING.0).powf(face_on)),
-        evenness: if trust.stem.is_some() {
-            EVENNESS.0
-        } else {
-            EVENNESS.0 * (EVENNESS.1 / EVENNESS.0).powf(one_sided)
-        },
-        stem: trust.stem,
+        opening: (trust.opening.0, spread * (FACE_ON_OPENING / spread).min(1.0).powf(face_on)),
+        evenness: evenness(if trust.stem.is_some() { 0.0 } else { one_sided }, missing),
+        turns: turns(missing),
+        ..*trust
     };
     let moments = Moments::of(&best.tips);
     let mut last = improve(best.cone, &best.tips, &moments, &trust, STEPS.0);
@@ -253,6 +279,30 @@ fn settled(best: &Fitted, trust: &Trust, hand: &Hand, params: &ConeParams) -> (C
         }
     }
     (last.0, face_on < 0.5 && one_sided < 0.5 && tip < LOOSE)
+}
+
+/// Standard deviation of evenness where petals are one-sided, and where they are missing, each from 0 to 1.
+fn evenness(one_sided: f64, missing: f64) -> f64 {
+    let ([usual, strict], loose) = (EVENNESS, MISSING_EVENNESS);
+    usual * (strict / usual).powf(one_sided) * (loose / usual).powf(missing)
+}
+
+/// Standard deviation of the turns where petals are missing, from 0 to 1.
+fn turns(missing: f64) -> f64 {
+    TURNS[1] * (TURNS[0] / TURNS[1]).powf(missing)
+}
+
+/// How sure it is that petals are missing on one side, 0 to 1: the others turn alike from one to the next there is a
+/// turn of several. Petals all on one side, alike from the front, are a flower seen from the side.
+fn missing(fit: &Fitted) -> f64 {
+    let rim = fit.cone.rim();
+    let turns = rim.turns(&fit.tips);
+    if fit.tips.len() < SHOWING {
+        return 0.0;
+    }
+    let face_on = smooth_step(FACE_ON_FAN.0, FACE_ON_FAN.1, rim.sin2.sqrt());
+    let is_fan = smooth_step(FAN.0, FAN.1, turns.largest) * face_on;
+    smooth_step(MISSING.0, MISSING.1, turns.largest / turns.usual()) * (1.0 - is_fan)
 }
 
 fn start_from_moments(tips: &[DVec2], moments: &Moments, trust: &Trust) -> ConeFit {

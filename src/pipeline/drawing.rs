@@ -2,9 +2,9 @@
 
 use super::bare_stems;
 use super::clock::Clock;
-use super::growing;
 use super::setup::Params;
 use super::source::Produced;
+use super::{growing, proposed_species};
 use crate::anatomy;
 use crate::anatomy::conventions::{ConventionParams, Habit};
 use crate::depth;
@@ -56,6 +56,7 @@ pub(super) fn produce(
     if stop() {
         return None;
     }
+    remarks.extend(proposed_species::proposal(sketch, &anatomy, &plant));
     if !growing::grows(&anatomy, species, params) {
         memory.growth.clear();
         let mut plant = plant;

@@ -22,6 +22,7 @@ mod figure_plant;
 mod finish;
 mod growing;
 mod placing;
+mod proposed_species;
 mod rose;
 mod seed;
 mod setup;

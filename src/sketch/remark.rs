@@ -228,6 +228,14 @@ pub enum Remark {
         "fineness changes only what grows in a crown, and this drawing has none; draw one with the tool crown"
     )]
     FinenessUnused,
+    /// A drawing that names no species but looks like some.
+    #[error(
+        "the drawing names no species; its flowers look like {species}: choose one to give it its surfaces"
+    )]
+    LooksLike {
+        /// Names of species, the likeliest first.
+        species: String,
+    },
     /// A plant beside the drawn one whose species does not exist or does not grow.
     #[error("no species of this name grows by itself, so the plant was left out; those that do are {known}")]
     NoSuchPlant {
@@ -305,6 +313,7 @@ impl Remark {
             | Self::FlowerCentre
             | Self::StandsApart
             | Self::FinenessUnused
+            | Self::LooksLike { .. }
             | Self::More { .. } => false,
         }
     }

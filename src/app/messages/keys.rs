@@ -387,6 +387,7 @@ keys! {
     WarningLeavesThinned = "warning.leaves_thinned",
     WarningCoarser = "warning.coarser",
     WarningFineness = "warning.fineness",
+    WarningLooksLike = "warning.looks_like",
     WarningNoSuchPlant = "warning.no_such_plant",
     WarningPlantOutOfScale = "warning.plant_out_of_scale",
     WarningOfPlant = "warning.of_plant",

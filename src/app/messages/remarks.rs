@@ -68,6 +68,11 @@ impl Localize for Remark {
             Self::BlossomThinned { flowers } => fill(Msg::WarningBlossomThinned, &[("flowers", flowers)]),
             Self::Coarser { triangles } => fill(Msg::WarningCoarser, &[("triangles", triangles)]),
             Self::FinenessUnused => fill(Msg::WarningFineness, &[]),
+            Self::LooksLike { species } => {
+                let species: Vec<String> =
+                    species.split(", ").map(|species| messages.name(Named::Species, species)).collect();
+                fill(Msg::WarningLooksLike, &[("species", &species.join(", "))])
+            }
             Self::NoSuchPlant { known } => {
                 let known: Vec<String> =
                     known.split(", ").map(|known| messages.name(Named::Species, known)).collect();
@@ -163,7 +168,8 @@ mod tests {
             Remark::BlossomThinned { .. } => Remark::GrammarStopped { fault: "line 61".to_owned() },
             Remark::GrammarStopped { .. } => Remark::Coarser { triangles: 56 },
             Remark::Coarser { .. } => Remark::FinenessUnused,
-            Remark::FinenessUnused => Remark::NoSuchPlant { known: "oak".to_owned() },
+            Remark::FinenessUnused => Remark::LooksLike { species: "oak".to_owned() },
+            Remark::LooksLike { .. } => Remark::NoSuchPlant { known: "oak".to_owned() },
             Remark::NoSuchPlant { .. } => Remark::PlantOutOfScale,
             Remark::PlantOutOfScale => {
                 let remark = Box::new(Remark::GrownTooLarge { years: 60 });
@@ -190,7 +196,7 @@ mod tests {
                 Remark::DoesNotGrow { .. } => {
                     warning.to_string().replace("`daisy`", "`Daisy`").replace("oak", "Oak")
                 }
-                Remark::NoSuchPlant { .. } | Remark::OfPlant { .. } => {
+                Remark::NoSuchPlant { .. } | Remark::OfPlant { .. } | Remark::LooksLike { .. } => {
                     warning.to_string().replace("oak", "Oak")
                 }
                 _ => warning.to_string(),
