@@ -23,8 +23,19 @@ pub enum TextureChoice {
 
 /// The kinds of parts that have a texture: branches, and every [`OrganKind`](crate::plant::OrganKind) by its name in
 /// files.
-pub const PARTS: [&str; 10] =
-    ["branch", "leaf", "petal", "sepal", "receptacle", "stamen", "pistil", "fruit", "thorn", "pot"];
+pub const PARTS: [&str; 11] = [
+    "branch",
+    "leaf",
+    "petiole",
+    "petal",
+    "sepal",
+    "receptacle",
+    "stamen",
+    "pistil",
+    "fruit",
+    "thorn",
+    "pot",
+];
 
 /// The pictures among the choices. A picture may come again.
 pub(super) fn pictures(textures: &Textures) -> impl Iterator<Item = &Picture> {
