@@ -121,7 +121,7 @@ impl Outcome {
                 (0.3..0.7).contains(&off)
             };
             let behind = |p: &Vec3| cone.depth_near(p.truncate(), p.z) < p.z;
-            self.hidden += usize::from(stem.points.iter().filter(over).any(|p| behind(p)));
+            self.hidden += usize::from(stem.points.iter().filter(over).any(behind));
         }
     }
 }
