@@ -75,7 +75,7 @@ type Counts = (usize, usize);
 /// The eight reference plants: what 000 table 7.1 counts, and what is built here: 0.69 of its points for the balloon flower, 2.6 times
 /// as many for the mallow, whose petals are cupped and closed with a face on either side.
 const TABLE_7_1: [(&str, Counts, Counts); 8] = [
-    ("daisy", (4134, 8942), (4190, 8096)),
+    ("daisy", (4134, 8942), (4086, 7888)),
     ("hepatica_red", (3820, 7958), (7121, 13406)),
     ("hepatica_blue", (2524, 5192), (4850, 9084)),
     ("jasmine", (3422, 7072), (5481, 10630)),

@@ -112,7 +112,7 @@ fn plants_of_every_maker_keep_what_holds_of_one() {
 fn what_cannot_stand_there_is_left_out_and_said() {
     let wrong = vec![
         grown("oka", 3.0, [0.0; 2], Some(100.0)),
-        grown("daisy", 3.0, [0.0; 2], Some(100.0)),
+        grown("mallow", 3.0, [0.0; 2], Some(100.0)),
         grown("hazel", 3.0, [limits::MAX_COORDINATE, 0.0], Some(100.0)),
         grown("hazel", 3.0, [0.0; 2], Some(limits::MAX_CANVAS_SIDE)),
         grown("hazel", 3.0, [0.0; 2], Some(limits::MIN_PLANT_HEIGHT)),

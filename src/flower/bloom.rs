@@ -273,6 +273,7 @@ fn petals_of(
 ) -> Vec<FullPetal> {
     let Laid { ring, shape, levels, .. } = laid;
     let form = BladeForm {
+        twist: 0.0,
         bend_quartic: 0.0,
         bend_quadratic: 0.0,
         cup: 0.0,

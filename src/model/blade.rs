@@ -92,9 +92,10 @@ fn raise(
     scratch: &mut BladeScratch,
 ) {
     let toward_face = if faces_forward(blade, facing, scratch) { 1.0 } else { -1.0 };
-    let metres = toward_face * blade.v.length();
+    let size = blade.v.length();
+    let twist = blade.form.twist * size;
     for ((point, normal), p) in scratch.middle.iter_mut().zip(&scratch.normals).zip(&flat.points) {
-        *point += *normal * (relief.height(*p) * metres);
+        *point += *normal * (toward_face * relief.height(*p) * size + twist * p.x);
     }
 }
 
@@ -190,6 +191,7 @@ mod tests {
     use std::sync::Arc;
 
     const STILL: BladeForm = BladeForm {
+        twist: 0.0,
         bend_quartic: 0.0,
         bend_quadratic: 0.0,
         cup: 0.0,

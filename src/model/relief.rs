@@ -116,6 +116,7 @@ mod tests {
     }
 
     const STILL: BladeForm = BladeForm {
+        twist: 0.0,
         bend_quartic: 0.0,
         bend_quadratic: 0.0,
         cup: 0.0,

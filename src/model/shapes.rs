@@ -22,7 +22,7 @@ pub(super) const THINNEST: f32 = 4e-6;
 /// patch on which they lie.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Key {
-    Blade(TemplateId, [u32; 7], Option<usize>),
+    Blade(TemplateId, [u32; 8], Option<usize>),
     Dome(Proportion),
     Head(Proportion),
 }

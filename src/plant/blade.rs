@@ -28,20 +28,23 @@ crate::parameters! {
         ruffle_waves: f32 = 0.0, 0.0..=40.0, "";
         /// Thickness in the middle.
         thickness: f32 = 0.01, 0.001..=0.1, "of the length";
+        /// Slope across the blade, the right margin toward whom it is drawn for: petals of one flower that all have it lie over
+        /// their neighbours on one side and under them on the other, as in contorted flowers.
+        twist: f32 = 0.0, -1.0..=1.0, "";
     }
 }
 
 impl BladeForm {
     /// Its numbers in the order in which they are declared.
-    pub fn to_row(&self) -> [f32; 7] {
-        let Self { bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness } = *self;
-        [bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness]
+    pub fn to_row(&self) -> [f32; 8] {
+        let Self { bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness, twist } = *self;
+        [bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness, twist]
     }
 
     /// The form with these numbers.
-    pub fn from_row(row: [f32; 7]) -> Self {
-        let [bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness] = row;
-        Self { bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness }
+    pub fn from_row(row: [f32; 8]) -> Self {
+        let [bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness, twist] = row;
+        Self { bend_quartic, bend_quadratic, cup, fold, ruffle, ruffle_waves, thickness, twist }
     }
 }
 

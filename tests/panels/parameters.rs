@@ -75,11 +75,12 @@ fn every_value_that_a_rail_gives_is_accepted_by_the_pipeline() {
     use penstemon::pipeline::Params;
     let every = Params::of_any_species();
     let described = every.describe();
-    // One search for each group, by paths; names repeat within the sections of a habit.
+    // One search for each group, by paths; names repeat within the sections of a habit and of flowers.
     let mut searches: Vec<(String, Vec<&Description>)> = Vec::new();
     for description in &described {
         let (group, _) = description.path.rsplit_once('.').unwrap();
-        let text = if group == "habit" { description.path.clone() } else { format!("{group}.") };
+        let repeats = group == "habit" || group.starts_with("flower");
+        let text = if repeats { description.path.clone() } else { format!("{group}.") };
         match searches.last_mut().filter(|(last, _)| *last == text) {
             Some((_, found)) => found.push(description),
             None => searches.push((text, vec![description])),
