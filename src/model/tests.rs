@@ -49,6 +49,7 @@ fn form() -> impl Strategy<Value = BladeForm> {
     (bends, 0.0f32..0.3, 0.0f32..40.0, 0.001f32..0.1).prop_map(|(b, ruffle, ruffle_waves, thickness)| {
         BladeForm {
             bend_quartic: b.0,
+            twist: 0.0,
             bend_quadratic: b.1,
             cup: b.2,
             fold: b.3,
