@@ -1,6 +1,6 @@
 //! Every parameter: rails, switches, search, and the way back.
 
-use super::stage::{Stage, asked, busy, drag, english, press, stage};
+use super::stage::{Stage, asked, busy, drag, drag_rail, english, press, stage};
 use egui::{Role, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable};
@@ -94,13 +94,13 @@ fn every_value_that_a_rail_gives_is_accepted_by_the_pipeline() {
             if harness.query_by_role_and_label(Role::Slider, &label).is_none() {
                 continue;
             }
-            harness.get_by_label(&label).scroll_to_me();
+            harness.get_by_role_and_label(Role::Slider, &label).scroll_to_me();
             harness.run();
-            drag(&mut harness, &label, vec2(-37.0, 0.0));
+            drag_rail(&mut harness, &label, vec2(-37.0, 0.0));
             let mut actions = asked(&mut harness);
             if actions.is_empty() {
                 // it stood there already
-                drag(&mut harness, &label, vec2(90.0, 0.0));
+                drag_rail(&mut harness, &label, vec2(90.0, 0.0));
                 actions = asked(&mut harness);
             }
             assert!(!actions.is_empty(), "{} does not move", description.path);

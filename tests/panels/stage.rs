@@ -1,7 +1,7 @@
 //! A stage on which panels are shown without a window: a snapshot, a language, and the wishes that came out.
 
 use super::pictures::Textures;
-use egui::{Rect, Role, Vec2};
+use egui::{Pos2, Rect, Role, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use penstemon::app::action::Action;
@@ -147,6 +147,16 @@ pub(super) fn press(harness: &mut Harness<'_, Stage>, label: &str) {
 /// Moves the pointer from a rail's middle by this much, held down, in small steps.
 pub(super) fn drag(harness: &mut Harness<'_, Stage>, label: &str, by: Vec2) {
     let from = harness.get_by_label(label).rect().center();
+    drag_from(harness, from, by);
+}
+
+/// The same for the rail of this name, whatever else has it.
+pub(super) fn drag_rail(harness: &mut Harness<'_, Stage>, label: &str, by: Vec2) {
+    let from = harness.get_by_role_and_label(Role::Slider, label).rect().center();
+    drag_from(harness, from, by);
+}
+
+fn drag_from(harness: &mut Harness<'_, Stage>, from: Pos2, by: Vec2) {
     harness.drag_at(from);
     harness.step();
     for step in 1..=10 {
