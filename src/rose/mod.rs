@@ -9,7 +9,7 @@
 //! | --- | --- |
 //! | [`habit`] | the numbers of the section `[rose]` |
 //! | [`stems`] | stems of five units, and where branches leave them |
-//! | [`shrub`] | all of them with leaves and buds |
+//! | [`mod@shrub`] | all of them with leaves and buds |
 //! | [`mod@on_stems`] | leaves, flowers and side shoots on stems that were drawn |
 //!
 //! Where 004 contradicts itself, and what is done instead: `docs/papers.md`.
