@@ -4,6 +4,7 @@
 //! power of one where the tip is pointed. Teeth are triangles along the margin beyond the widest place: the frill of a
 //! carnation.
 
+use crate::geom::polyline;
 use crate::plant::{Detail, Template};
 use glam::Vec2;
 use std::f32::consts::FRAC_PI_2;
@@ -98,27 +99,16 @@ impl PetalOutline {
         let (base, rim) = (&outline[..=first], &outline[first..last.max(first + 2)]);
         let middle = Vec2::new(0.0, 0.5 * self.widest);
         let steps = 2 * self.teeth as usize;
+        let arcs = polyline::arc_lengths(rim.iter().copied());
+        let whole = arcs.last().copied().unwrap_or(0.0);
+        let along = |share: f32| polyline::interpolate(rim, polyline::locate(&arcs, share * whole));
         let margin = (1..steps).map(|k| {
-            let point = along(rim, k as f32 / steps as f32);
+            let point = along(k as f32 / steps as f32);
             let deep = if k % 2 == 0 { self.tooth_depth } else { 0.0 };
             point + (middle - point).normalize_or_zero() * deep
         });
         base.iter().copied().chain(margin).chain(outline[last - 1..].iter().copied()).collect()
     }
-}
-
-/// The point at a share of the length of a polyline.
-fn along(line: &[Vec2], share: f32) -> Vec2 {
-    let whole: f32 = line.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
-    let mut left = share * whole;
-    for pair in line.windows(2) {
-        let length = pair[0].distance(pair[1]);
-        if left <= length && length > 0.0 {
-            return pair[0].lerp(pair[1], left / length);
-        }
-        left -= length;
-    }
-    line[line.len() - 1]
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@ use glam::{Mat3, Vec2, Vec3};
 use rayon::prelude::*;
 
 crate::parameters! {
-    /// How a petal or leaf is told from the background.
+    /// How a petal or leaf is separated from the background.
     pub struct CutoutParams {
         /// Longest side at which photographs are worked on; larger ones are scaled down.
         side: u32 = 2048, 64..=4096, "pixels";

@@ -122,7 +122,8 @@ impl BladePhoto {
         let mut remarks = Vec::new();
         let Cut { contour, mask } = cut_out(&small, &lab, &params.cutout, &mut remarks)?;
         let given = ends.map(|ends| ends.map(|place| place / scale));
-        let [base, tip] = ends::ends(&contour, given, lab.size())?;
+        let refused = PhotoError::BadEnds { width: picture.width, height: picture.height };
+        let [base, tip] = ends::ends(&contour, given, lab.size()).ok_or(refused)?;
         let pose = Pose::new(contour[base], contour[tip], false);
         let tolerance = params.cutout.tolerance * size_of(&contour);
         let turned: Vec<Vec2> = contour[base..].iter().chain(&contour[..base]).copied().collect();

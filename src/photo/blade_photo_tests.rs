@@ -205,6 +205,11 @@ fn ends_that_the_artist_gives_are_taken() {
     let outside = [Vec2::splat(-1.0), given[1]];
     let refused = BladePhoto::of_photograph(&picture, Some(outside), &PhotoParams::default());
     assert_eq!(refused, Err(PhotoError::BadEnds { width: 200, height: 200 }));
+    // The message names the photograph as it was given, however small the one is that is worked on.
+    let mut small = PhotoParams::default();
+    small.cutout.side = 100;
+    let refused = BladePhoto::of_photograph(&picture, Some(outside), &small);
+    assert_eq!(refused, Err(PhotoError::BadEnds { width: 200, height: 200 }));
 }
 
 #[test]

@@ -93,7 +93,7 @@ pub(super) fn largest(field: &Raster<f32>) -> Option<Vec<Vec2>> {
     Some(contour)
 }
 
-/// Follows a contour around, from the upper side of a cell; `pass` is told every cell whose upper side it crosses.
+/// Follows a contour around, from the upper side of a cell; `pass` gets every cell whose upper side it crosses.
 fn walk(field: &Field<'_>, start: (isize, isize), mut pass: impl FnMut((isize, isize))) -> Vec<Vec2> {
     let mut contour = Vec::new();
     let (mut cell, mut from) = (start, 0);

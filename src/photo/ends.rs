@@ -8,8 +8,7 @@
 //!
 //! Limits: what lies on its side or upside down needs both points from the artist.
 
-use super::error::PhotoError;
-use crate::geom::simple_loop;
+use crate::geom::{polyline, simple_loop};
 use glam::{UVec2, Vec2};
 
 /// Share of the height, from the bottom, in which the base is looked for.
@@ -20,14 +19,8 @@ const STRETCHES: [f32; 4] = [0.012, 0.025, 0.04, 0.06];
 const HIGHER: f32 = 1.0;
 
 /// Indices of base and tip on a contour; `given` are the places that the artist pointed at, in pixels of a picture of this size.
-///
-/// # Errors
-/// Given places outside of the picture or nearly the same.
-pub(super) fn ends(
-    contour: &[Vec2],
-    given: Option<[Vec2; 2]>,
-    size: UVec2,
-) -> Result<[usize; 2], PhotoError> {
+/// `None` where these are outside of the picture or nearly the same.
+pub(super) fn ends(contour: &[Vec2], given: Option<[Vec2; 2]>, size: UVec2) -> Option<[usize; 2]> {
     let found = match given {
         None => {
             let base = base(contour);
@@ -37,16 +30,13 @@ pub(super) fn ends(
             let picture = size.as_vec2();
             let is_in = |p: Vec2| p.cmpge(Vec2::ZERO).all() && p.cmple(picture).all();
             if !places.into_iter().all(is_in) {
-                return Err(PhotoError::BadEnds { width: size.x, height: size.y });
+                return None;
             }
             places.map(|place| nearest(contour, place))
         }
     };
     let apart = contour[found[0]].distance(contour[found[1]]);
-    if apart < 4.0 {
-        return Err(PhotoError::BadEnds { width: size.x, height: size.y });
-    }
-    Ok(found)
+    (apart >= 4.0).then_some(found)
 }
 
 /// The point of the contour nearest to a place.
@@ -60,12 +50,14 @@ fn base(contour: &[Vec2]) -> usize {
     let (top, bottom) =
         contour.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(lo, hi), p| (lo.min(p.y), hi.max(p.y)));
     let height = (bottom - top).max(f32::MIN_POSITIVE);
-    let arcs = arcs(contour);
-    let length = arcs[contour.len()];
+    let closed: Vec<Vec2> = contour.iter().chain(contour.first()).copied().collect();
+    let arcs = polyline::arc_lengths(closed.iter().copied());
+    let length = arcs.last().map_or(0.0, |length| length.max(f32::MIN_POSITIVE));
+    let at = |arc: f32| polyline::interpolate(&closed, polyline::locate(&arcs, arc.rem_euclid(length)));
     let narrow = |i: usize| {
         let width = |share: f32| {
             let stretch = share * length;
-            let ends = [-stretch, stretch].map(|by| at_arc(contour, &arcs, arcs[i] + by));
+            let ends = [-stretch, stretch].map(|by| at(arcs[i] + by));
             ends[0].distance(ends[1]) / (stretch * STRETCHES.len() as f32)
         };
         STRETCHES.map(width).iter().sum::<f32>() + HIGHER * (bottom - contour[i].y) / height
@@ -73,25 +65,6 @@ fn base(contour: &[Vec2]) -> usize {
     let low = (0..contour.len()).filter(|i| contour[*i].y >= bottom - LOW * height);
     let scored = low.map(|i| (i, narrow(i)));
     scored.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(i, _)| i)
-}
-
-/// Length of the closed line up to each point, and all of it.
-fn arcs(line: &[Vec2]) -> Vec<f32> {
-    let steps = (0..line.len()).map(|i| line[i].distance(line[(i + 1) % line.len()]));
-    std::iter::once(0.0)
-        .chain(steps.scan(0.0, |sum, step| {
-            *sum += step;
-            Some(*sum)
-        }))
-        .collect()
-}
-
-/// The place of a closed line at a length from its first point.
-fn at_arc(line: &[Vec2], arcs: &[f32], arc: f32) -> Vec2 {
-    let arc = arc.rem_euclid(arcs[line.len()].max(f32::MIN_POSITIVE));
-    let i = arcs.partition_point(|a| *a <= arc).clamp(1, line.len()) - 1;
-    let step = (arcs[i + 1] - arcs[i]).max(f32::MIN_POSITIVE);
-    line[i].lerp(line[(i + 1) % line.len()], ((arc - arcs[i]) / step).clamp(0.0, 1.0))
 }
 
 /// Greatest angle between that ray and the farthest point that is the tip instead.
@@ -171,9 +144,8 @@ mod tests {
         let given = [Vec2::new(300.0, 170.0), Vec2::new(300.0, 330.0)];
         let [base, tip] = ends(&contour, Some(given), size).unwrap();
         assert!(contour[base].y < 190.0 && contour[tip].y > 320.0);
-        let refused = Err(PhotoError::BadEnds { width: 600, height: 700 });
         for given in [[Vec2::NAN, Vec2::ONE], [Vec2::splat(-5.0), given[1]], [given[0], given[0]]] {
-            assert_eq!(ends(&contour, Some(given), size), refused);
+            assert_eq!(ends(&contour, Some(given), size), None);
         }
     }
 }

@@ -5,7 +5,7 @@ use thiserror::Error;
 /// Why nothing comes of a photograph.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum PhotoError {
-    /// Fewer pixels than anything can be told from.
+    /// Fewer pixels than anything can be recognised by.
     #[error("the photograph has {width}×{height} pixels; at least {least} each way are needed")]
     TooSmall {
         /// Width in pixels.

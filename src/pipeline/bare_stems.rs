@@ -1,12 +1,12 @@
 //! A drawing of bare stems gets what its species has on them: a rose its leaves, prickles and flowers, any species with full
-//! flowers a flower at each end.
+//! flowers a flower at each end. A pot under them is no part of the plant.
 //!
 //! Limits: whoever draws a leaf, a flower or anything else on the stems means what is drawn, and gets no more than that.
 //! Inflorescences do not come to drawn stems.
 
 use super::rose::{branches, put_on};
 use super::setup::Params;
-use crate::plant::{Branch, FlowerBud, FlowerBuds, Plant};
+use crate::plant::{Branch, FlowerBud, FlowerBuds, Organ, OrganKind, Plant};
 use crate::rose::{DrawnStem, RoseHabit, on_stems};
 use crate::species::Species;
 use glam::Vec3;
@@ -16,7 +16,9 @@ const OF_STEM: f32 = 0.7;
 
 /// Adds what the species has on stems where nothing but stems was drawn; the buds of its flowers.
 pub(super) fn furnish(plant: &mut Plant, (species, params): (&Species, &Params), seed: u64) -> FlowerBuds {
-    let is_bare = plant.organs.is_empty() && plant.flowers.is_empty() && !plant.branches.is_empty();
+    let is_beside = |organ: &Organ| organ.kind() == OrganKind::Pot;
+    let is_bare =
+        plant.flowers.is_empty() && !plant.branches.is_empty() && plant.organs.iter().all(is_beside);
     if !is_bare || plant.branches.iter().any(|branch| branch.points.len() < 2) {
         return FlowerBuds::default();
     }

@@ -8,7 +8,7 @@
 //! species, are not drawn. Shapes of petals seen from the side are taken back on their cone first, with its error.
 
 use crate::anatomy::Anatomy;
-use crate::plant::{Flower, OrganKind, Plant, Shape};
+use crate::plant::{Flower, Organ, OrganKind, Plant, Shape};
 use crate::sketch::{Remark, Sketch, Warning};
 
 /// Most species that are proposed.
@@ -80,11 +80,13 @@ pub(super) fn proposal(sketch: &Sketch, anatomy: &Anatomy, plant: &Plant) -> Opt
 
 impl Seen {
     fn of(anatomy: &Anatomy, plant: &Plant) -> Option<Self> {
-        let petals = |index: usize| {
-            let is_its = move |organ: &&crate::plant::Organ| organ.flower == Some(index);
-            plant.organs.iter().filter(is_its).filter(|organ| organ.kind() == OrganKind::Petal)
-        };
-        let width = |organ: &crate::plant::Organ, flower: &Flower| {
+        let mut petals: Vec<Vec<&Organ>> = vec![Vec::new(); plant.flowers.len()];
+        for organ in plant.organs.iter().filter(|organ| organ.kind() == OrganKind::Petal) {
+            if let Some(flower) = organ.flower {
+                petals[flower].push(organ);
+            }
+        }
+        let width = |organ: &Organ, flower: &Flower| {
             let Shape::Blade(blade) = &organ.shape else { return None };
             let template = plant.templates.get(blade.template)?;
             let across = template.outline().iter().map(|p| p.x);
@@ -92,16 +94,19 @@ impl Seen {
             // Seen along its surface a petal is narrower or shorter than it is: its flower's reach is its length.
             Some(wide * blade.u.length() / flower.reach.max(f32::MIN_POSITIVE))
         };
-        let flowers: Vec<(usize, &Flower)> =
-            plant.flowers.iter().enumerate().filter(|(index, _)| petals(*index).count() > 0).collect();
-        let counts = flowers.iter().map(|(index, _)| petals(*index).count() as f32).collect();
-        let widest = |(index, flower): &(usize, &Flower)| {
-            let widths: Vec<f32> = petals(*index).filter_map(|organ| width(organ, flower)).collect();
-            quantile(widths, 0.75)
+        let flowers: Vec<(&Flower, &[&Organ])> = plant
+            .flowers
+            .iter()
+            .zip(petals.iter().map(Vec::as_slice))
+            .filter(|(_, petals)| !petals.is_empty())
+            .collect();
+        let counts = flowers.iter().map(|(_, petals)| petals.len() as f32).collect();
+        let widest = |(flower, petals): &(&Flower, &[&Organ])| {
+            quantile(petals.iter().filter_map(|organ| width(organ, flower)).collect(), 0.75)
         };
         let widths = flowers.iter().filter_map(widest).collect();
-        let openings = flowers.iter().map(|(_, flower)| flower.cone.opening_rad.to_degrees()).collect();
-        let mut stems: Vec<usize> = flowers.iter().filter_map(|(_, flower)| flower.branch).collect();
+        let openings = flowers.iter().map(|(flower, _)| flower.cone.opening_rad.to_degrees()).collect();
+        let mut stems: Vec<usize> = flowers.iter().filter_map(|(flower, _)| flower.branch).collect();
         stems.sort_unstable();
         let together = stems.chunk_by(|a, b| a == b).map(<[usize]>::len).max().unwrap_or(1);
         let leaf = |leaf: &crate::anatomy::FlatBlade| {

@@ -6,6 +6,7 @@
 use super::habit::RoseHabit;
 use super::shrub::{Shrub, leaves_and_buds};
 use super::stems::{Stem, reference_side, shoot};
+use crate::geom::polyline;
 use crate::random::{mix, stream};
 use glam::{Quat, Vec3};
 use rand::RngExt;
@@ -54,36 +55,24 @@ pub fn on_stems(habit: &RoseHabit, drawn: &[DrawnStem<'_>], seed: u64) -> Shrub 
 
 /// A drawn stem with its points at even distances.
 fn even(stem: &DrawnStem<'_>, all: &[DrawnStem<'_>], key: u64) -> Stem {
-    let along = lengths(stem.points);
-    let length = along.last().copied().unwrap_or(0.0);
+    let arcs = polyline::arc_lengths(stem.points.iter().copied());
+    let length = arcs.last().copied().unwrap_or(0.0);
     let at = |k: usize| {
-        let wanted = length * k as f32 / (POINTS - 1) as f32;
-        let i = along.partition_point(|reached| *reached < wanted).clamp(1, along.len() - 1);
-        let part = ((wanted - along[i - 1]) / (along[i] - along[i - 1]).max(1e-9)).clamp(0.0, 1.0);
-        let radius = stem.radii[i - 1] + (stem.radii[i] - stem.radii[i - 1]) * part;
-        (stem.points[i - 1].lerp(stem.points[i], part), radius)
+        let (i, share) = polyline::locate(&arcs, length * k as f32 / (POINTS - 1) as f32);
+        let radius = stem.radii[i] + (stem.radii[i + 1] - stem.radii[i]) * share;
+        (polyline::interpolate(stem.points, (i, share)), radius)
     };
     let (points, radii) = (0..POINTS).map(at).unzip();
     let place = stem.parent.map_or(0.0, |parent| place_on(all[parent].points, stem.points[0]));
     Stem { parent: stem.parent, order: stem.order, place, turn_deg: None, length, points, radii, key }
 }
 
-/// Lengths along a line up to each of its points.
-fn lengths(points: &[Vec3]) -> Vec<f32> {
-    let mut reached = 0.0;
-    let further = points.windows(2).map(|pair| {
-        reached += pair[0].distance(pair[1]);
-        reached
-    });
-    std::iter::once(0.0).chain(further).collect()
-}
-
 /// The share of a line's length at its point nearest to this one.
 fn place_on(line: &[Vec3], point: Vec3) -> f32 {
-    let along = lengths(line);
+    let arcs = polyline::arc_lengths(line.iter().copied());
     let nearest =
         (0..line.len()).min_by(|a, b| line[*a].distance(point).total_cmp(&line[*b].distance(point)));
-    nearest.map_or(0.0, |k| along[k] / along[line.len() - 1].max(1e-9))
+    nearest.map_or(0.0, |k| arcs[k] / arcs[line.len() - 1].max(1e-9))
 }
 
 /// The side shoots of a stem that climbs; none of one that stands.

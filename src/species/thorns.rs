@@ -3,6 +3,7 @@
 //! They stand closer at the foot of a stem than further up, and none stands on its young end.
 
 use super::looks::ThornLook;
+use crate::geom::polyline;
 use crate::plant::{Branch, Shape};
 use glam::{Quat, Vec2, Vec3};
 use rand::RngExt;
@@ -25,7 +26,7 @@ pub(super) fn thorns(look: &ThornLook, branch: &Branch, rng: &mut Pcg64Mcg) -> V
     let mut out = Vec::new();
     let mut angle = rng.random_range(0.0..std::f32::consts::TAU);
     let mut wait = rng.random_range(0.3..1.3_f32);
-    let whole: f32 = branch.points.windows(2).map(|ends| ends[0].distance(ends[1])).sum();
+    let whole = polyline::length(&branch.points);
     let mut before = 0.0;
     for (ends, radii) in branch.points.windows(2).zip(branch.radii.windows(2)) {
         let (from, run) = (ends[0], ends[1] - ends[0]);

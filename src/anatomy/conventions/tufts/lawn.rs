@@ -12,8 +12,9 @@ use crate::anatomy::conventions::{Habit, Hypothesis};
 use crate::geom::polyline;
 use crate::sketch::Reading;
 
-/// Fewest blades.
+/// Fewest blades, and most: more short strokes are hatching, or grass by itself.
 const FEWEST: usize = 4;
+const MOST: usize = 100;
 /// Least chord of a blade over its length, least rise over its run, greatest height as a share of the drawing's.
 const STRAIGHT: f32 = 0.85;
 const UPRIGHT: f32 = 1.0;
@@ -35,9 +36,14 @@ fn carries(page: &Page, number: usize, blades: &[usize]) -> bool {
     let line = &page.lines[number];
     let (first, last) = line.ends();
     let top = if first.y < last.y { first } else { last };
+    let reach = CARRIED * line.length;
     let is_there = |i: usize| {
-        let gap = polyline::nearest(&page.lines[i].points, top).map_or(f32::INFINITY, |(gap, _)| gap);
-        gap < CARRIED * line.length && blades.binary_search(&i).is_err() && !page.is_apart(i)
+        let (low, high) = page.lines[i].bounds;
+        let may_be = (low - reach).cmple(top).all() && (high + reach).cmpge(top).all();
+        may_be
+            && blades.binary_search(&i).is_err()
+            && !page.is_apart(i)
+            && polyline::nearest(&page.lines[i].points, top).is_some_and(|(gap, _)| gap < reach)
     };
     (0..page.lines.len()).any(|i| i != number && is_there(i))
 }
@@ -57,6 +63,9 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let foot = |line: &usize| page.lines[*line].bounds.1.y;
     let Some(lowest) = uses.iter().map(foot).reduce(f32::max) else { return };
     uses.retain(|line| foot(line) > lowest - LEVEL * height);
+    if uses.len() > MOST {
+        return;
+    }
     let known = uses.clone();
     uses.retain(|line| !carries(page, *line, &known));
     let blades: Vec<&Line> = uses.iter().map(|line| &page.lines[*line]).collect();
@@ -100,8 +109,14 @@ mod tests {
     }
 
     #[test]
-    fn few_lines_and_stems_are_none() {
+    fn few_lines_very_many_and_stems_are_none() {
         assert!(read(&[flower(), [0.0, 25.0, 60.0].map(blade).to_vec()].concat()).is_empty());
+        let row = |count: usize| (0..count).map(|k| blade(150.0 * k as f32 / count as f32)).collect();
+        // So tall that the blades are some of the drawing only.
+        let tall: Vec<Vec2> =
+            (0..900).map(|k| Vec2::new(if k % 2 == 0 { 0.0 } else { 150.0 }, -200.0 - k as f32)).collect();
+        assert_eq!(read(&[vec![tall.clone()], row(MOST)].concat()).len(), 1);
+        assert!(read(&[vec![tall], row(MOST + 1)].concat()).is_empty());
         let small = |x: f32| {
             let ring = |k: usize| Vec2::new(x, -40.0) + 10.0 * Vec2::from_angle(0.157 * k as f32);
             vec![blade(x), (0..=40).map(ring).collect()]
