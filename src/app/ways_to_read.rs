@@ -50,12 +50,12 @@ pub fn ways_to_read(
     stop: anatomy::Stop,
 ) -> Vec<WayToRead> {
     let about_set: HashSet<StrokeId> = about.iter().copied().collect();
-    let mut ways = Vec::new();
+    // The ways differ in these strokes only: all that is read of others is kept from one to the next.
+    let (mut ways, mut cache) = (Vec::new(), Cache::default());
     for correction in alternatives(sketch, &params.conventions, about) {
         let ids = sketch.strokes.iter().map(|stroke| stroke.id);
         let corrections = corrected(&sketch.corrections, correction.clone(), ids);
         let chosen = Sketch { corrections, ..sketch.clone() };
-        let mut cache = Cache::for_one_build();
         let Some(anatomy) = anatomy::analyse_with(&mut cache, &chosen, params, stop) else {
             return Vec::new();
         };

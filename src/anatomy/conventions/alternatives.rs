@@ -21,10 +21,12 @@ pub fn alternatives(sketch: &Sketch, params: &ConventionParams, about: &[StrokeI
     let ids = || sketch.strokes.iter().map(|stroke| stroke.id);
     let mut corrections = corrected(&sketch.corrections, separate.clone(), ids()).to_vec();
     corrections.pop();
-    let mut found = readings_of(sketch, &corrections, about);
+    // What is read of other plants stays the same.
+    let mut known = Memory::default();
+    let mut found = readings_of(&mut known, sketch, &corrections, about);
     let hidden_by = [Reading::Pot, Reading::Ground, Reading::Sun, Reading::Frame].map(Verdict::Not);
     corrections.extend(hidden_by.map(|verdict| Correction::new(about.iter().copied(), verdict)));
-    found.extend(readings_of(sketch, &corrections, about));
+    found.extend(readings_of(&mut known, sketch, &corrections, about));
     found.sort_by(|a, b| b.0.total_cmp(&a.0));
     let mut offered: Vec<Correction> = Vec::new();
     for (_, correction) in found {
@@ -38,8 +40,13 @@ pub fn alternatives(sketch: &Sketch, params: &ConventionParams, about: &[StrokeI
 }
 
 /// The readings of these strokes that are proposed, with their scores.
-fn readings_of(sketch: &Sketch, corrections: &[Correction], about: &[StrokeId]) -> Vec<(f32, Correction)> {
-    let proposals = proposals(&mut Memory::for_one_build(), &sketch.strokes, corrections);
+fn readings_of(
+    known: &mut Memory,
+    sketch: &Sketch,
+    corrections: &[Correction],
+    about: &[StrokeId],
+) -> Vec<(f32, Correction)> {
+    let proposals = proposals(known, &sketch.strokes, corrections);
     let correction = |h: Hypothesis| {
         let strokes: Vec<StrokeId> = h.uses.iter().map(|stroke| sketch.strokes[*stroke].id).collect();
         let shared = strokes.iter().filter(|stroke| about.contains(stroke)).count();

@@ -253,7 +253,7 @@ fn of_plants(plants: &[Places], strokes: &[Arc<Stroke>], corrections: &[Correcti
 mod tests {
     use super::*;
     use crate::anatomy::conventions::{
-        self, ConventionParams, Interpretation, interpret, interpret_with, strokes,
+        self, ConventionParams, Habit, Interpretation, interpret, interpret_with, strokes,
     };
     use crate::sketch::{Reading, Verdict};
     use std::f32::consts::TAU;
@@ -289,6 +289,25 @@ mod tests {
     fn each_flower_of_a_meadow_is_read_as_if_it_were_alone() {
         assert_eq!(plants_in(&meadow(14)), Some(14));
         assert_eq!(corollas(&interpret(&strokes(&meadow(14)), &ConventionParams::default())), 14);
+    }
+
+    #[test]
+    fn one_plant_of_a_kind_among_hundreds_does_not_say_what_the_meadow_is() {
+        let branch = |k: usize| {
+            let foot = Vec2::new((k % 30) as f32 * 110.0, (k / 30) as f32 * 160.0);
+            let side = |way: f32| vec![foot + Vec2::new(0.0, -40.0), foot + Vec2::new(25.0 * way, -75.0)];
+            vec![
+                vec![foot, foot + Vec2::new(2.0, -50.0), foot + Vec2::new(0.0, -90.0)],
+                side(1.0),
+                side(-1.0),
+            ]
+        };
+        let habit = |bare: usize| {
+            let lines = [flower(Vec2::new(-200.0, 0.0)), (0..bare).flat_map(branch).collect()].concat();
+            interpret(&strokes(&lines), &ConventionParams::default()).habit
+        };
+        assert_eq!(habit(20), Some(Habit::Flower));
+        assert_eq!(habit(240), None);
     }
 
     #[test]

@@ -65,7 +65,7 @@ impl Interpretation {
         if chosen.is_empty() {
             return Self::untouched(strokes);
         }
-        let mut it = Self { habit: habit(&chosen), ..Self::default() };
+        let mut it = Self { habit: habit(&chosen, strokes.len()), ..Self::default() };
         let mut names: HashSet<StrokeId> = strokes.iter().map(|stroke| stroke.id).collect();
         let mut made_at: BTreeMap<usize, Vec<Arc<Stroke>>> = BTreeMap::new();
         let mut is_used = vec![false; strokes.len()];
@@ -125,10 +125,19 @@ fn name(drawn: StrokeId, number: usize, names: &mut HashSet<StrokeId>) -> Stroke
     name
 }
 
-/// The kind of plant that most hypotheses speak for; of several the first in the order of the kinds.
-fn habit(chosen: &[Hypothesis]) -> Option<Habit> {
-    let mut votes: BTreeMap<Habit, usize> = BTreeMap::new();
-    chosen.iter().filter_map(|h| h.habit).for_each(|habit| *votes.entry(habit).or_default() += 1);
-    let most = votes.values().copied().max()?;
-    votes.into_iter().find(|(_, count)| *count == most).map(|(habit, _)| habit)
+/// Least share of a drawing's strokes that plants of a kind use, where the drawing is of that kind: one palm in a meadow does
+/// not make it a grove.
+const SHOWN: f32 = 0.005;
+
+/// The kind of plant that most hypotheses speak for; of several the first in the order of the kinds. None if those use hardly
+/// any of the strokes.
+fn habit(chosen: &[Hypothesis], strokes: usize) -> Option<Habit> {
+    let mut votes: BTreeMap<Habit, (usize, usize)> = BTreeMap::new();
+    for (habit, hypothesis) in chosen.iter().filter_map(|h| h.habit.map(|habit| (habit, h))) {
+        let (count, used) = votes.entry(habit).or_default();
+        (*count, *used) = (*count + 1, *used + hypothesis.uses.len());
+    }
+    let most = votes.values().map(|(count, _)| *count).max()?;
+    let (habit, (_, used)) = votes.into_iter().find(|(_, (count, _))| *count == most)?;
+    (used as f32 >= SHOWN * strokes as f32).then_some(habit)
 }
