@@ -15,6 +15,7 @@ mod drawings;
 mod drawn_petals;
 mod flower_poses;
 mod flower_table;
+mod flower_whorls;
 mod ground;
 mod grown;
 mod inflorescences;

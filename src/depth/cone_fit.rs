@@ -107,7 +107,8 @@ impl ConeFit {
         }
     }
 
-    fn stepped(&self, step: [f64; UNKNOWNS]) -> Self {
+    /// A step in tilt, opening and the radius's logarithm.
+    pub(super) fn stepped(&self, step: [f64; UNKNOWNS]) -> Self {
         Self {
             tilt: self.tilt + DVec2::new(step[0], step[1]),
             opening: self.opening + step[2],
@@ -317,7 +318,7 @@ struct Normal {
 const PRIORS: usize = 8;
 
 /// In standard deviations; the covariance is compared in units of the squared mean distance of the tips.
-fn priors(cone: &ConeFit, rim: &Rim, moments: &Moments, trust: &Trust) -> [f64; PRIORS] {
+pub(super) fn priors(cone: &ConeFit, rim: &Rim, moments: &Moments, trust: &Trust) -> [f64; PRIORS] {
     let weight = moments.weight / trust.evenness;
     let off = (moments.mean - rim.center) * weight;
     let half = 0.5 * rim.radius * rim.radius;
@@ -330,7 +331,7 @@ fn priors(cone: &ConeFit, rim: &Rim, moments: &Moments, trust: &Trust) -> [f64; 
 }
 
 /// Loss of a residual and its weight in the normal equations.
-fn huber(r: f64) -> (f64, f64) {
+pub(super) fn huber(r: f64) -> (f64, f64) {
     let size = r.abs();
     if size <= HUBER { (r * r, 1.0) } else { (HUBER * (2.0 * size - HUBER), HUBER / size) }
 }
@@ -430,19 +431,19 @@ pub(super) fn improve(
 }
 
 /// Solves a positive definite system by Cholesky elimination; `None` where it is singular.
-fn solve(mut m: [[f64; UNKNOWNS]; UNKNOWNS], mut v: [f64; UNKNOWNS]) -> Option<[f64; UNKNOWNS]> {
-    for i in 0..UNKNOWNS {
+pub(super) fn solve<const N: usize>(mut m: [[f64; N]; N], mut v: [f64; N]) -> Option<[f64; N]> {
+    for i in 0..N {
         if !(m[i][i] > 0.0 && m[i][i].is_finite()) {
             return None;
         }
-        for j in i + 1..UNKNOWNS {
+        for j in i + 1..N {
             let (pivot, share) = (m[i], m[j][i] / m[i][i]);
             m[j].iter_mut().zip(pivot).for_each(|(x, p)| *x -= share * p);
             v[j] -= share * v[i];
         }
     }
-    for i in (0..UNKNOWNS).rev() {
-        let known: f64 = (i + 1..UNKNOWNS).map(|k| m[i][k] * v[k]).sum();
+    for i in (0..N).rev() {
+        let known: f64 = (i + 1..N).map(|k| m[i][k] * v[k]).sum();
         v[i] = (v[i] - known) / m[i][i];
     }
     v.iter().all(|x| x.is_finite()).then_some(v)

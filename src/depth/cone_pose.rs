@@ -13,12 +13,14 @@
 //! without a stem and for fewer than five petals. So a petal more or less turns a flower by a few degrees only.
 //!
 //! Departs from the papers: h = l / cos θ where both print l / sin θ; the free ellipse is only a start, as it has one
-//! unknown more than the cone and needs five tips. Limits: one whorl per flower (two whorls get a cone between them);
-//! a front view cannot tell a flower that faces the viewer from one that faces away: [`ConeParams::flip`] chooses.
+//! unknown more than the cone and needs five tips. Petals of several whorls are sorted to them (`whorls`) and get a cone for
+//! each, with apex and axis in common (`whorl_fit`). Limits: a front view cannot tell a flower that faces the viewer from one that faces away: [`ConeParams::flip`] chooses.
 
 use super::cone_fit::{ConeFit, Moments, Rim, StemPrior, Trust, improve};
 use super::petal_tip::Petal;
 pub use super::petal_tip::PetalOutline;
+use super::whorl_fit::{WhorlTips, improve_together};
+use super::whorls::{self, Sorted};
 use crate::geom::ellipse::{Ellipse, fit_ellipse};
 use glam::{DVec2, Vec2, Vec3};
 
@@ -33,6 +35,8 @@ crate::parameters! {
         face_on: f32 = 0.985, 0.5..=0.999, "";
         /// Whether flowers face away from the viewer.
         flip: bool = false, 0..=1, "";
+        /// Whether flowers of several whorls get copies of petals that others hide in the drawing.
+        fill_hidden: bool = true, 0..=1, "";
         /// Most rounds of finding the tips on the cone and the cone through the tips.
         rounds: u32 = 5, 0..=50, "";
     }
@@ -43,12 +47,10 @@ crate::parameters! {
 pub struct FlowerPose {
     /// Unit axis from the flower's centre outward, world directions: x right, y up, z toward the viewer.
     pub axis: Vec3,
-    /// Angle between axis and petals, radians, 8° to 85°.
-    pub opening_rad: f32,
-    /// Distance from the centre to the middle of the rim.
-    pub height_px: f32,
-    /// Distance from the centre to the tips.
-    pub slant_px: f32,
+    /// The rings in which its petals stand, outermost first; at least one.
+    pub whorls: Vec<Whorl>,
+    /// Number of each petal's whorl, in the order of the petals.
+    pub whorl_of: Vec<usize>,
     /// The cone's apex on the canvas: where the petals come together.
     pub center: Vec2,
     /// Tip of each petal on the canvas, in the order of the petals.
@@ -59,6 +61,25 @@ pub struct FlowerPose {
     pub determined: bool,
     /// Root mean square distance of the tips from the projected rim, as a share of the slant.
     pub residual: f32,
+}
+
+/// One ring of petals: a cone whose apex and axis are its flower's; lengths in canvas pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Whorl {
+    /// Angle between axis and petals, radians, 8° to 85°.
+    pub opening_rad: f32,
+    /// Distance from the centre to the middle of the rim.
+    pub height_px: f32,
+    /// Distance from the centre to the tips.
+    pub slant_px: f32,
+}
+
+impl FlowerPose {
+    /// The outermost whorl.
+    pub fn outermost(&self) -> Whorl {
+        const NONE: Whorl = Whorl { opening_rad: 1.0, height_px: 0.0, slant_px: 0.0 };
+        self.whorls.first().copied().unwrap_or(NONE)
+    }
 }
 
 /// How well tips lie on a cone: standard deviation in units of the petals' length, and how many tips of the drawing that
@@ -126,8 +147,14 @@ pub fn flower_pose(petals: &[PetalOutline<'_>], stem: Option<Vec2>, params: &Con
         let trust = Trust { evenness: evenness(0.0, missing), turns: turns(missing), ..trust };
         best = flower.best_fit(&trust, params.rounds);
     }
+    if let Some(whorled) = flower.whorled(&best, &trust, params.rounds) {
+        return flower.pose(&whorled, true, params, petals);
+    }
     let (cone, trusted) = settled(&best, &trust, &hand, params);
-    flower.pose(cone, &best.tips, trusted && best.tips.len() >= 5, params, petals)
+    let determined = trusted && best.tips.len() >= 5;
+    let sorted = Sorted { of: vec![0; best.tips.len()], cones: vec![cone] };
+    let alone = Whorled { sorted, tips: best.tips };
+    flower.pose(&alone, determined, params, petals)
 }
 
 /// Petals counted from the flower's centre, in units of their mean length, y down.
@@ -144,6 +171,19 @@ struct Fitted {
     cone: ConeFit,
     cost: f64,
     tips: Vec<DVec2>,
+}
+
+/// Tips and the cones of the whorls that they stand in, one at least.
+struct Whorled {
+    sorted: Sorted,
+    tips: Vec<DVec2>,
+}
+
+impl Whorled {
+    /// The rim of a tip's whorl.
+    fn rim_of(&self, tip: usize) -> Rim {
+        self.sorted.cones[self.sorted.of[tip]].rim()
+    }
 }
 
 impl Flower {
@@ -200,36 +240,72 @@ impl Flower {
         Fitted { cone, cost, tips }
     }
 
+    /// The whorls that the petals stand in, if they are several.
+    fn whorled(&self, single: &Fitted, trust: &Trust, rounds: u32) -> Option<Whorled> {
+        let tips: Vec<DVec2> = self.petals.iter().map(|p| p.free_tip).collect();
+        let ways = whorls::ways(&tips, &single.cone);
+        let one = Sorted { of: vec![0; tips.len()], cones: vec![single.cone] };
+        let price = |whorled: &Whorled| whorls::price(&whorled.tips, &whorled.sorted);
+        let fitted = ways.into_iter().map(|sorted| self.fitted_whorls(sorted, tips.clone(), trust, rounds));
+        let around = fitted.filter(|whorled| whorls::surround(&whorled.tips, &whorled.sorted));
+        let best = around.min_by(|a, b| price(a).total_cmp(&price(b)))?;
+        (price(&best) < whorls::price(&single.tips, &one)).then_some(best)
+    }
+
+    /// Fits cones, finds tips on them and sorts the tips to them in turn.
+    fn fitted_whorls(&self, sorted: Sorted, tips: Vec<DVec2>, trust: &Trust, rounds: u32) -> Whorled {
+        let mut whorled = Whorled { sorted, tips };
+        for _ in 0..rounds.max(1) {
+            let Sorted { of, cones } = &whorled.sorted;
+            let own = |whorl: usize| {
+                let tips = whorled.tips.iter().zip(of).filter(move |(_, of)| **of == whorl);
+                WhorlTips::new(tips.map(|(tip, _)| *tip).collect())
+            };
+            let whorls: Vec<WhorlTips> = (0..cones.len()).map(own).collect();
+            whorled.sorted.cones = improve_together(cones.clone(), &whorls, trust, STEPS.0);
+            for (k, petal) in self.petals.iter().enumerate() {
+                whorled.tips[k] = petal.tip_on(&whorled.rim_of(k), whorled.tips[k]);
+            }
+            whorled.sorted = whorls::resorted(&whorled.tips, whorled.sorted);
+        }
+        whorled
+    }
+
     fn pose(
         &self,
-        cone: ConeFit,
-        tips: &[DVec2],
+        whorled: &Whorled,
         determined: bool,
         params: &ConeParams,
         outlines: &[PetalOutline<'_>],
     ) -> FlowerPose {
-        let rim = cone.rim();
+        let Whorled { sorted: Sorted { of, cones }, tips } = whorled;
         let toward = if params.flip { -1.0 } else { 1.0 };
-        let axis = cone.axis();
+        let axis = cones[0].axis();
         let tip_of = |(place, outline): (&Option<usize>, &PetalOutline<'_>)| match place {
             Some(k) => (self.center + tips[*k] * self.size).as_vec2(),
             None if outline.root.is_finite() => outline.root,
             None => self.center.as_vec2(),
         };
         let depth_of = |place: &Option<usize>| match place {
-            Some(k) => (toward * self.size * rim.depth(tips[*k])) as f32,
+            Some(k) => (toward * self.size * whorled.rim_of(*k).depth(tips[*k])) as f32,
             None => 0.0,
         };
-        FlowerPose {
-            axis: Vec3::new(axis.x as f32, -axis.y as f32, (toward * axis.z) as f32),
+        let whorl = |cone: &ConeFit| Whorl {
             opening_rad: cone.opening as f32,
             height_px: (cone.height() * self.size) as f32,
             slant_px: (cone.slant() * self.size) as f32,
+        };
+        let off = |k: usize| (whorled.rim_of(k).distance(tips[k]) / cones[of[k]].slant()).powi(2);
+        let misfit = ((0..tips.len()).map(off).sum::<f64>() / tips.len().max(1) as f64).sqrt();
+        FlowerPose {
+            axis: Vec3::new(axis.x as f32, -axis.y as f32, (toward * axis.z) as f32),
+            whorls: cones.iter().map(whorl).collect(),
+            whorl_of: self.place.iter().map(|place| place.map_or(0, |k| of[k])).collect(),
             center: self.center.as_vec2(),
             tips: self.place.iter().zip(outlines).map(tip_of).collect(),
             tip_depths: self.place.iter().map(depth_of).collect(),
             determined,
-            residual: (misfit(&rim, tips) / cone.slant()) as f32,
+            residual: misfit as f32,
         }
     }
 }
@@ -323,11 +399,6 @@ fn from_ellipse(e: &Ellipse) -> ConeFit {
     ConeFit::from_rim(axis * axis.dot(e.center), e.semi_major, axis * cos)
 }
 
-/// Root mean square distance of the tips from the rim's ellipse.
-fn misfit(rim: &Rim, tips: &[DVec2]) -> f64 {
-    (tips.iter().map(|&q| rim.distance(q).powi(2)).sum::<f64>() / tips.len().max(1) as f64).sqrt()
-}
-
 /// Standard deviation of the tips about the ellipse, by the upper quartile of their distances, which a few odd petals
 /// do not reach.
 fn spread_of_tips(rim: &Rim, tips: &[DVec2], hand: &Hand) -> f64 {
@@ -352,9 +423,8 @@ fn without_petals(outlines: &[PetalOutline<'_>], params: &ConeParams) -> FlowerP
     let mean = roots.iter().map(|r| r.as_dvec2()).sum::<DVec2>() / roots.len().max(1) as f64;
     FlowerPose {
         axis: if params.flip { Vec3::NEG_Z } else { Vec3::Z },
-        opening_rad: params.opening_prior.to_radians(),
-        height_px: 0.0,
-        slant_px: 0.0,
+        whorls: vec![Whorl { opening_rad: params.opening_prior.to_radians(), height_px: 0.0, slant_px: 0.0 }],
+        whorl_of: vec![0; roots.len()],
         center: mean.as_vec2(),
         tip_depths: vec![0.0; roots.len()],
         tips: roots,

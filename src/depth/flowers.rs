@@ -4,14 +4,16 @@
 //! flower's petals and by the direction in which its stem arrives. Petals are kept by their outline and by the cone that
 //! they stand on.
 
-use super::cone_pose::{ConeParams, FlowerPose, PetalOutline, flower_pose};
+use super::cone_pose::{ConeParams, FlowerPose, PetalOutline, Whorl, flower_pose};
 use super::flower_stem;
+use super::hidden_petals;
 use super::outline::{CurlParams, DrawnBlade};
 use super::petals;
 use crate::anatomy::{Anatomy, FlatBlade, FlatFlower};
 use crate::kept::{Kept, Use};
 use crate::plant::{
-    Blade, Cone, Flower, Organ, OrganPart, Provenance, Role, Shape, Template, Templates, WorldFromCanvas,
+    Blade, Cone, Flower, Organ, OrganPart, Origin, Provenance, Role, Shape, Template, Templates,
+    WorldFromCanvas,
 };
 use glam::Vec2;
 use std::sync::Arc;
@@ -78,7 +80,7 @@ impl Flowers {
         &mut self,
         anatomy: &Anatomy,
         (poses, depths): (&[Arc<FlowerPose>], &[f32]),
-        curl: &CurlParams,
+        (curl, fill_hidden): (&CurlParams, bool),
         provenance: &mut Provenance,
     ) -> (Vec<Flower>, Vec<Organ>, Templates) {
         let world = &{ provenance.world_from_canvas };
@@ -87,9 +89,10 @@ impl Flowers {
             posed.map(|((flat, pose), depth)| flower(flat, pose, *depth, &anatomy.petals, world)).collect();
         let mut placed = Vec::with_capacity(anatomy.petals.len());
         for ((flat, pose), flower) in anatomy.flowers.iter().zip(poses).zip(&flowers) {
-            placed.extend(flat.petals.iter().zip(&pose.tip_depths).map(|(&p, tip_depth)| PlacedPetal {
+            let petals = flat.petals.iter().zip(&pose.tip_depths).zip(&pose.whorl_of);
+            placed.extend(petals.map(|((&p, tip_depth), whorl)| PlacedPetal {
                 flat: &anatomy.petals[p],
-                cone: flower.cone,
+                cone: cone_of(&pose.whorls[*whorl], &flower.cone, world),
                 tip_depth: flower.cone.apex.z + tip_depth * world.scale,
             }));
         }
@@ -103,14 +106,21 @@ impl Flowers {
             .iter();
         let (mut organs, mut templates) =
             (Vec::with_capacity(placed.len() + anatomy.leaves.len()), Templates::default());
-        for (index, (flat, flower)) in anatomy.flowers.iter().zip(&flowers).enumerate() {
-            organs.extend(flat.petals.iter().zip(blades.by_ref()).map(|(&p, blade)| Organ {
+        for (index, ((flat, flower), pose)) in anatomy.flowers.iter().zip(&flowers).zip(poses).enumerate() {
+            let mut petal = |origin: Origin, blade: &Blade<Arc<Template>>| Organ {
                 role: Role::of(OrganPart::Petal),
-                origin: provenance.record(anatomy.petals[p].stroke),
+                origin,
                 branch: flower.branch,
                 flower: Some(index),
                 shape: Shape::Blade(blade.with_template(templates.add(Arc::clone(&blade.template)))),
-            }));
+            };
+            let own: Vec<&Blade<Arc<Template>>> = blades.by_ref().take(flat.petals.len()).collect();
+            let drawn = flat.petals.iter().zip(&own);
+            organs.extend(drawn.map(|(&p, blade)| petal(provenance.record(anatomy.petals[p].stroke), blade)));
+            if fill_hidden && pose.whorls.len() > 1 {
+                let hidden = hidden_in_whorls(&own, pose, &flower.cone, world);
+                organs.extend(hidden.iter().map(|blade| petal(Origin::Generated, blade)));
+            }
         }
         (flowers, organs, templates)
     }
@@ -124,6 +134,26 @@ impl PlacedPetal<'_> {
         let place = [a, b, c, d, e, f, opening_rad, height, self.tip_depth, scale, g, h].map(f32::to_bits);
         PetalKey { petal: DrawnBlade::of(self.flat, used), place }
     }
+}
+
+/// Petals that others hide in the whorls of a flower with these petals.
+fn hidden_in_whorls(
+    petals: &[&Blade<Arc<Template>>],
+    pose: &FlowerPose,
+    flower: &Cone,
+    world: &WorldFromCanvas,
+) -> Vec<Blade<Arc<Template>>> {
+    let of_whorl = |(number, whorl): (usize, &Whorl)| {
+        let own = petals.iter().zip(&pose.whorl_of).filter(|(_, of)| **of == number);
+        let own: Vec<_> = own.map(|(blade, _)| blade.resolved()).collect();
+        hidden_petals::hidden(&own, &cone_of(whorl, flower, world))
+    };
+    pose.whorls.iter().enumerate().flat_map(of_whorl).collect()
+}
+
+/// The cone of a whorl, with the apex and the axis of its flower's.
+fn cone_of(whorl: &Whorl, flower: &Cone, world: &WorldFromCanvas) -> Cone {
+    Cone { opening_rad: whorl.opening_rad, height: whorl.height_px * world.scale, ..*flower }
 }
 
 fn pose_of(flower: &FlatFlower, stem: Option<Vec2>, anatomy: &Anatomy, params: &ConeParams) -> FlowerPose {
@@ -147,9 +177,10 @@ fn flower(
     world: &WorldFromCanvas,
 ) -> Flower {
     let apex = world.point(pose.center).with_z(center_depth * world.scale);
-    let reach = (pose.slant_px * world.scale).max(1e-6);
-    let cone =
-        Cone { apex, axis: pose.axis, opening_rad: pose.opening_rad, height: pose.height_px * world.scale };
+    let longest = pose.whorls.iter().map(|whorl| whorl.slant_px).fold(0.0, f32::max);
+    let reach = (longest * world.scale).max(1e-6);
+    let bare = Cone { apex, axis: pose.axis, opening_rad: 0.0, height: 0.0 };
+    let cone = cone_of(&pose.outermost(), &bare, world);
     let members = flat.petals.iter().map(|&p| &petals[p]);
     let centre =
         flat.centre_radius.unwrap_or_else(|| petals::root_distance(members, pose.center)) * world.scale;

@@ -11,6 +11,7 @@ mod cone_pose_tests;
 pub mod crowns;
 pub mod flower_stem;
 pub mod flowers;
+mod hidden_petals;
 pub mod leaves;
 pub mod outline;
 mod petal_tip;
@@ -18,6 +19,8 @@ pub mod petals;
 mod pots;
 pub mod radii;
 pub mod recover;
+mod whorl_fit;
+mod whorls;
 
 pub use crowns::crowns;
 pub use recover::{Cache, DepthParams, recover, recover_with};

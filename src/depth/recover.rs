@@ -115,8 +115,12 @@ pub fn recover_with(
     let mut provenance = Provenance::new(world);
     let radii = radii::radii_with(&mut cache.radii, &skeleton.branches, anatomy.diagonal, &params.radii);
     let branches = skeleton.lifted(radii, &mut provenance);
-    let (flowers, organs, templates) =
-        cache.flowers.stand(anatomy, (&poses, &centers), &params.curl, &mut provenance);
+    let (flowers, organs, templates) = cache.flowers.stand(
+        anatomy,
+        (&poses, &centers),
+        (&params.curl, params.cone.fill_hidden),
+        &mut provenance,
+    );
     let mut plant = Plant { branches, flowers, organs, templates };
     let poser = LeafPoser { world, seed, params: &params.leaves, curl: &params.curl };
     add_leaves((&mut plant, &mut provenance), &skeleton, anatomy, (&mut cache.leaves, &poser));
@@ -202,7 +206,12 @@ impl Skeleton {
             }
             led[i] = true;
             let last_child_at = last_child[i];
-            let goal = Goal { center: pose.center, axis: pose.axis, reach: pose.slant_px, last_child_at };
+            let goal = Goal {
+                center: pose.center,
+                axis: pose.axis,
+                reach: pose.outermost().slant_px,
+                last_child_at,
+            };
             let depth =
                 flower_stem::lead_to_flower(&mut self.branches[i], &mut self.depths[i], &goal, params);
             self.arcs[i] = arcs_of(&self.branches[i]);

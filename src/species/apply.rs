@@ -170,7 +170,7 @@ fn shape_blades(plant: &mut Plant, provenance: &Provenance, species: &Species, p
 /// Whether whoever made an organ gave it the form that it has.
 fn has_its_form(shape: &Shape) -> bool {
     match shape {
-        Shape::Blade(blade) => matches!(blade.rest, RestSurface::Patch(_) | RestSurface::Ring(_)),
+        Shape::Blade(blade) => matches!(blade.rest, RestSurface::Ring(_)),
         _ => true,
     }
 }
