@@ -16,7 +16,7 @@ use std::f32::consts::TAU;
 
 const FLOWERS: u64 = 200;
 const PETALS: usize = 12;
-/// Which of the 61 points of an outline are taken.
+/// Which of the 61 points of an outline are taken; the first and the last are its root, the apex.
 const TAKEN: [usize; 9] = [0, 7, 15, 22, 30, 38, 45, 53, 60];
 
 /// How far a fit is off: degrees, and shares of the diameter in percent.
