@@ -36,6 +36,13 @@ for view in front side top; do
 done
 python3 scripts/sheet.py 6 docs/images/flowers-sides.png "$work"/front-*.png "$work"/side-*.png "$work"/top-*.png
 
+# An orchid from three sides, and when it begins to flower.
+for view in front side three-quarter; do
+    picture "orchid-$view" "$view" 320x320 bloom orchid
+done
+picture orchid-young front 320x320 bloom orchid --open 0.3
+python3 scripts/sheet.py 4 docs/images/orchid.png "$work"/orchid-{front,side,three-quarter,young}.png
+
 # From bud to full bloom.
 for species in peony rose camellia lotus; do
     for open in 0.0 0.2 0.4 0.6 0.8 1.0; do

@@ -13,6 +13,7 @@ mod crowns;
 #[path = "common/drawings.rs"]
 mod drawings;
 mod drawn_petals;
+mod flower_points;
 mod flower_poses;
 mod flower_table;
 mod flower_whorls;

@@ -63,12 +63,13 @@ pub(crate) fn axis(rng: &mut Pcg64Mcg, elevation: (f32, f32)) -> Vec3 {
 impl Truth {
     /// The petals' outlines, ring by ring, each from its root round to it.
     pub(crate) fn drawn(&self, hand: &Hand, rng: &mut Pcg64Mcg) -> Vec<Vec<Vec2>> {
-        let mut petals = Vec::new();
+        let mut petals: Vec<Vec<Vec2>> = Vec::new();
         for ring in &self.rings {
             let sector = TAU / ring.petals as f32;
             for k in hand.missing..ring.petals {
                 let azimuth = ring.start + sector * (k as f32 + hand.turns * gauss(rng));
-                petals.push(self.petal(ring, azimuth, 1.0 + hand.lengths * gauss(rng)));
+                let size = 1.0 + hand.lengths * gauss(rng);
+                petals.push(self.petal(ring, azimuth, size).into_iter().map(|p| self.seen(p)).collect());
             }
         }
         let all = || petals.iter().flatten();
@@ -78,7 +79,13 @@ impl Truth {
         petals
     }
 
-    fn petal(&self, ring: &Ring, azimuth: f32, size: f32) -> Vec<Vec2> {
+    /// Where a point is seen that is given from the centre, in world directions.
+    pub(crate) fn seen(&self, p: Vec3) -> Vec2 {
+        self.center + Vec2::new(p.x, -p.y)
+    }
+
+    /// A petal's outline in space, counted from the centre, from its root over its tip in the middle round to its root.
+    pub(crate) fn petal(&self, ring: &Ring, azimuth: f32, size: f32) -> Vec<Vec3> {
         let across = self.axis.any_orthonormal_vector();
         let half = 0.5 * (TAU / ring.petals as f32).min(1.2) * ring.fullness;
         let side = |around: f32| {
@@ -93,7 +100,7 @@ impl Truth {
                 1 => side(azimuth + sign * half * round) * along,
                 _ => side(azimuth) * along + self.axis.cross(side(azimuth)) * (sign * half * round),
             };
-            self.center + Vec2::new(p.x, -p.y) * (ring.length * size)
+            p * (ring.length * size)
         };
         let there = (0..=30).map(|i| at(i as f32 / 30.0, 1.0));
         there.chain((0..30).rev().map(|i| at(i as f32 / 30.0, -1.0))).collect()
