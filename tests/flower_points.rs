@@ -71,7 +71,8 @@ fn off(seed: u64, noise: f32) -> Off {
 fn judged(pose: &FlowerPose, truth: &Truth, points: &[Vec<Vec3>], diameter: f32) -> Off {
     let shift = pose.center - truth.center;
     let apex = Vec3::new(shift.x, -shift.y, 0.0);
-    let cone = Cone { apex, axis: pose.axis, opening_rad: pose.opening_rad, height: pose.height_px };
+    let whorl = pose.outermost();
+    let cone = Cone { apex, axis: pose.axis, opening_rad: whorl.opening_rad, height: whorl.height_px };
     let percent = 100.0 / diameter;
     let all =
         || points.iter().zip(&pose.tip_depths).flat_map(|(petal, z)| petal.iter().map(move |p| (*p, *z)));

@@ -268,6 +268,7 @@ impl Flower {
             }
             whorled.sorted = whorls::resorted(&whorled.tips, whorled.sorted);
         }
+        whorled.sorted = whorled.sorted.outermost_first();
         whorled
     }
 

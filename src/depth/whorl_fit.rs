@@ -12,6 +12,9 @@ const UNKNOWNS: usize = 2 + 2 * MOST;
 /// Step of the differences that slopes are taken from.
 const H: f64 = 1e-6;
 
+/// Opening, radians, from which on steps make cones narrower.
+const MIDDLE: f64 = 0.8;
+
 /// The tips of one whorl.
 pub(super) struct WhorlTips {
     tips: Vec<DVec2>,
@@ -96,7 +99,8 @@ fn normal(
     let slope = |k: usize| -> Vec<f64> {
         let mut step = [0.0; UNKNOWNS];
         // Away from the bounds of openings, at which a step outward would change nothing.
-        step[k] = if k >= 2 && k % 2 == 0 && cones[k / 2 - 1].opening > 0.8 { -H } else { H };
+        let is_wide = k >= 2 && k.is_multiple_of(2) && cones[k / 2 - 1].opening > MIDDLE;
+        step[k] = if is_wide { -H } else { H };
         let there = residuals(&stepped(cones, &step), whorls, trust);
         there.iter().zip(here).map(|(there, here)| (there.0 - here.0) / step[k]).collect()
     };

@@ -55,6 +55,19 @@ pub(super) struct Sorted {
     pub(super) cones: Vec<ConeFit>,
 }
 
+impl Sorted {
+    /// The same with the widest open whorl first.
+    pub(super) fn outermost_first(self) -> Self {
+        let mut order: Vec<usize> = (0..self.cones.len()).collect();
+        order.sort_by(|a, b| self.cones[*b].opening.total_cmp(&self.cones[*a].opening));
+        let rank = |whorl: &usize| order.iter().position(|w| w == whorl).unwrap_or(0);
+        Self {
+            of: self.of.iter().map(rank).collect(),
+            cones: order.iter().map(|whorl| self.cones[*whorl]).collect(),
+        }
+    }
+}
+
 /// The ways in which petals with these tips, counted from the apex in units of the petals' mean length, may be several whorls:
 /// for each number of whorls the likeliest. `single` is the cone that fits all of them best. None if they are rather one whorl.
 pub(super) fn ways(tips: &[DVec2], single: &ConeFit) -> Vec<Sorted> {
@@ -70,7 +83,7 @@ pub(super) fn ways(tips: &[DVec2], single: &ConeFit) -> Vec<Sorted> {
         let less = |a: &Lines, b: &Lines| a.price.total_cmp(&b.price);
         found.filter(|lines| lines.price < one && lines.are_apart(tips)).min_by(less)
     };
-    (2..=MOST.min(tips.len() / FEWEST)).filter_map(likeliest).map(Lines::outermost_first).collect()
+    (2..=MOST.min(tips.len() / FEWEST)).filter_map(likeliest).map(Lines::sorted_to_cones).collect()
 }
 
 /// Whether petals of every whorl stand all around the axis.
@@ -230,16 +243,9 @@ impl Lines {
         (0..self.lines.len()).all(|whorl| others(whorl).all(|(_, other)| off(whorl, other) > least))
     }
 
-    fn outermost_first(self) -> Sorted {
-        let mut order: Vec<usize> = (0..self.lines.len()).collect();
-        let opening = |whorl: &usize| self.lines[*whorl].radius.atan2(self.lines[*whorl].height);
-        order.sort_by(|a, b| opening(b).total_cmp(&opening(a)));
-        let rank = |whorl: &usize| order.iter().position(|w| w == whorl).unwrap_or(0);
+    fn sorted_to_cones(self) -> Sorted {
         let cone = |line: &Line| ConeFit::from_rim(self.view.t * line.height, line.radius, self.view.t);
-        Sorted {
-            of: self.of.iter().map(rank).collect(),
-            cones: order.iter().map(|whorl| cone(&self.lines[*whorl])).collect(),
-        }
+        Sorted { cones: self.lines.iter().map(cone).collect(), of: self.of }
     }
 }
 
