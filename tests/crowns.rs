@@ -316,18 +316,22 @@ fn drawn_wood_is_seen_where_it_was_drawn() {
 }
 
 #[test]
-fn other_years_of_the_same_drawing_change_no_byte() {
+fn other_years_of_the_same_drawing_begin_no_growth_anew_and_change_no_byte() {
     let sketch = drawing("box", &heart(), true);
     let mut cache = Cache::default();
-    build_with(&mut cache, &sketch, &[], &|| false).unwrap();
+    let first = build_with(&mut cache, &sketch, &[], &|| false).unwrap();
+    let mut oldest = first.growth.unwrap().oldest;
     for years in ["3", "0", "7.5", "12"] {
         let set = format!("growth.years={years}");
         let again = build_with(&mut cache, &sketch, &[&set], &|| false).unwrap();
         let fresh = build(&sketch, &[&set]);
         assert_eq!(again.plant, fresh.plant, "{years} years");
         assert_eq!(again.model, fresh.model, "{years} years");
-        let grown = again.growth.unwrap();
-        assert_eq!(grown.shown, years.parse::<f32>().unwrap());
+        let (grown, shown) = (again.growth.unwrap(), years.parse::<f32>().unwrap());
+        assert_eq!(grown.shown, shown);
+        // What grew before is still known, and goes on only where it is not old enough.
+        oldest = shown.ceil().max(oldest);
+        assert_eq!(grown.oldest, oldest, "{years} years");
     }
     let grown = |years: &str| {
         build_with(&mut Cache::default(), &sketch, &[years], &|| false).unwrap().plant.organs.len()
