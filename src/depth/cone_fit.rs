@@ -6,7 +6,7 @@
 //! minor/major = sin θ, and the apex lies on the minor axis at h cos θ from the centre (000 §4.1, 002 §5.1, with
 //! h = l / cos θ where both print l / sin θ). That is one unknown less than a free ellipse has.
 //!
-//! How. Levenberg–Marquardt on the distances of the tips from the ellipse (first order, Sampson) with Huber weights,
+//! How. Levenberg–Marquardt (`least_squares`) on the distances of the tips from the ellipse (first order, Sampson) with Huber weights,
 //! plus weak residuals that only speak where the tips are silent:
 //! * opening: a flower seen face-on does not determine its height;
 //! * evenness: petals spread evenly around the axis have their mean tip at the ellipse's centre and a covariance of
@@ -16,6 +16,7 @@
 //! The axis is (τ, 1)/|(τ, 1)| with τ any vector, so that nothing happens to the parameters when a flower is seen
 //! face-on and no step can leave the half space toward the viewer.
 
+use super::least_squares::{Normal, Problem};
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
@@ -107,6 +108,12 @@ impl ConeFit {
         }
     }
 
+    /// Steps of this size away from the bounds, at which a step outward would change nothing.
+    pub(super) fn inward(&self, size: f64) -> [f64; UNKNOWNS] {
+        let widening = if self.opening > 0.5 * (WIDEST + NARROWEST) { -size } else { size };
+        [-size.copysign(self.tilt.x), -size.copysign(self.tilt.y), widening, size]
+    }
+
     /// A step in tilt, opening and the radius's logarithm.
     pub(super) fn stepped(&self, step: [f64; UNKNOWNS]) -> Self {
         Self {
@@ -121,6 +128,12 @@ impl ConeFit {
 /// Product of two directions of the drawing where the ellipse is a circle.
 fn stretched(t: DVec2, per_sin2: f64, a: DVec2, b: DVec2) -> f64 {
     a.dot(b) + t.dot(a) * t.dot(b) * per_sin2
+}
+
+/// Azimuth about an axis with projection `t`, radians, of a place at `d` from the middle of its rim.
+pub(super) fn azimuth(t: DVec2, sin2: f64, d: DVec2) -> f64 {
+    let minor = t.try_normalize().unwrap_or(DVec2::Y);
+    d.perp_dot(minor).atan2(d.dot(minor) / sin2.sqrt())
 }
 
 /// The turns between neighbouring tips about the axis, radians.
@@ -191,14 +204,14 @@ impl Rim {
         self.height * sin - share * self.radius * cos
     }
 
+    /// Azimuth of a tip about the axis, radians.
+    pub(super) fn azimuth(&self, q: DVec2) -> f64 {
+        azimuth(self.t, self.sin2, q - self.center)
+    }
+
     /// How tips turn about the axis from one to the next.
     pub(super) fn turns(&self, tips: &[DVec2]) -> Turns {
-        let minor = self.t.try_normalize().unwrap_or(DVec2::Y);
-        let around = |&q: &DVec2| {
-            let d = q - self.center;
-            d.perp_dot(minor).atan2(d.dot(minor) / self.sin2.sqrt())
-        };
-        let mut angles: Vec<f64> = tips.iter().map(around).collect();
+        let mut angles: Vec<f64> = tips.iter().map(|&q| self.azimuth(q)).collect();
         angles.sort_by(f64::total_cmp);
         let (Some(first), Some(last)) = (angles.first(), angles.last()) else {
             return Turns { others: Vec::new(), largest: TAU };
@@ -307,13 +320,6 @@ impl Moments {
     }
 }
 
-/// Cost of a cone with the normal equations of the next step.
-struct Normal {
-    cost: f64,
-    matrix: [[f64; UNKNOWNS]; UNKNOWNS],
-    gradient: [f64; UNKNOWNS],
-}
-
 /// Residuals that do not belong to a tip: opening, mean (2), covariance (3), axis (2).
 const PRIORS: usize = 8;
 
@@ -345,12 +351,10 @@ fn cost(cone: &ConeFit, tips: &[DVec2], moments: &Moments, trust: &Trust) -> f64
 }
 
 /// Cost, gradient and Gauss–Newton matrix at a cone, by forward differences.
-fn normal(cone: &ConeFit, tips: &[DVec2], moments: &Moments, trust: &Trust) -> Normal {
+fn normal(cone: &ConeFit, tips: &[DVec2], moments: &Moments, trust: &Trust) -> Normal<UNKNOWNS> {
     const H: f64 = 1e-6;
     let rim = cone.rim();
-    // Away from the bounds, at which a step outward would change nothing.
-    let widening = if cone.opening > 0.5 * (WIDEST + NARROWEST) { -H } else { H };
-    let h = [-H.copysign(cone.tilt.x), -H.copysign(cone.tilt.y), widening, H];
+    let h = cone.inward(H);
     let moved: [ConeFit; UNKNOWNS] = std::array::from_fn(|k| {
         let mut step = [0.0; UNKNOWNS];
         step[k] = h[k];
@@ -394,57 +398,18 @@ fn normal(cone: &ConeFit, tips: &[DVec2], moments: &Moments, trust: &Trust) -> N
     out
 }
 
-/// Improves a cone by at most `steps` Levenberg–Marquardt steps; returns it with its cost.
+/// Improves a cone by at most `steps` steps; returns it with its cost.
 pub(super) fn improve(
-    mut cone: ConeFit,
+    cone: ConeFit,
     tips: &[DVec2],
     moments: &Moments,
     trust: &Trust,
     steps: u32,
 ) -> (ConeFit, f64) {
-    let mut damping = 1e-3;
-    let mut now = normal(&cone, tips, moments, trust);
-    for _ in 0..steps {
-        let mut matrix = now.matrix;
-        for (i, row) in matrix.iter_mut().enumerate() {
-            row[i] += damping * row[i].max(1e-9);
-        }
-        let Some(step) = solve(matrix, now.gradient.map(|g| -g)) else { break };
-        let next = cone.stepped(step);
-        let next_cost = cost(&next, tips, moments, trust);
-        if next_cost < now.cost {
-            let gain = now.cost - next_cost;
-            cone = next;
-            damping = (damping * 0.1).max(1e-9);
-            if gain < 1e-6 * now.cost {
-                break;
-            }
-            now = normal(&cone, tips, moments, trust);
-        } else {
-            damping *= 10.0;
-            if damping > 1e6 {
-                break;
-            }
-        }
-    }
-    (cone, now.cost)
-}
-
-/// Solves a positive definite system by Cholesky elimination; `None` where it is singular.
-pub(super) fn solve<const N: usize>(mut m: [[f64; N]; N], mut v: [f64; N]) -> Option<[f64; N]> {
-    for i in 0..N {
-        if !(m[i][i] > 0.0 && m[i][i].is_finite()) {
-            return None;
-        }
-        for j in i + 1..N {
-            let (pivot, share) = (m[i], m[j][i] / m[i][i]);
-            m[j].iter_mut().zip(pivot).for_each(|(x, p)| *x -= share * p);
-            v[j] -= share * v[i];
-        }
-    }
-    for i in (0..N).rev() {
-        let known: f64 = (i + 1..N).map(|k| m[i][k] * v[k]).sum();
-        v[i] = (v[i] - known) / m[i][i];
-    }
-    v.iter().all(|x| x.is_finite()).then_some(v)
+    let problem = Problem {
+        normal: |cone: &ConeFit| normal(cone, tips, moments, trust),
+        cost: |cone: &ConeFit| cost(cone, tips, moments, trust),
+        stepped: ConeFit::stepped,
+    };
+    problem.improve(cone, steps)
 }

@@ -14,7 +14,8 @@
 //!
 //! Departs from the papers: h = l / cos θ where both print l / sin θ; the free ellipse is only a start, as it has one
 //! unknown more than the cone and needs five tips. Petals of several whorls are sorted to them (`whorls`) and get a cone for
-//! each, with apex and axis in common (`whorl_fit`). Limits: a front view cannot tell a flower that faces the viewer from one that faces away: [`ConeParams::flip`] chooses.
+//! each, with apex and axis in common (`whorl_fit`). Limits: a front view cannot tell a flower that faces the viewer from one
+//! that faces away: [`ConeParams::flip`] chooses.
 
 use super::cone_fit::{ConeFit, Moments, Rim, StemPrior, Trust, improve};
 use super::petal_tip::Petal;
@@ -79,6 +80,11 @@ impl FlowerPose {
     pub fn outermost(&self) -> Whorl {
         const NONE: Whorl = Whorl { opening_rad: 1.0, height_px: 0.0, slant_px: 0.0 };
         self.whorls.first().copied().unwrap_or(NONE)
+    }
+
+    /// Distance from the centre to the farthest tips.
+    pub fn reach_px(&self) -> f32 {
+        self.whorls.iter().map(|whorl| whorl.slant_px).fold(0.0, f32::max)
     }
 }
 
@@ -152,8 +158,7 @@ pub fn flower_pose(petals: &[PetalOutline<'_>], stem: Option<Vec2>, params: &Con
     }
     let (cone, trusted) = settled(&best, &trust, &hand, params);
     let determined = trusted && best.tips.len() >= 5;
-    let sorted = Sorted { of: vec![0; best.tips.len()], cones: vec![cone] };
-    let alone = Whorled { sorted, tips: best.tips };
+    let alone = Whorled { sorted: Sorted::one(best.tips.len(), cone), tips: best.tips };
     flower.pose(&alone, determined, params, petals)
 }
 
@@ -243,30 +248,25 @@ impl Flower {
     /// The whorls that the petals stand in, if they are several.
     fn whorled(&self, single: &Fitted, trust: &Trust, rounds: u32) -> Option<Whorled> {
         let tips: Vec<DVec2> = self.petals.iter().map(|p| p.free_tip).collect();
-        let ways = whorls::ways(&tips, &single.cone);
-        let one = Sorted { of: vec![0; tips.len()], cones: vec![single.cone] };
-        let price = |whorled: &Whorled| whorls::price(&whorled.tips, &whorled.sorted);
+        let ways = whorls::ways(&tips, &single.cone, &single.tips);
         let fitted = ways.into_iter().map(|sorted| self.fitted_whorls(sorted, tips.clone(), trust, rounds));
-        let around = fitted.filter(|whorled| whorls::surround(&whorled.tips, &whorled.sorted));
-        let best = around.min_by(|a, b| price(a).total_cmp(&price(b)))?;
-        (price(&best) < whorls::price(&single.tips, &one)).then_some(best)
+        let around = fitted.filter(|whorled| whorled.sorted.surrounds(&whorled.tips));
+        let priced = around.map(|whorled| (whorled.sorted.price(&whorled.tips), whorled));
+        let (price, best) = priced.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        (price < Sorted::one(tips.len(), single.cone).price(&single.tips)).then_some(best)
     }
 
     /// Fits cones, finds tips on them and sorts the tips to them in turn.
     fn fitted_whorls(&self, sorted: Sorted, tips: Vec<DVec2>, trust: &Trust, rounds: u32) -> Whorled {
         let mut whorled = Whorled { sorted, tips };
         for _ in 0..rounds.max(1) {
-            let Sorted { of, cones } = &whorled.sorted;
-            let own = |whorl: usize| {
-                let tips = whorled.tips.iter().zip(of).filter(move |(_, of)| **of == whorl);
-                WhorlTips::new(tips.map(|(tip, _)| *tip).collect())
-            };
-            let whorls: Vec<WhorlTips> = (0..cones.len()).map(own).collect();
-            whorled.sorted.cones = improve_together(cones.clone(), &whorls, trust, STEPS.0);
+            let own = |whorl| WhorlTips::new(whorled.sorted.own(&whorled.tips, whorl).collect());
+            let whorls: Vec<WhorlTips> = (0..whorled.sorted.cones.len()).map(own).collect();
+            whorled.sorted.cones = improve_together(whorled.sorted.cones, &whorls, trust, STEPS.0);
             for (k, petal) in self.petals.iter().enumerate() {
                 whorled.tips[k] = petal.tip_on(&whorled.rim_of(k), whorled.tips[k]);
             }
-            whorled.sorted = whorls::resorted(&whorled.tips, whorled.sorted);
+            whorled.sorted = whorled.sorted.resorted(&whorled.tips);
         }
         whorled.sorted = whorled.sorted.outermost_first();
         whorled

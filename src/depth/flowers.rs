@@ -6,14 +6,13 @@
 
 use super::cone_pose::{ConeParams, FlowerPose, PetalOutline, Whorl, flower_pose};
 use super::flower_stem;
-use super::hidden_petals;
+use super::hidden_petals::{self, MadePetal};
 use super::outline::{CurlParams, DrawnBlade};
 use super::petals;
 use crate::anatomy::{Anatomy, FlatBlade, FlatFlower};
 use crate::kept::{Kept, Use};
 use crate::plant::{
-    Blade, Cone, Flower, Organ, OrganPart, Origin, Provenance, Role, Shape, Template, Templates,
-    WorldFromCanvas,
+    Cone, Flower, Organ, OrganPart, Origin, Provenance, Role, Shape, Templates, WorldFromCanvas,
 };
 use glam::Vec2;
 use std::sync::Arc;
@@ -25,7 +24,9 @@ const CENTRE: (f32, f32) = (0.05, 0.4);
 #[derive(Debug, Default)]
 pub struct Flowers {
     poses: Kept<PoseKey, Arc<FlowerPose>>,
-    petals: Kept<PetalKey, Blade<Arc<Template>>>,
+    petals: Kept<PetalKey, MadePetal>,
+    /// By the petals of their whorl.
+    hidden: Kept<Vec<PetalKey>, Arc<Vec<MadePetal>>>,
 }
 
 /// Everything that a pose is found from but the parameters.
@@ -43,6 +44,14 @@ struct PetalKey {
     place: [u32; 12],
 }
 
+/// A whorl of a flower of several, with what was drawn of it.
+struct DrawnWhorl<'a> {
+    /// Its flower's place.
+    flower: usize,
+    cone: Cone,
+    petals: Vec<(&'a PlacedPetal<'a>, &'a MadePetal)>,
+}
+
 /// A petal on its way into space.
 struct PlacedPetal<'a> {
     flat: &'a FlatBlade,
@@ -54,7 +63,7 @@ struct PlacedPetal<'a> {
 impl Flowers {
     /// For a single drawing, of which nothing is kept.
     pub fn for_one_build() -> Self {
-        Self { poses: Kept::for_one_call(), petals: Kept::for_one_call() }
+        Self { poses: Kept::for_one_call(), petals: Kept::for_one_call(), hidden: Kept::for_one_call() }
     }
 
     /// The poses of all flowers of a drawing.
@@ -96,33 +105,69 @@ impl Flowers {
                 tip_depth: flower.cone.apex.z + tip_depth * world.scale,
             }));
         }
-        let mut blades = self
-            .petals
-            .made(
-                &placed,
-                |petal, used| petal.key(world, used),
-                |petal| petals::petal(petal.flat, &petal.cone, petal.tip_depth, world, curl),
-            )
-            .iter();
+        let blades = self.petals.made(
+            &placed,
+            |petal, used| petal.key(world, used),
+            |petal| petals::petal(petal.flat, &petal.cone, petal.tip_depth, world, curl),
+        );
+        let several = if fill_hidden { drawn_whorls(poses, &placed, blades) } else { Vec::new() };
+        let hidden = self.hidden.made(
+            &several,
+            |whorl, used| whorl.petals.iter().map(|(petal, _)| petal.key(world, used)).collect(),
+            |whorl| Arc::new(whorl.hidden()),
+        );
         let (mut organs, mut templates) =
             (Vec::with_capacity(placed.len() + anatomy.leaves.len()), Templates::default());
-        for (index, ((flat, flower), pose)) in anatomy.flowers.iter().zip(&flowers).zip(poses).enumerate() {
-            let mut petal = |origin: Origin, blade: &Blade<Arc<Template>>| Organ {
-                role: Role::of(OrganPart::Petal),
-                origin,
-                branch: flower.branch,
-                flower: Some(index),
-                shape: Shape::Blade(blade.with_template(templates.add(Arc::clone(&blade.template)))),
-            };
-            let own: Vec<&Blade<Arc<Template>>> = blades.by_ref().take(flat.petals.len()).collect();
-            let drawn = flat.petals.iter().zip(&own);
-            organs.extend(drawn.map(|(&p, blade)| petal(provenance.record(anatomy.petals[p].stroke), blade)));
-            if fill_hidden && pose.whorls.len() > 1 {
-                let hidden = hidden_in_whorls(&own, pose, &flower.cone, world);
-                organs.extend(hidden.iter().map(|blade| petal(Origin::Generated, blade)));
+        let mut petal = |index: usize, origin: Origin, blade: &MadePetal| Organ {
+            role: Role::of(OrganPart::Petal),
+            origin,
+            branch: flowers[index].branch,
+            flower: Some(index),
+            shape: Shape::Blade(blade.with_template(templates.add(Arc::clone(&blade.template)))),
+        };
+        let mut blades = blades.iter();
+        let mut hidden = several.iter().zip(hidden).peekable();
+        for (index, flat) in anatomy.flowers.iter().enumerate() {
+            for (&p, blade) in flat.petals.iter().zip(blades.by_ref()) {
+                organs.push(petal(index, provenance.record(anatomy.petals[p].stroke), blade));
+            }
+            while let Some((_, copies)) = hidden.next_if(|(whorl, _)| whorl.flower == index) {
+                organs.extend(copies.iter().map(|blade| petal(index, Origin::Generated, blade)));
             }
         }
         (flowers, organs, templates)
+    }
+}
+
+/// The whorls of all flowers that have several, from the petals of all flowers in a row.
+fn drawn_whorls<'a>(
+    poses: &[Arc<FlowerPose>],
+    placed: &'a [PlacedPetal<'a>],
+    blades: &'a [MadePetal],
+) -> Vec<DrawnWhorl<'a>> {
+    let (mut out, mut first) = (Vec::new(), 0);
+    for (flower, pose) in poses.iter().enumerate() {
+        let own = first..first + pose.whorl_of.len();
+        first = own.end;
+        let several = if pose.whorls.len() > 1 { pose.whorls.len() } else { 0 };
+        for whorl in 0..several {
+            let of_whorl = own.clone().zip(&pose.whorl_of).filter(|(_, of)| **of == whorl);
+            let petals: Vec<_> = of_whorl.map(|(k, _)| (&placed[k], &blades[k])).collect();
+            out.extend(petals.first().map(|(petal, _)| petal.cone).map(|cone| DrawnWhorl {
+                flower,
+                cone,
+                petals,
+            }));
+        }
+    }
+    out
+}
+
+impl DrawnWhorl<'_> {
+    /// Copies of its petals where others are hidden.
+    fn hidden(&self) -> Vec<MadePetal> {
+        let blades: Vec<_> = self.petals.iter().map(|(_, blade)| blade.resolved()).collect();
+        hidden_petals::hidden(&blades, &self.cone)
     }
 }
 
@@ -134,21 +179,6 @@ impl PlacedPetal<'_> {
         let place = [a, b, c, d, e, f, opening_rad, height, self.tip_depth, scale, g, h].map(f32::to_bits);
         PetalKey { petal: DrawnBlade::of(self.flat, used), place }
     }
-}
-
-/// Petals that others hide in the whorls of a flower with these petals.
-fn hidden_in_whorls(
-    petals: &[&Blade<Arc<Template>>],
-    pose: &FlowerPose,
-    flower: &Cone,
-    world: &WorldFromCanvas,
-) -> Vec<Blade<Arc<Template>>> {
-    let of_whorl = |(number, whorl): (usize, &Whorl)| {
-        let own = petals.iter().zip(&pose.whorl_of).filter(|(_, of)| **of == number);
-        let own: Vec<_> = own.map(|(blade, _)| blade.resolved()).collect();
-        hidden_petals::hidden(&own, &cone_of(whorl, flower, world))
-    };
-    pose.whorls.iter().enumerate().flat_map(of_whorl).collect()
 }
 
 /// The cone of a whorl, with the apex and the axis of its flower's.
@@ -177,8 +207,7 @@ fn flower(
     world: &WorldFromCanvas,
 ) -> Flower {
     let apex = world.point(pose.center).with_z(center_depth * world.scale);
-    let longest = pose.whorls.iter().map(|whorl| whorl.slant_px).fold(0.0, f32::max);
-    let reach = (longest * world.scale).max(1e-6);
+    let reach = (pose.reach_px() * world.scale).max(1e-6);
     let bare = Cone { apex, axis: pose.axis, opening_rad: 0.0, height: 0.0 };
     let cone = cone_of(&pose.outermost(), &bare, world);
     let members = flat.petals.iter().map(|&p| &petals[p]);

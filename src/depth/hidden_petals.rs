@@ -4,8 +4,9 @@
 //! are missing there get copies of the petal before the gap: its outline is unrolled off the cone, and laid onto the cone again
 //! further around, as a Bézier patch.
 //!
-//! Limits: at most [`MOST`] petals of a whorl, so that flowers drawn from one side stay as they are.
+//! Limits: at most [`HIDDEN`] petals of a whorl, so that flowers drawn from one side stay as they are.
 
+use super::whorls::HIDDEN;
 use crate::plant::{
     BezierPatch, Blade, BladeForm, Cone, Detail, ResolvedBlade, RestSurface, Sheet, Template,
 };
@@ -13,15 +14,16 @@ use glam::{Quat, Vec2, Vec3};
 use std::f32::consts::TAU;
 use std::sync::Arc;
 
-/// Most petals of a whorl that may be hidden.
-const MOST: usize = 3;
+/// A petal with a template that no plant has yet.
+pub(super) type MadePetal = Blade<Arc<Template>>;
+
 /// Turns that are missing one petal or more, in usual ones.
 const WIDE: f32 = 1.6;
 /// How far a turn may be from a multiple of the usual one, in usual ones.
 const CLEAR: f32 = 0.35;
 
 /// Copies of a whorl's petals where others are hidden; `petals` are its blades on `cone`, world metres.
-pub(super) fn hidden(petals: &[ResolvedBlade<'_>], cone: &Cone) -> Vec<Blade<Arc<Template>>> {
+pub(super) fn hidden(petals: &[ResolvedBlade<'_>], cone: &Cone) -> Vec<MadePetal> {
     let mut around: Vec<(f32, usize)> = petals.iter().map(|petal| azimuth(petal, cone)).zip(0..).collect();
     around.sort_by(|a, b| a.0.total_cmp(&b.0));
     let turn = |k: usize| {
@@ -40,7 +42,7 @@ pub(super) fn hidden(petals: &[ResolvedBlade<'_>], cone: &Cone) -> Vec<Blade<Arc
         if is_multiple { share.round() as usize - 1 } else { 0 }
     };
     let all: usize = turns.iter().map(|turn| missing(*turn)).sum();
-    if all > MOST {
+    if all > HIDDEN {
         return Vec::new();
     }
     let gaps = turns.iter().zip(&around).filter(|(turn, _)| missing(**turn) > 0);
@@ -52,16 +54,13 @@ pub(super) fn hidden(petals: &[ResolvedBlade<'_>], cone: &Cone) -> Vec<Blade<Arc
     copies.collect()
 }
 
-/// Azimuth of a petal about the axis, radians: the mean of its outline's.
+/// Azimuth of a petal about the axis, radians: that of the middle of its outline.
 fn azimuth(petal: &ResolvedBlade<'_>, cone: &Cone) -> f32 {
-    let first = cone.axis.any_orthonormal_vector();
-    let across = cone.axis.cross(first);
-    let away = |uv: &Vec2| (petal.at_rest(*uv) - cone.apex).reject_from_normalized(cone.axis);
-    let mean: Vec3 = petal.template.outline().iter().map(away).sum();
-    mean.dot(across).atan2(mean.dot(first))
+    let from_apex = petal.template.outline().iter().map(|uv| petal.at_rest(*uv) - cone.apex);
+    around(cone, from_apex.sum())
 }
 
-/// Azimuth of a place, counted from the apex.
+/// Azimuth about the axis of a place that is counted from the apex, radians.
 fn around(cone: &Cone, from_apex: Vec3) -> f32 {
     let first = cone.axis.any_orthonormal_vector();
     from_apex.dot(cone.axis.cross(first)).atan2(from_apex.dot(first))
@@ -99,7 +98,7 @@ impl Unrolled {
     }
 
     /// The petal on the same cone, so far around it.
-    fn laid(&self, cone: &Cone, turn: f32) -> Blade<Arc<Template>> {
+    fn laid(&self, cone: &Cone, turn: f32) -> MadePetal {
         let (sin, cos) = cone.opening_rad.sin_cos();
         let first = cone.axis.any_orthonormal_vector();
         let out = |azimuth: f32| Quat::from_axis_angle(cone.axis, self.at + turn + azimuth) * first;

@@ -12,6 +12,7 @@ pub mod crowns;
 pub mod flower_stem;
 pub mod flowers;
 mod hidden_petals;
+mod least_squares;
 pub mod leaves;
 pub mod outline;
 mod petal_tip;

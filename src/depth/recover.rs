@@ -206,12 +206,7 @@ impl Skeleton {
             }
             led[i] = true;
             let last_child_at = last_child[i];
-            let goal = Goal {
-                center: pose.center,
-                axis: pose.axis,
-                reach: pose.outermost().slant_px,
-                last_child_at,
-            };
+            let goal = Goal { center: pose.center, axis: pose.axis, reach: pose.reach_px(), last_child_at };
             let depth =
                 flower_stem::lead_to_flower(&mut self.branches[i], &mut self.depths[i], &goal, params);
             self.arcs[i] = arcs_of(&self.branches[i]);

@@ -3,7 +3,8 @@
 //! As for one cone (`cone_fit`): Levenberg–Marquardt on the distances of the tips from their rims with Huber weights, with the
 //! same weak priors for each whorl. The axis is two unknowns for all, opening and radius are two for each.
 
-use super::cone_fit::{ConeFit, Moments, Trust, huber, priors, solve};
+use super::cone_fit::{ConeFit, Moments, Trust, huber, priors};
+use super::least_squares::{Normal, Problem};
 use super::whorls::MOST;
 use glam::DVec2;
 
@@ -11,9 +12,6 @@ use glam::DVec2;
 const UNKNOWNS: usize = 2 + 2 * MOST;
 /// Step of the differences that slopes are taken from.
 const H: f64 = 1e-6;
-
-/// Opening, radians, from which on steps make cones narrower.
-const MIDDLE: f64 = 0.8;
 
 /// The tips of one whorl.
 pub(super) struct WhorlTips {
@@ -29,38 +27,17 @@ impl WhorlTips {
 
 /// Improves cones of one axis by at most `steps` steps. At most [`MOST`] of them.
 pub(super) fn improve_together(
-    mut cones: Vec<ConeFit>,
+    cones: Vec<ConeFit>,
     whorls: &[WhorlTips],
     trust: &Trust,
     steps: u32,
 ) -> Vec<ConeFit> {
-    let mut damping = 1e-3;
-    let mut now = residuals(&cones, whorls, trust);
-    for _ in 0..steps {
-        let (matrix, gradient) = normal(&cones, whorls, trust, &now);
-        let mut damped = matrix;
-        for (i, row) in damped.iter_mut().enumerate() {
-            row[i] += damping * row[i].max(1e-9);
-        }
-        let Some(step) = solve(damped, gradient.map(|g| -g)) else { break };
-        let next = stepped(&cones, &step);
-        let there = residuals(&next, whorls, trust);
-        let gain = cost(&now) - cost(&there);
-        if gain > 0.0 {
-            let is_done = gain < 1e-6 * cost(&now);
-            (cones, now) = (next, there);
-            damping = (damping * 0.1).max(1e-9);
-            if is_done {
-                break;
-            }
-        } else {
-            damping *= 10.0;
-            if damping > 1e6 {
-                break;
-            }
-        }
-    }
-    cones
+    let problem = Problem {
+        normal: |cones: &Vec<ConeFit>| normal(cones, whorls, trust),
+        cost: |cones: &Vec<ConeFit>| cost(&residuals(cones, whorls, trust)),
+        stepped: |cones: &Vec<ConeFit>, step| stepped(cones, step),
+    };
+    problem.improve(cones, steps).0
 }
 
 /// A residual in standard deviations, and whether a wild one counts less.
@@ -82,27 +59,21 @@ fn residuals(cones: &[ConeFit], whorls: &[WhorlTips], trust: &Trust) -> Vec<Resi
     out
 }
 
-fn stepped(cones: &[ConeFit], step: &[f64; UNKNOWNS]) -> Vec<ConeFit> {
+fn stepped(cones: &[ConeFit], step: [f64; UNKNOWNS]) -> Vec<ConeFit> {
     let own =
         |(k, cone): (usize, &ConeFit)| cone.stepped([step[0], step[1], step[2 + 2 * k], step[3 + 2 * k]]);
     cones.iter().enumerate().map(own).collect()
 }
 
-/// Gauss–Newton matrix and gradient by differences; unknowns of whorls that are not there stay where they are.
-fn normal(
-    cones: &[ConeFit],
-    whorls: &[WhorlTips],
-    trust: &Trust,
-    here: &[Residual],
-) -> ([[f64; UNKNOWNS]; UNKNOWNS], [f64; UNKNOWNS]) {
-    let unknowns = 2 + 2 * cones.len();
+/// Cost, gradient and Gauss–Newton matrix by differences; unknowns of whorls that are not there stay where they are.
+fn normal(cones: &[ConeFit], whorls: &[WhorlTips], trust: &Trust) -> Normal<UNKNOWNS> {
+    let (unknowns, here) = (2 + 2 * cones.len(), residuals(cones, whorls, trust));
     let slope = |k: usize| -> Vec<f64> {
+        let (whorl, own) = if k < 2 { (0, k) } else { (k / 2 - 1, 2 + k % 2) };
         let mut step = [0.0; UNKNOWNS];
-        // Away from the bounds of openings, at which a step outward would change nothing.
-        let is_wide = k >= 2 && k.is_multiple_of(2) && cones[k / 2 - 1].opening > MIDDLE;
-        step[k] = if is_wide { -H } else { H };
-        let there = residuals(&stepped(cones, &step), whorls, trust);
-        there.iter().zip(here).map(|(there, here)| (there.0 - here.0) / step[k]).collect()
+        step[k] = cones[whorl].inward(H)[own];
+        let there = residuals(&stepped(cones, step), whorls, trust);
+        there.iter().zip(&here).map(|(there, here)| (there.0 - here.0) / step[k]).collect()
     };
     let slopes: Vec<Vec<f64>> = (0..unknowns).map(slope).collect();
     let weights: Vec<f64> =
@@ -115,5 +86,5 @@ fn normal(
             matrix[i][j] = (0..here.len()).map(|r| weights[r] * slopes[i][r] * slopes[j][r]).sum();
         }
     }
-    (matrix, gradient)
+    Normal { cost: cost(&here), matrix, gradient }
 }
