@@ -111,6 +111,7 @@ fn file(
         "palmate",
         "tuft",
         "feather",
+        "leaflet",
         "scale",
         "round",
     ];

@@ -26,6 +26,8 @@ crate::parameters! {
         angle_deg: f32 = 58.0, 0.0..=120.0, "degrees";
         /// Whether a leaflet stands at the end.
         terminal: bool = true, 0..=1, "";
+        /// Whether leaves that were drawn are divided as well, into leaflets that reach the drawn outline.
+        drawn: bool = true, 0..=1, "";
         /// Whether all leaflets stand at the end of the stalk, as the fingers of a hand.
         palmate: bool = false, 0..=1, "";
         /// Radius of the rachis.
@@ -47,6 +49,8 @@ const LANCE: LeafOutline =
     LeafOutline { width: 2.0, widest: 0.35, wedge: 0.1, point: 0.25, teeth: 0, tooth_depth: 0.0 };
 /// Most leaflets of one leaf.
 const MOST_LEAFLETS: u32 = 60;
+/// Leaflets with which a leaf still shows what it is.
+const FEWEST_LEAFLETS: u32 = 5;
 
 fn read_leaflets<'de, D: serde::Deserializer<'de>>(source: D) -> Result<Vec<u32>, D::Error> {
     let list = Vec::<u32>::deserialize(source)?;
@@ -117,6 +121,21 @@ impl Compound {
         const SAMPLES: u32 = 32;
         let counts = (0..SAMPLES).map(|k| self.count((k as f32 + 0.5) / SAMPLES as f32));
         counts.sum::<u32>() as f32 / SAMPLES as f32
+    }
+
+    /// A leaf like this with about so many of its leaflets, but not fewer than [`FEWEST_LEAFLETS`]: they are larger and farther
+    /// apart, so that they cover what all do.
+    #[must_use]
+    pub fn with_fewer(&self, share: f32) -> Self {
+        let fewer = |count: &u32| {
+            let pairs = (*count as f32 * share / 2.0).round() as u32;
+            let least = FEWEST_LEAFLETS.min(*count);
+            (2 * pairs + count % 2).clamp(least + (count + least) % 2, *count)
+        };
+        let less = Self { leaflets: self.leaflets.iter().map(fewer).collect(), ..self.clone() };
+        let apart = self.mean_count() / less.mean_count();
+        let (pair_gap, leaflet) = (self.pair_gap * apart, self.leaflet * apart.sqrt());
+        Self { pair_gap, leaflet, ..less }
     }
 
     /// The number of leaflets of a leaf; `chance` is uniform from 0 to 1.
@@ -229,6 +248,16 @@ mod tests {
             Compound { leaflets: vec![3, 5, 7], shares: vec![0.23, 0.54, 0.23], ..Compound::default() };
         let of = |count: u32| (0..1000).filter(|k| compound.count(*k as f32 / 1000.0) == count).count();
         assert!((of(3).abs_diff(230), of(5).abs_diff(540), of(7).abs_diff(230)) <= (1, 1, 1));
+    }
+
+    #[test]
+    fn fewer_leaflets_cover_what_all_do() {
+        let whole = Compound { leaflets: vec![3, 9, 13, 14], shrink: 1.0, ..Compound::default() };
+        let less = whole.with_fewer(0.5);
+        assert_eq!(less.leaflets, [3, 5, 7, 8]);
+        let area = |leaf: &Compound, count: u32| count as f32 * leaf.leaflet.powi(2);
+        assert!((area(&less, 7) / area(&whole, 13) - 0.93).abs() < 0.05);
+        assert_eq!(whole.with_fewer(1.0), whole);
     }
 
     #[test]

@@ -148,7 +148,7 @@ fn counted_templates(plant: &Plant, params: &BladeMeshParams) -> Vec<Option<u64>
     let mut scratch = FlatScratch::default();
     let mut count = |template: &Template| {
         let flat = flat::flatten(template, None, params, &mut scratch);
-        flat.map_or(0, |flat| both_sides(flat.margin as u64, (flat.points.len() - flat.margin) as u64))
+        flat.map_or(0, |flat| flat.triangle_count() as u64)
     };
     plant.templates.iter().map(|template| is_reduced(template).then(|| count(template))).collect()
 }
@@ -172,7 +172,10 @@ fn blade_at_most(template: &Template, params: &BladeMeshParams) -> u64 {
         Detail::Full => (drawn, params.rows, params.columns),
     };
     let rows = u64::from(rows);
-    both_sides(points + EDGES_A_ROW * (rows + 1), rows * (2 * u64::from(columns) + 1))
+    let (margin, inside) = (points + EDGES_A_ROW * (rows + 1), rows * (2 * u64::from(columns) + 1));
+    // Without a rim every edge inside that joins two points of the margin is divided: fewer edges than there are points.
+    let divided = if flat::is_sharp(template, params) { margin } else { 0 };
+    both_sides(margin, inside + divided)
 }
 
 #[cfg(test)]

@@ -3,7 +3,8 @@
 //! The flat triangulation is put on its rest surface, raised by its relief along the rest surface's normals, and
 //! doubled: both faces lie half the thickness from that middle surface along its own smooth normals, a little closer
 //! at the margin. A band of faces joins their margins. The rim shares the points of the faces but has vertices of its
-//! own, so that faces shade smoothly up to a crisp edge.
+//! own, so that faces shade smoothly up to a crisp edge. Small blades that are many have no rim: both faces meet in one
+//! sharp margin (`sharp`), and the mesh is closed all the same.
 //!
 //! Where we depart: the paper copies the surface along the flower's axis, which leaves no thickness on steep petals.
 //! On a cone the face of a petal is its inner side, toward the flower's axis, whichever side the viewer sees.
@@ -45,8 +46,13 @@ pub(super) fn mesh(
     raise(blade, &Relief::new(blade, flat, params), flat, facing, scratch);
     smooth_normals(&flat.triangles, &scratch.middle, facing, &mut scratch.normals);
     let half = half_thickness(blade, flat, size).max(THINNEST * far);
-    let mut mesh = doubled(flat, scratch, half, half * params.margin_thickness);
-    add_rim(flat, scratch, &mut mesh);
+    let mut mesh = if flat.is_sharp {
+        meeting(flat, scratch, half)
+    } else {
+        let mut mesh = doubled(flat, scratch, half, half * params.margin_thickness);
+        add_rim(flat, scratch, &mut mesh);
+        mesh
+    };
     mesh.split_disagreeing_corners();
     Some(mesh)
 }
@@ -156,6 +162,31 @@ fn doubled(flat: &FlatBlade, scratch: &BladeScratch, half: f32, margin_half: f32
     mesh.triangles.extend_from_slice(&flat.triangles);
     mesh.triangles.extend(flat.triangles.iter().map(|[a, b, c]| [back + a, back + c, back + b]));
     mesh
+}
+
+/// Front and back face of a blade whose faces meet at the margin: they have its points in common and normals of their own.
+fn meeting(flat: &FlatBlade, scratch: &BladeScratch, half: f32) -> Mesh {
+    let (count, margin) = (flat.points.len(), flat.margin);
+    let of_points = || scratch.middle.iter().zip(&scratch.normals);
+    let front = of_points().enumerate().map(|(i, (p, n))| *p + *n * if i < margin { 0.0 } else { half });
+    let back = of_points().skip(margin).map(|(p, n)| *p - *n * half);
+    let uv = BladeUv::of(flat);
+    let vertex = |i: usize, sign: f32| {
+        let point = if sign < 0.0 && i >= margin { i + count - margin } else { i };
+        Vertex { point: point as u32, normal: scratch.normals[i] * sign, uv: uv.uv(flat.points[i]) }
+    };
+    let first = count as u32;
+    let turned = |[a, b, c]: &[u32; 3]| [first + *a, first + *c, first + *b];
+    Mesh {
+        points: front.chain(back).collect(),
+        vertices: [1.0, -1.0]
+            .into_iter()
+            .flat_map(|sign| (0..count).map(move |i| (i, sign)))
+            .map(|(i, sign)| vertex(i, sign))
+            .collect(),
+        triangles: flat.triangles.iter().copied().chain(flat.triangles.iter().map(turned)).collect(),
+        breaks: Vec::new(),
+    }
 }
 
 /// Closes the gap between the margins of front and back.

@@ -8,6 +8,7 @@
 //! | `parts`, `piece`, `part_names` | which organs are one part; names, parents, specimens |
 //! | `params` | how finely a plant is modelled |
 //! | `outline`, `sections`, `interior`, `flat` | a blade in its plane, triangulated |
+//! | `sharp` | the same of leaves without a rim |
 //! | `relief`, `blade` | the blade bent and given thickness |
 //! | `blade_uv` | where a blade's points lie in its picture |
 //! | `shapes`, `copies` | blades that are copies of few shapes |
@@ -58,6 +59,7 @@ mod rows;
 mod sealing;
 mod sections;
 mod shapes;
+mod sharp;
 mod solids;
 mod spike;
 mod spine;

@@ -74,6 +74,9 @@ const CLOSEST: f32 = 0.1;
 /// Turns with a smaller cosine than this get a ring on either side, at this many radii.
 const SHARP: f32 = 0.5;
 const FLANK: f32 = 1.5;
+/// The ring after a turn is this much farther away from it than the one before, as otherwise both would be one where a branch
+/// turns back on itself.
+const AFTER: f32 = 1.25;
 
 /// Writes the rings of a skeleton of at least two points to `out`: at least two, never at the same place.
 pub(super) fn rings(
@@ -153,7 +156,8 @@ fn flank_turns(rings: &mut Vec<Ring>, flanked: &mut Vec<Ring>) {
         let lengths = legs.map(Vec3::length);
         let sharp = -legs[0].dot(legs[1]) < SHARP * lengths[0] * lengths[1];
         let flank = |k: usize| {
-            let share = FLANK * w[1].radius / lengths[k].max(f32::MIN_POSITIVE);
+            let away = FLANK * if k == 1 { AFTER } else { 1.0 };
+            let share = away * w[1].radius / lengths[k].max(f32::MIN_POSITIVE);
             let radius = w[1].radius + (w[2 * k].radius - w[1].radius) * share;
             (sharp && share < 0.45).then(|| Ring { at: w[1].at + legs[k] * share, radius, ..w[1] })
         };
@@ -241,6 +245,15 @@ mod tests {
         assert_eq!(out.len(), 5);
         assert!(out.windows(2).all(|w| w[0].tangent.dot(w[1].tangent) > -0.2), "{out:?}");
         assert!(out[1].at.distance(Vec3::Y * 3.0) < 0.1);
+    }
+
+    #[test]
+    fn a_branch_that_turns_back_on_itself_has_no_ring_twice() {
+        let along = Vec3::new(0.62963945, -0.44134066, 0.63934296);
+        let out = prepared(&[Vec3::ZERO, along, 0.1 * along, 2.0 * along], 1e-4);
+        for (i, a) in out.iter().enumerate() {
+            assert!(out[i + 1..].iter().all(|b| a.at.distance(b.at) > 1e-5), "{out:?}");
+        }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Leaves on the young wood of a grown plant.
 //!
-//! Leaves stand along young internodes, turned from one to the next by the golden angle, and in a bunch at the end of
-//! each shoot. All are copies of a few outlines, so a crown is triangulated a handful of times; each leaf's direction,
+//! Leaves stand along young internodes as the buds of their species do (phyllotaxis): by the golden angle, to the left and the
+//! right, or in crossed pairs, and in a bunch at the end of each shoot. All are copies of a few outlines, so a crown is triangulated a handful of times; each leaf's direction,
 //! length and roll are its own, from a random stream named by its node. What is new this year carries leaves that are as
 //! far grown as the year. The end of a twig has leaves however long ago it grew, for its buds open every spring.
 //!
@@ -11,6 +11,7 @@
 //! so many-th stays, evenly over old and young wood alike, so that the crown grows thinner but nowhere bare.
 
 use super::chains::Chains;
+use crate::growth::habit::Arrangement;
 use crate::growth::habit::leaf::{self, LeafHabit, LeafPose};
 use crate::growth::tree::{NONE, Tree};
 use crate::growth::volume::Envelope;
@@ -21,8 +22,9 @@ use crate::plant::{
 use crate::random::{Choice, mix};
 use glam::{Quat, Vec3};
 use rayon::prelude::*;
+use std::f32::consts::{FRAC_PI_2, PI};
 
-/// Divergence of leaves, radians: the golden angle.
+/// Divergence of leaves that stand singly all around, radians: the golden angle.
 const GOLDEN_RAD: f32 = 2.399_963;
 /// Widths of the outlines that leaves are copies of, as shares of the species'.
 const WIDTHS: [f32; 3] = [0.9, 1.0, 1.12];
@@ -51,6 +53,8 @@ pub struct Wood<'a> {
     pub age: f32,
     /// Diameter of the thinnest wood.
     pub tip: f32,
+    /// How leaves stand around their shoot.
+    pub arrangement: Arrangement,
     /// Seed of everything random.
     pub seed: u64,
     /// What leaves must not leave.
@@ -168,6 +172,20 @@ pub(super) fn held_share(base: Vec3, v: Vec3, envelope: &Envelope) -> Option<f32
     SHORTER.into_iter().find(fits)
 }
 
+/// Where the leaf `k` of an internode stands that has so many: its turn about the shoot from the bud's side, radians, and
+/// its place, in internodes.
+fn stand(arrangement: Arrangement, per_internode: u32, k: u32) -> (f32, f32) {
+    let single = (k as f32 + 0.6) / per_internode.max(1) as f32;
+    match arrangement {
+        Arrangement::Spiral | Arrangement::Whorl => (GOLDEN_RAD * (k + 1) as f32, single),
+        Arrangement::Alternate => (PI * (k + 1) as f32, single),
+        Arrangement::Opposite => {
+            let (pair, pairs) = (k / 2, per_internode.div_ceil(2).max(1));
+            (FRAC_PI_2 * pair as f32 + PI * (k % 2) as f32, (pair as f32 + 0.6) / pairs as f32)
+        }
+    }
+}
+
 /// The leaf `k` of the internode below node `i`; those beyond the internode's own stand at its end.
 fn one(
     wood: &Wood<'_>,
@@ -179,11 +197,10 @@ fn one(
     let way = (to - from).try_normalize().unwrap_or(Vec3::Y);
     let key = mix(mix(Choice::LEAF.key(wood.seed), i as u64), u64::from(k));
     let at_tip = k >= habit.per_internode;
-    let along = if at_tip { 1.0 } else { (k as f32 + 0.6) / habit.per_internode as f32 };
+    let (turn, along) = stand(wood.arrangement, habit.per_internode, k);
+    let along = if at_tip { 1.0 } else { along };
     let side = wood.tree.nodes.side[i].reject_from_normalized(way).normalize_or(way.any_orthonormal_vector());
-    let around =
-        Quat::from_axis_angle(way, GOLDEN_RAD * (k + 1) as f32 + 0.4 * Choice::LEAF_AROUND.signed(key))
-            * side;
+    let around = Quat::from_axis_angle(way, turn + 0.4 * Choice::LEAF_AROUND.signed(key)) * side;
     let open = if at_tip { 0.7 } else { 1.0 };
     let (sin, cos) = (pose.angle_rad * open).sin_cos();
     let scatter = Vec3::from_array(Choice::LEAF_DIRECTION.signs(key)) * pose.scatter;

@@ -40,6 +40,7 @@ impl Grown {
             grown: &self.grown,
             age: AGE,
             tip: self.simulation.habit().tip,
+            arrangement: self.simulation.habit().arrangement,
             seed: 3,
             envelope: self.simulation.envelope(),
         }
@@ -131,4 +132,12 @@ fn years_and_thickest_say_which_wood_has_leaves() {
         assert!(leafy.len() > last, "up to {thickest}: {}", leafy.len());
         last = leafy.len();
     }
+}
+
+#[test]
+fn opposite_leaves_stand_in_crossed_pairs() {
+    let [a, b, c, d] = [0, 1, 2, 3].map(|k| stand(Arrangement::Opposite, 4, k));
+    assert!((b.0 - a.0 - PI).abs() < 1e-6 && (d.0 - c.0 - PI).abs() < 1e-6);
+    assert!((c.0 - a.0 - FRAC_PI_2).abs() < 1e-6);
+    assert!(a.1 == b.1 && c.1 == d.1 && a.1 < c.1 && c.1 < 1.0);
 }

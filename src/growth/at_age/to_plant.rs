@@ -65,6 +65,7 @@ pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (PlantAtAge, Cha
         grown: &grown,
         age,
         tip: habit.tip,
+        arrangement: habit.leaf.arrangement.unwrap_or(habit.arrangement),
         seed: simulation.seed(),
         envelope: simulation.envelope(),
     };

@@ -16,24 +16,11 @@
 //!   gradually.
 //! - ages and times: `flower_age`, `bud_life`, `shed_after`, `flower_years`, and the years that wood has leaves.
 
+use super::arrangement::Arrangement;
 use super::leaf::LeafHabit;
 use super::schedule::Schedule;
 use crate::params::{ParamValue as _, Range};
 use serde::{Deserialize, Deserializer, Serialize};
-
-/// How the buds of an axis are arranged (phyllotaxis).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Arrangement {
-    /// One per node, turned by the divergence angle.
-    Spiral,
-    /// One per node, left and right in turn; branches are flat sprays.
-    Alternate,
-    /// Pairs, each square to the one below.
-    Opposite,
-    /// A ring at the end of each year's shoot.
-    Whorl,
-}
 
 /// What buds compete for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -6,6 +6,7 @@
 //! Sizes and directions may change with the plant's age. All leaves have those of the age that is shown, which change
 //! without a jump. Numbers of leaves and the wood that has any may not: leaves would come and go at their full size.
 
+use super::arrangement::Arrangement;
 use super::schedule::Schedule;
 use glam::Vec2;
 use serde::{Deserialize, Serialize};
@@ -30,8 +31,10 @@ pub enum LeafShape {
     Palmate,
     /// Many narrow needles from one place: pine.
     Tuft,
-    /// A feather of leaflets: acacia.
+    /// A feather of leaflets, or of needles.
     Feather,
+    /// One leaflet of a compound leaf, of few corners: ash, walnut.
+    Leaflet,
     /// A flat spray of scales: cypress.
     Scale,
 }
@@ -68,6 +71,7 @@ fn right_half(shape: LeafShape) -> &'static [(f32, f32)] {
             (0.38, 0.82),
             (0.05, 0.84),
         ],
+        LeafShape::Leaflet => &[(0.48, 0.28), (0.4, 0.66)],
         LeafShape::Scale => &[(0.3, 0.15), (0.12, 0.24), (0.5, 0.5), (0.16, 0.56), (0.32, 0.84)],
     }
 }
@@ -109,6 +113,8 @@ crate::parameters! {
         choices:
         /// Outline.
         shape: LeafShape = LeafShape::Ovate;
+        /// How leaves stand around their shoot; as the buds do if left out.
+        arrangement: Option<Arrangement> = None;
     }
 }
 
@@ -164,6 +170,7 @@ mod tests {
             S::Palmate,
             S::Tuft,
             S::Feather,
+            S::Leaflet,
             S::Scale,
         ];
         for shape in all {
