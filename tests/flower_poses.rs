@@ -1,10 +1,11 @@
 //! Flowers stand still while they are edited: a petal erased turns a flower by a few degrees only, and no stem, as thick as
-//! it is, touches a petal of its own flower.
+//! it is, touches a petal of its own flower; petals do not pass through each other.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test or bench that cannot go on has failed")]
 
 use glam::Vec3;
 use penstemon::model::Mesh;
+use penstemon::model::crossing::crossing_faces;
 use penstemon::pipeline::{self, Built};
 use penstemon::plant::{Flower, OrganKind};
 use penstemon::sketch::{self, Sketch};
@@ -99,4 +100,21 @@ fn a_petal_erased_turns_a_flower_by_few_degrees_and_no_stem_pierces_a_petal() {
         swings[swings.len() - 1]
     );
     assert!(median <= 1.5 && p95 <= 7.0, "median {median}°, 95th percentile {p95}°");
+}
+
+#[test]
+fn petals_of_single_flowers_keep_out_of_each_other() {
+    // The rose of the bouquet has two whorls.
+    for (name, sketch) in drawings().iter().filter(|(name, _)| name != "bouquet") {
+        let mut petals = Mesh::default();
+        for part in built(sketch).model.parts.iter().filter(|part| part.name.starts_with("petal")) {
+            petals.append(&part.flattened_mesh());
+        }
+        let crossing = crossing_faces(&petals).unwrap();
+        assert!(
+            100 * crossing <= 3 * petals.triangles.len(),
+            "{name}: {crossing} of {} faces pass through others",
+            petals.triangles.len()
+        );
+    }
 }

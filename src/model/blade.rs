@@ -22,6 +22,11 @@ use super::shapes::{CopyShape, THINNEST};
 use crate::plant::{ResolvedBlade, RestSurface};
 use glam::{Vec2, Vec3};
 
+/// Lowest part of a blade that is twisted more, share of its length, and how much more at the foot: the petals of a flower come
+/// so near to one another there that their thickness would fill what is between them.
+const FOOT: f32 = 0.5;
+const AT_FOOT: f32 = 2.0;
+
 /// Memory that is used again for every blade.
 #[derive(Default)]
 pub(super) struct BladeScratch {
@@ -100,8 +105,10 @@ fn raise(
     let toward_face = if faces_forward(blade, facing, scratch) { 1.0 } else { -1.0 };
     let size = blade.v.length();
     let twist = blade.form.twist * size;
+    let near_foot = |p: &Vec2| (1.0 - p.y / (FOOT * blade.template.length())).clamp(0.0, 1.0);
     for ((point, normal), p) in scratch.middle.iter_mut().zip(&scratch.normals).zip(&flat.points) {
-        *point += *normal * (toward_face * relief.height(*p) * size + twist * p.x);
+        let across = twist * p.x * (1.0 + AT_FOOT * near_foot(p));
+        *point += *normal * (toward_face * relief.height(*p) * size + across);
     }
 }
 
