@@ -4,8 +4,8 @@
 //! the leaves that fill drawn outlines. A leaf that was drawn keeps its outline: leaflets of the species' own outline stand
 //! along its middle, and each is as long as the outline has room for, so that their tips are the outline.
 //!
-//! Limits: where leaves are very many their stalks are left out, then some of their leaflets, then some of them. The rachis is straight, also in a leaf that
-//! was drawn bent; leaflets whose foot would lie outside of the outline are left out.
+//! Limits: where leaves are very many their stalks are left out, then some of their leaflets, then some of them. The rachis of a
+//! leaf that was drawn bowed is bowed, but its leaflets are not turned with it; leaflets whose foot would lie outside of the outline are left out.
 
 use super::looks::LeafLook;
 use crate::leaf::compound::{Compound, LeafPose, Leaflet};
@@ -23,6 +23,8 @@ const MOST_STALKS: usize = 1500;
 const MOST_LEAFLETS: f32 = 60_000.0;
 /// How much larger these are at most.
 const LARGER: f32 = 1.6;
+/// Leaflets from which on those of drawn leaves are of reduced detail.
+const MANY_LEAFLETS: f32 = 500.0;
 /// Longest stalk below the leaflets of a drawn leaf, share of its length: who draws a leaf draws its blade.
 const DRAWN_STALK: f32 = 0.06;
 /// How much longer or shorter than by its place a leaflet may become so that it reaches a drawn outline.
@@ -38,12 +40,14 @@ pub(super) fn divide(plant: &mut Plant, look: &LeafLook, seed: u64) {
     let kept = kept(compound);
     let larger = kept.powf(-0.5).min(LARGER);
     let organs = std::mem::take(&mut plant.organs);
+    let is_rich = whole as f32 * compound.mean_count() > MANY_LEAFLETS;
+    let detail = if is_rich { Detail::Reduced } else { Detail::Moderate };
     let mut of_drawn = None;
     let mut divided = Divided { out: Vec::with_capacity(organs.len()), compound, has_stalks, seed };
     for organ in organs {
         match &organ.shape {
             Shape::Blade(blade) if is_whole(&organ, compound) && organ.origin.is_drawn() => {
-                let new = || Template::new(look.outline.points(), Vec::new(), 1.0, Detail::Reduced);
+                let new = || Template::new(look.outline.points(), Vec::new(), 1.0, detail);
                 let leaflet = *of_drawn.get_or_insert_with(|| plant.templates.add(new()));
                 divided.add_drawn(&organ, blade, &plant.templates[blade.template], leaflet);
             }
@@ -95,10 +99,16 @@ impl Divided<'_> {
         let stalk = self.compound.stalk.min(DRAWN_STALK);
         let flat = Compound { droop: 0.0, stalk, stipules: 0.0, ..self.compound.clone() };
         let parts = flat.leaf(&pose, self.count(blade));
+        let outline = template.outline();
+        let bowed = |place: Vec3| {
+            let flat = in_plane(place - blade.base, blade);
+            place + blade.u * middle(flat.y, outline).unwrap_or(0.0)
+        };
         let before = self.out.len();
-        self.add_stalk(whole, parts.rachis, parts.radius);
+        self.add_stalk(whole, parts.rachis.into_iter().map(bowed).collect(), parts.radius);
         let first = self.out.len();
-        let fitted = parts.leaflets.iter().filter_map(|part| fitted(part, blade, template.outline()));
+        let bowed = parts.leaflets.into_iter().map(|part| Leaflet { base: bowed(part.base), ..part });
+        let fitted = bowed.filter_map(|part| fitted(&part, blade, outline));
         self.out.extend(fitted.map(|part| organ(whole, blade, (leaflet, 1.0), part)));
         if self.out.len() == first {
             // An outline that no leaflet stands in stays the leaf that it was.
@@ -146,6 +156,17 @@ fn in_plane(vector: Vec3, blade: &Blade) -> Vec2 {
     let (uu, uv, vv) = (u.length_squared(), u.dot(*v), v.length_squared());
     let (along_u, along_v) = (vector.dot(*u), vector.dot(*v));
     Vec2::new(along_u * vv - along_v * uv, along_v * uu - along_u * uv) / (uu * vv - uv * uv)
+}
+
+/// Half way between the outermost points of an outline at a height; `None` where it does not reach.
+fn middle(height: f32, outline: &[Vec2]) -> Option<f32> {
+    let ahead = outline.iter().cycle().skip(1);
+    let crossings = outline.iter().zip(ahead).filter_map(|(a, b)| {
+        let share = (height - a.y) / (b.y - a.y);
+        (0.0..=1.0).contains(&share).then(|| a.x + (b.x - a.x) * share)
+    });
+    let wide = crossings.fold((f32::MAX, f32::MIN), |(low, high), x| (low.min(x), high.max(x)));
+    (wide.0 <= wide.1).then(|| 0.5 * (wide.0 + wide.1))
 }
 
 /// How many times `way` leads from a point to the outline around it; `None` from outside.
@@ -232,6 +253,20 @@ mod tests {
             let half_width = 0.6 * tip.y.min(1.0 - tip.y);
             assert!((tip.x.abs() - half_width).abs() < 1e-4 && tip.z.abs() < 1e-6, "{tip}");
         }
+    }
+
+    #[test]
+    fn a_bowed_leaf_has_leaflets_on_both_sides() {
+        let mut bowed = plant(Provenance::default().record(Some(1)));
+        let outline = [(0.0, 0.0), (0.35, 0.3), (0.4, 0.6), (0.0, 1.0), (0.1, 0.6), (0.1, 0.3)];
+        let outline = outline.into_iter().map(Vec2::from).collect();
+        let template = bowed.templates.add(Template::new(outline, Vec::new(), 1.0, Detail::Full));
+        let Shape::Blade(blade) = &mut bowed.organs[0].shape else { unreachable!("a leaf is a blade") };
+        blade.template = template;
+        bowed.drop_unused_templates();
+        divide(&mut bowed, &look(), 1);
+        let leaflets = bowed.organs.iter().filter(|organ| organ.kind() == OrganKind::Leaf).count();
+        assert_eq!((leaflets, bowed.check_invariants()), (5, Ok(())));
     }
 
     #[test]
