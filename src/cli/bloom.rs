@@ -41,10 +41,9 @@ pub struct Args {
     /// Width and height of pictures in pixels.
     #[arg(long, value_name = "WxH", default_value = "1200x900")]
     pub size: Size,
-    /// Any parameter by its path, for instance flower.layers.count=12; may be given again. `penstemon params SPECIES` lists
-    /// them.
-    #[arg(long = "set", value_name = "PARAM=VALUE")]
-    pub assignments: Vec<String>,
+    #[command(flatten)]
+    #[allow(missing_docs)]
+    pub assignments: common::Assignments,
     /// Print times, counts and bytes written as one JSON object.
     #[arg(long)]
     pub stats: bool,
@@ -114,7 +113,7 @@ struct Bed<'a> {
 impl Bed<'_> {
     /// The flower at an opening.
     fn grow(&mut self, open: f32) -> Result<Built> {
-        let mut assignments = self.args.assignments.clone();
+        let mut assignments = self.args.assignments.all();
         assignments.push(format!("flower.open={open}"));
         let params = pipeline::params_of_species(self.species, &assignments);
         let params = params.with_context(|| self.name.to_owned())?;

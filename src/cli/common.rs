@@ -25,6 +25,41 @@ pub struct BuildOptions {
     pub stats: bool,
 }
 
+/// Parameters by their paths, and by names of their own those that are wanted most.
+#[derive(Debug, Default, clap::Args)]
+pub struct Assignments {
+    /// Any parameter by its path, for instance depth.world.height=0.4 or model.tube.sides=5; may be given again. `penstemon
+    /// params [SPECIES]` lists them.
+    #[arg(long = "set", value_name = "PARAM=VALUE")]
+    set: Vec<String>,
+    /// How many triangles the plant has, give or take three of a hundred: finer or coarser than usual, with fewer and larger leaves
+    /// where it must.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(100..=10_000_000))]
+    triangles: Option<u32>,
+    /// Generated leaves with a rim, for printing, or with faces that meet at the margin, which is usual.
+    #[arg(long, value_name = "FORM")]
+    leaves: Option<Leaves>,
+}
+
+/// How generated leaves are made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Leaves {
+    /// As thick at the margin as printers want it.
+    Solid,
+    /// Both faces meet at the margin.
+    Blade,
+}
+
+impl Assignments {
+    /// All of them as `PARAM=VALUE`.
+    pub fn all(&self) -> Vec<String> {
+        let triangles = self.triangles.map(|triangles| format!("model.budget.triangles={triangles}"));
+        let is_solid = self.leaves.map(|leaves| leaves == Leaves::Solid);
+        let leaves = is_solid.map(|is_solid| format!("model.blade.solid_leaves={is_solid}"));
+        self.set.iter().cloned().chain(triangles).chain(leaves).collect()
+    }
+}
+
 /// Options of every verb that sets up a sketch for building.
 #[derive(Debug, clap::Args)]
 pub struct SetupOptions {
@@ -34,9 +69,9 @@ pub struct SetupOptions {
     /// Seed of everything random; instead of the sketch's own.
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
-    /// Any parameter by its path, for instance depth.world.height=0.4; may be given again. `penstemon params` lists them.
-    #[arg(long = "set", value_name = "PARAM=VALUE")]
-    pub assignments: Vec<String>,
+    #[command(flatten)]
+    #[allow(missing_docs)]
+    pub assignments: Assignments,
     /// Your own picture for a part, for instance petal=photo.jpg; may be given again.
     #[arg(long = "texture", value_name = "PART=FILE")]
     pub textures: Vec<String>,
@@ -49,7 +84,9 @@ impl SetupOptions {
         let options = [
             ("--species", species.is_some()),
             ("--seed", seed.is_some()),
-            ("--set", !assignments.is_empty()),
+            ("--set", !assignments.set.is_empty()),
+            ("--triangles", assignments.triangles.is_some()),
+            ("--leaves", assignments.leaves.is_some()),
             ("--texture", !textures.is_empty()),
         ];
         options.into_iter().filter(|(_, given)| *given).map(|(name, _)| name).collect()
@@ -100,7 +137,7 @@ impl Setup {
             (folder, whose) = (Path::new(""), "--species".to_owned());
         }
         if sketch.species.is_none() {
-            sketch.species = Some(pipeline::usual_species(&sketch, &options.assignments).to_owned());
+            sketch.species = Some(pipeline::usual_species(&sketch, &options.assignments.all()).to_owned());
         }
         // What the command line names has to be there.
         let mut species = if options.species.is_some() {
@@ -119,7 +156,7 @@ impl Setup {
             sources.add(Path::new(file));
         }
         species.picture_files().for_each(|picture| sources.add(picture));
-        let params = pipeline::params_of(&sketch, &species, &options.assignments)
+        let params = pipeline::params_of(&sketch, &species, &options.assignments.all())
             .with_context(|| path.display().to_string())?;
         Ok(Self { sketch, species, params, sources })
     }

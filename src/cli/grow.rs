@@ -46,10 +46,9 @@ pub struct Args {
     /// Most internodes of the plant; its years may take as many times more work as it may have more internodes than usual.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=5_000_000))]
     pub max_internodes: Option<u64>,
-    /// Any parameter by its path, for instance habit.lambda=0.7 or model.tube.sides=5; may be given again. `penstemon params
-    /// SPECIES` lists them.
-    #[arg(long = "set", value_name = "PARAM=VALUE")]
-    pub assignments: Vec<String>,
+    #[command(flatten)]
+    #[allow(missing_docs)]
+    pub assignments: common::Assignments,
     /// Print times, counts and bytes written as one JSON object.
     #[arg(long)]
     pub stats: bool,
@@ -77,7 +76,8 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     if let Some(age) = args.age {
         ensure!((0.0..=10_000.0).contains(&age), "--age {age}: write the years, from 0 to 10000");
     }
-    let params = pipeline::params_of_species(&species, &args.assignments).with_context(|| name.to_owned())?;
+    let params =
+        pipeline::params_of_species(&species, &args.assignments.all()).with_context(|| name.to_owned())?;
     if params.rose.is_some() {
         ensure!(
             args.age.is_none(),
@@ -88,7 +88,8 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         let options = PictureOptions { width: 1200, height: 900, transparent: false };
         let (outs, sources, instances) = (&args.out[..], &sources, args.instances);
         let outputs = Outputs { outs, instances, sources, view, options };
-        let bed = rose::Bed { name, species: &species, assignments: &args.assignments, seed: args.seed };
+        let bed =
+            rose::Bed { name, species: &species, assignments: &args.assignments.all(), seed: args.seed };
         return rose::run(&bed, &outputs, args.frames, args.stats);
     }
     let usual = species.growth.as_ref().map_or(params.habit.fineness, |habit| habit.fineness);

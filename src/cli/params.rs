@@ -43,8 +43,12 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
 fn params_of(path: &Path) -> anyhow::Result<Params> {
     let is = |ending: &str| path.extension().is_some_and(|e| e.eq_ignore_ascii_case(ending));
     if ["penstemon", "json", "svg"].into_iter().any(is) {
-        let options =
-            SetupOptions { species: None, seed: None, assignments: Vec::new(), textures: Vec::new() };
+        let options = SetupOptions {
+            species: None,
+            seed: None,
+            assignments: common::Assignments::default(),
+            textures: Vec::new(),
+        };
         return Ok(Setup::open(path, &options)?.params);
     }
     let species = match is("toml") {

@@ -20,8 +20,9 @@ use std::borrow::Cow;
 /// Share of its fineness that is left of a parameter with each step.
 const STEP: f32 = 0.75;
 /// Steps in which what is finer than the defaults comes down to them, and those after which nothing becomes coarser.
-const TO_DEFAULTS: u32 = 8;
-const COARSEST: u32 = 16;
+pub const TO_DEFAULTS: f32 = 8.0;
+/// See [`TO_DEFAULTS`].
+pub const COARSEST: f32 = 16.0;
 /// Templates that are triangulated to be counted; of more each is taken for what it is at most.
 const COUNTED: usize = 64;
 /// Edges into which a blade's outline is divided for each of its rows, at most.
@@ -39,16 +40,16 @@ pub fn affordable<'a>(plant: &Plant, params: &'a ModelParams, most: u64) -> Cow<
     if fits(params) {
         return Cow::Borrowed(params);
     }
-    let mut coarser = (1..COARSEST).map(|step| coarsened(params, step));
+    let mut coarser = (1..COARSEST as u32).map(|step| coarsened(params, step as f32));
     Cow::Owned(coarser.find(fits).unwrap_or_else(|| coarsened(params, COARSEST)))
 }
 
-/// The parameters so many steps coarser: in the first [`TO_DEFAULTS`] no coarser than the defaults.
-fn coarsened(params: &ModelParams, step: u32) -> ModelParams {
-    let ModelParams { blade, tube, solid } = params;
+/// The parameters so many steps coarser, up to [`COARSEST`]: in the first [`TO_DEFAULTS`] no coarser than the defaults.
+pub fn coarsened(params: &ModelParams, step: f32) -> ModelParams {
+    let ModelParams { blade, tube, solid, budget } = params;
     let defaults = ModelParams::default();
-    let toward = STEP.powi(step as i32);
-    let beyond = STEP.powi(step.saturating_sub(TO_DEFAULTS) as i32);
+    let toward = STEP.powf(step);
+    let beyond = STEP.powf((step - TO_DEFAULTS).max(0.0));
     let less = |own: f32, default: f32, least: f32| {
         let usual = own.min(default);
         let less = if step < TO_DEFAULTS { (own * toward).max(usual) } else { (usual * beyond).max(least) };
@@ -92,6 +93,44 @@ fn coarsened(params: &ModelParams, step: u32) -> ModelParams {
             head_sides: fewer(solid.head_sides, s.head_sides, 3),
             head_rows: fewer(solid.head_rows, s.head_rows, 2),
         },
+        budget: budget.clone(),
+    }
+}
+
+/// The parameters with so many times the rows, columns and sides, as far as their ranges go.
+pub fn refined(params: &ModelParams, by: f32) -> ModelParams {
+    let ModelParams { blade, tube, solid, budget } = params;
+    let more = |own: u32, most: u32| ((own.max(1) as f32 * by).round() as u32).min(most).max(own);
+    let closer = |own: f32, least: f32| (own / (by * by)).max(least).min(own);
+    ModelParams {
+        blade: BladeMeshParams {
+            outline_tolerance: closer(blade.outline_tolerance, 0.0001),
+            rows: more(blade.rows, 64),
+            columns: more(blade.columns, 32),
+            template_tolerance: closer(blade.template_tolerance, 0.0001),
+            template_outline_points: more(blade.template_outline_points, 200),
+            template_rows: more(blade.template_rows, 64),
+            petal_tolerance: closer(blade.petal_tolerance, 0.0001),
+            petal_outline_points: more(blade.petal_outline_points, 400),
+            petal_rows: more(blade.petal_rows, 64),
+            petal_columns: more(blade.petal_columns, 32),
+            ..blade.clone()
+        },
+        tube: TubeParams {
+            quality: (tube.quality * by).min(4.0).max(tube.quality),
+            sides: more(tube.sides, 64),
+            fewest_sides: more(tube.fewest_sides, 64),
+            most_sides: more(tube.most_sides, 64),
+            ..tube.clone()
+        },
+        solid: SolidParams {
+            sides: more(solid.sides, 128),
+            dome_rows: more(solid.dome_rows, 64),
+            filament_sides: more(solid.filament_sides, 16),
+            head_sides: more(solid.head_sides, 32),
+            head_rows: more(solid.head_rows, 32),
+        },
+        budget: budget.clone(),
     }
 }
 

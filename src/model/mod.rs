@@ -74,7 +74,7 @@ mod wood;
 mod wood_changes;
 mod wood_memory;
 
-pub use afford::affordable;
+pub use afford::{COARSEST, TO_DEFAULTS, affordable, coarsened, refined};
 pub use blade_uv::BladeUv;
 pub use build::{build, rebuild};
 pub use cache::Cache;
@@ -83,7 +83,7 @@ pub use flat::{BladeMeshParams, PlanarGraph, TriangulationScratch, triangulation
 pub use instances::{InstanceGroup, InstancedModel, Pose};
 pub use measure::{Measure, Measures};
 pub use mesh::{Mesh, Vertex};
-pub use params::ModelParams;
+pub use params::{ModelParams, TriangleParams};
 pub use solids::SolidParams;
 pub use tube::TubeParams;
 

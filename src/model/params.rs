@@ -4,6 +4,14 @@ use super::flat::BladeMeshParams;
 use super::solids::SolidParams;
 use super::tube::TubeParams;
 
+crate::parameters! {
+    /// How many triangles a plant has.
+    pub struct TriangleParams {
+        /// Triangles that the plant should have, give or take three of a hundred; 0 for as many as its fineness makes.
+        triangles: u32 = 0, 0..=10_000_000, "";
+    }
+}
+
 crate::parameter_groups! {
     /// How finely a plant is modelled.
     pub struct ModelParams {
@@ -13,5 +21,7 @@ crate::parameter_groups! {
         tube: TubeParams;
         /// Receptacles, fruits and pots.
         solid: SolidParams;
+        /// How much there may be of all.
+        budget: TriangleParams;
     }
 }

@@ -5,6 +5,7 @@ use super::clock::Clock;
 use super::placing::{BuiltBeside, Placing};
 use super::setup::Params;
 use super::source::{Ages, Produced};
+use super::triangle_budget;
 use crate::anatomy::Anatomy;
 use crate::budget::Budget;
 use crate::growth::overlay::Spot;
@@ -80,7 +81,16 @@ pub(super) fn finish(
         debug_assert_eq!(provenance.check_invariants(&plant), Ok(()));
         plant
     });
-    let fineness = affordable(&plant, params, budget.triangles, growth.is_some());
+    let wanted = u64::from(params.model.budget.triangles).min(budget.triangles);
+    let (plant, fitted) = match wanted {
+        0 => (plant, None),
+        _ => clock.time("budget", || {
+            let (plant, fitted) = triangle_budget::fit(plant, &params.model, wanted);
+            (plant, Some(fitted))
+        }),
+    };
+    let wished = fitted.as_ref().unwrap_or(&params.model);
+    let fineness = affordable(&plant, wished, budget.triangles, growth.is_some());
     if fineness.is_coarser {
         remark(Remark::Coarser { triangles: budget.triangles });
     }
@@ -107,8 +117,8 @@ struct Fineness<'a> {
 
 /// As fine as asked for and of at most so many triangles; the leaves of a plant that `grew` are too many to be parts of
 /// their own.
-fn affordable<'a>(plant: &Plant, params: &'a Params, most: u64, grew: bool) -> Fineness<'a> {
-    let mut affordable = model::affordable(plant, &params.model, most);
+fn affordable<'a>(plant: &Plant, params: &'a ModelParams, most: u64, grew: bool) -> Fineness<'a> {
+    let mut affordable = model::affordable(plant, params, most);
     let is_coarser = matches!(affordable, Cow::Owned(_));
     if grew && !affordable.blade.gathered {
         affordable.to_mut().blade.gathered = true;

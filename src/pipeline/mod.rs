@@ -27,6 +27,7 @@ mod rose;
 mod seed;
 mod setup;
 mod source;
+mod triangle_budget;
 mod usual_species;
 
 pub use beside::Beside;

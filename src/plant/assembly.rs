@@ -48,6 +48,24 @@ impl Plant {
         renumber(&mut self.organs[first..], here);
     }
 
+    /// Drops the branches that are not `kept`; each that is kept has a parent that is. What stood on others stands on the nearest
+    /// below that is kept.
+    pub fn keep_branches(&mut self, kept: &[bool]) {
+        let mut places: Vec<Option<usize>> = Vec::with_capacity(kept.len());
+        let mut next = 0;
+        for (branch, kept) in self.branches.iter().zip(kept) {
+            let below = branch.parent.and_then(|parent| places[parent]);
+            places.push(if *kept { Some(next) } else { below });
+            next += usize::from(*kept);
+        }
+        let place = |old: Option<usize>| old.and_then(|old| places[old]);
+        self.branches.iter_mut().for_each(|branch| branch.parent = place(branch.parent));
+        self.flowers.iter_mut().for_each(|flower| flower.branch = place(flower.branch));
+        self.organs.iter_mut().for_each(|organ| organ.branch = place(organ.branch));
+        let mut is_kept = kept.iter();
+        self.branches.retain(|_| is_kept.next().copied().unwrap_or(true));
+    }
+
     /// Drops the templates of which there is no copy.
     pub fn drop_unused_templates(&mut self) {
         let mut is_used = vec![false; self.templates.len()];

@@ -82,6 +82,15 @@ impl FinishedPlant {
         }
     }
 
+    /// Changes the plant, which must not get a role that it did not have.
+    pub fn reshape(&mut self, change: impl FnOnce(&mut Plant)) {
+        change(&mut self.plant);
+        debug_assert!(
+            self.plant.roles().all(|role| self.of_role.contains_key(&role)),
+            "a role without material"
+        );
+    }
+
     /// Scales the plant about the origin and then moves it; `scale` is more than 0.
     pub fn scale_and_move(&mut self, scale: f32, by: Vec3) {
         self.plant.scale_and_move(scale, by);

@@ -1,0 +1,249 @@
+//! A plant of as many triangles as were asked for, give or take three of a hundred.
+//!
+//! Fewer are asked for: a plant without much foliage becomes coarser. One with foliage, which is leaves and flowers that nobody
+//! drew, gives wood two fifths of the triangles, or what foliage leaves of them: it becomes coarser, and if that is not enough its
+//! thinnest twigs go. Foliage has the rest: leaves get fewer corners, then some go, evenly over the crown, and those that stay are
+//! larger, so that they cover about what all did. More are asked for: everything becomes finer.
+//!
+//! How many triangles there are is counted on models, of which about a dozen are built, so the number is exact.
+//!
+//! Limits: leaves of twigs that went stay where they were. Drawn parts never go: a plant of many has more than it should. A plant
+//! at its finest may have fewer.
+
+use crate::geom::convex_hull::convex_hull;
+use crate::geom::simple_loop::signed_area;
+use crate::model::{self, COARSEST, ModelParams, TO_DEFAULTS};
+use crate::plant::{Detail, FinishedPlant, Organ, OrganKind, Shape, Template};
+use crate::random::{mix, unit};
+use glam::Vec2;
+
+/// Accepted difference, share of the triangles asked for.
+const NEAR: f32 = 0.03;
+/// Foliage has its own share of the triangles from so many pieces on.
+const FOLIAGE: usize = 50;
+/// Share of wood among the triangles of a plant with foliage.
+const WOOD: f32 = 0.4;
+/// Corners of leaves of which less than such a share would stay with more.
+const FEWER_CORNERS: (f32, u32) = (0.5, 6);
+/// Leaves that fill less than this share of their convex hull, as sprays of needles do, keep their corners.
+const SPIKY: f32 = 0.6;
+/// How much larger leaves become at most.
+const LARGER: f32 = 2.0;
+/// How much finer a plant becomes at most.
+const FINEST: f32 = 16.0;
+/// Halvings of an interval that is searched.
+const HALVINGS: u32 = 7;
+
+/// The plant and the parameters with which its model has about so many triangles.
+pub(super) fn fit(plant: FinishedPlant, params: &ModelParams, wanted: u64) -> (FinishedPlant, ModelParams) {
+    let now = count(&plant, params);
+    if is_near(now, wanted) {
+        return (plant, params.clone());
+    }
+    if now < wanted {
+        let finer = |by: f32| model::refined(params, FINEST.powf(by));
+        let by = largest(|by| count(&plant, &finer(by)) <= most(wanted));
+        return (plant, finer(by));
+    }
+    if foliage(&plant).count() < FOLIAGE {
+        let coarser = |share: f32| coarser(params, 1.0 - share);
+        let share = largest(|share| count(&plant, &coarser(share)) <= most(wanted));
+        return (plant, coarser(share));
+    }
+    with_foliage(plant, params, (now, wanted))
+}
+
+fn count(plant: &FinishedPlant, params: &ModelParams) -> u64 {
+    model::build(plant, params).triangle_count() as u64
+}
+
+fn most(wanted: u64) -> u64 {
+    (wanted as f32 * (1.0 + NEAR)) as u64
+}
+
+fn is_near(count: u64, wanted: u64) -> bool {
+    (count as f32 / wanted as f32 - 1.0).abs() <= NEAR
+}
+
+/// The parameters between what they are, 0, and the coarsest, 1.
+fn coarser(params: &ModelParams, share: f32) -> ModelParams {
+    model::coarsened(params, share * (COARSEST - TO_DEFAULTS) + if share > 0.0 { TO_DEFAULTS } else { 0.0 })
+}
+
+/// The largest number from 0 to 1 that fits, where smaller ones fit as well; 0 if none does.
+fn largest(fits: impl Fn(f32) -> bool) -> f32 {
+    if fits(1.0) {
+        return 1.0;
+    }
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if fits(middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    low
+}
+
+/// The piece of foliage that an organ belongs to, by a number of its own; none if it stays.
+fn piece(organ: &Organ, index: usize) -> Option<u64> {
+    let of_flower = organ.flower.map(|flower| mix(1, flower as u64));
+    let is_leaf = matches!(organ.kind(), OrganKind::Leaf | OrganKind::Petiole);
+    let of_leaf = is_leaf.then(|| mix(2, index as u64));
+    (!organ.origin.is_drawn()).then(|| of_flower.or(of_leaf)).flatten()
+}
+
+fn foliage(plant: &FinishedPlant) -> impl Iterator<Item = u64> {
+    plant.organs.iter().enumerate().filter_map(|(index, organ)| piece(organ, index))
+}
+
+fn with_foliage(
+    plant: FinishedPlant,
+    params: &ModelParams,
+    (now, wanted): (u64, u64),
+) -> (FinishedPlant, ModelParams) {
+    let bare = thinned(&plant, 0.0);
+    let of_bare = count(&bare, params);
+    let of_foliage = now - of_bare;
+    let for_wood = ((WOOD * wanted as f32) as u64).max(wanted.saturating_sub(of_foliage));
+    let wood = |share: f32| coarser(params, 1.0 - share);
+    let share = largest(|share| count(&bare, &wood(share)) <= for_wood);
+    let mut params = wood(share);
+    let mut plant = plant;
+    if share == 0.0 {
+        let twigs = largest(|share| count(&without_twigs(&bare, share), &params) <= for_wood);
+        plant = without_twigs(&plant, twigs);
+    }
+    let rest = wanted.saturating_sub(count(&thinned(&plant, 0.0), &params));
+    // Foliage as fine as it was while there is room for enough of it.
+    params.blade.template_outline_points = ModelParams::default().blade.template_outline_points;
+    let stays = |params: &ModelParams| {
+        let all = count(&plant, params).saturating_sub(wanted - rest).max(1);
+        rest as f32 / all as f32
+    };
+    let mut share = stays(&params);
+    if share < FEWER_CORNERS.0 && !plant.templates.iter().any(is_spiky) {
+        params.blade.template_outline_points = FEWER_CORNERS.1;
+        share = stays(&params);
+    }
+    (kept(&plant, &params, share, wanted), params)
+}
+
+/// Whether many copies of this outline would be something else with fewer corners.
+fn is_spiky(template: &Template) -> bool {
+    let area = |outline: &[Vec2]| signed_area(outline.iter().copied()).abs();
+    let hull = convex_hull(template.outline(), |p| *p);
+    template.detail() == Detail::Reduced && area(template.outline()) < SPIKY * area(&hull)
+}
+
+/// The plant with about such a share of its foliage, so that it has the triangles that are wanted.
+fn kept(plant: &FinishedPlant, params: &ModelParams, share: f32, wanted: u64) -> FinishedPlant {
+    const CORRECTIONS: u32 = 4;
+    let bare = count(&thinned(plant, 0.0), params);
+    let mut share = share.min(1.0);
+    let mut best = thinned(plant, share);
+    for _ in 0..CORRECTIONS {
+        let now = count(&best, params);
+        if is_near(now, wanted) || (share >= 1.0 && now < wanted) || now <= bare || wanted <= bare {
+            break;
+        }
+        share = (share * (wanted - bare) as f32 / (now - bare) as f32).min(1.0);
+        best = thinned(plant, share);
+    }
+    best
+}
+
+/// The plant with such a share of its foliage, whose leaves are larger.
+fn thinned(plant: &FinishedPlant, share: f32) -> FinishedPlant {
+    let larger = share.max(f32::MIN_POSITIVE).powf(-0.5).min(LARGER);
+    let mut plant = plant.clone();
+    plant.reshape(|plant| {
+        let mut index = 0;
+        plant.organs.retain_mut(|organ| {
+            let piece = piece(organ, index);
+            index += 1;
+            let Some(piece) = piece else { return true };
+            if let (Shape::Blade(blade), None) = (&mut organ.shape, organ.flower) {
+                (blade.u, blade.v) = (blade.u * larger, blade.v * larger);
+            }
+            unit(piece) < share
+        });
+        plant.drop_unused_templates();
+    });
+    plant
+}
+
+/// The plant with such a share of its branches: the thinnest that nobody drew are gone.
+fn without_twigs(plant: &FinishedPlant, share: f32) -> FinishedPlant {
+    let foot = |i: usize| plant.branches[i].radii.first().copied().unwrap_or(0.0);
+    let mut radii: Vec<f32> = (0..plant.branches.len()).map(foot).collect();
+    radii.sort_by(f32::total_cmp);
+    let dropped = ((1.0 - share) * radii.len() as f32) as usize;
+    let Some(thinnest) = radii.get(dropped.min(radii.len().saturating_sub(1))) else { return plant.clone() };
+    let mut kept: Vec<bool> = (0..plant.branches.len())
+        .map(|i| plant.branches[i].origin.is_drawn() || foot(i) >= *thinnest)
+        .collect();
+    for (i, branch) in plant.branches.iter().enumerate().rev() {
+        if let (true, Some(parent)) = (kept[i], branch.parent) {
+            kept[parent] = true;
+        }
+    }
+    let mut plant = plant.clone();
+    plant.reshape(|plant| plant.keep_branches(&kept));
+    plant
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Seed, build, params_of_species};
+    use super::*;
+    use crate::species::Species;
+
+    fn grown(species: &str, age: f32, triangles: u32) -> crate::pipeline::Built {
+        let species = Species::built_in(species).unwrap();
+        let set = [format!("model.budget.triangles={triangles}")];
+        let params = params_of_species(&species, &set).unwrap();
+        build(&Seed { number: 1, age: Some(age), ..Seed::default() }, &species, &params)
+    }
+
+    #[test]
+    fn trees_have_the_triangles_that_are_asked_for() {
+        for (species, age, wanted) in
+            [("apple", 8.0, 30_000), ("apple", 8.0, 8_000), ("spruce", 8.0, 40_000), ("box", 6.0, 400_000)]
+        {
+            let built = grown(species, age, wanted);
+            let count = built.model.triangle_count() as u64;
+            assert!(
+                is_near(count, u64::from(wanted)),
+                "{species} of {age} years: {count} triangles of {wanted}"
+            );
+            assert_eq!(built.plant.check_invariants(), Ok(()));
+        }
+    }
+
+    #[test]
+    fn a_plant_without_foliage_becomes_coarser_or_finer() {
+        let mut bare = Species::built_in("hazel").unwrap();
+        let growth = bare.growth.as_mut().unwrap();
+        (growth.leaf.per_internode, growth.leaf.at_tip) = (0, 0);
+        let with = |triangles: u32| {
+            let params = params_of_species(&bare, &[format!("model.budget.triangles={triangles}")]).unwrap();
+            build(&Seed { number: 1, age: Some(4.0), ..Seed::default() }, &bare, &params)
+        };
+        let whole = with(0).model.triangle_count() as u32;
+        for wanted in [whole * 3 / 4, whole * 2] {
+            let count = with(wanted).model.triangle_count() as f32 / wanted as f32;
+            assert!((0.85..=1.03).contains(&count), "{count} of {wanted}");
+        }
+    }
+
+    #[test]
+    fn what_stood_on_twigs_that_are_gone_stands_on_what_is_left() {
+        let plant = grown("apple", 6.0, 0).plant;
+        let fewer = without_twigs(&plant, 0.3);
+        assert!(fewer.branches.len() < plant.branches.len() / 2 && fewer.organs.len() == plant.organs.len());
+        assert_eq!(fewer.check_invariants(), Ok(()));
+    }
+}
