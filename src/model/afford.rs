@@ -97,11 +97,13 @@ pub fn coarsened(params: &ModelParams, step: f32) -> ModelParams {
     }
 }
 
-/// The parameters with so many times the rows, columns and sides, as far as their ranges go.
-pub fn refined(params: &ModelParams, by: f32) -> ModelParams {
+/// The parameters with so many times the rows, columns and sides of blades, wood and solids, as far as their ranges go.
+pub fn refined(params: &ModelParams, [of_blades, of_wood, of_solids]: [f32; 3]) -> ModelParams {
     let ModelParams { blade, tube, solid, budget } = params;
-    let more = |own: u32, most: u32| ((own.max(1) as f32 * by).round() as u32).min(most).max(own);
-    let closer = |own: f32, least: f32| (own / (by * by)).max(least).min(own);
+    let times =
+        |by: f32| move |own: u32, most: u32| ((own.max(1) as f32 * by).round() as u32).min(most).max(own);
+    let closer = |own: f32, least: f32| (own / (of_blades * of_blades)).max(least).min(own);
+    let (more, more_sides, more_of_solids) = (times(of_blades), times(of_wood), times(of_solids));
     ModelParams {
         blade: BladeMeshParams {
             outline_tolerance: closer(blade.outline_tolerance, 0.0001),
@@ -117,18 +119,18 @@ pub fn refined(params: &ModelParams, by: f32) -> ModelParams {
             ..blade.clone()
         },
         tube: TubeParams {
-            quality: (tube.quality * by).min(4.0).max(tube.quality),
-            sides: more(tube.sides, 64),
-            fewest_sides: more(tube.fewest_sides, 64),
-            most_sides: more(tube.most_sides, 64),
+            quality: (tube.quality * of_wood).min(4.0).max(tube.quality),
+            sides: more_sides(tube.sides, 64),
+            fewest_sides: more_sides(tube.fewest_sides, 64),
+            most_sides: more_sides(tube.most_sides, 64),
             ..tube.clone()
         },
         solid: SolidParams {
-            sides: more(solid.sides, 128),
-            dome_rows: more(solid.dome_rows, 64),
-            filament_sides: more(solid.filament_sides, 16),
-            head_sides: more(solid.head_sides, 32),
-            head_rows: more(solid.head_rows, 32),
+            sides: more_of_solids(solid.sides, 128),
+            dome_rows: more_of_solids(solid.dome_rows, 64),
+            filament_sides: more_of_solids(solid.filament_sides, 16),
+            head_sides: more_of_solids(solid.head_sides, 32),
+            head_rows: more_of_solids(solid.head_rows, 32),
         },
         budget: budget.clone(),
     }

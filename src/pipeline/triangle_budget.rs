@@ -11,6 +11,7 @@
 //! at its finest may have fewer.
 
 use crate::geom::convex_hull::convex_hull;
+use crate::geom::polyline;
 use crate::geom::simple_loop::signed_area;
 use crate::model::{self, COARSEST, ModelParams, TO_DEFAULTS};
 use crate::plant::{Detail, FinishedPlant, Organ, OrganKind, Shape, Template};
@@ -23,6 +24,8 @@ const NEAR: f32 = 0.03;
 const FOLIAGE: usize = 50;
 /// Share of wood among the triangles of a plant with foliage.
 const WOOD: f32 = 0.4;
+/// The largest such share.
+const MOST_WOOD: f32 = 0.8;
 /// Corners of leaves of which less than such a share would stay with more.
 const FEWER_CORNERS: (f32, u32) = (0.5, 6);
 /// Leaves that fill less than this share of their convex hull, as sprays of needles do, keep their corners.
@@ -41,8 +44,8 @@ pub(super) fn fit(plant: FinishedPlant, params: &ModelParams, wanted: u64) -> (F
         return (plant, params.clone());
     }
     if now < wanted {
-        let finer = |by: f32| model::refined(params, FINEST.powf(by));
-        let by = largest(|by| count(&plant, &finer(by)) <= most(wanted));
+        let finer = |by: [f32; 3]| model::refined(params, by.map(|by| FINEST.powf(by)));
+        let by = largest_each(|by| count(&plant, &finer(by)) <= most(wanted));
         return (plant, finer(by));
     }
     if foliage(&plant).count() < FOLIAGE {
@@ -87,6 +90,20 @@ fn largest(fits: impl Fn(f32) -> bool) -> f32 {
     low
 }
 
+/// The same for three numbers: first for all of them together, then for each as far as the others let it.
+fn largest_each(fits: impl Fn([f32; 3]) -> bool) -> [f32; 3] {
+    let mut all = [largest(|same| fits([same; 3])); 3];
+    for k in 0..3 {
+        let with = |more: f32| {
+            let mut with = all;
+            with[k] += (1.0 - with[k]) * more;
+            with
+        };
+        all = with(largest(|more| fits(with(more))));
+    }
+    all
+}
+
 /// The piece of foliage that an organ belongs to, by a number of its own; none if it stays.
 fn piece(organ: &Organ, index: usize) -> Option<u64> {
     let of_flower = organ.flower.map(|flower| mix(1, flower as u64));
@@ -110,7 +127,10 @@ fn with_foliage(
     let for_wood = ((WOOD * wanted as f32) as u64).max(wanted.saturating_sub(of_foliage));
     let wood = |share: f32| coarser(params, 1.0 - share);
     let share = largest(|share| count(&bare, &wood(share)) <= for_wood);
-    let mut params = wood(share);
+    // Wood becomes finer in steps: rather the step above, with less foliage, than too little of all.
+    let above = (share + 0.5f32.powi(HALVINGS as i32)).min(1.0);
+    let is_room = share > 0.0 && count(&bare, &wood(above)) as f32 <= MOST_WOOD * wanted as f32;
+    let mut params = wood(if is_room { above } else { share });
     let mut plant = plant;
     if share == 0.0 {
         let twigs = largest(|share| count(&without_twigs(&bare, share), &params) <= for_wood);
@@ -175,16 +195,19 @@ fn thinned(plant: &FinishedPlant, share: f32) -> FinishedPlant {
     plant
 }
 
-/// The plant with such a share of its branches: the thinnest that nobody drew are gone.
+/// The plant with such a share of its branches: the thinnest that nobody drew are gone, of equally thin ones the shortest.
 fn without_twigs(plant: &FinishedPlant, share: f32) -> FinishedPlant {
-    let foot = |i: usize| plant.branches[i].radii.first().copied().unwrap_or(0.0);
-    let mut radii: Vec<f32> = (0..plant.branches.len()).map(foot).collect();
-    radii.sort_by(f32::total_cmp);
-    let dropped = ((1.0 - share) * radii.len() as f32) as usize;
-    let Some(thinnest) = radii.get(dropped.min(radii.len().saturating_sub(1))) else { return plant.clone() };
-    let mut kept: Vec<bool> = (0..plant.branches.len())
-        .map(|i| plant.branches[i].origin.is_drawn() || foot(i) >= *thinnest)
-        .collect();
+    let size = |i: usize| {
+        let branch = &plant.branches[i];
+        (branch.radii.first().copied().unwrap_or(0.0), polyline::length(&branch.points))
+    };
+    let mut order: Vec<(usize, (f32, f32))> = (0..plant.branches.len()).map(|i| (i, size(i))).collect();
+    order.sort_by(|(_, a), (_, b)| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let mut kept = vec![true; order.len()];
+    let dropped = ((1.0 - share) * order.len() as f32) as usize;
+    for (i, _) in &order[..dropped] {
+        kept[*i] = plant.branches[*i].origin.is_drawn();
+    }
     for (i, branch) in plant.branches.iter().enumerate().rev() {
         if let (true, Some(parent)) = (kept[i], branch.parent) {
             kept[parent] = true;
@@ -211,7 +234,7 @@ mod tests {
     #[test]
     fn trees_have_the_triangles_that_are_asked_for() {
         for (species, age, wanted) in
-            [("apple", 8.0, 30_000), ("apple", 8.0, 8_000), ("spruce", 8.0, 40_000), ("box", 6.0, 400_000)]
+            [("apple", 8.0, 30_000), ("apple", 12.0, 20_000), ("spruce", 8.0, 40_000), ("oak", 12.0, 9_000)]
         {
             let built = grown(species, age, wanted);
             let count = built.model.triangle_count() as u64;
@@ -241,7 +264,7 @@ mod tests {
 
     #[test]
     fn what_stood_on_twigs_that_are_gone_stands_on_what_is_left() {
-        let plant = grown("apple", 6.0, 0).plant;
+        let plant = grown("apple", 8.0, 0).plant;
         let fewer = without_twigs(&plant, 0.3);
         assert!(fewer.branches.len() < plant.branches.len() / 2 && fewer.organs.len() == plant.organs.len());
         assert_eq!(fewer.check_invariants(), Ok(()));
