@@ -8,7 +8,8 @@ use penstemon::anatomy::{self, AnatomyParams};
 use penstemon::model::Model;
 use penstemon::pipeline::{self, Ages, Built, Cache, Seed};
 use penstemon::plant::{OrganKind, Shape};
-use penstemon::sketch::{self, Maker, PlacedPlant, SeedOf, Sketch, Stroke, Tool};
+use penstemon::sketch::petal_shapes::shaped;
+use penstemon::sketch::{self, Maker, PetalShape, PlacedPlant, SeedOf, Sketch, Stroke, Tool};
 use penstemon::species::Species;
 use proptest::prelude::*;
 use std::path::Path;
@@ -47,6 +48,9 @@ fn shared(before: &Model, after: &Model) -> usize {
 fn edit(sketch: &mut Sketch, (what, which, by): (u8, usize, f32)) {
     if (8..11).contains(&what) {
         return edit_plants(&mut sketch.plants, (what, which, by));
+    }
+    if what >= 11 {
+        return edit_petals(sketch, (which, by));
     }
     let count = sketch.strokes.len();
     if count == 0 {
@@ -94,6 +98,18 @@ fn edit_plants(plants: &mut Vec<PlacedPlant>, (what, which, by): (u8, usize, f32
     }
 }
 
+/// Moves a control point of the petals that some strokes draw, if they are petals.
+fn edit_petals(sketch: &mut Sketch, (which, by): (usize, f32)) {
+    let ids: Vec<u64> = sketch.strokes.iter().map(|stroke| stroke.id).collect();
+    let of_shape = ids.iter().copied().skip(which % 3).step_by(1 + which % 2);
+    let mut offsets = [[Vec3::ZERO; 4]; 4];
+    offsets[which % 4][which / 4 % 4] = Vec3::new(0.002, -0.001, 0.01) * by;
+    let shape = PetalShape::new(of_shape, offsets);
+    if !shape.strokes.is_empty() {
+        sketch.petal_shapes = shaped(&sketch.petal_shapes, shape, ids);
+    }
+}
+
 /// A build with a cache gives what one from scratch gives; only the cache knows how old its plant has been before.
 fn assert_same(live: &Built, fresh: &Built) {
     let ages = |built: &Built| built.growth.map(|ages| Ages { oldest: 0.0, ..ages });
@@ -110,7 +126,7 @@ proptest! {
     #[test]
     fn edits_give_the_plant_that_a_fresh_build_gives(
         seed: u64,
-        edits in prop::collection::vec((0u8..11, 0usize..1000, -80.0f32..80.0), 1..8),
+        edits in prop::collection::vec((0u8..13, 0usize..1000, -80.0f32..80.0), 1..8),
     ) {
         let mut cache = Cache::default();
         let mut sketch = drawings::scribble(seed, 12);
@@ -134,6 +150,37 @@ proptest! {
             assert_same(&live, &pipeline::build(&seed, &species, &params));
         }
     }
+}
+
+#[test]
+fn a_flower_that_is_shaped_step_by_step_is_the_one_that_a_fresh_build_gives() {
+    let mut cache = Cache::default();
+    let mut sketch = reference("balloon_flower");
+    let drawn = live(&mut cache, &sketch);
+    let members = drawn.plant.organs.iter().filter(|organ| organ.flower == Some(0));
+    let strokes: Vec<u64> = members.filter_map(|o| drawn.provenance.stroke(o.origin)).collect();
+    let ids: Vec<u64> = sketch.strokes.iter().map(|stroke| stroke.id).collect();
+    let mut offsets = [[Vec3::ZERO; 4]; 4];
+    for height in [0.1, 0.2, -0.3, 0.0] {
+        offsets[3] = [Vec3::Z * height; 4];
+        let shape = PetalShape::new(strokes.iter().copied(), offsets);
+        sketch.petal_shapes = shaped(&sketch.petal_shapes, shape, ids.iter().copied());
+        let now = live(&mut cache, &sketch);
+        assert_same(&now, &fresh(&sketch));
+        assert_eq!(now.plant == drawn.plant, height == 0.0);
+        assert!(
+            2 * shared(&drawn.model, &now.model) >= drawn.model.parts.len(),
+            "the rest is not built again"
+        );
+    }
+    // A petal goes and comes back, and the seed changes meanwhile.
+    let first = sketch.strokes.iter().position(|stroke| stroke.id == strokes[0]).unwrap();
+    sketch.petal_shapes = [PetalShape::new(strokes.iter().copied(), [[Vec3::Z * 0.1; 4]; 4])].into();
+    let petal = sketch.strokes.remove(first);
+    assert_same(&live(&mut cache, &sketch), &fresh(&sketch));
+    sketch.strokes.insert(first, petal);
+    sketch.seed += 1;
+    assert_same(&live(&mut cache, &sketch), &fresh(&sketch));
 }
 
 proptest! {

@@ -27,6 +27,7 @@ mod outlines;
 mod people;
 mod people_drawings;
 mod people_silhouettes;
+mod petal_shapes;
 mod properties;
 mod proposed_species;
 mod several;

@@ -18,6 +18,7 @@ use crate::pen::PenSource;
 use crate::picture::{Picture, PictureError};
 use crate::plant::OrganKind;
 use crate::sketch::{Correction, PlacedPlant, StrokeId, TextureChoice, Tool};
+use glam::Vec3;
 use serde_json::Value;
 use std::path::PathBuf;
 
@@ -101,6 +102,14 @@ pub enum Action {
     RollPlantSeed(usize),
     /// Take a plant beside the drawn one away.
     RemovePlant(usize),
+    /// Take up the tool that shapes petals, or lay it down.
+    ShapePetals(bool),
+    /// Whether left and right of a petal are moved alike.
+    MirrorPetals(bool),
+    /// Move the control point that was touched last so far: across, along and toward the face, shares of the petal's length.
+    SetPetalPoint(Vec3),
+    /// Give the petals of the chosen flower back the form that they were drawn with.
+    ResetPetals,
     /// Put the selected strokes on the clipboard.
     CopySelected,
     /// The same, and remove them.

@@ -12,6 +12,7 @@
 //! | `preferences` | settings, language, fonts, colours |
 //! | `live_plant` | the worker, the newest plant, growth replayed |
 //! | `beside_state` | which plant beside the drawn one is selected and held |
+//! | `petal_tool` | the tool that shapes petals: which petal, which of its points |
 //! | `pens` | the pens and tablets in use |
 //! | `dialogs` | the dialog, the menu of parts, messages |
 //! | `updates` | changes that the window and the graphics card have to be notified of |
@@ -43,6 +44,9 @@ mod outcomes;
 mod parameters;
 mod pens;
 mod perform;
+mod petal_handles;
+mod petal_tool;
+mod petals;
 mod photographs;
 mod picking;
 mod pictures;
@@ -73,6 +77,7 @@ use disk::Disk;
 use live_plant::{Collected, LivePlant};
 use open_drawing::OpenDrawing;
 use pens::Pens;
+use petal_tool::PetalTool;
 use preferences::Preferences;
 use std::time::{Duration, Instant};
 use updates::Updates;
@@ -98,6 +103,7 @@ pub struct Editor {
     pub(super) plant: PlantView,
     live: LivePlant,
     beside: Beside,
+    petals: PetalTool,
     pens: Pens,
     dialogs: Dialogs,
     layout: Layout,

@@ -191,6 +191,25 @@ impl PlantView {
         self.share(at - middle)
     }
 
+    /// A place of the view in the window, physical pixels: [`PlantView::place`] the other way.
+    pub fn window_place(&self, at: Vec2) -> DVec2 {
+        let middle = DVec2::new(self.middle.x.into(), self.middle.y.into());
+        (middle + (at * self.height).as_dvec2()) * self.pixels_per_point
+    }
+
+    /// Where a world point is seen in the window, physical pixels; `None` behind the eye.
+    pub fn seen_at(&self, world: Vec3) -> Option<DVec2> {
+        self.camera.project(world).map(|at| self.window_place(at))
+    }
+
+    /// What is under a place in the window, physical pixels, of the plane through a world point that is parallel to the
+    /// picture.
+    pub fn on_plane(&self, through: Vec3, at: DVec2) -> Option<Vec3> {
+        let (forward, ray) = (self.ray(Vec2::ZERO)?.direction, self.ray(self.place(at))?);
+        let along = (through - ray.origin).dot(forward) / ray.direction.dot(forward);
+        along.is_finite().then(|| ray.at(along))
+    }
+
     /// Physical pixels as shares of the view's height.
     fn share(&self, px: DVec2) -> Vec2 {
         (px / self.pixels_per_point).as_vec2() / self.height
@@ -207,7 +226,8 @@ impl PlantView {
         self.click.is_some()
     }
 
-    fn take_hold(&mut self) {
+    /// The artist takes hold: the camera stays as it is, however the plant grows.
+    pub fn take_hold(&mut self) {
         self.guide = Guide::Artist;
         self.flight = None;
         self.stir();

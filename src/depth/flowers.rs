@@ -8,13 +8,15 @@ use super::cone_pose::{ConeParams, FlowerPose, PetalOutline, Whorl, flower_pose}
 use super::flower_stem;
 use super::hidden_petals::{self, MadePetal};
 use super::outline::{CurlParams, DrawnBlade};
-use super::petals;
+use super::{petal_shapes, petals};
 use crate::anatomy::{Anatomy, FlatBlade, FlatFlower};
 use crate::kept::{Kept, Use};
 use crate::plant::{
     Cone, Flower, Organ, OrganPart, Origin, Provenance, Role, Shape, Templates, WorldFromCanvas,
 };
+use crate::sketch::PetalShape;
 use glam::Vec2;
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// Least and largest radius of a flower's centre, as shares of the petals' reach.
@@ -84,12 +86,12 @@ impl Flowers {
     }
 
     /// The flowers of a drawing and the organs that are their petals, flower by flower, with templates of their own; `depths`
-    /// are those of their centres in pixels.
+    /// are those of their centres in pixels. Shapes come last and are not kept: they cost no more than looking them up.
     pub fn stand(
         &mut self,
         anatomy: &Anatomy,
         (poses, depths): (&[Arc<FlowerPose>], &[f32]),
-        (curl, fill_hidden): (&CurlParams, bool),
+        (curl, fill_hidden, shapes): (&CurlParams, bool, &[PetalShape]),
         provenance: &mut Provenance,
     ) -> (Vec<Flower>, Vec<Organ>, Templates) {
         let world = &{ provenance.world_from_canvas };
@@ -127,15 +129,26 @@ impl Flowers {
         };
         let mut blades = blades.iter();
         let mut hidden = several.iter().zip(hidden).peekable();
-        for (index, flat) in anatomy.flowers.iter().enumerate() {
+        let shapes = petal_shapes::of_drawing(anatomy, shapes);
+        for ((index, flat), shape) in anatomy.flowers.iter().enumerate().zip(shapes) {
             for (&p, blade) in flat.petals.iter().zip(blades.by_ref()) {
-                organs.push(petal(index, provenance.record(anatomy.petals[p].stroke), blade));
+                let origin = provenance.record(anatomy.petals[p].stroke);
+                organs.push(petal(index, origin, &as_shaped(blade, shape)));
             }
             while let Some((_, copies)) = hidden.next_if(|(whorl, _)| whorl.flower == index) {
-                organs.extend(copies.iter().map(|blade| petal(index, Origin::Generated, blade)));
+                let shaped = copies.iter().map(|blade| as_shaped(blade, shape));
+                organs.extend(shaped.map(|blade| petal(index, Origin::Generated, &blade)));
             }
         }
         (flowers, organs, templates)
+    }
+}
+
+/// A petal as its flower was shaped.
+fn as_shaped<'a>(blade: &'a MadePetal, shape: Option<&PetalShape>) -> Cow<'a, MadePetal> {
+    match shape {
+        None => Cow::Borrowed(blade),
+        Some(shape) => Cow::Owned(petal_shapes::shaped(blade, &shape.offsets)),
     }
 }
 

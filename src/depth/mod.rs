@@ -15,6 +15,7 @@ mod hidden_petals;
 mod least_squares;
 pub mod leaves;
 pub mod outline;
+pub mod petal_shapes;
 mod petal_tip;
 pub mod petals;
 mod pots;

@@ -16,6 +16,7 @@ use crate::geom::polyline;
 use crate::plant::{
     Branch, Organ, OrganPart, Origin, Plant, Provenance, Role, Shape, WoodPart, WorldFromCanvas,
 };
+use crate::sketch::PetalShape;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -94,16 +95,16 @@ impl Cache {
 }
 
 /// Lifts an anatomy into space, and keeps what only the drawing knows beside the plant. Forms are plain, for they are the
-/// species'.
+/// species', and petals stand as they were drawn.
 pub fn recover(anatomy: &Anatomy, seed: u64, params: &DepthParams) -> (Plant, Provenance) {
-    recover_with(&mut Cache::for_one_build(), anatomy, seed, params)
+    recover_with(&mut Cache::for_one_build(), anatomy, (seed, &[]), params)
 }
 
-/// The very plant that [`recover`] gives, again and again while a drawing changes.
+/// The very plant that [`recover`] gives, its petals shaped, again and again while a drawing changes.
 pub fn recover_with(
     cache: &mut Cache,
     anatomy: &Anatomy,
-    seed: u64,
+    (seed, petal_shapes): (u64, &[PetalShape]),
     params: &DepthParams,
 ) -> (Plant, Provenance) {
     cache.begin(params);
@@ -118,7 +119,7 @@ pub fn recover_with(
     let (flowers, organs, templates) = cache.flowers.stand(
         anatomy,
         (&poses, &centers),
-        (&params.curl, params.cone.fill_hidden),
+        (&params.curl, params.cone.fill_hidden, petal_shapes),
         &mut provenance,
     );
     let mut plant = Plant { branches, flowers, organs, templates };

@@ -19,7 +19,7 @@ use super::flat::{BladeMeshParams, FlatBlade};
 use super::mesh::{Mesh, Vertex};
 use super::relief::Relief;
 use super::shapes::{CopyShape, THINNEST};
-use crate::plant::{ResolvedBlade, RestSurface};
+use crate::plant::{Cone, ResolvedBlade, RestSurface};
 use glam::{Vec2, Vec3};
 
 /// Lowest part of a blade that is twisted more, share of its length, and how much more at the foot: the petals of a flower come
@@ -88,7 +88,10 @@ fn put_on_rest(blade: &ResolvedBlade<'_>, flat: &FlatBlade, facing: Vec3, scratc
             scratch.normals.clear();
             scratch.normals.resize(flat.points.len(), facing);
         }
-        RestSurface::Cone { .. } | RestSurface::Patch(_) | RestSurface::Ring(_) => {
+        RestSurface::Cone { .. }
+        | RestSurface::Shaped { .. }
+        | RestSurface::Patch(_)
+        | RestSurface::Ring(_) => {
             smooth_normals(&flat.triangles, &scratch.middle, facing, &mut scratch.normals);
         }
     }
@@ -102,7 +105,7 @@ fn raise(
     facing: Vec3,
     scratch: &mut BladeScratch,
 ) {
-    let toward_face = if faces_forward(blade, facing, scratch) { 1.0 } else { -1.0 };
+    let toward_face = if faces_forward(blade, flat, facing, scratch) { 1.0 } else { -1.0 };
     let size = blade.v.length();
     let twist = blade.form.twist * size;
     let near_foot = |p: &Vec2| (1.0 - p.y / (FOOT * blade.template.length())).clamp(0.0, 1.0);
@@ -113,9 +116,20 @@ fn raise(
 }
 
 /// Whether the blade's face, which on a cone is the inner side, is the side of `facing`.
-fn faces_forward(blade: &ResolvedBlade<'_>, facing: Vec3, scratch: &BladeScratch) -> bool {
-    let RestSurface::Cone { cone, .. } = &blade.rest else { return true };
-    let mean: Vec3 = scratch.normals.iter().sum();
+fn faces_forward(blade: &ResolvedBlade<'_>, flat: &FlatBlade, facing: Vec3, scratch: &BladeScratch) -> bool {
+    let (cone, mean): (&Cone, Vec3) = match &blade.rest {
+        RestSurface::Cone { cone, .. } => (cone, scratch.normals.iter().sum()),
+        // However far it is rolled in, its face is the side that was on the inside of the cone.
+        RestSurface::Shaped { cone, .. } => {
+            let unshaped = blade.unshaped();
+            let points: Vec<Vec3> = flat.points.iter().map(|p| unshaped.at_rest(*p)).collect();
+            let mut normals = Vec::new();
+            smooth_normals(&flat.triangles, &points, facing, &mut normals);
+            (cone, normals.iter().sum())
+        }
+        RestSurface::Plane | RestSurface::Patch(_) | RestSurface::Ring(_) => return true,
+    };
+    let blade = blade.unshaped();
     let from_apex = blade.at_rest(Vec2::new(0.0, 0.5 * blade.template.length())) - cone.apex;
     let away = from_apex.reject_from_normalized(cone.axis);
     let inner = cone.axis * (away.length() * cone.opening_rad.tan()) - away;
@@ -225,7 +239,7 @@ fn add_rim(flat: &FlatBlade, scratch: &BladeScratch, mesh: &mut Mesh) {
 mod tests {
     use super::super::flat::{FlatScratch, flatten};
     use super::*;
-    use crate::plant::{Blade, BladeForm, Cone, Detail, Template};
+    use crate::plant::{Blade, BladeForm, Detail, Template};
     use std::sync::Arc;
 
     const STILL: BladeForm = BladeForm {

@@ -172,6 +172,12 @@ impl<'a> Recipe<'a> {
                 let Cone { apex, axis, opening_rad, height } = cone;
                 self.word(1).point(*apex).point(*axis).real(*opening_rad).real(*height).real(*hint)
             }
+            RestSurface::Shaped { cone, hint, ways } => {
+                let Cone { apex, axis, opening_rad, height } = cone;
+                self.word(4).point(*apex).point(*axis).real(*opening_rad).real(*height).real(*hint);
+                self.words.extend(ways.words().map(f32::to_bits));
+                &mut *self
+            }
             RestSurface::Patch(patch) => {
                 self.word(2).words.extend(patch.words().map(f32::to_bits));
                 &mut *self

@@ -117,13 +117,12 @@ fn key<'a>(plant: &'a Plant, shape: &Shape) -> Option<(Key, Original<'a>)> {
     match shape {
         Shape::Blade(blade) => {
             let resolved = plant.templates.resolve(blade);
-            let is_copy =
-                resolved.template.detail().is_shared() && !matches!(blade.rest, RestSurface::Cone { .. });
+            let is_copy = resolved.template.detail().is_shared() && !is_on_cone(&blade.rest);
             let form = blade.form.to_row().map(f32::to_bits);
             let patch = match &blade.rest {
                 RestSurface::Patch(patch) => Some(Arc::as_ptr(patch).addr()),
                 RestSurface::Ring(sheet) => Some(Arc::as_ptr(sheet).addr()),
-                RestSurface::Plane | RestSurface::Cone { .. } => None,
+                RestSurface::Plane | RestSurface::Cone { .. } | RestSurface::Shaped { .. } => None,
             };
             let key = Key::Blade(blade.template, form, patch);
             is_copy.then_some((key, Original::Blade(blade.template, resolved)))
@@ -138,6 +137,11 @@ fn key<'a>(plant: &'a Plant, shape: &Shape) -> Option<(Key, Original<'a>)> {
         }
         Shape::Lathe { .. } | Shape::Spike { .. } => None,
     }
+}
+
+/// Whether a surface lies in the world by itself, so that it is nobody's copy.
+fn is_on_cone(rest: &RestSurface) -> bool {
+    matches!(rest, RestSurface::Cone { .. } | RestSurface::Shaped { .. })
 }
 
 #[cfg(test)]

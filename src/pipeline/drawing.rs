@@ -51,8 +51,10 @@ pub(super) fn produce(
         .time("anatomy", || anatomy::analyse_with(&mut memory.anatomy, sketch, &params.anatomy, stop))?;
     let mut remarks = std::mem::take(&mut anatomy.warnings);
     remarks.extend(growing::fineness_unused(&anatomy, species, params));
-    let (plant, provenance) =
-        clock.time("depth", || depth::recover_with(&mut memory.depth, &anatomy, sketch.seed, &params.depth));
+    let (plant, provenance) = clock.time("depth", || {
+        let decided = (sketch.seed, &*sketch.petal_shapes);
+        depth::recover_with(&mut memory.depth, &anatomy, decided, &params.depth)
+    });
     if stop() {
         return None;
     }

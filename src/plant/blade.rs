@@ -62,6 +62,15 @@ pub enum RestSurface {
         /// Depth of the blade's tip: tells which of the cone's two depths is meant.
         hint: f32,
     },
+    /// The side of a cone, as drawn, with every place of it moved on.
+    Shaped {
+        /// The cone, in world metres.
+        cone: Cone,
+        /// Depth of the blade's tip on it.
+        hint: f32,
+        /// How far, as a Bézier patch whose control points are ways: along u, along v and toward the face.
+        ways: Arc<BezierPatch>,
+    },
     /// A curved sheet in the frame of the blade: u, v, and toward the face. Copies of one petal share it.
     Patch(Arc<BezierPatch>),
     /// A sheet on a ring of a full flower, in the same frame. Petals that differ in nothing but their place share it.
@@ -101,7 +110,7 @@ impl<T> Blade<T> {
     /// Moves it with its rest surface.
     pub fn translate(&mut self, by: Vec3) {
         self.base += by;
-        if let RestSurface::Cone { cone, hint } = &mut self.rest {
+        if let RestSurface::Cone { cone, hint } | RestSurface::Shaped { cone, hint, .. } = &mut self.rest {
             cone.apex += by;
             *hint += by.z;
         }
@@ -119,20 +128,43 @@ impl<T: Deref<Target = Template>> Blade<T> {
         let p = self.base + self.u * uv.x + self.v * uv.y;
         match &self.rest {
             RestSurface::Plane => p,
-            RestSurface::Cone { cone, hint } => {
-                let share = (uv.y / self.template.length()).clamp(0.0, 1.0);
-                let hint = cone.apex.z + (hint - cone.apex.z) * share;
-                Vec3::new(p.x, p.y, cone.depth_near(p.truncate(), hint))
+            RestSurface::Cone { cone, hint } => self.on_cone(p, uv, (cone, *hint)),
+            RestSurface::Shaped { cone, hint, ways } => {
+                self.on_cone(p, uv, (cone, *hint)) + self.way(ways.at(uv))
             }
             RestSurface::Patch(patch) => self.placed(patch.at(uv)),
             RestSurface::Ring(sheet) => self.placed(sheet.at(uv)),
         }
     }
 
+    /// The place on a cone over `p`, which is (u, v) in the blade's plane.
+    fn on_cone(&self, p: Vec3, uv: Vec2, (cone, hint): (&Cone, f32)) -> Vec3 {
+        let share = (uv.y / self.template.length()).clamp(0.0, 1.0);
+        let hint = cone.apex.z + (hint - cone.apex.z) * share;
+        Vec3::new(p.x, p.y, cone.depth_near(p.truncate(), hint))
+    }
+
     /// World position of a point that is given along u, along v and toward the face.
-    fn placed(&self, local: Vec3) -> Vec3 {
+    pub fn placed(&self, local: Vec3) -> Vec3 {
+        self.base + self.way(local)
+    }
+
+    /// The way in the world that is given along u, along v and toward the face.
+    fn way(&self, local: Vec3) -> Vec3 {
         let face = self.u.cross(self.v) / self.v.length().max(f32::MIN_POSITIVE);
-        self.base + self.u * local.x + self.v * local.y + face * local.z
+        self.u * local.x + self.v * local.y + face * local.z
+    }
+
+    /// The blade before its places were moved on.
+    pub fn unshaped(&self) -> Self
+    where
+        T: Clone,
+    {
+        let rest = match &self.rest {
+            RestSurface::Shaped { cone, hint, .. } => RestSurface::Cone { cone: *cone, hint: *hint },
+            other => other.clone(),
+        };
+        Self { rest, ..self.clone() }
     }
 
     /// World position of the tip on the rest surface.

@@ -65,7 +65,7 @@ impl Plant {
                 ensure(base.is_finite() && u.is_finite() && v.is_finite(), || here("pose not finite"))?;
                 let is_sound = match rest {
                     RestSurface::Plane | RestSurface::Cone { .. } => true,
-                    RestSurface::Patch(patch) => patch.is_finite(),
+                    RestSurface::Patch(patch) | RestSurface::Shaped { ways: patch, .. } => patch.is_finite(),
                     RestSurface::Ring(sheet) => sheet.is_finite(),
                 };
                 ensure(is_sound, || here("rest surface not finite"))

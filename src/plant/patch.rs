@@ -79,6 +79,12 @@ impl BezierPatch {
         Self::new(std::array::from_fn(|j| std::array::from_fn(|i| columns[i][j])), sheet)
     }
 
+    /// The patch with its control points moved, along u, along v and toward the face.
+    pub fn moved(&self, by: &[[Vec3; 4]; 4]) -> Self {
+        let moved = |j: usize| std::array::from_fn(|i| self.control[j][i] + by[j][i]);
+        Self { control: std::array::from_fn(moved), ..self.clone() }
+    }
+
     /// The control points.
     pub fn control(&self) -> &[[Vec3; 4]; 4] {
         &self.control
@@ -193,5 +199,16 @@ mod tests {
         assert!((0.05..0.25).contains(&cubic(&sheet.half_widths, 0.0)));
         let flat = BezierPatch::fit(&sheet, |uv| uv.extend(0.0));
         assert!(flat.at(Vec2::new(0.2, 0.6)).distance(Vec3::new(0.2, 0.6, 0.0)) < 1e-4);
+    }
+
+    #[test]
+    fn a_moved_control_point_draws_the_surface_after_it() {
+        let flat = BezierPatch::fit(&SHEET, |uv| uv.extend(0.0));
+        let mut by = [[Vec3::ZERO; 4]; 4];
+        by[3] = [Vec3::Z; 4];
+        let lifted = flat.moved(&by);
+        let heights = [0.0, 1.0, 2.0].map(|v| lifted.at(Vec2::new(0.1, v)).z);
+        let expected = [0.0, 0.125, 1.0];
+        assert!((0..3).all(|k| (heights[k] - expected[k]).abs() < 1e-5), "{heights:?}");
     }
 }

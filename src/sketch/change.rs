@@ -1,7 +1,7 @@
 //! Changes of a drawing: what tools and panels hand to the document as one undoable step.
 
 use super::settings::Settings;
-use super::{Corrections, PlacedPlant, Reference, Stroke, StrokeId, Textures};
+use super::{Corrections, PetalShapes, PlacedPlant, Reference, Stroke, StrokeId, Textures};
 use serde_json::{Map, Value};
 use std::sync::Arc;
 
@@ -73,6 +73,11 @@ impl Change {
     /// Other corrections of how strokes are read together, all of them.
     pub fn corrections(corrections: Corrections) -> Self {
         Settings { corrections: Some(corrections), ..Settings::default() }.into()
+    }
+
+    /// Other shapes of petals, all of them.
+    pub fn petal_shapes(petal_shapes: PetalShapes) -> Self {
+        Settings { petal_shapes: Some(petal_shapes), ..Settings::default() }.into()
     }
 
     /// Another picture under the drawing, or the same lying otherwise, or none.

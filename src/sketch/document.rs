@@ -50,9 +50,11 @@ impl Document {
     /// Opens a drawing that is as it is on disk.
     pub fn new(sketch: Sketch) -> Self {
         let samples = sketch.strokes.iter().map(|s| s.points.len()).sum();
-        // Corrections may name strokes that were removed; no new stroke is taken for one of them.
+        // Corrections and shapes may name strokes that were removed; no new stroke is taken for one of them.
         let corrected = sketch.corrections.iter().filter_map(|correction| correction.strokes.last());
-        let last_id = sketch.strokes.iter().map(|s| &s.id).chain(corrected).max().copied().unwrap_or(0);
+        let shaped = sketch.petal_shapes.iter().filter_map(|shape| shape.strokes.last());
+        let ids = sketch.strokes.iter().map(|s| &s.id).chain(corrected).chain(shaped);
+        let last_id = ids.max().copied().unwrap_or(0);
         Self {
             sketch,
             undo: Vec::new(),

@@ -7,7 +7,10 @@ use super::error::{Fault, Place};
 use super::reference::Reference;
 use super::textures::Textures;
 use super::warnings::Warnings;
-use super::{Canvas, Corrections, PlacedPlant, Remark, Sketch, Stroke, StrokeId, StrokePoint, Tool, limits};
+use super::{
+    Canvas, Corrections, PetalShapes, PlacedPlant, Remark, Sketch, Stroke, StrokeId, StrokePoint, Tool,
+    limits,
+};
 use glam::Vec2;
 use serde_json::{Map, Value};
 use std::collections::HashMap;
@@ -24,6 +27,7 @@ pub(super) struct Draft {
     pub(super) reference: Option<Arc<Reference>>,
     pub(super) plants: Vec<PlacedPlant>,
     pub(super) corrections: Corrections,
+    pub(super) petal_shapes: PetalShapes,
     pub(super) strokes: Vec<DraftStroke>,
 }
 
@@ -77,8 +81,18 @@ impl Draft {
         if strokes.iter().all(is_dot) && needs_lines {
             return Err((Place::default(), Fault::OnlyDots));
         }
-        let Self { canvas, species, seed, params, textures, reference, plants, corrections, strokes: _ } =
-            self;
+        let Self {
+            canvas,
+            species,
+            seed,
+            params,
+            textures,
+            reference,
+            plants,
+            corrections,
+            petal_shapes,
+            strokes: _,
+        } = self;
         let strokes = strokes.into_iter().map(Arc::new).collect();
         let sheet = canvas.unwrap_or(Canvas::DEFAULT);
         let mut sketch = Sketch {
@@ -90,6 +104,7 @@ impl Draft {
             reference,
             plants,
             corrections,
+            petal_shapes,
             strokes,
         };
         if canvas.is_none() {

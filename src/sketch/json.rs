@@ -16,15 +16,17 @@
 //!
 //! A point is `[x, y]`, `[x, y, pressure]`, `[x, y, pressure, tilt_x, tilt_y]` or all these and the time. Only `format`,
 //! `version`, `strokes` and each stroke's `points` are required. Beside what is shown there may be `textures` (an object:
-//! part to texture), `plants` (those that stand beside the drawn one), `corrections` (of how strokes are read together) and, behind the strokes, a `reference` (the picture under the drawing, in base64) and `pictures` (those
+//! part to texture), `plants` (those that stand beside the drawn one), `corrections` (of how strokes are read together), `petal_shapes` (how the artist moved control points of petals) and, behind the strokes, a `reference` (the picture under the drawing, in base64) and `pictures` (those
 //! that textures name, in base64); all of it is described in `docs/sketches.md`. Unknown fields are errors, so that a typing mistake does not pass unseen. Reading what [`write()`]
 //! wrote gives the same sketch, bit by bit.
 
 mod corrections;
 mod fault;
+mod names;
 mod number;
 mod params;
 mod parse;
+mod petal_shapes;
 mod picture;
 mod plants;
 mod point;
@@ -47,11 +49,15 @@ pub const FORMAT: &str = "penstemon-sketch";
 /// The newest version that the `version` field may say.
 ///
 /// 1: all but pictures of the artist's own for textures, of which only the path was kept. 2: these pictures themselves. 3: plants
-/// beside the drawn one. 4: corrections of how strokes are read together.
-pub const VERSION: u32 = 4;
+/// beside the drawn one. 4: corrections of how strokes are read together. 5: shapes of
+/// petals.
+pub const VERSION: u32 = 5;
 
 /// The oldest version that can hold a sketch, so that older programs open what they understand.
 fn version_of(sketch: &Sketch) -> u32 {
+    if !sketch.petal_shapes.is_empty() {
+        return 5;
+    }
     if !sketch.corrections.is_empty() {
         return 4;
     }

@@ -60,6 +60,15 @@ pub const MAX_CORRECTIONS: usize = 4096;
 /// Most strokes that all corrections together name, one that two of them name counted twice.
 pub const MAX_CORRECTED_STROKES: usize = 200_000;
 
+/// Most flowers whose petals the artist shaped.
+pub const MAX_PETAL_SHAPES: usize = 4096;
+
+/// Most strokes that all shapes of petals together name, one that two of them name counted twice.
+pub const MAX_SHAPED_STROKES: usize = MAX_CORRECTED_STROKES;
+
+/// Farthest that a control point of a petal is moved along each of its directions, in shares of the petal's length.
+pub const MAX_PETAL_OFFSET: f32 = 2.0;
+
 /// Most remarks kept; the rest is counted.
 pub const MAX_WARNINGS: usize = 100;
 

@@ -14,6 +14,7 @@ mod invariants;
 pub mod journal;
 pub mod json;
 pub mod limits;
+pub mod petal_shapes;
 pub mod plants;
 pub mod read;
 pub mod reference;
@@ -32,6 +33,7 @@ pub use change::{Change, StrokeChange};
 pub use corrections::{Correction, Corrections, Verdict};
 pub use document::{ChangeError, Document};
 pub use error::SketchError;
+pub use petal_shapes::{PetalShape, PetalShapes};
 pub use plants::{Maker, PlacedPlant, PlantFault, PlantsError, SeedOf};
 pub use read::{editable_from_bytes, from_bytes, read};
 pub use reference::{Reference, ReferenceError};
@@ -165,6 +167,8 @@ pub struct Sketch {
     pub plants: Vec<PlacedPlant>,
     /// What the artist says of how strokes are read together.
     pub corrections: Corrections,
+    /// What the artist makes of petals.
+    pub petal_shapes: PetalShapes,
     /// The strokes, oldest first.
     pub strokes: Vec<Arc<Stroke>>,
 }
@@ -181,6 +185,7 @@ impl Sketch {
             reference: None,
             plants: Vec::new(),
             corrections: Corrections::default(),
+            petal_shapes: PetalShapes::default(),
             strokes: Vec::new(),
         }
     }

@@ -1,6 +1,6 @@
 //! What belongs to a drawing besides its strokes, each setting listed once: as changes ask for it and as steps keep it.
 
-use super::{Canvas, Corrections, Picture, PlacedPlant, Reference, Sketch, Textures, textures};
+use super::{Canvas, Corrections, PetalShapes, Picture, PlacedPlant, Reference, Sketch, Textures, textures};
 use serde_json::{Map, Value};
 use std::sync::Arc;
 
@@ -52,6 +52,8 @@ settings! {
     plants: Vec<PlacedPlant>,
     /// All corrections of how strokes are read together.
     corrections: Corrections,
+    /// All shapes of petals.
+    petal_shapes: PetalShapes,
 }
 
 impl Settings {

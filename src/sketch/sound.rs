@@ -3,7 +3,9 @@
 use super::change::{Change, StrokeChange};
 use super::invariants::{check_stroke, is_in_range};
 use super::plants::PlantsError;
-use super::{Canvas, ReferenceError, Stroke, StrokePoint, corrections, limits, plants, textures};
+use super::{
+    Canvas, ReferenceError, Stroke, StrokePoint, corrections, limits, petal_shapes, plants, textures,
+};
 use glam::Vec2;
 use serde_json::{Map, Value};
 use std::sync::Arc;
@@ -45,6 +47,9 @@ pub enum ChangeError {
     /// Too many corrections.
     #[error("{0}; undo some of them")]
     Corrections(String),
+    /// Too many shapes of petals, or one that cannot be kept.
+    #[error("{0}")]
+    PetalShapes(String),
     /// The picture under the drawing.
     #[error(transparent)]
     Reference(#[from] ReferenceError),
@@ -69,6 +74,7 @@ pub(super) fn made_sound(mut change: Change) -> Result<Change, ChangeError> {
     settings.textures.as_ref().map_or(Ok(()), textures::check).map_err(ChangeError::Texture)?;
     settings.plants.as_deref().map_or(Ok(()), plants::check)?;
     settings.corrections.as_deref().map_or(Ok(()), corrections::check).map_err(ChangeError::Corrections)?;
+    settings.petal_shapes.as_deref().map_or(Ok(()), petal_shapes::check).map_err(ChangeError::PetalShapes)?;
     settings.reference.iter().flatten().try_for_each(|reference| reference.check())?;
     Ok(change)
 }

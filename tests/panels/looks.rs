@@ -35,8 +35,10 @@ fn doubt(taken: Option<&str>) -> TabletDoubt {
 }
 
 /// States whose pictures are written for people to look at.
-const SHOTS: [Shot; 20] = [
+const SHOTS: [Shot; 22] = [
     ("beside", Language::English, None, |s| s.beside = super::beside::garden(Some(0)).beside),
+    ("petals", Language::English, None, |s| s.petals = super::petals::at_work()),
+    ("petals chinese", Language::Chinese, None, |s| s.petals = super::petals::at_work()),
     ("plant species", Language::Chinese, None, |s| s.dialog = Some(Dialog::PlantSpecies(None))),
     ("chinese", Language::Chinese, None, |_| ()),
     ("shape", Language::English, Some(Msg::TabShape), |s| {

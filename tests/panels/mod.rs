@@ -11,6 +11,7 @@ mod looks;
 mod measures;
 mod opening;
 mod parameters;
+mod petals;
 mod pictures;
 mod readings;
 mod side;

@@ -66,6 +66,62 @@ fn corrections_that_say_nothing_are_refused() {
     assert_message(&with_corrections(r#"[], "corrections": []"#), &["duplicate field `corrections`"]);
 }
 
+/// A file with these shapes of petals.
+fn with_petal_shapes(shapes: &str) -> String {
+    GOOD.replace("\"strokes\": [\n", &format!("\"petal_shapes\": {shapes},\n  \"strokes\": [\n"))
+}
+
+/// The offsets of a petal, of which the third point of the second row is `odd`.
+fn offsets(odd: &str) -> String {
+    let row = "[[0, 0, 0], [0, 0, 0.5], [0, 0, 0], [0, 0, 0]]";
+    format!("[{row}, [[0, 0, 0], [0, 0, 0], {odd}, [0, 0, 0]], {row}, {row}]")
+}
+
+#[test]
+fn shapes_of_petals_that_mean_nothing_are_refused() {
+    let shape =
+        |strokes: &str, odd: &str| format!(r#"{{"strokes": {strokes}, "offsets": {}}}"#, offsets(odd));
+    let good = shape("[9, 3, 3]", "[-2, 2, 0.1]");
+    let shapes = read(&with_petal_shapes(&format!("[{good}]"))).unwrap().0.petal_shapes;
+    assert_eq!((shapes.len(), &shapes[0].strokes[..]), (1, &[3, 9][..]));
+    assert_eq!(shapes[0].offsets[1][2].to_array(), [-2.0, 2.0, 0.1]);
+    for (bad, part) in [
+        (shape("[3]", "[0, 2.5, 0]"), "point 3 of row 2 is moved by 2.5; write −2 to 2"),
+        (shape("[3]", "[0, 1e30, 0]"), "point 3 of row 2"),
+        (
+            shape("[3]", "[0, 0]"),
+            "invalid length 2, expected an array of length 3; write 4 rows of 4 offsets",
+        ),
+        (shape("[3]", "[0, 0, 0], [0, 0, 0]"), "write 4 rows of 4 offsets of 3 numbers"),
+        (shape("[3]", "7"), "an array of length 3"),
+        (shape("[]", "[0, 0, 0]"), "names no stroke"),
+        (shape("3", "[0, 0, 0]"), "a list of ids of strokes"),
+        (r#"{"strokes": [3]}"#.to_owned(), "missing field `offsets`"),
+        (r#"{"strokes": [3], "offsets": [], "why": 1}"#.to_owned(), "4"),
+        (r#"{"strokes": [3], "why": 1}"#.to_owned(), "unknown field `why`"),
+    ] {
+        assert_message(&with_petal_shapes(&format!("[{good}, {bad}]")), &["petal shape 2: ", part, "line "]);
+    }
+    assert_message(&with_petal_shapes(&format!("[{}]", shape("[3]", "[0, NaN, 0]"))), &["NaN"]);
+    assert_message(
+        &with_petal_shapes(&format!("[{}]", shape("[3]", "[0, 1e999, 0]"))),
+        &["no finite number"],
+    );
+    assert_message(&with_petal_shapes("{}"), &["a list of shapes of petals"]);
+}
+
+#[test]
+fn endless_shapes_of_petals_are_refused() {
+    let shape = |strokes: &str| format!(r#"{{"strokes": [{strokes}], "offsets": {}}}"#, offsets("[0, 0, 0]"));
+    let all = vec![shape("3"); limits::MAX_PETAL_SHAPES].join(",");
+    assert!(read(&with_petal_shapes(&format!("[{all}]"))).is_ok());
+    assert_message(&with_petal_shapes(&format!("[{all}, {}]", shape("3"))), &["shapes of petals", "4096"]);
+    let names = |count: usize| shape(&vec!["7"; count].join(","));
+    let half = names(limits::MAX_SHAPED_STROKES / 2);
+    assert_message(&with_petal_shapes(&format!("[{half}, {half}, {}]", shape("3"))), &["200000"]);
+    assert_message(&with_petal_shapes(&format!("[{}]", names(limits::MAX_SHAPED_STROKES + 1))), &["200000"]);
+}
+
 #[test]
 fn endless_corrections_are_refused() {
     let one = r#"{"strokes": [3], "not": "tree"}"#;
@@ -119,11 +175,11 @@ fn files_of_other_kinds() {
 
 #[test]
 fn other_versions() {
-    let newer = r#"{"format": "penstemon-sketch", "layers": [], "version": 5, "strokes": []}"#;
-    assert_message(newer, &["version 5", "reads versions 1 to 4", "newer Penstemon"]);
+    let newer = r#"{"format": "penstemon-sketch", "layers": [], "version": 6, "strokes": []}"#;
+    assert_message(newer, &["version 6", "reads versions 1 to 5", "newer Penstemon"]);
     assert_message(
         &GOOD.replace("\"version\": 1", "\"version\": 0"),
-        &["version 0", "reads versions 1 to 4"],
+        &["version 0", "reads versions 1 to 5"],
     );
     assert_message(&GOOD.replace("\"version\": 1,", ""), &["`version` is missing"]);
     assert_message(&GOOD.replace("\"version\": 1", "\"version\": \"one\""), &["\"one\"", "line 1"]);

@@ -1,10 +1,10 @@
 //! The sketch file: what it means, and that writing and reading are inverse.
 
 use super::{read, with_points, with_strokes};
-use glam::vec2;
+use glam::{Vec3, vec2};
 use penstemon::sketch::{
-    Canvas, Correction, Maker, Picture, PlacedPlant, Reading, Reference, SeedOf, Sketch, Stroke, StrokePoint,
-    TextureChoice, Tool, Verdict, from_bytes, json, limits, textures,
+    Canvas, Correction, Maker, PetalShape, Picture, PlacedPlant, Reading, Reference, SeedOf, Sketch, Stroke,
+    StrokePoint, TextureChoice, Tool, Verdict, from_bytes, json, limits, textures,
 };
 use proptest::prelude::*;
 use serde_json::{Map, Value};
@@ -165,6 +165,13 @@ fn correction() -> impl Strategy<Value = Correction> {
     (strokes, verdict).prop_map(|(strokes, verdict)| Correction::new(strokes, verdict))
 }
 
+fn petal_shape() -> impl Strategy<Value = PetalShape> {
+    let strokes = prop::collection::vec(any::<u64>(), 1..6);
+    let offsets = prop::array::uniform4(prop::array::uniform4(prop::array::uniform3(-2.0_f32..2.0)));
+    (strokes, offsets)
+        .prop_map(|(strokes, offsets)| PetalShape::new(strokes, offsets.map(|row| row.map(Vec3::from))))
+}
+
 prop_compose! {
     fn sketch()(
         size in (1e-3_f32..1e6, 1e-3_f32..1e6),
@@ -175,6 +182,7 @@ prop_compose! {
         reference in prop::option::of(reference()),
         plants in prop::collection::vec(placed_plant(), 0..4),
         corrections in prop::collection::vec(correction(), 0..4),
+        petal_shapes in prop::collection::vec(petal_shape(), 0..3),
         strokes in prop::collection::btree_map(
             any::<u64>(),
             (prop::sample::select(&Tool::ALL[..]), prop::collection::vec(point(), 2..20)),
@@ -183,7 +191,7 @@ prop_compose! {
     ) -> Sketch {
         let strokes = strokes.into_iter().map(|(id, (tool, points))| Arc::new(Stroke { id, tool, points })).collect();
         let canvas = Canvas { width: size.0, height: size.1 };
-        Sketch { canvas, species, seed, params: params.into_iter().collect(), textures, reference, plants, corrections: corrections.into(), strokes }
+        Sketch { canvas, species, seed, params: params.into_iter().collect(), textures, reference, plants, corrections: corrections.into(), petal_shapes: petal_shapes.into(), strokes }
     }
 }
 

@@ -46,7 +46,7 @@ impl Editor {
                     self.change(Change::plants(plants));
                 }
             }
-            other => self.perform_on_dialogs(other),
+            other => self.perform_on_petals(other),
         }
     }
 

@@ -133,6 +133,7 @@ impl Editor {
         self.dialogs.close_part_menu();
         self.pens.hold = None;
         self.beside = Beside::default();
+        self.petals.let_go();
         // Tool, selection and view belong to the drawing; what the artist chose for pens stays.
         self.canvas = Canvas::new(self.canvas.settings);
         self.layout.forget();

@@ -41,7 +41,10 @@ impl Editor {
         actions.extend(self.picked_in_plant());
         self.hold_divider(ui, divider, room);
         self.paint_overlay(ui);
-        frame::overlays(ui, self.layout.canvas, &snapshot, self.prefs.messages(), &mut actions);
+        let painter = ui.painter().with_clip_rect(self.layout.plant);
+        self.paint_control_points(&painter, Palette::in_use(ui.visuals()));
+        let sides = (self.layout.canvas, self.layout.plant);
+        frame::overlays(ui, sides, &snapshot, self.prefs.messages(), &mut actions);
         self.paint_pointed_reading(ui);
         for action in actions {
             self.perform(action);

@@ -42,6 +42,7 @@ impl Editor {
 
     /// Modifier keys, which the canvas gets too.
     pub fn modifiers(&mut self, before: Modifiers, now: Modifiers) {
+        self.petals.alt = now.alt;
         for (key, was, is) in
             [(CanvasKey::Shift, before.shift, now.shift), (CanvasKey::Ctrl, before.ctrl, now.ctrl)]
         {
@@ -67,6 +68,7 @@ impl Editor {
         }
         match key {
             Key::Delete | Key::Backspace => Some(self.delete()),
+            Key::K => Some(Action::ShapePetals(!self.petals.is_on)),
             Key::G => Some(Action::ShowDialog(Dialog::PlantSpecies(None))),
             Key::Home | Key::Num0 => Some(Action::FitCanvas),
             Key::Num1 => Some(Action::FrontView),

@@ -232,8 +232,18 @@ impl LivePlant {
             return;
         }
         // Not simply a clone: of many strokes even the list is copied only where it changed.
-        let Sketch { canvas: size, species, seed, params, textures, reference, plants, corrections, strokes } =
-            sketch;
+        let Sketch {
+            canvas: size,
+            species,
+            seed,
+            params,
+            textures,
+            reference,
+            plants,
+            corrections,
+            petal_shapes,
+            strokes,
+        } = sketch;
         if !(matches!(canvas.preview(), Preview::Same) && is_same_list(&self.strokes, strokes)) {
             self.strokes = Arc::new(canvas.previewed(strokes));
         }
@@ -247,6 +257,7 @@ impl LivePlant {
             reference: reference.clone(),
             plants: plants.clone(),
             corrections: corrections.clone(),
+            petal_shapes: petal_shapes.clone(),
             strokes: Vec::new(),
         };
         self.revisions.submitted += 1;

@@ -10,6 +10,7 @@ use super::live_plant::LivePlant;
 use super::lost_drawings::LostDrawings;
 use super::open_drawing::OpenDrawing;
 use super::pens::Pens;
+use super::petal_tool::PetalTool;
 use super::preferences::Preferences;
 use super::preset_folder::PresetFolder;
 use super::saver::Saver;
@@ -85,6 +86,7 @@ impl Editor {
             plant: PlantView::new(prefs.settings().view),
             live,
             beside: Beside::default(),
+            petals: PetalTool::default(),
             pens: Pens::default(),
             dialogs: Dialogs::default(),
             layout: Layout::default(),

@@ -31,11 +31,13 @@ impl Editor {
         if is_down {
             self.dialogs.close_part_menu();
         }
-        let over_carried = is_down && self.is_over_selected_plant(event.sample.position);
+        let at = event.sample.position;
+        let over_carried = is_down && (self.hold_control_point(at) || self.is_over_selected_plant(at));
         let keys = Keys { shift: self.canvas.is_shift_held(), over_carried };
         self.pens.in_plant.event(event, keys, &mut self.plant);
-        self.carry_plant();
+        self.carry();
         if matches!(event.phase, PenPhase::Up | PenPhase::Leave | PenPhase::Cancel) {
+            self.petals.hold = None;
             self.drawing.end_merging();
         }
     }

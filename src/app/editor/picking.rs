@@ -15,7 +15,14 @@ impl Editor {
         let click = self.plant.take_click()?;
         let ray = self.plant.ray(click.at)?;
         let (built, begun) = (self.built()?, Instant::now());
-        let Some(picked) = pick(&built.model, &built.plant, &ray) else {
+        let picked = pick(&built.model, &built.plant, &ray);
+        if self.petals.is_on {
+            if self.control_point_at(self.plant.window_place(click.at)).is_none() {
+                self.choose_petal(picked.map(|picked| picked.element));
+            }
+            return None;
+        }
+        let Some(picked) = picked else {
             tracing::debug!("picked nothing");
             return None;
         };

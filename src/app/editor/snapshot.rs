@@ -41,6 +41,7 @@ impl Editor {
             growth: self.live.growth_state(sketch),
             opening: self.live.opening_state(sketch),
             beside: self.beside_state(),
+            petals: self.petal_state(),
             presets: self.disk.presets.listed().to_vec(),
             reference,
             view: self.plant.state,

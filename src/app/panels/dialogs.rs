@@ -183,10 +183,9 @@ fn about(ui: &mut Ui, height: f32, messages: &Messages, out: &mut Vec<Action>) {
         widgets::section(ui, messages.get(Msg::AboutStartTitle), |ui| {
             ui.spacing_mut().interact_size.y = 28.0;
             ui.spacing_mut().item_spacing.y = 3.0;
-            for (number, msg) in [Msg::AboutStart1, Msg::AboutStart2, Msg::AboutStart3, Msg::AboutStart4]
-                .into_iter()
-                .enumerate()
-            {
+            let steps =
+                [Msg::AboutStart1, Msg::AboutStart2, Msg::AboutStart3, Msg::AboutStart4, Msg::AboutStart5];
+            for (number, msg) in steps.into_iter().enumerate() {
                 ui.horizontal(|ui| {
                     let (rect, _) = ui.allocate_exact_size(Vec2::splat(26.0), Sense::hover());
                     ui.painter().circle_filled(rect.center(), 13.0, p.accent_soft);
@@ -223,6 +222,7 @@ fn shortcuts(ui: &mut Ui, messages: &Messages) {
         ("Ctrl+E", Msg::FileExport),
         ("Ctrl+A", Msg::EditSelectAll),
         ("G", Msg::BesideAddTitle),
+        ("K", Msg::PetalsShape),
         ("Ctrl+C", Msg::EditCopy),
         ("Ctrl+X", Msg::EditCut),
         ("Ctrl+V", Msg::EditPaste),

@@ -3,8 +3,8 @@
 use super::snapshot::Snapshot;
 use super::widgets::{palette, segments};
 use super::{
-    beside, dialogs, focus, growth, legend, materials, notices, opening, parameters, part_menu, presets,
-    readings, seed, species, status, toolbar, view,
+    beside, dialogs, focus, growth, legend, materials, notices, opening, parameters, part_menu, petals,
+    presets, readings, seed, species, status, toolbar, view,
 };
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
@@ -76,6 +76,7 @@ fn side(ui: &mut Ui, right_handed: bool, snapshot: &Snapshot, messages: &Message
             ui.set_width(ui.available_width() - 10.0);
             match page {
                 Page::Plant => {
+                    petals::side(ui, snapshot, messages, out);
                     growth::show(ui, snapshot, messages, out);
                     opening::show(ui, snapshot, messages, out);
                     beside::show(ui, snapshot, messages, out);
@@ -97,10 +98,16 @@ fn side(ui: &mut Ui, right_handed: bool, snapshot: &Snapshot, messages: &Message
     }
 }
 
-/// Shows what floats above the canvas: legend, part menu, what can be done with a selection, notices, dialogs.
+/// Shows what floats above canvas and plant: the tool that shapes petals, legend, part menu, what can be done with a selection, notices, dialogs.
 ///
-/// `canvas` is where the drawing is shown, in logical pixels.
-pub fn overlays(ui: &Ui, canvas: Rect, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<Action>) {
+/// `canvas` and `plant` are where the drawing and the plant are shown, in logical pixels.
+pub fn overlays(
+    ui: &Ui,
+    (canvas, plant): (Rect, Rect),
+    snapshot: &Snapshot,
+    messages: &Messages,
+    out: &mut Vec<Action>,
+) {
     let ctx = ui.ctx();
     let (corner, pivot) = match snapshot.handedness {
         Handedness::Right => (canvas.left_bottom() + vec2(12.0, -12.0), Align2::LEFT_BOTTOM),
@@ -112,6 +119,7 @@ pub fn overlays(ui: &Ui, canvas: Rect, snapshot: &Snapshot, messages: &Messages,
         .pivot(pivot)
         .interactable(false);
     area.show(ctx, |ui| legend::show(ui, snapshot, messages));
+    petals::show(ctx, plant, snapshot, messages, out);
     readings::show(ctx, canvas, snapshot, messages, out);
     part_menu::selection(ctx, canvas, snapshot, messages, out);
     part_menu::show(ctx, canvas, snapshot, messages, out);

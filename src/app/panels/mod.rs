@@ -23,6 +23,7 @@ pub mod parameters;
 pub mod part_menu;
 mod path_dialog;
 pub mod pen;
+pub mod petals;
 pub mod presets;
 pub mod rail;
 pub mod readings;

@@ -1,4 +1,4 @@
-//! Carries the plant that was taken hold of; where to, the editor makes of it.
+//! Carries what was taken hold of, a plant or a control point of a petal; where to, the editor makes of it.
 
 use crate::app::plant_view::PlantView;
 use crate::app::tool::Tool;

@@ -20,7 +20,7 @@ pub type PlantTool = Box<dyn Tool<PlantView> + Send>;
 pub struct Keys {
     /// The Shift key is held.
     pub shift: bool,
-    /// The pointer is over a plant that can be carried.
+    /// The pointer is over something that can be carried: a plant, a control point of a petal.
     pub over_carried: bool,
 }
 
@@ -40,7 +40,7 @@ struct Touch {
     owner: PenTool,
     start: PenSample,
     at_work: AtWork,
-    /// It began over a plant that can be carried.
+    /// It began over something that can be carried.
     carries: bool,
 }
 

@@ -4,13 +4,14 @@
 //! {"strokes": [3, 4], "not": "tree"}, {"strokes": [3, 4], "as": "bush"}, {"strokes": [5, 6], "as": "separate"}
 //! ```
 
+use super::names::Names;
 use super::progress::Progress;
 use crate::quote;
 use crate::sketch::corrections::{Correction, Corrections, Verdict, check};
 use crate::sketch::error::Fault;
 use crate::sketch::{Reading, StrokeId, limits};
 use serde::Deserialize;
-use serde::de::{DeserializeSeed, Deserializer, Error, SeqAccess, Visitor};
+use serde::de::{DeserializeSeed, Deserializer, SeqAccess, Visitor};
 use serde_json::json;
 use std::fmt;
 
@@ -108,37 +109,4 @@ fn named(name: &str) -> Result<Reading, String> {
         let names: Vec<&str> = Reading::ALL.iter().map(|reading| reading.name()).collect();
         format!("strokes are never read as `{}`; readings are {}", quote::name(name), names.join(", "))
     })
-}
-
-/// Names of strokes, no more of them than all corrections may have together.
-struct Names(Vec<StrokeId>);
-
-impl<'de> Deserialize<'de> for Names {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_seq(NamesVisitor)
-    }
-}
-
-struct NamesVisitor;
-
-impl<'de> Visitor<'de> for NamesVisitor {
-    type Value = Names;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a list of ids of strokes")
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Self::Value, A::Error> {
-        let mut names = Vec::new();
-        while let Some(name) = seq.next_element()? {
-            if names.len() == limits::MAX_CORRECTED_STROKES {
-                let most = limits::MAX_CORRECTED_STROKES;
-                return Err(A::Error::custom(format!(
-                    "corrections name at most {most} strokes, all together"
-                )));
-            }
-            names.push(name);
-        }
-        Ok(Names(names))
-    }
 }

@@ -15,7 +15,7 @@ pub(super) fn flaw(error: &serde_json::Error, text: &str, progress: &Progress) -
         return (Default::default(), fault);
     }
     let fault = progress.take_fault().unwrap_or_else(|| translate(error, text));
-    (place, progress.in_plant(fault))
+    (place, progress.in_item(fault))
 }
 
 /// The two fields that say whether the rest can be understood.

@@ -3,6 +3,7 @@
 use super::corrections::CorrectionsSeed;
 use super::fault;
 use super::params::GroupSeed;
+use super::petal_shapes::PetalShapesSeed;
 use super::picture::PicturesSeed;
 use super::plants::PlantsSeed;
 use super::point::PointsSeed;
@@ -12,9 +13,12 @@ use crate::quote;
 use crate::sketch::draft::{Draft, DraftStroke, Flaw};
 use crate::sketch::error::Fault;
 use crate::sketch::textures::{self, ChoiceText};
-use crate::sketch::{Canvas, Picture, Textures, Tool, limits};
+use crate::sketch::{
+    Canvas, Corrections, PetalShapes, Picture, PlacedPlant, Reference, Textures, Tool, limits,
+};
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use serde_json::{Map, Value};
 use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -45,6 +49,7 @@ enum SketchField {
     Pictures,
     Plants,
     Corrections,
+    PetalShapes,
     Strokes,
 }
 
@@ -66,54 +71,96 @@ impl<'de> Visitor<'de> for SketchSeed<'_> {
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Draft, A::Error> {
-        let progress = self.0;
-        let (mut format, mut version, mut canvas, mut species) = (None, None, None, None);
-        let (mut seed, mut params, mut plants, mut strokes) = (None, None, None, None);
-        let (mut textures, mut reference, mut pictures, mut corrections) = (None, None, None, None);
+        let mut fields = Fields::default();
         while let Some(field) = map.next_key()? {
-            match field {
-                SketchField::Format => {
-                    set_once(&mut format, map.next_value::<String>()?, "format")?;
-                    fault::check_format(format.as_deref()).map_err(|fault| progress.refuse(fault))?;
-                }
-                SketchField::Version => {
-                    let found = map.next_value()?;
-                    fault::check_version(found).map_err(|fault| progress.refuse(fault))?;
-                    set_once(&mut version, found, "version")?;
-                }
-                SketchField::Canvas => set_once(&mut canvas, map.next_value::<Option<Canvas>>()?, "canvas")?,
-                SketchField::Species => {
-                    set_once(&mut species, map.next_value::<Option<String>>()?, "species")?
-                }
-                SketchField::Seed => set_once(&mut seed, map.next_value()?, "seed")?,
-                SketchField::Params => {
-                    let group = GroupSeed { progress, count: &Cell::new(0), depth: 1 };
-                    set_once(&mut params, map.next_value_seed(group)?, "params")?;
-                }
-                SketchField::Textures => {
-                    set_once(&mut textures, map.next_value::<BTreeMap<String, ChoiceText>>()?, "textures")?;
-                }
-                SketchField::Plants => {
-                    set_once(&mut plants, map.next_value_seed(PlantsSeed(progress))?, "plants")?
-                }
-                SketchField::Corrections => {
-                    set_once(
-                        &mut corrections,
-                        map.next_value_seed(CorrectionsSeed(progress))?,
-                        "corrections",
-                    )?;
-                }
-                SketchField::Pictures => {
-                    set_once(&mut pictures, map.next_value_seed(PicturesSeed(progress))?, "pictures")?;
-                }
-                SketchField::Reference => {
-                    set_once(&mut reference, map.next_value_seed(ReferenceSeed(progress))?, "reference")?;
-                }
-                SketchField::Strokes => {
-                    set_once(&mut strokes, map.next_value_seed(StrokesSeed(progress))?, "strokes")?;
-                }
+            fields.read(field, &mut map, self.0)?;
+        }
+        fields.draft(self.0)
+    }
+}
+
+/// The fields of a sketch as far as they have been read.
+#[derive(Default)]
+struct Fields {
+    format: Option<String>,
+    version: Option<f64>,
+    canvas: Option<Option<Canvas>>,
+    species: Option<Option<String>>,
+    seed: Option<u64>,
+    params: Option<Map<String, Value>>,
+    textures: Option<BTreeMap<String, ChoiceText>>,
+    reference: Option<Option<Reference>>,
+    pictures: Option<BTreeMap<String, Picture>>,
+    plants: Option<Vec<PlacedPlant>>,
+    corrections: Option<Corrections>,
+    petal_shapes: Option<PetalShapes>,
+    strokes: Option<Vec<DraftStroke>>,
+}
+
+impl Fields {
+    /// Reads the value of a field.
+    fn read<'de, A: MapAccess<'de>>(
+        &mut self,
+        field: SketchField,
+        map: &mut A,
+        progress: &Progress,
+    ) -> Result<(), A::Error> {
+        match field {
+            SketchField::Format => {
+                set_once(&mut self.format, map.next_value::<String>()?, "format")?;
+                fault::check_format(self.format.as_deref()).map_err(|fault| progress.refuse(fault))?;
+            }
+            SketchField::Version => {
+                let found = map.next_value()?;
+                fault::check_version(found).map_err(|fault| progress.refuse(fault))?;
+                set_once(&mut self.version, found, "version")?;
+            }
+            SketchField::Canvas => set_once(&mut self.canvas, map.next_value::<Option<Canvas>>()?, "canvas")?,
+            SketchField::Species => {
+                set_once(&mut self.species, map.next_value::<Option<String>>()?, "species")?
+            }
+            SketchField::Seed => set_once(&mut self.seed, map.next_value()?, "seed")?,
+            SketchField::Params => {
+                let group = GroupSeed { progress, count: &Cell::new(0), depth: 1 };
+                set_once(&mut self.params, map.next_value_seed(group)?, "params")?;
+            }
+            SketchField::Textures => {
+                set_once(&mut self.textures, map.next_value::<BTreeMap<String, ChoiceText>>()?, "textures")?;
+            }
+            SketchField::Plants => {
+                set_once(&mut self.plants, map.next_value_seed(PlantsSeed(progress))?, "plants")?
+            }
+            SketchField::Corrections => {
+                set_once(
+                    &mut self.corrections,
+                    map.next_value_seed(CorrectionsSeed(progress))?,
+                    "corrections",
+                )?;
+            }
+            SketchField::PetalShapes => {
+                set_once(
+                    &mut self.petal_shapes,
+                    map.next_value_seed(PetalShapesSeed(progress))?,
+                    "petal_shapes",
+                )?;
+            }
+            SketchField::Pictures => {
+                set_once(&mut self.pictures, map.next_value_seed(PicturesSeed(progress))?, "pictures")?;
+            }
+            SketchField::Reference => {
+                set_once(&mut self.reference, map.next_value_seed(ReferenceSeed(progress))?, "reference")?;
+            }
+            SketchField::Strokes => {
+                set_once(&mut self.strokes, map.next_value_seed(StrokesSeed(progress))?, "strokes")?;
             }
         }
+        Ok(())
+    }
+
+    /// The drawing that the fields are, once all have been read.
+    fn draft<E: Error>(self, progress: &Progress) -> Result<Draft, E> {
+        let Self { format, version, canvas, species, seed, params, textures, .. } = self;
+        let Self { reference, pictures, plants, corrections, petal_shapes, strokes, .. } = self;
         fault::check_format(format.as_deref()).map_err(|fault| progress.refuse(fault))?;
         if version.is_none() {
             return Err(progress.malformed("the `version` is missing; write \"version\": 1"));
@@ -133,6 +180,7 @@ impl<'de> Visitor<'de> for SketchSeed<'_> {
             reference: reference.flatten().map(Arc::new),
             plants: plants.unwrap_or_default(),
             corrections: corrections.unwrap_or_default(),
+            petal_shapes: petal_shapes.unwrap_or_default(),
             strokes,
         })
     }

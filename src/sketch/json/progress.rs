@@ -16,6 +16,8 @@ pub(super) struct Progress {
     pub(super) point: Cell<usize>,
     /// The plant being read, from 1; 0 outside of plants.
     pub(super) plant: Cell<usize>,
+    /// The shape of petals being read, from 1; 0 outside of shapes.
+    pub(super) petal_shape: Cell<usize>,
     /// Points of all strokes before this one.
     pub(super) points_before: Cell<usize>,
     fault: RefCell<Option<Fault>>,
@@ -38,11 +40,21 @@ impl Progress {
         self.fault.take()
     }
 
-    /// The fault, with the plant in which it is.
-    pub(super) fn in_plant(&self, fault: Fault) -> Fault {
-        match (self.plant.get(), fault) {
-            (plant @ 1.., Fault::Malformed(what)) => Fault::Malformed(format!("plant {plant}: {what}")),
-            (_, fault) => fault,
+    /// The fault, with the plant or the shape of petals in which it is.
+    pub(super) fn in_item(&self, fault: Fault) -> Fault {
+        match (self.plant.get(), self.petal_shape.get(), fault) {
+            (plant @ 1.., _, Fault::Malformed(what)) => Fault::Malformed(format!("plant {plant}: {what}")),
+            // An offset too few, and one too many, as serde says it.
+            (_, shape @ 1.., Fault::Malformed(what))
+                if what.starts_with("invalid length") || what.starts_with("trailing characters") =>
+            {
+                let remedy = "write 4 rows of 4 offsets of 3 numbers";
+                Fault::Malformed(format!("petal shape {shape}: {what}; {remedy}"))
+            }
+            (_, shape @ 1.., Fault::Malformed(what)) => {
+                Fault::Malformed(format!("petal shape {shape}: {what}"))
+            }
+            (_, _, fault) => fault,
         }
     }
 

@@ -8,6 +8,7 @@
 
 use super::corrections::{self, CorrectionList};
 use super::parse::StrokeSeed;
+use super::petal_shapes::{self, PetalShapeList};
 use super::plants::{self, Plants};
 use super::progress::Progress;
 use super::write::{push_placement, push_stroke};
@@ -47,7 +48,8 @@ pub(in crate::sketch) fn write(step: &Step) -> String {
         out.push('}');
     }
     out.push(']');
-    let Settings { canvas, species, seed, params, textures, reference, plants, corrections } = &step.after;
+    let Settings { canvas, species, seed, params, textures, reference, plants, corrections, petal_shapes } =
+        &step.after;
     push_field(&mut out, "canvas", canvas);
     push_field(&mut out, "species", species);
     push_field(&mut out, "seed", seed);
@@ -55,6 +57,7 @@ pub(in crate::sketch) fn write(step: &Step) -> String {
     push_field(&mut out, "textures", &textures.as_ref().map(|textures| textures::named(textures).0));
     push_list(&mut out, "plants", plants.as_deref(), plants::push);
     push_list(&mut out, "corrections", corrections.as_deref(), corrections::push);
+    push_list(&mut out, "petal_shapes", petal_shapes.as_deref(), petal_shapes::push);
     match reference {
         None => {}
         Some(None) => out.push_str(", \"reference\": null"),
@@ -97,6 +100,7 @@ struct StepText {
     textures: Option<BTreeMap<String, ChoiceText>>,
     plants: Option<Plants>,
     corrections: Option<CorrectionList>,
+    petal_shapes: Option<PetalShapeList>,
     #[serde(default, deserialize_with = "given")]
     reference: Option<Option<ReferenceText>>,
 }
@@ -182,9 +186,12 @@ pub(in crate::sketch) fn replay(
             return Err("it changes a stroke that is not there".to_owned());
         }
     }
-    let StepText { canvas, species, seed, params, plants, corrections, .. } = text;
+    let StepText { canvas, species, seed, params, plants, corrections, petal_shapes, .. } = text;
     let (plants, corrections) = (plants.map(|plants| plants.0), corrections.map(|list| list.0));
-    Settings { canvas, species, seed, params, textures, reference, plants, corrections }.carry_out(sketch);
+    let petal_shapes = petal_shapes.map(|list| list.0);
+    let settings =
+        Settings { canvas, species, seed, params, textures, reference, plants, corrections, petal_shapes };
+    settings.carry_out(sketch);
     Ok(())
 }
 
@@ -236,7 +243,10 @@ fn found_reference(text: ReferenceText, pictures: &Pictures) -> Result<Reference
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sketch::{Correction, Maker, PlacedPlant, Reading, SeedOf, StrokePoint, Tool, Verdict};
+    use crate::sketch::{
+        Correction, Maker, PetalShape, PlacedPlant, Reading, SeedOf, StrokePoint, Tool, Verdict,
+    };
+    use glam::Vec3;
 
     fn stroke(id: u64) -> Arc<Stroke> {
         let points = [[0.5, 1e-7], [3.0, -4.25]].map(|p| StrokePoint::at(p.into())).to_vec();
@@ -257,8 +267,11 @@ mod tests {
         let species = Some(Some("a \"b\"".into()));
         let verdicts = [Verdict::Not(Reading::Tree), Verdict::As(Reading::Pot), Verdict::Separate];
         let corrections = Some(verdicts.map(|verdict| Correction::new([3, 1], verdict)).into());
+        let offsets = [[Vec3::new(0.1, -1e-7, 2.0); 4]; 4];
+        let petal_shapes = Some([PetalShape::new([5, 2], offsets)].into());
+        let plants = Some(plants);
         let new =
-            Settings { seed: Some(7), species, plants: Some(plants), corrections, ..Settings::default() };
+            Settings { seed: Some(7), species, plants, corrections, petal_shapes, ..Settings::default() };
         let (before, after) = new.against(&start);
         let step = Step { strokes, before, after };
         let mut expected = start.clone();

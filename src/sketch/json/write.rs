@@ -3,7 +3,7 @@
 //! Numbers are the shortest that read back to the same bits; a stroke's points carry no more numbers than it needs.
 
 use super::number::push_number;
-use super::{FORMAT, corrections, plants, version_of};
+use super::{FORMAT, corrections, petal_shapes, plants, version_of};
 use crate::sketch::reference::Reference;
 use crate::sketch::textures;
 use crate::sketch::{Sketch, Stroke, StrokePoint};
@@ -31,6 +31,7 @@ pub fn write(sketch: &Sketch) -> String {
     }
     push_lines(&mut out, "plants", &sketch.plants, plants::push);
     push_lines(&mut out, "corrections", &sketch.corrections, corrections::push);
+    push_lines(&mut out, "petal_shapes", &sketch.petal_shapes, petal_shapes::push);
     out.push_str("  \"strokes\": [");
     for (i, stroke) in sketch.strokes.iter().enumerate() {
         out.push_str(if i == 0 { "\n    " } else { ",\n    " });

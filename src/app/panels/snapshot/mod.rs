@@ -5,12 +5,14 @@
 mod beside;
 mod params;
 mod pen;
+mod petals;
 mod readings;
 mod status;
 
 pub use beside::{BesideState, PlantState};
 pub use params::ParamValues;
 pub use pen::{PenLive, PenState};
+pub use petals::{PetalPoint, PetalState};
 pub use readings::{ReadTogether, Ways};
 pub use status::{Autosave, Found, PenUsed, Status, Task};
 
@@ -76,6 +78,8 @@ pub struct Snapshot {
     pub opening: Option<OpeningState>,
     /// The plants beside the drawn one.
     pub beside: BesideState,
+    /// Petals that are being shaped.
+    pub petals: PetalState,
     /// Presets in the artist's folder.
     pub presets: Vec<Listed>,
     /// The reference picture under the drawing.
