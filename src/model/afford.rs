@@ -215,7 +215,7 @@ fn blade_at_most(template: &Template, params: &BladeMeshParams) -> u64 {
     let rows = u64::from(rows);
     let (margin, inside) = (points + EDGES_A_ROW * (rows + 1), rows * (2 * u64::from(columns) + 1));
     // Without a rim every edge inside that joins two points of the margin is divided: fewer edges than there are points.
-    let divided = if flat::is_sharp(template, params) { margin } else { 0 };
+    let divided = if flat::may_be_sharp(template, params) { margin } else { 0 };
     both_sides(margin, inside + divided)
 }
 

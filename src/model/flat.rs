@@ -191,7 +191,7 @@ pub(super) struct FlatBlade {
     pub(super) perimeter: f32,
     /// Area inside of it, in blade sizes.
     pub(super) area: f32,
-    /// Both faces of the blade meet at the margin: then no edge inside joins two points of the margin.
+    /// Both faces of the blade meet at the margin: then no edge inside joins two points of the margin. Otherwise it has a rim.
     pub(super) is_sharp: bool,
 }
 
@@ -238,12 +238,11 @@ pub(super) fn flatten(
     scratch: &mut FlatScratch,
 ) -> Option<FlatBlade> {
     prepare_margin(template, waves, params, scratch);
-    let is_sharp = is_sharp(template, params);
-    let inner = Inner { density: density(template, params), is_sharp };
+    let inner = Inner { density: density(template, params), is_sharp: may_be_sharp(template, params) };
     let FlatScratch { margin, inside, .. } = scratch;
     let size = size_of(template);
     let tip = template.length() / size;
-    let (graph, sections, triangles) = triangulated(margin, tip, inner, inside)
+    let Inside { graph, sections, triangles, is_sharp } = triangulated(margin, tip, inner, inside)
         .or_else(|| triangulated(&outline::untangled(margin), tip, inner, inside))
         .or_else(|| triangulated(&convex_hull(margin, |m| m.at), tip, inner, inside))?;
     let rim = &graph.points[..graph.margin];
@@ -254,8 +253,8 @@ pub(super) fn flatten(
     Some(FlatBlade { points, margin, triangles, sections, size, perimeter, area, is_sharp })
 }
 
-/// Whether both faces of a template's blades meet at their margin.
-pub(super) fn is_sharp(template: &Template, params: &BladeMeshParams) -> bool {
+/// Whether both faces of a template's blades may meet at their margin.
+pub(super) fn may_be_sharp(template: &Template, params: &BladeMeshParams) -> bool {
     template.detail() == Detail::Reduced && !params.solid_leaves
 }
 
@@ -266,12 +265,20 @@ struct Inner {
     is_sharp: bool,
 }
 
+/// An outline with its faces.
+struct Inside {
+    graph: PlanarGraph,
+    sections: Sections,
+    triangles: Vec<[u32; 3]>,
+    is_sharp: bool,
+}
+
 fn triangulated(
     margin: &[MarginPoint],
     tip: f32,
     inner: Inner,
     scratch: &mut InsideScratch,
-) -> Option<(PlanarGraph, Sections, Vec<[u32; 3]>)> {
+) -> Option<Inside> {
     let has_one_row = inner.density.rows == 1 && inner.density.columns == 0;
     if inner.is_sharp
         && has_one_row
@@ -281,21 +288,24 @@ fn triangulated(
     }
     let (mut graph, sections) = graph(margin, tip, inner.density, &mut scratch.interior)?;
     let mut triangles = graph.triangulate(&mut scratch.triangulation)?;
-    if inner.is_sharp {
+    let rim = margin.len();
+    // Each edge that is divided costs two triangles a face: of outlines with many deep notches more than a rim does.
+    let is_sharp = inner.is_sharp && 2 * sharp::chords(&triangles, rim) <= rim;
+    if is_sharp {
         sharp::split_chords(&mut graph, &mut triangles);
     }
-    Some((graph, sections, triangles))
+    Some(Inside { graph, sections, triangles, is_sharp })
 }
 
 /// Faces from one point on the middle line to every edge of the outline, if it is seen from there.
-fn fan(margin: &[MarginPoint], tip: f32) -> Option<(PlanarGraph, Sections, Vec<[u32; 3]>)> {
+fn fan(margin: &[MarginPoint], tip: f32) -> Option<Inside> {
     let sections = has_area(margin).then(|| Sections::new(margin, tip))?;
     let mut points: Vec<Vec2> = margin.iter().map(|m| m.at).collect();
     let heart = sharp::heart(&points, &sections)?;
     points.push(heart);
     let graph = PlanarGraph { points, margin: margin.len(), midrib: Vec::new() };
     let triangles = sharp::fan(margin.len());
-    Some((graph, sections, triangles))
+    Some(Inside { graph, sections, triangles, is_sharp: true })
 }
 
 /// The larger of a blade's length and extent: the unit of all tolerances.

@@ -3,7 +3,8 @@
 //! Front and back share the points of the margin. An edge inside that joined two of these would belong to both faces, and four
 //! triangles would meet there; so every edge inside has to have an end of its own. Where all of the outline is seen from one
 //! place on its middle line, triangles lead from there to every edge: as many as there are edges, and the
-//! midrib is an edge of the mesh from base to tip. Of other outlines every edge between two points of the margin is divided.
+//! midrib is an edge of the mesh from base to tip. Of other outlines every edge between two points of the margin is divided,
+//! unless a rim has fewer triangles.
 //!
 //! Limits: the faces of a fan are as slender as its outline.
 
@@ -40,14 +41,25 @@ pub(super) fn fan(margin: usize) -> Vec<[u32; 3]> {
     (0..n).map(|i| [i, if i + 1 == n { 0 } else { i + 1 }, n]).collect()
 }
 
+/// How many edges inside join two of so many points of the margin.
+pub(super) fn chords(triangles: &[[u32; 3]], margin: usize) -> usize {
+    let edges = triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
+    // Each belongs to two faces, in either direction.
+    edges.filter(|&(from, to)| from < to && is_chord((from, to), margin as u32)).count()
+}
+
+/// Whether an edge joins two of so many points of the margin that do not follow one another.
+fn is_chord((from, to): (u32, u32), margin: u32) -> bool {
+    let follows = |a: u32, b: u32| b == a + 1 || (b == 0 && a + 1 == margin);
+    from < margin && to < margin && !follows(from, to) && !follows(to, from)
+}
+
 /// Divides every edge inside that joins two points of the margin.
 pub(super) fn split_chords(graph: &mut PlanarGraph, triangles: &mut Vec<[u32; 3]>) {
     let n = graph.margin as u32;
-    let is_margin = |from: u32, to: u32| to == from + 1 || (to == 0 && from + 1 == n);
-    let is_chord = |from: u32, to: u32| from < n && to < n && !is_margin(from, to) && !is_margin(to, from);
     let mut at = 0;
     while at < triangles.len() {
-        let chord = (0..3).find(|&k| is_chord(triangles[at][k], triangles[at][(k + 1) % 3]));
+        let chord = (0..3).find(|&k| is_chord((triangles[at][k], triangles[at][(k + 1) % 3]), n));
         let Some(corner) = chord else {
             at += 1;
             continue;
@@ -73,8 +85,10 @@ fn split_edge(triangles: &mut Vec<[u32; 3]>, (a, b): (u32, u32), middle: u32) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::flat::{BladeMeshParams, FlatBlade, FlatScratch, flatten};
+    use super::super::flat::{BladeMeshParams, FlatBlade, FlatScratch, TriangulationScratch, flatten};
+    use super::super::outline::MarginPoint;
     use super::*;
+    use crate::geom::simple_loop::signed_area;
     use crate::plant::{Detail, Template};
 
     fn flat(outline: &[(f32, f32)]) -> FlatBlade {
@@ -83,11 +97,9 @@ mod tests {
         flatten(&template, None, &BladeMeshParams::default(), &mut FlatScratch::default()).unwrap()
     }
 
-    fn chords(flat: &FlatBlade) -> usize {
-        let n = flat.margin as u32;
-        let apart = |a: u32, b: u32| a < n && b < n && (a + 1) % n != b && (b + 1) % n != a;
-        let edges = flat.triangles.iter().flat_map(|[a, b, c]| [(*a, *b), (*b, *c), (*c, *a)]);
-        edges.filter(|(a, b)| apart(*a, *b)).count()
+    fn sections(points: &[Vec2]) -> Sections {
+        let margin: Vec<MarginPoint> = points.iter().map(|&at| MarginPoint { at, curl: 0.0 }).collect();
+        Sections::new(&margin, 1.0)
     }
 
     #[test]
@@ -98,16 +110,32 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_seen_from_one_place_has_its_chords_divided() {
-        let hooked =
-            flat(&[(0.0, 0.0), (0.3, 0.1), (0.05, 0.2), (0.06, 0.8), (0.3, 0.9), (0.0, 1.0), (-0.05, 0.5)]);
-        assert!(hooked.triangles.len() > hooked.margin && chords(&hooked) == 0);
+    fn edges_between_points_of_the_margin_are_divided() {
+        let hooked = [(0.0, 0.0), (0.3, 0.1), (0.05, 0.2), (0.06, 0.8), (0.3, 0.9), (0.0, 1.0), (-0.05, 0.5)];
+        let points: Vec<Vec2> = hooked.map(Vec2::from).to_vec();
+        let whole = signed_area(points.iter().copied());
+        let mut graph = PlanarGraph { points, margin: 7, midrib: Vec::new() };
+        assert!(heart(&graph.points, &sections(&graph.points)).is_none());
+        let mut triangles = graph.triangulate(&mut TriangulationScratch::default()).unwrap();
+        assert_eq!((triangles.len(), chords(&triangles, 7)), (5, 4));
+        split_chords(&mut graph, &mut triangles);
+        assert_eq!((triangles.len(), chords(&triangles, 7)), (13, 0));
         let area = |[a, b, c]: [u32; 3]| {
-            let [a, b, c] = [a, b, c].map(|i| hooked.points[i as usize]);
+            let [a, b, c] = [a, b, c].map(|i| graph.points[i as usize]);
             0.5 * (b - a).perp_dot(c - a)
         };
-        assert!(hooked.triangles.iter().all(|face| area(*face) > 0.0));
-        let whole: f32 = hooked.triangles.iter().map(|face| area(*face)).sum();
-        assert!((whole - hooked.area * hooked.size * hooked.size).abs() < 1e-5);
+        assert!(triangles.iter().all(|face| area(*face) > 0.0));
+        assert!((triangles.iter().map(|face| area(*face)).sum::<f32>() - whole).abs() < 1e-6);
+    }
+
+    #[test]
+    fn sprays_of_needles_keep_their_rim() {
+        let teeth = (0..8).flat_map(|k| [(0.4, 0.1 * k as f32 + 0.12), (0.03, 0.1 * k as f32 + 0.16)]);
+        let right: Vec<(f32, f32)> = teeth.collect();
+        let left = right.iter().rev().map(|(x, y)| (-x, *y));
+        let spray: Vec<(f32, f32)> =
+            [(0.0, 0.0)].into_iter().chain(right.iter().copied()).chain([(0.0, 1.0)]).chain(left).collect();
+        let spray = flat(&spray);
+        assert!(!spray.is_sharp && spray.triangle_count() <= 40);
     }
 }

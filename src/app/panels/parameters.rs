@@ -42,6 +42,7 @@ const ORDER: [&str; 31] = [
     "anatomy.leaf_fill",
     "anatomy.leaf_twigs",
     "anatomy.twigs",
+    "model.budget",
     "model.blade",
     "model.tube",
     "model.solid",
