@@ -163,10 +163,10 @@ fn middle(height: f32, outline: &[Vec2]) -> Option<f32> {
     let ahead = outline.iter().cycle().skip(1);
     let crossings = outline.iter().zip(ahead).filter_map(|(a, b)| {
         let share = (height - a.y) / (b.y - a.y);
-        (0.0..=1.0).contains(&share).then(|| a.x + (b.x - a.x) * share)
+        (0.0..=1.0).contains(&share).then_some(a.x + (b.x - a.x) * share)
     });
     let wide = crossings.fold((f32::MAX, f32::MIN), |(low, high), x| (low.min(x), high.max(x)));
-    (wide.0 <= wide.1).then(|| 0.5 * (wide.0 + wide.1))
+    (wide.0 <= wide.1).then_some(0.5 * (wide.0 + wide.1))
 }
 
 /// How many times `way` leads from a point to the outline around it; `None` from outside.
