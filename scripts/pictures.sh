@@ -42,8 +42,17 @@ for species in $("$program" grow --list | grep -vx rose); do
     "$program" grow "$species" -o "$grown/$species.glb"
     "$program" render "$grown/$species.glb" -o "$grown/$species.png" --size 300x300
 done
-python3 scripts/sheet.py 5 docs/images/grown.png "$grown"/*.png
+python3 scripts/sheet.py 6 docs/images/grown.png "$grown"/*.png
 rm -rf "$grown"
+
+# One oak with all its triangles, and with as many as were asked for.
+triangles=$(mktemp -d)
+for count in 0 80000 25000; do
+    "$program" grow oak --age 20 --set "model.budget.triangles=$count" -o "$triangles/$((1000000 - count)).glb"
+    "$program" render "$triangles/$((1000000 - count)).glb" -o "$triangles/$((1000000 - count)).png" --size 500x460
+done
+python3 scripts/sheet.py 3 docs/images/triangles.png "$triangles"/{1000000,920000,975000}.png
+rm -rf "$triangles"
 # The pictures in the window of those that only grow.
 THUMBNAILS=write cargo test --release --quiet --test app -- every_species_looks_like_its_picture
 
