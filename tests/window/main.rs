@@ -24,6 +24,7 @@ mod memory;
 #[path = "../common/not_run.rs"]
 mod not_run;
 mod opening;
+mod petals;
 mod others;
 #[path = "../pens/mod.rs"]
 mod pens;
