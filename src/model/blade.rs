@@ -27,6 +27,10 @@ use glam::{Vec2, Vec3};
 const FOOT: f32 = 0.5;
 const AT_FOOT: f32 = 2.0;
 
+/// How far a sharp margin lies toward the face, in half thicknesses: two leaves that stand at one place would otherwise have a
+/// point in common.
+const ASIDE: f32 = 0.25;
+
 /// Memory that is used again for every blade.
 #[derive(Default)]
 pub(super) struct BladeScratch {
@@ -189,7 +193,8 @@ fn doubled(flat: &FlatBlade, scratch: &BladeScratch, half: f32, margin_half: f32
 fn meeting(flat: &FlatBlade, scratch: &BladeScratch, half: f32) -> Mesh {
     let (count, margin) = (flat.points.len(), flat.margin);
     let of_points = || scratch.middle.iter().zip(&scratch.normals);
-    let front = of_points().enumerate().map(|(i, (p, n))| *p + *n * if i < margin { 0.0 } else { half });
+    let aside = ASIDE * half;
+    let front = of_points().enumerate().map(|(i, (p, n))| *p + *n * if i < margin { aside } else { half });
     let back = of_points().skip(margin).map(|(p, n)| *p - *n * half);
     let uv = BladeUv::of(flat);
     let vertex = |i: usize, sign: f32| {

@@ -24,10 +24,10 @@ mod memory;
 #[path = "../common/not_run.rs"]
 mod not_run;
 mod opening;
-mod petals;
 mod others;
 #[path = "../pens/mod.rs"]
 mod pens;
+mod petals;
 mod program;
 mod reference;
 mod screen;
