@@ -11,11 +11,15 @@ use crate::app::messages::{Messages, Msg, Named};
 use crate::app::theme::{ROUND, TARGET};
 use crate::sketch::{Maker, PlacedPlant, SeedOf};
 use crate::species::Species;
-use egui::{Align2, CornerRadius, Id, Rect, Response, Role, Sense, Stroke, StrokeKind, TextStyle};
+use egui::{
+    Align2, CornerRadius, Id, Rect, Response, Role, ScrollArea, Sense, Stroke, StrokeKind, TextStyle,
+};
 use egui::{Ui, WidgetInfo, pos2, vec2};
 
 /// Species in a row of the dialog.
 const COLUMNS: usize = 7;
+/// Height of a window that the pictures in that dialog leave to everything else: its title, hint and buttons, and the space around it.
+const AROUND_TILES: f32 = 260.0;
 /// Heights on the slider, percent of the sheet's.
 const HEIGHTS: (f64, f64) = (1.0, 400.0);
 /// Places on the slider, percent of the sheet's width.
@@ -205,6 +209,7 @@ fn percent(
 pub(super) fn dialog(
     ui: &mut Ui,
     place: Option<usize>,
+    screen_height: f32,
     snapshot: &Snapshot,
     messages: &Messages,
     out: &mut Vec<Action>,
@@ -214,7 +219,8 @@ pub(super) fn dialog(
         note(ui, messages.get(Msg::BesideAddHint));
     }
     let names = Species::by_themselves();
-    ui.scope(|ui| {
+    let room = (screen_height - AROUND_TILES).max(TARGET);
+    ScrollArea::vertical().max_height(room).show(ui, |ui| {
         tiles::grid(
             ui,
             COLUMNS,

@@ -37,7 +37,9 @@ pub fn show(ctx: &Context, snapshot: &Snapshot, messages: &Messages, out: &mut V
             Dialog::Export => export::show(ui, snapshot, messages, out),
             Dialog::Path(request) => path_dialog::show(ui, request, screen.height(), messages, out),
             Dialog::Pen => pen::show(ui, snapshot, screen.height(), messages, out),
-            Dialog::PlantSpecies(place) => beside::dialog(ui, *place, snapshot, messages, out),
+            Dialog::PlantSpecies(place) => {
+                beside::dialog(ui, *place, screen.height(), snapshot, messages, out)
+            }
             Dialog::About => about(ui, screen.height(), messages, out),
         }
     });
