@@ -7,7 +7,7 @@
 //! | --- | --- |
 //! | `parts`, `piece`, `part_names` | which organs are one part; names, parents, specimens |
 //! | `params` | how finely a plant is modelled |
-//! | `outline`, `sections`, `interior`, `flat` | a blade in its plane, triangulated |
+//! | `outline`, `sections`, `interior`, `planar_graph`, `flat` | a blade in its plane, triangulated |
 //! | `sharp` | the same of leaves without a rim |
 //! | `relief`, `blade` | the blade bent and given thickness |
 //! | `blade_uv` | where a blade's points lie in its picture |
@@ -52,6 +52,7 @@ mod part_names;
 mod parts;
 pub mod pick;
 mod piece;
+mod planar_graph;
 pub mod quality;
 mod recipe;
 mod relief;
@@ -79,11 +80,12 @@ pub use blade_uv::BladeUv;
 pub use build::{build, rebuild};
 pub use cache::Cache;
 pub use copies::{Copies, Placement};
-pub use flat::{BladeMeshParams, PlanarGraph, TriangulationScratch, triangulation_input};
+pub use flat::{BladeMeshParams, triangulation_input};
 pub use instances::{InstanceGroup, InstancedModel, Pose};
 pub use measure::{Measure, Measures};
 pub use mesh::{Mesh, Vertex};
 pub use params::{ModelParams, TriangleParams};
+pub use planar_graph::{PlanarGraph, TriangulationScratch};
 pub use solids::SolidParams;
 pub use tube::TubeParams;
 

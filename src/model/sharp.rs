@@ -8,7 +8,7 @@
 //!
 //! Limits: the faces of a fan are as slender as its outline.
 
-use super::flat::PlanarGraph;
+use super::planar_graph::PlanarGraph;
 use super::sections::Sections;
 use glam::Vec2;
 
@@ -85,8 +85,9 @@ fn split_edge(triangles: &mut Vec<[u32; 3]>, (a, b): (u32, u32), middle: u32) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::flat::{BladeMeshParams, FlatBlade, FlatScratch, TriangulationScratch, flatten};
+    use super::super::flat::{BladeMeshParams, FlatBlade, FlatScratch, flatten};
     use super::super::outline::MarginPoint;
+    use super::super::planar_graph::TriangulationScratch;
     use super::*;
     use crate::geom::simple_loop::signed_area;
     use crate::plant::{Detail, Template};

@@ -89,8 +89,8 @@ pub(super) fn finish(
             (plant, Some(fitted))
         }),
     };
-    let wished = fitted.as_ref().unwrap_or(&params.model);
-    let fineness = affordable(&plant, wished, budget.triangles, growth.is_some());
+    let requested = fitted.as_ref().unwrap_or(&params.model);
+    let fineness = affordable(&plant, requested, budget.triangles, growth.is_some());
     if fineness.is_coarser {
         remark(Remark::Coarser { triangles: budget.triangles });
     }
