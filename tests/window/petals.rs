@@ -28,9 +28,10 @@ fn a_petal_is_tapped_its_point_dragged_and_the_flower_shaped_with_it() {
     screen.hand(&["key", "k"]);
     program.rest();
     let [left, top, width, height] = program.area("plant");
-    let places = (2..10).flat_map(|y| (4..16).map(move |x| (x, y)));
-    let mut places =
-        places.map(|(x, y)| [left + f64::from(x) / 20.0 * width, top + f64::from(y) / 20.0 * height]);
+    // The larger flower stands to the upper left; a drag from beside every point turns the plant, and the next place is tried.
+    let mut places = [(0.33, 0.2), (0.28, 0.17), (0.38, 0.14), (0.25, 0.25), (0.4, 0.22), (0.33, 0.28)]
+        .into_iter()
+        .map(|(x, y)| [left + x * width, top + y * height]);
     let shaped = places.find_map(|[x, y]| {
         screen.click([x, y]);
         std::thread::sleep(NO_SECOND_CLICK);
