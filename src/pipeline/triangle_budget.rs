@@ -17,6 +17,7 @@ use crate::model::{self, COARSEST, ModelParams, TO_DEFAULTS};
 use crate::plant::{Detail, FinishedPlant, Organ, OrganKind, Shape, Template};
 use crate::random::{mix, unit};
 use glam::Vec2;
+use std::collections::BTreeSet;
 
 /// Accepted difference, share of the triangles asked for.
 const NEAR: f32 = 0.03;
@@ -48,7 +49,7 @@ pub(super) fn fit(plant: FinishedPlant, params: &ModelParams, wanted: u64) -> (F
         let by = largest_each(|by| count(&plant, &finer(by)) <= most(wanted));
         return (plant, finer(by));
     }
-    if foliage(&plant).count() < FOLIAGE {
+    if !has_foliage(&plant) {
         let coarser = |share: f32| coarser(params, 1.0 - share);
         let share = largest(|share| count(&plant, &coarser(share)) <= most(wanted));
         return (plant, coarser(share));
@@ -104,16 +105,24 @@ fn largest_each(fits: impl Fn([f32; 3]) -> bool) -> [f32; 3] {
     all
 }
 
-/// The piece of foliage that an organ belongs to, by a number of its own; none if it stays.
-fn piece(organ: &Organ, index: usize) -> Option<u64> {
-    let of_flower = organ.flower.map(|flower| mix(1, flower as u64));
-    let is_leaf = matches!(organ.kind(), OrganKind::Leaf | OrganKind::Petiole);
-    let of_leaf = is_leaf.then(|| mix(2, index as u64));
-    (!organ.origin.is_drawn()).then(|| of_flower.or(of_leaf)).flatten()
+/// The piece of foliage that each organ belongs to, by a number of its own: a leaf, or a flower of which nothing was drawn; none
+/// for what stays.
+fn pieces(plant: &FinishedPlant) -> Vec<Option<u64>> {
+    let drawn = plant.organs.iter().filter(|organ| organ.origin.is_drawn()).filter_map(|organ| organ.flower);
+    let drawn: BTreeSet<usize> = drawn.collect();
+    let piece = |(index, organ): (usize, &Organ)| match organ.flower {
+        Some(flower) => (!drawn.contains(&flower)).then(|| mix(1, flower as u64)),
+        None => {
+            let is_leaf = matches!(organ.kind(), OrganKind::Leaf | OrganKind::Petiole);
+            (is_leaf && !organ.origin.is_drawn()).then(|| mix(2, index as u64))
+        }
+    };
+    plant.organs.iter().enumerate().map(piece).collect()
 }
 
-fn foliage(plant: &FinishedPlant) -> impl Iterator<Item = u64> {
-    plant.organs.iter().enumerate().filter_map(|(index, organ)| piece(organ, index))
+/// Whether a plant has much foliage.
+fn has_foliage(plant: &FinishedPlant) -> bool {
+    pieces(plant).into_iter().flatten().collect::<BTreeSet<u64>>().len() >= FOLIAGE
 }
 
 fn with_foliage(
@@ -178,13 +187,11 @@ fn kept(plant: &FinishedPlant, params: &ModelParams, share: f32, wanted: u64) ->
 /// The plant with such a share of its foliage, whose leaves are larger.
 fn thinned(plant: &FinishedPlant, share: f32) -> FinishedPlant {
     let larger = share.max(f32::MIN_POSITIVE).powf(-0.5).min(LARGER);
+    let mut pieces = pieces(plant).into_iter();
     let mut plant = plant.clone();
     plant.reshape(|plant| {
-        let mut index = 0;
         plant.organs.retain_mut(|organ| {
-            let piece = piece(organ, index);
-            index += 1;
-            let Some(piece) = piece else { return true };
+            let Some(piece) = pieces.next().flatten() else { return true };
             if let (Shape::Blade(blade), None) = (&mut organ.shape, organ.flower) {
                 (blade.u, blade.v) = (blade.u * larger, blade.v * larger);
             }
@@ -220,7 +227,7 @@ fn without_twigs(plant: &FinishedPlant, share: f32) -> FinishedPlant {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Seed, build, params_of_species};
+    use super::super::{Bloom, Seed, build, params_of_species};
     use super::*;
     use crate::species::Species;
 
@@ -260,6 +267,19 @@ mod tests {
             let count = with(wanted).model.triangle_count() as f32 / wanted as f32;
             assert!((0.85..=1.03).contains(&count), "{count} of {wanted}");
         }
+    }
+
+    #[test]
+    fn a_flower_stays_whole() {
+        let bloom = |triangles: u32| {
+            let species = Species::built_in("peony").unwrap();
+            let set = [format!("model.budget.triangles={triangles}")];
+            let params = params_of_species(&species, &set).unwrap();
+            build(&Bloom { number: 1 }, &species, &params)
+        };
+        let (whole, fewer) = (bloom(0), bloom(9_000));
+        assert_eq!(fewer.plant.organs.len(), whole.plant.organs.len());
+        assert!(fewer.model.triangle_count() < whole.model.triangle_count());
     }
 
     #[test]
