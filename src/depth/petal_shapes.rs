@@ -15,6 +15,7 @@
 
 use super::hidden_petals::MadePetal;
 use crate::anatomy::Anatomy;
+use crate::geom::simple_loop::crossings_at;
 use crate::plant::{BezierPatch, Blade, PetalFrame, ResolvedBlade, RestSurface, Sheet};
 use crate::sketch::petal_shapes::{Offsets, PetalShape, of_flowers};
 use glam::{Vec2, Vec3};
@@ -115,10 +116,7 @@ fn local(blade: &ResolvedBlade<'_>, way: Vec3) -> Vec3 {
 
 /// How far a closed outline reaches from the axis at `v`, to the farther side.
 fn half_width(outline: &[Vec2], v: f32) -> f32 {
-    let edges = outline.iter().zip(outline.iter().cycle().skip(1));
-    let crossed = edges.filter(|(a, b)| (a.y <= v) != (b.y <= v));
-    let across = crossed.map(|(a, b)| (a.x + (b.x - a.x) * (v - a.y) / (b.y - a.y)).abs());
-    across.fold(0.0, f32::max)
+    crossings_at(outline, v).map(f32::abs).fold(0.0, f32::max)
 }
 
 #[cfg(test)]

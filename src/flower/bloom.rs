@@ -7,6 +7,7 @@ use super::arrangement::{self, Levels, Ring};
 use super::layers::{Aestivation, LayerShape, Layers};
 use super::outline::PetalOutline;
 use super::profile::{self, Lay, Line};
+use crate::geom::simple_loop::crossings_at;
 use crate::plant::ring_curve::STEPS;
 use crate::plant::ring_sheet::{BETWEEN, FARTHEST, room_for_levels, span_of};
 use crate::plant::{Blade, BladeForm, Level, RestSurface, RingCurve, RingSheet, Template};
@@ -244,13 +245,8 @@ fn half_width(template: &Template) -> f32 {
 
 /// Half the width of an outline at a share of its length, share of the length.
 fn half_width_at(template: &Template, share: f32) -> f32 {
-    let v = share * template.length();
-    let outline = template.outline();
-    let edges = (0..outline.len()).map(|i| (outline[i], outline[(i + 1) % outline.len()]));
-    let crossing = |(a, b): (Vec2, Vec2)| {
-        ((a.y <= v) != (b.y <= v)).then(|| (a.x + (b.x - a.x) * (v - a.y) / (b.y - a.y)).abs())
-    };
-    edges.filter_map(crossing).fold(0.0, f32::max) / template.length()
+    let crossings = crossings_at(template.outline(), share * template.length());
+    crossings.map(f32::abs).fold(0.0, f32::max) / template.length()
 }
 
 /// The templates of a flower, and which of them the petals have that stand a share of the way inward.

@@ -33,6 +33,14 @@ pub fn hull_area(points: &[Vec2]) -> f32 {
     area(&convex_hull(points, |p| *p))
 }
 
+/// Where a closed outline crosses a height: x of each crossing, in the order of the outline's edges.
+pub fn crossings_at(outline: &[Vec2], height: f32) -> impl Iterator<Item = f32> {
+    let edges = outline.iter().zip(outline.iter().cycle().skip(1));
+    // Half-open, so that a corner is crossed once.
+    let crossed = edges.filter(move |(a, b)| (a.y <= height) != (b.y <= height));
+    crossed.map(move |(a, b)| a.x + (b.x - a.x) * (height - a.y) / (b.y - a.y))
+}
+
 /// Most crossings that are taken out of one outline.
 pub const MOST_CUTS: usize = 64;
 

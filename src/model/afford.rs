@@ -20,9 +20,8 @@ use std::borrow::Cow;
 /// Share of its fineness that is left of a parameter with each step.
 const STEP: f32 = 0.75;
 /// Steps in which what is finer than the defaults comes down to them, and those after which nothing becomes coarser.
-pub const TO_DEFAULTS: f32 = 8.0;
-/// See [`TO_DEFAULTS`].
-pub const COARSEST: f32 = 16.0;
+const TO_DEFAULTS: f32 = 8.0;
+const COARSEST: f32 = 16.0;
 /// Templates that are triangulated to be counted; of more each is taken for what it is at most.
 const COUNTED: usize = 64;
 /// Edges into which a blade's outline is divided for each of its rows, at most.
@@ -45,7 +44,7 @@ pub fn affordable<'a>(plant: &Plant, params: &'a ModelParams, most: u64) -> Cow<
 }
 
 /// The parameters so many steps coarser, up to [`COARSEST`]: in the first [`TO_DEFAULTS`] no coarser than the defaults.
-pub fn coarsened(params: &ModelParams, step: f32) -> ModelParams {
+fn coarsened(params: &ModelParams, step: f32) -> ModelParams {
     let ModelParams { blade, tube, solid, budget } = params;
     let defaults = ModelParams::default();
     let toward = STEP.powf(step);
@@ -95,6 +94,14 @@ pub fn coarsened(params: &ModelParams, step: f32) -> ModelParams {
         },
         budget: budget.clone(),
     }
+}
+
+/// The parameters on the way from what they are, 0, to the coarsest, 1; what is finer than the defaults comes down to them at once.
+pub fn coarser(params: &ModelParams, share: f32) -> Cow<'_, ModelParams> {
+    if share <= 0.0 {
+        return Cow::Borrowed(params);
+    }
+    Cow::Owned(coarsened(params, TO_DEFAULTS + share * (COARSEST - TO_DEFAULTS)))
 }
 
 /// The parameters with so many times the rows, columns and sides of blades, wood and solids, as far as their ranges go.

@@ -75,7 +75,7 @@ mod wood;
 mod wood_changes;
 mod wood_memory;
 
-pub use afford::{COARSEST, TO_DEFAULTS, affordable, coarsened, refined};
+pub use afford::{affordable, coarser, refined};
 pub use blade_uv::BladeUv;
 pub use build::{build, rebuild};
 pub use cache::Cache;

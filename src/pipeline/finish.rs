@@ -85,7 +85,7 @@ pub(super) fn finish(
     let (plant, fitted) = match wanted {
         0 => (plant, None),
         _ => clock.time("budget", || {
-            let (plant, fitted) = triangle_budget::fit(plant, &params.model, wanted);
+            let (plant, fitted) = triangle_budget::fit(plant, &params.model, wanted, stop);
             (plant, Some(fitted))
         }),
     };

@@ -7,16 +7,15 @@
 //!
 //! How many triangles there are is counted on models, of which about a dozen are built, so the number is exact.
 //!
-//! Limits: leaves of twigs that went stay where they were. Drawn parts never go: a plant of many has more than it should. A plant
+//! Limits: all these builds come again with every sample where a drawing has such a number in the window, though a newer drawing
+//! ends them. Leaves of twigs that went stay where they were. Drawn parts never go: a plant of many has more than it should. A plant
 //! at its finest may have fewer.
 
-use crate::geom::convex_hull::convex_hull;
 use crate::geom::polyline;
-use crate::geom::simple_loop::signed_area;
-use crate::model::{self, COARSEST, ModelParams, TO_DEFAULTS};
+use crate::geom::simple_loop::{area, hull_area};
+use crate::model::{self, ModelParams};
 use crate::plant::{Detail, FinishedPlant, Organ, OrganKind, Shape, Template};
 use crate::random::{mix, unit};
-use glam::Vec2;
 use std::collections::BTreeSet;
 
 /// Accepted difference, share of the triangles asked for.
@@ -38,40 +37,57 @@ const FINEST: f32 = 16.0;
 /// Halvings of an interval that is searched.
 const HALVINGS: u32 = 7;
 
-/// The plant and the parameters with which its model has about so many triangles.
-pub(super) fn fit(plant: FinishedPlant, params: &ModelParams, wanted: u64) -> (FinishedPlant, ModelParams) {
-    let now = count(&plant, params);
-    if is_near(now, wanted) {
+/// The plant and the parameters with which its model has about so many triangles. Once `stop` says yes they are of no use, and come
+/// soon.
+pub(super) fn fit(
+    plant: FinishedPlant,
+    params: &ModelParams,
+    wanted: u64,
+    stop: &(dyn Fn() -> bool + Sync),
+) -> (FinishedPlant, ModelParams) {
+    let budget = Budget { wanted, stop };
+    let now = budget.count(&plant, params);
+    if budget.is_met(now) {
         return (plant, params.clone());
     }
     if now < wanted {
         let finer = |by: [f32; 3]| model::refined(params, by.map(|by| FINEST.powf(by)));
-        let by = largest_each(|by| count(&plant, &finer(by)) <= most(wanted));
+        let by = largest_each(|by| budget.has_room(&plant, &finer(by)));
         return (plant, finer(by));
     }
     if !has_foliage(&plant) {
-        let coarser = |share: f32| coarser(params, 1.0 - share);
-        let share = largest(|share| count(&plant, &coarser(share)) <= most(wanted));
-        return (plant, coarser(share));
+        let fineness = |share: f32| model::coarser(params, 1.0 - share);
+        let share = largest(|share| budget.has_room(&plant, &fineness(share)));
+        return (plant, fineness(share).into_owned());
     }
-    with_foliage(plant, params, (now, wanted))
+    with_foliage(plant, params, now, &budget)
 }
 
-fn count(plant: &FinishedPlant, params: &ModelParams) -> u64 {
-    model::build(plant, params).triangle_count() as u64
+/// How many triangles are asked for.
+struct Budget<'a> {
+    wanted: u64,
+    /// Whether to give up.
+    stop: &'a (dyn Fn() -> bool + Sync),
 }
 
-fn most(wanted: u64) -> u64 {
-    (wanted as f32 * (1.0 + NEAR)) as u64
+impl Budget<'_> {
+    /// Triangles of a plant's model; 0 once it is to give up.
+    fn count(&self, plant: &FinishedPlant, params: &ModelParams) -> u64 {
+        let model = model::rebuild(plant, params, &mut model::Cache::for_one_build(), self.stop);
+        model.map_or(0, |model| model.triangle_count() as u64)
+    }
+
+    fn has_room(&self, plant: &FinishedPlant, params: &ModelParams) -> bool {
+        self.count(plant, params) <= (self.wanted as f32 * (1.0 + NEAR)) as u64
+    }
+
+    fn is_met(&self, count: u64) -> bool {
+        is_near(count, self.wanted)
+    }
 }
 
 fn is_near(count: u64, wanted: u64) -> bool {
     (count as f32 / wanted as f32 - 1.0).abs() <= NEAR
-}
-
-/// The parameters between what they are, 0, and the coarsest, 1.
-fn coarser(params: &ModelParams, share: f32) -> ModelParams {
-    model::coarsened(params, share * (COARSEST - TO_DEFAULTS) + if share > 0.0 { TO_DEFAULTS } else { 0.0 })
 }
 
 /// The largest number from 0 to 1 that fits, where smaller ones fit as well; 0 if none does.
@@ -126,56 +142,60 @@ fn has_foliage(plant: &FinishedPlant) -> bool {
 }
 
 fn with_foliage(
-    plant: FinishedPlant,
+    mut plant: FinishedPlant,
     params: &ModelParams,
-    (now, wanted): (u64, u64),
+    now: u64,
+    budget: &Budget<'_>,
 ) -> (FinishedPlant, ModelParams) {
     let bare = thinned(&plant, 0.0);
-    let of_bare = count(&bare, params);
-    let of_foliage = now - of_bare;
+    let (wanted, of_foliage) = (budget.wanted, now.saturating_sub(budget.count(&bare, params)));
     let for_wood = ((WOOD * wanted as f32) as u64).max(wanted.saturating_sub(of_foliage));
-    let wood = |share: f32| coarser(params, 1.0 - share);
-    let share = largest(|share| count(&bare, &wood(share)) <= for_wood);
+    let wood = |share: f32| model::coarser(params, 1.0 - share);
+    let share = largest(|share| budget.count(&bare, &wood(share)) <= for_wood);
     // Wood becomes finer in steps: rather the step above, with less foliage, than too little of all.
     let above = (share + 0.5f32.powi(HALVINGS as i32)).min(1.0);
-    let is_room = share > 0.0 && count(&bare, &wood(above)) as f32 <= MOST_WOOD * wanted as f32;
-    let mut params = wood(if is_room { above } else { share });
-    let mut plant = plant;
+    let is_room = share > 0.0 && budget.count(&bare, &wood(above)) as f32 <= MOST_WOOD * wanted as f32;
+    // Foliage as fine as it was while there is room for enough of it.
+    let coarser = wood(if is_room { above } else { share }).into_owned();
+    let mut params = ModelParams { blade: params.blade.clone(), ..coarser };
     if share == 0.0 {
-        let twigs = largest(|share| count(&without_twigs(&bare, share), &params) <= for_wood);
+        let twigs = largest(|share| budget.count(&without_twigs(&bare, share), &params) <= for_wood);
         plant = without_twigs(&plant, twigs);
     }
-    let rest = wanted.saturating_sub(count(&thinned(&plant, 0.0), &params));
-    // Foliage as fine as it was while there is room for enough of it.
-    params.blade.template_outline_points = ModelParams::default().blade.template_outline_points;
+    let of_wood = budget.count(&thinned(&plant, 0.0), &params);
+    let rest = wanted.saturating_sub(of_wood);
     let stays = |params: &ModelParams| {
-        let all = count(&plant, params).saturating_sub(wanted - rest).max(1);
-        rest as f32 / all as f32
+        let all = budget.count(&plant, params).saturating_sub(of_wood).max(1);
+        (rest as f32 / all as f32).min(1.0)
     };
     let mut share = stays(&params);
     if share < FEWER_CORNERS.0 && !plant.templates.iter().any(is_spiky) {
         params.blade.template_outline_points = FEWER_CORNERS.1;
         share = stays(&params);
     }
-    (kept(&plant, &params, share, wanted), params)
+    (kept(&plant, &params, (share, of_wood), budget), params)
 }
 
 /// Whether many copies of this outline would be something else with fewer corners.
 fn is_spiky(template: &Template) -> bool {
-    let area = |outline: &[Vec2]| signed_area(outline.iter().copied()).abs();
-    let hull = convex_hull(template.outline(), |p| *p);
-    template.detail() == Detail::Reduced && area(template.outline()) < SPIKY * area(&hull)
+    let outline = template.outline();
+    template.detail() == Detail::Reduced && area(outline) < SPIKY * hull_area(outline)
 }
 
-/// The plant with about such a share of its foliage, so that it has the triangles that are wanted.
-fn kept(plant: &FinishedPlant, params: &ModelParams, share: f32, wanted: u64) -> FinishedPlant {
+/// The plant with about such a share of its foliage, corrected until it has the triangles that are wanted; `bare` are those
+/// without foliage.
+fn kept(
+    plant: &FinishedPlant,
+    params: &ModelParams,
+    (mut share, bare): (f32, u64),
+    budget: &Budget<'_>,
+) -> FinishedPlant {
     const CORRECTIONS: u32 = 4;
-    let bare = count(&thinned(plant, 0.0), params);
-    let mut share = share.min(1.0);
+    let wanted = budget.wanted;
     let mut best = thinned(plant, share);
     for _ in 0..CORRECTIONS {
-        let now = count(&best, params);
-        if is_near(now, wanted) || (share >= 1.0 && now < wanted) || now <= bare || wanted <= bare {
+        let now = budget.count(&best, params);
+        if budget.is_met(now) || (share >= 1.0 && now < wanted) || now <= bare || wanted <= bare {
             break;
         }
         share = (share * (wanted - bare) as f32 / (now - bare) as f32).min(1.0);

@@ -29,7 +29,7 @@ crate::parameters! {
         /// Thickness in the middle.
         thickness: f32 = 0.01, 0.001..=0.1, "of the length";
         /// Slope across the blade, the right margin toward whom it is drawn for: petals of one flower that all have it lie over
-        /// their neighbours on one side and under them on the other, as in contorted flowers.
+        /// their neighbours on one side and under them on the other, as in contorted flowers. Steeper near the foot.
         twist: f32 = 0.0, -1.0..=1.0, "";
     }
 }

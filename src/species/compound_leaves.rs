@@ -8,6 +8,7 @@
 //! leaf that was drawn bowed is bowed, but its leaflets are not turned with it; leaflets whose foot would lie outside of the outline are left out.
 
 use super::looks::LeafLook;
+use crate::geom::simple_loop::crossings_at;
 use crate::leaf::compound::{Compound, LeafPose, Leaflet};
 use crate::plant::{
     Blade, Detail, Organ, OrganKind, OrganPart, Plant, RestSurface, Role, Shape, Template, TemplateId,
@@ -160,12 +161,8 @@ fn in_plane(vector: Vec3, blade: &Blade) -> Vec2 {
 
 /// Half way between the outermost points of an outline at a height; `None` where it does not reach.
 fn middle(height: f32, outline: &[Vec2]) -> Option<f32> {
-    let ahead = outline.iter().cycle().skip(1);
-    let crossings = outline.iter().zip(ahead).filter_map(|(a, b)| {
-        let share = (height - a.y) / (b.y - a.y);
-        (0.0..=1.0).contains(&share).then_some(a.x + (b.x - a.x) * share)
-    });
-    let wide = crossings.fold((f32::MAX, f32::MIN), |(low, high), x| (low.min(x), high.max(x)));
+    let wide = crossings_at(outline, height);
+    let wide = wide.fold((f32::MAX, f32::MIN), |(low, high), x| (low.min(x), high.max(x)));
     (wide.0 <= wide.1).then_some(0.5 * (wide.0 + wide.1))
 }
 
