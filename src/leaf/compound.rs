@@ -123,7 +123,7 @@ impl Compound {
         counts.sum::<u32>() as f32 / SAMPLES as f32
     }
 
-    /// A leaf like this with about so many of its leaflets, but not fewer than [`FEWEST_LEAFLETS`]: they are larger and farther
+    /// A leaf like this with about so many of its leaflets, but not fewer than five: they are larger and farther
     /// apart, so that they cover what all do.
     #[must_use]
     pub fn with_fewer(&self, share: f32) -> Self {
