@@ -42,6 +42,7 @@ pub mod anatomy;
 pub mod app;
 pub mod atomic;
 pub mod budget;
+pub mod cards;
 pub mod checksum;
 #[cfg(feature = "program")]
 pub mod cli;

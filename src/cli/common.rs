@@ -36,7 +36,7 @@ pub struct Assignments {
     /// where it must.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(100..=10_000_000))]
     triangles: Option<u32>,
-    /// Generated leaves with a rim, for printing, or with faces that meet at the margin, which is usual.
+    /// Generated leaves with a rim, for printing, with faces that meet at the margin, which is usual, or as pictures of leafy shoots.
     #[arg(long, value_name = "FORM")]
     leaves: Option<Leaves>,
 }
@@ -48,14 +48,21 @@ enum Leaves {
     Solid,
     /// Both faces meet at the margin.
     Blade,
+    /// Shoots with their leaves as pictures on rectangles, for games and for what is far away.
+    Card,
 }
 
 impl Assignments {
     /// All of them as `PARAM=VALUE`.
     pub fn all(&self) -> Vec<String> {
         let triangles = self.triangles.map(|triangles| format!("model.budget.triangles={triangles}"));
-        let is_solid = self.leaves.map(|leaves| leaves == Leaves::Solid);
-        let leaves = is_solid.map(|is_solid| format!("model.blade.solid_leaves={is_solid}"));
+        let leaves = self.leaves.into_iter().flat_map(|leaves| {
+            let is = |form: Leaves| leaves == form;
+            [
+                format!("model.blade.solid_leaves={}", is(Leaves::Solid)),
+                format!("cards.used={}", is(Leaves::Card)),
+            ]
+        });
         self.set.iter().cloned().chain(triangles).chain(leaves).collect()
     }
 }

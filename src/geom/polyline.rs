@@ -9,17 +9,27 @@ use std::ops::{Add, Mul, Sub};
 pub trait Point: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f32, Output = Self> {
     /// Euclidean length.
     fn norm(self) -> f32;
+    /// Scalar product.
+    fn dot(self, other: Self) -> f32;
 }
 
 impl Point for Vec2 {
     fn norm(self) -> f32 {
         self.length()
     }
+
+    fn dot(self, other: Self) -> f32 {
+        Self::dot(self, other)
+    }
 }
 
 impl Point for Vec3 {
     fn norm(self) -> f32 {
         self.length()
+    }
+
+    fn dot(self, other: Self) -> f32 {
+        Self::dot(self, other)
     }
 }
 
@@ -74,14 +84,15 @@ pub fn nearest_share<P: Point>(a: P, b: P, p: P, dot: impl Fn(P, P) -> f32) -> f
 }
 
 /// Distance from `p` to the polyline and the arc length of the nearest point; `None` for an empty polyline.
-pub fn nearest(points: &[Vec2], p: Vec2) -> Option<(f32, f32)> {
+pub fn nearest<P: Point>(points: &[P], p: P) -> Option<(f32, f32)> {
     let first = *points.first()?;
-    let mut best = (p.distance_squared(first), 0.0);
+    let squared = |way: P| way.dot(way);
+    let mut best = (squared(p - first), 0.0);
     let mut arc = 0.0;
     for w in points.windows(2) {
-        let share = nearest_share(w[0], w[1], p, Vec2::dot);
-        let span = w[0].distance(w[1]);
-        let squared = p.distance_squared(w[0].lerp(w[1], share));
+        let share = nearest_share(w[0], w[1], p, P::dot);
+        let span = (w[1] - w[0]).norm();
+        let squared = squared(p - (w[0] * (1.0 - share) + w[1] * share));
         if squared < best.0 {
             best = (squared, arc + share * span);
         }

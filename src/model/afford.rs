@@ -7,6 +7,7 @@
 //! Limits: what is left at the coarsest is not made less; the budgets of leaves, flowers and wood bound it.
 
 use super::build::size_of;
+use super::card;
 use super::flat::{self, BladeMeshParams, FlatScratch};
 use super::params::ModelParams;
 use super::solids::SolidParams;
@@ -177,6 +178,7 @@ fn of_organs(plant: &Plant, params: &ModelParams) -> u64 {
             counted.unwrap_or_else(|| blade_at_most(&plant.templates[blade.template], &params.blade))
         }
         Shape::Dome { .. } => 2 * sides * (rows + 1),
+        Shape::Card { .. } => card::TRIANGLES,
         Shape::Spike { .. } => spike::TRIANGLES,
         Shape::Lathe { profile, .. } => 2 * sides * profile.len() as u64,
         Shape::Filament { points, head, .. } => {

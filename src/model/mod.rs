@@ -11,6 +11,7 @@
 //! | `sharp` | the same of leaves without a rim |
 //! | `relief`, `blade` | the blade bent and given thickness |
 //! | `blade_uv` | where a blade's points lie in its picture |
+//! | `card` | rectangles with pictures of foliage |
 //! | `shapes`, `copies` | blades that are copies of few shapes |
 //! | `instances` | copies by their shapes, for glTF |
 //! | `spine`, `tube` | single branches |
@@ -31,6 +32,7 @@ mod blade;
 mod blade_uv;
 mod build;
 mod cache;
+mod card;
 pub mod copies;
 pub mod crossing;
 mod disjoint_sets;

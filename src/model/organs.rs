@@ -6,6 +6,7 @@
 
 use super::blade::{self, BladeScratch};
 use super::cache::{Cache, FlatTemplate};
+use super::card;
 use super::copies::{Copies, Placement};
 use super::filaments;
 use super::flat::{self, FlatScratch};
@@ -174,7 +175,7 @@ impl<'a> OrganWorkshop<'a> {
             }
             Shape::Spike { .. } => take_in(mesh, spike::mesh(shape)),
             // What of these is no copy encloses nothing.
-            Shape::Dome { .. } | Shape::Filament { .. } => {}
+            Shape::Dome { .. } | Shape::Filament { .. } | Shape::Card { .. } => {}
         }
     }
 
@@ -230,6 +231,7 @@ fn shapes(
             Original::Blade(id, blade) => recipe.shape(&shapes::upright(blade), of_blade(*id)?.0),
             Original::Dome(proportion) => recipe.solid_shape(false, *proportion),
             Original::Head(proportion) => recipe.solid_shape(true, *proportion),
+            Original::Card(window) => recipe.card_shape(window),
         }
         let hash = recipe.hash();
         let shape = known.get(hash, recipe, round).cloned().or_else(|| match original {
@@ -238,6 +240,7 @@ fn shapes(
             }
             Original::Dome(proportion) => CopyShape::solid(solids::dome(*proportion, &params.solid)),
             Original::Head(proportion) => CopyShape::solid(solids::head(*proportion, &params.solid)),
+            Original::Card(window) => Some(card::shape(*window)),
         })?;
         Some((hash, recipe.written(), shape))
     };

@@ -133,6 +133,7 @@ fn off_organ(plant: &Plant, organ: &Organ, kind: OrganKind, at: Vec3) -> Option<
             let off = points.windows(2).map(|ends| beside_segment(ends[0], ends[1], at).1);
             off.fold(f32::INFINITY, f32::min)
         }
+        Shape::Card { base, v, .. } => beside_segment(*base, *base + *v, at).1,
         Shape::Spike { base, tip, .. } => beside_segment(*base, *tip, at).1,
         Shape::Lathe { base, axis, profile } => {
             let top = profile.iter().map(|place| place.y).fold(0.0, f32::max);

@@ -84,6 +84,11 @@ impl<'a> Recipe<'a> {
         self.begin(if is_head { 5 } else { 4 }).real(proportion.height());
     }
 
+    /// The recipe of the shape of cards with this window.
+    pub(super) fn card_shape(&mut self, window: &[Vec2; 2]) {
+        self.begin(6).plane(window);
+    }
+
     /// The recipe of pieces of organs that are one part, a group for each material; blades come with what
     /// their template is known by.
     pub(super) fn organs<Group>(&mut self, groups: impl Iterator<Item = Group>)
@@ -201,6 +206,7 @@ impl<'a> Recipe<'a> {
             Shape::Filament { points, radius, head } => {
                 self.word(2).points(points).real(*radius).real(head.x).real(head.y)
             }
+            Shape::Card { base, u, v, window } => self.word(5).point(*base).point(*u).point(*v).plane(window),
             Shape::Spike { base, tip, side, foot, hook } => {
                 self.word(4).point(*base).point(*tip).point(*side).real(foot.x).real(foot.y).point(*hook)
             }

@@ -1,6 +1,6 @@
 //! What organs are copies of. Blades of one template of reduced detail and one form differ only in where they stand, so that one
 //! of them is bent and given thickness, upright at the origin, and the others are placed. So are domes and the heads of
-//! filaments: those of one proportion differ in place and size, and one of radius 1 is made.
+//! filaments: those of one proportion differ in place and size, and one of radius 1 is made; and cards with one part of a picture.
 //!
 //! Limits: only flat blades and those on patches; threads, which all bend in their own way, and lathed bodies are no copies. A blade so small, or
 //! so far from the origin, that its thickness would drown in the rounding of its coordinates is no copy: `blade` makes it
@@ -11,7 +11,7 @@ use super::flat::FlatBlade;
 use super::mesh::Mesh;
 use super::solids::{Proportion, Stand};
 use crate::plant::{Blade, Organ, Plant, ResolvedBlade, RestSurface, Shape, TemplateId};
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -25,6 +25,7 @@ enum Key {
     Blade(TemplateId, [u32; 8], Option<usize>),
     Dome(Proportion),
     Head(Proportion),
+    Card([u32; 4]),
 }
 
 /// What a shape is made from.
@@ -36,6 +37,8 @@ pub(super) enum Original<'a> {
     Dome(Proportion),
     /// The half length of a head in radii.
     Head(Proportion),
+    /// What part of its picture a card shows.
+    Card([Vec2; 2]),
 }
 
 /// The mesh of a shape. That of a blade stands at the origin, u along x and v along y; that of a solid has its axis along y
@@ -50,7 +53,12 @@ pub(super) struct CopyShape {
 impl CopyShape {
     /// The shape of a blade and half its thickness.
     pub(super) fn blade(mesh: Mesh, flat: &FlatBlade, half: f32) -> Self {
-        Self { mesh: Arc::new(mesh), sheet: Some((flat.size, half)) }
+        Self::sheet(mesh, flat.size, half)
+    }
+
+    /// A shape of this extent in its plane and this half thickness.
+    pub(super) fn sheet(mesh: Mesh, size: f32, half: f32) -> Self {
+        Self { mesh: Arc::new(mesh), sheet: Some((size, half)) }
     }
 
     /// The shape of a solid; `None` if it encloses nothing.
@@ -65,6 +73,7 @@ impl CopyShape {
             Shape::Blade(Blade { base, u, v, .. }) => {
                 Placement { shape: 0, slot: 0, base: *base, u: *u, v: *v }
             }
+            Shape::Card { base, u, v, .. } => Placement { shape: 0, slot: 0, base: *base, u: *u, v: *v },
             Shape::Dome { base, axis, radius, .. } => Stand { base: *base, axis: *axis }.placement(*radius),
             Shape::Filament { points, head, .. } => Stand::of_head(points)?.placement(head.x),
             Shape::Lathe { .. } | Shape::Spike { .. } => return None,
@@ -134,6 +143,10 @@ fn key<'a>(plant: &'a Plant, shape: &Shape) -> Option<(Key, Original<'a>)> {
         Shape::Filament { head, .. } => {
             let proportion = Proportion::of(head.x, head.y)?;
             Some((Key::Head(proportion), Original::Head(proportion)))
+        }
+        Shape::Card { window: window @ [low, high], .. } => {
+            let key = [low.x, low.y, high.x, high.y].map(f32::to_bits);
+            Some((Key::Card(key), Original::Card(*window)))
         }
         Shape::Lathe { .. } | Shape::Spike { .. } => None,
     }

@@ -8,6 +8,7 @@ use super::source::{Ages, Produced};
 use super::triangle_budget;
 use crate::anatomy::Anatomy;
 use crate::budget::Budget;
+use crate::cards;
 use crate::growth::overlay::Spot;
 use crate::model::{self, Model, ModelParams};
 use crate::plant::{FinishedPlant, Plant, Provenance};
@@ -81,6 +82,10 @@ pub(super) fn finish(
         debug_assert_eq!(provenance.check_invariants(&plant), Ok(()));
         plant
     });
+    let plant = match params.cards.used {
+        true => clock.time("cards", || cards::with_cards(plant, &params.cards)),
+        false => plant,
+    };
     let wanted = u64::from(params.model.budget.triangles).min(budget.triangles);
     let (plant, fitted) = match wanted {
         0 => (plant, None),

@@ -6,6 +6,7 @@
 use super::usual_species::{DEFAULT_SPECIES, species_of_habit};
 use crate::anatomy::AnatomyParams;
 use crate::anatomy::conventions::{self, ConventionParams};
+use crate::cards::CardParams;
 use crate::depth::DepthParams;
 use crate::flower::Layers;
 use crate::growth::habit::CrownHabit;
@@ -33,6 +34,8 @@ crate::parameter_groups! {
         growth: GrowthParams;
         /// How the plant becomes surfaces.
         model: ModelParams;
+        /// Foliage as pictures on rectangles.
+        cards: CardParams;
         /// The flowers of the species.
         flower: FlowerParams;
         /// How roses of the species are built; none where it has another way to grow.

@@ -14,7 +14,7 @@
 use crate::geom::polyline;
 use crate::geom::simple_loop::{area, hull_area};
 use crate::model::{self, ModelParams};
-use crate::plant::{Detail, FinishedPlant, Organ, OrganKind, Shape, Template};
+use crate::plant::{Blade, Detail, FinishedPlant, Organ, OrganKind, Shape, Template};
 use crate::random::{mix, unit};
 use std::collections::BTreeSet;
 
@@ -212,8 +212,10 @@ fn thinned(plant: &FinishedPlant, share: f32) -> FinishedPlant {
     plant.reshape(|plant| {
         plant.organs.retain_mut(|organ| {
             let Some(piece) = pieces.next().flatten() else { return true };
-            if let (Shape::Blade(blade), None) = (&mut organ.shape, organ.flower) {
-                (blade.u, blade.v) = (blade.u * larger, blade.v * larger);
+            if let (Shape::Blade(Blade { u, v, .. }) | Shape::Card { u, v, .. }, None) =
+                (&mut organ.shape, organ.flower)
+            {
+                (*u, *v) = (*u * larger, *v * larger);
             }
             unit(piece) < share
         });

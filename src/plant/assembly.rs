@@ -123,6 +123,9 @@ impl Shape {
                 *base = moved(*base);
                 profile.iter_mut().for_each(|point| *point *= scale);
             }
+            Self::Card { base, u, v, window: _ } => {
+                (*base, *u, *v) = (moved(*base), *u * scale, *v * scale);
+            }
             Self::Spike { base, tip, side: _, foot, hook } => {
                 (*base, *tip) = (moved(*base), moved(*tip));
                 *foot *= scale;

@@ -3,7 +3,7 @@
 //! The plant says what each branch and organ is, a table what such things are made of. The plant is read only from here
 //! on, so that each of its roles has a material.
 
-use super::{Material, OrganKind, Plant, Role};
+use super::{Branch, Flower, Material, Organ, OrganKind, Plant, Role};
 use glam::Vec3;
 use std::collections::BTreeMap;
 use std::ops::Deref;
@@ -80,6 +80,34 @@ impl FinishedPlant {
             }
             self.materials.push(changed);
         }
+    }
+
+    /// Gives a role that the plant does not have yet its material; if another material has its name it gets a new one.
+    pub fn add_material(&mut self, role: Role, mut material: Material) {
+        if self.materials.iter().any(|known| known.name == material.name) {
+            material.name = self.unused_name(&material.name);
+        }
+        self.of_role.insert(role, self.materials.len());
+        self.materials.push(material);
+    }
+
+    /// Some of its branches and organs, by their places in their order, with all its materials. A branch whose parent is not among
+    /// them stands by itself.
+    #[must_use]
+    pub fn excerpt(&self, branches: &[usize], organs: &[usize]) -> Self {
+        let place = |index: Option<usize>| index.and_then(|index| branches.binary_search(&index).ok());
+        let mut excerpt = Plant { templates: self.plant.templates.clone(), ..Plant::default() };
+        for branch in branches.iter().map(|&index| &self.plant.branches[index]) {
+            let parent = place(branch.parent);
+            let level = parent.map_or(0, |parent| excerpt.branches[parent].level + 1);
+            excerpt.branches.push(Branch { parent, level, ..branch.clone() });
+        }
+        let without_branch = |flower: &Flower| Flower { branch: None, ..flower.clone() };
+        excerpt.flowers = self.plant.flowers.iter().map(without_branch).collect();
+        let organ = |organ: &Organ| Organ { branch: place(organ.branch), ..organ.clone() };
+        excerpt.organs = organs.iter().map(|&index| organ(&self.plant.organs[index])).collect();
+        excerpt.drop_unused_templates();
+        Self { plant: excerpt, materials: self.materials.clone(), of_role: self.of_role.clone() }
     }
 
     /// Changes the plant, which must not get a role that it did not have.

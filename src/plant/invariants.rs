@@ -1,7 +1,7 @@
 //! What must hold for every [`Plant`]; called by tests, property tests, fuzz targets and debug builds.
 
 use super::{Blade, Branch, Organ, Plant, RestSurface, Shape};
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 impl Plant {
     /// Checks indices, topological order, finite numbers, positive sizes, and that templates are sound and in use.
@@ -79,6 +79,11 @@ impl Plant {
                 ensure(points.windows(2).all(|w| w[0] != w[1]), || here("repeated point"))?;
                 ensure(*radius > 0.0 && head.min_element() >= 0.0, || here("size not positive"))
             }
+            Shape::Card { base, u, v, window: [low, high] } => {
+                ensure(base.is_finite() && u.is_finite() && v.is_finite(), || here("pose not finite"))?;
+                let within = |corner: &Vec2| corner.cmpge(Vec2::ZERO).all() && corner.cmple(Vec2::ONE).all();
+                ensure(within(low) && within(high) && low.cmplt(*high).all(), || here("window"))
+            }
             Shape::Spike { base, tip, side, foot, hook } => {
                 ensure(base.is_finite() && tip.is_finite() && hook.is_finite(), || here("pose"))?;
                 ensure(is_unit(*side) && base != tip, || here("pose"))?;
@@ -104,7 +109,6 @@ pub(super) fn ensure(holds: bool, what: impl FnOnce() -> String) -> Result<(), S
 mod tests {
     use super::super::{Cone, Flower, OrganPart, Origin, Role, WoodPart};
     use super::*;
-    use glam::Vec2;
 
     fn branch(parent: Option<usize>, level: u32) -> Branch {
         let (origin, role) = (Origin::Generated, Role::of(WoodPart::Stem));

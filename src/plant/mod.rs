@@ -120,6 +120,17 @@ pub enum Shape {
         /// (radius, height) along the outside from bottom to top and down the inside, metres; first and last radius 0.
         profile: Vec<Vec2>,
     },
+    /// A rectangle with a part of a picture: foliage that is seen from afar.
+    Card {
+        /// Middle of its lower edge, metres.
+        base: Vec3,
+        /// From its left to its right edge, metres.
+        u: Vec3,
+        /// From its lower to its upper edge, metres; square to `u`.
+        v: Vec3,
+        /// Left lower and right upper corner of its part of the picture, each 0 to 1 from the picture's left lower corner.
+        window: [Vec2; 2],
+    },
     /// A cone with an elliptic foot, bent toward its tip: a thorn.
     Spike {
         /// Middle of the foot, metres.
@@ -155,7 +166,7 @@ impl Shape {
     pub fn translate(&mut self, by: Vec3) {
         match self {
             Self::Blade(blade) => blade.translate(by),
-            Self::Dome { base, .. } | Self::Lathe { base, .. } => *base += by,
+            Self::Dome { base, .. } | Self::Lathe { base, .. } | Self::Card { base, .. } => *base += by,
             Self::Spike { base, tip, .. } => {
                 *base += by;
                 *tip += by;
@@ -175,7 +186,10 @@ impl Organ {
     pub fn base(&self) -> Vec3 {
         match &self.shape {
             Shape::Blade(blade) => blade.base,
-            Shape::Dome { base, .. } | Shape::Lathe { base, .. } | Shape::Spike { base, .. } => *base,
+            Shape::Dome { base, .. }
+            | Shape::Lathe { base, .. }
+            | Shape::Card { base, .. }
+            | Shape::Spike { base, .. } => *base,
             Shape::Filament { points, .. } => points.first().copied().unwrap_or(Vec3::ZERO),
         }
     }

@@ -20,7 +20,7 @@ use std::sync::OnceLock;
 
 /// Groups in the order in which an artist comes to them: the plant as a whole, flowers and leaves, branches, what fills
 /// outlines, surfaces, and last what only matters where strokes were misunderstood.
-const ORDER: [&str; 32] = [
+const ORDER: [&str; 33] = [
     "depth.world",
     "flower",
     "flower.layers",
@@ -43,6 +43,7 @@ const ORDER: [&str; 32] = [
     "anatomy.leaf_twigs",
     "anatomy.twigs",
     "model.budget",
+    "cards",
     "model.blade",
     "model.tube",
     "model.solid",

@@ -113,6 +113,7 @@ enum ShapeText<'a> {
     Blade(BladeText<'a>),
     Dome { base: Vec3, axis: Vec3, radius: f32, height: f32 },
     Lathe { base: Vec3, axis: Vec3, profile: &'a [Vec2] },
+    Card { base: Vec3, u: Vec3, v: Vec3, window: [Vec2; 2] },
     Spike { base: Vec3, tip: Vec3, side: Vec3, foot: Vec2, hook: Vec3 },
 }
 
@@ -161,6 +162,9 @@ impl<'a> OrganText<'a> {
             Shape::Blade(blade) => ShapeText::Blade(BladeText::new(blade)),
             Shape::Dome { base, axis, radius, height } => {
                 ShapeText::Dome { base: *base, axis: *axis, radius: *radius, height: *height }
+            }
+            Shape::Card { base, u, v, window } => {
+                ShapeText::Card { base: *base, u: *u, v: *v, window: *window }
             }
             Shape::Spike { base, tip, side, foot, hook } => {
                 ShapeText::Spike { base: *base, tip: *tip, side: *side, foot: *foot, hook: *hook }
