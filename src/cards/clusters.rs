@@ -15,7 +15,7 @@ const OF_ITS_OWN: f32 = 0.5;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Cluster {
     /// The branch that carries it and stays.
-    pub(super) on: usize,
+    pub(super) on: Option<usize>,
     /// Where it grows from, metres.
     pub(super) foot: Vec3,
     /// Its organs, by their places in the plant.
@@ -146,7 +146,7 @@ impl<'a> Tree<'a> {
     }
 
     fn cluster(&self, on: usize, foot: Vec3, items: &[(f32, Item)]) -> Cluster {
-        let mut cluster = Cluster { on, foot, organs: Vec::new(), branches: Vec::new() };
+        let mut cluster = Cluster { on: Some(on), foot, organs: Vec::new(), branches: Vec::new() };
         for (_, item) in items {
             match item {
                 Item::Organ(organ) => cluster.organs.push(*organ),

@@ -48,6 +48,13 @@ impl Frame {
         Self::around(cluster.foot, axes, organs.iter().copied().chain(twigs))
     }
 
+    /// An upright box around the whole plant; `None` for one without extent.
+    pub(super) fn upright(plant: &Plant) -> Option<Self> {
+        let wood = plant.branches.iter().flat_map(|branch| branch.points.iter().copied());
+        let organs = plant.organs.iter().flat_map(|organ| extremes(plant, organ));
+        Self::around(Vec3::ZERO, Mat3::IDENTITY, wood.chain(organs))
+    }
+
     /// The same box for other points.
     pub(super) fn around_points(&self, points: impl Iterator<Item = Vec3>) -> Option<Self> {
         Self::around(self.foot, self.axes, points)

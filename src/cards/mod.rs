@@ -13,13 +13,17 @@
 mod clusters;
 mod frame;
 mod picture;
+mod raster;
+mod surfaces;
 
 use crate::model::ModelParams;
 use crate::picture::Picture;
 use crate::plant::{FinishedPlant, Material, Organ, OrganPart, Origin, Plant, Role, Shape, Texture};
 use clusters::{Cluster, clusters};
 use frame::{Frame, Side};
+use glam::Vec3;
 use picture::Atlas;
+use surfaces::{Surfaces, fine};
 
 crate::parameters! {
     /// Foliage as pictures on rectangles.
@@ -55,9 +59,22 @@ pub fn with_cards(plant: FinishedPlant, params: &CardParams) -> FinishedPlant {
         .map(|(frame, cluster)| (cluster, frame))
         .collect();
     let ranks = ranks(&framed, params.shoots as usize);
-    let Some(atlas) = Atlas::draw(&plant, &framed, &ranks.shown, params.pixels) else { return plant };
+    let surfaces = Surfaces::new(&plant, fine());
+    let Some(atlas) = Atlas::draw(&surfaces, &framed, &ranks.shown, params.pixels) else { return plant };
     let cards = cards(&plant, &framed, &ranks, &atlas);
     replaced(plant, &framed, cards, atlas.picture)
+}
+
+/// The whole plant as two crossing pictures, each so many pixels wide and high, for what is far away.
+pub fn billboards(plant: &FinishedPlant, pixels: u32) -> FinishedPlant {
+    let Some(frame) = Frame::upright(plant) else { return plant.clone() };
+    let (organs, branches) = ((0..plant.organs.len()).collect(), (0..plant.branches.len()).collect());
+    let all = [(Cluster { on: None, foot: Vec3::ZERO, organs, branches }, frame)];
+    let surfaces = Surfaces::new(plant, ModelParams::default());
+    let Some(atlas) = Atlas::draw(&surfaces, &all, &[0], pixels) else { return plant.clone() };
+    let role = new_role(plant);
+    let cards = Side::ALL.map(|side| card(role, None, atlas.card(&frame, 0, side))).to_vec();
+    replaced(plant.clone(), &all, cards, atlas.picture)
 }
 
 /// The largest extent of a plant's wood, metres.
@@ -90,26 +107,25 @@ fn ranks(framed: &[(Cluster, Frame)], shoots: usize) -> Ranks {
 
 /// The cards of all clusters.
 fn cards(plant: &Plant, framed: &[(Cluster, Frame)], ranks: &Ranks, atlas: &Atlas) -> Vec<Organ> {
+    let role = new_role(plant);
+    let mut cards = Vec::with_capacity(2 * framed.len());
+    for ((cluster, frame), shoot) in framed.iter().zip(&ranks.of_cluster) {
+        let sides: &[Side] = if frame.flatness() < FLAT { &[Side::Wide] } else { &Side::ALL };
+        let shape = |side: &Side| atlas.card(frame, *shoot, *side);
+        cards.extend(sides.iter().map(shape).map(|shape| card(role, cluster.on, shape)));
+    }
+    cards
+}
+
+/// A role of leaves that the plant does not have yet.
+fn new_role(plant: &Plant) -> Role<OrganPart> {
     let variant = plant.organs.iter().map(|organ| organ.role.variant + 1).max().unwrap_or(0);
-    let role = Role { variant, ..Role::of(OrganPart::Leaf) };
-    let of_cluster = |((cluster, frame), shoot): (&(Cluster, Frame), usize)| {
-        let branch = cluster.on;
-        let sides: &[Side] =
-            if frame.flatness() < FLAT { &[Side::Wide] } else { &[Side::Wide, Side::Narrow] };
-        let card = move |side: &Side| {
-            let (base, u, v) = frame.card(*side);
-            Shape::Card { base, u, v, window: atlas.window(shoot, *side) }
-        };
-        let shapes: Vec<Shape> = sides.iter().map(card).collect();
-        shapes.into_iter().map(move |shape| Organ {
-            role,
-            origin: Origin::Generated,
-            branch: Some(branch),
-            flower: None,
-            shape,
-        })
-    };
-    framed.iter().zip(ranks.of_cluster.iter().copied()).flat_map(of_cluster).collect()
+    Role { variant, ..Role::of(OrganPart::Leaf) }
+}
+
+/// A card on a branch.
+fn card(role: Role<OrganPart>, branch: Option<usize>, shape: Shape) -> Organ {
+    Organ { role, origin: Origin::Generated, branch, flower: None, shape }
 }
 
 /// The plant without what the clusters hold, and with the cards.
@@ -154,11 +170,82 @@ fn material(plant: &FinishedPlant, framed: &[(Cluster, Frame)], picture: Picture
     }
 }
 
-/// How clusters are meshed to be drawn: finely, for nothing of that is left but a picture.
-fn mesh_params() -> ModelParams {
-    let mut params = ModelParams::default();
-    let blade = &mut params.blade;
-    (blade.template_tolerance, blade.template_outline_points) = (0.004, 80);
-    (blade.template_rows, blade.template_columns) = (4, 1);
-    params
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::growth::{Limits, PlantAtAge, Simulation, plant_at};
+    use crate::model::{self, Model};
+    use crate::plant::Provenance;
+    use crate::species::{self, Species};
+
+    fn grown(name: &str, age: u16) -> FinishedPlant {
+        let species = Species::built_in(name).unwrap();
+        let mut simulation = Simulation::new(species.growth.as_ref().unwrap(), 1, Limits::default());
+        simulation.grow_to(age, &|| false);
+        let PlantAtAge { plant, buds } = plant_at(&simulation, f32::from(age));
+        species::apply(plant, &buds, &Provenance::default(), &species, 1).plant
+    }
+
+    fn used() -> CardParams {
+        CardParams { used: true, ..CardParams::default() }
+    }
+
+    fn built(plant: &FinishedPlant) -> Model {
+        let mut params = ModelParams::default();
+        params.blade.gathered = true;
+        model::build(plant, &params)
+    }
+
+    /// Share of the area of one box, seen from the front, that another has.
+    fn covered(of: &Model, by: &Model) -> f32 {
+        let area = |(low, high): (Vec3, Vec3)| (high - low).x * (high - low).y;
+        area(by.bounds().unwrap()) / area(of.bounds().unwrap())
+    }
+
+    #[test]
+    fn foliage_becomes_few_triangles_of_the_same_extent() {
+        for (name, age) in [("oak", 12), ("spruce", 8), ("cherry", 12), ("ash", 8), ("willow", 8)] {
+            let plant = grown(name, age);
+            let with = with_cards(plant.clone(), &used());
+            assert_eq!(with.check_invariants(), Ok(()), "{name}");
+            assert!(with.organs.iter().all(|organ| matches!(organ.shape, Shape::Card { .. })), "{name}");
+            let (leaves, cards) = (built(&plant), built(&with));
+            assert_eq!(cards.check_invariants(), Ok(()), "{name}");
+            let share = cards.triangle_count() as f32 / leaves.triangle_count() as f32;
+            assert!(share < 0.5, "{name}: {share} of the triangles");
+            let extent = covered(&leaves, &cards);
+            assert!((0.9..1.2).contains(&extent), "{name}: {extent} of the extent");
+            assert!(with == with_cards(plant, &used()), "{name}: not the same again");
+        }
+    }
+
+    #[test]
+    fn what_was_drawn_and_little_foliage_stay() {
+        let plant = grown("oak", 1);
+        assert!(with_cards(plant.clone(), &used()) == plant);
+        let oak = grown("oak", 8);
+        assert!(with_cards(oak.clone(), &CardParams::default()) == oak);
+        let mut drawn = oak;
+        let origin = Provenance::default().record(Some(7));
+        drawn.reshape(|plant| {
+            plant.branches.iter_mut().for_each(|branch| branch.origin = origin);
+            plant.organs.iter_mut().step_by(2).for_each(|organ| organ.origin = origin);
+        });
+        let with = with_cards(drawn.clone(), &used());
+        assert_eq!(with.branches, drawn.branches);
+        let leaves = |plant: &Plant| plant.organs.iter().filter(|organ| organ.origin.is_drawn()).count();
+        assert_eq!(leaves(&with), leaves(&drawn));
+    }
+
+    #[test]
+    fn a_whole_plant_is_two_pictures() {
+        let plant = grown("apple", 8);
+        let flat = billboards(&plant, 64);
+        assert_eq!(flat.check_invariants(), Ok(()));
+        let (whole, two) = (built(&plant), built(&flat));
+        assert_eq!(two.triangle_count(), 8);
+        assert!((0.95..1.3).contains(&covered(&whole, &two)), "{}", covered(&whole, &two));
+        let nothing = FinishedPlant::plain(Plant::default());
+        assert!(billboards(&nothing, 64) == nothing);
+    }
 }

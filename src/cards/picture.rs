@@ -1,24 +1,19 @@
 //! The picture of a plant's shoots: a column for each, the wide side in the upper row and the narrow one in the lower.
 //!
-//! Each is drawn by parallel projection from the meshes of its organs and twigs, twice as large as it becomes, with a depth for
-//! every pixel, and each pixel of the result is the mean of four: its alpha says how much of it is covered. Colours are those of
-//! the materials, a little lighter where a surface faces the light above and in front, and where it lies in front of others; their
-//! mean stays. What nothing covers has the mean colour, so that smaller copies of the picture have no dark margins.
+//! Each is drawn by parallel projection, twice as large as it becomes, with a depth for every pixel, and each pixel of the result is
+//! the mean of four: its alpha says how much of it is covered. Colours are those of the materials, a little lighter where a surface
+//! faces the light above and in front, and where it lies in front of others; their mean stays. What nothing covers has the mean
+//! colour, so that smaller copies of the picture have no dark margins.
 
 use super::clusters::Cluster;
 use super::frame::{Frame, Side};
-use super::mesh_params;
-use crate::model;
-use crate::picture::{
-    Picture,
-    decode::{self, Rgba},
-};
-use crate::plant::{FinishedPlant, Material, Texture};
-use crate::species::builtin_texture;
-use crate::srgb::{linear_from_srgb, srgb_from_linear};
+use super::raster::covered;
+use super::surfaces::{Corner, Surfaces, Triangle};
+use crate::picture::{Picture, decode::Rgba};
+use crate::plant::Shape;
+use crate::srgb::srgb_from_linear;
 use glam::{Vec2, Vec3, Vec4};
 use rayon::prelude::*;
-use std::sync::OnceLock;
 
 /// Pixels that are drawn for one, to each side.
 const FINER: usize = 2;
@@ -37,16 +32,15 @@ pub(super) struct Atlas {
 impl Atlas {
     /// Draws some of the clusters, each so many pixels wide and high. `None` where nothing of them is seen.
     pub(super) fn draw(
-        plant: &FinishedPlant,
+        surfaces: &Surfaces<'_>,
         framed: &[(Cluster, Frame)],
         shown: &[usize],
         pixels: u32,
     ) -> Option<Self> {
-        let surfaces = Surfaces::new(plant);
         let side = pixels as usize;
         let cells = |shoot: &usize| {
             let (cluster, frame) = &framed[*shoot];
-            let triangles = surfaces.triangles(plant, cluster);
+            let triangles = surfaces.triangles(cluster);
             let corners =
                 triangles.iter().flat_map(|triangle| triangle.corners.iter().map(|corner| corner.at));
             let frame = frame.around_points(corners).unwrap_or(*frame);
@@ -57,86 +51,17 @@ impl Atlas {
         Some(Self { picture: Picture::new(picture).ok()?, columns: shown.len() })
     }
 
+    /// The card of a cluster from a side, with the picture of a shoot.
+    pub(super) fn card(&self, frame: &Frame, shoot: usize, side: Side) -> Shape {
+        let (base, u, v) = frame.card(side);
+        Shape::Card { base, u, v, window: self.window(shoot, side) }
+    }
+
     /// The part of the picture that shows a shoot from a side.
-    pub(super) fn window(&self, shoot: usize, side: Side) -> [Vec2; 2] {
+    fn window(&self, shoot: usize, side: Side) -> [Vec2; 2] {
         let column = shoot as f32 / self.columns as f32;
         let low = Vec2::new(column, if side == Side::Wide { 0.5 } else { 0.0 });
         [low, low + Vec2::new(1.0 / self.columns as f32, 0.5)]
-    }
-}
-
-/// A corner with its place in the world, its normal and its place in the material's picture.
-#[derive(Clone, Copy)]
-struct Corner {
-    at: Vec3,
-    normal: Vec3,
-    uv: Vec2,
-}
-
-/// A triangle and its material.
-struct Triangle<'a> {
-    corners: [Corner; 3],
-    surface: &'a Surface,
-}
-
-/// A material's colour and picture.
-struct Surface {
-    diffuse: Vec3,
-    texture: Option<Rgba>,
-    linear: [f32; 256],
-}
-
-impl Surface {
-    fn new(material: &Material) -> Self {
-        let linear = std::array::from_fn(|encoded| linear_from_srgb(encoded as f32 / 255.0));
-        let texture = material.texture.as_ref().and_then(|texture| match texture {
-            Texture::BuiltIn(name) => decode::decode(builtin_texture(name)?).ok(),
-            Texture::File(path) => Picture::read_with_pixels(path).ok().map(|(_, pixels)| pixels),
-            Texture::Own(picture) => picture.pixels().ok(),
-        });
-        Self { diffuse: material.diffuse.into(), texture, linear }
-    }
-
-    /// Colour at a place in linear light, and whether there is anything.
-    fn colour(&self, uv: Vec2) -> Option<Vec3> {
-        let Some(Rgba { width, height, pixels }) = &self.texture else { return Some(self.diffuse) };
-        let texel =
-            |share: f32, count: u32| ((share.rem_euclid(1.0) * count as f32) as u32).min(count - 1) as usize;
-        let at = 4 * (texel(1.0 - uv.y, *height) * *width as usize + texel(uv.x, *width));
-        let [r, g, b, a] = [0, 1, 2, 3].map(|k| pixels[at + k]);
-        (a > 127).then(|| self.diffuse * Vec3::from([r, g, b].map(|c| self.linear[usize::from(c)])))
-    }
-}
-
-/// The looks of a plant, each once something of it is drawn.
-struct Surfaces(Vec<OnceLock<Surface>>);
-
-impl Surfaces {
-    fn new(plant: &FinishedPlant) -> Self {
-        Self(plant.materials().iter().map(|_| OnceLock::new()).collect())
-    }
-
-    /// The surface of a cluster.
-    fn triangles(&self, plant: &FinishedPlant, cluster: &Cluster) -> Vec<Triangle<'_>> {
-        let part = plant.excerpt(&cluster.branches, &cluster.organs);
-        let model = model::build(&part, &mesh_params());
-        let mut triangles = Vec::new();
-        for part in &model.flattened().parts {
-            for (material, faces) in part.material_slots() {
-                let corner = |vertex: u32| {
-                    let vertex = part.mesh.vertices[vertex as usize];
-                    Corner {
-                        at: part.mesh.points[vertex.point as usize],
-                        normal: vertex.normal,
-                        uv: vertex.uv,
-                    }
-                };
-                let surface = self.0[material].get_or_init(|| Surface::new(&plant.materials()[material]));
-                let triangle = |face: &[u32; 3]| Triangle { corners: face.map(corner), surface };
-                triangles.extend(part.mesh.triangles[faces].iter().map(triangle));
-            }
-        }
-        triangles
     }
 }
 
@@ -161,43 +86,21 @@ fn drawn(triangles: &[Triangle<'_>], (base, u, v): (Vec3, Vec3, Vec3), side: usi
     let mut pixels = vec![Pixel { depth: f32::NEG_INFINITY, colour: Vec3::ZERO, light: 0.0 }; fine * fine];
     for triangle in triangles {
         let places = triangle.corners.each_ref().map(onto);
-        covered(places, fine, |pixel, shares| {
-            let mixed = |of: [f32; 3]| of.iter().zip(shares).map(|(value, share)| value * share).sum::<f32>();
-            let depth = mixed(places.map(|place| place.z));
+        let depths = Vec3::from(places.map(|place| place.z));
+        let [a, b, c] = &triangle.corners;
+        covered(places.map(Vec3::truncate), fine, |pixel, shares| {
+            let depth = depths.dot(shares);
             if depth <= pixels[pixel].depth {
                 return;
             }
-            let [a, b, c] = &triangle.corners;
-            let uv = a.uv * shares[0] + b.uv * shares[1] + c.uv * shares[2];
-            let normal = a.normal * shares[0] + b.normal * shares[1] + c.normal * shares[2];
+            let uv = a.uv * shares.x + b.uv * shares.y + c.uv * shares.z;
+            let normal = a.normal * shares.x + b.normal * shares.y + c.normal * shares.z;
             if let Some(colour) = triangle.surface.colour(uv) {
                 pixels[pixel] = Pixel { depth, colour, light: lit(normal.normalize_or_zero(), depth) };
             }
         });
     }
     coarser(&pixels, side)
-}
-
-/// Calls with each pixel whose middle a triangle covers and the shares of its corners there; x and y are in pixels.
-fn covered(places: [Vec3; 3], side: usize, mut each: impl FnMut(usize, [f32; 3])) {
-    let [a, b, c] = places.map(Vec3::truncate);
-    let twice = (b - a).perp_dot(c - a);
-    if twice == 0.0 || !twice.is_finite() {
-        return;
-    }
-    let most = Vec2::splat(side as f32);
-    let low = a.min(b).min(c).clamp(Vec2::ZERO, most).floor().as_usizevec2();
-    let high = a.max(b).max(c).clamp(Vec2::ZERO, most).ceil().as_usizevec2();
-    for y in low.y..high.y {
-        for x in low.x..high.x {
-            let p = Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
-            let shares = [(b - p).perp_dot(c - p), (c - p).perp_dot(a - p), (a - p).perp_dot(b - p)]
-                .map(|s| s / twice);
-            if shares.iter().all(|share| *share >= 0.0) {
-                each(y * side + x, shares);
-            }
-        }
-    }
 }
 
 /// What is seen at one place; nothing where there is no light.

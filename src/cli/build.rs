@@ -1,6 +1,7 @@
 //! `penstemon build SKETCH -o OUT`: drawing to plant.
 
 use super::common::{self, BuildOptions, Instances, Setup};
+use super::lod::{self, Lod};
 use crate::formats::write;
 use anyhow::ensure;
 use std::path::PathBuf;
@@ -18,6 +19,10 @@ pub struct Args {
     /// those that read EXT_mesh_gpu_instancing.
     #[arg(long, value_name = "FORM")]
     pub instances: Option<Instances>,
+    /// Levels of detail: hero, game, mobile, or numbers of triangles such as 80000,25000,5000,billboards. GLB holds all of them
+    /// (MSFT_lod), of OBJ each has a file.
+    #[arg(long, value_name = "LEVELS")]
+    pub lod: Option<Lod>,
     #[command(flatten)]
     #[allow(missing_docs)]
     pub options: BuildOptions,
@@ -39,10 +44,19 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         "{}: no stroke is long enough to be a petal, a leaf or a branch; draw something larger",
         args.sketch.display()
     );
-    let made = ((&built.plant, &built.provenance), &built.model);
-    let bytes = common::export(&args.out, made, args.instances, &setup.sources)?;
+    let (bytes, levels) = match &args.lod {
+        Some(lod) => lod::export(&args.out, (&built, &setup.params), lod, args.instances, &setup.sources)?,
+        None => {
+            let made = ((&built.plant, &built.provenance), &built.model);
+            (common::export(&args.out, made, args.instances, &setup.sources)?, Vec::new())
+        }
+    };
     if args.options.stats {
-        common::print(&common::stats(&built.stages, &built.model, bytes).to_string())?;
+        let mut stats = common::stats(&built.stages, &built.model, bytes);
+        if !levels.is_empty() {
+            stats["levels"] = levels.into();
+        }
+        common::print(&stats.to_string())?;
     }
     Ok(ExitCode::SUCCESS)
 }

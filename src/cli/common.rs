@@ -2,7 +2,7 @@
 
 use crate::formats::write::{self, InstanceForm, PlantAndProvenance};
 use crate::input::Sources;
-use crate::model::Model;
+use crate::model::{Levels, Model};
 use crate::pipeline::{self, Built, Params};
 use crate::sketch::{self, Sketch};
 use crate::species::{self, Species};
@@ -190,6 +190,15 @@ pub enum Instances {
     Gpu,
 }
 
+impl Instances {
+    fn form(self) -> InstanceForm {
+        match self {
+            Self::Nodes => InstanceForm::Nodes,
+            Self::Gpu => InstanceForm::Gpu,
+        }
+    }
+}
+
 /// Writes a plant in several formats, GLB with instances where they are asked for; returns the number of bytes.
 ///
 /// # Errors
@@ -200,11 +209,22 @@ pub fn export(
     instances: Option<Instances>,
     sources: &Sources,
 ) -> anyhow::Result<usize> {
-    let form = instances.map(|instances| match instances {
-        Instances::Nodes => InstanceForm::Nodes,
-        Instances::Gpu => InstanceForm::Gpu,
-    });
+    let form = instances.map(Instances::form);
     Ok(write::export_all(outs, model, plant, &built_in_texture, form, sources)?)
+}
+
+/// Writes the levels of detail of a plant into one GLB file, or several such files; returns the number of bytes.
+///
+/// # Errors
+/// A file that cannot be written.
+pub fn export_levels(
+    outs: &[PathBuf],
+    (plant, levels): (PlantAndProvenance<'_>, &Levels),
+    instances: Option<Instances>,
+    sources: &Sources,
+) -> anyhow::Result<usize> {
+    let (form, Levels { model, of_specimen }) = (instances.map(Instances::form), levels);
+    Ok(write::export_levels(outs, (model, of_specimen), plant, &built_in_texture, form, sources)?)
 }
 
 /// The program's own textures, for exporters and renderers.

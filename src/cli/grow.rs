@@ -1,5 +1,6 @@
 //! `penstemon grow SPECIES -o OUT`: a plant that grows by itself, at one age or at many ages one after the other.
 
+use super::lod::{self, Lod};
 use super::studio::{Outputs, Studio, is_picture, open_species};
 use super::{common, inside, rose};
 use crate::formats::write;
@@ -40,6 +41,10 @@ pub struct Args {
     /// those that read EXT_mesh_gpu_instancing.
     #[arg(long, value_name = "FORM")]
     pub instances: Option<common::Instances>,
+    /// Levels of detail: hero, game, mobile, or numbers of triangles such as 80000,25000,5000,billboards. GLB holds all of them
+    /// (MSFT_lod), of OBJ each has a file.
+    #[arg(long, value_name = "LEVELS", conflicts_with = "frames")]
+    pub lod: Option<Lod>,
     /// Seed of everything random.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
@@ -83,6 +88,10 @@ pub fn run(args: &Args) -> Result<ExitCode> {
             args.age.is_none(),
             "{name}: a rose has seasons, not years; leave out --age, or --set rose.season=3 for hips"
         );
+        ensure!(
+            args.lod.is_none(),
+            "{name}: a rose has no levels of detail yet; leave out --lod, or ask for one level with --triangles"
+        );
         ensure!(args.inside.is_none(), "{name}: a rose does not fill volumes; leave out --inside");
         let view = View { direction: Direction::Front, projection: Projection::Perspective, turn_deg: 0.0 };
         let options = PictureOptions { width: 1200, height: 900, transparent: false };
@@ -110,9 +119,15 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     inside::check_room(nursery.simulation()?)?;
     warn_of_shortfalls(name, args, &grown, ages, nursery.simulation()?);
     ensure!(!grown.model.parts.is_empty(), "{name}: {}", why_bare(ages));
-    let bytes = write(args, &sources, &grown, &mut nursery)?;
+    let (bytes, levels) = match &args.lod {
+        Some(lod) => lod::export(&args.out, (&grown, &params), lod, args.instances, &sources)?,
+        None => (write(args, &sources, &grown, &mut nursery)?, Vec::new()),
+    };
     if args.stats {
         let mut stats = common::stats(&grown.stages, &grown.model, bytes);
+        if !levels.is_empty() {
+            stats["levels"] = levels.into();
+        }
         stats["internodes"] = nursery.simulation()?.tree().len().into();
         stats["branches"] = grown.plant.branches.len().into();
         let leaves = grown.plant.organs.iter().filter(|organ| organ.kind() == OrganKind::Leaf).count();

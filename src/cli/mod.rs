@@ -11,6 +11,7 @@ mod compositor;
 pub mod grow;
 pub mod inside;
 pub mod inspect;
+mod lod;
 pub mod params;
 pub mod pen;
 pub mod photo;

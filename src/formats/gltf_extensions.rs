@@ -1,10 +1,11 @@
-//! What glTF's core cannot say: of a material in two extensions that are never required, of copies in one that is.
+//! What glTF's core cannot say: of a material in two extensions that are never required, of levels of detail in one more, of copies in one that is.
 //!
 //! - `KHR_materials_specular`: the strength of the highlight ([`Material::reflectance`]) where it is not the 4 % of an
 //!   ordinary dielectric.
 //! - `KHR_materials_diffuse_transmission`: translucency. Leaves scatter the light that shines through them, which then has
 //!   the surface's colour; `KHR_materials_transmission` would make them clear as glass.
 //!
+//! - [`LEVELS`]: a node that is the finest of several levels of detail, and which are the others.
 //! - [`INSTANCING`]: a node with a table of poses for the copies of its mesh.
 //!
 //! Limits: the extensions' pictures for strength and thickness are neither written nor read.
@@ -16,6 +17,8 @@ use json::texture;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
+/// The extension of nodes that are the finest of several levels of detail.
+pub(super) const LEVELS: &str = "MSFT_lod";
 /// The extension of nodes that show a mesh many times.
 pub(super) const INSTANCING: &str = "EXT_mesh_gpu_instancing";
 const SPECULAR: &str = "KHR_materials_specular";

@@ -14,6 +14,7 @@
 //! | `card` | rectangles with pictures of foliage |
 //! | `shapes`, `copies` | blades that are copies of few shapes |
 //! | `instances` | copies by their shapes, for glTF |
+//! | `levels` | several models of one plant as one |
 //! | `spine`, `tube` | single branches |
 //! | `limbs`, `rows`, `joint`, `bend`, `window`, `strip`, `wood`, `sealing` | branches that grow out of one another |
 //! | `surface`, `wood_changes`, `wood_memory` | their surface made anew only near what changed |
@@ -42,6 +43,7 @@ pub mod instances;
 mod interior;
 pub mod invariants;
 mod joint;
+mod levels;
 mod limbs;
 mod measure;
 pub mod mesh;
@@ -84,6 +86,7 @@ pub use cache::Cache;
 pub use copies::{Copies, Placement};
 pub use flat::{BladeMeshParams, triangulation_input};
 pub use instances::{InstanceGroup, InstancedModel, Pose};
+pub use levels::Levels;
 pub use measure::{Measure, Measures};
 pub use mesh::{Mesh, Vertex};
 pub use params::{ModelParams, TriangleParams};

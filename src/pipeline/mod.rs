@@ -21,6 +21,7 @@ mod drawing;
 mod figure_plant;
 mod finish;
 mod growing;
+mod levels;
 mod placing;
 mod proposed_species;
 mod rose;
@@ -33,6 +34,7 @@ mod usual_species;
 pub use beside::Beside;
 pub use drawing::DrawingMemory;
 pub use finish::Built;
+pub use levels::{Level, levels};
 pub use placing::BuiltBeside;
 pub use seed::SeedMemory;
 pub use setup::{

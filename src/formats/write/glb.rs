@@ -11,6 +11,7 @@ use super::error::ExportError;
 use super::exporter::{Encoded, Exporter, Takes};
 use super::gltf_buffer::{VERTEX_BYTES, accessor, view};
 use super::gltf_instances;
+use super::gltf_levels;
 use super::gltf_materials::push_materials;
 use super::gltf_tree::push_nodes;
 use super::image_files::ImageFiles;
@@ -150,6 +151,7 @@ fn document(
     let mesh_of_part: Vec<_> = scene.model.parts.iter().map(mesh_of).collect();
     let first_part = push_nodes(&mut root, &scene.model, &mesh_of_part);
     gltf_instances::push(&mut root, scene, first_part, of_shapes, regions.poses);
+    gltf_levels::push(&mut root, scene)?;
     Ok(root)
 }
 

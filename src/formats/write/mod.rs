@@ -8,6 +8,7 @@ pub mod exporter;
 pub mod glb;
 mod gltf_buffer;
 mod gltf_instances;
+mod gltf_levels;
 mod gltf_materials;
 mod gltf_tree;
 pub mod image_files;
@@ -98,6 +99,22 @@ pub fn export_all(
     instances: Option<InstanceForm>,
     sources: &Sources,
 ) -> Result<usize, ExportError> {
+    export_levels(paths, (model, &[]), plant, built_in, instances, sources)
+}
+
+/// Writes a model that holds several levels of detail of one plant; `level_of_specimen` is as in [`Scene`], and empty for a model
+/// of one level. Formats other than glTF have no word for levels and write all of them as plants.
+///
+/// # Errors
+/// As [`export_all`].
+pub fn export_levels(
+    paths: &[PathBuf],
+    (model, level_of_specimen): (&Model, &[usize]),
+    plant: PlantAndProvenance<'_>,
+    built_in: &BuiltInTextures<'_>,
+    instances: Option<InstanceForm>,
+    sources: &Sources,
+) -> Result<usize, ExportError> {
     model.check_invariants().map_err(ExportError::Unsound)?;
     let (flat, instanced, no_surfaces) = (OnceCell::new(), OnceCell::new(), Model::default());
     let prepare = |path: &PathBuf| -> Result<Prepared, ExportError> {
@@ -111,7 +128,7 @@ pub fn export_all(
             }
             (Takes::Copies | Takes::Triangles, _) => scene(flat.get_or_init(|| model.flattened()))?,
         };
-        encode(path, format, &scene)
+        encode(path, format, &Scene { level_of_specimen, ..scene })
     };
     let prepared = paths.iter().map(prepare).collect::<Result<_, _>>()?;
     write_all(prepared, model, sources)

@@ -28,6 +28,8 @@ pub struct Scene<'a> {
     pub built_in: &'a BuiltInTextures<'a>,
     /// Copies of shapes, which stand beside the model's parts, and how they are written.
     pub instances: Option<(&'a [InstanceGroup], InstanceForm)>,
+    /// For each plant its level of detail, 0 for the finest; empty where the model has only one.
+    pub level_of_specimen: &'a [usize],
     /// The output file's name without folder and extension; companion files begin with it.
     pub stem: Cow<'a, str>,
 }
@@ -44,7 +46,7 @@ impl<'a> Scene<'a> {
         stem: Cow<'a, str>,
     ) -> Result<Self, ExportError> {
         model.check_invariants().map_err(ExportError::Unsound)?;
-        Ok(Self { model: model.flattened(), plant, built_in, instances: None, stem })
+        Ok(Self { model: model.flattened(), plant, built_in, instances: None, level_of_specimen: &[], stem })
     }
 
     /// The scene with copies of shapes beside its model.

@@ -1,0 +1,104 @@
+//! The triangles of a cluster, with what they look like: corners, colours and pictures of their materials.
+
+use super::clusters::Cluster;
+use crate::model::{self, ModelParams};
+use crate::picture::Picture;
+use crate::picture::decode::{self, Rgba};
+use crate::plant::{FinishedPlant, Material, Texture};
+use crate::species::builtin_texture;
+use crate::srgb::linear_from_srgb;
+use glam::{Vec2, Vec3};
+use std::sync::OnceLock;
+
+/// A corner of a triangle.
+#[derive(Clone, Copy)]
+pub(super) struct Corner {
+    /// Where it is, metres.
+    pub(super) at: Vec3,
+    pub(super) normal: Vec3,
+    /// Its place in the picture of the material.
+    pub(super) uv: Vec2,
+}
+
+/// A triangle and what it looks like.
+pub(super) struct Triangle<'a> {
+    pub(super) corners: [Corner; 3],
+    pub(super) surface: &'a Surface,
+}
+
+/// A material's colour and picture.
+pub(super) struct Surface {
+    diffuse: Vec3,
+    texture: Option<Rgba>,
+    /// Light of encoded values.
+    linear: [f32; 256],
+}
+
+impl Surface {
+    fn new(material: &Material) -> Self {
+        let linear = std::array::from_fn(|encoded| linear_from_srgb(encoded as f32 / 255.0));
+        // A picture that is missing is reported where the species takes it in.
+        let texture = material.texture.as_ref().and_then(|texture| match texture {
+            Texture::BuiltIn(name) => decode::decode(builtin_texture(name)?).ok(),
+            Texture::File(path) => Picture::read_with_pixels(path).ok().map(|(_, pixels)| pixels),
+            Texture::Own(picture) => picture.pixels().ok(),
+        });
+        Self { diffuse: material.diffuse.into(), texture, linear }
+    }
+
+    /// Colour at a place in linear light; none where the picture is clear.
+    pub(super) fn colour(&self, uv: Vec2) -> Option<Vec3> {
+        let Some(Rgba { width, height, pixels }) = &self.texture else { return Some(self.diffuse) };
+        let texel = |share: f32, count: u32| {
+            ((share - share.floor()) * count as f32).clamp(0.0, count as f32 - 1.0) as usize
+        };
+        let at = 4 * (texel(1.0 - uv.y, *height) * *width as usize + texel(uv.x, *width));
+        let &[r, g, b, a] = pixels.get(at..at + 4)?.as_array()?;
+        let light = |encoded: u8| self.linear[usize::from(encoded)];
+        (a > 127).then(|| self.diffuse * Vec3::new(light(r), light(g), light(b)))
+    }
+}
+
+/// The looks of a plant, each once something of it is seen.
+pub(super) struct Surfaces<'a> {
+    plant: &'a FinishedPlant,
+    fineness: ModelParams,
+    of_material: Vec<OnceLock<Surface>>,
+}
+
+impl<'a> Surfaces<'a> {
+    /// Those of a plant that is meshed so finely.
+    pub(super) fn new(plant: &'a FinishedPlant, fineness: ModelParams) -> Self {
+        let of_material = plant.materials().iter().map(|_| OnceLock::new()).collect();
+        Self { plant, fineness, of_material }
+    }
+
+    /// The surface of a cluster.
+    pub(super) fn triangles(&self, cluster: &Cluster) -> Vec<Triangle<'_>> {
+        let part = self.plant.excerpt(&cluster.branches, &cluster.organs);
+        let model = model::build(&part, &self.fineness);
+        let mut triangles = Vec::new();
+        for part in &model.flattened().parts {
+            let corner = |vertex: u32| {
+                let vertex = part.mesh.vertices[vertex as usize];
+                Corner { at: part.mesh.points[vertex.point as usize], normal: vertex.normal, uv: vertex.uv }
+            };
+            for (material, faces) in part.material_slots() {
+                let surface = || Surface::new(&self.plant.materials()[material]);
+                let surface = self.of_material[material].get_or_init(surface);
+                let triangle = |face: &[u32; 3]| Triangle { corners: face.map(corner), surface };
+                triangles.extend(part.mesh.triangles[faces].iter().map(triangle));
+            }
+        }
+        triangles
+    }
+}
+
+/// How shoots are meshed: finely, for nothing of that is left but a picture.
+pub(super) fn fine() -> ModelParams {
+    let mut params = ModelParams::default();
+    let blade = &mut params.blade;
+    (blade.template_tolerance, blade.template_outline_points) = (0.004, 80);
+    (blade.template_rows, blade.template_columns) = (4, 1);
+    params
+}

@@ -1,0 +1,93 @@
+//! Levels of detail: one plant again and again with fewer triangles, from the same skeleton.
+//!
+//! A level of many triangles has blades as leaves, one of few has cards; each is then brought to its number by its budget, as fewer
+//! twigs, fewer sides and fewer cards (`triangle_budget`). The last may be two crossing pictures of the whole plant. A plant is never
+//! made finer than it is.
+//!
+//! Limits: what was drawn stays in all levels, so that of a drawing with many strokes small levels are larger than they should be.
+
+use super::setup::Params;
+use super::triangle_budget;
+use crate::cards::{self, CardParams};
+use crate::model::{self, Model};
+use crate::plant::FinishedPlant;
+
+/// How much of a plant a level has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// So many triangles, give or take three of a hundred, or as many as the plant has if these are fewer.
+    Triangles(u32),
+    /// Two crossing pictures of the plant.
+    Billboards,
+}
+
+/// Foliage is cards in levels with less than this share of the plant's triangles.
+const CARDS_BELOW: f32 = 0.34;
+/// Width and height of the pictures of whole plants, pixels.
+const BILLBOARD_PIXELS: u32 = 512;
+
+/// The models of a plant's levels, in their order; `whole` is its own.
+pub fn levels(plant: &FinishedPlant, whole: &Model, params: &Params, wanted: &[Level]) -> Vec<Model> {
+    let of_whole = whole.triangle_count() as f32;
+    let mut with_cards = None;
+    let mut of_level = |level: &Level| match *level {
+        Level::Triangles(most) if most as f32 >= of_whole => whole.clone(),
+        Level::Triangles(most) => {
+            let plant = if (most as f32) < CARDS_BELOW * of_whole {
+                let params = CardParams { used: true, ..params.cards.clone() };
+                with_cards.get_or_insert_with(|| cards::with_cards(plant.clone(), &params)).clone()
+            } else {
+                plant.clone()
+            };
+            of_budget(plant, params, most)
+        }
+        Level::Billboards => {
+            let flat = cards::billboards(plant, BILLBOARD_PIXELS);
+            model::build(&flat, &params.model)
+        }
+    };
+    wanted.iter().map(&mut of_level).collect()
+}
+
+/// A plant of at most about so many triangles.
+fn of_budget(plant: FinishedPlant, params: &Params, most: u32) -> Model {
+    let now = model::build(&plant, &params.model);
+    if now.triangle_count() as u64 <= u64::from(most) {
+        return now;
+    }
+    let (plant, model) = triangle_budget::fit(plant, &params.model, u64::from(most), &|| false);
+    model::build(&plant, &model)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Seed, build, params_of_species};
+    use super::*;
+    use crate::species::Species;
+
+    #[test]
+    fn each_level_has_its_number_of_triangles() {
+        let species = Species::built_in("oak").unwrap();
+        let params = params_of_species(&species, &[]).unwrap();
+        let built = build(&Seed { number: 1, age: Some(10.0), ..Seed::default() }, &species, &params);
+        let wanted = [
+            Level::Triangles(10_000_000),
+            Level::Triangles(20_000),
+            Level::Triangles(5_000),
+            Level::Billboards,
+        ];
+        let levels = levels(&built.plant, &built.model, &params, &wanted);
+        let counts: Vec<usize> = levels.iter().map(Model::triangle_count).collect();
+        assert_eq!((counts[0], counts[3]), (built.model.triangle_count(), 8), "{counts:?}");
+        assert!((19_400..=20_600).contains(&counts[1]) && (4_850..=5_150).contains(&counts[2]), "{counts:?}");
+        for model in &levels {
+            assert_eq!(model.check_invariants(), Ok(()));
+        }
+        let (low, high) = built.model.bounds().unwrap();
+        let (flat_low, flat_high) = levels[3].bounds().unwrap();
+        assert!(
+            (flat_high.y - high.y).abs() < 0.1 * (high.y - low.y)
+                && (flat_low.y - low.y).abs() < 0.1 * (high.y - low.y)
+        );
+    }
+}
