@@ -20,5 +20,5 @@ fn cut_out_alpha(alpha: f32, uv: vec2<f32>) -> f32 {
     let across = dpdx(uv) * size;
     let down = dpdy(uv) * size;
     let level = 0.5 * log2(max(dot(across, across), dot(down, down)));
-    return alpha * (1.0 + 0.15 * max(level, 0.0));
+    return alpha * (1.0 + 0.15 * clamp(level, 0.0, 4.0));
 }

@@ -16,13 +16,14 @@ mod picture;
 mod raster;
 mod surfaces;
 
+use crate::geom::simple_loop::area;
 use crate::model::ModelParams;
 use crate::picture::Picture;
 use crate::plant::{FinishedPlant, Material, Organ, OrganPart, Origin, Plant, Role, Shape, Texture};
 use clusters::{Cluster, clusters};
 use frame::{Frame, Side};
 use glam::Vec3;
-use picture::Atlas;
+use picture::{Atlas, Drawing};
 use surfaces::{Surfaces, fine};
 
 crate::parameters! {
@@ -43,24 +44,26 @@ crate::parameters! {
 const FEWEST: usize = 8;
 /// Clusters that are thinner than this share of their width become one card.
 const FLAT: f32 = 0.3;
+/// Triangles of a card.
+const TRIANGLES: u64 = 4;
+/// How much larger clusters become at a time where there are too many, and how large at most, share of the plant's size.
+const LARGER: f32 = 1.25;
+const LARGEST: f32 = 0.4;
 
-/// The plant with its foliage as cards where they are used; without much foliage as it was.
-pub fn with_cards(plant: FinishedPlant, params: &CardParams) -> FinishedPlant {
+/// The plant with its foliage as cards where they are used; without much foliage as it was. Where `most` triangles are given, cards
+/// are larger than the parameters say if they would be more.
+pub fn with_cards(plant: FinishedPlant, params: &CardParams, most: Option<u64>) -> FinishedPlant {
     if !params.used {
         return plant;
     }
-    let found = clusters(&plant, params.size * extent(&plant));
-    if found.len() < FEWEST {
+    let (size, framed) = fitting(&plant, params.size, most);
+    if framed.len() < FEWEST {
         return plant;
     }
-    let framed: Vec<(Cluster, Frame)> = found
-        .into_iter()
-        .filter_map(|cluster| Some((Frame::new(&plant, &cluster)?, cluster)))
-        .map(|(frame, cluster)| (cluster, frame))
-        .collect();
-    let ranks = ranks(&framed, params.shoots as usize);
+    let ranks = ranks(&plant, &framed, params.shoots as usize);
     let surfaces = Surfaces::new(&plant, fine());
-    let Some(atlas) = Atlas::draw(&surfaces, &framed, &ranks.shown, params.pixels) else { return plant };
+    let drawing = Drawing { pixels: params.pixels, share: size };
+    let Some(atlas) = Atlas::draw(&surfaces, &framed, &ranks.shown, drawing) else { return plant };
     let cards = cards(&plant, &framed, &ranks, &atlas);
     replaced(plant, &framed, cards, atlas.picture)
 }
@@ -71,10 +74,33 @@ pub fn billboards(plant: &FinishedPlant, pixels: u32) -> FinishedPlant {
     let (organs, branches) = ((0..plant.organs.len()).collect(), (0..plant.branches.len()).collect());
     let all = [(Cluster { on: None, foot: Vec3::ZERO, organs, branches }, frame)];
     let surfaces = Surfaces::new(plant, ModelParams::default());
-    let Some(atlas) = Atlas::draw(&surfaces, &all, &[0], pixels) else { return plant.clone() };
+    let drawing = Drawing { pixels, share: 1.0 };
+    let Some(atlas) = Atlas::draw(&surfaces, &all, &[0], drawing) else { return plant.clone() };
     let role = new_role(plant);
     let cards = Side::ALL.map(|side| card(role, None, atlas.card(&frame, 0, side))).to_vec();
     replaced(plant.clone(), &all, cards, atlas.picture)
+}
+
+/// The clusters of a plant and their size, a share of the plant's: that which is wanted, or a larger one whose cards have at most so
+/// many triangles.
+fn fitting(plant: &Plant, mut size: f32, most: Option<u64>) -> (f32, Vec<(Cluster, Frame)>) {
+    let extent = extent(plant);
+    loop {
+        let framed: Vec<(Cluster, Frame)> = clusters(plant, size * extent)
+            .into_iter()
+            .filter_map(|cluster| Frame::new(plant, &cluster).map(|frame| (cluster, frame)))
+            .collect();
+        let cards = framed.iter().map(|(_, frame)| sides(frame).len() as u64).sum::<u64>();
+        if size >= LARGEST || most.is_none_or(|most| cards * TRIANGLES <= most) {
+            return (size, framed);
+        }
+        size *= LARGER;
+    }
+}
+
+/// The sides from which a cluster is shown.
+fn sides(frame: &Frame) -> &'static [Side] {
+    if frame.flatness() < FLAT { &[Side::Wide] } else { &Side::ALL }
 }
 
 /// The largest extent of a plant's wood, metres.
@@ -93,16 +119,34 @@ struct Ranks {
     of_cluster: Vec<usize>,
 }
 
-/// Clusters are drawn that stand evenly among all when these are ordered by the number of their organs.
-fn ranks(framed: &[(Cluster, Frame)], shoots: usize) -> Ranks {
+/// Clusters are ordered by the number of their organs and divided into groups of about equally many; of each group that is drawn
+/// which fills its card as well as the middle one of the group does.
+fn ranks(plant: &Plant, framed: &[(Cluster, Frame)], shoots: usize) -> Ranks {
     let shoots = shoots.min(framed.len()).max(1);
     let mut order: Vec<usize> = (0..framed.len()).collect();
     order.sort_by_key(|&i| (framed[i].0.organs.len(), i));
-    let group = |place: usize| place * shoots / order.len().max(1);
     let mut of_cluster = vec![0; order.len()];
-    order.iter().enumerate().for_each(|(place, &i)| of_cluster[i] = group(place));
-    let middle = |shoot: usize| order[(2 * shoot + 1) * order.len() / (2 * shoots)];
+    let group = |shoot: usize| shoot * order.len() / shoots..(shoot + 1) * order.len() / shoots;
+    let middle = |shoot: usize| {
+        let mut filled: Vec<(f32, usize)> =
+            order[group(shoot)].iter().map(|&i| (fill(plant, &framed[i]), i)).collect();
+        filled.iter().for_each(|(_, i)| of_cluster[*i] = shoot);
+        filled.sort_by(|(a, i), (b, j)| a.total_cmp(b).then(i.cmp(j)));
+        filled[filled.len() / 2].1
+    };
     Ranks { shown: (0..shoots).map(middle).collect(), of_cluster }
+}
+
+/// The area of a cluster's blades as a share of its card's.
+fn fill(plant: &Plant, (cluster, frame): &(Cluster, Frame)) -> f32 {
+    let area = |organ: &usize| match &plant.organs[*organ].shape {
+        Shape::Blade(blade) => {
+            area(plant.templates[blade.template].outline()) * blade.u.length() * blade.v.length()
+        }
+        _ => 0.0,
+    };
+    let (_, u, v) = frame.card(Side::Wide);
+    cluster.organs.iter().map(area).sum::<f32>() / (u.length() * v.length())
 }
 
 /// The cards of all clusters.
@@ -110,9 +154,8 @@ fn cards(plant: &Plant, framed: &[(Cluster, Frame)], ranks: &Ranks, atlas: &Atla
     let role = new_role(plant);
     let mut cards = Vec::with_capacity(2 * framed.len());
     for ((cluster, frame), shoot) in framed.iter().zip(&ranks.of_cluster) {
-        let sides: &[Side] = if frame.flatness() < FLAT { &[Side::Wide] } else { &Side::ALL };
         let shape = |side: &Side| atlas.card(frame, *shoot, *side);
-        cards.extend(sides.iter().map(shape).map(|shape| card(role, cluster.on, shape)));
+        cards.extend(sides(frame).iter().map(shape).map(|shape| card(role, cluster.on, shape)));
     }
     cards
 }
@@ -206,7 +249,7 @@ mod tests {
     fn foliage_becomes_few_triangles_of_the_same_extent() {
         for (name, age) in [("oak", 12), ("spruce", 8), ("cherry", 12), ("ash", 8), ("willow", 8)] {
             let plant = grown(name, age);
-            let with = with_cards(plant.clone(), &used());
+            let with = with_cards(plant.clone(), &used(), None);
             assert_eq!(with.check_invariants(), Ok(()), "{name}");
             assert!(with.organs.iter().all(|organ| matches!(organ.shape, Shape::Card { .. })), "{name}");
             let (leaves, cards) = (built(&plant), built(&with));
@@ -215,23 +258,23 @@ mod tests {
             assert!(share < 0.5, "{name}: {share} of the triangles");
             let extent = covered(&leaves, &cards);
             assert!((0.9..1.2).contains(&extent), "{name}: {extent} of the extent");
-            assert!(with == with_cards(plant, &used()), "{name}: not the same again");
+            assert!(with == with_cards(plant, &used(), None), "{name}: not the same again");
         }
     }
 
     #[test]
     fn what_was_drawn_and_little_foliage_stay() {
         let plant = grown("oak", 1);
-        assert!(with_cards(plant.clone(), &used()) == plant);
+        assert!(with_cards(plant.clone(), &used(), None) == plant);
         let oak = grown("oak", 8);
-        assert!(with_cards(oak.clone(), &CardParams::default()) == oak);
+        assert!(with_cards(oak.clone(), &CardParams::default(), None) == oak);
         let mut drawn = oak;
         let origin = Provenance::default().record(Some(7));
         drawn.reshape(|plant| {
             plant.branches.iter_mut().for_each(|branch| branch.origin = origin);
             plant.organs.iter_mut().step_by(2).for_each(|organ| organ.origin = origin);
         });
-        let with = with_cards(drawn.clone(), &used());
+        let with = with_cards(drawn.clone(), &used(), None);
         assert_eq!(with.branches, drawn.branches);
         let leaves = |plant: &Plant| plant.organs.iter().filter(|organ| organ.origin.is_drawn()).count();
         assert_eq!(leaves(&with), leaves(&drawn));

@@ -23,6 +23,15 @@ const IN_SHADE: f32 = 0.55;
 /// What the hindmost has of the light of the foremost.
 const BEHIND: f32 = 0.6;
 
+/// How pictures are drawn.
+#[derive(Clone, Copy)]
+pub(super) struct Drawing {
+    /// Width and height of each.
+    pub(super) pixels: u32,
+    /// How much of a plant each shows, share of its size: the more, the more of the plant's own shade is in the picture.
+    pub(super) share: f32,
+}
+
 /// The pictures of shoots in one.
 pub(super) struct Atlas {
     pub(super) picture: Picture,
@@ -30,21 +39,21 @@ pub(super) struct Atlas {
 }
 
 impl Atlas {
-    /// Draws some of the clusters, each so many pixels wide and high. `None` where nothing of them is seen.
+    /// Draws some of the clusters. `None` where nothing of them is seen.
     pub(super) fn draw(
         surfaces: &Surfaces<'_>,
         framed: &[(Cluster, Frame)],
         shown: &[usize],
-        pixels: u32,
+        drawing: Drawing,
     ) -> Option<Self> {
-        let side = pixels as usize;
+        let side = drawing.pixels as usize;
         let cells = |shoot: &usize| {
             let (cluster, frame) = &framed[*shoot];
             let triangles = surfaces.triangles(cluster);
             let corners =
                 triangles.iter().flat_map(|triangle| triangle.corners.iter().map(|corner| corner.at));
             let frame = frame.around_points(corners).unwrap_or(*frame);
-            Side::ALL.map(|of| drawn(&triangles, frame.card(of), side))
+            Side::ALL.map(|of| coarser(&drawn(&triangles, frame.card(of), side * FINER), drawing))
         };
         let cells: Vec<[Vec<Vec4>; 2]> = shown.par_iter().map(cells).collect();
         let picture = joined(&cells, side)?.to_png().ok()?;
@@ -65,9 +74,8 @@ impl Atlas {
     }
 }
 
-/// Colours of a square in linear light with alpha, rows from the top; transparent where nothing is.
-fn drawn(triangles: &[Triangle<'_>], (base, u, v): (Vec3, Vec3, Vec3), side: usize) -> Vec<Vec4> {
-    let fine = side * FINER;
+/// What is seen in a square, `fine` pixels wide, rows from the top.
+fn drawn(triangles: &[Triangle<'_>], (base, u, v): (Vec3, Vec3, Vec3), fine: usize) -> Vec<Pixel> {
     let facing = u.cross(v).normalize_or_zero();
     let axes = (u / u.length_squared(), v / v.length_squared());
     let onto = |corner: &Corner| {
@@ -100,7 +108,7 @@ fn drawn(triangles: &[Triangle<'_>], (base, u, v): (Vec3, Vec3, Vec3), side: usi
             }
         });
     }
-    coarser(&pixels, side)
+    pixels
 }
 
 /// What is seen at one place; nothing where there is no light.
@@ -111,14 +119,16 @@ struct Pixel {
     light: f32,
 }
 
-/// Means of squares of pixels, straight alpha, whose light is 1 in the mean.
-fn coarser(pixels: &[Pixel], side: usize) -> Vec<Vec4> {
+/// Means of squares of pixels in linear light, straight alpha. The light of small pictures is 1 in the mean.
+fn coarser(pixels: &[Pixel], Drawing { pixels: side, share }: Drawing) -> Vec<Vec4> {
+    let side = side as usize;
     let fine = side * FINER;
     let lights = || pixels.iter().map(|pixel| pixel.light).filter(|light| *light > 0.0);
     let mean_light = lights().sum::<f32>() / lights().count().max(1) as f32;
+    let usual = mean_light.powf(1.0 - share.clamp(0.0, 1.0).sqrt());
     let seen = |pixel: &Pixel| match pixel.light > 0.0 {
         // No channel beyond white, so that hues stay.
-        true => (pixel.colour * (pixel.light / mean_light).min(1.0 / pixel.colour.max_element())).extend(1.0),
+        true => (pixel.colour * (pixel.light / usual).min(1.0 / pixel.colour.max_element())).extend(1.0),
         false => Vec4::ZERO,
     };
     let mean = |i: usize| {

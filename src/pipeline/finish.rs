@@ -82,11 +82,14 @@ pub(super) fn finish(
         debug_assert_eq!(provenance.check_invariants(&plant), Ok(()));
         plant
     });
+    let wanted = u64::from(params.model.budget.triangles).min(budget.triangles);
     let plant = match params.cards.used {
-        true => clock.time("cards", || cards::with_cards(plant, &params.cards)),
+        true => clock.time("cards", || {
+            let most = (wanted > 0).then(|| triangle_budget::of_foliage(wanted));
+            cards::with_cards(plant, &params.cards, most)
+        }),
         false => plant,
     };
-    let wanted = u64::from(params.model.budget.triangles).min(budget.triangles);
     let (plant, fitted) = match wanted {
         0 => (plant, None),
         _ => clock.time("budget", || {

@@ -1,7 +1,7 @@
 //! Levels of detail: one plant again and again with fewer triangles, from the same skeleton.
 //!
-//! A level of many triangles has blades as leaves, one of few has cards; each is then brought to its number by its budget, as fewer
-//! twigs, fewer sides and fewer cards (`triangle_budget`). The last may be two crossing pictures of the whole plant. A plant is never
+//! A level of many triangles has blades as leaves, one of few has cards; each is then brought to its number by its budget, as larger
+//! cards, fewer twigs and fewer sides (`triangle_budget`). The last may be two crossing pictures of the whole plant. A plant is never
 //! made finer than it is.
 //!
 //! Limits: what was drawn stays in all levels, so that of a drawing with many strokes small levels are larger than they should be.
@@ -29,13 +29,13 @@ const BILLBOARD_PIXELS: u32 = 512;
 /// The models of a plant's levels, in their order; `whole` is its own.
 pub fn levels(plant: &FinishedPlant, whole: &Model, params: &Params, wanted: &[Level]) -> Vec<Model> {
     let of_whole = whole.triangle_count() as f32;
-    let mut with_cards = None;
-    let mut of_level = |level: &Level| match *level {
+    let of_level = |level: &Level| match *level {
         Level::Triangles(most) if most as f32 >= of_whole => whole.clone(),
         Level::Triangles(most) => {
             let plant = if (most as f32) < CARDS_BELOW * of_whole {
                 let params = CardParams { used: true, ..params.cards.clone() };
-                with_cards.get_or_insert_with(|| cards::with_cards(plant.clone(), &params)).clone()
+                let most = triangle_budget::of_foliage(u64::from(most));
+                cards::with_cards(plant.clone(), &params, Some(most))
             } else {
                 plant.clone()
             };
@@ -46,7 +46,7 @@ pub fn levels(plant: &FinishedPlant, whole: &Model, params: &Params, wanted: &[L
             model::build(&flat, &params.model)
         }
     };
-    wanted.iter().map(&mut of_level).collect()
+    wanted.iter().map(of_level).collect()
 }
 
 /// A plant of at most about so many triangles.

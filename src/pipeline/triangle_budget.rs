@@ -63,6 +63,11 @@ pub(super) fn fit(
     with_foliage(plant, params, now, &budget)
 }
 
+/// How many of so many triangles are for foliage.
+pub(super) fn of_foliage(wanted: u64) -> u64 {
+    ((1.0 - WOOD) * wanted as f32) as u64
+}
+
 /// How many triangles are asked for.
 struct Budget<'a> {
     wanted: u64,
