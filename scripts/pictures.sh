@@ -53,6 +53,18 @@ for count in 0 80000 25000; do
 done
 python3 scripts/sheet.py 3 docs/images/triangles.png "$triangles"/{1000000,920000,975000}.png
 rm -rf "$triangles"
+# Two trees as they grow, with their foliage as pictures of shoots in as many triangles as were asked for, and as two pictures.
+levels=$(mktemp -d)
+for species in oak spruce; do
+    "$program" grow "$species" --age 20 -o "$levels/whole.glb"
+    "$program" render "$levels/whole.glb" -o "$levels/$species-0.png" --size 400x400 --view three-quarter
+    "$program" grow "$species" --age 20 --lod 25000,8000,2000,billboards -o "$levels/$species.obj"
+    for level in 0 1 2 3; do
+        "$program" render "$levels/${species}_LOD$level.obj" -o "$levels/$species-$((level + 1)).png" --size 400x400 --view three-quarter
+    done
+done
+python3 scripts/sheet.py 5 docs/images/levels.png "$levels"/oak-?.png "$levels"/spruce-?.png
+rm -rf "$levels"
 # The pictures in the window of those that only grow.
 THUMBNAILS=write cargo test --release --quiet --test app -- every_species_looks_like_its_picture
 

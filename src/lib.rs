@@ -30,6 +30,7 @@
 //! | [`growth`] | plants that grow themselves |
 //! | [`species`] | what the drawing does not say: materials, forms, centres of flowers |
 //! | [`model`] | plant to meshes |
+//! | [`cards`] | foliage as pictures |
 //! | [`photo`] | photographs of petals, leaves and bark to outlines and textures |
 //! | [`pipeline`] | all of these in a row |
 //! | [`formats`] | model files, written and read: OBJ, glTF, JSON |

@@ -2,6 +2,7 @@
 //!
 //! One program of tests out of many files: each would be linked by itself, with all libraries, otherwise.
 
+mod cards;
 mod live_canvas;
 mod live_copies;
 mod live_view;

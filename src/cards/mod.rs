@@ -78,7 +78,9 @@ pub fn billboards(plant: &FinishedPlant, pixels: u32) -> FinishedPlant {
     let Some(atlas) = Atlas::draw(&surfaces, &all, &[0], drawing) else { return plant.clone() };
     let role = new_role(plant);
     let cards = Side::ALL.map(|side| card(role, None, atlas.card(&frame, 0, side))).to_vec();
-    replaced(plant.clone(), &all, cards, atlas.picture)
+    let mut flat = replaced(plant.clone(), &all, cards, atlas.picture);
+    flat.reshape(|plant| plant.flowers.clear());
+    flat
 }
 
 /// The clusters of a plant and their size, a share of the plant's: that which is wanted, or a larger one whose cards have at most so

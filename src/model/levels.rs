@@ -5,6 +5,7 @@
 use super::Model;
 use crate::plant::Material;
 use smol_str::format_smolstr;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Models of one plant in one.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -28,15 +29,16 @@ impl Levels {
         let materials = &mut self.model.materials;
         let places: Vec<usize> =
             model.materials.into_iter().map(|material| place_of(materials, material, level)).collect();
+        // Of plants without a part of their own no number is left.
+        let plants: BTreeSet<usize> = model.parts.iter().map(|part| part.specimen).collect();
+        let place: BTreeMap<usize, usize> = plants.into_iter().zip(first_specimen..).collect();
+        self.of_specimen.resize(first_specimen + place.len(), level);
         for mut part in model.parts {
             part.name = format_smolstr!("{}_LOD{level}", part.name);
             part.parent = part.parent.map(|parent| first_part + parent);
-            part.specimen += first_specimen;
+            part.specimen = place[&part.specimen];
             part.material = places[part.material];
             part.more_materials.iter_mut().for_each(|material| *material = places[*material]);
-            if part.specimen >= self.of_specimen.len() {
-                self.of_specimen.resize(part.specimen + 1, level);
-            }
             self.model.parts.push(part);
         }
     }
@@ -66,7 +68,7 @@ mod tests {
             name: name.into(),
             kind: PartKind::Wood,
             parent,
-            specimen: 0,
+            specimen: 7,
             pivot: Vec3::ZERO,
             material,
             more_materials: vec![0],

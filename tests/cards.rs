@@ -1,0 +1,131 @@
+//! Foliage as cards and levels of detail, as pictures and as files: a plant keeps its silhouette and its colour, and a GLB file holds
+//! all levels but shows one.
+
+#![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
+
+use penstemon::formats::read;
+use penstemon::formats::textures::fetch;
+use penstemon::formats::write;
+use penstemon::input::Sources;
+use penstemon::model::{Levels, Model};
+use penstemon::pipeline::{self, Built, Level, Params, Seed};
+use penstemon::plant::Texture;
+use penstemon::render::{Direction, PictureOptions, Projection, Renderer, View};
+use penstemon::species::{Species, builtin_texture};
+use serde_json::Value;
+use std::borrow::Cow;
+use std::error::Error;
+use std::path::Path;
+
+const SIDE: u32 = 240;
+
+fn texture(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
+    Ok(fetch(texture, &|name| builtin_texture(name).map(Cow::Borrowed))?)
+}
+
+fn grown(name: &str, age: f32, assignments: &[&str]) -> (Built, Params) {
+    let species = Species::built_in(name).unwrap();
+    let assignments: Vec<String> = assignments.iter().map(|&text| text.to_owned()).collect();
+    let params = pipeline::params_of_species(&species, &assignments).unwrap();
+    let seed = Seed { number: 1, age: Some(age), ..Seed::default() };
+    (pipeline::build(&seed, &species, &params), params)
+}
+
+/// Pixels covered by a model, framed for another, and the mean colour of these, 0 to 255.
+fn seen(renderer: &mut Renderer, model: &Model, framed_for: &Model, direction: Direction) -> (f32, [f32; 3]) {
+    let framed_for = renderer.upload(framed_for, &texture).unwrap();
+    let model = renderer.upload(model, &texture).unwrap().framed_as(&framed_for);
+    let view = View { direction, projection: Projection::Orthographic, turn_deg: 0.0 };
+    let options = PictureOptions { width: SIDE, height: SIDE, transparent: true };
+    let picture = renderer.pictures(&model, &[view], &options).next().unwrap().unwrap();
+    let (mut covered, mut sum) = (0.0, [0.0; 3]);
+    for &[r, g, b, a] in picture.pixels().as_chunks::<4>().0 {
+        let share = f32::from(a) / 255.0;
+        covered += share;
+        sum.iter_mut().zip([r, g, b]).for_each(|(sum, value)| *sum += share * f32::from(value));
+    }
+    (covered, sum.map(|sum| sum / covered))
+}
+
+/// Compares two models from two sides.
+fn assert_alike(
+    renderer: &mut Renderer,
+    what: &str,
+    (whole, few): (&Model, &Model),
+    (area, colour): (f32, f32),
+) {
+    for direction in [Direction::Front, Direction::Side] {
+        let (of_whole, light) = seen(renderer, whole, whole, direction);
+        let (of_few, other) = seen(renderer, few, whole, direction);
+        let share = of_few / of_whole;
+        assert!((1.0 - area..=1.0 + area).contains(&share), "{what}: {share} of the silhouette");
+        let off = light.iter().zip(other).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+        assert!(off < colour, "{what}: colours {light:?} became {other:?}");
+    }
+}
+
+#[test]
+fn cards_cover_what_their_leaves_cover() {
+    let mut renderer = Renderer::new().unwrap();
+    for (name, age, most) in
+        [("oak", 20.0, 0.25), ("spruce", 12.0, 0.1), ("maple", 14.0, 0.35), ("ash", 10.0, 0.25)]
+    {
+        let (leaves, _) = grown(name, age, &[]);
+        let (cards, _) = grown(name, age, &["cards.used=true"]);
+        let share = cards.model.triangle_count() as f32 / leaves.model.triangle_count() as f32;
+        assert!(share < most, "{name}: {share} of the triangles");
+        assert_alike(&mut renderer, name, (&leaves.model, &cards.model), (0.15, 25.0));
+    }
+}
+
+#[test]
+fn small_levels_look_like_the_plant() {
+    let mut renderer = Renderer::new().unwrap();
+    let (oak, params) = grown("oak", 20.0, &[]);
+    let wanted =
+        [Level::Triangles(25_000), Level::Triangles(8_000), Level::Triangles(2_000), Level::Billboards];
+    let levels = pipeline::levels(&oak.plant, &oak.model, &params, &wanted);
+    for (level, area) in levels.iter().zip([0.15, 0.18, 0.25, 0.3]) {
+        let what = format!("{} triangles", level.triangle_count());
+        assert_alike(&mut renderer, &what, (&oak.model, level), (area, 30.0));
+    }
+}
+
+/// The document of a GLB file.
+fn document(path: &Path) -> Value {
+    let bytes = std::fs::read(path).unwrap();
+    let length = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
+    serde_json::from_slice(&bytes[20..20 + length]).unwrap()
+}
+
+#[test]
+fn a_file_of_levels_shows_the_finest_and_names_the_others() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("apple.glb");
+    let (apple, params) = grown("apple", 8.0, &[]);
+    let wanted = [Level::Triangles(20_000), Level::Triangles(4_000), Level::Billboards];
+    let models = pipeline::levels(&apple.plant, &apple.model, &params, &wanted);
+    let finest = models[0].triangle_count();
+    let Levels { model, of_specimen } = Levels::of(models);
+    let plant = (&apple.plant, &apple.provenance);
+    let built_in = |name: &str| builtin_texture(name).map(Cow::Borrowed);
+    let levels = (&model, &of_specimen[..]);
+    let paths = [path.clone()];
+    write::export_levels(&paths, levels, plant, &built_in, None, &Sources::default()).unwrap();
+    let document = document(&path);
+    let nodes = document["nodes"].as_array().unwrap();
+    let name = |index: &Value| nodes[index.as_u64().unwrap() as usize]["name"].as_str().unwrap();
+    let shown = document["scenes"][0]["nodes"].as_array().unwrap();
+    assert_eq!(shown.iter().map(name).collect::<Vec<_>>(), ["apple_LOD0"]);
+    let first = &nodes[shown[0].as_u64().unwrap() as usize];
+    let others = first["extensions"]["MSFT_lod"]["ids"].as_array().unwrap();
+    assert_eq!(others.iter().map(name).collect::<Vec<_>>(), ["apple_LOD1", "apple_LOD2"]);
+    assert_eq!(first["extras"]["MSFT_screencoverage"].as_array().unwrap().len(), 3);
+    assert_eq!(
+        document["extensionsUsed"].as_array().unwrap().iter().filter(|name| *name == "MSFT_lod").count(),
+        1
+    );
+    let all: usize = read::read(&path).unwrap().iter().map(|surface| surface.mesh.triangles.len()).sum();
+    assert_eq!(all, model.triangle_count(), "every level is judged");
+    assert_eq!(read::load(&path).unwrap().model.triangle_count(), finest, "the finest is shown");
+}
