@@ -20,9 +20,9 @@ fn garden(text: &str, triangles: u32) -> Garden {
     let mut stock = Stock::default();
     for (kind, of_plan) in spec.plants.iter().zip(&plan.kinds) {
         let species = Box::new(Species::built_in(kind.origin.name()).unwrap());
-        let mut params = Box::new(pipeline::params_of_species(&species, &[]).unwrap());
-        params.model.budget.triangles = triangles;
-        let grower = Grower::Species { species, params, age: None, first_seed: 1 };
+        let params = Box::new(pipeline::params_of_species(&species, &[]).unwrap());
+        let mut grower = Grower::Species { species, params, age: None, first_seed: 1 };
+        grower.fit(triangles);
         stock.add(kind.origin.name(), &grower, of_plan.variants, 0.0);
     }
     let places = plan.places(&tiles).unwrap();
@@ -70,7 +70,7 @@ fn what_is_written_comes_back_with_every_plant() {
 #[test]
 fn a_file_of_ten_thousand_roses_has_at_most_forty_megabytes() {
     let text = "area = \"60x40\"\ndensity = 4.3\n[[plants]]\nspecies = \"rose\"\n";
-    let garden = garden(text, penstemon::garden::stock::triangles_of_each(10_000));
+    let garden = garden(text, penstemon::garden::stock::triangles_of_each(10_000, 16));
     assert!((10_000..11_000).contains(&garden.places.len()), "{}", garden.places.len());
     assert_eq!(garden.stock.individual_count(), 16);
     assert!(garden.stock.triangle_count() < GardenBudget::GARDEN.variant_triangles);

@@ -104,8 +104,8 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     let places = clock.time("places", || plan.places(&tiles))?;
     check_outputs(args, places.len())?;
     let stock = clock.time("individuals", || {
-        let usual = triangles_of_each(places.len());
-        growers.iter_mut().for_each(|grower| grower.set_usual_triangles(usual));
+        let usual = triangles_of_each(places.len(), individuals);
+        growers.iter_mut().for_each(|grower| grower.fit(usual));
         stock(&spec, &growers, &plan.kinds.iter().map(|kind| kind.variants).collect::<Vec<_>>())
     })?;
     let ground = clock.time("ground", || surface::slab(&plan, spec.ground.cover));
@@ -423,7 +423,7 @@ mod tests {
         let here = folder.path().display();
         let spec = folder.path().join("bed.toml");
         let text =
-            "area = \"3x2\"\nspacing = 0.5\nvariants = 2\n[[plants]]\nspecies = \"daisy\"\ntriangles = 500\n";
+            "area = \"3x2\"\nspacing = 0.5\nvariants = 2\n[[plants]]\nspecies = \"tulip\"\ntriangles = 500\n";
         std::fs::write(&spec, text).unwrap();
         let line =
             format!("penstemon garden {here}/bed.toml -o {here}/a.glb -o {here}/a.obj -o {here}/a.json");
@@ -433,7 +433,7 @@ mod tests {
         let plants = list["plants"].as_array().unwrap().len();
         assert!((10..30).contains(&plants) && list["kinds"][0]["individuals"].as_array().unwrap().len() == 2);
         let [glb, obj] = ["a.glb", "a.obj"].map(|name| load(&folder.path().join(name)).unwrap().model);
-        assert!(glb.triangle_count() == obj.triangle_count() && glb.triangle_count() > 400 * plants);
+        assert!(glb.triangle_count() == obj.triangle_count() && glb.triangle_count() > 100 * plants);
         // A finished model has one individual.
         let models = format!("penstemon garden {here}/a.glb --area 30x30 --spacing 8 -o {here}/b.glb");
         run(&parse(&models).unwrap()).unwrap();

@@ -5,7 +5,7 @@
 //!
 //! Limits: a wide garden has plants of few triangles; how many is a share of what all may have ([`triangles_of_each`]).
 
-use crate::model::{Mesh, Model, PartKind};
+use crate::model::{self, Mesh, Model, ModelParams, PartKind};
 use crate::pipeline::{self, Bloom, Built, Params, Seed, Source};
 use crate::plant::Material;
 use crate::sketch::Sketch;
@@ -16,19 +16,22 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Triangles that the plants of a garden have together where nobody says otherwise.
-const TRIANGLES_OF_ALL: usize = 20_000_000;
-/// Fewest and most triangles that each has then.
-const TRIANGLES_OF_EACH: [usize; 2] = [1000, 20_000];
+/// Triangles that the plants of a garden have together where nobody says otherwise, and its individuals.
+const TRIANGLES_OF_ALL: (usize, usize) = (20_000_000, 500_000);
+/// Fewest and most triangles that each has then, as far as it can.
+const TRIANGLES_OF_EACH: (usize, usize) = (2000, 40_000);
+/// Halvings of the way from fine to coarse that is searched for an individual's fineness.
+const HALVINGS: u32 = 5;
+
+/// How many triangles a plant should have of which there are so many, copies of so many individuals.
+pub fn triangles_of_each(plants: usize, individuals: usize) -> u32 {
+    let (fewest, most) = TRIANGLES_OF_EACH;
+    let share = (TRIANGLES_OF_ALL.0 / plants.max(1)).min(TRIANGLES_OF_ALL.1 / individuals.max(1));
+    share.clamp(fewest, most) as u32
+}
 
 /// Different remarks about the individuals of a kind that are kept.
 const MOST_REMARKS: usize = 20;
-
-/// How many triangles a plant has of which there are so many.
-pub fn triangles_of_each(plants: usize) -> u32 {
-    let [fewest, most] = TRIANGLES_OF_EACH;
-    (TRIANGLES_OF_ALL / plants.max(1)).clamp(fewest, most) as u32
-}
 
 /// What makes the individuals of a kind.
 #[derive(Clone, Debug)]
@@ -58,12 +61,50 @@ pub enum Grower {
 }
 
 impl Grower {
-    /// Sets how many triangles an individual has, if nobody has said that.
-    pub fn set_usual_triangles(&mut self, triangles: u32) {
-        if let Self::Species { params, .. } | Self::Drawing { params, .. } = self
-            && params.model.budget.triangles == 0
-        {
-            params.model.budget.triangles = triangles;
+    /// Makes individuals of about so many triangles, or of as many as its parameters say: as coarse as it takes. Flowers and leaves of
+    /// roses and blooms all stay, so there may be more; trees and drawings lose foliage where they must, as
+    /// `model.budget.triangles` says.
+    pub fn fit(&mut self, usual: u32) {
+        let may_thin = match self {
+            Self::Species { species, .. } => species.growth.is_some(),
+            Self::Drawing { .. } => true,
+            Self::Model(_) => return,
+        };
+        let Some(asked) = self.model_params().map(|params| std::mem::take(&mut params.budget.triangles))
+        else {
+            return;
+        };
+        let wanted = if asked > 0 { asked } else { usual };
+        let fits = |grower: &Self| grower.grow(0).0.triangle_count() <= wanted as usize;
+        let Some(finest) = self.model_params().cloned() else { return };
+        let mut with = |share: f32| {
+            self.model_params()
+                .iter_mut()
+                .for_each(|params| **params = model::coarser(&finest, share).into_owned());
+            fits(self)
+        };
+        if with(0.0) {
+            return;
+        }
+        if may_thin {
+            self.model_params().iter_mut().for_each(|params| params.budget.triangles = wanted);
+            return;
+        }
+        if with(1.0) {
+            let (mut coarse, mut fine) = (1.0, 0.0);
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (coarse + fine);
+                *(if with(middle) { &mut coarse } else { &mut fine }) = middle;
+            }
+            with(coarse);
+        }
+    }
+
+    /// How finely its individuals are modelled.
+    fn model_params(&mut self) -> Option<&mut ModelParams> {
+        match self {
+            Self::Species { params, .. } | Self::Drawing { params, .. } => Some(&mut params.model),
+            Self::Model(_) => None,
         }
     }
 
@@ -269,15 +310,22 @@ mod tests {
 
     #[test]
     fn triangles_are_shared_out_by_the_number_of_plants() {
-        assert_eq!([10, 2000, 10_000, 1_000_000].map(triangles_of_each), [20_000, 10_000, 2000, 1000]);
+        assert_eq!(
+            [10, 1000, 5000, 1_000_000].map(|plants| triangles_of_each(plants, 1)),
+            [40_000, 20_000, 4000, 2000]
+        );
+        assert_eq!(triangles_of_each(10, 50), 10_000);
     }
 
     #[test]
     fn individuals_have_a_mesh_for_each_material_and_all_their_triangles() {
         let species = Box::new(Species::built_in("daisy").unwrap());
-        let mut params = pipeline::params_of_species(&species, &[]).unwrap();
-        params.model.budget.triangles = 2000;
-        let grower = Grower::Species { species, params: Box::new(params), age: None, first_seed: 1 };
+        let params = pipeline::params_of_species(&species, &[]).unwrap();
+        let mut grower = Grower::Species { species, params: Box::new(params), age: None, first_seed: 1 };
+        let whole = grower.grow(0).0.triangle_count();
+        grower.fit(25_000);
+        let fitted = grower.grow(0).0;
+        assert!(whole > 30_000 && (15_000..=25_000).contains(&fitted.triangle_count()), "{whole}");
         let mut stock = Stock::default();
         stock.add("daisy", &grower, 2, 0.0);
         stock.add("fields/daisy.toml", &grower, 1, 0.5);

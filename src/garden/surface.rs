@@ -16,11 +16,13 @@ use std::collections::BTreeMap;
 
 /// Thickness of the slab below its lowest place, as a share of the area's longer side, and at most in metres.
 const THICKNESS: (f32, f32) = (0.02, 0.25);
+/// Side of the soil's picture on the ground, metres.
+const PICTURE: f32 = 0.4;
 /// Values nearer to zero than this share of a cell count as zero: cuts keep off corners.
 const ZERO: f32 = 1e-3;
 /// Linear colours of a lawn and of a gravel path.
 const LAWN: [f32; 3] = [0.085, 0.16, 0.035];
-const GRAVEL: [f32; 3] = [0.42, 0.36, 0.27];
+const GRAVEL: [f32; 3] = [0.27, 0.22, 0.16];
 
 /// The slab of a garden and its materials; none where it has no cover.
 pub fn slab(plan: &Plan, cover: Cover) -> Option<(Mesh, Vec<Material>)> {
@@ -99,8 +101,11 @@ impl Plane {
     /// The upper side of some triangles, with all points of the plane.
     fn tops(&self, triangles: &[[u32; 3]], plan: &Plan) -> Mesh {
         let points: Vec<Vec3> = self.points.iter().map(|p| plan.ground.point(*p)).collect();
-        let vertex =
-            |(point, p): (u32, &Vec2)| Vertex { point, normal: plan.ground.normal(*p, self.cell), uv: *p };
+        let vertex = |(point, p): (u32, &Vec2)| Vertex {
+            point,
+            normal: plan.ground.normal(*p, self.cell),
+            uv: *p / PICTURE,
+        };
         let vertices = (0..).zip(&self.points).map(vertex).collect();
         // From x toward z is downward.
         let triangles = triangles.iter().map(|&[a, b, c]| [a, c, b]).collect();
@@ -112,8 +117,11 @@ impl Plane {
         let bottom = mesh.points.iter().map(|p| p.y).fold(f32::INFINITY, f32::min) - thickness;
         let first = mesh.vertices.len() as u32;
         mesh.points.extend(self.points.iter().map(|p| Vec3::new(p.x, bottom, p.y)));
-        let below =
-            (0..).zip(&self.points).map(|(k, p)| Vertex { point: top_points + k, normal: -Vec3::Y, uv: *p });
+        let below = (0..).zip(&self.points).map(|(k, p)| Vertex {
+            point: top_points + k,
+            normal: -Vec3::Y,
+            uv: *p / PICTURE,
+        });
         mesh.vertices.extend(below);
         let all = || self.ground.iter().chain(&self.paths);
         mesh.triangles.extend(all().map(|triangle| triangle.map(|v| v + first)));
@@ -130,7 +138,7 @@ impl Plane {
                 (b + top_points, Vec2::new(from + length, 0.0)),
                 (a + top_points, Vec2::new(from, 0.0)),
             ] {
-                mesh.vertices.push(Vertex { point, normal, uv });
+                mesh.vertices.push(Vertex { point, normal, uv: uv / PICTURE });
             }
             mesh.triangles.extend([[0, 1, 2], [0, 2, 3]].map(|triangle| triangle.map(|k| k + vertex)));
         }
