@@ -44,7 +44,9 @@ fn tiles(c: &mut Criterion) {
     let mut group = c.benchmark_group("tiles");
     group.sample_size(10);
     for colours in 1..=4 {
-        group.bench_function(BenchmarkId::from_parameter(colours), |b| b.iter(|| TileSet::new(black_box(colours), 1)));
+        group.bench_function(BenchmarkId::from_parameter(colours), |b| {
+            b.iter(|| TileSet::new(black_box(colours), 1))
+        });
     }
     group.finish();
 }
@@ -78,7 +80,8 @@ fn roses(c: &mut Criterion) {
         let plant = FinishedPlant::new(Plant::default(), &[], |_| Material::plain("plant", [0.5; 3]));
         let (provenance, instanced) = (Provenance::default(), garden.instanced());
         let built_in = |name: &str| builtin_texture(name).map(Cow::Borrowed);
-        let scene = Scene::new(&instanced.model, (&plant, &provenance), &built_in, Cow::Borrowed("bed")).unwrap();
+        let scene =
+            Scene::new(&instanced.model, (&plant, &provenance), &built_in, Cow::Borrowed("bed")).unwrap();
         let scene = scene.with_instances(&instanced.groups, InstanceForm::Nodes).unwrap();
         format_of(Path::new("bed.glb")).unwrap().encode(&scene).unwrap().bytes
     };

@@ -1,5 +1,7 @@
 //! Gardens from their text to files: the same bytes on any number of threads, sizes of files, and what comes back.
 
+#![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
+
 use penstemon::budget::GardenBudget;
 use penstemon::formats::write::{InstanceForm, Scene, format_of};
 use penstemon::garden::{Garden, GardenSpec, Grower, Stock, TileSet, surface};

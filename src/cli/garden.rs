@@ -15,9 +15,12 @@ use crate::model::Model;
 use crate::picture::Picture;
 use crate::pipeline;
 use crate::plant::{FinishedPlant, Material, Plant, Provenance, Texture};
+use crate::quote;
 use crate::render::{PictureOptions, Projection, View};
+use crate::species::Species;
 use anyhow::{Context as _, Result, bail, ensure};
 use serde_json::{Map, Value, json};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
@@ -25,7 +28,7 @@ use std::time::Instant;
 /// The number that decides what the tiles are like.
 const TILES: u64 = 1;
 /// Bytes of a triangle in an OBJ file, about.
-const OBJ_BYTES: usize = 110;
+const OBJ_BYTES: usize = 150;
 /// Size from which an OBJ file is warned of, bytes.
 const LARGE_OBJ: usize = 100 << 20;
 
@@ -88,12 +91,11 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     let tiles = clock.time("tiles", || TileSet::new(spec.colours, TILES));
     let mut plan = spec.plan(&tiles, &folder)?;
     warn(&spec, &tiles);
-    let mut growers = spec.plants.iter().zip(&mut plan.kinds).map(|(kind, of_plan)| {
-        let grower = grower(kind, &folder, &args.assignments.all(), &mut sources)?;
-        of_plan.variants = grower.variants(of_plan.variants);
-        Ok(grower)
-    });
-    let mut growers = growers.by_ref().collect::<Result<Vec<Grower>>>()?;
+    let growers = spec.plants.iter().map(|kind| grower(kind, &folder, &args.assignments.all(), &mut sources));
+    let mut growers = growers.collect::<Result<Vec<Grower>>>()?;
+    for (kind, grower) in plan.kinds.iter_mut().zip(&growers) {
+        kind.variants = grower.variants(kind.variants);
+    }
     let individuals: usize = plan.kinds.iter().map(|kind| kind.variants as usize).sum();
     let most = GardenBudget::GARDEN.variants;
     ensure!(
@@ -197,7 +199,13 @@ fn grower(kind: &KindSpec, folder: &Path, all: &[String], sources: &mut Sources)
             let species =
                 open_species(if name.ends_with(".toml") { own.to_str().unwrap_or(name) } else { name })?;
             if !species.makes_itself() {
-                pipeline::check_grows(&species)?;
+                let known: BTreeSet<&str> =
+                    Species::growing_or_roses().into_iter().chain(Species::blooming()).collect();
+                let known = known.into_iter().collect::<Vec<_>>().join(", ");
+                bail!(
+                    "plants of the species `{}` are only drawn: plant a drawing of one; those that need none are {known}",
+                    quote::name(name)
+                );
             }
             if age.is_some() && species.growth.is_none() {
                 bail!("{name}: only plants that grow have years; leave out `age`");
@@ -270,28 +278,15 @@ fn check_outputs(args: &Args, plants: usize) -> Result<()> {
 
 /// Writes the garden to all files; returns the number of bytes.
 fn write_all(args: &Args, garden: &Garden, sources: &Sources) -> Result<usize> {
-    let triangles = garden.triangle_count();
+    args.out.iter().try_for_each(|out| check_size(out, garden.triangle_count()))?;
     let mut whole: Option<Model> = None;
-    let mut bytes = 0;
     let plant = FinishedPlant::new(Plant::default(), &[], |_| Material::plain("plant", [0.5; 3]));
     let provenance = Provenance::default();
+    let plant = (&plant, &provenance);
+    let mut bytes = 0;
     for out in &args.out {
-        let of_out = || out.display().to_string();
         if is_picture(out) {
-            let most = GardenBudget::GARDEN.drawn_triangles;
-            ensure!(
-                triangles <= most,
-                "{}: {triangles} triangles are more than the {most} of a picture; choose a smaller area, or fewer --triangles",
-                out.display()
-            );
-            let direction = args.view.direction();
-            let view = View { direction, projection: Projection::Perspective, turn_deg: 0.0 };
-            let options =
-                PictureOptions { width: args.size.width, height: args.size.height, transparent: false };
-            let png = studio::picture(whole.get_or_insert_with(|| garden.model()), view, &options);
-            let png = png.with_context(of_out)?;
-            atomic::write_atomically(out, &png)?;
-            bytes += png.len();
+            bytes += write_picture(args, out, whole.get_or_insert_with(|| garden.model()))?;
             continue;
         }
         bytes += match write::format_of(out)?.takes() {
@@ -305,27 +300,46 @@ fn write_all(args: &Args, garden: &Garden, sources: &Sources) -> Result<usize> {
                     common::Instances::Nodes => InstanceForm::Nodes,
                     common::Instances::Gpu => InstanceForm::Gpu,
                 };
-                let instanced = (&garden.instanced(), form);
                 write::export_instanced(
                     out,
-                    instanced,
-                    (&plant, &provenance),
+                    (&garden.instanced(), form),
+                    plant,
                     &common::built_in_texture,
                     sources,
                 )?
             }
             Takes::Triangles => {
-                check_flat(out, triangles)?;
                 let model = whole.get_or_insert_with(|| garden.model());
-                common::export(std::slice::from_ref(out), ((&plant, &provenance), model), None, sources)?
+                common::export(std::slice::from_ref(out), (plant, model), None, sources)?
             }
         };
     }
     Ok(bytes)
 }
 
-/// Warns of large files in which every plant stands by itself, and refuses larger ones.
-fn check_flat(out: &Path, triangles: usize) -> Result<()> {
+/// Takes a picture of the garden; returns its size in bytes.
+fn write_picture(args: &Args, out: &Path, model: &Model) -> Result<usize> {
+    let view = View { direction: args.view.direction(), projection: Projection::Perspective, turn_deg: 0.0 };
+    let options = PictureOptions { width: args.size.width, height: args.size.height, transparent: false };
+    let png = studio::picture(model, view, &options).with_context(|| out.display().to_string())?;
+    atomic::write_atomically(out, &png)?;
+    Ok(png.len())
+}
+
+/// Refuses pictures and files without copies that so many triangles make too large, and warns of large files.
+fn check_size(out: &Path, triangles: usize) -> Result<()> {
+    if is_picture(out) {
+        let most = GardenBudget::GARDEN.drawn_triangles;
+        ensure!(
+            triangles <= most,
+            "{}: {triangles} triangles are more than the {most} of a picture; choose a smaller area, or fewer --triangles",
+            out.display()
+        );
+        return Ok(());
+    }
+    if write::format_of(out)?.takes() != Takes::Triangles {
+        return Ok(());
+    }
     let (most, expected) = (GardenBudget::GARDEN.flat_triangles, triangles * OBJ_BYTES);
     let megabytes = expected >> 20;
     ensure!(
@@ -398,6 +412,10 @@ mod tests {
     fn faults_are_reported_before_anything_is_built() {
         let garden = |rest: &str| message(&format!("penstemon garden {rest}"));
         assert!(garden("roes --area 4x4 -o a.glb").contains("did you mean `rose`?"));
+        assert!(
+            garden("cactus --area 4x4 -o a.glb").contains("plant a drawing")
+                && garden("cactus -o a.glb").contains("--area")
+        );
         assert!(garden("rose -o a.glb").contains("--area 40x25"));
         assert!(garden("rose --area 4x4 -o a.xyz").contains("xyz"));
         assert!(garden("rose --area 4x4 --density 0 -o a.glb").contains("--density"));
@@ -412,9 +430,13 @@ mod tests {
 
     #[test]
     fn a_flat_file_is_refused_when_it_would_be_too_large() {
-        assert!(check_flat(Path::new("a.obj"), 1_000_000).is_ok());
-        let refused = check_flat(Path::new("a.obj"), 20_000_000).unwrap_err().to_string();
+        assert!(check_size(Path::new("a.obj"), 1_000_000).is_ok());
+        let refused = check_size(Path::new("a.obj"), 20_000_000).unwrap_err().to_string();
         assert!(refused.contains("MiB") && refused.contains("Write GLB"), "{refused}");
+        assert!(
+            check_size(Path::new("a.png"), 100_000_000).unwrap_err().to_string().contains("smaller area")
+        );
+        assert!(check_size(Path::new("a.glb"), 100_000_000).is_ok());
     }
 
     #[test]

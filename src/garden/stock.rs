@@ -10,7 +10,6 @@ use crate::pipeline::{self, Bloom, Built, Params, Seed, Source};
 use crate::plant::Material;
 use crate::sketch::Sketch;
 use crate::species::Species;
-use glam::Vec3;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -297,16 +296,10 @@ fn append_some(to: &mut Mesh, from: &Mesh, triangles: Range<usize>) {
     }
 }
 
-/// Smallest and largest corner of an individual.
-pub fn bounds(individual: &Individual) -> Option<(Vec3, Vec3)> {
-    let mut points = individual.surfaces.iter().flat_map(|surface| surface.mesh.points.iter().copied());
-    let first = points.next()?;
-    Some(points.fold((first, first), |(low, high), p| (low.min(p), high.max(p))))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::Vec3;
 
     #[test]
     fn triangles_are_shared_out_by_the_number_of_plants() {
@@ -336,7 +329,7 @@ mod tests {
         assert_eq!(individual.triangle_count(), model.triangle_count());
         assert!(individual.surfaces.is_sorted_by_key(|surface| surface.material));
         assert!(individual.surfaces.iter().all(|surface| surface.mesh.check_indices().is_ok()));
-        assert!(individual.surfaces.len() > 2 && bounds(individual).is_some());
+        assert!(individual.surfaces.len() > 2);
         assert_eq!(
             stock.materials.len(),
             model.materials.iter().filter(|m| stock.materials.contains(m)).count()

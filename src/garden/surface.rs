@@ -131,11 +131,13 @@ impl Plane {
             let along = self.points[b as usize] - self.points[a as usize];
             let normal = Vec3::new(along.y, 0.0, -along.x).normalize_or(Vec3::X);
             let vertex = mesh.vertices.len() as u32;
-            let (from, length) = (self.points[a as usize].element_sum(), along.length());
+            let from = self.points[a as usize].element_sum();
+            let to = from + along.length();
+            let [high_a, high_b] = [a, b].map(|top| mesh.points[top as usize].y - bottom);
             for (point, uv) in [
-                (a, Vec2::new(from, thickness)),
-                (b, Vec2::new(from + length, thickness)),
-                (b + top_points, Vec2::new(from + length, 0.0)),
+                (a, Vec2::new(from, high_a)),
+                (b, Vec2::new(to, high_b)),
+                (b + top_points, Vec2::new(to, 0.0)),
                 (a + top_points, Vec2::new(from, 0.0)),
             ] {
                 mesh.vertices.push(Vertex { point, normal, uv: uv / PICTURE });
