@@ -57,7 +57,7 @@ fn the_same_garden_has_the_same_bytes_on_any_number_of_threads() {
 #[test]
 fn what_is_written_comes_back_with_every_plant() {
     let garden = garden(BED, 1500);
-    assert!(garden.places.len() > 50 && garden.plants_of_each_kind().iter().all(|count| *count > 5));
+    assert!(garden.places.len() > 20 && garden.plants_of_each_kind().iter().all(|count| *count > 2));
     for form in [InstanceForm::Nodes, InstanceForm::Gpu] {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("bed.glb");

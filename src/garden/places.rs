@@ -116,6 +116,15 @@ pub enum PlanError {
         /// The distance at which there can be as many.
         fits: f32,
     },
+    /// So few plants in so many spots that most of the work would be for nothing.
+    #[error(
+        "the area is too wide for a spacing of {spacing} m: more than {} tiles of spots would be looked through; choose a larger spacing, or \
+         leave it out", GardenBudget::GARDEN.tiles
+    )]
+    TooWide {
+        /// The distance that the plants keep.
+        spacing: f32,
+    },
     /// Maps and paths leave no ground.
     #[error("nothing can grow: density maps and paths leave no ground; lighten the maps, or move the paths")]
     NoGround,
@@ -141,12 +150,17 @@ impl Plan {
             let of_tile = |tile: &[i64; 2]| lattice.places_of(*tile, &occupied);
             let found: Vec<(bool, Vec<Place>)> = tiles_in_area.par_iter().map(of_tile).collect();
             has_spots |= found.iter().any(|(has_spots, _)| *has_spots);
+            places.reserve(found.iter().map(|(_, found)| found.len()).sum());
             found.into_iter().for_each(|(_, found)| places.extend(found));
         }
         if !has_spots {
             // The distance is larger than the area.
             let middle = self.area.middle();
-            places.extend(lattices.first().and_then(|lattice| lattice.place(middle, 0.0, [0, 0], 0)));
+            places.extend(
+                lattices
+                    .first()
+                    .and_then(|lattice| lattice.place(middle, 0.0, Choice::SPOT.key(lattice.seed))),
+            );
         }
         if places.is_empty() { Err(PlanError::NoGround) } else { Ok(places) }
     }
@@ -172,9 +186,11 @@ impl Plan {
             plants += f64::from(self.area.square_metres()) * f64::from(kept) * f64::from(most);
             let seed = mix(Choice::LAYER.key(self.seed), layer as u64);
             let lattice = Lattice { plan: self, tiles, seed, kinds, spacing, kept };
-            let is_fine = lattice.tile_count() > GardenBudget::GARDEN.tiles as f64;
-            if plants > GardenBudget::GARDEN.places as f64 || is_fine {
+            if plants > GardenBudget::GARDEN.places as f64 {
                 return Err(PlanError::TooMany { plants });
+            }
+            if lattice.tile_count() > GardenBudget::GARDEN.tiles as f64 {
+                return Err(PlanError::TooWide { spacing });
             }
             lattices.push(lattice);
         }
@@ -219,8 +235,10 @@ impl Lattice<'_> {
     /// The plants of a tile, and whether it has any spot in the area.
     fn places_of(&self, tile: [i64; 2], occupied: &Occupied) -> (bool, Vec<Place>) {
         let corner = tile.map(|k| k as f64 * self.side());
+        let spots = self.tiles.at(self.seed, tile);
+        let key = mix(mix(Choice::SPOT.key(self.seed), tile[0] as u64), tile[1] as u64);
         let (mut has_spots, mut places) = (false, Vec::new());
-        for (number, Spot { at, rank }) in self.tiles.at(self.seed, tile).iter().enumerate() {
+        for (number, Spot { at, rank }) in spots.iter().enumerate() {
             let at = at.as_dvec2() * f64::from(self.spacing);
             let at = Vec2::new((corner[0] + at.x) as f32, (corner[1] + at.y) as f32);
             if !self.plan.area.contains(at) {
@@ -231,21 +249,20 @@ impl Lattice<'_> {
                 break;
             }
             if occupied.has_room(at, self.spacing) {
-                places.extend(self.place(at, *rank, tile, number as u64));
+                places.extend(self.place(at, *rank, mix(key, number as u64)));
             }
         }
         (has_spots, places)
     }
 
-    /// The plant at a spot, if one grows there.
-    fn place(&self, at: Vec2, rank: f32, [i, j]: [i64; 2], number: u64) -> Option<Place> {
+    /// The plant at a spot, if one grows there; the spot's key decides what is left to chance.
+    fn place(&self, at: Vec2, rank: f32, spot: u64) -> Option<Place> {
         let Plan { area, map, ground, paths, variation, .. } = self.plan;
         if paths.iter().any(|path| path.beside(at) < variation.path_margin) {
             return None;
         }
         let (low, high) = area.bounds();
         let value = |map: &Option<GreyMap>| map.as_ref().map_or(1.0, |map| map.at((at - low) / (high - low)));
-        let spot = mix(mix(mix(Choice::SPOT.key(self.seed), i as u64), j as u64), number);
         let weight = |kind: &Kind| kind.share * value(&kind.map);
         let (all, weights): (f32, f32) = self
             .kinds
@@ -265,20 +282,23 @@ impl Lattice<'_> {
             kind: kind_number,
             variant,
             at: ground.point(at),
-            rotation: self.rotation(spot, ground.normal(at, 0.5 * self.spacing)),
+            rotation: self.rotation(spot, at),
             scale: 1.0 + variation.size * Choice::SIZE.signed(spot),
         })
     }
 
-    /// How a plant on ground of this direction is turned.
-    fn rotation(&self, spot: u64, normal: Vec3) -> Quat {
-        let Variation { lean, follows, .. } = self.plan.variation;
-        let up = Vec3::Y.lerp(normal, follows).normalize_or(Vec3::Y);
+    /// How a plant is turned at a place.
+    fn rotation(&self, spot: u64, at: Vec2) -> Quat {
+        let Plan { ground, variation: Variation { lean, follows, .. }, .. } = self.plan;
         let (sin, cos) = (Choice::LEAN_SIDE.unit(spot) * TAU).sin_cos();
         let lean =
             Quat::from_axis_angle(Vec3::new(cos, 0.0, sin), (lean * Choice::LEAN.unit(spot)).to_radians());
-        let turn = Quat::from_rotation_y(Choice::TURN.unit(spot) * TAU);
-        (Quat::from_rotation_arc(Vec3::Y, up) * lean * turn).normalize()
+        let upright = lean * Quat::from_rotation_y(Choice::TURN.unit(spot) * TAU);
+        if ground.is_level() {
+            return upright.normalize();
+        }
+        let up = Vec3::Y.lerp(ground.normal(at, 0.5 * self.spacing), *follows).normalize_or(Vec3::Y);
+        (Quat::from_rotation_arc(Vec3::Y, up) * upright).normalize()
     }
 }
 

@@ -186,6 +186,9 @@ fn what_cannot_be_is_refused_in_no_time() {
     for spacing in [1e-6, 1e-3] {
         assert!(refused(plan([20.0, 20.0], vec![kind(1.0, spacing)])).contains("5000000"), "{spacing}");
     }
+    let mut sparse = plan([9000.0, 9000.0], vec![kind(1.0, 0.1)]);
+    sparse.density = Some(0.01);
+    assert!(refused(sparse).contains("too wide for a spacing of 0.1 m"));
     let mut paved = plan([4.0, 4.0], vec![kind(1.0, 0.5)]);
     paved.paths = vec![Path::new(vec![Vec2::ZERO, Vec2::X], 50.0).unwrap()];
     assert!(refused(paved).contains("leave no ground"));
