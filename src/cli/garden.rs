@@ -8,7 +8,7 @@ use crate::budget::GardenBudget;
 use crate::formats::read::{Loaded, ReadFormat, load};
 use crate::formats::write::{self, InstanceForm, Takes};
 use crate::garden::spec::KindFields;
-use crate::garden::stock::triangles_of_each;
+use crate::garden::stock::{FEWEST_TRIANGLES, triangles_of_each};
 use crate::garden::{Garden, GardenSpec, Grower, KindSpec, Origin, Outline, Place, Stock, TileSet, surface};
 use crate::input::Sources;
 use crate::model::Model;
@@ -57,6 +57,9 @@ pub struct Args {
     /// Individuals of each kind, of which its plants are copies.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=256))]
     pub variants: Option<u32>,
+    /// How fine the individuals are; left out, as their number and that of the plants allows. --triangles goes before.
+    #[arg(long, value_name = "DETAIL")]
+    pub detail: Option<Detail>,
     /// How GLB files have the plants: as `nodes` that share meshes, for every program, or as tables of EXT_mesh_gpu_instancing, `gpu`.
     #[arg(long, value_name = "FORM", default_value = "nodes")]
     pub instances: common::Instances,
@@ -72,6 +75,15 @@ pub struct Args {
     /// Print times, counts and bytes written as one JSON object.
     #[arg(long)]
     pub stats: bool,
+}
+
+/// How fine individuals are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Detail {
+    /// As fine as each is by itself.
+    Full,
+    /// As coarse as each can be with all its flowers, trees with about 2000 triangles.
+    Reduced,
 }
 
 /// Runs `garden`.
@@ -106,7 +118,11 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     let places = clock.time("places", || plan.places(&tiles))?;
     check_outputs(args, places.len())?;
     let stock = clock.time("individuals", || {
-        let usual = triangles_of_each(places.len(), individuals);
+        let usual = match args.detail {
+            Some(Detail::Full) => u32::MAX,
+            Some(Detail::Reduced) => FEWEST_TRIANGLES,
+            None => triangles_of_each(places.len(), individuals),
+        };
         growers.iter_mut().for_each(|grower| grower.fit(usual));
         stock(&spec, &growers, &plan.kinds.iter().map(|kind| kind.variants).collect::<Vec<_>>())
     })?;
@@ -456,6 +472,16 @@ mod tests {
         assert!((10..30).contains(&plants) && list["kinds"][0]["individuals"].as_array().unwrap().len() == 2);
         let [glb, obj] = ["a.glb", "a.obj"].map(|name| load(&folder.path().join(name)).unwrap().model);
         assert!(glb.triangle_count() == obj.triangle_count() && glb.triangle_count() > 100 * plants);
+        let size = |detail: &str| {
+            let out = folder.path().join(format!("{detail}.glb"));
+            let line = format!(
+                "penstemon garden peony --area 1x1 --variants 1 --detail {detail} -o {}",
+                out.display()
+            );
+            run(&parse(&line).unwrap()).unwrap();
+            load(&out).unwrap().model.triangle_count()
+        };
+        assert!(size("reduced") < size("full"));
         // A finished model has one individual.
         let models = format!("penstemon garden {here}/a.glb --area 30x30 --spacing 8 -o {here}/b.glb");
         run(&parse(&models).unwrap()).unwrap();

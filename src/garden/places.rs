@@ -20,11 +20,7 @@ use crate::random::{Choice, mix};
 use glam::{IVec3, Quat, Vec2, Vec3};
 use rayon::prelude::*;
 use std::f32::consts::TAU;
-use std::ops::RangeInclusive;
 use thiserror::Error;
-
-/// Distances that plants may keep, metres.
-pub const SPACINGS: RangeInclusive<f32> = 1e-6..=1e4;
 
 /// A kind of plants, as far as it matters where they stand.
 #[derive(Clone, Debug)]

@@ -383,4 +383,24 @@ mod tests {
             "[[plants]]\nspecies = \"rose\"\nshare = 0.7\n[[plants]]\nspecies = \"daisy\"\nshare = 0.7";
         assert!((GardenSpec::from_toml(shares, "").unwrap().uneven_shares().unwrap() - 1.4).abs() < 1e-6);
     }
+
+    #[test]
+    fn a_damaged_text_ends_in_a_garden_or_in_a_message() {
+        let tiles = TileSet::new(1, 1);
+        let laid_out = |text: &str| {
+            let plan = GardenSpec::from_toml(text, "a.toml")
+                .and_then(|spec| spec.plan(&tiles, Path::new("nowhere")));
+            plan.is_ok_and(|plan| plan.places(&tiles).is_ok())
+        };
+        let small = ROSES.replace("40x25", "9x5");
+        assert!(laid_out(&small));
+        for end in 0..small.len() {
+            laid_out(&small[..end]);
+        }
+        for (digit, other) in
+            [("0", "-1"), ("3", "nan"), ("6", "1e30"), ("2", "inf"), ("7", "0"), ("5", "0.0000001")]
+        {
+            laid_out(&small.replace(digit, other));
+        }
+    }
 }

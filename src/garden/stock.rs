@@ -17,16 +17,17 @@ use std::sync::Arc;
 
 /// Triangles that the plants of a garden have together where nobody says otherwise, and its individuals.
 const TRIANGLES_OF_ALL: (usize, usize) = (20_000_000, 500_000);
-/// Fewest and most triangles that each has then, as far as it can.
-const TRIANGLES_OF_EACH: (usize, usize) = (2000, 40_000);
+/// Most triangles that each has then.
+const MOST_TRIANGLES: usize = 40_000;
+/// Fewest triangles that it becomes coarser for; it may have more at its coarsest.
+pub const FEWEST_TRIANGLES: u32 = 2000;
 /// Halvings of the way from fine to coarse that is searched for an individual's fineness.
 const HALVINGS: u32 = 5;
 
 /// How many triangles a plant should have of which there are so many, copies of so many individuals.
 pub fn triangles_of_each(plants: usize, individuals: usize) -> u32 {
-    let (fewest, most) = TRIANGLES_OF_EACH;
     let share = (TRIANGLES_OF_ALL.0 / plants.max(1)).min(TRIANGLES_OF_ALL.1 / individuals.max(1));
-    share.clamp(fewest, most) as u32
+    share.clamp(FEWEST_TRIANGLES as usize, MOST_TRIANGLES) as u32
 }
 
 /// Different remarks about the individuals of a kind that are kept.
