@@ -81,6 +81,41 @@ impl Budget {
     }
 }
 
+/// Most of everything in one garden, whose plants are copies of few.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GardenBudget {
+    /// Places of plants.
+    pub places: usize,
+    /// Tiles of the lattice that are looked through for them.
+    pub tiles: usize,
+    /// Individuals of which the plants are copies, all kinds together.
+    pub variants: usize,
+    /// Triangles of all these.
+    pub variant_triangles: usize,
+    /// Nodes of a GLB file: one for each plant.
+    pub nodes: usize,
+    /// Triangles of all plants where every one is written by itself.
+    pub flat_triangles: usize,
+    /// Triangles of all plants in a picture.
+    pub drawn_triangles: usize,
+    /// Cells of the ground's surface.
+    pub ground_cells: usize,
+}
+
+impl GardenBudget {
+    /// Of any garden.
+    pub const GARDEN: Self = Self {
+        places: 5_000_000,
+        tiles: 2_000_000,
+        variants: 4096,
+        variant_triangles: 20_000_000,
+        nodes: 1_000_000,
+        flat_triangles: 10_000_000,
+        drawn_triangles: 60_000_000,
+        ground_cells: 40_000,
+    };
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

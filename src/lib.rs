@@ -33,6 +33,7 @@
 //! | [`cards`] | foliage as pictures |
 //! | [`photo`] | photographs of petals, leaves and bark to outlines and textures |
 //! | [`pipeline`] | all of these in a row |
+//! | [`garden`] | places of plants by the thousand, and copies of a few plants there |
 //! | [`formats`] | model files, written and read: OBJ, glTF, JSON |
 //! | [`render`] | pictures |
 //! | [`app`] | the window |
@@ -51,6 +52,7 @@ pub mod depth;
 pub mod file_system;
 pub mod flower;
 pub mod formats;
+pub mod garden;
 pub mod geom;
 pub mod grammar;
 pub mod growth;

@@ -20,6 +20,13 @@ pub fn message(text: &str) -> String {
     quoted(text, MESSAGE).into_owned()
 }
 
+/// The number of the line, from 1, in which a byte of a text stands, and what that line says.
+pub fn line_at(text: &str, byte: usize) -> (usize, String) {
+    let before = text.get(..byte.min(text.len())).unwrap_or_default();
+    let line = before.matches('\n').count();
+    (line + 1, name(text.lines().nth(line).unwrap_or_default().trim()))
+}
+
 fn quoted(text: &str, most: usize) -> Cow<'_, str> {
     // A text of so many bytes has no more characters.
     let is_short = text.len() <= most || text.chars().nth(most).is_none();

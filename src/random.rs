@@ -103,6 +103,38 @@ impl Choice {
     pub const LUMPS: Self = Self(0);
 }
 
+/// About a garden's lattice of tiles.
+impl Choice {
+    /// The colour of each corner, by its place.
+    pub const CORNER_COLOUR: Self = Self(1);
+    /// Each spot for a plant, by its tile and number.
+    pub const SPOT: Self = Self(2);
+    /// The lattice of plants that need more or less room than others.
+    pub const LAYER: Self = Self(3);
+}
+
+/// About a spot for a plant in a garden.
+impl Choice {
+    /// What grows there.
+    pub const PLANT: Self = Self(1);
+    /// Which of its variants.
+    pub const VARIANT: Self = Self(2);
+    /// How it is turned.
+    pub const TURN: Self = Self(3);
+    /// How large it is.
+    pub const SIZE: Self = Self(4);
+    /// How far it leans.
+    pub const LEAN: Self = Self(5);
+    /// To which side it leans.
+    pub const LEAN_SIDE: Self = Self(6);
+}
+
+/// About a garden's kind of plants.
+impl Choice {
+    /// The seed of each of its variants.
+    pub const VARIANT_SEED: Self = Self(1);
+}
+
 impl Choice {
     /// The key of this choice about the thing of a key.
     pub fn key(self, of: u64) -> u64 {

@@ -7,6 +7,7 @@ mod cli;
 mod common;
 mod document;
 mod export;
+mod gardens;
 mod grammars;
 mod hid_descriptors;
 mod hid_plain_reading;

@@ -53,6 +53,11 @@ enum Leaves {
 }
 
 impl Assignments {
+    /// Parameters by their paths, as `PARAM=VALUE`.
+    pub fn of(set: Vec<String>) -> Self {
+        Self { set, ..Self::default() }
+    }
+
     /// All of them as `PARAM=VALUE`.
     pub fn all(&self) -> Vec<String> {
         let triangles = self.triangles.map(|triangles| format!("model.budget.triangles={triangles}"));

@@ -8,6 +8,7 @@ pub mod check;
 pub mod common;
 #[cfg(target_os = "linux")]
 mod compositor;
+pub mod garden;
 pub mod grow;
 pub mod inside;
 pub mod inspect;
@@ -48,6 +49,8 @@ pub enum Verb {
     Grow(grow::Args),
     /// A full flower without a drawing: OBJ, GLB, the plant itself as JSON, or a picture.
     Bloom(bloom::Args),
+    /// A garden of thousands of plants that are copies of a few: GLB, OBJ, a picture, or a list of places as JSON.
+    Garden(garden::Args),
     /// What the analysis understood of a drawing, as JSON.
     Inspect(inspect::Args),
     /// Petals, leaves and bark from photographs: outline, texture, or a drawing with both.
@@ -101,7 +104,7 @@ pub fn usage(error: &clap::Error) -> String {
 /// Anything that kept the verb from its result, ready to be shown.
 pub fn run(cli: Cli) -> anyhow::Result<ExitCode> {
     #[cfg(target_os = "linux")]
-    if matches!(cli.verb, Some(Verb::Render(_) | Verb::Grow(_) | Verb::Bloom(_))) {
+    if matches!(cli.verb, Some(Verb::Render(_) | Verb::Grow(_) | Verb::Bloom(_) | Verb::Garden(_))) {
         compositor::leave_alone();
     }
     match cli.verb {
@@ -109,6 +112,7 @@ pub fn run(cli: Cli) -> anyhow::Result<ExitCode> {
         Some(Verb::Build(args)) => build::run(&args),
         Some(Verb::Grow(args)) => grow::run(&args),
         Some(Verb::Bloom(args)) => bloom::run(&args),
+        Some(Verb::Garden(args)) => garden::run(&args),
         Some(Verb::Inspect(args)) => inspect::run(&args),
         Some(Verb::Photo(args)) => photo::run(&args),
         Some(Verb::Params(args)) => params::run(&args),

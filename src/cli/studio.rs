@@ -96,6 +96,14 @@ impl Camera {
     }
 }
 
+/// A picture of a model as a PNG file, framed for it.
+///
+/// # Errors
+/// Nothing can draw it.
+pub fn picture(model: &Model, view: View, options: &PictureOptions) -> Result<Vec<u8>> {
+    Ok(Renderer::new()?.picture(model, &texture, &view, options)?.to_png()?)
+}
+
 /// The file of a texture.
 fn texture(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
     Ok(fetch(texture, &common::built_in_texture)?)

@@ -255,13 +255,11 @@ fn resolve(texture: &str, beside: Option<&Path>) -> Option<Texture> {
 }
 
 fn invalid(text: &str, file: &str, error: &toml::de::Error) -> SpeciesError {
-    let start = error.span().map_or(0, |span| span.start.min(text.len()));
-    let before = text.get(..start).unwrap_or_default();
-    let line = before.matches('\n').count();
+    let (line, there) = quote::line_at(text, error.span().map_or(0, |span| span.start));
     SpeciesError::Invalid {
         file: file.to_owned(),
-        line: line + 1,
-        text: quote::name(text.lines().nth(line).unwrap_or_default().trim()),
+        line,
+        text: there,
         reason: quote::message(error.message()),
     }
 }

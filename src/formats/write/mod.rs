@@ -142,6 +142,22 @@ fn write_all(prepared: Vec<Prepared>, model: &Model, sources: &Sources) -> Resul
     prepared.iter().try_fold(0, |bytes, prepared| Ok(bytes + prepared.write()?))
 }
 
+/// Writes a model whose copies stand apart from it as GLB, and returns the number of bytes; not if the file is one of the `sources`
+/// or a picture of the model.
+///
+/// # Errors
+/// [`ExportError`]; no file is left half written.
+pub fn export_instanced(
+    path: &Path,
+    (InstancedModel { model, groups }, form): (&InstancedModel, InstanceForm),
+    plant: PlantAndProvenance<'_>,
+    built_in: &BuiltInTextures<'_>,
+    sources: &Sources,
+) -> Result<usize, ExportError> {
+    let scene = Scene::new(model, plant, built_in, stem(path))?.with_instances(groups, form)?;
+    write_all(vec![encode(path, &glb::Glb, &scene)?], model, sources)
+}
+
 /// Writes a model as [`export_all`] does, in one format and from no other files than its pictures.
 ///
 /// # Errors

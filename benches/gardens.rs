@@ -1,0 +1,96 @@
+//! Gardens: tiles by colours, places by number, the file of ten thousand roses. `cargo bench --bench gardens`.
+//!
+//! Throughput counts plants; places that are found without looking at their neighbours have the same in every row.
+
+#![allow(clippy::unwrap_used, reason = "a bench that cannot go on has failed")]
+
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use glam::Vec2;
+use penstemon::formats::write::{InstanceForm, Scene, format_of};
+use penstemon::garden::ground::Ground;
+use penstemon::garden::stock::triangles_of_each;
+use penstemon::garden::{Area, Garden, Grower, Kind, Plan, Stock, TileSet, Variation};
+use penstemon::pipeline;
+use penstemon::plant::{FinishedPlant, Material, Plant, Provenance};
+use penstemon::species::{Species, builtin_texture};
+use std::borrow::Cow;
+use std::hint::black_box;
+use std::path::Path;
+
+/// The program's own.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
+/// Plants of the gardens.
+const PLANTS: [u32; 5] = [100, 1_000, 10_000, 100_000, 1_000_000];
+const SPACING: f32 = 0.5;
+
+/// A square with room for about so many plants.
+fn plan(plants: u32, tiles: &TileSet) -> Plan {
+    let side = (plants as f32 / tiles.density()).sqrt() * SPACING;
+    Plan {
+        seed: 1,
+        area: Area::rectangle(Vec2::splat(side)).unwrap(),
+        density: None,
+        map: None,
+        ground: Ground::default(),
+        paths: Vec::new(),
+        kinds: vec![Kind { share: 1.0, spacing: SPACING, variants: 16, map: None }],
+        variation: Variation::default(),
+    }
+}
+
+fn tiles(c: &mut Criterion) {
+    let mut group = c.benchmark_group("tiles");
+    group.sample_size(10);
+    for colours in 1..=4 {
+        group.bench_function(BenchmarkId::from_parameter(colours), |b| {
+            b.iter(|| TileSet::new(black_box(colours), 1))
+        });
+    }
+    group.finish();
+}
+
+fn places(c: &mut Criterion) {
+    let tiles = TileSet::new(3, 1);
+    let mut group = c.benchmark_group("places");
+    group.sample_size(10);
+    for plants in PLANTS {
+        let plan = plan(plants, &tiles);
+        group.throughput(Throughput::Elements(u64::from(plants)));
+        group.bench_function(BenchmarkId::from_parameter(plants), |b| {
+            b.iter_with_large_drop(|| black_box(plan.places(&tiles).unwrap()));
+        });
+    }
+    group.finish();
+}
+
+fn roses(c: &mut Criterion) {
+    let tiles = TileSet::new(3, 1);
+    let plan = plan(10_000, &tiles);
+    let whole = || {
+        let places = plan.places(&tiles).unwrap();
+        let species = Box::new(Species::built_in("rose").unwrap());
+        let params = Box::new(pipeline::params_of_species(&species, &[]).unwrap());
+        let mut grower = Grower::Species { species, params, age: None, first_seed: 1 };
+        grower.fit(triangles_of_each(places.len(), 16));
+        let mut stock = Stock::default();
+        stock.add("rose", &grower, 16, 0.0);
+        let garden = Garden { stock, places, ground: None };
+        let plant = FinishedPlant::new(Plant::default(), &[], |_| Material::plain("plant", [0.5; 3]));
+        let (provenance, instanced) = (Provenance::default(), garden.instanced());
+        let built_in = |name: &str| builtin_texture(name).map(Cow::Borrowed);
+        let scene =
+            Scene::new(&instanced.model, (&plant, &provenance), &built_in, Cow::Borrowed("bed")).unwrap();
+        let scene = scene.with_instances(&instanced.groups, InstanceForm::Nodes).unwrap();
+        format_of(Path::new("bed.glb")).unwrap().encode(&scene).unwrap().bytes
+    };
+    let mut group = c.benchmark_group("10000 roses, GLB");
+    group.sample_size(10);
+    group.throughput(Throughput::Bytes(whole().len() as u64));
+    group.bench_function("from the plan", |b| b.iter(|| black_box(whole())));
+    group.finish();
+}
+
+criterion_group!(benches, tiles, places, roses);
+criterion_main!(benches);

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# Makes the pictures of docs/gardens.md anew: a bed of roses, and roses on a slope in three densities. Needs a Vulkan driver and
+# Python 3 with Pillow. PROGRAM is the program, a release build without it.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+if [ -z "${PROGRAM:-}" ]; then
+    cargo build --release --quiet
+    PROGRAM=${CARGO_TARGET_DIR:-target}/release/penstemon
+fi
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+"$PROGRAM" garden assets/gardens/roses.toml -o "$work/bed.png" --size 1600x760
+
+cat > "$work/slope.toml" <<'SLOPE'
+area = "16x10"
+spacing = 0.55
+variants = 6
+map = "density.png"
+
+[ground]
+map = "hills.png"
+high = 2.0
+
+[[plants]]
+species = "rose"
+triangles = 3000
+SLOPE
+python3 - "$work" << 'MAPS'
+import math
+import sys
+from PIL import Image
+
+width, height = 256, 160
+density, hills = Image.new('L', (width, height)), Image.new('L', (width, height))
+for y in range(height):
+    for x in range(width):
+        u, v = x / width, y / height
+        density.putpixel((x, y), [80, 160, 255][x * 3 // width])
+        rise = 0.35 * math.sin(5 * u) * math.cos(4 * v) + 0.15 * math.sin(11 * u + 7 * v)
+        hills.putpixel((x, y), int(255 * (0.5 + rise)))
+density.save(sys.argv[1] + '/density.png')
+hills.save(sys.argv[1] + '/hills.png')
+MAPS
+"$PROGRAM" garden "$work/slope.toml" -o "$work/slope.png" --size 1600x800
+
+# Smaller pictures have smoother edges.
+python3 - "$work" << 'SMALLER'
+import sys
+from PIL import Image
+
+for source, target, size in [('bed', 'garden', (1200, 570)), ('slope', 'garden-slope', (1000, 500))]:
+    picture = Image.open(f'{sys.argv[1]}/{source}.png').convert('RGB')
+    picture.resize(size, Image.LANCZOS).save(f'docs/images/{target}.png', optimize=True)
+SMALLER

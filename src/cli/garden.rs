@@ -1,0 +1,493 @@
+//! `penstemon garden SPEC.toml -o OUT` or `penstemon garden SPECIES… --area WxD -o OUT`: a garden of plants that are copies of a few.
+
+use super::common::{self, Assignments, Setup, SetupOptions, Stages};
+use super::render::{Size, ViewName};
+use super::studio::{self, is_picture, open_species};
+use crate::atomic;
+use crate::budget::GardenBudget;
+use crate::formats::read::{Loaded, ReadFormat, load};
+use crate::formats::write::{self, InstanceForm, Takes};
+use crate::garden::spec::KindFields;
+use crate::garden::stock::{FEWEST_TRIANGLES, triangles_of_each};
+use crate::garden::{Garden, GardenSpec, Grower, KindSpec, Origin, Outline, Place, Stock, TileSet, surface};
+use crate::input::Sources;
+use crate::model::Model;
+use crate::picture::Picture;
+use crate::pipeline;
+use crate::plant::{FinishedPlant, Material, Plant, Provenance, Texture};
+use crate::quote;
+use crate::render::{PictureOptions, Projection, View};
+use crate::species::Species;
+use anyhow::{Context as _, Result, bail, ensure};
+use serde_json::{Map, Value, json};
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::Instant;
+
+/// The number that decides what the tiles are like.
+const TILES: u64 = 1;
+/// Bytes of a triangle in an OBJ file, about.
+const OBJ_BYTES: usize = 150;
+/// Size from which an OBJ file is warned of, bytes.
+const LARGE_OBJ: usize = 100 << 20;
+
+/// Arguments of `garden`.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// A garden's own file (.toml), or what grows: species by name or by file, drawings (.penstemon, .json, .svg), models (.glb, .obj).
+    #[arg(required = true, value_name = "SPEC|PLANT")]
+    pub what: Vec<String>,
+    /// Where the garden goes: .glb, .obj (with .mtl and textures), .png for a picture, .json for a list of places; may be given
+    /// again.
+    #[arg(short, long = "out", value_name = "FILE", required = true)]
+    pub out: Vec<PathBuf>,
+    /// Ground that is planted, metres from left to right and from front to back.
+    #[arg(long, value_name = "WxD")]
+    pub area: Option<Outline>,
+    /// Plants in a square metre.
+    #[arg(long, value_name = "N")]
+    pub density: Option<f32>,
+    /// Least distance between two plants, metres; left out, as large as the density allows.
+    #[arg(long, value_name = "METRES")]
+    pub spacing: Option<f32>,
+    /// Seed of where plants stand.
+    #[arg(long, value_name = "N")]
+    pub seed: Option<u64>,
+    /// Individuals of each kind, of which its plants are copies.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=256))]
+    pub variants: Option<u32>,
+    /// How fine the individuals are; left out, as their number and that of the plants allows. --triangles goes before.
+    #[arg(long, value_name = "DETAIL")]
+    pub detail: Option<Detail>,
+    /// How GLB files have the plants: as `nodes` that share meshes, for every program, or as tables of EXT_mesh_gpu_instancing, `gpu`.
+    #[arg(long, value_name = "FORM", default_value = "nodes")]
+    pub instances: common::Instances,
+    /// From where pictures are taken.
+    #[arg(long, value_enum, default_value_t = ViewName::ThreeQuarter)]
+    pub view: ViewName,
+    /// Width and height of pictures in pixels.
+    #[arg(long, value_name = "WxH", default_value = "1600x900")]
+    pub size: Size,
+    #[command(flatten)]
+    #[allow(missing_docs)]
+    pub assignments: Assignments,
+    /// Print times, counts and bytes written as one JSON object.
+    #[arg(long)]
+    pub stats: bool,
+}
+
+/// How fine individuals are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Detail {
+    /// As fine as each is by itself.
+    Full,
+    /// As coarse as each can be with all its flowers, trees with about 2000 triangles.
+    Reduced,
+}
+
+/// Runs `garden`.
+///
+/// # Errors
+/// A garden or a kind of plants that cannot be used, an output that cannot be written.
+pub fn run(args: &Args) -> Result<ExitCode> {
+    for out in args.out.iter().filter(|out| !is_picture(out)) {
+        write::format_of(out)?;
+    }
+    let (spec, folder) = spec(args)?;
+    let mut sources = Sources::default();
+    args.what.iter().for_each(|what| sources.add(Path::new(what)));
+    spec.files(&folder).iter().for_each(|file| sources.add(file));
+    sources.spare(args.out.iter().map(PathBuf::as_path))?;
+    let mut clock = Clock::default();
+    let tiles = clock.time("tiles", || TileSet::new(spec.colours, TILES));
+    let mut plan = spec.plan(&tiles, &folder)?;
+    warn(&spec, &tiles);
+    let growers = spec.plants.iter().map(|kind| grower(kind, &folder, &args.assignments.all(), &mut sources));
+    let mut growers = growers.collect::<Result<Vec<Grower>>>()?;
+    for (kind, grower) in plan.kinds.iter_mut().zip(&growers) {
+        kind.variants = grower.variants(kind.variants);
+    }
+    let individuals: usize = plan.kinds.iter().map(|kind| kind.variants as usize).sum();
+    let most = GardenBudget::GARDEN.variants;
+    ensure!(
+        individuals <= most,
+        "{individuals} individuals are more than the {most} of a garden; choose fewer variants"
+    );
+    sources.spare(args.out.iter().map(PathBuf::as_path))?;
+    let places = clock.time("places", || plan.places(&tiles))?;
+    check_outputs(args, places.len())?;
+    let stock = clock.time("individuals", || {
+        let usual = match args.detail {
+            Some(Detail::Full) => u32::MAX,
+            Some(Detail::Reduced) => FEWEST_TRIANGLES,
+            None => triangles_of_each(places.len(), individuals),
+        };
+        growers.iter_mut().for_each(|grower| grower.fit(usual));
+        stock(&spec, &growers, &plan.kinds.iter().map(|kind| kind.variants).collect::<Vec<_>>())
+    })?;
+    let ground = clock.time("ground", || surface::slab(&plan, spec.ground.cover));
+    let garden = Garden { stock, places, ground };
+    let bytes = clock.time("files", || write_all(args, &garden, &sources))?;
+    if args.stats {
+        common::print(&stats(&garden, &tiles, clock.0, bytes).to_string())?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Times of stages.
+#[derive(Default)]
+struct Clock(Stages);
+
+impl Clock {
+    fn time<T>(&mut self, stage: &'static str, work: impl FnOnce() -> T) -> T {
+        let begin = Instant::now();
+        let done = work();
+        self.0.push((stage, begin.elapsed()));
+        done
+    }
+}
+
+/// The garden that the arguments say, and the folder of the files that it names.
+fn spec(args: &Args) -> Result<(GardenSpec, PathBuf)> {
+    let is_toml =
+        |what: &str| Path::new(what).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+    let (mut spec, folder) = match &args.what[..] {
+        [file] if is_toml(file) => {
+            let folder = Path::new(file).parent().unwrap_or(Path::new(""));
+            (GardenSpec::read(Path::new(file))?, folder.to_owned())
+        }
+        kinds => {
+            let plants = kinds.iter().map(|kind| KindSpec::of(origin(kind))).collect();
+            (GardenSpec { plants, ..GardenSpec::default() }, PathBuf::new())
+        }
+    };
+    spec.area = args.area.clone().or(spec.area);
+    spec.seed = args.seed.unwrap_or(spec.seed);
+    spec.variants = args.variants.unwrap_or(spec.variants);
+    for (option, given, own, most) in [
+        ("--density", args.density, &mut spec.density, 1e12),
+        ("--spacing", args.spacing, &mut spec.spacing, 1e4),
+    ] {
+        if let Some(given) = given {
+            ensure!(given > 0.0 && given <= most, "{option} {given}: write a number above 0, to {most}");
+            *own = given;
+        }
+    }
+    Ok((spec, folder))
+}
+
+/// What a word of the command line names.
+fn origin(word: &str) -> Origin {
+    let ending = Path::new(word).extension().map(|ending| ending.to_string_lossy().to_lowercase());
+    match ending.as_deref() {
+        Some("penstemon" | "json" | "svg") => Origin::Drawing(word.to_owned()),
+        _ if ReadFormat::of(Path::new(word)).is_some() => Origin::Model(word.to_owned()),
+        _ => Origin::Species(word.to_owned()),
+    }
+}
+
+fn warn(spec: &GardenSpec, tiles: &TileSet) {
+    if spec.colours == 1 {
+        tracing::warn!(
+            "with one colour all tiles are the same, so the garden repeats itself every {:.0} spacings; choose 3 colours",
+            tiles.side()
+        );
+    }
+    if let Some(sum) = spec.uneven_shares() {
+        tracing::warn!(
+            "the shares of the plants sum to {sum}, not to 1; they are weighed against each other"
+        );
+    }
+}
+
+/// What makes a kind of plants; adds the files that it comes from.
+fn grower(kind: &KindSpec, folder: &Path, all: &[String], sources: &mut Sources) -> Result<Grower> {
+    let KindSpec { origin, fields } = kind;
+    let name = origin.name();
+    let KindFields { triangles, age, seed, .. } = *fields;
+    let triangles = (triangles > 0).then(|| format!("model.budget.triangles={triangles}"));
+    let assignments: Vec<String> =
+        fields.set.iter().cloned().chain(triangles).chain(all.iter().cloned()).collect();
+    match origin {
+        Origin::Species(_) => {
+            let own = folder.join(name);
+            let species =
+                open_species(if name.ends_with(".toml") { own.to_str().unwrap_or(name) } else { name })?;
+            if !species.makes_itself() {
+                let known: BTreeSet<&str> =
+                    Species::growing_or_roses().into_iter().chain(Species::blooming()).collect();
+                let known = known.into_iter().collect::<Vec<_>>().join(", ");
+                bail!(
+                    "plants of the species `{}` are only drawn: plant a drawing of one; those that need none are {known}",
+                    quote::name(name)
+                );
+            }
+            if age.is_some() && species.growth.is_none() {
+                bail!("{name}: only plants that grow have years; leave out `age`");
+            }
+            species.picture_files().for_each(|picture| sources.add(picture));
+            let params =
+                pipeline::params_of_species(&species, &assignments).with_context(|| name.to_owned())?;
+            let (species, params) = (Box::new(species), Box::new(params));
+            Ok(Grower::Species { species, params, age, first_seed: u64::from(seed) })
+        }
+        Origin::Drawing(_) => {
+            let assignments = Assignments::of(assignments);
+            let options = SetupOptions { species: None, seed: None, assignments, textures: Vec::new() };
+            let setup = Setup::open(&folder.join(name), &options)?;
+            setup.species.picture_files().for_each(|picture| sources.add(picture));
+            let Setup { sketch, species, params, .. } = setup;
+            Ok(Grower::Drawing { sketch: sketch.into(), species: species.into(), params: params.into() })
+        }
+        Origin::Model(_) => Ok(Grower::Model(Box::new(model(&folder.join(name), sources)?))),
+    }
+}
+
+/// A finished model with its pictures inside.
+fn model(path: &Path, sources: &mut Sources) -> Result<Model> {
+    let Loaded { mut model, embedded, files, warnings } = load(path)?;
+    files.iter().for_each(|file| sources.add(file));
+    warnings.iter().for_each(|warning| tracing::warn!("{}: {warning}", path.display()));
+    for Material { texture, .. } in &mut model.materials {
+        if let Some(bytes) = texture.as_ref().and_then(|texture| embedded.get(texture)) {
+            let picture = Picture::new(bytes.to_vec()).with_context(|| path.display().to_string())?;
+            *texture = Some(Texture::Own(picture));
+        }
+    }
+    Ok(model)
+}
+
+/// Builds the individuals of all kinds.
+fn stock(spec: &GardenSpec, growers: &[Grower], variants: &[u32]) -> Result<Stock> {
+    let mut stock = Stock::default();
+    for ((kind, grower), variants) in spec.plants.iter().zip(growers).zip(variants) {
+        let name = kind.origin.name();
+        stock.add(name, grower, *variants, kind.fields.height);
+        let Some(made) = stock.kinds.last() else { continue };
+        made.remarks.iter().for_each(|remark| tracing::warn!("{name}: {remark}"));
+        ensure!(
+            made.individuals.iter().all(|individual| individual.triangle_count() > 0),
+            "{name}: an individual of it has no faces, so nothing would stand in its places; look at it by itself first"
+        );
+        let most = GardenBudget::GARDEN.variant_triangles;
+        ensure!(
+            stock.triangle_count() <= most,
+            "{name}: the individuals have more than the {most} triangles that all of a garden may have; choose fewer variants, or fewer \
+             --triangles"
+        );
+    }
+    Ok(stock)
+}
+
+/// Refuses outputs that so many plants make too large, as far as that is known before any is built.
+fn check_outputs(args: &Args, plants: usize) -> Result<()> {
+    let most = GardenBudget::GARDEN.nodes;
+    let has_glb =
+        args.out.iter().any(|out| write::format_of(out).is_ok_and(|format| format.takes() == Takes::Copies));
+    ensure!(
+        plants <= most || !has_glb || args.instances == common::Instances::Gpu,
+        "{plants} plants are more nodes than the {most} that a GLB file gets; write --instances gpu, or choose fewer plants"
+    );
+    Ok(())
+}
+
+/// Writes the garden to all files; returns the number of bytes.
+fn write_all(args: &Args, garden: &Garden, sources: &Sources) -> Result<usize> {
+    args.out.iter().try_for_each(|out| check_size(out, garden.triangle_count()))?;
+    let mut whole: Option<Model> = None;
+    let plant = FinishedPlant::new(Plant::default(), &[], |_| Material::plain("plant", [0.5; 3]));
+    let provenance = Provenance::default();
+    let plant = (&plant, &provenance);
+    let mut bytes = 0;
+    for out in &args.out {
+        if is_picture(out) {
+            bytes += write_picture(args, out, whole.get_or_insert_with(|| garden.model()))?;
+            continue;
+        }
+        bytes += match write::format_of(out)?.takes() {
+            Takes::Plant => {
+                let list = garden.list();
+                atomic::write_atomically(out, &list)?;
+                list.len()
+            }
+            Takes::Copies => {
+                let form = match args.instances {
+                    common::Instances::Nodes => InstanceForm::Nodes,
+                    common::Instances::Gpu => InstanceForm::Gpu,
+                };
+                write::export_instanced(
+                    out,
+                    (&garden.instanced(), form),
+                    plant,
+                    &common::built_in_texture,
+                    sources,
+                )?
+            }
+            Takes::Triangles => {
+                let model = whole.get_or_insert_with(|| garden.model());
+                common::export(std::slice::from_ref(out), (plant, model), None, sources)?
+            }
+        };
+    }
+    Ok(bytes)
+}
+
+/// Takes a picture of the garden; returns its size in bytes.
+fn write_picture(args: &Args, out: &Path, model: &Model) -> Result<usize> {
+    let view = View { direction: args.view.direction(), projection: Projection::Perspective, turn_deg: 0.0 };
+    let options = PictureOptions { width: args.size.width, height: args.size.height, transparent: false };
+    let png = studio::picture(model, view, &options).with_context(|| out.display().to_string())?;
+    atomic::write_atomically(out, &png)?;
+    Ok(png.len())
+}
+
+/// Refuses pictures and files without copies that so many triangles make too large, and warns of large files.
+fn check_size(out: &Path, triangles: usize) -> Result<()> {
+    if is_picture(out) {
+        let most = GardenBudget::GARDEN.drawn_triangles;
+        ensure!(
+            triangles <= most,
+            "{}: {triangles} triangles are more than the {most} of a picture; choose a smaller area, or fewer --triangles",
+            out.display()
+        );
+        return Ok(());
+    }
+    if write::format_of(out)?.takes() != Takes::Triangles {
+        return Ok(());
+    }
+    let (most, expected) = (GardenBudget::GARDEN.flat_triangles, triangles * OBJ_BYTES);
+    let megabytes = expected >> 20;
+    ensure!(
+        triangles <= most,
+        "{}: OBJ has no copies, so the {triangles} triangles of all plants would be written, about {megabytes} MiB; it gets at most {most}. \
+         Write GLB, or choose fewer plants or fewer --triangles",
+        out.display()
+    );
+    if expected > LARGE_OBJ {
+        tracing::warn!("{}: OBJ has no copies, so the file will have about {megabytes} MiB", out.display());
+    }
+    Ok(())
+}
+
+fn stats(garden: &Garden, tiles: &TileSet, stages: Stages, bytes: usize) -> Value {
+    let ms = |time: std::time::Duration| (time.as_secs_f64() * 1e6).round() / 1e3;
+    let kinds = garden.stock.kinds.iter().zip(garden.plants_of_each_kind());
+    let kinds: Map<String, Value> = kinds.map(|(kind, plants)| (kind.name.clone(), plants.into())).collect();
+    let heights = garden.places.iter().map(|Place { at, .. }| at.y);
+    let (low, high) =
+        heights.fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
+    json!({
+        "total_ms": ms(stages.iter().map(|stage| stage.1).sum()),
+        "stages": stages.iter().map(|&(name, time)| (name.to_owned(), ms(time).into())).collect::<Map<_, Value>>(),
+        "plants": garden.places.len(),
+        "kinds": kinds,
+        "individuals": garden.stock.individual_count(),
+        "triangles_of_individuals": garden.stock.triangle_count(),
+        "triangles": garden.triangle_count(),
+        "ground": [low, high],
+        "tiles": tiles.len(),
+        "relaxed_to": tiles.relaxed_to(),
+        "relative_radius": tiles.relative_radius(),
+        "bytes": bytes,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::{Cli, Verb};
+    use clap::Parser;
+
+    fn parse(line: &str) -> Result<Args, clap::Error> {
+        match Cli::try_parse_from(line.split_whitespace())?.verb {
+            Some(Verb::Garden(args)) => Ok(args),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    fn message(line: &str) -> String {
+        crate::cli::one_line(&run(&parse(line).unwrap()).unwrap_err())
+    }
+
+    #[test]
+    fn plants_an_area_and_an_output_are_needed() {
+        assert!(parse("penstemon garden -o a.glb").is_err() && parse("penstemon garden rose").is_err());
+        assert!(parse("penstemon garden rose --area 4 -o a.glb").is_err());
+        let args =
+            parse("penstemon garden rose a.svg b.glb --area 40x25 --density 6 --seed 3 -o a.glb -o a.json")
+                .unwrap();
+        assert_eq!((args.density, args.seed, args.out.len()), (Some(6.0), Some(3), 2));
+        let (spec, _) = spec(&args).unwrap();
+        let origins: Vec<Origin> = spec.plants.into_iter().map(|kind| kind.origin).collect();
+        let [rose, drawing, model] = ["rose", "a.svg", "b.glb"].map(str::to_owned);
+        assert_eq!(origins, [Origin::Species(rose), Origin::Drawing(drawing), Origin::Model(model)]);
+    }
+
+    #[test]
+    fn faults_are_reported_before_anything_is_built() {
+        let garden = |rest: &str| message(&format!("penstemon garden {rest}"));
+        assert!(garden("roes --area 4x4 -o a.glb").contains("did you mean `rose`?"));
+        assert!(
+            garden("cactus --area 4x4 -o a.glb").contains("plant a drawing")
+                && garden("cactus -o a.glb").contains("--area")
+        );
+        assert!(garden("rose -o a.glb").contains("--area 40x25"));
+        assert!(garden("rose --area 4x4 -o a.xyz").contains("xyz"));
+        assert!(garden("rose --area 4x4 --density 0 -o a.glb").contains("--density"));
+        assert!(garden("rose --area 400x400 --density 1000 -o a.glb").contains("5000000"));
+        assert!(garden("rose --area 4x4 --spacing 0.000001 -o a.glb").contains("larger spacing"));
+        assert!(garden("rose --area 4x4 --spacing 1 --density 6 -o a.glb").contains("spacing of at most"));
+        assert!(garden("rose --area 4x4 --set rose.sesaon=1 -o a.glb").contains("did you mean"));
+        assert!(garden("no.toml -o a.glb").contains("no.toml"));
+        assert!(garden("no.glb --area 4x4 -o a.glb").contains("no.glb"));
+        assert!(garden("oak --area 2000x2000 --density 0.4 -o a.glb").contains("--instances gpu"));
+    }
+
+    #[test]
+    fn a_flat_file_is_refused_when_it_would_be_too_large() {
+        assert!(check_size(Path::new("a.obj"), 1_000_000).is_ok());
+        let refused = check_size(Path::new("a.obj"), 20_000_000).unwrap_err().to_string();
+        assert!(refused.contains("MiB") && refused.contains("Write GLB"), "{refused}");
+        assert!(
+            check_size(Path::new("a.png"), 100_000_000).unwrap_err().to_string().contains("smaller area")
+        );
+        assert!(check_size(Path::new("a.glb"), 100_000_000).is_ok());
+    }
+
+    #[test]
+    fn a_garden_is_written_in_all_formats_and_no_source_is_written_over() {
+        let folder = tempfile::tempdir().unwrap();
+        let here = folder.path().display();
+        let spec = folder.path().join("bed.toml");
+        let text =
+            "area = \"3x2\"\nspacing = 0.5\nvariants = 2\n[[plants]]\nspecies = \"tulip\"\ntriangles = 500\n";
+        std::fs::write(&spec, text).unwrap();
+        let line =
+            format!("penstemon garden {here}/bed.toml -o {here}/a.glb -o {here}/a.obj -o {here}/a.json");
+        run(&parse(&line).unwrap()).unwrap();
+        let list: Value =
+            serde_json::from_slice(&std::fs::read(folder.path().join("a.json")).unwrap()).unwrap();
+        let plants = list["plants"].as_array().unwrap().len();
+        assert!((10..30).contains(&plants) && list["kinds"][0]["individuals"].as_array().unwrap().len() == 2);
+        let [glb, obj] = ["a.glb", "a.obj"].map(|name| load(&folder.path().join(name)).unwrap().model);
+        assert!(glb.triangle_count() == obj.triangle_count() && glb.triangle_count() > 100 * plants);
+        let size = |detail: &str| {
+            let out = folder.path().join(format!("{detail}.glb"));
+            let line = format!(
+                "penstemon garden peony --area 1x1 --variants 1 --detail {detail} -o {}",
+                out.display()
+            );
+            run(&parse(&line).unwrap()).unwrap();
+            load(&out).unwrap().model.triangle_count()
+        };
+        assert!(size("reduced") < size("full"));
+        // A finished model has one individual.
+        let models = format!("penstemon garden {here}/a.glb --area 30x30 --spacing 8 -o {here}/b.glb");
+        run(&parse(&models).unwrap()).unwrap();
+        assert!(
+            message(&format!("penstemon garden {here}/a.glb --area 9x9 -o {here}/a.glb"))
+                .contains("same file")
+        );
+    }
+}

@@ -1,0 +1,38 @@
+//! Gardens: thousands of plants that are copies of a few.
+//!
+//! ```text
+//! GardenSpec ──plan──► Plan ──places──► Vec<Place> ──┐
+//!   TOML               area, maps, paths  tiles      ├──► Model or InstancedModel
+//! Origin ──Grower──► Stock, the individuals ─────────┘    shapes once, poses many times
+//! ```
+//!
+//! | file | what |
+//! | --- | --- |
+//! | `tiles` | corner-coloured Poisson-disk tiles |
+//! | `area`, `grey_map`, `ground` | ground plan, density maps, heights |
+//! | `places` | where plants stand: the tiles laid over the area |
+//! | `spec` | the garden as text |
+//! | `stock` | the individuals that are copied, built through the pipeline |
+//! | `surface` | the ground and the paths as a closed slab |
+//! | `scene`, `list` | all of it as one model of copies, or as a list of places |
+//!
+//! Source: 004 §3.3. Which of its numbers hold is in `docs/gardens.md`. Limits: copies of a plant are alike in everything but place, turn,
+//! lean and size; there are no levels of detail.
+
+pub mod area;
+pub mod grey_map;
+pub mod ground;
+mod list;
+pub mod places;
+pub mod scene;
+pub mod spec;
+pub mod stock;
+pub mod surface;
+pub mod tiles;
+
+pub use area::{Area, Outline};
+pub use places::{Kind, Place, Plan, PlanError, Variation};
+pub use scene::Garden;
+pub use spec::{Cover, GardenError, GardenSpec, KindSpec, Origin};
+pub use stock::{Grower, Stock};
+pub use tiles::{Spot, TileSet};

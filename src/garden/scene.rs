@@ -1,0 +1,212 @@
+//! A garden as one model: the individuals as shapes, the plants as copies of them, and the ground.
+//!
+//! For pictures and for OBJ each kind has a part for each of its materials, whose shapes are the individuals' surfaces in it
+//! ([`Garden::model`]). For GLB each individual is one mesh with all its materials, and each plant one node or one row of a
+//! table ([`Garden::instanced`]).
+
+use super::places::Place;
+use super::stock::{Individual, Stock};
+use crate::model::{Copies, InstanceGroup, InstancedModel, Mesh, Model, Part, PartKind, Placement, Pose};
+use crate::plant::Material;
+use glam::Vec3;
+use smol_str::{SmolStr, format_smolstr};
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+/// A garden in which everything stands.
+#[derive(Clone, Debug, Default)]
+pub struct Garden {
+    /// The individuals.
+    pub stock: Stock,
+    /// The plants.
+    pub places: Vec<Place>,
+    /// The ground with its materials, the first for its first triangles; none for plants alone.
+    pub ground: Option<(Mesh, Vec<Material>)>,
+}
+
+impl Garden {
+    /// Triangles of all plants and the ground, every copy counted.
+    pub fn triangle_count(&self) -> usize {
+        let counts: Vec<Vec<usize>> = self
+            .stock
+            .kinds
+            .iter()
+            .map(|kind| kind.individuals.iter().map(Individual::triangle_count).collect())
+            .collect();
+        let of_place = |place: &Place| counts[place.kind as usize].get(place.variant as usize).copied();
+        let ground = self.ground.as_ref().map_or(0, |(mesh, _)| mesh.triangles.len());
+        ground + self.places.iter().filter_map(of_place).sum::<usize>()
+    }
+
+    /// How many plants there are of each kind.
+    pub fn plants_of_each_kind(&self) -> Vec<usize> {
+        let mut counts = vec![0; self.stock.kinds.len()];
+        self.places.iter().for_each(|place| counts[place.kind as usize] += 1);
+        counts
+    }
+
+    /// The garden with a part for each kind and material.
+    pub fn model(&self) -> Model {
+        let (mut parts, materials) = self.ground_parts();
+        for (kind, stock) in self.stock.kinds.iter().enumerate() {
+            let surfaces = || stock.individuals.iter().flat_map(|individual| &individual.surfaces);
+            let of_kind: BTreeSet<usize> = surfaces().map(|surface| surface.material).collect();
+            for material in of_kind {
+                let Some(of) = surfaces().find(|surface| surface.material == material) else { continue };
+                let name = format_smolstr!("{}_{}", stock.name, self.stock.materials[material].name);
+                let copies = self.copies(kind, material);
+                if !copies.placements.is_empty() {
+                    let copies = Some(Arc::new(copies));
+                    parts.push(Part { specimen: 1 + kind, copies, ..bare(name, of.kind, material) });
+                }
+            }
+        }
+        Model { parts, materials }
+    }
+
+    /// The copies of a kind's surfaces in a material.
+    fn copies(&self, kind: usize, material: usize) -> Copies {
+        let (mut shapes, mut shape_of) = (Vec::new(), Vec::new());
+        for individual in &self.stock.kinds[kind].individuals {
+            let surface = individual.surfaces.iter().find(|surface| surface.material == material);
+            shape_of.push(surface.map(|surface| {
+                shapes.push(surface.mesh.clone());
+                shapes.len() as u32 - 1
+            }));
+        }
+        let of_kind = self.places.iter().filter(|place| place.kind as usize == kind);
+        let placement = |place: &Place| {
+            let shape = shape_of.get(place.variant as usize).copied().flatten()?;
+            let [u, v] = [Vec3::X, Vec3::Y].map(|axis| place.rotation * axis * place.scale);
+            Some(Placement { shape, slot: 0, base: place.at, u, v })
+        };
+        Copies { placements: of_kind.filter_map(placement).collect(), shapes }
+    }
+
+    /// The garden with a mesh for each individual that is there.
+    pub fn instanced(&self) -> InstancedModel {
+        let (parts, materials) = self.ground_parts();
+        let mut poses: Vec<Vec<Vec<Pose>>> =
+            self.stock.kinds.iter().map(|kind| vec![Vec::new(); kind.individuals.len()]).collect();
+        for Place { kind, variant, at, rotation, scale } in &self.places {
+            let pose = Pose { base: *at, rotation: *rotation, scale: Vec3::splat(*scale) };
+            poses[*kind as usize][*variant as usize].push(pose);
+        }
+        let kinds = self.stock.kinds.iter().zip(poses);
+        let groups = kinds.flat_map(|(kind, poses)| {
+            let individuals = kind.individuals.iter().zip(poses).zip(1..);
+            individuals.filter_map(|((individual, poses), number)| {
+                let name = format_smolstr!("{}_{number}", kind.name);
+                (!poses.is_empty()).then(|| Some(InstanceGroup { shape: whole(name, individual)?, poses }))?
+            })
+        });
+        InstancedModel { groups: groups.collect(), model: Model { parts, materials } }
+    }
+
+    /// The ground, and the materials of everything: the individuals' first.
+    fn ground_parts(&self) -> (Vec<Part>, Vec<Material>) {
+        let mut materials = self.stock.materials.clone();
+        let Some((mesh, own)) = &self.ground else { return (Vec::new(), materials) };
+        let first = materials.len();
+        materials.extend(own.iter().cloned());
+        let more_materials = (first + 1..first + own.len()).collect();
+        let ground = bare("ground".into(), PartKind::Wood, first);
+        (vec![Part { mesh: Arc::new(mesh.clone()), more_materials, ..ground }], materials)
+    }
+}
+
+/// A part at the origin without any surface.
+fn bare(name: SmolStr, kind: PartKind, material: usize) -> Part {
+    let (mesh, more_materials) = (Arc::new(Mesh::default()), Vec::new());
+    Part {
+        name,
+        kind,
+        parent: None,
+        specimen: 0,
+        pivot: Vec3::ZERO,
+        material,
+        more_materials,
+        mesh,
+        copies: None,
+    }
+}
+
+/// An individual as one part with all its materials; none without any surface.
+fn whole(name: SmolStr, individual: &Individual) -> Option<Part> {
+    let (first, more) = individual.surfaces.split_first()?;
+    let mut mesh = Mesh::clone(&first.mesh);
+    for surface in more {
+        mesh.breaks.push(mesh.triangles.len() as u32);
+        mesh.append(&surface.mesh);
+    }
+    let more_materials = more.iter().map(|surface| surface.material).collect();
+    Some(Part { mesh: Arc::new(mesh), more_materials, ..bare(name, first.kind, first.material) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::stock::{KindStock, Surface};
+    use super::*;
+    use crate::model::Vertex;
+    use glam::{Quat, Vec2};
+
+    /// A garden of triangles: two individuals, of which the second has a second material.
+    fn triangles() -> Garden {
+        let vertex = |point| Vertex { point, normal: Vec3::Z, uv: Vec2::ZERO };
+        let mesh = |height: f32| {
+            let points = vec![Vec3::ZERO, Vec3::X, Vec3::Y * height];
+            Mesh {
+                points,
+                vertices: (0..3).map(vertex).collect(),
+                triangles: vec![[0, 1, 2]],
+                breaks: vec![],
+            }
+        };
+        let surface =
+            |material, height| Surface { material, kind: PartKind::Wood, mesh: Arc::new(mesh(height)) };
+        let individuals = vec![
+            Individual { surfaces: vec![surface(0, 1.0)] },
+            Individual { surfaces: vec![surface(0, 2.0), surface(1, 0.5)] },
+        ];
+        let kind = KindStock { name: "reed".into(), individuals, remarks: Vec::new() };
+        let materials = ["green", "brown"].map(|name| Material::plain(name, [0.2; 3])).to_vec();
+        let place = |variant, x: f32, turn| Place {
+            kind: 0,
+            variant,
+            at: Vec3::X * x,
+            rotation: Quat::from_rotation_y(turn),
+            scale: 1.0 + 0.1 * x,
+        };
+        let places = vec![place(1, 0.0, 0.3), place(0, 2.0, 1.0), place(1, 5.0, 4.0)];
+        let ground = Some((mesh(0.1), vec![Material::plain("soil", [0.1; 3])]));
+        Garden { stock: Stock { materials, kinds: vec![kind] }, places, ground }
+    }
+
+    #[test]
+    fn both_forms_of_a_garden_have_the_same_triangles_in_the_same_places() {
+        let garden = triangles();
+        let (model, instanced) = (garden.model(), garden.instanced());
+        assert_eq!(model.check_invariants(), Ok(()));
+        assert_eq!(instanced.model.check_invariants(), Ok(()));
+        assert_eq!((model.triangle_count(), garden.triangle_count()), (6, 6));
+        assert_eq!(
+            model.parts.iter().map(|part| part.name.as_str()).collect::<Vec<_>>(),
+            ["ground", "reed_green", "reed_brown"]
+        );
+        let names: Vec<_> = instanced.groups.iter().map(|group| group.shape.name.as_str()).collect();
+        assert_eq!(names, ["reed_1", "reed_2"]);
+        assert_eq!(instanced.groups[1].shape.mesh.breaks, [1]);
+        let posed = instanced.groups.iter().flat_map(|group| {
+            let points = &group.shape.mesh.points;
+            group.poses.iter().flat_map(move |pose| points.iter().map(|point| pose.place(*point)))
+        });
+        let mut posed: Vec<Vec3> = posed.chain(instanced.model.parts.iter().flat_map(Part::points)).collect();
+        let mut flat: Vec<Vec3> = model.flattened().parts.iter().flat_map(Part::points).collect();
+        let order =
+            |a: &Vec3, b: &Vec3| (a.x + 7.0 * a.y + 3.0 * a.z).total_cmp(&(b.x + 7.0 * b.y + 3.0 * b.z));
+        posed.sort_by(order);
+        flat.sort_by(order);
+        assert_eq!(posed.len(), flat.len());
+        assert!(posed.iter().zip(&flat).all(|(a, b)| a.distance(*b) < 1e-5), "{posed:?} {flat:?}");
+    }
+}

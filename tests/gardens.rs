@@ -1,0 +1,81 @@
+//! Gardens from their text to files: the same bytes on any number of threads, sizes of files, and what comes back.
+
+#![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
+
+use penstemon::budget::GardenBudget;
+use penstemon::formats::write::{InstanceForm, Scene, format_of};
+use penstemon::garden::{Garden, GardenSpec, Grower, Stock, TileSet, surface};
+use penstemon::pipeline;
+use penstemon::plant::{FinishedPlant, Material, Plant, Provenance};
+use penstemon::species::Species;
+use std::borrow::Cow;
+use std::path::Path;
+
+const BED: &str = "area = [[-3, -2], [3, -2], [3, 2], [0, 1], [-3, 2]]\nspacing = 0.35\nseed = 5\nvariants = 3\n\
+                   [[plants]]\nspecies = \"rose\"\nshare = 0.6\nspacing = 0.6\n[[plants]]\nspecies = \"daisy\"\nshare = 0.4\n\
+                   [[paths]]\npoints = [[-3, 0], [3, 0.5]]\nwidth = 0.5\n[ground]\ncover = \"lawn\"\n";
+
+fn garden(text: &str, triangles: u32) -> Garden {
+    let spec = GardenSpec::from_toml(text, "bed.toml").unwrap();
+    let tiles = TileSet::new(spec.colours, 1);
+    let plan = spec.plan(&tiles, Path::new("")).unwrap();
+    let mut stock = Stock::default();
+    for (kind, of_plan) in spec.plants.iter().zip(&plan.kinds) {
+        let species = Box::new(Species::built_in(kind.origin.name()).unwrap());
+        let params = Box::new(pipeline::params_of_species(&species, &[]).unwrap());
+        let mut grower = Grower::Species { species, params, age: None, first_seed: 1 };
+        grower.fit(triangles);
+        stock.add(kind.origin.name(), &grower, of_plan.variants, 0.0);
+    }
+    let places = plan.places(&tiles).unwrap();
+    Garden { stock, places, ground: surface::slab(&plan, spec.ground.cover) }
+}
+
+fn glb(garden: &Garden, form: InstanceForm) -> Vec<u8> {
+    let plant = FinishedPlant::new(Plant::default(), &[], |_| Material::plain("plant", [0.5; 3]));
+    let (provenance, instanced) = (Provenance::default(), garden.instanced());
+    let built_in = |name: &str| penstemon::species::builtin_texture(name).map(Cow::Borrowed);
+    let scene = Scene::new(&instanced.model, (&plant, &provenance), &built_in, Cow::Borrowed("bed")).unwrap();
+    let scene = scene.with_instances(&instanced.groups, form).unwrap();
+    format_of(Path::new("bed.glb")).unwrap().encode(&scene).unwrap().bytes
+}
+
+#[test]
+fn the_same_garden_has_the_same_bytes_on_any_number_of_threads() {
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let garden = garden(BED, 1500);
+            [glb(&garden, InstanceForm::Nodes), glb(&garden, InstanceForm::Gpu), garden.list()]
+        })
+    };
+    let one = on(1);
+    assert!(one == on(2), "other bytes on two threads");
+    assert!(one[1].len() < one[0].len(), "a table is smaller than nodes");
+}
+
+#[test]
+fn what_is_written_comes_back_with_every_plant() {
+    let garden = garden(BED, 1500);
+    assert!(garden.places.len() > 20 && garden.plants_of_each_kind().iter().all(|count| *count > 2));
+    for form in [InstanceForm::Nodes, InstanceForm::Gpu] {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("bed.glb");
+        std::fs::write(&path, glb(&garden, form)).unwrap();
+        let back = penstemon::formats::read::load(&path).unwrap();
+        assert_eq!(back.model.triangle_count(), garden.triangle_count(), "{form:?}");
+        let (found, made) = (back.model.bounds().unwrap(), garden.model().bounds().unwrap());
+        assert!(found.0.distance(made.0) < 1e-3 && found.1.distance(made.1) < 1e-3, "{found:?} {made:?}");
+    }
+}
+
+#[test]
+fn a_file_of_ten_thousand_roses_has_at_most_forty_megabytes() {
+    let text = "area = \"60x40\"\ndensity = 4.3\n[[plants]]\nspecies = \"rose\"\n";
+    let garden = garden(text, penstemon::garden::stock::triangles_of_each(10_000, 16));
+    assert!((10_000..11_000).contains(&garden.places.len()), "{}", garden.places.len());
+    assert_eq!(garden.stock.individual_count(), 16);
+    assert!(garden.stock.triangle_count() < GardenBudget::GARDEN.variant_triangles);
+    let bytes = glb(&garden, InstanceForm::Nodes).len();
+    assert!(bytes <= 40_000_000, "{bytes}");
+}
