@@ -18,6 +18,8 @@ pub(super) struct Cluster {
     pub(super) on: Option<usize>,
     /// Where it grows from, metres.
     pub(super) foot: Vec3,
+    /// Unit direction of the wood there.
+    pub(super) along: Vec3,
     /// Its organs, by their places in the plant.
     pub(super) organs: Vec<usize>,
     /// Its twigs.
@@ -124,14 +126,20 @@ impl<'a> Tree<'a> {
         let arcs = polyline::arc_lengths(points.iter().copied());
         let along = |at: Vec3| polyline::nearest(points, at).map_or(0.0, |(_, arc)| arc);
         let place = |arc: f32| polyline::interpolate(points, polyline::locate(&arcs, arc));
+        let direction = |arc: f32| {
+            let (segment, _) = polyline::locate(&arcs, arc);
+            (points[segment + 1] - points[segment]).normalize_or(Vec3::Y)
+        };
         let mut items: Vec<(f32, Item)> = self.foliage[on]
             .iter()
             .map(|&organ| (along(self.plant.organs[organ].base()), Item::Organ(organ)))
             .collect();
         for &child in self.children[on].iter().rev().filter(|child| goes[**child]) {
-            let foot = self.plant.branches[child].points[0];
+            let line = &self.plant.branches[child].points;
+            let foot = line[0];
             if self.reach[child] > OF_ITS_OWN * size {
-                found.push(self.cluster(on, foot, &[(0.0, Item::Branch(child))]));
+                let along = (line[line.len() - 1] - foot).normalize_or(Vec3::Y);
+                found.push(self.cluster(on, (foot, along), &[(0.0, Item::Branch(child))]));
             } else {
                 items.push((along(foot), Item::Branch(child)));
             }
@@ -140,13 +148,13 @@ impl<'a> Tree<'a> {
         let mut rest = items.as_slice();
         while let Some((first, _)) = rest.first() {
             let end = rest.partition_point(|(arc, _)| *arc <= first + size);
-            found.push(self.cluster(on, place(*first), &rest[..end]));
+            found.push(self.cluster(on, (place(*first), direction(*first)), &rest[..end]));
             rest = &rest[end..];
         }
     }
 
-    fn cluster(&self, on: usize, foot: Vec3, items: &[(f32, Item)]) -> Cluster {
-        let mut cluster = Cluster { on: Some(on), foot, organs: Vec::new(), branches: Vec::new() };
+    fn cluster(&self, on: usize, (foot, along): (Vec3, Vec3), items: &[(f32, Item)]) -> Cluster {
+        let mut cluster = Cluster { on: Some(on), foot, along, organs: Vec::new(), branches: Vec::new() };
         for (_, item) in items {
             match item {
                 Item::Organ(organ) => cluster.organs.push(*organ),

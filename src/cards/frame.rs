@@ -1,10 +1,12 @@
 //! Where a cluster's cards lie.
 //!
-//! Their axis leads from the cluster's foot to the middle of its organs. The first card lies in the plane through that axis in
-//! which the cluster is widest, the second square to it.
+//! Their axis leads from the cluster's foot to the middle of its organs, or along its wood where these stand to all sides. The first card lies in the plane through that axis to which
+//! most of the blades' area is turned, the second square to it. So leaves that lie level are seen as full from above and as thin from
+//! aside as they are.
 
 use super::clusters::{Cluster, extremes};
-use crate::plant::Plant;
+use crate::geom::simple_loop::area;
+use crate::plant::{Plant, Shape};
 use glam::{Mat3, Vec2, Vec3};
 
 /// How much larger a card is than what it shows, share of its extent to each side: leaves are bent.
@@ -12,10 +14,15 @@ const MARGIN: f32 = 0.04;
 /// Least extent to a side, share of the height.
 const THINNEST: f32 = 0.02;
 
+/// The middle of a cluster that is farther from its foot than this share of its spread tells its direction.
+const ASIDE: f32 = 0.5;
+/// By how much a shoot is scaled at most to stand for another.
+const MOST_SCALED: f32 = 2.0;
+
 /// From which side a card shows its cluster.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
-    /// As wide as it is.
+    /// From where most of its leaves face.
     Wide,
     /// Square to that.
     Narrow,
@@ -26,7 +33,7 @@ impl Side {
     pub(super) const ALL: [Self; 2] = [Self::Wide, Self::Narrow];
 }
 
-/// A box around a cluster: x the widest way across, y its axis.
+/// A box around a cluster: y its axis, z where its leaves face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Frame {
     foot: Vec3,
@@ -43,8 +50,8 @@ impl Frame {
         let twigs = cluster.branches.iter().flat_map(|&branch| plant.branches[branch].points.iter().copied());
         let organs: Vec<Vec3> = of_organs.collect();
         let middle = organs.iter().sum::<Vec3>() / organs.len().max(1) as f32;
-        let along = (middle - cluster.foot).try_normalize()?;
-        let axes = widest(&organs, middle, along);
+        let along = axis(cluster, (&organs, middle));
+        let axes = axes(plant, cluster, (&organs, middle), along);
         Self::around(cluster.foot, axes, organs.iter().copied().chain(twigs))
     }
 
@@ -69,6 +76,13 @@ impl Frame {
         is_sound.then_some(Self { foot, axes, low: low - margin, high: high + margin })
     }
 
+    /// The box of another cluster at the place of this one, so much larger or smaller that its wide side has the area of this one's.
+    pub(super) fn of_shape(&self, other: &Self) -> Self {
+        let area = |frame: &Self| (frame.high - frame.low).truncate().element_product();
+        let scale = (area(self) / area(other)).sqrt().clamp(1.0 / MOST_SCALED, MOST_SCALED);
+        Self { foot: self.foot, axes: self.axes, low: other.low * scale, high: other.high * scale }
+    }
+
     /// Thickness as a share of the width.
     pub(super) fn flatness(&self) -> f32 {
         let extent = self.high - self.low;
@@ -87,13 +101,40 @@ impl Frame {
     }
 }
 
-/// Axes with y along the cluster and x across where the points are spread most.
-fn widest(points: &[Vec3], middle: Vec3, along: Vec3) -> Mat3 {
+/// The direction of a cluster: to its middle, or where leaves stand to all sides, so that this is near, along its wood.
+fn axis(cluster: &Cluster, (points, middle): (&[Vec3], Vec3)) -> Vec3 {
+    let way = middle - cluster.foot;
+    let squares = points.iter().map(|point| point.distance_squared(middle)).sum::<f32>();
+    let spread = (squares / points.len().max(1) as f32).sqrt();
+    if way.length() > ASIDE * spread { way.normalize() } else { cluster.along }
+}
+
+/// Axes with y along the cluster and z where its blades face, each counted by its area; without any, square to where the points are
+/// spread most.
+fn axes(plant: &Plant, cluster: &Cluster, (points, middle): (&[Vec3], Vec3), along: Vec3) -> Mat3 {
     let (x, z) = along.any_orthonormal_pair();
-    let flat = |point: &Vec3| Vec2::new((*point - middle).dot(x), (*point - middle).dot(z));
-    let moments =
-        points.iter().map(flat).fold(Vec3::ZERO, |sum, p| sum + Vec3::new(p.x * p.x, p.y * p.y, p.x * p.y));
-    let turn = Vec2::from_angle(0.5 * (2.0 * moments.z).atan2(moments.x - moments.y));
-    let across = (x * turn.x + z * turn.y).normalize();
-    Mat3::from_cols(across, along, across.cross(along))
+    let flat = |way: Vec3| Vec2::new(way.dot(x), way.dot(z));
+    let normals = cluster.organs.iter().filter_map(|&organ| match &plant.organs[organ].shape {
+        Shape::Blade(blade) => {
+            let normal = blade.u.cross(blade.v);
+            let area = area(plant.templates[blade.template].outline()) * normal.length();
+            Some(flat(normal.normalize_or_zero()) * area.sqrt())
+        }
+        _ => None,
+    });
+    let facing = principal(normals).or_else(|| {
+        let spread = principal(points.iter().map(|point| flat(*point - middle)))?;
+        Some(spread.perp())
+    });
+    let facing = facing.unwrap_or(Vec2::Y);
+    let facing = (x * facing.x + z * facing.y).normalize();
+    Mat3::from_cols(along.cross(facing), along, facing)
+}
+
+/// The direction in which vectors are longest, all together and whichever way they point; `None` if no direction stands out.
+fn principal(vectors: impl Iterator<Item = Vec2>) -> Option<Vec2> {
+    let moments = vectors.fold(Vec3::ZERO, |sum, p| sum + Vec3::new(p.x * p.x, p.y * p.y, p.x * p.y));
+    let across = Vec2::new(moments.x - moments.y, 2.0 * moments.z);
+    let stands_out = across.length() > 1e-3 * (moments.x + moments.y);
+    stands_out.then(|| Vec2::from_angle(0.5 * across.to_angle()))
 }

@@ -34,7 +34,7 @@ crate::parameters! {
         /// How far the shoots reach that become one card.
         size: f32 = 0.06, 0.01..=0.5, "of the plant's size";
         /// How many of the plant's own shoots are drawn.
-        shoots: u32 = 4, 1..=8, "";
+        shoots: u32 = 6, 1..=16, "";
         /// Width and height of the picture of each shoot.
         pixels: u32 = 256, 32..=1024, "pixels";
     }
@@ -72,7 +72,7 @@ pub fn with_cards(plant: FinishedPlant, params: &CardParams, most: Option<u64>) 
 pub fn billboards(plant: &FinishedPlant, pixels: u32) -> FinishedPlant {
     let Some(frame) = Frame::upright(plant) else { return plant.clone() };
     let (organs, branches) = ((0..plant.organs.len()).collect(), (0..plant.branches.len()).collect());
-    let all = [(Cluster { on: None, foot: Vec3::ZERO, organs, branches }, frame)];
+    let all = [(Cluster { on: None, foot: Vec3::ZERO, along: Vec3::Y, organs, branches }, frame)];
     let surfaces = Surfaces::new(plant, ModelParams::default());
     let drawing = Drawing { pixels, share: 1.0 };
     let Some(atlas) = Atlas::draw(&surfaces, &all, &[0], drawing) else { return plant.clone() };

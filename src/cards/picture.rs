@@ -35,7 +35,8 @@ pub(super) struct Drawing {
 /// The pictures of shoots in one.
 pub(super) struct Atlas {
     pub(super) picture: Picture,
-    columns: usize,
+    /// The boxes of the shoots that were drawn.
+    frames: Vec<Frame>,
 }
 
 impl Atlas {
@@ -53,24 +54,25 @@ impl Atlas {
             let corners =
                 triangles.iter().flat_map(|triangle| triangle.corners.iter().map(|corner| corner.at));
             let frame = frame.around_points(corners).unwrap_or(*frame);
-            Side::ALL.map(|of| coarser(&drawn(&triangles, frame.card(of), side * FINER), drawing))
+            let seen_from = |of| drawn(&triangles, frame.card(of), side * FINER);
+            (frame, Side::ALL.map(|of| coarser(&seen_from(of), drawing)))
         };
-        let cells: Vec<[Vec<Vec4>; 2]> = shown.par_iter().map(cells).collect();
+        let (frames, cells): (Vec<Frame>, Vec<_>) = shown.par_iter().map(cells).unzip();
         let picture = joined(&cells, side)?.to_png().ok()?;
-        Some(Self { picture: Picture::new(picture).ok()?, columns: shown.len() })
+        Some(Self { picture: Picture::new(picture).ok()?, frames })
     }
 
     /// The card of a cluster from a side, with the picture of a shoot.
     pub(super) fn card(&self, frame: &Frame, shoot: usize, side: Side) -> Shape {
-        let (base, u, v) = frame.card(side);
+        let (base, u, v) = frame.of_shape(&self.frames[shoot]).card(side);
         Shape::Card { base, u, v, window: self.window(shoot, side) }
     }
 
     /// The part of the picture that shows a shoot from a side.
     fn window(&self, shoot: usize, side: Side) -> [Vec2; 2] {
-        let column = shoot as f32 / self.columns as f32;
+        let column = shoot as f32 / self.frames.len() as f32;
         let low = Vec2::new(column, if side == Side::Wide { 0.5 } else { 0.0 });
-        [low, low + Vec2::new(1.0 / self.columns as f32, 0.5)]
+        [low, low + Vec2::new(1.0 / self.frames.len() as f32, 0.5)]
     }
 }
 
