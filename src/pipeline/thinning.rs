@@ -159,8 +159,8 @@ pub(super) fn without_twigs(plant: &FinishedPlant, share: f32, on_twigs: OnTwigs
     }
     if on_twigs == OnTwigs::Goes {
         let of_flowers = Foliage::of(plant);
-        let carriers = of_flowers.of_flowers(plant).filter_map(|organ| organ.branch);
-        carriers.for_each(|branch| kept[branch] = true);
+        let flowering = of_flowers.of_flowers(plant).filter_map(|organ| organ.branch);
+        flowering.for_each(|branch| kept[branch] = true);
     }
     for (i, branch) in plant.branches.iter().enumerate().rev() {
         if let (true, Some(parent)) = (kept[i], branch.parent) {
