@@ -13,8 +13,8 @@
 //!
 //! Limits: all these builds come again with every sample where a drawing has such a number in the window, though a newer drawing
 //! ends them. Leaves of a tree's twigs that went stay where they were. Drawn parts never go, nor does a single flower lose any: a
-//! plant of many has more than it should, as a daisy at its coarsest; flowers of umbels, as of a dandelion, go one by one. A plant at its finest may have fewer. The plant's list of
-//! flowers keeps those that went.
+//! plant of many has more than it should, as a daisy at its coarsest; flowers of umbels, as of a dandelion, go one by one. A plant
+//! at its finest may have fewer. The plant's list of flowers keeps those that went.
 
 use super::thinning::{Foliage, OnTwigs, thinned, without_twigs};
 use crate::geom::simple_loop::{area, hull_area};
