@@ -105,6 +105,24 @@ pub fn coarser(params: &ModelParams, share: f32) -> Cow<'_, ModelParams> {
     Cow::Owned(coarsened(params, TO_DEFAULTS + share * (COARSEST - TO_DEFAULTS)))
 }
 
+/// The same for petals, for leaves and drawn blades, for wood and for solids, each with a share of its own.
+pub fn coarser_each(params: &ModelParams, shares: [f32; 4]) -> ModelParams {
+    let [petals, leaves, wood, solids] = shares.map(|share| coarser(params, share).into_owned());
+    let (of_petals, of_leaves) = (petals.blade, leaves.blade);
+    ModelParams {
+        blade: BladeMeshParams {
+            petal_tolerance: of_petals.petal_tolerance,
+            petal_outline_points: of_petals.petal_outline_points,
+            petal_rows: of_petals.petal_rows,
+            petal_columns: of_petals.petal_columns,
+            ..of_leaves
+        },
+        tube: wood.tube,
+        solid: solids.solid,
+        budget: leaves.budget,
+    }
+}
+
 /// The parameters with so many times the rows, columns and sides of blades, wood and solids, as far as their ranges go.
 pub fn refined(params: &ModelParams, [of_blades, of_wood, of_solids]: [f32; 3]) -> ModelParams {
     let ModelParams { blade, tube, solid, budget } = params;

@@ -13,6 +13,8 @@ use glam::{Vec2, Vec3};
 /// Stalks are thin: they may leave their skeleton by half their radius, and end round.
 const TOLERANCE: f32 = 0.5;
 const TIP: f32 = 0.8;
+/// How far below its head a stalk ends, in its radii: nobody sees it, and one mesh of both has no point that they share.
+const GAP: f32 = 0.1;
 /// Share of its last piece by which a stalk is shortened for its head at most.
 const MOST_BACK: f32 = 0.9;
 
@@ -36,12 +38,25 @@ pub(super) fn append<'a>(
     mesh.split_disagreeing_corners_in(first..mesh.triangles.len());
 }
 
-/// Where a stalk ends: its round end touches the head from below, so that neither passes through the other.
+/// Where a stalk ends: its round end is just below the head, so that neither passes through the other.
 fn below_head(stalk: &[Vec3], end: Vec3, radius: f32, head: Vec2) -> Vec3 {
     let Some(before) = stalk.last() else { return end };
     if head.min_element() <= 0.0 {
         return end;
     }
     let most = MOST_BACK * before.distance(end);
-    end + (*before - end).clamp_length_max((head.y + TIP * radius).min(most))
+    end + (*before - end).clamp_length_max((head.y + (TIP + GAP) * radius).min(most))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stalk_and_its_head_share_no_point() {
+        let (radius, head) = (0.125, Vec2::new(0.25, 0.5));
+        let end = below_head(&[Vec3::ZERO], Vec3::Y, radius, head);
+        let (top, underside) = (end.y + TIP * radius, 1.0 - head.y);
+        assert!(top < underside && top > underside - 0.2 * radius, "{top} below {underside}");
+    }
 }

@@ -79,7 +79,7 @@ mod wood;
 mod wood_changes;
 mod wood_memory;
 
-pub use afford::{affordable, coarser, refined};
+pub use afford::{affordable, coarser, coarser_each, refined};
 pub use blade_uv::BladeUv;
 pub use build::{build, rebuild};
 pub use cache::Cache;

@@ -28,6 +28,7 @@ mod rose;
 mod seed;
 mod setup;
 mod source;
+mod thinning;
 mod triangle_budget;
 mod usual_species;
 

@@ -1,22 +1,25 @@
 //! A plant of as many triangles as were asked for, give or take three of a hundred.
 //!
-//! Fewer are asked for: a plant without much foliage becomes coarser. One with foliage, which is leaves and flowers that nobody
-//! drew, gives wood two fifths of the triangles, or what foliage leaves of them: it becomes coarser, and if that is not enough its
-//! thinnest twigs go. Foliage has the rest: leaves get fewer corners, then some go, evenly over the crown, and those that stay are
-//! larger, so that they cover about what all did. More are asked for: everything becomes finer.
+//! Fewer are asked for: a plant without much foliage becomes coarser. Foliage is leaves and flowers that nobody drew. A plant with
+//! leaves and small flowers, as a tree, gives wood two fifths of the triangles, or what foliage leaves of them: it becomes coarser,
+//! and if that is not enough its thinnest twigs go. Foliage has the rest: leaves get fewer corners, then some go, evenly over the
+//! crown, and those that stay are larger, so that they cover about what all did.
 //!
-//! How many triangles there are is counted on models, of which about a dozen are built, so the number is exact.
+//! A plant with large flowers, as a rose, first has coarser flowers, then coarser leaves and wood. Then whole flowers go, and with
+//! them the same share of leaves; leaves fill up what a flower more would be too much for. One flower always stays, and so does its
+//! stem; other twigs go last. More are asked for: everything becomes finer.
+//!
+//! How many triangles there are is counted on models, of which one or two dozen are built, so the number is exact.
 //!
 //! Limits: all these builds come again with every sample where a drawing has such a number in the window, though a newer drawing
-//! ends them. Leaves of twigs that went stay where they were. Drawn parts never go: a plant of many has more than it should. A plant
-//! at its finest may have fewer.
+//! ends them. Leaves of a tree's twigs that went stay where they were. Drawn parts never go, nor does a single flower lose any: a
+//! plant of many has more than it should, as a daisy at its coarsest; flowers of umbels, as of a dandelion, go one by one. A plant
+//! at its finest may have fewer. The plant's list of flowers keeps those that went.
 
-use crate::geom::polyline;
+use super::thinning::{Foliage, OnTwigs, thinned, without_twigs};
 use crate::geom::simple_loop::{area, hull_area};
 use crate::model::{self, ModelParams};
-use crate::plant::{Blade, Detail, FinishedPlant, Organ, OrganKind, Shape, Template};
-use crate::random::{mix, unit};
-use std::collections::BTreeSet;
+use crate::plant::{Detail, FinishedPlant, Organ, OrganKind, Shape, Template};
 
 /// Accepted difference, share of the triangles asked for.
 const NEAR: f32 = 0.03;
@@ -30,8 +33,6 @@ const MOST_WOOD: f32 = 0.8;
 const FEWER_CORNERS: (f32, u32) = (0.5, 6);
 /// Leaves that fill less than this share of their convex hull, as sprays of needles do, keep their corners.
 const SPIKY: f32 = 0.6;
-/// How much larger leaves become at most.
-const LARGER: f32 = 2.0;
 /// How much finer a plant becomes at most.
 const FINEST: f32 = 16.0;
 /// Halvings of an interval that is searched.
@@ -52,13 +53,19 @@ pub(super) fn fit(
     }
     if now < wanted {
         let finer = |by: [f32; 3]| model::refined(params, by.map(|by| FINEST.powf(by)));
-        let by = largest_each(|by| budget.has_room(&plant, &finer(by)));
+        let by = largest_each(|by| budget.has_room(&plant, &finer(by)), |_| false);
         return (plant, finer(by));
     }
-    if !has_foliage(&plant) {
-        let fineness = |share: f32| model::coarser(params, 1.0 - share);
-        let share = largest(|share| budget.has_room(&plant, &fineness(share)));
-        return (plant, fineness(share).into_owned());
+    let foliage = Foliage::of(&plant);
+    let is_leafy = foliage.leaves + foliage.flowers >= FOLIAGE;
+    if (is_leafy || foliage.flowers > 1) && has_large_flowers(&plant, &foliage) {
+        return with_flowers(plant, params, &budget);
+    }
+    if !is_leafy {
+        let coarser = |fine: [f32; 4]| model::coarser_each(params, fine.map(|fine| 1.0 - fine));
+        let is_near = |fine| budget.is_met(budget.count(&plant, &coarser(fine)));
+        let fine = largest_each(|fine| budget.has_room(&plant, &coarser(fine)), is_near);
+        return (plant, coarser(fine));
     }
     with_foliage(plant, params, now, &budget)
 }
@@ -112,10 +119,17 @@ fn largest(fits: impl Fn(f32) -> bool) -> f32 {
     low
 }
 
-/// The same for three numbers: first for all of them together, then for each as far as the others let it.
-fn largest_each(fits: impl Fn([f32; 3]) -> bool) -> [f32; 3] {
-    let mut all = [largest(|same| fits([same; 3])); 3];
-    for k in 0..3 {
+/// The same for several numbers: first for all of them together, then, while that is not `enough`, for each as far as the others
+/// let it.
+fn largest_each<const N: usize>(
+    fits: impl Fn([f32; N]) -> bool,
+    enough: impl Fn([f32; N]) -> bool,
+) -> [f32; N] {
+    let mut all = [largest(|same| fits([same; N])); N];
+    for k in 0..N {
+        if enough(all) {
+            break;
+        }
         let with = |more: f32| {
             let mut with = all;
             with[k] += (1.0 - with[k]) * more;
@@ -126,33 +140,70 @@ fn largest_each(fits: impl Fn([f32; 3]) -> bool) -> [f32; 3] {
     all
 }
 
-/// The piece of foliage that each organ belongs to, by a number of its own: a leaf, or a flower of which nothing was drawn; none
-/// for what stays.
-fn pieces(plant: &FinishedPlant) -> Vec<Option<u64>> {
-    let drawn = plant.organs.iter().filter(|organ| organ.origin.is_drawn()).filter_map(|organ| organ.flower);
-    let drawn: BTreeSet<usize> = drawn.collect();
-    let piece = |(index, organ): (usize, &Organ)| match organ.flower {
-        Some(flower) => (!drawn.contains(&flower)).then(|| mix(1, flower as u64)),
-        None => {
-            let is_leaf = matches!(organ.kind(), OrganKind::Leaf | OrganKind::Petiole);
-            (is_leaf && !organ.origin.is_drawn()).then(|| mix(2, index as u64))
+/// Whether a plant has flowers that are more than a few triangles each.
+fn has_large_flowers(plant: &FinishedPlant, foliage: &Foliage) -> bool {
+    let is_large = |organ: &Organ| match &organ.shape {
+        Shape::Blade(blade) if organ.kind() == OrganKind::Petal => {
+            plant.templates[blade.template].detail() == Detail::Moderate
         }
+        _ => false,
     };
-    plant.organs.iter().enumerate().map(piece).collect()
+    foliage.of_flowers(plant).any(is_large)
 }
 
-/// Whether a plant has much foliage.
-fn has_foliage(plant: &FinishedPlant) -> bool {
-    pieces(plant).into_iter().flatten().collect::<BTreeSet<u64>>().len() >= FOLIAGE
+/// A plant with large flowers.
+fn with_flowers(
+    plant: FinishedPlant,
+    params: &ModelParams,
+    budget: &Budget<'_>,
+) -> (FinishedPlant, ModelParams) {
+    // Flowers come to their coarsest in the first half of the way, all else in the second.
+    let coarser = |way: f32| {
+        let (flowers, rest) = ((2.0 * way).min(1.0), (2.0 * way - 1.0).max(0.0));
+        let mut coarser = model::coarser_each(params, [flowers, rest, rest, flowers]);
+        let corners = &mut coarser.blade.template_outline_points;
+        *corners = (*corners).max(FEWER_CORNERS.1.min(params.blade.template_outline_points));
+        coarser
+    };
+    let fine = largest(|fine| budget.has_room(&plant, &coarser(1.0 - fine)));
+    let coarse = coarser(1.0 - fine);
+    let now = budget.count(&plant, &coarse);
+    if budget.is_met(now) {
+        return (plant, coarse);
+    }
+    if now > budget.wanted {
+        return (with_fewer_flowers(&plant, &coarse, budget), coarse);
+    }
+    // Flowers become finer in steps: rather the step above, with fewer leaves, than too little of all.
+    let above = coarser((1.0 - fine - 0.5f32.powi(HALVINGS as i32)).max(0.0));
+    let fewer = with_leaves_that_fit(&plant, &above, budget);
+    if budget.is_met(budget.count(&fewer, &above)) { (fewer, above) } else { (plant, coarse) }
 }
 
+/// The plant with as many of its flowers and leaves as there is room for: one flower at least. Only then twigs go.
+fn with_fewer_flowers(plant: &FinishedPlant, params: &ModelParams, budget: &Budget<'_>) -> FinishedPlant {
+    let fits = |plant: &FinishedPlant| budget.count(plant, params) <= budget.wanted;
+    let share = largest(|share| fits(&thinned(plant, [share; 2])));
+    let plant = thinned(plant, [1.0, share.max(f32::MIN_POSITIVE)]);
+    let bare = thinned(&plant, [0.0, 1.0]);
+    let twigs = largest(|share| fits(&without_twigs(&bare, share, OnTwigs::Goes)));
+    with_leaves_that_fit(&without_twigs(&plant, twigs, OnTwigs::Goes), params, budget)
+}
+
+/// The plant with as many of its leaves as there is room for.
+fn with_leaves_that_fit(plant: &FinishedPlant, params: &ModelParams, budget: &Budget<'_>) -> FinishedPlant {
+    let with = |leaves: f32| thinned(plant, [leaves, 1.0]);
+    with(largest(|leaves| budget.count(&with(leaves), params) <= budget.wanted))
+}
+
+/// A plant with leaves or small flowers.
 fn with_foliage(
     mut plant: FinishedPlant,
     params: &ModelParams,
     now: u64,
     budget: &Budget<'_>,
 ) -> (FinishedPlant, ModelParams) {
-    let bare = thinned(&plant, 0.0);
+    let bare = thinned(&plant, [0.0; 2]);
     let (wanted, of_foliage) = (budget.wanted, now.saturating_sub(budget.count(&bare, params)));
     let for_wood = ((WOOD * wanted as f32) as u64).max(wanted.saturating_sub(of_foliage));
     let wood = |share: f32| model::coarser(params, 1.0 - share);
@@ -164,10 +215,11 @@ fn with_foliage(
     let coarser = wood(if is_room { above } else { share }).into_owned();
     let mut params = ModelParams { blade: params.blade.clone(), ..coarser };
     if share == 0.0 {
-        let twigs = largest(|share| budget.count(&without_twigs(&bare, share), &params) <= for_wood);
-        plant = without_twigs(&plant, twigs);
+        let twigs =
+            largest(|share| budget.count(&without_twigs(&bare, share, OnTwigs::Stays), &params) <= for_wood);
+        plant = without_twigs(&plant, twigs, OnTwigs::Stays);
     }
-    let of_wood = budget.count(&thinned(&plant, 0.0), &params);
+    let of_wood = budget.count(&thinned(&plant, [0.0; 2]), &params);
     let rest = wanted.saturating_sub(of_wood);
     let stays = |params: &ModelParams| {
         let all = budget.count(&plant, params).saturating_sub(of_wood).max(1);
@@ -197,59 +249,16 @@ fn kept(
 ) -> FinishedPlant {
     const CORRECTIONS: u32 = 4;
     let wanted = budget.wanted;
-    let mut best = thinned(plant, share);
+    let mut best = thinned(plant, [share; 2]);
     for _ in 0..CORRECTIONS {
         let now = budget.count(&best, params);
         if budget.is_met(now) || (share >= 1.0 && now < wanted) || now <= bare || wanted <= bare {
             break;
         }
         share = (share * (wanted - bare) as f32 / (now - bare) as f32).min(1.0);
-        best = thinned(plant, share);
+        best = thinned(plant, [share; 2]);
     }
     best
-}
-
-/// The plant with such a share of its foliage, whose leaves are larger.
-fn thinned(plant: &FinishedPlant, share: f32) -> FinishedPlant {
-    let larger = share.max(f32::MIN_POSITIVE).powf(-0.5).min(LARGER);
-    let mut pieces = pieces(plant).into_iter();
-    let mut plant = plant.clone();
-    plant.reshape(|plant| {
-        plant.organs.retain_mut(|organ| {
-            let Some(piece) = pieces.next().flatten() else { return true };
-            if let (Shape::Blade(Blade { u, v, .. }) | Shape::Card { u, v, .. }, None) =
-                (&mut organ.shape, organ.flower)
-            {
-                (*u, *v) = (*u * larger, *v * larger);
-            }
-            unit(piece) < share
-        });
-        plant.drop_unused_templates();
-    });
-    plant
-}
-
-/// The plant with such a share of its branches: the thinnest that nobody drew are gone, of equally thin ones the shortest.
-fn without_twigs(plant: &FinishedPlant, share: f32) -> FinishedPlant {
-    let size = |i: usize| {
-        let branch = &plant.branches[i];
-        (branch.radii.first().copied().unwrap_or(0.0), polyline::length(&branch.points))
-    };
-    let mut order: Vec<(usize, (f32, f32))> = (0..plant.branches.len()).map(|i| (i, size(i))).collect();
-    order.sort_by(|(_, a), (_, b)| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    let mut kept = vec![true; order.len()];
-    let dropped = ((1.0 - share) * order.len() as f32) as usize;
-    for (i, _) in &order[..dropped] {
-        kept[*i] = plant.branches[*i].origin.is_drawn();
-    }
-    for (i, branch) in plant.branches.iter().enumerate().rev() {
-        if let (true, Some(parent)) = (kept[i], branch.parent) {
-            kept[parent] = true;
-        }
-    }
-    let mut plant = plant.clone();
-    plant.reshape(|plant| plant.keep_branches(&kept));
-    plant
 }
 
 #[cfg(test)]
@@ -309,10 +318,52 @@ mod tests {
         assert!(fewer.model.triangle_count() < whole.model.triangle_count());
     }
 
+    /// How many petals there are.
+    fn petals(built: &crate::pipeline::Built) -> usize {
+        built.plant.organs.iter().filter(|organ| organ.kind() == OrganKind::Petal).count()
+    }
+
+    #[test]
+    fn a_rose_keeps_whole_flowers_and_its_wood() {
+        let rose = |triangles: u32| {
+            let species = Species::built_in("rose").unwrap();
+            let set = [format!("model.budget.triangles={triangles}")];
+            let params = params_of_species(&species, &set).unwrap();
+            build(&Seed { number: 1, ..Seed::default() }, &species, &params)
+        };
+        let whole = rose(0);
+        let of_flower = petals(&whole) / whole.plant.flowers.len();
+        for (wanted, flowers) in [(30_000, 8), (20_000, 8), (12_000, 4), (5_000, 1)] {
+            let built = rose(wanted);
+            let (count, petals) = (built.model.triangle_count() as u64, petals(&built));
+            assert!(is_near(count, u64::from(wanted)), "{count} triangles of {wanted}");
+            assert!(petals >= flowers * of_flower && petals % of_flower == 0, "{petals} petals at {wanted}");
+            assert_eq!(built.plant.branches.len(), whole.plant.branches.len());
+            assert_eq!(built.plant.check_invariants(), Ok(()));
+        }
+        let least = rose(1_000);
+        assert_eq!(petals(&least), of_flower);
+        assert!(!least.plant.branches.is_empty());
+        assert_eq!(least.plant.check_invariants(), Ok(()));
+    }
+
+    #[test]
+    fn a_flower_head_stays_whole() {
+        let daisy = |triangles: u32| {
+            let species = Species::built_in("daisy").unwrap();
+            let set = [format!("model.budget.triangles={triangles}")];
+            build(&Bloom { number: 1 }, &species, &params_of_species(&species, &set).unwrap())
+        };
+        let (whole, fewer) = (daisy(0), daisy(4_000));
+        assert_eq!(fewer.plant.organs.len(), whole.plant.organs.len());
+        assert_eq!(fewer.plant.branches.len(), whole.plant.branches.len());
+        assert!(fewer.model.triangle_count() < whole.model.triangle_count() / 3);
+    }
+
     #[test]
     fn what_stood_on_twigs_that_are_gone_stands_on_what_is_left() {
         let plant = grown("apple", 8.0, 0).plant;
-        let fewer = without_twigs(&plant, 0.3);
+        let fewer = without_twigs(&plant, 0.3, OnTwigs::Stays);
         assert!(fewer.branches.len() < plant.branches.len() / 2 && fewer.organs.len() == plant.organs.len());
         assert_eq!(fewer.check_invariants(), Ok(()));
     }
