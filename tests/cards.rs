@@ -67,14 +67,19 @@ fn assert_alike(
 #[test]
 fn cards_cover_what_their_leaves_cover() {
     let mut renderer = Renderer::new().unwrap();
-    for (name, age, most) in
-        [("oak", 20.0, 0.25), ("spruce", 12.0, 0.1), ("maple", 14.0, 0.35), ("ash", 10.0, 0.25)]
-    {
+    // The leaflets of an ash are thin, and what is thin is lost first in small copies of a picture.
+    let trees = [
+        ("oak", 20.0, 0.25, 0.12),
+        ("spruce", 12.0, 0.1, 0.12),
+        ("maple", 14.0, 0.35, 0.12),
+        ("ash", 10.0, 0.25, 0.25),
+    ];
+    for (name, age, most, area) in trees {
         let (leaves, _) = grown(name, age, &[]);
         let (cards, _) = grown(name, age, &["cards.used=true"]);
         let share = cards.model.triangle_count() as f32 / leaves.model.triangle_count() as f32;
         assert!(share < most, "{name}: {share} of the triangles");
-        assert_alike(&mut renderer, name, (&leaves.model, &cards.model), (0.15, 25.0));
+        assert_alike(&mut renderer, name, (&leaves.model, &cards.model), (area, 25.0));
     }
 }
 

@@ -206,7 +206,7 @@ pub(super) fn extremes(plant: &Plant, organ: &Organ) -> impl Iterator<Item = Vec
             let side = axis.any_orthonormal_vector() * *radius;
             vec![*base - side, *base + side, *base + *axis * *height]
         }
-        Shape::Filament { points, .. } => points.iter().copied().collect(),
+        Shape::Filament { points, .. } => points.to_vec(),
         Shape::Lathe { base, axis, profile } => {
             let (_, high) = polyline::bounds(profile.iter().copied());
             vec![*base, *base + *axis * high.y]
