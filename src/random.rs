@@ -129,12 +129,6 @@ impl Choice {
     pub const LEAN_SIDE: Self = Self(6);
 }
 
-/// About a garden's kind of plants.
-impl Choice {
-    /// The seed of each of its variants.
-    pub const VARIANT_SEED: Self = Self(1);
-}
-
 impl Choice {
     /// The key of this choice about the thing of a key.
     pub fn key(self, of: u64) -> u64 {

@@ -6,7 +6,7 @@
 
 use crate::geom::polyline;
 use crate::plant::{Organ, OrganClass, OrganKind, Plant, Shape};
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 /// A side branch that reaches so far, as a share of a card's size, is a cluster by itself.
 const OF_ITS_OWN: f32 = 0.5;
@@ -194,10 +194,10 @@ pub(super) fn extremes(plant: &Plant, organ: &Organ) -> impl Iterator<Item = Vec
             let (low, high) = polyline::bounds(template.outline().iter().copied());
             let middle = 0.5 * (low + high);
             let places = [
-                glam::Vec2::new(0.0, low.y),
-                glam::Vec2::new(low.x, middle.y),
-                glam::Vec2::new(high.x, middle.y),
-                glam::Vec2::new(0.0, high.y),
+                Vec2::new(0.0, low.y),
+                Vec2::new(low.x, middle.y),
+                Vec2::new(high.x, middle.y),
+                Vec2::new(0.0, high.y),
             ];
             let blade = plant.templates.resolve(blade);
             places.iter().map(|place| blade.at_rest(*place)).collect()

@@ -196,7 +196,8 @@ pub enum Instances {
 }
 
 impl Instances {
-    fn form(self) -> InstanceForm {
+    /// As exporters name it.
+    pub(super) fn form(self) -> InstanceForm {
         match self {
             Self::Nodes => InstanceForm::Nodes,
             Self::Gpu => InstanceForm::Gpu,

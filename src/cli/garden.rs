@@ -6,14 +6,14 @@ use super::studio::{self, is_picture, open_species};
 use crate::atomic;
 use crate::budget::GardenBudget;
 use crate::formats::read::{Loaded, ReadFormat, load};
-use crate::formats::write::{self, InstanceForm, Takes};
+use crate::formats::write::{self, Takes};
 use crate::garden::spec::KindFields;
 use crate::garden::stock::{FEWEST_TRIANGLES, triangles_of_each};
 use crate::garden::{Garden, GardenSpec, Grower, KindSpec, Origin, Outline, Place, Stock, TileSet, surface};
 use crate::input::Sources;
 use crate::model::Model;
 use crate::picture::Picture;
-use crate::pipeline;
+use crate::pipeline::{self, Clock};
 use crate::plant::{FinishedPlant, Material, Plant, Provenance, Texture};
 use crate::quote;
 use crate::render::{PictureOptions, Projection, View};
@@ -23,7 +23,6 @@ use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::Instant;
 
 /// The number that decides what the tiles are like.
 const TILES: u64 = 1;
@@ -130,22 +129,9 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     let garden = Garden { stock, places, ground };
     let bytes = clock.time("files", || write_all(args, &garden, &sources))?;
     if args.stats {
-        common::print(&stats(&garden, &tiles, clock.0, bytes).to_string())?;
+        common::print(&stats(&garden, &tiles, clock.take(), bytes).to_string())?;
     }
     Ok(ExitCode::SUCCESS)
-}
-
-/// Times of stages.
-#[derive(Default)]
-struct Clock(Stages);
-
-impl Clock {
-    fn time<T>(&mut self, stage: &'static str, work: impl FnOnce() -> T) -> T {
-        let begin = Instant::now();
-        let done = work();
-        self.0.push((stage, begin.elapsed()));
-        done
-    }
 }
 
 /// The garden that the arguments say, and the folder of the files that it names.
@@ -311,19 +297,13 @@ fn write_all(args: &Args, garden: &Garden, sources: &Sources) -> Result<usize> {
                 atomic::write_atomically(out, &list)?;
                 list.len()
             }
-            Takes::Copies => {
-                let form = match args.instances {
-                    common::Instances::Nodes => InstanceForm::Nodes,
-                    common::Instances::Gpu => InstanceForm::Gpu,
-                };
-                write::export_instanced(
-                    out,
-                    (&garden.instanced(), form),
-                    plant,
-                    &common::built_in_texture,
-                    sources,
-                )?
-            }
+            Takes::Copies => write::export_instanced(
+                out,
+                (&garden.instanced(), args.instances.form()),
+                plant,
+                &common::built_in_texture,
+                sources,
+            )?,
             Takes::Triangles => {
                 let model = whole.get_or_insert_with(|| garden.model());
                 common::export(std::slice::from_ref(out), (plant, model), None, sources)?

@@ -6,7 +6,7 @@
 //! Limits: eight bits, so heights of two metres have steps of 8 mm; no colours, no holes.
 
 use crate::picture::decode::Rgba;
-use crate::picture::{Picture, PictureError};
+use crate::picture::{Picture, PictureError, around};
 use glam::{UVec2, Vec2};
 use std::path::Path;
 use thiserror::Error;
@@ -81,13 +81,10 @@ impl GreyMap {
 
     /// The value at a place: shares of the rectangle from its upper left corner.
     pub fn at(&self, share: Vec2) -> f32 {
-        let last = (self.size - 1).as_vec2();
-        let place = (share * self.size.as_vec2() - 0.5).clamp(Vec2::ZERO, last);
-        let (low, part) = (place.floor().as_uvec2(), place.fract());
-        let high = (low + 1).min(self.size - 1);
-        let value = |x: u32, y: u32| self.values[(y * self.size.x + x) as usize];
-        let row = |y: u32| value(low.x, y) + (value(high.x, y) - value(low.x, y)) * part.x;
-        row(low.y) + (row(high.y) - row(low.y)) * part.y
+        around(self.size, share * self.size.as_vec2())
+            .iter()
+            .map(|(pixel, share)| self.values[*pixel] * share)
+            .sum()
     }
 
     /// Its size in pixels.

@@ -7,8 +7,9 @@
 
 use super::lab::{Lab, srgb_of};
 use super::polygon;
-use super::raster::{Raster, around};
+use super::raster::Raster;
 use crate::model::BladeUv;
+use crate::picture::around;
 use crate::picture::decode::Rgba;
 use glam::{UVec2, Vec2};
 use rayon::prelude::*;

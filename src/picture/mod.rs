@@ -6,9 +6,11 @@
 //!
 //! Limits: 1 byte to [`MAX_BYTES`]; sides of pixels as [`decode::decode()`] takes them.
 
+mod bilinear;
 pub mod decode;
 mod format;
 
+pub use bilinear::around;
 pub use format::PictureFormat;
 
 use crate::input;

@@ -1,16 +1,16 @@
-//! How long the stages of a build take.
+//! How long stages take, of a build or of what uses many.
 
 use std::time::{Duration, Instant};
 
 /// Measures the stages.
-#[derive(Default)]
-pub(super) struct Clock {
+#[derive(Debug, Default)]
+pub struct Clock {
     stages: Vec<(&'static str, Duration)>,
 }
 
 impl Clock {
     /// Does a stage's work.
-    pub(super) fn time<T>(&mut self, stage: &'static str, work: impl FnOnce() -> T) -> T {
+    pub fn time<T>(&mut self, stage: &'static str, work: impl FnOnce() -> T) -> T {
         let start = Instant::now();
         let made = work();
         self.stages.push((stage, start.elapsed()));
@@ -18,7 +18,7 @@ impl Clock {
     }
 
     /// The stages so far, in order.
-    pub(super) fn take(&mut self) -> Vec<(&'static str, Duration)> {
+    pub fn take(&mut self) -> Vec<(&'static str, Duration)> {
         std::mem::take(&mut self.stages)
     }
 }

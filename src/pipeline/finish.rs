@@ -5,7 +5,7 @@ use super::clock::Clock;
 use super::placing::{BuiltBeside, Placing};
 use super::setup::Params;
 use super::source::{Ages, Produced};
-use super::triangle_budget;
+use super::triangle_budget::{self, Finer};
 use crate::anatomy::Anatomy;
 use crate::budget::Budget;
 use crate::cards;
@@ -93,7 +93,7 @@ pub(super) fn finish(
     let (plant, fitted) = match wanted {
         0 => (plant, None),
         _ => clock.time("budget", || {
-            let (plant, fitted) = triangle_budget::fit(plant, &params.model, wanted, stop);
+            let (plant, fitted) = triangle_budget::fit(plant, &params.model, (wanted, Finer::May), stop);
             (plant, Some(fitted))
         }),
     };

@@ -7,7 +7,7 @@
 //! Limits: what was drawn stays in all levels, so that of a drawing with many strokes small levels are larger than they should be.
 
 use super::setup::Params;
-use super::triangle_budget;
+use super::triangle_budget::{self, Finer};
 use crate::cards::{self, CardParams};
 use crate::model::{self, Model};
 use crate::plant::FinishedPlant;
@@ -51,11 +51,8 @@ pub fn levels(plant: &FinishedPlant, whole: &Model, params: &Params, wanted: &[L
 
 /// A plant of at most about so many triangles.
 fn of_budget(plant: FinishedPlant, params: &Params, most: u32) -> Model {
-    let now = model::build(&plant, &params.model);
-    if now.triangle_count() as u64 <= u64::from(most) {
-        return now;
-    }
-    let (plant, model) = triangle_budget::fit(plant, &params.model, u64::from(most), &|| false);
+    let (plant, model) =
+        triangle_budget::fit(plant, &params.model, (u64::from(most), Finer::Never), &|| false);
     model::build(&plant, &model)
 }
 

@@ -33,6 +33,7 @@ mod triangle_budget;
 mod usual_species;
 
 pub use beside::Beside;
+pub use clock::Clock;
 pub use drawing::DrawingMemory;
 pub use finish::Built;
 pub use levels::{Level, levels};
@@ -50,7 +51,6 @@ use crate::growth::overlay::Wanted;
 use crate::model;
 use crate::sketch::{Sketch, Textures};
 use crate::species::Species;
-use clock::Clock;
 use finish::Finish;
 use std::sync::atomic::{AtomicBool, Ordering};
 

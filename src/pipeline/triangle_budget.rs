@@ -38,17 +38,24 @@ const FINEST: f32 = 16.0;
 /// Halvings of an interval that is searched.
 const HALVINGS: u32 = 7;
 
+/// Whether a plant may become finer than its parameters say.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Finer {
+    May,
+    Never,
+}
+
 /// The plant and the parameters with which its model has about so many triangles. Once `stop` says yes they are of no use, and come
 /// soon.
 pub(super) fn fit(
     plant: FinishedPlant,
     params: &ModelParams,
-    wanted: u64,
+    (wanted, finer): (u64, Finer),
     stop: &(dyn Fn() -> bool + Sync),
 ) -> (FinishedPlant, ModelParams) {
     let budget = Budget { wanted, stop };
     let now = budget.count(&plant, params);
-    if budget.is_met(now) {
+    if budget.is_met(now) || (now < wanted && finer == Finer::Never) {
         return (plant, params.clone());
     }
     if now < wanted {
