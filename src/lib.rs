@@ -27,6 +27,7 @@
 //! | [`grammar`] | L-systems as text, and what they draw |
 //! | [`anatomy`] | what the strokes mean, still flat |
 //! | [`depth`] | anatomy to plant |
+//! | [`modelling`] | branches drawn in space |
 //! | [`growth`] | plants that grow themselves |
 //! | [`species`] | what the drawing does not say: materials, forms, centres of flowers |
 //! | [`model`] | plant to meshes |
@@ -60,6 +61,7 @@ pub mod input;
 pub mod kept;
 pub mod leaf;
 pub mod model;
+pub mod modelling;
 pub mod obj_text;
 pub mod params;
 pub mod pen;

@@ -34,9 +34,9 @@ enum Act {
 
 prop_compose! {
     fn point()(
-        x in -1e4_f32..1e4, y in -1e4_f32..1e4, pressure in 0.0_f32..=1.0, tilt in (-90.0_f32..90.0, -90.0_f32..90.0), time_ms in 0.0_f32..1e5,
+        x in -1e4_f32..1e4, y in -1e4_f32..1e4, pressure in 0.0_f32..=1.0, tilt in (-90.0_f32..90.0, -90.0_f32..90.0), time_ms in 0.0_f32..1e5, depth in -1e4_f32..1e4,
     ) -> StrokePoint {
-        StrokePoint { position: vec2(x, y), pressure, tilt_deg: tilt.into(), time_ms }
+        StrokePoint { position: vec2(x, y), pressure, tilt_deg: tilt.into(), time_ms, depth }
     }
 }
 

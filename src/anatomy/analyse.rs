@@ -77,7 +77,8 @@ impl Cache {
 
     /// What kind of plant a drawing shows; kept for its analysis.
     pub fn habit(&mut self, sketch: &Sketch, params: &ConventionParams) -> Option<Habit> {
-        conventions::interpret_with(&mut self.conventions, &sketch.strokes, &sketch.corrections, params).habit
+        let strokes = sketch.on_sheet();
+        conventions::interpret_with(&mut self.conventions, &strokes, &sketch.corrections, params).habit
     }
 
     /// Begins a drawing with these parameters; what was made with others is of no use.
@@ -111,7 +112,7 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
     let rules = Rules { preprocess: &params.preprocess, ignore: &params.ignore, tip: &params.tip };
     let interpretation = conventions::interpret_with(
         &mut cache.conventions,
-        &sketch.strokes,
+        &sketch.on_sheet(),
         &sketch.corrections,
         &params.conventions,
     );

@@ -13,6 +13,7 @@ use super::stabiliser::Stabiliser;
 use super::texture_cut::{CutError, TextureCut};
 use super::view_state::{LightChoice, Shading};
 use super::ways_to_read::WayToRead;
+use super::work_surface::WorkSurface;
 use crate::growth::overlay::Wanted;
 use crate::pen::PenSource;
 use crate::picture::{Picture, PictureError};
@@ -110,6 +111,10 @@ pub enum Action {
     SetPetalPoint(Vec3),
     /// Give the petals of the chosen flower back the form that they were drawn with.
     ResetPetals,
+    /// Take up the tool that draws branches in the view of the plant, or lay it down.
+    DrawInSpace(bool),
+    /// Choose the surface that it draws on.
+    SetWorkSurface(WorkSurface),
     /// Put the selected strokes on the clipboard.
     CopySelected,
     /// The same, and remove them.

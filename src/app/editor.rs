@@ -13,6 +13,7 @@
 //! | `live_plant` | the worker, the newest plant, growth replayed |
 //! | `beside_state` | which plant beside the drawn one is selected and held |
 //! | `petal_tool` | the tool that shapes petals: which petal, which of its points |
+//! | `space_tool` | the tool that draws branches in space: its surface, the branch under the pen |
 //! | `pens` | the pens and tablets in use |
 //! | `dialogs` | the dialog, the menu of parts, messages |
 //! | `updates` | changes that the window and the graphics card have to be notified of |
@@ -28,6 +29,7 @@ mod clipboard;
 mod dialogs;
 mod dice;
 mod disk;
+mod drawing_surface;
 mod estimate;
 mod export;
 mod exporting;
@@ -59,6 +61,10 @@ mod replay;
 mod saver;
 mod saving;
 mod snapshot;
+mod space;
+mod space_tool;
+#[cfg(test)]
+mod test_window;
 mod updates;
 
 use super::canvas::{Canvas, CanvasOutcome};
@@ -74,11 +80,12 @@ use background::Background;
 use beside_state::Beside;
 use dialogs::Dialogs;
 use disk::Disk;
-use live_plant::{Collected, LivePlant};
+use live_plant::{Collected, LivePlant, UnderPen};
 use open_drawing::OpenDrawing;
 use pens::Pens;
 use petal_tool::PetalTool;
 use preferences::Preferences;
+use space_tool::{SpaceStroke, SpaceTool};
 use std::time::{Duration, Instant};
 use updates::Updates;
 use winit::dpi::PhysicalSize;
@@ -104,6 +111,7 @@ pub struct Editor {
     live: LivePlant,
     beside: Beside,
     petals: PetalTool,
+    space: SpaceTool,
     pens: Pens,
     dialogs: Dialogs,
     layout: Layout,
@@ -138,7 +146,11 @@ impl Editor {
         self.plant.keeps_room = self.live.has_replay();
         self.live.replay_growth(Instant::now());
         let overlay = self.plant.state.overlay;
-        self.live.submit(self.drawing.sketch(), self.drawing.folder(), &self.canvas, overlay);
+        let in_space = self.space.stroke.as_ref().filter(|stroke| !stroke.lifts);
+        let growing =
+            in_space.map(SpaceStroke::under_pen).or_else(|| self.canvas.growing().map(UnderPen::of));
+        let drawn = (&self.canvas, growing);
+        self.live.submit(self.drawing.sketch(), self.drawing.folder(), drawn, overlay);
     }
 
     /// Applies a change as one step: to the document, the journal, the canvas and the plant.
@@ -261,6 +273,7 @@ impl Editor {
         if let Some(stroke) = growing {
             self.change(Change::put(stroke));
         }
+        self.end_in_space();
         self.finish();
         self.drawing.leave_journal();
     }

@@ -77,6 +77,7 @@ pub mod view_state;
 pub mod ways_to_read;
 mod window;
 pub mod window_size;
+mod work_surface;
 pub mod worker;
 #[cfg(target_os = "linux")]
 mod x11_desktop;

@@ -7,6 +7,7 @@
 
 use super::view_state::{LightChoice, Shading, ViewState};
 use crate::geom::ray::Ray;
+use crate::pen::{PenPhase, PenSample};
 use crate::render::{Background, LightParams, Look, Mode, OrbitCamera, Projection, Quality};
 use egui::{Response, Sense, Ui};
 use glam::{DVec2, Vec2, Vec3};
@@ -62,6 +63,8 @@ pub struct PlantView {
     click: Option<(Click, Instant)>,
     /// From where to where something is being carried, physical pixels of the window.
     carried: Option<(DVec2, DVec2)>,
+    /// What is being drawn in space, physical pixels of the window.
+    drawn: Vec<(PenPhase, PenSample)>,
     aspect: f32,
     /// Height of the view in points.
     height: f32,
@@ -85,6 +88,7 @@ impl Default for PlantView {
             moved: None,
             click: None,
             carried: None,
+            drawn: Vec::new(),
             aspect: 1.0,
             height: 1.0,
             middle: egui::Pos2::ZERO,
@@ -177,6 +181,16 @@ impl PlantView {
         self.carried.take()
     }
 
+    /// The pen draws in space: it moves, is lifted or taken away.
+    pub fn draw(&mut self, phase: PenPhase, sample: &PenSample) {
+        self.drawn.push((phase, *sample));
+    }
+
+    /// What was drawn since this was asked last.
+    pub fn take_drawn(&mut self) -> Vec<(PenPhase, PenSample)> {
+        std::mem::take(&mut self.drawn)
+    }
+
     /// A tap at a place in the window, physical pixels: a click, or with one just before the front as it was drawn.
     pub fn tap(&mut self, at: DVec2, besides: bool) {
         if self.click.take_if(|(_, at)| at.elapsed() < DOUBLE_CLICK).is_some() {
@@ -205,9 +219,19 @@ impl PlantView {
     /// What is under a place in the window, physical pixels, of the plane through a world point that is parallel to the
     /// picture.
     pub fn on_plane(&self, through: Vec3, at: DVec2) -> Option<Vec3> {
-        let (forward, ray) = (self.ray(Vec2::ZERO)?.direction, self.ray(self.place(at))?);
+        let (forward, ray) = (self.forward()?, self.ray(self.place(at))?);
         let along = (through - ray.origin).dot(forward) / ray.direction.dot(forward);
         along.is_finite().then(|| ray.at(along))
+    }
+
+    /// The direction in which the plant is looked at; `None` without a plant.
+    pub fn forward(&self) -> Option<Vec3> {
+        Some(self.ray(Vec2::ZERO)?.direction)
+    }
+
+    /// Smallest and largest corner of the plant, metres; `None` without one.
+    pub fn bounds(&self) -> Option<(Vec3, Vec3)> {
+        self.bounds
     }
 
     /// Physical pixels as shares of the view's height.

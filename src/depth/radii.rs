@@ -8,6 +8,7 @@ use crate::anatomy::{FlatBranch, Sample};
 use crate::geom::polyline;
 use crate::kept::{Kept, Same};
 use crate::sketch::StrokePoint;
+use glam::Vec3;
 use std::sync::Arc;
 
 crate::parameters! {
@@ -78,7 +79,7 @@ pub fn radii_with(
     params: &RadiusParams,
 ) -> Vec<Vec<f32>> {
     let pipes = pipes(branches);
-    let most = pipes.iter().copied().max().unwrap_or(1) as f32;
+    let most = pipes.iter().copied().max().unwrap_or(1);
     let thinnest = params.thinnest * diagonal;
     let tapered = known.0.made(
         branches,
@@ -91,7 +92,7 @@ pub fn radii_with(
             out.push(branch.line.iter().map(|s| (widest * s.pressure).max(thinnest)).collect());
             continue;
         }
-        let mut base = params.trunk * diagonal * (pipes as f32 / most).powf(1.0 / params.pipe_exponent);
+        let mut base = width_of_pipes((pipes, most), diagonal, params);
         if let Some(parent) = branch.parent {
             base = base.min(LARGEST_CHILD * at(&tapered[parent].arcs, &out[parent], branch.attached_at));
         }
@@ -100,6 +101,31 @@ pub fn radii_with(
         );
     }
     out
+}
+
+/// Radius at the base of a branch of so many pipes, where the trunk has the most, in the unit of `diagonal`.
+pub fn width_of_pipes((pipes, most): (u32, u32), diagonal: f32, params: &RadiusParams) -> f32 {
+    params.trunk * diagonal * (pipes as f32 / most as f32).powf(1.0 / params.pipe_exponent)
+}
+
+/// Radius at every point of a branch that is not on the sheet: `base` is its width and, if it is carried, the radius of what
+/// carries it, both in the unit of `diagonal`.
+pub fn along(
+    points: &[Vec3],
+    pressures: &[f32],
+    (width, carrier): (f32, Option<f32>),
+    diagonal: f32,
+    params: &RadiusParams,
+) -> Vec<f32> {
+    let arcs = polyline::arc_lengths(points.iter().copied());
+    let length = arcs.last().copied().unwrap_or(0.0).max(f32::MIN_POSITIVE);
+    let base = carrier.map_or(width, |carrier| width.min(LARGEST_CHILD * carrier));
+    let thinnest = params.thinnest * diagonal;
+    let radius = |(arc, pressure): (&f32, &f32)| {
+        (base * taper(arc / length, params) * pressure_factor(*pressure, params)).max(thinnest)
+    };
+    let most = carrier.map_or(f32::INFINITY, |carrier| LARGEST_CHILD * carrier);
+    arcs.iter().zip(pressures).map(radius).map(|radius| radius.min(most)).collect()
 }
 
 /// Number of branch ends that each branch carries, its own included.

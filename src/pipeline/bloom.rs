@@ -32,7 +32,7 @@ pub(super) fn produce(bloom: &Bloom, (species, params): (&Species, &Params)) -> 
     };
     let (plant, buds) = made;
     let (provenance, anatomy) = (Provenance::default(), Anatomy::default());
-    Produced { plant, buds, provenance, remarks, anatomy, growth: None, may_flower: true }
+    Produced { plant, buds, provenance, remarks, anatomy, growth: None, drawn_wood: None, may_flower: true }
 }
 
 /// One flower on its stem.

@@ -4,13 +4,15 @@ use super::bare_stems;
 use super::clock::Clock;
 use super::setup::Params;
 use super::source::Produced;
-use super::{growing, proposed_species};
-use crate::anatomy;
+use super::{growing, placing, proposed_species};
 use crate::anatomy::conventions::{ConventionParams, Habit};
+use crate::anatomy::{self, Anatomy};
 use crate::depth;
 use crate::growth::overlay::{Spot, Wanted};
 use crate::growth::{Memory, PlantAtAge};
-use crate::sketch::Sketch;
+use crate::modelling;
+use crate::plant::{Plant, Provenance};
+use crate::sketch::{Sketch, Warning};
 use crate::species::Species;
 
 /// What is kept of a drawing from one build to the next.
@@ -51,20 +53,34 @@ pub(super) fn produce(
         .time("anatomy", || anatomy::analyse_with(&mut memory.anatomy, sketch, &params.anatomy, stop))?;
     let mut remarks = std::mem::take(&mut anatomy.warnings);
     remarks.extend(growing::fineness_unused(&anatomy, species, params));
-    let (plant, provenance) = clock.time("depth", || {
+    let (mut plant, mut provenance) = clock.time("depth", || {
         let decided = (sketch.seed, &*sketch.petal_shapes);
         depth::recover_with(&mut memory.depth, &anatomy, decided, &params.depth)
     });
+    if sketch.in_space().next().is_some() {
+        remarks.extend(
+            clock.time("modelling", || model_in_space(sketch, &anatomy, &mut plant, &mut provenance, params)),
+        );
+    }
     if stop() {
         return None;
     }
     remarks.extend(proposed_species::proposal(sketch, &anatomy, &plant));
     if !growing::grows(&anatomy, species, params) {
         memory.growth.clear();
-        let mut plant = plant;
         let buds = bare_stems::furnish(&mut plant, (species, params), sketch.seed);
-        return Some(Produced { plant, buds, provenance, remarks, anatomy, growth: None, may_flower: true });
+        return Some(Produced {
+            plant,
+            buds,
+            provenance,
+            remarks,
+            anatomy,
+            growth: None,
+            drawn_wood: None,
+            may_flower: true,
+        });
     }
+    let drawn_wood = Some(plant.branches.clone());
     let grown = clock.time("growth", || {
         growing::grow_on(
             &mut memory.growth,
@@ -77,5 +93,30 @@ pub(super) fn produce(
         )
     });
     let (PlantAtAge { plant, buds }, ages) = grown?;
-    Some(Produced { plant, buds, provenance, remarks, anatomy, growth: Some(ages), may_flower: true })
+    Some(Produced {
+        plant,
+        buds,
+        provenance,
+        remarks,
+        anatomy,
+        growth: Some(ages),
+        drawn_wood,
+        may_flower: true,
+    })
+}
+
+/// Adds what was drawn in the view of the plant. A drawing of nothing else has the world of its sheet.
+fn model_in_space(
+    sketch: &Sketch,
+    anatomy: &Anatomy,
+    plant: &mut Plant,
+    provenance: &mut Provenance,
+    params: &Params,
+) -> Vec<Warning> {
+    let mut diagonal = anatomy.diagonal;
+    if plant.branches.is_empty() && plant.organs.is_empty() {
+        provenance.world_from_canvas = placing::world_of_sheet(sketch.canvas, params.depth.world.height);
+        diagonal = sketch.canvas.height;
+    }
+    modelling::add_branches(plant, provenance, sketch.in_space(), diagonal, &params.depth.radii)
 }

@@ -31,7 +31,16 @@ pub(super) fn produce(seed: &Seed, habit: &RoseHabit, (species, _): (&Species, &
     let mut plant = Plant { branches: branches(&shrub.stems), ..Plant::default() };
     let buds = put_on(&mut plant, &shrub, species);
     let (provenance, anatomy) = (Provenance::default(), Anatomy::default());
-    Produced { plant, buds, provenance, remarks: Vec::new(), anatomy, growth: None, may_flower: true }
+    Produced {
+        plant,
+        buds,
+        provenance,
+        remarks: Vec::new(),
+        anatomy,
+        growth: None,
+        drawn_wood: None,
+        may_flower: true,
+    }
 }
 
 /// Puts leaves and hips of a rose on a plant that has its stems; its flower buds.

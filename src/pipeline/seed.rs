@@ -112,7 +112,16 @@ pub(super) fn produce(
     let mut remarks: Vec<_> = early.map(|remark| Warning { stroke: None, remark }).into_iter().collect();
     remarks.extend(growing::thinned_leaves(&plant, simulation.limits(), None));
     let (provenance, anatomy) = (Provenance::default(), Anatomy::default());
-    Some(Produced { plant, buds, provenance, remarks, anatomy, growth: Some(ages), may_flower })
+    Some(Produced {
+        plant,
+        buds,
+        provenance,
+        remarks,
+        anatomy,
+        growth: Some(ages),
+        drawn_wood: None,
+        may_flower,
+    })
 }
 
 /// Whether a plant of an age may flower: one that is too young may not, where it is the buds that decide about flowers.

@@ -11,7 +11,7 @@ use super::{
     Canvas, Corrections, PetalShapes, PlacedPlant, Remark, Sketch, Stroke, StrokeId, StrokePoint, Tool,
     limits,
 };
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 use serde_json::{Map, Value};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -144,19 +144,26 @@ impl Ids {
 }
 
 fn check_coordinates(points: &[StrokePoint]) -> Result<(), (usize, Fault)> {
-    let inside = |p: &StrokePoint| p.position.abs().cmple(Vec2::splat(limits::MAX_COORDINATE)).all();
+    let place = |p: &StrokePoint| p.position.extend(p.depth);
+    let inside = |p: &StrokePoint| place(p).abs().cmple(Vec3::splat(limits::MAX_COORDINATE)).all();
     match points.iter().position(|p| !inside(p)) {
         None => Ok(()),
-        Some(at) => Err((at, coordinate_fault(points[at].position.to_array()))),
+        Some(at) => Err((at, coordinate_fault(place(&points[at]).to_array()))),
     }
 }
 
-/// The fault of two coordinates that are not both in range.
-pub(super) fn coordinate_fault<T: Copy + Into<f64> + std::fmt::LowerExp>([x, y]: [T; 2]) -> Fault {
-    let (x_size, y_size) = (x.into().abs(), y.into().abs());
-    let worse = if x_size.is_nan() || x_size >= y_size { x } else { y };
-    let found = format!("{worse:e}");
-    if worse.into().is_nan() { Fault::NotFinite { found } } else { Fault::CoordinateTooLarge { found } }
+/// The fault of coordinates that are not all in range: that of the worst.
+pub(super) fn coordinate_fault<T: Copy + Into<f64> + std::fmt::LowerExp, const N: usize>(
+    place: [T; N],
+) -> Fault {
+    let size = |x: &T| {
+        let size = (*x).into().abs();
+        if size.is_nan() { f64::INFINITY } else { size }
+    };
+    let worst = place.into_iter().max_by(|a, b| size(a).total_cmp(&size(b)));
+    let (is_number, found) =
+        worst.map_or((true, String::new()), |worst| (!worst.into().is_nan(), format!("{worst:e}")));
+    if is_number { Fault::CoordinateTooLarge { found } } else { Fault::NotFinite { found } }
 }
 
 fn bring_into_range(id: StrokeId, points: &mut [StrokePoint], warnings: &mut Warnings) {
@@ -169,7 +176,7 @@ fn bring_into_range(id: StrokeId, points: &mut [StrokePoint], warnings: &mut War
         pressures += usize::from(pressure != point.pressure);
         tilts += usize::from(tilt_deg != point.tilt_deg);
         times += usize::from(time_ms != point.time_ms);
-        *point = StrokePoint { position: point.position, pressure, tilt_deg, time_ms };
+        *point = StrokePoint { pressure, tilt_deg, time_ms, ..*point };
     }
     for (points, remark) in [
         (pressures, Remark::PressureOutside { points: pressures }),

@@ -48,4 +48,5 @@ pub(super) fn is_in_range(point: &StrokePoint) -> bool {
         && (0.0..=1.0).contains(&point.pressure)
         && within(point.tilt_deg, limits::MAX_TILT_DEG)
         && (0.0..=limits::MAX_TIME_MS).contains(&point.time_ms)
+        && point.depth.abs() <= limits::MAX_COORDINATE
 }

@@ -12,7 +12,7 @@ pub const MAX_POINTS: usize = 10_000_000;
 /// Most strokes in one drawing.
 pub const MAX_STROKES: usize = 1_000_000;
 
-/// Largest distance from the origin along x or y, in canvas pixels; beyond it `f32` no longer resolves a pixel.
+/// Largest distance from the origin along x, y or toward the viewer, in canvas pixels; beyond it `f32` no longer resolves a pixel.
 pub const MAX_COORDINATE: f32 = 1e7;
 
 /// Longest side of the canvas in pixels: the widest that a drawing within [`MAX_COORDINATE`] can be.

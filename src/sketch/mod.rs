@@ -47,6 +47,7 @@ pub use crate::picture::Picture;
 use glam::Vec2;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// Name of a stroke within its drawing; unique, kept over saving and loading.
@@ -71,11 +72,13 @@ pub enum Tool {
     LeafOutline,
     /// Outline of a crown that the plant grows into; one inside another is a hole.
     Crown,
+    /// Skeleton of a branch drawn in the view of the plant: its samples have depths, and no rule reads it as anything else.
+    SpaceBranch,
 }
 
 impl Tool {
     /// Every tool, in the order in which help and panels list them.
-    pub const ALL: [Tool; 7] = [
+    pub const ALL: [Tool; 8] = [
         Tool::Auto,
         Tool::Petal,
         Tool::Leaf,
@@ -83,6 +86,7 @@ impl Tool {
         Tool::BranchOutline,
         Tool::LeafOutline,
         Tool::Crown,
+        Tool::SpaceBranch,
     ];
 
     /// The name used in files.
@@ -95,6 +99,7 @@ impl Tool {
             Tool::BranchOutline => "branch_outline",
             Tool::LeafOutline => "leaf_outline",
             Tool::Crown => "crown",
+            Tool::SpaceBranch => "space_branch",
         }
     }
 }
@@ -110,6 +115,8 @@ pub struct StrokePoint {
     pub tilt_deg: Vec2,
     /// Milliseconds since the stroke began.
     pub time_ms: f32,
+    /// How far in front of the sheet it lies, canvas pixels toward the viewer; 0 for what is drawn on the sheet.
+    pub depth: f32,
 }
 
 impl StrokePoint {
@@ -118,7 +125,7 @@ impl StrokePoint {
 
     /// A sample from a device that knows nothing but its position.
     pub fn at(position: Vec2) -> Self {
-        Self { position, pressure: Self::NEUTRAL_PRESSURE, tilt_deg: Vec2::ZERO, time_ms: 0.0 }
+        Self { position, pressure: Self::NEUTRAL_PRESSURE, tilt_deg: Vec2::ZERO, time_ms: 0.0, depth: 0.0 }
     }
 }
 
@@ -194,6 +201,19 @@ impl Sketch {
     pub fn pictures(&self) -> impl Iterator<Item = &Picture> {
         let reference = self.reference.as_ref().map(|reference| &reference.picture);
         textures::pictures(&self.textures).chain(reference)
+    }
+
+    /// The strokes that are drawn on the sheet, in their order: what the drawing is read from.
+    pub fn on_sheet(&self) -> Cow<'_, [Arc<Stroke>]> {
+        if self.in_space().next().is_none() {
+            return Cow::Borrowed(&self.strokes);
+        }
+        Cow::Owned(self.strokes.iter().filter(|stroke| stroke.tool != Tool::SpaceBranch).cloned().collect())
+    }
+
+    /// The branches that are drawn in the view of the plant, in their order.
+    pub fn in_space(&self) -> impl Iterator<Item = &Arc<Stroke>> {
+        self.strokes.iter().filter(|stroke| stroke.tool == Tool::SpaceBranch)
     }
 
     /// Smallest and largest corner over all samples, `None` without samples.

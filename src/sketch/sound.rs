@@ -97,6 +97,7 @@ fn sound_point(point: &StrokePoint) -> Option<StrokePoint> {
         pressure: number(point.pressure, StrokePoint::NEUTRAL_PRESSURE).clamp(0.0, 1.0),
         tilt_deg: tilt_deg.clamp(Vec2::splat(-tilt), Vec2::splat(tilt)),
         time_ms: number(point.time_ms, 0.0).clamp(0.0, limits::MAX_TIME_MS),
+        depth: number(point.depth, 0.0),
     };
     is_in_range(&point).then_some(point)
 }

@@ -99,11 +99,9 @@ fn point() -> impl Strategy<Value = StrokePoint> {
     let tilt =
         prop_oneof![Just(vec2(0.0, 0.0)), (-90.0_f32..=90.0, -90.0_f32..=90.0).prop_map(|(x, y)| vec2(x, y))];
     let time = prop_oneof![Just(0.0_f32), 0.0_f32..1e6];
-    (position, pressure, tilt, time).prop_map(|(position, pressure, tilt_deg, time_ms)| StrokePoint {
-        position,
-        pressure,
-        tilt_deg,
-        time_ms,
+    let depth = prop_oneof![Just(0.0_f32), -most..=most];
+    (position, pressure, tilt, time, depth).prop_map(|(position, pressure, tilt_deg, time_ms, depth)| {
+        StrokePoint { position, pressure, tilt_deg, time_ms, depth }
     })
 }
 

@@ -326,6 +326,11 @@ impl Canvas {
         out.push(CanvasOutcome::OverlayChanged);
     }
 
+    /// What a pen's pressure becomes by the artist's curve.
+    pub fn pressure(&self, raw: f32) -> f32 {
+        self.settings.pressure.apply(raw)
+    }
+
     /// Whether Shift is held.
     pub fn is_shift_held(&self) -> bool {
         self.keys.shift

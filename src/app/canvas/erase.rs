@@ -194,6 +194,7 @@ fn between(a: &StrokePoint, b: &StrokePoint, share: f32) -> StrokePoint {
         pressure: (a.pressure + (b.pressure - a.pressure) * share).clamp(0.0, 1.0),
         tilt_deg: a.tilt_deg.lerp(b.tilt_deg, share),
         time_ms: a.time_ms + (b.time_ms - a.time_ms) * share,
+        depth: a.depth + (b.depth - a.depth) * share,
     }
 }
 

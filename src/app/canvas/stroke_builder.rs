@@ -79,6 +79,7 @@ impl StrokeBuilder {
             pressure: pressure.clamp(0.0, 1.0),
             tilt_deg: tilt_on_canvas(sample.tilt_deg, view.rotation_rad()),
             time_ms: if time_ms.is_nan() { last_ms } else { time_ms },
+            depth: 0.0,
         });
         let first = (self.raw.len() - 1).saturating_sub(self.stabiliser.reach());
         for i in first..self.raw.len() {

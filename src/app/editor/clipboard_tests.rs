@@ -23,6 +23,7 @@ fn drawn(home: &tempfile::TempDir) -> Editor {
         pressure: 0.25,
         tilt_deg: vec2(12.0, -3.0),
         time_ms: x,
+        depth: 0.0,
     };
     let leaf = Stroke { id: 1, tool: Tool::Leaf, points: (0..9).map(|k| point(k as f32, 5.0)).collect() };
     let branch = Stroke { id: 2, tool: Tool::Branch, points: (0..9).map(|k| point(3.0, k as f32)).collect() };

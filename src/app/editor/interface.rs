@@ -42,7 +42,11 @@ impl Editor {
         self.hold_divider(ui, divider, room);
         self.paint_overlay(ui);
         let painter = ui.painter().with_clip_rect(self.layout.plant);
-        self.paint_control_points(&painter, Palette::in_use(ui.visuals()));
+        let palette = Palette::in_use(ui.visuals());
+        self.paint_control_points(&painter, palette);
+        let over_plant = ui.ctx().pointer_hover_pos().filter(|at| self.layout.plant.contains(*at));
+        self.hover_in_space(over_plant);
+        self.paint_in_space(&painter, palette);
         let sides = (self.layout.canvas, self.layout.plant);
         frame::overlays(ui, sides, &snapshot, self.prefs.messages(), &mut actions);
         self.paint_pointed_reading(ui);

@@ -11,7 +11,7 @@ use crate::app::stroke_colours::Pieces;
 use crate::app::worker::{self, Counts, Growing, Update, Worker};
 use crate::growth::overlay::Wanted;
 use crate::pipeline::{self, Built};
-use crate::sketch::{Remark, Sketch, Stroke, StrokeId, Tool, Warning};
+use crate::sketch::{Remark, Sketch, Stroke, StrokeId, StrokePoint, Tool, Warning};
 use crate::species::Species;
 use glam::Vec3;
 use std::path::Path;
@@ -27,21 +27,38 @@ pub struct Revisions {
     pub collected: u64,
 }
 
+/// The stroke under the pen, wherever it is drawn.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct UnderPen<'a> {
+    pub(super) id: StrokeId,
+    pub(super) tool: Tool,
+    /// The points so far.
+    pub(super) points: &'a [StrokePoint],
+    /// How many of them do not move any more.
+    pub(super) settled: usize,
+}
+
+impl<'a> UnderPen<'a> {
+    /// A stroke on the canvas.
+    pub(super) fn of(stroke: &'a StrokeBuilder) -> Self {
+        Self { id: stroke.id(), tool: stroke.tool(), points: stroke.points(), settled: stroke.settled() }
+    }
+}
+
 /// How much of the stroke under the pen was handed to the worker for good.
 #[derive(Debug, Default)]
 struct Handed(Option<(StrokeId, usize)>);
 
 impl Handed {
     /// What of the stroke is new since the last call, or may have moved.
-    fn grown(&mut self, stroke: Option<&StrokeBuilder>) -> Option<Growing> {
-        let Some(stroke) = stroke else {
+    fn grown(&mut self, stroke: Option<UnderPen<'_>>) -> Option<Growing> {
+        let Some(UnderPen { id, tool, points, settled }) = stroke else {
             self.0 = None;
             return None;
         };
-        let (id, tool) = (stroke.id(), stroke.tool());
         let kept = self.0.filter(|(known, _)| *known == id).map_or(0, |(_, kept)| kept);
-        self.0 = Some((id, stroke.settled()));
-        Some(Growing { id, tool, kept, points: stroke.points()[kept..].to_vec() })
+        self.0 = Some((id, settled));
+        Some(Growing { id, tool, kept, points: points[kept..].to_vec() })
     }
 }
 
@@ -227,7 +244,13 @@ impl LivePlant {
     }
 
     /// Hands the newest drawing to the worker if it changed.
-    pub(super) fn submit(&mut self, sketch: &Sketch, folder: &Path, canvas: &Canvas, overlay: Wanted) {
+    pub(super) fn submit(
+        &mut self,
+        sketch: &Sketch,
+        folder: &Path,
+        (canvas, under_pen): (&Canvas, Option<UnderPen<'_>>),
+        overlay: Wanted,
+    ) {
         if !std::mem::take(&mut self.is_stale) {
             return;
         }
@@ -247,7 +270,7 @@ impl LivePlant {
         if !(matches!(canvas.preview(), Preview::Same) && is_same_list(&self.strokes, strokes)) {
             self.strokes = Arc::new(canvas.previewed(strokes));
         }
-        let growing = self.handed.grown(canvas.growing());
+        let growing = self.handed.grown(under_pen);
         let sketch = Sketch {
             canvas: *size,
             species: species.clone(),

@@ -14,6 +14,7 @@ use super::petal_tool::PetalTool;
 use super::preferences::Preferences;
 use super::preset_folder::PresetFolder;
 use super::saver::Saver;
+use super::space_tool::SpaceTool;
 use super::updates::Updates;
 use crate::app::canvas::Canvas;
 use crate::app::fonts;
@@ -87,6 +88,7 @@ impl Editor {
             live,
             beside: Beside::default(),
             petals: PetalTool::default(),
+            space: SpaceTool::default(),
             pens: Pens::default(),
             dialogs: Dialogs::default(),
             layout: Layout::default(),

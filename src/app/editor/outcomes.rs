@@ -33,9 +33,11 @@ impl Editor {
         }
         let at = event.sample.position;
         let over_carried = is_down && (self.hold_control_point(at) || self.is_over_selected_plant(at));
-        let keys = Keys { shift: self.canvas.is_shift_held(), over_carried };
+        let draws = is_down && self.begin_in_space(&event.sample);
+        let keys = Keys { shift: self.canvas.is_shift_held(), over_carried, draws };
         self.pens.in_plant.event(event, keys, &mut self.plant);
         self.carry();
+        self.draw_in_space();
         if matches!(event.phase, PenPhase::Up | PenPhase::Leave | PenPhase::Cancel) {
             self.petals.hold = None;
             self.drawing.end_merging();

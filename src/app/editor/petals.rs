@@ -27,6 +27,7 @@ impl Editor {
             Action::ShapePetals(on) => {
                 self.petals.is_on = on;
                 self.petals.let_go();
+                self.space.is_on &= !on;
             }
             Action::MirrorPetals(on) => self.petals.is_lopsided = !on,
             Action::SetPetalPoint(offset) => {
@@ -42,7 +43,7 @@ impl Editor {
                     self.drawing.end_merging();
                 }
             }
-            other => self.perform_on_dialogs(other),
+            other => self.perform_in_space(other),
         }
     }
 

@@ -2,43 +2,16 @@
 
 use super::*;
 use crate::app::editor::Places;
+use crate::app::editor::test_window::{PATIENCE, build, frame, with_sketch};
 use crate::pen::tests::Hand;
 use crate::pen::{PenPhase, PenTool};
 use crate::sketch::json;
 use glam::Vec2;
 use std::time::{Duration, Instant};
 
-/// Longest wait for a plant or a click; only a test that has failed takes so long.
-const PATIENCE: Duration = Duration::from_secs(60);
-
-/// An editor with the balloon flower, built, in a window of 1280 × 800.
+/// An editor with the balloon flower, built.
 fn balloon_flower(home: &tempfile::TempDir) -> (Editor, egui::Context) {
-    let places = Places { config: home.path().join("config"), state: home.path().join("state") };
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/sketches/balloon_flower.penstemon");
-    let mut editor = Editor::open_in(places, Some(file.into()), || ()).unwrap();
-    build(&mut editor);
-    let egui = egui::Context::default();
-    frame(&mut editor, &egui);
-    (editor, egui)
-}
-
-/// Builds what is drawn now.
-fn build(editor: &mut Editor) {
-    let begun = Instant::now();
-    editor.submit();
-    while editor.is_working() || editor.built().is_none() {
-        assert!(begun.elapsed() < PATIENCE, "it is built for ever");
-        editor.submit();
-        editor.collect();
-        std::thread::sleep(Duration::from_millis(1));
-    }
-}
-
-fn frame(editor: &mut Editor, egui: &egui::Context) {
-    let screen_rect = Some(egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1280.0, 800.0)));
-    let input = egui::RawInput { screen_rect, ..egui::RawInput::default() };
-    let mut output = egui.run_ui(input, |ui| editor.ui(ui, egui::TextureId::default()));
-    output.textures_delta.clear();
+    with_sketch(home, "balloon_flower")
 }
 
 /// The place of the first petal among the organs.

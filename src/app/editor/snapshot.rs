@@ -42,6 +42,7 @@ impl Editor {
             opening: self.live.opening_state(sketch),
             beside: self.beside_state(),
             petals: self.petal_state(),
+            space: self.space_state(),
             presets: self.disk.presets.listed().to_vec(),
             reference,
             view: self.plant.state,

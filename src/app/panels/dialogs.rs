@@ -225,6 +225,7 @@ fn shortcuts(ui: &mut Ui, messages: &Messages) {
         ("Ctrl+A", Msg::EditSelectAll),
         ("G", Msg::BesideAddTitle),
         ("K", Msg::PetalsShape),
+        ("W", Msg::SpaceDraw),
         ("Ctrl+C", Msg::EditCopy),
         ("Ctrl+X", Msg::EditCut),
         ("Ctrl+V", Msg::EditPaste),

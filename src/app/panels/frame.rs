@@ -4,7 +4,7 @@ use super::snapshot::Snapshot;
 use super::widgets::{palette, segments};
 use super::{
     beside, dialogs, focus, growth, legend, materials, notices, opening, parameters, part_menu, petals,
-    presets, readings, seed, species, status, toolbar, view,
+    plant_tools, presets, readings, seed, species, status, toolbar, view,
 };
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
@@ -98,7 +98,7 @@ fn side(ui: &mut Ui, right_handed: bool, snapshot: &Snapshot, messages: &Message
     }
 }
 
-/// Shows what floats above canvas and plant: the tool that shapes petals, legend, part menu, what can be done with a selection, notices, dialogs.
+/// Shows what floats above canvas and plant: the tools of the plant, legend, part menu, what can be done with a selection, notices, dialogs.
 ///
 /// `canvas` and `plant` are where the drawing and the plant are shown, in logical pixels.
 pub fn overlays(
@@ -119,7 +119,7 @@ pub fn overlays(
         .pivot(pivot)
         .interactable(false);
     area.show(ctx, |ui| legend::show(ui, snapshot, messages));
-    petals::show(ctx, plant, snapshot, messages, out);
+    plant_tools::show(ctx, plant, snapshot, messages, out);
     readings::show(ctx, canvas, snapshot, messages, out);
     part_menu::selection(ctx, canvas, snapshot, messages, out);
     part_menu::show(ctx, canvas, snapshot, messages, out);

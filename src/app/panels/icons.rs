@@ -43,6 +43,14 @@ icons! {
     Leaf: ["M5 19 C4 10 9 4 20 4 C20.5 14 15 20 6 18.5", "M3.5 21 C7 15 11 11.5 15.5 8.5", "M9 14.3 L9 10.5", "M10.5 12.8 L15 13.5"];
     /// A branch that forks.
     Branch: ["M12 22 C12 17 11.5 14 12 10 C12.2 7 13 5 14.5 2.5", "M11.8 15 C9 13.5 7 11 5.5 7.5", "M12 11.5 C14.5 11 17.5 9.5 19.5 7"];
+    /// A branch in a box.
+    SpaceBranch: ["M3 8 L12 3 L21 8 L21 17 L12 22 L3 17 Z", "M3 8 L12 13 L21 8", "M12 13 L12 22", "M12 18 C13 14.5 15 12 18.5 11.5", "M14 14.4 C13.6 11 11.5 8.5 9 7.5"];
+    /// An upright pane that faces the viewer.
+    FacingSurface: ["M5 4 L19 4 L19 20 L5 20 Z", "M8 16.5 C9 12 12 9 16 7.5"];
+    /// A level pane.
+    LevelSurface: ["M7.5 8 L22 8 L16.5 17 L2 17 Z", "M6.5 14.8 C9 11.5 13 10 17.5 10.2"];
+    /// A pane that stands on a bent line.
+    LiftedSurface: ["M3 20 C8 15.5 14 22 21 17.5", "M3 20 L3 9 C8 4.5 14 11 21 6.5 L21 17.5", "M5.5 15.5 C10 12.5 13.5 14.5 18.5 9.5"];
     /// Twigs inside an outline.
     BranchOutline: ["M9 3.2 L11 2.5", "M14 2.6 L16.2 3.8", "M18.8 6 L20 8.5", "M20.3 11.5 L19.4 14", "M17.4 16 L15 17", "M4.6 6.2 L3.8 8.8", "M3.8 11.6 L4.9 14", "M6.9 16 L9.2 17", "M6.2 4.8 L7.2 4.1", "M12 22 L12 8", "M12 14 L8.2 9.5", "M12 12 L15.8 8"];
     /// Leaves inside an outline.

@@ -1,41 +1,17 @@
-//! The tool that shapes petals: a small card over the plant, and numbers of the point that was touched last on the side.
+//! The tool that shapes petals: its part of the card over the plant, and numbers of the point that was touched last on the side.
 
 use super::icons::Icon;
 use super::rail::{Rail, RailChange, Scale};
 use super::snapshot::{PetalPoint, PetalState, Snapshot};
-use super::widgets::{IconButton, card, note, section};
+use super::widgets::{IconButton, section};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
 use crate::sketch::limits;
-use egui::{Align2, Area, Context, Id, Margin, Order, Rect, Ui, vec2};
+use egui::Ui;
 use glam::Vec3;
 
-/// Width of the card while the tool is in hand, logical pixels, where there is room.
-const WIDTH: f32 = 190.0;
-
-/// The tool in the lower corner of the view of the plant, away from flowers, `plant` in logical pixels; nothing where no petal
-/// can be shaped.
-pub fn show(ctx: &Context, plant: Rect, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<Action>) {
-    let state = snapshot.petals;
-    if !(state.any || state.on) || plant.width() < 80.0 {
-        return;
-    }
-    let corner = plant.left_bottom() + vec2(12.0, -12.0);
-    let area =
-        Area::new(Id::unique("petals")).order(Order::Middle).fixed_pos(corner).pivot(Align2::LEFT_BOTTOM);
-    area.constrain_to(plant).show(ctx, |ui| {
-        card(ui).inner_margin(Margin::same(4)).show(ui, |ui| {
-            ui.horizontal(|ui| buttons(ui, &state, messages, out));
-            if state.on {
-                ui.set_max_width(WIDTH.min(plant.width() - 32.0));
-                note(ui, messages.get(if state.chosen { Msg::PetalsDrag } else { Msg::PetalsChoose }));
-            }
-        });
-    });
-}
-
 /// The tool, and while it is in hand what it does.
-fn buttons(ui: &mut Ui, state: &PetalState, messages: &Messages, out: &mut Vec<Action>) {
+pub(super) fn buttons(ui: &mut Ui, state: &PetalState, messages: &Messages, out: &mut Vec<Action>) {
     let name = messages.get(Msg::PetalsShape);
     let hint = format!("{name} (K)\n{}", messages.get(Msg::PetalsShapeHint));
     if IconButton::new(Icon::Petals, name).hint(hint).chosen(state.on).show(ui).clicked() {
@@ -52,6 +28,11 @@ fn buttons(ui: &mut Ui, state: &PetalState, messages: &Messages, out: &mut Vec<A
     if reset.show(ui).clicked() {
         out.push(Action::ResetPetals);
     }
+}
+
+/// What the pen does now.
+pub(super) fn said(state: &PetalState) -> Msg {
+    if state.chosen { Msg::PetalsDrag } else { Msg::PetalsChoose }
 }
 
 /// On the side: the numbers of the point that was touched last.

@@ -2,6 +2,7 @@
 
 use super::camera::MoveCamera;
 use super::carry::Carry;
+use super::draw::Draw;
 use super::pick::Pick;
 use crate::app::canvas::gesture::{Touch as Gesture, TouchGestures};
 use crate::app::plant_view::PlantView;
@@ -22,6 +23,8 @@ pub struct Keys {
     pub shift: bool,
     /// The pointer is over something that can be carried: a plant, a control point of a petal.
     pub over_carried: bool,
+    /// The pointer is where a branch can begin, and the tool that draws them is in hand.
+    pub draws: bool,
 }
 
 /// Which of the tools is at work.
@@ -31,6 +34,7 @@ enum AtWork {
     Orbit,
     Pan,
     Carry,
+    Draw,
     Own,
 }
 
@@ -50,6 +54,7 @@ pub struct PlantHand {
     orbit: MoveCamera,
     pan: MoveCamera,
     carry: Carry,
+    draw: Draw,
     /// Works in the place of those.
     own: Option<PlantTool>,
     touch: Option<Touch>,
@@ -65,6 +70,7 @@ impl Default for PlantHand {
             orbit: MoveCamera::orbit(),
             pan: MoveCamera::pan(),
             carry: Carry::default(),
+            draw: Draw::default(),
             own: None,
             touch: None,
             fingers: TouchGestures::default(),
@@ -114,7 +120,12 @@ impl PlantHand {
 
     fn begin(&mut self, sample: &PenSample, keys: Keys, view: &mut PlantView) {
         self.pick.besides = keys.shift;
-        let at_work = if self.own.is_some() { AtWork::Own } else { AtWork::Pick };
+        (self.draw.pick.besides, self.draw.slop) = (keys.shift, slop(sample, view));
+        let at_work = match (&self.own, keys.draws) {
+            (Some(_), _) => AtWork::Own,
+            (None, true) => AtWork::Draw,
+            (None, false) => AtWork::Pick,
+        };
         self.begin_with(at_work, keys.over_carried, sample, view);
     }
 
@@ -125,9 +136,8 @@ impl PlantHand {
 
     fn moved(&mut self, sample: &PenSample, keys: Keys, view: &mut PlantView) {
         let Some(mut touch) = self.touch else { return };
-        let is_finger = matches!(sample.tool, PenTool::Finger(_));
-        let slop = if is_finger { FINGER_TAP_SLOP } else { TAP_SLOP } * view.pixels_per_point();
-        if touch.at_work == AtWork::Pick && sample.position.distance(touch.start.position) > slop {
+        let moved = sample.position.distance(touch.start.position);
+        if touch.at_work == AtWork::Pick && moved > slop(sample, view) {
             self.pick.cancel(view);
             let moves = keys.shift || sample.buttons.secondary || sample.buttons.middle;
             touch.at_work = match (moves, touch.carries) {
@@ -172,9 +182,17 @@ impl PlantHand {
             (AtWork::Orbit, _) => &mut self.orbit,
             (AtWork::Pan, _) => &mut self.pan,
             (AtWork::Carry, _) => &mut self.carry,
+            (AtWork::Draw, _) => &mut self.draw,
             (AtWork::Pick | AtWork::Own, _) => &mut self.pick,
         }
     }
+}
+
+/// Farthest that a pointer moves in a tap, physical pixels.
+fn slop(sample: &PenSample, view: &PlantView) -> f64 {
+    let is_finger = matches!(sample.tool, PenTool::Finger(_));
+    let slop = if is_finger { FINGER_TAP_SLOP } else { TAP_SLOP };
+    slop * view.pixels_per_point()
 }
 
 #[cfg(test)]

@@ -170,7 +170,7 @@ fn two_fingers_move_zoom_and_turn_together() {
 fn what_is_selected_is_carried_and_not_turned() {
     let (mut hand, mut view) = (PlantHand::default(), view());
     let before = view.camera();
-    let keys = Keys { over_carried: true, shift: false };
+    let keys = Keys { over_carried: true, ..Keys::default() };
     for event in stroke(3.0) {
         hand.event(&event, keys, &mut view);
     }

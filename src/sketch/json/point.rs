@@ -1,4 +1,4 @@
-//! The points of one stroke: JSON lists of 2, 3, 5 or 6 numbers, straight into [`StrokePoint`]s.
+//! The points of one stroke: JSON lists of 2, 3, 5, 6 or 7 numbers, straight into [`StrokePoint`]s.
 
 use super::progress::Progress;
 use crate::sketch::error::Fault;
@@ -59,24 +59,24 @@ impl<'de> Visitor<'de> for PointVisitor {
     type Value = StrokePoint;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a point of 2, 3, 5 or 6 numbers: x, y, pressure, tilt x, tilt y, time")
+        f.write_str("a point of 2, 3, 5, 6 or 7 numbers: x, y, pressure, tilt x, tilt y, time, depth")
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<StrokePoint, A::Error> {
-        let mut numbers = [0.0, 0.0, StrokePoint::NEUTRAL_PRESSURE, 0.0, 0.0, 0.0];
+        let mut numbers = [0.0, 0.0, StrokePoint::NEUTRAL_PRESSURE, 0.0, 0.0, 0.0, 0.0];
         let mut count = 0;
         for slot in &mut numbers {
             let Some(number) = seq.next_element::<f32>()? else { break };
             *slot = number;
             count += 1;
         }
-        if !matches!(count, 2 | 3 | 5 | 6) {
+        if !matches!(count, 2 | 3 | 5..=7) {
             return Err(A::Error::invalid_length(count, &self));
         }
-        if count == 6 && seq.next_element::<f32>()?.is_some() {
-            return Err(A::Error::invalid_length(7, &self));
+        if count == 7 && seq.next_element::<f32>()?.is_some() {
+            return Err(A::Error::invalid_length(8, &self));
         }
-        let [x, y, pressure, tilt_x, tilt_y, time_ms] = numbers;
-        Ok(StrokePoint { position: vec2(x, y), pressure, tilt_deg: vec2(tilt_x, tilt_y), time_ms })
+        let [x, y, pressure, tilt_x, tilt_y, time_ms, depth] = numbers;
+        Ok(StrokePoint { position: vec2(x, y), pressure, tilt_deg: vec2(tilt_x, tilt_y), time_ms, depth })
     }
 }

@@ -91,7 +91,8 @@ pub(super) fn push_stroke(out: &mut String, stroke: &Stroke) {
     let arity = stroke.points.iter().map(arity).max().unwrap_or(2);
     for (i, p) in stroke.points.iter().enumerate() {
         out.push_str(if i == 0 { "[" } else { ", [" });
-        let numbers = [p.position.x, p.position.y, p.pressure, p.tilt_deg.x, p.tilt_deg.y, p.time_ms];
+        let StrokePoint { position, pressure, tilt_deg, time_ms, depth } = *p;
+        let numbers = [position.x, position.y, pressure, tilt_deg.x, tilt_deg.y, time_ms, depth];
         for (k, number) in numbers[..arity].iter().enumerate() {
             out.push_str(if k == 0 { "" } else { ", " });
             push_number(out, *number);
@@ -104,7 +105,9 @@ pub(super) fn push_stroke(out: &mut String, stroke: &Stroke) {
 /// How many numbers it takes to tell this sample.
 fn arity(point: &StrokePoint) -> usize {
     let plain = StrokePoint::at(point.position);
-    if point.time_ms != plain.time_ms {
+    if point.depth != plain.depth {
+        7
+    } else if point.time_ms != plain.time_ms {
         6
     } else if point.tilt_deg != plain.tilt_deg {
         5

@@ -9,6 +9,7 @@ pub(super) fn tool_in(name: &str) -> Option<Tool> {
     let kinds =
         [mentions(&["petal"]), mentions(&["leaf", "leaves"]), mentions(&["branch"]), mentions(&["crown"])];
     match (kinds, letters.contains("outline")) {
+        ([false, false, true, false], false) if letters.starts_with("space") => Some(Tool::SpaceBranch),
         ([true, false, false, false], _) => Some(Tool::Petal),
         ([false, true, false, false], false) => Some(Tool::Leaf),
         ([false, true, false, false], true) => Some(Tool::LeafOutline),

@@ -2,7 +2,7 @@
 //! `data-pressure`.
 //!
 //! Reading it back gives the same strokes, positions and pressures bit by bit. Not written: ids (strokes are numbered
-//! anew), tilt and time, species and settings, and the reference picture, which is only there to be traced.
+//! anew), tilt, time and depth, species and settings, and the reference picture, which is only there to be traced.
 
 use crate::sketch::json::push_number;
 use crate::sketch::{Sketch, Stroke, StrokePoint, Tool};
@@ -67,7 +67,7 @@ fn colour(tool: Tool) -> &'static str {
         Tool::Auto => "#26313a",
         Tool::Petal => "#b03a6e",
         Tool::Leaf | Tool::LeafOutline => "#2f7a3d",
-        Tool::Branch | Tool::BranchOutline => "#7a4f2a",
+        Tool::Branch | Tool::BranchOutline | Tool::SpaceBranch => "#7a4f2a",
         Tool::Crown => "#4a4fb5",
     }
 }

@@ -7,6 +7,7 @@ mod params;
 mod pen;
 mod petals;
 mod readings;
+mod space;
 mod status;
 
 pub use beside::{BesideState, PlantState};
@@ -14,6 +15,7 @@ pub use params::ParamValues;
 pub use pen::{PenLive, PenState};
 pub use petals::{PetalPoint, PetalState};
 pub use readings::{ReadTogether, Ways};
+pub use space::SpaceState;
 pub use status::{Autosave, Found, PenUsed, Status, Task};
 
 pub use crate::app::dialog::{Dialog, PathPurpose, PathRequest, Recovered};
@@ -80,6 +82,8 @@ pub struct Snapshot {
     pub beside: BesideState,
     /// Petals that are being shaped.
     pub petals: PetalState,
+    /// Branches that are being drawn in space.
+    pub space: SpaceState,
     /// Presets in the artist's folder.
     pub presets: Vec<Listed>,
     /// The reference picture under the drawing.

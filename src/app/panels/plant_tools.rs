@@ -1,0 +1,49 @@
+//! The tools of the view of the plant: a small card in its lower corner, away from flowers.
+
+use super::snapshot::Snapshot;
+use super::widgets::{card, note};
+use super::{petals, space};
+use crate::app::action::Action;
+use crate::app::messages::Messages;
+use egui::{Align2, Area, Context, Id, Margin, Order, Rect, vec2};
+
+/// Width of the card while a tool is in hand, logical pixels, where there is room.
+const WIDTH: f32 = 200.0;
+
+/// The card over `plant`, logical pixels; nothing where no tool has anything to work on.
+pub(super) fn show(
+    ctx: &Context,
+    plant: Rect,
+    snapshot: &Snapshot,
+    messages: &Messages,
+    out: &mut Vec<Action>,
+) {
+    let (of_petals, of_branches) = (snapshot.petals, snapshot.space);
+    let has_petals = of_petals.any || of_petals.on;
+    let has_wood = of_branches.any || of_branches.on;
+    if !(has_petals || has_wood) || plant.width() < 80.0 {
+        return;
+    }
+    let corner = plant.left_bottom() + vec2(12.0, -12.0);
+    let area = Area::new(Id::unique("plant tools"))
+        .order(Order::Middle)
+        .fixed_pos(corner)
+        .pivot(Align2::LEFT_BOTTOM);
+    area.constrain_to(plant).show(ctx, |ui| {
+        card(ui).inner_margin(Margin::same(4)).show(ui, |ui| {
+            ui.horizontal(|ui| {
+                if has_wood {
+                    space::buttons(ui, &of_branches, messages, out);
+                }
+                if has_petals {
+                    petals::buttons(ui, &of_petals, messages, out);
+                }
+            });
+            let said = of_petals.on.then(|| petals::said(&of_petals));
+            if let Some(said) = said.or_else(|| of_branches.on.then(|| space::said(&of_branches))) {
+                ui.set_max_width(WIDTH.min(plant.width() - 32.0));
+                note(ui, messages.get(said));
+            }
+        });
+    });
+}

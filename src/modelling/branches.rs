@@ -1,0 +1,224 @@
+//! Branches drawn in space become wood of the plant (001 §4.2).
+//!
+//! A stroke in space has places in the canvas frame with depths, which the world of the drawing turns into metres, so that a
+//! drawing keeps its proportions whatever its height is set to. It is smoothed ([`super::curve`]), moved to what it grows
+//! on ([`super::foothold`]), and as thick as a branch on the sheet would be: pipes, taper and pressure
+//! ([`crate::depth::radii`]).
+//!
+//! Limits: what carries it is not made thicker for it; a stroke that ends in other wood does not grow together with that.
+
+use super::curve::{SpaceSample, smoothed};
+use super::foothold::{Boxes, Foothold};
+use crate::depth::radii::{RadiusParams, along, width_of_pipes};
+use crate::geom::polyline;
+use crate::plant::{Branch, Plant, Provenance, Role, WoodPart};
+use crate::sketch::{Remark, Stroke, StrokePoint, Warning};
+use glam::Vec3;
+use std::sync::Arc;
+
+/// Shortest branch, as a share of the yardstick.
+const SHORTEST: f32 = 0.005;
+
+/// A branch that has no thickness yet.
+struct Line {
+    /// Where the plant keeps it.
+    branch: usize,
+    pressures: Vec<f32>,
+    /// Radius of what carries it there, metres.
+    carried_by: Option<f32>,
+}
+
+/// Adds the branches that strokes in space draw, in their order, each perhaps on one before it; `diagonal` is the yardstick
+/// of thickness, canvas pixels. Remarks name strokes that are no branch.
+pub fn add_branches<'a>(
+    plant: &mut Plant,
+    provenance: &mut Provenance,
+    strokes: impl Iterator<Item = &'a Arc<Stroke>>,
+    diagonal: f32,
+    params: &RadiusParams,
+) -> Vec<Warning> {
+    let mut boxes = Boxes::of(&plant.branches);
+    let (mut lines, mut remarks) = (Vec::new(), Vec::new());
+    for stroke in strokes {
+        let line = smoothed(&in_world(stroke, provenance));
+        let length = polyline::length(&line.iter().map(|s| s.position).collect::<Vec<_>>());
+        if line.len() < 2 || length < SHORTEST * diagonal * provenance.world_from_canvas.scale {
+            remarks.push(Warning { stroke: Some(stroke.id), remark: Remark::TooShort });
+            continue;
+        }
+        let foothold = Foothold::of(&boxes, &plant.branches, line[0].position);
+        let branch = branch(plant, provenance.record(Some(stroke.id)), &line, foothold);
+        let (pressures, carried_by) = (line.iter().map(|s| s.pressure).collect(), foothold.map(|f| f.radius));
+        lines.push(Line { branch: plant.branches.len(), pressures, carried_by });
+        boxes.push(&branch);
+        plant.branches.push(branch);
+    }
+    let scale = provenance.world_from_canvas.scale;
+    thicken(plant, lines, scale * diagonal, params);
+    remarks
+}
+
+/// The samples of a stroke in the world.
+fn in_world(stroke: &Stroke, provenance: &Provenance) -> Vec<SpaceSample> {
+    let world = provenance.world_from_canvas;
+    let sample = |point: &StrokePoint| SpaceSample {
+        position: world.point(point.position).with_z(point.depth * world.scale),
+        pressure: point.pressure,
+    };
+    stroke.points.iter().map(sample).collect()
+}
+
+/// The branch along a line, moved so that it begins on its foothold, or on the ground; thin as yet.
+fn branch(
+    plant: &Plant,
+    origin: crate::plant::Origin,
+    line: &[SpaceSample],
+    foothold: Option<Foothold>,
+) -> Branch {
+    let begin = line[0].position;
+    let foot = foothold.map_or(begin.with_y(0.0), |foothold| foothold.place);
+    let mut points: Vec<Vec3> = line.iter().map(|sample| sample.position + (foot - begin)).collect();
+    points[0] = foot;
+    let parent = foothold.map(|foothold| foothold.branch);
+    let level = parent.map_or(0, |parent| plant.branches[parent].level + 1);
+    let radii = vec![f32::MIN_POSITIVE; points.len()];
+    Branch { origin, parent, level, points, radii, role: Role::of(WoodPart::Stem) }
+}
+
+/// Gives the branches drawn in space their radii, parents first.
+fn thicken(plant: &mut Plant, lines: Vec<Line>, diagonal: f32, params: &RadiusParams) {
+    let pipes = pipes(&plant.branches);
+    let most = pipes.iter().copied().max().unwrap_or(1);
+    let mut widths: Vec<(usize, f32)> = Vec::with_capacity(lines.len());
+    for Line { branch, pressures, carried_by } in lines {
+        let own = width_of_pipes((pipes[branch], most), diagonal, params);
+        // What carries it may be drawn in space, too, and have got its radius only now.
+        let parent = plant.branches[branch].parent;
+        let drawn = parent.filter(|parent| widths.binary_search_by_key(parent, |(b, _)| *b).is_ok());
+        let carrier = match drawn {
+            Some(parent) => Some(radius_at(&plant.branches[parent], plant.branches[branch].points[0])),
+            None => carried_by,
+        };
+        let radii = along(&plant.branches[branch].points, &pressures, (own, carrier), diagonal, params);
+        plant.branches[branch].radii = radii;
+        widths.push((branch, own));
+    }
+}
+
+/// Radius of a branch at the place of its axis that is nearest to a point.
+fn radius_at(branch: &Branch, point: Vec3) -> f32 {
+    let foothold = Boxes::of(std::slice::from_ref(branch)).nearest(std::slice::from_ref(branch), point);
+    foothold.map_or(f32::MIN_POSITIVE, |foothold| foothold.radius)
+}
+
+/// Ends of branches that each branch carries, its own included.
+fn pipes(branches: &[Branch]) -> Vec<u32> {
+    let mut pipes = vec![1; branches.len()];
+    for (i, branch) in branches.iter().enumerate().rev() {
+        if let Some(parent) = branch.parent {
+            pipes[parent] += pipes[i];
+        }
+    }
+    pipes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plant::{Origin, WorldFromCanvas};
+    use glam::{Vec2, vec2};
+
+    /// A sheet on which a metre is a thousand pixels, the ground at the bottom of a square of 1000.
+    fn provenance() -> Provenance {
+        Provenance::new(WorldFromCanvas { scale: 0.001, origin: vec2(500.0, 1000.0) })
+    }
+
+    /// A trunk of a metre in the middle, 2 cm thick at its foot.
+    fn trunk(provenance: &mut Provenance) -> Plant {
+        let points = (0..=10).map(|k| Vec3::Y * (0.1 * k as f32)).collect();
+        let radii = (0..=10).map(|k| 0.02 - 0.001 * k as f32).collect();
+        let (origin, role) = (provenance.record(Some(1)), Role::of(WoodPart::Stem));
+        let trunk = Branch { origin, parent: None, level: 0, points, radii, role };
+        Plant { branches: vec![trunk], ..Plant::default() }
+    }
+
+    /// A straight stroke in space, canvas pixels and depth.
+    fn stroke(id: u64, from: (Vec2, f32), to: (Vec2, f32), pressure: f32) -> Arc<Stroke> {
+        let point = |k: usize| {
+            let share = k as f32 / 20.0;
+            let depth = from.1 + (to.1 - from.1) * share;
+            StrokePoint { pressure, depth, ..StrokePoint::at(from.0.lerp(to.0, share)) }
+        };
+        Arc::new(Stroke { id, tool: crate::sketch::Tool::SpaceBranch, points: (0..=20).map(point).collect() })
+    }
+
+    fn added(strokes: &[Arc<Stroke>]) -> (Plant, Provenance, Vec<Warning>) {
+        let mut provenance = provenance();
+        let mut plant = trunk(&mut provenance);
+        let params = RadiusParams::default();
+        let remarks = add_branches(&mut plant, &mut provenance, strokes.iter(), 1000.0, &params);
+        plant.check_invariants().unwrap();
+        provenance.check_invariants(&plant).unwrap();
+        (plant, provenance, remarks)
+    }
+
+    #[test]
+    fn a_branch_toward_the_viewer_stands_on_the_trunk() {
+        // It begins a little beside the trunk's axis, 40 cm up, and leads 30 cm toward the viewer.
+        let toward = stroke(7, (vec2(505.0, 600.0), 0.0), (vec2(505.0, 560.0), 300.0), 0.5);
+        let (plant, provenance, remarks) = added(&[toward]);
+        assert_eq!(remarks, []);
+        let branch = &plant.branches[1];
+        assert_eq!((branch.parent, branch.level, provenance.stroke(branch.origin)), (Some(0), 1, Some(7)));
+        assert!((branch.points[0] - Vec3::Y * 0.4).length() < 1e-5, "{}", branch.points[0]);
+        let end = *branch.points.last().unwrap();
+        assert!((end - Vec3::new(0.0, 0.44, 0.3)).length() < 1e-4, "moved to the axis: {end}");
+        assert!(branch.radii.iter().all(|radius| *radius <= 0.92 * 0.016 + 1e-6));
+        assert!(branch.radii[0] > *branch.radii.last().unwrap(), "it tapers");
+    }
+
+    #[test]
+    fn pressure_is_thickness_and_branches_carry_branches() {
+        let at = |x: f32, y: f32| vec2(500.0 + x, 1000.0 - y);
+        let light = stroke(2, (at(0.0, 400.0), 0.0), (at(0.0, 500.0), 400.0), 0.3);
+        let strong = stroke(2, (at(0.0, 400.0), 0.0), (at(0.0, 500.0), 400.0), 0.6);
+        let on_it = stroke(3, (at(0.0, 450.0), 200.0), (at(200.0, 500.0), 200.0), 0.5);
+        let (plant, ..) = added(&[strong.clone(), on_it.clone()]);
+        assert_eq!((plant.branches[2].parent, plant.branches[2].level), (Some(1), 2));
+        let carrier = plant.branches[1].radii.iter().copied().fold(0.0, f32::max);
+        assert!(plant.branches[2].radii[0] <= 0.92 * carrier);
+        let (lighter, ..) = added(&[light]);
+        let (alone, ..) = added(&[strong]);
+        assert!(alone.branches[1].radii[10] > 1.5 * lighter.branches[1].radii[10]);
+        // Drawn in another order the twig stands on the trunk, for there is nothing else yet.
+        let (other, ..) = added(&[on_it, stroke(2, (at(0.0, 400.0), 0.0), (at(0.0, 500.0), 400.0), 0.6)]);
+        assert_eq!(other.branches[1].parent, Some(0));
+    }
+
+    #[test]
+    fn what_is_no_branch_is_remarked_on_and_nothing_hangs_in_the_air() {
+        let spot = Arc::new(Stroke {
+            points: vec![StrokePoint::at(vec2(500.0, 600.0))],
+            ..(*stroke(5, Default::default(), Default::default(), 0.5)).clone()
+        });
+        let tiny = stroke(6, (vec2(500.0, 600.0), 0.0), (vec2(501.0, 600.0), 0.0), 0.5);
+        let far = stroke(8, (vec2(2500.0, 100.0), 900.0), (vec2(2600.0, 0.0), 900.0), 0.5);
+        let (plant, _, remarks) = added(&[spot, tiny, far]);
+        let about: Vec<_> = remarks.iter().map(|w| (w.stroke, w.remark.clone())).collect();
+        assert_eq!(about, [(Some(5), Remark::TooShort), (Some(6), Remark::TooShort)]);
+        assert!((plant.branches[1].points[0] - Vec3::Y * 0.9).length() < 1e-5, "it is moved to the nearest wood");
+    }
+
+    #[test]
+    fn a_sheet_without_wood_gets_trunks() {
+        let mut provenance = provenance();
+        let mut plant = Plant::default();
+        let strokes = [stroke(1, (vec2(400.0, 990.0), 50.0), (vec2(400.0, 500.0), 0.0), 0.5)];
+        add_branches(&mut plant, &mut provenance, strokes.iter(), 1000.0, &RadiusParams::default());
+        plant.check_invariants().unwrap();
+        let trunk = &plant.branches[0];
+        assert_eq!((trunk.parent, trunk.points[0].y), (None, 0.0));
+        assert!((trunk.radii[0] - 0.009).abs() < 1e-6, "as thick as a drawn trunk: {}", trunk.radii[0]);
+        assert_ne!(trunk.origin, Origin::Generated);
+    }
+}
