@@ -64,8 +64,10 @@ fn flower() -> Plant {
     let mut organs = Vec::new();
     for k in 0..13 {
         let turn = TAU * k as f32 / 13.0;
-        let (template, rest) =
-            (templates.add(template(0.1, turn, Detail::Full)), RestSurface::Cone { cone, hint: 0.03 });
+        let (template, rest) = (
+            templates.add(template(0.1, turn, Detail::Full)),
+            RestSurface::Cone { cone, hint: 0.03, sight: Vec3::Z },
+        );
         organs.push(organ(OrganPart::Petal, Some(0), blade(template, turn, rest, apex)));
     }
     for k in 0..4 {

@@ -53,6 +53,16 @@ for count in 0 80000 25000; do
 done
 python3 scripts/sheet.py 3 docs/images/triangles.png "$triangles"/{1000000,920000,975000}.png
 rm -rf "$triangles"
+# A tree of which only the trunk was drawn on the sheet: its branches in space from front, side and top, and what grew on them.
+space=$(mktemp -d)
+for years in -1 4; do
+    for view in front side top; do
+        "$program" render tests/fixtures/in_space.penstemon --set "growth.years=$years" --view "$view" \
+            -o "$space/$((years + 1))-$view.png" --size 320x320
+    done
+done
+python3 scripts/sheet.py 6 docs/images/in_space.png "$space"/*.png
+rm -rf "$space"
 # Two trees as they grow, with their foliage as pictures of shoots in as many triangles as were asked for, and as two pictures.
 levels=$(mktemp -d)
 for species in oak spruce; do

@@ -27,7 +27,7 @@
 //! | [`grammar`] | L-systems as text, and what they draw |
 //! | [`anatomy`] | what the strokes mean, still flat |
 //! | [`depth`] | anatomy to plant |
-//! | [`modelling`] | branches drawn in space |
+//! | [`modelling`] | branches drawn in space, wood turned and bent |
 //! | [`growth`] | plants that grow themselves |
 //! | [`species`] | what the drawing does not say: materials, forms, centres of flowers |
 //! | [`model`] | plant to meshes |

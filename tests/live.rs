@@ -3,13 +3,14 @@
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
 use crate::drawings;
-use glam::{Vec2, Vec3};
+use glam::{Quat, Vec2, Vec3};
 use penstemon::anatomy::{self, AnatomyParams};
 use penstemon::model::Model;
 use penstemon::pipeline::{self, Ages, Built, Cache, Seed};
 use penstemon::plant::{OrganKind, Shape};
 use penstemon::sketch::petal_shapes::shaped;
-use penstemon::sketch::{self, Maker, PetalShape, PlacedPlant, SeedOf, Sketch, Stroke, Tool};
+use penstemon::sketch::wood_poses::posed;
+use penstemon::sketch::{self, Maker, PetalShape, PlacedPlant, SeedOf, Sketch, Stroke, Tool, WoodPose};
 use penstemon::species::Species;
 use proptest::prelude::*;
 use std::path::Path;
@@ -48,6 +49,9 @@ fn shared(before: &Model, after: &Model) -> usize {
 fn edit(sketch: &mut Sketch, (what, which, by): (u8, usize, f32)) {
     if (8..11).contains(&what) {
         return edit_plants(&mut sketch.plants, (what, which, by));
+    }
+    if what >= 13 {
+        return edit_space(sketch, (what, which, by));
     }
     if what >= 11 {
         return edit_petals(sketch, (which, by));
@@ -110,6 +114,25 @@ fn edit_petals(sketch: &mut Sketch, (which, by): (usize, f32)) {
     }
 }
 
+/// Draws a branch in space, or turns or bends one of the branches.
+fn edit_space(sketch: &mut Sketch, (what, which, by): (u8, usize, f32)) {
+    let Some(chosen) = sketch.strokes.get(which % sketch.strokes.len().max(1)) else { return };
+    if what == 13 {
+        let mut branch = Stroke::clone(chosen);
+        branch.id = 1 + sketch.strokes.iter().map(|s| s.id).max().unwrap();
+        branch.tool = Tool::SpaceBranch;
+        let count = branch.points.len() as f32;
+        let depths = branch.points.iter_mut().enumerate();
+        depths.for_each(|(k, point)| point.depth = by * k as f32 / count);
+        sketch.strokes.push(branch.into());
+        return;
+    }
+    let turn = Quat::from_axis_angle(Vec3::new(0.6, 0.0, 0.8), by / 60.0);
+    let still = WoodPose::still(chosen.id);
+    let pose = if which % 2 == 0 { WoodPose { turn, ..still } } else { WoodPose { bend: turn, ..still } };
+    sketch.wood_poses = posed(&sketch.wood_poses, pose);
+}
+
 /// A build with a cache gives what one from scratch gives; only the cache knows how old its plant has been before.
 fn assert_same(live: &Built, fresh: &Built) {
     let ages = |built: &Built| built.growth.map(|ages| Ages { oldest: 0.0, ..ages });
@@ -126,7 +149,7 @@ proptest! {
     #[test]
     fn edits_give_the_plant_that_a_fresh_build_gives(
         seed: u64,
-        edits in prop::collection::vec((0u8..13, 0usize..1000, -80.0f32..80.0), 1..8),
+        edits in prop::collection::vec((0u8..15, 0usize..1000, -80.0f32..80.0), 1..8),
     ) {
         let mut cache = Cache::default();
         let mut sketch = drawings::scribble(seed, 12);

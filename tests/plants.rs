@@ -32,5 +32,6 @@ mod properties;
 mod proposed_species;
 mod several;
 mod sketches;
+mod space;
 mod textures;
 mod wood;

@@ -115,6 +115,12 @@ pub enum Action {
     DrawInSpace(bool),
     /// Choose the surface that it draws on.
     SetWorkSurface(WorkSurface),
+    /// Take up the tool that turns and bends branches, or lay it down.
+    PoseWood(bool),
+    /// Whether it bends them, not turns them.
+    BendWood(bool),
+    /// Let the branch that was held last stand as it was drawn.
+    ResetPose,
     /// Put the selected strokes on the clipboard.
     CopySelected,
     /// The same, and remove them.

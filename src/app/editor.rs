@@ -14,6 +14,7 @@
 //! | `beside_state` | which plant beside the drawn one is selected and held |
 //! | `petal_tool` | the tool that shapes petals: which petal, which of its points |
 //! | `space_tool` | the tool that draws branches in space: its surface, the branch under the pen |
+//! | `pose_tool` | the tool that turns and bends branches: the branch that is held |
 //! | `pens` | the pens and tablets in use |
 //! | `dialogs` | the dialog, the menu of parts, messages |
 //! | `updates` | changes that the window and the graphics card have to be notified of |
@@ -52,6 +53,8 @@ mod petals;
 mod photographs;
 mod picking;
 mod pictures;
+mod pose_tool;
+mod posing;
 mod preferences;
 mod preset_folder;
 mod readings;
@@ -62,7 +65,9 @@ mod saver;
 mod saving;
 mod snapshot;
 mod space;
+mod space_marks;
 mod space_tool;
+mod stroke_frame;
 #[cfg(test)]
 mod test_window;
 mod updates;
@@ -84,6 +89,7 @@ use live_plant::{Collected, LivePlant, UnderPen};
 use open_drawing::OpenDrawing;
 use pens::Pens;
 use petal_tool::PetalTool;
+use pose_tool::PoseTool;
 use preferences::Preferences;
 use space_tool::{SpaceStroke, SpaceTool};
 use std::time::{Duration, Instant};
@@ -112,6 +118,7 @@ pub struct Editor {
     beside: Beside,
     petals: PetalTool,
     space: SpaceTool,
+    posing: PoseTool,
     pens: Pens,
     dialogs: Dialogs,
     layout: Layout,

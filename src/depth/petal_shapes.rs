@@ -68,9 +68,9 @@ pub(super) fn shaped(petal: &MadePetal, offsets: &Offsets) -> MadePetal {
     let frame = PetalFrame::of(&blade);
     let ways = offsets.map(|row| row.map(|offset| local(&blade, frame.way(offset))));
     let rest = match &petal.rest {
-        RestSurface::Cone { cone, hint } => {
+        RestSurface::Cone { cone, hint, sight } => {
             let ways = Arc::new(BezierPatch::new(ways, &sheet(&blade)));
-            RestSurface::Shaped { cone: *cone, hint: *hint, ways }
+            RestSurface::Shaped { cone: *cone, hint: *hint, sight: *sight, ways }
         }
         RestSurface::Patch(patch) => RestSurface::Patch(Arc::new(patch.moved(&ways))),
         other @ (RestSurface::Plane | RestSurface::Shaped { .. } | RestSurface::Ring(_)) => other.clone(),
@@ -136,7 +136,7 @@ mod tests {
         };
         let base = Vec3::new(0.0, 0.0, cone.depth_near(Vec2::ZERO, 0.0));
         let hint = cone.depth_near(Vec2::Y, 1.0);
-        let (rest, form) = (RestSurface::Cone { cone, hint }, BladeForm::default());
+        let (rest, form) = (RestSurface::Cone { cone, hint, sight: Vec3::Z }, BladeForm::default());
         Blade { template: Arc::new(template), base, u: Vec3::X, v: Vec3::Y, rest, form }
     }
 

@@ -30,7 +30,7 @@ pub fn petal(
         base: base.extend(cone.depth_near(base, cone.apex.z)),
         u: frame.u.extend(0.0),
         v: frame.v.extend(0.0),
-        rest: RestSurface::Cone { cone: *cone, hint: tip_depth },
+        rest: RestSurface::Cone { cone: *cone, hint: tip_depth, sight: Vec3::Z },
         form: BladeForm::default(),
     }
 }

@@ -108,23 +108,23 @@ pub fn width_of_pipes((pipes, most): (u32, u32), diagonal: f32, params: &RadiusP
     params.trunk * diagonal * (pipes as f32 / most as f32).powf(1.0 / params.pipe_exponent)
 }
 
-/// Radius at every point of a branch that is not on the sheet: `base` is its width and, if it is carried, the radius of what
-/// carries it, both in the unit of `diagonal`.
+/// Radius at every point of a branch that is not on the sheet: `width` is that of its pipes and
+/// `parent_radius` that of what it grows on, both in the unit of `diagonal`.
 pub fn along(
     points: &[Vec3],
     pressures: &[f32],
-    (width, carrier): (f32, Option<f32>),
+    (width, parent_radius): (f32, Option<f32>),
     diagonal: f32,
     params: &RadiusParams,
 ) -> Vec<f32> {
     let arcs = polyline::arc_lengths(points.iter().copied());
     let length = arcs.last().copied().unwrap_or(0.0).max(f32::MIN_POSITIVE);
-    let base = carrier.map_or(width, |carrier| width.min(LARGEST_CHILD * carrier));
+    let base = parent_radius.map_or(width, |parent_radius| width.min(LARGEST_CHILD * parent_radius));
     let thinnest = params.thinnest * diagonal;
     let radius = |(arc, pressure): (&f32, &f32)| {
         (base * taper(arc / length, params) * pressure_factor(*pressure, params)).max(thinnest)
     };
-    let most = carrier.map_or(f32::INFINITY, |carrier| LARGEST_CHILD * carrier);
+    let most = parent_radius.map_or(f32::INFINITY, |parent_radius| LARGEST_CHILD * parent_radius);
     arcs.iter().zip(pressures).map(radius).map(|radius| radius.min(most)).collect()
 }
 

@@ -304,7 +304,7 @@ mod tests {
         for axis in [Vec3::new(0.0, 0.5, 0.866), Vec3::new(0.0, 0.9, -0.436)] {
             let apex = Vec3::new(0.3, 0.2, -0.1);
             let cone = Cone { apex, axis: axis.normalize(), opening_rad: 0.8, height: 1.0 };
-            let rest = RestSurface::Cone { cone, hint: -0.1 };
+            let rest = RestSurface::Cone { cone, hint: -0.1, sight: Vec3::Z };
             let ((flat, still), (_, bent)) = (built(&oval(rest.clone(), STILL)), built(&oval(rest, hollow)));
             let to_axis = |p: Vec3| (p - apex).reject_from_normalized(cone.axis).length();
             let middle =

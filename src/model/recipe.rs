@@ -173,13 +173,25 @@ impl<'a> Recipe<'a> {
         self.point(*base).point(*u).point(*v);
         match rest {
             RestSurface::Plane => self.word(0),
-            RestSurface::Cone { cone, hint } => {
+            RestSurface::Cone { cone, hint, sight } => {
                 let Cone { apex, axis, opening_rad, height } = cone;
-                self.word(1).point(*apex).point(*axis).real(*opening_rad).real(*height).real(*hint)
+                self.word(1)
+                    .point(*apex)
+                    .point(*axis)
+                    .real(*opening_rad)
+                    .real(*height)
+                    .real(*hint)
+                    .point(*sight)
             }
-            RestSurface::Shaped { cone, hint, ways } => {
+            RestSurface::Shaped { cone, hint, sight, ways } => {
                 let Cone { apex, axis, opening_rad, height } = cone;
-                self.word(4).point(*apex).point(*axis).real(*opening_rad).real(*height).real(*hint);
+                self.word(4)
+                    .point(*apex)
+                    .point(*axis)
+                    .real(*opening_rad)
+                    .real(*height)
+                    .real(*hint)
+                    .point(*sight);
                 self.words.extend(ways.words().map(f32::to_bits));
                 &mut *self
             }

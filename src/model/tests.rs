@@ -84,7 +84,7 @@ fn blade() -> impl Strategy<Value = Blade<Arc<Template>>> {
             };
             let rest = rest.map_or(RestSurface::Plane, |(axis, opening_rad)| {
                 let cone = Cone { apex: base, axis, opening_rad, height: length * opening_rad.cos() };
-                RestSurface::Cone { cone, hint: base.z + 0.3 * length }
+                RestSurface::Cone { cone, hint: base.z + 0.3 * length, sight: Vec3::Z }
             });
             let curl = (0..outline.len()).map(|k| curl * (k as f32 * 0.1).sin()).collect();
             let outline = outline.into_iter().map(|p| p * length).collect();

@@ -19,15 +19,6 @@ use std::sync::Arc;
 /// Shortest branch, as a share of the yardstick.
 const SHORTEST: f32 = 0.005;
 
-/// A branch that has no thickness yet.
-struct Line {
-    /// Where the plant keeps it.
-    branch: usize,
-    pressures: Vec<f32>,
-    /// Radius of what carries it there, metres.
-    carried_by: Option<f32>,
-}
-
 /// Adds the branches that strokes in space draw, in their order, each perhaps on one before it; `diagonal` is the yardstick
 /// of thickness, canvas pixels. Remarks name strokes that are no branch.
 pub fn add_branches<'a>(
@@ -38,7 +29,7 @@ pub fn add_branches<'a>(
     params: &RadiusParams,
 ) -> Vec<Warning> {
     let mut boxes = Boxes::of(&plant.branches);
-    let (mut lines, mut remarks) = (Vec::new(), Vec::new());
+    let (first, mut pressures, mut remarks) = (plant.branches.len(), Vec::new(), Vec::new());
     for stroke in strokes {
         let line = smoothed(&in_world(stroke, provenance));
         let length = polyline::length(&line.iter().map(|s| s.position).collect::<Vec<_>>());
@@ -48,13 +39,12 @@ pub fn add_branches<'a>(
         }
         let foothold = Foothold::of(&boxes, &plant.branches, line[0].position);
         let branch = branch(plant, provenance.record(Some(stroke.id)), &line, foothold);
-        let (pressures, carried_by) = (line.iter().map(|s| s.pressure).collect(), foothold.map(|f| f.radius));
-        lines.push(Line { branch: plant.branches.len(), pressures, carried_by });
+        pressures.push(line.iter().map(|sample| sample.pressure).collect());
         boxes.push(&branch);
         plant.branches.push(branch);
     }
     let scale = provenance.world_from_canvas.scale;
-    thicken(plant, lines, scale * diagonal, params);
+    thicken(&mut plant.branches, (first, &pressures), scale * diagonal, params);
     remarks
 }
 
@@ -85,23 +75,20 @@ fn branch(
     Branch { origin, parent, level, points, radii, role: Role::of(WoodPart::Stem) }
 }
 
-/// Gives the branches drawn in space their radii, parents first.
-fn thicken(plant: &mut Plant, lines: Vec<Line>, diagonal: f32, params: &RadiusParams) {
-    let pipes = pipes(&plant.branches);
+/// Gives the branches from `first` on, drawn with these pressures, their radii, parents first.
+fn thicken(
+    branches: &mut [Branch],
+    (first, pressures): (usize, &[Vec<f32>]),
+    diagonal: f32,
+    params: &RadiusParams,
+) {
+    let pipes = pipes(branches);
     let most = pipes.iter().copied().max().unwrap_or(1);
-    let mut widths: Vec<(usize, f32)> = Vec::with_capacity(lines.len());
-    for Line { branch, pressures, carried_by } in lines {
-        let own = width_of_pipes((pipes[branch], most), diagonal, params);
-        // What carries it may be drawn in space, too, and have got its radius only now.
-        let parent = plant.branches[branch].parent;
-        let drawn = parent.filter(|parent| widths.binary_search_by_key(parent, |(b, _)| *b).is_ok());
-        let carrier = match drawn {
-            Some(parent) => Some(radius_at(&plant.branches[parent], plant.branches[branch].points[0])),
-            None => carried_by,
-        };
-        let radii = along(&plant.branches[branch].points, &pressures, (own, carrier), diagonal, params);
-        plant.branches[branch].radii = radii;
-        widths.push((branch, own));
+    for (index, pressures) in (first..).zip(pressures) {
+        let width = width_of_pipes((pipes[index], most), diagonal, params);
+        let Branch { parent, ref points, .. } = branches[index];
+        let parent_radius = parent.map(|parent| radius_at(&branches[parent], points[0]));
+        branches[index].radii = along(points, pressures, (width, parent_radius), diagonal, params);
     }
 }
 
@@ -185,8 +172,8 @@ mod tests {
         let on_it = stroke(3, (at(0.0, 450.0), 200.0), (at(200.0, 500.0), 200.0), 0.5);
         let (plant, ..) = added(&[strong.clone(), on_it.clone()]);
         assert_eq!((plant.branches[2].parent, plant.branches[2].level), (Some(1), 2));
-        let carrier = plant.branches[1].radii.iter().copied().fold(0.0, f32::max);
-        assert!(plant.branches[2].radii[0] <= 0.92 * carrier);
+        let parent_radius = plant.branches[1].radii.iter().copied().fold(0.0, f32::max);
+        assert!(plant.branches[2].radii[0] <= 0.92 * parent_radius);
         let (lighter, ..) = added(&[light]);
         let (alone, ..) = added(&[strong]);
         assert!(alone.branches[1].radii[10] > 1.5 * lighter.branches[1].radii[10]);
@@ -206,7 +193,10 @@ mod tests {
         let (plant, _, remarks) = added(&[spot, tiny, far]);
         let about: Vec<_> = remarks.iter().map(|w| (w.stroke, w.remark.clone())).collect();
         assert_eq!(about, [(Some(5), Remark::TooShort), (Some(6), Remark::TooShort)]);
-        assert!((plant.branches[1].points[0] - Vec3::Y * 0.9).length() < 1e-5, "it is moved to the nearest wood");
+        assert!(
+            (plant.branches[1].points[0] - Vec3::Y * 0.9).length() < 1e-5,
+            "it is moved to the nearest wood"
+        );
     }
 
     #[test]

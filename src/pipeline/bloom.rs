@@ -5,6 +5,7 @@ use super::figure_plant;
 use super::setup::Params;
 use super::source::{Bloom, Produced};
 use crate::anatomy::Anatomy;
+use crate::modelling::DrawnWood;
 use crate::plant::{Branch, FlowerBud, FlowerBuds, Origin, Plant, Provenance, Role, WoodPart};
 use crate::random::stream;
 use crate::sketch::{Remark, Warning};
@@ -32,7 +33,16 @@ pub(super) fn produce(bloom: &Bloom, (species, params): (&Species, &Params)) -> 
     };
     let (plant, buds) = made;
     let (provenance, anatomy) = (Provenance::default(), Anatomy::default());
-    Produced { plant, buds, provenance, remarks, anatomy, growth: None, drawn_wood: None, may_flower: true }
+    Produced {
+        plant,
+        buds,
+        provenance,
+        remarks,
+        anatomy,
+        growth: None,
+        wood: DrawnWood::default(),
+        may_flower: true,
+    }
 }
 
 /// One flower on its stem.

@@ -10,7 +10,7 @@ use crate::anatomy::{self, Anatomy};
 use crate::depth;
 use crate::growth::overlay::{Spot, Wanted};
 use crate::growth::{Memory, PlantAtAge};
-use crate::modelling;
+use crate::modelling::{self, DrawnWood, Posed};
 use crate::plant::{Plant, Provenance};
 use crate::sketch::{Sketch, Warning};
 use crate::species::Species;
@@ -57,10 +57,13 @@ pub(super) fn produce(
         let decided = (sketch.seed, &*sketch.petal_shapes);
         depth::recover_with(&mut memory.depth, &anatomy, decided, &params.depth)
     });
-    if sketch.in_space().next().is_some() {
-        remarks.extend(
-            clock.time("modelling", || model_in_space(sketch, &anatomy, &mut plant, &mut provenance, params)),
-        );
+    let mut wood = DrawnWood::default();
+    if sketch.in_space().next().is_some() || !sketch.wood_poses.is_empty() {
+        clock.time("modelling", || {
+            let (added, posed) = model_in_space(sketch, &anatomy, &mut plant, &mut provenance, params);
+            remarks.extend(added);
+            wood.posed = posed;
+        });
     }
     if stop() {
         return None;
@@ -76,11 +79,11 @@ pub(super) fn produce(
             remarks,
             anatomy,
             growth: None,
-            drawn_wood: None,
+            wood,
             may_flower: true,
         });
     }
-    let drawn_wood = Some(plant.branches.clone());
+    wood.before_growth = Some(plant.branches.clone());
     let grown = clock.time("growth", || {
         growing::grow_on(
             &mut memory.growth,
@@ -93,30 +96,23 @@ pub(super) fn produce(
         )
     });
     let (PlantAtAge { plant, buds }, ages) = grown?;
-    Some(Produced {
-        plant,
-        buds,
-        provenance,
-        remarks,
-        anatomy,
-        growth: Some(ages),
-        drawn_wood,
-        may_flower: true,
-    })
+    Some(Produced { plant, buds, provenance, remarks, anatomy, growth: Some(ages), wood, may_flower: true })
 }
 
-/// Adds what was drawn in the view of the plant. A drawing of nothing else has the world of its sheet.
+/// Adds what was drawn in the view of the plant, and poses its wood. A drawing of nothing else has the world of its sheet.
 fn model_in_space(
     sketch: &Sketch,
     anatomy: &Anatomy,
     plant: &mut Plant,
     provenance: &mut Provenance,
     params: &Params,
-) -> Vec<Warning> {
+) -> (Vec<Warning>, Posed) {
     let mut diagonal = anatomy.diagonal;
     if plant.branches.is_empty() && plant.organs.is_empty() {
         provenance.world_from_canvas = placing::world_of_sheet(sketch.canvas, params.depth.world.height);
         diagonal = sketch.canvas.height;
     }
-    modelling::add_branches(plant, provenance, sketch.in_space(), diagonal, &params.depth.radii)
+    let remarks =
+        modelling::add_branches(plant, provenance, sketch.in_space(), diagonal, &params.depth.radii);
+    (remarks, modelling::pose_wood(plant, provenance, &sketch.wood_poses))
 }

@@ -11,7 +11,8 @@ use crate::budget::Budget;
 use crate::cards;
 use crate::growth::overlay::Spot;
 use crate::model::{self, Model, ModelParams};
-use crate::plant::{Branch, FinishedPlant, Plant, Provenance};
+use crate::modelling::DrawnWood;
+use crate::plant::{FinishedPlant, Plant, Provenance};
 use crate::sketch::{Remark, Textures, Warning};
 use crate::species::{self, Applied, Species};
 use std::borrow::Cow;
@@ -31,8 +32,8 @@ pub struct Built {
     pub plant: FinishedPlant,
     /// What only its drawing knows of the plant.
     pub provenance: Provenance,
-    /// Of a plant that grew on, the drawn wood that it began with; branches that are drawn in space can begin there.
-    pub drawn_wood: Option<Vec<Branch>>,
+    /// Its drawn wood, as it was modelled: where branches that are drawn in space can begin.
+    pub wood: DrawnWood,
     /// The plants beside the drawn one, in the order of the drawing; none for what was left out.
     pub beside: Vec<Option<BuiltBeside>>,
     /// The plant as surfaces.
@@ -64,7 +65,7 @@ pub(super) fn finish(
     clock: &mut Clock,
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Option<Built> {
-    let Produced { plant, buds, provenance, mut remarks, anatomy, growth, drawn_wood, may_flower } = produced;
+    let Produced { plant, buds, provenance, mut remarks, anatomy, growth, wood, may_flower } = produced;
     let mut remark = |remark| remarks.push(Warning { stroke: None, remark });
     let plant = clock.time("species", || {
         let Applied { mut plant, is_blossom_thinned } = species::apply_within(
@@ -106,7 +107,7 @@ pub(super) fn finish(
     }
     let model = clock.time("model", || model::rebuild(&plant, &fineness.params, cache, stop))?;
     let (beside, overlay, stages) = (Vec::new(), Vec::new(), clock.take());
-    Some(Built { anatomy, remarks, growth, plant, provenance, drawn_wood, beside, model, overlay, stages })
+    Some(Built { anatomy, remarks, growth, plant, provenance, wood, beside, model, overlay, stages })
 }
 
 /// The looks of a species with the artist's flowers, without blossom where the plant may not have any.

@@ -3,6 +3,7 @@
 use super::setup::Params;
 use super::source::{Produced, Seed};
 use crate::anatomy::Anatomy;
+use crate::modelling::DrawnWood;
 use crate::plant::{
     Blade, BladeForm, Branch, Detail, FlowerBud, FlowerBuds, Organ, OrganPart, Origin, Plant, Provenance,
     RestSurface, Role, Shape, Template, TemplateId, WoodPart,
@@ -38,7 +39,7 @@ pub(super) fn produce(seed: &Seed, habit: &RoseHabit, (species, _): (&Species, &
         remarks: Vec::new(),
         anatomy,
         growth: None,
-        drawn_wood: None,
+        wood: DrawnWood::default(),
         may_flower: true,
     }
 }

@@ -9,6 +9,7 @@ use super::source::{Ages, Produced, Seed};
 use crate::anatomy::Anatomy;
 use crate::growth::overlay::{Spot, Wanted, overlay};
 use crate::growth::{self, Envelope, Habit, Outcome, PlantAtAge, Schedule, Simulation, drawing};
+use crate::modelling::DrawnWood;
 use crate::plant::Provenance;
 use crate::sketch::Warning;
 use crate::species::Species;
@@ -119,7 +120,7 @@ pub(super) fn produce(
         remarks,
         anatomy,
         growth: Some(ages),
-        drawn_wood: None,
+        wood: DrawnWood::default(),
         may_flower,
     })
 }

@@ -7,7 +7,8 @@
 use crate::anatomy::Anatomy;
 use crate::growth::habit::Resource;
 use crate::growth::{Envelope, Field, Limits, Outcome, Simulation};
-use crate::plant::{Branch, FlowerBuds, Plant, Provenance};
+use crate::modelling::DrawnWood;
+use crate::plant::{FlowerBuds, Plant, Provenance};
 use crate::sketch::{Sketch, Warning};
 use std::sync::Arc;
 
@@ -75,8 +76,8 @@ pub struct Produced {
     pub anatomy: Anatomy,
     /// How old it is, where it grew.
     pub growth: Option<Ages>,
-    /// Of a plant that grew on, the drawn wood that it began with.
-    pub drawn_wood: Option<Vec<Branch>>,
+    /// Its drawn wood, as it was modelled.
+    pub wood: DrawnWood,
     /// Whether it is old enough for the flowers of its species.
     pub may_flower: bool,
 }

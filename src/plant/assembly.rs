@@ -103,12 +103,12 @@ impl Shape {
         match self {
             Self::Blade(blade) => {
                 (blade.base, blade.u, blade.v) = (moved(blade.base), blade.u * scale, blade.v * scale);
-                if let RestSurface::Cone { cone, hint } | RestSurface::Shaped { cone, hint, .. } =
-                    &mut blade.rest
+                if let RestSurface::Cone { cone, hint, sight }
+                | RestSurface::Shaped { cone, hint, sight, .. } = &mut blade.rest
                 {
                     cone.apex = moved(cone.apex);
                     cone.height *= scale;
-                    *hint = *hint * scale + by.z;
+                    *hint = *hint * scale + by.dot(*sight);
                 }
             }
             Self::Dome { base, axis: _, radius, height } => {

@@ -5,7 +5,7 @@
 //! drawing, adds: bending, cupping, thickness. The model stage turns all three into a mesh.
 
 use super::{BezierPatch, Cone, RingSheet, Template, TemplateId};
-use glam::{Vec2, Vec3};
+use glam::{Quat, Vec2, Vec3};
 use serde::Serialize;
 use std::ops::Deref;
 use std::sync::Arc;
@@ -54,20 +54,24 @@ impl BladeForm {
 pub enum RestSurface {
     /// The plane through `base` spanned by `u` and `v`.
     Plane,
-    /// The side of a cone seen from the front: x and y from the plane, which is parallel to the drawing, z from the
-    /// cone's sheet near `hint`.
+    /// The side of a cone as it is seen against `sight`: across that as the plane lies, which is square to it, along it as
+    /// deep as the cone's sheet near `hint`.
     Cone {
         /// The cone, in world metres.
         cone: Cone,
-        /// Depth of the blade's tip: tells which of the cone's two depths is meant.
+        /// Depth of the blade's tip along `sight`, metres: tells which of the cone's two depths is meant.
         hint: f32,
+        /// Unit direction toward whom the blade was drawn for; +z unless its flower was turned.
+        sight: Vec3,
     },
     /// The side of a cone, as drawn, with every place of it moved on.
     Shaped {
         /// The cone, in world metres.
         cone: Cone,
-        /// Depth of the blade's tip on it.
+        /// Depth of the blade's tip on it, along `sight`.
         hint: f32,
+        /// Unit direction toward whom the blade was drawn for.
+        sight: Vec3,
         /// How far, as a Bézier patch whose control points are ways: along u, along v and toward the face.
         ways: Arc<BezierPatch>,
     },
@@ -110,9 +114,11 @@ impl<T> Blade<T> {
     /// Moves it with its rest surface.
     pub fn translate(&mut self, by: Vec3) {
         self.base += by;
-        if let RestSurface::Cone { cone, hint } | RestSurface::Shaped { cone, hint, .. } = &mut self.rest {
+        if let RestSurface::Cone { cone, hint, sight } | RestSurface::Shaped { cone, hint, sight, .. } =
+            &mut self.rest
+        {
             cone.apex += by;
-            *hint += by.z;
+            *hint += by.dot(*sight);
         }
     }
 }
@@ -128,20 +134,28 @@ impl<T: Deref<Target = Template>> Blade<T> {
         let p = self.base + self.u * uv.x + self.v * uv.y;
         match &self.rest {
             RestSurface::Plane => p,
-            RestSurface::Cone { cone, hint } => self.on_cone(p, uv, (cone, *hint)),
-            RestSurface::Shaped { cone, hint, ways } => {
-                self.on_cone(p, uv, (cone, *hint)) + self.way(ways.at(uv))
+            RestSurface::Cone { cone, hint, sight } => self.on_cone(p, uv, (cone, *hint, *sight)),
+            RestSurface::Shaped { cone, hint, sight, ways } => {
+                self.on_cone(p, uv, (cone, *hint, *sight)) + self.way(ways.at(uv))
             }
             RestSurface::Patch(patch) => self.placed(patch.at(uv)),
             RestSurface::Ring(sheet) => self.placed(sheet.at(uv)),
         }
     }
 
-    /// The place on a cone over `p`, which is (u, v) in the blade's plane.
-    fn on_cone(&self, p: Vec3, uv: Vec2, (cone, hint): (&Cone, f32)) -> Vec3 {
+    /// The place on a cone over `p` along the sight, which is (u, v) in the blade's plane.
+    fn on_cone(&self, p: Vec3, uv: Vec2, (cone, hint, sight): (&Cone, f32, Vec3)) -> Vec3 {
         let share = (uv.y / self.template.length()).clamp(0.0, 1.0);
-        let hint = cone.apex.z + (hint - cone.apex.z) * share;
-        Vec3::new(p.x, p.y, cone.depth_near(p.truncate(), hint))
+        if sight == Vec3::Z {
+            let hint = cone.apex.z + (hint - cone.apex.z) * share;
+            return Vec3::new(p.x, p.y, cone.depth_near(p.truncate(), hint));
+        }
+        // As if it were seen from the front.
+        let turn = Quat::from_rotation_arc(sight, Vec3::Z);
+        let front = Cone { apex: turn * cone.apex, axis: turn * cone.axis, ..*cone };
+        let hint = front.apex.z + (hint - front.apex.z) * share;
+        let p = (turn * p).truncate();
+        turn.inverse() * p.extend(front.depth_near(p, hint))
     }
 
     /// World position of a point that is given along u, along v and toward the face.
@@ -161,7 +175,9 @@ impl<T: Deref<Target = Template>> Blade<T> {
         T: Clone,
     {
         let rest = match &self.rest {
-            RestSurface::Shaped { cone, hint, .. } => RestSurface::Cone { cone: *cone, hint: *hint },
+            RestSurface::Shaped { cone, hint, sight, .. } => {
+                RestSurface::Cone { cone: *cone, hint: *hint, sight: *sight }
+            }
             other => other.clone(),
         };
         Self { rest, ..self.clone() }

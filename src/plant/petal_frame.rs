@@ -72,7 +72,7 @@ mod tests {
         let template = Template::new(outline, Vec::new(), 0.6, Detail::Full);
         // A flower that looks up, whose petals rise by 30° from the level: this one comes toward the viewer.
         let cone = Cone { apex: Vec3::ZERO, axis: Vec3::Y, opening_rad: 60f32.to_radians(), height: 1.0 };
-        let rest = RestSurface::Cone { cone, hint: 1.0 };
+        let rest = RestSurface::Cone { cone, hint: 1.0, sight: Vec3::Z };
         let (base, form) = (Vec3::ZERO, BladeForm::default());
         let blade = Blade { template: &template, base, u: Vec3::X, v: Vec3::Y, rest, form };
         let frame = PetalFrame::of(&blade);

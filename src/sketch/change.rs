@@ -1,7 +1,7 @@
 //! Changes of a drawing: what tools and panels hand to the document as one undoable step.
 
 use super::settings::Settings;
-use super::{Corrections, PetalShapes, PlacedPlant, Reference, Stroke, StrokeId, Textures};
+use super::{Corrections, PetalShapes, PlacedPlant, Reference, Stroke, StrokeId, Textures, WoodPoses};
 use serde_json::{Map, Value};
 use std::sync::Arc;
 
@@ -78,6 +78,11 @@ impl Change {
     /// Other shapes of petals, all of them.
     pub fn petal_shapes(petal_shapes: PetalShapes) -> Self {
         Settings { petal_shapes: Some(petal_shapes), ..Settings::default() }.into()
+    }
+
+    /// Other poses of branches, all of them.
+    pub fn wood_poses(wood_poses: WoodPoses) -> Self {
+        Settings { wood_poses: Some(wood_poses), ..Settings::default() }.into()
     }
 
     /// Another picture under the drawing, or the same lying otherwise, or none.

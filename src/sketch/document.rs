@@ -50,10 +50,11 @@ impl Document {
     /// Opens a drawing that is as it is on disk.
     pub fn new(sketch: Sketch) -> Self {
         let samples = sketch.strokes.iter().map(|s| s.points.len()).sum();
-        // Corrections and shapes may name strokes that were removed; no new stroke is taken for one of them.
+        // Corrections, shapes and poses may name strokes that were removed; no new stroke is taken for one of them.
         let corrected = sketch.corrections.iter().filter_map(|correction| correction.strokes.last());
         let shaped = sketch.petal_shapes.iter().filter_map(|shape| shape.strokes.last());
         let ids = sketch.strokes.iter().map(|s| &s.id).chain(corrected).chain(shaped);
+        let ids = ids.chain(sketch.wood_poses.iter().map(|pose| &pose.stroke));
         let last_id = ids.max().copied().unwrap_or(0);
         Self {
             sketch,

@@ -9,7 +9,7 @@ use super::textures::Textures;
 use super::warnings::Warnings;
 use super::{
     Canvas, Corrections, PetalShapes, PlacedPlant, Remark, Sketch, Stroke, StrokeId, StrokePoint, Tool,
-    limits,
+    WoodPoses, limits,
 };
 use glam::{Vec2, Vec3};
 use serde_json::{Map, Value};
@@ -28,6 +28,7 @@ pub(super) struct Draft {
     pub(super) plants: Vec<PlacedPlant>,
     pub(super) corrections: Corrections,
     pub(super) petal_shapes: PetalShapes,
+    pub(super) wood_poses: WoodPoses,
     pub(super) strokes: Vec<DraftStroke>,
 }
 
@@ -91,6 +92,7 @@ impl Draft {
             plants,
             corrections,
             petal_shapes,
+            wood_poses,
             strokes: _,
         } = self;
         let strokes = strokes.into_iter().map(Arc::new).collect();
@@ -105,6 +107,7 @@ impl Draft {
             plants,
             corrections,
             petal_shapes,
+            wood_poses,
             strokes,
         };
         if canvas.is_none() {

@@ -1,11 +1,11 @@
 //! What must hold for every [`Sketch`] that was read; called by tests, property tests and fuzz targets.
 
-use super::{Sketch, Stroke, StrokePoint, corrections, limits, petal_shapes, plants, textures};
+use super::{Sketch, Stroke, StrokePoint, corrections, limits, petal_shapes, plants, textures, wood_poses};
 use glam::Vec2;
 use std::collections::HashSet;
 
 impl Sketch {
-    /// Checks that ids are unique, strokes are not empty, textures belong to parts, plants, corrections and shapes of petals are not too many, and every number is finite and in
+    /// Checks that ids are unique, strokes are not empty, textures belong to parts, plants, corrections, shapes of petals and poses of branches are not too many, and every number is finite and in
     /// range.
     ///
     /// # Errors
@@ -26,6 +26,7 @@ impl Sketch {
         plants::check(&self.plants).map_err(|error| error.to_string())?;
         corrections::check(&self.corrections)?;
         petal_shapes::check(&self.petal_shapes)?;
+        wood_poses::check(&self.wood_poses)?;
         self.reference.as_ref().map_or(Ok(()), |reference| reference.check().map_err(|e| e.to_string()))
     }
 }

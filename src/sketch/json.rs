@@ -16,7 +16,7 @@
 //!
 //! A point is `[x, y]`, `[x, y, pressure]`, `[x, y, pressure, tilt_x, tilt_y]`, all these and the time, or these and the depth. Only `format`,
 //! `version`, `strokes` and each stroke's `points` are required. Beside what is shown there may be `textures` (an object:
-//! part to texture), `plants` (those that stand beside the drawn one), `corrections` (of how strokes are read together), `petal_shapes` (how the artist moved control points of petals) and, behind the strokes, a `reference` (the picture under the drawing, in base64) and `pictures` (those
+//! part to texture), `plants` (those that stand beside the drawn one), `corrections` (of how strokes are read together), `petal_shapes` (how the artist moved control points of petals), `wood_poses` (how branches are turned and bent) and, behind the strokes, a `reference` (the picture under the drawing, in base64) and `pictures` (those
 //! that textures name, in base64); all of it is described in `docs/sketches.md`. Unknown fields are errors, so that a typing mistake does not pass unseen. Reading what [`write()`]
 //! wrote gives the same sketch, bit by bit.
 
@@ -33,6 +33,7 @@ mod point;
 mod progress;
 mod reference;
 pub(super) mod step;
+mod wood_poses;
 mod write;
 
 pub use fault::newer_version;
@@ -50,13 +51,14 @@ pub const FORMAT: &str = "penstemon-sketch";
 ///
 /// 1: all but pictures of the artist's own for textures, of which only the path was kept. 2: these pictures themselves. 3: plants
 /// beside the drawn one. 4: corrections of how strokes are read together. 5: shapes of
-/// petals. 6: branches drawn in the view of the plant.
+/// petals. 6: branches drawn, and turned, in the view of the plant.
 pub const VERSION: u32 = 6;
 
 /// The oldest version that can hold a sketch, so that older programs open what they understand.
 fn version_of(sketch: &Sketch) -> u32 {
     let has_depth = |stroke: &Stroke| stroke.points.iter().any(|point| point.depth != 0.0);
-    if sketch.strokes.iter().any(|s| s.tool == Tool::SpaceBranch || has_depth(s)) {
+    let is_in_space = |stroke: &Stroke| stroke.tool == Tool::SpaceBranch || has_depth(stroke);
+    if !sketch.wood_poses.is_empty() || sketch.strokes.iter().any(|stroke| is_in_space(stroke)) {
         return 6;
     }
     if !sketch.petal_shapes.is_empty() {

@@ -28,6 +28,7 @@ pub mod stroke_reading;
 pub mod svg;
 pub mod textures;
 pub(crate) mod warnings;
+pub mod wood_poses;
 
 pub use change::{Change, StrokeChange};
 pub use corrections::{Correction, Corrections, Verdict};
@@ -41,6 +42,8 @@ pub use remark::{Remark, Warning};
 pub use step::Step;
 pub use stroke_reading::Reading;
 pub use textures::{TextureChoice, Textures};
+
+pub use wood_poses::{WoodPose, WoodPoses};
 
 pub use crate::picture::Picture;
 
@@ -176,6 +179,8 @@ pub struct Sketch {
     pub corrections: Corrections,
     /// What the artist makes of petals.
     pub petal_shapes: PetalShapes,
+    /// How the artist turned and bent branches.
+    pub wood_poses: WoodPoses,
     /// The strokes, oldest first.
     pub strokes: Vec<Arc<Stroke>>,
 }
@@ -193,6 +198,7 @@ impl Sketch {
             plants: Vec::new(),
             corrections: Corrections::default(),
             petal_shapes: PetalShapes::default(),
+            wood_poses: WoodPoses::default(),
             strokes: Vec::new(),
         }
     }

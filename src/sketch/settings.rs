@@ -1,6 +1,8 @@
 //! What belongs to a drawing besides its strokes, each setting listed once: as changes ask for it and as steps keep it.
 
-use super::{Canvas, Corrections, PetalShapes, Picture, PlacedPlant, Reference, Sketch, Textures, textures};
+use super::{
+    Canvas, Corrections, PetalShapes, Picture, PlacedPlant, Reference, Sketch, Textures, WoodPoses, textures,
+};
 use serde_json::{Map, Value};
 use std::sync::Arc;
 
@@ -54,6 +56,8 @@ settings! {
     corrections: Corrections,
     /// All shapes of petals.
     petal_shapes: PetalShapes,
+    /// All poses of branches.
+    wood_poses: WoodPoses,
 }
 
 impl Settings {

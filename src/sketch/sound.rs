@@ -5,6 +5,7 @@ use super::invariants::{check_stroke, is_in_range};
 use super::plants::PlantsError;
 use super::{
     Canvas, ReferenceError, Stroke, StrokePoint, corrections, limits, petal_shapes, plants, textures,
+    wood_poses,
 };
 use glam::Vec2;
 use serde_json::{Map, Value};
@@ -50,6 +51,9 @@ pub enum ChangeError {
     /// Too many shapes of petals, or one that cannot be kept.
     #[error("{0}")]
     PetalShapes(String),
+    /// Too many poses of branches, or one that is no turn.
+    #[error("{0}")]
+    WoodPoses(String),
     /// The picture under the drawing.
     #[error(transparent)]
     Reference(#[from] ReferenceError),
@@ -75,6 +79,7 @@ pub(super) fn made_sound(mut change: Change) -> Result<Change, ChangeError> {
     settings.plants.as_deref().map_or(Ok(()), plants::check)?;
     settings.corrections.as_deref().map_or(Ok(()), corrections::check).map_err(ChangeError::Corrections)?;
     settings.petal_shapes.as_deref().map_or(Ok(()), petal_shapes::check).map_err(ChangeError::PetalShapes)?;
+    settings.wood_poses.as_deref().map_or(Ok(()), wood_poses::check).map_err(ChangeError::WoodPoses)?;
     settings.reference.iter().flatten().try_for_each(|reference| reference.check())?;
     Ok(change)
 }

@@ -53,7 +53,7 @@ fn add_flower(plant: &mut Plant, at: Vec3, axis: Vec3, opening_rad: f32, centre_
         let around = Quat::from_axis_angle(axis, TAU * k as f32 / petals as f32) * side;
         let direction = axis * opening_rad.cos() + around * opening_rad.sin();
         let v = Vec3::new(direction.x, direction.y, 0.0).normalize_or(Vec3::Y);
-        let rest = RestSurface::Cone { cone, hint: (at + direction * reach).z };
+        let rest = RestSurface::Cone { cone, hint: (at + direction * reach).z, sight: Vec3::Z };
         let template = template(plant, 0.9 * reach, Detail::Full);
         let mut petal = leaf(template, at + direction * 0.1 * reach, branch, Some(u64::from(k)));
         petal.role = Role::of(OrganPart::Petal);

@@ -111,6 +111,32 @@ fn shapes_of_petals_that_mean_nothing_are_refused() {
 }
 
 #[test]
+fn poses_of_branches_that_mean_nothing_are_refused() {
+    let with = |poses: &str| {
+        GOOD.replace("\"strokes\": [\n", &format!("\"wood_poses\": {poses},\n  \"strokes\": [\n"))
+    };
+    let good = r#"{"stroke": 3, "turn": [0, 0.6, 0, 0.8]}"#;
+    let poses = read(&with(&format!("[{good}]"))).unwrap().0.wood_poses;
+    assert_eq!((poses.len(), poses[0].stroke, poses[0].turn.y), (1, 3, 0.6));
+    for (bad, part) in [
+        (
+            r#"{"stroke": 4, "turn": [0, 0, 0, 0]}"#,
+            "the `turn` of stroke 4 is no turn; write the four numbers",
+        ),
+        (r#"{"stroke": 4, "bend": [0, 0, 0, 1.1]}"#, "the `bend` of stroke 4"),
+        (r#"{"stroke": 4, "turn": [0, 0, 1]}"#, "an array of length 4"),
+        (r#"{"stroke": 3}"#, "stroke 3 has two poses"),
+        (r#"{"turn": [0, 0, 0, 1]}"#, "missing field `stroke`"),
+        (r#"{"stroke": 4, "why": 1}"#, "unknown field `why`"),
+    ] {
+        assert_message(&with(&format!("[{good}, {bad}]")), &[part, "line "]);
+    }
+    assert_message(&with("{}"), &["a list of poses of branches"]);
+    let many: Vec<String> = (0..=limits::MAX_WOOD_POSES).map(|id| format!(r#"{{"stroke": {id}}}"#)).collect();
+    assert_message(&with(&format!("[{}]", many.join(","))), &["poses of branches", "4096"]);
+}
+
+#[test]
 fn endless_shapes_of_petals_are_refused() {
     let shape = |strokes: &str| format!(r#"{{"strokes": [{strokes}], "offsets": {}}}"#, offsets("[0, 0, 0]"));
     let all = vec![shape("3"); limits::MAX_PETAL_SHAPES].join(",");

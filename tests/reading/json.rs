@@ -1,10 +1,10 @@
 //! The sketch file: what it means, and that writing and reading are inverse.
 
 use super::{read, with_points, with_strokes};
-use glam::{Vec3, vec2};
+use glam::{Quat, Vec3, vec2};
 use penstemon::sketch::{
     Canvas, Correction, Maker, PetalShape, Picture, PlacedPlant, Reading, Reference, SeedOf, Sketch, Stroke,
-    StrokePoint, TextureChoice, Tool, Verdict, from_bytes, json, limits, textures,
+    StrokePoint, TextureChoice, Tool, Verdict, WoodPose, from_bytes, json, limits, textures,
 };
 use proptest::prelude::*;
 use serde_json::{Map, Value};
@@ -170,6 +170,20 @@ fn petal_shape() -> impl Strategy<Value = PetalShape> {
         .prop_map(|(strokes, offsets)| PetalShape::new(strokes, offsets.map(|row| row.map(Vec3::from))))
 }
 
+fn wood_poses() -> impl Strategy<Value = Vec<WoodPose>> {
+    let turn = || {
+        prop_oneof![
+            Just(Quat::IDENTITY),
+            prop::array::uniform3(-3.0_f32..3.0)
+                .prop_map(|angles| Quat::from_scaled_axis(Vec3::from(angles)))
+        ]
+    };
+    let poses = prop::collection::btree_map(any::<u64>(), (turn(), turn()), 0..4);
+    poses.prop_map(|poses| {
+        poses.into_iter().map(|(stroke, (turn, bend))| WoodPose { stroke, turn, bend }).collect()
+    })
+}
+
 prop_compose! {
     fn sketch()(
         size in (1e-3_f32..1e6, 1e-3_f32..1e6),
@@ -181,6 +195,7 @@ prop_compose! {
         plants in prop::collection::vec(placed_plant(), 0..4),
         corrections in prop::collection::vec(correction(), 0..4),
         petal_shapes in prop::collection::vec(petal_shape(), 0..3),
+        wood_poses in wood_poses(),
         strokes in prop::collection::btree_map(
             any::<u64>(),
             (prop::sample::select(&Tool::ALL[..]), prop::collection::vec(point(), 2..20)),
@@ -189,7 +204,7 @@ prop_compose! {
     ) -> Sketch {
         let strokes = strokes.into_iter().map(|(id, (tool, points))| Arc::new(Stroke { id, tool, points })).collect();
         let canvas = Canvas { width: size.0, height: size.1 };
-        Sketch { canvas, species, seed, params: params.into_iter().collect(), textures, reference, plants, corrections: corrections.into(), petal_shapes: petal_shapes.into(), strokes }
+        Sketch { canvas, species, seed, params: params.into_iter().collect(), textures, reference, plants, corrections: corrections.into(), petal_shapes: petal_shapes.into(), wood_poses: wood_poses.into(), strokes }
     }
 }
 

@@ -31,6 +31,7 @@ mod petals;
 mod program;
 mod reference;
 mod screen;
+mod space;
 mod trouble;
 mod turn;
 mod wayland;

@@ -162,10 +162,13 @@ fn about(center: DVec2, what: DAffine2) -> DAffine2 {
 /// The stroke moved; points stay within the largest canvas.
 pub fn transformed(stroke: &Stroke, transform: &DAffine2) -> Stroke {
     let most = Vec2::splat(limits::MAX_COORDINATE);
+    // What lies in front of the sheet grows with what lies on it.
+    let growth = transform.matrix2.determinant().abs().sqrt() as f32;
     let moved = |p: &StrokePoint| {
         let position = transform.transform_point2(p.position.as_dvec2()).as_vec2();
         let position = if position.is_nan() { p.position } else { position.clamp(-most, most) };
-        StrokePoint { position, ..*p }
+        let depth = (p.depth * growth).clamp(-limits::MAX_COORDINATE, limits::MAX_COORDINATE);
+        StrokePoint { position, depth: if depth.is_nan() { p.depth } else { depth }, ..*p }
     };
     Stroke { id: stroke.id, tool: stroke.tool, points: stroke.points.iter().map(moved).collect() }
 }
@@ -244,6 +247,16 @@ mod tests {
             assert_eq!((once.points[0].position, once.points[0].tilt_deg), (place, tilt));
             assert_eq!(mirrored(&once, bounds().center(), mirror), stroke);
         }
+    }
+
+    #[test]
+    fn what_lies_in_front_of_the_sheet_grows_along() {
+        let point = StrokePoint { depth: 12.0, ..StrokePoint::at(Vec2::new(15.0, 40.0)) };
+        let stroke = Stroke { id: 3, tool: Default::default(), points: vec![point] };
+        let depth = |transform: DAffine2| transformed(&stroke, &transform).points[0].depth;
+        assert_eq!(depth(DAffine2::from_scale(DVec2::splat(2.0))), 24.0);
+        assert!((depth(DAffine2::from_angle(0.7)) - 12.0).abs() < 1e-5);
+        assert_eq!(mirrored(&stroke, DVec2::ZERO, Mirror::LeftRight).points[0].depth, 12.0);
     }
 
     #[test]

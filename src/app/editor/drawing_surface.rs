@@ -36,12 +36,13 @@ impl DrawingSurface {
         }
     }
 
-    /// What of the line lies beyond where the pen has come.
-    pub(super) fn rest(&self) -> &[Vec3] {
-        match self {
-            Self::Plane { .. } => &[],
-            Self::Ruled { line, from, .. } => line.get(from.ceil() as usize..).unwrap_or(&[]),
-        }
+    /// Of a ruled surface, how high over its line a place on it is, and what of the line lies beyond where the pen has come.
+    pub(super) fn beyond(&self, place: Vec3) -> Option<(Vec3, &[Vec3])> {
+        let Self::Ruled { line, along, from } = self else { return None };
+        let i = from.floor() as usize;
+        let here = line.get(i)?.lerp(*line.get(i + 1).or(line.get(i))?, from.fract());
+        let rest = line.get(from.ceil() as usize..).unwrap_or(&[]);
+        Some(((place - here).project_onto(*along), rest))
     }
 }
 
@@ -83,7 +84,8 @@ mod tests {
             let depth = 1.0 - (1.0 - x * x).sqrt();
             assert!((met.z - depth).abs() < 2e-3, "{met}, plan {depth}");
         }
-        assert!(!surface.rest().is_empty());
+        let (height, rest) = surface.beyond(Vec3::new(0.81, 0.405, 0.0)).unwrap();
+        assert!((height - Vec3::Y * 0.405).length() < 1e-4 && !rest.is_empty(), "{height}");
     }
 
     #[test]

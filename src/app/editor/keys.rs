@@ -70,6 +70,7 @@ impl Editor {
             Key::Delete | Key::Backspace => Some(self.delete()),
             Key::K => Some(Action::ShapePetals(!self.petals.is_on)),
             Key::W => Some(Action::DrawInSpace(!self.space.is_on)),
+            Key::J => Some(Action::PoseWood(!self.posing.is_on)),
             Key::G => Some(Action::ShowDialog(Dialog::PlantSpecies(None))),
             Key::Home | Key::Num0 => Some(Action::FitCanvas),
             Key::Num1 => Some(Action::FrontView),

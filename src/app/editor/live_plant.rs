@@ -265,6 +265,7 @@ impl LivePlant {
             plants,
             corrections,
             petal_shapes,
+            wood_poses,
             strokes,
         } = sketch;
         if !(matches!(canvas.preview(), Preview::Same) && is_same_list(&self.strokes, strokes)) {
@@ -281,6 +282,7 @@ impl LivePlant {
             plants: plants.clone(),
             corrections: corrections.clone(),
             petal_shapes: petal_shapes.clone(),
+            wood_poses: wood_poses.clone(),
             strokes: Vec::new(),
         };
         self.revisions.submitted += 1;

@@ -32,14 +32,15 @@ impl Editor {
             self.dialogs.close_part_menu();
         }
         let at = event.sample.position;
-        let over_carried = is_down && (self.hold_control_point(at) || self.is_over_selected_plant(at));
+        let over_carried =
+            is_down && (self.hold_control_point(at) || self.hold_wood(at) || self.is_over_selected_plant(at));
         let draws = is_down && self.begin_in_space(&event.sample);
         let keys = Keys { shift: self.canvas.is_shift_held(), over_carried, draws };
         self.pens.in_plant.event(event, keys, &mut self.plant);
         self.carry();
         self.draw_in_space();
         if matches!(event.phase, PenPhase::Up | PenPhase::Leave | PenPhase::Cancel) {
-            self.petals.hold = None;
+            (self.petals.hold, self.posing.hold) = (None, None);
             self.drawing.end_merging();
         }
     }

@@ -25,9 +25,8 @@ impl Editor {
     pub(super) fn perform_on_petals(&mut self, action: Action) {
         match action {
             Action::ShapePetals(on) => {
+                self.lay_down_plant_tools();
                 self.petals.is_on = on;
-                self.petals.let_go();
-                self.space.is_on &= !on;
             }
             Action::MirrorPetals(on) => self.petals.is_lopsided = !on,
             Action::SetPetalPoint(offset) => {

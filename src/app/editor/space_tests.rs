@@ -3,6 +3,7 @@
 use super::*;
 use crate::app::editor::test_window::{build, frame, touch, with_sketch};
 use crate::sketch::json;
+use glam::DVec2;
 
 /// The stem of the drawing: the branch that stands on the ground.
 fn stem(editor: &Editor) -> Branch {

@@ -2,6 +2,7 @@
 
 use super::drawing_surface::DrawingSurface;
 use super::live_plant::UnderPen;
+use super::stroke_frame::StrokeFrame;
 use crate::app::work_surface::WorkSurface;
 use crate::sketch::{StrokeId, StrokePoint, Tool};
 use glam::{DVec2, Vec3};
@@ -11,8 +12,9 @@ use glam::{DVec2, Vec3};
 pub(super) struct SpaceStroke {
     pub(super) id: StrokeId,
     pub(super) surface: DrawingSurface,
+    pub(super) frame: StrokeFrame,
     pub(super) began_ms: f64,
-    /// Its samples so far, canvas pixels.
+    /// Its samples so far, at least one, canvas pixels.
     pub(super) points: Vec<StrokePoint>,
     /// It takes the place of a branch that is there, which is lifted.
     pub(super) lifts: bool,

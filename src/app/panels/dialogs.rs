@@ -185,8 +185,14 @@ fn about(ui: &mut Ui, height: f32, messages: &Messages, out: &mut Vec<Action>) {
         widgets::section(ui, messages.get(Msg::AboutStartTitle), |ui| {
             ui.spacing_mut().interact_size.y = 28.0;
             ui.spacing_mut().item_spacing.y = 3.0;
-            let steps =
-                [Msg::AboutStart1, Msg::AboutStart2, Msg::AboutStart3, Msg::AboutStart4, Msg::AboutStart5];
+            let steps = [
+                Msg::AboutStart1,
+                Msg::AboutStart2,
+                Msg::AboutStart3,
+                Msg::AboutStart4,
+                Msg::AboutStart5,
+                Msg::AboutStart6,
+            ];
             for (number, msg) in steps.into_iter().enumerate() {
                 ui.horizontal(|ui| {
                     let (rect, _) = ui.allocate_exact_size(Vec2::splat(26.0), Sense::hover());
@@ -226,6 +232,7 @@ fn shortcuts(ui: &mut Ui, messages: &Messages) {
         ("G", Msg::BesideAddTitle),
         ("K", Msg::PetalsShape),
         ("W", Msg::SpaceDraw),
+        ("J", Msg::PoseWood),
         ("Ctrl+C", Msg::EditCopy),
         ("Ctrl+X", Msg::EditCut),
         ("Ctrl+V", Msg::EditPaste),

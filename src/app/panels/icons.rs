@@ -51,6 +51,10 @@ icons! {
     LevelSurface: ["M7.5 8 L22 8 L16.5 17 L2 17 Z", "M6.5 14.8 C9 11.5 13 10 17.5 10.2"];
     /// A pane that stands on a bent line.
     LiftedSurface: ["M3 20 C8 15.5 14 22 21 17.5", "M3 20 L3 9 C8 4.5 14 11 21 6.5 L21 17.5", "M5.5 15.5 C10 12.5 13.5 14.5 18.5 9.5"];
+    /// A branch that is turned about its foot.
+    TurnBranch: ["M5 21 L5 4", "M5 21 L18 9", "M8.5 6 C13 5.5 16.5 7 18.5 8.5", "M15.2 4.6 L18.7 8.7 L13.6 9.6"];
+    /// A branch that is bent.
+    BendBranch: ["M5 21 L5 4", "M5 21 C5 13 9 8 18.5 7", "M8 3.5 C11 2.8 14 3.6 16.5 6", "M12.8 6.8 L17 6.4 L16.4 2.4"];
     /// Twigs inside an outline.
     BranchOutline: ["M9 3.2 L11 2.5", "M14 2.6 L16.2 3.8", "M18.8 6 L20 8.5", "M20.3 11.5 L19.4 14", "M17.4 16 L15 17", "M4.6 6.2 L3.8 8.8", "M3.8 11.6 L4.9 14", "M6.9 16 L9.2 17", "M6.2 4.8 L7.2 4.1", "M12 22 L12 8", "M12 14 L8.2 9.5", "M12 12 L15.8 8"];
     /// Leaves inside an outline.

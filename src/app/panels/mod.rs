@@ -25,6 +25,7 @@ mod path_dialog;
 pub mod pen;
 pub mod petals;
 mod plant_tools;
+mod pose;
 pub mod presets;
 pub mod rail;
 pub mod readings;

@@ -2,7 +2,7 @@
 
 use super::snapshot::Snapshot;
 use super::widgets::{card, note};
-use super::{petals, space};
+use super::{petals, pose, space};
 use crate::app::action::Action;
 use crate::app::messages::Messages;
 use egui::{Align2, Area, Context, Id, Margin, Order, Rect, vec2};
@@ -18,9 +18,9 @@ pub(super) fn show(
     messages: &Messages,
     out: &mut Vec<Action>,
 ) {
-    let (of_petals, of_branches) = (snapshot.petals, snapshot.space);
+    let (of_petals, of_branches, of_poses) = (snapshot.petals, snapshot.space, snapshot.pose);
     let has_petals = of_petals.any || of_petals.on;
-    let has_wood = of_branches.any || of_branches.on;
+    let has_wood = of_branches.any || of_branches.on || of_poses.on;
     if !(has_petals || has_wood) || plant.width() < 80.0 {
         return;
     }
@@ -34,13 +34,15 @@ pub(super) fn show(
             ui.horizontal(|ui| {
                 if has_wood {
                     space::buttons(ui, &of_branches, messages, out);
+                    pose::buttons(ui, &of_poses, messages, out);
                 }
                 if has_petals {
                     petals::buttons(ui, &of_petals, messages, out);
                 }
             });
             let said = of_petals.on.then(|| petals::said(&of_petals));
-            if let Some(said) = said.or_else(|| of_branches.on.then(|| space::said(&of_branches))) {
+            let said = said.or_else(|| of_branches.on.then(|| space::said(&of_branches)));
+            if let Some(said) = said.or_else(|| of_poses.on.then(|| pose::said(&of_poses))) {
                 ui.set_max_width(WIDTH.min(plant.width() - 32.0));
                 note(ui, messages.get(said));
             }

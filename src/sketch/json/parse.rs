@@ -9,12 +9,13 @@ use super::plants::PlantsSeed;
 use super::point::PointsSeed;
 use super::progress::{Progress, set_once};
 use super::reference::ReferenceSeed;
+use super::wood_poses::WoodPosesSeed;
 use crate::quote;
 use crate::sketch::draft::{Draft, DraftStroke, Flaw};
 use crate::sketch::error::Fault;
 use crate::sketch::textures::{self, ChoiceText};
 use crate::sketch::{
-    Canvas, Corrections, PetalShapes, Picture, PlacedPlant, Reference, Textures, Tool, limits,
+    Canvas, Corrections, PetalShapes, Picture, PlacedPlant, Reference, Textures, Tool, WoodPoses, limits,
 };
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
@@ -50,6 +51,7 @@ enum SketchField {
     Plants,
     Corrections,
     PetalShapes,
+    WoodPoses,
     Strokes,
 }
 
@@ -94,6 +96,7 @@ struct Fields {
     plants: Option<Vec<PlacedPlant>>,
     corrections: Option<Corrections>,
     petal_shapes: Option<PetalShapes>,
+    wood_poses: Option<WoodPoses>,
     strokes: Option<Vec<DraftStroke>>,
 }
 
@@ -144,6 +147,9 @@ impl Fields {
                     "petal_shapes",
                 )?;
             }
+            SketchField::WoodPoses => {
+                set_once(&mut self.wood_poses, map.next_value_seed(WoodPosesSeed(progress))?, "wood_poses")?;
+            }
             SketchField::Pictures => {
                 set_once(&mut self.pictures, map.next_value_seed(PicturesSeed(progress))?, "pictures")?;
             }
@@ -160,7 +166,7 @@ impl Fields {
     /// The drawing that the fields are, once all have been read.
     fn draft<E: Error>(self, progress: &Progress) -> Result<Draft, E> {
         let Self { format, version, canvas, species, seed, params, textures, .. } = self;
-        let Self { reference, pictures, plants, corrections, petal_shapes, strokes, .. } = self;
+        let Self { reference, pictures, plants, corrections, petal_shapes, wood_poses, strokes, .. } = self;
         fault::check_format(format.as_deref()).map_err(|fault| progress.refuse(fault))?;
         if version.is_none() {
             return Err(progress.malformed("the `version` is missing; write \"version\": 1"));
@@ -181,6 +187,7 @@ impl Fields {
             plants: plants.unwrap_or_default(),
             corrections: corrections.unwrap_or_default(),
             petal_shapes: petal_shapes.unwrap_or_default(),
+            wood_poses: wood_poses.unwrap_or_default(),
             strokes,
         })
     }

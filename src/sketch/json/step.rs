@@ -11,6 +11,7 @@ use super::parse::StrokeSeed;
 use super::petal_shapes::{self, PetalShapeList};
 use super::plants::{self, Plants};
 use super::progress::Progress;
+use super::wood_poses::{self, WoodPoseList};
 use super::write::{push_placement, push_stroke};
 use crate::sketch::invariants::check_stroke;
 use crate::sketch::settings::Settings;
@@ -48,8 +49,18 @@ pub(in crate::sketch) fn write(step: &Step) -> String {
         out.push('}');
     }
     out.push(']');
-    let Settings { canvas, species, seed, params, textures, reference, plants, corrections, petal_shapes } =
-        &step.after;
+    let Settings {
+        canvas,
+        species,
+        seed,
+        params,
+        textures,
+        reference,
+        plants,
+        corrections,
+        petal_shapes,
+        wood_poses,
+    } = &step.after;
     push_field(&mut out, "canvas", canvas);
     push_field(&mut out, "species", species);
     push_field(&mut out, "seed", seed);
@@ -58,6 +69,7 @@ pub(in crate::sketch) fn write(step: &Step) -> String {
     push_list(&mut out, "plants", plants.as_deref(), plants::push);
     push_list(&mut out, "corrections", corrections.as_deref(), corrections::push);
     push_list(&mut out, "petal_shapes", petal_shapes.as_deref(), petal_shapes::push);
+    push_list(&mut out, "wood_poses", wood_poses.as_deref(), wood_poses::push);
     match reference {
         None => {}
         Some(None) => out.push_str(", \"reference\": null"),
@@ -101,6 +113,7 @@ struct StepText {
     plants: Option<Plants>,
     corrections: Option<CorrectionList>,
     petal_shapes: Option<PetalShapeList>,
+    wood_poses: Option<WoodPoseList>,
     #[serde(default, deserialize_with = "given")]
     reference: Option<Option<ReferenceText>>,
 }
@@ -186,11 +199,21 @@ pub(in crate::sketch) fn replay(
             return Err("it changes a stroke that is not there".to_owned());
         }
     }
-    let StepText { canvas, species, seed, params, plants, corrections, petal_shapes, .. } = text;
+    let StepText { canvas, species, seed, params, plants, corrections, petal_shapes, wood_poses, .. } = text;
     let (plants, corrections) = (plants.map(|plants| plants.0), corrections.map(|list| list.0));
-    let petal_shapes = petal_shapes.map(|list| list.0);
-    let settings =
-        Settings { canvas, species, seed, params, textures, reference, plants, corrections, petal_shapes };
+    let (petal_shapes, wood_poses) = (petal_shapes.map(|list| list.0), wood_poses.map(|list| list.0));
+    let settings = Settings {
+        canvas,
+        species,
+        seed,
+        params,
+        textures,
+        reference,
+        plants,
+        corrections,
+        petal_shapes,
+        wood_poses,
+    };
     settings.carry_out(sketch);
     Ok(())
 }

@@ -6,6 +6,7 @@ mod beside;
 mod params;
 mod pen;
 mod petals;
+mod pose;
 mod readings;
 mod space;
 mod status;
@@ -14,6 +15,7 @@ pub use beside::{BesideState, PlantState};
 pub use params::ParamValues;
 pub use pen::{PenLive, PenState};
 pub use petals::{PetalPoint, PetalState};
+pub use pose::PoseState;
 pub use readings::{ReadTogether, Ways};
 pub use space::SpaceState;
 pub use status::{Autosave, Found, PenUsed, Status, Task};
@@ -84,6 +86,8 @@ pub struct Snapshot {
     pub petals: PetalState,
     /// Branches that are being drawn in space.
     pub space: SpaceState,
+    /// Branches that are being turned and bent.
+    pub pose: PoseState,
     /// Presets in the artist's folder.
     pub presets: Vec<Listed>,
     /// The reference picture under the drawing.

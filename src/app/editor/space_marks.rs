@@ -1,0 +1,95 @@
+//! Where branches can begin in the view of the plant, and what is painted over it while they are drawn.
+
+use super::Editor;
+use super::beside::to_points;
+use super::drawing_surface::DrawingSurface;
+use crate::app::theme::Palette;
+use crate::modelling::GROUND_REACH;
+use crate::plant::Branch;
+use egui::{Painter, Pos2};
+use glam::{DVec2, Vec3};
+
+/// Distance from wood within which a branch begins on it, points.
+const REACH: f64 = 14.0;
+/// Sine of the camera's slope from which the ground is drawn on from above.
+const FROM_ABOVE: f32 = 0.35;
+/// How far from the plant a trunk may stand, in heights of it.
+const AROUND: f32 = 1.5;
+
+impl Editor {
+    /// The drawn branch under a place in the window, physical pixels, by its place, and the place on its axis; of several
+    /// the one in front.
+    pub(super) fn wood_at(&self, at: DVec2) -> Option<(usize, Vec3)> {
+        let forward = self.plant.forward()?;
+        let places =
+            self.drawn_wood().filter_map(|(index, branch)| Some((index, self.place_on(branch, at)?)));
+        places.min_by(|a, b| a.1.dot(forward).total_cmp(&b.1.dot(forward)))
+    }
+
+    /// The place on the axis of a branch that is seen nearest to a place in the window, if that is over the branch, or as near
+    /// as a finger is thick.
+    pub(super) fn place_on(&self, branch: &Branch, at: DVec2) -> Option<Vec3> {
+        let reach = REACH * self.plant.pixels_per_point();
+        let right = self.plant.forward()?.cross(Vec3::Y).try_normalize().unwrap_or(Vec3::X);
+        let seen: Vec<Option<DVec2>> = branch.points.iter().map(|p| self.plant.seen_at(*p)).collect();
+        let piece = |(i, ends): (usize, &[Option<DVec2>])| {
+            let (a, b) = (ends[0]?, ends[1]?);
+            let share = nearest_share(a, b, at);
+            Some((a.lerp(b, share).distance(at), i, share as f32))
+        };
+        let pieces = seen.windows(2).enumerate().filter_map(piece);
+        let (away, i, share) = pieces.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let place = branch.points[i].lerp(branch.points[i + 1], share);
+        let (axis, edge) = (self.plant.seen_at(place)?, self.plant.seen_at(place + branch.radii[i] * right)?);
+        (away <= reach.max(edge.distance(axis))).then_some(place)
+    }
+
+    /// Where a trunk would stand on the ground under a place in the window; none where that is far from the plant.
+    pub(super) fn ground_at(&self, at: DVec2) -> Option<Vec3> {
+        let (low, high) = self.plant.bounds()?;
+        let (forward, ray) = (self.plant.forward()?, self.plant.ray(self.plant.place(at))?);
+        let middle = low.midpoint(high).with_y(0.0);
+        let height = (high.y - low.y).max((high.x - low.x) * 0.5);
+        let is_from_above = forward.y <= -FROM_ABOVE;
+        let (through, normal) = match is_from_above {
+            true => (Vec3::ZERO, Vec3::Y),
+            false => (middle, forward.with_y(0.0).normalize_or(Vec3::Z)),
+        };
+        let met = DrawingSurface::Plane { through, normal }.met_by(&ray)?;
+        let is_low = is_from_above || met.y.abs() <= 2.0 * GROUND_REACH * height;
+        let is_near = met.with_y(0.0).distance(middle) <= AROUND * height;
+        (is_low && is_near).then(|| met.with_y(0.0))
+    }
+
+    /// Notes where the pointer hovers over the plant, logical pixels of the window; none elsewhere.
+    pub(super) fn hover_in_space(&mut self, at: Option<Pos2>) {
+        let scale = self.plant.pixels_per_point();
+        let is_idle = self.space.stroke.is_none() && self.posing.hold.is_none();
+        let at = at.filter(|_| is_idle).map(|at| DVec2::new(at.x.into(), at.y.into()) * scale);
+        let on_wood = |at: DVec2| self.wood_at(at).map(|(_, place)| place);
+        let begin = at.and_then(|at| match (self.space.is_on, self.posing.is_on) {
+            (true, _) => on_wood(at).or_else(|| self.ground_at(at)),
+            (_, true) => on_wood(at),
+            _ => None,
+        });
+        self.space.hovered = begin.and_then(|begin| self.plant.seen_at(begin));
+    }
+
+    /// Paints where a branch would begin, and the line under the pen.
+    pub(super) fn paint_in_space(&self, painter: &Painter, palette: &Palette) {
+        let scale = self.plant.pixels_per_point();
+        if let Some(at) = self.space.hovered {
+            painter.circle(to_points(at, scale), 5.0, palette.accent, (1.5, palette.panel));
+        }
+        let Some(stroke) = &self.space.stroke else { return };
+        let seen = stroke.points.iter().filter_map(|point| self.plant.seen_at(stroke.frame.place(point)));
+        let line: Vec<Pos2> = seen.map(|at| to_points(at, scale)).collect();
+        painter.line(line, (2.0, palette.accent));
+    }
+}
+
+/// Share of the way from `a` to `b` of the place nearest to a point.
+fn nearest_share(a: DVec2, b: DVec2, at: DVec2) -> f64 {
+    let way = b - a;
+    ((at - a).dot(way) / way.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0)
+}

@@ -1,0 +1,12 @@
+//! Branches that are being turned and bent, as the card over the plant shows them.
+
+/// How branches are being turned and bent.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PoseState {
+    /// Whether the tool is in hand.
+    pub on: bool,
+    /// Whether it bends branches, not turns them.
+    pub bends: bool,
+    /// Whether the branch that was held last stands otherwise than it was drawn.
+    pub posed: bool,
+}
