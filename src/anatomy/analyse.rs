@@ -17,7 +17,7 @@ use super::{
     reading::{self, IgnoreParams, Reading, Readings, Rules},
 };
 use crate::sketch::warnings::Warnings;
-use crate::sketch::{Remark, Sketch, Stroke, StrokeId, Warning};
+use crate::sketch::{Remark, Sketch, Stroke, StrokeId, Tool, Warning};
 use glam::Vec2;
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
@@ -242,7 +242,7 @@ fn marks(readings: &[Arc<Reading>], petals: &[FlatBlade], centres: &[StrokeId]) 
 }
 
 /// The verdicts on drawn strokes from those on the strokes that were made of them: what a stroke became first counts. One that
-/// became nothing is ignored.
+/// became nothing is ignored; what was drawn in space is a branch, and not read.
 fn of_drawn(strokes: &[Arc<Stroke>], pieces: &BTreeMap<StrokeId, Piece>, read: Vec<Mark>) -> Vec<Mark> {
     if read.len() == strokes.len() && pieces.is_empty() {
         return read;
@@ -256,8 +256,11 @@ fn of_drawn(strokes: &[Arc<Stroke>], pieces: &BTreeMap<StrokeId, Piece>, read: V
             }),
         }
     }
-    let nothing = |stroke| Mark { stroke, part: Part::Ignored, confidence: 1.0 };
-    strokes.iter().map(|s| first.remove(&s.id).unwrap_or_else(|| nothing(s.id))).collect()
+    let unread = |stroke: &Stroke| {
+        let part = if stroke.tool == Tool::SpaceBranch { Part::Branch } else { Part::Ignored };
+        Mark { stroke: stroke.id, part, confidence: 1.0 }
+    };
+    strokes.iter().map(|stroke| first.remove(&stroke.id).unwrap_or_else(|| unread(stroke))).collect()
 }
 
 #[cfg(test)]

@@ -175,7 +175,7 @@ impl Drawing<'_> {
 
     /// Adds strokes that became nothing else.
     fn add_strokes(&mut self, sketch: &Sketch) {
-        for (stroke, mark) in sketch.on_sheet().iter().zip(&self.anatomy.marks) {
+        for (stroke, mark) in sketch.strokes.iter().zip(&self.anatomy.marks) {
             if self.about.contains(&stroke.id) && !self.made.contains(&stroke.id) {
                 let part = shown(self.anatomy, stroke.id, mark.part);
                 let points = stroke.points.iter().map(|p| p.position).collect();

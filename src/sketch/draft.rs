@@ -194,7 +194,8 @@ fn bring_into_range(id: StrokeId, points: &mut [StrokePoint], warnings: &mut War
 
 /// Whether the pen never left its first position.
 fn is_dot(stroke: &Stroke) -> bool {
-    stroke.points.iter().all(|p| p.position == stroke.points[0].position)
+    let place = |p: &StrokePoint| p.position.extend(p.depth);
+    stroke.points.iter().all(|p| place(p) == place(&stroke.points[0]))
 }
 
 /// Bounding box; a side without extent takes the other's, so that the canvas has an area. The default without extent.

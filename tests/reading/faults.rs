@@ -201,11 +201,11 @@ fn files_of_other_kinds() {
 
 #[test]
 fn other_versions() {
-    let newer = r#"{"format": "penstemon-sketch", "layers": [], "version": 6, "strokes": []}"#;
-    assert_message(newer, &["version 6", "reads versions 1 to 5", "newer Penstemon"]);
+    let newer = r#"{"format": "penstemon-sketch", "layers": [], "version": 7, "strokes": []}"#;
+    assert_message(newer, &["version 7", "reads versions 1 to 6", "newer Penstemon"]);
     assert_message(
         &GOOD.replace("\"version\": 1", "\"version\": 0"),
-        &["version 0", "reads versions 1 to 5"],
+        &["version 0", "reads versions 1 to 6"],
     );
     assert_message(&GOOD.replace("\"version\": 1,", ""), &["`version` is missing"]);
     assert_message(&GOOD.replace("\"version\": 1", "\"version\": \"one\""), &["\"one\"", "line 1"]);
@@ -225,6 +225,10 @@ fn numbers_that_are_none() {
 fn coordinates_too_far_out() {
     assert_message(&with_points("[[0, 0], [0, -1e30]]"), &["stroke 1, point 2: coordinate -1e30", "±1e7"]);
     assert!(read(&with_points("[[0, 0], [1e7, -1e7]]")).is_ok());
+    let deep =
+        |depth: &str| with_points(&format!("[[5, 5, 0.5, 0, 0, 0, 0], [5, 5, 0.5, 0, 0, 0, {depth}]]"));
+    assert_message(&deep("-2e7"), &["stroke 1, point 2: coordinate -2e7", "±1e7"]);
+    assert!(read(&deep("-1e7")).is_ok(), "a line straight away from the viewer is none of dots");
     let far = r#"<svg><path id="far" d="M0 0 L1e30 5"/></svg>"#;
     assert_message(far, &["element `far`, line 1, column 6: coordinate 1e30", "±1e7"]);
     let far =
@@ -323,7 +327,7 @@ fn points_of_the_wrong_shape() {
         ("[]", "length 0"),
         ("[1]", "length 1"),
         ("[1, 2, 3, 4]", "length 4"),
-        ("[1, 2, 3, 4, 5, 6, 7]", "length 7"),
+        ("[1, 2, 3, 4, 5, 6, 7, 8]", "length 8"),
         ("{}", "map"),
         ("5", "integer `5`"),
         (r#"["1", 2]"#, "expected a number"),

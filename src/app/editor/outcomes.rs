@@ -32,11 +32,16 @@ impl Editor {
             self.dialogs.close_part_menu();
         }
         let at = event.sample.position;
+        // What a second pointer touches while one is at work is not taken hold of.
+        let begins = is_down && !self.pens.in_plant.is_busy();
         let over_carried =
-            is_down && (self.hold_control_point(at) || self.hold_wood(at) || self.is_over_selected_plant(at));
-        let draws = is_down && self.begin_in_space(&event.sample);
+            begins && (self.hold_control_point(at) || self.hold_wood(at) || self.is_over_selected_plant(at));
+        let draws = begins && self.begin_in_space(&event.sample);
         let keys = Keys { shift: self.canvas.is_shift_held(), over_carried, draws };
         self.pens.in_plant.event(event, keys, &mut self.plant);
+        if draws && !self.pens.in_plant.is_drawing() {
+            self.space.stroke = None;
+        }
         self.carry();
         self.draw_in_space();
         if matches!(event.phase, PenPhase::Up | PenPhase::Leave | PenPhase::Cancel) {
@@ -95,7 +100,9 @@ impl Editor {
         act: impl FnOnce(&mut crate::app::canvas::Canvas, &mut Drawing<'_>, &mut Vec<CanvasOutcome>) -> T,
     ) -> T {
         let mut outcomes = std::mem::take(&mut self.outcomes);
-        let mut last = self.drawing.next_id();
+        // The branch under a pen in the view of the plant has a name already.
+        let in_space = self.space.stroke.as_ref().map_or(0, |stroke| stroke.id.saturating_add(1));
+        let mut last = self.drawing.next_id().max(in_space);
         let mut new_id = || {
             last += 1;
             last - 1

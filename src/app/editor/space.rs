@@ -17,7 +17,7 @@ use crate::app::work_surface::WorkSurface;
 use crate::pen::{PenPhase, PenSample, PenTool};
 use crate::plant::{Branch, WorldFromCanvas};
 use crate::sketch::wood_poses::pose_of;
-use crate::sketch::{Change, Stroke, StrokePoint, Tool, limits};
+use crate::sketch::{Change, Stroke, StrokeId, StrokePoint, Tool, limits};
 use glam::Vec3;
 
 impl Editor {
@@ -45,11 +45,12 @@ impl Editor {
 
     /// Begins a branch at a place in the window, physical pixels; whether there is anything to begin on.
     pub(super) fn begin_in_space(&mut self, sample: &PenSample) -> bool {
-        let (is_on, surface) = (self.space.is_on, self.space_state().surface);
-        let begun = match surface {
-            _ if !is_on => None,
+        let buttons = sample.buttons;
+        let moves_camera = buttons.secondary || buttons.middle || self.canvas.is_shift_held();
+        let begun = match self.space_state().surface {
+            _ if !self.space.is_on || moves_camera => None,
             WorkSurface::Lifted => self.lift_begun(sample),
-            WorkSurface::Facing | WorkSurface::Level => self.branch_begun(sample, surface),
+            surface @ (WorkSurface::Facing | WorkSurface::Level) => self.branch_begun(sample, surface),
         };
         let Some(stroke) = begun else { return false };
         // A plant that becomes larger under the pen does not move away from it.
@@ -67,7 +68,7 @@ impl Editor {
         let motion = on_wood.and_then(|(branch, place)| built.wood.posed.motion_at(branch, place));
         let frame = StrokeFrame { world: self.world()?, motion };
         Some(SpaceStroke {
-            id: self.drawing.next_id(),
+            id: self.unused_id(),
             surface: DrawingSurface::Plane { through: start, normal },
             frame,
             began_ms: sample.time_ms,
@@ -182,6 +183,12 @@ impl Editor {
             PenTool::Finger(_) | PenTool::Mouse => StrokePoint::NEUTRAL_PRESSURE,
         };
         if pressure.is_nan() { StrokePoint::NEUTRAL_PRESSURE } else { pressure.clamp(0.0, 1.0) }
+    }
+
+    /// A name for a branch that no other stroke has, neither that under a pen on the canvas.
+    fn unused_id(&self) -> StrokeId {
+        let on_canvas = self.canvas.growing().map_or(0, |stroke| stroke.id().saturating_add(1));
+        self.drawing.next_id().max(on_canvas)
     }
 
     /// How the drawing maps to the world of the plant that is shown.

@@ -157,3 +157,53 @@ fn a_trunk_stands_beside_the_plant_on_the_ground() {
     let parent = &editor.built().unwrap().plant.branches[branch.parent.unwrap()];
     assert_eq!(parent.points, trunk.points);
 }
+
+#[test]
+fn a_second_pointer_neither_ends_a_branch_nor_leaves_one_that_never_ends() {
+    let home = tempfile::tempdir().unwrap();
+    let (mut editor, _) = with_sketch(&home, "balloon_flower");
+    editor.perform(Action::DrawInSpace(true));
+    let from = on_stem(&editor, 0.4);
+    touch(&mut editor, (PenPhase::Down, PenTool::Pen), from, 0.5);
+    touch(&mut editor, (PenPhase::Move, PenTool::Pen), from + DVec2::X * 40.0, 0.5);
+    let other = on_stem(&editor, 0.2);
+    touch(&mut editor, (PenPhase::Down, PenTool::Mouse), other, 0.5);
+    touch(&mut editor, (PenPhase::Up, PenTool::Mouse), other, 0.0);
+    touch(&mut editor, (PenPhase::Move, PenTool::Pen), from + DVec2::X * 80.0, 0.5);
+    touch(&mut editor, (PenPhase::Up, PenTool::Pen), from + DVec2::X * 80.0, 0.0);
+    assert_eq!(editor.sketch().in_space().count(), 1);
+    // Two fingers move the camera and draw nothing, and the next finger draws.
+    for (finger, at) in [(1, from), (2, from + DVec2::Y * 90.0)] {
+        touch(&mut editor, (PenPhase::Down, PenTool::Finger(finger)), at, 0.5);
+    }
+    for (finger, at) in [(1, from - DVec2::X * 60.0), (2, from + DVec2::Y * 90.0)] {
+        touch(&mut editor, (PenPhase::Move, PenTool::Finger(finger)), at, 0.5);
+        touch(&mut editor, (PenPhase::Up, PenTool::Finger(finger)), at, 0.0);
+    }
+    assert_eq!(editor.sketch().in_space().count(), 1);
+    assert!(editor.space.stroke.is_none());
+    let on = on_stem(&editor, 0.4);
+    draw(&mut editor, PenTool::Finger(3), on, DVec2::new(60.0, -20.0));
+    assert_eq!(editor.sketch().in_space().count(), 2);
+}
+
+#[test]
+fn a_branch_and_a_stroke_on_the_sheet_at_once_are_two_strokes() {
+    let home = tempfile::tempdir().unwrap();
+    let (mut editor, _) = with_sketch(&home, "balloon_flower");
+    editor.perform(Action::DrawInSpace(true));
+    let before = editor.sketch().strokes.len();
+    let from = on_stem(&editor, 0.4);
+    touch(&mut editor, (PenPhase::Down, PenTool::Pen), from, 0.5);
+    touch(&mut editor, (PenPhase::Move, PenTool::Pen), from + DVec2::X * 40.0, 0.5);
+    let sheet = editor.layout.canvas_px();
+    let place = sheet.min + (sheet.max - sheet.min) * 0.1;
+    let steps = [(PenPhase::Down, 0.0), (PenPhase::Move, 20.0), (PenPhase::Move, 60.0), (PenPhase::Up, 60.0)];
+    for (phase, x) in steps {
+        let mut hand = crate::pen::tests::Hand { position: place + DVec2::X * x, ..Default::default() };
+        editor.pen(hand.event(phase, PenTool::Mouse, x));
+    }
+    touch(&mut editor, (PenPhase::Move, PenTool::Pen), from + DVec2::X * 80.0, 0.5);
+    touch(&mut editor, (PenPhase::Up, PenTool::Pen), from + DVec2::X * 80.0, 0.0);
+    assert_eq!(editor.sketch().strokes.len(), before + 2);
+}

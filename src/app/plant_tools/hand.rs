@@ -86,6 +86,16 @@ impl PlantHand {
         self.own = tool;
     }
 
+    /// Whether a pointer is at work.
+    pub fn is_busy(&self) -> bool {
+        self.touch.is_some()
+    }
+
+    /// Whether it draws.
+    pub fn is_drawing(&self) -> bool {
+        self.touch.is_some_and(|touch| touch.at_work == AtWork::Draw)
+    }
+
     /// Handles a pointer that went down over the plant, until it is lifted.
     pub fn event(&mut self, event: &PenEvent, keys: Keys, view: &mut PlantView) {
         if !matches!(event.sample.tool, PenTool::Finger(_)) {
