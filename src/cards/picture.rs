@@ -1,19 +1,14 @@
-//! The picture of a plant's shoots: a column for each, the wide side in the upper row and the narrow one in the lower.
+//! The picture of one shoot, seen from two sides.
 //!
-//! Each is drawn by parallel projection, twice as large as it becomes, with a depth for every pixel, and each pixel of the result is
+//! It is drawn by parallel projection, twice as large as it becomes, with a depth for every pixel, and each pixel of the result is
 //! the mean of four: its alpha says how much of it is covered. Colours are those of the materials, a little lighter where a surface
-//! faces the light above and in front, and where it lies in front of others; their mean stays. What nothing covers has the mean
-//! colour, so that smaller copies of the picture have no dark margins.
+//! faces the light above and in front, and where it lies in front of others; their mean stays.
 
-use super::clusters::Cluster;
 use super::frame::{Frame, Side};
 use super::raster::covered;
 use super::surfaces::{Corner, Surfaces, Triangle};
-use crate::picture::{Picture, decode::Rgba};
-use crate::plant::Shape;
-use crate::srgb::srgb_from_linear;
+use crate::plant::FinishedPlant;
 use glam::{Vec2, Vec3, Vec4};
-use rayon::prelude::*;
 
 /// Pixels that are drawn for one, to each side.
 const FINER: usize = 2;
@@ -32,47 +27,34 @@ pub(super) struct Drawing {
     pub(super) share: f32,
 }
 
-/// The pictures of shoots in one.
-pub(super) struct Atlas {
-    pub(super) picture: Picture,
-    /// The boxes of the shoots that were drawn.
-    frames: Vec<Frame>,
+/// A shoot with its pictures.
+#[derive(Debug)]
+pub(super) struct Painted {
+    /// The box that was drawn.
+    pub(super) frame: Frame,
+    /// By [`Side::ALL`], rows from the top: linear light, straight alpha.
+    pub(super) cells: [Vec<Vec4>; 2],
 }
 
-impl Atlas {
-    /// Draws some of the clusters. `None` where nothing of them is seen.
-    pub(super) fn draw(
+impl Painted {
+    /// Paints a shoot that has about this box. None once `stop` says yes.
+    pub(super) fn new(
         surfaces: &Surfaces<'_>,
-        framed: &[(Cluster, Frame)],
-        shown: &[usize],
+        (excerpt, frame): (&FinishedPlant, &Frame),
         drawing: Drawing,
+        stop: &(dyn Fn() -> bool + Sync),
     ) -> Option<Self> {
-        let side = drawing.pixels as usize;
-        let cells = |shoot: &usize| {
-            let (cluster, frame) = &framed[*shoot];
-            let triangles = surfaces.triangles(cluster);
-            let corners =
-                triangles.iter().flat_map(|triangle| triangle.corners.iter().map(|corner| corner.at));
-            let frame = frame.around_points(corners).unwrap_or(*frame);
-            let seen_from = |of| drawn(&triangles, frame.card(of), side * FINER);
-            (frame, Side::ALL.map(|of| coarser(&seen_from(of), drawing)))
+        let triangles = surfaces.triangles(excerpt, stop)?;
+        let corners = triangles.iter().flat_map(|triangle| triangle.corners.iter().map(|corner| corner.at));
+        let frame = frame.around_points(corners).unwrap_or(*frame);
+        let seen_from = |side| {
+            let fine =
+                (!stop()).then(|| drawn(&triangles, frame.card(side), drawing.pixels as usize * FINER))?;
+            Some(coarser(&fine, drawing))
         };
-        let (frames, cells): (Vec<Frame>, Vec<_>) = shown.par_iter().map(cells).unzip();
-        let picture = joined(&cells, side)?.to_png().ok()?;
-        Some(Self { picture: Picture::new(picture).ok()?, frames })
-    }
-
-    /// The card of a cluster from a side, with the picture of a shoot.
-    pub(super) fn card(&self, frame: &Frame, shoot: usize, side: Side) -> Shape {
-        let (base, u, v) = frame.of_shape(&self.frames[shoot]).card(side);
-        Shape::Card { base, u, v, window: self.window(shoot, side) }
-    }
-
-    /// The part of the picture that shows a shoot from a side.
-    fn window(&self, shoot: usize, side: Side) -> [Vec2; 2] {
-        let column = shoot as f32 / self.frames.len() as f32;
-        let low = Vec2::new(column, if side == Side::Wide { 0.5 } else { 0.0 });
-        [low, low + Vec2::new(1.0 / self.frames.len() as f32, 0.5)]
+        let [wide, narrow] = Side::ALL;
+        let (wide, narrow) = rayon::join(|| seen_from(wide), || seen_from(narrow));
+        Some(Self { frame, cells: [wide?, narrow?] })
     }
 }
 
@@ -141,27 +123,4 @@ fn coarser(pixels: &[Pixel], Drawing { pixels: side, share }: Drawing) -> Vec<Ve
         (sum.truncate() / sum.w.max(1.0)).extend(alpha)
     };
     (0..side * side).map(mean).collect()
-}
-
-/// The cells beside and above one another; `None` if all are empty.
-fn joined(cells: &[[Vec<Vec4>; 2]], side: usize) -> Option<Rgba> {
-    let all = || cells.iter().flatten().flatten();
-    let weight: f32 = all().map(|pixel| pixel.w).sum();
-    if weight <= 0.0 {
-        return None;
-    }
-    let mean = encoded(all().map(|pixel| pixel.truncate() * pixel.w).sum::<Vec3>() / weight);
-    let width = side * cells.len();
-    let pixel = |i: usize| {
-        let (x, y) = (i % width, i / width);
-        let pixel = cells[x / side][y / side][y % side * side + x % side];
-        let [r, g, b] = if pixel.w > 0.0 { encoded(pixel.truncate()) } else { mean };
-        [r, g, b, (255.0 * pixel.w).round() as u8]
-    };
-    let pixels = (0..width * 2 * side).into_par_iter().with_min_len(1 << 12).flat_map_iter(pixel).collect();
-    Some(Rgba { width: width as u32, height: 2 * side as u32, pixels })
-}
-
-fn encoded(colour: Vec3) -> [u8; 3] {
-    colour.to_array().map(|c| (255.0 * srgb_from_linear(c.clamp(0.0, 1.0))).round() as u8)
 }
