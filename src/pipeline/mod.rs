@@ -44,6 +44,7 @@ pub use setup::{
     species_or_usual, usual_species,
 };
 pub use source::{Ages, Bloom, Produced, Seed, Source};
+pub use triangle_budget::coarsened;
 pub use usual_species::{DEFAULT_SPECIES, species_of_habit};
 
 use crate::budget::Budget;
