@@ -1,18 +1,19 @@
-//! The pictures of a plant's shoots in one: a column for each, the wide side in the upper row and the narrow one in the lower.
+//! The pictures of a plant's shoots in one: a column for each, the wide side in the upper row and the narrow one in the lower. Each stands
+//! in the left lower corner of its square.
 //!
 //! What nothing covers has the mean colour, so that smaller copies of the picture have no dark margins. Shoots that are painted are
 //! kept from one build to the next by everything of theirs, and so is the file of the picture, by the shoots in it.
 
 use super::clusters::Cluster;
 use super::frame::{Frame, Side};
-use super::picture::{Drawing, Painted};
+use super::picture::{Cell, Drawing, Painted};
 use super::surfaces::{Look, Surfaces};
 use crate::kept::{Kept, Same, Use};
 use crate::model::PlantRecipe;
 use crate::picture::{Picture, decode::Rgba};
 use crate::plant::{FinishedPlant, Shape};
 use crate::srgb::srgb_from_linear;
-use glam::{Vec2, Vec3};
+use glam::{Vec2, Vec3, Vec4};
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -66,8 +67,10 @@ struct ShootKey {
 /// The pictures of shoots in one.
 pub(super) struct Atlas {
     pub(super) picture: Picture,
-    /// The boxes of the shoots that were drawn.
-    frames: Vec<Frame>,
+    /// The shoots that were drawn.
+    painted: Vec<Arc<Painted>>,
+    /// Width and height of the square of each.
+    pixels: u32,
 }
 
 impl Atlas {
@@ -98,31 +101,31 @@ impl Atlas {
         let same = |painted: &Vec<Arc<Painted>>, used: Use| {
             painted.iter().map(|painted| Same::of(painted, used)).collect()
         };
-        let frames = painted.iter().map(|painted| painted.frame).collect();
         let file = |painted: &Vec<Arc<Painted>>| {
             Picture::new(joined(painted, drawing.pixels as usize)?.to_png().ok()?).ok()
         };
-        let picture = cache.pictures.made(&[painted], same, file).first().cloned().flatten()?;
-        Some(Self { picture, frames })
+        let picture = cache.pictures.made(std::slice::from_ref(&painted), same, file).first();
+        Some(Self { picture: picture.cloned().flatten()?, painted, pixels: drawing.pixels })
     }
 
     /// The card of a cluster from a side, with the picture of a shoot.
     pub(super) fn card(&self, frame: &Frame, shoot: usize, side: Side) -> Shape {
-        let (base, u, v) = frame.of_shape(&self.frames[shoot]).card(side);
+        let (base, u, v) = frame.of_shape(&self.painted[shoot].frame).card(side);
         Shape::Card { base, u, v, window: self.window(shoot, side) }
     }
 
     /// The part of the picture that shows a shoot from a side.
     fn window(&self, shoot: usize, side: Side) -> [Vec2; 2] {
-        let column = shoot as f32 / self.frames.len() as f32;
-        let low = Vec2::new(column, if side == Side::Wide { 0.5 } else { 0.0 });
-        [low, low + Vec2::new(1.0 / self.frames.len() as f32, 0.5)]
+        let (columns, row) = (self.painted.len() as f32, usize::from(side == Side::Narrow));
+        let low = Vec2::new(shoot as f32 / columns, if side == Side::Wide { 0.5 } else { 0.0 });
+        let share = self.painted[shoot].cells[row].size.as_vec2() / self.pixels as f32;
+        [low, low + share * Vec2::new(1.0 / columns, 0.5)]
     }
 }
 
 /// The cells beside and above one another; `None` if all are empty.
 fn joined(shoots: &[Arc<Painted>], side: usize) -> Option<Rgba> {
-    let all = || shoots.iter().flat_map(|shoot| shoot.cells.iter().flatten());
+    let all = || shoots.iter().flat_map(|shoot| shoot.cells.iter().flat_map(|cell| &cell.pixels));
     let weight: f32 = all().map(|pixel| pixel.w).sum();
     if weight <= 0.0 {
         return None;
@@ -131,7 +134,11 @@ fn joined(shoots: &[Arc<Painted>], side: usize) -> Option<Rgba> {
     let width = side * shoots.len();
     let pixel = |i: usize| {
         let (x, y) = (i % width, i / width);
-        let pixel = shoots[x / side].cells[y / side][y % side * side + x % side];
+        let Cell { size, pixels } = &shoots[x / side].cells[y / side];
+        // From the left lower corner.
+        let (right, up) = (x % side, side - 1 - y % side);
+        let is_inside = right < size.x && up < size.y;
+        let pixel = if is_inside { pixels[(size.y - 1 - up) * size.x + right] } else { Vec4::ZERO };
         let [r, g, b] = if pixel.w > 0.0 { encoded(pixel.truncate()) } else { mean };
         [r, g, b, (255.0 * pixel.w).round() as u8]
     };

@@ -12,6 +12,7 @@
 
 mod atlas;
 mod clusters;
+mod coverage;
 mod frame;
 mod picture;
 mod raster;
