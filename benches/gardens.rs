@@ -9,7 +9,7 @@ use glam::Vec2;
 use penstemon::formats::write::{InstanceForm, Scene, format_of};
 use penstemon::garden::ground::Ground;
 use penstemon::garden::stock::triangles_of_each;
-use penstemon::garden::{Area, Garden, Grower, Kind, Plan, Stock, TileSet, Variation};
+use penstemon::garden::{Area, Form, Garden, Grower, Kind, Plan, Stock, TileSet, Variation};
 use penstemon::pipeline;
 use penstemon::plant::{FinishedPlant, Material, Plant, Provenance};
 use penstemon::species::{Species, builtin_texture};
@@ -72,7 +72,8 @@ fn roses(c: &mut Criterion) {
         let places = plan.places(&tiles).unwrap();
         let species = Box::new(Species::built_in("rose").unwrap());
         let params = Box::new(pipeline::params_of_species(&species, &[]).unwrap());
-        let mut grower = Grower::Species { species, params, age: None, first_seed: 1 };
+        let form = Form::Whole;
+        let mut grower = Grower::Species { species, params, age: None, first_seed: 1, form };
         grower.fit(triangles_of_each(places.len(), 16));
         let mut stock = Stock::default();
         stock.add("rose", &grower, 16, 0.0);

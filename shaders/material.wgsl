@@ -12,13 +12,3 @@ struct Material {
 @group(1) @binding(0) var<uniform> material: Material;
 @group(1) @binding(1) var picture: texture_2d<f32>;
 @group(1) @binding(2) var picture_sampler: sampler;
-
-// Alpha of a picture that cuts a surface out, seen from afar: in smaller copies of the picture fewer and fewer pixels are covered by
-// half, so alpha grows with each (Golus 2017, "Anti-aliased Alpha Test").
-fn cut_out_alpha(alpha: f32, uv: vec2<f32>) -> f32 {
-    let size = vec2<f32>(textureDimensions(picture));
-    let across = dpdx(uv) * size;
-    let down = dpdy(uv) * size;
-    let level = 0.5 * log2(max(dot(across, across), dot(down, down)));
-    return alpha * (1.0 + 0.15 * clamp(level, 0.0, 4.0));
-}

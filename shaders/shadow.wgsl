@@ -20,6 +20,5 @@ fn vertex(
 // Only for materials that are cut out by their picture.
 @fragment
 fn fragment(corner: Corner) {
-    let alpha = textureSample(picture, picture_sampler, corner.uv).a;
-    if cut_out_alpha(alpha, corner.uv) < 0.5 { discard; }
+    if textureSample(picture, picture_sampler, corner.uv).a < 0.5 { discard; }
 }

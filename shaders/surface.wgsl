@@ -84,8 +84,7 @@ fn tone_mapped(colour: vec3<f32>) -> vec3<f32> {
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     let texel = textureSample(picture, picture_sampler, corner.uv);
     // One pixel wide around the middle of the picture's alpha: what alpha-to-coverage turns into a smooth edge.
-    let covered = cut_out_alpha(texel.a, corner.uv);
-    let edge = clamp((covered - 0.5) / max(fwidth(covered), 1e-4) + 0.5, 0.0, 1.0);
+    let edge = clamp((texel.a - 0.5) / max(fwidth(texel.a), 1e-4) + 0.5, 0.0, 1.0);
     let alpha = select(1.0, edge, material.diffuse.w > 0.5);
 
     let normal = normalize(corner.normal) * select(-1.0, 1.0, front);

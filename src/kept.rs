@@ -106,11 +106,13 @@ pub struct Kept<K, V> {
     things: Vec<V>,
     /// Whether there is no next call, so that no key is asked for.
     is_for_one_call: bool,
+    /// Fewest things that are made on one thread.
+    batch: usize,
 }
 
 impl<K, V> Default for Kept<K, V> {
     fn default() -> Self {
-        Self { keys: Vec::new(), things: Vec::new(), is_for_one_call: false }
+        Self { keys: Vec::new(), things: Vec::new(), is_for_one_call: false, batch: BATCH }
     }
 }
 
@@ -118,6 +120,12 @@ impl<K, V> Kept<K, V> {
     /// For a single call, for which no keys are made.
     pub fn for_one_call() -> Self {
         Self { is_for_one_call: true, ..Self::default() }
+    }
+
+    /// The same for things of which each is worth a thread of its own.
+    #[must_use]
+    pub fn of_large_things(self) -> Self {
+        Self { batch: 1, ..self }
     }
 }
 
@@ -142,7 +150,7 @@ impl<K: Eq + Hash, V: Clone + Send + Sync> Kept<K, V> {
         make: impl Fn(&I) -> V + Sync,
     ) -> &[V] {
         if self.is_for_one_call {
-            self.things = inputs.par_iter().with_min_len(BATCH).map(&make).collect();
+            self.things = inputs.par_iter().with_min_len(self.batch).map(&make).collect();
             return &self.things;
         }
         // Most calls ask for what the last one asked for, in the same order: only what stands between the common beginning
@@ -160,7 +168,7 @@ impl<K: Eq + Hash, V: Clone + Send + Sync> Kept<K, V> {
         let is_missing =
             |i: &usize| place_of(*i).is_none_or(|place| !holds(&inputs[*i], &self.things[place]));
         let missing: Vec<usize> = (0..inputs.len()).filter(is_missing).collect();
-        let new: Vec<V> = missing.par_iter().with_min_len(BATCH).map(|i| make(&inputs[*i])).collect();
+        let new: Vec<V> = missing.par_iter().with_min_len(self.batch).map(|i| make(&inputs[*i])).collect();
         let mut new: BTreeMap<usize, V> = missing.into_iter().zip(new).collect();
         let thing = |i: usize| new.remove(&i).or_else(|| Some(self.things[between[i - begin]?].clone()));
         let things: Vec<V> = (begin..new_end).filter_map(thing).collect();

@@ -72,7 +72,7 @@ fn cards_cover_what_their_leaves_cover() {
         ("oak", 20.0, 0.25, 0.12),
         ("spruce", 12.0, 0.1, 0.22),
         ("maple", 14.0, 0.35, 0.12),
-        ("ash", 10.0, 0.25, 0.25),
+        ("ash", 10.0, 0.25, 0.15),
     ];
     for (name, age, most, area) in trees {
         let (leaves, _) = grown(name, age, &[]);

@@ -4,7 +4,7 @@
 
 use penstemon::budget::GardenBudget;
 use penstemon::formats::write::{InstanceForm, Scene, format_of};
-use penstemon::garden::{Garden, GardenSpec, Grower, Stock, TileSet, surface};
+use penstemon::garden::{Form, Garden, GardenSpec, Grower, Stock, TileSet, surface};
 use penstemon::pipeline;
 use penstemon::plant::{FinishedPlant, Material, Plant, Provenance};
 use penstemon::species::Species;
@@ -16,6 +16,10 @@ const BED: &str = "area = [[-3, -2], [3, -2], [3, 2], [0, 1], [-3, 2]]\nspacing 
                    [[paths]]\npoints = [[-3, 0], [3, 0.5]]\nwidth = 0.5\n[ground]\ncover = \"lawn\"\n";
 
 fn garden(text: &str, triangles: u32) -> Garden {
+    garden_of(text, triangles, Form::Whole)
+}
+
+fn garden_of(text: &str, triangles: u32, form: Form) -> Garden {
     let spec = GardenSpec::from_toml(text, "bed.toml").unwrap();
     let tiles = TileSet::new(spec.colours, 1);
     let plan = spec.plan(&tiles, Path::new("")).unwrap();
@@ -23,7 +27,7 @@ fn garden(text: &str, triangles: u32) -> Garden {
     for (kind, of_plan) in spec.plants.iter().zip(&plan.kinds) {
         let species = Box::new(Species::built_in(kind.origin.name()).unwrap());
         let params = Box::new(pipeline::params_of_species(&species, &[]).unwrap());
-        let mut grower = Grower::Species { species, params, age: None, first_seed: 1 };
+        let mut grower = Grower::Species { species, params, age: None, first_seed: 1, form };
         grower.fit(triangles);
         stock.add(kind.origin.name(), &grower, of_plan.variants, 0.0);
     }
@@ -78,4 +82,24 @@ fn a_file_of_ten_thousand_roses_has_at_most_forty_megabytes() {
     assert!(garden.stock.triangle_count() < GardenBudget::GARDEN.variant_triangles);
     let bytes = glb(&garden, InstanceForm::Nodes).len();
     assert!(bytes <= 40_000_000, "{bytes}");
+}
+
+#[test]
+fn gardens_of_cards_and_of_pictures_have_few_triangles_and_come_back() {
+    let text = "area = \"12x9\"\nspacing = 0.9\nvariants = 2\n[[plants]]\nspecies = \"rose\"\n";
+    let whole = garden(text, 700);
+    let of_each = |garden: &Garden| garden.triangle_count() / garden.places.len();
+    for (form, most) in [(Form::Cards, 750), (Form::Billboards, 10)] {
+        let garden = garden_of(text, 700, form);
+        assert_eq!(garden.places.len(), whole.places.len(), "plants stand where they stood");
+        assert!(of_each(&garden) <= most && of_each(&garden) < of_each(&whole), "{}", of_each(&garden));
+        let heights = |garden: &Garden| garden.stock.kinds[0].individuals[0].height();
+        assert!((heights(&garden) / heights(&whole) - 1.0).abs() < 0.15, "{form:?}");
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("bed.glb");
+        std::fs::write(&path, glb(&garden, InstanceForm::Nodes)).unwrap();
+        let back = penstemon::formats::read::load(&path).unwrap();
+        assert_eq!(back.model.triangle_count(), garden.triangle_count(), "{form:?}");
+        assert!(back.model.materials.iter().any(|material| material.cut_out), "{form:?}");
+    }
 }

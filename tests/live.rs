@@ -7,7 +7,7 @@ use glam::{Quat, Vec2, Vec3};
 use penstemon::anatomy::{self, AnatomyParams};
 use penstemon::model::Model;
 use penstemon::pipeline::{self, Ages, Built, Cache, Seed};
-use penstemon::plant::{OrganKind, Shape};
+use penstemon::plant::{OrganKind, Shape, Texture};
 use penstemon::sketch::petal_shapes::shaped;
 use penstemon::sketch::wood_poses::posed;
 use penstemon::sketch::{self, Maker, PetalShape, PlacedPlant, SeedOf, Sketch, Stroke, Tool, WoodPose};
@@ -259,6 +259,70 @@ proptest! {
             sketch.strokes.push(growing.into());
         }
     }
+}
+
+/// A crown of which the foliage is cards.
+fn tree_of_cards() -> Sketch {
+    let mut sketch = drawings::leafy_tree(200);
+    sketch.params.insert("cards.used".into(), true.into());
+    sketch.params.insert("cards.pixels".into(), 32.into());
+    sketch
+}
+
+/// The address of the picture of a plant's cards.
+fn cards_picture(built: &Built) -> *const u8 {
+    let mut pictures = built.plant.materials().iter().filter_map(|material| match &material.texture {
+        Some(Texture::Own(picture)) => Some(picture.bytes().as_ptr()),
+        _ => None,
+    });
+    pictures.next().unwrap()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4))]
+
+    #[test]
+    fn cards_of_a_drawing_that_changes_are_those_that_a_fresh_build_gives(
+        edits in prop::collection::vec((0u8..7, 0usize..1000, -60.0f32..60.0), 1..4),
+        (which, points) in (0usize..13, 2usize..30),
+        calls in 0usize..3000,
+    ) {
+        let mut cache = Cache::default();
+        let mut sketch = tree_of_cards();
+        assert_same(&live(&mut cache, &sketch), &fresh(&sketch));
+        let mut growing = Stroke::clone(&sketch.strokes[which]);
+        growing.id = 1_000_000;
+        growing.points.iter_mut().for_each(|point| point.position += Vec2::new(20.0, 6.0));
+        for count in (1..=points).step_by(9) {
+            let mut drawing = sketch.clone();
+            drawing.strokes.push(Arc::new(Stroke { points: growing.points[..count.min(growing.points.len())].to_vec(), ..growing.clone() }));
+            // A build that a newer drawing ends leaves nothing half done behind.
+            let asked = AtomicUsize::new(0);
+            let _ = built_with(&mut cache, &drawing, &|| asked.fetch_add(1, Ordering::Relaxed) >= calls);
+            assert_same(&live(&mut cache, &drawing), &fresh(&drawing));
+        }
+        for change in edits {
+            edit(&mut sketch, change);
+            assert_same(&live(&mut cache, &sketch), &fresh(&sketch));
+        }
+    }
+}
+
+#[test]
+fn pictures_of_cards_are_painted_again_only_where_what_they_show_is_another() {
+    let (mut cache, mut sketch) = (Cache::default(), tree_of_cards());
+    let first = live(&mut cache, &sketch);
+    assert_eq!(cache.cards.len(), 6);
+    assert_eq!(cards_picture(&first), cards_picture(&live(&mut cache, &sketch)));
+    sketch.params.insert("model.tube.sides".into(), 5.into());
+    assert_eq!(cards_picture(&first), cards_picture(&live(&mut cache, &sketch)));
+    sketch.params.insert("cards.pixels".into(), 40.into());
+    let other = live(&mut cache, &sketch);
+    assert_ne!(cards_picture(&first), cards_picture(&other));
+    assert_same(&other, &fresh(&sketch));
+    sketch.params.insert("cards.used".into(), false.into());
+    live(&mut cache, &sketch);
+    assert!(cache.cards.is_empty());
 }
 
 /// Branches that meet in one spot, some of them on whole pixels so that many lie equally near, with leaves and petals among

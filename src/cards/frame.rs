@@ -83,6 +83,13 @@ impl Frame {
         Self { foot: self.foot, axes: self.axes, low: other.low * scale, high: other.high * scale }
     }
 
+    /// Every number of it.
+    pub(super) fn bits(&self) -> [u32; 18] {
+        let Self { foot, axes, low, high } = self;
+        let rows = [*foot, axes.x_axis, axes.y_axis, axes.z_axis, *low, *high];
+        std::array::from_fn(|i| rows[i / 3][i % 3].to_bits())
+    }
+
     /// Thickness as a share of the width.
     pub(super) fn flatness(&self) -> f32 {
         let extent = self.high - self.low;

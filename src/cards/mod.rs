@@ -2,7 +2,7 @@
 //!
 //! A tree has tens of thousands of leaves, of which one sees in most pictures no more than that they are there. Leaves that stand
 //! together become a cluster (`clusters`); a few of a plant's clusters are drawn from two sides, by the very surfaces that the
-//! model would have had (`picture`); and each cluster becomes two cards of four triangles that cross along its axis, or one where
+//! model would have had (`picture`, put together in `atlas`); and each cluster becomes two cards of four triangles that cross along its axis, or one where
 //! it is flat (`frame`), which show those of the pictures that have about as many leaves. What somebody drew stays as it is.
 //!
 //! Pure and deterministic; nothing is left to chance.
@@ -10,7 +10,9 @@
 //! Limits: a card has the light of one surface, not of its leaves, whose own light and shade is painted into its picture. Seen
 //! along its axis a cluster is a thin cross.
 
+mod atlas;
 mod clusters;
+mod coverage;
 mod frame;
 mod picture;
 mod raster;
@@ -20,10 +22,12 @@ use crate::geom::simple_loop::area;
 use crate::model::ModelParams;
 use crate::picture::Picture;
 use crate::plant::{FinishedPlant, Material, Organ, OrganPart, Origin, Plant, Role, Shape, Texture};
+use atlas::Atlas;
+pub use atlas::Cache;
 use clusters::{Cluster, clusters};
 use frame::{Frame, Side};
 use glam::Vec3;
-use picture::{Atlas, Drawing};
+use picture::Drawing;
 use surfaces::{Surfaces, fine};
 
 crate::parameters! {
@@ -53,19 +57,36 @@ const LARGEST: f32 = 0.4;
 /// The plant with its foliage as cards where they are used; without much foliage as it was. Where `most` triangles are given, cards
 /// are larger than the parameters say if they would be more.
 pub fn with_cards(plant: FinishedPlant, params: &CardParams, most: Option<u64>) -> FinishedPlant {
+    let with_cards = with_kept_cards(plant, params, most, &mut Cache::for_one_build(), &|| false);
+    with_cards.unwrap_or_else(|| unreachable!("nothing stops it"))
+}
+
+/// The very plant that [`with_cards`] gives, again and again while it changes: what is painted is kept in `cache`. Once `stop` says
+/// yes it ends soon and gives nothing.
+pub fn with_kept_cards(
+    plant: FinishedPlant,
+    params: &CardParams,
+    most: Option<u64>,
+    cache: &mut Cache,
+    stop: &(dyn Fn() -> bool + Sync),
+) -> Option<FinishedPlant> {
     if !params.used {
-        return plant;
+        return Some(plant);
     }
     let (size, framed) = fitting(&plant, params.size, most);
     if framed.len() < FEWEST {
-        return plant;
+        return Some(plant);
     }
     let ranks = ranks(&plant, &framed, params.shoots as usize);
     let surfaces = Surfaces::new(&plant, fine());
     let drawing = Drawing { pixels: params.pixels, share: size };
-    let Some(atlas) = Atlas::draw(&surfaces, &framed, &ranks.shown, drawing) else { return plant };
+    let atlas = Atlas::draw(cache, (&surfaces, drawing), (&framed, &ranks.shown), stop);
+    if stop() {
+        return None;
+    }
+    let Some(atlas) = atlas else { return Some(plant) };
     let cards = cards(&plant, &framed, &ranks, &atlas);
-    replaced(plant, &framed, cards, atlas.picture)
+    Some(replaced(plant, &framed, cards, atlas.picture))
 }
 
 /// The whole plant as two crossing pictures, each so many pixels wide and high, for what is far away.
@@ -75,7 +96,8 @@ pub fn billboards(plant: &FinishedPlant, pixels: u32) -> FinishedPlant {
     let all = [(Cluster { on: None, foot: Vec3::ZERO, along: Vec3::Y, organs, branches }, frame)];
     let surfaces = Surfaces::new(plant, ModelParams::default());
     let drawing = Drawing { pixels, share: 1.0 };
-    let Some(atlas) = Atlas::draw(&surfaces, &all, &[0], drawing) else { return plant.clone() };
+    let atlas = Atlas::draw(&mut Cache::for_one_build(), (&surfaces, drawing), (&all, &[0]), &|| false);
+    let Some(atlas) = atlas else { return plant.clone() };
     let role = new_role(plant);
     let cards = Side::ALL.map(|side| card(role, None, atlas.card(&frame, 0, side))).to_vec();
     let mut flat = replaced(plant.clone(), &all, cards, atlas.picture);

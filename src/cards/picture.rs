@@ -1,22 +1,21 @@
-//! The picture of a plant's shoots: a column for each, the wide side in the upper row and the narrow one in the lower.
+//! The picture of one shoot, seen from two sides.
 //!
-//! Each is drawn by parallel projection, twice as large as it becomes, with a depth for every pixel, and each pixel of the result is
+//! It is drawn by parallel projection, twice as large as it becomes, with a depth for every pixel, and each pixel of the result is
 //! the mean of four: its alpha says how much of it is covered. Colours are those of the materials, a little lighter where a surface
-//! faces the light above and in front, and where it lies in front of others; their mean stays. What nothing covers has the mean
-//! colour, so that smaller copies of the picture have no dark margins.
+//! faces the light above and in front, and where it lies in front of others; their mean stays. So that what is thin is not lost from
+//! afar, alpha is more than that where it changes nothing near by (`coverage`).
 
-use super::clusters::Cluster;
+use super::coverage;
 use super::frame::{Frame, Side};
 use super::raster::covered;
 use super::surfaces::{Corner, Surfaces, Triangle};
-use crate::picture::{Picture, decode::Rgba};
-use crate::plant::Shape;
-use crate::srgb::srgb_from_linear;
-use glam::{Vec2, Vec3, Vec4};
-use rayon::prelude::*;
+use crate::plant::FinishedPlant;
+use glam::{USizeVec2, Vec2, Vec3, Vec4};
 
 /// Pixels that are drawn for one, to each side.
 const FINER: usize = 2;
+/// Least width and height, pixels.
+const NARROWEST: f32 = 8.0;
 /// Where light comes from, seen on the card, and what the side away from it has of it.
 const LIGHT: Vec3 = Vec3::new(0.3, 0.55, 0.78);
 const IN_SHADE: f32 = 0.55;
@@ -26,64 +25,75 @@ const BEHIND: f32 = 0.6;
 /// How pictures are drawn.
 #[derive(Clone, Copy)]
 pub(super) struct Drawing {
-    /// Width and height of each.
+    /// The longer of width and height of each.
     pub(super) pixels: u32,
     /// How much of a plant each shows, share of its size: the more, the more of the plant's own shade is in the picture.
     pub(super) share: f32,
 }
 
-/// The pictures of shoots in one.
-pub(super) struct Atlas {
-    pub(super) picture: Picture,
-    /// The boxes of the shoots that were drawn.
-    frames: Vec<Frame>,
+/// A shoot with its pictures.
+#[derive(Debug)]
+pub(super) struct Painted {
+    /// The box that was drawn.
+    pub(super) frame: Frame,
+    /// By [`Side::ALL`].
+    pub(super) cells: [Cell; 2],
 }
 
-impl Atlas {
-    /// Draws some of the clusters. `None` where nothing of them is seen.
-    pub(super) fn draw(
+/// The picture of a shoot from one side.
+#[derive(Debug)]
+pub(super) struct Cell {
+    /// Width and height: as many pixels to the metre in both, so that smaller copies are as small in both as they are seen.
+    pub(super) size: USizeVec2,
+    /// Rows from the top: linear light, straight alpha.
+    pub(super) pixels: Vec<Vec4>,
+}
+
+impl Cell {
+    /// Without anything on it, for a card of this width and height.
+    fn size_of((_, u, v): (Vec3, Vec3, Vec3), longest: u32) -> USizeVec2 {
+        let extent = Vec2::new(u.length(), v.length());
+        let share = extent / extent.max_element().max(f32::MIN_POSITIVE);
+        (share * longest as f32)
+            .ceil()
+            .clamp(Vec2::splat(NARROWEST), Vec2::splat(longest as f32))
+            .as_usizevec2()
+    }
+}
+
+impl Painted {
+    /// Paints a shoot that has about this box. None once `stop` says yes.
+    pub(super) fn new(
         surfaces: &Surfaces<'_>,
-        framed: &[(Cluster, Frame)],
-        shown: &[usize],
+        (excerpt, frame): (&FinishedPlant, &Frame),
         drawing: Drawing,
+        stop: &(dyn Fn() -> bool + Sync),
     ) -> Option<Self> {
-        let side = drawing.pixels as usize;
-        let cells = |shoot: &usize| {
-            let (cluster, frame) = &framed[*shoot];
-            let triangles = surfaces.triangles(cluster);
-            let corners =
-                triangles.iter().flat_map(|triangle| triangle.corners.iter().map(|corner| corner.at));
-            let frame = frame.around_points(corners).unwrap_or(*frame);
-            let seen_from = |of| drawn(&triangles, frame.card(of), side * FINER);
-            (frame, Side::ALL.map(|of| coarser(&seen_from(of), drawing)))
+        let triangles = surfaces.triangles(excerpt, stop)?;
+        let corners = triangles.iter().flat_map(|triangle| triangle.corners.iter().map(|corner| corner.at));
+        let frame = frame.around_points(corners).unwrap_or(*frame);
+        let seen_from = |side| {
+            let card = frame.card(side);
+            let size = Cell::size_of(card, drawing.pixels);
+            let fine = (!stop()).then(|| drawn(&triangles, card, size * FINER))?;
+            let mut pixels = coarser(&fine, size, drawing.share);
+            coverage::keep(&mut pixels, size, drawing.share);
+            Some(Cell { size, pixels })
         };
-        let (frames, cells): (Vec<Frame>, Vec<_>) = shown.par_iter().map(cells).unzip();
-        let picture = joined(&cells, side)?.to_png().ok()?;
-        Some(Self { picture: Picture::new(picture).ok()?, frames })
-    }
-
-    /// The card of a cluster from a side, with the picture of a shoot.
-    pub(super) fn card(&self, frame: &Frame, shoot: usize, side: Side) -> Shape {
-        let (base, u, v) = frame.of_shape(&self.frames[shoot]).card(side);
-        Shape::Card { base, u, v, window: self.window(shoot, side) }
-    }
-
-    /// The part of the picture that shows a shoot from a side.
-    fn window(&self, shoot: usize, side: Side) -> [Vec2; 2] {
-        let column = shoot as f32 / self.frames.len() as f32;
-        let low = Vec2::new(column, if side == Side::Wide { 0.5 } else { 0.0 });
-        [low, low + Vec2::new(1.0 / self.frames.len() as f32, 0.5)]
+        let [wide, narrow] = Side::ALL;
+        let (wide, narrow) = rayon::join(|| seen_from(wide), || seen_from(narrow));
+        Some(Self { frame, cells: [wide?, narrow?] })
     }
 }
 
-/// What is seen in a square, `fine` pixels wide, rows from the top.
-fn drawn(triangles: &[Triangle<'_>], (base, u, v): (Vec3, Vec3, Vec3), fine: usize) -> Vec<Pixel> {
+/// What is seen in a picture of this width and height, rows from the top.
+fn drawn(triangles: &[Triangle<'_>], (base, u, v): (Vec3, Vec3, Vec3), size: USizeVec2) -> Vec<Pixel> {
     let facing = u.cross(v).normalize_or_zero();
     let axes = (u / u.length_squared(), v / v.length_squared());
     let onto = |corner: &Corner| {
         let from_base = corner.at - base;
         let place = Vec2::new(from_base.dot(axes.0) + 0.5, 1.0 - from_base.dot(axes.1));
-        (place * fine as f32).extend(from_base.dot(facing))
+        (place * size.as_vec2()).extend(from_base.dot(facing))
     };
     let depths = triangles.iter().flat_map(|triangle| triangle.corners.iter().map(|corner| onto(corner).z));
     let (far, near) =
@@ -93,12 +103,13 @@ fn drawn(triangles: &[Triangle<'_>], (base, u, v): (Vec3, Vec3, Vec3), fine: usi
         let faced = IN_SHADE + (1.0 - IN_SHADE) * normal.dot(light).max(0.0);
         faced * (BEHIND + (1.0 - BEHIND) * (depth - far) / (near - far).max(f32::MIN_POSITIVE))
     };
-    let mut pixels = vec![Pixel { depth: f32::NEG_INFINITY, colour: Vec3::ZERO, light: 0.0 }; fine * fine];
+    let mut pixels =
+        vec![Pixel { depth: f32::NEG_INFINITY, colour: Vec3::ZERO, light: 0.0 }; size.element_product()];
     for triangle in triangles {
         let places = triangle.corners.each_ref().map(onto);
         let depths = Vec3::from(places.map(|place| place.z));
         let [a, b, c] = &triangle.corners;
-        covered(places.map(Vec3::truncate), fine, |pixel, shares| {
+        covered(places.map(Vec3::truncate), size, |pixel, shares| {
             let depth = depths.dot(shares);
             if depth <= pixels[pixel].depth {
                 return;
@@ -122,9 +133,8 @@ struct Pixel {
 }
 
 /// Means of squares of pixels in linear light, straight alpha. The light of small pictures is 1 in the mean.
-fn coarser(pixels: &[Pixel], Drawing { pixels: side, share }: Drawing) -> Vec<Vec4> {
-    let side = side as usize;
-    let fine = side * FINER;
+fn coarser(pixels: &[Pixel], size: USizeVec2, share: f32) -> Vec<Vec4> {
+    let fine = size.x * FINER;
     let lights = || pixels.iter().map(|pixel| pixel.light).filter(|light| *light > 0.0);
     let mean_light = lights().sum::<f32>() / lights().count().max(1) as f32;
     let usual = mean_light.powf(1.0 - share.clamp(0.0, 1.0).sqrt());
@@ -134,34 +144,11 @@ fn coarser(pixels: &[Pixel], Drawing { pixels: side, share }: Drawing) -> Vec<Ve
         false => Vec4::ZERO,
     };
     let mean = |i: usize| {
-        let (x, y) = (i % side * FINER, i / side * FINER);
+        let (x, y) = (i % size.x * FINER, i / size.x * FINER);
         let of = (0..FINER * FINER).map(|k| &pixels[(y + k / FINER) * fine + x + k % FINER]);
         let sum: Vec4 = of.map(seen).sum();
         let alpha = sum.w / (FINER * FINER) as f32;
         (sum.truncate() / sum.w.max(1.0)).extend(alpha)
     };
-    (0..side * side).map(mean).collect()
-}
-
-/// The cells beside and above one another; `None` if all are empty.
-fn joined(cells: &[[Vec<Vec4>; 2]], side: usize) -> Option<Rgba> {
-    let all = || cells.iter().flatten().flatten();
-    let weight: f32 = all().map(|pixel| pixel.w).sum();
-    if weight <= 0.0 {
-        return None;
-    }
-    let mean = encoded(all().map(|pixel| pixel.truncate() * pixel.w).sum::<Vec3>() / weight);
-    let width = side * cells.len();
-    let pixel = |i: usize| {
-        let (x, y) = (i % width, i / width);
-        let pixel = cells[x / side][y / side][y % side * side + x % side];
-        let [r, g, b] = if pixel.w > 0.0 { encoded(pixel.truncate()) } else { mean };
-        [r, g, b, (255.0 * pixel.w).round() as u8]
-    };
-    let pixels = (0..width * 2 * side).into_par_iter().with_min_len(1 << 12).flat_map_iter(pixel).collect();
-    Some(Rgba { width: width as u32, height: 2 * side as u32, pixels })
-}
-
-fn encoded(colour: Vec3) -> [u8; 3] {
-    colour.to_array().map(|c| (255.0 * srgb_from_linear(c.clamp(0.0, 1.0))).round() as u8)
+    (0..size.element_product()).map(mean).collect()
 }

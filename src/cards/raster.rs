@@ -3,16 +3,16 @@
 //! The share that each corner has in a point grows evenly along a row, so the pixels where no share is negative are found from the
 //! row's first. A pixel is covered if its middle is.
 
-use glam::{Vec2, Vec3};
+use glam::{USizeVec2, Vec2, Vec3};
 
-/// Calls with the index of each pixel of a square, `side` pixels wide, that a triangle covers, and with the shares of its corners
+/// Calls with the index of each pixel of a picture of this width and height that a triangle covers, and with the shares of its corners
 /// there. Corners are in pixels, x right, y down, and may lie outside.
-pub(super) fn covered([a, b, c]: [Vec2; 3], side: usize, mut each: impl FnMut(usize, Vec3)) {
+pub(super) fn covered([a, b, c]: [Vec2; 3], size: USizeVec2, mut each: impl FnMut(usize, Vec3)) {
     let twice = (b - a).perp_dot(c - a);
     if twice == 0.0 || !twice.is_finite() {
         return;
     }
-    let most = Vec2::splat(side as f32);
+    let most = size.as_vec2();
     let low = a.min(b).min(c).clamp(Vec2::ZERO, most).floor().as_usizevec2();
     let high = a.max(b).max(c).clamp(Vec2::ZERO, most).ceil().as_usizevec2();
     let shares_at = |p: Vec2| {
@@ -26,7 +26,7 @@ pub(super) fn covered([a, b, c]: [Vec2; 3], side: usize, mut each: impl FnMut(us
         for x in from as usize..(to + 1.0) as usize {
             let shares = first + step * x as f32;
             if shares.min_element() >= 0.0 {
-                each(y * side + low.x + x, shares);
+                each(y * size.x + low.x + x, shares);
             }
         }
     }
@@ -55,13 +55,13 @@ mod tests {
     use proptest::prelude::*;
 
     /// The same, every pixel asked.
-    fn asked([a, b, c]: [Vec2; 3], side: usize) -> Vec<usize> {
+    fn asked([a, b, c]: [Vec2; 3], size: USizeVec2) -> Vec<usize> {
         let is_inside = |i: &usize| {
-            let p = Vec2::new((i % side) as f32 + 0.5, (i / side) as f32 + 0.5);
+            let p = Vec2::new((i % size.x) as f32 + 0.5, (i / size.x) as f32 + 0.5);
             let signs = [(a, b), (b, c), (c, a)].map(|(from, to)| (to - from).perp_dot(p - from));
             signs.iter().all(|s| *s > 1e-3) || signs.iter().all(|s| *s < -1e-3)
         };
-        (0..side * side).filter(is_inside).collect()
+        (0..size.element_product()).filter(is_inside).collect()
     }
 
     proptest! {
@@ -69,13 +69,13 @@ mod tests {
         fn every_pixel_inside_is_covered(corners in prop::array::uniform6(-5.0f32..25.0)) {
             let [ax, ay, bx, by, cx, cy] = corners;
             let corners = [Vec2::new(ax, ay), Vec2::new(bx, by), Vec2::new(cx, cy)];
-            let mut found = Vec::new();
-            covered(corners, 20, |pixel, shares| {
+            let (mut found, size) = (Vec::new(), USizeVec2::new(20, 16));
+            covered(corners, size, |pixel, shares| {
                 assert!((shares.element_sum() - 1.0).abs() < 1e-2);
                 found.push(pixel);
             });
-            prop_assert!(found.is_sorted() && found.iter().all(|pixel| *pixel < 400));
-            prop_assert!(asked(corners, 20).iter().all(|pixel| found.binary_search(pixel).is_ok()));
+            prop_assert!(found.is_sorted() && found.iter().all(|pixel| *pixel < 320));
+            prop_assert!(asked(corners, size).iter().all(|pixel| found.binary_search(pixel).is_ok()));
         }
     }
 
@@ -84,7 +84,7 @@ mod tests {
         let [a, b, c, d] = [(2.0, 2.0), (8.0, 2.0), (8.0, 8.0), (2.0, 8.0)].map(Vec2::from);
         let mut count = [0; 100];
         for corners in [[a, b, c], [a, c, d]] {
-            covered(corners, 10, |pixel, _| count[pixel] += 1);
+            covered(corners, USizeVec2::splat(10), |pixel, _| count[pixel] += 1);
         }
         assert!(
             count

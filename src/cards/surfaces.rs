@@ -26,6 +26,25 @@ pub(super) struct Triangle<'a> {
     pub(super) surface: &'a Surface,
 }
 
+/// What decides how a material looks in a picture: its colour, and what its picture is read from.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Look {
+    diffuse: [u32; 3],
+    texture: Option<Texture>,
+}
+
+impl Look {
+    /// That of a material, with the bytes of a user's file.
+    fn of(material: &Material) -> Self {
+        // A picture that is missing is reported where the species takes it in.
+        let texture = material.texture.as_ref().and_then(|texture| match texture {
+            Texture::File(path) => Picture::read_header(path).ok().map(Texture::Own),
+            known => Some(known.clone()),
+        });
+        Self { diffuse: material.diffuse.map(f32::to_bits), texture }
+    }
+}
+
 /// A material's colour and picture.
 pub(super) struct Surface {
     diffuse: Vec3,
@@ -35,15 +54,14 @@ pub(super) struct Surface {
 }
 
 impl Surface {
-    fn new(material: &Material) -> Self {
+    fn new(Look { diffuse, texture }: &Look) -> Self {
         let linear = std::array::from_fn(|encoded| linear_from_srgb(encoded as f32 / 255.0));
-        // A picture that is missing is reported where the species takes it in.
-        let texture = material.texture.as_ref().and_then(|texture| match texture {
+        let texture = texture.as_ref().and_then(|texture| match texture {
             Texture::BuiltIn(name) => decode::decode(builtin_texture(name)?).ok(),
-            Texture::File(path) => Picture::read_with_pixels(path).ok().map(|(_, pixels)| pixels),
+            Texture::File(_) => None,
             Texture::Own(picture) => picture.pixels().ok(),
         });
-        Self { diffuse: material.diffuse.into(), texture, linear }
+        Self { diffuse: diffuse.map(f32::from_bits).into(), texture, linear }
     }
 
     /// Colour at a place in linear light; none where the picture is clear.
@@ -63,20 +81,36 @@ impl Surface {
 pub(super) struct Surfaces<'a> {
     plant: &'a FinishedPlant,
     fineness: ModelParams,
-    of_material: Vec<OnceLock<Surface>>,
+    /// By the plant's materials.
+    looks: Vec<Look>,
+    of_look: Vec<OnceLock<Surface>>,
 }
 
 impl<'a> Surfaces<'a> {
     /// Those of a plant that is meshed so finely.
     pub(super) fn new(plant: &'a FinishedPlant, fineness: ModelParams) -> Self {
-        let of_material = plant.materials().iter().map(|_| OnceLock::new()).collect();
-        Self { plant, fineness, of_material }
+        let looks: Vec<Look> = plant.materials().iter().map(Look::of).collect();
+        let of_look = looks.iter().map(|_| OnceLock::new()).collect();
+        Self { plant, fineness, looks, of_look }
     }
 
-    /// The surface of a cluster.
-    pub(super) fn triangles(&self, cluster: &Cluster) -> Vec<Triangle<'_>> {
-        let part = self.plant.excerpt(&cluster.branches, &cluster.organs);
-        let model = model::build(&part, &self.fineness);
+    /// By the plant's materials.
+    pub(super) fn looks(&self) -> &[Look] {
+        &self.looks
+    }
+
+    /// A cluster by itself.
+    pub(super) fn excerpt(&self, cluster: &Cluster) -> FinishedPlant {
+        self.plant.excerpt(&cluster.branches, &cluster.organs)
+    }
+
+    /// The surface of a cluster; none once `stop` says yes.
+    pub(super) fn triangles(
+        &self,
+        excerpt: &FinishedPlant,
+        stop: &(dyn Fn() -> bool + Sync),
+    ) -> Option<Vec<Triangle<'_>>> {
+        let model = model::rebuild(excerpt, &self.fineness, &mut model::Cache::for_one_build(), stop)?;
         let mut triangles = Vec::new();
         for part in &model.flattened().parts {
             let corner = |vertex: u32| {
@@ -84,13 +118,12 @@ impl<'a> Surfaces<'a> {
                 Corner { at: part.mesh.points[vertex.point as usize], normal: vertex.normal, uv: vertex.uv }
             };
             for (material, faces) in part.material_slots() {
-                let surface = || Surface::new(&self.plant.materials()[material]);
-                let surface = self.of_material[material].get_or_init(surface);
+                let surface = self.of_look[material].get_or_init(|| Surface::new(&self.looks[material]));
                 let triangle = |face: &[u32; 3]| Triangle { corners: face.map(corner), surface };
                 triangles.extend(part.mesh.triangles[faces].iter().map(triangle));
             }
         }
-        triangles
+        Some(triangles)
     }
 }
 

@@ -9,7 +9,9 @@ use crate::formats::read::{Loaded, ReadFormat, load};
 use crate::formats::write::{self, Takes};
 use crate::garden::spec::KindFields;
 use crate::garden::stock::{FEWEST_TRIANGLES, triangles_of_each};
-use crate::garden::{Garden, GardenSpec, Grower, KindSpec, Origin, Outline, Place, Stock, TileSet, surface};
+use crate::garden::{
+    Form, Garden, GardenSpec, Grower, KindSpec, Origin, Outline, Place, Stock, TileSet, surface,
+};
 use crate::input::Sources;
 use crate::model::Model;
 use crate::picture::Picture;
@@ -56,7 +58,8 @@ pub struct Args {
     /// Individuals of each kind, of which its plants are copies.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=256))]
     pub variants: Option<u32>,
-    /// How fine the individuals are; left out, as their number and that of the plants allows. --triangles goes before.
+    /// What the individuals are made of and how fine they are; left out, as fine as their number and that of the plants allows.
+    /// --triangles goes before.
     #[arg(long, value_name = "DETAIL")]
     pub detail: Option<Detail>,
     /// How GLB files have the plants: as `nodes` that share meshes, for every program, or as tables of EXT_mesh_gpu_instancing, `gpu`.
@@ -83,6 +86,20 @@ pub enum Detail {
     Full,
     /// As coarse as each can be with all its flowers, trees with about 2000 triangles.
     Reduced,
+    /// With cards of leaves, flowers and thin twigs, and as many triangles as the number of plants allows.
+    Card,
+    /// Each two crossing pictures of it, of 8 triangles.
+    Billboards,
+}
+
+impl Detail {
+    fn form(self) -> Form {
+        match self {
+            Self::Full | Self::Reduced => Form::Whole,
+            Self::Card => Form::Cards,
+            Self::Billboards => Form::Billboards,
+        }
+    }
 }
 
 /// Runs `garden`.
@@ -102,7 +119,9 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     let tiles = clock.time("tiles", || TileSet::new(spec.colours, TILES));
     let mut plan = spec.plan(&tiles, &folder)?;
     warn(&spec, &tiles);
-    let growers = spec.plants.iter().map(|kind| grower(kind, &folder, &args.assignments.all(), &mut sources));
+    let form = args.detail.map_or(Form::default(), Detail::form);
+    let with = (&args.assignments.all()[..], form);
+    let growers = spec.plants.iter().map(|kind| grower(kind, &folder, with, &mut sources));
     let mut growers = growers.collect::<Result<Vec<Grower>>>()?;
     for (kind, grower) in plan.kinds.iter_mut().zip(&growers) {
         kind.variants = grower.variants(kind.variants);
@@ -120,7 +139,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         let usual = match args.detail {
             Some(Detail::Full) => u32::MAX,
             Some(Detail::Reduced) => FEWEST_TRIANGLES,
-            None => triangles_of_each(places.len(), individuals),
+            _ => triangles_of_each(places.len(), individuals),
         };
         growers.iter_mut().for_each(|grower| grower.fit(usual));
         stock(&spec, &growers, &plan.kinds.iter().map(|kind| kind.variants).collect::<Vec<_>>())
@@ -188,7 +207,12 @@ fn warn(spec: &GardenSpec, tiles: &TileSet) {
 }
 
 /// What makes a kind of plants; adds the files that it comes from.
-fn grower(kind: &KindSpec, folder: &Path, all: &[String], sources: &mut Sources) -> Result<Grower> {
+fn grower(
+    kind: &KindSpec,
+    folder: &Path,
+    (all, form): (&[String], Form),
+    sources: &mut Sources,
+) -> Result<Grower> {
     let KindSpec { origin, fields } = kind;
     let name = origin.name();
     let KindFields { triangles, age, seed, .. } = *fields;
@@ -216,7 +240,7 @@ fn grower(kind: &KindSpec, folder: &Path, all: &[String], sources: &mut Sources)
             let params =
                 pipeline::params_of_species(&species, &assignments).with_context(|| name.to_owned())?;
             let (species, params) = (Box::new(species), Box::new(params));
-            Ok(Grower::Species { species, params, age, first_seed: u64::from(seed) })
+            Ok(Grower::Species { species, params, age, first_seed: u64::from(seed), form })
         }
         Origin::Drawing(_) => {
             let assignments = Assignments::of(assignments);
@@ -224,7 +248,8 @@ fn grower(kind: &KindSpec, folder: &Path, all: &[String], sources: &mut Sources)
             let setup = Setup::open(&folder.join(name), &options)?;
             setup.species.picture_files().for_each(|picture| sources.add(picture));
             let Setup { sketch, species, params, .. } = setup;
-            Ok(Grower::Drawing { sketch: sketch.into(), species: species.into(), params: params.into() })
+            let (sketch, species, params) = (sketch.into(), species.into(), params.into());
+            Ok(Grower::Drawing { sketch, species, params, form })
         }
         Origin::Model(_) => Ok(Grower::Model(Box::new(model(&folder.join(name), sources)?))),
     }
@@ -328,7 +353,7 @@ fn check_size(out: &Path, triangles: usize) -> Result<()> {
         let most = GardenBudget::GARDEN.drawn_triangles;
         ensure!(
             triangles <= most,
-            "{}: {triangles} triangles are more than the {most} of a picture; choose a smaller area, or fewer --triangles",
+            "{}: {triangles} triangles are more than the {most} of a picture; choose a smaller area, fewer --triangles, or --detail card",
             out.display()
         );
         return Ok(());
@@ -462,6 +487,11 @@ mod tests {
             load(&out).unwrap().model.triangle_count()
         };
         assert!(size("reduced") < size("full"));
+        let flat = size("billboards");
+        assert!(
+            flat < size("reduced") && (flat - 12).is_multiple_of(8),
+            "{flat}: the ground and two pictures each"
+        );
         // A finished model has one individual.
         let models = format!("penstemon garden {here}/a.glb --area 30x30 --spacing 8 -o {here}/b.glb");
         run(&parse(&models).unwrap()).unwrap();

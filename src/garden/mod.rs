@@ -17,7 +17,7 @@
 //! | `scene`, `list` | all of it as one model of copies, or as a list of places |
 //!
 //! Source: 004 §3.3. Which of its numbers hold is in `docs/gardens.md`. Limits: copies of a plant are alike in everything but place, turn,
-//! lean and size; there are no levels of detail.
+//! lean and size; far plants are as fine as near ones.
 
 pub mod area;
 pub mod grey_map;
@@ -34,5 +34,5 @@ pub use area::{Area, Outline};
 pub use places::{Kind, Place, Plan, PlanError, Variation};
 pub use scene::Garden;
 pub use spec::{Cover, GardenError, GardenSpec, KindSpec, Origin};
-pub use stock::{Grower, Stock};
+pub use stock::{Form, Grower, Stock};
 pub use tiles::{Spot, TileSet};

@@ -3,10 +3,14 @@
 //! The individuals of a species have the seeds that follow each other from the kind's first one, so each is also to be had by itself:
 //! `penstemon grow rose --seed 2`. A finished model has one. Materials that are the same are one for the whole garden.
 //!
-//! Limits: a wide garden has plants of few triangles; how many is a share of what all may have ([`triangles_of_each`]).
+//! How they get few triangles is the pipeline's: what may lose foliage keeps to a budget of triangles, what may not becomes coarser
+//! (`pipeline::triangle_budget`). For wide gardens their foliage may be cards, or each of them two crossing pictures ([`Form`]).
+//!
+//! Limits: a wide garden has plants of few triangles; how many is a share of what all may have ([`triangles_of_each`]). Each individual
+//! with cards has a picture of its own.
 
-use crate::model::{self, Mesh, Model, ModelParams, PartKind};
-use crate::pipeline::{self, Bloom, Built, Params, Seed, Source};
+use crate::model::{Mesh, Model, PartKind};
+use crate::pipeline::{self, Bloom, Built, Level, Params, Seed, Source};
 use crate::plant::Material;
 use crate::sketch::Sketch;
 use crate::species::Species;
@@ -21,8 +25,6 @@ const TRIANGLES_OF_ALL: (usize, usize) = (20_000_000, 500_000);
 const MOST_TRIANGLES: usize = 40_000;
 /// Fewest triangles that it becomes coarser for; it may have more at its coarsest.
 pub const FEWEST_TRIANGLES: u32 = 2000;
-/// Halvings of the way from fine to coarse that is searched for an individual's fineness.
-const HALVINGS: u32 = 5;
 
 /// How many triangles a plant should have of which there are so many, copies of so many individuals.
 pub fn triangles_of_each(plants: usize, individuals: usize) -> u32 {
@@ -32,6 +34,18 @@ pub fn triangles_of_each(plants: usize, individuals: usize) -> u32 {
 
 /// Different remarks about the individuals of a kind that are kept.
 const MOST_REMARKS: usize = 20;
+
+/// What individuals are made of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Form {
+    /// Wood, leaves and flowers.
+    #[default]
+    Whole,
+    /// Wood, and cards of leaves, flowers and thin twigs.
+    Cards,
+    /// Two crossing pictures of the plant.
+    Billboards,
+}
 
 /// What makes the individuals of a kind.
 #[derive(Clone, Debug)]
@@ -46,6 +60,8 @@ pub enum Grower {
         age: Option<f32>,
         /// Seed of the first individual.
         first_seed: u64,
+        /// What they are made of.
+        form: Form,
     },
     /// A drawing.
     Drawing {
@@ -55,56 +71,40 @@ pub enum Grower {
         species: Box<Species>,
         /// Its parameters.
         params: Box<Params>,
+        /// What the individuals are made of.
+        form: Form,
     },
     /// A finished model.
     Model(Box<Model>),
 }
 
 impl Grower {
-    /// Makes individuals of about so many triangles, or of as many as its parameters say: as coarse as it takes. Flowers and leaves of
-    /// roses and blooms all stay, so there may be more; trees and drawings lose foliage where they must, as
+    /// Makes individuals of at most about so many triangles, or of as many as its parameters say. Flowers and leaves of roses and
+    /// blooms all stay while they are no cards, so there may be more; trees, drawings and cards lose foliage where they must, as
     /// `model.budget.triangles` says.
     pub fn fit(&mut self, usual: u32) {
-        let may_thin = match self {
-            Self::Species { species, .. } => species.growth.is_some(),
-            Self::Drawing { .. } => true,
+        let (species, params, form) = match self {
+            Self::Species { species, params, form, .. } => (Some(species), params, *form),
+            Self::Drawing { params, form, .. } => (None, params, *form),
             Self::Model(_) => return,
         };
-        let Some(asked) = self.model_params().map(|params| std::mem::take(&mut params.budget.triangles))
-        else {
-            return;
-        };
+        params.cards.used |= form == Form::Cards;
+        let may_thin = params.cards.used || species.is_none_or(|species| species.growth.is_some());
+        let asked = std::mem::take(&mut params.model.budget.triangles);
         let wanted = if asked > 0 { asked } else { usual };
-        let fits = |grower: &Self| grower.grow(0).0.triangle_count() <= wanted as usize;
-        let Some(finest) = self.model_params().cloned() else { return };
-        let mut with = |share: f32| {
-            self.model_params()
-                .iter_mut()
-                .for_each(|params| **params = model::coarser(&finest, share).into_owned());
-            fits(self)
-        };
-        if with(0.0) {
+        if form == Form::Billboards {
             return;
         }
-        if may_thin {
-            self.model_params().iter_mut().for_each(|params| params.budget.triangles = wanted);
-            return;
-        }
-        if with(1.0) {
-            let (mut coarse, mut fine) = (1.0, 0.0);
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (coarse + fine);
-                *(if with(middle) { &mut coarse } else { &mut fine }) = middle;
-            }
-            with(coarse);
-        }
-    }
-
-    /// How finely its individuals are modelled.
-    fn model_params(&mut self) -> Option<&mut ModelParams> {
+        let is_too_fine = |built: &Built| built.model.triangle_count() > wanted as usize;
+        let Some(built) = self.built(0).filter(is_too_fine) else { return };
         match self {
-            Self::Species { params, .. } | Self::Drawing { params, .. } => Some(&mut params.model),
-            Self::Model(_) => None,
+            Self::Species { params, .. } | Self::Drawing { params, .. } if may_thin => {
+                params.model.budget.triangles = wanted;
+            }
+            Self::Species { params, .. } | Self::Drawing { params, .. } => {
+                params.model = pipeline::coarsened(&built.plant, &params.model, u64::from(wanted));
+            }
+            Self::Model(_) => {}
         }
     }
 
@@ -113,28 +113,40 @@ impl Grower {
         if matches!(self, Self::Model(_)) { 1 } else { wanted.max(1) }
     }
 
-    /// The model of an individual, and what was odd about it.
-    fn grow(&self, variant: u32) -> (Model, Vec<String>) {
-        let built = |built: Built| {
-            let remarks = built.remarks.iter().map(ToString::to_string).collect();
-            (built.model, remarks)
-        };
+    /// A finished individual; none of a finished model.
+    fn built(&self, variant: u32) -> Option<Built> {
         match self {
-            Self::Species { species, params, age, first_seed } => {
+            Self::Species { species, params, age, first_seed, form: _ } => {
                 let number = first_seed + u64::from(variant);
                 let seed = Seed { number, age: *age, ..Seed::default() };
                 let grows = species.growth.is_some() || species.rose.is_some();
                 let bloom = Bloom { number };
                 let source = if grows { Source::Seed(&seed) } else { Source::Bloom(&bloom) };
-                built(pipeline::build(source, species, params))
+                Some(pipeline::build(source, species, params))
             }
-            Self::Drawing { sketch, species, params } => {
+            Self::Drawing { sketch, species, params, form: _ } => {
                 let sketch =
                     Sketch { seed: sketch.seed.wrapping_add(u64::from(variant)), ..Sketch::clone(sketch) };
-                built(pipeline::build(&sketch, species, params))
+                Some(pipeline::build(&sketch, species, params))
             }
-            Self::Model(model) => (Model::clone(model), Vec::new()),
+            Self::Model(_) => None,
         }
+    }
+
+    /// The model of an individual, and what was odd about it.
+    fn grow(&self, variant: u32) -> (Model, Vec<String>) {
+        if let Self::Model(model) = self {
+            return (Model::clone(model), Vec::new());
+        }
+        let Some(mut built) = self.built(variant) else { return Default::default() };
+        let remarks = built.remarks.iter().map(ToString::to_string).collect();
+        if let Self::Species { params, form: Form::Billboards, .. }
+        | Self::Drawing { params, form: Form::Billboards, .. } = self
+        {
+            let flat = pipeline::levels(&built.plant, &built.model, params, &[Level::Billboards]).pop();
+            built.model = flat.unwrap_or_default();
+        }
+        (built.model, remarks)
     }
 }
 
@@ -315,7 +327,13 @@ mod tests {
     fn individuals_have_a_mesh_for_each_material_and_all_their_triangles() {
         let species = Box::new(Species::built_in("daisy").unwrap());
         let params = pipeline::params_of_species(&species, &[]).unwrap();
-        let mut grower = Grower::Species { species, params: Box::new(params), age: None, first_seed: 1 };
+        let mut grower = Grower::Species {
+            species,
+            params: Box::new(params),
+            age: None,
+            first_seed: 1,
+            form: Form::Whole,
+        };
         let whole = grower.grow(0).0.triangle_count();
         grower.fit(25_000);
         let fitted = grower.grow(0).0;

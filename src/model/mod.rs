@@ -91,6 +91,7 @@ pub use measure::{Measure, Measures};
 pub use mesh::{Mesh, Vertex};
 pub use params::{ModelParams, TriangleParams};
 pub use planar_graph::{PlanarGraph, TriangulationScratch};
+pub use recipe::PlantRecipe;
 pub use solids::SolidParams;
 pub use tube::TubeParams;
 

@@ -10,7 +10,9 @@
 use super::limbs::WoodBranch;
 use super::piece::Piece;
 use super::solids::Proportion;
-use crate::plant::{Blade, Branch, Cone, Detail, ResolvedBlade, RestSurface, Shape, Template};
+use crate::plant::{
+    Blade, Branch, Cone, Detail, FinishedPlant, Organ, ResolvedBlade, RestSurface, Role, Shape, Template,
+};
 use crate::random::mix;
 use glam::{Vec2, Vec3};
 use std::sync::Arc;
@@ -38,6 +40,20 @@ pub(super) struct Recipe<'a> {
     words: Vec<u32>,
     /// Templates that are known by their addresses.
     templates: Vec<&'a Arc<Template>>,
+}
+
+/// What all surfaces of a plant depend on but parameters and what its materials look like: everything of its branches and organs, its
+/// templates, and which of them are of one material.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct PlantRecipe(Box<[u32]>);
+
+impl PlantRecipe {
+    /// That of a plant.
+    pub fn of(plant: &FinishedPlant) -> Self {
+        let mut recipe = Recipe::default();
+        recipe.plant(plant);
+        Self(recipe.words.into())
+    }
 }
 
 /// A recipe that is kept.
@@ -109,6 +125,31 @@ impl<'a> Recipe<'a> {
         }
         // A mesh tells where each material begins, also of those that only copies have.
         self.length(slots);
+    }
+
+    /// The recipe of a whole plant, its templates by what they are.
+    fn plant(&mut self, plant: &FinishedPlant) {
+        self.begin(7).length(plant.templates.len());
+        for template in plant.templates.iter() {
+            self.outline(template);
+        }
+        self.length(plant.branches.len());
+        for branch in &plant.branches {
+            let Branch { origin, parent, level, points: _, radii: _, role } = branch;
+            let Role { part, look, variant } = role;
+            self.word(u32::from(origin.is_drawn())).place(*parent).word(*level);
+            self.word(*part as u32).word(*look).word(*variant).length(plant.material(*role)).limb(branch);
+        }
+        for Organ { role, origin, branch, flower, shape } in &plant.organs {
+            let Role { part, look, variant } = role;
+            self.word(u32::from(origin.is_drawn())).place(*branch).place(*flower);
+            self.word(*part as u32).word(*look).word(*variant).length(plant.material(*role));
+            self.length(plant.material(role.of_head()));
+            match shape {
+                Shape::Blade(blade) => self.blade(blade, TemplateName::Flat(blade.template.index() as u64)),
+                solid => self.solid(solid),
+            };
+        }
     }
 
     /// The recipe, to be kept.
@@ -229,6 +270,10 @@ impl<'a> Recipe<'a> {
     fn word(&mut self, word: u32) -> &mut Self {
         self.words.push(word);
         self
+    }
+
+    fn place(&mut self, place: Option<usize>) -> &mut Self {
+        self.word(place.map_or(u32::MAX, |place| place as u32))
     }
 
     fn length(&mut self, count: usize) -> &mut Self {

@@ -239,3 +239,45 @@ fn the_base_of_a_bush_has_bark_for_every_joint() {
         }
     }
 }
+
+/// A branch on one straight line, thinner toward its end.
+fn retraced(places: &[f32], radius: f32) -> Branch {
+    let line = Vec3::new(0.62963945, -0.44135604, 0.63934296);
+    let foot = Vec3::new(0.0, -0.36887163, -0.26782367);
+    let radii = (0..places.len()).map(|k| radius * (1.0 - 0.2 * k as f32 / places.len() as f32)).collect();
+    Branch {
+        points: places.iter().map(|place| foot + line * *place).collect(),
+        radii,
+        ..branch(Vec3::ZERO, Vec3::Y, 1.0, radius)
+    }
+}
+
+#[test]
+fn a_branch_that_goes_out_and_back_and_out_again_on_one_line_is_sound() {
+    let points = [
+        Vec3::new(0.0, -0.36887163, -0.26782367),
+        Vec3::new(0.62963945, -0.8102273, 0.3715193),
+        Vec3::new(0.06354135, -0.4132873, -0.20299292),
+        Vec3::new(1.2592789, -1.251583, 1.0108622),
+    ];
+    let radii = vec![0.000135, 0.000102, 0.000069, 0.000036];
+    let found = Branch { points: points.to_vec(), radii, ..branch(Vec3::ZERO, Vec3::Y, 1.0, 1.0) };
+    joined(&[(found, None)]);
+    for places in [
+        &[0.0, 1.0, 0.1, 2.0][..],
+        &[0.0, 1.0, 0.0, 1.0],
+        &[0.0, 1.0, 0.0, 1.0, 0.0, 1.0],
+        &[0.0, 2.0, 1.0, 2.0, 1.0, 3.0],
+    ] {
+        for radius in [1e-5, 1e-4, 1e-3, 0.01, 0.1] {
+            let again = retraced(places, radius);
+            let even = Branch { radii: vec![radius; places.len()], ..again.clone() };
+            for branch in [again, even] {
+                joined(&[(branch.clone(), None)]);
+                let look = tube::look(&branch, &TubeParams::default(), 3.0);
+                let mesh = tube::branch(&branch, look, &mut tube::TubeScratch::default());
+                assert_eq!(mesh.check_invariants(), Ok(()), "{places:?} {radius}");
+            }
+        }
+    }
+}

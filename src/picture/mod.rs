@@ -106,13 +106,21 @@ impl Picture {
     /// # Errors
     /// As [`Picture::read`].
     pub fn read_with_pixels(path: &Path) -> Result<(Self, Rgba), PictureError> {
+        let picture = Self::read_header(path)?;
+        let pixels = picture.pixels()?;
+        Ok((picture, pixels))
+    }
+
+    /// Reads a file, of its picture only the header.
+    ///
+    /// # Errors
+    /// As [`Picture::new`], and a file that cannot be read.
+    pub fn read_header(path: &Path) -> Result<Self, PictureError> {
         let bytes = input::read(path, MAX_BYTES as u64).map_err(|error| match error.kind() {
             ErrorKind::FileTooLarge => PictureError::TooLarge,
             _ => PictureError::Unreadable(error.to_string()),
         })?;
-        let picture = Self::new(bytes)?;
-        let pixels = picture.pixels()?;
-        Ok((picture, pixels))
+        Self::new(bytes)
     }
 
     /// Its pixels.

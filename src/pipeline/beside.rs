@@ -15,6 +15,7 @@ use super::seed::SeedMemory;
 use super::setup::{Params, params_of_species};
 use super::source::Seed;
 use crate::budget::Budget;
+use crate::cards;
 use crate::growth::Limits;
 use crate::model::{self, Model, Part};
 use crate::plant::WorldFromCanvas;
@@ -187,7 +188,9 @@ impl Kept {
         }
         let pictures = &Textures::default();
         let how = Finish { seed: number, pictures, budget: request.budget, placing: Some(&request.placing) };
-        finish(model, produced, (species, params), &how, clock, stop)
+        // Their parameters are those of their species, which has no cards.
+        let cards = &mut cards::Cache::for_one_build();
+        finish((model, cards), produced, (species, params), &how, clock, stop)
             .map(|built| Made::Stands(Box::new(built)))
     }
 }

@@ -58,7 +58,7 @@ pub(super) struct Finish<'a> {
 
 /// Gives a plant its looks and its surfaces; nothing if `stop` said yes.
 pub(super) fn finish(
-    cache: &mut model::Cache,
+    (cache, cards): (&mut model::Cache, &mut cards::Cache),
     produced: Produced,
     (species, params): (&Species, &Params),
     &Finish { seed, pictures, budget, placing }: &Finish<'_>,
@@ -89,9 +89,12 @@ pub(super) fn finish(
     let plant = match params.cards.used {
         true => clock.time("cards", || {
             let most = (wanted > 0).then(|| triangle_budget::of_foliage(wanted));
-            cards::with_cards(plant, &params.cards, most)
-        }),
-        false => plant,
+            cards::with_kept_cards(plant, &params.cards, most, cards, stop)
+        })?,
+        false => {
+            cards.clear();
+            plant
+        }
     };
     let (plant, fitted) = match wanted {
         0 => (plant, None),

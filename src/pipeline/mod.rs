@@ -44,9 +44,11 @@ pub use setup::{
     species_or_usual, usual_species,
 };
 pub use source::{Ages, Bloom, Produced, Seed, Source};
+pub use triangle_budget::coarsened;
 pub use usual_species::{DEFAULT_SPECIES, species_of_habit};
 
 use crate::budget::Budget;
+use crate::cards;
 use crate::growth::overlay::Wanted;
 use crate::model;
 use crate::sketch::{Sketch, Textures};
@@ -59,6 +61,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub struct Cache {
     /// Meshes of parts.
     pub model: model::Cache,
+    /// Pictures of foliage.
+    pub cards: cards::Cache,
     /// The drawing that was built last.
     pub drawing: DrawingMemory,
     /// The plant that grew last from a seed.
@@ -92,7 +96,8 @@ impl Cache {
 /// model.
 pub fn build<'a>(source: impl Into<Source<'a>>, species: &Species, params: &Params) -> Built {
     let (model, drawing) = (model::Cache::for_one_build(), DrawingMemory::for_one_build());
-    let mut cache = Cache { model, drawing, ..Cache::default() };
+    let cards = cards::Cache::for_one_build();
+    let mut cache = Cache { model, cards, drawing, ..Cache::default() };
     let built = build_with(&mut cache, source, species, params, &|| false);
     built.unwrap_or_else(|| unreachable!("nothing stops it"))
 }
@@ -125,20 +130,27 @@ pub fn build_with<'a>(
             }
             let budget = beside::budget_of_drawn(sketch.plants.len());
             let how = Finish { seed: sketch.seed, pictures: &sketch.textures, budget, placing: None };
-            let drawn = finish::finish(&mut cache.model, produced, with, &how, &mut clock, &stop)?;
+            let drawn = finish::finish(
+                (&mut cache.model, &mut cache.cards),
+                produced,
+                with,
+                &how,
+                &mut clock,
+                &stop,
+            )?;
             beside::add(&mut cache.beside, drawn, &sketch.plants, &mut clock, &stop)
         }
         Source::Bloom(bloom) => {
             let produced = clock.time("bloom", || bloom::produce(bloom, with));
             let pictures = &Textures::default();
             let how = Finish { seed: bloom.number, pictures, budget: Budget::PLANT, placing: None };
-            finish::finish(&mut cache.model, produced, with, &how, &mut clock, &stop)
+            finish::finish((&mut cache.model, &mut cache.cards), produced, with, &how, &mut clock, &stop)
         }
         Source::Seed(seed) => {
             let produced = alone::produce(&mut cache.seed, seed, with, &mut clock, &stop)?;
             let pictures = &Textures::default();
             let how = Finish { seed: seed.number, pictures, budget: Budget::PLANT, placing: None };
-            finish::finish(&mut cache.model, produced, with, &how, &mut clock, &stop)
+            finish::finish((&mut cache.model, &mut cache.cards), produced, with, &how, &mut clock, &stop)
         }
     }
 }

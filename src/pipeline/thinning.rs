@@ -134,6 +134,20 @@ pub(super) fn thinned(plant: &FinishedPlant, [leaves, flowers]: [f32; 2]) -> Fin
     plant
 }
 
+/// The plant with such a share of the thorns that nobody drew.
+pub(super) fn with_thorns(plant: &FinishedPlant, share: f32) -> FinishedPlant {
+    let mut plant = plant.clone();
+    let goes = |(index, organ): (u64, &Organ)| {
+        organ.kind() == OrganKind::Thorn && !organ.origin.is_drawn() && unit(mix(3, index)) >= share
+    };
+    plant.reshape(|plant| {
+        let goes: Vec<bool> = (0..).zip(&plant.organs).map(goes).collect();
+        let mut goes = goes.into_iter();
+        plant.organs.retain(|_| !goes.next().unwrap_or(false));
+    });
+    plant
+}
+
 /// What happens to what stands on twigs that go.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum OnTwigs {

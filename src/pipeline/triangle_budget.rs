@@ -9,6 +9,8 @@
 //! them the same share of leaves; leaves fill up what a flower more would be too much for. One flower always stays, and so does its
 //! stem; other twigs go last. More are asked for: everything becomes finer.
 //!
+//! Of a plant with cards thorns go before anything else.
+//!
 //! How many triangles there are is counted on models, of which one or two dozen are built, so the number is exact.
 //!
 //! Limits: all these builds come again with every sample where a drawing has such a number in the window, though a newer drawing
@@ -16,7 +18,7 @@
 //! plant of many has more than it should, as a daisy at its coarsest; flowers of umbels, as of a dandelion, go one by one. A plant
 //! at its finest may have fewer. The plant's list of flowers keeps those that went.
 
-use super::thinning::{Foliage, OnTwigs, thinned, without_twigs};
+use super::thinning::{Foliage, OnTwigs, thinned, with_thorns, without_twigs};
 use crate::geom::simple_loop::{area, hull_area};
 use crate::model::{self, ModelParams};
 use crate::plant::{Detail, FinishedPlant, Organ, OrganKind, Shape, Template};
@@ -63,18 +65,48 @@ pub(super) fn fit(
         let by = largest_each(|by| budget.has_room(&plant, &finer(by)), |_| false);
         return (plant, finer(by));
     }
+    let (plant, now) = match has_cards(&plant) {
+        true => {
+            let plant = with_few_thorns(plant, params, &budget);
+            let now = budget.count(&plant, params);
+            (plant, now)
+        }
+        false => (plant, now),
+    };
+    if now <= wanted {
+        return (plant, params.clone());
+    }
     let foliage = Foliage::of(&plant);
     let is_leafy = foliage.leaves + foliage.flowers >= FOLIAGE;
     if (is_leafy || foliage.flowers > 1) && has_large_flowers(&plant, &foliage) {
         return with_flowers(plant, params, &budget);
     }
     if !is_leafy {
-        let coarser = |fine: [f32; 4]| model::coarser_each(params, fine.map(|fine| 1.0 - fine));
-        let is_near = |fine| budget.is_met(budget.count(&plant, &coarser(fine)));
-        let fine = largest_each(|fine| budget.has_room(&plant, &coarser(fine)), is_near);
-        return (plant, coarser(fine));
+        let params = coarse(&plant, params, &budget);
+        return (plant, params);
     }
     with_foliage(plant, params, now, &budget)
+}
+
+/// The parameters with which a plant has at most about so many triangles without losing anything: as coarse as it takes, so that one
+/// which is too many at its coarsest keeps more.
+pub fn coarsened(plant: &FinishedPlant, params: &ModelParams, wanted: u64) -> ModelParams {
+    let budget = Budget { wanted, stop: &|| false };
+    if budget.count(plant, params) <= wanted {
+        return params.clone();
+    }
+    if has_large_flowers(plant, &Foliage::of(plant)) {
+        flowers_coarser(params, 1.0 - finest_flowers(plant, params, &budget))
+    } else {
+        coarse(plant, params, &budget)
+    }
+}
+
+/// The parameters that are coarser until a plant fits, each of them as fine as the others let it.
+fn coarse(plant: &FinishedPlant, params: &ModelParams, budget: &Budget<'_>) -> ModelParams {
+    let coarser = |fine: [f32; 4]| model::coarser_each(params, fine.map(|fine| 1.0 - fine));
+    let is_near = |fine| budget.is_met(budget.count(plant, &coarser(fine)));
+    coarser(largest_each(|fine| budget.has_room(plant, &coarser(fine)), is_near))
 }
 
 /// How many of so many triangles are for foliage.
@@ -147,6 +179,20 @@ fn largest_each<const N: usize>(
     all
 }
 
+/// Whether foliage of a plant is cards, beside which nobody looks for thorns.
+fn has_cards(plant: &FinishedPlant) -> bool {
+    plant.organs.iter().any(|organ| matches!(organ.shape, Shape::Card { .. }))
+}
+
+/// The plant with as many of its thorns as there is room for.
+fn with_few_thorns(plant: FinishedPlant, params: &ModelParams, budget: &Budget<'_>) -> FinishedPlant {
+    if plant.organs.iter().all(|organ| organ.kind() != OrganKind::Thorn) {
+        return plant;
+    }
+    let share = largest(|share| budget.count(&with_thorns(&plant, share), params) <= budget.wanted);
+    with_thorns(&plant, share)
+}
+
 /// Whether a plant has flowers that are more than a few triangles each.
 fn has_large_flowers(plant: &FinishedPlant, foliage: &Foliage) -> bool {
     let is_large = |organ: &Organ| match &organ.shape {
@@ -164,16 +210,8 @@ fn with_flowers(
     params: &ModelParams,
     budget: &Budget<'_>,
 ) -> (FinishedPlant, ModelParams) {
-    // Flowers come to their coarsest in the first half of the way, all else in the second.
-    let coarser = |way: f32| {
-        let (flowers, rest) = ((2.0 * way).min(1.0), (2.0 * way - 1.0).max(0.0));
-        let mut coarser = model::coarser_each(params, [flowers, rest, rest, flowers]);
-        let corners = &mut coarser.blade.template_outline_points;
-        *corners = (*corners).max(FEWER_CORNERS.1.min(params.blade.template_outline_points));
-        coarser
-    };
-    let fine = largest(|fine| budget.has_room(&plant, &coarser(1.0 - fine)));
-    let coarse = coarser(1.0 - fine);
+    let fine = finest_flowers(&plant, params, budget);
+    let coarse = flowers_coarser(params, 1.0 - fine);
     let now = budget.count(&plant, &coarse);
     if budget.is_met(now) {
         return (plant, coarse);
@@ -182,9 +220,24 @@ fn with_flowers(
         return (with_fewer_flowers(&plant, &coarse, budget), coarse);
     }
     // Flowers become finer in steps: rather the step above, with fewer leaves, than too little of all.
-    let above = coarser((1.0 - fine - 0.5f32.powi(HALVINGS as i32)).max(0.0));
+    let above = flowers_coarser(params, (1.0 - fine - 0.5f32.powi(HALVINGS as i32)).max(0.0));
     let fewer = with_leaves_that_fit(&plant, &above, budget);
     if budget.is_met(budget.count(&fewer, &above)) { (fewer, above) } else { (plant, coarse) }
+}
+
+/// How far from its coarsest, 0, to its finest, 1, a plant with large flowers has room.
+fn finest_flowers(plant: &FinishedPlant, params: &ModelParams, budget: &Budget<'_>) -> f32 {
+    largest(|fine| budget.has_room(plant, &flowers_coarser(params, 1.0 - fine)))
+}
+
+/// Parameters so far on the way from fine, 0, to coarse, 1: flowers come to their coarsest in the first half of it, all else in the
+/// second.
+fn flowers_coarser(params: &ModelParams, way: f32) -> ModelParams {
+    let (flowers, rest) = ((2.0 * way).min(1.0), (2.0 * way - 1.0).max(0.0));
+    let mut coarser = model::coarser_each(params, [flowers, rest, rest, flowers]);
+    let corners = &mut coarser.blade.template_outline_points;
+    *corners = (*corners).max(FEWER_CORNERS.1.min(params.blade.template_outline_points));
+    coarser
 }
 
 /// The plant with as many of its flowers and leaves as there is room for: one flower at least. Only then twigs go.
