@@ -1,0 +1,53 @@
+//! Lobes: bodies that a crown fills, lofted from strokes in space (001 ch. 5).
+//!
+//! ```text
+//! text ──► Crown ──► Lobe: strokes ──► Line ──► order ──► strips, caps ──► untangled ──► remeshed ──► deformed, posed: Shaped
+//!  JSON              what the artist has         closed, even              closed surface  no crossing   even triangles
+//! ```
+//!
+//! | file | what |
+//! | --- | --- |
+//! | `lobe` | strokes, poses and offsets as the artist has them |
+//! | `text` | all of it as a file |
+//! | `stroke` | strokes closed, smoothed and sampled evenly |
+//! | `order` | where a stroke belongs along its lobe |
+//! | `pairing`, `strip` | two loops joined |
+//! | `cap` | ends closed, by an open stroke or round |
+//! | `turned`, `sheet`, `outline` | lobes from profiles, from open strokes, from one outline |
+//! | `loft` | which of these a lobe is |
+//! | `surface`, `corner_table`, `nearest` | surfaces, and questions to them |
+//! | `grid`, `untangle` | surfaces that crossed themselves |
+//! | `remesh` | even triangles |
+//! | `deform` | what was changed by hand, kept |
+//! | `shape` | all stages in a row |
+//! | `remark` | what is said of a lobe |
+//!
+//! Everything is pure and knows no plant; how a crown of lobes is grown into: `growth/volume/lobes.rs`.
+//! How files are written, and what was measured: `docs/lobes.md`.
+
+mod cap;
+mod corner_table;
+pub mod deform;
+mod grid;
+pub mod lobe;
+mod loft;
+mod nearest;
+mod order;
+mod outline;
+pub mod pairing;
+pub mod remark;
+pub mod remesh;
+mod shape;
+mod sheet;
+mod strip;
+mod stroke;
+mod surface;
+pub mod text;
+mod turned;
+mod untangle;
+
+pub use lobe::{Crown, Form, Lobe, Offset, Pose, SpaceStroke, Trunk};
+pub use remark::{Fault, Remark};
+pub use remesh::Remesh;
+pub use shape::{MOST_STROKES, Shaped, shape, shape_all, undeformed};
+pub use surface::Surface;
