@@ -3,6 +3,7 @@
 mod boundary;
 pub mod bvh;
 pub mod cells;
+pub mod cholesky;
 mod cluster_heads;
 pub mod convex_hull;
 pub mod crossing;

@@ -35,6 +35,8 @@ const RIM: f32 = 0.7;
 pub(super) struct Lofted {
     /// The surface: closed, but it may cross itself or be inside out.
     pub(super) surface: Surface,
+    /// Whether it comes from a grid, so that sharp edges mean nothing.
+    pub(super) of_grid: bool,
     /// Strokes without a place, by their numbers.
     pub(super) left_out: Vec<usize>,
 }
@@ -60,10 +62,10 @@ pub(super) fn loft(lines: &[Line], form: Form, in_order: bool) -> Result<Lofted,
         (_, []) => Err(Lack::Strokes),
         (Form::Turned, [a, b]) if open == 2 => Ok(turned_lobe(a, b)),
         (Form::Turned, _) => Err(Lack::Profiles),
-        (_, [line]) if line.closed => Ok(Lofted { surface: inflated(line), left_out: Vec::new() }),
+        (_, [line]) if line.closed => Ok(Lofted { surface: inflated(line), of_grid: true, left_out: Vec::new() }),
         (_, [_]) => Err(Lack::SecondStroke),
         (Form::Auto, [a, b]) if open == 2 && turned::are_profiles(a, b) => Ok(turned_lobe(a, b)),
-        _ if open == lines.len() => Ok(Lofted { surface: sheet(lines), left_out: Vec::new() }),
+        _ if open == lines.len() => Ok(Lofted { surface: sheet(lines), ..Lofted::default() }),
         _ => Ok(along(lines, order(lines, in_order))),
     }
 }
@@ -101,7 +103,7 @@ fn along(lines: &[Line], order: Order) -> Lofted {
             }
         }
     }
-    Lofted { surface, left_out: order.left_out }
+    Lofted { surface, of_grid: false, left_out: order.left_out }
 }
 
 fn add(surface: &mut Surface, line: &Line) -> Loop {
@@ -163,7 +165,7 @@ mod tests {
         let rings = vec![ring(48, 1.0, 1.0), backward, ring(24, 0.5, 3.0)];
         let capped = [rings.clone(), vec![arch(3.0, 3.4), arch(1.0, 0.5)]].concat();
         for lines in [rings, capped, vec![ring(48, 1.0, 1.0), arch(1.0, 1.8)]] {
-            let Lofted { mut surface, left_out } = loft(&lines, Form::Auto, false).unwrap();
+            let Lofted { mut surface, left_out, .. } = loft(&lines, Form::Auto, false).unwrap();
             assert!(left_out.is_empty());
             if surface.signed_volume() < 0.0 {
                 surface.flip();

@@ -18,7 +18,8 @@
 //! | `surface`, `corner_table`, `nearest` | surfaces, and questions to them |
 //! | `grid`, `untangle` | surfaces that crossed themselves |
 //! | `remesh` | even triangles |
-//! | `deform` | what was changed by hand, kept |
+//! | `edit_stroke`, `drag` | strokes and surfaces changed by hand |
+//! | `deform` | what was changed of a surface, kept |
 //! | `shape` | all stages in a row |
 //! | `remark` | what is said of a lobe |
 //!
@@ -28,6 +29,8 @@
 mod cap;
 mod corner_table;
 pub mod deform;
+pub mod drag;
+pub mod edit_stroke;
 mod grid;
 pub mod lobe;
 mod loft;

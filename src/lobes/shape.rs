@@ -92,12 +92,13 @@ pub fn undeformed(lobe: &Lobe, params: &Remesh, remarks: &mut Vec<Remark>) -> Re
     if anew {
         remarks.push(Remark::Untangled);
     }
-    Ok(even(surface, params, remarks))
+    Ok(even(surface, lofted.of_grid || anew, params, remarks))
 }
 
-/// The surface with even triangles, where these leave it clean.
-fn even(surface: Surface, params: &Remesh, remarks: &mut Vec<Remark>) -> Surface {
-    match remesh(&surface, params) {
+/// The surface with even triangles, where these leave it clean; one that comes from a grid has no creases.
+fn even(surface: Surface, of_grid: bool, params: &Remesh, remarks: &mut Vec<Remark>) -> Surface {
+    let crease_deg = if of_grid { 180.0 } else { params.crease_deg };
+    match remesh(&surface, &Remesh { crease_deg, ..*params }) {
         Some(even) if even.signed_volume() > 0.0 && is_clean(&even) => even,
         _ => {
             remarks.push(Remark::Uneven);
@@ -115,7 +116,7 @@ fn clean(surface: Surface, params: &Remesh, remarks: &mut Vec<Remark>) -> Result
     if !remarks.contains(&Remark::Untangled) {
         remarks.push(Remark::Untangled);
     }
-    Ok(even(surface, params, remarks))
+    Ok(even(surface, true, params, remarks))
 }
 
 /// What of a lobe is above the ground. One that is taken away from others may reach below it.
@@ -131,5 +132,5 @@ fn above_ground(
     }
     remarks.push(Remark::Clipped);
     let part = above(&surface, 0.0).ok_or(Fault::Buried)?;
-    Ok(even(part, params, remarks))
+    Ok(even(part, true, params, remarks))
 }

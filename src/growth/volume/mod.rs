@@ -7,7 +7,8 @@ mod solid;
 
 pub use envelope::{Crown, Envelope};
 pub use inflated::Inflated;
-pub use lobes::{Lobes, Part};
+pub use lobes::Lobes;
+pub(super) use lobes::Part;
 pub use solid::{MAX_BYTES, Solid, SolidError};
 
 #[cfg(test)]
