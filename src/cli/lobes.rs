@@ -65,7 +65,8 @@ pub fn run(args: &Args) -> Result<ExitCode> {
                 "negative": lobe.negative,
             })
         };
-        stats["lobes"] = shaped.iter().map(|lobe| (lobe.name.clone(), of(lobe))).collect::<serde_json::Map<_, _>>().into();
+        stats["lobes"] =
+            shaped.iter().map(|lobe| (lobe.name.clone(), of(lobe))).collect::<serde_json::Map<_, _>>().into();
         common::print(&stats.to_string())?;
     }
     Ok(ExitCode::SUCCESS)
@@ -160,7 +161,8 @@ mod tests {
     #[test]
     fn what_cannot_be_filled_is_one_clear_message() {
         let folder = tempfile::tempdir().unwrap();
-        let message = |lobes: &str| crate::cli::one_line(&volume(&written(folder.path(), lobes)).unwrap_err());
+        let message =
+            |lobes: &str| crate::cli::one_line(&volume(&written(folder.path(), lobes)).unwrap_err());
         let lobe = |rest: &str| format!("{{\"strokes\": [{RING}]{rest}}}");
         for (lobes, expected) in [
             (lobe(", \"negative\": true"), "nothing to fill"),

@@ -171,9 +171,14 @@ mod tests {
             for (k, branch) in wood.iter().enumerate() {
                 assert_eq!(branch.points.len(), branch.radii.len());
                 assert!(branch.parent.is_none_or(|parent| parent < k));
-                assert!(branch.points.windows(2).all(|w| w[0] != w[1]) && branch.radii.iter().all(|r| *r > 0.0));
+                assert!(
+                    branch.points.windows(2).all(|w| w[0] != w[1]) && branch.radii.iter().all(|r| *r > 0.0)
+                );
             }
-            assert!(lobes.part_at(*wood[0].points.last().unwrap()).is_some(), "a trunk's end goes on into the crown");
+            assert!(
+                lobes.part_at(*wood[0].points.last().unwrap()).is_some(),
+                "a trunk's end goes on into the crown"
+            );
         }
     }
 

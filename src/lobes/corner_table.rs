@@ -286,7 +286,8 @@ mod tests {
             }
             match draw(4) {
                 0 | 1 if step < 600 => {
-                    let at = table.points[table.from(h) as usize].lerp(table.points[table.to(h) as usize], 0.4);
+                    let at =
+                        table.points[table.from(h) as usize].lerp(table.points[table.to(h) as usize], 0.4);
                     table.split(h, at);
                 }
                 2 => drop(table.flip(h)),

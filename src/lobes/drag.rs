@@ -91,7 +91,8 @@ impl Drag {
         let rest: Vec<DVec3> = vertices.iter().map(|v| surface.points[*v as usize].as_dvec3()).collect();
         let around = |v: &u32| {
             let inside = neighbours[*v as usize].iter().filter(|(w, _)| local[*w as usize] != u32::MAX);
-            let weight = |cotangent: f64| if method == Method::Rigid { cotangent.max(LEAST_WEIGHT) } else { 1.0 };
+            let weight =
+                |cotangent: f64| if method == Method::Rigid { cotangent.max(LEAST_WEIGHT) } else { 1.0 };
             inside.map(|(w, cot)| Beside { of: local[*w as usize], weight: weight(*cot) }).collect::<Vec<_>>()
         };
         let beside: Vec<Vec<Beside>> = vertices.iter().map(around).collect();
@@ -315,14 +316,18 @@ mod tests {
         for method in [Method::Rigid, Method::Laplacian] {
             let drag = Drag::begin(&surface, handle, 0.8, method).unwrap();
             let still = drag.to(at);
-            assert!(still.iter().all(|(v, p)| p.distance(surface.points[*v as usize]) < 1e-4), "{method:?}: a drag of nothing");
+            assert!(
+                still.iter().all(|(v, p)| p.distance(surface.points[*v as usize]) < 1e-4),
+                "{method:?}: a drag of nothing"
+            );
             let to = at + Vec3::new(0.2, 0.4, 0.0);
             let moved = drag.to(to);
             assert!(moved.contains(&(handle, to)) && moved.len() == drag.moving());
             assert!(moved.iter().all(|(v, p)| p.is_finite() && surface.points[*v as usize].y > 0.2));
             // What is near moves more than what is far.
             let shift = |near: bool| {
-                let of = moved.iter().filter(|(v, _)| (surface.points[*v as usize].distance(at) < 0.4) == near);
+                let of =
+                    moved.iter().filter(|(v, _)| (surface.points[*v as usize].distance(at) < 0.4) == near);
                 let shifts: Vec<f32> = of.map(|(v, p)| p.distance(surface.points[*v as usize])).collect();
                 shifts.iter().sum::<f32>() / shifts.len() as f32
             };

@@ -14,7 +14,8 @@ pub const BLEND: f32 = 0.15;
 /// The number of the sample in the middle between two marks, by length; on a loop the part runs forward from the first mark.
 pub fn middle(points: &[Vec3], closed: bool, marks: [usize; 2]) -> Option<usize> {
     let (part, shares) = part(points, closed, marks)?;
-    let nearest = (0..part.len()).min_by(|a, b| (shares[*a] - 0.5).abs().total_cmp(&(shares[*b] - 0.5).abs()))?;
+    let nearest =
+        (0..part.len()).min_by(|a, b| (shares[*a] - 0.5).abs().total_cmp(&(shares[*b] - 0.5).abs()))?;
     Some(part[nearest])
 }
 
@@ -68,12 +69,17 @@ mod tests {
         let moved = bent(&line(), false, [16, 4], handle).unwrap();
         assert!(moved[10].distance(handle) < 1e-5);
         assert!((0..=4).chain(16..=20).all(|k| moved[k] == line()[k]));
-        assert!(moved.windows(3).all(|w| (w[1] - w[0]).angle_between(w[2] - w[1]) < 0.8), "no corner: {moved:?}");
+        assert!(
+            moved.windows(3).all(|w| (w[1] - w[0]).angle_between(w[2] - w[1]) < 0.8),
+            "no corner: {moved:?}"
+        );
     }
 
     #[test]
     fn a_part_of_a_loop_may_run_over_its_first_sample() {
-        let ring: Vec<Vec3> = (0..12).map(|k| Vec3::from_array([(k as f32 * 0.5236).cos(), (k as f32 * 0.5236).sin(), 0.0])).collect();
+        let ring: Vec<Vec3> = (0..12)
+            .map(|k| Vec3::from_array([(k as f32 * 0.5236).cos(), (k as f32 * 0.5236).sin(), 0.0]))
+            .collect();
         assert_eq!(middle(&ring, true, [9, 3]), Some(0));
         let moved = bent(&ring, true, [9, 3], Vec3::X * 3.0).unwrap();
         assert!(moved[0].distance(Vec3::X * 3.0) < 1e-4 && (3..=9).all(|k| moved[k] == ring[k]));
@@ -82,7 +88,9 @@ mod tests {
     #[test]
     fn marks_without_anything_between_are_refused() {
         for marks in [[3, 3], [3, 4], [3, 99], [99, 3]] {
-            assert!(bent(&line(), false, marks, Vec3::ONE).is_none() && middle(&line(), false, marks).is_none());
+            assert!(
+                bent(&line(), false, marks, Vec3::ONE).is_none() && middle(&line(), false, marks).is_none()
+            );
         }
         assert!(bent(&[Vec3::ONE; 5], false, [0, 4], Vec3::ONE).is_none());
     }

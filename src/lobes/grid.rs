@@ -62,8 +62,10 @@ impl Grid {
         let column = |c: usize| -> Vec<bool> {
             let at = grid.place([c % w, 0, c / w]).as_dvec3();
             let line = DVec2::new(at.x, at.z) + ASIDE * f64::from(grid.cell);
-            let mut met: Vec<(f64, i32)> =
-                lists[c].iter().filter_map(|t| meets(surface.corners(surface.triangles[*t as usize]), line)).collect();
+            let mut met: Vec<(f64, i32)> = lists[c]
+                .iter()
+                .filter_map(|t| meets(surface.corners(surface.triangles[*t as usize]), line))
+                .collect();
             met.sort_by(|a, b| b.0.total_cmp(&a.0));
             let mut inside = vec![false; h];
             let (mut passed, mut winding) = (0, 0);
@@ -137,7 +139,8 @@ impl Grid {
         let points = edges.iter().map(|edge| self.crossing(*edge)).collect();
         // Every edge is among those that were sorted.
         let number = |edge: &[u32; 2]| edges.binary_search(edge).unwrap_or_default() as u32;
-        let triangles = faces.iter().map(|face| [number(&face[0]), number(&face[1]), number(&face[2])]).collect();
+        let triangles =
+            faces.iter().map(|face| [number(&face[0]), number(&face[1]), number(&face[2])]).collect();
         Surface { points, triangles }
     }
 
@@ -176,7 +179,8 @@ impl Grid {
         let on = |a: usize, b: usize| [nodes[a].min(nodes[b]), nodes[a].max(nodes[b])];
         // The corners in the order inside first turn as the tetrahedron does, or the other way.
         let order: Vec<usize> = inside.iter().chain(&outside).copied().collect();
-        let inversions = (0..4).flat_map(|i| (i + 1..4).map(move |j| (i, j))).filter(|(i, j)| order[*i] > order[*j]);
+        let inversions =
+            (0..4).flat_map(|i| (i + 1..4).map(move |j| (i, j))).filter(|(i, j)| order[*i] > order[*j]);
         let flipped = inversions.count() % 2 == 1;
         let mut add = |face: [[u32; 2]; 3]| {
             let [a, b, c] = face;
@@ -242,7 +246,11 @@ mod tests {
         assert_eq!(union.check_invariants(), Ok(()));
         // Two balls less the lens that they share.
         let expected = std::f64::consts::PI * (8.0 / 3.0 - 5.0 / 12.0);
-        assert!((union.signed_volume() / expected - 1.0).abs() < 0.03, "{} of {expected}", union.signed_volume());
+        assert!(
+            (union.signed_volume() / expected - 1.0).abs() < 0.03,
+            "{} of {expected}",
+            union.signed_volume()
+        );
         let half = Grid::of_winding(&ball(Vec3::ZERO), 0.0).surface();
         let expected = std::f64::consts::PI * 2.0 / 3.0;
         assert!((half.signed_volume() / expected - 1.0).abs() < 0.05, "{}", half.signed_volume());

@@ -62,7 +62,9 @@ pub(super) fn loft(lines: &[Line], form: Form, in_order: bool) -> Result<Lofted,
         (_, []) => Err(Lack::Strokes),
         (Form::Turned, [a, b]) if open == 2 => Ok(turned_lobe(a, b)),
         (Form::Turned, _) => Err(Lack::Profiles),
-        (_, [line]) if line.closed => Ok(Lofted { surface: inflated(line), of_grid: true, left_out: Vec::new() }),
+        (_, [line]) if line.closed => {
+            Ok(Lofted { surface: inflated(line), of_grid: true, left_out: Vec::new() })
+        }
         (_, [_]) => Err(Lack::SecondStroke),
         (Form::Auto, [a, b]) if open == 2 && turned::are_profiles(a, b) => Ok(turned_lobe(a, b)),
         _ if open == lines.len() => Ok(Lofted { surface: sheet(lines), ..Lofted::default() }),

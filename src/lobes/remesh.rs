@@ -67,7 +67,7 @@ pub fn remesh(surface: &Surface, params: &Remesh) -> Option<Surface> {
         split_long(&mut table, (length * BOUNDS.0).powi(2))?;
         collapse_short(&mut table, length);
         even_valences(&mut table);
-        smooth(&mut table, &nearest, SMOOTHINGS);
+        smooth(&mut table, &nearest);
     }
     Some(table.surface())
 }
@@ -103,7 +103,8 @@ fn split_long(table: &mut CornerTable, most: f32) -> Option<()> {
         for (squared, h) in long {
             let is_longest = [h, table.twin(h)].iter().all(|h| table.longest_beside(*h) <= squared);
             if is_longest && table.squared(h) == squared {
-                let middle = table.points[table.from(h) as usize].midpoint(table.points[table.to(h) as usize]);
+                let middle =
+                    table.points[table.from(h) as usize].midpoint(table.points[table.to(h) as usize]);
                 table.split(h, middle);
             }
         }
@@ -117,7 +118,8 @@ fn split_long(table: &mut CornerTable, most: f32) -> Option<()> {
 fn collapse_short(table: &mut CornerTable, length: f32) {
     let (most, least) = ((BOUNDS.0 * length).powi(2), (BOUNDS.1 * length).powi(2));
     let is_short = |h: &u32| table.lives(*h) && table.squared(*h) < least;
-    let mut short: Vec<(f32, u32)> = (0..table.half_edges()).filter(is_short).map(|h| (table.squared(h), h)).collect();
+    let mut short: Vec<(f32, u32)> =
+        (0..table.half_edges()).filter(is_short).map(|h| (table.squared(h), h)).collect();
     short.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     for (_, h) in short {
         if !table.lives(h) || table.squared(h) >= least {
@@ -131,7 +133,8 @@ fn collapse_short(table: &mut CornerTable, length: f32) {
             (Place::Along, Place::Along | Place::Corner) if table.is_crease(h) => to,
             _ => continue,
         };
-        let keeps = keeps_shape(table, [a, b], at, most) && (at == to || keeps_shape(table, [b, a], at, most));
+        let keeps =
+            keeps_shape(table, [a, b], at, most) && (at == to || keeps_shape(table, [b, a], at, most));
         if keeps && table.may_collapse(h) {
             table.collapse(h);
             table.points[b as usize] = at;
@@ -164,7 +167,11 @@ fn even_valences(table: &mut CornerTable) {
         let off = |v: i32| (v - 6).abs();
         let now: i32 = valences.into_iter().map(off).sum();
         let [a, b, c, d] = valences;
-        if off(a - 1) + off(b - 1) + off(c + 1) + off(d + 1) < now && a > 3 && b > 3 && is_convex(table, vertices) {
+        if off(a - 1) + off(b - 1) + off(c + 1) + off(d + 1) < now
+            && a > 3
+            && b > 3
+            && is_convex(table, vertices)
+        {
             table.flip(h);
         }
     }
@@ -179,16 +186,18 @@ fn is_convex(table: &CornerTable, [a, b, c, d]: [u32; 4]) -> bool {
     new.iter().all(|n| n.dot(normal) > TURNED * n.length() && n.length_squared() > 0.0)
 }
 
-/// Moves vertices to the middle of their neighbours, in the plane of the surface, and back onto the surface that it was.
-fn smooth(table: &mut CornerTable, nearest: &Nearest, times: usize) {
-    for _ in 0..times {
+/// Moves vertices to the middle of their neighbours, in the plane of the surface, and then back onto the surface that it was.
+fn smooth(table: &mut CornerTable, nearest: &Nearest) {
+    for last in (0..SMOOTHINGS).map(|k| k + 1 == SMOOTHINGS) {
         let this: &CornerTable = table;
-        let moved: Vec<Vec3> = (0..this.points.len() as u32).into_par_iter().with_min_len(512).map(|v| relaxed(this, nearest, v)).collect();
+        let onto = last.then_some(nearest);
+        let vertices = (0..this.points.len() as u32).into_par_iter().with_min_len(256);
+        let moved: Vec<Vec3> = vertices.map(|v| relaxed(this, onto, v)).collect();
         table.points = moved;
     }
 }
 
-fn relaxed(table: &CornerTable, nearest: &Nearest, v: u32) -> Vec3 {
+fn relaxed(table: &CornerTable, onto: Option<&Nearest>, v: u32) -> Vec3 {
     let at = table.points[v as usize];
     if !table.has_vertex(v) {
         return at;
@@ -196,7 +205,8 @@ fn relaxed(table: &CornerTable, nearest: &Nearest, v: u32) -> Vec3 {
     match place(table, v) {
         Place::Corner => at,
         Place::Along => {
-            let mut ends = table.around(v).filter(|h| table.is_crease(*h)).map(|h| table.points[table.to(h) as usize]);
+            let mut ends =
+                table.around(v).filter(|h| table.is_crease(*h)).map(|h| table.points[table.to(h) as usize]);
             let (Some(one), Some(other)) = (ends.next(), ends.next()) else { return at };
             let way = (other - one).normalize_or_zero();
             at + way * 0.5 * (one.midpoint(other) - at).dot(way)
@@ -210,7 +220,8 @@ fn relaxed(table: &CornerTable, nearest: &Nearest, v: u32) -> Vec3 {
             }
             let way = sum / count - at;
             let normal = normal.normalize_or_zero();
-            nearest.point(at + way - normal * way.dot(normal))
+            let moved = at + way - normal * way.dot(normal);
+            onto.map_or(moved, |surface| surface.point(moved))
         }
     }
 }
@@ -268,7 +279,8 @@ mod tests {
 
     /// A cube of twelve faces.
     fn cubic(half: f32) -> Surface {
-        let points = (0..8).map(|k| Vec3::new((k & 1) as f32, (k >> 1 & 1) as f32, (k >> 2) as f32) * 2.0 - 1.0);
+        let points =
+            (0..8).map(|k| Vec3::new((k & 1) as f32, (k >> 1 & 1) as f32, (k >> 2) as f32) * 2.0 - 1.0);
         let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
         let triangles = quads.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
         Surface { points: points.map(|p| p * half).collect(), triangles }

@@ -54,7 +54,8 @@ fn extent(points: &[Vec3]) -> f32 {
 
 /// The rows of the sheet, strokes and what is ruled between them, all with equally many samples and in one sense.
 fn rows(strokes: &[Line], count: usize) -> Vec<Vec<Vec3>> {
-    let mut lines: Vec<Vec<Vec3>> = in_order(strokes).into_iter().map(|k| strokes[k].resampled(count).points).collect();
+    let mut lines: Vec<Vec<Vec3>> =
+        in_order(strokes).into_iter().map(|k| strokes[k].resampled(count).points).collect();
     for k in 1..lines.len() {
         let (before, line) = (&lines[k - 1], &lines[k]);
         let ends = |x: usize, y: usize| before[0].distance(line[x]) + before[count - 1].distance(line[y]);
@@ -109,7 +110,10 @@ mod tests {
 
     #[test]
     fn a_sheet_is_closed_and_as_thick_as_it_should_be() {
-        for strokes in [vec![line(0.0, false), line(1.0, true)], vec![line(2.0, true), line(0.0, false), line(1.0, true)]] {
+        for strokes in [
+            vec![line(0.0, false), line(1.0, true)],
+            vec![line(2.0, true), line(0.0, false), line(1.0, true)],
+        ] {
             let surface = sheet(&strokes);
             assert_eq!(surface.check_invariants(), Ok(()));
             let area = 2.0 * f64::from(strokes.len() as u32 - 1);

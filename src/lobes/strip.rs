@@ -61,7 +61,8 @@ fn hermite_middle(samples: &[Sample], closed: bool, k: usize) -> Vec3 {
     let k = k as isize;
     let (before, from, to, after) = (at(k - 1), at(k), at(k + 1), at(k + 2));
     let gap = from.distance(to);
-    let tangent = |a: Vec3, b: Vec3, c: Vec3| (c - a) * (gap / (a.distance(b) + b.distance(c)).max(f32::MIN_POSITIVE));
+    let tangent =
+        |a: Vec3, b: Vec3, c: Vec3| (c - a) * (gap / (a.distance(b) + b.distance(c)).max(f32::MIN_POSITIVE));
     (from + to) * 0.5 + (tangent(before, from, to) - tangent(from, to, after)) * 0.125
 }
 
@@ -137,7 +138,10 @@ mod tests {
     fn inserted_samples_lie_on_the_circle() {
         let samples = densified(&ring(12, 1.0, 0.0, 0, 0.0).points, true, 31);
         assert_eq!(samples.len(), 31);
-        assert_eq!(samples.iter().filter_map(|s| s.original).collect::<Vec<_>>(), (0..12).collect::<Vec<_>>());
+        assert_eq!(
+            samples.iter().filter_map(|s| s.original).collect::<Vec<_>>(),
+            (0..12).collect::<Vec<_>>()
+        );
         assert!(samples.iter().all(|s| (s.at.length() - 1.0).abs() < 0.02));
         let open = densified(&[Vec3::ZERO, Vec3::X, Vec3::X * 4.0], false, 7);
         assert!(open.windows(2).all(|w| w[1].at.x > w[0].at.x) && open.last().unwrap().original == Some(2));

@@ -180,7 +180,10 @@ fn crown(written: Written) -> Result<Crown, Wrong> {
     let counts = [written.lobes.len(), written.trunks.len(), strokes().count(), samples];
     for ((count, most), what) in counts.into_iter().zip(MOST).zip(["lobes", "trunks", "strokes", "samples"]) {
         if count > most {
-            return wrong("lobes", format!("{count} {what} are more than the {most} of a file; leave some out"));
+            return wrong(
+                "lobes",
+                format!("{count} {what} are more than the {most} of a file; leave some out"),
+            );
         }
     }
     let mut names = BTreeSet::new();
@@ -189,7 +192,10 @@ fn crown(written: Written) -> Result<Crown, Wrong> {
         if names.insert(lobe.name.clone()) {
             return Ok(lobe);
         }
-        wrong(format!("lobe {number}"), format!("another lobe is called `{}`; rename one", quote::name(&lobe.name)))
+        wrong(
+            format!("lobe {number}"),
+            format!("another lobe is called `{}`; rename one", quote::name(&lobe.name)),
+        )
     });
     let lobes = lobes.collect::<Result<_, Wrong>>()?;
     let trunks = written.trunks.into_iter().zip(1..).map(|(trunk, number)| read_trunk(trunk, number));
@@ -249,7 +255,10 @@ fn read_pose(written: WrittenPose, here: &str) -> Result<Pose, Wrong> {
 fn offsets(written: &[(u32, f32, f32, f32)], here: &str) -> Result<Vec<Offset>, Wrong> {
     if written.len() > MOST_OFFSETS {
         let count = written.len();
-        return wrong(format!("{here}, deform"), format!("{count} entries are more than the {MOST_OFFSETS} of a lobe; leave some out"));
+        return wrong(
+            format!("{here}, deform"),
+            format!("{count} entries are more than the {MOST_OFFSETS} of a lobe; leave some out"),
+        );
     }
     let mut seen = BTreeSet::new();
     let each = written.iter().zip(1..).map(|((vertex, x, y, z), number)| {
@@ -257,7 +266,10 @@ fn offsets(written: &[(u32, f32, f32, f32)], here: &str) -> Result<Vec<Offset>, 
         if seen.insert(*vertex) {
             return Ok(Offset { vertex: *vertex, by });
         }
-        wrong(format!("{here}, deform, entry {number}"), format!("vertex {vertex} has an entry already; add both up"))
+        wrong(
+            format!("{here}, deform, entry {number}"),
+            format!("vertex {vertex} has an entry already; add both up"),
+        )
     });
     each.collect()
 }
@@ -356,8 +368,16 @@ mod tests {
             (lobe(", \"deform\": [[1,0,0,0],[1,0,0,0]]"), "entry 2: vertex 1"),
             (lobe(", \"form\": \"round\""), "round"),
             (lobe(", \"name\": \"\""), "a name has"),
-            (message(&file(&format!("{{\"name\": \"a\", \"strokes\": [{RING}]}}, {{\"name\": \"a\", \"strokes\": []}}"))), "rename one"),
-            (message(&file("{\"strokes\": [{\"points\": [[0,0,0],[1e9,0,0]]}]}")), "stroke 1, point 2: coordinates"),
+            (
+                message(&file(&format!(
+                    "{{\"name\": \"a\", \"strokes\": [{RING}]}}, {{\"name\": \"a\", \"strokes\": []}}"
+                ))),
+                "rename one",
+            ),
+            (
+                message(&file("{\"strokes\": [{\"points\": [[0,0,0],[1e9,0,0]]}]}")),
+                "stroke 1, point 2: coordinates",
+            ),
             (message(&file("{\"strokes\": [{\"points\": [[0,0,NaN]]}]}")), "line 2"),
             (message(&file("{\"strokes\": [{\"points\": [[0,0,1e39]]}]}")), "line 2"),
             (message(&file("{\"strokes\": [{\"points\": [[0,0]]}]}")), "line 2"),
@@ -365,7 +385,10 @@ mod tests {
             assert!(text.contains(expected) && !text.contains('\n'), "{expected}: {text}");
         }
         let trunk = |trunk: &str| {
-            message(&file(&format!("{{\"strokes\": [{RING}]}}")).replace("\"lobes\"", &format!("\"trunks\": [{trunk}], \"lobes\"")))
+            message(
+                &file(&format!("{{\"strokes\": [{RING}]}}"))
+                    .replace("\"lobes\"", &format!("\"trunks\": [{trunk}], \"lobes\"")),
+            )
         };
         assert!(trunk("{\"points\": [[0,0,0]], \"radius\": 1}").contains("no length"));
         assert!(trunk("{\"points\": [[0,0,0],[0,1,0]], \"radius\": 0}").contains("radius"));
@@ -379,6 +402,9 @@ mod tests {
         assert!(message(&file(&strokes)).contains("4097 strokes"));
         let samples = format!("{{\"strokes\": [{{\"points\": [{}]}}]}}", many(400_001, "[0,0,0]"));
         assert!(message(&file(&samples)).contains("400001 samples"));
-        assert!(message(&file(&format!("{{\"strokes\": [], \"deform\": [{}]}}", many(200_001, "[0,0,0,0]")))).contains("200001"));
+        assert!(
+            message(&file(&format!("{{\"strokes\": [], \"deform\": [{}]}}", many(200_001, "[0,0,0,0]"))))
+                .contains("200001")
+        );
     }
 }

@@ -84,7 +84,8 @@ mod tests {
 
     #[test]
     fn parallel_strokes_are_no_profiles() {
-        let at = |x: f32| Line { closed: false, points: vec![Vec3::new(x, 0.0, 0.0), Vec3::new(x, 1.0, 0.0)] };
+        let at =
+            |x: f32| Line { closed: false, points: vec![Vec3::new(x, 0.0, 0.0), Vec3::new(x, 1.0, 0.0)] };
         assert!(!are_profiles(&at(0.0), &at(1.0)));
     }
 }

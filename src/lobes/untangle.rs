@@ -65,7 +65,11 @@ mod tests {
         both.triangles.extend(second.triangles.iter().map(|t| t.map(|i| i + 4)));
         let (one, anew) = untangled(both).unwrap();
         assert!(anew && is_clean(&one));
-        assert!(one.signed_volume() > 1.2 / 6.0 && one.signed_volume() < 2.0 / 6.0, "{}", one.signed_volume());
+        assert!(
+            one.signed_volume() > 1.2 / 6.0 && one.signed_volume() < 2.0 / 6.0,
+            "{}",
+            one.signed_volume()
+        );
     }
 
     #[test]

@@ -211,8 +211,11 @@ pub(crate) mod tests {
     #[test]
     fn inside_of_any_and_of_none_that_is_taken_away() {
         let (left, right) = (Vec3::new(-2.0, 3.0, 0.0), Vec3::new(2.0, 3.0, 0.0));
-        let lobes =
-            Lobes::new(&[ball("a", left, 1.0, false), ball("b", right, 1.0, false), ball("c", right, 0.5, true)]);
+        let lobes = Lobes::new(&[
+            ball("a", left, 1.0, false),
+            ball("b", right, 1.0, false),
+            ball("c", right, 0.5, true),
+        ]);
         let lobes = lobes.unwrap();
         assert!(lobes.contains(left) && !lobes.contains(right) && lobes.contains(right + Vec3::Y * 0.8));
         assert!(!lobes.contains(Vec3::Y * 3.0) && !lobes.contains(Vec3::NAN));
