@@ -3,8 +3,8 @@
 //! *Open stroke of k samples*: the loop is brought to 2k + 2 samples (or the stroke to half as many as the loop where that is
 //! more). Two of them are anchors: those whose directions from the centroid fit the stroke's ends, extended outward, best
 //! and are at least [`APART`] of the loop apart. Each of the two parts of the loop between them is joined to one side of the stroke.
-//! *Round cap*: rings like the last one, ever smaller on a quarter of an ellipse whose height is half the ring's mean radius
-//! times how much the last strip narrows.
+//! *Round cap*: rings like the last one, ever smaller on a parabola that begins in the direction of the last strip and ends level,
+//! half the ring's mean radius times how much the last strip narrows above it.
 //!
 //! Source: 001 §5.2.1, case 2 of fig. 5.4; round caps are missing there. Directions are compared in the plane of the loop, because
 //! the ends of a stroke that arches over the loop point down at it.
@@ -13,12 +13,11 @@ use super::strip::{Loop, Sample, Side, densified, join};
 use super::surface::Surface;
 use crate::geom::principal_axes::principal_axes;
 use glam::{Vec2, Vec3};
-use std::f32::consts::FRAC_PI_2;
 
 /// Least share of the loop between the two anchors.
 const APART: f32 = 0.25;
 /// Rings of a round cap, the one it stands on and the apex not counted.
-const ROUND: usize = 4;
+const ROUND: usize = 5;
 
 /// Closes a loop by an open stroke of at least two vertices. Faces lie to the left of the loop.
 pub(super) fn cap(around: &Loop, stroke: &Loop, triangles: &mut Vec<[u32; 3]>) {
@@ -82,13 +81,24 @@ fn anchors(dense: &[Sample], stroke: &[Vec3]) -> [usize; 2] {
     best.1
 }
 
-/// Closes a loop by a round cap of this height along a unit direction, with new vertices. Faces lie to the left of the loop.
-pub(super) fn round_cap(around: &Loop, way: Vec3, height: f32, surface: &mut Surface) {
+/// A round cap: how high it is along which unit direction, and how wide it would be at its height if it went on as it begins, as a
+/// share of its loop.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Round {
+    pub(super) way: Vec3,
+    pub(super) height: f32,
+    pub(super) shoulder: f32,
+}
+
+/// Closes a loop by a round cap with new vertices. Faces lie to the left of the loop.
+pub(super) fn round_cap(around: &Loop, Round { way, height, shoulder }: Round, surface: &mut Surface) {
     let count = around.ids.len();
     let middle = around.points.iter().copied().sum::<Vec3>() / count as f32;
     let mut below = around.ids.clone();
     for k in 1..=ROUND {
-        let (rise, shrink) = (FRAC_PI_2 * k as f32 / (ROUND + 1) as f32).sin_cos();
+        let t = k as f32 / (ROUND + 1) as f32;
+        let rise = 1.0 - (1.0 - t) * (1.0 - t);
+        let shrink = (1.0 - t) * (1.0 - t) + 2.0 * t * (1.0 - t) * shoulder;
         let lift = way * (height * rise);
         let first = surface.points.len() as u32;
         surface.points.extend(around.points.iter().map(|p| middle + (p - middle) * shrink + lift));
@@ -126,7 +136,8 @@ mod tests {
         surface.points.extend(stroke);
         let ids = (first..first + stroke.len() as u32).collect();
         cap(&around, &Loop { ids, points: stroke.to_vec() }, &mut surface.triangles);
-        round_cap(&around.reversed(), Vec3::NEG_Y, 0.5, &mut surface);
+        let round = Round { way: Vec3::NEG_Y, height: 0.5, shoulder: 1.0 };
+        round_cap(&around.reversed(), round, &mut surface);
         surface
     }
 
@@ -154,10 +165,10 @@ mod tests {
     }
 
     #[test]
-    fn a_round_cap_is_half_an_ellipsoid() {
+    fn a_round_cap_is_about_half_an_ellipsoid() {
         let surface = closed(96, &[Vec3::new(-1.0, 0.001, 0.0), Vec3::new(1.0, 0.001, 0.0)]);
         // Half of 4/3 π a b c.
         let expected = 2.0 / 3.0 * std::f64::consts::PI * 2.0 * 0.5;
-        assert!((surface.signed_volume() / expected - 1.0).abs() < 0.06, "{}", surface.signed_volume());
+        assert!((surface.signed_volume() / expected - 1.0).abs() < 0.15, "{}", surface.signed_volume());
     }
 }

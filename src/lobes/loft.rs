@@ -7,11 +7,12 @@
 //! | two open strokes that meet at their ends | circles between them |
 //! | open strokes otherwise | the sheet between them, made thick |
 //!
-//! A round cap is half as high as its loop's mean radius, times how much the last strip narrows.
+//! A round cap is half as high as its loop's mean radius, times how much the last strip narrows, and begins in that strip's direction.
 //!
 //! Source: 001 §5.2.1; its missing cases are named in the files that fill them.
 
-use super::cap::{cap, round_cap};
+use super::between::with_loops_between;
+use super::cap::{Round, cap, round_cap};
 use super::lobe::Form;
 use super::order::{Order, order};
 use super::outline::inflated;
@@ -27,6 +28,8 @@ const CAP: f32 = 0.5;
 /// Least and most that a lobe's last strip narrows for its round cap.
 const TAPER: (f32, f32) = (0.3, 1.2);
 
+/// Least and most that a round cap's shoulder is as wide as its loop.
+const SHOULDER: (f32, f32) = (0.4, 1.3);
 /// Distance from a loop, in its edges, within which the end of an open stroke lies on it.
 const RIM: f32 = 0.7;
 
@@ -68,22 +71,28 @@ pub(super) fn loft(lines: &[Line], form: Form, in_order: bool) -> Result<Lofted,
         (_, [_]) => Err(Lack::SecondStroke),
         (Form::Auto, [a, b]) if open == 2 && turned::are_profiles(a, b) => Ok(turned_lobe(a, b)),
         _ if open == lines.len() => Ok(Lofted { surface: sheet(lines), ..Lofted::default() }),
-        _ => Ok(along(lines, order(lines, in_order))),
+        _ => Ok(along(lines, order(lines, in_order), true)),
     }
 }
 
 fn turned_lobe(a: &Line, b: &Line) -> Lofted {
     let circles = turned::circles(a, b);
     let order = Order { loops: (0..circles.len()).collect(), ..Order::default() };
-    along(&circles, order)
+    along(&circles, order, false)
 }
 
-/// Strips between loops that are in order, and both ends.
-fn along(lines: &[Line], order: Order) -> Lofted {
+/// Strips between loops that are in order, and both ends; where loops are far apart, with loops between them.
+fn along(lines: &[Line], order: Order, far_apart: bool) -> Lofted {
     let mut surface = Surface::default();
     let mut placed: Vec<Loop> = Vec::new();
-    for k in &order.loops {
-        let next = add(&mut surface, &lines[*k]);
+    let drawn: Vec<&Line> = order.loops.iter().map(|k| &lines[*k]).collect();
+    let (loops, places) = if far_apart {
+        with_loops_between(&drawn)
+    } else {
+        (drawn.iter().map(|line| (*line).clone()).collect(), (0..drawn.len()).collect())
+    };
+    for line in &loops {
+        let next = add(&mut surface, line);
         let next = match placed.last() {
             Some(before) => strip(before, &next, &mut surface.triangles),
             None => next,
@@ -91,17 +100,21 @@ fn along(lines: &[Line], order: Order) -> Lofted {
         placed.push(next);
     }
     let last = placed.len() - 1;
+    let neighbours = [places.get(1).copied().unwrap_or(0), places[places.len().saturating_sub(2)]];
     // Strips lie to the left of their first loop, so the first end sees it the other way round.
-    let ends = [(placed[0].reversed(), 0, 1.min(last)), (placed[last].clone(), last, last.saturating_sub(1))];
-    for (open, (around, near, far)) in order.caps.into_iter().zip(ends) {
+    let ends = [
+        (placed[0].reversed(), [0, 1.min(last), neighbours[0]]),
+        (placed[last].clone(), [last, last.saturating_sub(1), neighbours[1]]),
+    ];
+    for (open, (around, near)) in order.caps.into_iter().zip(ends) {
         match open {
             Some(open) => {
                 let stroke = add(&mut surface, &within(&lines[open], &around));
                 cap(&around, &stroke, &mut surface.triangles);
             }
             None => {
-                let (way, height) = out_of(&around, &placed[near], &placed[far]);
-                round_cap(&around, way, height, &mut surface);
+                let round = out_of(&around, near.map(|k| &placed[k]));
+                round_cap(&around, round, &mut surface);
             }
         }
     }
@@ -128,15 +141,21 @@ fn within(stroke: &Line, around: &Loop) -> Line {
     Line { closed: false, points: points.to_vec() }
 }
 
-/// Direction and height of a round cap on a loop, which the last strip has brought there from another.
-fn out_of(around: &Loop, near: &Loop, far: &Loop) -> (Vec3, f32) {
+/// The round cap on a loop, from the loop itself, the next one, and the next one that was drawn.
+fn out_of(around: &Loop, near: [&Loop; 3]) -> Round {
     let line = |of: &Loop| Line { closed: true, points: of.points.clone() };
-    let (here, there) = (line(near), line(far));
+    let [here, next, drawn] = near.map(line);
     let normal = line(around).normal();
+    let along = here.centroid() - next.centroid();
     // A lone loop is closed on the side that faces lie on.
-    let side = if normal.dot(here.centroid() - there.centroid()) < 0.0 { -1.0 } else { 1.0 };
-    let taper = (here.radius() / there.radius()).clamp(TAPER.0, TAPER.1);
-    ((normal * side).try_normalize().unwrap_or(Vec3::Y), CAP * here.radius() * taper)
+    let side = if normal.dot(along) < 0.0 { -1.0 } else { 1.0 };
+    let way = (normal * side).try_normalize().unwrap_or(Vec3::Y);
+    let taper = (here.radius() / drawn.radius()).clamp(TAPER.0, TAPER.1);
+    let height = CAP * here.radius() * taper;
+    let rise = along.dot(way);
+    let lean = if rise > 0.0 { (here.radius() - next.radius()) / rise } else { 0.0 };
+    let shoulder = (1.0 + lean * height / here.radius()).clamp(SHOULDER.0, SHOULDER.1);
+    Round { way, height, shoulder }
 }
 
 #[cfg(test)]

@@ -12,6 +12,7 @@
 //! | `stroke` | strokes closed, smoothed and sampled evenly |
 //! | `order` | where a stroke belongs along its lobe |
 //! | `pairing`, `strip` | two loops joined |
+//! | `between` | loops between drawn ones |
 //! | `cap` | ends closed, by an open stroke or round |
 //! | `turned`, `sheet`, `outline` | lobes from profiles, from open strokes, from one outline |
 //! | `loft` | which of these a lobe is |
@@ -26,6 +27,7 @@
 //! Everything is pure and knows no plant; how a crown of lobes is grown into: `growth/volume/lobes.rs`.
 //! How files are written, and what was measured: `docs/lobes.md`.
 
+mod between;
 mod cap;
 mod corner_table;
 pub mod deform;

@@ -2,7 +2,7 @@
 //!
 //! The stroke is seen along the direction in which it is thinnest; there the half depth of the lobe follows from Poisson's
 //! equation ([`inflation`](crate::geom::inflation)), as for crowns that are drawn on paper. The surface lies where u − z² is 0, with u the squared half
-//! depth inside of the outline and minus the squared distance to it outside.
+//! depth inside of the outline and as far below 0 outside. The raster's steps along the outline are smoothed away.
 //!
 //! Limits: how far the stroke bends out of its plane is followed by no more than its mean.
 
@@ -14,6 +14,9 @@ use crate::geom::polyline;
 use crate::geom::principal_axes::principal_axes;
 use crate::geom::region::Region;
 use glam::Vec2;
+
+/// How far, in cells, the raster's depth reaches over the outline, smoothed as it is.
+const RIM: f32 = 0.5;
 
 /// The surface of an inflated loop; empty for one that encloses nothing.
 pub(super) fn inflated(outline: &Line) -> Surface {
@@ -33,10 +36,12 @@ pub(super) fn inflated(outline: &Line) -> Surface {
     for row in 0..h {
         for column in 0..w {
             let at = grid.place([column, row, 0]).truncate();
+            let distance = region.nearest_boundary(at).map_or(f32::INFINITY, |(_, distance)| distance);
             let u = if region.contains(at) {
-                depth.at(at).max(1e-3 * grid.cell * grid.cell)
+                depth.near_rim(at, distance).max(1e-3 * grid.cell * grid.cell)
             } else {
-                region.nearest_boundary(at).map_or(f32::NEG_INFINITY, |(_, distance)| -distance * distance)
+                // As steep as inside, so that the surface between nodes lies on the outline.
+                -2.0 * deepest * distance
             };
             for layer in 0..d {
                 let z = grid.place([column, row, layer]).z;
@@ -65,7 +70,24 @@ impl Depth {
         let low = low - cell;
         let middle = |i: usize| low + (Vec2::new((i % size[0]) as f32, (i / size[0]) as f32) + 0.5) * cell;
         let inside = (0..size[0] * size[1]).filter(|i| region.contains(middle(*i)));
-        Self { low, cell, size, squared: inflation::squared_half_depth(size, cell, inside) }
+        let mut depth = Self { low, cell, size, squared: inflation::squared_half_depth(size, cell, inside) };
+        for step in [1, size[0], 1, size[0]] {
+            depth.blur(step);
+        }
+        depth
+    }
+
+    /// Means over three cells, the middle one counted twice.
+    fn blur(&mut self, step: usize) {
+        let old = self.squared.clone();
+        for i in step..old.len() - step {
+            self.squared[i] = 0.25 * (old[i - step] + old[i + step]) + 0.5 * old[i];
+        }
+    }
+
+    /// The same where the outline is so far away: it falls to 0 at the outline itself instead of at the steps of the raster.
+    fn near_rim(&self, p: Vec2, distance: f32) -> f32 {
+        self.at(p) * distance / (distance + RIM * self.cell)
     }
 
     /// Between the middles of four cells.

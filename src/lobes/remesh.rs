@@ -5,7 +5,7 @@
 //! edges are turned where that brings the four vertices around nearer to six neighbours; vertices move to the middle of
 //! their neighbours in the plane of the surface; and they are put back onto the surface as it was.
 //! Edges at which the surface bends by more than [`Remesh::crease_deg`] are creases: they are not turned, their vertices move along
-//! them only, and ends and corners of creases stay.
+//! them only, and ends and corners of creases stay. Creases shorter than a few ℓ are none.
 //!
 //! Source: 001 §5.2.1 names Botsch & Kobbelt 2004. Limits: where walls are thinner than ℓ a vertex may be put back onto the wrong one; a
 //! surface that would thereby cross itself more than it did stays as it was made, see [`untangle`](super::untangle).
@@ -37,6 +37,8 @@ impl Default for Remesh {
 const BOUNDS: (f32, f32) = (4.0 / 3.0, 4.0 / 5.0);
 /// How often vertices move in each round.
 const SMOOTHINGS: usize = 3;
+/// Length of a crease, in ℓ, below which it is an unevenness.
+const SHORT_CREASE: f32 = 4.0;
 /// Most faces of a remeshed surface.
 const MOST_FACES: usize = 400_000;
 /// Least cosine between a face and what it becomes.
@@ -56,13 +58,7 @@ pub fn remesh(surface: &Surface, params: &Remesh) -> Option<Surface> {
     }
     let mut table = CornerTable::new(surface)?;
     let nearest = Nearest::new(surface);
-    let limit = params.crease_deg.to_radians().cos();
-    for h in 0..table.half_edges() {
-        let [a, b] = [h, table.twin(h)].map(|h| table.area(h / 3).normalize_or_zero());
-        if a.dot(b) < limit {
-            table.mark_crease(h);
-        }
-    }
+    find_creases(&mut table, params.crease_deg.to_radians().cos(), SHORT_CREASE * length);
     for _ in 0..params.rounds {
         split_long(&mut table, (length * BOUNDS.0).powi(2))?;
         collapse_short(&mut table, length);
@@ -70,6 +66,37 @@ pub fn remesh(surface: &Surface, params: &Remesh) -> Option<Surface> {
         smooth(&mut table, &nearest);
     }
     Some(table.surface())
+}
+
+/// Marks the edges at which the surface bends more than by the angle of a cosine, where they hang together for a length.
+fn find_creases(table: &mut CornerTable, limit: f32, least: f32) {
+    let bends = |table: &CornerTable, h: u32| {
+        let [a, b] = [h, table.twin(h)].map(|h| table.area(h / 3).normalize_or_zero());
+        a.dot(b) < limit
+    };
+    let sharp: Vec<bool> = (0..table.half_edges()).map(|h| bends(table, h)).collect();
+    let mut seen = vec![false; sharp.len()];
+    for first in 0..table.half_edges() {
+        if !sharp[first as usize] || seen[first as usize] {
+            continue;
+        }
+        let (mut chain, mut next, mut whole) = (vec![first], 0, 0.0);
+        seen[first as usize] = true;
+        while next < chain.len() {
+            let h = chain[next];
+            whole += 0.5 * table.squared(h).sqrt();
+            let beside = table.around(table.to(h)).chain([table.twin(h)]);
+            for near in beside.filter(|near| sharp[*near as usize]) {
+                if !std::mem::replace(&mut seen[near as usize], true) {
+                    chain.push(near);
+                }
+            }
+            next += 1;
+        }
+        if whole >= least {
+            chain.iter().for_each(|h| table.mark_crease(*h));
+        }
+    }
 }
 
 /// Creases at a vertex: none, a crease through it, or an end or corner of creases.
