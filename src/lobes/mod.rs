@@ -54,5 +54,5 @@ mod untangle;
 pub use lobe::{Crown, Form, Lobe, Offset, Pose, SpaceStroke, Trunk};
 pub use remark::{Fault, Remark};
 pub use remesh::Remesh;
-pub use shape::{MOST_STROKES, Shaped, shape, shape_all, undeformed};
+pub use shape::{MOST_STROKES, Shaped, lofted, shape, shape_all, undeformed};
 pub use surface::Surface;

@@ -6,7 +6,7 @@
 
 use super::deform::deform;
 use super::lobe::{Crown, Lobe};
-use super::loft::{Lack, loft};
+use super::loft::{Lack, Lofted, loft};
 use super::remark::{Fault, Remark};
 use super::remesh::{Remesh, remesh};
 use super::stroke::{self, Smooth};
@@ -66,6 +66,24 @@ pub fn shape(lobe: &Lobe, params: &Remesh) -> Result<Shaped, Fault> {
 /// # Errors
 /// Why it cannot be made.
 pub fn undeformed(lobe: &Lobe, params: &Remesh, remarks: &mut Vec<Remark>) -> Result<Surface, Fault> {
+    let lofted = from_strokes(lobe, remarks)?;
+    let (surface, anew) = untangled(lofted.surface).ok_or(Fault::Flat)?;
+    if anew {
+        remarks.push(Remark::Untangled);
+    }
+    Ok(even(surface, lofted.of_grid || anew, params, remarks))
+}
+
+/// The surface between the strokes of a lobe, before it is untangled and remeshed: closed, but it may cross itself or be inside
+/// out.
+///
+/// # Errors
+/// Why there is none.
+pub fn lofted(lobe: &Lobe) -> Result<Surface, Fault> {
+    from_strokes(lobe, &mut Vec::new()).map(|lofted| lofted.surface)
+}
+
+fn from_strokes(lobe: &Lobe, remarks: &mut Vec<Remark>) -> Result<Lofted, Fault> {
     let count = lobe.strokes.len();
     if count > MOST_STROKES {
         return Err(Fault::TooManyStrokes { count, most: MOST_STROKES });
@@ -88,11 +106,7 @@ pub fn undeformed(lobe: &Lobe, params: &Remesh, remarks: &mut Vec<Remark>) -> Re
         Lack::Profiles => Fault::NoProfiles,
     })?;
     remarks.extend(lofted.left_out.iter().map(|k| Remark::LeftOut { stroke: numbers[*k] }));
-    let (surface, anew) = untangled(lofted.surface).ok_or(Fault::Flat)?;
-    if anew {
-        remarks.push(Remark::Untangled);
-    }
-    Ok(even(surface, lofted.of_grid || anew, params, remarks))
+    Ok(lofted)
 }
 
 /// The surface with even triangles, where these leave it clean; one that comes from a grid has no creases.
