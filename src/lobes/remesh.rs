@@ -256,6 +256,8 @@ fn relaxed(table: &CornerTable, onto: Option<&Nearest>, v: u32) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::super::grid::Grid;
+    use super::super::lobe::{Lobe, SpaceStroke};
+    use super::super::shape::lofted;
     use super::*;
 
     /// A coarse, uneven surface between inside and outside of a body.
@@ -292,6 +294,40 @@ mod tests {
         let [edges, angles] = evenness(&even, edge_length(&ball, &Remesh::default()));
         assert!(edges > 0.95 && angles > 0.98, "{edges} {angles}");
         assert!((even.signed_volume() / ball.signed_volume() - 1.0).abs() < 0.02);
+    }
+
+    /// A lobe of nine loops as it is lofted.
+    fn lofted_lobe() -> Surface {
+        let ring = |k: usize| {
+            let (wide, up) = ((k + 1) as f32 * 0.314).sin_cos();
+            let at = |i: usize| {
+                let (sin, cos) = (i as f32 * 0.0982).sin_cos();
+                Vec3::new(wide * cos * 1.2, 2.0 - 0.8 * up, wide * sin)
+            };
+            SpaceStroke { closed: Some(true), points: (0..64).map(at).collect() }
+        };
+        let mut surface = lofted(&Lobe { strokes: (0..9).map(ring).collect(), ..Lobe::default() }).unwrap();
+        if surface.signed_volume() < 0.0 {
+            surface.flip();
+        }
+        surface
+    }
+
+    #[test]
+    fn a_lofted_lobe_keeps_its_form() {
+        let (raw, params) = (lofted_lobe(), Remesh { fineness: 48.0, ..Remesh::default() });
+        let (even, length) = (remesh(&raw, &params).unwrap(), edge_length(&raw, &params));
+        assert_eq!(even.check_invariants(), Ok(()));
+        let [edges, angles] = evenness(&even, length);
+        let volume = even.signed_volume() / raw.signed_volume();
+        let farthest = |from: &Surface, to: &Surface| {
+            let nearest = Nearest::new(to);
+            let far = from.points.iter().map(|p| nearest.point(*p).distance(*p));
+            far.fold(0.0, f32::max) / length
+        };
+        let apart = farthest(&raw, &even).max(farthest(&even, &raw));
+        assert!(edges >= 0.95 && angles >= 0.98, "{edges} {angles}");
+        assert!((volume - 1.0).abs() < 0.02 && apart <= 0.35, "{volume} {apart}");
     }
 
     #[test]

@@ -41,7 +41,8 @@ pub(super) fn above(surface: &Surface, floor: f32) -> Option<Surface> {
 fn is_flat(surface: &Surface) -> bool {
     let (low, high) = surface.bounds();
     let cube = f64::from((high - low).max_element()).powi(3);
-    !(surface.signed_volume() > FLATTEST * cube)
+    let encloses = surface.signed_volume() > FLATTEST * cube;
+    !encloses
 }
 
 #[cfg(test)]
