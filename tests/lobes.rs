@@ -141,7 +141,6 @@ fn hardly_a_start_is_twisted() {
         ours += u32::from(is_twisted(&a, &b, start_pair(&a, &b)));
         theirs += u32::from(is_twisted(&a, &b, by_one_pair(&a, &b)));
     }
-    println!("twisted strips of 1000: {ours}, by one pair {theirs}");
     assert!(ours <= 10, "{ours} of 1000 strips are twisted");
     assert!(theirs > 20 * ours.max(1), "{theirs} by one pair");
 }
@@ -251,7 +250,6 @@ fn plants_fill_their_lobes_and_nothing_else() {
             [|p| Vec2::new(p.x, p.y), |p| Vec2::new(p.z, p.y), |p| Vec2::new(p.x, p.z)];
         for (seen, least) in views.into_iter().zip(least) {
             let (share, missing) = agreement(&built.plant, &shaped, &lobes, seen);
-            println!("{name}: intersection over union {share:.3}, largest missing part {missing:.4}");
             assert!(share >= least, "{name}: intersection over union {share}");
             assert!(missing <= most, "{name}: {missing} of the silhouette is missing in one piece");
         }
