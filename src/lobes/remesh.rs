@@ -8,7 +8,7 @@
 //! them only, and ends and corners of creases stay. Creases shorter than a few ℓ are none.
 //!
 //! Source: 001 §5.2.1 names Botsch & Kobbelt 2004. Limits: where walls are thinner than ℓ a vertex may be put back onto the wrong one; a
-//! surface that would thereby cross itself more than it did stays as it was made, see [`untangle`](super::untangle).
+//! surface that would thereby cross itself more than it did stays as it was made, see `lobes/untangle.rs`.
 
 use super::corner_table::CornerTable;
 use super::nearest::Nearest;
