@@ -18,6 +18,7 @@
 //! | [`input`] | files read within limits, and never written over |
 //! | [`obj_text`] | the geometry of OBJ files, screened and parsed |
 //! | [`picture`] | pictures of the artist's own, in memory |
+//! | [`lobes`] | bodies that crowns fill, from strokes in space |
 //! | [`sketch`] | the document: strokes, tools, file formats |
 //! | [`pen`] | what every pointing device says, in one form |
 //! | [`plant`] | the waist: branches and organs in space, and what they are |
@@ -60,6 +61,7 @@ pub mod growth;
 pub mod input;
 pub mod kept;
 pub mod leaf;
+pub mod lobes;
 pub mod model;
 pub mod modelling;
 pub mod obj_text;

@@ -21,6 +21,7 @@ mod ground;
 mod grown;
 mod inflorescences;
 mod live;
+mod lobes;
 mod other_hands;
 mod outlines;
 #[path = "common/people.rs"]

@@ -2,12 +2,12 @@
 
 use super::lod::{self, Lod};
 use super::studio::{Outputs, Studio, is_picture, open_species};
-use super::{common, inside, rose};
+use super::{common, inside, lobes, rose};
 use crate::formats::write;
-use crate::growth::{Limits, Outcome, Simulation};
+use crate::growth::{Envelope, Limits, Outcome, Simulation};
 use crate::input::Sources;
 use crate::pipeline::{self, Ages, Built, Cache, Params, Seed};
-use crate::plant::OrganKind;
+use crate::plant::{Branch, OrganKind};
 use crate::render::{Direction, PictureOptions, Projection, View};
 use crate::sketch::Remark;
 use crate::species::Species;
@@ -29,8 +29,11 @@ pub struct Args {
     /// depth) or sphere:1.5 (radius).
     #[arg(long, value_name = "SHAPE")]
     pub inside: Option<String>,
-    /// Age in years, 12.5 for half a year more than 12. Left out, it is the species' own, or with --inside when the volume
-    /// is full.
+    /// Lobes that the plant fills: strokes in space (.json, see docs/lobes.md), with its trunks or without.
+    #[arg(long, value_name = "FILE", conflicts_with = "inside")]
+    pub lobes: Option<PathBuf>,
+    /// Age in years, 12.5 for half a year more than 12. Left out, it is the species' own, or with --inside or --lobes when the
+    /// volume is full.
     #[arg(long, value_name = "YEARS")]
     pub age: Option<f32>,
     /// The plant at this many ages, evenly up to --age, each in a file with a number before the ending: an animation. Roses go
@@ -60,6 +63,22 @@ pub struct Args {
     /// Print the names of the built-in species that grow, one a line.
     #[arg(long)]
     pub list: bool,
+}
+
+impl Args {
+    /// Whether the plant fills a volume.
+    fn fills(&self) -> bool {
+        self.inside.is_some() || self.lobes.is_some()
+    }
+
+    /// The volume that it fills, and the wood that it begins with there.
+    fn volume(&self) -> Result<(Option<Arc<Envelope>>, Vec<Branch>)> {
+        if let Some(file) = &self.lobes {
+            let (volume, wood) = lobes::volume(file)?;
+            return Ok((Some(Arc::new(volume)), wood));
+        }
+        Ok((self.inside.as_deref().map(inside::volume).transpose()?.map(Arc::new), Vec::new()))
+    }
 }
 
 /// Runs `grow`.
@@ -92,7 +111,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
             args.lod.is_none(),
             "{name}: a rose has no levels of detail yet; leave out --lod, or ask for one level with --triangles"
         );
-        ensure!(args.inside.is_none(), "{name}: a rose does not fill volumes; leave out --inside");
+        ensure!(!args.fills(), "{name}: a rose does not fill volumes; leave out --inside and --lobes");
         let view = View { direction: Direction::Front, projection: Projection::Perspective, turn_deg: 0.0 };
         let options = PictureOptions { width: 1200, height: 900, transparent: false };
         let (outs, sources, instances) = (&args.out[..], &sources, args.instances);
@@ -102,9 +121,9 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         return rose::run(&bed, &outputs, args.frames, args.stats);
     }
     let usual = species.growth.as_ref().map_or(params.habit.fineness, |habit| habit.fineness);
-    if args.inside.is_none() && params.habit.fineness != usual {
+    if !args.fills() && params.habit.fineness != usual {
         tracing::warn!(
-            "{name}: habit.fineness changes only plants that fill a volume; name one with --inside"
+            "{name}: habit.fineness changes only plants that fill a volume; name one with --inside or --lobes"
         );
     }
     let limits = match args.max_internodes {
@@ -112,8 +131,8 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         None => Limits::default(),
     };
     pipeline::check_grows(&species)?;
-    let volume = args.inside.as_deref().map(inside::volume).transpose()?.map(Arc::new);
-    let seed = Seed { number: args.seed, age: args.age, volume, limits };
+    let (volume, wood) = args.volume()?;
+    let seed = Seed { number: args.seed, age: args.age, volume, wood, limits };
     let mut nursery = Nursery { species: &species, params: &params, seed, cache: Cache::default() };
     let (grown, ages) = nursery.grow(args.age)?;
     inside::check_room(nursery.simulation()?)?;
@@ -166,7 +185,7 @@ fn warn_of_shortfalls(name: &str, args: &Args, grown: &Built, ages: Ages, simula
         tracing::warn!("{name}: {} at the age of {} years", ages.outcome, simulation.age());
     }
     let filled = inside::filled(simulation);
-    if args.inside.is_some() && args.age.is_none() && filled < inside::FILLED {
+    if args.fills() && args.age.is_none() && filled < inside::FILLED {
         tracing::warn!(
             "{name}: fills only {:.0} % of the volume; choose a smaller one, without parts that hang together by less than \
              a shoot, or longer shoots, for instance --set habit.internode=0.5",
@@ -226,6 +245,7 @@ fn sources_of(args: &Args, species: &Species) -> Sources {
     let mut sources = Sources::default();
     // What is no file is none of them.
     [&args.species, &args.inside].into_iter().flatten().for_each(|file| sources.add(Path::new(file)));
+    args.lobes.iter().for_each(|file| sources.add(file));
     species.picture_files().for_each(|picture| sources.add(picture));
     sources
 }

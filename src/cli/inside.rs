@@ -43,7 +43,7 @@ pub fn volume(text: &str) -> Result<Envelope> {
     };
     let volume = volume.with_context(|| format!("--inside {text}: {FORMS}"))?;
     if let Some((low, high)) = volume.bounds() {
-        check_size(text, low, high)?;
+        check_size(&format!("--inside {text}"), low, high)?;
     }
     Ok(volume)
 }
@@ -88,12 +88,16 @@ fn solid(path: &str) -> Result<Solid> {
     Solid::from_obj(&String::from_utf8_lossy(&bytes), path).context("--inside")
 }
 
-fn check_size(text: &str, low: Vec3, high: Vec3) -> Result<()> {
+/// Whether a volume has the size of plants; `argument` is how it was given.
+///
+/// # Errors
+/// One that is too small, too large or too far away.
+pub(super) fn check_size(argument: &str, low: Vec3, high: Vec3) -> Result<()> {
     let size = high - low;
     let (least, most) = EXTENT;
     if size.min_element() < least || size.max_element() > most {
         bail!(
-            "--inside {text}: the volume is {} × {} × {} m, but each of these must be {least} to {most}: scale it, one \
+            "{argument}: the volume is {} × {} × {} m, but each of these must be {least} to {most}: scale it, one \
              unit of a mesh is a metre",
             size.x,
             size.y,
@@ -103,7 +107,7 @@ fn check_size(text: &str, low: Vec3, high: Vec3) -> Result<()> {
     let far = low.abs().max(high.abs()).max_element();
     ensure!(
         far <= FARTHEST,
-        "--inside {text}: the volume reaches {far} m from the origin, more than {FARTHEST} m; move it to the origin"
+        "{argument}: the volume reaches {far} m from the origin, more than {FARTHEST} m; move it to the origin"
     );
     Ok(())
 }

@@ -12,6 +12,7 @@ pub mod garden;
 pub mod grow;
 pub mod inside;
 pub mod inspect;
+pub mod lobes;
 mod lod;
 pub mod params;
 pub mod pen;
@@ -51,6 +52,8 @@ pub enum Verb {
     Bloom(bloom::Args),
     /// A garden of thousands of plants that are copies of a few: GLB, OBJ, a picture, or a list of places as JSON.
     Garden(garden::Args),
+    /// Closed surfaces of lobes, crowns drawn as strokes in space: OBJ or GLB.
+    Lobes(lobes::Args),
     /// What the analysis understood of a drawing, as JSON.
     Inspect(inspect::Args),
     /// Petals, leaves and bark from photographs: outline, texture, or a drawing with both.
@@ -113,6 +116,7 @@ pub fn run(cli: Cli) -> anyhow::Result<ExitCode> {
         Some(Verb::Grow(args)) => grow::run(&args),
         Some(Verb::Bloom(args)) => bloom::run(&args),
         Some(Verb::Garden(args)) => garden::run(&args),
+        Some(Verb::Lobes(args)) => lobes::run(&args),
         Some(Verb::Inspect(args)) => inspect::run(&args),
         Some(Verb::Photo(args)) => photo::run(&args),
         Some(Verb::Params(args)) => params::run(&args),

@@ -3,14 +3,18 @@
 mod boundary;
 pub mod bvh;
 pub mod cells;
+pub mod cholesky;
 mod cluster_heads;
 pub mod convex_hull;
+pub mod crossing;
 pub mod disc_sums;
 pub mod ellipse;
 pub mod frame;
+pub mod inflation;
 pub mod line_changes;
 pub mod mean_shift;
 pub mod polyline;
+pub mod principal_axes;
 pub mod ray;
 pub mod region;
 pub mod segment_index;

@@ -11,6 +11,7 @@
 //! | `tree` | the plant through all its years: nodes and buds |
 //! | `habit` | what a species file says of growth |
 //! | `volume` | volumes that a plant may fill |
+//! | `lead` | wood that is led into every part of a crown of lobes |
 //! | `resource` | light or space, and who gets how much of it |
 //! | `year` | what buds and branches make of it in one year |
 //! | `simulation` | the plant through the years |
@@ -27,6 +28,7 @@ mod age_tests;
 mod at_age;
 mod from_drawing;
 pub mod habit;
+mod lead;
 mod limits;
 pub mod overlay;
 mod resource;
@@ -40,10 +42,11 @@ mod year;
 pub use at_age::{PlantAtAge, foliage, plant_at};
 pub use from_drawing::{GrowthParams, Memory, Start, drawing, merge};
 pub use habit::{Habit, Schedule};
+pub use lead::lead_into;
 pub use limits::{Limits, Outcome};
 pub use resource::Field;
 pub use simulation::Simulation;
 pub use tree::Tree;
 #[cfg(test)]
 pub(crate) use volume::flipped;
-pub use volume::{Crown, Envelope, Inflated, MAX_BYTES as MAX_SOLID_BYTES, Solid, SolidError};
+pub use volume::{Crown, Envelope, Inflated, Lobes, MAX_BYTES as MAX_SOLID_BYTES, Solid, SolidError};

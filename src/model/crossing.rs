@@ -1,36 +1,14 @@
-//! Faces of a mesh that pass through other faces of it.
+//! Faces of a mesh that pass through other faces of it: how many there are.
 //!
-//! Two faces that share an edge never count; of two that share a point the edge opposite that point must pass through the
-//! other face; all others cross where an edge of one passes through the other. Candidates are faces whose boxes meet.
-//!
-//! Limits: where so many faces lie over each other that [`STEPS`] do not reach to compare them, there is no count; faces that
-//! lie in one plane do not cross. Single precision in, double precision inside, no exact arithmetic:
-//! faces that just touch may count or not.
+//! What counts as crossing, and the limits of it, are those of [`crate::geom::crossing`].
 
 use super::Mesh;
-use crate::geom::bvh::{Bounds, overlapping_within};
-use glam::DVec3;
-use std::sync::atomic::{AtomicBool, Ordering};
+use crate::geom::crossing::crossing;
 
-/// Comparisons that any mesh may take, and more for each of its faces; the faces of a tree take some dozens.
-pub const STEPS: (u64, u64) = (50_000_000, 500);
-
-/// Number of faces that cross another; `None` where counting them would take more than [`STEPS`]. Faces with points that do
-/// not exist or are not finite are left out.
+/// Number of faces that cross another; `None` where counting them would take too many steps. Faces with points that do not
+/// exist or are not finite are left out.
 pub fn crossing_faces(mesh: &Mesh) -> Option<usize> {
-    let faces = faces(mesh);
-    let boxes: Vec<Bounds> = faces.iter().map(|face| bounds(mesh, face)).collect();
-    let crossing: Vec<AtomicBool> = faces.iter().map(|_| AtomicBool::new(false)).collect();
-    let mark = |i: usize, j: usize| -> Option<()> {
-        let both = [&crossing[i], &crossing[j]];
-        // What is known of both needs no comparison.
-        if !both.iter().all(|known| known.load(Ordering::Relaxed)) && cross(mesh, faces[i], faces[j]) {
-            both.iter().for_each(|known| known.store(true, Ordering::Relaxed));
-        }
-        None
-    };
-    overlapping_within(STEPS.0 + STEPS.1 * faces.len() as u64, &boxes, mark)?;
-    Some(crossing.into_iter().filter(|crosses| crosses.load(Ordering::Relaxed)).count())
+    Some(crossing(&mesh.points, &faces(mesh))?.into_iter().filter(|crosses| *crosses).count())
 }
 
 /// The faces by their points.
@@ -41,37 +19,6 @@ fn faces(mesh: &Mesh) -> Vec<[u32; 3]> {
     };
     let points = |face: &[u32; 3]| Some([point(face[0])?, point(face[1])?, point(face[2])?]);
     mesh.triangles.iter().filter_map(points).collect()
-}
-
-fn bounds(mesh: &Mesh, face: &[u32; 3]) -> Bounds {
-    let [a, b, c] = face.map(|p| mesh.points[p as usize]);
-    (a.min(b).min(c), a.max(b).max(c))
-}
-
-/// Whether an edge of one face passes through the other.
-fn cross(mesh: &Mesh, a: [u32; 3], b: [u32; 3]) -> bool {
-    let shared = a.iter().filter(|p| b.contains(p)).count();
-    let at = |p: u32| mesh.points[p as usize].as_dvec3();
-    let pierces = |from: [u32; 3], through: [u32; 3]| {
-        let corners = through.map(at);
-        let edges = [[from[0], from[1]], [from[1], from[2]], [from[2], from[0]]];
-        let apart = edges.iter().filter(|edge| edge.iter().all(|p| !through.contains(p)));
-        apart.into_iter().any(|edge| passes(edge.map(at), corners))
-    };
-    shared < 2 && (pierces(a, b) || pierces(b, a))
-}
-
-/// Whether a segment passes through a triangle.
-fn passes([p, q]: [DVec3; 2], [a, b, c]: [DVec3; 3]) -> bool {
-    let normal = (b - a).cross(c - a);
-    let (before, after) = ((p - a).dot(normal), (q - a).dot(normal));
-    if before * after >= 0.0 {
-        return false;
-    }
-    let at = p.lerp(q, before / (before - after));
-    let side = |u: DVec3, v: DVec3| (v - u).cross(at - u).dot(normal);
-    let sides = [side(a, b), side(b, c), side(c, a)];
-    sides.iter().all(|s| *s >= 0.0)
 }
 
 #[cfg(test)]

@@ -36,6 +36,16 @@ pub struct Mesh {
 }
 
 impl Mesh {
+    /// A smooth surface from points and faces, without UVs; sharp only where it folds back on itself.
+    pub fn smooth(points: Vec<Vec3>, triangles: &[[u32; 3]]) -> Self {
+        let vertex = |point| Vertex { point, normal: Vec3::ZERO, uv: Vec2::ZERO };
+        let vertices = (0..points.len() as u32).map(vertex).collect();
+        let mut mesh = Self { points, vertices, triangles: triangles.to_vec(), breaks: Vec::new() };
+        mesh.smooth_missing_normals();
+        mesh.split_disagreeing_corners();
+        mesh
+    }
+
     /// The point indices of a triangle.
     pub fn point_triangle(&self, triangle: [u32; 3]) -> [u32; 3] {
         triangle.map(|v| self.vertices[v as usize].point)

@@ -10,7 +10,7 @@ use crate::anatomy::Anatomy;
 use crate::growth::overlay::{Spot, Wanted, overlay};
 use crate::growth::{self, Envelope, Habit, Outcome, PlantAtAge, Schedule, Simulation, drawing};
 use crate::modelling::DrawnWood;
-use crate::plant::Provenance;
+use crate::plant::{Plant, Provenance};
 use crate::sketch::Warning;
 use crate::species::Species;
 use std::sync::Arc;
@@ -34,7 +34,13 @@ impl Kept {
     fn begin(habit: &Habit, seed: &Seed) -> Self {
         let simulation = match &seed.volume {
             None => Simulation::new(habit, seed.number, seed.limits),
-            Some(volume) => Simulation::in_envelope(habit, Envelope::clone(volume), seed.number, seed.limits),
+            Some(volume) if seed.wood.is_empty() => {
+                Simulation::in_envelope(habit, Envelope::clone(volume), seed.number, seed.limits)
+            }
+            Some(volume) => {
+                let plant = Plant { branches: seed.wood.clone(), ..Plant::default() };
+                Simulation::from_skeleton(habit, &plant, Envelope::clone(volume), seed.number, seed.limits)
+            }
         };
         Self { habit: habit.clone(), seed: seed.clone(), simulation, ended: Outcome::Growing }
     }
@@ -44,6 +50,7 @@ impl Kept {
         let volume = |seed: &Seed| seed.volume.as_ref().map(Arc::as_ptr);
         let known = &self.seed;
         (known.number, known.limits, volume(known)) == (seed.number, seed.limits, volume(seed))
+            && known.wood == seed.wood
             && self.habit == *habit
     }
 

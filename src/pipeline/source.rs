@@ -8,7 +8,7 @@ use crate::anatomy::Anatomy;
 use crate::growth::habit::Resource;
 use crate::growth::{Envelope, Field, Limits, Outcome, Simulation};
 use crate::modelling::DrawnWood;
-use crate::plant::{FlowerBuds, Plant, Provenance};
+use crate::plant::{Branch, FlowerBuds, Plant, Provenance};
 use crate::sketch::{Sketch, Warning};
 use std::sync::Arc;
 
@@ -57,6 +57,8 @@ pub struct Seed {
     pub age: Option<f32>,
     /// The volume that it fills; none for the species' own crown, or for the open.
     pub volume: Option<Arc<Envelope>>,
+    /// Wood that it begins with in a volume, parents before children; without any a trunk rises to the volume.
+    pub wood: Vec<Branch>,
     /// Where growth ends whatever is asked for.
     pub limits: Limits,
 }

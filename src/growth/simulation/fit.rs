@@ -67,6 +67,7 @@ fn volume_of(envelope: &Envelope, extent: Vec3) -> f32 {
     match envelope {
         Envelope::Inflated(inflated) => inflated.volume(),
         Envelope::Solid(solid) => solid.volume(),
+        Envelope::Lobes(lobes) => lobes.volume(),
         Envelope::Box { .. } => extent.element_product(),
         _ => ROUND * extent.element_product(),
     }

@@ -1,12 +1,14 @@
 //! The volume that a plant may fill.
 //!
 //! Markers are scattered inside of it, and no shoot that is inside grows out of it. A species may bring a crown of its own,
-//! a profile turned about the trunk; a drawn outline is inflated ([`Inflated`]), a modelled volume read ([`Solid`]).
+//! a profile turned about the trunk; a drawn outline is inflated ([`Inflated`]), a modelled volume read ([`Solid`]), and lobes
+//! drawn in space are put together ([`Lobes`]).
 //!
 //! Limits: a shoot is tested at its end and three places between; a gap thinner than a quarter of an internode may be
 //! crossed.
 
 use super::inflated::Inflated;
+use super::lobes::Lobes;
 use super::solid::Solid;
 use crate::random::Choice;
 use glam::Vec3;
@@ -44,6 +46,8 @@ pub enum Envelope {
     Solid(Arc<Solid>),
     /// Inside a drawn outline made round.
     Inflated(Arc<Inflated>),
+    /// Inside of lobes together.
+    Lobes(Arc<Lobes>),
 }
 
 /// A crown: radius over height, with lumps as leaves gather in clouds.
@@ -95,6 +99,7 @@ impl Envelope {
             Self::Crown(crown) => crown.contains(p),
             Self::Solid(solid) => solid.contains(p),
             Self::Inflated(inflated) => inflated.contains(p),
+            Self::Lobes(lobes) => lobes.contains(p),
         }
     }
 
@@ -115,6 +120,7 @@ impl Envelope {
             }
             Self::Solid(solid) => Some(solid.bounds()),
             Self::Inflated(inflated) => Some(inflated.bounds()),
+            Self::Lobes(lobes) => Some(lobes.bounds()),
         }
     }
 
@@ -126,6 +132,7 @@ impl Envelope {
             Self::Crown(crown) => 80 + crown.profile.len() as u64,
             Self::Solid(solid) => 8 * solid.triangles_over_a_point(),
             Self::Inflated(inflated) => 20 + inflated.edges_beside_a_point(),
+            Self::Lobes(lobes) => 8 * lobes.triangles_over_a_point(),
         }
     }
 

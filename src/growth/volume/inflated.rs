@@ -12,16 +12,13 @@
 //! program name the volume (001 ch. 3) but take its depth from a network.
 //! Limits: details of the depth finer than the raster, [`RASTER`] cells along the longer side, are smoothed.
 
+use crate::geom::inflation;
 use crate::geom::region::Region;
 use crate::plant::Branch;
 use glam::{Vec2, Vec3};
 
 /// Cells along the longer side of the raster.
-pub(super) const RASTER: usize = 96;
-/// Rounds of over-relaxation; the error falls below a percent on a filled square in this many.
-const ROUNDS: usize = 160;
-/// Over-relaxation factor, near the best for [`RASTER`].
-const OVER: f32 = 1.93;
+pub(super) const RASTER: usize = inflation::USUAL_CELLS;
 
 /// A volume inflated from outlines in the plane z = 0.
 pub struct Inflated {
@@ -170,21 +167,8 @@ impl Inflated {
     fn solve(&mut self) {
         let [w, h] = self.size;
         let middle = |x: usize, y: usize| self.low + (Vec2::new(x as f32, y as f32) + 0.5) * self.cell;
-        let inside: Vec<u32> = (1..h - 1)
-            .flat_map(|y| (1..w - 1).map(move |x| (x, y)))
-            .filter(|&(x, y)| self.covers(middle(x, y)))
-            .map(|(x, y)| (y * w + x) as u32)
-            .collect();
-        let u = &mut self.squared;
-        let load = 4.0 * self.cell * self.cell;
-        for _ in 0..ROUNDS {
-            for &i in &inside {
-                let i = i as usize;
-                let around = u[i - 1] + u[i + 1] + u[i - w] + u[i + w];
-                u[i] += OVER * (0.25 * (around + load) - u[i]);
-            }
-        }
-        u.iter_mut().for_each(|u| *u = u.max(0.0));
+        let cells = (0..w * h).filter(|i| self.covers(middle(i % w, i / w)));
+        self.squared = inflation::squared_half_depth(self.size, self.cell, cells);
     }
 }
 

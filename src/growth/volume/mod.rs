@@ -1,12 +1,17 @@
-//! Volumes that a plant may fill: simple bodies, crowns of species, closed meshes and drawn outlines made round.
+//! Volumes that a plant may fill: simple bodies, crowns of species, closed meshes, drawn outlines made round, and lobes together.
 
 mod envelope;
 mod inflated;
+mod lobes;
 mod solid;
 
 pub use envelope::{Crown, Envelope};
 pub use inflated::Inflated;
+pub use lobes::Lobes;
+pub(super) use lobes::Part;
 pub use solid::{MAX_BYTES, Solid, SolidError};
 
+#[cfg(test)]
+pub(crate) use lobes::tests::ball;
 #[cfg(test)]
 pub(crate) use solid::tests::flipped;
