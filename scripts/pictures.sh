@@ -63,6 +63,20 @@ for years in -1 4; do
 done
 python3 scripts/sheet.py 6 docs/images/in_space.png "$space"/*.png
 rm -rf "$space"
+# Plants that grew into lobes, and the lobes.
+lobes=$(mktemp -d)
+for name in bonsai swan; do
+    "$program" lobes "assets/lobes/$name.json" -o "$lobes/$name-lobes.obj"
+done
+"$program" grow pine --lobes assets/lobes/bonsai.json -o "$lobes/bonsai-grown.glb"
+"$program" grow box --lobes assets/lobes/swan.json -o "$lobes/swan-grown.glb"
+for model in "$lobes"/*.glb "$lobes"/*.obj; do
+    for view in side three-quarter; do
+        "$program" render "$model" -o "$model-$view.png" --size 330x330 --view "$view"
+    done
+done
+python3 scripts/sheet.py 4 docs/images/lobes.png "$lobes"/*.png
+rm -rf "$lobes"
 # Two trees as they grow, with their foliage as pictures of shoots in as many triangles as were asked for, and as two pictures.
 levels=$(mktemp -d)
 for species in oak spruce; do
