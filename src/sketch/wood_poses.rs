@@ -67,8 +67,8 @@ pub(super) fn check(poses: &[WoodPose]) -> Result<(), String> {
 /// What is wrong with a pose, in words.
 pub(super) fn check_one(pose: &WoodPose) -> Result<(), String> {
     for (name, turn) in [("turn", pose.turn), ("bend", pose.bend)] {
-        // Written so that what is no number fails, too.
-        if !((turn.length() - 1.0).abs() <= UNIT) {
+        // What is no number lies in no range.
+        if !(1.0 - UNIT..=1.0 + UNIT).contains(&turn.length()) {
             let stroke = pose.stroke;
             return Err(format!(
                 "the `{name}` of stroke {stroke} is no turn; write the four numbers x, y, z, w of a quaternion of length 1"
