@@ -78,7 +78,7 @@ pub fn radii_with(
     diagonal: f32,
     params: &RadiusParams,
 ) -> Vec<Vec<f32>> {
-    let pipes = pipes(branches);
+    let pipes = pipes(branches.iter().map(|branch| branch.parent));
     let most = pipes.iter().copied().max().unwrap_or(1);
     let thinnest = params.thinnest * diagonal;
     let tapered = known.0.made(
@@ -128,11 +128,11 @@ pub fn along(
     arcs.iter().zip(pressures).map(radius).map(|radius| radius.min(most)).collect()
 }
 
-/// Number of branch ends that each branch carries, its own included.
-fn pipes(branches: &[FlatBranch]) -> Vec<u32> {
-    let mut pipes = vec![1; branches.len()];
-    for (i, branch) in branches.iter().enumerate().rev() {
-        if let Some(parent) = branch.parent {
+/// Number of branch ends that each branch carries, its own included, by the parents of the branches, which stand before them.
+pub fn pipes(parents: impl DoubleEndedIterator<Item = Option<usize>> + ExactSizeIterator) -> Vec<u32> {
+    let mut pipes = vec![1; parents.len()];
+    for (i, parent) in parents.enumerate().rev() {
+        if let Some(parent) = parent {
             pipes[parent] += pipes[i];
         }
     }

@@ -9,9 +9,10 @@
 
 use super::curve::{SpaceSample, smoothed};
 use super::foothold::{Boxes, Foothold};
-use crate::depth::radii::{RadiusParams, along, width_of_pipes};
+use crate::depth::radii::{RadiusParams, along, pipes, width_of_pipes};
 use crate::geom::polyline;
-use crate::plant::{Branch, Plant, Provenance, Role, WoodPart};
+use crate::kept::{Kept, Same};
+use crate::plant::{Branch, Origin, Plant, Provenance, Role, WoodPart};
 use crate::sketch::{Remark, Stroke, StrokePoint, Warning};
 use glam::Vec3;
 use std::sync::Arc;
@@ -19,26 +20,47 @@ use std::sync::Arc;
 /// Shortest branch, as a share of the yardstick.
 const SHORTEST: f32 = 0.005;
 
+/// What is kept of the branches in space of one drawing for the next: their smooth lines, canvas pixels.
+#[derive(Debug, Default)]
+pub struct Cache(Kept<Same<Stroke>, Arc<[SpaceSample]>>);
+
+impl Cache {
+    /// For a single drawing, of which nothing is kept.
+    pub fn for_one_build() -> Self {
+        Self(Kept::for_one_call())
+    }
+
+    /// Forgets them: the drawing has none.
+    pub fn forget(&mut self) {
+        self.0.keep_only(|_| false);
+    }
+}
+
 /// Adds the branches that strokes in space draw, in their order, each perhaps on one before it; `diagonal` is the yardstick
 /// of thickness, canvas pixels. Remarks name strokes that are no branch.
-pub fn add_branches<'a>(
-    plant: &mut Plant,
-    provenance: &mut Provenance,
-    strokes: impl Iterator<Item = &'a Arc<Stroke>>,
+pub fn add_branches(
+    cache: &mut Cache,
+    (plant, provenance): (&mut Plant, &mut Provenance),
+    strokes: &[&Arc<Stroke>],
     diagonal: f32,
     params: &RadiusParams,
 ) -> Vec<Warning> {
+    let lines = cache.0.made(
+        strokes,
+        |stroke, used| Same::of(stroke, used),
+        |stroke| smoothed(&samples(stroke)).into(),
+    );
     let mut boxes = Boxes::of(&plant.branches);
     let (first, mut pressures, mut remarks) = (plant.branches.len(), Vec::new(), Vec::new());
-    for stroke in strokes {
-        let line = smoothed(&in_world(stroke, provenance));
-        let length = polyline::length(&line.iter().map(|s| s.position).collect::<Vec<_>>());
-        if line.len() < 2 || length < SHORTEST * diagonal * provenance.world_from_canvas.scale {
+    for (stroke, line) in strokes.iter().zip(lines) {
+        let arcs = polyline::arc_lengths(line.iter().map(|sample| sample.position));
+        if arcs.last().is_none_or(|length| *length < SHORTEST * diagonal) {
             remarks.push(Warning { stroke: Some(stroke.id), remark: Remark::TooShort });
             continue;
         }
-        let foothold = Foothold::of(&boxes, &plant.branches, line[0].position);
-        let branch = branch(plant, provenance.record(Some(stroke.id)), &line, foothold);
+        let points = in_world(line, provenance);
+        let foothold = Foothold::of(&boxes, &plant.branches, points[0]);
+        let branch = branch(plant, provenance.record(Some(stroke.id)), points, foothold);
         pressures.push(line.iter().map(|sample| sample.pressure).collect());
         boxes.push(&branch);
         plant.branches.push(branch);
@@ -48,26 +70,29 @@ pub fn add_branches<'a>(
     remarks
 }
 
-/// The samples of a stroke in the world.
-fn in_world(stroke: &Stroke, provenance: &Provenance) -> Vec<SpaceSample> {
-    let world = provenance.world_from_canvas;
+/// The samples of a stroke: where it was drawn, canvas pixels, and its depths.
+fn samples(stroke: &Stroke) -> Vec<SpaceSample> {
     let sample = |point: &StrokePoint| SpaceSample {
-        position: world.point(point.position).with_z(point.depth * world.scale),
+        position: point.position.extend(point.depth),
         pressure: point.pressure,
     };
     stroke.points.iter().map(sample).collect()
 }
 
-/// The branch along a line, moved so that it begins on its foothold, or on the ground; thin as yet.
-fn branch(
-    plant: &Plant,
-    origin: crate::plant::Origin,
-    line: &[SpaceSample],
-    foothold: Option<Foothold>,
-) -> Branch {
-    let begin = line[0].position;
+/// Where the samples lie in the world.
+fn in_world(line: &[SpaceSample], provenance: &Provenance) -> Vec<Vec3> {
+    let world = provenance.world_from_canvas;
+    let place = |sample: &SpaceSample| {
+        world.point(sample.position.truncate()).with_z(sample.position.z * world.scale)
+    };
+    line.iter().map(place).collect()
+}
+
+/// The branch along a line of at least two points, moved so that it begins on its foothold, or on the ground; thin as yet.
+fn branch(plant: &Plant, origin: Origin, mut points: Vec<Vec3>, foothold: Option<Foothold>) -> Branch {
+    let begin = points[0];
     let foot = foothold.map_or(begin.with_y(0.0), |foothold| foothold.place);
-    let mut points: Vec<Vec3> = line.iter().map(|sample| sample.position + (foot - begin)).collect();
+    points.iter_mut().for_each(|point| *point += foot - begin);
     points[0] = foot;
     let parent = foothold.map(|foothold| foothold.branch);
     let level = parent.map_or(0, |parent| plant.branches[parent].level + 1);
@@ -82,7 +107,7 @@ fn thicken(
     diagonal: f32,
     params: &RadiusParams,
 ) {
-    let pipes = pipes(branches);
+    let pipes = pipes(branches.iter().map(|branch| branch.parent));
     let most = pipes.iter().copied().max().unwrap_or(1);
     for (index, pressures) in (first..).zip(pressures) {
         let width = width_of_pipes((pipes[index], most), diagonal, params);
@@ -98,21 +123,10 @@ fn radius_at(branch: &Branch, point: Vec3) -> f32 {
     foothold.map_or(f32::MIN_POSITIVE, |foothold| foothold.radius)
 }
 
-/// Ends of branches that each branch carries, its own included.
-fn pipes(branches: &[Branch]) -> Vec<u32> {
-    let mut pipes = vec![1; branches.len()];
-    for (i, branch) in branches.iter().enumerate().rev() {
-        if let Some(parent) = branch.parent {
-            pipes[parent] += pipes[i];
-        }
-    }
-    pipes
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plant::{Origin, WorldFromCanvas};
+    use crate::plant::WorldFromCanvas;
     use glam::{Vec2, vec2};
 
     /// A sheet on which a metre is a thousand pixels, the ground at the bottom of a square of 1000.
@@ -143,7 +157,8 @@ mod tests {
         let mut provenance = provenance();
         let mut plant = trunk(&mut provenance);
         let params = RadiusParams::default();
-        let remarks = add_branches(&mut plant, &mut provenance, strokes.iter(), 1000.0, &params);
+        let (cache, strokes) = (&mut Cache::for_one_build(), strokes.iter().collect::<Vec<_>>());
+        let remarks = add_branches(cache, (&mut plant, &mut provenance), &strokes, 1000.0, &params);
         plant.check_invariants().unwrap();
         provenance.check_invariants(&plant).unwrap();
         (plant, provenance, remarks)
@@ -204,7 +219,8 @@ mod tests {
         let mut provenance = provenance();
         let mut plant = Plant::default();
         let strokes = [stroke(1, (vec2(400.0, 990.0), 50.0), (vec2(400.0, 500.0), 0.0), 0.5)];
-        add_branches(&mut plant, &mut provenance, strokes.iter(), 1000.0, &RadiusParams::default());
+        let (cache, params) = (&mut Cache::for_one_build(), RadiusParams::default());
+        add_branches(cache, (&mut plant, &mut provenance), &[&strokes[0]], 1000.0, &params);
         plant.check_invariants().unwrap();
         let trunk = &plant.branches[0];
         assert_eq!((trunk.parent, trunk.points[0].y), (None, 0.0));

@@ -10,7 +10,7 @@ mod drawn_wood;
 mod foothold;
 mod poses;
 
-pub use branches::add_branches;
+pub use branches::{Cache, add_branches};
 pub use drawn_wood::DrawnWood;
 pub use foothold::{Foothold, GROUND_REACH};
 pub use poses::{Posed, pose_wood};

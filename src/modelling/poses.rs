@@ -25,19 +25,15 @@ struct Moved {
 }
 
 impl Moved {
-    /// The motion of the place of the branch that was nearest to a point.
-    fn at(&self, point: Vec3) -> Motion {
-        let mut best = (f32::INFINITY, 0, 0.0);
-        for (i, ends) in self.rest.windows(2).enumerate() {
-            let share = polyline::nearest_share(ends[0], ends[1], point, Vec3::dot);
-            let away = ends[0].lerp(ends[1], share).distance_squared(point);
-            if away < best.0 {
-                best = (away, i, share);
-            }
-        }
-        let (_, i, share) = best;
-        let between = |line: &[Vec3]| line[i].lerp(line[i + 1], share);
-        let turn = self.turns[i].slerp(self.turns[i + 1], share);
+    /// The motion of the place of the branch that was nearest to a point, or with `is_moved` is nearest to it now.
+    fn at(&self, point: Vec3, is_moved: bool) -> Motion {
+        let line = if is_moved { &self.points } else { &self.rest };
+        let arcs = polyline::arc_lengths(line.iter().copied());
+        let arc = polyline::nearest(line, point).map_or(0.0, |(_, arc)| arc);
+        let (i, share) = polyline::locate(&arcs, arc);
+        let next = (i + 1).min(self.turns.len() - 1);
+        let between = |line: &[Vec3]| line[i].lerp(line[next], share);
+        let turn = self.turns[i].slerp(self.turns[next], share);
         Motion { turn, from: between(&self.rest), to: between(&self.points) }
     }
 }
@@ -55,11 +51,7 @@ impl Posed {
 
     /// The motion of what grows on a branch at the place that is now nearest to a point; none where it was not moved.
     pub fn motion_at(&self, branch: usize, point: Vec3) -> Option<Motion> {
-        let moved = self.0.get(&branch)?;
-        let back =
-            Moved { rest: moved.points.clone(), points: moved.rest.clone(), turns: moved.turns.clone() };
-        let Motion { turn, from, to } = back.at(point);
-        Some(Motion { turn, from: to, to: from })
+        Some(self.0.get(&branch)?.at(point, true))
     }
 }
 
@@ -75,7 +67,7 @@ pub fn pose_wood(plant: &mut Plant, provenance: &Provenance, poses: &[WoodPose])
         // Of several branches of one stroke the first, on which the others grow.
         let own = provenance.stroke(branch.origin).and_then(|stroke| pose_of.remove(&stroke));
         let under = branch.parent.and_then(|parent| posed.0.get(&parent));
-        let by_parent = under.zip(branch.points.first()).map(|(under, base)| under.at(*base));
+        let by_parent = under.zip(branch.points.first()).map(|(under, base)| under.at(*base, false));
         if own.is_none() && by_parent.is_none() {
             continue;
         }
@@ -111,7 +103,9 @@ fn moved(branch: &Branch, by_parent: Option<Motion>, own: Option<&WoodPose>) -> 
 
 /// Moves flowers, and all organs with the place that they grow on; those of flowers with their flower.
 fn move_organs(plant: &mut Plant, posed: &Posed) {
-    let on = |branch: Option<usize>, at: Vec3| branch.and_then(|b| posed.0.get(&b)).map(|moved| moved.at(at));
+    let on = |branch: Option<usize>, at: Vec3| {
+        branch.and_then(|b| posed.0.get(&b)).map(|moved| moved.at(at, false))
+    };
     let motions: Vec<Option<Motion>> =
         plant.flowers.iter().map(|flower| on(flower.branch, flower.cone.apex)).collect();
     for (flower, motion) in plant.flowers.iter_mut().zip(&motions) {

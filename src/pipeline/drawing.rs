@@ -10,9 +10,9 @@ use crate::anatomy::{self, Anatomy};
 use crate::depth;
 use crate::growth::overlay::{Spot, Wanted};
 use crate::growth::{Memory, PlantAtAge};
-use crate::modelling::{self, DrawnWood, Posed};
+use crate::modelling::{self, DrawnWood};
 use crate::plant::{Plant, Provenance};
-use crate::sketch::{Sketch, Warning};
+use crate::sketch::Sketch;
 use crate::species::Species;
 
 /// What is kept of a drawing from one build to the next.
@@ -20,6 +20,7 @@ use crate::species::Species;
 pub struct DrawingMemory {
     anatomy: anatomy::Cache,
     depth: depth::Cache,
+    modelling: modelling::Cache,
     growth: Memory,
 }
 
@@ -27,7 +28,7 @@ impl DrawingMemory {
     /// For a single build, of which nothing is kept.
     pub(super) fn for_one_build() -> Self {
         let (anatomy, depth) = (anatomy::Cache::for_one_build(), depth::Cache::for_one_build());
-        Self { anatomy, depth, growth: Memory::default() }
+        Self { anatomy, depth, modelling: modelling::Cache::for_one_build(), growth: Memory::default() }
     }
 
     /// What kind of plant a drawing shows.
@@ -58,11 +59,15 @@ pub(super) fn produce(
         depth::recover_with(&mut memory.depth, &anatomy, decided, &params.depth)
     });
     let mut wood = DrawnWood::default();
-    if sketch.in_space().next().is_some() || !sketch.wood_poses.is_empty() {
+    let in_space: Vec<_> = sketch.in_space().collect();
+    if in_space.is_empty() && sketch.wood_poses.is_empty() {
+        memory.modelling.forget();
+    } else {
         clock.time("modelling", || {
-            let (added, posed) = model_in_space(sketch, &anatomy, &mut plant, &mut provenance, params);
-            remarks.extend(added);
-            wood.posed = posed;
+            let diagonal = yardstick(sketch, &anatomy, (&plant, &mut provenance), params);
+            let (drawn, radii) = ((&mut plant, &mut provenance), &params.depth.radii);
+            remarks.extend(modelling::add_branches(&mut memory.modelling, drawn, &in_space, diagonal, radii));
+            wood.posed = modelling::pose_wood(&mut plant, &provenance, &sketch.wood_poses);
         });
     }
     if stop() {
@@ -99,20 +104,16 @@ pub(super) fn produce(
     Some(Produced { plant, buds, provenance, remarks, anatomy, growth: Some(ages), wood, may_flower: true })
 }
 
-/// Adds what was drawn in the view of the plant, and poses its wood. A drawing of nothing else has the world of its sheet.
-fn model_in_space(
+/// The yardstick of what is drawn in space, canvas pixels. A drawing of nothing else has the world of its sheet.
+fn yardstick(
     sketch: &Sketch,
     anatomy: &Anatomy,
-    plant: &mut Plant,
-    provenance: &mut Provenance,
+    (plant, provenance): (&Plant, &mut Provenance),
     params: &Params,
-) -> (Vec<Warning>, Posed) {
-    let mut diagonal = anatomy.diagonal;
-    if plant.branches.is_empty() && plant.organs.is_empty() {
-        provenance.world_from_canvas = placing::world_of_sheet(sketch.canvas, params.depth.world.height);
-        diagonal = sketch.canvas.height;
+) -> f32 {
+    if !(plant.branches.is_empty() && plant.organs.is_empty()) {
+        return anatomy.diagonal;
     }
-    let remarks =
-        modelling::add_branches(plant, provenance, sketch.in_space(), diagonal, &params.depth.radii);
-    (remarks, modelling::pose_wood(plant, provenance, &sketch.wood_poses))
+    provenance.world_from_canvas = placing::world_of_sheet(sketch.canvas, params.depth.world.height);
+    sketch.canvas.height
 }

@@ -1,6 +1,7 @@
 //! What strokes were read as is taken back, chosen otherwise, undone, kept while drawing goes on, saved and recovered.
 
 use crate::app::action::Action;
+use crate::app::editor::test_window::{PATIENCE, build};
 use crate::app::editor::{Editor, Places};
 use crate::app::panels::snapshot::{Dialog, MenuOf, ReadTogether};
 use crate::sketch::{Change, Reading, Stroke, StrokePoint, Tool, Verdict, json};
@@ -8,9 +9,6 @@ use glam::vec2;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-
-/// Longest wait for a plant; only a test that has failed takes so long.
-const PATIENCE: Duration = Duration::from_secs(60);
 
 /// An editor with a plant in a pot that a person drew: four strokes, of which the first is the pot.
 fn potted(home: &tempfile::TempDir) -> Editor {
@@ -34,18 +32,6 @@ fn editor(home: &tempfile::TempDir) -> Editor {
 fn open(home: &tempfile::TempDir, file: Option<PathBuf>) -> Editor {
     let places = Places { config: home.path().join("config"), state: home.path().join("state") };
     Editor::open_in(places, file, || ()).unwrap()
-}
-
-/// Builds what is drawn.
-fn build(editor: &mut Editor) {
-    let begun = Instant::now();
-    editor.submit();
-    while editor.is_working() || editor.built().is_none() {
-        assert!(begun.elapsed() < PATIENCE, "it is built for ever");
-        editor.submit();
-        editor.collect();
-        std::thread::sleep(Duration::from_millis(1));
-    }
 }
 
 fn readings(editor: &mut Editor) -> Vec<Reading> {

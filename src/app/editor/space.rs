@@ -35,7 +35,7 @@ impl Editor {
 
     /// What the card over the plant shows.
     pub(super) fn space_state(&self) -> SpaceState {
-        let can_lift = self.last_in_space().is_some();
+        let can_lift = self.space.is_on && self.last_in_space().is_some();
         let surface = match self.space.surface {
             WorkSurface::Lifted if !can_lift => WorkSurface::Facing,
             surface => surface,

@@ -4,10 +4,11 @@ use super::Editor;
 use super::beside::to_points;
 use super::drawing_surface::DrawingSurface;
 use crate::app::theme::Palette;
+use crate::geom::polyline;
 use crate::modelling::GROUND_REACH;
 use crate::plant::Branch;
 use egui::{Painter, Pos2};
-use glam::{DVec2, Vec3};
+use glam::{DVec2, Vec2, Vec3};
 
 /// Distance from wood within which a branch begins on it, points.
 const REACH: f64 = 14.0;
@@ -31,17 +32,24 @@ impl Editor {
     pub(super) fn place_on(&self, branch: &Branch, at: DVec2) -> Option<Vec3> {
         let reach = REACH * self.plant.pixels_per_point();
         let right = self.plant.forward()?.cross(Vec3::Y).try_normalize().unwrap_or(Vec3::X);
-        let seen: Vec<Option<DVec2>> = branch.points.iter().map(|p| self.plant.seen_at(*p)).collect();
-        let piece = |(i, ends): (usize, &[Option<DVec2>])| {
-            let (a, b) = (ends[0]?, ends[1]?);
-            let share = nearest_share(a, b, at);
-            Some((a.lerp(b, share).distance(at), i, share as f32))
-        };
-        let pieces = seen.windows(2).enumerate().filter_map(piece);
-        let (away, i, share) = pieces.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let mut best: Option<(f32, usize, f32)> = None;
+        let mut before: Option<Vec2> = None;
+        // No list: this is asked of all branches with every frame in which the pointer hovers.
+        for (i, point) in branch.points.iter().enumerate() {
+            let seen = self.plant.seen_at(*point).map(|seen| (seen - at).as_vec2());
+            if let (Some(a), Some(b)) = (before, seen) {
+                let share = polyline::nearest_share(a, b, Vec2::ZERO, Vec2::dot);
+                let away = a.lerp(b, share).length();
+                if best.is_none_or(|(least, ..)| away < least) {
+                    best = Some((away, i - 1, share));
+                }
+            }
+            before = seen;
+        }
+        let (away, i, share) = best?;
         let place = branch.points[i].lerp(branch.points[i + 1], share);
         let (axis, edge) = (self.plant.seen_at(place)?, self.plant.seen_at(place + branch.radii[i] * right)?);
-        (away <= reach.max(edge.distance(axis))).then_some(place)
+        (f64::from(away) <= reach.max(edge.distance(axis))).then_some(place)
     }
 
     /// Where a trunk would stand on the ground under a place in the window; none where that is far from the plant.
@@ -86,10 +94,4 @@ impl Editor {
         let line: Vec<Pos2> = seen.map(|at| to_points(at, scale)).collect();
         painter.line(line, (2.0, palette.accent));
     }
-}
-
-/// Share of the way from `a` to `b` of the place nearest to a point.
-fn nearest_share(a: DVec2, b: DVec2, at: DVec2) -> f64 {
-    let way = b - a;
-    ((at - a).dot(way) / way.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0)
 }
