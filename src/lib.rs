@@ -22,6 +22,7 @@
 //! | [`sketch`] | the document: strokes, tools, file formats |
 //! | [`pen`] | what every pointing device says, in one form |
 //! | [`plant`] | the waist: branches and organs in space, and what they are |
+//! | [`learned_depth`] | how deep a drawn crown is, by a network that has seen thousands of trees |
 //! | [`flower`] | full flowers: petals in layers |
 //! | [`leaf`] | leaves from numbers, compound leaves |
 //! | [`rose`] | roses from measured form |
@@ -61,6 +62,7 @@ pub mod growth;
 pub mod input;
 pub mod kept;
 pub mod leaf;
+pub mod learned_depth;
 pub mod lobes;
 pub mod model;
 pub mod modelling;

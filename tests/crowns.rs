@@ -19,11 +19,11 @@ const CELLS: usize = 160;
 
 type Outlines = Vec<Vec<Vec2>>;
 
-fn ring(count: usize, at: impl Fn(f32) -> Vec2) -> Vec<Vec2> {
+pub(crate) fn ring(count: usize, at: impl Fn(f32) -> Vec2) -> Vec<Vec2> {
     (0..=count).map(|k| at(k as f32 / count as f32 * TAU)).collect()
 }
 
-fn circle(centre: Vec2, radius: f32) -> Vec<Vec2> {
+pub(crate) fn circle(centre: Vec2, radius: f32) -> Vec<Vec2> {
     ring(48, |t| centre + Vec2::from_angle(t) * radius)
 }
 
@@ -101,12 +101,12 @@ fn outlines() -> Vec<(&'static str, Outlines, f32)> {
     ]
 }
 
-fn stroke(id: u64, tool: Tool, points: Vec<Vec2>) -> Arc<Stroke> {
+pub(crate) fn stroke(id: u64, tool: Tool, points: Vec<Vec2>) -> Arc<Stroke> {
     Arc::new(Stroke { id, tool, points: points.into_iter().map(StrokePoint::at).collect() })
 }
 
 /// A drawing of crowns, 700 pixels high, on a trunk of a sixth of that where one is drawn.
-fn drawing(species: &str, outlines: &[Vec<Vec2>], with_trunk: bool) -> Sketch {
+pub(crate) fn drawing(species: &str, outlines: &[Vec<Vec2>], with_trunk: bool) -> Sketch {
     let points = || outlines.iter().flatten().copied();
     let (low, high) = (points().reduce(Vec2::min).unwrap(), points().reduce(Vec2::max).unwrap());
     let scale = 700.0 / (high.y - low.y);
@@ -133,7 +133,7 @@ fn build_with(
     pipeline::build_with(cache, sketch, &species, &params, stop)
 }
 
-fn build(sketch: &Sketch, set: &[&str]) -> Built {
+pub(crate) fn build(sketch: &Sketch, set: &[&str]) -> Built {
     build_with(&mut Cache::default(), sketch, set, &|| false).unwrap()
 }
 

@@ -20,6 +20,7 @@ mod flower_whorls;
 mod ground;
 mod grown;
 mod inflorescences;
+mod learned_depth;
 mod live;
 mod lobes;
 mod other_hands;

@@ -15,11 +15,12 @@ use super::{
     outlines::{Fill, Outlines},
     preprocess::PreprocessParams,
     reading::{self, IgnoreParams, Reading, Readings, Rules},
+    thin_spots::{self, ThinSpot},
 };
 use crate::sketch::warnings::Warnings;
 use crate::sketch::{Remark, Sketch, Stroke, StrokeId, Tool, Warning};
 use glam::Vec2;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
 
 crate::parameter_groups! {
@@ -134,7 +135,8 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
     if stop() {
         return anatomy;
     }
-    let mut warnings = remarks_on(readings, remarks);
+    anatomy.thin_spots = thin_spots::find(readings);
+    let mut warnings = remarks_on(readings, (remarks, &anatomy.thin_spots));
     let lines =
         readings.iter().filter(|r| r.part == Part::Branch).map(|r| (Some(r.id), Arc::clone(&r.samples)));
     let Arranged { branches, lines } =
@@ -155,7 +157,7 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
     for &centre in &gathering.centres {
         warnings.add(Some(centre), || Remark::FlowerCentre);
     }
-    anatomy.crowns = crowns(readings, &mut warnings);
+    anatomy.crowns = crowns(readings, &anatomy.thin_spots, &mut warnings);
     let flowers = (&mut anatomy.flowers[..], &anatomy.petals[..]);
     cache.places.attach(lines, &mut anatomy.leaves, flowers, &params.attach);
     remark_on_what_stands_apart(&anatomy, &mut warnings);
@@ -184,15 +186,19 @@ fn remark_on_what_stands_apart(anatomy: &Anatomy, warnings: &mut Warnings) {
 }
 
 /// What is said of strokes that were read together, then of single ones.
-fn remarks_on(readings: &[Arc<Reading>], together: &[Warning]) -> Warnings {
+fn remarks_on(readings: &[Arc<Reading>], (together, thin): (&[Warning], &[ThinSpot])) -> Warnings {
     let mut warnings = Warnings::default();
     for Warning { stroke, remark } in together {
         warnings.add(*stroke, || remark.clone());
     }
+    let dots: HashSet<StrokeId> = thin.iter().map(|spot| spot.stroke).collect();
     for reading in readings {
-        if let Some(remark) = &reading.warning {
+        if let Some(remark) = reading.warning.as_ref().filter(|_| !dots.contains(&reading.id)) {
             warnings.add(Some(reading.id), || remark.clone());
         }
+    }
+    if let Some(first) = thin.first() {
+        warnings.add(Some(first.stroke), || Remark::ThinsCrown { dots: thin.len() });
     }
     warnings
 }
@@ -200,10 +206,12 @@ fn remarks_on(readings: &[Arc<Reading>], together: &[Warning]) -> Warnings {
 /// Most outlines of crowns in a drawing.
 const MOST_CROWNS: usize = 64;
 
-/// The outlines of crowns in drawing order, closed by leaving out an end that meets its beginning; the largest where
+/// The outlines of crowns in drawing order, dots left out, closed by leaving out an end that meets its beginning; the largest where
 /// there are too many.
-fn crowns(readings: &[Arc<Reading>], warnings: &mut Warnings) -> Vec<FlatCrown> {
-    let drawn: Vec<&Arc<Reading>> = readings.iter().filter(|r| r.part == Part::Crown).collect();
+fn crowns(readings: &[Arc<Reading>], thin: &[ThinSpot], warnings: &mut Warnings) -> Vec<FlatCrown> {
+    let dots: HashSet<StrokeId> = thin.iter().map(|spot| spot.stroke).collect();
+    let is_crown = |r: &&Arc<Reading>| r.part == Part::Crown && !dots.contains(&r.id);
+    let drawn: Vec<&Arc<Reading>> = readings.iter().filter(is_crown).collect();
     let mut order: Vec<usize> = (0..drawn.len()).collect();
     order.sort_by(|a, b| drawn[*b].spread.total_cmp(&drawn[*a].spread));
     let mut kept = vec![false; drawn.len()];

@@ -26,9 +26,11 @@ pub mod preprocess;
 pub mod reading;
 pub mod recall;
 pub mod svm;
+mod thin_spots;
 pub mod vein;
 
 pub use analyse::{AnatomyParams, Cache, analyse, analyse_with};
+pub use thin_spots::ThinSpot;
 
 use crate::sketch::{StrokeId, StrokePoint, Warning};
 use glam::Vec2;
@@ -217,6 +219,8 @@ pub struct Anatomy {
     pub leaves: Vec<FlatBlade>,
     /// Outlines of crowns; one inside another is a hole.
     pub crowns: Vec<FlatCrown>,
+    /// Dots in crowns, around which foliage is sparse.
+    pub thin_spots: Vec<ThinSpot>,
     /// Outlines from which generated leaves were copied, root at the origin, tip at (0, 1), v toward the tip.
     pub templates: Vec<Arc<[Vec2]>>,
     /// Remarks about odd input.

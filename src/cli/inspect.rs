@@ -1,6 +1,7 @@
 //! `penstemon inspect SKETCH`: what the analysis understood, as JSON.
 
 use super::common::{self, Setup, SetupOptions};
+use super::depth_pictures;
 use crate::anatomy::conventions::ReadStrokes;
 use crate::anatomy::{Anatomy, Attachment, FlatBlade, Part};
 use crate::plant::{Plant, Provenance};
@@ -20,6 +21,9 @@ const NAMED: usize = 12;
 pub struct Args {
     /// The drawing: .penstemon or .svg.
     pub sketch: PathBuf,
+    /// Write what the network of learned depth sees of the drawing and what it answers, as PNG pictures of 16 bits, into a folder.
+    #[arg(long, value_name = "DIR")]
+    pub depth: Option<PathBuf>,
     #[command(flatten)]
     #[allow(missing_docs)]
     pub options: SetupOptions,
@@ -138,6 +142,9 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     let is_reading = |warning: &&Warning| matches!(warning.remark, Remark::ReadAs(_));
     for warning in anatomy.warnings.iter().filter(|warning| !is_reading(warning)) {
         tracing::warn!("{}: {warning}", args.sketch.display());
+    }
+    if let Some(folder) = &args.depth {
+        depth_pictures::write(folder, &setup, &anatomy)?;
     }
     common::print(&serde_json::to_string_pretty(&report(&setup.sketch, &anatomy, (&plant, &provenance)))?)?;
     Ok(ExitCode::SUCCESS)

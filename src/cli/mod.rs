@@ -8,6 +8,7 @@ pub mod check;
 pub mod common;
 #[cfg(target_os = "linux")]
 mod compositor;
+mod depth_pictures;
 pub mod garden;
 pub mod grow;
 pub mod inside;

@@ -12,12 +12,16 @@
 //! while the mean logarithm of distances (the nearest-neighbour estimate of entropy) sets every child apart. ψ keeps
 //! within a limit at which no branch grows beyond a multiple of its drawn length, as the errata ask.
 //!
+//! Where a network tells how far wood leaves the drawing's plane ([`DepthField`]), a child's angle is drawn to the one that takes its
+//! end so far, to whichever side spreads the children best: which side it is no drawing says (001 ch. 3).
+//!
 //! A child is compared with a fixed number of neighbours along the parent, so time grows linearly with the number of
 //! branches, also where one branch carries thousands. Limit: branches of different parents do not see each other.
 
 use crate::anatomy::FlatBranch;
 use crate::geom::polyline;
 use crate::kept::Kept;
+use crate::learned_depth::DepthField;
 use crate::random::stream;
 use glam::{Vec2, Vec3};
 use rand::RngExt;
@@ -49,6 +53,8 @@ const GRID: usize = 17;
 const SWEEPS: usize = 3;
 /// Squared distance of directions below which nearness makes no difference; keeps the logarithm finite.
 const NEAR: f32 = 0.01;
+/// How strongly a network's word draws the angles of branches, against their spread.
+const PULL: f32 = 4.0;
 /// Sweeps end when no angle moves farther, radians.
 const SETTLED: f32 = 0.02;
 /// How much faster depth grows at a branch's base than on average: branches bend instead of standing like spokes.
@@ -66,19 +72,21 @@ impl Spreads {
     }
 }
 
-/// The seed; name and chord of every child, in their order along the parent.
-type SpreadKey = (u64, Vec<(u64, [u32; 2])>);
+/// The seed; name, chord and [`Goal`] of every child, in their order along the parent.
+type SpreadKey = (u64, Vec<(u64, [u32; 2], [u32; 2])>);
 
 /// Depth in pixels toward the viewer of every sample of every branch, in the order of `branches` (parents before
 /// children). The same `seed` gives the same depths.
 pub fn branch_depths(branches: &[FlatBranch], params: &BranchDepthParams, seed: u64) -> Vec<Vec<f32>> {
-    branch_depths_with(&mut Spreads::for_one_build(), branches, params, seed)
+    branch_depths_with(&mut Spreads::for_one_build(), branches, (None, 0.0), params, seed)
 }
 
-/// The very depths that [`branch_depths`] gives, again and again while a drawing changes.
+/// The same again and again while a drawing changes, and by a share of what a network is to be believed as far from the drawing's plane as
+/// that tells.
 pub fn branch_depths_with(
     known: &mut Spreads,
     branches: &[FlatBranch],
+    (field, share): (Option<&DepthField>, f32),
     params: &BranchDepthParams,
     seed: u64,
 ) -> Vec<Vec<f32>> {
@@ -95,12 +103,17 @@ pub fn branch_depths_with(
     for (_, siblings) in &mut families {
         siblings.sort_by(|&a, &b| branches[a].attached_at.total_cmp(&branches[b].attached_at));
     }
+    let goal = |i: usize| field.map_or(Goal::NONE, |field| Goal::of(&branches[i], field, share));
     let key = |(_, siblings): &(usize, Vec<usize>), _| {
-        let child = |&i: &usize| (branches[i].key, chord_of(&branches[i]).to_array().map(f32::to_bits));
+        let child = |&i: &usize| {
+            let chord = chord_of(&branches[i]).to_array().map(f32::to_bits);
+            (branches[i].key, chord, goal(i).words())
+        };
         (seed, siblings.iter().map(child).collect())
     };
     let angles = known.0.made(&families, key, |(_, siblings)| {
-        let mut around: Vec<Child> = siblings.iter().map(|&i| Child::new(&branches[i], seed)).collect();
+        let mut around: Vec<Child> =
+            siblings.iter().map(|&i| Child::new(&branches[i], goal(i), seed)).collect();
         spread(&mut around, &grid, jitter);
         around.iter().map(|child| child.angle).collect()
     });
@@ -134,6 +147,32 @@ fn steepest(max_stretch: f32) -> f32 {
     ((max_stretch * max_stretch - 1.0).max(0.0) / (1.0 + EASE * EASE / 3.0)).sqrt().atan()
 }
 
+/// How steeply a network wants a branch to leave the drawing's plane, to whichever side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Goal {
+    /// Tangent of its angle to the plane.
+    slope: f32,
+    /// How much that counts, 0 to 1.
+    weight: f32,
+}
+
+impl Goal {
+    const NONE: Self = Self { slope: 0.0, weight: 0.0 };
+
+    /// Ways out of the plane add up as those of a random walk, so the branch's own is the root of the difference of squares.
+    fn of(branch: &FlatBranch, field: &DepthField, share: f32) -> Self {
+        let ends = branch.line.first().zip(branch.line.last());
+        let Some((base, end)) = ends else { return Self::NONE };
+        let (from, to) = (field.away(base.position), field.away(end.position));
+        let chord = base.position.distance(end.position).max(f32::MIN_POSITIVE);
+        Self { slope: (to * to - from * from).max(0.0).sqrt() / chord, weight: share * field.belief() }
+    }
+
+    fn words(self) -> [u32; 2] {
+        [self.slope, self.weight].map(f32::to_bits)
+    }
+}
+
 /// A branch as its siblings see it.
 #[derive(Clone, Copy, Debug)]
 struct Child {
@@ -143,13 +182,14 @@ struct Child {
     angle: f32,
     /// Its share of chance, standard normal.
     chance: f32,
+    goal: Goal,
 }
 
 impl Child {
-    fn new(branch: &FlatBranch, seed: u64) -> Self {
+    fn new(branch: &FlatBranch, goal: Goal, seed: u64) -> Self {
         let chord = chord_of(branch);
         let chance = normal(&mut stream(seed, "branch depth", branch.key));
-        Self { heading: chord.normalize_or_zero(), angle: 0.0, chance }
+        Self { heading: chord.normalize_or_zero(), angle: 0.0, chance, goal }
     }
 
     fn direction(&self) -> Vec3 {
@@ -201,7 +241,12 @@ impl Grid {
             }
         }
         let weight = 0.5 * self.spread / (before.len() + after.len()).max(1) as f32;
-        let scores: [f32; GRID] = std::array::from_fn(|i| weight * product[i].ln() - self.cost[i]);
+        let Goal { slope, weight: pull } = child.goal;
+        let cost = |i: usize| {
+            let off = (self.sin[i] / self.cos[i]).abs() - slope;
+            (1.0 - pull) * self.cost[i] + pull * PULL * off * off
+        };
+        let scores: [f32; GRID] = std::array::from_fn(|i| weight * product[i].ln() - cost(i));
         let best = (1..GRID).fold(0, |best, i| if scores[i] > scores[best] { i } else { best });
         let angle = self.step * best as f32 - self.limit;
         if best == 0 || best == GRID - 1 {

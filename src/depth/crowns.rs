@@ -1,6 +1,6 @@
 //! Outlines of crowns in the world: the same mapping as everything drawn, in the plane z = 0.
 
-use crate::anatomy::Anatomy;
+use crate::anatomy::{Anatomy, ThinSpot};
 use crate::plant::WorldFromCanvas;
 use glam::Vec2;
 
@@ -8,6 +8,12 @@ use glam::Vec2;
 pub fn crowns(anatomy: &Anatomy, world: &WorldFromCanvas) -> Vec<Vec<Vec2>> {
     let place = |p: &Vec2| world.point(*p).truncate();
     anatomy.crowns.iter().map(|crown| crown.outline.iter().map(place).collect()).collect()
+}
+
+/// Where crowns are sparse: middles and radii in the same plane, metres.
+pub fn thin_spots(anatomy: &Anatomy, world: &WorldFromCanvas) -> Vec<(Vec2, f32)> {
+    let place = |spot: &ThinSpot| (world.point(spot.middle).truncate(), spot.radius * world.scale);
+    anatomy.thin_spots.iter().map(place).collect()
 }
 
 /// Where the trunk of crowns without any drawn branch stands, canvas pixels: below the middle of what is lowest, by

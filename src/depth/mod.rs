@@ -12,6 +12,7 @@ pub mod crowns;
 pub mod flower_stem;
 pub mod flowers;
 mod hidden_petals;
+pub mod learned;
 mod least_squares;
 pub mod leaves;
 pub mod outline;
@@ -24,5 +25,5 @@ pub mod recover;
 mod whorl_fit;
 mod whorls;
 
-pub use crowns::crowns;
-pub use recover::{Cache, DepthParams, recover, recover_with};
+pub use crowns::{crowns, thin_spots};
+pub use recover::{Cache, DepthParams, Given, recover, recover_with};

@@ -6,6 +6,7 @@ use super::{
     crowns,
     flower_stem::{self, Goal, StemParams},
     flowers::Flowers,
+    learned::LearnedParams,
     leaves::{LeafParams, LeafPoser, Leaves},
     outline::CurlParams,
     pots,
@@ -13,6 +14,7 @@ use super::{
 };
 use crate::anatomy::{Anatomy, Attachment, FlatBlade, FlatBranch, FlatFlower};
 use crate::geom::polyline;
+use crate::learned_depth::DepthField;
 use crate::plant::{
     Branch, Organ, OrganPart, Origin, Plant, Provenance, Role, Shape, WoodPart, WorldFromCanvas,
 };
@@ -38,6 +40,8 @@ crate::parameter_groups! {
         leaves: LeafParams;
         /// Curl of blades by pressure.
         curl: CurlParams;
+        /// Depth that a network learned.
+        learned: LearnedParams;
     }
 }
 
@@ -49,6 +53,17 @@ crate::parameters! {
         /// Bare trunk below a crown for which no branch was drawn.
         trunk: f32 = 0.2, 0.0..=3.0, "of the crown's height";
     }
+}
+
+/// What a drawing says besides its anatomy.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Given<'a> {
+    /// Decides everything random.
+    pub seed: u64,
+    /// Petals that the artist shaped.
+    pub petal_shapes: &'a [PetalShape],
+    /// The depth that a network gives the drawing.
+    pub field: Option<&'a DepthField>,
 }
 
 /// Branches or leaves that one thread places at a time.
@@ -97,18 +112,19 @@ impl Cache {
 /// Lifts an anatomy into space, and keeps what only the drawing knows beside the plant. Forms are plain, for they are the
 /// species', and petals stand as they were drawn.
 pub fn recover(anatomy: &Anatomy, seed: u64, params: &DepthParams) -> (Plant, Provenance) {
-    recover_with(&mut Cache::for_one_build(), anatomy, (seed, &[]), params)
+    recover_with(&mut Cache::for_one_build(), anatomy, Given { seed, ..Given::default() }, params)
 }
 
-/// The very plant that [`recover`] gives, its petals shaped, again and again while a drawing changes.
+/// The very plant that [`recover`] gives, its petals shaped and its branches as far from the drawing's plane as a network tells, again and
+/// again while a drawing changes.
 pub fn recover_with(
     cache: &mut Cache,
     anatomy: &Anatomy,
-    (seed, petal_shapes): (u64, &[PetalShape]),
+    Given { seed, petal_shapes, field }: Given<'_>,
     params: &DepthParams,
 ) -> (Plant, Provenance) {
     cache.begin(params);
-    let mut skeleton = Skeleton::new(&mut cache.branches, anatomy, seed, params);
+    let mut skeleton = Skeleton::new(&mut cache.branches, anatomy, (field, seed), params);
     let poses = cache.flowers.poses(anatomy, &params.cone);
     let centers = skeleton.lead_stems(anatomy, &poses, &params.stem);
 
@@ -181,8 +197,15 @@ struct Skeleton {
 }
 
 impl Skeleton {
-    fn new(known: &mut Spreads, anatomy: &Anatomy, seed: u64, params: &DepthParams) -> Self {
-        let depths = branch_depth::branch_depths_with(known, &anatomy.branches, &params.branches, seed);
+    fn new(
+        known: &mut Spreads,
+        anatomy: &Anatomy,
+        (field, seed): (Option<&DepthField>, u64),
+        params: &DepthParams,
+    ) -> Self {
+        let learned = (field, params.learned.branches);
+        let depths =
+            branch_depth::branch_depths_with(known, &anatomy.branches, learned, &params.branches, seed);
         let arcs = anatomy.branches.par_iter().with_min_len(BATCH).map(arcs_of).collect();
         Self { branches: anatomy.branches.clone(), arcs, depths }
     }

@@ -40,7 +40,7 @@ mod volume;
 mod year;
 
 pub use at_age::{PlantAtAge, foliage, plant_at};
-pub use from_drawing::{GrowthParams, Memory, Start, drawing, merge};
+pub use from_drawing::{DrawnCrowns, GrowthParams, Memory, Start, drawing, merge};
 pub use habit::{Habit, Schedule};
 pub use lead::lead_into;
 pub use limits::{Limits, Outcome};

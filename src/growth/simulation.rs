@@ -289,6 +289,10 @@ impl Simulation {
                 let crowd = Crowd::new(markers, at, look);
                 self.effort.spend(crowd.comparisons(markers))?;
                 competition::compete(markers, perception(habit), &crowd, found);
+                if let Envelope::Inflated(crown) = &self.envelope {
+                    let led = found.best.iter_mut().zip(at.iter());
+                    led.for_each(|(best, at)| *best = crown.led(*at, *best));
+                }
             }
         }
         Ok(())

@@ -7,9 +7,10 @@ use super::source::Produced;
 use super::{growing, placing, proposed_species};
 use crate::anatomy::conventions::{ConventionParams, Habit};
 use crate::anatomy::{self, Anatomy};
-use crate::depth;
+use crate::depth::{self, Given};
 use crate::growth::overlay::{Spot, Wanted};
 use crate::growth::{Memory, PlantAtAge};
+use crate::learned_depth;
 use crate::modelling::{self, DrawnWood};
 use crate::plant::{Plant, Provenance};
 use crate::sketch::Sketch;
@@ -19,6 +20,7 @@ use crate::species::Species;
 #[derive(Debug, Default)]
 pub struct DrawingMemory {
     anatomy: anatomy::Cache,
+    learned: learned_depth::Memory,
     depth: depth::Cache,
     modelling: modelling::Cache,
     growth: Memory,
@@ -28,7 +30,7 @@ impl DrawingMemory {
     /// For a single build, of which nothing is kept.
     pub(super) fn for_one_build() -> Self {
         let (anatomy, depth) = (anatomy::Cache::for_one_build(), depth::Cache::for_one_build());
-        Self { anatomy, depth, modelling: modelling::Cache::for_one_build(), growth: Memory::default() }
+        Self { anatomy, depth, modelling: modelling::Cache::for_one_build(), ..Self::default() }
     }
 
     /// What kind of plant a drawing shows.
@@ -54,9 +56,13 @@ pub(super) fn produce(
         .time("anatomy", || anatomy::analyse_with(&mut memory.anatomy, sketch, &params.anatomy, stop))?;
     let mut remarks = std::mem::take(&mut anatomy.warnings);
     remarks.extend(growing::fineness_unused(&anatomy, species, params));
+    let field = clock.time("learned depth", || {
+        let (learned, trunk) = (&params.depth.learned, params.depth.world.trunk);
+        depth::learned::field_of(&mut memory.learned, &anatomy, Some(&species.name), trunk, learned)
+    });
     let (mut plant, mut provenance) = clock.time("depth", || {
-        let decided = (sketch.seed, &*sketch.petal_shapes);
-        depth::recover_with(&mut memory.depth, &anatomy, decided, &params.depth)
+        let given = Given { seed: sketch.seed, petal_shapes: &sketch.petal_shapes, field: field.as_deref() };
+        depth::recover_with(&mut memory.depth, &anatomy, given, &params.depth)
     });
     let mut wood = DrawnWood::default();
     let in_space: Vec<_> = sketch.in_space().collect();
@@ -93,7 +99,7 @@ pub(super) fn produce(
         growing::grow_on(
             &mut memory.growth,
             (plant, &provenance),
-            &anatomy,
+            (&anatomy, field.as_ref()),
             (species, params),
             sketch.seed,
             &mut remarks,

@@ -7,11 +7,13 @@ use super::setup::Params;
 use super::source::Ages;
 use crate::anatomy::Anatomy;
 use crate::depth;
-use crate::growth::{Limits, Memory, Outcome, PlantAtAge, Start, drawing, foliage, merge};
+use crate::growth::{DrawnCrowns, Limits, Memory, Outcome, PlantAtAge, Start, drawing, foliage, merge};
+use crate::learned_depth::DepthField;
 use crate::plant::{Plant, Provenance};
 use crate::quote;
 use crate::sketch::{Remark, StrokeId, Warning};
 use crate::species::Species;
+use std::sync::Arc;
 
 /// Whether a drawing grows.
 pub(super) fn grows(anatomy: &Anatomy, species: &Species, params: &Params) -> bool {
@@ -30,7 +32,7 @@ pub(super) fn fineness_unused(anatomy: &Anatomy, species: &Species, params: &Par
 pub(super) fn grow_on(
     memory: &mut Memory,
     (drawn, provenance): (Plant, &Provenance),
-    anatomy: &Anatomy,
+    (anatomy, field): (&Anatomy, Option<&Arc<DepthField>>),
     (species, params): (&Species, &Params),
     seed: u64,
     remarks: &mut Vec<Warning>,
@@ -38,7 +40,12 @@ pub(super) fn grow_on(
 ) -> Option<(PlantAtAge, Ages)> {
     let growth = &params.growth;
     let grows = merge::grows(&drawn);
-    let crowns = depth::crowns(anatomy, &provenance.world_from_canvas);
+    let world = provenance.world_from_canvas;
+    let crowns = DrawnCrowns {
+        outlines: depth::crowns(anatomy, &world),
+        thin_spots: depth::thin_spots(anatomy, &world),
+        learned: field.map(|field| (field.in_world(world), params.depth.learned.crown)),
+    };
     let wood = merge::wood(&drawn, &grows);
     let start = Start::new(&params.habit, params.depth.world.height, wood, crowns, growth, seed);
     let years = (growth.years >= 0.0).then_some(growth.years);

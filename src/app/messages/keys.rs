@@ -378,6 +378,7 @@ keys! {
     WarningNoRoom = "warning.no_room",
     WarningEmptyCrown = "warning.empty_crown",
     WarningManyCrowns = "warning.many_crowns",
+    WarningThinsCrown = "warning.thins_crown",
     WarningDoesNotGrow = "warning.does_not_grow",
     WarningGrowthCapped = "warning.growth_capped",
     WarningGrownTooLarge = "warning.grown_too_large",

@@ -20,7 +20,7 @@ use std::sync::OnceLock;
 
 /// Groups in the order in which an artist comes to them: the plant as a whole, flowers and leaves, branches, what fills
 /// outlines, surfaces, and last what only matters where strokes were misunderstood.
-const ORDER: [&str; 33] = [
+const ORDER: [&str; 34] = [
     "depth.world",
     "flower",
     "flower.layers",
@@ -39,6 +39,7 @@ const ORDER: [&str; 33] = [
     "depth.stem",
     "depth.branches",
     "depth.radii",
+    "depth.learned",
     "anatomy.leaf_fill",
     "anatomy.leaf_twigs",
     "anatomy.twigs",

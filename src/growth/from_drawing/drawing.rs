@@ -15,6 +15,7 @@ use crate::growth::simulation::Simulation;
 use crate::growth::tree::Tree;
 use crate::growth::volume::Envelope;
 use crate::growth::volume::Inflated;
+use crate::learned_depth::WorldDepth;
 use crate::plant::{Branch, Plant};
 use glam::Vec2;
 use std::sync::Arc;
@@ -30,6 +31,8 @@ crate::parameters! {
         hollow: f32 = 0.0, 0.0..=0.9, "";
         /// How fine wood and leaves are in a drawn crown: 2 is twice as fine and several times as heavy.
         fineness: f32 = 1.0, 0.4..=2.0, "";
+        /// How strongly growth is led from the drawn wood along the arms of a drawn crown; at 0 only free space draws it.
+        guide: f32 = 0.0, 0.0..=3.0, "";
     }
 }
 
@@ -49,16 +52,27 @@ pub const LIMITS: Limits = Limits {
     ..Limits::within(&Budget::PLANT)
 };
 
+/// The crowns of a drawing in the plane z = 0.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DrawnCrowns {
+    /// Closed outlines, metres; one inside another is a hole.
+    pub outlines: Vec<Vec<Vec2>>,
+    /// Middles and radii of places where they are sparse, metres.
+    pub thin_spots: Vec<(Vec2, f32)>,
+    /// The depth that a network gives them, and how much of it is wanted.
+    pub learned: Option<(WorldDepth, f32)>,
+}
+
 /// All that decides how a drawing grows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Start {
     habit: Habit,
     /// Drawn wood that grows on; parents before children.
     wood: Vec<Branch>,
-    /// Closed outlines of crowns, metres.
-    crowns: Vec<Vec<Vec2>>,
+    crowns: DrawnCrowns,
     depth: f32,
     hollow: f32,
+    guide: f32,
     seed: u64,
     limits: Limits,
 }
@@ -70,19 +84,29 @@ impl Start {
         habit: &Habit,
         height: f32,
         wood: Vec<Branch>,
-        crowns: Vec<Vec<Vec2>>,
+        crowns: DrawnCrowns,
         params: &GrowthParams,
         seed: u64,
     ) -> Self {
         let mut habit = habit.scaled(height / habit.height);
         habit.fineness *= params.fineness;
-        Self { habit, wood, crowns, depth: params.depth, hollow: params.hollow, seed, limits: LIMITS }
+        let &GrowthParams { depth, hollow, guide, .. } = params;
+        Self { habit, wood, crowns, depth, hollow, guide, seed, limits: LIMITS }
     }
 
     /// The plant before its first year.
     fn begin(&self) -> Kept {
-        let crown = Inflated::new(self.crowns.clone(), self.depth);
-        let crown = crown.map(|crown| Arc::new(crown.hollowed(self.hollow, &self.wood)));
+        let DrawnCrowns { outlines, thin_spots, learned } = &self.crowns;
+        let crown = Inflated::new(outlines.clone(), self.depth);
+        let crown = crown.map(|crown| match learned {
+            Some((depth, share)) => crown.learned(depth, *share, self.seed),
+            None => crown,
+        });
+        let crown = crown.map(|crown| {
+            Arc::new(
+                crown.hollowed(self.hollow, &self.wood).guided(self.guide, &self.wood).thinned(thin_spots),
+            )
+        });
         let mut inside = self.wood.clone();
         if let Some(crown) = &crown {
             extend_into_crown::move_inside(&mut inside, crown);

@@ -29,8 +29,9 @@ pub(super) fn move_inside(wood: &mut [Branch], crown: &Inflated) {
     let least = INSIDE.1 * crown.deepest();
     for p in wood.iter_mut().flat_map(|branch| &mut branch.points) {
         if crown.covers(p.truncate()) {
-            let most = INSIDE.0 * crown.half_depth(p.truncate()) + least;
-            p.z = p.z.clamp(-most, most);
+            let (middle, half) = (crown.middle_depth(p.truncate()), crown.half_depth(p.truncate()));
+            let most = INSIDE.0 * half + least;
+            p.z = p.z.clamp(middle - most, middle + most);
         }
     }
 }
@@ -58,7 +59,7 @@ pub(super) fn extend(wood: &mut Vec<Branch>, crown: &Inflated) {
         unreached.filter_map(|island| shortest(wood, &islands.places(crown, island))).collect();
     // The nearest part gets the end of a branch that several would have.
     ways.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-    ways.into_iter().for_each(|way| follow(wood, way));
+    ways.into_iter().for_each(|way| follow(wood, crown, way));
 }
 
 fn shortest(wood: &[Branch], places: &[(Vec2, f32)]) -> Option<Way> {
@@ -81,12 +82,12 @@ fn shortest(wood: &[Branch], places: &[(Vec2, f32)]) -> Option<Way> {
     best
 }
 
-fn follow(wood: &mut Vec<Branch>, way: Way) {
+fn follow(wood: &mut Vec<Branch>, crown: &Inflated, way: Way) {
     let branch = &mut wood[way.branch];
     let (from, radius) = (branch.points[way.point], branch.radii[way.point]);
     let whole = polyline::length(&branch.points);
     let left = polyline::length(&branch.points[way.point..]);
-    let to = way.to.extend(0.0);
+    let to = way.to.extend(crown.middle_depth(way.to));
     if left <= AT_END * whole {
         let end = branch.points.last().copied().unwrap_or(from);
         if end != to {

@@ -4,4 +4,4 @@ pub mod drawing;
 mod extend_into_crown;
 pub mod merge;
 
-pub use drawing::{GrowthParams, Memory, Start};
+pub use drawing::{DrawnCrowns, GrowthParams, Memory, Start};

@@ -53,7 +53,13 @@ impl Markers {
             let mut rng = stream(seed, "markers", b as u64);
             let count = BLOCK.min(tried - b * BLOCK);
             let points = (0..count).map(|_| low + extent * Vec3::from_array(rng.random::<[f32; 3]>()));
-            points.filter(|p| envelope.contains(*p)).collect::<Vec<_>>()
+            let inside: Vec<Vec3> = points.filter(|p| envelope.contains(*p)).collect();
+            // Drawn by lot only where it is sparse: elsewhere markers are as they would be without.
+            let stays = |p: &Vec3| {
+                let share = envelope.density(*p);
+                share >= 1.0 || rng.random::<f32>() < share
+            };
+            inside.into_iter().filter(stays).collect::<Vec<_>>()
         };
         let blocks: Vec<Vec<Vec3>> = (0..tried.div_ceil(BLOCK)).into_par_iter().map(block).collect();
         let mut points = blocks.concat();

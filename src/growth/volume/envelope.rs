@@ -103,6 +103,14 @@ impl Envelope {
         }
     }
 
+    /// Share of the space at a place inside that growth finds, 0 to 1.
+    pub fn density(&self, p: Vec3) -> f32 {
+        match self {
+            Self::Inflated(inflated) => inflated.density(p),
+            _ => 1.0,
+        }
+    }
+
     /// Smallest and largest corner, `None` for [`Envelope::Free`].
     pub fn bounds(&self) -> Option<(Vec3, Vec3)> {
         match self {

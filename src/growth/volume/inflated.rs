@@ -8,13 +8,20 @@
 //! u − (z/depth)² is 0 on the surface and rises inward, in a sphere by the square of the radius; where it exceeds a share
 //! of its largest value the volume may be hollow. Thin parts have no hollow.
 //!
-//! Source: the idea of inflating a silhouette by a harmonic height is common in sketch modelling; the papers of this
-//! program name the volume (001 ch. 3) but take its depth from a network.
+//! Growth is led along the volume's arms where that is wanted ([`guide`](super::guide)).
+//!
+//! Where a network tells how deep the crown of such a plant is, its depth takes the place of the inflated one by as much as it is to be
+//! believed (001 ch. 3), and the middle strays from the drawing's plane in slow waves of the size that it tells.
+//!
+//! Source: the idea of inflating a silhouette by a harmonic height is common in sketch modelling.
 //! Limits: details of the depth finer than the raster, [`RASTER`] cells along the longer side, are smoothed.
 
+use super::guide::{Cells, Guide};
 use crate::geom::inflation;
 use crate::geom::region::Region;
+use crate::learned_depth::WorldDepth;
 use crate::plant::Branch;
+use crate::random::Choice;
 use glam::{Vec2, Vec3};
 
 /// Cells along the longer side of the raster.
@@ -28,11 +35,20 @@ pub struct Inflated {
     size: [usize; 2],
     /// Squared half depth at the middle of each cell, rows along x.
     squared: Vec<f32>,
+    /// Depth of the volume's middle there; empty where that is the drawing's plane.
+    middle: Vec<f32>,
     depth: f32,
     deepest: f32,
     /// Value of u − (z/depth)² from which the inside is empty.
     core: f32,
+    /// Where growth is led, and how strongly.
+    guide: Option<(Guide, f32)>,
+    /// Middles and radii of places where it is sparse.
+    thin_spots: Vec<(Vec2, f32)>,
 }
+
+/// Share of the space in a thin spot that growth finds.
+const SPARSE: f32 = 0.3;
 
 impl std::fmt::Debug for Inflated {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -63,13 +79,51 @@ impl Inflated {
             cell,
             size,
             squared: vec![0.0; size[0] * size[1]],
+            middle: Vec::new(),
             depth,
             deepest: 0.0,
             core: f32::INFINITY,
+            guide: None,
+            thin_spots: Vec::new(),
         };
         inflated.solve();
-        inflated.deepest = inflated.squared.iter().copied().fold(0.0, f32::max).sqrt() * depth;
+        inflated.deepest = inflated.deepest_cell();
         (inflated.deepest > 0.0).then_some(inflated)
+    }
+
+    /// The same as deep as a network tells, by a `share` of what it is to be believed; `seed` decides to which side its middle
+    /// strays where.
+    pub fn learned(mut self, known: &WorldDepth, share: f32, seed: u64) -> Self {
+        let share = share.clamp(0.0, 1.0) * known.belief();
+        if share <= 0.0 {
+            return self;
+        }
+        let inside: Vec<usize> = (0..self.squared.len()).filter(|i| self.squared[*i] > 0.0).collect();
+        let phases = Choice::LUMPS.units(seed).map(|unit| unit * std::f32::consts::TAU);
+        let longer = self.size[0].max(self.size[1]) as f32 * self.cell;
+        self.middle = vec![0.0; self.squared.len()];
+        for i in inside {
+            let p = self.middle_of(i);
+            let half = self.squared[i].sqrt();
+            let half = (half + share * (known.half_depth(p) - half)).max(THINNEST * half);
+            self.squared[i] = half * half;
+            let q = (p - self.low) / longer;
+            let waves = WAVES.iter().zip(phases).map(|((x, y), phase)| (x * q.x + y * q.y + phase).sin());
+            let middle = STRAY * share * known.stray(p) * waves.sum::<f32>();
+            self.middle[i] = middle.clamp(-IN_PLANE * half, IN_PLANE * half) * self.depth;
+        }
+        self.deepest = self.deepest_cell();
+        self
+    }
+
+    fn deepest_cell(&self) -> f32 {
+        self.squared.iter().copied().fold(0.0, f32::max).sqrt() * self.depth
+    }
+
+    /// The middle of a cell.
+    fn middle_of(&self, i: usize) -> Vec2 {
+        let [w, _] = self.size;
+        self.low + (Vec2::new((i % w) as f32, (i / w) as f32) + 0.5) * self.cell
     }
 
     /// The same with an empty core: in a sphere a sphere of this share of its radius, below 1. 0 is solid. Where `wood`
@@ -80,12 +134,67 @@ impl Inflated {
             self.core = largest * (1.0 - share.min(1.0).powi(2));
             let mut points =
                 wood.iter().flat_map(|branch| &branch.points).filter(|p| self.covers(p.truncate()));
-            let in_core = |p: &Vec3| self.is_in_core(self.half_depth(p.truncate()), p.z);
+            let in_core = |p: &Vec3| {
+                let over = p.truncate();
+                self.is_in_core(self.half_depth(over), p.z - self.middle_depth(over))
+            };
             if points.clone().next().is_some() && points.all(in_core) {
                 self.core = f32::INFINITY;
             }
         }
         self
+    }
+
+    /// The same with growth led along its arms, from the wood that is in it, by a `weight` against where buds find space; 0 leads
+    /// nothing.
+    pub fn guided(mut self, weight: f32, wood: &[Branch]) -> Self {
+        if weight > 0.0 {
+            let half_depth: Vec<f32> = self.squared.iter().map(|u| u.sqrt()).collect();
+            let points = wood.iter().flat_map(|branch| &branch.points).map(|p| p.truncate());
+            let in_cells = |p: Vec2| (self.cell_at(p), (p - self.low) / self.cell);
+            let places: Vec<(usize, Vec2)> = points.filter(|p| self.covers(*p)).map(in_cells).collect();
+            self.guide =
+                Some((Guide::new(&Cells { size: self.size, half_depth: &half_depth }, &places), weight));
+        }
+        self
+    }
+
+    /// The same, sparse around the middles of spots, given with their radii.
+    pub fn thinned(mut self, spots: &[(Vec2, f32)]) -> Self {
+        self.thin_spots = spots.to_vec();
+        self
+    }
+
+    /// Share of the space at a place that growth finds, 0 to 1.
+    pub fn density(&self, p: Vec3) -> f32 {
+        let is_thin = |(middle, radius): &(Vec2, f32)| p.truncate().distance(*middle) < *radius;
+        if self.thin_spots.iter().any(is_thin) { SPARSE } else { 1.0 }
+    }
+
+    /// The direction in which growth is led at a place; zero where it is not.
+    pub fn way(&self, p: Vec3) -> Vec3 {
+        let Some((guide, _)) = &self.guide else { return Vec3::ZERO };
+        let over = p.truncate();
+        let depth = (p.z - self.middle_depth(over)) / self.half_depth(over).max(f32::MIN_POSITIVE);
+        guide.way(self.cell_at(over), depth)
+    }
+
+    /// The best direction of a bud, which looks for space, brought nearer to where growth is led (001 eq. 3.6, as a mean).
+    pub(crate) fn led(&self, at: Vec3, best: Vec3) -> Vec3 {
+        match &self.guide {
+            Some((_, weight)) if best != Vec3::ZERO => {
+                let way = self.way(at);
+                if way == Vec3::ZERO { best } else { (best + *weight * way) / (1.0 + weight) }
+            }
+            _ => best,
+        }
+    }
+
+    /// The cell that a point of the drawing lies in, of those outside of the raster the nearest.
+    fn cell_at(&self, p: Vec2) -> usize {
+        let [w, h] = self.size;
+        let q = ((p - self.low) / self.cell).max(Vec2::ZERO);
+        (q.y as usize).min(h - 1) * w + (q.x as usize).min(w - 1)
     }
 
     /// Whether a point of the drawing lies inside the outlines.
@@ -100,20 +209,31 @@ impl Inflated {
 
     /// Half depth over a point of the drawing.
     pub fn half_depth(&self, p: Vec2) -> f32 {
+        self.between_cells(&self.squared, p).max(0.0).sqrt() * self.depth
+    }
+
+    /// Depth of the volume's middle over a point of the drawing.
+    pub fn middle_depth(&self, p: Vec2) -> f32 {
+        if self.middle.is_empty() { 0.0 } else { self.between_cells(&self.middle, p) }
+    }
+
+    /// Between the middles of cells linear.
+    fn between_cells(&self, cells: &[f32], p: Vec2) -> f32 {
         let q = (p - self.low) / self.cell - 0.5;
         let [w, h] = self.size;
         let x = (q.x.max(0.0) as usize).min(w - 2);
         let y = (q.y.max(0.0) as usize).min(h - 2);
         let (fx, fy) = ((q.x - x as f32).clamp(0.0, 1.0), (q.y - y as f32).clamp(0.0, 1.0));
-        let u = |x: usize, y: usize| self.squared[y * w + x];
-        let row = |y: usize| u(x, y) * (1.0 - fx) + u(x + 1, y) * fx;
-        (row(y) * (1.0 - fy) + row(y + 1) * fy).max(0.0).sqrt() * self.depth
+        let at = |x: usize, y: usize| cells[y * w + x];
+        let row = |y: usize| at(x, y) * (1.0 - fx) + at(x + 1, y) * fx;
+        row(y) * (1.0 - fy) + row(y + 1) * fy
     }
 
     /// Whether a point lies inside the volume.
     pub fn contains(&self, p: Vec3) -> bool {
         let half = self.half_depth(p.truncate());
-        p.is_finite() && p.z.abs() <= half && !self.is_in_core(half, p.z) && self.covers(p.truncate())
+        let z = p.z - self.middle_depth(p.truncate());
+        p.is_finite() && z.abs() <= half && !self.is_in_core(half, z) && self.covers(p.truncate())
     }
 
     fn is_in_core(&self, half_depth: f32, z: f32) -> bool {
@@ -134,7 +254,8 @@ impl Inflated {
     /// Smallest and largest corner.
     pub fn bounds(&self) -> (Vec3, Vec3) {
         let high = self.low + Vec2::new(self.size[0] as f32, self.size[1] as f32) * self.cell;
-        (self.low.extend(-self.deepest), high.extend(self.deepest))
+        let reach = self.middle.iter().fold(0.0, |most: f32, z| most.max(z.abs())) + self.deepest;
+        (self.low.extend(-reach), high.extend(reach))
     }
 
     /// The separate parts of the outlines, by the cells of the raster. Necks of a few cells separate, too: no shoot finds
@@ -165,13 +286,19 @@ impl Inflated {
     }
 
     fn solve(&mut self) {
-        let [w, h] = self.size;
-        let middle = |x: usize, y: usize| self.low + (Vec2::new(x as f32, y as f32) + 0.5) * self.cell;
-        let cells = (0..w * h).filter(|i| self.covers(middle(i % w, i / w)));
+        let cells = (0..self.squared.len()).filter(|i| self.covers(self.middle_of(*i)));
         self.squared = inflation::squared_half_depth(self.size, self.cell, cells);
     }
 }
 
+/// Least half depth that a network may tell, as a share of the inflated one: what is drawn must be filled.
+const THINNEST: f32 = 0.7;
+/// Share of the way that the middle of a single place strays that neighbours have in common.
+const STRAY: f32 = 0.5;
+/// How far the middle may stray, as a share of the half depth: the drawing's plane, where drawn wood stands, stays inside.
+const IN_PLANE: f32 = 0.4;
+/// Waves of the middle, radians to the right and upward over the longer side.
+const WAVES: [(f32, f32); 3] = [(9.1, 5.3), (-7.7, 11.9), (12.1, -8.9)];
 /// Half depth in cells up to which a neck separates: a strip of four to five cells is as deep.
 const NECK: f32 = 3.2;
 /// No part of the outlines.
@@ -196,10 +323,8 @@ impl Islands {
 
     /// Places inside of a part, each with the half depth there.
     pub fn places(&self, volume: &Inflated, island: usize) -> Vec<(Vec2, f32)> {
-        let w = volume.size[0];
         let cells = (0..self.of_cell.len()).filter(|i| self.of_cell[*i] == island as u32);
-        let middle = |i: usize| volume.low + (Vec2::new((i % w) as f32, (i / w) as f32) + 0.5) * volume.cell;
-        cells.map(|i| (middle(i), volume.squared[i].sqrt() * volume.depth)).collect()
+        cells.map(|i| (volume.middle_of(i), volume.squared[i].sqrt() * volume.depth)).collect()
     }
 }
 

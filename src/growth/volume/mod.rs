@@ -1,6 +1,7 @@
 //! Volumes that a plant may fill: simple bodies, crowns of species, closed meshes, drawn outlines made round, and lobes together.
 
 mod envelope;
+mod guide;
 mod inflated;
 mod lobes;
 mod solid;
