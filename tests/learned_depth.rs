@@ -68,8 +68,8 @@ fn with_marks(holes: bool, dots: bool) -> Sketch {
     if dots {
         // 700 pixels are the crown's height of four metres.
         let canvas = |p: Vec2| Vec2::new(500.0 + p.x * 175.0, 80.0 + (5.0 - p.y) * 175.0);
-        for k in 0..40 {
-            let at = Vec2::new(-1.5 + 0.42 * (k % 8) as f32, 1.5 + 0.65 * (k / 8) as f32);
+        for k in 0..24 {
+            let at = Vec2::new(-1.1 + 0.42 * (k % 6) as f32, 1.9 + 0.7 * (k / 6) as f32);
             let dot = circle(canvas(at), 3.0);
             sketch.strokes.push(stroke(100 + k, Tool::Crown, dot));
         }
@@ -105,7 +105,7 @@ fn holes_stay_open_and_dots_make_a_crown_sparse() {
         assert_eq!(open, 0, "leaves in a hole");
     }
     let said =
-        |built: &Built| built.remarks.iter().any(|w| matches!(w.remark, Remark::ThinsCrown { dots: 40 }));
+        |built: &Built| built.remarks.iter().any(|w| matches!(w.remark, Remark::ThinsCrown { dots: 24 }));
     assert!(said(&dots) && !said(&holes), "{:?}", dots.remarks);
     assert_eq!(dots.remarks.len(), 1, "{:?}", dots.remarks);
 }

@@ -101,11 +101,13 @@ impl Inflated {
         let inside: Vec<usize> = (0..self.squared.len()).filter(|i| self.squared[*i] > 0.0).collect();
         let phases = Choice::LUMPS.units(seed).map(|unit| unit * std::f32::consts::TAU);
         let longer = self.size[0].max(self.size[1]) as f32 * self.cell;
+        let deepest = self.deepest / self.depth;
         self.middle = vec![0.0; self.squared.len()];
         for i in inside {
             let p = self.middle_of(i);
             let half = self.squared[i].sqrt();
-            let half = (half + share * (known.half_depth(p) - half)).max(THINNEST * half);
+            let least = half * (1.0 - THINNER * half / deepest);
+            let half = (half + share * (known.half_depth(p) - half)).max(least);
             self.squared[i] = half * half;
             let q = (p - self.low) / longer;
             let waves = WAVES.iter().zip(phases).map(|((x, y), phase)| (x * q.x + y * q.y + phase).sin());
@@ -291,12 +293,13 @@ impl Inflated {
     }
 }
 
-/// Least half depth that a network may tell, as a share of the inflated one: what is drawn must be filled.
-const THINNEST: f32 = 0.7;
+/// How much thinner than inflated a network may make a crown at its thickest, as a share; thin parts it may not make thinner, for what is
+/// drawn must be filled.
+const THINNER: f32 = 0.3;
 /// Share of the way that the middle of a single place strays that neighbours have in common.
-const STRAY: f32 = 0.5;
+const STRAY: f32 = 0.35;
 /// How far the middle may stray, as a share of the half depth: the drawing's plane, where drawn wood stands, stays inside.
-const IN_PLANE: f32 = 0.4;
+const IN_PLANE: f32 = 0.3;
 /// Waves of the middle, radians to the right and upward over the longer side.
 const WAVES: [(f32, f32); 3] = [(9.1, 5.3), (-7.7, 11.9), (12.1, -8.9)];
 /// Half depth in cells up to which a neck separates: a strip of four to five cells is as deep.
