@@ -104,6 +104,9 @@ pub enum PhotoRemark {
         /// How many of comparable size.
         count: usize,
     },
+    /// A trunk whose sides no edges show.
+    #[error("the two sides of the drawn trunk are not seen on the photograph; it stays as it was drawn")]
+    TrunkAsDrawn,
     /// A part reaches the edge of the picture.
     #[error("what was cut out touches the photograph's edge and ends there")]
     TouchesEdge,

@@ -348,6 +348,7 @@ keys! {
     WarningPictureDamaged = "warning.picture_damaged",
     WarningPhotoSeveral = "warning.photo_several",
     WarningPhotoSeveralPlants = "warning.photo_several_plants",
+    WarningPhotoTrunkAsDrawn = "warning.photo_trunk_as_drawn",
     WarningPhotoTouchesEdge = "warning.photo_touches_edge",
     WarningPhotoPartlyBeside = "warning.photo_partly_beside",
     WarningTooShort = "warning.too_short",

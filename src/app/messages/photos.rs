@@ -50,6 +50,7 @@ impl Localize for PhotoRemark {
             Self::SeveralPlants { count } => {
                 messages.fill(Msg::WarningPhotoSeveralPlants, &[("number", count)])
             }
+            Self::TrunkAsDrawn => messages.get(Msg::WarningPhotoTrunkAsDrawn).to_owned(),
             Self::TouchesEdge => messages.get(Msg::WarningPhotoTouchesEdge).to_owned(),
             Self::PartlyBeside { share } => {
                 messages.fill(Msg::WarningPhotoPartlyBeside, &[("share", &format!("{share:.0}"))])

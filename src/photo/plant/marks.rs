@@ -2,8 +2,8 @@
 //!
 //! A loose outline says that the plant is nowhere but within it; lines on the plant and around it say what the pixels
 //! under them are. Later marks win over the outline, those on the plant over those around it. Without an outline that leaves something
-//! out, the border of the picture, its upper and its two vertical sides, is taken for surroundings: there sky and ground are seen, while
-//! a trunk may leave the picture below.
+//! out, the border of the picture is taken for surroundings, but for the middle of its lower side: there sky and ground are seen, while a trunk
+//! may leave the picture below.
 
 use super::super::polygon;
 use super::super::raster::Raster;
@@ -12,6 +12,8 @@ use glam::{UVec2, Vec2};
 
 /// Width of a marked line, pixels of the grid.
 const LINE: f32 = 3.0;
+/// Share of a picture's width on both sides along which its lower edge shows surroundings.
+const CORNER: f32 = 0.2;
 /// Least share of a picture that an outline leaves out, so that it says something of the surroundings.
 const LEFT_OUT: f32 = 0.005;
 
@@ -76,7 +78,8 @@ fn border(size: UVec2, share: f32) -> Raster<Option<bool>> {
     let width = size.x as usize;
     for (i, cell) in known.cells_mut().iter_mut().enumerate() {
         let (x, y) = ((i % width) as u32, (i / width) as u32);
-        if y < band || x < band || x + band >= size.x {
+        let is_below = y + band >= size.y && x.min(size.x - 1 - x) as f32 <= CORNER * size.x as f32;
+        if y < band || x < band || x + band >= size.x || is_below {
             *cell = Some(false);
         }
     }
@@ -129,7 +132,7 @@ mod tests {
     fn without_an_outline_the_border_is_surroundings_but_for_the_lower_side() {
         let at = (UVec2::new(6, 4), 1);
         let known_of = |marks: &Marks| text(&known(marks, at, &PlantParams::default()));
-        assert_eq!(known_of(&Marks::default()), ["......", ".????.", ".????.", ".????."]);
+        assert_eq!(known_of(&Marks::default()), ["......", ".????.", ".????.", "..??.."]);
         // An outline around all of it leaves nothing out.
         let all = [(-9.0, -9.0), (20.0, -9.0), (20.0, 20.0), (-9.0, 20.0)].map(Vec2::from).to_vec();
         let marks = Marks { outline: Some(all), ..Marks::default() };
@@ -147,7 +150,7 @@ mod tests {
         };
         let known = known(&marks, (UVec2::new(10, 10), 2), &PlantParams::default());
         let rows = text(&known);
-        assert_eq!((&rows[0][..], &rows[2][..], &rows[8][..]), ("...PPP....", ".??PPP????", ".........?"));
+        assert_eq!((&rows[0][..], &rows[2][..], &rows[8][..]), ("...PPP....", ".??PPP????", ".........."));
         assert!(known.is_marked[(4, 1)] && !known.is_marked[(0, 1)]);
     }
 }

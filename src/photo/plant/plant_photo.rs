@@ -15,6 +15,7 @@ use super::parts::{Parts, TrunkLine, parts};
 use super::regions::{chosen, narrowed};
 use super::tint::{PlantColours, colours};
 use super::{PlantParams, SnapParams, segment, snap};
+use crate::geom::polyline;
 use crate::picture::decode::Rgba;
 use glam::{UVec2, Vec2};
 
@@ -28,6 +29,8 @@ const TRANSPARENT: f32 = 0.005;
 const CONTRAST: f32 = 2.0;
 /// Least part of a crown that gets an outline of its own, as a share of the plant's area.
 const LEAST_LOOP: f32 = 0.004;
+/// Width of a trunk whose sides are not seen, as a share of its length.
+const USUAL_WIDTH: f32 = 0.08;
 /// Distance to the rim within which pixels may show surroundings, pixels of the grid.
 const RIM: usize = 1;
 
@@ -127,11 +130,22 @@ impl PlantPicture {
         })
     }
 
-    /// Moves a trunk that was drawn over the photograph onto the edges on both of its sides; `None` where there are none.
+    /// Moves a trunk that was drawn over the photograph onto the edges on both of its sides; `None` where they are not seen.
     pub fn snapped(&self, line: &[Vec2], params: &SnapParams) -> Option<TrunkLine> {
         let scale = 1.0 / self.factor as f32;
         let line: Vec<Vec2> = line.iter().map(|p| *p * scale).collect();
         Some(snap::snapped(&self.edges, &line, params)?.scaled(self.factor as f32))
+    }
+
+    /// Gives a plant the trunk that was drawn, moved onto its edges, or as it was drawn where they are not seen.
+    pub fn give_trunk(&self, plant: &mut PlantPhoto, line: &[Vec2], params: &SnapParams) {
+        let trunk = self.snapped(line, params).unwrap_or_else(|| {
+            plant.remarks.push(PhotoRemark::TrunkAsDrawn);
+            let usual = plant.trunk.as_ref().map(TrunkLine::usual_width);
+            let width = usual.unwrap_or(USUAL_WIDTH * polyline::length(line));
+            TrunkLine { points: line.to_vec(), widths: vec![width; line.len()] }
+        });
+        plant.trunk = Some(trunk);
     }
 
     /// What has the plant's colours, or what alpha says.
@@ -197,7 +211,7 @@ fn inner(mask: &Raster<bool>) -> Raster<bool> {
 /// The longer side of what a mask holds, pixels.
 fn extent(mask: &Raster<bool>) -> f32 {
     let places = (0..mask.cells().len()).filter(|i| mask.cells()[*i]).map(|i| mask.middle(i));
-    let (low, high) = crate::geom::polyline::bounds(places);
+    let (low, high) = polyline::bounds(places);
     (high - low).max_element().max(0.0)
 }
 

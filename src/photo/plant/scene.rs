@@ -81,7 +81,8 @@ impl Scene {
                 continue;
             }
             let lit = 0.75 - 0.35 * (off.x + off.y) / (half.x + half.y) + 0.5 * (self.dice.roll() - 0.5);
-            self.dab(at, 1.5 + 2.0 * self.dice.roll(), colour * lit.clamp(0.35, 1.5));
+            let radius = 1.5 + 2.0 * self.dice.roll();
+            self.dab(at, radius, colour * lit.clamp(0.35, 1.5));
         }
     }
 

@@ -17,6 +17,7 @@ use super::PlantParams;
 use super::marks::Known;
 use super::min_cut::{AROUND, Grid};
 use super::mixture::Mixture;
+use super::regions::{narrowed, widened};
 use rayon::prelude::*;
 
 /// Capacities for one unit of cost.
@@ -97,9 +98,14 @@ fn first_plant(lab: &Raster<Lab>, known: &Known, around: &Mixture) -> Vec<bool> 
         None => costs[i] > usual,
         Some(is_plant) => is_plant,
     };
-    let found: Vec<bool> = (0..costs.len()).map(first).collect();
-    if found.iter().filter(|is_in| **is_in).count() as f32 >= (FOUND * open as f32).max(16.0) {
-        return found;
+    let found = Raster::new(lab.width(), (0..costs.len()).map(first).collect());
+    // Single pixels are unlikely anywhere; of them no colours of the plant are learned, as long as there is anything else.
+    for found in [widened(&narrowed(&found, 1), 1), found] {
+        let count = (0..costs.len()).filter(|i| is_plant[*i].is_none() && found.cells()[*i]).count();
+        if count as f32 >= (FOUND * open as f32).max(16.0) {
+            let within = |i: usize| is_plant[i].unwrap_or(found.cells()[i]);
+            return (0..costs.len()).map(within).collect();
+        }
     }
     let half = 0.5 * lab.size().as_vec2();
     let is_middle = |i: usize| ((lab.middle(i) - half) / half).length() < 0.6;
