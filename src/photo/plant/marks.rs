@@ -8,10 +8,13 @@
 use super::super::polygon;
 use super::super::raster::Raster;
 use super::PlantParams;
+use super::regions::widened;
 use glam::{UVec2, Vec2};
 
 /// Width of a marked line, pixels of the grid.
 const LINE: f32 = 3.0;
+/// How far beyond an outline colours of surroundings are learned, as a share of the longer side.
+const NEAR: f32 = 0.05;
 /// Share of a picture's width on both sides along which its lower edge shows surroundings.
 const CORNER: f32 = 0.2;
 /// Least share of a picture that an outline leaves out, so that it says something of the surroundings.
@@ -41,6 +44,8 @@ pub(super) struct Known {
     pub(super) is_plant: Raster<Option<bool>>,
     /// Whether a line on the plant or around it runs there.
     pub(super) is_marked: Raster<bool>,
+    /// Whether a pixel is not far from where the plant may be: farther away, other plants have the colours of this one.
+    pub(super) is_near: Raster<bool>,
     /// Whether a pixel lies beyond the outline or under a line around the plant.
     pub(super) is_outside: Vec<bool>,
 }
@@ -52,11 +57,16 @@ pub(super) fn known(marks: &Marks, (size, factor): (UVec2, u32), params: &PlantP
     let outline = marks.outline.as_ref().map(|outline| polygon::filled(&scaled(outline), size));
     let count = |within: &Raster<bool>| within.cells().iter().filter(|is_in| !**is_in).count() as f32;
     let outline = outline.filter(|within| count(within) >= LEFT_OUT * within.cells().len() as f32);
-    let (mut is_plant, mut is_outside) = match outline {
+    let (mut is_plant, is_near) = match &outline {
         Some(within) => {
-            (within.map(|is_in| (!is_in).then_some(false)), within.map(|is_in| !is_in).cells().to_vec())
+            let reach = (NEAR * size.max_element() as f32).ceil() as usize;
+            (within.map(|is_in| (!is_in).then_some(false)), widened(within, reach))
         }
-        None => (border(size, params.border), vec![false; size.element_product() as usize]),
+        None => (border(size, params.border), Raster::filled(size, true)),
+    };
+    let mut is_outside: Vec<bool> = match &outline {
+        Some(within) => within.cells().iter().map(|is_in| !is_in).collect(),
+        None => vec![false; is_near.cells().len()],
     };
     let mut is_marked = Raster::filled(size, false);
     for (lines, label) in [(&marks.around, false), (&marks.plant, true)] {
@@ -68,7 +78,7 @@ pub(super) fn known(marks: &Marks, (size, factor): (UVec2, u32), params: &PlantP
             }
         }
     }
-    Known { is_plant, is_marked, is_outside }
+    Known { is_plant, is_marked, is_near, is_outside }
 }
 
 /// The border as surroundings.

@@ -16,6 +16,8 @@ const SMOOTH: f32 = 0.015;
 const LEAST: f32 = 0.06;
 /// Share of the plant's height over which it must be wide for the crown to begin.
 const STEADY: f32 = 0.03;
+/// How many times as wide as the trunk the crown is where it begins.
+const WIDENS: f32 = 1.6;
 /// Share of the plant's height that grass or a shadow at the foot may take, which is skipped.
 const FOOT: f32 = 0.05;
 /// Distance of the trunk's points, as a share of the plant's height.
@@ -55,7 +57,11 @@ pub(super) struct Parts {
 pub(super) fn parts(mask: &Raster<bool>, params: &PlantParams) -> Parts {
     let all_crown = || Parts { crown: mask.clone(), trunk_mask: mask.map(|_| false), trunk: None };
     let Some(rows) = trunk_rows(mask, params) else { return all_crown() };
-    let Some(runs) = followed(mask, rows.clone()) else { return all_crown() };
+    let Some(mut runs) = followed(mask, rows.clone()) else { return all_crown() };
+    // A crown that begins pointed is as narrow as a trunk at first, but wider than this one.
+    let usual = usual_width(&runs);
+    runs.truncate(1 + runs.iter().rposition(|run| run_width(run) <= WIDENS * usual).unwrap_or(0));
+    let rows = rows.end - runs.len()..rows.end;
     let (mut crown, mut trunk_mask) = (mask.clone(), mask.map(|_| false));
     for (y, (from, to)) in rows.clone().rev().zip(&runs) {
         for x in *from..*to {
@@ -121,6 +127,15 @@ fn followed(mask: &Raster<bool>, rows: std::ops::Range<usize>) -> Option<Vec<(us
         runs.push(next.or(runs.last().copied())?);
     }
     Some(runs)
+}
+
+fn run_width((from, to): &(usize, usize)) -> f32 {
+    (to - from) as f32
+}
+
+/// The median width of runs.
+fn usual_width(runs: &[(usize, usize)]) -> f32 {
+    super::super::background::quantile(runs.iter().map(run_width).collect(), 0.5)
 }
 
 fn runs_of(mask: &Raster<bool>, y: usize) -> Vec<(usize, usize)> {

@@ -80,7 +80,8 @@ fn contrast(lab: &Raster<Lab>, mask: &Raster<bool>, [plant, around]: &[Mixture; 
 /// Colours of the pixels of a side, with how much each counts.
 fn colours(lab: &Raster<Lab>, known: &Known, is_in: impl Fn(usize) -> bool, side: bool) -> Vec<(Lab, f32)> {
     let is_marked = |i: &usize| known.is_marked.cells()[*i] && known.is_plant.cells()[*i] == Some(side);
-    let pixels: Vec<usize> = (0..lab.cells().len()).filter(|i| is_in(*i)).collect();
+    let is_near = |i: &usize| known.is_near.cells()[*i] || is_marked(i);
+    let pixels: Vec<usize> = (0..lab.cells().len()).filter(|i| is_in(*i) && is_near(i)).collect();
     let marked = pixels.iter().filter(|i| is_marked(i)).count().max(1);
     let counts = (MARKED * pixels.len() as f32 / marked as f32).max(1.0);
     pixels.iter().map(|i| (lab.cells()[*i], if is_marked(i) { counts } else { 1.0 })).collect()
@@ -91,8 +92,9 @@ fn first_plant(lab: &Raster<Lab>, known: &Known, around: &Mixture) -> Vec<bool> 
     let costs: Vec<f32> =
         lab.cells().par_iter().with_min_len(1 << 12).map(|colour| around.cost(*colour)).collect();
     let is_plant = known.is_plant.cells();
-    let usual = costs.iter().zip(is_plant).filter(|(_, known)| **known == Some(false)).map(|(cost, _)| *cost);
-    let usual = super::super::background::quantile(usual.collect(), USUAL) + UNLIKELIER;
+    let is_known = |i: &usize| is_plant[*i] == Some(false) && known.is_near.cells()[*i];
+    let usual = (0..costs.len()).filter(is_known).map(|i| costs[i]).collect();
+    let usual = super::super::background::quantile(usual, USUAL) + UNLIKELIER;
     let open = is_plant.iter().filter(|known| known.is_none()).count();
     let first = |i: usize| match is_plant[i] {
         None => costs[i] > usual,
