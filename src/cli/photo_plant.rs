@@ -16,9 +16,6 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-/// Species of a plant with a trunk and of one without, where none is named.
-const USUAL_SPECIES: [&str; 2] = ["oak", "hazel"];
-
 /// What was written, and what there is to say of it.
 pub(super) struct Written {
     /// What is odd about the photograph.
@@ -93,8 +90,8 @@ fn find(pixels: &Rgba, args: &PlantArgs, params: &PhotoParams) -> Result<Plant> 
     if let Some(trunk) = &args.trunk {
         picture.give_trunk(&mut found, &trunk.0, &params.snap);
     }
-    let usual = USUAL_SPECIES[usize::from(found.trunk.is_none())];
-    let species = Species::built_in(args.species.as_deref().unwrap_or(usual)).context("--species")?;
+    let species =
+        Species::built_in(args.species.as_deref().unwrap_or(found.usual_species())).context("--species")?;
     Ok(Plant { found, species })
 }
 

@@ -46,6 +46,7 @@ impl Editor {
             pose: self.pose_state(),
             presets: self.disk.presets.listed().to_vec(),
             reference,
+            plant_search: self.search.state(),
             view: self.plant.state,
             pen: self.pens.state(self.prefs.settings(), self.layout.pixels_per_point()),
             status: self.status(),

@@ -33,6 +33,7 @@ mod tint;
 pub use loops::Loop;
 pub use marks::Marks;
 pub use parts::TrunkLine;
+pub use plant_drawing::{TRUNK_RADIUS, trunk_radius};
 pub use plant_photo::{PlantPhoto, PlantPicture};
 pub use snap::SnapParams;
 pub use tint::{PlantColours, tinted_textures};

@@ -14,7 +14,7 @@ use crate::picture::Picture;
 use crate::sketch::{Canvas, Reference, Sketch, Stroke, StrokeId, StrokePoint, Tool};
 use crate::species::Species;
 use glam::Vec2;
-use serde_json::{Map, Value};
+use serde_json::Value;
 use std::sync::Arc;
 
 /// The longer side of the sheet, canvas pixels.
@@ -22,9 +22,16 @@ const SIDE: f32 = 1024.0;
 /// Least pressure of a trunk.
 const LIGHTEST: f32 = 0.05;
 /// The parameter that says how thick a trunk of half pressure is.
-const TRUNK_RADIUS: &str = "depth.radii.trunk";
+pub const TRUNK_RADIUS: &str = "depth.radii.trunk";
 /// What that parameter may be.
 const TRUNK_RADII: (f32, f32) = (0.0002, 0.2);
+
+/// What [`TRUNK_RADIUS`] is for a trunk so wide in a drawing with such a diagonal, canvas pixels.
+pub fn trunk_radius(width: f32, diagonal: f32) -> Value {
+    let radius = (0.5 * width / diagonal.max(f32::MIN_POSITIVE)).clamp(TRUNK_RADII.0, TRUNK_RADII.1);
+    // Five decimals are as exact as the photograph.
+    ((f64::from(radius) * 1e5).round() / 1e5).into()
+}
 
 impl TrunkLine {
     /// A stroke along the trunk, with its width as pressure; half pressure is its mean width.
@@ -59,16 +66,9 @@ impl PlantPhoto {
         strokes
     }
 
-    /// How thick the trunk is, as the parameter that a drawing with these strokes needs; empty where there is no trunk.
-    pub fn trunk_params(&self) -> Map<String, Value> {
-        let strokes = self.strokes(1, |place| place);
-        let diagonal =
-            Sketch { strokes: strokes.into_iter().map(Arc::new).collect(), ..Sketch::empty() }.diagonal();
-        let radius = |trunk: &TrunkLine| 0.5 * trunk.usual_width() / diagonal.max(f32::MIN_POSITIVE);
-        let radius = self.trunk.as_ref().map(|trunk| radius(trunk).clamp(TRUNK_RADII.0, TRUNK_RADII.1));
-        // Five decimals are as exact as the photograph.
-        let rounded = |radius: f32| (f64::from(radius) * 1e5).round() / 1e5;
-        radius.map(|radius| (TRUNK_RADIUS.to_owned(), rounded(radius).into())).into_iter().collect()
+    /// The species of a plant like this where the artist names none.
+    pub fn usual_species(&self) -> &'static str {
+        if self.trunk.is_some() { "oak" } else { "hazel" }
     }
 
     /// A drawing of it in a species: the strokes, the photograph under them, and leaves and bark in its colours.
@@ -80,14 +80,16 @@ impl PlantPhoto {
         let scale = SIDE / size.max_element();
         let canvas = Canvas { width: size.x * scale, height: size.y * scale };
         let reference = Reference::new(photograph, 0.5 * size * scale, canvas.width);
+        let strokes = self.strokes(1, |place| place * scale).into_iter().map(Arc::new).collect();
+        let strokes = Sketch { strokes, ..Sketch::empty() };
+        let radius = |trunk: &TrunkLine| trunk_radius(trunk.usual_width() * scale, strokes.diagonal());
         Ok(Sketch {
             canvas,
             species: Some(species.name.clone()),
-            params: self.trunk_params(),
+            params: self.trunk.iter().map(|trunk| (TRUNK_RADIUS.to_owned(), radius(trunk))).collect(),
             textures: tinted_textures(species, &self.colours)?,
             reference: Some(Arc::new(Reference { locked: true, ..reference })),
-            strokes: self.strokes(1, |place| place * scale).into_iter().map(Arc::new).collect(),
-            ..Sketch::empty()
+            ..strokes
         })
     }
 }

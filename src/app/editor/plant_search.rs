@@ -1,0 +1,80 @@
+//! The search for the plant on the picture under the drawing: what is marked, what was found, and the thread that seeks.
+
+use super::background::Work;
+use crate::app::plant_search::{PlantMark, PlantSearchState};
+use crate::app::texture_cut::CutError;
+use crate::photo::PhotoError;
+use crate::photo::plant::{Marks, PlantPhoto, PlantPicture};
+use crate::sketch::Textures;
+use glam::Vec2;
+use std::sync::Arc;
+
+/// What comes of a search: the picture made ready, and the plant on it.
+pub(super) type Searched = Result<(Arc<PlantPicture>, Result<PlantPhoto, PhotoError>), CutError>;
+
+/// The picture that is searched, by the name of its content.
+pub(super) struct Prepared {
+    pub(super) hash: u64,
+    pub(super) picture: Arc<PlantPicture>,
+}
+
+/// The search for the plant.
+#[derive(Default)]
+pub(super) struct PlantSearch {
+    /// Whether the pen marks the picture.
+    pub(super) is_on: bool,
+    /// What its lines say.
+    pub(super) mark: PlantMark,
+    /// All marks, pixels of the picture.
+    pub(super) marks: Marks,
+    /// The mark under the pen, pixels of the picture.
+    pub(super) line: Option<Vec<Vec2>>,
+    pub(super) prepared: Option<Prepared>,
+    /// The picture of which this is the plant, and it.
+    pub(super) found: Option<(u64, Arc<PlantPhoto>)>,
+    /// The thread that seeks, and the picture on which it does.
+    pub(super) work: Option<(u64, Work<Searched>)>,
+    /// Marks have changed since it began.
+    pub(super) is_stale: bool,
+    /// The thread that paints textures in the plant's colours.
+    pub(super) painting: Option<Work<Result<Textures, PhotoError>>>,
+}
+
+impl PlantSearch {
+    /// Ends the search; what was found stays, for its colours.
+    pub(super) fn stop(&mut self) {
+        (self.is_on, self.line, self.marks) = (false, None, Marks::default());
+    }
+
+    /// Forgets everything that is about another picture than this one.
+    pub(super) fn keep_only(&mut self, hash: Option<u64>) {
+        self.found.take_if(|(of, _)| Some(*of) != hash);
+        if self.prepared.take_if(|prepared| Some(prepared.hash) != hash).is_some() || hash.is_none() {
+            self.stop();
+        }
+    }
+
+    /// Takes the line under the pen among the marks; whether it says anything.
+    pub(super) fn finish_line(&mut self) -> bool {
+        let Some(line) = self.line.take() else { return false };
+        match self.mark {
+            PlantMark::Plant => self.marks.plant.push(line),
+            PlantMark::Around => self.marks.around.push(line),
+            // A tap is no outline.
+            PlantMark::Outline if line.len() < 3 => return false,
+            PlantMark::Outline => self.marks.outline = Some(line),
+        }
+        true
+    }
+
+    /// What the panel shows.
+    pub(super) fn state(&self) -> PlantSearchState {
+        PlantSearchState {
+            on: self.is_on,
+            mark: self.mark,
+            any_marks: !self.marks.is_empty(),
+            is_searching: self.work.is_some(),
+            share: self.found.as_ref().map(|(_, found)| found.share),
+        }
+    }
+}
