@@ -19,7 +19,7 @@ const SIZE: (u32, u32) = (200, 160);
 fn photograph() -> Reference {
     let pixels = (0..SIZE.0 * SIZE.1).flat_map(|i| {
         let at = Vec2::new((i % SIZE.0) as f32 + 0.5, (i / SIZE.0) as f32 + 0.5);
-        let grain = ((i * 2_654_435_761_u32.wrapping_mul(i)) >> 28) as u8;
+        let grain = (i.wrapping_mul(2_654_435_761) >> 28) as u8;
         let tree = |x: f32, radius: f32| {
             let is_trunk = (at.x - x).abs() < 3.5 && (70.0..145.0).contains(&at.y);
             let is_crown = at.distance(Vec2::new(x, 70.0)) < radius;

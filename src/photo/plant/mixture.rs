@@ -11,8 +11,6 @@ use super::super::lab::Lab;
 use crate::geom::principal_axes::principal_axes;
 use glam::{DMat3, DVec3, Mat3, Vec3};
 
-/// Most distributions of a mixture.
-const PARTS: usize = 5;
 /// Least spread of a part along any direction, ΔE.
 const GRAIN: f64 = 1.5;
 /// Colours by which the first mixture is found, at most about so many.
@@ -75,12 +73,12 @@ impl Sums {
 pub(super) struct Mixture(Vec<Part>);
 
 impl Mixture {
-    /// The mixture of colours, each with how much it counts; `None` of too few.
-    pub(super) fn of(colours: &[(Lab, f32)]) -> Option<Self> {
+    /// The mixture of colours, each with how much it counts, of at most so many distributions; `None` of too few.
+    pub(super) fn of(colours: &[(Lab, f32)], most: usize) -> Option<Self> {
         let sampled: Vec<(Lab, f32)> =
             colours.iter().step_by((colours.len() / SAMPLES).max(1)).copied().collect();
         let mut groups = vec![sampled];
-        while groups.len() < PARTS {
+        while groups.len() < most {
             let spread = |group: &Vec<(Lab, f32)>| spread(group);
             let widest =
                 (0..groups.len()).max_by(|a, b| spread(&groups[*a]).total_cmp(&spread(&groups[*b])))?;
@@ -149,16 +147,16 @@ mod tests {
             [Vec3::new(30.0, -20.0, 25.0), Vec3::new(70.0, 5.0, -20.0)][k % 2] + grain
         };
         let colours: Vec<(Lab, f32)> = (0..1000).map(|k| (colour(k), 1.0)).collect();
-        let mixture = Mixture::of(&colours).unwrap();
+        let mixture = Mixture::of(&colours, 5).unwrap();
         let cost = |l, a, b| mixture.cost(Vec3::new(l, a, b));
         assert!(cost(30.0, -20.0, 25.0) < 8.0 && cost(70.0, 5.0, -20.0) < 8.0);
         assert!(cost(50.0, -8.0, 3.0) > 20.0, "what lies between is neither");
-        assert!(Mixture::of(&colours[..2]).is_none());
+        assert!(Mixture::of(&colours[..2], 5).is_none());
     }
 
     #[test]
     fn one_even_colour_is_a_narrow_part() {
-        let mixture = Mixture::of(&[(Vec3::new(50.0, 0.0, 0.0), 1.0); 50]).unwrap();
+        let mixture = Mixture::of(&[(Vec3::new(50.0, 0.0, 0.0), 1.0); 50], 5).unwrap();
         assert!(mixture.cost(Vec3::new(50.0, 0.0, 0.0)) + 10.0 < mixture.cost(Vec3::new(60.0, 0.0, 0.0)));
     }
 }
