@@ -44,6 +44,8 @@ pub(super) struct Known {
     pub(super) is_plant: Raster<Option<bool>>,
     /// Whether a line on the plant or around it runs there.
     pub(super) is_marked: Raster<bool>,
+    /// How many columns on both sides of the picture are its border; `None` where an outline says what is around.
+    pub(super) band: Option<usize>,
     /// Whether a pixel is not far from where the plant may be: farther away, other plants have the colours of this one.
     pub(super) is_near: Raster<bool>,
     /// Whether a pixel lies beyond the outline or under a line around the plant.
@@ -78,12 +80,18 @@ pub(super) fn known(marks: &Marks, (size, factor): (UVec2, u32), params: &PlantP
             }
         }
     }
-    Known { is_plant, is_marked, is_near, is_outside }
+    let band = outline.is_none().then(|| band(size, params.border) as usize);
+    Known { is_plant, is_marked, band, is_near, is_outside }
+}
+
+/// Width of the border, pixels.
+fn band(size: UVec2, share: f32) -> u32 {
+    ((share * size.min_element() as f32).round() as u32).max(1)
 }
 
 /// The border as surroundings.
 fn border(size: UVec2, share: f32) -> Raster<Option<bool>> {
-    let band = ((share * size.min_element() as f32).round() as u32).max(1);
+    let band = band(size, share);
     let mut known = Raster::filled(size, None);
     let width = size.x as usize;
     for (i, cell) in known.cells_mut().iter_mut().enumerate() {

@@ -4,7 +4,7 @@
 //! | file | what |
 //! | --- | --- |
 //! | `marks` | what the artist marked: a loose outline, lines on the plant and around it |
-//! | `mixture`, `min_cut`, `segment` | colours of both sides, the cheapest border between them, both in turns |
+//! | `mixture`, `rows`, `min_cut`, `segment` | colours of both sides, surroundings by height, the cheapest border, all in turns |
 //! | `regions`, `loops` | the plant that is meant, its outlines and holes |
 //! | `parts` | crown and trunk |
 //! | `edges`, `snap` | lines in the picture; a drawn trunk moved onto them |
@@ -24,6 +24,7 @@ mod parts;
 mod plant_drawing;
 mod plant_photo;
 mod regions;
+mod rows;
 #[cfg(test)]
 mod scene;
 mod segment;

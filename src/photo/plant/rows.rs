@@ -59,7 +59,7 @@ mod tests {
     fn a_colour_is_likely_only_at_the_height_at_which_the_border_shows_it() {
         let (sky, hill) = (Vec3::new(75.0, 0.0, -20.0), Vec3::new(45.0, -5.0, 5.0));
         let mut lab = Raster::filled(UVec2::new(60, 120), sky);
-        for y in 80..100 {
+        for y in 76..108 {
             (0..60).for_each(|x| lab[(x, y)] = hill);
         }
         let rows = Rows::of(&lab, |i| i % 60 < 4, 4);

@@ -6,6 +6,8 @@
 //! it, and so on for a few rounds or until nothing changes. What is known from marks stays as it is, and marked pixels count more in
 //! the colours, so that a short line can bring in a colour of its own.
 //!
+//! Where the border shows the surroundings, they are known by height as well ([`Rows`]).
+//!
 //! To begin with, the plant is what is unlikely in the surroundings; where nothing is, it is the middle of what is not known.
 //!
 //! Limits: what has the surroundings' colours and no edge against them, such as a crown before a wood, needs marks. Crowns
@@ -18,8 +20,11 @@ use super::marks::Known;
 use super::min_cut::{AROUND, Grid};
 use super::mixture::Mixture;
 use super::regions::{narrowed, widened};
+use super::rows::Rows;
 use rayon::prelude::*;
 
+/// Distributions of each mixture.
+const PARTS: usize = 5;
 /// Capacities for one unit of cost.
 const UNIT: f32 = 64.0;
 /// Most that colours speak for one side: beyond, a pixel is as sure as can be.
@@ -45,36 +50,57 @@ pub(super) struct Found {
 
 /// Finds the plant; `None` where there is nothing that it or its surroundings could be known by.
 pub(super) fn plant(lab: &Raster<Lab>, known: &Known, params: &PlantParams) -> Option<Found> {
-    let around: Vec<(Lab, f32)> = colours(lab, known, |i| known.is_plant.cells()[i] == Some(false), false);
-    let mut mixtures = {
-        let around = Mixture::of(&around)?;
-        let first = first_plant(lab, known, &around);
-        let plant = Mixture::of(&colours(lab, known, |i| first[i], true))?;
-        [plant, around]
-    };
+    let mut models = Models::of(lab, known)?;
     let edges = Edges::of(lab, params.smoothness);
     let mut label: Option<Raster<bool>> = None;
     for _ in 0..params.rounds {
-        let next = cut(lab, known, &mixtures, &edges);
+        let next = cut(lab, known, &models, &edges);
         if label.as_ref() == Some(&next) {
             break;
         }
-        for (mixture, side) in mixtures.iter_mut().zip([true, false]) {
+        for (mixture, side) in [(&mut models.plant, true), (&mut models.around, false)] {
             let own = colours(lab, known, |i| next.cells()[i] == side, side);
             *mixture = mixture.fitted(&own).unwrap_or_else(|| mixture.clone());
         }
         label = Some(next);
     }
     let mask = label?;
-    let contrast = contrast(lab, &mask, &mixtures);
-    Some(Found { mask, contrast })
+    let inside = (0..lab.cells().len()).filter(|i| mask.cells()[*i]);
+    let (sum, count) = inside.fold((0.0, 0u32), |(sum, n), i| (sum + f64::from(models.gain(lab, i)), n + 1));
+    Some(Found { mask, contrast: (sum / f64::from(count.max(1))) as f32 })
 }
 
-fn contrast(lab: &Raster<Lab>, mask: &Raster<bool>, [plant, around]: &[Mixture; 2]) -> f32 {
-    let inside = lab.cells().iter().zip(mask.cells()).filter(|(_, is_in)| **is_in);
-    let by = |colour: Lab| f64::from((around.cost(colour) - plant.cost(colour)).clamp(-SURE, SURE));
-    let (sum, count) = inside.fold((0.0, 0u32), |(sum, n), (colour, _)| (sum + by(*colour), n + 1));
-    (sum / f64::from(count.max(1))) as f32
+/// Colours of the plant and of its surroundings.
+struct Models {
+    plant: Mixture,
+    around: Mixture,
+    /// The surroundings by height, where the border shows them.
+    rows: Option<Rows>,
+}
+
+impl Models {
+    /// The first ones; `None` where nothing is known to begin with.
+    fn of(lab: &Raster<Lab>, known: &Known) -> Option<Self> {
+        let is_around = |i: usize| known.is_plant.cells()[i] == Some(false);
+        let around = Mixture::of(&colours(lab, known, is_around, false), PARTS)?;
+        let rows = known.band.map(|band| Rows::of(lab, is_around, band));
+        let mut models = Self { plant: around.clone(), around, rows };
+        let first = first_plant(lab, known, &models);
+        models.plant = Mixture::of(&colours(lab, known, |i| first[i], true), PARTS)?;
+        Some(models)
+    }
+
+    /// How unlikely a pixel is in the surroundings.
+    fn cost_around(&self, lab: &Raster<Lab>, pixel: usize) -> f32 {
+        let colour = lab.cells()[pixel];
+        let anywhere = self.around.cost(colour);
+        self.rows.as_ref().map_or(anywhere, |rows| rows.cost(pixel, colour).min(anywhere))
+    }
+
+    /// By how much a pixel is likelier in the plant than around it, nats.
+    fn gain(&self, lab: &Raster<Lab>, pixel: usize) -> f32 {
+        (self.cost_around(lab, pixel) - self.plant.cost(lab.cells()[pixel])).clamp(-SURE, SURE)
+    }
 }
 
 /// Colours of the pixels of a side, with how much each counts.
@@ -88,9 +114,9 @@ fn colours(lab: &Raster<Lab>, known: &Known, is_in: impl Fn(usize) -> bool, side
 }
 
 /// What of the picture is not like the surroundings.
-fn first_plant(lab: &Raster<Lab>, known: &Known, around: &Mixture) -> Vec<bool> {
-    let costs: Vec<f32> =
-        lab.cells().par_iter().with_min_len(1 << 12).map(|colour| around.cost(*colour)).collect();
+fn first_plant(lab: &Raster<Lab>, known: &Known, models: &Models) -> Vec<bool> {
+    let cost = |i: usize| models.cost_around(lab, i);
+    let costs: Vec<f32> = (0..lab.cells().len()).into_par_iter().with_min_len(1 << 12).map(cost).collect();
     let is_plant = known.is_plant.cells();
     let is_known = |i: &usize| is_plant[*i] == Some(false) && known.is_near.cells()[*i];
     let usual = (0..costs.len()).filter(is_known).map(|i| costs[i]).collect();
@@ -149,15 +175,12 @@ impl Edges {
     }
 }
 
-fn cut(lab: &Raster<Lab>, known: &Known, [plant, around]: &[Mixture; 2], edges: &Edges) -> Raster<bool> {
+fn cut(lab: &Raster<Lab>, known: &Known, models: &Models, edges: &Edges) -> Raster<bool> {
     let mut grid = Grid::new(lab.width(), lab.height());
     let pull = |i: usize| match known.is_plant.cells()[i] {
         Some(true) => KNOWN,
         Some(false) => -KNOWN,
-        None => {
-            let colour = lab.cells()[i];
-            (UNIT * (around.cost(colour) - plant.cost(colour)).clamp(-SURE, SURE)) as i32
-        }
+        None => (UNIT * models.gain(lab, i)) as i32,
     };
     let pulls: Vec<i32> = (0..lab.cells().len()).into_par_iter().with_min_len(1 << 12).map(pull).collect();
     pulls.iter().enumerate().for_each(|(pixel, by)| grid.pull(pixel, *by));
