@@ -222,6 +222,8 @@ pub enum Action {
     ClearPlantMarks,
     /// Draw the plant that was found, as crowns and trunk.
     UseAsCrown,
+    /// Move a branch onto the edges of the trunk under it.
+    SnapToTrunk(StrokeId),
     /// Give leaves and bark the colours of the plant that was found.
     ColoursFromPicture,
     /// How the plant is lit.

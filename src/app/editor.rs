@@ -66,6 +66,7 @@ mod reference_hold;
 mod replay;
 mod saver;
 mod saving;
+mod snap_trunk;
 mod snapshot;
 mod space;
 mod space_marks;

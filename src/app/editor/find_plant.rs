@@ -47,6 +47,7 @@ impl Editor {
             }
             Action::UseAsCrown => self.use_as_crown(),
             Action::ColoursFromPicture => self.take_colours(),
+            Action::SnapToTrunk(stroke) => self.snap_to_trunk(stroke),
             other => return self.perform_on_plants(other),
         }
         self.updates.drawing_changed();
@@ -113,6 +114,7 @@ impl Editor {
     /// Takes what a search has found, and textures that have been painted.
     pub(super) fn collect_plant_search(&mut self) {
         self.collect_colours();
+        self.collect_snapped();
         let Some(result) = self.search.work.as_ref().and_then(|(_, work)| work.result()) else { return };
         let Some((hash, _)) = self.search.work.take() else { return };
         self.updates.drawing_changed();
@@ -257,7 +259,7 @@ impl Editor {
 }
 
 /// How many pixels of the picture are one of the canvas.
-fn per_canvas(reference: &Reference) -> f32 {
+pub(super) fn per_canvas(reference: &Reference) -> f32 {
     reference.picture.size_px().x as f32 / reference.width
 }
 

@@ -91,12 +91,12 @@ fn the_plant_is_found_marked_and_drawn_in_one_step() {
     editor.perform(Action::UseAsCrown);
     assert!(editor.sketch().strokes.is_empty(), "nothing was found yet");
     editor.perform(Action::FindPlant(true));
-    assert!(editor.search.state().is_searching);
+    assert!(editor.search.state(None).is_searching);
     until(&mut editor, is_found);
     assert!(editor.dialogs.notices().iter().any(|notice| notice.what.contains('2')), "two plants");
     // A line on the other tree takes that; it is no stroke.
     draw(&mut editor, &[(35.0, 70.0), (45.0, 72.0), (55.0, 70.0)], PenTool::Pen);
-    assert!(editor.sketch().strokes.is_empty() && editor.search.state().any_marks);
+    assert!(editor.sketch().strokes.is_empty() && editor.search.state(None).any_marks);
     until(&mut editor, is_found);
     let found = editor.search.found.clone().unwrap().1;
     assert!(found.contains(45, 60) && !found.contains(135, 60));
@@ -146,10 +146,43 @@ fn the_search_ends_with_its_picture_and_with_another_tool() {
     editor.perform(Action::FindPlant(true));
     editor.perform(Action::MarkPlant(PlantMark::Outline));
     draw(&mut editor, &[(10.0, 10.0)], PenTool::Mouse);
-    assert!(!editor.search.state().any_marks, "a tap is no outline");
+    assert!(!editor.search.state(None).any_marks, "a tap is no outline");
     editor.perform(Action::RemoveReference);
     assert!(!editor.search.is_on && editor.search.found.is_none());
     until(&mut editor, |editor| editor.search.work.is_none());
     editor.perform(Action::FindPlant(true));
     assert!(!editor.search.is_on && editor.search.found.is_none(), "there is no picture");
+}
+
+#[test]
+fn a_drawn_trunk_comes_to_the_middle_of_the_one_on_the_picture() {
+    let home = tempfile::tempdir().unwrap();
+    let mut editor = editor(home.path());
+    editor.perform(Action::SetTool(CanvasTool::Draw(Tool::Branch)));
+    let line: Vec<(f32, f32)> = (0..=10).map(|k| (132.0, 143.0 - 2.5 * k as f32)).collect();
+    draw(&mut editor, &line, PenTool::Pen);
+    let id = editor.sketch().strokes[0].id;
+    assert_eq!(editor.branch_over_picture(), None, "it is not selected");
+    editor.perform(Action::SelectStroke { stroke: id, besides: false });
+    assert_eq!(editor.branch_over_picture(), Some(id));
+    editor.perform(Action::SnapToTrunk(id));
+    until(&mut editor, |editor| editor.search.snapping.is_none());
+    let middle = on_canvas(&photograph(), Vec2::new(135.0, 0.0)).x;
+    let stroke = &editor.sketch().strokes[0];
+    assert!(stroke.id == id && stroke.tool == Tool::Branch);
+    for point in &stroke.points {
+        assert!((point.position.x - middle).abs() < 3.0, "{} and not {middle}", point.position);
+    }
+    assert!(editor.sketch().params.contains_key(TRUNK_RADIUS));
+    editor.perform(Action::Undo);
+    assert!((editor.sketch().strokes[0].points[3].position.x - middle).abs() > 4.0);
+    // In the sky there is no trunk.
+    draw(&mut editor, &[(90.0, 20.0)], PenTool::Pen);
+    editor.perform(Action::SetTool(CanvasTool::Draw(Tool::Branch)));
+    draw(&mut editor, &[(85.0, 40.0), (86.0, 30.0), (86.0, 20.0), (87.0, 10.0)], PenTool::Pen);
+    let other = editor.sketch().strokes[1].id;
+    editor.perform(Action::SnapToTrunk(other));
+    until(&mut editor, |editor| {
+        editor.dialogs.notices().iter().any(|notice| notice.what.contains("two sides"))
+    });
 }

@@ -4,8 +4,8 @@ use super::background::Work;
 use crate::app::plant_search::{PlantMark, PlantSearchState};
 use crate::app::texture_cut::CutError;
 use crate::photo::PhotoError;
-use crate::photo::plant::{Marks, PlantPhoto, PlantPicture};
-use crate::sketch::Textures;
+use crate::photo::plant::{Marks, PlantPhoto, PlantPicture, TrunkLine};
+use crate::sketch::{Reference, Stroke, StrokeId, Textures};
 use glam::Vec2;
 use std::sync::Arc;
 
@@ -38,6 +38,16 @@ pub(super) struct PlantSearch {
     pub(super) is_stale: bool,
     /// The thread that paints textures in the plant's colours.
     pub(super) painting: Option<Work<Result<Textures, PhotoError>>>,
+    /// The trunk whose edges are being sought.
+    pub(super) snapping: Option<Snapping>,
+}
+
+/// A trunk whose edges are being sought.
+pub(super) struct Snapping {
+    pub(super) stroke: Arc<Stroke>,
+    pub(super) reference: Arc<Reference>,
+    /// The thread that seeks them, and the picture made ready.
+    pub(super) work: Work<Result<(Arc<PlantPicture>, Option<TrunkLine>), CutError>>,
 }
 
 impl PlantSearch {
@@ -67,13 +77,14 @@ impl PlantSearch {
         true
     }
 
-    /// What the panel shows.
-    pub(super) fn state(&self) -> PlantSearchState {
+    /// What the panel shows, with the branch that can be moved onto a trunk.
+    pub(super) fn state(&self, branch: Option<StrokeId>) -> PlantSearchState {
         PlantSearchState {
             on: self.is_on,
             mark: self.mark,
             any_marks: !self.marks.is_empty(),
             is_searching: self.work.is_some(),
+            branch,
             share: self.found.as_ref().map(|(_, found)| found.share),
         }
     }

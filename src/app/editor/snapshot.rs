@@ -46,7 +46,7 @@ impl Editor {
             pose: self.pose_state(),
             presets: self.disk.presets.listed().to_vec(),
             reference,
-            plant_search: self.search.state(),
+            plant_search: self.search.state(self.branch_over_picture()),
             view: self.plant.state,
             pen: self.pens.state(self.prefs.settings(), self.layout.pixels_per_point()),
             status: self.status(),

@@ -442,6 +442,8 @@ keys! {
     ReferenceUseAsCrownHint = "reference.use_as_crown_hint",
     ReferencePlantColours = "reference.plant_colours",
     ReferencePlantColoursHint = "reference.plant_colours_hint",
+    ReferenceSnap = "reference.snap",
+    ReferenceSnapHint = "reference.snap_hint",
     ReferenceClearMarks = "reference.clear_marks",
     PenTitle = "pen.title",
     PenNone = "pen.none",

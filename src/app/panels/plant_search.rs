@@ -38,6 +38,10 @@ pub(super) fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &
         let hint = Some(Msg::ReferencePlantColoursHint);
         button(ui, Icon::Leaf, Msg::ReferencePlantColours, hint, false, Action::ColoursFromPicture);
     }
+    if let Some(branch) = state.branch {
+        let hint = Some(Msg::ReferenceSnapHint);
+        button(ui, Icon::Branch, Msg::ReferenceSnap, hint, false, Action::SnapToTrunk(branch));
+    }
     if state.on && state.any_marks {
         button(ui, Icon::Delete, Msg::ReferenceClearMarks, None, false, Action::ClearPlantMarks);
     }

@@ -103,13 +103,14 @@ impl Grid {
         let most = STEPS * (self.width * height) as u64;
         while let Some(&cell) = self.active.front() {
             let cell = cell as usize;
-            if self.tree[cell] != FREE && self.work < most {
-                if let Some(bridge) = self.grow(cell) {
-                    self.time += 1;
-                    self.augment(bridge);
-                    self.adopt();
-                    continue;
-                }
+            if self.tree[cell] != FREE
+                && self.work < most
+                && let Some(bridge) = self.grow(cell)
+            {
+                self.time += 1;
+                self.augment(bridge);
+                self.adopt();
+                continue;
             }
             self.active.pop_front();
             self.is_active[cell] = false;
@@ -302,8 +303,7 @@ mod tests {
             let pulls = (0..width * height).map(|_| next(21) - 10).collect();
             let mut edges = Vec::new();
             for pixel in 0..width * height {
-                for direction in 4..8 {
-                    let (dx, dy) = AROUND[direction];
+                for (direction, (dx, dy)) in AROUND.into_iter().enumerate().skip(4) {
                     let (x, y) = ((pixel % width) as i32 + dx, (pixel / width) as i32 + dy);
                     if (0..width as i32).contains(&x) && (0..height as i32).contains(&y) {
                         edges.push((pixel, direction, y as usize * width + x as usize, next(7)));

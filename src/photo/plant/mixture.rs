@@ -127,8 +127,11 @@ fn spread(group: &[(Lab, f32)]) -> f32 {
     group.iter().map(|(colour, weight)| weight * colour.distance_squared(mean)).sum()
 }
 
+/// Colours with how much each counts.
+type Group = Vec<(Lab, f32)>;
+
 /// A group in two, across its widest direction; `None` where all of it is one colour.
-fn halves(group: &[(Lab, f32)]) -> Option<(Vec<(Lab, f32)>, Vec<(Lab, f32)>)> {
+fn halves(group: &[(Lab, f32)]) -> Option<(Group, Group)> {
     let colours: Vec<Vec3> = group.iter().map(|(colour, _)| *colour).collect();
     let (middle, [along, ..]) = principal_axes(&colours);
     let (low, high): (Vec<_>, Vec<_>) =

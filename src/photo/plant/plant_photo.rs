@@ -12,7 +12,7 @@ use super::edges::Edges;
 use super::loops::{Loop, loops};
 use super::marks::{self, Known, Marks};
 use super::parts::{Parts, TrunkLine, parts};
-use super::regions::{chosen, narrowed};
+use super::regions::{chosen, narrowed, widened};
 use super::tint::{PlantColours, colours};
 use super::{PlantParams, SnapParams, segment, snap};
 use crate::geom::polyline;
@@ -29,6 +29,10 @@ const TRANSPARENT: f32 = 0.005;
 const CONTRAST: f32 = 2.0;
 /// Least part of a crown that gets an outline of its own, as a share of the plant's area.
 const LEAST_LOOP: f32 = 0.004;
+/// Half the width of what is too thin to be foliage, as a share of the crown's size.
+const THIN: f32 = 0.012;
+/// Share of a crown that foliage takes at least.
+const MOSTLY: f32 = 0.7;
 /// Width of a trunk whose sides are not seen, as a share of its length.
 const USUAL_WIDTH: f32 = 0.08;
 /// Distance to the rim within which pixels may show surroundings, pixels of the grid.
@@ -120,7 +124,7 @@ impl PlantPicture {
         Ok(PlantPhoto {
             size: self.size,
             outline: outlined(&plant.mask),
-            crown: outlined(&crown),
+            crown: outlined(&bodies(&crown)),
             trunk: trunk.map(|trunk| trunk.scaled(self.factor as f32)),
             colours,
             share,
@@ -200,6 +204,17 @@ impl PlantPhoto {
         let pixel = |i: u32| if self.contains(i % width, i / width) { [255; 4] } else { [0, 0, 0, 255] };
         Rgba { width, height, pixels: (0..width * height).flat_map(pixel).collect() }
     }
+}
+
+/// A crown without what is thin: single branches below and beside foliage. Where all of it is thin, all of it.
+fn bodies(crown: &Raster<bool>) -> Raster<bool> {
+    let reach = (THIN * extent(crown)).round().max(1.0) as usize;
+    // What hangs on a body keeps its own shape near it.
+    let near = widened(&narrowed(crown, reach), reach + 2);
+    let bodies =
+        Raster::new(crown.width(), near.cells().iter().zip(crown.cells()).map(|(a, b)| *a && *b).collect());
+    let count = |mask: &Raster<bool>| mask.cells().iter().filter(|is_in| **is_in).count() as f32;
+    if count(&bodies) >= MOSTLY * count(crown) { bodies } else { crown.clone() }
 }
 
 /// A mask without its rim, where that leaves anything.
