@@ -177,7 +177,6 @@ fn a_drawn_trunk_comes_to_the_middle_of_the_one_on_the_picture() {
     editor.perform(Action::Undo);
     assert!((editor.sketch().strokes[0].points[3].position.x - middle).abs() > 4.0);
     // In the sky there is no trunk.
-    draw(&mut editor, &[(90.0, 20.0)], PenTool::Pen);
     editor.perform(Action::SetTool(CanvasTool::Draw(Tool::Branch)));
     draw(&mut editor, &[(85.0, 40.0), (86.0, 30.0), (86.0, 20.0), (87.0, 10.0)], PenTool::Pen);
     let other = editor.sketch().strokes[1].id;

@@ -42,12 +42,15 @@ pub(super) struct PlantSearch {
     pub(super) snapping: Option<Snapping>,
 }
 
+/// The picture made ready, and the trunk on it.
+pub(super) type Snapped = (Arc<PlantPicture>, Option<TrunkLine>);
+
 /// A trunk whose edges are being sought.
 pub(super) struct Snapping {
     pub(super) stroke: Arc<Stroke>,
     pub(super) reference: Arc<Reference>,
     /// The thread that seeks them, and the picture made ready.
-    pub(super) work: Work<Result<(Arc<PlantPicture>, Option<TrunkLine>), CutError>>,
+    pub(super) work: Work<Result<Snapped, CutError>>,
 }
 
 impl PlantSearch {
