@@ -4,7 +4,7 @@
 //! pixels that goes on from row to row below that height; its middle line and width are smoothed. All the rest is crown.
 //!
 //! Limits: a trunk that leans by more than about 45°, or stands in foliage or grass as wide as the crown, is not found; the
-//! plant is then all crown. Branches within the crown are not seen at all.
+//! plant is then all crown. Where a trunk forks it ends. Branches within the crown are not seen at all.
 
 use super::super::raster::Raster;
 use super::PlantParams;
@@ -18,6 +18,8 @@ const LEAST: f32 = 0.06;
 const STEADY: f32 = 0.03;
 /// How many times as wide as the trunk the crown is where it begins.
 const WIDENS: f32 = 1.6;
+/// Share of a trunk's width from which a part that leaves it is a stem and no twig.
+const STEM: f32 = 0.35;
 /// Share of the plant's height that grass or a shadow at the foot may take, which is skipped.
 const FOOT: f32 = 0.05;
 /// Distance of the trunk's points, as a share of the plant's height.
@@ -61,6 +63,10 @@ pub(super) fn parts(mask: &Raster<bool>, params: &PlantParams) -> Parts {
     // A crown that begins pointed is as narrow as a trunk at first, but wider than this one.
     let usual = usual_width(&runs);
     runs.truncate(1 + runs.iter().rposition(|run| run_width(run) <= WIDENS * usual).unwrap_or(0));
+    let plant = extent(&row_widths(mask)).map_or(0, |(top, bottom)| bottom - top);
+    if (runs.len() as f32) < LEAST * plant as f32 {
+        return all_crown();
+    }
     let rows = rows.end - runs.len()..rows.end;
     let (mut crown, mut trunk_mask) = (mask.clone(), mask.map(|_| false));
     for (y, (from, to)) in rows.clone().rev().zip(&runs) {
@@ -116,6 +122,9 @@ fn followed(mask: &Raster<bool>, rows: std::ops::Range<usize>) -> Option<Vec<(us
     let mut runs: Vec<(usize, usize)> = Vec::new();
     for y in rows.rev() {
         let row: Vec<(usize, usize)> = runs_of(mask, y);
+        if runs.last().is_some_and(|below| forks(below, &row)) {
+            break;
+        }
         let next = match runs.last() {
             None => row.into_iter().max_by_key(|(from, to)| to - from),
             Some((from, to)) => {
@@ -129,13 +138,19 @@ fn followed(mask: &Raster<bool>, rows: std::ops::Range<usize>) -> Option<Vec<(us
     Some(runs)
 }
 
+/// Whether a trunk whose run is this becomes several stems in the row above it.
+fn forks((from, to): &(usize, usize), row: &[(usize, usize)]) -> bool {
+    let above = row.iter().filter(|run| run.0 < *to && run.1 > *from);
+    above.filter(|run| run_width(run) >= STEM * (to - from) as f32).count() > 1
+}
+
 fn run_width((from, to): &(usize, usize)) -> f32 {
     (to - from) as f32
 }
 
-/// The median width of runs.
+/// The width that a quarter of the runs do not exceed: a foot is wider, and so is what spreads.
 fn usual_width(runs: &[(usize, usize)]) -> f32 {
-    super::super::background::quantile(runs.iter().map(run_width).collect(), 0.5)
+    super::super::background::quantile(runs.iter().map(run_width).collect(), 0.25)
 }
 
 fn runs_of(mask: &Raster<bool>, y: usize) -> Vec<(usize, usize)> {
@@ -216,6 +231,23 @@ mod tests {
         assert!(end.y < 165.0 && end.distance(Vec2::new(110.0, 100.0)) < 80.0, "{end}");
         let count = parts.crown.cells().iter().filter(|is_in| **is_in).count() as f32;
         assert!((count / (std::f32::consts::PI * 6400.0) - 1.0).abs() < 0.05, "{count}");
+    }
+
+    #[test]
+    fn a_trunk_ends_where_it_forks() {
+        let mut mask = tree(14.0);
+        for y in 200..240 {
+            let middle = 100.0 + 0.1 * (280.0 - y as f32);
+            let half = 0.25 * (240 - y) as f32;
+            for x in 60..150 {
+                let off = (x as f32 + 0.5 - middle).abs();
+                mask[(x, y)] = (half..half + 7.0).contains(&off);
+            }
+        }
+        let trunk = parts(&mask, &PlantParams::default()).trunk.unwrap();
+        let width = trunk.widths.iter().copied().fold(0.0, f32::max);
+        let visible = trunk.points.iter().filter(|p| p.y > 228.0).count();
+        assert!(width < 18.0 && visible >= 5, "{width} {visible}");
     }
 
     #[test]
