@@ -2,7 +2,7 @@
 //!
 //! While the search is on, pen and mouse draw marks in place of strokes; fingers, the pen's other end and all other buttons do what they
 //! always do. After every mark the plant is sought again on a thread of its own, and its outline shown over the picture. What was
-//! found becomes strokes in one step to undo.
+//! found becomes strokes in one step to undo. While there are marks, undo takes the last of them back.
 //!
 //! Limits: marks are no part of the drawing; they go with the search.
 
@@ -42,7 +42,7 @@ impl Editor {
             Action::FindPlant(false) => self.search.stop(),
             Action::MarkPlant(mark) => self.search.mark = mark,
             Action::ClearPlantMarks => {
-                self.search.marks = crate::photo::plant::Marks::default();
+                self.search.clear();
                 self.seek_plant();
             }
             Action::UseAsCrown => self.use_as_crown(),
@@ -86,7 +86,7 @@ impl Editor {
     }
 
     /// Seeks the plant with the marks as they are, as soon as the search before has ended.
-    fn seek_plant(&mut self) {
+    pub(super) fn seek_plant(&mut self) {
         let Some(reference) = self.sketch().reference.clone() else { return };
         if self.search.work.is_some() {
             self.search.is_stale = true;

@@ -100,6 +100,13 @@ fn the_plant_is_found_marked_and_drawn_in_one_step() {
     until(&mut editor, is_found);
     let found = editor.search.found.clone().unwrap().1;
     assert!(found.contains(45, 60) && !found.contains(135, 60));
+    // Undo takes the mark back, and another one brings the tree again.
+    editor.perform(Action::Undo);
+    assert!(!editor.search.state(None).any_marks && !editor.panel_snapshot().can_undo);
+    until(&mut editor, is_found);
+    assert!(editor.search.found.as_ref().unwrap().1.contains(135, 60));
+    draw(&mut editor, &[(35.0, 70.0), (45.0, 72.0), (55.0, 70.0)], PenTool::Mouse);
+    until(&mut editor, is_found);
     editor.perform(Action::UseAsCrown);
     assert!(!editor.search.is_on, "the search has ended");
     let tools: Vec<Tool> = editor.sketch().strokes.iter().map(|stroke| stroke.tool).collect();
@@ -184,4 +191,40 @@ fn a_drawn_trunk_comes_to_the_middle_of_the_one_on_the_picture() {
     until(&mut editor, |editor| {
         editor.dialogs.notices().iter().any(|notice| notice.what.contains("two sides"))
     });
+}
+
+#[test]
+fn what_was_found_is_seen_over_the_picture() {
+    let home = tempfile::tempdir().unwrap();
+    let mut editor = editor(home.path());
+    let egui = egui::Context::default();
+    let lines = |editor: &mut Editor| -> Vec<Vec<Pos2>> {
+        let screen_rect = Some(egui::Rect::from_min_size(Pos2::ZERO, egui::vec2(1280.0, 800.0)));
+        let input = egui::RawInput { screen_rect, ..egui::RawInput::default() };
+        let output = egui.run_ui(input, |ui| editor.ui(ui, egui::TextureId::default()));
+        let long = output.shapes.into_iter().filter_map(|clipped| match clipped.shape {
+            Shape::Path(path) if path.points.len() > 12 => Some(path.points),
+            _ => None,
+        });
+        long.collect()
+    };
+    editor.perform(Action::FindPlant(true));
+    let reference = photograph();
+    let scale = editor.layout.pixels_per_point() as f32;
+    let is_crown = |editor: &Editor, line: &Vec<Pos2>| {
+        let view = editor.canvas.view();
+        let place = on_canvas(&reference, Vec2::new(135.0, 70.0)).as_dvec2();
+        let middle = view.to_window(place).as_vec2() / scale;
+        let radius = 42.0 * 2.0 * view.zoom() as f32 / scale;
+        line.iter().all(|p| (Vec2::new(p.x, p.y).distance(middle) / radius - 1.0).abs() < 0.1)
+    };
+    let crowns = |editor: &mut Editor| {
+        let lines = lines(editor);
+        lines.iter().filter(|line| is_crown(editor, line)).count()
+    };
+    assert_eq!(crowns(&mut editor), 0, "nothing has been found");
+    until(&mut editor, is_found);
+    assert_eq!(crowns(&mut editor), 2, "a light line in a dark one");
+    editor.perform(Action::FindPlant(false));
+    assert_eq!(crowns(&mut editor), 0);
 }

@@ -73,6 +73,7 @@ impl Editor {
     /// Actions about what is drawn and what grows of it.
     fn perform_on_drawing(&mut self, action: Action) {
         match action {
+            Action::Undo if self.search.take_back() => self.seek_plant(),
             Action::Undo => {
                 let is_other = self.drawing.undo();
                 self.changed(is_other);

@@ -27,6 +27,8 @@ pub(super) struct PlantSearch {
     pub(super) mark: PlantMark,
     /// All marks, pixels of the picture.
     pub(super) marks: Marks,
+    /// What they are, in the order in which they were drawn.
+    pub(super) order: Vec<PlantMark>,
     /// The mark under the pen, pixels of the picture.
     pub(super) line: Option<Vec<Vec2>>,
     pub(super) prepared: Option<Prepared>,
@@ -56,7 +58,13 @@ pub(super) struct Snapping {
 impl PlantSearch {
     /// Ends the search; what was found stays, for its colours.
     pub(super) fn stop(&mut self) {
-        (self.is_on, self.line, self.marks) = (false, None, Marks::default());
+        (self.is_on, self.line) = (false, None);
+        self.clear();
+    }
+
+    /// Forgets all marks.
+    pub(super) fn clear(&mut self) {
+        (self.marks, self.order) = (Marks::default(), Vec::new());
     }
 
     /// Forgets everything that is about another picture than this one.
@@ -76,6 +84,29 @@ impl PlantSearch {
             // A tap is no outline.
             PlantMark::Outline if line.len() < 3 => return false,
             PlantMark::Outline => self.marks.outline = Some(line),
+        }
+        self.order.push(self.mark);
+        true
+    }
+
+    /// Whether there is a mark to take back.
+    pub(super) fn can_take_back(&self) -> bool {
+        self.is_on && !self.order.is_empty()
+    }
+
+    /// Takes the last mark back; an outline goes with those that it replaced. Whether there was one.
+    pub(super) fn take_back(&mut self) -> bool {
+        if !self.is_on {
+            return false;
+        }
+        match self.order.pop() {
+            Some(PlantMark::Plant) => drop(self.marks.plant.pop()),
+            Some(PlantMark::Around) => drop(self.marks.around.pop()),
+            Some(PlantMark::Outline) => {
+                self.marks.outline = None;
+                self.order.retain(|mark| *mark != PlantMark::Outline);
+            }
+            None => return false,
         }
         true
     }

@@ -27,7 +27,7 @@ impl Editor {
             name: self.drawing.name(),
             unsaved: !self.drawing.is_saved(),
             tool: self.canvas.tool(),
-            can_undo: self.drawing.can_undo(),
+            can_undo: self.drawing.can_undo() || self.search.can_take_back(),
             can_redo: self.drawing.can_redo(),
             selected: self.canvas.selection().ids().len(),
             chinese_font: self.prefs.have_chinese_font(),
