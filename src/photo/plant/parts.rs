@@ -18,6 +18,8 @@ const LEAST: f32 = 0.06;
 const STEADY: f32 = 0.03;
 /// How many times as wide as the trunk the crown is where it begins.
 const WIDENS: f32 = 1.6;
+/// How many times as wide as at its narrowest a trunk is where it is a fan of stems.
+const SPREADS: f32 = 2.2;
 /// Share of a trunk's width from which a part that leaves it is a stem and no twig.
 const STEM: f32 = 0.35;
 /// Share of the plant's height that grass or a shadow at the foot may take, which is skipped.
@@ -61,6 +63,7 @@ pub(super) fn parts(mask: &Raster<bool>, params: &PlantParams) -> Parts {
     let Some(rows) = trunk_rows(mask, params) else { return all_crown() };
     let Some(mut runs) = followed(mask, rows.clone()) else { return all_crown() };
     // A crown that begins pointed is as narrow as a trunk at first, but wider than this one.
+    runs.truncate(before_spreading(&runs, (STEADY * mask.height() as f32).ceil() as usize));
     let usual = usual_width(&runs);
     runs.truncate(1 + runs.iter().rposition(|run| run_width(run) <= WIDENS * usual).unwrap_or(0));
     let plant = extent(&row_widths(mask)).map_or(0, |(top, bottom)| bottom - top);
@@ -136,6 +139,23 @@ fn followed(mask: &Raster<bool>, rows: std::ops::Range<usize>) -> Option<Vec<(us
         runs.push(next.or(runs.last().copied())?);
     }
     Some(runs)
+}
+
+/// How many runs from the foot up are trunk, before it becomes a fan of stems that stays several times as wide for so many rows.
+fn before_spreading(runs: &[(usize, usize)], steady: usize) -> usize {
+    let mean = |k: usize| {
+        let near = &runs[k.saturating_sub(2)..(k + 3).min(runs.len())];
+        near.iter().map(run_width).sum::<f32>() / near.len() as f32
+    };
+    let mut least = f32::INFINITY;
+    for k in 0..runs.len() {
+        least = least.min(mean(k));
+        let above = &runs[k..(k + steady).min(runs.len())];
+        if above.len() == steady && above.iter().all(|run| run_width(run) > SPREADS * least) {
+            return k;
+        }
+    }
+    runs.len()
 }
 
 /// Whether a trunk whose run is this becomes several stems in the row above it.
@@ -248,6 +268,18 @@ mod tests {
         let width = trunk.widths.iter().copied().fold(0.0, f32::max);
         let visible = trunk.points.iter().filter(|p| p.y > 228.0).count();
         assert!(width < 18.0 && visible >= 5, "{width} {visible}");
+    }
+
+    #[test]
+    fn a_fan_of_stems_is_trunk_only_at_its_foot() {
+        let mut mask = tree(14.0);
+        for y in 180..262 {
+            let (middle, half) = (100.0 + 0.1 * (280.0 - y as f32), 7.0 + 0.45 * (262 - y) as f32);
+            (40..180).for_each(|x| mask[(x, y)] = (x as f32 + 0.5 - middle).abs() < half);
+        }
+        let trunk = parts(&mask, &PlantParams { trunk: 0.6, ..PlantParams::default() }).trunk.unwrap();
+        assert!(trunk.usual_width() < 26.0, "{}", trunk.usual_width());
+        assert!((trunk.points[0].x - 100.0).abs() < 4.0 && trunk.points.len() > 3);
     }
 
     #[test]

@@ -185,3 +185,39 @@ fn a_large_photograph_is_outlined_in_its_own_pixels() {
     assert!(strokes[0].id == 5 && strokes.len() == found.crown.len() + 1);
     assert_eq!(strokes[0].points.first(), strokes[0].points.last());
 }
+
+#[test]
+fn any_picture_and_any_marks_end_in_a_plant_or_an_error() {
+    let mut dice = super::super::scene::Dice(77);
+    for round in 0..60 {
+        let mut roll = |most: f32| dice.roll() * most;
+        let (width, height) = (16 + roll(60.0) as u32, 16 + roll(60.0) as u32);
+        let kind = round % 4;
+        let pixels = (0..width * height).flat_map(|i| {
+            let flat = [(i / width * 3) as u8, 120, 60];
+            let [r, g, b] = if kind == 0 { flat } else { [0; 3].map(|_: u8| roll(256.0) as u8) };
+            [r, g, b, if kind == 3 { roll(256.0) as u8 } else { 255 }]
+        });
+        let photograph = Rgba { width, height, pixels: pixels.collect() };
+        let extremes = [f32::NAN, f32::INFINITY, -1e30, 0.0, 7.5, 33.0, 1e9];
+        let mut line = |most: usize| -> Vec<Vec2> {
+            let mut place = || extremes[(dice.roll() * 6.99) as usize];
+            (0..most).map(|_| Vec2::new(place(), place())).collect()
+        };
+        let marks = Marks {
+            outline: (round % 3 == 0).then(|| line(5)),
+            plant: vec![line(round % 5), line(2)],
+            around: vec![line(3)],
+        };
+        let params = PlantParams { side: 64, rounds: 2, hole: 0.0, ..PlantParams::default() };
+        let picture = PlantPicture::new(&photograph, &params).unwrap();
+        for marks in [marks, Marks::default()] {
+            if let Ok(mut found) = picture.find(&marks, &params) {
+                picture.give_trunk(&mut found, &line(3), &SnapParams::default());
+                let places = found.crown.iter().flat_map(|line| &line.points);
+                assert!(places.clone().all(|p| p.is_finite() && p.x <= width as f32 && p.y <= height as f32));
+                assert!((1.0..=95.0).contains(&found.share));
+            }
+        }
+    }
+}
