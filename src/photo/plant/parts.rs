@@ -20,6 +20,8 @@ const STEADY: f32 = 0.03;
 const WIDENS: f32 = 1.6;
 /// How many times as wide as at its narrowest a trunk is where it is a fan of stems.
 const SPREADS: f32 = 2.2;
+/// How much wider a run may be by the roughness of the cut alone, pixels.
+const ROUGH: f32 = 4.0;
 /// Share of a trunk's width from which a part that leaves it is a stem and no twig.
 const STEM: f32 = 0.35;
 /// Share of the plant's height that grass or a shadow at the foot may take, which is skipped.
@@ -151,7 +153,7 @@ fn before_spreading(runs: &[(usize, usize)], steady: usize) -> usize {
     for k in 0..runs.len() {
         least = least.min(mean(k));
         let above = &runs[k..(k + steady).min(runs.len())];
-        if above.len() == steady && above.iter().all(|run| run_width(run) > SPREADS * least) {
+        if above.len() == steady && above.iter().all(|run| run_width(run) > SPREADS * least + ROUGH) {
             return k;
         }
     }
