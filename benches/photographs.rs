@@ -1,4 +1,4 @@
-//! A petal cut out of growing photographs, and bark made a tile. `cargo bench --bench photographs`.
+//! A petal cut out of growing photographs, bark made a tile, and a whole plant found. `cargo bench --bench photographs`.
 
 #![allow(
     clippy::unwrap_used,
@@ -8,7 +8,8 @@
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use glam::Vec2;
-use penstemon::photo::{BarkPhoto, BladePhoto, PhotoParams};
+use penstemon::photo::plant::{Marks, PlantPhoto};
+use penstemon::photo::{BarkPhoto, BladePhoto, PhotoParams, PlantParams};
 use penstemon::picture::decode::Rgba;
 use std::hint::black_box;
 
@@ -40,6 +41,14 @@ fn photographs(c: &mut Criterion) {
         });
         group.bench_function(BenchmarkId::new("bark", side), |b| {
             b.iter(|| black_box(BarkPhoto::of_photograph(&picture, &params).unwrap()));
+        });
+    }
+    for side in [256, 512, 1024] {
+        let picture = photograph(side);
+        let params = PlantParams { side, ..PlantParams::default() };
+        group.throughput(Throughput::Elements(u64::from(side) * u64::from(side)));
+        group.bench_function(BenchmarkId::new("plant", side), |b| {
+            b.iter(|| black_box(PlantPhoto::of_photograph(&picture, &Marks::default(), &params).unwrap()));
         });
     }
     group.finish();

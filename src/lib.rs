@@ -34,7 +34,7 @@
 //! | [`species`] | what the drawing does not say: materials, forms, centres of flowers |
 //! | [`model`] | plant to meshes |
 //! | [`cards`] | foliage as pictures |
-//! | [`photo`] | photographs of petals, leaves and bark to outlines and textures |
+//! | [`photo`] | photographs of petals, leaves and bark to outlines and textures, of whole plants to crowns to grow into |
 //! | [`pipeline`] | all of these in a row |
 //! | [`garden`] | places of plants by the thousand, and copies of a few plants there |
 //! | [`formats`] | model files, written and read: OBJ, glTF, JSON |

@@ -174,3 +174,111 @@ fn what_is_painted_on_a_leaf_is_seen_there_on_its_mesh() {
     let mean = sum / count as f32;
     assert!(count > 60 && mean < 0.01 && worst < 0.03, "mean {mean}, worst {worst} of {count} vertices");
 }
+
+/// A green tree with a brown trunk, 300 × 360 pixels, and whether a pixel of it is plant.
+fn tree_photograph() -> (Rgba, Vec<bool>) {
+    let (width, height) = (300u32, 360u32);
+    let mut truth = Vec::new();
+    let pixels = (0..width * height).flat_map(|i| {
+        let at = Vec2::new((i % width) as f32 + 0.5, (i / width) as f32 + 0.5);
+        let grain = (i.wrapping_mul(2_654_435_761) >> 27) as f32 - 16.0;
+        let is_crown = ((at - Vec2::new(150.0, 130.0)) / Vec2::new(85.0, 95.0)).length() < 1.0;
+        let is_trunk = (at.x - 150.0).abs() < 9.0 && (130.0..320.0).contains(&at.y);
+        truth.push(is_crown || is_trunk);
+        let colour = match (is_crown, is_trunk, at.y < 290.0) {
+            (true, ..) => [50.0, 100.0 + 0.3 * (150.0 - at.x), 40.0],
+            (_, true, _) => [95.0, 70.0, 55.0],
+            (.., true) => [150.0 + 0.2 * at.y, 185.0 + 0.1 * at.y, 235.0],
+            _ => [150.0, 140.0, 95.0],
+        };
+        let [r, g, b] = colour.map(|c| (c + grain) as u8);
+        [r, g, b, 255]
+    });
+    let pixels = pixels.collect();
+    (Rgba { width, height, pixels }, truth)
+}
+
+#[test]
+fn a_tree_on_a_photograph_becomes_a_drawing_that_grows_into_its_crown() {
+    let home = tempfile::tempdir().unwrap();
+    let folder = home.path();
+    let (photograph, truth) = tree_photograph();
+    fs::write(folder.join("tree.png"), photograph.to_png().unwrap()).unwrap();
+    let args = [
+        "photo",
+        "tree.png",
+        "--kind",
+        "plant",
+        "-o",
+        "t.penstemon",
+        "-o",
+        "t.png",
+        "-o",
+        "t.svg",
+        "--stats",
+    ];
+    let made = penstemon(folder, &args);
+    assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
+    let stats: serde_json::Value = serde_json::from_slice(&made.stdout).unwrap();
+    assert_eq!((&stats["crowns"], &stats["holes"], &stats["species"]), (&1.into(), &0.into(), &"oak".into()));
+    assert!((stats["trunk"]["width"].as_f64().unwrap() - 18.0).abs() < 3.0, "{stats}");
+    assert!(stats["colours"]["bark"].is_string(), "{stats}");
+    let mask = penstemon::picture::decode::decode(&fs::read(folder.join("t.png")).unwrap()).unwrap();
+    let seen = mask.pixels.as_chunks::<4>().0.iter().map(|pixel| pixel[0] > 127);
+    let (mut both, mut either) = (0, 0);
+    for (seen, is_plant) in seen.zip(&truth) {
+        both += u32::from(seen && *is_plant);
+        either += u32::from(seen || *is_plant);
+    }
+    assert!(f64::from(both) > 0.95 * f64::from(either), "{both} of {either}");
+    let (drawing, remarks) = sketch::read(&folder.join("t.penstemon")).unwrap();
+    assert!(remarks.is_empty() && drawing.reference.is_some() && drawing.textures.len() == 2);
+    let tools: Vec<sketch::Tool> = drawing.strokes.iter().map(|stroke| stroke.tool).collect();
+    assert_eq!(tools, [sketch::Tool::Crown, sketch::Tool::Branch]);
+    let (traced, _) = sketch::read(&folder.join("t.svg")).unwrap();
+    assert_eq!(traced.strokes.len(), 2);
+    let built = penstemon(folder, &["build", "t.penstemon", "-o", "t.glb", "--set", "growth.fineness=0.5"]);
+    assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+    assert!(penstemon(folder, &["check", "t.glb"]).status.success());
+    // The same again gives the same bytes.
+    let first = fs::read(folder.join("t.penstemon")).unwrap();
+    assert!(penstemon(folder, &args).status.success());
+    assert!(fs::read(folder.join("t.penstemon")).unwrap() == first);
+    // A trunk that is drawn beside the photograph's comes to its middle.
+    let drawn = ["--trunk", "143,318 144,270 143,230", "--species", "Birch", "--around", "20,20 280,20"];
+    let made = penstemon(folder, &[&args[..], &drawn].concat());
+    assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
+    let stats: serde_json::Value = serde_json::from_slice(&made.stdout).unwrap();
+    assert!((stats["trunk"]["foot"][0].as_f64().unwrap() - 150.0).abs() < 3.0, "{stats}");
+    assert_eq!(stats["species"], "birch");
+}
+
+#[test]
+fn photographs_and_marks_that_say_nothing_of_a_plant_are_refused() {
+    let home = tempfile::tempdir().unwrap();
+    let folder = home.path();
+    let write = |name: &str, bytes: &[u8]| fs::write(folder.join(name), bytes).unwrap();
+    let whole = tree_photograph().0.to_png().unwrap();
+    write("tree.png", &whole);
+    write("cut.png", &whole[..whole.len() / 2]);
+    write("dot.png", &Rgba { width: 1, height: 1, pixels: vec![7; 4] }.to_png().unwrap());
+    write("grey.png", &Rgba { width: 60, height: 60, pixels: vec![200; 14_400] }.to_png().unwrap());
+    let plant = |name: &'static str, more: &[&'static str], words: &str| {
+        refused(folder, &[&["photo", name, "--kind", "plant", "-o", "o.penstemon"], more].concat(), words);
+    };
+    plant("dot.png", &[], "1×1 pixels");
+    plant("grey.png", &[], "draw a loose outline");
+    plant("cut.png", &[], "damaged");
+    plant("tree.png", &["-o", "o.glb"], ".penstemon a drawing");
+    plant("tree.png", &["--outline", "3,3 9,9"], "at least three places");
+    plant("tree.png", &["--trunk", "3,3"], "at least two places");
+    plant("tree.png", &["--copies", "3"], "--copies");
+    plant("tree.png", &["--species", "ook"], "oak");
+    plant("tree.png", &["--set", "plant.side=9999"], "64 to 1024");
+    refused(folder, &["photo", "tree.png", "-o", "o.png", "--around", "3,3"], "--kind plant");
+    let wrong = ["photo", "tree.png", "--kind", "plant", "-o", "o.png", "--plant", "3;3"];
+    assert_eq!(penstemon(folder, &wrong).status.code(), Some(2));
+    assert!(!folder.join("o.penstemon").exists() && !folder.join("o.png").exists());
+    let listed = penstemon(folder, &["photo", "--params"]);
+    assert!(String::from_utf8_lossy(&listed.stdout).contains("plant.side = 512"));
+}

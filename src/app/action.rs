@@ -8,6 +8,7 @@ use super::dialog::{Dialog, PathPurpose};
 use super::export_choice::ExportChoice;
 use super::messages::Language;
 use super::pen_settings::PenSettings;
+use super::plant_search::PlantMark;
 use super::settings::{Handedness, ThemeChoice};
 use super::stabiliser::Stabiliser;
 use super::texture_cut::{CutError, TextureCut};
@@ -213,6 +214,18 @@ pub enum Action {
     LockReference(bool),
     /// Take the reference picture away.
     RemoveReference,
+    /// Find the plant on the reference picture: the pen marks it in place of drawing, until this ends.
+    FindPlant(bool),
+    /// What lines of the pen say of the reference picture.
+    MarkPlant(PlantMark),
+    /// Forget all marks on the reference picture.
+    ClearPlantMarks,
+    /// Draw the plant that was found, as crowns and trunk.
+    UseAsCrown,
+    /// Move a branch onto the edges of the trunk under it.
+    SnapToTrunk(StrokeId),
+    /// Give leaves and bark the colours of the plant that was found.
+    ColoursFromPicture,
     /// How the plant is lit.
     SetLight(LightChoice),
     /// How the plant is shown.

@@ -15,6 +15,7 @@
 //! | `petal_tool` | the tool that shapes petals: which petal, which of its points |
 //! | `space_tool` | the tool that draws branches in space: its surface, the branch under the pen |
 //! | `pose_tool` | the tool that turns and bends branches: the branch that is held |
+//! | `plant_search` | the plant on the picture under the drawing: marks, the search, what was found |
 //! | `pens` | the pens and tablets in use |
 //! | `dialogs` | the dialog, the menu of parts, messages |
 //! | `updates` | changes that the window and the graphics card have to be notified of |
@@ -35,6 +36,7 @@ mod estimate;
 mod export;
 mod exporting;
 mod files;
+mod find_plant;
 mod interface;
 mod keys;
 mod live_plant;
@@ -53,6 +55,7 @@ mod petals;
 mod photographs;
 mod picking;
 mod pictures;
+mod plant_search;
 mod pose_tool;
 mod posing;
 mod preferences;
@@ -63,6 +66,7 @@ mod reference_hold;
 mod replay;
 mod saver;
 mod saving;
+mod snap_trunk;
 mod snapshot;
 mod space;
 mod space_marks;
@@ -89,6 +93,7 @@ use live_plant::{Collected, LivePlant, UnderPen};
 use open_drawing::OpenDrawing;
 use pens::Pens;
 use petal_tool::PetalTool;
+use plant_search::PlantSearch;
 use pose_tool::PoseTool;
 use preferences::Preferences;
 use space_tool::{SpaceStroke, SpaceTool};
@@ -119,6 +124,7 @@ pub struct Editor {
     petals: PetalTool,
     space: SpaceTool,
     posing: PoseTool,
+    search: PlantSearch,
     pens: Pens,
     dialogs: Dialogs,
     layout: Layout,
@@ -139,6 +145,7 @@ impl Editor {
         }
         self.collect_export();
         self.collect_save();
+        self.collect_plant_search();
         if self.prefs.collect_system_theme() {
             self.updates.drawing_changed();
         }
@@ -192,6 +199,8 @@ impl Editor {
         self.canvas.drawing_changed(&self.drawing.sketch().strokes, &mut outcomes);
         self.outcomes = outcomes;
         self.beside.keep_known(self.drawing.sketch().plants.len());
+        let hash = self.reference_hash();
+        self.search.keep_only(hash);
         self.live.drawing_changed(self.drawing.sketch(), self.drawing.folder());
         self.updates.drawing_changed();
         self.updates.reference_changed();

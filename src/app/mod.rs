@@ -50,6 +50,7 @@ pub mod paper;
 pub mod pen_settings;
 pub mod pen_uses;
 mod plant_painter;
+pub mod plant_search;
 mod plant_texture;
 pub mod plant_tools;
 pub mod plant_view;

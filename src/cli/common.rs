@@ -274,6 +274,20 @@ pub fn numbered(path: &Path, number: usize) -> PathBuf {
     path.with_file_name(name)
 }
 
+/// A place on a photograph, `X,Y` in pixels.
+pub(super) fn place(text: &str) -> Result<glam::Vec2, String> {
+    let numbers = text.split_once(',').map(|(x, y)| [x, y].map(|n| n.trim().parse::<f32>()));
+    match numbers {
+        Some([Ok(x), Ok(y)]) if x.is_finite() && y.is_finite() => Ok(glam::Vec2::new(x, y)),
+        _ => Err("write it as X,Y, for instance 320,610.5".to_owned()),
+    }
+}
+
+/// A number with three decimals.
+pub(super) fn rounded(number: f64) -> Value {
+    ((number * 1e3).round() / 1e3).into()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -282,5 +296,13 @@ mod tests {
     fn one_of_many_files_is_numbered_before_the_ending() {
         assert_eq!(numbered(Path::new("out/plant.png"), 7), Path::new("out/plant-007.png"));
         assert_eq!(numbered(Path::new("plant"), 12), Path::new("plant-012.png"));
+    }
+
+    #[test]
+    fn places_are_two_numbers() {
+        assert_eq!(place("3, 4.5"), Ok(glam::Vec2::new(3.0, 4.5)));
+        for text in ["", "3", "3,", "x,4", "nan,2", "1,2,3"] {
+            assert!(place(text).is_err(), "{text}");
+        }
     }
 }

@@ -18,6 +18,7 @@ mod lod;
 pub mod params;
 pub mod pen;
 pub mod photo;
+mod photo_plant;
 pub mod render;
 mod rose;
 pub mod studio;
@@ -57,7 +58,7 @@ pub enum Verb {
     Lobes(lobes::Args),
     /// What the analysis understood of a drawing, as JSON.
     Inspect(inspect::Args),
-    /// Petals, leaves and bark from photographs: outline, texture, or a drawing with both.
+    /// Petals, leaves, bark and whole plants from photographs: outline, texture or mask, or a drawing with them.
     Photo(photo::Args),
     /// Every parameter that --set can change: path, value, unit, range and meaning.
     Params(params::Args),

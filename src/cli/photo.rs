@@ -1,6 +1,8 @@
-//! `penstemon photo PICTURE -o OUT`: a petal, leaf or bark from a photograph.
+//! `penstemon photo PICTURE -o OUT`: a petal, leaf or bark from a photograph; a whole plant is in `photo_plant`.
 
-use super::{common, params};
+use super::common::{self, place, rounded};
+use super::params;
+use super::photo_plant::{self, PlantArgs, Written};
 use crate::atomic::write_group_atomically;
 use crate::file_system::System;
 use crate::input::Sources;
@@ -20,10 +22,12 @@ use std::time::Instant;
 /// Arguments of `photo`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// The photograph: PNG or JPEG. What is on it lies on a plain ground of another colour, or its alpha says where it is.
+    /// The photograph: PNG or JPEG. What is on it lies on a plain ground of another colour, or its alpha says where it is; a whole plant
+    /// may stand before anything.
     #[arg(required_unless_present = "params")]
     pub picture: Option<PathBuf>,
-    /// What is written: .png is the texture, .svg the outline, .penstemon a drawing with both; may be given again.
+    /// What is written: .png is the texture, of a plant its mask; .svg the outline; .penstemon a drawing with both, or of a plant with crowns
+    /// and trunk over the photograph; may be given again.
     #[arg(short, long = "out", value_name = "FILE", required_unless_present = "params")]
     pub out: Vec<PathBuf>,
     /// What is on it.
@@ -38,6 +42,9 @@ pub struct Args {
     /// How many petals the drawn flower has, or leaves the stem: 5 petals, 1 leaf.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=40))]
     pub copies: Option<u32>,
+    #[command(flatten)]
+    #[allow(missing_docs)]
+    pub whole: PlantArgs,
     /// Any parameter by its path, for instance clean.contrast=0.5; may be given again. --params lists them.
     #[arg(long = "set", value_name = "PARAM=VALUE")]
     pub assignments: Vec<String>,
@@ -58,15 +65,8 @@ pub enum Kind {
     Leaf,
     /// Bark that fills the photograph.
     Bark,
-}
-
-/// `X,Y`, in pixels.
-fn place(text: &str) -> Result<Vec2, String> {
-    let numbers = text.split_once(',').map(|(x, y)| [x, y].map(|n| n.trim().parse::<f32>()));
-    match numbers {
-        Some([Ok(x), Ok(y)]) if x.is_finite() && y.is_finite() => Ok(Vec2::new(x, y)),
-        _ => Err("write it as X,Y, for instance 320,610.5".to_owned()),
-    }
+    /// A whole plant before its surroundings: crowns to grow into, trunk and colours.
+    Plant,
 }
 
 /// What can be written.
@@ -93,7 +93,7 @@ fn output_of(path: &Path, kind: Kind) -> Result<Output> {
     }
 }
 
-/// What came of a photograph.
+/// What came of a photograph of a part.
 enum Made {
     Blade(Box<BladePhoto>, BladeKind),
     Bark(BarkPhoto),
@@ -110,7 +110,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         common::print(&all.join("\n"))?;
         return Ok(ExitCode::SUCCESS);
     }
-    let outputs = args.out.iter().map(|out| output_of(out, args.kind)).collect::<Result<Vec<_>>>()?;
+    check(args)?;
     let mut overrides = Overrides::over(&usual);
     for assignment in &args.assignments {
         overrides.set_text(assignment).with_context(|| format!("--set {assignment}"))?;
@@ -122,24 +122,52 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     sources.add(path);
     sources.spare(args.out.iter().map(PathBuf::as_path))?;
     let begun = Instant::now();
-    let (_, pixels) = Picture::read_with_pixels(path).with_context(named)?;
+    let (picture, pixels) = Picture::read_with_pixels(path).with_context(named)?;
     let read_ms = begun.elapsed().as_secs_f64() * 1e3;
-    let begun = Instant::now();
-    let made = make(&pixels, args, &params).with_context(named)?;
-    let made_ms = begun.elapsed().as_secs_f64() * 1e3;
-    if let Made::Blade(photo, _) = &made {
-        photo.remarks.iter().for_each(|remark| tracing::warn!("{}: {remark}", path.display()));
-    }
-    let bytes = write(args, &outputs, &made, (&pixels, &params))?;
+    let written = match args.kind {
+        Kind::Plant => photo_plant::written((&picture, &pixels), (&args.whole, &args.out), &params),
+        _ => written(&pixels, args, &params),
+    };
+    let written = written.with_context(named)?;
+    written.remarks.iter().for_each(|remark| tracing::warn!("{}: {remark}", path.display()));
     if args.stats {
-        let mut stats = stats(&made);
+        let mut stats = written.stats;
         stats["photograph"] = object!([pixels.width, pixels.height]);
         stats["read_ms"] = rounded(read_ms);
-        stats["made_ms"] = rounded(made_ms);
-        stats["bytes"] = bytes.into();
+        stats["made_ms"] = rounded(written.made_ms);
+        stats["bytes"] = written.bytes.into();
         common::print(&stats.to_string())?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// Refuses what does not go together, before anything is read.
+fn check(args: &Args) -> Result<()> {
+    if args.kind != Kind::Plant {
+        ensure!(
+            !args.whole.is_given(),
+            "--outline, --plant, --around, --trunk and --species are for whole plants; add --kind plant, or leave them out"
+        );
+        return args.out.iter().try_for_each(|out| output_of(out, args.kind).map(|_| ()));
+    }
+    ensure!(
+        args.base.is_none() && args.copies.is_none(),
+        "a whole plant has neither --base and --tip nor --copies; leave them out"
+    );
+    photo_plant::check(&args.whole, &args.out)
+}
+
+fn written(pixels: &Rgba, args: &Args, params: &PhotoParams) -> Result<Written> {
+    let outputs = args.out.iter().map(|out| output_of(out, args.kind)).collect::<Result<Vec<_>>>()?;
+    let begun = Instant::now();
+    let made = make(pixels, args, params)?;
+    let made_ms = begun.elapsed().as_secs_f64() * 1e3;
+    let remarks = match &made {
+        Made::Blade(photo, _) => photo.remarks.iter().map(ToString::to_string).collect(),
+        Made::Bark(_) => Vec::new(),
+    };
+    let bytes = write(args, &outputs, &made, (pixels, params))?;
+    Ok(Written { remarks, stats: stats(&made), bytes, made_ms })
 }
 
 fn make(pixels: &Rgba, args: &Args, params: &PhotoParams) -> Result<Made> {
@@ -151,6 +179,7 @@ fn make(pixels: &Rgba, args: &Args, params: &PhotoParams) -> Result<Made> {
             ensure!(ends.is_none(), "bark has neither base nor tip; leave --base and --tip out");
             return Ok(Made::Bark(BarkPhoto::of_photograph(pixels, params)?));
         }
+        Kind::Plant => bail!("a whole plant is no part of one"),
     };
     Ok(Made::Blade(Box::new(BladePhoto::of_photograph(pixels, ends, params)?), kind))
 }
@@ -226,22 +255,9 @@ fn stats(made: &Made) -> Value {
     stats
 }
 
-/// A number with three decimals.
-fn rounded(number: f64) -> Value {
-    ((number * 1e3).round() / 1e3).into()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn places_are_two_numbers() {
-        assert_eq!(place("3, 4.5"), Ok(Vec2::new(3.0, 4.5)));
-        for text in ["", "3", "3,", "x,4", "nan,2", "1,2,3"] {
-            assert!(place(text).is_err(), "{text}");
-        }
-    }
 
     #[test]
     fn endings_say_what_is_written() {

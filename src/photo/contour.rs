@@ -68,21 +68,11 @@ impl Field<'_> {
 /// The contour that encloses the most; in pixels, clockwise as seen on the screen, first point not repeated. `None` where the
 /// field is nowhere ½.
 pub(super) fn largest(field: &Raster<f32>) -> Option<Vec<Vec2>> {
-    let (field, width, height) = (Field(field), field.width() as isize, field.height() as isize);
-    // Every contour crosses a line between two pixels of a row.
-    let index = |(x, y): (isize, isize)| (y * (width + 1) + x + 1) as usize;
-    let mut seen = vec![false; ((width + 1) * height) as usize];
     let mut best: Option<(f32, Vec<Vec2>)> = None;
-    for y in 0..height {
-        for x in -1..width {
-            if seen[index((x, y))] || !field.crosses((x, y), 0) {
-                continue;
-            }
-            let contour = walk(&field, (x, y), |at| seen[index(at)] = true);
-            let area = simple_loop::signed_area(contour.iter().copied());
-            if best.as_ref().is_none_or(|(most, _)| area.abs() > most.abs()) {
-                best = Some((area, contour));
-            }
+    for contour in all(field) {
+        let area = simple_loop::signed_area(contour.iter().copied());
+        if best.as_ref().is_none_or(|(most, _)| area.abs() > most.abs()) {
+            best = Some((area, contour));
         }
     }
     let (area, mut contour) = best?;
@@ -91,6 +81,23 @@ pub(super) fn largest(field: &Raster<f32>) -> Option<Vec<Vec2>> {
         contour.reverse();
     }
     Some(contour)
+}
+
+/// All contours, in the order of their uppermost rows; in pixels, each around in either sense, first point not repeated.
+pub(super) fn all(field: &Raster<f32>) -> Vec<Vec<Vec2>> {
+    let (field, width, height) = (Field(field), field.width() as isize, field.height() as isize);
+    // Every contour crosses a line between two pixels of a row.
+    let index = |(x, y): (isize, isize)| (y * (width + 1) + x + 1) as usize;
+    let mut seen = vec![false; ((width + 1) * height) as usize];
+    let mut contours = Vec::new();
+    for y in 0..height {
+        for x in -1..width {
+            if !seen[index((x, y))] && field.crosses((x, y), 0) {
+                contours.push(walk(&field, (x, y), |at| seen[index(at)] = true));
+            }
+        }
+    }
+    contours
 }
 
 /// Follows a contour around, from the upper side of a cell; `pass` gets every cell whose upper side it crosses.

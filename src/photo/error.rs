@@ -54,6 +54,34 @@ pub enum PhotoError {
     /// A traced outline that does not lie over the picture.
     #[error("the stroke does not lie over the picture; move one of them")]
     BesidePicture,
+    /// Too little has the colours of a plant before its surroundings.
+    #[error(
+        "no plant was found on the photograph ({share:.1} % of it, at least {least:.0} % are needed); draw a loose outline around \
+         the plant, and a line on it"
+    )]
+    NoPlant {
+        /// Share of the photograph that was found, percent.
+        share: f32,
+        /// What is needed.
+        least: f32,
+    },
+    /// Everything has.
+    #[error(
+        "{share:.0} % of the photograph were taken for plant, more than {most:.0} %, so that nothing of its surroundings is \
+         left; draw a loose outline around the plant, or a line on what is around it"
+    )]
+    AllPlant {
+        /// Share of the photograph that was found, percent.
+        share: f32,
+        /// What is believed.
+        most: f32,
+    },
+    /// Nothing tells the plant's colours from those around it.
+    #[error(
+        "the middle of the photograph has the colours of its border, so no plant stands out; draw a loose outline around the \
+         plant, and lines on it and around it"
+    )]
+    SameColours,
     /// The finished texture cannot be encoded.
     #[error("the texture cannot be written as a picture: {0}")]
     Encoding(String),
@@ -68,6 +96,17 @@ pub enum PhotoRemark {
         /// How many of comparable size.
         count: usize,
     },
+    /// More than one plant.
+    #[error(
+        "{count} plants were found on the photograph; the largest was taken, a line on another one takes that"
+    )]
+    SeveralPlants {
+        /// How many of comparable size.
+        count: usize,
+    },
+    /// A trunk whose sides no edges show.
+    #[error("the two sides of the drawn trunk are not seen on the photograph; it stays as it was drawn")]
+    TrunkAsDrawn,
     /// A part reaches the edge of the picture.
     #[error("what was cut out touches the photograph's edge and ends there")]
     TouchesEdge,

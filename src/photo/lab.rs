@@ -18,7 +18,7 @@ const KNEE: f32 = 0.008_856_452;
 const SLOPE: f32 = 0.128_418_55;
 
 /// The colour of linear light.
-fn lab_from_linear(rgb: Vec3) -> Lab {
+pub(super) fn lab_from_linear(rgb: Vec3) -> Lab {
     let xyz = Vec3::new(
         Vec3::new(0.412_456_4, 0.357_576_1, 0.180_437_5).dot(rgb),
         Vec3::new(0.212_672_9, 0.715_152_2, 0.072_175).dot(rgb),

@@ -13,11 +13,12 @@
 //! | `texture` | the picture in the blade's UV, its colour led on outward |
 //! | `blade_photo`, `bark` | all of it in a row |
 //! | `drawing` | a drawing that shows what came of it |
+//! | `plant` | whole plants before their surroundings, as crowns to grow into |
 //! | `error` | what keeps a photograph from being used, and what is odd about it |
 //!
 //! Where we depart: the paper does the cleaning by hand in an image editor.
 //!
-//! Limits: one colour of background, one petal or leaf at a time; a side of at least 16 pixels, and as many pixels as
+//! Limits, but for `plant`: one colour of background, one petal or leaf at a time; a side of at least 16 pixels, and as many pixels as
 //! `picture::decode` takes; work is done on at most `cutout.side` pixels a side.
 
 mod background;
@@ -32,6 +33,7 @@ mod ends;
 mod error;
 mod lab;
 mod mask;
+pub mod plant;
 mod polygon;
 mod raster;
 mod shrink;
@@ -44,6 +46,7 @@ pub use blade_photo::{BladePhoto, Traced};
 pub use clean::{CleanParams, Cleaned};
 pub use drawing::{BladeKind, picture_of};
 pub use error::{PhotoError, PhotoRemark};
+pub use plant::{PlantParams, SnapParams};
 pub use texture::TextureParams;
 
 crate::parameter_groups! {
@@ -57,6 +60,10 @@ crate::parameter_groups! {
         texture: TextureParams;
         /// Bark.
         bark: BarkParams;
+        /// Finding a whole plant.
+        plant: PlantParams;
+        /// Moving a drawn trunk onto the edges of the photograph.
+        snap: SnapParams;
     }
 }
 

@@ -6,7 +6,8 @@ use egui_kittest::kittest::Queryable;
 use penstemon::app::action::Action;
 use penstemon::app::messages::{Language, Messages, Msg};
 use penstemon::app::panels::Snapshot;
-use penstemon::app::panels::snapshot::{PathPurpose, ReferenceState, Shading};
+use penstemon::app::panels::snapshot::{PathPurpose, PlantSearchState, ReferenceState, Shading};
+use penstemon::app::plant_search::PlantMark;
 use penstemon::app::presets::Listed;
 use penstemon::plant::OrganKind;
 use penstemon::sketch::{Picture, TextureChoice};
@@ -134,5 +135,41 @@ fn a_guessed_species_says_so_and_is_kept_or_left_to_the_drawing_with_one_tap() {
         assert_eq!(of_guess.top(), of_choice.top(), "nothing moves");
         press(&mut harness, messages.get(Msg::SpeciesGuess));
         assert_eq!(asked(&mut harness), [Action::GuessSpecies]);
+    }
+}
+
+#[test]
+fn the_plant_on_the_reference_picture_is_sought_marked_and_used_by_tapping() {
+    let mut snapshot = busy();
+    snapshot.reference = Some(ReferenceState { opacity: 0.5, locked: false });
+    let mut harness = stage(snapshot.clone(), Language::English);
+    press(&mut harness, "View");
+    harness.get_by_label("Find the plant").scroll_to_me();
+    harness.run();
+    assert!(harness.query_by_label("Use as crown").is_none(), "nothing has been found");
+    press(&mut harness, "Find the plant");
+    assert_eq!(asked(&mut harness), [Action::FindPlant(true)]);
+    snapshot.plant_search = PlantSearchState {
+        on: true,
+        any_marks: true,
+        share: Some(24.4),
+        branch: Some(3),
+        ..PlantSearchState::default()
+    };
+    let mut harness = stage(snapshot, Language::English);
+    press(&mut harness, "View");
+    assert!(harness.query_by_label("The plant takes 24 % of the picture.").is_some());
+    for (label, action) in [
+        ("Around it", Action::MarkPlant(PlantMark::Around)),
+        ("Use as crown", Action::UseAsCrown),
+        ("Colours from the picture", Action::ColoursFromPicture),
+        ("Snap to the trunk", Action::SnapToTrunk(3)),
+        ("Clear marks", Action::ClearPlantMarks),
+        ("Find the plant", Action::FindPlant(false)),
+    ] {
+        harness.get_by_label(label).scroll_to_me();
+        harness.run();
+        press(&mut harness, label);
+        assert_eq!(asked(&mut harness), [action], "{label}");
     }
 }

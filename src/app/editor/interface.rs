@@ -169,6 +169,7 @@ impl Editor {
             painter.circle(point(middle), 8.0, palette.panel, line);
         }
         self.paint_plants(&painter, palette);
+        self.paint_plant_search(&painter, palette);
         if let Some((middle, radius)) = self.canvas.cursor().circle {
             let radius = (radius / scale) as f32;
             painter.circle_stroke(

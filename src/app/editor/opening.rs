@@ -11,6 +11,7 @@ use super::lost_drawings::LostDrawings;
 use super::open_drawing::OpenDrawing;
 use super::pens::Pens;
 use super::petal_tool::PetalTool;
+use super::plant_search::PlantSearch;
 use super::pose_tool::PoseTool;
 use super::preferences::Preferences;
 use super::preset_folder::PresetFolder;
@@ -89,6 +90,7 @@ impl Editor {
             live,
             beside: Beside::default(),
             petals: PetalTool::default(),
+            search: PlantSearch::default(),
             space: SpaceTool::default(),
             posing: PoseTool::default(),
             pens: Pens::default(),

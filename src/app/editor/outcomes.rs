@@ -20,7 +20,7 @@ impl Editor {
             self.pens.touches(event.sample.tool);
             self.dialogs.close_part_menu();
         }
-        if !self.hold_plant(&event) && !self.hold_reference(&event) {
+        if !self.mark_plant(&event) && !self.hold_plant(&event) && !self.hold_reference(&event) {
             self.on_canvas(|canvas, drawing, out| canvas.pen(&event, drawing, out));
         }
     }

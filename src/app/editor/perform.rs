@@ -24,6 +24,9 @@ use std::time::Instant;
 impl Editor {
     /// Carries out an action. What goes wrong is reported in a notice.
     pub fn perform(&mut self, action: Action) {
+        if matches!(action, Action::SetTool(_)) {
+            self.search.stop();
+        }
         if self.on_canvas(|canvas, drawing, out| canvas.act(&action, drawing, out)) {
             self.dialogs.close_part_menu();
             if action == Action::FitCanvas {
@@ -70,6 +73,7 @@ impl Editor {
     /// Actions about what is drawn and what grows of it.
     fn perform_on_drawing(&mut self, action: Action) {
         match action {
+            Action::Undo if self.search.take_back() => self.seek_plant(),
             Action::Undo => {
                 let is_other = self.drawing.undo();
                 self.changed(is_other);
@@ -95,7 +99,7 @@ impl Editor {
             Action::SetReferenceOpacity(opacity) => self.edit_reference(|r| r.opacity = opacity),
             Action::LockReference(locked) => self.edit_reference(|r| r.locked = locked),
             Action::RemoveReference => self.change(Change::reference(None)),
-            other => self.perform_on_plants(other),
+            other => self.perform_on_plant_search(other),
         }
     }
 

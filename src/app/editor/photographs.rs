@@ -153,10 +153,17 @@ fn is_from_behind(built: &Built, stroke: StrokeId) -> bool {
 }
 
 /// Where a place of the canvas lies on the picture under it, in the picture's pixels.
-fn on_picture(reference: &Reference, canvas: Vec2) -> Vec2 {
+pub(super) fn on_picture(reference: &Reference, canvas: Vec2) -> Vec2 {
     let size = reference.picture.size_px().as_vec2();
     let upright = Vec2::from_angle(-reference.rotation_deg.to_radians()).rotate(canvas - reference.center);
     0.5 * size + upright * (size.x / reference.width)
+}
+
+/// Where a place of the picture under the drawing, in its pixels, lies on the canvas.
+pub(super) fn on_canvas(reference: &Reference, picture: Vec2) -> Vec2 {
+    let size = reference.picture.size_px().as_vec2();
+    let off = (picture - 0.5 * size) * (reference.width / size.x);
+    reference.center + Vec2::from_angle(reference.rotation_deg.to_radians()).rotate(off)
 }
 
 #[cfg(test)]

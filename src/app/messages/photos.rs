@@ -26,6 +26,15 @@ impl Localize for PhotoError {
             Self::CutOff { share } => {
                 messages.fill(Msg::ErrorPhotoCutOff, &[("share", &format!("{share:.0}"))])
             }
+            Self::NoPlant { share, least } => {
+                let (share, least) = (format!("{share:.1}"), format!("{least:.0}"));
+                messages.fill(Msg::ErrorPhotoNoPlant, &[("share", &share), ("least", &least)])
+            }
+            Self::AllPlant { share, most } => {
+                let [share, most] = [share, most].map(|number| format!("{number:.0}"));
+                messages.fill(Msg::ErrorPhotoAllPlant, &[("share", &share), ("most", &most)])
+            }
+            Self::SameColours => messages.get(Msg::ErrorPhotoSameColours).to_owned(),
             Self::NoOutline => messages.get(Msg::ErrorPhotoNoOutline).to_owned(),
             Self::BesidePicture => messages.get(Msg::ErrorPhotoBeside).to_owned(),
             // The window gives no ends, and textures are small.
@@ -38,6 +47,10 @@ impl Localize for PhotoRemark {
     fn localize(&self, messages: &Messages) -> String {
         match self {
             Self::Several { count } => messages.fill(Msg::WarningPhotoSeveral, &[("number", count)]),
+            Self::SeveralPlants { count } => {
+                messages.fill(Msg::WarningPhotoSeveralPlants, &[("number", count)])
+            }
+            Self::TrunkAsDrawn => messages.get(Msg::WarningPhotoTrunkAsDrawn).to_owned(),
             Self::TouchesEdge => messages.get(Msg::WarningPhotoTouchesEdge).to_owned(),
             Self::PartlyBeside { share } => {
                 messages.fill(Msg::WarningPhotoPartlyBeside, &[("share", &format!("{share:.0}"))])

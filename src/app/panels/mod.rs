@@ -24,6 +24,7 @@ pub mod part_menu;
 mod path_dialog;
 pub mod pen;
 pub mod petals;
+mod plant_search;
 mod plant_tools;
 mod pose;
 pub mod presets;

@@ -1,6 +1,7 @@
 //! How the plant is shown: light, what it is shown as, camera.
 
 use super::icons::Icon;
+use super::plant_search;
 use super::rail::{Rail, RailChange, Scale, number};
 use super::snapshot::{LightChoice, ReferenceState, Shading, Snapshot};
 use super::widgets::{note, palette, section, segments, switch, text_button_sized};
@@ -48,7 +49,10 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec
     }
     section(ui, messages.get(Msg::ViewLight), |ui| light(ui, &snapshot.view.light, messages, out));
     if let Some(state) = snapshot.reference {
-        section(ui, messages.get(Msg::ReferenceTitle), |ui| reference(ui, state, messages, out));
+        section(ui, messages.get(Msg::ReferenceTitle), |ui| {
+            reference(ui, state, messages, out);
+            plant_search::show(ui, snapshot, messages, out);
+        });
     }
 }
 

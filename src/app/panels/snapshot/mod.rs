@@ -23,6 +23,7 @@ pub use status::{Autosave, Found, PenUsed, Status, Task};
 pub use crate::app::dialog::{Dialog, PathPurpose, PathRequest, Recovered};
 pub use crate::app::export_choice::{ExportChoice, ExportFormat};
 pub use crate::app::notice::{Notice, Severity};
+pub use crate::app::plant_search::PlantSearchState;
 pub use crate::app::view_state::{LightChoice, ReferenceState, Shading, ViewState};
 
 use crate::app::canvas_tool::CanvasTool;
@@ -92,6 +93,8 @@ pub struct Snapshot {
     pub presets: Vec<Listed>,
     /// The reference picture under the drawing.
     pub reference: Option<ReferenceState>,
+    /// The search for the plant on it.
+    pub plant_search: PlantSearchState,
     /// How the plant is shown.
     pub view: ViewState,
     /// The pen last used.
