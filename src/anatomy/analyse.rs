@@ -193,12 +193,11 @@ fn remarks_on(readings: &[Arc<Reading>], (together, thin): (&[Warning], &[ThinSp
     }
     let dots: HashSet<StrokeId> = thin.iter().map(|spot| spot.stroke).collect();
     for reading in readings {
-        if let Some(remark) = reading.warning.as_ref().filter(|_| !dots.contains(&reading.id)) {
+        if dots.contains(&reading.id) {
+            warnings.add(Some(reading.id), || Remark::ThinsCrown);
+        } else if let Some(remark) = &reading.warning {
             warnings.add(Some(reading.id), || remark.clone());
         }
-    }
-    if let Some(first) = thin.first() {
-        warnings.add(Some(first.stroke), || Remark::ThinsCrown { dots: thin.len() });
     }
     warnings
 }

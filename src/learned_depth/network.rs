@@ -146,11 +146,11 @@ impl Network {
         for (up, seen) in self.up.iter().zip(kept.iter().rev().skip(1)) {
             maps = up.rectified(&maps.doubled().followed_by(seen));
         }
-        self.told(&self.head.of(&maps), picture, 1.0 / (1.0 + (-likely - constant).exp()))
+        self.answer_of(&self.head.of(&maps), picture, 1.0 / (1.0 + (-likely - constant).exp()))
     }
 
     /// The answer from what the last layer gives, in halves of the picture.
-    fn told(&self, last: &Maps, picture: &Picture, plant: f32) -> Answer {
+    fn answer_of(&self, last: &Maps, picture: &Picture, plant: f32) -> Answer {
         let scale =
             |k: usize| last.channel(k).iter().map(|log| DEEPEST * log.exp().clamp(LEAST, 1.0)).collect();
         let half = picture.inflated_in_quarter_cells();
@@ -229,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn crowns_are_told_from_letters_and_wide_ones_are_deep() {
+    fn crowns_are_distinguished_from_letters_and_wide_ones_are_deep() {
         let network = Network::read(SHIPPED).unwrap();
         let tree = network.answer(&picture(oval(90.0, 70.0)), None);
         assert!(tree.plant > 0.9, "{}", tree.plant);

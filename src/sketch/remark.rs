@@ -223,12 +223,9 @@ pub enum Remark {
         /// How many it may have.
         triangles: u64,
     },
-    /// Dots in a crown.
-    #[error("{dots} dots inside of a crown make its foliage sparser there; erase them for a dense crown")]
-    ThinsCrown {
-        /// How many.
-        dots: usize,
-    },
+    /// A dot in a crown.
+    #[error("a dot inside of a crown makes its foliage sparser there; erase it for a dense crown")]
+    ThinsCrown,
     /// Fineness of crowns where there is none.
     #[error(
         "fineness changes only what grows in a crown, and this drawing has none; draw one with the tool crown"
@@ -318,7 +315,7 @@ impl Remark {
             | Self::ReadAs(_)
             | Self::FlowerCentre
             | Self::StandsApart
-            | Self::ThinsCrown { .. }
+            | Self::ThinsCrown
             | Self::FinenessUnused
             | Self::LooksLike { .. }
             | Self::More { .. } => false,

@@ -67,7 +67,7 @@ impl Localize for Remark {
             Self::GrammarStopped { fault } => fill(Msg::WarningGrammarStopped, &[("fault", fault)]),
             Self::BlossomThinned { flowers } => fill(Msg::WarningBlossomThinned, &[("flowers", flowers)]),
             Self::Coarser { triangles } => fill(Msg::WarningCoarser, &[("triangles", triangles)]),
-            Self::ThinsCrown { dots } => fill(Msg::WarningThinsCrown, &[("dots", dots)]),
+            Self::ThinsCrown => fill(Msg::WarningThinsCrown, &[]),
             Self::FinenessUnused => fill(Msg::WarningFineness, &[]),
             Self::LooksLike { species } => {
                 let species: Vec<String> =
@@ -168,8 +168,8 @@ mod tests {
             Remark::LeavesThinned { .. } => Remark::BlossomThinned { flowers: 55 },
             Remark::BlossomThinned { .. } => Remark::GrammarStopped { fault: "line 61".to_owned() },
             Remark::GrammarStopped { .. } => Remark::Coarser { triangles: 56 },
-            Remark::Coarser { .. } => Remark::ThinsCrown { dots: 57 },
-            Remark::ThinsCrown { .. } => Remark::FinenessUnused,
+            Remark::Coarser { .. } => Remark::ThinsCrown,
+            Remark::ThinsCrown => Remark::FinenessUnused,
             Remark::FinenessUnused => Remark::LooksLike { species: "oak".to_owned() },
             Remark::LooksLike { .. } => Remark::NoSuchPlant { known: "oak".to_owned() },
             Remark::NoSuchPlant { .. } => Remark::PlantOutOfScale,
