@@ -63,6 +63,23 @@ for years in -1 4; do
 done
 python3 scripts/sheet.py 6 docs/images/in_space.png "$space"/*.png
 rm -rf "$space"
+# Drawn crowns, their plants from front and side, and from the side without learned depth.
+sides=$(mktemp -d)
+row() {
+    local drawing=$1 at=$2 view
+    shift 2
+    for view in drawing front side; do
+        "$program" render "$drawing" "$@" --view "$view" --size 400x380 -o "$sides/$at-$view.png"
+    done
+    "$program" render "$drawing" "$@" --set depth.learned.crown=0 --set depth.learned.branches=0 --view side --size 400x380 \
+        -o "$sides/$at-side-by-rules.png"
+}
+row tests/fixtures/crowns/flat.svg 1 --species acacia
+row tests/fixtures/crowns/round.svg 2 --species oak
+row assets/sketches/freehand_tree.penstemon 3
+python3 scripts/sheet.py 4 docs/images/learned_depth.png --size 300x285 "$sides"/*.png
+rm -rf "$sides"
+
 # Plants that grew into lobes, and the lobes.
 lobes=$(mktemp -d)
 for name in bonsai swan; do

@@ -15,6 +15,7 @@ use penstemon::random::mix;
 use penstemon::sketch::{Sketch, Stroke, StrokePoint, Tool};
 use penstemon::species::Species;
 use std::collections::BTreeMap;
+use std::io::Write as _;
 use std::sync::Arc;
 
 /// Pixels of a drawing along a side of the picture.
@@ -42,11 +43,13 @@ impl Table {
         entry.1 += 1.0;
     }
 
-    fn print(&self, title: &str) {
-        println!("{title}");
-        for (name, (sum, weight)) in &self.0 {
-            println!("  {name:<48} {:.4}", sum / weight.max(f64::MIN_POSITIVE));
+    fn print(&self, title: &str) -> Result<()> {
+        let mut out = std::io::stdout().lock();
+        writeln!(out, "{title}")?;
+        for (name, (sum, count)) in &self.0 {
+            writeln!(out, "  {name:<56} {:.4}", sum / count.max(1.0))?;
         }
+        Ok(())
     }
 }
 
@@ -54,13 +57,13 @@ impl Table {
 pub(crate) fn judge(plants: u64, is_whole: bool) -> Result<()> {
     let network = Network::shipped().context("the program was built without weights")?;
     let (mut seeds, mut habits) = (Table::default(), Table::default());
-    for (number, kind) in Kind::all().iter().enumerate() {
+    for (number, kind) in Kind::all()?.iter().enumerate() {
         let table = if kind.is_held_back() { &mut habits } else { &mut seeds };
         for plant in 0..plants {
             // Every tenth plant is not trained on.
             let seed = mix(number as u64, 10 * plant);
             let mut oldest = None;
-            kind.grow(seed, |tree| oldest = Some(tree));
+            kind.grow(seed, |tree| oldest = Some(tree))?;
             let Some(tree) = oldest else { continue };
             let Some(view) = View::of(&tree, mix(seed, 400)) else { continue };
             judge_depth(network, &view, kind, table);
@@ -69,9 +72,8 @@ pub(crate) fn judge(plants: u64, is_whole: bool) -> Result<()> {
             }
         }
     }
-    seeds.print("habits that were trained on, other seeds");
-    habits.print("habits that were not trained on");
-    Ok(())
+    seeds.print("habits that were trained on, other seeds")?;
+    habits.print("habits that were not trained on")
 }
 
 /// Errors over the crown and along the wood, as shares of the picture's side.

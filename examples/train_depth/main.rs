@@ -69,14 +69,14 @@ fn make_set(out: &PathBuf, plants: u64) -> Result<()> {
     let mut file =
         BufWriter::new(File::create(out).with_context(|| format!("cannot write {}", out.display()))?);
     let mut rows = 0;
-    for (number, kind) in Kind::all().iter().enumerate() {
+    for (number, kind) in Kind::all()?.iter().enumerate() {
         let started = std::time::Instant::now();
         let of_plant = |plant: u64| {
             let test = if kind.is_held_back() { 2 } else { u8::from(plant.is_multiple_of(TEST)) };
             let seed = mix(number as u64, plant);
             let mut bytes = Vec::new();
             let mut age = 0;
-            kind.grow(seed, |tree| {
+            let grown = kind.grow(seed, |tree| {
                 age += 1;
                 for side in 0..SIDES {
                     if let Some(view) = View::of(&tree, mix(seed, 100 * age + side)) {
@@ -85,23 +85,33 @@ fn make_set(out: &PathBuf, plants: u64) -> Result<()> {
                     }
                 }
             });
-            bytes
+            grown.map(|()| bytes)
         };
-        let all: Vec<Vec<u8>> = (0..plants).into_par_iter().map(of_plant).collect();
+        let all: Vec<Vec<u8>> = (0..plants).into_par_iter().map(of_plant).collect::<Result<_>>()?;
         for bytes in &all {
             file.write_all(bytes)?;
             rows += bytes.len() / (views::BYTES + 2);
         }
-        println!("{:>20}: {rows} rows, {:.1} s", kind.name, started.elapsed().as_secs_f32());
+        writeln!(
+            std::io::stdout(),
+            "{:>20}: {rows} rows, {:.1} s",
+            kind.name,
+            started.elapsed().as_secs_f32()
+        )?;
     }
     for shape in 0..plants * SHAPES {
-        file.write_all(&shapes::bytes(mix(0x5ea9e, shape)))?;
+        file.write_all(&shapes::bytes(mix(0x5ea9e, shape))?)?;
         file.write_all(&tail(255, u8::from(shape.is_multiple_of(TEST))))?;
     }
     file.flush()?;
-    let names: Vec<String> = Kind::all().into_iter().map(|kind| kind.name).collect();
+    let names: Vec<String> = Kind::all()?.into_iter().map(|kind| kind.name).collect();
     let beside = format!("{}.names", out.display());
     std::fs::write(&beside, names.join("\n")).with_context(|| format!("cannot write {beside}"))?;
-    println!("{rows} rows of plants and {} of shapes, {} bytes each", plants * SHAPES, views::BYTES + 2);
+    writeln!(
+        std::io::stdout(),
+        "{rows} rows of plants and {} of shapes, {} bytes each",
+        plants * SHAPES,
+        views::BYTES + 2
+    )?;
     Ok(())
 }

@@ -1,6 +1,7 @@
 //! Areas that are no crowns, which the network learns to know: letters, stars, animals, boxes.
 
 use crate::views::BYTES;
+use anyhow::{Context as _, Result};
 use glam::Vec2;
 use penstemon::learned_depth::picture::{self, Frame, Line, Picture, SIDE};
 use penstemon::random::{mix, unit};
@@ -29,7 +30,7 @@ const LETTERS: [&[&[(f32, f32)]]; 16] = [
 type Bar = (Vec2, Vec2, f32);
 
 /// The bytes of the picture of such an area; its depth is unknown.
-pub(crate) fn bytes(seed: u64) -> Vec<u8> {
+pub(crate) fn bytes(seed: u64) -> Result<Vec<u8>> {
     let mut state = seed;
     let mut lot = |low: f32, high: f32| {
         state = mix(state, 1);
@@ -42,7 +43,7 @@ pub(crate) fn bytes(seed: u64) -> Vec<u8> {
         3 => star(&mut lot),
         _ => boxed(&mut lot),
     };
-    let frame = Frame::around(Vec2::ZERO, [Vec2::new(0.0, -1.0)].into_iter()).expect("it has an extent");
+    let frame = Frame::around(Vec2::ZERO, [Vec2::new(0.0, -1.0)].into_iter()).context("an extent of 1")?;
     let stem = Line { points: vec![Vec2::ZERO, Vec2::new(lot(-0.1, 0.1), -lot(0.3, 0.7))], is_trunk: true };
     let wood = if lot(0.0, 1.0) < 0.5 { vec![stem] } else { Vec::new() };
     let picture = Picture::new(&area, &frame, &wood);
@@ -51,7 +52,7 @@ pub(crate) fn bytes(seed: u64) -> Vec<u8> {
         row[i] =
             if i < 3 * SIDE * SIDE { (v * 255.0).round() as u8 } else { (v * 127.0).round() as i8 as u8 };
     }
-    row
+    Ok(row)
 }
 
 fn letter(lot: &mut impl FnMut(f32, f32) -> f32) -> Vec<Bar> {

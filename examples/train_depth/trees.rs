@@ -3,6 +3,7 @@
 //! Habits are the species that grow, and others made from them by `habit.…` parameters. Every plant has, besides its seed, branching
 //! angles, lift and internodes of its own within some percent. All ages of a plant come from one simulation.
 
+use anyhow::Result;
 use glam::Vec3;
 use penstemon::growth::{self, Limits, Simulation};
 use penstemon::pipeline;
@@ -37,12 +38,11 @@ pub(crate) struct Kind {
 
 impl Kind {
     /// All habits, sorted by name: those of species first.
-    pub(crate) fn all() -> Vec<Self> {
+    pub(crate) fn all() -> Result<Vec<Self>> {
         let own = Species::growing().into_iter().map(|name| (name, name, &[][..]));
-        let kind = |(name, species, assignments): (&str, &str, &[&str])| Self {
-            name: name.to_owned(),
-            species: Species::built_in(species).expect("built in"),
-            assignments: assignments.iter().map(|&text| text.to_owned()).collect(),
+        let kind = |(name, species, assignments): (&str, &str, &[&str])| {
+            let assignments = assignments.iter().map(|&text| text.to_owned()).collect();
+            Ok(Self { name: name.to_owned(), species: Species::built_in(species)?, assignments })
         };
         own.chain(ALTERED).map(kind).collect()
     }
@@ -58,9 +58,8 @@ impl Kind {
     }
 
     /// Grows a plant and hands on what it is at each of its ages.
-    pub(crate) fn grow(&self, seed: u64, mut each: impl FnMut(Tree)) {
-        let params =
-            pipeline::params_of_species(&self.species, &self.assignments).expect("assignments that hold");
+    pub(crate) fn grow(&self, seed: u64, mut each: impl FnMut(Tree)) -> Result<()> {
+        let params = pipeline::params_of_species(&self.species, &self.assignments)?;
         let mut habit = params.habit;
         let other = |name: u64, by: f32| 1.0 + by * (2.0 * unit(mix(seed, name)) - 1.0);
         habit.branching = habit.branching.times(other(1, 0.15));
@@ -74,6 +73,7 @@ impl Kind {
             simulation.grow_to(age as u16, &|| false);
             each(Tree::of(&simulation, age));
         }
+        Ok(())
     }
 }
 

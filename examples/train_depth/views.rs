@@ -8,6 +8,7 @@ use crate::trees::{Tree, Wood};
 use glam::{Quat, Vec2, Vec3};
 use penstemon::learned_depth::picture::{self, FILLED, Frame, Line, SIDE};
 use penstemon::random::{mix, unit};
+use std::f32::consts::TAU;
 
 /// Cells along a side of what is to be learned.
 pub(crate) const CELLS: usize = SIDE / 2;
@@ -54,7 +55,7 @@ impl View {
     /// What is seen of a plant that is turned and stretched as the seed says; `None` of one too small.
     pub(crate) fn of(tree: &Tree, seed: u64) -> Option<Self> {
         let mut lot = Lot(seed);
-        let turn = Quat::from_rotation_y(lot.between(0.0, std::f32::consts::TAU));
+        let turn = Quat::from_rotation_y(lot.between(0.0, TAU));
         let tall = lot.between(0.75, 1.35);
         let seen = |p: Vec3| {
             let p = turn * p;
@@ -157,7 +158,7 @@ fn drawn(leaf: &[bool; SIDE * SIDE], lot: &mut Lot) -> Box<[bool; SIDE * SIDE]> 
         return area;
     }
     let strength = lot.between(0.3, 1.6);
-    let phases: [f32; 6] = std::array::from_fn(|_| lot.between(0.0, 6.28));
+    let phases: [f32; 6] = std::array::from_fn(|_| lot.between(0.0, TAU));
     let wave = |p: Vec2, k: usize| {
         (p.y * 19.0 + p.x * 7.0 + phases[k]).sin()
             + (p.x * 31.0 - p.y * 23.0 + phases[k + 1]).sin() * 0.6
