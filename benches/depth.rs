@@ -1,4 +1,4 @@
-//! Flat to space, alone, on one thread: the reference plants, whose time goes into the poses of flowers, and growing trees.
+//! Flat to space, alone, on one thread: the reference plants, whose time goes into the poses of flowers, growing trees, and what a network says.
 //! `cargo bench --bench depth`.
 
 #![allow(
@@ -9,9 +9,12 @@
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use penstemon::anatomy::analyse;
+use penstemon::depth::learned::field_of;
 use penstemon::depth::{DepthParams, recover};
+use penstemon::learned_depth::Memory;
 use penstemon::pipeline;
 use penstemon::sketch::{self, Sketch};
+use penstemon::species::Species;
 use std::hint::black_box;
 use std::path::Path;
 
@@ -45,5 +48,17 @@ fn trees(c: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, flowers, trees);
+/// What a network says of a crown with a trunk: asked anew, and where nothing has changed.
+fn learned(c: &mut Criterion) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/crowns/round.svg");
+    let sketch = sketch::read(&path).unwrap().0;
+    let params = pipeline::params_of(&sketch, &Species::built_in("oak").unwrap(), &[]).unwrap();
+    let anatomy = analyse(&sketch, &params.anatomy);
+    let ask = |memory: &mut Memory| field_of(memory, &anatomy, Some("oak"), 0.2, &params.depth.learned);
+    c.bench_function("depth/learned", |b| b.iter(|| black_box(ask(&mut Memory::default()))));
+    let mut memory = Memory::default();
+    c.bench_function("depth/learned again", |b| b.iter(|| black_box(ask(&mut memory))));
+}
+
+criterion_group!(benches, flowers, trees, learned);
 criterion_main!(benches);

@@ -6,7 +6,7 @@
 use super::crowns;
 use crate::anatomy::{Anatomy, FlatBranch};
 use crate::geom::polyline;
-use crate::learned_depth::{DepthField, Line, Memory};
+use crate::learned_depth::{DepthField, Line, Memory, Question};
 use glam::Vec2;
 use std::sync::Arc;
 
@@ -52,7 +52,7 @@ pub fn field_of(
     let roots = drawn.iter().filter(|b| b.parent.is_none()).filter_map(|b| b.line.first());
     let lowest = roots.map(|root| root.position).max_by(|a, b| a.y.total_cmp(&b.y));
     let foot = lowest.or_else(|| crowns::foot(anatomy, trunk))?;
-    memory.field(foot, (&outlines, &wood), habit)
+    memory.field(Question { foot, outlines, wood, habit: habit.map(str::to_owned) })
 }
 
 /// The drawn branches that reach the crowns, and those that grow on the same trunks: a herb beside a tree is none of its wood.

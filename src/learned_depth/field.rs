@@ -91,38 +91,55 @@ impl WorldDepth {
     }
 }
 
-/// What the network was asked last, and what it said.
+/// A drawing that the network is asked about; points with y down.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Question {
+    /// Where the plant stands.
+    pub foot: Vec2,
+    /// Crowns as closed outlines, filled even–odd.
+    pub outlines: Vec<Vec<Vec2>>,
+    /// Its wood, drawn one line over the other.
+    pub wood: Vec<Line>,
+    /// The name of its habit, where it is known.
+    pub habit: Option<String>,
+}
+
+impl Question {
+    fn frame(&self) -> Option<Frame> {
+        let lines = self.wood.iter().flat_map(|line| &line.points);
+        Frame::around(self.foot, self.outlines.iter().flatten().chain(lines).copied())
+    }
+}
+
+/// What the network was asked last, and what it answered.
 #[derive(Debug, Default)]
 pub struct Memory {
-    last: Option<(Frame, Picture, Option<String>, Arc<DepthField>)>,
+    last: Option<Asked>,
+}
+
+#[derive(Debug)]
+struct Asked {
+    question: Question,
+    picture: Picture,
+    field: Arc<DepthField>,
 }
 
 impl Memory {
-    /// The depth of a drawing whose plant stands on `foot`, points with y down; `None` without a network or for a drawing without
-    /// extent.
-    pub fn field(
-        &mut self,
-        foot: Vec2,
-        (outlines, wood): (&[Vec<Vec2>], &[Line]),
-        habit: Option<&str>,
-    ) -> Option<Arc<DepthField>> {
-        let network = Network::shipped()?;
-        let lines = wood.iter().flat_map(|line| &line.points);
-        let frame = Frame::around(foot, outlines.iter().flatten().chain(lines).copied())?;
-        let picture = Picture::of(&frame, outlines, wood);
-        if let Some((known, seen, of, field)) = &self.last
-            && (known, seen, of.as_deref()) == (&frame, &picture, habit)
-        {
-            return Some(Arc::clone(field));
+    /// The depth of a drawing; `None` without a network or for a drawing without extent.
+    pub fn field(&mut self, question: Question) -> Option<Arc<DepthField>> {
+        if let Some(asked) = self.last.as_ref().filter(|asked| asked.question == question) {
+            return Some(Arc::clone(&asked.field));
         }
-        let field = Arc::new(DepthField::new(network, frame, &picture, habit));
-        self.last = Some((frame, picture, habit.map(str::to_owned), Arc::clone(&field)));
+        let (network, frame) = (Network::shipped()?, question.frame()?);
+        let picture = Picture::of(&frame, &question.outlines, &question.wood);
+        let field = Arc::new(DepthField::new(network, frame, &picture, question.habit.as_deref()));
+        self.last = Some(Asked { question, picture, field: Arc::clone(&field) });
         Some(field)
     }
 
     /// What the network saw last.
     pub fn picture(&self) -> Option<&Picture> {
-        self.last.as_ref().map(|(_, picture, ..)| picture)
+        self.last.as_ref().map(|asked| &asked.picture)
     }
 
     /// Forgets it.

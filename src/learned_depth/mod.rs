@@ -20,7 +20,7 @@ mod layers;
 pub mod network;
 pub mod picture;
 
-pub use field::{DepthField, Memory, WorldDepth};
+pub use field::{DepthField, Memory, Question, WorldDepth};
 pub use network::{Network, NetworkError};
 pub use picture::Line;
 
