@@ -1,6 +1,7 @@
 //! What was learned, judged on plants that were never trained on: the depth of crowns and boughs beside simpler rules, and the plant that
 //! the whole program makes of the drawing, seen from the side.
 
+use crate::other_shapes;
 use crate::trees::{Kind, Tree};
 use crate::views::{CELLS, View};
 use anyhow::{Context as _, Result};
@@ -25,6 +26,8 @@ const TOGETHER: f32 = 2.0;
 
 /// Half depth that is guessed without a look at the drawing: the mean of the training set.
 const CONSTANT: f32 = 0.155;
+/// Shapes of each kind.
+const SHAPES: u64 = 100;
 /// Ways in which the plant of a drawing is made.
 const HOW: [(&str, &[&str]); 3] = [
     ("learned", &[]),
@@ -67,13 +70,30 @@ pub(crate) fn judge(plants: u64, is_whole: bool) -> Result<()> {
             let Some(tree) = oldest else { continue };
             let Some(view) = View::of(&tree, mix(seed, 400)) else { continue };
             judge_depth(network, &view, kind, table);
+            let picture = Picture::new(&view.area, &view.frame, &view.lines);
+            let is_plant = network.answer(&picture, None).plant > 0.5;
+            table.add("recognised as plants", f32::from(u8::from(is_plant)));
             if is_whole {
                 judge_whole(&tree, &view, (kind, seed), table)?;
             }
         }
     }
     seeds.print("habits that were trained on, other seeds")?;
-    habits.print("habits that were not trained on")
+    habits.print("habits that were not trained on")?;
+    shapes(network)?.print("shapes that are no plants: share that is recognised as such")
+}
+
+/// How many of the shapes of each kind are no plants to the network.
+fn shapes(network: &Network) -> Result<Table> {
+    let mut table = Table::default();
+    for (number, kind) in other_shapes::KINDS.iter().enumerate() {
+        for shape in 0..SHAPES {
+            let picture = other_shapes::picture_of(kind, mix(number as u64, shape))?;
+            let is_plant = network.answer(&picture, None).plant > 0.5;
+            table.add(kind, f32::from(u8::from(!is_plant)));
+        }
+    }
+    Ok(table)
 }
 
 /// Errors over the crown and along the wood, as shares of the picture's side.

@@ -4,6 +4,7 @@
 //! file learns from it. The same command writes the same bytes. `-- judge --whole` prints how well the shipped network does.
 
 mod judge;
+mod other_shapes;
 mod shapes;
 mod trees;
 mod views;

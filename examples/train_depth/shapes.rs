@@ -27,7 +27,7 @@ const LETTERS: [&[&[(f32, f32)]]; 16] = [
 ];
 
 /// A thick line: its ends and half its width.
-type Bar = (Vec2, Vec2, f32);
+pub(crate) type Bar = (Vec2, Vec2, f32);
 
 /// The bytes of the picture of such an area; its depth is unknown.
 pub(crate) fn bytes(seed: u64) -> Result<Vec<u8>> {
@@ -55,7 +55,7 @@ pub(crate) fn bytes(seed: u64) -> Result<Vec<u8>> {
     Ok(row)
 }
 
-fn letter(lot: &mut impl FnMut(f32, f32) -> f32) -> Vec<Bar> {
+pub(crate) fn letter(lot: &mut impl FnMut(f32, f32) -> f32) -> Vec<Bar> {
     let strokes = LETTERS[lot(0.0, LETTERS.len() as f32) as usize];
     let (width, height) = (lot(0.06, 0.15), lot(0.07, 0.13));
     let (left, top, half) = (0.5 - 2.0 * width, lot(0.05, 0.15), lot(0.02, 0.07));
@@ -64,7 +64,7 @@ fn letter(lot: &mut impl FnMut(f32, f32) -> f32) -> Vec<Bar> {
 }
 
 /// A body with a head, legs and a tail.
-fn animal(lot: &mut impl FnMut(f32, f32) -> f32) -> Vec<Bar> {
+pub(crate) fn animal(lot: &mut impl FnMut(f32, f32) -> f32) -> Vec<Bar> {
     let (y, half, long) = (lot(0.35, 0.55), lot(0.08, 0.16), lot(0.12, 0.25));
     let (a, b) = (Vec2::new(0.5 - long, y), Vec2::new(0.5 + long, y));
     let head = b + Vec2::new(lot(0.02, 0.1), -lot(0.1, 0.28));
@@ -78,7 +78,7 @@ fn animal(lot: &mut impl FnMut(f32, f32) -> f32) -> Vec<Bar> {
     bars
 }
 
-fn of_bars(bars: &[Bar]) -> Box<[bool; SIDE * SIDE]> {
+pub(crate) fn of_bars(bars: &[Bar]) -> Box<[bool; SIDE * SIDE]> {
     let mut area = Box::new([false; SIDE * SIDE]);
     for &(a, b, half) in bars {
         let cells = SIDE as f32;
@@ -87,7 +87,7 @@ fn of_bars(bars: &[Bar]) -> Box<[bool; SIDE * SIDE]> {
     area
 }
 
-fn star(lot: &mut impl FnMut(f32, f32) -> f32) -> Box<[bool; SIDE * SIDE]> {
+pub(crate) fn star(lot: &mut impl FnMut(f32, f32) -> f32) -> Box<[bool; SIDE * SIDE]> {
     let (points, sharp, radius, turn) =
         (lot(3.0, 8.99).floor(), lot(0.35, 0.75), lot(0.25, 0.45), lot(0.0, 1.0));
     let middle = Vec2::new(0.5, lot(0.4, 0.5));
@@ -99,7 +99,7 @@ fn star(lot: &mut impl FnMut(f32, f32) -> f32) -> Box<[bool; SIDE * SIDE]> {
     Box::new(std::array::from_fn(inside))
 }
 
-fn boxed(lot: &mut impl FnMut(f32, f32) -> f32) -> Box<[bool; SIDE * SIDE]> {
+pub(crate) fn boxed(lot: &mut impl FnMut(f32, f32) -> f32) -> Box<[bool; SIDE * SIDE]> {
     let (half, turn) = (Vec2::new(lot(0.1, 0.4), lot(0.1, 0.4)), Vec2::from_angle(lot(-0.6, 0.6)));
     let hole = if lot(0.0, 1.0) < 0.4 { lot(0.3, 0.7) } else { 0.0 };
     let inside = |i: usize| {

@@ -75,7 +75,7 @@ pub struct Answer {
 pub struct Network {
     habits: Vec<String>,
     /// Numbers of each habit, then those of an unknown one.
-    of_habit: Vec<Vec<f32>>,
+    rows: Vec<Vec<f32>>,
     down: Vec<Convolution>,
     bottom: Convolution,
     up: Vec<Convolution>,
@@ -117,9 +117,9 @@ impl Network {
             up.map(|(from, to)| reader.convolution(from, to, 1)).into_iter().collect::<Result<_, _>>()?;
         let head = reader.convolution(a, ANSWERS, 1)?;
         let plant = (reader.halves(e)?, reader.halves(1)?[0]);
-        let of_habit = (0..=habits.len()).map(|_| reader.halves(e)).collect::<Result<_, _>>()?;
+        let rows = (0..=habits.len()).map(|_| reader.halves(e)).collect::<Result<_, _>>()?;
         if reader.rest.is_empty() {
-            Ok(Self { habits, of_habit, down, bottom, up, head, plant })
+            Ok(Self { habits, rows, down, bottom, up, head, plant })
         } else {
             Err(NetworkError::Damaged)
         }
@@ -130,23 +130,35 @@ impl Network {
         self.habits.iter().map(String::as_str)
     }
 
-    /// What it says of a picture; `habit` is the name of the plant's, where it is known.
+    /// What it says of a picture; `habit` is the name of the plant's, where it is known. Whether it is a plant does not depend on that.
     pub fn answer(&self, picture: &Picture, habit: Option<&str>) -> Answer {
+        let (smallest, kept) = self.halved(picture);
+        let features = self.of_habit(smallest.clone(), None).means();
+        let (weights, constant) = &self.plant;
+        let likely: f32 = features.iter().zip(weights).map(|(mean, weight)| mean * weight).sum();
+        let mut maps = self.of_habit(smallest, habit);
+        for (up, seen) in self.up.iter().zip(kept.iter().rev().skip(1)) {
+            maps = up.rectified(&maps.doubled().followed_by(seen));
+        }
+        self.answer_of(&self.head.of(&maps), picture, 1.0 / (1.0 + (-likely - constant).exp()))
+    }
+
+    /// The picture halved again and again: the smallest, and all of them, the largest first.
+    fn halved(&self, picture: &Picture) -> (Maps, Vec<Maps>) {
         let mut maps = Maps { side: SIDE, cells: picture.channels().to_vec() };
         let mut kept = Vec::with_capacity(WIDTHS.len());
         for pair in self.down.chunks_exact(2) {
             maps = pair[1].rectified(&pair[0].rectified(&maps));
             kept.push(maps.clone());
         }
+        (maps, kept)
+    }
+
+    /// The smallest picture with what is known of a habit.
+    fn of_habit(&self, mut smallest: Maps, habit: Option<&str>) -> Maps {
         let known = habit.and_then(|name| self.habits.iter().position(|habit| habit == name));
-        maps.add(&self.of_habit[known.unwrap_or(self.habits.len())]);
-        maps = self.bottom.rectified(&maps);
-        let (weights, constant) = &self.plant;
-        let likely: f32 = maps.means().iter().zip(weights).map(|(mean, weight)| mean * weight).sum();
-        for (up, seen) in self.up.iter().zip(kept.iter().rev().skip(1)) {
-            maps = up.rectified(&maps.doubled().followed_by(seen));
-        }
-        self.answer_of(&self.head.of(&maps), picture, 1.0 / (1.0 + (-likely - constant).exp()))
+        smallest.add(&self.rows[known.unwrap_or(self.habits.len())]);
+        self.bottom.rectified(&smallest)
     }
 
     /// The answer from what the last layer gives, in halves of the picture.
