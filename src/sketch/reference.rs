@@ -56,6 +56,14 @@ impl Reference {
         self.width * size.y / size.x
     }
 
+    /// Smallest and largest corner of the box around it, canvas pixels.
+    pub fn bounds(&self) -> (Vec2, Vec2) {
+        let turn = Vec2::from_angle(self.rotation_deg.to_radians());
+        let half = 0.5 * Vec2::new(self.width, self.height());
+        let reach = turn.rotate(half).abs().max(turn.rotate(half * Vec2::new(1.0, -1.0)).abs());
+        (self.center - reach, self.center + reach)
+    }
+
     /// Checks that every number is finite and in range.
     ///
     /// # Errors

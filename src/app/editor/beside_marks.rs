@@ -56,17 +56,19 @@ impl Editor {
         }
     }
 
-    /// Shows the whole drawing with the plants beside it.
-    pub(super) fn fit_plants(&mut self) {
-        let Sketch { plants, .. } = self.sketch();
-        if plants.is_empty() {
+    /// Shows the whole drawing with the plants beside it, where nothing is drawn the picture under it.
+    pub(super) fn fit_all(&mut self) {
+        let Sketch { plants, reference, .. } = self.sketch();
+        let drawn = self.sketch().bounds();
+        let picture = reference.as_ref().filter(|reference| reference.visible && drawn.is_none());
+        if plants.is_empty() && picture.is_none() {
             return;
         }
         let places = plants.iter().enumerate().flat_map(|(place, plant)| {
             let top = self.height_of_plant(place).map(|height| plant.foot - Vec2::Y * height);
             [Some(plant.foot), top]
         });
-        let drawn = self.sketch().bounds().map(|(low, high)| [low, high]);
+        let drawn = drawn.or(picture.map(|picture| picture.bounds())).map(|(low, high)| [low, high]);
         let mut all = places.flatten().chain(drawn.into_iter().flatten());
         let Some(first) = all.next() else { return };
         let (low, high) = all.fold((first, first), |(low, high), p| (low.min(p), high.max(p)));

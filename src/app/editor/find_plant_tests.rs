@@ -228,3 +228,17 @@ fn what_was_found_is_seen_over_the_picture() {
     editor.perform(Action::FindPlant(false));
     assert_eq!(crowns(&mut editor), 0);
 }
+
+#[test]
+fn where_nothing_is_drawn_all_of_the_picture_is_shown() {
+    let home = tempfile::tempdir().unwrap();
+    let mut editor = editor(home.path());
+    let viewport = crate::app::canvas::Rect::new(DVec2::ZERO, DVec2::splat(300.0));
+    editor.canvas.set_viewport(viewport, 1.0);
+    editor.perform(Action::FitCanvas);
+    let (low, high) = editor.sketch().reference.as_ref().unwrap().bounds();
+    assert_eq!((low, high), (Vec2::new(100.0, 100.0), Vec2::new(500.0, 420.0)));
+    let seen = [low, high].map(|corner| editor.canvas.view().to_window(corner.as_dvec2()));
+    assert!(seen.iter().all(|p| p.min_element() >= 0.0 && p.max_element() <= 300.0), "{seen:?}");
+    assert!(seen[1].x - seen[0].x > 200.0, "{seen:?}");
+}

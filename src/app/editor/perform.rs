@@ -30,7 +30,7 @@ impl Editor {
         if self.on_canvas(|canvas, drawing, out| canvas.act(&action, drawing, out)) {
             self.dialogs.close_part_menu();
             if action == Action::FitCanvas {
-                self.fit_plants();
+                self.fit_all();
                 self.layout.shows_all = true;
             }
             return;
