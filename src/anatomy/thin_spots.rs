@@ -35,13 +35,15 @@ pub(super) fn find(readings: &[Arc<Reading>]) -> Vec<ThinSpot> {
     let is_crown = |r: &&Arc<Reading>| r.part == Part::Crown;
     let extent = |r: &Reading| polyline::bounds(r.samples.iter().map(|s| s.position));
     let largest = readings.iter().filter(is_crown).map(|r| size(extent(r))).fold(0.0, f32::max);
+    // Most drawings have none: then no outline need be looked at.
+    let may_be_dot = |r: &Reading| is_small(r) && size(extent(r)) <= DOT * largest;
+    if !readings.iter().any(|r| may_be_dot(r)) {
+        return Vec::new();
+    }
     let whole = readings.iter().filter(is_crown).filter(|r| size(extent(r)) > DOT * largest);
     let crowns: Vec<(Region, f32)> = whole
         .map(|r| (Region::new(r.samples.iter().map(|s| s.position).collect()), size(extent(r))))
         .collect();
-    if crowns.is_empty() {
-        return Vec::new();
-    }
     let spot = |r: &Arc<Reading>| {
         let (low, high) = extent(r);
         let middle = low.midpoint(high);

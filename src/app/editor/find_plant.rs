@@ -15,15 +15,19 @@ use crate::app::action::Action;
 use crate::app::messages::Localize as _;
 use crate::app::panels::snapshot::Notice;
 use crate::app::plant_search::PlantMark;
+use crate::app::texture_cut::CutError;
 use crate::app::theme::Palette;
 use crate::pen::{PenEvent, PenPhase, PenTool};
 use crate::photo::PhotoParams;
-use crate::photo::plant::{PlantPicture, TRUNK_RADIUS, tinted_textures, trunk_radius};
+use crate::photo::plant::{
+    PlantParams, PlantPicture, TRUNK_RADIUS, TrunkLine, tinted_textures, trunk_radius,
+};
 use crate::sketch::change::StrokeChange;
 use crate::sketch::settings::Settings;
-use crate::sketch::{Change, Reference, Tool};
+use crate::sketch::{Change, Reference, Sketch, Tool};
 use egui::{Color32, Painter, Pos2, Shape, Stroke as Line};
 use glam::{DVec2, Vec2};
+use serde_json::{Map, Value};
 use std::sync::Arc;
 
 /// Least distance of the points of a mark, pixels of the screen.
@@ -94,14 +98,10 @@ impl Editor {
         }
         self.search.is_stale = false;
         let hash = reference.picture.hash();
-        let prepared = self.search.prepared.as_ref().filter(|prepared| prepared.hash == hash);
-        let prepared = prepared.map(|prepared| Arc::clone(&prepared.picture));
+        let prepared = self.search.prepared_for(hash);
         let (marks, params) = (self.search.marks.clone(), PhotoParams::default().plant);
         let seek = move || -> Searched {
-            let picture = match prepared {
-                Some(picture) => picture,
-                None => Arc::new(PlantPicture::new(&reference.picture.pixels()?, &params)?),
-            };
+            let picture = ready(prepared, &reference, &params)?;
             let found = picture.find(&marks, &params);
             Ok((picture, found))
         };
@@ -178,10 +178,7 @@ impl Editor {
             let all = sketch.strokes.iter().map(|stroke| &**stroke).chain(&strokes);
             let places = all.flat_map(|stroke| &stroke.points).map(|point| point.position);
             let (low, high) = crate::geom::polyline::bounds(places);
-            let width = trunk.usual_width() / per_canvas(&reference);
-            let mut params = without(&sketch.params, TRUNK_RADIUS);
-            params.insert(TRUNK_RADIUS.to_owned(), trunk_radius(width, (high - low).length()));
-            settings.params = Some(params);
+            settings.params = Some(with_thickness(sketch, trunk, &reference, (high - low).length()));
         }
         let strokes = strokes.into_iter().map(|stroke| StrokeChange::Put(Arc::new(stroke))).collect();
         self.search.stop();
@@ -256,6 +253,31 @@ impl Editor {
             double(points(line), palette.selection, false);
         }
     }
+}
+
+/// A picture made ready to find plants on it, anew where it is not yet.
+pub(super) fn ready(
+    prepared: Option<Arc<PlantPicture>>,
+    reference: &Reference,
+    params: &PlantParams,
+) -> Result<Arc<PlantPicture>, CutError> {
+    match prepared {
+        Some(picture) => Ok(picture),
+        None => Ok(Arc::new(PlantPicture::new(&reference.picture.pixels()?, params)?)),
+    }
+}
+
+/// A drawing's parameters with wood as thick as a trunk on the picture, for strokes of this diagonal.
+pub(super) fn with_thickness(
+    sketch: &Sketch,
+    trunk: &TrunkLine,
+    reference: &Reference,
+    diagonal: f32,
+) -> Map<String, Value> {
+    let mut params = without(&sketch.params, TRUNK_RADIUS);
+    let width = trunk.usual_width() / per_canvas(reference);
+    params.insert(TRUNK_RADIUS.to_owned(), trunk_radius(width, diagonal));
+    params
 }
 
 /// How many pixels of the picture are one of the canvas.

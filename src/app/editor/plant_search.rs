@@ -56,6 +56,12 @@ pub(super) struct Snapping {
 }
 
 impl PlantSearch {
+    /// The picture of this content, where it has been made ready.
+    pub(super) fn prepared_for(&self, hash: u64) -> Option<Arc<PlantPicture>> {
+        let prepared = self.prepared.as_ref().filter(|prepared| prepared.hash == hash);
+        prepared.map(|prepared| Arc::clone(&prepared.picture))
+    }
+
     /// Ends the search; what was found stays, for its colours.
     pub(super) fn stop(&mut self) {
         (self.is_on, self.line) = (false, None);

@@ -5,14 +5,13 @@
 
 use super::Editor;
 use super::background::begin;
-use super::find_plant::per_canvas;
-use super::parameters::without;
+use super::find_plant::{ready, with_thickness};
 use super::photographs::{on_canvas, on_picture};
 use super::plant_search::{Prepared, Snapping};
 use crate::app::messages::Localize as _;
 use crate::app::panels::snapshot::Notice;
 use crate::app::texture_cut::CutError;
-use crate::photo::plant::{PlantPicture, TRUNK_RADIUS, TrunkLine, trunk_radius};
+use crate::photo::plant::TrunkLine;
 use crate::photo::{PhotoParams, PhotoRemark};
 use crate::sketch::change::StrokeChange;
 use crate::sketch::settings::Settings;
@@ -38,16 +37,11 @@ impl Editor {
         else {
             return;
         };
-        let hash = reference.picture.hash();
-        let prepared = self.search.prepared.as_ref().filter(|prepared| prepared.hash == hash);
-        let prepared = prepared.map(|prepared| Arc::clone(&prepared.picture));
+        let prepared = self.search.prepared_for(reference.picture.hash());
         let (params, over) = (PhotoParams::default(), Arc::clone(&reference));
         let line: Vec<_> = stroke.points.iter().map(|point| on_picture(&over, point.position)).collect();
         let seek = move || {
-            let picture = match prepared {
-                Some(picture) => picture,
-                None => Arc::new(PlantPicture::new(&over.picture.pixels()?, &params.plant)?),
-            };
+            let picture = ready(prepared, &over, &params.plant)?;
             let snapped = picture.snapped(&line, &params.snap);
             Ok::<_, CutError>((picture, snapped))
         };
@@ -88,10 +82,7 @@ impl Editor {
         let is_wood = |stroke: &&Arc<Stroke>| matches!(stroke.tool, Tool::Branch | Tool::SpaceBranch);
         let mut settings = Settings::default();
         if sketch.strokes.iter().filter(is_wood).count() == 1 {
-            let mut params = without(&sketch.params, TRUNK_RADIUS);
-            let width = trunk.usual_width() / per_canvas(reference);
-            params.insert(TRUNK_RADIUS.to_owned(), trunk_radius(width, sketch.diagonal()));
-            settings.params = Some(params);
+            settings.params = Some(with_thickness(sketch, trunk, reference, sketch.diagonal()));
         }
         self.change(Change { strokes: vec![StrokeChange::Put(Arc::new(stroke))], settings });
     }

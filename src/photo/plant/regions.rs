@@ -3,6 +3,7 @@
 //! Foliage falls into pieces; what lies within a small distance belongs together. Of several plants the marked ones are taken, or else
 //! the largest. Specks are left out, gaps smaller than a leaf are filled.
 
+use super::super::coverage::shrunk;
 use super::super::mask::labelled;
 use super::super::raster::Raster;
 use super::PlantParams;
@@ -74,26 +75,12 @@ fn drop_small(mask: &mut Raster<bool>, side: bool, least: f32) {
 
 /// All pixels within a square of half side `reach` around one that is in.
 pub(super) fn widened(mask: &Raster<bool>, reach: usize) -> Raster<bool> {
-    widened_along_rows(&widened_along_rows(mask, reach).turned(), reach).turned()
+    narrowed(&mask.map(|is_in| !is_in), reach).map(|is_in| !is_in)
 }
 
 /// All pixels of which the whole square around them, as far as it lies in the picture, is in.
 pub(super) fn narrowed(mask: &Raster<bool>, reach: usize) -> Raster<bool> {
-    widened(&mask.map(|is_in| !is_in), reach).map(|is_in| !is_in)
-}
-
-fn widened_along_rows(mask: &Raster<bool>, reach: usize) -> Raster<bool> {
-    let mut out = mask.map(|_| false);
-    let width = mask.width();
-    for (row, wide) in mask.cells().chunks_exact(width).zip(out.cells_mut().chunks_exact_mut(width)) {
-        let mut filled_to = 0;
-        for x in (0..width).filter(|x| row[*x]) {
-            let (from, to) = (x.saturating_sub(reach).max(filled_to), (x + reach + 1).min(width));
-            wide[from.min(to)..to].fill(true);
-            filled_to = to;
-        }
-    }
-    out
+    shrunk(mask, reach)
 }
 
 #[cfg(test)]
