@@ -71,7 +71,8 @@ impl Inflated {
         }
         let cell = extent.max_element() / RASTER as f32;
         // A rim of outside cells carries u = 0.
-        let size = [extent.x, extent.y].map(|e| (e / cell).ceil() as usize + 2);
+        // Rounding must not add a row to the side that is a whole number of cells by definition.
+        let size = [extent.x, extent.y].map(|e| (e / cell - 0.01).ceil() as usize + 2);
         let low = low - cell;
         let mut inflated = Self {
             regions,
