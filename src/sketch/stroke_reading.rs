@@ -57,6 +57,10 @@ readings! {
     Sun = "sun", "is read as the sun and is no part of the plant";
     /// A window, a frame or a fence.
     Frame = "frame", "is read as a window, a frame or a fence and is no part of the plant";
+    /// What hangs in the air beside plants.
+    Sky = "sky", "hangs in the air and is no part of the plant";
+    /// Letters.
+    Writing = "writing", "is read as writing and is no part of the plant";
     /// Strokes over one another.
     Line = "line", "is read as one line that was drawn again";
 }

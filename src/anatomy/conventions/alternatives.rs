@@ -24,7 +24,9 @@ pub fn alternatives(sketch: &Sketch, params: &ConventionParams, about: &[StrokeI
     // What is read of other plants stays the same.
     let mut known = Memory::default();
     let mut found = readings_of(&mut known, sketch, &corrections, about);
-    let hidden_by = [Reading::Pot, Reading::Ground, Reading::Sun, Reading::Frame].map(Verdict::Not);
+    let hidden_by =
+        [Reading::Pot, Reading::Ground, Reading::Sun, Reading::Frame, Reading::Sky, Reading::Writing]
+            .map(Verdict::Not);
     corrections.extend(hidden_by.map(|verdict| Correction::new(about.iter().copied(), verdict)));
     found.extend(readings_of(&mut known, sketch, &corrections, about));
     found.sort_by(|a, b| b.0.total_cmp(&a.0));

@@ -57,7 +57,7 @@ pub use hypothesis::{Habit, Hypothesis, Made, Solid, SolidKind};
 pub use pieces::{DrawnSolid, Interpretation, Piece, ReadStrokes};
 
 use crate::sketch::{Correction, Corrections, Reading, Stroke, StrokeId, Verdict};
-use beneath::{frame, ground, pot};
+use beneath::{aloft, frame, ground, pot, writing};
 use bodies::{body, mushroom};
 use corrected::Corrected;
 use flowers::{bud, corolla, corolla_on_stem, cup, gathered, rays, rose, row};
@@ -65,6 +65,7 @@ use leaves::{leaf, leaf_loops, lobed_leaf, potted_stem, stem_arcs, stem_loops};
 use lines::{Redrawn, chains::Chains};
 use page::Page;
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use trees::{bush, conifer, tree, tree_on_line};
 use tufts::{fronds, grass, lawn, tuft};
@@ -293,6 +294,23 @@ fn proposed_of_lines(
     all
 }
 
+/// What hangs in the air and what is written, set apart before the drawing is looked at as a whole.
+fn set_strange_apart(page: &mut Page, corrected: &Corrected) -> Vec<Hypothesis> {
+    let mut all = Vec::new();
+    writing::propose(page, &mut all);
+    page.set_apart(used(&all));
+    aloft::propose(page, &mut all);
+    corrected.apply(&mut all);
+    all.retain(|apart| apart.score > 0.0);
+    page.set_apart(used(&all));
+    all
+}
+
+/// All lines that are explained.
+fn used(all: &[Hypothesis]) -> BTreeSet<usize> {
+    all.iter().flat_map(|hypothesis| hypothesis.uses.iter().copied()).collect()
+}
+
 /// What every convention proposes for a page, by its lines, as far as the corrections leave it.
 fn proposed(
     known: &mut plants::Proposals,
@@ -300,7 +318,8 @@ fn proposed(
     strokes: &[Arc<Stroke>],
     corrected: &Corrected,
 ) -> Vec<Hypothesis> {
-    let (looks, mut all) = (Looks::of(page), Vec::new());
+    let mut all = set_strange_apart(page, corrected);
+    let looks = Looks::of(page);
     for propose in BENEATH {
         let known = all.len();
         propose(page, &mut all);
@@ -313,7 +332,7 @@ fn proposed(
         new.retain(|beneath| beneath.score > 0.0);
         all.append(&mut new);
         // What stands in a pot or on the ground is looked at without it.
-        page.set_apart(all.iter().flat_map(|beneath| beneath.uses.iter().copied()).collect());
+        page.set_apart(used(&all));
     }
     let ground = all.iter().find(|beneath| beneath.reading == Reading::Ground).map(|ground| ground.uses[0]);
     let alone = plants::small(page, ground.map(|line| &page.lines[line]));

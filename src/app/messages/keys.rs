@@ -365,6 +365,8 @@ keys! {
     ReadAsGround = "reading.ground",
     ReadAsSun = "reading.sun",
     ReadAsFrame = "reading.frame",
+    ReadAsSky = "reading.sky",
+    ReadAsWriting = "reading.writing",
     ReadAsLine = "reading.line",
     ReadTogetherRefuse = "together.refuse",
     ReadTogetherRefuseHint = "together.refuse_hint",

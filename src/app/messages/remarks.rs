@@ -105,6 +105,8 @@ fn words_of(reading: Reading) -> Msg {
         Reading::Ground => Msg::ReadAsGround,
         Reading::Sun => Msg::ReadAsSun,
         Reading::Frame => Msg::ReadAsFrame,
+        Reading::Sky => Msg::ReadAsSky,
+        Reading::Writing => Msg::ReadAsWriting,
         Reading::Line => Msg::ReadAsLine,
     }
 }

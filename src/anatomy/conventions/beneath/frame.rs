@@ -4,7 +4,7 @@
 //! is about as wide as high; what is narrow is a trunk with its bark. A fence is a row of upright lines of one height, evenly spaced, that
 //! rails cross in their middle. Both become no part of a plant, whatever they touch.
 //!
-//! Limits: frames in one stroke are outlines; letters are read as twigs; a fence whose pales have no rail is grass.
+//! Limits: frames in one stroke are outlines; a fence whose pales have no rail is grass.
 
 use crate::anatomy::conventions::Hypothesis;
 use crate::anatomy::conventions::page::{Line, Page};

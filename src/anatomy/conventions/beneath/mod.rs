@@ -1,4 +1,4 @@
-//! What plants stand in, on or beside: pots, ground lines, fences and windows. It is set apart before all else is looked at.
+//! What plants stand in, on or beside: pots, ground lines, fences and windows, what hangs in the air, and writing. It is set apart before all else is looked at.
 //!
 //! | file | what |
 //! | --- | --- |
@@ -6,8 +6,12 @@
 //! | `pot_rows` | the two sides of a pot, row by row |
 //! | `ground` | ground lines |
 //! | `frame` | windows, frames, fences |
+//! | `aloft` | the sun, clouds, birds, what is written beside the plant |
+//! | `writing` | words in capitals |
 
+pub(crate) mod aloft;
 pub(crate) mod frame;
 pub(crate) mod ground;
 pub(crate) mod pot;
 pub(crate) mod pot_rows;
+pub(crate) mod writing;

@@ -23,6 +23,8 @@ use glam::Vec2;
 const FLAT: (f32, f32) = (0.33, 0.27);
 /// Least width of a level upper edge above a round bottom: a bowl.
 const MOUTH_EDGE: f32 = 0.75;
+/// Least distance of the ends of a line that is open below, as a share of its width.
+const HILL: f32 = 0.6;
 /// Least share of its convex hull that lies between its sides.
 const SOLID: f32 = 0.75;
 /// Greatest height, in widths: a vase.
@@ -115,7 +117,15 @@ fn has_bottom(page: &Page, line: &Line) -> bool {
         && size.y <= HIGHEST * size.x
         && size.y >= LOWEST * size.x
         && line.length < LONGEST * perimeter
+        && !(is_open_below(line) && level(false) < MOUTH_EDGE * size.x)
         && (level(true) > FLAT.0 * size.x || level(false) > MOUTH_EDGE * size.x)
+}
+
+/// Whether a line comes down at both ends and has nothing between them: a hill has no bottom.
+fn is_open_below(line: &Line) -> bool {
+    let (first, last) = line.ends();
+    let low = line.bounds.1.y - 0.25 * line.size().y;
+    (first.x - last.x).abs() > HILL * line.size().x && first.y > low && last.y > low
 }
 
 /// Whether a line may be the bottom of a pot of which the sides were drawn by themselves.

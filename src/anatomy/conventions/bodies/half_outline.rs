@@ -1,10 +1,10 @@
 //! The outline of a fleshy body that was not finished: drawn from its foot on one side up to some tip, and not down again.
 //!
-//! Where two sides are drawn, the distance from one to the other across the body is known, and its median holds for the rest: from
-//! every point a ray goes into the body, to the other side or, where there is none, as far as that. What these rays cover is the
-//! body. Which side of the line is inside follows from where it lies: arms that are drawn are on one side of what joins its ends.
+//! From every point a ray goes into the body, to the other side. Where two sides are drawn, their distance is known; where one is
+//! missing, that of the nearest place that faces the same way holds, so that a column stays as thick as it is above its arms. What
+//! these rays cover is the body. Which side of the line is inside follows from where it lies: arms that are drawn are on one side of what joins its ends.
 //!
-//! Cost: points of the line times cells across the silhouette.
+//! Cost: points of the line times cells across the silhouette, and the square of the points.
 
 use crate::anatomy::conventions::page::{Line, even};
 use crate::anatomy::conventions::shapes::silhouette::Silhouette;
@@ -17,12 +17,14 @@ const UNFINISHED: f32 = 0.25;
 /// Least area between the line and what joins its ends, as a share of its bounds, and how far it turns at most, radians: once round
 /// what it encloses.
 const AREA: f32 = 0.08;
-const TURN: f32 = 1.4 * PI;
+const TURN: f32 = 1.65 * PI;
 /// Longest ray, as a share of the line's diagonal.
 const ACROSS: f32 = 0.4;
 /// Least share of the rays that meet another side, and least ratio of the first and last quarter of their lengths.
-const SIDES: (f32, f32) = (0.3, 0.4);
-/// Most of a ray that meets another side, in medians; longer ones end there.
+const SIDES: (f32, f32) = (0.3, 0.3);
+/// Least cosine between rays that go the same way.
+const SAME_WAY: f32 = 0.9;
+/// Most of a ray that meets another side, in medians; longer ones meet another limb.
 const MOST: f32 = 1.7;
 /// Angle between neighbouring rays at most, radians.
 const FAN: f32 = 0.2;
@@ -56,14 +58,24 @@ pub(crate) fn closed(line: &Line, silhouette: &Silhouette) -> Option<(Vec<Vec<Ve
     if at(0.25) < SIDES.1 * at(0.75) {
         return None;
     }
+    let ways: Vec<Option<f32>> = ways.iter().map(|way| way.filter(|way| *way < MOST * usual)).collect();
     let ray = |((from, along), way): (&(Vec2, Vec2), &Option<f32>)| {
-        let length = way.filter(|way| *way < MOST * usual).unwrap_or(usual);
+        let length = way.or_else(|| beside(*from, *along, &rays, &ways)).unwrap_or(usual);
         vec![*from, from + along * length]
     };
     let mut all: Vec<Vec<Vec2>> = rays.iter().zip(&ways).map(ray).collect();
     let root = foot.midpoint(all[0][1]);
     all.push(points);
     Some((all, root))
+}
+
+/// How far it is across the body at the nearest place that faces the same way and has another side.
+fn beside(from: Vec2, along: Vec2, rays: &[(Vec2, Vec2)], ways: &[Option<f32>]) -> Option<f32> {
+    let faces = |(ray, way): (&(Vec2, Vec2), &Option<f32>)| {
+        (ray.1.dot(along) > SAME_WAY).then_some((ray.0.distance_squared(from), (*way)?))
+    };
+    let nearest = rays.iter().zip(ways).filter_map(faces).min_by(|a, b| a.0.total_cmp(&b.0));
+    nearest.map(|(_, way)| way)
 }
 
 /// How far a line turns from its beginning to its end, radians, its hooks left out.

@@ -4,17 +4,19 @@
 //! with them and without. What begins in a body and ends outside of it is nothing but a spine, and speaks for a cactus.
 
 use crate::anatomy::conventions::page::{self, Line};
-use crate::geom::region::Region;
+use crate::geom::{polyline, region::Region};
 use glam::Vec2;
 
 /// Longest spine anywhere, as a share of the whole, and fewest, if they are to be looked at by themselves.
 const SHORT: (f32, usize) = (0.16, 2);
-/// The same of spines that are straight, and least distance of their ends, as a share of their length.
+/// The same of spines that are straight, short ones counted, and least distance of their ends, as a share of their length.
 const LONG: (f32, usize) = (0.34, 3);
 const STRAIGHT: f32 = 0.85;
 /// Most of the long ones that do not go across the outline, as a share.
 const ASTRAY: f32 = 0.35;
-/// Log-odds of each spine across the outline or on the body, up to so many.
+/// How far from the outline a spine begins at most, as a share of its length.
+const AT: f32 = 0.25;
+/// Log-odds of each spine across the outline, and on the body or at its edge, up to so many.
 const ACROSS: (f32, usize) = (0.7, 5);
 const ON_IT: (f32, usize) = (0.2, 5);
 /// Fewest spines that speak for a body by themselves.
@@ -42,7 +44,7 @@ pub(super) fn ways_apart<'a>(lines: &[&'a Line], size: Vec2) -> Vec<Spines<'a>> 
     let is_long = |line: &&Line| line.length < LONG.0 * size.length() && chord(line) > STRAIGHT * line.length;
     let (long, rest): (Vec<&Line>, Vec<&Line>) = outlines.iter().copied().partition(is_long);
     let mut ways = vec![Spines { outlines, short: short.clone(), long: Vec::new() }];
-    if long.len() >= LONG.1 && !rest.is_empty() {
+    if !long.is_empty() && short.len() + long.len() >= LONG.1 && !rest.is_empty() {
         ways.push(Spines { outlines: rest, short, long });
     }
     ways
@@ -63,9 +65,12 @@ impl Spines<'_> {
         {
             let inside = line.points.iter().filter(|p| region.contains(**p)).count() as f32;
             let share = inside / line.points.len() as f32;
+            let begins_there =
+                |end: Vec2| polyline::nearest(outline, end).is_some_and(|(gap, _)| gap < AT * line.length);
             match share {
                 0.15..0.85 => across += 1,
                 0.85.. => on_it += 1,
+                _ if begins_there(line.ends().0) || begins_there(line.ends().1) => on_it += 1,
                 _ => astray += usize::from(is_long),
             }
         }

@@ -88,7 +88,7 @@ const OFF_CENTRE: f32 = 0.5;
 
 /// How far from the middle of a ring of lobes that is far around it a centre may be, as a share of the ring's size; least turns and
 /// lobes of that: a crown has apples in any place.
-const RING_OFF: f32 = 0.12;
+const RING_OFF: f32 = 0.16;
 const RING_TURNS: f32 = 0.85;
 const RING_LOBES: usize = 5;
 

@@ -5,9 +5,10 @@
 //! leaf is for [`leaf`](super::leaf) to say.
 //!
 //! Lobes of a leaf are as sharp as the notches between them or sharper; those of crowns and corollas are round and meet at sharp
-//! notches ([`has_lobes_of_a_leaf`]). Limits: gaps wider than [`BRIDGE`] are not closed.
+//! notches ([`has_lobes_of_a_leaf`]). Limits: gaps wider than [`BRIDGE`] are closed between ends of arcs only ([`open_ends`]).
 
 use super::blade::Blade;
+use super::open_ends;
 use crate::anatomy::conventions::page::{self, Line, Page};
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, share_along, smooth_contour};
 use crate::geom::{polyline, simple_loop};
@@ -55,7 +56,9 @@ pub(crate) fn of_group(page: &Page, group: &[usize]) -> Option<Blade> {
     if !may_be_leaf(page, group) {
         return None;
     }
-    let silhouette = Silhouette::new(lines(), BRIDGE).without_thin_parts(THIN);
+    let closing = open_ends::closing(page, group);
+    let closed = || lines().chain(closing.iter().map(Vec::as_slice));
+    let silhouette = Silhouette::new(closed(), BRIDGE).without_thin_parts(THIN);
     let ring = smooth_contour(&silhouette.contour(), POINTS, 2);
     if ring.len() < POINTS {
         return None;
@@ -64,6 +67,7 @@ pub(crate) fn of_group(page: &Page, group: &[usize]) -> Option<Blade> {
     let outline: Vec<usize> =
         group.iter().copied().filter(|i| contour.share_of(&page.lines[*i]) > OUTLINE.0).collect();
     let drawn = outline.iter().map(|i| page.lines[*i].points.as_slice());
+    let drawn = drawn.chain(closing.iter().map(Vec::as_slice));
     if share_along(&ring, drawn, contour.reach) < OUTLINE.1 {
         return None;
     }

@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | `leaf` | a blade of several strokes, its midrib and veins, blade and stalk in one stroke |
 //! | `leaf_area` | the blade that a group of lines encloses together: several strokes, halves, lobes |
+//! | `open_ends` | what closes an outline whose arcs do not meet |
 //! | `leaf_parts` | midrib, veins and stalk of a blade |
 //! | `lobed_leaf` | a blade with pointed lobes on its stalk |
 //! | `leaf_loops` | several leaves in one stroke |
@@ -19,6 +20,7 @@ pub(crate) mod leaf_area;
 pub(crate) mod leaf_loops;
 pub(crate) mod leaf_parts;
 pub(crate) mod lobed_leaf;
+mod open_ends;
 pub(crate) mod potted_stem;
 pub(crate) mod spurs;
 pub(crate) mod stem_arcs;

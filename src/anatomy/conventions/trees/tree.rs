@@ -88,8 +88,9 @@ const LEAST: f32 = 1.5;
 
 /// How far beside a trunk another plant stands, as a share of the trunk's height.
 const BESIDE: f32 = 0.1;
-/// Log-odds that a crown of which one side was left out loses.
+/// Log-odds that a crown of which one side was left out loses, and most of a whole one that it encloses by itself.
 const HALF: f32 = 1.0;
+const CUT: f32 = 0.85;
 
 /// A trunk, the outline of its crown, and log-odds against them.
 type Found = (Trunk, Vec<Vec2>, f32);
@@ -185,8 +186,9 @@ fn stoutness(trunk: &Trunk, crown: &[Vec2]) -> f32 {
 fn upright(lines: &[&Line], rows: &Rows) -> Option<Found> {
     let trunk = rows.trunk().filter(|trunk| trunk.is_sharp)?;
     let above: Vec<Vec<Vec2>> = lines.iter().flat_map(|line| line.above(trunk.top)).collect();
-    if let Some(outline) = crown(above.clone(), &trunk) {
-        return Some((trunk, outline, 0.0));
+    let whole = half_crown::completed(&above, trunk.axis()).and_then(|above| crown(above, &trunk));
+    if let Some((outline, doubt)) = whole_or_drawn(crown(above.clone(), &trunk), whole.clone()) {
+        return Some((trunk, outline, doubt));
     }
     let all = hull_area(&above.concat());
     let higher = rows.trunk_to_shoulder().filter(|trunk| trunk.is_sharp).and_then(|trunk| {
@@ -194,10 +196,7 @@ fn upright(lines: &[&Line], rows: &Rows) -> Option<Found> {
         let outline = crown(above, &trunk)?;
         (simple_loop::area(&outline) > SOLID * all).then_some((trunk, outline, 0.0))
     });
-    higher.or_else(|| {
-        let outline = crown(half_crown::completed(&above, trunk.axis())?, &trunk)?;
-        Some((trunk, outline, HALF))
-    })
+    higher.or_else(|| Some((trunk, whole?, HALF)))
 }
 
 /// A trunk by its two sides, which may lean, and the outline of what is drawn beside them.
@@ -209,10 +208,21 @@ fn leaning(page: &Page, group: &[usize]) -> Option<Found> {
     // What is left of the sides at their feet is ground, or a root.
     let half = trunk.top.midpoint(sides.foot().y);
     let above: Vec<Vec<Vec2>> = rest.filter(|run| run.iter().any(|p| p.y < half)).collect();
-    let outline = crown(above, &trunk)?;
+    let whole = half_crown::completed(&above, trunk.axis()).and_then(|above| crown(above, &trunk));
+    let (outline, doubt) =
+        whole_or_drawn(crown(above, &trunk), whole.clone()).or_else(|| Some((whole?, HALF)))?;
     let area = simple_loop::area(&outline);
     let is_crown = area > FULL * hull_area(&outline) && outline.iter().all(|p| p.y < half);
-    is_crown.then_some((trunk, outline, 0.0))
+    is_crown.then_some((trunk, outline, doubt))
+}
+
+/// The outline of a crown as it was drawn, or the whole of it where a side was left out, with log-odds against it; nothing where it
+/// was not drawn. Closed straight across, such a crown ends there as if it had been cut.
+fn whole_or_drawn(drawn: Option<Vec<Vec2>>, whole: Option<Vec<Vec2>>) -> Option<(Vec<Vec2>, f32)> {
+    let drawn = drawn?;
+    let area = simple_loop::area(&drawn);
+    let whole = whole.filter(|whole| CUT * simple_loop::area(whole) > area);
+    Some(whole.map_or((drawn, 0.0), |whole| (whole, HALF)))
 }
 
 /// The outline of the crown above a trunk, from what is drawn there.

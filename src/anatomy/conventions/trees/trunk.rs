@@ -64,6 +64,7 @@ pub(crate) struct Rows {
 }
 
 /// A trunk, row by row from below: the middle and half the distance of its sides.
+#[derive(Clone)]
 pub(crate) struct Trunk {
     rows: Vec<(Vec2, f32)>,
     /// Half its width where it is narrowest, pixels.
@@ -310,9 +311,15 @@ impl Trunk {
         Some(Self { rows, narrow: half, top: top.y, sill, is_sharp: true })
     }
 
-    /// Where its middle is at its top, to the right, pixels.
+    /// Where its middle is in its upper half, to the right, pixels; the outermost rows know of the crown's ends.
     pub(crate) fn axis(&self) -> f32 {
-        0.5 * (self.sill.0.x + self.sill.1.x)
+        let rows = self.rows.len();
+        let mut middles: Vec<f32> = self.rows[rows / 2..rows - rows / 10].iter().map(|row| row.0.x).collect();
+        if middles.is_empty() {
+            return 0.5 * (self.sill.0.x + self.sill.1.x);
+        }
+        let middle = middles.len() / 2;
+        *middles.select_nth_unstable_by(middle, f32::total_cmp).1
     }
 
     /// From its foot to its top, pixels.

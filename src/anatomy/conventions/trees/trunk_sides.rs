@@ -37,6 +37,8 @@ const OPEN: f32 = 0.3;
 const LONGER: f32 = 0.35;
 /// Most sides that are looked at.
 const MOST_SIDES: usize = 12;
+/// Least length of a steep stretch that is no hook, as a share of the longest of its line.
+const STRETCH: f32 = 0.6;
 /// Points over which the lean of a side is measured, to each side.
 const STEPS: usize = 3;
 /// Points of a trunk.
@@ -118,7 +120,8 @@ fn places(number: usize, line: &Line, from: usize, to: usize) -> Vec<Place> {
     all
 }
 
-/// The longest stretch of some points that rises steeply, so that hooks of the hand do not count; never empty.
+/// The lowest stretch of some points that rises steeply, but for hooks of the hand, which are short beside the longest: what follows
+/// above may be a crown in one line with the trunk. Never empty.
 fn steep(places: Vec<Place>) -> Vec<Place> {
     // Over a few points, so that no single step decides.
     let is_steep = |k: usize| {
@@ -127,9 +130,9 @@ fn steep(places: Vec<Place>) -> Vec<Place> {
     };
     let numbers: Vec<usize> = (0..places.len()).collect();
     let runs = numbers.chunk_by(|a, b| is_steep(*a) == is_steep(*b)).filter(|run| is_steep(run[0]));
-    // Of equals the first.
-    let longest = runs.rev().max_by_key(|run| run.len());
-    longest.map_or_else(|| places[..1].to_vec(), |run| places[run[0]..=run[run.len() - 1]].to_vec())
+    let longest = runs.clone().map(<[usize]>::len).max().unwrap_or(0);
+    let lowest = runs.clone().find(|run| run.len() as f32 >= STRETCH * longest as f32);
+    lowest.map_or_else(|| places[..1].to_vec(), |run| places[run[0]..=run[run.len() - 1]].to_vec())
 }
 
 impl TrunkSides {

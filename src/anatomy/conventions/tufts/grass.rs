@@ -2,7 +2,7 @@
 //!
 //! Every line is cut into its [`spikes`](super::spikes) above the ground. A zigzag is a line with [`TEETH`] sharp tips at
 //! least, one more if it is closed by a line along the ground, most of which are drawn one after the other to one side. Lines side by side are upright and their feet at about one level;
-//! arcs that lean to a common tip are one blade. Every spike becomes one blade, as wide as it was drawn up to [`HALF`], and
+//! arcs that lean to a common tip are one blade. On a hill that was drawn they may stand at any height. Every spike becomes one blade, as wide as it was drawn up to [`HALF`], and
 //! its root is led down to the lowest foot, on which all stand.
 //!
 //! What speaks against grass: something that stands below it, which would be a trunk, a stem or a pot, and an outline
@@ -19,6 +19,7 @@ use crate::geom::polyline;
 use crate::geom::region::Region;
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
+use std::collections::BTreeSet;
 use std::f32::consts::PI;
 
 /// Fewest tips with both flanks of a zigzag.
@@ -48,6 +49,11 @@ const CLOSED: f32 = 0.3;
 const NARROW: f32 = 0.045;
 /// Least size of an outline around a zigzag, in its sizes, and least share of the zigzag's points in it.
 const AROUND: (f32, f32) = (0.8, 0.7);
+/// How far what carries a zigzag goes on below it, and its least height, in heights of the zigzag.
+const BELOW: f32 = 0.35;
+/// Least width of what closes the outline of a lawn, in its heights, and how far it may be from the zigzag's width and ends, as a
+/// share of that: a pot is higher.
+const LAWN: (f32, f32) = (2.2, 0.2);
 /// Share of the length of all strokes that stands side by side.
 const MOST_OF_ALL: f32 = 0.8;
 /// Most zigzags that are looked at.
@@ -68,6 +74,10 @@ const STEEP: f32 = 0.2;
 const LONG_ROW: f32 = 4.0;
 /// Height from which a line is no blade beside others, in heights of the one in the middle of all.
 const GIANT: f32 = 3.5;
+/// Least width of a hill's line over its length, and how near to its lowest place both ends are, in its heights.
+const HILL: (f32, f32) = (0.75, 0.3);
+/// Least width of a zigzag that can be nothing else, in its heights.
+const WIDE: f32 = 1.5;
 /// Greatest height of a line that may be the ground, as a share of its width.
 const GROUND: f32 = 0.22;
 
@@ -78,7 +88,13 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let stand = |(i, _): &(usize, Vec<Spike>)| !stands_on_something(page, *i) && !is_inside_another(page, *i);
     out.extend(zigzags.take(MOST_ZIGZAGS).filter(stand).map(|(i, teeth)| {
         let score = 2.0 + 0.25 * teeth.len().min(12) as f32;
-        grass(vec![i], score, &teeth.into_iter().map(|tooth| (tooth, HALF)).collect::<Vec<_>>(), 0.0)
+        let uses = [Some(i), lawn_below(page, i)].into_iter().flatten().collect::<BTreeSet<_>>();
+        grass(
+            uses.into_iter().collect(),
+            score,
+            &teeth.into_iter().map(|tooth| (tooth, HALF)).collect::<Vec<_>>(),
+            0.0,
+        )
     }));
     out.extend(side_by_side(page));
 }
@@ -105,6 +121,11 @@ fn upright_spikes(line: &Line) -> Vec<Spike> {
     let several = all.len() > 1;
     all.retain(|spike| !(several && lies(spike)));
     all
+}
+
+/// Whether a line is a zigzag along the ground, wider than high.
+pub(crate) fn is_row_of_teeth(line: &Line) -> bool {
+    line.size().x > WIDE * line.size().y && zigzag(line).is_some()
 }
 
 /// The teeth of a line, if it is a zigzag.
@@ -147,10 +168,28 @@ fn stands_on_something(page: &Page, index: usize) -> bool {
     let height = high.y - low.y;
     let is_below = |other: &Line| {
         let across = other.bounds.1.x.min(high.x) - other.bounds.0.x.max(low.x);
-        let is_lower = across >= 0.0 && other.bounds.1.y > high.y + 0.35 * height;
+        let is_lower =
+            across >= 0.0 && other.bounds.1.y > high.y + BELOW * height && other.size().y > BELOW * height;
         is_lower && !is_ground(other) && zigzag(other).is_none()
     };
-    page.lines.iter().enumerate().any(|(i, other)| i != index && is_below(other))
+    let lawn = lawn_below(page, index);
+    let others = page.lines.iter().enumerate().filter(|(i, _)| *i != index && Some(*i) != lawn);
+    others.into_iter().any(|(_, other)| is_below(other))
+}
+
+/// The line that goes from one end of a zigzag down and around to the other: the rest of a lawn of which it is the upper edge.
+fn lawn_below(page: &Page, index: usize) -> Option<usize> {
+    let zigzag = &page.lines[index];
+    let (a, b) = zigzag.ends();
+    let near = LAWN.1 * zigzag.size().x;
+    let closes = |line: &Line| {
+        let (c, d) = line.ends();
+        let size = line.size();
+        size.x > LAWN.0 * size.y
+            && (size.x / zigzag.size().x - 1.0).abs() < LAWN.1
+            && (a.distance(c).max(b.distance(d)) < near || a.distance(d).max(b.distance(c)) < near)
+    };
+    (0..page.lines.len()).find(|i| *i != index && closes(&page.lines[*i]))
 }
 
 /// Whether a line is level and may be the ground.
@@ -174,7 +213,7 @@ fn is_inside_another(page: &Page, index: usize) -> bool {
 }
 
 /// All lines that stand side by side, if they are most of the drawing.
-fn side_by_side(page: &Page) -> Option<Hypothesis> {
+pub(super) fn side_by_side(page: &Page) -> Option<Hypothesis> {
     let all = || (0..page.lines.len()).filter(|i| !page.is_apart(*i));
     let upright: Vec<usize> = all().filter(|i| is_upright(&page.lines[*i])).collect();
     let leaning: Vec<usize> = all().filter(|i| is_leaning(&page.lines[*i])).collect();
@@ -195,9 +234,9 @@ fn blades_of(page: &Page, upright: &[usize]) -> Option<Hypothesis> {
     if upright.len() < LINES || blades.len() < BLADES {
         return None;
     }
-    let (ground, height) = ground_of(&blades)?;
+    let (ground, height) = ground_of(&blades).or_else(|| foot_of_hill(page, &blades))?;
     let is_at_feet = |line: &Line| line.points.iter().any(|p| ground.above(*p).abs() < LEVEL * height);
-    let is_beneath = |line: &Line| is_ground(line) && is_at_feet(line);
+    let is_beneath = |line: &Line| (is_ground(line) || is_hill(line)) && is_at_feet(line);
     let mut uses: Vec<usize> = (0..page.lines.len())
         .filter(|i| !page.is_apart(*i) && !upright.contains(i) && is_beneath(&page.lines[*i]))
         .chain(upright.iter().copied())
@@ -272,6 +311,25 @@ impl Ground {
     fn with_slope(feet: &[Vec2], slope: f32) -> Self {
         Self { level: median(&mut feet.iter().map(|p| p.y - slope * p.x).collect::<Vec<_>>()), slope }
     }
+}
+
+/// Whether a line may be a hill: an arch that goes one way and comes down at both ends.
+fn is_hill(line: &Line) -> bool {
+    let (first, last) = line.ends();
+    let low = line.bounds.1.y - HILL.1 * line.size().y;
+    (first.x - last.x).abs() > HILL.0 * line.length && first.y > low && last.y > low
+}
+
+/// The foot of a hill that was drawn, if all blades stand on it, and their middle length.
+fn foot_of_hill(page: &Page, blades: &[(Spike, Vec<usize>)]) -> Option<(Ground, f32)> {
+    let height =
+        median(&mut blades.iter().map(|blade| blade.0.foot().distance(blade.0.tip())).collect::<Vec<_>>());
+    let is_near = |line: &Line, foot: Vec2| {
+        polyline::nearest(&line.points, foot).is_some_and(|(gap, _)| gap < LEVEL * height)
+    };
+    let carries = |line: &&Line| blades.iter().all(|blade| is_near(line, blade.0.foot()));
+    let hill = page.lines.iter().filter(|line| is_hill(line)).find(carries)?;
+    Some((Ground { level: hill.bounds.1.y, slope: 0.0 }, height))
 }
 
 /// The ground on which most blades stand, level or, where that is not so, as the two ends of a long row say, and their middle length;

@@ -10,6 +10,7 @@
 //! Limits: a tuft of two blades, or one whose blades lie level, is not found.
 
 use super::frond_crown::Crown;
+use super::grass;
 use crate::anatomy::conventions::page::Page;
 use crate::anatomy::conventions::shapes::spikes::{Spike, spikes};
 use crate::anatomy::conventions::{Habit, Hypothesis};
@@ -23,6 +24,8 @@ const AUTO: f32 = 0.9;
 const SMALLEST: f32 = 0.2;
 /// Fewest blades.
 const FEWEST: usize = 3;
+/// Most lines that are neighbours in a row of grass rather than a tuft.
+const PAIR: usize = 2;
 /// Share of what is drawn that blades must be.
 const EXPLAINED: f32 = 0.8;
 /// Lowest part of a group in which its blades begin, as a share of its height.
@@ -52,7 +55,11 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     if lines < AUTO * page.length {
         return;
     }
-    out.extend(page.groups.iter().chain(&page.wide_groups).filter_map(|group| tuft(page, group)));
+    // Two neighbours in a row are no tuft, though their blades lead to one place.
+    let row = grass::side_by_side(page).map_or(0, |row| row.uses.len());
+    let is_pair = |group: &[usize]| group.len() <= PAIR && group.len() < row;
+    let groups = page.groups.iter().chain(&page.wide_groups).filter(|group| !is_pair(group));
+    out.extend(groups.filter_map(|group| tuft(page, group)));
 }
 
 fn tuft(page: &Page, group: &[usize]) -> Option<Hypothesis> {

@@ -51,10 +51,10 @@ pub(crate) struct Looks {
 }
 
 impl Looks {
-    /// That of the lines of a page; nothing where tools were chosen.
+    /// That of the lines of a page that are not set apart; nothing where tools were chosen.
     pub(crate) fn of(page: &Page) -> Option<Self> {
-        let length: f32 = page.lines.iter().map(|line| line.length).sum();
-        let all: Vec<usize> = (0..page.lines.len()).collect();
+        let all: Vec<usize> = (0..page.lines.len()).filter(|line| !page.is_apart(*line)).collect();
+        let length: f32 = all.iter().map(|line| page.lines[*line].length).sum();
         (length > AUTO * page.length).then(|| Self::of_lines(page, &all)).flatten()
     }
 
