@@ -6,6 +6,7 @@ use super::disc::Disc;
 use super::indexed_image::IndexedImage;
 use super::leaf::{Leaf, Marking, Venation};
 use super::petals;
+use super::tree_bark;
 use glam::Vec2;
 
 /// A texture that can be painted.
@@ -36,6 +37,11 @@ fn blade(name: &'static str, paint: impl Fn(Vec2) -> Lab + 'static) -> Texture {
 
 fn square(name: &'static str, paint: impl Fn(Vec2) -> Lab + 'static) -> Texture {
     Texture { name, size: (256, 256), paint: Box::new(paint) }
+}
+
+/// What is looked at on thick trunks, too.
+fn trunk(name: &'static str, paint: impl Fn(Vec2) -> Lab + 'static) -> Texture {
+    Texture { name, size: (512, 512), paint: Box::new(paint) }
 }
 
 fn pinnate(field: u32, shade: u32, vein: u32, pairs: f32, rise: f32, seed: u32) -> Leaf {
@@ -121,10 +127,12 @@ fn surfaces() -> Vec<Texture> {
     vec![
         square("stem_green", |p| bark::stem(p, 0x8db05c, 0x5f8a42)),
         square("twig", bark::twig),
-        square("bark_fissured", |p| bark::fissured(p, 0x86766a, 0x2f2620, 0x7b8158)),
-        square("bark_grey", |p| bark::smooth_grey(p, 0x98908a, 0x585049, 0xb4b79c)),
-        square("bark_cherry", bark::cherry),
-        square("bark_birch", bark::birch),
+        trunk("bark_fissured", tree_bark::fissured),
+        trunk("bark_plated", tree_bark::plated),
+        trunk("bark_grey", tree_bark::smooth_grey),
+        trunk("bark_cherry", tree_bark::cherry),
+        trunk("bark_birch", tree_bark::birch),
+        trunk("bark_palm", tree_bark::palm),
         square("bark_bamboo", bark::bamboo),
         square("terracotta", bark::terracotta),
         square("soil", bark::soil),
