@@ -8,10 +8,14 @@ mod catalogue;
 mod color;
 #[path = "../examples/paint_textures/disc.rs"]
 mod disc;
+#[path = "../examples/paint_textures/flesh.rs"]
+mod flesh;
 #[path = "../examples/paint_textures/indexed_image.rs"]
 mod indexed_image;
 #[path = "../examples/paint_textures/leaf.rs"]
 mod leaf;
+#[path = "../examples/paint_textures/needles.rs"]
+mod needles;
 #[path = "../examples/paint_textures/noise.rs"]
 mod noise;
 #[path = "../examples/paint_textures/petal.rs"]

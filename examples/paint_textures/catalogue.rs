@@ -3,6 +3,7 @@
 use super::bark;
 use super::color::{Lab, hex};
 use super::disc::Disc;
+use super::flesh;
 use super::indexed_image::IndexedImage;
 use super::leaf::{Leaf, Marking, Venation};
 use super::petals;
@@ -28,7 +29,8 @@ impl Texture {
 pub(crate) fn all() -> Vec<Texture> {
     let petals = petals::ALL.iter().map(|(name, petal)| blade(name, |p| petal.paint(p)));
     let leaves = leaves().into_iter().map(|(name, leaf)| blade(name, move |p| leaf.paint(p)));
-    petals.chain(leaves).chain(surfaces()).chain(discs()).collect()
+    let needles = std::iter::once(blade("leaf_needles", super::needles::paint));
+    petals.chain(leaves).chain(needles).chain(surfaces()).chain(discs()).collect()
 }
 
 fn blade(name: &'static str, paint: impl Fn(Vec2) -> Lab + 'static) -> Texture {
@@ -39,7 +41,7 @@ fn square(name: &'static str, paint: impl Fn(Vec2) -> Lab + 'static) -> Texture 
     Texture { name, size: (256, 256), paint: Box::new(paint) }
 }
 
-/// What is looked at on thick trunks, too.
+/// What is looked at on thick bodies, too.
 fn trunk(name: &'static str, paint: impl Fn(Vec2) -> Lab + 'static) -> Texture {
     Texture { name, size: (512, 512), paint: Box::new(paint) }
 }
@@ -133,6 +135,10 @@ fn surfaces() -> Vec<Texture> {
         trunk("bark_cherry", tree_bark::cherry),
         trunk("bark_birch", tree_bark::birch),
         trunk("bark_palm", tree_bark::palm),
+        trunk("cactus", flesh::cactus),
+        trunk("mushroom_cap", flesh::cap),
+        trunk("mushroom_gills", flesh::gills),
+        square("mushroom_stalk", flesh::stalk),
         square("bark_bamboo", bark::bamboo),
         square("terracotta", bark::terracotta),
         square("soil", bark::soil),
