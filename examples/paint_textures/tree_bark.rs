@@ -26,11 +26,11 @@ fn shade(p: Vec2, height: impl Fn(Vec2) -> f32) -> f32 {
 }
 
 /// One family of lines up the tile: `count` of them, each at the place of another `climb` further at the top, and wandering
-/// by about `wander` of the space between two. Distance from the nearest, in shares of the tile, and which strip this is.
-fn strip(p: Vec2, count: i32, climb: i32, wander: f32, seed: u32) -> (f32, i32) {
+/// by about `wander` of the space between two. Distance from the nearest, in shares of the tile.
+fn strip(p: Vec2, count: i32, climb: i32, wander: f32, seed: u32) -> f32 {
     let aside = wander * (0.9 * tiled(p, 3, 3, 2, seed) + 0.24 * tiled(p, count, 12, 3, seed + 4));
     let place = count as f32 * p.x + climb as f32 * p.y + aside;
-    ((place - place.round()).abs() / count as f32, (place.floor() as i32).rem_euclid(count))
+    (place - place.round()).abs() / count as f32
 }
 
 /// How open a crack is, 0 to 1, at a distance from its middle, if it is `half` as wide.
@@ -38,27 +38,27 @@ fn crack(distance: f32, half: f32) -> f32 {
     smooth(half, 0.2 * half, distance)
 }
 
-/// Cracks across a strip, `rows` up the tile, at other heights in each strip.
-fn steps(p: Vec2, rows: i32, strip: i32, seed: u32) -> f32 {
-    let height = rows as f32 * p.y + 0.45 * tiled(p, 14, 9, 3, seed);
-    let height = height + hash(IVec2::new(strip, 1), seed);
+/// Distance from the nearest crack across strips, `rows` of them up the tile, at other heights in each of `count` strips.
+fn steps(p: Vec2, rows: i32, count: i32, seed: u32) -> f32 {
+    let uneven = 1.5 * tiled(p, count, 2, 1, seed + 5) + 0.45 * tiled(p, 14, 9, 3, seed);
+    let height = rows as f32 * p.y + uneven;
     (height - height.round()).abs() / rows as f32
 }
 
 /// Ridges and fissures, 0 to 1: long ridges between lines that climb to either side, on them shorter cracks, on these grain.
 fn ridges(p: Vec2) -> f32 {
     let rough = tiled(p, 56, 18, 4, 20);
-    let (left, of_left) = strip(p, 11, 1, 1.2, 11);
-    let (right, _) = strip(p, 10, -1, 1.2, 14);
+    let left = strip(p, 11, 1, 1.2, 11);
+    let right = strip(p, 10, -1, 1.2, 14);
     let open = |seed| smooth(-0.52, -0.08, tiled(p, 11, 4, 2, seed));
     let half = 0.016 + 0.004 * tiled(p, 9, 4, 2, 19) + 0.009 * rough;
     let deep = (open(17) * crack(left, half)).max(open(18) * crack(right, half));
-    let (second, _) = strip(p, 21, -2, 1.2, 22);
+    let second = strip(p, 21, -2, 1.2, 22);
     let middle = crack(second, 0.011 + 0.005 * rough) * smooth(-0.25, 0.15, tiled(p, 14, 6, 2, 25));
-    let (third, _) = strip(p, 47, 3, 1.4, 26);
+    let third = strip(p, 47, 3, 1.4, 26);
     let fine = crack(third, 0.004) * smooth(-0.1, 0.25, tiled(p, 24, 10, 2, 29));
     let across =
-        crack(steps(p, 9, of_left, 30), 0.006 + 0.003 * rough) * smooth(-0.05, 0.2, tiled(p, 14, 10, 2, 31));
+        crack(steps(p, 9, 11, 130), 0.006 + 0.003 * rough) * smooth(-0.05, 0.2, tiled(p, 14, 10, 2, 31));
     let round = smooth(0.0, 0.05, left.min(right));
     let cut = deep.max(0.66 * middle).max(0.42 * fine).max(0.5 * across);
     (1.0 - cut) * (0.70 + 0.30 * round) + 0.22 * rough
@@ -79,13 +79,13 @@ pub(crate) fn fissured(p: Vec2) -> Lab {
 /// Plates of a pine, 0 to 1, flaky on top.
 fn plates(p: Vec2) -> f32 {
     let rough = tiled(p, 40, 26, 4, 32);
-    let (left, of_left) = strip(p, 7, 1, 0.9, 33);
-    let (right, _) = strip(p, 6, -1, 0.9, 36);
+    let left = strip(p, 7, 1, 0.9, 33);
+    let right = strip(p, 6, -1, 0.9, 36);
     let open = |seed| smooth(-0.4, -0.1, tiled(p, 7, 4, 2, seed));
     let half = 0.018 + 0.008 * rough;
     let long = (open(39) * crack(left, half)).max(open(40) * crack(right, half));
     let across =
-        crack(steps(p, 5, of_left, 44), 0.013 + 0.006 * rough) * smooth(-0.4, -0.1, tiled(p, 7, 6, 2, 45));
+        crack(steps(p, 5, 7, 140), 0.013 + 0.006 * rough) * smooth(-0.4, -0.1, tiled(p, 7, 6, 2, 45));
     (1.0 - long.max(0.85 * across)) * (0.62 + 0.3 * flakes(p)) + 0.12 * rough
 }
 
@@ -120,9 +120,9 @@ pub(crate) fn smooth_grey(p: Vec2) -> Lab {
         hex(0xa29b92),
         0.5 + 0.45 * tiled(p, 5, 4, 5, 53) + 0.3 * tiled(q, 18, 50, 3, 54),
     );
-    let (long, _) = strip(p, 17, 1, 1.1, 55);
+    let long = strip(p, 17, 1, 1.1, 55);
     let long = crack(long, 0.0045) * smooth(0.0, 0.3, tiled(p, 17, 4, 2, 58));
-    let (fine, _) = strip(p, 41, -2, 1.3, 65);
+    let fine = strip(p, 41, -2, 1.3, 65);
     let fine = crack(fine, 0.003) * smooth(0.0, 0.3, tiled(p, 30, 8, 2, 69));
     c = over(c, hex(0x504942), 0.6 * long.max(0.6 * fine));
     for (middle, radius) in
