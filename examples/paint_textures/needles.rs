@@ -1,7 +1,7 @@
-//! A twig full of needles, base at the bottom: what the sprays of a conifer wear.
+//! A twig full of needles, base at the bottom: what the leaves of a conifer wear, each a twig.
 //!
-//! Needles stand in two rows along the twig and look forward; dark gaps show between them. The spray's own outline has only a few
-//! teeth, so what reads as needles is this picture.
+//! Needles stand in two rows along the twig and look forward; dark gaps show between them. The twig's own outline is only a
+//! lance, so what reads as needles is this picture.
 
 use super::color::{Lab, hex, lighter, over, smooth};
 use super::noise::{ENDLESS, fractal, hash};

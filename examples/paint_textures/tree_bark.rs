@@ -151,8 +151,8 @@ fn pores(p: Vec2, columns: i32, rows: i32, share: f32, seed: u32) -> f32 {
 /// Satin bark with bands and horizontal pores: cherry.
 pub(crate) fn cherry(p: Vec2) -> Lab {
     let q = p + Vec2::new(0.0, 0.015 * tiled(p, 4, 4, 3, 71));
-    let mut c = over(hex(0x5f3b31), hex(0x855a49), 0.5 + 0.7 * tiled(q, 2, 12, 4, 72));
-    c = over(c, hex(0x9b857a), 0.4 * smooth(0.0, 0.45, tiled(q, 3, 9, 5, 73)));
+    let mut c = over(hex(0x5f3b31), hex(0x855a49), 0.5 + 0.5 * tiled(q, 4, 14, 4, 72));
+    c = over(c, hex(0x9b857a), 0.22 * smooth(0.0, 0.45, tiled(q, 5, 12, 5, 73)));
     c = lighter(c, 0.03 * tiled(q, 4, 70, 3, 74) + 0.02 * tiled(q, 70, 8, 2, 75));
     let (pore, fine) = (pores(p, 8, 44, 0.62, 76), pores(p, 18, 90, 0.5, 80));
     let below = pores(p + Vec2::new(0.0, 0.005), 8, 44, 0.62, 76);

@@ -31,9 +31,9 @@ pub enum LeafShape {
     Palmate,
     /// Many narrow needles from one place: pine.
     Tuft,
-    /// A twig with short side twigs that look forward, all of them full of needles: spruce.
+    /// A feather of leaflets, or of needles.
     Feather,
-    /// One leaflet of a compound leaf, of few corners: ash, walnut.
+    /// One leaflet of a compound leaf, or a twig full of needles, of few corners: ash, walnut, spruce.
     Leaflet,
     /// A flat spray of scales: cypress.
     Scale,
@@ -61,9 +61,16 @@ fn right_half(shape: LeafShape) -> &'static [(f32, f32)] {
             (0.18, 0.94),
             (0.03, 0.55),
         ],
-        LeafShape::Feather => {
-            &[(0.36, 0.3), (0.12, 0.2), (0.5, 0.6), (0.12, 0.42), (0.36, 0.85), (0.09, 0.66)]
-        }
+        LeafShape::Feather => &[
+            (0.42, 0.12),
+            (0.05, 0.18),
+            (0.5, 0.34),
+            (0.05, 0.4),
+            (0.5, 0.58),
+            (0.05, 0.62),
+            (0.38, 0.82),
+            (0.05, 0.84),
+        ],
         LeafShape::Leaflet => &[(0.48, 0.28), (0.4, 0.66)],
         LeafShape::Scale => &[(0.3, 0.15), (0.12, 0.24), (0.5, 0.5), (0.16, 0.56), (0.32, 0.84)],
     }
