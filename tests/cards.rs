@@ -70,7 +70,7 @@ fn cards_cover_what_their_leaves_cover() {
     // What is thin, as needles and the leaflets of an ash are, is lost first in small copies of a picture.
     let trees = [
         ("oak", 20.0, 0.25, 0.12),
-        ("spruce", 12.0, 0.1, 0.15),
+        ("spruce", 12.0, 0.15, 0.15),
         ("maple", 14.0, 0.35, 0.12),
         ("ash", 10.0, 0.25, 0.15),
     ];

@@ -7,6 +7,7 @@ use crate::people::{Drawing, Share, drawings};
 use glam::Vec2;
 use penstemon::model::PartKind;
 use penstemon::pipeline::{self, Built};
+use penstemon::plant::OrganKind;
 use penstemon::sketch::{Reading, Stroke};
 use rayon::prelude::*;
 use std::path::Path;
@@ -61,7 +62,7 @@ fn cacti_and_mushrooms_fill_the_bodies_that_were_drawn() {
     assert!(found[0].0 > 0.5, "{few:?}");
 }
 
-/// Intersection over union of wood and what strokes enclose together with the ground between their lowest ends; none where
+/// Intersection over union of stems with their caps and what strokes enclose together with the ground between their lowest ends; none where
 /// that is little more than the strokes themselves.
 fn agreement<'a>(built: &Built, drawn: impl Iterator<Item = &'a Arc<Stroke>>) -> Option<f32> {
     let points =
@@ -76,7 +77,7 @@ fn agreement<'a>(built: &Built, drawn: impl Iterator<Item = &'a Arc<Stroke>>) ->
     let cell = 1.2 * (high - low).max_element() / CELLS as f32;
     let low = low.midpoint(high) - 0.5 * cell * CELLS as f32;
     let inside = enclosed(&lines, low, cell);
-    let covered = wood(built, low, cell);
+    let covered = body(built, low, cell);
     let count = |of: &dyn Fn(bool, bool) -> bool| {
         inside.iter().zip(&covered).filter(|(inside, covered)| of(**inside, **covered)).count() as f32
     };
@@ -124,11 +125,12 @@ fn enclosed(lines: &[Vec<Vec2>], low: Vec2, cell: f32) -> Vec<bool> {
     near(&outside).into_iter().map(|outside| !outside).collect()
 }
 
-/// The cells of the canvas that wood covers from the front.
-fn wood(built: &Built, low: Vec2, cell: f32) -> Vec<bool> {
+/// The cells of the canvas that wood and the caps of mushrooms, which are fruits, cover from the front.
+fn body(built: &Built, low: Vec2, cell: f32) -> Vec<bool> {
     let mut covered = vec![false; CELLS * CELLS];
     let place = |p: Vec2| ((p - low) / cell).clamp(Vec2::ZERO, Vec2::splat(CELLS as f32 - 1.0));
-    for part in built.model.parts.iter().filter(|part| part.kind == PartKind::Wood) {
+    let is_body = |kind| matches!(kind, PartKind::Wood | PartKind::Organ(OrganKind::Fruit));
+    for part in built.model.parts.iter().filter(|part| is_body(part.kind)) {
         for triangle in &part.mesh.triangles {
             let corners = part.mesh.corners(*triangle).map(|p| built.provenance.world_from_canvas.canvas(p));
             let (a, b) = (

@@ -8,16 +8,22 @@ mod catalogue;
 mod color;
 #[path = "../examples/paint_textures/disc.rs"]
 mod disc;
+#[path = "../examples/paint_textures/flesh.rs"]
+mod flesh;
 #[path = "../examples/paint_textures/indexed_image.rs"]
 mod indexed_image;
 #[path = "../examples/paint_textures/leaf.rs"]
 mod leaf;
+#[path = "../examples/paint_textures/needles.rs"]
+mod needles;
 #[path = "../examples/paint_textures/noise.rs"]
 mod noise;
 #[path = "../examples/paint_textures/petal.rs"]
 mod petal;
 #[path = "../examples/paint_textures/petals.rs"]
 mod petals;
+#[path = "../examples/paint_textures/tree_bark.rs"]
+mod tree_bark;
 
 use penstemon::species::{builtin_texture, builtin_textures::texture_names};
 
@@ -40,7 +46,9 @@ fn painting_again_gives_the_same_bytes() {
 
 #[test]
 fn bark_tiles_in_both_directions() {
-    for name in ["bark_fissured", "bark_birch", "bark_bamboo", "stem_green", "terracotta"] {
+    for name in
+        ["bark_fissured", "bark_plated", "bark_birch", "bark_palm", "bark_bamboo", "stem_green", "terracotta"]
+    {
         let texture = catalogue::all().into_iter().find(|t| t.name == name).unwrap();
         let picture = texture.picture();
         let (w, h) = (picture.width as usize, picture.height as usize);

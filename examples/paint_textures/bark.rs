@@ -1,11 +1,13 @@
-//! Stems, bark, clay and earth: all tile in both directions.
+//! Stems, young shoots, clay and earth: all tile in both directions.
+//!
+//! The bark of trees: `tree_bark`; flesh: `flesh`.
 
 use super::color::{Lab, hex, lighter, over, smooth};
 use super::noise::{cells, fractal, value};
 use glam::{IVec2, Vec2};
 
 /// Noise over the tile: `x` by `y` lattice points.
-fn tiled(p: Vec2, x: i32, y: i32, octaves: u32, seed: u32) -> f32 {
+pub(crate) fn tiled(p: Vec2, x: i32, y: i32, octaves: u32, seed: u32) -> f32 {
     fractal(p * Vec2::new(x as f32, y as f32), IVec2::new(x, y), octaves, seed)
 }
 
@@ -16,30 +18,6 @@ pub(crate) fn stem(p: Vec2, light: u32, dark: u32) -> Lab {
     let spots = tiled(p, 4, 5, 4, 7);
     let c = over(hex(light), hex(dark), 0.4 + 0.55 * spots);
     lighter(c, 0.016 * ribs + 0.02 * fibre)
-}
-
-/// Deep vertical cracks between long plates: oak, old willow.
-pub(crate) fn fissured(p: Vec2, plate: u32, crack: u32, moss: u32) -> Lab {
-    let warp = Vec2::new(0.055 * tiled(p, 5, 6, 4, 11), 0.05 * tiled(p, 6, 5, 3, 12));
-    let plates = cells((p + warp) * Vec2::new(9.0, 3.0), IVec2::new(9, 3), 13);
-    let rough = tiled(p + warp, 26, 7, 4, 14);
-    let depth = smooth(0.02, 0.2, plates.border + 0.07 * rough);
-    let ridge = over(hex(plate), lighter(hex(plate), 0.10), plates.id);
-    let mut c = lighter(ridge, 0.09 * rough + 0.05 * smooth(0.15, 0.4, plates.border));
-    c = over(c, hex(moss), 0.4 * smooth(0.05, 0.45, tiled(p, 3, 3, 4, 15)) * depth);
-    over(hex(crack), c, 0.06 + 0.94 * depth)
-}
-
-/// Thin grey bark with shallow cracks and lichen: maple.
-pub(crate) fn smooth_grey(p: Vec2, base: u32, dark: u32, lichen: u32) -> Lab {
-    let warp = Vec2::new(0.05 * tiled(p, 4, 3, 3, 21), 0.0);
-    let cracks = cells((p + warp) * Vec2::new(12.0, 3.0), IVec2::new(12, 3), 22);
-    let grain = tiled(p + warp, 30, 8, 3, 23);
-    let mut c = lighter(over(hex(base), hex(dark), 0.35 + 0.6 * tiled(p, 5, 3, 4, 24)), 0.05 * grain);
-    let cut = 1.0 - smooth(0.01, 0.075, cracks.border + 0.03 * grain);
-    c = over(c, hex(dark), 0.85 * cut);
-    let patch = smooth(0.16, 0.3, tiled(p, 4, 4, 4, 25));
-    over(c, hex(lichen), 0.5 * patch)
 }
 
 /// Horizontal pores: lens-shaped marks in rows, `rows` up the tile.
@@ -54,35 +32,6 @@ fn lenticels(p: Vec2, columns: i32, rows: i32, seed: u32) -> f32 {
     let thick = 0.10 + 0.16 * random(3);
     let d = (f.y - 0.35 * (random(2) - 0.5)).abs() / thick;
     if random(4) < 0.35 || lens <= 0.0 { 0.0 } else { smooth(1.0, 0.55, d / lens.sqrt()) }
-}
-
-/// Satin bark with rings and pores: cherry.
-pub(crate) fn cherry(p: Vec2) -> Lab {
-    let rings = tiled(p, 2, 14, 3, 31);
-    let satin = tiled(p, 3, 30, 2, 32);
-    let mut c = over(hex(0x6e4438), hex(0x8f6350), 0.5 + 0.8 * rings);
-    c = over(c, hex(0xa58d80), 0.45 * smooth(0.1, 0.4, tiled(p, 3, 5, 4, 33)));
-    c = lighter(c, 0.03 * satin);
-    let shadow = lenticels(p + Vec2::new(0.0, 0.008), 5, 14, 34);
-    let pore = lenticels(p, 5, 14, 34);
-    c = lighter(c, -0.12 * (shadow - pore).max(0.0));
-    over(c, lighter(hex(0xb98a63), 0.05 * tiled(p, 40, 40, 1, 35)), 0.9 * pore)
-}
-
-/// White paper bark with dark pores and torn scars: birch.
-pub(crate) fn birch(p: Vec2) -> Lab {
-    let paper = tiled(p, 3, 10, 4, 41);
-    let mut c = over(hex(0xece7dc), hex(0xcfc5b6), 0.35 + 0.8 * paper);
-    c = over(c, hex(0xe2c3a4), 0.35 * smooth(0.15, 0.45, tiled(p, 2, 4, 3, 42)));
-    c = lighter(c, 0.02 * tiled(p, 6, 60, 2, 43));
-    c = over(c, hex(0x4b4540), 0.85 * lenticels(p, 6, 22, 44));
-    let torn = cells(
-        (p + Vec2::new(0.06 * tiled(p, 5, 5, 3, 45), 0.03 * tiled(p, 7, 7, 3, 46))) * 3.0,
-        IVec2::splat(3),
-        47,
-    );
-    let scar = smooth(0.30, 0.18, torn.middle + 0.12 * tiled(p, 12, 9, 3, 48)) * smooth(0.5, 0.62, torn.id);
-    over(c, lighter(hex(0x2f2a28), 0.06 * tiled(p, 20, 30, 2, 49)), scar)
 }
 
 /// Green culm with one node per tile: bamboo.
@@ -102,7 +51,7 @@ pub(crate) fn bamboo(p: Vec2) -> Lab {
 /// Young woody shoot with small pores.
 pub(crate) fn twig(p: Vec2) -> Lab {
     let grain = tiled(p, 26, 5, 3, 61);
-    let c = over(hex(0x7a624c), hex(0x8e7a5e), 0.5 + 0.8 * tiled(p, 4, 4, 4, 62));
+    let c = over(hex(0x776757), hex(0x8d7f6d), 0.5 + 0.8 * tiled(p, 4, 4, 4, 62));
     over(lighter(c, 0.05 * grain), hex(0xc0aa88), 0.6 * lenticels(p, 9, 16, 63))
 }
 

@@ -3,9 +3,11 @@
 use super::bark;
 use super::color::{Lab, hex};
 use super::disc::Disc;
+use super::flesh;
 use super::indexed_image::IndexedImage;
 use super::leaf::{Leaf, Marking, Venation};
 use super::petals;
+use super::tree_bark;
 use glam::Vec2;
 
 /// A texture that can be painted.
@@ -27,7 +29,8 @@ impl Texture {
 pub(crate) fn all() -> Vec<Texture> {
     let petals = petals::ALL.iter().map(|(name, petal)| blade(name, |p| petal.paint(p)));
     let leaves = leaves().into_iter().map(|(name, leaf)| blade(name, move |p| leaf.paint(p)));
-    petals.chain(leaves).chain(surfaces()).chain(discs()).collect()
+    let needles = std::iter::once(blade("leaf_needles", super::needles::paint));
+    petals.chain(leaves).chain(needles).chain(surfaces()).chain(discs()).collect()
 }
 
 fn blade(name: &'static str, paint: impl Fn(Vec2) -> Lab + 'static) -> Texture {
@@ -36,6 +39,11 @@ fn blade(name: &'static str, paint: impl Fn(Vec2) -> Lab + 'static) -> Texture {
 
 fn square(name: &'static str, paint: impl Fn(Vec2) -> Lab + 'static) -> Texture {
     Texture { name, size: (256, 256), paint: Box::new(paint) }
+}
+
+/// What is looked at on thick bodies, too.
+fn trunk(name: &'static str, paint: impl Fn(Vec2) -> Lab + 'static) -> Texture {
+    Texture { name, size: (512, 512), paint: Box::new(paint) }
 }
 
 fn pinnate(field: u32, shade: u32, vein: u32, pairs: f32, rise: f32, seed: u32) -> Leaf {
@@ -121,10 +129,16 @@ fn surfaces() -> Vec<Texture> {
     vec![
         square("stem_green", |p| bark::stem(p, 0x8db05c, 0x5f8a42)),
         square("twig", bark::twig),
-        square("bark_fissured", |p| bark::fissured(p, 0x86766a, 0x2f2620, 0x7b8158)),
-        square("bark_grey", |p| bark::smooth_grey(p, 0x98908a, 0x585049, 0xb4b79c)),
-        square("bark_cherry", bark::cherry),
-        square("bark_birch", bark::birch),
+        trunk("bark_fissured", tree_bark::fissured),
+        trunk("bark_plated", tree_bark::plated),
+        trunk("bark_grey", tree_bark::smooth_grey),
+        trunk("bark_cherry", tree_bark::cherry),
+        trunk("bark_birch", tree_bark::birch),
+        trunk("bark_palm", tree_bark::palm),
+        trunk("cactus", flesh::cactus),
+        trunk("mushroom_cap", flesh::cap),
+        trunk("mushroom_gills", flesh::gills),
+        square("mushroom_stalk", flesh::stalk),
         square("bark_bamboo", bark::bamboo),
         square("terracotta", bark::terracotta),
         square("soil", bark::soil),

@@ -1,5 +1,7 @@
-//! Noise that tiles: value noise, its sum over octaves, and cells (Worley). All from an integer hash, so the same
-//! everywhere.
+//! Noise that tiles: value noise, its sum over octaves, gradient noise (Perlin) and cells (Worley). All from an integer
+//! hash, so the same everywhere.
+//!
+//! Source: K. Perlin, "Improving noise", 2002; S. Worley, "A cellular texture basis function", 1996.
 
 use glam::{IVec2, Vec2};
 
@@ -34,6 +36,22 @@ pub(crate) fn fractal(p: Vec2, period: IVec2, octaves: u32, seed: u32) -> f32 {
         value(p * fine, period * (1 << o), seed.wrapping_add(o)) / fine
     };
     (0..octaves).map(layer).sum::<f32>() * 0.6
+}
+
+/// Smooth noise, about −1 to 1, that is 0 on the lattice points. Its zero lines wander freely across the lattice, where those
+/// of [`value`] keep to its squares.
+pub(crate) fn gradient(p: Vec2, period: IVec2, seed: u32) -> f32 {
+    let cell = p.floor();
+    let f = p - cell;
+    let s = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    let corner = |dx: i32, dy: i32| {
+        let angle =
+            std::f32::consts::TAU * hash((cell.as_ivec2() + IVec2::new(dx, dy)).rem_euclid(period), seed);
+        Vec2::from_angle(angle).dot(f - Vec2::new(dx as f32, dy as f32))
+    };
+    let low = corner(0, 0) + (corner(1, 0) - corner(0, 0)) * s.x;
+    let high = corner(0, 1) + (corner(1, 1) - corner(0, 1)) * s.x;
+    1.5 * (low + (high - low) * s.y)
 }
 
 /// What is known about a point among cells.

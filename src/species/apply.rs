@@ -5,6 +5,7 @@
 //! apart by the stroke that drew them, or by where they stand if they were generated; flowers by their order.
 
 use super::blossom::blossom;
+use super::cap::caps;
 use super::compound_leaves;
 use super::form;
 use super::full::{self, FullSeat};
@@ -106,6 +107,9 @@ pub fn apply_within(
     }
     let (mut added, templates) = flower_centres(&plant, species, &petals, seed);
     added.extend(thorny(&plant, provenance, species, seed));
+    if species.fruit.as_ref().is_some_and(|fruit| fruit.underside.is_some()) {
+        added.extend(caps(&mut plant));
+    }
     if !has_drawn_pot {
         added.extend(potted(&plant, species));
     }

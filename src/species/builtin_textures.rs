@@ -28,7 +28,7 @@ mod tests {
 
     #[test]
     fn every_texture_is_used_and_decodes() {
-        let used: Vec<String> = Species::names()
+        let used: Vec<String> = Species::all()
             .into_iter()
             .flat_map(|name| std::mem::take(&mut Species::built_in(name).unwrap().materials).into_values())
             .filter_map(|look| look.built_in_texture().map(str::to_owned))

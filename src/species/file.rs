@@ -180,6 +180,8 @@ impl Species {
         out.extend(self.leaf.young.iter().map(|m| ("leaf.young".into(), m.as_str())));
         out.extend(self.leaf.autumn.iter().map(|m| ("leaf.autumn".into(), m.as_str())));
         out.extend(self.fruit.iter().map(|fruit| ("fruit.material".into(), fruit.material.as_str())));
+        let underside = self.fruit.iter().filter_map(|fruit| fruit.underside.as_deref());
+        out.extend(underside.map(|m| ("fruit.underside".into(), m)));
         out.extend(self.thorns.iter().map(|t| ("thorns.material".into(), t.material.as_str())));
         if let Some(pot) = &self.pot {
             out.extend([

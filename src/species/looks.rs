@@ -369,8 +369,10 @@ crate::parameters! {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FruitLook {
-    /// Material.
+    /// Material; that of the skin of caps.
     pub material: String,
+    /// Material of the underside of caps: with it a stem that suddenly widens is a stalk with a cap.
+    pub underside: Option<String>,
 }
 
 crate::parameters! {

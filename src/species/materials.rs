@@ -1,5 +1,6 @@
 //! What the roles of a plant are made of in a species.
 
+use super::cap::UNDERSIDE;
 use super::looks::{FilamentLook, FlowerLook, MaterialLook, Species};
 use crate::plant::{FinishedPlant, Material, OrganPart, Plant, PlantPart, Role, Texture, WoodPart};
 use std::iter;
@@ -69,7 +70,10 @@ fn named(species: &Species, role: Role) -> (PlantPart, &str) {
         OrganPart::Thorn => species.thorns.as_ref().map(|look| look.material.as_str()),
         OrganPart::Pot => Some(species.pot.as_ref().map_or(part.name(), |look| &look.material)),
         OrganPart::Soil => Some(species.pot.as_ref().map_or(part.name(), |look| &look.soil)),
-        OrganPart::Fruit => species.fruit.as_ref().map(|look| look.material.as_str()),
+        OrganPart::Fruit => species.fruit.as_ref().map(|look| match &look.underside {
+            Some(underside) if role.variant == UNDERSIDE => underside.as_str(),
+            _ => look.material.as_str(),
+        }),
         OrganPart::Leaf | OrganPart::Petiole => None,
     };
     let own = match role.part {

@@ -12,6 +12,7 @@ pub mod apply;
 pub mod blossom;
 pub mod builtin;
 pub mod builtin_textures;
+mod cap;
 mod compound_leaves;
 pub mod filaments;
 pub mod file;

@@ -33,7 +33,7 @@ pub enum LeafShape {
     Tuft,
     /// A feather of leaflets, or of needles.
     Feather,
-    /// One leaflet of a compound leaf, of few corners: ash, walnut.
+    /// One leaflet of a compound leaf, or a twig full of needles, of few corners: ash, walnut, spruce.
     Leaflet,
     /// A flat spray of scales: cypress.
     Scale,
