@@ -12,8 +12,8 @@ use glam::{Vec2, Vec3};
 const WIDE: f32 = 1.5;
 /// Where a stalk ends, going down from the cap's widest place: radius there at most, as a share of that, and how fast it grows.
 const STALK: (f32, f32) = (0.65, 0.5);
-/// Radius at which the underside ends, as a share of the widest.
-const RIM: f32 = 0.985;
+/// Radius at which the underside ends and the skin begins, as a share of the widest: a cap that bulges is skin around its lower side, too.
+const RIM: f32 = 0.85;
 /// Rows of the skin from rim to top, and of the underside.
 const ROWS: (usize, usize) = (28, 8);
 /// The edge of the skin, which is rolled under the rim: radii as shares of the rim's, heights above it in the rim's radius.
