@@ -31,7 +31,7 @@
 //! | `shapes` | what conventions share: silhouettes, middle lines, lobes, tips |
 //!
 //! The reading depends on nothing but the strokes, so the same drawing means the same plant however it came about.
-//! Limits: what is drawn over several plants at once, and strokes that only hatch a shade, are not understood. Sources: counts
+//! Limits: what is drawn over several plants at once is not understood; strokes that hatch a shade belong to the part that they lie on. Sources: counts
 //! of what people draw in `docs/drawings.md`; no paper treats them.
 
 pub mod alternatives;

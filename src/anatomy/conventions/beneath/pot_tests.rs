@@ -150,3 +150,10 @@ fn a_zigzag_below_a_flower_is_no_pot() {
 fn page_line(places: &[Vec2]) -> Vec<Vec2> {
     crate::anatomy::conventions::page::even(places, 80)
 }
+
+#[test]
+fn a_hill_is_no_pot() {
+    let hill = (0..=26).map(|k| 10.0 * k as f32).map(|x| Vec2::new(x, -60.0 + 0.0035 * (x - 130.0).powi(2)));
+    let blade = |x: f32| line(&[(x, -58.0), (x + 4.0, -110.0)]);
+    assert!(read(&[hill.collect(), blade(110.0), blade(130.0), blade(150.0)]).is_empty());
+}

@@ -264,3 +264,33 @@ fn slender_blades_from_one_place_are_no_body() {
     let tips = [(-90.0, -60.0), (-40.0, -110.0), (10.0, -120.0), (60.0, -100.0), (95.0, -50.0)];
     assert!(read(&tips.map(|tip| blade(Vec2::from(tip)))).is_empty());
 }
+
+#[test]
+fn spines_that_begin_at_the_outline_are_spines() {
+    let mut lines = vec![column()];
+    lines.extend((0..8).map(|k| {
+        let (side, y) = (if k % 2 == 0 { 1.0 } else { -1.0 }, -50.0 + 13.0 * k as f32);
+        line(&[(side * 10.0, y), (side * 32.0, y - 8.0)])
+    }));
+    let bodies = read(&lines);
+    assert_eq!(bodies.len(), 1);
+    assert_eq!((bodies[0].parts.len(), bodies[0].uses.len()), (1, 9));
+}
+
+#[test]
+fn an_outline_up_to_the_underside_of_its_second_arm_is_as_thick_below_as_above() {
+    let whole = saguaro();
+    let right = whole.iter().rposition(|p| p.x > 10.5 && p.y > 9.0).unwrap();
+    let bodies = read(&[whole[..=right].to_vec()]);
+    assert_eq!(bodies.len(), 1);
+    let trunk = &bodies[0].parts[0];
+    let half = trunk.points[2].pressure * trunk.half_width.unwrap();
+    assert!((half - 10.0).abs() < 2.5, "{half}");
+}
+
+#[test]
+fn a_zigzag_closed_along_the_ground_is_none() {
+    let teeth = (0..=10).map(|k| Vec2::new(12.0 * k as f32, if k % 2 == 1 { -40.0 } else { 0.0 }));
+    let closed: Vec<Vec2> = teeth.chain([Vec2::new(0.0, 3.0)]).collect();
+    assert!(read(&[closed]).is_empty());
+}

@@ -439,7 +439,8 @@ mod tests {
     #[test]
     fn a_crown_of_which_one_side_was_left_out_is_completed_about_its_trunk() {
         let sides = [-7.0, 7.0].map(|x| line(&[(x, 40.0), (x, -44.0)]));
-        for crown in [cloud(9.0, 0.2, 0.68 * TAU), cloud(9.0, 0.32 * TAU, TAU - 0.2)] {
+        let far = cloud(9.0, 0.2, 0.78 * TAU);
+        for crown in [cloud(9.0, 0.2, 0.68 * TAU), cloud(9.0, 0.32 * TAU, TAU - 0.2), far] {
             let trees = read(&[crown, sides[0].clone(), sides[1].clone()]);
             let best = trees.iter().max_by(|a, b| a.score.total_cmp(&b.score)).unwrap();
             let (trunk, crown) = parts(best);

@@ -181,3 +181,45 @@ fn a_flower_among_blades_is_none_of_them() {
     let stem = vec![Vec2::new(50.0, 0.0), Vec2::new(53.0, -200.0)];
     assert!(read(&[blades, vec![stem]].concat()).is_empty());
 }
+
+#[test]
+fn blades_on_a_drawn_hill_stand_at_its_foot() {
+    let hill = |x: f32| -60.0 + 0.0035 * (x - 130.0).powi(2);
+    let line: Vec<Vec2> = (0..=26).map(|k| 10.0 * k as f32).map(|x| Vec2::new(x, hill(x))).collect();
+    let blade = |k: usize| {
+        let x = 12.0 + 29.0 * k as f32;
+        vec![Vec2::new(x, hill(x)), Vec2::new(x + 4.0, hill(x) - 50.0)]
+    };
+    let found = read(&[vec![line], (0..9).map(blade).collect()].concat());
+    assert_eq!(
+        found.iter().map(|grass| (grass.uses.len(), grass.parts.len())).collect::<Vec<_>>(),
+        [(10, 9)]
+    );
+    let roots = roots(&found[0]);
+    assert!(roots.iter().all(|root| (root.y - roots[0].y).abs() < 3.0), "{roots:?}");
+}
+
+#[test]
+fn the_rest_of_a_lawn_and_ticks_below_it_are_no_trunk() {
+    let edge = zigzag(6, 0.0);
+    let (first, last) = (edge[0], edge[edge.len() - 1]);
+    let below = Vec2::new(0.0, 40.0);
+    let rest = vec![first, first + below, last + below, last];
+    assert_eq!(read(&[edge.clone(), rest])[0].uses, [0, 1]);
+    let tick = |x: f32| vec![Vec2::new(x, 10.0), Vec2::new(x + 8.0, 22.0)];
+    assert_eq!(read(&[edge, tick(20.0), tick(60.0)])[0].uses, [0]);
+}
+
+#[test]
+fn a_row_of_ticks_is_one_lawn_and_no_tufts() {
+    let tick = |k: usize| {
+        let x = 34.0 * k as f32;
+        vec![Vec2::new(x - 9.0, -60.0), Vec2::new(x, 0.0), Vec2::new(x + 10.0, -66.0)]
+    };
+    let ticks: Vec<Vec<Vec2>> = (0..7).map(tick).collect();
+    assert_eq!(read(&ticks)[0].uses.len(), 7);
+    assert!(
+        crate::anatomy::conventions::read_by(crate::anatomy::conventions::tufts::tuft::propose, &ticks)
+            .is_empty()
+    );
+}
