@@ -3,7 +3,7 @@
 //! Ends of arcs that are nearest to one another are joined: straight on to where both arcs lead, if that is near, or else straight
 //! across. Closed as an area alone, such a gap would be a bite out of the leaf.
 //!
-//! Limits: gaps wider than [`MEET`]; a line that is no arc closes nothing. Cost: the square of the arcs of a group.
+//! Limits: gaps wider than [`MEET`]; outlines of more than [`MOST`] arcs; a line that is no arc closes nothing. Cost: the square of the arcs of a group.
 
 use crate::anatomy::conventions::page::{self, Line, Page, even};
 use crate::anatomy::conventions::trees::evidence::is_bow;
@@ -11,6 +11,8 @@ use glam::Vec2;
 
 /// Least opening of an arc.
 const OPEN: f32 = 0.25;
+/// Most arcs of an outline: more are the twigs of a tree.
+const MOST: usize = 4;
 /// Widest gap, as a share of the group's diagonal.
 const MEET: f32 = 0.2;
 /// How far the place where both arcs lead is from the middle of the gap at most, in widths of the gap.
@@ -30,6 +32,9 @@ pub(super) fn closing(page: &Page, group: &[usize]) -> Vec<Vec<Vec2>> {
     let is_arc = |line: &Line| line.openness > OPEN && is_bow(&line.points);
     let arcs = group.iter().filter(|i| is_arc(&page.lines[**i]));
     let ends: Vec<End> = arcs.flat_map(|i| ends_of(*i, &page.lines[*i])).collect();
+    if ends.len() > 2 * MOST {
+        return Vec::new();
+    }
     let gap = |a: usize, b: usize| ends[a].1.distance(ends[b].1);
     let nearest = |from: usize| {
         let others = (0..ends.len()).filter(|to| ends[*to].0 != ends[from].0);
@@ -76,6 +81,13 @@ mod tests {
         let closing = closing(&page, &[0, 1]);
         let highest = closing.iter().flatten().map(|p| p.y).fold(0.0, f32::min);
         assert!(highest < -97.0 && highest > -104.0, "{highest}");
+    }
+
+    #[test]
+    fn many_bent_twigs_are_no_outline() {
+        let twig = |k: usize| side(1.0, 0.1).into_iter().map(|p| p + Vec2::X * 6.0 * k as f32).collect();
+        let twigs: Vec<Vec<Vec2>> = (0..6).map(twig).collect();
+        assert!(closing(&Page::of_lines(&twigs), &[0, 1, 2, 3, 4, 5]).is_empty());
     }
 
     #[test]
