@@ -337,6 +337,15 @@ pub fn bounds<'a>(lines: impl Iterator<Item = &'a Line>) -> (Vec2, Vec2) {
     polyline::bounds(lines.flat_map(|line| [line.bounds.0, line.bounds.1]))
 }
 
+/// Least area of a bow; a quarter of a circle has 0.12.
+const BOW: f32 = 0.06;
+
+/// Whether a line bends to one side, as an arc of a cloud does: least area between it and its chord, over the square of its length.
+pub(super) fn is_bow(line: &[Vec2]) -> bool {
+    let length = polyline::length(line);
+    simple_loop::area(line) > BOW * length * length
+}
+
 /// Notches of a closed outline of even points: places where it turns against its own direction.
 pub fn notches(outline: &[Vec2]) -> Vec<Vec2> {
     bends(outline, NOTCH, -1.0)

@@ -20,6 +20,8 @@ use std::collections::HashSet;
 const FOOT: (f32, f32) = (0.2, 0.25);
 /// Least share of the length of all lines that stands.
 const MOST: f32 = 0.5;
+/// Most clusters above the ground that are looked at: leaves of a tree that touch nothing are no sky.
+const MOST_CLUSTERS: usize = 64;
 /// Largest cluster that hangs, and largest of open lines, as shares of the drawing's diagonal.
 const LARGEST: (f32, f32) = (0.4, 0.3);
 /// How near to what stands a cluster may not be but the sun, as a share of the drawing's diagonal, about.
@@ -71,19 +73,22 @@ struct Cluster {
 /// The small clusters high above the ground, if what stands there is most of the drawing.
 fn hanging(page: &Page) -> Vec<Cluster> {
     let height = page.bounds.1.y - page.bounds.0.y;
-    let is_standing = |it: &Cluster| it.bounds.1.y > page.bounds.1.y - FOOT.0 * height;
-    let (standing, mut others): (Vec<Cluster>, Vec<Cluster>) =
-        clusters(page).into_iter().partition(is_standing);
+    let is_at_foot = |it: &Cluster| it.bounds.1.y > page.bounds.1.y - FOOT.0 * height;
+    let (upright, mut others): (Vec<Cluster>, Vec<Cluster>) =
+        clusters(page).into_iter().partition(is_at_foot);
     let length = |it: &Cluster| it.lines.iter().map(|i| page.lines[*i].length).sum::<f32>();
-    if others.is_empty() || standing.iter().map(length).sum::<f32>() < MOST * page.length {
+    if others.is_empty() || upright.iter().map(length).sum::<f32>() < MOST * page.length {
         return Vec::new();
     }
     others.retain(|it| {
         it.bounds.1.y < page.bounds.1.y - FOOT.1 * height && it.diagonal() < LARGEST.0 * page.diagonal
     });
-    let near = Squares::of(&standing, page, NEAR * page.diagonal);
-    let hulls: Vec<Region> = standing.iter().map(|it| it.hull(page)).collect();
-    let ends: Vec<Vec2> = standing
+    if others.is_empty() || others.len() > MOST_CLUSTERS {
+        return Vec::new();
+    }
+    let near = Squares::of(&upright, page, NEAR * page.diagonal);
+    let hulls: Vec<Region> = upright.iter().map(|it| it.hull(page)).collect();
+    let ends: Vec<Vec2> = upright
         .iter()
         .flat_map(|it| it.lines.iter().flat_map(|i| <[Vec2; 2]>::from(page.lines[*i].ends())))
         .collect();
@@ -185,7 +190,7 @@ impl Cluster {
         let winds = |line: &Line| line.ends().0.distance(line.ends().1) < WINDS * line.length;
         let mut lines = self.lines.iter().map(|i| &page.lines[*i]);
         self.diagonal() < LARGEST.1 * page.diagonal
-            && lines.clone().all(|line| is_open(line))
+            && lines.clone().all(is_open)
             && (self.lines.len() > 1 || lines.all(winds))
     }
 

@@ -5,8 +5,7 @@
 //!
 //! Limits: gaps wider than [`MEET`]; outlines of more than [`MOST`] arcs; a line that is no arc closes nothing. Cost: the square of the arcs of a group.
 
-use crate::anatomy::conventions::page::{self, Line, Page, even};
-use crate::anatomy::conventions::trees::evidence::is_bow;
+use crate::anatomy::conventions::page::{self, Line, Page, even, is_bow};
 use glam::Vec2;
 
 /// Least opening of an arc.

@@ -1,8 +1,8 @@
 //! What speaks for and against outlines of crowns, whoever proposes them.
 
-use crate::anatomy::conventions::page::{Line, notches};
+use crate::anatomy::conventions::page::{Line, is_bow, notches};
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, share_along};
-use crate::geom::{polyline, simple_loop};
+use crate::geom::polyline;
 use glam::Vec2;
 
 /// Fewest blades, drawn one by one, that speak against a crown; their largest extent and least area as shares of the whole.
@@ -18,8 +18,6 @@ const CENTRES: usize = 2;
 /// Fewest notches of a crown with lobes, and least distance of them from its middle on the average, that of an ellipse being 1.
 pub(crate) const NOTCHES: usize = 3;
 pub(crate) const SHALLOW: f32 = 0.72;
-/// Least area of a bow; a quarter of a circle has 0.12.
-const BOW: f32 = 0.06;
 /// Slopes of the ground that are tried besides the level, and how much of the width of a foot there the outline runs at least.
 const SLOPES: [f32; 2] = [0.1, -0.1];
 const RUNS: f32 = 0.8;
@@ -119,12 +117,6 @@ pub(crate) fn is_drawn_by_few<'a>(
     let bows = longest.iter().skip(OUTLINE.0).copied().filter(|line| is_bow(line));
     let drawn = few.iter().chain(closing).copied().chain(bows);
     share_along(outline, drawn, OUTLINE.2 * silhouette.cell()) >= OUTLINE.1
-}
-
-/// Whether a line bends to one side, as an arc of a cloud does: least area between it and its chord, over the square of its length.
-pub(crate) fn is_bow(line: &[Vec2]) -> bool {
-    let length = polyline::length(line);
-    simple_loop::area(line) > BOW * length * length
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@
 //!
 //! Limits: crowns that lean to one side, and those with strokes inside.
 
-use super::evidence::is_bow;
+use crate::anatomy::conventions::page::is_bow;
 use crate::geom::{polyline, simple_loop::hull_area};
 use glam::Vec2;
 

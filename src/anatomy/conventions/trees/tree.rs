@@ -14,7 +14,7 @@ use super::stacked::stacked;
 use super::tilted;
 use super::trunk::{Rows, Trunk};
 use super::trunk_sides::TrunkSides;
-use crate::anatomy::conventions::page::{Line, Page, even, notches};
+use crate::anatomy::conventions::page::{Line, Page, even, is_bow, notches};
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::geom::{
@@ -169,7 +169,7 @@ fn lobes(lines: &[&Line], trunk: &Trunk, outline: &[Vec2], stout: f32) -> f32 {
     let is_shallow = evidence::depth(outline, &notches) > evidence::SHALLOW - DEEPER * stout;
     let notches = if is_shallow { notches.len() } else { 0 };
     let above = lines.iter().flat_map(|line| line.above(trunk.top));
-    let bows = above.filter(|run| evidence::is_bow(run) && hull_area(run) > BOW * area).count();
+    let bows = above.filter(|run| is_bow(run) && hull_area(run) > BOW * area).count();
     let count = notches.max(bows);
     let more = count.saturating_sub(evidence::NOTCHES).min(MOST_LOBES);
     if count < evidence::NOTCHES { 0.0 } else { LOBED.0 + LOBED.1 * more as f32 }
@@ -229,7 +229,7 @@ fn whole_or_drawn(drawn: Option<Vec<Vec2>>, whole: Option<Vec<Vec2>>) -> Option<
 pub(crate) fn crown(above: Vec<Vec<Vec2>>, trunk: &Trunk) -> Option<Vec<Vec2>> {
     // The stretches of an outline turn round what they enclose; sides of stems that go on upward do not.
     let turned = above.iter().map(|run| hull_area(run)).fold(0.0, f32::max);
-    let bows: f32 = above.iter().filter(|run| evidence::is_bow(run)).map(|run| hull_area(run)).sum();
+    let bows: f32 = above.iter().filter(|run| is_bow(run)).map(|run| hull_area(run)).sum();
     let ink: Vec<Vec2> = above.iter().flatten().copied().collect();
     let hull = convex_hull(&ink, |p| *p);
     let hull_area = hull_area(&hull);
