@@ -69,10 +69,10 @@ row() {
     local drawing=$1 at=$2 view
     shift 2
     for view in drawing front side; do
-        "$program" render "$drawing" "$@" --view "$view" --size 400x380 -o "$sides/$at-$view.png"
+        "$program" render "$drawing" "$@" --view "$view" --size 400x380 -o "$sides/$at-1-$view.png"
     done
     "$program" render "$drawing" "$@" --set depth.learned.crown=0 --set depth.learned.branches=0 --view side --size 400x380 \
-        -o "$sides/$at-side-by-rules.png"
+        -o "$sides/$at-2-by-rules.png"
 }
 row tests/fixtures/crowns/flat.svg 1 --species acacia
 row tests/fixtures/crowns/round.svg 2 --species oak

@@ -21,7 +21,7 @@
 //! | folder | what |
 //! | --- | --- |
 //! | `lines` | strokes that are one line together |
-//! | `beneath` | what plants stand in, on or beside: pots, ground lines, fences |
+//! | `beneath` | what plants stand in, on or beside: pots, ground lines, fences; the sky and words |
 //! | `trees` | trees, firs, bushes |
 //! | `bodies` | cacti, mushrooms |
 //! | `flowers` | flowers from above and from the side |
