@@ -17,6 +17,7 @@ use crate::anatomy::conventions::{Habit, Hypothesis};
 use crate::geom::{polyline, region::Region};
 use crate::sketch::Reading;
 use glam::Vec2;
+use std::cell::LazyCell;
 
 /// Least length of the lines that conventions look at, as a share of all.
 const AUTO: f32 = 0.9;
@@ -55,11 +56,11 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     if lines < AUTO * page.length {
         return;
     }
-    // Two neighbours in a row are no tuft, though their blades lead to one place.
-    let row = grass::side_by_side(page).map_or(0, |row| row.uses.len());
-    let is_pair = |group: &[usize]| group.len() <= PAIR && group.len() < row;
-    let groups = page.groups.iter().chain(&page.wide_groups).filter(|group| !is_pair(group));
-    out.extend(groups.filter_map(|group| tuft(page, group)));
+    // Two neighbours in a row are no tuft, though their blades lead to one place. The row is looked for where that may be so.
+    let row = LazyCell::new(|| grass::side_by_side(page).map_or(0, |row| row.uses.len()));
+    let is_pair = |group: &[usize]| group.len() <= PAIR && group.len() < *row;
+    let groups = page.groups.iter().chain(&page.wide_groups);
+    out.extend(groups.filter_map(|group| tuft(page, group).filter(|_| !is_pair(group))));
 }
 
 fn tuft(page: &Page, group: &[usize]) -> Option<Hypothesis> {
