@@ -5,6 +5,7 @@
 //! skin and underside have a picture each, which no ring of the wood cuts, and the top is as round as drawn.
 //! Limits: only branches on which no other and no flower grows; the cap stands on a straight axis.
 
+use crate::geom::polyline;
 use crate::plant::{Branch, Organ, OrganPart, Plant, Role, Shape};
 use glam::{Vec2, Vec3};
 
@@ -119,21 +120,10 @@ impl Cap {
 
 /// A profile in at most so many rows and one, as far apart along it as each other.
 fn rows(profile: &[Vec2], count: usize) -> Vec<Vec2> {
-    let lengths: Vec<f32> = profile
-        .iter()
-        .scan((0.0, profile[0]), |(length, before), p| {
-            *length += p.distance(*before);
-            *before = *p;
-            Some(*length)
-        })
-        .collect();
-    let whole = lengths[lengths.len() - 1];
-    let at = |k: usize| {
-        let length = whole * k as f32 / count as f32;
-        let i = lengths.partition_point(|l| *l < length).clamp(1, profile.len() - 1);
-        let span = (lengths[i] - lengths[i - 1]).max(f32::MIN_POSITIVE);
-        profile[i - 1].lerp(profile[i], ((length - lengths[i - 1]) / span).clamp(0.0, 1.0))
-    };
+    let arcs = polyline::arc_lengths(profile.iter().copied());
+    let whole = arcs.last().copied().unwrap_or(0.0);
+    let at =
+        |k: usize| polyline::interpolate(profile, polyline::locate(&arcs, whole * k as f32 / count as f32));
     (0..=count).map(at).collect()
 }
 

@@ -91,3 +91,10 @@ pub struct Hypothesis {
     /// What kind of plant it speaks for.
     pub habit: Option<Habit>,
 }
+
+impl Hypothesis {
+    /// Lines that are no part of the plant.
+    pub(super) fn apart(uses: Vec<usize>, score: f32, reading: Reading) -> Self {
+        Self { uses, score, parts: Vec::new(), solids: Vec::new(), reading, habit: None }
+    }
+}

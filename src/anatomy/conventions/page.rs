@@ -337,6 +337,12 @@ pub fn bounds<'a>(lines: impl Iterator<Item = &'a Line>) -> (Vec2, Vec2) {
     polyline::bounds(lines.flat_map(|line| [line.bounds.0, line.bounds.1]))
 }
 
+/// The value in the middle of some, of which there is one at least.
+pub(super) fn median(values: &mut [f32]) -> f32 {
+    let middle = values.len() / 2;
+    *values.select_nth_unstable_by(middle, f32::total_cmp).1
+}
+
 /// Least area of a bow; a quarter of a circle has 0.12.
 const BOW: f32 = 0.06;
 

@@ -45,20 +45,12 @@ const SCORE: f32 = 3.0;
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let hanging = hanging(page);
     let (suns, others): (Vec<&Cluster>, Vec<&Cluster>) = hanging.iter().partition(|it| it.is_sun(page));
-    let apart = |uses: Vec<usize>, reading: Reading| Hypothesis {
-        uses,
-        score: SCORE,
-        parts: Vec::new(),
-        solids: Vec::new(),
-        reading,
-        habit: None,
-    };
-    out.extend(suns.into_iter().map(|sun| apart(sun.lines.clone(), Reading::Sun)));
+    out.extend(suns.into_iter().map(|sun| Hypothesis::apart(sun.lines.clone(), SCORE, Reading::Sun)));
     let marks = with_neighbours(others, |it| it.is_mark(page) || it.is_cloud(page));
     if !marks.is_empty() {
         let mut uses: Vec<usize> = marks.into_iter().flat_map(|mark| mark.lines.iter().copied()).collect();
         uses.sort_unstable();
-        out.push(apart(uses, Reading::Sky));
+        out.push(Hypothesis::apart(uses, SCORE, Reading::Sky));
     }
 }
 

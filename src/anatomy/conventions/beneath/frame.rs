@@ -7,7 +7,7 @@
 //! Limits: frames in one stroke are outlines; a fence whose pales have no rail is grass.
 
 use crate::anatomy::conventions::Hypothesis;
-use crate::anatomy::conventions::page::{Line, Page};
+use crate::anatomy::conventions::page::{Line, Page, median};
 use crate::geom::polyline;
 use crate::sketch::Reading;
 use glam::Vec2;
@@ -38,14 +38,7 @@ const SCORE: f32 = 3.0;
 /// Proposes the frame and the fence of a page.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let found = [fence(page), frame(page)].into_iter().flatten().next();
-    out.extend(found.map(|uses| Hypothesis {
-        uses,
-        score: SCORE,
-        parts: Vec::new(),
-        solids: Vec::new(),
-        reading: Reading::Frame,
-        habit: None,
-    }));
+    out.extend(found.map(|uses| Hypothesis::apart(uses, SCORE, Reading::Frame)));
 }
 
 /// The pales and rails of a fence, ascending.
@@ -112,11 +105,6 @@ fn along(page: &Page, rail: usize, pales: &[usize]) -> Vec<usize> {
     let is_row = widest < PALE.3 * median(&mut gaps);
     let spread = place(&own[own.len() - 1]) - place(&own[0]);
     if is_even && is_row && spread > ALONG * rail.size().x { own } else { Vec::new() }
-}
-
-fn median(values: &mut [f32]) -> f32 {
-    let middle = values.len() / 2;
-    *values.select_nth_unstable_by(middle, f32::total_cmp).1
 }
 
 /// The level and plumb lines that make a frame, ascending.

@@ -46,14 +46,11 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let lowest = lowest.max_by(|a, b| height(a).total_cmp(&height(b)));
     let widest = lines().max_by(|a, b| page.lines[*a].size().x.total_cmp(&page.lines[*b].size().x));
     let ground = lowest.or(widest.filter(|i| carries_a_garden(page, *i))).map(|line| (line, SCORE));
-    out.extend(ground.or_else(|| bed(page, lines())).map(|(line, score)| Hypothesis {
-        uses: vec![line],
-        score,
-        parts: Vec::new(),
-        solids: Vec::new(),
-        reading: Reading::Ground,
-        habit: None,
-    }));
+    out.extend(
+        ground
+            .or_else(|| bed(page, lines()))
+            .map(|(line, score)| Hypothesis::apart(vec![line], score, Reading::Ground)),
+    );
 }
 
 /// The first of these lines that is the outline of a bed, wider than high, in which several stems stand side by side, and its log-odds.

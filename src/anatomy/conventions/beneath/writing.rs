@@ -39,14 +39,7 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     out.extend(written.map(|row| {
         let mut uses = row.lines;
         uses.sort_unstable();
-        Hypothesis {
-            uses,
-            score: SCORE,
-            parts: Vec::new(),
-            solids: Vec::new(),
-            reading: Reading::Writing,
-            habit: None,
-        }
+        Hypothesis::apart(uses, SCORE, Reading::Writing)
     }));
 }
 

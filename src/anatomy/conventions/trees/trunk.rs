@@ -11,7 +11,7 @@
 use super::trunk_foot::{plumb, without_roots};
 use super::trunk_sides::TrunkSides;
 use crate::anatomy::conventions::Made;
-use crate::anatomy::conventions::page::Line;
+use crate::anatomy::conventions::page::{Line, median};
 use crate::sketch::{StrokePoint, Tool};
 use glam::Vec2;
 
@@ -318,8 +318,7 @@ impl Trunk {
         if middles.is_empty() {
             return 0.5 * (self.sill.0.x + self.sill.1.x);
         }
-        let middle = middles.len() / 2;
-        *middles.select_nth_unstable_by(middle, f32::total_cmp).1
+        median(&mut middles)
     }
 
     /// From its foot to its top, pixels.

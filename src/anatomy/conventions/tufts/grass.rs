@@ -11,7 +11,7 @@
 //! Limits: tips are those above the ground, so grass that lies is not found; nor is the upper edge of a lawn that has less
 //! than [`TEETH`] tips.
 
-use crate::anatomy::conventions::page::{Line, Page};
+use crate::anatomy::conventions::page::{Line, Page, median};
 use crate::anatomy::conventions::shapes::spikes::{Spike, joined, spikes};
 use crate::anatomy::conventions::trees::evidence;
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
@@ -365,11 +365,6 @@ fn grass(uses: Vec<usize>, score: f32, spikes: &[(Spike, f32)], slope: f32) -> H
     };
     let parts = spikes.iter().map(blade).collect();
     Hypothesis { uses, score, parts, solids: Vec::new(), reading: Reading::Grass, habit: Some(Habit::Grass) }
-}
-
-fn median(values: &mut [f32]) -> f32 {
-    let middle = values.len() / 2;
-    *values.select_nth_unstable_by(middle, f32::total_cmp).1
 }
 
 #[cfg(test)]
