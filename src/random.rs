@@ -43,6 +43,8 @@ impl Choice {
     pub const TRUNK: Self = Self(43);
     /// What grows on each of its drawn branches.
     pub const DRAWN_BRANCH: Self = Self(44);
+    /// What grows in each of its brush strokes, by the stroke's name.
+    pub const BRUSH: Self = Self(46);
     /// What becomes of each of its buds.
     pub const BUD: Self = Self(45);
     /// Each of its leaves, by the node that it stands on.

@@ -136,7 +136,7 @@ fn one_line(points: &[(f32, f32)], species: &str, height: f64) -> Built {
         let ((x0, y0), (x1, y1)) = (points[i], points[i + 1]);
         StrokePoint::at(Vec2::new(x0 + (x1 - x0) * part, y0 + (y1 - y0) * part))
     });
-    let stroke = Stroke { id: 1, tool: Tool::Branch, points: line.collect() };
+    let stroke = Stroke { id: 1, tool: Tool::Branch, points: line.collect(), brush: None };
     let mut sketch =
         Sketch { species: Some(species.to_owned()), strokes: vec![stroke.into()], ..Sketch::empty() };
     sketch.params.insert("depth.world.height".to_owned(), height.into());

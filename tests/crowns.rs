@@ -102,7 +102,7 @@ fn outlines() -> Vec<(&'static str, Outlines, f32)> {
 }
 
 pub(crate) fn stroke(id: u64, tool: Tool, points: Vec<Vec2>) -> Arc<Stroke> {
-    Arc::new(Stroke { id, tool, points: points.into_iter().map(StrokePoint::at).collect() })
+    Arc::new(Stroke { id, tool, points: points.into_iter().map(StrokePoint::at).collect(), brush: None })
 }
 
 /// A drawing of crowns, 700 pixels high, on a trunk of a sixth of that where one is drawn.

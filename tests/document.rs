@@ -42,7 +42,7 @@ prop_compose! {
 
 prop_compose! {
     fn stroke()(id in 1_u64..12, tool in prop::sample::select(&Tool::ALL[..]), points in prop::collection::vec(point(), 1..6)) -> Stroke {
-        Stroke { id, tool, points }
+        Stroke { id, tool, points, brush: None }
     }
 }
 
@@ -108,7 +108,7 @@ fn do_it(document: &mut Document, act: Act) -> Option<Arc<Step>> {
 proptest! {
     #[test]
     fn undoing_all_gives_the_beginning_and_redoing_all_the_end(acts in prop::collection::vec(act(), 0..40)) {
-        let start = Sketch { strokes: vec![Arc::new(Stroke { id: 5, tool: Tool::Leaf, points: vec![StrokePoint::at(vec2(1.0, 2.0))] })], ..Sketch::empty() };
+        let start = Sketch { strokes: vec![Arc::new(Stroke { id: 5, tool: Tool::Leaf, points: vec![StrokePoint::at(vec2(1.0, 2.0))], brush: None })], ..Sketch::empty() };
         let mut document = Document::new(start.clone());
         let mut saved = start.clone();
         let mut replayed = start.clone();
@@ -153,7 +153,7 @@ proptest! {
     fn svg_gives_the_strokes_back(strokes in prop::collection::vec(stroke(), 1..8), size in (1.0_f32..5000.0, 1.0_f32..5000.0)) {
         let canvas = Canvas { width: size.0, height: size.1 };
         let mut strokes: Vec<_> = strokes.into_iter().map(Arc::new).collect();
-        strokes.push(Arc::new(Stroke { id: 1, tool: Tool::Auto, points: [(0.0, 0.0), (9.0, 9.0)].map(|p| StrokePoint::at(p.into())).to_vec() }));
+        strokes.push(Arc::new(Stroke { id: 1, tool: Tool::Auto, points: [(0.0, 0.0), (9.0, 9.0)].map(|p| StrokePoint::at(p.into())).to_vec(), brush: None }));
         let drawn = Sketch { canvas, strokes, ..Sketch::empty() };
         let (again, warnings) = from_bytes(svg::write(&drawn).as_bytes(), "drawing.svg").unwrap();
         prop_assert_eq!(warnings, vec![]);
@@ -326,6 +326,7 @@ fn strokes_in_svg_show_how_hard_the_pen_pressed() {
             id,
             tool: Tool::Branch,
             points: vec![at(pressure), StrokePoint::at(vec2(9.0, 9.0))],
+            brush: None,
         })
     };
     let text = svg::write(&Sketch { strokes: vec![stroke(1, 0.1), stroke(2, 0.9)], ..Sketch::empty() });

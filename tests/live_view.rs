@@ -429,7 +429,7 @@ fn growth_is_seen_from_inside_over_the_plant() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/sketches");
     let (topiary, _) = penstemon::sketch::read(&folder.join("topiary.penstemon")).unwrap();
     let points = (0..=20).map(|k| StrokePoint::at(Vec2::new(500.0 + k as f32, 900.0 - 10.0 * k as f32)));
-    let trunk = Arc::new(Stroke { id: 1, tool: Tool::Branch, points: points.collect() });
+    let trunk = Arc::new(Stroke { id: 1, tool: Tool::Branch, points: points.collect(), brush: None });
     let oak = Sketch { species: Some("oak".into()), strokes: vec![trunk], ..Sketch::empty() };
     let (none, markers) = (Wanted::default(), Wanted { markers: true, ..Wanted::default() });
     let (buds, light) = (Wanted { buds: true, ..none }, Wanted { light: true, ..none });

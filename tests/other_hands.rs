@@ -55,7 +55,7 @@ fn drawings_keep_their_habits_in_other_hands() {
 fn habit(lines: &[Line]) -> Option<Habit> {
     let stroke = |(id, line): (usize, &Line)| {
         let points = line.iter().copied().map(StrokePoint::at).collect();
-        Arc::new(Stroke { id: id as u64 + 1, tool: Tool::Auto, points })
+        Arc::new(Stroke { id: id as u64 + 1, tool: Tool::Auto, points, brush: None })
     };
     let strokes: Vec<_> = lines.iter().enumerate().map(stroke).collect();
     conventions::interpret(&strokes, &ConventionParams::default()).habit

@@ -365,7 +365,7 @@ fn drawing() -> Sketch {
         pressure: i as f32 / 20.0,
         ..StrokePoint::at(Vec2::new(50.0 * i as f32, 40.0 * (i % 2) as f32))
     };
-    let stroke = Stroke { id: 1, tool: Tool::Auto, points: (0..=20).map(sample).collect() };
+    let stroke = Stroke { id: 1, tool: Tool::Auto, points: (0..=20).map(sample).collect(), brush: None };
     let canvas = Canvas { width: 1000.0, height: 600.0 };
     Sketch { canvas, seed: 0, strokes: vec![stroke.into()], ..Sketch::empty() }
 }

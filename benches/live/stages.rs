@@ -63,7 +63,12 @@ fn extra(on: &Stroke) -> Arc<Stroke> {
     let to = from.position + 0.5 * (to - from.position).perp();
     let last = (SAMPLES + 1) as f32;
     let point = |k: usize| StrokePoint { position: from.position.lerp(to, k as f32 / last), ..from };
-    Arc::new(Stroke { id: 1_000_000, tool: Tool::Branch, points: (0..SAMPLES + 2).map(point).collect() })
+    Arc::new(Stroke {
+        id: 1_000_000,
+        tool: Tool::Branch,
+        points: (0..SAMPLES + 2).map(point).collect(),
+        brush: None,
+    })
 }
 
 /// Milliseconds by stage.

@@ -226,7 +226,7 @@ fn drawing(view: &View, species: &str, seed: u64) -> Sketch {
     let mut strokes = Vec::new();
     let mut add = |tool: Tool, points: Vec<Vec2>| {
         let points = points.into_iter().map(|p| StrokePoint::at(p * CANVAS)).collect();
-        strokes.push(Arc::new(Stroke { id: strokes.len() as u64 + 1, tool, points }));
+        strokes.push(Arc::new(Stroke { id: strokes.len() as u64 + 1, tool, points, brush: None }));
     };
     for line in view.lines.iter().rev() {
         add(Tool::Branch, line.points.iter().map(|p| view.frame.place(*p)).collect());

@@ -264,7 +264,8 @@ fn of_drawn(strokes: &[Arc<Stroke>], pieces: &BTreeMap<StrokeId, Piece>, read: V
         }
     }
     let unread = |stroke: &Stroke| {
-        let part = if stroke.tool == Tool::SpaceBranch { Part::Branch } else { Part::Ignored };
+        let draws_wood = matches!(stroke.tool, Tool::SpaceBranch | Tool::GrowthBrush);
+        let part = if draws_wood { Part::Branch } else { Part::Ignored };
         Mark { stroke: stroke.id, part, confidence: 1.0 }
     };
     strokes.iter().map(|stroke| first.remove(&stroke.id).unwrap_or_else(|| unread(stroke))).collect()
@@ -336,7 +337,7 @@ mod tests {
         let stem = (0..10).map(|k| Vec2::new(0.0, 300.0 - 26.0 * k as f32));
         let stroke = |(id, points): (usize, Vec<Vec2>)| {
             let points = points.into_iter().map(crate::sketch::StrokePoint::at).collect();
-            Arc::new(Stroke { id: id as u64, tool: Tool::Auto, points })
+            Arc::new(Stroke { id: id as u64, tool: Tool::Auto, points, brush: None })
         };
         let lines = [stem.collect(), corolla.collect(), centre.collect()];
         let strokes = lines.into_iter().enumerate().map(stroke).collect();

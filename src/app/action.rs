@@ -3,6 +3,7 @@
 //! Panels and keys produce [`Action`]s and change nothing themselves; the application carries them out in one place.
 //! So a panel is tested without a window, and a key and a button cannot drift apart.
 
+use super::brush_settings::BrushSettings;
 use super::canvas_tool::{CanvasTool, Mirror};
 use super::dialog::{Dialog, PathPurpose};
 use super::export_choice::ExportChoice;
@@ -116,6 +117,10 @@ pub enum Action {
     DrawInSpace(bool),
     /// Choose the surface that it draws on.
     SetWorkSurface(WorkSurface),
+    /// Take up a brush in the view of the plant, or lay brushes down.
+    TakeBrush(Option<Tool>),
+    /// Set the brushes.
+    SetBrush(BrushSettings),
     /// Take up the tool that turns and bends branches, or lay it down.
     PoseWood(bool),
     /// Whether it bends them, not turns them.

@@ -69,7 +69,7 @@ impl Cut {
         let numbered = others.iter().map_while(samples).take(MOST).zip(0_u64..);
         let piece = |(points, number): (&[_], u64)| {
             let id = PIECE | (stroke.id.wrapping_mul(MOST as u64) | number) & (PIECE - 1);
-            Arc::new(Stroke { id, tool: stroke.tool, points: points.to_vec() })
+            Arc::new(Stroke { id, tool: stroke.tool, points: points.to_vec(), brush: stroke.brush })
         };
         Self { stroke: Arc::clone(stroke), others: others.to_vec(), pieces: numbered.map(piece).collect() }
     }
@@ -84,7 +84,7 @@ mod tests {
 
     fn stroke(id: StrokeId) -> Arc<Stroke> {
         let points = (0..50).map(|k| StrokePoint::at(vec2(k as f32, 0.0))).collect();
-        Arc::new(Stroke { id, tool: Tool::Auto, points })
+        Arc::new(Stroke { id, tool: Tool::Auto, points, brush: None })
     }
 
     #[test]

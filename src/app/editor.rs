@@ -14,6 +14,7 @@
 //! | `beside_state` | which plant beside the drawn one is selected and held |
 //! | `petal_tool` | the tool that shapes petals: which petal, which of its points |
 //! | `space_tool` | the tool that draws branches in space: its surface, the branch under the pen |
+//! | `brush_tool` | the brushes: which is in hand, how they are set, the stroke under the pen |
 //! | `pose_tool` | the tool that turns and bends branches: the branch that is held |
 //! | `plant_search` | the plant on the picture under the drawing: marks, the search, what was found |
 //! | `pens` | the pens and tablets in use |
@@ -27,6 +28,7 @@ mod beside;
 mod beside_carry;
 mod beside_marks;
 mod beside_state;
+mod brush_tool;
 mod clipboard;
 mod dialogs;
 mod dice;
@@ -46,6 +48,7 @@ mod notices;
 mod open_drawing;
 mod opening;
 mod outcomes;
+mod painting;
 mod parameters;
 mod pens;
 mod perform;
@@ -87,6 +90,7 @@ use crate::sketch::journal::JournalState;
 use crate::sketch::{Change, Stroke};
 use background::Background;
 use beside_state::Beside;
+use brush_tool::{BrushStroke, BrushTool};
 use dialogs::Dialogs;
 use disk::Disk;
 use live_plant::{Collected, LivePlant, UnderPen};
@@ -123,6 +127,7 @@ pub struct Editor {
     beside: Beside,
     petals: PetalTool,
     space: SpaceTool,
+    brush: BrushTool,
     posing: PoseTool,
     search: PlantSearch,
     pens: Pens,
@@ -161,8 +166,9 @@ impl Editor {
         self.live.replay_growth(Instant::now());
         let overlay = self.plant.state.overlay;
         let in_space = self.space.stroke.as_ref().filter(|stroke| !stroke.lifts);
-        let growing =
-            in_space.map(SpaceStroke::under_pen).or_else(|| self.canvas.growing().map(UnderPen::of));
+        let painted = || self.brush.stroke.as_ref().and_then(BrushStroke::under_pen);
+        let growing = in_space.map(SpaceStroke::under_pen).or_else(painted);
+        let growing = growing.or_else(|| self.canvas.growing().map(UnderPen::of));
         let drawn = (&self.canvas, growing);
         self.live.submit(self.drawing.sketch(), self.drawing.folder(), drawn, overlay);
     }
@@ -285,11 +291,13 @@ impl Editor {
             id: stroke.id(),
             tool: stroke.tool(),
             points: stroke.points().to_vec(),
+            brush: None,
         });
         if let Some(stroke) = growing {
             self.change(Change::put(stroke));
         }
         self.end_in_space();
+        self.end_painting();
         self.finish();
         self.drawing.leave_journal();
     }

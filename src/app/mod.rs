@@ -20,6 +20,7 @@
 
 mod accessibility;
 pub mod action;
+mod brush_settings;
 mod build_threads;
 pub mod canvas;
 pub mod canvas_tool;

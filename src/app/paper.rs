@@ -166,7 +166,7 @@ mod tests {
     }
 
     fn stroke(id: StrokeId) -> Arc<Stroke> {
-        Arc::new(Stroke { id, tool: Tool::Auto, points: Vec::new() })
+        Arc::new(Stroke { id, tool: Tool::Auto, points: Vec::new(), brush: None })
     }
 
     #[test]

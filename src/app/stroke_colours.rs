@@ -197,7 +197,7 @@ mod tests {
             vec2(60.0 * angle.sin(), 200.0 - 110.0 * (1.0 - angle.cos()))
         });
         let points = stalk.chain(blade).map(StrokePoint::at).collect();
-        let stroke = Stroke { id: 7, tool: Tool::Auto, points };
+        let stroke = Stroke { id: 7, tool: Tool::Auto, points, brush: None };
         let sketch = Sketch { strokes: vec![stroke.into()], ..Sketch::empty() };
         let anatomy = analyse(&sketch, &AnatomyParams::default());
         let pieces = pieces_of(&sketch, &anatomy);

@@ -52,7 +52,7 @@ mod tests {
     #[test]
     fn a_stroke_is_ink_on_paper_inside_the_margin() {
         let points = [Vec2::ZERO, Vec2::new(100.0, 0.0)].map(StrokePoint::at).to_vec();
-        let stroke = Stroke { id: 1, tool: Tool::Auto, points };
+        let stroke = Stroke { id: 1, tool: Tool::Auto, points, brush: None };
         let sketch = Sketch { strokes: vec![stroke.into()], ..Sketch::empty() };
         let picture = of_drawing(&sketch, [48, 36], Color32::WHITE, Color32::BLACK);
         assert!(picture.pixels[18 * 48 + 24].r() < 100);

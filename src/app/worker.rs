@@ -16,7 +16,7 @@ use crate::growth::overlay::Wanted;
 use crate::model::{Measure, Measures};
 use crate::pipeline::{self, Built, Cache, SetupError};
 use crate::plant::{Blade, Organ, RestSurface, Shape};
-use crate::sketch::{Reading, Sketch, Stroke, StrokeId, StrokePoint, Tool};
+use crate::sketch::{Brush, Reading, Sketch, Stroke, StrokeId, StrokePoint, Tool};
 use crate::species::Species;
 use glam::Vec3;
 use std::collections::HashSet;
@@ -63,6 +63,8 @@ pub struct Growing {
     pub kept: usize,
     /// All points after those.
     pub points: Vec<StrokePoint>,
+    /// The ball that a brush moves.
+    pub brush: Option<Brush>,
 }
 
 /// A finished build.
@@ -179,7 +181,7 @@ struct State {
 
 impl State {
     fn follow(&mut self, growing: Option<Growing>) {
-        let Some(Growing { id, tool, kept, points }) = growing else {
+        let Some(Growing { id, tool, kept, points, brush }) = growing else {
             self.growing = None;
             return;
         };
@@ -188,7 +190,7 @@ impl State {
                 stroke.points.truncate(kept);
                 stroke.points.extend(points);
             }
-            None => self.growing = Some(Stroke { id, tool, points }),
+            None => self.growing = Some(Stroke { id, tool, points, brush }),
         }
     }
 }

@@ -77,10 +77,10 @@ fn the_stroke_under_the_pen_is_put_together_from_what_is_new_of_it() {
         let kept = std::mem::replace(&mut settled, count.saturating_sub(3));
         points[settled - kept..].iter_mut().for_each(|p| p.position.y += 1.0);
         assert!(points.len() <= 4);
-        state.follow(Some(Growing { id: last.id, tool: last.tool, kept, points }));
+        state.follow(Some(Growing { id: last.id, tool: last.tool, kept, points, brush: None }));
     }
     let points = last.points[settled..].to_vec();
-    state.follow(Some(Growing { id: last.id, tool: last.tool, kept: settled, points }));
+    state.follow(Some(Growing { id: last.id, tool: last.tool, kept: settled, points, brush: None }));
     assert_eq!(state.growing.as_ref(), Some(&*last));
     state.follow(None);
     assert_eq!(state.growing, None);

@@ -139,7 +139,7 @@ fn follow(wood: &mut Vec<Branch>, way: &Way) {
 }
 
 /// A bend from one place, left in a direction, to another; radii go evenly from one to the other.
-fn curve((from, first): (Vec3, f32), way: Vec3, (to, last): (Vec3, f32)) -> (Vec<Vec3>, Vec<f32>) {
+pub(super) fn curve((from, first): (Vec3, f32), way: Vec3, (to, last): (Vec3, f32)) -> (Vec<Vec3>, Vec<f32>) {
     let control = from + way * (BEND * from.distance(to));
     let share = |k: usize| k as f32 / (POINTS - 1) as f32;
     let at = |k: usize| from.lerp(control, share(k)).lerp(control.lerp(to, share(k)), share(k));

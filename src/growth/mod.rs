@@ -18,6 +18,7 @@
 //! | `at_age` | the plant of one age |
 //! | `overlay` | what growth looks like from inside |
 //! | `from_drawing` | growth in a drawing: its wood goes on, its crowns are filled |
+//! | `brush` | what a brush fills, or empties, in the space of a plant |
 //!
 //! A room uses only rooms above it.
 //!
@@ -26,6 +27,7 @@
 #[cfg(test)]
 mod age_tests;
 mod at_age;
+pub mod brush;
 mod from_drawing;
 pub mod habit;
 mod lead;
@@ -49,4 +51,6 @@ pub use simulation::Simulation;
 pub use tree::Tree;
 #[cfg(test)]
 pub(crate) use volume::flipped;
-pub use volume::{Crown, Envelope, Inflated, Lobes, MAX_BYTES as MAX_SOLID_BYTES, Solid, SolidError};
+pub use volume::{
+    Ball, Crown, Envelope, Inflated, Lobes, MAX_BYTES as MAX_SOLID_BYTES, Solid, SolidError, Swept,
+};

@@ -8,7 +8,7 @@
 //! turns to where its markers are, and ends if that does not help.
 
 pub(super) mod effort;
-mod fit;
+pub(super) mod fit;
 mod skeleton;
 
 use self::effort::Effort;
@@ -21,7 +21,7 @@ use super::resource::priority::{self, Priority};
 use super::resource::shadow::{Change, Shadow};
 use super::resource::vigour::Flow;
 use super::tree::{Fate, NONE, NewNode, Tree};
-use super::volume::{Crown, Envelope};
+use super::volume::{Crown, Envelope, Swept};
 use super::year::direction::{self, Weights};
 use super::year::fate::{self, Waiting};
 use super::year::shedding;
@@ -127,6 +127,14 @@ impl Simulation {
         let tree = skeleton::of_plant(plant, &habit, seed);
         let field = field_for(&habit, resource, &envelope, limits, seed);
         Self::begin(habit, envelope, field, limits, seed, tree)
+    }
+
+    /// A plant of which what a brush sweeps is filled; the habit is fitted to it already.
+    pub fn in_swept(habit: &Habit, plant: &Plant, swept: Arc<Swept>, seed: u64, limits: Limits) -> Self {
+        let tree = skeleton::of_plant(plant, habit, seed);
+        let envelope = Envelope::Swept(swept);
+        let field = field_for(habit, Resource::Space, &envelope, limits, seed);
+        Self::begin(habit.clone(), envelope, field, limits, seed, tree)
     }
 
     fn begin(habit: Habit, envelope: Envelope, field: Field, limits: Limits, seed: u64, tree: Tree) -> Self {
@@ -289,9 +297,14 @@ impl Simulation {
                 let crowd = Crowd::new(markers, at, look);
                 self.effort.spend(crowd.comparisons(markers))?;
                 competition::compete(markers, perception(habit), &crowd, found);
-                if let Envelope::Inflated(crown) = &self.envelope {
-                    let led = found.best.iter_mut().zip(at.iter());
-                    led.for_each(|(best, at)| *best = crown.led(*at, *best));
+                let led = found.best.iter_mut().zip(at.iter());
+                match &self.envelope {
+                    Envelope::Inflated(crown) => led.for_each(|(best, at)| *best = crown.led(*at, *best)),
+                    Envelope::Swept(swept) => {
+                        let reach = perception(habit).radius;
+                        led.for_each(|(best, at)| *best = swept.led(*at, *best, reach));
+                    }
+                    _ => {}
                 }
             }
         }
@@ -409,7 +422,7 @@ impl Simulation {
         (best != Vec3::ZERO && free(turned)).then_some(turned)
     }
 
-    /// What is inside stays inside; only a trunk may be on its way there.
+    /// What is inside stays inside; only a trunk may be on its way there, and not to what a brush sweeps.
     fn may_grow(&self, from: Vec3, to: Vec3, order: u8) -> bool {
         if to.y < from.y && to.y < 0.0 {
             return false;
@@ -417,7 +430,8 @@ impl Simulation {
         if self.envelope.contains(from) {
             self.envelope.holds(from, to)
         } else {
-            order == 0 || self.envelope.contains(to)
+            let may_approach = order == 0 && !matches!(self.envelope, Envelope::Swept(_));
+            may_approach || self.envelope.contains(to)
         }
     }
 

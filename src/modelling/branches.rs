@@ -82,9 +82,7 @@ fn samples(stroke: &Stroke) -> Vec<SpaceSample> {
 /// Where the samples lie in the world.
 fn in_world(line: &[SpaceSample], provenance: &Provenance) -> Vec<Vec3> {
     let world = provenance.world_from_canvas;
-    let place = |sample: &SpaceSample| {
-        world.point(sample.position.truncate()).with_z(sample.position.z * world.scale)
-    };
+    let place = |sample: &SpaceSample| world.point_in_space(sample.position.truncate(), sample.position.z);
     line.iter().map(place).collect()
 }
 
@@ -150,7 +148,12 @@ mod tests {
             let depth = from.1 + (to.1 - from.1) * share;
             StrokePoint { pressure, depth, ..StrokePoint::at(from.0.lerp(to.0, share)) }
         };
-        Arc::new(Stroke { id, tool: crate::sketch::Tool::SpaceBranch, points: (0..=20).map(point).collect() })
+        Arc::new(Stroke {
+            id,
+            tool: crate::sketch::Tool::SpaceBranch,
+            points: (0..=20).map(point).collect(),
+            brush: None,
+        })
     }
 
     fn added(strokes: &[Arc<Stroke>]) -> (Plant, Provenance, Vec<Warning>) {

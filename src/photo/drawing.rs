@@ -158,7 +158,7 @@ impl BarkPhoto {
 fn sheet(lines: Vec<(Tool, Vec<Vec2>)>, part: &str, texture: &Rgba) -> Result<Sketch, PhotoError> {
     let stroke = |(i, (tool, line)): (usize, (Tool, Vec<Vec2>))| {
         let points = line.into_iter().map(StrokePoint::at).collect();
-        Arc::new(Stroke { id: i as u64 + 1, tool, points })
+        Arc::new(Stroke { id: i as u64 + 1, tool, points, brush: None })
     };
     Ok(Sketch {
         canvas: Canvas { width: SIDE, height: SIDE },

@@ -4,12 +4,12 @@ use super::bare_stems;
 use super::clock::Clock;
 use super::setup::Params;
 use super::source::Produced;
-use super::{growing, placing, proposed_species};
+use super::{brushing, growing, placing, proposed_species};
 use crate::anatomy::conventions::{ConventionParams, Habit};
 use crate::anatomy::{self, Anatomy};
 use crate::depth::{self, Given};
 use crate::growth::overlay::{Spot, Wanted};
-use crate::growth::{Memory, PlantAtAge};
+use crate::growth::{Memory, PlantAtAge, brush};
 use crate::learned_depth;
 use crate::modelling::{self, DrawnWood};
 use crate::plant::{Plant, Provenance};
@@ -24,6 +24,7 @@ pub struct DrawingMemory {
     depth: depth::Cache,
     modelling: modelling::Cache,
     growth: Memory,
+    brushes: brush::Memory,
 }
 
 impl DrawingMemory {
@@ -66,7 +67,8 @@ pub(super) fn produce(
     });
     let mut wood = DrawnWood::default();
     let in_space: Vec<_> = sketch.in_space().collect();
-    if in_space.is_empty() && sketch.wood_poses.is_empty() {
+    let stands_on_sheet = in_space.is_empty() && sketch.brush_strokes().next().is_none();
+    if stands_on_sheet && sketch.wood_poses.is_empty() {
         memory.modelling.forget();
     } else {
         clock.time("modelling", || {
@@ -80,34 +82,41 @@ pub(super) fn produce(
         return None;
     }
     remarks.extend(proposed_species::proposal(sketch, &anatomy, &plant));
-    if !growing::grows(&anatomy, species, params) {
+    let has_brushes = sketch.brush_strokes().next().is_some();
+    let grows = growing::grows(&anatomy, species, params);
+    if grows || has_brushes {
+        wood.before_growth = Some(plant.branches.clone());
+    }
+    let (mut made, growth) = if grows {
+        let grown = clock.time("growth", || {
+            growing::grow_on(
+                &mut memory.growth,
+                (plant, &provenance),
+                (&anatomy, field.as_ref()),
+                (species, params),
+                sketch.seed,
+                &mut remarks,
+                stop,
+            )
+        });
+        grown.map(|(made, ages)| (made, Some(ages)))?
+    } else {
         memory.growth.clear();
         let buds = bare_stems::furnish(&mut plant, (species, params), sketch.seed);
-        return Some(Produced {
-            plant,
-            buds,
-            provenance,
-            remarks,
-            anatomy,
-            growth: None,
-            wood,
-            may_flower: true,
-        });
+        (PlantAtAge { plant, buds }, None)
+    };
+    if has_brushes {
+        let habit = memory.growth.habit().cloned();
+        let given = (sketch, &provenance.world_from_canvas, habit);
+        let with = (species, params);
+        let brushed =
+            clock.time("brushes", || brushing::brush(&mut memory.brushes, &mut made, given, with, stop))?;
+        remarks.extend(brushed);
+    } else {
+        memory.brushes.truncate(0);
     }
-    wood.before_growth = Some(plant.branches.clone());
-    let grown = clock.time("growth", || {
-        growing::grow_on(
-            &mut memory.growth,
-            (plant, &provenance),
-            (&anatomy, field.as_ref()),
-            (species, params),
-            sketch.seed,
-            &mut remarks,
-            stop,
-        )
-    });
-    let (PlantAtAge { plant, buds }, ages) = grown?;
-    Some(Produced { plant, buds, provenance, remarks, anatomy, growth: Some(ages), wood, may_flower: true })
+    let PlantAtAge { plant, buds } = made;
+    Some(Produced { plant, buds, provenance, remarks, anatomy, growth, wood, may_flower: true })
 }
 
 /// The yardstick of what is drawn in space, canvas pixels. A drawing of nothing else has the world of its sheet.

@@ -16,6 +16,7 @@ mod alone;
 mod bare_stems;
 mod beside;
 mod bloom;
+mod brushing;
 mod clock;
 mod drawing;
 mod figure_plant;

@@ -128,7 +128,7 @@ pub fn species_of(sketch: &Sketch, folder: &Path) -> Result<Species, SpeciesErro
 pub fn usual_species(sketch: &Sketch, assignments: &[String]) -> &'static str {
     let params = convention_params(sketch, assignments);
     let memory = &mut conventions::Memory::for_one_build();
-    let read = conventions::interpret_with(memory, &sketch.strokes, &sketch.corrections, &params);
+    let read = conventions::interpret_with(memory, &sketch.on_sheet(), &sketch.corrections, &params);
     species_of_habit(read.habit)
 }
 

@@ -46,6 +46,7 @@ pub use stem_base::StemBase;
 pub use template::{Detail, Template, TemplateId};
 pub use templates::Templates;
 
+use crate::geom::polyline;
 use glam::{Vec2, Vec3};
 
 /// One branch: a skeleton from its base to its end.
@@ -70,6 +71,17 @@ impl Branch {
     /// Whether it is one of the stems of a bush, but not the first, which runs through their base.
     pub fn is_basal_stem(&self) -> bool {
         self.level == 0 && self.parent.is_some()
+    }
+
+    /// The place on its axis that is nearest to a point, with its radius there, metres.
+    pub fn axis_at(&self, p: Vec3) -> (Vec3, f32) {
+        let on = |(k, ends): (usize, &[Vec3])| {
+            let share = polyline::nearest_share(ends[0], ends[1], p, Vec3::dot);
+            (ends[0].lerp(ends[1], share), self.radii[k] + (self.radii[k + 1] - self.radii[k]) * share)
+        };
+        let places = self.points.windows(2).enumerate().map(on);
+        let nearest = places.min_by(|a, b| a.0.distance_squared(p).total_cmp(&b.0.distance_squared(p)));
+        nearest.unwrap_or((self.points.first().copied().unwrap_or(p), f32::MIN_POSITIVE))
     }
 }
 

@@ -32,6 +32,11 @@ impl WorldFromCanvas {
         self.vector(canvas - self.origin)
     }
 
+    /// Where a place of the canvas that lies so far in front of the sheet, canvas pixels, is in the world, metres.
+    pub fn point_in_space(&self, canvas: Vec2, depth: f32) -> Vec3 {
+        self.point(canvas).with_z(depth * self.scale)
+    }
+
     /// The world vector of a canvas displacement.
     pub fn vector(&self, canvas: Vec2) -> Vec3 {
         Vec3::new(canvas.x * self.scale, -canvas.y * self.scale, 0.0)

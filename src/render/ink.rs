@@ -129,7 +129,12 @@ mod tests {
             pressure,
             ..StrokePoint::at(Vec2::new(i as f32, 0.0))
         };
-        Stroke { id: 1, tool: Tool::Auto, points: pressures.iter().enumerate().map(sample).collect() }
+        Stroke {
+            id: 1,
+            tool: Tool::Auto,
+            points: pressures.iter().enumerate().map(sample).collect(),
+            brush: None,
+        }
     }
 
     #[test]

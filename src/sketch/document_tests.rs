@@ -11,6 +11,7 @@ fn stroke(id: StrokeId, x: f32) -> Stroke {
         id,
         tool: Tool::Auto,
         points: vec![StrokePoint::at(vec2(x, 0.0)), StrokePoint::at(vec2(x, 9.0))],
+        brush: None,
     }
 }
 
@@ -165,7 +166,7 @@ fn samples_that_are_no_numbers_stay_out() {
     let expected =
         StrokePoint { pressure: 1.0, tilt_deg: vec2(0.0, -90.0), ..StrokePoint::at(vec2(0.0, 9.0)) };
     assert_eq!(kept, &[expected]);
-    let nothing = Stroke { id: 2, tool: Tool::Leaf, points: vec![StrokePoint::at(Vec2::NAN)] };
+    let nothing = Stroke { id: 2, tool: Tool::Leaf, points: vec![StrokePoint::at(Vec2::NAN)], brush: None };
     assert_eq!(document.apply(Change::put(nothing)), Ok(None));
     assert_eq!(document.sketch().check_invariants(), Ok(()));
 }
@@ -190,7 +191,7 @@ fn settings_that_no_file_can_hold_are_refused_in_words() {
 fn a_full_drawing_takes_no_more_but_lets_go() {
     let points = vec![StrokePoint::at(Vec2::ONE); limits::MAX_POINTS - 1];
     let mut document = Document::empty();
-    document.apply(Change::put(Stroke { id: 1, tool: Tool::Auto, points })).unwrap();
+    document.apply(Change::put(Stroke { id: 1, tool: Tool::Auto, points, brush: None })).unwrap();
     let error = document.apply(Change::put(stroke(2, 0.0))).unwrap_err().to_string();
     assert!(error.contains("10000000 points") && error.contains("new one"), "{error}");
     let many = vec![

@@ -8,8 +8,8 @@ use super::reference::Reference;
 use super::textures::Textures;
 use super::warnings::Warnings;
 use super::{
-    Canvas, Corrections, PetalShapes, PlacedPlant, Remark, Sketch, Stroke, StrokeId, StrokePoint, Tool,
-    WoodPoses, limits,
+    Brush, Canvas, Corrections, PetalShapes, PlacedPlant, Remark, Sketch, Stroke, StrokeId, StrokePoint,
+    Tool, WoodPoses, limits,
 };
 use glam::{Vec2, Vec3};
 use serde_json::{Map, Value};
@@ -47,6 +47,7 @@ pub(super) struct DraftStroke {
     pub(super) id: Option<StrokeId>,
     pub(super) tool: Tool,
     pub(super) points: Vec<StrokePoint>,
+    pub(super) brush: Option<Brush>,
 }
 
 /// A fault and its place, before the file's name is added.
@@ -60,7 +61,7 @@ impl Draft {
     pub(super) fn finish(mut self, purpose: Purpose, warnings: &mut Warnings) -> Result<Sketch, Flaw> {
         let mut ids = Ids::of(&self.strokes)?;
         let mut strokes = Vec::with_capacity(self.strokes.len());
-        for (index, DraftStroke { id, tool, mut points }) in
+        for (index, DraftStroke { id, tool, mut points, brush }) in
             std::mem::take(&mut self.strokes).into_iter().enumerate()
         {
             check_coordinates(&points).map_err(|(point, fault)| {
@@ -73,7 +74,7 @@ impl Draft {
             }
             let id = id.unwrap_or_else(|| ids.next_unused());
             bring_into_range(id, &mut points, warnings);
-            strokes.push(Stroke { id, tool, points });
+            strokes.push(Stroke { id, tool, points, brush });
         }
         let needs_lines = purpose == Purpose::Build && self.plants.is_empty();
         if strokes.is_empty() && needs_lines {

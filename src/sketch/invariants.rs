@@ -1,6 +1,8 @@
 //! What must hold for every [`Sketch`] that was read; called by tests, property tests and fuzz targets.
 
-use super::{Sketch, Stroke, StrokePoint, corrections, limits, petal_shapes, plants, textures, wood_poses};
+use super::{
+    Sketch, Stroke, StrokePoint, brush, corrections, limits, petal_shapes, plants, textures, wood_poses,
+};
 use glam::Vec2;
 use std::collections::HashSet;
 
@@ -36,6 +38,7 @@ pub(super) fn check_stroke(stroke: &Stroke) -> Result<(), String> {
     if stroke.points.is_empty() {
         return Err("no points".into());
     }
+    brush::check(stroke.tool, stroke.brush.as_ref())?;
     match stroke.points.iter().position(|p| !is_in_range(p)) {
         Some(at) => Err(format!("point {at} out of range: {:?}", stroke.points[at])),
         None => Ok(()),

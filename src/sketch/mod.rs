@@ -5,6 +5,7 @@
 //! SVG; [`json`] also writes. Reading is total: any bytes end in a sketch or in a [`SketchError`] that says what is
 //! wrong and where. Limits are constants in [`limits`].
 
+mod brush;
 pub mod change;
 pub mod corrections;
 pub mod document;
@@ -30,6 +31,7 @@ pub mod textures;
 pub(crate) mod warnings;
 pub mod wood_poses;
 
+pub use brush::{Brush, DENSITIES as BRUSH_DENSITIES, GUIDES as BRUSH_GUIDES};
 pub use change::{Change, StrokeChange};
 pub use corrections::{Correction, Corrections, Verdict};
 pub use document::{ChangeError, Document};
@@ -77,11 +79,15 @@ pub enum Tool {
     Crown,
     /// Skeleton of a branch drawn in the view of the plant: its samples have depths, and no rule reads it as anything else.
     SpaceBranch,
+    /// Way of a ball through the space of the plant in which wood and leaves grow.
+    GrowthBrush,
+    /// Way of a ball through the space of the plant that cuts off what is in it.
+    PruningBrush,
 }
 
 impl Tool {
     /// Every tool, in the order in which help and panels list them.
-    pub const ALL: [Tool; 8] = [
+    pub const ALL: [Tool; 10] = [
         Tool::Auto,
         Tool::Petal,
         Tool::Leaf,
@@ -90,7 +96,19 @@ impl Tool {
         Tool::LeafOutline,
         Tool::Crown,
         Tool::SpaceBranch,
+        Tool::GrowthBrush,
+        Tool::PruningBrush,
     ];
+
+    /// Whether its strokes are the way of a ball, and have a [`Brush`].
+    pub fn is_brush(self) -> bool {
+        matches!(self, Self::GrowthBrush | Self::PruningBrush)
+    }
+
+    /// Whether its strokes lie in the space of the plant and not on the sheet.
+    pub fn is_in_space(self) -> bool {
+        self == Self::SpaceBranch || self.is_brush()
+    }
 
     /// The name used in files.
     pub fn name(self) -> &'static str {
@@ -103,6 +121,8 @@ impl Tool {
             Tool::LeafOutline => "leaf_outline",
             Tool::Crown => "crown",
             Tool::SpaceBranch => "space_branch",
+            Tool::GrowthBrush => "growth_brush",
+            Tool::PruningBrush => "pruning_brush",
         }
     }
 }
@@ -141,6 +161,8 @@ pub struct Stroke {
     pub tool: Tool,
     /// Raw samples in the order drawn; never empty in a sketch that was read.
     pub points: Vec<StrokePoint>,
+    /// The ball that a brush moves; strokes of other tools have none.
+    pub brush: Option<Brush>,
 }
 
 /// Size of the drawing surface in pixels.
@@ -211,15 +233,20 @@ impl Sketch {
 
     /// The strokes that are drawn on the sheet, in their order: what the drawing is read from.
     pub fn on_sheet(&self) -> Cow<'_, [Arc<Stroke>]> {
-        if self.in_space().next().is_none() {
+        if !self.strokes.iter().any(|stroke| stroke.tool.is_in_space()) {
             return Cow::Borrowed(&self.strokes);
         }
-        Cow::Owned(self.strokes.iter().filter(|stroke| stroke.tool != Tool::SpaceBranch).cloned().collect())
+        Cow::Owned(self.strokes.iter().filter(|stroke| !stroke.tool.is_in_space()).cloned().collect())
     }
 
     /// The branches that are drawn in the view of the plant, in their order.
     pub fn in_space(&self) -> impl Iterator<Item = &Arc<Stroke>> {
         self.strokes.iter().filter(|stroke| stroke.tool == Tool::SpaceBranch)
+    }
+
+    /// The strokes of brushes, in their order.
+    pub fn brush_strokes(&self) -> impl Iterator<Item = &Arc<Stroke>> {
+        self.strokes.iter().filter(|stroke| stroke.tool.is_brush())
     }
 
     /// Smallest and largest corner over all samples, `None` without samples.

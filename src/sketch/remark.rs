@@ -174,6 +174,12 @@ pub enum Remark {
         /// Those that say it.
         known: String,
     },
+    /// A brush with no wood near it.
+    #[error("reaches no wood, so nothing grew in it; paint nearer to a branch")]
+    BrushOutOfReach,
+    /// A pruning brush in which nothing is.
+    #[error("cuts nothing: no wood, leaf or flower is where it was painted")]
+    BrushCutsNothing,
     /// Growth that had to end early.
     #[error("growth ended at {internodes} internodes, the most that a drawing may have")]
     GrowthCapped {
@@ -288,6 +294,7 @@ impl Remark {
             | Self::EmptyCrown
             | Self::ManyCrowns { .. }
             | Self::DoesNotGrow { .. }
+            | Self::BrushOutOfReach
             | Self::GrowthCapped { .. }
             | Self::GrownTooLarge { .. }
             | Self::GrowthTooCostly { .. }
@@ -316,6 +323,7 @@ impl Remark {
             | Self::FlowerCentre
             | Self::StandsApart
             | Self::ThinsCrown
+            | Self::BrushCutsNothing
             | Self::FinenessUnused
             | Self::LooksLike { .. }
             | Self::More { .. } => false,

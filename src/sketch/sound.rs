@@ -4,8 +4,8 @@ use super::change::{Change, StrokeChange};
 use super::invariants::{check_stroke, is_in_range};
 use super::plants::PlantsError;
 use super::{
-    Canvas, ReferenceError, Stroke, StrokePoint, corrections, limits, petal_shapes, plants, textures,
-    wood_poses,
+    Brush, Canvas, ReferenceError, Stroke, StrokePoint, brush, corrections, limits, petal_shapes, plants,
+    textures, wood_poses,
 };
 use glam::Vec2;
 use serde_json::{Map, Value};
@@ -90,7 +90,10 @@ fn sound_stroke(stroke: Arc<Stroke>) -> Option<Arc<Stroke>> {
         return Some(stroke);
     }
     let points: Vec<StrokePoint> = stroke.points.iter().filter_map(sound_point).collect();
-    (!points.is_empty()).then(|| Arc::new(Stroke { id: stroke.id, tool: stroke.tool, points }))
+    let Stroke { id, tool, brush, .. } = *stroke;
+    let sound = brush.filter(|brush| brush::check(tool, Some(brush)).is_ok());
+    let brush = sound.or_else(|| tool.is_brush().then(Brush::default));
+    (!points.is_empty()).then(|| Arc::new(Stroke { id, tool, points, brush }))
 }
 
 fn sound_point(point: &StrokePoint) -> Option<StrokePoint> {

@@ -104,7 +104,7 @@ fn flattened(outlines: &[Outline]) -> Result<Vec<DraftStroke>, Flaw> {
                 return too_many("strokes", limits::MAX_STROKES);
             }
             room -= points.len();
-            strokes.push(DraftStroke { id: None, tool: outline.tool, points });
+            strokes.push(DraftStroke { id: None, tool: outline.tool, points, brush: None });
         }
     }
     Ok(strokes)

@@ -12,7 +12,7 @@ use std::sync::Arc;
 pub(crate) fn sketch(strokes: impl IntoIterator<Item = (Tool, Vec<Vec2>)>) -> Sketch {
     let strokes = strokes.into_iter().zip(1..).map(|((tool, points), id)| {
         let points = points.into_iter().map(StrokePoint::at).collect();
-        Stroke { id, tool, points }
+        Stroke { id, tool, points, brush: None }
     });
     let canvas = Canvas { width: 1024.0, height: 768.0 };
     Sketch { canvas, strokes: strokes.map(Arc::new).collect(), ..Sketch::empty() }

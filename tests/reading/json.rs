@@ -20,7 +20,7 @@ fn only_format_version_strokes_and_points_are_needed() {
     assert_eq!(sketch.canvas, Canvas { width: 20.0, height: 5.0 });
     assert_eq!((sketch.species, sketch.seed, sketch.params.len()), (None, 0, 0));
     let expected = [vec2(10.0, 20.0), vec2(30.0, 25.0)].map(StrokePoint::at).to_vec();
-    assert_eq!(sketch.strokes, [Arc::new(Stroke { id: 1, tool: Tool::Auto, points: expected })]);
+    assert_eq!(sketch.strokes, [Arc::new(Stroke { id: 1, tool: Tool::Auto, points: expected, brush: None })]);
 }
 
 #[test]
@@ -202,7 +202,7 @@ prop_compose! {
             1..8,
         ),
     ) -> Sketch {
-        let strokes = strokes.into_iter().map(|(id, (tool, points))| Arc::new(Stroke { id, tool, points })).collect();
+        let strokes = strokes.into_iter().map(|(id, (tool, points))| Arc::new(Stroke { id, tool, points, brush: None })).collect();
         let canvas = Canvas { width: size.0, height: size.1 };
         Sketch { canvas, species, seed, params: params.into_iter().collect(), textures, reference, plants, corrections: corrections.into(), petal_shapes: petal_shapes.into(), wood_poses: wood_poses.into(), strokes }
     }

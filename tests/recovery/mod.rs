@@ -39,6 +39,7 @@ fn stroke(id: u64) -> Stroke {
         id,
         tool: Tool::Petal,
         points: (0..9).map(|k| StrokePoint::at([id as f32, k as f32].into())).collect(),
+        brush: None,
     }
 }
 

@@ -65,7 +65,7 @@ fn a_click_on_the_plant_selects_the_stroke_that_drew_what_is_under_it() {
     let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
     let mut drawing = Sketch::empty();
     let points = (0..=40u8).map(|k| StrokePoint::at(Vec2::new(300.0, 20.0 + 15.0 * f32::from(k))));
-    drawing.strokes.push(Stroke { id: 7, tool: Tool::Branch, points: points.collect() }.into());
+    drawing.strokes.push(Stroke { id: 7, tool: Tool::Branch, points: points.collect(), brush: None }.into());
     let file = home.path().join("stem.penstemon");
     std::fs::write(&file, sketch::json::write(&drawing)).unwrap();
     let mut program = Program::start(&screen, home.path(), &[file.to_str().unwrap()]);

@@ -185,7 +185,7 @@ fn read_as_drawn(propose: Propose, lines: &[Vec<glam::Vec2>]) -> Vec<Hypothesis>
 fn strokes(lines: &[Vec<glam::Vec2>]) -> Vec<Arc<Stroke>> {
     let stroke = |(id, line): (usize, &Vec<glam::Vec2>)| {
         let points = line.iter().copied().map(crate::sketch::StrokePoint::at).collect();
-        Arc::new(Stroke { id: id as u64, tool: crate::sketch::Tool::Auto, points })
+        Arc::new(Stroke { id: id as u64, tool: crate::sketch::Tool::Auto, points, brush: None })
     };
     lines.iter().enumerate().map(stroke).collect()
 }

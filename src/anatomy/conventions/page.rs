@@ -182,7 +182,7 @@ impl Page {
     pub(super) fn of_lines(lines: &[Vec<Vec2>]) -> Self {
         let stroke = |(id, line): (usize, &Vec<Vec2>)| {
             let points = even(line, 120).into_iter().map(crate::sketch::StrokePoint::at).collect();
-            Arc::new(Stroke { id: id as u64, tool: Tool::Auto, points })
+            Arc::new(Stroke { id: id as u64, tool: Tool::Auto, points, brush: None })
         };
         Self::new(&lines.iter().enumerate().map(stroke).collect::<Vec<_>>())
     }

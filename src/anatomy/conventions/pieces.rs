@@ -78,7 +78,7 @@ impl Interpretation {
             for (number, Made { tool, points, half_width }) in parts.into_iter().enumerate() {
                 let id = name(first, number, &mut names);
                 it.pieces.insert(id, Piece { strokes: drawn.clone(), half_width });
-                made_at.entry(place).or_default().push(Arc::new(Stroke { id, tool, points }));
+                made_at.entry(place).or_default().push(Arc::new(Stroke { id, tool, points, brush: None }));
             }
             it.readings.push(ReadStrokes { strokes: drawn, reading });
         }

@@ -138,7 +138,7 @@ mod tests {
     fn read(lines: &[Vec<Vec2>]) -> Interpretation {
         let stroke = |(id, line): (usize, &Vec<Vec2>)| {
             let points = line.iter().copied().map(StrokePoint::at).collect();
-            Arc::new(Stroke { id: id as u64 + 1, tool: Tool::Auto, points })
+            Arc::new(Stroke { id: id as u64 + 1, tool: Tool::Auto, points, brush: None })
         };
         let strokes: Vec<_> = lines.iter().enumerate().map(stroke).collect();
         interpret(&strokes, &ConventionParams::default())

@@ -69,17 +69,17 @@ impl Eraser {
         index: &mut StrokeIndex,
         new_id: &mut dyn FnMut() -> StrokeId,
     ) {
-        let (id, tool) = (stroke.id, stroke.tool);
+        let (id, tool, brush) = (stroke.id, stroke.tool, stroke.brush);
         let longest = (0..left.len()).max_by(|a, b| length(&left[*a]).total_cmp(&length(&left[*b])));
         match longest.map(|place| left.remove(place)) {
-            Some(points) => self.put(Arc::new(Stroke { id, tool, points }), index),
+            Some(points) => self.put(Arc::new(Stroke { id, tool, points, brush }), index),
             None => {
                 self.changes.insert(id, None);
                 index.apply(&StrokeChange::Remove(id));
             }
         }
         for points in left {
-            let piece = Arc::new(Stroke { id: new_id(), tool, points });
+            let piece = Arc::new(Stroke { id: new_id(), tool, points, brush });
             self.pieces.insert(piece.id);
             self.put(piece, index);
         }

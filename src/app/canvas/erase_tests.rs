@@ -8,7 +8,12 @@ use proptest::prelude::*;
 
 fn stroke(id: StrokeId, places: &[Vec2]) -> Arc<Stroke> {
     let point = |(i, p): (usize, &Vec2)| StrokePoint { time_ms: i as f32 * 10.0, ..StrokePoint::at(*p) };
-    Arc::new(Stroke { id, tool: Tool::Leaf, points: places.iter().enumerate().map(point).collect() })
+    Arc::new(Stroke {
+        id,
+        tool: Tool::Leaf,
+        points: places.iter().enumerate().map(point).collect(),
+        brush: None,
+    })
 }
 
 fn circle(radius: f32) -> Vec<Vec2> {

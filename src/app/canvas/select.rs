@@ -83,7 +83,7 @@ impl Selection {
     /// Makes the strokes something else; those that are it already stay out.
     pub fn set_part(&self, index: &StrokeIndex, tool: Tool) -> Vec<StrokeChange> {
         let others = self.strokes(index).filter(|s| s.tool != tool);
-        others.map(|s| put(Stroke { id: s.id, tool, points: s.points.clone() })).collect()
+        others.map(|s| put(Stroke { id: s.id, tool, points: s.points.clone(), brush: None })).collect()
     }
 
     /// Mirrors about the middle of the selection.
@@ -124,7 +124,7 @@ impl Selection {
 /// no more.
 pub fn corrected(strokes: &[Arc<Stroke>], id: StrokeId, tool: Tool) -> Option<StrokeChange> {
     let stroke = strokes.iter().find(|s| s.id == id && s.tool != tool)?;
-    Some(put(Stroke { id, tool, points: stroke.points.clone() }))
+    Some(put(Stroke { id, tool, points: stroke.points.clone(), brush: None }))
 }
 
 fn put(stroke: Stroke) -> StrokeChange {
@@ -157,7 +157,7 @@ mod tests {
     fn index() -> StrokeIndex {
         let line = |id: StrokeId, x: f32| {
             let points = (0..10).map(|i| StrokePoint::at(Vec2::new(x, i as f32 * 10.0))).collect();
-            Arc::new(Stroke { id, tool: Tool::Auto, points })
+            Arc::new(Stroke { id, tool: Tool::Auto, points, brush: None })
         };
         let mut index = StrokeIndex::default();
         index.sync(&[line(1, 0.0), line(2, 50.0), line(3, 100.0)]);

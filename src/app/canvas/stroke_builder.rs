@@ -120,7 +120,7 @@ impl StrokeBuilder {
 
     /// The finished stroke.
     pub fn finish(self) -> Arc<Stroke> {
-        Arc::new(Stroke { id: self.id, tool: self.tool, points: self.points })
+        Arc::new(Stroke { id: self.id, tool: self.tool, points: self.points, brush: None })
     }
 }
 

@@ -189,7 +189,7 @@ mod tests {
 
     fn stroke(id: StrokeId, places: &[(f32, f32)]) -> Arc<Stroke> {
         let points = places.iter().map(|p| StrokePoint::at(Vec2::from(*p))).collect();
-        Arc::new(Stroke { id, tool: Tool::Auto, points })
+        Arc::new(Stroke { id, tool: Tool::Auto, points, brush: None })
     }
 
     fn index(strokes: &[Arc<Stroke>]) -> StrokeIndex {

@@ -7,7 +7,7 @@
 
 use super::view::{CanvasView, Rect};
 use crate::app::canvas_tool::Mirror;
-use crate::sketch::{Stroke, StrokePoint, limits};
+use crate::sketch::{Brush, Stroke, StrokePoint, limits};
 use glam::{DAffine2, DVec2, Vec2};
 
 /// Distance from which a pen or mouse takes hold of a handle, in logical pixels.
@@ -170,7 +170,8 @@ pub fn transformed(stroke: &Stroke, transform: &DAffine2) -> Stroke {
         let depth = (p.depth * growth).clamp(-limits::MAX_COORDINATE, limits::MAX_COORDINATE);
         StrokePoint { position, depth: if depth.is_nan() { p.depth } else { depth }, ..*p }
     };
-    Stroke { id: stroke.id, tool: stroke.tool, points: stroke.points.iter().map(moved).collect() }
+    let brush = stroke.brush.map(|brush| Brush { radius: brush.radius * growth, ..brush });
+    Stroke { id: stroke.id, tool: stroke.tool, points: stroke.points.iter().map(moved).collect(), brush }
 }
 
 /// The stroke mirrored about a place; the pen leans the other way, too.
@@ -238,7 +239,7 @@ mod tests {
     #[test]
     fn mirrored_twice_a_stroke_is_itself_and_its_pen_leans_the_other_way_between() {
         let point = StrokePoint { tilt_deg: Vec2::new(30.0, 10.0), ..StrokePoint::at(Vec2::new(15.0, 40.0)) };
-        let stroke = Stroke { id: 3, tool: Default::default(), points: vec![point] };
+        let stroke = Stroke { id: 3, tool: Default::default(), points: vec![point], brush: None };
         for (mirror, place, tilt) in [
             (Mirror::LeftRight, Vec2::new(105.0, 40.0), Vec2::new(-30.0, 10.0)),
             (Mirror::TopBottom, Vec2::new(15.0, 50.0), Vec2::new(30.0, -10.0)),
@@ -252,7 +253,7 @@ mod tests {
     #[test]
     fn what_lies_in_front_of_the_sheet_grows_along() {
         let point = StrokePoint { depth: 12.0, ..StrokePoint::at(Vec2::new(15.0, 40.0)) };
-        let stroke = Stroke { id: 3, tool: Default::default(), points: vec![point] };
+        let stroke = Stroke { id: 3, tool: Default::default(), points: vec![point], brush: None };
         let depth = |transform: DAffine2| transformed(&stroke, &transform).points[0].depth;
         assert_eq!(depth(DAffine2::from_scale(DVec2::splat(2.0))), 24.0);
         assert!((depth(DAffine2::from_angle(0.7)) - 12.0).abs() < 1e-5);
@@ -279,7 +280,7 @@ mod tests {
             let handle = Handle::ALL.get(which).copied().unwrap_or(Handle::Inside);
             let mut drag = Drag::begin(handle, bounds, handle.place(bounds, 1.0));
             drag.drag_to(DVec2::from(to));
-            let dot = Stroke { id: 1, tool: Default::default(), points: vec![StrokePoint::at(corner.as_vec2())] };
+            let dot = Stroke { id: 1, tool: Default::default(), points: vec![StrokePoint::at(corner.as_vec2())], brush: None };
             let moved = transformed(&dot, &drag.transform(shift));
             prop_assert!(moved.points[0].position.abs().max_element() <= limits::MAX_COORDINATE);
         }

@@ -16,7 +16,7 @@ fn editor(home: &tempfile::TempDir) -> Editor {
     editor.perform(Action::New);
     editor.canvas.set_viewport(CanvasRect::new(DVec2::ZERO, DVec2::splat(800.0)), 1.0);
     let points = (0..=20u8).map(|k| StrokePoint::at(Vec2::new(300.0, 700.0 - 30.0 * f32::from(k))));
-    editor.change(Change::put(Stroke { id: 1, tool: Tool::Branch, points: points.collect() }));
+    editor.change(Change::put(Stroke { id: 1, tool: Tool::Branch, points: points.collect(), brush: None }));
     editor.perform(Action::FitCanvas);
     editor
 }

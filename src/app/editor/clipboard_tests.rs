@@ -25,8 +25,18 @@ fn drawn(home: &tempfile::TempDir) -> Editor {
         time_ms: x,
         depth: 0.0,
     };
-    let leaf = Stroke { id: 1, tool: Tool::Leaf, points: (0..9).map(|k| point(k as f32, 5.0)).collect() };
-    let branch = Stroke { id: 2, tool: Tool::Branch, points: (0..9).map(|k| point(3.0, k as f32)).collect() };
+    let leaf = Stroke {
+        id: 1,
+        tool: Tool::Leaf,
+        points: (0..9).map(|k| point(k as f32, 5.0)).collect(),
+        brush: None,
+    };
+    let branch = Stroke {
+        id: 2,
+        tool: Tool::Branch,
+        points: (0..9).map(|k| point(3.0, k as f32)).collect(),
+        brush: None,
+    };
     editor.change(Change::put(leaf));
     editor.change(Change::put(branch));
     editor

@@ -6,6 +6,7 @@ use crate::app::canvas::CanvasKey;
 use crate::app::canvas_tool::Mirror;
 use crate::app::panels::snapshot::Dialog;
 use crate::app::panels::toolbar;
+use crate::sketch::Tool;
 use egui::{Key, Modifiers};
 
 impl Editor {
@@ -70,6 +71,8 @@ impl Editor {
             Key::Delete | Key::Backspace => Some(self.delete()),
             Key::K => Some(Action::ShapePetals(!self.petals.is_on)),
             Key::W => Some(Action::DrawInSpace(!self.space.is_on)),
+            Key::U => Some(self.toggled(Tool::GrowthBrush)),
+            Key::X => Some(self.toggled(Tool::PruningBrush)),
             Key::J => Some(Action::PoseWood(!self.posing.is_on)),
             Key::G => Some(Action::ShowDialog(Dialog::PlantSpecies(None))),
             Key::Home | Key::Num0 => Some(Action::FitCanvas),

@@ -11,7 +11,7 @@ use crate::app::stroke_colours::Pieces;
 use crate::app::worker::{self, Counts, Growing, Update, Worker};
 use crate::growth::overlay::Wanted;
 use crate::pipeline::{self, Built};
-use crate::sketch::{Remark, Sketch, Stroke, StrokeId, StrokePoint, Tool, Warning};
+use crate::sketch::{Brush, Remark, Sketch, Stroke, StrokeId, StrokePoint, Tool, Warning};
 use crate::species::Species;
 use glam::Vec3;
 use std::path::Path;
@@ -36,12 +36,20 @@ pub(super) struct UnderPen<'a> {
     pub(super) points: &'a [StrokePoint],
     /// How many of them do not move any more.
     pub(super) settled: usize,
+    /// The ball that a brush moves.
+    pub(super) brush: Option<Brush>,
 }
 
 impl<'a> UnderPen<'a> {
     /// A stroke on the canvas.
     pub(super) fn of(stroke: &'a StrokeBuilder) -> Self {
-        Self { id: stroke.id(), tool: stroke.tool(), points: stroke.points(), settled: stroke.settled() }
+        Self {
+            id: stroke.id(),
+            tool: stroke.tool(),
+            points: stroke.points(),
+            settled: stroke.settled(),
+            brush: None,
+        }
     }
 }
 
@@ -52,13 +60,13 @@ struct Handed(Option<(StrokeId, usize)>);
 impl Handed {
     /// What of the stroke is new since the last call, or may have moved.
     fn grown(&mut self, stroke: Option<UnderPen<'_>>) -> Option<Growing> {
-        let Some(UnderPen { id, tool, points, settled }) = stroke else {
+        let Some(UnderPen { id, tool, points, settled, brush }) = stroke else {
             self.0 = None;
             return None;
         };
         let kept = self.0.filter(|(known, _)| *known == id).map_or(0, |(_, kept)| kept);
         self.0 = Some((id, settled));
-        Some(Growing { id, tool, kept, points: points[kept..].to_vec() })
+        Some(Growing { id, tool, kept, points: points[kept..].to_vec(), brush })
     }
 }
 

@@ -3,6 +3,7 @@
 use super::Editor;
 use super::background::{Background, Wake};
 use super::beside_state::Beside;
+use super::brush_tool::BrushTool;
 use super::dialogs::Dialogs;
 use super::disk::Disk;
 use super::export::Exports;
@@ -92,6 +93,7 @@ impl Editor {
             petals: PetalTool::default(),
             search: PlantSearch::default(),
             space: SpaceTool::default(),
+            brush: BrushTool::default(),
             posing: PoseTool::default(),
             pens: Pens::default(),
             dialogs: Dialogs::default(),

@@ -36,11 +36,11 @@ impl Editor {
         let begins = is_down && !self.pens.in_plant.is_busy();
         let over_carried =
             begins && (self.hold_control_point(at) || self.hold_wood(at) || self.is_over_selected_plant(at));
-        let draws = begins && self.begin_in_space(&event.sample);
+        let draws = begins && (self.begin_in_space(&event.sample) || self.begin_painting(&event.sample));
         let keys = Keys { shift: self.canvas.is_shift_held(), over_carried, draws };
         self.pens.in_plant.event(event, keys, &mut self.plant);
         if draws && !self.pens.in_plant.is_drawing() {
-            self.space.stroke = None;
+            (self.space.stroke, self.brush.stroke) = (None, None);
         }
         self.carry();
         self.draw_in_space();
@@ -101,8 +101,10 @@ impl Editor {
     ) -> T {
         let mut outcomes = std::mem::take(&mut self.outcomes);
         // The branch under a pen in the view of the plant has a name already.
-        let in_space = self.space.stroke.as_ref().map_or(0, |stroke| stroke.id.saturating_add(1));
-        let mut last = self.drawing.next_id().max(in_space);
+        let in_space = self.space.stroke.as_ref().map(|stroke| stroke.id);
+        let painted = self.brush.stroke.as_ref().map(|stroke| stroke.id);
+        let in_plant = in_space.max(painted).map_or(0, |id| id.saturating_add(1));
+        let mut last = self.drawing.next_id().max(in_plant);
         let mut new_id = || {
             last += 1;
             last - 1

@@ -37,7 +37,7 @@ fn drawing(rotation_deg: f32) -> Sketch {
     });
     let stem = (0..=20).map(|k| on_canvas(Vec2::new(50.0, 170.0 + 9.0 * (20 - k) as f32)));
     let stroke = |id, tool, points: Vec<Vec2>| {
-        Arc::new(Stroke { id, tool, points: points.into_iter().map(StrokePoint::at).collect() })
+        Arc::new(Stroke { id, tool, points: points.into_iter().map(StrokePoint::at).collect(), brush: None })
     };
     let strokes = vec![stroke(STEM, Tool::Branch, stem.collect()), stroke(LEAF, Tool::Leaf, leaf.collect())];
     Sketch { reference: Some(Arc::new(reference)), strokes, ..Sketch::empty() }

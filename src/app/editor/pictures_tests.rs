@@ -16,7 +16,7 @@ fn editor(home: &Path) -> Editor {
     let mut editor = Editor::open_in(places, None, || ()).unwrap();
     editor.perform(Action::New);
     let points = (0..9).map(|i| StrokePoint::at(glam::Vec2::splat(i as f32))).collect();
-    editor.change(Change::put(Stroke { id: 1, tool: Tool::Branch, points }));
+    editor.change(Change::put(Stroke { id: 1, tool: Tool::Branch, points, brush: None }));
     editor
 }
 

@@ -37,13 +37,14 @@ impl Editor {
                     self.drawing.end_merging();
                 }
             }
-            other => self.perform_on_dialogs(other),
+            other => self.perform_on_brushes(other),
         }
     }
 
     /// Lays down whichever tool is in hand in the view of the plant.
     pub(super) fn lay_down_plant_tools(&mut self) {
         (self.petals.is_on, self.space.is_on, self.posing.is_on) = (false, false, false);
+        (self.brush.tool, self.brush.stroke) = (None, None);
         self.petals.let_go();
         self.posing.let_go();
         self.space.stroke = None;

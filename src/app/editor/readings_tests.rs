@@ -19,7 +19,7 @@ fn potted(home: &tempfile::TempDir) -> Editor {
     editor.perform(Action::New);
     for (points, id) in strokes.into_iter().zip(1..) {
         let points = points.into_iter().map(|[x, y]| StrokePoint::at(2.0 * vec2(x, y))).collect();
-        editor.change(Change::put(Stroke { id, tool: Tool::Auto, points }));
+        editor.change(Change::put(Stroke { id, tool: Tool::Auto, points, brush: None }));
     }
     build(&mut editor);
     editor
@@ -54,7 +54,7 @@ fn one_tap_takes_a_reading_back_and_one_undo_brings_it_again() {
     assert!(!readings(&mut editor).contains(&Reading::Pot));
     // Drawing goes on.
     let points = [vec2(10.0, 10.0), vec2(60.0, 15.0)].map(StrokePoint::at).to_vec();
-    editor.change(Change::put(Stroke { id: 9, tool: Tool::Auto, points }));
+    editor.change(Change::put(Stroke { id: 9, tool: Tool::Auto, points, brush: None }));
     assert!(!readings(&mut editor).contains(&Reading::Pot));
 }
 

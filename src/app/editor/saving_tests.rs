@@ -23,7 +23,7 @@ fn draw(editor: &mut Editor) {
     let id = editor.drawing.next_id();
     let place = |i: u8| glam::Vec2::new(f32::from(i) * 10.0, id as f32);
     let points = (0..9).map(|i| StrokePoint::at(place(i))).collect();
-    editor.change(Change::put(Stroke { id, tool: Tool::Branch, points }));
+    editor.change(Change::put(Stroke { id, tool: Tool::Branch, points, brush: None }));
 }
 
 fn save_as(editor: &mut Editor, path: &Path) {

@@ -43,6 +43,7 @@ impl Editor {
             beside: self.beside_state(),
             petals: self.petal_state(),
             space: self.space_state(),
+            brush: self.brush_state(),
             pose: self.pose_state(),
             presets: self.disk.presets.listed().to_vec(),
             reference,

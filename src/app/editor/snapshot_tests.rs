@@ -31,7 +31,7 @@ fn an_outline_without_a_branch_is_reported_until_there_is_one() {
     editor.perform(Action::New);
     let line = |id, tool, places: &[[f32; 2]]| {
         let points = places.iter().map(|&[x, y]| StrokePoint::at(vec2(x, y))).collect();
-        Change::put(Stroke { id, tool, points })
+        Change::put(Stroke { id, tool, points, brush: None })
     };
     let ring = [[0.0, 0.0], [300.0, 0.0], [300.0, 300.0], [0.0, 300.0], [0.0, 0.0]];
     editor.change(line(1, Tool::BranchOutline, &ring));

@@ -106,9 +106,13 @@ impl Editor {
         pose_of(&self.sketch().wood_poses, last.id).is_still().then_some(&**last)
     }
 
-    /// Follows what the pen drew in the view of the plant since this was asked last.
+    /// Follows what the pen drew or painted in the view of the plant since this was asked last.
     pub(super) fn draw_in_space(&mut self) {
         for (phase, sample) in self.plant.take_drawn() {
+            if self.brush.stroke.is_some() {
+                self.paint(phase, &sample);
+                continue;
+            }
             match phase {
                 PenPhase::Move => self.extend_in_space(&sample, self.pressed(&sample)),
                 PenPhase::Up => {
@@ -173,11 +177,11 @@ impl Editor {
             self.space.last = Some((stroke.id, normal));
         }
         let SpaceStroke { id, points, .. } = stroke;
-        self.change(Change::put(Stroke { id, tool: Tool::SpaceBranch, points }));
+        self.change(Change::put(Stroke { id, tool: Tool::SpaceBranch, points, brush: None }));
     }
 
     /// What the pen presses, as the artist's curve has it.
-    fn pressed(&self, sample: &PenSample) -> f32 {
+    pub(super) fn pressed(&self, sample: &PenSample) -> f32 {
         let pressure = match sample.tool {
             PenTool::Pen | PenTool::Eraser => self.canvas.pressure(sample.pressure),
             PenTool::Finger(_) | PenTool::Mouse => StrokePoint::NEUTRAL_PRESSURE,
@@ -186,13 +190,13 @@ impl Editor {
     }
 
     /// A name for a branch that no other stroke has, neither that under a pen on the canvas.
-    fn unused_id(&self) -> StrokeId {
+    pub(super) fn unused_id(&self) -> StrokeId {
         let on_canvas = self.canvas.growing().map_or(0, |stroke| stroke.id().saturating_add(1));
         self.drawing.next_id().max(on_canvas)
     }
 
     /// How the drawing maps to the world of the plant that is shown.
-    fn world(&self) -> Option<WorldFromCanvas> {
+    pub(super) fn world(&self) -> Option<WorldFromCanvas> {
         self.built().map(|built| built.provenance.world_from_canvas)
     }
 
@@ -211,7 +215,7 @@ fn lifted(stroke: &SpaceStroke) -> Stroke {
         let sample = |place: &Vec3| stroke.frame.sample(*place + height, last.pressure, last.time_ms);
         points.extend(rest.iter().map(sample));
     }
-    Stroke { id: stroke.id, tool: Tool::SpaceBranch, points }
+    Stroke { id: stroke.id, tool: Tool::SpaceBranch, points, brush: None }
 }
 
 #[cfg(test)]

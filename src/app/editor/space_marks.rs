@@ -30,8 +30,13 @@ impl Editor {
     /// The place on the axis of a branch that is seen nearest to a place in the window, if that is over the branch, or as near
     /// as a finger is thick.
     pub(super) fn place_on(&self, branch: &Branch, at: DVec2) -> Option<Vec3> {
-        let reach = REACH * self.plant.pixels_per_point();
-        let right = self.plant.forward()?.cross(Vec3::Y).try_normalize().unwrap_or(Vec3::X);
+        let (away, place, radius) = self.seen_on(branch, at)?;
+        (away <= self.reach_at(place, radius)).then_some(place)
+    }
+
+    /// The place on the axis of a branch that is seen nearest to a place in the window, how far from that, physical pixels, and
+    /// the branch's radius there, metres.
+    pub(super) fn seen_on(&self, branch: &Branch, at: DVec2) -> Option<(f64, Vec3, f32)> {
         let mut best: Option<(f32, usize, f32)> = None;
         let mut before: Option<Vec2> = None;
         // No list: this is asked of all branches with every frame in which the pointer hovers.
@@ -47,9 +52,20 @@ impl Editor {
             before = seen;
         }
         let (away, i, share) = best?;
-        let place = branch.points[i].lerp(branch.points[i + 1], share);
-        let (axis, edge) = (self.plant.seen_at(place)?, self.plant.seen_at(place + branch.radii[i] * right)?);
-        (f64::from(away) <= reach.max(edge.distance(axis))).then_some(place)
+        Some((away.into(), branch.points[i].lerp(branch.points[i + 1], share), branch.radii[i]))
+    }
+
+    /// How far from a place something of this radius there, metres, is touched, physical pixels: as far as it reaches, and no less
+    /// than a finger does.
+    pub(super) fn reach_at(&self, place: Vec3, radius: f32) -> f64 {
+        let reach = REACH * self.plant.pixels_per_point();
+        self.seen_length(place, radius).unwrap_or(0.0).max(reach)
+    }
+
+    /// How long something of a length at a place, metres, is seen, physical pixels.
+    pub(super) fn seen_length(&self, place: Vec3, length: f32) -> Option<f64> {
+        let right = self.plant.forward()?.cross(Vec3::Y).try_normalize().unwrap_or(Vec3::X);
+        Some(self.plant.seen_at(place)?.distance(self.plant.seen_at(place + right * length)?))
     }
 
     /// Where a trunk would stand on the ground under a place in the window; none where that is far from the plant.
@@ -72,8 +88,10 @@ impl Editor {
     /// Notes where the pointer hovers over the plant, logical pixels of the window; none elsewhere.
     pub(super) fn hover_in_space(&mut self, at: Option<Pos2>) {
         let scale = self.plant.pixels_per_point();
+        let at = at.map(|at| DVec2::new(at.x.into(), at.y.into()) * scale);
+        self.hover_brush(at);
         let is_idle = self.space.stroke.is_none() && self.posing.hold.is_none();
-        let at = at.filter(|_| is_idle).map(|at| DVec2::new(at.x.into(), at.y.into()) * scale);
+        let at = at.filter(|_| is_idle);
         let on_wood = |at: DVec2| self.wood_at(at).map(|(_, place)| place);
         let begin = at.and_then(|at| match (self.space.is_on, self.posing.is_on) {
             (true, _) => on_wood(at).or_else(|| self.ground_at(at)),
@@ -83,12 +101,13 @@ impl Editor {
         self.space.hovered = begin.and_then(|begin| self.plant.seen_at(begin));
     }
 
-    /// Paints where a branch would begin, and the line under the pen.
+    /// Paints where a branch would begin, the line under the pen, and brushes.
     pub(super) fn paint_in_space(&self, painter: &Painter, palette: &Palette) {
         let scale = self.plant.pixels_per_point();
         if let Some(at) = self.space.hovered {
             painter.circle(to_points(at, scale), 5.0, palette.accent, (1.5, palette.panel));
         }
+        self.paint_brush(painter, palette);
         let Some(stroke) = &self.space.stroke else { return };
         let seen = stroke.points.iter().filter_map(|point| self.plant.seen_at(stroke.frame.place(point)));
         let line: Vec<Pos2> = seen.map(|at| to_points(at, scale)).collect();

@@ -23,7 +23,13 @@ pub(super) struct SpaceStroke {
 impl SpaceStroke {
     /// The stroke as the worker is given it.
     pub(super) fn under_pen(&self) -> UnderPen<'_> {
-        UnderPen { id: self.id, tool: Tool::SpaceBranch, points: &self.points, settled: self.points.len() }
+        UnderPen {
+            id: self.id,
+            tool: Tool::SpaceBranch,
+            points: &self.points,
+            settled: self.points.len(),
+            brush: None,
+        }
     }
 }
 

@@ -58,6 +58,8 @@ impl Localize for Remark {
                 let known: Vec<String> = known.split(", ").map(name).collect();
                 fill(Msg::WarningDoesNotGrow, &[("species", &name(species)), ("known", &known.join(", "))])
             }
+            Self::BrushOutOfReach => fill(Msg::WarningBrushOutOfReach, &[]),
+            Self::BrushCutsNothing => fill(Msg::WarningBrushCutsNothing, &[]),
             Self::GrowthCapped { internodes } => {
                 fill(Msg::WarningGrowthCapped, &[("internodes", internodes)])
             }
@@ -163,7 +165,9 @@ mod tests {
             Remark::ManyCrowns { .. } => {
                 Remark::DoesNotGrow { species: "daisy".to_owned(), known: "oak".to_owned() }
             }
-            Remark::DoesNotGrow { .. } => Remark::GrowthCapped { internodes: 50 },
+            Remark::DoesNotGrow { .. } => Remark::BrushOutOfReach,
+            Remark::BrushOutOfReach => Remark::BrushCutsNothing,
+            Remark::BrushCutsNothing => Remark::GrowthCapped { internodes: 50 },
             Remark::GrowthCapped { .. } => Remark::GrownTooLarge { years: 51 },
             Remark::GrownTooLarge { .. } => Remark::GrowthTooCostly { years: 54 },
             Remark::GrowthTooCostly { .. } => Remark::LeavesThinned { leaves: 53 },

@@ -233,6 +233,8 @@ fn shortcuts(ui: &mut Ui, messages: &Messages) {
         ("K", Msg::PetalsShape),
         ("W", Msg::SpaceDraw),
         ("J", Msg::PoseWood),
+        ("U", Msg::BrushGrow),
+        ("X", Msg::BrushPrune),
         ("Ctrl+C", Msg::EditCopy),
         ("Ctrl+X", Msg::EditCut),
         ("Ctrl+V", Msg::EditPaste),

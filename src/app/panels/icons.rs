@@ -45,6 +45,10 @@ icons! {
     Branch: ["M12 22 C12 17 11.5 14 12 10 C12.2 7 13 5 14.5 2.5", "M11.8 15 C9 13.5 7 11 5.5 7.5", "M12 11.5 C14.5 11 17.5 9.5 19.5 7"];
     /// A branch in a box.
     SpaceBranch: ["M3 8 L12 3 L21 8 L21 17 L12 22 L3 17 Z", "M3 8 L12 13 L21 8", "M12 13 L12 22", "M12 18 C13 14.5 15 12 18.5 11.5", "M14 14.4 C13.6 11 11.5 8.5 9 7.5"];
+    /// A brush with a leaf at its tip.
+    GrowthBrush: ["M21 3 L13 11", "M13 11 L15 13 L10.5 16 L9 14.5 Z", "M9 15.5 C4 14.5 2.5 17.5 3 21.5 C7 22 9.8 20 9.3 15.8", "M3 21.5 L6.5 18"];
+    /// A brush over a twig that is cut.
+    PruningBrush: ["M21 3 L13 11", "M13 11 L15 13 L10.5 16 L9 14.5 Z", "M3 21 L7 17", "M4.5 13.5 L10 20", "M14 21 L20 17.5", "M17 19.3 L17.5 16"];
     /// An upright pane that faces the viewer.
     FacingSurface: ["M5 4 L19 4 L19 20 L5 20 Z", "M8 16.5 C9 12 12 9 16 7.5"];
     /// A level pane.

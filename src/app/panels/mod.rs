@@ -8,6 +8,7 @@
 //! Everything that can be touched is 40 logical pixels wide and high at least, and nothing needs a keyboard.
 
 pub mod beside;
+mod brush;
 mod calibration;
 pub mod dialogs;
 pub mod export;

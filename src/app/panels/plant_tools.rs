@@ -2,7 +2,7 @@
 
 use super::snapshot::Snapshot;
 use super::widgets::{card, note};
-use super::{petals, pose, space};
+use super::{brush, petals, pose, space};
 use crate::app::action::Action;
 use crate::app::messages::Messages;
 use egui::{Align2, Area, Context, Id, Margin, Order, Rect, vec2};
@@ -20,7 +20,8 @@ pub(super) fn show(
 ) {
     let (of_petals, of_branches, of_poses) = (snapshot.petals, snapshot.space, snapshot.pose);
     let has_petals = of_petals.any || of_petals.on;
-    let has_wood = of_branches.any || of_branches.on || of_poses.on;
+    let of_brushes = snapshot.brush;
+    let has_wood = of_branches.any || of_branches.on || of_poses.on || of_brushes.tool.is_some();
     if !(has_petals || has_wood) || plant.width() < 80.0 {
         return;
     }
@@ -35,6 +36,7 @@ pub(super) fn show(
                 if has_wood {
                     space::buttons(ui, &of_branches, messages, out);
                     pose::buttons(ui, &of_poses, messages, out);
+                    brush::buttons(ui, &of_brushes, messages, out);
                 }
                 if has_petals {
                     petals::buttons(ui, &of_petals, messages, out);
@@ -42,8 +44,10 @@ pub(super) fn show(
             });
             let said = of_petals.on.then(|| petals::said(&of_petals));
             let said = said.or_else(|| of_branches.on.then(|| space::said(&of_branches)));
+            let said = said.or_else(|| of_brushes.tool.map(brush::said));
             if let Some(said) = said.or_else(|| of_poses.on.then(|| pose::said(&of_poses))) {
                 ui.set_max_width(WIDTH.min(plant.width() - 32.0));
+                brush::rails(ui, &of_brushes, messages, out);
                 note(ui, messages.get(said));
             }
         });

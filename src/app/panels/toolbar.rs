@@ -66,7 +66,7 @@ pub const TOOLS: [ToolEntry; 11] = [
 /// What a stroke drawn with a tool is called.
 pub fn name_of(tool: Tool) -> Msg {
     // In space it is a branch, too.
-    let tool = if tool == Tool::SpaceBranch { Tool::Branch } else { tool };
+    let tool = if tool.is_in_space() { Tool::Branch } else { tool };
     let entry = TOOLS.iter().find(|entry| entry.tool == CanvasTool::Draw(tool));
     entry.map_or(Msg::ToolAuto, |entry| entry.name)
 }

@@ -49,6 +49,8 @@ pub struct Wood<'a> {
     pub diameters: &'a [f32],
     /// How far what the nodes carry has grown this year, 1 for what is older.
     pub grown: &'a [f32],
+    /// The first node that bears anything: those before it are wood that was there before.
+    pub first: usize,
     /// Age in years.
     pub age: f32,
     /// Diameter of the thinnest wood.
@@ -124,7 +126,7 @@ fn count_of(wood: &Wood<'_>, habit: &LeafHabit, (i, from_end): (usize, u8)) -> u
     let leafy = years_of(wood, i) <= habit.years || from_end < SHORT;
     let young = leafy && wood.diameters[i] <= wood.tip * habit.thickest;
     let at_tip = if from_end == 0 { habit.at_tip } else { 0 };
-    if young && wood.chains.of_node[i] != NONE { habit.per_internode + at_tip } else { 0 }
+    if young && i >= wood.first && wood.chains.of_node[i] != NONE { habit.per_internode + at_tip } else { 0 }
 }
 
 /// The leaves of the internode below one node, less those for which a volume has no room.
@@ -165,7 +167,8 @@ fn held(mut blade: Blade, envelope: &Envelope) -> Option<Blade> {
 
 /// The share of its length for which a drawn or modelled volume has room, of what reaches from `base` by `v`.
 pub(super) fn held_share(base: Vec3, v: Vec3, envelope: &Envelope) -> Option<f32> {
-    if matches!(envelope, Envelope::Free | Envelope::Crown(_)) {
+    // Leaves stand out of what a brush sweeps as they do at the end of any branch: its edge is where wood ends.
+    if matches!(envelope, Envelope::Free | Envelope::Crown(_) | Envelope::Swept(_)) {
         return Some(1.0);
     }
     let fits = |share: &f32| HELD_AT.iter().all(|at| envelope.contains(base + v * (share * at)));

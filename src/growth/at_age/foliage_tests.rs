@@ -38,6 +38,7 @@ impl Grown {
             at: &self.at,
             diameters: &self.diameters,
             grown: &self.grown,
+            first: 0,
             age: AGE,
             tip: self.simulation.habit().tip,
             arrangement: self.simulation.habit().arrangement,

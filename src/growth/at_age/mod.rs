@@ -8,6 +8,7 @@ pub(super) mod diameter;
 pub mod foliage;
 mod fork;
 mod insertion;
+pub(super) mod new_growth;
 mod pruning;
 mod rounding;
 mod rubbing;

@@ -17,7 +17,7 @@ const FOOT: [f32; 5] = [0.35, 0.8, 1.4, 2.4, 4.0];
 /// Lengths of trunks in radii of their foot: up to the first they do not widen there, from the second on fully.
 const SLENDER: (f32, f32) = (8.0, 30.0);
 /// Share of its parent's radius that a branch may begin with.
-const NARROWER: f32 = 0.92;
+pub(super) const NARROWER: f32 = 0.92;
 
 /// A plant of one age.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,6 +63,7 @@ pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (PlantAtAge, Cha
         at: &at,
         diameters: &diameters,
         grown: &grown,
+        first: 0,
         age,
         tip: habit.tip,
         arrangement: habit.leaf.arrangement.unwrap_or(habit.arrangement),
@@ -79,7 +80,12 @@ pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (PlantAtAge, Cha
 }
 
 /// The nodes of a chain with the radii there, metres, from its base.
-fn skeleton_of(chain: &Chain, chains: &Chains, at: &[Vec3], diameters: &[f32]) -> Vec<(Vec3, f32)> {
+pub(super) fn skeleton_of(
+    chain: &Chain,
+    chains: &Chains,
+    at: &[Vec3],
+    diameters: &[f32],
+) -> Vec<(Vec3, f32)> {
     let nodes = &chains.nodes[chain.range.0 as usize..chain.range.1 as usize];
     let mut skeleton: Vec<(Vec3, f32)> = Vec::with_capacity(2 * nodes.len());
     for (k, &node) in nodes.iter().enumerate() {
@@ -111,7 +117,7 @@ fn nearest(line: &[Vec3], p: Vec3) -> Vec3 {
 }
 
 /// The branch along a skeleton: points that lie on each other become one, and a single point a short branch.
-fn branch_along(mut skeleton: Vec<(Vec3, f32)>, parent: Option<usize>, level: u32) -> Branch {
+pub(super) fn branch_along(mut skeleton: Vec<(Vec3, f32)>, parent: Option<usize>, level: u32) -> Branch {
     skeleton.dedup_by(|b, a| a.0.distance_squared(b.0) <= (1e-3 * a.1).powi(2));
     if let [(base, radius)] = skeleton[..] {
         skeleton.push((base + Vec3::Y * radius.max(1e-5), radius));

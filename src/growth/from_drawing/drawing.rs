@@ -162,6 +162,11 @@ impl Memory {
         self.last = None;
     }
 
+    /// How the plant that grew last grows, fitted into its crown if it has one.
+    pub fn habit(&self) -> Option<&Habit> {
+        self.last.as_ref().map(|kept| kept.simulation.habit())
+    }
+
     /// What the plant that grew last looks like from inside, at an age that it has lived through.
     pub fn overlay(&self, age: f32, wanted: Wanted) -> Vec<Spot> {
         self.last.as_ref().map_or_else(Vec::new, |kept| overlay(&kept.simulation, age, wanted))

@@ -39,11 +39,14 @@ pub(crate) fn field_for(
     }
     let radius = habit.space.perception * habit.internode;
     let density = habit.space.markers / (4.0 / 3.0 * std::f32::consts::PI * radius.powi(3));
+    let cell = radius.max(habit.space.occupancy * habit.internode);
+    if let Envelope::Swept(swept) = envelope {
+        return Field::Space(Markers::scatter_in_swept(swept, density, limits.markers, cell, seed));
+    }
     // A plant that is bound by nothing gets as much space as its species ever fills.
     let high = habit.height;
     let own = Envelope::Ellipsoid { centre: Vec3::Y * high * 0.55, radii: Vec3::new(0.45, 0.5, 0.45) * high };
     let volume = if envelope.bounds().is_some() { envelope } else { &own };
-    let cell = radius.max(habit.space.occupancy * habit.internode);
     Field::Space(Markers::scatter(volume, density, limits.markers, cell, seed))
 }
 

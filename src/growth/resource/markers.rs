@@ -6,8 +6,8 @@
 
 use crate::geom::cells::{Grid, Sorted};
 use crate::growth::tree::NEVER;
-use crate::growth::volume::Envelope;
-use crate::random::stream;
+use crate::growth::volume::{Envelope, Swept};
+use crate::random::{mix, stream};
 use glam::{IVec3, Vec3};
 use rand::RngExt;
 use rayon::prelude::*;
@@ -65,6 +65,27 @@ impl Markers {
         let mut points = blocks.concat();
         points.truncate(most);
         Self::new(points, low, high, cell, density)
+    }
+
+    /// Scatters markers in what a brush sweeps, in each cell of its cover by a random stream of its own: `density` of them per cubic
+    /// metre, fewer if they would be more than `most`. Any other stroke that sweeps the same gets the same ones.
+    pub fn scatter_in_swept(swept: &Swept, density: f32, most: usize, cell: f32, seed: u64) -> Self {
+        let (cells, side) = swept.cells();
+        let density = density.min(most as f32 / swept.volume().max(f32::MIN_POSITIVE));
+        let mean = (density * side.powi(3)).min(MOST_TRIED as f32 / cells.len().max(1) as f32);
+        let fill = |cell: &IVec3| {
+            let name = cell.to_array().iter().fold(0, |name, x| mix(name, u64::from(x.cast_unsigned())));
+            let mut rng = stream(seed, "markers", name);
+            let count = mean as usize + usize::from(rng.random::<f32>() < mean.fract());
+            let low = cell.as_vec3() * side;
+            let points = (0..count).map(|_| low + Vec3::from_array(rng.random::<[f32; 3]>()) * side);
+            points.filter(|p| swept.contains(*p)).collect::<Vec<_>>()
+        };
+        let blocks: Vec<Vec<Vec3>> = cells.par_iter().with_min_len(64).map(fill).collect();
+        let mut points = blocks.concat();
+        points.truncate(most);
+        let (low, high) = swept.bounds();
+        Self::new(points, low, high, cell, mean / side.powi(3))
     }
 
     /// Markers at given places.
@@ -213,6 +234,23 @@ mod tests {
         assert!((above / markers.len() as f32 - 0.5).abs() < 0.02);
         let fewer = ball(1000).len();
         assert!(fewer <= 1000 && fewer > 700, "{fewer}");
+    }
+
+    #[test]
+    fn what_is_swept_twice_is_no_denser() {
+        let way: Vec<_> = (0..9).map(|k| (Vec3::X * 0.3 * k as f32, 0.4)).collect();
+        let back: Vec<_> = way.iter().rev().chain(&way).copied().collect();
+        let scatter = |way: &[(Vec3, f32)], most: usize| {
+            let swept = Swept::new(way, 0.8).unwrap();
+            let markers = Markers::scatter_in_swept(&swept, 500.0, most, 0.2, 7);
+            assert!(markers.free().all(|p| swept.contains(p)));
+            (markers, 500.0 * swept.volume())
+        };
+        let (once, expected) = scatter(&way, 1_000_000);
+        assert!((once.len() as f32 / expected - 1.0).abs() < 0.06, "{} of {expected}", once.len());
+        assert!(once.free().eq(scatter(&back, 1_000_000).0.free()));
+        let fewer = scatter(&way, 100).0.len();
+        assert!((60..=100).contains(&fewer), "{fewer}");
     }
 
     #[test]

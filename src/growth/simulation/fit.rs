@@ -1,7 +1,7 @@
 //! The habit of a plant that fills a given volume: internodes, leaves and wood become as fine as the volume needs.
 
 use crate::growth::habit::Habit;
-use crate::growth::volume::Envelope;
+use crate::growth::volume::{Envelope, Swept};
 use glam::Vec3;
 
 /// Internodes that a crown which is grown into is at least high where it is as full as [`FULL`]: drawn crowns need fine
@@ -23,6 +23,11 @@ const TRUNK: f32 = 0.055;
 /// Least thickness of the thinnest wood in a crown, as a share of the species'.
 const THIN: f32 = 0.2;
 
+/// Least thickness of the thinnest wood in a brush, as a share of the species'.
+const THIN_IN_BRUSH: f32 = 0.5;
+/// Internodes in a brush's radius, where the species' own are not shorter.
+const ACROSS: f32 = 8.0;
+
 /// Volume of a round body as a share of its box's.
 const ROUND: f32 = 0.5;
 
@@ -36,15 +41,45 @@ pub(super) fn fitted(habit: &Habit, envelope: &Envelope, trunk: Option<f32>) -> 
         if size > 0.0 {
             let volume = volume_of(envelope, high - low);
             let thin = (volume / (FULL * size.powi(3))).clamp(0.0, 1.0).powf(0.25).max(FINE / FINEST);
-            habit.internode = habit.internode.min(size * thin / (FINE * habit.fineness));
-            // A bare plant stays bare.
-            let (short, long) = (LEAVES.0 * habit.internode, LEAVES.1 * habit.internode);
-            habit.leaf.length = habit.leaf.length.clamped_unless_0(short, long);
-            let pipes = PIPES * CROWDED * volume / habit.internode.powi(3);
-            let tip = trunk.unwrap_or(TRUNK * size) / pipes.max(1.0).powf(1.0 / habit.pipe);
-            habit.tip = tip.clamp(THIN * habit.tip, habit.tip);
+            let internode = habit.internode.min(size * thin / (FINE * habit.fineness));
+            made_fine(&mut habit, internode, volume, trunk.unwrap_or(TRUNK * size));
         }
     }
+    seek_space(&mut habit);
+    habit
+}
+
+/// The habit as it fills what a brush sweeps that has this radius, metres, at neutral pressure: so densely that in a thin
+/// stroke shoots have room beside each other. `wood` is the thickness of what it grows on, metres.
+pub(in crate::growth) fn fitted_to_brush(
+    habit: &Habit,
+    (radius, density): (f32, f32),
+    swept: &Swept,
+    wood: f32,
+) -> Habit {
+    let mut habit = habit.clone();
+    let internode = habit.internode.min(radius / ACROSS) / density.cbrt();
+    let twig = habit.tip;
+    made_fine(&mut habit, internode, swept.volume(), wood);
+    habit.tip = habit.tip.max(THIN_IN_BRUSH * twig);
+    seek_space(&mut habit);
+    habit
+}
+
+/// Gives a habit this internode and leaves and wood to go with it, in a volume of so many cubic metres that grows from wood so
+/// thick.
+fn made_fine(habit: &mut Habit, internode: f32, volume: f32, wood: f32) {
+    habit.internode = internode;
+    // A bare plant stays bare.
+    let (short, long) = (LEAVES.0 * internode, LEAVES.1 * internode);
+    habit.leaf.length = habit.leaf.length.clamped_unless_0(short, long);
+    let pipes = PIPES * CROWDED * volume / internode.powi(3);
+    let tip = wood / pipes.max(1.0).powf(1.0 / habit.pipe);
+    habit.tip = tip.clamp(THIN * habit.tip, habit.tip);
+}
+
+/// Lets buds seek space before they follow the species, and nothing be shed.
+fn seek_space(habit: &mut Habit) {
     // An axis that is led on by one lateral after the other, as round the bends of a thin crown, stays as strong.
     habit.shorter = 1.0.into();
     (habit.bole, habit.clearance, habit.shed) = (0.0.into(), 0.0.into(), 0.0.into());
@@ -59,7 +94,6 @@ pub(super) fn fitted(habit: &Habit, envelope: &Envelope, trunk: Option<f32>) -> 
     for lift in [&mut habit.lift, &mut habit.lift_branch, &mut habit.lift_twig] {
         *lift = lift.times(0.25);
     }
-    habit
 }
 
 /// Cubic metres of an envelope with this extent.
@@ -68,6 +102,7 @@ fn volume_of(envelope: &Envelope, extent: Vec3) -> f32 {
         Envelope::Inflated(inflated) => inflated.volume(),
         Envelope::Solid(solid) => solid.volume(),
         Envelope::Lobes(lobes) => lobes.volume(),
+        Envelope::Swept(swept) => swept.volume(),
         Envelope::Box { .. } => extent.element_product(),
         _ => ROUND * extent.element_product(),
     }

@@ -10,6 +10,7 @@
 use super::inflated::Inflated;
 use super::lobes::Lobes;
 use super::solid::Solid;
+use super::swept::Swept;
 use crate::random::Choice;
 use glam::Vec3;
 use std::sync::Arc;
@@ -48,6 +49,8 @@ pub enum Envelope {
     Inflated(Arc<Inflated>),
     /// Inside of lobes together.
     Lobes(Arc<Lobes>),
+    /// What a brush sweeps.
+    Swept(Arc<Swept>),
 }
 
 /// A crown: radius over height, with lumps as leaves gather in clouds.
@@ -100,6 +103,7 @@ impl Envelope {
             Self::Solid(solid) => solid.contains(p),
             Self::Inflated(inflated) => inflated.contains(p),
             Self::Lobes(lobes) => lobes.contains(p),
+            Self::Swept(swept) => swept.contains(p),
         }
     }
 
@@ -129,6 +133,7 @@ impl Envelope {
             Self::Solid(solid) => Some(solid.bounds()),
             Self::Inflated(inflated) => Some(inflated.bounds()),
             Self::Lobes(lobes) => Some(lobes.bounds()),
+            Self::Swept(swept) => Some(swept.bounds()),
         }
     }
 
@@ -141,6 +146,7 @@ impl Envelope {
             Self::Solid(solid) => 8 * solid.triangles_over_a_point(),
             Self::Inflated(inflated) => 20 + inflated.edges_beside_a_point(),
             Self::Lobes(lobes) => 8 * lobes.triangles_over_a_point(),
+            Self::Swept(swept) => swept.balls_beside_a_point(),
         }
     }
 

@@ -41,7 +41,12 @@ impl TrunkLine {
             let pressure = (StrokePoint::NEUTRAL_PRESSURE * width / usual).clamp(LIGHTEST, 1.0);
             StrokePoint { pressure, ..StrokePoint::at(on_canvas(*place)) }
         };
-        Stroke { id, tool: Tool::Branch, points: self.points.iter().zip(&self.widths).map(point).collect() }
+        Stroke {
+            id,
+            tool: Tool::Branch,
+            points: self.points.iter().zip(&self.widths).map(point).collect(),
+            brush: None,
+        }
     }
 
     /// Its mean width, pixels.
@@ -57,7 +62,7 @@ impl PlantPhoto {
         let crowns = self.crown.iter().zip(first..).map(|(line, id)| {
             let around = line.points.iter().chain(line.points.first());
             let points = around.map(|place| StrokePoint::at(on_canvas(*place))).collect();
-            Stroke { id, tool: Tool::Crown, points }
+            Stroke { id, tool: Tool::Crown, points, brush: None }
         });
         let mut strokes: Vec<Stroke> = crowns.collect();
         if let Some(trunk) = &self.trunk {

@@ -12,7 +12,7 @@ use std::sync::mpsc::channel;
 
 fn stroke(id: u64) -> Stroke {
     let points = (0..20).map(|k| StrokePoint::at(vec2(id as f32, k as f32))).collect();
-    Stroke { id, tool: Tool::Leaf, points }
+    Stroke { id, tool: Tool::Leaf, points, brush: None }
 }
 
 /// A journal and the document that it writes down.

@@ -11,11 +11,13 @@ use super::progress::{Progress, set_once};
 use super::reference::ReferenceSeed;
 use super::wood_poses::WoodPosesSeed;
 use crate::quote;
+use crate::sketch::brush;
 use crate::sketch::draft::{Draft, DraftStroke, Flaw};
 use crate::sketch::error::Fault;
 use crate::sketch::textures::{self, ChoiceText};
 use crate::sketch::{
-    Canvas, Corrections, PetalShapes, Picture, PlacedPlant, Reference, Textures, Tool, WoodPoses, limits,
+    Brush, Canvas, Corrections, PetalShapes, Picture, PlacedPlant, Reference, Textures, Tool, WoodPoses,
+    limits,
 };
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
@@ -256,6 +258,7 @@ enum StrokeField {
     Id,
     Tool,
     Points,
+    Brush,
 }
 
 /// Reads one stroke.
@@ -278,7 +281,7 @@ impl<'de> Visitor<'de> for StrokeSeed<'_> {
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<DraftStroke, A::Error> {
         let progress = self.0;
-        let (mut id, mut tool, mut points) = (None, None, None);
+        let (mut id, mut tool, mut points, mut brush) = (None, None, None, None);
         while let Some(field) = map.next_key()? {
             match field {
                 StrokeField::Id => {
@@ -295,9 +298,13 @@ impl<'de> Visitor<'de> for StrokeSeed<'_> {
                 StrokeField::Points => {
                     set_once(&mut points, map.next_value_seed(PointsSeed(progress))?, "points")?
                 }
+                StrokeField::Brush => set_once(&mut brush, map.next_value::<Brush>()?, "brush")?,
             }
         }
         let points = points.ok_or_else(|| A::Error::missing_field("points"))?;
-        Ok(DraftStroke { id, tool: tool.unwrap_or_default(), points })
+        let tool = tool.unwrap_or_default();
+        let brush = brush.or_else(|| tool.is_brush().then(Brush::default));
+        brush::check(tool, brush.as_ref()).map_err(|what| progress.malformed(what))?;
+        Ok(DraftStroke { id, tool, points, brush })
     }
 }

@@ -153,7 +153,7 @@ impl<'de> Deserialize<'de> for StrokeText {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let draft = StrokeSeed(&Progress::default()).deserialize(deserializer)?;
         let id = draft.id.ok_or_else(|| D::Error::missing_field("id"))?;
-        let stroke = Stroke { id, tool: draft.tool, points: draft.points };
+        let stroke = Stroke { id, tool: draft.tool, points: draft.points, brush: draft.brush };
         check_stroke(&stroke).map_err(D::Error::custom)?;
         Ok(Self(Arc::new(stroke)))
     }
@@ -273,7 +273,7 @@ mod tests {
 
     fn stroke(id: u64) -> Arc<Stroke> {
         let points = [[0.5, 1e-7], [3.0, -4.25]].map(|p| StrokePoint::at(p.into())).to_vec();
-        Arc::new(Stroke { id, tool: Tool::BranchOutline, points })
+        Arc::new(Stroke { id, tool: Tool::BranchOutline, points, brush: None })
     }
 
     #[test]

@@ -6,7 +6,7 @@ use super::number::push_number;
 use super::{FORMAT, corrections, petal_shapes, plants, version_of, wood_poses};
 use crate::sketch::reference::Reference;
 use crate::sketch::textures;
-use crate::sketch::{Sketch, Stroke, StrokePoint};
+use crate::sketch::{Brush, Sketch, Stroke, StrokePoint};
 use serde_json::json;
 
 /// The sketch as a `.penstemon` file. The same sketch always gives the same text.
@@ -88,7 +88,15 @@ pub(super) fn push_placement(out: &mut String, reference: &Reference) {
 
 /// One stroke on one line.
 pub(super) fn push_stroke(out: &mut String, stroke: &Stroke) {
-    out.push_str(&format!("{{\"id\": {}, \"tool\": {}, \"points\": [", stroke.id, json!(stroke.tool)));
+    out.push_str(&format!("{{\"id\": {}, \"tool\": {}", stroke.id, json!(stroke.tool)));
+    if let Some(Brush { radius, density, guide }) = stroke.brush {
+        for (name, number) in [("brush\": {\"radius", radius), ("density", density), ("guide", guide)] {
+            out.push_str(&format!(", \"{name}\": "));
+            push_number(out, number);
+        }
+        out.push('}');
+    }
+    out.push_str(", \"points\": [");
     let arity = stroke.points.iter().map(arity).max().unwrap_or(2);
     for (i, p) in stroke.points.iter().enumerate() {
         out.push_str(if i == 0 { "[" } else { ", [" });

@@ -26,7 +26,7 @@ pub fn write(sketch: &Sketch) -> String {
     out.push_str("\" viewBox=\"0 0 ");
     push_numbers(&mut out, [width, height]);
     out.push_str("\" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n");
-    for stroke in &sketch.strokes {
+    for stroke in sketch.strokes.iter().filter(|stroke| !stroke.tool.is_brush()) {
         push_path(&mut out, stroke, full_width);
     }
     out.push_str("</svg>\n");
@@ -67,7 +67,9 @@ fn colour(tool: Tool) -> &'static str {
         Tool::Auto => "#26313a",
         Tool::Petal => "#b03a6e",
         Tool::Leaf | Tool::LeafOutline => "#2f7a3d",
-        Tool::Branch | Tool::BranchOutline | Tool::SpaceBranch => "#7a4f2a",
+        Tool::Branch | Tool::BranchOutline | Tool::SpaceBranch | Tool::GrowthBrush | Tool::PruningBrush => {
+            "#7a4f2a"
+        }
         Tool::Crown => "#4a4fb5",
     }
 }

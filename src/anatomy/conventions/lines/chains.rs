@@ -288,5 +288,5 @@ fn joined<'a>(chain: &[Way], stroke_of: impl Fn(&Way) -> &'a Arc<Stroke>, diagon
         points.push(first);
     }
     let first = chain.iter().map(|way| stroke_of(way).id).min().unwrap_or_default();
-    Stroke { id: first, tool: Tool::Auto, points }
+    Stroke { id: first, tool: Tool::Auto, points, brush: None }
 }

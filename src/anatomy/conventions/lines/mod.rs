@@ -40,7 +40,7 @@ mod tests {
     fn strokes(lines: &[Vec<Vec2>]) -> Vec<Arc<Stroke>> {
         let stroke = |(id, line): (usize, &Vec<Vec2>)| {
             let points = even(line, 120).into_iter().map(StrokePoint::at).collect();
-            Arc::new(Stroke { id: id as u64 + 1, tool: Tool::Auto, points })
+            Arc::new(Stroke { id: id as u64 + 1, tool: Tool::Auto, points, brush: None })
         };
         lines.iter().enumerate().map(stroke).collect()
     }

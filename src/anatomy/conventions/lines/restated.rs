@@ -28,7 +28,7 @@ pub(crate) fn restated(
     let line = |bundle: bundles::Bundle| {
         let members: Vec<usize> = bundle.members.iter().map(|line| page.lines[*line].stroke).collect();
         let points = evened(&bundle.points, page.diagonal).into_iter().map(StrokePoint::at).collect();
-        let stroke = Stroke { id: strokes[members[0]].id, tool: Tool::Auto, points };
+        let stroke = Stroke { id: strokes[members[0]].id, tool: Tool::Auto, points, brush: None };
         (members, Arc::new(stroke))
     };
     Some(Redrawn::of(strokes, lines.into_iter().map(line).collect()))

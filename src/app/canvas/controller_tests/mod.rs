@@ -43,7 +43,12 @@ impl Fixture {
         for id in 1..=count {
             let points =
                 (0..=20).map(|i| StrokePoint::at(Vec2::new(100.0 + i as f32 * 10.0, id as f32 * 100.0)));
-            fixture.strokes.push(Arc::new(Stroke { id, tool: Tool::Auto, points: points.collect() }));
+            fixture.strokes.push(Arc::new(Stroke {
+                id,
+                tool: Tool::Auto,
+                points: points.collect(),
+                brush: None,
+            }));
         }
         fixture.next_id = count;
         fixture

@@ -39,7 +39,7 @@ fn oak(home: &tempfile::TempDir) -> Editor {
     editor.perform(Action::SetParam { path: "growth.fineness".into(), value: Some(Value::from(0.5)) });
     let circle = (0..=40).map(|k| vec2(300.0, 200.0) + Vec2::from_angle(k as f32 / 40.0 * TAU) * 150.0);
     let points = circle.map(StrokePoint::at).collect();
-    editor.change(Change::put(Stroke { id: 1, tool: Tool::Crown, points }));
+    editor.change(Change::put(Stroke { id: 1, tool: Tool::Crown, points, brush: None }));
     settle(&mut editor);
     editor
 }
@@ -179,7 +179,7 @@ fn peony(home: &tempfile::TempDir) -> Editor {
     editor.perform(Action::New);
     editor.perform(Action::SetSpecies("peony".into()));
     let points = (0..=20).map(|k| StrokePoint::at(vec2(300.0, 500.0 - 18.0 * k as f32))).collect();
-    editor.change(Change::put(Stroke { id: 1, tool: Tool::Branch, points }));
+    editor.change(Change::put(Stroke { id: 1, tool: Tool::Branch, points, brush: None }));
     settle(&mut editor);
     editor
 }

@@ -3,6 +3,7 @@
 //! [`Snapshot`] is the whole; its parts stand in a file each.
 
 mod beside;
+mod brush;
 mod params;
 mod pen;
 mod petals;
@@ -12,6 +13,7 @@ mod space;
 mod status;
 
 pub use beside::{BesideState, PlantState};
+pub use brush::BrushState;
 pub use params::ParamValues;
 pub use pen::{PenLive, PenState};
 pub use petals::{PetalPoint, PetalState};
@@ -87,6 +89,8 @@ pub struct Snapshot {
     pub petals: PetalState,
     /// Branches that are being drawn in space.
     pub space: SpaceState,
+    /// The brushes.
+    pub brush: BrushState,
     /// Branches that are being turned and bent.
     pub pose: PoseState,
     /// Presets in the artist's folder.

@@ -1,0 +1,59 @@
+//! The brushes, as the card over the plant shows them: which is in hand, and its size, density and guide.
+
+use super::icons::Icon;
+use super::rail::{Rail, RailChange, Scale};
+use super::snapshot::BrushState;
+use super::widgets::IconButton;
+use crate::app::action::Action;
+use crate::app::brush_settings::BrushSettings;
+use crate::app::messages::{Messages, Msg};
+use crate::sketch::{BRUSH_DENSITIES, BRUSH_GUIDES, Tool};
+use egui::Ui;
+
+/// The brushes, each with its key, what it is called and what it is for.
+const BRUSHES: [(Tool, Icon, char, Msg, Msg); 2] = [
+    (Tool::GrowthBrush, Icon::GrowthBrush, 'U', Msg::BrushGrow, Msg::BrushGrowHint),
+    (Tool::PruningBrush, Icon::PruningBrush, 'X', Msg::BrushPrune, Msg::BrushPruneHint),
+];
+
+/// The brushes to take up.
+pub(super) fn buttons(ui: &mut Ui, state: &BrushState, messages: &Messages, out: &mut Vec<Action>) {
+    for (tool, icon, key, name, hint) in BRUSHES {
+        let name = messages.get(name);
+        let hint = format!("{name} ({key})\n{}", messages.get(hint));
+        let is_chosen = state.tool == Some(tool);
+        if IconButton::new(icon, name).hint(hint).chosen(is_chosen).show(ui).clicked() {
+            out.push(Action::TakeBrush((!is_chosen).then_some(tool)));
+        }
+    }
+}
+
+/// How the brush in hand is set; of a pruning brush only its size means anything.
+pub(super) fn rails(ui: &mut Ui, state: &BrushState, messages: &Messages, out: &mut Vec<Action>) {
+    let Some(tool) = state.tool else { return };
+    let (now, usual) = (state.settings, BrushSettings::default());
+    let mut rail = |msg: Msg, (min, max): (f32, f32), value: f32, usual: f32| {
+        let text = format!("{:.0} %", value * 100.0);
+        let scale = Scale { min: min.into(), max: max.into(), whole: false };
+        let reset = (value != usual).then(|| messages.get(Msg::BrushReset));
+        let rail = Rail { label: messages.get(msg), text: &text, scale, value: value.into(), reset };
+        let room = ui.available_width();
+        rail.show(ui, room).1.map(|change| match change {
+            RailChange::To(value) => value as f32,
+            RailChange::Reset => usual,
+        })
+    };
+    let size = rail(Msg::BrushSize, BrushSettings::SIZES, now.size, usual.size);
+    out.extend(size.map(|size| Action::SetBrush(BrushSettings { size, ..now })));
+    if tool == Tool::GrowthBrush {
+        let density = rail(Msg::BrushDensity, BRUSH_DENSITIES.into_inner(), now.density, usual.density);
+        out.extend(density.map(|density| Action::SetBrush(BrushSettings { density, ..now })));
+        let guide = rail(Msg::BrushGuide, BRUSH_GUIDES.into_inner(), now.guide, usual.guide);
+        out.extend(guide.map(|guide| Action::SetBrush(BrushSettings { guide, ..now })));
+    }
+}
+
+/// What the pen does now.
+pub(super) fn said(tool: Tool) -> Msg {
+    if tool == Tool::PruningBrush { Msg::BrushPruning } else { Msg::BrushGrowing }
+}

@@ -1,0 +1,79 @@
+//! The stage between growth and species: strokes of brushes, one after the other, fill and empty parts of the plant.
+//!
+//! A species that does not say how it grows fills them like an ordinary tree, with a remark. All strokes of a drawing together grow
+//! no more than a drawn crown may.
+
+use super::setup::Params;
+use crate::growth::brush::{Memory, Paint, Painted, prune};
+use crate::growth::{Habit, Limits, PlantAtAge, Swept, drawing};
+use crate::plant::WorldFromCanvas;
+use crate::quote;
+use crate::random::{Choice, mix};
+use crate::sketch::{Brush, Remark, Sketch, Stroke, Tool, Warning};
+use crate::species::Species;
+use glam::Vec3;
+use std::sync::Arc;
+
+/// Lets the strokes of a drawing's brushes work on its plant, and remarks what is odd about them; nothing if `stop` said yes.
+/// `habit` is how the plant grew, if it did.
+pub(super) fn brush(
+    memory: &mut Memory,
+    plant: &mut PlantAtAge,
+    (sketch, world, habit): (&Sketch, &WorldFromCanvas, Option<Habit>),
+    (species, params): (&Species, &Params),
+    stop: &dyn Fn() -> bool,
+) -> Option<Vec<Warning>> {
+    let own = &params.habit;
+    let habit = habit.unwrap_or_else(|| own.scaled(params.depth.world.height / own.height));
+    let mut remarks = Vec::new();
+    let (mut painted, internodes) = (0, drawing::LIMITS.internodes);
+    for stroke in sketch.brush_strokes() {
+        let Some(brush) = stroke.brush else { continue };
+        let remark = |remark: Remark| Warning { stroke: Some(stroke.id), remark };
+        let Some(swept) = Swept::new(&way(stroke, &brush, world), brush.guide) else { continue };
+        if stroke.tool == Tool::PruningBrush {
+            let cuts = prune(plant, &swept);
+            remarks.extend((!cuts).then(|| remark(Remark::BrushCutsNothing)));
+            continue;
+        }
+        let radius = brush.radius * world.scale;
+        let seed = mix(Choice::BRUSH.key(sketch.seed), stroke.id);
+        let paint = Paint { swept: Arc::new(swept), radius, density: brush.density, seed };
+        let how = paint.grow(plant, (memory, painted), (&habit, limits(plant)), stop);
+        painted += 1;
+        if species.growth.is_none() && painted == 1 {
+            let (species, known) = (quote::name(&species.name), Species::growing().join(", "));
+            remarks.push(remark(Remark::DoesNotGrow { species, known }));
+        }
+        match how {
+            Painted::Stopped => return None,
+            Painted::OutOfReach => remarks.push(remark(Remark::BrushOutOfReach)),
+            Painted::Capped => remarks.push(remark(Remark::GrowthCapped { internodes })),
+            Painted::Filled => {}
+        }
+    }
+    memory.truncate(painted);
+    Some(remarks)
+}
+
+/// Where the middle of a brush went, and its radius there, metres.
+fn way(stroke: &Stroke, brush: &Brush, world: &WorldFromCanvas) -> Vec<(Vec3, f32)> {
+    let points = stroke.points.iter();
+    let place = points.map(|p| {
+        let radius = brush.radius_at(p.pressure) * world.scale;
+        (world.point_in_space(p.position, p.depth), radius)
+    });
+    place.collect()
+}
+
+/// What one more stroke may grow on a plant: what a drawn crown may, less what the plant has.
+fn limits(plant: &PlantAtAge) -> Limits {
+    let most = drawing::LIMITS;
+    let nodes: usize = plant.plant.branches.iter().map(|branch| branch.points.len()).sum();
+    Limits {
+        internodes: most.internodes.saturating_sub(nodes),
+        leaves: most.leaves.saturating_sub(plant.plant.organs.len()),
+        flower_buds: most.flower_buds.saturating_sub(plant.buds.buds.len()),
+        ..most
+    }
+}
