@@ -1,4 +1,4 @@
-//! Growing plants: whole trees from seed to surfaces, and crowding in ever larger volumes. `cargo bench --bench growth`.
+//! Growing plants: whole trees from seed to surfaces, crowding in ever larger volumes, and strokes of a brush. `cargo bench --bench growth`.
 //!
 //! Trees are grown on one thread, so that times are those of one processor core; throughput counts triangles. Volumes
 //! hold one, four and sixteen parts of a million markers, on all cores; throughput counts internodes.
@@ -7,10 +7,13 @@
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use glam::Vec3;
-use penstemon::growth::{Envelope, Habit, Limits, Simulation, habit::Resource};
+use penstemon::growth::brush::{Memory, Paint};
+use penstemon::growth::{Envelope, Habit, Limits, PlantAtAge, Simulation, Swept, habit::Resource};
 use penstemon::pipeline::{self, Seed};
+use penstemon::plant::{Branch, FlowerBuds, Origin, Plant, Role, WoodPart};
 use penstemon::species::Species;
 use std::hint::black_box;
+use std::sync::Arc;
 
 /// The program's own.
 #[global_allocator]
@@ -64,5 +67,45 @@ fn volumes(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, trees, volumes);
+/// A bare trunk of ten metres.
+fn trunk() -> PlantAtAge {
+    let points: Vec<Vec3> = (0..=100).map(|k| Vec3::Y * (0.1 * k as f32)).collect();
+    let radii = (0..=100).map(|k| 0.2 - 0.0015 * k as f32).collect();
+    let (origin, role) = (Origin::Generated, Role::of(WoodPart::Stem));
+    let trunk = Branch { origin, parent: None, level: 0, points, radii, role };
+    let plant = Plant { branches: vec![trunk], ..Plant::default() };
+    PlantAtAge { plant, buds: FlowerBuds::default() }
+}
+
+/// Strokes of a growth brush that wind around the trunk, on one core: about 2,500, 10,000 and 40,000 markers. Throughput counts
+/// points of what grew.
+fn brushes(c: &mut Criterion) {
+    let habit = Species::built_in("oak").unwrap().growth.unwrap();
+    let mut group = c.benchmark_group("brush");
+    group.sample_size(10);
+    for turns in [0.25f32, 1.0, 4.0] {
+        let way = |k: usize| {
+            let share = k as f32 / 1000.0;
+            let (sin, cos) = (std::f32::consts::TAU * turns * share).sin_cos();
+            (Vec3::new(2.5 * cos, 1.0 + 8.0 * share, 2.5 * sin), 0.25)
+        };
+        let way: Vec<_> = (0..=1000).map(way).collect();
+        let paint = || {
+            let swept = Arc::new(Swept::new(&way, 0.8).unwrap());
+            let (mut plant, mut memory) = (trunk(), Memory::default());
+            let paint = Paint { swept, radius: 0.25, density: 1.0, seed: 1 };
+            paint.grow(&mut plant, (&mut memory, 0), (&habit, Limits::default()), &|| false);
+            plant
+        };
+        let points =
+            single_threaded(paint).plant.branches.iter().map(|branch| branch.points.len()).sum::<usize>();
+        group.throughput(Throughput::Elements(points as u64));
+        group.bench_function(BenchmarkId::from_parameter(points), |b| {
+            single_threaded(|| b.iter_with_large_drop(|| black_box(paint())));
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, trees, volumes, brushes);
 criterion_main!(benches);

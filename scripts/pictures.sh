@@ -63,6 +63,16 @@ for years in -1 4; do
 done
 python3 scripts/sheet.py 6 docs/images/in_space.png "$space"/*.png
 rm -rf "$space"
+# The same branches twice, with the crown of a maple and the strands of a willow painted on them.
+brushes=$(mktemp -d)
+for drawing in brushed brushed_willow; do
+    for view in front side; do
+        "$program" render "tests/fixtures/$drawing.penstemon" --view "$view" --size 400x460 \
+            -o "$brushes/$drawing-$view.png"
+    done
+done
+python3 scripts/sheet.py 4 docs/images/brushes.png "$brushes"/*.png
+rm -rf "$brushes"
 # Drawn crowns, their plants from front and side, and from the side without learned depth.
 sides=$(mktemp -d)
 row() {

@@ -10,7 +10,9 @@ use penstemon::pipeline::{self, Ages, Built, Cache, Seed};
 use penstemon::plant::{OrganKind, Shape, Texture};
 use penstemon::sketch::petal_shapes::shaped;
 use penstemon::sketch::wood_poses::posed;
-use penstemon::sketch::{self, Maker, PetalShape, PlacedPlant, SeedOf, Sketch, Stroke, Tool, WoodPose};
+use penstemon::sketch::{
+    self, Brush, Maker, PetalShape, PlacedPlant, SeedOf, Sketch, Stroke, Tool, WoodPose,
+};
 use penstemon::species::Species;
 use proptest::prelude::*;
 use std::path::Path;
@@ -114,13 +116,18 @@ fn edit_petals(sketch: &mut Sketch, (which, by): (usize, f32)) {
     }
 }
 
-/// Draws a branch in space, or turns or bends one of the branches.
+/// Draws a branch in space or with a brush, or turns or bends one of the branches.
 fn edit_space(sketch: &mut Sketch, (what, which, by): (u8, usize, f32)) {
     let Some(chosen) = sketch.strokes.get(which % sketch.strokes.len().max(1)) else { return };
-    if what == 13 {
+    if what == 13 || what == 15 {
         let mut branch = Stroke::clone(chosen);
         branch.id = 1 + sketch.strokes.iter().map(|s| s.id).max().unwrap();
-        branch.tool = Tool::SpaceBranch;
+        branch.tool = match (what, which % 3) {
+            (13, _) => Tool::SpaceBranch,
+            (_, 0) => Tool::PruningBrush,
+            _ => Tool::GrowthBrush,
+        };
+        branch.brush = branch.tool.is_brush().then(|| Brush { radius: 5.0 + by.abs(), ..Brush::default() });
         let count = branch.points.len() as f32;
         let depths = branch.points.iter_mut().enumerate();
         depths.for_each(|(k, point)| point.depth = by * k as f32 / count);
@@ -149,7 +156,7 @@ proptest! {
     #[test]
     fn edits_give_the_plant_that_a_fresh_build_gives(
         seed: u64,
-        edits in prop::collection::vec((0u8..15, 0usize..1000, -80.0f32..80.0), 1..8),
+        edits in prop::collection::vec((0u8..16, 0usize..1000, -80.0f32..80.0), 1..8),
     ) {
         let mut cache = Cache::default();
         let mut sketch = drawings::scribble(seed, 12);

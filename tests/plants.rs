@@ -3,6 +3,7 @@
 //! One program of tests out of many files: each would be linked by itself, with all libraries, otherwise.
 
 mod blooms;
+mod brushes;
 mod budgets;
 mod classifier;
 mod cone_accuracy;

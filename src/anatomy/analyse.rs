@@ -264,11 +264,12 @@ fn of_drawn(strokes: &[Arc<Stroke>], pieces: &BTreeMap<StrokeId, Piece>, read: V
         }
     }
     let unread = |stroke: &Stroke| {
-        let draws_wood = matches!(stroke.tool, Tool::SpaceBranch | Tool::GrowthBrush);
-        let part = if draws_wood { Part::Branch } else { Part::Ignored };
+        let part = if stroke.tool == Tool::SpaceBranch { Part::Branch } else { Part::Ignored };
         Mark { stroke: stroke.id, part, confidence: 1.0 }
     };
-    strokes.iter().map(|stroke| first.remove(&stroke.id).unwrap_or_else(|| unread(stroke))).collect()
+    // What brushes do is no part of its own.
+    let read = strokes.iter().filter(|stroke| !stroke.tool.is_brush());
+    read.map(|stroke| first.remove(&stroke.id).unwrap_or_else(|| unread(stroke))).collect()
 }
 
 #[cfg(test)]

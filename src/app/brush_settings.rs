@@ -15,7 +15,7 @@ pub struct BrushSettings {
 
 impl BrushSettings {
     /// Smallest and largest radius, shares of the sheet's height.
-    pub const SIZES: (f32, f32) = (0.004, 0.4);
+    pub const SIZES: (f32, f32) = (0.003, 0.4);
 }
 
 impl Default for BrushSettings {

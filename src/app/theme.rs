@@ -189,8 +189,9 @@ impl Palette {
         match tool {
             Tool::Auto => self.ink,
             Tool::Petal => self.petal,
-            Tool::Leaf => self.leaf,
-            Tool::Branch | Tool::SpaceBranch | Tool::GrowthBrush | Tool::PruningBrush => self.branch[0],
+            Tool::Leaf | Tool::GrowthBrush => self.leaf,
+            Tool::PruningBrush => self.error,
+            Tool::Branch | Tool::SpaceBranch => self.branch[0],
             Tool::BranchOutline => self.branch_outline,
             Tool::LeafOutline => self.leaf_outline,
             Tool::Crown => self.crown,

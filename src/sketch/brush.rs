@@ -21,7 +21,7 @@ pub struct Brush {
 }
 
 /// Densities that a brush may have.
-pub const DENSITIES: RangeInclusive<f32> = 0.2..=5.0;
+pub const DENSITIES: RangeInclusive<f32> = 0.04..=5.0;
 /// Guides that a brush may have.
 pub const GUIDES: RangeInclusive<f32> = -3.0..=3.0;
 /// Shares of its radius that a brush has without pressure, and with all of it.

@@ -3,8 +3,8 @@
 use super::{read, with_points, with_strokes};
 use glam::{Quat, Vec3, vec2};
 use penstemon::sketch::{
-    Canvas, Correction, Maker, PetalShape, Picture, PlacedPlant, Reading, Reference, SeedOf, Sketch, Stroke,
-    StrokePoint, TextureChoice, Tool, Verdict, WoodPose, from_bytes, json, limits, textures,
+    Brush, Canvas, Correction, Maker, PetalShape, Picture, PlacedPlant, Reading, Reference, SeedOf, Sketch,
+    Stroke, StrokePoint, TextureChoice, Tool, Verdict, WoodPose, from_bytes, json, limits, textures,
 };
 use proptest::prelude::*;
 use serde_json::{Map, Value};
@@ -185,6 +185,12 @@ fn wood_poses() -> impl Strategy<Value = Vec<WoodPose>> {
 }
 
 prop_compose! {
+    fn brush()(radius in 1e-3_f32..1e6, density in 0.04_f32..=5.0, guide in -3.0_f32..=3.0) -> Brush {
+        Brush { radius, density, guide }
+    }
+}
+
+prop_compose! {
     fn sketch()(
         size in (1e-3_f32..1e6, 1e-3_f32..1e6),
         species in prop::option::of(".{0,12}"),
@@ -198,11 +204,11 @@ prop_compose! {
         wood_poses in wood_poses(),
         strokes in prop::collection::btree_map(
             any::<u64>(),
-            (prop::sample::select(&Tool::ALL[..]), prop::collection::vec(point(), 2..20)),
+            (prop::sample::select(&Tool::ALL[..]), prop::collection::vec(point(), 2..20), brush()),
             1..8,
         ),
     ) -> Sketch {
-        let strokes = strokes.into_iter().map(|(id, (tool, points))| Arc::new(Stroke { id, tool, points, brush: None })).collect();
+        let strokes = strokes.into_iter().map(|(id, (tool, points, brush))| Arc::new(Stroke { id, tool, points, brush: tool.is_brush().then_some(brush) })).collect();
         let canvas = Canvas { width: size.0, height: size.1 };
         Sketch { canvas, species, seed, params: params.into_iter().collect(), textures, reference, plants, corrections: corrections.into(), petal_shapes: petal_shapes.into(), wood_poses: wood_poses.into(), strokes }
     }

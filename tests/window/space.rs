@@ -72,3 +72,37 @@ fn branches_are_drawn_turned_and_bent_and_each_is_one_step() {
     program.built();
     assert_eq!(saved(&screen, &mut program, &file).strokes.len(), 2, "one step each");
 }
+
+#[test]
+fn brushes_paint_and_prune_and_each_stroke_is_one_step() {
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
+    let file = home.path().join("tree.penstemon");
+    std::fs::write(&file, TRUNK).unwrap();
+    let mut program = Program::start(&screen, home.path(), &[file.to_str().unwrap()]);
+    program.built();
+    let [left, top, width, height] = program.area("plant");
+    let middle = [left + 0.5 * width, top + 0.5 * height];
+
+    screen.hand(&["key", "u"]);
+    program.rest();
+    screen.draw(&line([middle[0], top + 0.35 * height], [0.3 * width, -0.1 * height]));
+    program.built();
+    program.picture(&screen).keep("painted");
+    screen.hand(&["key", "x"]);
+    program.rest();
+    screen.draw(&line([middle[0] - 0.1 * width, top + 0.5 * height], [0.2 * width, 0.0]));
+    program.built();
+    program.picture(&screen).keep("pruned");
+    let drawn = saved(&screen, &mut program, &file);
+    let tools: Vec<Tool> = drawn.strokes.iter().map(|stroke| stroke.tool).collect();
+    assert_eq!(tools, [Tool::Branch, Tool::GrowthBrush, Tool::PruningBrush]);
+    assert!(drawn.strokes[1].brush.is_some_and(|brush| brush.radius > 0.0));
+    // Beside the plant a brush turns it.
+    screen.draw(&line([left + 0.1 * width, middle[1]], [0.2 * width, 0.0]));
+    program.rest();
+    for left in [2, 1] {
+        screen.hand(&["key", "ctrl+z"]);
+        program.built();
+        assert_eq!(saved(&screen, &mut program, &file).strokes.len(), left, "one step each");
+    }
+}

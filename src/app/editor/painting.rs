@@ -207,3 +207,7 @@ fn swept(places: &[(Pos2, f32)], colour: Color32) -> Mesh {
     }
     mesh
 }
+
+#[cfg(test)]
+#[path = "painting_tests.rs"]
+mod tests;

@@ -25,8 +25,10 @@ const THIN: f32 = 0.2;
 
 /// Least thickness of the thinnest wood in a brush, as a share of the species'.
 const THIN_IN_BRUSH: f32 = 0.5;
+/// Internodes in one of the species' own, at most: a brush as thin as a hair has no wood as fine as that.
+const FINEST_IN_BRUSH: f32 = 12.0;
 /// Internodes in a brush's radius, where the species' own are not shorter.
-const ACROSS: f32 = 8.0;
+const ACROSS: f32 = 6.0;
 
 /// Volume of a round body as a share of its box's.
 const ROUND: f32 = 0.5;
@@ -59,6 +61,7 @@ pub(in crate::growth) fn fitted_to_brush(
 ) -> Habit {
     let mut habit = habit.clone();
     let internode = habit.internode.min(radius / ACROSS) / density.cbrt();
+    let internode = internode.max(habit.internode / FINEST_IN_BRUSH);
     let twig = habit.tip;
     made_fine(&mut habit, internode, swept.volume(), wood);
     habit.tip = habit.tip.max(THIN_IN_BRUSH * twig);

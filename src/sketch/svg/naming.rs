@@ -54,7 +54,8 @@ mod tests {
 
     #[test]
     fn every_tool_is_found_by_its_own_name() {
-        for tool in Tool::ALL {
+        // Strokes of brushes are not written to SVG, which has no room for a brush.
+        for tool in Tool::ALL.into_iter().filter(|tool| !tool.is_brush()) {
             assert_eq!(tool_in(tool.name()), Some(tool));
         }
     }

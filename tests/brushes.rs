@@ -1,0 +1,176 @@
+//! Strokes of brushes in drawings: what they grow and cut, in sound meshes, from any file.
+
+#![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
+
+use glam::vec2;
+use penstemon::pipeline::{self, Built};
+use penstemon::sketch::{self, Brush, Remark, Sketch, Stroke, StrokePoint, Tool};
+use std::path::Path;
+use std::sync::Arc;
+
+/// A trunk on the sheet and sixteen branches in space.
+fn in_space() -> Sketch {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/in_space.penstemon");
+    sketch::read(&path).unwrap().0
+}
+
+fn built(sketch: &Sketch) -> Built {
+    let species = pipeline::species_of(sketch, Path::new("")).unwrap();
+    let params = pipeline::params_of(sketch, &species, &[]).unwrap();
+    let built = pipeline::build(sketch, &species, &params);
+    built.plant.check_invariants().unwrap();
+    built.model.parts.iter().for_each(|part| part.mesh.check_invariants().unwrap());
+    built
+}
+
+/// A straight stroke of a brush, canvas pixels and depth.
+fn stroke(id: u64, tool: Tool, from: [f32; 3], to: [f32; 3], radius: f32) -> Arc<Stroke> {
+    let point = |k: usize| {
+        let at = |axis: usize| from[axis] + (to[axis] - from[axis]) * k as f32 / 20.0;
+        StrokePoint { depth: at(2), ..StrokePoint::at(vec2(at(0), at(1))) }
+    };
+    let brush = Some(Brush { radius, guide: 1.5, ..Brush::default() });
+    Arc::new(Stroke { id, tool, points: (0..=20).map(point).collect(), brush })
+}
+
+/// The drawing, with a stroke that hangs down from its second bough.
+fn hung() -> Sketch {
+    let mut sketch = in_space();
+    sketch.species = Some("maple".to_owned());
+    sketch.strokes.push(stroke(40, Tool::GrowthBrush, [689.7, 686.8, 266.9], [700.0, 860.0, 270.0], 40.0));
+    sketch
+}
+
+fn leaves(built: &Built) -> usize {
+    built.plant.organs.len()
+}
+
+#[test]
+fn growth_hangs_where_it_was_painted_and_the_rest_stays() {
+    let sketch = hung();
+    let (bare, hung) =
+        (built(&Sketch { strokes: sketch.strokes[..17].to_vec(), ..sketch.clone() }), built(&sketch));
+    assert_eq!(hung.remarks, []);
+    let was = bare.plant.branches.len();
+    assert!(hung.plant.branches[..was] == bare.plant.branches[..], "the plant's own wood stays as it is");
+    assert!(leaves(&hung) > leaves(&bare) + 200, "{} leaves", leaves(&hung));
+    let new = &hung.plant.branches[was..];
+    let chords = new.iter().map(|branch| *branch.points.last().unwrap() - branch.points[0]);
+    let (down, whole) = chords.fold((0.0, 0.0), |sum, chord| (sum.0 + chord.y, sum.1 + chord.length()));
+    assert!(down < -0.6 * whole, "shoots go down by {} of their length", -down / whole);
+    // The wood of the plant is one: brushes leave no part of it in the air.
+    for (b, branch) in hung.plant.branches.iter().enumerate().skip(1) {
+        assert!(branch.parent.is_some_and(|parent| parent < b), "branch {b}");
+    }
+}
+
+#[test]
+fn what_is_cut_is_gone_and_the_stroke_that_cuts_nothing_says_so() {
+    let mut sketch = hung();
+    let before = built(&sketch);
+    sketch.strokes.push(stroke(41, Tool::PruningBrush, [640.0, 800.0, 268.0], [740.0, 800.0, 268.0], 45.0));
+    let after = built(&sketch);
+    assert_eq!(after.remarks, []);
+    assert!(leaves(&after) < leaves(&before) && after.plant.branches.len() < before.plant.branches.len());
+    let world = after.provenance.world_from_canvas;
+    let low = |built: &Built| {
+        let near = |p: &&glam::Vec3| p.z > 230.0 * world.scale;
+        built.plant.branches.iter().flat_map(|b| &b.points).filter(near).map(|p| p.y).fold(f32::MAX, f32::min)
+    };
+    assert!(low(&after) > low(&before) + 40.0 * world.scale, "what hung below the cut went with it");
+    sketch.strokes.push(stroke(42, Tool::PruningBrush, [20.0, 20.0, 0.0], [40.0, 20.0, 0.0], 10.0));
+    let again = built(&sketch);
+    let remarks: Vec<_> = again.remarks.iter().map(|w| (w.stroke, w.remark.clone())).collect();
+    assert_eq!(remarks, [(Some(42), Remark::BrushCutsNothing)]);
+    assert_eq!(again.plant, after.plant);
+}
+
+#[test]
+fn brushes_work_on_grown_crowns_on_flowers_and_on_species_that_do_not_grow() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/sketches");
+    let names = [
+        "tree_round",
+        "balloon_flower",
+        "freehand_apple_tree",
+        "daisy",
+        "freehand_cactus",
+        "freehand_mushroom",
+    ];
+    for name in names {
+        let file = path.join(format!("{name}.penstemon"));
+        let (mut sketch, _) = sketch::read(&file).unwrap();
+        let (low, high) = sketch.bounds().unwrap();
+        let size = high - low;
+        let before = built(&sketch);
+        let at = |x: f32, y: f32| [low.x + x * size.x, low.y + y * size.y, 0.0];
+        let radius = 0.08 * size.max_element();
+        sketch.strokes.push(stroke(9001, Tool::GrowthBrush, at(0.5, 0.5), at(1.1, 0.4), radius));
+        let grown = built(&sketch);
+        assert!(leaves(&grown) >= leaves(&before), "{name}");
+        sketch.strokes.push(stroke(9002, Tool::PruningBrush, at(0.2, 0.2), at(0.8, 0.2), radius));
+        let cut = built(&sketch);
+        let has_flowers = |built: &Built| built.plant.flowers.len();
+        assert!(has_flowers(&cut) <= has_flowers(&grown), "{name}");
+    }
+}
+
+#[test]
+fn bad_brushes_end_in_a_plant_or_in_an_error_that_helps() {
+    let mut sketch = hung();
+    let before = built(&Sketch { strokes: sketch.strokes[..17].to_vec(), ..sketch.clone() });
+    let of = |sketch: &Sketch| built(sketch).remarks.into_iter().map(|w| w.remark).collect::<Vec<_>>();
+    // Far from any wood: it reaches nothing, and says so.
+    sketch.strokes[17] = stroke(40, Tool::GrowthBrush, [90_000.0, 0.0, 0.0], [90_100.0, 0.0, 0.0], 40.0);
+    assert_eq!(of(&sketch), [Remark::BrushOutOfReach]);
+    // A dab, and one that presses nothing.
+    let dab = Stroke { points: vec![StrokePoint::at(vec2(526.0, 735.0))], ..(*sketch.strokes[17]).clone() };
+    sketch.strokes[17] = Arc::new(dab.clone());
+    assert!(leaves(&built(&sketch)) > leaves(&before));
+    let lightly = StrokePoint { pressure: 0.0, ..dab.points[0] };
+    sketch.strokes[17] = Arc::new(Stroke { points: vec![lightly], ..dab.clone() });
+    built(&sketch);
+    // A brush as thin as a hair, and one as wide as the drawing.
+    for (radius, length) in [(1e-3, 300.0), (1e7, 10.0), (900.0, 10.0)] {
+        let to = [526.0 + length, 735.0, 0.0];
+        sketch.strokes[17] = stroke(40, Tool::GrowthBrush, [526.0, 735.0, 0.0], to, radius);
+        built(&sketch);
+    }
+    // To and fro, a hundred thousand samples.
+    let to_and_fro = |k: usize| StrokePoint::at(vec2(526.0 + 80.0 * (k as f32 * 0.1).sin(), 700.0));
+    sketch.strokes[17] = Arc::new(Stroke { points: (0..100_000).map(to_and_fro).collect(), ..dab });
+    assert!(leaves(&built(&sketch)) > leaves(&before));
+    let text = sketch::json::write(&hung());
+    for (from, to, says) in [
+        ("\"radius\": 40", "\"radius\": 0", "`radius`"),
+        ("\"radius\": 40", "\"radius\": -3", "`radius`"),
+        ("\"density\": 1", "\"density\": 1000", "`density`"),
+        ("\"guide\": 1.5", "\"guide\": 9", "`guide`"),
+        ("\"guide\"", "\"gide\"", "gide"),
+        ("\"growth_brush\"", "\"branch\"", "leave it out"),
+    ] {
+        let wrong = text.replace(from, to);
+        assert_ne!(wrong, text, "{from}");
+        let error = sketch::from_bytes(wrong.as_bytes(), "a.penstemon").unwrap_err().to_string();
+        assert!(error.contains(says) && error.contains("a.penstemon"), "{error}");
+    }
+    // Without a brush it is the usual one.
+    let plain = text.replace("\"brush\": {\"radius\": 40, \"density\": 1, \"guide\": 1.5}, ", "");
+    assert_ne!(plain, text);
+    assert_eq!(
+        sketch::from_bytes(plain.as_bytes(), "a.penstemon").unwrap().0.strokes[17].brush,
+        Some(Brush::default())
+    );
+}
+
+#[test]
+fn the_drawings_that_the_readme_shows_are_one_piece_of_wood() {
+    for name in ["brushed", "brushed_willow"] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/fixtures/{name}.penstemon"));
+        let sketch = sketch::read(&path).unwrap().0;
+        let built = built(&sketch);
+        assert_eq!(built.remarks, [], "{name}");
+        assert!(leaves(&built) > 1000, "{name}: {} leaves", leaves(&built));
+        let bases = built.plant.branches.iter().filter(|branch| branch.parent.is_none()).count();
+        assert_eq!(bases, 1, "{name}");
+    }
+}
