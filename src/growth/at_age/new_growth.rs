@@ -11,12 +11,17 @@ use super::rounding::rounded;
 use super::to_plant::{NARROWER, PlantAtAge, branch_along, skeleton_of};
 use super::wood_at_age::{WoodAtAge, wood_at_age};
 use crate::growth::simulation::Simulation;
-use crate::plant::{Branch, FlowerBuds};
+use crate::plant::{Branch, FlowerBuds, Organ, Templates};
 use glam::Vec3;
 
 /// Adds what a simulation grew to the plant on which it grew. `wood` are the branches of the plant that the simulation began
-/// with, in its order.
-pub(crate) fn add_new_growth(to: &mut PlantAtAge, wood: &[usize], simulation: &Simulation) {
+/// with, in its order; `give_forms` may make new leaves copies of other templates, and gives those.
+pub(crate) fn add_new_growth(
+    to: &mut PlantAtAge,
+    wood: &[usize],
+    simulation: &Simulation,
+    give_forms: impl Fn(&mut [Organ], Templates) -> Templates,
+) {
     let (tree, habit, limits) = (simulation.tree(), simulation.habit(), simulation.limits());
     let age = f32::from(simulation.age());
     let WoodAtAge { chains, at, diameters, grown } = wood_at_age(tree, habit, age);
@@ -52,6 +57,7 @@ pub(crate) fn add_new_growth(to: &mut PlantAtAge, wood: &[usize], simulation: &S
     let mut buds = bloom::buds(limits.flower_buds, &of_wood, habit);
     leaves.iter_mut().for_each(|leaf| leaf.branch = leaf.branch.and_then(|chain| place_of[chain]));
     buds.buds.iter_mut().for_each(|bud| bud.branch = bud.branch.and_then(|chain| place_of[chain]));
+    let templates = give_forms(&mut leaves, templates);
     to.plant.add_organs(leaves, templates);
     to.plant.drop_unused_templates();
     add_buds(&mut to.buds, buds);

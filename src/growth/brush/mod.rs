@@ -3,6 +3,7 @@
 //! | room | what |
 //! | --- | --- |
 //! | `nearby` | which wood of the plant a stroke reaches, and a lead to it where it reaches none |
+//! | `own_leaves` | the leaves that the plant has already, for those that grow |
 //! | `paint` | growth in what a growth brush sweeps |
 //! | `prune` | what a pruning brush cuts off |
 //!
@@ -13,6 +14,7 @@
 //! painting twice makes wood twice as dense; here what is swept is one volume.
 
 mod nearby;
+mod own_leaves;
 mod paint;
 mod prune;
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Growth in what a growth brush sweeps (001 §4.4).
 
 use super::nearby::{Nearby, lead, reached};
+use super::own_leaves::OwnLeaves;
 use crate::growth::at_age::PlantAtAge;
 use crate::growth::at_age::new_growth::add_new_growth;
 use crate::growth::habit::Habit;
@@ -120,10 +121,14 @@ impl Paint {
             nearby = reached(&to.plant, &self.swept);
         }
         let Nearby { branches, wood, thickest } = nearby;
-        let habit = fit::fitted_to_brush(habit, (self.radius, self.density), &self.swept, 2.0 * thickest);
+        let own = OwnLeaves::of(&to.plant);
+        let size = (self.radius, self.density);
+        let habit = fit::fitted_to_brush(habit, size, &self.swept, (2.0 * thickest, own.length));
         let start = Start { habit, wood, swept: self.swept.clone(), seed: self.seed, limits };
         let Some(kept) = memory.grown(nth, start, stop) else { return Painted::Stopped };
-        add_new_growth(to, &branches, &kept.simulation);
+        add_new_growth(to, &branches, &kept.simulation, |leaves, usual| {
+            own.give_forms(leaves, usual, self.seed)
+        });
         match kept.outcome {
             Outcome::Growing | Outcome::Finished | Outcome::Stopped => Painted::Filled,
             _ => Painted::Capped,

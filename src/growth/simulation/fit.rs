@@ -27,6 +27,8 @@ const THIN: f32 = 0.2;
 const THIN_IN_BRUSH: f32 = 0.5;
 /// Internodes in one of the species' own, at most: a brush as thin as a hair has no wood as fine as that.
 const FINEST_IN_BRUSH: f32 = 12.0;
+/// Internodes in a brush's radius at least, however long the plant's leaves are.
+const FEWEST_ACROSS: f32 = 2.5;
 /// Internodes in a brush's radius, where the species' own are not shorter.
 const ACROSS: f32 = 6.0;
 
@@ -52,17 +54,23 @@ pub(super) fn fitted(habit: &Habit, envelope: &Envelope, trunk: Option<f32>) -> 
 }
 
 /// The habit as it fills what a brush sweeps that has this radius, metres, at neutral pressure: so densely that in a thin
-/// stroke shoots have room beside each other. `wood` is the thickness of what it grows on, metres.
+/// stroke shoots have room beside each other, and with leaves as long as those that the plant has, where these are not too long for
+/// the brush. `on` is the thickness of what it grows on and the length of the plant's leaves, metres.
 pub(in crate::growth) fn fitted_to_brush(
     habit: &Habit,
     (radius, density): (f32, f32),
     swept: &Swept,
-    wood: f32,
+    on: (f32, Option<f32>),
 ) -> Habit {
     let mut habit = habit.clone();
-    let internode = habit.internode.min(radius / ACROSS) / density.cbrt();
-    let internode = internode.max(habit.internode / FINEST_IN_BRUSH);
+    let (wood, leaf) = on;
+    let for_leaves = leaf.map_or(0.0, |length| (length / LEAVES.1).min(radius / FEWEST_ACROSS));
+    let usual = habit.internode.min(radius / ACROSS).max(for_leaves);
+    let internode = (usual / density.cbrt()).max(habit.internode / FINEST_IN_BRUSH);
     let twig = habit.tip;
+    if let Some(length) = leaf {
+        habit.leaf.length = habit.leaf.length.clamped_unless_0(length, length);
+    }
     made_fine(&mut habit, internode, swept.volume(), wood);
     habit.tip = habit.tip.max(THIN_IN_BRUSH * twig);
     seek_space(&mut habit);
