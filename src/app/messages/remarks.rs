@@ -53,10 +53,8 @@ impl Localize for Remark {
             Self::EmptyCrown => fill(Msg::WarningEmptyCrown, &[]),
             Self::ManyCrowns { most } => fill(Msg::WarningManyCrowns, &[("most", most)]),
             Self::DoesNotGrow { species, known } => {
-                // By the names under which the window offers them.
-                let name = |species: &str| messages.name(Named::Species, species);
-                let known: Vec<String> = known.split(", ").map(name).collect();
-                fill(Msg::WarningDoesNotGrow, &[("species", &name(species)), ("known", &known.join(", "))])
+                let species = messages.name(Named::Species, species);
+                fill(Msg::WarningDoesNotGrow, &[("species", &species), ("known", &names_of(known, messages))])
             }
             Self::BrushOutOfReach => fill(Msg::WarningBrushOutOfReach, &[]),
             Self::BrushCutsNothing => fill(Msg::WarningBrushCutsNothing, &[]),
@@ -72,14 +70,10 @@ impl Localize for Remark {
             Self::ThinsCrown => fill(Msg::WarningThinsCrown, &[]),
             Self::FinenessUnused => fill(Msg::WarningFineness, &[]),
             Self::LooksLike { species } => {
-                let species: Vec<String> =
-                    species.split(", ").map(|species| messages.name(Named::Species, species)).collect();
-                fill(Msg::WarningLooksLike, &[("species", &species.join(", "))])
+                fill(Msg::WarningLooksLike, &[("species", &names_of(species, messages))])
             }
             Self::NoSuchPlant { known } => {
-                let known: Vec<String> =
-                    known.split(", ").map(|known| messages.name(Named::Species, known)).collect();
-                fill(Msg::WarningNoSuchPlant, &[("known", &known.join(", "))])
+                fill(Msg::WarningNoSuchPlant, &[("known", &names_of(known, messages))])
             }
             Self::PlantOutOfScale => fill(Msg::WarningPlantOutOfScale, &[]),
             Self::OfPlant { place, species, remark } => {
@@ -91,6 +85,12 @@ impl Localize for Remark {
             Self::More { count } => fill(Msg::WarningMore, &[("count", count)]),
         }
     }
+}
+
+/// The species of a list by the names under which the window offers them.
+fn names_of(species: &str, messages: &Messages) -> String {
+    let names = species.split(", ").map(|species| messages.name(Named::Species, species));
+    names.collect::<Vec<String>>().join(", ")
 }
 
 fn words_of(reading: Reading) -> Msg {
