@@ -1,7 +1,7 @@
 //! Brushes in the view of the plant (001 §4.4): a growth brush is filled with wood and leaves when the pen is lifted, a pruning brush
 //! cuts while it moves.
 //!
-//! A drag that begins where the brush is over the plant paints, in the plane through the nearest wood there that faces the viewer,
+//! A drag that begins where the brush is over the plant, or nearly so, paints, in the plane through the nearest wood there that faces the viewer,
 //! or level through it; what else is dragged turns the camera, and a tap selects. One stroke is one step to undo, and lies among
 //! the strokes of the sheet, where it can be moved and erased like them.
 //!
@@ -16,12 +16,14 @@ use crate::app::action::Action;
 use crate::app::panels::snapshot::BrushState;
 use crate::app::theme::Palette;
 use crate::app::work_surface::WorkSurface;
-use crate::pen::{PenPhase, PenSample};
+use crate::pen::{PenPhase, PenSample, PenTool};
 use crate::sketch::{Brush, Change, Stroke, StrokePoint, Tool, limits};
 use egui::epaint::{Mesh, Vertex, WHITE_UV};
 use egui::{Color32, Painter, Pos2, Shape, Vec2};
 use glam::{DVec2, Vec3};
 
+/// How far from wood a stroke may begin, in radii of the brush: who cuts a branch begins beside it.
+const NEAR: f32 = 2.0;
 /// Opacity of what a brush has swept.
 const SWEPT: f32 = 0.35;
 
@@ -86,12 +88,12 @@ impl Editor {
     }
 
     /// The place of the plant's wood, grown wood too, that is seen nearest to a place in the window, if a brush of this
-    /// radius, metres, would be over it.
+    /// radius, metres, is over it there or nearly so.
     fn wood_under_brush(&self, at: DVec2, radius: f32) -> Option<Vec3> {
         let branches = self.built()?.plant.branches.iter();
         let seen = branches.filter_map(|branch| self.seen_on(branch, at));
         let (away, place, _) = seen.min_by(|a, b| a.0.total_cmp(&b.0))?;
-        (away <= self.reach_at(place, radius)).then_some(place)
+        (away <= self.reach_at(place, NEAR * radius)).then_some(place)
     }
 
     /// Follows what the pen painted since this was asked last.
@@ -104,6 +106,9 @@ impl Editor {
                 let pressure = last.map_or(StrokePoint::NEUTRAL_PRESSURE, |last| last.pressure);
                 self.extend_painting(sample, pressure);
                 self.end_painting();
+                // Fingers hover nowhere.
+                let hovers = !matches!(sample.tool, PenTool::Finger(_));
+                self.hover_brush(hovers.then_some(sample.position));
             }
             PenPhase::Cancel => {
                 self.brush.stroke = None;

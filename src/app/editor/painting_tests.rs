@@ -3,7 +3,6 @@
 use super::*;
 use crate::app::brush_settings::BrushSettings;
 use crate::app::editor::test_window::{build, frame, touch, with_sketch};
-use crate::pen::PenTool;
 use crate::sketch::json;
 
 /// Where a place on the trunk is seen, by its share of the points.

@@ -187,7 +187,8 @@ fn balls(way: &[(Vec3, f32)]) -> Vec<Ball> {
         if from.0.distance(w[1].0) < step {
             continue;
         }
-        let count = (from.0.distance(w[1].0) / step).ceil().max(1.0) as usize;
+        // A hair more than a step is one.
+        let count = (from.0.distance(w[1].0) / step - 0.01).ceil().max(1.0) as usize;
         let between = |k: usize| {
             let share = k as f32 / count as f32;
             (from.0.lerp(w[1].0, share), from.1 + (w[1].1 - from.1) * share)
