@@ -77,7 +77,7 @@ fn trunk() -> PlantAtAge {
     PlantAtAge { plant, buds: FlowerBuds::default() }
 }
 
-/// Strokes of a growth brush that wind around the trunk, on one core: about 2,500, 10,000 and 40,000 markers. Throughput counts
+/// Strokes of a growth brush that wind around the trunk, on one core: about 5,000, 10,000 and 40,000 markers. Throughput counts
 /// points of what grew.
 fn brushes(c: &mut Criterion) {
     let habit = Species::built_in("oak").unwrap().growth.unwrap();

@@ -8,7 +8,8 @@
 //! | `prune` | what a pruning brush cuts off |
 //!
 //! Strokes work one after the other, each on the plant that those before it left. The plant's own wood stays as it is: what
-//! grows stands on it. Growth ends when hardly anything grows any more, or after 60 years.
+//! grows stands on it. Growth ends when hardly anything grows any more, or after as many years as the stroke's
+//! length takes.
 //!
 //! Source: 001 §4.4. Where we depart: the thesis scatters markers about the brush while it moves, so that a slow hand has more of them and
 //! painting twice makes wood twice as dense; here what is swept is one volume.

@@ -11,8 +11,8 @@ use crate::growth::volume::Swept;
 use crate::plant::{Branch, Plant};
 use std::sync::Arc;
 
-/// Years that growth in a brush takes at most.
-const ROUNDS: u16 = 60;
+/// Years that growth in a dab takes at most, and those for each ball of a stroke besides: a long one is reached from its beginning.
+const ROUNDS: (u16, f32) = (60, 0.5);
 /// Years in succession with hardly any growth after which it is filled.
 const QUIET: u16 = 2;
 /// Share of what grew that is hardly any growth in a year.
@@ -83,7 +83,8 @@ impl Memory {
             self.kept.push(Kept { start, simulation, outcome: Outcome::Growing });
         }
         let kept = self.kept.get_mut(nth)?;
-        while kept.outcome == Outcome::Growing && !is_filled(&kept.simulation) {
+        let rounds = ROUNDS.0.saturating_add((ROUNDS.1 * kept.start.swept.balls().len() as f32) as u16);
+        while kept.outcome == Outcome::Growing && !is_filled(&kept.simulation, rounds) {
             match kept.simulation.step(stop) {
                 Outcome::Stopped => return None,
                 outcome => kept.outcome = outcome,
@@ -93,8 +94,8 @@ impl Memory {
     }
 }
 
-/// Whether hardly anything has grown of late.
-fn is_filled(simulation: &Simulation) -> bool {
+/// Whether hardly anything has grown of late, or the years are over.
+fn is_filled(simulation: &Simulation, rounds: u16) -> bool {
     let (tree, age) = (simulation.tree(), simulation.age());
     let born = &tree.nodes.born;
     let until = |year: u16| born.partition_point(|b| *b <= year) - tree.drawn.len();
@@ -102,7 +103,7 @@ fn is_filled(simulation: &Simulation) -> bool {
         let now = until(age);
         (now - until(age - QUIET)) as f32 <= HARDLY * f32::from(QUIET) * now as f32
     };
-    age >= ROUNDS || is_quiet
+    age >= rounds || is_quiet
 }
 
 impl Paint {

@@ -93,6 +93,25 @@ fn what_is_swept_is_filled_and_nothing_else() {
 }
 
 #[test]
+fn a_long_stroke_is_filled_to_its_end() {
+    // Eight turns around the trunk, two hundred radii.
+    let at = |k: usize| {
+        let (sin, cos) = (k as f32 * 0.05).sin_cos();
+        (Vec3::new(0.4 * cos, 0.2 + 0.0018 * k as f32, 0.4 * sin), 0.1)
+    };
+    let way: Vec<_> = (0..1000).map(at).collect();
+    let swept = Arc::new(Swept::new(&way, 0.8).unwrap());
+    let paint = Paint { swept, radius: 0.1, density: 1.0, seed: 3 };
+    let plant = painted(&paint);
+    for (end, _) in [way[0], way[500], way[999]] {
+        let leaves = plant.plant.organs.iter().filter(|leaf| leaf.base().distance(end) < 0.1).count();
+        assert!(leaves > 10, "{leaves} leaves at {end}");
+    }
+    let taken = share_taken(&paint, &trunk(), &tree());
+    assert!(taken >= 0.9, "{taken} of the markers are taken");
+}
+
+#[test]
 fn another_stroke_beside_it_leaves_the_first_as_it_was() {
     let (first, second) = (paint(0.8, 3), Paint { seed: 4, ..paint(0.8, 4) });
     let mut memory = Memory::default();
