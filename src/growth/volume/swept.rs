@@ -123,7 +123,7 @@ impl Swept {
         27 * self.balls.len().div_ceil(self.cover.len().max(1)) as u64 + 9
     }
 
-    /// Low corners of the cells that cover it, in an order of their own, each with its name; and the cells' side.
+    /// The cells that cover it, by their low corners in sides of a cell, in the order of y, z and x; and that side, metres.
     pub(in crate::growth) fn cells(&self) -> (&[IVec3], f32) {
         (&self.cover, self.side)
     }
