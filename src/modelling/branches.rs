@@ -110,15 +110,9 @@ fn thicken(
     for (index, pressures) in (first..).zip(pressures) {
         let width = width_of_pipes((pipes[index], most), diagonal, params);
         let Branch { parent, ref points, .. } = branches[index];
-        let parent_radius = parent.map(|parent| radius_at(&branches[parent], points[0]));
+        let parent_radius = parent.map(|parent| branches[parent].axis_at(points[0]).1);
         branches[index].radii = along(points, pressures, (width, parent_radius), diagonal, params);
     }
-}
-
-/// Radius of a branch at the place of its axis that is nearest to a point.
-fn radius_at(branch: &Branch, point: Vec3) -> f32 {
-    let foothold = Boxes::of(std::slice::from_ref(branch)).nearest(std::slice::from_ref(branch), point);
-    foothold.map_or(f32::MIN_POSITIVE, |foothold| foothold.radius)
 }
 
 #[cfg(test)]

@@ -17,7 +17,7 @@ use crate::app::panels::snapshot::BrushState;
 use crate::app::theme::Palette;
 use crate::app::work_surface::WorkSurface;
 use crate::pen::{PenPhase, PenSample, PenTool};
-use crate::sketch::{Brush, Change, Stroke, StrokePoint, Tool, limits};
+use crate::sketch::{Brush, Change, Stroke, StrokePoint, Tool};
 use egui::epaint::{Mesh, Vertex, WHITE_UV};
 use egui::{Color32, Painter, Pos2, Shape, Vec2};
 use glam::{DVec2, Vec3};
@@ -123,17 +123,11 @@ impl Editor {
         let ray = self.plant.ray(self.plant.place(sample.position));
         let (Some(stroke), Some(ray)) = (self.brush.stroke.as_mut(), ray) else { return };
         let Some(met) = stroke.surface.met_by(&ray) else { return };
-        let time_ms = ((sample.time_ms - stroke.began_ms) as f32).clamp(0.0, limits::MAX_TIME_MS);
-        let new = stroke.frame.sample(met, pressure, time_ms);
-        let place = |point: &StrokePoint| point.position.extend(point.depth);
-        let is_other = stroke.points.last().is_none_or(|last| place(last) != place(&new));
-        // Written so that a place that is no number fails, too.
-        let is_near = place(&new).abs().max_element() <= limits::MAX_COORDINATE;
-        if is_other && is_near {
-            stroke.points.push(new);
-            if stroke.tool == Tool::PruningBrush {
-                self.live.set_stale();
-            }
+        let when = (pressure, sample.time_ms - stroke.began_ms);
+        let Some(new) = stroke.frame.next_sample(stroke.points.last(), met, when) else { return };
+        stroke.points.push(new);
+        if stroke.tool == Tool::PruningBrush {
+            self.live.set_stale();
         }
     }
 

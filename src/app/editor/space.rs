@@ -17,7 +17,7 @@ use crate::app::work_surface::WorkSurface;
 use crate::pen::{PenPhase, PenSample, PenTool};
 use crate::plant::{Branch, WorldFromCanvas};
 use crate::sketch::wood_poses::pose_of;
-use crate::sketch::{Change, Stroke, StrokeId, StrokePoint, Tool, limits};
+use crate::sketch::{Change, Stroke, StrokeId, StrokePoint, Tool};
 use glam::Vec3;
 
 impl Editor {
@@ -132,16 +132,9 @@ impl Editor {
     fn extend_in_space(&mut self, sample: &PenSample, pressure: f32) {
         let ray = self.plant.ray(self.plant.place(sample.position));
         let (Some(stroke), Some(ray)) = (self.space.stroke.as_mut(), ray) else { return };
-        let time_ms = ((sample.time_ms - stroke.began_ms) as f32).clamp(0.0, limits::MAX_TIME_MS);
         let Some(met) = stroke.surface.met_by(&ray) else { return };
-        let new = stroke.frame.sample(met, pressure, time_ms);
-        let place = |point: &StrokePoint| point.position.extend(point.depth);
-        let is_other = stroke.points.last().is_none_or(|last| place(last) != place(&new));
-        // Written so that a place that is no number fails, too.
-        let is_near = place(&new).abs().max_element() <= limits::MAX_COORDINATE;
-        if !(is_other && is_near) {
-            return;
-        }
+        let when = (pressure, sample.time_ms - stroke.began_ms);
+        let Some(new) = stroke.frame.next_sample(stroke.points.last(), met, when) else { return };
         stroke.points.push(new);
         if stroke.lifts {
             let lifted = lifted(stroke);

@@ -4,7 +4,7 @@
 //! kept as if that stood as before, and goes along with it.
 
 use crate::plant::{Motion, WorldFromCanvas};
-use crate::sketch::StrokePoint;
+use crate::sketch::{StrokePoint, limits};
 use glam::Vec3;
 
 /// How the samples of a stroke lie in the space of the plant.
@@ -21,6 +21,21 @@ impl StrokeFrame {
         let at = self.motion.map_or(at, |motion| motion.back(at));
         let depth = at.z / self.world.scale;
         StrokePoint { pressure, time_ms, depth, ..StrokePoint::at(self.world.canvas(at)) }
+    }
+
+    /// The sample of a place that follows `last`, if it lies elsewhere and where a drawing can have it.
+    pub(super) fn next_sample(
+        &self,
+        last: Option<&StrokePoint>,
+        at: Vec3,
+        (pressure, time_ms): (f32, f64),
+    ) -> Option<StrokePoint> {
+        let new = self.sample(at, pressure, (time_ms as f32).clamp(0.0, limits::MAX_TIME_MS));
+        let place = |point: &StrokePoint| point.position.extend(point.depth);
+        let is_other = last.is_none_or(|last| place(last) != place(&new));
+        // Written so that a place that is no number fails, too.
+        let is_near = place(&new).abs().max_element() <= limits::MAX_COORDINATE;
+        (is_other && is_near).then_some(new)
     }
 
     /// Where a sample lies in space, metres.
