@@ -1,7 +1,7 @@
 //! Contact sheets of the drawings by people: each drawing beside the plant that is made of it, from the front and turned.
 //!
 //! ```text
-//! cargo run --example draw_contact_sheets -- FOLDER [development] [opened] [added] [icons] [held_back] [added_held_back] [CLASS]... [CLASS/INDEX,...]...
+//! cargo run --example draw_contact_sheets -- FOLDER [development] [opened] [added] [icons] [icons_added] [held_back] [added_held_back] [icons_held_back] [CLASS]... [CLASS/INDEX,...]...
 //! ```
 //!
 //! A class, such as `tree`, is that class' drawings but those held back; `tree/5,leaf/29` are these drawings of them, in this
@@ -52,6 +52,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             "held_back" => people::drawings(Share::HeldBack)?,
             "added_held_back" => people::drawings(Share::AddedHeldBack)?,
             "icons" => people::icons()?,
+            "icons_added" => people::icons_added(false)?,
+            "icons_held_back" => people::icons_added(true)?,
             class if people::CLASSES.contains(&class) => {
                 let mut drawings = known()?;
                 drawings.retain(|drawing| drawing.class == class);
@@ -60,7 +62,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             list if list.contains('/') => picked(list)?,
             _ => {
                 return Err(format!(
-                    "`{name}` is none of development, opened, added, held_back, added_held_back, icons and the classes"
+                    "`{name}` is none of development, opened, added, icons, icons_added, held_back, added_held_back, icons_held_back and the classes"
                 )
                 .into());
             }
@@ -83,6 +85,8 @@ fn known() -> io::Result<Vec<Drawing>> {
     let mut drawings = people::drawings(Share::Development)?;
     drawings.extend(people::drawings(Share::Opened)?);
     drawings.extend(people::drawings(Share::Added)?);
+    drawings.extend(people::icons()?);
+    drawings.extend(people::icons_added(false)?);
     Ok(drawings)
 }
 

@@ -11,6 +11,7 @@ mod cone_pose_tests;
 pub mod crowns;
 pub mod flower_stem;
 pub mod flowers;
+mod fruits;
 mod hidden_petals;
 pub mod learned;
 mod least_squares;

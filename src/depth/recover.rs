@@ -6,6 +6,7 @@ use super::{
     crowns,
     flower_stem::{self, Goal, StemParams},
     flowers::Flowers,
+    fruits,
     learned::LearnedParams,
     leaves::{LeafParams, LeafPoser, Leaves},
     outline::CurlParams,
@@ -142,6 +143,7 @@ pub fn recover_with(
     let poser = LeafPoser { world, seed, params: &params.leaves, curl: &params.curl };
     add_leaves((&mut plant, &mut provenance), &skeleton, anatomy, (&mut cache.leaves, &poser));
     pots::add(&mut plant, &mut provenance, anatomy);
+    fruits::add(&mut plant, &mut provenance, anatomy);
     provenance.rename(|stroke| anatomy.drawn(stroke));
     debug_assert_eq!(provenance.check_invariants(&plant), Ok(()));
     (plant, provenance)

@@ -13,6 +13,7 @@ pub mod frame;
 pub mod inflation;
 pub mod line_changes;
 pub mod mean_shift;
+pub mod outlined_area;
 pub mod polyline;
 pub mod principal_axes;
 pub mod ray;

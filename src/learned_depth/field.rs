@@ -96,7 +96,7 @@ impl WorldDepth {
 pub struct Question {
     /// Where the plant stands.
     pub foot: Vec2,
-    /// Crowns as closed outlines, filled even–odd.
+    /// Crowns as closed outlines.
     pub outlines: Vec<Vec<Vec2>>,
     /// Its wood, drawn one line over the other.
     pub wood: Vec<Line>,

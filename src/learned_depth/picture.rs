@@ -9,7 +9,7 @@
 //! edge to a small network, and a direction more than a colour drawn by lot.
 
 use crate::geom::inflation;
-use crate::geom::region::Region;
+use crate::geom::outlined_area::OutlinedArea;
 use glam::Vec2;
 
 /// Cells along a side of the picture.
@@ -82,12 +82,10 @@ impl Frame {
 pub struct Picture(Vec<f32>);
 
 impl Picture {
-    /// The picture of a drawing: crowns as closed outlines, filled even–odd, and lines of wood, which are drawn one over the other.
+    /// The picture of a drawing: crowns as closed outlines, filled, and lines of wood, which are drawn one over the other.
     pub fn of(frame: &Frame, outlines: &[Vec<Vec2>], wood: &[Line]) -> Self {
-        let regions: Vec<Region> =
-            outlines.iter().filter(|outline| outline.len() >= 3).cloned().map(Region::new).collect();
-        let covers = |p: Vec2| regions.iter().filter(|region| region.contains(p)).count() % 2 == 1;
-        Self::new(&std::array::from_fn(|i| covers(frame.point(middle(i)))), frame, wood)
+        let area = OutlinedArea::new(outlines.iter().filter(|outline| outline.len() >= 3).cloned());
+        Self::new(&std::array::from_fn(|i| area.contains(frame.point(middle(i)))), frame, wood)
     }
 
     /// The same of an area that is given cell by cell.

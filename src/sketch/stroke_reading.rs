@@ -49,6 +49,8 @@ readings! {
     Grass = "grass", "is read as blades of grass";
     /// Fronds of a palm.
     Fronds = "fronds", "is read as fronds";
+    /// Fruits on their stalks.
+    Fruit = "fruit", "is read as fruits on their stalks";
     /// A pot.
     Pot = "pot", "is read as the pot in which the plant stands";
     /// The ground.

@@ -36,7 +36,10 @@ fn material(species: &Species, role: Role) -> Material {
     }
 }
 
-/// What a part is made of where the species has no material for it: a drawn pot is of clay.
+/// Colour of a ripe fruit, linear RGB.
+const RIPE: [f32; 3] = [0.56, 0.03, 0.025];
+
+/// What a part is made of where the species has no material for it: a drawn pot is of clay, a fruit is red.
 fn usual(role: Role) -> MaterialLook {
     let of = |texture: &str, specular| MaterialLook {
         texture: Some(Texture::BuiltIn(texture.to_owned())),
@@ -46,6 +49,9 @@ fn usual(role: Role) -> MaterialLook {
     match role.part {
         PlantPart::Organ(OrganPart::Pot) => of("terracotta.png", 0.02),
         PlantPart::Organ(OrganPart::Soil) => of("soil.png", 0.0),
+        PlantPart::Organ(OrganPart::Fruit) => {
+            MaterialLook { color: RIPE, specular: 0.25, shininess: 60.0, ..MaterialLook::default() }
+        }
         _ => MaterialLook::default(),
     }
 }
@@ -70,10 +76,10 @@ fn named(species: &Species, role: Role) -> (PlantPart, &str) {
         OrganPart::Thorn => species.thorns.as_ref().map(|look| look.material.as_str()),
         OrganPart::Pot => Some(species.pot.as_ref().map_or(part.name(), |look| &look.material)),
         OrganPart::Soil => Some(species.pot.as_ref().map_or(part.name(), |look| &look.soil)),
-        OrganPart::Fruit => species.fruit.as_ref().map(|look| match &look.underside {
+        OrganPart::Fruit => Some(species.fruit.as_ref().map_or(part.name(), |look| match &look.underside {
             Some(underside) if role.variant == UNDERSIDE => underside.as_str(),
             _ => look.material.as_str(),
-        }),
+        })),
         OrganPart::Leaf | OrganPart::Petiole => None,
     };
     let own = match role.part {

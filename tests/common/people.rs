@@ -3,7 +3,8 @@
 //!
 //! The drawings are split by a hash of class and index, so that no taste decides: half of the first are looked at while the
 //! program is made, a quarter is looked at since it was judged once unseen, the rest is held back to judge the program. Of
-//! those that were added later half are looked at since they were judged once unseen, half are held back.
+//! those that were added later half are looked at since they were judged once unseen, half are held back. Icons that were
+//! added later are split alike.
 
 #![allow(dead_code, reason = "tests and examples take what they need")]
 
@@ -136,6 +137,15 @@ pub(crate) fn drawings(share: Share) -> io::Result<Vec<Drawing>> {
 /// A file that cannot be read or holds something else.
 pub(crate) fn icons() -> io::Result<Vec<Drawing>> {
     named(&data("icons"), |name| name.ends_with(".svg"))
+}
+
+/// The icons that were added later, of one half: those that may be looked at, or those that are held back. By name.
+///
+/// # Errors
+/// A file that cannot be read or holds something else.
+pub(crate) fn icons_added(held_back: bool) -> io::Result<Vec<Drawing>> {
+    let is_held_back = |name: &str| mixed(&format!("icons/added/{name}")) & 1 == 1;
+    named(&data("icons_added"), |name| name.ends_with(".svg") && is_held_back(name) == held_back)
 }
 
 /// The sketches that ship with the program and are drawn as people draw, by name.

@@ -48,6 +48,8 @@ impl Made {
 pub enum SolidKind {
     /// A pot.
     Pot,
+    /// A fruit.
+    Fruit,
 }
 
 /// A body of revolution about an upright axis, in canvas pixels.

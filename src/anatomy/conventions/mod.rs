@@ -58,10 +58,12 @@ pub use pieces::{DrawnSolid, Interpretation, Piece, ReadStrokes};
 
 use crate::sketch::{Correction, Corrections, Reading, Stroke, StrokeId, Verdict};
 use beneath::{aloft, frame, ground, pot, writing};
-use bodies::{body, mushroom};
+use bodies::{body, fruits, mushroom};
 use corrected::Corrected;
-use flowers::{bud, corolla, corolla_on_stem, cup, gathered, rays, rose, row};
-use leaves::{leaf, leaf_loops, lobed_leaf, potted_stem, stem_arcs, stem_loops};
+use flowers::{bud, corolla, corolla_on_stem, cup, gathered, lotus, rays, rose, row};
+use leaves::{
+    above_pot, clover, leaf, leaf_loops, leafy_stem, lobed_leaf, potted_stem, stem_arcs, stem_loops,
+};
 use lines::{Redrawn, chains::Chains};
 use page::Page;
 use rayon::prelude::*;
@@ -217,20 +219,25 @@ const CONVENTIONS: &[Propose] = &[
     bush::propose,
     body::propose,
     mushroom::propose,
+    fruits::propose,
     corolla::propose,
     corolla_on_stem::propose,
     rays::propose,
     gathered::propose,
     cup::propose,
+    lotus::propose,
     bud::propose,
     rose::propose,
     row::propose,
     leaf::propose,
     lobed_leaf::propose,
+    clover::propose,
+    leafy_stem::propose,
     leaf_loops::propose,
     stem_loops::propose,
     stem_arcs::propose,
     potted_stem::propose,
+    above_pot::propose,
     grass::propose,
     lawn::propose,
     fronds::propose,

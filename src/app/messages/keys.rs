@@ -361,6 +361,7 @@ keys! {
     ReadAsLeaf = "reading.leaf",
     ReadAsGrass = "reading.grass",
     ReadAsFronds = "reading.fronds",
+    ReadAsFruit = "reading.fruit",
     ReadAsPot = "reading.pot",
     ReadAsGround = "reading.ground",
     ReadAsSun = "reading.sun",

@@ -103,6 +103,7 @@ fn words_of(reading: Reading) -> Msg {
         Reading::Leaf => Msg::ReadAsLeaf,
         Reading::Grass => Msg::ReadAsGrass,
         Reading::Fronds => Msg::ReadAsFronds,
+        Reading::Fruit => Msg::ReadAsFruit,
         Reading::Pot => Msg::ReadAsPot,
         Reading::Ground => Msg::ReadAsGround,
         Reading::Sun => Msg::ReadAsSun,

@@ -3,7 +3,7 @@
 //! The half depth h over the drawing is √u with u the solution of Poisson's equation ∇²u = −4, u = 0 on the outline: a
 //! circle becomes a sphere, a long strip a somewhat deeper bolster, a thin neck stays thin. The equation is solved on a
 //! raster by successive over-relaxation; what counts as inside the outline is decided by the outline itself, so the
-//! silhouette is exact whatever the raster. Several outlines are filled even–odd: one inside another is a hole.
+//! silhouette is exact whatever the raster. Outlines that overlap are one; one inside another is a hole.
 //!
 //! u − (z/depth)² is 0 on the surface and rises inward, in a sphere by the square of the radius; where it exceeds a share
 //! of its largest value the volume may be hollow. Thin parts have no hollow.
@@ -18,6 +18,7 @@
 
 use super::guide::{Cells, Guide};
 use crate::geom::inflation;
+use crate::geom::outlined_area::OutlinedArea;
 use crate::geom::region::Region;
 use crate::learned_depth::WorldDepth;
 use crate::plant::Branch;
@@ -29,7 +30,7 @@ pub(super) const RASTER: usize = inflation::USUAL_CELLS;
 
 /// A volume inflated from outlines in the plane z = 0.
 pub struct Inflated {
-    regions: Vec<Region>,
+    area: OutlinedArea,
     low: Vec2,
     cell: f32,
     size: [usize; 2],
@@ -52,7 +53,10 @@ const SPARSE: f32 = 0.3;
 
 impl std::fmt::Debug for Inflated {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Inflated").field("outlines", &self.regions.len()).field("low", &self.low).finish()
+        f.debug_struct("Inflated")
+            .field("outlines", &self.area.regions().count())
+            .field("low", &self.low)
+            .finish()
     }
 }
 
@@ -61,8 +65,8 @@ impl Inflated {
     /// spheres. `None` if they enclose nothing.
     pub fn new(outlines: Vec<Vec<Vec2>>, depth: f32) -> Option<Self> {
         let finite = outlines.into_iter().filter(|o| o.len() >= 3 && o.iter().all(|p| p.is_finite()));
-        let regions: Vec<Region> = finite.map(Region::new).collect();
-        let mut bounds = regions.iter().filter_map(Region::bounds);
+        let area = OutlinedArea::new(finite);
+        let mut bounds = area.regions().filter_map(Region::bounds);
         let first = bounds.next()?;
         let (low, high) = bounds.fold(first, |(lo, hi), (l, h)| (lo.min(l), hi.max(h)));
         let extent = high - low;
@@ -75,7 +79,7 @@ impl Inflated {
         let size = [extent.x, extent.y].map(|e| (e / cell - 0.01).ceil() as usize + 2);
         let low = low - cell;
         let mut inflated = Self {
-            regions,
+            area,
             low,
             cell,
             size,
@@ -202,12 +206,12 @@ impl Inflated {
 
     /// Whether a point of the drawing lies inside the outlines.
     pub fn covers(&self, p: Vec2) -> bool {
-        self.regions.iter().filter(|r| r.contains(p)).count() % 2 == 1
+        self.area.contains(p)
     }
 
     /// Edges of its outlines that are asked about one point, at most.
     pub fn edges_beside_a_point(&self) -> u64 {
-        self.regions.iter().map(|region| region.edges_beside_a_point() as u64).sum()
+        self.area.regions().map(|region| region.edges_beside_a_point() as u64).sum()
     }
 
     /// Half depth over a point of the drawing.

@@ -1,6 +1,6 @@
 //! A plant from a photograph as a drawing: crowns and trunk as strokes over the photograph.
 //!
-//! Every outline of the crown is a stroke of the crown tool, holes too, for crowns are filled by the even-odd rule. The trunk is a branch,
+//! Every outline of the crown is a stroke of the crown tool, holes too, for one crown inside another is a hole in it. The trunk is a branch,
 //! drawn from the foot up; its width is its pressure, and the width at half pressure is the parameter of trunks, so that the
 //! model's trunk is as thick as the photograph's.
 //!

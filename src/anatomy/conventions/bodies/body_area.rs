@@ -7,7 +7,7 @@
 use super::half_outline;
 use super::limbs::Limbs;
 use super::spines::Spines;
-use crate::anatomy::conventions::page::{self, Line, even, notches};
+use crate::anatomy::conventions::page::{self, Line, even, notches, tips};
 use crate::anatomy::conventions::shapes::medial_axis::medial_axes;
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, share_along, smooth_contour};
 use crate::geom::{
@@ -28,6 +28,8 @@ const MOST_LINES: usize = 4;
 const OPEN_ARCH: f32 = 0.08;
 /// Least area of a column and of a body with arms, in areas of the largest circle in it.
 const LONG: (f32, f32) = (1.8, 2.1);
+/// The same of a column with many spines.
+const SQUAT: f32 = 1.2;
 /// Least of its convex hull that a column fills, and most that a body with arms does.
 const SOLID: (f32, f32) = (0.8, 0.88);
 /// Share of the area that circles about the middle lines, as large as they fit, cover of a column and of a body with arms, and
@@ -45,6 +47,8 @@ const NOTCHES: (usize, usize, f32) = (2, 2, -0.5);
 const OPEN: (f32, f32) = (0.6, 2.2);
 /// Least share of what is drawn that lies in the body.
 const INSIDE: f32 = 0.95;
+/// Stretch and turn of a sharp tip, how many are too many, and the part of the height, from below, where they do not count.
+const POINTED: ((f32, f32), usize, f32) = ((0.05, 1.5), 3, 0.25);
 /// Lowest part of an outline, as a share of its height.
 const LOWEST: f32 = 0.06;
 /// Points of the outline.
@@ -130,9 +134,13 @@ fn body(silhouette: &Silhouette, foot: Option<(Vec2, Vec2)>, spines: &Spines) ->
     let solid = simple_loop::area(&outline) / hull_area(&outline).max(f32::MIN_POSITIVE);
     let is_open =
         |half: f32| foot.is_some_and(|(a, b)| (OPEN.0..OPEN.1).contains(&(a.distance(b) / (2.0 * half))));
-    let may_be_column = long > LONG.0 && solid > SOLID.0;
+    let least = if spines.are_many() { SQUAT } else { LONG.0 };
+    let may_be_column = long > least && solid > SOLID.0;
     let may_have_arms = long > LONG.1 && solid < SOLID.1;
     if !may_be_column && !may_have_arms {
+        return None;
+    }
+    if pointed(&outline) {
         return None;
     }
     let limbs = Limbs::new(medial_axes(silhouette, root(&outline, foot)?), silhouette.cell())?;
@@ -147,6 +155,13 @@ fn body(silhouette: &Silhouette, foot: Option<(Vec2, Vec2)>, spines: &Spines) ->
     let covered = silhouette.share_within(limbs.circles());
     let score = form + NOTCHES.2 * notches as f32 + COVERED.2 * (least - covered).max(0.0);
     Some(Body { limbs, outline, score })
+}
+
+/// Whether an outline has several sharp tips above its foot, as a lotus has: limbs are round at their ends.
+fn pointed(outline: &[Vec2]) -> bool {
+    let (low, high) = polyline::bounds(outline.iter().copied());
+    let is_high = |tip: &&Vec2| high.y - tip.y > POINTED.2 * (high.y - low.y);
+    tips(outline, POINTED.0).iter().filter(is_high).count() >= POINTED.1
 }
 
 /// The middle of the lowest part of an outline, or between the ends of the line where it is open about as wide as that.

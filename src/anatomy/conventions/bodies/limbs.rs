@@ -293,8 +293,10 @@ fn branch(axis: &Axis) -> Made {
 /// A column that stands as it goes on above: its middle line begins somewhere on the edge of the area.
 fn upright_at_foot(points: Vec<(Vec2, f32)>, half: f32) -> Vec<(Vec2, f32)> {
     let Some(&(foot, _)) = points.first() else { return points };
-    let at = |reach: f32| points.iter().position(|p| p.0.distance(foot) > reach * half);
-    let Some((low, high)) = at(1.2).zip(at(2.4)) else { return points };
+    // Of a body hardly higher than wide all but the tip is its foot.
+    let last = points.len() - 1;
+    let at = |reach: f32| points.iter().position(|p| p.0.distance(foot) > reach * half).unwrap_or(last);
+    let (low, high) = (at(1.2), at(2.4));
     let ((from, width), along) = (points[low], points[low].0 - points[high].0);
     let down = (foot.y - from.y).max(0.0);
     let lean = (along.x / along.y.max(f32::MIN_POSITIVE)).clamp(-0.5, 0.5);

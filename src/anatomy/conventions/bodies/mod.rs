@@ -1,4 +1,4 @@
-//! Bodies that are neither wood nor blades: cacti and mushrooms.
+//! Bodies that are neither wood nor blades: cacti, mushrooms, fruits.
 //!
 //! | file | what |
 //! | --- | --- |
@@ -8,9 +8,11 @@
 //! | `limbs` | the column and the arms of a body |
 //! | `half_outline` | an outline that was not finished |
 //! | `mushroom` | a cap on a stalk |
+//! | `fruits` | balls on stalks, and in crowns |
 
 pub(crate) mod body;
 mod body_area;
+pub(crate) mod fruits;
 pub(crate) mod half_outline;
 pub(crate) mod limbs;
 pub(crate) mod mushroom;

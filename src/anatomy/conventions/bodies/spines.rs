@@ -8,7 +8,7 @@ use crate::geom::{polyline, region::Region};
 use glam::Vec2;
 
 /// Longest spine anywhere, as a share of the whole, and fewest, if they are to be looked at by themselves.
-const SHORT: (f32, usize) = (0.16, 2);
+const SHORT: (f32, usize) = (0.18, 2);
 /// The same of spines that are straight, short ones counted, and least distance of their ends, as a share of their length.
 const LONG: (f32, usize) = (0.34, 3);
 const STRAIGHT: f32 = 0.85;
@@ -16,8 +16,9 @@ const STRAIGHT: f32 = 0.85;
 const ASTRAY: f32 = 0.35;
 /// How far from the outline a spine begins at most, as a share of its length.
 const AT: f32 = 0.25;
-/// Log-odds of each spine across the outline, and on the body or at its edge, up to so many.
+/// Log-odds of each spine across the outline, from it outward, and on the body, up to so many.
 const ACROSS: (f32, usize) = (0.7, 5);
+const OUTWARD: (f32, usize) = (0.5, 5);
 const ON_IT: (f32, usize) = (0.2, 5);
 /// Fewest spines that speak for a body by themselves.
 const MANY: usize = 3;
@@ -59,7 +60,7 @@ impl Spines<'_> {
     /// What the spines add to the log-odds of a body; none where long strokes are not its spines.
     pub(super) fn log_odds(&self, outline: &[Vec2]) -> Option<f32> {
         let region = Region::new(outline.to_vec());
-        let (mut across, mut on_it, mut astray) = (0, 0, 0);
+        let (mut across, mut outward, mut on_it, mut astray) = (0, 0, 0, 0);
         for (line, is_long) in
             self.short.iter().map(|l| (l, false)).chain(self.long.iter().map(|l| (l, true)))
         {
@@ -70,12 +71,13 @@ impl Spines<'_> {
             match share {
                 0.15..0.85 => across += 1,
                 0.85.. => on_it += 1,
-                _ if begins_there(line.ends().0) || begins_there(line.ends().1) => on_it += 1,
+                _ if begins_there(line.ends().0) || begins_there(line.ends().1) => outward += 1,
                 _ => astray += usize::from(is_long),
             }
         }
         let are_spines = astray as f32 <= ASTRAY * self.long.len() as f32;
-        let odds = ACROSS.0 * across.min(ACROSS.1) as f32 + ON_IT.0 * on_it.min(ON_IT.1) as f32;
+        let of = |count: usize, (each, most): (f32, usize)| each * count.min(most) as f32;
+        let odds = of(across, ACROSS) + of(outward, OUTWARD) + of(on_it, ON_IT);
         are_spines.then_some(odds)
     }
 }

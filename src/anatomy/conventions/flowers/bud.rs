@@ -9,6 +9,7 @@
 //! Limits: a round leaf on a long stalk is read as a flower; a round head on a short stem is a tree.
 
 use super::corolla_on_stem::{Head, stem_top};
+use super::upright::points_away;
 use super::{cup, rose};
 use crate::anatomy::conventions::page::{Line, Page, even, tips};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
@@ -61,17 +62,20 @@ fn flower(
         return None;
     }
     let is_dot = |i: &usize| page.lines[*i].length < DOT * head.size().length();
-    let (dots, others): (Vec<usize>, Vec<usize>) =
-        near.iter().copied().filter(|i| i != number).partition(is_dot);
+    // Leaves at the foot of the stem may come near.
+    let is_below = |line: &Line| line.bounds.0.y > head.bounds.1.y && stem_top(line, head).is_none();
+    let is_near = |i: &usize| i != number && !is_below(&page.lines[*i]);
+    let (dots, others): (Vec<usize>, Vec<usize>) = near.iter().copied().filter(is_near).partition(is_dot);
     let (stem, of_line) = match (own_stem, &others[..]) {
         (Some(stem), []) => (Cow::Borrowed(stem), None),
         (None, [line]) => (carrying(&page.lines[*line], head)?, Some(*line)),
         _ => return None,
     };
     let visible = stem.bounds.1.y - head.bounds.1.y;
+    let is_leaf = stem_top(&stem, head).is_some_and(|root| points_away(head, root));
     let (score, mut parts) = match teeth(head, &stem) {
         Some(petals) => (SCORE.0, petals),
-        None if is_round(head) && visible > LONG * head.size().y => {
+        None if is_round(head) && !is_leaf && visible > LONG * head.size().y => {
             (SCORE.1, rose::petals(head.middle(), 0.5 * head.size()))
         }
         None => return None,

@@ -10,13 +10,14 @@
 //!
 //! Limits: buds of one outline are leaves; heads whose stem arrives from the side are not found.
 
-use crate::anatomy::conventions::page::{Line, Page, even, notches};
+use crate::anatomy::conventions::page::{self, Line, Page, even, notches};
 use crate::anatomy::conventions::shapes::lobes;
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, share_along, smooth_contour};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::geom::polyline;
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
+use std::collections::BTreeSet;
 
 /// Fewest tips and most.
 const TIPS: (usize, usize) = (3, 9);
@@ -27,8 +28,10 @@ const CLEAR: f32 = 0.07;
 const LINES: (usize, usize, usize) = (2, 10, 40);
 /// Steepest way down of a stem, from which a head of one line is a bell: leaves hang, too, but have one tip.
 const HANGS: f32 = 0.5;
-/// Least length of a stem, as a share of its head's height.
-const LONG: f32 = 0.5;
+/// Least length of a stem, as a share of its head's height, and of one that no leaf would have.
+const LONG: (f32, f32) = (0.15, 0.5);
+/// What it costs that a stem is shorter than that.
+const SHORT: f32 = 0.2;
 /// Part of a stem's end that gives its direction.
 const END: f32 = 0.1;
 /// How far from the stem's end a head may begin, and how far it may reach back, as shares of its height.
@@ -42,6 +45,12 @@ const NARROW: f32 = 1.2;
 const HIGH: (f32, f32) = (0.6, 0.4);
 /// Least fall of the outline beside a tip, as a share of the head's height.
 const PROMINENCE: f32 = 0.04;
+/// Stretch of an outline over which a corner turns, as a share of its length, least turn there, radians, and least distance of two tips,
+/// as a share of the head's height.
+const CORNER: (f32, f32) = (0.05, 1.2);
+const CORNERS: f32 = 0.15;
+/// Fewest corners that speak for a cup, and log-odds.
+const CORNERED: (usize, f32) = (2, 0.7);
 /// Least part of the outline that each line draws.
 const DRAWN: f32 = 0.12;
 /// How wide gaps of the outline are closed, in cells of the silhouette.
@@ -112,7 +121,7 @@ fn cup(page: &Page, group: &[usize], stem: usize, base: Base) -> Option<Hypothes
     let fewest = if base.along.y > HANGS { 1 } else { LINES.0 };
     let is_of_form = (fewest..=LINES.1).contains(&head.len())
         && height > 0.0
-        && page.lines[stem].length > LONG * height
+        && page.lines[stem].length > LONG.0 * height
         && head.len() * 2 > others().count();
     if !is_of_form {
         return None;
@@ -133,7 +142,12 @@ fn cup(page: &Page, group: &[usize], stem: usize, base: Base) -> Option<Hypothes
         .into_iter()
         .map(|petal| Made::new(Tool::Petal, petal))
         .collect();
-    let score = 3.4 + 0.1 * head.len().min(6) as f32;
+    let short = if page.lines[stem].length > LONG.1 * height { 0.0 } else { SHORT };
+    // Petals of a cup end in corners, lobes of a leaf's or a crown's outline do not.
+    let is_high = |corner: &&Vec2| base.height(**corner) > HIGH.0 * height;
+    let has_corners = page::tips(&outline, CORNER).iter().filter(is_high).count() >= CORNERED.0;
+    let cornered = if has_corners { CORNERED.1 } else { 0.0 };
+    let score = 3.4 + 0.1 * head.len().min(6) as f32 + cornered - short;
     let (reading, habit) = (Reading::Corolla, Some(Habit::Flower));
     Some(Hypothesis { uses: head, score, parts, solids: Vec::new(), reading, habit })
 }
@@ -155,8 +169,15 @@ fn tips(outline: &[Vec2], base: Base, height: f32) -> Vec<Vec2> {
         .unwrap_or(0);
     let around: Vec<Vec2> = (0..=outline.len()).map(|k| outline[(lowest + k) % outline.len()]).collect();
     let below: Vec<f32> = around.iter().map(|p| (height - base.height(*p)).max(0.0)).collect();
-    let all = lobes::valleys_between(&below, PROMINENCE * height).into_iter().map(|k| around[k]);
-    all.filter(|tip| base.height(*tip) > HIGH.0 * height).collect()
+    let mut all: BTreeSet<usize> = lobes::valleys_between(&below, PROMINENCE * height).into_iter().collect();
+    // Corners count even where the notches beside them are closed.
+    for corner in page::tips(outline, CORNER) {
+        let near = CORNERS * height;
+        if all.iter().all(|tip| around[*tip].distance(corner) > near) {
+            all.extend(around.iter().position(|p| *p == corner));
+        }
+    }
+    all.into_iter().map(|k| around[k]).filter(|tip| base.height(*tip) > HIGH.0 * height).collect()
 }
 
 /// A petal from the base to each tip, and between neighbours one in front.

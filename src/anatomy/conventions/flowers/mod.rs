@@ -7,6 +7,7 @@
 //! | `corolla_on_stem` | a lobed outline at the end of a stem, without a centre |
 //! | `cup` | petals that stand close together, seen from the side |
 //! | `gathered` | petals that gather at one place, without a centre |
+//! | `lotus` | pointed petals that stand on one foot without a stem |
 //! | `rays` | single lines around a centre: thin petals, or a sun |
 //! | `rose` | a spiral, or arcs in a disc, on a stem |
 //! | `row` | heads of any kind on stems side by side |
@@ -17,6 +18,7 @@ pub(crate) mod corolla;
 pub(crate) mod corolla_on_stem;
 pub(crate) mod cup;
 pub(crate) mod gathered;
+pub(crate) mod lotus;
 pub(crate) mod rays;
 pub(crate) mod rose;
 pub(crate) mod row;

@@ -1,4 +1,4 @@
-//! A rose: a spiral, or arcs in a disc, at the upper end of a stem.
+//! A rose: a spiral, arcs in a disc, or a few outlines around a small ring, at the upper end of a stem.
 //!
 //! A spiral winds at least [`TURNS`] around its inner end, always in one direction, and ends farther out than it began. A disc is
 //! a round closed line with at least [`ARCS`] lines within that bend around its middle as the edges of petals do, none straight as
@@ -8,8 +8,13 @@
 //! Limits: stem and spiral in one stroke are the curled tip of a fern as well, and are left to the classifier.
 
 use super::corolla_on_stem::stem_top;
-use crate::anatomy::conventions::page::{Line, Page};
+use crate::anatomy::conventions::page::{self, Line, Page};
+use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
+use crate::geom::{
+    polyline,
+    simple_loop::{self, hull_area},
+};
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
 use std::f32::consts::{PI, TAU};
@@ -31,8 +36,24 @@ const RINGS: [(usize, f32, f32); 3] = [(6, 1.0, 0.6), (5, 0.72, 0.66), (4, 0.45,
 /// Points of each side of a petal.
 const SIDE: usize = 16;
 
-/// Proposes a rose for each spiral or disc on a stem.
+/// Fewest lines of a head of several, and most of a group; smallest and largest ring in it, as a share of its size.
+const SEVERAL: (usize, usize) = (3, 16);
+const RING: (f32, f32) = (0.12, 0.55);
+/// Least share of its hull that such a head fills, and of what is drawn that lies in it.
+const FULL: (f32, f32) = (0.86, 0.95);
+/// How near its stem ends, and how far away that begins at least, as shares of its size; upper part of the stem by which it stands.
+const STEM: (f32, f32) = (0.2, 0.35);
+const LOWER: f32 = 0.75;
+/// How wide gaps are closed, in cells of the silhouette, and points of the outline.
+const BRIDGE: i32 = 12;
+const POINTS: usize = 120;
+/// Log-odds of a rose.
+const SCORE: f32 = 4.2;
+
+/// Proposes a rose for each spiral or disc on a stem, and for each group of lines that is one together.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
+    let several = page.groups.iter().filter(|group| (SEVERAL.0 + 1..=SEVERAL.1).contains(&group.len()));
+    out.extend(several.filter_map(|group| group.iter().find_map(|stem| of_several(page, group, *stem))));
     let is_head = |line: &Line| {
         let size = line.size();
         size.min_element() > ROUND * size.max_element() && (is_spiral(line) || line.is_closed_and_solid())
@@ -46,6 +67,54 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let boxes: Vec<(Vec2, Vec2)> = heads.iter().map(grown).collect();
     let near = page.lines_at(&boxes);
     out.extend(heads.iter().zip(near).filter_map(|(head, near)| rose(page, *head, &near)));
+}
+
+/// The rose of several lines at an end of a line of their group.
+fn of_several(page: &Page, group: &[usize], stem: usize) -> Option<Hypothesis> {
+    let line = &page.lines[stem];
+    if line.openness < 0.6 {
+        return None;
+    }
+    let mut way = line.points.clone();
+    if way[0].y < way[way.len() - 1].y {
+        way.reverse();
+    }
+    let top = way[way.len() - 1];
+    // Leaves and thorns along the stem are no part of its head.
+    let lower = &way[..((LOWER * way.len() as f32) as usize).max(1)];
+    let near = 0.08 * line.size().length();
+    let is_beside = |other: &Line| {
+        let gaps = other.points.iter().filter_map(|p| polyline::nearest(lower, *p));
+        gaps.map(|(gap, _)| gap).fold(f32::INFINITY, f32::min) < near
+    };
+    let head: Vec<usize> =
+        group.iter().copied().filter(|i| *i != stem && !is_beside(&page.lines[*i])).collect();
+    let lines: Vec<&Line> = head.iter().map(|i| &page.lines[*i]).collect();
+    let (low, high) = page::bounds(lines.iter().copied());
+    let size = (high - low).max_element();
+    let is_ring = |line: &&Line| {
+        let share = line.size().max_element() / size;
+        line.is_closed_and_solid() && (RING.0..RING.1).contains(&share)
+    };
+    if head.len() < SEVERAL.0 || lines.iter().filter(|line| is_ring(line)).count() != 1 {
+        return None;
+    }
+    let drawn = || lines.iter().map(|line| line.points.as_slice());
+    let silhouette = Silhouette::new(drawn(), BRIDGE);
+    let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
+    let is_full = simple_loop::area(&outline) > FULL.0 * hull_area(&outline)
+        && silhouette.share_inside(drawn().flatten()) > FULL.1;
+    let gap = |p: Vec2| polyline::nearest(&outline, p).map_or(f32::INFINITY, |(gap, _)| gap);
+    let stands = gap(top) < STEM.0 * size && gap(way[0]) > STEM.1 * size;
+    let is_round = (high - low).min_element() > ROUND * size;
+    (is_full && stands && is_round).then(|| Hypothesis {
+        uses: head,
+        score: SCORE,
+        parts: petals(low.midpoint(high), 0.5 * (high - low)),
+        solids: Vec::new(),
+        reading: Reading::Corolla,
+        habit: Some(Habit::Flower),
+    })
 }
 
 fn rose(page: &Page, number: usize, near: &[usize]) -> Option<Hypothesis> {
@@ -68,11 +137,10 @@ fn rose(page: &Page, number: usize, near: &[usize]) -> Option<Hypothesis> {
     }
     let mut uses: Vec<usize> = within.into_iter().chain([number]).collect();
     uses.sort_unstable();
-    let score = 4.2;
     let (reading, habit) = (Reading::Corolla, Some(Habit::Flower));
     Some(Hypothesis {
         uses,
-        score,
+        score: SCORE,
         parts: petals(head.middle(), 0.5 * head.size()),
         solids: Vec::new(),
         reading,

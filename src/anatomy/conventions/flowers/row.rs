@@ -11,7 +11,7 @@
 //! Limits: heads on two lines, which are trunks; flowers one above the other; row upon row.
 
 use super::corolla_on_stem::{is_seen_from_the_front, petals_on_stem};
-use super::upright::{Flower, is_wound, stand_in_bed, upright};
+use super::upright::{Flower, is_wound, points_away, stand_in_bed, upright};
 use super::{cup, rays, rose};
 use crate::anatomy::conventions::page::{Line, Page, even, tips};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
@@ -76,7 +76,8 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     row.sort_unstable();
     let against = |i: usize| apart(i) + CROWDED * flowers[i].crowded(page, &row).min(1.0);
     // In a pot leaves stand on stems as well.
-    if is_potted && !are_potted_flowers(page, &flowers) {
+    let are_leaves = flowers.iter().all(|flower| flower.points_away(page));
+    if are_leaves || is_potted && !are_potted_flowers(page, &flowers) {
         return;
     }
     let petals: Vec<Option<Petals>> = flowers.iter().map(|flower| flower.drawn(page)).collect();
@@ -143,8 +144,14 @@ impl Flower<'_> {
     fn is_blade(&self, page: &Page) -> bool {
         self.only(page).is_some_and(|line| {
             let ring: Vec<Vec2> = line.hull.iter().copied().chain(line.hull.first().copied()).collect();
-            line.is_closed_and_solid() && !tips(&even(&ring, POINTS)[1..], TIP).is_empty()
+            let has_tip = || !tips(&even(&ring, POINTS)[1..], TIP).is_empty();
+            line.is_closed_and_solid() && has_tip() || self.points_away(page)
         })
+    }
+
+    /// Whether its head is the outline of a leaf whose point is away from the stem.
+    fn points_away(&self, page: &Page) -> bool {
+        self.only(page).is_some_and(|line| points_away(line, self.stem.top()))
     }
 
     /// How much longer than this flower is what else of its height touches it.

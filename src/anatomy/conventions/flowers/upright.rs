@@ -8,7 +8,7 @@
 //! more than [`MOST_LINES`] lines.
 
 use super::corolla::winding;
-use crate::anatomy::conventions::page::{Line, Page};
+use crate::anatomy::conventions::page::{Line, Page, even, tips};
 use crate::geom::polyline;
 use glam::Vec2;
 use std::borrow::Cow;
@@ -52,6 +52,9 @@ const BESIDE: f32 = 0.15;
 const AROUND: f32 = 2.0;
 /// Least width of a bed over its height, and least distance between the outer stems in it, as a share of its width.
 const BED: (f32, f32) = (1.8, 0.25);
+/// Points of an outline, the stretch and turn of the point of a leaf, and how far from its stem that is, as a share of its size.
+const POINTS: usize = 80;
+const POINT: ((f32, f32), f32) = ((0.14, 0.95), 0.7);
 /// Largest of a petal drawn by itself, as a share of its head, and how many of them say that others read this head.
 const PETAL: (f32, usize) = (0.7, 3);
 
@@ -274,6 +277,14 @@ impl Flower<'_> {
         let most = PETAL.0 * self.size().length();
         self.lines(page).filter(|line| line.is_closed_and_solid() && line.size().length() < most).count()
     }
+}
+
+/// Whether the outline of a head has one rounded point, away from where its stem ends: that of a leaf. The ends of an ellipse are two.
+pub(super) fn points_away(head: &Line, root: Vec2) -> bool {
+    let ring: Vec<Vec2> = head.hull.iter().copied().chain(head.hull.first().copied()).collect();
+    let found = tips(&even(&ring, POINTS)[1..], POINT.0);
+    let [tip] = found[..] else { return false };
+    head.is_closed_and_solid() && tip.distance(root) > POINT.1 * head.size().max_element()
 }
 
 /// Whether a line winds around its middle more often than an outline does.

@@ -6,6 +6,7 @@
 
 use super::blade::Blade;
 use crate::anatomy::conventions::page::{Line, Page, even};
+use crate::anatomy::conventions::trees::forks;
 use crate::geom::{polyline, simple_loop};
 use glam::Vec2;
 
@@ -42,6 +43,8 @@ const AMID: f32 = 0.2;
 /// Farthest distance of a vein's end from the midrib, as a share of the blade's diagonal, and log-odds of each.
 const JOINED: f32 = 0.06;
 const VEINS: f32 = 0.25;
+/// Log-odds of a midrib that stands below a blade without a tip and has twigs: a tree.
+const FORKED: f32 = -2.0;
 /// Points of a line drawn to and fro that is taken as one.
 const POINTS: usize = 60;
 
@@ -292,6 +295,13 @@ impl<'a> Parts<'a> {
         (length > STALK.0 * self.diagonal && length > other).then_some(stalk)
     }
 
+    /// Whether midrib and veins are a trunk that forks.
+    fn is_tree(&self) -> bool {
+        let Some(midrib) = self.midrib else { return false };
+        let inside = self.inside.iter().filter(|i| **i != midrib).map(|i| &self.page.lines[*i]);
+        forks::is_tree(&self.blade.ring, &self.page.lines[midrib].points, inside)
+    }
+
     /// What speaks for a leaf.
     pub(crate) fn score(&self) -> f32 {
         let through = if self.reach_of_midrib() > THROUGHOUT { 0.5 } else { 0.0 };
@@ -299,7 +309,8 @@ impl<'a> Parts<'a> {
         let stalk = if self.stalks.len() == 1 || self.has_stem() { 0.4 } else { 0.0 };
         let explained = self.inside.len() + self.blade.lines.len() - 1;
         let veins = VEINS * self.joined_veins().min(6) as f32;
-        1.6 + midrib + stalk + veins + 0.1 * explained.min(12) as f32
+        let tree = if self.is_tree() { FORKED } else { 0.0 };
+        1.6 + midrib + stalk + veins + 0.1 * explained.min(12) as f32 + tree
     }
 }
 

@@ -8,17 +8,23 @@
 //! | `leaf_parts` | midrib, veins and stalk of a blade |
 //! | `lobed_leaf` | a blade with pointed lobes on its stalk |
 //! | `leaf_loops` | several leaves in one stroke |
+//! | `above_pot` | leaves over a pot, without a stem |
+//! | `clover` | notched leaflets about one place |
+//! | `leafy_stem` | a twig: outlines of leaves along a line |
 //! | `stem_loops` | leaves that are loops in the stroke of their stem |
 //! | `stem_arcs` | leaves whose one edge is the stem |
 //! | `potted_stem` | stems that rise from a pot, with what grows along them |
 //! | `spurs` | where a stroke goes out and back over itself |
 //! | `blade` | outlines of blades, of one stroke or two, and what they leave over |
 
+pub(crate) mod above_pot;
 pub(crate) mod blade;
+pub(crate) mod clover;
 pub(crate) mod leaf;
 pub(crate) mod leaf_area;
 pub(crate) mod leaf_loops;
 pub(crate) mod leaf_parts;
+pub(crate) mod leafy_stem;
 pub(crate) mod lobed_leaf;
 mod open_ends;
 pub(crate) mod potted_stem;

@@ -6,9 +6,12 @@
 //! above a level foot with a trunk below. The crown is what lies between the sides; the trunk, drawn by one line, by two, or not
 //! at all, runs up its middle.
 //!
-//! Limits: firs that lean by more than a few degrees, and two that overlap, are not found.
+//! Of one that stands behind something a side is enough ([`half_fir`]).
+//!
+//! Limits: firs that lean by more than a few degrees are not found.
 
 use super::evidence;
+use super::half_fir;
 use super::trunk::Rows;
 use crate::anatomy::conventions::leaves::blade;
 use crate::anatomy::conventions::page::{Line, Page};
@@ -48,8 +51,9 @@ const LARGE: f32 = 0.3;
 const LEAVES: (usize, f32) = (3, 0.15);
 /// What it costs that one side is wider.
 const UNEVEN: f32 = 2.0;
-/// Log-odds of a fir, and more for each line that it explains.
+/// Log-odds of a fir, and more for each line that it explains; and what it costs that one side is not seen.
 const SCORE: (f32, f32) = (4.4, 0.02);
+const HALF: f32 = 1.0;
 
 /// Proposes firs, for each group of lines and for single lines in it that are large, with what is below them.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
@@ -57,6 +61,34 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     out.extend(groups.filter_map(|group| fir(page, group)));
     let several = page.groups.iter().filter(|group| (2..=MOST_LINES).contains(&group.len()));
     out.extend(several.flat_map(|group| single_outlines(page, group)).filter_map(|lines| fir(page, &lines)));
+    let numbers = (0..page.lines.len()).filter(|i| !page.is_apart(*i));
+    out.extend(numbers.filter_map(|i| half_hidden(page, i)));
+}
+
+/// The fir of which a line is one side, with a trunk below it.
+fn half_hidden(page: &Page, number: usize) -> Option<Hypothesis> {
+    let whole = half_fir::completed(&page.lines[number])?;
+    if whole.size().y < SMALLEST * page.diagonal {
+        return None;
+    }
+    let (low, high) = whole.bounds;
+    let axis = low.midpoint(high).x;
+    let is_trunk = |i: &usize| {
+        let line = &page.lines[*i];
+        let size = line.size();
+        *i != number
+            && !page.is_apart(*i)
+            && (line.middle().x - axis).abs() < 0.12 * (high.x - low.x)
+            && size.x < 0.3 * size.y
+            && (line.bounds.0.y - high.y).abs() < 0.1 * (high.y - low.y)
+    };
+    let trunk = (0..page.lines.len()).find(is_trunk);
+    let lines: Vec<&Line> = std::iter::once(&whole).chain(trunk.map(|i| &page.lines[i])).collect();
+    let (parts, score) = of_lines(&lines)?;
+    let mut uses: Vec<usize> = trunk.into_iter().chain([number]).collect();
+    uses.sort_unstable();
+    let (reading, habit) = (Reading::Tree, Some(Habit::Conifer));
+    Some(Hypothesis { uses, score: score - HALF, parts, solids: Vec::new(), reading, habit })
 }
 
 /// Large outlines of a group, each with what lies in it or stands below its middle, as trunks do; no groups that are the whole.
@@ -94,24 +126,29 @@ fn single_outlines(page: &Page, group: &[usize]) -> Vec<Vec<usize>> {
 
 fn fir(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let lines: Vec<&Line> = group.iter().map(|i| &page.lines[*i]).collect();
-    let rows = Rows::new(&lines)?;
-    let is_of_form =
-        rows.height() > SMALLEST * page.diagonal && !evidence::has_blades(&lines, rows.width_and_height());
-    if !is_of_form {
+    let size = Rows::new(&lines)?.width_and_height();
+    if size.y <= SMALLEST * page.diagonal || evidence::has_blades(&lines, size) {
         return None;
     }
+    let (parts, score) = of_lines(&lines)?;
+    if leaves(page, group, size) >= LEAVES.0 {
+        return None;
+    }
+    let outline: Vec<Vec2> = parts[1].points.iter().map(|p| p.position).collect();
+    let uses = page.with_what_is_inside(group, &outline);
+    let score = score + SCORE.1 * uses.len() as f32;
+    let (reading, habit) = (Reading::Tree, Some(Habit::Conifer));
+    Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit })
+}
+
+/// Trunk and crown of the fir that lines draw, and how likely it is.
+fn of_lines(lines: &[&Line]) -> Option<(Vec<Made>, f32)> {
+    let rows = Rows::new(lines)?;
     let all: Vec<(f32, f32, f32)> = rows.ends().collect();
     let is_fir = |sides: &Sides| sides.narrows() && (sides.has_teeth() || sides.is_straight());
     let sides = Sides::of(&all).filter(is_fir).or_else(|| Sides::of(&hatched(&all)?).filter(is_fir))?;
-    if leaves(page, group, rows.width_and_height()) >= LEAVES.0 {
-        return None;
-    }
-    let outline = sides.outline();
-    let uses = page.with_what_is_inside(group, &outline);
-    let parts = vec![sides.trunk(&rows), Made::new(Tool::Crown, outline)];
-    let score = SCORE.0 + SCORE.1 * uses.len() as f32 - UNEVEN * sides.skew();
-    let (reading, habit) = (Reading::Tree, Some(Habit::Conifer));
-    Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit })
+    let parts = vec![sides.trunk(&rows), Made::new(Tool::Crown, sides.outline())];
+    Some((parts, SCORE.0 - UNEVEN * sides.skew()))
 }
 
 /// How many lines have a loop on one side of the middle, as leaves on a stem do: tiers of a fir go from side to side.

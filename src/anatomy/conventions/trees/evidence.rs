@@ -18,6 +18,8 @@ const CENTRES: usize = 2;
 /// Fewest notches of a crown with lobes, and least distance of them from its middle on the average, that of an ellipse being 1.
 pub(crate) const NOTCHES: usize = 3;
 pub(crate) const SHALLOW: f32 = 0.72;
+/// Least part of a trunk below its crown, as a share of the crown's height.
+pub(crate) const STANDS: f32 = 0.12;
 /// Slopes of the ground that are tried besides the level, and how much of the width of a foot there the outline runs at least.
 const SLOPES: [f32; 2] = [0.1, -0.1];
 const RUNS: f32 = 0.8;
@@ -34,6 +36,22 @@ pub(crate) fn has_blades(lines: &[&Line], whole: Vec2) -> bool {
             && !lines.iter().any(|other| other.is_around(line))
     };
     lines.iter().filter(is_blade).count() >= BLADES.0
+}
+
+/// Lower part of the whole in which leaves stand at the foot of a stem, as a share of its height, and fewest of them; least area of one, as
+/// a share of the whole's bounds.
+const AT_FOOT: (f32, usize, f32) = (0.55, 2, 0.01);
+
+/// Whether outlines of leaves stand at the foot of a stem: the sides of a trunk are no closed outlines.
+pub(crate) fn has_leaves_at_foot(lines: &[&Line], (low, high): (Vec2, Vec2)) -> bool {
+    let size = high - low;
+    let is_leaf = |line: &&&Line| {
+        line.is_closed_and_solid()
+            && line.bounds.0.y > high.y - AT_FOOT.0 * size.y
+            && line.area > AT_FOOT.2 * size.x * size.y
+            && line.size().x < 0.6 * size.x
+    };
+    lines.iter().filter(is_leaf).count() >= AT_FOOT.1
 }
 
 /// Whether these lines enclose something by themselves, not only branches between one another; the whole has this width and

@@ -14,7 +14,8 @@ use super::stacked::stacked;
 use super::tilted;
 use super::trunk::{Rows, Trunk};
 use super::trunk_sides::TrunkSides;
-use crate::anatomy::conventions::page::{Line, Page, even, is_bow, notches};
+use crate::anatomy::conventions::bodies::fruits;
+use crate::anatomy::conventions::page::{self, Line, Page, even, is_bow, notches};
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::geom::{
@@ -107,7 +108,11 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let rows = Rows::new(&lines)?;
     let size = rows.width_and_height();
     let is_of_form = size.y > LOWEST * page.diagonal && evidence::has_outline(&lines, size);
-    if !is_of_form || evidence::has_blades(&lines, size) {
+    let has_leaves = || {
+        evidence::has_blades(&lines, size)
+            || evidence::has_leaves_at_foot(&lines, page::bounds(lines.iter().copied()))
+    };
+    if !is_of_form || has_leaves() {
         return None;
     }
     let speaks = |lines: &[&Line], (trunk, outline, doubt): Found| {
@@ -131,11 +136,12 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let own: Vec<usize> =
         group.iter().copied().filter(|i| !stands_beside(&page.lines[*i], &outline, &trunk.points)).collect();
     let uses = page.with_what_is_inside(&own, &outline);
+    let solids = fruits::in_crown(uses.iter().map(|i| &page.lines[*i]), &outline);
     let parts = vec![trunk, Made::new(Tool::Crown, outline)];
     let (reading, habit) = (Reading::Tree, Some(Habit::Tree));
     // Of two groups the one that explains more.
     let score = SCORE + speaks + EACH * uses.len().min(MOST_LINES) as f32;
-    (score > LEAST).then_some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit })
+    (score > LEAST).then_some(Hypothesis { uses, score, parts, solids, reading, habit })
 }
 
 /// Whether an outline lies below the crown and beside the trunk: another plant.

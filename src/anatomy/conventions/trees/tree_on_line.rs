@@ -3,14 +3,17 @@
 //! The trunk is the lowest line of a group, straight and upright, or the tail of an outline in one stroke with it; all else is above
 //! its foot. The crown is what the other lines enclose ([`crown`](super::tree::crown)). What stands on a single line may be a
 //! flower or a leaf, too. A crown has shallow lobes without sharp tips, or is scribbled over, or is round with nothing in it, or has
-//! branches that leave the trunk, and its trunk is not much longer than itself. The lobes of a corolla are deep; a blade has a tip,
-//! and a line that runs on to it.
+//! branches that leave the trunk or fork it and end before the outline, and its trunk is not much longer than itself. The lobes of a
+//! corolla are deep; a blade has a tip away from its stalk, a midrib that runs on to it, and veins that reach its edge. A dash across
+//! the foot of the trunk is the ground.
 //!
 //! Limits: a round flower on a short stem, without petals, is read as a tree.
 
 use super::evidence;
+use super::forks::Forked;
 use super::tree::crown;
 use super::trunk::Trunk;
+use crate::anatomy::conventions::bodies::fruits;
 use crate::anatomy::conventions::page::{self, Line, Page, notches};
 use crate::anatomy::conventions::shapes::stem_tail;
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
@@ -42,10 +45,13 @@ const SCRIBBLED: f32 = 0.4;
 /// Narrowest and widest of a round crown, in its heights, and how far its trunk enters, as a share of its height.
 const ROUND: (f32, f32) = (0.6, 1.8);
 const ENTERS: f32 = 0.6;
-/// How near to the trunk branches begin, as a share of the whole height.
+/// How far lines may hang out of a crown, as a share of the whole height.
 const AT: f32 = 0.05;
-/// Log-odds where lobes, a scribble or branches speak for a crown, and where only its round form does.
+/// Highest dash at the foot of a trunk over its width, and widest over the height of the whole.
+const DASH: (f32, f32) = (0.15, 0.5);
+/// Log-odds where lobes, a scribble or twigs speak for a crown, and where only its round form does; and more for twigs.
 const SCORE: (f32, f32) = (4.3, 1.5);
+const FORKED: f32 = 0.5;
 
 /// Proposes trees, one for each group of lines at most.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
@@ -81,17 +87,28 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     if evidence::has_flower_centre(&all, &outline) {
         return None;
     }
-    let score = Crown { outline: &outline, lines: &whole, trunk: &points, height }.score()?;
+    let score = Crown { outline: &outline, lines: &whole, trunk: &points }.score()?;
+    let solids = fruits::in_crown(all.into_iter(), &outline);
     let parts = vec![trunk.centre_line(&outline), Made::new(Tool::Crown, outline)];
     let (reading, habit) = (Reading::Tree, Some(Habit::Tree));
-    Some(Hypothesis { uses, score: score * page.weight(height), parts, solids: Vec::new(), reading, habit })
+    Some(Hypothesis { uses, score: score * page.weight(height), parts, solids, reading, habit })
+}
+
+/// Whether a line is a dash across the foot of something of that height.
+fn is_dash(line: &Line, height: f32) -> bool {
+    let size = line.size();
+    size.y < DASH.0 * size.x && size.x < DASH.1 * height && line.length < 1.2 * size.x
 }
 
 /// The trunk of a group of lines from its foot up, and what stands on it.
 fn parted<'a>(page: &'a Page, group: &[usize], lowest: f32) -> Option<(Vec<Vec2>, Vec<Cow<'a, Line>>)> {
-    let mut lowest_lines = group.iter().filter(|i| page.lines[**i].bounds.1.y > lowest);
+    let (low, high) = page::bounds(group.iter().map(|i| &page.lines[*i]));
+    let is_low = |i: &usize| page.lines[*i].bounds.1.y > lowest;
+    let is_ground = |i: &usize| is_low(i) && is_dash(&page.lines[*i], high.y - low.y);
+    let standing = || group.iter().filter(|i| !is_ground(i));
+    let mut lowest_lines = standing().filter(|i| is_low(i));
     let (&first, None) = (lowest_lines.next()?, lowest_lines.next()) else { return None };
-    let others = group.iter().filter(|i| **i != first).map(|i| Cow::Borrowed(&page.lines[*i]));
+    let others = standing().filter(|i| **i != first).map(|i| Cow::Borrowed(&page.lines[*i]));
     let line = &page.lines[first];
     let (begin, end) = line.ends();
     let run = end - begin;
@@ -125,8 +142,6 @@ struct Crown<'a> {
     lines: &'a [&'a Line],
     /// The trunk from its foot up.
     trunk: &'a [Vec2],
-    /// Height of the whole, pixels.
-    height: f32,
 }
 
 impl Crown<'_> {
@@ -142,7 +157,11 @@ impl Crown<'_> {
             return None;
         }
         let has_lobes = evidence::has_shallow_lobes(self.outline) && !self.has_petals();
-        if has_lobes || page::tips(self.outline, TIP).is_empty() && self.has_branches() {
+        let forked = Forked::new(self.outline, self.trunk);
+        if !forked.has_tip() && forked.has_twigs(self.lines.iter().copied()) {
+            return Some(SCORE.0 + FORKED);
+        }
+        if has_lobes {
             return Some(SCORE.0);
         }
         (notches(self.outline).len() < evidence::NOTCHES && self.is_round()).then_some(SCORE.1)
@@ -162,17 +181,6 @@ impl Crown<'_> {
         let away = |p: &Vec2| p.distance(first).min(p.distance(last)) > 0.1 * line.size().length();
         let deep: Vec<Vec2> = notches(&line.points).into_iter().filter(away).collect();
         deep.len() >= evidence::NOTCHES && evidence::depth(self.outline, &deep) < PETALS
-    }
-
-    /// Whether all in it is two short lines at least that leave the trunk, as veins do, too.
-    fn has_branches(&self) -> bool {
-        let inside = self.lines.iter().filter(|line| line.openness > 0.6);
-        let leaves = |line: &&&Line| {
-            let (a, b) = line.ends();
-            let gap = |p: Vec2| polyline::nearest(self.trunk, p).map_or(f32::INFINITY, |(gap, _)| gap);
-            gap(a).min(gap(b)) < AT * self.height
-        };
-        inside.filter(leaves).count() >= 2
     }
 
     /// Whether it is as wide as high, about, and alone on its trunk, which ends in it.

@@ -15,6 +15,7 @@ use super::frond_details::{is_fruit, leaflets, reach_of};
 use crate::anatomy::conventions::Hypothesis;
 use crate::anatomy::conventions::page::Page;
 use crate::anatomy::conventions::trees::evidence::ramp;
+use crate::anatomy::conventions::trees::stacked::stacked;
 use crate::anatomy::conventions::trees::trunk_sides::TrunkSides;
 use crate::geom::polyline;
 use crate::sketch::Reading;
@@ -50,7 +51,9 @@ const HIGH: f32 = 0.25;
 /// Proposes palms, one for each group of lines at most, and what rises from the mouth of a pot that was proposed.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let potted = out.iter().find(|other| other.reading == Reading::Pot).and_then(|pot| potted(page, pot));
-    out.extend(page.groups.iter().chain(&page.wide_groups).filter_map(|group| palm(page, group)));
+    let stacked = stacked(page);
+    let groups = page.groups.iter().chain(&page.wide_groups).chain(&stacked);
+    out.extend(groups.filter_map(|group| palm(page, group)));
     out.extend(potted);
 }
 

@@ -1,0 +1,172 @@
+//! A twig: leaves, each an outline of its own, along a line.
+//!
+//! An outline is a leaf of a line if it comes near it at one place, its root, and lies on one side of it or beyond its end. Three at
+//! least, whose roots are spread along the line, make a twig; several at its end are the petals of a flower and stay out of it.
+//!
+//! Limits: leaves with stalks of their own, leaves on side twigs.
+
+use crate::anatomy::conventions::page::{Line, Page};
+use crate::anatomy::conventions::{Hypothesis, Made};
+use crate::geom::polyline;
+use crate::sketch::{Reading, Tool};
+use glam::Vec2;
+
+/// Least chord of a twig over its length.
+const STRAIGHT: f32 = 0.75;
+/// Largest leaf, as a share of its twig's length, how near its root is to the twig, and how far its tip is at least, as shares of its size.
+const LARGE: f32 = 0.7;
+const AT: f32 = 0.12;
+const AWAY: f32 = 0.4;
+/// Least share of a leaf that lies on one side of its twig.
+const ONE_SIDE: f32 = 0.88;
+/// Share of a twig from which its end begins.
+const END: f32 = 0.92;
+/// Fewest leaves, most, and how far apart the outer roots are at least, as a share of the twig.
+const LEAVES: (usize, usize) = (3, 60);
+const SPREAD: f32 = 0.3;
+/// Log-odds, and more for each leaf up to so many.
+const SCORE: (f32, f32, usize) = (4.2, 0.15, 8);
+
+/// Proposes a twig for each line with leaves.
+pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
+    let is_twig = |i: &usize| {
+        let line = &page.lines[*i];
+        !page.is_apart(*i) && line.ends().0.distance(line.ends().1) > STRAIGHT * line.length
+    };
+    let twigs: Vec<usize> = (0..page.lines.len()).filter(is_twig).collect();
+    let boxes: Vec<(Vec2, Vec2)> = twigs.iter().map(|i| page.lines[*i].bounds).collect();
+    let grown = |(low, high): &(Vec2, Vec2)| {
+        let margin = Vec2::splat(0.1 * low.distance(*high));
+        (low - margin, high + margin)
+    };
+    let near = page.lines_at(&boxes.iter().map(grown).collect::<Vec<_>>());
+    out.extend(twigs.iter().zip(near).filter_map(|(twig, near)| of_line(page, *twig, &near)));
+}
+
+fn of_line(page: &Page, number: usize, near: &[usize]) -> Option<Hypothesis> {
+    if !(LEAVES.0..=LEAVES.1).contains(&near.len()) {
+        return None;
+    }
+    let twig = &page.lines[number];
+    let mut way = twig.points.clone();
+    if way[0].y < way[way.len() - 1].y {
+        way.reverse();
+    }
+    let mut leaves: Vec<Leaf> = near
+        .iter()
+        .filter(|i| **i != number)
+        .filter_map(|i| Leaf::new(*i, &page.lines[*i], &way, twig.length))
+        .collect();
+    if leaves.iter().filter(|leaf| leaf.share > END).count() > 1 {
+        leaves.retain(|leaf| leaf.share <= END);
+    }
+    let shares = leaves.iter().map(|leaf| leaf.share);
+    let (first, last) = shares.fold((f32::INFINITY, 0.0_f32), |(a, b), share| (a.min(share), b.max(share)));
+    if leaves.len() < LEAVES.0 || last - first < SPREAD {
+        return None;
+    }
+    let mut uses: Vec<usize> = leaves.iter().map(|leaf| leaf.line).chain([number]).collect();
+    uses.sort_unstable();
+    let weight = page.weight(twig.size().length());
+    let score = weight * (SCORE.0 + SCORE.1 * leaves.len().min(SCORE.2) as f32);
+    let outlines = leaves.into_iter().map(|leaf| Made::new(Tool::Leaf, leaf.ring));
+    let parts = std::iter::once(Made::new(Tool::Branch, way)).chain(outlines).collect();
+    Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading: Reading::Leaf, habit: None })
+}
+
+/// An outline at a twig.
+struct Leaf {
+    line: usize,
+    /// From its root around and back.
+    ring: Vec<Vec2>,
+    /// Where along the twig, from its foot, its root is, from 0 to 1.
+    share: f32,
+}
+
+impl Leaf {
+    fn new(number: usize, line: &Line, way: &[Vec2], length: f32) -> Option<Self> {
+        let size = line.size().max_element();
+        if !line.is_closed_and_solid() || line.is_scribble() || size > LARGE * length {
+            return None;
+        }
+        let off = |p: Vec2| polyline::nearest(way, p).map_or(f32::INFINITY, |(gap, _)| gap);
+        let gaps: Vec<f32> = line.points.iter().map(|p| off(*p)).collect();
+        let root = (0..gaps.len()).min_by(|a, b| gaps[*a].total_cmp(&gaps[*b]))?;
+        let far = gaps.iter().copied().fold(0.0, f32::max);
+        let at = nearest(way, line.points[root]);
+        let share = polyline::length(&way[..=at]) / length;
+        let along = way[(at + 1).min(way.len() - 1)] - way[at.saturating_sub(1)];
+        let left = line.points.iter().filter(|p| along.perp_dot(**p - way[at]) > 0.0).count();
+        let sided = left.max(line.points.len() - left) as f32 / line.points.len() as f32;
+        let is_aside = sided > ONE_SIDE && far > AWAY * size || share > END;
+        (gaps[root] < AT * size && is_aside).then(|| {
+            let mut ring = line.points.clone();
+            ring.rotate_left(root);
+            ring.push(ring[0]);
+            Self { line: number, ring, share }
+        })
+    }
+}
+
+/// The point of a way that is nearest to a place.
+fn nearest(way: &[Vec2], place: Vec2) -> usize {
+    let away = |i: &usize| way[*i].distance_squared(place);
+    (0..way.len()).min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::anatomy::conventions::line;
+    use std::f32::consts::TAU;
+
+    fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
+        crate::anatomy::conventions::read_by(propose, lines)
+    }
+
+    /// An oval from a root toward a direction.
+    fn oval(root: (f32, f32), along: (f32, f32)) -> Vec<Vec2> {
+        let (root, along) = (Vec2::from(root), Vec2::from(along));
+        let place = |k: usize| {
+            let angle = TAU * k as f32 / 40.0;
+            root + 0.5 * (1.0 - angle.cos()) * along + 0.25 * angle.sin() * along.perp()
+        };
+        (0..=40).map(place).collect()
+    }
+
+    fn twig() -> Vec<Vec2> {
+        line(&[(0.0, 0.0), (10.0, -100.0), (0.0, -200.0)])
+    }
+
+    #[test]
+    fn outlines_along_a_line_are_its_leaves_and_grow_from_it() {
+        let leaves = [
+            oval((4.0, -40.0), (50.0, -30.0)),
+            oval((9.0, -90.0), (-50.0, -30.0)),
+            oval((8.0, -140.0), (45.0, -35.0)),
+            oval((0.0, -203.0), (-3.0, -50.0)),
+        ];
+        let found = read(&[vec![twig()], leaves.to_vec()].concat());
+        let [twig] = &found[..] else { panic!("{} twigs", found.len()) };
+        assert_eq!(twig.uses, [0, 1, 2, 3, 4]);
+        assert_eq!(twig.parts[0].tool, Tool::Branch);
+        assert!(twig.parts[0].points[0].position.length() < 2.0, "from its foot");
+        for (part, leaf) in twig.parts[1..].iter().zip(&leaves) {
+            assert!(part.tool == Tool::Leaf && part.points[0].position.distance(leaf[0]) < 8.0);
+        }
+    }
+
+    #[test]
+    fn petals_at_the_end_two_leaves_and_outlines_across_are_none() {
+        let petal = |angle: f32| {
+            let along = 40.0 * Vec2::from_angle(angle);
+            oval((0.0, -200.0), (along.x, along.y))
+        };
+        let petals: Vec<Vec<Vec2>> = (0..5).map(|k| petal(TAU * k as f32 / 5.0)).collect();
+        assert!(read(&[vec![twig()], petals].concat()).is_empty());
+        let pair = [oval((4.0, -40.0), (50.0, -30.0)), oval((9.0, -90.0), (-50.0, -30.0))];
+        assert!(read(&[vec![twig()], pair.to_vec()].concat()).is_empty());
+        let across = |y: f32| oval((-25.0, y), (60.0, 0.0));
+        assert!(read(&[twig(), across(-50.0), across(-100.0), across(-150.0)]).is_empty());
+    }
+}
