@@ -2,9 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
-use crate::people::{CLASSES, Drawing, Share, drawings, icons};
+use crate::people::{CLASSES, Drawing, Share, drawings, icons, icons_added};
 use glam::Vec3;
-use penstemon::anatomy::conventions::{self, ConventionParams, Habit, Interpretation};
+use penstemon::anatomy::conventions::{self, ConventionParams, Habit, Interpretation, SolidKind};
 use penstemon::anatomy::{self, AnatomyParams, Part};
 use penstemon::depth::{self, DepthParams};
 use penstemon::pipeline;
@@ -73,6 +73,8 @@ fn all_drawings_are_read_and_split_as_they_were_first() {
     let added = [Share::Added, Share::AddedHeldBack].map(|share| drawings(share).unwrap());
     assert_eq!(added.map(|share| share.len()), [45, 47]);
     assert_eq!(icons().unwrap().len(), 24);
+    let added = [false, true].map(|held_back| icons_added(held_back).unwrap().len());
+    assert_eq!(added, [43, 48]);
     assert!(CLASSES.is_sorted());
 }
 
@@ -120,7 +122,7 @@ fn is_read_as(interpretation: &Interpretation, habit: &str) -> bool {
         "succulent" => interpretation.habit == Some(Habit::Succulent),
         "mushroom" => interpretation.habit == Some(Habit::Mushroom),
         "flower" => interpretation.habit == Some(Habit::Flower),
-        "potted" => !interpretation.solids.is_empty(),
+        "potted" => interpretation.solids.iter().any(|drawn| drawn.solid.kind == SolidKind::Pot),
         // Leaves, herbs and gardens may be read in several ways; that they become no trees is counted.
         _ => !matches!(interpretation.habit, Some(Habit::Tree | Habit::Conifer | Habit::Bush | Habit::Palm)),
     }
@@ -168,6 +170,46 @@ fn most_drawings_that_came_later_are_read_as_what_they_show() {
             "{class}: {right} of {}, {least} before",
             of_class.len()
         );
+    }
+}
+
+/// Icons that were looked at, and what they are read as, the ground and pots left out.
+const ICONS: [(&str, &str, &[Reading]); 25] = [
+    ("hugeicons", "tree-01", &[Reading::Tree]),
+    ("hugeicons", "tree-03", &[Reading::Tree]),
+    ("hugeicons", "tree-04", &[Reading::Tree]),
+    ("iconoir", "african-tree", &[Reading::Tree]),
+    ("streamline", "tree-1", &[Reading::Tree]),
+    ("streamline", "tree-2", &[Reading::Tree]),
+    ("streamline", "tree-3", &[Reading::Tree]),
+    ("lucide", "trees", &[Reading::Tree, Reading::Tree]),
+    ("mynaui", "trees", &[Reading::Tree, Reading::Tree]),
+    ("tabler", "trees", &[Reading::Tree, Reading::Tree]),
+    ("hugeicons", "tulip", &[Reading::Corolla]),
+    ("majesticons", "flower-2-line", &[Reading::Corolla]),
+    ("streamline", "potted-flower-tulip", &[Reading::Corolla]),
+    ("streamline", "rose", &[Reading::Corolla]),
+    ("streamline", "lotus", &[Reading::Corolla]),
+    ("lucidelab", "flower-lotus", &[Reading::Corolla]),
+    ("lucidelab", "flower-rose-single", &[Reading::Corolla]),
+    ("hugeicons", "wheat", &[Reading::Leaf]),
+    ("lucide", "wheat", &[Reading::Leaf]),
+    ("lucide", "clover", &[Reading::Leaf]),
+    ("streamline", "clover", &[Reading::Leaf]),
+    ("akar", "plant", &[Reading::Leaf]),
+    ("lucide", "cherry", &[Reading::Fruit]),
+    ("tabler", "cherry", &[Reading::Fruit]),
+    ("streamline", "potted-cactus", &[Reading::Cactus]),
+];
+
+#[test]
+fn icons_are_read_as_what_they_show() {
+    let known: Vec<Drawing> = [icons().unwrap(), icons_added(false).unwrap()].into_iter().flatten().collect();
+    for (set, name, wanted) in ICONS {
+        let icon = known.iter().find(|it| it.class == set && it.name == name).unwrap();
+        let mut readings: Vec<Reading> = read(icon).readings.iter().map(|read| read.reading).collect();
+        readings.retain(|reading| !matches!(reading, Reading::Ground | Reading::Pot));
+        assert_eq!(readings, wanted, "{set} {name}");
     }
 }
 

@@ -138,14 +138,13 @@ fn cup(page: &Page, group: &[usize], stem: usize, base: Base) -> Option<Hypothes
         return None;
     }
     let outline = outline(&lines, base, height)?;
-    let parts: Vec<Made> = petals(&outline, base.place, &tips(&outline, base, height))?
+    let parts: Vec<Made> = petals(&outline, base.place, &tips_and_corners(&outline, base, height))?
         .into_iter()
         .map(|petal| Made::new(Tool::Petal, petal))
         .collect();
     let short = if page.lines[stem].length > LONG.1 * height { 0.0 } else { SHORT };
     // Petals of a cup end in corners, lobes of a leaf's or a crown's outline do not.
-    let is_high = |corner: &&Vec2| base.height(**corner) > HIGH.0 * height;
-    let has_corners = page::tips(&outline, CORNER).iter().filter(is_high).count() >= CORNERED.0;
+    let has_corners = corners(&outline, base, height).len() >= CORNERED.0;
     let cornered = if has_corners { CORNERED.1 } else { 0.0 };
     let score = 3.4 + 0.1 * head.len().min(6) as f32 + cornered - short;
     let (reading, habit) = (Reading::Corolla, Some(Habit::Flower));
@@ -164,20 +163,39 @@ fn outline(lines: &[&Line], base: Base, height: f32) -> Option<Vec<Vec2>> {
 
 /// The tips of an outline: where it turns back toward its base, high up.
 fn tips(outline: &[Vec2], base: Base, height: f32) -> Vec<Vec2> {
+    let (around, tips) = numbered_tips(outline, base, height);
+    tips.into_iter().map(|k| around[k]).collect()
+}
+
+/// The same of several lines: corners count, too, for between lines that touch notches may be closed.
+fn tips_and_corners(outline: &[Vec2], base: Base, height: f32) -> Vec<Vec2> {
+    let (around, tips) = numbered_tips(outline, base, height);
+    let mut all: BTreeSet<usize> = tips.into_iter().collect();
+    for corner in corners(outline, base, height) {
+        if all.iter().all(|tip| around[*tip].distance(corner) > CORNERS * height) {
+            all.extend(around.iter().position(|p| *p == corner));
+        }
+    }
+    all.into_iter().map(|k| around[k]).collect()
+}
+
+/// An outline from its lowest place around, and the numbers of its tips there.
+fn numbered_tips(outline: &[Vec2], base: Base, height: f32) -> (Vec<Vec2>, Vec<usize>) {
     let lowest = (0..outline.len())
         .min_by(|a, b| base.height(outline[*a]).total_cmp(&base.height(outline[*b])))
         .unwrap_or(0);
     let around: Vec<Vec2> = (0..=outline.len()).map(|k| outline[(lowest + k) % outline.len()]).collect();
     let below: Vec<f32> = around.iter().map(|p| (height - base.height(*p)).max(0.0)).collect();
-    let mut all: BTreeSet<usize> = lobes::valleys_between(&below, PROMINENCE * height).into_iter().collect();
-    // Corners count even where the notches beside them are closed.
-    for corner in page::tips(outline, CORNER) {
-        let near = CORNERS * height;
-        if all.iter().all(|tip| around[*tip].distance(corner) > near) {
-            all.extend(around.iter().position(|p| *p == corner));
-        }
-    }
-    all.into_iter().map(|k| around[k]).filter(|tip| base.height(*tip) > HIGH.0 * height).collect()
+    let mut tips = lobes::valleys_between(&below, PROMINENCE * height);
+    tips.retain(|k| base.height(around[*k]) > HIGH.0 * height);
+    (around, tips)
+}
+
+/// Sharp corners of an outline, high up.
+fn corners(outline: &[Vec2], base: Base, height: f32) -> Vec<Vec2> {
+    let mut all = page::tips(outline, CORNER);
+    all.retain(|corner| base.height(*corner) > HIGH.0 * height);
+    all
 }
 
 /// A petal from the base to each tip, and between neighbours one in front.

@@ -8,8 +8,9 @@
 
 use crate::anatomy::conventions::page::{Line, Page};
 use crate::anatomy::conventions::shapes::lobes;
-use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
+use crate::anatomy::conventions::shapes::silhouette::{Silhouette, share_along, smooth_contour};
 use crate::anatomy::conventions::{Hypothesis, Made};
+use crate::geom::simple_loop;
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
 use std::f32::consts::TAU;
@@ -33,6 +34,10 @@ const BRIDGES: [i32; 2] = [6, 24];
 const POINTS: usize = 240;
 /// Least share of what is drawn that lies in the leaflets.
 const INSIDE: f32 = 0.9;
+/// Least part of the outline that each line draws.
+const DRAWN: f32 = 0.1;
+/// Largest leaflet, as a share of the smallest.
+const ALIKE: f32 = 1.7;
 /// Log-odds: more than those of a corolla.
 const SCORE: f32 = 6.0;
 
@@ -52,8 +57,11 @@ fn clover(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let drawn = || edges.iter().map(|i| page.lines[*i].points.as_slice());
     let leaflets = BRIDGES.into_iter().find_map(|bridge| {
         let silhouette = Silhouette::new(drawn(), bridge);
-        let is_whole = silhouette.share_inside(drawn().flatten()) > INSIDE;
-        is_whole.then(|| Leaflets::of(&smooth_contour(&silhouette.contour(), POINTS, 1))).flatten()
+        let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
+        let near = 3.0 * silhouette.cell();
+        let draws = |line: &[Vec2]| share_along(&outline, std::iter::once(line), near) > DRAWN;
+        let is_whole = silhouette.share_inside(drawn().flatten()) > INSIDE && drawn().all(draws);
+        is_whole.then(|| Leaflets::of(&outline)).flatten()
     })?;
     let stalk = straight.iter().find_map(|i| leaflets.stalk(&page.lines[*i]));
     let blades = leaflets.outlines.iter().map(|stretch| {
@@ -110,8 +118,12 @@ impl Leaflets {
             (EVEN.0 * even..EVEN.1 * even).contains(&angle) && far.iter().any(|notch| numbers.contains(notch))
         };
         let stretches: Vec<Vec<usize>> = (0..count).map(stretch).collect();
-        let outlines = stretches.iter().map(|numbers| numbers.iter().map(|k| outline[*k]).collect());
-        stretches.iter().all(is_leaflet).then(|| Self { middle, reach, outlines: outlines.collect() })
+        let outlines: Vec<Vec<Vec2>> =
+            stretches.iter().map(|numbers| numbers.iter().map(|k| outline[*k]).collect()).collect();
+        let areas = outlines.iter().map(|leaflet| simple_loop::area(&lobes::rooted(leaflet, middle)));
+        let (small, large) = areas.fold((f32::INFINITY, 0.0_f32), |(a, b), area| (a.min(area), b.max(area)));
+        let is_clover = stretches.iter().all(is_leaflet) && large < ALIKE * small;
+        is_clover.then_some(Self { middle, reach, outlines })
     }
 
     /// The way of a stalk from its foot to the middle, if a straight line is one.
