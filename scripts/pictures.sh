@@ -25,6 +25,18 @@ cargo run --release --quiet --example draw_contact_sheets -- "$people" \
 cp "$people/picked-01.png" docs/images/people.png
 rm -rf "$people"
 
+# Icons by designers beside their plants.
+icons=$(mktemp -d)
+number=10
+for icon in icons_added/hugeicons_tree-01 icons/mynaui_trees icons_added/hugeicons_tulip icons_added/majesticons_flower-2-line \
+    icons_added/lucidelab_flower-rose-single icons_added/lucide_wheat icons/tabler_cherry icons_added/lucide_clover icons/mynaui_sprout \
+    icons_added/akar_plant icons_added/streamline_potted-cactus icons_added/iconoir_african-tree; do
+    number=$((number + 1))
+    "$program" render "tests/data/$icon.svg" -o "$icons/$number.png" --size 230x260 --with-drawing
+done
+python3 scripts/sheet.py 3 docs/images/icons.png "$icons"/*.png
+rm -rf "$icons"
+
 # Petal, leaf and bark from photographs, stage by stage, and what grows of them.
 photographs=$(mktemp -d)
 cargo run --release --quiet --example draw_photographs -- "$photographs"
