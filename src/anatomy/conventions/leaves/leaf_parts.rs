@@ -6,7 +6,7 @@
 
 use super::blade::Blade;
 use crate::anatomy::conventions::page::{Line, Page, even};
-use crate::anatomy::conventions::trees::forks;
+use crate::anatomy::conventions::shapes::forks;
 use crate::geom::{polyline, simple_loop};
 use glam::Vec2;
 

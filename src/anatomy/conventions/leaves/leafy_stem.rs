@@ -24,6 +24,8 @@ const END: f32 = 0.92;
 /// Fewest leaves, most, and how far apart the outer roots are at least, as a share of the twig.
 const LEAVES: (usize, usize) = (3, 60);
 const SPREAD: f32 = 0.3;
+/// Least share of what is drawn that the twig is: leaves on the stem of something else are read one by one.
+const EXPLAINED: f32 = 0.85;
 /// Log-odds, and more for each leaf up to so many.
 const SCORE: (f32, f32, usize) = (4.2, 0.15, 8);
 
@@ -67,6 +69,9 @@ fn of_line(page: &Page, number: usize, near: &[usize]) -> Option<Hypothesis> {
     }
     let mut uses: Vec<usize> = leaves.iter().map(|leaf| leaf.line).chain([number]).collect();
     uses.sort_unstable();
+    if uses.iter().map(|line| page.lines[*line].length).sum::<f32>() < EXPLAINED * page.length {
+        return None;
+    }
     let weight = page.weight(twig.size().length());
     let score = weight * (SCORE.0 + SCORE.1 * leaves.len().min(SCORE.2) as f32);
     let outlines = leaves.into_iter().map(|leaf| Made::new(Tool::Leaf, leaf.ring));

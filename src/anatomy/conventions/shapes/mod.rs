@@ -2,6 +2,8 @@
 //!
 //! | file | what |
 //! | --- | --- |
+//! | `balls` | round outlines as fruits |
+//! | `forks` | twigs in a crown on a single line, which veins are like |
 //! | `grid` | cells in rows: distances, connected areas |
 //! | `silhouette` | the area that strokes enclose together, on a grid; its rows and its contour |
 //! | `medial_axis` | the middle lines of an area, a trunk and its arms |
@@ -10,7 +12,9 @@
 //! | `folds` | spikes by the sharp folds of an outline |
 //! | `stem_tail` | a stem in one stroke with what it carries |
 
+pub(crate) mod balls;
 pub(crate) mod folds;
+pub(crate) mod forks;
 mod grid;
 pub(crate) mod lobes;
 pub(crate) mod medial_axis;

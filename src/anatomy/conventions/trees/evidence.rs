@@ -18,8 +18,6 @@ const CENTRES: usize = 2;
 /// Fewest notches of a crown with lobes, and least distance of them from its middle on the average, that of an ellipse being 1.
 pub(crate) const NOTCHES: usize = 3;
 pub(crate) const SHALLOW: f32 = 0.72;
-/// Least part of a trunk below its crown, as a share of the crown's height.
-pub(crate) const STANDS: f32 = 0.12;
 /// Slopes of the ground that are tried besides the level, and how much of the width of a foot there the outline runs at least.
 const SLOPES: [f32; 2] = [0.1, -0.1];
 const RUNS: f32 = 0.8;

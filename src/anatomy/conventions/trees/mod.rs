@@ -13,13 +13,11 @@
 //! | `tilted` | what leans a little, read as if upright |
 //! | `half_crown` | crowns of which one side was left out |
 //! | `half_fir` | firs of which one side is hidden or was left out |
-//! | `forks` | twigs in a crown on a single line, which veins are like |
 //! | `evidence` | what speaks for and against outlines of crowns |
 
 pub(crate) mod bush;
 pub(crate) mod conifer;
 pub(crate) mod evidence;
-pub(crate) mod forks;
 pub(crate) mod half_crown;
 pub(crate) mod half_fir;
 pub(crate) mod stacked;

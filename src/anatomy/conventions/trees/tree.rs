@@ -14,8 +14,8 @@ use super::stacked::stacked;
 use super::tilted;
 use super::trunk::{Rows, Trunk};
 use super::trunk_sides::TrunkSides;
-use crate::anatomy::conventions::bodies::fruits;
 use crate::anatomy::conventions::page::{self, Line, Page, even, is_bow, notches};
+use crate::anatomy::conventions::shapes::balls;
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::geom::{
@@ -136,7 +136,7 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let own: Vec<usize> =
         group.iter().copied().filter(|i| !stands_beside(&page.lines[*i], &outline, &trunk.points)).collect();
     let uses = page.with_what_is_inside(&own, &outline);
-    let solids = fruits::in_crown(uses.iter().map(|i| &page.lines[*i]), &outline);
+    let solids = balls::in_crown(uses.iter().map(|i| &page.lines[*i]), &outline);
     let parts = vec![trunk, Made::new(Tool::Crown, outline)];
     let (reading, habit) = (Reading::Tree, Some(Habit::Tree));
     // Of two groups the one that explains more.

@@ -10,12 +10,10 @@
 //! Limits: a round flower on a short stem, without petals, is read as a tree.
 
 use super::evidence;
-use super::forks::Forked;
 use super::tree::crown;
 use super::trunk::Trunk;
-use crate::anatomy::conventions::bodies::fruits;
 use crate::anatomy::conventions::page::{self, Line, Page, notches};
-use crate::anatomy::conventions::shapes::stem_tail;
+use crate::anatomy::conventions::shapes::{balls, forks::Forked, stem_tail};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::geom::{polyline, simple_loop::hull_area};
 use crate::sketch::Reading;
@@ -88,7 +86,7 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
         return None;
     }
     let score = Crown { outline: &outline, lines: &whole, trunk: &points }.score()?;
-    let solids = fruits::in_crown(all.into_iter(), &outline);
+    let solids = balls::in_crown(all.into_iter(), &outline);
     let parts = vec![trunk.centre_line(&outline), Made::new(Tool::Crown, outline)];
     let (reading, habit) = (Reading::Tree, Some(Habit::Tree));
     Some(Hypothesis { uses, score: score * page.weight(height), parts, solids, reading, habit })
@@ -105,10 +103,10 @@ fn parted<'a>(page: &'a Page, group: &[usize], lowest: f32) -> Option<(Vec<Vec2>
     let (low, high) = page::bounds(group.iter().map(|i| &page.lines[*i]));
     let is_low = |i: &usize| page.lines[*i].bounds.1.y > lowest;
     let is_ground = |i: &usize| is_low(i) && is_dash(&page.lines[*i], high.y - low.y);
-    let standing = || group.iter().filter(|i| !is_ground(i));
-    let mut lowest_lines = standing().filter(|i| is_low(i));
+    let uprights = || group.iter().filter(|i| !is_ground(i));
+    let mut lowest_lines = uprights().filter(|i| is_low(i));
     let (&first, None) = (lowest_lines.next()?, lowest_lines.next()) else { return None };
-    let others = standing().filter(|i| **i != first).map(|i| Cow::Borrowed(&page.lines[*i]));
+    let others = uprights().filter(|i| **i != first).map(|i| Cow::Borrowed(&page.lines[*i]));
     let line = &page.lines[first];
     let (begin, end) = line.ends();
     let run = end - begin;

@@ -3,7 +3,6 @@
 //! A trunk forks: one line leaves it, or two do where one line touches it between its ends, and all end before the outline. Veins reach
 //! the edge of their blade, and the midrib goes on nearly to the tip.
 
-use super::evidence;
 use crate::anatomy::conventions::page::{self, Line};
 use crate::geom::polyline;
 use glam::Vec2;
@@ -17,6 +16,8 @@ const SHORT: (f32, f32) = (0.18, 0.08);
 const RESTS: f32 = 0.25;
 /// Stretch of an outline over which a tip turns, as a share of its length, and least turn there, radians.
 const TIP: (f32, f32) = (0.06, 1.1);
+/// Least part of a trunk below its crown, as a share of the crown's height.
+const STANDS: f32 = 0.12;
 /// Most run of a trunk over its rise.
 const PLUMB: f32 = 0.3;
 
@@ -82,7 +83,7 @@ pub(crate) fn is_tree<'b>(ring: &[Vec2], midrib: &[Vec2], inside: impl Iterator<
     let run = trunk[0] - trunk[trunk.len() - 1];
     let forked = Forked::new(ring, &trunk);
     run.x.abs() < PLUMB * run.y
-        && trunk[0].y > forked.high.y + evidence::STANDS * (forked.high.y - forked.low.y)
+        && trunk[0].y > forked.high.y + STANDS * (forked.high.y - forked.low.y)
         && !forked.has_tip()
         && forked.has_twigs(inside)
 }
