@@ -18,6 +18,8 @@ const RESTS: f32 = 0.25;
 const TIP: (f32, f32) = (0.06, 1.1);
 /// Least part of a trunk below its crown, as a share of the crown's height.
 const STANDS: f32 = 0.12;
+/// Most lines on a trunk, those of the crown's outline among them.
+const MOST: usize = 10;
 /// Most run of a trunk over its rise.
 const PLUMB: f32 = 0.3;
 
@@ -45,8 +47,11 @@ impl<'a> Forked<'a> {
         !page::tips(&self.outline[1..], TIP).iter().all(rests)
     }
 
-    /// Whether these lines fork the trunk, one twig at least, and two where it ends near the top.
-    pub(crate) fn has_twigs<'b>(&self, lines: impl Iterator<Item = &'b Line>) -> bool {
+    /// Whether these few lines fork the trunk, one twig at least, and two where it ends near the top: many are a web of branches.
+    pub(crate) fn has_twigs<'b>(&self, lines: impl Iterator<Item = &'b Line> + Clone) -> bool {
+        if lines.clone().count() > MOST {
+            return false;
+        }
         let (Some(foot), Some(top)) = (self.trunk.first(), self.trunk.last()) else { return false };
         let below = (top.y - self.low.y) / (self.high.y - self.low.y).max(f32::MIN_POSITIVE);
         let is_plumb = (foot.x - top.x).abs() < PLUMB * (foot.y - top.y);
@@ -74,7 +79,11 @@ impl<'a> Forked<'a> {
 }
 
 /// Whether the lines in a blade are a trunk with its twigs, from those of a midrib that stands on its foot.
-pub(crate) fn is_tree<'b>(ring: &[Vec2], midrib: &[Vec2], inside: impl Iterator<Item = &'b Line>) -> bool {
+pub(crate) fn is_tree<'b>(
+    ring: &[Vec2],
+    midrib: &[Vec2],
+    inside: impl Iterator<Item = &'b Line> + Clone,
+) -> bool {
     let mut trunk = midrib.to_vec();
     let (Some(first), Some(last)) = (trunk.first(), trunk.last()) else { return false };
     if first.y < last.y {
