@@ -23,7 +23,7 @@
 //! | `lines` | strokes that are one line together |
 //! | `beneath` | what plants stand in, on or beside: pots, ground lines, fences; the sky and words |
 //! | `trees` | trees, firs, bushes |
-//! | `bodies` | cacti, mushrooms |
+//! | `bodies` | cacti, mushrooms, fruits |
 //! | `flowers` | flowers from above and from the side |
 //! | `leaves` | leaves of any number of strokes, several in one stroke, at a stem |
 //! | `tufts` | grass, palms and other fronds |
