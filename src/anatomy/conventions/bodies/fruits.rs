@@ -1,4 +1,4 @@
-//! Fruits: round outlines that hang from stalks, as cherries do, and round outlines in the crown of a tree.
+//! Fruits: round outlines that hang from stalks, as cherries do; those in crowns are found by [`balls`].
 //!
 //! A fruit is a round outline; where the stalk comes in it may have a notch. Its stalk is a line that ends at its upper part or a
 //! little inside and comes from above. Several on stalks that begin near one another are a bunch; a stem that comes from below carries a
