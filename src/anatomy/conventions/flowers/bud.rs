@@ -9,9 +9,9 @@
 //! Limits: a round leaf on a long stalk is read as a flower; a round head on a short stem is a tree.
 
 use super::corolla_on_stem::{Head, stem_top};
-use super::upright::points_away;
+use super::upright::{points_away, tips_of_hull};
 use super::{cup, rose};
-use crate::anatomy::conventions::page::{Line, Page, even, tips};
+use crate::anatomy::conventions::page::{Line, Page};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
@@ -26,8 +26,7 @@ const FULL: f32 = 0.55;
 const ROUND: (f32, f32) = (0.45, 0.8);
 const FILL: (f32, f32) = (0.85, 1.15);
 const NARROW: f32 = 0.45;
-/// Points of its outline, and the stretch and turn of a tip.
-const POINTS: usize = 80;
+/// Stretch and turn of a tip of its outline.
 const TIP: (f32, f32) = (0.1, 1.6);
 /// Least part of the stem below a round head, in heights of the head.
 const LONG: f32 = 1.6;
@@ -124,12 +123,11 @@ fn teeth(head: &Line, stem: &Line) -> Option<Vec<Made>> {
 fn is_round(head: &Line) -> bool {
     let size = head.size();
     let fill = head.hull_area / (FRAC_PI_4 * size.x * size.y).max(f32::MIN_POSITIVE);
-    let ring: Vec<Vec2> = head.hull.iter().copied().chain(head.hull.first().copied()).collect();
     head.openness < ROUND.0
         && head.solidity() > ROUND.1
         && (FILL.0..FILL.1).contains(&fill)
         && size.min_element() > NARROW * size.max_element()
-        && tips(&even(&ring, POINTS)[1..], TIP).is_empty()
+        && tips_of_hull(head, TIP).is_empty()
 }
 
 #[cfg(test)]

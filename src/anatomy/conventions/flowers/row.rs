@@ -11,9 +11,9 @@
 //! Limits: heads on two lines, which are trunks; flowers one above the other; row upon row.
 
 use super::corolla_on_stem::{is_seen_from_the_front, petals_on_stem};
-use super::upright::{Flower, is_wound, points_away, stand_in_bed, upright};
+use super::upright::{Flower, is_wound, points_away, stand_in_bed, tips_of_hull, upright};
 use super::{cup, rays, rose};
-use crate::anatomy::conventions::page::{Line, Page, even, tips};
+use crate::anatomy::conventions::page::{Line, Page, even};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::geom::polyline;
 use crate::sketch::{Reading, Tool};
@@ -50,8 +50,7 @@ const WIDE: f32 = 0.35;
 /// What speaks against it: as much of other lines at its height as it has itself; a head that touches it.
 const CROWDED: f32 = 1.5;
 const TOUCHING: f32 = 1.5;
-/// Points of an outline, and the stretch and turn of a blade's tip.
-const POINTS: usize = 80;
+/// Stretch and turn of the tip of a blade.
 const TIP: (f32, f32) = (0.1, 1.6);
 
 /// Outlines of petals.
@@ -143,8 +142,7 @@ impl Flower<'_> {
     /// Whether its head is the outline of a leaf: one that has a tip.
     fn is_blade(&self, page: &Page) -> bool {
         self.only(page).is_some_and(|line| {
-            let ring: Vec<Vec2> = line.hull.iter().copied().chain(line.hull.first().copied()).collect();
-            let has_tip = || !tips(&even(&ring, POINTS)[1..], TIP).is_empty();
+            let has_tip = || !tips_of_hull(line, TIP).is_empty();
             line.is_closed_and_solid() && has_tip() || self.points_away(page)
         })
     }

@@ -279,11 +279,15 @@ impl Flower<'_> {
     }
 }
 
+/// Tips of the convex hull of a head, which tremor and notches leave alone: over such a share of it, at least so sharp, radians.
+pub(super) fn tips_of_hull(head: &Line, tip: (f32, f32)) -> Vec<Vec2> {
+    let ring: Vec<Vec2> = head.hull.iter().chain(head.hull.first()).copied().collect();
+    tips(&even(&ring, POINTS)[1..], tip)
+}
+
 /// Whether the outline of a head has one rounded point, away from where its stem ends: that of a leaf. The ends of an ellipse are two.
 pub(super) fn points_away(head: &Line, root: Vec2) -> bool {
-    let ring: Vec<Vec2> = head.hull.iter().copied().chain(head.hull.first().copied()).collect();
-    let found = tips(&even(&ring, POINTS)[1..], POINT.0);
-    let [tip] = found[..] else { return false };
+    let [tip] = tips_of_hull(head, POINT.0)[..] else { return false };
     head.is_closed_and_solid() && tip.distance(root) > POINT.1 * head.size().max_element()
 }
 

@@ -4,6 +4,7 @@
 //! middle of the pot up to where they meet. Limits: leaves that meet beside the pot.
 
 use crate::anatomy::conventions::page::{Line, Page};
+use crate::anatomy::conventions::shapes::lobes;
 use crate::anatomy::conventions::{Hypothesis, Made};
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
@@ -37,7 +38,7 @@ fn seedling(page: &Page, (low, high): (Vec2, Vec2)) -> Option<Hypothesis> {
     let lowest = |line: &Line| line.points.iter().copied().max_by(|a, b| a.y.total_cmp(&b.y));
     let ends = leaves.iter().map(|leaf| lowest(leaf)).collect::<Option<Vec<Vec2>>>()?;
     let place = ends.iter().sum::<Vec2>() / ends.len() as f32;
-    let roots: Vec<usize> = leaves.iter().map(|leaf| nearest(leaf, place)).collect();
+    let roots: Vec<usize> = leaves.iter().map(|leaf| lobes::nearest(&leaf.points, place)).collect();
     let meets = leaves.iter().zip(&roots).all(|(leaf, root)| {
         leaf.points[*root].distance(place) < MEET * leaf.size().max_element()
             && leaf.bounds.1.y - leaf.points[*root].y < 0.3 * leaf.size().y
@@ -49,20 +50,10 @@ fn seedling(page: &Page, (low, high): (Vec2, Vec2)) -> Option<Hypothesis> {
         return None;
     }
     let stem = Made::new(Tool::Branch, [Vec2::new(middle, low.y + FOOT * size.y), place]);
-    let blade = |(leaf, root): (&&Line, &usize)| {
-        let mut ring = leaf.points.clone();
-        ring.rotate_left(*root);
-        ring.push(ring[0]);
-        Made::new(Tool::Leaf, ring)
-    };
+    let blade =
+        |(leaf, root): (&&Line, &usize)| Made::new(Tool::Leaf, lobes::around_from(&leaf.points, *root));
     let parts = std::iter::once(stem).chain(leaves.iter().zip(&roots).map(blade)).collect();
     Some(Hypothesis { uses, score: SCORE, parts, solids: Vec::new(), reading: Reading::Leaf, habit: None })
-}
-
-/// The point of a line that is nearest to a place.
-fn nearest(line: &Line, place: Vec2) -> usize {
-    let away = |i: &usize| line.points[*i].distance_squared(place);
-    (0..line.points.len()).min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(0)
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@
 //! Limits: leaves with stalks of their own, leaves on side twigs.
 
 use crate::anatomy::conventions::page::{Line, Page};
+use crate::anatomy::conventions::shapes::lobes;
 use crate::anatomy::conventions::{Hypothesis, Made};
 use crate::geom::polyline;
 use crate::sketch::{Reading, Tool};
@@ -98,25 +99,15 @@ impl Leaf {
         let gaps: Vec<f32> = line.points.iter().map(|p| off(*p)).collect();
         let root = (0..gaps.len()).min_by(|a, b| gaps[*a].total_cmp(&gaps[*b]))?;
         let far = gaps.iter().copied().fold(0.0, f32::max);
-        let at = nearest(way, line.points[root]);
+        let at = lobes::nearest(way, line.points[root]);
         let share = polyline::length(&way[..=at]) / length;
         let along = way[(at + 1).min(way.len() - 1)] - way[at.saturating_sub(1)];
         let left = line.points.iter().filter(|p| along.perp_dot(**p - way[at]) > 0.0).count();
         let sided = left.max(line.points.len() - left) as f32 / line.points.len() as f32;
         let is_aside = sided > ONE_SIDE && far > AWAY * size || share > END;
-        (gaps[root] < AT * size && is_aside).then(|| {
-            let mut ring = line.points.clone();
-            ring.rotate_left(root);
-            ring.push(ring[0]);
-            Self { line: number, ring, share }
-        })
+        let ring = || lobes::around_from(&line.points, root);
+        (gaps[root] < AT * size && is_aside).then(|| Self { line: number, ring: ring(), share })
     }
-}
-
-/// The point of a way that is nearest to a place.
-fn nearest(way: &[Vec2], place: Vec2) -> usize {
-    let away = |i: &usize| way[*i].distance_squared(place);
-    (0..way.len()).min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(0)
 }
 
 #[cfg(test)]

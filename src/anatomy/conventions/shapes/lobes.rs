@@ -142,6 +142,18 @@ fn bend(points: &[Vec2], (before, after): (usize, usize), at: usize, focus: &Foc
     (points[at] - middle).dot(inward) / a.distance(b).max(f32::MIN_POSITIVE)
 }
 
+/// The number of the point that is nearest to a place; 0 of none.
+pub(crate) fn nearest(points: &[Vec2], place: Vec2) -> usize {
+    let away = |i: &usize| points[*i].distance_squared(place);
+    (0..points.len()).min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(0)
+}
+
+/// A closed outline from one of its points around and back to it.
+pub(crate) fn around_from(outline: &[Vec2], at: usize) -> Vec<Vec2> {
+    let (before, after) = outline.split_at(at);
+    after.iter().chain(before).chain(after.first()).copied().collect()
+}
+
 /// A stretch as the outline of a petal or leaf: from its root out, around and back.
 pub(crate) fn rooted(stretch: &[Vec2], root: Vec2) -> Vec<Vec2> {
     std::iter::once(root).chain(stretch.iter().copied()).chain([root]).collect()
