@@ -6,7 +6,7 @@
 //!
 //! Limits: clovers from the side; a flower of four notched petals is read as a clover.
 
-use crate::anatomy::conventions::page::{Line, Page};
+use crate::anatomy::conventions::page::{self, Line, Page};
 use crate::anatomy::conventions::shapes::lobes;
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, share_along, smooth_contour};
 use crate::anatomy::conventions::{Hypothesis, Made};
@@ -18,6 +18,8 @@ use std::f32::consts::TAU;
 /// Most lines, and least chord of one over its length that is no edge of a leaflet.
 const LINES: usize = 12;
 const STRAIGHT: f32 = 0.93;
+/// Least extent of the leaflets one way, as a share of that the other way.
+const ROUND: f32 = 0.5;
 /// Fewest leaflets, and most.
 const LEAFLETS: (usize, usize) = (3, 4);
 /// Mean distance of near notches from the middle in that of far ones, at most.
@@ -54,14 +56,19 @@ fn clover(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     if edges.is_empty() {
         return None;
     }
+    let (low, high) = page::bounds(edges.iter().map(|i| &page.lines[*i]));
+    let size = high - low;
+    if size.min_element() < ROUND * size.max_element() {
+        return None;
+    }
     let drawn = || edges.iter().map(|i| page.lines[*i].points.as_slice());
     let leaflets = BRIDGES.into_iter().find_map(|bridge| {
         let silhouette = Silhouette::new(drawn(), bridge);
         let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
         let near = 3.0 * silhouette.cell();
         let draws = |line: &[Vec2]| share_along(&outline, std::iter::once(line), near) > DRAWN;
-        let is_whole = silhouette.share_inside(drawn().flatten()) > INSIDE && drawn().all(draws);
-        is_whole.then(|| Leaflets::of(&outline)).flatten()
+        let is_whole = || silhouette.share_inside(drawn().flatten()) > INSIDE && drawn().all(draws);
+        Leaflets::of(&outline).filter(|_| is_whole())
     })?;
     let stalk = straight.iter().find_map(|i| leaflets.stalk(&page.lines[*i]));
     let blades = leaflets.outlines.iter().map(|stretch| {

@@ -79,7 +79,8 @@ struct Paths {
 impl Paths {
     fn from(silhouette: &Silhouette, depth: &[f32], start: usize) -> Self {
         let deepest = depth.iter().copied().fold(f32::MIN_POSITIVE, f32::max);
-        let price = |i: usize| 1.0 + EDGE * (1.0 - depth[i] / deepest).powi(6);
+        let prices: Vec<f32> =
+            depth.iter().map(|depth| 1.0 + EDGE * (1.0 - depth / deepest).powi(6)).collect();
         let mut cost = vec![f32::INFINITY; depth.len()];
         let mut it = Self {
             steps: vec![f32::INFINITY; depth.len()],
@@ -94,7 +95,7 @@ impl Paths {
                 continue;
             }
             for (next, length) in silhouette.around(i) {
-                let along = cost[i] + length * price(next);
+                let along = cost[i] + length * prices[next];
                 if depth[next] > 0.0 && along < cost[next] {
                     (cost[next], it.steps[next], it.before[next]) = (along, it.steps[i] + length, Some(i));
                     queue.push((Reverse((along * 1e3) as u64), next));

@@ -4,7 +4,7 @@
 //! | --- | --- |
 //! | `balls` | round outlines as fruits |
 //! | `forks` | twigs in a crown on a single line, which veins are like |
-//! | `grid` | cells in rows: distances, connected areas |
+//! | `cells` | sets of cells of a grid: what is near them, what hangs together |
 //! | `silhouette` | the area that strokes enclose together, on a grid; its rows and its contour |
 //! | `medial_axis` | the middle lines of an area, a trunk and its arms |
 //! | `lobes` | an outline cut at its notches toward a centre |
@@ -13,9 +13,9 @@
 //! | `stem_tail` | a stem in one stroke with what it carries |
 
 pub(crate) mod balls;
+mod cells;
 pub(crate) mod folds;
 pub(crate) mod forks;
-mod grid;
 pub(crate) mod lobes;
 pub(crate) mod medial_axis;
 pub(crate) mod silhouette;

@@ -4,7 +4,7 @@
 //! back by as much, is outside, the rest is the silhouette (a morphological closing). Its contour runs between inner and
 //! outer cells. Cost: the number of cells, [`LONG_SIDE`]² at most, whatever the lines.
 
-use super::grid::{Grid, STEPS};
+use super::cells::{Cells, STEPS};
 use crate::anatomy::conventions::page::even;
 use crate::geom::polyline;
 use glam::{IVec2, Vec2};
@@ -23,10 +23,10 @@ pub(crate) struct Silhouette {
     size: IVec2,
     /// Cells left free on every side, more than lines are thickened.
     margin: i32,
-    ink: Vec<bool>,
-    inside: Vec<bool>,
+    ink: Cells,
+    inside: Cells,
     /// The largest connected part of the inside.
-    largest: Vec<bool>,
+    largest: Cells,
 }
 
 impl Silhouette {
@@ -39,16 +39,8 @@ impl Silhouette {
         let thick = (bridge + 1) / 2;
         let margin = thick + 2;
         let size = ((high - low) / cell).ceil().as_ivec2() + 2 * margin + 1;
-        let cells = (size.x * size.y) as usize;
-        let mut it = Self {
-            low,
-            cell,
-            size,
-            margin,
-            ink: vec![false; cells],
-            inside: Vec::new(),
-            largest: Vec::new(),
-        };
+        let (ink, inside, largest) = (Cells::none(size), Cells::none(size), Cells::none(size));
+        let mut it = Self { low, cell, size, margin, ink, inside, largest };
         lines.for_each(|line| it.draw(line));
         it.fill(thick);
         it
@@ -59,21 +51,17 @@ impl Silhouette {
             let steps = (2.0 * pair[0].distance(pair[1]) / self.cell).ceil().max(1.0) as usize;
             for k in 0..=steps {
                 let at = self.cell_at(pair[0].lerp(pair[1], k as f32 / steps as f32));
-                let number = self.number(at);
-                self.ink[number] = true;
+                self.ink.insert(at);
             }
         }
     }
 
     fn fill(&mut self, thick: i32) {
         let wall = STEPS * thick as u16;
-        let grid = self.grid();
-        let to_ink = grid.distances(|i| self.ink[i]);
         // The margin is wider than lines are thickened, so the first cell is outside.
-        let outside = grid.connected(0, |i| to_ink[i] > wall);
-        let to_outside = grid.distances(|i| outside[i]);
-        self.inside = (0..self.ink.len()).map(|i| self.ink[i] || to_outside[i] > wall).collect();
-        self.largest = self.largest_area();
+        let outside = self.ink.widened(wall).others().connected(IVec2::ZERO);
+        self.inside = outside.widened(wall).others().or(&self.ink);
+        self.largest = self.inside.largest_part();
     }
 
     fn cell_at(&self, p: Vec2) -> IVec2 {
@@ -94,7 +82,7 @@ impl Silhouette {
         // The line itself is some cells wide.
         let steps = (2.0 * most / self.cell) as usize;
         let way = |step: usize| 0.5 * self.cell * step as f32;
-        (OWN_LINE..steps).map(way).find(|way| self.ink[self.number(self.cell_at(from + along * *way))])
+        (OWN_LINE..steps).map(way).find(|way| self.ink.contains(self.cell_at(from + along * *way)))
     }
 
     /// Side of a cell, pixels.
@@ -104,7 +92,7 @@ impl Silhouette {
 
     /// Area of the silhouette, pixels².
     pub(crate) fn area(&self) -> f32 {
-        self.inside.iter().filter(|inside| **inside).count() as f32 * self.cell * self.cell
+        self.inside.count() as f32 * self.cell * self.cell
     }
 
     /// Radius of the largest circle in it, about, pixels.
@@ -114,18 +102,16 @@ impl Silhouette {
 
     /// The same area without what is narrower than twice `half` cells (a morphological opening).
     pub(crate) fn without_thin_parts(mut self, half: f32) -> Self {
-        let depths = self.depths();
-        let to_core = self.grid().distances(|i| depths[i] > half);
-        let reach = (half * f32::from(STEPS)).ceil() as u16;
-        (0..self.inside.len()).for_each(|i| self.inside[i] &= to_core[i] <= reach);
-        self.largest = self.largest_area();
+        let steps = half * f32::from(STEPS);
+        let core = self.inside.clone().others().widened(steps as u16).others();
+        self.inside = core.widened(steps.ceil() as u16).and(&self.inside);
+        self.largest = self.inside.largest_part();
         self
     }
 
     /// Distance of each cell from the outside, cells; 0 outside.
     pub(crate) fn depths(&self) -> Vec<f32> {
-        let distances = self.grid().distances(|i| !self.inside[i]);
-        distances.into_iter().map(|distance| f32::from(distance) / f32::from(STEPS)).collect()
+        self.inside.depths().into_iter().map(|depth| f32::from(depth) / f32::from(STEPS)).collect()
     }
 
     /// The eight neighbours of a cell and their distances, cells.
@@ -154,42 +140,34 @@ impl Silhouette {
 
     /// Share of these places that lies in the largest connected area.
     pub(crate) fn share_inside<'a>(&self, places: impl Iterator<Item = &'a Vec2>) -> f32 {
-        let largest = &self.largest;
         let (mut inside, mut all) = (0, 0);
         for place in places {
             all += 1;
-            inside += usize::from(largest[self.number(self.cell_at(*place))]);
+            inside += usize::from(self.largest.contains(self.cell_at(*place)));
         }
         inside as f32 / all.max(1) as f32
     }
 
     /// Share of the area that lies in circles, given by their middles and radii in pixels.
     pub(crate) fn share_within<'a>(&self, circles: impl Iterator<Item = &'a (Vec2, f32)>) -> f32 {
-        let mut is_within = vec![false; self.inside.len()];
+        let mut within = Cells::none(self.size);
         for &(middle, radius) in circles {
             let (at, reach) = (self.cell_at(middle), radius / self.cell);
             let around = reach.ceil() as i32;
             for offset in (-around..=around).flat_map(|x| (-around..=around).map(move |y| IVec2::new(x, y))) {
-                if offset.as_vec2().length() <= reach
-                    && let Some(i) = self.number_at(at + offset)
-                {
-                    is_within[i] = true;
+                if offset.as_vec2().length() <= reach {
+                    within.insert(at + offset);
                 }
             }
         }
-        let inside = self.inside.iter().filter(|inside| **inside).count();
-        let within =
-            self.inside.iter().zip(&is_within).filter(|(inside, within)| **inside && **within).count();
-        within as f32 / inside.max(1) as f32
+        within.and(&self.inside).count() as f32 / self.inside.count().max(1) as f32
     }
 
     /// Contour of the largest connected area, first point not repeated; empty where nothing is enclosed.
     pub(crate) fn contour(&self) -> Vec<Vec2> {
-        let largest = &self.largest;
-        let is_in = |at: IVec2| self.number_at(at).is_some_and(|i| largest[i]);
-        let Some(first) = (0..largest.len()).find(|i| largest[*i]) else { return Vec::new() };
+        let is_in = |at: IVec2| self.largest.contains(at);
+        let Some(start) = self.largest.first() else { return Vec::new() };
         // Along the corners of cells with the area on the right hand, from the upper left corner of the topmost cell.
-        let start = self.place_of(first);
         let (mut at, mut heading) = (start, IVec2::X);
         let mut contour = Vec::new();
         loop {
@@ -202,21 +180,10 @@ impl Silhouette {
             } else if is_in(cell_ahead(-right)) {
                 heading = -right;
             }
-            if (at == start && heading == IVec2::X) || contour.len() > 4 * largest.len() {
+            if (at == start && heading == IVec2::X) || contour.len() > 4 * self.largest.of_grid() {
                 return contour;
             }
         }
-    }
-
-    /// The largest connected area, of equals the first.
-    fn largest_area(&self) -> Vec<bool> {
-        let (number_of, sizes) = self.grid().areas(|i| self.inside[i]);
-        let largest = (1..=sizes.len() as u32).rev().max_by_key(|number| sizes[*number as usize - 1]);
-        number_of.into_iter().map(|number| Some(number) == largest).collect()
-    }
-
-    fn grid(&self) -> Grid {
-        Grid::new(self.size)
     }
 }
 

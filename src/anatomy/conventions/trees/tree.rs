@@ -248,9 +248,8 @@ pub(crate) fn crown(above: Vec<Vec<Vec2>>, trunk: &Trunk) -> Option<Vec<Vec2>> {
     let closing: Vec<&[Vec2]> = closing.iter().map(Vec::as_slice).collect();
     let drawn = above.iter().map(Vec::as_slice);
     let all = drawn.clone().chain(closing.iter().copied());
-    let is_closed = |bridge: &&i32| Silhouette::new(all.clone(), **bridge).area() > CLOSED * hull_area;
-    let enclosed = |bridge: &i32| {
-        let silhouette = Silhouette::new(all.clone(), *bridge);
+    let silhouettes = BRIDGES.iter().map(|bridge| Silhouette::new(all.clone(), *bridge));
+    let enclosed = |silhouette: Silhouette| {
         let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
         let is_crown = is_compact(&silhouette, &hull, trunk.narrow)
             && silhouette.share_inside(ink.iter()) >= INSIDE
@@ -258,7 +257,7 @@ pub(crate) fn crown(above: Vec<Vec<Vec2>>, trunk: &Trunk) -> Option<Vec<Vec2>> {
             && simple_loop::area(&outline) > trunk.least_area();
         is_crown.then_some(outline)
     };
-    let mut closed = BRIDGES.iter().skip_while(|bridge| !is_closed(bridge));
+    let mut closed = silhouettes.skip_while(|silhouette| silhouette.area() <= CLOSED * hull_area);
     // One stretch of line has no gap but that above the trunk: the first that is closed is meant. Of several a wider gap may be
     // closed if what they enclose is full then: leaves along a stem are not.
     let first = enclosed(closed.next()?);
