@@ -7,7 +7,7 @@
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
-use penstemon::params::{Description, Kind, Parameters as _};
+use penstemon::params::{Description, Parameters as _};
 use penstemon::pipeline::Params;
 use penstemon::species::Species;
 use std::path::Path;
@@ -40,12 +40,7 @@ fn survives(what: &str, args: &[String]) {
 
 fn set(of: &Description, most: bool) -> String {
     let value = if most { of.max } else { of.min };
-    let text = match of.kind {
-        Kind::Switch => (value > 0.5).to_string(),
-        // As it is described, in 32 bits.
-        _ => (value as f32).to_string(),
-    };
-    format!("--set={}={text}", of.path)
+    format!("--set={}={}", of.path, of.kind.written(value))
 }
 
 /// The parameters below one of these prefixes, as `--set` would give them their least or their most.

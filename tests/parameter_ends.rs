@@ -10,7 +10,7 @@ use peak_alloc::PeakAlloc;
 use penstemon::budget::Budget;
 use penstemon::growth::Limits;
 use penstemon::model::Model;
-use penstemon::params::{Description, Kind, Parameters as _};
+use penstemon::params::{Description, Parameters as _};
 use penstemon::pipeline::{self, Cache, Seed};
 use penstemon::plant::{OrganKind, Plant};
 use penstemon::sketch::{self, Sketch};
@@ -28,11 +28,7 @@ const AGE: f32 = 10.0;
 /// A parameter at its least or at its most, as `--set` writes it.
 fn at_end(of: &Description, most: bool) -> String {
     let value = if most { of.max } else { of.min };
-    match of.kind {
-        Kind::Switch => format!("{}={}", of.path, value > 0.5),
-        // As it is described, in 32 bits.
-        _ => format!("{}={}", of.path, value as f32),
-    }
+    format!("{}={}", of.path, of.kind.written(value))
 }
 
 /// Counts a plant and its model against the budget; `set` is what it was built with.

@@ -61,14 +61,16 @@ fn written(known: &Description, pick: Pick, aged: bool) -> (String, bool) {
     let number = |x: f64| match known.kind {
         Kind::Whole => format!("{}", x.round() as i64),
         Kind::Switch => (x >= 0.5).to_string(),
+        Kind::Choice(_) => format!("\"{}\"", known.kind.written(x)),
         _ => format!("{x:?}"),
     };
+    let is_kept_within = matches!(known.kind, Kind::Switch | Kind::Choice(_));
     let (text, fits) = match pick {
         // Rounded to what 32 bits hold, so that the ends stay the ends.
         Pick::Inside(share) => (number(f64::from((min + (max - min) * share) as f32).clamp(min, max)), true),
         Pick::Least => (number(min), true),
         Pick::Most => (number(max), true),
-        Pick::Below => (number(min - 1.0 - min.abs()), known.kind == Kind::Switch),
+        Pick::Below => (number(min - 1.0 - min.abs()), is_kept_within),
         Pick::Beyond => (number(max + 1.0 + max.abs()), known.kind == Kind::Switch),
         Pick::NoNumber => ("\"much\"".to_owned(), false),
     };

@@ -87,6 +87,8 @@ pub enum Named {
     Group,
     /// What strokes are read as.
     Reading,
+    /// A value of a parameter that is one of a few things, behind the last part of its path.
+    Choice,
 }
 
 impl Named {
@@ -97,6 +99,7 @@ impl Named {
             Self::Unit => "unit",
             Self::Group => "group",
             Self::Reading => "reading",
+            Self::Choice => "choice",
         }
     }
 }
@@ -186,6 +189,13 @@ impl Messages {
     /// What a thing is called; its own name with spaces where the files do not know it.
     pub fn name(&self, kind: Named, name: &str) -> String {
         let known = self.names.get(&format!("{}/{name}", kind.section()));
+        known.cloned().unwrap_or_else(|| spoken(name))
+    }
+
+    /// What one of the things is called that a parameter may be.
+    pub fn choice(&self, path: &str, name: &str) -> String {
+        let last = path.rsplit('.').next().unwrap_or(path);
+        let known = self.names.get(&format!("{}/{last}.{name}", Named::Choice.section()));
         known.cloned().unwrap_or_else(|| spoken(name))
     }
 

@@ -71,7 +71,8 @@ fn is_on(value: f64) -> bool {
 pub(super) fn line(of: &Description) -> String {
     let Description { path, help, kind, unit, min, max, default } = of;
     let (value, range) = match kind {
-        Kind::Switch => (is_on(*default).to_string(), "true or false".to_owned()),
+        Kind::Switch => (kind.written(*default), "true or false".to_owned()),
+        Kind::Choice(names) => (kind.written(*default), names.join(", ")),
         _ => (number(*default), format!("{} to {}", number(*min), number(*max))),
     };
     let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
@@ -82,6 +83,10 @@ fn object(of: &Description) -> Value {
     let Description { path, help, kind, unit, min, max, default } = of;
     let short = |value: f64| number(value).parse().unwrap_or(value);
     let (kind, value) = match kind {
+        Kind::Choice(names) => {
+            let value = kind.written(*default);
+            return json!({ "path": path, "kind": "name", "value": value, "names": names, "meaning": help });
+        }
         Kind::Switch => ("switch", json!(is_on(*default))),
         Kind::Whole => ("whole number", json!(*default as u64)),
         Kind::Number => ("number", json!(short(*default))),
@@ -106,6 +111,7 @@ mod tests {
         assert!(of("model.tube.joined").contains("= true (true or false): Branches grow out of"));
         assert!(of("depth.world.height").contains(" metres (0.001 to 200): What the height"));
         assert!(of("habit.fineness").contains(" (0.2 to 4): "));
+        assert!(of("habit.control").contains("= borchert_honda (borchert_honda, priority): Model by which"));
         for (of, line) in all.iter().zip(&lines) {
             assert!(!line.contains('\n') && !of.help.is_empty(), "{line}");
         }
@@ -116,6 +122,7 @@ mod tests {
         let species = Species::built_in("cherry").unwrap();
         for of in Params::of_species(&species).describe() {
             let value = &object(&of)["value"];
+            let value = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
             let set = format!("{}={value}", of.path);
             pipeline::params_of_species(&species, std::slice::from_ref(&set))
                 .unwrap_or_else(|e| panic!("{set}: {e}"));

@@ -9,7 +9,7 @@
 //! of 0°, so opening leads from the shape of a bud to that of the bloom.
 
 use super::PetalOutline;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
 /// Closing of all petals of a bud, degrees.
 const BUD_CLOSING_DEG: f32 = 88.0;
@@ -20,18 +20,18 @@ const BUD_INNER: f32 = 0.45;
 /// How much later than the outermost layer the innermost one opens, as a share of the time that each takes.
 const LAG: f32 = 0.6;
 
-/// Who covers whom among the petals of a layer (003 §3.1).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Aestivation {
-    /// Margins meet and do not cover each other: lotus.
-    Valvate,
-    /// Each has one margin over and one below its neighbours': hibiscus, chrysanthemum.
-    Contorted,
-    /// One or two lie wholly outside and one wholly inside: rose.
-    Imbricate,
-    /// No layers: each petal stands further in than the one before it, by the divergence of phyllotaxis: camellia.
-    Spiral,
+crate::parameter_choice! {
+    /// Who covers whom among the petals of a layer (003 §3.1).
+    pub enum Aestivation {
+        /// Margins meet and do not cover each other: lotus.
+        Valvate = "valvate",
+        /// Each has one margin over and one below its neighbours': hibiscus, chrysanthemum.
+        Contorted = "contorted",
+        /// One or two lie wholly outside and one wholly inside: rose.
+        Imbricate = "imbricate",
+        /// No layers: each petal stands further in than the one before it, by the divergence of phyllotaxis: camellia.
+        Spiral = "spiral",
+    }
 }
 
 crate::parameters! {
@@ -84,10 +84,11 @@ crate::parameters! {
         /// Which divergence spiral petals have: 360° / (t + 1/φ); 2 gives 137.5°, 3 gives 99.5°.
         spiral_t: u32 = 2, 1..=12, "";
         choices:
+        /// Which petals of a layer cover which: none, each the next, one or two all others, or all in one spiral.
+        aestivation: Aestivation = Aestivation::Imbricate;
+        others:
         /// Petals of a layer: pairs of a layer and a number, layers between are between.
         petals: Vec<(u32, u32)> = vec![(0, 5)], read_petals;
-        /// Who covers whom.
-        aestivation: Aestivation = Aestivation::Imbricate;
         /// Outline of the innermost petals; that of the outermost if left out.
         inner: Option<PetalOutline> = None;
         sections:

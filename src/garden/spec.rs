@@ -31,7 +31,7 @@ crate::parameters! {
         variants: u32 = 16, 1..=256, "";
         /// Colours of the tiles' corners: more of them repeat less.
         colours: u32 = 3, 1..=5, "";
-        choices:
+        others:
         /// Decides everything that is left to chance.
         seed: u64 = 1;
         /// The ground that is planted.
@@ -70,7 +70,7 @@ crate::parameters! {
         low: f32 = 0.0, -10000.0..=10000.0, "metres";
         /// Height where it is white.
         high: f32 = 1.0, -10000.0..=10000.0, "metres";
-        choices:
+        others:
         /// Picture of its heights; without one it is level.
         map: Option<String> = None;
         /// What it is covered with.
@@ -93,7 +93,7 @@ crate::parameters! {
         height: f32 = 0.0, 0.0..=200.0, "metres";
         /// Triangles of an individual; 0 for what the number of plants allows.
         triangles: u32 = 0, 0..=10_000_000, "";
-        choices:
+        others:
         /// A species, by name or by its file.
         species: Option<String> = None;
         /// A drawing, by its file.

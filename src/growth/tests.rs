@@ -7,7 +7,7 @@ use crate::growth::habit::{Arrangement, Control, CrownHabit, Resource, SpaceHabi
 use crate::growth::resource::priority::{self, Priority};
 use crate::growth::resource::vigour::Flow;
 use crate::growth::tree::NONE;
-use crate::params::{Kind, Overrides, Parameters as _};
+use crate::params::{Overrides, Parameters as _};
 use crate::plant::{Branch, Plant, Provenance, Role, WoodPart};
 use crate::random::{mix, unit};
 use glam::{Vec2, Vec3};
@@ -414,7 +414,7 @@ fn both_ends_of_every_range_can_be_set_and_nothing_else_changes() {
     assert_eq!(Overrides::over(&habit).finish::<Habit>().unwrap(), habit);
     for known in habit.describe() {
         for end in [known.min, known.max] {
-            let value = if known.kind == Kind::Switch { (end > 0.5).to_string() } else { end.to_string() };
+            let value = known.kind.written(end);
             let mut overrides = Overrides::over(&habit);
             overrides.set_text(&format!("{}={value}", known.path)).unwrap();
             let set: Habit = overrides.finish().unwrap_or_else(|e| panic!("{}: {e}", known.path));

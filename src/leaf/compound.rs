@@ -36,7 +36,7 @@ crate::parameters! {
         droop: f32 = 0.12, -0.5..=1.0, "of the leaf's length";
         /// Length of the stipules at the foot of the stalk; 0 for none.
         stipules: f32 = 0.0, 0.0..=0.5, "of the leaf's length";
-        choices:
+        others:
         /// Numbers of leaflets that leaves have.
         leaflets: Vec<u32> = vec![5], read_leaflets;
         /// Shares of the leaves that have them; equal ones if left out.

@@ -3,21 +3,24 @@
 /// Declares a struct of parameters, its `Default`, its description and its reading, which checks the range of each value
 /// in place, so that an error knows its line, and refuses unknown keys with the nearest known one.
 ///
-/// A number reads `/// help` `name: type = default, min..=max, "unit";`. After `choices:` follow values without a range,
-/// `name: type = default;` or `name: type = default, reader;` with a function that deserializes them; after `sections:`
-/// follow tables below this one, `name: type = default;`. A default may be left out everywhere but then the key is
+/// A number reads `/// help` `name: type = default, min..=max, "unit";`. After `choices:` follow those that are one of a few
+/// things, `name: type = default;`, their types declared by [`parameter_choice!`](crate::parameter_choice!). After `others:`
+/// follow values that are neither described nor set by path, `name: type = default;` or `name: type = default, reader;` with a
+/// function that deserializes them; after `sections:` follow tables below this one, `name: type = default;`. A default may be left out everywhere but then the key is
 /// required, and the struct has no `Default`.
 #[macro_export]
 macro_rules! parameters {
     // Everything has a default, so the whole has one.
     ($(#[$about:meta])* $vis:vis struct $name:ident {
         $($(#[doc = $help:literal])+ $field:ident: $ty:ty = $default:expr, $min:literal ..= $max:literal, $unit:literal;)*
-        $(choices: $($(#[doc = $choice_help:literal])+ $choice:ident: $choice_ty:ty = $choice_default:expr $(, $reader:path)?;)*)?
+        $(choices: $($(#[doc = $choice_help:literal])+ $choice:ident: $choice_ty:ty = $choice_default:expr;)*)?
+        $(others: $($(#[doc = $other_help:literal])+ $other:ident: $other_ty:ty = $other_default:expr $(, $reader:path)?;)*)?
         $(sections: $($(#[doc = $section_help:literal])+ $section:ident: $section_ty:ty = $section_default:expr;)*)?
     }) => {
         $crate::parameters! { @struct $(#[$about])* $vis struct $name {
             $($(#[doc = $help])+ $field: $ty = $default, $min ..= $max, $unit;)*
-            $(choices: $($(#[doc = $choice_help])+ $choice: $choice_ty = $choice_default $(, $reader)?;)*)?
+            $(choices: $($(#[doc = $choice_help])+ $choice: $choice_ty = $choice_default;)*)?
+            $(others: $($(#[doc = $other_help])+ $other: $other_ty = $other_default $(, $reader)?;)*)?
             $(sections: $($(#[doc = $section_help])+ $section: $section_ty = $section_default;)*)?
         } }
 
@@ -26,6 +29,7 @@ macro_rules! parameters {
                 Self {
                     $($field: $crate::parameters!(@default $ty, $default),)*
                     $($($choice: $choice_default,)*)?
+                    $($($other: $other_default,)*)?
                     $($($section: $section_default,)*)?
                 }
             }
@@ -57,7 +61,8 @@ macro_rules! parameters {
     }};
     (@struct $(#[$about:meta])* $vis:vis struct $name:ident {
         $($(#[doc = $help:literal])+ $field:ident: $ty:ty $(= $default:expr)?, $min:literal ..= $max:literal, $unit:literal;)*
-        $(choices: $($(#[doc = $choice_help:literal])+ $choice:ident: $choice_ty:ty $(= $choice_default:expr)? $(, $reader:path)?;)*)?
+        $(choices: $($(#[doc = $choice_help:literal])+ $choice:ident: $choice_ty:ty $(= $choice_default:expr)?;)*)?
+        $(others: $($(#[doc = $other_help:literal])+ $other:ident: $other_ty:ty $(= $other_default:expr)? $(, $reader:path)?;)*)?
         $(sections: $($(#[doc = $section_help:literal])+ $section:ident: $section_ty:ty $(= $section_default:expr)?;)*)?
     }) => {
         $(#[$about])*
@@ -67,6 +72,7 @@ macro_rules! parameters {
               #[doc = concat!($crate::parameters!(@doc_default $($default)?), " Range `", stringify!($min), "..=", stringify!($max), "` ", $unit, ".")]
               pub $field: $ty,)*
             $($($(#[doc = $choice_help])+ pub $choice: $choice_ty,)*)?
+            $($($(#[doc = $other_help])+ pub $other: $other_ty,)*)?
             $($($(#[doc = $section_help])+ pub $section: $section_ty,)*)?
         }
 
@@ -80,6 +86,12 @@ macro_rules! parameters {
                     (f64::from($min), f64::from($max)),
                     (&self.$field, age),
                 ));)*
+                $($(out.push($crate::params::Description::of(
+                    (prefix, stringify!($choice)),
+                    (concat!($($choice_help),+), ""),
+                    $crate::params::Kind::places(<$choice_ty as $crate::params::Choice>::NAMES),
+                    (&self.$choice, age),
+                ));)*)?
                 $($($crate::params::Parameters::describe_into(
                     &self.$section, &$crate::params::join(prefix, stringify!($section)), age, out);)*)?
             }
@@ -89,7 +101,8 @@ macro_rules! parameters {
             fn deserialize<D: serde::Deserializer<'de>>(source: D) -> Result<Self, D::Error> {
                 use $crate::params::keys::Key;
                 const KEYS: &[&str] = &[
-                    $(stringify!($field),)* $($(stringify!($choice),)*)? $($(stringify!($section),)*)?
+                    $(stringify!($field),)* $($(stringify!($choice),)*)? $($(stringify!($other),)*)?
+                    $($(stringify!($section),)*)?
                 ];
                 struct Table;
                 impl<'de> serde::de::Visitor<'de> for Table {
@@ -102,6 +115,7 @@ macro_rules! parameters {
                     fn visit_map<A: serde::de::MapAccess<'de>>(self, mut map: A) -> Result<$name, A::Error> {
                         $(let mut $field: Option<$ty> = None;)*
                         $($(let mut $choice: Option<$choice_ty> = None;)*)?
+                        $($(let mut $other: Option<$other_ty> = None;)*)?
                         $($(let mut $section: Option<$section_ty> = None;)*)?
                         while let Some(key) = map.next_key_seed(Key(KEYS))? {
                             let key = KEYS[key];
@@ -111,7 +125,12 @@ macro_rules! parameters {
                                 continue;
                             })*
                             $($(if key == stringify!($choice) {
-                                $choice = Some($crate::parameters!(@next map, $choice_ty $(, $reader)?));
+                                let (min, max) = $crate::params::Kind::places(<$choice_ty as $crate::params::Choice>::NAMES);
+                                $choice = Some(map.next_value_seed($crate::params::Range::<$choice_ty>::new(key, min, max))?);
+                                continue;
+                            })*)?
+                            $($(if key == stringify!($other) {
+                                $other = Some($crate::parameters!(@next map, $other_ty $(, $reader)?));
                                 continue;
                             })*)?
                             $($(if key == stringify!($section) {
@@ -127,6 +146,10 @@ macro_rules! parameters {
                             $($($choice: match $choice {
                                 Some(value) => value,
                                 None => $crate::parameters!(@other_default $choice $(, $choice_default)?),
+                            },)*)?
+                            $($($other: match $other {
+                                Some(value) => value,
+                                None => $crate::parameters!(@other_default $other $(, $other_default)?),
                             },)*)?
                             $($($section: match $section {
                                 Some(value) => value,

@@ -13,17 +13,20 @@
 //! | --- | --- |
 //! | `declare` | the two macros |
 //! | `value` | what a parameter can hold, read within its range |
+//! | `choice` | parameters that are one of a few things, by name |
 //! | `keys` | keys of a table, the nearest known one named where one is unknown |
 //! | `overrides` | values set by path |
 //!
-//! Limits: a parameter is a number, an integer or a switch. Names, colours and lists stand beside them in a declaration
-//! and are neither described nor set by path.
+//! Limits: a parameter is a number, an integer, a switch or one of a few names. Other names, colours and lists stand beside them
+//! in a declaration and are neither described nor set by path.
 
+pub mod choice;
 mod declare;
 pub mod keys;
 mod overrides;
 pub mod value;
 
+pub use choice::Choice;
 pub use overrides::{Overrides, ParamError};
 pub use value::{ParamValue, Range};
 
@@ -38,6 +41,36 @@ pub enum Kind {
     Whole,
     /// On or off.
     Switch,
+    /// One of these names; as a number its place among them.
+    Choice(&'static [&'static str]),
+}
+
+impl Kind {
+    /// The first and the last place among so many names.
+    pub fn places(names: &[&str]) -> (f64, f64) {
+        (0.0, names.len().saturating_sub(1) as f64)
+    }
+
+    /// A value as files and `--set` write it; numbers in 32 bits, as they are described.
+    pub fn written(self, value: f64) -> String {
+        match self {
+            Self::Number | Self::Aged => (value as f32).to_string(),
+            Self::Whole => format!("{value:.0}"),
+            Self::Switch => (value > 0.5).to_string(),
+            Self::Choice(names) => names.get(value.round() as usize).copied().unwrap_or_default().to_owned(),
+        }
+    }
+
+    /// What a value that a file or `--set` gives is as a number, whatever its range; none for one of another kind.
+    pub fn number(self, value: &serde_json::Value) -> Option<f64> {
+        match (self, value) {
+            (Self::Choice(names), value) => {
+                names.iter().position(|name| value.as_str() == Some(name)).map(|place| place as f64)
+            }
+            (_, serde_json::Value::Bool(on)) => Some(f64::from(u8::from(*on))),
+            (_, value) => value.as_f64(),
+        }
+    }
 }
 
 /// What a panel or a help page shows for one parameter.
@@ -55,7 +88,7 @@ pub struct Description {
     pub min: f64,
     /// Largest allowed value.
     pub max: f64,
-    /// Value when nothing is said; switches are 0 or 1.
+    /// Value when nothing is said; switches are 0 or 1, names their places.
     pub default: f64,
 }
 
@@ -166,6 +199,9 @@ mod tests {
             /// How many.
             count: u32 = 3, 1..=9, "";
             choices:
+            /// How it stands.
+            pose: Pose = Pose::Upright;
+            others:
             /// Its name.
             name: String;
             /// Words about it.
@@ -175,15 +211,55 @@ mod tests {
         }
     }
 
+    crate::parameter_choice! {
+        /// A pose.
+        enum Pose {
+            /// It stands.
+            Upright = "upright",
+            /// It lies.
+            Lying = "lying",
+        }
+    }
+
+    #[test]
+    fn one_of_a_few_is_described_and_set_by_name() {
+        let look: Look = toml::from_str("width = 0.5\nname = \"leaf\"").unwrap();
+        let described = look.describe();
+        let pose = described.iter().find(|d| d.path == "pose").unwrap();
+        assert_eq!((pose.kind, pose.max, pose.default), (Kind::Choice(&["upright", "lying"]), 1.0, 0.0));
+        assert_eq!(
+            (pose.kind.written(1.0), pose.kind.number(&"lying".into())),
+            ("lying".to_owned(), Some(1.0))
+        );
+        let mut o = Overrides::over(&look);
+        o.set_text("pose=lying").unwrap();
+        assert_eq!(o.finish::<Look>().unwrap().pose, Pose::Lying);
+        let refused = |text: &str| Overrides::over(&look).set_text(text).unwrap_err().to_string();
+        let strange = refused("pose=lyin");
+        assert!(
+            strange.contains("`pose`: needs one of upright, lying, not `lyin`; did you mean `lying`?"),
+            "{strange}"
+        );
+        assert!(refused("pose=1").contains("needs one of upright, lying, not `1`"));
+        assert!(refused("width=lying").contains("needs a number"));
+        let fault =
+            toml::from_str::<Look>("width = 1\nname = \"a\"\npose = \"flat\"").unwrap_err().to_string();
+        assert!(
+            fault.contains("`pose`: needs one of upright, lying, not `flat`") && fault.contains("line 3"),
+            "{fault}"
+        );
+    }
+
     fn lowercase<'de, D: serde::Deserializer<'de>>(source: D) -> Result<String, D::Error> {
         <String as serde::Deserialize>::deserialize(source).map(|text| text.to_lowercase())
     }
 
     #[test]
     fn tables_are_read_with_what_is_left_out() {
-        let look: Look = toml::from_str("width = 0.5\nname = \"leaf\"\nsmall = \"LEAF\"").unwrap();
-        let expected =
-            Look { width: 0.5, count: 3, name: "leaf".into(), words: Vec::new(), small: "leaf".into() };
+        let look: Look =
+            toml::from_str("width = 0.5\nname = \"leaf\"\nsmall = \"LEAF\"\npose = \"lying\"").unwrap();
+        let (name, small) = ("leaf".to_owned(), "leaf".to_owned());
+        let expected = Look { width: 0.5, count: 3, pose: Pose::Lying, name, words: Vec::new(), small };
         assert_eq!(look, expected);
         assert_eq!(Look::RANGES, [(0.0, 1.0), (1.0, 9.0)]);
     }
@@ -197,7 +273,7 @@ mod tests {
         assert!(fault("name = \"leaf\"").contains("missing field `width`"));
         assert!(fault("width = 1\nnmae = \"leaf\"").contains("unknown key `nmae`; did you mean `name`?"));
         let strange = fault("helicopter = 1");
-        assert!(strange.contains("known are width, count, name, words, small"), "{strange}");
+        assert!(strange.contains("known are width, count, pose, name, words, small"), "{strange}");
         let inner = |json: &str| serde_json::from_str::<Inner>(json).unwrap_err().to_string();
         assert!(inner("{\n\"reach\": 2.0}").contains("`reach`: 2 is outside 0 to 1 at line 2"));
         assert!(inner("{\"count\": 10}").contains("`count`: 10 is outside 1 to 9"));

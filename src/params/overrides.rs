@@ -1,6 +1,7 @@
 //! Values that files and the command line set, laid over the defaults one path at a time, each checked against its
 //! description.
 
+use super::choice::none_of;
 use super::{Description, Kind, Parameters, join};
 use crate::quote;
 use crate::suggest::{did_you_mean, nearest};
@@ -145,6 +146,11 @@ fn checked(all: &[Description], path: &str, value: Value) -> Result<Value, Param
         let nearest = nearest(path, known).map(str::to_owned);
         return Err(ParamError::Unknown { path: quote::name(path), nearest });
     };
+    if let Kind::Choice(names) = known.kind {
+        let name = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+        let is_known = known.kind.number(&value).is_some();
+        return is_known.then_some(value).ok_or_else(|| type_error(path, &none_of(names, &name)));
+    }
     let number = match &value {
         Value::Bool(on) => f64::from(u8::from(*on)),
         Value::Number(n) => n.as_f64().unwrap_or(f64::NAN),
@@ -172,7 +178,7 @@ fn coerced(kind: Kind, value: Value, number: f64) -> Result<Value, &'static str>
         (_, Value::Bool(_)) => Err("needs a number"),
         (Kind::Whole, _) if number.fract() == 0.0 => Ok(Value::from(number as u64)),
         (Kind::Whole, _) => Err("needs a whole number"),
-        (Kind::Number | Kind::Aged, _) => Ok(value),
+        (Kind::Number | Kind::Aged | Kind::Choice(_), _) => Ok(value),
     }
 }
 

@@ -112,7 +112,7 @@ crate::parameters! {
         shininess: f32 = 20.0, 0.0..=1000.0, "";
         /// Share of light that passes through, 0 to 1.
         translucency: f32 = 0.0, 0.0..=1.0, "";
-        choices:
+        others:
         /// Colour, multiplied with the texture: `#rrggbb` in the file, linear RGB here.
         color: [f32; 3] = [1.0; 3], read_colour;
         /// Picture: a file beside the species file, or one of the built-in textures.
@@ -154,7 +154,7 @@ crate::parameters! {
         twig_level: u32 = 1, 0..=20, "";
         /// Branches whose radius at the foot is at least this share of the thickest branch's are not twigs, whatever their level.
         twig_thickest: f32 = 0.25, 0.0..=1.0, "of the thickest branch";
-        choices:
+        others:
         /// Material of trunk and stem.
         material: String;
         /// Material of young branches; that of the stem if left out.
@@ -167,7 +167,7 @@ crate::parameters! {
     pub struct LeafLook {
         /// How much the form differs from leaf to leaf, 0 to 1.
         vary: f32 = 0.0, 0.0..=1.0, "";
-        choices:
+        others:
         /// Materials; each leaf takes one at random.
         materials: Names;
         /// Material of young leaves and of those in autumn; that of the others if left out.
@@ -187,7 +187,7 @@ crate::parameters! {
 crate::parameters! {
     /// One look of a species' flowers.
     pub struct FlowerLook {
-        choices:
+        others:
         /// Blades behind the petals.
         sepals: Option<SepalLook> = None;
         /// What carries the petals from behind.
@@ -213,7 +213,7 @@ crate::parameters! {
     pub struct PetalLook {
         /// How much the form differs from petal to petal, 0 to 1.
         vary: f32 = 0.0, 0.0..=1.0, "";
-        choices:
+        others:
         /// Materials; the petals of a flower take them in turn.
         materials: Names;
         /// How petals of half the longest one's length bend; those between are between.
@@ -235,7 +235,7 @@ crate::parameters! {
         widest: f32 = 0.4, 0.0..=1.0, "";
         /// Angle between petals and sepals, degrees.
         gap_deg: f32, 0.0..=180.0, "degrees";
-        choices:
+        others:
         /// Material.
         material: String;
         /// Number; as many as petals if left out.
@@ -263,7 +263,7 @@ crate::parameters! {
         radius: f32, 0.0..=1.0, "of the reach";
         /// Length, share of the reach.
         length: f32, 0.0..=3.0, "of the reach";
-        choices:
+        others:
         /// Material.
         material: String;
         /// Direction.
@@ -278,7 +278,7 @@ crate::parameters! {
         radius: f32, 0.0..=1.0, "of the reach";
         /// Height, share of the radius.
         height: f32, 0.01..=20.0, "of the radius";
-        choices:
+        others:
         /// Material.
         material: String;
     }
@@ -319,7 +319,7 @@ crate::parameters! {
         bow: f32 = 0.0, -1.0..=1.0, "of the length";
         /// How much length and direction differ from filament to filament, 0 to 1.
         vary: f32 = 0.0, 0.0..=1.0, "";
-        choices:
+        others:
         /// Material of the filaments.
         material: String;
         /// Material of their heads; that of the filaments if left out.
@@ -382,7 +382,7 @@ crate::parameters! {
         length: f32, 0.01..=20.0, "radii";
         /// Mean distance along the branch, in radii of the branch.
         spacing: f32, 0.01..=20.0, "radii";
-        choices:
+        others:
         /// Material.
         material: String;
     }
@@ -395,7 +395,7 @@ crate::parameters! {
         height: f32, 0.0..=1.0, "of the plant's height";
         /// Radius at the rim, share of the pot's height.
         radius: f32, 0.01..=20.0, "of the height";
-        choices:
+        others:
         /// Material of the pot.
         material: String;
         /// Material of the earth in it.

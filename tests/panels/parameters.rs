@@ -115,8 +115,27 @@ fn every_value_that_a_rail_gives_is_accepted_by_the_pipeline() {
             }
         }
     }
-    let rails = described.iter().filter(|description| description.kind != Kind::Switch).count();
+    let has_rail = |of: &&Description| !matches!(of.kind, Kind::Switch | Kind::Choice(_));
+    let rails = described.iter().filter(has_rail).count();
     assert_eq!(moved, rails, "not every rail was moved");
+}
+
+#[test]
+fn one_of_a_few_is_chosen_from_a_list_and_given_back() {
+    let mut harness = searched_in(growing(), "habit.resource");
+    press(&mut harness, "Buds compete for: Light");
+    press(&mut harness, "Space");
+    let (path, value) = ("habit.resource".to_owned(), Some(Value::from("space")));
+    assert_eq!(asked(&mut harness), [Action::SetParam { path: path.clone(), value }]);
+
+    let own = serde_json::json!({"habit": {"resource": "space"}});
+    let params = ParamValues::of(&Map::new(), own.as_object().unwrap()).growing(&Habit::default(), 10.0);
+    let mut harness = stage(Snapshot { params, ..busy() }, Language::English);
+    press(&mut harness, "Shape");
+    press(&mut harness, "Changed (1)");
+    assert!(harness.query_by_label("Buds compete for: Space").is_some());
+    press(&mut harness, "Reset Buds compete for to Light");
+    assert_eq!(asked(&mut harness), [Action::SetParam { path, value: None }]);
 }
 
 #[test]

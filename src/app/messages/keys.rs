@@ -151,6 +151,7 @@ keys! {
     ParamsResetAll = "params.reset_all",
     ParamsNoneFound = "params.none_found",
     ParamsRange = "params.range",
+    ParamsUsual = "params.usual",
     ParamsAged = "params.aged",
     ParamsInCrown = "params.in_crown",
     ParamsOn = "params.on",

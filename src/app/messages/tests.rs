@@ -1,7 +1,7 @@
 //! Tests that the message files are complete and agree with each other and with the code.
 
 use super::*;
-use crate::params::Parameters;
+use crate::params::{Kind, Parameters};
 use crate::pipeline::Params;
 use crate::sketch::Reading;
 use crate::species::Species;
@@ -139,6 +139,10 @@ fn every_group_unit_and_species_has_a_name_in_both_languages() {
             assert!(messages.names.contains_key(&key), "{language:?} has no name for {key}");
         };
         for description in Params::of_any_species().describe() {
+            if let Kind::Choice(names) = description.kind {
+                let last = description.path.rsplit('.').next().unwrap();
+                names.iter().for_each(|name| known(Named::Choice, &format!("{last}.{name}")));
+            }
             let (group, _) = description.path.rsplit_once('.').unwrap();
             known(Named::Group, group);
             if !description.unit.is_empty() {
@@ -170,4 +174,5 @@ fn unknown_names_are_spoken() {
     let messages = Messages::new(Language::English);
     assert_eq!(messages.name(Named::Species, "my_own_rose"), "My own rose");
     assert_eq!(messages.param_name("depth.radii.pressure_gain"), "Pressure gain");
+    assert_eq!(messages.choice("a.pose", "upside_down"), "Upside down");
 }

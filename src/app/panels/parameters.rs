@@ -7,7 +7,7 @@
 use super::icons::Icon;
 use super::rail::{Rail, RailChange, Scale, number};
 use super::snapshot::Snapshot;
-use super::widgets::{IconButton, note, palette, segments, switch, text_button_sized};
+use super::widgets::{IconButton, list, note, palette, segments, switch, text_button_sized};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg, Named};
 use crate::app::theme::TARGET;
@@ -205,14 +205,17 @@ fn row(
     let reset = messages.fill(Msg::ParamsReset, &[("name", &name), ("value", &base_text)]);
     let reset = own.is_some().then_some(reset.as_str());
     let mut set = |value: Option<Value>| out.push(Action::SetParam { path: path.clone(), value });
-    if kind == Kind::Switch {
+    if let Kind::Switch | Kind::Choice(_) = kind {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 0.0;
             let width = ui.available_width() - TARGET;
-            let shown = ui.allocate_ui(vec2(width, TARGET), |ui| switch(ui, &name, value > 0.5));
+            let shown = ui.allocate_ui(vec2(width, TARGET), |ui| match kind {
+                Kind::Choice(names) => one_of(ui, (path, &name), names, value, messages),
+                _ => switch(ui, &name, value > 0.5).map(Value::Bool),
+            });
             shown.response.on_hover_ui(|ui| help(ui, description, base, messages));
-            if let Some(on) = shown.inner {
-                set(Some(Value::Bool(on)));
+            if let Some(new) = shown.inner {
+                set(Some(new));
             }
             let button = |label| IconButton::new(Icon::Reset, label).colour(palette(ui).accent);
             if reset.map(button).is_some_and(|button| button.show(ui).clicked()) {
@@ -237,6 +240,20 @@ fn row(
     }
 }
 
+/// A parameter that is one of several names; the name that was pressed.
+fn one_of(
+    ui: &mut Ui,
+    (path, name): (&str, &str),
+    names: &[&str],
+    value: f64,
+    messages: &Messages,
+) -> Option<Value> {
+    let spoken: Vec<String> = names.iter().map(|one| messages.choice(path, one)).collect();
+    let choices: Vec<(usize, &str)> = spoken.iter().map(String::as_str).enumerate().collect();
+    let new = list(ui, (name, 0.5), &choices, value as usize)?;
+    names.get(new).map(|name| Value::from(*name))
+}
+
 fn value_text(value: f64, of: &Description, messages: &Messages) -> String {
     if let Some(words) = messages.below_zero(&of.path).filter(|_| value < 0.0) {
         return words.to_owned();
@@ -244,6 +261,7 @@ fn value_text(value: f64, of: &Description, messages: &Messages) -> String {
     match of.kind {
         Kind::Switch if value > 0.5 => messages.get(Msg::ParamsOn).to_owned(),
         Kind::Switch => messages.get(Msg::ParamsOff).to_owned(),
+        Kind::Choice(_) => messages.choice(&of.path, &of.kind.written(value)),
         Kind::Whole => format!("{value:.0}"),
         Kind::Number | Kind::Aged => number(value),
     }
@@ -265,7 +283,11 @@ fn help(ui: &mut Ui, description: &Description, base: f64, messages: &Messages) 
     }
     let [min, max, default] =
         [description.min, description.max, base].map(|v| value_text(v, description, messages));
-    note(ui, &messages.fill(Msg::ParamsRange, &[("min", &min), ("max", &max), ("default", &default)]));
+    if let Kind::Choice(_) = kind {
+        note(ui, &messages.fill(Msg::ParamsUsual, &[("default", &default)]));
+    } else {
+        note(ui, &messages.fill(Msg::ParamsRange, &[("min", &min), ("max", &max), ("default", &default)]));
+    }
     ui.label(RichText::new(&description.path).monospace().small().color(palette(ui).weak));
 }
 
@@ -280,6 +302,7 @@ mod tests {
         assert_eq!(kind("anatomy.flowers.min_petals"), Kind::Whole);
         assert_eq!(kind("depth.world.height"), Kind::Number);
         assert_eq!(kind("habit.lambda"), Kind::Aged);
+        assert_eq!(kind("habit.resource"), Kind::Choice(&["light", "space"]));
     }
 
     #[test]

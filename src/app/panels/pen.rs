@@ -3,7 +3,7 @@
 
 use super::icons::Icon;
 use super::snapshot::{PenLive, PenState, Snapshot};
-use super::widgets::{note, palette, section, segments, switch, text_button, text_button_sized};
+use super::widgets::{list, note, palette, section, segments, switch, text_button, text_button_sized};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
 use crate::app::pen_settings::{Covers, PenSettings, TabletDoubt};
@@ -12,7 +12,7 @@ use crate::app::theme::TARGET;
 use crate::pen::mapping::Turn;
 use crate::pen::{PenSource, PressureCurve};
 use egui::{ComboBox, CornerRadius, Id, Pos2, Rect, Role, ScrollArea, Sense, Shape, Stroke, Ui, WidgetInfo};
-use egui::{Vec2, pos2, vec2};
+use egui::{Vec2, vec2};
 
 /// Height of the place to try the pen, and of the curve.
 const PAD: f32 = 168.0;
@@ -247,25 +247,10 @@ fn buttons(ui: &mut Ui, pen: &mut PenSettings, messages: &Messages) {
         (Msg::PenThird, &mut uses.third),
         (Msg::PenEraser, &mut uses.eraser),
     ] {
-        ui.horizontal(|ui| {
-            let label = messages.get(msg);
-            let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width() * 0.45, TARGET), Sense::hover());
-            let font = egui::TextStyle::Body.resolve(ui.style());
-            let at = pos2(rect.left() + 6.0, rect.center().y);
-            ui.painter().text(at, egui::Align2::LEFT_CENTER, label, font, palette(ui).text);
-            ui.spacing_mut().interact_size.y = TARGET;
-            let chosen = messages.get(name(*usage));
-            let width = ui.available_width();
-            let list = ComboBox::from_id_salt(label).width(width).selected_text(chosen).show_ui(ui, |ui| {
-                ui.spacing_mut().interact_size.y = TARGET;
-                ui.spacing_mut().button_padding.y = 10.0;
-                for one in ButtonUse::ALL {
-                    ui.selectable_value(usage, one, messages.get(name(one)));
-                }
-            });
-            list.response
-                .widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, format!("{label}: {chosen}")));
-        });
+        let choices = ButtonUse::ALL.map(|one| (one, messages.get(name(one))));
+        if let Some(new) = list(ui, (messages.get(msg), 0.45), &choices, *usage) {
+            *usage = new;
+        }
     }
 }
 

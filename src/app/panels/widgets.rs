@@ -3,8 +3,8 @@
 use super::icons::{self, Icon};
 use crate::app::theme::{Palette, ROUND, TARGET};
 use egui::{
-    Align2, Color32, CornerRadius, FontId, Frame, Margin, Rect, Response, Role, Sense, Stroke, TextStyle, Ui,
-    Vec2, WidgetInfo, pos2, vec2,
+    Align2, Color32, ComboBox, CornerRadius, FontId, Frame, Margin, Rect, Response, Role, Sense, Stroke,
+    TextStyle, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
 /// Side of an icon inside a button.
@@ -200,6 +200,35 @@ pub(super) fn segments<T: Copy + PartialEq>(ui: &mut Ui, choices: &[(T, &str)], 
         }
     }
     pressed
+}
+
+/// One of several things out of a list that opens, behind its name, which takes a share of the width; the one that was pressed.
+pub(super) fn list<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    (label, share): (&str, f32),
+    choices: &[(T, &str)],
+    current: T,
+) -> Option<T> {
+    let mut value = current;
+    ui.horizontal(|ui| {
+        let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width() * share, TARGET), Sense::hover());
+        let font = TextStyle::Body.resolve(ui.style());
+        let at = pos2(rect.left() + 6.0, rect.center().y);
+        let clipped = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
+        clipped.text(at, Align2::LEFT_CENTER, label, font, palette(ui).text);
+        ui.spacing_mut().interact_size.y = TARGET;
+        let chosen = choices.iter().find(|(one, _)| *one == current).map_or("", |(_, name)| *name);
+        let width = ui.available_width();
+        let list = ComboBox::from_id_salt(label).width(width).selected_text(chosen).show_ui(ui, |ui| {
+            ui.spacing_mut().interact_size.y = TARGET;
+            ui.spacing_mut().button_padding.y = 10.0;
+            for (one, name) in choices {
+                ui.selectable_value(&mut value, *one, *name);
+            }
+        });
+        list.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, format!("{label}: {chosen}")));
+    });
+    (value != current).then_some(value)
 }
 
 /// A text in the middle of a rectangle, smaller than `largest` where it would not fit.

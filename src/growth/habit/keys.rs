@@ -22,34 +22,34 @@ use super::schedule::Schedule;
 use crate::params::{ParamValue as _, Range};
 use serde::{Deserialize, Deserializer, Serialize};
 
-/// What buds compete for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Resource {
-    /// Light, by shadows through voxels (eq. 2.2).
-    Light,
-    /// Space, by markers (eq. 2.1).
-    Space,
+crate::parameter_choice! {
+    /// What buds compete for.
+    pub enum Resource {
+        /// Light, by shadows through voxels (eq. 2.2).
+        Light = "light",
+        /// Space, by markers (eq. 2.1).
+        Space = "space",
+    }
 }
 
-/// How the resource is shared out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Control {
-    /// The extended Borchert–Honda model (eq. 2.4).
-    BorchertHonda,
-    /// The priority model (eqs. 2.5, 2.6).
-    Priority,
+crate::parameter_choice! {
+    /// How the resource is shared out.
+    pub enum Control {
+        /// The extended Borchert–Honda model (eq. 2.4).
+        BorchertHonda = "borchert_honda",
+        /// The priority model (eqs. 2.5, 2.6).
+        Priority = "priority",
+    }
 }
 
-/// Where buds find more light (001 §2.2).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Toward {
-    /// Along the negative gradient of the shadow: away from what darkens them.
-    Gradient,
-    /// In the lightest of the voxels next to their own: into gaps.
-    Least,
+crate::parameter_choice! {
+    /// Where buds find more light (001 §2.2).
+    pub enum Toward {
+        /// Along the negative gradient of the shadow: away from what darkens them.
+        Gradient = "gradient",
+        /// In the lightest of the voxels next to their own: into gaps.
+        Least = "least",
+    }
 }
 
 crate::parameters! {
@@ -105,7 +105,7 @@ crate::parameters! {
         width: f32 = 6.0, 0.01..=150.0, "metres";
         /// How uneven the crown is.
         lumps: f32 = 0.15, 0.0..=0.6, "";
-        choices:
+        others:
         /// Radius over height, both from 0 to 1, as a list of pairs.
         profile: Profile = Profile(Schedule::constant(1.0));
     }
@@ -199,7 +199,7 @@ crate::parameters! {
         /// Whether the apical bud stands first in the queue of the priority model.
         apical_first: bool = true, 0..=1, "";
         choices:
-        /// Phyllotaxis.
+        /// How buds stand around the axis: one after the other in a spiral, left and right in turn, in pairs, or in rings at the end of each year's shoot.
         arrangement: Arrangement = Arrangement::Spiral;
         /// Model by which the resource is shared out.
         control: Control = Control::BorchertHonda;

@@ -9,34 +9,33 @@
 use super::arrangement::Arrangement;
 use super::schedule::Schedule;
 use glam::Vec2;
-use serde::{Deserialize, Serialize};
 
-/// The outline of a leaf, or of a shoot's needles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum LeafShape {
-    /// Egg-shaped, widest below the middle: apple, cherry.
-    Ovate,
-    /// Widest above the middle.
-    Obovate,
-    /// Narrow, with the widest place low: willow.
-    Lanceolate,
-    /// Elliptic with parallel sides: olive, box.
-    Elliptic,
-    /// Triangle with a long tip: birch, poplar.
-    Deltoid,
-    /// Round lobes on both sides: oak.
-    Lobed,
-    /// Five pointed lobes from one place: maple.
-    Palmate,
-    /// Many narrow needles from one place: pine.
-    Tuft,
-    /// A feather of leaflets, or of needles.
-    Feather,
-    /// One leaflet of a compound leaf, or a twig full of needles, of few corners: ash, walnut, spruce.
-    Leaflet,
-    /// A flat spray of scales: cypress.
-    Scale,
+crate::parameter_choice! {
+    /// The outline of a leaf, or of a shoot's needles.
+    pub enum LeafShape {
+        /// Egg-shaped, widest below the middle: apple, cherry.
+        Ovate = "ovate",
+        /// Widest above the middle.
+        Obovate = "obovate",
+        /// Narrow, with the widest place low: willow.
+        Lanceolate = "lanceolate",
+        /// Elliptic with parallel sides: olive, box.
+        Elliptic = "elliptic",
+        /// Triangle with a long tip: birch, poplar.
+        Deltoid = "deltoid",
+        /// Round lobes on both sides: oak.
+        Lobed = "lobed",
+        /// Five pointed lobes from one place: maple.
+        Palmate = "palmate",
+        /// Many narrow needles from one place: pine.
+        Tuft = "tuft",
+        /// A feather of leaflets, or of needles.
+        Feather = "feather",
+        /// One leaflet of a compound leaf, or a twig full of needles, of few corners: ash, walnut, spruce.
+        Leaflet = "leaflet",
+        /// A flat spray of scales: cypress.
+        Scale = "scale",
+    }
 }
 
 /// Right halves of the outlines, base and tip left out: (half width, height), shares of the length at width 1.
@@ -111,8 +110,9 @@ crate::parameters! {
         /// Thickest wood that carries leaves, in diameters of the thinnest.
         thickest: f32 = 4.0, 1.0..=1000.0, "";
         choices:
-        /// Outline.
+        /// Outline of leaves that nobody drew.
         shape: LeafShape = LeafShape::Ovate;
+        others:
         /// How leaves stand around their shoot; as the buds do if left out.
         arrangement: Option<Arrangement> = None;
     }

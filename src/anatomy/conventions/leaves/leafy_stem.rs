@@ -47,7 +47,10 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
 }
 
 fn of_line(page: &Page, number: usize, near: &[usize]) -> Option<Hypothesis> {
-    if !(LEAVES.0..=LEAVES.1).contains(&near.len()) {
+    let explain = |lines: &[usize]| {
+        lines.iter().map(|line| page.lines[*line].length).sum::<f32>() >= EXPLAINED * page.length
+    };
+    if !(LEAVES.0..=LEAVES.1).contains(&near.len()) || !explain(near) {
         return None;
     }
     let twig = &page.lines[number];
@@ -70,7 +73,7 @@ fn of_line(page: &Page, number: usize, near: &[usize]) -> Option<Hypothesis> {
     }
     let mut uses: Vec<usize> = leaves.iter().map(|leaf| leaf.line).chain([number]).collect();
     uses.sort_unstable();
-    if uses.iter().map(|line| page.lines[*line].length).sum::<f32>() < EXPLAINED * page.length {
+    if !explain(&uses) {
         return None;
     }
     let weight = page.weight(twig.size().length());

@@ -1,9 +1,11 @@
 //! Values of parameters by path, as the panel of parameters shows them.
 
 use crate::growth::Habit;
-use crate::params::{Parameters as _, join};
+use crate::params::{Kind, Parameters as _, join};
+use crate::pipeline::Params;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 /// What every path of a growth habit begins with.
 const HABIT: &str = "habit";
@@ -13,7 +15,7 @@ const HABIT: &str = "habit";
 pub struct ParamValues {
     /// What the species says; the numbers of its growth habit are all here if the plant grows, and missing if not.
     pub species: BTreeMap<String, f64>,
-    /// What the artist changed; switches are 0 or 1.
+    /// What the artist changed; switches are 0 or 1, one of several names is its place among them.
     pub own: BTreeMap<String, f64>,
 }
 
@@ -47,18 +49,25 @@ impl ParamValues {
 fn flatten(prefix: &str, tree: &Map<String, Value>, out: &mut BTreeMap<String, f64>) {
     for (key, value) in tree {
         let path = join(prefix, key);
-        let number = match value {
-            Value::Object(inner) => {
-                flatten(&path, inner, out);
-                None
+        match value {
+            Value::Object(inner) => flatten(&path, inner, out),
+            value => {
+                let kind = choices().get(&path).copied().unwrap_or(Kind::Number);
+                out.extend(kind.number(value).map(|number| (path, number)));
             }
-            Value::Bool(on) => Some(f64::from(u8::from(*on))),
-            other => other.as_f64(),
-        };
-        if let Some(number) = number {
-            out.insert(path, number);
         }
     }
+}
+
+/// The parameters that are one of several names, by their paths.
+fn choices() -> &'static BTreeMap<String, Kind> {
+    static CHOICES: OnceLock<BTreeMap<String, Kind>> = OnceLock::new();
+    CHOICES.get_or_init(|| {
+        let all = Params::of_any_species().describe().into_iter();
+        all.filter(|known| matches!(known.kind, Kind::Choice(_)))
+            .map(|known| (known.path, known.kind))
+            .collect()
+    })
 }
 
 #[cfg(test)]
@@ -76,6 +85,9 @@ mod tests {
             [("depth.world.height".into(), 2.0), ("depth.cone.flip".into(), 1.0)].into()
         );
         assert_eq!(values.own, [("depth.world.height".into(), 3.0)].into());
+        let named = serde_json::json!({"habit": {"control": "priority", "resource": "air"}});
+        let values = ParamValues::of(&Map::new(), named.as_object().unwrap());
+        assert_eq!(values.own, [("habit.control".into(), 1.0)].into());
     }
 
     #[test]
