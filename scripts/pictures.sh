@@ -54,7 +54,7 @@ for species in $("$program" grow --list | grep -vx rose); do
     "$program" grow "$species" -o "$grown/$species.glb"
     "$program" render "$grown/$species.glb" -o "$grown/$species.png" --size 300x300
 done
-python3 scripts/sheet.py 6 docs/images/grown.png "$grown"/*.png
+python3 scripts/sheet.py 5 docs/images/grown.png "$grown"/*.png
 rm -rf "$grown"
 
 # One oak with all its triangles, and with as many as were asked for.

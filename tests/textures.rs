@@ -14,6 +14,8 @@ mod flesh;
 mod indexed_image;
 #[path = "../examples/paint_textures/leaf.rs"]
 mod leaf;
+#[path = "../examples/paint_textures/leafy_shoot.rs"]
+mod leafy_shoot;
 #[path = "../examples/paint_textures/needles.rs"]
 mod needles;
 #[path = "../examples/paint_textures/noise.rs"]
@@ -37,7 +39,7 @@ fn every_shipped_texture_has_a_painter() {
 /// One of each family: painting all of them would take half a minute.
 #[test]
 fn painting_again_gives_the_same_bytes() {
-    for name in ["petal_mallow", "leaf_oxalis", "bark_cherry", "disc_green"] {
+    for name in ["petal_mallow", "leaf_oxalis", "bark_cherry", "disc_green", "shoot_spruce", "shoot_linden"] {
         let texture = catalogue::all().into_iter().find(|t| t.name == name).unwrap();
         let painted = texture.picture().to_png().unwrap();
         assert!(Some(&painted[..]) == builtin_texture(&format!("{name}.png")), "paint {name} again");

@@ -6,6 +6,8 @@ use super::disc::Disc;
 use super::flesh;
 use super::indexed_image::IndexedImage;
 use super::leaf::{Leaf, Marking, Venation};
+use super::leafy_shoot::LeafyShoot;
+use super::needles::Shoot;
 use super::petals;
 use super::tree_bark;
 use glam::Vec2;
@@ -15,7 +17,8 @@ pub(crate) struct Texture {
     /// File name without extension.
     pub(crate) name: &'static str,
     size: (u32, u32),
-    paint: Box<dyn Fn(Vec2) -> Lab>,
+    /// Nothing where it is clear.
+    paint: Box<dyn Fn(Vec2) -> Option<Lab>>,
 }
 
 impl Texture {
@@ -29,21 +32,118 @@ impl Texture {
 pub(crate) fn all() -> Vec<Texture> {
     let petals = petals::ALL.iter().map(|(name, petal)| blade(name, |p| petal.paint(p)));
     let leaves = leaves().into_iter().map(|(name, leaf)| blade(name, move |p| leaf.paint(p)));
-    let needles = std::iter::once(blade("leaf_needles", super::needles::paint));
-    petals.chain(leaves).chain(needles).chain(surfaces()).chain(discs()).collect()
+    let needles = needles().into_iter().map(|(name, shoot)| Texture {
+        name,
+        size: (256, 512),
+        paint: Box::new(shoot.painter()),
+    });
+    let shoots = leafy_shoots().into_iter().map(|(name, shoot)| Texture {
+        name,
+        size: (512, 512),
+        paint: Box::new(shoot.painter()),
+    });
+    petals.chain(leaves).chain(needles).chain(shoots).chain(surfaces()).chain(discs()).collect()
 }
 
 fn blade(name: &'static str, paint: impl Fn(Vec2) -> Lab + 'static) -> Texture {
-    Texture { name, size: (256, 512), paint: Box::new(paint) }
+    opaque(name, (256, 512), paint)
 }
 
 fn square(name: &'static str, paint: impl Fn(Vec2) -> Lab + 'static) -> Texture {
-    Texture { name, size: (256, 256), paint: Box::new(paint) }
+    opaque(name, (256, 256), paint)
 }
 
 /// What is looked at on thick bodies, too.
 fn trunk(name: &'static str, paint: impl Fn(Vec2) -> Lab + 'static) -> Texture {
-    Texture { name, size: (512, 512), paint: Box::new(paint) }
+    opaque(name, (512, 512), paint)
+}
+
+fn opaque(name: &'static str, size: (u32, u32), paint: impl Fn(Vec2) -> Lab + 'static) -> Texture {
+    Texture { name, size, paint: Box::new(move |p| Some(paint(p))) }
+}
+
+/// Shoots of broad-leaved trees.
+fn leafy_shoots() -> Vec<(&'static str, LeafyShoot)> {
+    let linden = LeafyShoot {
+        width: 0.8,
+        leaves: 6,
+        length: 0.27,
+        angle: 62.0,
+        stalk: 0.3,
+        half_width: 0.42,
+        taper: (0.32, 0.95),
+        leaf: pinnate(0x6c9a48, 0x486f34, 0xaec888, 5.0, 0.42, 601),
+        bark: 0x8a7a50,
+        seed: 603,
+    };
+    let beech = LeafyShoot {
+        width: 0.64,
+        leaves: 8,
+        length: 0.25,
+        angle: 58.0,
+        stalk: 0.08,
+        half_width: 0.3,
+        taper: (0.6, 0.8),
+        leaf: pinnate(0x5c9344, 0x3e6e30, 0xa2c480, 8.0, 0.3, 607),
+        bark: 0x7a6448,
+        seed: 611,
+    };
+    vec![("shoot_linden", linden), ("shoot_beech", beech)]
+}
+
+/// Shoots of conifers.
+fn needles() -> Vec<(&'static str, Shoot)> {
+    let spruce = Shoot {
+        width: 0.4,
+        twigs: 9,
+        angle: 40.0,
+        middle: (0.0, 0.96),
+        needle: 0.056,
+        thin: 0.0038,
+        apart: 0.0085,
+        spread: (38.0, 66.0),
+        tufts: None,
+        colours: [0x2c5230, 0x54824a, 0x98bb74, 0x6d5238],
+        seed: 511,
+    };
+    let pine = Shoot {
+        width: 0.8,
+        twigs: 0,
+        middle: (0.14, 0.56),
+        needle: 0.44,
+        thin: 0.0075,
+        apart: 0.034,
+        spread: (4.0, 78.0),
+        colours: [0x35593f, 0x66906a, 0x86a872, 0x8a6a48],
+        seed: 521,
+        ..spruce
+    };
+    let larch = Shoot {
+        width: 0.4,
+        twigs: 5,
+        angle: 40.0,
+        needle: 0.055,
+        thin: 0.0042,
+        apart: 0.0055,
+        spread: (0.0, 150.0),
+        tufts: Some(0.09),
+        colours: [0x5d8a3e, 0x8db45a, 0xb4cf7c, 0x9a7a52],
+        seed: 541,
+        ..spruce
+    };
+    let cypress = Shoot {
+        width: 0.5,
+        twigs: 13,
+        angle: 30.0,
+        needle: 0.04,
+        thin: 0.0065,
+        apart: 0.013,
+        spread: (14.0, 26.0),
+        colours: [0x2d5232, 0x5a8450, 0x7fa468, 0x6d5238],
+        seed: 557,
+        ..spruce
+    };
+    vec![("shoot_spruce", spruce), ("shoot_pine", pine), ("shoot_larch", larch), ("shoot_cypress", cypress)]
 }
 
 fn pinnate(field: u32, shade: u32, vein: u32, pairs: f32, rise: f32, seed: u32) -> Leaf {

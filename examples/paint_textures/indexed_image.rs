@@ -1,7 +1,8 @@
 //! From a painted function to a PNG of at most 256 colours.
 //!
 //! Each pixel is the mean of four samples. Colours are reduced by median cut: pigments of one petal lie close
-//! together, so 256 of them are enough and the files stay small.
+//! together, so 256 of them are enough and the files stay small. Where most samples are clear, so is the pixel; it has the
+//! mean colour of all others, for what is shown between pixels.
 
 use super::color::{Lab, srgb8};
 use glam::Vec2;
@@ -23,23 +24,33 @@ pub(crate) struct IndexedImage {
     pub(crate) palette: Vec<[u8; 3]>,
     /// Index into the palette for each pixel, top row first.
     pub(crate) pixels: Vec<u8>,
+    /// Whether the last colour of the palette is clear.
+    has_clear: bool,
 }
 
 impl IndexedImage {
     /// Paints `paint(u, v)`, u to the right and v upward, both 0 to 1.
-    pub(crate) fn new(width: u32, height: u32, paint: impl Fn(Vec2) -> Lab) -> Self {
+    pub(crate) fn new(width: u32, height: u32, paint: impl Fn(Vec2) -> Option<Lab>) -> Self {
         let pixel = |i: u32| {
             let corner = Vec2::new((i % width) as f32, (i / width) as f32);
             let sample = |s: &Vec2| {
                 let p = (corner + s) / Vec2::new(width as f32, height as f32);
                 paint(Vec2::new(p.x, 1.0 - p.y))
             };
-            srgb8(SAMPLES.iter().map(sample).sum::<Lab>() / SAMPLES.len() as f32)
+            let painted: Vec<Lab> = SAMPLES.iter().filter_map(sample).collect();
+            let is_clear = 2 * painted.len() < SAMPLES.len();
+            (!is_clear).then(|| srgb8(painted.iter().sum::<Lab>() / painted.len() as f32))
         };
-        let colours: Vec<[u8; 3]> = (0..width * height).map(pixel).collect();
-        let (palette, index) = reduce(&colours);
-        let pixels = colours.iter().map(|c| index[&coarse(*c)]).collect();
-        Self { width, height, palette, pixels }
+        let pixels: Vec<Option<[u8; 3]>> = (0..width * height).map(pixel).collect();
+        let colours: Vec<[u8; 3]> = pixels.iter().copied().flatten().collect();
+        let has_clear = colours.len() < pixels.len();
+        let (mut palette, index) = reduce(&colours, COLOURS - usize::from(has_clear));
+        if has_clear {
+            palette.push(mean(&colours));
+        }
+        let clear = palette.len().saturating_sub(1) as u8;
+        let pixels = pixels.iter().map(|colour| colour.map_or(clear, |c| index[&coarse(c)])).collect();
+        Self { width, height, palette, pixels, has_clear }
     }
 
     /// The picture as a PNG file.
@@ -48,6 +59,12 @@ impl IndexedImage {
         let mut encoder = png::Encoder::new(&mut bytes, self.width, self.height);
         encoder.set_color(png::ColorType::Indexed);
         encoder.set_palette(self.palette.concat());
+        if self.has_clear {
+            let mut alphas = vec![u8::MAX; self.palette.len()];
+            alphas.pop();
+            alphas.push(0);
+            encoder.set_trns(alphas);
+        }
         encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
         encoder.set_compression(png::Compression::High);
         encoder.set_filter(png::Filter::NoFilter);
@@ -69,8 +86,13 @@ struct Bin {
     count: u32,
 }
 
-/// Median cut: the palette, and the palette index of each coarse colour.
-fn reduce(colours: &[[u8; 3]]) -> (Vec<[u8; 3]>, BTreeMap<[u8; 3], u8>) {
+fn mean(colours: &[[u8; 3]]) -> [u8; 3] {
+    let sum = |k: usize| colours.iter().map(|c| u64::from(c[k])).sum::<u64>();
+    [0, 1, 2].map(|k| (sum(k) / colours.len().max(1) as u64) as u8)
+}
+
+/// Median cut: the palette of at most so many colours, and the palette index of each coarse colour.
+fn reduce(colours: &[[u8; 3]], most: usize) -> (Vec<[u8; 3]>, BTreeMap<[u8; 3], u8>) {
     let mut bins: BTreeMap<[u8; 3], Bin> = BTreeMap::new();
     for c in colours {
         let key = coarse(*c);
@@ -79,7 +101,7 @@ fn reduce(colours: &[[u8; 3]]) -> (Vec<[u8; 3]>, BTreeMap<[u8; 3], u8>) {
         bin.count += 1;
     }
     let mut boxes = vec![bins.into_values().collect::<Vec<_>>()];
-    while boxes.len() < COLOURS {
+    while boxes.len() < most {
         let weight =
             |b: &Vec<Bin>| widest(b).1 as u64 * b.iter().map(|bin| u64::from(bin.count)).sum::<u64>().isqrt();
         let Some(at) = (0..boxes.len()).max_by_key(|i| weight(&boxes[*i])) else { break };

@@ -11,6 +11,7 @@ mod disc;
 mod flesh;
 mod indexed_image;
 mod leaf;
+mod leafy_shoot;
 mod needles;
 mod noise;
 mod petal;

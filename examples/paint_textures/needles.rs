@@ -1,36 +1,135 @@
-//! A twig full of needles, base at the bottom: what the leaves of a conifer wear, each a twig.
+//! Shoots of conifers, base at the bottom: what their leaves wear, each a shoot. Around the needles the picture is clear.
 //!
-//! Needles stand in two rows along the twig and look forward; dark gaps show between them. The twig's own outline is only a
-//! lance, so what reads as needles is this picture.
+//! Twigs are straight lines that keep within the outline of the leaf, needles strokes that begin on them and end in a point. They are so
+//! dense that small copies of a picture stay about half covered: programs show what is at least half covered.
 
-use super::color::{Lab, hex, lighter, over, smooth};
-use super::noise::{ENDLESS, fractal, hash};
+use super::color::{Lab, hex, lighter, over};
+use super::noise::hash;
 use glam::{IVec2, Vec2};
 
-/// Needles along one side of the twig.
-const COUNT: f32 = 30.0;
-/// How far forward a needle's end is of its foot, in lengths of the twig.
-const FORWARD: f32 = 0.42;
+/// Corners of half the outline that leaves have, `leaflet` of `growth/habit/leaf.rs`: half width, as a share of the width, and height.
+const OUTLINE: [(f32, f32); 4] = [(0.0, 0.0), (0.48, 0.28), (0.4, 0.66), (0.0, 1.0)];
+/// Half the width of twigs.
+const TWIG: f32 = 0.005;
+/// Stripes across the picture, each with the strokes that touch it.
+const STRIPES: usize = 64;
 
-/// Colour at (u, v), v from base to tip.
-pub(crate) fn paint(p: Vec2) -> Lab {
-    let x = 2.0 * p.x - 1.0;
-    let side = i32::from(x > 0.0);
-    let bend = 0.5 * fractal(p * Vec2::new(5.0, 7.0), ENDLESS, 2, 501);
-    let row = |shift: f32, rows: f32, seed: u32| {
-        let place = rows * (p.y - FORWARD * x.abs().powf(0.9)) + bend + shift;
-        let t = (place - place.floor() - 0.5).abs() * 2.0;
-        (t, hash(IVec2::new(place.floor() as i32, side), seed))
+/// A shoot: lengths are shares of its own, angles degrees from the twig.
+pub(crate) struct Shoot {
+    /// Width of the picture.
+    pub(crate) width: f32,
+    /// Side twigs on both sides together, and their angle to the middle one.
+    pub(crate) twigs: u32,
+    pub(crate) angle: f32,
+    /// From where to where the middle twig has needles.
+    pub(crate) middle: (f32, f32),
+    /// Length and half width of needles, and the distance of their feet on one side of a twig.
+    pub(crate) needle: f32,
+    pub(crate) thin: f32,
+    pub(crate) apart: f32,
+    /// Least and greatest angle of needles.
+    pub(crate) spread: (f32, f32),
+    /// Needles begin together in tufts so far apart.
+    pub(crate) tufts: Option<f32>,
+    /// Dark and light needles, their young ends, and the twigs.
+    pub(crate) colours: [u32; 4],
+    pub(crate) seed: u32,
+}
+
+/// A line from its foot to its tip.
+struct Stroke {
+    foot: Vec2,
+    tip: Vec2,
+    half_width: f32,
+    /// At its foot and at its tip.
+    colours: [Lab; 2],
+}
+
+impl Shoot {
+    /// Colour at (u, v), v from base to tip; nothing between needles.
+    pub(crate) fn painter(self) -> impl Fn(Vec2) -> Option<Lab> {
+        let mut stripes: Vec<Vec<Stroke>> = (0..STRIPES).map(|_| Vec::new()).collect();
+        for stroke in self.strokes() {
+            let at = |y: f32| ((y * STRIPES as f32).max(0.0) as usize).min(STRIPES - 1);
+            let (low, high) = (stroke.foot.y.min(stroke.tip.y), stroke.foot.y.max(stroke.tip.y));
+            for stripe in &mut stripes[at(low - stroke.half_width)..=at(high + stroke.half_width)] {
+                stripe.push(Stroke { ..stroke });
+            }
+        }
+        move |p| {
+            let place = Vec2::new((p.x - 0.5) * self.width, p.y);
+            let stripe = &stripes[((p.y * STRIPES as f32) as usize).min(STRIPES - 1)];
+            stripe.iter().rev().find_map(|stroke| stroke.colour(place))
+        }
+    }
+
+    /// All strokes, the uppermost last.
+    fn strokes(&self) -> Vec<Stroke> {
+        let mut all = Vec::new();
+        for k in 0..self.twigs {
+            let random = hash(IVec2::new(k as i32, 0), self.seed);
+            let side = if k % 2 == 0 { 1.0 } else { -1.0 };
+            let foot = Vec2::new(0.0, self.middle.1 * (0.04 + 0.84 * k as f32 / self.twigs as f32));
+            let along =
+                Vec2::Y.rotate(Vec2::from_angle(-side * (self.angle + 10.0 * (random - 0.5)).to_radians()));
+            let length = room(foot, along, self.width) * (0.92 + 0.08 * random) - 0.5 * self.needle;
+            if length > 0.0 {
+                self.add_twig(foot, along, (0.0, length), self.seed + 1 + k, &mut all);
+            }
+        }
+        self.add_twig(Vec2::ZERO, Vec2::Y, self.middle, self.seed, &mut all);
+        all
+    }
+
+    /// A twig with its needles, which it has between two ways along it.
+    fn add_twig(&self, foot: Vec2, along: Vec2, (from, to): (f32, f32), seed: u32, all: &mut Vec<Stroke>) {
+        let [dark, light, young, bark] = self.colours.map(hex);
+        let tip = foot + to * along;
+        all.push(Stroke { foot, tip, half_width: TWIG, colours: [bark, over(bark, light, 0.5)] });
+        let twig_light = 0.03 * (hash(IVec2::ZERO, seed) - 0.5);
+        let count = ((to - from) / self.apart).ceil() as i32;
+        // Below, then above, and in each layer from the foot on.
+        for (layer, k, side) in
+            (0..2).flat_map(|layer| (0..=count).flat_map(move |k| [(layer, k, 1), (layer, k, -1)]))
+        {
+            let random = |what: i32| hash(IVec2::new(2 * k + (1 + side) / 2, 2 * what + layer), seed);
+            let way = (from + (k as f32 + random(0) - 0.5) * self.apart).clamp(from, to);
+            let way = self.tufts.map_or(way, |apart| ((way / apart).round() * apart).min(to));
+            let share = way / to;
+            let (least, most) = self.spread;
+            // At the end of a twig needles look forward.
+            let angle = (least + (most - least) * random(1))
+                * if self.tufts.is_none() { 1.0 - 0.7 * share.powi(8) } else { 1.0 };
+            let direction = along.rotate(Vec2::from_angle(side as f32 * angle.to_radians()));
+            let length = self.needle * (0.7 + 0.3 * random(2));
+            let foot = foot + way * along;
+            let green = over(over(dark, light, random(3)), young, 0.6 * share.powi(3));
+            let green = lighter(green, twig_light - if layer == 0 { 0.06 } else { 0.0 });
+            let colours = [lighter(green, -0.08 * (1.0 - share)), lighter(green, 0.03)];
+            all.push(Stroke { foot, tip: foot + length * direction, half_width: self.thin, colours });
+        }
+    }
+}
+
+impl Stroke {
+    fn colour(&self, place: Vec2) -> Option<Lab> {
+        let (line, away) = (self.tip - self.foot, place - self.foot);
+        let share = (away.dot(line) / line.length_squared()).clamp(0.0, 1.0);
+        let gap = away.distance(share * line);
+        (gap < self.half_width * (1.0 - share.powi(5))).then(|| over(self.colours[0], self.colours[1], share))
+    }
+}
+
+/// How far it is from a place in the middle along a direction to the outline.
+fn room(foot: Vec2, along: Vec2, width: f32) -> f32 {
+    let half = |y: f32| {
+        let pair = OUTLINE.windows(2).find(|pair| y <= pair[1].1).unwrap_or(&OUTLINE[2..]);
+        let share = (y - pair[0].1) / (pair[1].1 - pair[0].1);
+        width * (pair[0].0 + share * (pair[1].0 - pair[0].0))
     };
-    // Needles below, dark and finer, then those above them with a pale line along their middle.
-    let (below, _) = row(0.35, 1.3 * COUNT, 502);
-    let mut c = over(hex(0x14241a), hex(0x2c4a30), smooth(0.9, 0.3, below));
-    let (t, id) = row(0.0, COUNT, 503);
-    let green = over(hex(0x3d6a3c), hex(0x6b9457), id);
-    c = over(c, green, smooth(0.78, 0.42, t));
-    c = over(c, hex(0xa4c08c), 0.35 * smooth(0.3, 0.0, t) * id);
-    let twig = smooth(0.06, 0.03, x.abs() + 0.015 * bend);
-    c = over(c, hex(0x6d5238), 0.8 * twig * (1.0 - 0.6 * p.y));
-    // Young ends are paler.
-    lighter(over(c, hex(0x9cc07a), 0.28 * smooth(0.55, 1.05, p.y.max(x.abs()))), 0.02 * bend)
+    let is_inside = |way: &f32| {
+        let place = foot + *way * along;
+        (0.0..1.0).contains(&place.y) && place.x.abs() < half(place.y)
+    };
+    (0..400).map(|k| k as f32 * 0.0025).take_while(is_inside).last().unwrap_or(0.0)
 }

@@ -144,7 +144,7 @@ fn shape_blades(plant: &mut Plant, provenance: &Provenance, species: &Species, p
             done[flower] += 1;
         }
     }
-    let leaf_materials = species.leaf.materials.0.len();
+    let leaf = &species.leaf;
     let templates = &plant.templates;
     plant.organs.par_iter_mut().with_min_len(BATCH).for_each(|organ| {
         let flower = organ.flower.filter(|_| organ.kind() == OrganKind::Petal);
@@ -161,11 +161,12 @@ fn shape_blades(plant: &mut Plant, provenance: &Provenance, species: &Species, p
                 blade.form = varied(seed, template.detail(), &form, look.vary, rng);
             }
             None => {
-                let any = rng.random_range(0..leaf_materials) as u32;
-                if (organ.role.variant as usize) < leaf_materials {
+                // Copies, whatever made them, have less detail than what somebody drew.
+                let any = rng.random_range(leaf.variants(template.detail() == Detail::Full));
+                if leaf.variants(false).contains(&organ.role.variant) {
                     organ.role.variant = any;
                 }
-                blade.form = varied(seed, template.detail(), &species.leaf.form, species.leaf.vary, rng);
+                blade.form = varied(seed, template.detail(), &leaf.form, leaf.vary, rng);
             }
         }
     });

@@ -179,6 +179,8 @@ impl Species {
         out.extend(self.leaf.materials.0.iter().map(|m| ("leaf.materials".into(), m.as_str())));
         out.extend(self.leaf.young.iter().map(|m| ("leaf.young".into(), m.as_str())));
         out.extend(self.leaf.autumn.iter().map(|m| ("leaf.autumn".into(), m.as_str())));
+        let drawn = self.leaf.drawn.iter().flat_map(|names| &names.0);
+        out.extend(drawn.map(|m| ("leaf.drawn".into(), m.as_str())));
         out.extend(self.fruit.iter().map(|fruit| ("fruit.material".into(), fruit.material.as_str())));
         let underside = self.fruit.iter().filter_map(|fruit| fruit.underside.as_deref());
         out.extend(underside.map(|m| ("fruit.underside".into(), m)));

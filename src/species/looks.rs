@@ -174,6 +174,8 @@ crate::parameters! {
         young: Option<String> = None;
         /// The same in autumn.
         autumn: Option<String> = None;
+        /// Materials of leaves whose own outline is shown, for those of all leaves are pictures of whole shoots; the same if left out.
+        drawn: Option<Names> = None;
         /// How leaves that nobody drew are divided into leaflets.
         compound: Option<Compound> = None;
         sections:
@@ -414,12 +416,21 @@ impl LeafLook {
         self.young_variant() + 1
     }
 
+    /// Variants of the materials among which leaves choose, those whose outline somebody drew or others.
+    pub(super) fn variants(&self, is_drawn: bool) -> std::ops::Range<u32> {
+        match self.drawn.as_ref().filter(|_| is_drawn) {
+            Some(drawn) => self.autumn_variant() + 1..self.autumn_variant() + 1 + drawn.0.len() as u32,
+            None => 0..self.young_variant(),
+        }
+    }
+
     /// The name of the material of a variant.
     pub(super) fn material(&self, variant: u32) -> &str {
         let own = match variant.checked_sub(self.young_variant()) {
             Some(0) => self.young.as_deref(),
             Some(1) => self.autumn.as_deref(),
-            _ => None,
+            Some(drawn) => self.drawn.as_ref().map(|names| names.nth(drawn - 2)),
+            None => None,
         };
         own.unwrap_or_else(|| self.materials.nth(variant))
     }

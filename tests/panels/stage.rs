@@ -126,8 +126,9 @@ pub(super) fn asked(harness: &mut Harness<'_, Stage>) -> Vec<Action> {
 }
 
 /// What can be touched.
-pub(super) const ROLES: [Role; 6] = [
+pub(super) const ROLES: [Role; 7] = [
     Role::Button,
+    Role::ComboBox,
     Role::RadioButton,
     Role::CheckBox,
     Role::Slider,

@@ -1,0 +1,97 @@
+//! Shoots of broad-leaved trees, base at the bottom: leaves left and right in turn along a twig, and one at its end. Around them the picture
+//! is clear.
+
+use super::color::{Lab, hex, lighter};
+use super::leaf::Leaf;
+use super::noise::hash;
+use glam::{IVec2, Vec2};
+
+/// Half the width of the twig and of stalks, in lengths of the shoot.
+const TWIG: f32 = 0.007;
+
+/// A shoot: lengths are shares of its own.
+pub(crate) struct LeafyShoot {
+    /// Width of the picture.
+    pub(crate) width: f32,
+    /// Leaves beside that at the end, their length and the angle of the lowest, degrees; upper ones stand steeper.
+    pub(crate) leaves: u32,
+    pub(crate) length: f32,
+    pub(crate) angle: f32,
+    /// Length of the stalk, in lengths of the leaf.
+    pub(crate) stalk: f32,
+    /// Half width of a leaf, in its lengths, and how full it is below and above: small numbers are full.
+    pub(crate) half_width: f32,
+    pub(crate) taper: (f32, f32),
+    /// What leaves look like, and the colour of the twig.
+    pub(crate) leaf: Leaf,
+    pub(crate) bark: u32,
+    pub(crate) seed: u32,
+}
+
+/// A leaf in the picture.
+struct Placed {
+    foot: Vec2,
+    /// From its foot to its tip, the stalk left out.
+    blade: Vec2,
+    stalk: Vec2,
+    light: f32,
+}
+
+impl LeafyShoot {
+    /// Colour at (u, v), v from base to tip; nothing between leaves.
+    pub(crate) fn painter(self) -> impl Fn(Vec2) -> Option<Lab> {
+        let leaves = self.placed();
+        let end = leaves.last().map_or(1.0, |leaf| leaf.foot.y);
+        move |p| {
+            let place = Vec2::new((p.x - 0.5) * self.width, p.y);
+            let is_twig = place.x.abs() < TWIG && place.y < end;
+            let of_leaf = |leaf: &Placed| self.of_leaf(leaf, place);
+            leaves.iter().rev().find_map(of_leaf).or_else(|| is_twig.then(|| hex(self.bark)))
+        }
+    }
+
+    /// From the lowest to that at the end.
+    fn placed(&self) -> Vec<Placed> {
+        let end = 1.0 - self.length * (1.0 + self.stalk);
+        let leaf = |k: u32| {
+            let random = |what: i32| hash(IVec2::new(k as i32, what), self.seed) - 0.5;
+            let share = k as f32 / self.leaves as f32;
+            let side = if k % 2 == 0 { -1.0 } else { 1.0 };
+            let angle = if k == self.leaves {
+                0.0
+            } else {
+                side * (self.angle * (1.0 - 0.4 * share) + 14.0 * random(0))
+            };
+            let along = Vec2::Y.rotate(Vec2::from_angle(angle.to_radians()));
+            let length = self.length * (1.0 + 0.16 * random(1));
+            let foot = Vec2::new(0.0, end * (0.16 + 0.84 * share));
+            Placed {
+                foot,
+                stalk: self.stalk * length * along,
+                blade: length * along,
+                light: 0.07 * random(2),
+            }
+        };
+        (0..=self.leaves).map(leaf).collect()
+    }
+
+    fn of_leaf(&self, leaf: &Placed, place: Vec2) -> Option<Lab> {
+        let (away, length) = (place - leaf.foot - leaf.stalk, leaf.blade.length());
+        let along = leaf.blade / length;
+        let (up, aside) = (away.dot(along) / length, away.perp_dot(along) / length);
+        if (-self.stalk..=0.0).contains(&up) && aside.abs() * length < 0.7 * TWIG {
+            return Some(hex(self.bark));
+        }
+        let half = self.half_width * self.fullness(up);
+        let at = Vec2::new(0.5 + 0.5 * aside / self.half_width, up);
+        ((0.0..1.0).contains(&up) && aside.abs() < half).then(|| lighter(self.leaf.paint(at), leaf.light))
+    }
+
+    /// Half width at a height, 1 where it is widest.
+    fn fullness(&self, up: f32) -> f32 {
+        let (below, above) = self.taper;
+        let widest = below / (below + above);
+        let at = |t: f32| t.max(0.0).powf(below) * (1.0 - t).max(0.0).powf(above);
+        at(up) / at(widest)
+    }
+}
