@@ -56,7 +56,7 @@ impl LeafyShoot {
         let leaf = |k: u32| {
             let random = |what: i32| hash(IVec2::new(k as i32, what), self.seed) - 0.5;
             let share = k as f32 / self.leaves as f32;
-            let side = if k % 2 == 0 { -1.0 } else { 1.0 };
+            let side = if k.is_multiple_of(2) { -1.0 } else { 1.0 };
             let angle = if k == self.leaves {
                 0.0
             } else {

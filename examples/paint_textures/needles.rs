@@ -45,6 +45,16 @@ struct Stroke {
     colours: [Lab; 2],
 }
 
+/// A straight twig.
+struct Twig {
+    foot: Vec2,
+    /// Of length 1.
+    along: Vec2,
+    /// From where to where along it there are needles.
+    needles: (f32, f32),
+    seed: u32,
+}
+
 impl Shoot {
     /// Colour at (u, v), v from base to tip; nothing between needles.
     pub(crate) fn painter(self) -> impl Fn(Vec2) -> Option<Lab> {
@@ -68,46 +78,52 @@ impl Shoot {
         let mut all = Vec::new();
         for k in 0..self.twigs {
             let random = hash(IVec2::new(k as i32, 0), self.seed);
-            let side = if k % 2 == 0 { 1.0 } else { -1.0 };
+            let side = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
             let foot = Vec2::new(0.0, self.middle.1 * (0.04 + 0.84 * k as f32 / self.twigs as f32));
             let along =
                 Vec2::Y.rotate(Vec2::from_angle(-side * (self.angle + 10.0 * (random - 0.5)).to_radians()));
             let length = room(foot, along, self.width) * (0.92 + 0.08 * random) - 0.5 * self.needle;
             if length > 0.0 {
-                self.add_twig(foot, along, (0.0, length), self.seed + 1 + k, &mut all);
+                self.add(&Twig { foot, along, needles: (0.0, length), seed: self.seed + 1 + k }, &mut all);
             }
         }
-        self.add_twig(Vec2::ZERO, Vec2::Y, self.middle, self.seed, &mut all);
+        self.add(&Twig { foot: Vec2::ZERO, along: Vec2::Y, needles: self.middle, seed: self.seed }, &mut all);
         all
     }
 
-    /// A twig with its needles, which it has between two ways along it.
-    fn add_twig(&self, foot: Vec2, along: Vec2, (from, to): (f32, f32), seed: u32, all: &mut Vec<Stroke>) {
-        let [dark, light, young, bark] = self.colours.map(hex);
-        let tip = foot + to * along;
-        all.push(Stroke { foot, tip, half_width: TWIG, colours: [bark, over(bark, light, 0.5)] });
-        let twig_light = 0.03 * (hash(IVec2::ZERO, seed) - 0.5);
+    /// Adds a twig and its needles: below, then above, and in each layer from the foot on.
+    fn add(&self, twig: &Twig, all: &mut Vec<Stroke>) {
+        let [_, light, _, bark] = self.colours.map(hex);
+        let (from, to) = twig.needles;
+        let colours = [bark, over(bark, light, 0.5)];
+        all.push(Stroke { foot: twig.foot, tip: twig.foot + to * twig.along, half_width: TWIG, colours });
         let count = ((to - from) / self.apart).ceil() as i32;
-        // Below, then above, and in each layer from the foot on.
-        for (layer, k, side) in
-            (0..2).flat_map(|layer| (0..=count).flat_map(move |k| [(layer, k, 1), (layer, k, -1)]))
-        {
-            let random = |what: i32| hash(IVec2::new(2 * k + (1 + side) / 2, 2 * what + layer), seed);
-            let way = (from + (k as f32 + random(0) - 0.5) * self.apart).clamp(from, to);
-            let way = self.tufts.map_or(way, |apart| ((way / apart).round() * apart).min(to));
-            let share = way / to;
-            let (least, most) = self.spread;
-            // At the end of a twig needles look forward.
-            let angle = (least + (most - least) * random(1))
-                * if self.tufts.is_none() { 1.0 - 0.7 * share.powi(8) } else { 1.0 };
-            let direction = along.rotate(Vec2::from_angle(side as f32 * angle.to_radians()));
-            let length = self.needle * (0.7 + 0.3 * random(2));
-            let foot = foot + way * along;
-            let green = over(over(dark, light, random(3)), young, 0.6 * share.powi(3));
-            let green = lighter(green, twig_light - if layer == 0 { 0.06 } else { 0.0 });
-            let colours = [lighter(green, -0.08 * (1.0 - share)), lighter(green, 0.03)];
-            all.push(Stroke { foot, tip: foot + length * direction, half_width: self.thin, colours });
+        for layer in 0..2 {
+            let in_layer = (0..=count).flat_map(|k| [1, -1].map(|side| self.needle(twig, layer, (k, side))));
+            all.extend(in_layer);
         }
+    }
+
+    /// One needle of a layer of a twig, by its number on its side of it.
+    fn needle(&self, twig: &Twig, layer: i32, (k, side): (i32, i32)) -> Stroke {
+        let [dark, light, young, _] = self.colours.map(hex);
+        let random = |what: i32| hash(IVec2::new(2 * k + (1 + side) / 2, 2 * what + layer), twig.seed);
+        let (from, to) = twig.needles;
+        let way = (from + (k as f32 + random(0) - 0.5) * self.apart).clamp(from, to);
+        let way = self.tufts.map_or(way, |apart| ((way / apart).round() * apart).min(to));
+        let share = way / to;
+        let (least, most) = self.spread;
+        // At the end of a twig needles look forward; those of tufts go to all sides there, too.
+        let spread = if self.tufts.is_none() { 1.0 - 0.7 * share.powi(8) } else { 1.0 };
+        let angle = (least + (most - least) * random(1)) * spread;
+        let direction = twig.along.rotate(Vec2::from_angle(side as f32 * angle.to_radians()));
+        let foot = twig.foot + way * twig.along;
+        let tip = foot + self.needle * (0.7 + 0.3 * random(2)) * direction;
+        let green = over(over(dark, light, random(3)), young, 0.6 * share.powi(3));
+        let of_twig = 0.03 * (hash(IVec2::ZERO, twig.seed) - 0.5);
+        let green = lighter(green, of_twig - if layer == 0 { 0.06 } else { 0.0 });
+        let colours = [lighter(green, -0.08 * (1.0 - share)), lighter(green, 0.03)];
+        Stroke { foot, tip, half_width: self.thin, colours }
     }
 }
 
