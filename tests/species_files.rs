@@ -81,12 +81,8 @@ fn written(known: &Description, pick: Pick, aged: bool) -> (String, bool) {
     }
 }
 
-/// The text of a species file, and the keys in it that are wrong.
-fn file(
-    picks: &[(prop::sample::Index, Pick, bool)],
-    shape: usize,
-    words: [usize; 3],
-) -> (String, Vec<String>) {
+/// The text of a species file with the picked values and others by shares of their names, and the keys in it that are wrong.
+fn file(picks: &[(prop::sample::Index, Pick, bool)], names: [f64; 5]) -> (String, Vec<String>) {
     let known = known();
     let mut sections: BTreeMap<&str, Vec<String>> = BTreeMap::new();
     let (mut chosen, mut wrong) = (Vec::new(), Vec::new());
@@ -103,32 +99,12 @@ fn file(
             wrong.push(key.to_owned());
         }
     }
-    let shapes = [
-        "ovate",
-        "obovate",
-        "lanceolate",
-        "elliptic",
-        "deltoid",
-        "lobed",
-        "palmate",
-        "tuft",
-        "feather",
-        "leaflet",
-        "scale",
-        "round",
-    ];
-    let of = |choices: &[&str], k: usize| choices[k % choices.len()].to_owned();
-    let arrangement = of(&["spiral", "alternate", "opposite", "whorl"], words[0]);
-    let control = of(&["borchert_honda", "priority"], words[1]);
-    let resource = of(&["light", "space"], words[2]);
-    let own = sections.entry("").or_default();
-    own.push(format!("arrangement = \"{arrangement}\""));
-    own.push(format!("control = \"{control}\""));
-    own.push(format!("resource = \"{resource}\""));
-    let shape = shapes[shape % shapes.len()];
-    sections.entry("leaf").or_default().push(format!("shape = \"{shape}\""));
-    if shape == "round" {
-        wrong.push("shape".to_owned());
+    // Of each of the few things that a habit may be, one.
+    let choices = known.iter().filter(|known| matches!(known.kind, Kind::Choice(_)));
+    for (known, share) in choices.zip(names).filter(|(known, _)| !chosen.contains(&&known.path)) {
+        let (section, key) = known.path.rsplit_once('.').unwrap_or(("", &known.path));
+        let (text, _) = written(known, Pick::Inside(share), false);
+        sections.entry(section).or_default().push(format!("{key} = {text}"));
     }
     let mut text = SMALLEST.to_owned();
     for (section, lines) in sections {
@@ -144,11 +120,10 @@ proptest! {
     #[test]
     fn any_file_is_read_and_grows_or_is_refused_with_its_line(
         picks in prop::collection::vec((any::<prop::sample::Index>(), pick(), any::<bool>()), 0..24),
-        shape in 0usize..22,
-        words: [u8; 3],
+        names in prop::array::uniform5(0.0..=1.0),
         seed: u64,
     ) {
-        let (text, wrong) = file(&picks, shape, words.map(usize::from));
+        let (text, wrong) = file(&picks, names);
         match Species::from_toml(&text, "weed.toml") {
             Err(fault) => {
                 let fault = fault.to_string();

@@ -340,6 +340,20 @@ fn a_drawn_pot_takes_the_place_of_the_species_own_and_is_of_clay_everywhere() {
 }
 
 #[test]
+fn drawn_leaves_of_a_conifer_keep_their_outline_and_grown_ones_are_shoots() {
+    let mut plant = bare(1, 0);
+    let [drawn, grown] = [Detail::Full, Detail::Reduced].map(|detail| template(&mut plant, 0.2, detail));
+    plant.organs = vec![leaf(drawn, Vec3::Y, Some(0), Some(1)), leaf(grown, Vec3::Y, Some(0), None)];
+    for species in ["spruce", "linden"] {
+        let plant = finished(&plant, species, 1);
+        let cut_out = plant.organs.iter().map(|leaf| plant.materials()[plant.material(leaf.role)].cut_out);
+        assert_eq!(cut_out.collect::<Vec<_>>(), [false, true], "{species}");
+    }
+    let oak = finished(&plant, "oak", 1);
+    assert!(oak.materials().iter().all(|material| !material.cut_out));
+}
+
+#[test]
 fn only_used_materials_are_kept_and_named_once() {
     let maple = finished(&bare(1, 0), "maple", 1);
     let mut names: Vec<_> = maple.materials().iter().map(|m| m.name.clone()).collect();

@@ -27,13 +27,13 @@ crate::parameter_choice! {
         Lobed = "lobed",
         /// Five pointed lobes from one place: maple.
         Palmate = "palmate",
-        /// Many narrow needles from one place: pine.
+        /// Many narrow needles from one place.
         Tuft = "tuft",
         /// A feather of leaflets, or of needles.
         Feather = "feather",
-        /// One leaflet of a compound leaf, or a twig full of needles, of few corners: ash, walnut, spruce.
+        /// Of few corners: a leaflet of a compound leaf, or a whole shoot whose picture is cut out: ash, walnut, spruce, linden.
         Leaflet = "leaflet",
-        /// A flat spray of scales: cypress.
+        /// A flat spray of scales.
         Scale = "scale",
     }
 }
