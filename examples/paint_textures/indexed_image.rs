@@ -2,7 +2,8 @@
 //!
 //! Each pixel is the mean of four samples. Colours are reduced by median cut: pigments of one petal lie close
 //! together, so 256 of them are enough and the files stay small. Where most samples are clear, so is the pixel; it has the
-//! mean colour of all others, for what is shown between pixels.
+//! mean colour of all others, for what is shown between pixels, and some alpha: in smaller copies, of which programs show what is at least
+//! half covered, as much is shown then as in the picture itself (Castaño, "Computing Alpha Mipmaps", 2010).
 
 use super::color::{Lab, srgb8};
 use glam::Vec2;
@@ -24,9 +25,12 @@ pub(crate) struct IndexedImage {
     pub(crate) palette: Vec<[u8; 3]>,
     /// Index into the palette for each pixel, top row first.
     pub(crate) pixels: Vec<u8>,
-    /// Whether the last colour of the palette is clear.
-    has_clear: bool,
+    /// The alpha of the last colour of the palette, if that is clear: less than a half.
+    clear: Option<u8>,
 }
+
+/// Sides of the blocks that are pixels of smaller copies which show as much as the picture.
+const BLOCKS: [usize; 4] = [16, 32, 64, 128];
 
 impl IndexedImage {
     /// Paints `paint(u, v)`, u to the right and v upward, both 0 to 1.
@@ -48,9 +52,12 @@ impl IndexedImage {
         if has_clear {
             palette.push(mean(&colours));
         }
-        let clear = palette.len().saturating_sub(1) as u8;
-        let pixels = pixels.iter().map(|colour| colour.map_or(clear, |c| index[&coarse(c)])).collect();
-        Self { width, height, palette, pixels, has_clear }
+        let clear = has_clear
+            .then(|| BLOCKS.map(|block| clear_alpha(&pixels, width as usize, block)))
+            .and_then(|alphas| alphas.into_iter().max());
+        let last = palette.len().saturating_sub(1) as u8;
+        let pixels = pixels.iter().map(|colour| colour.map_or(last, |c| index[&coarse(c)])).collect();
+        Self { width, height, palette, pixels, clear }
     }
 
     /// The picture as a PNG file.
@@ -59,10 +66,9 @@ impl IndexedImage {
         let mut encoder = png::Encoder::new(&mut bytes, self.width, self.height);
         encoder.set_color(png::ColorType::Indexed);
         encoder.set_palette(self.palette.concat());
-        if self.has_clear {
-            let mut alphas = vec![u8::MAX; self.palette.len()];
-            alphas.pop();
-            alphas.push(0);
+        if let Some(clear) = self.clear {
+            let mut alphas = vec![u8::MAX; self.palette.len() - 1];
+            alphas.push(clear);
             encoder.set_trns(alphas);
         }
         encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
@@ -84,6 +90,21 @@ struct Bin {
     key: [u8; 3],
     sum: [u32; 3],
     count: u32,
+}
+
+/// The alpha of clear pixels with which as large a share of all blocks of this side is at least half covered as of all pixels is not clear.
+fn clear_alpha(pixels: &[Option<[u8; 3]>], width: usize, block: usize) -> u8 {
+    let across = width.div_ceil(block);
+    let mut painted = vec![0_usize; across * (pixels.len() / width).div_ceil(block)];
+    for (i, _) in pixels.iter().enumerate().filter(|(_, pixel)| pixel.is_some()) {
+        painted[i / width / block * across + i % width / block] += 1;
+    }
+    let shown = painted.iter().sum::<usize>() * painted.len() / pixels.len();
+    painted.sort_unstable_by(|a, b| b.cmp(a));
+    let least = painted[shown.min(painted.len() - 1)] as f32 / (block * block) as f32;
+    // Where a block of which so much is painted is half covered.
+    let alpha = (0.5 - least) / (1.0 - least).max(f32::MIN_POSITIVE);
+    (alpha.clamp(0.0, 0.45) * 255.0) as u8
 }
 
 fn mean(colours: &[[u8; 3]]) -> [u8; 3] {
