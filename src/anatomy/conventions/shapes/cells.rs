@@ -83,13 +83,17 @@ impl Cells {
 
     /// All other cells of the grid.
     pub(super) fn others(mut self) -> Self {
-        let (words, beyond) = (self.words(), self.width % BITS);
-        let last = if beyond == 0 { u64::MAX } else { (1 << beyond) - 1 };
-        for row in self.bits.chunks_mut(words) {
-            row.iter_mut().for_each(|word| *word = !*word);
-            row[words - 1] &= last;
-        }
+        self.bits.iter_mut().for_each(|word| *word = !*word);
+        self.clear_beyond();
         self
+    }
+
+    /// Clears the bits beyond the last column, which are no cells.
+    fn clear_beyond(&mut self) {
+        let (words, beyond) = (self.words(), self.width % BITS);
+        if beyond != 0 {
+            self.bits.iter_mut().skip(words - 1).step_by(words).for_each(|word| *word &= (1 << beyond) - 1);
+        }
     }
 
     /// Those that are also in another set of the same grid.
@@ -127,9 +131,8 @@ impl Cells {
                 }
             }
         }
-        // Bits that were pushed beyond the last column are no cells.
-        let all = Self { bits: vec![0; self.bits.len()], ..*self }.others();
-        wide.and(&all)
+        wide.clear_beyond();
+        wide
     }
 
     /// The cells that can be reached from one of these over the sides of cells of this set.
@@ -273,8 +276,8 @@ mod tests {
         7 * away.min_element() + 5 * (away.max_element() - away.min_element())
     }
 
-    /// Cells strewn over grids of one to four words a row.
-    fn strewn(width: i32, one_of: i32) -> Cells {
+    /// Cells scattered over grids of one to four words a row.
+    fn scattered(width: i32, one_of: i32) -> Cells {
         let size = IVec2::new(width, 23);
         let mut cells = Cells::none(size);
         let is_in = |at: &IVec2| (at.x * 7919 + at.y * 104_729 + at.x * at.y * 31) % one_of == 0;
@@ -285,7 +288,7 @@ mod tests {
     #[test]
     fn what_is_near_is_an_octagon() {
         for width in [9, 64, 65, 200] {
-            let (few, size) = (strewn(width, 97), IVec2::new(width, 23));
+            let (few, size) = (scattered(width, 97), IVec2::new(width, 23));
             let members: Vec<IVec2> = all(size).filter(|at| few.contains(*at)).collect();
             for reach in [0, 4, 5, 7, 13, 30, 44] {
                 let wide = few.widened(reach);
@@ -336,7 +339,7 @@ mod tests {
         let mut way = Cells::none(size);
         all(size).filter(|at| !wall(at.x, at.y)).for_each(|at| way.insert(at));
         assert_eq!(way.connected(IVec2::new(0, 22)), way);
-        let crowd = strewn(150, 2);
+        let crowd = scattered(150, 2);
         for first in all(size).filter(|at| crowd.contains(*at)).step_by(17) {
             let part = crowd.connected(first);
             let sides = [IVec2::X, IVec2::Y, IVec2::NEG_X, IVec2::NEG_Y];
