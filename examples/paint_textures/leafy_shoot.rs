@@ -1,5 +1,5 @@
-//! Shoots of broad-leaved trees, base at the bottom: leaves left and right in turn along a twig, and one at its end. Around them the picture
-//! is clear.
+//! Shoots of broad-leaved trees, base at the bottom: leaves left and right in turn along a twig, or in pairs, and one at its end. Around them
+//! the picture is clear.
 
 use super::color::{Lab, hex, lighter};
 use super::leaf::Leaf;
@@ -17,6 +17,8 @@ pub(crate) struct LeafyShoot {
     pub(crate) leaves: u32,
     pub(crate) length: f32,
     pub(crate) angle: f32,
+    /// Leaves stand in pairs, one opposite the other.
+    pub(crate) opposite: bool,
     /// Length of the stalk, in lengths of the leaf.
     pub(crate) stalk: f32,
     /// Half width of a leaf, in its lengths, and how full it is below and above: small numbers are full.
@@ -55,7 +57,7 @@ impl LeafyShoot {
         let end = 1.0 - self.length * (1.0 + self.stalk);
         let leaf = |k: u32| {
             let random = |what: i32| hash(IVec2::new(k as i32, what), self.seed) - 0.5;
-            let share = k as f32 / self.leaves as f32;
+            let share = (if self.opposite { k & !1 } else { k }) as f32 / self.leaves as f32;
             let side = if k.is_multiple_of(2) { -1.0 } else { 1.0 };
             let angle = if k == self.leaves {
                 0.0
