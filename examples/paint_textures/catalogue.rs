@@ -82,26 +82,26 @@ fn leafy_shoots() -> Vec<(&'static str, LeafyShoot)> {
         leaves: 8,
         length: 0.25,
         angle: 58.0,
+        opposite: false,
         stalk: 0.08,
         half_width: 0.3,
         taper: (0.6, 0.8),
         leaf: pinnate(0x5c9344, 0x3e6e30, 0xa2c480, 8.0, 0.3, 607),
         bark: 0x7a6448,
         seed: 611,
-        ..linden
     };
     let poplar = LeafyShoot {
         width: 0.8,
         leaves: 8,
         length: 0.22,
         angle: 56.0,
+        opposite: false,
         stalk: 0.5,
         half_width: 0.44,
         taper: (0.42, 0.9),
         leaf: pinnate(0x6a9c46, 0x4a7434, 0xb8cc80, 5.0, 0.5, 641),
         bark: 0x9a8a58,
         seed: 643,
-        ..linden
     };
     let olive = LeafyShoot {
         width: 0.5,
@@ -115,7 +115,6 @@ fn leafy_shoots() -> Vec<(&'static str, LeafyShoot)> {
         leaf: pinnate(0x74885c, 0x566a46, 0xb4c0a0, 5.0, 0.6, 683),
         bark: 0x9c9480,
         seed: 691,
-        ..linden
     };
     vec![("shoot_linden", linden), ("shoot_beech", beech), ("shoot_poplar", poplar), ("shoot_olive", olive)]
 }
