@@ -5,10 +5,9 @@ use super::color::{Lab, hex};
 use super::disc::Disc;
 use super::flesh;
 use super::indexed_image::IndexedImage;
-use super::leaf::{Leaf, Marking, Venation};
-use super::leafy_shoot::LeafyShoot;
-use super::needles::Shoot;
+use super::leaf::{Leaf, Marking, palmate, parallel, pinnate};
 use super::petals;
+use super::shoots;
 use super::tree_bark;
 use glam::Vec2;
 
@@ -17,6 +16,7 @@ pub(crate) struct Texture {
     /// File name without extension.
     pub(crate) name: &'static str,
     size: (u32, u32),
+    colours: usize,
     /// Nothing where it is clear.
     paint: Box<dyn Fn(Vec2) -> Option<Lab>>,
 }
@@ -24,7 +24,7 @@ pub(crate) struct Texture {
 impl Texture {
     /// Paints it.
     pub(crate) fn picture(&self) -> IndexedImage {
-        IndexedImage::new(self.size.0, self.size.1, &self.paint)
+        IndexedImage::new(self.size, self.colours, &self.paint)
     }
 }
 
@@ -32,17 +32,10 @@ impl Texture {
 pub(crate) fn all() -> Vec<Texture> {
     let petals = petals::ALL.iter().map(|(name, petal)| blade(name, |p| petal.paint(p)));
     let leaves = leaves().into_iter().map(|(name, leaf)| blade(name, move |p| leaf.paint(p)));
-    let needles = needles().into_iter().map(|(name, shoot)| Texture {
-        name,
-        size: (256, 512),
-        paint: Box::new(shoot.painter()),
-    });
-    let shoots = leafy_shoots().into_iter().map(|(name, shoot)| Texture {
-        name,
-        size: (512, 512),
-        paint: Box::new(shoot.painter()),
-    });
-    petals.chain(leaves).chain(needles).chain(shoots).chain(surfaces()).chain(discs()).collect()
+    let needles =
+        shoots::needles().into_iter().map(|(name, shoot)| cut_out(name, (256, 512), shoot.painter()));
+    let leafy = shoots::leafy().into_iter().map(|(name, shoot)| cut_out(name, (512, 512), shoot.painter()));
+    petals.chain(leaves).chain(needles).chain(leafy).chain(surfaces()).chain(discs()).collect()
 }
 
 fn blade(name: &'static str, paint: impl Fn(Vec2) -> Lab + 'static) -> Texture {
@@ -59,141 +52,12 @@ fn trunk(name: &'static str, paint: impl Fn(Vec2) -> Lab + 'static) -> Texture {
 }
 
 fn opaque(name: &'static str, size: (u32, u32), paint: impl Fn(Vec2) -> Lab + 'static) -> Texture {
-    Texture { name, size, paint: Box::new(move |p| Some(paint(p))) }
+    Texture { name, size, colours: 256, paint: Box::new(move |p| Some(paint(p))) }
 }
 
-/// Shoots of broad-leaved trees.
-fn leafy_shoots() -> Vec<(&'static str, LeafyShoot)> {
-    let linden = LeafyShoot {
-        width: 0.8,
-        leaves: 6,
-        length: 0.27,
-        angle: 62.0,
-        opposite: false,
-        stalk: 0.3,
-        half_width: 0.42,
-        taper: (0.32, 0.95),
-        leaf: pinnate(0x6c9a48, 0x486f34, 0xaec888, 5.0, 0.42, 601),
-        bark: 0x8a7a50,
-        seed: 603,
-    };
-    let beech = LeafyShoot {
-        width: 0.64,
-        leaves: 8,
-        length: 0.25,
-        angle: 58.0,
-        opposite: false,
-        stalk: 0.08,
-        half_width: 0.3,
-        taper: (0.6, 0.8),
-        leaf: pinnate(0x5c9344, 0x3e6e30, 0xa2c480, 8.0, 0.3, 607),
-        bark: 0x7a6448,
-        seed: 611,
-    };
-    let poplar = LeafyShoot {
-        width: 0.8,
-        leaves: 8,
-        length: 0.22,
-        angle: 56.0,
-        opposite: false,
-        stalk: 0.5,
-        half_width: 0.44,
-        taper: (0.42, 0.9),
-        leaf: pinnate(0x6a9c46, 0x4a7434, 0xb8cc80, 5.0, 0.5, 641),
-        bark: 0x9a8a58,
-        seed: 643,
-    };
-    let olive = LeafyShoot {
-        width: 0.5,
-        leaves: 10,
-        length: 0.27,
-        angle: 48.0,
-        opposite: true,
-        stalk: 0.06,
-        half_width: 0.095,
-        taper: (0.6, 0.75),
-        leaf: pinnate(0x74885c, 0x566a46, 0xb4c0a0, 5.0, 0.6, 683),
-        bark: 0x9c9480,
-        seed: 691,
-    };
-    vec![("shoot_linden", linden), ("shoot_beech", beech), ("shoot_poplar", poplar), ("shoot_olive", olive)]
-}
-
-/// Shoots of conifers.
-fn needles() -> Vec<(&'static str, Shoot)> {
-    let spruce = Shoot {
-        width: 0.4,
-        twigs: 9,
-        angle: 40.0,
-        middle: (0.0, 0.96),
-        needle: 0.056,
-        thin: 0.0038,
-        apart: 0.0085,
-        spread: (38.0, 66.0),
-        tufts: None,
-        colours: [0x2c5230, 0x54824a, 0x98bb74, 0x6d5238],
-        seed: 511,
-    };
-    let pine = Shoot {
-        width: 0.8,
-        twigs: 0,
-        middle: (0.14, 0.56),
-        needle: 0.44,
-        thin: 0.0075,
-        apart: 0.034,
-        spread: (4.0, 78.0),
-        colours: [0x35593f, 0x66906a, 0x86a872, 0x8a6a48],
-        seed: 521,
-        ..spruce
-    };
-    let larch = Shoot {
-        width: 0.4,
-        twigs: 5,
-        angle: 40.0,
-        needle: 0.055,
-        thin: 0.0042,
-        apart: 0.0055,
-        spread: (0.0, 150.0),
-        tufts: Some(0.09),
-        colours: [0x5d8a3e, 0x8db45a, 0xb4cf7c, 0x9a7a52],
-        seed: 541,
-        ..spruce
-    };
-    let cypress = Shoot {
-        width: 0.5,
-        twigs: 13,
-        angle: 30.0,
-        needle: 0.04,
-        thin: 0.0065,
-        apart: 0.013,
-        spread: (14.0, 26.0),
-        colours: [0x2d5232, 0x5a8450, 0x7fa468, 0x6d5238],
-        seed: 557,
-        ..spruce
-    };
-    vec![("shoot_spruce", spruce), ("shoot_pine", pine), ("shoot_larch", larch), ("shoot_cypress", cypress)]
-}
-
-fn pinnate(field: u32, shade: u32, vein: u32, pairs: f32, rise: f32, seed: u32) -> Leaf {
-    Leaf {
-        field,
-        shade,
-        vein,
-        seed,
-        margin: (shade, 0.2),
-        tip: (field, 0.0),
-        venation: Venation::Pinnate { pairs, rise },
-        marking: (Marking::Plain, 0),
-        swell: 0.06,
-    }
-}
-
-fn palmate(field: u32, shade: u32, vein: u32, angles: &'static [f32], seed: u32) -> Leaf {
-    Leaf { venation: Venation::Palmate(angles), ..pinnate(field, shade, vein, 1.0, 0.0, seed) }
-}
-
-fn parallel(field: u32, shade: u32, vein: u32, lines: f32, seed: u32) -> Leaf {
-    Leaf { venation: Venation::Parallel(lines), swell: 0.03, ..pinnate(field, shade, vein, 1.0, 0.0, seed) }
+/// A shoot, seen small: fewer colours make a smaller file.
+fn cut_out(name: &'static str, size: (u32, u32), paint: impl Fn(Vec2) -> Option<Lab> + 'static) -> Texture {
+    Texture { name, size, colours: 64, paint: Box::new(paint) }
 }
 
 fn leaves() -> Vec<(&'static str, Leaf)> {

@@ -9,8 +9,6 @@ use super::color::{Lab, srgb8};
 use glam::Vec2;
 use std::collections::BTreeMap;
 
-/// Most colours in a picture.
-const COLOURS: usize = 256;
 const SAMPLES: [Vec2; 4] =
     [Vec2::new(0.25, 0.25), Vec2::new(0.75, 0.25), Vec2::new(0.25, 0.75), Vec2::new(0.75, 0.75)];
 
@@ -33,8 +31,8 @@ pub(crate) struct IndexedImage {
 const BLOCKS: [usize; 4] = [16, 32, 64, 128];
 
 impl IndexedImage {
-    /// Paints `paint(u, v)`, u to the right and v upward, both 0 to 1.
-    pub(crate) fn new(width: u32, height: u32, paint: impl Fn(Vec2) -> Option<Lab>) -> Self {
+    /// Paints `paint(u, v)`, u to the right and v upward, both 0 to 1, with at most so many colours, 256 at most.
+    pub(crate) fn new((width, height): (u32, u32), most: usize, paint: impl Fn(Vec2) -> Option<Lab>) -> Self {
         let pixel = |i: u32| {
             let corner = Vec2::new((i % width) as f32, (i / width) as f32);
             let sample = |s: &Vec2| {
@@ -48,7 +46,7 @@ impl IndexedImage {
         let pixels: Vec<Option<[u8; 3]>> = (0..width * height).map(pixel).collect();
         let colours: Vec<[u8; 3]> = pixels.iter().copied().flatten().collect();
         let has_clear = colours.len() < pixels.len();
-        let (mut palette, index) = reduce(&colours, COLOURS - usize::from(has_clear));
+        let (mut palette, index) = reduce(&colours, most - usize::from(has_clear));
         if has_clear {
             palette.push(mean(&colours));
         }

@@ -56,6 +56,31 @@ pub(crate) struct Leaf {
     pub(crate) seed: u32,
 }
 
+/// A plain leaf of these colours with side veins along its midrib.
+pub(crate) fn pinnate(field: u32, shade: u32, vein: u32, pairs: f32, rise: f32, seed: u32) -> Leaf {
+    Leaf {
+        field,
+        shade,
+        vein,
+        seed,
+        margin: (shade, 0.2),
+        tip: (field, 0.0),
+        venation: Venation::Pinnate { pairs, rise },
+        marking: (Marking::Plain, 0),
+        swell: 0.06,
+    }
+}
+
+/// A plain leaf of these colours with midribs at these angles.
+pub(crate) fn palmate(field: u32, shade: u32, vein: u32, angles: &'static [f32], seed: u32) -> Leaf {
+    Leaf { venation: Venation::Palmate(angles), ..pinnate(field, shade, vein, 1.0, 0.0, seed) }
+}
+
+/// A plain leaf of these colours with lines from base to tip.
+pub(crate) fn parallel(field: u32, shade: u32, vein: u32, lines: f32, seed: u32) -> Leaf {
+    Leaf { venation: Venation::Parallel(lines), swell: 0.03, ..pinnate(field, shade, vein, 1.0, 0.0, seed) }
+}
+
 /// Distances that colour a point of a leaf.
 struct Veins {
     /// Strength of main and side veins, 0 to 1.

@@ -9,7 +9,7 @@
 //!
 //! Small cards are seen aslant, where still smaller copies are taken, and hide one another. So as many blocks are shown as have
 //! twice the area that is covered: with less, an oak, an ash and a spruce in pictures of 200 pixels lost more, with more they grew
-//! beyond their leaves. The picture of a whole plant is not hidden.
+//! beyond their leaves. The picture of a whole plant is not hidden; the larger a share of it a card shows, the less.
 //!
 //! Limits: one factor for all copies, found for that of blocks; in those before it a little too much is shown of what is very thin,
 //! in those beyond it too little.
@@ -18,7 +18,7 @@ use glam::{USizeVec2, Vec4};
 
 /// Width and height of blocks, pixels: six halvings, as a card of 256 pixels that is seen on four.
 const BLOCK: usize = 64;
-/// Area of the blocks that are to be shown, share of what is covered: of a picture of a shoot, and of one of the whole plant.
+/// Area of the blocks that are to be shown, share of what is covered: of a picture of a small shoot, and of one of the whole plant.
 const WANTED: (f32, f32) = (2.0, 1.0);
 /// Most that is added, share of a block's mean.
 const MOST: f32 = 4.0;
@@ -31,8 +31,7 @@ const HALVINGS: u32 = 8;
 /// lower corner.
 pub(super) fn keep(pixels: &mut [Vec4], size: USizeVec2, share: f32) {
     let blocks = Blocks::of(pixels, size);
-    let wanted = if share < 1.0 { WANTED.0 } else { WANTED.1 };
-    let wanted = wanted * pixels.iter().map(|pixel| pixel.w).sum::<f32>();
+    let wanted = (WANTED.0 + share * (WANTED.1 - WANTED.0)) * pixels.iter().map(|pixel| pixel.w).sum::<f32>();
     let (mut low, mut high) = (0.0, MOST);
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
