@@ -1,13 +1,11 @@
 //! `penstemon bloom SPECIES -o OUT`: a full flower on its stem, as far open as asked for, or opening frame by frame.
 
 use super::common;
-use super::render::{Size, ViewName};
-use super::studio::{Outputs, Studio, is_picture, open_species};
+use super::studio::{Outputs, PictureArgs, Studio, is_picture, open_species};
 use crate::formats::write;
 use crate::input::Sources;
 use crate::pipeline::{self, Bloom, Built, Cache};
 use crate::plant::OrganKind;
-use crate::render::{PictureOptions, Projection, View};
 use crate::species::Species;
 use anyhow::{Context, Result, ensure};
 use std::path::{Path, PathBuf};
@@ -35,12 +33,9 @@ pub struct Args {
     /// Petals in GLB as copies of a few meshes; `nodes` for every program, `gpu` for those that read EXT_mesh_gpu_instancing.
     #[arg(long, value_name = "FORM")]
     pub instances: Option<common::Instances>,
-    /// From where pictures are taken.
-    #[arg(long, value_enum, default_value_t = ViewName::Front)]
-    pub view: ViewName,
-    /// Width and height of pictures in pixels.
-    #[arg(long, value_name = "WxH", default_value = "1200x900")]
-    pub size: Size,
+    #[command(flatten)]
+    #[allow(missing_docs)]
+    pub pictures: PictureArgs,
     #[command(flatten)]
     #[allow(missing_docs)]
     pub assignments: common::Assignments,
@@ -77,9 +72,8 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     let mut bed = Bed { name, args, species: &species, cache: Cache::default() };
     let open = args.open.unwrap_or(1.0);
     let built = bed.grow(open)?;
-    let options = PictureOptions { width: args.size.width, height: args.size.height, transparent: false };
-    let view = View { direction: args.view.direction(), projection: Projection::Perspective, turn_deg: 0.0 };
-    let outputs = Outputs { outs: &args.out, instances: args.instances, sources: &sources, view, options };
+    let outputs =
+        Outputs { outs: &args.out, instances: args.instances, sources: &sources, pictures: args.pictures };
     let mut studio = Studio::new(&outputs, &built.model)?;
     let bytes = match args.frames {
         None => studio.write(&built, &Path::to_owned)?,

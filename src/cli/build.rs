@@ -2,9 +2,10 @@
 
 use super::common::{self, BuildOptions, Instances, Setup};
 use super::lod::{self, Lod};
+use super::studio::{Outputs, PictureArgs, Studio, is_picture};
 use crate::formats::write;
 use anyhow::ensure;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Arguments of `build`.
@@ -12,7 +13,7 @@ use std::process::ExitCode;
 pub struct Args {
     /// The drawing: .penstemon or .svg.
     pub sketch: PathBuf,
-    /// Where the plant goes: .glb, .obj (with .mtl and textures) or .json; may be given again.
+    /// Where the plant goes: .glb, .obj (with .mtl and textures), .json, or .png for a picture; may be given again.
     #[arg(short, long = "out", value_name = "FILE", required = true)]
     pub out: Vec<PathBuf>,
     /// Leaves and petals in GLB as copies of a few meshes instead of one large mesh; `nodes` for every program, `gpu` for
@@ -25,6 +26,9 @@ pub struct Args {
     pub lod: Option<Lod>,
     #[command(flatten)]
     #[allow(missing_docs)]
+    pub pictures: PictureArgs,
+    #[command(flatten)]
+    #[allow(missing_docs)]
     pub options: BuildOptions,
 }
 
@@ -33,7 +37,7 @@ pub struct Args {
 /// # Errors
 /// A drawing that cannot be read or holds nothing to build, an output that cannot be written.
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
-    for out in &args.out {
+    for out in args.out.iter().filter(|out| !is_picture(out)) {
         write::format_of(out)?;
     }
     let setup = Setup::open(&args.sketch, &args.options.setup)?;
@@ -47,8 +51,9 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     let (bytes, levels) = match &args.lod {
         Some(lod) => lod::export(&args.out, (&built, &setup.params), lod, args.instances, &setup.sources)?,
         None => {
-            let made = ((&built.plant, &built.provenance), &built.model);
-            (common::export(&args.out, made, args.instances, &setup.sources)?, Vec::new())
+            let (outs, instances, sources) = (&args.out[..], args.instances, &setup.sources);
+            let outputs = Outputs { outs, instances, sources, pictures: args.pictures };
+            (Studio::new(&outputs, &built.model)?.write(&built, &Path::to_owned)?, Vec::new())
         }
     };
     if args.options.stats {
@@ -59,4 +64,26 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         common::print(&stats.to_string())?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::{Cli, Verb};
+    use clap::Parser;
+
+    #[test]
+    fn a_drawing_becomes_a_model_and_a_picture_of_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let here = folder.path().display();
+        let line = format!(
+            "penstemon build assets/sketches/daisy.penstemon --size 64x48 -o {here}/a.glb -o {here}/a.png"
+        );
+        let Some(Verb::Build(args)) = Cli::try_parse_from(line.split_whitespace()).unwrap().verb else {
+            panic!("{line}")
+        };
+        run(&args).unwrap();
+        assert!(std::fs::read(folder.path().join("a.glb")).unwrap().starts_with(b"glTF"));
+        assert!(std::fs::read(folder.path().join("a.png")).unwrap().starts_with(b"\x89PNG"));
+    }
 }

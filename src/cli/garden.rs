@@ -1,8 +1,7 @@
 //! `penstemon garden SPEC.toml -o OUT` or `penstemon garden SPECIES… --area WxD -o OUT`: a garden of plants that are copies of a few.
 
 use super::common::{self, Assignments, Setup, SetupOptions, Stages};
-use super::render::{Size, ViewName};
-use super::studio::{self, is_picture, open_species};
+use super::studio::{self, Size, Viewpoint, is_picture, open_species};
 use crate::atomic;
 use crate::budget::GardenBudget;
 use crate::formats::read::{Loaded, ReadFormat, load};
@@ -18,7 +17,7 @@ use crate::picture::Picture;
 use crate::pipeline::{self, Clock};
 use crate::plant::{FinishedPlant, Material, Plant, Provenance, Texture};
 use crate::quote;
-use crate::render::{PictureOptions, Projection, View};
+use crate::render::PictureOptions;
 use crate::species::Species;
 use anyhow::{Context as _, Result, bail, ensure};
 use serde_json::{Map, Value, json};
@@ -66,8 +65,8 @@ pub struct Args {
     #[arg(long, value_name = "FORM", default_value = "nodes")]
     pub instances: common::Instances,
     /// From where pictures are taken.
-    #[arg(long, value_enum, default_value_t = ViewName::ThreeQuarter)]
-    pub view: ViewName,
+    #[arg(long, value_enum, default_value_t = Viewpoint::ThreeQuarter)]
+    pub view: Viewpoint,
     /// Width and height of pictures in pixels.
     #[arg(long, value_name = "WxH", default_value = "1600x900")]
     pub size: Size,
@@ -340,9 +339,9 @@ fn write_all(args: &Args, garden: &Garden, sources: &Sources) -> Result<usize> {
 
 /// Takes a picture of the garden; returns its size in bytes.
 fn write_picture(args: &Args, out: &Path, model: &Model) -> Result<usize> {
-    let view = View { direction: args.view.direction(), projection: Projection::Perspective, turn_deg: 0.0 };
     let options = PictureOptions { width: args.size.width, height: args.size.height, transparent: false };
-    let png = studio::picture(model, view, &options).with_context(|| out.display().to_string())?;
+    let png =
+        studio::picture(model, args.view.view(), &options).with_context(|| out.display().to_string())?;
     atomic::write_atomically(out, &png)?;
     Ok(png.len())
 }

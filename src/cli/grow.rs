@@ -1,14 +1,13 @@
 //! `penstemon grow SPECIES -o OUT`: a plant that grows by itself, at one age or at many ages one after the other.
 
 use super::lod::{self, Lod};
-use super::studio::{Outputs, Studio, is_picture, open_species};
+use super::studio::{Outputs, PictureArgs, Studio, is_picture, open_species};
 use super::{common, inside, lobes, rose};
 use crate::formats::write;
 use crate::growth::{Envelope, Limits, Outcome, Simulation};
 use crate::input::Sources;
 use crate::pipeline::{self, Ages, Built, Cache, Params, Seed};
 use crate::plant::{Branch, OrganKind};
-use crate::render::{Direction, PictureOptions, Projection, View};
 use crate::sketch::Remark;
 use crate::species::Species;
 use anyhow::{Context, Result, ensure};
@@ -56,6 +55,9 @@ pub struct Args {
     pub max_internodes: Option<u64>,
     #[command(flatten)]
     #[allow(missing_docs)]
+    pub pictures: PictureArgs,
+    #[command(flatten)]
+    #[allow(missing_docs)]
     pub assignments: common::Assignments,
     /// Print times, counts and bytes written as one JSON object.
     #[arg(long)]
@@ -66,6 +68,10 @@ pub struct Args {
 }
 
 impl Args {
+    fn outputs<'a>(&'a self, sources: &'a Sources) -> Outputs<'a> {
+        Outputs { outs: &self.out, instances: self.instances, sources, pictures: self.pictures }
+    }
+
     /// Whether the plant fills a volume.
     fn fills(&self) -> bool {
         self.inside.is_some() || self.lobes.is_some()
@@ -112,10 +118,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
             "{name}: a rose has no levels of detail yet; leave out --lod, or ask for one level with --triangles"
         );
         ensure!(!args.fills(), "{name}: a rose does not fill volumes; leave out --inside and --lobes");
-        let view = View { direction: Direction::Front, projection: Projection::Perspective, turn_deg: 0.0 };
-        let options = PictureOptions { width: 1200, height: 900, transparent: false };
-        let (outs, sources, instances) = (&args.out[..], &sources, args.instances);
-        let outputs = Outputs { outs, instances, sources, view, options };
+        let outputs = args.outputs(&sources);
         let bed =
             rose::Bed { name, species: &species, assignments: &args.assignments.all(), seed: args.seed };
         return rose::run(&bed, &outputs, args.frames, args.stats);
@@ -221,9 +224,7 @@ fn why_bare(ages: Ages) -> &'static str {
 
 /// Writes the plant, or its frames; returns the number of bytes.
 fn write(args: &Args, sources: &Sources, grown: &Built, nursery: &mut Nursery<'_>) -> Result<usize> {
-    let view = View { direction: Direction::Front, projection: Projection::Perspective, turn_deg: 0.0 };
-    let options = PictureOptions { width: 1200, height: 900, transparent: false };
-    let outputs = Outputs { outs: &args.out, instances: args.instances, sources, view, options };
+    let outputs = args.outputs(sources);
     // All pictures are framed for the plant that it becomes.
     let mut studio = Studio::new(&outputs, &grown.model)?;
     let Some(frames) = args.frames else { return studio.write(grown, &Path::to_owned) };
@@ -291,6 +292,28 @@ mod tests {
         let picture = |frame: u32| std::fs::read(folder.path().join(format!("a-{frame:03}.png"))).unwrap();
         assert!(picture(1) != picture(2) && picture(2) != picture(3));
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 9);
+    }
+
+    #[test]
+    fn pictures_are_taken_as_asked_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("a.png");
+        let mut taken = Vec::new();
+        for view in ["front", "top"] {
+            let line = format!(
+                "penstemon grow hazel --age 3 --size 64x48 --transparent --view {view} -o {}",
+                out.display()
+            );
+            run(&parse(&line).unwrap()).unwrap();
+            let file = std::io::BufReader::new(std::fs::File::open(&out).unwrap());
+            let mut reader = png::Decoder::new(file).read_info().unwrap();
+            let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+            let info = reader.next_frame(&mut pixels).unwrap();
+            assert_eq!((info.width, info.height, info.color_type), (64, 48, png::ColorType::Rgba));
+            assert_eq!(pixels[3], 0, "the corner is clear");
+            taken.push(pixels);
+        }
+        assert_ne!(taken[0], taken[1]);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! `penstemon render`: a picture of a sketch or a model, a turntable of pictures, or the drawing itself.
 
 use super::common::{self, BuildOptions, Setup};
+use super::studio::Size;
 use crate::atomic;
 use crate::formats::read::{Embedded, Loaded, ReadFormat, load};
 use crate::formats::textures::{self, fetch};
@@ -41,27 +42,6 @@ impl ViewName {
             ViewName::Top => Direction::Top,
             ViewName::ThreeQuarter => Direction::ThreeQuarter,
         }
-    }
-}
-
-/// Width and height of a picture in pixels, written `1200x900`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Size {
-    /// Pixels from left to right.
-    pub width: u32,
-    /// Pixels from top to bottom.
-    pub height: u32,
-}
-
-impl std::str::FromStr for Size {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let explain =
-            || format!("`{text}` is not a size; write it as WIDTHxHEIGHT in pixels, such as 1200x900");
-        let (width, height) = text.split_once('x').ok_or_else(explain)?;
-        let number = |digits: &str| digits.parse().map_err(|_| explain());
-        Ok(Self { width: number(width)?, height: number(height)? })
     }
 }
 
@@ -247,14 +227,6 @@ mod tests {
         match Cli::try_parse_from(line.split_whitespace())?.verb {
             Some(Verb::Render(args)) => Ok(args),
             other => panic!("{other:?}"),
-        }
-    }
-
-    #[test]
-    fn a_size_is_two_numbers() {
-        assert_eq!("1200x900".parse(), Ok(Size { width: 1200, height: 900 }));
-        for wrong in ["1200", "x", "12x", "-1x5", "1.5x2", "5000000000x1"] {
-            assert!(wrong.parse::<Size>().unwrap_err().contains("1200x900"), "{wrong}");
         }
     }
 

@@ -1,5 +1,5 @@
-//! What verbs share that make plants without a drawing: opening a species, and writing models and pictures, once or frame by
-//! frame.
+//! What verbs share that make plants: opening a species, how pictures are taken, and writing models and pictures, once or frame
+//! by frame.
 
 use super::common;
 use crate::atomic;
@@ -8,7 +8,7 @@ use crate::input::Sources;
 use crate::model::Model;
 use crate::pipeline::Built;
 use crate::plant::Texture;
-use crate::render::{ModelDrawData, PictureOptions, Renderer, View};
+use crate::render::{Direction, ModelDrawData, PictureOptions, Projection, Renderer, View};
 use crate::species::Species;
 use anyhow::{Context, Result};
 use std::borrow::Cow;
@@ -26,6 +26,74 @@ pub fn is_picture(out: &Path) -> bool {
     out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"))
 }
 
+/// Width and height of a picture in pixels, written `1200x900`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    /// Pixels from left to right.
+    pub width: u32,
+    /// Pixels from top to bottom.
+    pub height: u32,
+}
+
+impl std::str::FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let explain =
+            || format!("`{text}` is not a size; write it as WIDTHxHEIGHT in pixels, such as 1200x900");
+        let (width, height) = text.split_once('x').ok_or_else(explain)?;
+        let number = |digits: &str| digits.parse().map_err(|_| explain());
+        Ok(Self { width: number(width)?, height: number(height)? })
+    }
+}
+
+/// From where a plant is seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Viewpoint {
+    /// As it was drawn.
+    Front,
+    /// From its right.
+    Side,
+    /// From above.
+    Top,
+    /// From the front right and a little above.
+    ThreeQuarter,
+}
+
+impl Viewpoint {
+    /// The camera there, with perspective.
+    pub fn view(self) -> View {
+        let direction = match self {
+            Viewpoint::Front => Direction::Front,
+            Viewpoint::Side => Direction::Side,
+            Viewpoint::Top => Direction::Top,
+            Viewpoint::ThreeQuarter => Direction::ThreeQuarter,
+        };
+        View { direction, projection: Projection::Perspective, turn_deg: 0.0 }
+    }
+}
+
+/// How pictures of a plant are taken.
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub struct PictureArgs {
+    /// From where pictures are taken.
+    #[arg(long, value_enum, default_value_t = Viewpoint::Front)]
+    pub view: Viewpoint,
+    /// Width and height of pictures in pixels.
+    #[arg(long, value_name = "WxH", default_value = "1200x900")]
+    pub size: Size,
+    /// In pictures only the plant: no paper, no shadow on it.
+    #[arg(long)]
+    pub transparent: bool,
+}
+
+impl PictureArgs {
+    /// What the renderer is told.
+    pub fn options(&self) -> PictureOptions {
+        PictureOptions { width: self.size.width, height: self.size.height, transparent: self.transparent }
+    }
+}
+
 /// Where plants go, and how their pictures are taken.
 pub struct Outputs<'a> {
     /// Models and pictures.
@@ -34,10 +102,8 @@ pub struct Outputs<'a> {
     pub instances: Option<common::Instances>,
     /// The files that the plants come from.
     pub sources: &'a Sources,
-    /// From where pictures are taken.
-    pub view: View,
-    /// Their size.
-    pub options: PictureOptions,
+    /// How pictures are taken.
+    pub pictures: PictureArgs,
 }
 
 /// Writes plants, all of whose pictures are framed for one of them.
@@ -70,14 +136,14 @@ impl<'a> Studio<'a> {
     /// # Errors
     /// A file that cannot be written, a picture that cannot be drawn.
     pub fn write(&mut self, built: &Built, named: &dyn Fn(&Path) -> PathBuf) -> Result<usize> {
-        let Outputs { outs, instances, sources, view, options } = self.outputs;
+        let Outputs { outs, instances, sources, pictures: taken } = self.outputs;
         let (pictures, models): (Vec<PathBuf>, Vec<PathBuf>) =
             outs.iter().map(|out| named(out)).partition(|out| is_picture(out));
         sources.spare(pictures.iter().map(PathBuf::as_path))?;
         let Built { model, plant, provenance, .. } = built;
         let mut bytes = common::export(&models, ((plant, provenance), model), *instances, sources)?;
         if let Some(camera) = &mut self.camera {
-            let png = camera.picture(model, *view, options)?;
+            let png = camera.picture(model, taken)?;
             for out in &pictures {
                 atomic::write_atomically(out, &png)?;
                 bytes += png.len();
@@ -89,9 +155,10 @@ impl<'a> Studio<'a> {
 
 impl Camera {
     /// A picture as a PNG file.
-    fn picture(&mut self, model: &Model, view: View, options: &PictureOptions) -> Result<Vec<u8>> {
+    fn picture(&mut self, model: &Model, taken: &PictureArgs) -> Result<Vec<u8>> {
         let model = self.renderer.upload(model, &texture)?.framed_as(&self.framed_for);
-        let picture = self.renderer.pictures(&model, &[view], options).next().context("no picture")??;
+        let (views, options) = ([taken.view.view()], taken.options());
+        let picture = self.renderer.pictures(&model, &views, &options).next().context("no picture")??;
         Ok(picture.to_png()?)
     }
 }
@@ -107,4 +174,17 @@ pub fn picture(model: &Model, view: View, options: &PictureOptions) -> Result<Ve
 /// The file of a texture.
 fn texture(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
     Ok(fetch(texture, &common::built_in_texture)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_size_is_two_numbers() {
+        assert_eq!("1200x900".parse(), Ok(Size { width: 1200, height: 900 }));
+        for wrong in ["1200", "x", "12x", "-1x5", "1.5x2", "5000000000x1"] {
+            assert!(wrong.parse::<Size>().unwrap_err().contains("1200x900"), "{wrong}");
+        }
+    }
 }
