@@ -83,8 +83,10 @@ fn tone_mapped(colour: vec3<f32>) -> vec3<f32> {
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     let texel = textureSample(picture, picture_sampler, corner.uv);
-    // One pixel wide around the middle of the picture's alpha: what alpha-to-coverage turns into a smooth edge.
-    let edge = clamp((texel.a - 0.5) / max(fwidth(texel.a), 1e-4) + 0.5, 0.0, 1.0);
+    // One pixel wide around the middle of the picture's alpha: what alpha-to-coverage turns into a smooth edge. What is clear may
+    // have any alpha below the middle, and where that changes there is no edge.
+    let middle = clamp(texel.a, 0.4, 0.6);
+    let edge = clamp((middle - 0.5) / max(fwidth(middle), 1e-4) + 0.5, 0.0, 1.0);
     let alpha = select(1.0, edge, material.diffuse.w > 0.5);
 
     let normal = normalize(corner.normal) * select(-1.0, 1.0, front);

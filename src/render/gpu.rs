@@ -9,7 +9,7 @@
 use super::RenderError;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Buffers lie in blocks that are given back only when all of a block is free, the last block never: small blocks let the
 /// large buffers of a plant have memory of their own, which goes with them.
@@ -19,6 +19,8 @@ pub(crate) const MEMORY_HINTS: wgpu::MemoryHints =
 const BLOCK: u64 = 8 << 20;
 /// Longest wait for the device in one go, which is one pass; software drivers need seconds for the largest.
 const PATIENCE: Duration = Duration::from_secs(120);
+/// Between waits that ended too early.
+const PAUSE: Duration = Duration::from_millis(1);
 
 /// What is asked of a device: little, so that any will do, but buffers and textures as large as the adapter can.
 pub(crate) fn limits(adapter: &wgpu::Adapter) -> wgpu::Limits {
@@ -158,15 +160,25 @@ impl Gpu {
         if self.is_lost() {
             return self.check();
         }
-        let wait = wgpu::PollType::Wait { submission_index: None, timeout: Some(PATIENCE) };
-        let waited = self.device.poll(wait);
-        self.check()?;
-        waited.map(drop).map_err(|error| match error {
-            wgpu::PollError::Timeout => {
-                RenderError::TooSlow { adapter: self.adapter.clone(), seconds: PATIENCE.as_secs() }
+        let begin = Instant::now();
+        loop {
+            let left = PATIENCE.saturating_sub(begin.elapsed());
+            let wait = wgpu::PollType::Wait { submission_index: None, timeout: Some(left) };
+            let waited = self.device.poll(wait);
+            self.check()?;
+            match waited {
+                Ok(_) => return Ok(()),
+                // OpenGL gives up after 2.1 s whatever it was told: the nanoseconds of its wait have 31 bits.
+                Err(wgpu::PollError::Timeout) if !left.is_zero() => std::thread::sleep(PAUSE),
+                Err(wgpu::PollError::Timeout) => {
+                    return Err(RenderError::TooSlow {
+                        adapter: self.adapter.clone(),
+                        seconds: PATIENCE.as_secs(),
+                    });
+                }
+                Err(other) => return Err(self.failure(other.to_string())),
             }
-            other => self.failure(other.to_string()),
-        })
+        }
     }
 
     /// Submits a pass and waits until it is done.
