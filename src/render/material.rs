@@ -16,6 +16,9 @@ use wgpu::ShaderStages;
 pub type TextureSource<'a> =
     dyn Fn(&Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> + 'a;
 
+/// The smallest copy that is shown of pictures that cut a surface out, by halvings: in smaller ones a shoot is a few pixels, none of which
+/// may be shown (`cards/coverage.rs`).
+const CUT_OUT_SMALLEST: f32 = 6.0;
 /// Samples along the longer axis of a pixel's footprint; leaves are often seen at a slant.
 const ANISOTROPY: u16 = 4;
 
@@ -62,6 +65,8 @@ pub(super) struct MaterialLayout {
     clamped: wgpu::Sampler,
     /// For pictures that repeat, such as bark.
     repeated: wgpu::Sampler,
+    /// For pictures that lie once on a surface and cut it out.
+    cutting: wgpu::Sampler,
     mipmaps: MipmapRenderer,
 }
 
@@ -79,7 +84,7 @@ impl MaterialLayout {
         });
         // Where a picture is squeezed to nothing in one direction, Mesa's software driver never ends an anisotropic lookup.
         let anisotropy = if gpu.is_software() { 1 } else { ANISOTROPY };
-        let sampler = |mode| {
+        let sampler = |mode, smallest| {
             gpu.device.create_sampler(&wgpu::SamplerDescriptor {
                 label: Some("picture"),
                 address_mode_u: mode,
@@ -88,13 +93,15 @@ impl MaterialLayout {
                 min_filter: wgpu::FilterMode::Linear,
                 mipmap_filter: wgpu::MipmapFilterMode::Linear,
                 anisotropy_clamp: anisotropy,
+                lod_max_clamp: smallest,
                 ..Default::default()
             })
         };
         Self {
             layout,
-            clamped: sampler(wgpu::AddressMode::ClampToEdge),
-            repeated: sampler(wgpu::AddressMode::Repeat),
+            clamped: sampler(wgpu::AddressMode::ClampToEdge, f32::MAX),
+            repeated: sampler(wgpu::AddressMode::Repeat, f32::MAX),
+            cutting: sampler(wgpu::AddressMode::ClampToEdge, CUT_OUT_SMALLEST),
             mipmaps: MipmapRenderer::new(gpu),
         }
     }
@@ -149,7 +156,11 @@ impl MaterialLayout {
         picture: &wgpu::TextureView,
         repeat: bool,
     ) -> wgpu::BindGroup {
-        let sampler = if repeat { &self.repeated } else { &self.clamped };
+        let sampler = match repeat {
+            true => &self.repeated,
+            false if material.cut_out => &self.cutting,
+            false => &self.clamped,
+        };
         let uniform = MaterialUniform::from(material);
         let colours = gpu.buffer(&material.name, bytemuck::bytes_of(&uniform), wgpu::BufferUsages::UNIFORM);
         gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
