@@ -115,7 +115,7 @@ fn copies_count_like_the_triangles_that_they_stand_for() {
     let folder = tempfile::tempdir().unwrap();
     let reports = [&[][..], &["--instances", "nodes"], &["--instances", "gpu"]].map(|form| {
         let path = folder.path().join("oak.glb");
-        let grow = ["grow", "oak", "--age", "6", "-o"];
+        let grow = ["grow", "oak", "--age", "8", "-o"];
         let grown =
             Command::new(env!("CARGO_BIN_EXE_penstemon")).args(grow).arg(&path).args(form).output().unwrap();
         assert!(grown.status.success(), "{grown:?}");

@@ -15,10 +15,10 @@ use std::sync::Arc;
 /// Bytes of one copy's place on the graphics card.
 const PLACE: u64 = 48;
 
-fn oak() -> Model {
-    let species = Species::built_in("oak").unwrap();
+fn ash() -> Model {
+    let species = Species::built_in("ash").unwrap();
     let params = pipeline::params_of_species(&species, &[]).unwrap();
-    let seed = Seed { number: 1, age: Some(6.0), ..Seed::default() };
+    let seed = Seed { number: 1, age: Some(8.0), ..Seed::default() };
     pipeline::build(&seed, &species, &params).model
 }
 
@@ -29,7 +29,7 @@ fn copies(model: &mut Model) -> &mut Copies {
 
 #[test]
 fn copies_are_seen_as_their_triangles_are() {
-    let model = oak();
+    let model = ash();
     let flat = model.flattened().into_owned();
     assert!(model.parts.iter().any(|part| part.copies.is_some()));
     let (renderer, mut of_copies) = opened(&model);
@@ -47,7 +47,7 @@ fn copies_are_seen_as_their_triangles_are() {
 
 #[test]
 fn finished_pictures_have_the_copies() {
-    let model = oak();
+    let model = ash();
     let mut renderer = Renderer::new().unwrap();
     let options = PictureOptions { width: 240, height: 280, transparent: false };
     let mut picture = |model: &Model| renderer.picture(model, &textures, &View::default(), &options).unwrap();
@@ -57,7 +57,7 @@ fn finished_pictures_have_the_copies() {
 
 #[test]
 fn shapes_go_to_the_graphics_card_once_and_places_when_they_change() {
-    let mut model = oak();
+    let mut model = ash();
     let (renderer, mut view) = opened(&Model::default());
     let first = view.update(&renderer, &model, &textures).unwrap();
     let (same, mut other) = opened(&Model::default());
@@ -84,7 +84,7 @@ fn shapes_go_to_the_graphics_card_once_and_places_when_they_change() {
 
 #[test]
 fn copies_that_contradict_themselves_are_refused() {
-    let (renderer, mut view) = opened(&oak());
+    let (renderer, mut view) = opened(&ash());
     let spoilers: [&dyn Fn(&mut Copies); 4] = [
         &|copies| copies.placements[0].shape = 99,
         &|copies| copies.placements[1].slot = 99,
@@ -92,7 +92,7 @@ fn copies_that_contradict_themselves_are_refused() {
         &|copies| Arc::make_mut(&mut copies.shapes[0]).triangles[0][1] = u32::MAX,
     ];
     for (i, spoil) in spoilers.into_iter().enumerate() {
-        let mut model = oak();
+        let mut model = ash();
         spoil(copies(&mut model));
         assert!(model.check_invariants().is_err(), "{i}");
         let refusal = view.update(&renderer, &model, &textures).unwrap_err();

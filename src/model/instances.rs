@@ -106,7 +106,7 @@ mod tests {
     #[test]
     fn copies_stand_where_the_baked_leaves_are() {
         // The cherry is mostly wood and the threads of stamens.
-        for (name, age, most) in [("oak", 6, 0.5), ("cherry", 12, 0.4)] {
+        for (name, age, most) in [("ash", 8, 0.5), ("cherry", 12, 0.4)] {
             let species = Species::built_in(name).unwrap();
             let mut simulation = Simulation::new(species.growth.as_ref().unwrap(), 1, Limits::default());
             simulation.grow_to(age, &|| false);

@@ -66,7 +66,7 @@ mod tests {
     fn each_level_has_its_number_of_triangles() {
         let species = Species::built_in("oak").unwrap();
         let params = params_of_species(&species, &[]).unwrap();
-        let built = build(&Seed { number: 1, age: Some(10.0), ..Seed::default() }, &species, &params);
+        let built = build(&Seed { number: 1, age: Some(14.0), ..Seed::default() }, &species, &params);
         let wanted = [
             Level::Triangles(10_000_000),
             Level::Triangles(20_000),

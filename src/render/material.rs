@@ -156,11 +156,8 @@ impl MaterialLayout {
         picture: &wgpu::TextureView,
         repeat: bool,
     ) -> wgpu::BindGroup {
-        let sampler = match repeat {
-            true => &self.repeated,
-            false if material.cut_out => &self.cutting,
-            false => &self.clamped,
-        };
+        let once = if material.cut_out { &self.cutting } else { &self.clamped };
+        let sampler = if repeat { &self.repeated } else { once };
         let uniform = MaterialUniform::from(material);
         let colours = gpu.buffer(&material.name, bytemuck::bytes_of(&uniform), wgpu::BufferUsages::UNIFORM);
         gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
