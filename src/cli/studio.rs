@@ -88,7 +88,7 @@ pub struct PictureArgs {
 }
 
 impl PictureArgs {
-    /// What the renderer is told.
+    /// Their size and background, for the renderer.
     pub fn options(&self) -> PictureOptions {
         PictureOptions { width: self.size.width, height: self.size.height, transparent: self.transparent }
     }

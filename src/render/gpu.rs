@@ -168,7 +168,7 @@ impl Gpu {
             self.check()?;
             match waited {
                 Ok(_) => return Ok(()),
-                // OpenGL gives up after 2.1 s whatever it was told: the nanoseconds of its wait have 31 bits.
+                // OpenGL waits 2.1 s at most, even where more is asked for: wgpu gives it the nanoseconds as 31 bits.
                 Err(wgpu::PollError::Timeout) if !left.is_zero() => std::thread::sleep(PAUSE),
                 Err(wgpu::PollError::Timeout) => {
                     return Err(RenderError::TooSlow {
