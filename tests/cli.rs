@@ -454,3 +454,36 @@ fn a_model_that_cannot_be_read_is_named_where_it_is_drawn() {
     refused(&["render", &glb, "-o", &picture], &["broken.glb"]);
     assert!(!Path::new(&picture).exists());
 }
+
+#[test]
+fn seasons_have_names_and_numbers() {
+    let folder = tempfile::tempdir().unwrap();
+    let grow = |options: &[&str], name: &str| {
+        let out = folder.path().join(name);
+        let mut args = vec!["grow", "birch", "--age", "5", "-o", out.to_str().unwrap()];
+        args.extend(options);
+        let output = penstemon(&args);
+        assert!(output.status.success(), "{}", stderr(&output));
+        std::fs::read(out).unwrap()
+    };
+    let usual = grow(&[], "usual.json");
+    assert_eq!(grow(&["--season", "2"], "number.json"), usual);
+    let winter = grow(&["--season", "winter"], "winter.json");
+    assert_eq!(grow(&["--set", "season.time=5"], "set.json"), winter);
+    assert!(winter.len() < usual.len() / 2, "{} of {} bytes", winter.len(), usual.len());
+    for wrong in ["fall", "5.1", "-1", "nan"] {
+        let output = penstemon(&["grow", "birch", &format!("--season={wrong}"), "-o", "never.json"]);
+        assert_eq!(output.status.code(), Some(2), "{wrong}");
+        assert!(
+            stderr(&output).contains("spring, summer, autumn, winter or a number"),
+            "{}",
+            stderr(&output)
+        );
+    }
+    let rose = |option: &str, name: &str| {
+        let out = folder.path().join(name);
+        assert!(penstemon(&["grow", "rose", option, "-o", out.to_str().unwrap()]).status.success());
+        std::fs::read(out).unwrap()
+    };
+    assert_eq!(rose("--season=winter", "rose.json"), rose("--set=rose.season=5", "set_rose.json"));
+}

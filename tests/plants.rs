@@ -33,6 +33,7 @@ mod people_silhouettes;
 mod petal_shapes;
 mod properties;
 mod proposed_species;
+mod seasons;
 mod several;
 mod sketches;
 mod space;

@@ -39,6 +39,17 @@ pub struct Assignments {
     /// Generated leaves with a rim, for printing, with faces that meet at the margin, which is usual, or as pictures of leafy shoots.
     #[arg(long, value_name = "FORM")]
     leaves: Option<Leaves>,
+    /// Time of the year: a season, or a number from 0, when buds break, to 5, winter.
+    #[arg(long, value_name = "TIME", value_parser = season_time)]
+    season: Option<f32>,
+}
+
+/// The time of the year that a season's name or a number means.
+fn season_time(text: &str) -> Result<f32, String> {
+    let names = [("spring", 0.6), ("summer", 2.55), ("autumn", 4.0), ("winter", 5.0)];
+    let named = names.iter().find(|(name, _)| *name == text).map(|(_, time)| *time);
+    let time = named.or_else(|| text.parse().ok()).filter(|time| (0.0..=5.0).contains(time));
+    time.ok_or_else(|| "write spring, summer, autumn, winter or a number from 0 to 5".to_owned())
 }
 
 /// How generated leaves are made.
@@ -68,7 +79,8 @@ impl Assignments {
                 format!("cards.used={}", is(Leaves::Card)),
             ]
         });
-        self.set.iter().cloned().chain(triangles).chain(leaves).collect()
+        let season = self.season.map(|time| format!("season.time={time}"));
+        self.set.iter().cloned().chain(triangles).chain(leaves).chain(season).collect()
     }
 }
 

@@ -9,9 +9,11 @@
 mod bilinear;
 pub mod decode;
 mod format;
+mod recolour;
 
 pub use bilinear::around;
 pub use format::PictureFormat;
+pub use recolour::recoloured;
 
 use crate::input;
 use crate::random::mix;

@@ -113,10 +113,13 @@ pub(super) fn finish(
     Some(Built { anatomy, remarks, growth, plant, provenance, wood, beside, model, overlay, stages })
 }
 
-/// The looks of a species with the artist's flowers, without blossom where the plant may not have any.
+/// The looks of a species with the artist's flowers at the time of the year, without blossom where the plant may not have any.
 fn looks<'a>(species: &'a Species, params: &Params, may_flower: bool) -> Cow<'a, Species> {
     let mut looks = params.flower.applied(species);
-    if !may_flower && looks.blossom.is_some() {
+    if let Some(season) = params.season.as_ref().filter(|season| season.time != looks.season.time) {
+        looks.to_mut().season.time = season.time;
+    }
+    if looks.blossom.is_some() && !(may_flower && looks.is_in_blossom()) {
         looks.to_mut().blossom = None;
     }
     looks

@@ -17,7 +17,8 @@ use crate::quote;
 use crate::rose::RoseHabit;
 use crate::sketch::species_file::{find, is_file, own_name};
 use crate::sketch::{Remark, Sketch, Warning};
-use crate::species::{FlowerParams, Species, SpeciesError};
+use crate::species::{FlowerParams, SeasonParams, Species, SpeciesError};
+use std::borrow::Cow;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
@@ -38,6 +39,8 @@ crate::parameter_groups! {
         cards: CardParams;
         /// The flowers of the species.
         flower: FlowerParams;
+        /// The time of the year; none for roses, whose year is their own.
+        season: Option<SeasonParams>;
         /// How roses of the species are built; none where it has another way to grow.
         rose: Option<RoseHabit>;
         /// How plants of the species grow. A species that does not say it grows like an ordinary tree.
@@ -52,15 +55,22 @@ impl Params {
     /// What a plant of a species has where nobody says otherwise.
     pub fn of_species(species: &Species) -> Self {
         let habit = species.growth.clone().unwrap_or_default();
-        Self { habit, flower: FlowerParams::of(species), rose: species.rose.clone(), ..Self::default() }
+        let season = species.rose.is_none().then_some(SeasonParams { time: species.season.time });
+        Self {
+            habit,
+            season,
+            flower: FlowerParams::of(species),
+            rose: species.rose.clone(),
+            ..Self::default()
+        }
     }
 
     /// Parameters with every group that a species may have.
     pub fn of_any_species() -> Self {
         let crown = Some(CrownHabit::default());
         let flower = FlowerParams { layers: Some(Layers::default()), ..FlowerParams::default() };
-        let rose = Some(RoseHabit::default());
-        Self { habit: Habit { crown, ..Habit::default() }, flower, rose, ..Self::default() }
+        let (rose, season) = (Some(RoseHabit::default()), Some(SeasonParams::default()));
+        Self { habit: Habit { crown, ..Habit::default() }, flower, season, rose, ..Self::default() }
     }
 }
 
@@ -178,9 +188,17 @@ pub fn params_of(sketch: &Sketch, species: &Species, assignments: &[String]) -> 
     overrides.merge(&species.params).map_err(of_species)?;
     overrides.merge_what_applies(&sketch.params, &ANY_SPECIES).map_err(by("the sketch"))?;
     for assignment in assignments {
-        overrides.set_text(assignment).map_err(by("--set"))?;
+        overrides.set_text(&in_its_year(assignment, species)).map_err(by("--set"))?;
     }
     overrides.finish().map_err(by("parameters"))
+}
+
+/// An assignment of the time of the year, which roses have among their own parameters, on the same scale.
+fn in_its_year<'a>(assignment: &'a str, species: &Species) -> Cow<'a, str> {
+    match assignment.strip_prefix("season.time=").filter(|_| species.rose.is_some()) {
+        Some(time) => Cow::Owned(format!("rose.season={time}")),
+        None => Cow::Borrowed(assignment),
+    }
 }
 
 /// Parameters for a plant without a drawing: defaults, then the species', then `PATH=VALUE` assignments.

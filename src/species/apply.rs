@@ -14,6 +14,7 @@ use super::looks::{FlowerLook, PetalLook, Species};
 use super::materials::with_materials;
 use super::pot::pot;
 use super::receptacle::{Petals, flower_centre};
+use super::season;
 use super::thorns::thorns;
 use crate::budget::Budget;
 use crate::plant::{
@@ -96,6 +97,7 @@ pub fn apply_within(
     for (index, flower) in plant.flowers.iter_mut().enumerate() {
         flower.look = looks.get(index % looks.len().max(1)).copied().unwrap_or(0);
     }
+    season::turn(&mut plant, provenance, species, seed);
     compound_leaves::divide(&mut plant, &species.leaf, seed);
     let openings = full::open_buds(&mut plant, buds, species, budget.blossoms);
     let seats = full::add_layers(&mut plant, &openings, species, seed);
@@ -163,8 +165,9 @@ fn shape_blades(plant: &mut Plant, provenance: &Provenance, species: &Species, p
             None => {
                 // Copies, whatever made them, have less detail than what somebody drew.
                 let any = rng.random_range(leaf.variants(template.detail() == Detail::Full));
-                if leaf.variants(false).contains(&organ.role.variant) {
-                    organ.role.variant = any;
+                let (variant, _) = season::untinted(species, organ.role.variant);
+                if leaf.variants(false).contains(&variant) {
+                    organ.role.variant = organ.role.variant - variant + any;
                 }
                 blade.form = varied(seed, template.detail(), &leaf.form, leaf.vary, rng);
             }

@@ -45,6 +45,9 @@ pub struct Species {
     pub inflorescence: Option<Inflorescence>,
     /// Small flowers among the leaves of a tree.
     pub blossom: Option<BlossomLook>,
+    /// What the year does to leaves.
+    #[serde(default)]
+    pub season: SeasonLook,
     /// Fruits.
     pub fruit: Option<FruitLook>,
     /// Thorns on stems and branches.
@@ -367,6 +370,25 @@ crate::parameters! {
     }
 }
 
+crate::parameters! {
+    /// What the year does to leaves.
+    pub struct SeasonLook {
+        /// Time of the year; the numbers are those of [`super::season`].
+        time: f32 = 2.0, 0.0..=5.0, "";
+        /// Share of the leaves that stay on the plant in winter, withered.
+        keeps: f32 = 0.0, 0.0..=1.0, "of the leaves";
+        others:
+        /// Whether leaves stay the whole year as they are.
+        evergreen: bool = false;
+        /// Colours to which leaves turn, each leaf to one of them; those already in their colour name none.
+        autumn: Vec<[f32; 3]> = vec![[0.62, 0.38, 0.05], [0.40, 0.20, 0.04]], read_colours;
+        /// Colour of leaves that have just unfolded.
+        spring: [f32; 3] = [0.30, 0.42, 0.06], read_colour;
+        /// Colour of withered leaves.
+        withered: [f32; 3] = [0.20, 0.10, 0.035], read_colour;
+    }
+}
+
 /// Fruits.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -416,10 +438,15 @@ impl LeafLook {
         self.young_variant() + 1
     }
 
+    /// How many variants there are without those of seasons.
+    pub(super) fn usual_variants(&self) -> u32 {
+        self.autumn_variant() + 1 + self.drawn.as_ref().map_or(0, |names| names.0.len() as u32)
+    }
+
     /// Variants of the materials among which leaves choose, those whose outline somebody drew or others.
     pub(super) fn variants(&self, is_drawn: bool) -> std::ops::Range<u32> {
         match self.drawn.as_ref().filter(|_| is_drawn) {
-            Some(drawn) => self.autumn_variant() + 1..self.autumn_variant() + 1 + drawn.0.len() as u32,
+            Some(drawn) => self.usual_variants() - drawn.0.len() as u32..self.usual_variants(),
             None => 0..self.young_variant(),
         }
     }
@@ -491,11 +518,19 @@ impl<'de> Deserialize<'de> for Names {
 
 /// A colour written as `#rrggbb` (sRGB), as linear RGB.
 fn read_colour<'de, D: Deserializer<'de>>(source: D) -> Result<[f32; 3], D::Error> {
-    let text = String::deserialize(source)?;
+    colour_of(&String::deserialize(source)?).map_err(de::Error::custom)
+}
+
+/// A list of such colours.
+fn read_colours<'de, D: Deserializer<'de>>(source: D) -> Result<Vec<[f32; 3]>, D::Error> {
+    let texts = Vec::<String>::deserialize(source)?;
+    texts.iter().map(|text| colour_of(text).map_err(de::Error::custom)).collect()
+}
+
+fn colour_of(text: &str) -> Result<[f32; 3], String> {
     let digits = text.strip_prefix('#').filter(|d| d.len() == 6 && d.is_ascii());
     let number = digits.and_then(|d| u32::from_str_radix(d, 16).ok());
-    let number = number
-        .ok_or_else(|| de::Error::custom(format!("`{}` is no colour; write #rrggbb", quote::name(&text))))?;
+    let number = number.ok_or_else(|| format!("`{}` is no colour; write #rrggbb", quote::name(text)))?;
     Ok([16, 8, 0].map(|shift| linear_from_srgb(((number >> shift) & 0xff) as f32 / 255.0)))
 }
 

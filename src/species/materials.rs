@@ -1,8 +1,13 @@
 //! What the roles of a plant are made of in a species.
 
+use super::builtin_textures::builtin_texture;
 use super::cap::UNDERSIDE;
-use super::looks::{FilamentLook, FlowerLook, MaterialLook, Species};
+use super::looks::{FilamentLook, FlowerLook, MaterialLook, SeasonLook, Species};
+use super::season::{self, Tint};
+use crate::input;
+use crate::picture::{self, Picture, recoloured};
 use crate::plant::{FinishedPlant, Material, OrganPart, Plant, PlantPart, Role, Texture, WoodPart};
+use std::borrow::Cow;
 use std::iter;
 
 /// The plant with the species' materials: those of wood, leaves and petals first, whether it has such organs or not.
@@ -22,6 +27,34 @@ pub(super) fn with_materials(plant: Plant, species: &Species) -> FinishedPlant {
 
 /// What a role is made of: with the artist's own picture if its part was given one.
 fn material(species: &Species, role: Role) -> Material {
+    let (usual, tint) = season::untinted(species, role.variant);
+    match tint.filter(|_| role.part == OrganPart::Leaf.into()) {
+        Some(tint) => tinted(usual_material(species, Role { variant: usual, ..role }), tint, &species.season),
+        None => usual_material(species, role),
+    }
+}
+
+/// A material in the colour of a season; without its picture where that cannot be read.
+fn tinted(usual: Material, tint: Tint, look: &SeasonLook) -> Material {
+    let bytes = usual.texture.as_ref().and_then(bytes_of);
+    let picture = bytes.and_then(|bytes| Picture::new(recoloured(&bytes, tint.colour(look)).ok()?).ok());
+    // A recoloured picture has the colour in itself.
+    let colour = if picture.is_some() { [1.0; 3] } else { tint.colour(look) };
+    let Material { diffuse, ambient, .. } = Material::plain("", colour);
+    let name = format!("{}-{}", usual.name, tint.suffix());
+    Material { name, diffuse, ambient, texture: picture.map(Texture::Own), ..usual }
+}
+
+fn bytes_of(texture: &Texture) -> Option<Cow<'_, [u8]>> {
+    match texture {
+        Texture::BuiltIn(name) => builtin_texture(name).map(Cow::Borrowed),
+        Texture::Own(picture) => Some(Cow::Borrowed(picture.bytes())),
+        Texture::File(path) => input::read(path, picture::MAX_BYTES as u64).ok().map(Cow::Owned),
+    }
+}
+
+/// What a role is made of in summer.
+fn usual_material(species: &Species, role: Role) -> Material {
     let (part, name) = named(species, role);
     let look = species.materials.get(name).cloned().unwrap_or_else(|| usual(role));
     let Some(own) = species.pictures.get(&part) else { return look.material(name) };

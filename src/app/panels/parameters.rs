@@ -20,8 +20,9 @@ use std::sync::OnceLock;
 
 /// Groups in the order in which an artist comes to them: the plant as a whole, flowers and leaves, branches, what fills
 /// outlines, surfaces, and last what only matters where strokes were misunderstood.
-const ORDER: [&str; 34] = [
+const ORDER: [&str; 35] = [
     "depth.world",
+    "season",
     "flower",
     "flower.layers",
     "flower.layers.outline",
