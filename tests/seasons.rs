@@ -5,6 +5,7 @@
 use crate::drawings::leafy_tree;
 use penstemon::pipeline::{self, Built, Seed, params_of_species};
 use penstemon::plant::OrganKind;
+use penstemon::sketch::Sketch;
 use penstemon::species::Species;
 
 const TIMES: [f32; 6] = [0.0, 0.6, 2.0, 3.6, 4.5, 5.0];
@@ -66,4 +67,18 @@ fn a_cherry_is_in_blossom_in_spring_only() {
     let flowers = |time| grown("cherry", time).plant.flowers.len();
     assert!(flowers(0.6) > 50);
     assert_eq!([0.0, 2.7, 5.0].map(flowers), [0; 3]);
+}
+
+#[test]
+fn a_drawn_rose_takes_its_year_from_the_same_parameter() {
+    let mut sketch = leafy_tree(3);
+    sketch.params.insert("season".into(), serde_json::json!({ "time": 4.5 }));
+    let rose = Species::built_in("rose").unwrap();
+    let season = |sketch: &Sketch, assignments: &[String]| {
+        pipeline::params_of(sketch, &rose, assignments).unwrap().rose.unwrap().season
+    };
+    assert_eq!(season(&sketch, &[]), 4.5);
+    assert_eq!(season(&sketch, &["season.time=0.5".into()]), 0.5);
+    sketch.params.insert("rose".into(), serde_json::json!({ "season": 3.0 }));
+    assert_eq!(season(&sketch, &[]), 3.0);
 }

@@ -187,10 +187,20 @@ pub fn params_of(sketch: &Sketch, species: &Species, assignments: &[String]) -> 
     };
     overrides.merge(&species.params).map_err(of_species)?;
     overrides.merge_what_applies(&sketch.params, &ANY_SPECIES).map_err(by("the sketch"))?;
+    if let Some(time) = season_of_rose(sketch, species) {
+        overrides.set_text(&time).map_err(by("the sketch"))?;
+    }
     for assignment in assignments {
         overrides.set_text(&in_its_year(assignment, species)).map_err(by("--set"))?;
     }
     overrides.finish().map_err(by("parameters"))
+}
+
+/// The time of the year of a sketch as its rose's own parameter, unless the sketch says that itself.
+fn season_of_rose(sketch: &Sketch, species: &Species) -> Option<String> {
+    let said = |group, name| sketch.params.get(group).and_then(|group| group.get(name));
+    let time = said("season", "time").filter(|_| said("rose", "season").is_none())?;
+    species.rose.is_some().then(|| format!("rose.season={time}"))
 }
 
 /// An assignment of the time of the year, which roses have among their own parameters, on the same scale.

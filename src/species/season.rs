@@ -1,13 +1,15 @@
 //! Seasons: what a time of the year does to a plant's leaves and blossom.
 //!
-//! Times are 0 when buds break, 1 in spring, 2 in early summer, 3 when summer ends, 4 in autumn, 5 in winter. In early summer a plant is
-//! as its species describes it, to the byte, in blossom where it is described so; when summer ends that is over. Each leaf has a course of its own, drawn from its place and the seed: when it
-//! unfolds (until time 1), when it turns and to which of the species' colours (from 3 to 4.2), when it falls (from 4 to 5), whether it
-//! stays on the plant withered, as on young oaks and beeches. So a tree turns leaf by leaf, and the same leaves go first in
-//! every picture of it. A colour is laid into the leaf's own picture ([`crate::picture::recoloured`]), whatever that shows.
+//! Times are 0 when buds break, 1 in spring, 2 in early summer, 3 when summer ends, 4 in autumn, 5 in winter. In early summer
+//! a plant is as its species describes it, to the byte, in blossom where it is described so; later in summer that is over.
 //!
-//! Limits: flowers that somebody drew stay; fruits do not ripen; leaves that have fallen are gone; a picture that the artist chose for leaves keeps its colours. Roses have a
-//! year of their own on the same scale, `rose.season`. The papers have no seasons.
+//! Each leaf has a course of its own, drawn from its place and the seed: when it unfolds (until time 1), when it turns and to
+//! which of the species' colours (from 3 to 4.2), when it falls (from 4 to 5), whether it stays on the plant withered, as on
+//! young oaks and beeches. So a tree turns leaf by leaf, and the same leaves go first in every picture of it. A colour is laid
+//! into the leaf's own picture ([`crate::picture::recoloured`]), whatever that shows.
+//!
+//! Limits: flowers that somebody drew stay; fruits do not ripen; leaves that have fallen are gone; a picture that a drawing lays over its
+//! leaves keeps its colours. Roses have a year of their own on the same scale, `rose.season`. The papers have no seasons.
 
 use super::looks::{SeasonLook, Species};
 use crate::plant::{Organ, OrganKind, Plant, Provenance, Shape};
@@ -15,11 +17,13 @@ use crate::random::{mix, unit};
 
 /// Early summer: plants are as their species describes them.
 const SUMMER: f32 = 2.0;
-/// When the last leaf has unfolded, when the first turns, the last; when the first falls, the last.
-const UNFOLDED: f32 = 1.0;
+/// When the first leaf has unfolded, and the last.
+const UNFOLDED: (f32, f32) = (0.4, 1.0);
+/// When the first leaf turns, and the last.
 const TURNING: (f32, f32) = (3.0, 4.2);
+/// When the first leaf falls, and the last.
 const FALLING: (f32, f32) = (4.0, 5.0);
-/// When leaves have the green of summer.
+/// When the first leaf has the green of summer, and the last.
 const GREEN: (f32, f32) = (0.7, 1.6);
 /// Length of a leaf that begins to unfold, against its full one.
 const BUDDING: f32 = 0.25;
@@ -94,7 +98,7 @@ impl Species {
         (BLOSSOM.0..=BLOSSOM.1).contains(&self.season.time)
     }
 
-    /// Whether it is summer, or its leaves do not care.
+    /// Whether its leaves are at that time as it describes them.
     fn is_as_described(&self) -> bool {
         self.season.evergreen || (GREEN.1..=TURNING.0).contains(&self.season.time)
     }
@@ -113,9 +117,7 @@ fn course(look: &SeasonLook, key: u64) -> Option<Course> {
     let [early, stays, colour] = [1, 2, 3].map(|k| unit(mix(key, k)));
     let within = |(from, to): (f32, f32)| from + (to - from) * early;
     let time = look.time;
-    // Those that unfold last are green last; the smallest is still a leaf.
-    let unfolded = (time / (0.4 + 0.6 * early) / UNFOLDED).clamp(0.0, 1.0);
-    let size = BUDDING + (1.0 - BUDDING) * unfolded;
+    let size = BUDDING + (1.0 - BUDDING) * (time / within(UNFOLDED)).clamp(0.0, 1.0);
     if time < SUMMER {
         return Some(Course { size, tint: (time < within(GREEN)).then_some(Tint::Spring) });
     }

@@ -14,6 +14,7 @@ mod parameters;
 mod petals;
 mod pictures;
 mod readings;
+mod season;
 mod side;
 mod stage;
 mod tools;

@@ -4,7 +4,7 @@ use super::snapshot::Snapshot;
 use super::widgets::{palette, segments};
 use super::{
     beside, dialogs, focus, growth, legend, materials, notices, opening, parameters, part_menu, petals,
-    plant_tools, presets, readings, seed, species, status, toolbar, view,
+    plant_tools, presets, readings, season, seed, species, status, toolbar, view,
 };
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
@@ -82,6 +82,7 @@ fn side(ui: &mut Ui, right_handed: bool, snapshot: &Snapshot, messages: &Message
                     beside::show(ui, snapshot, messages, out);
                     species::show(ui, snapshot, messages, out);
                     seed::show(ui, snapshot, messages, out);
+                    season::show(ui, snapshot, messages, out);
                     materials::show(ui, snapshot, messages, out);
                     presets::show(ui, snapshot, messages, out);
                 }

@@ -31,6 +31,7 @@ mod pose;
 pub mod presets;
 pub mod rail;
 pub mod readings;
+pub mod season;
 pub mod seed;
 pub mod snapshot;
 mod space;
