@@ -34,15 +34,20 @@ fn material(species: &Species, role: Role) -> Material {
     }
 }
 
-/// A material in the colour of a season; without its picture where that cannot be read.
+/// A material in the colour of a season. One whose picture cannot be recoloured keeps it: whoever shows it says what is wrong with it.
 fn tinted(usual: Material, tint: Tint, look: &SeasonLook) -> Material {
-    let bytes = usual.texture.as_ref().and_then(bytes_of);
-    let picture = bytes.and_then(|bytes| Picture::new(recoloured(&bytes, tint.colour(look)).ok()?).ok());
-    // A recoloured picture has the colour in itself.
-    let colour = if picture.is_some() { [1.0; 3] } else { tint.colour(look) };
-    let Material { diffuse, ambient, .. } = Material::plain("", colour);
     let name = format!("{}-{}", usual.name, tint.suffix());
-    Material { name, diffuse, ambient, texture: picture.map(Texture::Own), ..usual }
+    let of_colour = |colour, texture, usual: Material| {
+        let Material { diffuse, ambient, .. } = Material::plain("", colour);
+        Material { name: name.clone(), diffuse, ambient, texture, ..usual }
+    };
+    let Some(texture) = &usual.texture else { return of_colour(tint.colour(look), None, usual) };
+    let file = bytes_of(texture).and_then(|bytes| recoloured(&bytes, tint.colour(look)).ok());
+    match file.and_then(|file| Picture::new(file).ok()) {
+        // The colour is in the picture.
+        Some(picture) => of_colour([1.0; 3], Some(Texture::Own(picture)), usual),
+        None => Material { name, ..usual },
+    }
 }
 
 fn bytes_of(texture: &Texture) -> Option<Cow<'_, [u8]>> {
