@@ -224,7 +224,7 @@ fn a_hollow_crown_looks_the_same_and_is_empty_inside() {
 fn a_seedling_fills_the_volume_of_an_outline_and_nothing_else() {
     for (name, outlines, _) in outlines().into_iter().take(5) {
         let lowest = outlines.iter().flatten().map(|p| p.y).fold(f32::INFINITY, f32::min);
-        // Standing a little above the ground.
+        // ObstacleKind a little above the ground.
         let lift = |outline: &Vec<Vec2>| outline.iter().map(|p| *p + Vec2::Y * (0.4 - lowest)).collect();
         let lifted: Outlines = outlines.iter().map(lift).collect();
         let volume = Envelope::Inflated(Arc::new(Inflated::new(lifted.clone(), 1.0).unwrap()));

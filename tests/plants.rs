@@ -24,6 +24,7 @@ mod inflorescences;
 mod learned_depth;
 mod live;
 mod lobes;
+mod obstacles;
 mod other_hands;
 mod outlines;
 #[path = "common/people.rs"]

@@ -16,7 +16,7 @@ fn params(species: &Species, time: f32) -> pipeline::Params {
 
 fn grown(name: &str, time: f32) -> Built {
     let species = Species::built_in(name).unwrap();
-    let seed = Seed { number: 3, age: Some(9.0), volume: None, wood: Vec::new(), limits: Default::default() };
+    let seed = Seed { number: 3, age: Some(9.0), ..Seed::default() };
     pipeline::build(&seed, &species, &params(&species, time))
 }
 

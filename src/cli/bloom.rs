@@ -74,7 +74,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     let built = bed.grow(open)?;
     let outputs =
         Outputs { outs: &args.out, instances: args.instances, sources: &sources, pictures: args.pictures };
-    let mut studio = Studio::new(&outputs, &built.model)?;
+    let mut studio = Studio::new(&outputs, &built)?;
     let bytes = match args.frames {
         None => studio.write(&built, &Path::to_owned)?,
         Some(frames) => {

@@ -53,7 +53,7 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         None => {
             let (outs, instances, sources) = (&args.out[..], args.instances, &setup.sources);
             let outputs = Outputs { outs, instances, sources, pictures: args.pictures };
-            (Studio::new(&outputs, &built.model)?.write(&built, &Path::to_owned)?, Vec::new())
+            (Studio::new(&outputs, &built)?.write(&built, &Path::to_owned)?, Vec::new())
         }
     };
     if args.options.stats {

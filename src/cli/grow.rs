@@ -2,7 +2,7 @@
 
 use super::lod::{self, Lod};
 use super::studio::{Outputs, PictureArgs, Studio, is_picture, open_species};
-use super::{common, inside, lobes, rose};
+use super::{common, inside, lobes, obstacle, rose};
 use crate::formats::write;
 use crate::growth::{Envelope, Limits, Outcome, Simulation};
 use crate::input::Sources;
@@ -31,6 +31,10 @@ pub struct Args {
     /// Lobes that the plant fills: strokes in space (.json, see docs/lobes.md), with its trunks or without.
     #[arg(long, value_name = "FILE", conflicts_with = "inside")]
     pub lobes: Option<PathBuf>,
+    /// What stands beside the plant: a mesh in metres, open or closed (WALL.obj), wall:4x2x0.2 (width, height, depth) or trellis:1.5x2
+    /// (width, height); @0,0,-0.6 behind it says where. Wood grows around it, climbing species up it. May be given again.
+    #[arg(long, value_name = "SHAPE")]
+    pub obstacle: Vec<String>,
     /// Age in years, 12.5 for half a year more than 12. Left out, it is the species' own, or with --inside or --lobes when the
     /// volume is full.
     #[arg(long, value_name = "YEARS")]
@@ -117,6 +121,10 @@ pub fn run(args: &Args) -> Result<ExitCode> {
             args.lod.is_none(),
             "{name}: a rose has no levels of detail yet; leave out --lod, or ask for one level with --triangles"
         );
+        ensure!(
+            args.obstacle.is_empty(),
+            "{name}: a rose does not grow around obstacles; leave out --obstacle"
+        );
         ensure!(!args.fills(), "{name}: a rose does not fill volumes; leave out --inside and --lobes");
         let outputs = args.outputs(&sources);
         let bed =
@@ -135,7 +143,8 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     };
     pipeline::check_grows(&species)?;
     let (volume, wood) = args.volume()?;
-    let seed = Seed { number: args.seed, age: args.age, volume, wood, limits };
+    let obstacles = obstacle::obstacles(&args.obstacle)?;
+    let seed = Seed { number: args.seed, age: args.age, volume, obstacles, wood, limits };
     let mut nursery = Nursery { species: &species, params: &params, seed, cache: Cache::default() };
     let (grown, ages) = nursery.grow(args.age)?;
     inside::check_room(nursery.simulation()?)?;
@@ -195,6 +204,7 @@ fn warn_of_shortfalls(name: &str, args: &Args, grown: &Built, ages: Ages, simula
             filled * 100.0
         );
     }
+    warn_of_obstacles(name, args, simulation);
     for warning in &grown.remarks {
         let remedy = match warning.remark {
             // Said above, with what to do.
@@ -208,6 +218,20 @@ fn warn_of_shortfalls(name: &str, args: &Args, grown: &Built, ages: Ages, simula
             _ => "",
         };
         tracing::warn!("{name}: {warning}{remedy}");
+    }
+}
+
+/// Says on stderr where an obstacle is in the way of everything, and where what climbs has none.
+fn warn_of_obstacles(name: &str, args: &Args, simulation: &Simulation) {
+    let (habit, nodes) = (simulation.habit(), &simulation.tree().nodes);
+    match (simulation.obstacles(), nodes.at.first()) {
+        (Some(obstacles), Some(foot)) if obstacles.is_within(0.5 * habit.internode, *foot) => tracing::warn!(
+            "{name}: an obstacle stands where the plant begins; move it, for instance with @0,0,-0.5 behind its size"
+        ),
+        (None, _) if habit.climb.is_some() && !args.fills() => tracing::warn!(
+            "{name}: climbs; without --obstacle, for instance --obstacle wall:3x2x0.2@0,0,-0.3, it covers the ground"
+        ),
+        _ => {}
     }
 }
 
@@ -226,7 +250,7 @@ fn why_bare(ages: Ages) -> &'static str {
 fn write(args: &Args, sources: &Sources, grown: &Built, nursery: &mut Nursery<'_>) -> Result<usize> {
     let outputs = args.outputs(sources);
     // All pictures are framed for the plant that it becomes.
-    let mut studio = Studio::new(&outputs, &grown.model)?;
+    let mut studio = Studio::new(&outputs, grown)?;
     let Some(frames) = args.frames else { return studio.write(grown, &Path::to_owned) };
     let oldest = args.age.unwrap_or(f32::from(nursery.simulation()?.age()));
     let mut bytes = 0;
@@ -246,6 +270,7 @@ fn sources_of(args: &Args, species: &Species) -> Sources {
     let mut sources = Sources::default();
     // What is no file is none of them.
     [&args.species, &args.inside].into_iter().flatten().for_each(|file| sources.add(Path::new(file)));
+    args.obstacle.iter().for_each(|file| sources.add(Path::new(file)));
     args.lobes.iter().for_each(|file| sources.add(file));
     species.picture_files().for_each(|picture| sources.add(picture));
     sources
@@ -314,6 +339,30 @@ mod tests {
             taken.push(pixels);
         }
         assert_ne!(taken[0], taken[1]);
+    }
+
+    #[test]
+    fn obstacles_are_seen_in_pictures_but_are_not_in_files() {
+        let folder = tempfile::tempdir().unwrap();
+        let here = folder.path().display();
+        std::fs::write(folder.path().join("fence.obj"), "v -2 0 -0.4\nv 2 0 -0.4\nv 0 2 -0.4\nf 1 2 3\n")
+            .unwrap();
+        let grow = |obstacle: &str, name: &str| {
+            let line = format!(
+                "penstemon grow ivy --age 4 {obstacle} --size 64x48 -o {here}/{name}.png -o {here}/{name}.glb"
+            );
+            run(&parse(&line).unwrap()).unwrap();
+            ["png", "glb"]
+                .map(|ending| std::fs::read(folder.path().join(format!("{name}.{ending}"))).unwrap())
+        };
+        let [alone, _] = grow("", "alone");
+        let [beside, model] = grow(&format!("--obstacle {here}/fence.obj"), "beside");
+        assert_ne!(alone, beside);
+        assert!(!model.windows(8).any(|bytes| bytes == b"obstacle"));
+        let rose = format!("penstemon grow rose --obstacle wall:2x2x0.2 -o {here}/rose.glb");
+        assert!(message(&rose).contains("leave out --obstacle"));
+        let over = format!("penstemon grow ivy --obstacle {here}/fence.obj -o {here}/fence.obj");
+        assert!(message(&over).contains("fence.obj"), "what it is made from stays");
     }
 
     #[test]

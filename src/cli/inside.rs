@@ -3,7 +3,7 @@
 //! Simple bodies stand on the ground over the origin. A mesh stays where it was modelled, in metres, y up; the trunk rises
 //! to it from the ground.
 
-use crate::growth::MAX_SOLID_BYTES;
+use crate::growth::MAX_MESH_BYTES;
 use crate::growth::{Envelope, Field, Simulation, Solid};
 use crate::input;
 use crate::pipeline::SetupError;
@@ -67,11 +67,13 @@ pub fn check_room(simulation: &Simulation) -> Result<(), SetupError> {
     }
 }
 
-fn is_obj(text: &str) -> bool {
+/// Whether an argument is the name of an OBJ file.
+pub(super) fn is_obj(text: &str) -> bool {
     Path::new(text).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("obj"))
 }
 
-fn number(text: &str) -> Option<f32> {
+/// A size in metres.
+pub(super) fn number(text: &str) -> Option<f32> {
     text.parse().ok().filter(|x: &f32| x.is_finite() && *x > 0.0)
 }
 
@@ -83,7 +85,7 @@ fn sized(text: &str) -> Option<Vec3> {
 
 fn solid(path: &str) -> Result<Solid> {
     let context = || format!("--inside {path}");
-    let bytes = input::read(Path::new(path), MAX_SOLID_BYTES as u64).with_context(context)?;
+    let bytes = input::read(Path::new(path), MAX_MESH_BYTES as u64).with_context(context)?;
     // Names and comments may be in any encoding; all that counts is plain.
     Solid::from_obj(&String::from_utf8_lossy(&bytes), path).context("--inside")
 }
@@ -104,10 +106,18 @@ pub(super) fn check_size(argument: &str, low: Vec3, high: Vec3) -> Result<()> {
             size.z
         );
     }
+    check_place(argument, low, high)
+}
+
+/// Whether a body is not too far away; `argument` is how it was given.
+///
+/// # Errors
+/// One that is.
+pub(super) fn check_place(argument: &str, low: Vec3, high: Vec3) -> Result<()> {
     let far = low.abs().max(high.abs()).max_element();
     ensure!(
         far <= FARTHEST,
-        "{argument}: the volume reaches {far} m from the origin, more than {FARTHEST} m; move it to the origin"
+        "{argument}: it reaches {far} m from the origin, more than {FARTHEST} m; move it to the origin"
     );
     Ok(())
 }

@@ -15,6 +15,7 @@ pub mod inside;
 pub mod inspect;
 pub mod lobes;
 mod lod;
+mod obstacle;
 pub mod params;
 pub mod pen;
 pub mod photo;

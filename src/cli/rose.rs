@@ -44,7 +44,7 @@ pub(super) fn run(
         Ok(built)
     };
     let built = grown(None)?;
-    let mut studio = Studio::new(outputs, &built.model)?;
+    let mut studio = Studio::new(outputs, &built)?;
     let bytes = match frames {
         None => studio.write(&built, &Path::to_owned)?,
         Some(frames) => {

@@ -6,7 +6,7 @@ use crate::atomic;
 use crate::formats::textures::fetch;
 use crate::input::Sources;
 use crate::model::Model;
-use crate::pipeline::Built;
+use crate::pipeline::{self, Built};
 use crate::plant::Texture;
 use crate::render::{Direction, ModelDrawData, PictureOptions, Projection, Renderer, View};
 use crate::species::Species;
@@ -122,10 +122,10 @@ impl<'a> Studio<'a> {
     ///
     /// # Errors
     /// Pictures are wanted and nothing can draw them.
-    pub fn new(outputs: &'a Outputs<'a>, framed_for: &Model) -> Result<Self> {
+    pub fn new(outputs: &'a Outputs<'a>, framed_for: &Built) -> Result<Self> {
         let camera = outputs.outs.iter().any(|out| is_picture(out)).then(|| {
             let renderer = Renderer::new()?;
-            let framed_for = renderer.upload(framed_for, &texture)?;
+            let framed_for = renderer.upload(&pipeline::seen(framed_for), &texture)?;
             anyhow::Ok(Camera { renderer, framed_for })
         });
         Ok(Self { outputs, camera: camera.transpose()? })
@@ -143,7 +143,7 @@ impl<'a> Studio<'a> {
         let Built { model, plant, provenance, .. } = built;
         let mut bytes = common::export(&models, ((plant, provenance), model), *instances, sources)?;
         if let Some(camera) = &mut self.camera {
-            let png = camera.picture(model, taken)?;
+            let png = camera.picture(&pipeline::seen(built), taken)?;
             for out in &pictures {
                 atomic::write_atomically(out, &png)?;
                 bytes += png.len();

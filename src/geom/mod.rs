@@ -9,6 +9,7 @@ pub mod convex_hull;
 pub mod crossing;
 pub mod disc_sums;
 pub mod ellipse;
+pub mod face_tree;
 pub mod frame;
 pub mod inflation;
 pub mod line_changes;

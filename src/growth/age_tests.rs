@@ -158,7 +158,7 @@ impl Shown {
         let mut blades: Vec<(Vec3, f32)> = plant.organs.iter().filter_map(blade).collect();
         blades.sort_by(|a, b| a.0.x.total_cmp(&b.0.x));
         Self {
-            wood: wood_at_age(simulation.tree(), simulation.habit(), age),
+            wood: wood_at_age(simulation, age),
             branches: chains.chains.iter().map(nodes).zip(plant.branches).collect(),
             blades,
         }

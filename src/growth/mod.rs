@@ -11,6 +11,7 @@
 //! | `tree` | the plant through all its years: nodes and buds |
 //! | `habit` | what a species file says of growth |
 //! | `volume` | volumes that a plant may fill |
+//! | `obstacle` | what stands beside a plant: walls, trellises |
 //! | `lead` | wood that is led into every part of a crown of lobes |
 //! | `resource` | light or space, and who gets how much of it |
 //! | `year` | what buds and branches make of it in one year |
@@ -32,6 +33,7 @@ mod from_drawing;
 pub mod habit;
 mod lead;
 mod limits;
+mod obstacle;
 pub mod overlay;
 mod resource;
 mod simulation;
@@ -46,11 +48,12 @@ pub use from_drawing::{DrawnCrowns, GrowthParams, Memory, Start, drawing, merge}
 pub use habit::{Habit, Schedule};
 pub use lead::lead_into;
 pub use limits::{Limits, Outcome};
+pub use obstacle::{Contact, ObstacleKind, ObstacleParams, Obstacles};
 pub use resource::Field;
 pub use simulation::Simulation;
 pub use tree::Tree;
 #[cfg(test)]
 pub(crate) use volume::flipped;
 pub use volume::{
-    Ball, Crown, Envelope, Inflated, Lobes, MAX_BYTES as MAX_SOLID_BYTES, Solid, SolidError, Swept,
+    Ball, Crown, Envelope, Inflated, Lobes, MAX_BYTES as MAX_MESH_BYTES, MeshError, Solid, Swept,
 };

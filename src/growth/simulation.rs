@@ -7,14 +7,17 @@
 //! Where we depart: a bud's length budget is cut at the habit's longest shoot; a shoot that would leave the envelope
 //! turns to where its markers are, and ends if that does not help.
 
+mod beside;
 pub(super) mod effort;
 pub(super) mod fit;
 mod skeleton;
 
+use self::beside::Beside;
 use self::effort::Effort;
 use self::fit::fitted;
 use super::habit::{Arrangement, Control, CrownHabit, Habit, Resource};
 use super::limits::{Limits, Outcome};
+use super::obstacle::{Contact, Obstacles};
 use super::resource::competition::{self, Crowd, Found};
 use super::resource::field::{Field, field_for, lowest, perception};
 use super::resource::priority::{self, Priority};
@@ -55,6 +58,8 @@ struct Scratch {
 pub struct Simulation {
     habit: Habit,
     envelope: Envelope,
+    /// What stands beside it.
+    beside: Beside,
     limits: Limits,
     seed: u64,
     tree: Tree,
@@ -137,10 +142,28 @@ impl Simulation {
         Self::begin(habit.clone(), envelope, field, limits, seed, tree)
     }
 
+    /// The same plant from its beginning, among obstacles.
+    #[must_use]
+    pub fn among(mut self, obstacles: Arc<Obstacles>) -> Self {
+        self.rewind(0);
+        self.beside = Beside::new(obstacles, &self.habit);
+        match &mut self.field {
+            Field::Light(shadow) => {
+                let (light, most) = (&self.habit.light, self.limits.internodes + self.beside.shading());
+                *shadow = Shadow::new(light, light.voxel * self.habit.internode, most);
+                cast_anew(shadow, &self.tree, 0, self.limits.voxels, &self.beside);
+            }
+            Field::Space(markers) => self.beside.clear(markers, &self.habit),
+        }
+        self
+    }
+
     fn begin(habit: Habit, envelope: Envelope, field: Field, limits: Limits, seed: u64, tree: Tree) -> Self {
         let scratch = Scratch::default();
         let effort = Effort::new(limits.steps);
-        let mut simulation = Self { habit, envelope, limits, seed, tree, field, year: 0, effort, scratch };
+        let beside = Beside::default();
+        let mut simulation =
+            Self { habit, envelope, beside, limits, seed, tree, field, year: 0, effort, scratch };
         // Where there is no room for the first shadows there is none for the first year either, which says so; nor are
         // there steps for it where there are none for these.
         let _ = simulation.settle_in(0..simulation.tree.len(), &|| false);
@@ -161,6 +184,16 @@ impl Simulation {
     /// The volume that it may fill.
     pub fn envelope(&self) -> &Envelope {
         &self.envelope
+    }
+
+    /// What stands beside it.
+    pub fn obstacles(&self) -> Option<&Arc<Obstacles>> {
+        self.beside.obstacles()
+    }
+
+    /// The surface that wood of a climbing species holds on to at a place; nothing for other species.
+    pub(super) fn held_at(&self, p: Vec3) -> Option<Contact> {
+        self.beside.held_at(p, &self.habit)
     }
 
     /// What its buds compete for, for overlays.
@@ -207,7 +240,7 @@ impl Simulation {
         self.effort.rewind(age);
         match &mut self.field {
             Field::Space(markers) => markers.rewind(age),
-            Field::Light(shadow) => cast_anew(shadow, &self.tree, age, self.limits.voxels),
+            Field::Light(shadow) => cast_anew(shadow, &self.tree, age, self.limits.voxels, &self.beside),
         }
     }
 
@@ -215,7 +248,7 @@ impl Simulation {
     pub(super) fn shadow_at<'a>(&self, now: &'a Shadow, year: u16) -> Cow<'a, Shadow> {
         let mut shadow = Cow::Borrowed(now);
         if year < self.year {
-            cast_anew(shadow.to_mut(), &self.tree, year, self.limits.voxels);
+            cast_anew(shadow.to_mut(), &self.tree, year, self.limits.voxels, &self.beside);
         }
         shadow
     }
@@ -339,7 +372,7 @@ impl Simulation {
     /// takes too many steps.
     fn grow(&mut self, stop: &dyn Fn() -> bool) -> Result<(), Outcome> {
         let waiting = self.tree.open.len();
-        let each = effort::INTERNODE + QUESTIONS * self.envelope.steps();
+        let each = effort::INTERNODE + QUESTIONS * (self.envelope.steps() + self.beside.steps());
         for place in 0..waiting {
             if place % BREATH == 0 && stop() {
                 return Err(Outcome::Stopped);
@@ -387,13 +420,17 @@ impl Simulation {
             }
             let key = mix(state.key, u64::from(k));
             let from = self.tree.nodes.at[node as usize];
-            let Some(next) = self.way_on(from, weights.next(way, best, key), best, length, order) else {
+            let wanted = weights.next(way, best, key);
+            let wanted =
+                self.beside.climbing_way((&self.tree, node), wanted, length, (&self.habit, state.age));
+            let Some(next) = wanted.and_then(|way| self.way_on(from, way, best, length, order)) else {
                 break;
             };
-            side = direction::next_side(side, (way, next), (order, state.age), &self.habit);
-            way = next;
             let lateral = k == 0 && !state.apical;
-            let at = from + way * length;
+            let at = from + next * length;
+            side = direction::next_side(side, (way, next), (order, state.age), &self.habit);
+            side = self.beside.climbing_side(at, side, next, &self.habit);
+            way = next;
             node = self.tree.add(NewNode { parent: node, at, side, lateral, year: self.year });
             grown += 1;
             if self.habit.arrangement != Arrangement::Whorl || k + 1 == count {
@@ -418,13 +455,16 @@ impl Simulation {
         if free(way) {
             return Some(way);
         }
+        if let Some(aside) = self.beside.aside(from, way).filter(|way| free(*way)) {
+            return Some(aside);
+        }
         let turned = (best * 2.0 + way * 0.5).try_normalize()?;
         (best != Vec3::ZERO && free(turned)).then_some(turned)
     }
 
     /// What is inside stays inside; only a trunk may be on its way there, and not to what a brush sweeps.
     fn may_grow(&self, from: Vec3, to: Vec3, order: u8) -> bool {
-        if to.y < from.y && to.y < 0.0 {
+        if (to.y < from.y && to.y < 0.0) || !self.beside.lets_pass(from, to, &self.habit) {
             return false;
         }
         if self.envelope.contains(from) {
@@ -496,9 +536,10 @@ fn shadow_steps(shadow: &Shadow) -> u64 {
     shadow.voxels_per_node().div_ceil(4)
 }
 
-/// Only the shadows of the nodes that lived at the end of a year.
-fn cast_anew(shadow: &mut Shadow, tree: &Tree, year: u16, most: usize) {
+/// Only the shadows of the nodes that lived at the end of a year, and of what stands beside them.
+fn cast_anew(shadow: &mut Shadow, tree: &Tree, year: u16, most: usize, beside: &Beside) {
     shadow.clear();
+    beside.shade(shadow, most);
     for i in (0..tree.len()).filter(|i| tree.lives(*i, year)) {
         // There was room before.
         let _ = shadow.cast(tree.nodes.at[i], Change::Grown, most);

@@ -16,7 +16,7 @@
 //! | `cap` | ends closed, by an open stroke or round |
 //! | `turned`, `sheet`, `outline` | lobes from profiles, from open strokes, from one outline |
 //! | `loft` | which of these a lobe is |
-//! | `surface`, `corner_table`, `nearest` | surfaces, and questions to them |
+//! | `surface`, `corner_table` | surfaces, and questions to them |
 //! | `grid`, `untangle` | surfaces that crossed themselves |
 //! | `remesh` | even triangles |
 //! | `edit_stroke`, `drag` | strokes and surfaces changed by hand |
@@ -36,7 +36,6 @@ pub mod edit_stroke;
 mod grid;
 pub mod lobe;
 mod loft;
-mod nearest;
 mod order;
 mod outline;
 pub mod pairing;

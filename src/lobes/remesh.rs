@@ -11,8 +11,8 @@
 //! surface that would thereby cross itself more than it did stays as it was made, see `lobes/untangle.rs`.
 
 use super::corner_table::CornerTable;
-use super::nearest::Nearest;
 use super::surface::Surface;
+use crate::geom::face_tree::FaceTree;
 use glam::Vec3;
 use rayon::prelude::*;
 
@@ -57,13 +57,13 @@ pub fn remesh(surface: &Surface, params: &Remesh) -> Option<Surface> {
         return None;
     }
     let mut table = CornerTable::new(surface)?;
-    let nearest = Nearest::new(surface);
+    let faces = surface.face_tree();
     find_creases(&mut table, params.crease_deg.to_radians().cos(), SHORT_CREASE * length);
     for _ in 0..params.rounds {
         split_long(&mut table, (length * BOUNDS.0).powi(2))?;
         collapse_short(&mut table, length);
         even_valences(&mut table);
-        smooth(&mut table, &nearest);
+        smooth(&mut table, &faces);
     }
     Some(table.surface())
 }
@@ -214,17 +214,17 @@ fn is_convex(table: &CornerTable, [a, b, c, d]: [u32; 4]) -> bool {
 }
 
 /// Moves vertices to the middle of their neighbours, in the plane of the surface, and then back onto the surface that it was.
-fn smooth(table: &mut CornerTable, nearest: &Nearest) {
+fn smooth(table: &mut CornerTable, onto: &FaceTree) {
     for last in (0..SMOOTHINGS).map(|k| k + 1 == SMOOTHINGS) {
         let this: &CornerTable = table;
-        let onto = last.then_some(nearest);
+        let onto = last.then_some(onto);
         let vertices = (0..this.points.len() as u32).into_par_iter().with_min_len(256);
         let moved: Vec<Vec3> = vertices.map(|v| relaxed(this, onto, v)).collect();
         table.points = moved;
     }
 }
 
-fn relaxed(table: &CornerTable, onto: Option<&Nearest>, v: u32) -> Vec3 {
+fn relaxed(table: &CornerTable, onto: Option<&FaceTree>, v: u32) -> Vec3 {
     let at = table.points[v as usize];
     if !table.has_vertex(v) {
         return at;
@@ -248,7 +248,7 @@ fn relaxed(table: &CornerTable, onto: Option<&Nearest>, v: u32) -> Vec3 {
             let way = sum / count - at;
             let normal = normal.normalize_or_zero();
             let moved = at + way - normal * way.dot(normal);
-            onto.map_or(moved, |surface| surface.point(moved))
+            onto.and_then(|faces| faces.nearest(moved)).map_or(moved, |(on_it, _)| on_it)
         }
     }
 }
@@ -321,8 +321,8 @@ mod tests {
         let [edges, angles] = evenness(&even, length);
         let volume = even.signed_volume() / raw.signed_volume();
         let farthest = |from: &Surface, to: &Surface| {
-            let nearest = Nearest::new(to);
-            let far = from.points.iter().map(|p| nearest.point(*p).distance(*p));
+            let faces = to.face_tree();
+            let far = from.points.iter().map(|p| faces.nearest(*p).unwrap().0.distance(*p));
             far.fold(0.0, f32::max) / length
         };
         let apart = farthest(&raw, &even).max(farthest(&even, &raw));

@@ -3,6 +3,7 @@
 //! Points are kept once, faces are counter-clockwise seen from outside. [`Surface::check_invariants`] says what a finished
 //! lobe promises; between the stages a surface may fold or cross itself, but its faces always join to closed shells.
 
+use crate::geom::face_tree::FaceTree;
 use glam::{DVec3, Vec3};
 
 /// A closed surface.
@@ -18,6 +19,11 @@ impl Surface {
     /// The places of a face's corners.
     pub fn corners(&self, triangle: [u32; 3]) -> [Vec3; 3] {
         triangle.map(|i| self.points[i as usize])
+    }
+
+    /// Its faces, to be asked for the nearest point.
+    pub fn face_tree(&self) -> FaceTree {
+        FaceTree::new(self.triangles.iter().map(|t| self.corners(*t)))
     }
 
     /// Smallest and largest corner; of a surface without points both are the origin.

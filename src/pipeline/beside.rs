@@ -179,8 +179,7 @@ impl Kept {
             return Some(Made::LeftOut(Remark::NoSuchPlant { known: Species::by_themselves().join(", ") }));
         };
         let Maker::Growth(SeedOf { species: _, seed: number, age }) = request.maker;
-        let seed =
-            Seed { number, age, volume: None, wood: Vec::new(), limits: Limits::within(&request.budget) };
+        let seed = Seed { number, age, limits: Limits::within(&request.budget), ..Seed::default() };
         // Times of the stages are counted together.
         let clock = &mut Clock::default();
         let produced = alone::produce(memory, &seed, (species, params), clock, stop)?;

@@ -40,6 +40,7 @@ pub(super) fn produce(bloom: &Bloom, (species, params): (&Species, &Params)) -> 
         remarks,
         anatomy,
         growth: None,
+        obstacles: params.obstacle.beside(Vec3::ZERO),
         wood: DrawnWood::default(),
         may_flower: true,
     }

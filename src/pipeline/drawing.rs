@@ -105,6 +105,11 @@ pub(super) fn produce(
         let buds = bare_stems::furnish(&mut plant, (species, params), sketch.seed);
         (PlantAtAge { plant, buds }, None)
     };
+    // What did not grow has it in its picture.
+    let obstacles = match growth {
+        Some(_) => memory.growth.obstacles().cloned(),
+        None => params.obstacle.beside(growing::foot(&made.plant.branches)),
+    };
     if has_brushes {
         let habit = memory.growth.habit().cloned();
         let given = (sketch, &provenance.world_from_canvas, habit);
@@ -116,7 +121,7 @@ pub(super) fn produce(
         memory.brushes.truncate(0);
     }
     let PlantAtAge { plant, buds } = made;
-    Some(Produced { plant, buds, provenance, remarks, anatomy, growth, wood, may_flower: true })
+    Some(Produced { plant, buds, provenance, remarks, anatomy, growth, obstacles, wood, may_flower: true })
 }
 
 /// The yardstick of what is drawn in space, canvas pixels. A drawing of nothing else has the world of its sheet.

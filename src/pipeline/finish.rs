@@ -9,6 +9,7 @@ use super::triangle_budget::{self, Finer};
 use crate::anatomy::Anatomy;
 use crate::budget::Budget;
 use crate::cards;
+use crate::growth::Obstacles;
 use crate::growth::overlay::Spot;
 use crate::model::{self, Model, ModelParams};
 use crate::modelling::DrawnWood;
@@ -16,6 +17,7 @@ use crate::plant::{FinishedPlant, Plant, Provenance};
 use crate::sketch::{Remark, Textures, Warning};
 use crate::species::{self, Applied, Species};
 use std::borrow::Cow;
+use std::sync::Arc;
 use std::time::Duration;
 
 /// A plant with everything that is known of it.
@@ -32,6 +34,8 @@ pub struct Built {
     pub plant: FinishedPlant,
     /// What only its drawing knows of the plant.
     pub provenance: Provenance,
+    /// What stands beside it: seen in pictures, no part of its files.
+    pub obstacles: Option<Arc<Obstacles>>,
     /// Its drawn wood, as it was modelled: where branches that are drawn in space can begin.
     pub wood: DrawnWood,
     /// The plants beside the drawn one, in the order of the drawing; none for what was left out.
@@ -65,7 +69,8 @@ pub(super) fn finish(
     clock: &mut Clock,
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Option<Built> {
-    let Produced { plant, buds, provenance, mut remarks, anatomy, growth, wood, may_flower } = produced;
+    let Produced { plant, buds, provenance, mut remarks, anatomy, growth, obstacles, wood, may_flower } =
+        produced;
     let mut remark = |remark| remarks.push(Warning { stroke: None, remark });
     let plant = clock.time("species", || {
         let Applied { mut plant, is_blossom_thinned } = species::apply_within(
@@ -110,7 +115,19 @@ pub(super) fn finish(
     }
     let model = clock.time("model", || model::rebuild(&plant, &fineness.params, cache, stop))?;
     let (beside, overlay, stages) = (Vec::new(), Vec::new(), clock.take());
-    Some(Built { anatomy, remarks, growth, plant, provenance, wood, beside, model, overlay, stages })
+    Some(Built {
+        anatomy,
+        remarks,
+        growth,
+        plant,
+        provenance,
+        obstacles,
+        wood,
+        beside,
+        model,
+        overlay,
+        stages,
+    })
 }
 
 /// The looks of a species with the artist's flowers at the time of the year, without blossom where the plant may not have any.

@@ -9,10 +9,11 @@ use crate::anatomy::Anatomy;
 use crate::depth;
 use crate::growth::{DrawnCrowns, Limits, Memory, Outcome, PlantAtAge, Start, drawing, foliage, merge};
 use crate::learned_depth::DepthField;
-use crate::plant::{Plant, Provenance};
+use crate::plant::{Branch, Plant, Provenance};
 use crate::quote;
 use crate::sketch::{Remark, StrokeId, Warning};
 use crate::species::Species;
+use glam::Vec3;
 use std::sync::Arc;
 
 /// Whether a drawing grows.
@@ -47,7 +48,8 @@ pub(super) fn grow_on(
         learned: field.map(|field| (field.in_world(world), params.depth.learned.crown)),
     };
     let wood = merge::wood(&drawn, &grows);
-    let start = Start::new(&params.habit, params.depth.world.height, wood, crowns, growth, seed);
+    let behind = (params.obstacle.clone(), foot(&wood));
+    let start = Start::new((&params.habit, growth), params.depth.world.height, (wood, crowns), behind, seed);
     let years = (growth.years >= 0.0).then_some(growth.years);
     let grown = memory.grow(&start, years, stop)?;
     let ages = Ages::new(grown.simulation, grown.age, grown.outcome);
@@ -65,6 +67,12 @@ pub(super) fn grow_on(
     let merged = merge::merged(drawn, &grows, &grown);
     remarks.extend(thinned_leaves(&merged.plant, grown.simulation.limits(), stroke));
     Some((merged, ages))
+}
+
+/// Where the first trunk of some wood stands, metres.
+pub(super) fn foot(wood: &[Branch]) -> Vec3 {
+    let trunk = wood.iter().find(|branch| branch.parent.is_none());
+    trunk.and_then(|trunk| trunk.points.first()).copied().unwrap_or(Vec3::ZERO)
 }
 
 /// Why growth ended before what was asked for, at an age.

@@ -23,6 +23,7 @@ mod figure_plant;
 mod finish;
 mod growing;
 mod levels;
+mod obstacle_model;
 mod placing;
 mod proposed_species;
 mod rose;
@@ -38,6 +39,7 @@ pub use clock::Clock;
 pub use drawing::DrawingMemory;
 pub use finish::Built;
 pub use levels::{Level, levels};
+pub use obstacle_model::seen;
 pub use placing::BuiltBeside;
 pub use seed::SeedMemory;
 pub use setup::{

@@ -10,7 +10,7 @@ use crate::plant::{
 };
 use crate::rose::{self, Leaf, RoseBud, RoseHabit, Shrub};
 use crate::species::Species;
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
 /// A hip from its foot up: shares of its radius, and of its height, which is so many radii.
 const HIP: [(f32, f32); 9] = [
@@ -27,7 +27,7 @@ const HIP: [(f32, f32); 9] = [
 const HIP_HEIGHT: f32 = 2.2;
 
 /// Makes the rose of a seed.
-pub(super) fn produce(seed: &Seed, habit: &RoseHabit, (species, _): (&Species, &Params)) -> Produced {
+pub(super) fn produce(seed: &Seed, habit: &RoseHabit, (species, params): (&Species, &Params)) -> Produced {
     let shrub = rose::shrub(habit, seed.number);
     let mut plant = Plant { branches: branches(&shrub.stems), ..Plant::default() };
     let buds = put_on(&mut plant, &shrub, species);
@@ -39,6 +39,7 @@ pub(super) fn produce(seed: &Seed, habit: &RoseHabit, (species, _): (&Species, &
         remarks: Vec::new(),
         anatomy,
         growth: None,
+        obstacles: params.obstacle.beside(Vec3::ZERO),
         wood: DrawnWood::default(),
         may_flower: true,
     }

@@ -8,11 +8,14 @@ use super::setup::Params;
 use super::source::{Ages, Produced, Seed};
 use crate::anatomy::Anatomy;
 use crate::growth::overlay::{Spot, Wanted, overlay};
-use crate::growth::{self, Envelope, Habit, Outcome, PlantAtAge, Schedule, Simulation, drawing};
+use crate::growth::{
+    self, Envelope, Habit, ObstacleParams, Outcome, PlantAtAge, Schedule, Simulation, drawing,
+};
 use crate::modelling::DrawnWood;
 use crate::plant::{Plant, Provenance};
 use crate::sketch::Warning;
 use crate::species::Species;
+use glam::Vec3;
 use std::sync::Arc;
 
 /// The plant that was grown last from a seed.
@@ -25,14 +28,16 @@ pub struct SeedMemory {
 #[derive(Debug)]
 struct Kept {
     habit: Habit,
+    /// What stands behind it beside what its seed says.
+    behind: ObstacleParams,
     seed: Seed,
     simulation: Simulation,
     ended: Outcome,
 }
 
 impl Kept {
-    fn begin(habit: &Habit, seed: &Seed) -> Self {
-        let simulation = match &seed.volume {
+    fn begin((habit, behind): (&Habit, &ObstacleParams), seed: &Seed) -> Self {
+        let begun = match &seed.volume {
             None => Simulation::new(habit, seed.number, seed.limits),
             Some(volume) if seed.wood.is_empty() => {
                 Simulation::in_envelope(habit, Envelope::clone(volume), seed.number, seed.limits)
@@ -42,16 +47,31 @@ impl Kept {
                 Simulation::from_skeleton(habit, &plant, Envelope::clone(volume), seed.number, seed.limits)
             }
         };
-        Self { habit: habit.clone(), seed: seed.clone(), simulation, ended: Outcome::Growing }
+        let of_seed = seed.obstacles.iter().cloned();
+        let obstacles =
+            of_seed.chain(behind.beside(Vec3::ZERO)).reduce(|one, other| Arc::new(one.and(&other)));
+        let simulation = match obstacles {
+            Some(obstacles) => begun.among(obstacles),
+            None => begun,
+        };
+        Self {
+            habit: habit.clone(),
+            behind: behind.clone(),
+            seed: seed.clone(),
+            simulation,
+            ended: Outcome::Growing,
+        }
     }
 
     /// Whether it is the plant of that seed, at whatever age.
-    fn is_of(&self, habit: &Habit, seed: &Seed) -> bool {
+    fn is_of(&self, (habit, behind): (&Habit, &ObstacleParams), seed: &Seed) -> bool {
         let volume = |seed: &Seed| seed.volume.as_ref().map(Arc::as_ptr);
+        let obstacles = |seed: &Seed| seed.obstacles.as_ref().map(Arc::as_ptr);
         let known = &self.seed;
         (known.number, known.limits, volume(known)) == (seed.number, seed.limits, volume(seed))
+            && obstacles(known) == obstacles(seed)
             && known.wood == seed.wood
-            && self.habit == *habit
+            && (&self.habit, &self.behind) == (habit, behind)
     }
 
     fn filled_at(&self) -> Option<u16> {
@@ -74,13 +94,13 @@ impl SeedMemory {
     /// until then is kept.
     fn grow(
         &mut self,
-        habit: &Habit,
+        of: (&Habit, &ObstacleParams),
         seed: &Seed,
         age: Option<f32>,
         stop: &dyn Fn() -> bool,
     ) -> Option<(&Simulation, Ages)> {
-        let known = self.last.take().filter(|kept| kept.is_of(habit, seed));
-        let kept = self.last.insert(known.unwrap_or_else(|| Kept::begin(habit, seed)));
+        let known = self.last.take().filter(|kept| kept.is_of(of, seed));
+        let kept = self.last.insert(known.unwrap_or_else(|| Kept::begin(of, seed)));
         let is_wanted = |kept: &Kept| match age {
             Some(age) => f32::from(kept.simulation.age()) < age,
             None => kept.filled_at().is_none(),
@@ -113,13 +133,15 @@ pub(super) fn produce(
     let habit = &params.habit;
     let own = seed.volume.is_none().then_some(habit.age as f32);
     let age = seed.age.or(own).map(|age| age.max(0.0));
-    let (simulation, ages) = clock.time("growth", || memory.grow(habit, seed, age, stop))?;
+    let (simulation, ages) =
+        clock.time("growth", || memory.grow((habit, &params.obstacle), seed, age, stop))?;
     let PlantAtAge { plant, buds } = clock.time("plant", || growth::plant_at(simulation, ages.shown));
     let may_flower = may_flower(species, habit, ages.shown);
     let early = growing::why_no_older(ages.outcome, simulation.age());
     let mut remarks: Vec<_> = early.map(|remark| Warning { stroke: None, remark }).into_iter().collect();
     remarks.extend(growing::thinned_leaves(&plant, simulation.limits(), None));
     let (provenance, anatomy) = (Provenance::default(), Anatomy::default());
+    let obstacles = simulation.obstacles().cloned();
     Some(Produced {
         plant,
         buds,
@@ -127,6 +149,7 @@ pub(super) fn produce(
         remarks,
         anatomy,
         growth: Some(ages),
+        obstacles,
         wood: DrawnWood::default(),
         may_flower,
     })

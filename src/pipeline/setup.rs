@@ -9,8 +9,8 @@ use crate::anatomy::conventions::{self, ConventionParams};
 use crate::cards::CardParams;
 use crate::depth::DepthParams;
 use crate::flower::Layers;
-use crate::growth::habit::CrownHabit;
-use crate::growth::{GrowthParams, Habit};
+use crate::growth::habit::{ClimbHabit, CrownHabit};
+use crate::growth::{GrowthParams, Habit, ObstacleParams};
 use crate::model::ModelParams;
 use crate::params::{Description, Overrides, ParamError, Parameters as _};
 use crate::quote;
@@ -33,6 +33,8 @@ crate::parameter_groups! {
         depth: DepthParams;
         /// How the drawn plant grows on.
         growth: GrowthParams;
+        /// What stands behind it.
+        obstacle: ObstacleParams;
         /// How the plant becomes surfaces.
         model: ModelParams;
         /// Foliage as pictures on rectangles.
@@ -67,10 +69,10 @@ impl Params {
 
     /// Parameters with every group that a species may have.
     pub fn of_any_species() -> Self {
-        let crown = Some(CrownHabit::default());
+        let (crown, climb) = (Some(CrownHabit::default()), Some(ClimbHabit::default()));
         let flower = FlowerParams { layers: Some(Layers::default()), ..FlowerParams::default() };
         let (rose, season) = (Some(RoseHabit::default()), Some(SeasonParams::default()));
-        Self { habit: Habit { crown, ..Habit::default() }, flower, season, rose, ..Self::default() }
+        Self { habit: Habit { crown, climb, ..Habit::default() }, flower, season, rose, ..Self::default() }
     }
 }
 

@@ -6,7 +6,7 @@
 
 use crate::anatomy::Anatomy;
 use crate::growth::habit::Resource;
-use crate::growth::{Envelope, Field, Limits, Outcome, Simulation};
+use crate::growth::{Envelope, Field, Limits, Obstacles, Outcome, Simulation};
 use crate::modelling::DrawnWood;
 use crate::plant::{Branch, FlowerBuds, Plant, Provenance};
 use crate::sketch::{Sketch, Warning};
@@ -57,6 +57,8 @@ pub struct Seed {
     pub age: Option<f32>,
     /// The volume that it fills; none for the species' own crown, or for the open.
     pub volume: Option<Arc<Envelope>>,
+    /// What stands beside it.
+    pub obstacles: Option<Arc<Obstacles>>,
     /// Wood that it begins with in a volume, parents before children; without any a trunk rises to the volume.
     pub wood: Vec<Branch>,
     /// Where growth ends whatever is asked for.
@@ -78,6 +80,8 @@ pub struct Produced {
     pub anatomy: Anatomy,
     /// How old it is, where it grew.
     pub growth: Option<Ages>,
+    /// What stands beside it.
+    pub obstacles: Option<Arc<Obstacles>>,
     /// Its drawn wood, as it was modelled.
     pub wood: DrawnWood,
     /// Whether it is old enough for the flowers of its species.

@@ -11,7 +11,7 @@ use crate::app::texture_files::{self, built_in_texture};
 use crate::formats::write::{self, ExportError, InstanceForm};
 use crate::input::Sources;
 use crate::model::Model;
-use crate::pipeline::Built;
+use crate::pipeline::{self, Built};
 use crate::render::{LightParams, OrbitCamera, Renderer};
 use crate::sketch::Sketch;
 use std::path::{Path, PathBuf};
@@ -174,7 +174,7 @@ fn picture(renderer: &mut Renderer, order: &Order, camera: &OrbitCamera) -> Resu
     use crate::render::{Background, Look, Viewport};
     let mut viewport = Viewport::new(renderer).map_err(boxed)?;
     viewport.set_size(order.choice.width, order.choice.height);
-    viewport.update(renderer, &order.built.model, &texture_files::texture).map_err(boxed)?;
+    viewport.update(renderer, &pipeline::seen(&order.built), &texture_files::texture).map_err(boxed)?;
     let background = if order.choice.transparent { Background::Transparent } else { Background::Paper };
     let look = Look { background, light: order.light.clone(), ..Look::default() };
     viewport.draw(renderer, camera, &look).map_err(boxed)?;

@@ -20,7 +20,7 @@ use std::sync::OnceLock;
 
 /// Groups in the order in which an artist comes to them: the plant as a whole, flowers and leaves, branches, what fills
 /// outlines, surfaces, and last what only matters where strokes were misunderstood.
-const ORDER: [&str; 35] = [
+const ORDER: [&str; 37] = [
     "depth.world",
     "season",
     "flower",
@@ -29,8 +29,10 @@ const ORDER: [&str; 35] = [
     "flower.bloom",
     "rose",
     "growth",
+    "obstacle",
     "habit",
     "habit.crown",
+    "habit.climb",
     "habit.leaf",
     "habit.light",
     "habit.space",

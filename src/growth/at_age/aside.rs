@@ -26,8 +26,14 @@ const ROUNDS: usize = 6;
 /// would go too far.
 const LEVER: f32 = 0.5;
 
-/// Moves what touches: gives nodes and the feet of chains their new places.
-pub(super) fn bend(tree: &Tree, chains: &mut Chains, at: &mut [Vec3], diameters: &[f32]) {
+/// Moves what touches: gives nodes and the feet of chains their new places. Nothing is moved where the way `passes` through an obstacle.
+pub(super) fn bend(
+    tree: &Tree,
+    chains: &mut Chains,
+    at: &mut [Vec3],
+    diameters: &[f32],
+    passes: &dyn Fn(Vec3, Vec3) -> bool,
+) {
     for _ in 0..ROUNDS {
         let ways = ways(&Wood { tree, chains, at }, diameters);
         if ways.is_empty() {
@@ -38,7 +44,8 @@ pub(super) fn bend(tree: &Tree, chains: &mut Chains, at: &mut [Vec3], diameters:
         for node in 0..whole.len() {
             let parent = tree.nodes.parent[node];
             let own = next.next_if(|(of, _)| *of as usize == node).map_or(Vec3::ZERO, |(_, way)| *way);
-            whole[node] = own + if parent == NONE { Vec3::ZERO } else { whole[parent as usize] };
+            let way = own + if parent == NONE { Vec3::ZERO } else { whole[parent as usize] };
+            whole[node] = if passes(at[node], at[node] + way) { Vec3::ZERO } else { way };
             at[node] += whole[node];
         }
         for chain in &mut chains.chains {
@@ -199,7 +206,7 @@ mod tests {
         let diameters: Vec<f32> = (0..tree.len()).map(|n| if n <= 12 { 0.1 } else { 0.03 }).collect();
         let mut at = tree.nodes.at.clone();
         let mut chains = chains::chains(&tree, &chains::living(&tree, 1), &at, &diameters);
-        bend(&tree, &mut chains, &mut at, &diameters);
+        bend(&tree, &mut chains, &mut at, &diameters, &|_, _| false);
         let moved = |n: u32| at[n as usize] - tree.nodes.at[n as usize];
         assert!(trunk.iter().chain([&out]).all(|n| moved(*n) == Vec3::ZERO), "what is thick or far stays");
         assert!(moved(back).x > 0.015 && moved(back).length() < 0.1, "{}", moved(back));

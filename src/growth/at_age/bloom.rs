@@ -14,6 +14,8 @@ use rayon::prelude::*;
 /// How far the flowers of a cluster lean away from its middle, and stand from it, in lengths of a leaf.
 const APART: f32 = 0.9;
 const ASIDE: f32 = 0.35;
+/// How far flowers of wood that holds on to a surface lean along it.
+const ALONG: f32 = 0.4;
 
 /// The flower buds of a plant at an age, in the order of the buds; thinned to `most` where there would be more.
 pub(super) fn buds(most: usize, wood: &Wood<'_>, habit: &Habit) -> FlowerBuds {
@@ -23,7 +25,7 @@ pub(super) fn buds(most: usize, wood: &Wood<'_>, habit: &Habit) -> FlowerBuds {
     let bud = |nth: usize| {
         let (site, k) = (sites[nth / cluster], nth % cluster);
         let bud = one(wood, site, k, pose.length * site.grown);
-        let share = foliage::held_share(bud.base, bud.v, wood.envelope)?;
+        let share = foliage::held_share(bud.base, bud.v, wood.simulation)?;
         Some(FlowerBud { u: bud.u * share, v: bud.v * share, ..bud })
     };
     let whole = sites.len() * cluster;
@@ -67,10 +69,14 @@ fn one(wood: &Wood<'_>, Site { bud, chain, .. }: Site, k: usize, length: f32) ->
     let key = mix(mix(Choice::FLOWER_BUD.key(wood.seed), bud as u64), k as u64);
     let random = Vec3::from_array(Choice::ASIDE.signs(key));
     let aside = if k == 0 { Vec3::ZERO } else { random * APART };
-    let way = (direction + aside).normalize_or(direction);
+    // Flowers of wood that holds on to a surface turn away from it.
+    let held = wood.simulation.held_at(at).map_or(Vec3::ZERO, |contact| contact.away);
+    let toward = direction + aside;
+    let toward = if held == Vec3::ZERO { toward } else { toward.reject_from_normalized(held) * ALONG + held };
+    let way = toward.normalize_or(direction);
     FlowerBud {
         branch: Some(chain as usize),
-        base: at + aside * (ASIDE * length),
+        base: at + (aside + held) * (ASIDE * length),
         u: way.any_orthonormal_vector() * length,
         v: way * length,
         look: 0,

@@ -5,7 +5,8 @@
 //! length and roll are its own, from a random stream named by its node. What is new this year carries leaves that are as
 //! far grown as the year. The end of a twig has leaves however long ago it grew, for its buds open every spring.
 //!
-//! A leaf whose tip or middle would leave a drawn or modelled volume is shortened, or left out if that does not help.
+//! A leaf whose tip or middle would leave a drawn or modelled volume, or that would pass through an obstacle, is shortened, or left out if
+//! that does not help. Leaves of wood that holds on to a wall lie before it and face away from it.
 //!
 //! Limits: a plant has at most as many leaves as its [`Limits`](crate::growth::Limits) say. They are counted before any is made; where there would be more, every
 //! so many-th stays, evenly over old and young wood alike, so that the crown grows thinner but nowhere bare.
@@ -13,6 +14,7 @@
 use super::chains::Chains;
 use crate::growth::habit::Arrangement;
 use crate::growth::habit::leaf::{self, LeafHabit, LeafPose};
+use crate::growth::simulation::Simulation;
 use crate::growth::tree::{NONE, Tree};
 use crate::growth::volume::Envelope;
 use crate::plant::{
@@ -34,6 +36,10 @@ const SHORT: u8 = 2;
 const SHORTER: [f32; 3] = [1.0, 0.7, 0.45];
 /// Places along a leaf that must stay in the volume: its tip, and its middle, so that none spans a gap.
 const HELD_AT: [f32; 2] = [1.0, 0.55];
+/// How far leaves of wood that holds on to a surface stand off it, as a share of their way along it.
+const OFF_SURFACE: f32 = 0.45;
+/// How far these leaves turn their face from the surface's normal to the sky.
+const SKYWARD: f32 = 0.25;
 /// Nodes that one thread takes at a time.
 const NODES: usize = 256;
 
@@ -59,8 +65,8 @@ pub struct Wood<'a> {
     pub arrangement: Arrangement,
     /// Seed of everything random.
     pub seed: u64,
-    /// What leaves must not leave.
-    pub envelope: &'a Envelope,
+    /// What grew: leaves must not leave its volume, nor pass what stands beside it.
+    pub simulation: &'a Simulation,
 }
 
 /// All leaves of a plant at an age, in the order of their nodes, with the templates of which they are copies, not all of
@@ -139,7 +145,7 @@ fn leaves_of<'a>(
     let branch = wood.chains.of_node[i];
     let pose = LeafPose { length: pose.length * wood.grown[i].max(0.05), ..pose };
     (0..count_of(wood, habit, (i, from_end))).filter_map(move |k| {
-        let shape = Shape::Blade(held(one(wood, (habit, &pose), templates, (i, k)), wood.envelope)?);
+        let shape = Shape::Blade(held(one(wood, (habit, &pose), templates, (i, k)), wood.simulation)?);
         let branch = Some(branch as usize);
         let role = Role::of(OrganPart::Leaf);
         Some(Organ { role, origin: Origin::Generated, branch, flower: None, shape })
@@ -158,20 +164,26 @@ fn from_end(wood: &Wood<'_>) -> Vec<u8> {
     out
 }
 
-/// The leaf as long as a drawn or modelled volume has room for.
-fn held(mut blade: Blade, envelope: &Envelope) -> Option<Blade> {
-    let share = held_share(blade.base, blade.v, envelope)?;
+/// The leaf as long as there is room for it.
+fn held(mut blade: Blade, simulation: &Simulation) -> Option<Blade> {
+    let share = held_share(blade.base, blade.v, simulation)?;
     (blade.u, blade.v) = (blade.u * share, blade.v * share);
     Some(blade)
 }
 
-/// The share of its length for which a drawn or modelled volume has room, of what reaches from `base` by `v`.
-pub(super) fn held_share(base: Vec3, v: Vec3, envelope: &Envelope) -> Option<f32> {
+/// The share of its length for which there is room in a drawn or modelled volume and before obstacles, of what reaches from `base` by `v`.
+pub(super) fn held_share(base: Vec3, v: Vec3, simulation: &Simulation) -> Option<f32> {
+    let (envelope, obstacles) = (simulation.envelope(), simulation.obstacles());
     // Leaves stand out of what a brush sweeps as they do at the end of any branch: its edge is where wood ends.
-    if matches!(envelope, Envelope::Free | Envelope::Crown(_) | Envelope::Swept(_)) {
+    let is_bound = !matches!(envelope, Envelope::Free | Envelope::Crown(_) | Envelope::Swept(_));
+    if !is_bound && obstacles.is_none() {
         return Some(1.0);
     }
-    let fits = |share: &f32| HELD_AT.iter().all(|at| envelope.contains(base + v * (share * at)));
+    let fits = |share: &f32| {
+        let inside = |at: &f32| !is_bound || envelope.contains(base + v * (share * at));
+        let is_free = || obstacles.is_none_or(|obstacles| !obstacles.crosses(base, base + v * *share));
+        HELD_AT.iter().all(inside) && is_free()
+    };
     SHORTER.into_iter().find(fits)
 }
 
@@ -208,16 +220,19 @@ fn one(
     let (sin, cos) = (pose.angle_rad * open).sin_cos();
     let scatter = Vec3::from_array(Choice::LEAF_DIRECTION.signs(key)) * pose.scatter;
     let free = way * cos + around * sin - Vec3::Y * pose.droop + scatter;
+    let base = from.lerp(to, along) + around * (0.4 * wood.diameters[i]);
+    // The face between square to the shoot and up to the sky; of wood that holds on to a surface away from it.
+    let held = wood.simulation.held_at(base).map(|contact| contact.away);
+    let free = held.map_or(free, |away| free.reject_from_normalized(away) + away * OFF_SURFACE);
     let axis = free.try_normalize().unwrap_or(around);
-    // The face between square to the shoot and up to the sky.
-    let face = way.lerp(Vec3::Y, pose.face_up)
+    let face = held.unwrap_or(way).lerp(Vec3::Y, if held.is_some() { SKYWARD } else { pose.face_up })
         + Vec3::from_array(Choice::LEAF_FACE.signs(key)) * (0.5 * pose.scatter);
     let across = axis.cross(face).try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector());
     let length = pose.length * (1.0 + pose.vary * Choice::LEAF_LENGTH.signed(key));
     let template = (Choice::LEAF_OUTLINE.unit(key) * templates.len() as f32) as usize % templates.len();
     Blade {
         template: templates[template],
-        base: from.lerp(to, along) + around * (0.4 * wood.diameters[i]),
+        base,
         u: across * length,
         v: axis * length,
         rest: RestSurface::Plane,

@@ -43,7 +43,7 @@ impl Grown {
             tip: self.simulation.habit().tip,
             arrangement: self.simulation.habit().arrangement,
             seed: 3,
-            envelope: self.simulation.envelope(),
+            simulation: &self.simulation,
         }
     }
 

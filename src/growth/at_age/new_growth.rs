@@ -24,7 +24,7 @@ pub(crate) fn add_new_growth(
 ) {
     let (tree, habit, limits) = (simulation.tree(), simulation.habit(), simulation.limits());
     let age = f32::from(simulation.age());
-    let WoodAtAge { chains, at, diameters, grown } = wood_at_age(tree, habit, age);
+    let WoodAtAge { chains, at, diameters, grown } = wood_at_age(simulation, age);
     let first = tree.drawn.len();
     let mut place_of: Vec<Option<usize>> = vec![None; chains.chains.len()];
     for (index, chain) in chains.chains.iter().enumerate() {
@@ -51,7 +51,7 @@ pub(crate) fn add_new_growth(
         tip: habit.tip,
         arrangement: habit.leaf.arrangement.unwrap_or(habit.arrangement),
         seed: simulation.seed(),
-        envelope: simulation.envelope(),
+        simulation,
     };
     let (mut leaves, templates) = foliage::leaves(limits.leaves, &of_wood, &habit.leaf);
     let mut buds = bloom::buds(limits.flower_buds, &of_wood, habit);

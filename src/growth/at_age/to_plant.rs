@@ -37,7 +37,7 @@ pub fn plant_at(simulation: &Simulation, age: f32) -> PlantAtAge {
 pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (PlantAtAge, Chains) {
     let (tree, habit, limits) = (simulation.tree(), simulation.habit(), simulation.limits());
     let age = if age.is_finite() { age.clamp(0.0, f32::from(simulation.age())) } else { 0.0 };
-    let WoodAtAge { chains, at, diameters, grown } = wood_at_age(tree, habit, age);
+    let WoodAtAge { chains, at, diameters, grown } = wood_at_age(simulation, age);
     let stems = Stems::of(tree, &chains, &diameters);
     let mut branches: Vec<Branch> = Vec::with_capacity(chains.chains.len());
     for (index, chain) in chains.chains.iter().enumerate() {
@@ -68,7 +68,7 @@ pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (PlantAtAge, Cha
         tip: habit.tip,
         arrangement: habit.leaf.arrangement.unwrap_or(habit.arrangement),
         seed: simulation.seed(),
-        envelope: simulation.envelope(),
+        simulation,
     };
     let (organs, templates) = foliage::leaves(limits.leaves, &wood, &habit.leaf);
     let buds = bloom::buds(limits.flower_buds, &wood, habit);

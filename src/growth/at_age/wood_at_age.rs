@@ -15,8 +15,8 @@ use super::chains::{self, Chains};
 use super::diameter;
 use super::pruning;
 use super::stem_base;
-use crate::growth::habit::Habit;
-use crate::growth::tree::{NONE, Tree};
+use crate::growth::simulation::Simulation;
+use crate::growth::tree::NONE;
 use glam::Vec3;
 
 /// Least share of its length that wood of this year is shown with.
@@ -36,13 +36,14 @@ pub(crate) struct WoodAtAge {
 }
 
 /// The wood of a plant at an age in years.
-pub(crate) fn wood_at_age(tree: &Tree, habit: &Habit, age: f32) -> WoodAtAge {
+pub(crate) fn wood_at_age(simulation: &Simulation, age: f32) -> WoodAtAge {
+    let (tree, habit) = (simulation.tree(), simulation.habit());
     let year = age.ceil() as u16;
     let passed = 1.0 - (f32::from(year) - age);
     if passed >= 1.0 || year == 0 {
-        return at_the_end(tree, habit, year);
+        return at_the_end(simulation, year);
     }
-    let (start, end) = rayon::join(|| at_the_end(tree, habit, year - 1), || at_the_end(tree, habit, year));
+    let (start, end) = rayon::join(|| at_the_end(simulation, year - 1), || at_the_end(simulation, year));
     let mut now = WoodAtAge {
         chains: end.chains.clone(),
         at: end.at.clone(),
@@ -77,12 +78,19 @@ pub(crate) fn wood_at_age(tree: &Tree, habit: &Habit, age: f32) -> WoodAtAge {
 }
 
 /// The wood at the end of a year.
-fn at_the_end(tree: &Tree, habit: &Habit, year: u16) -> WoodAtAge {
+fn at_the_end(simulation: &Simulation, year: u16) -> WoodAtAge {
+    let (tree, habit) = (simulation.tree(), simulation.habit());
+    let passes = |from: Vec3, to: Vec3| simulation.obstacles().is_some_and(|beside| beside.crosses(from, to));
     let diameters = diameter::diameters(tree, habit, f32::from(year));
     let (lives, mut places) = (chains::living(tree, year), tree.nodes.at.clone());
     stem_base::gather(tree, &lives, &mut places, &diameters);
+    for (place, grown) in places.iter_mut().zip(&tree.nodes.at) {
+        if passes(*grown, *place) {
+            *place = *grown;
+        }
+    }
     let (mut chains, mut at) = pruning::pruned(tree, lives, &places, &diameters, habit.pipe);
-    aside::bend(tree, &mut chains, &mut at, &diameters);
+    aside::bend(tree, &mut chains, &mut at, &diameters, &passes);
     let grown = vec![1.0; chains.of_node.len()];
     WoodAtAge { chains, at, diameters, grown }
 }

@@ -10,6 +10,7 @@ use super::extend_into_crown;
 use crate::budget::Budget;
 use crate::growth::habit::Habit;
 use crate::growth::limits::{Limits, Outcome};
+use crate::growth::obstacle::{ObstacleParams, Obstacles};
 use crate::growth::overlay::{Spot, Wanted, overlay};
 use crate::growth::simulation::Simulation;
 use crate::growth::tree::Tree;
@@ -17,7 +18,7 @@ use crate::growth::volume::Envelope;
 use crate::growth::volume::Inflated;
 use crate::learned_depth::WorldDepth;
 use crate::plant::{Branch, Plant};
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 use std::sync::Arc;
 
 crate::parameters! {
@@ -70,6 +71,8 @@ pub struct Start {
     /// Drawn wood that grows on; parents before children.
     wood: Vec<Branch>,
     crowns: DrawnCrowns,
+    /// What stands behind the foot of its first trunk, and where that is.
+    behind: (ObstacleParams, Vec3),
     depth: f32,
     hollow: f32,
     guide: f32,
@@ -78,20 +81,19 @@ pub struct Start {
 }
 
 impl Start {
-    /// A drawing of a species: `wood` grows on, into `crowns` if there are any. `height` is what the drawing's height
-    /// is in the world, metres.
+    /// A drawing of a species: `wood` grows on, into `crowns` if there are any, beside what stands `behind` a place. `height` is what the
+    /// drawing's height is in the world, metres.
     pub fn new(
-        habit: &Habit,
+        (habit, params): (&Habit, &GrowthParams),
         height: f32,
-        wood: Vec<Branch>,
-        crowns: DrawnCrowns,
-        params: &GrowthParams,
+        (wood, crowns): (Vec<Branch>, DrawnCrowns),
+        behind: (ObstacleParams, Vec3),
         seed: u64,
     ) -> Self {
         let mut habit = habit.scaled(height / habit.height);
         habit.fineness *= params.fineness;
         let &GrowthParams { depth, hollow, guide, .. } = params;
-        Self { habit, wood, crowns, depth, hollow, guide, seed, limits: LIMITS }
+        Self { habit, wood, crowns, behind, depth, hollow, guide, seed, limits: LIMITS }
     }
 
     /// The plant before its first year.
@@ -117,7 +119,12 @@ impl Start {
         }
         let envelope = crown.map_or(Envelope::Free, Envelope::Inflated);
         let plant = Plant { branches: wood, ..Plant::default() };
-        let simulation = Simulation::from_skeleton(&self.habit, &plant, envelope, self.seed, self.limits);
+        let begun = Simulation::from_skeleton(&self.habit, &plant, envelope, self.seed, self.limits);
+        let (behind, foot) = &self.behind;
+        let simulation = match behind.beside(*foot) {
+            Some(obstacles) => begun.among(obstacles),
+            None => begun,
+        };
         Kept { start: self.clone(), inside, simulation, ended: Outcome::Growing }
     }
 }
@@ -165,6 +172,11 @@ impl Memory {
     /// How the plant that grew last grows, fitted into its crown if it has one.
     pub fn habit(&self) -> Option<&Habit> {
         self.last.as_ref().map(|kept| kept.simulation.habit())
+    }
+
+    /// What stands beside the plant that grew last.
+    pub fn obstacles(&self) -> Option<&Arc<Obstacles>> {
+        self.last.as_ref().and_then(|kept| kept.simulation.obstacles())
     }
 
     /// What the plant that grew last looks like from inside, at an age that it has lived through.

@@ -112,6 +112,22 @@ crate::parameters! {
 }
 
 crate::parameters! {
+    /// How a climbing species holds on to what stands beside it, or to the ground where nothing does.
+    pub struct ClimbHabit {
+        /// Distance from which shoots go to a support.
+        reach: f32 = 1.5, 0.01..=50.0, "metres";
+        /// Weight of the way to a support out of reach of the wood.
+        hold: Schedule = 0.8, 0.0..=10.0, "";
+        /// Distance of the wood from its support.
+        gap: f32 = 0.015, 0.0..=1.0, "metres";
+        /// Length of a shoot without support before it hangs; at twice the length it ends.
+        free: f32 = 0.4, 0.0..=20.0, "metres";
+        /// Weight of turning around a support, for twining species: above 0 counter-clockwise as it rises, seen from above.
+        twine: Schedule = 0.0, -10.0..=10.0, "";
+    }
+}
+
+crate::parameters! {
     /// How a species grows.
     pub struct Habit {
         /// Age at which the species is shown when none is asked for.
@@ -212,6 +228,8 @@ crate::parameters! {
         space: SpaceHabit = SpaceHabit::default();
         /// A crown that the species keeps within.
         crown: Option<CrownHabit> = None;
+        /// How it climbs.
+        climb: Option<ClimbHabit> = None;
         /// Leaves.
         leaf: LeafHabit = LeafHabit::default();
     }
@@ -228,6 +246,10 @@ impl Habit {
         (habit.bole, habit.clearance) = (habit.bole.times(factor), habit.clearance.times(factor));
         if let Some(crown) = &mut habit.crown {
             (crown.height, crown.width) = (crown.height * factor, crown.width * factor);
+        }
+        if let Some(climb) = &mut habit.climb {
+            (climb.reach, climb.gap, climb.free) =
+                (climb.reach * factor, climb.gap * factor, climb.free * factor);
         }
         habit
     }

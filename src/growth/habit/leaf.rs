@@ -27,6 +27,8 @@ crate::parameter_choice! {
         Lobed = "lobed",
         /// Five pointed lobes from one place: maple.
         Palmate = "palmate",
+        /// Three pointed lobes, broad at the base: ivy.
+        ThreeLobed = "three_lobed",
         /// Many narrow needles from one place.
         Tuft = "tuft",
         /// A feather of leaflets, or of needles.
@@ -50,6 +52,7 @@ fn right_half(shape: LeafShape) -> &'static [(f32, f32)] {
             &[(0.16, 0.14), (0.34, 0.3), (0.22, 0.42), (0.5, 0.62), (0.3, 0.74), (0.32, 0.92)]
         }
         LeafShape::Palmate => &[(0.34, 0.06), (0.22, 0.26), (0.5, 0.52), (0.16, 0.56)],
+        LeafShape::ThreeLobed => &[(0.34, 0.02), (0.5, 0.34), (0.26, 0.46), (0.16, 0.72)],
         LeafShape::Tuft => &[
             (0.34, 0.16),
             (0.07, 0.14),

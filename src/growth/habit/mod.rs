@@ -6,6 +6,6 @@ pub(super) mod leaf;
 mod schedule;
 
 pub use arrangement::Arrangement;
-pub use keys::{Control, CrownHabit, Habit, LightHabit, Profile, Resource, SpaceHabit, Toward};
+pub use keys::{ClimbHabit, Control, CrownHabit, Habit, LightHabit, Profile, Resource, SpaceHabit, Toward};
 pub use leaf::{LeafHabit, LeafShape};
 pub use schedule::Schedule;

@@ -107,6 +107,25 @@ impl Markers {
         }
     }
 
+    /// Takes away all that `stays` does not want; none may be occupied.
+    pub fn keep(&mut self, stays: impl Fn(&Vec3) -> bool + Sync) {
+        let kept: Vec<bool> = self.at.par_iter().with_min_len(256).map(&stays).collect();
+        let mut before = 0;
+        for cell in 0..self.grid.len() {
+            let range = self.starts[cell] as usize..self.starts[cell + 1] as usize;
+            self.starts[cell] = before;
+            before += kept[range].iter().filter(|kept| **kept).count() as u32;
+            self.free_end[cell] = before;
+        }
+        self.starts[self.grid.len()] = before;
+        let mut each = kept.iter();
+        self.at.retain(|_| each.next() == Some(&true));
+        let mut each = kept.iter();
+        self.rank.retain(|_| each.next() == Some(&true));
+        self.taken.truncate(before as usize);
+        self.owner.truncate(before as usize);
+    }
+
     /// Number of markers, occupied ones counted.
     pub fn len(&self) -> usize {
         self.at.len()

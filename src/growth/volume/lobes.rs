@@ -6,7 +6,8 @@
 //! Source: 001 §5.1 grows into several lobes and does not say what counts as inside. Limits: parts that hang together by less than
 //! a cell count as separate; what is smaller than a cell as none.
 
-use super::solid::{Solid, SolidError};
+use super::mesh_text::MeshError;
+use super::solid::Solid;
 use crate::lobes::Shaped;
 use glam::Vec3;
 use rayon::prelude::*;
@@ -47,7 +48,7 @@ impl Lobes {
     ///
     /// # Errors
     /// A surface that is no volume; those that are shaped by [`crate::lobes::shape`] are.
-    pub fn new(shaped: &[Shaped]) -> Result<Self, SolidError> {
+    pub fn new(shaped: &[Shaped]) -> Result<Self, MeshError> {
         let (mut added, mut taken) = (Vec::new(), Vec::new());
         for lobe in shaped {
             let surface = &lobe.surface;

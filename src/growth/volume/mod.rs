@@ -4,6 +4,7 @@ mod envelope;
 mod guide;
 mod inflated;
 mod lobes;
+pub(super) mod mesh_text;
 mod solid;
 mod swept;
 
@@ -11,7 +12,8 @@ pub use envelope::{Crown, Envelope};
 pub use inflated::Inflated;
 pub use lobes::Lobes;
 pub(super) use lobes::Part;
-pub use solid::{MAX_BYTES, Solid, SolidError};
+pub use mesh_text::{MAX_BYTES, MeshError};
+pub use solid::Solid;
 pub use swept::{Ball, Swept};
 
 #[cfg(test)]

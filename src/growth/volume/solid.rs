@@ -4,94 +4,21 @@
 //! columns of a grid over x and z, so a question looks at the triangles of one column. Edges seen from above are
 //! crossed or not by one rule that gives the same answer for both triangles of an edge, so no ray slips through a seam.
 //!
-//! Limits: at most [`MAX_TRIANGLES`] triangles and [`MAX_BYTES`] of text, and [`MAX_OVER`] triangles over each other. Where
+//! Limits: at most [`MAX_TRIANGLES`] triangles and [`MAX_BYTES`](super::MAX_BYTES) of text, and [`MAX_OVER`] triangles over each other. Where
 //! the mesh cuts itself, what is covered twice counts as outside.
 
+use super::mesh_text::{self, MeshError};
 use crate::geom::weld::weld;
-use crate::obj_text::{self, Fault};
-use crate::quote;
 use glam::{DVec2, Vec3};
-use thiserror::Error;
 
 /// Most triangles of a volume.
 pub(super) const MAX_TRIANGLES: usize = 2_000_000;
-/// Largest OBJ text that is read, bytes.
-pub const MAX_BYTES: usize = 256 << 20;
 /// Most triangles over each other, in the mean of all columns: so many are looked at for each question.
 pub(super) const MAX_OVER: usize = 1000;
 /// Most entries in all columns together.
 const MOST_HELD: usize = 16 << 20;
 /// Columns along one side of the grid, at most.
 const MAX_COLUMNS: usize = 512;
-
-/// A mesh that is no volume.
-#[derive(Debug, Error, PartialEq)]
-pub enum SolidError {
-    /// Not an OBJ file.
-    #[error("{name}: line {line}: not a readable OBJ file: {reason}")]
-    Unreadable {
-        /// Name of the file.
-        name: String,
-        /// Line number, from 1.
-        line: usize,
-        /// Why.
-        reason: String,
-    },
-    /// Nothing in it.
-    #[error("{name}: there is no face in it; export the volume as a mesh of faces")]
-    Empty {
-        /// Name of the file.
-        name: String,
-    },
-    /// More than anybody needs.
-    #[error("{name}: {what} are more than the {most} that a volume may have; simplify the mesh")]
-    Huge {
-        /// Name of the file.
-        name: String,
-        /// What there is too much of.
-        what: String,
-        /// The limit.
-        most: usize,
-    },
-    /// A corner that is nowhere.
-    #[error("{name}: corner {corner} of face {face} {what}")]
-    Corner {
-        /// Name of the file.
-        name: String,
-        /// Corner of the face, from 1.
-        corner: usize,
-        /// The face, from 1, after splitting into triangles.
-        face: usize,
-        /// What is wrong with it.
-        what: &'static str,
-    },
-    /// A hole.
-    #[error(
-        "{name}: the mesh is open: {edges} edges have a face on one side only, the first at ({x}, {y}, {z}); close its holes"
-    )]
-    Open {
-        /// Name of the file.
-        name: String,
-        /// Number of such edges.
-        edges: usize,
-        /// Where the first begins.
-        x: f32,
-        /// Where the first begins.
-        y: f32,
-        /// Where the first begins.
-        z: f32,
-    },
-    /// Inside out, or flat.
-    #[error("{name}: the mesh {what}; {remedy}")]
-    NoVolume {
-        /// Name of the file.
-        name: String,
-        /// What is wrong.
-        what: &'static str,
-        /// What to do.
-        remedy: &'static str,
-    },
-}
 
 /// The inside of a closed mesh.
 #[derive(Debug)]
@@ -112,21 +39,8 @@ impl Solid {
     ///
     /// # Errors
     /// A text that is no OBJ file, or a mesh that is no volume.
-    pub fn from_obj(text: &str, name: &str) -> Result<Self, SolidError> {
-        if text.len() > MAX_BYTES {
-            let what = format!("{} bytes", text.len());
-            return Err(SolidError::Huge { name: name.to_owned(), what, most: MAX_BYTES });
-        }
-        let (meshes, _) = obj_text::read(text.as_bytes()).map_err(|Fault { line, reason }| {
-            SolidError::Unreadable { name: name.to_owned(), line, reason: quote::message(&reason) }
-        })?;
-        let (mut points, mut triangles) = (Vec::new(), Vec::new());
-        for mesh in meshes {
-            let first = points.len() as u32;
-            points.extend(mesh.positions.as_chunks::<3>().0.iter().map(|p| Vec3::from_array(*p)));
-            triangles
-                .extend(mesh.indices.as_chunks::<3>().0.iter().map(|t| t.map(|i| first.saturating_add(i))));
-        }
+    pub fn from_obj(text: &str, name: &str) -> Result<Self, MeshError> {
+        let (points, triangles) = mesh_text::read(text, name)?;
         Self::new(points, triangles, name)
     }
 
@@ -134,25 +48,9 @@ impl Solid {
     ///
     /// # Errors
     /// A mesh that is empty, huge, open, flat or inside out, or with corners that are nowhere.
-    pub fn new(points: Vec<Vec3>, triangles: Vec<[u32; 3]>, name: &str) -> Result<Self, SolidError> {
+    pub fn new(points: Vec<Vec3>, triangles: Vec<[u32; 3]>, name: &str) -> Result<Self, MeshError> {
         let owned = || name.to_owned();
-        if triangles.is_empty() {
-            return Err(SolidError::Empty { name: owned() });
-        }
-        if triangles.len() > MAX_TRIANGLES {
-            let what = format!("{} triangles", triangles.len());
-            return Err(SolidError::Huge { name: owned(), what, most: MAX_TRIANGLES });
-        }
-        for (face, corners) in triangles.iter().enumerate() {
-            for (corner, &i) in corners.iter().enumerate() {
-                let what = match points.get(i as usize) {
-                    None => "does not exist",
-                    Some(p) if !p.is_finite() || p.abs().max_element() > 1e9 => "is no place in space",
-                    Some(_) => continue,
-                };
-                return Err(SolidError::Corner { name: owned(), corner: corner + 1, face: face + 1, what });
-            }
-        }
+        mesh_text::check(&points, &triangles, name, MAX_TRIANGLES)?;
         let (points, triangles) = welded(&points, &triangles);
         check_closed(&points, &triangles, name)?;
         let (low, high) = triangles
@@ -176,7 +74,7 @@ impl Solid {
         let over = solid.held.len() / (solid.columns[0] * solid.columns[1]);
         if over > MAX_OVER {
             let what = format!("{over} triangles over each other");
-            return Err(SolidError::Huge { name: owned(), what, most: MAX_OVER });
+            return Err(MeshError::Huge { name: owned(), what, most: MAX_OVER });
         }
         Ok(solid)
     }
@@ -294,7 +192,7 @@ fn welded(points: &[Vec3], triangles: &[[u32; 3]]) -> (Vec<Vec3>, Vec<[u32; 3]>)
 }
 
 /// Every edge must be walked as often in one direction as in the other.
-fn check_closed(points: &[Vec3], triangles: &[[u32; 3]], name: &str) -> Result<(), SolidError> {
+fn check_closed(points: &[Vec3], triangles: &[[u32; 3]], name: &str) -> Result<(), MeshError> {
     let mut edges: Vec<(u32, u32, i8)> = Vec::with_capacity(triangles.len() * 3);
     for &[a, b, c] in triangles {
         edges.extend([(a, b), (b, c), (c, a)].map(|(i, k)| if i < k { (i, k, 1) } else { (k, i, -1) }));
@@ -305,7 +203,7 @@ fn check_closed(points: &[Vec3], triangles: &[[u32; 3]], name: &str) -> Result<(
         .filter(|same| same.iter().map(|e| i32::from(e.2)).sum::<i32>() != 0);
     let Some(first) = open.next() else { return Ok(()) };
     let Vec3 { x, y, z } = points[first[0].0 as usize];
-    Err(SolidError::Open { name: name.to_owned(), edges: 1 + open.count(), x, y, z })
+    Err(MeshError::Open { name: name.to_owned(), edges: 1 + open.count(), x, y, z })
 }
 
 /// The signed volume, which must be positive and more than a film.
@@ -315,7 +213,7 @@ fn volume_of(
     low: Vec3,
     high: Vec3,
     name: &str,
-) -> Result<f32, SolidError> {
+) -> Result<f32, MeshError> {
     let middle = low.midpoint(high).as_dvec3();
     let six = triangles.iter().map(|t| {
         let [a, b, c] = t.map(|i| points[i as usize].as_dvec3() - middle);
@@ -323,7 +221,7 @@ fn volume_of(
     });
     let volume = six.sum::<f64>() / 6.0;
     let room = (high - low).as_dvec3().max_element().powi(3);
-    let fault = |what, remedy| Err(SolidError::NoVolume { name: name.to_owned(), what, remedy });
+    let fault = |what, remedy| Err(MeshError::NoVolume { name: name.to_owned(), what, remedy });
     if volume.abs() <= room * 1e-9 {
         return fault("encloses nothing", "give it a thickness");
     }

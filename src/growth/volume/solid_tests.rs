@@ -37,7 +37,7 @@ fn plates_over_each_other_are_bounded_in_memory_and_time() {
 
 #[test]
 fn an_endless_text_is_refused_before_it_is_read() {
-    assert!(fault(&"#".repeat(MAX_BYTES + 1)).contains("bytes are more than"));
+    assert!(fault(&"#".repeat(crate::growth::volume::MAX_BYTES + 1)).contains("bytes are more than"));
 }
 
 /// The mesh of an OBJ file turned inside out.

@@ -1,0 +1,69 @@
+//! What stands beside a plant, as a part of its model: for pictures and the window, not for files, where the artist's scene has it.
+
+use super::finish::Built;
+use crate::growth::Obstacles;
+use crate::model::{Mesh, Model, Part, PartKind, Vertex};
+use crate::plant::{Material, OrganKind};
+use glam::{Vec2, Vec3};
+use std::borrow::Cow;
+use std::sync::Arc;
+
+/// Linear colour of stone and weathered wood.
+const COLOUR: [f32; 3] = [0.46, 0.42, 0.37];
+
+/// What is seen of a plant: its model, with what stands beside it.
+pub fn seen(built: &Built) -> Cow<'_, Model> {
+    match &built.obstacles {
+        Some(obstacles) => Cow::Owned(with_obstacles(&built.model, obstacles)),
+        None => Cow::Borrowed(&built.model),
+    }
+}
+
+fn with_obstacles(model: &Model, obstacles: &Obstacles) -> Model {
+    let mut model = model.clone();
+    let material = model.materials.len();
+    model.materials.push(Material { double_sided: true, ..Material::plain("obstacle", COLOUR) });
+    model.parts.push(Part {
+        name: "obstacle".into(),
+        kind: PartKind::Organ(OrganKind::Pot),
+        parent: None,
+        specimen: 0,
+        pivot: Vec3::ZERO,
+        material,
+        more_materials: Vec::new(),
+        mesh: Arc::new(faceted(obstacles)),
+        copies: None,
+    });
+    model
+}
+
+/// Each face with its own normal: walls and slats have sharp edges.
+fn faceted(obstacles: &Obstacles) -> Mesh {
+    let (points, triangles) = obstacles.mesh();
+    let mut mesh = Mesh { points: points.to_vec(), ..Mesh::default() };
+    for triangle in triangles {
+        let [a, b, c] = triangle.map(|i| points[i as usize]);
+        let Some(normal) = (b - a).cross(c - a).try_normalize() else { continue };
+        let first = mesh.vertices.len() as u32;
+        mesh.vertices.extend(triangle.map(|point| Vertex { point, normal, uv: Vec2::ZERO }));
+        mesh.triangles.push([first, first + 1, first + 2]);
+    }
+    mesh
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn obstacles_are_one_more_part_with_sharp_edges() {
+        let with = with_obstacles(&Model::default(), &Obstacles::wall(Vec3::ONE));
+        assert_eq!((with.parts.len(), with.materials.len(), with.triangle_count()), (1, 1, 12));
+        let mesh = &with.parts[0].mesh;
+        let outward = |t: &[u32; 3]| {
+            let middle = mesh.corners(*t).iter().sum::<Vec3>() / 3.0 - Vec3::Y * 0.5;
+            mesh.vertices[t[0] as usize].normal.dot(middle) > 0.4
+        };
+        assert!(mesh.triangles.iter().all(outward));
+    }
+}
