@@ -174,3 +174,47 @@ fn the_drawings_that_the_readme_shows_are_one_piece_of_wood() {
         assert_eq!(bases, 1, "{name}");
     }
 }
+
+#[test]
+fn growth_goes_toward_painted_light_and_away_from_shade() {
+    let mut sketch = in_space();
+    sketch.species = Some("maple".to_owned());
+    let species = pipeline::species_of(&sketch, Path::new("")).unwrap();
+    let grown = |sketch: &Sketch| {
+        let params = pipeline::params_of(sketch, &species, &["growth.years=7".to_owned()]).unwrap();
+        pipeline::build(sketch, &species, &params)
+    };
+    let (low, high) = sketch.bounds().unwrap();
+    let (size, middle) = (high - low, 0.5 * (low + high));
+    // Beside the tree, to its right, from a third of its height up.
+    let beside = low.x + 1.3 * size.x;
+    let light = |guide: f32| {
+        let (from, to) = ([beside, middle.y + 0.2 * size.y, 0.0], [beside, low.y, 0.0]);
+        let mut stroke = Stroke::clone(&stroke(70, Tool::LightBrush, from, to, 0.12 * size.x));
+        stroke.brush = stroke.brush.map(|brush| Brush { guide, ..brush });
+        let mut lit = sketch.clone();
+        lit.strokes.push(stroke.into());
+        lit
+    };
+    // Leaves beside the light, of all.
+    let near = |built: &Built| {
+        let world = &built.provenance.world_from_canvas;
+        let (at, wide) = (world.point_in_space(vec2(beside, middle.y), 0.0).x, 0.3 * size.x * world.scale);
+        let all = built.plant.organs.iter().filter(|organ| (organ.base().x - at).abs() < wide);
+        all.count() as f32 / built.plant.organs.len() as f32
+    };
+    let [shade, dark, bright] = [-2.0, 0.0, 2.0].map(|guide| {
+        let built = grown(&light(guide));
+        assert_eq!(built.remarks, []);
+        assert!(leaves(&built) > 300, "{}", leaves(&built));
+        near(&built)
+    });
+    assert!(bright > 1.25 * dark && shade < 0.5 * dark, "{shade} {dark} {bright}");
+    assert_eq!(grown(&sketch).plant, grown(&light(0.0)).plant, "no light is none");
+    let without_growth = built(&light(2.0));
+    let remarks: Vec<_> = without_growth.remarks.iter().map(|w| (w.stroke, w.remark.clone())).collect();
+    assert_eq!(remarks, [(Some(70), Remark::LightsNothing)]);
+    let text = sketch::json::write(&light(2.0));
+    assert!(text.contains("\"version\": 8") && text.contains("light_brush"));
+    assert_eq!(sketch::read::from_bytes(text.as_bytes(), "lit.penstemon").unwrap().0, light(2.0));
+}

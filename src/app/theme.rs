@@ -191,6 +191,7 @@ impl Palette {
             Tool::Petal => self.petal,
             Tool::Leaf | Tool::GrowthBrush => self.leaf,
             Tool::PruningBrush => self.error,
+            Tool::LightBrush => self.crown,
             Tool::Branch | Tool::SpaceBranch => self.branch[0],
             Tool::BranchOutline => self.branch_outline,
             Tool::LeafOutline => self.leaf_outline,

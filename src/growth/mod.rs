@@ -55,5 +55,5 @@ pub use tree::Tree;
 #[cfg(test)]
 pub(crate) use volume::flipped;
 pub use volume::{
-    Ball, Crown, Envelope, Inflated, Lobes, MAX_BYTES as MAX_MESH_BYTES, MeshError, Solid, Swept,
+    Ball, Crown, Envelope, Inflated, Lamp, Lobes, MAX_BYTES as MAX_MESH_BYTES, MeshError, Solid, Swept,
 };

@@ -24,7 +24,7 @@ use super::resource::priority::{self, Priority};
 use super::resource::shadow::{Change, Shadow};
 use super::resource::vigour::Flow;
 use super::tree::{Fate, NONE, NewNode, Tree};
-use super::volume::{Crown, Envelope, Swept};
+use super::volume::{Crown, Envelope, Lamp, Swept};
 use super::year::direction::{self, Weights};
 use super::year::fate::{self, Waiting};
 use super::year::shedding;
@@ -60,6 +60,8 @@ pub struct Simulation {
     envelope: Envelope,
     /// What stands beside it.
     beside: Beside,
+    /// Light beside that of the sky.
+    lamps: Vec<Lamp>,
     limits: Limits,
     seed: u64,
     tree: Tree,
@@ -142,6 +144,14 @@ impl Simulation {
         Self::begin(habit.clone(), envelope, field, limits, seed, tree)
     }
 
+    /// The same plant from its beginning, with painted light.
+    #[must_use]
+    pub fn lit(mut self, lamps: Vec<Lamp>) -> Self {
+        self.rewind(0);
+        self.lamps = lamps;
+        self
+    }
+
     /// The same plant from its beginning, among obstacles.
     #[must_use]
     pub fn among(mut self, obstacles: Arc<Obstacles>) -> Self {
@@ -161,9 +171,9 @@ impl Simulation {
     fn begin(habit: Habit, envelope: Envelope, field: Field, limits: Limits, seed: u64, tree: Tree) -> Self {
         let scratch = Scratch::default();
         let effort = Effort::new(limits.steps);
-        let beside = Beside::default();
+        let (beside, lamps) = (Beside::default(), Vec::new());
         let mut simulation =
-            Self { habit, envelope, beside, limits, seed, tree, field, year: 0, effort, scratch };
+            Self { habit, envelope, beside, lamps, limits, seed, tree, field, year: 0, effort, scratch };
         // Where there is no room for the first shadows there is none for the first year either, which says so; nor are
         // there steps for it where there are none for these.
         let _ = simulation.settle_in(0..simulation.tree.len(), &|| false);
@@ -339,6 +349,12 @@ impl Simulation {
                     }
                     _ => {}
                 }
+            }
+        }
+        for lamp in &self.lamps {
+            self.effort.spend(at.len() as u64 * lamp.steps())?;
+            for ((at, q), best) in at.iter().zip(&mut found.q).zip(&mut found.best) {
+                (*q, *best) = lamp.shine(*at, (*q, *best));
             }
         }
         Ok(())

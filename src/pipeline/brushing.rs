@@ -1,11 +1,13 @@
 //! The stage between growth and species: strokes of brushes, one after the other, fill and empty parts of the plant.
 //!
+//! A light brush works on growth itself, which comes before: see [`lamps`].
+//!
 //! A species that does not say how it grows fills them like an ordinary tree, with a remark. All strokes of a drawing together grow
 //! no more than a drawn crown may.
 
 use super::setup::Params;
 use crate::growth::brush::{Memory, Paint, Painted, prune};
-use crate::growth::{Habit, Limits, PlantAtAge, Swept, drawing};
+use crate::growth::{Habit, Lamp, Limits, PlantAtAge, Swept, drawing};
 use crate::plant::WorldFromCanvas;
 use crate::quote;
 use crate::random::{Choice, mix};
@@ -28,7 +30,7 @@ pub(super) fn brush(
     let mut remarks = Vec::new();
     let (mut painted, internodes) = (0, drawing::LIMITS.internodes);
     for stroke in sketch.brush_strokes() {
-        let Some(brush) = stroke.brush else { continue };
+        let Some(brush) = stroke.brush.filter(|_| stroke.tool != Tool::LightBrush) else { continue };
         let remark = |remark: Remark| Warning { stroke: Some(stroke.id), remark };
         let Some(swept) = Swept::new(&way(stroke, &brush, world), brush.guide) else { continue };
         if stroke.tool == Tool::PruningBrush {
@@ -54,6 +56,21 @@ pub(super) fn brush(
     }
     memory.truncate(painted);
     Some(remarks)
+}
+
+/// The light that a drawing's brushes paint, for all of its growth but that of other brushes.
+pub(super) fn lamps(sketch: &Sketch, world: &WorldFromCanvas) -> Vec<Lamp> {
+    let lamp = |stroke: &Arc<Stroke>| {
+        let brush = stroke.brush.filter(|_| stroke.tool == Tool::LightBrush)?;
+        Lamp::new(&way(stroke, &brush, world), brush.guide)
+    };
+    sketch.brush_strokes().filter_map(lamp).collect()
+}
+
+/// The remark that light is painted where nothing grows.
+pub(super) fn lights_nothing(sketch: &Sketch) -> Option<Warning> {
+    let lit = sketch.brush_strokes().find(|stroke| stroke.tool == Tool::LightBrush)?;
+    Some(Warning { stroke: Some(lit.id), remark: Remark::LightsNothing })
 }
 
 /// Where the middle of a brush went, and its radius there, metres.

@@ -94,7 +94,7 @@ pub(super) fn produce(
                 (plant, &provenance),
                 (&anatomy, field.as_ref()),
                 (species, params),
-                sketch.seed,
+                sketch,
                 &mut remarks,
                 stop,
             )
@@ -102,6 +102,7 @@ pub(super) fn produce(
         grown.map(|(made, ages)| (made, Some(ages)))?
     } else {
         memory.growth.clear();
+        remarks.extend(brushing::lights_nothing(sketch));
         let buds = bare_stems::furnish(&mut plant, (species, params), sketch.seed);
         (PlantAtAge { plant, buds }, None)
     };

@@ -3,6 +3,7 @@
 //! A drawing grows if it has a crown, or if its species says how it grows and years are asked for. A crown for a species
 //! that does not say it grows like [`Habit::default`](crate::growth::Habit), and a remark says so.
 
+use super::brushing;
 use super::setup::Params;
 use super::source::Ages;
 use crate::anatomy::Anatomy;
@@ -11,7 +12,7 @@ use crate::growth::{DrawnCrowns, Limits, Memory, Outcome, PlantAtAge, Start, dra
 use crate::learned_depth::DepthField;
 use crate::plant::{Branch, Plant, Provenance};
 use crate::quote;
-use crate::sketch::{Remark, StrokeId, Warning};
+use crate::sketch::{Remark, Sketch, StrokeId, Warning};
 use crate::species::Species;
 use glam::Vec3;
 use std::sync::Arc;
@@ -35,7 +36,7 @@ pub(super) fn grow_on(
     (drawn, provenance): (Plant, &Provenance),
     (anatomy, field): (&Anatomy, Option<&Arc<DepthField>>),
     (species, params): (&Species, &Params),
-    seed: u64,
+    sketch: &Sketch,
     remarks: &mut Vec<Warning>,
     stop: &dyn Fn() -> bool,
 ) -> Option<(PlantAtAge, Ages)> {
@@ -49,7 +50,9 @@ pub(super) fn grow_on(
     };
     let wood = merge::wood(&drawn, &grows);
     let behind = (params.obstacle.clone(), foot(&wood));
-    let start = Start::new((&params.habit, growth), params.depth.world.height, (wood, crowns), behind, seed);
+    let start =
+        Start::new((&params.habit, growth), params.depth.world.height, (wood, crowns), behind, sketch.seed)
+            .lit(brushing::lamps(sketch, &world));
     let years = (growth.years >= 0.0).then_some(growth.years);
     let grown = memory.grow(&start, years, stop)?;
     let ages = Ages::new(grown.simulation, grown.age, grown.outcome);

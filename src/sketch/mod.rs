@@ -83,11 +83,13 @@ pub enum Tool {
     GrowthBrush,
     /// Way of a ball through the space of the plant that cuts off what is in it.
     PruningBrush,
+    /// Way of a ball through the space of the plant that shines: what grows there grows toward it.
+    LightBrush,
 }
 
 impl Tool {
     /// Every tool, in the order in which help and panels list them.
-    pub const ALL: [Tool; 10] = [
+    pub const ALL: [Tool; 11] = [
         Tool::Auto,
         Tool::Petal,
         Tool::Leaf,
@@ -98,11 +100,12 @@ impl Tool {
         Tool::SpaceBranch,
         Tool::GrowthBrush,
         Tool::PruningBrush,
+        Tool::LightBrush,
     ];
 
     /// Whether its strokes are the way of a ball, and have a [`Brush`].
     pub fn is_brush(self) -> bool {
-        matches!(self, Self::GrowthBrush | Self::PruningBrush)
+        matches!(self, Self::GrowthBrush | Self::PruningBrush | Self::LightBrush)
     }
 
     /// Whether its strokes lie in the space of the plant and not on the sheet.
@@ -123,6 +126,7 @@ impl Tool {
             Tool::SpaceBranch => "space_branch",
             Tool::GrowthBrush => "growth_brush",
             Tool::PruningBrush => "pruning_brush",
+            Tool::LightBrush => "light_brush",
         }
     }
 }

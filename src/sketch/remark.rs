@@ -180,6 +180,9 @@ pub enum Remark {
     /// A pruning brush in which nothing is.
     #[error("cuts nothing: no wood, leaf or flower is where it was painted")]
     BrushCutsNothing,
+    /// Painted light beside a plant that does not grow.
+    #[error("draws nothing toward it: the plant does not grow; draw a crown, or set years of growth")]
+    LightsNothing,
     /// Growth that had to end early.
     #[error("growth ended at {internodes} internodes, the most that a drawing may have")]
     GrowthCapped {
@@ -324,6 +327,7 @@ impl Remark {
             | Self::StandsApart
             | Self::ThinsCrown
             | Self::BrushCutsNothing
+            | Self::LightsNothing
             | Self::FinenessUnused
             | Self::LooksLike { .. }
             | Self::More { .. } => false,

@@ -8,13 +8,14 @@ use penstemon::app::action::Action;
 use penstemon::app::messages::Language;
 use penstemon::app::panels::Snapshot;
 use penstemon::app::panels::snapshot::ParamValues;
-use penstemon::growth::habit::CrownHabit;
+use penstemon::growth::habit::{ClimbHabit, CrownHabit};
 use penstemon::growth::{Habit, Schedule};
 use serde_json::{Map, Value};
 
 /// Somebody in the middle of work on a plant that grows.
 fn growing() -> Snapshot {
-    let habit = Habit { crown: Some(CrownHabit::default()), ..Habit::default() };
+    let (crown, climb) = (Some(CrownHabit::default()), Some(ClimbHabit::default()));
+    let habit = Habit { crown, climb, ..Habit::default() };
     let params = ParamValues::default().growing(&habit, 12.0);
     Snapshot { params, ..busy() }
 }
@@ -175,6 +176,8 @@ fn growth_habits_are_shown_for_plants_that_grow_only() {
     let mut harness = stage(growing(), Language::English);
     press(&mut harness, "Shape");
     assert!(harness.query_by_label("Growth habit: crown").is_some());
+    harness.get_by_label(title).scroll_to_me();
+    harness.run();
     press(&mut harness, title);
     drag(&mut harness, "Length", vec2(30.0, 0.0));
     let actions = asked(&mut harness);

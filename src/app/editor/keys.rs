@@ -73,6 +73,7 @@ impl Editor {
             Key::W => Some(Action::DrawInSpace(!self.space.is_on)),
             Key::U => Some(self.toggled(Tool::GrowthBrush)),
             Key::X => Some(self.toggled(Tool::PruningBrush)),
+            Key::I => Some(self.toggled(Tool::LightBrush)),
             Key::J => Some(Action::PoseWood(!self.posing.is_on)),
             Key::G => Some(Action::ShowDialog(Dialog::PlantSpecies(None))),
             Key::Home | Key::Num0 => Some(Action::FitCanvas),

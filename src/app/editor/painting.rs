@@ -1,5 +1,5 @@
 //! Brushes in the view of the plant (001 §4.4): a growth brush is filled with wood and leaves when the pen is lifted, a pruning brush
-//! cuts while it moves.
+//! cuts while it moves, and light draws what grows toward it.
 //!
 //! A drag that begins where the brush is over the plant, or nearly so, paints, in the plane through the nearest wood there that faces the viewer,
 //! or level through it; what else is dragged turns the camera, and a tap selects. One stroke is one step to undo, and lies among
@@ -67,7 +67,9 @@ impl Editor {
         let frame = StrokeFrame { world: self.world()?, motion: None };
         let settings = self.brush.settings;
         let radius = settings.size * self.sketch().canvas.height;
-        let through = self.wood_under_brush(sample.position, radius * frame.world.scale)?;
+        // Light may shine from anywhere.
+        let near = if tool == Tool::LightBrush { f32::INFINITY } else { NEAR * radius * frame.world.scale };
+        let through = self.wood_under_brush(sample.position, near)?;
         let normal = match self.space.surface {
             WorkSurface::Level => Vec3::Y,
             WorkSurface::Facing | WorkSurface::Lifted => self.plant.forward()?,
@@ -87,13 +89,12 @@ impl Editor {
         })
     }
 
-    /// The place of the plant's wood, grown wood too, that is seen nearest to a place in the window, if a brush of this
-    /// radius, metres, is over it there or nearly so.
-    fn wood_under_brush(&self, at: DVec2, radius: f32) -> Option<Vec3> {
+    /// The place of the plant's wood, grown wood too, that is seen nearest to a place in the window, if it is seen so near, metres.
+    fn wood_under_brush(&self, at: DVec2, near: f32) -> Option<Vec3> {
         let branches = self.built()?.plant.branches.iter();
         let seen = branches.filter_map(|branch| self.seen_on(branch, at));
         let (away, place, _) = seen.min_by(|a, b| a.0.total_cmp(&b.0))?;
-        (away <= self.reach_at(place, NEAR * radius)).then_some(place)
+        (near.is_infinite() || away <= self.reach_at(place, near)).then_some(place)
     }
 
     /// Follows what the pen painted since this was asked last.
@@ -146,7 +147,7 @@ impl Editor {
     pub(super) fn paint_brush(&self, painter: &Painter, palette: &Palette) {
         let scale = self.plant.pixels_per_point();
         let colour = match self.brush.tool {
-            Some(Tool::PruningBrush) => palette.error,
+            Some(tool @ (Tool::PruningBrush | Tool::LightBrush)) => palette.tool(tool),
             _ => palette.accent,
         };
         if let (Some(at), Some(radius)) = (self.brush.hovered, self.hovered_radius()) {

@@ -54,6 +54,23 @@ fn any_pointer_paints_growth_as_one_step() {
 }
 
 #[test]
+fn light_may_be_painted_far_from_all_wood() {
+    let home = tempfile::tempdir().unwrap();
+    let (mut editor, _) = with_sketch(&home, "tree_round");
+    let far = on_trunk(&editor, 0.5) + DVec2::new(260.0, 0.0);
+    let mut painted = |key, editor: &mut Editor| {
+        editor.key(key, egui::Modifiers::NONE, true, false);
+        drag(editor, PenTool::Pen, far, DVec2::new(0.0, -60.0));
+        build(editor);
+        editor.sketch().brush_strokes().map(|stroke| stroke.tool).collect::<Vec<_>>()
+    };
+    assert_eq!(painted(egui::Key::U, &mut editor), [], "a growth brush begins over wood");
+    assert_eq!(painted(egui::Key::I, &mut editor), [Tool::LightBrush]);
+    editor.perform(Action::Undo);
+    assert_eq!(editor.sketch().brush_strokes().count(), 0);
+}
+
+#[test]
 fn a_pruning_brush_cuts_while_it_moves_and_a_touch_taken_away_cuts_nothing() {
     let home = tempfile::tempdir().unwrap();
     let (mut editor, _egui) = with_sketch(&home, "balloon_flower");

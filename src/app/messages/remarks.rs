@@ -58,6 +58,7 @@ impl Localize for Remark {
             }
             Self::BrushOutOfReach => fill(Msg::WarningBrushOutOfReach, &[]),
             Self::BrushCutsNothing => fill(Msg::WarningBrushCutsNothing, &[]),
+            Self::LightsNothing => fill(Msg::WarningLightsNothing, &[]),
             Self::GrowthCapped { internodes } => {
                 fill(Msg::WarningGrowthCapped, &[("internodes", internodes)])
             }
@@ -168,7 +169,8 @@ mod tests {
             }
             Remark::DoesNotGrow { .. } => Remark::BrushOutOfReach,
             Remark::BrushOutOfReach => Remark::BrushCutsNothing,
-            Remark::BrushCutsNothing => Remark::GrowthCapped { internodes: 50 },
+            Remark::BrushCutsNothing => Remark::LightsNothing,
+            Remark::LightsNothing => Remark::GrowthCapped { internodes: 50 },
             Remark::GrowthCapped { .. } => Remark::GrownTooLarge { years: 51 },
             Remark::GrownTooLarge { .. } => Remark::GrowthTooCostly { years: 54 },
             Remark::GrowthTooCostly { .. } => Remark::LeavesThinned { leaves: 53 },

@@ -11,9 +11,10 @@ use crate::sketch::{BRUSH_DENSITIES, BRUSH_GUIDES, Tool};
 use egui::Ui;
 
 /// The brushes, each with its key, what it is called and what it is for.
-const BRUSHES: [(Tool, Icon, char, Msg, Msg); 2] = [
+const BRUSHES: [(Tool, Icon, char, Msg, Msg); 3] = [
     (Tool::GrowthBrush, Icon::GrowthBrush, 'U', Msg::BrushGrow, Msg::BrushGrowHint),
     (Tool::PruningBrush, Icon::PruningBrush, 'X', Msg::BrushPrune, Msg::BrushPruneHint),
+    (Tool::LightBrush, Icon::LightBrush, 'I', Msg::BrushLight, Msg::BrushLightHint),
 ];
 
 /// The brushes to take up.
@@ -28,7 +29,7 @@ pub(super) fn buttons(ui: &mut Ui, state: &BrushState, messages: &Messages, out:
     }
 }
 
-/// How the brush in hand is set; of a pruning brush only its size means anything.
+/// How the brush in hand is set; of a pruning brush only its size means anything, of light its size and strength.
 pub(super) fn rails(ui: &mut Ui, state: &BrushState, messages: &Messages, out: &mut Vec<Action>) {
     let Some(tool) = state.tool else { return };
     let (now, usual) = (state.settings, BrushSettings::default());
@@ -48,12 +49,19 @@ pub(super) fn rails(ui: &mut Ui, state: &BrushState, messages: &Messages, out: &
     if tool == Tool::GrowthBrush {
         let density = rail(Msg::BrushDensity, BRUSH_DENSITIES.into_inner(), now.density, usual.density);
         out.extend(density.map(|density| Action::SetBrush(BrushSettings { density, ..now })));
-        let guide = rail(Msg::BrushGuide, BRUSH_GUIDES.into_inner(), now.guide, usual.guide);
+    }
+    if tool != Tool::PruningBrush {
+        let name = if tool == Tool::LightBrush { Msg::BrushStrength } else { Msg::BrushGuide };
+        let guide = rail(name, BRUSH_GUIDES.into_inner(), now.guide, usual.guide);
         out.extend(guide.map(|guide| Action::SetBrush(BrushSettings { guide, ..now })));
     }
 }
 
 /// What the pen does now.
 pub(super) fn said(tool: Tool) -> Msg {
-    if tool == Tool::PruningBrush { Msg::BrushPruning } else { Msg::BrushGrowing }
+    match tool {
+        Tool::PruningBrush => Msg::BrushPruning,
+        Tool::LightBrush => Msg::BrushLighting,
+        _ => Msg::BrushGrowing,
+    }
 }

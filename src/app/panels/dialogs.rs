@@ -235,6 +235,7 @@ fn shortcuts(ui: &mut Ui, messages: &Messages) {
         ("J", Msg::PoseWood),
         ("U", Msg::BrushGrow),
         ("X", Msg::BrushPrune),
+        ("I", Msg::BrushLight),
         ("Ctrl+C", Msg::EditCopy),
         ("Ctrl+X", Msg::EditCut),
         ("Ctrl+V", Msg::EditPaste),

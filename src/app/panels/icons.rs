@@ -49,6 +49,8 @@ icons! {
     GrowthBrush: ["M21 3 L13 11", "M13 11 L15 13 L10.5 16 L9 14.5 Z", "M9 15.5 C4 14.5 2.5 17.5 3 21.5 C7 22 9.8 20 9.3 15.8", "M3 21.5 L6.5 18"];
     /// A brush over a twig that is cut.
     PruningBrush: ["M21 3 L13 11", "M13 11 L15 13 L10.5 16 L9 14.5 Z", "M3 21 L7 17", "M4.5 13.5 L10 20", "M14 21 L20 17.5", "M17 19.3 L17.5 16"];
+    /// A brush with rays at its tip.
+    LightBrush: ["M21 3 L14 10", "M14 10 L16 12 L11.5 15 L10 13.5 Z", "M7.2 20 C7.2 18.8 6.2 17.8 5 17.8 C3.8 17.8 2.8 18.8 2.8 20 C2.8 21.2 3.8 22.2 5 22.2 C6.2 22.2 7.2 21.2 7.2 20 Z", "M5 15.5 L5 13.5", "M9.5 20 L11.5 20", "M8.1 16.9 L9.4 15.6", "M1.9 16.9 L1.2 16.2"];
     /// An upright pane that faces the viewer.
     FacingSurface: ["M5 4 L19 4 L19 20 L5 20 Z", "M8 16.5 C9 12 12 9 16 7.5"];
     /// A level pane.

@@ -15,7 +15,7 @@ use crate::growth::overlay::{Spot, Wanted, overlay};
 use crate::growth::simulation::Simulation;
 use crate::growth::tree::Tree;
 use crate::growth::volume::Envelope;
-use crate::growth::volume::Inflated;
+use crate::growth::volume::{Inflated, Lamp};
 use crate::learned_depth::WorldDepth;
 use crate::plant::{Branch, Plant};
 use glam::{Vec2, Vec3};
@@ -73,6 +73,8 @@ pub struct Start {
     crowns: DrawnCrowns,
     /// What stands behind the foot of its first trunk, and where that is.
     behind: (ObstacleParams, Vec3),
+    /// Light that was painted.
+    lamps: Vec<Lamp>,
     depth: f32,
     hollow: f32,
     guide: f32,
@@ -93,7 +95,13 @@ impl Start {
         let mut habit = habit.scaled(height / habit.height);
         habit.fineness *= params.fineness;
         let &GrowthParams { depth, hollow, guide, .. } = params;
-        Self { habit, wood, crowns, behind, depth, hollow, guide, seed, limits: LIMITS }
+        Self { habit, wood, crowns, behind, lamps: Vec::new(), depth, hollow, guide, seed, limits: LIMITS }
+    }
+
+    /// The same with painted light.
+    #[must_use]
+    pub fn lit(self, lamps: Vec<Lamp>) -> Self {
+        Self { lamps, ..self }
     }
 
     /// The plant before its first year.
@@ -124,7 +132,8 @@ impl Start {
         let simulation = match behind.beside(*foot) {
             Some(obstacles) => begun.among(obstacles),
             None => begun,
-        };
+        }
+        .lit(self.lamps.clone());
         Kept { start: self.clone(), inside, simulation, ended: Outcome::Growing }
     }
 }

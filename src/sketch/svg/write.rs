@@ -67,9 +67,12 @@ fn colour(tool: Tool) -> &'static str {
         Tool::Auto => "#26313a",
         Tool::Petal => "#b03a6e",
         Tool::Leaf | Tool::LeafOutline => "#2f7a3d",
-        Tool::Branch | Tool::BranchOutline | Tool::SpaceBranch | Tool::GrowthBrush | Tool::PruningBrush => {
-            "#7a4f2a"
-        }
+        Tool::Branch
+        | Tool::BranchOutline
+        | Tool::SpaceBranch
+        | Tool::GrowthBrush
+        | Tool::PruningBrush
+        | Tool::LightBrush => "#7a4f2a",
         Tool::Crown => "#4a4fb5",
     }
 }
