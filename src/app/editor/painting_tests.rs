@@ -58,7 +58,7 @@ fn light_may_be_painted_far_from_all_wood() {
     let home = tempfile::tempdir().unwrap();
     let (mut editor, _) = with_sketch(&home, "tree_round");
     let far = on_trunk(&editor, 0.5) + DVec2::new(260.0, 0.0);
-    let mut painted = |key, editor: &mut Editor| {
+    let painted = |key, editor: &mut Editor| {
         editor.key(key, egui::Modifiers::NONE, true, false);
         drag(editor, PenTool::Pen, far, DVec2::new(0.0, -60.0));
         build(editor);
