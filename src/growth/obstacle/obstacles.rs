@@ -4,18 +4,21 @@
 //! Surfaces may be open, and one sheet is as good as a solid wall: no way passes through a face, so wood stays on the side
 //! on which it began.
 //!
-//! Limits: at most [`MAX_TRIANGLES`] triangles of each file. Internodes pass nothing; thick wood that is bent aside or rounded afterwards may touch. What begins inside of a closed body stays inside. The thesis has no obstacles; the
-//! shadow is that of eq. 2.2, cast by places on the surface as by nodes.
+//! Limits: at most [`MAX_TRIANGLES`] triangles of each file. Internodes pass nothing; thick wood that is rounded afterwards may
+//! touch. What begins inside of a closed body stays inside. The thesis has no obstacles; the shadow is that of eq. 2.2, cast by
+//! places on the surface as by nodes.
 
 use crate::geom::face_tree::FaceTree;
 use crate::growth::volume::mesh_text::{self, MeshError};
-use glam::Vec3;
+use glam::{IVec3, Vec3};
 use std::collections::BTreeSet;
 
 /// Most triangles of one file.
 const MAX_TRIANGLES: usize = 500_000;
 /// Most places that cast shadows.
 const MOST_SHADING: f32 = 60_000.0;
+/// Most pieces of faces that are looked at for them: slivers, of which nobody models many.
+const MOST_PIECES: usize = 4_000_000;
 /// Questions to the tree of faces that are as much work as one look at a triangle of a volume's column.
 const STEPS: u64 = 40;
 
@@ -129,34 +132,41 @@ impl Obstacles {
         STEPS * u64::from(self.triangles.len().max(2).ilog2())
     }
 
-    /// Places on the surfaces from which shadow is cast, one for each voxel of this width, metres, at least; farther apart where that would
-    /// be too many, and only those less than `reach` metres from the origin over the ground.
+    /// Places on the surfaces from which shadow is cast, one in each voxel of this width, metres; wider voxels where there would be too
+    /// many places, and only those less than `reach` metres from the origin over the ground.
     pub fn shading(&self, voxel: f32, reach: f32) -> Vec<Vec3> {
-        let corners = self.triangles.iter().map(|t| t.map(|i| self.points[i as usize]));
-        let near = |t: &[Vec3; 3]| {
-            let low = t[0].min(t[1]).min(t[2]);
-            let high = t[0].max(t[1]).max(t[2]);
-            low.x < reach && low.z < reach && high.x > -reach && high.z > -reach
-        };
-        let faces: Vec<[Vec3; 3]> = corners.filter(near).collect();
+        let faces: Vec<[Vec3; 3]> =
+            self.triangles.iter().map(|t| t.map(|i| self.points[i as usize])).collect();
         let area = |[a, b, c]: &[Vec3; 3]| 0.5 * (*b - *a).cross(*c - *a).length();
-        let voxel = voxel.max((faces.iter().map(area).sum::<f32>() / MOST_SHADING).sqrt());
+        let near = faces.iter().filter(|face| is_near(face, reach));
+        let voxel = voxel.max((near.map(area).sum::<f32>() / MOST_SHADING).sqrt());
         let mut taken = BTreeSet::new();
-        for [a, b, c] in faces {
-            let longest = (b - a).length().max((c - a).length()).max((c - b).length());
-            let steps = (longest.min(4.0 * reach) / voxel).ceil().max(1.0) as u32;
-            for i in 0..=steps {
-                for k in 0..=steps - i {
-                    let p = a + (b - a) * (i as f32 / steps as f32) + (c - a) * (k as f32 / steps as f32);
-                    if p.x.abs() < reach && p.z.abs() < reach {
-                        taken.insert((p / voxel).floor().as_ivec3().to_array());
-                    }
-                }
+        let mut pieces = faces;
+        for _ in 0..MOST_PIECES {
+            let Some([a, b, c]) = pieces.pop() else { break };
+            if !is_near(&[a, b, c], reach) {
+                continue;
             }
+            // The longest edge is halved until a piece is as small as a voxel.
+            let edges = [(a, b, c), (b, c, a), (c, a, b)];
+            let longest = edges.into_iter().max_by(|x, y| x.0.distance(x.1).total_cmp(&y.0.distance(y.1)));
+            let Some((from, to, aside)) = longest.filter(|(from, to, _)| from.distance(*to) > voxel) else {
+                let middle = (a + b + c) / 3.0;
+                taken.insert((middle / voxel).floor().as_ivec3().to_array());
+                continue;
+            };
+            let middle = from.midpoint(to);
+            pieces.extend([[from, middle, aside], [middle, to, aside]]);
         }
-        let middle = |place: [i32; 3]| (glam::IVec3::from_array(place).as_vec3() + 0.5) * voxel;
+        let middle = |place: [i32; 3]| (IVec3::from_array(place).as_vec3() + 0.5) * voxel;
         taken.into_iter().take(MOST_SHADING as usize).map(middle).collect()
     }
+}
+
+/// Whether a face may come less than `reach` metres from the origin over the ground.
+fn is_near([a, b, c]: &[Vec3; 3], reach: f32) -> bool {
+    let (low, high) = (a.min(*b).min(*c), a.max(*b).max(*c));
+    low.x < reach && low.z < reach && high.x > -reach && high.z > -reach
 }
 
 #[cfg(test)]
@@ -199,6 +209,9 @@ mod tests {
         assert!(wall().shading(0.25, 0.5).is_empty(), "it stands too far away");
         let vast = Obstacles::wall(Vec3::new(900.0, 900.0, 1.0)).shading(0.01, 1e4);
         assert!((10_000..=60_000).contains(&vast.len()), "{}", vast.len());
+        let sliver = vec![Vec3::ZERO, Vec3::X * 20.0, Vec3::new(10.0, 1e-4, 0.0)];
+        let sliver = Obstacles::new(sliver, vec![[0, 1, 2]], "sliver").unwrap().shading(0.25, 50.0);
+        assert!((80..=84).contains(&sliver.len()), "{}", sliver.len());
     }
 
     #[test]

@@ -43,7 +43,7 @@ impl Beside {
         }
     }
 
-    /// Whether an internode may grow there; `climbs` as its species does.
+    /// Whether an internode may grow there: what climbs goes nearer than other wood.
     pub(super) fn lets_pass(&self, from: Vec3, to: Vec3, habit: &Habit) -> bool {
         let clearance = match &habit.climb {
             Some(climb) => 0.3 * climb.gap,
