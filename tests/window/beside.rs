@@ -42,8 +42,8 @@ fn a_birch_is_put_beside_a_daisy_picked_moved_and_taken_away() {
     screen.hand(&["key", "g"]);
     program.rest_in_dialog("plant species");
     program.picture(&screen).keep("plant-species");
-    // The second picture of the first row.
-    screen.click([640.0 - 320.0 + 1.5 * 640.0 / 7.0, 400.0]);
+    // The sixth picture of the first row.
+    screen.click([824.0, 180.0]);
     let both = program.built();
     let triangles = |line: &str| field(line, "triangles").parse::<u64>().unwrap();
     assert!(triangles(&both) > triangles(&alone), "{both}");
@@ -52,7 +52,7 @@ fn a_birch_is_put_beside_a_daisy_picked_moved_and_taken_away() {
     let plants = saved(&screen, &mut program, &file);
     assert_eq!(plants.len(), 1);
     let Maker::Growth(seed) = &plants[0].maker;
-    eprintln!("{seed:?} at {}", plants[0].foot);
+    assert_eq!(seed.species, "birch", "{seed:?} at {}", plants[0].foot);
 
     // A click on the plant beside selects it, whatever was selected before.
     let [left, top, width, height] = program.area("plant");
