@@ -91,6 +91,8 @@ fn made_fine(habit: &mut Habit, internode: f32, volume: f32, wood: f32) {
 
 /// Lets buds seek space before they follow the species, and nothing be shed.
 fn seek_space(habit: &mut Habit) {
+    // What fills a volume stands by itself: a frame for topiary holds it.
+    habit.climb = None;
     // An axis that is led on by one lateral after the other, as round the bends of a thin crown, stays as strong.
     habit.shorter = 1.0.into();
     (habit.bole, habit.clearance, habit.shed) = (0.0.into(), 0.0.into(), 0.0.into());
