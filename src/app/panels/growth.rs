@@ -1,14 +1,12 @@
 //! How old the plant is: a slider over its years, and a button that lets it grow before the artist's eyes.
 
 use super::icons::Icon;
-use super::rail::{Rail, RailChange, Scale, number};
+use super::rail::{Rail, Scale, number};
 use super::snapshot::Snapshot;
 use super::widgets::{IconButton, note, section};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
-use crate::app::theme::TARGET;
 use egui::Ui;
-use serde_json::Value;
 
 /// The parameter that the slider sets.
 pub const YEARS: &str = "growth.years";
@@ -35,13 +33,7 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec
             let by_itself = if growth.crown { Msg::GrowthInCrown } else { Msg::GrowthByItself };
             let reset = growth.chosen.then(|| messages.get(by_itself));
             let rail = Rail { label, text: &text, scale, value, reset };
-            let room = ui.available_width().max(TARGET);
-            let mut set = |value| out.push(Action::SetParam { path: YEARS.to_owned(), value });
-            match rail.show(ui, room).1 {
-                Some(RailChange::To(years)) => set(Some(Value::from(years))),
-                Some(RailChange::Reset) => set(None),
-                None => {}
-            }
+            out.extend(rail.set(ui, YEARS));
         });
         if !growth.crown {
             note(ui, messages.get(Msg::GrowthHint));

@@ -1,14 +1,12 @@
 //! How far the flowers have opened: a slider from bud to full bloom, and a button that lets them open before the artist's eyes.
 
 use super::icons::Icon;
-use super::rail::{Rail, RailChange, Scale};
+use super::rail::{Rail, Scale};
 use super::snapshot::Snapshot;
 use super::widgets::{IconButton, section};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
-use crate::app::theme::TARGET;
 use egui::Ui;
-use serde_json::Value;
 
 /// The parameter that the slider sets.
 pub const OPEN: &str = "flower.open";
@@ -32,13 +30,7 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec
             let label = messages.get(Msg::OpeningOf);
             let reset = opening.chosen.then(|| messages.get(Msg::OpeningBySpecies));
             let rail = Rail { label, text: &text, scale, value: f64::from(opening.open), reset };
-            let room = ui.available_width().max(TARGET);
-            let mut set = |value| out.push(Action::SetParam { path: OPEN.to_owned(), value });
-            match rail.show(ui, room).1 {
-                Some(RailChange::To(open)) => set(Some(Value::from(open))),
-                Some(RailChange::Reset) => set(None),
-                None => {}
-            }
+            out.extend(rail.set(ui, OPEN));
         });
     });
 }

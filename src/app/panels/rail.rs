@@ -8,10 +8,12 @@
 
 use super::icons::Icon;
 use super::widgets::{IconButton, palette};
+use crate::app::action;
 use crate::app::theme::TARGET;
 use egui::accesskit::{Action, ActionData};
 use egui::{Align2, CornerRadius, CursorIcon, DragValue, EventFilter, Key, Rect, Response, Role, Sense};
 use egui::{Id, TextStyle, Ui, UiBuilder, WidgetInfo, pos2, vec2};
+use serde_json::Value;
 
 /// Ratio of largest and smallest value from which a rail is logarithmic.
 const LOG_FROM: f64 = 100.0;
@@ -121,6 +123,16 @@ pub enum RailChange {
 }
 
 impl Rail<'_> {
+    /// Shows it over the width of the panel; the action that sets the parameter of this path, or gives it back, where that was asked for.
+    pub fn set(&self, ui: &mut Ui, path: &str) -> Option<action::Action> {
+        let room = ui.available_width().max(TARGET);
+        let value = match self.show(ui, room).1? {
+            RailChange::To(value) => Some(Value::from(value)),
+            RailChange::Reset => None,
+        };
+        Some(action::Action::SetParam { path: path.to_owned(), value })
+    }
+
     /// Shows it over a width; the response is that of the rail without number and reset.
     pub fn show(&self, ui: &mut Ui, width: f32) -> (Response, Option<RailChange>) {
         let (whole, place) = ui.allocate_exact_size(vec2(width, HEIGHT), Sense::hover());

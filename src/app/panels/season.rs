@@ -1,15 +1,13 @@
 //! The time of the year that the plant is shown at: a slider from breaking buds to winter.
 
-use super::rail::{Rail, RailChange, Scale};
+use super::rail::{Rail, Scale};
 use super::snapshot::Snapshot;
 use super::widgets::section;
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
-use crate::app::theme::TARGET;
 use crate::params::Parameters as _;
 use crate::species::SeasonParams;
 use egui::Ui;
-use serde_json::Value;
 
 /// The parameter that the slider sets.
 pub const TIME: &str = "season.time";
@@ -39,12 +37,6 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec
             value,
             reset: own.map(|_| messages.get(Msg::SeasonUsual)),
         };
-        let room = ui.available_width().max(TARGET);
-        let mut set = |value| out.push(Action::SetParam { path: TIME.to_owned(), value });
-        match rail.show(ui, room).1 {
-            Some(RailChange::To(time)) => set(Some(Value::from(time))),
-            Some(RailChange::Reset) => set(None),
-            None => {}
-        }
+        out.extend(rail.set(ui, TIME));
     });
 }
