@@ -10,7 +10,7 @@ use glam::Vec3;
 use penstemon::growth::brush::{Memory, Paint};
 use penstemon::growth::{Envelope, Habit, Limits, PlantAtAge, Simulation, Swept, habit::Resource};
 use penstemon::pipeline::{self, Seed};
-use penstemon::plant::{Branch, FlowerBuds, Origin, Plant, Role, WoodPart};
+use penstemon::plant::{Branch, FlowerBuds, Origin, Plant, Provenance, Role, WoodPart};
 use penstemon::species::Species;
 use std::hint::black_box;
 use std::sync::Arc;
@@ -92,9 +92,9 @@ fn brushes(c: &mut Criterion) {
         let way: Vec<_> = (0..=1000).map(way).collect();
         let paint = || {
             let swept = Arc::new(Swept::new(&way, 0.8).unwrap());
-            let (mut plant, mut memory) = (trunk(), Memory::default());
+            let (mut plant, mut memory, provenance) = (trunk(), Memory::default(), Provenance::default());
             let paint = Paint { swept, radius: 0.25, density: 1.0, seed: 1 };
-            paint.grow(&mut plant, (&mut memory, 0), (&habit, Limits::default()), &|| false);
+            paint.grow((&mut plant, &provenance), (&mut memory, 0), (&habit, Limits::default()), &|| false);
             plant
         };
         let points =

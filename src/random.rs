@@ -53,6 +53,14 @@ impl Choice {
     pub const FLOWER_BUD: Self = Self(67);
 }
 
+/// Nothing at random, but what grows is named the same way.
+impl Choice {
+    /// A foot of a plant, by its number.
+    pub const NAME_OF_FOOT: Self = Self(71);
+    /// A drawn branch, by its stroke.
+    pub const NAME_OF_STROKE: Self = Self(72);
+}
+
 /// About a stem.
 impl Choice {
     /// How far it leans.

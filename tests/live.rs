@@ -7,11 +7,11 @@ use glam::{Quat, Vec2, Vec3};
 use penstemon::anatomy::{self, AnatomyParams};
 use penstemon::model::Model;
 use penstemon::pipeline::{self, Ages, Built, Cache, Seed};
-use penstemon::plant::{OrganKind, Shape, Texture};
+use penstemon::plant::{GrownId, OrganKind, Origin, Shape, Texture};
 use penstemon::sketch::petal_shapes::shaped;
 use penstemon::sketch::wood_poses::posed;
 use penstemon::sketch::{
-    self, Brush, Maker, PetalShape, PlacedPlant, SeedOf, Sketch, Stroke, Tool, WoodPose,
+    self, Brush, Maker, PetalShape, PlacedPlant, SeedOf, Sketch, Stroke, Tool, WoodName, WoodPose,
 };
 use penstemon::species::Species;
 use proptest::prelude::*;
@@ -136,8 +136,26 @@ fn edit_space(sketch: &mut Sketch, (what, which, by): (u8, usize, f32)) {
         return;
     }
     let turn = Quat::from_axis_angle(Vec3::new(0.6, 0.0, 0.8), by / 60.0);
-    let still = WoodPose::still(chosen.id);
+    let still = WoodPose::still(WoodName::Stroke(chosen.id));
     let pose = if which % 2 == 0 { WoodPose { turn, ..still } } else { WoodPose { bend: turn, ..still } };
+    sketch.wood_poses = posed(&sketch.wood_poses, pose);
+}
+
+/// Turns, bends, thickens or cuts off a branch that grew in the last plant.
+fn pose_grown(sketch: &mut Sketch, (_, which, by): (u8, usize, f32), last: &Built) {
+    let grown = last.plant.branches.iter().filter_map(|branch| match branch.origin {
+        Origin::Grown(GrownId(name)) => Some(WoodName::Grown(name)),
+        _ => None,
+    });
+    let grown: Vec<WoodName> = grown.collect();
+    let Some(wood) = grown.get(which % grown.len().max(1)) else { return };
+    let (turn, still) = (Quat::from_axis_angle(Vec3::new(0.6, 0.0, 0.8), by / 60.0), WoodPose::still(*wood));
+    let pose = match which % 4 {
+        0 => WoodPose { turn, ..still },
+        1 => WoodPose { bend: turn, ..still },
+        2 => WoodPose { thickness: 1.5, ..still },
+        _ => WoodPose { is_cut: true, ..still },
+    };
     sketch.wood_poses = posed(&sketch.wood_poses, pose);
 }
 
@@ -161,10 +179,13 @@ proptest! {
     ) {
         let mut cache = Cache::default();
         let mut sketch = drawings::scribble(seed, 12);
-        assert_same(&live(&mut cache, &sketch), &fresh(&sketch));
+        let mut last = fresh(&sketch);
+        assert_same(&live(&mut cache, &sketch), &last);
         for change in edits {
             edit(&mut sketch, change);
-            assert_same(&live(&mut cache, &sketch), &fresh(&sketch));
+            pose_grown(&mut sketch, change, &last);
+            last = fresh(&sketch);
+            assert_same(&live(&mut cache, &sketch), &last);
         }
     }
 

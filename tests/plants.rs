@@ -20,6 +20,7 @@ mod flower_table;
 mod flower_whorls;
 mod ground;
 mod grown;
+mod grown_poses;
 mod inflorescences;
 mod learned_depth;
 mod live;

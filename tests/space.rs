@@ -6,7 +6,7 @@ use glam::{Quat, Vec3};
 use penstemon::anatomy::Part;
 use penstemon::pipeline::{self, Built};
 use penstemon::plant::Branch;
-use penstemon::sketch::wood_poses::{WoodPose, posed};
+use penstemon::sketch::wood_poses::{WoodName, WoodPose, posed};
 use penstemon::sketch::{self, Sketch, Tool};
 use std::path::Path;
 
@@ -76,13 +76,14 @@ fn a_pose_takes_along_what_grows_there_and_a_still_one_changes_no_byte() {
     let posed_twice = built(&sketch);
     sketch.wood_poses = [].into();
     let still = built(&sketch);
-    let poses =
-        (1..18).map(WoodPose::still).fold(sketch.wood_poses.clone(), |known, pose| posed(&known, pose));
+    let poses = (1..18)
+        .map(|id| WoodPose::still(WoodName::Stroke(id)))
+        .fold(sketch.wood_poses.clone(), |known, pose| posed(&known, pose));
     assert!(poses.is_empty());
     assert_ne!(posed_twice.model, still.model);
     // The trunk lies down toward the viewer.
     let turn = Quat::from_rotation_x(std::f32::consts::FRAC_PI_2);
-    sketch.wood_poses = [WoodPose { turn, ..WoodPose::still(1) }].into();
+    sketch.wood_poses = [WoodPose { turn, ..WoodPose::still(WoodName::Stroke(1)) }].into();
     let lying = built(&sketch);
     for (before, after) in still.plant.branches.iter().zip(&lying.plant.branches) {
         let foot = still.plant.branches[0].points[0];

@@ -125,8 +125,12 @@ pub enum Action {
     PoseWood(bool),
     /// Whether it bends them, not turns them.
     BendWood(bool),
-    /// Let the branch that was held last stand as it was drawn.
+    /// Let the branch that was held last stand as it was drawn or grew.
     ResetPose,
+    /// Make it so many times as thick as it was drawn or grew.
+    ThickenWood(f32),
+    /// Cut it off.
+    CutWood,
     /// Put the selected strokes on the clipboard.
     CopySelected,
     /// The same, and remove them.

@@ -5,7 +5,7 @@ use super::*;
 use crate::budget::Budget;
 use crate::growth::at_age::PlantAtAge;
 use crate::growth::at_age::chains::Chain;
-use crate::growth::at_age::to_plant::with_chains;
+use crate::growth::at_age::to_plant::with_wood;
 use crate::growth::at_age::wood_at_age::{WoodAtAge, wood_at_age};
 use crate::growth::habit::Control;
 use crate::growth::habit::LeafHabit;
@@ -149,7 +149,7 @@ struct Shown {
 
 impl Shown {
     fn new(simulation: &Simulation, age: f32) -> Self {
-        let (PlantAtAge { plant, .. }, chains) = with_chains(simulation, age);
+        let (PlantAtAge { plant, .. }, WoodAtAge { chains, .. }) = with_wood(simulation, age);
         let nodes = |c: &Chain| chains.nodes[c.range.0 as usize..c.range.1 as usize].to_vec();
         let blade = |o: &Organ| match &o.shape {
             Shape::Blade(b) => Some((b.base, b.v.length())),

@@ -8,7 +8,7 @@
 use super::setup::Params;
 use crate::growth::brush::{Memory, Paint, Painted, prune};
 use crate::growth::{Habit, Lamp, Limits, PlantAtAge, Swept, drawing};
-use crate::plant::WorldFromCanvas;
+use crate::plant::{Provenance, WorldFromCanvas};
 use crate::quote;
 use crate::random::{Choice, mix};
 use crate::sketch::{Brush, Remark, Sketch, Stroke, Tool, Warning};
@@ -21,11 +21,11 @@ use std::sync::Arc;
 pub(super) fn brush(
     memory: &mut Memory,
     plant: &mut PlantAtAge,
-    (sketch, world, habit): (&Sketch, &WorldFromCanvas, Option<Habit>),
+    (sketch, provenance, habit): (&Sketch, &Provenance, Option<Habit>),
     (species, params): (&Species, &Params),
     stop: &dyn Fn() -> bool,
 ) -> Option<Vec<Warning>> {
-    let own = &params.habit;
+    let (own, world) = (&params.habit, &provenance.world_from_canvas);
     let habit = habit.unwrap_or_else(|| own.scaled(params.depth.world.height / own.height));
     let mut remarks = Vec::new();
     let (mut painted, internodes) = (0, drawing::LIMITS.internodes);
@@ -41,7 +41,8 @@ pub(super) fn brush(
         let radius = brush.radius * world.scale;
         let seed = mix(Choice::BRUSH.key(sketch.seed), stroke.id);
         let paint = Paint { swept: Arc::new(swept), radius, density: brush.density, seed };
-        let how = paint.grow(plant, (memory, painted), (&habit, limits(plant)), stop);
+        let with = (&habit, limits(plant));
+        let how = paint.grow((plant, provenance), (memory, painted), with, stop);
         painted += 1;
         if species.growth.is_none() && painted == 1 {
             let (species, known) = (quote::name(&species.name), Species::growing().join(", "));

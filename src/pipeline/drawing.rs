@@ -13,7 +13,7 @@ use crate::growth::{Memory, PlantAtAge, brush};
 use crate::learned_depth;
 use crate::modelling::{self, DrawnWood};
 use crate::plant::{Plant, Provenance};
-use crate::sketch::Sketch;
+use crate::sketch::{Sketch, Warning, WoodPose};
 use crate::species::Species;
 
 /// What is kept of a drawing from one build to the next.
@@ -65,19 +65,12 @@ pub(super) fn produce(
         let given = Given { seed: sketch.seed, petal_shapes: &sketch.petal_shapes, field: field.as_deref() };
         depth::recover_with(&mut memory.depth, &anatomy, given, &params.depth)
     });
-    let mut wood = DrawnWood::default();
-    let in_space: Vec<_> = sketch.in_space().collect();
-    let stands_on_sheet = in_space.is_empty() && sketch.brush_strokes().next().is_none();
-    if stands_on_sheet && sketch.wood_poses.is_empty() {
-        memory.modelling.forget();
-    } else {
-        clock.time("modelling", || {
-            let diagonal = yardstick(sketch, &anatomy, (&plant, &mut provenance), params);
-            let (drawn, radii) = ((&mut plant, &mut provenance), &params.depth.radii);
-            remarks.extend(modelling::add_branches(&mut memory.modelling, drawn, &in_space, diagonal, radii));
-            wood.posed = modelling::pose_wood(&mut plant, &provenance, &sketch.wood_poses);
-        });
-    }
+    // What of them finds its branch is taken out.
+    let mut poses = sketch.wood_poses.to_vec();
+    let mut wood = clock.time("modelling", || {
+        let drawn = (&anatomy, &mut plant, &mut provenance);
+        modelled(&mut memory.modelling, sketch, drawn, (params, &mut poses), &mut remarks)
+    });
     if stop() {
         return None;
     }
@@ -87,7 +80,7 @@ pub(super) fn produce(
     if grows || has_brushes {
         wood.before_growth = Some(plant.branches.clone());
     }
-    let (mut made, growth) = if grows {
+    let (mut made, growth, continued) = if grows {
         let grown = clock.time("growth", || {
             growing::grow_on(
                 &mut memory.growth,
@@ -99,13 +92,15 @@ pub(super) fn produce(
                 stop,
             )
         });
-        grown.map(|(made, ages)| (made, Some(ages)))?
+        let growing::GrownDrawing { made, ages, continued } = grown?;
+        (made, Some(ages), continued)
     } else {
         memory.growth.clear();
         remarks.extend(brushing::lights_nothing(sketch));
         let buds = bare_stems::furnish(&mut plant, (species, params), sketch.seed);
-        (PlantAtAge { plant, buds }, None)
+        (PlantAtAge { plant, buds }, None, Vec::new())
     };
+    modelling::pose_grown_wood((&mut made.plant, &mut made.buds), &continued, &mut poses, &mut wood.posed);
     // What did not grow has it in its picture.
     let obstacles = match growth {
         Some(_) => memory.growth.obstacles().cloned(),
@@ -113,16 +108,38 @@ pub(super) fn produce(
     };
     if has_brushes {
         let habit = memory.growth.habit().cloned();
-        let given = (sketch, &provenance.world_from_canvas, habit);
+        let given = (sketch, &provenance, habit);
         let with = (species, params);
         let brushed =
             clock.time("brushes", || brushing::brush(&mut memory.brushes, &mut made, given, with, stop))?;
         remarks.extend(brushed);
+        modelling::pose_grown_wood((&mut made.plant, &mut made.buds), &[], &mut poses, &mut wood.posed);
     } else {
         memory.brushes.truncate(0);
     }
+    remarks.extend(modelling::poses_at_rest(&poses));
     let PlantAtAge { plant, buds } = made;
     Some(Produced { plant, buds, provenance, remarks, anatomy, growth, obstacles, wood, may_flower: true })
+}
+
+/// Adds branches that are drawn in space, and poses drawn wood.
+fn modelled(
+    memory: &mut modelling::Cache,
+    sketch: &Sketch,
+    (anatomy, plant, provenance): (&Anatomy, &mut Plant, &mut Provenance),
+    (params, poses): (&Params, &mut Vec<WoodPose>),
+    remarks: &mut Vec<Warning>,
+) -> DrawnWood {
+    let in_space: Vec<_> = sketch.in_space().collect();
+    let stands_on_sheet = in_space.is_empty() && sketch.brush_strokes().next().is_none();
+    if stands_on_sheet && poses.is_empty() {
+        memory.forget();
+        return DrawnWood::default();
+    }
+    let diagonal = yardstick(sketch, anatomy, (plant, provenance), params);
+    let radii = &params.depth.radii;
+    remarks.extend(modelling::add_branches(memory, (plant, provenance), &in_space, diagonal, radii));
+    DrawnWood { posed: modelling::pose_wood(plant, provenance, poses), ..DrawnWood::default() }
 }
 
 /// The yardstick of what is drawn in space, canvas pixels. A drawing of nothing else has the world of its sheet.

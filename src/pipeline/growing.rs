@@ -10,7 +10,7 @@ use crate::anatomy::Anatomy;
 use crate::depth;
 use crate::growth::{DrawnCrowns, Limits, Memory, Outcome, PlantAtAge, Start, drawing, foliage, merge};
 use crate::learned_depth::DepthField;
-use crate::plant::{Branch, Plant, Provenance};
+use crate::plant::{Branch, Continued, Plant, Provenance};
 use crate::quote;
 use crate::sketch::{Remark, Sketch, StrokeId, Warning};
 use crate::species::Species;
@@ -30,6 +30,16 @@ pub(super) fn fineness_unused(anatomy: &Anatomy, species: &Species, params: &Par
     is_unused.then_some(Warning { stroke: None, remark: Remark::FinenessUnused })
 }
 
+/// A drawn plant that has grown.
+pub(super) struct GrownDrawing {
+    /// The plant.
+    pub(super) made: PlantAtAge,
+    /// How old it is.
+    pub(super) ages: Ages,
+    /// Branches that run on in the lines of others.
+    pub(super) continued: Vec<Continued>,
+}
+
 /// Lets a drawn plant grow, and remarks what is odd about that; nothing if `stop` said yes.
 pub(super) fn grow_on(
     memory: &mut Memory,
@@ -39,7 +49,7 @@ pub(super) fn grow_on(
     sketch: &Sketch,
     remarks: &mut Vec<Warning>,
     stop: &dyn Fn() -> bool,
-) -> Option<(PlantAtAge, Ages)> {
+) -> Option<GrownDrawing> {
     let growth = &params.growth;
     let grows = merge::grows(&drawn);
     let world = provenance.world_from_canvas;
@@ -67,9 +77,9 @@ pub(super) fn grow_on(
     }
     of_growth.extend(why_no_older(grown.outcome, grown.simulation.age()));
     remarks.extend(of_growth.into_iter().map(|remark| Warning { stroke, remark }));
-    let merged = merge::merged(drawn, &grows, &grown);
-    remarks.extend(thinned_leaves(&merged.plant, grown.simulation.limits(), stroke));
-    Some((merged, ages))
+    let (made, continued) = merge::merged((drawn, provenance), &grows, &grown);
+    remarks.extend(thinned_leaves(&made.plant, grown.simulation.limits(), stroke));
+    Some(GrownDrawing { made, ages, continued })
 }
 
 /// Where the first trunk of some wood stands, metres.

@@ -12,6 +12,7 @@
 mod assembly;
 pub mod blade;
 pub mod cone;
+mod cut;
 pub mod finished;
 pub mod flower_bud;
 pub mod invariants;
@@ -31,6 +32,7 @@ mod templates;
 
 pub use blade::{Blade, BladeForm, ResolvedBlade, RestSurface};
 pub use cone::Cone;
+pub use cut::Cut;
 pub use finished::FinishedPlant;
 pub use flower_bud::{FlowerBud, FlowerBuds};
 pub use material::{Material, Texture};
@@ -38,7 +40,7 @@ pub use motion::Motion;
 pub use organ_kind::{OrganClass, OrganForm, OrganKind};
 pub use patch::{BezierPatch, Sheet};
 pub use petal_frame::PetalFrame;
-pub use provenance::{DrawnId, Origin, Provenance, WorldFromCanvas};
+pub use provenance::{Continued, DrawnId, GrownId, Origin, Provenance, WorldFromCanvas};
 pub use ring_curve::RingCurve;
 pub use ring_sheet::{Level, RingSheet};
 pub use role::{OrganPart, PlantPart, Role, WoodPart};

@@ -1,6 +1,6 @@
 //! Rigid motions of the parts of a plant: what turns with a branch keeps its shape.
 
-use super::{Blade, Flower, Organ, RestSurface, Shape};
+use super::{Blade, Flower, FlowerBud, Organ, RestSurface, Shape};
 use glam::{Quat, Vec3};
 
 /// A turn about a place that is moved to another one.
@@ -61,6 +61,13 @@ impl Flower {
     /// Moves it; its organs are moved by themselves.
     pub fn move_by(&mut self, motion: &Motion) {
         (self.cone.apex, self.cone.axis) = (motion.point(self.cone.apex), motion.way(self.cone.axis));
+    }
+}
+
+impl FlowerBud {
+    /// Moves it.
+    pub fn move_by(&mut self, motion: &Motion) {
+        (self.base, self.u, self.v) = (motion.point(self.base), motion.way(self.u), motion.way(self.v));
     }
 }
 

@@ -54,8 +54,25 @@ pub enum Origin {
     /// A rule made it: growth, the filling of an outline, a species.
     #[default]
     Generated,
+    /// It grew on a drawn plant, and is found again by its name.
+    Grown(GrownId),
     /// Somebody drew this very one; the [`Provenance`] knows what with.
     Drawn(DrawnId),
+}
+
+/// Name of a branch that grew: a hash of the way of buds that it grew from, the same at every age.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct GrownId(pub u64);
+
+/// A branch that grew and at this age runs on in the line of another one, because it is the thicker one where both fork.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Continued {
+    /// What it is called.
+    pub name: GrownId,
+    /// The branch in whose line it runs on.
+    pub branch: usize,
+    /// Where it begins, metres.
+    pub from: Vec3,
 }
 
 /// Number of a drawn thing in the [`Provenance`] of its plant.
@@ -65,7 +82,7 @@ pub struct DrawnId(u32);
 impl Origin {
     /// Whether somebody drew it.
     pub fn is_drawn(self) -> bool {
-        self != Self::Generated
+        matches!(self, Self::Drawn(_))
     }
 }
 
@@ -98,7 +115,7 @@ impl Provenance {
     /// Id of the stroke that drew what has this origin; none if it was generated.
     pub fn stroke(&self, origin: Origin) -> Option<u64> {
         match origin {
-            Origin::Generated => None,
+            Origin::Generated | Origin::Grown(_) => None,
             Origin::Drawn(DrawnId(number)) => self.strokes.get(number as usize).copied(),
         }
     }

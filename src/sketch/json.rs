@@ -52,13 +52,16 @@ pub const FORMAT: &str = "penstemon-sketch";
 /// 1: all but pictures of the artist's own for textures, of which only the path was kept. 2: these pictures themselves. 3: plants
 /// beside the drawn one. 4: corrections of how strokes are read together. 5: shapes of
 /// petals. 6: branches drawn, and turned, in the view of the plant. 7: strokes of brushes there. 8: strokes of the
-/// light brush.
-pub const VERSION: u32 = 8;
+/// light brush. 9: poses of branches that grew, and their thickness.
+pub const VERSION: u32 = 9;
 
 /// The oldest version that can hold a sketch, so that older programs open what they understand.
 fn version_of(sketch: &Sketch) -> u32 {
     let has_depth = |stroke: &Stroke| stroke.points.iter().any(|point| point.depth != 0.0);
     let is_in_space = |stroke: &Stroke| stroke.tool == Tool::SpaceBranch || has_depth(stroke);
+    if sketch.wood_poses.iter().any(|pose| !pose.is_of_first_kind()) {
+        return 9;
+    }
     if sketch.brush_strokes().any(|stroke| stroke.tool == Tool::LightBrush) {
         return 8;
     }

@@ -45,7 +45,7 @@ pub use step::Step;
 pub use stroke_reading::Reading;
 pub use textures::{TextureChoice, Textures};
 
-pub use wood_poses::{WoodPose, WoodPoses};
+pub use wood_poses::{WoodName, WoodPose, WoodPoses};
 
 pub use crate::picture::Picture;
 

@@ -183,6 +183,15 @@ pub enum Remark {
     /// Painted light beside a plant that does not grow.
     #[error("draws nothing toward it: the plant does not grow; draw a crown, or set years of growth")]
     LightsNothing,
+    /// Poses of branches that are not there.
+    #[error(
+        "{} of branches, turned, bent or cut off, {} without effect: these branches are not there, at this age or any more",
+        counted(.poses, "pose"), if *.poses == 1 { "is" } else { "are" }
+    )]
+    PosesRest {
+        /// How many.
+        poses: usize,
+    },
     /// Growth that had to end early.
     #[error("growth ended at {internodes} internodes, the most that a drawing may have")]
     GrowthCapped {
@@ -328,6 +337,7 @@ impl Remark {
             | Self::ThinsCrown
             | Self::BrushCutsNothing
             | Self::LightsNothing
+            | Self::PosesRest { .. }
             | Self::FinenessUnused
             | Self::LooksLike { .. }
             | Self::More { .. } => false,

@@ -2,7 +2,7 @@
 
 use super::{read, with_points, with_strokes};
 use penstemon::sketch::error::Fault;
-use penstemon::sketch::{from_bytes, json, limits};
+use penstemon::sketch::{WoodName, from_bytes, json, limits};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -117,7 +117,7 @@ fn poses_of_branches_that_mean_nothing_are_refused() {
     };
     let good = r#"{"stroke": 3, "turn": [0, 0.6, 0, 0.8]}"#;
     let poses = read(&with(&format!("[{good}]"))).unwrap().0.wood_poses;
-    assert_eq!((poses.len(), poses[0].stroke, poses[0].turn.y), (1, 3, 0.6));
+    assert_eq!((poses.len(), poses[0].wood, poses[0].turn.y), (1, WoodName::Stroke(3), 0.6));
     for (bad, part) in [
         (
             r#"{"stroke": 4, "turn": [0, 0, 0, 0]}"#,
@@ -126,7 +126,12 @@ fn poses_of_branches_that_mean_nothing_are_refused() {
         (r#"{"stroke": 4, "bend": [0, 0, 0, 1.1]}"#, "the `bend` of stroke 4"),
         (r#"{"stroke": 4, "turn": [0, 0, 1]}"#, "an array of length 4"),
         (r#"{"stroke": 3}"#, "stroke 3 has two poses"),
-        (r#"{"turn": [0, 0, 0, 1]}"#, "missing field `stroke`"),
+        (r#"{"turn": [0, 0, 0, 1]}"#, "one of `stroke` and `grown`"),
+        (r#"{"stroke": 4, "grown": "00000000000000ff"}"#, "one of `stroke` and `grown`"),
+        (r#"{"grown": "ff"}"#, "16 hexadecimal digits"),
+        (r#"{"grown": "00000000000000fx"}"#, "16 hexadecimal digits"),
+        (r#"{"grown": "00000000000000ff", "thickness": 9}"#, "write a number from 0.2 to 5"),
+        (r#"{"stroke": 4, "cut": true}"#, "leave out the stroke"),
         (r#"{"stroke": 4, "why": 1}"#, "unknown field `why`"),
     ] {
         assert_message(&with(&format!("[{good}, {bad}]")), &[part, "line "]);
@@ -201,11 +206,11 @@ fn files_of_other_kinds() {
 
 #[test]
 fn other_versions() {
-    let newer = r#"{"format": "penstemon-sketch", "layers": [], "version": 9, "strokes": []}"#;
-    assert_message(newer, &["version 9", "reads versions 1 to 8", "newer Penstemon"]);
+    let newer = r#"{"format": "penstemon-sketch", "layers": [], "version": 10, "strokes": []}"#;
+    assert_message(newer, &["version 10", "reads versions 1 to 9", "newer Penstemon"]);
     assert_message(
         &GOOD.replace("\"version\": 1", "\"version\": 0"),
-        &["version 0", "reads versions 1 to 8"],
+        &["version 0", "reads versions 1 to 9"],
     );
     assert_message(&GOOD.replace("\"version\": 1,", ""), &["`version` is missing"]);
     assert_message(&GOOD.replace("\"version\": 1", "\"version\": \"one\""), &["\"one\"", "line 1"]);

@@ -4,7 +4,8 @@ use super::{read, with_points, with_strokes};
 use glam::{Quat, Vec3, vec2};
 use penstemon::sketch::{
     Brush, Canvas, Correction, Maker, PetalShape, Picture, PlacedPlant, Reading, Reference, SeedOf, Sketch,
-    Stroke, StrokePoint, TextureChoice, Tool, Verdict, WoodPose, from_bytes, json, limits, textures,
+    Stroke, StrokePoint, TextureChoice, Tool, Verdict, WoodName, WoodPose, from_bytes, json, limits,
+    textures,
 };
 use proptest::prelude::*;
 use serde_json::{Map, Value};
@@ -178,9 +179,15 @@ fn wood_poses() -> impl Strategy<Value = Vec<WoodPose>> {
                 .prop_map(|angles| Quat::from_scaled_axis(Vec3::from(angles)))
         ]
     };
-    let poses = prop::collection::btree_map(any::<u64>(), (turn(), turn()), 0..4);
+    let thickness = || prop_oneof![Just(1.0_f32), 0.2_f32..5.0];
+    let one = || (any::<bool>(), turn(), turn(), thickness(), any::<bool>());
+    let poses = prop::collection::btree_map(any::<u64>(), one(), 0..4);
     poses.prop_map(|poses| {
-        poses.into_iter().map(|(stroke, (turn, bend))| WoodPose { stroke, turn, bend }).collect()
+        let pose = |(name, (grew, turn, bend, thickness, is_cut))| {
+            let wood = if grew { WoodName::Grown(name) } else { WoodName::Stroke(name) };
+            WoodPose { wood, turn, bend, thickness, is_cut: is_cut && grew }
+        };
+        poses.into_iter().map(pose).collect()
     })
 }
 

@@ -3,7 +3,7 @@
 use crate::program::Program;
 use crate::screen::Screen;
 use crate::sketch_saved_by;
-use penstemon::sketch::{Sketch, Tool};
+use penstemon::sketch::{Sketch, Tool, WoodName};
 use std::path::Path;
 use tempfile::TempDir;
 
@@ -64,7 +64,7 @@ fn branches_are_drawn_turned_and_bent_and_each_is_one_step() {
     program.picture(&screen).keep("turned-in-space");
     let turned = saved(&screen, &mut program, &file);
     assert_eq!(turned.wood_poses.len(), 1);
-    assert_eq!(turned.wood_poses[0].stroke, drawn.strokes[0].id, "the trunk was dragged");
+    assert_eq!(turned.wood_poses[0].wood, WoodName::Stroke(drawn.strokes[0].id), "the trunk was dragged");
     screen.hand(&["key", "ctrl+z"]);
     program.built();
     assert_eq!(saved(&screen, &mut program, &file).wood_poses, [].into());

@@ -53,8 +53,11 @@ impl Editor {
         }
     }
 
-    /// Strokes that are selected go before a plant that is.
+    /// Strokes that are selected go before a plant that is, and the branch that is held in the view of the plant before both.
     fn delete(&self) -> Action {
+        if self.can_cut_wood() {
+            return Action::CutWood;
+        }
         let plant = self.beside.selected().filter(|_| self.canvas.selection().is_empty());
         plant.map_or(Action::DeleteSelected, Action::RemovePlant)
     }

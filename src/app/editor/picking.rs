@@ -22,6 +22,12 @@ impl Editor {
             }
             return None;
         }
+        let chosen = picked.and_then(|picked| self.wood_to_choose(picked.element));
+        if chosen.is_some() {
+            self.drawing.end_merging();
+            self.posing.last = chosen;
+            return None;
+        }
         let Some(picked) = picked else {
             tracing::debug!("picked nothing");
             return None;

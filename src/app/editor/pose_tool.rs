@@ -1,6 +1,6 @@
 //! The tool that turns and bends branches: whether it is in hand, and what is held.
 
-use crate::sketch::{StrokeId, WoodPose};
+use crate::sketch::{WoodName, WoodPose};
 use glam::{Quat, Vec3};
 
 /// A branch that is held.
@@ -24,8 +24,8 @@ pub(super) struct PoseTool {
     /// Branches are bent, not turned.
     pub(super) bends: bool,
     pub(super) hold: Option<WoodHold>,
-    /// The stroke whose branch was held last.
-    pub(super) last: Option<StrokeId>,
+    /// The branch that was held or chosen last.
+    pub(super) last: Option<WoodName>,
 }
 
 impl PoseTool {

@@ -1,19 +1,22 @@
-//! Branches turned and bent in the view of the plant (001 §4.3): a drag that begins on drawn wood moves it about its base, and
-//! all that grows on it goes along.
+//! Branches turned, bent, made thicker and cut off in the view of the plant (001 §4.3): a drag that begins on wood moves it about
+//! its base, and all that grows on it goes along.
 //!
 //! The place that is held follows the pointer in the plane through it that faces the viewer, as near as the length of the
-//! branch allows. Bent, the branch stays at its base and curves evenly to its end. One drag is one step to undo.
+//! branch allows. Bent, the branch stays at its base and curves evenly to its end. One drag is one step to undo. A tap
+//! chooses a branch, another tap on it the one that it grows on; a drag on the branch that is chosen, or on what it carries,
+//! moves all of it. So a bough is moved from any of its twigs.
 //!
-//! Limits: wood that grew is posed with the drawn branch that it grew from; a turn about the branch's own axis takes two drags
-//! from different sides.
+//! Limits: a turn about the branch's own axis takes two drags from different sides.
 
 use super::Editor;
 use super::pose_tool::WoodHold;
 use crate::app::action::Action;
 use crate::app::panels::snapshot::PoseState;
 use crate::geom::polyline;
+use crate::model::pick::{Element, pick};
+use crate::plant::{Branch, GrownId, Origin};
 use crate::sketch::wood_poses::{WoodPose, pose_of, posed};
-use crate::sketch::{Change, StrokeId};
+use crate::sketch::{Change, StrokeId, WoodName};
 use glam::{DVec2, Quat, Vec3};
 use std::f32::consts::PI;
 
@@ -22,7 +25,7 @@ use std::f32::consts::PI;
 const LEAST_LEVER: f32 = 0.08;
 
 impl Editor {
-    /// Actions about turned and bent branches.
+    /// Actions about posed branches.
     pub(super) fn perform_on_poses(&mut self, action: Action) {
         match action {
             Action::PoseWood(on) => {
@@ -30,13 +33,16 @@ impl Editor {
                 self.posing.is_on = on;
             }
             Action::BendWood(on) => self.posing.bends = on,
-            Action::ResetPose => {
-                if let Some(stroke) = self.posing.last {
-                    self.drawing.end_merging();
-                    self.pose(WoodPose::still(stroke));
-                    self.drawing.end_merging();
+            Action::ResetPose => self.pose_chosen(|pose| WoodPose::still(pose.wood)),
+            Action::ThickenWood(thickness) => {
+                if let Some(pose) = self.chosen_pose() {
+                    self.pose(WoodPose { thickness, ..pose });
                 }
             }
+            Action::CutWood => match self.posing.last {
+                Some(WoodName::Stroke(stroke)) => self.change(Change::remove([stroke])),
+                _ => self.pose_chosen(|pose| WoodPose { is_cut: true, ..pose }),
+            },
             other => self.perform_on_brushes(other),
         }
     }
@@ -52,49 +58,145 @@ impl Editor {
 
     /// What the card over the plant shows.
     pub(super) fn pose_state(&self) -> PoseState {
-        let poses = &self.sketch().wood_poses;
-        let posed = self.posing.last.is_some_and(|stroke| !pose_of(poses, stroke).is_still());
-        PoseState { on: self.posing.is_on, bends: self.posing.bends, posed }
+        let chosen = self.chosen_pose();
+        PoseState {
+            on: self.posing.is_on,
+            bends: self.posing.bends,
+            posed: chosen.is_some_and(|pose| !pose.is_still()),
+            thickness: chosen.filter(|pose| !pose.is_cut).map(|pose| pose.thickness),
+        }
     }
 
-    /// Takes hold of the drawn branch under a place in the window, physical pixels; whether there is one.
+    /// Whether a branch is chosen that can be cut off.
+    pub(super) fn can_cut_wood(&self) -> bool {
+        self.posing.is_on && self.chosen_pose().is_some_and(|pose| !pose.is_cut)
+    }
+
+    /// The pose of the branch that is chosen.
+    fn chosen_pose(&self) -> Option<WoodPose> {
+        self.posing.last.map(|wood| pose_of(&self.sketch().wood_poses, wood))
+    }
+
+    /// Gives the branch that is chosen another pose, as a step of its own.
+    fn pose_chosen(&mut self, other: impl Fn(WoodPose) -> WoodPose) {
+        if let Some(pose) = self.chosen_pose() {
+            self.drawing.end_merging();
+            self.pose(other(pose));
+            self.drawing.end_merging();
+        }
+    }
+
+    /// What a tap chooses: the branch that grew there, or what that grows on if it is chosen already.
+    pub(super) fn wood_to_choose(&self, tapped: Element) -> Option<WoodName> {
+        let touched = self.grown_under(tapped).filter(|_| self.posing.is_on)?;
+        let chosen = self.chosen_index().filter(|chosen| self.carries(*chosen, touched));
+        let lower = chosen.and_then(|chosen| self.built()?.plant.branches[chosen].parent);
+        self.name_of(lower.unwrap_or(touched))
+    }
+
+    /// Takes hold of the branch under a place in the window, physical pixels; whether there is one.
     pub(super) fn hold_wood(&mut self, at: DVec2) -> bool {
         if !self.posing.is_on {
             return false;
         }
         self.posing.hold = self.wood_hold(at);
-        if let Some(hold) = &self.posing.hold {
-            self.posing.last = Some(hold.before.stroke);
+        if self.posing.hold.is_some() {
             // A plant that becomes larger under the pointer does not move away from it.
             self.plant.take_hold();
         }
         self.posing.hold.is_some()
     }
 
+    /// What is held: the branch that is hit, and where that was drawn, or leaves are hit, drawn wood as near as a finger is thick.
     fn wood_hold(&self, at: DVec2) -> Option<WoodHold> {
+        let ray = self.plant.ray(self.plant.place(at))?;
+        let built = self.built()?;
+        let hit = pick(&built.model, &built.plant, &ray);
+        let grown = || {
+            let hit = hit?;
+            self.grown_hold(self.grown_under(hit.element)?, ray.at(hit.distance))
+        };
+        match hit.map(|hit| hit.element) {
+            Some(Element::Branch(_)) => grown().or_else(|| self.drawn_hold(at)),
+            _ => self.drawn_hold(at).or_else(grown),
+        }
+    }
+
+    /// The drawn branch under a place in the window.
+    fn drawn_hold(&self, at: DVec2) -> Option<WoodHold> {
         let (touched, grip) = self.wood_at(at)?;
         let built = self.built()?;
-        let stroke_of = |branch: &crate::plant::Branch| built.provenance.stroke(branch.origin);
+        let stroke_of = |branch: &Branch| built.provenance.stroke(branch.origin);
         let mut drawn = built.wood.branches(&built.plant);
         let stroke: StrokeId = stroke_of(drawn.find(|(index, _)| *index == touched)?.1)?;
         // Of several branches of one stroke the first is posed.
         let mut drawn = built.wood.branches(&built.plant);
         let (index, branch) = drawn.find(|(_, branch)| stroke_of(branch) == Some(stroke))?;
+        self.hold(WoodName::Stroke(stroke), (branch, grip), built.wood.posed.foot(index))
+    }
+
+    /// A branch that grew, held at a place; the one that is chosen, if that carries it.
+    fn grown_hold(&self, touched: usize, grip: Vec3) -> Option<WoodHold> {
+        let built = self.built()?;
+        let chosen = self.chosen_index().filter(|chosen| self.carries(*chosen, touched));
+        let branch = &built.plant.branches[chosen.unwrap_or(touched)];
+        let Origin::Grown(name) = branch.origin else { return None };
+        self.hold(WoodName::Grown(name.0), (branch, grip), built.wood.posed.grown_foot(name))
+    }
+
+    /// A branch held at a place, unless that is too near to its base.
+    fn hold(&self, wood: WoodName, (branch, grip): (&Branch, Vec3), foot: Quat) -> Option<WoodHold> {
         let base = *branch.points.first()?;
         let (_, arc) = polyline::nearest(&branch.points, grip)?;
         let length = polyline::length(&branch.points).max(f32::MIN_POSITIVE);
         if grip.distance(base) < LEAST_LEVER * length {
             return None;
         }
-        let before = pose_of(&self.sketch().wood_poses, stroke);
-        let foot = built.wood.posed.foot(index);
+        let before = pose_of(&self.sketch().wood_poses, wood);
         Some(WoodHold { before, base, grip, share: arc / length, foot })
+    }
+
+    /// The branch that grew and was hit, or whose leaf was; none on drawn wood, and on plants beside the drawn one.
+    fn grown_under(&self, hit: Element) -> Option<usize> {
+        let built = self.built()?;
+        let branch = match hit {
+            Element::Branch(branch) => branch,
+            Element::Organ(organ) => built.plant.organs[organ].branch?,
+        };
+        let is_beside = super::picking::place_of(Element::Branch(branch), &built.beside).is_some();
+        let grew = matches!(built.plant.branches[branch].origin, Origin::Grown(_));
+        (grew && !is_beside).then_some(branch)
+    }
+
+    /// What the branch of this place in the plant is known by.
+    fn name_of(&self, index: usize) -> Option<WoodName> {
+        let built = self.built()?;
+        match built.plant.branches[index].origin {
+            Origin::Grown(GrownId(name)) => Some(WoodName::Grown(name)),
+            origin => built.provenance.stroke(origin).map(WoodName::Stroke),
+        }
+    }
+
+    /// Place in the plant of the branch that is chosen, if that grew.
+    pub(super) fn chosen_index(&self) -> Option<usize> {
+        let Some(WoodName::Grown(name)) = self.posing.last else { return None };
+        let branches = &self.built()?.plant.branches;
+        branches.iter().position(|branch| branch.origin == Origin::Grown(GrownId(name)))
+    }
+
+    /// Whether a branch is another one or grows on it, near or far.
+    fn carries(&self, below: usize, branch: usize) -> bool {
+        let Some(built) = self.built() else { return false };
+        let mut down = std::iter::successors(Some(branch), |at| built.plant.branches[*at].parent);
+        down.any(|at| at == below)
     }
 
     /// Moves the branch that is held with the pointer.
     pub(super) fn drag_wood(&mut self, to: DVec2) {
         let Some(hold) = self.posing.hold else { return };
         let Some(target) = self.plant.on_plane(hold.grip, to) else { return };
+        // Not when it was taken hold of: that may become a tap.
+        self.posing.last = Some(hold.before.wood);
         self.pose(dragged(&hold, target, self.posing.bends));
     }
 

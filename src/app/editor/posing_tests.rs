@@ -119,3 +119,84 @@ fn branches_drawn_on_posed_wood_go_along_with_it() {
     let foot = polyline::nearest(&straight.points, rest.points[0]).unwrap().0;
     assert!(foot < 1e-3, "on the stem: {foot}");
 }
+
+/// Grown branches that are seen, each by its place in the plant and where it is hit in the window.
+fn seen_grown(editor: &Editor) -> Vec<(usize, DVec2)> {
+    let built = editor.built().unwrap();
+    let seen = |(index, branch): (usize, &Branch)| {
+        let at = editor.plant.seen_at(branch.points[branch.points.len() * 2 / 3])?;
+        let hit = pick(&built.model, &built.plant, &editor.plant.ray(editor.plant.place(at))?)?;
+        (editor.grown_under(hit.element) == Some(index)).then_some((index, at))
+    };
+    built.plant.branches.iter().enumerate().filter_map(seen).collect()
+}
+
+/// Taps, and waits until it is no double click.
+fn tap(editor: &mut Editor, egui: &egui::Context, at: DVec2) {
+    touch(editor, (PenPhase::Down, PenTool::Mouse), at, 0.5);
+    touch(editor, (PenPhase::Up, PenTool::Mouse), at, 0.0);
+    std::thread::sleep(std::time::Duration::from_millis(500));
+    frame(editor, egui);
+}
+
+#[test]
+fn grown_branches_are_chosen_turned_thickened_and_cut_off() {
+    let home = tempfile::tempdir().unwrap();
+    let (mut editor, egui) = with_sketch(&home, "freehand_tree");
+    let before = editor.built().unwrap().clone();
+    editor.perform(Action::PoseWood(true));
+    frame(&mut editor, &egui);
+    let deep = |(index, _): &(usize, DVec2)| before.plant.branches[*index].level;
+    let (index, at) = seen_grown(&editor).into_iter().max_by_key(deep).unwrap();
+    let name = editor.name_of(index).unwrap();
+    // A tap chooses it, another one what it grows on.
+    tap(&mut editor, &egui, at);
+    assert_eq!(editor.posing.last, Some(name));
+    tap(&mut editor, &egui, at);
+    let parent = before.plant.branches[index].parent.unwrap();
+    assert_eq!(editor.posing.last, editor.name_of(parent));
+    let branch = |editor: &Editor, index: usize| editor.built().unwrap().plant.branches[index].clone();
+    // A drag on the twig moves the bough that is chosen.
+    if let Some(WoodName::Grown(_)) = editor.posing.last {
+        drag(&mut editor, PenTool::Pen, at, at + DVec2::new(30.0, 10.0));
+        build(&mut editor);
+        let (rest, now) = (&before.plant.branches[parent], branch(&editor, parent));
+        assert_eq!(rest.points[0], now.points[0], "its base stays");
+        assert_ne!(rest.points, now.points);
+        editor.perform(Action::Undo);
+        assert!(editor.sketch().wood_poses.is_empty(), "one step");
+        build(&mut editor);
+        assert_eq!(editor.built().unwrap().model, before.model);
+    }
+    editor.posing.let_go();
+    drag(&mut editor, PenTool::Finger(1), at, at + DVec2::new(-24.0, 6.0));
+    assert_eq!(editor.sketch().wood_poses[0].wood, name, "without a choice the twig itself");
+    editor.perform(Action::ThickenWood(0.5));
+    build(&mut editor);
+    frame(&mut editor, &egui);
+    assert!(branch(&editor, index).radii[1] < 0.6 * before.plant.branches[index].radii[1]);
+    assert_eq!(editor.pose_state().thickness, Some(0.5));
+    let again = json::write(editor.sketch());
+    assert_eq!(&crate::sketch::from_bytes(again.as_bytes(), "a.penstemon").unwrap().0, editor.sketch());
+    editor.key(egui::Key::Delete, egui::Modifiers::NONE, true, false);
+    build(&mut editor);
+    let left = editor.built().unwrap().plant.branches.len();
+    assert!(left < before.plant.branches.len(), "it is cut off");
+    assert!(!editor.can_cut_wood());
+    editor.perform(Action::ResetPose);
+    build(&mut editor);
+    assert_eq!(editor.built().unwrap().model, before.model, "as it grew");
+}
+
+#[test]
+fn a_drawn_branch_is_cut_off_with_its_stroke() {
+    let home = tempfile::tempdir().unwrap();
+    let (mut editor, _) = with_sketch(&home, "balloon_flower");
+    let strokes = editor.sketch().strokes.len();
+    editor.perform(Action::PoseWood(true));
+    drag_stem(&mut editor, PenTool::Pen, DVec2::new(40.0, 0.0));
+    editor.key(egui::Key::Delete, egui::Modifiers::NONE, true, false);
+    assert_eq!(editor.sketch().strokes.len(), strokes - 1);
+    editor.perform(Action::Undo);
+    assert_eq!(editor.sketch().strokes.len(), strokes);
+}

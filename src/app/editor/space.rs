@@ -17,7 +17,7 @@ use crate::app::work_surface::WorkSurface;
 use crate::pen::{PenPhase, PenSample, PenTool};
 use crate::plant::{Branch, WorldFromCanvas};
 use crate::sketch::wood_poses::pose_of;
-use crate::sketch::{Change, Stroke, StrokeId, StrokePoint, Tool};
+use crate::sketch::{Change, Stroke, StrokeId, StrokePoint, Tool, WoodName};
 use glam::Vec3;
 
 impl Editor {
@@ -40,7 +40,8 @@ impl Editor {
             WorkSurface::Lifted if !can_lift => WorkSurface::Facing,
             surface => surface,
         };
-        SpaceState { any: self.drawn_wood().next().is_some(), on: self.space.is_on, surface, can_lift }
+        let any = self.built().is_some_and(|built| !built.plant.branches.is_empty());
+        SpaceState { any, on: self.space.is_on, surface, can_lift }
     }
 
     /// Begins a branch at a place in the window, physical pixels; whether there is anything to begin on.
@@ -103,7 +104,7 @@ impl Editor {
     /// The branch in space that is the newest stroke of its kind, if it stands as it was drawn.
     fn last_in_space(&self) -> Option<&Stroke> {
         let last = self.sketch().in_space().max_by_key(|stroke| stroke.id)?;
-        pose_of(&self.sketch().wood_poses, last.id).is_still().then_some(&**last)
+        pose_of(&self.sketch().wood_poses, WoodName::Stroke(last.id)).is_still().then_some(&**last)
     }
 
     /// Follows what the pen drew or painted in the view of the plant since this was asked last.

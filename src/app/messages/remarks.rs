@@ -59,6 +59,7 @@ impl Localize for Remark {
             Self::BrushOutOfReach => fill(Msg::WarningBrushOutOfReach, &[]),
             Self::BrushCutsNothing => fill(Msg::WarningBrushCutsNothing, &[]),
             Self::LightsNothing => fill(Msg::WarningLightsNothing, &[]),
+            Self::PosesRest { poses } => fill(Msg::WarningPosesRest, &[("count", poses)]),
             Self::GrowthCapped { internodes } => {
                 fill(Msg::WarningGrowthCapped, &[("internodes", internodes)])
             }
@@ -170,7 +171,8 @@ mod tests {
             Remark::DoesNotGrow { .. } => Remark::BrushOutOfReach,
             Remark::BrushOutOfReach => Remark::BrushCutsNothing,
             Remark::BrushCutsNothing => Remark::LightsNothing,
-            Remark::LightsNothing => Remark::GrowthCapped { internodes: 50 },
+            Remark::LightsNothing => Remark::PosesRest { poses: 3 },
+            Remark::PosesRest { .. } => Remark::GrowthCapped { internodes: 50 },
             Remark::GrowthCapped { .. } => Remark::GrownTooLarge { years: 51 },
             Remark::GrownTooLarge { .. } => Remark::GrowthTooCostly { years: 54 },
             Remark::GrowthTooCostly { .. } => Remark::LeavesThinned { leaves: 53 },

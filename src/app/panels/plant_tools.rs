@@ -48,6 +48,7 @@ pub(super) fn show(
             if let Some(said) = said.or_else(|| of_poses.on.then(|| pose::said(&of_poses))) {
                 ui.set_max_width(WIDTH.min(plant.width() - 32.0));
                 brush::rails(ui, &of_brushes, messages, out);
+                pose::rails(ui, &of_poses, messages, out);
                 note(ui, messages.get(said));
             }
         });

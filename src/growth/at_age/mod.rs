@@ -15,5 +15,6 @@ mod rubbing;
 mod stem_base;
 pub(super) mod to_plant;
 pub(super) mod wood_at_age;
+pub(super) mod wood_names;
 
 pub use to_plant::{PlantAtAge, plant_at};

@@ -10,15 +10,17 @@ use super::foliage::{self, Wood};
 use super::rounding::rounded;
 use super::to_plant::{NARROWER, PlantAtAge, branch_along, skeleton_of};
 use super::wood_at_age::{WoodAtAge, wood_at_age};
+use super::wood_names;
 use crate::growth::simulation::Simulation;
-use crate::plant::{Branch, FlowerBuds, Organ, Templates};
+use crate::plant::{Branch, FlowerBuds, GrownId, Organ, Origin, Templates};
 use glam::Vec3;
 
 /// Adds what a simulation grew to the plant on which it grew. `wood` are the branches of the plant that the simulation began
-/// with, in its order; `give_forms` may make new leaves copies of other templates, and gives those.
+/// with, in its order, each with the name by which new branches are called; `give_forms` may make new leaves copies of other
+/// templates, and gives those.
 pub(crate) fn add_new_growth(
     to: &mut PlantAtAge,
-    wood: &[usize],
+    (wood, names): (&[usize], &[u64]),
     simulation: &Simulation,
     give_forms: impl Fn(&mut [Organ], Templates) -> Templates,
 ) {
@@ -26,6 +28,7 @@ pub(crate) fn add_new_growth(
     let age = f32::from(simulation.age());
     let WoodAtAge { chains, at, diameters, grown } = wood_at_age(simulation, age);
     let first = tree.drawn.len();
+    let names = wood_names::names(tree, names);
     let mut place_of: Vec<Option<usize>> = vec![None; chains.chains.len()];
     for (index, chain) in chains.chains.iter().enumerate() {
         let Some(new) = new_part(chain, &chains, first, &at) else { continue };
@@ -37,8 +40,10 @@ pub(crate) fn add_new_growth(
         let Some(parent) = parent else { continue };
         let skeleton = skeleton_of(&new, &chains, &at, &diameters);
         place_of[index] = Some(to.plant.branches.len());
+        let first = chains.nodes[new.range.0 as usize + 1] as usize;
+        let origin = Origin::Grown(GrownId(names[first]));
         let branch = branch_on(&to.plant.branches, parent, skeleton);
-        to.plant.branches.push(branch);
+        to.plant.branches.push(Branch { origin, ..branch });
     }
     let of_wood = Wood {
         tree,

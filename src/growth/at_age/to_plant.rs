@@ -30,18 +30,19 @@ pub struct PlantAtAge {
 
 /// The plant at an age, at most the simulation's own. Ages between years are years that run.
 pub fn plant_at(simulation: &Simulation, age: f32) -> PlantAtAge {
-    with_chains(simulation, age).0
+    with_wood(simulation, age).0
 }
 
-/// The same with the chains that became its branches, in their order.
-pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (PlantAtAge, Chains) {
+/// The same with the wood that became its branches, which are its chains, in their order.
+pub(crate) fn with_wood(simulation: &Simulation, age: f32) -> (PlantAtAge, WoodAtAge) {
     let (tree, habit, limits) = (simulation.tree(), simulation.habit(), simulation.limits());
     let age = if age.is_finite() { age.clamp(0.0, f32::from(simulation.age())) } else { 0.0 };
-    let WoodAtAge { chains, at, diameters, grown } = wood_at_age(simulation, age);
-    let stems = Stems::of(tree, &chains, &diameters);
+    let shown = wood_at_age(simulation, age);
+    let WoodAtAge { chains, at, diameters, grown } = &shown;
+    let stems = Stems::of(tree, chains, diameters);
     let mut branches: Vec<Branch> = Vec::with_capacity(chains.chains.len());
     for (index, chain) in chains.chains.iter().enumerate() {
-        let mut skeleton = skeleton_of(chain, &chains, &at, &diameters);
+        let mut skeleton = skeleton_of(chain, chains, at, diameters);
         if let Some(parent) = chain.parent {
             // The parent's course is rounded where it bends, away from the node that the chain begins at.
             skeleton[0].0 = nearest(&branches[parent as usize].points, skeleton[0].0);
@@ -59,10 +60,10 @@ pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (PlantAtAge, Cha
     }
     let wood = Wood {
         tree,
-        chains: &chains,
-        at: &at,
-        diameters: &diameters,
-        grown: &grown,
+        chains,
+        at,
+        diameters,
+        grown,
         first: 0,
         age,
         tip: habit.tip,
@@ -76,7 +77,7 @@ pub(crate) fn with_chains(simulation: &Simulation, age: f32) -> (PlantAtAge, Cha
     plant.drop_unused_templates();
     debug_assert_eq!(plant.check_invariants(), Ok(()));
     debug_assert_eq!(buds.check_invariants(&plant), Ok(()));
-    (PlantAtAge { plant, buds }, chains)
+    (PlantAtAge { plant, buds }, shown)
 }
 
 /// The nodes of a chain with the radii there, metres, from its base.

@@ -4,11 +4,13 @@ use super::nearby::{Nearby, lead, reached};
 use super::own_leaves::OwnLeaves;
 use crate::growth::at_age::PlantAtAge;
 use crate::growth::at_age::new_growth::add_new_growth;
+use crate::growth::at_age::wood_names;
 use crate::growth::habit::Habit;
 use crate::growth::limits::{Limits, Outcome};
 use crate::growth::simulation::{Simulation, fit};
 use crate::growth::volume::Swept;
-use crate::plant::{Branch, Plant};
+use crate::plant::{Branch, Plant, Provenance};
+use crate::random::mix;
 use std::sync::Arc;
 
 /// Years that growth in a dab takes at most, and those for each ball of a stroke besides: a long one is reached from its beginning.
@@ -110,7 +112,7 @@ impl Paint {
     /// Lets the plant grow into what the stroke, number `nth` of its drawing, sweeps.
     pub fn grow(
         &self,
-        to: &mut PlantAtAge,
+        (to, provenance): (&mut PlantAtAge, &Provenance),
         (memory, nth): (&mut Memory, usize),
         (habit, limits): (&Habit, Limits),
         stop: &dyn Fn() -> bool,
@@ -122,12 +124,15 @@ impl Paint {
             nearby = reached(&to.plant, &self.swept);
         }
         let Nearby { branches, wood, thickest } = nearby;
+        let wood_names =
+            wood_names::names_of_wood(branches.iter().map(|b| &to.plant.branches[*b]), provenance);
+        let names: Vec<u64> = wood_names.iter().map(|name| mix(self.seed, *name)).collect();
         let own = OwnLeaves::of(&to.plant);
         let size = (self.radius, self.density);
         let habit = fit::fitted_to_brush(habit, size, &self.swept, (2.0 * thickest, own.length));
         let start = Start { habit, wood, swept: self.swept.clone(), seed: self.seed, limits };
         let Some(kept) = memory.grown(nth, start, stop) else { return Painted::Stopped };
-        add_new_growth(to, &branches, &kept.simulation, |leaves, usual| {
+        add_new_growth(to, (&branches, &names), &kept.simulation, |leaves, usual| {
             own.give_forms(leaves, usual, self.seed)
         });
         match kept.outcome {
@@ -145,7 +150,12 @@ pub(super) mod tests {
     /// The share of the markers in what a stroke sweeps that are taken in the end.
     pub(in crate::growth::brush) fn share_taken(paint: &Paint, on: &PlantAtAge, habit: &Habit) -> f32 {
         let (mut memory, mut plant) = (Memory::default(), on.clone());
-        paint.grow(&mut plant, (&mut memory, 0), (habit, Limits::default()), &|| false);
+        paint.grow(
+            (&mut plant, &Provenance::default()),
+            (&mut memory, 0),
+            (habit, Limits::default()),
+            &|| false,
+        );
         let Field::Space(markers) = memory.kept[0].simulation.field() else { return 0.0 };
         markers.occupied().count() as f32 / markers.len() as f32
     }

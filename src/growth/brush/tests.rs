@@ -6,7 +6,7 @@ use crate::growth::brush::paint::tests::share_taken;
 use crate::growth::habit::Habit;
 use crate::growth::limits::Limits;
 use crate::growth::volume::Swept;
-use crate::plant::{Branch, FlowerBuds, Origin, Plant, Role, WoodPart};
+use crate::plant::{Branch, FlowerBuds, Origin, Plant, Provenance, Role, WoodPart};
 use glam::Vec3;
 use std::sync::Arc;
 
@@ -35,7 +35,12 @@ fn paint(guide: f32, seed: u64) -> Paint {
 
 fn painted(paint: &Paint) -> PlantAtAge {
     let mut plant = trunk();
-    let how = paint.grow(&mut plant, (&mut Memory::default(), 0), (&tree(), Limits::default()), &|| false);
+    let how = paint.grow(
+        (&mut plant, &Provenance::default()),
+        (&mut Memory::default(), 0),
+        (&tree(), Limits::default()),
+        &|| false,
+    );
     assert_eq!(how, Painted::Filled);
     plant
 }
@@ -117,14 +122,14 @@ fn another_stroke_beside_it_leaves_the_first_as_it_was() {
     let mut memory = Memory::default();
     let (habit, limits) = (tree(), Limits::default());
     let mut plant = trunk();
-    first.grow(&mut plant, (&mut memory, 0), (&habit, limits), &|| false);
+    first.grow((&mut plant, &Provenance::default()), (&mut memory, 0), (&habit, limits), &|| false);
     let alone = plant.clone();
-    second.grow(&mut plant, (&mut memory, 1), (&habit, limits), &|| false);
+    second.grow((&mut plant, &Provenance::default()), (&mut memory, 1), (&habit, limits), &|| false);
     assert_eq!(plant.plant.branches[..alone.plant.branches.len()], alone.plant.branches);
     // Again, from memory.
     let mut again = trunk();
-    first.grow(&mut again, (&mut memory, 0), (&habit, limits), &|| false);
-    second.grow(&mut again, (&mut memory, 1), (&habit, limits), &|| false);
+    first.grow((&mut again, &Provenance::default()), (&mut memory, 0), (&habit, limits), &|| false);
+    second.grow((&mut again, &Provenance::default()), (&mut memory, 1), (&habit, limits), &|| false);
     assert_eq!(plant, again);
 }
 
@@ -139,10 +144,20 @@ fn a_stroke_in_the_air_is_led_to_and_one_too_far_away_is_not() {
     assert_eq!((lead.parent, lead.points[0].x), (Some(0), 0.0));
     assert!(near.plant.branches.len() > 5);
     let (mut far, habit) = (trunk(), tree());
-    let how = at(5.0).grow(&mut far, (&mut Memory::default(), 0), (&habit, Limits::default()), &|| false);
+    let how = at(5.0).grow(
+        (&mut far, &Provenance::default()),
+        (&mut Memory::default(), 0),
+        (&habit, Limits::default()),
+        &|| false,
+    );
     assert_eq!((how, &far), (Painted::OutOfReach, &trunk()));
     let mut none = PlantAtAge { plant: Plant::default(), buds: FlowerBuds::default() };
-    let how = at(0.6).grow(&mut none, (&mut Memory::default(), 0), (&habit, Limits::default()), &|| false);
+    let how = at(0.6).grow(
+        (&mut none, &Provenance::default()),
+        (&mut Memory::default(), 0),
+        (&habit, Limits::default()),
+        &|| false,
+    );
     assert_eq!(how, Painted::OutOfReach);
 }
 

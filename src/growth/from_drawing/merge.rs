@@ -6,9 +6,10 @@
 
 use super::drawing::Grown;
 use crate::growth::at_age::chains::Chains;
-use crate::growth::at_age::{PlantAtAge, to_plant};
+use crate::growth::at_age::wood_at_age::WoodAtAge;
+use crate::growth::at_age::{PlantAtAge, to_plant, wood_names};
 use crate::growth::tree::NONE;
-use crate::plant::{Branch, Plant};
+use crate::plant::{Branch, Continued, Plant, Provenance};
 use glam::Vec3;
 
 /// Which branches grow on: those drawn by hand that end in no flower, and whatever carries such.
@@ -46,9 +47,17 @@ fn numbers(grows: &[bool]) -> Vec<Option<usize>> {
     grows.iter().map(number).collect()
 }
 
-/// The drawn plant with what grew from its [`wood`], flower buds among that.
-pub fn merged(drawn: Plant, grows: &[bool], grown: &Grown<'_>) -> PlantAtAge {
-    let (PlantAtAge { mut plant, buds }, chains) = to_plant::with_chains(grown.simulation, grown.age);
+/// The drawn plant with what grew from its [`wood`], flower buds, each branch with its name, and which branches run on in others.
+pub fn merged(
+    (drawn, provenance): (Plant, &Provenance),
+    grows: &[bool],
+    grown: &Grown<'_>,
+) -> (PlantAtAge, Vec<Continued>) {
+    let (PlantAtAge { mut plant, buds }, WoodAtAge { chains, at, .. }) =
+        to_plant::with_wood(grown.simulation, grown.age);
+    let names = wood_names::names_of_wood(grown.wood, provenance);
+    let of_tree = (grown.simulation.tree(), &chains, &*at);
+    let continued = wood_names::name_branches(&mut plant.branches, of_tree, &names);
     let on = GrownParents { grown, chains: &chains, number: numbers(grows), drawn: &drawn.branches };
     // Where a branch that stays now is, and how far it went in depth.
     let mut moved: Vec<Option<(usize, f32)>> = vec![None; drawn.branches.len()];
@@ -78,7 +87,7 @@ pub fn merged(drawn: Plant, grows: &[bool], grown: &Grown<'_>) -> PlantAtAge {
     }
     plant.add_organs(leaves, of_leaves);
     debug_assert_eq!(plant.check_invariants(), Ok(()));
-    PlantAtAge { plant, buds }
+    (PlantAtAge { plant, buds }, continued)
 }
 
 /// Finds the grown branch that runs where a drawn one ran.

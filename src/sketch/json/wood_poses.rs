@@ -1,15 +1,19 @@
-//! The `wood_poses` of a drawing: branches that the artist turned and bent, one on each line.
+//! The `wood_poses` of a drawing: branches that the artist turned, bent, made thicker or cut off, one on each line.
 //!
 //! ```json
 //! {"stroke": 4, "turn": [0, 0, 0.2588190, 0.9659258], "bend": [0, 0, 0, 1]}
+//! {"grown": "8c1f0a52e9d40b77", "thickness": 1.5}
+//! {"grown": "03bb2e6f91d8a4c0", "cut": true}
 //! ```
 //!
-//! Turns are quaternions x, y, z, w of length 1; one that is left out turns nothing.
+//! Turns are quaternions x, y, z, w of length 1; one that is left out turns nothing. Branches that grew are named by 16
+//! hexadecimal digits, because not every reader of JSON knows whole numbers of 64 bits.
 
 use super::number::push_number;
 use super::progress::Progress;
+use crate::quote;
 use crate::sketch::error::Fault;
-use crate::sketch::wood_poses::{WoodPose, WoodPoses, check, check_one};
+use crate::sketch::wood_poses::{WoodName, WoodPose, WoodPoses, check, check_one};
 use crate::sketch::{StrokeId, limits};
 use glam::Quat;
 use serde::Deserialize;
@@ -18,7 +22,10 @@ use std::fmt;
 
 /// Appends a pose as JSON.
 pub(super) fn push(out: &mut String, pose: &WoodPose) {
-    out.push_str(&format!("{{\"stroke\": {}", pose.stroke));
+    match pose.wood {
+        WoodName::Stroke(stroke) => out.push_str(&format!("{{\"stroke\": {stroke}")),
+        WoodName::Grown(name) => out.push_str(&format!("{{\"grown\": \"{name:016x}\"")),
+    }
     for (name, turn) in [("turn", pose.turn), ("bend", pose.bend)] {
         if turn == Quat::IDENTITY {
             continue;
@@ -30,7 +37,11 @@ pub(super) fn push(out: &mut String, pose: &WoodPose) {
         }
         out.push(']');
     }
-    out.push('}');
+    if pose.thickness != 1.0 {
+        out.push_str(", \"thickness\": ");
+        push_number(out, pose.thickness);
+    }
+    out.push_str(if pose.is_cut { ", \"cut\": true}" } else { "}" });
 }
 
 /// Reads the list.
@@ -54,13 +65,12 @@ impl<'de> Visitor<'de> for WoodPosesSeed<'_> {
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Self::Value, A::Error> {
         let progress = self.0;
         let mut poses = Vec::new();
-        while let Some(PoseText { stroke, turn, bend }) = seq.next_element()? {
+        while let Some(text) = seq.next_element::<PoseText>()? {
             if poses.len() == limits::MAX_WOOD_POSES {
                 let (what, limit) = ("poses of branches", limits::MAX_WOOD_POSES);
                 return Err(progress.refuse(Fault::TooMany { what, limit }));
             }
-            let turn_of = |numbers: Option<[f32; 4]>| numbers.map_or(Quat::IDENTITY, Quat::from_array);
-            let pose = WoodPose { stroke, turn: turn_of(turn), bend: turn_of(bend) };
+            let pose = text.pose().map_err(|what| progress.malformed(what))?;
             check_one(&pose).map_err(|what| progress.malformed(what))?;
             poses.push(pose);
         }
@@ -81,7 +91,34 @@ impl<'de> Deserialize<'de> for WoodPoseList {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct PoseText {
-    stroke: StrokeId,
+    stroke: Option<StrokeId>,
+    grown: Option<String>,
     turn: Option<[f32; 4]>,
     bend: Option<[f32; 4]>,
+    thickness: Option<f32>,
+    #[serde(default)]
+    cut: bool,
+}
+
+impl PoseText {
+    /// The pose, or what is wrong with the name of its branch.
+    fn pose(self) -> Result<WoodPose, String> {
+        let wood = match (self.stroke, self.grown) {
+            (Some(stroke), None) => WoodName::Stroke(stroke),
+            (None, Some(name)) => WoodName::Grown(grown(&name)?),
+            _ => return Err("a pose has one of `stroke` and `grown`, which name its branch".to_owned()),
+        };
+        let turn_of = |numbers: Option<[f32; 4]>| numbers.map_or(Quat::IDENTITY, Quat::from_array);
+        let (turn, bend, thickness) = (turn_of(self.turn), turn_of(self.bend), self.thickness.unwrap_or(1.0));
+        Ok(WoodPose { wood, turn, bend, thickness, is_cut: self.cut })
+    }
+}
+
+/// The name of a branch that grew.
+fn grown(digits: &str) -> Result<u64, String> {
+    let is_name = digits.len() == 16 && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
+    let name = is_name.then(|| u64::from_str_radix(digits, 16).ok()).flatten();
+    name.ok_or_else(|| {
+        format!("{} is no name of a grown branch; write 16 hexadecimal digits", quote::name(digits))
+    })
 }
